@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_HIERARCHY_H
+#define BOOMERANG_HIERARCHY_H
+
+#include "boomerang/polygon.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// @file
+/// Outer approximations of a convex polygon P (section 3 of the paper). One tree type for all three: compass, Dudley,
+/// Dobkin-Kirkpatrick.
+///
+/// The envelope P_0 is a bounding rectangle with the edges E, N, W, S (edge ids 0, 1, 2, 3 = outer normals (1,0), (0,1),
+/// (-1,0), (0,-1)). Every further edge cuts one corner of the envelope before it: the boomerang between its two outer
+/// edges, whose apex is the corner cut. A node of the tree IS such an edge and IS that boomerang; every edge is a support
+/// line of P itself (possibly touching in one vertex only: a degenerate edge). P_i is the polygon of all edges of level
+/// <= i; P_0 contains P_1 contains ... contains P_depth = P (up to edges merged because their directions agree within
+/// 1e-11).
+
+typedef uint32_t bmr_edge;
+#define BMR_NO_EDGE UINT32_MAX
+
+typedef enum bmr_hierarchy_kind {
+    BMR_HIERARCHY_COMPASS,
+    BMR_HIERARCHY_DUDLEY,
+    BMR_HIERARCHY_DOBKIN_KIRKPATRICK,
+    BMR_HIERARCHY_KIND_COUNT
+} bmr_hierarchy_kind;
+
+/// A corner of an envelope: the point where the lines of two adjacent edges meet. `before` and `after` are in
+/// counter-clockwise order; `cut` is the node that cuts this corner, BMR_NO_EDGE where the corner is a vertex of P.
+typedef struct bmr_corner {
+    bmr_edge before, after, cut;
+} bmr_corner;
+
+/// The half plane <normal, x> <= offset that holds P, its boundary a support line of P. `normal` has unit length.
+typedef struct bmr_line {
+    bmr_vec2 normal;
+    double offset;
+} bmr_line;
+
+typedef struct bmr_hierarchy bmr_hierarchy;
+
+/// The directions of the compass: the 4 * 2^levels multiples of 90 / 2^levels degrees, constant, to be shared by any
+/// number of compass hierarchies on any number of threads. It must outlive them.
+typedef struct bmr_compass bmr_compass;
+/// A table fit for polygons of up to `max_vertices` vertices: 64 to 128 bytes a vertex of the LARGEST polygon, once.
+bmr_error bmr_compass_create(size_t max_vertices, const bmr_allocator *allocator, bmr_compass **compass);
+void bmr_compass_destroy(bmr_compass *compass, const bmr_allocator *allocator);
+
+/// Builds a hierarchy over `polygon`, which must outlive it. Points and segments have one too. O(n log n) time, one
+/// block. With the polygon at most 160 bytes a vertex for n >= 64.
+/// Compass: the top ceil(log2 n) levels bisect the angle, below them the median edge; depth <= 2 ceil(log2 n) for n >= 4.
+bmr_error bmr_hierarchy_build_compass(const bmr_polygon *polygon, const bmr_compass *compass,
+                                      const bmr_allocator *allocator, bmr_hierarchy **hierarchy);
+/// Dudley: degenerate edges and vertices from n regular points on a circle of radius 2D (normals outward: erratum 1), each
+/// boomerang cut by its median edge, split vertices counted; depth <= ceil(log2 2n) + 1.
+bmr_error bmr_hierarchy_build_dudley(const bmr_polygon *polygon, const bmr_allocator *allocator,
+                                     bmr_hierarchy **hierarchy);
+/// Dobkin-Kirkpatrick: the polygon's own edges only, each boomerang cut by its median edge.
+bmr_error bmr_hierarchy_build_dobkin_kirkpatrick(const bmr_polygon *polygon, const bmr_allocator *allocator,
+                                                 bmr_hierarchy **hierarchy);
+void bmr_hierarchy_destroy(bmr_hierarchy *hierarchy, const bmr_allocator *allocator);
+
+/// Bytes of the hierarchy's block, the polygon and the compass table left out.
+size_t bmr_hierarchy_bytes(const bmr_hierarchy *hierarchy);
+bmr_hierarchy_kind bmr_hierarchy_get_kind(const bmr_hierarchy *hierarchy);
+const bmr_polygon *bmr_hierarchy_polygon(const bmr_hierarchy *hierarchy);
+/// Number of edges, the four roots among them: valid ids are 0 .. count-1.
+uint32_t bmr_hierarchy_edge_count(const bmr_hierarchy *hierarchy);
+/// The deepest level; P_depth = P.
+uint32_t bmr_hierarchy_depth(const bmr_hierarchy *hierarchy);
+
+/// The level at which the edge first appears: 0 for the roots.
+uint32_t bmr_hierarchy_level(const bmr_hierarchy *hierarchy, bmr_edge edge);
+bmr_line bmr_hierarchy_line(const bmr_hierarchy *hierarchy, bmr_edge edge);
+/// A vertex of P on the edge's line.
+uint32_t bmr_hierarchy_touch(const bmr_hierarchy *hierarchy, bmr_edge edge);
+
+/// The edges that an edge's boomerang lies between, and the nodes that cut its two halves. For a root: its neighbours
+/// on level 0, and the top boomerangs on either side.
+typedef struct bmr_boomerang {
+    bmr_edge outer_before, outer_after; ///< the lines that meet in the apex, counter-clockwise order
+    bmr_edge child_before, child_after; ///< BMR_NO_EDGE where the half is empty
+    uint32_t level;
+} bmr_boomerang;
+bmr_boomerang bmr_hierarchy_boomerang(const bmr_hierarchy *hierarchy, bmr_edge edge);
+/// The apex of the boomerang that `edge` cuts (for a root: undefined, (0,0)).
+bmr_vec2 bmr_hierarchy_apex(const bmr_hierarchy *hierarchy, bmr_edge edge);
+/// Distance from the apex to P's chain inside the boomerang; 0 for a root. O(log n).
+double bmr_hierarchy_height(const bmr_hierarchy *hierarchy, bmr_edge edge);
+
+/// The corner of P_level at the counter-clockwise (clockwise) end of `edge`, which must be on that level
+/// (level(edge) <= level). O(level - level(edge)).
+bmr_corner bmr_hierarchy_corner_after(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level);
+bmr_corner bmr_hierarchy_corner_before(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level);
+/// The corner of P_level that is farthest in `direction` (not zero): its cone [normal(before), normal(after)] holds the
+/// direction; at an exact tie the corner that has the tied edge as its `before`. O(level).
+bmr_corner bmr_hierarchy_extreme(const bmr_hierarchy *hierarchy, bmr_vec2 direction, uint32_t level);
+/// The point of a corner: the meeting point of its two lines, or the vertex of P that both touch.
+bmr_vec2 bmr_hierarchy_corner_point(const bmr_hierarchy *hierarchy, bmr_corner corner);
+
+/// From the extreme corner of P_from in `direction` to that of P_to, to >= from: O(to - from).
+bmr_corner bmr_hierarchy_refine(const bmr_hierarchy *hierarchy, bmr_corner corner, bmr_vec2 direction,
+                                uint32_t to_level);
+/// From a corner of P_level to the corner of P_(level-1) that swallowed it (level >= 1). O(1).
+bmr_corner bmr_hierarchy_coarsen(const bmr_hierarchy *hierarchy, bmr_corner corner, uint32_t level);
+
+/// Re-checks everything this header promises against the polygon by brute force, O(n * depth). Tests and audits.
+bmr_error bmr_hierarchy_audit(const bmr_hierarchy *hierarchy);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
