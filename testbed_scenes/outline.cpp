@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include <box2d/b2_distance.h>
 #include <box2d/box2d.h>
 
 namespace testbed {
