@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "boomerang/kinetic.h"
+
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <stdbool.h>
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_poly.h>
+
+#include "gsl_guard.h"
+
+// A leading term this much smaller than the largest coefficient is dropped: on [-1, 1], where the solver works, it is
+// below the rounding error of any evaluation, and dropping it keeps the solver's quotients far from overflow.
+#define NEGLIGIBLE 1.2325951644078309e-32 /* 2^-106: the square of a rounding error */
+
+// How many Newton steps polish a root of the solver. From its accuracy (half the digits at worst, at a double root) two
+// would do; a step that does not improve ends it anyway.
+#define POLISH_STEPS 8
+
+// Halvings that take an interval of [-1, 1] to neighbouring doubles, except next to zero, where 2^-1074 is near enough.
+#define BISECTION_STEPS 1100
+
+/// The polynomial in u = t / 2^exponent, which is in [-1, 1] for all t asked for; largest coefficient in [1, 2).
+typedef struct scaled_polynomial {
+    double c[BMR_POLYNOMIAL_MAX_DEGREE + 1];
+    size_t degree;
+    int exponent;
+} scaled_polynomial;
+
+typedef struct polynomial_value {
+    double value, slope, curvature; ///< p, p', p''/2
+    double error;                   ///< bound of the rounding error of `value`
+} polynomial_value;
+
+static polynomial_value evaluate(const scaled_polynomial *p, double u) {
+    polynomial_value v = {p->c[p->degree], 0.0, 0.0, fabs(p->c[p->degree])};
+    for (size_t k = p->degree; k-- > 0;) {
+        v.curvature = v.curvature * u + v.slope;
+        v.slope = v.slope * u + v.value;
+        v.value = v.value * u + p->c[k];
+        v.error = v.error * fabs(u) + fabs(p->c[k]);
+    }
+    // Horner's rule errs by at most gamma_(2 degree) times the sum of magnitudes; u itself, a rounded root, by
+    // `degree` more roundings; one more degree for the sum's own error.
+    v.error *= (4.0 * (double)p->degree + 4.0) * (DBL_EPSILON / 2.0);
+    return v;
+}
+
+static bool is_zero(polynomial_value v) { return fabs(v.value) <= v.error; }
+
+/// False when every coefficient is zero.
+static bool scale_polynomial(const double *coefficients, size_t degree, double reach, scaled_polynomial *p) {
+    // ilogb is exact, so u = t / 2^exponent is too.
+    p->exponent = reach > 0.0 ? ilogb(reach) + 1 : 0;
+    int largest = INT_MIN;
+    for (size_t k = 0; k <= degree; ++k) {
+        if (coefficients[k] != 0.0) {
+            const int e = ilogb(coefficients[k]) + (int)k * p->exponent;
+            if (e > largest)
+                largest = e;
+        }
+    }
+    if (largest == INT_MIN)
+        return false;
+    for (size_t k = 0; k <= degree; ++k)
+        p->c[k] = ldexp(coefficients[k], (int)k * p->exponent - largest);
+    while (degree > 0 && fabs(p->c[degree]) <= NEGLIGIBLE)
+        --degree;
+    p->degree = degree;
+    return true;
+}
+
+/// Newton's method towards a zero of p (`order` 0) or of p' (`order` 1) as long as it helps.
+static double polish(const scaled_polynomial *p, double u, int order) {
+    double best = INFINITY, kept = u;
+    for (int step = 0; step < POLISH_STEPS; ++step) {
+        const polynomial_value v = evaluate(p, u);
+        const double value = order == 0 ? v.value : v.slope;
+        const double slope = order == 0 ? v.slope : 2.0 * v.curvature;
+        if (!(fabs(value) < best))
+            break;
+        best = fabs(value);
+        kept = u;
+        u -= value / slope;
+    }
+    return kept;
+}
+
+/// The least zero in [low, high] of the candidates that a root of the solver suggests; `first` if none is less.
+static double consider(const scaled_polynomial *p, double real, double low, double high, double first) {
+    // A double root comes out as two roots half the digits away, real or complex: the extremum between them is it.
+    const double candidates[] = {real, polish(p, real, 0), polish(p, real, 1)};
+    for (size_t i = 0; i < sizeof candidates / sizeof candidates[0]; ++i) {
+        const double u = candidates[i];
+        if (u >= low && u <= high && u < first && is_zero(evaluate(p, u)))
+            first = u;
+    }
+    return first;
+}
+
+/// A zero between two arguments at which p has different signs.
+static double bisect(const scaled_polynomial *p, double low, double high) {
+    const bool positive = evaluate(p, low).value > 0.0;
+    for (int step = 0; step < BISECTION_STEPS; ++step) {
+        const double middle = low + (high - low) / 2.0;
+        if (middle <= low || middle >= high)
+            break;
+        if ((evaluate(p, middle).value > 0.0) == positive)
+            low = middle;
+        else
+            high = middle;
+    }
+    return high;
+}
+
+/// All complex roots; `roots` takes 2 * degree numbers. Returns how many, or -1.
+static int solve(const scaled_polynomial *p, double *roots) {
+    if (p->degree <= 2) {
+        gsl_complex pair[2];
+        const double a = p->degree == 2 ? p->c[2] : 0.0, b = p->degree >= 1 ? p->c[1] : 0.0;
+        const int count = p->degree == 0 ? 0 : gsl_poly_complex_solve_quadratic(a, b, p->c[0], &pair[0], &pair[1]);
+        for (int i = 0; i < count; ++i) {
+            roots[2 * i] = GSL_REAL(pair[i]);
+            roots[2 * i + 1] = GSL_IMAG(pair[i]);
+        }
+        return count;
+    }
+    // A workspace is no more than a square matrix; on the stack it needs no allocation that could fail.
+    double matrix[BMR_POLYNOMIAL_MAX_DEGREE * BMR_POLYNOMIAL_MAX_DEGREE];
+    gsl_poly_complex_workspace workspace = {p->degree, matrix};
+    bmr_gsl_guard_enter();
+    const int status = gsl_poly_complex_solve(p->c, p->degree + 1, &workspace, roots);
+    bmr_gsl_guard_leave();
+    return status == GSL_SUCCESS ? (int)p->degree : -1;
+}
+
+bmr_error bmr_polynomial_first_root(const double *coefficients, size_t degree, double from, double to, double *root) {
+    if (!coefficients || !root)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (degree > BMR_POLYNOMIAL_MAX_DEGREE)
+        return BMR_ERROR_OUT_OF_RANGE;
+    for (size_t k = 0; k <= degree; ++k) {
+        if (!isfinite(coefficients[k]))
+            return BMR_ERROR_NOT_FINITE;
+    }
+    if (!isfinite(from) || !isfinite(to))
+        return BMR_ERROR_NOT_FINITE;
+    if (from > to)
+        return BMR_ERROR_OUT_OF_RANGE;
+
+    scaled_polynomial p;
+    if (!scale_polynomial(coefficients, degree, fmax(fabs(from), fabs(to)), &p)) {
+        *root = from;
+        return BMR_OK;
+    }
+    const double low = ldexp(from, -p.exponent), high = ldexp(to, -p.exponent);
+    const polynomial_value at_low = evaluate(&p, low), at_high = evaluate(&p, high);
+    if (is_zero(at_low)) {
+        *root = from;
+        return BMR_OK;
+    }
+
+    double roots[2 * BMR_POLYNOMIAL_MAX_DEGREE];
+    const int count = solve(&p, roots);
+    if (count < 0)
+        return BMR_ERROR_OUT_OF_RANGE;
+    double first = is_zero(at_high) ? high : INFINITY;
+    for (int i = 0; i < count; ++i)
+        first = consider(&p, roots[2 * i], low, high, first);
+    // Different signs at the ends are a proof; whatever the solver says, there is a root.
+    if (first > high && (at_low.value > 0.0) != (at_high.value > 0.0))
+        first = bisect(&p, low, high);
+    *root = first > high ? INFINITY : ldexp(first, p.exponent);
+    return BMR_OK;
+}
