@@ -13,3 +13,12 @@ function(boomerang_target target)
     target_link_options(${target} PRIVATE -fsanitize=${BOOMERANG_SANITIZE})
   endif()
 endfunction()
+
+# boomerang_find(<target> <package> [<arguments of find_package>...]): a package whose target is seen everywhere, also by
+# a project that adds this one as a subdirectory and links a target of ours.
+macro(boomerang_find target)
+  if(NOT TARGET ${target})
+    find_package(${ARGN} REQUIRED)
+    set_target_properties(${target} PROPERTIES IMPORTED_GLOBAL TRUE)
+  endif()
+endmacro()

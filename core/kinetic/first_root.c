@@ -11,18 +11,21 @@
 
 #include "gsl_guard.h"
 
-// A leading term this much smaller than the largest coefficient is dropped: on [-1, 1], where the solver works, it is
-// below the rounding error of any evaluation, and dropping it keeps the solver's quotients far from overflow.
+// A leading term this much smaller than the largest coefficient is dropped: on [-1, 1], where the solver
+// works, it is below the rounding error of any evaluation, and dropping it keeps the solver's quotients far
+// from overflow.
 #define NEGLIGIBLE 1.2325951644078309e-32 /* 2^-106: the square of a rounding error */
 
-// How many Newton steps polish a root of the solver. From its accuracy (half the digits at worst, at a double root) two
-// would do; a step that does not improve ends it anyway.
+// How many Newton steps polish a root of the solver. From its accuracy (half the digits at worst, at a double
+// root) two would do; a step that does not improve ends it anyway.
 #define POLISH_STEPS 8
 
-// Halvings that take an interval of [-1, 1] to neighbouring doubles, except next to zero, where 2^-1074 is near enough.
+// Halvings that take an interval of [-1, 1] to neighbouring doubles, except next to zero, where 2^-1074 is
+// near enough.
 #define BISECTION_STEPS 1100
 
-/// The polynomial in u = t / 2^exponent, which is in [-1, 1] for all t asked for; largest coefficient in [1, 2).
+/// The polynomial in u = t / 2^exponent, which is in [-1, 1] for all t asked for; largest coefficient in [1,
+/// 2).
 typedef struct scaled_polynomial {
     double c[BMR_POLYNOMIAL_MAX_DEGREE + 1];
     size_t degree;
@@ -42,13 +45,15 @@ static polynomial_value evaluate(const scaled_polynomial *p, double u) {
         v.value = v.value * u + p->c[k];
         v.error = v.error * fabs(u) + fabs(p->c[k]);
     }
-    // Horner's rule errs by at most gamma_(2 degree) times the sum of magnitudes; u itself, a rounded root, by
-    // `degree` more roundings; one more degree for the sum's own error.
+    // Horner's rule errs by at most gamma_(2 degree) times the sum of magnitudes; u itself, a rounded root,
+    // by `degree` more roundings; one more degree for the sum's own error.
     v.error *= (4.0 * (double)p->degree + 4.0) * (DBL_EPSILON / 2.0);
     return v;
 }
 
-static bool is_zero(polynomial_value v) { return fabs(v.value) <= v.error; }
+static bool is_zero(polynomial_value v) {
+    return fabs(v.value) <= v.error;
+}
 
 /// False when every coefficient is zero.
 static bool scale_polynomial(const double *coefficients, size_t degree, double reach, scaled_polynomial *p) {
@@ -88,9 +93,11 @@ static double polish(const scaled_polynomial *p, double u, int order) {
     return kept;
 }
 
-/// The least zero in [low, high] of the candidates that a root of the solver suggests; `first` if none is less.
+/// The least zero in [low, high] of the candidates that a root of the solver suggests; `first` if none is
+/// less.
 static double consider(const scaled_polynomial *p, double real, double low, double high, double first) {
-    // A double root comes out as two roots half the digits away, real or complex: the extremum between them is it.
+    // A double root comes out as two roots half the digits away, real or complex: the extremum between them
+    // is it.
     const double candidates[] = {real, polish(p, real, 0), polish(p, real, 1)};
     for (size_t i = 0; i < sizeof candidates / sizeof candidates[0]; ++i) {
         const double u = candidates[i];
@@ -120,7 +127,8 @@ static int solve(const scaled_polynomial *p, double *roots) {
     if (p->degree <= 2) {
         gsl_complex pair[2];
         const double a = p->degree == 2 ? p->c[2] : 0.0, b = p->degree >= 1 ? p->c[1] : 0.0;
-        const int count = p->degree == 0 ? 0 : gsl_poly_complex_solve_quadratic(a, b, p->c[0], &pair[0], &pair[1]);
+        const int count =
+            p->degree == 0 ? 0 : gsl_poly_complex_solve_quadratic(a, b, p->c[0], &pair[0], &pair[1]);
         for (int i = 0; i < count; ++i) {
             roots[2 * i] = GSL_REAL(pair[i]);
             roots[2 * i + 1] = GSL_IMAG(pair[i]);
@@ -136,7 +144,8 @@ static int solve(const scaled_polynomial *p, double *roots) {
     return status == GSL_SUCCESS ? (int)p->degree : -1;
 }
 
-bmr_error bmr_polynomial_first_root(const double *coefficients, size_t degree, double from, double to, double *root) {
+bmr_error bmr_polynomial_first_root(const double *coefficients, size_t degree, double from, double to,
+                                    double *root) {
     if (!coefficients || !root)
         return BMR_ERROR_NULL_ARGUMENT;
     if (degree > BMR_POLYNOMIAL_MAX_DEGREE)

@@ -5,8 +5,8 @@
 
 #include <gsl/gsl_errno.h>
 
-// The library's only mutable globals, because GSL's handler is one: without the count, two calls at once could end with
-// the handler off for ever, or on while one of them still runs.
+// The library's only mutable globals, because GSL's handler is one: without the count, two calls at once
+// could end with the handler off for ever, or on while one of them still runs.
 static pthread_mutex_t guard_lock = PTHREAD_MUTEX_INITIALIZER;
 static unsigned guard_inside = 0;
 static gsl_error_handler_t *guard_outer = NULL;

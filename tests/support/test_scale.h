@@ -9,8 +9,8 @@
 extern "C" {
 #endif
 
-/// `count` iterations times the environment variable BMR_TEST_SCALE (a positive number; 1 when unset or unreadable),
-/// at least 1. The sanitizer builds run with a small scale, a night's run with a large one.
+/// `count` iterations times the environment variable BMR_TEST_SCALE (a positive number; 1 when unset or
+/// unreadable), at least 1. The sanitizer builds run with a small scale, a night's run with a large one.
 static inline size_t test_scaled(size_t count) {
     const char *text = getenv("BMR_TEST_SCALE");
     char *end = NULL;
