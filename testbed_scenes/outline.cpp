@@ -8,6 +8,8 @@
 #include <box2d/b2_distance.h>
 #include <box2d/box2d.h>
 
+#include "stage.h"
+
 namespace testbed {
 namespace {
 
@@ -28,13 +30,14 @@ void WritePoint(std::FILE *out, const b2Vec2 &point) {
     std::fprintf(out, " %.9g %.9g", static_cast<double>(point.x), static_cast<double>(point.y));
 }
 
-void WriteHead(std::FILE *out, const char *kind, int body, const char *state) {
-    std::fprintf(out, "outline %s %d %s", kind, body, state);
+void WriteHead(std::FILE *out, const char *kind, uint32_t body, const char *state) {
+    std::fprintf(out, "outline %s %u %s", kind, body, state);
 }
 
-void WriteFixture(std::FILE *out, int number, const b2Body &body, const b2Fixture &fixture) {
+void WriteFixture(std::FILE *out, const b2Body &body, const b2Fixture &fixture) {
     const b2Transform &xf = body.GetTransform();
     const char *state = StateOf(body, fixture);
+    const uint32_t number = NumberOf(body);
     switch (fixture.GetType()) {
     case b2Shape::e_polygon: {
         const auto &polygon = static_cast<const b2PolygonShape &>(*fixture.GetShape());
@@ -90,10 +93,9 @@ Gap MeasureGap(const b2Fixture &fixtureA, const b2Fixture &fixtureB) {
     return {output.distance, output.pointA, output.pointB};
 }
 
-void WriteContacts(std::FILE *out, const b2World &world, const std::map<const b2Body *, int> &numbers,
-                   SlackFunction slack) {
+void WriteContacts(std::FILE *out, const b2World &world, SlackFunction slack) {
     // Keyed by numbers, not addresses: the order of the lines must not depend on the allocator.
-    std::map<std::pair<int, int>, std::pair<Gap, std::pair<const b2Body *, const b2Body *>>> pairs;
+    std::map<std::pair<uint32_t, uint32_t>, std::pair<Gap, std::pair<const b2Body *, const b2Body *>>> pairs;
     for (const b2Contact *contact = world.GetContactList(); contact != nullptr;
          contact = contact->GetNext()) {
         const b2Fixture *fixtureA = contact->GetFixtureA();
@@ -109,8 +111,8 @@ void WriteContacts(std::FILE *out, const b2World &world, const std::map<const b2
         }
         if (fixtureA->GetType() != b2Shape::e_polygon || fixtureB->GetType() != b2Shape::e_polygon)
             continue;
-        int numberA = numbers.at(fixtureA->GetBody());
-        int numberB = numbers.at(fixtureB->GetBody());
+        uint32_t numberA = NumberOf(*fixtureA->GetBody());
+        uint32_t numberB = NumberOf(*fixtureB->GetBody());
         if (numberA > numberB) {
             std::swap(numberA, numberB);
             std::swap(fixtureA, fixtureB);
@@ -122,7 +124,7 @@ void WriteContacts(std::FILE *out, const b2World &world, const std::map<const b2
     }
     for (const auto &[key, value] : pairs) {
         const auto &[gap, bodies] = value;
-        std::fprintf(out, "outline pair %d %d", key.first, key.second);
+        std::fprintf(out, "outline pair %u %u", key.first, key.second);
         WritePoint(out, gap.onA);
         WritePoint(out, gap.onB);
         const double certified =
@@ -134,13 +136,10 @@ void WriteContacts(std::FILE *out, const b2World &world, const std::map<const b2
 } // namespace
 
 void WriteOutline(std::FILE *out, const b2World &world, SlackFunction slack) {
-    std::map<const b2Body *, int> numbers;
     for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-        const int number = static_cast<int>(numbers.size());
-        numbers[body] = number;
         for (const b2Fixture *fixture = body->GetFixtureList(); fixture != nullptr;
              fixture = fixture->GetNext())
-            WriteFixture(out, number, *body, *fixture);
+            WriteFixture(out, *body, *fixture);
     }
     for (const b2Joint *joint = world.GetJointList(); joint != nullptr; joint = joint->GetNext()) {
         // The anchors are not const in Box2D, though they change nothing.
@@ -150,7 +149,7 @@ void WriteOutline(std::FILE *out, const b2World &world, SlackFunction slack) {
         WritePoint(out, readable->GetAnchorB());
         std::fputc('\n', out);
     }
-    WriteContacts(out, world, numbers, slack);
+    WriteContacts(out, world, slack);
 }
 
 } // namespace testbed
