@@ -44,6 +44,9 @@ float bmr_exact32_edge_separation_scalar(const bmr_polygon32 *reference, int32_t
 /// The largest edge separation over all edges of `reference` and the first edge that has it.
 float bmr_exact32_max_separation(const bmr_polygon32 *reference, const bmr_polygon32 *other,
                                  const bmr_transform32 *frame, int32_t *edge);
+/// The same in plain C.
+float bmr_exact32_max_separation_scalar(const bmr_polygon32 *reference, const bmr_polygon32 *other,
+                                        const bmr_transform32 *frame, int32_t *edge);
 
 #ifdef __cplusplus
 }

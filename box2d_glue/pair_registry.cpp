@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "pair_registry.h"
+
+#include <initializer_list>
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
+
+#include "body_pair.h"
+#include "hull.h"
+#include "polygon_contact.h"
+#include "settings.h"
+
+namespace bmr {
+
+namespace {
+
+/// What one side of a pair is the hull of.
+struct Unit {
+    b2Body *body;
+    const b2Fixture *fixture; ///< nullptr: the whole body
+};
+
+// A hull is looked for among this many of a body's newest contacts. Not finding it costs memory, not
+// correctness.
+constexpr int kMostContactsSearched = 32;
+
+bool OneFixture(const b2Body &body) {
+    const b2Fixture *first = body.GetFixtureList();
+    return first != nullptr && first->GetNext() == nullptr;
+}
+
+/// The hull of a static body of many fixtures (the level) would swallow everything: there each fixture is its
+/// own.
+Unit BodyUnit(b2Fixture *fixture) {
+    b2Body *body = fixture->GetBody();
+    const bool alone = body->GetType() == b2_staticBody || OneFixture(*body);
+    return {body, alone ? fixture : nullptr};
+}
+
+Unit FixtureUnit(b2Fixture *fixture) {
+    return {fixture->GetBody(), fixture};
+}
+
+bool IsHullOf(const Hull &hull, const Unit &unit) {
+    return hull.body == unit.body && hull.fixture == unit.fixture;
+}
+
+bool IsPairOf(const BodyPair &pair, const Unit &a, const Unit &b) {
+    return (IsHullOf(*pair.a, a) && IsHullOf(*pair.b, b)) || (IsHullOf(*pair.a, b) && IsHullOf(*pair.b, a));
+}
+
+bool Serves(const b2Contact &contact, const Unit &unit) {
+    const b2Fixture *a = contact.GetFixtureA(), *b = contact.GetFixtureB();
+    const b2Fixture *mine = a->GetBody() == unit.body ? a : b;
+    return unit.fixture == nullptr || mine == unit.fixture;
+}
+
+/// Calls `visit` with each contact of ours between the two bodies that is no sensor's, until it returns true.
+/// Walks the two bodies' lists side by side, so it ends with the shorter one.
+template <typename Visit> void VisitContactsBetween(b2Body *bodyA, b2Body *bodyB, Visit visit) {
+    const auto look = [&visit](b2ContactEdge *edge, const b2Body *other) {
+        if (edge->other != other)
+            return false;
+        PolygonContact *ours = PolygonContact::AsOurs(edge->contact);
+        return ours != nullptr && !ours->GetFixtureA()->IsSensor() && !ours->GetFixtureB()->IsSensor() &&
+               visit(ours);
+    };
+    b2ContactEdge *a = bodyA->GetContactList(), *b = bodyB->GetContactList();
+    for (; a != nullptr && b != nullptr; a = a->next, b = b->next) {
+        if (look(a, bodyB) || look(b, bodyA))
+            return;
+    }
+}
+
+/// Calls `visit` with each hull that a pair of this body's contacts uses, and the pair, until it returns
+/// true.
+template <typename Visit> void VisitHulls(const b2Body *body, int mostContacts, Visit visit) {
+    for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr && mostContacts > 0;
+         edge = edge->next, --mostContacts) {
+        PolygonContact *ours = PolygonContact::AsOurs(edge->contact);
+        for (BodyPair *pair = ours != nullptr ? ours->state.pair : nullptr; pair != nullptr;
+             pair = pair->parent) {
+            if (visit(pair->a, pair) || visit(pair->b, pair))
+                return;
+        }
+    }
+}
+
+constexpr int kAllContacts = 0x7fffffff;
+
+void RebuildAndReset(Hull *hull) {
+    RebuildHull(hull);
+    VisitHulls(hull->body, kAllContacts, [hull](Hull *used, BodyPair *pair) {
+        if (used == hull)
+            ResetBodyPair(pair);
+        return false;
+    });
+}
+
+/// A reference to a hull of this unit that holds `fixture`, one that is there already if possible.
+Hull *AcquireHull(const Unit &unit, const b2Fixture &fixture, b2BlockAllocator *allocator) {
+    Hull *found = nullptr;
+    VisitHulls(unit.body, kMostContactsSearched, [&found, &unit](Hull *hull, BodyPair *) {
+        if (IsHullOf(*hull, unit))
+            found = hull;
+        return found != nullptr;
+    });
+    if (found == nullptr)
+        return CreateHull(unit.body, unit.fixture, allocator);
+    ++found->references;
+    // Box2D reuses addresses and announces no new fixture: what the fixture holds decides, not who it seems
+    // to be.
+    if (!HullHolds(*found, fixture))
+        RebuildAndReset(found);
+    return found;
+}
+
+BodyPair *MakePair(const Unit &a, const Unit &b, const PolygonContact &contact, BodyPair *parent,
+                   b2BlockAllocator *allocator) {
+    Hull *hullA = AcquireHull(a, *contact.GetFixtureA(), allocator);
+    Hull *hullB = AcquireHull(b, *contact.GetFixtureB(), allocator);
+    return CreateBodyPair(hullA, hullB, parent, allocator);
+}
+
+/// Makes the pair's hulls hold the fixtures of a contact, by building again what does not.
+void MakeHold(BodyPair *pair, const PolygonContact &contact) {
+    for (const b2Fixture *fixture : {contact.GetFixtureA(), contact.GetFixtureB()}) {
+        Hull *hull = pair->a->body == fixture->GetBody() ? pair->a : pair->b;
+        if (HullHolds(*hull, *fixture))
+            continue;
+        RebuildAndReset(hull);
+        ResetBodyPair(pair); // it may be too new to be in any list
+    }
+}
+
+void Use(PolygonContact *contact, BodyPair *pair) {
+    ++pair->references;
+    contact->state.pair = pair;
+    contact->state.stamp = StampOf(*pair) - 1; // differs: the first evaluation looks at the fixtures
+}
+
+/// With remembered edges on: body pairs alone, from the second contact between two bodies on.
+void AttachToBodies(PolygonContact *contact, const Unit &a, const Unit &b, b2BlockAllocator *allocator) {
+    if (OneFixture(*a.body) && OneFixture(*b.body))
+        return;
+    PolygonContact *sibling = nullptr;
+    VisitContactsBetween(a.body, b.body, [&sibling, &a, &b](PolygonContact *other) {
+        const BodyPair *theirs = other->state.pair;
+        if (!Serves(*other, a) || !Serves(*other, b) || (theirs != nullptr && !IsPairOf(*theirs, a, b)))
+            return false;
+        sibling = other;
+        return true;
+    });
+    if (sibling == nullptr)
+        return;
+    if (sibling->state.pair == nullptr)
+        Use(sibling, MakePair(a, b, *contact, nullptr, allocator));
+    MakeHold(sibling->state.pair, *contact);
+    Use(contact, sibling->state.pair);
+}
+
+/// Without remembered edges: every contact has a pair of its own fixtures, below that of the bodies where
+/// that says more.
+void AttachToFixtures(PolygonContact *contact, const Unit &a, const Unit &b, b2BlockAllocator *allocator) {
+    const Unit fixtureA = FixtureUnit(contact->GetFixtureA()), fixtureB = FixtureUnit(contact->GetFixtureB());
+    BodyPair *parent = nullptr;
+    if (a.fixture == nullptr || b.fixture == nullptr) {
+        VisitContactsBetween(a.body, b.body, [&parent, &a, &b](PolygonContact *other) {
+            BodyPair *above = other->state.pair != nullptr ? other->state.pair->parent : nullptr;
+            if (above != nullptr && IsPairOf(*above, a, b))
+                parent = above;
+            return parent != nullptr;
+        });
+        if (parent == nullptr)
+            parent = MakePair(a, b, *contact, nullptr, allocator);
+        ++parent->references;
+        MakeHold(parent, *contact);
+    }
+    Use(contact, MakePair(fixtureA, fixtureB, *contact, parent, allocator));
+}
+
+} // namespace
+
+void AttachPair(PolygonContact *contact, b2BlockAllocator *allocator) {
+    if (contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor())
+        return;
+    const Unit a = BodyUnit(contact->GetFixtureA()), b = BodyUnit(contact->GetFixtureB());
+    const Settings &settings = GetSettings();
+    if (settings.options.prefilter && settings.sameRounding)
+        AttachToBodies(contact, a, b, allocator);
+    else
+        AttachToFixtures(contact, a, b, allocator);
+}
+
+void DetachPair(PolygonContact *contact, b2BlockAllocator *allocator) {
+    if (contact->state.pair != nullptr)
+        ReleaseBodyPair(contact->state.pair, allocator);
+    contact->state.pair = nullptr;
+}
+
+unsigned StampOf(const BodyPair &pair) {
+    return pair.stamp + (pair.parent != nullptr ? pair.parent->stamp : 0);
+}
+
+bool VerifyStamp(PolygonContact *contact) {
+    ContactState &state = contact->state;
+    state.stamp = StampOf(*state.pair);
+    const b2Fixture &first = *contact->GetFixtureA(), &second = *contact->GetFixtureB();
+    bool holds = true;
+    for (const BodyPair *pair = state.pair; pair != nullptr; pair = pair->parent) {
+        const bool swapped = pair->a->body != first.GetBody();
+        holds = holds && HullHolds(swapped ? *pair->b : *pair->a, first) &&
+                HullHolds(swapped ? *pair->a : *pair->b, second);
+    }
+    state.excluded = !holds;
+    return holds;
+}
+
+void InvalidateBody(b2Body *body) {
+    // One hull after another: rebuilding it for each pair that uses it changes nothing but the time this
+    // takes.
+    VisitHulls(body, kAllContacts, [body](Hull *hull, BodyPair *pair) {
+        if (hull->body == body) {
+            RebuildHull(hull);
+            ResetBodyPair(pair);
+        }
+        return false;
+    });
+}
+
+} // namespace bmr

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_PAIR_REGISTRY_H
+#define BOOMERANG_GLUE_PAIR_REGISTRY_H
+
+class b2BlockAllocator;
+class b2Body;
+
+namespace bmr {
+
+class PolygonContact;
+
+/// @file
+/// Which contacts share which structure. There is no table: pairs and hulls are found through the contact
+/// lists that Box2D keeps anyway, so they belong to one world, need no lock, and die with it.
+
+/// Gives a new contact (not in Box2D's lists yet) the structure it is to ask, or none: sensors; two bodies of
+/// one fixture each while remembered edges are on; the first contact between two bodies, which one edge
+/// serves best.
+void AttachPair(PolygonContact *contact, b2BlockAllocator *allocator);
+/// Gives it back.
+void DetachPair(PolygonContact *contact, b2BlockAllocator *allocator);
+
+/// Do the hulls of the contact's pair still hold its fixtures? To be asked when the stamps differ; makes them
+/// agree.
+bool VerifyStamp(PolygonContact *contact);
+
+/// The stamp that contacts of a pair compare with their own.
+struct BodyPair;
+unsigned StampOf(const BodyPair &pair);
+
+/// Builds every hull of the body again and forgets what its pairs knew.
+void InvalidateBody(b2Body *body);
+
+} // namespace bmr
+
+#endif

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "polygon_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <typeinfo>
+
+#include <box2d/b2_block_allocator.h>
+#include <box2d/b2_body.h>
+#include <box2d/b2_collision.h>
+#include <box2d/b2_fixture.h>
+
+#include "body_pair.h"
+#include "pair_registry.h"
+#include "settings.h"
+#include "shapes32.h"
+#include "thresholds.h"
+
+namespace bmr {
+
+namespace {
+
+// A search for a separating edge that finds none is paid for nothing, because Box2D then does its own. In a
+// pile the same pairs fail again and again: after 1, 2, 4, ... failures in a row this many evaluations go to
+// Box2D unsearched.
+constexpr uint8_t kMostPatience = 4;
+
+/// What the register held before us: it made the contacts that are not ours.
+b2ContactDestroyFcn *stockDestroy = nullptr;
+
+const b2PolygonShape &ShapeOf(const b2Fixture *fixture) {
+    return *static_cast<const b2PolygonShape *>(fixture->GetShape());
+}
+
+} // namespace
+
+void PolygonContact::Register() {
+    if (!s_initialized) {
+        // Else the first b2Contact::Create of the process would overwrite our entry.
+        InitializeRegisters();
+        s_initialized = true;
+    }
+    stockDestroy = s_registers[b2Shape::e_polygon][b2Shape::e_polygon].destroyFcn;
+    AddType(Create, Destroy, b2Shape::e_polygon, b2Shape::e_polygon);
+}
+
+PolygonContact *PolygonContact::AsOurs(b2Contact *contact) {
+    return typeid(*contact) == typeid(PolygonContact) ? static_cast<PolygonContact *>(contact) : nullptr;
+}
+
+const PolygonContact *PolygonContact::AsOurs(const b2Contact *contact) {
+    return AsOurs(const_cast<b2Contact *>(contact));
+}
+
+PolygonContact::PolygonContact(b2Fixture *fixtureA, b2Fixture *fixtureB)
+    : b2Contact(fixtureA, 0, fixtureB, 0), state() {
+    state.edge = kNoEdge;
+}
+
+b2Contact *PolygonContact::Create(b2Fixture *fixtureA, int32 /*indexA*/, b2Fixture *fixtureB,
+                                  int32 /*indexB*/, b2BlockAllocator *allocator) {
+    void *memory = allocator->Allocate(sizeof(PolygonContact));
+    PolygonContact *contact = new (memory) PolygonContact(fixtureA, fixtureB);
+    AttachPair(contact, allocator);
+    return contact;
+}
+
+void PolygonContact::Destroy(b2Contact *contact, b2BlockAllocator *allocator) {
+    PolygonContact *ours = AsOurs(contact);
+    if (ours == nullptr) {
+        stockDestroy(contact, allocator);
+        return;
+    }
+    DetachPair(ours, allocator);
+    ours->~PolygonContact();
+    allocator->Free(ours, sizeof(PolygonContact));
+}
+
+float PolygonContact::RadiusSum() const {
+    return ShapeOf(m_fixtureA).m_radius + ShapeOf(m_fixtureB).m_radius;
+}
+
+void PolygonContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
+    Count(&Counts::evaluations);
+    // What touched at the last look most likely touches still: no question asked. (Its own manifold is read,
+    // not the caller's, which anybody may pass uninitialised.)
+    if (m_manifold.pointCount == 0) {
+        if ((state.pair != nullptr && PairSaysApart(xfA, xfB)) || EdgeSaysApart(xfA, xfB)) {
+            manifold->pointCount = 0;
+            Count(&Counts::provedApart);
+            return;
+        }
+    } else {
+        Count(&Counts::handedOverTouching);
+    }
+    Count(&Counts::handedOver);
+    b2CollidePolygons(manifold, &ShapeOf(m_fixtureA), xfA, &ShapeOf(m_fixtureB), xfB);
+}
+
+bool PolygonContact::PairSaysApart(const b2Transform &xfA, const b2Transform &xfB) {
+    if (state.stamp != StampOf(*state.pair) ? !VerifyStamp(this) : state.excluded)
+        return false;
+    BodyPair *pair = state.pair, *parent = pair->parent;
+    const b2Body *bodyA = m_fixtureA->GetBody();
+    const float radiusSum = RadiusSum();
+    const auto apart = [&](BodyPair *asked) {
+        const bool swapped = asked->a->body != bodyA;
+        // Radii may be changed by anybody at any time.
+        return radiusSum <= asked->radiusSum && KnownApart(asked, swapped ? xfB : xfA, swapped ? xfA : xfB);
+    };
+    return (parent != nullptr && apart(parent)) || apart(pair);
+}
+
+bool PolygonContact::EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) {
+    const Settings &settings = GetSettings();
+    if (!settings.options.prefilter || !settings.sameRounding)
+        return false;
+    if (state.edge == kNoEdge) {
+        if (state.unasked == 0)
+            return FindEdge(xfA, xfB);
+        --state.unasked;
+        return false;
+    }
+    Count(&Counts::edgeChecks);
+    const b2PolygonShape &a = ShapeOf(m_fixtureA), &b = ShapeOf(m_fixtureB);
+    const bool ofB = state.edgeOfB;
+    const bmr_polygon32 reference = Polygon32(ofB ? b : a), other = Polygon32(ofB ? a : b);
+    const bmr_transform32 from = Transform32(ofB ? xfB : xfA), to = Transform32(ofB ? xfA : xfB);
+    const bmr_transform32 frame = bmr_exact32_relative(&to, &from);
+    // Vertices may have been edited in place: the edge may be gone.
+    if (state.edge < reference.count &&
+        bmr_exact32_edge_separation(&reference, state.edge, &other, &frame) > a.m_radius + b.m_radius)
+        return true;
+    return FindEdge(xfA, xfB);
+}
+
+/// Remembers the edge of largest separation of the two polygons, if it separates them in Box2D's sense.
+bool PolygonContact::FindEdge(const b2Transform &xfA, const b2Transform &xfB) {
+    Count(&Counts::edgeSearches);
+    const bmr_polygon32 a = Polygon32(ShapeOf(m_fixtureA)), b = Polygon32(ShapeOf(m_fixtureB));
+    const bmr_transform32 poseA = Transform32(xfA), poseB = Transform32(xfB);
+    const bmr_transform32 aInB = bmr_exact32_relative(&poseB, &poseA),
+                          bInA = bmr_exact32_relative(&poseA, &poseB);
+    int32_t edgeA = 0, edgeB = 0;
+    const float separationA = bmr_exact32_max_separation(&a, &b, &aInB, &edgeA);
+    const float separationB = bmr_exact32_max_separation(&b, &a, &bInA, &edgeB);
+    const bool ofB = separationB > separationA;
+    if ((ofB ? separationB : separationA) > RadiusSum()) {
+        state.edge = static_cast<uint8_t>(ofB ? edgeB : edgeA);
+        state.edgeOfB = ofB;
+        state.patience = 0;
+        return true;
+    }
+    state.edge = kNoEdge;
+    state.unasked = static_cast<uint8_t>((1u << state.patience) - 1u);
+    state.patience = std::min<uint8_t>(static_cast<uint8_t>(state.patience + 1), kMostPatience) & 0xfu;
+    return false;
+}
+
+double PolygonContact::EdgeGap(const b2Transform &xfA, const b2Transform &xfB) const {
+    const b2PolygonShape &a = ShapeOf(m_fixtureA), &b = ShapeOf(m_fixtureB);
+    const bool ofB = state.edgeOfB;
+    const bmr_polygon32 reference = Polygon32(ofB ? b : a), other = Polygon32(ofB ? a : b);
+    if (state.edge >= reference.count)
+        return 0.0;
+    const bmr_transform32 from = Transform32(ofB ? xfB : xfA), to = Transform32(ofB ? xfA : xfB);
+    const bmr_transform32 frame = bmr_exact32_relative(&to, &from);
+    if (!(std::fabs(static_cast<double>(frame.p.x)) + std::fabs(static_cast<double>(frame.p.y)) < kReach))
+        return 0.0;
+    const double separation =
+        static_cast<double>(bmr_exact32_edge_separation(&reference, state.edge, &other, &frame));
+    return std::max(0.0, separation - kRoundingMargin);
+}
+
+} // namespace bmr

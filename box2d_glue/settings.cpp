@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "settings.h"
+
+#include "hull.h"
+#include "rounding_probe.h"
+#include "thresholds.h"
+
+namespace bmr {
+
+Settings internal::settings;
+
+namespace {
+Counts counts;
+} // namespace
+
+Counts &GetCounts() {
+    return counts;
+}
+
+bool MakeSettings(const Options &options) {
+    Settings made;
+    made.options = options;
+    made.options.statistics = options.statistics || options.onEvent != nullptr;
+    made.pairDef = bmr_default_pair_def();
+    made.pairDef.structure = options.structure;
+    made.pairDef.hysteresis = kHysteresis;
+    made.compass = nullptr;
+    if (options.structure == BMR_LAZY_COMPASS) {
+        bmr_compass *compass = nullptr;
+        if (bmr_compass_create(kMostHullVertices, nullptr, &compass) != BMR_OK)
+            return false;
+        made.compass = compass; // for as long as the process lives: hulls of every world point to it
+    }
+    made.sameRounding = Box2DRoundsAsExact32();
+    internal::settings = made;
+    return true;
+}
+
+} // namespace bmr

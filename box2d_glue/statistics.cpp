@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "settings.h"
+
+namespace bmr {
+
+Statistics GetStatistics() {
+    const Counts &counts = GetCounts();
+    Statistics s;
+    s.evaluations = counts.evaluations;
+    s.edgeChecks = counts.edgeChecks;
+    s.edgeSearches = counts.edgeSearches;
+    s.verdictsReused = counts.verdictsReused;
+    s.provedApart = counts.provedApart;
+    s.handedOver = counts.handedOver;
+    s.handedOverTouching = counts.handedOverTouching;
+    s.pairs = counts.pairs;
+    s.hulls = counts.hulls;
+    s.kinetic.checks = counts.kineticChecks;
+    s.kinetic.levels = counts.kineticLevels;
+    for (int kind = 0; kind < BMR_EVENT_KIND_COUNT; ++kind)
+        s.kinetic.events[kind] = counts.kineticEvents[kind];
+    return s;
+}
+
+} // namespace bmr
