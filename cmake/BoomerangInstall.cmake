@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+# What `cmake --install` puts where: libraries, headers, a CMake package and pkg-config files, all relocatable.
+# And a target `uninstall`, which takes away what the last installation from this build tree put there.
+include(CMakePackageConfigHelpers)
+
+set(boomerang_installed_targets boomerang_core)
+set(boomerang_components core)
+if(TARGET boomerang_kinetic)
+  list(APPEND boomerang_installed_targets boomerang_kinetic)
+  list(APPEND boomerang_components kinetic)
+endif()
+if(TARGET boomerang_box2d)
+  list(APPEND boomerang_installed_targets boomerang_box2d_glue boomerang_box2d)
+  list(APPEND boomerang_components box2d)
+endif()
+
+install(TARGETS ${boomerang_installed_targets} EXPORT boomerangTargets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+
+file(GLOB core_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/include/boomerang/*.h)
+if(NOT TARGET boomerang_kinetic)
+  list(FILTER core_headers EXCLUDE REGEX "/kinetic\\.h$")
+endif()
+install(FILES ${core_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang)
+if(TARGET boomerang_box2d)
+  file(GLOB box2d_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/plugin/include/boomerang/*.h
+    ${PROJECT_SOURCE_DIR}/box2d_glue/include/boomerang/*.h)
+  install(FILES ${box2d_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang)
+endif()
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+set(boomerang_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/boomerang)
+install(EXPORT boomerangTargets NAMESPACE boomerang:: DESTINATION ${boomerang_package_dir})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/boomerangConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/boomerangConfig.cmake INSTALL_DESTINATION ${boomerang_package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/boomerangConfig.cmake ${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake
+  DESTINATION ${boomerang_package_dir})
+
+# The pkg-config files name their prefix relative to themselves, so that `cmake --install --prefix` may choose it late.
+set(boomerang_pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH boomerang_pc_to_prefix /${boomerang_pc_dir} /)
+string(REGEX REPLACE "/$" "" boomerang_pc_to_prefix "${boomerang_pc_to_prefix}")
+foreach(component IN LISTS boomerang_components)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/boomerang-${component}.pc.in
+    ${PROJECT_BINARY_DIR}/boomerang-${component}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/boomerang-${component}.pc DESTINATION ${boomerang_pc_dir})
+endforeach()
+
+if(PROJECT_IS_TOP_LEVEL)
+  add_custom_target(uninstall
+    COMMAND ${CMAKE_COMMAND} -DMANIFEST=${PROJECT_BINARY_DIR}/install_manifest.txt
+      -P ${CMAKE_CURRENT_LIST_DIR}/BoomerangUninstall.cmake
+    COMMENT "Taking away what the last installation put there" VERBATIM)
+endif()

@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# One step of the consumer test: tests/consumer/consume.sh STEP
+#   install            installs the build tree into $WORK/prefix
+#   find_package       builds the programs with CMake on what is installed there, and runs them
+#   pkg_config         the same with nothing but the compiler and pkg-config
+#   add_subdirectory   builds them together with the sources, and runs them
+#   uninstall          takes the installation away and checks that no file is left
+# Environment: SOURCE, BUILD (the tree to install from), WORK (a directory of our own), WITH_BOX2D (ON or OFF), CC, CXX.
+set -euo pipefail
+step=$1
+consumer=$SOURCE/tests/consumer
+prefix=$WORK/prefix
+out=$WORK/$step
+manifest=$BUILD/install_manifest.txt
+
+fail() {
+    printf 'consumer: %s\n' "$*" >&2
+    exit 1
+}
+
+build_with_cmake() {
+    rm -rf "$out"
+    cmake -S "$consumer/$step" -B "$out" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+        -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" -DCONSUME_BOX2D="$WITH_BOX2D" "$@"
+    cmake --build "$out"
+}
+
+run_programs() {
+    "$out/bin/consume_core"
+    if [ "$WITH_BOX2D" = ON ]; then
+        "$out/bin/consume_box2d"
+    fi
+}
+
+# Installing overwrites the list of what was installed from this tree, which may be somebody's real installation.
+with_own_manifest() {
+    local kept=$WORK/install_manifest.kept
+    rm -f "$kept"
+    [ ! -f "$manifest" ] || mv "$manifest" "$kept"
+    # shellcheck disable=SC2064
+    trap "rm -f '$manifest'; [ ! -f '$kept' ] || mv '$kept' '$manifest'" EXIT
+    "$@"
+}
+
+install_and_keep_list() {
+    cmake --install "$BUILD" --prefix "$prefix"
+    cp "$manifest" "$WORK/manifest.txt"
+}
+
+uninstall_from_list() {
+    cp "$WORK/manifest.txt" "$manifest"
+    cmake --build "$BUILD" --target uninstall
+}
+
+mkdir -p "$WORK"
+case $step in
+install)
+    rm -rf "$prefix"
+    with_own_manifest install_and_keep_list
+    ;;
+find_package)
+    build_with_cmake -DCMAKE_PREFIX_PATH="$prefix"
+    run_programs
+    grep -q "^boomerang_DIR:PATH=$prefix/" "$out/CMakeCache.txt" ||
+        fail "this was another Boomerang than the one that this test installed"
+    ;;
+pkg_config)
+    rm -rf "$out"
+    mkdir -p "$out/bin"
+    directory=$(dirname "$(find "$prefix" -name boomerang-core.pc)")
+    export PKG_CONFIG_PATH=$directory
+    read -ra flags < <(pkg-config --cflags --libs boomerang-core)
+    "$CC" -std=c11 "$consumer/consume_core.c" -o "$out/bin/consume_core" "${flags[@]}"
+    if [ "$WITH_BOX2D" = ON ]; then
+        read -ra flags < <(pkg-config --cflags --libs boomerang-box2d)
+        "$CXX" -std=c++17 "$consumer/consume_box2d.cpp" -o "$out/bin/consume_box2d" "${flags[@]}"
+    fi
+    LD_LIBRARY_PATH=$(dirname "$directory") run_programs
+    ;;
+add_subdirectory)
+    build_with_cmake -DBOOMERANG_SOURCE="$SOURCE"
+    run_programs
+    ;;
+uninstall)
+    [ -n "$(find "$prefix" -type f)" ] || fail "nothing was installed"
+    with_own_manifest uninstall_from_list
+    left=$(find "$prefix" ! -type d)
+    [ -z "$left" ] || fail "uninstall left: $left"
+    left=$(find "$prefix" -type d -name boomerang)
+    [ -z "$left" ] || fail "uninstall left the directory $left"
+    ;;
+*) fail "unknown step '$step'" ;;
+esac
