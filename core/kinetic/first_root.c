@@ -71,9 +71,9 @@ static bool scale_polynomial(const double *coefficients, size_t degree, double r
         return false;
     for (size_t k = 0; k <= degree; ++k)
         p->c[k] = ldexp(coefficients[k], (int)k * p->exponent - largest);
-    while (degree > 0 && fabs(p->c[degree]) <= NEGLIGIBLE)
-        --degree;
     p->degree = degree;
+    while (p->degree > 0 && fabs(p->c[p->degree]) <= NEGLIGIBLE)
+        --p->degree;
     return true;
 }
 
@@ -122,18 +122,19 @@ static double bisect(const scaled_polynomial *p, double low, double high) {
     return high;
 }
 
-/// All complex roots; `roots` takes 2 * degree numbers. Returns how many, or -1.
-static int solve(const scaled_polynomial *p, double *roots) {
+/// All complex roots; `roots` takes 2 * degree numbers, real and imaginary parts. False if they were not
+/// found.
+static bool solve(const scaled_polynomial *p, double *roots, size_t *count) {
     if (p->degree <= 2) {
         gsl_complex pair[2];
         const double a = p->degree == 2 ? p->c[2] : 0.0, b = p->degree >= 1 ? p->c[1] : 0.0;
-        const int count =
-            p->degree == 0 ? 0 : gsl_poly_complex_solve_quadratic(a, b, p->c[0], &pair[0], &pair[1]);
-        for (int i = 0; i < count; ++i) {
+        const int found = gsl_poly_complex_solve_quadratic(a, b, p->c[0], &pair[0], &pair[1]);
+        *count = found > 0 ? (size_t)found : 0;
+        for (size_t i = 0; i < *count; ++i) {
             roots[2 * i] = GSL_REAL(pair[i]);
             roots[2 * i + 1] = GSL_IMAG(pair[i]);
         }
-        return count;
+        return true;
     }
     // A workspace is no more than a square matrix; on the stack it needs no allocation that could fail.
     double matrix[BMR_POLYNOMIAL_MAX_DEGREE * BMR_POLYNOMIAL_MAX_DEGREE];
@@ -141,7 +142,8 @@ static int solve(const scaled_polynomial *p, double *roots) {
     bmr_gsl_guard_enter();
     const int status = gsl_poly_complex_solve(p->c, p->degree + 1, &workspace, roots);
     bmr_gsl_guard_leave();
-    return status == GSL_SUCCESS ? (int)p->degree : -1;
+    *count = p->degree;
+    return status == GSL_SUCCESS;
 }
 
 bmr_error bmr_polynomial_first_root(const double *coefficients, size_t degree, double from, double to,
@@ -172,11 +174,11 @@ bmr_error bmr_polynomial_first_root(const double *coefficients, size_t degree, d
     }
 
     double roots[2 * BMR_POLYNOMIAL_MAX_DEGREE];
-    const int count = solve(&p, roots);
-    if (count < 0)
+    size_t count = 0;
+    if (!solve(&p, roots, &count))
         return BMR_ERROR_OUT_OF_RANGE;
     double first = is_zero(at_high) ? high : INFINITY;
-    for (int i = 0; i < count; ++i)
+    for (size_t i = 0; i < count; ++i)
         first = consider(&p, roots[2 * i], low, high, first);
     // Different signs at the ends are a proof; whatever the solver says, there is a root.
     if (first > high && (at_low.value > 0.0) != (at_high.value > 0.0))
