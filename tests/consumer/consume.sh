@@ -59,6 +59,10 @@ case $step in
 install)
     rm -rf "$prefix"
     with_own_manifest install_and_keep_list
+    # What ships inside a game must not depend on GSL, which is GPL-3.
+    while read -r library; do
+        ! readelf --dynamic "$library" | grep NEEDED | grep -i gsl || fail "$library links GSL"
+    done < <(find "$prefix" -name '*.so')
     ;;
 find_package)
     build_with_cmake -DCMAKE_PREFIX_PATH="$prefix"
