@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "commands.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include <unistd.h>
+
+#include "nearest.h"
+#include "progress.h"
+#include "report.h"
+#include "table.h"
+
+namespace testbed {
+namespace {
+
+/// A file that is opened before the work begins: hours of comparing should not end in "cannot write".
+class OutputFile {
+public:
+    explicit OutputFile(const std::string &path) : m_path(path) {
+        if (path.empty())
+            return;
+        m_stream.open(path);
+        if (!m_stream)
+            throw UsageError("cannot write " + path);
+    }
+    bool IsWanted() const { return !m_path.empty(); }
+    std::ostream &Stream() { return m_stream; }
+    void Close() {
+        m_stream.close();
+        if (!m_stream)
+            throw std::runtime_error("writing " + m_path + " failed");
+    }
+
+private:
+    std::string m_path;
+    std::ofstream m_stream;
+};
+
+void PrintNumbers(std::ostream &out, const nlohmann::json &json, const std::string &prefix) {
+    constexpr int kNameWidth = 28;
+    for (const auto &[key, value] : json.items()) {
+        const std::string name = prefix.empty() ? key : prefix + "." + key;
+        if (value.is_object()) {
+            PrintNumbers(out, value, name);
+            continue;
+        }
+        std::ostringstream line;
+        line << name << std::string(name.size() < kNameWidth ? kNameWidth - name.size() : 1, ' ');
+        if (value.is_string())
+            line << value.get<std::string>();
+        else if (value.is_null())
+            line << '-';
+        else
+            line << value.dump();
+        out << line.str() << '\n';
+    }
+}
+
+std::vector<SceneInfo> SelectScenes(const std::vector<SceneInfo> &all,
+                                    const std::vector<std::string> &names) {
+    if (names.empty())
+        return all;
+    std::vector<SceneInfo> selected;
+    for (const std::string &name : names)
+        selected.push_back(FindScene(all, name));
+    return selected;
+}
+
+int CompareExitCode(const std::vector<SceneResult> &results) {
+    int code = kExitOk;
+    for (const SceneResult &result : results) {
+        // A failed worker outweighs a difference: without it nothing is known of the scene.
+        if (result.verdict == Verdict::Failed)
+            return kExitWorker;
+        if (result.verdict == Verdict::Different)
+            code = kExitDifferent;
+    }
+    return code;
+}
+
+} // namespace
+
+const SceneInfo &FindScene(const std::vector<SceneInfo> &scenes, const std::string &name) {
+    std::vector<std::string> names;
+    for (const SceneInfo &scene : scenes) {
+        if (scene.name == name)
+            return scene;
+        names.push_back(scene.name);
+    }
+    throw UsageError("there is no scene \"" + name + "\"; the nearest is \"" + Nearest(name, names) +
+                     "\" (boomerang-testbed list shows all)");
+}
+
+int Execute(const ListCommand &command, const Workers &workers) {
+    const std::vector<SceneInfo> scenes = workers.List();
+    if (command.json) {
+        nlohmann::json json = nlohmann::json::array();
+        for (const SceneInfo &scene : scenes)
+            json.push_back(ToJson(scene));
+        std::cout << json.dump(2) << '\n';
+        return kExitOk;
+    }
+    const bool colour = WantsColour(STDOUT_FILENO);
+    size_t width = 0;
+    for (const SceneInfo &scene : scenes)
+        width = std::max(width, scene.name.size());
+    std::string group;
+    for (const SceneInfo &scene : scenes) {
+        if (scene.group != group) {
+            std::cout << (group.empty() ? "" : "\n") << Styled(scene.group, Style::Strong, colour) << '\n';
+            group = scene.group;
+        }
+        std::cout << "  " << scene.name << std::string(width + 2 - scene.name.size(), ' ')
+                  << scene.description << ' '
+                  << Styled("(size " + std::to_string(scene.size) + ", " + std::to_string(scene.steps) +
+                                " steps)",
+                            Style::Faint, colour)
+                  << '\n';
+    }
+    return kExitOk;
+}
+
+int Execute(const RunCommand &command, const Workers &workers) {
+    if (!command.plugin && !command.trace.empty())
+        throw UsageError("--trace shows what the plugin does: it needs --plugin on");
+    const SceneInfo scene = FindScene(workers.List(), command.scene);
+    WorkerRequest request;
+    request.side = command.plugin ? Side::Plugin : Side::Stock;
+    request.scene = scene.name;
+    request.steps = command.steps.value_or(scene.steps);
+    request.mode = command.hash ? "hash" : command.time ? "time" : "count";
+    if (!command.trace.empty())
+        request.extra = {"--trace", command.trace};
+
+    nlohmann::json summary;
+    const auto process = workers.Start(request, command.worker, [&](const std::string &line) {
+        if (IsSummaryLine(line)) {
+            summary = ParseSummaryLine(line);
+        } else {
+            ParseStepLine(line);
+            if (command.hash)
+                std::cout << line << '\n';
+        }
+    });
+    Progress progress(1, command.hash);
+    progress.Show(scene.name, 0.0);
+    RunAll({process.get()}, [&progress] { progress.Tick(); });
+    progress.Clear();
+    if (!process->Succeeded())
+        throw WorkerError(process->Describe());
+    if (summary.is_null())
+        throw WorkerError(process->CommandLine() + ": ended without a summary");
+    if (command.json)
+        std::cout << summary.dump(2) << '\n';
+    else
+        PrintNumbers(std::cout, summary, "");
+    return kExitOk;
+}
+
+int Execute(const CompareCommand &command, const Workers &workers) {
+    const std::vector<SceneInfo> scenes = SelectScenes(workers.List(), command.scenes);
+    OutputFile json(command.json), csv(command.csv);
+    const bool colour = WantsColour(STDOUT_FILENO);
+    const int runsPerScene = RunsPerScene(command.options);
+
+    if (!workers.CanCount() && !command.quiet)
+        std::cerr << "note: libboomerang-count.so is not built: calls of Box2D stay uncounted\n";
+    std::vector<SceneResult> results;
+    {
+        Progress progress(runsPerScene * static_cast<int>(scenes.size()), command.quiet);
+        for (const SceneInfo &scene : scenes) {
+            results.push_back(CompareScene(workers, scene, command.options, progress));
+            progress.FinishUpTo(runsPerScene * static_cast<int>(results.size()));
+            if (results.back().verdict != Verdict::Identical) {
+                progress.Clear();
+                // At once, not after the other scenes: this is what somebody waits for.
+                std::cout << Explain(results.back()) << std::endl;
+            }
+        }
+    }
+    const bool hasFigures = std::any_of(results.begin(), results.end(), [](const auto &result) {
+        return result.verdict == Verdict::Identical;
+    });
+    if (!command.quiet && hasFigures)
+        PrintTables(std::cout, results, command.options, colour);
+    PrintClosingLine(std::cout, results, colour);
+    if (json.IsWanted()) {
+        WriteJson(json.Stream(), results, command.options);
+        json.Close();
+    }
+    if (csv.IsWanted()) {
+        WriteCsv(csv.Stream(), results);
+        csv.Close();
+    }
+    return CompareExitCode(results);
+}
+
+} // namespace testbed

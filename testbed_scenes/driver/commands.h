@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TESTBED_COMMANDS_H
+#define BOOMERANG_TESTBED_COMMANDS_H
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare.h"
+#include "workers.h"
+
+namespace testbed {
+
+/// What the program returns, as its --help says.
+enum ExitCode { kExitOk = 0, kExitDifferent = 1, kExitUsage = 2, kExitWorker = 3 };
+
+/// A request that makes no sense: reported on stderr, exit code 2.
+class UsageError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+struct ListCommand {
+    bool json = false;
+};
+
+struct RunCommand {
+    std::string scene;
+    std::optional<int64_t> steps;
+    bool plugin = true;
+    bool hash = false;
+    bool time = false;
+    bool json = false;
+    std::string trace;
+    WorkerOptions worker;
+};
+
+struct CompareCommand {
+    std::vector<std::string> scenes;
+    CompareOptions options;
+    std::string json, csv;
+    bool quiet = false;
+};
+
+struct DrawCommand {
+    std::string scene;
+    int64_t step = 0;
+    bool plugin = true;
+    std::string output;
+    int width = 1200;
+    WorkerOptions worker;
+};
+
+// Each does its job and returns the exit code; errors are thrown (UsageError, WorkerError).
+int Execute(const ListCommand &command, const Workers &workers);
+int Execute(const RunCommand &command, const Workers &workers);
+int Execute(const CompareCommand &command, const Workers &workers);
+int Execute(const DrawCommand &command, const Workers &workers);
+
+/// The scene of that name; if there is none, a UsageError that names the nearest.
+const SceneInfo &FindScene(const std::vector<SceneInfo> &scenes, const std::string &name);
+
+} // namespace testbed
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TESTBED_COMPARE_H
+#define BOOMERANG_TESTBED_COMPARE_H
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "progress.h"
+#include "workers.h"
+
+namespace testbed {
+
+struct CompareOptions {
+    WorkerOptions worker;
+    /// Steps of each scene; nothing means what the scene itself asks for.
+    std::optional<int64_t> steps;
+    /// Timed runs of each side.
+    int repeat = 5;
+    bool time = true;
+    /// The control: at this step the plugin's worker nudges one velocity, and a difference must be found.
+    std::optional<int64_t> perturb;
+};
+
+/// The first difference between two runs.
+struct Difference {
+    int64_t step = 0;
+    /// Which of the three hashes differ: "bodies", "bodies, contacts" and so on.
+    std::string hashes;
+    /// The first field that differs ("body 12 position.x") and its values; empty if the dumps of that step
+    /// agree.
+    std::string field, stock, plugin;
+    /// Fields that differ at that step.
+    int64_t fields = 0;
+};
+
+enum class Verdict { Identical, Different, Failed };
+
+const char *NameOf(Verdict verdict);
+
+struct SceneResult {
+    SceneInfo scene;
+    int64_t steps = 0;
+    Verdict verdict = Verdict::Failed;
+    std::string failure;                    ///< why no verdict was reached, with the worker's last words
+    std::optional<Difference> difference;   ///< set where the verdict is Different
+    nlohmann::json stockCount, pluginCount; ///< summaries of the counting runs; null where there were none
+    std::vector<nlohmann::json> stockTimes, pluginTimes; ///< summaries of the timed runs, paired by index
+};
+
+/// Worker runs that comparing one scene takes: the unit of the progress bar.
+int RunsPerScene(const CompareOptions &options);
+
+/// Compares one scene: hashes step by step, then (if they agree) counts, then times. What a worker does wrong
+/// ends up in the result, so that one bad scene does not take the others along.
+SceneResult CompareScene(const Workers &workers, const SceneInfo &scene, const CompareOptions &options,
+                         Progress &progress);
+
+/// One line or a few, without a newline at the end: what differs, or what failed.
+std::string Explain(const SceneResult &result);
+
+} // namespace testbed
+
+#endif

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace testbed {
+namespace {
+
+std::optional<double> Quotient(std::optional<double> numerator, std::optional<double> denominator) {
+    if (!numerator || !denominator || *denominator == 0.0)
+        return std::nullopt;
+    return *numerator / *denominator;
+}
+
+/// One number of each summary in turn; empty if any lacks it.
+std::vector<double> Column(const std::vector<nlohmann::json> &summaries, const std::string &pointer) {
+    std::vector<double> column;
+    for (const nlohmann::json &summary : summaries) {
+        const std::optional<double> number = NumberAt(summary, pointer);
+        if (!number)
+            return {};
+        column.push_back(*number);
+    }
+    return column;
+}
+
+/// The median of the ratios of runs that were made one after the other: what slows the machine down for a
+/// while slows both runs of a pair, and cancels.
+std::vector<double> PairedRatios(const std::vector<double> &stock, const std::vector<double> &plugin) {
+    std::vector<double> ratios;
+    for (size_t i = 0; i < std::min(stock.size(), plugin.size()); ++i)
+        if (plugin[i] > 0.0)
+            ratios.push_back(stock[i] / plugin[i]);
+    return ratios;
+}
+
+std::optional<double> Scaled(std::optional<double> value, double factor) {
+    if (!value)
+        return std::nullopt;
+    return *value * factor;
+}
+
+} // namespace
+
+std::optional<double> Median(std::vector<double> values) {
+    if (values.empty())
+        return std::nullopt;
+    std::sort(values.begin(), values.end());
+    const size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+std::optional<double> GeometricMean(const std::vector<double> &values) {
+    if (values.empty())
+        return std::nullopt;
+    double logarithms = 0.0;
+    for (double value : values)
+        logarithms += std::log(value);
+    return std::exp(logarithms / static_cast<double>(values.size()));
+}
+
+Figures::Figures(const SceneResult &result) {
+    AddCounts(result);
+    AddEvents(result);
+    AddTimes(result);
+}
+
+std::optional<double> Figures::operator[](const std::string &name) const {
+    for (const auto &[key, value] : m_values)
+        if (key == name)
+            return value;
+    return std::nullopt;
+}
+
+void Figures::AddCounts(const SceneResult &result) {
+    const double steps = static_cast<double>(std::max<int64_t>(result.steps, 1));
+    Add("bodies", NumberAt(result.stockCount, "/bodies"));
+    Add("contacts", NumberAt(result.stockCount, "/contacts"));
+    for (const char *side : {"stock", "plugin"}) {
+        const nlohmann::json &count = side == std::string("stock") ? result.stockCount : result.pluginCount;
+        for (const char *call :
+             {"polygon_tests", "polygon_tests_apart", "toi_calls", "distance_calls", "overlap_calls"})
+            Add(std::string(side) + "." + call + "_per_step",
+                Scaled(NumberAt(count, std::string("/calls/") + call), 1.0 / steps));
+    }
+    // The share of the tests that told stock nothing but "apart" and that the plugin did without.
+    const std::optional<double> stock = NumberAt(result.stockCount, "/calls/polygon_tests_apart");
+    const std::optional<double> plugin = NumberAt(result.pluginCount, "/calls/polygon_tests_apart");
+    if (stock && plugin)
+        Add("saved.polygon_tests_apart_percent", Quotient(100.0 * (*stock - *plugin), stock));
+    else
+        Add("saved.polygon_tests_apart_percent", std::nullopt);
+}
+
+void Figures::AddEvents(const SceneResult &result) {
+    const double perStep = 1.0 / static_cast<double>(std::max<int64_t>(result.steps, 1));
+    auto add = [&](const std::string &name, const std::string &pointer) {
+        Add(name, Scaled(NumberAt(result.pluginCount, "/plugin/" + pointer), perStep));
+    };
+    const std::optional<double> edges = NumberAt(result.pluginCount, "/plugin/edge_checks");
+    const std::optional<double> kinetic = NumberAt(result.pluginCount, "/plugin/kinetic/checks");
+    Add("checks.all_per_step",
+        edges && kinetic ? Scaled(*edges + *kinetic, perStep) : std::optional<double>());
+    Add("checks.edge_per_step", Scaled(edges, perStep));
+    Add("checks.kinetic_per_step", Scaled(kinetic, perStep));
+    add("plugin.evaluations_per_step", "evaluations");
+    add("plugin.edge_searches_per_step", "edge_searches");
+    add("plugin.verdicts_reused_per_step", "verdicts_reused");
+    add("plugin.proved_apart_per_step", "proved_apart");
+    for (const char *event : {"start", "stab", "push", "roll", "coarsen", "contact", "leave"})
+        add(std::string("events.") + event + "_per_step", std::string("kinetic/") + event);
+    add("events.hand_over_per_step", "handed_over");
+    add("events.hand_over_touching_per_step", "handed_over_touching");
+    Add("plugin.pairs", NumberAt(result.pluginCount, "/plugin/pairs"));
+    Add("plugin.hulls", NumberAt(result.pluginCount, "/plugin/hulls"));
+}
+
+void Figures::AddTimes(const SceneResult &result) {
+    const double steps = static_cast<double>(std::max<int64_t>(result.steps, 1));
+    struct Quantity {
+        const char *name, *pointer;
+        double toMicroseconds;
+    };
+    // Box2D's own profile gives milliseconds, the worker's clock around a step nanoseconds.
+    constexpr double kFromMilliseconds = 1e3, kFromNanoseconds = 1e-3;
+    for (const Quantity &quantity : {Quantity{"narrow_phase", "/collide_ms_total", kFromMilliseconds},
+                                     Quantity{"toi", "/solve_toi_ms_total", kFromMilliseconds},
+                                     Quantity{"step", "/step_ns_total", kFromNanoseconds}}) {
+        const std::vector<double> stock = Column(result.stockTimes, quantity.pointer);
+        const std::vector<double> plugin = Column(result.pluginTimes, quantity.pointer);
+        const double factor = quantity.toMicroseconds / steps;
+        const std::string name = quantity.name;
+        Add("stock." + name + "_us_per_step", Scaled(Median(stock), factor));
+        Add("plugin." + name + "_us_per_step", Scaled(Median(plugin), factor));
+        const std::vector<double> ratios = PairedRatios(stock, plugin);
+        Add("ratio." + name, Median(ratios));
+        Add("ratio." + name + "_least",
+            ratios.empty() ? std::optional<double>() : *std::min_element(ratios.begin(), ratios.end()));
+        Add("ratio." + name + "_greatest",
+            ratios.empty() ? std::optional<double>() : *std::max_element(ratios.begin(), ratios.end()));
+    }
+}
+
+} // namespace testbed

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+//
+// boomerang-testbed: runs scenes on stock Box2D and on Box2D with the plugin, in processes of their own, and
+// compares them. This file is its command line; commands.cpp does what it says.
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "commands.h"
+#include "nearest.h"
+
+namespace testbed {
+namespace {
+
+constexpr char kExitCodes[] =
+    "Exit codes: 0 done, nothing differs; 1 a difference was found; 2 the request makes no "
+    "sense; 3 a worker failed.";
+
+struct CommandLine {
+    std::string directory;
+    ListCommand list;
+    RunCommand run;
+    CompareCommand compare;
+    DrawCommand draw;
+    bool noTime = false;
+};
+
+void AddPluginOptions(CLI::App &app, WorkerOptions &worker) {
+    app.add_option("--structure", worker.structure,
+                   "Kinetic structure of a body pair (default: the plugin's own)")
+        ->check(CLI::IsMember({"lazy-compass", "lazy-dudley", "free-direction"}));
+    app.add_option("--prefilter", worker.prefilter,
+                   "Ask one remembered edge first (default: the plugin's own)")
+        ->check(CLI::IsMember({"on", "off"}));
+}
+
+void AddSceneOptions(CLI::App &app, WorkerOptions &worker) {
+    app.add_option("--size", worker.size, "How much of everything there is (default: the scene's own)")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--seed", worker.seed, "Seed of the scene's random numbers (default: the scene's own)");
+}
+
+void AddPluginSwitch(CLI::App &app, bool &plugin) {
+    app.add_option_function<std::string>(
+           "--plugin", [&plugin](const std::string &value) { plugin = value == "on"; },
+           "With the plugin, or stock Box2D (default: on)")
+        ->check(CLI::IsMember({"on", "off"}));
+}
+
+CLI::App *AddList(CLI::App &app, CommandLine &line) {
+    CLI::App *list = app.add_subcommand("list", "Show the scenes");
+    list->add_flag("--json", line.list.json, "As JSON");
+    return list;
+}
+
+CLI::App *AddRun(CLI::App &app, CommandLine &line) {
+    CLI::App *run = app.add_subcommand("run", "Run one scene on one side");
+    run->add_option("scene", line.run.scene, "A name that `list` shows")->required();
+    run->add_option("--steps", line.run.steps, "Steps to simulate (default: the scene's own)")
+        ->check(CLI::PositiveNumber);
+    AddPluginSwitch(*run, line.run.plugin);
+    AddPluginOptions(*run, line.run.worker);
+    CLI::Option *hash = run->add_flag("--hash", line.run.hash, "Print the hashes of every step");
+    run->add_flag("--time", line.run.time, "Time the steps instead of counting calls")->excludes(hash);
+    run->add_flag("--json", line.run.json, "The summary as JSON");
+    run->add_option("--trace", line.run.trace, "Write one line per event of every pair into this file");
+    AddSceneOptions(*run, line.run.worker);
+    return run;
+}
+
+CLI::App *AddCompare(CLI::App &app, CommandLine &line) {
+    CompareCommand &command = line.compare;
+    CLI::App *compare = app.add_subcommand(
+        "compare", "Compare stock Box2D with the plugin: bit by bit, call by call, and by the clock");
+    compare->add_option("scenes", command.scenes, "Names that `list` shows (default: all)");
+    compare->add_option("--steps", command.options.steps, "Steps of each scene (default: the scene's own)")
+        ->check(CLI::PositiveNumber);
+    CLI::Option *repeat =
+        compare->add_option("--repeat", command.options.repeat, "Timed runs of each side, interleaved")
+            ->check(CLI::Range(1, 1000))
+            ->capture_default_str();
+    compare->add_flag("--no-time", line.noTime, "Leave the timed runs out")->excludes(repeat);
+    compare->add_option("--json", command.json, "Write everything into this file, as JSON");
+    compare->add_option("--csv", command.csv, "Write everything into this file, one row a scene");
+    compare->add_flag("--quiet", command.quiet, "Only differences and the closing line");
+    AddPluginOptions(*compare, command.options.worker);
+    AddSceneOptions(*compare, command.options.worker);
+    compare
+        ->add_option(
+            "--perturb", command.options.perturb,
+            "Control: at this step nudge one velocity by one bit on the plugin's side; a difference must be "
+            "found")
+        ->check(CLI::PositiveNumber);
+    return compare;
+}
+
+CLI::App *AddDraw(CLI::App &app, CommandLine &line) {
+    CLI::App *draw = app.add_subcommand("draw", "Draw a scene at one step");
+    draw->add_option("scene", line.draw.scene, "A name that `list` shows")->required();
+    draw->add_option("--step", line.draw.step, "After how many steps")
+        ->required()
+        ->check(CLI::PositiveNumber);
+    draw->add_option("-o,--output", line.draw.output, "The picture: .svg, .png or .pdf")->required();
+    draw->add_option("--width", line.draw.width, "Width in pixels (points in a PDF)")
+        ->check(CLI::Range(200, 10000))
+        ->capture_default_str();
+    AddPluginSwitch(*draw, line.draw.plugin);
+    AddPluginOptions(*draw, line.draw.worker);
+    AddSceneOptions(*draw, line.draw.worker);
+    return draw;
+}
+
+/// What is wrong with the word that should be a command, if it is none: CLI11 alone would only miss one.
+std::string ExplainCommand(const CLI::App &app, int argc, char **argv) {
+    int first = 1;
+    while (first + 1 < argc && argv[first] == std::string("--workers"))
+        first += 2;
+    if (first >= argc || argv[first][0] == '-')
+        return "";
+    const std::string word = argv[first];
+    std::vector<std::string> names;
+    for (const CLI::App *subcommand : app.get_subcommands({})) {
+        if (subcommand->get_name() == word)
+            return "";
+        names.push_back(subcommand->get_name());
+    }
+    return "there is no command \"" + word + "\"; the nearest is \"" + Nearest(word, names) + "\"";
+}
+
+int Run(int argc, char **argv) {
+    CLI::App app("Scenes on stock Box2D and on Box2D with the Boomerang plugin, compared.",
+                 "boomerang-testbed");
+    CommandLine line;
+    app.require_subcommand(1);
+    app.footer(kExitCodes);
+    app.add_option("--workers", line.directory,
+                   "Directory of boomerang-scene and boomerang-scene-plugin (default: this program's own)")
+        ->check(CLI::ExistingDirectory);
+    const CLI::App *list = AddList(app, line);
+    const CLI::App *run = AddRun(app, line);
+    const CLI::App *compare = AddCompare(app, line);
+    AddDraw(app, line);
+    for (CLI::App *subcommand : app.get_subcommands({})) {
+        subcommand->footer(kExitCodes);
+        subcommand->fallthrough(); // so that --workers may stand behind the command as well
+    }
+
+    const std::string unknown = ExplainCommand(app, argc, argv);
+    if (!unknown.empty())
+        throw UsageError(unknown);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError &error) {
+        return app.exit(error) == 0 ? kExitOk : kExitUsage;
+    }
+    line.compare.options.time = !line.noTime;
+
+    const Workers workers(line.directory);
+    if (app.got_subcommand(list))
+        return Execute(line.list, workers);
+    if (app.got_subcommand(run))
+        return Execute(line.run, workers);
+    if (app.got_subcommand(compare))
+        return Execute(line.compare, workers);
+    return Execute(line.draw, workers);
+}
+
+} // namespace
+} // namespace testbed
+
+int main(int argc, char **argv) {
+    try {
+        return testbed::Run(argc, argv);
+    } catch (const testbed::UsageError &error) {
+        std::cerr << "boomerang-testbed: " << error.what() << '\n';
+        return testbed::kExitUsage;
+    } catch (const std::exception &error) {
+        std::cout.flush();
+        std::cerr << "boomerang-testbed: " << error.what() << '\n';
+        return testbed::kExitWorker;
+    }
+}

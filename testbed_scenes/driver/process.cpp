@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "process.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace testbed {
+namespace {
+
+/// Enough for an assertion, a sanitizer's headline or a backtrace's top; the rest is noise in a table's
+/// place.
+constexpr size_t kErrorLinesKept = 12;
+/// A tick a quarter of a second apart keeps a progress bar alive and costs nothing.
+constexpr int kTickMilliseconds = 250;
+
+struct Pipe {
+    int ends[2] = {-1, -1};
+    // Close-on-exec, so that a worker started meanwhile does not hold another's pipe open.
+    Pipe() {
+        if (pipe2(ends, O_CLOEXEC) != 0)
+            throw WorkerError(std::string("cannot make a pipe: ") + std::strerror(errno));
+    }
+    ~Pipe() {
+        for (int end : ends)
+            if (end >= 0)
+                close(end);
+    }
+    Pipe(const Pipe &) = delete;
+    Pipe &operator=(const Pipe &) = delete;
+    int TakeReadEnd() {
+        const int end = ends[0];
+        ends[0] = -1;
+        return end;
+    }
+};
+
+struct SpawnActions {
+    posix_spawn_file_actions_t actions;
+    SpawnActions() { posix_spawn_file_actions_init(&actions); }
+    ~SpawnActions() { posix_spawn_file_actions_destroy(&actions); }
+    SpawnActions(const SpawnActions &) = delete;
+    SpawnActions &operator=(const SpawnActions &) = delete;
+};
+
+std::vector<std::string> MergeEnvironment(const std::vector<std::string> &additions) {
+    std::vector<std::string> merged = additions;
+    for (char **entry = environ; *entry != nullptr; ++entry) {
+        const std::string old = *entry;
+        const std::string name = old.substr(0, old.find('=') + 1);
+        bool replaced = false;
+        for (const std::string &addition : additions)
+            replaced = replaced || addition.compare(0, name.size(), name) == 0;
+        if (!replaced)
+            merged.push_back(old);
+    }
+    return merged;
+}
+
+std::vector<char *> Pointers(std::vector<std::string> &strings) {
+    std::vector<char *> pointers;
+    pointers.reserve(strings.size() + 1);
+    for (std::string &string : strings)
+        pointers.push_back(string.data());
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
+/// Appends what can be read now to the buffer; false at the end of the stream.
+bool ReadSome(int fd, std::string &buffer) {
+    char block[65536];
+    const ssize_t count = read(fd, block, sizeof block);
+    if (count < 0)
+        return errno == EINTR || errno == EAGAIN;
+    buffer.append(block, static_cast<size_t>(count));
+    return count > 0;
+}
+
+/// Hands the complete lines of the buffer on, and keeps the rest.
+template <class Handler> void TakeLines(std::string &buffer, Handler &&handler) {
+    size_t begin = 0;
+    for (size_t end = buffer.find('\n'); end != std::string::npos; end = buffer.find('\n', begin)) {
+        handler(buffer.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    buffer.erase(0, begin);
+}
+
+} // namespace
+
+Process::Process(std::vector<std::string> arguments, const std::vector<std::string> &environment,
+                 LineHandler onLine)
+    : m_arguments(std::move(arguments)), m_onLine(std::move(onLine)) {
+    Pipe output, errors;
+    SpawnActions spawn;
+    posix_spawn_file_actions_addopen(&spawn.actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&spawn.actions, output.ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&spawn.actions, errors.ends[1], STDERR_FILENO);
+    std::vector<std::string> merged = MergeEnvironment(environment);
+    const int failure = posix_spawn(&m_pid, m_arguments[0].c_str(), &spawn.actions, nullptr,
+                                    Pointers(m_arguments).data(), Pointers(merged).data());
+    if (failure != 0)
+        throw WorkerError("cannot start " + m_arguments[0] + ": " + std::strerror(failure));
+    m_outputFd = output.TakeReadEnd();
+    m_errorFd = errors.TakeReadEnd();
+}
+
+Process::~Process() {
+    if (!m_reaped) {
+        Kill();
+        Wait();
+    }
+    for (int fd : {m_outputFd, m_errorFd})
+        if (fd >= 0)
+            close(fd);
+}
+
+void Process::Kill() {
+    if (m_reaped || m_killed)
+        return;
+    m_killed = true;
+    kill(m_pid, SIGKILL);
+}
+
+void Process::Wait() {
+    while (waitpid(m_pid, &m_status, 0) < 0 && errno == EINTR) {
+    }
+    m_reaped = true;
+}
+
+bool Process::ReadOutput() {
+    const bool more = ReadSome(m_outputFd, m_outputRest);
+    if (!more && !m_outputRest.empty())
+        m_outputRest += '\n'; // a last line without a newline is a line all the same
+    TakeLines(m_outputRest, [this](const std::string &line) {
+        if (m_killed)
+            return;
+        try {
+            m_onLine(line);
+        } catch (const WorkerError &error) {
+            throw WorkerError(CommandLine() + ": " + error.what()); // which of the workers it was
+        }
+    });
+    return more;
+}
+
+bool Process::ReadErrors() {
+    const bool more = ReadSome(m_errorFd, m_errorRest);
+    if (!more && !m_errorRest.empty())
+        m_errorRest += '\n';
+    TakeLines(m_errorRest, [this](const std::string &line) {
+        m_errorTail.push_back(line);
+        if (m_errorTail.size() > kErrorLinesKept)
+            m_errorTail.pop_front();
+    });
+    return more;
+}
+
+bool Process::Succeeded() const {
+    return m_reaped && WIFEXITED(m_status) && WEXITSTATUS(m_status) == 0;
+}
+
+std::string Process::CommandLine() const {
+    // The directory of the program says little and fills the line.
+    std::string line = m_arguments[0].substr(m_arguments[0].rfind('/') + 1);
+    for (size_t i = 1; i < m_arguments.size(); ++i)
+        line += " " + m_arguments[i];
+    return line;
+}
+
+std::string Process::Describe() const {
+    std::string text = CommandLine() + ": ";
+    if (!m_reaped) {
+        text += "still running";
+    } else if (WIFSIGNALED(m_status)) {
+        const int number = WTERMSIG(m_status);
+        text += "killed by signal " + std::to_string(number) + " (" + strsignal(number) + ")";
+    } else {
+        text += "exit status " + std::to_string(WEXITSTATUS(m_status));
+    }
+    for (const std::string &line : m_errorTail)
+        text += "\n    | " + line;
+    return text;
+}
+
+void RunAll(const std::vector<Process *> &processes, const std::function<void()> &onTick) {
+    for (;;) {
+        std::vector<pollfd> polls;
+        std::vector<Process *> owners;
+        for (Process *process : processes) {
+            for (int fd : {process->m_outputFd, process->m_errorFd}) {
+                if (fd >= 0) {
+                    polls.push_back({fd, POLLIN, 0});
+                    owners.push_back(process);
+                }
+            }
+        }
+        if (polls.empty())
+            break;
+        if (poll(polls.data(), polls.size(), kTickMilliseconds) < 0 && errno != EINTR)
+            throw WorkerError(std::string("cannot wait for a worker: ") + std::strerror(errno));
+        for (size_t i = 0; i < polls.size(); ++i) {
+            if (polls[i].revents == 0)
+                continue;
+            Process &owner = *owners[i];
+            const bool isOutput = polls[i].fd == owner.m_outputFd;
+            if (!(isOutput ? owner.ReadOutput() : owner.ReadErrors())) {
+                close(polls[i].fd);
+                (isOutput ? owner.m_outputFd : owner.m_errorFd) = -1;
+            }
+        }
+        if (onTick)
+            onTick();
+    }
+    for (Process *process : processes)
+        if (!process->m_reaped)
+            process->Wait();
+}
+
+} // namespace testbed

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "report.h"
+
+#include <algorithm>
+
+#include "figures.h"
+#include "table.h"
+
+namespace testbed {
+namespace {
+
+struct TableColumn {
+    const char *group, *name, *figure;
+    int decimals;
+};
+
+constexpr TableColumn kTestColumns[] = {
+    {"", "bodies", "bodies", 0},
+    {"", "contacts", "contacts", 0},
+    {"polygon tests", "stock", "stock.polygon_tests_per_step", 1},
+    {"polygon tests", "plugin", "plugin.polygon_tests_per_step", 1},
+    {"of them apart", "stock", "stock.polygon_tests_apart_per_step", 1},
+    {"of them apart", "saved %", "saved.polygon_tests_apart_percent", 1},
+    {"TOI calls", "stock", "stock.toi_calls_per_step", 1},
+    {"TOI calls", "plugin", "plugin.toi_calls_per_step", 1},
+    {"b2Distance calls", "stock", "stock.distance_calls_per_step", 1},
+    {"b2Distance calls", "plugin", "plugin.distance_calls_per_step", 1},
+};
+
+constexpr TableColumn kEventColumns[] = {
+    {"certificate checks", "edge", "checks.edge_per_step", 1},
+    {"certificate checks", "kinetic", "checks.kinetic_per_step", 1},
+    {"events", "start", "events.start_per_step", 2},
+    {"events", "stab", "events.stab_per_step", 2},
+    {"events", "push", "events.push_per_step", 2},
+    {"events", "roll", "events.roll_per_step", 2},
+    {"events", "coarsen", "events.coarsen_per_step", 2},
+    {"events", "hand-over", "events.hand_over_per_step", 2},
+    {"answers", "proved apart", "plugin.proved_apart_per_step", 1},
+    {"answers", "reused", "plugin.verdicts_reused_per_step", 1},
+};
+
+constexpr TableColumn kTimeColumns[] = {
+    {"narrow phase, us", "stock", "stock.narrow_phase_us_per_step", 1},
+    {"narrow phase, us", "plugin", "plugin.narrow_phase_us_per_step", 1},
+    {"narrow phase, us", "ratio", "ratio.narrow_phase", 2},
+    {"whole step, us", "stock", "stock.step_us_per_step", 1},
+    {"whole step, us", "plugin", "plugin.step_us_per_step", 1},
+    {"whole step, us", "ratio", "ratio.step", 2},
+};
+
+/// A whole step slower than this is one to look into: what is nearer to 1 is the machine's noise.
+constexpr double kSlower = 0.98;
+
+template <size_t N>
+void PrintTable(std::ostream &out, const std::vector<SceneResult> &results, const TableColumn (&columns)[N],
+                bool withVerdict, bool colour) {
+    Table table;
+    table.AddColumn("", "scene");
+    for (const TableColumn &column : columns)
+        table.AddColumn(column.group, column.name);
+    if (withVerdict)
+        table.AddColumn("", "bits");
+    for (const SceneResult &result : results) {
+        const Figures figures(result);
+        std::vector<Table::Cell> row = {{result.scene.name, Style::Plain}};
+        for (const TableColumn &column : columns) {
+            const std::optional<double> figure = figures[column.figure];
+            Style style = figure ? Style::Plain : Style::Faint;
+            if (figure && column.figure == std::string("ratio.step"))
+                style = *figure < kSlower ? Style::Bad : Style::Good;
+            row.push_back({Fixed(figure, column.decimals), style});
+        }
+        if (withVerdict)
+            row.push_back(
+                {NameOf(result.verdict), result.verdict == Verdict::Identical ? Style::Good : Style::Bad});
+        table.AddRow(std::move(row));
+    }
+    table.Print(out, colour);
+}
+
+void PrintLegend(std::ostream &out, const CompareOptions &options, bool colour) {
+    auto line = [&out, colour](const std::string &text) {
+        out << Styled(text, Style::Faint, colour) << '\n';
+    };
+    line("contacts: fat boxes that overlap, mean per step; polygon test: b2CollidePolygons; apart: it found "
+         "no point; TOI:"
+         " b2TimeOfImpact");
+    line("edge: one remembered edge asked again; kinetic: a certificate of a body pair asked again; reused: "
+         "same pair and"
+         " poses");
+    line("stab, push, roll, coarsen: repairs of a certificate; hand-over: given to Box2D's own "
+         "b2CollidePolygons");
+    if (options.time)
+        line("time: median of " + std::to_string(options.repeat) +
+             " runs; ratio: stock / plugin, the median over pairs of runs; above 1 the plugin is faster");
+    line("bits: every body, contact, impulse and listener event of every step, hashed and compared");
+}
+
+size_t CountOf(const std::vector<SceneResult> &results, Verdict verdict) {
+    return static_cast<size_t>(std::count_if(results.begin(), results.end(),
+                                             [verdict](const auto &r) { return r.verdict == verdict; }));
+}
+
+std::optional<double> MeanRatio(const std::vector<SceneResult> &results, const char *figure) {
+    std::vector<double> ratios;
+    for (const SceneResult &result : results)
+        if (const std::optional<double> ratio = Figures(result)[figure])
+            ratios.push_back(*ratio);
+    return GeometricMean(ratios);
+}
+
+nlohmann::json ToJson(std::optional<double> value) {
+    return value ? nlohmann::json(*value) : nlohmann::json();
+}
+
+nlohmann::json ToJson(const SceneResult &result) {
+    nlohmann::json json = ToJson(result.scene);
+    json["steps"] = result.steps;
+    json["verdict"] = result.verdict == Verdict::Different ? "different" : NameOf(result.verdict);
+    json["failure"] = result.failure.empty() ? nlohmann::json() : nlohmann::json(result.failure);
+    json["difference"] = nullptr;
+    if (result.difference) {
+        const Difference &difference = *result.difference;
+        json["difference"] = {{"step", difference.step},     {"hashes", difference.hashes},
+                              {"field", difference.field},   {"stock", difference.stock},
+                              {"plugin", difference.plugin}, {"fields", difference.fields}};
+    }
+    const Figures figures(result);
+    for (const auto &[name, value] : figures.All()) {
+        std::string pointer = "/figures/" + name;
+        std::replace(pointer.begin(), pointer.end(), '.', '/');
+        json[nlohmann::json::json_pointer(pointer)] = ToJson(value);
+    }
+    json["summaries"] = {{"stock", {{"count", result.stockCount}, {"time", result.stockTimes}}},
+                         {"plugin", {{"count", result.pluginCount}, {"time", result.pluginTimes}}}};
+    return json;
+}
+
+} // namespace
+
+void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options,
+                 bool colour) {
+    auto title = [&out, colour](const char *text) {
+        out << '\n' << Styled(text, Style::Strong, colour) << '\n';
+    };
+    title("Separation tests, calls per step");
+    PrintTable(out, results, kTestColumns, false, colour);
+    title("What the plugin did instead, per step");
+    PrintTable(out, results, kEventColumns, false, colour);
+    title(options.time ? "Time per step, and whether the bits agree" : "Whether the bits agree");
+    if (options.time) {
+        PrintTable(out, results, kTimeColumns, true, colour);
+    } else {
+        constexpr TableColumn kNoTime[] = {{"", "bodies", "bodies", 0}};
+        PrintTable(out, results, kNoTime, true, colour);
+    }
+    out << '\n';
+    PrintLegend(out, options, colour);
+}
+
+void PrintClosingLine(std::ostream &out, const std::vector<SceneResult> &results, bool colour) {
+    const size_t identical = CountOf(results, Verdict::Identical);
+    const size_t different = CountOf(results, Verdict::Different);
+    const size_t failed = CountOf(results, Verdict::Failed);
+    std::string text = std::to_string(identical) + (identical == 1 ? " scene" : " scenes") + " identical, " +
+                       std::to_string(different) + " different";
+    if (failed != 0)
+        text += ", " + std::to_string(failed) + " failed";
+    if (const auto ratio = MeanRatio(results, "ratio.step"))
+        text += "; step " + Fixed(ratio, 2) + "x, narrow phase " +
+                Fixed(MeanRatio(results, "ratio.narrow_phase"), 2) + "x as fast as stock (geometric means)";
+    out << Styled(text, different + failed == 0 ? Style::Good : Style::Bad, colour) << '\n';
+}
+
+void WriteJson(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options) {
+    nlohmann::json scenes = nlohmann::json::array();
+    for (const SceneResult &result : results)
+        scenes.push_back(ToJson(result));
+    const nlohmann::json json = {
+        {"options",
+         {{"repeat", options.time ? options.repeat : 0},
+          {"structure", options.worker.structure.empty() ? "default" : options.worker.structure},
+          {"prefilter", options.worker.prefilter.empty() ? "default" : options.worker.prefilter},
+          {"perturb", options.perturb ? nlohmann::json(*options.perturb) : nlohmann::json()}}},
+        {"scenes", scenes},
+        {"identical", CountOf(results, Verdict::Identical)},
+        {"different", CountOf(results, Verdict::Different)},
+        {"failed", CountOf(results, Verdict::Failed)},
+        {"geometric_mean",
+         {{"step_ratio", ToJson(MeanRatio(results, "ratio.step"))},
+          {"narrow_phase_ratio", ToJson(MeanRatio(results, "ratio.narrow_phase"))}}},
+    };
+    // A worker's stderr may hold anything; a report must be valid all the same.
+    out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
+
+void WriteCsv(std::ostream &out, const std::vector<SceneResult> &results) {
+    out << "scene,group,size,seed,steps,verdict,difference_step,difference_field";
+    const Figures names{SceneResult()};
+    for (const auto &entry : names.All())
+        out << ',' << entry.first;
+    out << '\n';
+    for (const SceneResult &result : results) {
+        out << result.scene.name << ',' << result.scene.group << ',' << result.scene.size << ','
+            << result.scene.seed << ',' << result.steps << ','
+            << (result.verdict == Verdict::Different ? "different" : NameOf(result.verdict)) << ',';
+        if (result.difference)
+            out << result.difference->step << ',' << result.difference->field;
+        else
+            out << ',';
+        const Figures figures(result);
+        for (const auto &entry : figures.All())
+            out << ',' << (entry.second ? Fixed(entry.second, 6) : std::string());
+        out << '\n';
+    }
+}
+
+} // namespace testbed
