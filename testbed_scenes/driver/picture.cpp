@@ -22,6 +22,7 @@ struct Colour {
 
 // Those of Box2D's testbed (b2World::DebugDraw and the testbed's own draw.cpp).
 constexpr Colour kBackground = {0.15, 0.15, 0.16};
+constexpr Colour kStrip = {0.1, 0.1, 0.11};
 constexpr Colour kJoint = {0.5, 0.8, 0.8};
 // Ours: what stands out against those.
 constexpr Colour kCertified = {0.25, 0.85, 1.0};
@@ -253,65 +254,113 @@ private:
         }
     }
 
-    /// One entry of the legend; returns where the next begins.
-    double PaintEntry(double x, double y, const Colour &colour, bool isStroke, const std::string &text) {
-        const double size = 11.0 * m_unit;
-        cairo_new_path(m_cairo);
-        SetColour(colour, 1.0);
-        if (isStroke) {
-            cairo_set_line_width(m_cairo, 2.2 * m_unit);
-            cairo_move_to(m_cairo, x, y);
-            cairo_line_to(m_cairo, x + 1.4 * size, y);
-            cairo_stroke(m_cairo);
-            x += 0.4 * size;
-        } else {
-            cairo_rectangle(m_cairo, x, y - 0.5 * size, size, size);
-            SetColour(colour, kFillOpacity);
-            cairo_fill_preserve(m_cairo);
-            SetColour(colour, 1.0);
-            cairo_set_line_width(m_cairo, m_unit);
-            cairo_stroke(m_cairo);
-        }
-        return PaintText(x + 1.6 * size, y, 13.0, text) + 20.0 * m_unit;
-    }
+    enum class Mark { Square, Stroke, Disc };
+    struct Entry {
+        Colour colour;
+        Mark mark;
+        std::string text;
+    };
 
-    double PaintText(double x, double y, double points, const std::string &text) {
-        cairo_set_font_size(m_cairo, points * m_unit);
-        cairo_text_extents_t extents;
-        cairo_text_extents(m_cairo, text.c_str(), &extents);
-        SetColour(kText, 1.0);
-        // Centred on the capitals' height, which does not depend on the letters.
-        cairo_move_to(m_cairo, x, y + 0.36 * points * m_unit);
-        cairo_show_text(m_cairo, text.c_str());
-        return x + extents.x_advance;
-    }
-
-    void PaintStrip(const std::string &title, double height) {
-        const double y = m_height + 0.5 * height;
-        SetColour({0.1, 0.1, 0.11}, 1.0);
-        cairo_rectangle(m_cairo, 0.0, m_height, m_width, height);
-        cairo_fill(m_cairo);
-        cairo_select_font_face(m_cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_BOLD);
-        double x = PaintText(16.0 * m_unit, y, 15.0, title) + 28.0 * m_unit;
-        cairo_select_font_face(m_cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-        for (const StateColour &entry : kStates) {
+    /// The legend: what there is in this picture, and nothing else.
+    std::vector<Entry> Entries() const {
+        std::vector<Entry> entries;
+        for (const StateColour &state : kStates) {
             const bool isPresent =
                 std::any_of(m_outline.shapes.begin(), m_outline.shapes.end(),
-                            [&entry](const auto &shape) { return shape.state == entry.state; });
+                            [&state](const auto &shape) { return shape.state == state.state; });
             if (isPresent)
-                x = PaintEntry(x, y, entry.colour, false, entry.state);
+                entries.push_back({state.colour, Mark::Square, state.state});
         }
         size_t certified = 0, unproved = 0, unasked = 0;
         for (const Outline::Pair &pair : m_outline.pairs)
             ++(pair.slack > 0.0 ? certified : pair.slack < 0.0 ? unasked : unproved);
-        if (certified != 0)
-            x = PaintEntry(x, y, kCertified, true, "proved apart: " + std::to_string(certified) + " pairs");
-        if (unproved != 0)
-            x = PaintEntry(x, y, kUnproved, true, "left to Box2D: " + std::to_string(unproved));
-        if (unasked != 0)
-            x = PaintEntry(x, y, kNear, true, "near: " + std::to_string(unasked) + " pairs");
+        auto addPairs = [&entries](const Colour &colour, const char *text, size_t count) {
+            if (count != 0)
+                entries.push_back(
+                    {colour, Mark::Stroke, text + std::to_string(count) + (count == 1 ? " pair" : " pairs")});
+        };
+        addPairs(kCertified, "proved apart: ", certified);
+        addPairs(kUnproved, "left to Box2D: ", unproved);
+        addPairs(kNear, "near: ", unasked);
         if (!m_outline.contacts.empty())
-            PaintEntry(x, y, kContact, false, "contact points: " + std::to_string(m_outline.contacts.size()));
+            entries.push_back(
+                {kContact, Mark::Disc, "contact points: " + std::to_string(m_outline.contacts.size())});
+        return entries;
+    }
+
+    void SelectFont(cairo_font_weight_t weight, double size) {
+        cairo_select_font_face(m_cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, weight);
+        cairo_set_font_size(m_cairo, size);
+    }
+
+    double TextWidth(const std::string &text) {
+        cairo_text_extents_t extents;
+        cairo_text_extents(m_cairo, text.c_str(), &extents);
+        return extents.x_advance;
+    }
+
+    void PaintText(double x, double y, double size, const std::string &text) {
+        SetColour(kText, 1.0);
+        // Centred on the capitals' height, which does not depend on the letters.
+        cairo_move_to(m_cairo, x, y + 0.36 * size);
+        cairo_show_text(m_cairo, text.c_str());
+    }
+
+    void PaintMark(double x, double y, double size, const Entry &entry) {
+        cairo_new_path(m_cairo);
+        SetColour(entry.colour, 1.0);
+        switch (entry.mark) {
+        case Mark::Square:
+            cairo_rectangle(m_cairo, x, y - 0.5 * size, size, size);
+            SetColour(entry.colour, kFillOpacity);
+            cairo_fill_preserve(m_cairo);
+            SetColour(entry.colour, 1.0);
+            cairo_set_line_width(m_cairo, 0.09 * size);
+            cairo_stroke(m_cairo);
+            break;
+        case Mark::Stroke:
+            cairo_move_to(m_cairo, x, y);
+            cairo_line_to(m_cairo, x + size, y);
+            cairo_set_line_width(m_cairo, 0.2 * size);
+            cairo_stroke(m_cairo);
+            break;
+        case Mark::Disc:
+            cairo_arc(m_cairo, x + 0.5 * size, y, 0.28 * size, 0.0, 2.0 * M_PI);
+            cairo_fill(m_cairo);
+            break;
+        }
+    }
+
+    /// Title and legend; smaller where they would not fit the width.
+    void PaintStrip(const std::string &title, double height) {
+        SetColour(kStrip, 1.0);
+        cairo_rectangle(m_cairo, 0.0, m_height, m_width, height);
+        cairo_fill(m_cairo);
+        const std::vector<Entry> entries = Entries();
+        // In multiples of the letters' size.
+        constexpr double kTitle = 1.15, kMark = 0.85, kAfterMark = 0.45, kAfterEntry = 1.5, kAtEnds = 1.2;
+        double size = 13.0 * m_unit;
+        SelectFont(CAIRO_FONT_WEIGHT_BOLD, kTitle * size);
+        const double titleWidth = TextWidth(title);
+        SelectFont(CAIRO_FONT_WEIGHT_NORMAL, size);
+        double needed = titleWidth + 2.0 * kAtEnds * size;
+        for (const Entry &entry : entries)
+            needed += TextWidth(entry.text) + (kMark + kAfterMark + kAfterEntry) * size;
+        const double shrink = std::min(1.0, m_width / needed);
+        size *= shrink;
+
+        const double y = m_height + 0.5 * height;
+        double x = kAtEnds * size;
+        SelectFont(CAIRO_FONT_WEIGHT_BOLD, kTitle * size);
+        PaintText(x, y, kTitle * size, title);
+        x += shrink * titleWidth + kAfterEntry * size;
+        SelectFont(CAIRO_FONT_WEIGHT_NORMAL, size);
+        for (const Entry &entry : entries) {
+            PaintMark(x, y, kMark * size, entry);
+            x += (kMark + kAfterMark) * size;
+            PaintText(x, y, size, entry.text);
+            x += TextWidth(entry.text) + kAfterEntry * size;
+        }
     }
 
     cairo_t *m_cairo;
