@@ -1,0 +1,270 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# The command line of boomerang-testbed: exit codes, messages, and the form of what it prints and writes.
+#
+#   test_testbed_cli.sh DIRECTORY-OF-THE-PROGRAMS
+set -uo pipefail
+
+bin=${1:?usage: test_testbed_cli.sh DIRECTORY-OF-THE-PROGRAMS}
+testbed=$bin/boomerang-testbed
+# Small scenes, so that this test takes seconds: a classic one and a hard one.
+classic=pyramid
+hard=needles
+steps=12
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+failures=0
+claim=
+
+# Whatever terminal or habit the caller has, these runs are piped and plain.
+export TERM=xterm
+unset NO_COLOR
+
+fail() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s: %s\n' "$claim" "$1"
+    sed 's/^/    stdout: /' "$scratch/out" | tail -n 15
+    sed 's/^/    stderr: /' "$scratch/err" | tail -n 15
+}
+
+# expect STATUS ARGUMENT…: runs boomerang-testbed and checks its exit status.
+expect() {
+    local wanted=$1 status=0
+    shift
+    claim="boomerang-testbed $*"
+    "$testbed" "$@" >"$scratch/out" 2>"$scratch/err" || status=$?
+    [ "$status" -eq "$wanted" ] || fail "exit status $status, not $wanted"
+}
+
+out_has() { grep -Eq -- "$1" "$scratch/out" || fail "stdout lacks /$1/"; }
+err_has() { grep -Eq -- "$1" "$scratch/err" || fail "stderr lacks /$1/"; }
+err_empty() { [ ! -s "$scratch/err" ] || fail "stderr is not empty"; }
+
+# Neither escape codes nor carriage returns belong into a file or a pipe.
+clean() {
+    if LC_ALL=C grep -q -e $'\033' -e $'\r' "$scratch/out" "$scratch/err"; then
+        fail "escape codes or carriage returns in piped output"
+    fi
+}
+
+# json_get FILE KEY…: a value of a JSON file, by means of cmake, which is here if this was built.
+json_get() {
+    local file=$1 path=
+    shift
+    for key in "$@"; do path="$path \"$key\""; done
+    cat >"$scratch/get.cmake" <<CMAKE
+file(READ "$file" text)
+string(JSON value GET "\${text}" $path)
+execute_process(COMMAND "\${CMAKE_COMMAND}" -E echo "\${value}")
+CMAKE
+    cmake -P "$scratch/get.cmake" 2>>"$scratch/err"
+}
+
+json_is() {
+    local file=$1 wanted=$2 got
+    shift 2
+    got=$(json_get "$file" "$@") || { fail "no $* in $file"; return; }
+    [ "$got" = "$wanted" ] || fail "$* is \"$got\", not \"$wanted\""
+}
+
+json_number() {
+    local got
+    got=$(json_get "$@") || { fail "no ${*:2} in $1"; return; }
+    [[ $got =~ ^-?[0-9] ]] || fail "${*:2} is \"$got\", no number"
+}
+
+# A directory of workers that misbehave: fake NAME writes a script that stands in for both.
+fake_workers() {
+    mkdir -p "$scratch/$1"
+    {
+        echo '#!/bin/sh'
+        echo "if [ \"\$1\" = --list-json ]; then exec \"$bin/boomerang-scene\" --list-json; fi"
+        cat
+    } >"$scratch/$1/boomerang-scene"
+    chmod +x "$scratch/$1/boomerang-scene"
+    cp "$scratch/$1/boomerang-scene" "$scratch/$1/boomerang-scene-plugin"
+}
+
+test_help_names_exit_codes() {
+    local command
+    expect 0 --help
+    for command in list run compare draw; do out_has "^  $command "; done
+    for command in list run compare draw; do
+        expect 0 "$command" --help
+        out_has 'Exit codes: 0 .* 1 .* 2 .* 3 '
+        err_empty
+        clean
+    done
+}
+
+test_usage_errors_exit_with_2() {
+    expect 2
+    expect 2 compare --no-such-option
+    expect 2 compare "$classic" --steps 0
+    expect 2 compare "$classic" --steps many
+    expect 2 compare "$classic" --repeat 0
+    expect 2 compare "$classic" --structure lazy
+    expect 2 run
+    expect 2 run "$classic" --prefilter perhaps
+    expect 2 run "$classic" --plugin off --trace "$scratch/trace"
+    expect 2 draw "$classic" --step 3 -o "$scratch/picture.jpeg"
+    expect 2 compare "$classic" --json "$scratch/no/such/directory.json"
+    err_has 'cannot write'
+}
+
+test_unknown_names_get_the_nearest() {
+    expect 2 compare neddles
+    err_has 'no scene "neddles"; the nearest is "needles"'
+    expect 2 run piramid
+    err_has 'nearest is "pyramid"'
+    expect 2 draw tumbelr --step 1 -o "$scratch/picture.svg"
+    err_has 'nearest is "tumbler"'
+    expect 2 cmopare
+    err_has 'no command "cmopare"; the nearest is "compare"'
+}
+
+test_list_shows_every_scene() {
+    expect 0 list
+    out_has "^  $classic "
+    out_has "^  $hard "
+    clean
+    expect 0 list --json
+    cp "$scratch/out" "$scratch/list.json"
+    local key
+    for key in name description group; do
+        [ -n "$(json_get "$scratch/list.json" 0 "$key")" ] || fail "the first scene has no $key"
+    done
+    for key in size seed steps; do json_number "$scratch/list.json" 0 "$key"; done
+}
+
+test_run_prints_hashes_and_summaries() {
+    expect 0 run "$hard" --steps "$steps" --hash
+    [ "$(grep -Ec '^step [0-9]+ [0-9a-f]+ [0-9a-f]+ [0-9a-f]+$' "$scratch/out")" -eq "$steps" ] ||
+        fail "not $steps lines of hashes"
+    cp "$scratch/out" "$scratch/plugin"
+    clean
+    expect 0 run "$hard" --steps "$steps" --hash --plugin off
+    diff <(grep '^step ' "$scratch/out") <(grep '^step ' "$scratch/plugin") >/dev/null ||
+        fail "stock and plugin give other hashes"
+    expect 0 run "$hard" --steps "$steps"
+    out_has '^calls\.polygon_tests +[0-9]+$'
+    out_has '^plugin\.kinetic\.checks +[0-9]+$'
+    clean
+    expect 0 run "$hard" --steps "$steps" --plugin off --json
+    json_number "$scratch/out" calls polygon_tests
+    expect 0 run "$hard" --steps "$steps" --time
+    out_has '^step_ns_total +[0-9]'
+    expect 0 run "$hard" --steps "$steps" --prefilter off --structure lazy-compass --trace "$scratch/trace"
+    [ -s "$scratch/trace" ] || fail "the trace is empty"
+}
+
+test_compare_reports_identical_scenes() {
+    expect 0 compare "$classic" "$hard" --steps "$steps" --repeat 1 \
+        --json "$scratch/report.json" --csv "$scratch/report.csv"
+    out_has "^$classic .* identical\$"
+    out_has "^$hard .* identical\$"
+    out_has '^2 scenes identical, 0 different; step [0-9.]+x'
+    err_empty
+    clean
+    [ "$(awk '{ if (length($0) > most) most = length($0) } END { print most + 0 }' "$scratch/out")" -le 132 ] ||
+        fail "lines wider than a wide terminal"
+
+    json_is "$scratch/report.json" 2 identical
+    json_is "$scratch/report.json" 0 different
+    json_is "$scratch/report.json" 0 failed
+    json_is "$scratch/report.json" "$hard" scenes 1 name
+    json_is "$scratch/report.json" identical scenes 1 verdict
+    json_is "$scratch/report.json" "$steps" scenes 1 steps
+    json_number "$scratch/report.json" geometric_mean step_ratio
+    local side call event
+    for side in stock plugin; do
+        for call in polygon_tests polygon_tests_apart toi_calls distance_calls; do
+            json_number "$scratch/report.json" scenes 1 figures "$side" "${call}_per_step"
+        done
+        json_number "$scratch/report.json" scenes 1 figures "$side" step_us_per_step
+        json_number "$scratch/report.json" scenes 1 figures "$side" narrow_phase_us_per_step
+    done
+    for event in start stab push roll coarsen hand_over; do
+        json_number "$scratch/report.json" scenes 1 figures events "${event}_per_step"
+    done
+    json_number "$scratch/report.json" scenes 1 figures checks all_per_step
+    json_number "$scratch/report.json" scenes 1 figures ratio step
+
+    [ "$(wc -l <"$scratch/report.csv")" -eq 3 ] || fail "the CSV file has not a header and two rows"
+    head -n 1 "$scratch/report.csv" | grep -q '^scene,group,size,seed,steps,verdict,' || fail "no CSV header"
+    [ "$(awk -F, '{ print NF }' "$scratch/report.csv" | sort -u | wc -l)" -eq 1 ] ||
+        fail "CSV rows of different lengths"
+}
+
+test_compare_without_time_and_quietly() {
+    expect 0 compare "$classic" --steps "$steps" --no-time
+    out_has "^$classic .*identical\$"
+    expect 0 compare "$classic" --steps "$steps" --no-time --quiet
+    [ "$(cat "$scratch/out")" = "1 scene identical, 0 different" ] || fail "not one closing line"
+    err_empty
+}
+
+# The control: a difference of one bit is found where it was made, and named.
+test_compare_finds_a_perturbation() {
+    expect 1 compare "$hard" --steps "$steps" --perturb 7 --json "$scratch/report.json" --csv "$scratch/report.csv"
+    out_has "^$hard: first difference at step 7, in the hash of .*bodies"
+    out_has '^  body [0-9]+ [a-zA-Z_.]+'
+    out_has '^    stock   .*0x'
+    out_has '^    plugin  .*0x'
+    out_has '^0 scenes identical, 1 different$'
+    clean
+    json_is "$scratch/report.json" different scenes 0 verdict
+    json_is "$scratch/report.json" 7 scenes 0 difference step
+    grep -q "^$hard,.*,different,7,body " "$scratch/report.csv" || fail "the CSV file does not say where"
+    expect 0 compare "$hard" --steps 6 --perturb 7 --no-time --quiet
+}
+
+test_worker_failures_exit_with_3() {
+    expect 3 --workers "$scratch" list
+    err_has 'no worker in'
+    fake_workers crashing <<'SH'
+echo "step 1 a b c"; echo "Assertion failed: fat" >&2; kill -ABRT $$
+SH
+    expect 3 --workers "$scratch/crashing" compare "$classic" --steps "$steps"
+    out_has 'killed by signal 6'
+    out_has 'Assertion failed: fat'
+    out_has '1 failed$'
+    fake_workers refusing <<'SH'
+echo "cannot" >&2; exit 2
+SH
+    expect 3 --workers "$scratch/refusing" run "$classic" --steps "$steps"
+    err_has 'exit status 2'
+    fake_workers babbling <<'SH'
+echo "step one two three"; echo 'summary {}'
+SH
+    expect 3 --workers "$scratch/babbling" compare "$classic" --steps "$steps"
+    out_has 'cannot be read: "step one two three"'
+    fake_workers stopping <<'SH'
+echo "step 1 a b c"; echo 'summary {}'
+SH
+    expect 3 --workers "$scratch/stopping" compare "$classic" --steps "$steps"
+    out_has 'ended after 1 steps'
+}
+
+test_draw_writes_pictures() {
+    local kind
+    for kind in svg png pdf; do
+        expect 0 draw "$classic" --step 5 -o "$scratch/picture.$kind"
+        [ -s "$scratch/picture.$kind" ] || fail "no picture"
+    done
+    grep -q '<svg' "$scratch/picture.svg" || fail "no SVG"
+    expect 0 draw "$classic" --step 5 --plugin off -o "$scratch/picture.svg"
+    expect 3 draw "$classic" --step 5 -o "$scratch/no/such/directory.png"
+}
+
+for program in boomerang-testbed boomerang-scene boomerang-scene-plugin; do
+    [ -x "$bin/$program" ] || { echo "no $program in $bin"; exit 1; }
+done
+for test in $(declare -F | awk '$3 ~ /^test_/ { print $3 }'); do
+    before=$failures
+    "$test"
+    if [ "$failures" -eq "$before" ]; then echo "passed: $test"; else echo "FAILED: $test"; fi
+done
+[ "$failures" -eq 0 ] || { echo "$failures claim(s) failed"; exit 1; }
