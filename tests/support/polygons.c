@@ -158,10 +158,11 @@ static size_t tiny_edge_points(size_t n, test_random *random, bmr_vec2 *points) 
     const size_t corners = n / 3 > 2 ? n / 3 : 2;
     for (size_t i = 0; i < corners; ++i) {
         const double angle = 2.0 * PI * ((double)i + test_random_uniform(random, 0.0, 0.9)) / (double)corners;
-        const double step = 1e-9;
+        // The bump must stay flatter than the polygon's own corner, or it would hide its neighbours.
+        const double step = 1e-9, bump = 0.3 * step * PI / (double)corners;
         const bmr_vec2 p = {cos(angle), sin(angle)}, t = {-sin(angle), cos(angle)};
         points[3 * i] = bmr_sub(p, bmr_scale(step, t));
-        points[3 * i + 1] = bmr_add(p, bmr_scale(0.3 * step, p));
+        points[3 * i + 1] = bmr_add(p, bmr_scale(bump, p));
         points[3 * i + 2] = bmr_add(p, bmr_scale(step, t));
     }
     return 3 * corners;

@@ -96,6 +96,8 @@ double bmr_hierarchy_height(const bmr_hierarchy *hierarchy, bmr_edge edge);
 /// (level(edge) <= level). O(level - level(edge)).
 bmr_corner bmr_hierarchy_corner_after(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level);
 bmr_corner bmr_hierarchy_corner_before(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level);
+/// The corner of two edges that are adjacent on some level; this finds its `cut`. O(1).
+bmr_corner bmr_hierarchy_corner(const bmr_hierarchy *hierarchy, bmr_edge before, bmr_edge after);
 /// The corner of P_level that is farthest in `direction` (not zero): its cone [normal(before), normal(after)] holds the
 /// direction; at an exact tie the corner that has the tied edge as its `before`. O(level).
 bmr_corner bmr_hierarchy_extreme(const bmr_hierarchy *hierarchy, bmr_vec2 direction, uint32_t level);

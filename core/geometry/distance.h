@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#ifndef BMR_GEOMETRY_DISTANCE_H
+#define BMR_GEOMETRY_DISTANCE_H
+
+#include "boomerang/polygon.h"
+
+/// A support vertex found by climbing from `hint` (< count) for a few steps, else from scratch: O(1) when the
+/// answer is near, O(log n) at worst. The direction is not zero.
+uint32_t bmr_support_near(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t hint);
+
+/// Up to three vertices of the Minkowski difference B - A, each a pair of vertex indices: where the search
+/// for the closest points stood. A query that starts where the last one ended takes one or two steps.
+typedef struct bmr_simplex {
+    uint32_t count; ///< 1 to 3
+    uint32_t a[3], b[3];
+} bmr_simplex;
+
+/// A simplex of one pair of vertices.
+bmr_simplex bmr_simplex_make(uint32_t a, uint32_t b);
+
+/// A direction that separates two polygons.
+typedef struct bmr_closest {
+    bmr_vec2 direction; ///< unit, in A's frame, from A to B
+    double separation;  ///< min over B - max over A along it: never more than the distance, up to rounding
+    uint32_t a, b;      ///< support vertices of the two in that direction
+} bmr_closest;
+
+/// The separation that bmr_closest_direction reports may be this much below the distance, relatively, beside
+/// rounding errors. Small against the float rounding (2^-24) that any certificate pays.
+#define BMR_DISTANCE_TOLERANCE 2e-8
+
+/// Are the polygons more than `reach` (>= 0) apart? True: *closest is the direction of their closest points.
+/// False: the distance is at most `reach`, up to rounding and BMR_DISTANCE_TOLERANCE, and *closest is
+/// untouched. `simplex` says where to start and gets where to start next time; the pose must be finite.
+/// Gilbert, Johnson and Keerthi's algorithm in the plane, with support vertices from bmr_support_near.
+bool bmr_closest_direction(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a, double reach,
+                           bmr_simplex *simplex, bmr_closest *closest);
+
+#endif

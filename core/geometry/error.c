@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "boomerang/error.h"
+
+const char *bmr_error_describe(bmr_error error) {
+    switch (error) {
+    case BMR_OK:
+        return "no error";
+    case BMR_ERROR_NULL_ARGUMENT:
+        return "a pointer that must not be NULL is NULL";
+    case BMR_ERROR_NO_POINTS:
+        return "a polygon needs at least one point";
+    case BMR_ERROR_TOO_MANY_POINTS:
+        return "a polygon takes at most 65535 points";
+    case BMR_ERROR_NOT_FINITE:
+        return "a coordinate is NaN or infinite";
+    case BMR_ERROR_OUT_OF_RANGE:
+        return "a coordinate is beyond 1e9, or a polygon of more than one point is smaller than 1e-9";
+    case BMR_ERROR_NO_MEMORY:
+        return "the allocator had no memory";
+    case BMR_ERROR_NOT_CONVEX:
+        return "the vertices are not strictly convex and counter-clockwise";
+    case BMR_ERROR_TABLE_TOO_SMALL:
+        return "the compass table has too few levels for a polygon of this many vertices";
+    case BMR_ERROR_INVALID_STRUCTURE:
+        return "the audited structure contradicts itself";
+    case BMR_ERROR_FALSE_CERTIFICATE:
+        return "the audited certificate does not prove what it claims";
+    case BMR_ERROR_COUNT:
+        break;
+    }
+    return "not an error code of this library";
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "hierarchy/tree.h"
+
+/// Tangents shorter than this are scaled up: products of two must not underflow.
+#define TINY 1e-140
+#define TINY_SCALE 0x1p600
+
+bmr_line bmr_hierarchy_line(const bmr_hierarchy *hierarchy, bmr_edge edge) {
+    const bmr_polygon *p = hierarchy->polygon;
+    const bmr_node *node = &hierarchy->nodes[edge];
+    bmr_line line;
+    line.normal =
+        node->own ? bmr_polygon_normal(p, (uint32_t)node->touch) : hierarchy->directions[node->direction];
+    line.offset = bmr_dot(line.normal, p->vertices[node->touch]);
+    if (node->wide) // rounding tilts the line: take the end that sticks out
+        line.offset =
+            fmax(line.offset, bmr_dot(line.normal, p->vertices[bmr_tree_last_touch(hierarchy, node)]));
+    return line;
+}
+
+static bmr_vec2 tangent(const bmr_hierarchy *h, const bmr_node *node) {
+    const bmr_vec2 n = bmr_tree_normal(h, node);
+    const bmr_vec2 t = bmr_left(n);
+    return fabs(t.x) < TINY && fabs(t.y) < TINY ? bmr_scale(TINY_SCALE, t) : t;
+}
+
+bmr_vec2 bmr_tree_meet(const bmr_hierarchy *h, const bmr_node *a, const bmr_node *b) {
+    const uint32_t first = bmr_tree_last_touch(h, a), last = (uint32_t)b->touch;
+    const bmr_vec2 p = h->polygon->vertices[first];
+    if (first == last)
+        return p;
+    const bmr_vec2 ta = tangent(h, a), tb = tangent(h, b);
+    const bmr_vec2 pq = bmr_sub(h->polygon->vertices[last], p);
+    // X = p + s ta with (q - X) x tb = 0. Adjacent directions differ by more than BMR_MERGE_ANGLE, so the
+    // divisor has at least five good digits; what s is off by shifts X along line a, and away from line b by
+    // that angle's part of it only.
+    const double s = bmr_cross(pq, tb) / bmr_cross(ta, tb);
+    return s > 0.0 ? bmr_add(p, bmr_scale(s, ta)) : p;
+}
+
+bmr_vec2 bmr_hierarchy_corner_point(const bmr_hierarchy *hierarchy, bmr_corner corner) {
+    return bmr_tree_meet(hierarchy, &hierarchy->nodes[corner.before], &hierarchy->nodes[corner.after]);
+}
+
+bmr_vec2 bmr_hierarchy_apex(const bmr_hierarchy *hierarchy, bmr_edge edge) {
+    if (edge < BMR_ROOTS)
+        return bmr_vec2_make(0.0, 0.0);
+    const bmr_node *node = &hierarchy->nodes[edge];
+    return bmr_tree_meet(hierarchy, &hierarchy->nodes[node->outer_before],
+                         &hierarchy->nodes[node->outer_after]);
+}
+
+double bmr_hierarchy_height(const bmr_hierarchy *hierarchy, bmr_edge edge) {
+    if (edge < BMR_ROOTS)
+        return 0.0;
+    const bmr_polygon *p = hierarchy->polygon;
+    const bmr_node *nodes = hierarchy->nodes, *node = &nodes[edge];
+    const uint32_t first = bmr_tree_last_touch(hierarchy, &nodes[node->outer_before]);
+    const uint32_t last = (uint32_t)nodes[node->outer_after].touch;
+    const bmr_vec2 apex = bmr_hierarchy_apex(hierarchy, edge);
+    // The apex sees the whole chain. "It projects past the end of edge i" holds for the edges before the
+    // nearest point, and for none after it.
+    uint32_t low = 0, high = last >= first ? last - first : last + p->count - first;
+    const uint32_t edges = high;
+    while (low < high) {
+        const uint32_t middle = low + (high - low) / 2;
+        const uint32_t i = (first + middle) % p->count;
+        const bmr_vec2 end = p->vertices[i + 1 < p->count ? i + 1 : 0];
+        if (bmr_dot(bmr_sub(apex, end), bmr_tree_edge_vector(p, i)) > 0.0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    const uint32_t i = (first + low) % p->count;
+    const bmr_vec2 r = bmr_sub(apex, p->vertices[i]);
+    if (low < edges && bmr_dot(r, bmr_tree_edge_vector(p, i)) > 0.0)
+        return fabs(bmr_dot(bmr_polygon_normal(p, i), r));
+    return hypot(r.x, r.y);
+}

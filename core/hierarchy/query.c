@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "hierarchy/tree.h"
+
+size_t bmr_hierarchy_bytes(const bmr_hierarchy *hierarchy) {
+    return sizeof *hierarchy + hierarchy->count * sizeof(bmr_node) +
+           hierarchy->direction_count * sizeof(bmr_vec2);
+}
+
+bmr_hierarchy_kind bmr_hierarchy_get_kind(const bmr_hierarchy *hierarchy) {
+    return (bmr_hierarchy_kind)hierarchy->kind;
+}
+
+const bmr_polygon *bmr_hierarchy_polygon(const bmr_hierarchy *hierarchy) {
+    return hierarchy->polygon;
+}
+uint32_t bmr_hierarchy_edge_count(const bmr_hierarchy *hierarchy) {
+    return hierarchy->count;
+}
+uint32_t bmr_hierarchy_depth(const bmr_hierarchy *hierarchy) {
+    return hierarchy->depth;
+}
+
+uint32_t bmr_hierarchy_level(const bmr_hierarchy *hierarchy, bmr_edge edge) {
+    return (uint32_t)hierarchy->nodes[edge].level;
+}
+
+uint32_t bmr_hierarchy_touch(const bmr_hierarchy *hierarchy, bmr_edge edge) {
+    return (uint32_t)hierarchy->nodes[edge].touch;
+}
+
+bmr_boomerang bmr_hierarchy_boomerang(const bmr_hierarchy *hierarchy, bmr_edge edge) {
+    const bmr_node *node = &hierarchy->nodes[edge];
+    bmr_boomerang b;
+    b.outer_before = (bmr_edge)node->outer_before;
+    b.outer_after = (bmr_edge)node->outer_after;
+    b.child_before = bmr_tree_link(node->child_before);
+    b.child_after = bmr_tree_link(node->child_after);
+    b.level = (uint32_t)node->level;
+    return b;
+}
+
+bmr_corner bmr_hierarchy_corner(const bmr_hierarchy *hierarchy, bmr_edge before, bmr_edge after) {
+    const bmr_node *a = &hierarchy->nodes[before], *b = &hierarchy->nodes[after];
+    // The deeper edge cut the corner that the other one is an outer edge of, and knows what comes next on
+    // that side. Of two roots, either knows.
+    const uint64_t cut = a->level >= b->level ? a->child_after : b->child_before;
+    const bmr_corner corner = {before, after, bmr_tree_link(cut)};
+    return corner;
+}
+
+bmr_corner bmr_hierarchy_corner_after(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level) {
+    const bmr_node *nodes = hierarchy->nodes;
+    uint64_t after = nodes[edge].outer_after, cut = nodes[edge].child_after;
+    while (cut != BMR_NO_CHILD && nodes[cut].level <= level) {
+        after = cut;
+        cut = nodes[cut].child_before;
+    }
+    const bmr_corner corner = {edge, (bmr_edge)after, bmr_tree_link(cut)};
+    return corner;
+}
+
+bmr_corner bmr_hierarchy_corner_before(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level) {
+    const bmr_node *nodes = hierarchy->nodes;
+    uint64_t before = nodes[edge].outer_before, cut = nodes[edge].child_before;
+    while (cut != BMR_NO_CHILD && nodes[cut].level <= level) {
+        before = cut;
+        cut = nodes[cut].child_after;
+    }
+    const bmr_corner corner = {(bmr_edge)before, edge, bmr_tree_link(cut)};
+    return corner;
+}
+
+bmr_corner bmr_hierarchy_refine(const bmr_hierarchy *hierarchy, bmr_corner corner, bmr_vec2 direction,
+                                uint32_t to_level) {
+    while (corner.cut != BMR_NO_EDGE) {
+        const bmr_node *node = &hierarchy->nodes[corner.cut];
+        if (node->level > to_level)
+            break;
+        // A tie goes to the corner after the cut, which has the tied edge as its `before`.
+        if (bmr_cross(bmr_tree_normal(hierarchy, node), direction) >= 0.0) {
+            corner.before = corner.cut;
+            corner.cut = bmr_tree_link(node->child_after);
+        } else {
+            corner.after = corner.cut;
+            corner.cut = bmr_tree_link(node->child_before);
+        }
+    }
+    return corner;
+}
+
+bmr_corner bmr_hierarchy_extreme(const bmr_hierarchy *hierarchy, bmr_vec2 direction, uint32_t level) {
+    const bmr_edge root = bmr_tree_quadrant(direction);
+    const bmr_corner top = {root, (root + 1) % BMR_ROOTS, bmr_tree_link(hierarchy->nodes[root].child_after)};
+    return bmr_hierarchy_refine(hierarchy, top, direction, level);
+}
+
+bmr_corner bmr_hierarchy_coarsen(const bmr_hierarchy *hierarchy, bmr_corner corner, uint32_t level) {
+    const bmr_node *a = &hierarchy->nodes[corner.before], *b = &hierarchy->nodes[corner.after];
+    const bmr_edge deeper = a->level >= b->level ? corner.before : corner.after;
+    const bmr_node *node = &hierarchy->nodes[deeper];
+    if (node->level < level || node->level == 0)
+        return corner; // it was there before
+    const bmr_corner coarse = {(bmr_edge)node->outer_before, (bmr_edge)node->outer_after, deeper};
+    return coarse;
+}
