@@ -66,7 +66,7 @@ private:
     }
 
     std::deque<StepHash> m_waiting[2];
-    int64_t m_next[2] = {1, 1}; // steps count from 1
+    int64_t m_next[2] = {0, 0};
     bool m_ended[2] = {false, false};
     int64_t m_matched = 0;
     std::optional<Difference> m_difference;
@@ -75,7 +75,7 @@ private:
 std::vector<DumpField> DumpOf(const Workers &workers, Side side, int64_t step, const SceneResult &result,
                               const CompareOptions &options) {
     WorkerRequest request = RequestFor(side, result, options, "hash");
-    request.steps = step; // nothing after it is of interest
+    request.steps = step + 1; // steps count from 0
     request.extra.insert(request.extra.end(), {"--dump", std::to_string(step)});
     std::vector<DumpField> fields;
     const auto process = workers.Start(request, options.worker, [&fields](const std::string &line) {

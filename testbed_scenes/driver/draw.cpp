@@ -80,7 +80,7 @@ int Execute(const DrawCommand &command, const Workers &workers) {
     WorkerRequest request;
     request.side = command.plugin ? Side::Plugin : Side::Stock;
     request.scene = scene.name;
-    request.steps = command.step;
+    request.steps = command.step + 1;
     request.extra = {"--outline", std::to_string(command.step)};
 
     Outline outline;

@@ -82,11 +82,11 @@ void Figures::AddCounts(const SceneResult &result) {
         for (const char *call :
              {"polygon_tests", "polygon_tests_apart", "toi_calls", "distance_calls", "overlap_calls"})
             Add(std::string(side) + "." + call + "_per_step",
-                Scaled(NumberAt(count, std::string("/calls/") + call), 1.0 / steps));
+                Scaled(NumberAt(count, std::string("/") + call), 1.0 / steps));
     }
     // The share of the tests that told stock nothing but "apart" and that the plugin did without.
-    const std::optional<double> stock = NumberAt(result.stockCount, "/calls/polygon_tests_apart");
-    const std::optional<double> plugin = NumberAt(result.pluginCount, "/calls/polygon_tests_apart");
+    const std::optional<double> stock = NumberAt(result.stockCount, "/polygon_tests_apart");
+    const std::optional<double> plugin = NumberAt(result.pluginCount, "/polygon_tests_apart");
     if (stock && plugin)
         Add("saved.polygon_tests_apart_percent", Quotient(100.0 * (*stock - *plugin), stock));
     else
@@ -99,7 +99,7 @@ void Figures::AddEvents(const SceneResult &result) {
         Add(name, Scaled(NumberAt(result.pluginCount, "/plugin/" + pointer), perStep));
     };
     const std::optional<double> edges = NumberAt(result.pluginCount, "/plugin/edge_checks");
-    const std::optional<double> kinetic = NumberAt(result.pluginCount, "/plugin/kinetic/checks");
+    const std::optional<double> kinetic = NumberAt(result.pluginCount, "/plugin/checks");
     Add("checks.all_per_step",
         edges && kinetic ? Scaled(*edges + *kinetic, perStep) : std::optional<double>());
     Add("checks.edge_per_step", Scaled(edges, perStep));
@@ -109,7 +109,7 @@ void Figures::AddEvents(const SceneResult &result) {
     add("plugin.verdicts_reused_per_step", "verdicts_reused");
     add("plugin.proved_apart_per_step", "proved_apart");
     for (const char *event : {"start", "stab", "push", "roll", "coarsen", "contact", "leave"})
-        add(std::string("events.") + event + "_per_step", std::string("kinetic/") + event);
+        add(std::string("events.") + event + "_per_step", std::string("events/") + event);
     add("events.hand_over_per_step", "handed_over");
     add("events.hand_over_touching_per_step", "handed_over_touching");
     Add("plugin.pairs", NumberAt(result.pluginCount, "/plugin/pairs"));
@@ -125,7 +125,7 @@ void Figures::AddTimes(const SceneResult &result) {
     // Box2D's own profile gives milliseconds, the worker's clock around a step nanoseconds.
     constexpr double kFromMilliseconds = 1e3, kFromNanoseconds = 1e-3;
     for (const Quantity &quantity : {Quantity{"narrow_phase", "/collide_ms_total", kFromMilliseconds},
-                                     Quantity{"toi", "/solve_toi_ms_total", kFromMilliseconds},
+                                     Quantity{"toi", "/solveTOI_ms", kFromMilliseconds},
                                      Quantity{"step", "/step_ns_total", kFromNanoseconds}}) {
         const std::vector<double> stock = Column(result.stockTimes, quantity.pointer);
         const std::vector<double> plugin = Column(result.pluginTimes, quantity.pointer);

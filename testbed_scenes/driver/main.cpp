@@ -86,20 +86,20 @@ CLI::App *AddCompare(CLI::App &app, CommandLine &line) {
     AddPluginOptions(*compare, command.options.worker);
     AddSceneOptions(*compare, command.options.worker);
     compare
-        ->add_option(
-            "--perturb", command.options.perturb,
-            "Control: at this step nudge one velocity by one bit on the plugin's side; a difference must be "
-            "found")
-        ->check(CLI::PositiveNumber);
+        ->add_option("--perturb", command.options.perturb,
+                     "Control: after this step (the first is 0) nudge one velocity by one bit on the "
+                     "plugin's side; the "
+                     "difference must be found")
+        ->check(CLI::NonNegativeNumber);
     return compare;
 }
 
 CLI::App *AddDraw(CLI::App &app, CommandLine &line) {
     CLI::App *draw = app.add_subcommand("draw", "Draw a scene at one step");
     draw->add_option("scene", line.draw.scene, "A name that `list` shows")->required();
-    draw->add_option("--step", line.draw.step, "After how many steps")
+    draw->add_option("--step", line.draw.step, "The step to draw; the first is 0")
         ->required()
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::NonNegativeNumber);
     draw->add_option("-o,--output", line.draw.output, "The picture: .svg, .png or .pdf")->required();
     draw->add_option("--width", line.draw.width, "Width in pixels (points in a PDF)")
         ->check(CLI::Range(200, 10000))

@@ -56,7 +56,7 @@ DumpField ParseDumpLine(const std::string &line);
 /// is.
 std::string Readable(const std::string &value);
 
-/// The number at a JSON pointer ("/calls/toi_calls"), or nothing where there is none (absent, null, not a
+/// The number at a JSON pointer ("/plugin/checks"), or nothing where there is none (absent, null, not a
 /// number).
 std::optional<double> NumberAt(const nlohmann::json &json, const std::string &pointer);
 
