@@ -117,6 +117,7 @@ static size_t octagon_points(test_random *random, bmr_vec2 *points) {
 static size_t grid_points(size_t n, test_random *random, bmr_vec2 *points) {
     // About as many grid points as asked for, so that many are collinear.
     const uint32_t side = (uint32_t)sqrt((double)n) + 2;
+    n -= 3; // the three points below
     for (size_t i = 0; i < n; ++i) {
         const double x = (double)test_random_below(random, side), y = (double)test_random_below(random, side);
         points[i] = bmr_vec2_make(x - 0.5 * side, y - 0.5 * side);
