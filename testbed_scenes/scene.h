@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TESTBED_SCENE_H
+#define BOOMERANG_TESTBED_SCENE_H
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "stage.h"
+
+namespace testbed {
+
+/// A plain Box2D program: what it builds, what it does between steps, what it does when told of contacts.
+/// Deterministic: chance comes from stage.Rng() alone, and nothing depends on addresses or clocks.
+class Scene {
+public:
+    virtual ~Scene() = default;
+
+    /// Fills an empty world whose gravity is (0, -10).
+    virtual void Build(Stage &stage, int size) = 0;
+    /// Before each b2World::Step; steps count from 0.
+    virtual void BeforeStep(Stage &stage, int step);
+
+    /// Whether the callbacks below are wanted even when nobody observes.
+    virtual bool Listens() const { return false; }
+    virtual void OnBegin(b2Contact &contact);
+    virtual void OnEnd(b2Contact &contact);
+    virtual void OnPreSolve(b2Contact &contact);
+    /// Called always: a scene must forget joints that die with their bodies.
+    virtual void OnGoodbye(b2Joint &joint);
+};
+
+/// What is known of a scene without building it.
+struct SceneInfo {
+    const char *name;
+    const char *description;
+    const char
+        *group; ///< "classic": small and known from Box2D's testbed; "hard": many pairs that stay apart
+    const char *sizeMeaning;
+    int size;
+    int steps;
+    std::unique_ptr<Scene> (*create)();
+    unsigned long seed = 1;
+    float timeStep = 1.0f / 60.0f;
+    int velocityIterations = 8;
+    int positionIterations = 3;
+};
+
+template <typename T> std::unique_ptr<Scene> CreateScene() {
+    return std::make_unique<T>();
+}
+
+/// All scenes: the classic ones, then the hard ones.
+const std::vector<SceneInfo> &AllScenes();
+/// Null if there is none of this name.
+const SceneInfo *FindScene(std::string_view name);
+/// The scene whose name is the fewest edits (insert, delete, replace) away.
+const SceneInfo &NearestScene(std::string_view name);
+
+/// Each file of scenes/ adds its own; called by AllScenes in this order.
+void AddClassicStacks(std::vector<SceneInfo> &scenes);
+void AddClassicMotion(std::vector<SceneInfo> &scenes);
+void AddClassicJoints(std::vector<SceneInfo> &scenes);
+void AddClassicExamples(std::vector<SceneInfo> &scenes);
+void AddTerrain(std::vector<SceneInfo> &scenes);
+void AddLongThings(std::vector<SceneInfo> &scenes);
+void AddCoins(std::vector<SceneInfo> &scenes);
+void AddAsteroids(std::vector<SceneInfo> &scenes);
+void AddGears(std::vector<SceneInfo> &scenes);
+void AddBullets(std::vector<SceneInfo> &scenes);
+void AddSensors(std::vector<SceneInfo> &scenes);
+void AddChurn(std::vector<SceneInfo> &scenes);
+
+} // namespace testbed
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// Concave bodies of 10 to 63 triangles: most of what the broad phase reports belongs to one body.
+#include "scene.h"
+#include "shapes.h"
+
+namespace testbed {
+namespace {
+
+class Asteroids final : public Scene {
+    void Build(Stage &stage, int size) override {
+        constexpr int columns = 15;
+        constexpr float spacing = 4.2f;
+        stage.World().SetGravity({0.0f, 0.0f});
+        const int rows = (size + columns - 1) / columns;
+        const float halfWidth = 0.5f * spacing * static_cast<float>(columns);
+        const float halfHeight = 0.5f * spacing * static_cast<float>(rows);
+        AddArena(stage, {0.0f, 0.0f}, halfWidth, halfHeight, 1.0f);
+        for (int i = 0; i < size; ++i) {
+            b2BodyDef def;
+            def.type = b2_dynamicBody;
+            def.position.Set(spacing * (0.5f + static_cast<float>(i % columns)) - halfWidth,
+                             spacing * (0.5f + static_cast<float>(i / columns)) - halfHeight);
+            def.angle = stage.Rng().Uniform(-b2_pi, b2_pi);
+            def.linearVelocity = stage.Rng().Direction(0.5f, 3.0f);
+            def.angularVelocity = stage.Rng().Uniform(-1.0f, 1.0f);
+            const int triangles = 10 + stage.Rng().Index(54);
+            const Outline outline = RoughOutline(stage.Rng(), triangles, 1.0f, 1.8f);
+            AddFan(stage, stage.AddBody(def), outline, Material(1.0f, 0.1f, 1.0f));
+        }
+    }
+};
+
+class StarPile final : public Scene {
+    void Build(Stage &stage, int size) override {
+        constexpr int columns = 8;
+        constexpr float spacing = 2.1f;
+        const int rows = (size + columns - 1) / columns;
+        const float height = 0.5f * spacing * static_cast<float>(rows) + 2.0f;
+        AddArena(stage, {0.0f, height}, 0.5f * spacing * columns + 0.5f, height, 0.0f);
+        for (int i = 0; i < size; ++i) {
+            b2BodyDef def;
+            def.type = b2_dynamicBody;
+            def.position.Set(spacing * (static_cast<float>(i % columns) - 0.5f * (columns - 1)),
+                             1.1f + spacing * static_cast<float>(i / columns));
+            def.angle = stage.Rng().Uniform(-b2_pi, b2_pi);
+            const int triangles = 10 + stage.Rng().Index(22);
+            AddFan(stage, stage.AddBody(def), StarOutline(triangles, 0.55f, 1.0f), Material(1.0f, 0.4f));
+        }
+    }
+};
+
+} // namespace
+
+void AddAsteroids(std::vector<SceneInfo> &scenes) {
+    scenes.push_back({"asteroids", "concave bodies of 10 to 63 triangles bounce about in a closed box",
+                      "hard", "bodies", 150, 300, CreateScene<Asteroids>});
+    scenes.push_back({"star-pile", "concave stars of 10 to 31 triangles fall into a pile", "hard", "stars",
+                      120, 300, CreateScene<StarPile>});
+}
+
+} // namespace testbed

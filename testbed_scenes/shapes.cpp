@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace testbed {
+namespace {
+
+b2Vec2 OnCircle(float radius, float angle) {
+    return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+float NthAngle(int i, int count) {
+    return 2.0f * b2_pi * static_cast<float>(i) / static_cast<float>(count);
+}
+
+} // namespace
+
+b2PolygonShape MakeBox(float halfWidth, float halfHeight, b2Vec2 center, float angle) {
+    b2PolygonShape shape;
+    shape.SetAsBox(halfWidth, halfHeight, center, angle);
+    return shape;
+}
+
+b2PolygonShape MakeRegular(int count, float radius, float phase) {
+    const Outline outline = RegularOutline(count, radius, phase);
+    b2PolygonShape shape;
+    shape.Set(outline.data(), static_cast<int32>(outline.size()));
+    return shape;
+}
+
+b2CircleShape MakeCircle(float radius, b2Vec2 center) {
+    b2CircleShape shape;
+    shape.m_radius = radius;
+    shape.m_p = center;
+    return shape;
+}
+
+b2EdgeShape MakeEdge(b2Vec2 from, b2Vec2 to) {
+    b2EdgeShape shape;
+    shape.SetTwoSided(from, to);
+    return shape;
+}
+
+Outline RegularOutline(int count, float radius, float phase) {
+    Outline outline;
+    for (int i = 0; i < count; ++i)
+        outline.push_back(OnCircle(radius, phase + NthAngle(i, count)));
+    return outline;
+}
+
+Outline RoughOutline(Random &random, int count, float inner, float outer) {
+    Outline outline;
+    for (int i = 0; i < count; ++i)
+        outline.push_back(OnCircle(random.Uniform(inner, outer), NthAngle(i, count)));
+    return outline;
+}
+
+Outline StarOutline(int count, float inner, float outer) {
+    Outline outline;
+    for (int i = 0; i < count; ++i) {
+        float radius = i % 2 == 0 ? outer : inner;
+        // Two neighbouring points of an odd star would both be at `outer`.
+        if (count % 2 == 1 && i == count - 1)
+            radius = 0.5f * (inner + outer);
+        outline.push_back(OnCircle(radius, NthAngle(i, count)));
+    }
+    return outline;
+}
+
+void AddConvex(Stage &stage, b2Body *body, const Outline &outline, const b2FixtureDef &def) {
+    constexpr int added = b2_maxPolygonVertices - 1; // a piece is the first vertex and a run of these
+    const int count = static_cast<int>(outline.size());
+    for (int first = 1; first < count - 1; first += added - 1) {
+        const int last = std::min(first + added - 1, count - 1);
+        Outline piece{outline.front()};
+        piece.insert(piece.end(), outline.begin() + first, outline.begin() + last + 1);
+        b2PolygonShape shape;
+        shape.Set(piece.data(), static_cast<int32>(piece.size()));
+        stage.AddFixture(body, def, shape);
+    }
+}
+
+void AddFan(Stage &stage, b2Body *body, const Outline &outline, const b2FixtureDef &def) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const b2Vec2 corners[] = {b2Vec2(0.0f, 0.0f), outline[i], outline[(i + 1) % outline.size()]};
+        b2PolygonShape shape;
+        shape.Set(corners, 3);
+        stage.AddFixture(body, def, shape);
+    }
+}
+
+b2Body *AddArena(Stage &stage, b2Vec2 center, float halfWidth, float halfHeight, float restitution) {
+    constexpr float thickness = 1.0f; // half of it: thick enough that nothing is pushed through
+    b2Body *arena = stage.AddBody(b2_staticBody, center);
+    const b2FixtureDef def = Material(0.0f, 0.2f, restitution);
+    const float x = halfWidth + thickness;
+    const float y = halfHeight + thickness;
+    stage.AddFixture(arena, def, MakeBox(halfWidth, thickness, {0.0f, -y}));
+    stage.AddFixture(arena, def, MakeBox(halfWidth, thickness, {0.0f, y}));
+    stage.AddFixture(arena, def, MakeBox(thickness, y + thickness, {-x, 0.0f}));
+    stage.AddFixture(arena, def, MakeBox(thickness, y + thickness, {x, 0.0f}));
+    return arena;
+}
+
+b2FixtureDef Material(float density, float friction, float restitution) {
+    b2FixtureDef def;
+    def.density = density;
+    def.friction = friction;
+    def.restitution = restitution;
+    return def;
+}
+
+} // namespace testbed

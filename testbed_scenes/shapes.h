@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TESTBED_SHAPES_H
+#define BOOMERANG_TESTBED_SHAPES_H
+
+#include <vector>
+
+#include "stage.h"
+
+/// @file
+/// The shapes that scenes are made of. Box2D's polygons have at most 8 vertices; larger and concave outlines
+/// become bodies of many fixtures here.
+
+namespace testbed {
+
+/// Counter-clockwise vertices, in the body's frame.
+using Outline = std::vector<b2Vec2>;
+
+b2PolygonShape MakeBox(float halfWidth, float halfHeight, b2Vec2 center = {0.0f, 0.0f}, float angle = 0.0f);
+/// A regular polygon of 3 to 8 vertices.
+b2PolygonShape MakeRegular(int count, float radius, float phase = 0.0f);
+b2CircleShape MakeCircle(float radius, b2Vec2 center = {0.0f, 0.0f});
+b2EdgeShape MakeEdge(b2Vec2 from, b2Vec2 to);
+
+/// The outline of a regular polygon of any size.
+Outline RegularOutline(int count, float radius, float phase = 0.0f);
+/// Star-shaped about the origin, of `count` vertices whose distances from it are random in [inner, outer).
+Outline RoughOutline(Random &random, int count, float inner, float outer);
+/// `count` vertices, alternately at `outer` and at `inner`; an odd one out lies halfway.
+Outline StarOutline(int count, float inner, float outer);
+
+/// Cuts a convex outline into fixtures of at most 8 vertices, all of which share its first vertex.
+void AddConvex(Stage &stage, b2Body *body, const Outline &outline, const b2FixtureDef &def);
+/// Makes each edge of an outline that is star-shaped about the origin a triangle with the origin.
+void AddFan(Stage &stage, b2Body *body, const Outline &outline, const b2FixtureDef &def);
+
+/// A closed arena about `center`: one static body of four wide walls, whose inner sides are halfWidth and
+/// halfHeight away. The walls touch at their corners.
+b2Body *AddArena(Stage &stage, b2Vec2 center, float halfWidth, float halfHeight, float restitution);
+
+/// A fixture definition whose shape is still to be set.
+b2FixtureDef Material(float density, float friction = 0.2f, float restitution = 0.0f);
+
+} // namespace testbed
+
+#endif

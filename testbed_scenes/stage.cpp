@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "stage.h"
+
+#include "scene.h"
+
+namespace testbed {
+namespace {
+
+// Box2D has no const accessor for user data.
+template <typename Object> uint32_t ReadNumber(const Object &object) {
+    return static_cast<uint32_t>(const_cast<Object &>(object).GetUserData().pointer);
+}
+
+} // namespace
+
+uint32_t NumberOf(const b2Body &body) {
+    return ReadNumber(body);
+}
+uint32_t NumberOf(const b2Fixture &fixture) {
+    return ReadNumber(fixture);
+}
+uint32_t NumberOf(const b2Joint &joint) {
+    return ReadNumber(joint);
+}
+
+Stage::Stage(Scene &scene, unsigned long seed, EventObserver *observer)
+    : m_scene(scene), m_observer(observer), m_random(seed), m_world(b2Vec2(0.0f, -10.0f)) {
+    m_world.SetDestructionListener(this);
+    if (observer != nullptr || scene.Listens())
+        m_world.SetContactListener(this);
+}
+
+b2Body *Stage::AddBody(b2BodyDef def) {
+    def.userData.pointer = m_fixturesMade.size();
+    m_fixturesMade.push_back(0);
+    return m_world.CreateBody(&def);
+}
+
+b2Body *Stage::AddBody(b2BodyType type, b2Vec2 position, float angle) {
+    b2BodyDef def;
+    def.type = type;
+    def.position = position;
+    def.angle = angle;
+    return AddBody(def);
+}
+
+b2Fixture *Stage::AddFixture(b2Body *body, b2FixtureDef def, const b2Shape &shape) {
+    def.shape = &shape;
+    def.userData.pointer = m_fixturesMade[NumberOf(*body)]++;
+    return body->CreateFixture(&def);
+}
+
+b2Fixture *Stage::AddFixture(b2Body *body, const b2Shape &shape, float density) {
+    b2FixtureDef def;
+    def.density = density;
+    return AddFixture(body, def, shape);
+}
+
+b2Joint *Stage::AddJoint(b2JointDef &def) {
+    def.userData.pointer = m_jointsMade++;
+    return m_world.CreateJoint(&def);
+}
+
+b2Joint *Stage::AddHinge(b2Body *bodyA, b2Body *bodyB, b2Vec2 anchor) {
+    b2RevoluteJointDef def;
+    def.Initialize(bodyA, bodyB, anchor);
+    return AddJoint(def);
+}
+
+void Stage::BeginContact(b2Contact *contact) {
+    if (m_observer != nullptr)
+        m_observer->OnBegin(*contact);
+    m_scene.OnBegin(*contact);
+}
+
+void Stage::EndContact(b2Contact *contact) {
+    if (m_observer != nullptr)
+        m_observer->OnEnd(*contact);
+    m_scene.OnEnd(*contact);
+}
+
+void Stage::PreSolve(b2Contact *contact, const b2Manifold *old) {
+    if (m_observer != nullptr)
+        m_observer->OnPreSolve(*contact, *old);
+    m_scene.OnPreSolve(*contact);
+}
+
+void Stage::PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) {
+    if (m_observer != nullptr)
+        m_observer->OnPostSolve(*contact, *impulse);
+}
+
+void Stage::SayGoodbye(b2Joint *joint) {
+    if (m_observer != nullptr)
+        m_observer->OnGoodbye(*joint);
+    m_scene.OnGoodbye(*joint);
+}
+
+void Stage::SayGoodbye(b2Fixture *fixture) {
+    if (m_observer != nullptr)
+        m_observer->OnGoodbye(*fixture);
+}
+
+} // namespace testbed

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TESTBED_STAGE_H
+#define BOOMERANG_TESTBED_STAGE_H
+
+#include <cstdint>
+#include <vector>
+
+#include <box2d/box2d.h>
+
+#include "random.h"
+
+namespace testbed {
+
+class Scene;
+
+/// Is told what Box2D tells its listeners, before the scene is: the scene may change the contact.
+class EventObserver {
+public:
+    virtual ~EventObserver() = default;
+    virtual void OnBegin(const b2Contact &contact) = 0;
+    virtual void OnEnd(const b2Contact &contact) = 0;
+    virtual void OnPreSolve(const b2Contact &contact, const b2Manifold &old) = 0;
+    virtual void OnPostSolve(const b2Contact &contact, const b2ContactImpulse &impulse) = 0;
+    virtual void OnGoodbye(const b2Joint &joint) = 0;
+    virtual void OnGoodbye(const b2Fixture &fixture) = 0;
+};
+
+/// A world and the numbers of what is in it. Everything in a world is made through its stage, which numbers
+/// bodies, joints and each body's fixtures in the order of their creation and keeps the number in the user
+/// data: addresses differ from run to run, numbers do not.
+class Stage final : private b2ContactListener, private b2DestructionListener {
+public:
+    /// The contact listener is installed only if there is an observer or the scene listens: a world that
+    /// nobody listens to is what gets timed.
+    Stage(Scene &scene, unsigned long seed, EventObserver *observer);
+    Stage(const Stage &) = delete;
+    Stage &operator=(const Stage &) = delete;
+
+    b2World &World() { return m_world; }
+    Random &Rng() { return m_random; }
+
+    b2Body *AddBody(b2BodyDef def);
+    b2Body *AddBody(b2BodyType type, b2Vec2 position, float angle = 0.0f);
+    /// `def.shape` is ignored.
+    b2Fixture *AddFixture(b2Body *body, b2FixtureDef def, const b2Shape &shape);
+    b2Fixture *AddFixture(b2Body *body, const b2Shape &shape, float density);
+    /// To be cast by the caller, who knows the type of the definition.
+    b2Joint *AddJoint(b2JointDef &def);
+    /// A revolute joint about a point of the world, without motor or limit.
+    b2Joint *AddHinge(b2Body *bodyA, b2Body *bodyB, b2Vec2 anchor);
+
+private:
+    void BeginContact(b2Contact *contact) override;
+    void EndContact(b2Contact *contact) override;
+    void PreSolve(b2Contact *contact, const b2Manifold *old) override;
+    void PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) override;
+    void SayGoodbye(b2Joint *joint) override;
+    void SayGoodbye(b2Fixture *fixture) override;
+
+    Scene &m_scene;
+    EventObserver *m_observer;
+    Random m_random;
+    b2World m_world;
+    std::vector<uint32_t> m_fixturesMade; // by body number
+    uint32_t m_jointsMade = 0;
+};
+
+/// The number a stage gave; fixtures count from 0 within their body.
+uint32_t NumberOf(const b2Body &body);
+uint32_t NumberOf(const b2Fixture &fixture);
+uint32_t NumberOf(const b2Joint &joint);
+
+} // namespace testbed
+
+#endif

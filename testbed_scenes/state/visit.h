@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TESTBED_VISIT_H
+#define BOOMERANG_TESTBED_VISIT_H
+
+#include "stage.h"
+#include "state/members.h"
+#include "state/sinks.h"
+
+/// @file
+/// Which fields make up the state of a world and the arguments of its events. Objects go by their stage's
+/// numbers, never by address. What Box2D leaves unset is left out: a manifold without points, a time of
+/// impact that is not flagged.
+
+namespace testbed {
+
+template <typename Sink> void VisitVector(Sink &sink, const char *x, const char *y, const b2Vec2 &value) {
+    sink.Field(x, value.x);
+    sink.Field(y, value.y);
+}
+
+/// The order of a body's contacts decides the order in which islands are built. One hash for the whole list:
+/// a line each would say again what the world's list says.
+inline uint64_t HashContactOrder(const b2Body &body) {
+    HashSink order;
+    for (const b2ContactEdge *edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
+        const b2Contact &contact = *edge->contact;
+        order.Key("other", NumberOf(*edge->other));
+        order.Key("fixtureA", NumberOf(*contact.GetFixtureA()));
+        order.Key("fixtureB", NumberOf(*contact.GetFixtureB()));
+        order.Field("childA", contact.GetChildIndexA());
+        order.Field("childB", contact.GetChildIndexB());
+    }
+    return order.Value();
+}
+
+template <typename Sink> void VisitBody(Sink &sink, const b2Body &body) {
+    sink.Begin("body", NumberOf(body));
+    sink.Field("type", static_cast<uint32_t>(body.GetType()));
+    sink.Field("flags", static_cast<uint32_t>(body_members::Flags(body)));
+    const b2Transform &transform = body.GetTransform();
+    VisitVector(sink, "position.x", "position.y", transform.p);
+    sink.Field("rotation.s", transform.q.s);
+    sink.Field("rotation.c", transform.q.c);
+    const b2Sweep &sweep = body_members::Sweep(body);
+    VisitVector(sink, "sweep.localCenter.x", "sweep.localCenter.y", sweep.localCenter);
+    VisitVector(sink, "sweep.c0.x", "sweep.c0.y", sweep.c0);
+    VisitVector(sink, "sweep.c.x", "sweep.c.y", sweep.c);
+    sink.Field("sweep.a0", sweep.a0);
+    sink.Field("sweep.a", sweep.a);
+    sink.Field("sweep.alpha0", sweep.alpha0);
+    VisitVector(sink, "linearVelocity.x", "linearVelocity.y", body.GetLinearVelocity());
+    sink.Field("angularVelocity", body.GetAngularVelocity());
+    VisitVector(sink, "force.x", "force.y", body_members::Force(body));
+    sink.Field("torque", body_members::Torque(body));
+    sink.Field("sleepTime", body_members::SleepTime(body));
+    sink.Field("contactOrder", HashContactOrder(body));
+}
+
+/// `old`: the manifold before an update, whose fields need names of their own.
+template <typename Sink> void VisitManifold(Sink &sink, const b2Manifold &manifold, bool old) {
+    sink.Field(old ? "old.pointCount" : "pointCount", manifold.pointCount);
+    if (manifold.pointCount == 0)
+        return;
+    sink.Field(old ? "old.type" : "type", static_cast<uint32_t>(manifold.type));
+    if (old) {
+        VisitVector(sink, "old.localNormal.x", "old.localNormal.y", manifold.localNormal);
+        VisitVector(sink, "old.localPoint.x", "old.localPoint.y", manifold.localPoint);
+    } else {
+        VisitVector(sink, "localNormal.x", "localNormal.y", manifold.localNormal);
+        VisitVector(sink, "localPoint.x", "localPoint.y", manifold.localPoint);
+    }
+    static constexpr const char *names[2][2][5] = {
+        {{"point0.x", "point0.y", "point0.normalImpulse", "point0.tangentImpulse", "point0.id"},
+         {"point1.x", "point1.y", "point1.normalImpulse", "point1.tangentImpulse", "point1.id"}},
+        {{"old.point0.x", "old.point0.y", "old.point0.normalImpulse", "old.point0.tangentImpulse",
+          "old.point0.id"},
+         {"old.point1.x", "old.point1.y", "old.point1.normalImpulse", "old.point1.tangentImpulse",
+          "old.point1.id"}}};
+    for (int32 i = 0; i < manifold.pointCount; ++i) {
+        const b2ManifoldPoint &point = manifold.points[i];
+        const auto &name = names[old ? 1 : 0][i];
+        VisitVector(sink, name[0], name[1], point.localPoint);
+        sink.Field(name[2], point.normalImpulse);
+        sink.Field(name[3], point.tangentImpulse);
+        sink.Field(name[4], static_cast<uint32_t>(point.id.key));
+    }
+}
+
+/// Names a contact by its fixtures; children tell the segments of a chain apart.
+template <typename Sink> void NameContact(Sink &sink, const b2Contact &contact) {
+    const b2Fixture &a = *contact.GetFixtureA();
+    const b2Fixture &b = *contact.GetFixtureB();
+    sink.Key("bodyA", NumberOf(*a.GetBody()));
+    sink.Key("fixture", NumberOf(a));
+    if (a.GetType() == b2Shape::e_chain)
+        sink.Key("child", static_cast<uint64_t>(contact.GetChildIndexA()));
+    sink.Key("bodyB", NumberOf(*b.GetBody()));
+    sink.Key("fixture", NumberOf(b));
+    if (b.GetType() == b2Shape::e_chain)
+        sink.Key("child", static_cast<uint64_t>(contact.GetChildIndexB()));
+}
+
+template <typename Sink> void VisitContact(Sink &sink, uint64_t number, const b2Contact &contact) {
+    sink.Begin("contact", number);
+    NameContact(sink, contact);
+    sink.Field("flags", ContactMembers::Flags(contact));
+    sink.Field("friction", contact.GetFriction());
+    sink.Field("restitution", contact.GetRestitution());
+    sink.Field("restitutionThreshold", contact.GetRestitutionThreshold());
+    sink.Field("tangentSpeed", contact.GetTangentSpeed());
+    sink.Field("toiCount", ContactMembers::ToiCount(contact));
+    if (ContactMembers::HasToi(contact))
+        sink.Field("toi", ContactMembers::Toi(contact));
+    VisitManifold(sink, *contact.GetManifold(), false);
+}
+
+} // namespace testbed
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// boomerang-scene: runs one scene on whatever Box2D it is linked with. boomerang-testbed starts it twice,
+// once stock and once with the plugin, and compares what the two print: stock must be stock, so they are
+// never one process.
+#include <cstdio>
+#include <exception>
+
+#include <nlohmann/json.hpp>
+
+#include "scene.h"
+#include "worker/options.h"
+#include "worker/run.h"
+
+namespace testbed {
+namespace {
+
+void PrintList() {
+    nlohmann::json list = nlohmann::json::array();
+    for (const SceneInfo &scene : AllScenes())
+        list.push_back({{"name", scene.name},
+                        {"description", scene.description},
+                        {"group", scene.group},
+                        {"size", scene.size},
+                        {"size_meaning", scene.sizeMeaning},
+                        {"seed", scene.seed},
+                        {"steps", scene.steps},
+                        {"time_step", scene.timeStep},
+                        {"velocity_iterations", scene.velocityIterations},
+                        {"position_iterations", scene.positionIterations}});
+    std::puts(list.dump(2).c_str());
+}
+
+int Run(int argc, char **argv) {
+    Options options;
+    if (const std::optional<int> code = ParseOptions(argc, argv, options))
+        return *code;
+    if (options.listJson)
+        PrintList();
+    else
+        RunScene(*FindScene(options.scene), options);
+    return exitOk;
+}
+
+} // namespace
+} // namespace testbed
+
+int main(int argc, char **argv) {
+    try {
+        return testbed::Run(argc, argv);
+    } catch (const std::exception &error) {
+        std::fflush(stdout);
+        std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
+        return testbed::exitInternal;
+    }
+}

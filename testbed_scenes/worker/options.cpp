@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "worker/options.h"
+
+#include <map>
+
+#include <CLI/CLI.hpp>
+
+#include "scene.h"
+
+namespace testbed {
+namespace {
+
+const std::map<std::string, Mode> modes = {
+    {"hash", Mode::Hash}, {"count", Mode::Count}, {"time", Mode::Time}};
+
+std::string ListScenes() {
+    std::string text = "Scenes (default size, default steps):\n";
+    for (const SceneInfo &scene : AllScenes()) {
+        char line[200];
+        std::snprintf(line, sizeof line, "  %-16s %4d %5d  %s\n", scene.name, scene.size, scene.steps,
+                      scene.description);
+        text += line;
+    }
+    return text + "\nExit codes: 0 done; 2 wrong usage; 3 internal error.";
+}
+
+void CheckScene(const Options &options) {
+    if (options.listJson)
+        return;
+    if (options.scene.empty())
+        throw CLI::RequiredError("a SCENE, or --list-json");
+    if (FindScene(options.scene) == nullptr)
+        throw CLI::ValidationError("there is no scene \"" + options.scene + "\"; did you mean \"" +
+                                   NearestScene(options.scene).name + "\"?");
+}
+
+} // namespace
+
+const char *NameOf(Mode mode) {
+    for (const auto &[name, value] : modes)
+        if (value == mode)
+            return name.c_str();
+    return "";
+}
+
+std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
+    CLI::App app("Runs one scene of Box2D and prints what happened: a line of hashes for each step, and at "
+                 "the end one "
+                 "line\n`summary {json}`.");
+    app.footer(ListScenes());
+    app.add_flag("--list-json", options.listJson, "Print all scenes as JSON and exit");
+    app.add_option("scene", options.scene, "The scene")->option_text("SCENE");
+    app.add_option(
+           "--mode", options.mode,
+           "hash: `step I BODIES CONTACTS EVENTS`, three hashes of the raw bits, after each step\n"
+           "count: contacts and calls of Box2D's leaf functions (with libboomerang-count.so preloaded)\n"
+           "time: wall time of b2World::Step and Box2D's own profile")
+        ->transform(CLI::CheckedTransformer(modes).description(""))
+        ->option_text("hash|count|time [hash]");
+    app.add_option("--steps", options.steps, "How many steps; each scene has its default")
+        ->option_text("N")
+        ->check(CLI::Range(0, 100000000).description(""));
+    app.add_option("--size", options.size, "How large the scene is; each scene has its default")
+        ->option_text("K")
+        ->check(CLI::Range(1, 1000000).description(""));
+    app.add_option("--seed", options.seed, "Seed of the scene's random numbers [1]")->option_text("S");
+    app.add_option("--dump", options.dump,
+                   "Instead of hashes, print after this step (the first is 0) all that is hashed, a line per "
+                   "field, and "
+                   "stop")
+        ->option_text("STEP")
+        ->check(CLI::NonNegativeNumber.description(""));
+    app.add_option("--outline", options.outline,
+                   "Instead of hashes, print after this step the outlines of all shapes, and stop")
+        ->option_text("STEP")
+        ->check(CLI::NonNegativeNumber.description(""));
+    app.add_option("--perturb", options.perturb,
+                   "After this step, nudge the velocity of one body by one ulp: the control for comparisons, "
+                   "which must "
+                   "notice it at that very step")
+        ->option_text("STEP")
+        ->check(CLI::NonNegativeNumber.description(""));
+    AddPluginOptions(app, options.plugin);
+    try {
+        app.parse(argc, argv);
+        CheckScene(options);
+    } catch (const CLI::ParseError &error) {
+        return app.exit(error) == 0 ? exitOk : exitUsage;
+    }
+    return std::nullopt;
+}
+
+} // namespace testbed

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TESTBED_OPTIONS_H
+#define BOOMERANG_TESTBED_OPTIONS_H
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "worker/plugin.h"
+
+namespace testbed {
+
+enum class Mode { Hash, Count, Time };
+
+/// What the command line asks for. Steps count from 0.
+struct Options {
+    bool listJson = false;
+    std::string scene;
+    Mode mode = Mode::Hash;
+    std::optional<int> steps, size;
+    std::optional<unsigned long> seed;
+    std::optional<int> dump, outline, perturb;
+    PluginOptions plugin;
+};
+
+/// The worker's exit codes.
+enum ExitCode : int { exitOk = 0, exitUsage = 2, exitInternal = 3 };
+
+/// Fills `options`, or says why not (or prints the help) and returns the exit code.
+std::optional<int> ParseOptions(int argc, char **argv, Options &options);
+
+const char *NameOf(Mode mode);
+
+} // namespace testbed
+
+#endif

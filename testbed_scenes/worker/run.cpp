@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "worker/run.h"
+
+#include <cfloat>
+#include <chrono>
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "outline.h"
+#include "state/snapshot.h"
+#include "worker/summary.h"
+
+namespace testbed {
+namespace {
+
+// Often enough that a reader who stops at the first difference need not wait, rare enough to cost nothing.
+constexpr int stepsPerFlush = 16;
+
+void PrintHashes(int step, const StateHashes &hashes) {
+    std::printf("step %d %016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", step, hashes.bodies,
+                hashes.contacts, hashes.events);
+    if (step % stepsPerFlush == stepsPerFlush - 1)
+        std::fflush(stdout);
+}
+
+/// The control for comparisons: the least change there is. To the first awake dynamic body, for one that
+/// sleeps would be forgotten; after the step, for inside it the change could be rounded away.
+void Perturb(b2World &world) {
+    b2Body *chosen = nullptr;
+    for (b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+        if (body->GetType() != b2_dynamicBody)
+            continue;
+        if (chosen == nullptr || (body->IsAwake() && !chosen->IsAwake()))
+            chosen = body;
+    }
+    if (chosen == nullptr)
+        throw std::runtime_error("no dynamic body to perturb");
+    const b2Vec2 velocity = chosen->GetLinearVelocity();
+    chosen->SetLinearVelocity({std::nextafter(velocity.x, FLT_MAX), velocity.y});
+}
+
+/// For the scenes that use no random numbers: with a seed that is not their own they differ a little too.
+void Shake(Stage &stage) {
+    constexpr float speed = 0.05f;
+    for (b2Body *body = stage.World().GetBodyList(); body != nullptr; body = body->GetNext())
+        if (body->GetType() == b2_dynamicBody)
+            body->SetLinearVelocity(body->GetLinearVelocity() + stage.Rng().Direction(0.0f, speed));
+}
+
+long TimeStep(const SceneInfo &info, b2World &world) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    world.Step(info.timeStep, info.velocityIterations, info.positionIterations);
+    return static_cast<long>(std::chrono::nanoseconds(Clock::now() - start).count());
+}
+
+} // namespace
+
+void RunScene(const SceneInfo &info, const Options &options) {
+    InstallPlugin(options.plugin, options.mode == Mode::Count);
+    EventRecorder recorder;
+    const std::unique_ptr<Scene> scene = info.create();
+    // Nobody listens to a world that is timed or counted, except a scene that would.
+    const unsigned long seed = options.seed.value_or(info.seed);
+    Stage stage(*scene, seed, options.mode == Mode::Hash ? &recorder : nullptr);
+    b2World &world = stage.World();
+    const int steps = options.steps.value_or(info.steps);
+    Summary summary(info, options, steps);
+
+    recorder.StartStep(options.dump == 0);
+    SetTraceStep(-1); // what happens before the first step
+    scene->Build(stage, options.size.value_or(info.size));
+    if (seed != info.seed)
+        Shake(stage);
+    for (int step = 0; step < steps; ++step) {
+        SetTraceStep(step);
+        scene->BeforeStep(stage, step);
+        const long nanoseconds = TimeStep(info, world);
+        if (options.perturb == step)
+            Perturb(world);
+        summary.AddStep(world, nanoseconds);
+        if (options.outline == step) {
+            WriteOutline(stdout, world, PluginSlack());
+            break;
+        }
+        if (options.dump == step) {
+            std::fputs(DescribeState(world, recorder).c_str(), stdout);
+            break;
+        }
+        if (options.mode == Mode::Hash) {
+            const StateHashes hashes = HashState(world, recorder);
+            summary.AddHashes(hashes);
+            if (!options.dump && !options.outline)
+                PrintHashes(step, hashes);
+            recorder.StartStep(options.dump == step + 1);
+        }
+    }
+    FinishTrace();
+    std::printf("summary %s\n", summary.ToJson(world).dump().c_str());
+    if (std::fflush(stdout) != 0)
+        throw std::runtime_error("the output could not be written");
+}
+
+} // namespace testbed

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "worker/summary.h"
+
+#include <algorithm>
+#include <cinttypes>
+#include <cstdio>
+#include <numeric>
+
+#include <dlfcn.h>
+
+#include "count/count.h"
+
+// Box2D counts its own work; it declares these where it uses them.
+extern B2_API int32 b2_toiCalls, b2_gjkCalls;
+
+namespace testbed {
+namespace {
+
+// As unsigned numbers their differences are right even past 2^31 calls.
+uint32_t ToiRuns() {
+    return static_cast<uint32_t>(b2_toiCalls);
+}
+uint32_t GjkRuns() {
+    return static_cast<uint32_t>(b2_gjkCalls);
+}
+
+long Median(std::vector<long> values) {
+    if (values.empty())
+        return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+bool IsPolygonContact(const b2Contact &contact) {
+    return contact.GetFixtureA()->GetType() == b2Shape::e_polygon &&
+           contact.GetFixtureB()->GetType() == b2Shape::e_polygon;
+}
+
+/// Calls of the whole run, null where the counting library is not preloaded.
+void AddCalls(nlohmann::json &json) {
+    const auto read =
+        reinterpret_cast<decltype(&boomerang_count_read)>(dlsym(RTLD_DEFAULT, "boomerang_count_read"));
+    boomerang_counts counts = {};
+    if (read != nullptr)
+        read(&counts);
+    const auto set = [&](const char *name, uint64_t value) {
+        json[name] = read != nullptr ? nlohmann::json(value) : nlohmann::json(nullptr);
+    };
+    set("polygon_tests", counts.polygon_tests);
+    set("polygon_tests_apart", counts.polygon_tests_apart);
+    set("toi_calls", counts.toi_calls);
+    set("distance_calls", counts.distance_calls);
+    set("overlap_calls", counts.overlap_calls);
+}
+
+} // namespace
+
+Summary::Summary(const SceneInfo &info, const Options &options, int steps)
+    : m_info(info), m_options(options), m_stepsWanted(steps), m_toiRunsBefore(ToiRuns()),
+      m_gjkRunsBefore(GjkRuns()) {
+    m_nanoseconds.reserve(static_cast<std::size_t>(steps));
+}
+
+void Summary::AddStep(const b2World &world, long nanoseconds) {
+    ++m_steps;
+    m_contacts += world.GetContactCount();
+    m_nanoseconds.push_back(nanoseconds);
+    const b2Profile &profile = world.GetProfile();
+    m_collide += static_cast<double>(profile.collide);
+    m_solve += static_cast<double>(profile.solve);
+    m_broadphase += static_cast<double>(profile.broadphase);
+    m_solveToi += static_cast<double>(profile.solveTOI);
+    // Walking the contacts would warm the caches of the next step, so not while it is timed.
+    if (m_options.mode == Mode::Time)
+        return;
+    for (const b2Contact *contact = world.GetContactList(); contact != nullptr; contact = contact->GetNext())
+        m_polygonContacts += IsPolygonContact(*contact) ? 1 : 0;
+}
+
+void Summary::AddHashes(const StateHashes &hashes) {
+    m_hash.Field("bodies", hashes.bodies);
+    m_hash.Field("contacts", hashes.contacts);
+    m_hash.Field("events", hashes.events);
+}
+
+void Summary::AddTimes(nlohmann::json &json) const {
+    json["step_ns_total"] = std::accumulate(m_nanoseconds.begin(), m_nanoseconds.end(), 0L);
+    json["step_ns_median"] = Median(m_nanoseconds);
+    json["collide_ms_total"] = m_collide;
+    json["solve_ms"] = m_solve;
+    json["broadphase_ms"] = m_broadphase;
+    json["solveTOI_ms"] = m_solveToi;
+}
+
+nlohmann::json Summary::ToJson(const b2World &world) const {
+    const double steps = static_cast<double>(std::max(m_steps, 1L));
+    nlohmann::json json = {{"scene", m_info.name},
+                           {"program", PluginName()},
+                           {"mode", NameOf(m_options.mode)},
+                           {"size", m_options.size.value_or(m_info.size)},
+                           {"seed", m_options.seed.value_or(m_info.seed)},
+                           {"steps", m_steps},
+                           {"steps_wanted", m_stepsWanted},
+                           {"bodies", world.GetBodyCount()},
+                           {"contacts", static_cast<double>(m_contacts) / steps}};
+    if (m_options.mode != Mode::Time)
+        json["polygon_contacts"] = static_cast<double>(m_polygonContacts) / steps;
+    switch (m_options.mode) {
+    case Mode::Hash: {
+        char text[17];
+        std::snprintf(text, sizeof text, "%016" PRIx64, m_hash.Value());
+        json["hash"] = text;
+        break;
+    }
+    case Mode::Count:
+        AddCalls(json);
+        json["box2d_toi_runs"] = ToiRuns() - m_toiRunsBefore;
+        json["box2d_gjk_runs"] = GjkRuns() - m_gjkRunsBefore;
+        json["plugin"] = PluginStatistics();
+        break;
+    case Mode::Time:
+        AddTimes(json);
+        break;
+    }
+    return json;
+}
+
+} // namespace testbed
