@@ -187,8 +187,7 @@ void AttachPair(PolygonContact *contact, b2BlockAllocator *allocator) {
     if (contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor())
         return;
     const Unit a = BodyUnit(contact->GetFixtureA()), b = BodyUnit(contact->GetFixtureB());
-    const Settings &settings = GetSettings();
-    if (settings.options.prefilter && settings.sameRounding)
+    if (EdgesAreOn())
         AttachToBodies(contact, a, b, allocator);
     else
         AttachToFixtures(contact, a, b, allocator);

@@ -82,20 +82,34 @@ float PolygonContact::RadiusSum() const {
 }
 
 void PolygonContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
-    Count(&Counts::evaluations);
+    const Answer answer = Ask(xfA, xfB);
+    if (GetSettings().options.statistics)
+        CountAnswer(answer);
+    if (answer < Answer::kUnknown)
+        manifold->pointCount = 0;
+    else
+        b2CollidePolygons(manifold, &ShapeOf(m_fixtureA), xfA, &ShapeOf(m_fixtureB), xfB);
+}
+
+inline PolygonContact::Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
     // What touched at the last look most likely touches still: no question asked. (Its own manifold is read,
     // not the caller's, which anybody may pass uninitialised.)
-    if (m_manifold.pointCount == 0) {
-        if ((state.pair != nullptr && PairSaysApart(xfA, xfB)) || EdgeSaysApart(xfA, xfB)) {
-            manifold->pointCount = 0;
-            Count(&Counts::provedApart);
-            return;
-        }
-    } else {
+    if (m_manifold.pointCount > 0)
+        return Answer::kTouching;
+    if (state.pair != nullptr && PairSaysApart(xfA, xfB))
+        return Answer::kApartByPair;
+    if (EdgeSaysApart(xfA, xfB))
+        return Answer::kApartByEdge;
+    return FindEdge(xfA, xfB) ? Answer::kApartBySearch : Answer::kUnknown;
+}
+
+void PolygonContact::CountAnswer(Answer answer) {
+    Count(&Counts::evaluations);
+    Count(answer < Answer::kUnknown ? &Counts::provedApart : &Counts::handedOver);
+    if (answer == Answer::kTouching)
         Count(&Counts::handedOverTouching);
-    }
-    Count(&Counts::handedOver);
-    b2CollidePolygons(manifold, &ShapeOf(m_fixtureA), xfA, &ShapeOf(m_fixtureB), xfB);
+    else if (answer != Answer::kApartByPair && EdgesAreOn())
+        Count(&Counts::edgeChecks);
 }
 
 bool PolygonContact::PairSaysApart(const b2Transform &xfA, const b2Transform &xfB) {
@@ -112,36 +126,35 @@ bool PolygonContact::PairSaysApart(const b2Transform &xfA, const b2Transform &xf
     return (parent != nullptr && apart(parent)) || apart(pair);
 }
 
-bool PolygonContact::EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) {
-    const Settings &settings = GetSettings();
-    if (!settings.options.prefilter || !settings.sameRounding)
-        return false;
-    if (state.edge == kNoEdge) {
-        if (state.unasked == 0)
-            return FindEdge(xfA, xfB);
-        --state.unasked;
-        return false;
-    }
-    Count(&Counts::edgeChecks);
+/// Box2D's own test on the remembered edge alone: where that edge's separation is larger than the radii, so
+/// is the largest.
+inline bool PolygonContact::EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) const {
     const b2PolygonShape &a = ShapeOf(m_fixtureA), &b = ShapeOf(m_fixtureB);
     const bool ofB = state.edgeOfB;
-    const bmr_polygon32 reference = Polygon32(ofB ? b : a), other = Polygon32(ofB ? a : b);
-    const bmr_transform32 from = Transform32(ofB ? xfB : xfA), to = Transform32(ofB ? xfA : xfB);
-    const bmr_transform32 frame = bmr_exact32_relative(&to, &from);
-    // Vertices may have been edited in place: the edge may be gone.
-    if (state.edge < reference.count &&
-        bmr_exact32_edge_separation(&reference, state.edge, &other, &frame) > a.m_radius + b.m_radius)
-        return true;
-    return FindEdge(xfA, xfB);
+    const b2PolygonShape &owner = ofB ? b : a, &other = ofB ? a : b;
+    // Also where no edge is remembered; and vertices may have been edited in place: the edge may be gone.
+    if (state.edge >= owner.m_count)
+        return false;
+    const float separation = bmr_exact32_posed_separation(
+        Vectors32(owner.m_vertices) + state.edge, Vectors32(owner.m_normals) + state.edge,
+        Transform32(ofB ? xfB : xfA), Vectors32(other.m_vertices), other.m_count,
+        Transform32(ofB ? xfA : xfB));
+    return separation > a.m_radius + b.m_radius;
 }
 
 /// Remembers the edge of largest separation of the two polygons, if it separates them in Box2D's sense.
 bool PolygonContact::FindEdge(const b2Transform &xfA, const b2Transform &xfB) {
+    if (!EdgesAreOn())
+        return false;
+    if (state.edge == kNoEdge && state.unasked > 0) {
+        --state.unasked;
+        return false;
+    }
     Count(&Counts::edgeSearches);
     const bmr_polygon32 a = Polygon32(ShapeOf(m_fixtureA)), b = Polygon32(ShapeOf(m_fixtureB));
-    const bmr_transform32 poseA = Transform32(xfA), poseB = Transform32(xfB);
-    const bmr_transform32 aInB = bmr_exact32_relative(&poseB, &poseA),
-                          bInA = bmr_exact32_relative(&poseA, &poseB);
+    const bmr_transform32 *poseA = Transform32(xfA), *poseB = Transform32(xfB);
+    const bmr_transform32 aInB = bmr_exact32_relative(poseB, poseA),
+                          bInA = bmr_exact32_relative(poseA, poseB);
     int32_t edgeA = 0, edgeB = 0;
     const float separationA = bmr_exact32_max_separation(&a, &b, &aInB, &edgeA);
     const float separationB = bmr_exact32_max_separation(&b, &a, &bInA, &edgeB);
@@ -159,13 +172,13 @@ bool PolygonContact::FindEdge(const b2Transform &xfA, const b2Transform &xfB) {
 }
 
 double PolygonContact::EdgeGap(const b2Transform &xfA, const b2Transform &xfB) const {
-    const b2PolygonShape &a = ShapeOf(m_fixtureA), &b = ShapeOf(m_fixtureB);
     const bool ofB = state.edgeOfB;
-    const bmr_polygon32 reference = Polygon32(ofB ? b : a), other = Polygon32(ofB ? a : b);
+    const bmr_polygon32 reference = Polygon32(ShapeOf(ofB ? m_fixtureB : m_fixtureA));
+    const bmr_polygon32 other = Polygon32(ShapeOf(ofB ? m_fixtureA : m_fixtureB));
     if (state.edge >= reference.count)
         return 0.0;
-    const bmr_transform32 from = Transform32(ofB ? xfB : xfA), to = Transform32(ofB ? xfA : xfB);
-    const bmr_transform32 frame = bmr_exact32_relative(&to, &from);
+    const bmr_transform32 frame =
+        bmr_exact32_relative(Transform32(ofB ? xfA : xfB), Transform32(ofB ? xfB : xfA));
     if (!(std::fabs(static_cast<double>(frame.p.x)) + std::fabs(static_cast<double>(frame.p.y)) < kReach))
         return 0.0;
     const double separation =

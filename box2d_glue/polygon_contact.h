@@ -51,8 +51,13 @@ private:
                              b2BlockAllocator *allocator);
     static void Destroy(b2Contact *contact, b2BlockAllocator *allocator);
 
+    /// How an evaluation was answered; what is less than kUnknown needs no help of Box2D's.
+    enum class Answer { kApartByPair, kApartByEdge, kApartBySearch, kUnknown, kTouching };
+
+    Answer Ask(const b2Transform &xfA, const b2Transform &xfB);
+    static void CountAnswer(Answer answer);
     bool PairSaysApart(const b2Transform &xfA, const b2Transform &xfB);
-    bool EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB);
+    bool EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) const;
     bool FindEdge(const b2Transform &xfA, const b2Transform &xfB);
     float RadiusSum() const;
 };

@@ -33,8 +33,7 @@ bool AgreesAt(float angle, float tilt, float distance) {
     const b2Vec2 offset = b2Mul(xfA.q, b2Vec2(0.31f, distance));
     xfB.Set(xfA.p + offset, angle + tilt);
     const bmr_polygon32 pa = Polygon32(a), pb = Polygon32(b);
-    const bmr_transform32 ta = Transform32(xfA), tb = Transform32(xfB);
-    const bmr_transform32 frame = bmr_exact32_relative(&tb, &ta);
+    const bmr_transform32 frame = bmr_exact32_relative(Transform32(xfB), Transform32(xfA));
     int32_t edge = 0;
     const float separation = bmr_exact32_max_separation(&pa, &pb, &frame, &edge);
     if (!(separation > 0.0f))

@@ -26,6 +26,11 @@ inline const Settings &GetSettings() {
     return internal::settings;
 }
 
+/// Do contacts remember edges?
+inline bool EdgesAreOn() {
+    return GetSettings().options.prefilter && GetSettings().sameRounding;
+}
+
 /// Takes the options over; called once, by Install. False without memory for the compass table.
 bool MakeSettings(const Options &options);
 
