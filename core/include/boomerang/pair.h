@@ -10,16 +10,17 @@ extern "C" {
 #endif
 
 /// @file
-/// A kinetic structure for one pair of moving convex polygons A and B, in sampled mode: it is advanced from one relative
-/// pose to the next and answers "apart, by at least this much" or "stab on the real polygon". Sections 3 and 5 of the
-/// paper (lazy), section 6's open question (free direction).
+/// A kinetic structure for one pair of moving convex polygons A and B, in sampled mode: it is advanced from
+/// one relative pose to the next and answers "apart, by at least this much" or "stab on the real polygon".
+/// Sections 3 and 5 of the paper (lazy), section 6's open question (free direction).
 ///
-/// Poses are of B's frame in A's frame throughout. Nothing here allocates; a pair is plain data that may be copied.
+/// Poses are of B's frame in A's frame throughout. Nothing here allocates; a pair is plain data that may be
+/// copied.
 
 /// Which kinetic structure.
 typedef enum bmr_structure {
-    BMR_LAZY_COMPASS,   ///< edge of one envelope, corner of the other, on compass hierarchies
-    BMR_LAZY_DUDLEY,    ///< the same on Dudley hierarchies
+    BMR_LAZY_COMPASS, ///< edge of one envelope, corner of the other, on compass hierarchies
+    BMR_LAZY_DUDLEY,  ///< the same on Dudley hierarchies
     BMR_LAZY_DOBKIN_KIRKPATRICK,
     BMR_FREE_DIRECTION, ///< closest direction fixed in one body, two-corner window in the other
     BMR_STRUCTURE_COUNT
@@ -28,8 +29,8 @@ typedef enum bmr_structure {
 /// "lazy-compass", "lazy-dudley", "lazy-dobkin-kirkpatrick", "free-direction"; NULL for anything else.
 const char *bmr_structure_name(bmr_structure structure);
 
-/// One body of a pair. `hierarchy` is what the lazy structures walk on (of the kind the structure names; its polygon is
-/// `polygon`); the free direction takes NULL. Both must outlive the pair's use of them.
+/// One body of a pair. `hierarchy` is what the lazy structures walk on (of the kind the structure names; its
+/// polygon is `polygon`); the free direction takes NULL. Both must outlive the pair's use of them.
 typedef struct bmr_shape {
     const bmr_polygon *polygon;
     const bmr_hierarchy *hierarchy;
@@ -63,17 +64,22 @@ const char *bmr_event_name(bmr_event_kind kind);
 /// The level above the bounding rectangle: two bounding disks.
 #define BMR_LEVEL_DISKS (-1)
 
-/// A pair's whole state: 64 bytes, to be aligned to 64 where a check shall touch one cache line. Read it, do not write it.
+/// A pair's whole state: 64 bytes, to be aligned to 64 where a check shall touch one cache line. Read it, do
+/// not write it.
 typedef struct bmr_pair {
-    bmr_certificate certificate; ///< 44 bytes; at level -1 normal = centre of A's disk, window[0] = that of B's, offset = sum of radii
-    uint16_t reserved;
-    uint8_t owner;  ///< 0: the line is A's; 1: it is B's
-    uint8_t state;  ///< bmr_pair_state
-    uint32_t edge;  ///< lazy: the owner's edge id; free: support vertex of the owner
-    uint32_t other; ///< lazy: `before` of the other's corner; free: support vertex of the other
+    bmr_certificate certificate; ///< 44 bytes; at level -1 normal = centre of A's disk, window[0] = that of
+                                 ///< B's, offset = sum of radii
+    uint8_t simplex;      ///< in contact: how many vertex pairs (a | b << 16) are remembered in edge, other,
+                          ///< other_after
+    int8_t spin;          ///< free: the sense in which B turned out of the last bracket: -1, 0 (unknown) or 1
+    uint8_t owner;        ///< 0: the line is A's; 1: it is B's
+    uint8_t state;        ///< bmr_pair_state
+    uint32_t edge;        ///< lazy: the owner's edge id; free: support vertex of the owner
+    uint32_t other;       ///< lazy: `before` of the other's corner; free: support vertex of the other
     uint32_t other_after; ///< lazy: `after` of the other's corner (its `cut` follows from the level)
-    int8_t level;   ///< -1 disks, 0 rectangles, ...; free direction: 0
-    uint8_t reserved2[3];
+    int8_t level;         ///< -1 disks, 0 rectangles, ...; free direction: 0; in contact: the deepest
+    uint8_t free; ///< lazy: 1 where no edge's line does and the certificate is the closest direction's
+    uint8_t reserved[2];
 } bmr_pair;
 
 typedef enum bmr_pair_state {
@@ -113,37 +119,48 @@ typedef struct bmr_observer {
 /// A pair about which nothing is known. Any pose may come next. O(1).
 void bmr_pair_init(bmr_pair *pair);
 
-/// The quick look: is the certificate of the last advance still true at this pose, by more than the margin? One cache line,
-/// no memory but the pair's. False says nothing but "call bmr_pair_advance". `*gap` as in bmr_certificate_check.
+/// The quick look: is the certificate of the last advance still true at this pose, by more than the margin?
+/// One cache line, no memory but the pair's. False says nothing but "call bmr_pair_advance". `*gap` as in
+/// bmr_certificate_check.
 static inline bool bmr_pair_check(const bmr_pair *pair, const bmr_pose *b_in_a, double margin, double *gap);
 
-/// Takes the pair to a new relative pose: checks, and repairs where the check fails (push, stab, roll, coarsen, leaving
-/// contact). Poses may jump; nothing but the pose decides what is true. `*gap` (may be NULL) gets a certified lower bound
-/// of the distance of the polygons: > margin when the answer is APART, 0 otherwise. NaN poses answer STAB_POLYGON.
-/// Certified means: true of the given polygons at the given pose, all rounding included (poses whose (c, s) is off unit
-/// length by e scale the other body by 1 + e; that is the caller's to add to the margin).
-/// Cost: O(1) where the certificate holds, else O(level change) expected, O(log n) for a start.
+/// How much closer than the truth, in units of the sum of the two polygons' extents, a certificate may have
+/// to claim them to be: its floats' rounding, and BMR_ROLL_TOLERANCE.
+#define BMR_PAIR_SLOP 4e-6
+
+/// Takes the pair to a new relative pose: checks, and repairs where the check fails (push, stab, roll,
+/// coarsen, leaving contact). Poses may jump; nothing but the pose decides what is true. `*gap` (may be NULL)
+/// gets a certified lower bound of the distance of the polygons: > margin when the answer is APART, 0
+/// otherwise. NaN poses answer STAB_POLYGON. Certified means: true of the given polygons at the given pose,
+/// all rounding included (poses whose (c, s) is off unit length by e > 2^-50 scale the other body by 1 + e;
+/// that is the caller's to add to the margin. Poses off by more than 1e-3 are no motions and answer
+/// STAB_POLYGON, as NaN does). Complete: where the distance is larger than need + BMR_PAIR_SLOP * (sum of the
+/// extents) + 1e-6 * need, the answer is APART; need is the margin, and for a pair in contact margin +
+/// hysteresis. Cost: O(1) where the certificate holds, else O(level change) expected, O(log n) for a start.
 bmr_answer bmr_pair_advance(bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a, const bmr_shape *b,
                             const bmr_pose *b_in_a, const bmr_observer *observer, double *gap);
 
-/// Re-proves the pair's state from scratch at a pose where it was just advanced to (brute force over all vertices, and
-/// for the lazy structures: the edge is on its level, the corner is the extreme one of its level, the window is its
-/// point). OK for a pair in contact or new. FALSE_CERTIFICATE or INVALID_STRUCTURE otherwise. O(n).
-bmr_error bmr_pair_audit(const bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a, const bmr_shape *b,
-                         const bmr_pose *b_in_a);
+/// Re-proves the pair's state from scratch at a pose where it was just advanced to (brute force over all
+/// vertices, and for the lazy structures: the edge is on its level, the corner is the extreme one of its
+/// level, the window is its point). OK for a pair in contact or new. FALSE_CERTIFICATE or INVALID_STRUCTURE
+/// otherwise. O(n).
+bmr_error bmr_pair_audit(const bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a,
+                         const bmr_shape *b, const bmr_pose *b_in_a);
 
 static inline bool bmr_pair_check(const bmr_pair *pair, const bmr_pose *b_in_a, double margin, double *gap) {
     if (pair->state != BMR_PAIR_APART)
         return false;
     if (pair->level == BMR_LEVEL_DISKS) {
         const bmr_certificate *k = &pair->certificate;
-        const bmr_vec2 center = bmr_transform(b_in_a, bmr_vec2_make((double)k->window[0][0], (double)k->window[0][1]));
+        const bmr_vec2 center =
+            bmr_transform(b_in_a, bmr_vec2_make((double)k->window[0][0], (double)k->window[0][1]));
         const double dx = center.x - (double)k->normal[0], dy = center.y - (double)k->normal[1];
         const double reach = (double)k->offset + margin;
         // The square root is left to those who want the gap: this is a lower bound that needs none.
+        // 2^-48 covers the rounding of this very expression.
         const double d2 = dx * dx + dy * dy;
         *gap = margin;
-        return d2 > reach * reach;
+        return d2 > reach * reach * (1.0 + 3.5527136788005009e-15);
     }
     if (pair->owner == 0)
         return bmr_certificate_check(&pair->certificate, b_in_a, margin, gap) == BMR_CHECK_HOLDS;

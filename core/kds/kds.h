@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#ifndef BMR_KDS_KDS_H
+#define BMR_KDS_KDS_H
+
+#include "boomerang/pair.h"
+#include "geometry/distance.h"
+
+/// @file
+/// What the files of this room tell one another. A structure is two functions: one that repairs a pair whose
+/// certificate has failed (or that has none yet), and one that audits its own part of the state. pair.c calls
+/// them, and does what all structures share: the quick look, the disks, contact, and telling the observer.
+
+/// One call of bmr_pair_advance.
+typedef struct bmr_step {
+    bmr_pair *pair;
+    const bmr_pair_def *def;
+    const bmr_shape *shapes[2]; ///< A, B
+    const bmr_pose *pose;       ///< of B in A's frame
+    const bmr_observer *observer;
+    double need;  ///< the gap that a certificate must prove: margin, and hysteresis for a pair in contact
+    double reach; ///< need, and all that a certificate may lose by rounding: apart by more than this can be
+                  ///< certified
+} bmr_step;
+
+/// Why a repair is called for.
+typedef enum bmr_failure {
+    BMR_FAILURE_NEW,     ///< nothing known
+    BMR_FAILURE_DISKS,   ///< the disks touch
+    BMR_FAILURE_CROSSED, ///< the window crossed the line
+    BMR_FAILURE_ROLLED,  ///< the direction left the bracket
+    BMR_FAILURE_CONTACT  ///< was in contact at the last advance
+} bmr_failure;
+
+/// A coarser proof (disks instead of a line, a coarser envelope) replaces a finer one only if its gap beyond
+/// the need is at least this part of the finer one's. With 0, as in the paper, a level that is apart by
+/// nearly nothing is taken and fails at the next step: roll, coarsen, stab, for ever. With this, a stab after
+/// a coarsening has cost a motion of this part of the gap.
+#define BMR_COARSEN_PART 0.25
+
+/// Makes the certificate of two bounding disks, with its level, if they prove more than `need`. *gap: what
+/// they prove.
+bool bmr_disks_certify(bmr_step *step, double need, double *gap);
+/// What the pair's disks prove at a pose.
+double bmr_disks_gap(const bmr_certificate *certificate, const bmr_pose *b_in_a);
+bmr_error bmr_disks_audit(const bmr_certificate *certificate, const bmr_polygon *a, const bmr_polygon *b,
+                          const bmr_pose *b_in_a);
+
+/// The distance query of a step, from the vertices given; true: apart by more than step->reach.
+bool bmr_step_closest(const bmr_step *step, bmr_simplex *simplex, bmr_closest *closest);
+/// The simplex that a pair in contact remembers.
+bmr_simplex bmr_contact_simplex(const bmr_pair *pair);
+/// Puts the pair in contact, remembering the simplex; an event unless it was in contact before.
+bmr_answer bmr_contact_enter(bmr_step *step, const bmr_simplex *simplex, int level);
+
+/// Counts an event and hands it to the observer.
+void bmr_step_tell(const bmr_step *step, bmr_event_kind kind, int level_before, int level_after, double gap);
+void bmr_step_count_levels(const bmr_step *step, int levels);
+/// Looks at the pair's certificate at the step's pose: does it prove more than `need`? *gap: what it proves.
+bool bmr_step_holds(const bmr_step *step, double need, double *gap);
+
+/// A line in the closest direction and a window of one body, chosen so that the bracket is wide. False:
+/// nothing that proves more than the need came of it. The pair's level is left alone.
+bool bmr_free_certify(bmr_step *step, const bmr_closest *closest, double *gap);
+/// Which way B turned when a certificate rolled.
+int bmr_free_spin(const bmr_pair *pair, const bmr_pose *b_in_a);
+
+bmr_answer bmr_free_repair(bmr_step *step, bmr_failure failure, double *gap);
+bmr_error bmr_free_audit(const bmr_pair *pair, const bmr_shape *owner, const bmr_shape *other);
+
+bmr_answer bmr_lazy_repair(bmr_step *step, bmr_failure failure, double *gap);
+bmr_error bmr_lazy_audit(const bmr_pair *pair, const bmr_shape *owner, const bmr_shape *other,
+                         const bmr_pose *other_in_owner);
+
+#endif

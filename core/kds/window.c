@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "kds/window.h"
+
+#include <math.h>
+
+/// No tangent is turned farther than this (75 degrees) in one go, so that any bracket stays well below 180.
+#define WIDEST_COSINE 0.25881904510252074
+
+/// A leaning bracket reaches backwards by at most this (15 degrees): enough to bear some trembling.
+#define BACKWARD_COSINE 0.96592582628906831
+/// ... and by what costs this part of the limit: a quarter of the full turn, losses being quadratic in the
+/// angle.
+#define BACKWARD_PART 0.0625
+
+/// Looks for the number of vertices to pass. A guess from "losses are quadratic" settles it in two or three.
+#define GUESSES 5
+/// Never guess more than this many times farther.
+#define LARGEST_FACTOR 16.0
+/// A loss of this part of the limit is close enough to the best.
+#define GOOD_ENOUGH 0.8
+
+/// A support line of the polygon: its outer normal (unit length) and a vertex on it.
+typedef struct tangent {
+    bmr_vec2 direction;
+    uint32_t vertex;
+} tangent;
+
+/// A tangent about to be turned. All is written for one sense of turning; the other is its mirror image.
+typedef struct turning {
+    const bmr_polygon *polygon;
+    int sense; ///< 1 counter-clockwise, -1 clockwise
+    tangent from;
+    bmr_vec2 along; ///< the way on the tangent towards the vertices that come next
+    bmr_vec2 start; ///< the last vertex on the tangent in that sense
+    double limit, cosine;
+} turning;
+
+static inline uint32_t next_vertex(const bmr_polygon *p, uint32_t i, int sense) {
+    if (sense > 0)
+        return i + 1 < p->count ? i + 1 : 0;
+    return i > 0 ? i - 1 : p->count - 1;
+}
+
+/// The vertex `steps` (< count) after the start.
+static inline uint32_t vertex_after(const turning *t, uint32_t steps) {
+    const uint32_t n = t->polygon->count;
+    if (t->sense > 0)
+        return t->from.vertex + steps < n ? t->from.vertex + steps : t->from.vertex + steps - n;
+    return t->from.vertex >= steps ? t->from.vertex - steps : t->from.vertex + n - steps;
+}
+
+/// The outer normal, not normalised, of the edge that leads from vertex `steps` to the next in the sense of
+/// turning.
+static bmr_vec2 normal_after(const turning *t, uint32_t steps, bmr_vec2 *vertex) {
+    const uint32_t i = vertex_after(t, steps), j = next_vertex(t->polygon, i, t->sense);
+    *vertex = t->polygon->vertices[i];
+    const bmr_vec2 e = bmr_sub(t->polygon->vertices[j], *vertex);
+    return t->sense > 0 ? bmr_vec2_make(e.y, -e.x) : bmr_vec2_make(-e.y, e.x);
+}
+
+/// Is the direction ahead of the tangent's, by no more than the widest angle?
+static inline bool within_widest(const turning *t, bmr_vec2 normal) {
+    const double cosine = bmr_dot(normal, t->from.direction);
+    return bmr_dot(normal, t->along) > 0.0 && cosine > 0.0 &&
+           cosine * cosine >= t->cosine * t->cosine * bmr_dot(normal, normal);
+}
+
+/// The squared loss, over the squared limit, of turning the tangent until it lies on the edge after `steps`
+/// vertices: the height of the two tangents' meeting point above the chord between their vertices. Infinite
+/// where that is too far to turn.
+static double loss_of(const turning *t, uint32_t steps) {
+    bmr_vec2 vertex;
+    const bmr_vec2 normal = normal_after(t, steps, &vertex);
+    if (!within_widest(t, normal))
+        return INFINITY;
+    if (steps == 0)
+        return 0.0;
+    const bmr_vec2 chord = bmr_sub(vertex, t->start);
+    const double height =
+        bmr_dot(normal, chord) / bmr_dot(normal, t->along) * bmr_dot(chord, t->from.direction);
+    return height * height / (t->limit * t->limit * bmr_dot(chord, chord));
+}
+
+/// How many edges the tangent can be turned past within the limit.
+static uint32_t edges_passed(const turning *t) {
+    if (loss_of(t, 0) > 1.0)
+        return 0;
+    uint32_t low = 0, high = t->polygon->count - 1; // the loss is fine at `low`, and too much at `high`
+    uint32_t guess = 1;
+    for (int i = 0; i < GUESSES && high - low > 1; ++i) {
+        guess = guess <= low ? low + 1 : (guess >= high ? high - 1 : guess);
+        const double loss = loss_of(t, guess);
+        if (loss <= 1.0)
+            low = guess;
+        else
+            high = guess;
+        if (loss <= 1.0 && loss >= GOOD_ENOUGH * GOOD_ENOUGH)
+            break;
+        const double factor = loss > 0.0 ? sqrt(1.0 / sqrt(loss)) : LARGEST_FACTOR;
+        guess = (uint32_t)(fmin(factor, LARGEST_FACTOR) * guess);
+    }
+    return low + 1;
+}
+
+static bmr_vec2 widest(const turning *t) {
+    const double sine = sqrt(1.0 - t->cosine * t->cosine);
+    return bmr_add(bmr_scale(t->cosine, t->from.direction), bmr_scale(sine, t->along));
+}
+
+/// The first in the sense of turning of two directions and the widest; unit length.
+static bmr_vec2 first_of(const turning *t, bmr_vec2 a, bmr_vec2 b) {
+    a = within_widest(t, a) ? a : widest(t);
+    b = within_widest(t, b) ? b : widest(t);
+    const bmr_vec2 first = bmr_cross(a, b) * t->sense > 0.0 ? a : b;
+    return bmr_scale(1.0 / sqrt(bmr_dot(first, first)), first);
+}
+
+/// How far to turn about the vertex `passed` edges after the start: to where the loss is the limit.
+static bmr_vec2 turn_about(const turning *t, uint32_t passed, bmr_vec2 chord) {
+    bmr_vec2 unused;
+    const bmr_vec2 flush = normal_after(t, passed - 1, &unused), last = normal_after(t, passed, &unused);
+    // A triangle on the chord: its angle at the start is known, its height is the limit; solved for the angle
+    // outside the meeting point, by which the tangent turns.
+    const double x = bmr_dot(chord, t->along), drop = -bmr_dot(chord, t->from.direction);
+    const double back = t->limit * sqrt(bmr_dot(chord, chord)) / drop;
+    const bmr_vec2 wanted = bmr_add(bmr_scale(x - back, t->from.direction), bmr_scale(drop, t->along));
+    return first_of(t, bmr_cross(flush, wanted) * t->sense > 0.0 ? wanted : flush, last);
+}
+
+/// Turns a tangent as far as the limit and the widest angle allow. *corner: where the two tangents meet.
+static tangent turn(const bmr_polygon *polygon, tangent from, int sense, double limit, double cosine,
+                    bmr_vec2 *corner) {
+    turning t = {polygon, sense, from, bmr_left(from.direction), from.direction, limit, cosine};
+    if (sense < 0)
+        t.along = bmr_neg(t.along);
+    for (uint32_t i = 0; i < polygon->count; ++i) { // a tangent along an edge: go to that edge's far end
+        const uint32_t next = next_vertex(polygon, t.from.vertex, sense);
+        const bmr_vec2 e = bmr_sub(polygon->vertices[next], polygon->vertices[t.from.vertex]);
+        if (bmr_dot(e, from.direction) < 0.0)
+            break;
+        t.from.vertex = next;
+    }
+    t.start = polygon->vertices[t.from.vertex];
+    const uint32_t passed = edges_passed(&t);
+    const uint32_t pivot = vertex_after(&t, passed);
+    *corner = t.start;
+    if (passed == 0) {
+        bmr_vec2 unused;
+        const bmr_vec2 last = normal_after(&t, 0, &unused);
+        const tangent about_start = {first_of(&t, last, last), pivot};
+        return about_start;
+    }
+    const bmr_vec2 chord = bmr_sub(polygon->vertices[pivot], t.start);
+    const tangent to = {turn_about(&t, passed, chord), pivot};
+    // Between the start and the pivot; clamped, for two tangents that are nearly one meet anywhere.
+    const double s = bmr_dot(to.direction, chord) / bmr_dot(to.direction, t.along);
+    *corner = bmr_add(t.start, bmr_scale(fmin(fmax(s, 0.0), bmr_dot(chord, t.along)), t.along));
+    return to;
+}
+
+/// A point or a segment is its own window, in every direction.
+static void make_everywhere(const bmr_polygon *polygon, bmr_window *window) {
+    window->corner[0] = polygon->vertices[0];
+    window->corner[1] = polygon->vertices[polygon->count - 1];
+    window->low = window->high = bmr_vec2_make(0.0, 0.0);
+    window->life = -2.0;
+}
+
+void bmr_window_make(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t support, double limit, int lean,
+                     bmr_window *window) {
+    if (polygon->count <= 2) {
+        make_everywhere(polygon, window);
+        return;
+    }
+    const tangent middle = {direction, support};
+    if (lean == 0) {
+        window->low = turn(polygon, middle, -1, limit, WIDEST_COSINE, &window->corner[0]).direction;
+        window->high = turn(polygon, middle, 1, limit, WIDEST_COSINE, &window->corner[1]).direction;
+        window->life = fmax(bmr_dot(direction, window->low), bmr_dot(direction, window->high));
+        return;
+    }
+    bmr_vec2 unused;
+    const tangent back = turn(polygon, middle, -lean, BACKWARD_PART * limit, BACKWARD_COSINE, &unused);
+    const tangent next = turn(polygon, back, lean, limit, WIDEST_COSINE, &window->corner[0]);
+    const tangent far = turn(polygon, next, lean, limit, WIDEST_COSINE, &window->corner[1]);
+    window->low = lean > 0 ? back.direction : far.direction;
+    window->high = lean > 0 ? far.direction : back.direction;
+    window->life = bmr_dot(direction, far.direction);
+}
