@@ -100,7 +100,9 @@ void WriteContacts(std::FILE *out, const b2World &world, SlackFunction slack) {
          contact = contact->GetNext()) {
         const b2Fixture *fixtureA = contact->GetFixtureA();
         const b2Fixture *fixtureB = contact->GetFixtureB();
-        if (contact->IsTouching() && !fixtureA->IsSensor() && !fixtureB->IsSensor()) {
+        if (fixtureA->IsSensor() || fixtureB->IsSensor())
+            continue;
+        if (contact->IsTouching()) {
             b2WorldManifold manifold;
             contact->GetWorldManifold(&manifold);
             for (int32 i = 0; i < contact->GetManifold()->pointCount; ++i) {

@@ -42,7 +42,9 @@ constexpr std::array<StateColour, 6> kStates = {{{"dynamic", {0.9, 0.7, 0.7}},
                                                  {"sensor", {0.85, 0.8, 0.45}},
                                                  {"disabled", {0.5, 0.5, 0.3}}}};
 
-constexpr double kFillOpacity = 0.42;
+constexpr double kFillOpacity = 0.42, kSensorOpacity = 0.45;
+/// In pixels of a picture 1200 wide.
+constexpr double kEdgeWidth = 0.9, kChainWidth = 1.6;
 /// The picture's height is kept between these multiples of its width.
 constexpr double kFlattest = 0.35, kTallest = 1.1;
 /// Share of the frame left empty around what it shows.
@@ -182,35 +184,78 @@ private:
         cairo_arc(m_cairo, OnPaper(point).x, OnPaper(point).y, radius, 0.0, 2.0 * M_PI);
     }
 
+    using ShapeIterator = std::vector<Outline::Shape>::const_iterator;
+
     void PaintShapes(const std::function<bool(const std::string &)> &isWanted) {
-        for (const Outline::Shape &shape : m_outline.shapes) {
-            if (!isWanted(shape.state))
-                continue;
-            cairo_new_path(m_cairo);
-            if (shape.kind == Outline::Kind::Circle) {
-                Disc(shape.points[0], shape.radius * m_scale);
-            } else {
-                MoveTo(shape.points[0]);
-                for (size_t i = 1; i < shape.points.size(); ++i)
-                    LineTo(shape.points[i]);
-                if (shape.kind == Outline::Kind::Polygon)
-                    cairo_close_path(m_cairo);
+        const std::vector<Outline::Shape> &shapes = m_outline.shapes;
+        for (ShapeIterator begin = shapes.begin(); begin != shapes.end();) {
+            // A body's shapes follow each other.
+            const ShapeIterator end = std::find_if(begin, shapes.end(), [begin](const Outline::Shape &shape) {
+                return shape.body != begin->body || shape.state != begin->state || shape.kind != begin->kind;
+            });
+            if (isWanted(begin->state)) {
+                if (end - begin > 1 && begin->kind == Outline::Kind::Polygon && begin->state != "sensor")
+                    PaintSilhouette(begin, end);
+                else
+                    std::for_each(begin, end, [this](const Outline::Shape &shape) { PaintShape(shape); });
             }
-            const Colour &colour = ColourOf(shape.state);
-            if (shape.kind != Outline::Kind::Chain && shape.state != "sensor") {
-                SetColour(colour, kFillOpacity);
-                cairo_fill_preserve(m_cairo);
-            }
-            if (shape.kind == Outline::Kind::Circle) {
-                // A radius shows how it is turned.
-                MoveTo(shape.points[0]);
-                LineTo({shape.points[0].x + shape.radius * std::cos(shape.angle),
-                        shape.points[0].y + shape.radius * std::sin(shape.angle)});
-            }
-            SetColour(colour, shape.state == "sensor" ? 0.45 : 0.95);
-            cairo_set_line_width(m_cairo, (shape.kind == Outline::Kind::Chain ? 1.6 : 0.9) * m_unit);
+            begin = end;
+        }
+    }
+
+    void TracePath(const Outline::Shape &shape) {
+        cairo_new_path(m_cairo);
+        if (shape.kind == Outline::Kind::Circle) {
+            Disc(shape.points[0], shape.radius * m_scale);
+            return;
+        }
+        MoveTo(shape.points[0]);
+        for (size_t i = 1; i < shape.points.size(); ++i)
+            LineTo(shape.points[i]);
+        if (shape.kind == Outline::Kind::Polygon)
+            cairo_close_path(m_cairo);
+    }
+
+    /// A body of several polygons: all edges first, then the insides, opaque, over those edges that are inner
+    /// ones. Drawn one by one, a fan of 63 triangles would be nothing but edges.
+    void PaintSilhouette(ShapeIterator begin, ShapeIterator end) {
+        const Colour &colour = ColourOf(begin->state);
+        SetColour(colour, 0.95);
+        cairo_set_line_width(m_cairo, 2.0 * kEdgeWidth * m_unit);
+        for (ShapeIterator shape = begin; shape != end; ++shape) {
+            TracePath(*shape);
             cairo_stroke(m_cairo);
         }
+        auto mixed = [](double over, double under) {
+            return kFillOpacity * over + (1.0 - kFillOpacity) * under;
+        };
+        SetColour({mixed(colour.red, kBackground.red), mixed(colour.green, kBackground.green),
+                   mixed(colour.blue, kBackground.blue)},
+                  1.0);
+        for (ShapeIterator shape = begin; shape != end; ++shape) {
+            TracePath(*shape);
+            cairo_fill(m_cairo);
+        }
+    }
+
+    void PaintShape(const Outline::Shape &shape) {
+        const Colour &colour = ColourOf(shape.state);
+        const bool isSensor = shape.state == "sensor";
+        TracePath(shape);
+        if (shape.kind != Outline::Kind::Chain && !isSensor) {
+            SetColour(colour, kFillOpacity);
+            cairo_fill_preserve(m_cairo);
+        }
+        if (shape.kind == Outline::Kind::Circle) {
+            // A radius shows how it is turned.
+            MoveTo(shape.points[0]);
+            LineTo({shape.points[0].x + shape.radius * std::cos(shape.angle),
+                    shape.points[0].y + shape.radius * std::sin(shape.angle)});
+        }
+        SetColour(colour, isSensor ? kSensorOpacity : 0.95);
+        cairo_set_line_width(m_cairo,
+                             (shape.kind == Outline::Kind::Chain ? kChainWidth : kEdgeWidth) * m_unit);
+        cairo_stroke(m_cairo);
     }
 
     static const Colour &ColourOf(const Outline::Pair &pair) {

@@ -83,13 +83,13 @@ void PrintLegend(std::ostream &out, const CompareOptions &options, bool colour) 
     auto line = [&out, colour](const std::string &text) {
         out << Styled(text, Style::Faint, colour) << '\n';
     };
-    line("contacts: fat boxes that overlap, mean per step; polygon test: b2CollidePolygons; apart: it found "
-         "no point; TOI:"
-         " b2TimeOfImpact");
-    line("edge: one remembered edge asked again; kinetic: a certificate of a body pair asked again; reused: "
-         "same pair and"
-         " poses");
-    line("stab, push, roll, coarsen: repairs of a certificate; hand-over: given to Box2D's own "
+    line("contacts: pairs whose fat boxes overlap, mean per step; polygon tests: b2CollidePolygons; apart: "
+         "no point found");
+    line("TOI calls: b2TimeOfImpact; saved: of the tests that found stock's pairs apart, those the plugin "
+         "did without");
+    line("edge: one remembered edge asked again; kinetic: a body pair's certificate asked again; reused: "
+         "same pair, same poses");
+    line("start, stab, push, roll, coarsen: the life of a certificate; hand-over: given to Box2D's own "
          "b2CollidePolygons");
     if (options.time)
         line("time: median of " + std::to_string(options.repeat) +
