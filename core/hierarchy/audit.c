@@ -148,12 +148,12 @@ static bool is_envelope(const audit *a, uint32_t level) {
     return edges == expected && turns == 1;
 }
 
-/// The depth each kind promises.
+/// The depth each kind promises. A quadrant never holds all edges, so a balanced tree of them is no deeper
+/// than these.
 static bool is_shallow(const bmr_hierarchy *h) {
-    const uint32_t n = h->polygon->count, log = bmr_ceil_log2(n);
-    if (n < 4)
-        return h->depth <= 2 * log + 1;
-    return h->depth <= (h->kind == BMR_HIERARCHY_COMPASS ? 2 * log : log + 2);
+    const uint32_t log = bmr_ceil_log2(h->polygon->count);
+    const uint32_t most[BMR_HIERARCHY_KIND_COUNT] = {2 * log, log + 1, log};
+    return h->depth <= most[h->kind];
 }
 
 bmr_error bmr_hierarchy_audit(const bmr_hierarchy *hierarchy) {

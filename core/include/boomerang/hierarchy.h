@@ -52,14 +52,16 @@ void bmr_compass_destroy(bmr_compass *compass, const bmr_allocator *allocator);
 
 /// Builds a hierarchy over `polygon`, which must outlive it. Points and segments have one too. O(n log n) time, one
 /// block. With the polygon at most 160 bytes a vertex for n >= 64.
-/// Compass: the top ceil(log2 n) levels bisect the angle, below them the median edge; depth <= 2 ceil(log2 n) for n >= 4.
+/// Compass: the top ceil(log2 n) levels bisect the angle, below them the median edge; depth <= 2 ceil(log2 n),
+/// at most 4 n + 4 edges.
 bmr_error bmr_hierarchy_build_compass(const bmr_polygon *polygon, const bmr_compass *compass,
                                       const bmr_allocator *allocator, bmr_hierarchy **hierarchy);
 /// Dudley: degenerate edges and vertices from n regular points on a circle of radius 2D (normals outward: erratum 1), each
-/// boomerang cut by its median edge, split vertices counted; depth <= ceil(log2 2n) + 1.
+/// boomerang cut by its median edge, split vertices counted; depth <= ceil(log2 2n), at most 2 n + 4 edges.
 bmr_error bmr_hierarchy_build_dudley(const bmr_polygon *polygon, const bmr_allocator *allocator,
                                      bmr_hierarchy **hierarchy);
-/// Dobkin-Kirkpatrick: the polygon's own edges only, each boomerang cut by its median edge.
+/// Dobkin-Kirkpatrick: the polygon's own edges only, each boomerang cut by its median edge; depth <= ceil(log2 n),
+/// at most n + 4 edges.
 bmr_error bmr_hierarchy_build_dobkin_kirkpatrick(const bmr_polygon *polygon, const bmr_allocator *allocator,
                                                  bmr_hierarchy **hierarchy);
 void bmr_hierarchy_destroy(bmr_hierarchy *hierarchy, const bmr_allocator *allocator);
