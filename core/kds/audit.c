@@ -1,6 +1,93 @@
 // SPDX-License-Identifier: MIT
 // Re-proving a pair's state from nothing but the polygons (and, for the lazy structures, the hierarchies).
+#include <math.h>
+
 #include "kds/kds.h"
+
+/// Two computations of one float, from doubles that agree up to rounding.
+#define FLOAT_ROUNDING 2.384185791015625e-7 /* 2^-22 */
+
+static bool near(const float rounded[2], bmr_vec2 exact, double scale) {
+    return fabs((double)rounded[0] - exact.x) <= FLOAT_ROUNDING * scale &&
+           fabs((double)rounded[1] - exact.y) <= FLOAT_ROUNDING * scale;
+}
+
+/// Is no corner of the level farther in `direction` than this one? Once around the level.
+static bool is_extreme(const bmr_hierarchy *h, bmr_vec2 point, bmr_vec2 direction, uint32_t level,
+                       double tolerance) {
+    bmr_edge edge = 0;
+    for (uint32_t i = 0; i < bmr_hierarchy_edge_count(h); ++i) {
+        const bmr_corner corner = bmr_hierarchy_corner_after(h, edge, level);
+        const bmr_vec2 rival = bmr_hierarchy_corner_point(h, corner);
+        if (!(bmr_dot(bmr_sub(rival, point), direction) <= tolerance))
+            return false;
+        edge = corner.after;
+        if (edge == 0)
+            return true;
+    }
+    return false; // the level does not close
+}
+
+static uint32_t side_level(const bmr_hierarchy *h, const bmr_pair *pair) {
+    const uint32_t depth = bmr_hierarchy_depth(h);
+    return (uint32_t)pair->level < depth ? (uint32_t)pair->level : depth;
+}
+
+static bool has_edge(const bmr_hierarchy *h, uint32_t edge, uint32_t level) {
+    return edge < bmr_hierarchy_edge_count(h) && bmr_hierarchy_level(h, edge) <= level;
+}
+
+/// The state of a lazy pair names an edge and a corner of its level, the certificate is made of these, and
+/// the corner is the one nearest to the edge's line.
+static bmr_error audit_lazy(const bmr_pair *pair, const bmr_shape *owner, const bmr_shape *other,
+                            const bmr_pose *other_in_owner) {
+    const bmr_hierarchy *own = owner->hierarchy, *facing = other->hierarchy;
+    if (!own || !facing || bmr_hierarchy_polygon(own) != owner->polygon ||
+        bmr_hierarchy_polygon(facing) != other->polygon)
+        return BMR_ERROR_INVALID_STRUCTURE;
+    const uint32_t level = side_level(facing, pair);
+    if (!has_edge(own, pair->edge, side_level(own, pair)) || !has_edge(facing, pair->other, level) ||
+        !has_edge(facing, pair->other_after, level))
+        return BMR_ERROR_INVALID_STRUCTURE;
+    const bmr_corner corner = bmr_hierarchy_corner_after(facing, pair->other, level);
+    if (corner.after != pair->other_after)
+        return BMR_ERROR_INVALID_STRUCTURE;
+    const bmr_certificate *k = &pair->certificate;
+    const bmr_line line = bmr_hierarchy_line(own, pair->edge);
+    const bmr_vec2 point = bmr_hierarchy_corner_point(facing, corner);
+    if (!near(k->normal, line.normal, 1.0) || !((double)k->offset >= line.offset) ||
+        !near(k->window[0], point, other->polygon->extent) ||
+        !near(k->window[1], point, other->polygon->extent) ||
+        !near(k->low, bmr_hierarchy_line(facing, corner.before).normal, 1.0) ||
+        !near(k->high, bmr_hierarchy_line(facing, corner.after).normal, 1.0))
+        return BMR_ERROR_INVALID_STRUCTURE;
+    const bmr_vec2 direction = bmr_neg(bmr_unrotate(other_in_owner, line.normal));
+    const double tolerance = BMR_PAIR_SLOP * other->polygon->extent;
+    return is_extreme(facing, point, direction, level, tolerance) ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
+}
+
+/// A free direction's line touches its owner at the vertex that the pair remembers.
+static bmr_error audit_free(const bmr_pair *pair, const bmr_shape *owner, const bmr_shape *other) {
+    const bmr_polygon *own = owner->polygon;
+    if (pair->edge >= own->count || pair->other >= other->polygon->count)
+        return BMR_ERROR_INVALID_STRUCTURE;
+    const bmr_vec2 normal =
+        bmr_vec2_make((double)pair->certificate.normal[0], (double)pair->certificate.normal[1]);
+    const double touch = bmr_dot(normal, own->vertices[pair->edge]);
+    for (uint32_t i = 0; i < own->count; ++i)
+        if (!(bmr_dot(normal, own->vertices[i]) <= touch + FLOAT_ROUNDING * own->extent))
+            return BMR_ERROR_INVALID_STRUCTURE;
+    return BMR_OK;
+}
+
+_Static_assert((int)BMR_LAZY_COMPASS == (int)BMR_HIERARCHY_COMPASS &&
+                   (int)BMR_LAZY_DUDLEY == (int)BMR_HIERARCHY_DUDLEY &&
+                   (int)BMR_LAZY_DOBKIN_KIRKPATRICK == (int)BMR_HIERARCHY_DOBKIN_KIRKPATRICK,
+               "a lazy structure has the number of its hierarchy");
+
+static bool kind_fits(bmr_structure structure, const bmr_shape *shape) {
+    return shape->hierarchy && (int)bmr_hierarchy_get_kind(shape->hierarchy) == (int)structure;
+}
 
 bmr_error bmr_pair_audit(const bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a,
                          const bmr_shape *b, const bmr_pose *b_in_a) {
@@ -22,7 +109,9 @@ bmr_error bmr_pair_audit(const bmr_pair *pair, const bmr_pair_def *def, const bm
     double gap;
     if (bmr_certificate_check(&pair->certificate, other_in_owner, def->margin, &gap) != BMR_CHECK_HOLDS)
         return BMR_ERROR_FALSE_CERTIFICATE;
-    return def->structure == BMR_FREE_DIRECTION || pair->free
-               ? bmr_free_audit(pair, owner, other)
-               : bmr_lazy_audit(pair, owner, other, other_in_owner);
+    if (def->structure == BMR_FREE_DIRECTION)
+        return pair->level == 0 ? audit_free(pair, owner, other) : BMR_ERROR_INVALID_STRUCTURE;
+    if (!kind_fits(def->structure, a) || !kind_fits(def->structure, b))
+        return BMR_ERROR_INVALID_STRUCTURE;
+    return pair->free ? audit_free(pair, owner, other) : audit_lazy(pair, owner, other, other_in_owner);
 }

@@ -110,8 +110,3 @@ bmr_answer bmr_free_repair(bmr_step *step, bmr_failure failure, double *gap) {
         bmr_step_tell(step, BMR_EVENT_COARSEN, LEVEL_POLYGONS, BMR_LEVEL_DISKS, *gap);
     return BMR_APART;
 }
-
-bmr_error bmr_free_audit(const bmr_pair *pair, const bmr_shape *owner, const bmr_shape *other) {
-    const bool valid = pair->edge < owner->polygon->count && pair->other < other->polygon->count;
-    return valid ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
-}

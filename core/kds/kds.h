@@ -6,9 +6,9 @@
 #include "geometry/distance.h"
 
 /// @file
-/// What the files of this room tell one another. A structure is two functions: one that repairs a pair whose
-/// certificate has failed (or that has none yet), and one that audits its own part of the state. pair.c calls
-/// them, and does what all structures share: the quick look, the disks, contact, and telling the observer.
+/// What the files of this room tell one another. A structure is one function that repairs a pair whose
+/// certificate has failed (or that has none yet). pair.c calls it, and does what all structures share: the
+/// quick look, the disks, contact, and telling the observer.
 
 /// One call of bmr_pair_advance.
 typedef struct bmr_step {
@@ -65,10 +65,6 @@ bool bmr_free_certify(bmr_step *step, const bmr_closest *closest, double *gap);
 int bmr_free_spin(const bmr_pair *pair, const bmr_pose *b_in_a);
 
 bmr_answer bmr_free_repair(bmr_step *step, bmr_failure failure, double *gap);
-bmr_error bmr_free_audit(const bmr_pair *pair, const bmr_shape *owner, const bmr_shape *other);
-
 bmr_answer bmr_lazy_repair(bmr_step *step, bmr_failure failure, double *gap);
-bmr_error bmr_lazy_audit(const bmr_pair *pair, const bmr_shape *owner, const bmr_shape *other,
-                         const bmr_pose *other_in_owner);
 
 #endif

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#ifndef BMR_KDS_WALK_H
+#define BMR_KDS_WALK_H
+
+#include "boomerang/hierarchy.h"
+
+/// @file
+/// Walking from one candidate line to the next between two envelopes P_i and Q_i of the same level.
+///
+/// For a direction y let F(y) = min over Q_i of <y, .> - max over P_i of <y, .>, the gap that y proves. F is
+/// concave and homogeneous, so the directions with F > 0 form one cone, and on it the best of them has no
+/// rival: uphill is the way. The candidates are the normals of P_i's edges and the negated ones of Q_i's,
+/// merged by angle; between two that follow each other the extreme corners p and q stay the same and F is <y,
+/// q - p>.
+
+/// The deepest level that differs from the polygon in either of two hierarchies (P_i = P for i >= depth).
+int bmr_walk_deepest(const bmr_hierarchy *const hierarchies[2]);
+
+/// A place on the walk. Directions are in A's frame.
+typedef struct bmr_walk {
+    const bmr_hierarchy *hierarchies[2]; ///< of A and B
+    const bmr_pose *pose;                ///< of B in A's frame
+    int level;
+    bmr_vec2 direction;   ///< not zero
+    bmr_corner corner[2]; ///< of A's envelope, extreme in the direction; of B's, extreme against it
+} bmr_walk;
+
+/// A candidate line and what it proves.
+typedef struct bmr_candidate {
+    double gap;
+    int owner; ///< 0: an edge of A's, 1: of B's
+    bmr_edge edge;
+    bmr_vec2 direction;   ///< from A to B, in A's frame, normal to the edge
+    bmr_corner corner[2]; ///< extreme in it, as in bmr_walk; the owner's is one end of the edge
+} bmr_candidate;
+
+/// Puts the walk on a level, at the extreme corners in a direction (not zero). O(level).
+void bmr_walk_start(bmr_walk *walk, bmr_vec2 direction, int level);
+/// Puts the walk on the normal of an edge that is on `level`, facing the other body's corner, which is
+/// extreme there.
+void bmr_walk_resume(bmr_walk *walk, int owner, bmr_edge edge, bmr_corner other, int level);
+
+/// Goes to the next level: the corners are cut. O(1).
+void bmr_walk_refine(bmr_walk *walk);
+/// From a candidate of the walk's level back to the level above, at the same direction. O(1).
+void bmr_walk_coarsen(bmr_walk *walk, const bmr_candidate *candidate);
+
+/// Walks uphill to the top of F and returns the best candidate met. False: gave up on the way, too far to
+/// walk; else no direction within a right angle of the walk's new place separates the two envelopes by more
+/// than sqrt(2) times the candidate's gap. O(steps), at most BMR_WALK_STEPS.
+bool bmr_walk_climb(bmr_walk *walk, bmr_candidate *best);
+
+/// More steps than this cost more than a start from the closest direction does. Between two looks of a motion
+/// that is sampled finely, a walk has one or two.
+#define BMR_WALK_STEPS 32
+
+/// The line of an edge, and the point of a corner, in A's frame.
+bmr_vec2 bmr_walk_normal(const bmr_walk *walk, int side, bmr_edge edge);
+bmr_vec2 bmr_walk_point(const bmr_walk *walk, int side, bmr_corner corner);
+/// The level of a hierarchy that plays in level `level` of the pair.
+uint32_t bmr_walk_side_level(const bmr_hierarchy *hierarchy, int level);
+
+#endif
