@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TEST_BOX2D_SHAPES_H
+#define BOOMERANG_TEST_BOX2D_SHAPES_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include <box2d/b2_collision.h>
+#include <box2d/b2_polygon_shape.h>
+
+/// @file
+/// Random fixtures for tests against Box2D itself, and their true distance in double precision.
+
+namespace shapes {
+
+using Engine = std::mt19937_64;
+
+/// The same on every standard library (std::uniform_real_distribution is not).
+inline double Uniform(Engine &engine, double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine() >> 11) * 0x1p-53);
+}
+
+inline float UniformF(Engine &engine, double low, double high) {
+    return static_cast<float>(Uniform(engine, low, high));
+}
+
+inline int Below(Engine &engine, int count) {
+    return static_cast<int>(engine() % static_cast<uint64_t>(count));
+}
+
+/// Of 3 to 8 vertices; sizes over three decades; a third of them boxes, some of these needles. It lies within
+/// `extent` of its body's origin.
+inline b2PolygonShape RandomPolygon(Engine &engine, double extent) {
+    const double size = std::min(extent / 3.0, std::pow(10.0, Uniform(engine, -1.0, 1.5)));
+    const b2Vec2 center(UniformF(engine, -size, size), UniformF(engine, -size, size));
+    b2PolygonShape polygon;
+    if (Below(engine, 3) == 0) {
+        const double aspect = std::pow(10.0, Uniform(engine, -1.5, 0.0));
+        polygon.SetAsBox(static_cast<float>(size), static_cast<float>(std::max(0.02, size * aspect)), center,
+                         UniformF(engine, -3.2, 3.2));
+        return polygon;
+    }
+    // Points near a circle, one per sector, so that Set's weld never leaves fewer than three.
+    const int count = 3 + Below(engine, 6);
+    b2Vec2 points[b2_maxPolygonVertices];
+    for (int i = 0; i < count; ++i) {
+        const double angle = (i + Uniform(engine, 0.1, 0.9)) * 2.0 * 3.14159265358979 / count;
+        const double distance = size * Uniform(engine, 0.8, 1.0);
+        points[i] = center + b2Vec2(static_cast<float>(distance * std::cos(angle)),
+                                    static_cast<float>(distance * std::sin(angle)));
+    }
+    polygon.Set(points, count);
+    return polygon;
+}
+
+inline b2Transform RandomPose(Engine &engine, double range) {
+    b2Transform xf;
+    xf.Set(b2Vec2(UniformF(engine, -range, range), UniformF(engine, -range, range)),
+           UniformF(engine, -3.2, 3.2));
+    return xf;
+}
+
+struct Point {
+    double x, y;
+};
+
+inline Point Place(const b2Transform &xf, const b2Vec2 &v) {
+    const double s = xf.q.s, c = xf.q.c, x = v.x, y = v.y;
+    return {c * x - s * y + static_cast<double>(xf.p.x), s * x + c * y + static_cast<double>(xf.p.y)};
+}
+
+inline double DistanceToSegment(Point p, Point a, Point b) {
+    const double x = b.x - a.x, y = b.y - a.y;
+    const double t = std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y), 0.0, 1.0);
+    return std::hypot(p.x - a.x - t * x, p.y - a.y - t * y);
+}
+
+/// What is true of two convex polygons at float poses, radii left out.
+struct Truth {
+    double distance;  ///< 0 where they overlap
+    bool cornersOnly; ///< the closest points are a corner of each
+};
+
+inline Truth Measure(const b2PolygonShape &a, const b2Transform &xfA, const b2PolygonShape &b,
+                     const b2Transform &xfB) {
+    Point placed[2][b2_maxPolygonVertices];
+    const int count[2] = {a.m_count, b.m_count};
+    for (int i = 0; i < a.m_count; ++i)
+        placed[0][i] = Place(xfA, a.m_vertices[i]);
+    for (int i = 0; i < b.m_count; ++i)
+        placed[1][i] = Place(xfB, b.m_vertices[i]);
+    bool separated = false;
+    double least = INFINITY, corners = INFINITY;
+    for (int own = 0; own < 2; ++own) {
+        const Point *mine = placed[own], *theirs = placed[1 - own];
+        for (int i = 0; i < count[own]; ++i) {
+            const Point from = mine[i], to = mine[(i + 1) % count[own]];
+            double side = INFINITY;
+            for (int j = 0; j < count[1 - own]; ++j) {
+                const Point p = theirs[j];
+                least = std::min(least, DistanceToSegment(p, from, to));
+                corners = std::min(corners, std::hypot(p.x - from.x, p.y - from.y));
+                side = std::min(side, (to.y - from.y) * (p.x - from.x) - (to.x - from.x) * (p.y - from.y));
+            }
+            separated = separated || side > 0.0;
+        }
+    }
+    return {separated ? least : 0.0, separated && corners <= least};
+}
+
+} // namespace shapes
+
+#endif

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// ContactMargin and kReach against Box2D itself: just beyond the margin, within the reach, never a point.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "../../box2d_glue/thresholds.h"
+#include "box2d_shapes.h"
+#include "test_scale.h"
+
+namespace {
+
+struct Pair {
+    b2PolygonShape a, b;
+    b2Transform xfA, xfB;
+
+    shapes::Truth Truth() const { return shapes::Measure(a, xfA, b, xfB); }
+    double RadiusSum() const { return static_cast<double>(a.m_radius) + static_cast<double>(b.m_radius); }
+    int Points() const {
+        b2Manifold manifold;
+        b2CollidePolygons(&manifold, &a, xfA, &b, xfB);
+        return manifold.pointCount;
+    }
+};
+
+/// Two fixtures around (x, y), not placed yet. A third has Box2D's own radius, the others anything up to 1.
+Pair RandomPair(shapes::Engine &engine, double x, double y, double extent) {
+    Pair pair;
+    pair.a = shapes::RandomPolygon(engine, extent);
+    pair.b = shapes::RandomPolygon(engine, extent);
+    if (shapes::Below(engine, 3) != 0) {
+        pair.a.m_radius = static_cast<float>(std::pow(10.0, shapes::Uniform(engine, -4.0, 0.0)));
+        pair.b.m_radius = static_cast<float>(std::pow(10.0, shapes::Uniform(engine, -4.0, 0.0)));
+    }
+    pair.xfA = shapes::RandomPose(engine, 0.0);
+    pair.xfB = shapes::RandomPose(engine, 0.0);
+    // Axis-aligned boxes meet corner to corner in the most symmetric way.
+    if (shapes::Below(engine, 8) == 0) {
+        pair.a.SetAsBox(shapes::UniformF(engine, 0.1, 1.0), shapes::UniformF(engine, 0.1, 1.0));
+        pair.b.SetAsBox(shapes::UniformF(engine, 0.1, 1.0), shapes::UniformF(engine, 0.1, 1.0));
+        pair.xfA.q.SetIdentity();
+        pair.xfB.q.SetIdentity();
+    }
+    pair.xfA.p.Set(static_cast<float>(x), static_cast<float>(y));
+    return pair;
+}
+
+b2Vec2 Middle(const b2PolygonShape &polygon) {
+    b2Vec2 sum(0.0f, 0.0f);
+    for (int32 i = 0; i < polygon.m_count; ++i)
+        sum += polygon.m_vertices[i];
+    return (1.0f / static_cast<float>(polygon.m_count)) * sum;
+}
+
+/// Moves b in along a random line through the middle of a, to where the distance is just above `wanted`:
+/// rounded outward, a few floats more.
+bool PlaceOnLine(shapes::Engine &engine, Pair *pair, double wanted) {
+    const double angle = shapes::Uniform(engine, -3.2, 3.2);
+    const double ux = std::cos(angle), uy = std::sin(angle);
+    const shapes::Point a = shapes::Place(pair->xfA, Middle(pair->a)),
+                        b = shapes::Place(pair->xfB, Middle(pair->b));
+    const shapes::Point from = {static_cast<double>(pair->xfB.p.x) + a.x - b.x,
+                                static_cast<double>(pair->xfB.p.y) + a.y - b.y};
+    const auto move = [&](double t) {
+        pair->xfB.p.Set(static_cast<float>(from.x + t * ux), static_cast<float>(from.y + t * uy));
+        return pair->Truth().distance;
+    };
+    // The distance changes no faster than t does: a step by what is left never goes too far.
+    double t = 300.0;
+    for (int i = 0; i < 100; ++i) {
+        const double left = move(t) - wanted;
+        if (left < 1e-6)
+            break;
+        t -= left;
+    }
+    for (double outward = 1e-7; outward < 0.1 && pair->Truth().distance <= wanted; outward *= 2.0)
+        move(t + outward);
+    return pair->Truth().distance > wanted;
+}
+
+/// Puts a corner of b at the wanted distance from a corner of a, until these are the closest points. Every
+/// other time in the direction of the diagonal of Box2D's clipping box there, where it gives points longest.
+bool PlaceCorners(shapes::Engine &engine, Pair *pair, double wanted) {
+    const b2Transform start = pair->xfB;
+    for (int tries = 0; tries < 200; ++tries) {
+        const int corner = shapes::Below(engine, pair->a.m_count);
+        double angle = shapes::Uniform(engine, -3.2, 3.2);
+        if (tries % 2 == 0) {
+            const b2Vec2 normal = b2Mul(pair->xfA.q, pair->a.m_normals[corner]);
+            const double towards = shapes::Below(engine, 2) == 0 ? -1.0 : 1.0; // either end of its edge
+            angle = std::atan2(static_cast<double>(normal.y), static_cast<double>(normal.x)) +
+                    towards * 0.785398163397448 +
+                    shapes::Uniform(engine, -1.0, 1.0) * std::pow(10.0, shapes::Uniform(engine, -6.0, -1.0));
+        }
+        const double d = wanted * (1.0 + std::pow(10.0, shapes::Uniform(engine, -9.0, -4.0)));
+        const b2Vec2 &mine = pair->a.m_vertices[(corner + shapes::Below(engine, 2)) % pair->a.m_count],
+                     &theirs = pair->b.m_vertices[shapes::Below(engine, pair->b.m_count)];
+        const shapes::Point a = shapes::Place(pair->xfA, mine), b = shapes::Place(start, theirs);
+        pair->xfB.p.Set(static_cast<float>(static_cast<double>(start.p.x) + a.x - b.x + d * std::cos(angle)),
+                        static_cast<float>(static_cast<double>(start.p.y) + a.y - b.y + d * std::sin(angle)));
+        const shapes::Truth truth = pair->Truth();
+        if (truth.cornersOnly && truth.distance > wanted)
+            return true;
+    }
+    return false;
+}
+
+struct Tally {
+    size_t placed = 0, cornersOnly = 0, points = 0;
+};
+
+/// `margin(radius sum)` is what is claimed to mean: no points.
+template <typename Margin> Tally Try(size_t count, double lowest, double highest, Margin margin) {
+    shapes::Engine engine(5);
+    Tally tally;
+    constexpr double kExtent = 30.0;
+    for (size_t i = 0; i < count; ++i) {
+        const double far = shapes::Uniform(engine, lowest, highest),
+                     along = shapes::Uniform(engine, -far, far);
+        const bool flip = shapes::Below(engine, 2) == 0;
+        Pair pair = RandomPair(engine, flip ? along : far, flip ? -far : along, kExtent);
+        const double wanted = margin(pair.RadiusSum());
+        if (i % 2 == 0 ? !PlaceOnLine(engine, &pair, wanted) : !PlaceCorners(engine, &pair, wanted))
+            continue;
+        ++tally.placed;
+        tally.cornersOnly += pair.Truth().cornersOnly;
+        tally.points += pair.Points() > 0;
+    }
+    return tally;
+}
+
+// Extents included, as kReach is meant: two fixtures, each within 30 of its body's origin (times sqrt(2) for
+// the offset of its centre), the second body's origin up to 100 farther out.
+constexpr double kInner = bmr::kReach - 200.0;
+
+} // namespace
+
+TEST_CASE("just beyond ContactMargin and within kReach Box2D gives no points") {
+    for (const double range : {1.0, kInner}) {
+        const Tally t = Try(test_scaled(150000), 0.0, range, bmr::ContactMargin);
+        CHECK(t.placed > test_scaled(150000) * 9 / 10);
+        CHECK(t.cornersOnly > t.placed / 3);
+        CHECK(t.points == 0);
+    }
+}
+
+TEST_CASE("control: a margin without the diagonal is refuted") {
+    const Tally t = Try(test_scaled(20000), 0.0, 1.0, [](double r) { return r + bmr::kRoundingMargin; });
+    CHECK(t.points > 0);
+}
+
+TEST_CASE("control: a margin a tenth of the rounding margin inside the diagonal is refuted, near and far") {
+    for (const double range : {1.0, kInner}) {
+        const Tally t = Try(test_scaled(20000), 0.0, range,
+                            [](double r) { return bmr::ContactMargin(r) - 1.1 * bmr::kRoundingMargin; });
+        CHECK(t.points > 0);
+    }
+}
+
+TEST_CASE("the diagonal is reached: corner to corner, Box2D gives points nearly sqrt(2) radii away") {
+    b2PolygonShape box;
+    box.SetAsBox(0.5f, 0.5f);
+    const double sum = 2.0 * static_cast<double>(box.m_radius);
+    b2Transform xfA, xfB;
+    xfA.SetIdentity();
+    xfB.SetIdentity();
+    b2Manifold manifold;
+    xfB.p.Set(1.0f + static_cast<float>(0.999 * sum), 1.0f + static_cast<float>(0.999 * sum));
+    b2CollidePolygons(&manifold, &box, xfA, &box, xfB);
+    CHECK(manifold.pointCount > 0);
+    CHECK(shapes::Measure(box, xfA, box, xfB).distance > 1.41 * sum);
+    CHECK(shapes::Measure(box, xfA, box, xfB).distance < bmr::ContactMargin(sum));
+}
+
+TEST_CASE("every threshold derives from Box2D's constants") {
+    CHECK(bmr::ContactMargin(0.0) == bmr::kRoundingMargin);
+    CHECK(bmr::ContactMargin(-1.0) == bmr::kRoundingMargin);
+    const double polygons = 2.0 * b2_polygonRadius;
+    CHECK(bmr::ContactMargin(polygons) == std::sqrt(2.0) * polygons + bmr::kRoundingMargin);
+    CHECK(bmr::kRoundingMargin < b2_linearSlop);
+    CHECK(bmr::kHysteresis > 0.0);
+}
