@@ -1,0 +1,429 @@
+// SPDX-License-Identifier: MIT
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <math.h>
+
+#include "boomerang/hierarchy.h"
+#include "failing_allocator.h"
+#include "hierarchy/tree.h"
+#include "polygons.h"
+
+#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
+#define UNTOUCHED ((bmr_hierarchy *)(uintptr_t)0x5a5a5a50u)
+
+static bmr_compass *compass;
+
+static int make_compass(void **state) {
+    (void)state;
+    return bmr_compass_create(BMR_MAX_VERTICES, NULL, &compass) == BMR_OK ? 0 : -1;
+}
+
+static int drop_compass(void **state) {
+    (void)state;
+    bmr_compass_destroy(compass, NULL);
+    return 0;
+}
+
+static bmr_error build(bmr_hierarchy_kind kind, const bmr_polygon *p, const bmr_allocator *allocator,
+                       bmr_hierarchy **h) {
+    if (kind == BMR_HIERARCHY_COMPASS)
+        return bmr_hierarchy_build_compass(p, compass, allocator, h);
+    if (kind == BMR_HIERARCHY_DUDLEY)
+        return bmr_hierarchy_build_dudley(p, allocator, h);
+    return bmr_hierarchy_build_dobkin_kirkpatrick(p, allocator, h);
+}
+
+static bmr_hierarchy *built(bmr_hierarchy_kind kind, const bmr_polygon *p) {
+    bmr_hierarchy *h = NULL;
+    assert_int_equal(build(kind, p, NULL, &h), BMR_OK);
+    assert_int_equal(bmr_hierarchy_get_kind(h), kind);
+    assert_ptr_equal(bmr_hierarchy_polygon(h), p);
+    assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
+    return h;
+}
+
+static bmr_polygon *polygon_of(const bmr_vec2 *points, size_t count) {
+    bmr_polygon *polygon = NULL;
+    assert_int_equal(bmr_polygon_create(points, count, NULL, &polygon), BMR_OK);
+    return polygon;
+}
+
+// --- errors and memory ---
+
+static void null_arguments_are_refused_and_leave_the_output_alone(void **state) {
+    (void)state;
+    const bmr_vec2 point = {0, 0};
+    bmr_polygon *p = polygon_of(&point, 1);
+    bmr_hierarchy *h = UNTOUCHED;
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+        assert_int_equal(build((bmr_hierarchy_kind)kind, NULL, NULL, &h), BMR_ERROR_NULL_ARGUMENT);
+        assert_int_equal(build((bmr_hierarchy_kind)kind, p, NULL, NULL), BMR_ERROR_NULL_ARGUMENT);
+    }
+    assert_int_equal(bmr_hierarchy_build_compass(p, NULL, NULL, &h), BMR_ERROR_NULL_ARGUMENT);
+    assert_ptr_equal(h, UNTOUCHED);
+    assert_int_equal(bmr_compass_create(8, NULL, NULL), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_hierarchy_audit(NULL), BMR_ERROR_NULL_ARGUMENT);
+    bmr_hierarchy_destroy(NULL, NULL);
+    bmr_compass_destroy(NULL, NULL);
+    bmr_polygon_destroy(p, NULL);
+}
+
+static void a_compass_too_small_for_the_polygon_is_refused(void **state) {
+    (void)state;
+    bmr_compass *small = (bmr_compass *)(uintptr_t)0x5a5a5a50u, *const untouched = small;
+    assert_int_equal(bmr_compass_create(0, NULL, &small), BMR_ERROR_NO_POINTS);
+    assert_int_equal(bmr_compass_create(65536, NULL, &small), BMR_ERROR_TOO_MANY_POINTS);
+    assert_ptr_equal(small, untouched);
+    assert_int_equal(bmr_compass_create(16, NULL, &small), BMR_OK);
+    bmr_vec2 points[17];
+    for (size_t n = 16; n <= 17; ++n) {
+        test_regular_points(n, 1.0, 0.1, points);
+        bmr_polygon *p = polygon_of(points, n);
+        bmr_hierarchy *h = UNTOUCHED;
+        const bmr_error expected = n == 16 ? BMR_OK : BMR_ERROR_TABLE_TOO_SMALL;
+        assert_int_equal(bmr_hierarchy_build_compass(p, small, NULL, &h), expected);
+        if (n == 16)
+            bmr_hierarchy_destroy(h, NULL);
+        else
+            assert_ptr_equal(h, UNTOUCHED);
+        bmr_polygon_destroy(p, NULL);
+    }
+    bmr_compass_destroy(small, NULL);
+}
+
+static void every_failing_allocation_is_reported_and_nothing_leaks(void **state) {
+    (void)state;
+    test_random random = {3};
+    bmr_polygon *p = test_polygon(TEST_CIRCLE, 50, &random);
+    test_heap heap;
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+        test_heap_init(&heap, SIZE_MAX);
+        bmr_hierarchy *h = NULL;
+        assert_int_equal(build((bmr_hierarchy_kind)kind, p, &heap.allocator, &h), BMR_OK);
+        const size_t allocations = heap.asked;
+        assert_int_equal(heap.blocks, 1); // one block, scratch given back
+        assert_int_equal(heap.bytes, bmr_hierarchy_bytes(h));
+        bmr_hierarchy_destroy(h, &heap.allocator);
+        assert_int_equal(heap.blocks + heap.bytes + heap.wrong_sizes, 0);
+        for (size_t fail = 0; fail < allocations; ++fail) {
+            test_heap_init(&heap, fail);
+            h = UNTOUCHED;
+            assert_int_equal(build((bmr_hierarchy_kind)kind, p, &heap.allocator, &h), BMR_ERROR_NO_MEMORY);
+            assert_ptr_equal(h, UNTOUCHED);
+            assert_int_equal(heap.blocks + heap.wrong_sizes, 0);
+        }
+    }
+    test_heap_init(&heap, 0);
+    bmr_compass *table = NULL;
+    assert_int_equal(bmr_compass_create(64, &heap.allocator, &table), BMR_ERROR_NO_MEMORY);
+    test_heap_init(&heap, SIZE_MAX);
+    assert_int_equal(bmr_compass_create(64, &heap.allocator, &table), BMR_OK);
+    assert_true(heap.blocks == 1 && heap.bytes >= 64 * 64 && heap.bytes <= 128 * 64);
+    bmr_compass_destroy(table, &heap.allocator);
+    assert_int_equal(heap.blocks + heap.bytes + heap.wrong_sizes, 0);
+    bmr_polygon_destroy(p, NULL);
+}
+
+static void with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex(void **state) {
+    (void)state;
+    test_random random = {5};
+    for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
+        for (size_t n = 64; n <= 4096; n *= 8) {
+            bmr_polygon *p = test_polygon((test_family)family, n, &random);
+            for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT && p->count >= 64; ++kind) {
+                bmr_hierarchy *h = NULL;
+                assert_int_equal(build((bmr_hierarchy_kind)kind, p, NULL, &h), BMR_OK);
+                const size_t bytes = bmr_hierarchy_bytes(h) + bmr_polygon_bytes(p->count);
+                // What the layout promises: 16 bytes a node, 4 n + 4, 2 n + 4 and n + 4 of them at most.
+                const size_t promised[BMR_HIERARCHY_KIND_COUNT] = {80, 64, 32};
+                assert_true(bytes <= 160 * p->count);
+                assert_true(bytes <= promised[kind] * p->count + 256);
+                bmr_hierarchy_destroy(h, NULL);
+            }
+            bmr_polygon_destroy(p, NULL);
+        }
+}
+
+// --- the compass ---
+
+static void the_compass_directions_are_exact_and_symmetric(void **state) {
+    (void)state;
+    bmr_vec2 points[64];
+    test_regular_points(64, 1.0, 0.01, points);
+    bmr_polygon *p = polygon_of(points, 64);
+    bmr_hierarchy *h = built(BMR_HIERARCHY_COMPASS, p);
+    const double r = sqrt(0.5);
+    const bmr_vec2 expected[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {r, r}, {-r, r}, {-r, -r}, {r, -r}};
+    for (bmr_edge id = 0; id < COUNT_OF(expected); ++id) { // breadth-first: NE, NW, SW, SE are the next four
+        const bmr_line line = bmr_hierarchy_line(h, id);
+        assert_true(line.normal.x == expected[id].x && line.normal.y == expected[id].y);
+        assert_int_equal(bmr_hierarchy_level(h, id), id >= 4);
+        assert_false(signbit(line.normal.x) && line.normal.x == 0.0);
+    }
+    bmr_hierarchy_destroy(h, NULL);
+    bmr_polygon_destroy(p, NULL);
+}
+
+// --- small shapes ---
+
+static void a_point_has_four_edges_and_no_depth(void **state) {
+    (void)state;
+    const bmr_vec2 point = {3, -2};
+    bmr_polygon *p = polygon_of(&point, 1);
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+        bmr_hierarchy *h = built((bmr_hierarchy_kind)kind, p);
+        assert_int_equal(bmr_hierarchy_edge_count(h), 4);
+        assert_int_equal(bmr_hierarchy_depth(h), 0);
+        const bmr_corner corner = bmr_hierarchy_extreme(h, bmr_vec2_make(-1, 2), 9);
+        const bmr_vec2 x = bmr_hierarchy_corner_point(h, corner);
+        assert_true(x.x == 3 && x.y == -2);
+        assert_true(corner.before == 1 && corner.after == 2 && corner.cut == BMR_NO_EDGE);
+        bmr_hierarchy_destroy(h, NULL);
+    }
+    bmr_polygon_destroy(p, NULL);
+}
+
+static void a_segment_has_its_two_sides(void **state) {
+    (void)state;
+    const bmr_vec2 cases[][2] = {
+        {{0, 0}, {3, 4}}, {{0, 0}, {0, 2}}, {{-1, 5}, {7, 5}}, {{0, 0}, {1, 1}}, {{2, 0}, {0, 2}}};
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
+        bmr_polygon *p = polygon_of(cases[i], 2);
+        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+            bmr_hierarchy *h = built((bmr_hierarchy_kind)kind, p);
+            uint32_t sides = 0; // edges of the deepest envelope that are longer than nothing
+            bmr_edge edge = 0;
+            do {
+                const bmr_corner before = bmr_hierarchy_corner_before(h, edge, bmr_hierarchy_depth(h));
+                const bmr_corner after = bmr_hierarchy_corner_after(h, edge, bmr_hierarchy_depth(h));
+                const bmr_vec2 a = bmr_hierarchy_corner_point(h, before),
+                               b = bmr_hierarchy_corner_point(h, after);
+                assert_true(bmr_polygon_contains(p, a, 0.0)); // an end, exactly
+                sides += a.x != b.x || a.y != b.y;
+                edge = after.after;
+            } while (edge != 0);
+            assert_int_equal(sides, 2);
+            bmr_hierarchy_destroy(h, NULL);
+        }
+        bmr_polygon_destroy(p, NULL);
+    }
+}
+
+static void an_upright_box_is_its_own_envelope(void **state) {
+    (void)state;
+    bmr_vec2 points[4];
+    test_box_points(2.0, 0.5, points);
+    bmr_polygon *p = polygon_of(points, 4);
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+        bmr_hierarchy *h = built((bmr_hierarchy_kind)kind, p);
+        assert_int_equal(bmr_hierarchy_edge_count(h), 4);
+        assert_int_equal(bmr_hierarchy_depth(h), 0);
+        for (bmr_edge root = 0; root < 4; ++root) {
+            const bmr_corner corner = bmr_hierarchy_corner_after(h, root, 0);
+            const bmr_vec2 x = bmr_hierarchy_corner_point(h, corner), v = p->vertices[(root + 2) % 4];
+            assert_true(x.x == v.x && x.y == v.y);
+        }
+        bmr_hierarchy_destroy(h, NULL);
+    }
+    bmr_polygon_destroy(p, NULL);
+}
+
+static void a_compass_uses_the_edges_that_lie_in_its_directions(void **state) {
+    (void)state;
+    test_random random = {7};
+    bmr_polygon *octagon = test_polygon(TEST_OCTAGON, 8, &random);
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+        bmr_hierarchy *h = built((bmr_hierarchy_kind)kind, octagon);
+        assert_int_equal(bmr_hierarchy_edge_count(h), 8);
+        assert_int_equal(bmr_hierarchy_depth(h), 1);
+        bmr_hierarchy_destroy(h, NULL);
+    }
+    bmr_polygon_destroy(octagon, NULL);
+}
+
+static void a_diamond_in_a_square_has_the_corners_of_the_paper(void **state) {
+    (void)state;
+    const bmr_vec2 points[] = {{2, 0}, {0, 1}, {-2, 0}, {0, -1}};
+    bmr_polygon *p = polygon_of(points, 4);
+    bmr_hierarchy *h = built(BMR_HIERARCHY_DOBKIN_KIRKPATRICK, p);
+    assert_int_equal(bmr_hierarchy_edge_count(h), 8);
+    const bmr_corner top = bmr_hierarchy_extreme(h, bmr_vec2_make(1, 1), 0);
+    assert_true(top.before == 0 && top.after == 1 && top.cut == 4);
+    const bmr_vec2 apex = bmr_hierarchy_apex(h, top.cut);
+    assert_true(apex.x == 2 && apex.y == 1);
+    assert_true(fabs(bmr_hierarchy_height(h, top.cut) - 2.0 / sqrt(5.0)) < 1e-15);
+    assert_true(bmr_hierarchy_height(h, 0) == 0.0 && bmr_hierarchy_apex(h, 0).x == 0.0);
+    const bmr_line line = bmr_hierarchy_line(h, top.cut);
+    assert_true(fabs(line.offset - 2.0 / sqrt(5.0)) < 1e-15 && fabs(line.normal.y - 2.0 / sqrt(5.0)) < 1e-15);
+    const bmr_boomerang b = bmr_hierarchy_boomerang(h, top.cut);
+    assert_true(b.outer_before == 0 && b.outer_after == 1 && b.level == 1);
+    assert_true(b.child_before == BMR_NO_EDGE && b.child_after == BMR_NO_EDGE);
+    const bmr_boomerang east = bmr_hierarchy_boomerang(h, 0);
+    assert_true(east.outer_before == 3 && east.outer_after == 1 && east.child_before == 7 &&
+                east.child_after == 4);
+    bmr_hierarchy_destroy(h, NULL);
+    bmr_polygon_destroy(p, NULL);
+}
+
+static void a_tied_direction_gives_the_corner_after_the_tied_edge(void **state) {
+    (void)state;
+    test_random random = {9};
+    bmr_polygon *p = test_polygon(TEST_PARALLEL, 40, &random);
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+        bmr_hierarchy *h = built((bmr_hierarchy_kind)kind, p);
+        for (bmr_edge id = 0; id < bmr_hierarchy_edge_count(h); ++id) {
+            const bmr_node *node = &h->nodes[id];
+            const bmr_vec2 d = bmr_tree_normal(h, node); // integers or the table's: the tie is exact
+            for (uint32_t level = (uint32_t)node->level; level <= bmr_hierarchy_depth(h); ++level)
+                assert_int_equal(bmr_hierarchy_extreme(h, d, level).before, id);
+        }
+        bmr_hierarchy_destroy(h, NULL);
+    }
+    bmr_polygon_destroy(p, NULL);
+}
+
+static void edges_that_agree_within_the_merge_angle_become_one(void **state) {
+    (void)state;
+    // The bottom edges are within 1e-12 radians of direction S, and of each other; and 5e-11 off.
+    const bmr_vec2 merged[] = {{0, 1}, {-1, 0}, {0, -1e-12}, {1, 0}},
+                   kept[] = {{0, 1}, {-1, 0}, {0, -5e-11}, {1, 0}};
+    bmr_polygon *p = polygon_of(merged, 4), *q = polygon_of(kept, 4);
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+        bmr_hierarchy *h = built((bmr_hierarchy_kind)kind, p), *k = built((bmr_hierarchy_kind)kind, q);
+        uint32_t at_bottom[2] = {0, 0};
+        for (bmr_edge id = 0; id < bmr_hierarchy_edge_count(h); ++id)
+            at_bottom[0] += bmr_hierarchy_line(h, id).normal.y < -0.9999999999;
+        for (bmr_edge id = 0; id < bmr_hierarchy_edge_count(k); ++id)
+            at_bottom[1] += bmr_hierarchy_line(k, id).normal.y < -0.9999999999;
+        assert_int_equal(at_bottom[0], 1);
+        assert_int_equal(at_bottom[1], 3);
+        bmr_hierarchy_destroy(h, NULL);
+        bmr_hierarchy_destroy(k, NULL);
+    }
+    bmr_polygon_destroy(p, NULL);
+    bmr_polygon_destroy(q, NULL);
+}
+
+// --- the audit must see what is wrong ---
+
+typedef void (*damage)(bmr_hierarchy *h, bmr_node *node);
+static void damage_touch(bmr_hierarchy *h, bmr_node *n) {
+    n->touch = (n->touch + h->polygon->count / 4 + 1) % h->polygon->count & 0xFFFFu;
+}
+static void damage_touch_range(bmr_hierarchy *h, bmr_node *n) {
+    n->touch = h->polygon->count & 0xFFFFu;
+}
+static void damage_level(bmr_hierarchy *h, bmr_node *n) {
+    (void)h;
+    n->level = (n->level + 1u) & 63u;
+}
+static void damage_outer_before(bmr_hierarchy *h, bmr_node *n) {
+    (void)h;
+    n->outer_before = n->outer_after;
+}
+static void damage_outer_after(bmr_hierarchy *h, bmr_node *n) {
+    (void)h;
+    n->outer_after = n->outer_before;
+}
+static void damage_child_before(bmr_hierarchy *h, bmr_node *n) {
+    n->child_before = n->child_before ? 0u : (h->count - 1u) & 0xFFFFFu;
+}
+static void damage_child_after(bmr_hierarchy *h, bmr_node *n) {
+    n->child_after = n->child_after ? 0u : (h->count - 1u) & 0xFFFFFu;
+}
+static void damage_link_range(bmr_hierarchy *h, bmr_node *n) {
+    n->child_after = h->count & 0xFFFFFu;
+}
+static void damage_own(bmr_hierarchy *h, bmr_node *n) {
+    (void)h;
+    n->own = !n->own;
+    n->wide = n->own;
+    n->direction = 1;
+}
+static void damage_direction(bmr_hierarchy *h, bmr_node *n) {
+    (void)h;
+    if (n->own) {
+        n->own = 0;
+        n->wide = 0;
+    }
+    n->direction = n->direction > 4 ? 4u : 7u;
+}
+static void damage_depth(bmr_hierarchy *h, bmr_node *n) {
+    (void)n;
+    h->depth = (uint16_t)(h->depth + 1);
+}
+static void damage_count(bmr_hierarchy *h, bmr_node *n) {
+    (void)n;
+    --h->count;
+}
+static void damage_kind(bmr_hierarchy *h, bmr_node *n) {
+    (void)n;
+    h->kind = 7;
+}
+
+static void audit_refuses_every_kind_of_damage(void **state) {
+    (void)state;
+    const damage damages[] = {
+        damage_touch,        damage_touch_range, damage_level,      damage_outer_before, damage_outer_after,
+        damage_child_before, damage_child_after, damage_link_range, damage_own,          damage_direction,
+        damage_depth,        damage_count,       damage_kind};
+    test_random random = {15};
+    bmr_polygon *p = test_polygon(TEST_ELLIPSE, 37, &random);
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+        bmr_hierarchy *h = built((bmr_hierarchy_kind)kind, p);
+        const size_t bytes = bmr_hierarchy_bytes(h);
+        void *good = malloc(bytes);
+        assert_non_null(good);
+        memcpy(good, h, bytes);
+        for (size_t d = 0; d < COUNT_OF(damages); ++d)
+            for (uint32_t id = 4; id < bmr_hierarchy_edge_count(h); ++id) {
+                damages[d](h, &h->nodes[id]);
+                assert_int_equal(bmr_hierarchy_audit(h), BMR_ERROR_INVALID_STRUCTURE);
+                memcpy(h, good, bytes);
+            }
+        assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
+        free(good);
+        bmr_hierarchy_destroy(h, NULL);
+    }
+    bmr_polygon_destroy(p, NULL);
+}
+
+static void audit_refuses_a_hierarchy_of_another_polygon(void **state) {
+    (void)state;
+    test_random random = {21};
+    bmr_polygon *p = test_polygon(TEST_CIRCLE, 40, &random), *q = test_polygon(TEST_CIRCLE, 40, &random);
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+        bmr_hierarchy *h = built((bmr_hierarchy_kind)kind, p);
+        h->polygon = q;
+        assert_int_equal(bmr_hierarchy_audit(h), BMR_ERROR_INVALID_STRUCTURE);
+        bmr_hierarchy_destroy(h, NULL);
+    }
+    bmr_polygon_destroy(p, NULL);
+    bmr_polygon_destroy(q, NULL);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(null_arguments_are_refused_and_leave_the_output_alone),
+        cmocka_unit_test(a_compass_too_small_for_the_polygon_is_refused),
+        cmocka_unit_test(every_failing_allocation_is_reported_and_nothing_leaks),
+        cmocka_unit_test(with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex),
+        cmocka_unit_test(the_compass_directions_are_exact_and_symmetric),
+        cmocka_unit_test(a_point_has_four_edges_and_no_depth),
+        cmocka_unit_test(a_segment_has_its_two_sides),
+        cmocka_unit_test(an_upright_box_is_its_own_envelope),
+        cmocka_unit_test(a_compass_uses_the_edges_that_lie_in_its_directions),
+        cmocka_unit_test(a_diamond_in_a_square_has_the_corners_of_the_paper),
+        cmocka_unit_test(a_tied_direction_gives_the_corner_after_the_tied_edge),
+        cmocka_unit_test(edges_that_agree_within_the_merge_angle_become_one),
+        cmocka_unit_test(audit_refuses_every_kind_of_damage),
+        cmocka_unit_test(audit_refuses_a_hierarchy_of_another_polygon),
+    };
+    return cmocka_run_group_tests(tests, make_compass, drop_compass);
+}
