@@ -10,7 +10,7 @@ namespace {
 class Asteroids final : public Scene {
     void Build(Stage &stage, int size) override {
         constexpr int columns = 15;
-        constexpr float spacing = 4.2f;
+        constexpr float spacing = 4.9f;
         stage.World().SetGravity({0.0f, 0.0f});
         const int rows = (size + columns - 1) / columns;
         const float halfWidth = 0.5f * spacing * static_cast<float>(columns);

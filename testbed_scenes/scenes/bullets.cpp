@@ -9,24 +9,24 @@ namespace {
 
 class Bullets final : public Scene {
     void Build(Stage &stage, int size) override {
-        stage.World().SetGravity({0.0f, 0.0f});
-        AddArena(stage, {0.0f, 0.0f}, halfWidth, halfHeight, 1.0f);
+        AddArena(stage, {0.0f, 0.0f}, halfWidth, halfHeight, 0.3f);
         AddTargets(stage);
         for (int i = 0; i < size; ++i) {
             b2BodyDef def;
             def.type = b2_dynamicBody;
             def.bullet = true;
             b2Body *bullet = stage.AddBody(def);
-            stage.AddFixture(bullet, Material(10.0f, 0.1f, 0.9f),
+            stage.AddFixture(bullet, Material(10.0f, 0.3f, 0.3f),
                              i % 2 == 0 ? MakeRegular(6, 0.12f) : MakeBox(0.2f, 0.05f));
             m_bullets.push_back(bullet);
             Shoot(stage, bullet);
         }
     }
 
-    // Each is shot anew every second; they take turns.
+    // Each is shot anew every two and a half seconds; they take turns. In between it comes to rest in some
+    // nook.
     void BeforeStep(Stage &stage, int step) override {
-        constexpr int interval = 60;
+        constexpr int interval = 150;
         for (std::size_t i = 0; i < m_bullets.size(); ++i)
             if (step > 0 && (static_cast<int>(i) + step) % interval == 0)
                 Shoot(stage, m_bullets[i]);
@@ -44,9 +44,9 @@ class Bullets final : public Scene {
                 def.angularVelocity = stage.Rng().Uniform(-2.0f, 2.0f);
             }
             const int triangles = 10 + stage.Rng().Index(22);
-            const Outline outline = i % 2 == 0 ? StarOutline(triangles, 0.6f, 1.5f)
-                                               : RoughOutline(stage.Rng(), triangles, 0.7f, 1.5f);
-            AddFan(stage, stage.AddBody(def), outline, Material(0.0f, 0.1f, 0.9f));
+            const Outline outline = i % 2 == 0 ? StarOutline(triangles, 0.7f, 1.7f)
+                                               : RoughOutline(stage.Rng(), triangles, 0.8f, 1.7f);
+            AddFan(stage, stage.AddBody(def), outline, Material(0.0f, 0.3f, 0.3f));
         }
     }
 

@@ -8,16 +8,15 @@ namespace testbed {
 namespace {
 
 constexpr int corners = 64;
-constexpr float radius = 0.5f;
 
-void AddCoin(Stage &stage, const b2BodyDef &def, const b2FixtureDef &material) {
+void AddCoin(Stage &stage, const b2BodyDef &def, float radius, const b2FixtureDef &material) {
     AddConvex(stage, stage.AddBody(def), RegularOutline(corners, radius), material);
 }
 
 class CoinsGas final : public Scene {
     void Build(Stage &stage, int size) override {
         constexpr int columns = 18;
-        constexpr float spacing = 1.6f;
+        constexpr float spacing = 2.05f;
         stage.World().SetGravity({0.0f, 0.0f});
         const int rows = (size + columns - 1) / columns;
         const float halfWidth = 0.5f * spacing * static_cast<float>(columns);
@@ -30,7 +29,7 @@ class CoinsGas final : public Scene {
                              spacing * (0.5f + static_cast<float>(i / columns)) - halfHeight);
             def.linearVelocity = stage.Rng().Direction(0.5f, 3.0f);
             def.angularVelocity = stage.Rng().Uniform(-1.0f, 1.0f);
-            AddCoin(stage, def, Material(1.0f, 0.1f, 1.0f));
+            AddCoin(stage, def, 0.5f, Material(1.0f, 0.1f, 1.0f));
         }
     }
 };
@@ -38,16 +37,16 @@ class CoinsGas final : public Scene {
 class CoinsPile final : public Scene {
     void Build(Stage &stage, int size) override {
         constexpr int columns = 10;
-        constexpr float spacing = 1.1f;
-        AddArena(stage, {0.0f, 15.0f}, 0.5f * spacing * columns + 1.0f, 15.0f, 0.0f);
+        constexpr float radius = 0.85f, spacing = 1.85f;
+        AddArena(stage, {0.0f, 25.0f}, 0.5f * spacing * columns + 1.0f, 25.0f, 0.0f);
         for (int i = 0; i < size; ++i) {
             b2BodyDef def;
             def.type = b2_dynamicBody;
             def.position.Set(spacing * (static_cast<float>(i % columns) - 0.5f * (columns - 1)) +
                                  stage.Rng().Uniform(-0.04f, 0.04f),
-                             0.6f + spacing * static_cast<float>(i / columns));
+                             radius + 0.1f + spacing * static_cast<float>(i / columns));
             def.angle = stage.Rng().Uniform(-b2_pi, b2_pi);
-            AddCoin(stage, def, Material(1.0f, 0.3f));
+            AddCoin(stage, def, radius, Material(1.0f, 0.3f));
         }
     }
 };
@@ -57,8 +56,8 @@ class CoinsPile final : public Scene {
 void AddCoins(std::vector<SceneInfo> &scenes) {
     scenes.push_back({"coins-gas", "64-gons of 11 fixtures each bounce about in a closed box", "hard",
                       "coins", 250, 300, CreateScene<CoinsGas>});
-    scenes.push_back(
-        {"coins-pile", "the same coins fall into a pile", "hard", "coins", 200, 300, CreateScene<CoinsPile>});
+    scenes.push_back({"coins-pile", "larger such coins fall into a pile", "hard", "coins", 200, 300,
+                      CreateScene<CoinsPile>});
 }
 
 } // namespace testbed

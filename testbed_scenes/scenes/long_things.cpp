@@ -42,7 +42,7 @@ class Planks final : public Scene {
         }
     }
 
-    static constexpr float spacing = 3.0f;
+    static constexpr float spacing = 2.75f;
     std::vector<b2Body *> m_hexagons;
 };
 
@@ -62,8 +62,9 @@ private:
             b2BodyDef def;
             def.type = b2_dynamicBody;
             def.angle = slant;
-            def.position = m_spacing * static_cast<float>(i) * across;
-            def.linearVelocity = stage.Rng().Direction(0.0f, m_speed);
+            const float fromMiddle = static_cast<float>(i) - 0.5f * static_cast<float>(size - 1);
+            def.position = m_spacing * fromMiddle * across;
+            def.linearVelocity = stage.Rng().Direction(0.4f * m_speed, m_speed);
             def.angularVelocity = stage.Rng().Uniform(-m_spin, m_spin);
             stage.AddFixture(stage.AddBody(def), Material(1.0f, 0.2f, 0.5f), box);
         }
@@ -73,7 +74,7 @@ private:
 };
 
 std::unique_ptr<Scene> CreateNeedles() {
-    return std::make_unique<Drift>(8.0f, 0.06f, 0.4f, 0.05f, 0.002f);
+    return std::make_unique<Drift>(8.0f, 0.06f, 0.475f, 0.05f, 0.002f);
 }
 std::unique_ptr<Scene> CreatePlates() {
     return std::make_unique<Drift>(6.0f, 0.08f, 0.9f, 0.15f, 0.01f);

@@ -25,7 +25,7 @@ b2PolygonShape MakeFan(float reach, float halfAngle) {
 class Sensors final : public Scene {
     void Build(Stage &stage, int size) override {
         constexpr int columns = 15;
-        constexpr float spacing = 4.5f, reach = 5.0f, halfAngle = 0.4f;
+        constexpr float spacing = 4.35f, reach = 5.0f, halfAngle = 0.4f;
         stage.World().SetGravity({0.0f, 0.0f});
         const int rows = (size + columns - 1) / columns;
         const float halfWidth = 0.5f * spacing * static_cast<float>(columns);

@@ -43,10 +43,13 @@ void Perturb(b2World &world) {
 
 /// For the scenes that use no random numbers: with a seed that is not their own they differ a little too.
 void Shake(Stage &stage) {
-    constexpr float speed = 0.05f;
-    for (b2Body *body = stage.World().GetBodyList(); body != nullptr; body = body->GetNext())
-        if (body->GetType() == b2_dynamicBody)
-            body->SetLinearVelocity(body->GetLinearVelocity() + stage.Rng().Direction(0.0f, speed));
+    constexpr float speed = 0.05f, angle = 0.001f;
+    for (b2Body *body = stage.World().GetBodyList(); body != nullptr; body = body->GetNext()) {
+        if (body->GetType() != b2_dynamicBody)
+            continue;
+        body->SetTransform(body->GetPosition(), body->GetAngle() + stage.Rng().Uniform(-angle, angle));
+        body->SetLinearVelocity(body->GetLinearVelocity() + stage.Rng().Direction(0.0f, speed));
+    }
 }
 
 long TimeStep(const SceneInfo &info, b2World &world) {
