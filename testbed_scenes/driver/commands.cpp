@@ -42,7 +42,8 @@ private:
 void PrintNumbers(std::ostream &out, const nlohmann::json &json, const std::string &prefix) {
     constexpr int kNameWidth = 28;
     for (const auto &[key, value] : json.items()) {
-        const std::string name = prefix.empty() ? key : prefix + "." + key;
+        std::string name = prefix;
+        name.append(prefix.empty() ? "" : ".").append(key);
         if (value.is_object()) {
             PrintNumbers(out, value, name);
             continue;
@@ -64,6 +65,7 @@ std::vector<SceneInfo> SelectScenes(const std::vector<SceneInfo> &all,
     if (names.empty())
         return all;
     std::vector<SceneInfo> selected;
+    selected.reserve(names.size());
     for (const std::string &name : names)
         selected.push_back(FindScene(all, name));
     return selected;

@@ -120,6 +120,7 @@ Box FrameOf(const Outline &outline) {
         std::swap(moving, resting);
     auto quantile = [&moving](double Box::*side, double share) {
         std::vector<double> values;
+        values.reserve(moving.size());
         for (const Box &box : moving)
             values.push_back(box.*side);
         return Quantile(std::move(values), share);

@@ -29,6 +29,7 @@ constexpr TableColumn kTestColumns[] = {
 
 constexpr TableColumn kEventColumns[] = {
     {"certificate checks", "edge", "checks.edge_per_step", 1},
+    {"certificate checks", "search", "plugin.edge_searches_per_step", 1},
     {"certificate checks", "kinetic", "checks.kinetic_per_step", 1},
     {"events", "start", "events.start_per_step", 2},
     {"events", "stab", "events.stab_per_step", 2},
@@ -87,10 +88,12 @@ void PrintLegend(std::ostream &out, const CompareOptions &options, bool colour) 
          "no point found");
     line("TOI calls: b2TimeOfImpact; saved: of the tests that found stock's pairs apart, those the plugin "
          "did without");
-    line("edge: one remembered edge asked again; kinetic: a body pair's certificate asked again; reused: "
-         "same pair, same poses");
-    line("start, stab, push, roll, coarsen: the life of a certificate; hand-over: given to Box2D's own "
+    line("edge: one remembered edge asked again; search: all edges, when it failed; kinetic: a body pair's "
+         "certificate asked again");
+    line("start, stab, push, roll, coarsen: the life of a certificate; hand-over: left to Box2D's own "
          "b2CollidePolygons");
+    line(
+        "proved apart: answered without Box2D; reused: of those, by what was found at the same poses before");
     if (options.time)
         line("time: median of " + std::to_string(options.repeat) +
              " runs; ratio: stock / plugin, the median over pairs of runs; above 1 the plugin is faster");
