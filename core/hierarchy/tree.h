@@ -16,7 +16,7 @@
 
 /// The tree's roots, edges of the bounding rectangle.
 #define BMR_ROOTS 4u
-/// 20 bits: a compass hierarchy has at most 4 n + 4 nodes, n < 2^16, and a compass table at most 4 * 2^16
+/// 20 bits: a compass hierarchy has at most 5 n nodes, n < 2^16, and a compass table at most 4 * 2^16
 /// directions.
 #define BMR_ID_BITS 20
 /// Within a node, "none" is 0, the id of root E, which is nobody's child.

@@ -53,7 +53,7 @@ void bmr_compass_destroy(bmr_compass *compass, const bmr_allocator *allocator);
 /// Builds a hierarchy over `polygon`, which must outlive it. Points and segments have one too. O(n log n) time, one
 /// block. With the polygon at most 160 bytes a vertex for n >= 64.
 /// Compass: the top ceil(log2 n) levels bisect the angle, below them the median edge; depth <= 2 ceil(log2 n),
-/// at most 4 n + 4 edges.
+/// at most 5 n edges.
 bmr_error bmr_hierarchy_build_compass(const bmr_polygon *polygon, const bmr_compass *compass,
                                       const bmr_allocator *allocator, bmr_hierarchy **hierarchy);
 /// Dudley: degenerate edges and vertices from n regular points on a circle of radius 2D (normals outward: erratum 1), each
