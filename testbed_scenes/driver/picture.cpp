@@ -326,7 +326,7 @@ private:
                     {colour, Mark::Stroke, text + std::to_string(count) + (count == 1 ? " pair" : " pairs")});
         };
         addPairs(kCertified, "proved apart: ", certified);
-        addPairs(kUnproved, "left to Box2D: ", unproved);
+        addPairs(kUnproved, "touching or not proved: ", unproved);
         addPairs(kNear, "near: ", unasked);
         if (!m_outline.contacts.empty())
             entries.push_back(

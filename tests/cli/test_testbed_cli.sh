@@ -248,6 +248,20 @@ SH
     out_has 'ended after 1 steps'
 }
 
+# On a terminal: colours and a progress bar, but no colours with NO_COLOR. `script` makes the terminal.
+test_terminals_get_colours_unless_told() {
+    command -v script >/dev/null || return 0
+    local line="'$testbed' compare '$classic' --steps $steps --no-time"
+    : >"$scratch/err"
+    claim="$line (on a terminal)"
+    script -qec "$line" /dev/null </dev/null >"$scratch/out" || fail "it failed"
+    LC_ALL=C grep -q $'\033\\[32m' "$scratch/out" || fail "no colours"
+    LC_ALL=C grep -q $'\r.*ETA' "$scratch/out" || fail "no progress bar"
+    claim="$claim with NO_COLOR"
+    NO_COLOR=1 script -qec "$line" /dev/null </dev/null >"$scratch/out" || fail "it failed"
+    if LC_ALL=C grep -q $'\033\\[[0-9;]*m' "$scratch/out"; then fail "colours"; fi
+}
+
 test_draw_writes_pictures() {
     local kind
     for kind in svg png pdf; do
