@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: MIT
+// Who is born and dies when: installation, contacts, worlds, threads; callers of Evaluate; odd bodies and
+// places. tests/controls takes handling out of the glue and expects test cases here to fail.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <thread>
+#include <vector>
+
+#include "forked_world.h"
+
+using forked::CheckSameAsStock;
+using forked::Game;
+using forked::Run;
+
+namespace {
+
+constexpr float kPi = 3.14159274f;
+constexpr float kSlant = 0.25f * kPi;
+
+b2Vec2 OnCircle(int i, int count, float radius) {
+    return b2Mul(b2Rot(2.0f * kPi * static_cast<float>(i) / static_cast<float>(count)), b2Vec2(radius, 0.0f));
+}
+
+/// A regular polygon of any size in fixtures of at most 8 vertices, which share one vertex.
+void Coin(Game &game, b2Body *body, int count, float radius) {
+    for (int first = 1; first + 1 < count; first += 6) {
+        b2Vec2 corners[8] = {OnCircle(0, count, radius)};
+        int corner = 1;
+        for (int i = first; i < count && corner < 8; ++i)
+            corners[corner++] = OnCircle(i, count, radius);
+        b2PolygonShape shape;
+        shape.Set(corners, corner);
+        game.Fixture(body, shape);
+    }
+}
+
+/// Three sides of a square of four, open to the right.
+void Cup(Game &game, b2Body *body) {
+    game.Box(body, 0.1f, 2.0f, {-2.0f, 0.0f});
+    game.Box(body, 2.0f, 0.1f, {0.0f, 2.0f});
+    game.Box(body, 2.0f, 0.1f, {0.0f, -2.0f});
+}
+
+/// Two slanted planks of two fixtures each, `across` apart, around a place.
+void Planks(Game &game, b2Vec2 place, float across, b2Body *bodies[2]) {
+    for (int i = 0; i < 2; ++i) {
+        const b2Vec2 offset = b2Mul(b2Rot(kSlant), b2Vec2(0.0f, across * static_cast<float>(i)));
+        bodies[i] = game.Body(b2_dynamicBody, place + offset, kSlant);
+        bodies[i]->SetSleepingAllowed(false);
+        game.Plank(bodies[i]);
+    }
+}
+
+/// A heap of everything on a floor.
+void Heap(Game &game, float x) {
+    b2Body *floor = game.Body(b2_staticBody, {x, 0.0f});
+    game.Box(floor, 20.0f, 0.5f);
+    game.Box(floor, 0.5f, 5.0f, {-8.0f, 4.0f});
+    game.Box(floor, 0.5f, 5.0f, {8.0f, 4.0f});
+    for (int i = 0; i < 12; ++i) {
+        b2Body *body = game.Body(b2_dynamicBody,
+                                 {x + static_cast<float>(i % 4) - 2.0f, 1.5f + 0.8f * static_cast<float>(i)},
+                                 0.3f * static_cast<float>(i));
+        if (i % 3 == 0)
+            Coin(game, body, 12 + 20 * (i % 2), 0.5f);
+        else if (i % 3 == 1)
+            game.Plank(body);
+        else
+            game.Box(body, 0.4f, 0.3f);
+    }
+}
+
+} // namespace
+
+TEST_CASE("Install before the first contact takes effect, and leaves the other kinds of contacts alone") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run, {0.0f, -10.0f});
+        Heap(game, 0.0f);
+        for (int i = 0; i < 4; ++i) {
+            b2CircleShape circle;
+            circle.m_radius = 0.4f;
+            game.Fixture(game.Body(b2_dynamicBody, {static_cast<float>(i) - 1.5f, 12.0f}), circle);
+        }
+        game.Step(120);
+        run.Expect(bmr::IsInstalled() && !bmr::Install(), "a second Install changes nothing and says so");
+        const bmr::Statistics s = bmr::GetStatistics();
+        if (run.Counts())
+            run.Expect(s.evaluations > 0 && s.provedApart + s.handedOver == s.evaluations &&
+                           s.provedApart > 0,
+                       "contacts of the first world are ours");
+        else
+            run.Expect(s.evaluations == 0 && s.hulls == 0 && s.kinetic.checks == 0,
+                       "nothing is counted unasked");
+    });
+}
+
+TEST_CASE("contacts born before Install keep working, and are destroyed by who made them") {
+    CheckSameAsStock(
+        [](Run &run) {
+            Game game(run, {0.0f, -10.0f});
+            Heap(game, 0.0f);
+            game.Step(60);
+            game.Stage(game.Touching() > 5, "contacts are there");
+            run.Install();
+            game.Step(20);
+            for (int i = 0; i < 6; ++i) {
+                game.Plank(game.Body(b2_dynamicBody, {0.0f, 6.0f + 0.5f * static_cast<float>(i)}, 0.2f));
+                // New fixtures on old bodies: our contacts and stock's between the same two.
+                game.Box(game.world.GetBodyList()->GetNext(), 0.3f, 0.3f, {0.4f, 0.2f});
+                game.Step(10);
+            }
+            while (game.world.GetBodyCount() > 3) {
+                game.world.DestroyBody(game.world.GetBodyList()->GetNext()->GetNext());
+                game.Step(3);
+            }
+        },
+        forked::When::kByScenario);
+}
+
+TEST_CASE("every way for a contact to die gives back all it held") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        b2Body *bodies[2];
+        Planks(game, {0.0f, 0.0f}, 0.6f, bodies);
+        b2Body *far = game.Body(b2_dynamicBody, {3.0f, -3.0f}, kSlant);
+        Coin(game, far, 80, 1.0f);
+        Coin(game, game.Body(b2_dynamicBody, {3.0f, -0.8f}), 80, 1.0f);
+        const auto cycle = [&](int way) {
+            b2Body *b = bodies[1];
+            const b2Vec2 home = b->GetPosition();
+            switch (way) {
+            case 0: {
+                game.world.DestroyBody(b);
+                bodies[1] = game.Body(b2_dynamicBody, home, kSlant);
+                bodies[1]->SetSleepingAllowed(false);
+                game.Plank(bodies[1]);
+                break;
+            }
+            case 1:
+                b->DestroyFixture(b->GetFixtureList());
+                b->DestroyFixture(b->GetFixtureList());
+                game.Plank(b);
+                break;
+            case 2:
+                b->SetType(b2_staticBody);
+                game.world.Step(1.0f / 60.0f, 8, 3);
+                b->SetType(b2_dynamicBody);
+                break;
+            case 3:
+                b->SetEnabled(false);
+                game.world.Step(1.0f / 60.0f, 8, 3);
+                b->SetEnabled(true);
+                break;
+            case 4:
+                b->SetTransform({100.0f, 100.0f}, 0.0f);
+                game.world.Step(1.0f / 60.0f, 8, 3);
+                b->SetTransform(home, kSlant);
+                break;
+            case 5: // the pair of coins, whose hulls take a run of blocks each
+                far->SetTransform({100.0f, -100.0f}, 0.0f);
+                game.world.Step(1.0f / 60.0f, 8, 3);
+                far->SetTransform({3.0f, -3.0f}, kSlant);
+                break;
+            case 6: {
+                b2Filter filter = b->GetFixtureList()->GetFilterData();
+                filter.maskBits = static_cast<uint16>(~filter.maskBits);
+                b->GetFixtureList()->SetFilterData(filter);
+                break;
+            }
+            default: // a hull that is built again
+                b->DestroyFixture(game.Box(b, 0.05f, 0.05f, {-1.0f, 0.2f}));
+                b2Fixture *grown = game.Box(b, 0.05f, 0.05f, {-1.0f, -0.15f});
+                game.world.Step(1.0f / 60.0f, 8, 3);
+                b->DestroyFixture(grown);
+                break;
+            }
+            game.world.Step(1.0f / 60.0f, 8, 3);
+        };
+        for (int way = 0; way < 8; ++way) {
+            for (int i = 0; i < 60; ++i)
+                cycle(way);
+            const size_t before = forked::BytesInUse();
+            for (int i = 0; i < 400; ++i)
+                cycle(way);
+            run.Print("way %d", way);
+            game.Stage(forked::BytesInUse() == before, "no growth");
+            game.Print();
+        }
+    });
+}
+
+TEST_CASE("a world that dies with contacts alive leaks nothing") {
+    CheckSameAsStock([](Run &run) {
+        const auto live = [&run] {
+            Game game(run);
+            for (int i = 0; i < 4; ++i)
+                Coin(game,
+                     game.Body(b2_dynamicBody,
+                               {1.9f * static_cast<float>(i), 1.8f * static_cast<float>(i % 2)}),
+                     100, 1.0f);
+            b2Body *bodies[2];
+            Planks(game, {0.0f, 10.0f}, 0.6f, bodies);
+            for (int i = 0; i < 2; ++i)
+                game.world.Step(1.0f / 60.0f, 8, 3);
+            game.Stage(game.world.GetContactCount() > 5, "contacts alive");
+        };
+        for (int i = 0; i < 20; ++i)
+            live();
+        const size_t before = forked::BytesInUse();
+        for (int i = 0; i < 300; ++i)
+            live();
+        run.Print("dead");
+        if (forked::BytesInUse() != before)
+            run.Print("!not staged: no growth: %zu to %zu bytes", before, forked::BytesInUse());
+    });
+}
+
+TEST_CASE("Evaluate may be called by anybody, with an uninitialised manifold and any poses") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run, {0.0f, -10.0f});
+        Heap(game, 0.0f);
+        b2Body *bodies[2];
+        Planks(game, {0.0f, 30.0f}, 0.6f, bodies);
+        const float nan = std::numeric_limits<float>::quiet_NaN(),
+                    inf = std::numeric_limits<float>::infinity();
+        for (int round = 0; round < 20; ++round) {
+            game.Step(5);
+            for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext()) {
+                if (c->GetFixtureA()->GetType() != b2Shape::e_polygon)
+                    continue;
+                const b2Transform &xfA = c->GetFixtureA()->GetBody()->GetTransform();
+                b2Transform xfB = c->GetFixtureB()->GetBody()->GetTransform();
+                for (const float moved : {0.0f, 0.01f, -0.3f, 7.0f, 5000.0f, nan, inf}) {
+                    for (const int garbage : {0x00, 0x7f, 0xff}) {
+                        b2Manifold manifold;
+                        std::memset(static_cast<void *>(&manifold), garbage, sizeof manifold);
+                        const bmr::Statistics before = bmr::GetStatistics();
+                        b2Transform there = xfB;
+                        there.p.y += moved;
+                        c->Evaluate(&manifold, xfA, there);
+                        run.Print("points %d", manifold.pointCount);
+                        game.Print(manifold);
+                        const bmr::Statistics after = bmr::GetStatistics();
+                        if (run.Counts()) {
+                            const bool touched = c->GetManifold()->pointCount > 0;
+                            run.Expect(after.handedOverTouching == before.handedOverTouching + touched,
+                                       "its own manifold decides, not the caller's");
+                        }
+                    }
+                }
+            }
+        }
+    });
+}
+
+TEST_CASE("two worlds at once do not know of each other") {
+    CheckSameAsStock([](Run &run) {
+        Game one(run, {0.0f, -10.0f}), two(run, {0.0f, -9.0f});
+        Heap(one, 0.0f);
+        Heap(two, 0.1f);
+        for (int i = 0; i < 60; ++i) {
+            one.Step();
+            two.Step(2);
+        }
+        run.Expect(bmr::CertifiedSlack(one.world.GetBodyList(), two.world.GetBodyList()) == 0.0f,
+                   "no slack between worlds");
+    });
+}
+
+TEST_CASE("worlds on several threads") {
+    CheckSameAsStock([](Run &run) {
+        constexpr int kThreads = 4;
+        std::vector<Run> runs;
+        runs.reserve(kThreads);
+        std::vector<std::thread> threads;
+        for (int i = 0; i < kThreads; ++i)
+            runs.emplace_back(-1, nullptr);
+        for (int i = 0; i < kThreads; ++i) {
+            threads.emplace_back([i, &runs] {
+                for (int round = 0; round < 3; ++round) {
+                    Game game(runs[static_cast<size_t>(i)], {0.0f, -10.0f});
+                    Heap(game, 0.1f * static_cast<float>(i));
+                    game.Step(60);
+                }
+            });
+        }
+        for (std::thread &thread : threads)
+            thread.join();
+        for (Run &one : runs)
+            run.Take(&one);
+    });
+}
+
+TEST_CASE("sleeping bodies that are woken, pushed and added to") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run, {0.0f, -10.0f});
+        b2Body *floor = game.Body(b2_staticBody, {0.0f, 0.0f});
+        game.Box(floor, 20.0f, 0.5f);
+        b2Body *bodies[5];
+        for (int i = 0; i < 5; ++i) {
+            bodies[i] = game.Body(b2_dynamicBody, {4.5f * static_cast<float>(i) - 8.0f, 0.75f});
+            game.Plank(bodies[i]);
+        }
+        game.Step(120);
+        game.Stage(!bodies[0]->IsAwake() && !bodies[4]->IsAwake(), "all sleep");
+        game.Box(bodies[1], 0.5f, 0.1f, {-2.2f, 0.0f}); // reaches into its neighbour, both asleep
+        game.Step(10);
+        bodies[2]->SetAwake(true);
+        game.Step(30);
+        bodies[4]->SetAwake(false);
+        bodies[3]->ApplyLinearImpulseToCenter({3.0f, 2.0f}, true);
+        game.Step(60);
+        for (b2Body *body : bodies)
+            body->SetAwake(false);
+        bodies[0]->SetTransform(bodies[1]->GetPosition() + b2Vec2(0.1f, 0.15f), 0.0f);
+        game.Step(10);
+        bodies[0]->SetAwake(true);
+        game.Step(60);
+    });
+}
+
+TEST_CASE("bodies of more than 64 hull vertices") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        b2Body *coins[3];
+        for (int i = 0; i < 3; ++i) {
+            coins[i] =
+                game.Body(b2_dynamicBody, {2.12f * static_cast<float>(i), 0.3f * static_cast<float>(i)});
+            Coin(game, coins[i], 90 + 40 * i, 1.0f);
+            coins[i]->SetAngularVelocity(0.5f * static_cast<float>(i - 1));
+        }
+        game.Step(30);
+        game.Stage(game.Touching() == 0 && game.world.GetContactCount() > 2, "apart");
+        const bmr::Statistics s = bmr::GetStatistics();
+        if (run.Counts() && run.Prefilter())
+            run.Expect(s.hulls >= 2 && s.provedApart > 4 * s.edgeChecks, "the envelopes' pair answers");
+        coins[0]->SetLinearVelocity({0.4f, 0.1f});
+        game.Step(60);
+        game.Stage(game.Touching() > 0, "a collision");
+        game.Step(60);
+    });
+}
+
+TEST_CASE("concave bodies, one inside the other's hull") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        b2Body *cup = game.Body(b2_dynamicBody, {0.0f, 0.0f});
+        Cup(game, cup);
+        b2Body *other = game.Body(b2_dynamicBody, {1.5f, 0.0f}, 0.75f * kPi);
+        Cup(game, other);
+        b2Body *inside = game.Body(b2_dynamicBody, {0.8f, 1.2f}, 0.1f);
+        game.Box(inside, 0.2f, 0.1f);
+        game.Box(inside, 0.1f, 0.2f, {0.1f, 0.1f});
+        inside->SetLinearVelocity({-1.0f, 0.7f});
+        other->SetLinearVelocity({0.3f, 0.1f});
+        other->SetAngularVelocity(0.3f);
+        game.Step(300);
+    });
+}
+
+TEST_CASE("beyond the reach all is left to Box2D's own arithmetic") {
+    CheckSameAsStock([](Run &run) {
+        for (const float far : {3000.0f, -10000.0f}) {
+            Game game(run);
+            b2Body *bodies[2];
+            Planks(game, {far, 0.5f * far}, 0.6f, bodies);
+            game.Step(20);
+            game.Stage(game.Touching() == 0 && game.world.GetContactCount() >= 2, "apart");
+            if (run.Counts() && !run.Prefilter())
+                run.Expect(bmr::GetStatistics().provedApart == 0, "no certificate is trusted there");
+            run.Expect(!run.HasPlugin() || run.Prefilter() ||
+                           bmr::CertifiedSlack(bodies[0], bodies[1]) == 0.0f,
+                       "nor shown");
+            bodies[1]->SetLinearVelocity(b2Mul(b2Rot(kSlant), b2Vec2(0.1f, -1.0f)));
+            game.Step(60);
+        }
+    });
+}
+
+TEST_CASE("bodies at NaN collide with nobody, as in stock") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        b2Body *bodies[2];
+        Planks(game, {0.0f, 0.0f}, 0.6f, bodies);
+        game.Step(3);
+        const float nan = std::numeric_limits<float>::quiet_NaN();
+        bodies[1]->SetTransform({nan, 0.0f}, nan);
+        game.Step(3);
+        bodies[1]->SetTransform({0.0f, 0.15f}, kSlant);
+        game.Step(3);
+    });
+}

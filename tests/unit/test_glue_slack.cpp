@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// CertifiedSlack is a lower bound of the true distance, in whatever state the pair is.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include "../../box2d_glue/thresholds.h"
+#include "box2d_shapes.h"
+#include "forked_world.h"
+#include "test_scale.h"
+
+using forked::CheckSameAsStock;
+using forked::Game;
+using forked::Run;
+
+namespace {
+
+double TrueDistance(const b2Body *a, const b2Body *b) {
+    double least = INFINITY;
+    for (const b2Fixture *f = a->GetFixtureList(); f != nullptr; f = f->GetNext()) {
+        for (const b2Fixture *g = b->GetFixtureList(); g != nullptr; g = g->GetNext())
+            least = std::min(
+                least, shapes::Measure(*static_cast<const b2PolygonShape *>(f->GetShape()), a->GetTransform(),
+                                       *static_cast<const b2PolygonShape *>(g->GetShape()), b->GetTransform())
+                           .distance);
+    }
+    return least;
+}
+
+b2Body *RandomBody(Game &game, shapes::Engine &engine, b2Vec2 place) {
+    b2Body *body = game.Body(b2_dynamicBody, place, shapes::UniformF(engine, -3.0, 3.0));
+    body->SetSleepingAllowed(false);
+    for (int i = shapes::Below(engine, 3); i >= 0; --i)
+        game.Fixture(body, shapes::RandomPolygon(engine, 1.0));
+    body->SetLinearVelocity({shapes::UniformF(engine, -2.0, 2.0), shapes::UniformF(engine, -2.0, 2.0)});
+    body->SetAngularVelocity(shapes::UniformF(engine, -2.0, 2.0));
+    return body;
+}
+
+struct Tally {
+    size_t asked = 0, positive = 0, tooLarge = 0, nearlyTooLarge = 0, unlike = 0;
+
+    void Look(const b2Body *a, const b2Body *b) {
+        const double slack = static_cast<double>(bmr::CertifiedSlack(a, b)), distance = TrueDistance(a, b);
+        ++asked;
+        positive += slack > 0.0;
+        tooLarge += slack > distance;
+        nearlyTooLarge += slack > 0.0 && slack + 3.0 * bmr::kRoundingMargin > distance;
+        unlike += slack != static_cast<double>(bmr::CertifiedSlack(b, a));
+    }
+};
+
+} // namespace
+
+TEST_CASE("the certified slack is never above the true distance") {
+    CheckSameAsStock([](Run &run) {
+        shapes::Engine engine(7);
+        Tally tally;
+        for (size_t world = 0; world < test_scaled(150); ++world) {
+            Game game(run);
+            const float range = shapes::UniformF(engine, 0.0, 400.0);
+            b2Body *a = RandomBody(game, engine, {range, -range});
+            b2Body *b = RandomBody(
+                game, engine,
+                {range + shapes::UniformF(engine, -2.5, 2.5), shapes::UniformF(engine, -2.5, 2.5) - range});
+            if (run.HasPlugin())
+                tally.Look(a, b); // before anybody has looked
+            for (int step = 0; step < 30; ++step) {
+                game.world.Step(1.0f / 60.0f, 8, 3);
+                if (run.HasPlugin())
+                    tally.Look(a, b);
+                const b2Vec2 home = b->GetPosition();
+                const float angle = b->GetAngle();
+                b->SetTransform(home + b2Vec2(shapes::UniformF(engine, -0.2, 0.2), 0.05f), angle + 0.1f);
+                if (run.HasPlugin())
+                    tally.Look(a, b); // moved since the last step
+                b->SetTransform(home, angle);
+            }
+        }
+        run.Print("looked");
+        run.Expect(tally.asked > 0 && tally.positive > tally.asked / 10, "there is something to check");
+        run.Expect(tally.tooLarge == 0, "never above the true distance");
+        run.Expect(tally.unlike == 0, "the same from either side");
+        run.Expect(tally.nearlyTooLarge > 0, "control: three rounding margins more would be above it");
+    });
+}
+
+TEST_CASE("bodies of boxes that are a tenth apart have positive slack after a step") {
+    CheckSameAsStock([](Run &run) {
+        shapes::Engine engine(8);
+        size_t apart = 0, none = 0, together = 0, some = 0;
+        for (size_t world = 0; world < test_scaled(600); ++world) {
+            Game game(run);
+            b2Body *bodies[2];
+            for (int i = 0; i < 2; ++i) {
+                bodies[i] =
+                    game.Body(b2_dynamicBody,
+                              {shapes::UniformF(engine, -1.5, 1.5), shapes::UniformF(engine, -1.5, 1.5)},
+                              shapes::UniformF(engine, -3.0, 3.0));
+                game.Box(bodies[i], 0.6f, 0.1f, {0.6f, 0.0f});
+                if (world % 2 == 0)
+                    game.Box(bodies[i], 0.3f, 0.2f, {-0.3f, 0.0f});
+            }
+            game.world.Step(1.0f / 60.0f, 8, 3);
+            if (!run.HasPlugin())
+                continue;
+            const double distance = TrueDistance(bodies[0], bodies[1]);
+            const bool positive = bmr::CertifiedSlack(bodies[0], bodies[1]) > 0.0f;
+            apart += distance > 0.1;
+            none += distance > 0.1 && !positive;
+            together += distance <= 0.0;
+            some += distance <= 0.0 && positive;
+        }
+        run.Print("looked");
+        run.Expect(apart > 0 && together > 0, "both kinds");
+        run.Expect(none == 0, "positive where apart");
+        run.Expect(some == 0, "zero where they overlap");
+    });
+}

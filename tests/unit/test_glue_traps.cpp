@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: MIT
+// The traps that Box2D lays for whoever keeps state about its bodies: shapes and poses that change
+// unannounced. tests/controls takes the handling of each out of the glue and expects the test case here to
+// fail.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "forked_world.h"
+
+using forked::CheckSameAsStock;
+using forked::Game;
+using forked::Run;
+
+namespace {
+
+constexpr float kSlant = 0.785398185f; // 45 degrees: boxes of planks overlap long before the planks do
+
+/// `along` and `across` a slanted plank, in the world.
+b2Vec2 Slanted(float along, float across) {
+    return b2Mul(b2Rot(kSlant), b2Vec2(along, across));
+}
+
+b2Body *Slanting(Game &game, float across, b2BodyType type = b2_dynamicBody) {
+    b2Body *body = game.Body(type, Slanted(0.0f, across), kSlant);
+    body->SetSleepingAllowed(false);
+    return body;
+}
+
+/// Two planks of two fixtures each, side by side, which know of each other.
+struct TwoPlanks {
+    TwoPlanks(Game &game, float across) : a(Slanting(game, 0.0f)), b(Slanting(game, across)) {
+        game.Plank(a);
+        game.Plank(b);
+        game.Step(5);
+        game.Stage(game.world.GetContactCount() >= 2 && game.Touching() == 0, "two contacts, apart");
+    }
+    b2Body *a, *b;
+};
+
+void Place(b2Body *body, b2Vec2 position) {
+    body->SetTransform(position, body->GetAngle());
+}
+
+} // namespace
+
+TEST_CASE("fixtures A and B may change places between two contacts of one body pair") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        // The second plank lies three beside its body's origin, so that no symmetry hides a mix-up.
+        b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, -2.2f);
+        game.Box(a, 1.0f, 0.1f, {-1.0f, 0.0f});
+        game.Box(b, 1.0f, 0.1f, {-1.0f, 3.0f});
+        game.Box(b, 1.0f, 0.1f, {1.0f, 3.0f});
+        game.Box(a, 1.0f, 0.1f, {1.0f, 0.0f});
+        b->SetLinearVelocity(Slanted(0.0f, -1.0f));
+        game.Step(3);
+        int first[2] = {0, 0};
+        for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+            ++first[c->GetFixtureA()->GetBody() == b];
+        game.Stage(first[0] > 0 && first[1] > 0, "both orders");
+        game.Step(45);
+        game.Stage(game.Touching() > 1, "a collision");
+        game.Step(40);
+    });
+}
+
+TEST_CASE("a fixture that is added outside the hull collides at once") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        TwoPlanks planks(game, 0.6f);
+        game.Box(planks.b, 0.1f, 0.1f, {-1.0f, -0.6f});
+        game.Step();
+        game.Stage(game.Touching() == 1, "a collision");
+        game.Step(20);
+    });
+}
+
+TEST_CASE("a second fixture on a body of one collides at once") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, 0.6f);
+        game.Plank(a);
+        game.Box(b, 2.0f, 0.1f);
+        game.Step(5);
+        game.Box(b, 0.1f, 0.1f, {-1.0f, -0.6f});
+        game.Step();
+        game.Stage(game.Touching() == 1, "a collision");
+        game.Step(5);
+        game.Box(b, 0.1f, 0.1f, {1.0f, -0.6f});
+        game.Box(a, 0.1f, 0.1f, {0.0f, 0.5f});
+        game.Step(20);
+        game.Stage(game.Touching() > 1, "more collisions");
+    });
+}
+
+TEST_CASE("a new fixture at the address of an old one is not the old one") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        TwoPlanks planks(game, 0.6f);
+        b2Fixture *old = planks.b->GetFixtureList(); // the newest: the right half
+        planks.b->DestroyFixture(old);
+        b2Fixture *made = game.Box(planks.b, 0.1f, 0.7f, {1.0f, 0.0f});
+        game.Stage(made == old, "the same address");
+        game.Step();
+        game.Stage(game.Touching() == 1, "a collision");
+        game.Step(20);
+    });
+}
+
+TEST_CASE("a hull that two pairs share is forgotten by both when it grows") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        b2Body *bodies[3];
+        for (int i = 0; i < 3; ++i) {
+            bodies[i] = Slanting(game, 0.6f * static_cast<float>(i - 1));
+            game.Plank(bodies[i]);
+        }
+        game.Step(5);
+        game.Stage(game.world.GetContactCount() >= 4 && game.Touching() == 0, "two pairs, apart");
+        game.Box(bodies[1], 0.1f, 0.8f, {-1.0f, 0.0f});
+        game.Step();
+        game.Stage(game.Touching() == 2, "a collision on either side");
+        game.Step(20);
+    });
+}
+
+TEST_CASE("a sensor that turned solid again collides, also if the hull was built without it") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        b2Body *a = Slanting(game, -0.8f), *b = Slanting(game, 0.0f);
+        game.Box(a, 0.5f, 0.1f, {-1.5f, 0.0f});
+        game.Box(a, 0.5f, 0.1f, {-0.5f, 0.0f});
+        b2Fixture *turned = game.Box(b, 1.0f, 0.1f, {-1.0f, 0.0f});
+        game.Box(b, 0.2f, 0.1f, {1.8f, 0.0f});
+        game.Step(5);
+        turned->SetSensor(true);
+        game.Step(2);
+        // Both lie outside the hull: it is built again, now without the sensor.
+        game.Box(b, 0.35f, 0.1f, {0.4f, -0.45f});
+        game.Box(b, 0.05f, 0.12f, {0.4f, -0.45f});
+        game.Step(2);
+        turned->SetSensor(false);
+        game.Step(2);
+        game.Stage(game.Touching() == 0, "apart");
+        Place(a, Slanted(0.0f, -0.15f));
+        game.Step();
+        game.Stage(game.Touching() == 2, "the turned fixture collides");
+        game.Step(20);
+    });
+}
+
+TEST_CASE("fixtures turn into sensors and back in the middle of contact") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run, {0.0f, -10.0f});
+        b2Body *ground = game.Body(b2_staticBody, {0.0f, 0.0f});
+        game.Box(ground, 20.0f, 0.5f);
+        b2Body *bodies[4];
+        for (int i = 0; i < 4; ++i) {
+            bodies[i] = game.Body(b2_dynamicBody,
+                                  {0.3f * static_cast<float>(i), 1.0f + 1.1f * static_cast<float>(i)});
+            game.Box(bodies[i], 0.5f, 0.5f);
+            game.Box(bodies[i], 0.2f, 0.2f, {0.5f, 0.1f});
+        }
+        for (int round = 0; round < 12; ++round) {
+            b2Fixture *f = bodies[round % 4]->GetFixtureList();
+            f = round % 3 == 0 ? f->GetNext() : f;
+            f->SetSensor(!f->IsSensor());
+            bodies[round % 4]->SetAwake(true);
+            game.Step(15);
+        }
+    });
+}
+
+TEST_CASE("a sensor's polygon does not enter its body's hull") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, 0.6f);
+        game.Plank(a);
+        b2PolygonShape wide;
+        wide.SetAsBox(5.0f, 5.0f);
+        game.Fixture(b, wide, true);
+        game.Plank(b);
+        b->SetLinearVelocity(Slanted(0.01f, 0.0f));
+        game.Step(100);
+        const bmr::Statistics s = bmr::GetStatistics();
+        if (run.Counts() && run.Prefilter())
+            run.Expect(s.provedApart > 4 * s.edgeChecks, "the body pair answers for the planks");
+    });
+}
+
+TEST_CASE("the hull of a level does not swallow what is inside") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        b2Body *level = game.Body(b2_staticBody, {0.0f, 0.0f}, kSlant);
+        for (const float side : {-4.0f, 4.0f}) {
+            game.Box(level, 8.0f, 0.1f, {0.0f, side});
+            game.Box(level, 0.1f, 8.0f, {side, 0.0f});
+        }
+        b2Body *plank = Slanting(game, -3.5f);
+        game.Plank(plank);
+        plank->SetLinearVelocity(Slanted(0.01f, 0.0f));
+        game.Step(100);
+        const bmr::Statistics s = bmr::GetStatistics();
+        game.Stage(game.world.GetContactCount() >= 2, "contacts with the level");
+        if (run.Counts() && run.Prefilter())
+            run.Expect(s.provedApart > 4 * s.edgeChecks, "the pair of wall and plank answers");
+        plank->SetLinearVelocity(Slanted(0.1f, -1.0f));
+        game.Step(60);
+        game.Stage(game.Touching() > 0, "a collision with the level");
+    });
+}
+
+TEST_CASE("teleports of either body are noticed") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        TwoPlanks planks(game, 0.6f);
+        const auto rest = [&planks] {
+            for (b2Body *body : {planks.a, planks.b}) {
+                body->SetLinearVelocity({0.0f, 0.0f});
+                body->SetAngularVelocity(0.0f);
+                body->SetTransform(Slanted(0.0f, body == planks.a ? 0.0f : 0.6f), kSlant);
+            }
+        };
+        for (int i = 0; i < 3; ++i) {
+            Place(planks.b, Slanted(0.0f, 0.15f)); // A stays
+            game.Step();
+            game.Stage(game.Touching() > 0, "B came");
+            rest();
+            game.Step(2);
+            game.Stage(game.Touching() == 0, "apart again");
+            Place(planks.a, Slanted(0.0f, 0.45f)); // B stays
+            game.Step();
+            game.Stage(game.Touching() > 0, "A came");
+            rest();
+            planks.a->SetTransform(Slanted(0.0f, -0.1f), kSlant + 0.001f);
+            planks.b->SetTransform(Slanted(0.1f, 0.5f), kSlant);
+            game.Step(2);
+            planks.b->SetTransform(Slanted(0.1f, 0.5f), -kSlant); // across
+            game.Step(2);
+            planks.b->SetTransform(Slanted(500.0f, 0.5f), -kSlant); // and back before anybody looks
+            rest();
+            game.Step(2);
+        }
+    });
+}
+
+TEST_CASE("ShiftOrigin changes nothing but the poses") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        TwoPlanks planks(game, 0.8f);
+        planks.b->SetLinearVelocity(Slanted(0.1f, -0.7f));
+        for (int i = 0; i < 12; ++i) {
+            game.world.ShiftOrigin({i % 2 == 0 ? 100.3f : -60.7f, i % 3 == 0 ? -50.1f : 25.25f});
+            game.Step(8);
+        }
+        game.Stage(planks.a->GetLinearVelocity().Length() > 0.01f, "a collision");
+    });
+}
+
+TEST_CASE("bullets and sub-steps move bodies in the middle of a step") {
+    CheckSameAsStock([](Run &run) {
+        for (const bool subStepping : {false, true}) {
+            Game game(run, {0.0f, -10.0f});
+            game.world.SetSubStepping(subStepping);
+            b2Body *wall = game.Body(b2_staticBody, {0.0f, 0.0f}, 0.1f);
+            for (int i = -4; i <= 4; ++i)
+                game.Box(wall, 0.05f, 0.45f, {0.02f * static_cast<float>(i), static_cast<float>(i)});
+            b2Body *hanging = game.Body(b2_dynamicBody, {-0.5f, 1.0f}, 0.3f);
+            game.Plank(hanging);
+            for (int i = 0; i < 6; ++i) {
+                b2Body *bullet = game.Body(
+                    b2_dynamicBody, {8.0f + 0.3f * static_cast<float>(i), static_cast<float>(i) - 2.0f},
+                    0.4f * static_cast<float>(i));
+                game.Box(bullet, 0.2f, 0.1f, {0.1f, 0.0f});
+                game.Box(bullet, 0.1f, 0.2f, {-0.1f, 0.0f});
+                bullet->SetBullet(true);
+                bullet->SetLinearVelocity({-80.0f, 3.0f});
+                bullet->SetAngularVelocity(20.0f);
+            }
+            game.Step(subStepping ? 90 : 60);
+        }
+    });
+}
+
+TEST_CASE("a radius that is changed in place counts at once") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        TwoPlanks planks(game, 0.28f);
+        for (const float radius : {0.1f, 0.01f, 0.3f, 0.0f}) {
+            for (b2Fixture *f = planks.a->GetFixtureList(); f != nullptr; f = f->GetNext())
+                f->GetShape()->m_radius = radius;
+            game.Step();
+            game.Stage((game.Touching() > 0) == (radius > 0.05f), "the radius decides");
+            planks.a->SetTransform({0.0f, 0.0f}, kSlant);
+            planks.b->SetTransform(Slanted(0.0f, 0.28f), kSlant);
+            for (b2Body *body : {planks.a, planks.b}) {
+                body->SetLinearVelocity({0.0f, 0.0f});
+                body->SetAngularVelocity(0.0f);
+            }
+            game.Step();
+        }
+    });
+}
+
+TEST_CASE("vertices that are changed in place count once the body is invalidated") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        TwoPlanks planks(game, 0.6f);
+        for (const float thickness : {0.55f, 0.1f, 0.6f}) {
+            auto *shape = static_cast<b2PolygonShape *>(planks.b->GetFixtureList()->GetShape());
+            shape->SetAsBox(1.0f, thickness, {1.0f, 0.0f}, 0.0f);
+            if (run.HasPlugin())
+                bmr::Invalidate(planks.b);
+            game.Step();
+            game.Stage((game.Touching() > 0) == (thickness > 0.5f), "the new vertices decide");
+            planks.a->SetTransform({0.0f, 0.0f}, kSlant);
+            planks.b->SetTransform(Slanted(0.0f, 0.6f), kSlant);
+            for (b2Body *body : {planks.a, planks.b}) {
+                body->SetLinearVelocity({0.0f, 0.0f});
+                body->SetAngularVelocity(0.0f);
+            }
+            game.Step();
+        }
+    });
+}
+
+TEST_CASE("an edge that was edited away separates nothing") {
+    CheckSameAsStock([](Run &run) {
+        constexpr float kEighth = 0.785398185f;
+        Game game(run);
+        b2Body *middle = game.Body(b2_dynamicBody, {0.0f, 0.0f});
+        b2Vec2 corners[8];
+        for (int i = 0; i < 8; ++i)
+            corners[i] = b2Mul(b2Rot((static_cast<float>(i) + 0.5f) * kEighth), b2Vec2(0.5f, 0.0f));
+        b2PolygonShape octagon;
+        octagon.Set(corners, 8);
+        auto *shape = static_cast<b2PolygonShape *>(game.Fixture(middle, octagon)->GetShape());
+        // A corner of a box towards each face, so that the octagon's edge is the one to remember.
+        for (int i = 0; i < 8; ++i) {
+            const b2Rot there(static_cast<float>(i) * kEighth);
+            b2Body *body = game.Body(b2_dynamicBody, b2Mul(there, b2Vec2(0.78f, 0.0f)),
+                                     (static_cast<float>(i) + 1.0f) * kEighth);
+            game.Box(body, 0.12f, 0.12f);
+        }
+        game.Step(3);
+        game.Stage(game.Touching() == 0 && game.world.GetContactCount() >= 8, "a ring, apart");
+        shape->SetAsBox(0.75f, 0.75f);
+        if (run.HasPlugin())
+            bmr::Invalidate(middle);
+        game.Step();
+        game.Stage(game.Touching() >= 4, "the box reaches into the ring");
+        game.Step(10);
+    });
+}
