@@ -21,7 +21,7 @@ static bmr_vec2 compass_direction(uint32_t k, uint32_t levels) {
     if (2 * r == quarter)
         c = s = sqrt(0.5);
     const double x = 2 * r > quarter ? s : c, y = 2 * r > quarter ? c : s;
-    switch (k / quarter) {
+    switch (k >> levels) {
     case 0:
         return bmr_vec2_make(x, y);
     case 1:
