@@ -9,7 +9,7 @@
 #   bmr_configure release [-DNAME=VALUE…]            cmake --preset, in the preset's own directory
 #   bmr_build [TARGET…]                              everything when no target is named
 #
-# Each function is quiet unless it has work to do that takes time, or fails; then it shows the
+# Each function says in a line what takes time, and no more unless it fails; then it shows the
 # last lines of what the tool said and the place of the full log. Each returns non-zero on
 # failure, so that a script under `set -e` stops there.
 #
@@ -102,11 +102,9 @@ bmr_configure() {
 bmr_build() {
     local targets=() jobs=${BMR_JOBS:-$(nproc)}
     [ $# -eq 0 ] || targets=(--target "$@")
-    # A dry run tells whether there is something to announce; ninja alone has one that is cheap.
-    if [ ! -f "$BMR_BUILD_DIR/build.ninja" ] ||
-        ! ninja -C "$BMR_BUILD_DIR" -n "$@" 2>/dev/null | grep -q 'no work to do'; then
-        bmr_say "building in $BMR_BUILD_DIR with $jobs jobs"
-    fi
+    # Said even when it will be over at once: whether it will, ninja cannot tell before it has looked again for files
+    # that came or went.
+    bmr_say "building in $BMR_BUILD_DIR with $jobs jobs"
     bmr_quietly "$BMR_BUILD_DIR/boomerang-build.log" \
         cmake --build "$BMR_BUILD_DIR" --parallel "$jobs" "${targets[@]}"
 }
