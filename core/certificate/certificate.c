@@ -19,32 +19,41 @@
 #define EVALUATION_ERROR 1.4210854715202004e-14 /* 2^-46 */
 
 static double largest(bmr_vec2 v) {
-    return fmax(fabs(v.x), fabs(v.y));
+    const double x = fabs(v.x), y = fabs(v.y);
+    return x > y ? x : y;
 }
+
+/// A normal that rounding to float made longer than 1 is shortened by this before it is rounded again: more
+/// than the rounding can lengthen it.
+#define SHORTER (1.0 - 0x1p-23)
 
 /// The normal as floats, of length at most 1: a gap along a shorter vector than a unit vector is less than
 /// the distance, which is the safe side.
 static void round_normal(bmr_vec2 normal, float rounded[2]) {
-    const double length = sqrt(bmr_dot(normal, normal));
-    if (length > 1.0)
-        normal = bmr_scale(1.0 / length, normal);
+    const double square = bmr_dot(normal, normal);
+    if (square > 1.0 + 0x1p-40) // no unit vector
+        normal = bmr_scale(1.0 / sqrt(square), normal);
     rounded[0] = (float)normal.x;
     rounded[1] = (float)normal.y;
-    // One or two steps: rounding can have lengthened it by no more than 2^-24.
-    while ((double)rounded[0] * (double)rounded[0] + (double)rounded[1] * (double)rounded[1] > 1.0) {
-        const int larger = fabsf(rounded[0]) > fabsf(rounded[1]) ? 0 : 1;
-        rounded[larger] = nextafterf(rounded[larger], 0.0f);
+    const double x = (double)rounded[0], y = (double)rounded[1];
+    if (x * x + y * y > 1.0) {
+        rounded[0] = (float)(normal.x * SHORTER);
+        rounded[1] = (float)(normal.y * SHORTER);
     }
 }
 
+/// A float not less than x: rounding takes at most 2^-24 of it away (or the least float, near zero).
 static float round_up(double x) {
-    const float f = (float)x;
-    return (double)f < x ? nextafterf(f, INFINITY) : f;
+    return (float)(x + (fabs(x) * 0x1p-23 + 0x1p-149));
 }
 
-static double length_of_difference(bmr_vec2 exact, const float rounded[2]) {
-    const double dx = exact.x - (double)rounded[0], dy = exact.y - (double)rounded[1];
-    return sqrt(dx * dx + dy * dy);
+/// A bound of the distance that rounding moved a vector.
+static double moved(bmr_vec2 exact, const float rounded[2]) {
+    return fabs(exact.x - (double)rounded[0]) + fabs(exact.y - (double)rounded[1]);
+}
+
+static double larger(double a, double b) {
+    return a > b ? a : b; // fmax is a call of the library
 }
 
 void bmr_certificate_fill(bmr_certificate *certificate, bmr_vec2 normal, double offset,
@@ -53,14 +62,14 @@ void bmr_certificate_fill(bmr_certificate *certificate, bmr_vec2 normal, double 
     bmr_certificate *k = certificate;
     round_normal(normal, k->normal);
     // For the line: <rounded, x> <= <normal, x> + |difference| |x|.
-    double loss = length_of_difference(normal, k->normal) * RADIUS_OF_EXTENT * owner_extent;
+    double loss = moved(normal, k->normal) * RADIUS_OF_EXTENT * owner_extent;
     double reach = other_extent, window_loss = 0.0;
     for (int i = 0; i < 2; ++i) {
         const bmr_vec2 w = window[i < window_count ? i : 0];
         k->window[i][0] = (float)w.x;
         k->window[i][1] = (float)w.y;
-        window_loss = fmax(window_loss, length_of_difference(w, k->window[i]));
-        reach = fmax(reach, largest(w));
+        window_loss = larger(window_loss, moved(w, k->window[i]));
+        reach = larger(reach, largest(w));
     }
     loss += window_loss;
     k->low[0] = (float)low.x;

@@ -136,7 +136,7 @@ static bmr_vec2 direction_of(const search *s) {
 }
 
 bool bmr_closest_direction(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a, double reach,
-                           bmr_simplex *simplex, bmr_closest *closest) {
+                           double slack, bmr_simplex *simplex, bmr_closest *closest) {
     search s;
     s.simplex.count = 0;
     for (uint32_t i = 0; i < simplex->count; ++i)
@@ -157,7 +157,9 @@ bool bmr_closest_direction(const bmr_polygon *a, const bmr_polygon *b, const bmr
             best.a = i;
             best.b = j;
         }
-        if (separation * separation >= (1.0 - 2.0 * BMR_DISTANCE_TOLERANCE) * s.square && separation > 0.0)
+        // If the goal is not less than the distance, the separation is good enough.
+        const double goal = (separation + slack * (separation - reach)) * (1.0 + BMR_DISTANCE_TOLERANCE);
+        if (separation > reach && goal * goal >= s.square)
             break;
         if (holds(&s.simplex, i, j))
             break;

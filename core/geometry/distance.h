@@ -29,11 +29,13 @@ typedef struct bmr_closest {
 /// rounding errors. Small against the float rounding (2^-24) that any certificate pays.
 #define BMR_DISTANCE_TOLERANCE 2e-8
 
-/// Are the polygons more than `reach` (>= 0) apart? True: *closest is the direction of their closest points.
-/// False: the distance is at most `reach`, up to rounding and BMR_DISTANCE_TOLERANCE, and *closest is
-/// untouched. `simplex` says where to start and gets where to start next time; the pose must be finite.
-/// Gilbert, Johnson and Keerthi's algorithm in the plane, with support vertices from bmr_support_near.
+/// Are the polygons more than `reach` (>= 0) apart? True: *closest is a direction that separates them by more
+/// than `reach`, and by what remains of the distance beyond it up to the part `slack` (0: the direction of
+/// the closest points). False: the distance is at most `reach`, up to rounding and BMR_DISTANCE_TOLERANCE,
+/// and *closest is untouched. `simplex` says where to start and gets where to start next time; the pose must
+/// be finite. Gilbert, Johnson and Keerthi's algorithm in the plane, with support vertices from
+/// bmr_support_near.
 bool bmr_closest_direction(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a, double reach,
-                           bmr_simplex *simplex, bmr_closest *closest);
+                           double slack, bmr_simplex *simplex, bmr_closest *closest);
 
 #endif

@@ -111,7 +111,7 @@ bmr_answer bmr_contact_enter(bmr_step *step, const bmr_simplex *simplex, int lev
 
 bool bmr_step_closest(const bmr_step *step, bmr_simplex *simplex, bmr_closest *closest) {
     return bmr_closest_direction(step->shapes[0]->polygon, step->shapes[1]->polygon, step->pose, step->reach,
-                                 simplex, closest);
+                                 BMR_CLOSEST_SLACK, simplex, closest);
 }
 
 static bmr_check look(const bmr_pair *pair, const bmr_pose *b_in_a, double margin, double *gap) {

@@ -63,55 +63,77 @@ void bmr_walk_coarsen(bmr_walk *walk, const bmr_candidate *candidate) {
     --walk->level;
 }
 
-/// The points of the walk's corners, in A's frame.
-typedef struct footing {
-    bmr_vec2 point[2];
-} footing;
+/// What the walk looks at from where it stands, all in A's frame.
+typedef struct outlook {
+    bmr_vec2 point[2];  ///< of the corners
+    bmr_edge edge[2];   ///< the next edge of either body when the direction turns on
+    bmr_vec2 normal[2]; ///< the directions in which these are reached
+} outlook;
 
-/// The vector from A's corner to B's: F is its product with the direction, and the direction's uphill side is
-/// its own.
-static inline bmr_vec2 apart(const footing *f) {
-    return bmr_sub(f->point[1], f->point[0]);
+static void look_ahead(const bmr_walk *walk, outlook *o, int side, int sense) {
+    o->edge[side] = sense > 0 ? walk->corner[side].after : walk->corner[side].before;
+    o->normal[side] = bmr_walk_normal(walk, side, o->edge[side]);
 }
 
-/// The first candidate that is met when the direction turns in `sense`, and the end of the stretch whose
-/// corners the walk stands on.
-static bmr_candidate next_candidate(const bmr_walk *walk, const footing *f, int sense) {
-    bmr_edge edge[2];
-    bmr_vec2 normal[2];
-    for (int side = 0; side < 2; ++side) {
-        edge[side] = sense > 0 ? walk->corner[side].after : walk->corner[side].before;
-        normal[side] = bmr_walk_normal(walk, side, edge[side]);
-    }
+/// The vector from A's corner to B's: F is its product with the direction, and uphill is the side it points
+/// to.
+static inline bmr_vec2 apart(const outlook *o) {
+    return bmr_sub(o->point[1], o->point[0]);
+}
+
+/// The first candidate that is met when the direction turns in `sense`: the end of the stretch of directions
+/// that have the corners of the walk for their extremes.
+static bmr_candidate next_candidate(const bmr_walk *walk, const outlook *o, int sense) {
     // Both are within a right angle ahead (or behind by rounding, which counts as here).
-    const int side = bmr_cross(normal[0], normal[1]) * sense >= 0.0 ? 0 : 1;
-    const bmr_candidate c = {
-        bmr_dot(normal[side], apart(f)), side, edge[side], normal[side], {walk->corner[0], walk->corner[1]}};
+    const int side = bmr_cross(o->normal[0], o->normal[1]) * sense >= 0.0 ? 0 : 1;
+    const bmr_candidate c = {bmr_dot(o->normal[side], apart(o)),
+                             side,
+                             o->edge[side],
+                             o->normal[side],
+                             {walk->corner[0], walk->corner[1]}};
     return c;
 }
 
 /// Passes a candidate: its owner's corner is now the edge's other end.
-static void pass(bmr_walk *walk, footing *f, const bmr_candidate *c, int sense) {
-    const bmr_hierarchy *h = walk->hierarchies[c->owner];
+static void pass(bmr_walk *walk, outlook *o, int side, int sense) {
+    const bmr_hierarchy *h = walk->hierarchies[side];
     const uint32_t level = bmr_walk_side_level(h, walk->level);
-    walk->corner[c->owner] = sense > 0 ? bmr_hierarchy_corner_after(h, c->edge, level)
-                                       : bmr_hierarchy_corner_before(h, c->edge, level);
-    f->point[c->owner] = bmr_walk_point(walk, c->owner, walk->corner[c->owner]);
-    walk->direction = c->direction;
+    walk->corner[side] = sense > 0 ? bmr_hierarchy_corner_after(h, o->edge[side], level)
+                                   : bmr_hierarchy_corner_before(h, o->edge[side], level);
+    walk->direction = o->normal[side];
+    o->point[side] = bmr_walk_point(walk, side, walk->corner[side]);
+}
+
+/// The candidate behind the first stretch, as seen from the corners where the walk began.
+static bmr_candidate behind(bmr_walk start, const outlook *first, int sense) {
+    outlook o = *first;
+    for (int side = 0; side < 2; ++side)
+        look_ahead(&start, &o, side, -sense);
+    return next_candidate(&start, &o, -sense);
 }
 
 bool bmr_walk_climb(bmr_walk *walk, bmr_candidate *best) {
-    footing f = {{bmr_walk_point(walk, 0, walk->corner[0]), bmr_walk_point(walk, 1, walk->corner[1])}};
-    const int sense = bmr_cross(walk->direction, apart(&f)) > 0.0 ? 1 : -1;
-    // The top may be between the first candidate ahead and the one behind.
-    *best = next_candidate(walk, &f, -sense);
+    const bmr_walk start = *walk;
+    outlook o;
+    for (int side = 0; side < 2; ++side)
+        o.point[side] = bmr_walk_point(walk, side, walk->corner[side]);
+    const int sense = bmr_cross(walk->direction, apart(&o)) > 0.0 ? 1 : -1;
+    for (int side = 0; side < 2; ++side)
+        look_ahead(walk, &o, side, sense);
+    const outlook first = o;
     for (int i = 0; i < BMR_WALK_STEPS; ++i) {
-        const bmr_candidate ahead = next_candidate(walk, &f, sense);
-        if (ahead.gap > best->gap)
+        const bmr_candidate ahead = next_candidate(walk, &o, sense);
+        if (i == 0 || ahead.gap > best->gap)
             *best = ahead;
-        pass(walk, &f, &ahead, sense);
-        if (!(bmr_cross(walk->direction, apart(&f)) * sense > 0.0))
-            return true; // downhill from here
+        pass(walk, &o, ahead.owner, sense);
+        if (!(bmr_cross(walk->direction, apart(&o)) * sense > 0.0)) { // downhill from here
+            // Then the top may be on the first stretch, and the better of its ends the one behind.
+            const bmr_candidate other = i == 0 ? behind(start, &first, sense) : ahead;
+            if (other.gap > best->gap)
+                *best = other;
+            return true;
+        }
+        look_ahead(walk, &o, ahead.owner, sense);
     }
     return false;
 }

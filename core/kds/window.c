@@ -12,12 +12,12 @@
 /// angle.
 #define BACKWARD_PART 0.0625
 
-/// Looks for the number of vertices to pass. A guess from "losses are quadratic" settles it in two or three.
+/// Looks for the number of vertices to pass. Guesses from "losses are quadratic" settle it in two or three.
 #define GUESSES 5
-/// Never guess more than this many times farther.
-#define LARGEST_FACTOR 16.0
-/// A loss of this part of the limit is close enough to the best.
-#define GOOD_ENOUGH 0.8
+/// The first guess is this part of all vertices (5.6 degrees of a regular polygon), and one more.
+#define FIRST_GUESS_PART 64
+/// Never guess more than this many times farther or nearer.
+#define LARGEST_FACTOR 16u
 
 /// A support line of the polygon: its outer normal (unit length) and a vertex on it.
 typedef struct tangent {
@@ -65,66 +65,87 @@ static inline bool within_widest(const turning *t, bmr_vec2 normal) {
            cosine * cosine >= t->cosine * t->cosine * bmr_dot(normal, normal);
 }
 
-/// The squared loss, over the squared limit, of turning the tangent until it lies on the edge after `steps`
-/// vertices: the height of the two tangents' meeting point above the chord between their vertices. Infinite
-/// where that is too far to turn.
-static double loss_of(const turning *t, uint32_t steps) {
+/// What turning costs, squared: `loss` / `limit` is 1 where it is just what is allowed. Kept apart, for
+/// divisions are slow.
+typedef struct cost {
+    double loss, limit;
+} cost;
+
+/// The cost of turning the tangent until it lies on the edge after `steps` vertices: the height of the two
+/// tangents' meeting point above the chord between their vertices. Infinite where that is too far to turn.
+static cost cost_of(const turning *t, uint32_t steps) {
     bmr_vec2 vertex;
     const bmr_vec2 normal = normal_after(t, steps, &vertex);
+    cost c = {1.0, 0.0};
     if (!within_widest(t, normal))
-        return INFINITY;
-    if (steps == 0)
-        return 0.0;
+        return c;
     const bmr_vec2 chord = bmr_sub(vertex, t->start);
-    const double height =
-        bmr_dot(normal, chord) / bmr_dot(normal, t->along) * bmr_dot(chord, t->from.direction);
-    return height * height / (t->limit * t->limit * bmr_dot(chord, chord));
+    const double height = bmr_dot(normal, chord) * bmr_dot(chord, t->from.direction);
+    const double along = t->limit * bmr_dot(normal, t->along);
+    c.loss = height * height;
+    c.limit = along * along * bmr_dot(chord, chord);
+    return c;
+}
+
+/// By how many times to change a guess of this cost: twice as far is four times the loss, and both are
+/// squared here.
+static uint32_t factor_of(double small, double large) {
+    uint32_t factor = 1;
+    for (small *= 16.0; small <= large && factor < LARGEST_FACTOR; small *= 16.0)
+        factor *= 2;
+    return factor;
 }
 
 /// How many edges the tangent can be turned past within the limit.
 static uint32_t edges_passed(const turning *t) {
-    if (loss_of(t, 0) > 1.0)
+    const cost first = cost_of(t, 0);
+    if (first.loss > first.limit)
         return 0;
-    uint32_t low = 0, high = t->polygon->count - 1; // the loss is fine at `low`, and too much at `high`
-    uint32_t guess = 1;
+    const uint32_t n = t->polygon->count;
+    uint32_t low = 0, high = n - 1; // the loss is fine at `low`, and too much at `high`
+    uint32_t guess = 1 + n / FIRST_GUESS_PART;
     for (int i = 0; i < GUESSES && high - low > 1; ++i) {
-        guess = guess <= low ? low + 1 : (guess >= high ? high - 1 : guess);
-        const double loss = loss_of(t, guess);
-        if (loss <= 1.0)
+        const cost c = cost_of(t, guess);
+        uint32_t factor;
+        if (c.loss <= c.limit) {
             low = guess;
-        else
+            factor = factor_of(c.loss, c.limit);
+            guess *= factor;
+        } else {
             high = guess;
-        if (loss <= 1.0 && loss >= GOOD_ENOUGH * GOOD_ENOUGH)
-            break;
-        const double factor = loss > 0.0 ? sqrt(1.0 / sqrt(loss)) : LARGEST_FACTOR;
-        guess = (uint32_t)(fmin(factor, LARGEST_FACTOR) * guess);
+            factor = factor_of(c.limit, c.loss);
+            guess /= factor;
+        }
+        if (guess <= low || guess >= high)
+            guess = low + (high - low) / 2;
     }
     return low + 1;
 }
 
-static bmr_vec2 widest(const turning *t) {
+/// The direction (unit length) that goes the way of `wanted`, but not beyond the widest angle.
+static bmr_vec2 not_too_wide(const turning *t, bmr_vec2 wanted) {
+    if (within_widest(t, wanted))
+        return bmr_scale(1.0 / sqrt(bmr_dot(wanted, wanted)), wanted);
     const double sine = sqrt(1.0 - t->cosine * t->cosine);
     return bmr_add(bmr_scale(t->cosine, t->from.direction), bmr_scale(sine, t->along));
 }
 
-/// The first in the sense of turning of two directions and the widest; unit length.
-static bmr_vec2 first_of(const turning *t, bmr_vec2 a, bmr_vec2 b) {
-    a = within_widest(t, a) ? a : widest(t);
-    b = within_widest(t, b) ? b : widest(t);
-    const bmr_vec2 first = bmr_cross(a, b) * t->sense > 0.0 ? a : b;
-    return bmr_scale(1.0 / sqrt(bmr_dot(first, first)), first);
-}
-
-/// How far to turn about the vertex `passed` edges after the start: to where the loss is the limit.
+/// How far to turn about the vertex `passed` edges after the start: to where the loss is the limit, but not
+/// back behind the edge that arrives there and not past the edge that leaves.
 static bmr_vec2 turn_about(const turning *t, uint32_t passed, bmr_vec2 chord) {
     bmr_vec2 unused;
-    const bmr_vec2 flush = normal_after(t, passed - 1, &unused), last = normal_after(t, passed, &unused);
+    const bmr_vec2 first = normal_after(t, passed - 1, &unused), last = normal_after(t, passed, &unused);
     // A triangle on the chord: its angle at the start is known, its height is the limit; solved for the angle
     // outside the meeting point, by which the tangent turns.
     const double x = bmr_dot(chord, t->along), drop = -bmr_dot(chord, t->from.direction);
     const double back = t->limit * sqrt(bmr_dot(chord, chord)) / drop;
-    const bmr_vec2 wanted = bmr_add(bmr_scale(x - back, t->from.direction), bmr_scale(drop, t->along));
-    return first_of(t, bmr_cross(flush, wanted) * t->sense > 0.0 ? wanted : flush, last);
+    bmr_vec2 wanted = bmr_add(bmr_scale(x - back, t->from.direction), bmr_scale(drop, t->along));
+    if (!(bmr_cross(first, wanted) * t->sense > 0.0))
+        wanted = first;
+    // The edge that leaves may be more than half a turn on.
+    if (bmr_dot(last, t->along) > 0.0 && !(bmr_cross(wanted, last) * t->sense > 0.0))
+        wanted = last;
+    return not_too_wide(t, wanted);
 }
 
 /// Turns a tangent as far as the limit and the widest angle allow. *corner: where the two tangents meet.
@@ -147,14 +168,15 @@ static tangent turn(const bmr_polygon *polygon, tangent from, int sense, double 
     if (passed == 0) {
         bmr_vec2 unused;
         const bmr_vec2 last = normal_after(&t, 0, &unused);
-        const tangent about_start = {first_of(&t, last, last), pivot};
+        const tangent about_start = {not_too_wide(&t, last), pivot};
         return about_start;
     }
     const bmr_vec2 chord = bmr_sub(polygon->vertices[pivot], t.start);
     const tangent to = {turn_about(&t, passed, chord), pivot};
     // Between the start and the pivot; clamped, for two tangents that are nearly one meet anywhere.
+    const double most = bmr_dot(chord, t.along);
     const double s = bmr_dot(to.direction, chord) / bmr_dot(to.direction, t.along);
-    *corner = bmr_add(t.start, bmr_scale(fmin(fmax(s, 0.0), bmr_dot(chord, t.along)), t.along));
+    *corner = bmr_add(t.start, bmr_scale(s > 0.0 ? (s < most ? s : most) : 0.0, t.along));
     return to;
 }
 
@@ -176,7 +198,8 @@ void bmr_window_make(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t su
     if (lean == 0) {
         window->low = turn(polygon, middle, -1, limit, WIDEST_COSINE, &window->corner[0]).direction;
         window->high = turn(polygon, middle, 1, limit, WIDEST_COSINE, &window->corner[1]).direction;
-        window->life = fmax(bmr_dot(direction, window->low), bmr_dot(direction, window->high));
+        const double back = bmr_dot(direction, window->low), on = bmr_dot(direction, window->high);
+        window->life = back > on ? back : on;
         return;
     }
     bmr_vec2 unused;
