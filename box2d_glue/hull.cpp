@@ -2,7 +2,7 @@
 #include "hull.h"
 
 #include <algorithm>
-#include <cmath>
+#include <memory>
 #include <new>
 #include <vector>
 
@@ -11,10 +11,17 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_polygon_shape.h>
 
-#include "run_allocator.h"
 #include "settings.h"
 
 namespace bmr {
+
+/// A fixture's content when a hull was built from it. Whoever looks the same has not changed, and is held.
+struct HullMember {
+    const b2Fixture *fixture;
+    float radius;
+    int32 count;
+    b2Vec2 vertices[b2_maxPolygonVertices];
+};
 
 namespace {
 
@@ -23,23 +30,60 @@ const b2PolygonShape *PolygonOf(const b2Fixture &fixture) {
                                                    : nullptr;
 }
 
-void AddPoints(const b2Fixture &fixture, std::vector<bmr_vec2> *points, float *radius) {
-    const b2PolygonShape *polygon = PolygonOf(fixture);
-    if (polygon == nullptr)
-        return;
-    for (int32 i = 0; i < polygon->m_count; ++i)
-        points->push_back(
-            {static_cast<double>(polygon->m_vertices[i].x), static_cast<double>(polygon->m_vertices[i].y)});
-    *radius = std::max(*radius, polygon->m_radius);
+HullMember MemberOf(const b2Fixture &fixture, const b2PolygonShape &polygon) {
+    HullMember member;
+    member.fixture = &fixture;
+    member.radius = polygon.m_radius;
+    member.count = polygon.m_count;
+    std::copy_n(polygon.m_vertices, polygon.m_count, member.vertices);
+    return member;
 }
 
-void GatherPoints(const Hull &hull, std::vector<bmr_vec2> *points, float *radius) {
+// What a hierarchy takes of a slab for each vertex of its polygon; more is an error of memory, and the pair
+// Box2D's.
+constexpr size_t kMostHierarchyBytes = 144;
+constexpr size_t kSlabSlack = 64; // alignment of the pieces
+
+/// The fixtures that the hull is to hold. A hull of one fixture takes it as it is; that of a body leaves
+/// sensors out: their contacts ask nothing of it.
+std::vector<HullMember> GatherMembers(const Hull &hull) {
+    std::vector<HullMember> members;
+    members.reserve(hull.fixture != nullptr ? 1 : 16);
     for (const b2Fixture *f = hull.body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
-        // A hull of one fixture takes it as it is; that of a body leaves sensors out: their contacts ask
-        // nothing of it.
-        if (hull.fixture != nullptr ? f == hull.fixture : !f->IsSensor())
-            AddPoints(*f, points, radius);
+        const b2PolygonShape *polygon = PolygonOf(*f);
+        if (polygon != nullptr && (hull.fixture != nullptr ? f == hull.fixture : !f->IsSensor()))
+            members.push_back(MemberOf(*f, *polygon));
     }
+    return members;
+}
+
+/// The members' vertices. Bodies of many fixtures are cut from one outline, so that neighbours share most of
+/// theirs: what the member before has too is left out, which spares the hull two thirds of its sorting.
+std::vector<bmr_vec2> PointsOf(const std::vector<HullMember> &members) {
+    std::vector<bmr_vec2> points;
+    points.reserve(members.size() * b2_maxPolygonVertices);
+    const b2Vec2 *before = nullptr, *beforeEnd = nullptr;
+    for (const HullMember &member : members) {
+        const b2Vec2 *const end = member.vertices + member.count;
+        for (const b2Vec2 *v = member.vertices; v != end; ++v) {
+            if (std::find(before, beforeEnd, *v) == beforeEnd)
+                points.push_back({static_cast<double>(v->x), static_cast<double>(v->y)});
+        }
+        before = member.vertices;
+        beforeEnd = end;
+    }
+    return points;
+}
+
+/// Was the hull built from this fixture as it is now?
+bool IsMember(const Hull &hull, const b2Fixture &fixture, const b2PolygonShape &polygon) {
+    for (int32_t i = 0; i < hull.memberCount; ++i) {
+        const HullMember &member = hull.members[i];
+        if (member.fixture == &fixture)
+            return member.count == polygon.m_count && member.radius == polygon.m_radius &&
+                   std::equal(member.vertices, member.vertices + member.count, polygon.m_vertices);
+    }
+    return false;
 }
 
 /// Replaces `points` by the corners of a compass envelope of at most kMostHullVertices edges.
@@ -91,42 +135,58 @@ bmr_error BuildHierarchy(const bmr_polygon *polygon, const bmr_allocator *alloca
     }
 }
 
-void DestroyShape(Hull *hull) {
-    const bmr_allocator memory = RunAllocator(hull->allocator);
-    bmr_hierarchy_destroy(const_cast<bmr_hierarchy *>(hull->shape.hierarchy), &memory);
-    bmr_polygon_destroy(const_cast<bmr_polygon *>(hull->shape.polygon), &memory);
+void Forget(Hull *hull) {
+    FreeSlab(hull->allocator, &hull->slab);
     hull->shape = {nullptr, nullptr};
+    hull->members = nullptr;
+    hull->memberCount = 0;
+    hull->radius = 0.0f;
+    hull->reach = 0.0;
+}
+
+/// Builds all of it in a slab of this size; false if it does not fit, or if geometry says no.
+bool BuildInSlab(Hull *hull, size_t bytes, const std::vector<HullMember> &members,
+                 const std::vector<bmr_vec2> &points) {
+    hull->slab = AllocateSlab(hull->allocator, bytes);
+    const bmr_allocator memory = SlabAllocator(&hull->slab);
+    bmr_polygon *polygon = nullptr;
+    bmr_hierarchy *hierarchy = nullptr;
+    void *kept = TakeFromSlab(&hull->slab, members.size() * sizeof(HullMember));
+    if (kept == nullptr || bmr_polygon_create(points.data(), points.size(), &memory, &polygon) != BMR_OK ||
+        BuildHierarchy(polygon, &memory, &hierarchy) != BMR_OK) {
+        Forget(hull);
+        return false;
+    }
+    hull->shape = {polygon, hierarchy};
+    hull->members = static_cast<HullMember *>(kept);
+    hull->memberCount = static_cast<int32_t>(members.size());
+    std::uninitialized_copy(members.begin(), members.end(), hull->members);
+    return true;
 }
 
 /// May throw std::bad_alloc, before anything is built.
 void BuildShape(Hull *hull) {
-    std::vector<bmr_vec2> points;
-    GatherPoints(*hull, &points, &hull->radius);
+    const std::vector<HullMember> members = GatherMembers(*hull);
+    std::vector<bmr_vec2> points = PointsOf(members);
     if (points.size() > kMostHullVertices && !ReduceToEnvelope(&points))
         return;
-    const bmr_allocator memory = RunAllocator(hull->allocator);
-    bmr_polygon *polygon = nullptr;
-    bmr_hierarchy *hierarchy = nullptr;
-    if (bmr_polygon_create(points.data(), points.size(), &memory, &polygon) != BMR_OK)
+    const size_t flat = members.size() * sizeof(HullMember) + bmr_polygon_bytes(points.size()) + kSlabSlack;
+    const size_t deep =
+        flat + kMostHierarchyBytes * (points.size() + 8); // the least polygons have the most per vertex
+    const bool needsHierarchy = GetSettings().pairDef.structure != BMR_FREE_DIRECTION;
+    if (!BuildInSlab(hull, needsHierarchy ? deep : flat, members, points))
         return;
-    if (BuildHierarchy(polygon, &memory, &hierarchy) != BMR_OK) {
-        bmr_polygon_destroy(polygon, &memory);
-        return;
-    }
-    hull->shape = {polygon, hierarchy};
-    for (uint32_t i = 0; i < polygon->count; ++i)
-        hull->reach = std::max(hull->reach, std::hypot(polygon->vertices[i].x, polygon->vertices[i].y));
+    hull->reach = 2.0 * hull->shape.polygon->extent; // no vertex is farther than sqrt(2) of it
+    for (const HullMember &member : members)
+        hull->radius = std::max(hull->radius, member.radius);
     Count(&Counts::hulls);
 }
 
 void BuildShapeOrNone(Hull *hull) {
-    hull->shape = {nullptr, nullptr};
-    hull->radius = 0.0f;
-    hull->reach = 0.0;
     try {
         BuildShape(hull);
     } catch (const std::bad_alloc &) {
-        hull->shape = {nullptr, nullptr}; // its pairs go to Box2D
+        // Its pairs go to Box2D.
     }
 }
 
@@ -145,12 +205,12 @@ Hull *CreateHull(const b2Body *body, const b2Fixture *fixture, b2BlockAllocator 
 void ReleaseHull(Hull *hull) {
     if (--hull->references > 0)
         return;
-    DestroyShape(hull);
+    Forget(hull);
     hull->allocator->Free(hull, sizeof(Hull));
 }
 
 void RebuildHull(Hull *hull) {
-    DestroyShape(hull);
+    Forget(hull);
     BuildShapeOrNone(hull);
 }
 
@@ -158,6 +218,8 @@ bool HullHolds(const Hull &hull, const b2Fixture &fixture) {
     const b2PolygonShape *polygon = PolygonOf(fixture);
     if (hull.shape.polygon == nullptr || polygon == nullptr || !(polygon->m_radius <= hull.radius))
         return false;
+    if (IsMember(hull, fixture, *polygon))
+        return true;
     for (int32 i = 0; i < polygon->m_count; ++i) {
         const bmr_vec2 point = {static_cast<double>(polygon->m_vertices[i].x),
                                 static_cast<double>(polygon->m_vertices[i].y)};

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "boomerang/pair.h"
+#include "slab.h"
 
 class b2BlockAllocator;
 class b2Body;
@@ -12,20 +13,25 @@ class b2Fixture;
 
 namespace bmr {
 
+struct HullMember;
+
 /// The convex hull of a body's polygon fixtures, or of one fixture of it, in the body's frame, with the
 /// hierarchy that the chosen structure walks on. Shared by all pairs of its body; lives in the world's block
 /// allocator.
 ///
 /// Sensors are left out. A hull of many vertices is replaced by an envelope of kMostHullVertices edges around
-/// it (an outer approximation by the paper's own means), so that its block fits a run of the allocator.
+/// it (an outer approximation by the paper's own means), so that it fits a slab.
 struct Hull {
     bmr_shape shape; ///< polygon and hierarchy; polygon NULL where the hull could not be built
     const b2Body *body;
     const b2Fixture *fixture;    ///< the one fixture this hull is of, or nullptr: of the whole body
-    double reach;                ///< largest distance of a vertex from the body's origin
+    double reach;                ///< no vertex is farther from the body's origin
     float radius;                ///< largest radius of the fixtures it holds
     int32_t references;          ///< pairs that use it
     b2BlockAllocator *allocator; ///< the world's, where all of it lives
+    Slab slab;                   ///< what holds the shape and the members
+    HullMember *members;         ///< the fixtures it was built from, as they were then
+    int32_t memberCount;
 };
 
 constexpr uint32_t kMostHullVertices = 64;

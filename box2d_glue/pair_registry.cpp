@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pair_registry.h"
 
-#include <initializer_list>
-
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
@@ -99,8 +97,8 @@ void RebuildAndReset(Hull *hull) {
     });
 }
 
-/// A reference to a hull of this unit that holds `fixture`, one that is there already if possible.
-Hull *AcquireHull(const Unit &unit, const b2Fixture &fixture, b2BlockAllocator *allocator) {
+/// A reference to a hull of this unit, one that is there already if possible.
+Hull *AcquireHull(const Unit &unit, b2BlockAllocator *allocator) {
     Hull *found = nullptr;
     VisitHulls(unit.body, kMostContactsSearched, [&found, &unit](Hull *hull, BodyPair *) {
         if (IsHullOf(*hull, unit))
@@ -110,35 +108,44 @@ Hull *AcquireHull(const Unit &unit, const b2Fixture &fixture, b2BlockAllocator *
     if (found == nullptr)
         return CreateHull(unit.body, unit.fixture, allocator);
     ++found->references;
-    // Box2D reuses addresses and announces no new fixture: what the fixture holds decides, not who it seems
-    // to be.
-    if (!HullHolds(*found, fixture))
-        RebuildAndReset(found);
     return found;
 }
 
-BodyPair *MakePair(const Unit &a, const Unit &b, const PolygonContact &contact, BodyPair *parent,
-                   b2BlockAllocator *allocator) {
-    Hull *hullA = AcquireHull(a, *contact.GetFixtureA(), allocator);
-    Hull *hullB = AcquireHull(b, *contact.GetFixtureB(), allocator);
+BodyPair *MakePair(const Unit &a, const Unit &b, BodyPair *parent, b2BlockAllocator *allocator) {
+    Hull *hullA = AcquireHull(a, allocator);
+    Hull *hullB = AcquireHull(b, allocator);
     return CreateBodyPair(hullA, hullB, parent, allocator);
 }
 
-/// Makes the pair's hulls hold the fixtures of a contact, by building again what does not.
-void MakeHold(BodyPair *pair, const PolygonContact &contact) {
-    for (const b2Fixture *fixture : {contact.GetFixtureA(), contact.GetFixtureB()}) {
-        Hull *hull = pair->a->body == fixture->GetBody() ? pair->a : pair->b;
-        if (HullHolds(*hull, *fixture))
-            continue;
-        RebuildAndReset(hull);
-        ResetBodyPair(pair); // it may be too new to be in any list
-    }
+/// Makes the hull of a pair hold a fixture, by building it again if need be. Box2D reuses addresses and
+/// announces no new fixture: what the fixture holds decides, not who it seems to be.
+bool MakeHold(BodyPair *pair, const b2Fixture &fixture) {
+    Hull *hull = pair->a->body == fixture.GetBody() ? pair->a : pair->b;
+    if (HullHolds(*hull, fixture))
+        return true;
+    if (hull->shape.polygon == nullptr)
+        return false; // it could not be built; trying again at every contact would cost more than it could
+                      // save
+    RebuildAndReset(hull);
+    ResetBodyPair(pair); // it may be too new to be in any list
+    return HullHolds(*hull, fixture);
 }
 
-void Use(PolygonContact *contact, BodyPair *pair) {
+/// Gives a contact a reference to a pair whose hulls it has not been shown to lie in.
+void Share(PolygonContact *contact, BodyPair *pair) {
     ++pair->references;
     contact->state.pair = pair;
-    contact->state.stamp = StampOf(*pair) - 1; // differs: the first evaluation looks at the fixtures
+    contact->state.stamp = StampOf(*pair) - 1; // differs: the next evaluation looks at the fixtures
+}
+
+/// The same for a new contact, whose fixtures may be new too: the hulls are made to hold them.
+void Join(PolygonContact *contact, BodyPair *pair) {
+    Share(contact, pair);
+    bool holds = true;
+    for (BodyPair *level = pair; level != nullptr; level = level->parent)
+        holds = MakeHold(level, *contact->GetFixtureA()) && MakeHold(level, *contact->GetFixtureB()) && holds;
+    contact->state.stamp = StampOf(*pair);
+    contact->state.excluded = !holds;
 }
 
 /// With remembered edges on: body pairs alone, from the second contact between two bodies on.
@@ -156,9 +163,8 @@ void AttachToBodies(PolygonContact *contact, const Unit &a, const Unit &b, b2Blo
     if (sibling == nullptr)
         return;
     if (sibling->state.pair == nullptr)
-        Use(sibling, MakePair(a, b, *contact, nullptr, allocator));
-    MakeHold(sibling->state.pair, *contact);
-    Use(contact, sibling->state.pair);
+        Share(sibling, MakePair(a, b, nullptr, allocator));
+    Join(contact, sibling->state.pair);
 }
 
 /// Without remembered edges: every contact has a pair of its own fixtures, below that of the bodies where
@@ -174,11 +180,10 @@ void AttachToFixtures(PolygonContact *contact, const Unit &a, const Unit &b, b2B
             return parent != nullptr;
         });
         if (parent == nullptr)
-            parent = MakePair(a, b, *contact, nullptr, allocator);
+            parent = MakePair(a, b, nullptr, allocator);
         ++parent->references;
-        MakeHold(parent, *contact);
     }
-    Use(contact, MakePair(fixtureA, fixtureB, *contact, parent, allocator));
+    Join(contact, MakePair(fixtureA, fixtureB, parent, allocator));
 }
 
 } // namespace
