@@ -84,38 +84,9 @@ Points naive_hull(Points points) {
     return hull;
 }
 
-/// Points that are hard to tell from points of one line: on it up to an ulp, in clusters, on grids of one
-/// ulp.
 Points hard_points(test_random *random) {
-    const std::uint32_t n = 3 + test_random_below(random, 60);
-    const double scale = std::ldexp(1.0, static_cast<int>(test_random_below(random, 40)) - 12);
-    const double ulp = scale * 0x1p-52;
-    const double dx = test_random_uniform(random, -1.0, 1.0), dy = test_random_uniform(random, -1.0, 1.0);
-    Points points;
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const double t = test_random_uniform(random, 0.0, 1.0);
-        switch (test_random_below(random, 5)) {
-        case 0: // on the line, as rounded
-        case 1:
-            points.push_back({scale * (0.3 + t * dx), scale * (0.2 + t * dy)});
-            break;
-        case 2: // and a few ulps beside it
-            points.push_back({scale * (0.3 + t * dx) + ulp * (test_random_below(random, 5) - 2.0),
-                              scale * (0.2 + t * dy) + ulp * (test_random_below(random, 5) - 2.0)});
-            break;
-        case 3: // a grid of ulps around one end
-            points.push_back({scale * 0.5 + ulp * test_random_below(random, 8),
-                              scale * 0.5 + ulp * test_random_below(random, 8)});
-            break;
-        default: // again
-            points.push_back(
-                points.empty()
-                    ? bmr_vec2{0.0, 0.0}
-                    : points[test_random_below(random, static_cast<std::uint32_t>(points.size()))]);
-        }
-    }
-    points.push_back({scale * (0.3 + dx), scale * (0.2 + dy)}); // never all in one place
-    points.push_back({scale * 0.3, scale * 0.2});
+    Points points(64);
+    points.resize(test_hard_points(random, points.data()));
     return points;
 }
 

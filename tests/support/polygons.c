@@ -81,6 +81,33 @@ void test_move_points(bmr_vec2 *points, size_t count, double angle, double x, do
     }
 }
 
+size_t test_hard_points(test_random *random, bmr_vec2 *points) {
+    const size_t n = 3 + test_random_below(random, 58);
+    const double scale = ldexp(1.0, (int)test_random_below(random, 40) - 12), ulp = scale * 0x1p-52;
+    bmr_vec2 along = {test_random_uniform(random, -1.0, 1.0), test_random_uniform(random, -1.0, 1.0)};
+    const uint32_t slope = test_random_below(random, 8); // level, upright and diagonal lines, too
+    along.x = slope == 0 ? 0.0 : slope == 1 ? along.y : along.x;
+    along.y = slope == 2 ? 0.0 : along.y;
+    const uint32_t kinds = 4 + test_random_below(random, 2);
+    for (size_t i = 0; i < n; ++i) {
+        const double t = test_random_uniform(random, 0.0, 1.0);
+        bmr_vec2 p = {scale * (0.3 + t * along.x), scale * (0.2 + t * along.y)};
+        const uint32_t kind = test_random_below(random, kinds);
+        if (kind == 2) // a few ulps beside the line
+            p = bmr_add(p, bmr_vec2_make(ulp * ((double)test_random_below(random, 5) - 2.0),
+                                         ulp * ((double)test_random_below(random, 5) - 2.0)));
+        else if (kind == 3) // a grid of ulps
+            p = bmr_vec2_make(0.5 * scale + ulp * (double)test_random_below(random, 8),
+                              0.5 * scale + ulp * (double)test_random_below(random, 8));
+        else if (kind == 4) // anywhere
+            p = bmr_vec2_make(scale * test_random_uniform(random, -1.0, 1.0), scale * t);
+        points[i] = p;
+    }
+    points[n] = bmr_vec2_make(scale * 0.3, scale * 0.2); // the line's ends: never all in one place
+    points[n + 1] = bmr_vec2_make(scale * (0.3 + along.x), scale * (0.2 + along.y));
+    return n + 2;
+}
+
 static size_t ellipse_points(size_t n, double minor, test_random *random, bmr_vec2 *points) {
     for (size_t i = 0; i < n; ++i) {
         const double angle = test_random_uniform(random, 0.0, 2.0 * PI);

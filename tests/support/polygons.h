@@ -60,6 +60,10 @@ bmr_polygon *test_polygon(test_family family, size_t n, test_random *random);
 /// Particular shapes; `points` has room for what is returned.
 size_t test_regular_points(size_t n, double radius, double phase, bmr_vec2 *points);
 size_t test_box_points(double half_width, double half_height, bmr_vec2 *points);
+/// 5 to 62 points (have room for them) that are hard to tell from points of one line: on it up to rounding,
+/// an ulp or two beside it, in clusters of ulps, some anywhere. Their hull may be a segment, or a polygon no
+/// thicker than rounding.
+size_t test_hard_points(test_random *random, bmr_vec2 *points);
 /// Turns by `angle`, then moves by (x, y).
 void test_move_points(bmr_vec2 *points, size_t count, double angle, double x, double y);
 

@@ -11,11 +11,14 @@
 
 #include "boomerang/hierarchy.h"
 #include "failing_allocator.h"
+#include "hierarchies.h"
 #include "hierarchy/tree.h"
-#include "polygons.h"
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
-#define UNTOUCHED ((bmr_hierarchy *)(uintptr_t)0x5a5a5a50u)
+
+/// What an output that must stay untouched points to.
+static bmr_hierarchy untouched;
+#define UNTOUCHED (&untouched)
 
 static bmr_compass *compass;
 
@@ -32,11 +35,7 @@ static int drop_compass(void **state) {
 
 static bmr_error build(bmr_hierarchy_kind kind, const bmr_polygon *p, const bmr_allocator *allocator,
                        bmr_hierarchy **h) {
-    if (kind == BMR_HIERARCHY_COMPASS)
-        return bmr_hierarchy_build_compass(p, compass, allocator, h);
-    if (kind == BMR_HIERARCHY_DUDLEY)
-        return bmr_hierarchy_build_dudley(p, allocator, h);
-    return bmr_hierarchy_build_dobkin_kirkpatrick(p, allocator, h);
+    return test_build_hierarchy(kind, p, compass, allocator, h);
 }
 
 static bmr_hierarchy *built(bmr_hierarchy_kind kind, const bmr_polygon *p) {
@@ -76,10 +75,10 @@ static void null_arguments_are_refused_and_leave_the_output_alone(void **state) 
 
 static void a_compass_too_small_for_the_polygon_is_refused(void **state) {
     (void)state;
-    bmr_compass *small = (bmr_compass *)(uintptr_t)0x5a5a5a50u, *const untouched = small;
+    bmr_compass *small = compass;
     assert_int_equal(bmr_compass_create(0, NULL, &small), BMR_ERROR_NO_POINTS);
     assert_int_equal(bmr_compass_create(65536, NULL, &small), BMR_ERROR_TOO_MANY_POINTS);
-    assert_ptr_equal(small, untouched);
+    assert_ptr_equal(small, compass);
     assert_int_equal(bmr_compass_create(16, NULL, &small), BMR_OK);
     bmr_vec2 points[17];
     for (size_t n = 16; n <= 17; ++n) {

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+#include <math.h>
+
+#include "boomerang/hierarchy.h"
+#include "hierarchies.h"
+#include "test_scale.h"
+
+/// @file
+/// The lemmas of section 3 with their constants. Every check is a function that says yes or no, and every
+/// test hands it something wrong as well.
+
+static bmr_compass *compass;
+
+static int make_compass(void **state) {
+    (void)state;
+    return bmr_compass_create(BMR_MAX_VERTICES, NULL, &compass) == BMR_OK ? 0 : -1;
+}
+
+static int drop_compass(void **state) {
+    (void)state;
+    bmr_compass_destroy(compass, NULL);
+    return 0;
+}
+
+static bmr_hierarchy *built(int kind, const bmr_polygon *p) {
+    bmr_hierarchy *h = NULL;
+    assert_int_equal(test_build_hierarchy((bmr_hierarchy_kind)kind, p, compass, NULL, &h), BMR_OK);
+    return h;
+}
+
+#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
+static const size_t all_sizes[] = {3, 4, 5, 7, 8, 13, 64, 257, 1000, 4096};
+
+// --- the paper's bounds ---
+
+static uint32_t ceil_log2(double x) {
+    return x <= 1.0 ? 0 : (uint32_t)ceil(log2(x));
+}
+
+/// Depth and size: the constants of the paper's text, and of the layout.
+static bool is_small(const bmr_hierarchy *h, uint32_t n) {
+    const uint32_t depth = bmr_hierarchy_depth(h), nodes = bmr_hierarchy_edge_count(h);
+    switch (bmr_hierarchy_get_kind(h)) {
+    case BMR_HIERARCHY_COMPASS:
+        return depth <= 2 * ceil_log2(n) && nodes <= 5 * n;
+    case BMR_HIERARCHY_DUDLEY:
+        return depth <= ceil_log2(2.0 * n) && nodes <= 2 * n + 4 && (n < 8 || 2 * nodes <= 5 * n);
+    default:
+        return depth <= ceil_log2(n) && nodes <= n + 4;
+    }
+}
+
+/// The tallest boomerang of each level, times the factor^level, over the diameter; levels up to `last`.
+static double tallest(const bmr_hierarchy *h, double diameter, double factor, uint32_t last) {
+    double most = 0.0;
+    for (bmr_edge id = 4; id < bmr_hierarchy_edge_count(h); ++id) {
+        const uint32_t level = bmr_hierarchy_level(h, id) - 1; // of the boomerang; its cut is one level below
+        if (level <= last)
+            most = fmax(most, bmr_hierarchy_height(h, id) * pow(factor, level) / diameter);
+    }
+    return most;
+}
+
+static bool has_compass_heights(const bmr_hierarchy *h, double diameter) {
+    return tallest(h, diameter, 2.0, ceil_log2(bmr_hierarchy_polygon(h)->count)) <= 0.5 + 1e-12;
+}
+/// The constant of Dudley's lemma: 6, but for polygons made to defeat the median. With all n edges at one end
+/// of a quadrant the median of edges and samples needs some levels to reach the samples, which are a share of
+/// at least 0.17 n (61 of 360 degrees: the circle's 14.5 degrees of parallax off either end). Level i then
+/// still has (1 + 0.17) / (0.17 * 2^i) of the quadrant's angle, and the height, D / 2 at most in a right
+/// angle, goes with the square: 24.
+static double dudley_constant(test_family family) {
+    return family == TEST_CLUSTER ? 24.0 : 6.0;
+}
+
+static bool has_dudley_heights(const bmr_hierarchy *h, double diameter, double constant) {
+    return tallest(h, diameter, 4.0, UINT32_MAX) <= constant;
+}
+
+/// At most 2 sqrt(D / s) boomerangs of height >= s on each level, for s = D / 4^k.
+static bool has_few_tall(const bmr_hierarchy *h, double diameter) {
+    enum { POWERS = 24, LEVELS = 64 };
+    uint32_t taller[LEVELS][POWERS] = {{0}};
+    for (bmr_edge id = 4; id < bmr_hierarchy_edge_count(h); ++id) {
+        const double height = bmr_hierarchy_height(h, id);
+        for (int k = 0; k < POWERS; ++k)
+            taller[bmr_hierarchy_level(h, id)][k] += height >= diameter * pow(4.0, -k);
+    }
+    for (int level = 0; level < LEVELS; ++level)
+        for (int k = 0; k < POWERS; ++k)
+            if (taller[level][k] > 2.0 * pow(2.0, k))
+                return false;
+    return true;
+}
+
+typedef struct bounds {
+    size_t compass_failed_by_dk, dudley_failed_by_dk, few_tall_failed, small_failed;
+} bounds;
+
+static void visit_bounds(const bmr_hierarchy *h, test_family family, test_random *random, void *context) {
+    (void)random;
+    bounds *b = context;
+    const bmr_polygon *p = bmr_hierarchy_polygon(h);
+    const double diameter = test_diameter(p);
+    assert_true(is_small(h, p->count));
+    b->small_failed += !is_small(h, p->count / 4 + 1); // control: not those of a smaller polygon
+    assert_true(has_few_tall(h, diameter));
+    b->few_tall_failed += !has_few_tall(h, diameter / 1e4); // control: as if the polygon were smaller
+    switch (bmr_hierarchy_get_kind(h)) {
+    case BMR_HIERARCHY_COMPASS:
+        assert_true(has_compass_heights(h, diameter));
+        break;
+    case BMR_HIERARCHY_DUDLEY:
+        assert_true(has_dudley_heights(h, diameter, dudley_constant(family)));
+        break;
+    default: // controls: a hierarchy without the paper's extra edges has neither bound
+        b->compass_failed_by_dk += !has_compass_heights(h, diameter);
+        b->dudley_failed_by_dk += !has_dudley_heights(h, diameter, dudley_constant(family));
+    }
+}
+
+static void heights_depths_and_sizes_keep_the_constants_of_the_lemmas(void **state) {
+    (void)state;
+    bounds b = {0};
+    assert_true(test_visit_hierarchies(compass, all_sizes, COUNT_OF(all_sizes) - 1, test_scaled(3), 113,
+                                       visit_bounds, &b));
+    assert_true(
+        test_visit_hierarchies(compass, all_sizes + COUNT_OF(all_sizes) - 1, 1, 1, 115, visit_bounds, &b));
+    assert_true(b.compass_failed_by_dk > 0 && b.dudley_failed_by_dk > 0);
+    assert_true(b.few_tall_failed > 0 && b.small_failed > 0);
+}
+
+/// Below level ceil(log2 n) the height of a compass hierarchy stops halving: a cone of the last compass level
+/// holds n - 3 tiny edges, then a long one. The median always leaves the long one whole.
+static void the_compass_lemma_fails_in_the_median_tail_and_holds_with_the_capped_level(void **state) {
+    (void)state;
+    enum { TINY = 348, N = TINY + 3 };
+    const double cone = 1.57079632679489661923 / 512.0; // ceil(log2 351) = 9
+    bmr_vec2 points[N];
+    bmr_vec2 at = {0.0, 0.0};
+    for (int i = 0; i <= TINY; ++i) {
+        points[i] = at;
+        const double angle = i < TINY ? 1e-6 + 1e-9 * i : 0.5 * cone;
+        at = bmr_add(at, bmr_scale(i < TINY ? 1e-6 : 0.5, bmr_vec2_make(-sin(angle), cos(angle))));
+    }
+    points[TINY + 1] = at;
+    points[TINY + 2] = bmr_vec2_make(-0.4, 0.2);
+    bmr_polygon *p = NULL;
+    assert_int_equal(bmr_polygon_create(points, N, NULL, &p), BMR_OK);
+    assert_int_equal(p->count, N);
+    bmr_hierarchy *h = built(BMR_HIERARCHY_COMPASS, p);
+    assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
+    const double diameter = test_diameter(p);
+    assert_true(tallest(h, diameter, 2.0, UINT32_MAX) > 18.0); // the lemma as printed
+    assert_true(has_compass_heights(h, diameter));
+    double most = 0.0;
+    for (bmr_edge id = 4; id < bmr_hierarchy_edge_count(h); ++id)
+        most = fmax(most, bmr_hierarchy_height(h, id) * pow(2.0, fmin(bmr_hierarchy_level(h, id) - 1, 9)) /
+                              diameter);
+    assert_true(most <= 0.5);
+    bmr_hierarchy_destroy(h, NULL);
+    bmr_polygon_destroy(p, NULL);
+}
+
+// --- disjoint approximations ---
+
+/// Cuts corners of P_0 until none is beyond the line <y, x> = h_P(y) + gap; returns the number of edges of
+/// that approximation of P, or 0 if even P is beyond. Only the corner farthest in direction y need ever be
+/// cut.
+static uint32_t edges_below(const bmr_hierarchy *h, bmr_vec2 y, double gap) {
+    const bmr_polygon *p = bmr_hierarchy_polygon(h);
+    const double limit = test_farthest(p->vertices, p->count, y) + gap;
+    uint32_t edges = 4;
+    for (uint32_t level = 0;; ++level) {
+        const bmr_corner corner = bmr_hierarchy_extreme(h, y, level);
+        if (bmr_dot(y, bmr_hierarchy_corner_point(h, corner)) <= limit)
+            return edges;
+        if (level == bmr_hierarchy_depth(h))
+            return 0;
+        edges += corner.cut != BMR_NO_EDGE && bmr_hierarchy_level(h, corner.cut) == level + 1;
+    }
+}
+
+typedef struct approximations {
+    size_t tried, dk_failed;
+} approximations;
+
+static uint32_t edge_bound(int kind, double ratio) {
+    // Height <= D / 2^(i+1), resp. 6 D / 4^i, must come below s / 2.
+    return 4 + (kind == BMR_HIERARCHY_DUDLEY ? ceil_log2(12.0 * ratio) / 2 + 1 : ceil_log2(ratio));
+}
+
+static void visit_pair(const bmr_hierarchy *h, test_family family, test_random *random, void *context) {
+    (void)family;
+    approximations *a = context;
+    const bmr_polygon *p = bmr_hierarchy_polygon(h);
+    const double diameter = 2.0 * p->radius;
+    const int kind = (int)bmr_hierarchy_get_kind(h);
+    for (int k = 1; k <= 20; ++k) {
+        const double ratio = pow(2.0, k); // D / s
+        if (kind == BMR_HIERARCHY_COMPASS && ceil_log2(ratio) > ceil_log2(p->count))
+            continue; // below the compass levels the lemma does not hold
+        // A second polygon at distance s along y: its own approximation is asked on the other side.
+        const bmr_vec2 y = test_direction(h, random);
+        const double half_gap = 0.5 * diameter / ratio;
+        const uint32_t mine = edges_below(h, y, half_gap), other = edges_below(h, bmr_neg(y), half_gap);
+        assert_true(mine > 0 && other > 0);
+        if (kind == BMR_HIERARCHY_DOBKIN_KIRKPATRICK) { // control: it has no such bound
+            a->dk_failed += mine > edge_bound(BMR_HIERARCHY_DUDLEY, ratio) ||
+                            other > edge_bound(BMR_HIERARCHY_DUDLEY, ratio);
+        } else {
+            assert_true(mine <= edge_bound(kind, ratio));
+            assert_true(other <= edge_bound(kind, ratio));
+            ++a->tried;
+        }
+    }
+}
+
+static void polygons_at_distance_s_have_disjoint_approximations_of_few_edges(void **state) {
+    (void)state;
+    approximations a = {0, 0};
+    assert_true(
+        test_visit_hierarchies(compass, all_sizes, COUNT_OF(all_sizes), test_scaled(3), 117, visit_pair, &a));
+    assert_true(a.tried > 1000 || test_scaled(3) < 3);
+    assert_true(a.dk_failed > 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(heights_depths_and_sizes_keep_the_constants_of_the_lemmas),
+        cmocka_unit_test(the_compass_lemma_fails_in_the_median_tail_and_holds_with_the_capped_level),
+        cmocka_unit_test(polygons_at_distance_s_have_disjoint_approximations_of_few_edges),
+    };
+    return cmocka_run_group_tests(tests, make_compass, drop_compass);
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "hierarchies.h"
+
+#include <math.h>
+
+bmr_error test_build_hierarchy(bmr_hierarchy_kind kind, const bmr_polygon *polygon,
+                               const bmr_compass *compass, const bmr_allocator *allocator,
+                               bmr_hierarchy **hierarchy) {
+    if (kind == BMR_HIERARCHY_COMPASS)
+        return bmr_hierarchy_build_compass(polygon, compass, allocator, hierarchy);
+    if (kind == BMR_HIERARCHY_DUDLEY)
+        return bmr_hierarchy_build_dudley(polygon, allocator, hierarchy);
+    return bmr_hierarchy_build_dobkin_kirkpatrick(polygon, allocator, hierarchy);
+}
+
+static bool visit_kinds(const bmr_compass *compass, const bmr_polygon *p, test_family family,
+                        test_random *random, test_visitor visit, void *context) {
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+        bmr_hierarchy *h = NULL;
+        if (test_build_hierarchy((bmr_hierarchy_kind)kind, p, compass, NULL, &h) != BMR_OK)
+            return false;
+        visit(h, family, random, context);
+        bmr_hierarchy_destroy(h, NULL);
+    }
+    return true;
+}
+
+bool test_visit_hierarchies(const bmr_compass *compass, const size_t *sizes, size_t size_count, size_t rounds,
+                            uint64_t seed, test_visitor visit, void *context) {
+    test_random random = {seed};
+    bool built = true;
+    for (size_t round = 0; round < rounds; ++round)
+        for (size_t i = 0; i < size_count; ++i)
+            for (int family = 0; family < TEST_FAMILY_COUNT && built; ++family) {
+                bmr_polygon *p = test_polygon((test_family)family, sizes[i], &random);
+                built = p && visit_kinds(compass, p, (test_family)family, &random, visit, context);
+                bmr_polygon_destroy(p, NULL);
+            }
+    return built;
+}
+
+double test_diameter(const bmr_polygon *polygon) {
+    double most = 0.0;
+    for (uint32_t i = 0; i < polygon->count; ++i)
+        for (uint32_t j = 0; j < i; ++j) {
+            const bmr_vec2 d = bmr_sub(polygon->vertices[i], polygon->vertices[j]);
+            most = fmax(most, bmr_dot(d, d));
+        }
+    return sqrt(most);
+}
+
+double test_farthest(const bmr_vec2 *points, uint32_t count, bmr_vec2 direction) {
+    double most = -INFINITY;
+    for (uint32_t i = 0; i < count; ++i)
+        most = fmax(most, bmr_dot(direction, points[i]));
+    return most;
+}
+
+bmr_vec2 test_direction(const bmr_hierarchy *hierarchy, test_random *random) {
+    if (test_random_below(random, 3) == 0)
+        return bmr_hierarchy_line(hierarchy, test_random_below(random, bmr_hierarchy_edge_count(hierarchy)))
+            .normal;
+    const double angle = test_random_uniform(random, 0.0, 6.3);
+    return bmr_vec2_make(cos(angle), sin(angle));
+}
