@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "plugin.h"
+
+namespace differential {
+
+const char *Kind() {
+    return "stock";
+}
+
+bool InstallPlugin(const std::string &, bool) {
+    return false;
+}
+
+void ShapeWasEdited(b2Body *) {}
+
+} // namespace differential

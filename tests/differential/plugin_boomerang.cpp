@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "plugin.h"
+
+#include <boomerang/box2d.h>
+
+namespace differential {
+
+const char *Kind() {
+    return "plugin";
+}
+
+bool InstallPlugin(const std::string &structure, bool prefilter) {
+    for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i) {
+        bmr::Options options;
+        options.structure = static_cast<bmr_structure>(i);
+        options.prefilter = prefilter;
+        if (structure == bmr_structure_name(options.structure))
+            return bmr::Install(options);
+    }
+    return false;
+}
+
+void ShapeWasEdited(b2Body *body) {
+    bmr::Invalidate(body);
+}
+
+} // namespace differential
