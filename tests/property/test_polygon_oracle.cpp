@@ -33,6 +33,11 @@ bool same(bmr_vec2 a, bmr_vec2 b) {
     return a.x == b.x && a.y == b.y;
 }
 
+/// As scaled, but enough for every control to see what it waits for.
+std::size_t rounds(std::size_t count) {
+    return std::max<std::size_t>(test_scaled(count), 500);
+}
+
 /// The strictly convex hull by CGAL, from the lowest (then leftmost) point on.
 template <class Kernel> Points exact_hull(const Points &points) {
     using Point = typename Kernel::Point_2;
@@ -116,7 +121,7 @@ int exact_orientation(bmr_vec2 a, bmr_vec2 b, bmr_vec2 c) {
 TEST_CASE("the orientation of any three finite points is that of rational arithmetic") {
     test_random random = {1001};
     std::size_t wrong = 0, naive_wrong = 0, zero = 0;
-    for (std::size_t i = 0; i < test_scaled(40000); ++i) {
+    for (std::size_t i = 0; i < rounds(40000); ++i) {
         bmr_vec2 p[3];
         for (bmr_vec2 &q : p)
             q = {any_double(&random), any_double(&random)};
@@ -140,7 +145,7 @@ TEST_CASE("the orientation of any three finite points is that of rational arithm
 TEST_CASE("the hull of hard points is CGAL's exact hull, vertex for vertex") {
     test_random random = {1003};
     std::size_t wrong = 0, naive_wrong = 0;
-    for (std::size_t i = 0; i < test_scaled(4000); ++i) {
+    for (std::size_t i = 0; i < rounds(4000); ++i) {
         const Points points = hard_points(&random);
         const Points expected = exact_hull<Rational>(points);
         wrong += !equal(own_hull(points), expected);
@@ -175,7 +180,7 @@ TEST_CASE("the hull of every family of polygons is CGAL's, by its filtered exact
 TEST_CASE("containment with tolerance 0 is exact") {
     test_random random = {1007};
     std::size_t wrong = 0, inside = 0, outside = 0, border = 0;
-    for (std::size_t i = 0; i < test_scaled(3000); ++i) {
+    for (std::size_t i = 0; i < rounds(3000); ++i) {
         const Points points = hard_points(&random);
         bmr_polygon *polygon = nullptr;
         REQUIRE(bmr_polygon_create(points.data(), points.size(), nullptr, &polygon) == BMR_OK);

@@ -124,8 +124,10 @@ static size_t turned_ellipse_points(size_t n, double minor, test_random *random,
 
 static size_t lens_points(size_t n, test_random *random, bmr_vec2 *points) {
     const double half_angle = test_random_uniform(random, 0.05, 0.8);
+    const size_t pairs = (n + 1) / 2;
     for (size_t i = 0; i < n; ++i) {
-        const double angle = half_angle * (2.0 * (double)(i / 2) / (double)((n + 1) / 2) - 1.0);
+        const size_t pair = i / 2;
+        const double angle = half_angle * (2.0 * (double)pair / (double)pairs - 1.0);
         const double bulge = cos(angle) - cos(half_angle);
         points[i] = bmr_vec2_make(sin(angle) / sin(half_angle), i % 2 ? bulge : -bulge);
     }
