@@ -50,19 +50,20 @@ static inline bmr_check bmr_certificate_check(const bmr_certificate *k, const bm
     const double w1 = ux * (double)k->window[1][0] + uy * (double)k->window[1][1];
     const double a = nx * px, b = ny * py;
     // 2^-50 of the summands covers the rounding of this very expression.
-    const double f = (w0 < w1 ? w0 : w1) + (a + b) - (double)k->offset -
-                     8.8817841970012523e-16 * ((a < 0 ? -a : a) + (b < 0 ? -b : b));
+    const double rest =
+        (a + b) - (double)k->offset - 8.8817841970012523e-16 * ((a < 0 ? -a : a) + (b < 0 ? -b : b));
+    const double f0 = w0 + rest, f1 = w1 + rest;
     const double lx = (double)k->low[0], ly = (double)k->low[1];
     const double hx = (double)k->high[0], hy = (double)k->high[1];
     const double past_low = ly * ux - lx * uy;  // cross(low, -u)
     const double past_high = hx * uy - hy * ux; // cross(-u, high)
     // A bracket no wider than the tolerance would let the opposite direction pass as well: it must be ahead.
     const double behind = (lx + hx) * ux + (ly + hy) * uy; // dot(low + high, u)
-    *gap = f;
+    *gap = f0 < f1 ? f0 : f1;
     if (!(past_low >= -BMR_ROLL_TOLERANCE && past_high >= -BMR_ROLL_TOLERANCE &&
           behind <= BMR_ROLL_TOLERANCE))
         return BMR_CHECK_ROLLED;
-    return f > margin ? BMR_CHECK_HOLDS : BMR_CHECK_CROSSED;
+    return f0 > margin && f1 > margin ? BMR_CHECK_HOLDS : BMR_CHECK_CROSSED; // both: one may be NaN
 }
 
 /// Fills a certificate: the line <normal, x> <= offset of the owner, and a window of one or two points of the

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "motions.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define TWO_PI 6.283185307179586
+
+static double distance_to_segment(bmr_vec2 p, bmr_vec2 q) {
+    const bmr_vec2 e = bmr_sub(q, p);
+    const double length = bmr_dot(e, e), along = -bmr_dot(p, e);
+    if (!(along > 0.0) || !(length > 0.0))
+        return hypot(p.x, p.y);
+    if (along >= length)
+        return hypot(q.x, q.y);
+    return fabs(bmr_cross(p, e)) / sqrt(length);
+}
+
+/// The lowest vertex, of these the leftmost.
+static uint32_t lowest(const bmr_vec2 *v, uint32_t n) {
+    uint32_t best = 0;
+    for (uint32_t i = 1; i < n; ++i)
+        if (v[i].y < v[best].y || (v[i].y == v[best].y && v[i].x < v[best].x))
+            best = i;
+    return best;
+}
+
+/// Upper half before lower half, then by cross product: edges sorted from the positive x axis on.
+static int half(bmr_vec2 e) {
+    return e.y > 0.0 || (e.y == 0.0 && e.x > 0.0) ? 0 : 1;
+}
+static bool comes_first(bmr_vec2 e, bmr_vec2 f) {
+    return half(e) != half(f) ? half(e) < half(f) : bmr_cross(e, f) > 0.0;
+}
+
+double test_distance(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a) {
+    const uint32_t n = a->count, m = b->count;
+    bmr_vec2 *v = malloc((n + m) * sizeof *v); // -A, then B, both in A's frame
+    if (!v)
+        abort();
+    bmr_vec2 *w = v + n;
+    for (uint32_t i = 0; i < n; ++i)
+        v[i] = bmr_neg(a->vertices[i]);
+    for (uint32_t j = 0; j < m; ++j)
+        w[j] = bmr_transform(b_in_a, b->vertices[j]);
+    const uint32_t i0 = lowest(v, n), j0 = lowest(w, m);
+    uint32_t i = 0, j = 0;
+    double distance = INFINITY;
+    bool inside = n > 1 || m > 1;
+    while (i < (n > 1 ? n : 0) || j < (m > 1 ? m : 0)) {
+        const bmr_vec2 vi = v[(i0 + i) % n], wj = w[(j0 + j) % m];
+        const bmr_vec2 e = bmr_sub(v[(i0 + i + 1) % n], vi), f = bmr_sub(w[(j0 + j + 1) % m], wj);
+        const bool a_moves = j >= m || m == 1 || (i < n && n > 1 && comes_first(e, f));
+        const bmr_vec2 p = bmr_add(vi, wj), q = bmr_add(p, a_moves ? e : f);
+        distance = fmin(distance, distance_to_segment(p, q));
+        if (!(bmr_cross(p, q) > 0.0))
+            inside = false;
+        i += a_moves ? 1 : 0;
+        j += a_moves ? 0 : 1;
+    }
+    if (n == 1 && m == 1)
+        distance = hypot(v[0].x + w[0].x, v[0].y + w[0].y);
+    free(v);
+    return inside ? 0.0 : distance;
+}
+
+bmr_pose test_pose_at(const bmr_polygon *a, const bmr_polygon *b, double direction, double angle,
+                      double gap) {
+    bmr_pose q = {{0.0, 0.0}, cos(angle), sin(angle)};
+    const bmr_vec2 u = {cos(direction), sin(direction)}, v = bmr_unrotate(&q, bmr_neg(u));
+    const bmr_vec2 on_a = a->vertices[bmr_polygon_support(a, u)];
+    const bmr_vec2 on_b = bmr_rotate(&q, b->vertices[bmr_polygon_support(b, v)]);
+    q.position = bmr_add(bmr_sub(on_a, on_b), bmr_scale(gap, u));
+    return q;
+}
+
+const char *test_motion_name(test_motion_kind kind) {
+    static const char *const names[] = {"line", "tumble", "orbit",   "rolling",
+                                        "spin", "wander", "tremble", "jump"};
+    return names[kind];
+}
+
+test_motion test_motion_make(test_motion_kind kind, const bmr_polygon *a, const bmr_polygon *b,
+                             test_random *random) {
+    test_motion m = {kind, a, b, 0, 0, 0, 0, 0, 0, 0, {0, 0}, {0, 0}};
+    m.unit = fmax(fmin(a->radius, b->radius), 0.1 * fmax(a->radius, b->radius));
+    if (!(m.unit > 0.0))
+        m.unit = 1.0;
+    m.direction = test_random_uniform(random, 0.0, TWO_PI);
+    m.angle = test_random_uniform(random, 0.0, TWO_PI);
+    // Gaps of all sizes matter, so that they are uniform in their logarithm; some overlap.
+    m.gap = m.unit * exp(test_random_uniform(random, log(1e-6), log(2.0)));
+    if (test_random_below(random, 8) == 0)
+        m.gap = -0.2 * m.gap;
+    const double speed = exp(test_random_uniform(random, log(1e-4), log(0.5)));
+    m.direction_speed = speed * test_random_uniform(random, -1.0, 1.0);
+    m.spin = speed * test_random_uniform(random, -1.0, 1.0);
+    m.rush = speed * m.unit * test_random_uniform(random, -1.0, 1.0);
+    const bmr_pose q = test_pose_at(a, b, m.direction, m.angle, m.gap);
+    const bmr_vec2 across = {-sin(m.direction), cos(m.direction)};
+    m.velocity = bmr_scale(speed * (a->radius + b->radius + m.unit), across);
+    m.position = bmr_sub(q.position, bmr_scale(20.0, m.velocity));
+    if (kind == TEST_MOTION_SPIN)
+        m.position = q.position;
+    return m;
+}
+
+static bmr_pose at_position(const test_motion *m) {
+    const bmr_pose q = {m->position, cos(m->angle), sin(m->angle)};
+    return q;
+}
+
+bmr_pose test_motion_next(test_motion *m, test_random *random) {
+    switch (m->kind) {
+    case TEST_MOTION_LINE:
+        m->position = bmr_add(m->position, m->velocity);
+        return at_position(m);
+    case TEST_MOTION_TUMBLE:
+        m->position = bmr_add(m->position, m->velocity);
+        m->angle += m->spin;
+        return at_position(m);
+    case TEST_MOTION_SPIN:
+        m->angle += m->spin;
+        return at_position(m);
+    case TEST_MOTION_ORBIT:
+        m->direction += m->direction_speed;
+        break;
+    case TEST_MOTION_ROLLING:
+        m->direction += m->direction_speed;
+        m->angle += m->spin;
+        m->gap += m->rush;
+        if (m->gap > 2.0 * m->unit || m->gap < -0.1 * m->unit)
+            m->rush = m->gap > 0.0 ? -fabs(m->rush) : fabs(m->rush);
+        break;
+    case TEST_MOTION_WANDER:
+        m->direction += m->direction_speed * test_random_uniform(random, -2.0, 2.0);
+        m->angle += m->spin * test_random_uniform(random, -2.0, 2.0);
+        m->gap = fabs(m->gap + m->rush * test_random_uniform(random, -1.0, 1.0));
+        break;
+    case TEST_MOTION_TREMBLE:
+        return test_pose_at(m->a, m->b, m->direction + test_random_uniform(random, -2e-7, 2e-7),
+                            m->angle + test_random_uniform(random, -2e-7, 2e-7),
+                            fabs(m->gap) * 1e-3 * test_random_uniform(random, -0.1, 1.0));
+    case TEST_MOTION_JUMP:
+    default:
+        m->direction = test_random_uniform(random, 0.0, TWO_PI);
+        m->angle = test_random_uniform(random, 0.0, TWO_PI);
+        m->gap = m->unit * test_random_uniform(random, -0.2, 1.0);
+        break;
+    }
+    return test_pose_at(m->a, m->b, m->direction, m->angle, m->gap);
+}
+
+static const bmr_compass *shared_compass(void) {
+    static bmr_compass *compass; // for the life of the test
+    if (!compass && bmr_compass_create(BMR_MAX_VERTICES, NULL, &compass) != BMR_OK)
+        abort();
+    return compass;
+}
+
+test_body test_body_make(bmr_polygon *polygon, bmr_structure structure) {
+    test_body body = {polygon, NULL};
+    bmr_error error = polygon ? BMR_OK : BMR_ERROR_NULL_ARGUMENT;
+    if (error == BMR_OK && structure == BMR_LAZY_COMPASS)
+        error = bmr_hierarchy_build_compass(polygon, shared_compass(), NULL, &body.hierarchy);
+    if (error == BMR_OK && structure == BMR_LAZY_DUDLEY)
+        error = bmr_hierarchy_build_dudley(polygon, NULL, &body.hierarchy);
+    if (error == BMR_OK && structure == BMR_LAZY_DOBKIN_KIRKPATRICK)
+        error = bmr_hierarchy_build_dobkin_kirkpatrick(polygon, NULL, &body.hierarchy);
+    if (error != BMR_OK)
+        abort();
+    return body;
+}
+
+void test_body_destroy(test_body *body) {
+    bmr_hierarchy_destroy(body->hierarchy, NULL);
+    bmr_polygon_destroy(body->polygon, NULL);
+}
+
+bmr_shape test_body_shape(const test_body *body) {
+    const bmr_shape shape = {body->polygon, body->hierarchy};
+    return shape;
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#ifndef BMR_TEST_MOTIONS_H
+#define BMR_TEST_MOTIONS_H
+
+#include "boomerang/hierarchy.h"
+#include "boomerang/pair.h"
+#include "polygons.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// @file
+/// Motions of two polygons for tests, and how far apart they really are.
+
+/// The distance of the two polygons, 0 when they overlap: from the origin to their Minkowski difference,
+/// which is merged from the two sorted edge lists. O(n + m), double rounding; shares no code and no method
+/// with core.
+double test_distance(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a);
+
+/// Where B must be, turned by `angle`, to have A's and B's supports in `direction` (radians) `gap` apart: the
+/// distance is then at most |gap|, and `gap` when the closest direction is that one.
+bmr_pose test_pose_at(const bmr_polygon *a, const bmr_polygon *b, double direction, double angle, double gap);
+
+typedef enum test_motion_kind {
+    TEST_MOTION_LINE,    ///< a straight pass without rotation
+    TEST_MOTION_TUMBLE,  ///< a straight pass, spinning
+    TEST_MOTION_ORBIT,   ///< around the other, at a fixed gap
+    TEST_MOTION_ROLLING, ///< around the other and spinning, gap breathing, in and out of contact
+    TEST_MOTION_SPIN,    ///< spinning in place
+    TEST_MOTION_WANDER,  ///< a random walk in all three
+    TEST_MOTION_TREMBLE, ///< noise of some 1e-7 around a touching place
+    TEST_MOTION_JUMP,    ///< anywhere at each step
+    TEST_MOTION_KIND_COUNT
+} test_motion_kind;
+const char *test_motion_name(test_motion_kind kind);
+
+/// A motion of two polygons. Lengths are in units of the smaller polygon's size.
+typedef struct test_motion {
+    test_motion_kind kind;
+    const bmr_polygon *a, *b;
+    double unit;
+    double direction, angle, gap;       ///< now
+    double direction_speed, spin, rush; ///< per step
+    bmr_vec2 position, velocity;        ///< for the straight and the fixed ones
+} test_motion;
+test_motion test_motion_make(test_motion_kind kind, const bmr_polygon *a, const bmr_polygon *b,
+                             test_random *random);
+bmr_pose test_motion_next(test_motion *motion, test_random *random);
+
+/// A polygon with what the structure needs to walk on; the table is shared by all. NULL hierarchy for the
+/// free direction. Abort on failure: a test without memory is none.
+typedef struct test_body {
+    bmr_polygon *polygon;
+    bmr_hierarchy *hierarchy;
+} test_body;
+test_body test_body_make(bmr_polygon *polygon, bmr_structure structure);
+void test_body_destroy(test_body *body);
+bmr_shape test_body_shape(const test_body *body);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

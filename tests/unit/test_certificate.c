@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <math.h>
+
+#include "boomerang/certificate.h"
+#include "motions.h"
+#include "polygons.h"
+#include "test_scale.h"
+
+#define TWO_PI 6.283185307179586
+
+/// A certificate of A's line at `direction` with the support vertex of B as window, in B's normal cone.
+static bmr_certificate vertex_certificate(const bmr_polygon *a, const bmr_polygon *b, bmr_vec2 direction,
+                                          const bmr_pose *q) {
+    const bmr_vec2 v = bmr_unrotate(q, bmr_neg(direction));
+    const uint32_t j = bmr_polygon_support(b, v);
+    const double offset = bmr_dot(direction, a->vertices[bmr_polygon_support(a, direction)]);
+    bmr_certificate k;
+    bmr_certificate_fill(&k, direction, offset, &b->vertices[j], 1,
+                         bmr_polygon_normal(b, j > 0 ? j - 1 : b->count - 1), bmr_polygon_normal(b, j),
+                         a->extent, b->extent);
+    return k;
+}
+
+/// min over B - max over A along the certificate's own rounded normal, and the distance it proves: in long
+/// double.
+static double proved_distance(const bmr_certificate *k, const bmr_polygon *a, const bmr_polygon *b,
+                              const bmr_pose *q) {
+    const long double nx = (long double)k->normal[0], ny = (long double)k->normal[1];
+    long double high = -INFINITY, low = INFINITY;
+    for (uint32_t i = 0; i < a->count; ++i)
+        high = fmaxl(high, nx * (long double)a->vertices[i].x + ny * (long double)a->vertices[i].y);
+    for (uint32_t j = 0; j < b->count; ++j) {
+        const long double x = (long double)b->vertices[j].x, y = (long double)b->vertices[j].y;
+        const long double c = (long double)q->c, s = (long double)q->s;
+        low = fminl(low, nx * (c * x - s * y + (long double)q->position.x) +
+                             ny * (s * x + c * y + (long double)q->position.y));
+    }
+    return (double)((low - high) / sqrtl(nx * nx + ny * ny));
+}
+
+typedef struct setting {
+    bmr_polygon *a, *b;
+    bmr_pose pose;
+    bmr_vec2 direction;
+    bmr_certificate certificate;
+} setting;
+
+static setting random_setting(test_random *random) {
+    setting s;
+    s.a = test_polygon((test_family)test_random_below(random, TEST_FAMILY_COUNT),
+                       3 + test_random_below(random, 30), random);
+    s.b = test_polygon((test_family)test_random_below(random, TEST_FAMILY_COUNT),
+                       3 + test_random_below(random, 30), random);
+    assert_non_null(s.a);
+    assert_non_null(s.b);
+    const double way = test_random_uniform(random, 0.0, TWO_PI);
+    const double gap = exp(test_random_uniform(random, log(1e-3), log(10.0)));
+    s.pose = test_pose_at(s.a, s.b, way, test_random_uniform(random, 0.0, TWO_PI), gap);
+    s.direction = bmr_vec2_make(cos(way), sin(way));
+    s.certificate = vertex_certificate(s.a, s.b, s.direction, &s.pose);
+    return s;
+}
+
+static void drop(setting *s) {
+    bmr_polygon_destroy(s->a, NULL);
+    bmr_polygon_destroy(s->b, NULL);
+}
+
+static void the_gap_is_below_the_truth_and_by_no_more_than_the_stated_loss(void **state) {
+    (void)state;
+    test_random random = {11};
+    const size_t count = test_scaled(20000);
+    size_t unrounded_lies = 0;
+    for (size_t i = 0; i < count; ++i) {
+        setting s = random_setting(&random);
+        double gap;
+        const bmr_check check = bmr_certificate_check(&s.certificate, &s.pose, 0.0, &gap);
+        const double truth = proved_distance(&s.certificate, s.a, s.b, &s.pose);
+        const double loss = BMR_CERTIFICATE_LOSS * (s.a->extent + s.b->extent) + fabs(truth) * 0x1p-22;
+        assert_int_not_equal(check, BMR_CHECK_ROLLED);
+        assert_true(gap <= truth);
+        assert_true(gap >= truth - loss);
+        // The control: floats without their roundings in the offset do lie.
+        bmr_certificate bare = s.certificate;
+        const double exact = bmr_dot(s.direction, s.a->vertices[bmr_polygon_support(s.a, s.direction)]);
+        bare.offset = (float)exact;
+        bmr_certificate_check(&bare, &s.pose, 0.0, &gap);
+        unrounded_lies += gap > truth;
+        drop(&s);
+    }
+    assert_true(unrounded_lies > count / 10);
+}
+
+static void a_direction_just_outside_the_bracket_passes_and_its_price_is_paid(void **state) {
+    (void)state;
+    test_random random = {12};
+    size_t passed = 0, rolled = 0, would_lie = 0;
+    for (size_t i = 0; i < test_scaled(20000); ++i) {
+        setting s = random_setting(&random);
+        const bmr_certificate *k = &s.certificate;
+        // Turn B so that the direction is outside its bracket by up to twice the tolerance.
+        const double out = test_random_uniform(&random, 0.0, 2.0 * BMR_ROLL_TOLERANCE);
+        const double low = atan2((double)k->low[1], (double)k->low[0]);
+        const double angle = atan2(-s.direction.y, -s.direction.x) - (low - out);
+        bmr_pose q = s.pose;
+        q.c = cos(angle);
+        q.s = sin(angle);
+        double gap;
+        if (bmr_certificate_check(k, &q, 0.0, &gap) == BMR_CHECK_ROLLED) {
+            ++rolled;
+            assert_true(out > 0.8 * BMR_ROLL_TOLERANCE);
+        } else {
+            ++passed;
+            assert_true(out < 1.2 * BMR_ROLL_TOLERANCE);
+            const double truth = proved_distance(k, s.a, s.b, &q);
+            assert_true(gap <= truth);
+            // The control: the same certificate without a bracket to pay for claims too much here.
+            bmr_certificate free_ride;
+            const uint32_t j = bmr_polygon_support(s.b, bmr_unrotate(&s.pose, bmr_neg(s.direction)));
+            const double exact = bmr_dot(s.direction, s.a->vertices[bmr_polygon_support(s.a, s.direction)]);
+            const bmr_vec2 none = {0.0, 0.0};
+            bmr_certificate_fill(&free_ride, s.direction, exact, &s.b->vertices[j], 1, none, none,
+                                 s.a->extent, s.b->extent);
+            bmr_certificate_check(&free_ride, &q, 0.0, &gap);
+            would_lie += gap > truth;
+        }
+        drop(&s);
+    }
+    assert_true(passed > 0 && rolled > 0 && would_lie > 0);
+}
+
+static void the_opposite_direction_is_outside_the_narrowest_bracket(void **state) {
+    (void)state;
+    // A nearly flat corner at the bottom of B: its normal cone is 1e-9 wide. Turned by half a turn it is at
+    // the top, and B reaches down to y = 1 - 3: the old window says 1.
+    const bmr_vec2 corner = {0.0, 0.0}, low = {-5e-10, -1.0}, high = {5e-10, -1.0}, up = {0.0, 1.0};
+    bmr_certificate k;
+    bmr_certificate_fill(&k, up, 0.0, &corner, 1, low, high, 1.0, 3.0);
+    bmr_pose q = {{0.0, 1.0}, 1.0, 0.0};
+    double gap;
+    assert_int_equal(bmr_certificate_check(&k, &q, 0.0, &gap), BMR_CHECK_HOLDS);
+    q.c = -1.0;
+    assert_int_equal(bmr_certificate_check(&k, &q, 0.0, &gap), BMR_CHECK_ROLLED);
+    // The control: the two sines alone would have let it pass.
+    const double past_low = -(double)k.low[0] * -1.0, past_high = (double)k.high[0] * -1.0;
+    assert_true(past_low >= -BMR_ROLL_TOLERANCE && past_high >= -BMR_ROLL_TOLERANCE && gap > 0.0);
+}
+
+static void a_half_plane_of_directions_is_a_bracket(void **state) {
+    (void)state;
+    // The end of a segment along x is its support in every direction with x >= 0.
+    const bmr_vec2 end = {1.0, 0.0}, low = {0.0, -1.0}, high = {0.0, 1.0}, normal = {-1.0, 0.0};
+    bmr_certificate k;
+    bmr_certificate_fill(&k, normal, 1.0, &end, 1, low, high, 1.0, 1.0);
+    for (int degrees = -179; degrees <= 180; ++degrees) {
+        const double angle = degrees * TWO_PI / 360.0;
+        const bmr_pose q = {{-9.0, 0.0}, cos(angle), sin(angle)};
+        double gap;
+        const bmr_check check = bmr_certificate_check(&k, &q, 0.0, &gap);
+        assert_int_equal(check == BMR_CHECK_ROLLED, abs(degrees) > 90);
+    }
+}
+
+static void a_nan_anywhere_never_holds(void **state) {
+    (void)state;
+    test_random random = {13};
+    for (int trial = 0; trial < 100; ++trial) {
+        setting s = random_setting(&random);
+        double gap;
+        assert_int_equal(bmr_certificate_check(&s.certificate, &s.pose, -1.0, &gap), BMR_CHECK_HOLDS);
+        float numbers[sizeof(bmr_certificate) / sizeof(float)];
+        for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i) {
+            memcpy(numbers, &s.certificate, sizeof numbers);
+            numbers[i] = NAN;
+            bmr_certificate k;
+            memcpy(&k, numbers, sizeof k);
+            assert_int_not_equal(bmr_certificate_check(&k, &s.pose, -1.0, &gap), BMR_CHECK_HOLDS);
+        }
+        double pose[4] = {s.pose.position.x, s.pose.position.y, s.pose.c, s.pose.s};
+        for (size_t i = 0; i < 4; ++i)
+            for (int sign = -1; sign <= 1; ++sign) {
+                double bad[4];
+                memcpy(bad, pose, sizeof bad);
+                bad[i] = sign == 0 ? (double)NAN : (double)sign * (double)INFINITY;
+                bmr_pose q = {{bad[0], bad[1]}, bad[2], bad[3]};
+                assert_int_not_equal(bmr_certificate_check(&s.certificate, &q, -1.0, &gap), BMR_CHECK_HOLDS);
+            }
+        drop(&s);
+    }
+}
+
+static void the_audit_accepts_what_is_true_and_rejects_every_tampering(void **state) {
+    (void)state;
+    test_random random = {14};
+    for (size_t i = 0; i < test_scaled(3000); ++i) {
+        setting s = random_setting(&random);
+        const bmr_certificate honest = s.certificate;
+        const float size = (float)(s.a->extent + s.b->extent);
+        assert_int_equal(bmr_certificate_audit(&honest, s.a, s.b, &s.pose), BMR_OK);
+
+        bmr_certificate k = honest; // a line that cuts the owner
+        k.offset -= 1e-5f * size;
+        assert_int_equal(bmr_certificate_audit(&k, s.a, s.b, &s.pose), BMR_ERROR_FALSE_CERTIFICATE);
+
+        k = honest; // a longer normal: longer gaps
+        k.normal[0] *= 1.001f;
+        k.normal[1] *= 1.001f;
+        k.offset += size; // the line itself is fine
+        assert_int_equal(bmr_certificate_audit(&k, s.a, s.b, &s.pose), BMR_ERROR_FALSE_CERTIFICATE);
+
+        k = honest; // a window that is farther away than the body
+        const bmr_vec2 u = bmr_unrotate(&s.pose, s.direction);
+        for (int w = 0; w < 2; ++w) {
+            k.window[w][0] += (float)u.x * 1e-4f * size;
+            k.window[w][1] += (float)u.y * 1e-4f * size;
+        }
+        assert_int_equal(bmr_certificate_audit(&k, s.a, s.b, &s.pose), BMR_ERROR_FALSE_CERTIFICATE);
+
+        k = honest; // a bracket that reaches to where the window is not the nearest
+        k.low[0] = k.low[1] = k.high[0] = k.high[1] = 0.0f;
+        assert_int_equal(bmr_certificate_audit(&k, s.a, s.b, &s.pose),
+                         s.b->count == 1 ? BMR_OK : BMR_ERROR_FALSE_CERTIFICATE);
+
+        const bmr_pose turned = {s.pose.position, -s.pose.c, -s.pose.s}; // a pose out of the bracket
+        assert_int_equal(bmr_certificate_audit(&honest, s.a, s.b, &turned),
+                         s.b->count == 1 ? BMR_OK : BMR_ERROR_FALSE_CERTIFICATE);
+        drop(&s);
+    }
+}
+
+static void a_segment_is_its_own_window_in_every_direction(void **state) {
+    (void)state;
+    const bmr_vec2 ends[2] = {{-1.0, 0.5}, {2.0, -0.25}},
+                   triangle[3] = {{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}};
+    bmr_polygon *segment = NULL, *owner = NULL;
+    assert_int_equal(bmr_polygon_create(ends, 2, NULL, &segment), BMR_OK);
+    assert_int_equal(bmr_polygon_create(triangle, 3, NULL, &owner), BMR_OK);
+    const bmr_vec2 none = {0.0, 0.0}, down = {0.0, -1.0};
+    bmr_certificate k;
+    bmr_certificate_fill(&k, down, 1.0, ends, 2, none, none, owner->extent, segment->extent);
+    for (int i = 0; i < 360; ++i) {
+        const double angle = i * TWO_PI / 360.0;
+        const bmr_pose q = {{0.0, -4.0}, cos(angle), sin(angle)};
+        assert_int_equal(bmr_certificate_audit(&k, owner, segment, &q), BMR_OK);
+    }
+    // One end alone is not.
+    bmr_certificate_fill(&k, down, 1.0, ends, 1, none, none, owner->extent, segment->extent);
+    const bmr_pose q = {{0.0, -4.0}, 1.0, 0.0};
+    assert_int_equal(bmr_certificate_audit(&k, owner, segment, &q), BMR_ERROR_FALSE_CERTIFICATE);
+    bmr_polygon_destroy(segment, NULL);
+    bmr_polygon_destroy(owner, NULL);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_gap_is_below_the_truth_and_by_no_more_than_the_stated_loss),
+        cmocka_unit_test(a_direction_just_outside_the_bracket_passes_and_its_price_is_paid),
+        cmocka_unit_test(the_opposite_direction_is_outside_the_narrowest_bracket),
+        cmocka_unit_test(a_half_plane_of_directions_is_a_bracket),
+        cmocka_unit_test(a_nan_anywhere_never_holds),
+        cmocka_unit_test(the_audit_accepts_what_is_true_and_rejects_every_tampering),
+        cmocka_unit_test(a_segment_is_its_own_window_in_every_direction),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
