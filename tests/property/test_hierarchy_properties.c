@@ -10,6 +10,7 @@
 
 #include "boomerang/hierarchy.h"
 #include "hierarchies.h"
+#include "hierarchy/tree.h"
 #include "test_scale.h"
 
 /// @file
@@ -72,6 +73,9 @@ static void visit_lines(const bmr_hierarchy *h, test_family family, test_random 
         bmr_line line = bmr_hierarchy_line(h, id);
         const uint32_t touch = bmr_hierarchy_touch(h, id);
         assert_true(is_support_line(h, line, touch));
+        if (h->nodes[id].wide) // neither end of the edge sticks out, not even by rounding
+            assert_true(bmr_dot(line.normal, p->vertices[(touch + 1) % p->count]) <= line.offset &&
+                        bmr_dot(line.normal, p->vertices[touch]) <= line.offset);
         // Controls: an offset wrong by a little, a normal that points inwards.
         line.offset -= 1e-13 * p->extent;
         assert_false(is_support_line(h, line, touch));

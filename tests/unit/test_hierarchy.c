@@ -311,6 +311,40 @@ static void edges_that_agree_within_the_merge_angle_become_one(void **state) {
     bmr_polygon_destroy(q, NULL);
 }
 
+/// Is x one of n regular points on the circle of radius 2 D round the polygon, D the diameter of its disk?
+static bool is_sample(const bmr_polygon *p, bmr_vec2 x) {
+    const bmr_vec2 r = bmr_sub(x, p->center);
+    const double turn = atan2(r.y, r.x) / 6.28318530717958647693 * p->count;
+    return fabs(turn - round(turn)) < 1e-9 && fabs(hypot(r.x, r.y) / (4.0 * p->radius) - 1.0) < 1e-12;
+}
+
+static void dudley_adds_edges_whose_outer_normals_point_at_samples_of_the_circle(void **state) {
+    (void)state;
+    test_random random = {31};
+    for (int round = 0; round < 50; ++round) {
+        bmr_polygon *p = test_polygon(TEST_LENS, 40, &random);
+        bmr_hierarchy *h = built(BMR_HIERARCHY_DUDLEY, p);
+        uint32_t degenerate = 0, wrong = 0;
+        for (bmr_edge id = 4; id < bmr_hierarchy_edge_count(h); ++id) {
+            if (h->nodes[id].own)
+                continue;
+            ++degenerate;
+            // From the vertex along the outer normal to the circle.
+            const bmr_vec2 n = bmr_hierarchy_line(h, id).normal, v = p->vertices[bmr_hierarchy_touch(h, id)];
+            const bmr_vec2 r = bmr_sub(v, p->center);
+            const double b = bmr_dot(r, n), radius = 4.0 * p->radius;
+            const double t = -b + sqrt(b * b - bmr_dot(r, r) + radius * radius);
+            assert_true(is_sample(p, bmr_add(v, bmr_scale(t, n))));
+            wrong += !is_sample(p, bmr_add(v, bmr_scale(0.99 * t, n))); // control: not beside it
+            wrong += !is_sample(p, bmr_sub(v, bmr_scale(t, n)));        // control: not inwards
+        }
+        assert_true(degenerate > 0);
+        assert_int_equal(wrong, 2 * degenerate);
+        bmr_hierarchy_destroy(h, NULL);
+        bmr_polygon_destroy(p, NULL);
+    }
+}
+
 // --- the audit must see what is wrong ---
 
 typedef void (*damage)(bmr_hierarchy *h, bmr_node *node);
@@ -423,6 +457,7 @@ int main(void) {
         cmocka_unit_test(a_diamond_in_a_square_has_the_corners_of_the_paper),
         cmocka_unit_test(a_tied_direction_gives_the_corner_after_the_tied_edge),
         cmocka_unit_test(edges_that_agree_within_the_merge_angle_become_one),
+        cmocka_unit_test(dudley_adds_edges_whose_outer_normals_point_at_samples_of_the_circle),
         cmocka_unit_test(audit_refuses_every_kind_of_damage),
         cmocka_unit_test(audit_refuses_a_hierarchy_of_another_polygon),
     };

@@ -94,6 +94,18 @@ static void support_of_a_tie_is_the_counter_clockwise_first(void **state) {
     bmr_polygon_destroy(segment, NULL);
 }
 
+static void support_across_a_level_segment_is_the_start_of_the_side_it_faces(void **state) {
+    (void)state;
+    const bmr_vec2 level[] = {{0, 0}, {2, 0}}, upright[] = {{0, 0}, {0, 2}};
+    bmr_polygon *p = hull_of(level, 2), *q = hull_of(upright, 2);
+    assert_int_equal(bmr_polygon_support(p, bmr_vec2_make(0, -1)), 0);
+    assert_int_equal(bmr_polygon_support(p, bmr_vec2_make(0, 1)), 1);
+    assert_int_equal(bmr_polygon_support(q, bmr_vec2_make(1, 0)), 0);
+    assert_int_equal(bmr_polygon_support(q, bmr_vec2_make(-1, 0)), 1);
+    bmr_polygon_destroy(p, NULL);
+    bmr_polygon_destroy(q, NULL);
+}
+
 static void a_direction_that_is_none_gives_the_hint_back(void **state) {
     (void)state;
     bmr_vec2 points[7];
@@ -243,6 +255,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(support_is_a_farthest_vertex_from_scratch_and_from_any_hint),
         cmocka_unit_test(support_of_a_tie_is_the_counter_clockwise_first),
+        cmocka_unit_test(support_across_a_level_segment_is_the_start_of_the_side_it_faces),
         cmocka_unit_test(a_direction_that_is_none_gives_the_hint_back),
         cmocka_unit_test(a_climb_does_not_get_stuck_where_the_bottom_is_flat_up_to_rounding),
         cmocka_unit_test(normals_have_unit_length_and_point_outwards),
