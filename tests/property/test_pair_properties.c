@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+// Random motions of random and hard shapes, all structures: every state is re-proved from scratch at every
+// step, and every answer is compared with the distance by another method.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <math.h>
+
+#include "boomerang/pair.h"
+#include "motions.h"
+#include "polygons.h"
+#include "test_scale.h"
+
+#define STEPS 40
+
+/// What double rounding can do to test_distance, relative to the extents and the distance.
+#define ORACLE_ROUNDING 1e-13
+
+typedef struct trial {
+    test_body body[2];
+    bmr_shape shape[2];
+    bmr_pair_def def;
+    bmr_pair pair;
+    test_motion motion;
+    double scale; ///< of the coordinates' rounding
+} trial;
+
+static bmr_polygon *random_polygon(test_random *random, size_t largest) {
+    const uint32_t kind = test_random_below(random, 20);
+    bmr_vec2 points[2];
+    bmr_polygon *polygon = NULL;
+    if (kind < 2) { // a point or a segment
+        for (uint32_t i = 0; i <= kind; ++i)
+            points[i] =
+                bmr_vec2_make(test_random_uniform(random, -1.0, 1.0), test_random_uniform(random, -1.0, 1.0));
+        assert_int_equal(bmr_polygon_create(points, kind + 1, NULL, &polygon), BMR_OK);
+        return polygon;
+    }
+    const double n = exp(test_random_uniform(random, log(3.0), log((double)largest)));
+    polygon = test_polygon((test_family)test_random_below(random, TEST_FAMILY_COUNT), (size_t)n, random);
+    assert_non_null(polygon);
+    return polygon;
+}
+
+/// The same polygon, scaled and away from its frame's origin.
+static bmr_polygon *moved(bmr_polygon *polygon, double scale, bmr_vec2 by) {
+    bmr_vec2 *points = malloc(polygon->count * sizeof *points);
+    assert_non_null(points);
+    for (uint32_t i = 0; i < polygon->count; ++i)
+        points[i] = bmr_add(bmr_scale(scale, polygon->vertices[i]), by);
+    bmr_polygon *made = NULL;
+    assert_int_equal(bmr_polygon_create(points, polygon->count, NULL, &made), BMR_OK);
+    free(points);
+    bmr_polygon_destroy(polygon, NULL);
+    return made;
+}
+
+static void begin(trial *t, bmr_structure structure, test_motion_kind kind, size_t largest,
+                  test_random *random) {
+    for (int side = 0; side < 2; ++side) {
+        bmr_polygon *polygon = random_polygon(random, largest);
+        if (test_random_below(random, 4) == 0) {
+            const double scale = exp(test_random_uniform(random, log(1e-3), log(1e3)));
+            const double away = scale * test_random_uniform(random, 0.0, 10.0);
+            polygon = moved(polygon, scale, bmr_vec2_make(away, -away));
+        }
+        t->body[side] = test_body_make(polygon, structure);
+        t->shape[side] = test_body_shape(&t->body[side]);
+    }
+    const bmr_polygon *a = t->shape[0].polygon, *b = t->shape[1].polygon;
+    t->def.structure = structure;
+    const double radius = fmax(a->radius, b->radius);
+    t->def.margin = test_random_below(random, 2) ? 0.0 : radius * test_random_uniform(random, 0.0, 0.05);
+    t->def.hysteresis = test_random_below(random, 2) ? 0.0 : radius * test_random_uniform(random, 0.0, 0.05);
+    bmr_pair_init(&t->pair);
+    t->motion = test_motion_make(kind, a, b, random);
+    t->scale = a->extent + b->extent;
+}
+
+static void end(trial *t) {
+    test_body_destroy(&t->body[0]);
+    test_body_destroy(&t->body[1]);
+}
+
+/// One step, all that is promised about it asserted. The truth is returned.
+static double step_and_check(trial *t, const bmr_pose *q) {
+    const double need = t->def.margin + (t->pair.state == BMR_PAIR_CONTACT ? t->def.hysteresis : 0.0);
+    double gap;
+    const bmr_answer answer = bmr_pair_advance(&t->pair, &t->def, &t->shape[0], &t->shape[1], q, NULL, &gap);
+    const double truth = test_distance(t->shape[0].polygon, t->shape[1].polygon, q);
+    const double rounding = ORACLE_ROUNDING * (t->scale + truth);
+    if (answer == BMR_APART) {
+        assert_int_equal(t->pair.state, BMR_PAIR_APART);
+        assert_true(gap > need ||
+                    (gap > t->def.margin && need > t->def.margin && t->pair.state != BMR_PAIR_CONTACT));
+        assert_true(gap <= truth + rounding);
+        double quick;
+        assert_true(bmr_pair_check(&t->pair, q, t->def.margin, &quick));
+        assert_true(quick <= truth + rounding);
+    } else {
+        assert_int_equal(t->pair.state, BMR_PAIR_CONTACT);
+        assert_true(gap == 0.0);
+        assert_true(truth <= need + BMR_PAIR_SLOP * t->scale + 1e-6 * need + rounding);
+    }
+    assert_int_equal(bmr_pair_audit(&t->pair, &t->def, &t->shape[0], &t->shape[1], q), BMR_OK);
+    return truth;
+}
+
+static void run_motions(bmr_structure structure, size_t motions, size_t largest, uint64_t seed) {
+    test_random random = {seed + (uint64_t)structure};
+    for (size_t i = 0; i < motions; ++i) {
+        trial t;
+        begin(&t, structure, (test_motion_kind)(i % TEST_MOTION_KIND_COUNT), largest, &random);
+        for (int step = 0; step < STEPS; ++step) {
+            const bmr_pose q = test_motion_next(&t.motion, &random);
+            step_and_check(&t, &q);
+        }
+        end(&t);
+    }
+}
+
+static void every_answer_is_true_and_complete_and_every_state_re_proved(void **state) {
+    (void)state;
+    for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
+        run_motions((bmr_structure)structure, test_scaled(5600), 40, 100);
+}
+
+static void the_same_holds_for_up_to_4096_vertices(void **state) {
+    (void)state;
+    for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
+        run_motions((bmr_structure)structure, test_scaled(80), 4096, 200);
+}
+
+static void the_brute_force_distance_agrees_with_all_pairs_of_edges(void **state) {
+    (void)state;
+    test_random random = {300};
+    size_t apart = 0, together = 0;
+    for (size_t i = 0; i < test_scaled(2000); ++i) {
+        trial t;
+        begin(&t, BMR_FREE_DIRECTION, TEST_MOTION_JUMP, 12, &random);
+        const bmr_polygon *a = t.shape[0].polygon, *b = t.shape[1].polygon;
+        const bmr_pose q = test_motion_next(&t.motion, &random), inverse = bmr_pose_inverse(&q);
+        // Vertices against edges, both ways; zero if a vertex is inside or edges cross.
+        double distance = INFINITY;
+        bool overlap = false;
+        for (int turn = 0; turn < 2; ++turn)
+            for (uint32_t i0 = 0; i0 < a->count; ++i0)
+                for (uint32_t j0 = 0; j0 < b->count; ++j0) {
+                    const bmr_vec2 p = a->vertices[i0], p1 = a->vertices[(i0 + 1) % a->count];
+                    const bmr_vec2 r = bmr_transform(&q, b->vertices[j0]);
+                    const bmr_vec2 r1 = bmr_transform(&q, b->vertices[(j0 + 1) % b->count]);
+                    const bmr_vec2 e = turn ? bmr_sub(p1, p) : bmr_sub(r1, r);
+                    const bmr_vec2 w = turn ? bmr_sub(r, p) : bmr_sub(p, r);
+                    const double square = bmr_dot(e, e);
+                    const double along = square > 0.0 ? fmin(fmax(bmr_dot(w, e) / square, 0.0), 1.0) : 0.0;
+                    distance = fmin(distance, hypot(w.x - along * e.x, w.y - along * e.y));
+                    overlap = overlap || ((bmr_cross(bmr_sub(p1, p), bmr_sub(r, p)) > 0.0) !=
+                                              (bmr_cross(bmr_sub(p1, p), bmr_sub(r1, p)) > 0.0) &&
+                                          (bmr_cross(bmr_sub(r1, r), bmr_sub(p, r)) > 0.0) !=
+                                              (bmr_cross(bmr_sub(r1, r), bmr_sub(p1, r)) > 0.0));
+                    overlap =
+                        overlap || (b->count > 2 && bmr_polygon_contains(b, bmr_transform(&inverse, p), 0.0));
+                    overlap = overlap || (a->count > 2 && bmr_polygon_contains(a, r, 0.0));
+                }
+        const double truth = test_distance(a, b, &q);
+        const double tolerance = ORACLE_ROUNDING * (t.scale + distance);
+        assert_true(fabs(truth - (overlap ? 0.0 : distance)) <= tolerance ||
+                    (distance <= tolerance && truth <= tolerance));
+        apart += truth > tolerance;
+        together += truth == 0.0;
+        end(&t);
+    }
+    assert_true(apart > 100 && together > 20);
+}
+
+/// How often an answer that takes the certificate's line on trust, whatever way the other body has turned, is
+/// wrong.
+static void a_checker_without_the_bracket_is_caught(void **state) {
+    (void)state;
+    for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
+        test_random random = {400};
+        size_t lies = 0;
+        for (size_t i = 0; i < 200; ++i) {
+            trial t;
+            begin(&t, (bmr_structure)structure, i % 2 ? TEST_MOTION_SPIN : TEST_MOTION_ROLLING, 20, &random);
+            bmr_pair stale;
+            bmr_pair_init(&stale);
+            for (int step = 0; step < STEPS; ++step) {
+                const bmr_pose q = test_motion_next(&t.motion, &random);
+                const double truth = step_and_check(&t, &q);
+                if (stale.state != BMR_PAIR_APART || stale.level < 0) {
+                    stale = t.pair;
+                    continue;
+                }
+                const bmr_pose inverse = bmr_pose_inverse(&q);
+                double gap;
+                bmr_certificate_check(&stale.certificate, stale.owner == 0 ? &q : &inverse, 0.0, &gap);
+                lies += gap > t.def.margin && gap > truth * (1.0 + 1e-6) + 1e-6 * t.scale;
+            }
+            end(&t);
+        }
+        assert_true(lies > 0);
+    }
+}
+
+static void the_audit_rejects_a_tampered_pair(void **state) {
+    (void)state;
+    size_t tampered[7] = {0};
+    for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
+        test_random random = {500};
+        for (size_t i = 0; i < test_scaled(600); ++i) {
+            trial t;
+            begin(&t, (bmr_structure)structure, (test_motion_kind)(i % TEST_MOTION_KIND_COUNT), 40, &random);
+            for (int step = 0; step < STEPS; ++step) {
+                const bmr_pose q = test_motion_next(&t.motion, &random);
+                step_and_check(&t, &q);
+                if (t.pair.state != BMR_PAIR_APART || test_random_below(&random, 5) != 0)
+                    continue;
+                const bmr_pair honest = t.pair;
+                bmr_pair p = honest;
+                const bmr_polygon *own = t.shape[honest.owner].polygon,
+                                  *other = t.shape[1 - honest.owner].polygon;
+                const float size = (float)(2e-5 * t.scale);
+                const bmr_pose inverse = bmr_pose_inverse(&q);
+                double gap = 0.0;
+                assert_true(bmr_pair_check(&honest, &q, t.def.margin, &gap));
+#define REJECTED(i)                                                                                          \
+    do {                                                                                                     \
+        assert_int_not_equal(bmr_pair_audit(&p, &t.def, &t.shape[0], &t.shape[1], &q), BMR_OK);              \
+        ++tampered[i];                                                                                       \
+        p = honest;                                                                                          \
+    } while (0)
+                if (honest.level == BMR_LEVEL_DISKS) {
+                    // Two disks of half the size cover no polygon, nor does a disk that is elsewhere cover a
+                    // point.
+                    p.certificate.offset *= 0.49f;
+                    if (own->count > 1 && other->count > 1)
+                        REJECTED(0);
+                    p = honest;
+                    p.certificate.normal[0] += (float)(2.0 * own->radius) + size;
+                    REJECTED(0);
+                    continue;
+                }
+                p.certificate.offset -= size;
+                REJECTED(1);
+                p.owner = (uint8_t)(1 - p.owner);
+                if (t.shape[0].polygon->count > 2 && t.shape[1].polygon->count > 2)
+                    REJECTED(2);
+                p = honest;
+                const bmr_pose *other_in_owner = honest.owner == 0 ? &q : &inverse;
+                const bmr_vec2 u =
+                    bmr_unrotate(other_in_owner, bmr_vec2_make((double)p.certificate.normal[0],
+                                                               (double)p.certificate.normal[1]));
+                const double far = 2.0 * t.scale + 2.0 * gap;
+                for (int w = 0; w < 2; ++w) {
+                    p.certificate.window[w][0] += (float)(u.x * far);
+                    p.certificate.window[w][1] += (float)(u.y * far);
+                }
+                REJECTED(3);
+                // Two corners may cover all of a needle; one covers no body.
+                const bool one_point = memcmp(p.certificate.window[0], p.certificate.window[1],
+                                              sizeof p.certificate.window[0]) == 0;
+                memset(p.certificate.low, 0, sizeof p.certificate.low);
+                memset(p.certificate.high, 0, sizeof p.certificate.high);
+                if (one_point && other->count > 1)
+                    REJECTED(4);
+                p = honest;
+                const bool lazy = structure != BMR_FREE_DIRECTION && !honest.free;
+                p.edge =
+                    lazy ? (p.edge + 1) % bmr_hierarchy_edge_count(t.shape[p.owner].hierarchy) : own->count;
+                REJECTED(5);
+                p.other = lazy ? p.other_after : other->count;
+                REJECTED(6);
+            }
+            end(&t);
+        }
+    }
+    for (size_t i = 0; i < sizeof tampered / sizeof *tampered; ++i)
+        assert_true(tampered[i] > 100);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_brute_force_distance_agrees_with_all_pairs_of_edges),
+        cmocka_unit_test(every_answer_is_true_and_complete_and_every_state_re_proved),
+        cmocka_unit_test(the_same_holds_for_up_to_4096_vertices),
+        cmocka_unit_test(a_checker_without_the_bracket_is_caught),
+        cmocka_unit_test(the_audit_rejects_a_tampered_pair),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
