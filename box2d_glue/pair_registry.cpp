@@ -24,6 +24,10 @@ struct Unit {
 // correctness.
 constexpr int kMostContactsSearched = 32;
 
+// Two bodies get a structure of their own with this many contacts between them: fewer are served as well by
+// an edge each, without a hull to be built.
+constexpr int kWorthAPair = 8;
+
 bool OneFixture(const b2Body &body) {
     const b2Fixture *first = body.GetFixtureList();
     return first != nullptr && first->GetNext() == nullptr;
@@ -148,23 +152,28 @@ void Join(PolygonContact *contact, BodyPair *pair) {
     contact->state.excluded = !holds;
 }
 
-/// With remembered edges on: body pairs alone, from the second contact between two bodies on.
+/// With remembered edges on: body pairs alone, from the kWorthAPair-th contact between two bodies on.
 void AttachToBodies(PolygonContact *contact, const Unit &a, const Unit &b, b2BlockAllocator *allocator) {
     if (OneFixture(*a.body) && OneFixture(*b.body))
         return;
-    PolygonContact *sibling = nullptr;
-    VisitContactsBetween(a.body, b.body, [&sibling, &a, &b](PolygonContact *other) {
-        const BodyPair *theirs = other->state.pair;
-        if (!Serves(*other, a) || !Serves(*other, b) || (theirs != nullptr && !IsPairOf(*theirs, a, b)))
-            return false;
-        sibling = other;
-        return true;
+    PolygonContact *siblings[kWorthAPair - 1];
+    BodyPair *pair = nullptr;
+    int count = 0;
+    VisitContactsBetween(a.body, b.body, [&](PolygonContact *other) {
+        BodyPair *theirs = other->state.pair;
+        if (theirs != nullptr ? IsPairOf(*theirs, a, b) : Serves(*other, a) && Serves(*other, b)) {
+            pair = theirs;
+            siblings[count++] = other;
+        }
+        return pair != nullptr || count == kWorthAPair - 1;
     });
-    if (sibling == nullptr)
-        return;
-    if (sibling->state.pair == nullptr)
-        Share(sibling, MakePair(a, b, nullptr, allocator));
-    Join(contact, sibling->state.pair);
+    if (pair == nullptr && count == kWorthAPair - 1) {
+        pair = MakePair(a, b, nullptr, allocator);
+        for (PolygonContact *sibling : siblings)
+            Share(sibling, pair);
+    }
+    if (pair != nullptr)
+        Join(contact, pair);
 }
 
 /// Without remembered edges: every contact has a pair of its own fixtures, below that of the bodies where

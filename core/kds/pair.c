@@ -119,10 +119,7 @@ static bmr_check look(const bmr_pair *pair, const bmr_pose *b_in_a, double margi
         *gap = bmr_disks_gap(&pair->certificate, b_in_a);
         return *gap > margin ? BMR_CHECK_HOLDS : BMR_CHECK_CROSSED;
     }
-    if (pair->owner == 0)
-        return bmr_certificate_check(&pair->certificate, b_in_a, margin, gap);
-    const bmr_pose a_in_b = bmr_pose_inverse(b_in_a);
-    return bmr_certificate_check(&pair->certificate, &a_in_b, margin, gap);
+    return bmr_certificate_check_pair(&pair->certificate, b_in_a, pair->owner, margin, gap);
 }
 
 bool bmr_step_holds(const bmr_step *step, double need, double *gap) {

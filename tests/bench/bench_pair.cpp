@@ -37,8 +37,15 @@ struct CompassDeleter {
     void operator()(bmr_compass *c) const { bmr_compass_destroy(c, nullptr); }
 };
 
-/// Two regular n-gons of radius 1, and the poses of an orbit that spins and breathes between gaps of 0.02 and
-/// 0.4.
+constexpr double kLong = 1.0, kShort = 0.3; // half axes
+
+/// How far an ellipse turned by `turn` reaches in the direction of `angle`.
+double Reach(double turn, double angle) {
+    return std::hypot(kLong * std::cos(angle - turn), kShort * std::sin(angle - turn));
+}
+
+/// Two n-gons on ellipses (their bounding disks overlap nearly always), and the poses of an orbit on which
+/// both spin and the gap between them, along the line of centres, breathes from 0.02 to 0.4.
 struct Setting {
     std::unique_ptr<bmr_polygon, PolygonDeleter> polygon;
     std::unique_ptr<bmr_compass, CompassDeleter> compass;
@@ -48,7 +55,7 @@ struct Setting {
     Setting(int n, Motion motion) {
         std::vector<bmr_vec2> points;
         for (int i = 0; i < n; ++i)
-            points.push_back({std::cos(2 * kPi * i / n), std::sin(2 * kPi * i / n)});
+            points.push_back({kLong * std::cos(2 * kPi * i / n), kShort * std::sin(2 * kPi * i / n)});
         bmr_polygon *p = nullptr;
         bmr_compass *c = nullptr;
         bmr_hierarchy *h = nullptr;
@@ -61,12 +68,14 @@ struct Setting {
         hierarchy.reset(h);
         double angle = 0.3;
         for (int i = 0; i < kSteps; ++i) {
-            const double distance = 2.0 + 0.21 + 0.19 * std::cos(7 * angle);
+            const double turnA = 0.2 * angle, turnB = -1.3 * angle;
+            const double gap = 0.21 + 0.19 * std::cos(7 * angle);
+            const double distance = Reach(turnA, angle) + Reach(turnB, angle) + gap;
             b2Transform xfA, xfB;
-            xfA.Set(b2Vec2(1.0f, -2.0f), static_cast<float>(0.2 * angle));
+            xfA.Set(b2Vec2(1.0f, -2.0f), static_cast<float>(turnA));
             xfB.Set(xfA.p + b2Vec2(static_cast<float>(distance * std::cos(angle)),
                                    static_cast<float>(distance * std::sin(angle))),
-                    static_cast<float>(-1.3 * angle));
+                    static_cast<float>(turnB));
             a.push_back(xfA);
             b.push_back(xfB);
             angle += kSpeed[motion];

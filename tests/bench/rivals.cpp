@@ -8,37 +8,62 @@ namespace rival {
 
 namespace {
 
-/// Separation of `other` (seen at `pose` from the owner) along the owner's edge; climbs `*vertex` to the
+/// Index of the vertex farthest against `u`, climbing from `vertex`.
+inline uint32_t Climb(const bmr_polygon &polygon, bmr_vec2 u, uint32_t vertex) {
+    const bmr_vec2 *v = polygon.vertices;
+    const uint32_t count = polygon.count;
+    double best = bmr_dot(u, v[vertex]);
+    for (const uint32_t step : {1u, count - 1}) {
+        for (;;) {
+            uint32_t next = vertex + step;
+            next = next >= count ? next - count : next;
+            const double d = bmr_dot(u, v[next]);
+            if (!(d < best))
+                break;
+            best = d;
+            vertex = next;
+        }
+    }
+    return vertex;
+}
+
+/// Separation of `other` (seen at `pose` from the owner) along a line of the owner; climbs `*vertex` to the
 /// support.
-double EdgeSeparation(const bmr_polygon &owner, uint32_t edge, const bmr_polygon &other, const bmr_pose &pose,
-                      uint32_t *vertex) {
-    const bmr_vec2 normal = bmr_polygon_normal(&owner, edge);
-    *vertex = bmr_polygon_support_from(&other, bmr_neg(bmr_unrotate(&pose, normal)), *vertex);
-    return bmr_dot(normal, bmr_sub(bmr_transform(&pose, other.vertices[*vertex]), owner.vertices[edge]));
+inline double Separation(bmr_vec2 normal, double offset, const bmr_polygon &other, const bmr_pose &pose,
+                         uint32_t *vertex) {
+    const bmr_vec2 u = bmr_unrotate(&pose, normal);
+    *vertex = Climb(other, u, *vertex);
+    return bmr_dot(normal, pose.position) + bmr_dot(u, other.vertices[*vertex]) - offset;
 }
 
 } // namespace
 
 bool CachedEdge::Apart(const bmr_polygon &a, const bmr_polygon &b, const bmr_pose &bInA) {
-    const bmr_pose aInB = bmr_pose_inverse(&bInA);
-    if (edge_ < (ofB_ ? b : a).count &&
-        EdgeSeparation(ofB_ ? b : a, edge_, ofB_ ? a : b, ofB_ ? aInB : bInA, &vertex_) > 0.0)
-        return true;
+    if (known_) {
+        const bmr_pose pose = ofB_ ? bmr_pose_inverse(&bInA) : bInA;
+        if (Separation(normal_, offset_, ofB_ ? a : b, pose, &vertex_) > 0.0)
+            return true;
+    }
     double best = -INFINITY;
     for (const bool ofB : {false, true}) {
-        const bmr_polygon &owner = ofB ? b : a;
+        const bmr_polygon &owner = ofB ? b : a, &other = ofB ? a : b;
+        const bmr_pose pose = ofB ? bmr_pose_inverse(&bInA) : bInA;
         uint32_t vertex = 0;
         for (uint32_t edge = 0; edge < owner.count; ++edge) {
-            const double s = EdgeSeparation(owner, edge, ofB ? a : b, ofB ? aInB : bInA, &vertex);
+            const bmr_vec2 normal = bmr_polygon_normal(&owner, edge);
+            const double offset = bmr_dot(normal, owner.vertices[edge]);
+            const double s = Separation(normal, offset, other, pose, &vertex);
             if (s > best) {
                 best = s;
                 ofB_ = ofB;
-                edge_ = edge;
+                normal_ = normal;
+                offset_ = offset;
                 vertex_ = vertex;
             }
         }
     }
-    return best > 0.0;
+    known_ = best > 0.0;
+    return known_;
 }
 
 namespace {
@@ -88,8 +113,8 @@ bmr_vec2 Closest(Support *simplex, int *count) {
 double WarmGjk::Distance(const bmr_polygon &a, const bmr_polygon &b, const bmr_pose &bInA) {
     const auto support = [&](bmr_vec2 direction) {
         Support s;
-        s.a = a_ = bmr_polygon_support_from(&a, direction, a_);
-        s.b = b_ = bmr_polygon_support_from(&b, bmr_neg(bmr_unrotate(&bInA, direction)), b_);
+        s.a = a_ = Climb(a, bmr_neg(direction), a_);
+        s.b = b_ = Climb(b, bmr_unrotate(&bInA, direction), b_);
         s.w = bmr_sub(bmr_transform(&bInA, b.vertices[s.b]), a.vertices[s.a]);
         return s;
     };

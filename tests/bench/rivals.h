@@ -18,8 +18,10 @@ public:
     bool Apart(const bmr_polygon &a, const bmr_polygon &b, const bmr_pose &bInA);
 
 private:
-    bool ofB_ = false;
-    uint32_t edge_ = 0, vertex_ = 0;
+    bool ofB_ = false, known_ = false;
+    bmr_vec2 normal_ = {0, 0}; // of the remembered edge, in its owner's frame
+    double offset_ = 0;
+    uint32_t vertex_ = 0; // of the other polygon: its last support
 };
 
 /// GJK distance with hill-climbing supports, started from the last simplex's vertices.

@@ -9,15 +9,17 @@ extern "C" {
 #endif
 
 /// @file
-/// Outer approximations of a convex polygon P (section 3 of the paper). One tree type for all three: compass, Dudley,
-/// Dobkin-Kirkpatrick.
+/// Outer approximations of a convex polygon P (section 3 of the paper). One tree type for all three: compass,
+/// Dudley, Dobkin-Kirkpatrick.
 ///
-/// The envelope P_0 is a bounding rectangle with the edges E, N, W, S (edge ids 0, 1, 2, 3 = outer normals (1,0), (0,1),
-/// (-1,0), (0,-1)). Every further edge cuts one corner of the envelope before it: the boomerang between its two outer
-/// edges, whose apex is the corner cut. A node of the tree IS such an edge and IS that boomerang; every edge is a support
-/// line of P itself (possibly touching in one vertex only: a degenerate edge). P_i is the polygon of all edges of level
-/// <= i; P_0 contains P_1 contains ... contains P_depth = P (up to edges merged because their directions agree within
-/// 1e-11).
+/// The envelope P_0 is a bounding rectangle with the edges E, N, W, S (edge ids 0, 1, 2, 3 = outer normals
+/// (1,0), (0,1),
+/// (-1,0), (0,-1)). Every further edge cuts one corner of the envelope before it: the boomerang between its
+/// two outer edges, whose apex is the corner cut. A node of the tree IS such an edge and IS that boomerang;
+/// every edge is a support line of P itself (possibly touching in one vertex only: a degenerate edge). P_i is
+/// the polygon of all edges of level
+/// <= i; P_0 contains P_1 contains ... contains P_depth = P (up to edges merged because their directions
+/// agree within 1e-11).
 
 typedef uint32_t bmr_edge;
 #define BMR_NO_EDGE UINT32_MAX
@@ -30,12 +32,14 @@ typedef enum bmr_hierarchy_kind {
 } bmr_hierarchy_kind;
 
 /// A corner of an envelope: the point where the lines of two adjacent edges meet. `before` and `after` are in
-/// counter-clockwise order; `cut` is the node that cuts this corner, BMR_NO_EDGE where the corner is a vertex of P.
+/// counter-clockwise order; `cut` is the node that cuts this corner, BMR_NO_EDGE where the corner is a vertex
+/// of P.
 typedef struct bmr_corner {
     bmr_edge before, after, cut;
 } bmr_corner;
 
-/// The half plane <normal, x> <= offset that holds P, its boundary a support line of P. `normal` has unit length.
+/// The half plane <normal, x> <= offset that holds P, its boundary a support line of P. `normal` has unit
+/// length.
 typedef struct bmr_line {
     bmr_vec2 normal;
     double offset;
@@ -43,25 +47,26 @@ typedef struct bmr_line {
 
 typedef struct bmr_hierarchy bmr_hierarchy;
 
-/// The directions of the compass: the 4 * 2^levels multiples of 90 / 2^levels degrees, constant, to be shared by any
-/// number of compass hierarchies on any number of threads. It must outlive them.
+/// The directions of the compass: the 4 * 2^levels multiples of 90 / 2^levels degrees, constant, to be shared
+/// by any number of compass hierarchies on any number of threads. It must outlive them.
 typedef struct bmr_compass bmr_compass;
-/// A table fit for polygons of up to `max_vertices` vertices: 64 to 128 bytes a vertex of the LARGEST polygon, once.
+/// A table fit for polygons of up to `max_vertices` vertices: 64 to 128 bytes a vertex of the LARGEST
+/// polygon, once.
 bmr_error bmr_compass_create(size_t max_vertices, const bmr_allocator *allocator, bmr_compass **compass);
 void bmr_compass_destroy(bmr_compass *compass, const bmr_allocator *allocator);
 
-/// Builds a hierarchy over `polygon`, which must outlive it. Points and segments have one too. O(n log n) time, one
-/// block. With the polygon at most 160 bytes a vertex for n >= 64.
-/// Compass: the top ceil(log2 n) levels bisect the angle, below them the median edge; depth <= 2 ceil(log2 n),
-/// at most 5 n edges.
+/// Builds a hierarchy over `polygon`, which must outlive it. Points and segments have one too. O(n log n)
+/// time, one block. With the polygon at most 160 bytes a vertex for n >= 64. Compass: the top ceil(log2 n)
+/// levels bisect the angle, below them the median edge; depth <= 2 ceil(log2 n), at most 5 n edges.
 bmr_error bmr_hierarchy_build_compass(const bmr_polygon *polygon, const bmr_compass *compass,
                                       const bmr_allocator *allocator, bmr_hierarchy **hierarchy);
-/// Dudley: degenerate edges and vertices from n regular points on a circle of radius 2D (normals outward: erratum 1), each
-/// boomerang cut by its median edge, split vertices counted; depth <= ceil(log2 2n), at most 2 n + 4 edges.
+/// Dudley: degenerate edges and vertices from n regular points on a circle of radius 2D (normals outward:
+/// erratum 1), each boomerang cut by its median edge, split vertices counted; depth <= ceil(log2 2n), at most
+/// 2 n + 4 edges.
 bmr_error bmr_hierarchy_build_dudley(const bmr_polygon *polygon, const bmr_allocator *allocator,
                                      bmr_hierarchy **hierarchy);
-/// Dobkin-Kirkpatrick: the polygon's own edges only, each boomerang cut by its median edge; depth <= ceil(log2 n),
-/// at most n + 4 edges.
+/// Dobkin-Kirkpatrick: the polygon's own edges only, each boomerang cut by its median edge; depth <=
+/// ceil(log2 n), at most n + 4 edges.
 bmr_error bmr_hierarchy_build_dobkin_kirkpatrick(const bmr_polygon *polygon, const bmr_allocator *allocator,
                                                  bmr_hierarchy **hierarchy);
 void bmr_hierarchy_destroy(bmr_hierarchy *hierarchy, const bmr_allocator *allocator);
@@ -81,8 +86,8 @@ bmr_line bmr_hierarchy_line(const bmr_hierarchy *hierarchy, bmr_edge edge);
 /// A vertex of P on the edge's line.
 uint32_t bmr_hierarchy_touch(const bmr_hierarchy *hierarchy, bmr_edge edge);
 
-/// The edges that an edge's boomerang lies between, and the nodes that cut its two halves. For a root: its neighbours
-/// on level 0, and the top boomerangs on either side.
+/// The edges that an edge's boomerang lies between, and the nodes that cut its two halves. For a root: its
+/// neighbours on level 0, and the top boomerangs on either side.
 typedef struct bmr_boomerang {
     bmr_edge outer_before, outer_after; ///< the lines that meet in the apex, counter-clockwise order
     bmr_edge child_before, child_after; ///< BMR_NO_EDGE where the half is empty
@@ -100,8 +105,8 @@ bmr_corner bmr_hierarchy_corner_after(const bmr_hierarchy *hierarchy, bmr_edge e
 bmr_corner bmr_hierarchy_corner_before(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level);
 /// The corner of two edges that are adjacent on some level; this finds its `cut`. O(1).
 bmr_corner bmr_hierarchy_corner(const bmr_hierarchy *hierarchy, bmr_edge before, bmr_edge after);
-/// The corner of P_level that is farthest in `direction` (not zero): its cone [normal(before), normal(after)] holds the
-/// direction; at an exact tie the corner that has the tied edge as its `before`. O(level).
+/// The corner of P_level that is farthest in `direction` (not zero): its cone [normal(before), normal(after)]
+/// holds the direction; at an exact tie the corner that has the tied edge as its `before`. O(level).
 bmr_corner bmr_hierarchy_extreme(const bmr_hierarchy *hierarchy, bmr_vec2 direction, uint32_t level);
 /// The point of a corner: the meeting point of its two lines, or the vertex of P that both touch.
 bmr_vec2 bmr_hierarchy_corner_point(const bmr_hierarchy *hierarchy, bmr_corner corner);
@@ -112,7 +117,8 @@ bmr_corner bmr_hierarchy_refine(const bmr_hierarchy *hierarchy, bmr_corner corne
 /// From a corner of P_level to the corner of P_(level-1) that swallowed it (level >= 1). O(1).
 bmr_corner bmr_hierarchy_coarsen(const bmr_hierarchy *hierarchy, bmr_corner corner, uint32_t level);
 
-/// Re-checks everything this header promises against the polygon by brute force, O(n * depth). Tests and audits.
+/// Re-checks everything this header promises against the polygon by brute force, O(n * depth). Tests and
+/// audits.
 bmr_error bmr_hierarchy_audit(const bmr_hierarchy *hierarchy);
 
 #ifdef __cplusplus

@@ -162,10 +162,8 @@ static inline bool bmr_pair_check(const bmr_pair *pair, const bmr_pose *b_in_a, 
         *gap = margin;
         return d2 > reach * reach * (1.0 + 3.5527136788005009e-15);
     }
-    if (pair->owner == 0)
-        return bmr_certificate_check(&pair->certificate, b_in_a, margin, gap) == BMR_CHECK_HOLDS;
-    const bmr_pose a_in_b = bmr_pose_inverse(b_in_a);
-    return bmr_certificate_check(&pair->certificate, &a_in_b, margin, gap) == BMR_CHECK_HOLDS;
+    return bmr_certificate_check_pair(&pair->certificate, b_in_a, pair->owner, margin, gap) ==
+           BMR_CHECK_HOLDS;
 }
 
 #ifdef __cplusplus

@@ -11,8 +11,8 @@ typedef struct bmr_vec2 {
     double x, y;
 } bmr_vec2;
 
-/// A rigid motion x -> (c x - s y, s x + c y) + position. (c, s) = (cos, sin) need be of unit length only as far as
-/// the caller needs exactness: core computes with the matrix as it stands.
+/// A rigid motion x -> (c x - s y, s x + c y) + position. (c, s) = (cos, sin) need be of unit length only as
+/// far as the caller needs exactness: core computes with the matrix as it stands.
 typedef struct bmr_pose {
     bmr_vec2 position;
     double c, s;
@@ -22,15 +22,29 @@ static inline bmr_vec2 bmr_vec2_make(double x, double y) {
     bmr_vec2 v = {x, y};
     return v;
 }
-static inline bmr_vec2 bmr_add(bmr_vec2 a, bmr_vec2 b) { return bmr_vec2_make(a.x + b.x, a.y + b.y); }
-static inline bmr_vec2 bmr_sub(bmr_vec2 a, bmr_vec2 b) { return bmr_vec2_make(a.x - b.x, a.y - b.y); }
-static inline bmr_vec2 bmr_neg(bmr_vec2 a) { return bmr_vec2_make(-a.x, -a.y); }
-static inline bmr_vec2 bmr_scale(double k, bmr_vec2 a) { return bmr_vec2_make(k * a.x, k * a.y); }
-static inline double bmr_dot(bmr_vec2 a, bmr_vec2 b) { return a.x * b.x + a.y * b.y; }
+static inline bmr_vec2 bmr_add(bmr_vec2 a, bmr_vec2 b) {
+    return bmr_vec2_make(a.x + b.x, a.y + b.y);
+}
+static inline bmr_vec2 bmr_sub(bmr_vec2 a, bmr_vec2 b) {
+    return bmr_vec2_make(a.x - b.x, a.y - b.y);
+}
+static inline bmr_vec2 bmr_neg(bmr_vec2 a) {
+    return bmr_vec2_make(-a.x, -a.y);
+}
+static inline bmr_vec2 bmr_scale(double k, bmr_vec2 a) {
+    return bmr_vec2_make(k * a.x, k * a.y);
+}
+static inline double bmr_dot(bmr_vec2 a, bmr_vec2 b) {
+    return a.x * b.x + a.y * b.y;
+}
 /// Positive when b lies counter-clockwise of a.
-static inline double bmr_cross(bmr_vec2 a, bmr_vec2 b) { return a.x * b.y - a.y * b.x; }
+static inline double bmr_cross(bmr_vec2 a, bmr_vec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
 /// a turned by +90 degrees.
-static inline bmr_vec2 bmr_left(bmr_vec2 a) { return bmr_vec2_make(-a.y, a.x); }
+static inline bmr_vec2 bmr_left(bmr_vec2 a) {
+    return bmr_vec2_make(-a.y, a.x);
+}
 
 static inline bmr_pose bmr_pose_identity(void) {
     bmr_pose q = {{0.0, 0.0}, 1.0, 0.0};
