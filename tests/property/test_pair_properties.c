@@ -271,9 +271,18 @@ static void the_audit_rejects_a_tampered_pair(void **state) {
                     REJECTED(4);
                 p = honest;
                 const bool lazy = structure != BMR_FREE_DIRECTION && !honest.free;
-                p.edge =
-                    lazy ? (p.edge + 1) % bmr_hierarchy_edge_count(t.shape[p.owner].hierarchy) : own->count;
-                REJECTED(5);
+                if (!lazy) {
+                    p.edge = own->count;
+                    REJECTED(5);
+                } else { // any other edge whose line is not the same in floats
+                    const bmr_hierarchy *h = t.shape[p.owner].hierarchy;
+                    p.edge = test_random_below(&random, bmr_hierarchy_edge_count(h));
+                    const bmr_vec2 from = bmr_hierarchy_line(h, honest.edge).normal;
+                    const bmr_vec2 to = bmr_hierarchy_line(h, p.edge).normal;
+                    if (fabs(to.x - from.x) + fabs(to.y - from.y) > 1e-6)
+                        REJECTED(5);
+                    p = honest;
+                }
                 p.other = lazy ? p.other_after : other->count;
                 REJECTED(6);
             }

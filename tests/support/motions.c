@@ -16,15 +16,6 @@ static double distance_to_segment(bmr_vec2 p, bmr_vec2 q) {
     return fabs(bmr_cross(p, e)) / sqrt(length);
 }
 
-/// The lowest vertex, of these the leftmost.
-static uint32_t lowest(const bmr_vec2 *v, uint32_t n) {
-    uint32_t best = 0;
-    for (uint32_t i = 1; i < n; ++i)
-        if (v[i].y < v[best].y || (v[i].y == v[best].y && v[i].x < v[best].x))
-            best = i;
-    return best;
-}
-
 /// Upper half before lower half, then by cross product: edges sorted from the positive x axis on.
 static int half(bmr_vec2 e) {
     return e.y > 0.0 || (e.y == 0.0 && e.x > 0.0) ? 0 : 1;
@@ -33,34 +24,49 @@ static bool comes_first(bmr_vec2 e, bmr_vec2 f) {
     return half(e) != half(f) ? half(e) < half(f) : bmr_cross(e, f) > 0.0;
 }
 
+/// One of the two polygons, turned into A's frame, -A or B: its points, and its edges as vectors turned by
+/// themselves. The difference of two points that were moved first would be noise where a body is small and
+/// far from the origin.
+typedef struct chain {
+    const bmr_polygon *polygon;
+    bmr_pose pose;
+    uint32_t first, passed, count; ///< the edge with the least angle; edges merged so far, of how many
+} chain;
+
+static bmr_vec2 chain_point(const chain *c) {
+    return bmr_transform(&c->pose, c->polygon->vertices[(c->first + c->passed) % c->polygon->count]);
+}
+static bmr_vec2 chain_edge(const chain *c, uint32_t i) {
+    const uint32_t n = c->polygon->count;
+    return bmr_rotate(&c->pose, bmr_sub(c->polygon->vertices[(i + 1) % n], c->polygon->vertices[i % n]));
+}
+static chain chain_make(const bmr_polygon *polygon, bmr_pose pose) {
+    chain c = {polygon, pose, 0, 0, polygon->count > 1 ? polygon->count : 0};
+    for (uint32_t i = 0; i < c.count; ++i)
+        if (half(chain_edge(&c, i + polygon->count - 1)) == 1 && half(chain_edge(&c, i)) == 0)
+            c.first = i;
+    return c;
+}
+
 double test_distance(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a) {
-    const uint32_t n = a->count, m = b->count;
-    bmr_vec2 *v = malloc((n + m) * sizeof *v); // -A, then B, both in A's frame
-    if (!v)
-        abort();
-    bmr_vec2 *w = v + n;
-    for (uint32_t i = 0; i < n; ++i)
-        v[i] = bmr_neg(a->vertices[i]);
-    for (uint32_t j = 0; j < m; ++j)
-        w[j] = bmr_transform(b_in_a, b->vertices[j]);
-    const uint32_t i0 = lowest(v, n), j0 = lowest(w, m);
-    uint32_t i = 0, j = 0;
+    const bmr_pose opposite = {{0.0, 0.0}, -1.0, 0.0};
+    chain c = chain_make(a, opposite), d = chain_make(b, *b_in_a);
+    const bmr_vec2 start = bmr_add(chain_point(&c), chain_point(&d));
+    if (c.count + d.count == 0)
+        return hypot(start.x, start.y);
     double distance = INFINITY;
-    bool inside = n > 1 || m > 1;
-    while (i < (n > 1 ? n : 0) || j < (m > 1 ? m : 0)) {
-        const bmr_vec2 vi = v[(i0 + i) % n], wj = w[(j0 + j) % m];
-        const bmr_vec2 e = bmr_sub(v[(i0 + i + 1) % n], vi), f = bmr_sub(w[(j0 + j + 1) % m], wj);
-        const bool a_moves = j >= m || m == 1 || (i < n && n > 1 && comes_first(e, f));
-        const bmr_vec2 p = bmr_add(vi, wj), q = bmr_add(p, a_moves ? e : f);
-        distance = fmin(distance, distance_to_segment(p, q));
-        if (!(bmr_cross(p, q) > 0.0))
+    bool inside = true;
+    while (c.passed < c.count || d.passed < d.count) {
+        const bmr_vec2 p = bmr_add(chain_point(&c), chain_point(&d));
+        const bmr_vec2 e = chain_edge(&c, c.first + c.passed), f = chain_edge(&d, d.first + d.passed);
+        const bool a_moves = d.passed == d.count || (c.passed < c.count && comes_first(e, f));
+        const bmr_vec2 edge = a_moves ? e : f;
+        distance = fmin(distance, distance_to_segment(p, bmr_add(p, edge)));
+        if (!(bmr_cross(p, edge) > 0.0)) // not with p + edge: an edge may be nothing beside p
             inside = false;
-        i += a_moves ? 1 : 0;
-        j += a_moves ? 0 : 1;
+        c.passed += a_moves ? 1 : 0;
+        d.passed += a_moves ? 0 : 1;
     }
-    if (n == 1 && m == 1)
-        distance = hypot(v[0].x + w[0].x, v[0].y + w[0].y);
-    free(v);
     return inside ? 0.0 : distance;
 }
 
