@@ -9,17 +9,24 @@
 /// Each pivot enlarges the disk, so that the loop ends; 5 to 10 passes are usual. The cap guards against
 /// rounding, and costs nothing but a slightly larger disk.
 #define MAX_PIVOTS 64
-/// Two differences, a hypotenuse and the product itself: less than 8 half-ulps.
+/// Two differences, two squares, a sum, a root and the product itself: less than 8 half-ulps.
 #define ROUND_UP (1.0 + 8.0 * 2.220446049250313e-16)
 
-static double distance(bmr_vec2 a, bmr_vec2 b) {
-    return hypot(a.x - b.x, a.y - b.y);
+/// Without hypot's care for overflow: coordinates are at most BMR_MAX_COORDINATE. What underflows is nothing
+/// beside the least extent.
+static inline double distance(bmr_vec2 a, bmr_vec2 b) {
+    const bmr_vec2 d = bmr_sub(a, b);
+    return sqrt(bmr_dot(d, d));
+}
+
+static inline double larger(double a, double b) {
+    return a > b ? a : b; // fmax is a call of the library
 }
 
 static bmr_disk disk_of_two(bmr_vec2 a, bmr_vec2 b) {
     bmr_disk disk;
     disk.center = bmr_vec2_make(0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y);
-    disk.radius = fmax(distance(disk.center, a), distance(disk.center, b));
+    disk.radius = larger(distance(disk.center, a), distance(disk.center, b));
     return disk;
 }
 
@@ -29,7 +36,8 @@ static bmr_disk disk_of_three(bmr_vec2 a, bmr_vec2 b, bmr_vec2 c) {
     const double twice = 2.0 * bmr_cross(p, q), pp = bmr_dot(p, p), qq = bmr_dot(q, q);
     bmr_disk disk;
     disk.center = bmr_vec2_make(a.x + (q.y * pp - p.y * qq) / twice, a.y + (p.x * qq - q.x * pp) / twice);
-    disk.radius = fmax(distance(disk.center, a), fmax(distance(disk.center, b), distance(disk.center, c)));
+    disk.radius =
+        larger(distance(disk.center, a), larger(distance(disk.center, b), distance(disk.center, c)));
     return disk;
 }
 
