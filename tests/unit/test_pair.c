@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: MIT
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <math.h>
+
+#include "boomerang/pair.h"
+#include "motions.h"
+#include "polygons.h"
+#include "test_scale.h"
+
+#define TWO_PI 6.283185307179586
+#define FOR_EACH_STRUCTURE(s) for (bmr_structure s = 0; s < BMR_STRUCTURE_COUNT; ++s)
+
+// --- allocations are counted by standing in for malloc ---
+
+static size_t allocations;
+
+#if defined(__SANITIZE_ADDRESS__)
+int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void *, size_t),
+                                              void (*on_free)(const volatile void *));
+static void on_malloc(const volatile void *block, size_t size) {
+    (void)block, (void)size;
+    ++allocations;
+}
+static void on_free(const volatile void *block) {
+    (void)block;
+}
+static void count_allocations(void) {
+    __sanitizer_install_malloc_and_free_hooks(on_malloc, on_free);
+}
+#else
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void *__libc_realloc(void *block, size_t size);
+void *malloc(size_t size) {
+    ++allocations;
+    return __libc_malloc(size);
+}
+void *calloc(size_t count, size_t size) {
+    ++allocations;
+    return __libc_calloc(count, size);
+}
+void *realloc(void *block, size_t size) {
+    ++allocations;
+    return __libc_realloc(block, size);
+}
+static void count_allocations(void) {}
+#endif
+
+// --- shapes ---
+
+/// Points of an ellipse with half axes 1 and `flatness`, turned by `angle`.
+static bmr_polygon *ellipse(size_t n, double flatness, double angle) {
+    bmr_vec2 *points = malloc(n * sizeof *points);
+    assert_non_null(points);
+    for (size_t i = 0; i < n; ++i) {
+        const double t = TWO_PI * ((double)i + 0.37) / (double)n;
+        points[i] = bmr_vec2_make(cos(t), flatness * sin(t));
+    }
+    test_move_points(points, n, angle, 0.0, 0.0);
+    bmr_polygon *polygon = NULL;
+    assert_int_equal(bmr_polygon_create(points, n, NULL, &polygon), BMR_OK);
+    free(points);
+    return polygon;
+}
+
+static bmr_polygon *box(double half_width, double half_height) {
+    bmr_vec2 points[4];
+    bmr_polygon *polygon = NULL;
+    const size_t n = test_box_points(half_width, half_height, points);
+    assert_int_equal(bmr_polygon_create(points, n, NULL, &polygon), BMR_OK);
+    return polygon;
+}
+
+typedef struct couple {
+    test_body body[2];
+    bmr_shape a, b;
+    bmr_pair_def def;
+    bmr_pair pair;
+    bmr_counters counters;
+} couple;
+
+static void couple_make(couple *c, bmr_structure structure, bmr_polygon *a, bmr_polygon *b) {
+    c->body[0] = test_body_make(a, structure);
+    c->body[1] = test_body_make(b, structure);
+    c->a = test_body_shape(&c->body[0]);
+    c->b = test_body_shape(&c->body[1]);
+    c->def = bmr_default_pair_def();
+    c->def.structure = structure;
+    bmr_pair_init(&c->pair);
+    memset(&c->counters, 0, sizeof c->counters);
+}
+static void couple_destroy(couple *c) {
+    test_body_destroy(&c->body[0]);
+    test_body_destroy(&c->body[1]);
+}
+static bmr_answer couple_advance(couple *c, bmr_pose q) {
+    const bmr_observer observer = {&c->counters, NULL, NULL};
+    const bmr_answer answer = bmr_pair_advance(&c->pair, &c->def, &c->a, &c->b, &q, &observer, NULL);
+    assert_int_equal(bmr_pair_audit(&c->pair, &c->def, &c->a, &c->b, &q), BMR_OK);
+    return answer;
+}
+/// Level changes by coarsening come with an event that is counted already.
+static double events_of(const bmr_counters *counters) {
+    uint64_t events = 0;
+    for (int i = 0; i < BMR_EVENT_KIND_COUNT; ++i)
+        events += i == BMR_EVENT_COARSEN ? 0 : counters->events[i];
+    return (double)events;
+}
+static bmr_pose pose(double x, double y, double angle) {
+    const bmr_pose q = {{x, y}, cos(angle), sin(angle)};
+    return q;
+}
+
+// --- the plain things ---
+
+static void a_pair_is_one_cache_line_and_starts_knowing_nothing(void **state) {
+    (void)state;
+    bmr_pair pair;
+    memset(&pair, 0xff, sizeof pair);
+    bmr_pair_init(&pair);
+    assert_int_equal(sizeof pair, 64);
+    assert_int_equal(pair.state, BMR_PAIR_NEW);
+    const bmr_pose far = pose(1e6, 0.0, 0.0);
+    double gap;
+    assert_false(bmr_pair_check(&pair, &far, 0.0, &gap));
+    const bmr_pair_def def = bmr_default_pair_def();
+    assert_int_equal(def.structure, BMR_LAZY_COMPASS);
+    assert_true(def.margin == 0.0 && def.hysteresis == 0.0);
+}
+
+static void every_name_is_its_own_and_nothing_else_has_one(void **state) {
+    (void)state;
+    FOR_EACH_STRUCTURE(i) {
+        assert_non_null(bmr_structure_name(i));
+        for (bmr_structure j = 0; j < i; ++j)
+            assert_string_not_equal(bmr_structure_name(i), bmr_structure_name(j));
+    }
+    assert_string_equal(bmr_structure_name(BMR_FREE_DIRECTION), "free-direction");
+    assert_null(bmr_structure_name(BMR_STRUCTURE_COUNT));
+    assert_null(bmr_structure_name((bmr_structure)77));
+    for (bmr_event_kind i = 0; i < BMR_EVENT_KIND_COUNT; ++i) {
+        assert_non_null(bmr_event_name(i));
+        for (bmr_event_kind j = 0; j < i; ++j)
+            assert_string_not_equal(bmr_event_name(i), bmr_event_name(j));
+    }
+    assert_null(bmr_event_name(BMR_EVENT_KIND_COUNT));
+}
+
+static void a_pose_that_is_no_motion_answers_stab_and_does_no_harm(void **state) {
+    (void)state;
+    const double bad[][4] = {{NAN, 0, 1, 0},      {0, NAN, 1, 0},       {9, 0, NAN, 0},      {9, 0, 1, NAN},
+                             {INFINITY, 0, 1, 0}, {0, -INFINITY, 1, 0}, {9, 0, INFINITY, 0}, {9, 0, 0, 0},
+                             {9, 0, 2, 0},        {9, 0, 0.9, 0}};
+    FOR_EACH_STRUCTURE(s) {
+        couple c;
+        couple_make(&c, s, ellipse(20, 0.5, 0.0), box(1.0, 0.5));
+        for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i)
+            for (int before = 0; before < 3; ++before) { // new, apart by a line, in contact
+                bmr_pair_init(&c.pair);
+                if (before > 0)
+                    assert_int_equal(couple_advance(&c, pose(0.0, before == 1 ? 1.1 : 0.2, 0.1)),
+                                     before == 1 ? BMR_APART : BMR_STAB_POLYGON);
+                const bmr_pose q = {{bad[i][0], bad[i][1]}, bad[i][2], bad[i][3]};
+                double gap = 7.0;
+                assert_int_equal(bmr_pair_advance(&c.pair, &c.def, &c.a, &c.b, &q, NULL, &gap),
+                                 BMR_STAB_POLYGON);
+                assert_true(gap == 0.0);
+                assert_int_equal(bmr_pair_audit(&c.pair, &c.def, &c.a, &c.b, &q), BMR_OK);
+                assert_int_equal(couple_advance(&c, pose(0.0, 1.1, 0.1)), BMR_APART);
+            }
+        couple_destroy(&c);
+    }
+}
+
+static void far_poses_are_apart_up_to_the_largest_double(void **state) {
+    (void)state;
+    FOR_EACH_STRUCTURE(s) {
+        couple c;
+        couple_make(&c, s, ellipse(20, 0.5, 0.0), box(1.0, 0.5));
+        for (double x = 1.0; x < 1e300; x *= 7.0) {
+            const bmr_pose q = pose(-x, x / 3.0, x);
+            double gap;
+            const bmr_answer answer = bmr_pair_advance(&c.pair, &c.def, &c.a, &c.b, &q, NULL, &gap);
+            assert_true(x < 3.0 || answer == BMR_APART);
+            assert_true(gap <= hypot(x, x / 3.0));
+        }
+        couple_destroy(&c);
+    }
+}
+
+static void identical_polygons_on_each_other_are_in_contact_and_part(void **state) {
+    (void)state;
+    FOR_EACH_STRUCTURE(s) {
+        couple c;
+        couple_make(&c, s, ellipse(33, 0.3, 1.0), ellipse(33, 0.3, 1.0));
+        assert_int_equal(couple_advance(&c, bmr_pose_identity()), BMR_STAB_POLYGON);
+        assert_int_equal(couple_advance(&c, bmr_pose_identity()), BMR_STAB_POLYGON);
+        assert_int_equal(c.counters.events[BMR_EVENT_CONTACT], 1);
+        assert_int_equal(couple_advance(&c, pose(5.0, 0.0, 0.0)), BMR_APART);
+        assert_int_equal(c.counters.events[BMR_EVENT_LEAVE], 1);
+        couple_destroy(&c);
+    }
+}
+
+static void points_and_segments_have_pairs_too(void **state) {
+    (void)state;
+    const bmr_vec2 points[2] = {{-1.0, 0.0}, {1.0, 0.0}};
+    FOR_EACH_STRUCTURE(s)
+    for (size_t n = 1; n <= 2; ++n)
+        for (size_t m = 1; m <= 2; ++m) {
+            bmr_polygon *a = NULL, *b = NULL;
+            assert_int_equal(bmr_polygon_create(points, n, NULL, &a), BMR_OK);
+            assert_int_equal(bmr_polygon_create(points, m, NULL, &b), BMR_OK);
+            couple c;
+            couple_make(&c, s, a, b);
+            for (int i = 0; i < 400; ++i) { // passing over and through each other, turning
+                const double y = 0.01 * (i % 200 - 100);
+                const bmr_pose q = pose(0.003 * i - 0.6, y, 0.05 * i);
+                const double truth = test_distance(a, b, &q);
+                const double slop = BMR_PAIR_SLOP * (a->extent + b->extent);
+                const bmr_answer answer = couple_advance(&c, q);
+                assert_true(truth > slop ? answer == BMR_APART : (truth > 0.0 || answer == BMR_STAB_POLYGON));
+            }
+            couple_destroy(&c);
+        }
+}
+
+static void a_lazy_pair_without_hierarchies_asks_the_exact_test(void **state) {
+    (void)state;
+    couple c;
+    couple_make(&c, BMR_FREE_DIRECTION, box(1.0, 1.0), box(1.0, 1.0));
+    c.def.structure = BMR_LAZY_DUDLEY;
+    for (int i = 0; i < 3; ++i)
+        assert_int_equal(couple_advance(&c, pose(2.2, 2.2, 0.8)), BMR_STAB_POLYGON);
+    couple_destroy(&c);
+}
+
+static void contact_is_left_only_by_margin_and_hysteresis(void **state) {
+    (void)state;
+    FOR_EACH_STRUCTURE(s) {
+        couple c;
+        couple_make(&c, s, box(1.0, 1.0), box(1.0, 1.0));
+        c.def.margin = 0.1;
+        c.def.hysteresis = 0.05;
+        assert_int_equal(couple_advance(&c, pose(2.1001, 0.0, 0.0)), BMR_APART);
+        assert_int_equal(couple_advance(&c, pose(2.0999, 0.0, 0.0)), BMR_STAB_POLYGON);
+        assert_int_equal(couple_advance(&c, pose(2.1499, 0.0, 0.0)), BMR_STAB_POLYGON);
+        assert_int_equal(couple_advance(&c, pose(2.1501, 0.0, 0.0)), BMR_APART);
+        assert_int_equal(couple_advance(&c, pose(2.1001, 0.0, 0.0)), BMR_APART);
+        // Corner against corner no edge's line separates by more than the distance over sqrt(2).
+        const double diagonal = 2.0 + 0.1001 / sqrt(2.0), back = 2.0 + 0.0999 / sqrt(2.0);
+        assert_int_equal(couple_advance(&c, pose(diagonal, diagonal, 0.0)), BMR_APART);
+        assert_int_equal(couple_advance(&c, pose(back, back, 0.0)), BMR_STAB_POLYGON);
+        couple_destroy(&c);
+    }
+}
+
+static void a_pair_does_not_allocate(void **state) {
+    (void)state;
+    test_random random = {5};
+    FOR_EACH_STRUCTURE(s) {
+        couple c;
+        couple_make(&c, s, ellipse(100, 0.4, 0.0), ellipse(60, 0.7, 0.0));
+        static bmr_pose poses[2000];
+        for (size_t i = 0; i < 2000; ++i)
+            poses[i] = test_pose_at(c.a.polygon, c.b.polygon, 0.03 * (double)i, 0.02 * (double)i,
+                                    test_random_uniform(&random, -0.05, 0.2));
+        const bmr_observer observer = {&c.counters, NULL, NULL};
+        const size_t before = allocations;
+        for (size_t i = 0; i < 2000; ++i) {
+            bmr_pair_advance(&c.pair, &c.def, &c.a, &c.b, &poses[i], &observer, NULL);
+            bmr_pair_audit(&c.pair, &c.def, &c.a, &c.b, &poses[i]);
+        }
+        assert_int_equal(allocations, before);
+        assert_true(events_of(&c.counters) > 500.0);
+        couple_destroy(&c);
+        free(malloc(100 + (size_t)s)); // the control: this count does count
+        assert_true(allocations > before);
+    }
+}
+
+static void watching_changes_nothing_and_a_copy_goes_on_alike(void **state) {
+    (void)state;
+    test_random random = {6};
+    FOR_EACH_STRUCTURE(s) {
+        couple c;
+        couple_make(&c, s, ellipse(100, 0.4, 0.0), ellipse(60, 0.7, 0.0));
+        bmr_pair unwatched = c.pair;
+        for (size_t i = 0; i < 2000; ++i) {
+            const bmr_pose q = test_pose_at(c.a.polygon, c.b.polygon, 0.03 * (double)i, 0.02 * (double)i,
+                                            test_random_uniform(&random, -0.05, 0.2));
+            couple_advance(&c, q);
+            bmr_pair copy = unwatched;
+            bmr_pair_advance(&copy, &c.def, &c.a, &c.b, &q, NULL, NULL);
+            unwatched = copy;
+            assert_memory_equal(&unwatched, &c.pair, sizeof c.pair);
+        }
+        assert_int_equal(c.counters.checks, 2000);
+        couple_destroy(&c);
+    }
+}
+
+// --- flat on flat ---
+
+static void a_flat_box_sliding_on_a_flat_box_does_not_roll_each_step(void **state) {
+    (void)state;
+    FOR_EACH_STRUCTURE(s) {
+        couple c;
+        couple_make(&c, s, box(10.0, 1.0), box(1.0, 1.0));
+        test_random random = {8};
+        size_t beyond = 0, steps = 5000;
+        for (size_t i = 0; i < steps; ++i) {
+            // What single precision makes of an angle of 0: noise, but for the sliding.
+            const double noise = test_random_uniform(&random, -1.5e-7, 1.5e-7);
+            const bmr_pose q = pose(-9.0 + 18.0 * (double)i / (double)steps, 2.0005, noise);
+            assert_int_equal(couple_advance(&c, q), BMR_APART);
+            // The control: a checker with no tolerance would call half of these a roll.
+            const bmr_certificate *k = &c.pair.certificate;
+            const bmr_pose inverse = bmr_pose_inverse(&q), *frame = c.pair.owner == 0 ? &q : &inverse;
+            const bmr_vec2 d =
+                bmr_neg(bmr_unrotate(frame, bmr_vec2_make((double)k->normal[0], (double)k->normal[1])));
+            const bmr_vec2 low = {(double)k->low[0], (double)k->low[1]},
+                           high = {(double)k->high[0], (double)k->high[1]};
+            beyond += bmr_cross(low, d) < 0.0 || bmr_cross(d, high) < 0.0;
+        }
+        assert_true(events_of(&c.counters) <= 4.0);
+        if (s != BMR_FREE_DIRECTION) // there the bracket's ends are not on the flat
+            assert_true(beyond > steps / 4);
+        couple_destroy(&c);
+    }
+}
+
+static void spinning_far_apart_costs_nothing(void **state) {
+    (void)state;
+    FOR_EACH_STRUCTURE(s) {
+        couple c;
+        couple_make(&c, s, ellipse(64, 0.3, 0.0), ellipse(64, 0.3, 0.0));
+        for (int i = 0; i < 1000; ++i)
+            assert_int_equal(couple_advance(&c, pose(2.5, 0.0, 0.1 * i)), BMR_APART);
+        assert_int_equal(c.counters.events[BMR_EVENT_START], 1);
+        assert_true(events_of(&c.counters) == 1.0);
+        // The control: where the disks overlap, spinning does cost.
+        for (int i = 0; i < 1000; ++i)
+            couple_advance(&c, pose(0.0, 1.4, 0.1 * i));
+        assert_true(events_of(&c.counters) > 50.0);
+        couple_destroy(&c);
+    }
+}
+
+// --- how events grow ---
+
+/// Events of a straight pass whose least distance is sigma, sampled finely near the closest place.
+static double events_of_a_pass(bmr_structure s, size_t n, double sigma, double way, double *features) {
+    couple c;
+    couple_make(&c, s, ellipse(n, 0.25, 0.3), ellipse(n, 0.5, 1.9));
+    const bmr_pose nearest = test_pose_at(c.a.polygon, c.b.polygon, way, 0.6, sigma);
+    const bmr_vec2 along = {-sin(way), cos(way)};
+    const bmr_observer observer = {&c.counters, NULL, NULL};
+    uint32_t last = 0;
+    for (int i = -3000; i <= 3000; ++i) {
+        const double t = i / 3000.0;
+        bmr_pose q = nearest;
+        q.position = bmr_add(q.position, bmr_scale(6.0 * t * t * t, along));
+        assert_int_equal(bmr_pair_advance(&c.pair, &c.def, &c.a, &c.b, &q, &observer, NULL), BMR_APART);
+        // What the same pass costs whoever follows the vertex nearest to the other's centre.
+        const uint32_t feature = bmr_polygon_support(c.a.polygon, q.position);
+        *features += feature != last;
+        last = feature;
+    }
+    const double events = events_of(&c.counters);
+    couple_destroy(&c);
+    return events;
+}
+
+static void events_of_a_pass_grow_with_the_logarithm_of_its_nearness_and_not_with_n(void **state) {
+    (void)state;
+    const size_t sizes[] = {64, 512, 4096};
+    const double ways[] = {0.1, 1.3, 2.9, 4.4, 5.5, 6.1};
+    FOR_EACH_STRUCTURE(s) {
+        double least[3] = {0}, most[3] = {0}, features[3] = {0};
+        for (size_t k = 0; k < 3; ++k) {
+            double unused = 0.0;
+            for (size_t w = 0; w < 6; ++w) {
+                least[k] += events_of_a_pass(s, sizes[k], 2.0 / 10.0, ways[w], &unused) / 6.0;
+                most[k] += events_of_a_pass(s, sizes[k], 2.0 / 1e4, ways[w], &features[k]) / 6.0;
+            }
+            features[k] /= 6.0;
+            const double doublings = log2(1e3), slope = (most[k] - least[k]) / doublings;
+            assert_true(slope > 0.0); // it does see the difference
+            assert_true(slope <= 1.2);
+        }
+        // With few vertices there are fewer levels than the nearness asks for; from then on n does not
+        // matter.
+        assert_true(most[0] <= most[1] + 0.5 && fabs(most[2] - most[1]) <= 1.0);
+        // The control: a structure on full resolution pays in n.
+        assert_true(features[2] > 4.0 * features[1] && features[1] > 4.0 * features[0]);
+        assert_true(features[2] > 20.0 * most[2]);
+    }
+}
+
+/// Events of one turn around the other at a distance of sigma.
+static double events_of_an_orbit(bmr_structure s, size_t n, double sigma) {
+    couple c;
+    couple_make(&c, s, ellipse(n, 0.25, 0.3), ellipse(n, 0.5, 1.9));
+    const bmr_observer observer = {&c.counters, NULL, NULL};
+    for (int i = 0; i < 20000; ++i) {
+        const bmr_pose q = test_pose_at(c.a.polygon, c.b.polygon, TWO_PI * i / 20000.0, 0.6, sigma);
+        bmr_pair_advance(&c.pair, &c.def, &c.a, &c.b, &q, &observer, NULL);
+    }
+    const double events = events_of(&c.counters);
+    couple_destroy(&c);
+    return events;
+}
+
+static void events_of_an_orbit_grow_with_the_square_root_of_its_nearness(void **state) {
+    (void)state;
+    FOR_EACH_STRUCTURE(s) {
+        const double far = events_of_an_orbit(s, 4096, 2e-1), near = events_of_an_orbit(s, 4096, 2e-3);
+        const double exponent = log(near / far) / log(100.0);
+        assert_true(exponent > 0.3 && exponent < 0.6);
+    }
+}
+
+int main(void) {
+    count_allocations();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_pair_is_one_cache_line_and_starts_knowing_nothing),
+        cmocka_unit_test(every_name_is_its_own_and_nothing_else_has_one),
+        cmocka_unit_test(a_pose_that_is_no_motion_answers_stab_and_does_no_harm),
+        cmocka_unit_test(far_poses_are_apart_up_to_the_largest_double),
+        cmocka_unit_test(identical_polygons_on_each_other_are_in_contact_and_part),
+        cmocka_unit_test(points_and_segments_have_pairs_too),
+        cmocka_unit_test(a_lazy_pair_without_hierarchies_asks_the_exact_test),
+        cmocka_unit_test(contact_is_left_only_by_margin_and_hysteresis),
+        cmocka_unit_test(a_pair_does_not_allocate),
+        cmocka_unit_test(watching_changes_nothing_and_a_copy_goes_on_alike),
+        cmocka_unit_test(a_flat_box_sliding_on_a_flat_box_does_not_roll_each_step),
+        cmocka_unit_test(spinning_far_apart_costs_nothing),
+        cmocka_unit_test(events_of_a_pass_grow_with_the_logarithm_of_its_nearness_and_not_with_n),
+        cmocka_unit_test(events_of_an_orbit_grow_with_the_square_root_of_its_nearness),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
