@@ -96,10 +96,15 @@ inline PolygonContact::Answer PolygonContact::Ask(const b2Transform &xfA, const 
     // not the caller's, which anybody may pass uninitialised.)
     if (m_manifold.pointCount > 0)
         return Answer::kTouching;
-    if (state.pair != nullptr && PairSaysApart(xfA, xfB))
+    // Hulls that overlapped at the last look (concave bodies, close together) most likely do so still: there
+    // the edge is asked first.
+    const bool pairFirst = state.pair != nullptr && state.pair->verdict == BMR_APART;
+    if (pairFirst && PairSaysApart(xfA, xfB))
         return Answer::kApartByPair;
     if (EdgeSaysApart(xfA, xfB))
         return Answer::kApartByEdge;
+    if (state.pair != nullptr && !pairFirst && PairSaysApart(xfA, xfB))
+        return Answer::kApartByPair;
     return FindEdge(xfA, xfB) ? Answer::kApartBySearch : Answer::kUnknown;
 }
 
@@ -142,7 +147,7 @@ inline bool PolygonContact::EdgeSaysApart(const b2Transform &xfA, const b2Transf
     return separation > a.m_radius + b.m_radius;
 }
 
-/// Remembers the edge of largest separation of the two polygons, if it separates them in Box2D's sense.
+/// Remembers the edge of largest separation of a polygon, if it separates the two in Box2D's sense.
 bool PolygonContact::FindEdge(const b2Transform &xfA, const b2Transform &xfB) {
     if (!EdgesAreOn())
         return false;
@@ -151,19 +156,20 @@ bool PolygonContact::FindEdge(const b2Transform &xfA, const b2Transform &xfB) {
         return false;
     }
     Count(&Counts::edgeSearches);
-    const bmr_polygon32 a = Polygon32(ShapeOf(m_fixtureA)), b = Polygon32(ShapeOf(m_fixtureB));
-    const bmr_transform32 *poseA = Transform32(xfA), *poseB = Transform32(xfB);
-    const bmr_transform32 aInB = bmr_exact32_relative(poseB, poseA),
-                          bInA = bmr_exact32_relative(poseA, poseB);
-    int32_t edgeA = 0, edgeB = 0;
-    const float separationA = bmr_exact32_max_separation(&a, &b, &aInB, &edgeA);
-    const float separationB = bmr_exact32_max_separation(&b, &a, &bInA, &edgeB);
-    const bool ofB = separationB > separationA;
-    if ((ofB ? separationB : separationA) > RadiusSum()) {
-        state.edge = static_cast<uint8_t>(ofB ? edgeB : edgeA);
-        state.edgeOfB = ofB;
-        state.patience = 0;
-        return true;
+    const float radiusSum = RadiusSum();
+    // The first polygon that has a separating edge will do, as it does for Box2D.
+    for (const bool ofB : {false, true}) {
+        const bmr_polygon32 owner = Polygon32(ShapeOf(ofB ? m_fixtureB : m_fixtureA));
+        const bmr_polygon32 other = Polygon32(ShapeOf(ofB ? m_fixtureA : m_fixtureB));
+        const bmr_transform32 frame =
+            bmr_exact32_relative(Transform32(ofB ? xfA : xfB), Transform32(ofB ? xfB : xfA));
+        int32_t edge = 0;
+        if (bmr_exact32_max_separation(&owner, &other, &frame, &edge) > radiusSum) {
+            state.edge = static_cast<uint8_t>(edge);
+            state.edgeOfB = ofB;
+            state.patience = 0;
+            return true;
+        }
     }
     state.edge = kNoEdge;
     state.unasked = static_cast<uint8_t>((1u << state.patience) - 1u);
