@@ -158,7 +158,7 @@ TEST_CASE("the hull of hard points is CGAL's exact hull, vertex for vertex") {
 TEST_CASE("the hull of every family of polygons is CGAL's, by its filtered exact kernel") {
     test_random random = {1005};
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
-        for (std::size_t n : {3, 10, 100, 1000, 4096, 65535}) {
+        for (std::size_t n : {3u, 10u, 100u, 1000u, 4096u, 65535u}) {
             CAPTURE(test_family_name(static_cast<test_family>(family)));
             CAPTURE(n);
             Points points(n + 12);

@@ -12,9 +12,17 @@
 #include "boomerang/certificate.h"
 #include "motions.h"
 #include "polygons.h"
+#include "scalar_check.h"
 #include "test_scale.h"
 
 #define TWO_PI 6.283185307179586
+#define LEAST_ROUNDS 1500
+
+/// As scaled, but enough for every control to see what it waits for.
+static size_t rounds(size_t count) {
+    const size_t scaled = test_scaled(count);
+    return scaled > LEAST_ROUNDS ? scaled : LEAST_ROUNDS;
+}
 
 /// A certificate of A's line at `direction` with the support vertex of B as window, in B's normal cone.
 static bmr_certificate vertex_certificate(const bmr_polygon *a, const bmr_polygon *b, bmr_vec2 direction,
@@ -77,7 +85,7 @@ static void drop(setting *s) {
 static void the_gap_is_below_the_truth_and_by_no_more_than_the_stated_loss(void **state) {
     (void)state;
     test_random random = {11};
-    const size_t count = test_scaled(20000);
+    const size_t count = rounds(20000);
     size_t unrounded_lies = 0;
     for (size_t i = 0; i < count; ++i) {
         setting s = random_setting(&random);
@@ -103,7 +111,7 @@ static void a_direction_just_outside_the_bracket_passes_and_its_price_is_paid(vo
     (void)state;
     test_random random = {12};
     size_t passed = 0, rolled = 0, would_lie = 0;
-    for (size_t i = 0; i < test_scaled(20000); ++i) {
+    for (size_t i = 0; i < rounds(20000); ++i) {
         setting s = random_setting(&random);
         const bmr_certificate *k = &s.certificate;
         // Turn B so that the direction is outside its bracket by up to twice the tolerance.
@@ -183,6 +191,7 @@ static void a_nan_anywhere_never_holds(void **state) {
             bmr_certificate k;
             memcpy(&k, numbers, sizeof k);
             assert_int_not_equal(bmr_certificate_check(&k, &s.pose, -1.0, &gap), BMR_CHECK_HOLDS);
+            assert_int_not_equal(test_scalar_check_pair(&k, &s.pose, 0, -1.0, &gap), BMR_CHECK_HOLDS);
         }
         double pose[4] = {s.pose.position.x, s.pose.position.y, s.pose.c, s.pose.s};
         for (size_t i = 0; i < 4; ++i)
@@ -192,15 +201,42 @@ static void a_nan_anywhere_never_holds(void **state) {
                 bad[i] = sign == 0 ? (double)NAN : (double)sign * (double)INFINITY;
                 bmr_pose q = {{bad[0], bad[1]}, bad[2], bad[3]};
                 assert_int_not_equal(bmr_certificate_check(&s.certificate, &q, -1.0, &gap), BMR_CHECK_HOLDS);
+                assert_int_not_equal(test_scalar_check_pair(&s.certificate, &q, 0, -1.0, &gap),
+                                     BMR_CHECK_HOLDS);
             }
         drop(&s);
     }
 }
 
+static void the_check_says_the_same_with_and_without_vector_instructions(void **state) {
+    (void)state;
+    test_random random = {15};
+    size_t said[3] = {0};
+    for (size_t i = 0; i < rounds(20000); ++i) {
+        setting s = random_setting(&random);
+        const double turned = test_random_uniform(&random, -0.3, 0.3);
+        bmr_pose q = s.pose;
+        q.c = s.pose.c * cos(turned) - s.pose.s * sin(turned);
+        q.s = s.pose.s * cos(turned) + s.pose.c * sin(turned);
+        for (int owner = 0; owner < 2; ++owner) {
+            if (owner == 1)
+                q = bmr_pose_inverse(&q);
+            double gap, scalar_gap;
+            const double margin = test_random_uniform(&random, 0.0, 2.0);
+            const bmr_check check = bmr_certificate_check_pair(&s.certificate, &q, owner, margin, &gap);
+            assert_int_equal(check, test_scalar_check_pair(&s.certificate, &q, owner, margin, &scalar_gap));
+            assert_memory_equal(&gap, &scalar_gap, sizeof gap);
+            ++said[check];
+        }
+        drop(&s);
+    }
+    assert_true(said[0] > 100 && said[1] > 100 && said[2] > 100);
+}
+
 static void the_audit_accepts_what_is_true_and_rejects_every_tampering(void **state) {
     (void)state;
     test_random random = {14};
-    for (size_t i = 0; i < test_scaled(3000); ++i) {
+    for (size_t i = 0; i < rounds(3000); ++i) {
         setting s = random_setting(&random);
         const bmr_certificate honest = s.certificate;
         const float size = (float)(s.a->extent + s.b->extent);
@@ -266,6 +302,7 @@ int main(void) {
         cmocka_unit_test(the_opposite_direction_is_outside_the_narrowest_bracket),
         cmocka_unit_test(a_half_plane_of_directions_is_a_bracket),
         cmocka_unit_test(a_nan_anywhere_never_holds),
+        cmocka_unit_test(the_check_says_the_same_with_and_without_vector_instructions),
         cmocka_unit_test(the_audit_accepts_what_is_true_and_rejects_every_tampering),
         cmocka_unit_test(a_segment_is_its_own_window_in_every_direction),
     };
