@@ -2,7 +2,6 @@
 #include "polygon_contact.h"
 
 #include <algorithm>
-#include <cmath>
 #include <new>
 #include <typeinfo>
 
@@ -15,7 +14,6 @@
 #include "pair_registry.h"
 #include "settings.h"
 #include "shapes32.h"
-#include "thresholds.h"
 
 namespace bmr {
 
@@ -175,21 +173,6 @@ bool PolygonContact::FindEdge(const b2Transform &xfA, const b2Transform &xfB) {
     state.unasked = static_cast<uint8_t>((1u << state.patience) - 1u);
     state.patience = std::min<uint8_t>(static_cast<uint8_t>(state.patience + 1), kMostPatience) & 0xfu;
     return false;
-}
-
-double PolygonContact::EdgeGap(const b2Transform &xfA, const b2Transform &xfB) const {
-    const bool ofB = state.edgeOfB;
-    const bmr_polygon32 reference = Polygon32(ShapeOf(ofB ? m_fixtureB : m_fixtureA));
-    const bmr_polygon32 other = Polygon32(ShapeOf(ofB ? m_fixtureA : m_fixtureB));
-    if (state.edge >= reference.count)
-        return 0.0;
-    const bmr_transform32 frame =
-        bmr_exact32_relative(Transform32(ofB ? xfA : xfB), Transform32(ofB ? xfB : xfA));
-    if (!(std::fabs(static_cast<double>(frame.p.x)) + std::fabs(static_cast<double>(frame.p.y)) < kReach))
-        return 0.0;
-    const double separation =
-        static_cast<double>(bmr_exact32_edge_separation(&reference, state.edge, &other, &frame));
-    return std::max(0.0, separation - kRoundingMargin);
 }
 
 } // namespace bmr

@@ -38,10 +38,6 @@ public:
 
     void Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) override;
 
-    /// A lower bound of the distance between its two fixtures by the remembered edge alone; 0 where it proves
-    /// nothing.
-    double EdgeGap(const b2Transform &xfA, const b2Transform &xfB) const;
-
     ContactState state;
 
 private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include <box2d/b2_body.h>
@@ -11,61 +12,84 @@
 #include "boomerang/box2d_glue.h"
 #include "pair_registry.h"
 #include "polygon_contact.h"
+#include "shapes32.h"
+#include "thresholds.h"
 
 namespace bmr {
 
 namespace {
 
-/// Distance of two boxes, 0 where they overlap.
+/// Distance of two boxes, less what rounding their bounds to float may have added; 0 where they overlap.
 double BoxGap(const b2AABB &a, const b2AABB &b) {
-    const double x = std::max({0.0, static_cast<double>(a.lowerBound.x) - static_cast<double>(b.upperBound.x),
-                               static_cast<double>(b.lowerBound.x) - static_cast<double>(a.upperBound.x)});
-    const double y = std::max({0.0, static_cast<double>(a.lowerBound.y) - static_cast<double>(b.upperBound.y),
-                               static_cast<double>(b.lowerBound.y) - static_cast<double>(a.upperBound.y)});
+    const auto apart = [](float low, float high) {
+        const double gap = static_cast<double>(low) - static_cast<double>(high);
+        return gap - 4.0 * FLT_EPSILON *
+                         (std::fabs(static_cast<double>(low)) + std::fabs(static_cast<double>(high)));
+    };
+    const double x =
+        std::max({0.0, apart(a.lowerBound.x, b.upperBound.x), apart(b.lowerBound.x, a.upperBound.x)});
+    const double y =
+        std::max({0.0, apart(a.lowerBound.y, b.upperBound.y), apart(b.lowerBound.y, a.upperBound.y)});
     return std::hypot(x, y);
 }
 
-double PairGap(const BodyPair &pair, const b2Contact &contact) {
-    const b2Transform &a = contact.GetFixtureA()->GetBody()->GetTransform();
-    const b2Transform &b = contact.GetFixtureB()->GetBody()->GetTransform();
-    return pair.a->body == contact.GetFixtureA()->GetBody() ? CertifiedGap(pair, a, b)
-                                                            : CertifiedGap(pair, b, a);
+double Extent(const bmr_polygon32 &shape) {
+    double most = 0.0;
+    for (int32_t i = 0; i < shape.count; ++i)
+        most = std::max(most, std::hypot(static_cast<double>(shape.vertices[i].x),
+                                         static_cast<double>(shape.vertices[i].y)));
+    return most;
 }
 
-/// What is proved for the two fixtures of a contact.
-double ContactGap(b2Contact *contact) {
-    PolygonContact *ours = PolygonContact::AsOurs(contact);
-    if (ours == nullptr)
+/// The largest separation of the two shapes along a face of either, less what float arithmetic may be off by.
+double FaceGap(const b2Fixture &a, const b2Fixture &b) {
+    const b2Transform &poseA = a.GetBody()->GetTransform(), &poseB = b.GetBody()->GetTransform();
+    const bmr_polygon32 shapeA = Polygon32(static_cast<const b2PolygonShape &>(*a.GetShape()));
+    const bmr_polygon32 shapeB = Polygon32(static_cast<const b2PolygonShape &>(*b.GetShape()));
+    const bmr_transform32 aInB = bmr_exact32_relative(Transform32(poseB), Transform32(poseA));
+    const bmr_transform32 bInA = bmr_exact32_relative(Transform32(poseA), Transform32(poseB));
+    const double distance = std::hypot(static_cast<double>(aInB.p.x), static_cast<double>(aInB.p.y));
+    if (!(distance + Extent(shapeA) + Extent(shapeB) < kReach))
         return 0.0;
-    double gap = ours->EdgeGap(contact->GetFixtureA()->GetBody()->GetTransform(),
-                               contact->GetFixtureB()->GetBody()->GetTransform());
-    const ContactState &state = ours->state;
-    if (state.pair != nullptr && state.stamp == StampOf(*state.pair) && !state.excluded) {
-        for (const BodyPair *pair = state.pair; pair != nullptr; pair = pair->parent)
-            gap = std::max(gap, PairGap(*pair, *contact));
-    }
-    return gap;
+    int32_t edge;
+    const float separation = std::max(bmr_exact32_max_separation(&shapeA, &shapeB, &aInB, &edge),
+                                      bmr_exact32_max_separation(&shapeB, &shapeA, &bInA, &edge));
+    return std::max(0.0, static_cast<double>(separation) - kRoundingMargin);
 }
 
-b2Contact *ContactOf(const b2Fixture *a, const b2Fixture *b) {
-    for (const b2ContactEdge *edge = a->GetBody()->GetContactList(); edge != nullptr; edge = edge->next) {
+b2Contact *ContactOf(const b2Fixture &a, const b2Fixture &b) {
+    for (const b2ContactEdge *edge = a.GetBody()->GetContactList(); edge != nullptr; edge = edge->next) {
         const b2Contact *contact = edge->contact;
-        if ((contact->GetFixtureA() == a && contact->GetFixtureB() == b) ||
-            (contact->GetFixtureA() == b && contact->GetFixtureB() == a))
+        if ((contact->GetFixtureA() == &a && contact->GetFixtureB() == &b) ||
+            (contact->GetFixtureA() == &b && contact->GetFixtureB() == &a))
             return edge->contact;
     }
     return nullptr;
 }
 
-/// No contact: the fixtures' boxes, where Box2D keeps any.
-double FixtureGap(const b2Fixture *a, const b2Fixture *b) {
+/// What the kinetic structures that a contact shares prove; 0 without any.
+double StructureGap(const b2Fixture &a, const b2Fixture &b) {
     b2Contact *contact = ContactOf(a, b);
-    if (contact != nullptr)
-        return ContactGap(contact);
+    PolygonContact *ours = contact != nullptr ? PolygonContact::AsOurs(contact) : nullptr;
+    if (ours == nullptr || ours->state.pair == nullptr || ours->state.stamp != StampOf(*ours->state.pair) ||
+        ours->state.excluded)
+        return 0.0;
+    double gap = 0.0;
+    for (const BodyPair *pair = ours->state.pair; pair != nullptr; pair = pair->parent) {
+        const b2Fixture &first = pair->a->body == a.GetBody() ? a : b, &second = &first == &a ? b : a;
+        gap = std::max(
+            gap, CertifiedGap(*pair, first.GetBody()->GetTransform(), second.GetBody()->GetTransform()));
+    }
+    return gap;
+}
+
+/// Each of the three is a lower bound of the distance: the boxes hold the shapes and their skins, the face is
+/// one direction of all.
+double FixtureGap(const b2Fixture &a, const b2Fixture &b) {
     b2AABB boxA, boxB;
-    a->GetShape()->ComputeAABB(&boxA, a->GetBody()->GetTransform(), 0);
-    b->GetShape()->ComputeAABB(&boxB, b->GetBody()->GetTransform(), 0);
-    return BoxGap(boxA, boxB); // they hold the skin too: smaller than the core polygons' distance
+    a.GetShape()->ComputeAABB(&boxA, a.GetBody()->GetTransform(), 0);
+    b.GetShape()->ComputeAABB(&boxB, b.GetBody()->GetTransform(), 0);
+    return std::max({BoxGap(boxA, boxB), FaceGap(a, b), StructureGap(a, b)});
 }
 
 bool IsSolidPolygon(const b2Fixture *fixture) {
@@ -82,7 +106,7 @@ float CertifiedSlack(const b2Body *bodyA, const b2Body *bodyB) {
         for (const b2Fixture *b = bodyB->GetFixtureList(); b != nullptr && IsSolidPolygon(a);
              b = b->GetNext()) {
             if (IsSolidPolygon(b))
-                least = std::min(least, FixtureGap(a, b));
+                least = std::min(least, FixtureGap(*a, *b));
         }
     }
     return std::isfinite(least) ? std::nextafterf(static_cast<float>(least), 0.0f) : 0.0f;
