@@ -2,6 +2,7 @@
 #include "hull.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
 #include <new>
 #include <vector>
@@ -39,9 +40,6 @@ HullMember MemberOf(const b2Fixture &fixture, const b2PolygonShape &polygon) {
     return member;
 }
 
-// What a hierarchy takes of a slab for each vertex of its polygon; more is an error of memory, and the pair
-// Box2D's.
-constexpr size_t kMostHierarchyBytes = 144;
 constexpr size_t kSlabSlack = 64; // alignment of the pieces
 
 /// The fixtures that the hull is to hold. A hull of one fixture takes it as it is; that of a body leaves
@@ -144,16 +142,75 @@ void Forget(Hull *hull) {
     hull->reach = 0.0;
 }
 
-/// Builds all of it in a slab of this size; false if it does not fit, or if geometry says no.
-bool BuildInSlab(Hull *hull, size_t bytes, const std::vector<HullMember> &members,
-                 const std::vector<bmr_vec2> &points) {
-    hull->slab = AllocateSlab(hull->allocator, bytes);
-    const bmr_allocator memory = SlabAllocator(&hull->slab);
+/// Memory for a build: malloc for all but the block of one number, counted from 0, which comes out of a slab.
+/// The builders of core ask for scratch space from the same allocator as for their result.
+struct BuildMemory {
+    static constexpr int kMostBlocks = 8, kNone = -1;
+    Slab *slab;
+    int fromSlab;
+    int count;
+    void *blocks[kMostBlocks];
+};
+
+bmr_allocator BuildAllocator(BuildMemory *memory) {
+    bmr_allocator interface;
+    interface.allocate = [](void *context, size_t size) -> void * {
+        auto *to = static_cast<BuildMemory *>(context);
+        if (to->count == BuildMemory::kMostBlocks)
+            return nullptr;
+        void *block = to->count == to->fromSlab ? TakeFromSlab(to->slab, size) : std::malloc(size);
+        to->blocks[to->count++] = block;
+        return block;
+    };
+    interface.release = [](void *context, void *block, size_t) {
+        const auto *to = static_cast<BuildMemory *>(context);
+        if (to->fromSlab == BuildMemory::kNone || block != to->blocks[to->fromSlab])
+            std::free(block);
+    };
+    interface.context = memory;
+    return interface;
+}
+
+/// What is to be known of a hierarchy before it can be built in a slab. Found by building it elsewhere first:
+/// with its scratch space no slab would be long enough.
+struct HierarchyNeeds {
+    size_t bytes; ///< 0 where the structure needs none
+    int block;    ///< the number of its block
+};
+
+bool FindHierarchyNeeds(const bmr_polygon &polygon, HierarchyNeeds *needs) {
+    BuildMemory build = {nullptr, BuildMemory::kNone, 0, {}};
+    const bmr_allocator memory = BuildAllocator(&build);
+    bmr_hierarchy *hierarchy = nullptr;
+    *needs = {0, BuildMemory::kNone};
+    if (BuildHierarchy(&polygon, &memory, &hierarchy) != BMR_OK)
+        return false;
+    if (hierarchy == nullptr)
+        return true;
+    needs->bytes = bmr_hierarchy_bytes(hierarchy);
+    // The builders return the block itself.
+    needs->block = static_cast<int>(
+        std::find(build.blocks, build.blocks + build.count, static_cast<void *>(hierarchy)) - build.blocks);
+    const bool found = needs->block < build.count;
+    bmr_hierarchy_destroy(hierarchy, &memory);
+    return found;
+}
+
+/// Copies the polygon and builds its hierarchy in a slab; false if they do not fit, or if geometry says no.
+bool BuildInSlab(Hull *hull, const std::vector<HullMember> &members, const bmr_polygon &whole) {
+    HierarchyNeeds needs;
+    if (!FindHierarchyNeeds(whole, &needs))
+        return false;
+    hull->slab = AllocateSlab(hull->allocator, members.size() * sizeof(HullMember) +
+                                                   bmr_polygon_bytes(whole.count) + needs.bytes + kSlabSlack);
+    BuildMemory build = {&hull->slab, needs.block, 0, {}};
+    const bmr_allocator polygonMemory = SlabAllocator(&hull->slab), hierarchyMemory = BuildAllocator(&build);
     bmr_polygon *polygon = nullptr;
     bmr_hierarchy *hierarchy = nullptr;
     void *kept = TakeFromSlab(&hull->slab, members.size() * sizeof(HullMember));
-    if (kept == nullptr || bmr_polygon_create(points.data(), points.size(), &memory, &polygon) != BMR_OK ||
-        BuildHierarchy(polygon, &memory, &hierarchy) != BMR_OK) {
+    if (kept == nullptr ||
+        bmr_polygon_create_raw(whole.vertices, whole.count, &polygonMemory, &polygon) != BMR_OK ||
+        BuildHierarchy(polygon, &hierarchyMemory, &hierarchy) != BMR_OK) {
         Forget(hull);
         return false;
     }
@@ -170,11 +227,12 @@ void BuildShape(Hull *hull) {
     std::vector<bmr_vec2> points = PointsOf(members);
     if (points.size() > kMostHullVertices && !ReduceToEnvelope(&points))
         return;
-    const size_t flat = members.size() * sizeof(HullMember) + bmr_polygon_bytes(points.size()) + kSlabSlack;
-    const size_t deep =
-        flat + kMostHierarchyBytes * (points.size() + 8); // the least polygons have the most per vertex
-    const bool needsHierarchy = GetSettings().pairDef.structure != BMR_FREE_DIRECTION;
-    if (!BuildInSlab(hull, needsHierarchy ? deep : flat, members, points))
+    bmr_polygon *whole = nullptr;
+    if (bmr_polygon_create(points.data(), points.size(), nullptr, &whole) != BMR_OK)
+        return;
+    const bool built = BuildInSlab(hull, members, *whole);
+    bmr_polygon_destroy(whole, nullptr);
+    if (!built)
         return;
     hull->reach = 2.0 * hull->shape.polygon->extent; // no vertex is farther than sqrt(2) of it
     for (const HullMember &member : members)
