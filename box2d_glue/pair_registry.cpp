@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pair_registry.h"
 
+#include <algorithm>
+
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
@@ -161,6 +163,9 @@ void AttachToBodies(PolygonContact *contact, const Unit &a, const Unit &b, b2Blo
     int count = 0;
     VisitContactsBetween(a.body, b.body, [&](PolygonContact *other) {
         BodyPair *theirs = other->state.pair;
+        // Both bodies' lists are walked: a contact comes along twice.
+        if (std::find(siblings, siblings + count, other) != siblings + count)
+            return false;
         if (theirs != nullptr ? IsPairOf(*theirs, a, b) : Serves(*other, a) && Serves(*other, b)) {
             pair = theirs;
             siblings[count++] = other;
