@@ -38,7 +38,8 @@ b2Transform NoPose() {
 }
 
 bool SamePose(const b2Transform &a, const b2Transform &b) {
-    return std::memcmp(&a, &b, sizeof a) == 0;
+    // The same bits, NaNs too: four floats without padding.
+    return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
 }
 
 bool WithinReach(const b2Transform &xf, double reach) {

@@ -2,7 +2,6 @@
 #include "slab.h"
 
 #include <algorithm>
-#include <cstdint>
 
 #include <box2d/b2_block_allocator.h>
 
@@ -17,7 +16,7 @@ constexpr size_t kLongRun = 25; // a whole chunk
 constexpr size_t kAlignment = 16;
 // Box2D's own blocks of this class (proxies of chains) can break runs; so many are looked at before giving
 // up.
-constexpr int kMostTries = 256;
+constexpr size_t kMostTries = 256;
 
 size_t RunFor(size_t bytes) {
     return bytes <= kShortRun * kBlock ? kShortRun : kLongRun;
@@ -26,17 +25,17 @@ size_t RunFor(size_t bytes) {
 /// `wanted` neighbouring blocks: the first `wanted` that the allocator hands out in a row of rising
 /// addresses.
 char *AllocateRun(b2BlockAllocator *allocator, size_t wanted) {
-    uintptr_t blocks[kMostTries];
+    char *blocks[kMostTries];
     size_t count = 0, length = 0;
     while (length < wanted && count < kMostTries) {
-        blocks[count] = reinterpret_cast<uintptr_t>(allocator->Allocate(static_cast<int32>(kBlock)));
+        blocks[count] = static_cast<char *>(allocator->Allocate(static_cast<int32>(kBlock)));
         length = count > 0 && blocks[count] == blocks[count - 1] + kBlock ? length + 1 : 1;
         ++count;
     }
     const size_t rest = length == wanted ? count - wanted : count;
     for (size_t i = rest; i-- > 0;) // last out, first back: the order is kept
-        allocator->Free(reinterpret_cast<void *>(blocks[i]), static_cast<int32>(kBlock));
-    return length == wanted ? reinterpret_cast<char *>(blocks[rest]) : nullptr;
+        allocator->Free(blocks[i], static_cast<int32>(kBlock));
+    return length == wanted ? blocks[rest] : nullptr;
 }
 
 } // namespace
