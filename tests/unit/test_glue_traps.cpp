@@ -29,13 +29,14 @@ b2Body *Slanting(Game &game, float across, b2BodyType type = b2_dynamicBody) {
     return body;
 }
 
-/// Two planks of two fixtures each, side by side, which know of each other.
+/// Two planks, side by side, which know of each other.
 struct TwoPlanks {
     TwoPlanks(Game &game, float across) : a(Slanting(game, 0.0f)), b(Slanting(game, across)) {
         game.Plank(a);
         game.Plank(b);
         game.Step(5);
-        game.Stage(game.world.GetContactCount() >= 2 && game.Touching() == 0, "two contacts, apart");
+        game.Stage(game.world.GetContactCount() >= 2 && game.Touching() == 0, "contacts, apart");
+        game.StagePairs();
     }
     b2Body *a, *b;
 };
@@ -51,16 +52,17 @@ TEST_CASE("fixtures A and B may change places between two contacts of one body p
         Game game(run);
         // The second plank lies three beside its body's origin, so that no symmetry hides a mix-up.
         b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, -2.2f);
-        game.Box(a, 1.0f, 0.1f, {-1.0f, 0.0f});
-        game.Box(b, 1.0f, 0.1f, {-1.0f, 3.0f});
-        game.Box(b, 1.0f, 0.1f, {1.0f, 3.0f});
-        game.Box(a, 1.0f, 0.1f, {1.0f, 0.0f});
+        constexpr int kAll = Game::kPlankPieces, kHalf = kAll / 2;
+        game.Plank(a, {0.0f, 0.0f}, 0, kHalf);
+        game.Plank(b, {0.0f, 3.0f});
+        game.Plank(a, {0.0f, 0.0f}, kHalf, kAll);
         b->SetLinearVelocity(Slanted(0.0f, -1.0f));
         game.Step(3);
         int first[2] = {0, 0};
         for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
             ++first[c->GetFixtureA()->GetBody() == b];
         game.Stage(first[0] > 0 && first[1] > 0, "both orders");
+        game.StagePairs();
         game.Step(45);
         game.Stage(game.Touching() > 1, "a collision");
         game.Step(40);
@@ -73,7 +75,7 @@ TEST_CASE("a fixture that is added outside the hull collides at once") {
         TwoPlanks planks(game, 0.6f);
         game.Box(planks.b, 0.1f, 0.1f, {-1.0f, -0.6f});
         game.Step();
-        game.Stage(game.Touching() == 1, "a collision");
+        game.Stage(game.Touching() >= 1, "a collision");
         game.Step(20);
     });
 }
@@ -85,9 +87,10 @@ TEST_CASE("a second fixture on a body of one collides at once") {
         game.Plank(a);
         game.Box(b, 2.0f, 0.1f);
         game.Step(5);
+        game.StagePairs();
         game.Box(b, 0.1f, 0.1f, {-1.0f, -0.6f});
         game.Step();
-        game.Stage(game.Touching() == 1, "a collision");
+        game.Stage(game.Touching() >= 1, "a collision");
         game.Step(5);
         game.Box(b, 0.1f, 0.1f, {1.0f, -0.6f});
         game.Box(a, 0.1f, 0.1f, {0.0f, 0.5f});
@@ -100,12 +103,12 @@ TEST_CASE("a new fixture at the address of an old one is not the old one") {
     CheckSameAsStock([](Run &run) {
         Game game(run);
         TwoPlanks planks(game, 0.6f);
-        b2Fixture *old = planks.b->GetFixtureList(); // the newest: the right half
+        b2Fixture *old = planks.b->GetFixtureList(); // the newest: the right end
         planks.b->DestroyFixture(old);
         b2Fixture *made = game.Box(planks.b, 0.1f, 0.7f, {1.0f, 0.0f});
         game.Stage(made == old, "the same address");
         game.Step();
-        game.Stage(game.Touching() == 1, "a collision");
+        game.Stage(game.Touching() >= 1, "a collision");
         game.Step(20);
     });
 }
@@ -120,9 +123,10 @@ TEST_CASE("a hull that two pairs share is forgotten by both when it grows") {
         }
         game.Step(5);
         game.Stage(game.world.GetContactCount() >= 4 && game.Touching() == 0, "two pairs, apart");
+        game.StagePairs();
         game.Box(bodies[1], 0.1f, 0.8f, {-1.0f, 0.0f});
         game.Step();
-        game.Stage(game.Touching() == 2, "a collision on either side");
+        game.Stage(game.Touching() >= 2, "a collision on either side");
         game.Step(20);
     });
 }
@@ -131,23 +135,24 @@ TEST_CASE("a sensor that turned solid again collides, also if the hull was built
     CheckSameAsStock([](Run &run) {
         Game game(run);
         b2Body *a = Slanting(game, -0.8f), *b = Slanting(game, 0.0f);
-        game.Box(a, 0.5f, 0.1f, {-1.5f, 0.0f});
-        game.Box(a, 0.5f, 0.1f, {-0.5f, 0.0f});
+        for (int i = 0; i < 10; ++i)
+            game.Box(a, 0.1f, 0.1f, {0.2f * static_cast<float>(i) - 1.9f, 0.0f});
         b2Fixture *turned = game.Box(b, 1.0f, 0.1f, {-1.0f, 0.0f});
         game.Box(b, 0.2f, 0.1f, {1.8f, 0.0f});
         game.Step(5);
+        game.StagePairs();
         turned->SetSensor(true);
         game.Step(2);
-        // Both lie outside the hull: it is built again, now without the sensor.
-        game.Box(b, 0.35f, 0.1f, {0.4f, -0.45f});
-        game.Box(b, 0.05f, 0.12f, {0.4f, -0.45f});
+        // They lie outside the hull: it is built again, now without the sensor.
+        for (int i = 0; i < 6; ++i)
+            game.Box(b, 0.35f, 0.1f + 0.001f * static_cast<float>(i), {0.4f, -0.45f});
         game.Step(2);
         turned->SetSensor(false);
         game.Step(2);
         game.Stage(game.Touching() == 0, "apart");
         Place(a, Slanted(0.0f, -0.15f));
         game.Step();
-        game.Stage(game.Touching() == 2, "the turned fixture collides");
+        game.Stage(game.Touching() >= 2, "the turned fixture collides");
         game.Step(20);
     });
 }
