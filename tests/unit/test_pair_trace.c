@@ -24,6 +24,7 @@ typedef struct trace {
     bmr_pair_def def;
     bmr_pair pair;
     bmr_pair before; ///< the state that the next event starts from
+    double gap;      ///< that the last event left
     size_t seen[BMR_EVENT_KIND_COUNT];
     bool shown;
 } trace;
@@ -113,6 +114,7 @@ static void check_event(void *context, const bmr_event *event) {
     case BMR_EVENT_COARSEN: // one level up, and apart there by a fair part of what was proved before
         assert_int_equal(event->level_after, event->level_before - 1);
         assert_true(distance_on_level(t, event->level_after, event->pose) > 0.0);
+        assert_true(event->gap >= 0.25 * t->gap - slop);
         break;
     case BMR_EVENT_CONTACT: // hand-over: the polygons themselves touch
         assert_int_equal(now->state, BMR_PAIR_CONTACT);
@@ -128,6 +130,7 @@ static void check_event(void *context, const bmr_event *event) {
         fail();
     }
     t->before = *now;
+    t->gap = event->gap;
 }
 
 static bmr_polygon *body(size_t n, double flatness) {

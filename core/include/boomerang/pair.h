@@ -19,8 +19,11 @@ extern "C" {
 
 /// Which kinetic structure.
 typedef enum bmr_structure {
-    BMR_LAZY_COMPASS, ///< edge of one envelope, corner of the other, on compass hierarchies
-    BMR_LAZY_DUDLEY,  ///< the same on Dudley hierarchies
+    /// Edge of one envelope, corner of the other, on compass hierarchies. (At the polygons themselves, where
+    /// the gap is
+    /// within a factor of sqrt(2) of the margin, the closest direction stands in for an edge.)
+    BMR_LAZY_COMPASS,
+    BMR_LAZY_DUDLEY, ///< the same on Dudley hierarchies
     BMR_LAZY_DOBKIN_KIRKPATRICK,
     BMR_FREE_DIRECTION, ///< closest direction fixed in one body, two-corner window in the other
     BMR_STRUCTURE_COUNT
@@ -47,7 +50,9 @@ typedef struct bmr_pair_def {
 /// lazy-compass, margin and hysteresis 0.
 bmr_pair_def bmr_default_pair_def(void);
 
-/// Kinds of events, in the paper's words.
+/// Kinds of events, in the paper's words. One repair is one of START, PUSH, STAB, ROLL, CONTACT and LEAVE,
+/// followed by a COARSEN for each level it then gained. For the free direction, whose only levels are the
+/// disks and the polygons, PUSH and ROLL both mean that the closest direction was taken anew.
 typedef enum bmr_event_kind {
     BMR_EVENT_START,   ///< a certificate was made from nothing
     BMR_EVENT_PUSH,    ///< the window crossed the line, and another line of the same level separates
