@@ -6,8 +6,9 @@
 /// Steps of a climb before it gives way to the binary search, which costs about as much as this many.
 #define CLIMB_STEPS 12
 
-/// No polygon pair of the tests needs more than 25 iterations; each adds a vertex pair that no iteration
-/// before had, so that the loop ends without a cap too. It is there for what rounding might think of.
+/// In 130,000 random and hard motions no query took more than 12. Each iteration adds a vertex pair that no
+/// iteration before had, so that the loop ends without a cap too: this one is for what rounding might think
+/// of.
 #define MAX_ITERATIONS 100
 
 /// A climb's answer must lie this far (relative to the extent) above the centre: at the bottom, both edges

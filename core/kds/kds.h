@@ -46,8 +46,9 @@ double bmr_disks_gap(const bmr_certificate *certificate, const bmr_pose *b_in_a)
 bmr_error bmr_disks_audit(const bmr_certificate *certificate, const bmr_polygon *a, const bmr_polygon *b,
                           const bmr_pose *b_in_a);
 
-/// How much of the gap the closest direction may miss: a query that stops this early takes half the
-/// iterations on smooth bodies, and the loss is small beside what a window may cost.
+/// How much of the gap the closest direction may miss: a query that stops this early saves a quarter of its
+/// iterations on smooth bodies of 500 vertices and nearly half at 4000, and the loss is small beside what a
+/// window may cost.
 #define BMR_CLOSEST_SLACK 0.0625
 
 /// The distance query of a step, from the vertices given; true: apart by more than step->reach.
