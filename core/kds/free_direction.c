@@ -8,7 +8,7 @@
 
 /// How much of the gap (beyond the need) a window's corners may cost within its bracket. More gives wider
 /// brackets and fewer rolls, less gives fewer pushes: least events on a tumbling orbit at 0.3, on a tumbling
-/// pass at 0.7, and within a quarter of the least from 0.2 on.
+/// pass at 0.7, and within some third of the least from 0.2 on.
 #define WINDOW_PART 0.3
 
 /// The finest level there is: the polygons themselves.
