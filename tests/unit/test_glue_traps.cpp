@@ -134,7 +134,7 @@ TEST_CASE("a hull that two pairs share is forgotten by both when it grows") {
 TEST_CASE("a sensor that turned solid again collides, also if the hull was built without it") {
     CheckSameAsStock([](Run &run) {
         Game game(run);
-        b2Body *a = Slanting(game, -0.8f), *b = Slanting(game, 0.0f);
+        b2Body *a = Slanting(game, -0.45f), *b = Slanting(game, 0.0f);
         for (int i = 0; i < 10; ++i)
             game.Box(a, 0.1f, 0.1f, {0.2f * static_cast<float>(i) - 1.9f, 0.0f});
         b2Fixture *turned = game.Box(b, 1.0f, 0.1f, {-1.0f, 0.0f});
