@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <new>
 #include <vector>
@@ -73,15 +74,17 @@ std::vector<bmr_vec2> PointsOf(const std::vector<HullMember> &members) {
     return points;
 }
 
-/// Was the hull built from this fixture as it is now?
+bool ComesBefore(const HullMember &member, const b2Fixture *fixture) {
+    return std::less<const b2Fixture *>()(member.fixture, fixture);
+}
+
+/// Was the hull built from this fixture as it is now? The members are sorted by address.
 bool IsMember(const Hull &hull, const b2Fixture &fixture, const b2PolygonShape &polygon) {
-    for (int32_t i = 0; i < hull.memberCount; ++i) {
-        const HullMember &member = hull.members[i];
-        if (member.fixture == &fixture)
-            return member.count == polygon.m_count && member.radius == polygon.m_radius &&
-                   std::equal(member.vertices, member.vertices + member.count, polygon.m_vertices);
-    }
-    return false;
+    const HullMember *const begin = hull.members, *const end = begin + hull.memberCount;
+    const HullMember *const member = std::lower_bound(begin, end, &fixture, ComesBefore);
+    return member != end && member->fixture == &fixture && member->count == polygon.m_count &&
+           member->radius == polygon.m_radius &&
+           std::equal(member->vertices, member->vertices + member->count, polygon.m_vertices);
 }
 
 /// Replaces `points` by the corners of a compass envelope of at most kMostHullVertices edges.
@@ -208,8 +211,7 @@ bool BuildInSlab(Hull *hull, const std::vector<HullMember> &members, const bmr_p
     bmr_polygon *polygon = nullptr;
     bmr_hierarchy *hierarchy = nullptr;
     void *kept = TakeFromSlab(&hull->slab, members.size() * sizeof(HullMember));
-    if (kept == nullptr ||
-        bmr_polygon_create_raw(whole.vertices, whole.count, &polygonMemory, &polygon) != BMR_OK ||
+    if (kept == nullptr || bmr_polygon_copy(&whole, &polygonMemory, &polygon) != BMR_OK ||
         BuildHierarchy(polygon, &hierarchyMemory, &hierarchy) != BMR_OK) {
         Forget(hull);
         return false;
@@ -218,6 +220,8 @@ bool BuildInSlab(Hull *hull, const std::vector<HullMember> &members, const bmr_p
     hull->members = static_cast<HullMember *>(kept);
     hull->memberCount = static_cast<int32_t>(members.size());
     std::uninitialized_copy(members.begin(), members.end(), hull->members);
+    std::sort(hull->members, hull->members + hull->memberCount,
+              [](const HullMember &a, const HullMember &b) { return ComesBefore(a, b.fixture); });
     return true;
 }
 

@@ -172,6 +172,24 @@ static void the_range_is_accepted_up_to_its_ends(void **state) {
     bmr_polygon_destroy(polygon, NULL);
 }
 
+static void a_copy_is_one_block_that_equals_the_original(void **state) {
+    (void)state;
+    bmr_vec2 points[64];
+    test_regular_points(64, 1.0, 0.1, points);
+    bmr_polygon *polygon = NULL, *copy = NULL;
+    assert_int_equal(bmr_polygon_create(points, 64, NULL, &polygon), BMR_OK);
+    assert_int_equal(bmr_polygon_copy(polygon, NULL, &copy), BMR_OK);
+    assert_ptr_not_equal(copy->vertices, polygon->vertices);
+    assert_memory_equal(copy->vertices, polygon->vertices, 64 * sizeof(bmr_vec2));
+    assert_int_equal(bmr_polygon_audit(copy), BMR_OK);
+    bmr_polygon_destroy(polygon, NULL); // the copy stands alone
+    assert_int_equal(bmr_polygon_support(copy, bmr_vec2_make(0.0, 1.0)), copy->highest);
+    bmr_polygon_destroy(copy, NULL);
+    copy = NULL;
+    assert_int_equal(bmr_polygon_copy(NULL, NULL, &copy), BMR_ERROR_NULL_ARGUMENT);
+    assert_null(copy);
+}
+
 static void every_failing_allocation_is_reported_and_nothing_leaks(void **state) {
     (void)state;
     bmr_vec2 points[64];
@@ -268,6 +286,7 @@ int main(void) {
         cmocka_unit_test(bad_points_are_refused_and_leave_the_output_alone),
         cmocka_unit_test(more_than_65535_points_are_refused_and_65535_are_not),
         cmocka_unit_test(the_range_is_accepted_up_to_its_ends),
+        cmocka_unit_test(a_copy_is_one_block_that_equals_the_original),
         cmocka_unit_test(every_failing_allocation_is_reported_and_nothing_leaks),
         cmocka_unit_test(a_block_takes_16_bytes_a_vertex_and_64_more_at_most),
         cmocka_unit_test(audit_refuses_what_is_not_strictly_convex),
