@@ -25,8 +25,9 @@
 #    define FORKED_WORLD_ASAN
 #endif
 #if defined(FORKED_WORLD_ASAN)
-#    include <sanitizer/allocator_interface.h>
-#    include <sanitizer/lsan_interface.h>
+// Of the sanitizer's own headers, which not every compiler brings.
+extern "C" size_t __sanitizer_get_current_allocated_bytes(void);
+extern "C" int __lsan_do_recoverable_leak_check(void);
 #endif
 
 /// @file

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <thread>
 #include <vector>
@@ -192,6 +193,22 @@ TEST_CASE("every way for a contact to die gives back all it held") {
             game.Print();
         }
     });
+}
+
+TEST_CASE("control: one block that is not given back is seen") {
+    const size_t before = forked::BytesInUse();
+    void *block = std::malloc(1000);
+    CHECK(block != nullptr);
+    CHECK(forked::BytesInUse() >= before + 1000);
+    std::free(block);
+#if defined(FORKED_WORLD_ASAN)
+    const auto leak = [](Run &) {
+        void *volatile lost = std::malloc(1000);
+        lost = nullptr;
+        (void)lost;
+    };
+    CHECK(forked::InChild(leak, nullptr, forked::When::kBefore) != "");
+#endif
 }
 
 TEST_CASE("a world that dies with contacts alive leaks nothing") {
