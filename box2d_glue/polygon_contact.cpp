@@ -2,8 +2,8 @@
 #include "polygon_contact.h"
 
 #include <algorithm>
+#include <cstring>
 #include <new>
-#include <typeinfo>
 
 #include <box2d/b2_block_allocator.h>
 #include <box2d/b2_body.h>
@@ -27,6 +27,17 @@ constexpr uint8_t kMostPatience = 4;
 /// What the register held before us: it made the contacts that are not ours.
 b2ContactDestroyFcn *stockDestroy = nullptr;
 
+/// Tells our contacts from stock's. Games build Box2D without run-time type information too, where typeid has
+/// nothing to look at; but an object's table of virtual functions is always its first word, on every ABI that
+/// Box2D runs on.
+const void *ourVtable = nullptr;
+
+const void *VtableOf(const b2Contact *contact) {
+    const void *vtable;
+    std::memcpy(&vtable, static_cast<const void *>(contact), sizeof vtable);
+    return vtable;
+}
+
 const b2PolygonShape &ShapeOf(const b2Fixture *fixture) {
     return *static_cast<const b2PolygonShape *>(fixture->GetShape());
 }
@@ -39,12 +50,14 @@ void PolygonContact::Register() {
         InitializeRegisters();
         s_initialized = true;
     }
+    const PolygonContact ours;
+    ourVtable = VtableOf(&ours);
     stockDestroy = s_registers[b2Shape::e_polygon][b2Shape::e_polygon].destroyFcn;
     AddType(Create, Destroy, b2Shape::e_polygon, b2Shape::e_polygon);
 }
 
 PolygonContact *PolygonContact::AsOurs(b2Contact *contact) {
-    return typeid(*contact) == typeid(PolygonContact) ? static_cast<PolygonContact *>(contact) : nullptr;
+    return VtableOf(contact) == ourVtable ? static_cast<PolygonContact *>(contact) : nullptr;
 }
 
 const PolygonContact *PolygonContact::AsOurs(const b2Contact *contact) {

@@ -41,6 +41,7 @@ public:
     ContactState state;
 
 private:
+    PolygonContact() : state() {}
     PolygonContact(b2Fixture *fixtureA, b2Fixture *fixtureB);
 
     static b2Contact *Create(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB,
