@@ -13,7 +13,7 @@ extern "C" {
 /// Separation of two small convex polygons along one edge normal, in float, on plain arrays. The ORDER of the
 /// float operations is the contract: it is that of Box2D 2.4.x's polygon narrow phase, so the numbers have
 /// the same bits as Box2D's own when it was compiled without fused multiply-add. The scalar and the SSE2 form
-/// give the same bits.
+/// give the same bits, the sign of a zero aside (which no comparison sees).
 
 typedef struct bmr_vec32 {
     float x, y;
