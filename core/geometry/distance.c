@@ -138,10 +138,11 @@ static bmr_vec2 direction_of(const search *s) {
 
 bool bmr_closest_direction(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a, double reach,
                            double slack, bmr_simplex *simplex, bmr_closest *closest) {
-    search s;
-    s.simplex.count = 0;
-    for (uint32_t i = 0; i < simplex->count; ++i)
-        add(&s, a, b, b_in_a, simplex->a[i], simplex->b[i]);
+    // No simplex at all is as good a start as any vertices.
+    const bmr_simplex start = simplex->count - 1u < 3u ? *simplex : bmr_simplex_make(0, 0);
+    search s = {.simplex = {.count = 0}};
+    for (uint32_t i = 0; i < start.count; ++i)
+        add(&s, a, b, b_in_a, start.a[i], start.b[i]);
     bool outside = reduce(&s);
     bmr_closest best = {{1.0, 0.0}, -1.0, 0, 0};
     for (int iteration = 0; outside && iteration < MAX_ITERATIONS; ++iteration) {

@@ -83,7 +83,7 @@ bmr_simplex bmr_contact_simplex(const bmr_pair *pair) {
     const uint32_t packed[3] = {pair->edge, pair->other, pair->other_after};
     bmr_simplex simplex = bmr_simplex_make(0, 0);
     simplex.count = pair->simplex;
-    for (uint32_t i = 0; i < simplex.count; ++i) {
+    for (uint32_t i = 0; i < 3; ++i) { // past the count: read by nobody
         simplex.a[i] = packed[i] & 0xffffu;
         simplex.b[i] = packed[i] >> 16;
     }
