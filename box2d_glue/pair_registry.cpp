@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pair_registry.h"
 
-#include <algorithm>
-
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
@@ -22,8 +20,8 @@ struct Unit {
     const b2Fixture *fixture; ///< nullptr: the whole body
 };
 
-// A hull is looked for among this many of a body's newest contacts. Not finding it costs memory, not
-// correctness.
+// Hulls and pairs are looked for among this many of a body's newest contacts. Not finding one costs memory,
+// not correctness.
 constexpr int kMostContactsSearched = 32;
 
 // Two bodies get a structure of their own with this many contacts between them: fewer are served as well by
@@ -33,6 +31,19 @@ constexpr int kWorthAPair = 8;
 bool OneFixture(const b2Body &body) {
     const b2Fixture *first = body.GetFixtureList();
     return first != nullptr && first->GetNext() == nullptr;
+}
+
+/// Number of fixtures, counted up to `most`.
+int CountFixtures(const b2Body &body, int most) {
+    int count = 0;
+    for (const b2Fixture *f = body.GetFixtureList(); f != nullptr && count < most; f = f->GetNext())
+        ++count;
+    return count;
+}
+
+/// Have the two bodies fixtures enough for so many contacts with each other?
+bool MayMakeContacts(const b2Body &a, const b2Body &b, int contacts) {
+    return CountFixtures(a, contacts) * CountFixtures(b, contacts) >= contacts;
 }
 
 /// The hull of a static body of many fixtures (the level) would swallow everything: there each fixture is its
@@ -61,19 +72,19 @@ bool Serves(const b2Contact &contact, const Unit &unit) {
     return unit.fixture == nullptr || mine == unit.fixture;
 }
 
-/// Calls `visit` with each contact of ours between the two bodies that is no sensor's, until it returns true.
-/// Walks the two bodies' lists side by side, so it ends with the shorter one.
-template <typename Visit> void VisitContactsBetween(b2Body *bodyA, b2Body *bodyB, Visit visit) {
-    const auto look = [&visit](b2ContactEdge *edge, const b2Body *other) {
+/// Calls `visit` with each contact of ours between two bodies that is no sensor's, the newest first, until it
+/// returns true; among the newest kMostContactsSearched of `walked` alone. That is to be the body of the new
+/// contact's fixture B: Box2D has just walked its list to look for the same contact, so that it is in the
+/// cache.
+template <typename Visit> void VisitContactsBetween(b2Body *walked, const b2Body *other, Visit visit) {
+    int left = kMostContactsSearched;
+    for (b2ContactEdge *edge = walked->GetContactList(); edge != nullptr && left > 0;
+         edge = edge->next, --left) {
         if (edge->other != other)
-            return false;
+            continue;
         PolygonContact *ours = PolygonContact::AsOurs(edge->contact);
-        return ours != nullptr && !ours->GetFixtureA()->IsSensor() && !ours->GetFixtureB()->IsSensor() &&
-               visit(ours);
-    };
-    b2ContactEdge *a = bodyA->GetContactList(), *b = bodyB->GetContactList();
-    for (; a != nullptr && b != nullptr; a = a->next, b = b->next) {
-        if (look(a, bodyB) || look(b, bodyA))
+        if (ours != nullptr && !ours->GetFixtureA()->IsSensor() && !ours->GetFixtureB()->IsSensor() &&
+            visit(ours))
             return;
     }
 }
@@ -156,16 +167,13 @@ void Join(PolygonContact *contact, BodyPair *pair) {
 
 /// With remembered edges on: body pairs alone, from the kWorthAPair-th contact between two bodies on.
 void AttachToBodies(PolygonContact *contact, const Unit &a, const Unit &b, b2BlockAllocator *allocator) {
-    if (OneFixture(*a.body) && OneFixture(*b.body))
+    if (!MayMakeContacts(*a.body, *b.body, kWorthAPair))
         return;
     PolygonContact *siblings[kWorthAPair - 1];
     BodyPair *pair = nullptr;
     int count = 0;
-    VisitContactsBetween(a.body, b.body, [&](PolygonContact *other) {
+    VisitContactsBetween(b.body, a.body, [&](PolygonContact *other) {
         BodyPair *theirs = other->state.pair;
-        // Both bodies' lists are walked: a contact comes along twice.
-        if (std::find(siblings, siblings + count, other) != siblings + count)
-            return false;
         if (theirs != nullptr ? IsPairOf(*theirs, a, b) : Serves(*other, a) && Serves(*other, b)) {
             pair = theirs;
             siblings[count++] = other;
@@ -187,7 +195,7 @@ void AttachToFixtures(PolygonContact *contact, const Unit &a, const Unit &b, b2B
     const Unit fixtureA = FixtureUnit(contact->GetFixtureA()), fixtureB = FixtureUnit(contact->GetFixtureB());
     BodyPair *parent = nullptr;
     if (a.fixture == nullptr || b.fixture == nullptr) {
-        VisitContactsBetween(a.body, b.body, [&parent, &a, &b](PolygonContact *other) {
+        VisitContactsBetween(b.body, a.body, [&parent, &a, &b](PolygonContact *other) {
             BodyPair *above = other->state.pair != nullptr ? other->state.pair->parent : nullptr;
             if (above != nullptr && IsPairOf(*above, a, b))
                 parent = above;
