@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pair_registry.h"
 
+#include <algorithm>
+
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
@@ -24,9 +26,12 @@ struct Unit {
 // not correctness.
 constexpr int kMostContactsSearched = 32;
 
-// Two bodies get a structure of their own with this many contacts between them: fewer are served as well by
-// an edge each, without a hull to be built.
+// Two bodies get a structure of their own from so many contacts between them on: fewer are served as well by
+// an edge each. And not before there is a contact for every three fixtures: that is what a hull costs to
+// build, and bodies of many small pieces (concave ones, most of all) would build it for a short encounter.
 constexpr int kWorthAPair = 8;
+constexpr int kFixturesForAContact = 3;
+constexpr int kMostSiblings = 31; // bodies of more than 96 fixtures together need no more contacts than this
 
 bool OneFixture(const b2Body &body) {
     const b2Fixture *first = body.GetFixtureList();
@@ -165,25 +170,33 @@ void Join(PolygonContact *contact, BodyPair *pair) {
     contact->state.excluded = !holds;
 }
 
-/// With remembered edges on: body pairs alone, from the kWorthAPair-th contact between two bodies on.
+/// Are so many contacts between two bodies worth a structure?
+bool WorthAPair(const b2Body &a, const b2Body &b, int contacts) {
+    constexpr int kMostCounted = kFixturesForAContact * (kMostSiblings + 1);
+    return contacts >= kWorthAPair &&
+           contacts * kFixturesForAContact >=
+               std::min(CountFixtures(a, kMostCounted) + CountFixtures(b, kMostCounted), kMostCounted);
+}
+
+/// With remembered edges on: body pairs alone, once two bodies have contacts enough.
 void AttachToBodies(PolygonContact *contact, const Unit &a, const Unit &b, b2BlockAllocator *allocator) {
     if (!MayMakeContacts(*a.body, *b.body, kWorthAPair))
         return;
-    PolygonContact *siblings[kWorthAPair - 1];
+    PolygonContact *siblings[kMostSiblings];
     BodyPair *pair = nullptr;
     int count = 0;
     VisitContactsBetween(b.body, a.body, [&](PolygonContact *other) {
         BodyPair *theirs = other->state.pair;
-        if (theirs != nullptr ? IsPairOf(*theirs, a, b) : Serves(*other, a) && Serves(*other, b)) {
+        if (theirs != nullptr && IsPairOf(*theirs, a, b))
             pair = theirs;
+        else if (theirs == nullptr && Serves(*other, a) && Serves(*other, b))
             siblings[count++] = other;
-        }
-        return pair != nullptr || count == kWorthAPair - 1;
+        return pair != nullptr || count == kMostSiblings;
     });
-    if (pair == nullptr && count == kWorthAPair - 1) {
+    if (pair == nullptr && WorthAPair(*a.body, *b.body, count + 1)) {
         pair = MakePair(a, b, nullptr, allocator);
-        for (PolygonContact *sibling : siblings)
-            Share(sibling, pair);
+        for (int i = 0; i < count; ++i)
+            Share(siblings[i], pair);
     }
     if (pair != nullptr)
         Join(contact, pair);

@@ -13,9 +13,10 @@ class PolygonContact;
 /// Which contacts share which structure. There is no table: pairs and hulls are found through the contact
 /// lists that Box2D keeps anyway, so they belong to one world, need no lock, and die with it.
 
-/// Gives a new contact (not in Box2D's lists yet) the structure it is to ask, or none: sensors; two bodies of
-/// one fixture each while remembered edges are on; the first contact between two bodies, which one edge
-/// serves best.
+/// Gives a new contact (not in Box2D's lists yet) the structure it is to ask, or none. While remembered edges
+/// are on, the contacts of two bodies get one when there are enough of them to be worth its hulls; until then
+/// an edge each serves them. Contacts that are born as a sensor's get none, also if the sensor turns solid
+/// later.
 void AttachPair(PolygonContact *contact, b2BlockAllocator *allocator);
 /// Gives it back.
 void DetachPair(PolygonContact *contact, b2BlockAllocator *allocator);
