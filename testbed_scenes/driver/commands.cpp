@@ -22,6 +22,8 @@ public:
     explicit OutputFile(const std::string &path) : m_path(path) {
         if (path.empty())
             return;
+        if (path == "-")
+            throw UsageError("the table takes standard output: give --json and --csv a file");
         m_stream.open(path);
         if (!m_stream)
             throw UsageError("cannot write " + path);
@@ -159,11 +161,30 @@ int Execute(const RunCommand &command, const Workers &workers) {
         std::cout << summary.dump(2) << '\n';
     else
         PrintNumbers(std::cout, summary, "");
+    if (!command.trace.empty() && summary.contains("plugin") && summary["plugin"]["pairs"] == 0)
+        std::cerr
+            << "note: the trace is empty: one remembered edge a contact answered everything; --prefilter off "
+               "leaves it to the kinetic structures\n";
     return kExitOk;
 }
 
+namespace {
+
+/// A nudge after the last step would be no control: nothing could show it.
+void CheckPerturb(const std::vector<SceneInfo> &scenes, const CompareOptions &options) {
+    for (const SceneInfo &scene : scenes) {
+        const int steps = options.steps.value_or(scene.steps);
+        if (options.perturb && *options.perturb >= steps)
+            throw UsageError("--perturb " + std::to_string(*options.perturb) + ": " + scene.name +
+                             " has only the steps 0 to " + std::to_string(steps - 1));
+    }
+}
+
+} // namespace
+
 int Execute(const CompareCommand &command, const Workers &workers) {
     const std::vector<SceneInfo> scenes = SelectScenes(workers.List(), command.scenes);
+    CheckPerturb(scenes, command.options);
     OutputFile json(command.json), csv(command.csv);
     const bool colour = WantsColour(STDOUT_FILENO);
     const int runsPerScene = RunsPerScene(command.options);

@@ -34,9 +34,15 @@ void AddPluginOptions(CLI::App &app, WorkerOptions &worker) {
         ->check(CLI::IsMember({"on", "off"}));
 }
 
+/// A whole number of a size that nobody means to reach; CLI11's own validators speak of limits with 300
+/// digits.
+CLI::Range AtLeast(int least) {
+    return CLI::Range(least, 100000000);
+}
+
 void AddSceneOptions(CLI::App &app, WorkerOptions &worker) {
     app.add_option("--size", worker.size, "How much of everything there is (default: the scene's own)")
-        ->check(CLI::PositiveNumber);
+        ->check(AtLeast(1));
     app.add_option("--seed", worker.seed, "Seed of the scene's random numbers (default: the scene's own)");
 }
 
@@ -57,7 +63,7 @@ CLI::App *AddRun(CLI::App &app, CommandLine &line) {
     CLI::App *run = app.add_subcommand("run", "Run one scene on one side");
     run->add_option("scene", line.run.scene, "A name that `list` shows")->required();
     run->add_option("--steps", line.run.steps, "Steps to simulate (default: the scene's own)")
-        ->check(CLI::PositiveNumber);
+        ->check(AtLeast(1));
     AddPluginSwitch(*run, line.run.plugin);
     AddPluginOptions(*run, line.run.worker);
     CLI::Option *hash = run->add_flag("--hash", line.run.hash, "Print the hashes of every step");
@@ -74,7 +80,7 @@ CLI::App *AddCompare(CLI::App &app, CommandLine &line) {
         "compare", "Compare stock Box2D with the plugin: bit by bit, call by call, and by the clock");
     compare->add_option("scenes", command.scenes, "Names that `list` shows (default: all)");
     compare->add_option("--steps", command.options.steps, "Steps of each scene (default: the scene's own)")
-        ->check(CLI::PositiveNumber);
+        ->check(AtLeast(1));
     CLI::Option *repeat =
         compare->add_option("--repeat", command.options.repeat, "Timed runs of each side, interleaved")
             ->check(CLI::Range(1, 1000))
@@ -90,7 +96,7 @@ CLI::App *AddCompare(CLI::App &app, CommandLine &line) {
                      "Control: after this step (the first is 0) nudge one velocity by one bit on the "
                      "plugin's side; the "
                      "difference must be found")
-        ->check(CLI::NonNegativeNumber);
+        ->check(AtLeast(0));
     return compare;
 }
 
@@ -99,7 +105,7 @@ CLI::App *AddDraw(CLI::App &app, CommandLine &line) {
     draw->add_option("scene", line.draw.scene, "A name that `list` shows")->required();
     draw->add_option("--step", line.draw.step, "The step to draw; the first is 0")
         ->required()
-        ->check(CLI::NonNegativeNumber);
+        ->check(AtLeast(0));
     draw->add_option("-o,--output", line.draw.output, "The picture: .svg, .png or .pdf")->required();
     draw->add_option("--width", line.draw.width, "Width in pixels (points in a PDF)")
         ->check(CLI::Range(200, 10000))
@@ -156,13 +162,19 @@ int Run(int argc, char **argv) {
     line.compare.options.time = !line.noTime;
 
     const Workers workers(line.directory);
+    int status = 0;
     if (app.got_subcommand(list))
-        return Execute(line.list, workers);
-    if (app.got_subcommand(run))
-        return Execute(line.run, workers);
-    if (app.got_subcommand(compare))
-        return Execute(line.compare, workers);
-    return Execute(line.draw, workers);
+        status = Execute(line.list, workers);
+    else if (app.got_subcommand(run))
+        status = Execute(line.run, workers);
+    else if (app.got_subcommand(compare))
+        status = Execute(line.compare, workers);
+    else
+        status = Execute(line.draw, workers);
+    // What nobody could read was not done.
+    if (!std::cout.flush())
+        throw std::runtime_error("the output could not be written");
+    return status;
 }
 
 } // namespace

@@ -189,8 +189,13 @@ std::string Process::Describe() const {
     return text;
 }
 
-void RunAll(const std::vector<Process *> &processes, const std::function<void()> &onTick) {
+void RunAll(const std::vector<Process *> &processes, const std::function<void()> &onTick,
+            std::optional<std::chrono::seconds> limit) {
+    const auto begin = std::chrono::steady_clock::now();
     for (;;) {
+        if (limit && std::chrono::steady_clock::now() - begin > *limit)
+            throw WorkerError(processes.front()->CommandLine() + ": no answer within " +
+                              std::to_string(limit->count()) + " seconds");
         std::vector<pollfd> polls;
         std::vector<Process *> owners;
         for (Process *process : processes) {

@@ -2,8 +2,10 @@
 #ifndef BOOMERANG_TESTBED_PROCESS_H
 #define BOOMERANG_TESTBED_PROCESS_H
 
+#include <chrono>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -45,7 +47,8 @@ public:
     std::string CommandLine() const;
 
 private:
-    friend void RunAll(const std::vector<Process *> &processes, const std::function<void()> &onTick);
+    friend void RunAll(const std::vector<Process *> &processes, const std::function<void()> &onTick,
+                       std::optional<std::chrono::seconds> limit);
     bool ReadOutput();
     bool ReadErrors();
     void Wait();
@@ -65,8 +68,10 @@ private:
 
 /// Reads from all processes at once until each has closed its streams, then waits for them. onTick, if any,
 /// is called a few times a second. What a line handler throws ends the reading and is passed on; the
-/// processes' destructors then end what still runs.
-void RunAll(const std::vector<Process *> &processes, const std::function<void()> &onTick = nullptr);
+/// processes' destructors then end what still runs. With a time limit, whoever is not done by then is a
+/// failure.
+void RunAll(const std::vector<Process *> &processes, const std::function<void()> &onTick = nullptr,
+            std::optional<std::chrono::seconds> limit = std::nullopt);
 
 } // namespace testbed
 

@@ -56,7 +56,8 @@ std::vector<SceneInfo> Workers::List() const {
     std::string text;
     Process process({ProgramOf(Side::Stock).string(), "--list-json"}, {},
                     [&text](const std::string &line) { text += line + "\n"; });
-    RunAll({&process});
+    // Takes milliseconds; a program that is no worker may never end.
+    RunAll({&process}, nullptr, std::chrono::seconds(20));
     if (!process.Succeeded())
         throw WorkerError(process.Describe());
     return ParseSceneList(text);

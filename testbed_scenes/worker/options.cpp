@@ -69,17 +69,17 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
                    "field, and "
                    "stop")
         ->option_text("STEP")
-        ->check(CLI::NonNegativeNumber.description(""));
+        ->check(CLI::Range(0, 100000000).description(""));
     app.add_option("--outline", options.outline,
                    "Instead of hashes, print after this step the outlines of all shapes, and stop")
         ->option_text("STEP")
-        ->check(CLI::NonNegativeNumber.description(""));
+        ->check(CLI::Range(0, 100000000).description(""));
     app.add_option("--perturb", options.perturb,
                    "After this step, nudge the velocity of one body by one ulp: the control for comparisons, "
                    "which must "
                    "notice it at that very step")
         ->option_text("STEP")
-        ->check(CLI::NonNegativeNumber.description(""));
+        ->check(CLI::Range(0, 100000000).description(""));
     AddPluginOptions(app, options.plugin);
     try {
         app.parse(argc, argv);

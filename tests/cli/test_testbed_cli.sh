@@ -221,7 +221,32 @@ test_compare_finds_a_perturbation() {
     json_is "$scratch/report.json" different scenes 0 verdict
     json_is "$scratch/report.json" 7 scenes 0 difference step
     grep -q "^$hard,.*,different,7,body " "$scratch/report.csv" || fail "the CSV file does not say where"
-    expect 0 compare "$hard" --steps 7 --perturb 7 --no-time --quiet
+    expect 0 compare "$hard" --steps "$steps" --no-time --quiet # and without it there is none
+    expect 2 compare "$hard" --steps 7 --perturb 7 --no-time
+    err_has 'has only the steps 0 to 6'
+}
+
+test_output_that_cannot_be_written_is_a_failure() {
+    local status=0
+    claim='boomerang-testbed list >/dev/full'
+    "$testbed" list >/dev/full 2>"$scratch/err" || status=$?
+    [ "$status" -eq 3 ] || fail "exit status $status, not 3"
+    err_has 'could not be written'
+    expect 2 compare "$hard" --steps 5 --json -
+    err_has 'give --json and --csv a file'
+}
+
+test_numbers_out_of_range_are_explained_with_the_range() {
+    expect 2 run "$hard" --steps 0
+    err_has 'not in range 1 to 100000000'
+}
+
+test_an_empty_trace_says_how_to_get_events() {
+    expect 0 run "$hard" --steps "$steps" --trace "$scratch/trace"
+    err_has '--prefilter off'
+    expect 0 run "$hard" --steps "$steps" --prefilter off --trace "$scratch/trace"
+    err_empty
+    grep -q ' start ' "$scratch/trace" || fail 'no event in the trace'
 }
 
 test_worker_failures_exit_with_3() {
