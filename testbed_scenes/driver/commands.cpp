@@ -173,7 +173,7 @@ namespace {
 /// A nudge after the last step would be no control: nothing could show it.
 void CheckPerturb(const std::vector<SceneInfo> &scenes, const CompareOptions &options) {
     for (const SceneInfo &scene : scenes) {
-        const int steps = options.steps.value_or(scene.steps);
+        const long steps = options.steps.value_or(scene.steps);
         if (options.perturb && *options.perturb >= steps)
             throw UsageError("--perturb " + std::to_string(*options.perturb) + ": " + scene.name +
                              " has only the steps 0 to " + std::to_string(steps - 1));
