@@ -11,15 +11,15 @@ namespace {
 
 constexpr size_t kBlock = 640;  // the allocator's largest class
 constexpr size_t kSingle = 512; // up to here one block of a smaller class does
-constexpr size_t kShortRun = 5; // blocks; divides the 25 of a chunk
+constexpr size_t kRunStep = 5;  // runs are multiples of this many blocks, which divides the 25 of a chunk
 constexpr size_t kLongRun = 25; // a whole chunk
 constexpr size_t kAlignment = 16;
 // Box2D's own blocks of this class (proxies of chains) can break runs; so many are looked at before giving
 // up.
-constexpr size_t kMostTries = 256;
+constexpr size_t kMostTries = 1024;
 
 size_t RunFor(size_t bytes) {
-    return bytes <= kShortRun * kBlock ? kShortRun : kLongRun;
+    return (bytes + kRunStep * kBlock - 1) / (kRunStep * kBlock) * kRunStep;
 }
 
 /// `wanted` neighbouring blocks: the first `wanted` that the allocator hands out in a row of rising

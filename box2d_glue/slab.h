@@ -14,7 +14,7 @@ namespace bmr {
 ///
 /// A world's death frees its block allocator and tells nobody; what lives in it cannot leak. But the
 /// allocator's largest block has 640 bytes (more goes to malloc, and would leak). It cuts chunks of 16 KB
-/// into 25 such neighbours, though, so a slab of more is a run of 5 or 25 of them: sizes that divide a chunk
+/// into 25 such neighbours, though, so a slab of more is a run of 5, 10, ... 25 of them: such sizes
 /// leave no odd blocks behind, and as runs are given back in order, the next one is found at once.
 struct Slab {
     char *memory; ///< nullptr: none
