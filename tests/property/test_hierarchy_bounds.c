@@ -9,31 +9,13 @@
 #include <math.h>
 
 #include "boomerang/hierarchy.h"
+#include "compass_fixture.h"
 #include "hierarchies.h"
 #include "test_scale.h"
 
 /// @file
 /// The lemmas of section 3 with their constants. Every check is a function that says yes or no, and every
 /// test hands it something wrong as well.
-
-static bmr_compass *compass;
-
-static int make_compass(void **state) {
-    (void)state;
-    return bmr_compass_create(BMR_MAX_VERTICES, NULL, &compass) == BMR_OK ? 0 : -1;
-}
-
-static int drop_compass(void **state) {
-    (void)state;
-    bmr_compass_destroy(compass, NULL);
-    return 0;
-}
-
-static bmr_hierarchy *built(int kind, const bmr_polygon *p) {
-    bmr_hierarchy *h = NULL;
-    assert_int_equal(test_build_hierarchy((bmr_hierarchy_kind)kind, p, compass, NULL, &h), BMR_OK);
-    return h;
-}
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 static const size_t all_sizes[] = {3, 4, 5, 7, 8, 13, 64, 257, 1000, 4096};
