@@ -27,15 +27,16 @@ size_t RunFor(size_t bytes) {
 char *AllocateRun(b2BlockAllocator *allocator, size_t wanted) {
     char *blocks[kMostTries];
     size_t count = 0, length = 0;
-    while (length < wanted && count < kMostTries) {
+    do {
         blocks[count] = static_cast<char *>(allocator->Allocate(static_cast<int32>(kBlock)));
         length = count > 0 && blocks[count] == blocks[count - 1] + kBlock ? length + 1 : 1;
         ++count;
-    }
-    const size_t rest = length == wanted ? count - wanted : count;
-    for (size_t i = rest; i-- > 0;) // last out, first back: the order is kept
+    } while (length < wanted && count < kMostTries);
+    char *const run = length < wanted ? nullptr : blocks[count - length];
+    // Last out, first back: the order is kept.
+    for (size_t i = run != nullptr ? count - length : count; i-- > 0;)
         allocator->Free(blocks[i], static_cast<int32>(kBlock));
-    return length == wanted ? blocks[rest] : nullptr;
+    return run;
 }
 
 } // namespace
