@@ -104,6 +104,17 @@ b2Body *AddArena(Stage &stage, b2Vec2 center, float halfWidth, float halfHeight,
     return arena;
 }
 
+Grid::Grid(int size, int columns, float spacing)
+    : halfWidth(0.5f * spacing * static_cast<float>(columns)),
+      halfHeight(0.5f * spacing * static_cast<float>((size + columns - 1) / columns)), m_columns(columns),
+      m_spacing(spacing) {}
+
+b2Vec2 Grid::Place(int index) const {
+    const int column = index % m_columns, row = index / m_columns;
+    return {m_spacing * (0.5f + static_cast<float>(column)) - halfWidth,
+            m_spacing * (0.5f + static_cast<float>(row)) - halfHeight};
+}
+
 b2FixtureDef Material(float density, float friction, float restitution) {
     b2FixtureDef def;
     def.density = density;

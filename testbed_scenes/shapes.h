@@ -37,6 +37,19 @@ void AddFan(Stage &stage, b2Body *body, const Outline &outline, const b2FixtureD
 /// halfHeight away. The walls touch at their corners.
 b2Body *AddArena(Stage &stage, b2Vec2 center, float halfWidth, float halfHeight, float restitution);
 
+/// Places for `size` bodies in rows of `columns`, `spacing` apart, about the origin: what fills an arena of
+/// halfWidth and halfHeight evenly.
+class Grid {
+public:
+    Grid(int size, int columns, float spacing);
+    b2Vec2 Place(int index) const;
+    const float halfWidth, halfHeight;
+
+private:
+    int m_columns;
+    float m_spacing;
+};
+
 /// A fixture definition whose shape is still to be set.
 b2FixtureDef Material(float density, float friction = 0.2f, float restitution = 0.0f);
 

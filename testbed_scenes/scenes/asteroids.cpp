@@ -9,18 +9,13 @@ namespace {
 
 class Asteroids final : public Scene {
     void Build(Stage &stage, int size) override {
-        constexpr int columns = 15;
-        constexpr float spacing = 4.9f;
         stage.World().SetGravity({0.0f, 0.0f});
-        const int rows = (size + columns - 1) / columns;
-        const float halfWidth = 0.5f * spacing * static_cast<float>(columns);
-        const float halfHeight = 0.5f * spacing * static_cast<float>(rows);
-        AddArena(stage, {0.0f, 0.0f}, halfWidth, halfHeight, 1.0f);
+        const Grid grid(size, 15, 4.9f);
+        AddArena(stage, {0.0f, 0.0f}, grid.halfWidth, grid.halfHeight, 1.0f);
         for (int i = 0; i < size; ++i) {
             b2BodyDef def;
             def.type = b2_dynamicBody;
-            def.position.Set(spacing * (0.5f + static_cast<float>(i % columns)) - halfWidth,
-                             spacing * (0.5f + static_cast<float>(i / columns)) - halfHeight);
+            def.position = grid.Place(i);
             def.angle = stage.Rng().Uniform(-b2_pi, b2_pi);
             def.linearVelocity = stage.Rng().Direction(0.5f, 3.0f);
             def.angularVelocity = stage.Rng().Uniform(-1.0f, 1.0f);

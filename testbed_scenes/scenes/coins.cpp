@@ -15,18 +15,13 @@ void AddCoin(Stage &stage, const b2BodyDef &def, float radius, const b2FixtureDe
 
 class CoinsGas final : public Scene {
     void Build(Stage &stage, int size) override {
-        constexpr int columns = 18;
-        constexpr float spacing = 2.05f;
         stage.World().SetGravity({0.0f, 0.0f});
-        const int rows = (size + columns - 1) / columns;
-        const float halfWidth = 0.5f * spacing * static_cast<float>(columns);
-        const float halfHeight = 0.5f * spacing * static_cast<float>(rows);
-        AddArena(stage, {0.0f, 0.0f}, halfWidth, halfHeight, 1.0f);
+        const Grid grid(size, 18, 2.05f);
+        AddArena(stage, {0.0f, 0.0f}, grid.halfWidth, grid.halfHeight, 1.0f);
         for (int i = 0; i < size; ++i) {
             b2BodyDef def;
             def.type = b2_dynamicBody;
-            def.position.Set(spacing * (0.5f + static_cast<float>(i % columns)) - halfWidth,
-                             spacing * (0.5f + static_cast<float>(i / columns)) - halfHeight);
+            def.position = grid.Place(i);
             def.linearVelocity = stage.Rng().Direction(0.5f, 3.0f);
             def.angularVelocity = stage.Rng().Uniform(-1.0f, 1.0f);
             AddCoin(stage, def, 0.5f, Material(1.0f, 0.1f, 1.0f));

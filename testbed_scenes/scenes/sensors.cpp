@@ -24,13 +24,10 @@ b2PolygonShape MakeFan(float reach, float halfAngle) {
 
 class Sensors final : public Scene {
     void Build(Stage &stage, int size) override {
-        constexpr int columns = 15;
-        constexpr float spacing = 4.35f, reach = 5.0f, halfAngle = 0.4f;
+        constexpr float reach = 5.0f, halfAngle = 0.4f;
         stage.World().SetGravity({0.0f, 0.0f});
-        const int rows = (size + columns - 1) / columns;
-        const float halfWidth = 0.5f * spacing * static_cast<float>(columns);
-        const float halfHeight = 0.5f * spacing * static_cast<float>(rows);
-        b2Body *arena = AddArena(stage, {0.0f, 0.0f}, halfWidth, halfHeight, 1.0f);
+        const Grid grid(size, 15, 4.35f);
+        b2Body *arena = AddArena(stage, {0.0f, 0.0f}, grid.halfWidth, grid.halfHeight, 1.0f);
         // The fans look at each other, not at the walls.
         for (b2Fixture *wall = arena->GetFixtureList(); wall != nullptr; wall = wall->GetNext()) {
             b2Filter filter;
@@ -43,8 +40,7 @@ class Sensors final : public Scene {
         for (int i = 0; i < size; ++i) {
             b2BodyDef def;
             def.type = b2_dynamicBody;
-            def.position.Set(spacing * (0.5f + static_cast<float>(i % columns)) - halfWidth,
-                             spacing * (0.5f + static_cast<float>(i / columns)) - halfHeight);
+            def.position = grid.Place(i);
             def.angle = stage.Rng().Uniform(-b2_pi, b2_pi);
             def.linearVelocity = stage.Rng().Direction(0.5f, 3.0f);
             def.angularVelocity = stage.Rng().Uniform(-1.5f, 1.5f);
