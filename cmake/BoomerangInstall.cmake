@@ -13,6 +13,9 @@ if(TARGET boomerang_box2d)
   list(APPEND boomerang_installed_targets boomerang_box2d_glue boomerang_box2d)
   list(APPEND boomerang_components box2d)
 endif()
+if(TARGET boomerang_box2d_static)
+  list(APPEND boomerang_installed_targets boomerang_box2d_static)
+endif()
 
 install(TARGETS ${boomerang_installed_targets} EXPORT boomerangTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -31,6 +34,10 @@ if(TARGET boomerang_box2d)
   install(FILES ${box2d_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang)
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+if(TARGET boomerang_box2d)
+  install(FILES ${PROJECT_SOURCE_DIR}/docs/is-it-for-my-game.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  install(FILES ${PROJECT_SOURCE_DIR}/plugin/examples/game_loop.cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+endif()
 
 set(boomerang_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/boomerang)
 install(EXPORT boomerangTargets NAMESPACE boomerang:: DESTINATION ${boomerang_package_dir})

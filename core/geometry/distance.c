@@ -74,8 +74,9 @@ static int nearest_on_segment(bmr_vec2 p, bmr_vec2 q, bmr_vec2 *nearest) {
         *nearest = q;
         return 1;
     }
-    // Across the segment rather than along it: no cancellation however near the origin is.
-    *nearest = bmr_scale(bmr_cross(p, e) / length, bmr_vec2_make(e.y, -e.x));
+    // Across the segment rather than along it, and from both points as they are, for their difference has the
+    // rounding of the farther one: no cancellation however near the origin is to the nearer one.
+    *nearest = bmr_scale(bmr_cross(p, q) / length, bmr_vec2_make(e.y, -e.x));
     return 2;
 }
 
@@ -130,7 +131,7 @@ static bmr_vec2 direction_of(const search *s) {
     if (s->simplex.count == 2) {
         const bmr_vec2 e = bmr_sub(s->point[1], s->point[0]);
         u = bmr_vec2_make(e.y, -e.x);
-        if (bmr_cross(s->point[0], e) < 0.0)
+        if (bmr_cross(s->point[0], s->point[1]) < 0.0)
             u = bmr_neg(u);
     }
     return bmr_scale(1.0 / sqrt(bmr_dot(u, u)), u);

@@ -25,6 +25,8 @@ const char *bmr_error_describe(bmr_error error) {
         return "the audited structure contradicts itself";
     case BMR_ERROR_FALSE_CERTIFICATE:
         return "the audited certificate does not prove what it claims";
+    case BMR_ERROR_STALLED:
+        return "a pair has event after event while time stands still";
     case BMR_ERROR_COUNT:
         break;
     }

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/hull.h"
 
-#include <stdbool.h>
-
 #include "geometry/predicates.h"
 
-/// From bottom to top, and from left to right on one height: the sweep of the monotone chain.
-static bool sweeps_before(bmr_vec2 a, bmr_vec2 b) {
+bool bmr_hull_sweeps_before(bmr_vec2 a, bmr_vec2 b) {
     return a.y < b.y || (a.y == b.y && a.x < b.x);
 }
 
@@ -16,9 +13,9 @@ static void sift_down(bmr_vec2 *heap, size_t root, size_t count) {
         size_t child = 2 * root + 1;
         if (child >= count)
             break;
-        if (child + 1 < count && sweeps_before(heap[child], heap[child + 1]))
+        if (child + 1 < count && bmr_hull_sweeps_before(heap[child], heap[child + 1]))
             ++child;
-        if (!sweeps_before(moved, heap[child]))
+        if (!bmr_hull_sweeps_before(moved, heap[child]))
             break;
         heap[root] = heap[child];
         root = child;
@@ -47,8 +44,7 @@ static size_t drop_duplicates(bmr_vec2 *sorted, size_t count) {
     return kept;
 }
 
-/// Appends a point to a chain whose first `fixed` points may not be popped; keeps strict left turns only.
-static size_t append(bmr_vec2 *hull, size_t size, size_t fixed, bmr_vec2 point) {
+size_t bmr_hull_append(bmr_vec2 *hull, size_t size, size_t fixed, bmr_vec2 point) {
     while (size > fixed && bmr_orientation(hull[size - 2], hull[size - 1], point) <= 0)
         --size;
     hull[size] = point;
@@ -64,9 +60,9 @@ size_t bmr_convex_hull(bmr_vec2 *points, size_t count, bmr_vec2 *hull) {
     }
     size_t size = 0;
     for (size_t i = 0; i < count; ++i) // the right side, upwards
-        size = append(hull, size, 1, points[i]);
+        size = bmr_hull_append(hull, size, 1, points[i]);
     const size_t top = size;
     for (size_t i = count - 1; i-- > 0;) // the left side, downwards
-        size = append(hull, size, top, points[i]);
+        size = bmr_hull_append(hull, size, top, points[i]);
     return size - 1; // the first point came back as the last
 }

@@ -1,115 +1,192 @@
 // SPDX-License-Identifier: MIT
-// The free-direction structure, for the open question of the paper's section 6. At an event the closest
-// direction is fixed in one of the two bodies; the other is represented by a window of two corners that stays
-// an outer bound while the direction turns within a bracket. Needs only the two sorted polygons and the
-// pair's cache line.
-#include "kds/kds.h"
-#include "kds/window.h"
+// The free-direction structures, for the open question of section 6: at an event, a direction that needs to
+// be no edge's normal is fixed in one of the two bodies, and a small window stands for the other. They need
+// the two sorted polygons and nothing more.
+//
+//   FD1, FD2  the closest direction; one or two corners of tangents, in a bracket as wide as a part of the
+//   gap pays
+//             for. Four or five conditions and never more: the structure that takes up the open question.
+//   FDx       the closest direction; the other body's own vertices. The line outlives the window: where only
+//   that is
+//             left behind, the event is a roll.
+//   FDxa      the same, but leaning ahead after two failures on the same side.
+#include <math.h>
 
-/// How much of the gap (beyond the need) a window's corners may cost within its bracket. More gives wider
-/// brackets and fewer rolls, less gives fewer pushes: least events on a tumbling orbit at 0.3, on a tumbling
-/// pass at 0.7, and within some third of the least from 0.2 on.
-#define WINDOW_PART 0.3
+#include "kds/cone.h"
+#include "kds/registry.h"
+#include "kds/windowed_line.h"
 
-/// The finest level there is: the polygons themselves.
-#define LEVEL_POLYGONS 0
+/// Where FDxa leans to: this part of the way from the closest direction to the last one that still separates
+/// by this part of the distance.
+#define LEAN_PART 0.6
+#define LEAN_LEAST_PART 0.25
+/// ... after so many failures on the same side.
+#define LEAN_AFTER 2
 
-int bmr_free_spin(const bmr_pair *pair, const bmr_pose *b_in_a) {
-    const bmr_certificate *k = &pair->certificate;
-    const bmr_vec2 normal = bmr_vec2_make((double)k->normal[0], (double)k->normal[1]);
-    const bmr_pose other_in_owner = pair->owner == 0 ? *b_in_a : bmr_pose_inverse(b_in_a);
-    const bmr_vec2 direction = bmr_neg(bmr_unrotate(&other_in_owner, normal));
-    const bmr_vec2 middle =
-        bmr_vec2_make((double)k->low[0] + (double)k->high[0], (double)k->low[1] + (double)k->high[1]);
-    // As the other body turns, the direction turns the opposite way in its frame.
-    const int other_spin = bmr_cross(middle, direction) > 0.0 ? -1 : 1;
-    return pair->owner == 0 ? other_spin : -other_spin;
+/// FDx has no windows of its own: this part of the gap is what its choice of the owner reckons with.
+#define OWNER_PART 0.5
+
+typedef struct free_class {
+    bmr_kds_class class; ///< first: an info's implementation is a pointer to it
+    int corners;         ///< of the windows; 0: the body's own vertices
+    double window_part;  ///< gamma
+    bool leans;
+} free_class;
+
+typedef struct free_state {
+    bmr_windowed_line now;
+    int8_t spin; ///< the way B turns in A's frame, as far as known
+    int8_t side; ///< of the last failure: the way the closest direction had turned from the line's
+    uint8_t row; ///< failures on that side, one after the other
+} free_state;
+
+static const free_class *class_of(const bmr_kds *kds) {
+    return kds->info->implementation;
 }
 
-/// Fills the pair's certificate with the line of `owner` and a window of the other body.
-static bool certify_with(bmr_step *step, const bmr_closest *closest, int owner, const bmr_window *window,
-                         double *gap) {
-    const bmr_polygon *own = step->shapes[owner]->polygon, *other = step->shapes[1 - owner]->polygon;
-    const bmr_vec2 normal =
-        owner == 0 ? closest->direction : bmr_unrotate(step->pose, bmr_neg(closest->direction));
-    const uint32_t support[2] = {closest->a, closest->b};
-    const double offset = bmr_dot(normal, own->vertices[support[owner]]);
-    bmr_pair *pair = step->pair;
-    bmr_certificate_fill(&pair->certificate, normal, offset, window->corner, 2, window->low, window->high,
-                         own->extent, other->extent);
-    pair->owner = (uint8_t)owner;
-    pair->edge = support[owner];
-    pair->other = support[1 - owner];
-    pair->other_after = support[1 - owner];
-    // Not level -1, whatever it was: the look at it must be at a line.
-    pair->level = LEVEL_POLYGONS;
-    return bmr_step_holds(step, step->need, gap);
+static free_state *state_of(bmr_kds *kds) {
+    return (free_state *)(void *)kds->state;
 }
 
-bool bmr_free_certify(bmr_step *step, const bmr_closest *closest, double *gap) {
-    const bmr_vec2 u = closest->direction, v = bmr_unrotate(step->pose, bmr_neg(u));
-    const double limit = WINDOW_PART * (closest->separation - step->reach);
-    // B turning one way, the direction turns the other way in B's frame, and with B in A's.
-    const int spin = step->pair->spin;
-    bmr_window of_a, of_b;
-    bmr_window_make(step->shapes[1]->polygon, v, closest->b, limit, -spin, &of_b);
-    bmr_window_make(step->shapes[0]->polygon, u, closest->a, limit, spin, &of_a);
-    // Always the wider of the two brackets: to keep the last owner where the line was crossed saves half of
-    // this work, and costs twice the events on a tumbling orbit.
-    const int owner = of_a.life < of_b.life ? 1 : 0;
-    return certify_with(step, closest, owner, owner == 0 ? &of_b : &of_a, gap);
+static const free_state *constant_state_of(const bmr_kds *kds) {
+    return (const free_state *)(const void *)kds->state;
 }
 
-static bmr_event_kind kind_of(bmr_failure failure) {
-    switch (failure) {
-    case BMR_FAILURE_NEW:
-        return BMR_EVENT_START;
-    case BMR_FAILURE_DISKS:
-        return BMR_EVENT_STAB;
-    case BMR_FAILURE_CROSSED:
-        return BMR_EVENT_PUSH;
-    case BMR_FAILURE_ROLLED:
-        return BMR_EVENT_ROLL;
-    case BMR_FAILURE_CONTACT:
-        break;
+static int sign(double x) {
+    return (x > 0.0) - (x < 0.0);
+}
+
+/// A window for the line as it stands.
+static void make_window(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *pose, int spin,
+                        double gap) {
+    const free_class *class = class_of(kds);
+    const int sense = bmr_windowed_sense(w->owner, spin);
+    const double part = kds->def.window_part > 0.0 ? kds->def.window_part : class->window_part;
+    // One corner costs part of the gap at once; where nothing is known to turn, there is no need to pay.
+    if (class->corners == 0 || (class->corners == 1 && sense == 0))
+        bmr_windowed_exact(w, kds, pose, sense);
+    else
+        bmr_windowed_corners(w, kds, pose, class->corners, part * gap, sense);
+}
+
+/// Which of two bodies' lines is better to have: the one that lasts longer at the rates of this instant;
+/// where these are unknown or tell nothing, the one whose window has the wider bracket.
+static int better_owner(const bmr_kds *kds, const bmr_instant *now, const bmr_windowed_line made[2], int spin,
+                        double gap) {
+    double time[2], life[2];
+    for (int owner = 0; owner < 2; ++owner) {
+        bmr_windowed_line reckoned = made[owner];
+        if (class_of(kds)->corners == 0)
+            bmr_windowed_corners(&reckoned, kds, &now->pose, 2, OWNER_PART * gap, 0);
+        time[owner] = bmr_windowed_time(&reckoned, kds, now);
+        life[owner] = bmr_windowed_life(&reckoned, &now->pose, bmr_windowed_sense(owner, spin));
     }
-    return BMR_EVENT_LEAVE;
+    if (time[0] != time[1])
+        return time[1] > time[0] ? 1 : 0;
+    return life[1] < life[0] ? 1 : 0;
 }
 
-/// Where the distance query starts: at the vertices of the last state, or at the first ones of the polygons.
-static bmr_simplex start_of(const bmr_pair *pair, bmr_failure failure) {
-    switch (failure) {
-    case BMR_FAILURE_CROSSED:
-    case BMR_FAILURE_ROLLED:
-        return pair->owner == 0 ? bmr_simplex_make(pair->edge, pair->other)
-                                : bmr_simplex_make(pair->other, pair->edge);
-    case BMR_FAILURE_CONTACT:
-        return bmr_contact_simplex(pair);
-    case BMR_FAILURE_NEW:
-    case BMR_FAILURE_DISKS:
-        break;
-    }
-    return bmr_simplex_make(0, 0);
+static bmr_vec2 leaning(const bmr_kds *kds, const bmr_pose *pose, bmr_vec2 closest, double distance, int side,
+                        const uint32_t support[2]) {
+    const double margin = kds->def.margin;
+    const double least = margin + LEAN_LEAST_PART * (distance - margin);
+    const bmr_vec2 end = bmr_cone_end(kds, pose, closest, least, side, support);
+    const double angle = LEAN_PART * atan2(bmr_cross(closest, end), bmr_dot(closest, end));
+    const bmr_pose turn = {{0.0, 0.0}, cos(angle), sin(angle)};
+    return bmr_rotate(&turn, closest);
 }
 
-bmr_answer bmr_free_repair(bmr_step *step, bmr_failure failure, double *gap) {
-    bmr_pair *pair = step->pair;
-    const int level_before = failure == BMR_FAILURE_NEW ? BMR_LEVEL_DISKS : pair->level;
-    bmr_simplex simplex = start_of(pair, failure);
-    if (failure == BMR_FAILURE_ROLLED)
-        pair->spin = (int8_t)bmr_free_spin(pair, step->pose);
-    if (failure == BMR_FAILURE_NEW && bmr_disks_certify(step, step->need, gap)) {
-        bmr_step_tell(step, BMR_EVENT_START, level_before, BMR_LEVEL_DISKS, *gap);
-        return BMR_APART;
+/// A new line. `before` is the direction of the one that failed, or NULL.
+static bool select_line(bmr_kds *kds, const bmr_instant *now, const bmr_vec2 *before) {
+    free_state *s = state_of(kds);
+    uint32_t support[2] = {s->now.support[0], s->now.support[1]};
+    bmr_vec2 u;
+    double distance;
+    if (!bmr_windowed_closest(kds, &now->pose, support, &u, &distance))
+        return false;
+    if (before) {
+        const int side = sign(bmr_cross(*before, u));
+        s->row = side != s->side ? 1 : (uint8_t)(s->row < LEAN_AFTER ? s->row + 1 : LEAN_AFTER);
+        s->side = (int8_t)side;
     }
-    bmr_closest closest;
-    if (!bmr_step_closest(step, &simplex, &closest) || !bmr_free_certify(step, &closest, gap))
-        return bmr_contact_enter(step, &simplex, LEVEL_POLYGONS);
-    pair->state = BMR_PAIR_APART;
-    pair->level = LEVEL_POLYGONS;
-    bmr_step_tell(step, kind_of(failure), level_before, LEVEL_POLYGONS, *gap);
-    const double coarse = step->need + BMR_COARSEN_PART * (*gap - step->need);
-    if (bmr_disks_certify(step, coarse, gap))
-        bmr_step_tell(step, BMR_EVENT_COARSEN, LEVEL_POLYGONS, BMR_LEVEL_DISKS, *gap);
-    return BMR_APART;
+    if (class_of(kds)->leans && before && s->row >= LEAN_AFTER && s->side != 0)
+        u = leaning(kds, &now->pose, u, distance, s->side, support);
+    const double gap = distance - kds->def.margin;
+    bmr_windowed_line made[2];
+    for (int owner = 0; owner < 2; ++owner) {
+        bmr_windowed_line_set(&made[owner], kds, &now->pose, owner, u, support);
+        make_window(&made[owner], kds, &now->pose, s->spin, gap);
+    }
+    s->now = made[better_owner(kds, now, made, s->spin, gap)];
+    return true;
 }
+
+static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+    free_state *s = state_of(kds);
+    s->spin = (int8_t)sign(now->spin);
+    s->side = 0;
+    s->row = 0;
+    report->touched = 1;
+    return select_line(kds, now, NULL);
+}
+
+static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+    (void)failed; // others may have failed at the same time
+    free_state *s = state_of(kds);
+    const bmr_windowed_line old = s->now;
+    const bmr_windowed_failure failure = bmr_windowed_fails(&old, kds, now);
+    if (!failure.crossed && failure.rolled == 0)
+        return true; // NONE
+    report->touched = 1;
+    if (now->spin != 0.0)
+        s->spin = (int8_t)sign(now->spin);
+    else if (failure.rolled != 0)
+        s->spin = (int8_t)(old.owner == 0 ? -failure.rolled : failure.rolled);
+    report->kind = failure.crossed ? BMR_KDS_PUSH : BMR_KDS_ROLL;
+    if (!failure.crossed && class_of(kds)->corners == 0) {
+        bmr_windowed_exact(&s->now, kds, &now->pose, bmr_windowed_sense(old.owner, s->spin));
+        if (!bmr_windowed_fails(&s->now, kds, now).crossed)
+            return true;
+        report->kind = BMR_KDS_PUSH;
+    }
+    const bmr_vec2 before = bmr_windowed_direction(&old, &now->pose);
+    if (!select_line(kds, now, &before))
+        return false;
+    report->line_changed = !bmr_windowed_same_line(&old, &s->now);
+    return true;
+}
+
+static size_t conditions(const bmr_kds *kds, bmr_condition *out) {
+    return bmr_windowed_conditions(&constant_state_of(kds)->now, kds->def.margin, out);
+}
+
+static void proof(const bmr_kds *kds, bmr_kds_proof *out) {
+    bmr_windowed_proof(&constant_state_of(kds)->now, out);
+}
+
+static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
+    return bmr_windowed_audit(&constant_state_of(kds)->now, kds, b_in_a);
+}
+
+#define FREE_CLASS(corners, part, leans)                                                                     \
+    {                                                                                                        \
+        {.state_bytes = sizeof(free_state),                                                                  \
+         .start = start,                                                                                     \
+         .conditions = conditions,                                                                           \
+         .repair = repair,                                                                                   \
+         .proof = proof,                                                                                     \
+         .audit = audit},                                                                                    \
+            corners, part, leans                                                                             \
+    }
+static const free_class fd1 = FREE_CLASS(1, 0.5, false), fd2 = FREE_CLASS(2, 0.3, false),
+                        fdx = FREE_CLASS(0, 0.0, false), fdxa = FREE_CLASS(0, 0.0, true);
+
+const bmr_kds_info bmr_kds_free_fd1 = {
+    "free-fd1", "Free direction, one corner", "6, the open question", BMR_KDS_RIGID, false, -1, &fd1};
+const bmr_kds_info bmr_kds_free_fd2 = {
+    "free-fd2", "Free direction, two corners", "6, the open question", BMR_KDS_RIGID, false, -1, &fd2};
+const bmr_kds_info bmr_kds_free_fdx = {
+    "free-fdx", "Free direction, exact support", "beyond the paper", BMR_KDS_RIGID, false, -1, &fdx};
+const bmr_kds_info bmr_kds_free_fdxa = {
+    "free-fdxa", "Free direction, exact support, leaning ahead", "beyond the paper", BMR_KDS_RIGID, false, -1,
+    &fdxa};

@@ -10,10 +10,11 @@ extern "C" {
 #endif
 
 /// @file
-/// Separation of two small convex polygons along one edge normal, in float, on plain arrays. The ORDER of the
-/// float operations is the contract: it is that of Box2D 2.4.x's polygon narrow phase, so the numbers have
-/// the same bits as Box2D's own when it was compiled without fused multiply-add. The scalar and the SSE2 form
-/// give the same bits, the sign of a zero aside (which no comparison sees).
+/// Separation of two small convex polygons along one edge normal, and how they touch, in float, on plain
+/// arrays. The ORDER of the float operations is the contract: it is that of Box2D 2.4.x's polygon narrow
+/// phase, so the numbers have the same bits as Box2D's own when it was compiled without fused multiply-add.
+/// The scalar and the SSE2 form give the same bits; of separations the sign of a zero aside (which no
+/// comparison sees), of manifolds all, but for which NaN a NaN is.
 
 typedef struct bmr_vec32 {
     float x, y;
@@ -57,6 +58,50 @@ float bmr_exact32_max_separation(const bmr_polygon32 *reference, const bmr_polyg
 /// The same in plain C.
 float bmr_exact32_max_separation_scalar(const bmr_polygon32 *reference, const bmr_polygon32 *other,
                                         const bmr_transform32 *frame, int32_t *edge);
+
+/// What a contact point was made of: the layout of Box2D's b2ContactFeature.
+typedef struct bmr_feature32 {
+    uint8_t index_a, index_b;
+    uint8_t type_a, type_b; ///< BMR_FEATURE_VERTEX or BMR_FEATURE_FACE
+} bmr_feature32;
+enum { BMR_FEATURE_VERTEX = 0, BMR_FEATURE_FACE = 1 };
+
+typedef struct bmr_manifold_point32 {
+    bmr_vec32 point; ///< in the incident polygon's frame
+    float normal_impulse, tangent_impulse;
+    bmr_feature32 feature;
+} bmr_manifold_point32;
+
+/// Where two polygons touch: the layout of Box2D's b2Manifold.
+typedef struct bmr_manifold32 {
+    bmr_manifold_point32 points[2];
+    bmr_vec32 normal;      ///< of the reference face, in its own polygon's frame
+    bmr_vec32 plane_point; ///< the face's middle, likewise
+    int32_t type;          ///< BMR_MANIFOLD_FACE_A or _B: whose face is the reference
+    int32_t count;         ///< of points, 0 to 2
+} bmr_manifold32;
+enum { BMR_MANIFOLD_FACE_A = 1, BMR_MANIFOLD_FACE_B = 2 };
+
+enum { BMR_NO_EDGE32 = -1, BMR_EDGES_OF_B32 = 8 };
+
+/// How two polygons of 3 to 8 vertices touch: the manifold of Box2D's b2CollidePolygons, to the bit. Only
+/// what that writes is written: always `count`; `type` where no face separates; `normal` and `plane_point`
+/// where clipping leaves two points; of each of the `count` points where it is and its feature, never its
+/// impulses.
+///
+/// `radius_sum` is the sum of the skins. B's face is the reference where it separates by more than
+/// `tolerance` (Box2D: a tenth of its slop) more than A's does.
+///
+/// Gives back the edge of largest separation of the first polygon that has one that separates by more than
+/// the skins (A's edge, or BMR_EDGES_OF_B32 plus B's): to be remembered, for as long as it does so the count
+/// is 0. BMR_NO_EDGE32 where no edge does, points or not.
+int32_t bmr_exact32_collide(bmr_manifold32 *manifold, const bmr_polygon32 *a, const bmr_transform32 *pose_a,
+                            const bmr_polygon32 *b, const bmr_transform32 *pose_b, float radius_sum,
+                            float tolerance);
+/// The same in plain C.
+int32_t bmr_exact32_collide_scalar(bmr_manifold32 *manifold, const bmr_polygon32 *a,
+                                   const bmr_transform32 *pose_a, const bmr_polygon32 *b,
+                                   const bmr_transform32 *pose_b, float radius_sum, float tolerance);
 
 #ifdef __cplusplus
 }

@@ -31,9 +31,9 @@ typedef struct bmr_screw_motion {
 /// roundings; the angle turned is spin * time, rounded once. A NaN or an infinity comes out as NaN. O(1).
 bmr_pose bmr_screw_motion_pose(const bmr_screw_motion *motion, double time);
 
-/// The highest degree that bmr_polynomial_first_root takes. Failure times of one certificate under two screw
-/// motions, written by half angles, have degree 8; the rest is room.
-#define BMR_POLYNOMIAL_MAX_DEGREE 32
+/// The highest degree that bmr_polynomial_first_root takes: that of the condition on two disks under two
+/// algebraic motions of the highest degrees (boomerang/motion.h), 2 * 8 + 2 * 8 + 2 * 8.
+#define BMR_POLYNOMIAL_MAX_DEGREE 48
 
 /// The first root in [from, to] of the polynomial sum of coefficients[k] t^k, k = 0 .. degree (so
 /// `coefficients` has degree + 1 entries; leading zeros are allowed). *root becomes
@@ -48,9 +48,9 @@ bmr_pose bmr_screw_motion_pose(const bmr_screw_motion *motion, double time);
 /// interval's length.
 ///
 /// Degree <= 2 in closed form, else gsl_poly_complex_solve: O(degree^3), some microseconds at degree 4 to 8.
-/// No allocation: 9 KB of stack. Errors: NULL_ARGUMENT; NOT_FINITE (a coefficient or an end of the interval);
-/// OUT_OF_RANGE (degree above BMR_POLYNOMIAL_MAX_DEGREE, from > to, or GSL's QR iteration did not converge).
-/// Then *root is untouched.
+/// No allocation: 20 KB of stack. Errors: NULL_ARGUMENT; NOT_FINITE (a coefficient or an end of the
+/// interval); OUT_OF_RANGE (degree above BMR_POLYNOMIAL_MAX_DEGREE, from > to, or GSL's QR iteration did not
+/// converge). Then *root is untouched.
 ///
 /// Threads: GSL has one error handler for the whole process, and its default aborts. It is switched off while
 /// a call that needs the solver runs and put back by the last such call to end; calls of this function may

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BMR_KDS_WINDOW_H
-#define BMR_KDS_WINDOW_H
+#ifndef BMR_CERTIFICATE_WINDOW_H
+#define BMR_CERTIFICATE_WINDOW_H
 
 #include "boomerang/polygon.h"
 
@@ -18,8 +18,17 @@ typedef struct bmr_window {
 /// where three consecutive tangents meet, as far apart as keeps each point within `limit` (> 0, length units)
 /// of the polygon. `lean` 0: the middle tangent is the one at `direction`, so that the window is exact there.
 /// 1 (-1): the bracket lies mostly counter-clockwise (clockwise) of `direction`, for a body that is known to
-/// turn that way. O(1) plus the logarithm of the number of vertices in the bracket.
+/// turn that way; up to the limit may be lost at `direction` then. An end is at least 2 atan(limit / (2 D))
+/// away (D the polygon's diameter) or 75 degrees; on the short side of a leaning bracket the limit is a
+/// sixteenth, and 15 degrees the most. O(1) where vertices are spread evenly, O(log n) anyway.
 void bmr_window_make(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t support, double limit, int lean,
                      bmr_window *window);
+
+/// The same with one point only: where the tangents at the two ends of the bracket meet, within `limit` of
+/// the polygon. Up to the limit may be lost at `direction` already: on a smooth shape 3/8 of it where the
+/// bracket leans. `lean` 0: the bracket reaches as far to both sides. Both corners of the window are that
+/// point.
+void bmr_window_make_one(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t support, double limit,
+                         int lean, bmr_window *window);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kds/window.h"
+#include "certificate/window.h"
 
 #include <math.h>
 
@@ -18,6 +18,14 @@
 #define FIRST_GUESS_PART 64
 /// Never guess more than this many times farther or nearer.
 #define LARGEST_FACTOR 16u
+/// Where vertices crowd the guesses may leave next to nothing. Then the search goes on, by halves, until the
+/// loss is this part of the limit at least (or no more can be had): so the angle of a turn is bounded below
+/// by the limit over the polygon's diameter, however its vertices lie.
+#define ENOUGH_PART 0.25
+
+/// An edge is along a tangent when it falls by no more than this part of its length: the rounding of a unit
+/// normal. (A tangent that was turned onto an edge is seen to fall or to rise by that much.)
+#define FLAT 1e-15
 
 /// A support line of the polygon: its outer normal (unit length) and a vertex on it.
 typedef struct tangent {
@@ -104,11 +112,13 @@ static uint32_t edges_passed(const turning *t) {
     const uint32_t n = t->polygon->count;
     uint32_t low = 0, high = n - 1; // the loss is fine at `low`, and too much at `high`
     uint32_t guess = 1 + n / FIRST_GUESS_PART;
-    for (int i = 0; i < GUESSES && high - low > 1; ++i) {
+    bool enough = false; // at `low`
+    for (int i = 0; high - low > 1 && (i < GUESSES || !enough); ++i) {
         const cost c = cost_of(t, guess);
         uint32_t factor;
         if (c.loss <= c.limit) {
             low = guess;
+            enough = c.loss >= ENOUGH_PART * ENOUGH_PART * c.limit;
             factor = factor_of(c.loss, c.limit);
             guess *= factor;
         } else {
@@ -116,7 +126,7 @@ static uint32_t edges_passed(const turning *t) {
             factor = factor_of(c.limit, c.loss);
             guess /= factor;
         }
-        if (guess <= low || guess >= high)
+        if (i + 1 >= GUESSES || guess <= low || guess >= high)
             guess = low + (high - low) / 2;
     }
     return low + 1;
@@ -157,7 +167,8 @@ static tangent turn(const bmr_polygon *polygon, tangent from, int sense, double 
     for (uint32_t i = 0; i < polygon->count; ++i) { // a tangent along an edge: go to that edge's far end
         const uint32_t next = next_vertex(polygon, t.from.vertex, sense);
         const bmr_vec2 e = bmr_sub(polygon->vertices[next], polygon->vertices[t.from.vertex]);
-        if (bmr_dot(e, from.direction) < 0.0)
+        const double drop = -bmr_dot(e, from.direction);
+        if (drop > 0.0 && drop * drop > FLAT * FLAT * bmr_dot(e, e))
             break;
         t.from.vertex = next;
     }
@@ -209,4 +220,28 @@ void bmr_window_make(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t su
     window->low = lean > 0 ? back.direction : far.direction;
     window->high = lean > 0 ? far.direction : back.direction;
     window->life = bmr_dot(direction, far.direction);
+}
+
+/// Of the limit, what one half of a bracket may cost that reaches as far to one side as to the other: losses
+/// are quadratic in the angle.
+#define HALF_PART 0.25
+
+void bmr_window_make_one(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t support, double limit,
+                         int lean, bmr_window *window) {
+    if (polygon->count <= 2) {
+        make_everywhere(polygon, window);
+        return;
+    }
+    const int sense = lean < 0 ? -1 : 1;
+    bmr_vec2 unused;
+    const tangent middle = {direction, support};
+    const tangent back = lean == 0
+                             ? turn(polygon, middle, -sense, HALF_PART * limit, WIDEST_COSINE, &unused)
+                             : turn(polygon, middle, -sense, BACKWARD_PART * limit, BACKWARD_COSINE, &unused);
+    const tangent far = turn(polygon, back, sense, limit, WIDEST_COSINE, &window->corner[0]);
+    window->corner[1] = window->corner[0];
+    window->low = sense > 0 ? back.direction : far.direction;
+    window->high = sense > 0 ? far.direction : back.direction;
+    const double on = bmr_dot(direction, far.direction), behind = bmr_dot(direction, back.direction);
+    window->life = lean == 0 && behind > on ? behind : on;
 }

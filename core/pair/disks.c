@@ -3,7 +3,7 @@
 // far apart costs nothing; the paper's rectangles alone would roll four times a turn for ever.
 #include <math.h>
 
-#include "kds/kds.h"
+#include "pair/step.h"
 
 /// Evaluating a disk check in double: some roundings of 2^-53 of values not above 4 extents; positions larger
 /// than that are covered by the check itself, relatively.

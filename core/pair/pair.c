@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "kds/kds.h"
+#include "pair/step.h"
 
 /// A pose whose c^2 + s^2 is off 1 by more is no rigid motion, and nothing is proved about it.
 #define UNIT_TOLERANCE 1e-3

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BMR_KDS_KDS_H
-#define BMR_KDS_KDS_H
+#ifndef BMR_PAIR_STEP_H
+#define BMR_PAIR_STEP_H
 
 #include "boomerang/pair.h"
 #include "geometry/distance.h"

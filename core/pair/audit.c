@@ -2,7 +2,7 @@
 // Re-proving a pair's state from nothing but the polygons (and, for the lazy structures, the hierarchies).
 #include <math.h>
 
-#include "kds/kds.h"
+#include "pair/step.h"
 
 /// Two computations of one float, from doubles that agree up to rounding.
 #define FLOAT_ROUNDING 2.384185791015625e-7 /* 2^-22 */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BMR_KDS_WALK_H
-#define BMR_KDS_WALK_H
+#ifndef BMR_CERTIFICATE_WALK_H
+#define BMR_CERTIFICATE_WALK_H
 
 #include "boomerang/hierarchy.h"
 

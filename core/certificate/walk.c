@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kds/walk.h"
+#include "certificate/walk.h"
 
 #include <math.h>
 

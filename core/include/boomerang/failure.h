@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_FAILURE_H
+#define BOOMERANG_FAILURE_H
+
+#include "boomerang/condition.h"
+#include "boomerang/motion.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// @file
+/// When a condition fails for the first time, the two bodies moving (section 2 of the paper: "we can compute
+/// the next time t when F(t) = 0"). In boomerang::kinetic.
+
+/// How the roots of algebraic motions are found. (Where a spinning screw motion takes part, the function is
+/// no polynomial: there the search takes steps over which a bound of the second derivative keeps the
+/// condition positive, and gsl_root_fsolver_brent finds the last digits.)
+typedef enum bmr_root_method {
+    BMR_ROOT_BERNSTEIN, ///< subdivision in the Bernstein basis
+    BMR_ROOT_GSL        ///< gsl_poly_complex_solve
+} bmr_root_method;
+
+typedef struct bmr_failure_options {
+    bmr_root_method method;
+    /// > 0. A failure may be reported early by at most this much time, times max(1, |time|) and not less than
+    /// a few roundings of the time. It is never reported late: until the time returned the condition's true
+    /// value is >= 0, up to the rounding of evaluating it (some 1e-14 of the magnitudes involved, more for
+    /// rotations of high degree: see core/kinetic/condition_polynomial.h). A dip below zero that is no deeper
+    /// than that, and a touch, may be passed over or reported.
+    double tolerance;
+} bmr_failure_options;
+/// Bernstein, 1e-12.
+bmr_failure_options bmr_default_failure_options(void);
+
+/// The first time in (after, until] at which the condition is no longer positive, A and B moving as given;
+/// INFINITY if there is none. How a condition that is not positive at `after` is judged:
+///   - zero up to rounding and growing: not failing; the function must first come back to zero;
+///   - below zero by more, but above it after four tolerances: growing too. (An event is up to a tolerance
+///     early, and until its true time the opposite of the condition that failed is below zero.)
+///   - anything else, zero and flat included: it fails at `after` itself.
+/// All pieces of both motions from `after` on are looked at, a jump between two of them included; a piece
+/// that begins at `until` is not.
+///
+/// Cost: under two algebraic motions some microseconds for each interval on which their terms keep their
+/// size (one, unless the motion is followed far); with a spin some ten looks of 100 ns for a root and five
+/// for each turn. No allocation; 32 KB of stack. Errors: NULL_ARGUMENT; NOT_FINITE (an argument, or what
+/// follows from it); OUT_OF_RANGE (after > until, a tolerance that is not positive, no such condition or
+/// method, GSL's iteration did not converge, or a search over two pieces does not end within the steps below:
+/// ask for a shorter time). Then *time is untouched.
+bmr_error bmr_failure_time(const bmr_condition *condition, const bmr_motion *a, const bmr_motion *b,
+                           double after, double until, const bmr_failure_options *options, double *time);
+/// With a spin: steps over two pieces at most, which is some 50,000 turns and a few hundredths of a second.
+#define BMR_FAILURE_MAX_STEPS ((size_t)1 << 18)
+/// Under two algebraic pieces: intervals at most; as long, at some microseconds for each.
+#define BMR_FAILURE_MAX_INTERVALS ((size_t)1 << 14)
+
+#ifdef __cplusplus
+}
+#endif
+#endif

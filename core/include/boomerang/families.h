@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_FAMILIES_H
+#define BOOMERANG_FAMILIES_H
+
+#include <stdint.h>
+
+#include "boomerang/motion.h"
+#include "boomerang/polygon.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// @file
+/// Families of motions of two polygons whose least separation is chosen beforehand, and outlines to move on
+/// them: what the paper's table of event bounds is measured on. In boomerang::kinetic. The same bits come
+/// from the same seed everywhere (gsl_rng_mt19937).
+
+typedef enum bmr_family {
+    BMR_FAMILY_LINE,            ///< straight pass, no rotation
+    BMR_FAMILY_PARABOLA,        ///< pass that bends away from A: a convex path
+    BMR_FAMILY_ALGEBRAIC,       ///< polynomial path of degree 5
+    BMR_FAMILY_ORBIT,           ///< once around A at the same distance all the time
+    BMR_FAMILY_ZIGZAG,          ///< once around A in straight legs, in and out
+    BMR_FAMILY_BROWNIAN,        ///< random walk in straight legs of random direction
+    BMR_FAMILY_WANDER,          ///< random walk around A, the distance a random walk on the log scale
+    BMR_FAMILY_SPIN,            ///< A turns once in place, B rests
+    BMR_FAMILY_RIGID_ALGEBRAIC, ///< polynomial path of degree 4, rational rotation by polynomials of degree 2
+    BMR_FAMILY_TUMBLE,          ///< straight pass of two bodies of which one spins
+    BMR_FAMILY_RIGID_BROWNIAN,  ///< Brownian, the angle too
+    BMR_FAMILY_RIGID_WANDER,    ///< wander, the angle too
+    BMR_FAMILY_COUNT
+} bmr_family;
+
+/// "line", "parabola", "algebraic", "orbit", "zigzag", "brownian", "wander", "spin", "rigid-algebraic",
+/// "tumble", "rigid-brownian", "rigid-wander"; NULL for anything else.
+const char *bmr_family_name(bmr_family family);
+/// BMR_FAMILY_COUNT if there is none of that name.
+bmr_family bmr_family_find(const char *name);
+/// Does the relative rotation change? The families before SPIN translate only.
+bool bmr_family_is_rigid(bmr_family family);
+/// Is the path convex in the paper's sense (bending away from A): one fixed line covers it.
+bool bmr_family_is_convex(bmr_family family);
+
+typedef struct bmr_family_def {
+    bmr_family family;
+    /// D/sigma: the larger diameter over the least separation, in [1, 1e9].
+    double ratio;
+    uint64_t seed;  ///< of directions, rotations and walks
+    unsigned steps; ///< legs of zigzag (at least 8), Brownian and wander; 0: 64, 1024 and 256
+    unsigned turns; ///< of tumble; 0: 4
+} bmr_family_def;
+
+/// Motions of A and B for the times 0 to 1. B only translates; in the rigid families A turns about its
+/// frame's origin, in the others it rests.
+typedef struct bmr_family_motion {
+    bmr_motion *motions[2];
+    double diameter;   ///< D
+    double sigma;      ///< D / ratio
+    double separation; ///< the least separation as measured, within 1 % of sigma
+    double nearest;    ///< a time of it
+} bmr_family_motion;
+
+/// Makes the motion of two polygons. All families have one free parameter (an offset or a scale), which is
+/// searched until the least separation over the motion, measured to 0.1 % by bmr_least_distance, is within
+/// 0.5 % of sigma; the orbit is built at its distance from the polygons' edges and vertices, and looked at
+/// once in each piece. Takes milliseconds, more where the separation stays next to sigma for long (spin of a
+/// disc). Errors: NULL_ARGUMENT, OUT_OF_RANGE (a def that makes no sense, two points, sigma too near to
+/// rounding: below 1e-12 of the extents), NO_MEMORY, and those of bmr_motion_create.
+bmr_error bmr_family_create(const bmr_family_def *def, const bmr_polygon *a, const bmr_polygon *b,
+                            const bmr_allocator *allocator, bmr_family_motion *made);
+/// Destroys the two motions.
+void bmr_family_destroy(bmr_family_motion *made);
+
+/// The largest distance between two vertices. O(n log n).
+double bmr_polygon_diameter(const bmr_polygon *polygon);
+
+/// The least distance of the two polygons over [from, to] (finite), to within `tolerance` (> 0, length
+/// units; INFINITY: one look at each piece): *distance is attained at *time, and nowhere is it smaller by
+/// more than the tolerance. 0 if they touch. Subdivision by the bodies' speed bounds: each interval is closed
+/// by a distance and a speed. Cost: (speed * time / tolerance) distances at worst, where the distance stays
+/// least. Errors: NULL_ARGUMENT, OUT_OF_RANGE (tolerance not positive, from > to).
+bmr_error bmr_least_distance(const bmr_polygon *a, const bmr_polygon *b, const bmr_motion *motion_a,
+                             const bmr_motion *motion_b, double from, double to, double tolerance,
+                             double *distance, double *time);
+
+/// Outlines, all of diameter 2 or a little less, around the origin.
+typedef enum bmr_outline {
+    BMR_OUTLINE_REGULAR, ///< regular n-gon of circumradius 1, phase from the seed
+    BMR_OUTLINE_RANDOM,  ///< n random points on a 4:1 ellipse, turned: all are vertices
+    BMR_OUTLINE_LENS,    ///< two arcs of 60 degrees: two sharp corners
+    BMR_OUTLINE_ELLIPSE, ///< n points at equal eccentric angles on a 4:1 ellipse, turned
+    BMR_OUTLINE_DISC,    ///< regular n-gon of circumradius 1/2, phase from the seed
+    BMR_OUTLINE_COUNT
+} bmr_outline;
+/// "regular", "random", "lens", "ellipse", "disc"; NULL for anything else.
+const char *bmr_outline_name(bmr_outline outline);
+/// Fills `points` (room for n >= 3) with the outline's points. Errors: NULL_ARGUMENT, OUT_OF_RANGE (n < 3 or
+/// above BMR_MAX_VERTICES, no such outline), NO_MEMORY.
+bmr_error bmr_outline_points(bmr_outline outline, size_t n, uint64_t seed, bmr_vec2 *points);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

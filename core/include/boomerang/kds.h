@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_KDS_H
+#define BOOMERANG_KDS_H
+
+#include <stddef.h>
+
+#include "boomerang/condition.h"
+#include "boomerang/hierarchy.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// @file
+/// Every kinetic structure of the paper, the rivals it names, and what answers its open question, behind one
+/// interface. A structure holds a proof that A and B are apart and a short list of conditions under which it
+/// stands. The caller knows the motion: it finds the first time at which a condition fails, takes the
+/// structure there, and has it repaired. (The same ideas packed into 64 bytes of floats, for poses that come
+/// in steps, are boomerang/pair.h.)
+///
+/// All of it is in double precision. Poses are of B's frame in A's frame throughout.
+
+/// What is prepared once per polygon, shared by all pairs it is in: the polygon and its hierarchies. A
+/// hierarchy that no structure in use needs may be NULL.
+typedef struct bmr_kds_shape {
+    const bmr_polygon *polygon;
+    const bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT];
+} bmr_kds_shape;
+
+/// Which pairs and motions a structure is made for.
+typedef enum bmr_kds_domain {
+    BMR_KDS_POINT,       ///< B is a point (a polygon of one vertex); any motion
+    BMR_KDS_TRANSLATION, ///< two polygons whose relative rotation never changes (any fixed one)
+    BMR_KDS_RIGID        ///< two polygons, any motion
+} bmr_kds_domain;
+
+/// The outside of one structure. Constant; there is one for each.
+typedef struct bmr_kds_info {
+    const char *name;    ///< for command lines: "active-cell-compass"
+    const char *title;   ///< one line for tables and help
+    const char *section; ///< where it is in the paper, or what it answers
+    bmr_kds_domain domain;
+    bool rival;                 ///< one of those that the paper compares with
+    int hierarchy;              ///< the bmr_hierarchy_kind it needs of each shape, or -1
+    const void *implementation; ///< core's own
+} bmr_kds_info;
+
+/// All structures, in the order of the paper. O(1).
+size_t bmr_kds_count(void);
+const bmr_kds_info *bmr_kds_at(size_t index);
+/// NULL if there is none of that name.
+const bmr_kds_info *bmr_kds_find(const char *name);
+
+/// How a structure is to behave. Start from bmr_default_kds_def().
+typedef struct bmr_kds_def {
+    /// In contact when the polygons are this near; > 0, length units. A structure may also report contact
+    /// where the distance is larger by no more than 1e-9 of the extents (its rounding).
+    double margin;
+    /// Contact is left when they are margin + hysteresis apart; >= 0.
+    double hysteresis;
+    /// Inflated structures: eps_j = alpha * (D_A + D_B) * kappa_ratio^j. The paper's: 1/2 and 1/2; a ratio
+    /// nearer to 1 takes beta towards 1 and kappa towards 3, where the root polygon is richer too.
+    double alpha, offset_ratio;
+    /// Inflated structures: levels of the hierarchy that the root polygon already has; 0: the rectangle.
+    unsigned root_level;
+    /// Free directions: the part of the gap that a window may cost (gamma), in (0, 1).
+    double window_part;
+} bmr_kds_def;
+/// margin 1e-6, hysteresis 0, alpha 1/2, offset_ratio 1/2, root_level 0, window_part as the structure likes
+/// it (0).
+bmr_kds_def bmr_default_kds_def(void);
+
+/// What is known of the relative motion at a time: B's frame in A's. A structure that predicts uses the
+/// rates; where they are unknown they are 0, which is always allowed and never wrong.
+typedef struct bmr_instant {
+    bmr_pose pose;
+    bmr_vec2 velocity; ///< of pose.position
+    double spin;       ///< rate of the pose's angle
+} bmr_instant;
+
+/// What happened in one repair.
+typedef enum bmr_kds_event_kind {
+    BMR_KDS_START,     ///< a proof was made from nothing
+    BMR_KDS_PUSH,      ///< the point or corner crossed the line beyond the edge's ends
+    BMR_KDS_STAB,      ///< it crossed the edge itself: refined
+    BMR_KDS_ROLL,      ///< the nearest corner changed, the line stayed
+    BMR_KDS_CROSS,     ///< an eager cell: left through an outer side into another cell
+    BMR_KDS_PAGE_TURN, ///< mixed hierarchy: a triangle and a parallelogram changed places
+    BMR_KDS_COLLAPSE,  ///< mixed hierarchy: a parallelogram vanished
+    BMR_KDS_FEATURE,   ///< a rival: the features or the tangent changed
+    BMR_KDS_CONTACT,   ///< the polygons are within the margin
+    BMR_KDS_LEAVE,     ///< contact was left, a proof was made
+    BMR_KDS_NONE,      ///< called too early: every condition still held
+    BMR_KDS_EVENT_KIND_COUNT
+} bmr_kds_event_kind;
+/// "start", "push", "stab", "roll", "cross", "page-turn", "collapse", "feature", "contact", "leave", "none";
+/// NULL for anything else.
+const char *bmr_kds_event_name(bmr_kds_event_kind kind);
+
+typedef struct bmr_kds_report {
+    bmr_kds_event_kind kind;
+    bool apart;        ///< there is a proof now; false: contact
+    bool line_changed; ///< the separating line is another than before (its owner, direction or offset)
+    int level_before, level_after; ///< of the hierarchy; 0 for a structure that has none
+    unsigned touched;              ///< cells, levels or candidate features looked at
+} bmr_kds_report;
+
+/// The most conditions any structure waits for.
+#define BMR_KDS_MAX_CONDITIONS 8
+
+/// The line that proves the pair apart: all of the owner is on or behind it, all of the other beyond it.
+typedef struct bmr_kds_proof {
+    int owner;        ///< 0: the line is fixed in A's frame, 1: in B's
+    bmr_line line;    ///< owner's frame
+    bmr_vec2 nearest; ///< the other body's corner or vertex that was taken for its nearest, its frame
+    int level;
+} bmr_kds_proof;
+
+typedef struct bmr_kds bmr_kds;
+
+/// Makes a structure for one pair; nothing is known yet. One block of the allocator (NULL: malloc), O(1)
+/// bytes, but for the structures on an explicit Minkowski sum or tiling, which say so. The shapes must
+/// outlive it. Errors: NULL_ARGUMENT (also a hierarchy that `info` needs), OUT_OF_RANGE (a def that makes no
+/// sense; a POINT structure for a B of several vertices), NO_MEMORY.
+bmr_error bmr_kds_create(const bmr_kds_info *info, const bmr_kds_def *def, const bmr_kds_shape *a,
+                         const bmr_kds_shape *b, const bmr_allocator *allocator, bmr_kds **kds);
+void bmr_kds_destroy(bmr_kds *kds, const bmr_allocator *allocator);
+const bmr_kds_info *bmr_kds_get_info(const bmr_kds *kds);
+/// Bytes of the pair's own state.
+size_t bmr_kds_bytes(const bmr_kds *kds);
+
+/// Makes a proof from nothing, or finds contact. Also to be called to leave contact. O(log n) (structures on
+/// an explicit tiling: O(size)). A pose with a NaN, or far from orthonormal: contact.
+void bmr_kds_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report);
+
+/// The conditions of the present proof, all of which held at the last start or repair; 0 in contact. Their
+/// conjunction implies that the polygons are apart by more than the margin. O(1).
+size_t bmr_kds_conditions(const bmr_kds *kds, bmr_condition conditions[BMR_KDS_MAX_CONDITIONS]);
+
+/// Takes the structure past a failure: `failed` is the index of the condition that is at zero (or just below)
+/// at this instant. Afterwards every condition is positive, or zero and about to grow under `now`'s rates, or
+/// the pair is in contact. Called where nothing has failed, it reports NONE and changes nothing. Contact is
+/// reported only where the exact distance is at most the margin (up to rounding, see bmr_kds_def).
+void bmr_kds_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report);
+
+bool bmr_kds_in_contact(const bmr_kds *kds);
+/// False in contact. (The line of two rivals, closest features and inner tangent, is fixed in neither frame:
+/// theirs is that of the last event.)
+bool bmr_kds_get_proof(const bmr_kds *kds, bmr_kds_proof *proof);
+
+/// Re-proves everything by brute force over all vertices at a pose where the conditions hold: the line
+/// separates by more than the margin, and what else the structure promises of its level, cell or features. OK
+/// for a pair in contact whose distance is at most the margin. O(n). FALSE_CERTIFICATE, INVALID_STRUCTURE.
+bmr_error bmr_kds_audit(const bmr_kds *kds, const bmr_pose *b_in_a);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#ifndef BMR_KDS_FEATURES_H
+#define BMR_KDS_FEATURES_H
+
+#include "kds/structure.h"
+#include "kds/windowed_line.h"
+
+/// @file
+/// The closest features of two convex polygons, tracked by Voronoi regions (Lin and Canny; V-Clip), as state
+/// that a structure holds. Conditions let each region reach a rounding's width over its border, so that two
+/// neighbouring pairs of features are never both about to fail.
+///
+/// A segment's ends have cones of half a turn, which two conditions cannot let overlap. Where it lies
+/// parallel to an edge and stays so, no pair of features holds: the closest direction does, as a line fixed
+/// in A.
+
+/// Two vertices, or an edge (from its body's vertex to the next) and a vertex, or none and a line instead.
+typedef struct bmr_feature_pair {
+    uint32_t vertex[2]; ///< of A, of B
+    int edge_owner;     ///< whose feature is the edge; -1: none's
+    bool by_line;       ///< no pair holds: `line` does
+    bmr_windowed_line line;
+} bmr_feature_pair;
+
+/// The pair at a pose, from nothing. False: within the margin.
+bool bmr_features_start(const bmr_kds *kds, const bmr_instant *now, bmr_feature_pair *pair,
+                        unsigned *touched);
+/// Condition 0 is that of the distance, the others those of the regions; or those of the line.
+size_t bmr_features_conditions(const bmr_kds *kds, const bmr_feature_pair *pair, bmr_condition *conditions);
+/// Walks on from the failure of one condition. False: within the margin.
+bool bmr_features_repair(const bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_feature_pair *pair,
+                         unsigned *touched);
+/// The line that the features prove at a pose: the edge's, or that across the closest points; or the line
+/// held.
+void bmr_features_proof(const bmr_kds *kds, const bmr_feature_pair *pair, const bmr_pose *b_in_a,
+                        bmr_kds_proof *proof);
+/// Are these the closest ones? Against the distance computed from nothing. For a line: does it stand for B?
+bmr_error bmr_features_audit(const bmr_kds *kds, const bmr_feature_pair *pair, const bmr_pose *b_in_a);
+
+/// The width by which regions overlap (length units).
+double bmr_features_overlap(const bmr_kds *kds);
+/// Has the condition failed, found a little early or not? For the one that a repair is called for.
+bool bmr_features_failed(const bmr_kds *kds, const bmr_condition *condition, const bmr_instant *now);
+/// Must a walk go on past the condition? It is below zero by more than rounding, or not above and not
+/// growing.
+bool bmr_features_violated(const bmr_kds *kds, const bmr_condition *condition, const bmr_instant *now);
+
+/// The angle by which the cone of a vertex's normals is widened: so little that its vertex is the support up
+/// to rounding.
+#define BMR_CONE_OVERLAP 1e-13
+
+static inline bmr_vec2 bmr_turned_slightly(bmr_vec2 v, double angle) {
+    return bmr_add(v, bmr_scale(angle, bmr_left(v)));
+}
+static inline uint32_t bmr_vertex_after(const bmr_polygon *p, uint32_t i) {
+    return i + 1 < p->count ? i + 1 : 0;
+}
+static inline uint32_t bmr_vertex_before(const bmr_polygon *p, uint32_t i) {
+    return i > 0 ? i - 1 : p->count - 1;
+}
+
+#endif

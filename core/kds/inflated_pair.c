@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Inflated compass hierarchies of two polygons (section 6). At an event the coarsest level is taken at which
+// some edge has a slack of eps_j: translational hysteresis. Where the bodies rotate, three consecutive
+// corners of the other envelope stand for it in the cone of their four edges, so that neither a small motion
+// nor a small rotation leaves the window: rotational hysteresis, which the paper announces and omits.
+#include "boomerang/inflated.h"
+#include "certificate/walk.h"
+#include "kds/registry.h"
+#include "kds/windowed_line.h"
+
+/// An edge's line is taken if it has this part of the distance beyond the margin. What a level promises is
+/// more, 1 / (2 + 2 sqrt 2), and so is the best edge of the polygons themselves, sqrt(1/2); but not beyond a
+/// margin that is as large as they are, and points have no edges.
+#define EDGE_PART 0.125
+
+/// What a proof has of the other envelope.
+typedef enum inflated_window {
+    WINDOW_FIXED,  ///< the nearest corner; the direction never turns
+    WINDOW_CORNER, ///< the nearest corner, in its own cone: no rotational hysteresis
+    WINDOW_THREE   ///< and its neighbours, in the cone of all three
+} inflated_window;
+
+typedef struct inflated_class {
+    bmr_kds_class class; ///< first: an info's implementation is a pointer to it
+    inflated_window window;
+} inflated_class;
+
+typedef struct inflated_state {
+    bmr_windowed_line now;
+    bmr_inflation inflation;
+} inflated_state;
+
+static inflated_window window_of(const bmr_kds *kds) {
+    return ((const inflated_class *)kds->info->implementation)->window;
+}
+
+static inflated_state *state_of(bmr_kds *kds) {
+    return (inflated_state *)(void *)kds->state;
+}
+
+static const inflated_state *constant_state_of(const bmr_kds *kds) {
+    return (const inflated_state *)(const void *)kds->state;
+}
+
+static const bmr_hierarchy *hierarchy_of(const bmr_kds *kds, int side) {
+    return kds->shapes[side].hierarchies[BMR_HIERARCHY_COMPASS];
+}
+
+static bmr_error prepare(bmr_kds *kds) {
+    const double diameter =
+        bmr_inflation_diameter(kds->shapes[0].polygon) + bmr_inflation_diameter(kds->shapes[1].polygon);
+    state_of(kds)->inflation =
+        bmr_inflation_make(diameter, kds->def.alpha, kds->def.offset_ratio, kds->def.root_level);
+    return BMR_OK;
+}
+
+/// The window around a corner of the other body's envelope.
+static void make_window(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *pose, bmr_corner corner,
+                        int level) {
+    const int other = 1 - w->owner;
+    const bmr_hierarchy *h = hierarchy_of(kds, other);
+    const uint32_t side_level = bmr_walk_side_level(h, level);
+    w->point[0] = bmr_hierarchy_corner_point(h, corner);
+    w->count = 1;
+    bmr_edge low = corner.before, high = corner.after;
+    if (window_of(kds) == WINDOW_THREE) {
+        const bmr_corner before = bmr_hierarchy_corner_before(h, low, side_level),
+                         after = bmr_hierarchy_corner_after(h, high, side_level);
+        w->point[1] = bmr_hierarchy_corner_point(h, before);
+        w->point[2] = bmr_hierarchy_corner_point(h, after);
+        w->count = 3;
+        low = before.before;
+        high = after.after;
+    }
+    bmr_windowed_bracket(w, pose, bmr_hierarchy_line(h, low).normal, bmr_hierarchy_line(h, high).normal);
+    if (window_of(kds) == WINDOW_FIXED)
+        bmr_windowed_fix(w);
+    else if (!bmr_windowed_inside(w, pose)) // edges whose directions differ by next to nothing
+        bmr_windowed_exact(w, kds, pose, 0);
+}
+
+static void take_edge(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *pose, const bmr_walk *walk,
+                      const bmr_candidate *best) {
+    const int owner = best->owner;
+    w->owner = (uint8_t)owner;
+    w->line = bmr_hierarchy_line(hierarchy_of(kds, owner), best->edge);
+    w->level = walk->level;
+    w->support[owner] = bmr_hierarchy_touch(hierarchy_of(kds, owner), best->edge);
+    make_window(w, kds, pose, best->corner[1 - owner], walk->level);
+}
+
+/// The coarsest level at which an edge has a slack of eps_j, and the edge of most slack there. Where no level
+/// has: the best edge of the polygons themselves, without any promise; and where not even that one clears the
+/// margin, the closest direction, which does.
+static bool select_line(bmr_kds *kds, const bmr_pose *pose, unsigned *levels) {
+    inflated_state *s = state_of(kds);
+    bmr_windowed_line w = s->now;
+    bmr_vec2 u;
+    double distance;
+    if (!bmr_windowed_closest(kds, pose, w.support, &u, &distance))
+        return false;
+    const bmr_hierarchy *const both[2] = {hierarchy_of(kds, 0), hierarchy_of(kds, 1)};
+    bmr_walk walk = {{both[0], both[1]}, pose, 0, {0.0, 0.0}, {{0, 0, 0}, {0, 0, 0}}};
+    const int deepest = bmr_walk_deepest(both);
+    int root = (int)s->inflation.root_level;
+    if (root > deepest)
+        root = deepest;
+    bmr_walk_start(&walk, u, root);
+    bmr_candidate best = {0};
+    for (int level = root;; ++level) {
+        const bool climbed = bmr_walk_climb(&walk, &best);
+        ++*levels;
+        walk.level = level;
+        const bool found =
+            climbed && best.gap >= bmr_inflation_offset(&s->inflation, (uint32_t)(level - root));
+        if (found || level == deepest)
+            break;
+        if (climbed)
+            bmr_walk_refine(&walk);
+        else
+            bmr_walk_start(&walk, u, level + 1);
+    }
+    if (best.gap > kds->def.margin + EDGE_PART * (distance - kds->def.margin)) {
+        take_edge(&w, kds, pose, &walk, &best);
+    } else {
+        bmr_windowed_line_set(&w, kds, pose, 0, u, w.support);
+        bmr_windowed_exact(&w, kds, pose, 0);
+        w.level = deepest;
+        if (window_of(kds) == WINDOW_FIXED)
+            bmr_windowed_fix(&w);
+    }
+    s->now = w;
+    return true;
+}
+
+static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+    const bool apart = select_line(kds, &now->pose, &report->touched);
+    report->level_before = report->level_after = state_of(kds)->now.level;
+    return apart;
+}
+
+static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+    (void)failed; // others may have failed at the same time
+    inflated_state *s = state_of(kds);
+    const bmr_windowed_line old = s->now;
+    const bmr_windowed_failure failure = bmr_windowed_fails(&old, kds, now);
+    if (!failure.crossed && failure.rolled == 0)
+        return true; // NONE
+    report->level_before = report->level_after = old.level;
+    if (!select_line(kds, &now->pose, &report->touched))
+        return false;
+    report->level_after = s->now.level;
+    report->line_changed = !bmr_windowed_same_line(&old, &s->now);
+    report->kind = !failure.crossed ? BMR_KDS_ROLL : s->now.level > old.level ? BMR_KDS_STAB : BMR_KDS_PUSH;
+    return true;
+}
+
+static size_t conditions(const bmr_kds *kds, bmr_condition *out) {
+    return bmr_windowed_conditions(&constant_state_of(kds)->now, kds->def.margin, out);
+}
+
+static void proof(const bmr_kds *kds, bmr_kds_proof *out) {
+    bmr_windowed_proof(&constant_state_of(kds)->now, out);
+}
+
+static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
+    return bmr_windowed_audit(&constant_state_of(kds)->now, kds, b_in_a);
+}
+
+#define INFLATED_CLASS(window)                                                                               \
+    {                                                                                                        \
+        {.state_bytes = sizeof(inflated_state),                                                              \
+         .prepare = prepare,                                                                                 \
+         .start = start,                                                                                     \
+         .conditions = conditions,                                                                           \
+         .repair = repair,                                                                                   \
+         .proof = proof,                                                                                     \
+         .audit = audit},                                                                                    \
+            window                                                                                           \
+    }
+static const inflated_class translation = INFLATED_CLASS(WINDOW_FIXED), window = INFLATED_CLASS(WINDOW_THREE),
+                            no_window = INFLATED_CLASS(WINDOW_CORNER);
+
+const bmr_kds_info bmr_kds_inflated_translation = {"inflated-translation",
+                                                   "Inflated compass, translational hysteresis",
+                                                   "6",
+                                                   BMR_KDS_TRANSLATION,
+                                                   false,
+                                                   BMR_HIERARCHY_COMPASS,
+                                                   &translation};
+const bmr_kds_info bmr_kds_inflated_window = {"inflated-window",
+                                              "Inflated compass, three-vertex window",
+                                              "6, rotational hysteresis",
+                                              BMR_KDS_RIGID,
+                                              false,
+                                              BMR_HIERARCHY_COMPASS,
+                                              &window};
+const bmr_kds_info bmr_kds_inflated_nowindow = {"inflated-nowindow",
+                                                "Inflated compass, no window",
+                                                "the control of section 6's rotational hysteresis",
+                                                BMR_KDS_RIGID,
+                                                false,
+                                                BMR_HIERARCHY_COMPASS,
+                                                &no_window};

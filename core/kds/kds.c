@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// What all structures share: checks of arguments, memory, contact and the exact distance.
+#include <math.h>
+#include <string.h>
+
+#include "geometry/distance.h"
+#include "geometry/memory.h"
+#include "kds/structure.h"
+
+/// How far (c, s) of a pose may be off unit length before it is no motion.
+#define POSE_TOLERANCE 1e-3
+
+bmr_kds_def bmr_default_kds_def(void) {
+    bmr_kds_def def = {1e-6, 0.0, 0.5, 0.5, 0, 0.0};
+    return def;
+}
+
+const char *bmr_kds_event_name(bmr_kds_event_kind kind) {
+    static const char *const names[BMR_KDS_EVENT_KIND_COUNT] = {"start",   "push",      "stab",     "roll",
+                                                                "cross",   "page-turn", "collapse", "feature",
+                                                                "contact", "leave",     "none"};
+    return (unsigned)kind < BMR_KDS_EVENT_KIND_COUNT ? names[kind] : NULL;
+}
+
+static const bmr_kds_class *class_of(const bmr_kds_info *info) {
+    return info->implementation;
+}
+
+static bool def_makes_sense(const bmr_kds_def *def) {
+    return def->margin > 0.0 && isfinite(def->margin) && def->hysteresis >= 0.0 &&
+           isfinite(def->hysteresis) && def->alpha > 0.0 && isfinite(def->alpha) && def->offset_ratio > 0.0 &&
+           def->offset_ratio < 1.0 && def->window_part >= 0.0 && def->window_part < 1.0;
+}
+
+bmr_error bmr_kds_create(const bmr_kds_info *info, const bmr_kds_def *def, const bmr_kds_shape *a,
+                         const bmr_kds_shape *b, const bmr_allocator *allocator, bmr_kds **kds) {
+    if (!info || !def || !a || !b || !kds || !a->polygon || !b->polygon)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (info->hierarchy >= 0 && (!a->hierarchies[info->hierarchy] || !b->hierarchies[info->hierarchy]))
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (!def_makes_sense(def) || (info->domain == BMR_KDS_POINT && b->polygon->count != 1))
+        return BMR_ERROR_OUT_OF_RANGE;
+    const bmr_kds_class *class = class_of(info);
+    const size_t extra = class->extra_bytes ? class->extra_bytes(a, b, def) : 0;
+    const size_t bytes = sizeof(bmr_kds) + class->state_bytes + extra;
+    bmr_kds *made = bmr_allocate(allocator, bytes);
+    if (!made)
+        return BMR_ERROR_NO_MEMORY;
+    memset(made, 0, bytes);
+    made->info = info;
+    made->def = *def;
+    made->shapes[0] = *a;
+    made->shapes[1] = *b;
+    made->bytes = bytes;
+    const bmr_error error = class->prepare ? class->prepare(made) : BMR_OK;
+    if (error != BMR_OK)
+        bmr_release(allocator, made, bytes);
+    else
+        *kds = made;
+    return error;
+}
+
+void bmr_kds_destroy(bmr_kds *kds, const bmr_allocator *allocator) {
+    if (kds)
+        bmr_release(allocator, kds, kds->bytes);
+}
+
+const bmr_kds_info *bmr_kds_get_info(const bmr_kds *kds) {
+    return kds->info;
+}
+
+size_t bmr_kds_bytes(const bmr_kds *kds) {
+    return kds->bytes;
+}
+
+bool bmr_kds_in_contact(const bmr_kds *kds) {
+    return kds->contact;
+}
+
+static bool is_motion(const bmr_pose *q) {
+    const double off = q->c * q->c + q->s * q->s - 1.0;
+    return isfinite(q->position.x) && isfinite(q->position.y) && fabs(off) <= 2.0 * POSE_TOLERANCE;
+}
+
+void bmr_kds_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+    memset(report, 0, sizeof *report);
+    const bool leaves = kds->started && kds->contact;
+    kds->started = true;
+    report->apart = is_motion(&now->pose) && class_of(kds->info)->start(kds, now, report);
+    kds->contact = !report->apart;
+    report->line_changed = report->apart;
+    report->kind = !report->apart ? BMR_KDS_CONTACT : leaves ? BMR_KDS_LEAVE : BMR_KDS_START;
+}
+
+size_t bmr_kds_conditions(const bmr_kds *kds, bmr_condition conditions[BMR_KDS_MAX_CONDITIONS]) {
+    return kds->contact || !kds->started ? 0 : class_of(kds->info)->conditions(kds, conditions);
+}
+
+void bmr_kds_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+    memset(report, 0, sizeof *report);
+    report->kind = BMR_KDS_NONE;
+    if (kds->contact || !kds->started)
+        return;
+    report->apart = is_motion(&now->pose) && class_of(kds->info)->repair(kds, now, failed, report);
+    kds->contact = !report->apart;
+    if (!report->apart)
+        report->kind = BMR_KDS_CONTACT;
+}
+
+bool bmr_kds_get_proof(const bmr_kds *kds, bmr_kds_proof *proof) {
+    if (kds->contact || !kds->started)
+        return false;
+    class_of(kds->info)->proof(kds, proof);
+    return true;
+}
+
+double bmr_kds_separation(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 direction) {
+    const bmr_polygon *a = kds->shapes[0].polygon, *b = kds->shapes[1].polygon;
+    const bmr_vec2 against = bmr_neg(bmr_unrotate(b_in_a, direction));
+    const bmr_vec2 p = a->vertices[bmr_polygon_support(a, direction)];
+    const bmr_vec2 q = b->vertices[bmr_polygon_support(b, against)];
+    return bmr_dot(direction, bmr_sub(bmr_transform(b_in_a, q), p));
+}
+
+bool bmr_kds_closest(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t *a, uint32_t *b,
+                     bmr_vec2 *direction, double *distance) {
+    const bmr_polygon *p = kds->shapes[0].polygon, *q = kds->shapes[1].polygon;
+    bmr_simplex simplex = bmr_simplex_make(*a % p->count, *b % q->count);
+    bmr_closest closest;
+    if (!bmr_closest_direction(p, q, b_in_a, kds->def.margin, 0.0, &simplex, &closest))
+        return false;
+    *a = closest.a;
+    *b = closest.b;
+    *direction = closest.direction;
+    *distance = closest.separation;
+    return true;
+}
+
+/// Brute force over every vertex: does the proof's line separate by more than the margin, up to the rounding
+/// of this very computation?
+static bmr_error audit_line(const bmr_kds *kds, const bmr_pose *b_in_a, const bmr_kds_proof *proof) {
+    const bmr_polygon *own = kds->shapes[proof->owner].polygon,
+                      *other = kds->shapes[1 - proof->owner].polygon;
+    const bmr_pose other_in_own = proof->owner == 0 ? *b_in_a : bmr_pose_inverse(b_in_a);
+    const double slop =
+        1e-12 * (own->extent + other->extent + fabs(b_in_a->position.x) + fabs(b_in_a->position.y));
+    const bmr_vec2 n = proof->line.normal;
+    if (!(fabs(hypot(n.x, n.y) - 1.0) < 1e-9))
+        return BMR_ERROR_FALSE_CERTIFICATE;
+    double own_most = -INFINITY, other_least = INFINITY;
+    for (uint32_t i = 0; i < own->count; i++)
+        own_most = fmax(own_most, bmr_dot(n, own->vertices[i]));
+    for (uint32_t i = 0; i < other->count; i++)
+        other_least = fmin(other_least, bmr_dot(n, bmr_transform(&other_in_own, other->vertices[i])));
+    if (own_most > proof->line.offset + slop || !(other_least - proof->line.offset > kds->def.margin - slop))
+        return BMR_ERROR_FALSE_CERTIFICATE;
+    return BMR_OK;
+}
+
+bmr_error bmr_kds_audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
+    if (!kds || !b_in_a)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (!kds->started || !is_motion(b_in_a))
+        return BMR_OK;
+    if (kds->contact) {
+        uint32_t a = 0, b = 0;
+        bmr_vec2 direction;
+        double distance;
+        const double slop = 1e-9 * (kds->shapes[0].polygon->extent + kds->shapes[1].polygon->extent);
+        const bool apart = bmr_kds_closest(kds, b_in_a, &a, &b, &direction, &distance) &&
+                           distance > kds->def.margin + kds->def.hysteresis + slop;
+        return apart ? BMR_ERROR_INVALID_STRUCTURE : BMR_OK;
+    }
+    bmr_kds_proof proof;
+    const bmr_kds_class *class = class_of(kds->info);
+    if (kds->proof_at)
+        kds->proof_at(kds, b_in_a, &proof);
+    else
+        class->proof(kds, &proof);
+    const bmr_error error = audit_line(kds, b_in_a, &proof);
+    if (error != BMR_OK)
+        return error;
+    return class->audit ? class->audit(kds, b_in_a) : BMR_OK;
+}

@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: MIT
+// Free directions chosen by how long they are going to last: the structures that come nearest to the offline
+// optimum. At an event, directions across the cone of all that separate are tried in both bodies, and the
+// line is taken that survives longest if the motion goes on as it seems to. As in FDx the support is exact,
+// and only failures of the line count: the window rolls along without touching it.
+//
+//   predict           always believes the rates of the instant
+//   predict-adaptive  measures how well it foresaw the last events. It finds out which of the bodies turns,
+//   and
+//                     doubts what it sees: doubt is a distance that grows with the path. In full doubt the
+//                     best line is the one of most slack, and a drift over several events is leant into.
+//
+// For a random walk across the arc of directions that a line tolerates, nothing online gets below twice the
+// optimum: the middle of an arc is left after A^2 steps on average, and a range as wide as the arc (2 A) is
+// filled after 2 A^2. Policies that were tried, and what they gave: docs/open-question.md.
+#include <float.h>
+#include <math.h>
+
+#include "geometry/distance.h"
+#include "kds/cone.h"
+#include "kds/registry.h"
+#include "kds/windowed_line.h"
+
+/// Lines are tried in directions that separate by this part of the distance or more ..
+#define LEAST_PART 0.1
+/// .. but the one along which the present velocity changes nothing needs only this.
+#define NORMAL_LEAST_PART 1e-3
+/// Directions across the cone, both ends and the middle among them: 2^k + 1.
+#define ADAPTIVE_ACROSS 9
+#define PLAIN_ACROSS 3
+#define MOST_CANDIDATES (ADAPTIVE_ACROSS + 2)
+
+/// The motion is foreseen until the path is so many times the size of the bodies and their distance, at times
+/// that grow geometrically from the one at which this part of the gap is gone at the earliest.
+#define HORIZON 3.0
+#define FIRST_PART 1.0
+#define TIMES 16
+
+/// How far the other body was from where it was foreseen, as part of its path: below the first nothing is
+/// doubted, above the second everything is.
+#define DOUBT_NONE 0.3
+#define DOUBT_ALL 0.6
+/// What is believed at the start, when nothing has been learnt, of the model that is preferred and of the
+/// other.
+#define DOUBT_START 0.25
+#define DOUBT_OTHER 0.3
+/// The part of the old doubt that remains after an event.
+#define DOUBT_DECAY 0.5
+/// A model that is quite wrong is wrong by no more than there and back.
+#define DOUBT_MOST 2.0
+
+/// In doubt, under translation (rotation decides by the owner, not by leaning): leans this part of the way to
+/// where this part of the distance is left, after so many failures on the same side.
+#define LEAN_PART 0.4
+#define LEAN_LEAST_PART 0.25
+#define LEAN_AFTER 2
+#define LEAN_DOUBT 0.5
+
+/// How the pair moves on. Only the relative motion is told, so that it is not known which body turns.
+typedef enum predict_model {
+    MODEL_B_STRAIGHT, ///< seen from A, B's origin goes straight while B turns
+    MODEL_A_STRAIGHT, ///< seen from B, A's origin goes straight while A turns
+    MODEL_COUNT
+} predict_model;
+
+typedef struct predict_class {
+    bmr_kds_class class; ///< first: an info's implementation is a pointer to it
+    int across;
+    bool adaptive;
+} predict_class;
+
+typedef struct predict_state {
+    bmr_windowed_line now;
+    bmr_instant last;          ///< of the last choice
+    double wrong[MODEL_COUNT]; ///< mean error of each model, as part of the path
+    int8_t side; ///< of the last failure: the way the closest direction had turned from the line's
+    uint8_t row; ///< failures on that side, one after the other
+} predict_state;
+
+/// The motion as foreseen, at times from now on.
+typedef struct forecast {
+    int count;          ///< of times
+    bool turns;         ///< the bodies rotate against each other
+    double time[TIMES]; ///< the first is 0
+    double loss[TIMES]; ///< what is doubted of a gap by then
+    bmr_pose pose[TIMES];
+    bmr_pose turn[TIMES]; ///< rotation of a direction fixed in B
+} forecast;
+
+typedef struct candidate {
+    bmr_vec2 direction; ///< A's frame
+    int owner;
+    double life, last_gap; ///< how long it lasts; the gap at the end of that
+} candidate;
+
+static const predict_class *class_of(const bmr_kds *kds) {
+    return kds->info->implementation;
+}
+
+static predict_state *state_of(bmr_kds *kds) {
+    return (predict_state *)(void *)kds->state;
+}
+
+static const predict_state *constant_state_of(const bmr_kds *kds) {
+    return (const predict_state *)(const void *)kds->state;
+}
+
+static double length(bmr_vec2 v) {
+    return sqrt(bmr_dot(v, v));
+}
+
+static int sign(double x) {
+    return (x > 0.0) - (x < 0.0);
+}
+
+/// The instant as seen from the body that a model takes to be at rest: the other's frame in that body's.
+static bmr_instant seen(const bmr_instant *now, predict_model model) {
+    if (model == MODEL_B_STRAIGHT)
+        return *now;
+    const bmr_vec2 turning = bmr_scale(now->spin, bmr_left(now->pose.position));
+    const bmr_instant other = {bmr_pose_inverse(&now->pose),
+                               bmr_neg(bmr_unrotate(&now->pose, bmr_sub(now->velocity, turning))),
+                               -now->spin};
+    return other;
+}
+
+/// How far the points of the body that moves are from its frame's origin.
+static double arm_of(const bmr_kds *kds, predict_model model) {
+    const bmr_polygon *p = kds->shapes[model == MODEL_B_STRAIGHT ? 1 : 0].polygon;
+    return p->radius + length(p->center);
+}
+
+static bmr_pose straight_on(const bmr_instant *from, double time) {
+    const double angle = from->spin * time;
+    const bmr_pose turn = {{0.0, 0.0}, cos(angle), sin(angle)};
+    const bmr_vec2 x_axis = bmr_rotate(&turn, bmr_vec2_make(from->pose.c, from->pose.s));
+    const bmr_pose pose = {bmr_add(from->pose.position, bmr_scale(time, from->velocity)), x_axis.x, x_axis.y};
+    return pose;
+}
+
+static double angle_between(const bmr_pose *from, const bmr_pose *to) {
+    return atan2(from->c * to->s - from->s * to->c, from->c * to->c + from->s * to->s);
+}
+
+/// Takes note of how far each model was off since the last choice.
+static void learn(predict_state *s, const bmr_kds *kds, const bmr_instant *now) {
+    for (int model = 0; model < MODEL_COUNT; ++model) {
+        const bmr_instant old = seen(&s->last, (predict_model)model), here = seen(now, (predict_model)model);
+        const double arm = arm_of(kds, (predict_model)model);
+        const double speed = length(old.velocity) + arm * fabs(old.spin);
+        const double way = length(bmr_sub(here.pose.position, old.pose.position)) +
+                           arm * fabs(angle_between(&old.pose, &here.pose));
+        if (!(way > 0.0) || !(speed > 0.0))
+            continue;
+        // The time is not told: where would it be after the same way?
+        const bmr_pose q = straight_on(&old, way / speed);
+        const double off =
+            length(bmr_sub(q.position, here.pose.position)) + arm * fabs(angle_between(&q, &here.pose));
+        s->wrong[model] = DOUBT_DECAY * s->wrong[model] + (1.0 - DOUBT_DECAY) * fmin(off / way, DOUBT_MOST);
+    }
+}
+
+/// Nothing is known yet: a body that turns far from the middle of the turn would be a coincidence, so the
+/// slower of the two motions is likelier.
+static void forget(predict_state *s, const bmr_instant *now) {
+    const bmr_instant other = seen(now, MODEL_A_STRAIGHT);
+    const bool a_moves = length(other.velocity) < length(now->velocity);
+    s->wrong[MODEL_B_STRAIGHT] = a_moves ? DOUBT_OTHER : DOUBT_START;
+    s->wrong[MODEL_A_STRAIGHT] = a_moves ? DOUBT_START : DOUBT_OTHER;
+    s->side = 0;
+    s->row = 0;
+}
+
+static double doubt_of(double wrong) {
+    return fmin(1.0, fmax(0.0, (wrong - DOUBT_NONE) / (DOUBT_ALL - DOUBT_NONE)));
+}
+
+static void foresee(forecast *f, const bmr_kds *kds, const bmr_instant *now, predict_model model,
+                    double doubt, double distance) {
+    const bmr_instant from = seen(now, model);
+    const double speed = length(from.velocity) + arm_of(kds, model) * fabs(from.spin);
+    const double size = kds->shapes[0].polygon->radius + kds->shapes[1].polygon->radius;
+    f->turns = now->spin != 0.0;
+    f->count = 1;
+    f->time[0] = f->loss[0] = 0.0;
+    f->pose[0] = now->pose;
+    f->turn[0] = bmr_pose_identity();
+    if (!(speed > 0.0))
+        return;
+    // Without rotation the gap is linear in time: two times tell it all.
+    f->count = f->turns ? TIMES : 2;
+    const double last = HORIZON * (size + distance) / speed;
+    const double first = f->turns ? FIRST_PART * (distance - kds->def.margin) / speed : last;
+    const double factor = pow(last / first, 1.0 / (TIMES - 2));
+    double time = first;
+    for (int i = 1; i < f->count; ++i, time *= factor) {
+        const bmr_pose pose = straight_on(&from, time);
+        f->time[i] = time;
+        f->loss[i] = doubt * speed * time;
+        f->pose[i] = model == MODEL_B_STRAIGHT ? pose : bmr_pose_inverse(&pose);
+        // From the rotation of B now to that of then.
+        f->turn[i] = bmr_pose_relative(&now->pose, &f->pose[i]);
+    }
+}
+
+/// What is left of a candidate's gap at one of the times.
+static double gap_at(const bmr_kds *kds, const forecast *f, const candidate *c, int i, uint32_t support[2]) {
+    const bmr_polygon *a = kds->shapes[0].polygon, *b = kds->shapes[1].polygon;
+    const bmr_vec2 d = c->owner == 0 ? c->direction : bmr_rotate(&f->turn[i], c->direction);
+    support[0] = bmr_support_near(a, d, support[0]);
+    support[1] = bmr_support_near(b, bmr_unrotate(&f->pose[i], bmr_neg(d)), support[1]);
+    const bmr_vec2 p = a->vertices[support[0]], q = bmr_transform(&f->pose[i], b->vertices[support[1]]);
+    return bmr_dot(d, bmr_sub(q, p)) - kds->def.margin - f->loss[i];
+}
+
+/// How long a candidate lasts. False: not as long as `best`, or not with as large a gap.
+static bool outlives(const bmr_kds *kds, const forecast *f, const uint32_t support[2], candidate *c,
+                     const candidate *best) {
+    uint32_t near[2] = {support[0], support[1]};
+    if (f->turns && best->life > 0.0) { // most fall behind at once
+        int i = f->count - 1;
+        while (i > 0 && f->time[i] > best->life)
+            --i;
+        if (!(gap_at(kds, f, c, i, near) > 0.0))
+            return false;
+    }
+    double before = gap_at(kds, f, c, 0, near);
+    if (!(before > 0.0))
+        return false;
+    c->last_gap = before;
+    c->life = f->time[f->count - 1];
+    for (int i = 1; i < f->count; ++i) {
+        const double gap = gap_at(kds, f, c, i, near);
+        c->last_gap = gap;
+        if (!(gap > 0.0)) {
+            c->life = f->time[i - 1] + (f->time[i] - f->time[i - 1]) * before / (before - gap);
+            break;
+        }
+        before = gap;
+    }
+    return c->life > best->life || (c->life == best->life && c->last_gap > best->last_gap);
+}
+
+static bmr_vec2 between(bmr_vec2 a, bmr_vec2 b) {
+    const bmr_vec2 sum = bmr_add(a, b);
+    const double size = length(sum);
+    return size > DBL_EPSILON ? bmr_scale(1.0 / size, sum) : bmr_left(a);
+}
+
+/// The directions to try, the closest first.
+static int directions(const bmr_kds *kds, const bmr_instant *now, predict_model model, bmr_vec2 closest,
+                      double distance, const uint32_t support[2], bmr_vec2 out[MOST_CANDIDATES]) {
+    const double margin = kds->def.margin, gap = distance - margin;
+    const int across = class_of(kds)->across;
+    int count = 0;
+    out[count++] = closest;
+    bmr_vec2 *fan = out + count;
+    fan[0] = bmr_cone_end(kds, &now->pose, closest, margin + LEAST_PART * gap, -1, support);
+    fan[across - 1] = bmr_cone_end(kds, &now->pose, closest, margin + LEAST_PART * gap, 1, support);
+    for (int step = across - 1; step > 1; step /= 2)
+        for (int i = 0; i + step < across; i += step)
+            fan[i + step / 2] = between(fan[i], fan[i + step]);
+    count += across;
+    bmr_vec2 velocity = seen(now, model).velocity;
+    if (model == MODEL_A_STRAIGHT)
+        velocity = bmr_rotate(&now->pose, velocity);
+    const double speed = length(velocity);
+    if (speed > 0.0) {
+        bmr_vec2 n = bmr_scale(1.0 / speed, bmr_left(velocity));
+        if (bmr_dot(n, closest) < 0.0)
+            n = bmr_neg(n);
+        if (bmr_kds_separation(kds, &now->pose, n) > margin + NORMAL_LEAST_PART * gap)
+            out[count++] = n;
+    }
+    return count;
+}
+
+/// Towards the side on which the last lines failed.
+static bmr_vec2 leaning(const bmr_kds *kds, const bmr_pose *pose, bmr_vec2 closest, double distance, int side,
+                        const uint32_t support[2]) {
+    const double margin = kds->def.margin;
+    const double least = margin + LEAN_LEAST_PART * (distance - margin);
+    const bmr_vec2 end = bmr_cone_end(kds, pose, closest, least, side, support);
+    const double angle = LEAN_PART * atan2(bmr_cross(closest, end), bmr_dot(closest, end));
+    const bmr_pose turn = {{0.0, 0.0}, cos(angle), sin(angle)};
+    return bmr_rotate(&turn, closest);
+}
+
+/// The side of the failure, and how often it was that.
+static void note_side(predict_state *s, const bmr_pose *pose, bmr_vec2 closest) {
+    const int side = sign(bmr_cross(bmr_windowed_direction(&s->now, pose), closest));
+    s->row = side != s->side ? 1 : (uint8_t)(s->row < LEAN_AFTER ? s->row + 1 : LEAN_AFTER);
+    s->side = (int8_t)side;
+}
+
+static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh, bmr_kds_report *report) {
+    predict_state *s = state_of(kds);
+    uint32_t support[2] = {s->now.support[0], s->now.support[1]};
+    bmr_vec2 closest;
+    double distance;
+    if (!bmr_windowed_closest(kds, &now->pose, support, &closest, &distance))
+        return false;
+    if (fresh)
+        forget(s, now);
+    else {
+        learn(s, kds, now);
+        note_side(s, &now->pose, closest);
+    }
+    s->last = *now;
+    const bool adaptive = class_of(kds)->adaptive;
+    if (!adaptive)
+        forget(s, now);
+    const predict_model model =
+        s->wrong[MODEL_A_STRAIGHT] < s->wrong[MODEL_B_STRAIGHT] ? MODEL_A_STRAIGHT : MODEL_B_STRAIGHT;
+    const double doubt = adaptive ? doubt_of(s->wrong[model]) : 0.0;
+    bmr_vec2 tried[MOST_CANDIDATES] = {{0.0, 0.0}};
+    int count = 1;
+    if (doubt > LEAN_DOUBT && now->spin == 0.0 && s->row >= LEAN_AFTER && s->side != 0)
+        tried[0] = leaning(kds, &now->pose, closest, distance, s->side, support);
+    else
+        count = directions(kds, now, model, closest, distance, support, tried);
+    forecast f;
+    foresee(&f, kds, now, model, doubt, distance);
+    candidate best = {tried[0], 0, -1.0, 0.0};
+    for (int owner = 0; owner < (f.turns ? 2 : 1); ++owner)
+        for (int i = 0; i < count; ++i) {
+            candidate c = {tried[i], owner, 0.0, 0.0};
+            ++report->touched;
+            if (outlives(kds, &f, support, &c, &best))
+                best = c;
+        }
+    bmr_windowed_line_set(&s->now, kds, &now->pose, best.owner, best.direction, support);
+    bmr_windowed_exact(&s->now, kds, &now->pose, bmr_windowed_sense(best.owner, sign(now->spin)));
+    return true;
+}
+
+static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+    return choose(kds, now, true, report);
+}
+
+static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+    (void)failed; // others may have failed at the same time
+    predict_state *s = state_of(kds);
+    const bmr_windowed_line old = s->now;
+    const bmr_windowed_failure failure = bmr_windowed_fails(&old, kds, now);
+    if (!failure.crossed && failure.rolled == 0)
+        return true; // NONE
+    if (!failure.crossed) {
+        report->kind = BMR_KDS_ROLL;
+        report->touched = 1;
+        bmr_windowed_exact(&s->now, kds, &now->pose, bmr_windowed_sense(old.owner, sign(now->spin)));
+        if (!bmr_windowed_fails(&s->now, kds, now).crossed)
+            return true;
+    }
+    report->kind = BMR_KDS_PUSH;
+    if (!choose(kds, now, false, report))
+        return false;
+    report->line_changed = !bmr_windowed_same_line(&old, &s->now);
+    return true;
+}
+
+static size_t conditions(const bmr_kds *kds, bmr_condition *out) {
+    return bmr_windowed_conditions(&constant_state_of(kds)->now, kds->def.margin, out);
+}
+
+static void proof(const bmr_kds *kds, bmr_kds_proof *out) {
+    bmr_windowed_proof(&constant_state_of(kds)->now, out);
+}
+
+static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
+    return bmr_windowed_audit(&constant_state_of(kds)->now, kds, b_in_a);
+}
+
+#define PREDICT_CLASS(across, adaptive)                                                                      \
+    {                                                                                                        \
+        {.state_bytes = sizeof(predict_state),                                                               \
+         .start = start,                                                                                     \
+         .conditions = conditions,                                                                           \
+         .repair = repair,                                                                                   \
+         .proof = proof,                                                                                     \
+         .audit = audit},                                                                                    \
+            across, adaptive                                                                                 \
+    }
+static const predict_class plain = PREDICT_CLASS(PLAIN_ACROSS, false),
+                           adaptive = PREDICT_CLASS(ADAPTIVE_ACROSS, true);
+
+const bmr_kds_info bmr_kds_predict = {
+    "predict", "Free direction of the longest predicted life", "beyond the paper", BMR_KDS_RIGID, false, -1,
+    &plain};
+const bmr_kds_info bmr_kds_predict_adaptive = {"predict-adaptive",
+                                               "Free direction, prediction that learns to doubt",
+                                               "beyond the paper",
+                                               BMR_KDS_RIGID,
+                                               false,
+                                               -1,
+                                               &adaptive};

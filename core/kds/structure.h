@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#ifndef BMR_KDS_STRUCTURE_H
+#define BMR_KDS_STRUCTURE_H
+
+#include "boomerang/kds.h"
+
+/// @file
+/// What a file of this room provides: one constant bmr_kds_class for each structure in it, named in
+/// registry.c's table. kds.c does what all share: checks of arguments, memory, contact, the exact distance.
+
+/// The pair that a structure works on; its own state follows it in the same block.
+struct bmr_kds {
+    const bmr_kds_info *info;
+    bmr_kds_def def;
+    bmr_kds_shape shapes[2]; ///< A, B
+    size_t bytes;
+    bool contact, started;
+    /// Set by the `prepare` of a rival whose line moves with the pose: the line there (`proof` of its class
+    /// gives that of the last event). NULL: the line is fixed.
+    void (*proof_at)(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_kds_proof *proof);
+    /// Structures' own state, `state_bytes` of their class, aligned for any type.
+    _Alignas(16) unsigned char state[];
+};
+
+typedef struct bmr_kds_class {
+    size_t state_bytes;
+    /// More bytes than the state's for this pair (an explicit tiling); NULL: none.
+    size_t (*extra_bytes)(const bmr_kds_shape *a, const bmr_kds_shape *b, const bmr_kds_def *def);
+    /// Called once after creation, with the state zeroed; NULL: nothing to do. An error destroys the pair.
+    bmr_error (*prepare)(bmr_kds *kds);
+    /// True: a proof is in the state. False: the polygons are within the margin (kds.c verifies that by the
+    /// exact distance and, where it is not so, reports an INVALID_STRUCTURE in the audit).
+    bool (*start)(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report);
+    size_t (*conditions)(const bmr_kds *kds, bmr_condition *conditions);
+    /// As start, after the failure of one condition.
+    bool (*repair)(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report);
+    void (*proof)(const bmr_kds *kds, bmr_kds_proof *proof);
+    /// The structure's own promises beyond the line; NULL: none.
+    bmr_error (*audit)(const bmr_kds *kds, const bmr_pose *b_in_a);
+} bmr_kds_class;
+
+/// The signed separation of the two polygons along a direction of A's frame (unit length): min over B - max
+/// over A. O(log n).
+double bmr_kds_separation(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 direction);
+/// The direction of the closest points and the exact distance, from vertices `*a`, `*b` as hints (any value),
+/// which become the support vertices in it. False: the distance is at most the margin.
+bool bmr_kds_closest(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t *a, uint32_t *b,
+                     bmr_vec2 *direction, double *distance);
+
+#endif

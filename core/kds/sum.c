@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+// The structures for a point on the explicit Minkowski sum of two translating polygons (section 5, "Two
+// Translating Polygons": what the paper starts from and finds unsatisfactory, because it needs O(n) space for
+// every pair). The point is B's origin, the polygon is A - R B with a hierarchy of its own.
+//
+// The sum depends on B's rotation R, which is known at the first start. So creation sets the memory for any
+// rotation aside, in the pair's own block, and start builds the sum there; while the rotation stays, later
+// starts find it ready. At most 720 bytes for each vertex of the two polygons with a compass hierarchy and
+// 340 with Dudley's (n + m >= 64), of which 220 and 60 hold the sum, its directions and its hierarchy and the
+// rest is the builders' scratch.
+#include <math.h>
+
+#include "boomerang/minkowski.h"
+#include "hierarchy/builder.h"
+#include "kds/point.h"
+#include "kds/registry.h"
+
+/// Rotations that differ by less (sine) are one: the sum is then off by less than the tolerance of lines.
+#define SAME_ROTATION 1e-12
+
+/// Upper bounds of what the builders ask for a cut, beside the node and its normal: a queued boomerang.
+#define QUEUED_BYTES 32
+/// Dudley's builder lists two items and one feature a vertex.
+#define DUDLEY_SCRATCH (2 * sizeof(bmr_item) + sizeof(uint32_t))
+/// Every block is aligned to this and begins at a multiple of it.
+#define ALIGNMENT 16
+/// More blocks than the builders ask for.
+#define MOST_BLOCKS 16
+
+/// Memory handed out from bottom to top; a block that is given back on top is free again.
+typedef struct arena {
+    unsigned char *bytes;
+    size_t size, used;
+} arena;
+
+typedef struct sum_state {
+    bmr_point_state point;
+    arena memory; ///< behind this state
+} sum_state;
+
+/// One of the structures: a class, and the hierarchy that is built.
+typedef struct sum_class {
+    bmr_kds_class class;
+    bmr_hierarchy_kind kind;
+} sum_class;
+
+static sum_state *get(bmr_kds *kds) {
+    return (sum_state *)(void *)kds->state;
+}
+
+static size_t aligned(size_t size) {
+    return (size + (ALIGNMENT - 1)) & ~(size_t)(ALIGNMENT - 1);
+}
+
+static void *take(void *context, size_t size) {
+    arena *memory = context;
+    if (aligned(size) > memory->size - memory->used)
+        return NULL;
+    void *block = memory->bytes + memory->used;
+    memory->used += aligned(size);
+    return block;
+}
+
+static void give_back(void *context, void *block, size_t size) {
+    arena *memory = context;
+    if ((unsigned char *)block + aligned(size) == memory->bytes + memory->used)
+        memory->used -= aligned(size);
+}
+
+/// Cuts of a tree over `items` edges, `levels` of them bisected: as builder.c counts them.
+static size_t most_cuts(size_t items, uint32_t levels) {
+    size_t most = items;
+    for (uint32_t level = 1; level <= levels; ++level) {
+        const size_t all = (size_t)BMR_ROOTS << (level - 1);
+        most += all < items ? all : items;
+    }
+    return most;
+}
+
+static size_t bytes_for(const bmr_kds_shape *a, const bmr_kds_shape *b, bmr_hierarchy_kind kind) {
+    const size_t n = (size_t)a->polygon->count + b->polygon->count;
+    if (n > BMR_MAX_VERTICES)
+        return 0; // creation fails
+    const uint32_t levels = bmr_ceil_log2((uint32_t)n);
+    const bool compass = kind == BMR_HIERARCHY_COMPASS;
+    // The merged list and its hull, twice where rounding asks for another hull, and the polygon.
+    const size_t polygon = 2 * (2 * n + 1) * sizeof(bmr_vec2) + bmr_polygon_bytes(n);
+    const size_t table = compass ? sizeof(bmr_compass) + ((size_t)BMR_ROOTS << levels) * sizeof(bmr_vec2) : 0;
+    const size_t items = n * (compass ? sizeof(bmr_item) : DUDLEY_SCRATCH);
+    const size_t cuts = compass ? most_cuts(n, levels) : most_cuts(2 * n, 0);
+    const size_t node = sizeof(bmr_node) + sizeof(bmr_vec2);
+    const size_t tree = (BMR_ROOTS + cuts) * (2 * node + QUEUED_BYTES) + sizeof(bmr_hierarchy);
+    return table + polygon + items + tree + (size_t)MOST_BLOCKS * ALIGNMENT;
+}
+
+static size_t bytes_compass(const bmr_kds_shape *a, const bmr_kds_shape *b, const bmr_kds_def *def) {
+    (void)def;
+    return bytes_for(a, b, BMR_HIERARCHY_COMPASS);
+}
+static size_t bytes_dudley(const bmr_kds_shape *a, const bmr_kds_shape *b, const bmr_kds_def *def) {
+    (void)def;
+    return bytes_for(a, b, BMR_HIERARCHY_DUDLEY);
+}
+
+static bmr_error prepare(bmr_kds *kds) {
+    const bmr_polygon *a = kds->shapes[0].polygon, *b = kds->shapes[1].polygon;
+    const bool too_many = (size_t)a->count + b->count > BMR_MAX_VERTICES;
+    if (too_many || a->extent + sqrt(2.0) * b->extent > BMR_MAX_COORDINATE)
+        return BMR_ERROR_OUT_OF_RANGE;
+    sum_state *state = get(kds);
+    state->memory.bytes = kds->state + aligned(sizeof *state);
+    state->memory.size = kds->bytes - sizeof *kds - aligned(sizeof *state);
+    return BMR_OK;
+}
+
+/// Builds the sum for B's rotation unless it is there. False: it does not fit, which the bounds above rule
+/// out.
+static bool turn(bmr_kds *kds, const bmr_pose *b_in_a) {
+    sum_state *state = get(kds);
+    const bmr_pose *old = &state->point.turned;
+    if (state->point.hierarchy && fabs(old->c - b_in_a->c) + fabs(old->s - b_in_a->s) <= SAME_ROTATION)
+        return true;
+    state->point.hierarchy = NULL;
+    state->memory.used = 0;
+    const bmr_allocator allocator = {take, give_back, &state->memory};
+    const bmr_vec2 rotation = {b_in_a->c, b_in_a->s};
+    bmr_polygon *sum = NULL;
+    bmr_hierarchy *hierarchy = NULL;
+    bmr_compass *compass = NULL;
+    bmr_error error =
+        bmr_minkowski_difference(kds->shapes[0].polygon, kds->shapes[1].polygon, rotation, &allocator, &sum);
+    if (error == BMR_OK && ((const sum_class *)kds->info->implementation)->kind == BMR_HIERARCHY_COMPASS) {
+        error = bmr_compass_create(sum->count, &allocator, &compass);
+        if (error == BMR_OK)
+            error = bmr_hierarchy_build_compass(sum, compass, &allocator, &hierarchy);
+    } else if (error == BMR_OK) {
+        error = bmr_hierarchy_build_dudley(sum, &allocator, &hierarchy);
+    }
+    if (error != BMR_OK)
+        return false;
+    state->point.hierarchy = hierarchy;
+    state->point.edge = BMR_NO_EDGE;
+    state->point.turned = *b_in_a;
+    state->point.turned.position = bmr_vec2_make(0.0, 0.0);
+    return true;
+}
+
+static bool triangle_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+    return turn(kds, &now->pose) && bmr_triangle_start(kds, now, report);
+}
+static bool lazy_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+    return turn(kds, &now->pose) && bmr_point_lazy_start(kds, now, report);
+}
+static bool inflated_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+    return turn(kds, &now->pose) && bmr_point_inflated_start(kds, now, report);
+}
+
+static const sum_class triangle_compass = {{.state_bytes = sizeof(sum_state),
+                                            .extra_bytes = bytes_compass,
+                                            .prepare = prepare,
+                                            .start = triangle_start,
+                                            .conditions = bmr_triangle_conditions,
+                                            .repair = bmr_triangle_repair,
+                                            .proof = bmr_point_proof,
+                                            .audit = bmr_triangle_audit},
+                                           BMR_HIERARCHY_COMPASS};
+static const sum_class triangle_dudley = {{.state_bytes = sizeof(sum_state),
+                                           .extra_bytes = bytes_dudley,
+                                           .prepare = prepare,
+                                           .start = triangle_start,
+                                           .conditions = bmr_triangle_conditions,
+                                           .repair = bmr_triangle_repair,
+                                           .proof = bmr_point_proof,
+                                           .audit = bmr_triangle_audit},
+                                          BMR_HIERARCHY_DUDLEY};
+static const sum_class lazy_compass = {{.state_bytes = sizeof(sum_state),
+                                        .extra_bytes = bytes_compass,
+                                        .prepare = prepare,
+                                        .start = lazy_start,
+                                        .conditions = bmr_point_conditions,
+                                        .repair = bmr_point_lazy_repair,
+                                        .proof = bmr_point_proof},
+                                       BMR_HIERARCHY_COMPASS};
+static const sum_class lazy_dudley = {{.state_bytes = sizeof(sum_state),
+                                       .extra_bytes = bytes_dudley,
+                                       .prepare = prepare,
+                                       .start = lazy_start,
+                                       .conditions = bmr_point_conditions,
+                                       .repair = bmr_point_lazy_repair,
+                                       .proof = bmr_point_proof},
+                                      BMR_HIERARCHY_DUDLEY};
+static const sum_class inflated_compass = {{.state_bytes = sizeof(sum_state),
+                                            .extra_bytes = bytes_compass,
+                                            .prepare = prepare,
+                                            .start = inflated_start,
+                                            .conditions = bmr_point_conditions,
+                                            .repair = bmr_point_inflated_repair,
+                                            .proof = bmr_point_proof},
+                                           BMR_HIERARCHY_COMPASS};
+
+#define SECTION "5, two translating polygons, on the explicit sum"
+#define NO_HIERARCHY (-1) // of the shapes' own
+const bmr_kds_info bmr_kds_sum_triangle_compass = {"sum-triangle-compass",
+                                                   "explicit sum: active triangle, compass",
+                                                   SECTION,
+                                                   BMR_KDS_TRANSLATION,
+                                                   false,
+                                                   NO_HIERARCHY,
+                                                   &triangle_compass};
+const bmr_kds_info bmr_kds_sum_triangle_dudley = {"sum-triangle-dudley",
+                                                  "explicit sum: active triangle, Dudley",
+                                                  SECTION,
+                                                  BMR_KDS_TRANSLATION,
+                                                  false,
+                                                  NO_HIERARCHY,
+                                                  &triangle_dudley};
+const bmr_kds_info bmr_kds_sum_lazy_compass = {"sum-lazy-compass",
+                                               "explicit sum: separating edge, compass",
+                                               SECTION,
+                                               BMR_KDS_TRANSLATION,
+                                               false,
+                                               NO_HIERARCHY,
+                                               &lazy_compass};
+const bmr_kds_info bmr_kds_sum_lazy_dudley = {"sum-lazy-dudley",
+                                              "explicit sum: separating edge, Dudley",
+                                              SECTION,
+                                              BMR_KDS_TRANSLATION,
+                                              false,
+                                              NO_HIERARCHY,
+                                              &lazy_dudley};
+const bmr_kds_info bmr_kds_sum_inflated_compass = {"sum-inflated-compass",
+                                                   "explicit sum: inflated, entry of the old line",
+                                                   SECTION,
+                                                   BMR_KDS_TRANSLATION,
+                                                   false,
+                                                   NO_HIERARCHY,
+                                                   &inflated_compass};

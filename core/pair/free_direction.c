@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The free-direction structure, for the open question of the paper's section 6. At an event the closest
+// direction is fixed in one of the two bodies; the other is represented by a window of two corners that stays
+// an outer bound while the direction turns within a bracket. Needs only the two sorted polygons and the
+// pair's cache line.
+#include "certificate/window.h"
+#include "pair/step.h"
+
+/// How much of the gap (beyond the need) a window's corners may cost within its bracket. More gives wider
+/// brackets and fewer rolls, less gives fewer pushes: least events on a tumbling orbit at 0.3, on a tumbling
+/// pass at 0.7, and within some third of the least from 0.2 on.
+#define WINDOW_PART 0.3
+
+/// The finest level there is: the polygons themselves.
+#define LEVEL_POLYGONS 0
+
+int bmr_free_spin(const bmr_pair *pair, const bmr_pose *b_in_a) {
+    const bmr_certificate *k = &pair->certificate;
+    const bmr_vec2 normal = bmr_vec2_make((double)k->normal[0], (double)k->normal[1]);
+    const bmr_pose other_in_owner = pair->owner == 0 ? *b_in_a : bmr_pose_inverse(b_in_a);
+    const bmr_vec2 direction = bmr_neg(bmr_unrotate(&other_in_owner, normal));
+    const bmr_vec2 middle =
+        bmr_vec2_make((double)k->low[0] + (double)k->high[0], (double)k->low[1] + (double)k->high[1]);
+    // As the other body turns, the direction turns the opposite way in its frame.
+    const int other_spin = bmr_cross(middle, direction) > 0.0 ? -1 : 1;
+    return pair->owner == 0 ? other_spin : -other_spin;
+}
+
+/// Fills the pair's certificate with the line of `owner` and a window of the other body.
+static bool certify_with(bmr_step *step, const bmr_closest *closest, int owner, const bmr_window *window,
+                         double *gap) {
+    const bmr_polygon *own = step->shapes[owner]->polygon, *other = step->shapes[1 - owner]->polygon;
+    const bmr_vec2 normal =
+        owner == 0 ? closest->direction : bmr_unrotate(step->pose, bmr_neg(closest->direction));
+    const uint32_t support[2] = {closest->a, closest->b};
+    const double offset = bmr_dot(normal, own->vertices[support[owner]]);
+    bmr_pair *pair = step->pair;
+    bmr_certificate_fill(&pair->certificate, normal, offset, window->corner, 2, window->low, window->high,
+                         own->extent, other->extent);
+    pair->owner = (uint8_t)owner;
+    pair->edge = support[owner];
+    pair->other = support[1 - owner];
+    pair->other_after = support[1 - owner];
+    // Not level -1, whatever it was: the look at it must be at a line.
+    pair->level = LEVEL_POLYGONS;
+    return bmr_step_holds(step, step->need, gap);
+}
+
+bool bmr_free_certify(bmr_step *step, const bmr_closest *closest, double *gap) {
+    const bmr_vec2 u = closest->direction, v = bmr_unrotate(step->pose, bmr_neg(u));
+    const double limit = WINDOW_PART * (closest->separation - step->reach);
+    // B turning one way, the direction turns the other way in B's frame, and with B in A's.
+    const int spin = step->pair->spin;
+    bmr_window of_a, of_b;
+    bmr_window_make(step->shapes[1]->polygon, v, closest->b, limit, -spin, &of_b);
+    bmr_window_make(step->shapes[0]->polygon, u, closest->a, limit, spin, &of_a);
+    // Always the wider of the two brackets: to keep the last owner where the line was crossed saves half of
+    // this work, and costs twice the events on a tumbling orbit.
+    const int owner = of_a.life < of_b.life ? 1 : 0;
+    return certify_with(step, closest, owner, owner == 0 ? &of_b : &of_a, gap);
+}
+
+static bmr_event_kind kind_of(bmr_failure failure) {
+    switch (failure) {
+    case BMR_FAILURE_NEW:
+        return BMR_EVENT_START;
+    case BMR_FAILURE_DISKS:
+        return BMR_EVENT_STAB;
+    case BMR_FAILURE_CROSSED:
+        return BMR_EVENT_PUSH;
+    case BMR_FAILURE_ROLLED:
+        return BMR_EVENT_ROLL;
+    case BMR_FAILURE_CONTACT:
+        break;
+    }
+    return BMR_EVENT_LEAVE;
+}
+
+/// Where the distance query starts: at the vertices of the last state, or at the first ones of the polygons.
+static bmr_simplex start_of(const bmr_pair *pair, bmr_failure failure) {
+    switch (failure) {
+    case BMR_FAILURE_CROSSED:
+    case BMR_FAILURE_ROLLED:
+        return pair->owner == 0 ? bmr_simplex_make(pair->edge, pair->other)
+                                : bmr_simplex_make(pair->other, pair->edge);
+    case BMR_FAILURE_CONTACT:
+        return bmr_contact_simplex(pair);
+    case BMR_FAILURE_NEW:
+    case BMR_FAILURE_DISKS:
+        break;
+    }
+    return bmr_simplex_make(0, 0);
+}
+
+bmr_answer bmr_free_repair(bmr_step *step, bmr_failure failure, double *gap) {
+    bmr_pair *pair = step->pair;
+    const int level_before = failure == BMR_FAILURE_NEW ? BMR_LEVEL_DISKS : pair->level;
+    bmr_simplex simplex = start_of(pair, failure);
+    if (failure == BMR_FAILURE_ROLLED)
+        pair->spin = (int8_t)bmr_free_spin(pair, step->pose);
+    if (failure == BMR_FAILURE_NEW && bmr_disks_certify(step, step->need, gap)) {
+        bmr_step_tell(step, BMR_EVENT_START, level_before, BMR_LEVEL_DISKS, *gap);
+        return BMR_APART;
+    }
+    bmr_closest closest;
+    if (!bmr_step_closest(step, &simplex, &closest) || !bmr_free_certify(step, &closest, gap))
+        return bmr_contact_enter(step, &simplex, LEVEL_POLYGONS);
+    pair->state = BMR_PAIR_APART;
+    pair->level = LEVEL_POLYGONS;
+    bmr_step_tell(step, kind_of(failure), level_before, LEVEL_POLYGONS, *gap);
+    const double coarse = step->need + BMR_COARSEN_PART * (*gap - step->need);
+    if (bmr_disks_certify(step, coarse, gap))
+        bmr_step_tell(step, BMR_EVENT_COARSEN, LEVEL_POLYGONS, BMR_LEVEL_DISKS, *gap);
+    return BMR_APART;
+}
