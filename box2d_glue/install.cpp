@@ -1,23 +1,58 @@
 // SPDX-License-Identifier: MIT
+#include <cstdio>
 #include <mutex>
 
 #include "boomerang/box2d_glue.h"
+#include "environment.h"
 #include "polygon_contact.h"
+#include "recognise.h"
 #include "settings.h"
+#include "statistics_file.h"
 
 namespace bmr {
 
 namespace {
+
 std::mutex installing;
 bool installed = false;
+bool refused = false;
+
+/// One line, once: nothing else of a refusal is ever seen.
+bool Refuse(const char *why) {
+    refused = true;
+    std::fprintf(stderr, "boomerang: not at work, Box2D runs as it is: %s\n", why);
+    return false;
+}
+
+void Announce(const Options &options) {
+    std::fprintf(stderr, "boomerang: %s, %s; rounds %s Box2D; hooks:", NameOf(options.mode),
+                 bmr_structure_name(options.structure), GetSettings().sameRounding ? "as" : "otherwise than");
+    for (int i = 0; NameOfHook(i) != nullptr; ++i)
+        if (options.hooks & (1u << i))
+            std::fprintf(stderr, " %s", NameOfHook(i));
+    std::fputs(options.hooks == kNoHooks ? " none\n" : "\n", stderr);
+}
+
 } // namespace
 
-bool Install(const Options &options) {
+bool Install(const Options &given) {
     const std::lock_guard<std::mutex> lock(installing);
-    if (installed || bmr_structure_name(options.structure) == nullptr || !MakeSettings(options))
+    if (installed || refused)
         return false;
+    const Options options = WithEnvironment(given);
+    if (options.mode == Mode::Off || bmr_structure_name(options.structure) == nullptr)
+        return false;
+    if (const char *why = WhyBox2DIsUnknown())
+        return Refuse(why);
+    if (!MakeSettings(options))
+        return Refuse("there is no memory");
     PolygonContact::Register();
+    ActivateHooks();
     installed = true;
+    if (options.statisticsFile != nullptr && !WriteStatisticsAtExit(options.statisticsFile))
+        std::fprintf(stderr, "boomerang: the statistics will not be written to %s\n", options.statisticsFile);
+    if (options.verbosity > 0)
+        Announce(options);
     return true;
 }
 

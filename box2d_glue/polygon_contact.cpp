@@ -9,11 +9,13 @@
 #include <box2d/b2_body.h>
 #include <box2d/b2_collision.h>
 #include <box2d/b2_fixture.h>
+#include <box2d/b2_world_callbacks.h>
 
 #include "body_pair.h"
 #include "pair_registry.h"
 #include "settings.h"
 #include "shapes32.h"
+#include "verify.h"
 
 namespace bmr {
 
@@ -45,11 +47,9 @@ const b2PolygonShape &ShapeOf(const b2Fixture *fixture) {
 } // namespace
 
 void PolygonContact::Register() {
-    if (!s_initialized) {
-        // Else the first b2Contact::Create of the process would overwrite our entry.
-        InitializeRegisters();
-        s_initialized = true;
-    }
+    // Whoever found out which Box2D this is made contacts: else the first b2Contact::Create of the process
+    // would fill the register and overwrite our entry.
+    b2Assert(s_initialized);
     const PolygonContact ours;
     ourVtable = VtableOf(&ours);
     stockDestroy = s_registers[b2Shape::e_polygon][b2Shape::e_polygon].destroyFcn;
@@ -93,13 +93,78 @@ float PolygonContact::RadiusSum() const {
 }
 
 void PolygonContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
-    const Answer answer = Ask(xfA, xfB);
-    if (GetSettings().options.statistics)
-        CountAnswer(answer);
+    if (!Verifying()) {
+        EvaluateHere(manifold, xfA, xfB);
+        return;
+    }
+    b2Manifold ours = *manifold;
+    EvaluateHere(&ours, xfA, xfB);
+    b2CollidePolygons(manifold, &ShapeOf(m_fixtureA), xfA, &ShapeOf(m_fixtureB), xfB);
+    VerifyManifold(m_fixtureA, m_fixtureB, ours, *manifold);
+}
+
+inline void PolygonContact::EvaluateHere(b2Manifold *manifold, const b2Transform &xfA,
+                                         const b2Transform &xfB) {
+    FillManifold(Ask(xfA, xfB), manifold, xfA, xfB);
+}
+
+/// The manifold, once it has been asked whether the two are apart.
+inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
+                                         const b2Transform &xfB) {
     if (answer < Answer::kUnknown)
         manifold->pointCount = 0;
-    else
+    else if (!ManifoldIsMadeHere())
         b2CollidePolygons(manifold, &ShapeOf(m_fixtureA), xfA, &ShapeOf(m_fixtureB), xfB);
+    else if (CollideHere(manifold, xfA, xfB) && answer == Answer::kUnknown)
+        answer = Answer::kApartBySearch;
+    if (GetSettings().options.statistics)
+        CountAnswer(answer);
+}
+
+void PolygonContact::UpdateSolid(b2ContactListener *listener) {
+    b2Body *bodyA = m_fixtureA->GetBody(), *bodyB = m_fixtureB->GetBody();
+    const b2Transform &xfA = bodyA->GetTransform(), &xfB = bodyB->GetTransform();
+    const bool wasTouching = (m_flags & e_touchingFlag) != 0;
+    m_flags |= e_enabledFlag;
+    const Answer answer = Ask(xfA, xfB);
+    if (answer < Answer::kUnknown && !wasTouching) { // nothing has happened that anybody is to be told
+        FillManifold(answer, &m_manifold, xfA, xfB);
+        return;
+    }
+    const b2Manifold old = m_manifold;
+    FillManifold(answer, &m_manifold, xfA, xfB);
+    KeepImpulses(old);
+    const bool touching = m_manifold.pointCount > 0;
+    if (touching != wasTouching) {
+        bodyA->SetAwake(true);
+        bodyB->SetAwake(true);
+        m_flags ^= e_touchingFlag;
+    }
+    if (listener == nullptr)
+        return;
+    if (touching && !wasTouching)
+        listener->BeginContact(this);
+    if (!touching && wasTouching)
+        listener->EndContact(this);
+    if (touching)
+        listener->PreSolve(this, &old);
+}
+
+/// Points that were there before, by their features, keep the impulses that the solver starts from.
+inline void PolygonContact::KeepImpulses(const b2Manifold &old) {
+    for (int32 i = 0; i < m_manifold.pointCount; ++i) {
+        b2ManifoldPoint &point = m_manifold.points[i];
+        const b2ManifoldPoint *before = nullptr;
+        for (int32 j = old.pointCount; j-- > 0;) // the first of equals, should there be any, is taken last
+            if (old.points[j].id.key == point.id.key)
+                before = &old.points[j];
+        point.normalImpulse = before != nullptr ? before->normalImpulse : 0.0f;
+        point.tangentImpulse = before != nullptr ? before->tangentImpulse : 0.0f;
+    }
+}
+
+void PolygonContact::UpdateByBox2D(b2Contact *contact, b2ContactListener *listener) {
+    (contact->*(&PolygonContact::Update))(listener);
 }
 
 inline PolygonContact::Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
@@ -116,16 +181,41 @@ inline PolygonContact::Answer PolygonContact::Ask(const b2Transform &xfA, const 
         return Answer::kApartByEdge;
     if (state.pair != nullptr && !pairFirst && PairSaysApart(xfA, xfB))
         return Answer::kApartByPair;
-    return FindEdge(xfA, xfB) ? Answer::kApartBySearch : Answer::kUnknown;
+    // A manifold that is made here begins with the search for an edge; Box2D's would do it again.
+    return !ManifoldIsMadeHere() && FindEdge(xfA, xfB) ? Answer::kApartBySearch : Answer::kUnknown;
 }
 
-void PolygonContact::CountAnswer(Answer answer) {
+void PolygonContact::CountAnswer(Answer answer) const {
     Count(&Counts::evaluations);
     Count(answer < Answer::kUnknown ? &Counts::provedApart : &Counts::handedOver);
+    if (answer >= Answer::kUnknown && ManifoldIsMadeHere())
+        Count(&Counts::touchingAnswered);
     if (answer == Answer::kTouching)
         Count(&Counts::handedOverTouching);
     else if (answer != Answer::kApartByPair && EdgesAreOn())
         Count(&Counts::edgeChecks);
+}
+
+/// Are there manifolds with Box2D's bits to be had without it? (Set makes polygons of 3 vertices and more; a
+/// polygon that was never Set has none.)
+inline bool PolygonContact::ManifoldIsMadeHere() const {
+    const auto known = [](const b2PolygonShape &shape) { return shape.m_count >= 3 && shape.m_count <= 8; };
+    return HookIsOn(Hook::TouchingManifold) && GetSettings().sameRounding && known(ShapeOf(m_fixtureA)) &&
+           known(ShapeOf(m_fixtureB));
+}
+
+/// b2CollidePolygons; where a face separates the two, remembers it and returns true.
+inline bool PolygonContact::CollideHere(b2Manifold *manifold, const b2Transform &xfA,
+                                        const b2Transform &xfB) {
+    constexpr float kTolerance = 0.1f * b2_linearSlop; // Box2D's: B's face must be better by this
+    const bmr_polygon32 a = Polygon32(ShapeOf(m_fixtureA)), b = Polygon32(ShapeOf(m_fixtureB));
+    const int32_t edge = bmr_exact32_collide(Manifold32(manifold), &a, Transform32(xfA), &b, Transform32(xfB),
+                                             RadiusSum(), kTolerance);
+    if (!EdgesAreOn())
+        return false;
+    state.edgeOfB = edge >= BMR_EDGES_OF_B32;
+    state.edge = static_cast<uint8_t>(edge == BMR_NO_EDGE32 ? kNoEdge : edge & (BMR_EDGES_OF_B32 - 1));
+    return edge != BMR_NO_EDGE32;
 }
 
 bool PolygonContact::PairSaysApart(const b2Transform &xfA, const b2Transform &xfB) {

@@ -38,6 +38,17 @@ public:
 
     void Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) override;
 
+    /// What b2Contact::Update does, for a contact of which neither fixture is a sensor: the same manifold,
+    /// flags, waking and calls of the listener in the same order. Nothing is copied where the two stay apart.
+    void UpdateSolid(b2ContactListener *listener);
+
+    // What b2ContactManager may do with any contact, and its stand-in otherwise could not.
+    static void UpdateByBox2D(b2Contact *contact, b2ContactListener *listener);
+    static bool WantsFiltering(const b2Contact &contact) { return (FlagsOf(contact) & e_filterFlag) != 0; }
+    static void FilteringIsDone(b2Contact *contact) {
+        contact->*(&PolygonContact::m_flags) &= ~uint32{e_filterFlag};
+    }
+
     ContactState state;
 
 private:
@@ -51,11 +62,18 @@ private:
     /// How an evaluation was answered; what is less than kUnknown needs no help of Box2D's.
     enum class Answer { kApartByPair, kApartByEdge, kApartBySearch, kUnknown, kTouching };
 
+    static uint32 FlagsOf(const b2Contact &contact) { return contact.*(&PolygonContact::m_flags); }
+
+    void EvaluateHere(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB);
+    void FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB);
+    void KeepImpulses(const b2Manifold &old);
     Answer Ask(const b2Transform &xfA, const b2Transform &xfB);
-    static void CountAnswer(Answer answer);
+    void CountAnswer(Answer answer) const;
     bool PairSaysApart(const b2Transform &xfA, const b2Transform &xfB);
     bool EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) const;
     bool FindEdge(const b2Transform &xfA, const b2Transform &xfB);
+    bool ManifoldIsMadeHere() const;
+    bool CollideHere(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB);
     float RadiusSum() const;
 };
 

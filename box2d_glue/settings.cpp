@@ -8,6 +8,7 @@
 namespace bmr {
 
 Settings internal::settings;
+std::atomic<uint32_t> internal::activeHooks{kNoHooks};
 
 namespace {
 Counts counts;
@@ -20,7 +21,9 @@ Counts &GetCounts() {
 bool MakeSettings(const Options &options) {
     Settings made;
     made.options = options;
-    made.options.statistics = options.statistics || options.onEvent != nullptr;
+    made.options.statistics =
+        options.statistics || options.onEvent != nullptr || options.statisticsFile != nullptr;
+    made.options.statisticsFile = nullptr; // the caller's; the exit handler has a copy
     made.pairDef = bmr_default_pair_def();
     made.pairDef.structure = options.structure;
     made.pairDef.hysteresis = kHysteresis;
@@ -34,6 +37,11 @@ bool MakeSettings(const Options &options) {
     made.sameRounding = Box2DRoundsAsExact32();
     internal::settings = made;
     return true;
+}
+
+void ActivateHooks() {
+    const Options &options = GetSettings().options;
+    internal::activeHooks = options.mode == Mode::Off ? kNoHooks : options.hooks;
 }
 
 } // namespace bmr

@@ -11,19 +11,32 @@
 namespace bmr {
 
 /// What Install decided, constant from then on.
+/// Every member has its initial value at compile time: Install may run before this file's statics would.
 struct Settings {
-    Options options;
-    bmr_pair_def pairDef; ///< structure and hysteresis; the margin is each pair's own
-    const bmr_compass
-        *compass;      ///< directions for hulls of up to kMostHullVertices vertices; NULL where not needed
-    bool sameRounding; ///< Box2D here rounds as core/exact32 does: remembered edges need no margin
+    Options options = {};
+    bmr_pair_def pairDef = {}; ///< structure and hysteresis; the margin is each pair's own
+    /// Directions for hulls of up to kMostHullVertices vertices; NULL where not needed.
+    const bmr_compass *compass = nullptr;
+    bool sameRounding = false; ///< Box2D here rounds as core/exact32 does: remembered edges need no margin
 };
 
 namespace internal {
 extern Settings settings;
-}
+/// Options::hooks once installed; none before, and none in mode Off.
+extern std::atomic<uint32_t> activeHooks;
+} // namespace internal
 inline const Settings &GetSettings() {
     return internal::settings;
+}
+
+/// Is this function answered here? A load and a test, for the first line of a hook.
+inline bool HookIsOn(Hook hook) {
+    return (internal::activeHooks.load(std::memory_order_relaxed) & Bit(hook)) != 0;
+}
+
+/// Is every answer to be compared with Box2D's?
+inline bool Verifying() {
+    return GetSettings().options.mode == Mode::Verify;
 }
 
 /// Do contacts remember edges?
@@ -33,11 +46,15 @@ inline bool EdgesAreOn() {
 
 /// Takes the options over; called once, by Install. False without memory for the compass table.
 bool MakeSettings(const Options &options);
+/// From here on the hooks answer. The last thing that Install does.
+void ActivateHooks();
 
 /// Process-wide counts, written only where Options::statistics asks for them.
 struct Counts {
     std::atomic<uint64_t> evaluations{0}, edgeChecks{0}, edgeSearches{0}, verdictsReused{0}, provedApart{0},
-        handedOver{0}, handedOverTouching{0}, pairs{0}, hulls{0}, kineticChecks{0}, kineticLevels{0};
+        handedOver{0}, handedOverTouching{0}, touchingAnswered{0}, toiQueries{0}, toiAnswered{0},
+        overlapQueries{0}, overlapsAnswered{0}, verified{0}, differences{0}, steps{0}, pairs{0}, hulls{0},
+        kineticChecks{0}, kineticLevels{0};
     std::atomic<uint64_t> kineticEvents[BMR_EVENT_KIND_COUNT] = {};
 };
 Counts &GetCounts();

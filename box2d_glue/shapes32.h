@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include <box2d/b2_collision.h>
 #include <box2d/b2_polygon_shape.h>
 
 #include "boomerang/exact32.h"
@@ -15,6 +16,18 @@ static_assert(sizeof(b2Vec2) == sizeof(bmr_vec32) && offsetof(b2Vec2, y) == offs
 static_assert(sizeof(b2Transform) == sizeof(bmr_transform32));
 static_assert(offsetof(b2Rot, s) == 0 && offsetof(b2Rot, c) == 4);
 static_assert(offsetof(b2Transform, q) == offsetof(bmr_transform32, s));
+static_assert(sizeof(b2Manifold) == sizeof(bmr_manifold32) &&
+              sizeof(b2ManifoldPoint) == sizeof(bmr_manifold_point32));
+static_assert(offsetof(b2ManifoldPoint, id) == offsetof(bmr_manifold_point32, feature));
+static_assert(offsetof(b2ContactFeature, typeA) == offsetof(bmr_feature32, type_a));
+static_assert(offsetof(b2Manifold, localNormal) == offsetof(bmr_manifold32, normal));
+static_assert(offsetof(b2Manifold, localPoint) == offsetof(bmr_manifold32, plane_point));
+static_assert(offsetof(b2Manifold, type) == offsetof(bmr_manifold32, type));
+static_assert(offsetof(b2Manifold, pointCount) == offsetof(bmr_manifold32, count));
+static_assert(int{b2Manifold::e_faceA} == BMR_MANIFOLD_FACE_A &&
+              int{b2Manifold::e_faceB} == BMR_MANIFOLD_FACE_B);
+static_assert(int{b2ContactFeature::e_vertex} == BMR_FEATURE_VERTEX);
+static_assert(int{b2ContactFeature::e_face} == BMR_FEATURE_FACE);
 static_assert(b2_maxPolygonVertices <= 8, "core/exact32 holds 8 vertices");
 
 inline const bmr_vec32 *Vectors32(const b2Vec2 *vectors) {
@@ -27,6 +40,10 @@ inline bmr_polygon32 Polygon32(const b2PolygonShape &shape) {
 
 inline const bmr_transform32 *Transform32(const b2Transform &xf) {
     return reinterpret_cast<const bmr_transform32 *>(&xf);
+}
+
+inline bmr_manifold32 *Manifold32(b2Manifold *manifold) {
+    return reinterpret_cast<bmr_manifold32 *>(manifold);
 }
 
 } // namespace bmr

@@ -6,6 +6,7 @@ namespace bmr {
 Statistics GetStatistics() {
     const Counts &counts = GetCounts();
     Statistics s;
+    s.steps = counts.steps;
     s.evaluations = counts.evaluations;
     s.edgeChecks = counts.edgeChecks;
     s.edgeSearches = counts.edgeSearches;
@@ -13,6 +14,13 @@ Statistics GetStatistics() {
     s.provedApart = counts.provedApart;
     s.handedOver = counts.handedOver;
     s.handedOverTouching = counts.handedOverTouching;
+    s.touchingAnswered = counts.touchingAnswered;
+    s.toiQueries = counts.toiQueries;
+    s.toiAnswered = counts.toiAnswered;
+    s.overlapQueries = counts.overlapQueries;
+    s.overlapsAnswered = counts.overlapsAnswered;
+    s.verified = counts.verified;
+    s.differences = counts.differences;
     s.pairs = counts.pairs;
     s.hulls = counts.hulls;
     s.kinetic.checks = counts.kineticChecks;

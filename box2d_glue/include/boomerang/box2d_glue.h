@@ -19,6 +19,32 @@ class b2Body;
 
 namespace bmr {
 
+/// Whether the plugin answers.
+enum class Mode : int32_t {
+    On,
+    Off,   ///< every contact and every function is Box2D's own
+    Verify ///< compute everything twice, compare, say where the two differ first, and go on with Box2D's
+           ///< answer
+};
+
+/// What the shared library puts in front of Box2D besides the polygon contact, each on its own switch. Bits
+/// of Options::hooks. Without the shared library (a static link, another platform) there are none.
+enum class Hook : uint32_t {
+    TimeOfImpact = 1u << 0,     ///< b2TimeOfImpact answered from proofs of separation
+    TestOverlap = 1u << 1,      ///< b2TestOverlap of sensors, likewise
+    SolveToi = 1u << 2,         ///< the search for the next impact in b2World::SolveTOI
+    ContactLoop = 1u << 3,      ///< b2ContactManager::Collide
+    PairFinding = 1u << 4,      ///< the search for new pairs in the broad phase
+    ProfileClock = 1u << 5,     ///< the clock behind b2Profile
+    TouchingManifold = 1u << 6, ///< the manifold of two polygons that touch
+    FixtureBoxes = 1u << 7,     ///< the boxes around polygons that have moved: b2Fixture::Synchronize
+};
+constexpr uint32_t Bit(Hook hook) {
+    return static_cast<uint32_t>(hook);
+}
+constexpr uint32_t kNoHooks = 0;
+constexpr uint32_t kAllHooks = (Bit(Hook::FixtureBoxes) << 1) - 1;
+
 /// How the plugin is to work. Process-wide, fixed at the first Install.
 struct Options {
     /// The kinetic structure of body pairs (bodies of several fixtures, and all pairs where the prefilter is
@@ -34,23 +60,41 @@ struct Options {
     void (*onEvent)(void *context, const b2Body *bodyA, const b2Body *bodyB,
                     const bmr_event &event) = nullptr;
     void *eventContext = nullptr;
+    Mode mode = Mode::On;
+    /// Which functions of Box2D are answered, for example kAllHooks & ~Bit(Hook::SolveToi).
+    uint32_t hooks = kAllHooks;
+    /// What is said on stderr: 0, refusals and differences alone; 1, also what is at work.
+    int32_t verbosity = 0;
+    /// Where the statistics go when the process ends, as JSON (implies statistics); nullptr: nowhere. Copied.
+    const char *statisticsFile = nullptr;
 };
 
-/// Makes Boomerang the polygon-against-polygon contact of every world in the process. Call it once, before or
-/// after worlds exist (contacts that exist already keep working as stock); a second call changes nothing and
-/// returns false. Not to be raced against a running b2World::Step of another thread.
+/// Makes Boomerang the polygon-against-polygon contact of every world in the process, and turns the hooks on.
+/// Call it once, before or after worlds exist (contacts that exist already keep working as stock). What the
+/// environment says (BOOMERANG, BOOMERANG_HOOKS, ...; docs/is-it-for-my-game.md) outweighs the options.
+/// Returns whether this call put the plugin to work: false at a second call, where the mode is Off, and where
+/// the Box2D of this process is not one that the plugin knows (one line on stderr says so, once). Not to be
+/// raced against a running b2World::Step of another thread.
 BMR_BOX2D_API bool Install(const Options &options = Options());
 BMR_BOX2D_API bool IsInstalled();
 
 /// What has been done since the process began, summed over all worlds and threads.
 struct Statistics {
+    uint64_t steps = 0;              ///< calls of b2World::Step (seen by the shared library alone)
     uint64_t evaluations = 0;        ///< times Box2D asked for a polygon-polygon manifold
     uint64_t edgeChecks = 0;         ///< remembered edges re-tested
-    uint64_t edgeSearches = 0;       ///< full separating-edge searches after a remembered edge failed
+    uint64_t edgeSearches = 0;       ///< full separating-edge searches in front of b2CollidePolygons
     uint64_t verdictsReused = 0;     ///< answers of a body pair given again at the same poses
     uint64_t provedApart = 0;        ///< evaluations answered without Box2D
-    uint64_t handedOver = 0;         ///< evaluations handed to b2CollidePolygons
+    uint64_t handedOver = 0;         ///< evaluations that needed a manifold
     uint64_t handedOverTouching = 0; ///< of those, because the pair touched at the last look
+    uint64_t touchingAnswered = 0;   ///< of those, made here instead of by b2CollidePolygons
+    uint64_t toiQueries = 0;         ///< times of impact that a step asked for
+    uint64_t toiAnswered = 0;        ///< of those, answered without Box2D
+    uint64_t overlapQueries = 0;     ///< overlaps of sensors that a step asked for
+    uint64_t overlapsAnswered = 0;   ///< of those, answered without Box2D
+    uint64_t verified = 0;           ///< answers compared with Box2D's (Mode::Verify)
+    uint64_t differences = 0;        ///< of those, the ones that differed
     uint64_t pairs = 0;              ///< body pairs that got a kinetic structure
     uint64_t hulls = 0;              ///< hulls built
     bmr_counters kinetic = {};       ///< checks and events of the kinetic structures

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_ENVIRONMENT_H
+#define BOOMERANG_GLUE_ENVIRONMENT_H
+
+#include <optional>
+
+#include "boomerang/box2d_glue.h"
+
+/// @file
+/// What whoever starts a program may say, without rebuilding it:
+///
+///     BOOMERANG=on|off|verify
+///     BOOMERANG_STRUCTURE=free-direction|...       a name of bmr_structure_name
+///     BOOMERANG_HOOKS=all,-solve-toi               all, none, +NAME, -NAME, from left to right
+///     BOOMERANG_PREFILTER=on|off
+///     BOOMERANG_STATISTICS=FILE                    written when the process ends, as JSON
+///     BOOMERANG_VERBOSE=0|1
+///
+/// It outweighs what the program says. A value that is not understood gets one line on stderr, once for a
+/// process, and counts as not there. Nothing is read in programs that run with somebody else's rights
+/// (setuid).
+
+namespace bmr {
+
+/// The word of Options::mode.
+const char *NameOf(Mode mode);
+/// The word for one hook ("solve-toi"), or nullptr where `index` is past the last; bit 1 << index.
+const char *NameOfHook(int index);
+
+/// BOOMERANG, if it is there and understood.
+std::optional<Mode> ModeOfEnvironment();
+
+/// `options`, outweighed by the environment. statisticsFile then points into the environment.
+Options WithEnvironment(const Options &options);
+
+} // namespace bmr
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "impact_scan.h"
+
+#include <box2d/b2_distance.h>
+#include <box2d/b2_fixture.h>
+
+#include "pair_memory.h"
+#include "per_thread.h"
+
+namespace bmr {
+
+ImpactScan *ImpactScan::Begin() {
+    ImpactScan *scan = PerThread<ImpactScan>();
+    if (scan != nullptr &&
+        ++scan->m_scan == 0) { // four billion steps later no place may seem filled in this one
+        for (Place &place : scan->m_places)
+            place.scan = 0;
+        scan->m_scan = 1;
+    }
+    return scan;
+}
+
+ImpactScan::Place &ImpactScan::PlaceOf(const Side &side) {
+    const uint64_t mixed = (KeyOf(side.fixture) + static_cast<uint64_t>(side.child)) * 0x9e3779b97f4a7c15u;
+    return m_places[mixed >> (64u - kPlaceBits)];
+}
+
+void ImpactScan::Fill(SweptShape *shape, const Side &side) {
+    b2DistanceProxy proxy;
+    proxy.Set(side.fixture->GetShape(), side.child);
+    *shape = Sweep(proxy, side.sweep, side.rotation);
+}
+
+inline const SweptShape &ImpactScan::Shape(Place &place, const Side &side) {
+    if (place.fixture != side.fixture || place.child != side.child || place.scan != m_scan) {
+        place.fixture = side.fixture;
+        place.child = side.child;
+        place.scan = m_scan;
+        Fill(&place.shape, side);
+    }
+    return place.shape;
+}
+
+bool ImpactScan::NeverTouch(const b2Contact *contact, const Side &a, const Side &b) {
+    PairMemory *memory = Remember(KeyOf(contact), 0);
+    if (memory == nullptr)
+        return false;
+    Place &placeA = PlaceOf(a), &placeB = PlaceOf(b);
+    const SweptShape &shapeA = Shape(placeA, a);
+    if (&placeA != &placeB)
+        return bmr::NeverTouch(shapeA, Shape(placeB, b), &memory->direction);
+    SweptShape shapeB;
+    Fill(&shapeB, b);
+    return bmr::NeverTouch(shapeA, shapeB, &memory->direction);
+}
+
+} // namespace bmr

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_RECOGNISE_H
+#define BOOMERANG_GLUE_RECOGNISE_H
+
+namespace bmr {
+
+/// Why the Box2D of this process must be left alone, in a few words; nullptr where it is one that the glue
+/// knows. Its version number says nothing (2.4.1 calls itself 2.4.0, and a game may have changed constants),
+/// so it is tried out: a small world shows how far Box2D's own constructors write, how far apart it puts the
+/// objects of each class, whether the fields are where the headers have them, and whether a manifold and a
+/// time of impact come out as they should. About 0.1 ms, once for a process, before anything of ours is
+/// registered. No step is made.
+const char *WhyBox2DIsUnknown();
+
+/// A question to be asked before any of Box2D's symbols is touched, answered in the same way: the shared
+/// library, which may meet any libbox2d, looks for the symbols. Set before Install.
+void SetLibraryCheck(const char *(*check)());
+
+} // namespace bmr
+
+#endif

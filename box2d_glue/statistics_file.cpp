@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "statistics_file.h"
+
+#include <cinttypes>
+#include <cstdlib>
+#include <cstring>
+
+#include "environment.h"
+#include "settings.h"
+
+namespace bmr {
+
+namespace {
+
+constexpr size_t kLongestName = 4096; // PATH_MAX of Linux
+char fileName[kLongestName];
+
+void WriteNow() {
+    std::FILE *file = std::fopen(fileName, "w");
+    if (file == nullptr) {
+        std::fprintf(stderr, "boomerang: cannot write the statistics to %s\n", fileName);
+        return;
+    }
+    WriteStatistics(file);
+    const bool written = std::ferror(file) == 0;
+    if (std::fclose(file) != 0 || !written)
+        std::fprintf(stderr, "boomerang: the statistics in %s are not complete\n", fileName);
+}
+
+/// Writes the members of JSON objects, with commas where they belong. Names and words are our own: nothing in
+/// them to escape.
+class Members {
+public:
+    explicit Members(std::FILE *stream, const char *indent) : m_stream(stream), m_indent(indent) {}
+
+    void Number(const char *name, uint64_t value) {
+        Name(name);
+        std::fprintf(m_stream, "%" PRIu64, value);
+    }
+    void Word(const char *name, const char *value) {
+        Name(name);
+        std::fprintf(m_stream, "\"%s\"", value);
+    }
+    void Name(const char *name) {
+        std::fprintf(m_stream, "%s\n%s\"%s\": ", m_first ? "" : ",", m_indent, name);
+        m_first = false;
+    }
+
+private:
+    std::FILE *m_stream;
+    const char *m_indent;
+    bool m_first = true;
+};
+
+void WriteHooks(std::FILE *stream, uint32_t hooks) {
+    std::fputc('[', stream);
+    bool first = true;
+    for (int i = 0; NameOfHook(i) != nullptr; ++i) {
+        if ((hooks & (1u << i)) == 0)
+            continue;
+        std::fprintf(stream, "%s\"%s\"", first ? "" : ", ", NameOfHook(i));
+        first = false;
+    }
+    std::fputc(']', stream);
+}
+
+} // namespace
+
+void WriteStatistics(std::FILE *stream) {
+    const Statistics s = GetStatistics();
+    const Options &options = GetSettings().options;
+    std::fputc('{', stream);
+    Members members(stream, "  ");
+    members.Word("mode", NameOf(options.mode));
+    members.Word("structure", bmr_structure_name(options.structure));
+    members.Name("hooks");
+    WriteHooks(stream, options.hooks);
+    members.Number("steps", s.steps);
+    members.Number("evaluations", s.evaluations);
+    members.Number("edge_checks", s.edgeChecks);
+    members.Number("edge_searches", s.edgeSearches);
+    members.Number("verdicts_reused", s.verdictsReused);
+    members.Number("proved_apart", s.provedApart);
+    members.Number("handed_over", s.handedOver);
+    members.Number("handed_over_touching", s.handedOverTouching);
+    members.Number("touching_answered", s.touchingAnswered);
+    members.Number("toi_queries", s.toiQueries);
+    members.Number("toi_answered", s.toiAnswered);
+    members.Number("overlap_queries", s.overlapQueries);
+    members.Number("overlaps_answered", s.overlapsAnswered);
+    members.Number("verified", s.verified);
+    members.Number("differences", s.differences);
+    members.Number("pairs", s.pairs);
+    members.Number("hulls", s.hulls);
+    members.Number("checks", s.kinetic.checks);
+    members.Number("levels", s.kinetic.levels);
+    members.Name("events");
+    std::fputc('{', stream);
+    Members events(stream, "    ");
+    for (int kind = 0; kind < BMR_EVENT_KIND_COUNT; ++kind)
+        events.Number(bmr_event_name(static_cast<bmr_event_kind>(kind)), s.kinetic.events[kind]);
+    std::fputs("\n  }\n}\n", stream);
+}
+
+bool WriteStatisticsAtExit(const char *file) {
+    const size_t length = std::strlen(file);
+    if (length >= kLongestName)
+        return false;
+    std::memcpy(fileName, file, length + 1);
+    return std::atexit(WriteNow) == 0;
+}
+
+} // namespace bmr

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_STATISTICS_FILE_H
+#define BOOMERANG_GLUE_STATISTICS_FILE_H
+
+#include <cstdio>
+
+namespace bmr {
+
+/// When the process ends (by exit, or by returning from main; not by a signal or _exit), the statistics go
+/// into this file as JSON. Once for a process, after MakeSettings. What the handler reads has no destructor,
+/// so it does not matter when it runs. False where the name is too long or there is no room for another exit
+/// handler.
+bool WriteStatisticsAtExit(const char *file);
+
+/// The statistics and the options they were made under, as one JSON object and a newline.
+void WriteStatistics(std::FILE *stream);
+
+} // namespace bmr
+
+#endif

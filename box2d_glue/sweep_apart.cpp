@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "sweep_apart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <box2d/b2_distance.h>
+#include <box2d/b2_time_of_impact.h>
+
+#include "pair_memory.h"
+#include "shapes32.h"
+#include "thresholds.h"
+
+namespace bmr {
+
+namespace {
+
+float LargestCoordinate(const b2Vec2 &a, const b2Vec2 &b) {
+    return std::max(std::max(std::fabs(a.x), std::fabs(a.y)), std::max(std::fabs(b.x), std::fabs(b.y)));
+}
+
+} // namespace
+
+SweptShape Sweep(const b2DistanceProxy &proxy, const b2Sweep &sweep, const b2Rot &rotation) {
+    SweptShape swept;
+    swept.radius = proxy.m_radius;
+    swept.tilt = 0.0f;
+    swept.rounding = std::numeric_limits<float>::infinity();
+    if (proxy.m_count < 1 || proxy.m_count > BMR_SWEPT32_MOST) {
+        swept.points = {};
+        return swept;
+    }
+    bmr_motion32 motion;
+    motion.center = *Vectors32(&sweep.localCenter);
+    motion.start = *Vectors32(&sweep.c0);
+    motion.end = *Vectors32(&sweep.c);
+    motion.s = rotation.s;
+    motion.c = rotation.c;
+    motion.turn = sweep.a - sweep.a0;
+    bmr_swept32_make(&swept.points, Vectors32(proxy.m_vertices), proxy.m_count, &motion);
+    const float coordinate = LargestCoordinate(sweep.c0, sweep.c) + swept.points.radius;
+    const float angle = std::max(std::fabs(sweep.a0), std::fabs(sweep.a));
+    const float reach = swept.points.radius + std::fabs(sweep.localCenter.x) + std::fabs(sweep.localCenter.y);
+    if (coordinate <= kSweepReach && angle <= kSweepAngle && swept.points.edge >= kShortestSide) {
+        swept.rounding = kUnit * (kErrorPerCoordinate * coordinate + kErrorPerReach * reach +
+                                  kErrorPerAngle * angle * swept.points.radius);
+        swept.tilt = kUnit * (kTiltPerCoordinate * coordinate + kTiltPerReach * reach);
+    }
+    return swept;
+}
+
+bool NeverTouch(const SweptShape &a, const SweptShape &b, bmr_vec32 *direction) {
+    const float lever = 1.0f + std::max(a.points.width / b.points.edge, b.points.width / a.points.edge);
+    const float distance =
+        ImpactDistance(a.radius + b.radius) + a.rounding + b.rounding + (a.tilt + b.tilt) * lever;
+    return bmr_swept32_compare(&a.points, &b.points, distance, distance, direction) == BMR_SWEPT32_APART;
+}
+
+namespace {
+
+bool NeverTouch(const b2TOIInput &input, PairMemory *memory) {
+    return NeverTouch(Sweep(input.proxyA, input.sweepA, b2Rot(input.sweepA.a)),
+                      Sweep(input.proxyB, input.sweepB, b2Rot(input.sweepB.a)), &memory->direction);
+}
+
+/// Rests after misses in a row: 1, 3, 7, 7, ..
+constexpr uint8_t kMostDoublings = 3;
+
+} // namespace
+
+bool NeverTouch(const b2TOIInput &input) {
+    PairMemory *memory = Remember(KeyOf(input.proxyA), KeyOf(input.proxyB));
+    return memory != nullptr && NeverTouch(input, memory);
+}
+
+bool NeverTouchUnlessResting(const b2TOIInput &input) {
+    PairMemory *memory = Remember(KeyOf(input.proxyA), KeyOf(input.proxyB));
+    if (memory == nullptr)
+        return false;
+    if (memory->rests > 0) {
+        --memory->rests;
+        return false;
+    }
+    const bool never = NeverTouch(input, memory);
+    memory->misses = never ? 0 : std::min<uint8_t>(static_cast<uint8_t>(memory->misses + 1), kMostDoublings);
+    memory->rests = static_cast<uint8_t>((1u << memory->misses) - 1u);
+    return never;
+}
+
+} // namespace bmr

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_SWEEP_APART_H
+#define BOOMERANG_GLUE_SWEEP_APART_H
+
+#include <box2d/b2_math.h>
+
+#include "boomerang/swept32.h"
+
+struct b2DistanceProxy;
+struct b2TOIInput;
+
+namespace bmr {
+
+/// @file
+/// Which pairs b2TimeOfImpact cannot find touching. One fixed direction proves it for the whole motion; what
+/// Box2D's arithmetic may be off by is left as a margin (thresholds.h). Nothing is remembered but the
+/// direction, which is tried again on whatever the shapes and sweeps are by then.
+
+/// One shape of one body during what is left of a step.
+struct SweptShape {
+    bmr_swept32 points;
+    float radius;   ///< its skin
+    float rounding; ///< its part of the margin; infinite where Box2D must answer
+    float tilt;     ///< its part of how much an axis may be tilted, times the length of a side
+};
+
+/// `rotation` is sweep.a's. A proxy of no points or of more than 8 gets an infinite margin.
+SweptShape Sweep(const b2DistanceProxy &proxy, const b2Sweep &sweep, const b2Rot &rotation);
+
+/// Is it certain that b2TimeOfImpact does not say e_touching of these two, for any tMax up to 1? `direction`
+/// is a guess, of unit length or zero, and the one that was found.
+bool NeverTouch(const SweptShape &a, const SweptShape &b, bmr_vec32 *direction);
+
+/// The same of b2TimeOfImpact's own input; directions are remembered by the thread.
+bool NeverTouch(const b2TOIInput &input);
+/// The same for a caller that has Box2D's own answer to fall back on: a pair that has just met is most likely
+/// to meet again, so after a proof sought in vain none is sought for the next 1, 3, 7, 7, .. times.
+bool NeverTouchUnlessResting(const b2TOIInput &input);
+
+} // namespace bmr
+
+#endif

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+// b2ContactManager::FindNewContacts: pairs of proxies whose fat boxes have come to overlap. The same contacts
+// are made in the same order, and the same filters asked. What is done otherwise:
+//
+//   - Proxies of one body that were moved together descend the tree together, with the box around all of
+//   them;
+//     each is then held against the few leaves of other bodies that this found. The leaves come in the order
+//     of the descent, so each proxy meets them in the order in which its own would have.
+//   - The tree is descended with boxes in registers, and a node is looked at before it is put on the stack.
+//   - Two fixtures of one body, nearly all that a body of many fixtures finds, are passed over at once.
+//   - Existing contacts of bodies that have many are found in a table (contact_index.h), where AddPair would
+//     walk over the body's list.
+#include <cstring>
+
+#include <box2d/b2_broad_phase.h>
+#include <box2d/b2_contact.h>
+
+#include "contact_access.h"
+#include "contact_index.h"
+#include "real.h"
+#include "settings.h"
+#include "short_list.h"
+#include "tree_descent.h"
+#include "verify.h"
+
+namespace bmr::interpose {
+
+namespace {
+
+Real<void(b2ContactManager *)> realFindNewContacts("_ZN16b2ContactManager15FindNewContactsEv");
+
+const b2Body *BodyOf(const void *proxy) {
+    return static_cast<const b2FixtureProxy *>(proxy)->fixture->GetBody();
+}
+
+/// Does the proxy report this leaf? Not itself; and where both were moved, one of the two does.
+bool Reports(int32 proxy, int32 leaf, bool moved) {
+    return leaf != proxy && !(moved && leaf > proxy);
+}
+
+/// One proxy's own descent.
+template <typename Keep> struct OneProxy {
+    const b2Body *body;
+    int32 proxy;
+    const Keep &keep;
+
+    static bool Visit(Box) { return true; }
+    bool Take(int32 leaf, const b2TreeNode &node) const {
+        if (Reports(proxy, leaf, node.moved) && BodyOf(node.userData) != body)
+            keep(proxy, leaf);
+        return true;
+    }
+};
+
+/// The descent of proxies of one body that follow each other among the moved ones.
+struct ManyProxies {
+    // Each proxy is held against each leaf: with more of them, descents of its own cost less.
+    static constexpr int32 kMostLeaves = 128;
+    // A proxy's own descent looks at about two nodes for each level of the tree, and at those leaves of its
+    // own body that are near.
+    static constexpr int32 kVisitsForAProxy = 32;
+
+    struct Leaf {
+        b2AABB box;
+        int32 proxy;
+        bool moved;
+    };
+
+    const b2Body *body;
+    int32 visitsLeft;
+    int32 count = 0;
+    Leaf leaves[kMostLeaves];
+
+    // cppcheck-suppress uninitMemberVar ; leaves are written before they are read
+    ManyProxies(const b2Body *owner, int32 proxies) : body(owner), visitsLeft(proxies * kVisitsForAProxy) {}
+
+    /// Gives up where too much is near; and at a box that is not a number, because the boxes above it in the
+    /// tree need not hold it, so that whether a proxy finds it depends on the way down.
+    bool Visit(Box box) { return --visitsLeft >= 0 && HasNumbers(box); }
+    bool Take(int32 leaf, const b2TreeNode &node) {
+        if (BodyOf(node.userData) == body)
+            return true;
+        if (count == kMostLeaves)
+            return false;
+        leaves[count++] = {node.aabb, leaf, node.moved};
+        return true;
+    }
+};
+
+/// A contact that is being made.
+struct NewContact : b2Contact {
+    /// nullptr where Box2D has no contacts of these shapes.
+    static b2Contact *Create(const b2FixtureProxy &a, const b2FixtureProxy &b, b2BlockAllocator *allocator) {
+        return b2Contact::Create(a.fixture, a.childIndex, b.fixture, b.childIndex, allocator);
+    }
+
+    /// Puts it at the head of the world's list.
+    static void Link(b2Contact *contact, b2Contact **list) {
+        contact->*(&NewContact::m_next) = *list;
+        if (*list != nullptr)
+            *list->*(&NewContact::m_prev) = contact;
+        *list = contact;
+    }
+
+    /// Puts it at the head of its bodies' lists.
+    static void Join(b2Contact *contact) {
+        b2Body *bodyA = contact->GetFixtureA()->GetBody(), *bodyB = contact->GetFixtureB()->GetBody();
+        Attach(&(contact->*(&NewContact::m_nodeA)), contact, bodyA, bodyB);
+        Attach(&(contact->*(&NewContact::m_nodeB)), contact, bodyB, bodyA);
+    }
+
+private:
+    static void Attach(b2ContactEdge *edge, b2Contact *contact, b2Body *body, b2Body *other) {
+        b2ContactEdge *&list = body->*Named(ContactList());
+        *edge = {other, contact, nullptr, list};
+        if (list != nullptr)
+            list->prev = edge;
+        list = edge;
+    }
+};
+
+/// What b2BroadPhase::UpdatePairs is instantiated for.
+class PairFinder {
+public:
+    PairFinder(b2ContactManager *manager, ContactIndex *index) : m_manager(manager), m_index(index) {}
+
+    /// Mode::Verify: the pairs are found and compared with Box2D's way of finding them; nothing else is done.
+    bool OnlyCompares() const { return Verifying(); }
+    void Compare(const b2DynamicTree &tree, const int32 *moves, int32 count, const b2Pair *found,
+                 int32 foundCount);
+
+    /// Calls `keep(proxy, leaf)` for the pairs that Box2D would find, without those of one body.
+    template <typename Keep>
+    static void FindPairs(const b2DynamicTree &tree, const int32 *moves, int32 count, const Keep &keep);
+
+    /// Makes a contact of the pair, unless there is one already.
+    void Report(const b2FixtureProxy &a, const b2FixtureProxy &b) const {
+        if (m_index->Exists(a, b) || !PassesFilters(m_manager, a.fixture, b.fixture))
+            return;
+        b2Contact *contact = NewContact::Create(a, b, m_manager->m_allocator);
+        if (contact == nullptr)
+            return;
+        NewContact::Link(contact, &m_manager->m_contactList);
+        NewContact::Join(contact);
+        ++m_manager->m_contactCount;
+        m_index->Remember(*contact);
+    }
+
+private:
+    template <typename Keep>
+    static bool FindTogether(const b2DynamicTree &tree, const TreeNodes &nodes, const int32 *moves,
+                             int32 count, const Keep &keep);
+
+    b2ContactManager *m_manager;
+    ContactIndex *m_index;
+};
+
+/// How many of the moves from the first on are of its body; those that were taken back count as such.
+int32 CountTogether(const b2DynamicTree &tree, const int32 *moves, int32 count) {
+    const b2Body *body = BodyOf(tree.GetUserData(moves[0]));
+    int32 together = 1;
+    while (together < count && (moves[together] == b2BroadPhase::e_nullProxy ||
+                                BodyOf(tree.GetUserData(moves[together])) == body))
+        ++together;
+    return together;
+}
+
+template <typename Keep>
+void PairFinder::FindPairs(const b2DynamicTree &tree, const int32 *moves, int32 count, const Keep &keep) {
+    TreeNodes nodes;
+    tree.Query(&nodes, b2AABB());
+    for (int32 i = 0; i < count;) {
+        if (moves[i] == b2BroadPhase::e_nullProxy) {
+            ++i;
+            continue;
+        }
+        const int32 together = CountTogether(tree, moves + i, count - i);
+        if (together == 1 || !FindTogether(tree, nodes, moves + i, together, keep)) {
+            for (int32 j = i; j < i + together; ++j) {
+                if (moves[j] == b2BroadPhase::e_nullProxy)
+                    continue;
+                OneProxy<Keep> one = {BodyOf(tree.GetUserData(moves[j])), moves[j], keep};
+                Descend(nodes, BoxOf(tree.GetFatAABB(moves[j])), &one);
+            }
+        }
+        i += together;
+    }
+}
+
+/// The pairs in Box2D's order, from its own query, held against those that were found.
+struct ComparingQuery {
+    const b2DynamicTree *tree;
+    int32 proxy;
+    const b2Pair *next, *end;
+    bool same = true;
+
+    bool QueryCallback(int32 leaf) {
+        if (!Reports(proxy, leaf, tree->WasMoved(leaf)) ||
+            BodyOf(tree->GetUserData(leaf)) == BodyOf(tree->GetUserData(proxy)))
+            return true;
+        same = same && next != end && next->proxyIdA == b2Min(leaf, proxy) &&
+               next->proxyIdB == b2Max(leaf, proxy);
+        next += same ? 1 : 0;
+        return same;
+    }
+};
+
+void PairFinder::Compare(const b2DynamicTree &tree, const int32 *moves, int32 count, const b2Pair *found,
+                         int32 foundCount) {
+    CountVerified();
+    ComparingQuery query = {&tree, b2BroadPhase::e_nullProxy, found, found + foundCount};
+    for (int32 i = 0; i < count; ++i) {
+        query.proxy = moves[i];
+        if (moves[i] != b2BroadPhase::e_nullProxy)
+            tree.Query(&query, tree.GetFatAABB(moves[i]));
+    }
+    if (!query.same || query.next != query.end)
+        ReportDifference("pair finding", nullptr, nullptr, "pair %d of %d is another",
+                         static_cast<int>(query.next - found), foundCount);
+    for (int32 i = 0; i < foundCount; ++i) {
+        const auto *a = static_cast<const b2FixtureProxy *>(tree.GetUserData(found[i].proxyIdA));
+        const auto *b = static_cast<const b2FixtureProxy *>(tree.GetUserData(found[i].proxyIdB));
+        if (m_index->Exists(*a, *b) != ContactIndex::ExistsInList(*a, *b))
+            ReportDifference("pair finding", a->fixture, b->fixture, "whether there is a contact");
+    }
+}
+
+/// False, and nothing kept, where the proxies are to descend one by one.
+template <typename Keep>
+bool PairFinder::FindTogether(const b2DynamicTree &tree, const TreeNodes &nodes, const int32 *moves,
+                              int32 count, const Keep &keep) {
+    Box around = BoxOf(tree.GetFatAABB(moves[0]));
+    for (int32 i = 0; i < count; ++i) {
+        if (moves[i] == b2BroadPhase::e_nullProxy)
+            continue;
+        const Box box = BoxOf(tree.GetFatAABB(moves[i]));
+        if (!HasNumbers(box))
+            return false;
+        around = Around(around, box);
+    }
+    ManyProxies many(BodyOf(tree.GetUserData(moves[0])), count);
+    if (!Descend(nodes, around, &many))
+        return false;
+    for (int32 i = 0; i < count; ++i) {
+        if (moves[i] == b2BroadPhase::e_nullProxy)
+            continue;
+        const Box box = BoxOf(tree.GetFatAABB(moves[i]));
+        for (int32 j = 0; j < many.count; ++j) {
+            const ManyProxies::Leaf &leaf = many.leaves[j];
+            if (Overlap(BoxOf(leaf.box), box) && Reports(moves[i], leaf.proxy, leaf.moved))
+                keep(moves[i], leaf.proxy);
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+} // namespace bmr::interpose
+
+/// The broad phase's own buffer of pairs is used: nothing is allocated that Box2D would not.
+template <> void b2BroadPhase::UpdatePairs(bmr::interpose::PairFinder *finder) {
+    m_pairCount = 0;
+    const auto keep = [this](int32 proxy, int32 leaf) {
+        if (m_pairCount == m_pairCapacity) {
+            const int32 capacity = m_pairCapacity + m_pairCapacity / 2;
+            auto *larger = static_cast<b2Pair *>(b2Alloc(capacity * static_cast<int32>(sizeof(b2Pair))));
+            std::memcpy(larger, m_pairBuffer, static_cast<size_t>(m_pairCount) * sizeof(b2Pair));
+            b2Free(m_pairBuffer);
+            m_pairBuffer = larger;
+            m_pairCapacity = capacity;
+        }
+        m_pairBuffer[m_pairCount++] = {b2Min(proxy, leaf), b2Max(proxy, leaf)};
+    };
+    bmr::interpose::PairFinder::FindPairs(m_tree, m_moveBuffer, m_moveCount, keep);
+    if (finder->OnlyCompares()) {
+        finder->Compare(m_tree, m_moveBuffer, m_moveCount, m_pairBuffer, m_pairCount);
+        return;
+    }
+    for (int32 i = 0; i < m_pairCount; ++i) {
+        const b2Pair pair = m_pairBuffer[i];
+        finder->Report(*static_cast<const b2FixtureProxy *>(m_tree.GetUserData(pair.proxyIdA)),
+                       *static_cast<const b2FixtureProxy *>(m_tree.GetUserData(pair.proxyIdB)));
+    }
+    for (int32 i = 0; i < m_moveCount; ++i)
+        if (m_moveBuffer[i] != e_nullProxy)
+            m_tree.ClearMoved(m_moveBuffer[i]);
+    m_moveCount = 0;
+}
+
+namespace bmr::interpose {
+
+void FindNewContacts(b2ContactManager *manager) BMR_STANDS_FOR("_ZN16b2ContactManager15FindNewContactsEv");
+
+void FindNewContacts(b2ContactManager *manager) {
+    const ShortList::Whole whole(manager);
+    const ContactIndex::Use use;
+    const bool ours = HookIsOn(Hook::PairFinding) && use.Get() != nullptr;
+    if (ours) {
+        PairFinder finder(manager, use.Get());
+        manager->m_broadPhase.UpdatePairs(&finder);
+    }
+    if (!ours || Verifying())
+        realFindNewContacts.Get()(manager);
+}
+
+} // namespace bmr::interpose

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// b2World::SolveTOI: the first search of a step for the next impact. Pairs that are proved apart over the
+// whole step get the time of impact that Box2D would find, "none"; if there are other pairs Box2D goes on
+// from there, as after one of its own events, and asks for those alone; it looks for the next event among
+// the contacts that may have one (short_list.h). If there are none, the step has no impact.
+//
+// What a step of Box2D's without an impact leaves behind, and so this: bodies at the beginning of their sweep
+// and out of islands; contacts out of islands, with no impact counted, a time of impact of 1, and the flag
+// that it is known where it was asked for.
+#include <box2d/b2_body.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_time_of_impact.h>
+#include <box2d/b2_time_step.h>
+#include <box2d/b2_world.h>
+
+#include "impact_scan.h"
+#include "real.h"
+#include "settings.h"
+#include "short_list.h"
+#include "verify.h"
+
+using namespace bmr;
+using namespace bmr::interpose;
+
+namespace {
+
+Real<void(b2World *, const b2TimeStep &)> realSolveToi("_ZN7b2World8SolveTOIERK10b2TimeStep");
+
+/// Impacts are looked for where one of the two moves and one of the two may not be tunnelled through.
+bool MayImpact(bool awakeA, b2BodyType typeA, bool bulletA, bool awakeB, b2BodyType typeB, bool bulletB) {
+    const bool moves = (awakeA && typeA != b2_staticBody) || (awakeB && typeB != b2_staticBody);
+    return moves && (bulletA || bulletB || typeA != b2_dynamicBody || typeB != b2_dynamicBody);
+}
+
+/// Box2D's answer where ours is "apart" (Mode::Verify).
+void CompareWithBox2D(const ImpactScan::Side &a, const ImpactScan::Side &b) {
+    b2TOIInput input;
+    input.proxyA.Set(a.fixture->GetShape(), a.child);
+    input.proxyB.Set(b.fixture->GetShape(), b.child);
+    input.sweepA = a.sweep;
+    input.sweepB = b.sweep;
+    input.tMax = 1.0f;
+    b2TOIOutput ours, box2d;
+    ours.state = b2TOIOutput::e_separated;
+    ours.t = 1.0f;
+    RealTimeOfImpact(&box2d, &input);
+    VerifyImpact(a.fixture, b.fixture, ours, box2d);
+}
+
+} // namespace
+
+void b2World::SolveTOI(const b2TimeStep &step) {
+    ImpactScan *scan =
+        HookIsOn(Hook::SolveToi) && m_stepComplete && !m_subStepping ? ImpactScan::Begin() : nullptr;
+    if (scan == nullptr) {
+        realSolveToi.Get()(this, step);
+        return;
+    }
+    for (b2Body *body = m_bodyList; body != nullptr; body = body->m_next) {
+        body->m_flags &= static_cast<uint16>(~b2Body::e_islandFlag);
+        body->m_sweep.alpha0 = 0.0f;
+    }
+    uint32_t unproved = 0;
+    for (b2Contact *contact = m_contactManager.m_contactList; contact != nullptr; contact = contact->m_next) {
+        contact->m_flags &= ~static_cast<uint32>(b2Contact::e_toiFlag | b2Contact::e_islandFlag);
+        contact->m_toiCount = 0;
+        contact->m_toi = 1.0f;
+        const b2Fixture *fixtureA = contact->m_fixtureA, *fixtureB = contact->m_fixtureB;
+        const b2Body *bodyA = fixtureA->m_body, *bodyB = fixtureB->m_body;
+        if (!contact->IsEnabled() || fixtureA->m_isSensor || fixtureB->m_isSensor ||
+            !MayImpact(bodyA->IsAwake(), bodyA->m_type, bodyA->IsBullet(), bodyB->IsAwake(), bodyB->m_type,
+                       bodyB->IsBullet()))
+            continue;
+        const ImpactScan::Side a = {fixtureA, contact->m_indexA, bodyA->m_sweep, bodyA->m_xf.q};
+        const ImpactScan::Side b = {fixtureB, contact->m_indexB, bodyB->m_sweep, bodyB->m_xf.q};
+        Count(&Counts::toiQueries);
+        if (!scan->NeverTouch(contact, a, b)) {
+            ++unproved;
+            continue;
+        }
+        Count(&Counts::toiAnswered);
+        if (Verifying())
+            CompareWithBox2D(a, b);
+        else
+            contact->m_flags |= b2Contact::e_toiFlag;
+    }
+    if (Verifying()) {
+        realSolveToi.Get()(this, step);
+        return;
+    }
+    if (unproved == 0)
+        return;
+    // In the middle of a step Box2D keeps what is known; when it is done it says that the step is complete.
+    m_stepComplete = false;
+    try {
+        const ShortList list(&m_contactManager);
+        const KnownImpacts known(unproved); // Box2D asks for the very same ones first
+        realSolveToi.Get()(this, step);
+    } catch (...) { // a listener's; the step is as complete as Box2D would leave it
+        m_stepComplete = true;
+        throw;
+    }
+}

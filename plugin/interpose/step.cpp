@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// b2World::Step: starts the library where nobody called bmr::Install, and marks the thread as stepping this
+// world; the step itself is Box2D's.
+#include <box2d/b2_world.h>
+
+#include "real.h"
+#include "settings.h"
+#include "start.h"
+
+namespace bmr::interpose {
+
+__thread const b2World *steppedWorld = nullptr;
+
+namespace {
+
+/// Ends with the step, also by an exception of a listener's; a listener may step another world.
+class StepMark {
+public:
+    explicit StepMark(const b2World *world) : m_outer(steppedWorld) { steppedWorld = world; }
+    ~StepMark() { steppedWorld = m_outer; }
+    StepMark(const StepMark &) = delete;
+    StepMark &operator=(const StepMark &) = delete;
+
+private:
+    const b2World *m_outer;
+};
+
+Real<void(b2World *, float, int32, int32)> realStep("_ZN7b2World4StepEfii");
+
+} // namespace
+
+void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations)
+    BMR_STANDS_FOR("_ZN7b2World4StepEfii");
+
+void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
+    StartAtFirstStep();
+    const StepMark mark(world);
+    Count(&Counts::steps);
+    realStep.Get()(world, timeStep, velocityIterations, positionIterations);
+}
+
+} // namespace bmr::interpose

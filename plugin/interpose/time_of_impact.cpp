@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// b2TimeOfImpact: in a step, a pair that is proved apart over its whole motion is separated without a search.
+// b2World::SolveTOI looks at whether the answer is e_touching, and at the time only then; the counters
+// b2_toi* and b2_gjk* stand still where Box2D is not asked.
+#include <box2d/b2_time_of_impact.h>
+
+#include "real.h"
+#include "settings.h"
+#include "sweep_apart.h"
+#include "verify.h"
+
+namespace bmr::interpose {
+
+namespace {
+
+Real<void(b2TOIOutput *, const b2TOIInput *)>
+    realTimeOfImpact("_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput");
+
+} // namespace
+
+__thread uint32_t KnownImpacts::s_left = 0;
+
+void RealTimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
+    realTimeOfImpact.Get()(output, input);
+}
+
+void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input)
+    BMR_STANDS_FOR("_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput");
+
+void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
+    if (!HookIsOn(Hook::TimeOfImpact) || !InStep()) {
+        RealTimeOfImpact(output, input);
+        return;
+    }
+    if (KnownImpacts::Take()) { // counted by who sought
+        RealTimeOfImpact(output, input);
+        return;
+    }
+    Count(&Counts::toiQueries);
+    if (!NeverTouchUnlessResting(*input)) {
+        RealTimeOfImpact(output, input);
+        return;
+    }
+    Count(&Counts::toiAnswered);
+    output->state = b2TOIOutput::e_separated;
+    output->t = input->tMax;
+    if (Verifying()) {
+        const b2TOIOutput ours = *output;
+        RealTimeOfImpact(output, input);
+        VerifyImpact(nullptr, nullptr, ours, *output);
+    }
+}
+
+} // namespace bmr::interpose

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "library_check.h"
+
+#include <cstddef>
+#include <cstdio>
+
+#include <box2d/b2_contact.h>
+#include <dlfcn.h>
+#include <link.h>
+
+namespace bmr {
+
+namespace {
+
+enum class Kind { kFunction, kLeaf, kData };
+
+struct Symbol {
+    const char *name;
+    Kind kind;
+    size_t size; ///< of data
+};
+
+/// Of a table of so many virtual functions: before them the Itanium ABI has an offset and a type.
+constexpr size_t TableSize(size_t functions) {
+    return (2 + functions) * sizeof(void *);
+}
+
+constexpr Symbol kSymbols[] = {
+#define BMR_FUNCTION(name) {#name, Kind::kFunction, 0},
+#define BMR_LEAF(name) {#name, Kind::kLeaf, 0},
+#define BMR_DATA(name, bytes) {#name, Kind::kData, bytes},
+#define BMR_SIGN(name) BMR_FUNCTION(name)
+#include "box2d_symbols.inc"
+#undef BMR_FUNCTION
+#undef BMR_LEAF
+#undef BMR_DATA
+#undef BMR_SIGN
+};
+
+constexpr char kStep[] = "_ZN7b2World4StepEfii";
+
+const void *FileOf(const void *address) {
+    Dl_info info;
+    return dladdr(address, &info) != 0 ? info.dli_fbase : nullptr;
+}
+
+const void *OurFile() {
+    return FileOf(reinterpret_cast<const void *>(&StepsComeByHere));
+}
+
+/// Box2D's own definition: the first, or the next one where the first is ours.
+void *Find(const char *name) {
+    void *first = dlsym(RTLD_DEFAULT, name);
+    return first != nullptr && FileOf(first) == OurFile() ? dlsym(RTLD_NEXT, name) : first;
+}
+
+size_t SizeOf(const void *address) {
+    Dl_info info;
+    void *symbol = nullptr;
+    if (dladdr1(address, &info, &symbol, RTLD_DL_SYMENT) == 0 || symbol == nullptr)
+        return 0;
+    return static_cast<const ElfW(Sym) *>(symbol)->st_size;
+}
+
+} // namespace
+
+bool StepsComeByHere() {
+    return FileOf(dlsym(RTLD_DEFAULT, kStep)) == OurFile();
+}
+
+const char *WhyLibraryIsUnknown() {
+    static char why[200];
+    const void *library = nullptr;
+    for (const Symbol &symbol : kSymbols) {
+        const void *found = Find(symbol.name);
+        const char *what = nullptr;
+        if (found == nullptr) {
+            what = "lacks";
+        } else if (symbol.kind == Kind::kFunction) {
+            // (Data may have been copied into the program: any file will do for that.)
+            const void *file = FileOf(found);
+            if (library != nullptr && file != library)
+                what = "is two libraries that share";
+            library = file;
+        } else if (symbol.kind == Kind::kData && SizeOf(found) != symbol.size) {
+            what = "has another size of";
+        }
+        if (what != nullptr) {
+            std::snprintf(why, sizeof why, "the Box2D of this process %s %s", what, symbol.name);
+            return why;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace bmr
