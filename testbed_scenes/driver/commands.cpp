@@ -2,44 +2,19 @@
 #include "commands.h"
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 
 #include <unistd.h>
 
 #include "nearest.h"
+#include "output_file.h"
 #include "progress.h"
 #include "report.h"
 #include "table.h"
 
 namespace testbed {
 namespace {
-
-/// A file that is opened before the work begins: hours of comparing should not end in "cannot write".
-class OutputFile {
-public:
-    explicit OutputFile(const std::string &path) : m_path(path) {
-        if (path.empty())
-            return;
-        if (path == "-")
-            throw UsageError("the table takes standard output: give --json and --csv a file");
-        m_stream.open(path);
-        if (!m_stream)
-            throw UsageError("cannot write " + path);
-    }
-    bool IsWanted() const { return !m_path.empty(); }
-    std::ostream &Stream() { return m_stream; }
-    void Close() {
-        m_stream.close();
-        if (!m_stream)
-            throw std::runtime_error("writing " + m_path + " failed");
-    }
-
-private:
-    std::string m_path;
-    std::ofstream m_stream;
-};
 
 void PrintNumbers(std::ostream &out, const nlohmann::json &json, const std::string &prefix) {
     constexpr int kNameWidth = 28;
@@ -191,6 +166,8 @@ int Execute(const CompareCommand &command, const Workers &workers) {
 
     if (!workers.CanCount() && !command.quiet)
         std::cerr << "note: libboomerang-count.so is not built: calls of Box2D stay uncounted\n";
+    if (!workers.CanPreload() && !command.quiet)
+        std::cerr << "note: libboomerang_box2d.so is not beside the workers: nothing is preloaded\n";
     std::vector<SceneResult> results;
     {
         Progress progress(runsPerScene * static_cast<int>(scenes.size()), command.quiet);
@@ -205,7 +182,7 @@ int Execute(const CompareCommand &command, const Workers &workers) {
         }
     }
     const bool hasFigures = std::any_of(results.begin(), results.end(), [](const auto &result) {
-        return result.verdict == Verdict::Identical;
+        return result.verdict == Verdict::Identical || !result.verifyCount.is_null();
     });
     if (!command.quiet && hasFigures)
         PrintTables(std::cout, results, command.options, colour);

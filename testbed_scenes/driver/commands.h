@@ -51,11 +51,19 @@ struct DrawCommand {
     WorkerOptions worker;
 };
 
+struct FiguresCommand {
+    std::vector<std::string> names; ///< none: all
+    std::string directory = ".";
+    std::string format = "svg";
+    bool list = false;
+};
+
 // Each does its job and returns the exit code; errors are thrown (UsageError, WorkerError).
 int Execute(const ListCommand &command, const Workers &workers);
 int Execute(const RunCommand &command, const Workers &workers);
 int Execute(const CompareCommand &command, const Workers &workers);
 int Execute(const DrawCommand &command, const Workers &workers);
+int Execute(const FiguresCommand &command);
 
 /// The scene of that name; if there is none, a UsageError that names the nearest.
 const SceneInfo &FindScene(const std::vector<SceneInfo> &scenes, const std::string &name);

@@ -3,14 +3,15 @@
 
 #include <algorithm>
 #include <deque>
+#include <functional>
 #include <map>
 
 namespace testbed {
 namespace {
 
-/// The extra arguments of one side's run: the control perturbs the plugin's side alone.
+/// The extra arguments of one side's run: the control perturbs all but stock.
 std::vector<std::string> ExtraFor(Side side, const CompareOptions &options) {
-    if (side == Side::Plugin && options.perturb)
+    if (side != Side::Stock && options.perturb)
         return {"--perturb", std::to_string(*options.perturb)};
     return {};
 }
@@ -24,6 +25,9 @@ WorkerRequest RequestFor(Side side, const SceneResult &result, const CompareOpti
 /// reached.
 class StreamMatcher {
 public:
+    explicit StreamMatcher(Side side) : m_side(side) {}
+
+    Side GetSide() const { return m_side; }
     void Add(Side side, const std::string &line) {
         if (IsSummaryLine(line)) {
             ParseSummaryLine(line);
@@ -55,6 +59,7 @@ private:
             return;
         }
         m_difference.emplace();
+        m_difference->side = m_side;
         m_difference->step = stock.step;
         auto name = [this](bool differs, const char *what) {
             if (differs)
@@ -65,6 +70,7 @@ private:
         name(stock.events != plugin.events, "events");
     }
 
+    Side m_side;
     std::deque<StepHash> m_waiting[2];
     int64_t m_next[2] = {0, 0};
     bool m_ended[2] = {false, false};
@@ -119,43 +125,112 @@ void FindField(const std::vector<DumpField> &stock, const std::vector<DumpField>
             report(field.name, kAbsent, field.value);
 }
 
+/// Stock and all variants side by side: each step is compared when both have reached it. A variant that
+/// differs is ended, for what follows a difference is its consequence; so is stock when nobody is left.
+class HashComparison {
+public:
+    HashComparison(const Workers &workers, const CompareOptions &options, const SceneResult &result) {
+        for (const Variant &variant : result.variants)
+            m_matchers.emplace_back(variant.side);
+        m_processes.push_back(workers.Start(RequestFor(Side::Stock, result, options, "hash"), options.worker,
+                                            [this](const std::string &line) {
+                                                for (StreamMatcher &matcher : m_matchers)
+                                                    Add(matcher, Side::Stock, line);
+                                            }));
+        for (StreamMatcher &matcher : m_matchers)
+            m_processes.push_back(workers.Start(
+                RequestFor(matcher.GetSide(), result, options, "hash"), options.worker,
+                [this, &matcher](const std::string &line) { Add(matcher, matcher.GetSide(), line); }));
+    }
+
+    void Run(const std::function<void(int64_t matched)> &onTick) {
+        std::vector<Process *> processes;
+        for (const auto &process : m_processes)
+            processes.push_back(process.get());
+        RunAll(processes, [&] {
+            int64_t matched = 0;
+            for (const StreamMatcher &matcher : m_matchers)
+                matched = std::max(matched, matcher.Matched());
+            onTick(matched);
+        });
+    }
+
+    /// Throws where a worker did not do its job.
+    std::optional<Difference> Take(SceneResult &result) const {
+        std::optional<Difference> earliest;
+        for (size_t i = 0; i < m_matchers.size(); ++i) {
+            const StreamMatcher &matcher = m_matchers[i];
+            result.variants[i].verdict = Verdict::Identical;
+            if (const std::optional<Difference> &difference = matcher.GetDifference()) {
+                result.variants[i].verdict = Verdict::Different;
+                if (!earliest || difference->step < earliest->step)
+                    earliest = difference;
+                continue;
+            }
+            for (const auto *process : {m_processes[0].get(), m_processes[i + 1].get()})
+                if (!process->Succeeded())
+                    throw WorkerError(process->Describe());
+            if (!matcher.IsComplete(result.steps))
+                throw WorkerError(m_processes[i + 1]->CommandLine() + ": ended after " +
+                                  std::to_string(matcher.Matched()) + " steps, or without a summary");
+        }
+        return earliest;
+    }
+
+private:
+    void Add(StreamMatcher &matcher, Side side, const std::string &line) {
+        if (matcher.GetDifference())
+            return;
+        matcher.Add(side, line);
+        if (!matcher.GetDifference())
+            return;
+        const auto index = static_cast<size_t>(&matcher - m_matchers.data());
+        m_processes[index + 1]->Kill();
+        if (std::all_of(m_matchers.begin(), m_matchers.end(),
+                        [](const StreamMatcher &each) { return each.GetDifference().has_value(); }))
+            m_processes[0]->Kill();
+    }
+
+    std::vector<StreamMatcher> m_matchers;
+    std::vector<std::unique_ptr<Process>> m_processes; ///< stock, then one for each matcher
+};
+
 void CompareHashes(const Workers &workers, const CompareOptions &options, SceneResult &result,
                    Progress &progress) {
     const std::string what = result.scene.name + ": comparing";
-    StreamMatcher matcher;
-    std::unique_ptr<Process> processes[2];
-    auto handler = [&](Side side) {
-        return [&, side](const std::string &line) {
-            matcher.Add(side, line);
-            if (matcher.GetDifference()) {
-                // The rest of both runs says nothing more: what follows a difference is its consequence.
-                for (const auto &process : processes)
-                    process->Kill();
-            }
-        };
-    };
-    // Side by side: each step is compared when both have reached it.
-    for (Side side : {Side::Stock, Side::Plugin})
-        processes[side == Side::Stock ? 0 : 1] =
-            workers.Start(RequestFor(side, result, options, "hash"), options.worker, handler(side));
-    RunAll({processes[0].get(), processes[1].get()}, [&] {
-        progress.Show(what, static_cast<double>(matcher.Matched()) / static_cast<double>(result.steps));
+    for (const Side side : {Side::Register, Side::Plugin, Side::Preloaded})
+        if (side != Side::Preloaded || workers.CanPreload())
+            result.variants.push_back({side, Verdict::Failed});
+    HashComparison comparison(workers, options, result);
+    comparison.Run([&](int64_t matched) {
+        progress.Show(what, static_cast<double>(matched) / static_cast<double>(result.steps));
     });
-    if (matcher.GetDifference()) {
-        result.difference = matcher.GetDifference();
-        result.verdict = Verdict::Different;
+    result.difference = comparison.Take(result);
+    result.verdict = result.difference ? Verdict::Different : Verdict::Identical;
+    if (result.difference)
         FindField(DumpOf(workers, Side::Stock, result.difference->step, result, options),
-                  DumpOf(workers, Side::Plugin, result.difference->step, result, options),
+                  DumpOf(workers, result.difference->side, result.difference->step, result, options),
                   *result.difference);
-        return;
-    }
-    for (const auto &process : processes)
-        if (!process->Succeeded())
-            throw WorkerError(process->Describe());
-    if (!matcher.IsComplete(result.steps))
-        throw WorkerError(processes[1]->CommandLine() + ": ended after " + std::to_string(matcher.Matched()) +
-                          " steps, or without a summary");
-    result.verdict = Verdict::Identical;
+}
+
+/// Everything twice in one process: the plugin itself compares.
+void CompareAnswers(const Workers &workers, const CompareOptions &options, SceneResult &result,
+                    Progress &progress) {
+    progress.Show(result.scene.name + ": verifying", 0.0);
+    const auto process = workers.Start(RequestFor(Side::Verify, result, options, "count"), options.worker,
+                                       [&result](const std::string &line) {
+                                           if (IsSummaryLine(line))
+                                               result.verifyCount = ParseSummaryLine(line);
+                                       });
+    RunAll({process.get()}, [&progress] { progress.Tick(); });
+    if (!process->Succeeded())
+        throw WorkerError(process->Describe());
+    const std::optional<double> differences = NumberAt(result.verifyCount, "/plugin/differences");
+    if (!differences)
+        throw WorkerError(process->CommandLine() + ": ended without saying what it compared");
+    for (const std::string &line : process->Errors())
+        result.verifyWords += (result.verifyWords.empty() ? "" : "\n  ") + line;
+    result.verdict = *differences == 0.0 ? Verdict::Identical : Verdict::Different;
 }
 
 void Measure(const Workers &workers, const CompareOptions &options, SceneResult &result, Progress &progress) {
@@ -171,12 +246,15 @@ void Measure(const Workers &workers, const CompareOptions &options, SceneResult 
         return;
     for (int i = 0; i < options.repeat; ++i) {
         progress.Show(result.scene.name + ": timing", 0.0);
-        // Alternating which side goes first, so that a machine that warms up or slows down favours neither.
-        for (int turn = 0; turn < 2; ++turn) {
-            const Side side = (turn + i) % 2 == 0 ? Side::Stock : Side::Plugin;
-            auto &times = side == Side::Stock ? result.stockTimes : result.pluginTimes;
-            times.push_back(
-                workers.Summarise(RequestFor(side, result, options, "time"), options.worker, tick));
+        // Taking turns at who goes first, so that a machine that warms up or slows down favours nobody.
+        constexpr Side kSides[] = {Side::Stock, Side::Register, Side::Plugin};
+        constexpr int kSideCount = 3;
+        std::vector<nlohmann::json> *const times[] = {&result.stockTimes, &result.registerTimes,
+                                                      &result.pluginTimes};
+        for (int turn = 0; turn < kSideCount; ++turn) {
+            const int side = (turn + i) % kSideCount;
+            times[side]->push_back(
+                workers.Summarise(RequestFor(kSides[side], result, options, "time"), options.worker, tick));
             progress.Finish();
         }
     }
@@ -197,9 +275,18 @@ const char *NameOf(Verdict verdict) {
 }
 
 int RunsPerScene(const CompareOptions &options) {
-    constexpr int kHashing = 1; // the two sides run at once
+    if (options.verify)
+        return 1;
+    constexpr int kHashing = 1; // all sides run at once
     constexpr int kCounting = 2;
-    return kHashing + kCounting + (options.time ? 2 * options.repeat : 0);
+    return kHashing + kCounting + (options.time ? 3 * options.repeat : 0);
+}
+
+const Variant *FindVariant(const SceneResult &result, Side side) {
+    for (const Variant &variant : result.variants)
+        if (variant.side == side)
+            return &variant;
+    return nullptr;
 }
 
 SceneResult CompareScene(const Workers &workers, const SceneInfo &scene, const CompareOptions &options,
@@ -212,6 +299,11 @@ SceneResult CompareScene(const Workers &workers, const SceneInfo &scene, const C
         result.scene.seed = *options.worker.seed;
     result.steps = options.steps.value_or(scene.steps);
     try {
+        if (options.verify) {
+            CompareAnswers(workers, options, result, progress);
+            progress.Finish();
+            return result;
+        }
         CompareHashes(workers, options, result, progress);
         progress.Finish();
         // Two simulations that went different ways cannot be held against each other.
@@ -227,11 +319,17 @@ SceneResult CompareScene(const Workers &workers, const SceneInfo &scene, const C
 std::string Explain(const SceneResult &result) {
     if (result.verdict == Verdict::Failed)
         return result.scene.name + ": a worker failed\n  " + result.failure;
+    if (!result.verifyWords.empty())
+        return result.scene.name + ": " + result.verifyWords;
     if (!result.difference)
         return result.scene.name + ": identical over " + std::to_string(result.steps) + " steps";
     const Difference &difference = *result.difference;
     std::string text = result.scene.name + ": first difference at step " + std::to_string(difference.step) +
-                       ", in the hash of " + difference.hashes;
+                       ", in the hash of " + difference.hashes + " (" + NameOf(difference.side);
+    for (const Variant &variant : result.variants)
+        if (variant.verdict == Verdict::Different && variant.side != difference.side)
+            text += std::string(", ") + NameOf(variant.side);
+    text += ")";
     if (difference.field.empty())
         return text +
                "\n  the dumps of that step agree: what differs is in the order or arguments of events, or a "

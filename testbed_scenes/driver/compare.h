@@ -21,12 +21,17 @@ struct CompareOptions {
     /// Timed runs of each side.
     int repeat = 5;
     bool time = true;
+    /// Instead of all that: run each scene with the plugin in its mode `verify`, where every answer is
+    /// compared with Box2D's inside one process.
+    bool verify = false;
     /// The control: at this step the plugin's worker nudges one velocity, and a difference must be found.
     std::optional<int64_t> perturb;
 };
 
 /// The first difference between two runs.
 struct Difference {
+    /// The side that differs from stock.
+    Side side = Side::Plugin;
     int64_t step = 0;
     /// Which of the three hashes differ: "bodies", "bodies, contacts" and so on.
     std::string hashes;
@@ -41,20 +46,33 @@ enum class Verdict { Identical, Different, Failed };
 
 const char *NameOf(Verdict verdict);
 
+/// One way to have the plugin at work, held against stock.
+struct Variant {
+    Side side;
+    Verdict verdict;
+};
+
 // A json moves without throwing, though clang-tidy takes its assertions for throws.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 struct SceneResult {
     SceneInfo scene;
     int64_t steps = 0;
-    Verdict verdict = Verdict::Failed;
+    Verdict verdict = Verdict::Failed;      ///< Identical where all variants are
+    std::vector<Variant> variants;          ///< in the order in which they are shown
     std::string failure;                    ///< why no verdict was reached, with the worker's last words
-    std::optional<Difference> difference;   ///< set where the verdict is Different
+    std::optional<Difference> difference;   ///< set where a variant is Different: the earliest
+    nlohmann::json verifyCount;             ///< summary of the verifying run; null where there was none
+    std::string verifyWords;                ///< what the plugin said of the first difference
     nlohmann::json stockCount, pluginCount; ///< summaries of the counting runs; null where there were none
-    std::vector<nlohmann::json> stockTimes, pluginTimes; ///< summaries of the timed runs, paired by index
+    /// Summaries of the timed runs, paired by index.
+    std::vector<nlohmann::json> stockTimes, registerTimes, pluginTimes;
 };
 
 /// Worker runs that comparing one scene takes: the unit of the progress bar.
 int RunsPerScene(const CompareOptions &options);
+
+/// The variant of that side, or nullptr where it was not run.
+const Variant *FindVariant(const SceneResult &result, Side side);
 
 /// Compares one scene: hashes step by step, then (if they agree) counts, then times. What a worker does wrong
 /// ends up in the result, so that one bad scene does not take the others along.

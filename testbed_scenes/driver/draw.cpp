@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "commands.h"
+#include "drawing/surface.h"
 #include "picture.h"
 #include "progress.h"
 

@@ -84,13 +84,12 @@ void Figures::AddCounts(const SceneResult &result) {
             Add(std::string(side) + "." + call + "_per_step",
                 Scaled(NumberAt(count, std::string("/") + call), 1.0 / steps));
     }
-    // The share of the tests that told stock nothing but "apart" and that the plugin did without.
+    // The share of the tests that told stock nothing but "apart" and that a certificate answered. (What is
+    // left the plugin searches itself, so that its calls of b2CollidePolygons would not tell.)
     const std::optional<double> stock = NumberAt(result.stockCount, "/polygon_tests_apart");
-    const std::optional<double> plugin = NumberAt(result.pluginCount, "/polygon_tests_apart");
-    if (stock && plugin)
-        Add("saved.polygon_tests_apart_percent", Quotient(100.0 * (*stock - *plugin), stock));
-    else
-        Add("saved.polygon_tests_apart_percent", std::nullopt);
+    const std::optional<double> proved = NumberAt(result.pluginCount, "/plugin/proved_apart");
+    Add("saved.polygon_tests_apart_percent",
+        stock && proved ? Quotient(100.0 * std::min(*proved, *stock), stock) : std::optional<double>());
 }
 
 void Figures::AddEvents(const SceneResult &result) {
@@ -112,6 +111,13 @@ void Figures::AddEvents(const SceneResult &result) {
         add(std::string("events.") + event + "_per_step", std::string("events/") + event);
     add("events.hand_over_per_step", "handed_over");
     add("events.hand_over_touching_per_step", "handed_over_touching");
+    add("plugin.toi_queries_per_step", "toi_queries");
+    add("plugin.toi_answered_per_step", "toi_answered");
+    add("plugin.overlap_queries_per_step", "overlap_queries");
+    add("plugin.overlaps_answered_per_step", "overlaps_answered");
+    add("plugin.touching_answered_per_step", "touching_answered");
+    Add("verify.compared", NumberAt(result.verifyCount, "/plugin/verified"));
+    Add("verify.differences", NumberAt(result.verifyCount, "/plugin/differences"));
     Add("plugin.pairs", NumberAt(result.pluginCount, "/plugin/pairs"));
     Add("plugin.hulls", NumberAt(result.pluginCount, "/plugin/hulls"));
 }
@@ -129,10 +135,13 @@ void Figures::AddTimes(const SceneResult &result) {
                                      Quantity{"step", "/step_ns_total", kFromNanoseconds}}) {
         const std::vector<double> stock = Column(result.stockTimes, quantity.pointer);
         const std::vector<double> plugin = Column(result.pluginTimes, quantity.pointer);
+        const std::vector<double> contacts = Column(result.registerTimes, quantity.pointer);
         const double factor = quantity.toMicroseconds / steps;
         const std::string name = quantity.name;
         Add("stock." + name + "_us_per_step", Scaled(Median(stock), factor));
         Add("plugin." + name + "_us_per_step", Scaled(Median(plugin), factor));
+        Add("register." + name + "_us_per_step", Scaled(Median(contacts), factor));
+        Add("ratio_register." + name, Median(PairedRatios(stock, contacts)));
         const std::vector<double> ratios = PairedRatios(stock, plugin);
         Add("ratio." + name, Median(ratios));
         Add("ratio." + name + "_least",

@@ -7,7 +7,9 @@
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
+#include "events_command.h"
 #include "nearest.h"
+#include "plot_command.h"
 
 namespace testbed {
 namespace {
@@ -22,6 +24,9 @@ struct CommandLine {
     RunCommand run;
     CompareCommand compare;
     DrawCommand draw;
+    FiguresCommand figures;
+    EventsCommand events;
+    PlotCommand plot;
     bool noTime = false;
 };
 
@@ -86,6 +91,12 @@ CLI::App *AddCompare(CLI::App &app, CommandLine &line) {
             ->check(CLI::Range(1, 1000))
             ->capture_default_str();
     compare->add_flag("--no-time", line.noTime, "Leave the timed runs out")->excludes(repeat);
+    compare
+        ->add_option_function<std::string>(
+            "--mode", [&command](const std::string &mode) { command.options.verify = mode == "verify"; },
+            "bits: processes with and without the plugin; verify: every answer twice in one process "
+            "(default: bits)")
+        ->check(CLI::IsMember({"bits", "verify"}));
     compare->add_option("--json", command.json, "Write everything into this file, as JSON");
     compare->add_option("--csv", command.csv, "Write everything into this file, one row a scene");
     compare->add_flag("--quiet", command.quiet, "Only differences and the closing line");
@@ -114,6 +125,31 @@ CLI::App *AddDraw(CLI::App &app, CommandLine &line) {
     AddPluginOptions(*draw, line.draw.worker);
     AddSceneOptions(*draw, line.draw.worker);
     return draw;
+}
+
+CLI::App *AddFigures(CLI::App &app, CommandLine &line) {
+    CLI::App *figures = app.add_subcommand(
+        "figures", "Draw the figures of the paper, and those that explain it, from the real structures");
+    figures->add_option("names", line.figures.names, "Figures that --list shows (default: all)");
+    figures->add_option("-o,--output", line.figures.directory, "The directory to write into; made if missing")
+        ->capture_default_str();
+    figures->add_option("--format", line.figures.format, "svg, png or both")
+        ->check(CLI::IsMember({"svg", "png", "both"}))
+        ->capture_default_str();
+    figures->add_flag("--list", line.figures.list, "Show their names and draw nothing");
+    return figures;
+}
+
+CLI::App *AddPlot(CLI::App &app, CommandLine &line) {
+    CLI::App *plot = app.add_subcommand("plot", "Draw measured numbers on logarithmic axes");
+    plot->add_option("csv", line.plot.csv, "A line of headings, then series,x,y")
+        ->required()
+        ->check(CLI::ExistingFile);
+    plot->add_option("-o,--output", line.plot.output, "The picture: .svg, .png or .pdf")->required();
+    plot->add_option("--title", line.plot.title, "What it shows");
+    plot->add_option("--x", line.plot.xLabel, "What x is");
+    plot->add_option("--y", line.plot.yLabel, "What y is");
+    return plot;
 }
 
 /// What is wrong with the word that should be a command, if it is none: CLI11 alone would only miss one.
@@ -146,8 +182,12 @@ int Run(int argc, char **argv) {
     const CLI::App *run = AddRun(app, line);
     const CLI::App *compare = AddCompare(app, line);
     AddDraw(app, line);
+    const CLI::App *figures = AddFigures(app, line);
+    const CLI::App *events = AddEvents(app, line.events);
+    const CLI::App *plot = AddPlot(app, line);
     for (CLI::App *subcommand : app.get_subcommands({})) {
-        subcommand->footer(kExitCodes);
+        const std::string own = subcommand->get_footer();
+        subcommand->footer(own.empty() ? kExitCodes : own + "\n\n" + kExitCodes);
         subcommand->fallthrough(); // so that --workers may stand behind the command as well
     }
 
@@ -161,6 +201,10 @@ int Run(int argc, char **argv) {
     }
     line.compare.options.time = !line.noTime;
 
+    if (app.got_subcommand(figures))
+        return Execute(line.figures);
+    if (app.got_subcommand(plot))
+        return Execute(line.plot);
     const Workers workers(line.directory);
     int status = 0;
     if (app.got_subcommand(list))
@@ -169,6 +213,8 @@ int Run(int argc, char **argv) {
         status = Execute(line.run, workers);
     else if (app.got_subcommand(compare))
         status = Execute(line.compare, workers);
+    else if (app.got_subcommand(events))
+        status = Execute(line.events, workers);
     else
         status = Execute(line.draw, workers);
     // What nobody could read was not done.

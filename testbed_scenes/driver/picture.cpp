@@ -9,9 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include <cairo-pdf.h>
-#include <cairo-svg.h>
-#include <cairo.h>
+#include "drawing/surface.h"
 
 namespace testbed {
 namespace {
@@ -135,16 +133,6 @@ Box FrameOf(const Outline &outline) {
             if (const Box seen = box.Intersected(reach); !seen.IsEmpty())
                 frame.Add(seen);
     return frame.Widened(kMargin);
-}
-
-/// Cairo's objects, released when they go out of scope.
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
-
-bool EndsWith(const std::string &path, const char *ending) {
-    const std::string wanted = ending;
-    return path.size() > wanted.size() &&
-           path.compare(path.size() - wanted.size(), wanted.size(), wanted) == 0;
 }
 
 class Painter {
@@ -419,10 +407,6 @@ private:
 
 } // namespace
 
-bool IsPicturePath(const std::string &path) {
-    return EndsWith(path, ".svg") || EndsWith(path, ".png") || EndsWith(path, ".pdf");
-}
-
 void DrawPicture(const Outline &outline, const std::string &title, const std::string &path, int width) {
     Box frame = FrameOf(outline);
     // A frame of an awkward shape gets more of its surroundings, about its own middle.
@@ -435,26 +419,9 @@ void DrawPicture(const Outline &outline, const std::string &title, const std::st
 
     const double height = std::round(width * frame.Height() / frame.Width());
     const double strip = std::round(40.0 * width / 1200.0);
-    const bool isPixels = EndsWith(path, ".png");
-    Surface surface(nullptr, cairo_surface_destroy);
-    if (isPixels)
-        surface.reset(
-            cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, static_cast<int>(height + strip)));
-    else if (EndsWith(path, ".svg"))
-        surface.reset(cairo_svg_surface_create(path.c_str(), width, height + strip));
-    else
-        surface.reset(cairo_pdf_surface_create(path.c_str(), width, height + strip));
-    const Context context(cairo_create(surface.get()), cairo_destroy);
-    Painter(context.get(), outline, frame, width, height).Paint(title, strip);
-
-    cairo_status_t status = cairo_status(context.get());
-    if (status == CAIRO_STATUS_SUCCESS && isPixels)
-        status = cairo_surface_write_to_png(surface.get(), path.c_str());
-    cairo_surface_finish(surface.get());
-    if (status == CAIRO_STATUS_SUCCESS)
-        status = cairo_surface_status(surface.get());
-    if (status != CAIRO_STATUS_SUCCESS)
-        throw std::runtime_error("cannot draw " + path + ": " + cairo_status_to_string(status));
+    Surface surface(path, width, height + strip);
+    Painter(surface.Cairo(), outline, frame, width, height).Paint(title, strip);
+    surface.Write();
 }
 
 } // namespace testbed

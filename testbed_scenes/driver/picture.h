@@ -35,12 +35,9 @@ struct Outline {
 void ParseOutlineLine(const std::string &line, Outline &outline);
 
 /// Draws the outline in the colours of Box2D's testbed, with a title and a legend below, as an SVG, PNG or
-/// PDF file by the ending of the path. Bodies that flew far away from the others are left outside the frame.
-/// Throws std::runtime_error if the file cannot be written.
+/// PDF file by the ending of the path (drawing/surface.h). Bodies that flew far away from the others are left
+/// outside the frame. Throws std::runtime_error if the file cannot be written.
 void DrawPicture(const Outline &outline, const std::string &title, const std::string &path, int width);
-
-/// Whether DrawPicture knows the ending of this path.
-bool IsPicturePath(const std::string &path);
 
 } // namespace testbed
 

@@ -43,6 +43,8 @@ public:
     /// "boomerang-scene needles --mode hash: killed by signal 11 (Segmentation fault)", with the last lines
     /// it wrote to stderr.
     std::string Describe() const;
+    /// The last lines it wrote to stderr.
+    const std::deque<std::string> &Errors() const { return m_errorTail; }
     /// The command line, for messages.
     std::string CommandLine() const;
 

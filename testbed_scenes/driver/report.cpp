@@ -23,8 +23,8 @@ constexpr TableColumn kTestColumns[] = {
     {"of them apart", "saved %", "saved.polygon_tests_apart_percent", 1},
     {"TOI calls", "stock", "stock.toi_calls_per_step", 1},
     {"TOI calls", "plugin", "plugin.toi_calls_per_step", 1},
-    {"b2Distance calls", "stock", "stock.distance_calls_per_step", 1},
-    {"b2Distance calls", "plugin", "plugin.distance_calls_per_step", 1},
+    {"b2Distance", "stock", "stock.distance_calls_per_step", 1},
+    {"b2Distance", "plugin", "plugin.distance_calls_per_step", 1},
 };
 
 constexpr TableColumn kEventColumns[] = {
@@ -43,11 +43,18 @@ constexpr TableColumn kEventColumns[] = {
 
 constexpr TableColumn kTimeColumns[] = {
     {"narrow phase, us", "stock", "stock.narrow_phase_us_per_step", 1},
-    {"narrow phase, us", "plugin", "plugin.narrow_phase_us_per_step", 1},
+    {"narrow phase, us", "linked", "plugin.narrow_phase_us_per_step", 1},
     {"narrow phase, us", "ratio", "ratio.narrow_phase", 2},
     {"whole step, us", "stock", "stock.step_us_per_step", 1},
-    {"whole step, us", "plugin", "plugin.step_us_per_step", 1},
-    {"whole step, us", "ratio", "ratio.step", 2},
+    {"whole step, us", "register", "register.step_us_per_step", 1},
+    {"whole step, us", "linked", "plugin.step_us_per_step", 1},
+    {"step ratio", "register", "ratio_register.step", 2},
+    {"step ratio", "linked", "ratio.step", 2},
+};
+
+constexpr TableColumn kVerifyColumns[] = {
+    {"answers", "compared", "verify.compared", 0},
+    {"answers", "different", "verify.differences", 0},
 };
 
 /// A whole step slower than this is one to look into: what is nearer to 1 is the machine's noise.
@@ -55,26 +62,46 @@ constexpr double kSlower = 0.98;
 
 template <size_t N>
 void PrintTable(std::ostream &out, const std::vector<SceneResult> &results, const TableColumn (&columns)[N],
-                bool withVerdict, bool colour) {
+                bool colour) {
     Table table;
     table.AddColumn("", "scene");
     for (const TableColumn &column : columns)
         table.AddColumn(column.group, column.name);
-    if (withVerdict)
-        table.AddColumn("", "bits");
     for (const SceneResult &result : results) {
         const Figures figures(result);
         std::vector<Table::Cell> row = {{result.scene.name, Style::Plain}};
         for (const TableColumn &column : columns) {
             const std::optional<double> figure = figures[column.figure];
             Style style = figure ? Style::Plain : Style::Faint;
-            if (figure && column.figure == std::string("ratio.step"))
+            if (figure && column.group == std::string("step ratio"))
                 style = *figure < kSlower ? Style::Bad : Style::Good;
             row.push_back({Fixed(figure, column.decimals), style});
         }
-        if (withVerdict)
-            row.push_back(
-                {NameOf(result.verdict), result.verdict == Verdict::Identical ? Style::Good : Style::Bad});
+        table.AddRow(std::move(row));
+    }
+    table.Print(out, colour);
+}
+
+/// A column for each way to have the plugin at work, and one for all of them.
+void PrintVerdicts(std::ostream &out, const std::vector<SceneResult> &results, bool colour) {
+    constexpr Side kSides[] = {Side::Register, Side::Plugin, Side::Preloaded};
+    auto cell = [](Verdict verdict) {
+        return Table::Cell{NameOf(verdict), verdict == Verdict::Identical ? Style::Good : Style::Bad};
+    };
+    Table table;
+    table.AddColumn("", "scene");
+    table.AddColumn("", "steps");
+    for (const Side side : kSides)
+        table.AddColumn("bits, against stock's", NameOf(side));
+    table.AddColumn("", "all");
+    for (const SceneResult &result : results) {
+        std::vector<Table::Cell> row = {{result.scene.name, Style::Plain},
+                                        {std::to_string(result.steps), Style::Plain}};
+        for (const Side side : kSides) {
+            const Variant *variant = FindVariant(result, side);
+            row.push_back(variant != nullptr ? cell(variant->verdict) : Table::Cell{"-", Style::Faint});
+        }
+        row.push_back(cell(result.verdict));
         table.AddRow(std::move(row));
     }
     table.Print(out, colour);
@@ -86,17 +113,19 @@ void PrintLegend(std::ostream &out, const CompareOptions &options, bool colour) 
     };
     line("contacts: pairs whose fat boxes overlap, mean per step; polygon tests: b2CollidePolygons; apart: "
          "no point found");
-    line("TOI calls: b2TimeOfImpact; saved: of the tests that found stock's pairs apart, those the plugin "
-         "did without");
+    line("TOI calls: b2TimeOfImpact; saved: of the tests that found stock's pairs apart, those that a "
+         "certificate answered");
     line("edge: one remembered edge asked again; search: all edges, when it failed; kinetic: a body pair's "
          "certificate asked again");
-    line("start, stab, push, roll, coarsen: the life of a certificate; hand-over: left to Box2D's own "
-         "b2CollidePolygons");
+    line("start, stab, push, roll, coarsen: the life of a certificate; hand-over: its end, the polygons are "
+         "searched");
     line(
         "proved apart: answered without Box2D; reused: of those, by what was found at the same poses before");
     if (options.time)
         line("time: median of " + std::to_string(options.repeat) +
              " runs; ratio: stock / plugin, the median over pairs of runs; above 1 the plugin is faster");
+    line("register: linked, contacts alone, no hooks; linked: all hooks; preloaded: stock's program, plugin "
+         "in LD_PRELOAD");
     line("bits: every body, contact, impulse and listener event of every step, hashed and compared");
 }
 
@@ -125,10 +154,13 @@ nlohmann::json ToJson(const SceneResult &result) {
     json["difference"] = nullptr;
     if (result.difference) {
         const Difference &difference = *result.difference;
-        json["difference"] = {{"step", difference.step},     {"hashes", difference.hashes},
-                              {"field", difference.field},   {"stock", difference.stock},
-                              {"plugin", difference.plugin}, {"fields", difference.fields}};
+        json["difference"] = {{"side", NameOf(difference.side)}, {"step", difference.step},
+                              {"hashes", difference.hashes},     {"field", difference.field},
+                              {"stock", difference.stock},       {"plugin", difference.plugin},
+                              {"fields", difference.fields}};
     }
+    for (const Variant &variant : result.variants)
+        json["variants"][NameOf(variant.side)] = NameOf(variant.verdict);
     const Figures figures(result);
     for (const auto &[name, value] : figures.All()) {
         std::string pointer = "/figures/" + name;
@@ -136,6 +168,8 @@ nlohmann::json ToJson(const SceneResult &result) {
         json[nlohmann::json::json_pointer(pointer)] = ToJson(value);
     }
     json["summaries"] = {{"stock", {{"count", result.stockCount}, {"time", result.stockTimes}}},
+                         {"register", {{"time", result.registerTimes}}},
+                         {"verify", {{"count", result.verifyCount}, {"words", result.verifyWords}}},
                          {"plugin", {{"count", result.pluginCount}, {"time", result.pluginTimes}}}};
     return json;
 }
@@ -147,17 +181,21 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
     auto title = [&out, colour](const char *text) {
         out << '\n' << Styled(text, Style::Strong, colour) << '\n';
     };
-    title("Separation tests, calls per step");
-    PrintTable(out, results, kTestColumns, false, colour);
-    title("What the plugin did instead, per step");
-    PrintTable(out, results, kEventColumns, false, colour);
-    title(options.time ? "Time per step, and whether the bits agree" : "Whether the bits agree");
-    if (options.time) {
-        PrintTable(out, results, kTimeColumns, true, colour);
-    } else {
-        constexpr TableColumn kNoTime[] = {{"", "bodies", "bodies", 0}};
-        PrintTable(out, results, kNoTime, true, colour);
+    if (options.verify) {
+        title("Every answer of the plugin beside Box2D's, in one process");
+        PrintTable(out, results, kVerifyColumns, colour);
+        return;
     }
+    title("Separation tests, calls per step");
+    PrintTable(out, results, kTestColumns, colour);
+    title("What the plugin did instead, per step");
+    PrintTable(out, results, kEventColumns, colour);
+    if (options.time) {
+        title("Time per step");
+        PrintTable(out, results, kTimeColumns, colour);
+    }
+    title("Whether the bits agree");
+    PrintVerdicts(out, results, colour);
     out << '\n';
     PrintLegend(out, options, colour);
 }
@@ -182,7 +220,8 @@ void WriteJson(std::ostream &out, const std::vector<SceneResult> &results, const
         scenes.push_back(ToJson(result));
     const nlohmann::json json = {
         {"options",
-         {{"repeat", options.time ? options.repeat : 0},
+         {{"mode", options.verify ? "verify" : "bits"},
+          {"repeat", options.time ? options.repeat : 0},
           {"structure", options.worker.structure.empty() ? "default" : options.worker.structure},
           {"prefilter", options.worker.prefilter.empty() ? "default" : options.worker.prefilter},
           {"perturb", options.perturb ? nlohmann::json(*options.perturb) : nlohmann::json()}}},

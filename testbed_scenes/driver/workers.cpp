@@ -9,25 +9,29 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kCountLibrary[] = "libboomerang-count.so";
+constexpr char kPlugin[] = "libboomerang_box2d.so";
 
-/// The environment of a run that counts calls.
-std::vector<std::string> CountingEnvironment(const fs::path &library) {
-    const char *preloaded = std::getenv("LD_PRELOAD");
-    const char *sanitizer = std::getenv("ASAN_OPTIONS");
-    std::string preload = library.string();
-    if (preloaded != nullptr && preloaded[0] != '\0')
-        preload += std::string(":") + preloaded;
-    // The address sanitizer refuses to start behind a preloaded library, which here is built with it as well.
-    std::string options = "verify_asan_link_order=0";
-    if (sanitizer != nullptr && sanitizer[0] != '\0')
-        options = std::string(sanitizer) + ":" + options;
-    return {"LD_PRELOAD=" + preload, "ASAN_OPTIONS=" + options};
+const char *ValueOf(const char *variable) {
+    const char *value = std::getenv(variable);
+    return value != nullptr ? value : "";
 }
 
 } // namespace
 
 const char *NameOf(Side side) {
-    return side == Side::Stock ? "stock" : "plugin";
+    switch (side) {
+    case Side::Stock:
+        return "stock";
+    case Side::Register:
+        return "register";
+    case Side::Plugin:
+        return "linked";
+    case Side::Preloaded:
+        return "preloaded";
+    case Side::Verify:
+        break;
+    }
+    return "verify";
 }
 
 Workers::Workers(const fs::path &directory) {
@@ -39,17 +43,65 @@ Workers::Workers(const fs::path &directory) {
                           "see --workers)");
     // Absolute, for a library to preload must be found from wherever the worker looks.
     m_directory = fs::absolute(m_directory).lexically_normal();
+    m_countLibrary = FindLibrary(kCountLibrary);
+    m_plugin = FindLibrary(kPlugin);
+}
+
+fs::path Workers::FindLibrary(const char *name) const {
+    std::error_code ignored;
     for (const fs::path &place : {m_directory / ".." / "lib", m_directory}) {
-        const fs::path library = (place / kCountLibrary).lexically_normal();
-        if (fs::exists(library, ignored)) {
-            m_countLibrary = library;
-            break;
-        }
+        fs::path library = (place / name).lexically_normal();
+        if (fs::exists(library, ignored))
+            return library;
     }
+    return {};
 }
 
 fs::path Workers::ProgramOf(Side side) const {
-    return m_directory / (side == Side::Stock ? "boomerang-scene" : "boomerang-scene-plugin");
+    const bool stock = side == Side::Stock || side == Side::Preloaded;
+    return m_directory / (stock ? "boomerang-scene" : "boomerang-scene-plugin");
+}
+
+/// What a worker is told, whatever habits the caller's environment has. An empty value counts as none.
+std::vector<std::string> Workers::EnvironmentOf(const WorkerRequest &request,
+                                                const WorkerOptions &options) const {
+    std::string mode, hooks, structure, prefilter, preload;
+    auto preloaded = [&preload](const std::string &library) {
+        preload += (preload.empty() ? "" : ":") + library;
+    };
+    if (request.side == Side::Register)
+        hooks = "none";
+    if (request.side == Side::Verify)
+        mode = "verify";
+    if (request.side == Side::Preloaded) {
+        mode = "on";
+        structure = options.structure;
+        prefilter = options.prefilter;
+        preloaded(m_plugin.string());
+    }
+    if (request.mode == "count" && CanCount()) {
+        // Behind the plugin: what is counted is what reaches Box2D.
+        if (request.side != Side::Stock && request.side != Side::Preloaded && CanPreload())
+            preloaded(m_plugin.string());
+        preloaded(m_countLibrary.string());
+    }
+    std::vector<std::string> environment = {"BOOMERANG=" + mode,
+                                            "BOOMERANG_HOOKS=" + hooks,
+                                            "BOOMERANG_STRUCTURE=" + structure,
+                                            "BOOMERANG_PREFILTER=" + prefilter,
+                                            "BOOMERANG_STATISTICS=",
+                                            "BOOMERANG_VERBOSE="};
+    if (!preload.empty()) {
+        if (*ValueOf("LD_PRELOAD") != '\0')
+            preloaded(ValueOf("LD_PRELOAD"));
+        environment.push_back("LD_PRELOAD=" + preload);
+        // The address sanitizer refuses to start behind a preloaded library, which here is built with it as
+        // well.
+        const std::string sanitizer = ValueOf("ASAN_OPTIONS");
+        environment.push_back("ASAN_OPTIONS=" + sanitizer + (sanitizer.empty() ? "" : ":") +
+                              "verify_asan_link_order=0");
+    }
+    return environment;
 }
 
 std::vector<SceneInfo> Workers::List() const {
@@ -65,26 +117,29 @@ std::vector<SceneInfo> Workers::List() const {
 
 std::unique_ptr<Process> Workers::Start(const WorkerRequest &request, const WorkerOptions &options,
                                         Process::LineHandler onLine) const {
-    std::vector<std::string> arguments = {ProgramOf(request.side).string(), request.scene, "--steps",
-                                          std::to_string(request.steps),    "--mode",      request.mode};
+    std::vector<std::string> arguments = {ProgramOf(request.side).string(), "--steps",
+                                          std::to_string(request.steps), "--mode", request.mode};
+    if (request.course.empty())
+        arguments.insert(arguments.begin() + 1, request.scene);
     auto add = [&arguments](const char *name, const std::string &value) {
         arguments.emplace_back(name);
         arguments.push_back(value);
     };
+    if (!request.course.empty())
+        add("--course", request.course);
     if (options.size)
         add("--size", std::to_string(*options.size));
     if (options.seed)
         add("--seed", std::to_string(*options.seed));
-    if (request.side == Side::Plugin && !options.structure.empty())
+    const bool takesOptions = request.side != Side::Stock && request.side != Side::Preloaded;
+    if (takesOptions && !options.structure.empty())
         add("--structure", options.structure);
-    if (request.side == Side::Plugin && !options.prefilter.empty())
+    if (takesOptions && !options.prefilter.empty())
         add("--prefilter", options.prefilter);
     arguments.insert(arguments.end(), request.extra.begin(), request.extra.end());
 
-    std::vector<std::string> environment;
-    if (request.mode == "count" && CanCount())
-        environment = CountingEnvironment(m_countLibrary);
-    return std::make_unique<Process>(std::move(arguments), environment, std::move(onLine));
+    return std::make_unique<Process>(std::move(arguments), EnvironmentOf(request, options),
+                                     std::move(onLine));
 }
 
 nlohmann::json Workers::Summarise(const WorkerRequest &request, const WorkerOptions &options,

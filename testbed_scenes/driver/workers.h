@@ -16,8 +16,10 @@
 
 namespace testbed {
 
-/// Stock Box2D, or Box2D with the plugin linked in front of it: two programs, never one.
-enum class Side { Stock, Plugin };
+/// Stock Box2D, or Box2D with the plugin: never in one process. Register, Plugin: the program that was linked
+/// with it, with the contacts alone or with all hooks. Preloaded: stock's program, with the plugin in
+/// LD_PRELOAD. Verify: as Plugin, but everything is computed twice.
+enum class Side { Stock, Register, Plugin, Preloaded, Verify };
 
 const char *NameOf(Side side);
 
@@ -37,20 +39,24 @@ struct WorkerRequest {
     int64_t steps = 0;
     std::string mode = "hash";
     /// --dump, --perturb, --outline, --trace with their values.
-    std::vector<std::string> extra;
+    std::vector<std::string> extra = {};
+    std::string course = {}; ///< a file that takes the scene's place
 };
 
 /// The worker programs, and how they are started.
 class Workers {
 public:
     /// The directory that holds them; empty means the one this program lies in. The counting library is
-    /// looked up in its neighbour `lib`, then beside the workers. Throws WorkerError if there is no worker.
+    /// looked up in its neighbour `lib`, then beside the workers, and so is the plugin. Throws WorkerError if
+    /// there is no worker.
     explicit Workers(const std::filesystem::path &directory);
 
     /// The scenes the stock worker knows.
     std::vector<SceneInfo> List() const;
     /// Whether calls can be counted: without the library they stay unknown.
     bool CanCount() const { return !m_countLibrary.empty(); }
+    /// Whether there is a plugin to preload.
+    bool CanPreload() const { return !m_plugin.empty(); }
 
     std::unique_ptr<Process> Start(const WorkerRequest &request, const WorkerOptions &options,
                                    Process::LineHandler onLine) const;
@@ -60,9 +66,11 @@ public:
 
 private:
     std::filesystem::path ProgramOf(Side side) const;
+    std::filesystem::path FindLibrary(const char *name) const;
+    std::vector<std::string> EnvironmentOf(const WorkerRequest &request, const WorkerOptions &options) const;
 
     std::filesystem::path m_directory;
-    std::filesystem::path m_countLibrary;
+    std::filesystem::path m_countLibrary, m_plugin;
 };
 
 } // namespace testbed

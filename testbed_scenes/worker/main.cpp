@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene.h"
+#include "scenes/course.h"
 #include "worker/options.h"
 #include "worker/run.h"
 
@@ -37,6 +38,8 @@ int Run(int argc, char **argv) {
         return *code;
     if (options.listJson)
         PrintList();
+    else if (!options.course.empty())
+        RunScene(CourseScene(options.course), options);
     else
         RunScene(*FindScene(options.scene), options);
     return exitOk;

@@ -25,10 +25,10 @@ std::string ListScenes() {
 }
 
 void CheckScene(const Options &options) {
-    if (options.listJson)
+    if (options.listJson || !options.course.empty())
         return;
     if (options.scene.empty())
-        throw CLI::RequiredError("a SCENE, or --list-json");
+        throw CLI::RequiredError("a SCENE, --course or --list-json");
     if (FindScene(options.scene) == nullptr)
         throw CLI::ValidationError("there is no scene \"" + options.scene + "\"; did you mean \"" +
                                    NearestScene(options.scene).name + "\"?");
@@ -49,7 +49,11 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
                  "line\n`summary {json}`.");
     app.footer(ListScenes());
     app.add_flag("--list-json", options.listJson, "Print all scenes as JSON and exit");
-    app.add_option("scene", options.scene, "The scene")->option_text("SCENE");
+    CLI::Option *scene = app.add_option("scene", options.scene, "The scene")->option_text("SCENE");
+    app.add_option("--course", options.course, "Instead of a scene: two bodies and their poses, from a file")
+        ->option_text("FILE")
+        ->check(CLI::ExistingFile.description(""))
+        ->excludes(scene);
     app.add_option(
            "--mode", options.mode,
            "hash: `step I BODIES CONTACTS EVENTS`, three hashes of the raw bits, after each step\n"

@@ -16,6 +16,7 @@ enum class Mode { Hash, Count, Time };
 struct Options {
     bool listJson = false;
     std::string scene;
+    std::string course; ///< file of a course, instead of a scene
     Mode mode = Mode::Hash;
     std::optional<int> steps, size;
     std::optional<unsigned long> seed;

@@ -37,28 +37,36 @@ bool IsPolygonContact(const b2Contact &contact) {
            contact.GetFixtureB()->GetType() == b2Shape::e_polygon;
 }
 
-/// Calls of the whole run, null where the counting library is not preloaded.
-void AddCalls(nlohmann::json &json) {
+/// Calls since the process began; nothing where the counting library is not preloaded.
+std::optional<boomerang_counts> ReadCounts() {
     const auto read =
         reinterpret_cast<decltype(&boomerang_count_read)>(dlsym(RTLD_DEFAULT, "boomerang_count_read"));
+    if (read == nullptr)
+        return std::nullopt;
     boomerang_counts counts = {};
-    if (read != nullptr)
-        read(&counts);
-    const auto set = [&](const char *name, uint64_t value) {
-        json[name] = read != nullptr ? nlohmann::json(value) : nlohmann::json(nullptr);
+    read(&counts);
+    return counts;
+}
+
+/// Calls of the whole run (`before`: those made before it), null where they are not counted.
+void AddCalls(nlohmann::json &json, const std::optional<boomerang_counts> &before) {
+    const std::optional<boomerang_counts> counts = ReadCounts();
+    const auto set = [&](const char *name, uint64_t boomerang_counts::*calls) {
+        json[name] =
+            counts && before ? nlohmann::json((*counts).*calls - (*before).*calls) : nlohmann::json();
     };
-    set("polygon_tests", counts.polygon_tests);
-    set("polygon_tests_apart", counts.polygon_tests_apart);
-    set("toi_calls", counts.toi_calls);
-    set("distance_calls", counts.distance_calls);
-    set("overlap_calls", counts.overlap_calls);
+    set("polygon_tests", &boomerang_counts::polygon_tests);
+    set("polygon_tests_apart", &boomerang_counts::polygon_tests_apart);
+    set("toi_calls", &boomerang_counts::toi_calls);
+    set("distance_calls", &boomerang_counts::distance_calls);
+    set("overlap_calls", &boomerang_counts::overlap_calls);
 }
 
 } // namespace
 
 Summary::Summary(const SceneInfo &info, const Options &options, int steps)
     : m_info(info), m_options(options), m_stepsWanted(steps), m_toiRunsBefore(ToiRuns()),
-      m_gjkRunsBefore(GjkRuns()) {
+      m_gjkRunsBefore(GjkRuns()), m_callsBefore(ReadCounts()) {
     m_nanoseconds.reserve(static_cast<std::size_t>(steps));
 }
 
@@ -114,7 +122,7 @@ nlohmann::json Summary::ToJson(const b2World &world) const {
         break;
     }
     case Mode::Count:
-        AddCalls(json);
+        AddCalls(json, m_callsBefore);
         json["box2d_toi_runs"] = ToiRuns() - m_toiRunsBefore;
         json["box2d_gjk_runs"] = GjkRuns() - m_gjkRunsBefore;
         json["plugin"] = PluginStatistics();

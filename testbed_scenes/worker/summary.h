@@ -2,10 +2,12 @@
 #ifndef BOOMERANG_TESTBED_SUMMARY_H
 #define BOOMERANG_TESTBED_SUMMARY_H
 
+#include <optional>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "count/count.h"
 #include "scene.h"
 #include "state/snapshot.h"
 #include "worker/options.h"
@@ -39,6 +41,7 @@ private:
     // Box2D's profile, summed: floats of milliseconds.
     double m_collide = 0.0, m_solve = 0.0, m_broadphase = 0.0, m_solveToi = 0.0;
     uint32_t m_toiRunsBefore, m_gjkRunsBefore;
+    std::optional<boomerang_counts> m_callsBefore; ///< the plugin makes some when it is installed
 };
 
 } // namespace testbed

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "box2d_course.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <stdexcept>
+
+#include <unistd.h>
+
+namespace testbed {
+namespace {
+
+/// The least separation in Box2D's metres: ten times the two skins, so that the solver never moves a body.
+constexpr double kLeastGap = 0.2;
+/// Box2D moves a body by at most 2 metres and half a turn a step; at a tenth of that it resolves the course.
+constexpr double kMetresPerStep = 0.2, kRadiansPerStep = 0.1;
+constexpr int kMostSteps = 20000, kFewestSteps = 60;
+constexpr double kTimeStep = 1.0 / 60.0;
+/// Poses looked at to tell how long the way is.
+constexpr int kProbes = 4096;
+
+/// A file that goes away with its object.
+class TemporaryFile {
+public:
+    TemporaryFile() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "boomerang-XXXXXX").string();
+        const int descriptor = mkstemp(pattern.data());
+        if (descriptor < 0)
+            throw std::runtime_error("cannot make a temporary file in " +
+                                     std::filesystem::temp_directory_path().string());
+        close(descriptor);
+        m_path = pattern;
+    }
+    ~TemporaryFile() {
+        std::error_code ignored;
+        std::filesystem::remove(m_path, ignored);
+    }
+    TemporaryFile(const TemporaryFile &) = delete;
+    TemporaryFile &operator=(const TemporaryFile &) = delete;
+    const std::string &Path() const { return m_path; }
+
+private:
+    std::string m_path;
+};
+
+bmr_pose PoseOf(const Course &course, int body, double part) {
+    return bmr_motion_pose(course.Motion(body), course.From() + part * (course.Until() - course.From()),
+                           nullptr, nullptr);
+}
+
+double TurnBetween(const bmr_pose &from, const bmr_pose &to) {
+    return std::atan2(from.c * to.s - from.s * to.c, from.c * to.c + from.s * to.s);
+}
+
+int StepsFor(const Course &course, double scale) {
+    double way = 0.0, turn = 0.0;
+    for (int body = 0; body < 2; ++body) {
+        bmr_pose last = PoseOf(course, body, 0.0);
+        for (int i = 1; i <= kProbes; ++i) {
+            const bmr_pose now = PoseOf(course, body, static_cast<double>(i) / kProbes);
+            way += scale * std::hypot(now.position.x - last.position.x, now.position.y - last.position.y);
+            turn += std::fabs(TurnBetween(last, now));
+            last = now;
+        }
+    }
+    const double steps = std::max(way / kMetresPerStep, turn / kRadiansPerStep);
+    return static_cast<int>(
+        std::clamp(steps, static_cast<double>(kFewestSteps), static_cast<double>(kMostSteps)));
+}
+
+void WriteCourse(const Course &course, double scale, int steps, const std::string &path) {
+    std::ofstream out(path);
+    out << std::setprecision(9) << "course " << steps << ' ' << kTimeStep << '\n';
+    for (int body = 0; body < 2; ++body) {
+        const std::vector<bmr_vec2> vertices = course.BodyOf(body).Vertices();
+        out << "outline " << vertices.size();
+        for (const bmr_vec2 &vertex : vertices)
+            out << ' ' << scale * vertex.x << ' ' << scale * vertex.y;
+        out << '\n';
+    }
+    double angles[2] = {};
+    bmr_pose last[2];
+    for (int step = 0; step <= steps; ++step) {
+        for (int body = 0; body < 2; ++body) {
+            const bmr_pose pose = PoseOf(course, body, static_cast<double>(step) / steps);
+            angles[body] =
+                step == 0 ? std::atan2(pose.s, pose.c) : angles[body] + TurnBetween(last[body], pose);
+            last[body] = pose;
+            out << scale * pose.position.x << ' ' << scale * pose.position.y << ' ' << angles[body]
+                << (body == 0 ? ' ' : '\n');
+        }
+    }
+    if (!out.flush())
+        throw std::runtime_error("writing " + path + " failed");
+}
+
+Box2DCalls CallsOf(const nlohmann::json &summary) {
+    Box2DCalls calls;
+    calls.steps = summary.at("steps").get<int64_t>();
+    calls.tests = summary.at("polygon_tests").get<double>();
+    calls.impacts = summary.at("toi_calls").get<double>();
+    calls.distances = summary.at("distance_calls").get<double>();
+    return calls;
+}
+
+} // namespace
+
+Box2DCourse RunInBox2D(const Course &course, const Workers &workers) {
+    if (course.BodyOf(0).Polygon()->count < 3 || course.BodyOf(1).Polygon()->count < 3)
+        throw std::runtime_error("Box2D has no body that is a point");
+    if (!workers.CanCount())
+        throw WorkerError("the counting library is missing: build boomerang-count");
+    const double scale = course.Separation() > 0.0 ? std::max(1.0, kLeastGap / course.Separation()) : 1.0;
+    const TemporaryFile file;
+    WorkerRequest request;
+    request.course = file.Path();
+    request.mode = "count";
+    request.steps = StepsFor(course, scale);
+    WriteCourse(course, scale, static_cast<int>(request.steps), file.Path());
+
+    Box2DCourse result;
+    result.stock = CallsOf(workers.Summarise(request, {}));
+    request.side = Side::Plugin;
+    const nlohmann::json summary = workers.Summarise(request, {});
+    result.plugin = CallsOf(summary);
+    for (const char *kind : {"push", "stab", "roll", "contact", "leave"})
+        result.pluginEvents += summary.at("plugin").at("events").at(kind).get<double>();
+    return result;
+}
+
+} // namespace testbed

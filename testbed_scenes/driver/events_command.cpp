@@ -1,0 +1,547 @@
+// SPDX-License-Identifier: MIT
+#include "events_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <sstream>
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+
+#include "box2d_course.h"
+#include "commands.h"
+#include "nearest.h"
+#include "output_file.h"
+#include "progress.h"
+#include "table.h"
+#include "theory/event_tables.h"
+
+namespace testbed {
+namespace {
+
+/// Steps between two ratios of a range, as a factor.
+constexpr double kRatioFactor = 4.0;
+/// Columns of structures in one table: what fits some 110 characters.
+constexpr size_t kNarrowColumns = 8, kWideColumns = 6;
+
+[[noreturn]] void FailUnknown(const std::string &what, const std::string &word,
+                              const std::vector<std::string> &names) {
+    throw UsageError("there is no " + what + " \"" + word + "\"; the nearest is \"" + Nearest(word, names) +
+                     "\" (--list shows all)");
+}
+
+std::vector<std::string> StructureNames() {
+    std::vector<std::string> names;
+    for (size_t i = 0; i < bmr_kds_count(); ++i)
+        names.emplace_back(bmr_kds_at(i)->name);
+    return names;
+}
+
+/// What a word on the command line stands for: a group or one structure.
+std::vector<const bmr_kds_info *> StructuresFor(const std::string &word) {
+    std::vector<const bmr_kds_info *> found;
+    for (size_t i = 0; i < bmr_kds_count(); ++i) {
+        const bmr_kds_info *info = bmr_kds_at(i);
+        const bool rival = info->rival, point = info->domain == BMR_KDS_POINT;
+        if (word == info->name || word == "all" || (word == "rivals" && rival) ||
+            (word == "points" && point && !rival) ||
+            (word == "translation" && info->domain == BMR_KDS_TRANSLATION) ||
+            (word == "rigid" && info->domain == BMR_KDS_RIGID && !rival))
+            found.push_back(info);
+    }
+    if (found.empty()) {
+        std::vector<std::string> names = StructureNames();
+        names.insert(names.end(), {"all", "rivals", "points", "translation", "rigid"});
+        FailUnknown("structure", word, names);
+    }
+    return found;
+}
+
+bmr_family FamilyFor(const std::string &word) {
+    const bmr_family family = bmr_family_find(word.c_str());
+    if (family != BMR_FAMILY_COUNT)
+        return family;
+    std::vector<std::string> names;
+    for (int i = 0; i < BMR_FAMILY_COUNT; ++i)
+        names.emplace_back(bmr_family_name(static_cast<bmr_family>(i)));
+    FailUnknown("motion", word, names);
+}
+
+bmr_outline OutlineFor(const std::string &word) {
+    std::vector<std::string> names;
+    for (int i = 0; i < BMR_OUTLINE_COUNT; ++i) {
+        const auto outline = static_cast<bmr_outline>(i);
+        if (word == bmr_outline_name(outline))
+            return outline;
+        names.emplace_back(bmr_outline_name(outline));
+    }
+    FailUnknown("shape", word, names);
+}
+
+/// "LOW:HIGH" in factors of four, or "R1,R2,..".
+std::vector<double> RatiosFor(const std::string &text) {
+    std::vector<double> ratios;
+    std::istringstream words(text);
+    const bool isRange = text.find(':') != std::string::npos;
+    for (std::string word; std::getline(words, word, isRange ? ':' : ',');) {
+        size_t used = 0;
+        double ratio = 0.0;
+        try {
+            ratio = std::stod(word, &used);
+        } catch (const std::exception &) {
+            used = 0;
+        }
+        if (used == 0 || used != word.size() || !(ratio >= 1.0 && ratio <= 1e9))
+            throw UsageError("--ratios: \"" + word + "\" is no number from 1 to 1e9");
+        ratios.push_back(ratio);
+    }
+    if (isRange) {
+        if (ratios.size() != 2 || ratios[0] > ratios[1])
+            throw UsageError("--ratios: a range is LOW:HIGH");
+        const double high = ratios[1];
+        ratios.pop_back();
+        // A little beyond, so that rounding does not lose the last.
+        while (ratios.back() * kRatioFactor <= high * 1.000001)
+            ratios.push_back(ratios.back() * kRatioFactor);
+    }
+    if (ratios.empty())
+        throw UsageError("--ratios: none given");
+    std::sort(ratios.begin(), ratios.end());
+    return ratios;
+}
+
+Experiment ExperimentFor(const EventsCommand &command) {
+    Experiment experiment;
+    for (const std::string &word : command.motions)
+        experiment.motions.push_back(FamilyFor(word));
+    if (command.motions.empty())
+        for (int i = 0; i < BMR_FAMILY_COUNT; ++i)
+            experiment.motions.push_back(static_cast<bmr_family>(i));
+    experiment.n = command.n;
+    const size_t colon = command.shape.find(':');
+    const std::string a = command.shape.substr(0, colon),
+                      b = colon == std::string::npos ? a : command.shape.substr(colon + 1);
+    experiment.outlines[0] = OutlineFor(a);
+    experiment.point = b == "point";
+    if (!experiment.point)
+        experiment.outlines[1] = OutlineFor(b);
+    std::vector<std::string> words = command.structures;
+    if (words.empty())
+        words = {experiment.point ? "points" : "rigid", "rivals"};
+    for (const std::string &word : words)
+        for (const bmr_kds_info *info : StructuresFor(word))
+            if (std::find(experiment.structures.begin(), experiment.structures.end(), info) ==
+                experiment.structures.end())
+                experiment.structures.push_back(info);
+    experiment.ratios = RatiosFor(command.ratios);
+    for (unsigned seed = 1; seed <= command.seeds; ++seed)
+        experiment.seeds.push_back(seed);
+    experiment.def = command.def;
+    experiment.audit = command.audit;
+    experiment.optimum = !command.noOptimum;
+    experiment.polygonFiles = command.polygons;
+    experiment.motionFile = command.motion;
+    return experiment;
+}
+
+void List() {
+    std::cout << "structures\n";
+    for (size_t i = 0; i < bmr_kds_count(); ++i) {
+        const bmr_kds_info *info = bmr_kds_at(i);
+        const char *domain = info->domain == BMR_KDS_POINT         ? "point"
+                             : info->domain == BMR_KDS_TRANSLATION ? "translation"
+                                                                   : "rigid";
+        std::string line = std::string("  ") + info->name;
+        line.resize(std::max<size_t>(28, line.size() + 1), ' ');
+        line += domain;
+        line.resize(std::max<size_t>(41, line.size() + 1), ' ');
+        std::cout << line << info->title << " (" << info->section << ")\n";
+    }
+    std::cout << "groups\n  all, points, translation, rigid, rivals\nmotions\n ";
+    for (int i = 0; i < BMR_FAMILY_COUNT; ++i)
+        std::cout << ' ' << bmr_family_name(static_cast<bmr_family>(i));
+    std::cout << "\nshapes\n ";
+    for (int i = 0; i < BMR_OUTLINE_COUNT; ++i)
+        std::cout << ' ' << bmr_outline_name(static_cast<bmr_outline>(i));
+    std::cout << " point (B only)\n";
+}
+
+constexpr char kFiles[] =
+    "A motion file has one statement a line; # begins a comment, angles are in radians:\n"
+    "  time FROM UNTIL                     the times to follow (default: 0 1)\n"
+    "  body A|B                            whose motion the next lines tell; a body without any rests\n"
+    "  rest T X Y ANGLE                    from time T on it stands still\n"
+    "  screw T X Y ANGLE VX VY SPIN        from T on a straight line and a constant spin\n"
+    "  algebraic T ANGLE x X0 X1.. y Y0 Y1.. [a A0.. b B0..]\n"
+    "                                      from T on, u = t - T: (sum Xk u^k, sum Yk u^k), turned by ANGLE\n"
+    "                                      and by 2 atan2(sum Bk u^k, sum Ak u^k)\n"
+    "  sample T X Y ANGLE                  screws from sample to sample";
+
+/// "active-cell-compass" stands as "compass" under "active-cell".
+std::pair<std::string, std::string> Heading(const std::string &name) {
+    const size_t dash = name.rfind('-');
+    return {name.substr(0, dash), name.substr(dash + 1)};
+}
+
+std::string Rounded(std::optional<double> value) {
+    return Fixed(value, value && *value < 9.95 && *value != std::floor(*value) ? 1 : 0);
+}
+
+/// The structures' columns of a table, a handful at a time, after some leading columns.
+class ColumnBlocks {
+public:
+    ColumnBlocks(const std::vector<Run> &runs, size_t columns, bool colour)
+        : m_motions(MotionsOf(runs)), m_structures(StructuresOf(runs)), m_columns(columns), m_colour(colour) {
+    }
+
+    using Leading =
+        std::vector<std::pair<std::string, std::function<std::string(const std::string &motion)>>>;
+    using CellFor = std::function<Table::Cell(const std::string &motion, const bmr_kds_info *structure)>;
+    /// A last row for all motions, if `summary` is given.
+    void Print(const Leading &leading, const CellFor &cellFor, const std::string &summaryName = "",
+               const std::function<std::string(const bmr_kds_info *)> &summary = {}) const {
+        for (size_t first = 0; first < m_structures.size(); first += m_columns) {
+            const size_t last = std::min(m_structures.size(), first + m_columns);
+            Table table;
+            table.AddColumn("", "motion");
+            for (const auto &column : leading)
+                table.AddColumn("", column.first);
+            for (size_t i = first; i < last; ++i) {
+                const auto [group, name] = Heading(m_structures[i]->name);
+                table.AddColumn(group, name);
+            }
+            for (const std::string &motion : m_motions) {
+                std::vector<Table::Cell> row = {{motion}};
+                for (const auto &column : leading)
+                    row.push_back({column.second(motion)});
+                for (size_t i = first; i < last; ++i)
+                    row.push_back(cellFor(motion, m_structures[i]));
+                table.AddRow(std::move(row));
+            }
+            if (summary) {
+                std::vector<Table::Cell> row = {{summaryName, Style::Strong}};
+                row.resize(1 + leading.size());
+                for (size_t i = first; i < last; ++i)
+                    row.push_back({summary(m_structures[i]), Style::Strong});
+                table.AddRow(std::move(row));
+            }
+            table.Print(std::cout, m_colour);
+            std::cout << '\n';
+        }
+    }
+
+private:
+    std::vector<std::string> m_motions;
+    std::vector<const bmr_kds_info *> m_structures;
+    size_t m_columns;
+    bool m_colour;
+};
+
+void PrintCounts(const std::vector<Run> &runs, size_t ratioIndex, Quantity quantity, bool optimum,
+                 bool colour) {
+    ColumnBlocks::Leading leading;
+    std::function<std::string(const bmr_kds_info *)> overOptimum;
+    if (optimum) {
+        leading.emplace_back("optimum", [&](const std::string &motion) {
+            return Rounded(MeanOptimum(runs, motion, ratioIndex));
+        });
+        overOptimum = [&](const bmr_kds_info *structure) {
+            return Fixed(OverOptimum(runs, structure, ratioIndex), 2);
+        };
+    }
+    ColumnBlocks(runs, kNarrowColumns, colour)
+        .Print(
+            leading,
+            [&](const std::string &motion, const bmr_kds_info *structure) {
+                return Table::Cell{Rounded(MeanOver(runs, motion, structure, ratioIndex, quantity))};
+            },
+            "lines / optimum", overOptimum);
+}
+
+const char *NameOf(Bound bound) {
+    switch (bound) {
+    case Bound::Logarithmic:
+        return "log";
+    case Bound::Root:
+        return "1/2";
+    case Bound::RootLog:
+        return "1/2 log";
+    case Bound::Linear:
+        return "1";
+    case Bound::LinearLog:
+        return "1 log2";
+    case Bound::None:
+        break;
+    }
+    return "-";
+}
+
+/// The paper's Table 1 with numbers in it: how the counts grew, and whether the bound holds.
+void PrintGrowth(const std::vector<Run> &runs, Quantity quantity, bool colour) {
+    ColumnBlocks(runs, kWideColumns, colour)
+        .Print({}, [&](const std::string &motion, const bmr_kds_info *structure) {
+            const std::optional<Growth> growth = GrowthOf(runs, motion, structure, quantity);
+            if (!growth)
+                return Table::Cell{"-"};
+            const bool isLog = growth->bound == Bound::Logarithmic;
+            std::string text = isLog ? "+" + Fixed(growth->fit.slope, 1) : Fixed(growth->fit.exponent, 2);
+            if (!growth->holds)
+                return Table::Cell{text, Style::Faint};
+            text += std::string(" <") + NameOf(growth->bound) + (*growth->holds ? "" : " NO");
+            return Table::Cell{text, *growth->holds ? Style::Good : Style::Bad};
+        });
+}
+
+/// The four qualities of a kinetic structure, over all runs.
+void PrintQualities(const std::vector<Run> &runs, bool colour) {
+    Table table;
+    table.AddColumn("", "structure");
+    table.AddColumn("compact", "conditions");
+    table.AddColumn("compact", "bytes");
+    table.AddColumn("responsive: touched", "mean");
+    table.AddColumn("responsive: touched", "most");
+    table.AddColumn("local", "replanned");
+    table.AddColumn("efficient", "events/external");
+    table.AddColumn("hysteresis", "least rho");
+    for (const bmr_kds_info *structure : StructuresOf(runs)) {
+        double conditions = 0.0, bytes = 0.0, touched = 0.0, most = 0.0, replanned = 0.0, efficiency = 0.0,
+               rho = INFINITY;
+        int count = 0;
+        for (const Run &run : runs) {
+            if (run.structure != structure)
+                continue;
+            const bmr_qualities &qualities = run.outcome.run.qualities;
+            conditions = std::max(conditions, qualities.conditions);
+            bytes = std::max(bytes, qualities.bytes);
+            touched += qualities.touched;
+            most = std::max(most, qualities.touched_most);
+            replanned = std::max(replanned, qualities.replanned);
+            efficiency += qualities.efficiency;
+            rho = std::min(rho, run.outcome.run.hysteresis.both);
+            ++count;
+        }
+        table.AddRow({{structure->name},
+                      {Fixed(conditions, 0)},
+                      {Fixed(bytes, 0)},
+                      {Fixed(touched / count, 1)},
+                      {Fixed(most, 0)},
+                      {Fixed(replanned, 0)},
+                      {Fixed(efficiency / count, 1)},
+                      {std::isfinite(rho) ? Fixed(rho, 3) : "-"}});
+    }
+    table.Print(std::cout, colour);
+    std::cout << '\n';
+}
+
+/// What Box2D asked along the same courses, summed up by motion: means over the courses.
+class Box2DTable {
+public:
+    void Add(const std::string &motion, const Box2DCourse &course) {
+        for (Row &row : m_rows)
+            if (row.motion == motion) {
+                row.courses.push_back(course);
+                return;
+            }
+        m_rows.push_back({motion, {course}});
+    }
+    void Print(bool colour) const {
+        Table table;
+        table.AddColumn("", "motion");
+        table.AddColumn("", "steps");
+        for (const char *side : {"stock Box2D", "with the plugin"})
+            for (const char *what : {"tests", "impacts", "distances"})
+                table.AddColumn(side, what);
+        table.AddColumn("with the plugin", "events");
+        for (const Row &row : m_rows) {
+            auto mean = [&row](const std::function<double(const Box2DCourse &)> &of) {
+                double sum = 0.0;
+                for (const Box2DCourse &course : row.courses)
+                    sum += of(course);
+                return Table::Cell{Fixed(sum / static_cast<double>(row.courses.size()), 0)};
+            };
+            table.AddRow({{row.motion},
+                          mean([](const Box2DCourse &c) { return static_cast<double>(c.stock.steps); }),
+                          mean([](const Box2DCourse &c) { return c.stock.tests; }),
+                          mean([](const Box2DCourse &c) { return c.stock.impacts; }),
+                          mean([](const Box2DCourse &c) { return c.stock.distances; }),
+                          mean([](const Box2DCourse &c) { return c.plugin.tests; }),
+                          mean([](const Box2DCourse &c) { return c.plugin.impacts; }),
+                          mean([](const Box2DCourse &c) { return c.plugin.distances; }),
+                          mean([](const Box2DCourse &c) { return c.pluginEvents; })});
+        }
+        table.Print(std::cout, colour);
+        std::cout << '\n';
+    }
+
+private:
+    struct Row {
+        std::string motion;
+        std::vector<Box2DCourse> courses;
+    };
+    std::vector<Row> m_rows;
+};
+
+void PrintTables(const EventsCommand &command, const Experiment &experiment, const std::vector<Run> &runs,
+                 const Box2DTable &box2d) {
+    const bool colour = WantsColour(STDOUT_FILENO), own = !experiment.motionFile.empty();
+    const Quantity quantity = QuantityNamed(command.count);
+    const size_t motions = own ? 1 : experiment.seeds.size();
+    std::cout << "Mean number of " << command.count << ", " << motions
+              << (motions == 1 ? " motion" : " motions of each kind") << ", n = " << runs.front().n
+              << ", D/sigma = " << runs.back().ratio << "\n\n";
+    PrintCounts(runs, own ? 0 : experiment.ratios.size() - 1, quantity, experiment.optimum, colour);
+    if (!own && experiment.ratios.size() >= 3) {
+        std::cout << "Growth of " << command.count << " with D/sigma = " << experiment.ratios.front()
+                  << " .. " << experiment.ratios.back()
+                  << ": the exponent, or +events per doubling where the\nbound is logarithmic; < the paper's "
+                     "bound, NO where it does not hold\n\n";
+        PrintGrowth(runs, quantity, colour);
+    }
+    std::cout << "The four qualities, and the least change from event to event over the distance (rho)\n\n";
+    PrintQualities(runs, colour);
+    if (command.box2d) {
+        std::cout << "Box2D led along the same courses: calls of b2CollidePolygons, b2TimeOfImpact, "
+                     "b2Distance, and\nevents of the plugin's structure\n\n";
+        box2d.Print(colour);
+    }
+}
+
+} // namespace
+
+/// CLI11's own range lets NaN pass.
+static std::function<std::string(const std::string &)> Between(double low, double high) {
+    return [low, high](const std::string &text) {
+        char *end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        if (end != text.c_str() && *end == '\0' && value >= low && value <= high)
+            return std::string();
+        return "\"" + text + "\" is no number from " + Fixed(low, 6) + " to " + Fixed(high, 2);
+    };
+}
+
+CLI::App *AddEvents(CLI::App &app, EventsCommand &command) {
+    CLI::App *events = app.add_subcommand(
+        "events", "Count the events of the kinetic structures along motions of two polygons");
+    events->add_option("motions", command.motions, "Motions that --list shows (default: all)");
+    events
+        ->add_option("--structures", command.structures,
+                     "Structures or groups that --list shows (default: rigid and rivals)")
+        ->delimiter(',');
+    events->add_option("--n", command.n, "Vertices of each polygon")
+        ->check(CLI::Range(3, 65535))
+        ->capture_default_str();
+    events->add_option("--shape", command.shape, "Shape of A, or of A:B; B may be a point")
+        ->capture_default_str();
+    events
+        ->add_option("--ratios", command.ratios,
+                     "Diameter over least separation: LOW:HIGH in factors of 4, or R1,R2,..")
+        ->capture_default_str();
+    events->add_option("--seeds", command.seeds, "How many motions of each kind")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    events
+        ->add_option(
+            "--count", command.count,
+            "events (certificates that failed), lines (separating lines replaced), touched (cells and "
+            "levels looked at) or work (failure times computed)")
+        ->check(CLI::IsMember({"events", "lines", "touched", "work"}))
+        ->capture_default_str();
+    events->add_option("--alpha", command.def.alpha, "Inflated: offset of the first level over the diameter")
+        ->check(Between(1e-6, 1e6))
+        ->capture_default_str();
+    events
+        ->add_option("--offset-ratio", command.def.offset_ratio, "Inflated: offset of a level over the last")
+        ->check(Between(0.01, 0.99))
+        ->capture_default_str();
+    events->add_option("--root-level", command.def.root_level, "Inflated: level of the outermost polygon")
+        ->check(CLI::Range(0, 32))
+        ->capture_default_str();
+    CLI::Option *polygon = events->add_option("--polygon", command.polygons,
+                                              "A polygon of one's own, \"x y\" a line; twice: A's and B's");
+    polygon->check(CLI::ExistingFile)->allow_extra_args(false);
+    events->add_option("--motion", command.motion, "A motion of one's own, in the statements below")
+        ->check(CLI::ExistingFile);
+    events->add_option("--csv", command.csv, "Write every run into this file, one row a run");
+    events->add_option("--json", command.json, "Write every run into this file, as JSON");
+    events->add_option("--trace", command.trace, "Write every event into this file, one line an event");
+    events->add_flag("--box2d", command.box2d,
+                     "Lead two Box2D bodies along the same courses and count what Box2D asks");
+    events->add_flag("--audit", command.audit, "Prove every certificate again, by brute force");
+    events->add_flag("--no-optimum", command.noOptimum, "Leave the offline optimum out");
+    events->add_flag("--quiet", command.quiet, "No tables");
+    events->add_flag("--list", command.list, "Show structures, motions and shapes, and run nothing");
+    events->footer(kFiles);
+    return events;
+}
+
+namespace {
+
+int CountEvents(const EventsCommand &command, const Workers &workers) {
+    Experiment experiment = ExperimentFor(command);
+    Box2DTable box2d;
+    if (command.box2d)
+        experiment.onCourse = [&](const Course &course, const std::string &motion, size_t ratioIndex,
+                                  uint64_t) {
+            if (ratioIndex + 1 == std::max<size_t>(experiment.ratios.size(), 1) ||
+                !experiment.motionFile.empty())
+                box2d.Add(motion, RunInBox2D(course, workers));
+        };
+    OutputFile csv(command.csv), json(command.json), trace(command.trace);
+    std::function<void(const Run &, const bmr_simulation_event &)> observer;
+    if (trace.IsWanted()) {
+        WriteTraceHeader(trace.Stream());
+        observer = [&trace](const Run &run, const bmr_simulation_event &event) {
+            WriteTraceLine(trace.Stream(), run, event);
+        };
+    }
+    std::vector<Run> runs;
+    {
+        constexpr int kUnits = 1000;
+        Progress progress(kUnits, command.quiet);
+        runs = Perform(
+            experiment,
+            [&progress](const std::string &what, size_t done, size_t total) {
+                progress.FinishUpTo(static_cast<int>(kUnits * done / std::max<size_t>(total, 1)));
+                progress.Show(what, 0.0);
+            },
+            observer);
+        progress.Clear();
+    }
+    if (runs.empty())
+        throw UsageError("none of these structures takes any of these motions");
+    if (!command.quiet)
+        PrintTables(command, experiment, runs, box2d);
+    if (csv.IsWanted()) {
+        WriteCsv(csv.Stream(), runs);
+        csv.Close();
+    }
+    if (json.IsWanted()) {
+        json.Stream() << ToJson(runs).dump(1) << '\n';
+        json.Close();
+    }
+    if (trace.IsWanted())
+        trace.Close();
+    return kExitOk;
+}
+
+} // namespace
+
+int Execute(const EventsCommand &command, const Workers &workers) {
+    if (command.list) {
+        List();
+        return kExitOk;
+    }
+    if (command.polygons.size() > 2)
+        throw UsageError("--polygon: A's and B's, and no third");
+    try {
+        return CountEvents(command, workers);
+    } catch (const FileError &error) {
+        throw UsageError(error.what());
+    }
+}
+
+} // namespace testbed

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/course.h"
+
+#include <fstream>
+#include <stdexcept>
+
+#include "shapes.h"
+
+namespace testbed {
+namespace {
+
+struct PosedBody {
+    b2Vec2 position;
+    float angle;
+};
+
+struct CourseFile {
+    int steps = 0;
+    float timeStep = 0.0f;
+    Outline outlines[2];
+    std::vector<PosedBody> poses[2];
+};
+
+/// The scene is made by a function without arguments.
+CourseFile loaded;
+
+[[noreturn]] void Fail(const std::string &file, const char *what) {
+    throw std::runtime_error(file + ": " + what);
+}
+
+CourseFile ReadCourse(const std::string &file) {
+    std::ifstream stream(file);
+    CourseFile course;
+    std::string word;
+    if (!(stream >> word >> course.steps >> course.timeStep) || word != "course" || course.steps < 1 ||
+        !(course.timeStep > 0.0f))
+        Fail(file, "does not begin with \"course STEPS TIMESTEP\"");
+    for (Outline &outline : course.outlines) {
+        size_t count = 0;
+        if (!(stream >> word >> count) || word != "outline" || count < 3)
+            Fail(file, "an outline is missing");
+        outline.resize(count);
+        for (b2Vec2 &vertex : outline)
+            if (!(stream >> vertex.x >> vertex.y))
+                Fail(file, "an outline ends too early");
+    }
+    for (int i = 0; i <= course.steps; ++i)
+        for (std::vector<PosedBody> &poses : course.poses) {
+            PosedBody pose = {};
+            if (!(stream >> pose.position.x >> pose.position.y >> pose.angle))
+                Fail(file, "a pose is missing");
+            poses.push_back(pose);
+        }
+    return course;
+}
+
+class Course final : public Scene {
+    void Build(Stage &stage, int /*size*/) override {
+        stage.World().SetGravity({0.0f, 0.0f});
+        for (int i = 0; i < 2; ++i) {
+            b2BodyDef def;
+            def.type = i == 0 ? b2_kinematicBody : b2_dynamicBody;
+            def.bullet = i == 1;
+            def.allowSleep = false;
+            def.position = loaded.poses[i][0].position;
+            def.angle = loaded.poses[i][0].angle;
+            m_bodies[i] = stage.AddBody(def);
+            AddConvex(stage, m_bodies[i], loaded.outlines[i], Material(1.0f, 0.0f));
+        }
+    }
+
+    void BeforeStep(Stage & /*stage*/, int step) override {
+        if (step >= loaded.steps)
+            return;
+        const float rate = 1.0f / loaded.timeStep;
+        for (int i = 0; i < 2; ++i) {
+            b2Body *body = m_bodies[i];
+            const PosedBody &next = loaded.poses[i][static_cast<size_t>(step) + 1];
+            const b2Transform target(next.position, b2Rot(next.angle));
+            body->SetLinearVelocity(rate * (b2Mul(target, body->GetLocalCenter()) - body->GetWorldCenter()));
+            body->SetAngularVelocity(rate * (next.angle - body->GetAngle()));
+        }
+    }
+
+    b2Body *m_bodies[2] = {};
+};
+
+} // namespace
+
+SceneInfo CourseScene(const std::string &file) {
+    loaded = ReadCourse(file);
+    SceneInfo info = {};
+    info.name = "course";
+    info.description = "two bodies led through given poses";
+    info.group = "course";
+    info.sizeMeaning = "-";
+    info.size = 1;
+    info.steps = loaded.steps;
+    info.create = CreateScene<Course>;
+    info.seed = 1;
+    info.timeStep = loaded.timeStep;
+    info.velocityIterations = 8;
+    info.positionIterations = 3;
+    return info;
+}
+
+} // namespace testbed

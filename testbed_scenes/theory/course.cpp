@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "theory/course.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace testbed {
+namespace {
+
+/// The separation of a motion from a file is measured to this part of the diameter.
+constexpr double kSeparationTolerance = 1e-6;
+
+struct Watch {
+    const EventObserver *observer;
+    uint64_t outside = 0;
+};
+
+void OnEvent(void *context, const bmr_simulation_event *event) {
+    Watch &watch = *static_cast<Watch *>(context);
+    watch.outside += event->report.level_before < 0 && event->report.level_after < 0;
+    if (*watch.observer)
+        (*watch.observer)(*event);
+}
+
+} // namespace
+
+Course::Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, const bmr_family_def &family)
+    : m_bodies{std::move(a), std::move(b)}, m_owned(true), m_rigid(bmr_family_is_rigid(family.family)),
+      m_convex(bmr_family_is_convex(family.family)) {
+    Require(bmr_family_create(&family, m_bodies[0]->Polygon(), m_bodies[1]->Polygon(), nullptr, &m_made),
+            std::string("the motion ") + bmr_family_name(family.family));
+    m_motions[0] = m_made.motions[0];
+    m_motions[1] = m_made.motions[1];
+    m_diameter = m_made.diameter;
+    m_separation = m_made.separation;
+}
+
+Course::Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, const MotionFile &file)
+    : m_bodies{std::move(a), std::move(b)}, m_motions{file.motions[0].get(), file.motions[1].get()},
+      m_from(file.from), m_until(file.until) {
+    m_diameter =
+        std::max(bmr_polygon_diameter(m_bodies[0]->Polygon()), bmr_polygon_diameter(m_bodies[1]->Polygon()));
+    double time = 0.0;
+    Require(bmr_least_distance(m_bodies[0]->Polygon(), m_bodies[1]->Polygon(), m_motions[0], m_motions[1],
+                               m_from, m_until, kSeparationTolerance * m_diameter, &m_separation, &time),
+            "the separation");
+}
+
+bmr_course Course::AsCourse() const {
+    return {{m_bodies[0]->Polygon(), m_bodies[1]->Polygon()}, {m_motions[0], m_motions[1]}, m_from, m_until};
+}
+
+Course::~Course() {
+    if (m_owned)
+        bmr_family_destroy(&m_made);
+}
+
+bool Takes(const bmr_kds_info &structure, const Course &course) {
+    switch (structure.domain) {
+    case BMR_KDS_POINT:
+        return course.BodyOf(1).Polygon()->count == 1;
+    case BMR_KDS_TRANSLATION:
+        return !course.IsRigid();
+    case BMR_KDS_RIGID:
+        break;
+    }
+    return true;
+}
+
+Outcome Follow(const Course &course, const bmr_kds_info &structure, const bmr_kds_def &def, bool audit,
+               const EventObserver &observer) {
+    Watch watch = {&observer};
+    bmr_run_def run = {};
+    run.structure = &structure;
+    run.shapes[0] = course.BodyOf(0).Shape();
+    run.shapes[1] = course.BodyOf(1).Shape();
+    run.simulation = bmr_default_simulation_def();
+    run.simulation.kds = def;
+    run.audit = audit;
+    run.observer = OnEvent;
+    run.context = &watch;
+    const bmr_course followed = course.AsCourse();
+    Outcome outcome;
+    const auto start = std::chrono::steady_clock::now();
+    Require(bmr_run_course(&run, &followed, course.Diameter(), nullptr, &outcome.run), structure.name);
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (outcome.run.audit != BMR_OK)
+        throw std::runtime_error(std::string(structure.name) + ": an audit found that " +
+                                 bmr_error_describe(outcome.run.audit));
+    outcome.outsideEvents = watch.outside;
+    return outcome;
+}
+
+} // namespace testbed

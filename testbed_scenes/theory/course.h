@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TESTBED_COURSE_H
+#define BOOMERANG_TESTBED_COURSE_H
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "boomerang/analysis.h"
+#include "theory/body.h"
+#include "theory/files.h"
+
+namespace testbed {
+
+/// What two bodies do: a family's motion, or one from a file.
+class Course {
+public:
+    Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, const bmr_family_def &family);
+    Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, const MotionFile &file);
+
+    const Body &BodyOf(int index) const { return *m_bodies[index]; }
+    const bmr_motion *Motion(int index) const { return m_motions[index]; }
+    bmr_course AsCourse() const;
+    double From() const { return m_from; }
+    double Until() const { return m_until; }
+    double Diameter() const { return m_diameter; }
+    /// The least separation over the whole course.
+    double Separation() const { return m_separation; }
+    /// Does the relative rotation change on the way?
+    bool IsRigid() const { return m_rigid; }
+    bool IsConvex() const { return m_convex; }
+
+    Course(const Course &) = delete;
+    Course &operator=(const Course &) = delete;
+    ~Course();
+
+private:
+    void Measure();
+
+    std::shared_ptr<const Body> m_bodies[2];
+    bmr_family_motion m_made = {};
+    bmr_motion *m_motions[2] = {};
+    bool m_owned = false, m_rigid = true, m_convex = false;
+    double m_from = 0.0, m_until = 1.0, m_diameter = 0.0, m_separation = 0.0;
+};
+
+/// What one structure did on a course.
+struct Outcome {
+    bmr_run run = {};
+    uint64_t outsideEvents = 0; ///< before and after which the level was -1: outside of every envelope
+    double seconds = 0.0;
+};
+
+using EventObserver = std::function<void(const bmr_simulation_event &)>;
+
+/// Takes the structure along the course. Every proof is audited by brute force at its event where `audit`.
+/// Throws std::runtime_error if an audit fails, or if the simulation stalls.
+Outcome Follow(const Course &course, const bmr_kds_info &structure, const bmr_kds_def &def, bool audit,
+               const EventObserver &observer = {});
+
+/// Does the structure take this course? (A translating one does not take a rotation, a point's no polygon.)
+bool Takes(const bmr_kds_info &structure, const Course &course);
+
+} // namespace testbed
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TESTBED_EVENT_TABLES_H
+#define BOOMERANG_TESTBED_EVENT_TABLES_H
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "theory/experiment.h"
+
+namespace testbed {
+
+/// What a table counts of each run.
+enum class Quantity {
+    Events,  ///< certificates that failed
+    Lines,   ///< separating lines that were replaced by others
+    Touched, ///< cells, levels and features that the repairs looked at
+    Work,    ///< failure times computed
+};
+/// "events", "lines", "touched", "work"; throws std::invalid_argument.
+Quantity QuantityNamed(const std::string &name);
+double QuantityOf(const Run &run, Quantity quantity);
+
+/// The mean over seeds of one motion, structure and ratio; nothing where it did not run.
+std::optional<double> MeanOver(const std::vector<Run> &runs, const std::string &motion,
+                               const bmr_kds_info *structure, size_t ratioIndex, Quantity quantity);
+
+/// The mean size of the offline optimum's covers (the lower bound) of one motion and ratio.
+std::optional<double> MeanOptimum(const std::vector<Run> &runs, const std::string &motion, size_t ratioIndex);
+
+/// Lines that a structure replaced over those that the optimum replaces, the first line of either not
+/// counted; where the optimum never replaces any, it counts as one. Means over seeds first, then the
+/// geometric mean over the motions; nothing where the structure misses a motion.
+std::optional<double> OverOptimum(const std::vector<Run> &runs, const bmr_kds_info *structure,
+                                  size_t ratioIndex);
+
+/// What the paper's table says of the number of events in D/sigma, while n is larger than its square root.
+enum class Bound {
+    None,        ///< nothing that D/sigma tells
+    Logarithmic, ///< log(D/sigma)
+    Root,        ///< sqrt(D/sigma)
+    RootLog,     ///< sqrt(D/sigma) log(D/sigma): compass hierarchies
+    Linear,      ///< D/sigma
+    LinearLog    ///< (D/sigma) log^2(D/sigma): compass hierarchies
+};
+Bound BoundFor(const bmr_kds_info &structure, bool rigid, bool convex);
+
+/// How the number of events grew with D/sigma, and whether that is within the paper's bound.
+struct Growth {
+    bmr_growth fit = {};
+    Bound bound = Bound::None;
+    /// Is the exponent, less its confidence interval, at most that of the bound over the same ratios? (Or,
+    /// where the bound is logarithmic, is a logarithm the better fit?) Nothing where there is no bound.
+    std::optional<bool> holds;
+};
+/// Nothing where there are fewer than three ratios with events.
+std::optional<Growth> GrowthOf(const std::vector<Run> &runs, const std::string &motion,
+                               const bmr_kds_info *structure, Quantity quantity);
+
+/// The motions and structures of the runs, each once, in the order they first come in.
+std::vector<std::string> MotionsOf(const std::vector<Run> &runs);
+std::vector<const bmr_kds_info *> StructuresOf(const std::vector<Run> &runs);
+
+/// One row a run, with a header row.
+void WriteCsv(std::ostream &out, const std::vector<Run> &runs);
+nlohmann::json ToJson(const std::vector<Run> &runs);
+
+/// A trace: one line an event (see TraceHeader).
+void WriteTraceHeader(std::ostream &out);
+void WriteTraceLine(std::ostream &out, const Run &run, const bmr_simulation_event &event);
+
+} // namespace testbed
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "theory/figure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace testbed {
+
+const std::vector<FigureInfo> &AllFigures() {
+    static const std::vector<FigureInfo> figures = {
+        {"boomerangs", "A boomerang hierarchy: envelopes, apexes and heights", "section 3", 640, 420,
+         DrawBoomerangs},
+        {"dudley", "Dudley's construction: a circle of radius 2D and its outward normals", "section 3", 640,
+         420, DrawDudley},
+        {"mixed-insertion", "Inserting an edge into the mixed hierarchy", "section 4", 640, 360,
+         DrawMixedInsertion},
+        {"mixed-full", "A full mixed hierarchy: two polygons, the cut order, a point's cell", "section 4",
+         640, 420, DrawMixedFull},
+        {"mixed-events", "A page turn, a collapse and an expansion under rotation", "section 4", 900, 190,
+         DrawMixedEvents},
+        {"point-events", "Events of a point: triangles crossed, and stab and push", "section 5", 900, 290,
+         DrawPointEvents},
+        {"pair-events", "Events of two polygons: stab, push and roll", "section 5", 900, 330, DrawPairEvents},
+        {"inflated", "An inflated hierarchy and its connecting edges", "section 6", 640, 460, DrawInflated},
+        {"window", "Rotational hysteresis: a window of three corners and its cone", "section 6", 640, 440,
+         DrawWindow},
+        {"time-line", "One motion's events: the optimum, free direction, lazy, active cell", "section 6", 900,
+         290, DrawTimeLine},
+        {"growth", "Events against D/sigma: Table 1 measured", "table 1", 900, 380, DrawGrowth},
+    };
+    return figures;
+}
+
+std::vector<bmr_vec2> Envelope(const bmr_hierarchy *hierarchy, uint32_t level) {
+    std::vector<bmr_vec2> corners;
+    const bmr_edge first = 0;
+    bmr_edge edge = first;
+    do {
+        const bmr_corner corner = bmr_hierarchy_corner_after(hierarchy, edge, level);
+        corners.push_back(bmr_hierarchy_corner_point(hierarchy, corner));
+        edge = corner.after;
+    } while (edge != first);
+    return corners;
+}
+
+Rectangle Around(const std::vector<bmr_vec2> &points, double margin) {
+    Rectangle box = {points[0].x, points[0].y, points[0].x, points[0].y};
+    for (const bmr_vec2 &point : points) {
+        box.left = std::min(box.left, point.x);
+        box.right = std::max(box.right, point.x);
+        box.bottom = std::min(box.bottom, point.y);
+        box.top = std::max(box.top, point.y);
+    }
+    const double by = margin * std::max(box.Width(), box.Height());
+    return {box.left - by, box.bottom - by, box.right + by, box.top + by};
+}
+
+std::vector<bmr_vec2> Placed(const std::vector<bmr_vec2> &points, const bmr_pose &pose) {
+    std::vector<bmr_vec2> placed;
+    placed.reserve(points.size());
+    for (const bmr_vec2 &point : points)
+        placed.push_back(bmr_transform(&pose, point));
+    return placed;
+}
+
+bmr_pose PoseAt(double x, double y, double angle) {
+    return {bmr_vec2_make(x, y), std::cos(angle), std::sin(angle)};
+}
+
+std::vector<bmr_vec2> EllipsePoints(size_t count, double a, double b, double turn) {
+    std::vector<bmr_vec2> points;
+    for (size_t i = 0; i < count; ++i) {
+        const double angle = turn + 2.0 * M_PI * static_cast<double>(i) / static_cast<double>(count);
+        points.push_back(bmr_vec2_make(a * std::cos(angle), b * std::sin(angle)));
+    }
+    return points;
+}
+
+} // namespace testbed
