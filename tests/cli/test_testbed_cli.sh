@@ -6,77 +6,12 @@
 #   test_testbed_cli.sh DIRECTORY-OF-THE-PROGRAMS
 set -uo pipefail
 
-bin=${1:?usage: test_testbed_cli.sh DIRECTORY-OF-THE-PROGRAMS}
-testbed=$bin/boomerang-testbed
+# shellcheck source=support/cli.sh
+source "$(dirname "${BASH_SOURCE[0]}")/support/cli.sh"
 # Small scenes, so that this test takes seconds: a classic one and a hard one.
 classic=pyramid
 hard=needles
 steps=12
-
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-failures=0
-claim=
-
-# Whatever terminal or habit the caller has, these runs are piped and plain.
-export TERM=xterm
-unset NO_COLOR
-# What fontconfig keeps until a program ends is no leak of ours (matters to sanitizer builds alone).
-echo 'leak:libfontconfig' >"$scratch/leaks"
-export LSAN_OPTIONS="${LSAN_OPTIONS:+$LSAN_OPTIONS:}suppressions=$scratch/leaks:print_suppressions=0"
-
-fail() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s: %s\n' "$claim" "$1"
-    sed 's/^/    stdout: /' "$scratch/out" | tail -n 15
-    sed 's/^/    stderr: /' "$scratch/err" | tail -n 15
-}
-
-# expect STATUS ARGUMENT…: runs boomerang-testbed and checks its exit status.
-expect() {
-    local wanted=$1 status=0
-    shift
-    claim="boomerang-testbed $*"
-    "$testbed" "$@" >"$scratch/out" 2>"$scratch/err" || status=$?
-    [ "$status" -eq "$wanted" ] || fail "exit status $status, not $wanted"
-}
-
-out_has() { grep -Eq -- "$1" "$scratch/out" || fail "stdout lacks /$1/"; }
-err_has() { grep -Eq -- "$1" "$scratch/err" || fail "stderr lacks /$1/"; }
-err_empty() { [ ! -s "$scratch/err" ] || fail "stderr is not empty"; }
-
-# Neither escape codes nor carriage returns belong into a file or a pipe.
-clean() {
-    if LC_ALL=C grep -q -e $'\033' -e $'\r' "$scratch/out" "$scratch/err"; then
-        fail "escape codes or carriage returns in piped output"
-    fi
-}
-
-# json_get FILE KEY…: a value of a JSON file, by means of cmake, which is here if this was built.
-json_get() {
-    local file=$1 path=
-    shift
-    for key in "$@"; do path="$path \"$key\""; done
-    cat >"$scratch/get.cmake" <<CMAKE
-file(READ "$file" text)
-string(JSON value GET "\${text}" $path)
-execute_process(COMMAND "\${CMAKE_COMMAND}" -E echo "\${value}")
-CMAKE
-    cmake -P "$scratch/get.cmake" 2>>"$scratch/err"
-}
-
-json_is() {
-    local file=$1 wanted=$2 got
-    shift 2
-    got=$(json_get "$file" "$@") || { fail "no $* in $file"; return; }
-    [ "$got" = "$wanted" ] || fail "$* is \"$got\", not \"$wanted\""
-}
-
-json_number() {
-    local got
-    got=$(json_get "$@") || { fail "no ${*:2} in $1"; return; }
-    [[ $got =~ ^-?[0-9] ]] || fail "${*:2} is \"$got\", no number"
-}
 
 # A directory of workers that misbehave: fake NAME writes a script that stands in for both.
 fake_workers() {
@@ -93,8 +28,8 @@ fake_workers() {
 test_help_names_exit_codes() {
     local command
     expect 0 --help
-    for command in list run compare draw; do out_has "^  $command "; done
-    for command in list run compare draw; do
+    for command in list run compare draw events figures; do out_has "^  $command "; done
+    for command in list run compare draw events figures; do
         expect 0 "$command" --help
         out_has 'Exit codes: 0 .* 1 .* 2 .* 3 '
         err_empty
@@ -195,10 +130,33 @@ test_compare_reports_identical_scenes() {
     json_number "$scratch/report.json" scenes 1 figures checks all_per_step
     json_number "$scratch/report.json" scenes 1 figures ratio step
 
+    local way
+    for way in register linked preloaded; do
+        json_is "$scratch/report.json" identical scenes 1 variants "$way"
+    done
+    json_number "$scratch/report.json" scenes 1 figures register step_us_per_step
+    # Counted behind the plugin: what it answers does not reach Box2D.
+    json_is "$scratch/report.json" 0.0 scenes 1 figures plugin polygon_tests_per_step
+
     [ "$(wc -l <"$scratch/report.csv")" -eq 3 ] || fail "the CSV file has not a header and two rows"
     head -n 1 "$scratch/report.csv" | grep -q '^scene,group,size,seed,steps,verdict,' || fail "no CSV header"
     [ "$(awk -F, '{ print NF }' "$scratch/report.csv" | sort -u | wc -l)" -eq 1 ] ||
         fail "CSV rows of different lengths"
+}
+
+# Whatever the caller has in the environment is not what the workers get.
+test_compare_ignores_the_callers_plugin_settings() {
+    BOOMERANG=off BOOMERANG_HOOKS=none BOOMERANG_VERBOSE=1 expect 0 compare "$hard" --steps "$steps" --no-time --quiet
+    err_empty
+}
+
+test_compare_verifies_every_answer() {
+    expect 0 compare "$classic" "$hard" --steps "$steps" --mode verify --json "$scratch/report.json"
+    out_has "^$hard +[1-9][0-9]* +0\$"
+    out_has '^2 scenes identical, 0 different$'
+    json_is "$scratch/report.json" 0.0 scenes 1 figures verify differences
+    json_is "$scratch/report.json" verify options mode
+    expect 2 compare "$hard" --mode perhaps
 }
 
 test_compare_without_time_and_quietly() {
@@ -212,7 +170,7 @@ test_compare_without_time_and_quietly() {
 # The control: a difference of one bit is found where it was made, and named.
 test_compare_finds_a_perturbation() {
     expect 1 compare "$hard" --steps "$steps" --perturb 7 --json "$scratch/report.json" --csv "$scratch/report.csv"
-    out_has "^$hard: first difference at step 7, in the hash of .*bodies"
+    out_has "^$hard: first difference at step 7, in the hash of .*bodies.* \(register, linked, preloaded\)"
     out_has '^  body [0-9]+ [a-zA-Z_.]+'
     out_has '^    stock   .*0x'
     out_has '^    plugin  .*0x'
@@ -233,7 +191,7 @@ test_output_that_cannot_be_written_is_a_failure() {
     [ "$status" -eq 3 ] || fail "exit status $status, not 3"
     err_has 'could not be written'
     expect 2 compare "$hard" --steps 5 --json -
-    err_has 'give --json and --csv a file'
+    err_has 'give this option a file'
 }
 
 test_numbers_out_of_range_are_explained_with_the_range() {
@@ -301,12 +259,4 @@ test_draw_writes_pictures() {
     expect 3 draw "$classic" --step 5 -o "$scratch/no/such/directory.png"
 }
 
-for program in boomerang-testbed boomerang-scene boomerang-scene-plugin; do
-    [ -x "$bin/$program" ] || { echo "no $program in $bin"; exit 1; }
-done
-for test in $(declare -F | awk '$3 ~ /^test_/ { print $3 }'); do
-    before=$failures
-    "$test"
-    if [ "$failures" -eq "$before" ]; then echo "passed: $test"; else echo "FAILED: $test"; fi
-done
-[ "$failures" -eq 0 ] || { echo "$failures claim(s) failed"; exit 1; }
+run_tests

@@ -31,6 +31,7 @@ run_programs() {
     "$out/bin/consume_core"
     if [ "$WITH_BOX2D" = ON ]; then
         "$out/bin/consume_box2d"
+        [ ! -x "$out/bin/game_loop" ] || "$out/bin/game_loop"
     fi
 }
 

@@ -38,6 +38,9 @@ explain() {
 lines=$(wc -l <"$room/stock")
 [ "$lines" -eq $((seeds * steps)) ] || fails "stock printed $lines lines for $seeds seeds of $steps steps"
 
+# Control: what listeners do while impacts are solved did come by; all of it, in as many worlds as the test has.
+[ "$seeds" -lt 200 ] || ! grep -q 'impacts.* 0\b' "$room/stock.err" || fails "$(cat "$room/stock.err")"
+
 for structure in $structures; do
     # One process per core would do; two prefilters, two processes.
     for prefilter in on off; do

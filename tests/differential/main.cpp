@@ -6,7 +6,7 @@
 // Runs the random worlds of COUNT seeds, from FIRST on, and prints a line for every step: seed, step, and for
 // each of the seed's worlds (every other seed has two at once) the hashes of bodies, contacts, events and
 // probes. `dump` prints the whole state after one step instead, `perturb` changes one velocity by one unit in
-// the last place after one step: the control.
+// the last place after one step: the control. On stderr: how often listeners meddled with impacts.
 #include <cfloat>
 #include <cinttypes>
 #include <cmath>
@@ -59,7 +59,16 @@ struct World {
     Stage stage;
 };
 
-void RunSeed(const Request &request, long seed) {
+void Add(differential::Meddling *sum, const differential::Meddling &more) {
+    sum->sensors += more.sensors;
+    sum->solids += more.solids;
+    sum->bullets += more.bullets;
+    sum->asleep += more.asleep;
+    sum->disabled += more.disabled;
+    sum->spent += more.spent;
+}
+
+void RunSeed(const Request &request, long seed, differential::Meddling *meddling) {
     const int worlds = seed % 2 == 0 ? 1 : 2;
     std::unique_ptr<World> all[2];
     for (int i = 0; i < worlds; ++i)
@@ -82,6 +91,8 @@ void RunSeed(const Request &request, long seed) {
         if (!dumping)
             std::printf("\n");
     }
+    for (int i = 0; i < worlds; ++i)
+        Add(meddling, all[i]->scene.InImpacts());
     std::fflush(stdout); // a crash of the next seed shall not take this one's lines with it
 }
 
@@ -113,8 +124,13 @@ int main(int argc, char **argv) {
     }
     if (at != argc)
         return Usage();
+    differential::Meddling m;
     for (long seed = request.first; seed < request.first + request.count; ++seed)
         if (request.dumpSeed < 0 || request.dumpSeed == seed)
-            RunSeed(request, seed);
+            RunSeed(request, seed, &m);
+    std::fprintf(
+        stderr,
+        "while impacts were solved: sensors %lu solids %lu bullets %lu asleep %lu disabled %lu spent %lu\n",
+        m.sensors, m.solids, m.bullets, m.asleep, m.disabled, m.spent);
     return 0;
 }

@@ -52,7 +52,8 @@ b2PolygonShape SomePolygon(Random &random, b2Vec2 center) {
 void AddPart(Stage &stage, b2Body *body) {
     Random &random = stage.Rng();
     const b2Vec2 center = random.Direction(0.0f, 0.8f);
-    const b2FixtureDef def = SomeMaterial(random);
+    b2FixtureDef def = SomeMaterial(random);
+    def.isSensor = random.OnceIn(8); // sensors of every kind, on bodies of every type
     const int kind = random.Index(10);
     if (kind == 0)
         stage.AddFixture(body, def, MakeCircle(random.Uniform(0.1f, 0.4f), center));
@@ -72,33 +73,6 @@ b2Vec2 RandomWorld::Anywhere(Random &random) const {
 
 b2Body *RandomWorld::SomeBody(Random &random) const {
     return m_bodies[Pick(random, m_bodies.size())];
-}
-
-/// What a listener does hangs on numbers and the step alone: a draw more or less would change all that
-/// follows, and hide where two runs began to differ.
-uint32_t RandomWorld::Mix(b2Contact &contact) const {
-    const b2Fixture &a = *contact.GetFixtureA(), &b = *contact.GetFixtureB();
-    const uint32_t from = NumberOf(*a.GetBody()) * 8u + NumberOf(a),
-                   to = NumberOf(*b.GetBody()) * 8u + NumberOf(b);
-    return ((from * 31u + to) * 31u + static_cast<uint32_t>(m_step)) * 2654435761u >> 8;
-}
-
-void RandomWorld::OnBegin(b2Contact &contact) {
-    const uint32_t mixed = Mix(contact);
-    if (mixed % 7 == 0)
-        contact.GetFixtureB()->GetBody()->SetBullet(mixed % 2 == 0);
-}
-
-void RandomWorld::OnPreSolve(b2Contact &contact) {
-    const uint32_t mixed = Mix(contact);
-    if (mixed % 13 == 0)
-        contact.SetEnabled(false);
-    if (mixed % 17 == 0)
-        contact.SetFriction(0.05f * static_cast<float>(mixed % 20));
-    if (mixed % 19 == 0)
-        contact.SetRestitution(0.02f * static_cast<float>(mixed % 20));
-    if (mixed % 31 == 0)
-        contact.SetTangentSpeed(static_cast<float>(mixed % 5) - 2.0f);
 }
 
 void RandomWorld::OnGoodbye(b2Joint &joint) {
@@ -133,14 +107,36 @@ void RandomWorld::BuildLevel(Stage &stage) {
         AddFan(stage, stage.AddBody(def), RoughOutline(random, 5 + random.Index(9), 0.4f, 1.2f),
                Material(0.0f));
     }
+    AddChains(stage);
+}
+
+/// Loops of edges, resting or moving, solid or not.
+void RandomWorld::AddChains(Stage &stage) {
+    Random &random = stage.Rng();
+    for (int i = random.Index(3); i > 0; --i) {
+        b2BodyDef def;
+        def.position = Anywhere(random);
+        if (random.OnceIn(2)) {
+            def.type = b2_kinematicBody;
+            def.angularVelocity = random.Uniform(-4.0f, 4.0f);
+            def.linearVelocity = random.Direction(0.0f, 1.0f);
+        }
+        const Outline corners = RoughOutline(random, 4 + random.Index(6), 0.5f, 1.5f);
+        b2ChainShape loop;
+        loop.CreateLoop(corners.data(), static_cast<int32>(corners.size()));
+        b2FixtureDef fixture = Material(0.0f, 0.3f, random.OnceIn(2) ? 0.8f : 0.0f);
+        fixture.isSensor = random.OnceIn(3);
+        stage.AddFixture(stage.AddBody(def), fixture, loop);
+    }
 }
 
 void RandomWorld::Build(Stage &stage, int size) {
     Random &random = stage.Rng();
     BuildLevel(stage);
-    if (random.OnceIn(2))
+    m_stormy = random.OnceIn(4);
+    if (m_stormy || random.OnceIn(2))
         stage.World().SetGravity({0.0f, 0.0f}); // a gas: more pairs that pass than pairs that lie
-    m_wanted = static_cast<std::size_t>(size + random.Index(size));
+    m_wanted = static_cast<std::size_t>(size) + static_cast<std::size_t>(random.Index(size));
     for (std::size_t i = 0; i < m_wanted; ++i)
         CreateBody(stage);
 }
@@ -152,8 +148,12 @@ void RandomWorld::CreateBody(Stage &stage) {
     def.position = Anywhere(random);
     def.angle = random.OnceIn(4) ? 0.25f * b2_pi : random.Uniform(-b2_pi, b2_pi);
     def.linearVelocity = random.Direction(0.0f, random.OnceIn(5) ? 60.0f : 3.0f);
+    if (random.OnceIn(6)) // far beyond a turn, and beyond where certificates are trusted
+        def.angle += random.Uniform(-700.0f, 700.0f);
     def.angularVelocity = random.Uniform(-3.0f, 3.0f);
-    def.bullet = random.OnceIn(5);
+    def.bullet = m_stormy || random.OnceIn(5);
+    if (m_stormy)
+        def.linearVelocity = random.Direction(20.0f, 150.0f);
     def.fixedRotation = random.OnceIn(12);
     def.allowSleep = !random.OnceIn(8);
     b2Body *body = stage.AddBody(def);
@@ -216,8 +216,11 @@ void RandomWorld::BeforeStep(Stage &stage, int step) {
     if (random.OnceIn(3))
         Probe(stage);
     // Last, for nothing may be put to sleep after it.
-    if (random.OnceIn(4) && m_sensorsMayTurn && m_timeStep > 0.0f)
+    if (random.OnceIn(4) && m_sensorsMayTurn && m_timeStep > 0.0f && !StepIsSleepy())
         TurnSensor(random);
+    if (m_turnedInImpacts)
+        WakeAll();
+    RememberPlaces();
 }
 
 /// A sensor that turns solid must be looked at before it is solved, or Box2D asserts: a touching sensor has
@@ -339,7 +342,7 @@ void RandomWorld::ActOnFixture(Stage &stage, b2Body *body) {
         body->ResetMassData();
         break;
     case 2:
-        if (fixture->GetType() == b2Shape::e_polygon)
+        if (fixture->GetType() == b2Shape::e_polygon || fixture->GetType() == b2Shape::e_edge)
             fixture->GetShape()->m_radius = random.Uniform(0.0f, 3.0f) * b2_polygonRadius;
         break;
     default:

@@ -1,0 +1,207 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# What things cost in instructions, stock Box2D beside the plugin: the tables of docs/cost-model.md. Under callgrind,
+# so the figures repeat themselves to a few parts in a thousand whatever else the machine does.
+set -euo pipefail
+
+usage() {
+    cat <<'TEXT'
+usage: measure_costs.sh [--csv FILE] [--steps N] BUILD_DIRECTORY TABLE...
+
+Tables, each printed as Markdown:
+  calls      instructions of one contact, query, overlap, new pair
+  fixtures   instructions of a step against fixtures per body
+  bodies     instructions of a step against the number of bodies, 1,000 to 50,000
+  asleep     instructions of a step in which everybody sleeps
+  scenes     each scene of the testbed, stock over plugin: linked behind Box2D, which leaves contacts alone, and
+             linked ahead of it with all hooks (SCENES="a b": these alone)
+--steps N   steps of each scene (default: the scene's own)
+--csv FILE  also write fixtures and bodies as series,x,y, for `boomerang-testbed plot`
+Exit codes: 0 done; 2 wrong usage; 3 a program failed.
+TEXT
+}
+
+csv=/dev/null steps='' build=''
+tables=()
+while [[ $# -gt 0 ]]; do
+    case $1 in
+    --csv) csv=${2:?}; shift ;;
+    --steps) steps=${2:?}; shift ;;
+    --help) usage; exit 0 ;;
+    -*) usage >&2; exit 2 ;;
+    *) if [[ -z $build ]]; then build=$1; else tables+=("$1"); fi ;;
+    esac
+    shift
+done
+plugin=$build/lib/libboomerang_box2d.so
+worlds=$build/bin/bench_worlds
+if [[ ${#tables[@]} = 0 || ! -e $plugin || ! -x $worlds ]]; then
+    usage >&2
+    exit 2
+fi
+profile=$(mktemp)
+trap 'rm -f "$profile"' EXIT
+[[ $csv = /dev/null ]] || echo series,x,y >"$csv"
+
+# The dynamic linker's look-ups would be counted where a function is called first.
+export LD_BIND_NOW=1
+
+# linked SIDE OPTIONS... PROGRAM ARGUMENTS...: leaves $profile. A side is stock, or what BOOMERANG_HOOKS is to say.
+linked() {
+    local hooks=''
+    [[ $1 = stock ]] || hooks=$1
+    BOOMERANG_HOOKS=$hooks valgrind -q --tool=callgrind --callgrind-out-file="$profile" "${@:2}" </dev/null >/dev/null || {
+        echo "measure_costs.sh: failed: ${*:2}" >&2
+        exit 3
+    }
+}
+
+# All instructions that were collected.
+total() {
+    awk '/^(summary|totals):/ { print $2; exit }' "$profile"
+}
+
+# Instructions of the functions whose names begin with $1 and of all that they call, whoever calls them but themselves:
+# a hook and the function of Box2D's behind it have one name.
+inclusive() {
+    awk -v name="$1" '
+        function named(text, id) {
+            match(text, /\([0-9]+\)/)
+            id = substr(text, RSTART, RLENGTH)
+            if (length(text) >= RSTART + RLENGTH)
+                names[id] = substr(text, RSTART + RLENGTH + 1)
+            return names[id]
+        }
+        /^fn=/ { caller = named($0) }
+        /^cfn=/ { callee = named($0) }
+        /^calls=/ {
+            getline cost
+            split(cost, field, " ")
+            if (index(callee, name) == 1 && index(caller, name) != 1)
+                sum += field[2]
+        }
+        END { printf "%.0f\n", sum }' "$profile"
+}
+
+# world SIDE WORLD COUNT STEPS [FIXTURES]
+world() {
+    local preload=''
+    [[ $1 = stock ]] || preload=$plugin
+    LD_PRELOAD=$preload linked "$1" --toggle-collect='MeasuredStep*' "$worlds" "${@:2}"
+}
+
+# per_call SIDE FUNCTION WORLD EMPTY_WORLD: instructions of FUNCTION for each pair of WORLD and step, less those
+# where the same bodies do not meet.
+readonly PAIRS=400
+per_call() {
+    local side=$1 function=$2 full empty runs=8
+    [[ $3 = new-* ]] && runs=1
+    world "$side" "$3" $PAIRS $runs
+    full=$(inclusive "$function")
+    world "$side" "$4" $PAIRS $runs
+    empty=$(inclusive "$function")
+    echo $(((full - empty) / (PAIRS * runs)))
+}
+
+ratio() {
+    awk -v a="$1" -v b="$2" 'BEGIN { printf "%.2f", a / b }'
+}
+
+calls() {
+    local what function full empty stock ours
+    echo "| what | stock | plugin | stock / plugin |"
+    echo "| --- | --- | --- | --- |"
+    while IFS='|' read -r what function full empty; do
+        stock=$(per_call stock "$function" "$full" "$empty")
+        ours=$(per_call all "$function" "$full" "$empty")
+        echo "| $what | $stock | $ours | $(ratio "$stock" "$ours") |"
+    done <<'TEXT'
+contact of two boxes, apart|b2ContactManager::Collide|apart-box|far
+contact of two octagons, apart|b2ContactManager::Collide|apart-octagon|far
+contact of two boxes, touching|b2ContactManager::Collide|touching-box|far
+contact of two octagons, touching|b2ContactManager::Collide|touching-octagon|far
+time of impact, box and hexagon, apart|b2World::SolveTOI|toi-polygon|toi-far
+time of impact, edge and hexagon, apart|b2World::SolveTOI|toi-edge|toi-far
+sensor, two octagons, apart|b2ContactManager::Collide|sensor-apart|far
+sensor, two octagons, overlapping|b2ContactManager::Collide|sensor-overlapping|far
+new pair|b2ContactManager::FindNewContacts|new-pairs|new-far
+TEXT
+}
+
+# row NAME X STEPS WORLD...: instructions of a whole step.
+row() {
+    local name=$1 x=$2 runs=$3 stock ours
+    shift 3
+    world stock "$@"
+    stock=$(($(total) / runs))
+    world all "$@"
+    ours=$(($(total) / runs))
+    echo "| $name | $x | $stock | $ours | $(ratio "$stock" "$ours") |"
+    printf '%s\n' "$name stock,$x,$stock" "$name plugin,$x,$ours" >>"$csv"
+}
+
+fixtures() {
+    local count
+    echo "| world | fixtures per body | stock | plugin | stock / plugin |"
+    echo "| --- | --- | --- | --- | --- |"
+    for count in 1 2 4 8 16 32; do
+        row "gas of 100 coins" "$count" 10 gas 100 10 "$count"
+    done
+}
+
+bodies() {
+    local count
+    echo "| world | bodies | stock | plugin | stock / plugin |"
+    echo "| --- | --- | --- | --- | --- |"
+    for count in 1000 2000 5000 10000 20000 50000; do
+        row "gas of octagons" "$count" 3 gas "$count" 3
+    done
+    for count in 1000 2000 5000 10000 20000 50000; do
+        row "columns of boxes" "$count" 3 columns "$count" 3
+    done
+}
+
+asleep() {
+    local count
+    echo "| world | bodies | stock | plugin | stock / plugin |"
+    echo "| --- | --- | --- | --- | --- |"
+    for count in 5000 10000 20000; do
+        row "columns asleep" "$count" 4 asleep "$count" 4
+    done
+}
+
+# name,steps of every scene
+list_scenes() {
+    "$build/bin/boomerang-scene" --list-json | awk -F'": |,$' '
+        /^ *"name/ { gsub(/"/, "", $2); name = $2 }
+        /^ *"steps/ { print name "," $2 }'
+}
+
+scenes() {
+    local name count box2d sums
+    box2d=$(ldd "$build/bin/boomerang-scene" | awk '/libbox2d/ { print $3 }')
+    echo "| scene | steps | stock, instructions a step | contacts alone | all hooks |"
+    echo "| --- | --- | --- | --- | --- |"
+    while IFS=, read -r name count; do
+        [[ -z ${SCENES:-} || " $SCENES " = *" $name "* ]] || continue
+        count=${steps:-$count}
+        sums=()
+        linked stock "$build/bin/boomerang-scene" "$name" --mode time --steps "$count"
+        sums+=("$(inclusive b2World::Step)")
+        # Preloaded, Box2D's functions come first: as if the plugin were linked behind it.
+        LD_PRELOAD=$box2d linked none "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count"
+        sums+=("$(inclusive b2World::Step)")
+        linked all "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count"
+        sums+=("$(inclusive b2World::Step)")
+        echo "| $name | $count | $((sums[0] / count)) | $(ratio "${sums[0]}" "${sums[1]}") |" \
+            "$(ratio "${sums[0]}" "${sums[2]}") |"
+    done < <(list_scenes)
+}
+
+for table in "${tables[@]}"; do
+    case $table in
+    calls | fixtures | bodies | asleep | scenes) "$table" ;;
+    *) usage >&2; exit 2 ;;
+    esac
+done

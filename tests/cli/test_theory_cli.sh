@@ -1,0 +1,118 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# boomerang-testbed events and figures: exit codes, messages, files, and what the numbers must be.
+#
+#   test_theory_cli.sh DIRECTORY-OF-THE-PROGRAMS
+set -uo pipefail
+
+# shellcheck source=support/cli.sh
+source "$(dirname "${BASH_SOURCE[0]}")/support/cli.sh"
+# A small experiment, so that this test takes seconds.
+small=(line orbit --n 16 --ratios 8:512 --seeds 1 --structures lazy-compass,free-fd2,closest-features)
+
+test_events_prints_counts_growth_and_qualities() {
+    expect 0 events "${small[@]}"
+    clean
+    err_empty
+    out_has '^motion +optimum +compass +fd2 +features'
+    out_has '^line +1 '
+    out_has '^orbit '
+    out_has 'Growth of events with D/sigma'
+    out_has '^orbit .*<1/2'
+    out_has '^free-fd2 '
+}
+
+test_events_files_agree() {
+    expect 0 events "${small[@]}" --audit --quiet --csv "$scratch/e.csv" --json "$scratch/e.json" --trace "$scratch/e.txt"
+    [ ! -s "$scratch/out" ] || fail "--quiet prints"
+    # 2 motions, 4 ratios, 3 structures.
+    [ "$(wc -l <"$scratch/e.csv")" -eq 25 ] || fail "the CSV file has not one row a run"
+    json_is "$scratch/e.json" line 0 motion
+    json_is "$scratch/e.json" lazy-compass 0 structure
+    json_number "$scratch/e.json" 0 events
+    json_number "$scratch/e.json" 0 optimum least
+    # The trace has one line for each event and one for each start; the CSV file counts the same.
+    local counted traced
+    counted=$(awk -F, 'NR > 1 { n += $6 + $17 + $25 + $26 } END { print n }' "$scratch/e.csv")
+    traced=$(grep -vc '^#' "$scratch/e.txt")
+    [ "$counted" = "$traced" ] || fail "the trace has $traced events, the CSV file $counted"
+    # A line proves something at every event of a course without contact.
+    awk '!/^#/ && !($NF > 0) { bad = 1 } END { exit bad }' "$scratch/e.txt" || fail "a line of the trace proves nothing"
+    expect 0 events "${small[@]}" --quiet --csv "$scratch/again.csv"
+    cmp -s "$scratch/e.csv" "$scratch/again.csv" || fail "a second run counts otherwise"
+}
+
+test_events_take_ones_own_polygons_and_motion() {
+    printf '# a square\n1 1\n-1 1\n-1 -1\n1 -1\n0 0\n' >"$scratch/square.txt"
+    printf '%s\n' 'time 0 1' 'body A' 'rest 0 0 0 0' 'body B' 'screw 0 -6 0 0 12 0 0  # straight through A' >"$scratch/hit.txt"
+    expect 0 events --polygon "$scratch/square.txt" --motion "$scratch/hit.txt" --structures rigid --quiet --csv "$scratch/hit.csv"
+    # Every structure sees one contact begin and one end: two squares of half width 1, apart again at x = 2.
+    awk -F, 'NR > 1 && $11 != 2 { print; bad = 1 } END { exit bad || NR < 5 }' "$scratch/hit.csv" >"$scratch/out" || fail "not two external events"
+    for motion in 'sample 0 4 0 0|sample 1 4 4 1' 'algebraic 0 0 x 4 1 y 0 0 2 a 1 b 0 1'; do
+        { echo 'body B'; tr '|' '\n' <<<"$motion"; } >"$scratch/m.txt"
+        expect 0 events --polygon "$scratch/square.txt" --motion "$scratch/m.txt" --structures free-fd2 --audit
+    done
+}
+
+test_events_explain_wrong_input() {
+    expect 2 events lin
+    err_has 'no motion "lin"; the nearest is "line"'
+    expect 2 events --structures lazy-compas
+    err_has 'the nearest is "lazy-compass"'
+    expect 2 events --shape ellipse:dsic
+    err_has 'the nearest is "disc"'
+    expect 2 events --ratios 8:x
+    err_has '"x" is no number'
+    expect 2 events --ratios 512:8
+    err_has 'LOW:HIGH'
+    expect 2 events --n 2
+    expect 2 events --polygon "$scratch/none.txt"
+    err_has 'none.txt'
+    printf 'body B\nscrew 0 1 1 0 1\n' >"$scratch/short.txt"
+    expect 2 events --motion "$scratch/short.txt"
+    err_has 'short.txt, line 2: a number is missing: VY'
+    printf 'body B\nscrow 0\n' >"$scratch/word.txt"
+    expect 2 events --motion "$scratch/word.txt"
+    err_has 'line 2: "scrow" is none of'
+    printf '1 1\nx 2\n' >"$scratch/points.txt"
+    expect 2 events --polygon "$scratch/points.txt" line
+    err_has 'points.txt, line 2'
+    expect 2 events --motion /dev/null
+    expect 2 events line --alpha -1
+    expect 2 events line --alpha nan
+    expect 2 events line --offset-ratio 1
+    expect 2 events line --csv "$scratch/no/such/file.csv"
+    err_has 'cannot write'
+    expect 2 events line --structures points
+    err_has 'none of these structures'
+}
+
+test_events_beside_box2d() {
+    expect 0 events line --n 8 --ratios 8 --seeds 1 --structures free-fd2 --box2d
+    out_has 'stock Box2D'
+    # Box2D asks at every step; a structure a few times.
+    awk '$1 == "line" { last = $0 } END { split(last, f); exit !(f[3] > 10 && f[9] < f[3]) }' "$scratch/out" || fail "the calls of Box2D are not beside the events"
+    expect 3 events line --shape ellipse:point --ratios 8 --seeds 1 --box2d
+    err_has 'a point'
+}
+
+test_figures_are_drawn() {
+    expect 0 figures --list
+    local name
+    for name in boomerangs dudley mixed-insertion mixed-full mixed-events point-events pair-events inflated window time-line growth; do
+        out_has "^$name "
+    done
+    # All but the one that runs long.
+    expect 0 figures boomerangs dudley mixed-insertion mixed-full mixed-events point-events pair-events inflated window time-line --format both -o "$scratch/figures/new"
+    for name in boomerangs mixed-events time-line; do
+        [ "$(wc -c <"$scratch/figures/new/$name.svg")" -gt 5000 ] || fail "$name.svg is empty"
+        head -c 8 "$scratch/figures/new/$name.png" | grep -q PNG || fail "$name.png is no picture"
+    done
+    expect 2 figures dudly
+    err_has 'the nearest is "dudley"'
+    expect 2 figures dudley -o /dev/null/x
+    err_has 'cannot make the directory'
+}
+
+run_tests

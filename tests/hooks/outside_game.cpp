@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+//
+// A program that asks b2TimeOfImpact and b2TestOverlap itself, beside the steps of its worlds: it gets
+// Box2D's own answers, and Box2D's counters go on. Linked to the plugin. Exit status 0: so it is; else what
+// is wrong is said.
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <stdexcept>
+#include <thread>
+
+#include <boomerang/box2d.h>
+#include <box2d/b2_time_of_impact.h>
+#include <box2d/box2d.h>
+
+extern B2_API int32 b2_toiCalls;
+extern B2_API int32 b2_gjkCalls;
+
+namespace {
+
+int failures = 0;
+
+void Expect(bool holds, const char *claim) {
+    if (!holds)
+        std::printf("FAILED: %s\n", claim);
+    failures += !holds;
+}
+
+/// What the plugin counts while `something` is done: questions that it was asked in a step.
+uint64_t Asked(const std::function<void()> &something) {
+    const auto sum = [] {
+        const bmr::Statistics s = bmr::GetStatistics();
+        return s.toiQueries + s.overlapQueries;
+    };
+    const uint64_t before = sum();
+    something();
+    return sum() - before;
+}
+
+/// One question of each kind, about two boxes far apart, which the plugin would answer itself. Did Box2D?
+bool BothAreBox2Ds() {
+    b2PolygonShape box;
+    box.SetAsBox(0.5f, 0.5f);
+    b2TOIInput in;
+    in.proxyA.Set(&box, 0);
+    in.proxyB.Set(&box, 0);
+    in.sweepA.localCenter.SetZero();
+    in.sweepA.c0.SetZero();
+    in.sweepA.c.SetZero();
+    in.sweepA.a0 = in.sweepA.a = in.sweepA.alpha0 = 0.0f;
+    in.sweepB = in.sweepA;
+    in.sweepB.c0.Set(5.0f, 0.0f);
+    in.sweepB.c.Set(5.0f, 0.0f);
+    in.tMax = 1.0f;
+    b2TOIOutput out;
+    const int32 toiBefore = b2_toiCalls;
+    b2TimeOfImpact(&out, &in);
+    const bool toi = b2_toiCalls == toiBefore + 1 && out.state == b2TOIOutput::e_separated && out.t == 1.0f;
+    b2Transform here, there;
+    here.SetIdentity();
+    there.Set({5.0f, 0.0f}, 0.0f);
+    const int32 gjkBefore = b2_gjkCalls;
+    const bool overlap = b2TestOverlap(&box, 0, &box, 0, here, there);
+    return toi && !overlap && b2_gjkCalls == gjkBefore + 1;
+}
+
+/// Does something at the first contact that begins, in the middle of a step.
+class AtBegin : public b2ContactListener {
+public:
+    explicit AtBegin(std::function<void()> something) : m_something(std::move(something)) {}
+    void BeginContact(b2Contact *) override {
+        if (!m_done) {
+            m_done = true;
+            m_something();
+        }
+    }
+    bool Done() const { return m_done; }
+
+private:
+    std::function<void()> m_something;
+    bool m_done = false;
+};
+
+void AddBox(b2World *world, b2BodyType type, b2Vec2 at) {
+    b2BodyDef def;
+    def.type = type;
+    def.position = at;
+    b2PolygonShape box;
+    box.SetAsBox(0.5f, 0.5f);
+    world->CreateBody(&def)->CreateFixture(&box, 1.0f);
+}
+
+/// A box that falls on another, until they touch; `something` is done then. True if it was.
+bool AtFirstTouch(std::function<void()> something) {
+    b2World world({0.0f, -10.0f});
+    AddBox(&world, b2_staticBody, {0.0f, 0.0f});
+    AddBox(&world, b2_dynamicBody, {0.0f, 1.1f});
+    AtBegin listener(std::move(something));
+    world.SetContactListener(&listener);
+    for (int step = 0; step < 60 && !listener.Done(); ++step)
+        world.Step(1.0f / 60.0f, 8, 3);
+    return listener.Done();
+}
+
+void CheckBetweenSteps() {
+    bool box2d = false;
+    Expect(Asked([&] { box2d = BothAreBox2Ds(); }) == 0, "outside of steps nothing is taken for a step's");
+    Expect(box2d, "outside of steps Box2D answers");
+}
+
+} // namespace
+
+int main() {
+    bmr::Options options;
+    options.statistics = true;
+    Expect(bmr::Install(options), "the plugin is at work");
+    CheckBetweenSteps();
+
+    bool box2d = true;
+    uint64_t asked = 0;
+    Expect(AtFirstTouch([&] { asked = Asked([&] { box2d = BothAreBox2Ds(); }); }), "two boxes touch");
+    Expect(asked == 2 && !box2d, "control: in a step, on its thread, the plugin would answer");
+    CheckBetweenSteps();
+
+    box2d = false;
+    Expect(
+        AtFirstTouch([&] { asked = Asked([&] { std::thread([&] { box2d = BothAreBox2Ds(); }).join(); }); }),
+        "two boxes touch again");
+    Expect(asked == 0 && box2d, "another thread gets Box2D's answers while this one steps");
+
+    // A world of its own, stepped by a listener in the middle of the first one's step.
+    Expect(AtFirstTouch([&] {
+               Expect(AtFirstTouch([] {}), "a step within a step");
+               asked = Asked([&] { box2d = BothAreBox2Ds(); });
+           }),
+           "two boxes touch once more");
+    Expect(asked == 2 && !box2d, "when the inner step has ended, the outer one goes on");
+    CheckBetweenSteps();
+
+    bool thrown = false;
+    try {
+        AtFirstTouch([] { throw std::runtime_error("a listener's"); });
+    } catch (const std::runtime_error &) {
+        thrown = true;
+    }
+    Expect(thrown, "a listener's exception comes through");
+    CheckBetweenSteps();
+    if (failures == 0)
+        std::printf("passed\n");
+    return failures != 0;
+}

@@ -1,0 +1,93 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+#
+#   run_controls.sh ROOT COMPILER SCENE_PROGRAM OUTSIDE_GAME OBJECTS... -- LINK_ARGUMENTS...
+#
+# Takes one piece of a hook out of the shared library at a time, preloads the library into the plain program that runs
+# a scene, and expects its hashes to differ from stock's. With nothing taken out they must be stock's. Where the scene is
+# called outside_game that program is run instead, with the library for its own, and must fail. OBJECTS: those of the
+# shared library; LINK_ARGUMENTS: what else it is linked from.
+set -u
+root=$1 compiler=$2 program=$3 outside_game=$4
+shift 4
+objects=()
+while [ $# -gt 0 ] && [ "$1" != -- ]; do
+    objects+=("$1")
+    shift
+done
+shift
+link=("$@")
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+# B2_SHARED as in the library's own build: Box2D's functions that are defined here must be seen.
+flags="-std=c++17 -O1 -fPIC -fvisibility=hidden -ftls-model=initial-exec -ffp-contract=off -w -DB2_SHARED"
+
+# hashes SCENE STEPS [LIBRARY]: what the scene prints, with the library in front
+hashes() {
+    if [ "$1" = outside_game ]; then
+        [ -z "${3:-}" ] || cp "$3" "$(dirname "$3")/libboomerang_box2d.so.0"
+        LD_LIBRARY_PATH=${3:+$(dirname "$3")} timeout 100 "$outside_game"
+        return
+    fi
+    BOOMERANG=on LD_PRELOAD=${3:-} timeout 100 "$program" "$1" --steps "$2" 2>/dev/null | grep '^step' | cksum
+}
+
+# mutate PLACE FILE UNIT SUBSTITUTION: makes PLACE/libmutant.so
+mutate() {
+    local place=$1 file=$2 unit=$3 others=()
+    mkdir "$place"
+    for part in box2d_glue plugin core; do cp -r "$root/$part" "$place/$part"; done
+    perl -0pi -e "$4" "$place/$file"
+    if [ -n "$4" ] && cmp -s "$root/$file" "$place/$file"; then
+        echo "the substitution finds nothing in $file"
+        return 1
+    fi
+    for object in "${objects[@]}"; do
+        case $object in */"$unit".o | */"$(basename "$unit")".o) ;; *) others+=("$object") ;; esac
+    done
+    $compiler $flags -I"$place/core/include" -I"$place/box2d_glue" -I"$place/box2d_glue/include" -I"$place/plugin" \
+        -I"$place/plugin/include" -include "$place/plugin/weak_box2d.h" -c "$place/$unit" -o "$place/mutant.o" &&
+        $compiler -shared -o "$place/libmutant.so" "$place/mutant.o" "${others[@]}" "${link[@]}" \
+            -Wl,--version-script="$place/plugin/exports.map"
+}
+
+# control NUMBER NAME FILE UNIT SUBSTITUTION SCENE STEPS: writes its verdict to $room/NUMBER
+control() {
+    local number=$1 name=$2 place=$room/$1.d
+    if ! mutate "$place" "$3" "$4" "$5" >"$room/$number.err" 2>&1; then
+        { echo "FAILED: $name: does not build"; head -n 5 "$room/$number.err"; } >"$room/$number"
+    elif [ "$(hashes "$6" "$7" "$place/libmutant.so")" = "$(hashes "$6" "$7")" ]; then
+        echo "FAILED: $name: nothing differs in $6" >"$room/$number"
+    else
+        echo "passed: $name" >"$room/$number"
+    fi
+    rm -rf "$place"
+}
+
+passed=0 failed=0
+# With nothing taken out: the library works when it is made in this way.
+if mutate "$room/whole" plugin/interpose/pair_finding.cpp plugin/interpose/pair_finding.cpp "" >"$room/err" 2>&1 &&
+    [ "$(hashes churn 100 "$room/whole/libmutant.so")" = "$(hashes churn 100)" ] &&
+    [ "$(hashes outside_game 0 "$room/whole/libmutant.so")" = passed ]; then
+    echo "passed: the whole library gives stock's hashes"
+    passed=1
+else
+    echo "FAILED: the whole library does not give stock's hashes"
+    cat "$room/err"
+    failed=1
+fi
+
+number=0
+while IFS='@' read -r name file unit substitution scene steps; do
+    case $name in '' | \#*) continue ;; esac
+    number=$((number + 1))
+    control "$number" "$name" "$file" "$unit" "$substitution" "$scene" "$steps" &
+    while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n; done
+done <"$root/tests/hooks/mutants.txt"
+wait
+for i in $(seq "$number"); do
+    cat "$room/$i"
+    if grep -q "^passed" "$room/$i"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
+done
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ] && [ "$number" -gt 0 ]

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_STRANGE_BOX2D_H
+#define BOOMERANG_STRANGE_BOX2D_H
+
+/// A library that calls itself Box2D and is another: a world of one number. Its b2World has the same mangled
+/// names.
+class b2World {
+public:
+    void Step(float timeStep, int velocityIterations, int positionIterations);
+    float time = 0.0f;
+};
+
+#endif

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+
+#include "strange_box2d.h"
+
+int main() {
+    b2World world;
+    for (int i = 0; i < 4; ++i)
+        world.Step(0.25f, 8, 3);
+    std::printf("time %g\n", static_cast<double>(world.time));
+    return world.time == 1.0f ? 0 : 1;
+}

@@ -1,0 +1,190 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# libboomerang_box2d.so as a file, and in the programs it may meet.
+#
+#   test_plugin.sh PLUGIN LIBBOX2D DIRECTORY-OF-THE-PROGRAMS SOURCES-OF-THE-PLUGIN
+set -uo pipefail
+plugin=${1:?} box2d=${2:?} bin=${3:?} source=${4:?}
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+failures=0
+unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+
+fail() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$1"
+    [ ! -s "$room/err" ] || sed 's/^/    stderr: /' "$room/err" | tail -n 5
+}
+
+# game PROGRAM [VARIABLE=VALUE]...: runs it into $room/out and $room/err; statistics into $room/json where it makes any.
+game() {
+    local program=$1
+    shift
+    rm -f "$room/json"
+    env BOOMERANG_STATISTICS="$room/json" "$@" "$bin/$program" >"$room/out" 2>"$room/err"
+}
+
+number() {
+    printf 'file(READ "%s" text)\nstring(JSON value GET "${text}" %s)\nexecute_process(COMMAND ${CMAKE_COMMAND} -E echo "${value}")\n' \
+        "$room/json" "$1" >"$room/get.cmake"
+    cmake -P "$room/get.cmake" 2>/dev/null || echo none
+}
+
+same_output() { cmp -s "$room/out" "$room/stock" || fail "$1: other output than stock's"; }
+quiet() { [ ! -s "$room/err" ] || fail "$1: something on stderr"; }
+at_work() { [ -s "$room/json" ] && [ "$(number evaluations)" -gt 0 ] || fail "$1: the plugin is not at work"; }
+at_rest() { [ ! -e "$room/json" ] || fail "$1: the plugin is at work"; }
+one_line() {
+    [ "$(wc -l <"$room/err")" -eq 1 ] || fail "$1: not one line on stderr"
+    grep -q "$2" "$room/err" || fail "$1: stderr lacks /$2/"
+}
+
+test_exported_symbols_are_the_listed_ones() {
+    nm -D --defined-only "$plugin" | awk '{ print $NF }' | LC_ALL=C sort >"$room/exported"
+    sed -n 's/^ *\(_Z[A-Za-z0-9_]*\);.*/\1/p' "$source/exports.map" | LC_ALL=C sort >"$room/listed"
+    diff "$room/listed" "$room/exported" >"$room/err" || fail "exported symbols differ from exports.map (< listed, > exported)"
+    # All but the API stand in front of functions that Box2D really has, and no hook is hidden.
+    nm -D --defined-only "$box2d" | awk '{ print $NF }' | LC_ALL=C sort >"$room/box2d"
+    grep -v '^_ZN3bmr' "$room/exported" | LC_ALL=C comm -23 - "$room/box2d" | grep . >"$room/err" && fail "in front of nothing"
+    sed -n 's/.*BMR_STANDS_FOR("\([^"]*\)").*/\1/p' "$source"/interpose/*.cpp | LC_ALL=C sort -u >"$room/hooks"
+    [ -s "$room/hooks" ] || fail "no hooks found"
+    LC_ALL=C comm -23 "$room/hooks" "$room/exported" | grep . >"$room/err" && fail "hooks that nobody can see"
+}
+
+test_needed_libraries_are_the_least() {
+    readelf -d "$plugin" | sed -n 's/.*(NEEDED).*\[\(.*\)\].*/\1/p' | LC_ALL=C sort >"$room/needed"
+    printf '%s\n' libbox2d.so.2 libc.so.6 libgcc_s.so.1 libm.so.6 libstdc++.so.6 | diff - "$room/needed" >"$room/err" ||
+        fail "other libraries are needed"
+    readelf -d "$plugin" | grep -q 'SONAME.*\[libboomerang_box2d\.so\.[0-9]*\]' || fail "no versioned soname"
+}
+
+test_references_to_box2d_are_weak_and_listed() {
+    nm -D --undefined-only "$plugin" | awk '{ sub(/@.*/, "", $NF); print $NF, $(NF - 1) }' | LC_ALL=C sort >"$room/undefined"
+    nm -D --defined-only "$box2d" | awk '{ print $NF }' | LC_ALL=C sort >"$room/box2d"
+    LC_ALL=C join "$room/undefined" "$room/box2d" >"$room/references"
+    [ -s "$room/references" ] || fail "no references found"
+    grep ' U$' "$room/references" >"$room/err" && fail "strong references to Box2D: add them to box2d_symbols.inc"
+    sed -n 's/^BMR_[A-Z]*(\([A-Za-z0-9_]*\).*/\1/p' "$source/box2d_symbols.inc" | LC_ALL=C sort >"$room/known"
+    LC_ALL=C comm -23 "$room/known" "$room/box2d" | grep . >"$room/err" && fail "listed, but Box2D has no such symbol"
+}
+
+test_preloaded_is_on_unless_told_off() {
+    game plain_game LD_PRELOAD="$plugin"
+    same_output preloaded
+    quiet preloaded
+    at_work preloaded
+    [ "$(number steps)" -eq 240 ] || fail "preloaded: not all steps were seen"
+    [ "$(number differences)" -eq 0 ] && [ "$(number verified)" -eq 0 ] || fail "preloaded: something was verified"
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG=off
+    same_output "preloaded, off"
+    quiet "preloaded, off"
+    at_rest "preloaded, off"
+    # Named by a link or another path: by what is loaded, not by the variable alone.
+    ln -sf "$plugin" "$room/other-name.so"
+    game plain_game LD_PRELOAD="$room/other-name.so"
+    same_output "preloaded by another name"
+    at_work "preloaded by another name"
+}
+
+test_linked_without_a_call_is_off_unless_told_on() {
+    game linked_game
+    same_output linked
+    quiet linked
+    at_rest linked
+    game linked_game BOOMERANG=on
+    same_output "linked, on"
+    at_work "linked, on"
+    game linked_game LD_PRELOAD="$plugin"
+    same_output "linked and preloaded"
+    at_work "linked and preloaded"
+}
+
+test_linked_behind_box2d_has_the_contacts_alone() {
+    game late_game BOOMERANG=on
+    same_output late
+    at_work late
+    [ "$(number steps)" -eq 0 ] || fail "late: steps came by"
+    game late_game
+    same_output "late, nothing said"
+    at_rest "late, nothing said"
+}
+
+test_verify_compares_and_finds_nothing() {
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG=verify
+    same_output verify
+    quiet verify
+    [ "$(number mode)" = verify ] || fail "verify: another mode in the statistics"
+    [ "$(number verified)" -gt 10000 ] || fail "verify: next to nothing was compared"
+    [ "$(number differences)" -eq 0 ] || fail "verify: differences"
+}
+
+test_hooks_and_structure_are_taken_from_the_environment() {
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_HOOKS=none BOOMERANG_STRUCTURE=lazy-dudley BOOMERANG_PREFILTER=off
+    same_output "no hooks"
+    at_work "no hooks"
+    [ "$(number 'hooks')" = '[]' ] || fail "hooks are not empty"
+    [ "$(number structure)" = lazy-dudley ] || fail "another structure"
+    [ "$(number toi_queries)" -eq 0 ] && [ "$(number overlap_queries)" -eq 0 ] || fail "a hook that was off answered"
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_HOOKS=all,-solve-toi BOOMERANG_VERBOSE=1
+    same_output "all but one hook"
+    grep -q 'hooks: time-of-impact test-overlap contact-loop' "$room/err" || fail "verbose: hooks not listed"
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_HOOKS=none,+time-of-impact BOOMERANG_VERBOSE=1
+    same_output "one hook"
+    one_line "one hook" 'hooks: time-of-impact$'
+    [ "$(number toi_queries)" -gt 0 ] || fail "the one hook was not asked"
+}
+
+test_values_that_are_not_understood_get_one_line() {
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG=perhaps
+    one_line "BOOMERANG=perhaps" 'BOOMERANG=perhaps is not understood.*on, off, verify'
+    same_output "BOOMERANG=perhaps"
+    at_work "BOOMERANG=perhaps"
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_HOOKS=all,-nothing
+    one_line "a hook of no name" 'known: all, none, .* time-of-impact'
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_HOOKS=,
+    one_line "an empty word" 'not understood'
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_STRUCTURE=magic
+    one_line "a structure of no name" 'known: .*free-direction'
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=very
+    one_line "another verbosity" 'known: 0, 1'
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_STATISTICS="$room/no/such/place.json"
+    one_line "statistics nowhere" 'cannot write the statistics'
+    same_output "statistics nowhere"
+}
+
+test_another_box2d_is_left_alone() {
+    local status=0
+    LD_LIBRARY_PATH=$bin/strange "$bin/strange_game" >"$room/strange" || fail "the strange game does not run"
+    game strange_game LD_PRELOAD="$plugin" LD_LIBRARY_PATH="$bin/strange" || status=$?
+    [ "$status" -eq 0 ] || fail "a Box2D without symbols: exit status $status"
+    cmp -s "$room/out" "$room/strange" || fail "a Box2D without symbols: other output"
+    one_line "a Box2D without symbols" 'not at work, Box2D runs as it is: the Box2D of this process lacks _Z'
+    at_rest "a Box2D without symbols"
+    game plain_game LD_PRELOAD="$plugin:$bin/libother_sizes.so"
+    same_output "a Box2D of other sizes"
+    one_line "a Box2D of other sizes" 'has another size of _ZN9b2Contact11s_registersE'
+    at_rest "a Box2D of other sizes"
+}
+
+test_programs_without_box2d_run_as_ever() {
+    local status=0
+    game no_game LD_PRELOAD="$plugin" BOOMERANG=on || status=$?
+    [ "$status" -eq 7 ] && [ "$(cat "$room/out")" = "no game" ] || fail "no game: changed"
+    quiet "no game"
+    game vendored_game LD_PRELOAD="$plugin" || fail "Box2D inside the program: failed"
+    quiet "Box2D inside the program"
+    at_rest "Box2D inside the program"
+    game vendored_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1
+    one_line "Box2D inside the program, verbose" 'never at work'
+    LD_PRELOAD=$plugin /bin/ls / >"$room/out" 2>"$room/err" || fail "ls failed"
+    quiet ls
+}
+
+"$bin/plain_game" >"$room/stock" || { echo "plain_game does not run"; exit 1; }
+for test in $(declare -F | awk '$3 ~ /^test_/ { print $3 }'); do
+    before=$failures
+    "$test"
+    if [ "$failures" -eq "$before" ]; then echo "passed: $test"; else echo "FAILED: $test"; fi
+done
+[ "$failures" -eq 0 ] || { echo "$failures claim(s) failed"; exit 1; }

@@ -1,0 +1,448 @@
+// SPDX-License-Identifier: MIT
+#include <inttypes.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <math.h>
+
+#include "kds_driver.h"
+#include "motions.h"
+#include "test_scale.h"
+
+/// @file
+/// The structures on the mixed hierarchy, driven event by event and audited by brute force.
+
+#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
+#define TWO_PI 6.283185307179586
+static const char *const names[] = {"active-cell-compass", "active-cell-dudley", "tiling-compass",
+                                    "tiling-dudley"};
+
+static bmr_kds *made(const char *name, const test_kds_body *a, const test_kds_body *b, double margin,
+                     double hysteresis) {
+    bmr_kds_def def = bmr_default_kds_def();
+    def.margin = margin;
+    def.hysteresis = hysteresis;
+    const bmr_kds_info *info = bmr_kds_find(name);
+    assert_non_null(info);
+    bmr_kds *kds = NULL;
+    assert_int_equal(bmr_kds_create(info, &def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
+    return kds;
+}
+
+static test_kds_body random_body(test_random *random) {
+    const test_family family = (test_family)test_random_below(random, TEST_FAMILY_COUNT);
+    return test_kds_body_make(test_polygon(family, 3 + test_random_below(random, 40), random));
+}
+
+// --- driven by events ---
+
+typedef struct totals {
+    uint64_t events[BMR_KDS_EVENT_KIND_COUNT];
+    uint64_t outside; ///< events from and to outside of M_0
+    uint64_t mislabelled, levels;
+} totals;
+
+static void count_event(void *context, const test_drive_event *event) {
+    totals *t = context;
+    const bmr_kds_report *r = &event->report;
+    ++t->events[r->kind];
+    t->outside += r->level_before < 0 && r->level_after < 0;
+    // Pages are turned, cells collapse and are stabbed only where there is a cell.
+    const bool of_cell =
+        r->kind == BMR_KDS_STAB || r->kind == BMR_KDS_PAGE_TURN || r->kind == BMR_KDS_COLLAPSE;
+    t->mislabelled += of_cell && r->level_before < 1;
+    if (r->kind == BMR_KDS_PAGE_TURN || r->kind == BMR_KDS_COLLAPSE)
+        t->mislabelled += event->failed.kind != BMR_CONDITION_TURN;
+    if (r->kind == BMR_KDS_STAB && r->apart) // inwards: to a later stage
+        t->mislabelled += r->level_after < r->level_before;
+    bmr_kds_proof proof;
+    if (bmr_kds_get_proof(event->kds, &proof))
+        t->levels += proof.level == r->level_after;
+}
+
+/// One random pair on one random path; a control at its end.
+static void drive_one(const char *name, bool rotates, test_random *random, totals *t) {
+    test_kds_body a = random_body(random), b = random_body(random);
+    const double size = a.polygon->radius + b.polygon->radius;
+    const double gap = size * exp(test_random_uniform(random, log(1e-5), log(0.3)));
+    const test_path_kind kind = (test_path_kind)test_random_below(random, TEST_PATH_KIND_COUNT);
+    test_path path = test_path_make(kind, a.polygon, b.polygon, gap, rotates, random);
+    if (!rotates && test_random_below(random, 3) == 0)
+        path.angle = 0.0; // aligned hierarchies
+    const double margin = test_random_below(random, 4) == 0 ? 1e-3 : 1e-6;
+    bmr_kds *kds = made(name, &a, &b, margin, 0.0);
+    const test_drive drive = {.path = &path, .margin = margin, .on_event = count_event, .context = t};
+    const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &drive);
+    if (!test_drive_is_sound(&result))
+        print_message("%s, path %d, n %u, m %u: false audits %u (%s), dead repairs %u, false contacts %u, "
+                      "missed %u, changed by none %u\n",
+                      name, (int)kind, a.polygon->count, b.polygon->count, result.false_audits,
+                      bmr_error_describe(result.error), result.dead_repairs, result.false_contacts,
+                      result.missed_contacts, result.changed_by_none);
+    assert_true(test_drive_is_sound(&result));
+    // Control: the audit says no where a pair that is held apart touches.
+    bmr_kds_proof proof;
+    if (bmr_kds_get_proof(kds, &proof)) {
+        bmr_pose through = test_path_at(&path, 1.0).pose;
+        through.position = bmr_sub(a.polygon->vertices[0], bmr_rotate(&through, b.polygon->vertices[0]));
+        assert_int_not_equal(bmr_kds_audit(kds, &through), BMR_OK);
+    }
+    bmr_kds_destroy(kds, NULL);
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+}
+
+static void drive_all(bool rotates, size_t rounds, uint64_t seed) {
+    test_random random = {seed};
+    for (size_t k = 0; k < COUNT_OF(names); ++k) {
+        if (rotates && bmr_kds_find(names[k])->domain == BMR_KDS_TRANSLATION)
+            continue;
+        totals t;
+        memset(&t, 0, sizeof t);
+        for (size_t round = 0; round < rounds; ++round)
+            drive_one(names[k], rotates, &random, &t);
+        print_message("%s:", names[k]);
+        for (int i = 0; i < BMR_KDS_EVENT_KIND_COUNT; ++i)
+            if (t.events[i] > 0)
+                print_message(" %s %" PRIu64, bmr_kds_event_name((bmr_kds_event_kind)i), t.events[i]);
+        print_message(", of these outside %" PRIu64 "\n", t.outside);
+        assert_int_equal(t.mislabelled, 0);
+        assert_true(t.levels > 0 && t.outside > 0);
+        assert_true(t.events[BMR_KDS_CROSS] > rounds && t.events[BMR_KDS_STAB] > rounds);
+        assert_true(!rotates || rounds < 50 || t.events[BMR_KDS_PAGE_TURN] > 0);
+        // "The configuration point will be squeezed out of the cell before it finishes collapsing."
+        assert_int_equal(t.events[BMR_KDS_COLLAPSE], 0);
+    }
+}
+
+static void translations_are_sound(void **state) {
+    (void)state;
+    drive_all(false, test_scaled(150), 501);
+}
+
+static void rigid_motions_are_sound(void **state) {
+    (void)state;
+    drive_all(true, test_scaled(200), 503);
+}
+
+/// Boxes, octagons and regular polygons at multiples of a right angle, moving along the axes on the lines of
+/// their own sides: without the displacement the point would move along borders of cells.
+static void aligned_bodies_on_aligned_ways_are_no_trap(void **state) {
+    (void)state;
+    static const test_family families[] = {TEST_BOX, TEST_OCTAGON, TEST_GRID, TEST_PARALLEL, TEST_TURNED_BOX};
+    test_random random = {505};
+    for (size_t round = 0; round < test_scaled(120); ++round) {
+        test_kds_body a = test_kds_body_make(test_polygon(families[round % COUNT_OF(families)], 12, &random));
+        test_kds_body b = test_random_below(&random, 3) == 0
+                              ? test_kds_point_make(0.0, 0.0)
+                              : test_kds_body_make(test_polygon(
+                                    families[test_random_below(&random, COUNT_OF(families))], 12, &random));
+        const double size = 2.0 * (a.polygon->extent + b.polygon->extent);
+        test_path path;
+        memset(&path, 0, sizeof path);
+        // Some vertex of B moves along some vertex of A's level or upright line.
+        const bmr_vec2 p = a.polygon->vertices[test_random_below(&random, a.polygon->count)];
+        const bmr_vec2 q = b.polygon->vertices[test_random_below(&random, b.polygon->count)];
+        const bool upright = test_random_below(&random, 2) != 0;
+        path.cubic[0] = bmr_sub(p, q);
+        *(upright ? &path.cubic[0].y : &path.cubic[0].x) -= size;
+        *(upright ? &path.cubic[1].y : &path.cubic[1].x) = 2.0 * size;
+        const char *name = names[round % COUNT_OF(names)];
+        bmr_kds *kds = made(name, &a, &b, 1e-6, 0.0);
+        const test_drive drive = {.path = &path};
+        const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &drive);
+        assert_true(test_drive_is_sound(&result));
+        bmr_kds_destroy(kds, NULL);
+        test_kds_body_destroy(&a);
+        test_kds_body_destroy(&b);
+    }
+}
+
+// --- poses that come in steps, rates unknown ---
+
+static size_t first_failed(const bmr_kds *kds, const bmr_pose *pose) {
+    bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
+    const size_t count = bmr_kds_conditions(kds, conditions);
+    size_t i = 0;
+    while (i < count && bmr_condition_value(&conditions[i], pose) > 0.0)
+        ++i;
+    return i == count ? SIZE_MAX : i;
+}
+
+/// Whatever the pose, one repair makes all conditions true there, or finds contact.
+static void a_repair_after_any_jump_leads_to_the_right_cell(void **state) {
+    (void)state;
+    test_random random = {507};
+    size_t repairs = 0, failed_before = 0;
+    for (size_t round = 0; round < test_scaled(60); ++round) {
+        test_kds_body a = random_body(&random), b = random_body(&random);
+        test_motion motion = test_motion_make((test_motion_kind)(round % TEST_MOTION_KIND_COUNT), a.polygon,
+                                              b.polygon, &random);
+        bmr_kds *kds = made(names[round / TEST_MOTION_KIND_COUNT % 2], &a, &b, 1e-6, 0.0);
+        bmr_kds_report report;
+        for (int step = 0; step < 200; ++step) {
+            const bmr_instant now = {test_motion_next(&motion, &random), {0.0, 0.0}, 0.0};
+            if (bmr_kds_in_contact(kds) || step == 0)
+                bmr_kds_start(kds, &now, &report);
+            const size_t failed = bmr_kds_in_contact(kds) ? SIZE_MAX : first_failed(kds, &now.pose);
+            if (failed != SIZE_MAX) {
+                failed_before += bmr_kds_audit(kds, &now.pose) != BMR_OK; // control: it was wrong
+                bmr_kds_repair(kds, &now, failed, &report);
+                ++repairs;
+                assert_int_not_equal(report.kind, BMR_KDS_NONE);
+            }
+            if (!bmr_kds_in_contact(kds))
+                assert_true(first_failed(kds, &now.pose) == SIZE_MAX);
+            assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
+        }
+        bmr_kds_destroy(kds, NULL);
+        test_kds_body_destroy(&a);
+        test_kds_body_destroy(&b);
+    }
+    assert_true(repairs > 0 && failed_before > repairs / 2);
+}
+
+static void a_repair_that_is_called_early_changes_nothing(void **state) {
+    (void)state;
+    test_random random = {509};
+    for (size_t round = 0; round < 60; ++round) {
+        test_kds_body a = random_body(&random), b = random_body(&random);
+        bmr_kds *kds = made(names[round % COUNT_OF(names)], &a, &b, 1e-6, 0.0);
+        const double gap = (a.polygon->radius + b.polygon->radius) * test_random_uniform(&random, 1e-3, 0.2);
+        bmr_instant now = {test_pose_at(a.polygon, b.polygon, 0.1 * (double)round, 0.3, gap), {0, 0}, 0.0};
+        bmr_kds_report report;
+        bmr_kds_start(kds, &now, &report);
+        assert_true(report.apart);
+        assert_int_equal(report.kind, BMR_KDS_START);
+        bmr_condition before[BMR_KDS_MAX_CONDITIONS], after[BMR_KDS_MAX_CONDITIONS];
+        const size_t count = bmr_kds_conditions(kds, before);
+        now.velocity =
+            bmr_vec2_make(test_random_uniform(&random, -1, 1), test_random_uniform(&random, -1, 1));
+        for (size_t failed = 0; failed < count; ++failed) {
+            if (bmr_condition_value(&before[failed], &now.pose) < 1e-8 * gap)
+                continue;
+            bmr_kds_repair(kds, &now, failed, &report);
+            assert_int_equal(report.kind, BMR_KDS_NONE);
+            assert_true(report.apart && !report.line_changed);
+        }
+        assert_int_equal(bmr_kds_conditions(kds, after), count);
+        assert_memory_equal(before, after, count * sizeof *before);
+        bmr_kds_destroy(kds, NULL);
+        test_kds_body_destroy(&a);
+        test_kds_body_destroy(&b);
+    }
+}
+
+// --- on a border, along it ---
+
+/// Moves B until condition `i` is not positive, by no more than a few roundings. False: other borders are too
+/// near.
+static bool put_on_border(const bmr_kds *kds, size_t i, bmr_pose *pose, bmr_vec2 *inwards) {
+    bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
+    const size_t count = bmr_kds_conditions(kds, conditions);
+    const bmr_condition *border = &conditions[i];
+    if (border->kind != BMR_CONDITION_BEYOND)
+        return false;
+    *inwards = border->owner == 0 ? border->normal : bmr_neg(bmr_rotate(pose, border->normal));
+    for (int step = 0; step < 50 && bmr_condition_value(border, pose) > 0.0; ++step)
+        pose->position = bmr_add(
+            pose->position, bmr_scale(-bmr_condition_value(border, pose) - (double)step * 0x1p-54, *inwards));
+    bool far = fabs(bmr_condition_value(border, pose)) < 1e-14;
+    for (size_t k = 0; k < count; ++k)
+        far = far && (k == i || bmr_condition_value(&conditions[k], pose) > 1e-6);
+    return far;
+}
+
+static bool same_condition(const bmr_condition *k, const bmr_condition *l) {
+    return k->kind == l->kind && k->owner == l->owner && k->label == l->label && k->offset == l->offset &&
+           k->normal.x == l->normal.x && k->normal.y == l->normal.y && k->point.x == l->point.x &&
+           k->point.y == l->point.y;
+}
+
+static bool waits_for(const bmr_kds *kds, const bmr_condition *condition) {
+    bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
+    const size_t count = bmr_kds_conditions(kds, conditions);
+    size_t i = 0;
+    while (i < count && !same_condition(&conditions[i], condition))
+        ++i;
+    return i < count;
+}
+
+/// The point goes over a side at a small angle, so that nothing but the rate tells on which side it will be:
+/// a cell that is kept would be left again at the same time, for ever.
+static void a_border_crossed_at_any_angle_is_crossed(void **state) {
+    (void)state;
+    test_random random = {513};
+    size_t crossed = 0, grown = 0;
+    for (size_t round = 0; round < test_scaled(400); ++round) {
+        test_kds_body a = random_body(&random), b = random_body(&random);
+        const double size = a.polygon->radius + b.polygon->radius;
+        const double gap = size * exp(test_random_uniform(&random, log(1e-4), log(0.2)));
+        const double extents = a.polygon->extent + b.polygon->extent;
+        const bmr_pose at = test_pose_at(a.polygon, b.polygon, test_random_uniform(&random, 0.0, TWO_PI),
+                                         test_random_uniform(&random, 0.0, TWO_PI), gap);
+        for (size_t i = 0; i < 4; ++i) {
+            bmr_kds *kds = made(names[round % COUNT_OF(names)], &a, &b, 1e-6, 0.0);
+            bmr_instant now = {at, {0.0, 0.0}, 0.0};
+            bmr_kds_report report;
+            bmr_kds_start(kds, &now, &report);
+            bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
+            bmr_vec2 inwards;
+            if (i < bmr_kds_conditions(kds, conditions) && put_on_border(kds, i, &now.pose, &inwards)) {
+                const double slope = exp(test_random_uniform(&random, log(1e-12), log(1e-2)));
+                now.velocity = bmr_add(bmr_scale(size, bmr_left(inwards)), bmr_scale(-slope * size, inwards));
+                if (bmr_condition_value(&conditions[i], &now.pose) > -0x1p-51 * extents) {
+                    // Controls: on the way back in nothing has failed; and what is kept is seen.
+                    const bmr_instant back = {now.pose, bmr_scale(size, inwards), 0.0};
+                    bmr_kds_repair(kds, &back, i, &report);
+                    assert_int_equal(report.kind, BMR_KDS_NONE);
+                    assert_true(waits_for(kds, &conditions[i]));
+                    ++grown;
+                }
+                bmr_kds_repair(kds, &now, i, &report);
+                assert_int_not_equal(report.kind, BMR_KDS_NONE);
+                assert_true(!report.apart || !waits_for(kds, &conditions[i]));
+                ++crossed;
+            }
+            bmr_kds_destroy(kds, NULL);
+        }
+        test_kds_body_destroy(&a);
+        test_kds_body_destroy(&b);
+    }
+    print_message("%zu borders crossed\n", crossed);
+    assert_true(crossed > 100 && grown > crossed / 2);
+}
+
+static void contact_is_at_the_margin_and_left_with_hysteresis(void **state) {
+    (void)state;
+    test_random random = {511};
+    for (size_t round = 0; round < 60; ++round) {
+        test_kds_body a = random_body(&random), b = random_body(&random);
+        const double unit = a.polygon->extent + b.polygon->extent;
+        bmr_kds *kds = made(names[round % COUNT_OF(names)], &a, &b, 1e-3 * unit, 5e-4 * unit);
+        const double turn = test_random_uniform(&random, 0.0, TWO_PI);
+        // The exact distances to be at, in units of the extents.
+        static const double gaps[] = {1.001e-3, 0.999e-3, 1.4e-3, 1.6e-3, 1.001e-3, NAN};
+        static const bool apart[] = {true, false, false, true, true, false};
+        bmr_pose pose = test_pose_at(a.polygon, b.polygon, 0.1 * (double)round, turn, 0.5 * unit);
+        for (size_t i = 0; i < COUNT_OF(gaps); ++i) {
+            const bmr_vec2 away = bmr_sub(pose.position, a.polygon->center);
+            for (int k = 0; k < 200 && i + 1 < COUNT_OF(gaps); ++k) {
+                // Away from A's centre the distance grows by no more than one goes: never too far.
+                const double off = gaps[i] * unit - test_distance(a.polygon, b.polygon, &pose);
+                pose.position = bmr_add(pose.position, bmr_scale(off / hypot(away.x, away.y), away));
+            }
+            if (i + 1 < COUNT_OF(gaps) &&
+                fabs(test_distance(a.polygon, b.polygon, &pose) - gaps[i] * unit) > 1e-7 * unit)
+                break; // a way too slanted
+            if (i + 1 == COUNT_OF(gaps))
+                pose.position.x = NAN;
+            const bmr_instant now = {pose, {0.0, 0.0}, 0.0};
+            bmr_kds_report report;
+            const bool was_in_contact = i > 0 && bmr_kds_in_contact(kds);
+            bmr_kds_start(kds, &now, &report);
+            assert_int_equal(report.apart, apart[i]);
+            assert_int_equal(bmr_kds_in_contact(kds), !apart[i]);
+            if (apart[i])
+                assert_int_equal(report.kind, was_in_contact ? BMR_KDS_LEAVE : BMR_KDS_START);
+            assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
+        }
+        bmr_kds_destroy(kds, NULL);
+        test_kds_body_destroy(&a);
+        test_kds_body_destroy(&b);
+    }
+}
+
+// --- how much ---
+
+static test_kds_body regular_body(size_t n, double phase) {
+    bmr_vec2 *points = malloc(n * sizeof *points);
+    assert_non_null(points);
+    bmr_polygon *polygon = NULL;
+    test_regular_points(n, 1.0, phase, points);
+    assert_int_equal(bmr_polygon_create(points, n, NULL, &polygon), BMR_OK);
+    free(points);
+    return test_kds_body_make(polygon);
+}
+
+/// Bytes: the implicit structures' do not depend on n. The tilings' do (the control).
+static void the_active_cell_takes_constant_space(void **state) {
+    (void)state;
+    size_t bytes[COUNT_OF(names)][2];
+    for (int i = 0; i < 2; ++i) {
+        test_kds_body a = regular_body(i ? 2048 : 8, 0.1), b = regular_body(i ? 1024 : 4, 0.2);
+        for (size_t k = 0; k < COUNT_OF(names); ++k) {
+            bmr_kds *kds = made(names[k], &a, &b, 1e-6, 0.0);
+            bytes[k][i] = bmr_kds_bytes(kds);
+            bmr_kds_destroy(kds, NULL);
+        }
+        test_kds_body_destroy(&a);
+        test_kds_body_destroy(&b);
+    }
+    for (size_t k = 0; k < COUNT_OF(names); ++k)
+        print_message("%s: %zu bytes for 8 and 4 vertices, %zu for 2048 and 1024\n", names[k], bytes[k][0],
+                      bytes[k][1]);
+    assert_true(bytes[0][0] == bytes[0][1] && bytes[1][0] == bytes[1][1]);
+    assert_true(bytes[2][1] > 50 * bytes[2][0] && bytes[3][1] > 50 * bytes[3][0]);
+}
+
+/// Events of one drive of two regular polygons; sigma the gap in units of D = 2.
+static test_drive_result drive_regular(const char *name, size_t n, test_path_kind kind, double sigma,
+                                       double seed) {
+    test_random random = {(uint64_t)(1000.0 * seed)};
+    test_kds_body a = regular_body(n, seed), b = regular_body(n, 2.0 * seed);
+    const test_path path = test_path_make(kind, a.polygon, b.polygon, 2.0 * sigma, false, &random);
+    bmr_kds *kds = made(name, &a, &b, 1e-9, 0.0);
+    const test_drive drive = {.path = &path, .margin = 1e-9, .resolution = 1e-9, .audit_every = 1000};
+    const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &drive);
+    assert_true(test_drive_is_sound(&result));
+    bmr_kds_destroy(kds, NULL);
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+    return result;
+}
+
+/// Lemma mixed2 and theorem transpoly: O(log) events of a line (3 log2(D/sigma) + 2 cells on the compass, and
+/// the outside before and after), O(sqrt(D/sigma)) of an orbit (15 sqrt(D/sigma), the notes' measure).
+static void events_grow_as_the_theorem_says(void **state) {
+    (void)state;
+    size_t above_half_line = 0, above_half_orbit = 0;
+    for (size_t k = 0; k < 2; ++k)
+        for (int power = 3; power <= 11; power += 2) {
+            const double sigma = pow(2.0, -power);
+            const test_drive_result line = drive_regular(names[k], 256, TEST_PATH_LINE, sigma, 0.37);
+            const test_drive_result orbit = drive_regular(names[k], 256, TEST_PATH_ORBIT, sigma, 0.53);
+            const double of_line = (double)test_drive_events(&line),
+                         of_orbit = (double)test_drive_events(&orbit);
+            print_message(
+                "%s, sigma = D / 2^%d: line %.0f events, orbit %.0f = %.1f sqrt(D/sigma); %.2f stages "
+                "an event\n",
+                names[k], power, of_line, of_orbit, of_orbit * sqrt(sigma),
+                (double)(line.touched + orbit.touched) / (of_line + of_orbit));
+            assert_true(k == 1 || of_line <= 3.0 * power + 2.0 + 8.0);
+            assert_true(of_orbit * sqrt(sigma) <= 15.0);
+            above_half_line += of_line > 0.5 * (3.0 * power + 2.0);
+            above_half_orbit += of_orbit * sqrt(sigma) > 7.5;
+        }
+    assert_true(above_half_line > 0 && above_half_orbit > 0); // controls: half of each bound is too little
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(translations_are_sound),
+        cmocka_unit_test(rigid_motions_are_sound),
+        cmocka_unit_test(aligned_bodies_on_aligned_ways_are_no_trap),
+        cmocka_unit_test(a_repair_after_any_jump_leads_to_the_right_cell),
+        cmocka_unit_test(a_repair_that_is_called_early_changes_nothing),
+        cmocka_unit_test(a_border_crossed_at_any_angle_is_crossed),
+        cmocka_unit_test(contact_is_at_the_margin_and_left_with_hysteresis),
+        cmocka_unit_test(the_active_cell_takes_constant_space),
+        cmocka_unit_test(events_grow_as_the_theorem_says),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

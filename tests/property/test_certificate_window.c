@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// What the rotational hysteresis of the free directions rests on (docs/open-question.md): a window's bracket
+// is as wide as the limit over the diameter, wherever the polygon's vertices lie, and costs no more than the
+// limit.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "certificate/window.h"
+#include "polygons.h"
+#include "test_scale.h"
+
+/// Of what one turn of a tangent pays for, whose loss is a quarter of the limit at least: then the tangents
+/// meet that far from a chord, and two tangents that differ by the angle delta meet within (D/2)
+/// tan(delta/2).
+#define FOUND_PART 0.25
+/// The short side of a leaning bracket costs this part of the limit.
+#define SHORT_PART 0.0625
+/// No turn is wider, whatever it costs.
+#define WIDEST (75.0 * PI / 180.0)
+#define WIDEST_SHORT (15.0 * PI / 180.0)
+#define PI 3.14159265358979323846
+#define ROUNDING 1e-9
+
+static double diameter_of(const bmr_polygon *p) {
+    double most = 0.0;
+    for (uint32_t i = 0; i < p->count; ++i)
+        for (uint32_t j = 0; j < i; ++j)
+            most =
+                fmax(most, hypot(p->vertices[i].x - p->vertices[j].x, p->vertices[i].y - p->vertices[j].y));
+    return most;
+}
+
+static uint32_t support_of(const bmr_polygon *p, bmr_vec2 d) {
+    uint32_t best = 0;
+    for (uint32_t i = 1; i < p->count; ++i)
+        if (bmr_dot(p->vertices[i], d) > bmr_dot(p->vertices[best], d))
+            best = i;
+    return best;
+}
+
+static double angle_from(bmr_vec2 a, bmr_vec2 b) {
+    return atan2(bmr_cross(a, b), bmr_dot(a, b));
+}
+
+/// Least of what was found over what is promised, and the most that was lost at the direction.
+typedef struct widths {
+    double even, far, near; ///< of a bracket that does not lean, and the two sides of one that does
+    double even_loss, loss; ///< over the diameter, and over the limit
+    double vertices;        ///< the control: the support vertex with its two neighbours, against `even`
+} widths;
+
+static void measure(const bmr_polygon *p, bmr_vec2 d, double limit, widths *w) {
+    const double diameter = diameter_of(p);
+    const uint32_t n = p->count, v = support_of(p, d);
+    const double height = bmr_dot(p->vertices[v], d);
+    const double turn = fmin(WIDEST, 2.0 * atan(2.0 * FOUND_PART * limit / diameter));
+    const double back = fmin(WIDEST_SHORT, 2.0 * atan(2.0 * FOUND_PART * SHORT_PART * limit / diameter));
+    for (int lean = -1; lean <= 1; ++lean) {
+        bmr_window window;
+        bmr_window_make(p, d, v, limit, lean, &window);
+        const double low = angle_from(window.low, d), high = angle_from(d, window.high);
+        const double loss = fmax(bmr_dot(window.corner[0], d), bmr_dot(window.corner[1], d)) - height;
+        if (lean == 0) {
+            w->even = fmin(w->even, fmin(low, high) / turn);
+            w->even_loss = fmax(w->even_loss, loss / diameter);
+        } else {
+            w->far = fmin(w->far, (lean > 0 ? high : low) / turn);
+            w->near = fmin(w->near, (lean > 0 ? low : high) / back);
+            w->loss = fmax(w->loss, loss / limit);
+        }
+    }
+    // Its bracket reaches over the normals of the edges next to it.
+    const double before = angle_from(bmr_polygon_normal(p, (v + n - 2) % n), d),
+                 after = angle_from(d, bmr_polygon_normal(p, (v + 1) % n));
+    w->vertices = fmin(w->vertices, fmin(before, after) / turn);
+}
+
+static widths measure_many(void) {
+    widths w = {INFINITY, INFINITY, INFINITY, 0.0, 0.0, INFINITY};
+    test_random random = {31};
+    for (size_t round = 0; round < test_scaled(400); ++round)
+        for (int family = 0; family < TEST_FAMILY_COUNT; ++family) {
+            const size_t n = 5 + test_random_below(&random, 150);
+            bmr_polygon *p = test_polygon((test_family)family, n, &random);
+            assert_non_null(p);
+            // Now anywhere, now close to the normal of an edge, where the vertices crowd if they do.
+            const bmr_vec2 normal = bmr_polygon_normal(p, test_random_below(&random, p->count));
+            const double off =
+                test_random_uniform(&random, -1.0, 1.0) * pow(10.0, test_random_uniform(&random, -5.0, 0.5));
+            const bmr_pose by = {{0.0, 0.0}, cos(off), sin(off)};
+            const double limit = diameter_of(p) * pow(10.0, test_random_uniform(&random, -4.0, 0.0));
+            if (p->count > 4)
+                measure(p, bmr_rotate(&by, normal), limit, &w);
+            bmr_polygon_destroy(p, NULL);
+        }
+    return w;
+}
+
+static void a_bracket_is_as_wide_as_the_limit_pays_for(void **state) {
+    (void)state;
+    const widths w = measure_many();
+    assert_true(w.even >= 1.0 - ROUNDING);
+    assert_true(w.far >= 1.0 - ROUNDING);
+    assert_true(w.near >= 1.0 - ROUNDING);
+    assert_true(w.vertices < 0.1); // the control
+}
+
+static void nothing_is_lost_at_the_direction_or_the_limit_when_leaning(void **state) {
+    (void)state;
+    const widths w = measure_many();
+    assert_true(w.even_loss <= ROUNDING);
+    assert_true(w.loss <= 1.0 + ROUNDING);
+    assert_true(w.loss > SHORT_PART); // leaning costs more than its short side does
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_bracket_is_as_wide_as_the_limit_pays_for),
+        cmocka_unit_test(nothing_is_lost_at_the_direction_or_the_limit_when_leaning),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

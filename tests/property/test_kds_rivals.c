@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// The rivals prove separation at and between all events, and cost Theta(n) and Theta(n^2) events.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "kds/features.h"
+#include "kds/registry.h"
+#include "kds_driver.h"
+#include "motions.h"
+#include "test_scale.h"
+
+#define RIVALS 4
+static const bmr_kds_info *const rivals[RIVALS] = {&bmr_kds_closest_features, &bmr_kds_inner_tangent,
+                                                   &bmr_kds_separating_edge, &bmr_kds_separating_edge_walk};
+
+static bmr_kds *make(const bmr_kds_info *info, const test_kds_body *a, const test_kds_body *b,
+                     double margin) {
+    bmr_kds_def def = bmr_default_kds_def();
+    def.margin = margin;
+    bmr_kds *kds = NULL;
+    assert_int_equal(bmr_kds_create(info, &def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
+    return kds;
+}
+
+static test_drive_result drive(const bmr_kds_info *info, const test_kds_body *a, const test_kds_body *b,
+                               const test_path *path, double margin) {
+    bmr_kds *kds = make(info, a, b, margin);
+    const test_drive d = {.path = path, .margin = margin};
+    const test_drive_result r = test_drive_run(kds, a->polygon, b->polygon, &d);
+    bmr_kds_destroy(kds, NULL);
+    return r;
+}
+
+static void complain(const bmr_kds_info *info, const test_drive_result *r, int a, int b, int kind,
+                     bool rotates, size_t trial) {
+    if (!test_drive_is_sound(r))
+        print_message(
+            "%s: %s, %s, path %d, rotates %d, trial %zu: audits %u (%d), dead %u, contacts %u %u, none %u\n",
+            info->name, test_family_name((test_family)a), test_family_name((test_family)b), kind, rotates,
+            trial, r->false_audits, r->error, r->dead_repairs, r->false_contacts, r->missed_contacts,
+            r->changed_by_none);
+}
+
+static void test_random_motions_are_proved_throughout(void **state) {
+    (void)state;
+    test_random random = {7};
+    const size_t trials = test_scaled(300);
+    uint64_t events = 0;
+    for (size_t trial = 0; trial < trials; trial++) {
+        const int fa = (int)test_random_below(&random, TEST_FAMILY_COUNT),
+                  fb = (int)test_random_below(&random, TEST_FAMILY_COUNT);
+        const size_t n = 3 + test_random_below(&random, 30), m = 3 + test_random_below(&random, 30);
+        test_kds_body a = test_kds_body_make(test_polygon((test_family)fa, n, &random)),
+                      b = test_random_below(&random, 8) == 0
+                              ? test_kds_point_make(0.2, 0.1)
+                              : test_kds_body_make(test_polygon((test_family)fb, m, &random));
+        const int kind = (int)test_random_below(&random, TEST_PATH_KIND_COUNT);
+        const bool rotates = test_random_below(&random, 2) == 0;
+        const double size = fmax(a.polygon->extent, b.polygon->extent);
+        const double gap = size * exp(test_random_uniform(&random, log(1e-4), log(2.0)));
+        const test_path path =
+            test_path_make((test_path_kind)kind, a.polygon, b.polygon, gap, rotates, &random);
+        for (size_t k = 0; k < RIVALS; k++) {
+            const test_drive_result r = drive(rivals[k], &a, &b, &path, 1e-6 * size);
+            complain(rivals[k], &r, fa, fb, kind, rotates, trial);
+            assert_true(test_drive_is_sound(&r));
+            events += test_drive_events(&r);
+        }
+        test_kds_body_destroy(&a);
+        test_kds_body_destroy(&b);
+    }
+    assert_true(events > 10 * trials);
+}
+
+/// Events of a rival that a line past regular n-gons at a distance costs, or a turn in place.
+static uint64_t regular_events(const bmr_kds_info *info, size_t n, bool turns) {
+    bmr_vec2 points[128];
+    bmr_polygon *polygons[2];
+    for (int k = 0; k < 2; k++) {
+        test_regular_points(n, 1.0, 0.1 + 0.3 * k, points);
+        assert_int_equal(bmr_polygon_create(points, n, NULL, &polygons[k]), BMR_OK);
+    }
+    test_kds_body a = test_kds_body_make(polygons[0]), b = test_kds_body_make(polygons[1]);
+    test_path path;
+    memset(&path, 0, sizeof path);
+    path.cubic[0] = bmr_vec2_make(turns ? 0.0 : -30.0, 3.0);
+    path.cubic[1] = bmr_vec2_make(turns ? 0.0 : 60.0, 0.0);
+    path.spin = turns ? 6.283185307179586 : 0.0;
+    const test_drive_result r = drive(info, &a, &b, &path, 1e-6);
+    assert_true(test_drive_is_sound(&r));
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+    return test_drive_events(&r);
+}
+
+static void test_a_pass_and_a_turn_cost_events_in_proportion_to_n(void **state) {
+    (void)state;
+    for (int turns = 0; turns < 2; turns++)
+        for (size_t k = 0; k < RIVALS; k++) {
+            const uint64_t few = regular_events(rivals[k], 16, turns),
+                           many = regular_events(rivals[k], 128, turns);
+            print_message("%s, %s: %d events for n = 16, %d for 128\n", rivals[k]->name,
+                          turns ? "turn" : "pass", (int)few, (int)many);
+            if (rivals[k] == &bmr_kds_separating_edge && !turns) {
+                assert_true(many <= few + 2); // the edge of most slack lasts
+            } else {
+                assert_true(few >= 7);
+                // Eight times, and an end; the corners of a coarse body that turns rock the other's feature
+                // too.
+                assert_true(many >= (turns ? 5 : 7) * few && many <= 9 * few);
+            }
+        }
+}
+
+static void test_a_repair_without_failure_changes_nothing(void **state) {
+    (void)state;
+    test_random random = {3};
+    test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 20, &random)),
+                  b = test_kds_body_make(test_polygon(TEST_LENS, 20, &random));
+    const bmr_instant now = {test_pose_at(a.polygon, b.polygon, 1.0, 2.0, 0.5), {1.0, 0.0}, 0.3};
+    for (size_t k = 0; k < RIVALS; k++) {
+        bmr_kds *kds = make(rivals[k], &a, &b, 1e-6);
+        bmr_kds_report report;
+        bmr_kds_start(kds, &now, &report);
+        bmr_condition before[BMR_KDS_MAX_CONDITIONS], after[BMR_KDS_MAX_CONDITIONS];
+        const size_t count = bmr_kds_conditions(kds, before);
+        assert_true(count >= 3);
+        for (size_t i = 0; i <= count; i++) {
+            bmr_kds_repair(kds, &now, i, &report);
+            assert_int_equal(report.kind, BMR_KDS_NONE);
+            assert_int_equal(bmr_kds_conditions(kds, after), count);
+            assert_memory_equal(before, after, count * sizeof *before);
+        }
+        bmr_kds_destroy(kds, NULL);
+    }
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+}
+
+/// The control: a proof, made at one pose, is found wrong at another where it does not hold.
+static void test_audits_find_a_stale_proof(void **state) {
+    (void)state;
+    test_random random = {4};
+    test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 20, &random)),
+                  b = test_kds_body_make(test_polygon(TEST_LENS, 20, &random));
+    for (size_t k = 0; k < RIVALS; k++)
+        for (int step = 1; step < 12; step++) {
+            bmr_kds *kds = make(rivals[k], &a, &b, 1e-6);
+            bmr_kds_report report;
+            const bmr_instant now = {test_pose_at(a.polygon, b.polygon, 0.5, 2.0, 0.01), {0.0, 0.0}, 0.0};
+            bmr_kds_start(kds, &now, &report);
+            assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
+            const bmr_pose other = test_pose_at(a.polygon, b.polygon, 3.0 + 0.1 * step, 2.0, 0.01);
+            assert_int_not_equal(bmr_kds_audit(kds, &other), BMR_OK);
+            bmr_kds_destroy(kds, NULL);
+        }
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+}
+
+/// The feature audit finds a pair of features that is not the closest one although its line separates.
+static void test_feature_audit_finds_features_that_are_not_the_closest(void **state) {
+    (void)state;
+    test_random random = {6};
+    test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 40, &random)),
+                  b = test_kds_body_make(test_polygon(TEST_CIRCLE, 40, &random));
+    bmr_kds *kds = make(&bmr_kds_closest_features, &a, &b, 1e-6);
+    const bmr_instant now = {test_pose_at(a.polygon, b.polygon, 1.0, 2.0, 0.5), {0.0, 0.0}, 0.0};
+    bmr_feature_pair pair = {.vertex = {0, 0}, .edge_owner = -1};
+    unsigned touched = 0;
+    assert_true(bmr_features_start(kds, &now, &pair, &touched));
+    assert_int_equal(bmr_features_audit(kds, &pair, &now.pose), BMR_OK);
+    for (uint32_t step = 1; step < 40; step++) {
+        bmr_feature_pair wrong = pair;
+        wrong.vertex[0] = (wrong.vertex[0] + step) % a.polygon->count;
+        assert_int_equal(bmr_features_audit(kds, &wrong, &now.pose), BMR_ERROR_INVALID_STRUCTURE);
+    }
+    bmr_kds_destroy(kds, NULL);
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random_motions_are_proved_throughout),
+        cmocka_unit_test(test_a_pass_and_a_turn_cost_events_in_proportion_to_n),
+        cmocka_unit_test(test_a_repair_without_failure_changes_nothing),
+        cmocka_unit_test(test_audits_find_a_stale_proof),
+        cmocka_unit_test(test_feature_audit_finds_features_that_are_not_the_closest),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

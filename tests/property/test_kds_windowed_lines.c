@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// The structures whose proof is a line and a window: sound on random motions, and refuted where they should
+// be.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "kds/structure.h"
+#include "kds/windowed_line.h"
+#include "kds_driver.h"
+#include "motions.h"
+#include "test_scale.h"
+
+static const char *const names[] = {
+    "inflated-translation", "inflated-window", "free-fd1", "free-fd2", "free-fdx", "free-fdxa", "predict",
+    "predict-adaptive"};
+#define NAMES (sizeof names / sizeof *names)
+
+static bmr_kds *made(const char *name, const test_kds_body *a, const test_kds_body *b) {
+    const bmr_kds_def def = bmr_default_kds_def();
+    bmr_kds *kds = NULL;
+    assert_non_null(bmr_kds_find(name));
+    assert_int_equal(bmr_kds_create(bmr_kds_find(name), &def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
+    return kds;
+}
+
+/// Of any family; one in eight a point or a segment.
+static test_kds_body any_body(test_random *random) {
+    const uint32_t choice = test_random_below(random, 16);
+    if (choice == 0)
+        return test_kds_point_make(0.3, -0.2);
+    if (choice == 1) {
+        const bmr_vec2 ends[2] = {{-0.7, 0.1}, {0.9, test_random_uniform(random, -1.0, 1.0)}};
+        bmr_polygon *segment = NULL;
+        assert_int_equal(bmr_polygon_create(ends, 2, NULL, &segment), BMR_OK);
+        return test_kds_body_make(segment);
+    }
+    const size_t n = 4 + test_random_below(random, 40);
+    return test_kds_body_make(
+        test_polygon((test_family)test_random_below(random, TEST_FAMILY_COUNT), n, random));
+}
+
+static void they_are_sound_on_random_motions(void **state) {
+    (void)state;
+    test_random random = {20};
+    for (size_t round = 0; round < test_scaled(40); ++round)
+        for (int kind = 0; kind < TEST_PATH_KIND_COUNT; ++kind) {
+            test_kds_body a = any_body(&random), b = any_body(&random);
+            const double size = a.polygon->radius + b.polygon->radius;
+            const double gap = size * pow(10.0, -test_random_uniform(&random, 0.0, 4.0));
+            const bool rotates = test_random_below(&random, 3) > 0;
+            const test_path path =
+                test_path_make((test_path_kind)kind, a.polygon, b.polygon, gap, rotates, &random);
+            for (size_t k = 0; k < NAMES; ++k) {
+                if (rotates && bmr_kds_find(names[k])->domain == BMR_KDS_TRANSLATION)
+                    continue;
+                bmr_kds *kds = made(names[k], &a, &b);
+                const test_drive drive = {&path, 0.0, 8, 0.0, false, NULL, NULL};
+                const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &drive);
+                if (!test_drive_is_sound(&r))
+                    print_error(
+                        "%s, kind %d, round %zu: audits %u (%s) dead %u false contact %u missed %u none %u\n",
+                        names[k], kind, round, r.false_audits, bmr_error_describe(r.error), r.dead_repairs,
+                        r.false_contacts, r.missed_contacts, r.changed_by_none);
+                assert_true(test_drive_is_sound(&r));
+                bmr_kds_destroy(kds, NULL);
+            }
+            test_kds_body_destroy(&a);
+            test_kds_body_destroy(&b);
+        }
+}
+
+/// The controls: what an audit must see, put into the state by hand (it begins with the line).
+static void an_audit_refutes_what_is_false(void **state) {
+    (void)state;
+    test_random random = {4};
+    test_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 30, &random));
+    test_kds_body b = test_kds_body_make(test_polygon(TEST_REGULAR, 20, &random));
+    const bmr_instant now = {test_pose_at(a.polygon, b.polygon, 0.4, 1.1, 0.3), {-0.3, 0.2}, 0.7};
+    for (size_t k = 0; k < NAMES; ++k) {
+        bmr_kds *kds = made(names[k], &a, &b);
+        bmr_kds_report report;
+        bmr_kds_start(kds, &now, &report);
+        assert_true(report.apart && report.line_changed);
+        assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
+        bmr_windowed_line *w = (bmr_windowed_line *)(void *)kds->state;
+        const bmr_windowed_line right = *w;
+        w->line.offset -= 1e-6; // cuts off a vertex of the owner's
+        assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_ERROR_FALSE_CERTIFICATE);
+        *w = right;
+        w->line.offset += 2.0; // cuts off the other
+        assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_ERROR_FALSE_CERTIFICATE);
+        *w = right;
+        for (int i = 0; i < w->count; ++i) // nearer to its middle than the body is
+            w->point[i] = bmr_scale(0.9, w->point[i]);
+        assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_ERROR_INVALID_STRUCTURE);
+        *w = right;
+        if (!w->fixed) { // a bracket that the direction is not in
+            w->low = w->high;
+            assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_ERROR_INVALID_STRUCTURE);
+        }
+        bmr_kds_destroy(kds, NULL);
+    }
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+}
+
+/// Nothing failed, nothing done; and with no rates known, sound all the same.
+static void a_repair_that_comes_early_changes_nothing(void **state) {
+    (void)state;
+    test_random random = {9};
+    test_kds_body a = test_kds_body_make(test_polygon(TEST_LENS, 30, &random));
+    test_kds_body b = test_kds_body_make(test_polygon(TEST_CIRCLE, 20, &random));
+    for (int still = 0; still < 2; ++still)
+        for (size_t k = 0; k < NAMES; ++k) {
+            bmr_kds *kds = made(names[k], &a, &b);
+            bmr_instant now = {test_pose_at(a.polygon, b.polygon, 0.4, 1.1, 0.3), {-0.3, 0.2}, 0.7};
+            if (still) {
+                now.velocity = bmr_vec2_make(0.0, 0.0);
+                now.spin = 0.0;
+            }
+            bmr_kds_report report;
+            bmr_kds_start(kds, &now, &report);
+            bmr_condition before[BMR_KDS_MAX_CONDITIONS], after[BMR_KDS_MAX_CONDITIONS];
+            const size_t count = bmr_kds_conditions(kds, before);
+            for (size_t i = 0; i < count; ++i)
+                assert_true(bmr_condition_value(&before[i], &now.pose) > 0.0);
+            bmr_kds_repair(kds, &now, 0, &report);
+            assert_int_equal(report.kind, BMR_KDS_NONE);
+            assert_true(report.apart && !report.line_changed);
+            assert_int_equal(bmr_kds_conditions(kds, after), count);
+            assert_memory_equal(before, after, count * sizeof *before);
+            bmr_kds_destroy(kds, NULL);
+        }
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+}
+
+/// Contact ends at the margin and the hysteresis, not before.
+static void contact_is_left_beyond_the_hysteresis(void **state) {
+    (void)state;
+    test_random random = {6};
+    test_kds_body a = test_kds_body_make(test_polygon(TEST_REGULAR, 16, &random));
+    test_kds_body b = test_kds_body_make(test_polygon(TEST_REGULAR, 16, &random));
+    for (size_t k = 0; k < NAMES; ++k) {
+        bmr_kds_def def = bmr_default_kds_def();
+        def.margin = 0.01;
+        def.hysteresis = 0.02;
+        bmr_kds *kds = NULL;
+        assert_int_equal(bmr_kds_create(bmr_kds_find(names[k]), &def, &a.shape, &b.shape, NULL, &kds),
+                         BMR_OK);
+        const double gaps[] = {0.005, 0.025, 0.035, 0.025, 0.009};
+        const bmr_kds_event_kind kinds[] = {BMR_KDS_CONTACT, BMR_KDS_CONTACT, BMR_KDS_LEAVE, BMR_KDS_START,
+                                            BMR_KDS_CONTACT};
+        for (int i = 0; i < 5; ++i) {
+            const bmr_instant now = {test_pose_at(a.polygon, b.polygon, 0.2, 0.0, gaps[i]), {0.0, 0.0}, 0.0};
+            bmr_kds_report report;
+            bmr_kds_start(kds, &now, &report);
+            assert_int_equal(report.kind, kinds[i]);
+            assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
+        }
+        bmr_kds_destroy(kds, NULL);
+    }
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(they_are_sound_on_random_motions),
+        cmocka_unit_test(an_audit_refutes_what_is_false),
+        cmocka_unit_test(a_repair_that_comes_early_changes_nothing),
+        cmocka_unit_test(contact_is_left_beyond_the_hysteresis),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

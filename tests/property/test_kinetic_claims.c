@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Section 6, last paragraph: "Rotational hysteresis implies that the number of events is bounded by the size
+// of a kappa-clear decomposition of the path that the polygons traverse through the three-dimensional
+// configuration space, for some constant kappa."
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "boomerang/analysis.h"
+#include "kds/registry.h"
+#include "kds_driver.h"
+
+/// As in test_kinetic_hysteresis.c: no event is near the annulus where nothing is promised.
+#define VERTICES 400
+#define RATIO 20.0
+
+/// The least (displacement + D rotation) / distance that test_kinetic_hysteresis.c asks for between events.
+#define LEAST_RHO 0.2
+
+/// A segment of a decomposition has a diameter of at most 2 / (kappa - 1) of the least distance on it; where
+/// that is below rho no two events are in one segment.
+static const double kappa = 1.0 + 2.0 / LEAST_RHO;
+
+typedef struct stage {
+    test_kds_body bodies[2];
+    bmr_family_motion motion;
+    bmr_course course;
+} stage;
+
+static stage set(bmr_family family, uint64_t seed) {
+    stage s;
+    bmr_vec2 points[VERTICES];
+    for (int side = 0; side < 2; ++side) {
+        bmr_polygon *polygon = NULL;
+        assert_int_equal(
+            bmr_outline_points(side == 0 ? BMR_OUTLINE_ELLIPSE : BMR_OUTLINE_DISC, VERTICES, seed, points),
+            BMR_OK);
+        assert_int_equal(bmr_polygon_create(points, VERTICES, NULL, &polygon), BMR_OK);
+        s.bodies[side] = test_kds_body_make(polygon);
+    }
+    const bmr_polygon *a = s.bodies[0].polygon, *b = s.bodies[1].polygon;
+    const bmr_family_def def = {family, RATIO, seed, 64, 0};
+    assert_int_equal(bmr_family_create(&def, a, b, NULL, &s.motion), BMR_OK);
+    s.course = (bmr_course){{a, b}, {s.motion.motions[0], s.motion.motions[1]}, 0.0, 1.0};
+    return s;
+}
+
+static void strike(stage *s) {
+    bmr_family_destroy(&s->motion);
+    test_kds_body_destroy(&s->bodies[0]);
+    test_kds_body_destroy(&s->bodies[1]);
+}
+
+static uint64_t events(const stage *s, const bmr_kds_info *structure) {
+    const bmr_run_def def = {.structure = structure,
+                             .shapes = {s->bodies[0].shape, s->bodies[1].shape},
+                             .simulation = bmr_default_simulation_def(),
+                             .audit = true};
+    bmr_run run;
+    assert_int_equal(bmr_run_course(&def, &s->course, s->motion.diameter, NULL, &run), BMR_OK);
+    assert_int_equal(run.audit, BMR_OK);
+    return run.events;
+}
+
+static void events_of_rigid_motions_are_no_more_than_a_clear_decomposition(void **state) {
+    (void)state;
+    static const bmr_family families[] = {BMR_FAMILY_SPIN, BMR_FAMILY_RIGID_ALGEBRAIC, BMR_FAMILY_TUMBLE,
+                                          BMR_FAMILY_RIGID_WANDER};
+    const bmr_kds_info *const structures[] = {&bmr_kds_inflated_window, &bmr_kds_free_fd1, &bmr_kds_free_fd2};
+    bool beyond = false;
+    for (size_t f = 0; f < sizeof families / sizeof *families; ++f) {
+        stage s = set(families[f], 13 + f);
+        bmr_clear clear;
+        assert_int_equal(bmr_clear_decomposition(&s.course, kappa, s.motion.diameter, &clear), BMR_OK);
+        for (size_t k = 0; k < 3; ++k) {
+            const uint64_t count = events(&s, structures[k]);
+            print_message("%s, %s: %d events, %d to %d segments\n", bmr_family_name(families[f]),
+                          structures[k]->name, (int)count, (int)clear.least, (int)clear.found);
+            assert_true(count > 0 && count <= clear.least);
+        }
+        // The control: the closest features know no such bound.
+        beyond = beyond || events(&s, &bmr_kds_closest_features) > clear.found;
+        strike(&s);
+    }
+    assert_true(beyond);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(events_of_rigid_motions_are_no_more_than_a_clear_decomposition),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Hysteresis (section 6 of the paper), translational and rotational, of the inflated structures of two
+// polygons and of the free directions; and the bound on events by clear decompositions that follows from it.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "boomerang/analysis.h"
+#include "boomerang/inflated.h"
+#include "kds/registry.h"
+#include "kds_driver.h"
+#include "motions.h"
+#include "test_scale.h"
+
+/// Smooth enough that no event of the motions here is near the annulus of width O(D/n) where nothing is
+/// promised.
+#define VERTICES 400
+#define RATIO 20.0
+
+typedef struct setting {
+    test_kds_body bodies[2];
+    bmr_family_motion motion;
+    bmr_course course;
+} setting;
+
+static setting make_setting(bmr_family family, uint64_t seed) {
+    setting s;
+    bmr_vec2 points[VERTICES];
+    for (int side = 0; side < 2; ++side) {
+        bmr_polygon *polygon = NULL;
+        assert_int_equal(
+            bmr_outline_points(side == 0 ? BMR_OUTLINE_ELLIPSE : BMR_OUTLINE_DISC, VERTICES, seed, points),
+            BMR_OK);
+        assert_int_equal(bmr_polygon_create(points, VERTICES, NULL, &polygon), BMR_OK);
+        s.bodies[side] = test_kds_body_make(polygon);
+    }
+    const bmr_family_def def = {family, RATIO, seed, family == BMR_FAMILY_LINE ? 0 : 64, 0};
+    assert_int_equal(bmr_family_create(&def, s.bodies[0].polygon, s.bodies[1].polygon, NULL, &s.motion),
+                     BMR_OK);
+    const bmr_course course = {
+        {s.bodies[0].polygon, s.bodies[1].polygon}, {s.motion.motions[0], s.motion.motions[1]}, 0.0, 1.0};
+    s.course = course;
+    return s;
+}
+
+static void drop_setting(setting *s) {
+    bmr_family_destroy(&s->motion);
+    test_kds_body_destroy(&s->bodies[0]);
+    test_kds_body_destroy(&s->bodies[1]);
+}
+
+/// What one run saw, beside its counts.
+typedef struct seen {
+    bmr_inflation inflation; ///< the offsets that it is measured by
+    double least_slack;      ///< certified slack after an event, over the offset of its level
+    unsigned checked;
+} seen;
+
+static void look(void *context, const bmr_simulation_event *event) {
+    seen *s = context;
+    if (!event->report.apart)
+        return;
+    bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
+    const size_t count = bmr_kds_conditions(event->kds, conditions);
+    double slack = INFINITY;
+    for (size_t i = 0; i < count; ++i)
+        if (conditions[i].kind == BMR_CONDITION_BEYOND)
+            slack = fmin(slack, bmr_condition_value(&conditions[i], &event->pose));
+    const double eps = bmr_inflation_offset(&s->inflation, (uint32_t)event->after.level);
+    s->least_slack = fmin(s->least_slack, slack / eps);
+    ++s->checked;
+}
+
+static bmr_run run_of(const bmr_kds_info *info, const setting *s, seen *what) {
+    const bmr_run_def def = {info,
+                             {s->bodies[0].shape, s->bodies[1].shape},
+                             bmr_default_simulation_def(),
+                             true,
+                             what ? look : NULL,
+                             what};
+    bmr_run run;
+    assert_int_equal(bmr_run_course(&def, &s->course, s->motion.diameter, NULL, &run), BMR_OK);
+    assert_int_equal(run.audit, BMR_OK);
+    return run;
+}
+
+static seen offsets_of(const setting *s, double scale) {
+    const double diameter =
+        bmr_inflation_diameter(s->bodies[0].polygon) + bmr_inflation_diameter(s->bodies[1].polygon);
+    const seen none = {bmr_inflation_make(scale * diameter, 0.5, 0.5, 0), INFINITY, 0};
+    return none;
+}
+
+static const bmr_family translations[] = {BMR_FAMILY_LINE, BMR_FAMILY_ORBIT, BMR_FAMILY_ZIGZAG,
+                                          BMR_FAMILY_WANDER};
+static const bmr_family rotations[] = {BMR_FAMILY_SPIN, BMR_FAMILY_TUMBLE, BMR_FAMILY_RIGID_WANDER};
+#define COUNT(list) (sizeof(list) / sizeof *(list))
+
+static void the_slack_after_a_selection_is_at_least_the_offset(void **state) {
+    (void)state;
+    double doubled = INFINITY;
+    for (size_t f = 0; f < COUNT(translations); ++f) {
+        setting s = make_setting(translations[f], 7 + f);
+        seen all = offsets_of(&s, 1.0), control = offsets_of(&s, 2.0);
+        run_of(&bmr_kds_inflated_translation, &s, &all);
+        run_of(&bmr_kds_inflated_window, &s, &all);
+        run_of(&bmr_kds_inflated_window, &s, &control);
+        assert_true(all.checked > 4);
+        assert_true(all.least_slack >= 1.0 - 1e-4); // the margin is part of the conditions
+        doubled = fmin(doubled, control.least_slack);
+        drop_setting(&s);
+    }
+    assert_true(doubled < 1.0); // offsets twice as large would be no promise
+}
+
+/// beta of the paper's Lemma hysteresis, and kappa of its Theorem clear.
+static const double beta = 4.82842712474619, kappa = 10.65685424949238;
+
+static void events_are_as_far_apart_as_the_lemma_says(void **state) {
+    (void)state;
+    for (size_t f = 0; f < COUNT(translations); ++f) {
+        setting s = make_setting(translations[f], 3 + f);
+        const bmr_run inflated = run_of(&bmr_kds_inflated_translation, &s, NULL);
+        const bmr_run free = run_of(&bmr_kds_free_fd2, &s, NULL);
+        const bmr_run rival = run_of(&bmr_kds_closest_features, &s, NULL);
+        assert_true(inflated.hysteresis.intervals > 0 && inflated.hysteresis.both >= 1.0 / beta);
+        // beta = 1 for the free direction: the gap is the distance itself.
+        assert_true(free.hysteresis.both >= 1.0 - 1e-3);
+        assert_true(rival.hysteresis.both < 1.0 / beta); // the control
+        drop_setting(&s);
+    }
+}
+
+static void events_are_no_more_than_a_clear_decomposition(void **state) {
+    (void)state;
+    for (size_t f = 0; f < COUNT(translations); ++f) {
+        setting s = make_setting(translations[f], 11 + f);
+        bmr_clear clear, clear3;
+        assert_int_equal(bmr_clear_decomposition(&s.course, kappa, 0.0, &clear), BMR_OK);
+        assert_int_equal(bmr_clear_decomposition(&s.course, 3.0, 0.0, &clear3), BMR_OK);
+        assert_true(run_of(&bmr_kds_inflated_translation, &s, NULL).events <= clear.least);
+        assert_true(run_of(&bmr_kds_free_fd2, &s, NULL).events <= clear3.least); // kappa = 2 beta + 1 = 3
+        if (translations[f] == BMR_FAMILY_LINE) // the control: a rival's events have nothing to do with it
+            assert_true(run_of(&bmr_kds_closest_features, &s, NULL).events > clear.least);
+        drop_setting(&s);
+    }
+}
+
+/// (|tau| + D |delta|) / d between events. The inflated window loses |tau| + r delta of a slack of d / beta,
+/// and its cone has a margin of (pi / 2) / 2^j, with d < 2.42 eps_(j-1): 0.85 was measured.
+#define LEAST_RHO 0.2
+
+static void events_are_apart_in_position_or_rotation(void **state) {
+    (void)state;
+    double without = INFINITY;
+    for (size_t f = 0; f < COUNT(rotations); ++f) {
+        setting s = make_setting(rotations[f], 5 + f);
+        const bmr_run window = run_of(&bmr_kds_inflated_window, &s, NULL);
+        const bmr_run fd1 = run_of(&bmr_kds_free_fd1, &s, NULL), fd2 = run_of(&bmr_kds_free_fd2, &s, NULL);
+        assert_true(window.hysteresis.intervals > 0 && window.hysteresis.both >= LEAST_RHO);
+        assert_true(fd1.hysteresis.both >= LEAST_RHO);
+        assert_true(fd2.hysteresis.both >= LEAST_RHO);
+        without = fmin(without, run_of(&bmr_kds_inflated_nowindow, &s, NULL).hysteresis.both);
+        drop_setting(&s);
+    }
+    assert_true(without < LEAST_RHO / 2); // the control
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_slack_after_a_selection_is_at_least_the_offset),
+        cmocka_unit_test(events_are_as_far_apart_as_the_lemma_says),
+        cmocka_unit_test(events_are_no_more_than_a_clear_decomposition),
+        cmocka_unit_test(events_are_apart_in_position_or_rotation),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

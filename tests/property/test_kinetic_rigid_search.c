@@ -1,0 +1,441 @@
+// SPDX-License-Identifier: MIT
+// The search for a rigid motion of bounded degree that costs more than the square root of D/sigma events
+// (docs/rigid-adversary.md): motions built by hand, whose growth is fitted, and a random search with hill
+// climbing. The control is a motion of unbounded degree, whose events grow faster and are told apart.
+//
+// BMR_TEST_SCALE=16 is the campaign: D/sigma up to 80,000 for the motions by hand, 16 times the climbing.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "boomerang/analysis.h"
+#include "kds/registry.h"
+#include "kds_driver.h"
+#include "test_scale.h"
+
+#define PI 3.14159265358979323846
+#define MOST_VERTICES 2048
+/// Of FOCUS: sqrt(3) / 2.
+#define ECCENTRICITY 0.86602540378443865
+#define MOST_RATIOS 8
+#define FIRST_RATIO 16.0
+#define LAST_RATIO 5000.0
+
+#define STRUCTURES 3
+static const bmr_kds_info *const structures[STRUCTURES] = {&bmr_kds_lazy_compass, &bmr_kds_lazy_dudley,
+                                                           &bmr_kds_free_fd2};
+
+// ---- Bodies ----
+
+typedef enum outline {
+    REGULAR,
+    LENS,
+    ELLIPSE,
+    RANDOM,
+    FOCUS, ///< a 2 : 1 ellipse of half axis 1 with a focus at the frame's origin, its near end on the x axis
+    KNEE,  ///< two long sides that meet in a rounded corner, whose centre is the frame's origin
+    OUTLINES
+} outline;
+
+typedef struct body_def {
+    outline outline;
+    size_t vertices;
+    double phase;    ///< turns the outline
+    double x, y;     ///< moves it away from the frame's origin, which is what a rotation turns about
+    double rounding; ///< of a knee
+} body_def;
+
+static test_kds_body make_body(const body_def *def) {
+    static const bmr_outline plain[] = {BMR_OUTLINE_REGULAR, BMR_OUTLINE_LENS, BMR_OUTLINE_ELLIPSE,
+                                        BMR_OUTLINE_RANDOM};
+    bmr_vec2 points[MOST_VERTICES + 2];
+    size_t count = def->vertices;
+    assert_true(count >= 3 && count <= MOST_VERTICES);
+    if (def->outline == KNEE) {
+        // The arc turns by 120 degrees; the third corner is opposite of it.
+        for (size_t i = 0; i < count; ++i) {
+            const double angle = (2.0 * (double)i / (double)(count - 1) - 1.0) * PI / 3.0;
+            points[i] = bmr_vec2_make(def->rounding * cos(angle), def->rounding * sin(angle));
+        }
+        points[count++] = bmr_vec2_make(-2.0, 0.0);
+    } else if (def->outline == FOCUS) {
+        for (size_t i = 0; i < count; ++i) {
+            const double angle = 2.0 * PI * ((double)i + 0.3) / (double)count;
+            points[i] = bmr_vec2_make(cos(angle) - ECCENTRICITY, 0.5 * sin(angle));
+        }
+    } else {
+        assert_int_equal(bmr_outline_points(plain[def->outline], count, 1, points), BMR_OK);
+    }
+    test_move_points(points, count, def->phase, def->x, def->y);
+    bmr_polygon *polygon = NULL;
+    assert_int_equal(bmr_polygon_create(points, count, NULL, &polygon), BMR_OK);
+    return test_kds_body_make(polygon);
+}
+
+// ---- Runs ----
+
+/// Two bodies and their motions over [0, 1]. B may be moved farther out along `out` until the least distance
+/// is the wanted one.
+typedef struct trial {
+    body_def bodies[2];
+    bmr_motion_piece pieces[2];
+    bmr_vec2 out;
+} trial;
+
+static bmr_motion *motion_of(const trial *t, int side, double way) {
+    bmr_motion *motion = NULL;
+    const bmr_vec2 shift = bmr_scale(side == 1 ? way : 0.0, t->out);
+    bmr_motion_piece piece = t->pieces[side];
+    if (piece.kind == BMR_PIECE_SCREW) {
+        piece.as.screw.start.position = bmr_add(piece.as.screw.start.position, shift);
+    } else {
+        piece.as.algebraic.x[0] += shift.x;
+        piece.as.algebraic.y[0] += shift.y;
+    }
+    if (bmr_motion_create(&piece, NULL, &motion) != BMR_OK)
+        return NULL;
+    return motion;
+}
+
+typedef struct price {
+    double ratio; ///< D over the least distance, as measured
+    double events[STRUCTURES];
+} price;
+
+static bool run_structures(const bmr_course *course, const test_kds_body bodies[2], double diameter,
+                           price *cost) {
+    for (size_t k = 0; k < STRUCTURES; ++k) {
+        bmr_run_def def = {
+            structures[k], {bodies[0].shape, bodies[1].shape}, bmr_default_simulation_def(), false, NULL,
+            NULL};
+        // No margin to speak of: sigma is the least distance less the margin.
+        def.simulation.kds.margin = 1e-6 * diameter / cost->ratio;
+        bmr_run run;
+        if (bmr_run_course(&def, course, diameter, NULL, &run) != BMR_OK || run.counts.external > 0)
+            return false;
+        cost->events[k] = (double)run.events;
+    }
+    return true;
+}
+
+/// Moves B in from afar by what the least distance is too much, which never passes the wanted one. False:
+/// not found soon, or an angle without a value.
+static bool measure(const trial *t, double ratio, price *cost) {
+    enum { ROUNDS = 40 };
+    test_kds_body bodies[2] = {make_body(&t->bodies[0]), make_body(&t->bodies[1])};
+    const double diameter =
+        fmax(bmr_polygon_diameter(bodies[0].polygon), bmr_polygon_diameter(bodies[1].polygon));
+    const double sigma = diameter / ratio;
+    double way = 12.0, before = diameter;
+    bool found = false;
+    memset(cost, 0, sizeof *cost);
+    for (int round = 0; round < ROUNDS && !found; ++round) {
+        bmr_motion *a = motion_of(t, 0, way), *b = motion_of(t, 1, way);
+        double distance = 0.0, time;
+        if (a && b &&
+            bmr_least_distance(bodies[0].polygon, bodies[1].polygon, a, b, 0.0, 1.0,
+                               fmax(0.1 * sigma, 0.05 * before), &distance, &time) == BMR_OK &&
+            distance > 0.0) {
+            found = distance < 1.2 * sigma;
+            if (found) {
+                cost->ratio = diameter / distance;
+                const bmr_course course = {{bodies[0].polygon, bodies[1].polygon}, {a, b}, 0.0, 1.0};
+                found = run_structures(&course, bodies, diameter, cost);
+                round = ROUNDS;
+            }
+            way -= 0.97 * (distance - sigma);
+            before = distance;
+        } else {
+            round = ROUNDS;
+        }
+        bmr_motion_destroy(a);
+        bmr_motion_destroy(b);
+    }
+    test_kds_body_destroy(&bodies[0]);
+    test_kds_body_destroy(&bodies[1]);
+    return found;
+}
+
+// ---- By hand ----
+
+typedef enum hand {
+    ROLL,  ///< two discs turn against each other, each in place: they roll on each other without sliding
+    SLIDE, ///< two discs turn the same way
+    TEETH, ///< the same as ROLL, with sqrt(D/sigma) corners: each as high as the distance
+    KNEES, ///< two corners of radius and corner angles (D/sigma)^(-1/3) roll on each other: see the document
+    FOCI,  ///< elliptic gears: equal ellipses that roll on each other about their foci, rationally
+    WALTZ, ///< an ellipse and a lens turn off their centres, rationally, while B passes
+    GEAR,  ///< bmr_adversary_create's with sqrt(D/sigma) corners
+    TURNS, ///< the control: SLIDE with sqrt(D/sigma) / 4 turns
+    HANDS
+} hand;
+static const char *const hand_names[HANDS] = {"roll", "slide", "teeth", "knees",
+                                              "foci", "waltz", "gear",  "turns"};
+
+static bmr_motion_piece spin(double radians) {
+    return bmr_piece_screw(0.5, bmr_pose_identity(), bmr_vec2_make(0.0, 0.0), radians);
+}
+
+/// x + vx t, y + vy t with a half turn or so: tan of half the angle is `rate` times the time.
+static bmr_motion_piece rational(double rate, double vx, double bend) {
+    bmr_motion_piece piece = {.kind = BMR_PIECE_ALGEBRAIC, .origin = 0.5};
+    piece.as.algebraic = (bmr_algebraic_piece){.degree = 2, .rotation_degree = 1, .start_c = 1.0};
+    piece.as.algebraic.x[1] = vx;
+    piece.as.algebraic.y[2] = bend;
+    piece.as.algebraic.a[0] = 1.0;
+    piece.as.algebraic.b[1] = rate;
+    return piece;
+}
+
+/// tan(x / 2) goes from -FOCI_RATE / 2 to FOCI_RATE / 2: nearly a turn.
+#define FOCI_RATE 40.0
+
+static trial by_hand(hand kind, double ratio) {
+    trial t = {.bodies = {{REGULAR, MOST_VERTICES, 0.1, 0.0, 0.0, 0.0},
+                          {REGULAR, MOST_VERTICES, 0.3, 0.0, 0.0, 0.0}},
+               .pieces = {spin(2.0 * PI), spin(-2.0 * PI)},
+               .out = {1.0, 0.0}};
+    const double third = cbrt(ratio);
+    switch (kind) {
+    case SLIDE:
+        t.pieces[1] = spin(2.0 * PI);
+        break;
+    case TEETH:
+        t.bodies[0].vertices = (size_t)ceil(fmax(3.0, sqrt(ratio)));
+        t.bodies[1].vertices = t.bodies[0].vertices + 1;
+        break;
+    case KNEES:
+        for (int side = 0; side < 2; ++side)
+            t.bodies[side] =
+                (body_def){KNEE, (size_t)ceil(third) + 2, side == 0 ? 0.0 : PI, 0.0, 0.0, 2.0 / third};
+        t.pieces[0] = spin(PI / 2.0);
+        t.pieces[1] = spin(-PI / 2.0);
+        break;
+    case FOCI:
+        // Seen from the near ends, the angles of the contact have tan(x / 2) tan(y / 2) = (1 + e) / (1 - e).
+        for (int side = 0; side < 2; ++side) {
+            bmr_algebraic_piece *algebraic = &t.pieces[side].as.algebraic;
+            t.bodies[side] = (body_def){FOCUS, MOST_VERTICES, 0.0, 0.0, 0.0, 0.0};
+            t.pieces[side] = rational(0.0, 0.0, 0.0);
+            algebraic->a[0] = 1.0 - side;
+            algebraic->a[1] = FOCI_RATE * side;
+            algebraic->b[0] = -side * (1.0 + ECCENTRICITY) / (1.0 - ECCENTRICITY);
+            algebraic->b[1] = -FOCI_RATE * (1.0 - side);
+            algebraic->start_c = 1.0 - 2.0 * side;
+        }
+        break;
+    case WALTZ:
+        t.bodies[0] = (body_def){ELLIPSE, MOST_VERTICES, 0.0, 0.3, 0.1, 0.0};
+        t.bodies[1] = (body_def){LENS, MOST_VERTICES, 0.5, -0.2, 0.3, 0.0};
+        t.pieces[0] = rational(6.0, 0.0, 0.0);
+        t.pieces[1] = rational(-5.0, 2.0, -1.0);
+        t.out = bmr_vec2_make(0.6, 0.8);
+        break;
+    case TURNS:
+        t.pieces[0] = t.pieces[1] = spin(0.5 * PI * sqrt(ratio));
+        break;
+    case ROLL:
+    case GEAR:
+    case HANDS:
+        break;
+    }
+    return t;
+}
+
+static bool measure_gear(double ratio, price *cost) {
+    const size_t corners = (size_t)ceil(fmax(4.0, sqrt(ratio)));
+    bmr_adversary gear;
+    *cost = (price){.ratio = ratio};
+    assert_int_equal(bmr_adversary_create(BMR_ADVERSARY_GEAR, corners, 2.0 / ratio, NULL, &gear), BMR_OK);
+    test_kds_body bodies[2] = {test_kds_body_make(gear.polygons[0]), test_kds_body_make(gear.polygons[1])};
+    const bmr_course course = {
+        {bodies[0].polygon, bodies[1].polygon}, {gear.motions[0], gear.motions[1]}, 0.0, 1.0};
+    const bool ran = run_structures(&course, bodies, 2.0, cost);
+    for (int side = 0; side < 2; ++side) {
+        test_kds_body_destroy(&bodies[side]);
+        bmr_motion_destroy(gear.motions[side]);
+    }
+    return ran;
+}
+
+static void grow(hand kind, double last, bmr_growth growth[STRUCTURES]) {
+    double x[MOST_RATIOS], y[STRUCTURES][MOST_RATIOS];
+    size_t count = 0;
+    for (double ratio = FIRST_RATIO; ratio <= 1.01 * last && count < MOST_RATIOS; ratio *= 4.0) {
+        const trial t = by_hand(kind, ratio);
+        price cost;
+        assert_true(kind == GEAR ? measure_gear(ratio, &cost) : measure(&t, ratio, &cost));
+        print_message("%-6s D/sigma %8.0f: events %6.0f %6.0f %6.0f\n", hand_names[kind], cost.ratio,
+                      cost.events[0], cost.events[1], cost.events[2]);
+        x[count] = cost.ratio;
+        for (size_t k = 0; k < STRUCTURES; ++k)
+            y[k][count] = cost.events[k];
+        ++count;
+    }
+    for (size_t k = 0; k < STRUCTURES; ++k) {
+        assert_int_equal(bmr_fit_growth(x, y[k], count, &growth[k]), BMR_OK);
+        print_message("%-6s %-12s exponent %.2f +- %.2f\n", hand_names[kind], structures[k]->name,
+                      growth[k].exponent, growth[k].exponent_error);
+    }
+}
+
+static double last_ratio(void) {
+    return fmin(LAST_RATIO * (double)test_scaled(16) / 16.0, 16.0 * LAST_RATIO);
+}
+
+/// Half, and what few points of small counts scatter by: measured are at most 0.57 (0.56 where the distances
+/// go on to 80,000) of motions that are said to cost the root, and 1 of the control.
+static bool is_root_at_most(const bmr_growth *growth) {
+    return growth->exponent <= 0.6;
+}
+
+static void no_motion_by_hand_costs_more_than_the_root(void **state) {
+    (void)state;
+    for (int kind = 0; kind < TURNS; ++kind) {
+        bmr_growth growth[STRUCTURES];
+        grow((hand)kind, fmax(last_ratio(), LAST_RATIO), growth);
+        for (size_t k = 0; k < STRUCTURES; ++k)
+            assert_true(is_root_at_most(&growth[k]));
+    }
+}
+
+static void control_many_turns_cost_more_than_the_root(void **state) {
+    (void)state;
+    bmr_growth growth[STRUCTURES];
+    grow(TURNS, LAST_RATIO, growth);
+    for (size_t k = 0; k < STRUCTURES; ++k)
+        assert_false(is_root_at_most(&growth[k]));
+}
+
+// ---- By climbing ----
+
+static double in(test_random *random, double low, double high) {
+    return test_random_uniform(random, low, high);
+}
+
+#define CLIMB_RATIO 400.0
+#define CLIMB_VERTICES 256.0
+/// Over sqrt(D/sigma). Two discs that roll on each other cost 13.
+#define MOST_EVENTS 20.0
+/// Below as many over sqrt(D/sigma) a motion has had some 20 events, by chance.
+#define LEAST_EVENTS 1.0
+/// Every coefficient of a start is at most this; the climb may leave it.
+#define RANGE 2.0
+
+static void change_piece(bmr_motion_piece *piece, double size, test_random *random) {
+    if (piece->kind == BMR_PIECE_SCREW) {
+        bmr_screw_motion *screw = &piece->as.screw;
+        screw->velocity.x += in(random, -size, size);
+        screw->velocity.y += in(random, -size, size);
+        // At most a turn, as what is compared is the cost of a turn.
+        screw->spin = fmax(-2.0 * PI, fmin(2.0 * PI, screw->spin + PI * in(random, -size, size)));
+        return;
+    }
+    bmr_algebraic_piece *algebraic = &piece->as.algebraic;
+    for (size_t i = 0; i <= algebraic->degree; ++i) {
+        algebraic->x[i] += in(random, -size, size);
+        algebraic->y[i] += in(random, -size, size);
+    }
+    for (size_t i = 0; i <= algebraic->rotation_degree; ++i) {
+        algebraic->a[i] += in(random, -size, size);
+        algebraic->b[i] += in(random, -size, size);
+    }
+}
+
+static trial changed(const trial *from, double size, test_random *random) {
+    trial t = *from;
+    for (int side = 0; side < 2; ++side) {
+        body_def *body = &t.bodies[side];
+        body->phase += in(random, -size, size);
+        body->x += 0.5 * in(random, -size, size);
+        body->y += 0.5 * in(random, -size, size);
+        if (test_random_below(random, 4) == 0) {
+            const double factor = exp(in(random, -size, size));
+            body->vertices = (size_t)fmin(CLIMB_VERTICES, fmax(3.0, (double)body->vertices * factor));
+        }
+        change_piece(&t.pieces[side], size, random);
+    }
+    return t;
+}
+
+static trial random_trial(test_random *random) {
+    trial t = {.out = {1.0, 0.0}};
+    for (int side = 0; side < 2; ++side) {
+        t.bodies[side] = (body_def){
+            (outline)test_random_below(random, OUTLINES), 3, 0.0, 0.0, 0.0, exp(in(random, -4.0, 0.0))};
+        t.bodies[side].vertices = (size_t)exp(in(random, 1.5, 5.5));
+        t.pieces[side] = spin(0.0);
+        if (test_random_below(random, 2) == 0) {
+            t.pieces[side] = (bmr_motion_piece){.kind = BMR_PIECE_ALGEBRAIC, .origin = 0.5};
+            t.pieces[side].as.algebraic =
+                (bmr_algebraic_piece){.degree = side == 0 ? 0 : 1 + test_random_below(random, 4),
+                                      .rotation_degree = 1 + test_random_below(random, 2),
+                                      .start_c = 1.0};
+        }
+    }
+    return changed(&t, RANGE, random);
+}
+
+/// The structure's events over sqrt(D/sigma); 0 if the trial came to nothing.
+static double score(const trial *t, double ratio, size_t structure) {
+    price cost;
+    return measure(t, ratio, &cost) ? cost.events[structure] / sqrt(cost.ratio) : 0.0;
+}
+
+/// A third of the climbs for each structure; in turns from random motions and from one by hand.
+static trial start_of(size_t climb, bool *guided, test_random *random) {
+    *guided = climb / STRUCTURES % 2 == 1;
+    if (!*guided)
+        return random_trial(random);
+    trial t = by_hand((hand)(climb / (2 * STRUCTURES) % GEAR), CLIMB_RATIO);
+    for (int side = 0; side < 2; ++side)
+        t.bodies[side].vertices = (size_t)fmin(CLIMB_VERTICES, (double)t.bodies[side].vertices);
+    return t;
+}
+
+/// The best motions of the climbs, and what they cost against the root where D/sigma is 16 times as much: a
+/// motion of exponent p > 1/2 costs 16^(p - 1/2) times as much against it, twice where p = 3/4.
+static void no_climb_finds_more_than_the_root(void **state) {
+    enum { CLIMBS = 2 * STRUCTURES, STEPS = 60 };
+    (void)state;
+    const size_t climbs = test_scaled(CLIMBS);
+    for (size_t climb = 0; climb < climbs; ++climb) {
+        test_random random = {4099u * climb + 1u};
+        const size_t structure = climb % STRUCTURES;
+        bool guided;
+        trial best = start_of(climb, &guided, &random);
+        double most = score(&best, CLIMB_RATIO, structure);
+        for (int step = 0; step < STEPS; ++step) {
+            const bool anew = most == 0.0 || (!guided && step < STEPS / 3);
+            const trial next =
+                anew ? random_trial(&random) : changed(&best, RANGE * exp(in(&random, -7.0, -1.0)), &random);
+            const double now = score(&next, CLIMB_RATIO, structure);
+            if (now > most) {
+                most = now;
+                best = next;
+            }
+        }
+        const double finer = score(&best, 16.0 * CLIMB_RATIO, structure);
+        print_message("climb %zu: %-12s %5.2f sqrt(D/sigma), %5.2f where sigma is a 16th, outlines %d %d, "
+                      "vertices %zu %zu\n",
+                      climb, structures[structure]->name, most, finer, (int)best.bodies[0].outline,
+                      (int)best.bodies[1].outline, best.bodies[0].vertices, best.bodies[1].vertices);
+        assert_true(most > 0.0);
+        assert_true(most < MOST_EVENTS);
+        assert_true(most < LEAST_EVENTS || finer < 2.0 * most);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_motion_by_hand_costs_more_than_the_root),
+        cmocka_unit_test(control_many_turns_cost_more_than_the_root),
+        cmocka_unit_test(no_climb_finds_more_than_the_root),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

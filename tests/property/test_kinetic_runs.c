@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Whole runs: every structure on every family of motion, audited; section 6's bound; saturation at mu = n.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "boomerang/analysis.h"
+#include "kds_driver.h"
+#include "test_scale.h"
+
+static test_kds_body body(bmr_outline kind, size_t n, uint64_t seed) {
+    bmr_vec2 *points = malloc(n * sizeof *points);
+    bmr_polygon *polygon = NULL;
+    assert_int_equal(bmr_outline_points(kind, n, seed, points), BMR_OK);
+    assert_int_equal(bmr_polygon_create(points, n, NULL, &polygon), BMR_OK);
+    free(points);
+    return test_kds_body_make(polygon);
+}
+
+/// Two bodies and one motion of them.
+typedef struct stage {
+    test_kds_body bodies[2];
+    bmr_family_motion motion;
+    bmr_course course;
+} stage;
+
+static stage set(bmr_family family, double ratio, size_t n, uint64_t seed) {
+    stage s = {.bodies = {body(BMR_OUTLINE_ELLIPSE, n, seed), body(BMR_OUTLINE_DISC, n, seed + 1)}};
+    const bmr_family_def def = {family, ratio, seed, 0, 0};
+    const bmr_polygon *a = s.bodies[0].polygon, *b = s.bodies[1].polygon;
+    assert_int_equal(bmr_family_create(&def, a, b, NULL, &s.motion), BMR_OK);
+    s.course = (bmr_course){{a, b}, {s.motion.motions[0], s.motion.motions[1]}, 0.0, 1.0};
+    return s;
+}
+
+static void strike(stage *s) {
+    bmr_family_destroy(&s->motion);
+    test_kds_body_destroy(&s->bodies[0]);
+    test_kds_body_destroy(&s->bodies[1]);
+}
+
+static bmr_run run(const stage *s, const bmr_kds_info *structure) {
+    const bmr_run_def def = {.structure = structure,
+                             .shapes = {s->bodies[0].shape, s->bodies[1].shape},
+                             .simulation = bmr_default_simulation_def(),
+                             .audit = true};
+    bmr_run result;
+    assert_int_equal(bmr_run_course(&def, &s->course, s->motion.diameter, NULL, &result), BMR_OK);
+    return result;
+}
+
+static bool takes(const bmr_kds_info *structure, bmr_family family) {
+    return structure->domain == BMR_KDS_RIGID ||
+           (structure->domain == BMR_KDS_TRANSLATION && !bmr_family_is_rigid(family));
+}
+
+static void test_every_structure_is_right_on_every_family(void **state) {
+    (void)state;
+    const size_t seeds = test_scaled(1);
+    for (int family = 0; family < BMR_FAMILY_COUNT; family++)
+        for (uint64_t seed = 1; seed <= seeds; seed++) {
+            stage s = set((bmr_family)family, 40.0, 20, seed);
+            for (size_t k = 0; k < bmr_kds_count(); k++) {
+                const bmr_kds_info *structure = bmr_kds_at(k);
+                if (!takes(structure, (bmr_family)family))
+                    continue;
+                const bmr_run r = run(&s, structure);
+                if (r.audit != BMR_OK)
+                    print_message("%s on %s, seed %d: %s\n", structure->name,
+                                  bmr_family_name((bmr_family)family), (int)seed,
+                                  bmr_error_describe(r.audit));
+                assert_int_equal(r.audit, BMR_OK);
+                assert_int_equal(r.counts.external, 0); // the separation is never less than sigma
+                assert_true(r.lines <= r.events);
+                assert_int_equal(r.hysteresis.intervals, r.events);
+                assert_true(r.qualities.conditions >= 1 && r.qualities.conditions <= BMR_KDS_MAX_CONDITIONS);
+                assert_true(r.qualities.replanned <= r.qualities.conditions);
+                assert_true(r.qualities.bytes > 0.0 && r.qualities.efficiency == (double)r.events);
+            }
+            strike(&s);
+        }
+}
+
+/// Section 6: no more events than any clear decomposition has segments, kappa = 2 beta + 1.
+static void test_inflated_structures_keep_to_the_clear_decomposition(void **state) {
+    (void)state;
+    const double kappa = 5.0 + 4.0 * sqrt(2.0);
+    for (int family = 0; family < BMR_FAMILY_SPIN; family++) {
+        stage s = set((bmr_family)family, 100.0, 64, 5);
+        bmr_clear clear;
+        assert_int_equal(bmr_clear_decomposition(&s.course, kappa, 0.0, &clear), BMR_OK);
+        assert_true(clear.least <= clear.found);
+        assert_true(run(&s, bmr_kds_find("inflated-translation")).events <= clear.least);
+        // The control: the closest features know no such bound.
+        if (family == BMR_FAMILY_BROWNIAN)
+            assert_true(2 * run(&s, bmr_kds_find("closest-features")).events > clear.least);
+        strike(&s);
+    }
+}
+
+static double orbit_events(const char *name, size_t n, double ratio) {
+    stage s = set(BMR_FAMILY_ORBIT, ratio, n, 2);
+    const bmr_run r = run(&s, bmr_kds_find(name));
+    assert_int_equal(r.audit, BMR_OK);
+    strike(&s);
+    return (double)r.events;
+}
+
+/// mu = min{n, sqrt(D / sigma)}: events grow with the square root until it reaches n, and then no more.
+static void test_orbits_saturate_when_mu_reaches_n(void **state) {
+    (void)state;
+    static const char *const names[] = {"lazy-dudley", "separating-edge", "free-fdx"};
+    for (size_t k = 0; k < 3; k++) {
+        const double few_far = orbit_events(names[k], 12, 1e3), few_near = orbit_events(names[k], 12, 1e5);
+        const double many_far = orbit_events(names[k], 512, 1e3),
+                     many_near = orbit_events(names[k], 512, 3e4);
+        print_message("%s: n = 12: %g then %g; n = 512: %g then %g\n", names[k], few_far, few_near, many_far,
+                      many_near);
+        assert_true(few_near <= 1.5 * few_far + 2.0);
+        assert_true(many_near >= 3.0 * many_far); // sqrt(30) = 5.5
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_structure_is_right_on_every_family),
+        cmocka_unit_test(test_inflated_structures_keep_to_the_clear_decomposition),
+        cmocka_unit_test(test_orbits_saturate_when_mu_reaches_n),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

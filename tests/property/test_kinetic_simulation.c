@@ -1,0 +1,555 @@
+// SPDX-License-Identifier: MIT
+// Many moving polygons: events in time order, valid at every event and between them, contacts where an
+// independent distance says so, changes of plan that touch one body's pairs alone.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "boomerang/simulation.h"
+#include "failing_allocator.h"
+#include "kds/structure.h"
+#include "kds_driver.h"
+#include "motions.h"
+#include "test_scale.h"
+
+#define PI 3.14159265358979323846
+#define MOST_BODIES 20
+
+// ---- scenes ----
+
+typedef struct scene {
+    size_t count;
+    test_kds_body bodies[MOST_BODIES];
+    bmr_kds_shape shapes[MOST_BODIES];
+    bmr_motion *motions[MOST_BODIES];
+} scene;
+
+static double uniform(test_random *random, double low, double high) {
+    return test_random_uniform(random, low, high);
+}
+
+static bmr_pose pose_of(double x, double y, double angle) {
+    const bmr_pose pose = {{x, y}, cos(angle), sin(angle)};
+    return pose;
+}
+
+/// A body that begins somewhere on the table and stays near it for some units of time.
+static bmr_motion_piece random_plan(test_random *random, double table, double origin, bmr_pose pose) {
+    const bmr_vec2 velocity = {uniform(random, -0.4, 0.4) * table, uniform(random, -0.4, 0.4) * table};
+    if (test_random_below(random, 2))
+        return bmr_piece_screw(origin, pose, velocity,
+                               test_random_below(random, 3) ? uniform(random, -3.0, 3.0) : 0.0);
+    bmr_motion_piece piece;
+    memset(&piece, 0, sizeof piece);
+    piece.kind = BMR_PIECE_ALGEBRAIC;
+    piece.origin = origin;
+    bmr_algebraic_piece *w = &piece.as.algebraic;
+    w->degree = 3;
+    w->x[0] = pose.position.x;
+    w->y[0] = pose.position.y;
+    w->x[1] = velocity.x;
+    w->y[1] = velocity.y;
+    for (size_t k = 2; k <= w->degree; k++) {
+        w->x[k] = uniform(random, -0.1, 0.1) * table;
+        w->y[k] = uniform(random, -0.1, 0.1) * table;
+    }
+    w->rotation_degree = test_random_below(random, 2);
+    w->a[0] = 1.0;
+    w->b[1] = uniform(random, -1.0, 1.0);
+    w->start_c = pose.c;
+    w->start_s = pose.s;
+    return piece;
+}
+
+static bmr_pose random_place(test_random *random, double table) {
+    return pose_of(uniform(random, -table, table), uniform(random, -table, table), uniform(random, -PI, PI));
+}
+
+static scene make_scene(test_random *random, size_t count, size_t vertices) {
+    scene s;
+    s.count = count;
+    const double table = 1.5 * sqrt((double)count) + 1.0;
+    for (size_t i = 0; i < count; i++) {
+        s.bodies[i] = test_kds_body_make(test_polygon(
+            i % 2 ? TEST_ELLIPSE : TEST_REGULAR, 3 + test_random_below(random, (uint32_t)vertices), random));
+        s.shapes[i] = s.bodies[i].shape;
+        const bmr_motion_piece piece = random_plan(random, table, 0.0, random_place(random, table));
+        assert_int_equal(bmr_motion_create(&piece, NULL, &s.motions[i]), BMR_OK);
+    }
+    return s;
+}
+
+/// A scene that a structure is made for: a polygon and a point; polygons that do not turn; anything.
+static scene make_scene_for(const bmr_kds_info *info, test_random *random) {
+    scene s = make_scene(random, info->domain == BMR_KDS_POINT ? 2 : 2 + test_random_below(random, 4), 30);
+    if (info->domain == BMR_KDS_POINT) {
+        test_kds_body_destroy(&s.bodies[1]);
+        s.bodies[1] = test_kds_point_make(0.3, -0.2);
+        s.shapes[1] = s.bodies[1].shape;
+    }
+    for (size_t i = 0; i < s.count && info->domain == BMR_KDS_TRANSLATION; i++) {
+        const bmr_vec2 velocity = {uniform(random, -2.0, 2.0), uniform(random, -2.0, 2.0)};
+        const bmr_motion_piece piece = bmr_piece_screw(0.0, random_place(random, 4.0), velocity, 0.0);
+        bmr_motion_destroy(s.motions[i]);
+        assert_int_equal(bmr_motion_create(&piece, NULL, &s.motions[i]), BMR_OK);
+    }
+    return s;
+}
+
+static void drop_scene(scene *s) {
+    for (size_t i = 0; i < s->count; i++) {
+        bmr_motion_destroy(s->motions[i]);
+        test_kds_body_destroy(&s->bodies[i]);
+    }
+}
+
+static double distance_at(const scene *s, size_t a, size_t b, double time) {
+    const bmr_pose p = bmr_motion_pose(s->motions[a], time, NULL, NULL);
+    const bmr_pose q = bmr_motion_pose(s->motions[b], time, NULL, NULL);
+    const bmr_pose relative = bmr_pose_relative(&p, &q);
+    return test_distance(s->bodies[a].polygon, s->bodies[b].polygon, &relative);
+}
+
+// ---- what the observer checks ----
+
+typedef struct watch {
+    const scene *scene;
+    double margin, last;
+    bool contact[MOST_BODIES][MOST_BODIES];
+    size_t events, contacts, leaves, failed_audits, out_of_order;
+    double worst_contact; ///< distance at contact and leaving, less the margin
+    size_t last_pair;
+    double first_contact[MOST_BODIES][MOST_BODIES]; ///< 0: none yet
+} watch;
+
+static void observe(void *context, const bmr_simulation_event *event) {
+    watch *w = context;
+    w->events++;
+    w->out_of_order += event->time < w->last;
+    w->last = event->time;
+    w->last_pair = event->pair;
+    w->failed_audits += bmr_kds_audit(event->kds, &event->pose) != BMR_OK;
+    const bool contact = bmr_kds_in_contact(event->kds);
+    bool *before = &w->contact[event->a][event->b];
+    if (event->report.kind == BMR_KDS_CONTACT || event->report.kind == BMR_KDS_LEAVE) {
+        const double off = fabs(distance_at(w->scene, event->a, event->b, event->time) - w->margin);
+        if (event->time > 0.0)
+            w->worst_contact = fmax(w->worst_contact, off);
+        if (event->report.kind == BMR_KDS_CONTACT && w->first_contact[event->a][event->b] == 0.0)
+            w->first_contact[event->a][event->b] = event->time;
+        w->contacts += event->report.kind == BMR_KDS_CONTACT;
+        w->leaves += event->report.kind == BMR_KDS_LEAVE;
+    }
+    assert_true(event->report.kind != BMR_KDS_LEAVE || *before);
+    *before = contact;
+}
+
+static bmr_simulation *begin(const scene *s, const bmr_kds_info *structure, watch *w,
+                             const bmr_allocator *allocator) {
+    bmr_simulation_def def = bmr_default_simulation_def();
+    def.structure = structure;
+    memset(w, 0, sizeof *w);
+    w->scene = s;
+    w->margin = def.kds.margin;
+    w->last = -INFINITY;
+    bmr_simulation *simulation = NULL;
+    assert_int_equal(
+        bmr_simulation_create(&def, s->shapes, s->motions, s->count, 0.0, observe, w, allocator, &simulation),
+        BMR_OK);
+    return simulation;
+}
+
+/// Between events: what the simulation says of contact is what the distance says, and every proof holds.
+static void check_between(const scene *s, const bmr_simulation *simulation, size_t *wrong, size_t *near) {
+    const double time = bmr_simulation_time(simulation);
+    assert_int_equal(bmr_simulation_audit(simulation), BMR_OK);
+    for (size_t i = 0; i < bmr_simulation_pair_count(simulation); i++) {
+        size_t a, b;
+        const bmr_kds *kds = bmr_simulation_pair(simulation, i, &a, &b);
+        const double distance = distance_at(s, a, b, time), margin = bmr_default_kds_def().margin;
+        *near += distance < 10.0 * margin;
+        // The two may differ only where the distance is the margin, up to 1e-8.
+        if (fabs(distance - margin) > 1e-8)
+            *wrong += bmr_kds_in_contact(kds) != (distance < margin);
+    }
+}
+
+typedef struct totals {
+    size_t contacts, leaves, events;
+    double worst;
+} totals;
+
+/// One scene, looked at between events too; then it is dropped.
+static void keep_promises(const bmr_kds_info *info, scene *s, totals *sum) {
+    watch w;
+    bmr_simulation *simulation = begin(s, info, &w, NULL);
+    size_t wrong = 0, near = 0;
+    for (int i = 1; i <= 60; i++) {
+        const bmr_error error = bmr_simulation_run(simulation, 0.05 * i);
+        if (error != BMR_OK)
+            print_message("%s: pair %zu at %.17g, error %d\n", info->name, w.last_pair,
+                          bmr_simulation_time(simulation), error);
+        assert_int_equal(error, BMR_OK);
+        check_between(s, simulation, &wrong, &near);
+    }
+    if (wrong || w.out_of_order || w.failed_audits || w.worst_contact >= 1e-8)
+        print_message("%s: %zu wrong of contact, %zu out of order, %zu audits, contact %g\n", info->name,
+                      wrong, w.out_of_order, w.failed_audits, w.worst_contact);
+    assert_int_equal(wrong, 0);
+    assert_int_equal(w.out_of_order, 0);
+    assert_int_equal(w.failed_audits, 0);
+    assert_true(w.worst_contact < 1e-8);
+    const bmr_simulation_counts counts = bmr_simulation_get_counts(simulation);
+    uint64_t events = 0;
+    for (int i = 0; i < BMR_KDS_EVENT_KIND_COUNT; i++)
+        events += counts.events[i];
+    assert_int_equal(events, w.events);
+    sum->worst = fmax(sum->worst, w.worst_contact);
+    sum->contacts += w.contacts;
+    sum->leaves += w.leaves;
+    sum->events += w.events;
+    bmr_simulation_destroy(simulation);
+    drop_scene(s);
+}
+
+/// Every structure there is, on scenes that it is made for.
+static void every_structure_keeps_its_promises(void **state) {
+    (void)state;
+    test_random random = {42};
+    const size_t rounds = test_scaled(4), runs = bmr_kds_count() * rounds;
+    totals sum = {0, 0, 0, 0.0};
+    for (size_t i = 0; i < runs; i++) {
+        const bmr_kds_info *info = bmr_kds_at(i / rounds);
+        scene s = make_scene_for(info, &random);
+        keep_promises(info, &s, &sum);
+    }
+    print_message("%zu structures, %zu events, %zu contacts, %zu left, distance at them off by %g at most\n",
+                  bmr_kds_count(), sum.events, sum.contacts, sum.leaves, sum.worst);
+    assert_true(sum.contacts > runs / 4 && sum.leaves > runs / 4);
+}
+
+/// Boxes and octagons on a grid at quarter turns, with whole velocities and spins: parallel edges, corners
+/// that meet corners, conditions that fail at the same time or are zero for ever.
+static scene make_aligned_scene(const bmr_kds_info *info, test_random *random) {
+    static const test_family families[] = {TEST_BOX, TEST_OCTAGON, TEST_TURNED_BOX};
+    static const double cosines[] = {1.0, 0.0, -1.0, 0.0};
+    scene s;
+    s.count = 2 + test_random_below(random, 4);
+    for (size_t i = 0; i < s.count; i++) {
+        const uint32_t quarter = test_random_below(random, 4);
+        const bmr_pose pose = {
+            {(double)test_random_below(random, 9) - 4.0, (double)test_random_below(random, 9) - 4.0},
+            cosines[quarter],
+            cosines[(quarter + 3) % 4]};
+        const bmr_vec2 velocity = {(double)test_random_below(random, 5) - 2.0,
+                                   (double)test_random_below(random, 5) - 2.0};
+        const double spin = info->domain == BMR_KDS_RIGID ? (double)test_random_below(random, 3) - 1.0 : 0.0;
+        const bmr_motion_piece piece = bmr_piece_screw(0.0, pose, velocity, spin);
+        s.bodies[i] = test_kds_body_make(test_polygon(families[test_random_below(random, 3)], 8, random));
+        s.shapes[i] = s.bodies[i].shape;
+        assert_int_equal(bmr_motion_create(&piece, NULL, &s.motions[i]), BMR_OK);
+    }
+    return s;
+}
+
+static void exact_ties_stop_nothing(void **state) {
+    (void)state;
+    test_random random = {777};
+    const size_t rounds = test_scaled(8);
+    totals sum = {0, 0, 0, 0.0};
+    for (size_t i = 0; i < bmr_kds_count() * rounds; i++) {
+        const bmr_kds_info *info = bmr_kds_at(i / rounds);
+        if (info->domain == BMR_KDS_POINT)
+            continue;
+        scene s = make_aligned_scene(info, &random);
+        keep_promises(info, &s, &sum);
+    }
+    assert_true(sum.contacts > 5 * rounds && sum.leaves > 5 * rounds);
+}
+
+/// Some that can do anything.
+static const bmr_kds_info *some_structure(size_t index) {
+    static const char *const names[] = {"free-fd1", "lazy-dudley", "inflated-window"};
+    const bmr_kds_info *info = bmr_kds_find(names[index % (sizeof names / sizeof *names)]);
+    assert_non_null(info);
+    return info;
+}
+
+/// No look at the distance finds a pair within the margin before its first contact.
+static void no_contact_is_missed_or_late(void **state) {
+    (void)state;
+    test_random random = {4711};
+    const size_t rounds = test_scaled(16), looks = 2000;
+    const double margin = bmr_default_kds_def().margin;
+    size_t contacts = 0, controls = 0;
+    for (size_t round = 0; round < rounds; round++) {
+        scene s = make_scene(&random, 7, 40);
+        watch w;
+        bmr_simulation *simulation = begin(&s, some_structure(round), &w, NULL);
+        const double until = 3.0;
+        assert_int_equal(bmr_simulation_run(simulation, until), BMR_OK);
+        for (size_t a = 0; a < s.count; a++)
+            for (size_t b = a + 1; b < s.count; b++) {
+                const double contact = w.first_contact[a][b];
+                if (distance_at(&s, a, b, 0.0) < 1.1 * margin)
+                    continue; // in contact from the beginning
+                const double end = contact > 0.0 ? contact : until;
+                for (size_t i = 0; i <= looks; i++)
+                    assert_true(distance_at(&s, a, b, end * (double)i / (double)looks) > margin - 1e-8);
+                contacts += contact > 0.0;
+                // The control: a little later they would be found too near.
+                controls += contact > 0.0 && distance_at(&s, a, b, contact + 1e-6) < margin - 1e-8;
+            }
+        bmr_simulation_destroy(simulation);
+        drop_scene(&s);
+    }
+    print_message("%zu contacts, %zu controls\n", contacts, controls);
+    assert_true(contacts >= rounds && controls > contacts * 9 / 10);
+}
+
+static void a_new_plan_costs_its_own_pairs_alone(void **state) {
+    (void)state;
+    test_random random = {99};
+    scene s = make_scene(&random, 10, 20);
+    watch w;
+    bmr_simulation *simulation = begin(&s, some_structure(0), &w, NULL);
+    size_t wrong = 0, near = 0;
+    for (int change = 1; change <= 40; change++) {
+        const double now = 0.1 * change;
+        assert_int_equal(bmr_simulation_run(simulation, now), BMR_OK);
+        const size_t body = test_random_below(&random, (uint32_t)s.count);
+        const bmr_pose pose = bmr_motion_pose(s.motions[body], now, NULL, NULL);
+        const bmr_motion_piece piece = random_plan(&random, 4.0, now, pose);
+        assert_int_equal(bmr_motion_change(s.motions[body], now, &piece), BMR_OK);
+        size_t conditions = 0;
+        for (size_t i = 0; i < bmr_simulation_pair_count(simulation); i++) {
+            size_t a, b;
+            bmr_condition k[BMR_KDS_MAX_CONDITIONS];
+            const bmr_kds *kds = bmr_simulation_pair(simulation, i, &a, &b);
+            conditions += a == body || b == body ? bmr_kds_conditions(kds, k) : 0;
+        }
+        const bmr_simulation_counts before = bmr_simulation_get_counts(simulation);
+        const size_t events = w.events;
+        assert_int_equal(bmr_simulation_replan(simulation, body), BMR_OK);
+        const bmr_simulation_counts after = bmr_simulation_get_counts(simulation);
+        assert_int_equal(after.failure_times - before.failure_times, conditions);
+        assert_int_equal(after.replanned - before.replanned, conditions);
+        assert_int_equal(w.events, events); // a new plan is no event
+        check_between(&s, simulation, &wrong, &near);
+    }
+    assert_int_equal(wrong, 0);
+    assert_int_equal(w.out_of_order, 0);
+    assert_true(w.events > 50);
+    bmr_simulation_destroy(simulation);
+    drop_scene(&s);
+}
+
+/// Sampled motions, and plans made beforehand that jump at times of their own.
+static void samples_and_jumps_are_followed(void **state) {
+    (void)state;
+    test_random random = {123};
+    const size_t rounds = test_scaled(6);
+    size_t starts = 0;
+    for (size_t round = 0; round < rounds; round++) {
+        scene s = make_scene(&random, 4, 20);
+        for (size_t i = 0; i < s.count; i++) {
+            if (i % 2) {
+                double times[40];
+                bmr_pose poses[40];
+                for (int k = 0; k < 40; k++) {
+                    times[k] = 0.08 * k;
+                    poses[k] = pose_of(3.0 * sin(0.3 * k + (double)i), 3.0 * cos(0.21 * k), 0.4 * k);
+                }
+                bmr_motion_destroy(s.motions[i]);
+                assert_int_equal(bmr_motion_create_sampled(times, poses, 40, NULL, &s.motions[i]), BMR_OK);
+            }
+            for (int jump = 1; jump < 4 && i < 2; jump++) {
+                const double time = jump + 0.01 * (double)i;
+                const bmr_motion_piece piece = random_plan(&random, 3.0, time, random_place(&random, 3.0));
+                assert_int_equal(bmr_motion_change(s.motions[i], time, &piece), BMR_OK);
+            }
+        }
+        watch w;
+        bmr_simulation *simulation = begin(&s, some_structure(round), &w, NULL);
+        size_t wrong = 0, near = 0;
+        for (int i = 1; i <= 100; i++) {
+            assert_int_equal(bmr_simulation_run(simulation, 0.04 * i), BMR_OK);
+            check_between(&s, simulation, &wrong, &near);
+        }
+        assert_int_equal(wrong, 0);
+        assert_int_equal(w.out_of_order, 0);
+        assert_int_equal(w.failed_audits, 0);
+        starts += bmr_simulation_get_counts(simulation).events[BMR_KDS_START] - s.count * (s.count - 1) / 2;
+        bmr_simulation_destroy(simulation);
+        drop_scene(&s);
+    }
+    assert_true(starts > rounds);
+}
+
+static void twenty_bodies_run_long_and_take_no_memory(void **state) {
+    (void)state;
+    test_random random = {2};
+    scene s = make_scene(&random, MOST_BODIES, 60);
+    test_heap heap;
+    test_heap_init(&heap, SIZE_MAX);
+    watch w;
+    bmr_simulation *simulation = begin(&s, some_structure(0), &w, &heap.allocator);
+    const size_t asked = heap.asked, bytes = heap.bytes;
+    assert_int_equal(asked, 1 + MOST_BODIES * (MOST_BODIES - 1) / 2);
+    const double until = 2.0 * (double)test_scaled(1);
+    assert_int_equal(bmr_simulation_run(simulation, until), BMR_OK);
+    assert_int_equal(heap.asked, asked);
+    const bmr_simulation_counts counts = bmr_simulation_get_counts(simulation);
+    assert_int_equal(counts.pairs, MOST_BODIES * (MOST_BODIES - 1) / 2);
+    assert_true(counts.pair_bytes + counts.queue_bytes < bytes);
+    assert_int_equal(w.out_of_order, 0);
+    assert_int_equal(w.failed_audits, 0);
+    assert_true(w.events > 400 && w.worst_contact < 1e-8);
+    assert_int_equal(bmr_simulation_audit(simulation), BMR_OK);
+    bmr_simulation_destroy(simulation);
+    assert_int_equal(heap.blocks, 0);
+    assert_int_equal(heap.wrong_sizes, 0);
+    drop_scene(&s);
+}
+
+static void every_allocation_may_fail(void **state) {
+    (void)state;
+    test_random random = {8};
+    scene s = make_scene(&random, 4, 10);
+    bmr_simulation_def def = bmr_default_simulation_def();
+    def.structure = bmr_kds_find("free-fd1");
+    const size_t blocks = 1 + 6;
+    for (size_t fail_at = 0; fail_at <= blocks; fail_at++) {
+        test_heap heap;
+        test_heap_init(&heap, fail_at);
+        bmr_simulation *simulation = NULL;
+        const bmr_error error = bmr_simulation_create(&def, s.shapes, s.motions, s.count, 0.0, NULL, NULL,
+                                                      &heap.allocator, &simulation);
+        assert_int_equal(error, fail_at < blocks ? BMR_ERROR_NO_MEMORY : BMR_OK);
+        assert_true((simulation != NULL) == (error == BMR_OK));
+        bmr_simulation_destroy(simulation);
+        assert_int_equal(heap.blocks, 0);
+        assert_int_equal(heap.wrong_sizes, 0);
+    }
+    drop_scene(&s);
+}
+
+static void bad_arguments_are_refused(void **state) {
+    (void)state;
+    test_random random = {8};
+    scene s = make_scene(&random, 3, 10);
+    bmr_simulation_def def = bmr_default_simulation_def();
+    bmr_simulation *m = NULL;
+    // No structure is named yet.
+    assert_int_equal(bmr_simulation_create(&def, s.shapes, s.motions, 3, 0.0, NULL, NULL, NULL, &m),
+                     BMR_ERROR_NULL_ARGUMENT);
+    def.structure = bmr_kds_find("free-fd1");
+    assert_int_equal(bmr_simulation_create(&def, s.shapes, s.motions, 1, 0.0, NULL, NULL, NULL, &m),
+                     BMR_ERROR_OUT_OF_RANGE);
+    assert_int_equal(bmr_simulation_create(&def, s.shapes, s.motions, 3, (double)NAN, NULL, NULL, NULL, &m),
+                     BMR_ERROR_NOT_FINITE);
+    assert_int_equal(bmr_simulation_create(&def, NULL, s.motions, 3, 0.0, NULL, NULL, NULL, &m),
+                     BMR_ERROR_NULL_ARGUMENT);
+    def.contact_step = 0.0;
+    assert_int_equal(bmr_simulation_create(&def, s.shapes, s.motions, 3, 0.0, NULL, NULL, NULL, &m),
+                     BMR_ERROR_OUT_OF_RANGE);
+    def.contact_step = 0.1;
+    def.kds.margin = -1.0;
+    assert_int_equal(bmr_simulation_create(&def, s.shapes, s.motions, 3, 0.0, NULL, NULL, NULL, &m),
+                     BMR_ERROR_OUT_OF_RANGE);
+    assert_null(m);
+    def.kds.margin = 1e-6;
+    assert_int_equal(bmr_simulation_create(&def, s.shapes, s.motions, 3, 0.0, NULL, NULL, NULL, &m), BMR_OK);
+    assert_int_equal(bmr_simulation_run(m, (double)INFINITY), BMR_ERROR_NOT_FINITE);
+    assert_int_equal(bmr_simulation_run(NULL, 1.0), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_simulation_run(m, -1.0), BMR_ERROR_OUT_OF_RANGE);
+    assert_int_equal(bmr_simulation_replan(m, 3), BMR_ERROR_OUT_OF_RANGE);
+    assert_int_equal(bmr_simulation_run(m, 0.5), BMR_OK);
+    assert_true(bmr_simulation_time(m) == 0.5 && bmr_simulation_next(m) > 0.5);
+    bmr_simulation_destroy(m);
+    drop_scene(&s);
+}
+
+// ---- controls: a structure that is wrong ----
+
+/// Claims for ever that the line x = 1 of A separates, and waits for a condition of one point: B's origin.
+typedef struct liar {
+    double offset;
+} liar;
+static const double *lie_of(const bmr_kds *kds) {
+    return &((const liar *)(const void *)kds->state)->offset;
+}
+static bool lie_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+    (void)now, (void)report;
+    ((liar *)(void *)kds->state)->offset = 1.0;
+    return true;
+}
+static size_t lie_conditions(const bmr_kds *kds, bmr_condition *conditions) {
+    conditions[0] =
+        bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), *lie_of(kds), bmr_vec2_make(0.0, 0.0), 0);
+    return 1;
+}
+static bool lie_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+    (void)kds, (void)now, (void)failed;
+    report->kind = BMR_KDS_PUSH; // nothing is repaired
+    return true;
+}
+static void lie_proof(const bmr_kds *kds, bmr_kds_proof *proof) {
+    memset(proof, 0, sizeof *proof);
+    proof->line.normal = bmr_vec2_make(1.0, 0.0);
+    proof->line.offset = *lie_of(kds);
+}
+
+static void what_is_wrong_is_seen_and_ends(void **state) {
+    (void)state;
+    static const bmr_kds_class lies = {sizeof(liar),   NULL,       NULL,      lie_start,
+                                       lie_conditions, lie_repair, lie_proof, NULL};
+    const bmr_kds_info info = {"liar", "", "", BMR_KDS_RIGID, false, -1, &lies};
+    test_random random = {8};
+    scene s = make_scene(&random, 2, 10);
+    for (size_t i = 0; i < 2; i++) {
+        bmr_motion_destroy(s.motions[i]);
+        const bmr_motion_piece piece = bmr_piece_screw(0.0, pose_of(4.0 * (double)i, 0.0, 0.0),
+                                                       bmr_vec2_make(-1.0 * (double)i, 0.0), 0.0);
+        assert_int_equal(bmr_motion_create(&piece, NULL, &s.motions[i]), BMR_OK);
+    }
+    bmr_simulation_def def = bmr_default_simulation_def();
+    def.structure = &info;
+    watch w;
+    memset(&w, 0, sizeof w);
+    w.scene = &s;
+    bmr_simulation *simulation = NULL;
+    assert_int_equal(bmr_simulation_create(&def, s.shapes, s.motions, 2, 0.0, observe, &w, NULL, &simulation),
+                     BMR_OK);
+    // B's vertices pass the line before its origin does.
+    assert_int_equal(bmr_simulation_run(simulation, 2.9), BMR_OK);
+    assert_int_equal(bmr_simulation_audit(simulation), BMR_ERROR_FALSE_CERTIFICATE);
+    // At 3 the condition fails, and goes on failing: the guard ends it.
+    assert_int_equal(bmr_simulation_run(simulation, 9.0), BMR_ERROR_STALLED);
+    assert_true(fabs(bmr_simulation_time(simulation) - 3.0) < 1e-8);
+    assert_true(w.events > BMR_SIMULATION_BURST && w.failed_audits >= BMR_SIMULATION_BURST);
+    bmr_simulation_destroy(simulation);
+    drop_scene(&s);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_structure_keeps_its_promises),
+        cmocka_unit_test(exact_ties_stop_nothing),
+        cmocka_unit_test(no_contact_is_missed_or_late),
+        cmocka_unit_test(a_new_plan_costs_its_own_pairs_alone),
+        cmocka_unit_test(samples_and_jumps_are_followed),
+        cmocka_unit_test(twenty_bodies_run_long_and_take_no_memory),
+        cmocka_unit_test(every_allocation_may_fail),
+        cmocka_unit_test(bad_arguments_are_refused),
+        cmocka_unit_test(what_is_wrong_is_seen_and_ends),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

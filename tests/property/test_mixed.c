@@ -1,0 +1,562 @@
+// SPDX-License-Identifier: MIT
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <math.h>
+
+#include "boomerang/mixed.h"
+#include "compass_fixture.h"
+#include "hierarchies.h"
+#include "motions.h"
+#include "test_scale.h"
+
+/// @file
+/// The mixed hierarchy against brute force over all tiles, and the lemmas of section 4 with their constants.
+
+#define TWO_PI 6.283185307179586
+static const bmr_hierarchy_kind kinds[] = {BMR_HIERARCHY_COMPASS, BMR_HIERARCHY_DUDLEY};
+
+/// Two polygons with their hierarchies and the tiling at one rotation.
+typedef struct scene {
+    bmr_polygon *polygons[2];
+    bmr_hierarchy *hierarchies[2];
+    double angle;
+    bmr_mixed mixed;
+    bmr_mixed_tiling *tiling;
+} scene;
+
+static scene scene_of(bmr_polygon *a, bmr_polygon *b, bmr_hierarchy_kind kind, double angle, double offset) {
+    scene s = {.polygons = {a, b}, .angle = angle};
+    for (int i = 0; i < 2; ++i)
+        s.hierarchies[i] = built((int)kind, s.polygons[i]);
+    s.mixed = bmr_mixed_make(s.hierarchies[0], s.hierarchies[1], cos(angle), sin(angle), offset);
+    assert_int_equal(bmr_mixed_tiling_create(&s.mixed, NULL, &s.tiling), BMR_OK);
+    return s;
+}
+
+static void scene_turn(scene *s, double angle) {
+    s->angle = angle;
+    s->mixed.c = cos(angle);
+    s->mixed.s = sin(angle);
+    bmr_mixed_tiling_destroy(s->tiling, NULL);
+    assert_int_equal(bmr_mixed_tiling_create(&s->mixed, NULL, &s->tiling), BMR_OK);
+}
+
+static void scene_destroy(scene *s) {
+    bmr_mixed_tiling_destroy(s->tiling, NULL);
+    for (int i = 0; i < 2; ++i) {
+        bmr_hierarchy_destroy(s->hierarchies[i], NULL);
+        bmr_polygon_destroy(s->polygons[i], NULL);
+    }
+}
+
+/// An angle of 0 a third of the time, a compass angle another third: aligned hierarchies.
+static double some_angle(test_random *random) {
+    const uint32_t way = test_random_below(random, 3);
+    if (way == 0)
+        return 0.0;
+    return way == 1 ? TWO_PI / 64.0 * test_random_below(random, 64) : test_random_uniform(random, 0, TWO_PI);
+}
+
+static scene random_scene(bmr_hierarchy_kind kind, size_t n, size_t m, test_random *random) {
+    const test_family f = (test_family)test_random_below(random, TEST_FAMILY_COUNT);
+    const test_family g = (test_family)test_random_below(random, TEST_FAMILY_COUNT);
+    bmr_polygon *a = test_polygon(f, n, random), *b = test_polygon(g, m, random);
+    return scene_of(a, b, kind, some_angle(random), 0.0);
+}
+
+static double size_of(const scene *s) {
+    return s->polygons[0]->radius + s->polygons[1]->radius;
+}
+
+// --- the tiling ---
+
+static double polygon_area(const bmr_vec2 *p, size_t count) {
+    double area = 0.0;
+    for (size_t i = 2; i < count; ++i)
+        area += 0.5 * bmr_cross(bmr_sub(p[i - 1], p[0]), bmr_sub(p[i], p[0]));
+    return area;
+}
+
+/// The area of A (+) (-B) by mixed volumes: those of both, and a strip for each edge of A as wide as -B
+/// reaches.
+static double sum_area(const bmr_vec2 *a, size_t n, const bmr_vec2 *b, size_t m) {
+    double area = polygon_area(a, n) + polygon_area(b, m);
+    for (size_t i = 0; i < n; ++i) {
+        const bmr_vec2 e = bmr_sub(a[(i + 1) % n], a[i]);
+        area += test_farthest(b, (uint32_t)m, bmr_vec2_make(e.y, -e.x));
+    }
+    return area;
+}
+
+enum { MOST = 4200 };
+
+/// The area of the sum of envelope `level` of both, computed from corner points that are turned here.
+static double envelope_area(const scene *s, uint32_t level) {
+    static bmr_vec2 points[2][MOST];
+    size_t count[2] = {0, 0};
+    for (int i = 0; i < 2; ++i) {
+        bmr_edge edge = 0;
+        do {
+            const bmr_corner corner = bmr_hierarchy_corner_after(s->hierarchies[i], edge, level);
+            points[i][count[i]++] = bmr_hierarchy_corner_point(s->hierarchies[i], corner);
+            edge = corner.after;
+        } while (edge != 0 && count[i] < MOST);
+    }
+    test_move_points(points[1], count[1], s->angle + 0.5 * TWO_PI, 0.0, 0.0);
+    return sum_area(points[0], count[0], points[1], count[1]);
+}
+
+/// How far the tiles' area is from that of M_0 without the sum, in squares of the polygons' size; one tile
+/// may be left out.
+static double area_error(const scene *s, uint32_t left_out) {
+    double tiles = 0.0;
+    for (uint32_t i = 0; i < bmr_mixed_tiling_count(s->tiling); ++i) {
+        bmr_vec2 corners[BMR_MIXED_MAX_SIDES];
+        const size_t count = bmr_mixed_polygon(&s->mixed, bmr_mixed_tiling_cell(s->tiling, i), corners);
+        const double area = polygon_area(corners, count);
+        assert_true(area > -1e-13 * size_of(s) * size_of(s));
+        tiles += i == left_out ? 0.0 : area;
+    }
+    const double outer = envelope_area(s, 0), inner = envelope_area(s, 64);
+    return fabs(tiles - (outer - inner)) / (size_of(s) * size_of(s));
+}
+
+static void the_tiles_have_the_area_of_the_outside(void **state) {
+    (void)state;
+    test_random random = {401};
+    size_t caught = 0, tried = 0;
+    for (size_t round = 0; round < test_scaled(300); ++round) {
+        const size_t n = 3 + test_random_below(&random, 40), m = 3 + test_random_below(&random, 40);
+        scene s = random_scene(kinds[round % 2], n, m, &random);
+        assert_true(area_error(&s, BMR_MIXED_NO_TILE) <= 1e-12);
+        if (bmr_mixed_tiling_count(s.tiling) > 0) { // control: a tile is missing
+            caught += area_error(&s, test_random_below(&random, bmr_mixed_tiling_count(s.tiling))) > 1e-12;
+            ++tried;
+        }
+        scene_destroy(&s);
+    }
+    assert_true(caught > tried / 2);
+}
+
+/// Brute force: in how many tiles is x, the last one, and how far is x from the border of any.
+typedef struct cover {
+    uint32_t count, tile;
+    double clearance;
+} cover;
+
+static bool is_in_box(const bmr_vec2 *p, size_t count, bmr_vec2 x) {
+    bmr_vec2 low = p[0], high = p[0];
+    for (size_t k = 1; k < count; ++k) {
+        low = bmr_vec2_make(fmin(low.x, p[k].x), fmin(low.y, p[k].y));
+        high = bmr_vec2_make(fmax(high.x, p[k].x), fmax(high.y, p[k].y));
+    }
+    return low.x <= x.x && x.x <= high.x && low.y <= x.y && x.y <= high.y;
+}
+
+static cover cover_of(const scene *s, bmr_vec2 x) {
+    cover c = {0, BMR_MIXED_NO_TILE, INFINITY};
+    for (uint32_t i = 0; i < bmr_mixed_tiling_count(s->tiling); ++i) {
+        bmr_vec2 p[BMR_MIXED_MAX_SIDES];
+        const size_t count = bmr_mixed_polygon(&s->mixed, bmr_mixed_tiling_cell(s->tiling, i), p);
+        // A sliver of nothing but rounding has no inside, but may have half planes that meet far away.
+        bool inside = is_in_box(p, count, x);
+        for (size_t k = 0; k < count; ++k) {
+            const bmr_vec2 e = bmr_sub(p[(k + 1) % count], p[k]), r = bmr_sub(x, p[k]);
+            const double length = hypot(e.x, e.y), along = bmr_dot(r, e);
+            inside &= bmr_cross(e, r) > 0.0 || length == 0.0;
+            if (length > 0.0 && along > -1e-9 && along < length * length + 1e-9)
+                c.clearance = fmin(c.clearance, fabs(bmr_cross(e, r)) / length);
+        }
+        c.count += inside;
+        c.tile = inside ? i : c.tile;
+    }
+    return c;
+}
+
+static bmr_vec2 some_point(const scene *s, test_random *random) {
+    // Mostly near the sum's border, at all distances.
+    const double gap = size_of(s) * exp(test_random_uniform(random, -14.0, 0.5));
+    const double direction = test_random_uniform(random, 0.0, TWO_PI);
+    return test_pose_at(s->polygons[0], s->polygons[1], direction, s->angle, gap).position;
+}
+
+static bmr_pose pose_at(const scene *s, bmr_vec2 x) {
+    const bmr_pose pose = {x, s->mixed.c, s->mixed.s};
+    return pose;
+}
+
+static bool is_outside(const scene *s, bmr_vec2 x) {
+    double slack;
+    (void)bmr_mixed_outside(&s->mixed, x, &slack);
+    return slack > 0.0;
+}
+
+/// What the implicit cell promises by itself: its sides hold x, and its certificate is true.
+static bool is_certificate(const scene *s, const bmr_mixed_cell *cell, bmr_vec2 x) {
+    bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
+    const size_t count = bmr_mixed_sides(&s->mixed, cell, sides);
+    for (size_t i = 0; i < count; ++i)
+        if (sides[i].role == BMR_MIXED_INNER) {
+            const double apart = bmr_mixed_side_value(&s->mixed, &sides[i], x);
+            const bmr_pose pose = pose_at(s, x);
+            return apart > 0.0 &&
+                   apart <= test_distance(s->polygons[0], s->polygons[1], &pose) + 1e-12 * size_of(s);
+        }
+    return false;
+}
+
+static void each_point_is_in_one_tile_and_the_implicit_cell_is_that_tile(void **state) {
+    (void)state;
+    test_random random = {403};
+    size_t compared = 0, skipped = 0, other = 0;
+    for (size_t round = 0; round < test_scaled(120); ++round) {
+        const size_t n = 3 + test_random_below(&random, 30), m = 3 + test_random_below(&random, 30);
+        scene s = random_scene(kinds[round % 2], n, m, &random);
+        for (int k = 0; k < 100; ++k) {
+            const bmr_vec2 x = some_point(&s, &random);
+            const double direction = test_random_uniform(&random, 0.0, TWO_PI);
+            const cover c = cover_of(&s, x);
+            const bool outside = is_outside(&s, x);
+            if (c.clearance < 1e-11 * size_of(&s)) {
+                ++skipped; // on a border, up to rounding
+                continue;
+            }
+            const bmr_pose pose = pose_at(&s, x);
+            const bool apart = test_distance(s.polygons[0], s.polygons[1], &pose) > 0.0;
+            assert_int_equal(c.count, apart && !outside ? 1 : 0);
+            if (!apart)
+                continue;
+            // Locate along any direction whose way back meets the sum behind x only.
+            bmr_mixed_cell cell;
+            unsigned touched = 0;
+            assert_true(bmr_mixed_locate(&s.mixed, x, bmr_vec2_make(cos(direction), sin(direction)), &cell,
+                                         &touched));
+            if (cell.kind == BMR_MIXED_INSIDE)
+                continue; // the sum was in the way
+            if (outside) {
+                assert_int_equal(cell.kind, BMR_MIXED_OUTSIDE);
+                assert_true(is_certificate(&s, &cell, x));
+                continue;
+            }
+            assert_int_equal(bmr_mixed_tiling_find(s.tiling, &cell), c.tile);
+            assert_true(bmr_mixed_exists(&s.mixed, &cell));
+            assert_true(is_certificate(&s, &cell, x));
+            uint32_t tile = BMR_MIXED_NO_TILE; // and by the stored neighbours, from far away
+            bmr_mixed_kind kind;
+            const bmr_vec2 far =
+                bmr_add(x, bmr_scale(20.0 * size_of(&s), bmr_vec2_make(cos(direction), sin(direction))));
+            assert_true(bmr_mixed_tiling_walk(s.tiling, &tile, &kind, far, x, NULL));
+            assert_int_equal(tile, c.tile);
+            other += tile != (c.tile + 1) % bmr_mixed_tiling_count(s.tiling); // control: other tiles are told
+            ++compared;
+        }
+        scene_destroy(&s);
+    }
+    print_message("compared %zu, on a border %zu\n", compared, skipped);
+    assert_true(other > 0);
+}
+
+// --- neighbours ---
+
+static void across_each_side_lies_the_tile_that_brute_force_finds(void **state) {
+    (void)state;
+    test_random random = {405};
+    size_t compared = 0, inwards = 0, wrong_role = 0;
+    unsigned most = 0;
+    for (size_t round = 0; round < test_scaled(60); ++round) {
+        const size_t n = 3 + test_random_below(&random, 30), m = 3 + test_random_below(&random, 30);
+        scene s = random_scene(kinds[round % 2], n, m, &random);
+        const uint32_t tiles = bmr_mixed_tiling_count(s.tiling);
+        for (int k = 0; k < 100 && tiles > 0; ++k) {
+            const uint32_t tile = test_random_below(&random, tiles);
+            const bmr_mixed_cell *cell = bmr_mixed_tiling_cell(s.tiling, tile);
+            bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
+            bmr_vec2 p[BMR_MIXED_MAX_SIDES];
+            const size_t count = bmr_mixed_sides(&s.mixed, cell, sides);
+            assert_int_equal(bmr_mixed_polygon(&s.mixed, cell, p), count);
+            const size_t i = test_random_below(&random, (uint32_t)count);
+            const bmr_vec2 e = bmr_sub(p[(i + 1) % count], p[i]);
+            const double length = hypot(e.x, e.y);
+            if (length < 1e-6 * size_of(&s))
+                continue;
+            const bmr_vec2 out = bmr_vec2_make(e.y / length, -e.x / length);
+            const bmr_vec2 x = bmr_add(p[i], bmr_scale(test_random_uniform(&random, 0.001, 0.999), e));
+            const bmr_vec2 beyond = bmr_add(x, bmr_scale(1e-9 * size_of(&s), out));
+            assert_true(fabs(bmr_mixed_side_value(&s.mixed, &sides[i], x)) <= 1e-12 * size_of(&s));
+            assert_true(bmr_mixed_side_value(&s.mixed, &sides[i], beyond) < 0.0);
+            const cover c = cover_of(&s, beyond);
+            if (c.clearance < 1e-12 * size_of(&s) || (c.count == 0 && sides[i].role == BMR_MIXED_INNER))
+                continue; // on another border; or into the sum, or a sliver before it
+            const bmr_mixed_ray ray = {x, out};
+            const bmr_mixed_role role = (bmr_mixed_role)sides[i].role;
+            unsigned touched = 0;
+            const bmr_mixed_cell next = bmr_mixed_next(&s.mixed, cell, role, &ray, &touched);
+            const uint32_t found = bmr_mixed_tiling_find(s.tiling, &next);
+            if (found != c.tile) { // a sliver may lie between
+                bmr_mixed_cell there = next;
+                assert_true(bmr_mixed_walk(&s.mixed, &there, x, beyond, NULL));
+                assert_int_equal(bmr_mixed_tiling_find(s.tiling, &there), c.tile);
+                continue;
+            }
+            // O(j): not more stages than lie between the two.
+            const int32_t from = bmr_mixed_stage(&s.mixed, cell), to = bmr_mixed_stage(&s.mixed, &next);
+            assert_true((int32_t)touched <= 1 + (to > from ? to - from : 0));
+            most = touched > most ? touched : most;
+            if (role == BMR_MIXED_INNER) {
+                uint32_t below;
+                const uint32_t *list = bmr_mixed_tiling_below(s.tiling, tile, &below);
+                bool listed = false;
+                for (uint32_t j = 0; j < below; ++j)
+                    listed |= list[j] == found;
+                assert_true(listed);
+                ++inwards;
+            } else {
+                assert_int_equal(bmr_mixed_tiling_across(s.tiling, tile, role), found);
+                // control: through another side it would be another tile
+                const bmr_mixed_role other = role == BMR_MIXED_LOW ? BMR_MIXED_HIGH : BMR_MIXED_LOW;
+                wrong_role += bmr_mixed_tiling_across(s.tiling, tile, other) != found;
+            }
+            ++compared;
+        }
+        scene_destroy(&s);
+    }
+    print_message("compared %zu sides, %zu of them inwards; at most %u stages looked at\n", compared, inwards,
+                  most);
+    assert_true(inwards > 0 && compared > inwards && wrong_role > 0);
+}
+
+// --- Lemma mixed-size ---
+
+static double cells_per_vertex(bmr_hierarchy_kind kind, test_family family, size_t n, size_t m, double angle,
+                               test_random *random) {
+    scene s = scene_of(test_polygon(family, n, random), test_polygon(family, m, random), kind, angle, 0.0);
+    const double ratio =
+        (double)bmr_mixed_tiling_count(s.tiling) / (double)(s.polygons[0]->count + s.polygons[1]->count);
+    scene_destroy(&s);
+    return ratio;
+}
+
+static void the_tiling_is_of_linear_size(void **state) {
+    (void)state;
+    static const test_family families[] = {TEST_REGULAR, TEST_CIRCLE, TEST_ELLIPSE, TEST_LENS};
+    static const double bounds[] = {13.0, 5.0};
+    test_random random = {407};
+    size_t too_many = 0;
+    for (int kind = 0; kind < 2; ++kind)
+        for (size_t n = 16; n <= 1024; n *= 4) {
+            double most = 0.0, least = INFINITY;
+            for (size_t round = 0; round < test_scaled(8); ++round) {
+                const test_family family = families[round % 4];
+                const double ratio = cells_per_vertex(kinds[kind], family, n,
+                                                      round < 4 ? n : n >> test_random_below(&random, 3),
+                                                      some_angle(&random), &random);
+                most = fmax(most, ratio);
+                least = fmin(least, ratio);
+            }
+            print_message("%s n = %4zu: %.2f to %.2f cells a vertex\n", kind ? "Dudley " : "compass", n,
+                          least, most);
+            assert_true(most <= bounds[kind]);
+            too_many += kind == 0 && most > bounds[1]; // control: Dudley's bound is not the compass's
+        }
+    assert_true(too_many > 0);
+}
+
+// --- Lemma mixed-rotation ---
+
+static int compare_doubles(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/// All rotations at which an edge of A and one of -B are parallel, sorted.
+static size_t parallel_angles(const scene *s, double *angles) {
+    size_t count = 0;
+    for (bmr_edge i = 0; i < bmr_hierarchy_edge_count(s->hierarchies[0]); ++i)
+        for (bmr_edge j = 0; j < bmr_hierarchy_edge_count(s->hierarchies[1]); ++j) {
+            const bmr_vec2 a = bmr_hierarchy_line(s->hierarchies[0], i).normal;
+            const bmr_vec2 b = bmr_neg(bmr_hierarchy_line(s->hierarchies[1], j).normal);
+            const double angle = atan2(bmr_cross(b, a), bmr_dot(b, a));
+            angles[count++] = angle < 0.0 ? angle + TWO_PI : angle;
+        }
+    qsort(angles, count, sizeof *angles, compare_doubles);
+    return count;
+}
+
+typedef struct changes {
+    size_t page_turns, collapses, expansions;
+} changes;
+
+/// Which parallelograms are there, by (owner, e, y): 0 none, 1 before, 2 after.
+static void mark(const scene *s, uint8_t *marks) {
+    const uint32_t na = bmr_hierarchy_edge_count(s->hierarchies[0]),
+                   nb = bmr_hierarchy_edge_count(s->hierarchies[1]);
+    memset(marks, 0, (size_t)2 * na * nb);
+    for (uint32_t i = 0; i < bmr_mixed_tiling_count(s->tiling); ++i) {
+        const bmr_mixed_cell *c = bmr_mixed_tiling_cell(s->tiling, i);
+        if (c->kind == BMR_MIXED_TRIANGLE)
+            continue;
+        const uint32_t a = c->owner == 0 ? c->edge : c->other[0], b = c->owner == 0 ? c->other[0] : c->edge;
+        marks[((size_t)c->owner * na + a) * nb + b] = c->kind == BMR_MIXED_BEFORE ? 1 : 2;
+    }
+}
+
+/// Turns B through the first `part` of all rotations that matter, and compares the tilings before and after
+/// each.
+static changes turn_around(scene *s, double part) {
+    const size_t pairs =
+        (size_t)bmr_hierarchy_edge_count(s->hierarchies[0]) * bmr_hierarchy_edge_count(s->hierarchies[1]);
+    double *angles = malloc(pairs * sizeof *angles);
+    uint8_t *marks = malloc(4 * pairs);
+    assert_non_null(angles);
+    assert_non_null(marks);
+    changes c = {0, 0, 0};
+    const size_t count = parallel_angles(s, angles), end = (size_t)((double)count * part);
+    scene_turn(s, 0.5 * (angles[count - 1] - TWO_PI + angles[0]));
+    mark(s, marks);
+    for (size_t i = 0; i < end; ++i) {
+        const double next = i + 1 < count ? angles[i + 1] : angles[0] + TWO_PI;
+        if (next - angles[i] < 1e-9)
+            continue; // several at once: all are seen after the last
+        scene_turn(s, 0.5 * (angles[i] + next));
+        memcpy(marks + 2 * pairs, marks, 2 * pairs);
+        mark(s, marks);
+        for (size_t k = 0; k < 2 * pairs; ++k) {
+            const uint8_t now = marks[k], before = marks[2 * pairs + k];
+            c.page_turns += now != 0 && before != 0 && now != before;
+            c.collapses += before != 0 && now == 0;
+            c.expansions += before == 0 && now != 0;
+        }
+    }
+    free(angles);
+    free(marks);
+    return c;
+}
+
+static bool is_full_turn(const changes *c, size_t na, size_t nb) {
+    const size_t expected = na * nb - 16;
+    return c->page_turns == expected && c->collapses == expected && c->expansions == expected;
+}
+
+static void a_full_turn_has_one_page_turn_collapse_and_expansion_for_each_pair_of_edges(void **state) {
+    (void)state;
+    static const test_family families[] = {TEST_CIRCLE, TEST_ELLIPSE, TEST_LENS, TEST_CLUSTER};
+    test_random random = {409};
+    for (size_t round = 0; round < test_scaled(8); ++round) {
+        const size_t n = 3 + test_random_below(&random, 9), m = 3 + test_random_below(&random, 9);
+        scene s = scene_of(test_polygon(families[round / 2 % 4], n, &random),
+                           test_polygon(families[round / 2 % 4], m, &random), kinds[round % 2], 0.0, 0.0);
+        const size_t na = bmr_hierarchy_edge_count(s.hierarchies[0]),
+                     nb = bmr_hierarchy_edge_count(s.hierarchies[1]);
+        const changes all = turn_around(&s, 1.0), most = turn_around(&s, 0.9);
+        assert_true(is_full_turn(&all, na, nb));
+        assert_false(is_full_turn(&most, na, nb)); // control: no full turn
+        scene_destroy(&s);
+    }
+}
+
+// --- Lemma mixed2 ---
+
+/// The most cells of height >= s over sqrt(D / s), for s = D / 4^k.
+static double tall_cells(const scene *s, double diameter) {
+    double most = 0.0;
+    for (int k = 0; k < 16; ++k) {
+        size_t count = 0;
+        for (uint32_t i = 0; i < bmr_mixed_tiling_count(s->tiling); ++i)
+            count +=
+                bmr_mixed_height(&s->mixed, bmr_mixed_tiling_cell(s->tiling, i)) >= diameter * pow(4.0, -k);
+        most = fmax(most, (double)count / pow(2.0, k));
+    }
+    return most;
+}
+
+/// What a line meets: cells, and triangles of the stage that it meets most of.
+typedef struct met {
+    size_t cells, triangles;
+} met;
+
+static met met_by_line(const scene *s, bmr_vec2 x, bmr_vec2 along) {
+    size_t triangles[128] = {0};
+    met m = {0, 0};
+    for (uint32_t i = 0; i < bmr_mixed_tiling_count(s->tiling); ++i) {
+        const bmr_mixed_cell *cell = bmr_mixed_tiling_cell(s->tiling, i);
+        bmr_vec2 p[BMR_MIXED_MAX_SIDES];
+        const size_t count = bmr_mixed_polygon(&s->mixed, cell, p);
+        bool left = false, right = false;
+        for (size_t k = 0; k < count; ++k) {
+            const double side = bmr_cross(along, bmr_sub(p[k], x));
+            left |= side > 0.0;
+            right |= side < 0.0;
+        }
+        if (!left || !right)
+            continue;
+        ++m.cells;
+        const size_t stage = (size_t)bmr_mixed_stage(&s->mixed, cell);
+        if (cell->kind == BMR_MIXED_TRIANGLE && ++triangles[stage] > m.triangles)
+            m.triangles = triangles[stage];
+    }
+    return m;
+}
+
+static void tall_cells_are_few_and_a_line_meets_few_cells(void **state) {
+    (void)state;
+    static const test_family families[] = {TEST_REGULAR, TEST_CIRCLE, TEST_ELLIPSE};
+    test_random random = {411};
+    for (int kind = 0; kind < 2; ++kind) {
+        double tall = 0.0, small = 0.0;
+        size_t lines = 0, cells = 0, most = 0, most_triangles = 0, alone = 0, long_lines = 0;
+        // Three at least: the controls need some lines.
+        for (size_t round = 0; round < 3 || round < test_scaled(6); ++round) {
+            const size_t n = 256;
+            scene s = scene_of(test_polygon(families[round % 3], n, &random),
+                               test_polygon(families[round / 2 % 3], n, &random), kinds[kind],
+                               some_angle(&random), 0.0);
+            const double diameter = fmax(test_diameter(s.polygons[0]), test_diameter(s.polygons[1]));
+            tall = fmax(tall, tall_cells(&s, diameter));
+            small = fmax(small, tall_cells(&s, 0.01 * diameter));
+            for (int k = 0; k < 60; ++k) {
+                const double direction = test_random_uniform(&random, 0.0, TWO_PI);
+                const int power = 4 + (int)test_random_below(&random, 13);
+                const double sigma = diameter * pow(2.0, -power);
+                const bmr_pose pose = test_pose_at(s.polygons[0], s.polygons[1], direction, s.angle, sigma);
+                const bmr_vec2 along = bmr_vec2_make(-sin(direction), cos(direction));
+                const met m = met_by_line(&s, pose.position, along);
+                // A line at sigma: at most two triangles a stage, where the paper has one.
+                assert_true(m.triangles <= 2);
+                alone += m.triangles > 1;
+                if (kind == 0)
+                    assert_true((double)m.cells <= 3.0 * power + 2.0);
+                long_lines += (double)m.cells > 1.5 * power; // control: half the constant
+                most_triangles = m.triangles > most_triangles ? m.triangles : most_triangles;
+                most = m.cells > most ? m.cells : most;
+                cells += m.cells;
+                ++lines;
+            }
+            scene_destroy(&s);
+        }
+        print_message("%s: at most %.1f sqrt(D/s) cells of height >= s; a line at D/16 to D/65536 meets %.1f "
+                      "cells, at most %zu\n",
+                      kind ? "Dudley" : "compass", tall, (double)cells / (double)lines, most);
+        assert_true(tall <= 15.0);
+        assert_true(small > 15.0); // control: as if the polygons were a hundred times smaller
+        assert_true(alone > 0);    // control: the paper's "one triangle a level" does not hold
+        assert_true(long_lines > 0);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_tiles_have_the_area_of_the_outside),
+        cmocka_unit_test(each_point_is_in_one_tile_and_the_implicit_cell_is_that_tile),
+        cmocka_unit_test(across_each_side_lies_the_tile_that_brute_force_finds),
+        cmocka_unit_test(the_tiling_is_of_linear_size),
+        cmocka_unit_test(a_full_turn_has_one_page_turn_collapse_and_expansion_for_each_pair_of_edges),
+        cmocka_unit_test(tall_cells_are_few_and_a_line_meets_few_cells),
+    };
+    return cmocka_run_group_tests(tests, make_compass, drop_compass);
+}

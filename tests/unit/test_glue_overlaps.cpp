@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// CertainOverlap against b2TestOverlap itself: what is certain is what Box2D says, wherever the two are, most
+// of all about the threshold.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <box2d/b2_chain_shape.h>
+#include <box2d/b2_circle_shape.h>
+#include <box2d/b2_distance.h>
+#include <box2d/b2_edge_shape.h>
+
+#include "../../box2d_glue/overlap.h"
+#include "box2d_shapes.h"
+#include "test_scale.h"
+
+extern B2_API int32 b2_gjkMaxIters;
+
+namespace {
+
+using bmr::Overlap;
+using shapes::Below;
+using shapes::Engine;
+using shapes::Uniform;
+using shapes::UniformF;
+
+struct Part {
+    std::unique_ptr<b2Shape> shape;
+    int32 child = 0;
+};
+
+b2Vec2 RandomPoint(Engine &engine, double extent) {
+    return b2Vec2(UniformF(engine, -extent, extent), UniformF(engine, -extent, extent));
+}
+
+Part RandomPart(Engine &engine) {
+    Part part;
+    const int kind = Below(engine, 8);
+    if (kind == 0) {
+        auto circle = std::make_unique<b2CircleShape>();
+        circle->m_p = RandomPoint(engine, 2.0);
+        circle->m_radius = UniformF(engine, 0.05, 3.0);
+        part.shape = std::move(circle);
+    } else if (kind == 1) {
+        auto edge = std::make_unique<b2EdgeShape>();
+        edge->SetTwoSided(RandomPoint(engine, 5.0), RandomPoint(engine, 5.0));
+        part.shape = std::move(edge);
+    } else if (kind == 2) {
+        auto chain = std::make_unique<b2ChainShape>();
+        const b2Vec2 points[] = {
+            {-3.0f, UniformF(engine, -1.0, 1.0)}, {-1.0f, 0.5f}, {1.0f, UniformF(engine, -1.0, 1.0)}};
+        chain->CreateLoop(points, 3);
+        part.child = Below(engine, 3);
+        part.shape = std::move(chain);
+    } else {
+        auto polygon = std::make_unique<b2PolygonShape>(shapes::RandomPolygon(engine, 10.0));
+        if (kind == 3)
+            polygon->m_radius = UniformF(engine, 0.0, 1.0);
+        part.shape = std::move(polygon);
+    }
+    return part;
+}
+
+struct Pair {
+    Part a, b;
+    b2Transform xfA, xfB;
+
+    bool Box2D() const { return b2TestOverlap(a.shape.get(), a.child, b.shape.get(), b.child, xfA, xfB); }
+    Overlap Ours() const { return bmr::CertainOverlap(*a.shape, a.child, *b.shape, b.child, xfA, xfB); }
+};
+
+Pair RandomPair(Engine &engine, double range) {
+    Pair pair;
+    pair.a = RandomPart(engine);
+    pair.b = RandomPart(engine);
+    pair.xfA = shapes::RandomPose(engine, range);
+    pair.xfB = shapes::RandomPose(engine, 0.0);
+    if (Below(engine, 4) == 0)
+        pair.xfB.q = pair.xfA.q; // sides in parallel
+    pair.xfB.p = pair.xfA.p + RandomPoint(engine, 6.0);
+    return pair;
+}
+
+/// Towards where Box2D changes its mind, to within `off`.
+void MoveToTheThreshold(Engine &engine, Pair *pair, double off) {
+    const float angle = UniformF(engine, -3.2, 3.2);
+    const b2Vec2 way(std::cos(angle), std::sin(angle)), from = pair->xfB.p;
+    float near = 0.0f, far = 60.0f;
+    for (int i = 0; i < 26; ++i) {
+        const float middle = 0.5f * (near + far);
+        pair->xfB.p = from + middle * way;
+        (pair->Box2D() ? near : far) = middle;
+    }
+    pair->xfB.p = from + (near + UniformF(engine, -off, off)) * way;
+}
+
+struct Tally {
+    size_t asked = 0, apart = 0, overlapping = 0, wrong = 0;
+
+    void Add(const Pair &pair, Overlap ours) {
+        ++asked;
+        apart += ours == Overlap::kApart;
+        overlapping += ours == Overlap::kOverlapping;
+        wrong += ours != Overlap::kUnknown && (ours == Overlap::kOverlapping) != pair.Box2D();
+    }
+};
+
+} // namespace
+
+TEST_CASE("what is certain is what Box2D says, anywhere") {
+    b2_gjkMaxIters = 0;
+    for (const double range : {1.0, 50.0, 450.0}) {
+        CAPTURE(range);
+        Engine engine(3);
+        Tally t;
+        for (size_t i = 0; i < test_scaled(60000); ++i) {
+            const Pair pair = RandomPair(engine, range);
+            t.Add(pair, pair.Ours());
+        }
+        CHECK(t.wrong == 0);
+        CHECK(t.apart > t.asked / 8);
+        CHECK(t.overlapping > t.asked / 8);
+        // Nearly all are one or the other.
+        CHECK(t.apart + t.overlapping > t.asked * 95 / 100);
+    }
+    // The reasoning takes b2Distance to end by itself.
+    CHECK(b2_gjkMaxIters < 20);
+}
+
+TEST_CASE("what is certain is what Box2D says, about the threshold") {
+    for (const double range : {1.0, 50.0, 450.0}) {
+        for (const double off : {1e-6, 1e-4, 3e-3, 5e-2}) {
+            CAPTURE(range);
+            CAPTURE(off);
+            Engine engine(4);
+            Tally t;
+            for (size_t i = 0; i < test_scaled(8000); ++i) {
+                Pair pair = RandomPair(engine, range);
+                MoveToTheThreshold(engine, &pair, off);
+                t.Add(pair, pair.Ours());
+            }
+            CHECK(t.wrong == 0);
+            if (off > 1e-2)
+                CHECK(t.apart > t.asked / 8);
+        }
+    }
+}
+
+TEST_CASE("pairs on their way are answered from what is remembered of them, and as Box2D does") {
+    Engine engine(5);
+    Tally t;
+    for (size_t i = 0; i < test_scaled(500); ++i) {
+        Pair pair = RandomPair(engine, 20.0);
+        const b2Vec2 v = RandomPoint(engine, 0.1);
+        const float spin = UniformF(engine, -0.1, 0.1);
+        float angle = pair.xfB.q.GetAngle();
+        for (int step = 0; step < 150; ++step) {
+            pair.xfB.Set(pair.xfB.p + v, angle += spin);
+            t.Add(pair, pair.Ours());
+            if (step % 50 == 25) // in place, as a game may
+                pair.a.shape->m_radius *= 1.5f;
+        }
+    }
+    CHECK(t.wrong == 0);
+    CHECK(t.apart > 0);
+    CHECK(t.overlapping > 0);
+}
+
+TEST_CASE("control: a wrong answer is counted") {
+    Engine engine(6);
+    Tally t;
+    for (int i = 0; i < 100; ++i) {
+        const Pair pair = RandomPair(engine, 1.0);
+        t.Add(pair, pair.Box2D() ? Overlap::kApart : Overlap::kOverlapping);
+    }
+    CHECK(t.wrong == 100);
+}
+
+TEST_CASE("what is not a number, not finite or out of reach is left to Box2D, or answered as it does") {
+    b2PolygonShape box;
+    box.SetAsBox(1.0f, 1.0f);
+    b2CircleShape circle;
+    circle.m_radius = 1.0f;
+    b2Transform at, elsewhere;
+    at.SetIdentity();
+    for (const float x : {0.5f, 20.0f}) {
+        elsewhere.Set(b2Vec2(x, 0.0f), 0.3f);
+        REQUIRE(bmr::CertainOverlap(box, 0, box, 0, at, elsewhere) != Overlap::kUnknown);
+        for (const float bad :
+             {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e30f}) {
+            CAPTURE(x);
+            CAPTURE(bad);
+            b2Transform spoilt = elsewhere;
+            spoilt.p.y = bad;
+            CHECK(bmr::CertainOverlap(box, 0, box, 0, at, spoilt) == Overlap::kUnknown);
+            CHECK(bmr::CertainOverlap(circle, 0, box, 0, spoilt, at) == Overlap::kUnknown);
+            spoilt = elsewhere;
+            spoilt.q.s = bad;
+            if (!std::isfinite(bad))
+                CHECK(bmr::CertainOverlap(box, 0, box, 0, spoilt, at) == Overlap::kUnknown);
+            for (int i = 0; i < 4; ++i) {
+                b2PolygonShape other = box;
+                other.m_vertices[i].x = bad;
+                CHECK(bmr::CertainOverlap(box, 0, other, 0, at, elsewhere) == Overlap::kUnknown);
+                CHECK(bmr::CertainOverlap(other, 0, circle, 0, at, elsewhere) == Overlap::kUnknown);
+            }
+        }
+    }
+    b2Transform far = at;
+    far.p.Set(700.0f, 0.0f);
+    CHECK(bmr::CertainOverlap(box, 0, box, 0, at, far) == Overlap::kUnknown);
+}

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// A Box2D that is not the one the glue was built for is left alone. This program stands in front of five
+// functions of Box2D's (ELF lets it) and lets each do something that another version could do.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <string>
+
+#include <box2d/b2_time_of_impact.h>
+#include <box2d/box2d.h>
+#include <dlfcn.h>
+
+#include "../../box2d_glue/recognise.h"
+
+namespace {
+
+enum class Oddity {
+    kNone,
+    kLargerWorld,
+    kSmallerWorld,
+    kLargerBody,
+    kLargerFixture,
+    kMovedField,
+    kMoreContacts,
+    kOtherManifold,
+    kLargerManifold,
+    kOtherImpact
+};
+Oddity oddity = Oddity::kNone;
+
+template <typename Function> Function *Real(const char *name) {
+    return reinterpret_cast<Function *>(dlsym(RTLD_NEXT, name));
+}
+
+std::string Why(Oddity odd) {
+    oddity = odd;
+    const char *why = bmr::WhyBox2DIsUnknown();
+    oddity = Oddity::kNone;
+    return why != nullptr ? why : "";
+}
+
+} // namespace
+
+void MakeWorld(b2World *world, const b2Vec2 &gravity) __asm__("_ZN7b2WorldC1ERK6b2Vec2");
+void MakeWorld(b2World *world, const b2Vec2 &gravity) {
+    auto *bytes = reinterpret_cast<unsigned char *>(world);
+    unsigned char end[sizeof(b2Profile)];
+    std::memcpy(end, bytes + sizeof(b2World) - sizeof end, sizeof end);
+    Real<void(b2World *, const b2Vec2 &)>("_ZN7b2WorldC1ERK6b2Vec2")(world, gravity);
+    if (oddity == Oddity::kLargerWorld)
+        bytes[sizeof(b2World) + 5] = 0;
+    if (oddity == Oddity::kSmallerWorld)
+        std::memcpy(bytes + sizeof(b2World) - sizeof end, end, sizeof end);
+}
+
+b2Body *MakeBody(b2World *world, const b2BodyDef *def) __asm__("_ZN7b2World10CreateBodyEPK9b2BodyDef");
+b2Body *MakeBody(b2World *world, const b2BodyDef *def) {
+    const auto real = Real<b2Body *(b2World *, const b2BodyDef *)>("_ZN7b2World10CreateBodyEPK9b2BodyDef");
+    if (oddity == Oddity::kLargerBody) {
+        // Every other block stays empty.
+        static b2Body *spare = nullptr;
+        b2Body *body = real(world, def);
+        if (world->GetBodyCount() > 1)
+            world->DestroyBody(spare);
+        spare = world->GetBodyCount() < 3 ? real(world, def) : nullptr;
+        return body;
+    }
+    b2Body *body = real(world, def);
+    if (oddity == Oddity::kMovedField)
+        body->SetGravityScale(def->linearDamping);
+    return body;
+}
+
+b2Fixture *MakeFixture(b2Body *body,
+                       const b2FixtureDef *def) __asm__("_ZN6b2Body13CreateFixtureEPK12b2FixtureDef");
+b2Fixture *MakeFixture(b2Body *body, const b2FixtureDef *def) {
+    const auto real =
+        Real<b2Fixture *(b2Body *, const b2FixtureDef *)>("_ZN6b2Body13CreateFixtureEPK12b2FixtureDef");
+    if (oddity == Oddity::kLargerFixture) {
+        // The second fixture gets the block before the one before the first.
+        oddity = Oddity::kNone;
+        b2Fixture *before = real(body, def), *between = real(body, def), *fixture = real(body, def);
+        body->DestroyFixture(between);
+        body->DestroyFixture(before);
+        return fixture;
+    }
+    b2Fixture *fixture = real(body, def);
+    if (oddity == Oddity::kMoreContacts)
+        real(body, def);
+    return fixture;
+}
+
+void Collide(b2Manifold *manifold, const b2PolygonShape *a, const b2Transform &xfA, const b2PolygonShape *b,
+             const b2Transform
+                 &xfB) __asm__("_Z17b2CollidePolygonsP10b2ManifoldPK14b2PolygonShapeRK11b2TransformS3_S6_");
+void Collide(b2Manifold *manifold, const b2PolygonShape *a, const b2Transform &xfA, const b2PolygonShape *b,
+             const b2Transform &xfB) {
+    Real<void(b2Manifold *, const b2PolygonShape *, const b2Transform &, const b2PolygonShape *,
+              const b2Transform &)>(
+        "_Z17b2CollidePolygonsP10b2ManifoldPK14b2PolygonShapeRK11b2TransformS3_S6_")(manifold, a, xfA, b,
+                                                                                     xfB);
+    if (oddity == Oddity::kOtherManifold)
+        manifold->pointCount = 1;
+    if (oddity == Oddity::kLargerManifold)
+        std::memset(static_cast<void *>(manifold + 1), 0, sizeof(float));
+}
+
+void Impact(b2TOIOutput *output,
+            const b2TOIInput *input) __asm__("_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput");
+void Impact(b2TOIOutput *output, const b2TOIInput *input) {
+    Real<void(b2TOIOutput *, const b2TOIInput *)>("_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput")(output,
+                                                                                                    input);
+    if (oddity == Oddity::kOtherImpact)
+        output->t = 0.0f;
+}
+
+TEST_CASE("the Box2D of this process is known, as often as it is asked") {
+    CHECK(Why(Oddity::kNone) == "");
+    CHECK(Why(Oddity::kNone) == "");
+}
+
+TEST_CASE("another size is noticed") {
+    CHECK(Why(Oddity::kLargerWorld) == "b2World is larger than in 2.4.1");
+    CHECK(Why(Oddity::kSmallerWorld) == "b2World is smaller than in 2.4.1");
+    CHECK(Why(Oddity::kLargerBody) == "b2Body has not the size that it has in 2.4.1");
+    CHECK(Why(Oddity::kLargerFixture) == "b2Fixture has not the size that it has in 2.4.1");
+    CHECK(Why(Oddity::kLargerManifold) == "b2CollidePolygons gives other manifolds than in 2.4.1");
+}
+
+TEST_CASE("another place of a field, another result, another number of contacts are noticed") {
+    CHECK(Why(Oddity::kMovedField) == "the fields of b2Body lie elsewhere than in 2.4.1");
+    CHECK(Why(Oddity::kMoreContacts) != "");
+    CHECK(Why(Oddity::kOtherManifold) == "b2CollidePolygons gives other manifolds than in 2.4.1");
+    CHECK(Why(Oddity::kOtherImpact) == "b2TimeOfImpact gives other times than in 2.4.1");
+}
+
+TEST_CASE("the library's own check is asked first") {
+    bmr::SetLibraryCheck([] { return "no symbols"; });
+    CHECK(Why(Oddity::kLargerWorld) == "no symbols");
+    bmr::SetLibraryCheck(nullptr);
+}

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// The geometry of inflated hierarchies (section 6) against brute force.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+
+#include "boomerang/inflated.h"
+#include "compass_fixture.h"
+#include "geometry/distance.h"
+#include "test_scale.h"
+
+static const size_t sizes[] = {3, 4, 7, 16, 64};
+
+/// The edges of an envelope in order.
+static uint32_t envelope(const bmr_hierarchy *h, uint32_t level, bmr_edge *edges) {
+    uint32_t count = 0;
+    bmr_edge edge = 0;
+    do {
+        edges[count++] = edge;
+        edge = bmr_hierarchy_corner_after(h, edge, level).after;
+    } while (edge != 0);
+    return count;
+}
+
+/// A point at about the distance `gap` from the polygon, and the direction of its closest point.
+static bmr_vec2 point_near(const bmr_polygon *p, double gap, test_random *random, bmr_vec2 *u) {
+    const double angle = test_random_uniform(random, 0.0, 6.3);
+    *u = bmr_vec2_make(cos(angle), sin(angle));
+    return bmr_add(p->vertices[bmr_polygon_support(p, *u)], bmr_scale(gap, *u));
+}
+
+/// Brute force: the most slack of all edges of a level.
+static double most_slack(const bmr_hierarchy *h, uint32_t level, bmr_vec2 x, bmr_edge *best) {
+    bmr_edge edges[400];
+    const uint32_t count = envelope(h, level, edges);
+    double most = -INFINITY;
+    for (uint32_t i = 0; i < count; ++i)
+        if (bmr_edge_slack(h, edges[i], x) > most) {
+            most = bmr_edge_slack(h, edges[i], x);
+            *best = edges[i];
+        }
+    return most;
+}
+
+typedef struct counts {
+    size_t positive, wrong_corner, entries;
+} counts;
+
+static void look(const bmr_hierarchy *h, test_family family, test_random *random, void *context) {
+    (void)family;
+    counts *seen = context;
+    const bmr_polygon *p = bmr_hierarchy_polygon(h);
+    const double size = p->extent + 1.0;
+    for (int round = 0; round < 20; ++round) {
+        bmr_vec2 u;
+        const double gap = size * exp(test_random_uniform(random, -9.0, 0.5));
+        const bmr_vec2 x = point_near(p, gap, random, &u);
+        for (uint32_t level = 0; level <= bmr_hierarchy_depth(h); ++level) {
+            bmr_edge best = 0;
+            const double most = most_slack(h, level, x, &best);
+            double slack, other;
+            bmr_corner_widest_edge(h, bmr_hierarchy_extreme(h, u, level), x, &slack);
+            // The control: the corner in another direction does not do.
+            bmr_corner_widest_edge(h, bmr_hierarchy_extreme(h, bmr_left(u), level), x, &other);
+            if (most > 1e-12 * size) {
+                ++seen->positive;
+                assert_true(fabs(slack - most) <= 1e-12 * size);
+                seen->wrong_corner += fabs(other - most) > 1e-9 * size;
+            }
+            // A line from x through a point of the polygon.
+            const double offset = size * exp(test_random_uniform(random, -12.0, 0.0));
+            const bmr_vec2 aim = p->vertices[test_random_below(random, p->count)];
+            const bmr_vec2 d = bmr_sub(aim, x);
+            const bmr_entry entry = bmr_inflated_entry(h, level, offset, x, d);
+            bmr_edge edges[400];
+            const uint32_t count = envelope(h, level, edges);
+            double last = -INFINITY;
+            bool outside = false;
+            for (uint32_t i = 0; i < count; ++i) {
+                const bmr_line line = bmr_hierarchy_line(h, edges[i]);
+                const double rate = bmr_dot(line.normal, d);
+                const double above = bmr_dot(line.normal, x) - line.offset - offset;
+                outside = outside || above > 1e-12 * size;
+                if (rate < 0.0)
+                    last = fmax(last, -above / rate);
+            }
+            ++seen->entries;
+            assert_true(fabs(entry.parameter - last) <= 1e-9 * (1.0 + fabs(last)));
+            if (outside) { // the edge of the entry has x beyond it by the offset: a certificate
+                assert_true(entry.parameter > 0.0);
+                assert_true(bmr_edge_slack(h, entry.edge, x) >= offset - 1e-11 * size);
+            }
+            assert_true(entry.steps <= level);
+        }
+    }
+}
+
+static void the_widest_edge_and_the_entry_are_those_of_brute_force(void **state) {
+    (void)state;
+    counts seen = {0, 0, 0};
+    assert_true(test_visit_hierarchies(compass, sizes, sizeof sizes / sizeof *sizes, test_scaled(2), 11, look,
+                                       &seen));
+    assert_true(seen.positive > 1000 && seen.entries > 1000);
+    assert_true(seen.wrong_corner > seen.positive / 4);
+}
+
+static void inflated_corners_lie_on_both_lines(void **state) {
+    (void)state;
+    test_random random = {3};
+    for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
+        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+            bmr_polygon *p = test_polygon((test_family)family, 16, &random);
+            bmr_hierarchy *h = built(kind, p);
+            for (uint32_t level = 0; level <= bmr_hierarchy_depth(h); ++level) {
+                bmr_edge edges[400];
+                const uint32_t count = envelope(h, level, edges);
+                const double offset = 0.3 * p->radius;
+                for (uint32_t i = 0; i < count; ++i) {
+                    const bmr_corner corner = bmr_hierarchy_corner_after(h, edges[i], level);
+                    const bmr_vec2 q = bmr_inflated_corner(h, corner, offset);
+                    const double slop = 1e-10 * p->extent;
+                    assert_true(fabs(bmr_edge_slack(h, corner.before, q) - offset) <= slop);
+                    assert_true(fabs(bmr_edge_slack(h, corner.after, q) - offset) <= slop);
+                    const bmr_vec2 c = bmr_hierarchy_corner_point(h, corner);
+                    assert_true(hypot(q.x - c.x, q.y - c.y) <= offset * sqrt(2.0) * (1.0 + 1e-12));
+                }
+            }
+            bmr_hierarchy_destroy(h, NULL);
+            bmr_polygon_destroy(p, NULL);
+        }
+}
+
+static void offsets_shrink_by_the_ratio_and_levels_end_at_the_depth(void **state) {
+    (void)state;
+    test_random random = {5};
+    bmr_polygon *p = test_polygon(TEST_CIRCLE, 64, &random);
+    bmr_hierarchy *h = built(BMR_HIERARCHY_COMPASS, p);
+    const uint32_t depth = bmr_hierarchy_depth(h);
+    const bmr_inflation plain = bmr_inflation_make(8.0, 0.5, 0.5, 0);
+    const bmr_inflation rich = bmr_inflation_make(8.0, 0.25, 0.8, 2);
+    for (uint32_t j = 0; j < 40; ++j) {
+        assert_true(bmr_inflation_offset(&plain, j) == ldexp(4.0, -(int)j));
+        assert_true(fabs(bmr_inflation_offset(&rich, j) / (2.0 * pow(0.8, j)) - 1.0) < 1e-14);
+        assert_int_equal(bmr_inflation_level(&plain, h, j), j < depth ? j : depth);
+        assert_int_equal(bmr_inflation_level(&rich, h, j), j + 2 < depth ? j + 2 : depth);
+    }
+    assert_int_equal(bmr_inflation_last(&plain, h), depth);
+    assert_int_equal(bmr_inflation_last(&rich, h), depth - 2);
+    const bmr_inflation deep = bmr_inflation_make(8.0, 0.5, 0.5, 99);
+    assert_int_equal(bmr_inflation_last(&deep, h), 0);
+    assert_int_equal(bmr_inflation_level(&deep, h, 0), depth);
+    bmr_hierarchy_destroy(h, NULL);
+    bmr_polygon_destroy(p, NULL);
+}
+
+/// Lemma compass (a), as section 6 uses it.
+static void compass_offsets_cover_the_heights(void **state) {
+    (void)state;
+    test_random random = {9};
+    bool half_is_needed = false;
+    for (size_t round = 0; round < test_scaled(3); ++round)
+        for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
+            for (size_t n = 4; n <= 256; n *= 4) {
+                bmr_polygon *p = test_polygon((test_family)family, n, &random);
+                bmr_hierarchy *h = built(BMR_HIERARCHY_COMPASS, p);
+                const double diameter = bmr_inflation_diameter(p);
+                assert_true(diameter >= test_diameter(p) * (1.0 - 1e-12));
+                assert_true(diameter <= test_diameter(p) * 1.1548);
+                const bmr_inflation half = bmr_inflation_make(diameter, 0.5, 0.5, 0);
+                for (uint32_t j = 0; j <= bmr_hierarchy_depth(h) && (1u << j) <= p->count; ++j) {
+                    const double height = bmr_envelope_height(h, j);
+                    assert_true(height <= bmr_inflation_offset(&half, j) * (1.0 + 1e-9));
+                    // The control: with alpha a quarter it is false somewhere.
+                    half_is_needed = half_is_needed || height > 0.5 * bmr_inflation_offset(&half, j);
+                }
+                bmr_hierarchy_destroy(h, NULL);
+                bmr_polygon_destroy(p, NULL);
+            }
+    assert_true(half_is_needed);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_widest_edge_and_the_entry_are_those_of_brute_force),
+        cmocka_unit_test(inflated_corners_lie_on_both_lines),
+        cmocka_unit_test(offsets_shrink_by_the_ratio_and_levels_end_at_the_depth),
+        cmocka_unit_test(compass_offsets_cover_the_heights),
+    };
+    return cmocka_run_group_tests(tests, make_compass, drop_compass);
+}

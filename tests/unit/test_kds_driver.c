@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// The driver that tests kinetic structures is itself shown a right structure and wrong ones.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+#include <string.h>
+
+#include "kds/structure.h"
+#include "kds_driver.h"
+
+/// A structure of one line, in the closest direction.
+static bool line_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+    (void)report;
+    uint32_t a = 0, b = 0;
+    bmr_vec2 direction;
+    double distance;
+    if (!bmr_kds_closest(kds, &now->pose, &a, &b, &direction, &distance))
+        return false;
+    memcpy(kds->state, &direction, sizeof direction);
+    return true;
+}
+static bmr_line line_of(const bmr_kds *kds) {
+    const bmr_polygon *a = kds->shapes[0].polygon;
+    bmr_line line = {*(const bmr_vec2 *)(const void *)kds->state, 0.0};
+    line.offset = bmr_dot(line.normal, a->vertices[bmr_polygon_support(a, line.normal)]);
+    return line;
+}
+/// B is a point in this test: beyond the line is all there is to it.
+static size_t line_conditions(const bmr_kds *kds, bmr_condition *conditions) {
+    const bmr_line line = line_of(kds);
+    conditions[0] = bmr_condition_beyond(0, line.normal, line.offset + kds->def.margin,
+                                         kds->shapes[1].polygon->vertices[0], 0);
+    return 1;
+}
+static size_t no_conditions(const bmr_kds *kds, bmr_condition *conditions) {
+    (void)kds, (void)conditions;
+    return 0;
+}
+static bool line_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+    (void)failed;
+    bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
+    line_conditions(kds, conditions);
+    if (bmr_condition_value(conditions, &now->pose) > 0.0)
+        return true;
+    report->kind = BMR_KDS_PUSH;
+    report->line_changed = true;
+    return line_start(kds, now, report);
+}
+static bool lazy_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+    (void)kds, (void)now, (void)failed;
+    report->kind = BMR_KDS_PUSH;
+    return true;
+}
+static bool fearful_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+    (void)kds, (void)now, (void)failed, (void)report;
+    return false;
+}
+static void line_proof(const bmr_kds *kds, bmr_kds_proof *proof) {
+    proof->owner = 0;
+    proof->line = line_of(kds);
+    proof->nearest = kds->shapes[1].polygon->vertices[0];
+    proof->level = 0;
+}
+
+static const bmr_kds_class right = {sizeof(bmr_vec2), NULL,        NULL,       line_start,
+                                    line_conditions,  line_repair, line_proof, NULL};
+static const bmr_kds_class careless = {sizeof(bmr_vec2), NULL,        NULL,       line_start,
+                                       no_conditions,    line_repair, line_proof, NULL};
+static const bmr_kds_class idle = {sizeof(bmr_vec2), NULL,        NULL,       line_start,
+                                   line_conditions,  lazy_repair, line_proof, NULL};
+static const bmr_kds_class fearful = {sizeof(bmr_vec2), NULL,           NULL,       line_start,
+                                      line_conditions,  fearful_repair, line_proof, NULL};
+
+static test_drive_result drive(const bmr_kds_class *class, test_path_kind kind, uint64_t seed) {
+    const bmr_kds_info info = {"test", "", "", BMR_KDS_POINT, false, -1, class};
+    const bmr_kds_def def = bmr_default_kds_def();
+    test_random random = {seed};
+    test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 16, &random));
+    test_kds_body b = test_kds_point_make(0.1, 0.2);
+    const test_path path = test_path_make(kind, a.polygon, b.polygon, 0.05, true, &random);
+    const test_drive how = {.path = &path};
+    bmr_kds *kds = NULL;
+    assert_int_equal(bmr_kds_create(&info, &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
+    const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &how);
+    bmr_kds_destroy(kds, NULL);
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+    return result;
+}
+
+static void a_right_structure_is_sound_on_every_kind_of_path(void **state) {
+    (void)state;
+    uint64_t events = 0, contacts = 0;
+    for (int kind = 0; kind < TEST_PATH_KIND_COUNT; ++kind)
+        for (uint64_t seed = 1; seed <= 5; ++seed) {
+            const test_drive_result r = drive(&right, (test_path_kind)kind, seed);
+            assert_true(test_drive_is_sound(&r));
+            assert_true(r.audits > 10);
+            events += test_drive_events(&r);
+            contacts += r.events[BMR_KDS_CONTACT];
+            if (kind == TEST_PATH_HIT)
+                assert_true(r.contact_time < 1.0);
+        }
+    assert_true(events > 30);
+    assert_true(contacts >= 5);
+}
+
+static void wrong_structures_are_found_out(void **state) {
+    (void)state;
+    const test_drive_result no_watch = drive(&careless, TEST_PATH_HIT, 1);
+    assert_true(no_watch.false_audits > 0);
+    assert_true(no_watch.missed_contacts > 0);
+    assert_int_equal(no_watch.error, BMR_ERROR_FALSE_CERTIFICATE);
+    const test_drive_result dead = drive(&idle, TEST_PATH_ORBIT, 1);
+    assert_true(dead.dead_repairs > 0);
+    const test_drive_result afraid = drive(&fearful, TEST_PATH_ORBIT, 1);
+    assert_true(afraid.false_contacts > 0);
+}
+
+static void a_path_s_rates_are_those_of_its_poses(void **state) {
+    (void)state;
+    test_random random = {7};
+    test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 8, &random));
+    for (int kind = 0; kind < TEST_PATH_KIND_COUNT; ++kind) {
+        const test_path path = test_path_make((test_path_kind)kind, a.polygon, a.polygon, 0.1, true, &random);
+        double speed, spin, reach;
+        test_path_bounds(&path, &speed, &spin, &reach);
+        for (int k = 0; k < 10; ++k) {
+            const double t = 0.05 + 0.1 * k, h = 1e-6;
+            const bmr_instant now = test_path_at(&path, t), back = test_path_at(&path, t - h),
+                              on = test_path_at(&path, t + h);
+            const bmr_vec2 v = bmr_scale(0.5 / h, bmr_sub(on.pose.position, back.pose.position));
+            assert_true(hypot(v.x - now.velocity.x, v.y - now.velocity.y) < 1e-6 * (1.0 + speed) * 100.0);
+            const double turned = back.pose.c * on.pose.s - back.pose.s * on.pose.c;
+            assert_true(fabs(turned / (2.0 * h) - now.spin) < 1e-6 * (1.0 + spin) * 100.0);
+            assert_true(hypot(now.velocity.x, now.velocity.y) <= speed * (1.0 + 1e-12));
+            assert_true(fabs(now.spin) <= spin * (1.0 + 1e-12));
+        }
+    }
+    test_kds_body_destroy(&a);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_right_structure_is_sound_on_every_kind_of_path),
+        cmocka_unit_test(wrong_structures_are_found_out),
+        cmocka_unit_test(a_path_s_rates_are_those_of_its_poses),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

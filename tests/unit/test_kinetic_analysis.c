@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: MIT
+// The optimum covers and is small, clear decompositions bracket a known size, fits find known growth, and the
+// adversaries cost the rivals what the paper says.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "boomerang/analysis.h"
+#include "failing_allocator.h"
+#include "polygons.h"
+#include "test_scale.h"
+
+#define PI 3.14159265358979323846
+#define MARGIN 1e-6
+
+static bmr_polygon *outline(bmr_outline kind, size_t n, uint64_t seed) {
+    bmr_vec2 *points = malloc(n * sizeof *points);
+    bmr_polygon *polygon = NULL;
+    assert_int_equal(bmr_outline_points(kind, n, seed, points), BMR_OK);
+    assert_int_equal(bmr_polygon_create(points, n, NULL, &polygon), BMR_OK);
+    free(points);
+    return polygon;
+}
+
+static bmr_pose relative_at(const bmr_course *course, double time) {
+    const bmr_pose a = bmr_motion_pose(course->motions[0], time, NULL, NULL),
+                   b = bmr_motion_pose(course->motions[1], time, NULL, NULL);
+    return bmr_pose_relative(&a, &b);
+}
+
+/// The separation along a direction fixed in a body's frame, towards the other: brute force over all
+/// vertices.
+static double brute_separation(const bmr_course *course, double time, int owner, bmr_vec2 direction) {
+    const bmr_pose pose = relative_at(course, time);
+    const bmr_vec2 u = owner == 0 ? direction : bmr_neg(bmr_rotate(&pose, direction));
+    const bmr_polygon *a = course->polygons[0], *b = course->polygons[1];
+    double most = -INFINITY, least = INFINITY;
+    for (uint32_t i = 0; i < a->count; i++)
+        most = fmax(most, bmr_dot(u, a->vertices[i]));
+    for (uint32_t i = 0; i < b->count; i++)
+        least = fmin(least, bmr_dot(u, bmr_transform(&pose, b->vertices[i])));
+    return least - most;
+}
+
+/// The least separation of a cover line over its time, sampled.
+static double cover_line_separation(const bmr_course *course, const bmr_cover_line *line, int samples) {
+    double least = INFINITY;
+    for (int k = 0; k <= samples; k++) {
+        const double time = line->from + (line->to - line->from) * k / samples;
+        least = fmin(least, brute_separation(course, time, line->owner, line->direction));
+    }
+    return least;
+}
+
+static bmr_course course_of(const bmr_family_motion *m, const bmr_polygon *a, const bmr_polygon *b) {
+    const bmr_course course = {{a, b}, {m->motions[0], m->motions[1]}, 0.0, 1.0};
+    return course;
+}
+
+static bmr_family_motion make(bmr_family family, double ratio, uint64_t seed, const bmr_polygon *a,
+                              const bmr_polygon *b) {
+    const bmr_family_def def = {family, ratio, seed, 0, 0};
+    bmr_family_motion m;
+    assert_int_equal(bmr_family_create(&def, a, b, NULL, &m), BMR_OK);
+    return m;
+}
+
+static void test_optimum_of_convex_passes_and_of_a_spin_is_1(void **state) {
+    (void)state;
+    static const bmr_family families[] = {BMR_FAMILY_LINE, BMR_FAMILY_PARABOLA, BMR_FAMILY_SPIN};
+    for (size_t k = 0; k < 3; k++)
+        for (uint64_t seed = 0; seed < 3; seed++)
+            for (int step = 0; step < 3; step++) {
+                const double ratio = 4.0 * pow(16.0, step);
+                bmr_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 64, seed),
+                            *b = outline(BMR_OUTLINE_DISC, 40, seed);
+                bmr_family_motion m = make(families[k], ratio, seed, a, b);
+                const bmr_course course = course_of(&m, a, b);
+                bmr_optimum optimum;
+                assert_int_equal(bmr_offline_optimum(&course, MARGIN, 0.02, NULL, 0, &optimum), BMR_OK);
+                if (optimum.found != 1)
+                    print_message("%s, ratio %g, seed %d: %d to %d\n", bmr_family_name(families[k]), ratio,
+                                  (int)seed, (int)optimum.least, (int)optimum.found);
+                assert_int_equal(optimum.least, 1);
+                assert_int_equal(optimum.found, 1);
+                assert_int_equal(optimum.contacts, 0);
+                bmr_family_destroy(&m);
+                bmr_polygon_destroy(a, NULL);
+                bmr_polygon_destroy(b, NULL);
+            }
+}
+
+#define MOST_LINES 4096
+
+static void check_cover(const bmr_course *course, const bmr_cover_line *lines, uint64_t count) {
+    assert_true(count <= MOST_LINES);
+    double reached = course->from;
+    for (uint64_t k = 0; k < count; k++) {
+        assert_true(lines[k].from <= reached && lines[k].to >= lines[k].from);
+        reached = lines[k].to;
+        assert_true(cover_line_separation(course, &lines[k], 200) > MARGIN);
+        // The control: the same line turned away does not separate.
+        bmr_cover_line wrong = lines[k];
+        wrong.direction = bmr_neg(wrong.direction);
+        assert_true(cover_line_separation(course, &wrong, 200) < 0.0);
+    }
+    assert_true(reached == course->to);
+}
+
+static void test_covers_hold_at_times_between_samples_and_bounds_are_near(void **state) {
+    (void)state;
+    bmr_cover_line *lines = malloc(MOST_LINES * sizeof *lines);
+    for (int family = 0; family < BMR_FAMILY_COUNT; family++)
+        for (int step = 1; step < 4; step++) {
+            const double ratio = pow(8.0, step);
+            bmr_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 64, 1), *b = outline(BMR_OUTLINE_DISC, 40, 2);
+            bmr_family_motion m = make((bmr_family)family, ratio, 3, a, b);
+            const bmr_course course = course_of(&m, a, b);
+            bmr_optimum optimum;
+            assert_int_equal(bmr_offline_optimum(&course, MARGIN, 0.02, lines, MOST_LINES, &optimum), BMR_OK);
+            check_cover(&course, lines, optimum.found);
+            assert_true(optimum.least >= 1 && optimum.least <= optimum.found);
+            // Each end of a cone loses 2 %: a certificate a twentieth of its life, and the last one's rest.
+            assert_true((double)optimum.found <= 1.1 * (double)optimum.least + 2.0);
+            bmr_family_destroy(&m);
+            bmr_polygon_destroy(a, NULL);
+            bmr_polygon_destroy(b, NULL);
+        }
+    free(lines);
+}
+
+#define DIRECTIONS 720
+/// Greedy over finitely many directions at finitely many times, by brute force.
+static uint64_t brute_cover(const bmr_course *course, int samples) {
+    bool alive[2][DIRECTIONS] = {{false}};
+    uint64_t count = 0;
+    for (int k = 0; k <= samples; k++) {
+        const double time = course->from + (course->to - course->from) * k / samples;
+        bool holds[2][DIRECTIONS], any = false;
+        for (int owner = 0; owner < 2; owner++)
+            for (int i = 0; i < DIRECTIONS; i++) {
+                const bmr_vec2 u = {cos(2.0 * PI * i / DIRECTIONS), sin(2.0 * PI * i / DIRECTIONS)};
+                holds[owner][i] = brute_separation(course, time, owner, u) >= MARGIN;
+                any = any || (holds[owner][i] && alive[owner][i]);
+            }
+        count += any ? 0 : 1;
+        for (int owner = 0; owner < 2; owner++)
+            for (int i = 0; i < DIRECTIONS; i++)
+                alive[owner][i] = any ? alive[owner][i] && holds[owner][i] : holds[owner][i];
+    }
+    return count;
+}
+
+static void test_optimum_agrees_with_brute_force_over_directions(void **state) {
+    (void)state;
+    static const bmr_family families[] = {BMR_FAMILY_ALGEBRAIC, BMR_FAMILY_ORBIT, BMR_FAMILY_RIGID_ALGEBRAIC,
+                                          BMR_FAMILY_TUMBLE};
+    for (size_t k = 0; k < 4; k++) {
+        bmr_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 12, k), *b = outline(BMR_OUTLINE_REGULAR, 9, k);
+        bmr_family_motion m = make(families[k], 6.0, k, a, b);
+        const bmr_course course = course_of(&m, a, b);
+        bmr_optimum optimum;
+        assert_int_equal(bmr_offline_optimum(&course, MARGIN, 0.02, NULL, 0, &optimum), BMR_OK);
+        const uint64_t brute = brute_cover(&course, 500);
+        // Finitely many directions can only be worse; finitely many times only miss the last bit of a life.
+        assert_true(brute + 1 >= optimum.least);
+        assert_true((double)brute <= 1.15 * (double)optimum.found + 1.0);
+        bmr_family_destroy(&m);
+        bmr_polygon_destroy(a, NULL);
+        bmr_polygon_destroy(b, NULL);
+    }
+}
+
+static bmr_polygon *point(void) {
+    const bmr_vec2 origin = {0.0, 0.0};
+    bmr_polygon *p = NULL;
+    assert_int_equal(bmr_polygon_create(&origin, 1, NULL, &p), BMR_OK);
+    return p;
+}
+
+static bmr_motion *motion(bmr_motion_piece piece) {
+    bmr_motion *m = NULL;
+    assert_int_equal(bmr_motion_create(&piece, NULL, &m), BMR_OK);
+    return m;
+}
+
+static void test_contact_divides_a_cover(void **state) {
+    (void)state;
+    bmr_polygon *a = outline(BMR_OUTLINE_REGULAR, 16, 1), *b = point();
+    const bmr_pose start = {{-3.0, 0.3}, 1.0, 0.0};
+    bmr_course course = {{a, b},
+                         {motion(bmr_piece_rest(bmr_pose_identity())),
+                          motion(bmr_piece_screw(0.0, start, bmr_vec2_make(6.0, 0.0), 0.0))},
+                         0.0,
+                         1.0};
+    bmr_cover_line lines[4];
+    bmr_optimum optimum;
+    assert_int_equal(bmr_offline_optimum(&course, MARGIN, 0.02, lines, 4, &optimum), BMR_OK);
+    assert_int_equal(optimum.contacts, 1);
+    assert_int_equal(optimum.least, 2);
+    assert_int_equal(optimum.found, 2);
+    assert_true(lines[0].to < 0.5 && lines[1].from > 0.5 && lines[1].to == 1.0);
+    assert_int_equal(bmr_offline_optimum(&course, 0.0, 0.02, lines, 4, &optimum), BMR_ERROR_OUT_OF_RANGE);
+    assert_int_equal(bmr_offline_optimum(&course, MARGIN, 0.5, lines, 4, &optimum), BMR_ERROR_OUT_OF_RANGE);
+    assert_int_equal(bmr_offline_optimum(NULL, MARGIN, 0.02, lines, 4, &optimum), BMR_ERROR_NULL_ARGUMENT);
+    bmr_clear clear;
+    assert_int_equal(bmr_clear_decomposition(&course, 3.0, 0.0, &clear), BMR_ERROR_OUT_OF_RANGE);
+    for (int k = 0; k < 2; k++)
+        bmr_motion_destroy(course.motions[k]);
+    bmr_polygon_destroy(a, NULL);
+    bmr_polygon_destroy(b, NULL);
+}
+
+/// A point that goes straight away from a point, from distance 1 to e^5: a disk with the segment [x, y] as
+/// its diameter is clear if y / x <= (kappa + 1) / (kappa - 1), and so the smallest size is known.
+static void test_clear_decomposition_of_a_ray_brackets_the_known_size(void **state) {
+    (void)state;
+    bmr_polygon *a = point();
+    const bmr_pose start = {{1.0, 0.0}, 1.0, 0.0};
+    const bmr_course course = {{a, a},
+                               {motion(bmr_piece_rest(bmr_pose_identity())),
+                                motion(bmr_piece_screw(0.0, start, bmr_vec2_make(exp(5.0) - 1.0, 0.0), 0.0))},
+                               0.0,
+                               1.0};
+    for (int step = 0; step < 7; step++) {
+        const double kappa = 1.5 * pow(1.7, step);
+        const double exact = ceil(5.0 / log((kappa + 1.0) / (kappa - 1.0)));
+        // What the two greedy rules let pass: y - x <= 2 x / (kappa - 1), and y - x <= x / kappa.
+        const double least = ceil(5.0 / log1p(2.0 / (kappa - 1.0))), found = ceil(5.0 / log1p(1.0 / kappa));
+        bmr_clear clear;
+        assert_int_equal(bmr_clear_decomposition(&course, kappa, 0.0, &clear), BMR_OK);
+        assert_true((double)clear.least <= exact && exact <= (double)clear.found);
+        // A step less in each segment at most: a twentieth of the radius.
+        assert_true((double)clear.least >= 0.9 * least - 1.0 && (double)clear.least <= least);
+        assert_true((double)clear.found >= found && (double)clear.found <= 1.15 * found + 1.0);
+    }
+    for (int k = 0; k < 2; k++)
+        bmr_motion_destroy(course.motions[k]);
+    bmr_polygon_destroy(a, NULL);
+}
+
+/// Of a body that turns in place, a segment may turn by radius / diameter.
+static void test_clear_decomposition_counts_rotation(void **state) {
+    (void)state;
+    bmr_polygon *a = point();
+    const bmr_pose start = {{1.0, 0.0}, 1.0, 0.0};
+    const bmr_course course = {{a, a},
+                               {motion(bmr_piece_rest(bmr_pose_identity())),
+                                motion(bmr_piece_screw(0.0, start, bmr_vec2_make(0.0, 0.0), 6.0 * PI))},
+                               0.0,
+                               1.0};
+    bmr_clear still, turning;
+    assert_int_equal(bmr_clear_decomposition(&course, 3.0, 0.0, &still), BMR_OK);
+    assert_int_equal(bmr_clear_decomposition(&course, 3.0, 2.0, &turning), BMR_OK);
+    assert_int_equal(still.found, 1);
+    const double found = 6.0 * PI * 2.0 * 3.0; // angle * diameter / (d / kappa)
+    assert_true((double)turning.found >= found - 1.0 && (double)turning.found <= 1.15 * found + 1.0);
+    assert_true(turning.least < turning.found && turning.least > 1);
+    for (int k = 0; k < 2; k++)
+        bmr_motion_destroy(course.motions[k]);
+    bmr_polygon_destroy(a, NULL);
+}
+
+static void test_hysteresis_takes_the_least_of_each_kind(void **state) {
+    (void)state;
+    bmr_polygon *a = point();
+    bmr_hysteresis h = bmr_hysteresis_make();
+    const bmr_pose poses[] = {{{2.0, 0.0}, 1.0, 0.0},
+                              {{2.0, 1.0}, 1.0, 0.0},            // 1 / 2
+                              {{2.0, 1.0}, cos(0.1), sin(0.1)},  // 5 * 0.1 / sqrt 5
+                              {{2.5, 1.0}, cos(0.0), sin(0.0)}}; // (0.5 + 0.5) / sqrt 5
+    for (size_t k = 0; k < 4; k++)
+        bmr_hysteresis_add(&h, a, a, 5.0, &poses[k]);
+    assert_int_equal(h.intervals, 3);
+    assert_true(fabs(h.displacement - 0.5) < 1e-12);
+    assert_true(fabs(h.rotation - 0.5 / sqrt(5.0)) < 1e-12);
+    assert_true(fabs(h.both - 0.5 / sqrt(5.0)) < 1e-12);
+    bmr_polygon_destroy(a, NULL);
+}
+
+static void test_fits_find_power_and_logarithm(void **state) {
+    (void)state;
+    test_random random = {5};
+    double x[12], power[12], logarithm[12];
+    for (int k = 0; k < 12; k++) {
+        x[k] = exp2(k + 1.0);
+        power[k] = 3.0 * sqrt(x[k]) * (1.0 + 0.02 * test_random_uniform(&random, -1.0, 1.0));
+        logarithm[k] = 2.0 + 0.9 * log2(x[k]) + 0.05 * test_random_uniform(&random, -1.0, 1.0);
+    }
+    bmr_growth growth;
+    assert_int_equal(bmr_fit_growth(x, power, 12, &growth), BMR_OK);
+    assert_true(fabs(growth.exponent - 0.5) < 0.01 &&
+                fabs(growth.exponent - 0.5) < 2.0 * growth.exponent_error);
+    assert_true(growth.exponent_error > 0.0 && growth.exponent_error < 0.01);
+    assert_true(fabs(growth.constant - 3.0) < 0.1);
+    assert_false(growth.logarithmic);
+    assert_int_equal(bmr_fit_growth(x, logarithm, 12, &growth), BMR_OK);
+    assert_true(growth.logarithmic);
+    assert_true(fabs(growth.slope - 0.9) < 0.02 && fabs(growth.slope - 0.9) < 2.0 * growth.slope_error);
+    assert_true(fabs(growth.offset - 2.0) < 0.1);
+    logarithm[0] = 0.0;
+    assert_int_equal(bmr_fit_growth(x, logarithm, 12, &growth), BMR_OK);
+    assert_int_equal(bmr_fit_growth(x, power, 1, &growth), BMR_ERROR_OUT_OF_RANGE);
+    power[3] = NAN;
+    assert_int_equal(bmr_fit_growth(x, power, 12, &growth), BMR_ERROR_NOT_FINITE);
+    power[3] = -1.0;
+    assert_int_equal(bmr_fit_growth(x, power, 12, &growth), BMR_ERROR_OUT_OF_RANGE);
+}
+
+static bmr_run run_structure(const char *name, const bmr_course *course, double diameter) {
+    bmr_run_def def = {
+        .structure = bmr_kds_find(name), .simulation = bmr_default_simulation_def(), .audit = true};
+    assert_non_null(def.structure);
+    assert_int_equal(def.structure->hierarchy, -1);
+    for (int k = 0; k < 2; k++)
+        def.shapes[k].polygon = course->polygons[k];
+    bmr_run run;
+    assert_int_equal(bmr_run_course(&def, course, diameter, NULL, &run), BMR_OK);
+    assert_int_equal(run.audit, BMR_OK);
+    return run;
+}
+
+static uint64_t adversary_events(bmr_adversary_kind kind, size_t n, double separation, const char *name) {
+    bmr_adversary adversary;
+    assert_int_equal(bmr_adversary_create(kind, n, separation, NULL, &adversary), BMR_OK);
+    for (int k = 0; k < 2; k++)
+        assert_int_equal(bmr_polygon_audit(adversary.polygons[k]), BMR_OK);
+    const bmr_course course = {{adversary.polygons[0], adversary.polygons[1]},
+                               {adversary.motions[0], adversary.motions[1]},
+                               0.0,
+                               1.0};
+    double least, time;
+    assert_int_equal(bmr_least_distance(course.polygons[0], course.polygons[1], course.motions[0],
+                                        course.motions[1], 0.0, 1.0, 1e-3 * separation, &least, &time),
+                     BMR_OK);
+    assert_true(fabs(least - separation) <= 0.01 * separation + 2.0 * (1.0 - cos(PI / (double)n)));
+    const uint64_t events = run_structure(name, &course, 2.0).events;
+    bmr_adversary_destroy(&adversary, NULL);
+    return events;
+}
+
+/// The exponent of events in n, from n = 16 to 128.
+static double exponent_in_n(bmr_adversary_kind kind, double separation, const char *name) {
+    double x[4], y[4];
+    for (int k = 0; k < 4; k++) {
+        x[k] = 16 << k;
+        y[k] = (double)adversary_events(kind, (size_t)x[k], separation, name) + 1.0;
+    }
+    bmr_growth growth;
+    assert_int_equal(bmr_fit_growth(x, y, 4, &growth), BMR_OK);
+    print_message("%s, separation %g, %s: %g %g %g %g events, exponent %.2f\n", bmr_adversary_name(kind),
+                  separation, name, y[0] - 1, y[1] - 1, y[2] - 1, y[3] - 1, growth.exponent);
+    return growth.exponent;
+}
+
+static void test_adversaries_cost_the_rivals_n_and_n_squared_at_any_separation(void **state) {
+    (void)state;
+    for (int step = 0; step < 3; step++) {
+        const double separation = 0.1 * pow(30.0, step);
+        assert_true(exponent_in_n(BMR_ADVERSARY_PASS, separation, "closest-features") > 0.9);
+        assert_true(exponent_in_n(BMR_ADVERSARY_PASS, separation, "inner-tangent") > 0.9);
+        assert_true(exponent_in_n(BMR_ADVERSARY_GEAR, separation, "closest-features") > 1.8);
+        // The control: a structure that is sensitive to separation does not care for n.
+        assert_true(exponent_in_n(BMR_ADVERSARY_PASS, separation, "free-fdx") < 0.2);
+        const uint64_t free_direction = adversary_events(BMR_ADVERSARY_GEAR, 128, separation, "free-fd2");
+        assert_true(100 * free_direction <
+                    adversary_events(BMR_ADVERSARY_GEAR, 128, separation, "closest-features"));
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_optimum_of_convex_passes_and_of_a_spin_is_1),
+        cmocka_unit_test(test_covers_hold_at_times_between_samples_and_bounds_are_near),
+        cmocka_unit_test(test_optimum_agrees_with_brute_force_over_directions),
+        cmocka_unit_test(test_contact_divides_a_cover),
+        cmocka_unit_test(test_clear_decomposition_of_a_ray_brackets_the_known_size),
+        cmocka_unit_test(test_clear_decomposition_counts_rotation),
+        cmocka_unit_test(test_hysteresis_takes_the_least_of_each_kind),
+        cmocka_unit_test(test_fits_find_power_and_logarithm),
+        cmocka_unit_test(test_adversaries_cost_the_rivals_n_and_n_squared_at_any_separation),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+// The families of motion come as near as they say, turn or do not turn, and are the same from the same seed.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "boomerang/families.h"
+#include "failing_allocator.h"
+#include "motions.h"
+#include "polygons.h"
+#include "test_scale.h"
+
+#define PI 3.14159265358979323846
+
+static bmr_polygon *outline(bmr_outline kind, size_t n, uint64_t seed) {
+    bmr_vec2 *points = malloc(n * sizeof *points);
+    bmr_polygon *polygon = NULL;
+    assert_int_equal(bmr_outline_points(kind, n, seed, points), BMR_OK);
+    assert_int_equal(bmr_polygon_create(points, n, NULL, &polygon), BMR_OK);
+    free(points);
+    return polygon;
+}
+
+static bmr_pose relative_at(const bmr_family_motion *m, double time) {
+    const bmr_pose a = bmr_motion_pose(m->motions[0], time, NULL, NULL),
+                   b = bmr_motion_pose(m->motions[1], time, NULL, NULL);
+    return bmr_pose_relative(&a, &b);
+}
+
+static bmr_family_motion make(bmr_family family, double ratio, uint64_t seed, const bmr_polygon *a,
+                              const bmr_polygon *b) {
+    const bmr_family_def def = {family, ratio, seed, 0, 0};
+    bmr_family_motion m;
+    assert_int_equal(bmr_family_create(&def, a, b, NULL, &m), BMR_OK);
+    return m;
+}
+
+static double brute_diameter(const bmr_polygon *p) {
+    double most = 0.0;
+    for (uint32_t i = 0; i < p->count; i++)
+        for (uint32_t j = 0; j < i; j++)
+            most =
+                fmax(most, hypot(p->vertices[i].x - p->vertices[j].x, p->vertices[i].y - p->vertices[j].y));
+    return most;
+}
+
+static void test_diameter_is_the_largest_distance_of_two_vertices(void **state) {
+    (void)state;
+    test_random random = {1};
+    for (int family = 0; family < TEST_FAMILY_COUNT; family++)
+        for (size_t n = 3; n < 60; n += 7) {
+            bmr_polygon *p = test_polygon((test_family)family, n, &random);
+            assert_non_null(p);
+            const double brute = brute_diameter(p), fast = bmr_polygon_diameter(p);
+            assert_true(fabs(fast - brute) <= 1e-14 * brute);
+            bmr_polygon_destroy(p, NULL);
+        }
+}
+
+static void test_outlines_have_n_vertices_and_diameter_up_to_2(void **state) {
+    (void)state;
+    for (int kind = 0; kind < BMR_OUTLINE_COUNT; kind++)
+        for (size_t n = 4; n <= 256; n *= 4) {
+            bmr_polygon *p = outline((bmr_outline)kind, n, n + (size_t)kind);
+            assert_int_equal(p->count, n);
+            const double d = bmr_polygon_diameter(p), most = kind == BMR_OUTLINE_DISC ? 1.0 : 2.0;
+            assert_true(d <= most * (1.0 + 1e-12));
+            if (n >= 16)
+                assert_true(d > 0.8 * most);
+            bmr_polygon_destroy(p, NULL);
+        }
+}
+
+/// Samples, by code that shares nothing with core: nowhere nearer than claimed, and somewhere as near.
+static void check_separation(const bmr_family_motion *m, const bmr_polygon *a, const bmr_polygon *b) {
+    const size_t samples = test_scaled(2000);
+    double least = INFINITY;
+    for (size_t i = 0; i <= samples; i++) {
+        const bmr_pose pose = relative_at(m, (double)i / (double)samples);
+        least = fmin(least, test_distance(a, b, &pose));
+    }
+    const bmr_pose nearest = relative_at(m, m->nearest);
+    assert_true(fabs(m->separation - m->sigma) <= 0.01 * m->sigma);
+    assert_true(least >= 0.99 * m->sigma);
+    assert_true(fabs(test_distance(a, b, &nearest) - m->separation) <= 1e-6 * m->sigma);
+}
+
+static void test_least_separation_is_sigma_within_1_percent(void **state) {
+    (void)state;
+    static const bmr_outline pairs[][2] = {{BMR_OUTLINE_ELLIPSE, BMR_OUTLINE_DISC},
+                                           {BMR_OUTLINE_REGULAR, BMR_OUTLINE_LENS},
+                                           {BMR_OUTLINE_RANDOM, BMR_OUTLINE_RANDOM}};
+    for (int family = 0; family < BMR_FAMILY_COUNT; family++)
+        for (size_t k = 0; k < 3; k++) {
+            bmr_polygon *a = outline(pairs[k][0], 32, k), *b = outline(pairs[k][1], 24, k + 7);
+            for (int step = 0; step < 3; step++) {
+                const double ratio = 2.0 * pow(16.0, step);
+                bmr_family_motion m = make((bmr_family)family, ratio, k + 1, a, b);
+                check_separation(&m, a, b);
+                bmr_family_destroy(&m);
+            }
+            bmr_polygon_destroy(a, NULL);
+            bmr_polygon_destroy(b, NULL);
+        }
+}
+
+static void test_rotation_changes_in_rigid_families_only(void **state) {
+    (void)state;
+    bmr_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 32, 1), *b = outline(BMR_OUTLINE_DISC, 32, 2);
+    for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
+        bmr_family_motion m = make((bmr_family)family, 64.0, 3, a, b);
+        const bmr_pose start = relative_at(&m, 0.0);
+        double turned = 0.0;
+        for (int i = 0; i <= 1000; i++) {
+            const bmr_pose q = relative_at(&m, i / 1000.0);
+            turned = fmax(turned, hypot(q.c - start.c, q.s - start.s));
+        }
+        if (bmr_family_is_rigid((bmr_family)family))
+            assert_true(turned > 0.1);
+        else
+            assert_true(turned == 0.0);
+        bmr_family_destroy(&m);
+    }
+    bmr_polygon_destroy(a, NULL);
+    bmr_polygon_destroy(b, NULL);
+}
+
+/// B follows A's outline all the way round at one distance, without a jump.
+static void test_orbit_keeps_its_distance_and_closes(void **state) {
+    (void)state;
+    for (size_t n = 3; n <= 100; n += 13) {
+        bmr_polygon *a = outline(BMR_OUTLINE_RANDOM, n, n), *b = outline(BMR_OUTLINE_LENS, n + 2, n);
+        bmr_family_motion m = make(BMR_FAMILY_ORBIT, 300.0, n, a, b);
+        double turned = 0.0, last = NAN;
+        for (int i = 0; i <= 20000; i++) {
+            const bmr_pose q = relative_at(&m, i / 20000.0);
+            if (i % 7 == 0)
+                assert_true(fabs(test_distance(a, b, &q) - m.sigma) <= 1e-5 * m.sigma);
+            const double angle = atan2(q.position.y, q.position.x);
+            if (i > 0)
+                turned += remainder(angle - last, 2.0 * PI);
+            last = angle;
+        }
+        assert_true(fabs(turned - 2.0 * PI) < 1e-9);
+        bmr_family_destroy(&m);
+        bmr_polygon_destroy(a, NULL);
+        bmr_polygon_destroy(b, NULL);
+    }
+}
+
+static void test_motions_are_continuous(void **state) {
+    (void)state;
+    bmr_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 16, 1), *b = outline(BMR_OUTLINE_LENS, 16, 2);
+    for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
+        bmr_family_motion m = make((bmr_family)family, 64.0, 5, a, b);
+        for (int body = 0; body < 2; body++) {
+            double end;
+            for (bmr_motion_piece_at(m.motions[body], 0.0, &end); end < 1.0;
+                 bmr_motion_piece_at(m.motions[body], end, &end)) {
+                const bmr_pose p = bmr_motion_pose(m.motions[body], nextafter(end, 0.0), NULL, NULL),
+                               q = bmr_motion_pose(m.motions[body], end, NULL, NULL);
+                assert_true(hypot(p.position.x - q.position.x, p.position.y - q.position.y) < 1e-9);
+                assert_true(hypot(p.c - q.c, p.s - q.s) < 1e-9);
+            }
+        }
+        bmr_family_destroy(&m);
+    }
+    bmr_polygon_destroy(a, NULL);
+    bmr_polygon_destroy(b, NULL);
+}
+
+static void test_same_seed_same_bits_other_seed_other_motion(void **state) {
+    (void)state;
+    bmr_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 16, 1), *b = outline(BMR_OUTLINE_DISC, 16, 2);
+    for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
+        bmr_family_motion m = make((bmr_family)family, 64.0, 5, a, b),
+                          again = make((bmr_family)family, 64.0, 5, a, b),
+                          other = make((bmr_family)family, 64.0, 6, a, b);
+        bool differs = false;
+        for (int i = 0; i <= 100; i++) {
+            const bmr_pose p = relative_at(&m, i / 100.0), q = relative_at(&again, i / 100.0),
+                           r = relative_at(&other, i / 100.0);
+            assert_true(p.position.x == q.position.x && p.position.y == q.position.y && p.c == q.c &&
+                        p.s == q.s);
+            differs = differs || p.position.x != r.position.x;
+        }
+        assert_true(differs);
+        bmr_family_destroy(&m);
+        bmr_family_destroy(&again);
+        bmr_family_destroy(&other);
+    }
+    bmr_polygon_destroy(a, NULL);
+    bmr_polygon_destroy(b, NULL);
+}
+
+static void test_points_and_segments_move_too(void **state) {
+    (void)state;
+    const bmr_vec2 point = {0.3, 0.1}, segment[2] = {{0.0, 0.0}, {1.0, 0.5}};
+    bmr_polygon *a = outline(BMR_OUTLINE_REGULAR, 16, 1), *b[2];
+    assert_int_equal(bmr_polygon_create(&point, 1, NULL, &b[0]), BMR_OK);
+    assert_int_equal(bmr_polygon_create(segment, 2, NULL, &b[1]), BMR_OK);
+    for (int k = 0; k < 2; k++) {
+        for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
+            bmr_family_motion m = make((bmr_family)family, 100.0, 2, a, b[k]);
+            check_separation(&m, a, b[k]);
+            bmr_family_destroy(&m);
+        }
+        bmr_polygon_destroy(b[k], NULL);
+    }
+    bmr_polygon_destroy(a, NULL);
+}
+
+/// The control of the measurement: a motion whose least distance is known, and one that touches.
+static void test_least_distance_finds_a_short_approach(void **state) {
+    (void)state;
+    const bmr_vec2 point = {0.0, 0.0};
+    bmr_polygon *a = outline(BMR_OUTLINE_REGULAR, 64, 1), *b = NULL;
+    assert_int_equal(bmr_polygon_create(&point, 1, NULL, &b), BMR_OK);
+    for (int touches = 0; touches < 2; touches++) {
+        const bmr_pose rest = bmr_pose_identity(), far = {{3.0, touches ? 0.99 : 1.25}, 1.0, 0.0};
+        const bmr_motion_piece still = bmr_piece_rest(rest),
+                               pass = bmr_piece_screw(0.0, far, bmr_vec2_make(-1000.0, 0.0), 0.0);
+        bmr_motion *motion_a = NULL, *motion_b = NULL;
+        assert_int_equal(bmr_motion_create(&still, NULL, &motion_a), BMR_OK);
+        assert_int_equal(bmr_motion_create(&pass, NULL, &motion_b), BMR_OK);
+        double distance, time;
+        assert_int_equal(bmr_least_distance(a, b, motion_a, motion_b, -1.0, 1.0, 1e-6, &distance, &time),
+                         BMR_OK);
+        const bmr_pose at = bmr_motion_pose(motion_b, time, NULL, NULL);
+        assert_true(fabs(test_distance(a, b, &at) - distance) <= 1e-12);
+        if (touches)
+            assert_true(distance == 0.0);
+        else // the top vertex is at most 1 - cos(pi / 64) = 0.0012 below the circle
+            assert_true(distance > 0.249 && distance < 0.2514);
+        // Where the approach is left out it is not found.
+        assert_int_equal(bmr_least_distance(a, b, motion_a, motion_b, 0.1, 1.0, 1e-6, &distance, &time),
+                         BMR_OK);
+        assert_true(distance > 90.0);
+        assert_int_equal(bmr_least_distance(a, b, motion_a, motion_b, 1.0, 0.0, 1e-6, &distance, &time),
+                         BMR_ERROR_OUT_OF_RANGE);
+        bmr_motion_destroy(motion_a);
+        bmr_motion_destroy(motion_b);
+    }
+    bmr_polygon_destroy(a, NULL);
+    bmr_polygon_destroy(b, NULL);
+}
+
+static void test_bad_definitions_are_errors(void **state) {
+    (void)state;
+    bmr_polygon *a = outline(BMR_OUTLINE_REGULAR, 8, 1);
+    bmr_family_motion m;
+    bmr_family_def def = {BMR_FAMILY_LINE, 0.5, 1, 0, 0};
+    assert_int_equal(bmr_family_create(&def, a, a, NULL, &m), BMR_ERROR_OUT_OF_RANGE);
+    def.ratio = NAN;
+    assert_int_equal(bmr_family_create(&def, a, a, NULL, &m), BMR_ERROR_OUT_OF_RANGE);
+    def.ratio = 10.0;
+    def.family = BMR_FAMILY_COUNT;
+    assert_int_equal(bmr_family_create(&def, a, a, NULL, &m), BMR_ERROR_OUT_OF_RANGE);
+    assert_int_equal(bmr_family_create(NULL, a, a, NULL, &m), BMR_ERROR_NULL_ARGUMENT);
+    assert_null(bmr_family_name(BMR_FAMILY_COUNT));
+    assert_int_equal(bmr_family_find("no such"), BMR_FAMILY_COUNT);
+    for (int k = 0; k < BMR_FAMILY_COUNT; k++)
+        assert_int_equal(bmr_family_find(bmr_family_name((bmr_family)k)), k);
+    bmr_polygon_destroy(a, NULL);
+}
+
+static void test_every_failed_allocation_is_an_error_and_gives_all_back(void **state) {
+    (void)state;
+    bmr_polygon *a = outline(BMR_OUTLINE_REGULAR, 8, 1);
+    for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
+        const bmr_family_def def = {(bmr_family)family, 4.0, 1, 16, 0};
+        bmr_error error = BMR_ERROR_NO_MEMORY;
+        size_t failures = 0;
+        for (; error != BMR_OK && failures < 2000; failures++) {
+            test_heap heap;
+            test_heap_init(&heap, failures);
+            bmr_family_motion m;
+            error = bmr_family_create(&def, a, a, &heap.allocator, &m);
+            assert_true(error == BMR_OK || error == BMR_ERROR_NO_MEMORY);
+            if (error == BMR_OK)
+                bmr_family_destroy(&m);
+            assert_int_equal(heap.blocks, 0);
+            assert_int_equal(heap.wrong_sizes, 0);
+        }
+        assert_true(failures > 2 && failures < 2000);
+    }
+    bmr_polygon_destroy(a, NULL);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_diameter_is_the_largest_distance_of_two_vertices),
+        cmocka_unit_test(test_outlines_have_n_vertices_and_diameter_up_to_2),
+        cmocka_unit_test(test_least_separation_is_sigma_within_1_percent),
+        cmocka_unit_test(test_rotation_changes_in_rigid_families_only),
+        cmocka_unit_test(test_orbit_keeps_its_distance_and_closes),
+        cmocka_unit_test(test_motions_are_continuous),
+        cmocka_unit_test(test_same_seed_same_bits_other_seed_other_motion),
+        cmocka_unit_test(test_points_and_segments_move_too),
+        cmocka_unit_test(test_least_distance_finds_a_short_approach),
+        cmocka_unit_test(test_bad_definitions_are_errors),
+        cmocka_unit_test(test_every_failed_allocation_is_an_error_and_gives_all_back),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

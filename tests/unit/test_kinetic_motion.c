@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include <float.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "boomerang/motion.h"
+#include "failing_allocator.h"
+#include "kinetic/piece.h"
+#include "polygons.h"
+#include "test_scale.h"
+
+#define PI 3.14159265358979323846
+
+static bmr_pose pose_of(double x, double y, double angle) {
+    const bmr_pose pose = {{x, y}, cos(angle), sin(angle)};
+    return pose;
+}
+
+static bool near_pose(bmr_pose a, bmr_pose b, double room) {
+    return fabs(a.position.x - b.position.x) <= room && fabs(a.position.y - b.position.y) <= room &&
+           fabs(a.c - b.c) <= room && fabs(a.s - b.s) <= room;
+}
+
+static bmr_motion_piece algebraic(double origin) {
+    bmr_motion_piece piece;
+    memset(&piece, 0, sizeof piece);
+    piece.kind = BMR_PIECE_ALGEBRAIC;
+    piece.origin = origin;
+    piece.as.algebraic.a[0] = piece.as.algebraic.start_c = 1.0;
+    return piece;
+}
+
+static bmr_motion *made(const bmr_motion_piece *piece, const bmr_allocator *allocator) {
+    bmr_motion *motion = NULL;
+    assert_int_equal(bmr_motion_create(piece, allocator, &motion), BMR_OK);
+    return motion;
+}
+
+static void an_algebraic_frame_is_what_its_polynomials_say(void **state) {
+    (void)state;
+    // u = t - 2: position (1 + 2u, 3 - u^2); angle 90 degrees + 2 atan u.
+    bmr_motion_piece piece = algebraic(2.0);
+    bmr_algebraic_piece *w = &piece.as.algebraic;
+    w->degree = 2;
+    w->x[0] = 1.0;
+    w->x[1] = 2.0;
+    w->y[0] = 3.0;
+    w->y[2] = -1.0;
+    w->rotation_degree = 1;
+    w->b[1] = 1.0;
+    w->start_c = 0.0;
+    w->start_s = 1.0;
+    bmr_motion *motion = made(&piece, NULL);
+    for (int i = -12; i <= 12; i++) {
+        const double u = 0.25 * i;
+        bmr_vec2 velocity;
+        double spin;
+        const bmr_pose pose = bmr_motion_pose(motion, 2.0 + u, &velocity, &spin);
+        assert_true(near_pose(pose, pose_of(1.0 + 2.0 * u, 3.0 - u * u, PI / 2.0 + 2.0 * atan(u)), 1e-14));
+        assert_true(velocity.x == 2.0 && velocity.y == -2.0 * u);
+        assert_true(fabs(spin - 2.0 / (1.0 + u * u)) < 1e-14);
+    }
+    bmr_motion_destroy(motion);
+}
+
+static void a_change_of_plan_keeps_the_past_and_drops_the_future(void **state) {
+    (void)state;
+    const bmr_motion_piece first = bmr_piece_rest(pose_of(1.0, 0.0, 0.0));
+    const bmr_motion_piece second =
+        bmr_piece_screw(1.0, pose_of(2.0, 0.0, 0.0), bmr_vec2_make(1.0, 0.0), 0.0);
+    const bmr_motion_piece third = bmr_piece_rest(pose_of(9.0, 0.0, 0.0));
+    bmr_motion *motion = made(&first, NULL);
+    assert_int_equal(bmr_motion_change(motion, 1.0, &second), BMR_OK);
+    assert_int_equal(bmr_motion_change(motion, 3.0, &third), BMR_OK);
+    assert_int_equal(bmr_motion_piece_count(motion), 3);
+    const double times[] = {-1e300, 0.0, 0.999, 1.0, 2.5, 3.0, 1e300};
+    const double places[] = {1.0, 1.0, 1.0, 2.0, 3.5, 9.0, 9.0};
+    for (size_t i = 0; i < 7; i++)
+        assert_true(bmr_motion_pose(motion, times[i], NULL, NULL).position.x == places[i]);
+    double end;
+    bmr_motion_piece_at(motion, 1.0, &end);
+    assert_true(end == 3.0);
+    bmr_motion_piece_at(motion, 3.0, &end);
+    assert_true(isinf(end));
+    // In the middle, at a change, before all.
+    assert_int_equal(bmr_motion_change(motion, 2.0, &first), BMR_OK);
+    assert_int_equal(bmr_motion_piece_count(motion), 3);
+    assert_true(bmr_motion_pose(motion, 5.0, NULL, NULL).position.x == 1.0);
+    assert_true(bmr_motion_pose(motion, 1.5, NULL, NULL).position.x == 2.5);
+    assert_int_equal(bmr_motion_change(motion, 1.0, &third), BMR_OK);
+    assert_int_equal(bmr_motion_piece_count(motion), 2);
+    assert_true(bmr_motion_pose(motion, 1.0, NULL, NULL).position.x == 9.0);
+    assert_true(bmr_motion_pose(motion, 0.5, NULL, NULL).position.x == 1.0);
+    bmr_motion_destroy(motion);
+}
+
+static void samples_are_met_and_joined_the_short_way_round(void **state) {
+    (void)state;
+    const double times[] = {0.0, 1.0, 3.0};
+    const bmr_pose poses[] = {pose_of(0.0, 0.0, 3.0), pose_of(1.0, 2.0, -3.0), pose_of(5.0, 2.0, -2.0)};
+    bmr_motion *motion = NULL;
+    assert_int_equal(bmr_motion_create_sampled(times, poses, 3, NULL, &motion), BMR_OK);
+    for (size_t i = 0; i < 3; i++)
+        assert_true(near_pose(bmr_motion_pose(motion, times[i], NULL, NULL), poses[i], 1e-15));
+    // From 3 to -3 radians the short way leads over pi.
+    const bmr_pose middle = bmr_motion_pose(motion, 0.5, NULL, NULL);
+    assert_true(near_pose(middle, pose_of(0.5, 1.0, PI), 1e-15));
+    bmr_vec2 velocity;
+    double spin;
+    bmr_motion_pose(motion, 2.0, &velocity, &spin);
+    assert_true(velocity.x == 2.0 && velocity.y == 0.0 && fabs(spin - 0.5) < 1e-15);
+    // At rest outside.
+    assert_true(near_pose(bmr_motion_pose(motion, -7.0, &velocity, &spin), poses[0], 1e-15) && spin == 0.0);
+    assert_true(near_pose(bmr_motion_pose(motion, 7.0, &velocity, &spin), poses[2], 1e-15) && spin == 0.0);
+    bmr_motion_destroy(motion);
+}
+
+static bmr_motion_piece random_piece(test_random *random) {
+    if (test_random_below(random, 4) == 0) {
+        const bmr_vec2 velocity = {test_random_uniform(random, -2.0, 2.0),
+                                   test_random_uniform(random, -2.0, 2.0)};
+        return bmr_piece_screw(test_random_uniform(random, -1.0, 1.0), pose_of(1.0, 2.0, 0.5), velocity,
+                               test_random_uniform(random, -4.0, 4.0));
+    }
+    bmr_motion_piece piece = algebraic(test_random_uniform(random, -1.0, 1.0));
+    bmr_algebraic_piece *w = &piece.as.algebraic;
+    w->degree = test_random_below(random, BMR_MOTION_MAX_DEGREE + 1);
+    w->rotation_degree = test_random_below(random, 5);
+    for (size_t k = 0; k <= BMR_MOTION_MAX_DEGREE; k++) {
+        w->x[k] = test_random_uniform(random, -1.0, 1.0);
+        w->y[k] = test_random_uniform(random, -1.0, 1.0);
+        w->a[k] = test_random_uniform(random, -1.0, 1.0);
+        w->b[k] = test_random_uniform(random, -1.0, 1.0);
+    }
+    return piece;
+}
+
+static void bounds_hold_and_are_not_idle(void **state) {
+    (void)state;
+    test_random random = {3};
+    const size_t rounds = test_scaled(2000);
+    double tightest = 0.0;
+    size_t controls = 0;
+    for (size_t round = 0; round < rounds; round++) {
+        const bmr_motion_piece piece = random_piece(&random);
+        const double from = test_random_uniform(&random, -1.5, 1.0);
+        const double to = from + pow(10.0, test_random_uniform(&random, -5.0, 0.0));
+        const double radius = test_random_uniform(&random, 0.0, 3.0);
+        const double bound = bmr_motion_piece_speed(&piece, from, to, radius);
+        const bmr_piece_rates rates = bmr_piece_bounds(&piece, from, to);
+        double most = 0.0, spin_before = 0.0;
+        const int looks = 100;
+        for (int i = 0; i <= looks; i++) {
+            const double t = from + (to - from) * i / looks;
+            const bmr_instant now = bmr_piece_instant(&piece, t);
+            const double speed = hypot(now.velocity.x, now.velocity.y);
+            const double room = 1e-9 * (1.0 + fabs(now.spin));
+            assert_true(speed <= rates.speed * (1.0 + 1e-9) + 1e-12);
+            assert_true(now.spin <= rates.spin_high + room && now.spin >= rates.spin_low - room);
+            // The difference quotient is the derivative somewhere in between.
+            if (i > 0)
+                assert_true(fabs(now.spin - spin_before) <=
+                            rates.spin_change * (to - from) / looks * (1.0 + 1e-9) +
+                                1e-12 * (1.0 + fabs(now.spin)));
+            spin_before = now.spin;
+            most = fmax(most, speed + fabs(now.spin) * radius);
+        }
+        assert_true(most <= bound * (1.0 + 1e-9) + 1e-12);
+        tightest = fmax(tightest, most / bound);
+        controls += most > 0.5 * bound; // half the bound would be none
+        // From its expansion the piece is the same.
+        if (bmr_piece_is_algebraic(&piece)) {
+            bmr_motion_piece shifted = piece;
+            shifted.kind = BMR_PIECE_ALGEBRAIC;
+            shifted.origin = from;
+            shifted.as.algebraic = bmr_piece_expand(&piece, from);
+            assert_true(
+                near_pose(bmr_piece_instant(&shifted, to).pose, bmr_piece_instant(&piece, to).pose, 1e-9));
+        }
+    }
+    assert_true(tightest > 0.999 && controls > rounds / 2);
+}
+
+static void bad_pieces_are_refused_and_nothing_changes(void **state) {
+    (void)state;
+    const bmr_motion_piece good = bmr_piece_screw(0.0, pose_of(1.0, 2.0, 3.0), bmr_vec2_make(1.0, 1.0), 1.0);
+    bmr_motion *motion = made(&good, NULL), *none = NULL;
+    const struct {
+        size_t degree, rotation_degree;
+        double origin, x, a, start_c;
+        bmr_error error;
+    } cases[] = {
+        {BMR_MOTION_MAX_DEGREE + 1, 0, 0.0, 0.0, 1.0, 1.0, BMR_ERROR_OUT_OF_RANGE},
+        {0, BMR_MOTION_MAX_DEGREE + 1, 0.0, 0.0, 1.0, 1.0, BMR_ERROR_OUT_OF_RANGE},
+        {0, 0, (double)NAN, 0.0, 1.0, 1.0, BMR_ERROR_NOT_FINITE},
+        {0, 0, 0.0, (double)INFINITY, 1.0, 1.0, BMR_ERROR_NOT_FINITE},
+        {0, 0, 0.0, 0.0, (double)NAN, 1.0, BMR_ERROR_NOT_FINITE},
+        {0, 0, 0.0, 0.0, 0.0, 1.0, BMR_ERROR_OUT_OF_RANGE},
+        {0, 0, 0.0, 0.0, 1.0, 1.0 + 1e-8, BMR_ERROR_OUT_OF_RANGE},
+        {0, 0, 0.0, 0.0, 1.0, (double)NAN, BMR_ERROR_NOT_FINITE},
+        {BMR_MOTION_MAX_DEGREE, BMR_MOTION_MAX_DEGREE, 0.0, 0.0, 1.0, 1.0 + 1e-10, BMR_OK}, // the control
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bmr_motion_piece piece = algebraic(cases[i].origin);
+        piece.as.algebraic.degree = cases[i].degree;
+        piece.as.algebraic.rotation_degree = cases[i].rotation_degree;
+        piece.as.algebraic.x[0] = cases[i].x;
+        piece.as.algebraic.a[0] = cases[i].a;
+        piece.as.algebraic.start_c = cases[i].start_c;
+        none = NULL;
+        assert_int_equal(bmr_motion_create(&piece, NULL, &none), cases[i].error);
+        assert_true((none != NULL) == (cases[i].error == BMR_OK));
+        bmr_motion_destroy(none);
+        if (cases[i].error != BMR_OK)
+            assert_int_equal(bmr_motion_change(motion, 1.0, &piece), cases[i].error);
+    }
+    bmr_motion_piece screw = good;
+    screw.as.screw.spin = (double)INFINITY;
+    assert_int_equal(bmr_motion_change(motion, 1.0, &screw), BMR_ERROR_NOT_FINITE);
+    assert_int_equal(bmr_motion_change(motion, (double)NAN, &good), BMR_ERROR_NOT_FINITE);
+    assert_int_equal(bmr_motion_change(NULL, 1.0, &good), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_motion_change(motion, 1.0, NULL), BMR_ERROR_NULL_ARGUMENT);
+    none = NULL;
+    assert_int_equal(bmr_motion_create(NULL, NULL, &none), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_motion_create(&good, NULL, NULL), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_motion_piece_count(motion), 1);
+
+    double times[] = {0.0, 1.0};
+    bmr_pose poses[] = {pose_of(0.0, 0.0, 0.0), pose_of(1.0, 0.0, 0.0)};
+    assert_int_equal(bmr_motion_create_sampled(times, poses, 0, NULL, &none), BMR_ERROR_NO_POINTS);
+    assert_int_equal(bmr_motion_create_sampled(NULL, poses, 2, NULL, &none), BMR_ERROR_NULL_ARGUMENT);
+    times[1] = 0.0;
+    assert_int_equal(bmr_motion_create_sampled(times, poses, 2, NULL, &none), BMR_ERROR_OUT_OF_RANGE);
+    times[1] = 4e-324; // the speed overflows
+    assert_int_equal(bmr_motion_create_sampled(times, poses, 2, NULL, &none), BMR_ERROR_OUT_OF_RANGE);
+    times[1] = 1.0;
+    poses[1].c = 2.0;
+    assert_int_equal(bmr_motion_create_sampled(times, poses, 2, NULL, &none), BMR_ERROR_OUT_OF_RANGE);
+    poses[1].c = (double)NAN;
+    assert_int_equal(bmr_motion_create_sampled(times, poses, 2, NULL, &none), BMR_ERROR_NOT_FINITE);
+    assert_null(none);
+    bmr_motion_destroy(motion);
+    bmr_motion_destroy(NULL);
+}
+
+static void every_allocation_may_fail(void **state) {
+    (void)state;
+    const bmr_motion_piece piece = bmr_piece_rest(pose_of(1.0, 2.0, 3.0));
+    const double times[] = {0.0, 1.0, 2.0};
+    const bmr_pose poses[] = {pose_of(0.0, 0.0, 0.0), pose_of(1.0, 0.0, 0.0), pose_of(2.0, 0.0, 0.0)};
+    size_t failures = 0;
+    for (size_t fail_at = 0; fail_at < 12; fail_at++) {
+        test_heap heap;
+        test_heap_init(&heap, fail_at);
+        bmr_motion *motion = NULL, *sampled = NULL;
+        bmr_error error = bmr_motion_create(&piece, &heap.allocator, &motion);
+        failures += error == BMR_ERROR_NO_MEMORY;
+        for (int i = 0; i < 20 && motion; i++) {
+            const size_t before = bmr_motion_piece_count(motion);
+            error = bmr_motion_change(motion, i, &piece);
+            assert_true(error == BMR_OK || error == BMR_ERROR_NO_MEMORY);
+            assert_int_equal(bmr_motion_piece_count(motion), before + (error == BMR_OK));
+            failures += error == BMR_ERROR_NO_MEMORY;
+        }
+        error = bmr_motion_create_sampled(times, poses, 3, &heap.allocator, &sampled);
+        failures += error == BMR_ERROR_NO_MEMORY;
+        assert_true((sampled != NULL) == (error == BMR_OK));
+        bmr_motion_destroy(motion);
+        bmr_motion_destroy(sampled);
+        assert_int_equal(heap.blocks, 0);
+        assert_int_equal(heap.bytes, 0);
+        assert_int_equal(heap.wrong_sizes, 0);
+    }
+    // Two blocks, four doublings, two blocks; the control: beyond those nothing fails.
+    assert_int_equal(failures, 8);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_algebraic_frame_is_what_its_polynomials_say),
+        cmocka_unit_test(a_change_of_plan_keeps_the_past_and_drops_the_future),
+        cmocka_unit_test(samples_are_met_and_joined_the_short_way_round),
+        cmocka_unit_test(bounds_hold_and_are_not_idle),
+        cmocka_unit_test(bad_pieces_are_refused_and_nothing_changes),
+        cmocka_unit_test(every_allocation_may_fail),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+#include <math.h>
+
+#include "boomerang/mixed.h"
+#include "compass_fixture.h"
+#include "failing_allocator.h"
+#include "hierarchies.h"
+
+/// @file
+/// The mixed hierarchy of a diamond and a square, whose cells can be written down by hand.
+
+#define HALF 0.25 // of the square's side
+
+typedef struct scene {
+    bmr_polygon *polygons[2];
+    bmr_hierarchy *hierarchies[2];
+} scene;
+
+static scene diamond_and_square(void) {
+    static const bmr_vec2 diamond[] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
+    bmr_vec2 square[4];
+    scene s;
+    assert_int_equal(bmr_polygon_create(diamond, 4, NULL, &s.polygons[0]), BMR_OK);
+    assert_int_equal(bmr_polygon_create(square, test_box_points(HALF, HALF, square), NULL, &s.polygons[1]),
+                     BMR_OK);
+    for (int i = 0; i < 2; ++i)
+        s.hierarchies[i] = built(BMR_HIERARCHY_COMPASS, s.polygons[i]);
+    return s;
+}
+
+static void scene_destroy(scene *s) {
+    for (int i = 0; i < 2; ++i) {
+        bmr_hierarchy_destroy(s->hierarchies[i], NULL);
+        bmr_polygon_destroy(s->polygons[i], NULL);
+    }
+}
+
+static bmr_mixed mixed_of(const scene *s, double angle, double offset) {
+    return bmr_mixed_make(s->hierarchies[0], s->hierarchies[1], cos(angle), sin(angle), offset);
+}
+
+/// The cell at a point, found from its upper right.
+static bmr_mixed_cell cell_at(const bmr_mixed *mixed, double x, double y) {
+    bmr_mixed_cell cell;
+    unsigned touched = 0;
+    assert_true(bmr_mixed_locate(mixed, bmr_vec2_make(x, y), bmr_vec2_make(0.61, 0.79), &cell, &touched));
+    return cell;
+}
+
+static void assert_point(bmr_vec2 p, double x, double y) {
+    assert_true(fabs(p.x - x) < 1e-14 && fabs(p.y - y) < 1e-14);
+}
+
+static void the_cells_are_those_drawn_by_hand(void **state) {
+    (void)state;
+    scene s = diamond_and_square();
+    const bmr_mixed mixed = mixed_of(&s, 0.0, 0.0);
+    // M_0 is a square of half side 1.25. In its upper right corner the edge NE of the diamond cuts off the
+    // triangle (1, 0) (1, 1) (0, 1), moved by the square's corner.
+    bmr_mixed_cell cell = cell_at(&mixed, 1.1, 1.1);
+    assert_int_equal(cell.kind, BMR_MIXED_TRIANGLE);
+    assert_int_equal(cell.owner, 0);
+    assert_int_equal(bmr_mixed_stage(&mixed, &cell), 0);
+    const bmr_line line = bmr_hierarchy_line(s.hierarchies[0], cell.edge);
+    assert_true(fabs(line.normal.x - sqrt(0.5)) < 1e-15 && fabs(line.normal.y - sqrt(0.5)) < 1e-15);
+    bmr_vec2 corners[BMR_MIXED_MAX_SIDES];
+    assert_int_equal(bmr_mixed_polygon(&mixed, &cell, corners), 3);
+    assert_point(corners[0], 1.25, 0.25);
+    assert_point(corners[1], 1.25, 1.25);
+    assert_point(corners[2], 0.25, 1.25);
+    assert_true(fabs(bmr_mixed_height(&mixed, &cell) - sqrt(0.5)) < 1e-15);
+    const bmr_mixed_cell triangle = bmr_mixed_triangle(&mixed, 0, cell.edge);
+    assert_true(bmr_mixed_same(&cell, &triangle));
+    assert_true(bmr_mixed_exists(&mixed, &cell));
+    // Outwards: the edge E or N of M_0. Inwards: the sum itself.
+    const bmr_mixed_ray out = {{1.25, 1.0}, {1.0, 0.0}}, in = {{0.75, 0.75}, {-1.0, -1.0}};
+    assert_int_equal(bmr_mixed_next(&mixed, &cell, BMR_MIXED_LOW, &out, NULL).kind, BMR_MIXED_OUTSIDE);
+    assert_int_equal(bmr_mixed_next(&mixed, &cell, BMR_MIXED_INNER, &in, NULL).kind, BMR_MIXED_INSIDE);
+    double slack;
+    cell = bmr_mixed_outside(&mixed, bmr_vec2_make(2.0, 0.3), &slack);
+    assert_true(fabs(slack - 0.75) < 1e-15 && cell.kind == BMR_MIXED_OUTSIDE && cell.edge == 0);
+    assert_int_equal(cell_at(&mixed, 0.2, 0.2).kind, BMR_MIXED_INSIDE);
+    scene_destroy(&s);
+}
+
+static void a_small_turn_opens_parallelograms(void **state) {
+    (void)state;
+    scene s = diamond_and_square();
+    // Turned by an angle t, the square's side E lies between the diamond's E and NE: [a, c] (+) E.
+    const double t = 0.1;
+    const bmr_mixed mixed = mixed_of(&s, t, 0.0);
+    const bmr_mixed_cell cell = cell_at(&mixed, 1.25, 0.5);
+    assert_int_equal(cell.kind, BMR_MIXED_BEFORE);
+    bmr_vec2 p[BMR_MIXED_MAX_SIDES];
+    assert_int_equal(bmr_mixed_polygon(&mixed, &cell, p), 4);
+    const double reach = HALF * (cos(t) + sin(t)), side = 2.0 * HALF;
+    // From the corner of -B that is farthest to the right, up along its side.
+    assert_true(fabs(p[0].x - (1.0 + reach)) < 1e-14);
+    assert_point(bmr_sub(p[1], p[0]), 0.0, 1.0);
+    assert_point(bmr_sub(p[2], p[1]), -side * sin(t), side * cos(t));
+    assert_true(fabs(bmr_mixed_height(&mixed, &cell) - sin(t)) < 1e-14);
+    // It is a cell of small turns only.
+    bmr_mixed_order orders[2];
+    bmr_mixed_orders(&mixed, &cell, orders);
+    assert_true(orders[0].page_turn == 0 && orders[1].page_turn == 1);
+    const bmr_mixed back = mixed_of(&s, -0.1, 0.0), far = mixed_of(&s, 0.8, 0.0);
+    assert_true(bmr_mixed_exists(&mixed, &cell));
+    assert_false(bmr_mixed_exists(&back, &cell)); // collapsed
+    assert_false(bmr_mixed_exists(&far, &cell));  // the page has turned
+    scene_destroy(&s);
+}
+
+static void an_offset_moves_every_line_and_mitres_the_corners(void **state) {
+    (void)state;
+    scene s = diamond_and_square();
+    const double offset = 0.01;
+    const bmr_mixed mixed = mixed_of(&s, 0.0, offset);
+    const bmr_mixed_cell cell = cell_at(&mixed, 1.1, 1.1);
+    bmr_vec2 p[BMR_MIXED_MAX_SIDES];
+    assert_int_equal(bmr_mixed_polygon(&mixed, &cell, p), 3);
+    assert_point(p[1], 1.25 + 2.0 * offset, 1.25 + 2.0 * offset); // a right angle: out by sqrt(2) offset
+    bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
+    assert_int_equal(bmr_mixed_sides(&mixed, &cell, sides), 3);
+    assert_int_equal(sides[2].role, BMR_MIXED_INNER);
+    // At the exact border the certificate lacks the two offsets and the square's own mitre.
+    const double lacking = bmr_mixed_side_value(&mixed, &sides[2], bmr_vec2_make(0.75, 0.75));
+    assert_true(fabs(lacking + offset + sqrt(2.0) * offset) < 1e-14);
+    scene_destroy(&s);
+}
+
+static void the_tiling_has_those_cells_and_their_neighbours(void **state) {
+    (void)state;
+    scene s = diamond_and_square();
+    const bmr_mixed mixed = mixed_of(&s, 0.1, 0.0);
+    bmr_mixed_tiling *tiling = NULL;
+    assert_int_equal(bmr_mixed_tiling_create(&mixed, NULL, &tiling), BMR_OK);
+    assert_int_equal(bmr_mixed_tiling_count(tiling), 8); // four triangles, each with one parallelogram
+    uint32_t top, below;
+    (void)bmr_mixed_tiling_below(tiling, BMR_MIXED_NO_TILE, &top);
+    // Each triangle hangs on one side of M_0, each parallelogram on two.
+    assert_int_equal(top, 12);
+    for (uint32_t i = 0; i < 8; ++i) {
+        const bmr_mixed_cell *cell = bmr_mixed_tiling_cell(tiling, i);
+        assert_int_equal(bmr_mixed_tiling_find(tiling, cell), i);
+        (void)bmr_mixed_tiling_below(tiling, i, &below);
+        assert_int_equal(below, 0);
+        if (cell->kind == BMR_MIXED_TRIANGLE) {
+            const uint32_t page = bmr_mixed_tiling_across(tiling, i, BMR_MIXED_LOW);
+            assert_true(page != BMR_MIXED_NO_TILE);
+            assert_int_equal(bmr_mixed_tiling_across(tiling, page, BMR_MIXED_HIGH), i);
+            assert_int_equal(bmr_mixed_tiling_across(tiling, i, BMR_MIXED_HIGH), BMR_MIXED_NO_TILE);
+        }
+    }
+    const bmr_mixed_cell none = {BMR_NO_EDGE, {BMR_NO_EDGE, BMR_NO_EDGE}, BMR_MIXED_INSIDE, 0, {0, 0}};
+    assert_int_equal(bmr_mixed_tiling_find(tiling, &none), BMR_MIXED_NO_TILE);
+    bmr_mixed_tiling_destroy(tiling, NULL);
+    scene_destroy(&s);
+}
+
+static void bad_arguments_and_no_memory_are_errors(void **state) {
+    (void)state;
+    scene s = diamond_and_square();
+    const bmr_mixed mixed = mixed_of(&s, 0.3, 0.0);
+    bmr_mixed_tiling *tiling = NULL;
+    assert_int_equal(bmr_mixed_tiling_create(NULL, NULL, &tiling), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_mixed_tiling_create(&mixed, NULL, NULL), BMR_ERROR_NULL_ARGUMENT);
+    const bmr_mixed half = bmr_mixed_make(s.hierarchies[0], NULL, 1.0, 0.0, 0.0);
+    assert_int_equal(bmr_mixed_tiling_create(&half, NULL, &tiling), BMR_ERROR_NULL_ARGUMENT);
+    test_heap heap;
+    test_heap_init(&heap, 0);
+    assert_int_equal(bmr_mixed_tiling_create(&mixed, &heap.allocator, &tiling), BMR_ERROR_NO_MEMORY);
+    assert_null(tiling);
+    test_heap_init(&heap, SIZE_MAX);
+    assert_int_equal(bmr_mixed_tiling_create(&mixed, &heap.allocator, &tiling), BMR_OK);
+    assert_int_equal(heap.blocks, 1);
+    assert_int_equal(heap.bytes, bmr_mixed_tiling_bytes(tiling));
+    bmr_mixed_tiling_destroy(tiling, &heap.allocator);
+    bmr_mixed_tiling_destroy(NULL, &heap.allocator);
+    assert_true(heap.blocks == 0 && heap.wrong_sizes == 0);
+    scene_destroy(&s);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_cells_are_those_drawn_by_hand),
+        cmocka_unit_test(a_small_turn_opens_parallelograms),
+        cmocka_unit_test(an_offset_moves_every_line_and_mitres_the_corners),
+        cmocka_unit_test(the_tiling_has_those_cells_and_their_neighbours),
+        cmocka_unit_test(bad_arguments_and_no_memory_are_errors),
+    };
+    return cmocka_run_group_tests(tests, make_compass, drop_compass);
+}

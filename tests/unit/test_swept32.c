@@ -1,0 +1,523 @@
+// SPDX-License-Identifier: MIT
+// What is promised of shapes in motion is held against the motion itself, step by step in double precision;
+// and the form of these files without SSE2 against the one with it.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <fenv.h>
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "boomerang/swept32.h"
+#include "scalar_swept.h"
+#include "test_scale.h"
+
+enum { MOST = BMR_SWEPT32_MOST };
+
+static uint64_t state = 0x9e3779b97f4a7c15u;
+
+static uint32_t random32(void) {
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
+    return (uint32_t)(state >> 32);
+}
+
+static int random_below(int count) {
+    return (int)(random32() % (uint32_t)count);
+}
+
+static float random_in(float low, float high) {
+    return low + (high - low) * ((float)random32() / 4294967296.0f);
+}
+
+/// No two floats are taken for equal that are not, but for the sign of a zero.
+static bool same(float a, float b) {
+    return a == b || (isnan(a) && isnan(b));
+}
+
+/// Signalling NaN: any arithmetic with it raises FE_INVALID.
+static const uint32_t trap_bits = 0x7fa00000u;
+
+/// A hull of up to 8 points, in order, in an array of 8. What is past the count is a trap.
+typedef struct outline {
+    bmr_vec32 points[MOST];
+    int32_t count;
+} outline;
+
+static outline random_outline(void) {
+    outline o;
+    uint32_t *raw = (uint32_t *)(void *)o.points;
+    for (int i = 0; i < 2 * MOST; ++i)
+        raw[i] = trap_bits;
+    o.count = 1 + random_below(MOST);
+    const float size = powf(10.0f, random_in(-1.0f, 0.7f)), flat = random_in(0.05f, 1.0f);
+    const bmr_vec32 center = {random_in(-1.0f, 1.0f), random_in(-1.0f, 1.0f)};
+    const float from = random_in(-3.0f, 3.0f);
+    for (int i = 0; i < o.count; ++i) {
+        const float angle = from + 6.28318f * ((float)i + random_in(0.0f, 0.8f)) / (float)o.count;
+        o.points[i].x = center.x + size * cosf(angle);
+        o.points[i].y = center.y + flat * size * sinf(angle);
+    }
+    return o;
+}
+
+/// Of a regular square about the origin.
+static outline square(float half) {
+    const outline o = {{{half, -half}, {half, half}, {-half, half}, {-half, -half}}, 4};
+    return o;
+}
+
+typedef struct mover {
+    outline shape;
+    bmr_motion32 motion;
+    double angle; ///< at the end
+} mover;
+
+static mover place(outline shape, bmr_vec32 center, bmr_vec32 start, bmr_vec32 end, float angle, float turn) {
+    const mover m = {shape, {center, start, end, sinf(angle), cosf(angle), turn}, (double)angle};
+    return m;
+}
+
+/// `way` and `turn` bound how far it goes.
+static mover random_mover(bmr_vec32 about, float way, float turn) {
+    const bmr_vec32 center = {random_in(-1.0f, 1.0f), random_in(-1.0f, 1.0f)};
+    const bmr_vec32 end = {about.x + random_in(-3.0f, 3.0f), about.y + random_in(-3.0f, 3.0f)};
+    const bmr_vec32 start = {end.x + random_in(-way, way), end.y + random_in(-way, way)};
+    return place(random_outline(), center, start, end, random_in(-3.0f, 3.0f), random_in(-turn, turn));
+}
+
+static bmr_swept32 swept(const mover *m) {
+    bmr_swept32 s;
+    bmr_swept32_make(&s, m->shape.points, m->shape.count, &m->motion);
+    return s;
+}
+
+typedef struct point {
+    double x, y;
+} point;
+
+/// Where the shape's points are when a part `t` of the motion is done.
+static void pose(const mover *m, double t, point *points) {
+    const double angle = m->angle - (1.0 - t) * (double)m->motion.turn, s = sin(angle), c = cos(angle);
+    const double px = (1.0 - t) * (double)m->motion.start.x + t * (double)m->motion.end.x;
+    const double py = (1.0 - t) * (double)m->motion.start.y + t * (double)m->motion.end.y;
+    for (int i = 0; i < m->shape.count; ++i) {
+        const double x = (double)m->shape.points[i].x - (double)m->motion.center.x;
+        const double y = (double)m->shape.points[i].y - (double)m->motion.center.y;
+        points[i].x = c * x - s * y + px;
+        points[i].y = s * x + c * y + py;
+    }
+}
+
+/// How far apart two shapes are along n at a time.
+static double gap_at(const mover *a, const mover *b, double t, bmr_vec32 n) {
+    point pa[MOST], pb[MOST];
+    pose(a, t, pa);
+    pose(b, t, pb);
+    double most = -DBL_MAX, least = DBL_MAX;
+    for (int i = 0; i < a->shape.count; ++i)
+        most = fmax(most, (double)n.x * pa[i].x + (double)n.y * pa[i].y);
+    for (int i = 0; i < b->shape.count; ++i)
+        least = fmin(least, (double)n.x * pb[i].x + (double)n.y * pb[i].y);
+    return least - most;
+}
+
+/// The least of it over the motion, as finely as it is looked at.
+static double least_gap(const mover *a, const mover *b, bmr_vec32 n) {
+    enum { LOOKS = 32 };
+    double least = DBL_MAX;
+    for (int i = 0; i <= LOOKS; ++i)
+        least = fmin(least, gap_at(a, b, (double)i / LOOKS, n));
+    return least;
+}
+
+/// The largest gap of two still hulls along any direction, of many.
+static double largest_gap(const mover *a, const mover *b) {
+    enum { DIRECTIONS = 720 };
+    double most = -DBL_MAX;
+    for (int i = 0; i < DIRECTIONS; ++i) {
+        const float angle = 6.2831853f * (float)i / DIRECTIONS;
+        const bmr_vec32 n = {cosf(angle), sinf(angle)};
+        most = fmax(most, gap_at(a, b, 1.0, n));
+    }
+    return most;
+}
+
+// Coordinates below stay under 20, gaps are a few operations on them: 1e-5 is some ten units of 20 in the
+// last place.
+static const double rounding = 1e-5;
+
+typedef struct tally {
+    size_t apart, near, unknown, wrong, too_short;
+} tally;
+
+/// Counts answers, and those that the motion itself denies; too_short: those that a claim of `more` would be.
+static tally hold_against_motion(size_t rounds, float way, float turn, double more) {
+    tally t = {0};
+    for (size_t round = 0; round < rounds; ++round) {
+        const bmr_vec32 here = {0.0f, 0.0f}, there = {random_in(0.0f, 5.0f), random_in(-3.0f, 3.0f)};
+        const mover a = random_mover(here, way, turn), b = random_mover(there, way, turn);
+        const bmr_swept32 sa = swept(&a), sb = swept(&b);
+        const float asked = random_in(0.0f, 0.5f);
+        bmr_vec32 n = {0.0f, 0.0f};
+        switch (bmr_swept32_compare(&sa, &sb, asked, asked, &n)) {
+        case BMR_SWEPT32_APART: {
+            const double least = least_gap(&a, &b, n);
+            ++t.apart;
+            t.wrong += !(fabs(hypot((double)n.x, (double)n.y) - 1.0) < 1e-6);
+            t.wrong += !(least > (double)asked - rounding);
+            t.too_short += !(least > (double)asked + more);
+            break;
+        }
+        case BMR_SWEPT32_NEAR:
+            ++t.near;
+            // Of shapes at rest the gap along no direction is larger.
+            t.wrong += way == 0.0f && turn == 0.0f && largest_gap(&a, &b) > (double)asked + rounding;
+            t.wrong += n.x != 0.0f || n.y != 0.0f;
+            break;
+        case BMR_SWEPT32_UNKNOWN:
+            ++t.unknown;
+        }
+    }
+    return t;
+}
+
+static void what_is_apart_stays_so_all_the_way(void **unused) {
+    (void)unused;
+    const struct {
+        float way, turn;
+        double more; // the fixed direction is less than the best one the more they turn
+    } motions[] = {
+        {0.0f, 0.0f, 0.05}, {0.5f, 0.0f, 0.05}, {0.0f, 0.2f, 0.05}, {0.5f, 0.2f, 0.05}, {2.0f, 1.5f, 0.5}};
+    for (size_t i = 0; i < sizeof motions / sizeof motions[0]; ++i) {
+        const size_t rounds = test_scaled(20000);
+        const tally t = hold_against_motion(rounds, motions[i].way, motions[i].turn, motions[i].more);
+        assert_int_equal(t.wrong, 0);
+        assert_true(t.apart > rounds / 20 && t.near > rounds / 20);
+        // Controls: a claim of so much more would be seen to fail, so distances are not far from what is
+        // asked; and at rest little is unknown.
+        assert_true(t.too_short > 0);
+        assert_true(motions[i].way + motions[i].turn > 0.0f || t.unknown < rounds / 20);
+    }
+}
+
+static void what_is_near_at_rest_is_known_to_be(void **unused) {
+    (void)unused;
+    const bmr_vec32 none = {0.0f, 0.0f};
+    for (int i = -8; i < 32; ++i) {
+        const float distance = 0.0625f * (float)i;
+        const bmr_vec32 at = {2.0f + distance, 0.25f};
+        const mover a = place(square(1.0f), none, none, none, 0.0f, 0.0f),
+                    b = place(square(1.0f), none, at, at, 0.0f, 0.0f);
+        const bmr_swept32 sa = swept(&a), sb = swept(&b);
+        bmr_vec32 n = {0.0f, 0.0f};
+        const bmr_swept32_answer expected = distance > 0.7f ? BMR_SWEPT32_APART : BMR_SWEPT32_NEAR;
+        assert_int_equal(bmr_swept32_compare(&sa, &sb, 0.7f, 0.7f, &n), expected);
+        assert_true(expected == BMR_SWEPT32_NEAR || (n.x == 1.0f && n.y == 0.0f));
+    }
+}
+
+static void both_ends_and_the_arc_between_are_looked_at(void **unused) {
+    (void)unused;
+    const bmr_vec32 none = {0.0f, 0.0f}, near_by = {2.1f, 0.0f}, beyond = {-2.1f, 0.0f};
+    const mover a = place(square(1.0f), none, none, none, 0.0f, 0.0f);
+    const bmr_swept32 sa = swept(&a);
+    const struct {
+        bmr_vec32 start, end;
+        float angle, turn;
+        bmr_swept32_answer expected;
+    } cases[] = {
+        {near_by, near_by, 0.0f, 0.0f, BMR_SWEPT32_APART},
+        {beyond, near_by, 0.0f, 0.0f, BMR_SWEPT32_NEAR}, // through the other, whichever end is looked at
+        {near_by, beyond, 0.0f, 0.0f, BMR_SWEPT32_NEAR},
+        {near_by, near_by, 0.04f, 0.08f, BMR_SWEPT32_APART},    // as much before as after
+        {near_by, near_by, 0.04f, 0.30f, BMR_SWEPT32_UNKNOWN},  // a corner comes too near
+        {near_by, near_by, 1.6f, 1.5708f, BMR_SWEPT32_UNKNOWN}, // in between, seen at neither end
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        const mover b =
+            place(square(1.0f), none, cases[i].start, cases[i].end, cases[i].angle, cases[i].turn);
+        const bmr_swept32 sb = swept(&b);
+        bmr_vec32 found = {0.0f, 0.0f}, tried = {1.0f, 0.0f};
+        assert_int_equal(bmr_swept32_compare(&sa, &sb, 0.01f, 0.01f, &found), cases[i].expected);
+        assert_int_equal(bmr_swept32_compare(&sa, &sb, 0.01f, 0.01f, &tried), cases[i].expected);
+    }
+}
+
+static void a_direction_that_holds_is_kept_and_one_that_does_not_is_replaced(void **unused) {
+    (void)unused;
+    const bmr_vec32 none = {0.0f, 0.0f}, at = {3.0f, 0.0f};
+    const mover a = place(square(1.0f), none, none, none, 0.0f, 0.0f),
+                b = place(square(1.0f), none, at, at, 0.0f, 0.0f);
+    const bmr_swept32 sa = swept(&a), sb = swept(&b);
+    bmr_vec32 n = {0.96f, 0.28f};
+    assert_int_equal(bmr_swept32_compare(&sa, &sb, 0.1f, 0.1f, &n), BMR_SWEPT32_APART);
+    assert_true(n.x == 0.96f && n.y == 0.28f);
+    n.x = 0.0f, n.y = 1.0f;
+    assert_int_equal(bmr_swept32_compare(&sa, &sb, 0.9f, 0.1f, &n), BMR_SWEPT32_APART);
+    assert_true(n.x > 0.9f);
+    n.x = 0.0f, n.y = 1.0f;
+    assert_int_equal(bmr_swept32_compare(&sa, &sb, 1.1f, 0.1f, &n), BMR_SWEPT32_UNKNOWN);
+    assert_true(n.x == 0.0f && n.y == 1.0f);
+}
+
+static void a_shape_is_measured(void **unused) {
+    (void)unused;
+    const outline o = {{{1.0f, 1.0f}, {4.0f, 1.0f}, {4.0f, 5.0f}}, 3};
+    const bmr_vec32 center = {1.0f, 1.0f}, start = {7.0f, 8.0f}, end = {5.0f, 8.5f};
+    const bmr_motion32 quarter = {center, start, end, 1.0f, 0.0f, 0.5f};
+    bmr_swept32 s;
+    bmr_swept32_make(&s, o.points, o.count, &quarter);
+    const float x[MOST] = {0.0f, 0.0f, -4.0f}, y[MOST] = {0.0f, 3.0f, 3.0f};
+    for (int i = 0; i < MOST; ++i) // past the count, the first again
+        assert_true(s.x[i] == x[i] && s.y[i] == y[i]);
+    assert_true(s.radius == 5.0f && s.width == 5.0f && s.edge == 3.0f && s.turn == 0.5f);
+    assert_true(s.end.x == 5.0f && s.end.y == 8.5f && s.back.x == 2.0f && s.back.y == -0.5f);
+    bmr_swept32_make(&s, o.points + 2, 1, &quarter);
+    assert_true(s.radius == 5.0f && s.width == 0.0f && s.edge == FLT_MAX);
+    bmr_swept32_make(&s, o.points + 1, 2, &quarter);
+    assert_true(s.radius == 5.0f && s.width == 4.0f && s.edge == 4.0f);
+}
+
+static bool usual(const bmr_swept32 *s) {
+    return s->radius <= FLT_MAX;
+}
+
+static void what_is_no_number_is_unknown(void **unused) {
+    (void)unused;
+    const float bad[] = {NAN, INFINITY, -INFINITY};
+    for (size_t i = 0; i < 3; ++i)
+        for (int32_t count = 1; count <= MOST; ++count)
+            for (int32_t k = 0; k < 2 * count; ++k) {
+                outline o = random_outline();
+                while (o.count != count)
+                    o = random_outline();
+                const bmr_vec32 none = {0.0f, 0.0f}, away = {50.0f, 0.0f};
+                mover a = place(square(1.0f), none, none, none, 0.0f, 0.0f),
+                      b = place(o, none, away, away, 0.0f, 0.0f);
+                bmr_swept32 sa = swept(&a), sb = swept(&b);
+                bmr_vec32 n = none;
+                assert_int_equal(bmr_swept32_compare(&sa, &sb, 1.0f, 1.0f, &n), BMR_SWEPT32_APART);
+                *(k % 2 ? &b.shape.points[k / 2].y : &b.shape.points[k / 2].x) = bad[i];
+                sb = swept(&b);
+                assert_false(usual(&sb));
+                n.x = n.y = 0.0f;
+                assert_int_equal(bmr_swept32_compare(&sa, &sb, 1.0f, 1.0f, &n), BMR_SWEPT32_UNKNOWN);
+
+                const bmr_transform32 still = {{0.0f, 0.0f}, 0.0f, 1.0f}, off = {{50.0f, 0.0f}, 0.0f, 1.0f};
+                const bmr_vec32 right = {1.0f, 0.0f};
+                float reach;
+                bmr_posed32_gap(a.shape.points, 4, &still, b.shape.points, count, &off, right, &reach);
+                assert_true(reach == INFINITY);
+                if (count >= 3)
+                    assert_true(bmr_points32_reach(b.shape.points, count) == INFINITY);
+            }
+}
+
+static void nothing_past_count_is_computed_with(void **unused) {
+    (void)unused;
+    const bmr_vec32 none = {0.0f, 0.0f};
+    const bmr_transform32 still = {{0.0f, 0.0f}, 0.6f, 0.8f};
+    size_t raised = 0;
+    for (int round = 0; round < 1000; ++round) {
+        const mover a = random_mover(none, 0.5f, 0.1f), b = random_mover(none, 0.5f, 0.1f);
+        const bmr_polygon32 polygon = {a.shape.points, b.shape.points, a.shape.count};
+        bmr_vec32 n = {1.0f, 0.0f};
+        float reach;
+        feclearexcept(FE_ALL_EXCEPT);
+        const bmr_swept32 sa = swept(&a), sb = swept(&b);
+        bmr_swept32_compare(&sa, &sb, 0.1f, 0.1f, &n);
+        bmr_posed32_gap(a.shape.points, a.shape.count, &still, b.shape.points, b.shape.count, &still, n,
+                        &reach);
+        if (a.shape.count >= 3 && b.shape.count >= a.shape.count) {
+            bmr_posed32_depth(&polygon, &still, n, &reach);
+            bmr_points32_reach(a.shape.points, a.shape.count);
+        }
+        raised += fetestexcept(FE_INVALID) != 0;
+    }
+    assert_int_equal(raised, 0);
+    // Control: one point more than there are, and the trap springs.
+    mover a = random_mover(none, 0.5f, 0.1f);
+    while (a.shape.count == MOST)
+        a = random_mover(none, 0.5f, 0.1f);
+    ++a.shape.count;
+    feclearexcept(FE_ALL_EXCEPT);
+    const bmr_swept32 sa = swept(&a);
+    (void)sa;
+    assert_true(fetestexcept(FE_INVALID) != 0);
+}
+
+static void a_posed_gap_is_the_distance_along_its_direction(void **unused) {
+    (void)unused;
+    const bmr_vec32 none = {0.0f, 0.0f};
+    size_t wrong = 0, told_from_its_reverse = 0;
+    for (size_t round = 0; round < test_scaled(20000); ++round) {
+        const mover a = place(random_outline(), none, none, none, random_in(-3.0f, 3.0f), 0.0f);
+        const bmr_vec32 at = {random_in(-8.0f, 8.0f), random_in(-8.0f, 8.0f)};
+        const mover b = place(random_outline(), none, at, at, random_in(-3.0f, 3.0f), 0.0f);
+        const bmr_transform32 xa = {a.motion.end, a.motion.s, a.motion.c}, xb = {at, b.motion.s, b.motion.c};
+        const float angle = random_in(-3.2f, 3.2f);
+        const bmr_vec32 n = {cosf(angle), sinf(angle)}, back = {-n.x, -n.y};
+        float reach;
+        const double found = (double)bmr_posed32_gap(a.shape.points, a.shape.count, &xa, b.shape.points,
+                                                     b.shape.count, &xb, n, &reach);
+        float largest = 0.0f;
+        for (int i = 0; i < a.shape.count; ++i)
+            largest = fmaxf(largest, fmaxf(fabsf(a.shape.points[i].x), fabsf(a.shape.points[i].y)));
+        for (int i = 0; i < b.shape.count; ++i)
+            largest = fmaxf(largest, fmaxf(fabsf(b.shape.points[i].x), fabsf(b.shape.points[i].y)));
+        wrong += reach != largest || !(fabs(found - gap_at(&a, &b, 1.0, n)) < rounding);
+        told_from_its_reverse += !(fabs(found - gap_at(&a, &b, 1.0, back)) < rounding);
+    }
+    assert_int_equal(wrong, 0);
+    assert_true(told_from_its_reverse > 0); // the control
+}
+
+static void a_depth_is_the_least_distance_from_a_side(void **unused) {
+    (void)unused;
+    const bmr_vec32 corners[MOST] = {{2.0f, -1.0f}, {2.0f, 1.0f}, {-2.0f, 1.0f}, {-2.0f, -1.0f}};
+    const bmr_vec32 normals[MOST] = {{1.0f, 0.0f}, {0.0f, 1.0f}, {-1.0f, 0.0f}, {0.0f, -1.0f}};
+    const bmr_polygon32 box = {corners, normals, 4};
+    const bmr_transform32 quarter = {{10.0f, 0.0f}, 1.0f, 0.0f};
+    const struct {
+        bmr_vec32 point;
+        float depth;
+    } cases[] = {{{10.0f, 0.0f}, 1.0f},
+                 {{10.75f, 0.0f}, 0.25f},
+                 {{10.0f, 1.5f}, 0.5f},
+                 {{10.0f, 4.0f}, -2.0f},
+                 {{12.0f, 0.0f}, -1.0f}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        float reach = 1.5f;
+        assert_true(bmr_posed32_depth(&box, &quarter, cases[i].point, &reach) == cases[i].depth);
+        assert_true(reach == 2.0f);
+    }
+    float reach = 5.0f; // is raised, never lowered
+    const bmr_vec32 nowhere = {NAN, 0.0f};
+    assert_true(isnan(bmr_posed32_depth(&box, &quarter, nowhere, &reach)) && reach == 5.0f);
+}
+
+/// Forms that differ in the size of anything: counted field by field.
+static size_t differences(const bmr_swept32 *a, const bmr_swept32 *b) {
+    size_t count = 0;
+    for (int i = 0; i < MOST; ++i)
+        count += !same(a->x[i], b->x[i]) || !same(a->y[i], b->y[i]);
+    return count + !same(a->radius, b->radius) + !same(a->width, b->width) + !same(a->edge, b->edge) +
+           !same(a->turn, b->turn) + !same(a->end.x, b->end.x) + !same(a->back.y, b->back.y);
+}
+
+typedef void make_form(bmr_swept32 *, const bmr_vec32 *, int32_t, const bmr_motion32 *);
+
+static size_t compare_forms(size_t rounds, make_form *scalar_make) {
+    size_t different = 0;
+    const bmr_vec32 none = {0.0f, 0.0f};
+    for (size_t round = 0; round < rounds; ++round) {
+        mover a = random_mover(none, 0.5f, 0.4f), b = random_mover(none, 0.5f, 0.4f);
+        if (round % 8 == 0) // equal supports, zeros
+            a.shape = b.shape = square(0.5f), a.motion.s = b.motion.s = 0.0f, a.motion.c = b.motion.c = 1.0f;
+        b.motion.end.x += random_in(0.0f, 8.0f);
+        const bmr_swept32 sa = swept(&a), sb = swept(&b);
+        bmr_swept32 other;
+        scalar_make(&other, a.shape.points, a.shape.count, &a.motion);
+        different += differences(&sa, &other);
+
+        const float apart = random_in(0.0f, 0.5f);
+        bmr_vec32 n = {0.0f, 0.0f}, m = n;
+        different += bmr_swept32_compare(&sa, &sb, apart, 0.0f, &n) !=
+                     test_scalar_swept32_compare(&sa, &sb, apart, 0.0f, &m);
+        different += !same(n.x, m.x) || !same(n.y, m.y);
+
+        const bmr_transform32 xa = {a.motion.end, a.motion.s, a.motion.c},
+                              xb = {b.motion.end, b.motion.s, b.motion.c};
+        float reach, scalar_reach;
+        const float gap = bmr_posed32_gap(a.shape.points, a.shape.count, &xa, b.shape.points, b.shape.count,
+                                          &xb, n, &reach);
+        different += !same(gap, test_scalar_posed32_gap(a.shape.points, a.shape.count, &xa, b.shape.points,
+                                                        b.shape.count, &xb, m, &scalar_reach));
+        different += reach != scalar_reach;
+        if (a.shape.count < 3 || b.shape.count < a.shape.count)
+            continue;
+        const bmr_polygon32 polygon = {a.shape.points, b.shape.points, a.shape.count};
+        reach = scalar_reach = random_in(0.0f, 2.0f);
+        different += !same(bmr_posed32_depth(&polygon, &xa, xb.p, &reach),
+                           test_scalar_posed32_depth(&polygon, &xa, xb.p, &scalar_reach));
+        different += reach != scalar_reach;
+        different += bmr_points32_reach(a.shape.points, a.shape.count) !=
+                     test_scalar_points32_reach(a.shape.points, a.shape.count);
+    }
+    return different;
+}
+
+/// With its last side left out.
+static void make_open(bmr_swept32 *shape, const bmr_vec32 *points, int32_t count,
+                      const bmr_motion32 *motion) {
+    test_scalar_swept32_make(shape, points, count, motion);
+    if (count > 2) {
+        bmr_swept32 open;
+        test_scalar_swept32_make(&open, points, count - 1, motion);
+        shape->edge = open.edge;
+    }
+}
+
+static void both_forms_give_the_same(void **unused) {
+    (void)unused;
+    assert_int_equal(compare_forms(test_scaled(100000), test_scalar_swept32_make), 0);
+    assert_true(compare_forms(1000, make_open) > 100); // the control
+}
+
+static void both_forms_notice_what_is_no_number(void **unused) {
+    (void)unused;
+    const bmr_vec32 none = {0.0f, 0.0f};
+    const bmr_transform32 still = {{0.0f, 0.0f}, 0.6f, 0.8f};
+    const float bad[] = {NAN, INFINITY, -INFINITY, 1e30f};
+    for (size_t round = 0; round < test_scaled(20000); ++round) {
+        mover a = random_mover(none, 0.5f, 0.4f);
+        const mover b = random_mover(none, 0.5f, 0.4f);
+        const int32_t k = random_below(a.shape.count);
+        *(random_below(2) ? &a.shape.points[k].x : &a.shape.points[k].y) = bad[random_below(4)];
+        const bmr_swept32 sa = swept(&a), sb = swept(&b);
+        bmr_swept32 other;
+        test_scalar_swept32_make(&other, a.shape.points, a.shape.count, &a.motion);
+        assert_true(same(sa.radius, other.radius));
+        bmr_vec32 n = {0.0f, 0.0f}, m = n;
+        assert_int_equal(bmr_swept32_compare(&sa, &sb, 0.1f, 0.1f, &n),
+                         test_scalar_swept32_compare(&other, &sb, 0.1f, 0.1f, &m));
+        float reach, scalar_reach;
+        const bmr_vec32 right = {1.0f, 0.0f};
+        bmr_posed32_gap(a.shape.points, a.shape.count, &still, b.shape.points, b.shape.count, &still, right,
+                        &reach);
+        test_scalar_posed32_gap(a.shape.points, a.shape.count, &still, b.shape.points, b.shape.count, &still,
+                                right, &scalar_reach);
+        assert_true(reach == scalar_reach);
+        if (a.shape.count < 3 || b.shape.count < a.shape.count)
+            continue;
+        const bmr_polygon32 polygon = {a.shape.points, b.shape.points, a.shape.count};
+        assert_true(same(bmr_posed32_depth(&polygon, &still, right, &reach),
+                         test_scalar_posed32_depth(&polygon, &still, right, &scalar_reach)));
+        assert_true(bmr_points32_reach(a.shape.points, a.shape.count) ==
+                    test_scalar_points32_reach(a.shape.points, a.shape.count));
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_apart_stays_so_all_the_way),
+        cmocka_unit_test(what_is_near_at_rest_is_known_to_be),
+        cmocka_unit_test(both_ends_and_the_arc_between_are_looked_at),
+        cmocka_unit_test(a_direction_that_holds_is_kept_and_one_that_does_not_is_replaced),
+        cmocka_unit_test(a_shape_is_measured),
+        cmocka_unit_test(what_is_no_number_is_unknown),
+        cmocka_unit_test(nothing_past_count_is_computed_with),
+        cmocka_unit_test(a_posed_gap_is_the_distance_along_its_direction),
+        cmocka_unit_test(a_depth_is_the_least_distance_from_a_side),
+        cmocka_unit_test(both_forms_give_the_same),
+        cmocka_unit_test(both_forms_notice_what_is_no_number),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

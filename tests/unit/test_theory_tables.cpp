@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// What the tables of `boomerang-testbed events` conclude from runs: made-up runs with known growth.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <cmath>
+#include <functional>
+
+#include <doctest/doctest.h>
+
+#include "theory/event_tables.h"
+
+using namespace testbed;
+
+namespace {
+
+/// Runs of one structure whose number of events is a function of the ratio.
+std::vector<Run> RunsWith(const char *structure, bool rigid, bool convex,
+                          const std::function<double(double)> &events) {
+    std::vector<Run> runs;
+    size_t index = 0;
+    for (double ratio = 8.0; ratio <= 8192.0; ratio *= 4.0, ++index)
+        for (uint64_t seed = 1; seed <= 3; ++seed) {
+            Run run;
+            run.motion = "made-up";
+            run.structure = bmr_kds_find(structure);
+            run.ratio = ratio;
+            run.ratioIndex = index;
+            run.seed = seed;
+            run.rigid = rigid;
+            run.convex = convex;
+            run.outcome.run.events =
+                static_cast<uint64_t>(std::lround(events(ratio) * (1.0 + 0.03 * static_cast<double>(seed))));
+            run.outcome.run.lines = run.outcome.run.events / 2;
+            bmr_optimum optimum = {};
+            optimum.least = 11;
+            run.optimum = optimum;
+            runs.push_back(run);
+        }
+    return runs;
+}
+
+std::optional<bool> Holds(const char *structure, bool rigid, bool convex,
+                          const std::function<double(double)> &events) {
+    const std::vector<Run> runs = RunsWith(structure, rigid, convex, events);
+    const std::optional<Growth> growth = GrowthOf(runs, "made-up", bmr_kds_find(structure), Quantity::Events);
+    REQUIRE(growth);
+    return growth->holds;
+}
+
+double Root(double x) {
+    return 10.0 * std::sqrt(x);
+}
+double Logarithm(double x) {
+    return 10.0 * std::log2(x);
+}
+double Line(double x) {
+    return 10.0 * x;
+}
+
+} // namespace
+
+TEST_CASE("a bound holds where the growth is its own, and not where it is faster") {
+    CHECK(Holds("lazy-dudley", false, false, Root) == true);
+    CHECK(Holds("lazy-dudley", false, false, [](double x) { return 10.0 * std::pow(x, 0.6); }) == false);
+    CHECK(Holds("lazy-compass", false, true, Logarithm) == true);
+    CHECK(Holds("lazy-compass", false, true, Root) == false);
+    CHECK(Holds("lazy-compass", false, false, [](double x) { return Root(x) * std::log2(x); }) == true);
+    CHECK(Holds("lazy-compass", false, false, Line) == false);
+    CHECK(Holds("lazy-dudley", true, false, Line) == true);
+    CHECK(Holds("lazy-dudley", true, false, [](double x) { return std::pow(x, 1.2); }) == false);
+}
+
+TEST_CASE("the bounds are those of Table 1") {
+    const auto bound = [](const char *structure, bool rigid, bool convex) {
+        return BoundFor(*bmr_kds_find(structure), rigid, convex);
+    };
+    CHECK(bound("triangle-levels-compass", false, true) == Bound::Logarithmic);
+    CHECK(bound("triangle-levels-dudley", false, true) == Bound::Logarithmic);
+    CHECK(bound("triangle-levels-compass", false, false) == Bound::RootLog);
+    CHECK(bound("triangle-levels-dudley", false, false) == Bound::Root);
+    CHECK(bound("active-cell-compass", false, true) == Bound::Logarithmic);
+    CHECK(bound("active-cell-dudley", false, true) == Bound::Root);
+    CHECK(bound("active-cell-compass", false, false) == Bound::RootLog);
+    CHECK(bound("active-cell-dudley", false, false) == Bound::Root);
+    CHECK(bound("active-cell-compass", true, false) == Bound::LinearLog);
+    CHECK(bound("active-cell-dudley", true, false) == Bound::Linear);
+    CHECK(bound("closest-features", false, true) == Bound::None);
+}
+
+TEST_CASE("the exponent fitted is that of the growth, and rivals have no bound") {
+    const std::vector<Run> runs = RunsWith("closest-features", false, false, Root);
+    const std::optional<Growth> growth =
+        GrowthOf(runs, "made-up", bmr_kds_find("closest-features"), Quantity::Events);
+    REQUIRE(growth);
+    CHECK(growth->fit.exponent == doctest::Approx(0.5).epsilon(0.02));
+    CHECK_FALSE(growth->holds);
+}
+
+TEST_CASE("two ratios are too few for a growth") {
+    std::vector<Run> runs = RunsWith("lazy-compass", false, false, Root);
+    runs.resize(6);
+    CHECK_FALSE(GrowthOf(runs, "made-up", bmr_kds_find("lazy-compass"), Quantity::Events));
+}
+
+TEST_CASE("lines over optimum leaves the first line of both out") {
+    const std::vector<Run> runs = RunsWith("lazy-compass", false, false, [](double) { return 100.0; });
+    // Lines 51, 53, 54 of 103, 106, 109 events; the optimum replaces 10 of its 11 lines.
+    CHECK(*OverOptimum(runs, bmr_kds_find("lazy-compass"), 0) == doctest::Approx((51 + 53 + 54) / 30.0));
+    CHECK_FALSE(OverOptimum(runs, bmr_kds_find("free-fd2"), 0));
+}
