@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_CONVEX32_H
+#define BOOMERANG_CONVEX32_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "boomerang/allocator.h"
+#include "boomerang/error.h"
+#include "boomerang/exact32.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// @file
+/// Convex polygons of any size in float, as a game engine keeps its shapes: what exact32.h is for 8 vertices,
+/// in time that hardly grows with their number. How two of them touch: convex32_collide.h; how far apart they
+/// are, and when they meet: convex32_distance.h.
+
+/// Most vertices of a polygon: their numbers fit 16 bits.
+#define BMR_CONVEX32_MOST 65535u
+
+/// A convex polygon, counter-clockwise, and a table that starts the search for its extreme vertices. A view:
+/// it owns nothing and may be copied. Never written once made, so any number of threads may read it.
+typedef struct bmr_convex32 {
+    const bmr_vec32 *vertices;
+    const bmr_vec32 *normals; ///< unit length, outward; normals[i] belongs to the edge from vertex i to i+1
+    /// For each of 2^bucket_bits buckets of directions by pseudo-angle, a vertex at which to start; NULL for
+    /// a polygon of at most 8 vertices (all are looked at).
+    const uint16_t *buckets;
+    uint32_t count; ///< 3 to BMR_CONVEX32_MOST
+    uint32_t bucket_bits;
+} bmr_convex32;
+
+/// What bodies are made of, at a density of one.
+typedef struct bmr_mass32 {
+    float area;
+    bmr_vec32 centroid;
+    float inertia; ///< about the origin
+} bmr_mass32;
+
+/// A polygon with the memory it lives in: one block, at most 40 bytes a vertex.
+typedef struct bmr_convex32_block {
+    bmr_convex32 polygon;
+    bmr_mass32 mass;
+    float reach; ///< no vertex is farther from the origin
+} bmr_convex32_block;
+
+/// The convex hull of `count` points. Kept are the vertices that turn by more than rounding; the rest of the
+/// hull's points, and those inside, are dropped. Errors leave `*block` as it was: BMR_ERROR_TOO_FEW_... for
+/// fewer than 3 points or a hull without area, not finite, out of range, too many vertices on the hull, out
+/// of memory (error.h has the names). O(n log n).
+bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_allocator *allocator,
+                              bmr_convex32_block **block);
+/// The same of vertices that are vouched for: convex, counter-clockwise, no three on a line. Kept to the bit.
+/// Still refused: what is not finite, out of range, too few or too many; what is not convex, by
+/// bmr_convex32_audit. O(n).
+bmr_error bmr_convex32_create_raw(const bmr_vec32 *vertices, size_t count, const bmr_allocator *allocator,
+                                  bmr_convex32_block **block);
+void bmr_convex32_destroy(bmr_convex32_block *block, const bmr_allocator *allocator);
+/// Bytes of a block of so many vertices.
+size_t bmr_convex32_bytes(size_t count);
+/// Is it convex (in exact arithmetic), counter-clockwise, once around, do the normals fit and the table
+/// start well? O(n).
+bmr_error bmr_convex32_audit(const bmr_convex32 *polygon);
+
+/// A polygon of Box2D's own size, with its own arrays; no table, no audit.
+static inline bmr_convex32 bmr_convex32_small(const bmr_polygon32 *polygon) {
+    const bmr_convex32 view = {polygon->vertices, polygon->normals, NULL, (uint32_t)polygon->count, 0};
+    return view;
+}
+
+/// The vertex of largest dot product (in float, (x * dx) + (y * dy)) with the direction; of equal ones any.
+/// Vertex 0 where the direction is zero or not a number. O(log n), O(1) where the edges are of about one
+/// length.
+uint32_t bmr_convex32_support(const bmr_convex32 *polygon, bmr_vec32 direction);
+/// The same, walking from a vertex that was it not long ago: O(steps). Any hint is allowed.
+uint32_t bmr_convex32_support_from(const bmr_convex32 *polygon, bmr_vec32 direction, uint32_t hint);
+
+/// Is the point (in the polygon's frame) inside or on it, in Box2D's sense: outside no edge's line?
+/// O(log n).
+bool bmr_convex32_contains(const bmr_convex32 *polygon, bmr_vec32 point);
+
+/// The first edge that the segment from p1 to p1 + fraction (p2 - p1), fraction <= max_fraction, enters, in
+/// Box2D's sense (a segment that begins inside enters nothing). Polygon's frame. O(log n).
+bool bmr_convex32_ray(const bmr_convex32 *polygon, bmr_vec32 p1, bmr_vec32 p2, float max_fraction,
+                      float *fraction, uint32_t *edge);
+
+/// The box of the vertices at a pose, in float: the extremes over all of them, to the bit. O(log n).
+void bmr_convex32_box(const bmr_convex32 *polygon, const bmr_transform32 *pose, bmr_vec32 *lower,
+                      bmr_vec32 *upper);
+
+/// `count` vertices (3 to 8) of the polygon, chosen evenly by direction, in order, each another: the polygon
+/// inside it that stands for it where no more can be said. Writes their numbers.
+void bmr_convex32_inner(const bmr_convex32 *polygon, uint32_t *vertices, uint32_t count);
+
+/// The fewest vertices, by levels of its Dobkin-Kirkpatrick or compass hierarchy, whose polygon lies within
+/// `tolerance` of the given one (Hausdorff). Inner: its vertices are some of the given ones. Writes at most
+/// polygon->count points, gives back how many. O(n log n).
+bmr_error bmr_convex32_simplify(const bmr_convex32 *polygon, float tolerance, const bmr_allocator *allocator,
+                                bmr_vec32 *points, size_t *count);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

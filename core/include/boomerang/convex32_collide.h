@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_CONVEX32_COLLIDE_H
+#define BOOMERANG_CONVEX32_COLLIDE_H
+
+#include "boomerang/convex32.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// @file
+/// How convex polygons of any size touch each other, circles and edges: the manifolds of Box2D's own
+/// algorithms run on all vertices, found without looking at all of them.
+///
+/// Where the work begins is the caller's to keep from one pose to the next: a bmr_convex32_memory. It decides
+/// how fast the answer is found, never what it is.
+
+/// Where the search ended last. All zero at first.
+typedef struct bmr_convex32_memory {
+    uint16_t support_a, support_b; ///< the pair of vertices that was closest
+} bmr_convex32_memory;
+
+/// The largest edge separation over all edges of `reference` and an edge that has it, to rounding (several
+/// may have the same). `frame` as in exact32.h. Global, also where the polygons overlap deeply: directions
+/// are searched by branch and bound. `edge_hint` is any edge; `*other_vertex` gets the vertex of `other` that
+/// is least separated. O(log n) near the hint.
+float bmr_convex32_max_separation(const bmr_convex32 *reference, const bmr_convex32 *other,
+                                  const bmr_transform32 *frame, uint32_t edge_hint, uint32_t *edge,
+                                  uint32_t *other_vertex);
+
+/// Certainly farther apart than `reach` (> 0, length units)? A quick look along the direction between the
+/// remembered vertices' neighbours; true is certain, rounding included; false says nothing. Moves the memory.
+bool bmr_convex32_apart(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
+                        const bmr_transform32 *pose_b, float reach, bmr_convex32_memory *memory);
+
+/// The manifold of two polygons, one of them at least larger than 8: as bmr_exact32_collide, on real edges.
+/// Features are numbered modulo 256, and then made to last: bmr_convex32_keep_features.
+void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const bmr_transform32 *pose_a,
+                          const bmr_convex32 *b, const bmr_transform32 *pose_b, float radius_sum,
+                          float tolerance, bmr_convex32_memory *memory);
+
+/// A polygon and a circle (`centre` in its own body's frame): Box2D's b2CollidePolygonAndCircle. Writes type
+/// BMR_MANIFOLD_FACE_A.
+void bmr_convex32_collide_circle(bmr_manifold32 *manifold, const bmr_convex32 *polygon,
+                                 const bmr_transform32 *pose_polygon, bmr_vec32 centre,
+                                 const bmr_transform32 *pose_circle, float radius_sum,
+                                 bmr_convex32_memory *memory);
+
+/// An edge, one-sided or not: Box2D's b2EdgeShape.
+typedef struct bmr_edge32 {
+    bmr_vec32 before, first, second, after; ///< before and after: the ghosts of a one-sided one
+    bool one_sided;
+} bmr_edge32;
+
+/// An edge (A) and a polygon (B): Box2D's b2CollideEdgeAndPolygon. `centroid` is B's, in its own frame: a
+/// one-sided edge does not push what is behind it.
+void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
+                               const bmr_transform32 *pose_edge, const bmr_convex32 *polygon,
+                               bmr_vec32 centroid, const bmr_transform32 *pose_polygon, float radius_sum,
+                               float linear_slop, bmr_convex32_memory *memory);
+
+/// A solver starts from the impulses of points with the same features, so features must follow the points
+/// while the polygons roll: each point of `manifold` keeps its own features if `old` has them, else takes
+/// those of the nearest unused point of `old` within `distance`; no two are alike afterwards. Points are
+/// compared in the frame that they are given in; where the reference changed sides, by features alone.
+void bmr_convex32_keep_features(bmr_manifold32 *manifold, const bmr_manifold32 *old, float distance);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
