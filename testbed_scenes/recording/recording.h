@@ -16,9 +16,9 @@
 ///
 /// A recording is lines. The first is `recording {json}` (Head), then comes `frame {json}` (Frame) for each
 /// recorded step, in order; other lines of the worker may stand between. The JSON keys are the members' names
-/// below, lists are arrays, a Vec is [x, y], and what has its default value (false, 0, empty) may be left
-/// out. Numbers are floats in their shortest form that reads back to the same bits. Lengths are metres,
-/// impulses newton seconds.
+/// below, lists are arrays, a Vec is [x, y], and what has its default value (as below) may be left out.
+/// Numbers are floats in their shortest form that reads back to the same bits. Lengths are metres, impulses
+/// newton seconds.
 ///
 /// "Body coordinates" are those of a body's own frame: the world's are pose * point. Bodies, joints and a
 /// body's fixtures have the numbers that their stage gave them, in order of creation; no number is given
@@ -45,7 +45,7 @@ Vec Transform(const Pose &pose, const Vec &point);
 Vec Rotate(const Pose &pose, const Vec &direction);
 
 struct Head {
-    int version = kVersion;
+    int version = 0; ///< kVersion; set by Print
     std::string scene;
     std::string program;    ///< stock or plugin
     std::string structure;  ///< of the plugin: free-direction, lazy-compass, lazy-dudley
