@@ -27,6 +27,8 @@ const char *bmr_error_describe(bmr_error error) {
         return "the audited certificate does not prove what it claims";
     case BMR_ERROR_STALLED:
         return "a pair has event after event while time stands still";
+    case BMR_ERROR_UNKNOWN_ENGINE:
+        return "the Box2D of this process is none that this library knows";
     case BMR_ERROR_COUNT:
         break;
     }

@@ -21,6 +21,7 @@ typedef enum bmr_error {
     BMR_ERROR_INVALID_STRUCTURE, ///< an audit found a structure that contradicts itself
     BMR_ERROR_FALSE_CERTIFICATE, ///< an audit found a certificate that does not prove what it claims
     BMR_ERROR_STALLED,           ///< a simulation's pair has event after event and time stands still
+    BMR_ERROR_UNKNOWN_ENGINE,    ///< the physics engine of this process is none that the glue knows
     BMR_ERROR_COUNT              ///< number of codes; not an error
 } bmr_error;
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_CONTACT_REGISTER_H
+#define BOOMERANG_GLUE_CONTACT_REGISTER_H
+
+#include "boomerang/error.h"
+
+/// @file
+/// Box2D's table of who makes contacts between which types of shapes. It is the process's, so what is ours in
+/// it is put there in one place. Whatever it held before is called for all that is not ours, and contacts go
+/// back to who made them.
+
+namespace bmr {
+
+/// Contacts of big ConvexShapes with polygons, circles, edges and chains are ours from here on. To be called
+/// before the first such shape is handed out; any number of times, from any thread. (A world that another
+/// thread steps meanwhile makes its contacts as before or as after.) BMR_ERROR_UNKNOWN_ENGINE where the Box2D
+/// of this process is none that the glue knows, now and ever after.
+bmr_error RegisterConvexContacts();
+
+/// Contacts of two polygons are ours from here on (PolygonContact). Once for a process, by Install, which
+/// knows that Box2D is one that the glue knows.
+void RegisterPolygonContacts();
+
+/// Why the Box2D of this process must be left alone (recognise.h), found out once for the process by whoever
+/// asks first, on any thread.
+const char *WhyThisBox2DIsUnknown();
+
+} // namespace bmr
+
+#endif
