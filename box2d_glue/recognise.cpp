@@ -21,6 +21,7 @@ namespace bmr {
 namespace {
 
 const char *(*libraryCheck)() = nullptr;
+const b2ContactListener *listenerOfNewWorlds = nullptr;
 
 constexpr unsigned char kUntouched = 0xa5;
 /// Room behind an object for a Box2D whose own is larger.
@@ -206,6 +207,10 @@ void SetLibraryCheck(const char *(*check)()) {
     libraryCheck = check;
 }
 
+const b2ContactListener *ListenerOfNewWorlds() {
+    return listenerOfNewWorlds;
+}
+
 const char *WhyBox2DIsUnknown() {
     if (libraryCheck != nullptr)
         if (const char *why = libraryCheck())
@@ -222,6 +227,7 @@ const char *WhyBox2DIsUnknown() {
         leftAlone = trial;
         return why;
     }
+    listenerOfNewWorlds = world->GetContactManager().m_contactListener;
     world->~b2World();
     std::free(trial);
     return nullptr;

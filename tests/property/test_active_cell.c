@@ -315,7 +315,7 @@ static void a_border_crossed_at_any_angle_is_crossed(void **state) {
         test_kds_body_destroy(&b);
     }
     print_message("%zu borders crossed\n", crossed);
-    assert_true(crossed > 100 && grown > crossed / 2);
+    assert_true(crossed > test_scaled(400) && grown > crossed / 2);
 }
 
 static void contact_is_at_the_margin_and_left_with_hysteresis(void **state) {
