@@ -9,14 +9,23 @@ extern "C" {
 #endif
 
 /// @file
-/// How far convex shapes of any size are apart, and when they meet. A shape is a bmr_convex32 or, where it
-/// has no normals, 1 to 8 points (a circle's centre, an edge, a polygon of Box2D's).
+/// How far convex shapes of any size are apart, and when they meet. Vertices are float; what is computed from
+/// them is double, so the answers are as good as the poses. A shape is a bmr_convex32 or, where it has no
+/// normals, a few points (a circle's centre, an edge, a polygon of Box2D's), all of which are looked at.
 
-/// What is asked about, as Box2D's b2DistanceProxy.
+/// What is asked about, as Box2D's b2DistanceProxy. A view: it owns nothing.
 typedef struct bmr_proxy32 {
-    bmr_convex32 polygon; ///< or points: normals and buckets NULL, count 1 to 8
-    float radius;
+    bmr_convex32 polygon; ///< or points: normals and buckets NULL, any count from 1 up
+    float radius;         ///< of the skin around it
+    float reach;          ///< no vertex is farther from the origin of its frame
 } bmr_proxy32;
+
+static inline bmr_proxy32 bmr_proxy32_polygon(const bmr_convex32_block *block, float radius) {
+    const bmr_proxy32 proxy = {block->polygon, radius, block->reach};
+    return proxy;
+}
+/// O(count).
+bmr_proxy32 bmr_proxy32_points(const bmr_vec32 *points, uint32_t count, float radius);
 
 /// The vertices that were closest: where the next search begins. All zero at first. Never decides the
 /// answer.
@@ -25,12 +34,12 @@ typedef struct bmr_closest32 {
 } bmr_closest32;
 
 /// Closest points (world), their distance and the simplex's vertices. Radii are left to the caller. 0 where
-/// they overlap. GJK; a support costs O(log n) or the steps from the last one. Correct to 1e-5 of the larger
-/// of the distance and the reach of the shapes.
+/// they overlap. GJK: O(log n) supports. Correct to 1e-6 of the larger of the distance and the reach of the
+/// shapes (an iteration chooses supports in float).
 typedef struct bmr_distance32 {
     bmr_vec32 point_a, point_b;
     float distance;
-    int32_t iterations;
+    int32_t iterations;                ///< pairs of supports
     int32_t count;                     ///< of the simplex: 1 to 3
     uint32_t vertex_a[3], vertex_b[3]; ///< its vertices
 } bmr_distance32;
@@ -51,17 +60,35 @@ typedef enum bmr_impact32 {
     BMR_IMPACT_SEPARATED
 } bmr_impact32;
 
-/// When the two come within Box2D's target distance of each other (b2TimeOfImpact's contract: target
-/// max(slop, radii - 3 slop), tolerance slop / 4), in [0, t_max]; t_max where they do not. Nothing is missed:
-/// conservative advancement along separating axes. Cost: a few distances.
+/// When the two first come within Box2D's target distance of each other (b2TimeOfImpact's contract: target
+/// max(slop, radii - 3 slop), tolerance slop / 4), in [0, t_max]; t_max where they do not. TOUCHING: at t
+/// they are nearer than target + tolerance, and before they never were nearer than target, all but for
+/// rounding; SEPARATED: they never are nearer than target. FAILED: the same up to t, but the search was given
+/// up (a turn of many radians along a side), or a number is none. Unlike Box2D's, this misses nothing however
+/// fast the shapes turn: a direction is left for another where it does not prove the whole of the way.
+///
+/// `direction`, zero or of unit length, is tried first, for all of the motion: a pair that stays apart costs
+/// four supports. It becomes the one that kept them apart. It never decides the answer. Otherwise the cost is
+/// that of a few distances.
 bmr_impact32 bmr_convex32_impact(const bmr_proxy32 *a, const bmr_sweep32 *sweep_a, const bmr_proxy32 *b,
-                                 const bmr_sweep32 *sweep_b, float t_max, float linear_slop, float *t);
+                                 const bmr_sweep32 *sweep_b, float t_max, float linear_slop,
+                                 bmr_vec32 *direction, float *t);
 
-/// When b, moved by `translation` without turning, comes into touch with a: Box2D's b2ShapeCast. False where
-/// it does not, or overlaps at the beginning.
+/// b, moved by lambda times a translation, lambda from 0 to 1, without turning.
+typedef struct bmr_cast32 {
+    bmr_vec32 point;  ///< on a's skin
+    bmr_vec32 normal; ///< from a to b
+    float lambda;     ///< 1 without a hit
+    int32_t iterations;
+} bmr_cast32;
+
+/// When does b come into touch with a? Box2D's b2ShapeCast: skins are at least twice the slop thick, the
+/// distance looked for is that of both less twice the slop, up to half a slop more counts as reached. False
+/// (point and normal zero) where they do not meet, or overlap at the beginning. Newton's iteration on a
+/// convex function: it never steps past the first touch.
 bool bmr_convex32_cast(const bmr_proxy32 *a, const bmr_transform32 *pose_a, const bmr_proxy32 *b,
                        const bmr_transform32 *pose_b, bmr_vec32 translation, float linear_slop,
-                       bmr_vec32 *point, bmr_vec32 *normal, float *lambda, int32_t *iterations);
+                       bmr_cast32 *cast);
 
 #ifdef __cplusplus
 }
