@@ -94,6 +94,21 @@ bmr_answer Ask(BodyPair *pair, const b2Transform &poseA, const b2Transform &pose
     return answer;
 }
 
+/// Takes a copy of the pair's kinetic pair to these poses; what is proved there, less the rounding of the
+/// poses.
+double AdvanceCopy(const BodyPair &pair, const bmr_pair_def &def, const b2Transform &poseA,
+                   const b2Transform &poseB, bmr_pair *copy) {
+    if (pair.a->shape.polygon == nullptr || pair.b->shape.polygon == nullptr ||
+        !WithinReach(poseA, pair.a->reach) || !WithinReach(poseB, pair.b->reach))
+        return 0.0;
+    const bmr_pose a = Pose(poseA), b = Pose(poseB);
+    const bmr_pose relative = bmr_pose_relative(&a, &b);
+    double gap = 0.0;
+    const bmr_answer answer =
+        bmr_pair_advance(copy, &def, &pair.a->shape, &pair.b->shape, &relative, nullptr, &gap);
+    return answer == BMR_APART ? gap - kRoundingMargin : 0.0;
+}
+
 } // namespace
 
 BodyPair *CreateBodyPair(Hull *a, Hull *b, BodyPair *parent, b2BlockAllocator *allocator) {
@@ -144,19 +159,18 @@ bool KnownApart(BodyPair *pair, const b2Transform &poseA, const b2Transform &pos
 }
 
 double CertifiedGap(const BodyPair &pair, const b2Transform &poseA, const b2Transform &poseB) {
-    if (pair.a->shape.polygon == nullptr || pair.b->shape.polygon == nullptr ||
-        !WithinReach(poseA, pair.a->reach) || !WithinReach(poseB, pair.b->reach))
-        return 0.0;
-    BodyPair copy = pair;
-    const bmr_pose a = Pose(poseA), b = Pose(poseB);
-    const bmr_pose relative = bmr_pose_relative(&a, &b);
     bmr_pair_def def = DefOf(pair);
     def.margin = kRoundingMargin; // what float poses may be off by
     def.hysteresis = 0.0;
-    double gap = 0.0;
-    const bmr_answer answer =
-        bmr_pair_advance(&copy.kinetic, &def, &copy.a->shape, &copy.b->shape, &relative, nullptr, &gap);
-    return answer == BMR_APART ? gap - kRoundingMargin : 0.0;
+    bmr_pair copy = pair.kinetic;
+    return AdvanceCopy(pair, def, poseA, poseB, &copy);
+}
+
+bmr_pair KineticPairAt(const BodyPair &pair, const b2Transform &poseA, const b2Transform &poseB,
+                       double *gap) {
+    bmr_pair copy = pair.kinetic;
+    *gap = AdvanceCopy(pair, DefOf(pair), poseA, poseB, &copy);
+    return copy;
 }
 
 } // namespace bmr

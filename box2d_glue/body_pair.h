@@ -49,6 +49,10 @@ bool KnownApart(BodyPair *pair, const b2Transform &poseA, const b2Transform &pos
 /// A lower bound of the distance between the hulls; 0 where none is proved. Leaves the pair as it is.
 double CertifiedGap(const BodyPair &pair, const b2Transform &poseA, const b2Transform &poseB);
 
+/// The kinetic pair as a question at these poses would leave it, and what its certificate proves there (a
+/// lower bound as above; 0: not known to be apart). Leaves the pair as it is.
+bmr_pair KineticPairAt(const BodyPair &pair, const b2Transform &poseA, const b2Transform &poseB, double *gap);
+
 } // namespace bmr
 
 #endif

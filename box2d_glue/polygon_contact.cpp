@@ -111,12 +111,12 @@ inline void PolygonContact::EvaluateHere(b2Manifold *manifold, const b2Transform
 /// The manifold, once it has been asked whether the two are apart.
 inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
                                          const b2Transform &xfB) {
-    if (answer < Answer::kUnknown)
+    if (answer < Answer::HandedOver)
         manifold->pointCount = 0;
     else if (!ManifoldIsMadeHere())
         b2CollidePolygons(manifold, &ShapeOf(m_fixtureA), xfA, &ShapeOf(m_fixtureB), xfB);
-    else if (CollideHere(manifold, xfA, xfB) && answer == Answer::kUnknown)
-        answer = Answer::kApartBySearch;
+    else if (CollideHere(manifold, xfA, xfB) && answer == Answer::HandedOver)
+        answer = Answer::ApartBySearch;
     if (GetSettings().options.statistics)
         CountAnswer(answer);
 }
@@ -127,7 +127,7 @@ void PolygonContact::UpdateSolid(b2ContactListener *listener) {
     const bool wasTouching = (m_flags & e_touchingFlag) != 0;
     m_flags |= e_enabledFlag;
     const Answer answer = Ask(xfA, xfB);
-    if (answer < Answer::kUnknown && !wasTouching) { // nothing has happened that anybody is to be told
+    if (answer < Answer::HandedOver && !wasTouching) { // nothing has happened that anybody is to be told
         FillManifold(answer, &m_manifold, xfA, xfB);
         return;
     }
@@ -167,33 +167,36 @@ void PolygonContact::UpdateByBox2D(b2Contact *contact, b2ContactListener *listen
     (contact->*(&PolygonContact::Update))(listener);
 }
 
-inline PolygonContact::Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
+inline Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
     // What touched at the last look most likely touches still: no question asked. (Its own manifold is read,
     // not the caller's, which anybody may pass uninitialised.)
     if (m_manifold.pointCount > 0)
-        return Answer::kTouching;
+        return Answer::Touching;
     // Hulls that overlapped at the last look (concave bodies, close together) most likely do so still: there
     // the edge is asked first.
     const bool pairFirst = state.pair != nullptr && state.pair->verdict == BMR_APART;
     if (pairFirst && PairSaysApart(xfA, xfB))
-        return Answer::kApartByPair;
+        return Answer::ApartByPair;
     if (EdgeSaysApart(xfA, xfB))
-        return Answer::kApartByEdge;
+        return Answer::ApartByEdge;
     if (state.pair != nullptr && !pairFirst && PairSaysApart(xfA, xfB))
-        return Answer::kApartByPair;
+        return Answer::ApartByPair;
     // A manifold that is made here begins with the search for an edge; Box2D's would do it again.
-    return !ManifoldIsMadeHere() && FindEdge(xfA, xfB) ? Answer::kApartBySearch : Answer::kUnknown;
+    return !ManifoldIsMadeHere() && FindEdge(xfA, xfB) ? Answer::ApartBySearch : Answer::HandedOver;
 }
 
 void PolygonContact::CountAnswer(Answer answer) const {
     Count(&Counts::evaluations);
-    Count(answer < Answer::kUnknown ? &Counts::provedApart : &Counts::handedOver);
-    if (answer >= Answer::kUnknown && ManifoldIsMadeHere())
+    Count(answer < Answer::HandedOver ? &Counts::provedApart : &Counts::handedOver);
+    if (answer >= Answer::HandedOver && ManifoldIsMadeHere())
         Count(&Counts::touchingAnswered);
-    if (answer == Answer::kTouching)
+    if (answer == Answer::Touching)
         Count(&Counts::handedOverTouching);
-    else if (answer != Answer::kApartByPair && EdgesAreOn())
+    else if (answer != Answer::ApartByPair && EdgesAreOn())
         Count(&Counts::edgeChecks);
+    const Options &options = GetSettings().options;
+    if (options.onAnswer != nullptr)
+        options.onAnswer(options.eventContext, *this, answer);
 }
 
 /// Are there manifolds with Box2D's bits to be had without it? (Set makes polygons of 3 vertices and more; a

@@ -6,6 +6,8 @@
 
 #include <box2d/b2_contact.h>
 
+#include "boomerang/box2d_glue.h"
+
 namespace bmr {
 
 struct BodyPair;
@@ -58,9 +60,6 @@ private:
     static b2Contact *Create(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB,
                              b2BlockAllocator *allocator);
     static void Destroy(b2Contact *contact, b2BlockAllocator *allocator);
-
-    /// How an evaluation was answered; what is less than kUnknown needs no help of Box2D's.
-    enum class Answer { kApartByPair, kApartByEdge, kApartBySearch, kUnknown, kTouching };
 
     static uint32 FlagsOf(const b2Contact &contact) { return contact.*(&PolygonContact::m_flags); }
 

@@ -21,8 +21,8 @@ Counts &GetCounts() {
 bool MakeSettings(const Options &options) {
     Settings made;
     made.options = options;
-    made.options.statistics =
-        options.statistics || options.onEvent != nullptr || options.statisticsFile != nullptr;
+    made.options.statistics = options.statistics || options.onEvent != nullptr ||
+                              options.onAnswer != nullptr || options.statisticsFile != nullptr;
     made.options.statisticsFile = nullptr; // the caller's; the exit handler has a copy
     made.pairDef = bmr_default_pair_def();
     made.pairDef.structure = options.structure;

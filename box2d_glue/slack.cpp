@@ -10,10 +10,9 @@
 
 #include "body_pair.h"
 #include "boomerang/box2d_glue.h"
+#include "face_gap.h"
 #include "pair_registry.h"
 #include "polygon_contact.h"
-#include "shapes32.h"
-#include "thresholds.h"
 
 namespace bmr {
 
@@ -31,30 +30,6 @@ double BoxGap(const b2AABB &a, const b2AABB &b) {
     const double y =
         std::max({0.0, apart(a.lowerBound.y, b.upperBound.y), apart(b.lowerBound.y, a.upperBound.y)});
     return std::hypot(x, y);
-}
-
-double Extent(const bmr_polygon32 &shape) {
-    double most = 0.0;
-    for (int32_t i = 0; i < shape.count; ++i)
-        most = std::max(most, std::hypot(static_cast<double>(shape.vertices[i].x),
-                                         static_cast<double>(shape.vertices[i].y)));
-    return most;
-}
-
-/// The largest separation of the two shapes along a face of either, less what float arithmetic may be off by.
-double FaceGap(const b2Fixture &a, const b2Fixture &b) {
-    const b2Transform &poseA = a.GetBody()->GetTransform(), &poseB = b.GetBody()->GetTransform();
-    const bmr_polygon32 shapeA = Polygon32(static_cast<const b2PolygonShape &>(*a.GetShape()));
-    const bmr_polygon32 shapeB = Polygon32(static_cast<const b2PolygonShape &>(*b.GetShape()));
-    const bmr_transform32 aInB = bmr_exact32_relative(Transform32(poseB), Transform32(poseA));
-    const bmr_transform32 bInA = bmr_exact32_relative(Transform32(poseA), Transform32(poseB));
-    const double distance = std::hypot(static_cast<double>(aInB.p.x), static_cast<double>(aInB.p.y));
-    if (!(distance + Extent(shapeA) + Extent(shapeB) < kReach))
-        return 0.0;
-    int32_t edge;
-    const float separation = std::max(bmr_exact32_max_separation(&shapeA, &shapeB, &aInB, &edge),
-                                      bmr_exact32_max_separation(&shapeB, &shapeA, &bInA, &edge));
-    return std::max(0.0, static_cast<double>(separation) - kRoundingMargin);
 }
 
 b2Contact *ContactOf(const b2Fixture &a, const b2Fixture &b) {
@@ -89,7 +64,8 @@ double FixtureGap(const b2Fixture &a, const b2Fixture &b) {
     b2AABB boxA, boxB;
     a.GetShape()->ComputeAABB(&boxA, a.GetBody()->GetTransform(), 0);
     b.GetShape()->ComputeAABB(&boxB, b.GetBody()->GetTransform(), 0);
-    return std::max({BoxGap(boxA, boxB), FaceGap(a, b), StructureGap(a, b)});
+    return std::max(
+        {BoxGap(boxA, boxB), LargestFaceGap(a, b).proved, LargestFaceGap(b, a).proved, StructureGap(a, b)});
 }
 
 bool IsSolidPolygon(const b2Fixture *fixture) {

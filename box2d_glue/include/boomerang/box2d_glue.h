@@ -7,6 +7,7 @@
 #include "boomerang/pair.h"
 
 class b2Body;
+class b2Contact;
 
 #if defined(__GNUC__)
 #    define BMR_BOX2D_API __attribute__((visibility("default")))
@@ -45,6 +46,15 @@ constexpr uint32_t Bit(Hook hook) {
 constexpr uint32_t kNoHooks = 0;
 constexpr uint32_t kAllHooks = (Bit(Hook::FixtureBoxes) << 1) - 1;
 
+/// How one evaluation of two polygons was answered. Those before HandedOver needed no manifold.
+enum class Answer : int32_t {
+    ApartByPair,   ///< the kinetic structure of their bodies (or of the two) proves them apart
+    ApartByEdge,   ///< the edge that their contact remembers does
+    ApartBySearch, ///< an edge was looked for, and is remembered from now on
+    HandedOver,    ///< not known to be apart: a manifold was needed
+    Touching       ///< the same, nothing asked: they touched at the last look
+};
+
 /// How the plugin is to work. Process-wide, fixed at the first Install.
 struct Options {
     /// The kinetic structure of body pairs (bodies of several fixtures, and all pairs where the prefilter is
@@ -60,6 +70,8 @@ struct Options {
     void (*onEvent)(void *context, const b2Body *bodyA, const b2Body *bodyB,
                     const bmr_event &event) = nullptr;
     void *eventContext = nullptr;
+    /// Told of every evaluation, once its manifold is there (implies statistics). As onEvent otherwise.
+    void (*onAnswer)(void *context, const b2Contact &contact, Answer answer) = nullptr;
     Mode mode = Mode::On;
     /// Which functions of Box2D are answered, for example kAllHooks & ~Bit(Hook::SolveToi).
     uint32_t hooks = kAllHooks;

@@ -11,5 +11,6 @@
 /// Every simulation computes the bits that it computed before.
 
 #include "boomerang/box2d_glue.h"
+#include "boomerang/inspect.h"
 
 #endif
