@@ -15,9 +15,11 @@ extern "C" {
 /// Where the work begins is the caller's to keep from one pose to the next: a bmr_convex32_memory. It decides
 /// how fast the answer is found, never what it is.
 
-/// Where the search ended last. All zero at first.
+/// Where the search ended last: 8 bytes. All zero at first. Vertices serve polygons that turn little from one
+/// pose to the next; the direction, which is the world's, those that spin by many of their edges.
 typedef struct bmr_convex32_memory {
     uint16_t support_a, support_b; ///< the pair of vertices that was closest
+    int16_t axis_x, axis_y;        ///< from a to b, of length 32767; zero: none yet
 } bmr_convex32_memory;
 
 /// The largest edge separation over all edges of `reference` and an edge that has it, to rounding (several
@@ -28,19 +30,21 @@ float bmr_convex32_max_separation(const bmr_convex32 *reference, const bmr_conve
                                   const bmr_transform32 *frame, uint32_t edge_hint, uint32_t *edge,
                                   uint32_t *other_vertex);
 
-/// Certainly farther apart than `reach` (> 0, length units)? A quick look along the direction between the
-/// remembered vertices' neighbours; true is certain, rounding included; false says nothing. Moves the memory.
+/// Certainly farther apart than `reach` (>= 0, length units)? A quick look along the remembered direction, and
+/// one more along that between the vertices which are closest there. True is certain, rounding included;
+/// false says nothing. Moves the memory.
 bool bmr_convex32_apart(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
                         const bmr_transform32 *pose_b, float reach, bmr_convex32_memory *memory);
 
-/// The manifold of two polygons, one of them at least larger than 8: as bmr_exact32_collide, on real edges.
-/// Features are numbered modulo 256, and then made to last: bmr_convex32_keep_features.
+/// The manifold of two polygons of any size: as bmr_exact32_collide, on real edges, and writes only what that
+/// does. Where several edges separate equally (to rounding), any of them is the reference or the incident
+/// one. Features are numbered modulo 256; bmr_convex32_keep_features makes them last.
 void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const bmr_transform32 *pose_a,
                           const bmr_convex32 *b, const bmr_transform32 *pose_b, float radius_sum,
                           float tolerance, bmr_convex32_memory *memory);
 
-/// A polygon and a circle (`centre` in its own body's frame): Box2D's b2CollidePolygonAndCircle. Writes type
-/// BMR_MANIFOLD_FACE_A.
+/// A polygon and a circle (`centre` in its own body's frame): Box2D's b2CollidePolygonAndCircle. Writes
+/// `count`, and where it is 1 all but the impulses: type BMR_MANIFOLD_FACE_A, feature zero.
 void bmr_convex32_collide_circle(bmr_manifold32 *manifold, const bmr_convex32 *polygon,
                                  const bmr_transform32 *pose_polygon, bmr_vec32 centre,
                                  const bmr_transform32 *pose_circle, float radius_sum,
@@ -52,12 +56,15 @@ typedef struct bmr_edge32 {
     bool one_sided;
 } bmr_edge32;
 
-/// An edge (A) and a polygon (B): Box2D's b2CollideEdgeAndPolygon. `centroid` is B's, in its own frame: a
-/// one-sided edge does not push what is behind it.
+/// An edge (A) and a polygon (B): Box2D's b2CollideEdgeAndPolygon, with one difference past 8 vertices. Where
+/// the polygon's face is the reference, that clips the edge to what lies straight above the face; a short face
+/// of many would lose an end of the edge that rests beside it, so the sides are `radius_sum` farther out, as
+/// between polygons. `centroid` is B's, in its own frame: a one-sided edge does not push what is behind it.
+/// Box2D's two tolerances here are absolute, so no slop is asked for.
 void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
                                const bmr_transform32 *pose_edge, const bmr_convex32 *polygon,
                                bmr_vec32 centroid, const bmr_transform32 *pose_polygon, float radius_sum,
-                               float linear_slop, bmr_convex32_memory *memory);
+                               bmr_convex32_memory *memory);
 
 /// A solver starts from the impulses of points with the same features, so features must follow the points
 /// while the polygons roll: each point of `manifold` keeps its own features if `old` has them, else takes
