@@ -29,6 +29,10 @@ const char *bmr_error_describe(bmr_error error) {
         return "a pair has event after event while time stands still";
     case BMR_ERROR_UNKNOWN_ENGINE:
         return "the Box2D of this process is none that this library knows";
+    case BMR_ERROR_TOO_FEW_POINTS:
+        return "a polygon with an area needs at least three points that are not on one line";
+    case BMR_ERROR_TOO_CLOSE:
+        return "two points are so close together that the physics engine would make one of them";
     case BMR_ERROR_COUNT:
         break;
     }

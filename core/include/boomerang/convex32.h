@@ -32,6 +32,7 @@ typedef struct bmr_convex32 {
     const uint16_t *buckets;
     uint32_t count; ///< 3 to BMR_CONVEX32_MOST
     uint32_t bucket_bits;
+    bmr_vec32 extent; ///< the largest |x| and |y| of a vertex; used with a table alone
 } bmr_convex32;
 
 /// What bodies are made of, at a density of one.
@@ -48,35 +49,41 @@ typedef struct bmr_convex32_block {
     float reach; ///< no vertex is farther from the origin
 } bmr_convex32_block;
 
-/// The convex hull of `count` points. Kept are the vertices that turn by more than rounding; the rest of the
-/// hull's points, and those inside, are dropped. Errors leave `*block` as it was: BMR_ERROR_TOO_FEW_... for
-/// fewer than 3 points or a hull without area, not finite, out of range, too many vertices on the hull, out
-/// of memory (error.h has the names). O(n log n).
+/// The convex hull of `count` points, counter-clockwise from the rightmost one (of these the lowest). Dropped
+/// are, besides what lies inside, vertices that turn so little (about 1e-7) that the unit normals of their
+/// two edges round to the same floats: kept normals all differ, and turn once around. Coordinates are at most
+/// BMR_MAX_COORDINATE, the extent is at least BMR_MIN_EXTENT (polygon.h).
+///
+/// Errors leave `*block` as it was: BMR_ERROR_TOO_FEW_POINTS, also for a hull without area,
+/// BMR_ERROR_NOT_FINITE, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_TOO_MANY_POINTS on the hull, BMR_ERROR_NO_MEMORY.
+/// O(n log n).
 bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_allocator *allocator,
                               bmr_convex32_block **block);
-/// The same of vertices that are vouched for: convex, counter-clockwise, no three on a line. Kept to the bit.
-/// Still refused: what is not finite, out of range, too few or too many; what is not convex, by
-/// bmr_convex32_audit. O(n).
+/// The same of vertices that are such a hull, counter-clockwise from any one: kept to the bit. Others are
+/// BMR_ERROR_NOT_CONVEX: exactly so, or because the normals of two edges round to the same. O(n).
 bmr_error bmr_convex32_create_raw(const bmr_vec32 *vertices, size_t count, const bmr_allocator *allocator,
                                   bmr_convex32_block **block);
 void bmr_convex32_destroy(bmr_convex32_block *block, const bmr_allocator *allocator);
-/// Bytes of a block of so many vertices.
+/// Bytes of a block of so many vertices: 16 a vertex and, past 8, 4 to 8 for the table.
 size_t bmr_convex32_bytes(size_t count);
-/// Is it convex (in exact arithmetic), counter-clockwise, once around, do the normals fit and the table
-/// start well? O(n).
+/// Is it convex (in exact arithmetic), counter-clockwise, once around, do the normals fit and turn from each
+/// to the next, does the table start well? BMR_ERROR_NOT_CONVEX or BMR_ERROR_INVALID_STRUCTURE. O(n).
 bmr_error bmr_convex32_audit(const bmr_convex32 *polygon);
 
 /// A polygon of Box2D's own size, with its own arrays; no table, no audit.
 static inline bmr_convex32 bmr_convex32_small(const bmr_polygon32 *polygon) {
-    const bmr_convex32 view = {polygon->vertices, polygon->normals, NULL, (uint32_t)polygon->count, 0};
+    const bmr_convex32 view = {polygon->vertices, polygon->normals, NULL, (uint32_t)polygon->count, 0,
+                               {0.0f, 0.0f}};
     return view;
 }
 
-/// The vertex of largest dot product (in float, (x * dx) + (y * dy)) with the direction; of equal ones any.
-/// Vertex 0 where the direction is zero or not a number. O(log n), O(1) where the edges are of about one
-/// length.
+/// The vertex of largest dot product with the direction, in float, (x * dx) + (y * dy): as a loop over all of
+/// them, rounding included, finds it; of equal ones any. Vertex 0 where the direction is zero or not a
+/// number. O(log n), O(1) where the edges are of about one length; besides, it looks at all vertices whose
+/// products are too close to tell apart, and at every vertex where products overflow.
 uint32_t bmr_convex32_support(const bmr_convex32 *polygon, bmr_vec32 direction);
-/// The same, walking from a vertex that was it not long ago: O(steps). Any hint is allowed.
+/// The same, walking from a vertex that was it not long ago: O(steps), and no more than a few above the time
+/// without. Any hint is allowed.
 uint32_t bmr_convex32_support_from(const bmr_convex32 *polygon, bmr_vec32 direction, uint32_t hint);
 
 /// Is the point (in the polygon's frame) inside or on it, in Box2D's sense: outside no edge's line?
@@ -92,8 +99,9 @@ bool bmr_convex32_ray(const bmr_convex32 *polygon, bmr_vec32 p1, bmr_vec32 p2, f
 void bmr_convex32_box(const bmr_convex32 *polygon, const bmr_transform32 *pose, bmr_vec32 *lower,
                       bmr_vec32 *upper);
 
-/// `count` vertices (3 to 8) of the polygon, chosen evenly by direction, in order, each another: the polygon
-/// inside it that stands for it where no more can be said. Writes their numbers.
+/// `count` vertices (3 to 8, and no more than there are) of the polygon: the polygon inside it that stands
+/// for it where no more can be said. Those that are extreme in evenly spread directions and, where one is so
+/// in several, the farthest from those taken. Writes their numbers, ascending, all different. O(n).
 void bmr_convex32_inner(const bmr_convex32 *polygon, uint32_t *vertices, uint32_t count);
 
 /// The fewest vertices, by levels of its Dobkin-Kirkpatrick or compass hierarchy, whose polygon lies within

@@ -22,6 +22,8 @@ typedef enum bmr_error {
     BMR_ERROR_FALSE_CERTIFICATE, ///< an audit found a certificate that does not prove what it claims
     BMR_ERROR_STALLED,           ///< a simulation's pair has event after event and time stands still
     BMR_ERROR_UNKNOWN_ENGINE,    ///< the physics engine of this process is none that the glue knows
+    BMR_ERROR_TOO_FEW_POINTS,    ///< fewer than three points, or all on one line as far as floats can tell
+    BMR_ERROR_TOO_CLOSE,         ///< points so close together that the engine would make one of them
     BMR_ERROR_COUNT              ///< number of codes; not an error
 } bmr_error;
 

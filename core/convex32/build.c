@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include <math.h>
+#include <string.h>
+
+#include "boomerang/convex32.h"
+#include "boomerang/polygon.h"
+#include "convex32/directions.h"
+#include "convex32/mass.h"
+#include "geometry/hull.h"
+#include "geometry/memory.h"
+#include "geometry/predicates.h"
+
+static bmr_vec2 widen(bmr_vec32 v) {
+    return bmr_vec2_make((double)v.x, (double)v.y);
+}
+
+/// Two to four buckets a vertex; a table past 8 vertices alone.
+static uint32_t bits_for(size_t count) {
+    if (count <= 8)
+        return 0;
+    uint32_t bits = BMR_CONVEX32_LEAST_BITS;
+    while (((size_t)1 << bits) < 2 * count)
+        ++bits;
+    return bits;
+}
+
+size_t bmr_convex32_bytes(size_t count) {
+    const uint32_t bits = bits_for(count);
+    return sizeof(bmr_convex32_block) + 2 * count * sizeof(bmr_vec32) +
+           (bits > 0 ? ((size_t)1 << bits) * sizeof(uint16_t) : 0);
+}
+
+/// The outward unit normal of the edge, rounded once. Rounding keeps the order of directions, and does not
+/// depend on where the edge lies.
+static bmr_vec32 edge_normal(bmr_vec32 from, bmr_vec32 to) {
+    const double x = (double)to.x - (double)from.x, y = (double)to.y - (double)from.y;
+    const double length = sqrt(x * x + y * y);
+    const bmr_vec32 normal = {(float)(y / length), (float)(-x / length)};
+    return normal;
+}
+
+static bmr_error check_points(const bmr_vec32 *points, size_t count) {
+    bmr_error error = BMR_OK;
+    for (size_t i = 0; i < count; ++i) {
+        if (!isfinite(points[i].x) || !isfinite(points[i].y))
+            return BMR_ERROR_NOT_FINITE;
+        if (fabs((double)points[i].x) > BMR_MAX_COORDINATE || fabs((double)points[i].y) > BMR_MAX_COORDINATE)
+            error = BMR_ERROR_OUT_OF_RANGE;
+    }
+    return error;
+}
+
+/// The larger side of the bounding box.
+static double box_side(const bmr_vec32 *v, size_t count) {
+    bmr_vec32 low = v[0], high = v[0];
+    for (size_t i = 1; i < count; ++i) {
+        low.x = fminf(low.x, v[i].x);
+        low.y = fminf(low.y, v[i].y);
+        high.x = fmaxf(high.x, v[i].x);
+        high.y = fmaxf(high.y, v[i].y);
+    }
+    return fmax((double)high.x - (double)low.x, (double)high.y - (double)low.y);
+}
+
+static bool turns(bmr_vec32 a, bmr_vec32 b, bmr_vec32 c) {
+    return convex32_turn(edge_normal(a, b), edge_normal(b, c)) > 0.0;
+}
+
+/// Drops the vertices of a strictly convex polygon that turn by no more than rounding, in place. What is left
+/// may be fewer than three.
+static size_t drop_straight(bmr_vec32 *v, size_t count) {
+    size_t size = 0;
+    for (size_t i = 0; i < count; ++i) {
+        while (size >= 2 && !turns(v[size - 2], v[size - 1], v[i]))
+            --size;
+        v[size++] = v[i];
+    }
+    size_t first = 0;
+    for (bool changed = true; changed && size - first >= 3;) { // where the last meet the first
+        changed = true;
+        if (!turns(v[size - 2], v[size - 1], v[first]))
+            --size;
+        else if (!turns(v[size - 1], v[first], v[first + 1]))
+            ++first;
+        else
+            changed = false;
+    }
+    memmove(v, v + first, (size - first) * sizeof *v);
+    return size - first;
+}
+
+/// Turns the order around so that the rightmost vertex, of these the lowest, comes first. `scratch` has room
+/// for all.
+static void start_rightmost(bmr_vec32 *v, size_t count, bmr_vec32 *scratch) {
+    size_t first = 0;
+    for (size_t i = 1; i < count; ++i)
+        if (v[i].x > v[first].x || (v[i].x == v[first].x && v[i].y < v[first].y))
+            first = i;
+    memcpy(scratch, v, count * sizeof *v);
+    memcpy(v, scratch + first, (count - first) * sizeof *v);
+    memcpy(v + (count - first), scratch, first * sizeof *v);
+}
+
+static void fill_buckets(const bmr_convex32 *polygon, uint16_t *buckets) {
+    uint32_t vertex = 0;
+    while (!convex32_leaves_at(polygon, vertex, convex32_bucket_begin(0, polygon->bucket_bits)))
+        ++vertex;
+    for (uint32_t b = 0; b < 1u << polygon->bucket_bits; ++b) {
+        const bmr_vec32 begin = convex32_bucket_begin(b, polygon->bucket_bits);
+        while (!(convex32_turn(begin, polygon->normals[vertex]) > 0.0))
+            vertex = convex32_next(polygon, vertex);
+        buckets[b] = (uint16_t)vertex;
+    }
+}
+
+static bmr_error audit_shape(const bmr_convex32 *p) {
+    uint32_t rounds = 0;
+    for (uint32_t i = 0; i < p->count; ++i) {
+        const uint32_t j = convex32_next(p, i), k = convex32_next(p, j);
+        const bmr_vec32 before = p->normals[i], after = p->normals[j];
+        if (bmr_orientation(widen(p->vertices[i]), widen(p->vertices[j]), widen(p->vertices[k])) <= 0 ||
+            !(convex32_turn(before, after) > 0.0))
+            return BMR_ERROR_NOT_CONVEX;
+        // Once a round the normals pass from below to above.
+        rounds += (before.y < 0.0f || (before.y == 0.0f && before.x < 0.0f)) &&
+                  (after.y > 0.0f || (after.y == 0.0f && after.x > 0.0f));
+    }
+    return rounds == 1 ? BMR_OK : BMR_ERROR_NOT_CONVEX;
+}
+
+/// A block of these vertices, which are 3 or more, finite and within range; `*block` is written last.
+static bmr_error make(const bmr_vec32 *vertices, size_t count, const bmr_allocator *allocator,
+                      bmr_convex32_block **block) {
+    const size_t size = bmr_convex32_bytes(count);
+    bmr_convex32_block *made = bmr_allocate(allocator, size);
+    if (!made)
+        return BMR_ERROR_NO_MEMORY;
+    bmr_vec32 *own = (bmr_vec32 *)(made + 1), *normals = own + count;
+    uint16_t *buckets = (uint16_t *)(normals + count);
+    memcpy(own, vertices, count * sizeof *own);
+    bmr_vec32 extent = {0.0f, 0.0f};
+    for (size_t i = 0; i < count; ++i) {
+        normals[i] = edge_normal(own[i], own[i + 1 < count ? i + 1 : 0]);
+        extent.x = fmaxf(extent.x, fabsf(own[i].x));
+        extent.y = fmaxf(extent.y, fabsf(own[i].y));
+    }
+    const uint32_t bits = bits_for(count);
+    const bmr_convex32 polygon = {own, normals, bits > 0 ? buckets : NULL, (uint32_t)count, bits, extent};
+    bmr_error error = audit_shape(&polygon);
+    if (error == BMR_OK)
+        error = convex32_measure(&polygon, &made->mass, &made->reach);
+    if (error != BMR_OK) {
+        bmr_release(allocator, made, size);
+        return error;
+    }
+    if (bits > 0)
+        fill_buckets(&polygon, buckets);
+    made->polygon = polygon;
+    *block = made;
+    return BMR_OK;
+}
+
+bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_allocator *allocator,
+                              bmr_convex32_block **block) {
+    if (!block || (!points && count > 0))
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (count < 3)
+        return BMR_ERROR_TOO_FEW_POINTS;
+    if (count > SIZE_MAX / (4 * sizeof(bmr_vec2)))
+        return BMR_ERROR_TOO_MANY_POINTS;
+    bmr_error error = check_points(points, count);
+    if (error != BMR_OK)
+        return error;
+    const size_t scratch_size = (2 * count + 1) * sizeof(bmr_vec2);
+    bmr_vec2 *sorted = bmr_allocate(allocator, scratch_size);
+    if (!sorted)
+        return BMR_ERROR_NO_MEMORY;
+    bmr_vec2 *hull = sorted + count;
+    for (size_t i = 0; i < count; ++i) // -0 becomes +0: equal points shall give equal bits
+        sorted[i] = bmr_vec2_make((double)points[i].x + 0.0, (double)points[i].y + 0.0);
+    size_t kept = bmr_convex_hull(sorted, count, hull);
+    // The sorted points are done with: their room takes the floats, twice.
+    bmr_vec32 *vertices = (bmr_vec32 *)sorted;
+    for (size_t i = 0; i < kept; ++i) {
+        const bmr_vec32 v = {(float)hull[i].x, (float)hull[i].y};
+        vertices[i] = v;
+    }
+    if (kept >= 3)
+        kept = drop_straight(vertices, kept);
+    if (kept < 3)
+        error = BMR_ERROR_TOO_FEW_POINTS;
+    else if (kept > BMR_CONVEX32_MOST)
+        error = BMR_ERROR_TOO_MANY_POINTS;
+    else if (box_side(vertices, kept) < BMR_MIN_EXTENT)
+        error = BMR_ERROR_OUT_OF_RANGE;
+    else {
+        start_rightmost(vertices, kept, vertices + count);
+        error = make(vertices, kept, allocator, block);
+    }
+    bmr_release(allocator, sorted, scratch_size);
+    return error;
+}
+
+bmr_error bmr_convex32_create_raw(const bmr_vec32 *vertices, size_t count, const bmr_allocator *allocator,
+                                  bmr_convex32_block **block) {
+    if (!block || (!vertices && count > 0))
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (count < 3)
+        return BMR_ERROR_TOO_FEW_POINTS;
+    if (count > BMR_CONVEX32_MOST)
+        return BMR_ERROR_TOO_MANY_POINTS;
+    const bmr_error error = check_points(vertices, count);
+    if (error != BMR_OK)
+        return error;
+    if (box_side(vertices, count) < BMR_MIN_EXTENT)
+        return BMR_ERROR_OUT_OF_RANGE;
+    return make(vertices, count, allocator, block);
+}
+
+void bmr_convex32_destroy(bmr_convex32_block *block, const bmr_allocator *allocator) {
+    if (block)
+        bmr_release(allocator, block, bmr_convex32_bytes(block->polygon.count));
+}
+
+bmr_error bmr_convex32_audit(const bmr_convex32 *polygon) {
+    if (!polygon || !polygon->vertices || !polygon->normals)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (polygon->count < 3)
+        return BMR_ERROR_TOO_FEW_POINTS;
+    if (polygon->count > BMR_CONVEX32_MOST)
+        return BMR_ERROR_TOO_MANY_POINTS;
+    bmr_error error = check_points(polygon->vertices, polygon->count);
+    if (error == BMR_OK)
+        error = audit_shape(polygon);
+    if (error != BMR_OK)
+        return error;
+    for (uint32_t i = 0; i < polygon->count; ++i) {
+        const bmr_vec32 v = polygon->vertices[i];
+        const bmr_vec32 normal = edge_normal(v, polygon->vertices[convex32_next(polygon, i)]);
+        if (normal.x != polygon->normals[i].x || normal.y != polygon->normals[i].y)
+            return BMR_ERROR_INVALID_STRUCTURE;
+        if (polygon->buckets && (fabsf(v.x) > polygon->extent.x || fabsf(v.y) > polygon->extent.y))
+            return BMR_ERROR_INVALID_STRUCTURE;
+    }
+    if ((polygon->buckets != NULL) != (polygon->count > 8) ||
+        polygon->bucket_bits != bits_for(polygon->count))
+        return BMR_ERROR_INVALID_STRUCTURE;
+    for (uint32_t b = 0; polygon->buckets && b < 1u << polygon->bucket_bits; ++b)
+        if (polygon->buckets[b] >= polygon->count ||
+            !convex32_leaves_at(polygon, polygon->buckets[b], convex32_bucket_begin(b, polygon->bucket_bits)))
+            return BMR_ERROR_INVALID_STRUCTURE;
+    return BMR_OK;
+}

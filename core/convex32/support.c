@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "boomerang/convex32.h"
+#include "convex32/directions.h"
+
+/// Steps from a hint after which the table is asked: about what it costs.
+#define HINT_STEPS 8u
+/// More vertices than this between a bucket's ends are searched by halving.
+#define SHORT_WALK 4u
+
+static uint32_t support_of_all(const bmr_convex32 *p, bmr_vec32 d) {
+    uint32_t best = 0;
+    float most = convex32_dot(p->vertices[0], d);
+    for (uint32_t i = 1; i < p->count; ++i) {
+        const float dot = convex32_dot(p->vertices[i], d);
+        if (dot > most) {
+            most = dot;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/// From `start` to both sides for as long as a larger product may come: along a side the real products rise
+/// to the top and then fall, so once one is surely below the best, it and those behind it may be left.
+/// UINT32_MAX when that has not been seen after `limit` steps to one side.
+static uint32_t climb(const bmr_convex32 *p, bmr_vec32 d, float noise, uint32_t start, uint32_t limit) {
+    uint32_t best = start;
+    float most = convex32_dot(p->vertices[start], d);
+    uint32_t i = start, left = limit;
+    for (;;) {
+        i = convex32_next(p, i);
+        const float dot = convex32_dot(p->vertices[i], d);
+        if (dot > most) {
+            most = dot;
+            best = i;
+        } else if (dot < most - noise)
+            break;
+        if (--left == 0)
+            return UINT32_MAX;
+    }
+    for (i = start, left = limit;;) {
+        i = convex32_previous(p, i);
+        const float dot = convex32_dot(p->vertices[i], d);
+        if (dot > most) {
+            most = dot;
+            best = i;
+        } else if (dot < most - noise)
+            break;
+        if (--left == 0)
+            return UINT32_MAX;
+    }
+    return best;
+}
+
+/// Near the vertex where the direction leaves the polygon, by the table and halving.
+static uint32_t near_support(const bmr_convex32 *p, bmr_vec32 d, float size) {
+    const uint32_t bucket = convex32_bucket(p, d, size);
+    const uint32_t first = p->buckets[bucket];
+    const uint32_t last = p->buckets[(bucket + 1) & ((1u << p->bucket_bits) - 1u)];
+    uint32_t low = 0, high = last >= first ? last - first : last + p->count - first;
+    if (high <= SHORT_WALK)
+        return first;
+    while (low < high) {
+        const uint32_t middle = (low + high) / 2;
+        const uint32_t edge = first + middle < p->count ? first + middle : first + middle - p->count;
+        if (convex32_turn(p->normals[edge], d) >= 0.0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return first + low < p->count ? first + low : first + low - p->count;
+}
+
+static uint32_t support_by_table(const bmr_convex32 *p, bmr_vec32 d, float size, float noise) {
+    const uint32_t best = climb(p, d, noise, near_support(p, d, size), p->count);
+    return best != UINT32_MAX ? best : support_of_all(p, d); // products so small that none is below another
+}
+
+uint32_t bmr_convex32_support(const bmr_convex32 *polygon, bmr_vec32 direction) {
+    if (!polygon->buckets)
+        return support_of_all(polygon, direction);
+    const float size = convex32_size(direction), noise = convex32_noise(polygon, direction);
+    if (!(size > 0.0f))
+        return 0;
+    if (!(size < FLT_MAX) || !(noise < FLT_MAX * 0x1p-24f))
+        return support_of_all(polygon, direction);
+    return support_by_table(polygon, direction, size, noise);
+}
+
+uint32_t bmr_convex32_support_from(const bmr_convex32 *polygon, bmr_vec32 direction, uint32_t hint) {
+    if (!polygon->buckets)
+        return support_of_all(polygon, direction);
+    const float size = convex32_size(direction), noise = convex32_noise(polygon, direction);
+    if (!(size > 0.0f))
+        return 0;
+    if (!(size < FLT_MAX) || !(noise < FLT_MAX * 0x1p-24f))
+        return support_of_all(polygon, direction);
+    if (hint < polygon->count) {
+        const uint32_t best = climb(polygon, direction, noise, hint, HINT_STEPS);
+        if (best != UINT32_MAX)
+            return best;
+    }
+    return support_by_table(polygon, direction, size, noise);
+}
