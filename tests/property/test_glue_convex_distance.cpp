@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: MIT
+// Distance, cast and time of impact of polygons of any size: against all vertices in double, and up to 255
+// vertices against Box2D's own algorithms fed with all of them.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include "convex_oracle.h"
+#include "test_scale.h"
+
+using oracle::Placed;
+using oracle::Polygon;
+using shapes::Below;
+using shapes::Engine;
+using shapes::Uniform;
+using shapes::UniformF;
+
+namespace {
+
+// Radii of polygons of Box2D's, of none, and of a fat one.
+float RandomRadius(Engine &engine) {
+    const int kind = Below(engine, 4);
+    return kind == 0 ? 0.0f : kind == 1 ? UniformF(engine, 0.0, 0.3) : b2_polygonRadius;
+}
+
+Polygon RandomShape(Engine &engine, int most) {
+    const int kind = Below(engine, 8);
+    if (kind == 0) // a circle
+        return Polygon({b2Vec2(UniformF(engine, -1.0, 1.0), UniformF(engine, -1.0, 1.0))},
+                       UniformF(engine, 0.05, 1.0));
+    if (kind == 1) // an edge
+        return Polygon({b2Vec2(UniformF(engine, -2.0, 2.0), UniformF(engine, -2.0, 2.0)),
+                        b2Vec2(UniformF(engine, -2.0, 2.0), UniformF(engine, -2.0, 2.0))},
+                       b2_polygonRadius);
+    return oracle::RandomPolygon(engine, 3 + Below(engine, kind == 2 ? 6 : most - 2), RandomRadius(engine));
+}
+
+const bmr_transform32 *Pose32(const b2Transform &xf) {
+    return reinterpret_cast<const bmr_transform32 *>(&xf);
+}
+
+float Reach(const Polygon &a, const Polygon &b) {
+    return std::max(a.Ours().reach, b.Ours().reach);
+}
+
+bmr_distance32 Ask(const Polygon &a, const b2Transform &xfA, const Polygon &b, const b2Transform &xfB,
+                   bmr_closest32 *closest) {
+    const bmr_proxy32 pa = a.Ours(), pb = b.Ours();
+    return bmr_convex32_distance(&pa, Pose32(xfA), &pb, Pose32(xfB), closest);
+}
+
+/// A pose of b from where the two overlap to some way off.
+b2Transform NearbyPose(Engine &engine, const Polygon &a, const Polygon &b) {
+    return shapes::RandomPose(engine, 1.5 * static_cast<double>(a.Ours().reach + b.Ours().reach));
+}
+
+struct Tally {
+    size_t apart = 0, overlapping = 0;
+    double worst = 0.0;
+};
+
+void CheckDistance(Engine &engine, int most, Tally *tally) {
+    const Polygon a = oracle::RandomPolygon(engine, 3 + Below(engine, most - 2), b2_polygonRadius);
+    const Polygon b = RandomShape(engine, most);
+    bmr_closest32 closest = {0, 0};
+    for (int i = 0; i < 4; ++i) {
+        const b2Transform xfA = shapes::RandomPose(engine, 10.0);
+        b2Transform xfB = NearbyPose(engine, a, b);
+        xfB.p += xfA.p;
+        const double truth = Distance(Placed(a, xfA), Placed(b, xfB));
+        if (Below(engine, 2) == 0) // what is remembered may be anything
+            closest = {Below(engine, 1 << 20) + 0u, Below(engine, 1 << 20) + 0u};
+        const bmr_distance32 found = Ask(a, xfA, b, xfB, &closest);
+        const double scale = std::max(truth, static_cast<double>(Reach(a, b)));
+        tally->worst = std::max(tally->worst, std::fabs(static_cast<double>(found.distance) - truth) / scale);
+        ++(truth > 0.0 ? tally->apart : tally->overlapping);
+        CHECK(found.count >= 1);
+        CHECK(found.count <= 3);
+        CHECK((found.count < 3 || found.distance == 0.0f));
+        // The points are as far from each other as it says, and one of them is no corner of the wrong shape.
+        const double dx = static_cast<double>(found.point_b.x) - static_cast<double>(found.point_a.x);
+        const double dy = static_cast<double>(found.point_b.y) - static_cast<double>(found.point_a.y);
+        const double rounding = 1e-6 * (scale + std::fabs(static_cast<double>(xfA.p.x)) + 20.0);
+        CHECK(std::fabs(std::hypot(dx, dy) - static_cast<double>(found.distance)) <= rounding);
+    }
+}
+
+} // namespace
+
+TEST_CASE("the distance is that of all sides and vertices in double") {
+    Engine engine(1);
+    Tally tally;
+    for (size_t i = 0; i < test_scaled(3000); ++i)
+        CheckDistance(engine, i % 100 == 0 ? 1000 : 60, &tally);
+    MESSAGE("apart ", tally.apart, ", overlapping ", tally.overlapping, ", worst error ", tally.worst);
+    CHECK(tally.worst <= 1e-6);
+    CHECK(tally.apart > 100);
+    CHECK(tally.overlapping > 10);
+}
+
+TEST_CASE("so it is of the largest polygons") {
+    Engine engine(6);
+    double worst = 0.0;
+    for (size_t i = 0; i < test_scaled(60); ++i) {
+        const Polygon a = oracle::RandomPolygon(engine, i % 3 == 0 ? 65535 : 4096, b2_polygonRadius);
+        const Polygon b = RandomShape(engine, 40);
+        bmr_closest32 closest = {0, 0};
+        for (int k = 0; k < 4; ++k) {
+            const b2Transform xfA = shapes::RandomPose(engine, 10.0);
+            b2Transform xfB = NearbyPose(engine, a, b);
+            xfB.p += xfA.p;
+            const double truth = Distance(Placed(a, xfA), Placed(b, xfB));
+            const bmr_distance32 found = Ask(a, xfA, b, xfB, &closest);
+            const double scale = std::max(truth, static_cast<double>(Reach(a, b)));
+            worst = std::max(worst, std::fabs(static_cast<double>(found.distance) - truth) / scale);
+            CHECK(found.iterations < 40);
+        }
+    }
+    MESSAGE("worst error ", worst);
+    CHECK(worst <= 1e-6);
+}
+
+TEST_CASE("control: the octagon inside a polygon is farther away than the polygon") {
+    std::vector<b2Vec2> circle, octagon;
+    for (int i = 0; i < 256; ++i) {
+        const double angle = (i + 0.5) * 6.283185307179586 / 256;
+        circle.emplace_back(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
+    }
+    for (int i = 0; i < 256; i += 32)
+        octagon.push_back(circle[static_cast<size_t>(i)]);
+    const Polygon a(circle, 0.0f), inner(octagon, 0.0f);
+    const b2Transform at(b2Vec2(2.5f * std::cos(0.4f), 2.5f * std::sin(0.4f)), b2Rot(0.0f));
+    const b2Transform origin(b2Vec2_zero, b2Rot(0.0f));
+    bmr_closest32 closest = {0, 0};
+    const float real = Ask(a, origin, a, at, &closest).distance;
+    closest = {0, 0};
+    const float shown = Ask(inner, origin, a, at, &closest).distance;
+    CHECK(real == doctest::Approx(0.5).epsilon(0.001));
+    CHECK(shown > real + 0.05f);
+}
+
+TEST_CASE("up to 255 vertices the distance and its points are those of b2Distance") {
+    Engine engine(2);
+    double worst = 0.0, worstPoint = 0.0;
+    for (size_t i = 0; i < test_scaled(4000); ++i) {
+        const Polygon a = oracle::RandomPolygon(engine, 9 + Below(engine, 247), b2_polygonRadius);
+        const Polygon b = RandomShape(engine, 255);
+        b2DistanceInput input;
+        input.proxyA = a.Stock();
+        input.proxyB = b.Stock();
+        input.transformA = shapes::RandomPose(engine, 5.0);
+        input.transformB = NearbyPose(engine, a, b);
+        input.useRadii = false;
+        b2SimplexCache cache;
+        cache.count = 0;
+        b2DistanceOutput stock;
+        b2Distance(&stock, &cache, &input);
+        bmr_closest32 closest = {0, 0};
+        const bmr_distance32 ours = Ask(a, input.transformA, b, input.transformB, &closest);
+        // What Box2D's coordinates of the world are rounded to.
+        const double scale = 10.0 + static_cast<double>(a.Ours().reach + b.Ours().reach);
+        worst = std::max(worst, std::fabs(static_cast<double>(stock.distance - ours.distance)) / scale);
+        if (stock.distance == 0.0f || stock.iterations >= 20)
+            continue;
+        // Of points, what lies between them; where two sides are parallel any of them may be said.
+        const b2Vec2 between(ours.point_b.x - ours.point_a.x, ours.point_b.y - ours.point_a.y);
+        const double off = static_cast<double>((between - (stock.pointB - stock.pointA)).Length());
+        if (stock.distance > 0.01f)
+            worstPoint = std::max(worstPoint, off / scale);
+    }
+    MESSAGE("worst distance ", worst, ", worst vector ", worstPoint);
+    CHECK(worst <= 1e-6);
+    CHECK(worstPoint <= 1e-4);
+}
+
+namespace {
+
+b2Sweep RandomSweep(Engine &engine, double range, double way, double turn) {
+    b2Sweep sweep;
+    sweep.localCenter.Set(UniformF(engine, -1.0, 1.0), UniformF(engine, -1.0, 1.0));
+    sweep.c0.Set(UniformF(engine, -range, range), UniformF(engine, -range, range));
+    sweep.c = sweep.c0 + b2Vec2(UniformF(engine, -way, way), UniformF(engine, -way, way));
+    sweep.a0 = UniformF(engine, -10.0, 10.0);
+    sweep.a = sweep.a0 + UniformF(engine, -turn, turn);
+    sweep.alpha0 = 0.0f;
+    return sweep;
+}
+
+struct Motion {
+    b2Sweep a, b;
+};
+
+Motion RandomMotion(Engine &engine, const Polygon &a, const Polygon &b) {
+    const double size = static_cast<double>(a.Ours().reach + b.Ours().reach);
+    const double turn = Below(engine, 2) == 0 ? 0.3 : 6.0;
+    Motion m = {RandomSweep(engine, size, size, Below(engine, 3) == 0 ? 0.0 : turn),
+                RandomSweep(engine, size, 2.0 * size, Below(engine, 3) == 0 ? 0.0 : turn)};
+    if (Below(engine, 3) == 0)
+        m.a.c = m.a.c0;
+    return m;
+}
+
+float Target(const Polygon &a, const Polygon &b) {
+    return std::max(b2_linearSlop, a.radius + b.radius - 3.0f * b2_linearSlop);
+}
+
+struct Impact {
+    bmr_impact32 state;
+    float t;
+};
+
+Impact AskImpact(const Polygon &a, const Polygon &b, const Motion &motion, float tMax, bmr_vec32 *direction) {
+    const bmr_proxy32 pa = a.Ours(), pb = b.Ours();
+    const bmr_sweep32 sa = oracle::Sweep32(motion.a), sb = oracle::Sweep32(motion.b);
+    Impact impact;
+    impact.state = bmr_convex32_impact(&pa, &sa, &pb, &sb, tMax, b2_linearSlop, direction, &impact.t);
+    return impact;
+}
+
+double DistanceAt(const Polygon &a, const Polygon &b, const Motion &motion, double t) {
+    return Distance(oracle::At(a, motion.a, t), oracle::At(b, motion.b, t));
+}
+
+/// Is what was answered true, by looking at `samples` poses? `slack` beside what is promised, for float.
+bool IsTrue(const Polygon &a, const Polygon &b, const Motion &motion, float tMax, const Impact &answer,
+            int samples) {
+    const double target = Target(a, b), tolerance = 0.25 * static_cast<double>(b2_linearSlop);
+    const double slack = 4e-6 * static_cast<double>(a.Ours().reach + b.Ours().reach + 2.0f);
+    const double t = answer.t;
+    const double there = DistanceAt(a, b, motion, t);
+    switch (answer.state) {
+    case BMR_IMPACT_FAILED:
+        return false;
+    case BMR_IMPACT_OVERLAPPED:
+        return t == 0.0 && there <= slack;
+    case BMR_IMPACT_TOUCHING:
+        if (there > target + tolerance + slack || (t > 0.0 && there < target - slack))
+            return false;
+        break;
+    case BMR_IMPACT_SEPARATED:
+        if (answer.t != tMax)
+            return false;
+        break;
+    }
+    for (int i = 0; i < samples; ++i) {
+        if (DistanceAt(a, b, motion, t * i / samples) < target - slack && (t > 0.0 || i > 0))
+            return answer.state == BMR_IMPACT_TOUCHING && t == 0.0;
+    }
+    return true;
+}
+
+} // namespace
+
+TEST_CASE("nothing touches before the time of impact, at whatever speed and spin") {
+    Engine engine(3);
+    size_t states[4] = {}, wrong = 0, late = 0, lateWrong = 0;
+    for (size_t i = 0; i < test_scaled(600); ++i) {
+        const Polygon a = oracle::RandomPolygon(engine, 3 + Below(engine, 30), RandomRadius(engine));
+        const Polygon b = RandomShape(engine, 30);
+        for (int k = 0; k < 3; ++k) {
+            const Motion motion = RandomMotion(engine, a, b);
+            const float tMax = Below(engine, 2) == 0 ? 1.0f : UniformF(engine, 0.1, 1.0);
+            bmr_vec32 direction = {0.0f, 0.0f};
+            const Impact impact = AskImpact(a, b, motion, tMax, &direction);
+            ++states[impact.state];
+            const bool right = IsTrue(a, b, motion, tMax, impact, 400);
+            wrong += right ? 0 : 1;
+            CHECK_MESSAGE(right, "polygons ", i, ", motion ", k, ", state ", int{impact.state}, ", t ",
+                          impact.t);
+            // A remembered direction, good or not, changes nothing.
+            const Impact again = AskImpact(a, b, motion, tMax, &direction);
+            CHECK(again.state == impact.state);
+            CHECK(again.t == impact.t);
+            if (impact.state == BMR_IMPACT_TOUCHING && impact.t > 0.0f && impact.t < 0.98f * tMax) {
+                ++late; // the control: a little later is seen
+                const Impact later = {impact.state, impact.t + 0.02f * tMax};
+                lateWrong += IsTrue(a, b, motion, tMax, later, 400) ? 0 : 1;
+            }
+        }
+    }
+    MESSAGE("failed ", states[0], ", overlapped ", states[1], ", touching ", states[2], ", separated ",
+            states[3], "; 2 % later seen ", lateWrong, " of ", late);
+    CHECK(wrong == 0);
+    if (test_scaled(600) >= 600) {
+        CHECK(states[BMR_IMPACT_TOUCHING] > 200);
+        CHECK(states[BMR_IMPACT_SEPARATED] > 100);
+        CHECK(states[BMR_IMPACT_OVERLAPPED] > 20);
+    }
+    CHECK(4 * lateWrong >= 3 * late);
+}
+
+TEST_CASE("times of impact are b2TimeOfImpact's where that is sure of itself") {
+    Engine engine(4);
+    size_t both = 0, differing = 0, failed = 0;
+    double worst = 0.0;
+    for (size_t i = 0; i < test_scaled(1500); ++i) {
+        const Polygon a = oracle::RandomPolygon(engine, 9 + Below(engine, 247), b2_polygonRadius);
+        const Polygon b = RandomShape(engine, 255);
+        Motion motion = RandomMotion(engine, a, b);
+        motion.a.a = motion.a.a0 + 0.05f * (motion.a.a - motion.a.a0);
+        motion.b.a = motion.b.a0 + 0.05f * (motion.b.a - motion.b.a0);
+        b2TOIInput input;
+        input.proxyA = a.Stock();
+        input.proxyB = b.Stock();
+        input.sweepA = motion.a;
+        input.sweepB = motion.b;
+        input.tMax = 1.0f;
+        b2TOIOutput stock;
+        b2TimeOfImpact(&stock, &input);
+        bmr_vec32 direction = {0.0f, 0.0f};
+        const Impact ours = AskImpact(a, b, motion, 1.0f, &direction);
+        if (stock.state == b2TOIOutput::e_failed) { // its search takes 8 vertices at most for enough
+            ++failed;
+            continue;
+        }
+        const bool same = static_cast<int>(stock.state) == static_cast<int>(ours.state) + 1;
+        if (!same) { // they may: where the two just pass by each other
+            ++differing;
+            continue;
+        }
+        if (ours.state != BMR_IMPACT_TOUCHING)
+            continue;
+        ++both;
+        worst = std::max(worst, std::fabs(DistanceAt(a, b, motion, static_cast<double>(stock.t)) -
+                                          DistanceAt(a, b, motion, static_cast<double>(ours.t))));
+    }
+    MESSAGE("touching ", both, ", other state ", differing, ", Box2D gave up ", failed, ", worst gap ",
+            worst);
+    CHECK(both > test_scaled(1500) / 10);
+    CHECK(worst <= 0.5 * static_cast<double>(b2_linearSlop) + 1e-4);
+    CHECK(50 * differing <= test_scaled(1500) + 50);
+}
+
+namespace {
+
+/// How far b lies beyond a along a direction.
+double Beyond(const Placed &a, const Placed &b, bmr_vec32 n) {
+    double most = -INFINITY, least = INFINITY;
+    for (const shapes::Point &p : a.points)
+        most = std::max(most, p.x * static_cast<double>(n.x) + p.y * static_cast<double>(n.y));
+    for (const shapes::Point &p : b.points)
+        least = std::min(least, p.x * static_cast<double>(n.x) + p.y * static_cast<double>(n.y));
+    return least - most;
+}
+
+} // namespace
+
+TEST_CASE("casts are b2ShapeCast's") {
+    Engine engine(5);
+    size_t hits = 0, misses = 0, differing = 0;
+    double worst = 0.0;
+    for (size_t i = 0; i < test_scaled(4000); ++i) {
+        const Polygon a = oracle::RandomPolygon(engine, 9 + Below(engine, 247), b2_polygonRadius);
+        const Polygon b = RandomShape(engine, 255);
+        b2ShapeCastInput input;
+        input.proxyA = a.Stock();
+        input.proxyB = b.Stock();
+        input.transformA = shapes::RandomPose(engine, 5.0);
+        input.transformB = NearbyPose(engine, a, b);
+        const double way = 3.0 * static_cast<double>(a.Ours().reach + b.Ours().reach);
+        input.translationB.Set(UniformF(engine, -way, way), UniformF(engine, -way, way));
+        b2ShapeCastOutput stock;
+        const bool stockHits = b2ShapeCast(&stock, &input);
+        const bmr_proxy32 pa = a.Ours(), pb = b.Ours();
+        bmr_cast32 ours;
+        const bool hit =
+            bmr_convex32_cast(&pa, Pose32(input.transformA), &pb, Pose32(input.transformB),
+                              {input.translationB.x, input.translationB.y}, b2_linearSlop, &ours);
+        if (hit != stockHits) {
+            ++differing;
+            continue;
+        }
+        if (!hit) {
+            ++misses;
+            CHECK(ours.lambda == stock.lambda);
+            CHECK(ours.normal.x == 0.0f);
+            CHECK(ours.point.y == 0.0f);
+            continue;
+        }
+        ++hits;
+        // The truth: as far as was asked for, nothing nearer before, and that along the normal.
+        const double sigma =
+            std::max(2.0f * b2_linearSlop, std::max(a.radius, b2_polygonRadius) +
+                                               std::max(b.radius, b2_polygonRadius) - b2_polygonRadius);
+        const double slack = 1e-5 * (10.0 + way);
+        const auto moved = [&](float lambda) {
+            b2Transform xf = input.transformB;
+            xf.p += lambda * input.translationB;
+            return Placed(b, xf);
+        };
+        const Placed atA(a, input.transformA);
+        const double there = Distance(atA, moved(ours.lambda));
+        CHECK(there <= sigma + 0.5 * static_cast<double>(b2_linearSlop) + slack);
+        if (ours.lambda > 0.0f) {
+            for (const float part : {0.0f, 0.5f, 1.0f})
+                CHECK(Distance(atA, moved(part * ours.lambda)) >= sigma - slack);
+        }
+        CHECK(std::fabs(Beyond(atA, moved(ours.lambda), ours.normal) - there) <= slack);
+        if (stock.iterations < 20)
+            worst = std::max(worst, std::fabs(there - Distance(atA, moved(stock.lambda))));
+    }
+    MESSAGE("hits ", hits, ", misses ", misses, ", differing ", differing, ", worst gap ", worst);
+    CHECK(hits > test_scaled(4000) / 20);
+    CHECK(100 * differing <= test_scaled(4000) + 100);
+    CHECK(worst <= 0.5 * static_cast<double>(b2_linearSlop) + 1e-4);
+}

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TEST_CONVEX_ORACLE_H
+#define BOOMERANG_TEST_CONVEX_ORACLE_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <box2d/b2_distance.h>
+#include <box2d/b2_time_of_impact.h>
+
+#include "boomerang/convex32_distance.h"
+#include "box2d_shapes.h"
+
+/// @file
+/// Convex polygons of any size for tests, and what is true of them by looking at all vertices, in double.
+
+namespace oracle {
+
+using shapes::Below;
+using shapes::Engine;
+using shapes::Point;
+using shapes::Uniform;
+
+/// A polygon in all the forms that the tests ask about. `vertices` is what all of them have.
+struct Polygon {
+    std::vector<b2Vec2> vertices;
+    float radius = 0.0f;
+    bmr_convex32_block *block = nullptr; ///< NULL of fewer than 3 vertices
+
+    explicit Polygon(const std::vector<b2Vec2> &points, float skin) : vertices(points), radius(skin) {
+        if (points.size() < 3)
+            return;
+        if (bmr_convex32_create(reinterpret_cast<const bmr_vec32 *>(points.data()), points.size(), nullptr,
+                                &block) != BMR_OK)
+            return;
+        const auto *kept = reinterpret_cast<const b2Vec2 *>(block->polygon.vertices);
+        vertices.assign(kept, kept + block->polygon.count);
+    }
+    Polygon(Polygon &&other) noexcept
+        : vertices(std::move(other.vertices)), radius(other.radius), block(other.block) {
+        other.block = nullptr;
+    }
+    Polygon(const Polygon &) = delete;
+    Polygon &operator=(const Polygon &) = delete;
+    ~Polygon() { bmr_convex32_destroy(block, nullptr); }
+
+    uint32_t Count() const { return static_cast<uint32_t>(vertices.size()); }
+    bmr_proxy32 Ours() const {
+        return block != nullptr ? bmr_proxy32_polygon(block, radius)
+                                : bmr_proxy32_points(reinterpret_cast<const bmr_vec32 *>(vertices.data()),
+                                                     Count(), radius);
+    }
+    /// Box2D's own, of all vertices (at most 255).
+    b2DistanceProxy Stock() const {
+        b2DistanceProxy proxy;
+        proxy.m_buffer[0] = proxy.m_buffer[1] = b2Vec2_zero;
+        proxy.Set(vertices.data(), static_cast<int32>(vertices.size()), radius);
+        return proxy;
+    }
+};
+
+/// About `count` points on an ellipse, or that many at random on it, around a centre off the origin.
+inline Polygon RandomPolygon(Engine &engine, int count, float radius) {
+    const double size = std::pow(10.0, Uniform(engine, -1.0, 0.7));
+    const double aspect = Below(engine, 2) == 0 ? 1.0 : std::pow(10.0, Uniform(engine, -1.5, 0.0));
+    const double phase = Uniform(engine, 0.0, 6.3), tilt = Uniform(engine, 0.0, 6.3);
+    const double x = Uniform(engine, -size, size), y = Uniform(engine, -size, size);
+    const bool regular = Below(engine, 2) == 0;
+    std::vector<b2Vec2> points;
+    for (int i = 0; i < count; ++i) {
+        const double angle =
+            phase + (i + (regular ? 0.0 : Uniform(engine, -0.4, 0.4))) * 6.283185307179586 / count;
+        const double px = size * std::cos(angle), py = aspect * size * std::sin(angle);
+        points.emplace_back(static_cast<float>(x + std::cos(tilt) * px - std::sin(tilt) * py),
+                            static_cast<float>(y + std::sin(tilt) * px + std::cos(tilt) * py));
+    }
+    return Polygon(points, radius);
+}
+
+/// A shape's vertices at a pose, in double.
+struct Placed {
+    std::vector<Point> points;
+
+    Placed(const Polygon &polygon, double x, double y, double s, double c) {
+        points.reserve(polygon.vertices.size());
+        for (const b2Vec2 &v : polygon.vertices) {
+            const double vx = v.x, vy = v.y;
+            points.push_back({x + c * vx - s * vy, y + s * vx + c * vy});
+        }
+    }
+    Placed(const Polygon &polygon, const b2Transform &xf)
+        : Placed(polygon, static_cast<double>(xf.p.x), static_cast<double>(xf.p.y),
+                 static_cast<double>(xf.q.s), static_cast<double>(xf.q.c)) {}
+};
+
+/// Of two convex shapes, at least one of them with an inside: all sides against all vertices; 0 where they
+/// overlap.
+inline double Distance(const Placed &a, const Placed &b) {
+    bool separated = false;
+    double least = INFINITY;
+    for (const bool swap : {false, true}) {
+        const std::vector<Point> &mine = (swap ? b : a).points, &theirs = (swap ? a : b).points;
+        for (size_t i = 0; i < mine.size(); ++i) {
+            const Point from = mine[i], to = mine[i + 1 < mine.size() ? i + 1 : 0];
+            const double ex = to.x - from.x, ey = to.y - from.y, e2 = ex * ex + ey * ey;
+            double outside = INFINITY;
+            for (const Point &p : theirs) {
+                const double dx = p.x - from.x, dy = p.y - from.y;
+                outside = std::min(outside, ey * dx - ex * dy);
+                const double t = e2 > 0.0 ? std::clamp((dx * ex + dy * ey) / e2, 0.0, 1.0) : 0.0;
+                const double rx = dx - t * ex, ry = dy - t * ey;
+                least = std::min(least, rx * rx + ry * ry);
+            }
+            separated = separated || (mine.size() >= 2 && outside > 0.0);
+        }
+    }
+    return separated ? std::sqrt(least) : 0.0;
+}
+
+inline Placed At(const Polygon &polygon, const b2Sweep &sweep, double t) {
+    const double angle = (1.0 - t) * static_cast<double>(sweep.a0) + t * static_cast<double>(sweep.a);
+    const double s = std::sin(angle), c = std::cos(angle), lx = sweep.localCenter.x, ly = sweep.localCenter.y;
+    const double x = (1.0 - t) * static_cast<double>(sweep.c0.x) + t * static_cast<double>(sweep.c.x);
+    const double y = (1.0 - t) * static_cast<double>(sweep.c0.y) + t * static_cast<double>(sweep.c.y);
+    return Placed(polygon, x - (c * lx - s * ly), y - (s * lx + c * ly), s, c);
+}
+
+inline bmr_sweep32 Sweep32(const b2Sweep &sweep) {
+    return {{sweep.localCenter.x, sweep.localCenter.y},
+            {sweep.c0.x, sweep.c0.y},
+            {sweep.c.x, sweep.c.y},
+            sweep.a0,
+            sweep.a,
+            sweep.alpha0};
+}
+
+} // namespace oracle
+
+#endif
