@@ -124,7 +124,7 @@ void DrawPairEvent(Canvas &canvas, const Rectangle &page, const Course &course, 
                    bmr_kds_event_kind kind) {
     const bmr_hierarchy *a = course.BodyOf(0).Hierarchy(BMR_HIERARCHY_COMPASS),
                         *b = course.BodyOf(1).Hierarchy(BMR_HIERARCHY_COMPASS);
-    const auto level = [&seen](const bmr_hierarchy *hierarchy, int wanted) {
+    const auto level = [](const bmr_hierarchy *hierarchy, int wanted) {
         return std::min<uint32_t>(static_cast<uint32_t>(std::max(wanted, 0)), bmr_hierarchy_depth(hierarchy));
     };
     std::vector<bmr_vec2> all = Envelope(a, 0);
@@ -240,8 +240,9 @@ void DrawTimeLine(Canvas &canvas) {
         most = std::max(most, distance);
     }
     for (int i = 0; i <= kSamples; ++i)
-        curve.push_back({at(static_cast<double>(i) / kSamples),
-                         bottom + kCurve * std::log(distances[i] / least) / std::log(most / least)});
+        curve.push_back(
+            {at(static_cast<double>(i) / kSamples),
+             bottom + kCurve * std::log(distances[static_cast<size_t>(i)] / least) / std::log(most / least)});
     canvas.Polygon({{kLeft, bottom}, {kLeft + width, bottom}, {kLeft + width, top}, {kLeft, top}}, {},
                    {ink::kFaint, 1.0});
     canvas.Polyline(curve, {ink::kBlack, 1.3});

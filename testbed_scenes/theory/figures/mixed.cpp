@@ -80,14 +80,13 @@ void DrawCells(Canvas &canvas, const Tiling &tiling, double opacity) {
 
 /// The sum of P's and the reflected Q's envelopes as they are before a stage.
 std::vector<bmr_vec2> SumBefore(const Body &p, const Body &q, double angle, int stage) {
-    const int levelP = (stage + 1) / 2, levelQ = stage / 2;
+    const uint32_t levelP = static_cast<uint32_t>(stage + 1) / 2, levelQ = static_cast<uint32_t>(stage) / 2;
     const bmr_hierarchy *const hp = p.Hierarchy(BMR_HIERARCHY_DOBKIN_KIRKPATRICK);
     const bmr_hierarchy *const hq = q.Hierarchy(BMR_HIERARCHY_DOBKIN_KIRKPATRICK);
     const bmr_pose turn = PoseAt(0.0, 0.0, angle);
     std::vector<bmr_vec2> sums;
-    for (const bmr_vec2 &a : Envelope(hp, std::min<uint32_t>(levelP, bmr_hierarchy_depth(hp))))
-        for (const bmr_vec2 &b :
-             Placed(Envelope(hq, std::min<uint32_t>(levelQ, bmr_hierarchy_depth(hq))), turn))
+    for (const bmr_vec2 &a : Envelope(hp, std::min(levelP, bmr_hierarchy_depth(hp))))
+        for (const bmr_vec2 &b : Placed(Envelope(hq, std::min(levelQ, bmr_hierarchy_depth(hq))), turn))
             sums.push_back(bmr_sub(a, b));
     return Body(sums).Vertices();
 }
