@@ -15,7 +15,8 @@ namespace bmr {
 /// scan runs meanwhile, so a shape is placed once however many pairs it is in.
 class ImpactScan {
 public:
-    /// This thread's, with nothing known; nullptr without memory. Good until the thread begins another.
+    /// This thread's, with nothing known; nullptr without memory, and when the thread ends. Good until the
+    /// thread begins another.
     static ImpactScan *Begin();
 
     /// One side of a contact. (Box2D keeps the sweep to itself and its friends.)

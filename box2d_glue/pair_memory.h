@@ -24,7 +24,7 @@ struct PairMemory {
 };
 constexpr uint8_t kVertexOfB = 0x80;
 
-/// Where a pair is remembered, all zero at first; nullptr without memory. Good as long as the thread.
+/// Where a pair is remembered, all zero at first; nullptr without memory, and when the thread ends.
 PairMemory *Remember(uint64_t keyA, uint64_t keyB);
 
 /// A number that the same shape has again at the next step, most likely no other one.

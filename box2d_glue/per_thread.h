@@ -3,27 +3,44 @@
 #define BOOMERANG_GLUE_PER_THREAD_H
 
 #include <cstdlib>
-#include <memory>
+#include <new>
 #include <type_traits>
 
 namespace bmr {
 
-/// This thread's own T, all zero at first, freed with the thread; nullptr without memory. One load after the
-/// first use: the pointer needs no check of an initialiser. (T itself is on the heap: large thread-local
-/// objects would eat the small stacks that some programs give their threads. And it costs nothing until it is
-/// used: the system hands out large blocks zeroed, page by page.)
+/// This thread's own T, freed with the thread; nullptr without memory, and from then on when the thread's
+/// objects have begun to die: what dies later (a static object's destructor, a thread_local of the game's)
+/// may still step a world. One load after the first use: the pointer needs no check of an initialiser. (T
+/// itself is on the heap: large thread-local objects would eat the small stacks that some programs give their
+/// threads.)
+///
+/// Where zeros do for a constructor and nothing for a destructor, T costs nothing until it is used: the
+/// system hands out large blocks zeroed, page by page.
 template <typename T> T *PerThread() {
-    static_assert(std::is_trivially_copyable<T>::value,
-                  "zeros must do for a constructor, nothing for a destructor");
+    constexpr bool kPlain = std::is_trivially_copyable<T>::value;
+    // Both have no destructors: they are good for as long as the thread runs at all.
     static thread_local T *mine = nullptr;
-    if (mine == nullptr) {
-        struct Free {
-            void operator()(void *memory) const { std::free(memory); }
-        };
-        static thread_local std::unique_ptr<void, Free> owner;
-        owner.reset(std::calloc(1, sizeof(T)));
-        mine = static_cast<T *>(owner.get());
-    }
+    static thread_local bool ended = false;
+    if (mine != nullptr || ended)
+        return mine;
+    struct Owner {
+        ~Owner() {
+            T *const dying = mine;
+            mine = nullptr;
+            ended = true;
+            if constexpr (kPlain)
+                std::free(dying);
+            else
+                delete dying;
+        }
+        // (A thread_local is made, and its destructor noted, where it is first used.)
+        void Take(T *made) const { mine = made; }
+    };
+    static thread_local Owner owner;
+    if constexpr (kPlain)
+        owner.Take(static_cast<T *>(std::calloc(1, sizeof(T))));
+    else
+        owner.Take(new (std::nothrow) T());
     return mine;
 }
 

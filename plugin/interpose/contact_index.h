@@ -7,6 +7,8 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
 
+#include "per_thread.h"
+
 namespace bmr::interpose {
 
 /// Words with a number each, forgotten all at once. Open addressing; never more than half full.
@@ -71,24 +73,28 @@ private:
 /// and worlds that go away, and proxy ids may name the contacts.
 class ContactIndex {
 public:
-    /// A call's use of the thread's tables; where they are in use already (a filter that steps another world)
-    /// it gets none.
+    /// A call's use of the thread's tables; where they are in use already (a filter that steps another
+    /// world), or the thread has none any more, it gets none.
     class Use {
     public:
-        Use() : m_index(OfThread()) {
-            if (m_index.m_taken)
+        Use() : m_index(PerThread<ContactIndex>()) {
+            if (m_index != nullptr && m_index->m_taken)
+                m_index = nullptr;
+            if (m_index == nullptr)
                 return;
-            m_index.m_taken = m_mine = true;
-            m_index.Forget();
+            m_index->m_taken = true;
+            m_index->Forget();
         }
-        ~Use() { m_index.m_taken = m_index.m_taken && !m_mine; }
+        ~Use() {
+            if (m_index != nullptr)
+                m_index->m_taken = false;
+        }
         Use(const Use &) = delete;
         Use &operator=(const Use &) = delete;
-        ContactIndex *Get() const { return m_mine ? &m_index : nullptr; }
+        ContactIndex *Get() const { return m_index; }
 
     private:
-        ContactIndex &m_index;
-        bool m_mine = false;
+        ContactIndex *m_index;
     };
 
     bool Exists(const b2FixtureProxy &a, const b2FixtureProxy &b) {
@@ -120,11 +126,6 @@ private:
     // four walks over a list of 64.
     static constexpr uint32_t kWorthIndexing = 256;
     static constexpr uint32_t kIndexed = 0xffffffffu;
-
-    static ContactIndex &OfThread() {
-        static thread_local ContactIndex index;
-        return index;
-    }
 
     void Forget() {
         m_pairs.Clear();
