@@ -2,6 +2,8 @@
 #ifndef BOOMERANG_GLUE_RECOGNISE_H
 #define BOOMERANG_GLUE_RECOGNISE_H
 
+class b2ContactListener;
+
 namespace bmr {
 
 /// Why the Box2D of this process must be left alone, in a few words; nullptr where it is one that the glue
@@ -11,6 +13,10 @@ namespace bmr {
 /// time of impact come out as they should. About 0.1 ms, once for a process, before anything of ours is
 /// registered. No step is made.
 const char *WhyBox2DIsUnknown();
+
+/// What b2World begins with for a contact listener, as far as WhyBox2DIsUnknown has seen one begin: Box2D's
+/// own, which does nothing.
+const b2ContactListener *ListenerOfNewWorlds();
 
 /// A question to be asked before any of Box2D's symbols is touched, answered in the same way: the shared
 /// library, which may meet any libbox2d, looks for the symbols. Set before Install.

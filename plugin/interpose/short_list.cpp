@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "short_list.h"
 
-#include <typeinfo>
-
 #include <box2d/b2_contact.h>
 #include <box2d/b2_contact_manager.h>
+
+#include "recognise.h"
 
 namespace bmr::interpose {
 
@@ -20,7 +20,7 @@ struct Links : b2Contact {
 
 /// Box2D's own listener, which it begins with, does nothing: it need not be kept from the list.
 bool Listens(const b2ContactListener *listener) {
-    return listener != nullptr && typeid(*listener) != typeid(b2ContactListener);
+    return listener != nullptr && listener != ListenerOfNewWorlds();
 }
 
 } // namespace
@@ -30,22 +30,8 @@ __thread ShortList *ShortList::innermost = nullptr;
 /// While a listener is called the world is as Box2D would have it.
 class ShortList::Pause {
 public:
-    explicit Pause(ShortList *list) : m_list(list) {
-        m_list->Open();
-        if (!m_list->m_staysWhole)
-            m_list->m_manager->m_contactListener = m_list->m_listener;
-    }
-    ~Pause() {
-        // Another listener from now on: Box2D hands it all but what it is in the middle of, so no more
-        // pauses.
-        m_list->m_staysWhole =
-            m_list->m_staysWhole || m_list->m_manager->m_contactListener != m_list->m_listener;
-        if (m_list->m_staysWhole)
-            m_list->m_count = 0;
-        else
-            m_list->m_manager->m_contactListener = m_list;
-        m_list->Close();
-    }
+    explicit Pause(ShortList *list) : m_list(list) { m_list->Suspend(); }
+    ~Pause() { m_list->Resume(); }
     Pause(const Pause &) = delete;
     Pause &operator=(const Pause &) = delete;
 
@@ -54,12 +40,11 @@ private:
 };
 
 ShortList::ShortList(b2ContactManager *manager)
-    : m_manager(manager), m_listener(manager->m_contactListener), m_outer(innermost) {
+    : m_manager(manager), m_listener(manager->m_contactListener), m_listens(Listens(m_listener)),
+      m_outer(innermost) {
     innermost = this;
-    if (Listens(m_listener))
-        manager->m_contactListener = this;
     Choose();
-    Close();
+    Resume();
 }
 
 ShortList::~ShortList() {
@@ -84,6 +69,24 @@ void ShortList::Choose() {
         }
         m_kept[m_count++] = {contact, Links::Next(contact)};
     }
+}
+
+/// As Box2D would have it: the list whole, and the world's own listener.
+void ShortList::Suspend() {
+    Open();
+    if (m_listens && !m_staysWhole)
+        m_manager->m_contactListener = m_listener;
+}
+
+/// Another listener from now on: Box2D hands it all but what it is in the middle of, so nobody would open the
+/// list for it.
+void ShortList::Resume() {
+    m_staysWhole = m_staysWhole || m_manager->m_contactListener != m_listener;
+    if (m_staysWhole)
+        m_count = 0;
+    else if (m_listens)
+        m_manager->m_contactListener = this;
+    Close();
 }
 
 void ShortList::Open() {

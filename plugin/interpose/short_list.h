@@ -32,12 +32,12 @@ public:
             if (m_list != nullptr && m_list->m_manager != manager)
                 m_list = nullptr;
             if (m_list != nullptr)
-                m_list->Open();
+                m_list->Suspend();
         }
         ~Whole() {
             if (m_list != nullptr) {
                 m_list->Choose();
-                m_list->Close();
+                m_list->Resume();
             }
         }
         Whole(const Whole &) = delete;
@@ -56,6 +56,8 @@ private:
     void PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) override;
 
     void Choose();
+    void Suspend();
+    void Resume();
     void Open();
     void Close();
 
@@ -67,7 +69,8 @@ private:
 
     b2ContactManager *m_manager;
     b2ContactListener *m_listener; ///< the world's, at first
-    bool m_staysWhole = false;     ///< a listener put another one in its place
+    bool m_listens;                ///< whether it is called through this
+    bool m_staysWhole = false;     ///< a listener or a filter put another one in its place
     ShortList *m_outer;
     b2Contact *m_first = nullptr; ///< of the whole list
     int32 m_count = 0;            ///< of m_kept; 0 where the list stays whole
