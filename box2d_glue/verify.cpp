@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cinttypes>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -39,8 +40,13 @@ Place PlaceOf(const b2Fixture *fixture) {
     return place;
 }
 
+/// Equal, or neither is a number.
+bool Same(float a, float b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
+}
+
 bool Same(const b2Vec2 &a, const b2Vec2 &b) {
-    return a.x == b.x && a.y == b.y;
+    return Same(a.x, b.x) && Same(a.y, b.y);
 }
 
 const char *NameOf(b2TOIOutput::State state) {
@@ -113,7 +119,7 @@ void VerifyImpact(const b2Fixture *fixtureA, const b2Fixture *fixtureB, const b2
                   const b2TOIOutput &box2d) {
     CountVerified();
     const bool touches = box2d.state == b2TOIOutput::e_touching;
-    if ((ours.state == b2TOIOutput::e_touching) != touches || (touches && ours.t != box2d.t))
+    if ((ours.state == b2TOIOutput::e_touching) != touches || (touches && !Same(ours.t, box2d.t)))
         ReportDifference("time of impact", fixtureA, fixtureB, "%s at %.9g here, %s at %.9g in Box2D",
                          NameOf(ours.state), static_cast<double>(ours.t), NameOf(box2d.state),
                          static_cast<double>(box2d.t));

@@ -15,7 +15,7 @@ class b2Fixture;
 namespace bmr {
 
 /// Two manifolds are the same where both have no points, or all fields that have a meaning agree to the bit
-/// (zeros of either sign are equal).
+/// (zeros of either sign are equal, and so are numbers that are none).
 void VerifyManifold(const b2Fixture *fixtureA, const b2Fixture *fixtureB, const b2Manifold &ours,
                     const b2Manifold &box2d);
 

@@ -94,6 +94,12 @@ bool Stays(Box leaf, Box box) {
     return _mm_movemask_ps(_mm_and_ps(holds(leaf, box), holds(huge, leaf))) == 0xf;
 }
 
+/// Is all of it finite? (An infinity less itself is no number; the displacement's upper half is the second
+/// middle less itself.)
+bool IsFinite(const Swept &swept) {
+    return HasNumbers(_mm_sub_ps(swept.around, swept.around)) && HasNumbers(swept.displacement);
+}
+
 bool SameBits(Box a, Box b) {
     return _mm_movemask_epi8(_mm_cmpeq_epi32(_mm_castps_si128(a), _mm_castps_si128(b))) == 0xffff;
 }
@@ -117,6 +123,9 @@ bool SynchronizeHere(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Trans
     if (polygon == nullptr || proxy == nullptr || !GetSettings().sameRounding)
         return false;
     const Swept swept = Sweep(*polygon, xf1, xf2);
+    // Numbers that are none go through MoveProxy's comparisons, and keep their bits.
+    if (!IsFinite(swept))
+        return false;
     if (Verifying()) {
         CompareWithBox2D(fixture, broadPhase, xf1, xf2, *proxy, swept.around);
         return true;
