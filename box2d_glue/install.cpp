@@ -8,6 +8,7 @@
 #include "recognise.h"
 #include "settings.h"
 #include "statistics_file.h"
+#include "this_process.h"
 
 namespace bmr {
 
@@ -51,7 +52,7 @@ bool Install(const Options &given) {
     installed = true;
     if (options.statisticsFile != nullptr && !WriteStatisticsAtExit(options.statisticsFile))
         std::fprintf(stderr, "boomerang: the statistics will not be written to %s\n", options.statisticsFile);
-    if (options.verbosity > 0)
+    if (options.verbosity > 0 && ClaimAnnouncement())
         Announce(options);
     return true;
 }

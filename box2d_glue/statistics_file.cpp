@@ -4,27 +4,44 @@
 #include <cinttypes>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 
 #include "environment.h"
 #include "settings.h"
+#include "this_process.h"
 
 namespace bmr {
 
 namespace {
 
 constexpr size_t kLongestName = 4096; // PATH_MAX of Linux
+constexpr char kPlaceOfNumber[] = "%p";
 char fileName[kLongestName];
+long installedIn;
 
+/// The file's name with the number of this process for each "%p".
+std::string NameForThisProcess() {
+    const std::string number = std::to_string(ThisProcess());
+    std::string name = fileName;
+    for (size_t at = 0; (at = name.find(kPlaceOfNumber, at)) != std::string::npos; at += number.size())
+        name.replace(at, sizeof kPlaceOfNumber - 1, number);
+    return name;
+}
+
+/// A forked child has the handlers of its parent. Where both would write one file, the parent does.
 void WriteNow() {
-    std::FILE *file = std::fopen(fileName, "w");
+    if (ThisProcess() != installedIn && std::strstr(fileName, kPlaceOfNumber) == nullptr)
+        return;
+    const std::string name = NameForThisProcess();
+    std::FILE *file = std::fopen(name.c_str(), "w");
     if (file == nullptr) {
-        std::fprintf(stderr, "boomerang: cannot write the statistics to %s\n", fileName);
+        std::fprintf(stderr, "boomerang: cannot write the statistics to %s\n", name.c_str());
         return;
     }
     WriteStatistics(file);
     const bool written = std::ferror(file) == 0;
     if (std::fclose(file) != 0 || !written)
-        std::fprintf(stderr, "boomerang: the statistics in %s are not complete\n", fileName);
+        std::fprintf(stderr, "boomerang: the statistics in %s are not complete\n", name.c_str());
 }
 
 /// Writes the members of JSON objects, with commas where they belong. Names and words are our own: nothing in
@@ -107,6 +124,7 @@ bool WriteStatisticsAtExit(const char *file) {
     if (length >= kLongestName)
         return false;
     std::memcpy(fileName, file, length + 1);
+    installedIn = ThisProcess();
     return std::atexit(WriteNow) == 0;
 }
 

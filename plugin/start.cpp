@@ -9,6 +9,7 @@
 #include "environment.h"
 #include "library_check.h"
 #include "recognise.h"
+#include "this_process.h"
 
 namespace bmr {
 
@@ -18,8 +19,12 @@ namespace {
 
 std::mutex starting;
 
+long loadedIn;
+
+/// For the program and all that it has forked. (What it executes loads the library anew, and speaks for
+/// itself.)
 void SayNobodyCame() {
-    if (internal::startsByItself)
+    if (internal::startsByItself && ThisProcess() == loadedIn && !IsAnnounced())
         std::fputs(
             "boomerang: never at work: no b2World::Step came by (has the program its own Box2D inside?)\n",
             stderr);
@@ -39,8 +44,11 @@ __attribute__((constructor)) void Loaded() {
         return;
     }
     internal::startsByItself = true;
-    if (WithEnvironment(Options()).verbosity > 0)
+    if (WithEnvironment(Options()).verbosity > 0) {
+        loadedIn = ThisProcess();
+        ShareAnnouncement();
         std::atexit(SayNobodyCame);
+    }
 }
 
 } // namespace

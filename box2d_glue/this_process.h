@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_THIS_PROCESS_H
+#define BOOMERANG_GLUE_THIS_PROCESS_H
+
+namespace bmr {
+
+/// @file
+/// A process that forks: the child has all that its parent had, exit handlers too.
+
+/// The system's number of this process.
+long ThisProcess();
+
+/// What is said on stderr about what is at work: true for the first who asks. Where ShareAnnouncement was
+/// called, that is the first of the process that called it and all that are forked from it since.
+bool ClaimAnnouncement();
+bool IsAnnounced();
+void ShareAnnouncement();
+
+} // namespace bmr
+
+#endif
