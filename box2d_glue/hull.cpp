@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <new>
@@ -13,6 +14,7 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_polygon_shape.h>
 
+#include "current_step.h"
 #include "settings.h"
 
 namespace bmr {
@@ -78,13 +80,33 @@ bool ComesBefore(const HullMember &member, const b2Fixture *fixture) {
     return std::less<const b2Fixture *>()(member.fixture, fixture);
 }
 
-/// Was the hull built from this fixture as it is now? The members are sorted by address.
-bool IsMember(const Hull &hull, const b2Fixture &fixture, const b2PolygonShape &polygon) {
+/// To the bit. (Compilers make two words of it; the last vertex of an odd number is compared with the one
+/// before, once more.)
+bool SameTwo(const b2Vec2 *a, const b2Vec2 *b) {
+    return std::memcmp(a, b, 2 * sizeof(b2Vec2)) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
+}
+
+bool LooksLike(const HullMember &member, const b2PolygonShape &polygon) {
+    const int32 count = member.count;
+    if (count != polygon.m_count || member.radius != polygon.m_radius || count < 2)
+        return false;
+    for (int32 i = 0; i < count - 2; i += 2)
+        if (!SameTwo(member.vertices + i, polygon.m_vertices + i))
+            return false;
+    return SameTwo(member.vertices + count - 2, polygon.m_vertices + count - 2);
+}
+
+/// What was built from the fixture of this address; the end where there was none. They are sorted by address.
+const HullMember *FindMember(const Hull &hull, const b2Fixture &fixture) {
     const HullMember *const begin = hull.members, *const end = begin + hull.memberCount;
     const HullMember *const member = std::lower_bound(begin, end, &fixture, ComesBefore);
-    return member != end && member->fixture == &fixture && member->count == polygon.m_count &&
-           member->radius == polygon.m_radius &&
-           std::equal(member->vertices, member->vertices + member->count, polygon.m_vertices);
+    return member != end && member->fixture == &fixture ? member : end;
+}
+
+/// Was the hull built from this fixture as it is now?
+bool IsMember(const Hull &hull, const b2Fixture &fixture, const b2PolygonShape &polygon) {
+    const HullMember *const member = FindMember(hull, fixture);
+    return member != hull.members + hull.memberCount && LooksLike(*member, polygon);
 }
 
 /// Replaces `points` by the corners of a compass envelope of at most kMostHullVertices edges.
@@ -261,6 +283,7 @@ Hull *CreateHull(const b2Body *body, const b2Fixture *fixture, b2BlockAllocator 
     hull->references = 1;
     hull->allocator = allocator;
     BuildShapeOrNone(hull);
+    hull->lookedAt = CurrentStep() == 0 && StepsAreSeen() ? kNeverLookedAt : CurrentStep();
     return hull;
 }
 
@@ -274,6 +297,27 @@ void ReleaseHull(Hull *hull) {
 void RebuildHull(Hull *hull) {
     Forget(hull);
     BuildShapeOrNone(hull);
+    hull->lookedAt = CurrentStep() == 0 && StepsAreSeen() ? kNeverLookedAt : CurrentStep();
+}
+
+bool HullIsUpToDate(const Hull &hull) {
+    if (hull.shape.polygon == nullptr)
+        return true;
+    if (hull.fixture != nullptr)
+        return HullHolds(hull, *hull.fixture);
+    const HullMember *const begin = hull.members, *const end = begin + hull.memberCount;
+    // Fixtures that were made one after another mostly lie so, and the list begins with the last.
+    const HullMember *member = end;
+    for (const b2Fixture *f = hull.body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
+        const b2PolygonShape *polygon = PolygonOf(*f);
+        if (polygon == nullptr || f->IsSensor())
+            continue;
+        const bool follows = member != begin && (member - 1)->fixture == f;
+        member = follows ? member - 1 : FindMember(hull, *f);
+        if ((member == end || !LooksLike(*member, *polygon)) && !HullHolds(hull, *f))
+            return false;
+    }
+    return true;
 }
 
 bool HullHolds(const Hull &hull, const b2Fixture &fixture) {

@@ -8,6 +8,7 @@
 #include <box2d/b2_fixture.h>
 
 #include "body_pair.h"
+#include "current_step.h"
 #include "hull.h"
 #include "polygon_contact.h"
 #include "settings.h"
@@ -255,6 +256,22 @@ bool VerifyStamp(PolygonContact *contact) {
     }
     state.excluded = !holds;
     return holds;
+}
+
+bool LookAtShapes(PolygonContact *contact) {
+    const uint64_t step = CurrentStep();
+    if (step == 0)
+        return !StepsAreSeen() || VerifyStamp(contact);
+    for (BodyPair *pair = contact->state.pair; pair != nullptr; pair = pair->parent) {
+        for (Hull *hull : {pair->a, pair->b}) {
+            if (hull->lookedAt == step)
+                continue;
+            if (!HullIsUpToDate(*hull))
+                RebuildAndReset(hull);
+            hull->lookedAt = step;
+        }
+    }
+    return true;
 }
 
 void InvalidateBody(b2Body *body) {

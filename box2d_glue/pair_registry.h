@@ -8,6 +8,7 @@ class b2Body;
 namespace bmr {
 
 class PolygonContact;
+struct BodyPair;
 
 /// @file
 /// Which contacts share which structure. There is no table: pairs and hulls are found through the contact
@@ -25,8 +26,14 @@ void DetachPair(PolygonContact *contact, b2BlockAllocator *allocator);
 /// agree.
 bool VerifyStamp(PolygonContact *contact);
 
+/// Have vertices of the bodies' fixtures been changed in place? To be asked once in each step, ahead of the
+/// first question to a pair: hulls that do not hold them any more are built anew. (What a listener or a
+/// filter changes in the middle of a step is found in the next one.) Outside of steps the contact's own
+/// fixtures are looked at alone: false where the hulls do not hold them. Where nobody tells of steps it does
+/// nothing.
+bool LookAtShapes(PolygonContact *contact);
+
 /// The stamp that contacts of a pair compare with their own.
-struct BodyPair;
 unsigned StampOf(const BodyPair &pair);
 
 /// Builds every hull of the body again and forgets what its pairs knew.

@@ -12,6 +12,7 @@
 #include <box2d/b2_world_callbacks.h>
 
 #include "body_pair.h"
+#include "current_step.h"
 #include "pair_registry.h"
 #include "settings.h"
 #include "shapes32.h"
@@ -222,9 +223,12 @@ inline bool PolygonContact::CollideHere(b2Manifold *manifold, const b2Transform 
 }
 
 bool PolygonContact::PairSaysApart(const b2Transform &xfA, const b2Transform &xfB) {
-    if (state.stamp != StampOf(*state.pair) ? !VerifyStamp(this) : state.excluded)
-        return false;
     BodyPair *pair = state.pair, *parent = pair->parent;
+    const uint64_t step = CurrentStep();
+    if ((pair->a->lookedAt != step || pair->b->lookedAt != step || parent != nullptr) && !LookAtShapes(this))
+        return false;
+    if (state.stamp != StampOf(*pair) ? !VerifyStamp(this) : state.excluded)
+        return false;
     const b2Body *bodyA = m_fixtureA->GetBody();
     const float radiusSum = RadiusSum();
     const auto apart = [&](BodyPair *asked) {

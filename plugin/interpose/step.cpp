@@ -3,6 +3,7 @@
 // world; the step itself is Box2D's.
 #include <box2d/b2_world.h>
 
+#include "current_step.h"
 #include "real.h"
 #include "settings.h"
 #include "start.h"
@@ -16,13 +17,20 @@ namespace {
 /// Ends with the step, also by an exception of a listener's; a listener may step another world.
 class StepMark {
 public:
-    explicit StepMark(const b2World *world) : m_outer(steppedWorld) { steppedWorld = world; }
-    ~StepMark() { steppedWorld = m_outer; }
+    explicit StepMark(const b2World *world) : m_outer(steppedWorld), m_outerStep(CurrentStep()) {
+        steppedWorld = world;
+        CurrentStep() = NextStep();
+    }
+    ~StepMark() {
+        steppedWorld = m_outer;
+        CurrentStep() = m_outerStep;
+    }
     StepMark(const StepMark &) = delete;
     StepMark &operator=(const StepMark &) = delete;
 
 private:
     const b2World *m_outer;
+    uint64_t m_outerStep;
 };
 
 Real<void(b2World *, float, int32, int32)> realStep("_ZN7b2World4StepEfii");

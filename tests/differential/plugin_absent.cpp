@@ -11,6 +11,4 @@ bool InstallPlugin(const std::string &, bool) {
     return false;
 }
 
-void ShapeWasEdited(b2Body *) {}
-
 } // namespace differential

@@ -20,8 +20,4 @@ bool InstallPlugin(const std::string &structure, bool prefilter) {
     return false;
 }
 
-void ShapeWasEdited(b2Body *body) {
-    bmr::Invalidate(body);
-}
-
 } // namespace differential

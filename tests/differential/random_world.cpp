@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "plugin.h"
-
 using namespace testbed;
 
 namespace differential {
@@ -353,7 +351,6 @@ void RandomWorld::ActOnFixture(Stage &stage, b2Body *body) {
             fixture->GetShape()->m_radius = radius;
             if (random.OnceIn(2))
                 body->ResetMassData();
-            ShapeWasEdited(body);
         }
     }
 }
