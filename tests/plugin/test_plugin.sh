@@ -17,12 +17,28 @@ fail() {
     [ ! -s "$room/err" ] || sed 's/^/    stderr: /' "$room/err" | tail -n 5
 }
 
-# game PROGRAM [VARIABLE=VALUE]...: runs it into $room/out and $room/err; statistics into $room/json where it makes any.
+# game "PROGRAM [ARGUMENT]..." [VARIABLE=VALUE]...: runs it into $room/out and $room/err; statistics into $room/json
+# where it makes any.
 game() {
-    local program=$1
+    local words
+    read -ra words <<<"$1"
     shift
     rm -f "$room/json"
-    env BOOMERANG_STATISTICS="$room/json" "$@" "$bin/$program" >"$room/out" 2>"$room/err"
+    env BOOMERANG_STATISTICS="$room/json" "$@" "$bin/${words[0]}" "${words[@]:1}" >"$room/out" 2>"$room/err"
+}
+
+# plays_as_stock "PROGRAM [ARGUMENT]..." [VARIABLE=VALUE]...: preloaded, and under verify, it prints what it prints without.
+plays_as_stock() {
+    local played=$1 mode
+    shift
+    env "$bin"/$played >"$room/stock_of_it" 2>"$room/err" || fail "$played: failed without the plugin"
+    for mode in on verify; do
+        game "$played" LD_PRELOAD="$plugin" BOOMERANG="$mode" "$@" || fail "$played, $mode: exit status $?"
+        cmp -s "$room/out" "$room/stock_of_it" || fail "$played, $mode: other output than stock's"
+        quiet "$played, $mode"
+        at_work "$played, $mode"
+        [ "$(number differences)" -eq 0 ] || fail "$played, $mode: differences"
+    done
 }
 
 number() {
@@ -179,6 +195,58 @@ test_programs_without_box2d_run_as_ever() {
     one_line "Box2D inside the program, verbose" 'never at work'
     LD_PRELOAD=$plugin /bin/ls / >"$room/out" 2>"$room/err" || fail "ls failed"
     quiet ls
+}
+
+test_classes_need_no_type_information() {
+    plays_as_stock typeless_game
+}
+
+test_worlds_are_stepped_to_the_very_end() {
+    plays_as_stock ending_game MALLOC_PERTURB_=165
+    command -v valgrind >/dev/null || return 0
+    LD_PRELOAD=$plugin valgrind -q --error-exitcode=9 "$bin/ending_game" >"$room/out" 2>"$room/err" ||
+        fail "ending_game: valgrind has something to say"
+    cmp -s "$room/out" "$room/stock_of_it" || fail "ending_game: other output under valgrind"
+}
+
+test_polygons_may_be_changed_in_place() {
+    plays_as_stock changing_game
+    plays_as_stock changing_game BOOMERANG_PREFILTER=off
+    plays_as_stock changing_game BOOMERANG_STRUCTURE=lazy-dudley
+}
+
+test_bodies_may_be_nowhere() {
+    plays_as_stock numberless_game
+}
+
+test_filters_and_listeners_may_change_the_listener() {
+    plays_as_stock listening_game
+    grep -Eq ', [1-9][0-9]* switches' "$room/out" || fail "no listener was changed"
+}
+
+test_forked_games_play_on() {
+    plays_as_stock "forking_game 30 40"
+    [ "$(number steps)" -eq 70 ] || fail "the statistics are not the parent's"
+    game "forking_game 30 40 abruptly" LD_PRELOAD="$plugin"
+    [ ! -e "$room/json" ] || fail "the statistics are the child's"
+    # Forked before the first step: who steps starts; a line for all of them.
+    plays_as_stock "forking_game 0 40"
+    for earlier in 0 30; do
+        game "forking_game $earlier 40" LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1
+        one_line "forked after $earlier steps, verbose" 'boomerang: on'
+    done
+    game "forking_game 30 40" LD_PRELOAD="$plugin" BOOMERANG_STATISTICS="$room/of-%p.json"
+    [ "$(cat "$room"/of-[0-9]*.json | grep -c '"steps": 7[01],')" -eq 2 ] || fail "not a file for each process"
+}
+
+test_the_library_may_be_opened_in_the_middle() {
+    env "$bin/opening_game" >"$room/stock_of_it" || fail "opening_game does not run"
+    for mode in on verify; do
+        game "opening_game $plugin" BOOMERANG="$mode" || fail "opened, $mode: failed"
+        cmp -s "$room/out" "$room/stock_of_it" || fail "opened, $mode: other output than stock's"
+        quiet "opened, $mode"
+        at_work "opened, $mode"
+    done
 }
 
 "$bin/plain_game" >"$room/stock" || { echo "plain_game does not run"; exit 1; }
