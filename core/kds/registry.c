@@ -25,7 +25,7 @@ static const bmr_kds_info *const structures[] = {
     &bmr_kds_separating_edge_walk, NULL};
 
 size_t bmr_kds_count(void) {
-    return sizeof structures / sizeof *structures - 1;
+    return sizeof structures / sizeof structures[0] - 1;
 }
 
 const bmr_kds_info *bmr_kds_at(size_t index) {
