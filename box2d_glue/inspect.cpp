@@ -109,6 +109,7 @@ bool FillFromPair(const BodyPair &pair, Proof *proof) {
         proof->ownerIsB = (owner == 1) != swapped;
     }
     proof->slack = Slack(gap);
+    // Has the advance changed anything? Bits will do. NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
     proof->remembered = std::memcmp(&kinetic, &pair.kinetic, sizeof kinetic) == 0;
     proof->structure = &pair;
     return true;
