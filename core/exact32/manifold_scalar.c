@@ -2,48 +2,11 @@
 #include "boomerang/exact32.h"
 
 #include <float.h>
-#include <math.h>
 
-#include "lanes.h"
-
-/// A point of the incident edge on its way through the cuts.
-typedef struct corner {
-    bmr_vec32 v;
-    bmr_feature32 feature;
-} corner;
-
-static float dot(bmr_vec32 a, bmr_vec32 b) {
-    return a.x * b.x + a.y * b.y;
-}
-
-static bmr_vec32 minus(bmr_vec32 a, bmr_vec32 b) {
-    const bmr_vec32 r = {a.x - b.x, a.y - b.y};
-    return r;
-}
-
-/// A quarter turn to the right: the outward normal of an edge that runs along v.
-static bmr_vec32 quarter_right(bmr_vec32 v) {
-    const bmr_vec32 r = {v.y, -v.x};
-    return r;
-}
-
-static bmr_vec32 turn_back(const bmr_transform32 *t, bmr_vec32 v) {
-    const bmr_vec32 r = {t->c * v.x + t->s * v.y, -t->s * v.x + t->c * v.y};
-    return r;
-}
+#include "clip.h"
 
 static int32_t after(int32_t index, int32_t count) {
     return index + 1 < count ? index + 1 : 0;
-}
-
-/// Its unit vector; too short an edge is left as it is.
-static bmr_vec32 direction(bmr_vec32 v) {
-    const float length = sqrtf(v.x * v.x + v.y * v.y);
-    if (length < FLT_EPSILON)
-        return v;
-    const float inverse = 1.0f / length;
-    const bmr_vec32 r = {v.x * inverse, v.y * inverse};
-    return r;
 }
 
 /// The edge whose normal has the least product with `normal`, the first of equals.
@@ -60,41 +23,11 @@ static int32_t find_incident_edge(const bmr_polygon32 *incident, bmr_vec32 norma
     return found;
 }
 
-/// Keeps of two corners what lies behind the plane and puts in the point where they cross it; false where
-/// less than two are left.
-static bool cut(corner corners[2], bmr_vec32 normal, float offset, int32_t index) {
-    const corner first = corners[0], second = corners[1];
-    const float d0 = dot(normal, first.v) - offset, d1 = dot(normal, second.v) - offset;
-    int count = 0;
-    if (d0 <= 0.0f)
-        corners[count++] = first;
-    if (d1 <= 0.0f)
-        corners[count++] = second;
-    if (count < 2 && d0 * d1 < 0.0f) {
-        const float along = d0 / (d0 - d1);
-        corners[count].v.x = first.v.x + along * (second.v.x - first.v.x);
-        corners[count].v.y = first.v.y + along * (second.v.y - first.v.y);
-        corners[count].feature.index_a = (uint8_t)index;
-        corners[count].feature.index_b = first.feature.index_b;
-        corners[count].feature.type_a = BMR_FEATURE_VERTEX;
-        corners[count].feature.type_b = BMR_FEATURE_FACE;
-        ++count;
-    }
-    return count == 2;
-}
-
 static corner corner_of(const bmr_polygon32 *incident, const bmr_transform32 *pose, int32_t index,
                         int32_t edge) {
     const corner c = {move(pose, incident->vertices[index]),
                       {(uint8_t)edge, (uint8_t)index, BMR_FEATURE_FACE, BMR_FEATURE_VERTEX}};
     return c;
-}
-
-static void keep(bmr_manifold32 *manifold, const corner *c, const bmr_transform32 *incident_pose, bool swap) {
-    bmr_manifold_point32 *point = manifold->points + manifold->count++;
-    const bmr_feature32 f = c->feature, swapped = {f.index_b, f.index_a, f.type_b, f.type_a};
-    point->point = turn_back(incident_pose, minus(c->v, incident_pose->p));
-    point->feature = swap ? swapped : f;
 }
 
 static void make_points(bmr_manifold32 *manifold, const bmr_polygon32 *reference, const bmr_transform32 *pose,
@@ -122,7 +55,7 @@ static void make_points(bmr_manifold32 *manifold, const bmr_polygon32 *reference
     const float front = dot(posed_normal, posed_from);
     for (int i = 0; i < 2; ++i)
         if (dot(posed_normal, corners[i].v) - front <= radius_sum)
-            keep(manifold, &corners[i], incident_pose, reference_is_b);
+            keep(manifold, move_back(incident_pose, corners[i].v), corners[i].feature, reference_is_b);
 }
 
 int32_t bmr_exact32_collide_scalar(bmr_manifold32 *manifold, const bmr_polygon32 *a,

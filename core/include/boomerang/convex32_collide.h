@@ -22,23 +22,26 @@ typedef struct bmr_convex32_memory {
     int16_t axis_x, axis_y;        ///< from a to b, of length 32767; zero: none yet
 } bmr_convex32_memory;
 
-/// The largest edge separation over all edges of `reference` and an edge that has it, to rounding (several
-/// may have the same). `frame` as in exact32.h. Global, also where the polygons overlap deeply: directions
-/// are searched by branch and bound. `edge_hint` is any edge; `*other_vertex` gets the vertex of `other` that
-/// is least separated. O(log n) near the hint.
+/// The largest edge separation over all edges of `reference` and the first edge that has it: the bits of a
+/// loop over all. `frame` as in exact32.h. Global, also where the polygons overlap deeply: directions are
+/// searched by branch and bound. `edge_hint` is any edge; `*other_vertex` gets a vertex of `other` that is
+/// least separated. O(log n); besides, it looks at all edges that separate too nearly as much to tell apart.
 float bmr_convex32_max_separation(const bmr_convex32 *reference, const bmr_convex32 *other,
                                   const bmr_transform32 *frame, uint32_t edge_hint, uint32_t *edge,
                                   uint32_t *other_vertex);
 
-/// Certainly farther apart than `reach` (>= 0, length units)? A quick look along the remembered direction, and
-/// one more along that between the vertices which are closest there. True is certain, rounding included;
+/// Certainly farther apart than `reach` (>= 0, length units)? A quick look along the remembered direction,
+/// and one more along that between the vertices which are closest there. True is certain, rounding included;
 /// false says nothing. Moves the memory.
 bool bmr_convex32_apart(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
                         const bmr_transform32 *pose_b, float reach, bmr_convex32_memory *memory);
 
 /// The manifold of two polygons of any size: as bmr_exact32_collide, on real edges, and writes only what that
-/// does. Where several edges separate equally (to rounding), any of them is the reference or the incident
-/// one. Features are numbered modulo 256; bmr_convex32_keep_features makes them last.
+/// does. The bits are those of Box2D's loops over all vertices, whatever the memory holds, with one
+/// difference where either has more than 8 of them. Box2D prefers A's face to one of B's that separates by up
+/// to `tolerance` more, and clips the edge of B that faces it; where B has many short edges, that one may lie
+/// beyond the face, which leaves no point though the two touch. Then B's face is taken after all. Features
+/// are numbered modulo 256; bmr_convex32_keep_features makes them last.
 void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const bmr_transform32 *pose_a,
                           const bmr_convex32 *b, const bmr_transform32 *pose_b, float radius_sum,
                           float tolerance, bmr_convex32_memory *memory);
@@ -56,10 +59,11 @@ typedef struct bmr_edge32 {
     bool one_sided;
 } bmr_edge32;
 
-/// An edge (A) and a polygon (B): Box2D's b2CollideEdgeAndPolygon, with one difference past 8 vertices. Where
-/// the polygon's face is the reference, that clips the edge to what lies straight above the face; a short face
-/// of many would lose an end of the edge that rests beside it, so the sides are `radius_sum` farther out, as
-/// between polygons. `centroid` is B's, in its own frame: a one-sided edge does not push what is behind it.
+/// An edge (A) and a polygon (B): Box2D's b2CollideEdgeAndPolygon, with two differences past 8 vertices, for
+/// the sake of short faces. Where one is the reference, Box2D clips the edge to what lies straight above it;
+/// here the sides are `radius_sum` farther out, as between polygons. And where the edge is the reference and
+/// the polygon touches it around one of its ends, so that no point is left, the polygon's face is taken.
+/// `centroid` is B's, in its own frame: a one-sided edge does not push what is behind it.
 /// Box2D's two tolerances here are absolute, so no slop is asked for.
 void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
                                const bmr_transform32 *pose_edge, const bmr_convex32 *polygon,

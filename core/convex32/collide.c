@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "edge_search.h"
+
+/// Two products of a unit normal with unit normals that differ by less than this may come in any order; each
+/// is off by 4 times 2^-24 at most, the turning included.
+static const float noise_of_cosine = 0x1p-21f;
+
+uint32_t bmr_convex32_edge_against(const bmr_convex32 *polygon, const bmr_transform32 *turned,
+                                   bmr_vec32 normal, uint32_t hint) {
+    const uint32_t start = edge_towards(polygon, turn_back(turned, negative(normal)), hint);
+    uint32_t found = start;
+    float least = dot(normal, turn(turned, polygon->normals[start]));
+    for (int side = 0; side < 2; ++side) {
+        uint32_t j = start;
+        for (uint32_t steps = 1; steps < polygon->count; ++steps) {
+            j = side == 0 ? convex32_next(polygon, j) : convex32_previous(polygon, j);
+            const float d = dot(normal, turn(turned, polygon->normals[j]));
+            if (d < least || (d == least && j < found)) {
+                least = d;
+                found = j;
+            }
+            if (!(d <= least + noise_of_cosine))
+                break;
+        }
+    }
+    return found;
+}
+
+/// `found` is an edge of the reference.
+static void make_points(bmr_manifold32 *manifold, const bmr_convex32 *reference, const bmr_transform32 *pose,
+                        const edge_view *found, const bmr_convex32 *incident,
+                        const bmr_transform32 *incident_pose, float radius_sum, bool reference_is_b) {
+    manifold->type = reference_is_b ? BMR_MANIFOLD_FACE_B : BMR_MANIFOLD_FACE_A;
+    const uint32_t edge = found->edge, second = convex32_next(reference, edge);
+    const uint32_t facing = bmr_convex32_edge_against(
+        incident, &bmr_convex32_here, turn_back(incident_pose, turn(pose, reference->normals[edge])),
+        found->vertex);
+    const uint32_t next = convex32_next(incident, facing);
+    corner corners[2] = {corner_of_edge(move(incident_pose, incident->vertices[facing]), facing, edge),
+                         corner_of_edge(move(incident_pose, incident->vertices[next]), next, edge)};
+
+    const bmr_vec32 from = reference->vertices[edge], to = reference->vertices[second];
+    const bmr_vec32 tangent = direction(minus(to, from));
+    const bmr_vec32 posed_tangent = turn(pose, tangent), posed_normal = quarter_right(posed_tangent);
+    const bmr_vec32 posed_from = move(pose, from), posed_to = move(pose, to);
+    if (!cut(corners, negative(posed_tangent), -dot(posed_tangent, posed_from) + radius_sum, (int32_t)edge) ||
+        !cut(corners, posed_tangent, dot(posed_tangent, posed_to) + radius_sum, (int32_t)second))
+        return;
+
+    manifold->normal = quarter_right(tangent);
+    manifold->plane_point.x = 0.5f * (from.x + to.x);
+    manifold->plane_point.y = 0.5f * (from.y + to.y);
+    const float front = dot(posed_normal, posed_from);
+    for (int i = 0; i < 2; ++i)
+        if (dot(posed_normal, corners[i].v) - front <= radius_sum)
+            keep(manifold, move_back(incident_pose, corners[i].v), corners[i].feature, reference_is_b);
+}
+
+/// `axis` points from a to b, in the world.
+static void remember(bmr_convex32_memory *memory, uint32_t vertex_a, uint32_t vertex_b, bmr_vec32 axis) {
+    memory->support_a = (uint16_t)vertex_a;
+    memory->support_b = (uint16_t)vertex_b;
+    remember_axis(memory, axis);
+}
+
+void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const bmr_transform32 *pose_a,
+                          const bmr_convex32 *b, const bmr_transform32 *pose_b, float radius_sum,
+                          float tolerance, bmr_convex32_memory *memory) {
+    manifold->count = 0;
+    const bmr_vec32 axis = remembers_axis(memory)
+                               ? remembered_axis(memory)
+                               : minus(move(pose_b, about_middle(b)), move(pose_a, about_middle(a)));
+    edge_found of_a, of_b;
+    const edge_search edges_of_a = edge_search_of(a, b, bmr_exact32_relative(pose_b, pose_a));
+    bmr_convex32_seek(&edges_of_a, edge_towards(a, turn_back(pose_a, axis), memory->support_a),
+                      memory->support_b, -FLT_MAX, &of_a);
+    const edge_view *const best_a = &of_a.best;
+    remember(memory, best_a->edge, best_a->vertex, turn(pose_a, a->normals[best_a->edge]));
+    if (!(best_a->separation <= radius_sum))
+        return;
+
+    // B's edges count where one separates by more than the skins, or by `tolerance` more than A's.
+    const float enough = best_a->separation + tolerance;
+    const float floor = enough < radius_sum ? enough : radius_sum;
+    const edge_search edges_of_b = edge_search_of(b, a, bmr_exact32_relative(pose_a, pose_b));
+    const edge_view *const best_b = &of_b.best;
+    if (of_a.rest >= floor) {
+        bmr_convex32_seek(&edges_of_b, best_a->vertex, best_a->edge, floor, &of_b);
+        const bool beyond = best_b->separation > radius_sum, reference = best_b->separation > enough;
+        if (beyond || reference)
+            remember(memory, best_b->vertex, best_b->edge, negative(turn(pose_b, b->normals[best_b->edge])));
+        if (beyond)
+            return;
+        if (reference) {
+            make_points(manifold, b, pose_b, best_b, a, pose_a, radius_sum, true);
+            return;
+        }
+    }
+    make_points(manifold, a, pose_a, best_a, b, pose_b, radius_sum, false);
+
+    // The short edge of B that faces A's may lie beyond A's corner, where B's own face would have found it.
+    if (manifold->count == 0 && (a->count > 8 || b->count > 8) && of_a.rest >= best_a->separation) {
+        bmr_convex32_seek(&edges_of_b, best_a->vertex, best_a->edge, best_a->separation, &of_b);
+        if (best_b->separation > best_a->separation)
+            make_points(manifold, b, pose_b, best_b, a, pose_a, radius_sum, true);
+    }
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "edge_search.h"
+
+static void one_point(bmr_manifold32 *manifold, bmr_vec32 centre, bmr_vec32 normal, bmr_vec32 plane_point) {
+    static const bmr_feature32 none = {0, 0, 0, 0};
+    manifold->count = 1;
+    manifold->type = BMR_MANIFOLD_FACE_A;
+    manifold->normal = normal;
+    manifold->plane_point = plane_point;
+    manifold->points[0].point = centre;
+    manifold->points[0].feature = none;
+}
+
+/// Unless the centre is farther than the radius from the vertex.
+static void point_at_vertex(bmr_manifold32 *manifold, bmr_vec32 centre, bmr_vec32 local, bmr_vec32 vertex,
+                            float radius_sum) {
+    const bmr_vec32 d = minus(local, vertex);
+    if (!(dot(d, d) > radius_sum * radius_sum))
+        one_point(manifold, centre, direction(d), vertex);
+}
+
+void bmr_convex32_collide_circle(bmr_manifold32 *manifold, const bmr_convex32 *polygon,
+                                 const bmr_transform32 *pose_polygon, bmr_vec32 centre,
+                                 const bmr_transform32 *pose_circle, float radius_sum,
+                                 bmr_convex32_memory *memory) {
+    manifold->count = 0;
+    const bmr_vec32 local = move_back(pose_polygon, move(pose_circle, centre));
+    const bmr_vec32 towards = remembers_axis(memory) ? turn_back(pose_polygon, remembered_axis(memory))
+                                                     : minus(local, about_middle(polygon));
+    const bmr_convex32 point = {&local, NULL, NULL, 1, 0, {0.0f, 0.0f}};
+    const edge_search search = edge_search_of(polygon, &point, bmr_convex32_here);
+    edge_found found;
+    bmr_convex32_seek(&search, edge_towards(polygon, towards, memory->support_a), 0, -FLT_MAX, &found);
+    const uint32_t edge = found.best.edge;
+    memory->support_a = (uint16_t)edge;
+    remember_axis(memory, turn(pose_polygon, polygon->normals[edge]));
+    if (!(found.best.separation <= radius_sum))
+        return;
+
+    const bmr_vec32 v1 = polygon->vertices[edge], v2 = polygon->vertices[convex32_next(polygon, edge)];
+    const bmr_vec32 middle = {0.5f * (v1.x + v2.x), 0.5f * (v1.y + v2.y)};
+    if (found.best.separation < FLT_EPSILON) { // the centre is inside
+        one_point(manifold, centre, polygon->normals[edge], middle);
+    } else if (dot(minus(local, v1), minus(v2, v1)) <= 0.0f) {
+        point_at_vertex(manifold, centre, local, v1, radius_sum);
+    } else if (dot(minus(local, v2), minus(v1, v2)) <= 0.0f) {
+        point_at_vertex(manifold, centre, local, v2, radius_sum);
+    } else if (!(dot(minus(local, middle), polygon->normals[edge]) > radius_sum)) {
+        one_point(manifold, centre, polygon->normals[edge], middle);
+    }
+}

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "edge_search.h"
+
+// Box2D's own: a face of the polygon is the reference where it separates by this much more than the edge, and
+// one-sided edges leave directions to their neighbours that lie this far (a sine) beyond their normals.
+static const float relative_tolerance = 0.98f, absolute_tolerance = 0.001f, region_tolerance = 0.1f;
+
+/// The line along which the two are least deep in each other.
+typedef struct axis32 {
+    bmr_vec32 normal; ///< in the edge's frame
+    float separation;
+    uint32_t edge; ///< of the polygon
+    bool of_polygon;
+} axis32;
+
+/// Where the polygon's vertices are least along an axis, as they are rounded in the edge's frame.
+static float least_along(const bmr_convex32 *polygon, const bmr_transform32 *frame, bmr_vec32 axis,
+                         bmr_vec32 origin, uint32_t *vertex) {
+    const uint32_t start = farthest32(polygon, turn_back(frame, negative(axis)), *vertex);
+    float least = FLT_MAX, noise = 0.0f;
+    for (int side = 0; side < 2; ++side) {
+        uint32_t j = start;
+        for (uint32_t steps = 0; steps < polygon->count; ++steps) {
+            const bmr_vec32 v = polygon->vertices[j];
+            const float s = dot(axis, minus(move(frame, v), origin));
+            if (steps == 0) // a vertex that was moved, and its product: as noise_of_size in max_separation.c
+                noise = 0x1p-20f * (convex32_size(v) + convex32_size(frame->p) + convex32_size(origin));
+            if (s < least) {
+                least = s;
+                *vertex = j;
+            }
+            if (!(s <= least + noise))
+                break;
+            j = side == 0 ? convex32_next(polygon, j) : convex32_previous(polygon, j);
+        }
+    }
+    return least;
+}
+
+/// The edge's normal to one or the other side.
+static axis32 axis_of_edge(const bmr_convex32 *polygon, const bmr_transform32 *frame, bmr_vec32 first,
+                           bmr_vec32 normal, uint32_t *vertex) {
+    axis32 axis = {normal, least_along(polygon, frame, normal, first, vertex), 0, false};
+    // To the other side it is less than the negative of what any vertex says.
+    if (axis.separation > 0.0f)
+        return axis;
+    uint32_t far = (*vertex + polygon->count / 2) % polygon->count;
+    const float other = least_along(polygon, frame, negative(normal), first, &far);
+    if (other > axis.separation) {
+        axis.normal = negative(normal);
+        axis.separation = other;
+        *vertex = far;
+    }
+    return axis;
+}
+
+static axis32 axis_of_polygon(const edge_view *best) {
+    const axis32 axis = {negative(best->normal), best->separation, best->edge, true};
+    return axis;
+}
+
+/// What a one-sided edge's neighbours leave it: false where the direction is theirs.
+static bool admit(const bmr_edge32 *edge, bmr_vec32 along, const axis32 *of_edge, axis32 *primary) {
+    const bool at_first = dot(primary->normal, along) <= 0.0f;
+    const bmr_vec32 neighbour =
+        direction(at_first ? minus(edge->first, edge->before) : minus(edge->after, edge->second));
+    const bool convex = (at_first ? cross(neighbour, along) : cross(along, neighbour)) >= 0.0f;
+    if (!convex) {
+        *primary = *of_edge;
+        return true;
+    }
+    const bmr_vec32 its_normal = quarter_right(neighbour);
+    return !((at_first ? cross(primary->normal, its_normal) : cross(its_normal, primary->normal)) >
+             region_tolerance);
+}
+
+/// The polygon's edge, cut at the ends of the edge.
+static void points_on_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr_vec32 along,
+                           const axis32 *primary, const bmr_convex32 *polygon, const bmr_transform32 *frame,
+                           float radius_sum, uint32_t hint) {
+    manifold->type = BMR_MANIFOLD_FACE_A;
+    const uint32_t facing = bmr_convex32_edge_against(polygon, frame, primary->normal, hint);
+    const uint32_t next = convex32_next(polygon, facing);
+    corner corners[2] = {corner_of_edge(move(frame, polygon->vertices[facing]), facing, 0),
+                         corner_of_edge(move(frame, polygon->vertices[next]), next, 0)};
+    const bmr_vec32 back = negative(along);
+    if (!cut(corners, back, dot(back, edge->first), 0) || !cut(corners, along, dot(along, edge->second), 1))
+        return;
+    manifold->normal = primary->normal;
+    manifold->plane_point = edge->first;
+    for (int i = 0; i < 2; ++i)
+        if (dot(primary->normal, minus(corners[i].v, edge->first)) <= radius_sum)
+            keep(manifold, move_back(frame, corners[i].v), corners[i].feature, false);
+}
+
+/// The edge, cut at the sides of the polygon's face.
+static void points_on_polygon(bmr_manifold32 *manifold, const bmr_edge32 *edge, uint32_t face,
+                              const bmr_convex32 *polygon, const bmr_transform32 *frame, float radius_sum) {
+    manifold->type = BMR_MANIFOLD_FACE_B;
+    const uint32_t second = convex32_next(polygon, face);
+    const bmr_vec32 v1 = move(frame, polygon->vertices[face]), v2 = move(frame, polygon->vertices[second]);
+    const bmr_vec32 normal = turn(frame, polygon->normals[face]);
+    const bmr_vec32 side = quarter_right(normal), other_side = negative(side);
+    const float wider = polygon->count > 8 ? radius_sum : 0.0f;
+    corner corners[2] = {{edge->second, {1, (uint8_t)face, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE}},
+                         {edge->first, {0, (uint8_t)face, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE}}};
+    if (!cut(corners, side, dot(side, v1) + wider, (int32_t)face) ||
+        !cut(corners, other_side, dot(other_side, v2) + wider, (int32_t)second))
+        return;
+    manifold->normal = polygon->normals[face];
+    manifold->plane_point = polygon->vertices[face];
+    for (int i = 0; i < 2; ++i)
+        if (dot(normal, minus(corners[i].v, v1)) <= radius_sum)
+            keep(manifold, corners[i].v, corners[i].feature, true);
+}
+
+void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
+                               const bmr_transform32 *pose_edge, const bmr_convex32 *polygon,
+                               bmr_vec32 centroid, const bmr_transform32 *pose_polygon, float radius_sum,
+                               bmr_convex32_memory *memory) {
+    manifold->count = 0;
+    const bmr_transform32 frame = bmr_exact32_relative(pose_edge, pose_polygon);
+    const bmr_vec32 along = direction(minus(edge->second, edge->first)), normal = quarter_right(along);
+    if (edge->one_sided && dot(normal, minus(move(&frame, centroid), edge->first)) < 0.0f)
+        return;
+
+    uint32_t vertex = memory->support_b;
+    const axis32 of_edge = axis_of_edge(polygon, &frame, edge->first, normal, &vertex);
+    memory->support_b = (uint16_t)vertex;
+    if (!(of_edge.separation <= radius_sum))
+        return;
+
+    // Faces of the polygon count where one separates by more than the skins, or enough more than the edge.
+    const float enough = relative_tolerance * (of_edge.separation - radius_sum) + absolute_tolerance;
+    const float from = enough < 0.0f ? radius_sum + enough : radius_sum;
+    const bmr_vec32 ends[2] = {edge->first, edge->second};
+    const bmr_convex32 segment = {ends, NULL, NULL, 2, 0, {0.0f, 0.0f}};
+    const edge_search search = edge_search_of(polygon, &segment, frame);
+    edge_found found;
+    bmr_convex32_seek(&search, vertex, 0, from - FLT_EPSILON * (fabsf(from) + radius_sum), &found);
+    if (found.best.separation > radius_sum)
+        return;
+    axis32 primary = of_edge;
+    if (found.best.separation - radius_sum > enough)
+        primary = axis_of_polygon(&found.best);
+    if (edge->one_sided && !admit(edge, along, &of_edge, &primary))
+        return;
+    if (primary.of_polygon) {
+        points_on_polygon(manifold, edge, primary.edge, polygon, &frame, radius_sum);
+        return;
+    }
+    points_on_edge(manifold, edge, along, &primary, polygon, &frame, radius_sum, vertex);
+
+    // The short face that faces the edge may lie beyond its end, where the face at the end would have found
+    // it.
+    if (manifold->count == 0 && polygon->count > 8) {
+        bmr_convex32_seek(&search, vertex, 0, of_edge.separation, &found);
+        primary = axis_of_polygon(&found.best);
+        if (primary.separation > of_edge.separation &&
+            (!edge->one_sided || admit(edge, along, &of_edge, &primary)) && primary.of_polygon)
+            points_on_polygon(manifold, edge, primary.edge, polygon, &frame, radius_sum);
+    }
+}

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_CONVEX32_EDGE_SEARCH_H
+#define BOOMERANG_CONVEX32_EDGE_SEARCH_H
+
+#include "boomerang/convex32_collide.h"
+#include "convex32/directions.h"
+#include "exact32/clip.h"
+
+/// @file
+/// The search for the edge of largest separation, and what collide.c and its neighbours share with it.
+///
+/// Box2D looks at all edges and takes the first whose separation, in float, is the largest. So does the
+/// search, though it looks at few: what it leaves out is certainly less, rounding included, whatever the hint
+/// was. The answer has the bits of the full loops, and does not hang on what is remembered.
+
+/// One edge of the reference as the other polygon sees it: all in the other's frame.
+typedef struct edge_view {
+    uint32_t edge;
+    uint32_t vertex; ///< of the other: least separated from the edge, to rounding
+    float separation;
+    float noise; ///< the separation is off by less, and so are products with the vectors below
+    bmr_vec32 normal;
+    bmr_vec32 place;   ///< where the edge begins
+    bmr_vec32 nearest; ///< where `vertex` is
+} edge_view;
+
+/// The other may be one or two points, without normals: a circle's centre, an edge.
+typedef struct edge_search {
+    const bmr_convex32 *reference, *other;
+    bmr_transform32 frame; ///< of the reference in the other's
+    float frame_size;      ///< |x| + |y| of its place
+} edge_search;
+
+typedef struct edge_found {
+    edge_view best;
+    float rest; ///< no edge of the other separates by more than the larger of this and best.separation
+} edge_found;
+
+/// The first edge of largest separation. Where that is less than `floor` it may be any edge that separates by
+/// less, found sooner. Hints are any numbers.
+void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t vertex_hint, float floor,
+                       edge_found *found);
+
+static inline edge_search edge_search_of(const bmr_convex32 *reference, const bmr_convex32 *other,
+                                         bmr_transform32 frame) {
+    const edge_search s = {reference, other, frame, fabsf(frame.p.x) + fabsf(frame.p.y)};
+    return s;
+}
+
+static inline float cross(bmr_vec32 a, bmr_vec32 b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+static inline bmr_vec32 negative(bmr_vec32 a) {
+    const bmr_vec32 r = {-a.x, -a.y};
+    return r;
+}
+
+/// How many steps on from `from` is `to`?
+static inline uint32_t steps32(uint32_t from, uint32_t to, uint32_t count) {
+    return to >= from ? to - from : to + count - from;
+}
+
+/// The vertex farthest along u. Walks from the hint if that is near, and asks the table if it is not. Edges
+/// are judged by their own vectors, which hardly round, where products with far vertices would.
+static inline uint32_t farthest32(const bmr_convex32 *polygon, bmr_vec32 u, uint32_t hint) {
+    enum { NEAR = 4 };
+    const bmr_vec32 *const v = polygon->vertices;
+    const uint32_t count = polygon->count;
+    uint32_t at = hint < count ? hint : 0, budget = NEAR;
+    bool asked = polygon->count <= 8;
+    for (;;) {
+        uint32_t moved = 0, next = convex32_next(polygon, at);
+        while (moved < budget && dot(u, minus(v[next], v[at])) > 0.0f) {
+            at = next;
+            next = convex32_next(polygon, at);
+            ++moved;
+        }
+        if (moved == 0)
+            for (uint32_t last = convex32_previous(polygon, at);
+                 moved < budget && dot(u, minus(v[last], v[at])) > 0.0f; ++moved) {
+                at = last;
+                last = convex32_previous(polygon, at);
+            }
+        if (moved < budget || budget == count)
+            return at;
+        if (!asked)
+            at = bmr_convex32_support(polygon, u);
+        asked = true;
+        budget = count;
+    }
+}
+
+/// The edge of the polygon whose normal is nearest to u, its own frame, and the hint where that or a
+/// neighbour of it is. For a place to start.
+static inline uint32_t edge_towards(const bmr_convex32 *polygon, bmr_vec32 u, uint32_t hint) {
+    const bmr_vec32 *const n = polygon->normals;
+    const uint32_t at = hint < polygon->count ? hint : 0;
+    if (dot(n[at], u) > 0.0f && cross(n[convex32_previous(polygon, at)], u) >= 0.0f &&
+        cross(u, n[convex32_next(polygon, at)]) >= 0.0f)
+        return at;
+    const uint32_t vertex = farthest32(polygon, u, at), last = convex32_previous(polygon, vertex);
+    return dot(u, minus(n[vertex], n[last])) >= 0.0f ? vertex : last;
+}
+
+static inline int16_t axis_coordinate(float x) {
+    const float scaled = x * 32767.0f + (x < 0.0f ? -0.5f : 0.5f);
+    return scaled > -32768.0f && scaled < 32768.0f ? (int16_t)scaled : 0;
+}
+
+/// A unit vector, in the world.
+static inline void remember_axis(bmr_convex32_memory *memory, bmr_vec32 axis) {
+    memory->axis_x = axis_coordinate(axis.x);
+    memory->axis_y = axis_coordinate(axis.y);
+}
+
+static inline bool remembers_axis(const bmr_convex32_memory *memory) {
+    return memory->axis_x != 0 || memory->axis_y != 0;
+}
+
+/// 32767 long.
+static inline bmr_vec32 remembered_axis(const bmr_convex32_memory *memory) {
+    const bmr_vec32 axis = {(float)memory->axis_x, (float)memory->axis_y};
+    return axis;
+}
+
+/// A point well inside, but for shapes whose vertices are crowded.
+static inline bmr_vec32 about_middle(const bmr_convex32 *polygon) {
+    const bmr_vec32 *const v = polygon->vertices;
+    const uint32_t third = polygon->count / 3;
+    const bmr_vec32 middle = {(v[0].x + v[third].x + v[2 * third].x) / 3.0f,
+                              (v[0].y + v[third].y + v[2 * third].y) / 3.0f};
+    return middle;
+}
+
+/// The edge of `polygon`, its normals turned, whose normal has the least product with `normal`: the first of
+/// equals, to the bit. `hint` is about where the polygon is farthest the other way.
+uint32_t bmr_convex32_edge_against(const bmr_convex32 *polygon, const bmr_transform32 *turned,
+                                   bmr_vec32 normal, uint32_t hint);
+
+static const bmr_transform32 bmr_convex32_here = {{0.0f, 0.0f}, 0.0f, 1.0f};
+
+/// A corner of the incident edge before it is cut.
+static inline corner corner_of_edge(bmr_vec32 place, uint32_t vertex, uint32_t edge) {
+    const corner c = {place, {(uint8_t)edge, (uint8_t)vertex, BMR_FEATURE_FACE, BMR_FEATURE_VERTEX}};
+    return c;
+}
+
+#endif

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+// Manifolds of polygons of any size are those of Box2D's loops over all vertices, whatever is remembered.
+// BMR_TEST_SCALE=20 makes it 1,000,000 poses of up to 64 vertices and 2,000 of 4096.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "boomerang/convex32_collide.h"
+#include "convex32_poses.h"
+#include "convex32_reference.h"
+#include "test_scale.h"
+
+static const float skin = 0.02f, tolerance = 0.0005f;
+
+enum { POSES_A_PAIR = 50 };
+
+typedef struct tally {
+    size_t poses, touching, different;
+    size_t missed;            ///< no points though big polygons are certainly within their skins
+    size_t off;               ///< separations that are not the true one, to 1e-5 of the shapes' size
+    size_t apart, wrong;      ///< looks that said apart; and were wrong
+    size_t climbs_that_stuck; ///< a search that goes uphill from the hint alone
+    size_t turned_over;       ///< manifolds that differ when the comparison is given one perturbed
+} tally;
+
+typedef struct pair {
+    const bmr_convex32 *a, *b;
+    bmr_transform32 pose_a, pose_b;
+    double size;
+} pair;
+
+static float climb(const pair *p, uint32_t edge) {
+    float most = reference_edge_separation(p->a, &p->pose_a, edge, p->b, &p->pose_b);
+    for (uint32_t steps = 0; steps < p->a->count; ++steps) {
+        const uint32_t ways[2] = {(edge + 1) % p->a->count, (edge + p->a->count - 1) % p->a->count};
+        const float before = most;
+        for (int i = 0; i < 2; ++i) {
+            const float s = reference_edge_separation(p->a, &p->pose_a, ways[i], p->b, &p->pose_b);
+            if (s > most) {
+                most = s;
+                edge = ways[i];
+            }
+        }
+        if (!(most > before))
+            break;
+    }
+    return most;
+}
+
+static void report(const char *what, const pair *p, const bmr_manifold32 *expected,
+                   const bmr_manifold32 *got) {
+    print_error("%s: %u against %u vertices, poses (%a %a %a %a) (%a %a %a %a)\n", what, p->a->count,
+                p->b->count, (double)p->pose_a.p.x, (double)p->pose_a.p.y, (double)p->pose_a.s,
+                (double)p->pose_a.c, (double)p->pose_b.p.x, (double)p->pose_b.p.y, (double)p->pose_b.s,
+                (double)p->pose_b.c);
+    const bmr_manifold32 *both[2] = {expected, got};
+    for (int i = 0; i < 2; ++i)
+        print_error("  count %d type %d normal %.9g %.9g feature %u %u\n", both[i]->count, both[i]->type,
+                    (double)both[i]->normal.x, (double)both[i]->normal.y, both[i]->points[0].feature.index_a,
+                    both[i]->points[0].feature.index_b);
+}
+
+static void check_manifold(tally *t, const pair *p, bmr_convex32_memory *memory,
+                           const bmr_manifold32 *expected) {
+    bmr_manifold32 got;
+    memset(&got, 0, sizeof got);
+    bmr_convex32_collide(&got, p->a, &p->pose_a, p->b, &p->pose_b, skin, tolerance, memory);
+    if (!reference_same_manifold(expected, &got) && ++t->different <= 5)
+        report("manifold", p, expected, &got);
+    if (got.count > 0) {
+        got.points[0].point.x = nextafterf(got.points[0].point.x, FLT_MAX);
+        t->turned_over += !reference_same_manifold(expected, &got);
+    }
+}
+
+static void check_separation(tally *t, const pair *p, uint32_t hint, bool truth) {
+    uint32_t first, edge, vertex;
+    const bmr_transform32 frame = bmr_exact32_relative(&p->pose_b, &p->pose_a);
+    const float expected = reference_max_separation(p->a, &p->pose_a, p->b, &p->pose_b, &first);
+    const float got = bmr_convex32_max_separation(p->a, p->b, &frame, hint, &edge, &vertex);
+    t->different += !(expected == got) || first != edge;
+    if (truth)
+        t->off += !(fabs(reference_true_separation(p->a, &p->pose_a, p->b, &p->pose_b) - (double)got) <=
+                    1e-5 * p->size);
+    t->climbs_that_stuck += climb(p, hint % p->a->count) < expected - 1e-4f;
+}
+
+static void check_apart(tally *t, const pair *p, bmr_convex32_memory *memory, bool truth) {
+    const bmr_convex32_memory before = *memory;
+    for (int i = 0; i < 3; ++i) {
+        const float reach = i == 0 ? 0.0f : i == 1 ? 1.5f * skin : 0.3f * (float)p->size;
+        *memory = before;
+        if (!bmr_convex32_apart(p->a, &p->pose_a, p->b, &p->pose_b, reach, memory))
+            continue;
+        ++t->apart;
+        if (truth)
+            t->wrong += !(reference_distance(p->a, &p->pose_a, p->b, &p->pose_b) > (double)reach);
+    }
+}
+
+static bmr_convex32_memory any_memory(dice *d) {
+    bmr_convex32_memory m;
+    m.support_a = (uint16_t)dice_roll(d);
+    m.support_b = (uint16_t)dice_roll(d);
+    m.axis_x = (int16_t)(dice_below(d, 65535) - 32767);
+    m.axis_y = (int16_t)(dice_below(d, 65535) - 32767);
+    return m;
+}
+
+static double size_of(const bmr_convex32_block *block) {
+    return (double)block->reach;
+}
+
+static void check_pair(tally *t, dice *d, const bmr_convex32_block *a, const bmr_convex32_block *b, int poses,
+                       bool truth) {
+    pair p = {&a->polygon, &b->polygon, random_pose32(d, 10.0), {{0, 0}, 0, 0}, 0.0};
+    p.size = fmax(1.0, fmax(size_of(a), size_of(b)));
+    bmr_convex32_memory kept;
+    memset(&kept, 0, sizeof kept);
+    for (int i = 0; i < poses; ++i, ++t->poses) {
+        if (i % 5 == 0) {
+            p.pose_b = pose_against(d, p.a, &p.pose_a, p.b, (double)skin);
+        } else { // a step on from the last pose
+            p.pose_a = moved_a_little(d, &p.pose_a, 0.02);
+            p.pose_b = moved_a_little(d, &p.pose_b, 0.02);
+        }
+        bmr_manifold32 expected;
+        memset(&expected, 0, sizeof expected);
+        reference_collide(&expected, p.a, &p.pose_a, p.b, &p.pose_b, skin, tolerance);
+        t->touching += expected.count > 0;
+        bmr_convex32_memory zero, any = any_memory(d);
+        memset(&zero, 0, sizeof zero);
+        check_apart(t, &p, &kept, truth);
+        check_manifold(t, &p, &kept, &expected);
+        check_manifold(t, &p, i % 2 == 0 ? &zero : &any, &expected);
+        check_separation(t, &p, dice_roll(d), truth);
+        if (truth && expected.count == 0 && (p.a->count > 8 || p.b->count > 8))
+            t->missed += reference_distance(p.a, &p.pose_a, p.b, &p.pose_b) < (double)skin - 1e-5 * p.size;
+    }
+}
+
+static tally check_pairs(uint64_t seed, size_t poses, uint32_t most, bool of_most, bool truth,
+                         int poses_a_pair) {
+    tally t;
+    memset(&t, 0, sizeof t);
+    dice d = {seed};
+    while (t.poses < poses) {
+        bmr_convex32_block *blocks[2];
+        const uint32_t big = dice_below(&d, 3); // which may be small; 2: neither
+        for (uint32_t i = 0; i < 2; ++i) {
+            const uint32_t count = i == big  ? 3 + dice_below(&d, 6)
+                                   : of_most ? most
+                                             : 9 + dice_below(&d, most - 8);
+            convex32_kind kind = random_kind(&d);
+            if (of_most && i != big && kind >= KIND_BOX)
+                kind = KIND_REGULAR;
+            blocks[i] = random_convex32(&d, kind, count);
+        }
+        check_pair(&t, &d, blocks[0], blocks[1], poses_a_pair, truth);
+        bmr_convex32_destroy(blocks[0], NULL);
+        bmr_convex32_destroy(blocks[1], NULL);
+    }
+    print_message("%zu poses, %zu touching, %zu looks said apart; climbing alone stuck %zu times\n", t.poses,
+                  t.touching, t.apart, t.climbs_that_stuck);
+    return t;
+}
+
+static void expect_no_difference(tally t) {
+    assert_int_equal(t.different, 0);
+    assert_int_equal(t.off, 0);
+    assert_int_equal(t.wrong, 0);
+    assert_int_equal(t.missed, 0);
+    assert_true(t.touching > t.poses / 5);
+    // Controls: the poses are such that a search without branch and bound fails, the comparison sees one bit.
+    assert_true(t.climbs_that_stuck > 0);
+    assert_true(t.turned_over >= t.touching);
+}
+
+static void same_as_all_vertices_up_to_64(void **state) {
+    (void)state;
+    expect_no_difference(check_pairs(0x5eed1u, test_scaled(50000), 64, false, true, POSES_A_PAIR));
+}
+
+static void same_as_all_vertices_at_4096(void **state) {
+    (void)state;
+    expect_no_difference(check_pairs(0x5eed2u, test_scaled(100), 4096, true, true, 10));
+}
+
+static void circle_same_as_all_vertices(void **state) {
+    (void)state;
+    dice d = {0x5eed3u};
+    size_t poses = test_scaled(20000), touching = 0, inside = 0, different = 0;
+    for (size_t n = 0; n < poses;) {
+        bmr_convex32_block *const block = random_convex32(&d, random_kind(&d), 3 + dice_below(&d, 254));
+        const bmr_convex32 *const polygon = &block->polygon;
+        bmr_convex32_memory kept = any_memory(&d);
+        for (int i = 0; i < POSES_A_PAIR; ++i, ++n) {
+            const float radius = 0.01f + (float)dice_in(&d, 0.0, 0.5);
+            const bmr_vec32 centre = {(float)dice_in(&d, -0.5, 0.5), (float)dice_in(&d, -0.5, 0.5)};
+            const bmr_convex32 point = {&centre, &centre, NULL, 1, 0, {0.0f, 0.0f}};
+            const bmr_transform32 pose = random_pose32(&d, 10.0);
+            const bmr_transform32 circle = pose_against(&d, polygon, &pose, &point, (double)radius);
+            bmr_manifold32 expected, got;
+            memset(&expected, 0, sizeof expected);
+            memset(&got, 0, sizeof got);
+            reference_collide_circle(&expected, polygon, &pose, centre, &circle, radius);
+            bmr_convex32_collide_circle(&got, polygon, &pose, centre, &circle, radius, &kept);
+            different += !reference_same_manifold(&expected, &got);
+            touching += expected.count > 0;
+            inside += expected.count > 0 && reference_true_separation(polygon, &pose, &point, &circle) < 0.0;
+        }
+        bmr_convex32_destroy(block, NULL);
+    }
+    print_message("%zu circles, %zu touching, %zu with their centres inside\n", poses, touching, inside);
+    assert_int_equal(different, 0);
+    assert_true(touching > poses / 5 && inside > poses / 20);
+}
+
+static void edge_same_as_all_vertices(void **state) {
+    (void)state;
+    dice d = {0x5eed4u};
+    size_t poses = test_scaled(50000), touching = 0, of_b = 0, different = 0, missed = 0, skipped = 0;
+    for (size_t n = 0; n < poses;) {
+        bmr_convex32_block *const block = random_convex32(&d, random_kind(&d), 3 + dice_below(&d, 254));
+        const bmr_convex32 *const polygon = &block->polygon;
+        bmr_convex32_memory kept = any_memory(&d);
+        for (int i = 0; i < POSES_A_PAIR; ++i, ++n) {
+            bmr_edge32 edge;
+            const double length = pow(10.0, dice_in(&d, -2.0, 1.0));
+            edge.one_sided = dice_below(&d, 2) == 0;
+            edge.first.x = (float)dice_in(&d, -1.0, 1.0);
+            edge.first.y = (float)dice_in(&d, -1.0, 1.0);
+            edge.second.x = edge.first.x + (float)dice_in(&d, -length, length);
+            edge.second.y = edge.first.y + (float)dice_in(&d, 0.1 * length, length);
+            edge.before.x = edge.first.x + (float)dice_in(&d, -length, length);
+            edge.before.y = edge.first.y + (float)dice_in(&d, -length, 0.5 * length);
+            edge.after.x = edge.second.x + (float)dice_in(&d, -length, length);
+            edge.after.y = edge.second.y + (float)dice_in(&d, -0.5 * length, length);
+            const bmr_vec32 ends[2] = {edge.first, edge.second};
+            const bmr_vec32 normals[2] = {{1.0f, 0.0f}, {-1.0f, 0.0f}};
+            const bmr_convex32 segment = {ends, normals, NULL, 2, 0, {0.0f, 0.0f}};
+            const bmr_transform32 pose = random_pose32(&d, 10.0);
+            const bmr_transform32 other = pose_against(&d, polygon, &pose, &segment, (double)skin);
+            bmr_manifold32 expected, got;
+            memset(&expected, 0, sizeof expected);
+            memset(&got, 0, sizeof got);
+            reference_collide_edge(&expected, &edge, &other, polygon, block->mass.centroid, &pose, skin);
+            bmr_convex32_collide_edge(&got, &edge, &other, polygon, block->mass.centroid, &pose, skin, &kept);
+            different += !reference_same_manifold(&expected, &got);
+            touching += expected.count > 0;
+            of_b += expected.count > 0 && expected.type == BMR_MANIFOLD_FACE_B;
+            skipped += edge.one_sided && expected.count == 0;
+            if (expected.count == 0 && !edge.one_sided && polygon->count > 8) {
+                const double s = fmax(reference_true_separation(polygon, &pose, &segment, &other),
+                                      reference_true_separation(&segment, &other, polygon, &pose));
+                missed += s < 0.0;
+            }
+        }
+        bmr_convex32_destroy(block, NULL);
+    }
+    print_message("%zu edges, %zu touching, %zu of these by the polygon's face, %zu one-sided ones do not\n",
+                  poses, touching, of_b, skipped);
+    assert_int_equal(different, 0);
+    assert_int_equal(missed, 0);
+    assert_true(touching > poses / 5 && of_b > poses / 50 && skipped > poses / 50);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(same_as_all_vertices_up_to_64),
+        cmocka_unit_test(same_as_all_vertices_at_4096),
+        cmocka_unit_test(circle_same_as_all_vertices),
+        cmocka_unit_test(edge_same_as_all_vertices),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
