@@ -17,6 +17,16 @@ Colour Series(size_t index) {
 Canvas::Canvas(const std::string &path, double width, double height)
     : m_width(width), m_height(height), m_surface(path, width, height),
       m_cairo(m_surface.Cairo()), m_world{0.0, 0.0, width, height}, m_page(m_world) {
+    Prepare();
+}
+
+Canvas::Canvas(std::ostream &svg, double width, double height)
+    : m_width(width), m_height(height), m_surface(svg, width, height),
+      m_cairo(m_surface.Cairo()), m_world{0.0, 0.0, width, height}, m_page(m_world) {
+    Prepare();
+}
+
+void Canvas::Prepare() {
     cairo_set_source_rgb(m_cairo, 1.0, 1.0, 1.0);
     cairo_paint(m_cairo);
     cairo_set_line_join(m_cairo, CAIRO_LINE_JOIN_ROUND);

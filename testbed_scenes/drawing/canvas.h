@@ -55,6 +55,8 @@ enum class Align { Left, Centre, Right };
 class Canvas {
 public:
     Canvas(const std::string &path, double width, double height);
+    /// An SVG that goes into a stream, which must outlive the canvas.
+    Canvas(std::ostream &svg, double width, double height);
 
     /// From now on world coordinates are those of `world`, shown in `page` (of the page's units) as large as
     /// fits, centred, undistorted; drawing is clipped to `page`.
@@ -92,6 +94,7 @@ public:
     void Write() { m_surface.Write(); }
 
 private:
+    void Prepare();
     void Trace(const std::vector<bmr_vec2> &points, bool close);
     void Stroke(const Pen &pen);
     void FillPath(const Fill &fill);

@@ -2,93 +2,16 @@
 #include "drawing/plot.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
+
+#include "drawing/axis.h"
 
 namespace testbed {
 namespace {
 
-constexpr double kTextSize = 10.0, kTitleSize = 12.0, kTick = 4.0;
+using plot_style::kTextSize, plot_style::kTick, plot_style::kTitleSize;
+
 /// Room for the numbers and names of the axes, in units of the page.
 constexpr double kLeft = 52.0, kBottom = 36.0, kTop = 24.0, kRight = 10.0;
-
-/// One axis: its range in the coordinate that is drawn, the logarithm where logarithmic.
-struct Axis {
-    bool logarithmic;
-    double low = INFINITY, high = -INFINITY;
-
-    bool Shows(double value) const { return std::isfinite(value) && (!logarithmic || value > 0.0); }
-    double Map(double value) const { return logarithmic ? std::log10(value) : value; }
-    void Add(double value) {
-        low = std::min(low, Map(value));
-        high = std::max(high, Map(value));
-    }
-    void Widen() {
-        if (!logarithmic)
-            low = std::min(low, 0.0);
-        const double by = high > low ? 0.05 * (high - low) : 0.5;
-        low -= logarithmic ? by : 0.0;
-        high += by;
-    }
-    std::vector<double> Ticks() const;
-};
-
-std::vector<double> Axis::Ticks() const {
-    std::vector<double> ticks;
-    if (logarithmic) {
-        const bool few = high - low < 2.2;
-        for (int decade = static_cast<int>(std::floor(low)); decade <= high; ++decade)
-            for (const double digit : {1.0, 2.0, 5.0})
-                if ((few || digit == 1.0) && decade + std::log10(digit) >= low &&
-                    decade + std::log10(digit) <= high)
-                    ticks.push_back(digit * std::pow(10.0, decade));
-        return ticks;
-    }
-    const double rough = (high - low) / 5.0, power = std::pow(10.0, std::floor(std::log10(rough)));
-    double step = 10.0 * power;
-    for (const double digit : {5.0, 2.0, 1.0})
-        if (digit * power >= rough)
-            step = digit * power;
-    for (double tick = std::ceil(low / step) * step; tick <= high + 1e-9 * step; tick += step)
-        ticks.push_back(tick);
-    return ticks;
-}
-
-std::string TickText(double value) {
-    char text[32];
-    if (value != 0.0 && (std::fabs(value) >= 1e5 || std::fabs(value) < 1e-3))
-        std::snprintf(text, sizeof text, "1e%d", static_cast<int>(std::lround(std::log10(value))));
-    else
-        std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
-
-void DrawMark(Canvas &canvas, bmr_vec2 at, size_t shape, const Colour &colour) {
-    constexpr double kRadius = 2.8;
-    const bmr_vec2 page = canvas.OnPage(at);
-    // Marks keep their shape on a stretched panel: they are drawn in the page's units.
-    auto corner = [&page](double dx, double dy) { return bmr_vec2_make(page.x + dx, page.y + dy); };
-    const Fill fill = {colour, 1.0};
-    const Pen none = {colour, 0.0};
-    switch (shape % 4) {
-    case 0:
-        canvas.Dot(page, kRadius, colour);
-        break;
-    case 1:
-        canvas.Polygon({corner(-kRadius, -kRadius), corner(kRadius, -kRadius), corner(kRadius, kRadius),
-                        corner(-kRadius, kRadius)},
-                       fill, none);
-        break;
-    case 2:
-        canvas.Polygon({corner(-kRadius, -kRadius), corner(kRadius, -kRadius), corner(0.0, 1.3 * kRadius)},
-                       fill, none);
-        break;
-    default:
-        canvas.Polygon({corner(0.0, -1.4 * kRadius), corner(1.4 * kRadius, 0.0), corner(0.0, 1.4 * kRadius),
-                        corner(-1.4 * kRadius, 0.0)},
-                       fill, none);
-    }
-}
 
 struct Frame {
     Rectangle page; ///< inside the axes

@@ -24,6 +24,12 @@ cairo_surface_t *MakeSurface(const std::string &path, double width, double heigh
     return cairo_pdf_surface_create(path.c_str(), width, height);
 }
 
+cairo_status_t WriteTo(void *stream, const unsigned char *data, unsigned length) {
+    auto &out = *static_cast<std::ostream *>(stream);
+    out.write(reinterpret_cast<const char *>(data), static_cast<std::streamsize>(length));
+    return out ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+}
+
 } // namespace
 
 bool IsPicturePath(const std::string &path) {
@@ -32,6 +38,11 @@ bool IsPicturePath(const std::string &path) {
 
 Surface::Surface(std::string path, double width, double height)
     : m_path(std::move(path)), m_surface(MakeSurface(m_path, width, height), cairo_surface_destroy),
+      m_context(cairo_create(m_surface.get()), cairo_destroy) {}
+
+Surface::Surface(std::ostream &svg, double width, double height)
+    : m_path("a picture"),
+      m_surface(cairo_svg_surface_create_for_stream(WriteTo, &svg, width, height), cairo_surface_destroy),
       m_context(cairo_create(m_surface.get()), cairo_destroy) {}
 
 void Surface::Write() {

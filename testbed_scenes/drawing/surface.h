@@ -3,6 +3,7 @@
 #define BOOMERANG_TESTBED_SURFACE_H
 
 #include <memory>
+#include <ostream>
 #include <string>
 
 #include <cairo.h>
@@ -17,6 +18,8 @@ bool IsPicturePath(const std::string &path);
 class Surface {
 public:
     Surface(std::string path, double width, double height);
+    /// An SVG that goes into a stream, which must outlive the surface.
+    Surface(std::ostream &svg, double width, double height);
 
     cairo_t *Cairo() const { return m_context.get(); }
     /// Writes the file; throws std::runtime_error if it, or anything drawn, failed.

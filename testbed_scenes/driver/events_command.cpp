@@ -114,6 +114,8 @@ std::vector<double> RatiosFor(const std::string &text) {
     return ratios;
 }
 
+} // namespace
+
 Experiment ExperimentFor(const EventsCommand &command) {
     Experiment experiment;
     for (const std::string &word : command.motions)
@@ -147,6 +149,8 @@ Experiment ExperimentFor(const EventsCommand &command) {
     experiment.motionFile = command.motion;
     return experiment;
 }
+
+namespace {
 
 void List() {
     std::cout << "structures\n";
@@ -262,24 +266,6 @@ void PrintCounts(const std::vector<Run> &runs, size_t ratioIndex, Quantity quant
             "lines / optimum", overOptimum);
 }
 
-const char *NameOf(Bound bound) {
-    switch (bound) {
-    case Bound::Logarithmic:
-        return "log";
-    case Bound::Root:
-        return "1/2";
-    case Bound::RootLog:
-        return "1/2 log";
-    case Bound::Linear:
-        return "1";
-    case Bound::LinearLog:
-        return "1 log2";
-    case Bound::None:
-        break;
-    }
-    return "-";
-}
-
 /// The paper's Table 1 with numbers in it: how the counts grew, and whether the bound holds.
 void PrintGrowth(const std::vector<Run> &runs, Quantity quantity, bool colour) {
     ColumnBlocks(runs, kWideColumns, colour)
@@ -287,11 +273,9 @@ void PrintGrowth(const std::vector<Run> &runs, Quantity quantity, bool colour) {
             const std::optional<Growth> growth = GrowthOf(runs, motion, structure, quantity);
             if (!growth)
                 return Table::Cell{"-"};
-            const bool isLog = growth->bound == Bound::Logarithmic;
-            std::string text = isLog ? "+" + Fixed(growth->fit.slope, 1) : Fixed(growth->fit.exponent, 2);
+            const std::string text = TextOf(*growth);
             if (!growth->holds)
                 return Table::Cell{text, Style::Faint};
-            text += std::string(" <") + NameOf(growth->bound) + (*growth->holds ? "" : " NO");
             return Table::Cell{text, *growth->holds ? Style::Good : Style::Bad};
         });
 }
@@ -308,30 +292,15 @@ void PrintQualities(const std::vector<Run> &runs, bool colour) {
     table.AddColumn("efficient", "events/external");
     table.AddColumn("hysteresis", "least rho");
     for (const bmr_kds_info *structure : StructuresOf(runs)) {
-        double conditions = 0.0, bytes = 0.0, touched = 0.0, most = 0.0, replanned = 0.0, efficiency = 0.0,
-               rho = INFINITY;
-        int count = 0;
-        for (const Run &run : runs) {
-            if (run.structure != structure)
-                continue;
-            const bmr_qualities &qualities = run.outcome.run.qualities;
-            conditions = std::max(conditions, qualities.conditions);
-            bytes = std::max(bytes, qualities.bytes);
-            touched += qualities.touched;
-            most = std::max(most, qualities.touched_most);
-            replanned = std::max(replanned, qualities.replanned);
-            efficiency += qualities.efficiency;
-            rho = std::min(rho, run.outcome.run.hysteresis.both);
-            ++count;
-        }
+        const QualitySummary qualities = QualitiesOver(runs, structure);
         table.AddRow({{structure->name},
-                      {Fixed(conditions, 0)},
-                      {Fixed(bytes, 0)},
-                      {Fixed(touched / count, 1)},
-                      {Fixed(most, 0)},
-                      {Fixed(replanned, 0)},
-                      {Fixed(efficiency / count, 1)},
-                      {std::isfinite(rho) ? Fixed(rho, 3) : "-"}});
+                      {Fixed(qualities.conditions, 0)},
+                      {Fixed(qualities.bytes, 0)},
+                      {Fixed(qualities.touched, 1)},
+                      {Fixed(qualities.touchedMost, 0)},
+                      {Fixed(qualities.replanned, 0)},
+                      {Fixed(qualities.efficiency, 1)},
+                      {std::isfinite(qualities.rho) ? Fixed(qualities.rho, 3) : "-"}});
     }
     table.Print(std::cout, colour);
     std::cout << '\n';

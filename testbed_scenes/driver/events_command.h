@@ -32,6 +32,10 @@ struct EventsCommand {
 /// Adds the subcommand with its options, which write into `command`.
 CLI::App *AddEvents(CLI::App &app, EventsCommand &command);
 
+struct Experiment;
+/// What the command asks for; throws UsageError.
+Experiment ExperimentFor(const EventsCommand &command);
+
 class Workers;
 int Execute(const EventsCommand &command, const Workers &workers);
 

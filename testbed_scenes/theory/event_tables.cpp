@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iomanip>
 #include <stdexcept>
 
@@ -179,6 +180,59 @@ std::optional<Growth> GrowthOf(const std::vector<Run> &runs, const std::string &
     return growth;
 }
 
+const char *NameOf(Bound bound) {
+    switch (bound) {
+    case Bound::Logarithmic:
+        return "log";
+    case Bound::Root:
+        return "1/2";
+    case Bound::RootLog:
+        return "1/2 log";
+    case Bound::Linear:
+        return "1";
+    case Bound::LinearLog:
+        return "1 log2";
+    case Bound::None:
+        break;
+    }
+    return "-";
+}
+
+std::string TextOf(const Growth &growth) {
+    char number[32];
+    if (growth.bound == Bound::Logarithmic)
+        std::snprintf(number, sizeof number, "+%.1f", growth.fit.slope);
+    else
+        std::snprintf(number, sizeof number, "%.2f", growth.fit.exponent);
+    std::string text = number;
+    if (growth.holds)
+        text += std::string(" <") + NameOf(growth.bound) + (*growth.holds ? "" : " NO");
+    return text;
+}
+
+QualitySummary QualitiesOver(const std::vector<Run> &runs, const bmr_kds_info *structure) {
+    QualitySummary summary;
+    int count = 0;
+    for (const Run &run : runs) {
+        if (run.structure != structure)
+            continue;
+        const bmr_qualities &qualities = run.outcome.run.qualities;
+        summary.conditions = std::max(summary.conditions, qualities.conditions);
+        summary.bytes = std::max(summary.bytes, qualities.bytes);
+        summary.touched += qualities.touched;
+        summary.touchedMost = std::max(summary.touchedMost, qualities.touched_most);
+        summary.replanned = std::max(summary.replanned, qualities.replanned);
+        summary.efficiency += qualities.efficiency;
+        summary.rho = std::min(summary.rho, run.outcome.run.hysteresis.both);
+        ++count;
+    }
+    if (count > 0) {
+        summary.touched /= count;
+        summary.efficiency /= count;
+    }
+    return summary;
+}
+
 std::vector<std::string> MotionsOf(const std::vector<Run> &runs) {
     std::vector<std::string> motions;
     for (const Run &run : runs)
@@ -208,6 +262,8 @@ nlohmann::json ToJson(const std::vector<Run> &runs) {
                                 {"ratio", Number(run.ratio)},
                                 {"wanted_ratio", run.wantedRatio},
                                 {"seed", run.seed},
+                                {"rigid", run.rigid},
+                                {"convex", run.convex},
                                 {"events", run.outcome.run.events},
                                 {"outside", run.outcome.outsideEvents},
                                 {"lines", run.outcome.run.lines},
@@ -231,6 +287,75 @@ nlohmann::json ToJson(const std::vector<Run> &runs) {
         list.push_back(std::move(entry));
     }
     return list;
+}
+
+namespace {
+
+/// INFINITY was written as null.
+double FiniteOr(const nlohmann::json &value) {
+    return value.is_null() ? INFINITY : value.get<double>();
+}
+
+Run RunFromJson(const nlohmann::json &entry) {
+    Run run;
+    const std::string structure = entry.at("structure");
+    run.structure = bmr_kds_find(structure.c_str());
+    if (run.structure == nullptr)
+        throw FileError("there is no structure \"" + structure + "\"");
+    run.motion = entry.at("motion");
+    run.n = entry.at("n");
+    run.ratio = FiniteOr(entry.at("ratio"));
+    run.wantedRatio = entry.at("wanted_ratio");
+    run.seed = entry.at("seed");
+    run.rigid = entry.at("rigid");
+    run.convex = entry.at("convex");
+    run.outcome.outsideEvents = entry.at("outside");
+    bmr_run &outcome = run.outcome.run;
+    outcome.events = entry.at("events");
+    outcome.lines = entry.at("lines");
+    bmr_simulation_counts &counts = outcome.counts;
+    counts.touched = entry.at("touched");
+    counts.failure_times = entry.at("failure_times");
+    counts.external = entry.at("external");
+    counts.conditions = entry.at("conditions");
+    counts.pair_bytes = entry.at("pair_bytes");
+    for (int kind = 0; kind < BMR_KDS_NONE; ++kind)
+        counts.events[kind] = entry.at("kinds").at(bmr_kds_event_name(static_cast<bmr_kds_event_kind>(kind)));
+    const nlohmann::json &qualities = entry.at("qualities");
+    outcome.qualities = {qualities.at("conditions"),   qualities.at("bytes"),     qualities.at("touched"),
+                         qualities.at("touched_most"), qualities.at("replanned"), qualities.at("efficiency")};
+    const nlohmann::json &hysteresis = entry.at("hysteresis");
+    outcome.hysteresis = bmr_hysteresis_make();
+    outcome.hysteresis.both = FiniteOr(hysteresis.at("both"));
+    outcome.hysteresis.displacement = FiniteOr(hysteresis.at("displacement"));
+    outcome.hysteresis.rotation = FiniteOr(hysteresis.at("rotation"));
+    if (const nlohmann::json &optimum = entry.at("optimum"); !optimum.is_null()) {
+        run.optimum.emplace();
+        run.optimum->least = optimum.at("least");
+        run.optimum->found = optimum.at("found");
+    }
+    return run;
+}
+
+} // namespace
+
+std::vector<Run> RunsFromJson(const nlohmann::json &json) {
+    std::vector<Run> runs;
+    std::vector<double> ratios;
+    try {
+        for (const nlohmann::json &entry : json) {
+            runs.push_back(RunFromJson(entry));
+            ratios.push_back(runs.back().wantedRatio);
+        }
+    } catch (const nlohmann::json::exception &error) {
+        throw FileError(std::string("not the runs that `events --json` writes: ") + error.what());
+    }
+    std::sort(ratios.begin(), ratios.end());
+    ratios.erase(std::unique(ratios.begin(), ratios.end()), ratios.end());
+    for (Run &run : runs)
+        run.ratioIndex = static_cast<size_t>(std::lower_bound(ratios.begin(), ratios.end(), run.wantedRatio) -
+                                             ratios.begin());
+    return runs;
 }
 
 void WriteCsv(std::ostream &out, const std::vector<Run> &runs) {

@@ -2,6 +2,7 @@
 #ifndef BOOMERANG_TESTBED_EVENT_TABLES_H
 #define BOOMERANG_TESTBED_EVENT_TABLES_H
 
+#include <cmath>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -56,9 +57,21 @@ struct Growth {
     /// where the bound is logarithmic, is a logarithm the better fit?) Nothing where there is no bound.
     std::optional<bool> holds;
 };
+/// The bound's power of D/sigma: "log", "1/2", "1/2 log", "1", "1 log2"; "-" where there is none.
+const char *NameOf(Bound bound);
+/// "0.47 <1/2", or "+0.6 <log" for events per doubling; with " NO" where the bound does not hold.
+std::string TextOf(const Growth &growth);
 /// Nothing where there are fewer than three ratios with events.
 std::optional<Growth> GrowthOf(const std::vector<Run> &runs, const std::string &motion,
                                const bmr_kds_info *structure, Quantity quantity);
+
+/// The four qualities of a kinetic structure over many runs: the most of what is compact and local, the mean
+/// of what is responsive and efficient.
+struct QualitySummary {
+    double conditions = 0.0, bytes = 0.0, touched = 0.0, touchedMost = 0.0, replanned = 0.0, efficiency = 0.0;
+    double rho = INFINITY; ///< hysteresis: the least change from event to event over the distance
+};
+QualitySummary QualitiesOver(const std::vector<Run> &runs, const bmr_kds_info *structure);
 
 /// The motions and structures of the runs, each once, in the order they first come in.
 std::vector<std::string> MotionsOf(const std::vector<Run> &runs);
@@ -67,6 +80,9 @@ std::vector<const bmr_kds_info *> StructuresOf(const std::vector<Run> &runs);
 /// One row a run, with a header row.
 void WriteCsv(std::ostream &out, const std::vector<Run> &runs);
 nlohmann::json ToJson(const std::vector<Run> &runs);
+/// What ToJson wrote, but for the bodies, which it does not write; ratios are counted anew, from the least.
+/// Throws FileError on anything else.
+std::vector<Run> RunsFromJson(const nlohmann::json &json);
 
 /// A trace: one line an event (see TraceHeader).
 void WriteTraceHeader(std::ostream &out);
