@@ -62,7 +62,7 @@ test_exported_symbols_are_the_listed_ones() {
     diff "$room/listed" "$room/exported" >"$room/err" || fail "exported symbols differ from exports.map (< listed, > exported)"
     # All but the API stand in front of functions that Box2D really has, and no hook is hidden.
     nm -D --defined-only "$box2d" | awk '{ print $NF }' | LC_ALL=C sort >"$room/box2d"
-    grep -v '^_ZN3bmr' "$room/exported" | LC_ALL=C comm -23 - "$room/box2d" | grep . >"$room/err" && fail "in front of nothing"
+    grep -v '3bmr' "$room/exported" | LC_ALL=C comm -23 - "$room/box2d" | grep . >"$room/err" && fail "in front of nothing"
     sed -n 's/.*BMR_STANDS_FOR("\([^"]*\)").*/\1/p' "$source"/interpose/*.cpp | LC_ALL=C sort -u >"$room/hooks"
     [ -s "$room/hooks" ] || fail "no hooks found"
     LC_ALL=C comm -23 "$room/hooks" "$room/exported" | grep . >"$room/err" && fail "hooks that nobody can see"

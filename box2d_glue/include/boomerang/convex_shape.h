@@ -11,6 +11,14 @@
 
 class b2Draw;
 class b2World;
+struct bmr_convex32_block;
+
+// The handle of the real polygon must not make the shape larger than a b2PolygonShape. The Itanium C++ ABI
+// puts it into that one's padding. Others do not: there the polygon inside has 7 vertices, and the handle
+// lies in the eighth normal.
+#if defined(__GNUC__) && !defined(_MSC_VER) && !defined(BMR_CONVEX_HANDLE_IN_NORMALS)
+#    define BMR_CONVEX_HANDLE_IN_PADDING 1
+#endif
 
 /// @file
 /// A convex polygon of any number of vertices as one fixture. Games include boomerang/box2d.h.
@@ -23,8 +31,13 @@ class b2World;
 
 namespace bmr {
 
+namespace internal {
+struct ConvexShapeAccess;
+} // namespace internal
+
 /// Box2D knows polygons of at most 8 vertices. This is one (and Box2D's own code, to the bit) up to 8; above,
-/// it holds the real polygon besides, and shows Box2D's own code an octagon of eight of its vertices. Masses,
+/// it holds the real polygon besides, and shows Box2D's own code an octagon of eight of its vertices (a
+/// heptagon where the compiler is not of the Itanium C++ ABI). Masses,
 /// boxes, rays, points and contacts with every kind of shape are the real polygon's, on every platform; time
 /// of impact, sensors, b2Distance and b2ShapeCast are where the shared library stands in front of Box2D, and
 /// the octagon's elsewhere (docs/any-size-polygons.md: nothing tunnels).
@@ -33,7 +46,7 @@ namespace bmr {
 /// destroyed on any thread. What Box2D inherits is as it is: m_radius may be changed as ever, but m_vertices,
 /// m_normals and m_count are not to be touched, nor is the shape to be copied into a plain b2PolygonShape
 /// (which would be the octagon).
-class BMR_BOX2D_API ConvexShape : public b2PolygonShape {
+class BMR_BOX2D_API ConvexShape final : public b2PolygonShape {
 public:
     ConvexShape() noexcept;
     ConvexShape(const ConvexShape &other) noexcept;
@@ -43,12 +56,22 @@ public:
     /// Most vertices of a polygon.
     static constexpr int32 kMostVertices = 65535;
 
-    /// The convex hull of 3 and more points. Where the hull has at most 8 vertices the shape is what
-    /// b2PolygonShape::Set makes of the points, bit for bit, if Set neither welds nor asserts on them;
-    /// otherwise BMR_ERROR_... says what is wrong. On an error the shape stays as it was. O(n log n).
+    /// The convex hull of 3 and more points, counter-clockwise from the rightmost one (of these the lowest).
+    /// Vertices that turn by no more than rounding (about 1e-7) are dropped.
+    ///
+    /// Where the hull has at most 8 vertices the shape is what b2PolygonShape::Set makes of the points (of
+    /// the hull's vertices, where there are more than 8 points), bit for bit, if Set neither welds nor
+    /// asserts on them.
+    ///
+    /// Errors leave the shape as it was: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_TOO_FEW_POINTS (all on one line,
+    /// too), BMR_ERROR_TOO_MANY_POINTS (on the hull), BMR_ERROR_NOT_FINITE, BMR_ERROR_OUT_OF_RANGE (a
+    /// coordinate beyond 1e9 where there are more than 8 points, a product that overflows, an area of at most
+    /// b2_epsilon), BMR_ERROR_TOO_CLOSE (of at most 8 vertices two are within half of b2_linearSlop),
+    /// BMR_ERROR_NOT_CONVEX (of at most 8 points Set's rounding finds no hull), BMR_ERROR_NO_MEMORY,
+    /// BMR_ERROR_UNKNOWN_ENGINE (more than 8 vertices need a Box2D that the glue knows). O(n log n).
     bmr_error Set(const b2Vec2 *points, int32 count);
-    /// The same of vertices that are convex, counter-clockwise and no three on a line: kept as they are.
-    /// O(n).
+    /// The same of vertices that are such a hull, counter-clockwise from any one: kept as they are and where
+    /// they are. BMR_ERROR_NOT_CONVEX where they are not. O(n).
     bmr_error SetRaw(const b2Vec2 *vertices, int32 count);
 
     /// A regular polygon around the origin; its first vertex lies on the positive x axis.
@@ -79,8 +102,20 @@ public:
     void ComputeMass(b2MassData *massData, float density) const override;
 
 private:
-    /// Lies in the padding behind b2PolygonShape's last member: Box2D frees sizeof(b2PolygonShape).
+    friend struct internal::ConvexShapeAccess;
+
+    /// 0, or the number of the real polygon.
+    uint32_t GetHandle() const;
+    void SetHandle(uint32_t handle);
+    /// Takes over what a handle stands for, with its reference, and shows Box2D the polygon inside it.
+    void Adopt(uint32_t handle);
+    /// The polygon of `polygon` vertices as it is, which was just made.
+    bmr_error AdoptBlock(bmr_convex32_block *block);
+
+#if defined(BMR_CONVEX_HANDLE_IN_PADDING)
+    /// Lies in the padding behind b2PolygonShape's last member: Box2D frees sizeof(b2PolygonShape) bytes.
     uint32_t m_handle;
+#endif
 };
 
 /// Draws every ConvexShape of the world with its real outline, in the colours of b2World::DebugDraw; call it

@@ -8,9 +8,11 @@
 ///     #include <boomerang/box2d.h>
 ///     bmr::Install();
 ///
-/// Every simulation computes the bits that it computed before.
+/// Every simulation computes the bits that it computed before. bmr::ConvexShape is there besides: a convex
+/// polygon of any number of vertices.
 
 #include "boomerang/box2d_glue.h"
+#include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
 
 #endif
