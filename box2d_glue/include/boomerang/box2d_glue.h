@@ -78,6 +78,8 @@ struct Options {
     /// What is said on stderr: 0, refusals and differences alone; 1, also what is at work.
     int32_t verbosity = 0;
     /// Where the statistics go when the process ends, as JSON (implies statistics); nullptr: nowhere. Copied.
+    /// Of a program that forks, the process that installed writes it; with "%p" in the name, which stands for
+    /// the number of the process, each writes its own.
     const char *statisticsFile = nullptr;
 };
 
@@ -120,7 +122,10 @@ BMR_BOX2D_API Statistics GetStatistics();
 BMR_BOX2D_API float CertifiedSlack(const b2Body *bodyA, const b2Body *bodyB);
 
 /// To be called after the vertices of a polygon fixture were changed in place (through b2Fixture::GetShape):
-/// forgets what is known about this body's shape. Creating and destroying fixtures needs no call.
+/// forgets what is known about this body's shape. Creating and destroying fixtures needs no call. Where the
+/// library sees b2World::Step (all hooks can answer: not behind Box2D, not the static glue alone) it finds
+/// such changes in the next step by itself, and a call is needed only in the middle of a step, by a listener
+/// or a filter.
 BMR_BOX2D_API void Invalidate(b2Body *body);
 
 } // namespace bmr
