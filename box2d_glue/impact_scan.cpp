@@ -4,6 +4,8 @@
 #include <box2d/b2_distance.h>
 #include <box2d/b2_fixture.h>
 
+#include "convex_distance.h"
+#include "convex_geometry.h"
 #include "pair_memory.h"
 #include "per_thread.h"
 
@@ -27,7 +29,7 @@ ImpactScan::Place &ImpactScan::PlaceOf(const Side &side) {
 
 void ImpactScan::Fill(SweptShape *shape, const Side &side) {
     b2DistanceProxy proxy;
-    proxy.Set(side.fixture->GetShape(), side.child);
+    SetProxy(&proxy, *side.fixture->GetShape(), side.child);
     *shape = Sweep(proxy, side.sweep, side.rotation);
 }
 
@@ -45,6 +47,13 @@ bool ImpactScan::NeverTouch(const b2Contact *contact, const Side &a, const Side 
     PairMemory *memory = Remember(KeyOf(contact), 0);
     if (memory == nullptr)
         return false;
+    if (AnyBigPolygon()) {
+        const Swept sweptA = {*a.fixture->GetShape(), a.child, a.sweep};
+        const Swept sweptB = {*b.fixture->GetShape(), b.child, b.sweep};
+        bool never;
+        if (BigNeverTouch(sweptA, sweptB, &memory->direction, &never))
+            return never;
+    }
     Place &placeA = PlaceOf(a), &placeB = PlaceOf(b);
     const SweptShape &shapeA = Shape(placeA, a);
     if (&placeA != &placeB)

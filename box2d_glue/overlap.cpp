@@ -7,6 +7,7 @@
 #include <box2d/b2_distance.h>
 
 #include "boomerang/swept32.h"
+#include "convex_distance.h"
 #include "pair_memory.h"
 #include "shapes32.h"
 #include "thresholds.h"
@@ -177,12 +178,14 @@ bool IsSmall(const b2DistanceProxy &proxy) {
 Overlap CertainOverlap(const b2Shape &shapeA, int32 childA, const b2Shape &shapeB, int32 childB,
                        const b2Transform &xfA, const b2Transform &xfB) {
     Question q = {b2DistanceProxy(), b2DistanceProxy(), xfA, xfB};
-    q.a.Set(&shapeA, childA);
-    q.b.Set(&shapeB, childB);
+    SetProxy(&q.a, shapeA, childA);
+    SetProxy(&q.b, shapeB, childB);
     PairMemory *memory = Remember(KeyOf(&shapeA) + static_cast<uint64_t>(childA),
                                   KeyOf(&shapeB) + static_cast<uint64_t>(childB));
-    if (memory == nullptr || !IsSmall(q.a) || !IsSmall(q.b))
+    if (memory == nullptr)
         return Overlap::kUnknown;
+    if (!IsSmall(q.a) || !IsSmall(q.b))
+        return BigOverlap(q.a, xfA, q.b, xfB, &memory->direction);
     const bool wasApart = memory->direction.x != 0.0f || memory->direction.y != 0.0f;
     if (wasApart && KeepsApart(q, memory->direction))
         return Overlap::kApart;

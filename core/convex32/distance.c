@@ -178,3 +178,11 @@ bmr_distance32 bmr_convex32_distance(const bmr_proxy32 *a, const bmr_transform32
     }
     return answer;
 }
+
+bool bmr_convex32_apart_along(const bmr_proxy32 *a, const bmr_transform32 *pose_a, const bmr_proxy32 *b,
+                              const bmr_transform32 *pose_b, float distance, bmr_vec32 direction) {
+    const bmr_posed32 at_a = bmr_posed32_at(a, pose_a), at_b = bmr_posed32_at(b, pose_b);
+    const double rounding =
+        BMR_SUPPORT32_ROUNDING * ((double)a->reach + (double)b->reach + fabs((double)distance));
+    return bmr_posed32_beyond(&at_a, &at_b, bmr_widen(direction)) > (double)distance + rounding;
+}

@@ -67,7 +67,7 @@ inline bool InStep() {
     return steppedWorld != nullptr;
 }
 
-/// Box2D's own b2TimeOfImpact.
+/// Box2D's own b2TimeOfImpact, or what stands for it where a polygon is too big for that.
 void RealTimeOfImpact(b2TOIOutput *output, const b2TOIInput *input);
 
 /// As long as it lives, so many of this thread's next questions to b2TimeOfImpact go to Box2D at once: a

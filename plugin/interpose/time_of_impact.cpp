@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // b2TimeOfImpact: in a step, a pair that is proved apart over its whole motion is separated without a search.
 // b2World::SolveTOI looks at whether the answer is e_touching, and at the time only then; the counters
-// b2_toi* and b2_gjk* stand still where Box2D is not asked.
+// b2_toi* and b2_gjk* stand still where Box2D is not asked. Of big polygons Box2D is never asked: its search
+// knows no more than 256 vertices.
 #include <box2d/b2_time_of_impact.h>
 
+#include "convex_distance.h"
 #include "real.h"
 #include "settings.h"
 #include "sweep_apart.h"
@@ -21,6 +23,8 @@ Real<void(b2TOIOutput *, const b2TOIInput *)>
 __thread uint32_t KnownImpacts::s_left = 0;
 
 void RealTimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
+    if (AnyBigPolygon() && BigImpact(output, *input))
+        return;
     realTimeOfImpact.Get()(output, input);
 }
 
@@ -28,17 +32,22 @@ void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input)
     BMR_STANDS_FOR("_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput");
 
 void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
+    if (AnyBigPolygon() && BigImpact(output, *input)) {
+        if (InStep())
+            KnownImpacts::Take();
+        return;
+    }
     if (!HookIsOn(Hook::TimeOfImpact) || !InStep()) {
-        RealTimeOfImpact(output, input);
+        realTimeOfImpact.Get()(output, input);
         return;
     }
     if (KnownImpacts::Take()) { // counted by who sought
-        RealTimeOfImpact(output, input);
+        realTimeOfImpact.Get()(output, input);
         return;
     }
     Count(&Counts::toiQueries);
     if (!NeverTouchUnlessResting(*input)) {
-        RealTimeOfImpact(output, input);
+        realTimeOfImpact.Get()(output, input);
         return;
     }
     Count(&Counts::toiAnswered);
@@ -46,7 +55,7 @@ void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
     output->t = input->tMax;
     if (Verifying()) {
         const b2TOIOutput ours = *output;
-        RealTimeOfImpact(output, input);
+        realTimeOfImpact.Get()(output, input);
         VerifyImpact(nullptr, nullptr, ours, *output);
     }
 }

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// b2DistanceProxy::Set of a shape: a big polygon's proxy is that of all its vertices. What is asked of it
+// goes through the functions that distance.cpp, shape_cast.cpp and time_of_impact.cpp stand in front of.
+#include <box2d/b2_distance.h>
+
+#include "convex_distance.h"
+#include "real.h"
+
+namespace bmr::interpose {
+
+namespace {
+
+Real<void(b2DistanceProxy *, const b2Shape *, int32)> realSet("_ZN15b2DistanceProxy3SetEPK7b2Shapei");
+
+} // namespace
+
+void SetProxy(b2DistanceProxy *proxy, const b2Shape *shape, int32 child)
+    BMR_STANDS_FOR("_ZN15b2DistanceProxy3SetEPK7b2Shapei");
+
+void SetProxy(b2DistanceProxy *proxy, const b2Shape *shape, int32 child) {
+    if (!SetCommonProxy(proxy, *shape))
+        realSet.Get()(proxy, shape, child);
+}
+
+} // namespace bmr::interpose
