@@ -74,14 +74,18 @@ public:
     /// they are. BMR_ERROR_NOT_CONVEX where they are not. O(n).
     bmr_error SetRaw(const b2Vec2 *vertices, int32 count);
 
-    /// A regular polygon around the origin; its first vertex lies on the positive x axis.
+    /// A regular polygon around the origin; its first vertex lies on the positive x axis. Of very many
+    /// vertices those are left that floats can tell from a straight line (all 4096, 7 of 8 of 16384, of any
+    /// radius): GetVertexCount. Errors of this and the next two, besides those of Set: a size that is not
+    /// above zero is BMR_ERROR_OUT_OF_RANGE, more than kMostVertices are BMR_ERROR_TOO_MANY_POINTS.
     bmr_error SetRegular(int32 count, float radius);
-    /// `count` vertices on an ellipse around the origin.
+    /// `count` vertices on an ellipse around the origin, dense where it bends.
     bmr_error SetEllipse(int32 count, float halfWidth, float halfHeight);
-    /// A rectangle whose corners are rounded with `cornerRadius`, a quarter circle of `cornerVertices` each
-    /// (halfHeight == cornerRadius: a capsule).
+    /// A rectangle around the origin whose corners are rounded with `cornerRadius`, a quarter circle of
+    /// `cornerVertices` (at least 2) each. halfHeight == cornerRadius: a capsule.
     bmr_error SetRounded(float halfWidth, float halfHeight, float cornerRadius, int32 cornerVertices);
-    /// Fewer vertices, all of them among those it has, nowhere farther than `tolerance` from what it was.
+    /// Fewer vertices, all of them among those it has, nowhere farther than `tolerance` from what it was
+    /// (bmr_convex32_simplify). O(n log n).
     bmr_error Simplify(float tolerance);
 
     /// The real polygon. O(1).

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// b2World::DrawShape: of big polygons the real outline, whatever is installed.
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_world.h>
+
+#include "convex_draw.h"
+#include "convex_geometry.h"
+#include "real.h"
+
+using namespace bmr;
+
+namespace {
+
+interpose::Real<void(b2World *, b2Fixture *, const b2Transform &, const b2Color &)>
+    realDrawShape("_ZN7b2World9DrawShapeEP9b2FixtureRK11b2TransformRK7b2Color");
+
+} // namespace
+
+void b2World::DrawShape(b2Fixture *fixture, const b2Transform &xf, const b2Color &color) {
+    const bmr_convex32_block *block = AnyBigPolygon() ? BigPolygonOf(*fixture->GetShape()) : nullptr;
+    if (block != nullptr)
+        DrawOutline(block->polygon, xf, color, *m_debugDraw);
+    else
+        realDrawShape.Get()(this, fixture, xf, color);
+}
