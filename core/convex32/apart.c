@@ -35,26 +35,36 @@ bool bmr_convex32_apart(const bmr_convex32 *a, const bmr_transform32 *pose_a, co
     const float enough = reach * longest_axis;
     if (!remembers_axis(memory))
         remember_axis(memory, direction(minus(move(pose_b, about_middle(b)), move(pose_a, about_middle(a)))));
-    const bmr_vec32 axis = remembered_axis(memory);
-    const gap first = gap_along(a, pose_a, b, pose_b, axis, memory->support_a, memory->support_b);
+    const gap first =
+        gap_along(a, pose_a, b, pose_b, remembered_axis(memory), memory->support_a, memory->support_b);
     memory->support_a = (uint16_t)first.vertex_a;
     memory->support_b = (uint16_t)first.vertex_b;
     if (first.certain > enough)
         return true;
-    if (!(dot(axis, first.between) > 0.0f))
-        return false;
 
-    // The two vertices are themselves in front of each other, seen along the line between them, where they
-    // are the closest.
-    bmr_convex32_memory better = *memory;
-    remember_axis(&better, direction(first.between));
-    const gap second =
-        gap_along(a, pose_a, b, pose_b, remembered_axis(&better), first.vertex_a, first.vertex_b);
-    if (!(second.certain > first.certain))
-        return false;
-    memory->support_a = (uint16_t)second.vertex_a;
-    memory->support_b = (uint16_t)second.vertex_b;
-    memory->axis_x = better.axis_x;
-    memory->axis_y = better.axis_y;
-    return second.certain > enough;
+    // Two more directions: along the line between the two vertices, which is right where they are the closest
+    // ones, and across the line between what the two looks found, which is right where that is part of an
+    // edge or nearly so.
+    bmr_vec32 axis = first.between;
+    float most = first.certain;
+    gap last = first;
+    for (int looks = 0; looks < 2 && dot(last.between, last.between) > reach * reach; ++looks) {
+        bmr_convex32_memory turned = *memory;
+        remember_axis(&turned, direction(axis));
+        const gap next =
+            gap_along(a, pose_a, b, pose_b, remembered_axis(&turned), last.vertex_a, last.vertex_b);
+        if (next.certain > most) {
+            most = next.certain;
+            *memory = turned;
+            memory->support_a = (uint16_t)next.vertex_a;
+            memory->support_b = (uint16_t)next.vertex_b;
+        }
+        if (next.certain > enough)
+            return true;
+        axis = quarter_right(minus(next.between, first.between));
+        if (dot(axis, first.between) < 0.0f)
+            axis = negative(axis);
+        last = next;
+    }
+    return false;
 }

@@ -29,11 +29,14 @@ typedef struct edge_search {
     const bmr_convex32 *reference, *other;
     bmr_transform32 frame; ///< of the reference in the other's
     float frame_size;      ///< |x| + |y| of its place
+    bool wants_rest;
 } edge_search;
 
 typedef struct edge_found {
     edge_view best;
-    float rest; ///< no edge of the other separates by more than the larger of this and best.separation
+    /// Where it is wanted: no edge of the other separates by more than the larger of this and
+    /// best.separation.
+    float rest;
 } edge_found;
 
 /// The first edge of largest separation. Where that is less than `floor` it may be any edge that separates by
@@ -42,8 +45,8 @@ void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t v
                        edge_found *found);
 
 static inline edge_search edge_search_of(const bmr_convex32 *reference, const bmr_convex32 *other,
-                                         bmr_transform32 frame) {
-    const edge_search s = {reference, other, frame, fabsf(frame.p.x) + fabsf(frame.p.y)};
+                                         bmr_transform32 frame, bool wants_rest) {
+    const edge_search s = {reference, other, frame, fabsf(frame.p.x) + fabsf(frame.p.y), wants_rest};
     return s;
 }
 

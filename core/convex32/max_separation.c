@@ -25,7 +25,7 @@ static const float noise_of_size = 0x1p-21f;
 /// is left is 3 halves of units of the difference.
 static const float noise_of_product = 0x1p-22f;
 
-/// Looks at edges on both sides of the hint before the search is given to branch and bound.
+/// Looks at edges around the hint before the search is given to branch and bound.
 enum { NEAR_LOOKS = 12 };
 
 /// Arcs are split where their bound is until this depth, and in the middle below, so that they end.
@@ -75,16 +75,33 @@ static least least_around(const bmr_convex32 *other, bmr_vec32 normal, bmr_vec32
 
 static inline least least_separated(const bmr_convex32 *other, bmr_vec32 normal, bmr_vec32 place,
                                     uint32_t hint) {
+    enum { NEAR_STEPS = 4 };
     if (other->count <= 8)
         return least_of_few(other, normal, place);
-    const uint32_t count = other->count, at = hint < count ? hint : 0;
     const bmr_vec32 *const v = other->vertices;
-    const bmr_vec32 d = minus(v[at], place);
-    const least here = {dot(normal, d), at};
-    const float clearly = here.separation + 2.0f * noise_of_product * convex32_size(d);
-    if (separate(normal, place, v[convex32_next(other, at)]) > clearly &&
-        separate(normal, place, v[convex32_previous(other, at)]) > clearly)
-        return here;
+    uint32_t at = hint < other->count ? hint : 0;
+    uint32_t next = convex32_next(other, at), last = convex32_previous(other, at);
+    float here = separate(normal, place, v[at]);
+    float ahead = separate(normal, place, v[next]), behind = separate(normal, place, v[last]);
+    for (int steps = 0; steps < NEAR_STEPS && ahead < here; ++steps) {
+        behind = here;
+        here = ahead;
+        at = next;
+        next = convex32_next(other, at);
+        ahead = separate(normal, place, v[next]);
+    }
+    for (int steps = 0; steps < NEAR_STEPS && behind < here; ++steps) {
+        ahead = here;
+        here = behind;
+        at = last;
+        last = convex32_previous(other, at);
+        behind = separate(normal, place, v[last]);
+    }
+    const float clearly = here + 2.0f * noise_of_product * convex32_size(minus(v[at], place));
+    if (ahead > clearly && behind > clearly) {
+        const least found = {here, at};
+        return found;
+    }
     return least_around(other, normal, place, farthest32(other, negative(normal), at));
 }
 
@@ -104,11 +121,6 @@ static edge_view look(const edge_search *search, uint32_t edge, uint32_t hint) {
 
 static inline bool better(const edge_view *a, const edge_view *b) {
     return a->separation > b->separation || (a->separation == b->separation && a->edge < b->edge);
-}
-
-/// False where one of them is not a number.
-static inline bool not_below(const edge_view *a, const edge_view *best) {
-    return a->separation + (a->noise + best->noise) >= best->separation;
 }
 
 /// Directions from one edge's normal, counter-clockwise, to another's.
@@ -163,7 +175,7 @@ static void bound(const edge_search *search, arc *a) {
 
 /// Between two neighbouring edges there is none of the reference, but there may be some of the other.
 static void bound_rest(const edge_search *search, const edge_view *from, const edge_view *to, float *rest) {
-    if (from->vertex == to->vertex)
+    if (from->vertex == to->vertex || !search->wants_rest)
         return;
     arc a = {*from, *to, 0, 0, 0.0f, {0.0f, 0.0f}};
     bound(search, &a);
@@ -238,39 +250,39 @@ static void split(branches *b) {
     add_arc(b, &middle, &a.to, a.depth + 1);
 }
 
-/// All edges from `high` on to `low`, of which both were looked at.
+/// All edges from `high` on to `low`, which were looked at and may be the same.
 static void search_arcs(const edge_search *search, const edge_view *low, const edge_view *high, float floor,
                         edge_found *found) {
     const bmr_convex32 *const reference = search->reference;
-    branches b;
-    b.search = search;
-    b.found = found;
-    b.floor = floor;
-    b.count = 0;
-    const uint32_t inside = steps32(high->edge, low->edge, reference->count) - 1;
+    const uint32_t count = reference->count, first = convex32_next(reference, high->edge);
+    const uint32_t inside = steps32(first, low->edge, count);
     if (inside == 0) {
         bound_rest(search, high, low, &found->rest);
         return;
     }
     // Cut where the reference is farthest the other way, so that no arc is more than half a turn.
-    const uint32_t first = convex32_next(reference, high->edge);
-    const uint32_t vertex = farthest32(reference, negative(reference->normals[found->best.edge]),
-                                       (first + inside / 2) % reference->count);
-    uint32_t along = steps32(first, vertex, reference->count);
+    const uint32_t vertex =
+        farthest32(reference, negative(reference->normals[found->best.edge]), (first + inside / 2) % count);
+    uint32_t along = steps32(first, vertex, count);
     if (along > inside)
         along = inside / 2;
     edge_view left = *high, right = *low;
     if (along > 0) {
-        left = look(search, (first + along - 1) % reference->count, high->vertex);
+        left = look(search, (first + along - 1) % count, high->vertex);
         if (better(&left, &found->best))
             found->best = left;
     }
     if (along < inside) {
-        right = look(search, (first + along) % reference->count, left.vertex);
+        right = look(search, (first + along) % count, left.vertex);
         if (better(&right, &found->best))
             found->best = right;
     }
     bound_rest(search, &left, &right, &found->rest);
+    branches b;
+    b.search = search;
+    b.found = found;
+    b.floor = floor;
+    b.count = 0;
     if (along > 0)
         add_arc(&b, high, &left, 0);
     if (along < inside)
@@ -279,47 +291,81 @@ static void search_arcs(const edge_search *search, const edge_view *low, const e
         split(&b);
 }
 
+/// What is beyond an edge, by the vertex that is closest to it and the end that it shares with the next: more
+/// than the next separates, and more than any direction in between.
+typedef struct beyond {
+    float next, between;
+} beyond;
+
+static inline beyond bound_beyond(const edge_view *view, bmr_vec32 shared_end, bmr_vec32 next_normal,
+                                  float turned, float outwards) {
+    const bmr_vec32 d = minus(view->nearest, shared_end);
+    beyond b;
+    b.next = dot(next_normal, d) + 2.0f * view->noise;
+    // As the direction turns by t the product goes as cos t and sin t do; it begins as the separation.
+    b.between = view->separation + 2.0f * view->noise;
+    if (outwards * cross(view->normal, d) > 0.0f)
+        b.between += dot(view->normal, next_normal) > 0.0f ? turned * (outwards * cross(view->normal, d))
+                                                           : convex32_size(d);
+    return b;
+}
+
+static inline beyond beyond_high(const edge_search *search, const edge_view *high) {
+    const uint32_t next = convex32_next(search->reference, high->edge);
+    const bmr_vec32 normal = turn(&search->frame, search->reference->normals[next]);
+    return bound_beyond(high, move(&search->frame, search->reference->vertices[next]), normal,
+                        cross(high->normal, normal), 1.0f);
+}
+
+static inline beyond beyond_low(const edge_search *search, const edge_view *low) {
+    const uint32_t last = convex32_previous(search->reference, low->edge);
+    const bmr_vec32 normal = turn(&search->frame, search->reference->normals[last]);
+    return bound_beyond(low, low->place, normal, cross(normal, low->normal), -1.0f);
+}
+
 void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t vertex_hint, float floor,
                        edge_found *found) {
     const bmr_convex32 *const reference = search->reference;
     const uint32_t count = reference->count;
     edge_view *const best = &found->best;
     *best = look(search, edge_hint < count ? edge_hint : 0, vertex_hint);
-    edge_view high = look(search, convex32_next(reference, best->edge), best->vertex);
-    edge_view low = look(search, convex32_previous(reference, best->edge), best->vertex);
     found->rest = -FLT_MAX;
-    bound_rest(search, best, &high, &found->rest);
-    bound_rest(search, &low, best, &found->rest);
-    if (better(&high, best))
-        *best = high;
-    if (better(&low, best))
-        *best = low;
+    edge_view high = *best, low = *best;
+    beyond above = beyond_high(search, &high), below = beyond_low(search, &low);
     // Uphill and past ties, on both sides.
-    for (uint32_t looks = 0; looks < NEAR_LOOKS && steps32(high.edge, low.edge, count) > 1; ++looks) {
-        edge_view *const end = not_below(&high, best) ? &high : &low;
-        if (!not_below(end, best))
+    for (uint32_t looks = 0; looks < NEAR_LOOKS && steps32(high.edge, low.edge, count) != 1; ++looks) {
+        const float close = best->separation - best->noise;
+        if (above.next >= close) {
+            const edge_view next = look(search, convex32_next(reference, high.edge), high.vertex);
+            bound_rest(search, &high, &next, &found->rest);
+            high = next;
+            above = beyond_high(search, &high);
+            if (better(&high, best))
+                *best = high;
+        } else if (below.next >= close) {
+            const edge_view last = look(search, convex32_previous(reference, low.edge), low.vertex);
+            bound_rest(search, &last, &low, &found->rest);
+            low = last;
+            below = beyond_low(search, &low);
+            if (better(&low, best))
+                *best = low;
+        } else
             break;
-        const edge_view last = *end;
-        *end =
-            look(search,
-                 end == &high ? convex32_next(reference, last.edge) : convex32_previous(reference, last.edge),
-                 last.vertex);
-        if (end == &high)
-            bound_rest(search, &last, end, &found->rest);
-        else
-            bound_rest(search, end, &last, &found->rest);
-        if (better(end, best))
-            *best = *end;
     }
-    if (best->separation > 2.0f * best->noise && !not_below(&high, best) && !not_below(&low, best))
+    const float close = best->separation - best->noise;
+    if (best->separation > 2.0f * best->noise && above.next < close && below.next < close) {
+        const float rest = above.between > below.between ? above.between : below.between;
+        if (rest > found->rest)
+            found->rest = rest;
         return;
+    }
     search_arcs(search, &low, &high, floor, found);
 }
 
 float bmr_convex32_max_separation(const bmr_convex32 *reference, const bmr_convex32 *other,
                                   const bmr_transform32 *frame, uint32_t edge_hint, uint32_t *edge,
                                   uint32_t *other_vertex) {
-    const edge_search search = edge_search_of(reference, other, *frame);
+    const edge_search search = edge_search_of(reference, other, *frame, false);
     edge_found found;
     bmr_convex32_seek(&search, edge_hint, 0, -FLT_MAX, &found);
     *edge = found.best.edge;
