@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+// What b2DistanceProxy, b2Distance, b2ShapeCast, b2TimeOfImpact, b2TestOverlap and sensors say of a
+// ConvexShape. Built twice: with the library in front of Box2D (CONVEX_REAL 1) it is the real polygon, behind
+// it (0) the octagon that Box2D is shown. Each is what the other must not be.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <memory>
+
+#include <box2d/box2d.h>
+
+#include "boomerang/box2d.h"
+#include "convex_oracle.h"
+
+using bmr::ConvexShape;
+using oracle::Placed;
+using oracle::Polygon;
+using shapes::Below;
+using shapes::Engine;
+using shapes::Uniform;
+using shapes::UniformF;
+
+namespace {
+
+constexpr bool kReal = CONVEX_REAL != 0;
+
+std::vector<b2Vec2> Circle(int count, float radius) {
+    std::vector<b2Vec2> points;
+    for (int i = 0; i < count; ++i) {
+        const double angle = (i + 0.5) * 6.283185307179586 / count;
+        points.emplace_back(static_cast<float>(static_cast<double>(radius) * std::cos(angle)),
+                            static_cast<float>(static_cast<double>(radius) * std::sin(angle)));
+    }
+    return points;
+}
+
+ConvexShape Make(const std::vector<b2Vec2> &points) {
+    ConvexShape shape;
+    REQUIRE(shape.Set(points.data(), static_cast<int32>(points.size())) == BMR_OK);
+    return shape;
+}
+
+/// What the queries are to see of it.
+Polygon Seen(const ConvexShape &shape) {
+    const b2Vec2 *vertices = kReal ? shape.GetVertices() : shape.m_vertices;
+    const int32 count = kReal ? shape.GetVertexCount() : shape.m_count;
+    return Polygon({vertices, vertices + count}, shape.m_radius);
+}
+
+ConvexShape RandomBig(Engine &engine) {
+    constexpr int kCounts[] = {9, 16, 64, 255, 256, 257, 1000, 4096};
+    const int count = kCounts[Below(engine, 8)];
+    const float width = UniformF(engine, 0.2, 2.0);
+    std::vector<b2Vec2> points = Circle(count, UniformF(engine, 0.3, 3.0));
+    for (b2Vec2 &p : points)
+        p = b2Vec2(width * p.x + 0.5f, p.y - 0.25f);
+    return Make(points);
+}
+
+b2DistanceInput RandomInput(Engine &engine, const b2Shape &a, const b2Shape &b) {
+    b2DistanceInput input;
+    input.proxyA.Set(&a, 0);
+    input.proxyB.Set(&b, 0);
+    input.transformA = shapes::RandomPose(engine, 4.0);
+    input.transformB = shapes::RandomPose(engine, 4.0);
+    input.useRadii = false;
+    return input;
+}
+
+} // namespace
+
+TEST_CASE("a proxy has the vertices that are to be seen") {
+    Engine engine(1);
+    for (int i = 0; i < 20; ++i) {
+        const ConvexShape shape = RandomBig(engine), copy(shape);
+        for (const ConvexShape *s : {&shape, &copy}) {
+            b2DistanceProxy proxy;
+            proxy.Set(s, 0);
+            CHECK(proxy.m_count == (kReal ? s->GetVertexCount() : 8));
+            CHECK(proxy.m_vertices == (kReal ? s->GetVertices() : s->m_vertices));
+            CHECK(proxy.m_radius == s->m_radius);
+        }
+    }
+    // Of up to 8 vertices it is any polygon.
+    const ConvexShape small = Make(Circle(7, 1.0f));
+    b2DistanceProxy proxy;
+    proxy.Set(&small, 0);
+    CHECK(proxy.m_vertices == small.m_vertices);
+    CHECK(proxy.m_count == 7);
+}
+
+TEST_CASE("b2Distance") {
+    Engine engine(2);
+    for (int i = 0; i < 60; ++i) {
+        const ConvexShape a = RandomBig(engine), b = RandomBig(engine);
+        b2PolygonShape box;
+        box.SetAsBox(UniformF(engine, 0.1, 1.0), 0.5f);
+        const bool both = Below(engine, 2) == 0;
+        b2DistanceInput input = both ? RandomInput(engine, a, b) : RandomInput(engine, box, b);
+        const Polygon seenA = both ? Seen(a) : Polygon({box.m_vertices, box.m_vertices + 4}, box.m_radius);
+        const Polygon seenB = Seen(b);
+        b2SimplexCache cache;
+        cache.count = 0;
+        b2DistanceOutput output;
+        for (int k = 0; k < 4; ++k) { // warm from the second on, and moved
+            b2Distance(&output, &cache, &input);
+            const double truth = Distance(Placed(seenA, input.transformA), Placed(seenB, input.transformB));
+            CHECK(std::fabs(static_cast<double>(output.distance) - truth) <= 2e-5);
+            CHECK(std::fabs((output.pointA - output.pointB).Length() - output.distance) <= 2e-5f);
+            REQUIRE(cache.count >= 1);
+            REQUIRE(cache.count <= 3);
+            for (int v = 0; v < cache.count; ++v) {
+                CHECK(cache.indexA[v] < input.proxyA.m_count);
+                CHECK(cache.indexB[v] < input.proxyB.m_count);
+            }
+            CHECK(output.iterations >= 0);
+            // The skins go off from both ends, or the points meet in the middle.
+            b2DistanceInput skins = input;
+            skins.useRadii = true;
+            b2SimplexCache none;
+            none.count = 0;
+            b2DistanceOutput within;
+            b2Distance(&within, &none, &skins);
+            const float radii = input.proxyA.m_radius + input.proxyB.m_radius;
+            CHECK(std::fabs(within.distance - std::max(0.0f, output.distance - radii)) <= 2e-5f);
+            if (within.distance == 0.0f)
+                CHECK(within.pointA == within.pointB);
+            if (k == 1)
+                input.transformB.p += b2Vec2(0.05f, -0.1f);
+        }
+    }
+}
+
+TEST_CASE("a cache that was never ours, with any numbers in it") {
+    Engine engine(3);
+    const ConvexShape a = RandomBig(engine), b = RandomBig(engine);
+    b2DistanceInput input = RandomInput(engine, a, b);
+    const double truth = Distance(Placed(Seen(a), input.transformA), Placed(Seen(b), input.transformB));
+    b2SimplexCache cache;
+    cache.metric = 1.0f;
+    cache.count = 2;
+    for (int i = 0; i < 3; ++i) {
+        cache.indexA[i] = static_cast<uint8>(2 * i + 1);
+        cache.indexB[i] = static_cast<uint8>(i + 3);
+    }
+    b2DistanceOutput output;
+    b2Distance(&output, &cache, &input);
+    CHECK(std::fabs(static_cast<double>(output.distance) - truth) <= 2e-5);
+}
+
+TEST_CASE("b2ShapeCast and b2TimeOfImpact, outside of any step") {
+    // A coin flies at another: they meet when their rims do, at any angle.
+    const ConvexShape coin = Make(Circle(512, 1.0f));
+    int later = 0;
+    for (int i = 0; i < 64; ++i) {
+        const float angle = 0.1f * static_cast<float>(i), turn = 0.37f * static_cast<float>(i);
+        const b2Vec2 from(10.0f * std::cos(angle), 10.0f * std::sin(angle));
+        b2ShapeCastInput cast;
+        cast.proxyA.Set(&coin, 0);
+        cast.proxyB.Set(&coin, 0);
+        cast.transformA.Set(b2Vec2_zero, turn);
+        cast.transformB.Set(from, 2.0f * turn);
+        cast.translationB = -from;
+        b2ShapeCastOutput hit;
+        REQUIRE(b2ShapeCast(&hit, &cast));
+        // Box2D's own casts stop up to half a slop further away.
+        const float gap = 10.0f * (1.0f - hit.lambda) - 2.0f;
+        CHECK(gap < 2.0f * b2_linearSlop + 0.51f * b2_linearSlop);
+        if (kReal)
+            CHECK(gap > 2.0f * b2_linearSlop - 0.001f);
+        later += gap < 2.0f * b2_linearSlop - 0.001f ? 1 : 0;
+
+        b2TOIInput input;
+        input.proxyA = cast.proxyA;
+        input.proxyB = cast.proxyB;
+        input.sweepA.localCenter.SetZero();
+        input.sweepA.c0 = input.sweepA.c = b2Vec2_zero;
+        input.sweepA.a0 = input.sweepA.a = turn;
+        input.sweepA.alpha0 = 0.0f;
+        input.sweepB = input.sweepA;
+        input.sweepB.c0 = from;
+        input.sweepB.a = turn + 0.5f;
+        input.tMax = 1.0f;
+        b2TOIOutput impact;
+        b2TimeOfImpact(&impact, &input);
+        CHECK(impact.state == b2TOIOutput::e_touching);
+        const float left = 10.0f * (1.0f - impact.t) - 2.0f;
+        CHECK(left < 1.3f * b2_linearSlop);
+        if (kReal)
+            CHECK(left > 0.7f * b2_linearSlop - 0.001f);
+        input.tMax = 0.5f;
+        b2TimeOfImpact(&impact, &input);
+        CHECK(impact.state == b2TOIOutput::e_separated);
+        CHECK(impact.t == 0.5f);
+    }
+    if (kReal)
+        CHECK(later == 0);
+    else
+        CHECK(later > 30); // the control: octagons meet later
+}
+
+TEST_CASE("a proxy that somebody else filled is never taken for ours") {
+    Engine engine(4);
+    auto shape = std::make_unique<ConvexShape>(Make(Circle(300, 1.0f)));
+    b2DistanceProxy marked;
+    marked.Set(shape.get(), 0);
+    const std::vector<b2Vec2> square = {{-3.0f, -3.0f}, {3.0f, -3.0f}, {3.0f, 3.0f}, {-3.0f, 3.0f}};
+    std::vector<b2Vec2> cloud;
+    for (int i = 0; i < 300; ++i) // as many vertices as the marked one
+        cloud.push_back(square[static_cast<size_t>(i) / 75]);
+    const b2PolygonShape box = [] {
+        b2PolygonShape b;
+        b.SetAsBox(0.5f, 0.5f);
+        return b;
+    }();
+    for (const bool dead : {false, true}) {
+        if (dead)
+            shape.reset();
+        for (int i = 0; i < 200; ++i) {
+            b2DistanceInput input;
+            input.proxyA = marked; // its buffer too
+            if (i % 2 == 1) {
+                for (b2Vec2 &word : input.proxyA.m_buffer) {
+                    const uint64_t noise = engine();
+                    std::memcpy(static_cast<void *>(&word), &noise, sizeof noise);
+                }
+            }
+            input.proxyA.Set(cloud.data(), 300, 0.0f);
+            input.proxyB.Set(&box, 0);
+            input.transformA.SetIdentity();
+            input.transformB.Set(b2Vec2(10.0f, UniformF(engine, -2.0, 2.0)), 0.0f);
+            input.useRadii = false;
+            b2SimplexCache cache;
+            cache.count = 0;
+            b2DistanceOutput output;
+            b2Distance(&output, &cache, &input);
+            CHECK(output.distance == doctest::Approx(6.5));
+        }
+    }
+}
+
+namespace {
+
+class Touches : public b2ContactListener {
+public:
+    void BeginContact(b2Contact *) override { ++begun; }
+    int begun = 0;
+};
+
+/// Does a still sensor of the shape feel a small disc at this distance from its middle?
+bool SensorFeels(const b2Shape &shape, float distance, float angle, bool testOverlap) {
+    b2CircleShape disc;
+    disc.m_radius = 0.01f;
+    const b2Vec2 at(distance * std::cos(angle), distance * std::sin(angle));
+    if (testOverlap) {
+        return b2TestOverlap(&shape, 0, &disc, 0, b2Transform(b2Vec2_zero, b2Rot(0.0f)),
+                             b2Transform(at, b2Rot(0.0f)));
+    }
+    b2World world(b2Vec2_zero);
+    Touches touches;
+    world.SetContactListener(&touches);
+    b2BodyDef def;
+    b2FixtureDef fixture;
+    fixture.shape = &shape;
+    fixture.isSensor = true;
+    world.CreateBody(&def)->CreateFixture(&fixture);
+    def.type = b2_dynamicBody;
+    def.position = at;
+    world.CreateBody(&def)->CreateFixture(&disc, 1.0f);
+    for (int i = 0; i < 3; ++i)
+        world.Step(1.0f / 60.0f, 8, 3);
+    return touches.begun > 0;
+}
+
+} // namespace
+
+namespace {
+
+void CheckSensors() {
+    const ConvexShape coin = Make(Circle(512, 1.0f));
+    for (const bool testOverlap : {false, true}) {
+        int felt = 0, inside = 0, outside = 0;
+        for (int i = 0; i < 40; ++i) {
+            const float angle = 0.157f * static_cast<float>(i);
+            felt += SensorFeels(coin, 1.01f, angle, testOverlap) ? 1 : 0;
+            inside += SensorFeels(coin, 0.9f, angle, testOverlap) ? 1 : 0;
+            outside += SensorFeels(coin, 1.03f, angle, testOverlap) ? 1 : 0;
+        }
+        CHECK(inside == 40);
+        CHECK(outside == 0);
+        if (kReal)
+            CHECK(felt == 40);
+        else
+            CHECK(felt < 32); // the control: near the octagon's corners alone
+    }
+}
+
+} // namespace
+
+TEST_CASE("sensors and b2TestOverlap feel what lies between the rim and the octagon") {
+    CheckSensors();
+    REQUIRE(bmr::Install()); // and where questions are answered before they come to Box2D
+    CheckSensors();
+}
