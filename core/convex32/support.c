@@ -9,8 +9,8 @@
 
 static uint32_t support_of_all(const bmr_convex32 *p, bmr_vec32 d) {
     uint32_t best = 0;
-    float most = convex32_dot(p->vertices[0], d);
-    for (uint32_t i = 1; i < p->count; ++i) {
+    float most = -INFINITY; // products that overflow may be NaN, and lose
+    for (uint32_t i = 0; i < p->count; ++i) {
         const float dot = convex32_dot(p->vertices[i], d);
         if (dot > most) {
             most = dot;

@@ -57,7 +57,7 @@ public:
     static constexpr int32 kMostVertices = 65535;
 
     /// The convex hull of 3 and more points, counter-clockwise from the rightmost one (of these the lowest).
-    /// Vertices that turn by no more than rounding (about 1e-7) are dropped.
+    /// Vertices that turn by no more than rounding (at most about 1e-7) are dropped.
     ///
     /// Where the hull has at most 8 vertices the shape is what b2PolygonShape::Set makes of the points (of
     /// the hull's vertices, where there are more than 8 points), bit for bit, if Set neither welds nor

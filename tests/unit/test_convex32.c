@@ -1,0 +1,778 @@
+// SPDX-License-Identifier: MIT
+// Polygons of any size in float: how they are made, and that what is asked of them in O(log n) is what a loop
+// over all vertices answers, to the bit. Each comparison has a control: a plausible short cut that it
+// catches.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "boomerang/convex32.h"
+#include "convex32/directions.h"
+#include "failing_allocator.h"
+#include "polygons.h"
+#include "test_scale.h"
+
+#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
+#define PI 3.14159265358979323846
+
+static bmr_vec32 vec(double x, double y) {
+    const bmr_vec32 v = {(float)x, (float)y};
+    return v;
+}
+
+/// Points of a family, of any size, thinness and place. At most n + 12.
+static size_t random_points(test_random *random, size_t n, bmr_vec32 *points) {
+    bmr_vec2 *wide = malloc((n + 12) * sizeof *wide);
+    assert_non_null(wide);
+    const test_family family = (test_family)test_random_below(random, TEST_FAMILY_COUNT);
+    const size_t count = test_points(family, n, random, wide);
+    const double size = pow(10.0, test_random_uniform(random, -4.0, 4.0));
+    const double away = test_random_below(random, 3) ? 0.0 : size * test_random_uniform(random, 0.0, 100.0);
+    const bool plain = test_random_below(random, 8) == 0;
+    for (size_t i = 0; i < count; ++i)
+        points[i] = plain ? vec(wide[i].x, wide[i].y) : vec(size * wide[i].x + away, size * wide[i].y - away);
+    free(wide);
+    return count;
+}
+
+/// Never NULL: where the floats leave no polygon, another one is tried.
+static bmr_convex32_block *random_polygon(test_random *random, size_t n) {
+    bmr_vec32 *points = malloc((n + 12) * sizeof *points);
+    bmr_convex32_block *block = NULL;
+    assert_non_null(points);
+    while (!block) {
+        const size_t count = random_points(random, n, points);
+        const bmr_error error = bmr_convex32_create(points, count, NULL, &block);
+        assert_true(error == BMR_OK || error == BMR_ERROR_TOO_FEW_POINTS || error == BMR_ERROR_OUT_OF_RANGE);
+    }
+    free(points);
+    return block;
+}
+
+/// Mostly small, now and then huge.
+static size_t random_count(test_random *random) {
+    switch (test_random_below(random, 64)) {
+    case 0:
+        return 3 + test_random_below(random, 20000);
+    case 1:
+    case 2:
+    case 3:
+        return 3 + test_random_below(random, 2000);
+    default:
+        return 3 + test_random_below(random, 80);
+    }
+}
+
+static bmr_vec32 any_vertex(test_random *random, const bmr_convex32 *p) {
+    return p->vertices[test_random_below(random, p->count)];
+}
+
+static bmr_vec32 between(bmr_vec32 a, bmr_vec32 b, double t) {
+    return vec((double)a.x + t * ((double)b.x - (double)a.x), (double)a.y + t * ((double)b.y - (double)a.y));
+}
+
+static bmr_vec32 random_direction(test_random *random, const bmr_convex32 *p) {
+    const double angle = test_random_uniform(random, -3.2, 3.2);
+    bmr_vec32 d = vec(cos(angle), sin(angle));
+    switch (test_random_below(random, 8)) {
+    case 0:
+        return p->normals[test_random_below(random, p->count)];
+    case 1:
+        d.x *= 1e-6f;
+        return d;
+    case 2:
+        return vec(1e-30 * (double)d.x, 1e-30 * (double)d.y);
+    case 3: {
+        static const float axes[][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}};
+        const uint32_t k = test_random_below(random, COUNT_OF(axes));
+        return vec((double)axes[k][0], (double)axes[k][1]);
+    }
+    default:
+        return d;
+    }
+}
+
+static float most_of_all(const bmr_convex32 *p, bmr_vec32 d) {
+    float most = -INFINITY;
+    for (uint32_t i = 0; i < p->count; ++i)
+        most = fmaxf(most, convex32_dot(p->vertices[i], d));
+    return most;
+}
+
+// --- made ---
+
+static void hulls_pass_the_audit_and_hold_every_point(void **state) {
+    (void)state;
+    test_random random = {1};
+    for (size_t k = 0; k < test_scaled(600); ++k) {
+        const size_t n = random_count(&random);
+        bmr_vec32 *points = malloc((n + 12) * sizeof *points);
+        assert_non_null(points);
+        const size_t count = random_points(&random, n, points);
+        bmr_convex32_block *block = NULL;
+        if (bmr_convex32_create(points, count, NULL, &block) == BMR_OK) {
+            const bmr_convex32 *p = &block->polygon;
+            assert_int_equal(bmr_convex32_audit(p), BMR_OK);
+            assert_true(bmr_convex32_bytes(p->count) <= 40 * (size_t)p->count || p->count < 5);
+            for (uint32_t i = 1; i < p->count; ++i)
+                assert_true(p->vertices[i].x < p->vertices[0].x ||
+                            (p->vertices[i].x == p->vertices[0].x && p->vertices[i].y > p->vertices[0].y));
+            // What was dropped turned by less than 2e-7: that far outside, of the polygon's size, at most.
+            for (size_t i = 0; i < count; ++i) {
+                const bmr_vec32 q = points[i];
+                double out = -INFINITY;
+                for (uint32_t j = 0; j < p->count; j += 1 + p->count / 256) {
+                    const bmr_vec32 m = p->normals[j], v = p->vertices[j];
+                    out = fmax(out, (double)m.x * ((double)q.x - (double)v.x) +
+                                        (double)m.y * ((double)q.y - (double)v.y));
+                }
+                assert_true(out <= 1e-6 * (double)block->reach);
+                assert_true(hypot((double)q.x, (double)q.y) <= (double)block->reach * (1.0 + 1e-6));
+            }
+            // Raw, from any vertex on, it stays what it is.
+            const uint32_t first = test_random_below(&random, p->count);
+            bmr_vec32 *turned = malloc(p->count * sizeof *turned);
+            assert_non_null(turned);
+            for (uint32_t i = 0; i < p->count; ++i)
+                turned[i] = p->vertices[(first + i) % p->count];
+            bmr_convex32_block *raw = NULL;
+            assert_int_equal(bmr_convex32_create_raw(turned, p->count, NULL, &raw), BMR_OK);
+            assert_memory_equal(raw->polygon.vertices, turned, p->count * sizeof *turned);
+            assert_int_equal(bmr_convex32_audit(&raw->polygon), BMR_OK);
+            bmr_convex32_destroy(raw, NULL);
+            free(turned);
+        }
+        bmr_convex32_destroy(block, NULL);
+        free(points);
+    }
+}
+
+static void all_vertices_of_circles_are_kept(void **state) {
+    (void)state;
+    for (uint32_t n = 3; n <= 4096; n = n < 64 ? n + 1 : 2 * n) {
+        bmr_vec32 *points = malloc(n * sizeof *points);
+        assert_non_null(points);
+        for (uint32_t i = 0; i < n; ++i)
+            points[i] = vec(0.5 * cos(2.0 * PI * i / n), 0.5 * sin(2.0 * PI * i / n));
+        bmr_convex32_block *block = NULL;
+        assert_int_equal(bmr_convex32_create(points, n, NULL, &block), BMR_OK);
+        assert_int_equal(block->polygon.count, n);
+        bmr_convex32_destroy(block, NULL);
+        free(points);
+    }
+}
+
+/// Lattice polygons: edges are short primitive vectors in order of direction, so every vertex turns, by more
+/// than a float's rounding.
+static uint32_t lattice_polygon(uint32_t most, bmr_vec32 *points) {
+    enum { LONGEST = 184 };
+    uint32_t count = 0;
+    int32_t x = 0, y = 0;
+    // Slopes of an eighth are the Farey sequence, up from 0/1 or down from 1/1.
+    for (int eighth = 0; eighth < 8; ++eighth) {
+        const bool down = eighth % 2 != 0;
+        int32_t p = down, q = 1, next_p = down ? LONGEST - 1 : 1, next_q = LONGEST;
+        while (down ? p > 0 : p < q) {
+            int32_t dx = down ? p : q, dy = down ? q : p;
+            for (int turn = 0; turn < eighth / 2; ++turn) {
+                const int32_t was = dx;
+                dx = -dy;
+                dy = was;
+            }
+            if (count < most)
+                points[count++] = vec(x, y);
+            x += dx;
+            y += dy;
+            const int32_t k = (LONGEST + q) / next_q, third_p = k * next_p - p, third_q = k * next_q - q;
+            p = next_p;
+            q = next_q;
+            next_p = third_p;
+            next_q = third_q;
+        }
+    }
+    return count;
+}
+
+static void polygons_have_up_to_65535_vertices(void **state) {
+    (void)state;
+    bmr_vec32 *points = malloc(131072 * sizeof *points);
+    assert_non_null(points);
+    const uint32_t all = lattice_polygon(131072, points);
+    assert_true(all > BMR_CONVEX32_MOST);
+    bmr_convex32_block *const untouched = (bmr_convex32_block *)points, *block = untouched;
+    assert_int_equal(bmr_convex32_create(points, all, NULL, &block), BMR_ERROR_TOO_MANY_POINTS);
+    assert_int_equal(bmr_convex32_create_raw(points, all, NULL, &block), BMR_ERROR_TOO_MANY_POINTS);
+    assert_int_equal(bmr_convex32_create(points, BMR_CONVEX32_MOST + 1, NULL, &block),
+                     BMR_ERROR_TOO_MANY_POINTS);
+    assert_ptr_equal(block, untouched);
+    assert_int_equal(bmr_convex32_create_raw(points, BMR_CONVEX32_MOST, NULL, &block), BMR_OK);
+    bmr_convex32_block *raw = block;
+    assert_int_equal(bmr_convex32_create(points, BMR_CONVEX32_MOST, NULL, &block), BMR_OK);
+    assert_int_equal(block->polygon.count, BMR_CONVEX32_MOST);
+    assert_int_equal(bmr_convex32_audit(&block->polygon), BMR_OK);
+    assert_true(bmr_convex32_bytes(BMR_CONVEX32_MOST) <= 40 * (size_t)BMR_CONVEX32_MOST);
+    test_random random = {12};
+    for (int k = 0; k < 200; ++k) {
+        const bmr_vec32 d = random_direction(&random, &block->polygon);
+        assert_true(convex32_dot(block->polygon.vertices[bmr_convex32_support(&block->polygon, d)], d) ==
+                    most_of_all(&block->polygon, d));
+    }
+    bmr_convex32_destroy(raw, NULL);
+    bmr_convex32_destroy(block, NULL);
+    free(points);
+}
+
+static void bad_points_are_errors_and_leave_the_output(void **state) {
+    (void)state;
+    bmr_convex32_block *const untouched = (bmr_convex32_block *)&untouched;
+    const bmr_vec32 good[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    const struct {
+        bmr_vec32 points[5];
+        size_t count;
+        bmr_error hull, raw;
+    } cases[] = {
+        {{{0, 0}, {1, 0}}, 2, BMR_ERROR_TOO_FEW_POINTS, BMR_ERROR_TOO_FEW_POINTS},
+        {{{0, 0}}, 0, BMR_ERROR_TOO_FEW_POINTS, BMR_ERROR_TOO_FEW_POINTS},
+        {{{0, 0}, {1, 0}, {1, NAN}}, 3, BMR_ERROR_NOT_FINITE, BMR_ERROR_NOT_FINITE},
+        {{{0, 0}, {1, 0}, {INFINITY, 1}}, 3, BMR_ERROR_NOT_FINITE, BMR_ERROR_NOT_FINITE},
+        {{{0, 0}, {1, 0}, {1.1e9f, 1}}, 3, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_OUT_OF_RANGE},
+        {{{0, 0}, {1e-10f, 0}, {0, 1e-10f}}, 3, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_OUT_OF_RANGE},
+        {{{0, 0}, {1, 1}, {2, 2}}, 3, BMR_ERROR_TOO_FEW_POINTS, BMR_ERROR_NOT_CONVEX},
+        {{{1, 1}, {1, 1}, {1, 1}}, 3, BMR_ERROR_TOO_FEW_POINTS, BMR_ERROR_OUT_OF_RANGE},
+        {{{0, 0}, {1, 0}, {1, 0}, {0, 1}}, 4, BMR_OK, BMR_ERROR_NOT_CONVEX},
+        {{{0, 0}, {1, 0}, {2, 0}, {0, 1}}, 4, BMR_OK, BMR_ERROR_NOT_CONVEX},
+        {{{0, 0}, {0, 1}, {1, 0}}, 3, BMR_OK, BMR_ERROR_NOT_CONVEX},
+        {{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, 4, BMR_OK, BMR_ERROR_NOT_CONVEX},
+        // Turns by 1e-8, and so straight as far as its normals can tell.
+        {{{-1, -1}, {0, -0x1p-27f}, {1, 1}, {-1, 1}}, 4, BMR_OK, BMR_ERROR_NOT_CONVEX},
+    };
+    for (size_t k = 0; k < COUNT_OF(cases); ++k) {
+        bmr_convex32_block *block = untouched;
+        assert_int_equal(bmr_convex32_create(cases[k].points, cases[k].count, NULL, &block), cases[k].hull);
+        assert_true((block == untouched) == (cases[k].hull != BMR_OK));
+        if (block != untouched)
+            bmr_convex32_destroy(block, NULL);
+        block = untouched;
+        assert_int_equal(bmr_convex32_create_raw(cases[k].points, cases[k].count, NULL, &block),
+                         cases[k].raw);
+        assert_ptr_equal(block, untouched);
+    }
+    // Twice around: every turn is to the left.
+    bmr_vec32 star[10];
+    for (int i = 0; i < 10; ++i)
+        star[i] = vec(cos(4.0 * PI * i / 5.0 + i * 1e-3), sin(4.0 * PI * i / 5.0 + i * 1e-3));
+    bmr_convex32_block *block = untouched;
+    assert_int_equal(bmr_convex32_create_raw(star, 5, NULL, &block), BMR_ERROR_NOT_CONVEX);
+    assert_int_equal(bmr_convex32_create(NULL, 4, NULL, &block), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_convex32_create(good, 4, NULL, NULL), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_convex32_create_raw(NULL, 4, NULL, &block), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_convex32_audit(NULL), BMR_ERROR_NULL_ARGUMENT);
+    assert_ptr_equal(block, untouched);
+    bmr_convex32_destroy(NULL, NULL);
+}
+
+static void the_audit_finds_what_is_wrong(void **state) {
+    (void)state;
+    bmr_vec32 points[100];
+    for (int i = 0; i < 100; ++i)
+        points[i] = vec(cos(2.0 * PI * i / 100 + 0.01), sin(2.0 * PI * i / 100 + 0.01));
+    bmr_convex32_block *block = NULL;
+    assert_int_equal(bmr_convex32_create(points, 100, NULL, &block), BMR_OK);
+    const bmr_convex32 p = block->polygon;
+    for (uint32_t i = 0; i < p.count; ++i) {
+        bmr_vec32 *normal = (bmr_vec32 *)&p.normals[i], was = *normal;
+        *normal = vec(-(double)was.x, (double)was.y);
+        assert_int_not_equal(bmr_convex32_audit(&p), BMR_OK);
+        normal->x = nextafterf(was.x, 2.0f);
+        assert_int_not_equal(bmr_convex32_audit(&p), BMR_OK);
+        *normal = was;
+        bmr_vec32 *vertex = (bmr_vec32 *)&p.vertices[i];
+        was = *vertex;
+        *vertex = p.vertices[(i + p.count / 2) % p.count];
+        assert_int_equal(bmr_convex32_audit(&p), BMR_ERROR_NOT_CONVEX);
+        vertex->x = NAN;
+        assert_int_equal(bmr_convex32_audit(&p), BMR_ERROR_NOT_FINITE);
+        *vertex = was;
+    }
+    for (uint32_t b = 0; b < 1u << p.bucket_bits; ++b) {
+        uint16_t *bucket = (uint16_t *)&p.buckets[b];
+        const uint16_t was = *bucket;
+        *bucket = (uint16_t)((was + 1) % p.count);
+        assert_int_equal(bmr_convex32_audit(&p), BMR_ERROR_INVALID_STRUCTURE);
+        *bucket = (uint16_t)p.count;
+        assert_int_equal(bmr_convex32_audit(&p), BMR_ERROR_INVALID_STRUCTURE);
+        *bucket = was;
+    }
+    bmr_convex32 other = p;
+    other.extent.x = 0.0f;
+    assert_int_equal(bmr_convex32_audit(&other), BMR_ERROR_INVALID_STRUCTURE);
+    other = p;
+    --other.bucket_bits;
+    assert_int_equal(bmr_convex32_audit(&other), BMR_ERROR_INVALID_STRUCTURE);
+    other = p;
+    other.buckets = NULL;
+    assert_int_equal(bmr_convex32_audit(&other), BMR_ERROR_INVALID_STRUCTURE);
+    assert_int_equal(bmr_convex32_audit(&p), BMR_OK);
+    bmr_convex32_destroy(block, NULL);
+}
+
+static void failing_allocations_are_reported_and_leak_nothing(void **state) {
+    (void)state;
+    test_random random = {3};
+    bmr_convex32_block *block = random_polygon(&random, 200), *const untouched = block;
+    const bmr_convex32 *p = &block->polygon;
+    bmr_vec32 *points = malloc(p->count * sizeof *points);
+    assert_non_null(points);
+    for (int what = 0; what < 3; ++what)
+        for (size_t fail_at = 0;; ++fail_at) {
+            test_heap heap;
+            test_heap_init(&heap, fail_at);
+            bmr_convex32_block *made = untouched;
+            size_t count = 77;
+            const bmr_error error =
+                what == 0   ? bmr_convex32_create(p->vertices, p->count, &heap.allocator, &made)
+                : what == 1 ? bmr_convex32_create_raw(p->vertices, p->count, &heap.allocator, &made)
+                            : bmr_convex32_simplify(p, 0.01f, &heap.allocator, points, &count);
+            if (error == BMR_OK) {
+                assert_true(heap.asked <= fail_at && fail_at > 0);
+                if (what < 2) {
+                    assert_int_equal(heap.bytes, bmr_convex32_bytes(p->count));
+                    bmr_convex32_destroy(made, &heap.allocator);
+                }
+                assert_int_equal(heap.blocks + heap.wrong_sizes, 0);
+                break;
+            }
+            assert_int_equal(error, BMR_ERROR_NO_MEMORY);
+            assert_ptr_equal(made, untouched);
+            assert_int_equal(count, 77);
+            assert_int_equal(heap.blocks + heap.wrong_sizes, 0);
+        }
+    free(points);
+    bmr_convex32_destroy(block, NULL);
+}
+
+// --- asked ---
+
+/// The control: the vertex where the direction really leaves the polygon.
+static uint32_t leaving_vertex(const bmr_convex32 *p, bmr_vec32 d) {
+    for (uint32_t i = 0; i < p->count; ++i)
+        if (convex32_leaves_at(p, i, d))
+            return i;
+    return 0;
+}
+
+static void supports_have_the_largest_product_of_all(void **state) {
+    (void)state;
+    test_random random = {4};
+    size_t control = 0;
+    for (size_t k = 0; k < test_scaled(1500); ++k) {
+        bmr_convex32_block *block = random_polygon(&random, random_count(&random));
+        const bmr_convex32 *p = &block->polygon;
+        for (int q = 0; q < 50; ++q) {
+            const bmr_vec32 d = random_direction(&random, p);
+            const float most = most_of_all(p, d);
+            const uint32_t support = bmr_convex32_support(p, d);
+            assert_true(support < p->count && convex32_dot(p->vertices[support], d) == most);
+            const uint32_t hint =
+                q % 5 ? (support + test_random_below(&random, q % 2 ? 6 : p->count)) % p->count : UINT32_MAX;
+            const uint32_t from = bmr_convex32_support_from(p, d, hint);
+            assert_true(from < p->count && convex32_dot(p->vertices[from], d) == most);
+            control += convex32_dot(p->vertices[leaving_vertex(p, d)], d) != most;
+        }
+        bmr_convex32_destroy(block, NULL);
+    }
+    assert_true(control > 0);
+}
+
+static void directions_that_are_none_have_an_answer(void **state) {
+    (void)state;
+    test_random random = {5};
+    const float values[] = {0.0f, -0.0f, 1.0f, NAN, INFINITY, -INFINITY, FLT_MAX, -FLT_MAX, FLT_MIN, 1e-45f};
+    for (int k = 0; k < 20; ++k) {
+        bmr_convex32_block *block = random_polygon(&random, 3 + 20 * (size_t)k);
+        const bmr_convex32 *p = &block->polygon;
+        for (size_t i = 0; i < COUNT_OF(values) * COUNT_OF(values); ++i) {
+            const bmr_vec32 d = {values[i / COUNT_OF(values)], values[i % COUNT_OF(values)]};
+            const uint32_t support = bmr_convex32_support(p, d);
+            const uint32_t from = bmr_convex32_support_from(p, d, p->count / 2);
+            assert_true(support < p->count && from < p->count);
+            if (isnan(d.x) || isnan(d.y) || (d.x == 0.0f && d.y == 0.0f))
+                assert_true(support == 0 && from == 0);
+            else if (isfinite(most_of_all(p, d)))
+                assert_true(convex32_dot(p->vertices[support], d) == most_of_all(p, d));
+        }
+        bmr_convex32_destroy(block, NULL);
+    }
+}
+
+static bool contains_by_loop(const bmr_convex32 *p, bmr_vec32 q) {
+    for (uint32_t i = 0; i < p->count; ++i) {
+        const bmr_vec32 n = p->normals[i], v = p->vertices[i];
+        const float x = q.x - v.x, y = q.y - v.y;
+        if (n.x * x + n.y * y > 0.0f)
+            return false;
+    }
+    return true;
+}
+
+/// The control: what is true of the vertices.
+static bool really_contains(const bmr_convex32 *p, bmr_vec32 q) {
+    for (uint32_t i = 0; i < p->count; ++i) {
+        const bmr_vec32 v = p->vertices[i], w = p->vertices[convex32_next(p, i)];
+        if (((double)w.x - (double)v.x) * ((double)q.y - (double)v.y) -
+                ((double)w.y - (double)v.y) * ((double)q.x - (double)v.x) <
+            0.0)
+            return false;
+    }
+    return true;
+}
+
+static bmr_vec32 point_near(test_random *random, const bmr_convex32 *p) {
+    const bmr_vec32 a = any_vertex(random, p), b = any_vertex(random, p);
+    const uint32_t edge = test_random_below(random, p->count);
+    const double t = test_random_uniform(random, 0.0, 1.0);
+    switch (test_random_below(random, 6)) {
+    case 0:
+        return a;
+    case 1:
+        return between(a, b, t);
+    case 2: // beyond, by as little as an ulp
+        return between(a, b, test_random_below(random, 2) ? 1.0 + 1e-7 * t : 1.0 + t);
+    default: // on an edge, as far as floats go
+        return between(p->vertices[edge], p->vertices[convex32_next(p, edge)], t);
+    }
+}
+
+static void points_are_inside_where_the_loop_says_so(void **state) {
+    (void)state;
+    test_random random = {6};
+    size_t inside = 0, control = 0, asked = 0;
+    for (size_t k = 0; k < test_scaled(1500); ++k) {
+        bmr_convex32_block *block = random_polygon(&random, random_count(&random));
+        const bmr_convex32 *p = &block->polygon;
+        for (int q = 0; q < 50; ++q, ++asked) {
+            const bmr_vec32 point = point_near(&random, p);
+            const bool in = contains_by_loop(p, point);
+            assert_int_equal(bmr_convex32_contains(p, point), in);
+            inside += in;
+            control += really_contains(p, point) != in;
+        }
+        const float strange[] = {NAN, INFINITY, -INFINITY, FLT_MAX, -FLT_MAX, 0.0f};
+        for (size_t i = 0; i < 36; ++i) {
+            const bmr_vec32 point = {strange[i / 6], strange[i % 6]};
+            assert_int_equal(bmr_convex32_contains(p, point), contains_by_loop(p, point));
+        }
+        bmr_convex32_destroy(block, NULL);
+    }
+    assert_true(inside > asked / 10 && inside < asked - asked / 10);
+    assert_true(control > 0);
+}
+
+/// As Box2D goes through the edges. `skip` is an edge left out: the control.
+static bool ray_by_loop(const bmr_convex32 *p, bmr_vec32 p1, bmr_vec32 p2, float max_fraction, uint32_t skip,
+                        float *fraction, uint32_t *edge) {
+    const float dx = p2.x - p1.x, dy = p2.y - p1.y;
+    float lower = 0.0f, upper = max_fraction;
+    *edge = UINT32_MAX;
+    for (uint32_t i = 0; i < p->count; ++i) {
+        const bmr_vec32 n = p->normals[i], v = p->vertices[i];
+        const float x = v.x - p1.x, y = v.y - p1.y;
+        const float distance = n.x * x + n.y * y, speed = n.x * dx + n.y * dy;
+        if (i == skip)
+            continue;
+        if (speed == 0.0f && distance < 0.0f)
+            return false;
+        if (speed < 0.0f && distance < lower * speed) {
+            lower = distance / speed;
+            *edge = i;
+        } else if (speed > 0.0f && distance < upper * speed)
+            upper = distance / speed;
+        if (upper < lower)
+            return false;
+    }
+    *fraction = lower;
+    return *edge != UINT32_MAX;
+}
+
+typedef struct ray {
+    bmr_vec32 p1, p2;
+    float max_fraction;
+} ray;
+
+static ray random_ray(test_random *random, const bmr_convex32_block *block) {
+    const bmr_convex32 *p = &block->polygon;
+    const double angle = test_random_uniform(random, -3.2, 3.2);
+    const double far = (double)block->reach * pow(10.0, test_random_uniform(random, -1.0, 3.0));
+    const bmr_vec32 a = any_vertex(random, p);
+    const uint32_t edge = test_random_below(random, p->count);
+    const bmr_vec32 from = p->vertices[edge], to = p->vertices[convex32_next(p, edge)];
+    ray r = {vec((double)a.x + far * cos(angle), (double)a.y + far * sin(angle)), point_near(random, p),
+             1.0f};
+    switch (test_random_below(random, 10)) {
+    case 0: // along an edge
+        r.p1 = between(from, to, -1.0 - test_random_uniform(random, 0.0, 3.0));
+        r.p2 = between(from, to, 2.0);
+        break;
+    case 1: // next to parallel to it
+        r.p1 = between(from, to, -5.0);
+        r.p2 = between(point_near(random, p), to, 1.0 - 1e-3);
+        break;
+    case 2:
+        r.p2.y = r.p1.y;
+        break;
+    case 3:
+        r.p2.x = r.p1.x;
+        break;
+    case 4: // from inside or on it
+        r.p1 = point_near(random, p);
+        break;
+    case 5: // no ray at all
+        r.p1 = r.p2;
+        break;
+    default: // through, or short of it
+        r.p2 = between(r.p1, r.p2, test_random_uniform(random, 0.5, 2.0));
+    }
+    if (test_random_below(random, 4) == 0)
+        r.max_fraction = (float)test_random_uniform(random, 0.0, 3.0);
+    return r;
+}
+
+static void rays_hit_what_the_loop_hits(void **state) {
+    (void)state;
+    test_random random = {7};
+    size_t hits = 0, asked = 0, control = 0;
+    for (size_t k = 0; k < test_scaled(2000); ++k) {
+        bmr_convex32_block *block = random_polygon(&random, random_count(&random));
+        const bmr_convex32 *p = &block->polygon;
+        for (int q = 0; q < 50; ++q, ++asked) {
+            const ray r = random_ray(&random, block);
+            float expected = -1.0f, fraction = -1.0f, other;
+            uint32_t edge_expected = 0, edge = UINT32_MAX, other_edge;
+            const bool hit =
+                ray_by_loop(p, r.p1, r.p2, r.max_fraction, UINT32_MAX, &expected, &edge_expected);
+            assert_int_equal(bmr_convex32_ray(p, r.p1, r.p2, r.max_fraction, &fraction, &edge), hit);
+            if (hit) {
+                assert_true(fraction == expected);
+                assert_int_equal(edge, edge_expected);
+                const bool still = ray_by_loop(p, r.p1, r.p2, r.max_fraction, edge, &other, &other_edge);
+                control += !still || other != expected;
+            } else
+                assert_true(fraction == -1.0f && edge == UINT32_MAX);
+            hits += hit;
+        }
+        const float strange[] = {NAN, INFINITY, FLT_MAX, -1e20f, 1e-30f};
+        for (size_t i = 0; i < 25; ++i) {
+            const ray r = {{strange[i / 5], 1.0f}, {0.5f, strange[i % 5]}, 1.0f};
+            float expected = -1.0f, fraction = -1.0f;
+            uint32_t edge_expected, edge = UINT32_MAX;
+            const bool hit =
+                ray_by_loop(p, r.p1, r.p2, r.max_fraction, UINT32_MAX, &expected, &edge_expected);
+            assert_int_equal(bmr_convex32_ray(p, r.p1, r.p2, r.max_fraction, &fraction, &edge), hit);
+            assert_true(!hit || fraction == expected || (isnan(fraction) && isnan(expected)));
+        }
+        bmr_convex32_destroy(block, NULL);
+    }
+    assert_true(hits > asked / 10 && hits < asked - asked / 10);
+    assert_true(control > 0);
+}
+
+static void boxes_are_those_of_all_vertices(void **state) {
+    (void)state;
+    test_random random = {8};
+    size_t control = 0;
+    for (size_t k = 0; k < test_scaled(1500); ++k) {
+        bmr_convex32_block *block = random_polygon(&random, random_count(&random));
+        const bmr_convex32 *p = &block->polygon;
+        for (int q = 0; q < 30; ++q) {
+            const float angle = (float)test_random_uniform(&random, -3.2, 3.2);
+            const bmr_transform32 pose = {
+                vec(test_random_uniform(&random, -100, 100), test_random_uniform(&random, -100, 100)),
+                q % 8 ? sinf(angle) : 0.0f, q % 8 ? cosf(angle) : 1.0f};
+            bmr_vec32 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY}, lower, upper;
+            for (uint32_t i = 0; i < p->count; ++i) {
+                const bmr_vec32 v = p->vertices[i];
+                const float x = (pose.c * v.x - pose.s * v.y) + pose.p.x;
+                const float y = (pose.s * v.x + pose.c * v.y) + pose.p.y;
+                low.x = fminf(low.x, x);
+                low.y = fminf(low.y, y);
+                high.x = fmaxf(high.x, x);
+                high.y = fmaxf(high.y, y);
+            }
+            bmr_convex32_box(p, &pose, &lower, &upper);
+            assert_true(lower.x == low.x && lower.y == low.y && upper.x == high.x && upper.y == high.y);
+            const bmr_vec32 v = p->vertices[leaving_vertex(p, vec((double)pose.c, -(double)pose.s))];
+            control += (pose.c * v.x - pose.s * v.y) + pose.p.x != high.x;
+        }
+        bmr_convex32_destroy(block, NULL);
+    }
+    assert_true(control > 0);
+}
+
+static void masses_are_those_of_the_sum_over_triangles(void **state) {
+    (void)state;
+    test_random random = {9};
+    size_t control = 0;
+    for (size_t k = 0; k < test_scaled(1000); ++k) {
+        bmr_convex32_block *block = random_polygon(&random, random_count(&random));
+        const bmr_convex32 *p = &block->polygon;
+        long double area = 0, x = 0, y = 0, inertia = 0;
+        float float_area = 0.0f;
+        const long double x0 = (long double)p->vertices[p->count / 3].x,
+                          y0 = (long double)p->vertices[p->count / 3].y;
+        for (uint32_t i = 0; i < p->count; ++i) {
+            const bmr_vec32 v = p->vertices[i], w = p->vertices[convex32_next(p, i)];
+            const long double ax = (long double)v.x - x0, ay = (long double)v.y - y0;
+            const long double bx = (long double)w.x - x0, by = (long double)w.y - y0;
+            const long double cross = ax * by - ay * bx;
+            area += cross / 2;
+            x += cross * (ax + bx) / 6;
+            y += cross * (ay + by) / 6;
+            // About the origin, of a triangle by its edges' midpoints: exact for squares.
+            const long double m[3][2] = {{x0 + ax / 2, y0 + ay / 2},
+                                         {x0 + bx / 2, y0 + by / 2},
+                                         {x0 + (ax + bx) / 2, y0 + (ay + by) / 2}};
+            for (int e = 0; e < 3; ++e)
+                inertia += cross / 6 * (m[e][0] * m[e][0] + m[e][1] * m[e][1]);
+            float_area += 0.5f * (v.x * w.y - v.y * w.x);
+        }
+        x = x0 + x / area;
+        y = y0 + y / area;
+        const bmr_mass32 mass = block->mass;
+        assert_true(fabsl((long double)mass.area - area) <= 1e-7L * area);
+        assert_true(fabsl((long double)mass.inertia - inertia) <= 1e-7L * inertia);
+        const long double size = (long double)block->reach;
+        assert_true(fabsl((long double)mass.centroid.x - x) <= 1e-7L * size);
+        assert_true(fabsl((long double)mass.centroid.y - y) <= 1e-7L * size);
+        control += fabsl((long double)float_area - area) > 1e-7L * area;
+        for (uint32_t i = 0; i < p->count; ++i)
+            assert_true(hypot((double)p->vertices[i].x, (double)p->vertices[i].y) <= (double)block->reach);
+        bmr_convex32_destroy(block, NULL);
+    }
+    assert_true(control > 0);
+}
+
+static void the_polygon_inside_is_convex_and_spreads(void **state) {
+    (void)state;
+    test_random random = {10};
+    for (size_t k = 0; k < test_scaled(500); ++k) {
+        bmr_convex32_block *block = random_polygon(&random, random_count(&random));
+        const bmr_convex32 *p = &block->polygon;
+        for (uint32_t count = 3; count <= 8; ++count) {
+            uint32_t inner[9];
+            inner[8] = 12345;
+            bmr_convex32_inner(p, inner, count);
+            for (uint32_t i = 0; i < count && i < p->count; ++i)
+                assert_true(inner[i] < p->count && (i == 0 || inner[i - 1] < inner[i]));
+            assert_int_equal(inner[8], 12345);
+        }
+        bmr_convex32_destroy(block, NULL);
+    }
+    // Of a disk the octagon's depth is its sagitta.
+    bmr_vec32 points[256];
+    for (int i = 0; i < 256; ++i)
+        points[i] = vec(cos(2.0 * PI * i / 256), sin(2.0 * PI * i / 256));
+    bmr_convex32_block *block = NULL;
+    assert_int_equal(bmr_convex32_create(points, 256, NULL, &block), BMR_OK);
+    uint32_t inner[8];
+    bmr_convex32_inner(&block->polygon, inner, 8);
+    for (uint32_t i = 0; i < 8; ++i)
+        assert_int_equal(inner[i], 32 * i);
+    bmr_convex32_destroy(block, NULL);
+}
+
+static double distance_to_polygon(const bmr_vec32 *v, size_t count, bmr_vec32 q) {
+    double least = INFINITY;
+    bool inside = true;
+    for (size_t i = 0; i < count; ++i) {
+        const bmr_vec32 a = v[i], b = v[i + 1 < count ? i + 1 : 0];
+        const double x = (double)b.x - (double)a.x, y = (double)b.y - (double)a.y;
+        const double px = (double)q.x - (double)a.x, py = (double)q.y - (double)a.y;
+        const double t = fmin(fmax((px * x + py * y) / (x * x + y * y), 0.0), 1.0);
+        least = fmin(least, hypot(px - t * x, py - t * y));
+        inside = inside && x * py - y * px >= 0.0;
+    }
+    return inside ? 0.0 : least;
+}
+
+static void simplified_polygons_are_near_and_have_few_vertices(void **state) {
+    (void)state;
+    test_random random = {11};
+    size_t control = 0, reduced = 0;
+    for (size_t k = 0; k < test_scaled(300); ++k) {
+        bmr_convex32_block *block = random_polygon(&random, 3 + test_random_below(&random, 400));
+        const bmr_convex32 *p = &block->polygon;
+        const double tolerance = (double)block->reach * pow(10.0, test_random_uniform(&random, -6.0, 0.0));
+        bmr_vec32 *points = malloc(p->count * sizeof *points);
+        assert_non_null(points);
+        size_t count = 0;
+        assert_int_equal(bmr_convex32_simplify(p, (float)tolerance, NULL, points, &count), BMR_OK);
+        assert_true(count >= 3 && count <= p->count);
+        uint32_t at = 0;
+        for (size_t i = 0; i < count; ++i, ++at)
+            while (points[i].x != p->vertices[at].x || points[i].y != p->vertices[at].y)
+                assert_true(++at < p->count);
+        double far = 0.0;
+        for (uint32_t i = 0; i < p->count; ++i)
+            far = fmax(far, distance_to_polygon(points, count, p->vertices[i]));
+        assert_true(far <= (double)(float)tolerance * (1.0 + 1e-9));
+        control += far > 0.5 * tolerance;
+        reduced += count < p->count;
+        free(points);
+        bmr_convex32_destroy(block, NULL);
+    }
+    assert_true(control > 0 && reduced > 0);
+
+    // A circle: an arc between two kept vertices is at most twice what it could be.
+    enum { N = 4096 };
+    static bmr_vec32 circle[N], points[N];
+    for (int i = 0; i < N; ++i)
+        circle[i] = vec(cos(2.0 * PI * i / N), sin(2.0 * PI * i / N));
+    bmr_convex32_block *block = NULL;
+    assert_int_equal(bmr_convex32_create(circle, N, NULL, &block), BMR_OK);
+    for (double tolerance = 1e-5; tolerance < 0.1; tolerance *= 3.0) {
+        size_t count = 0;
+        assert_int_equal(bmr_convex32_simplify(&block->polygon, (float)tolerance, NULL, points, &count),
+                         BMR_OK);
+        const double fewest = PI / acos(1.0 - tolerance);
+        assert_true((double)count >= floor(fewest) && (double)count <= 2.0 * fewest + 4.0);
+    }
+    size_t count = 0;
+    assert_int_equal(bmr_convex32_simplify(&block->polygon, 0.0f, NULL, points, &count), BMR_OK);
+    assert_int_equal(count, N);
+    assert_int_equal(bmr_convex32_simplify(&block->polygon, 1e9f, NULL, points, &count), BMR_OK);
+    assert_int_equal(count, 3);
+    count = 5;
+    assert_int_equal(bmr_convex32_simplify(&block->polygon, -1.0f, NULL, points, &count),
+                     BMR_ERROR_OUT_OF_RANGE);
+    assert_int_equal(bmr_convex32_simplify(&block->polygon, NAN, NULL, points, &count), BMR_ERROR_NOT_FINITE);
+    assert_int_equal(bmr_convex32_simplify(NULL, 1.0f, NULL, points, &count), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(count, 5);
+    bmr_convex32_destroy(block, NULL);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(hulls_pass_the_audit_and_hold_every_point),
+        cmocka_unit_test(all_vertices_of_circles_are_kept),
+        cmocka_unit_test(polygons_have_up_to_65535_vertices),
+        cmocka_unit_test(bad_points_are_errors_and_leave_the_output),
+        cmocka_unit_test(the_audit_finds_what_is_wrong),
+        cmocka_unit_test(failing_allocations_are_reported_and_leak_nothing),
+        cmocka_unit_test(supports_have_the_largest_product_of_all),
+        cmocka_unit_test(directions_that_are_none_have_an_answer),
+        cmocka_unit_test(points_are_inside_where_the_loop_says_so),
+        cmocka_unit_test(rays_hit_what_the_loop_hits),
+        cmocka_unit_test(boxes_are_those_of_all_vertices),
+        cmocka_unit_test(masses_are_those_of_the_sum_over_triangles),
+        cmocka_unit_test(the_polygon_inside_is_convex_and_spreads),
+        cmocka_unit_test(simplified_polygons_are_near_and_have_few_vertices),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
