@@ -277,12 +277,12 @@ void Collector::AddJoints(const recording::Frame &frame, int32_t step) {
 void Collector::AddBoxes(const recording::Frame &frame, int32_t step) {
     for (const recording::Box &recorded : frame.boxes) {
         Box box;
+        box.of = {recorded.body, recorded.fixture, recorded.child};
         box.step = step;
         box.end = step + 1;
         box.low = PointOf({recorded.left, recorded.bottom});
         box.high = PointOf({recorded.right, recorded.top});
-        const auto [known, isNew] =
-            m_boxes.try_emplace({recorded.body, recorded.fixture, recorded.child}, m_replay.boxes.size());
+        const auto [known, isNew] = m_boxes.try_emplace(box.of, m_replay.boxes.size());
         if (!isNew) {
             Box &last = m_replay.boxes[known->second];
             if (last.end == step && last.low == box.low && last.high == box.high) {
@@ -351,6 +351,8 @@ Replay Collector::Finish() {
         FinishPair(key, m_pairs[key]);
         m_pairs.erase(key); // the same again, in another form: not both at once
     }
+    std::stable_sort(m_replay.boxes.begin(), m_replay.boxes.end(),
+                     [](const Box &a, const Box &b) { return a.of < b.of; });
     return std::move(m_replay);
 }
 

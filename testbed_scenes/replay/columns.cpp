@@ -126,10 +126,10 @@ void AddRest(const Replay &replay, std::vector<Column> &columns) {
         for (const auto &[a, b] : joint.ends)
             ends.Add({Position(a.x), Position(a.y), Position(b.x), Position(b.y)});
     }
-    Table boxes({"box.step", "box.end", "box.left", "box.bottom", "box.right", "box.top"});
+    Table boxes({"box.step", "box.end", "box.left", "box.bottom", "box.width", "box.height"});
     for (const Box &box : replay.boxes)
-        boxes.Add({box.step, box.end, Position(box.low.x), Position(box.low.y), Position(box.high.x),
-                   Position(box.high.y)});
+        boxes.Add({box.step, box.end, Position(box.low.x), Position(box.low.y),
+                   Position(box.high.x - box.low.x), Position(box.high.y - box.low.y)});
     Table stock({"stock.polygon", "stock.toi", "stock.distance", "stock.overlap"}),
         plugin({"plugin.polygon", "plugin.toi", "plugin.distance", "plugin.overlap"});
     for (const Calls &calls : replay.stockCalls)

@@ -138,6 +138,7 @@ struct JointSegment {
 
 /// A box of the broad phase, from `step` on until `end` (exclusive).
 struct Box {
+    std::array<int32_t, 3> of = {0, 0, 0}; ///< body, fixture, child; by these they are sorted, then by step
     int32_t step = 0, end = 0;
     Point low, high;
 };

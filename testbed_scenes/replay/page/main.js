@@ -155,7 +155,11 @@ function exposeReplay(app) {
       number: m.c["body.number"][body], x: m.x[body], y: m.y[body], cos: m.cos[body], sin: m.sin[body],
       awake: (m.flags[body] & 1) !== 0,
     })),
-    screenOf: (x, y) => app.view.toScreen(x, y),
+    // The middle of the line between two bodies, in the view; null where there is none now.
+    linkOf: (a, b) => {
+      const group = m.groupOf(a, b), pair = group && m.spanAt(group, app.step), ends = app.view.links;
+      return pair !== undefined && m.linkOf(pair, ends) ? app.view.toScreen((ends[0] + ends[2]) / 2, (ends[1] + ends[3]) / 2) : null;
+    },
     pairs: () => m.groups.map((group) => ({ a: group.a, b: group.b, events: group.events.length, tests: group.tests })),
     pair: (a, b) => {
       const group = m.groupOf(a, b);

@@ -183,7 +183,6 @@ class Model {
     this.nearestPoint(large, this.x[small], this.y[small], pl);
     this.nearestPoint(small, pl[0], pl[1], ps);
     this.nearestPoint(large, ps[0], ps[1], pl);
-    this.nearestPoint(small, pl[0], pl[1], ps);
     return true;
   }
 

@@ -2,7 +2,9 @@
 
 // Upper bounds of slack, as shares of the largest; the last class is the rest. Width tells what colour tells.
 const SLACK_CLASSES = [0.01, 0.03, 0.1, 0.3, 0.6, Infinity];
-const SLACK_WIDTHS = [3.4, 2.8, 2.2, 1.6, 1.1, 0.7];
+const SLACK_WIDTHS = [3.2, 2.4, 1.7, 1, 0.8, 0.6];
+// Lines up to a pixel wide are the cheap ones; rasterisers take long for one path of thousands of crossing parts, and long for thousands of paths.
+const PARTS_PER_PATH = 8;
 
 class View {
   constructor(canvas, model, options) {
@@ -12,6 +14,7 @@ class View {
     this.options = options;
     this.framesDrawn = 0;
     this.links = new Float64Array(4);
+    this.hasSensors = model.c["shape.kind"].some((kind) => (kind & 4) !== 0);
     this.readColours();
     this.chooseSlackScale();
     this.camera = { x: 0, y: 0, scale: 20 };
@@ -175,15 +178,14 @@ class View {
       const [width, dash] = lines[look];
       this.stroke(this.colour[name + "-edge"], width, dash);
       g.fillStyle = this.colour[name];
-      g.beginPath();
-      for (const body of bodies) this.traceBody(g, body, (shape) => !m.isSensor(shape) && m.shapeKind(shape) !== 2);
-      g.fill("nonzero");
-      for (const body of bodies) this.traceBody(g, body, (shape) => m.shapeKind(shape) === 2);
-      g.stroke();
-      g.beginPath();
-      for (const body of bodies) this.traceBody(g, body, (shape) => m.isSensor(shape));
+      this.inParts(bodies.length, (i) => this.traceBody(g, bodies[i], (shape) => !m.isSensor(shape) && m.shapeKind(shape) !== 2), () => {
+        g.fill("nonzero");
+        g.stroke();
+      });
+      this.inParts(bodies.length, (i) => this.traceBody(g, bodies[i], (shape) => m.shapeKind(shape) === 2), () => g.stroke());
+      if (!this.hasSensors) continue;
       this.stroke(this.colour["sensor-edge"], 1, [1, 3]);
-      g.stroke();
+      this.inParts(bodies.length, (i) => this.traceBody(g, bodies[i], (shape) => m.isSensor(shape)), () => g.stroke());
     }
     g.setLineDash([]);
   }
@@ -205,7 +207,7 @@ class View {
       if (answer === HANDED_OVER) list = shown.handed ? handed : null;
       else if (shown.slack && slack > 0) list = classes[this.slackClass(slack)];
       else if (shown.slack && slack === 0 && !m.isTouchingAt(row)) list = unproved;
-      if (!list || !m.linkOf(pair, out)) continue;
+      if (!list || !this.seesPair(pair) || !m.linkOf(pair, out)) continue;
       list.push(out[0], out[1], out[2], out[3]);
     }
     const many = classes.reduce((sum, list) => sum + list.length / 4, 0);
@@ -217,31 +219,42 @@ class View {
     this.drawCrosses(handed);
   }
 
+  // Calls trace(i) for each i, and paint() after every few.
+  inParts(count, trace, paint) {
+    const g = this.context;
+    for (let from = 0; from < count; from += PARTS_PER_PATH) {
+      g.beginPath();
+      for (let i = from; i < Math.min(count, from + PARTS_PER_PATH); ++i) trace(i);
+      paint();
+    }
+  }
+
+  seesPair(pair) {
+    const m = this.model, a = m.entryOf[m.c["pair.a"][pair]], b = m.entryOf[m.c["pair.b"][pair]];
+    return a >= 0 && b >= 0 && (this.seen[a] || this.seen[b]);
+  }
+
   strokeSegments(list, colour, width, dash = []) {
     if (!list.length) return;
     const g = this.context;
     this.stroke(colour, width, dash);
-    g.beginPath();
-    for (let i = 0; i < list.length; i += 4) {
-      g.moveTo(list[i], list[i + 1]);
-      g.lineTo(list[i + 2], list[i + 3]);
-    }
-    g.stroke();
+    this.inParts(list.length / 4, (i) => {
+      g.moveTo(list[4 * i], list[4 * i + 1]);
+      g.lineTo(list[4 * i + 2], list[4 * i + 3]);
+    }, () => g.stroke());
   }
 
   drawCrosses(list) {
     if (!list.length) return;
     const g = this.context, r = 3.6 * this.pixel;
     this.stroke(this.colour.handed, 1.8);
-    g.beginPath();
-    for (let i = 0; i < list.length; i += 4) {
-      const x = (list[i] + list[i + 2]) / 2, y = (list[i + 1] + list[i + 3]) / 2;
+    this.inParts(list.length / 4, (i) => {
+      const x = (list[4 * i] + list[4 * i + 2]) / 2, y = (list[4 * i + 1] + list[4 * i + 3]) / 2;
       g.moveTo(x - r, y - r);
       g.lineTo(x + r, y + r);
       g.moveTo(x - r, y + r);
       g.lineTo(x + r, y - r);
-    }
-    g.stroke();
+    }, () => g.stroke());
   }
 
   // The polygons that proofs of these pairs speak of: "hull" or "envelope".
@@ -341,16 +354,15 @@ class View {
   drawContacts(step) {
     const g = this.context, m = this.model, c = m.c, r = 3.2 * this.pixel;
     g.fillStyle = this.colour.contact;
-    g.beginPath();
-    for (const row of this.spansAt(c["contact.first"], c["contact.steps"], m.contactStart, step)) {
-      const x = c["contact.x"][row] * m.unit, y = c["contact.y"][row] * m.unit;
+    const rows = [...this.spansAt(c["contact.first"], c["contact.steps"], m.contactStart, step)];
+    this.inParts(rows.length, (i) => {
+      const x = c["contact.x"][rows[i]] * m.unit, y = c["contact.y"][rows[i]] * m.unit;
       g.moveTo(x - r, y);
       g.lineTo(x, y - r);
       g.lineTo(x + r, y);
       g.lineTo(x, y + r);
       g.closePath();
-    }
-    g.fill();
+    }, () => g.fill());
   }
 
   drawJoints(step) {
@@ -363,11 +375,11 @@ class View {
   drawBoxes(step) {
     const g = this.context, c = this.model.c, u = this.model.unit;
     this.stroke(this.colour.box, 0.8, [1, 2]);
-    g.beginPath();
-    for (let i = 0; i < c["box.step"].length; ++i)
-      if (step >= c["box.step"][i] && step < c["box.end"][i])
-        g.rect(c["box.left"][i] * u, c["box.bottom"][i] * u, (c["box.right"][i] - c["box.left"][i]) * u, (c["box.top"][i] - c["box.bottom"][i]) * u);
-    g.stroke();
+    const here = [...c["box.step"].keys()].filter((i) => step >= c["box.step"][i] && step < c["box.end"][i]);
+    this.inParts(here.length, (k) => {
+      const i = here[k];
+      g.rect(c["box.left"][i] * u, c["box.bottom"][i] * u, c["box.width"][i] * u, c["box.height"][i] * u);
+    }, () => g.stroke());
     g.setLineDash([]);
   }
 
@@ -417,9 +429,11 @@ class View {
       // In the body, near the other one: the middle of a ground may be anywhere.
       let [x, y] = this.toScreen(m.x[body], m.y[body]);
       if (linked) {
-        const [ax, ay] = this.toScreen(this.links[2 * i], this.links[2 * i + 1]);
-        const length = Math.hypot(x - ax, y - ay);
-        const away = Math.min(18, Math.max(12, length)) / (length || 1);
+        // From the middle of the gap towards the body's own middle.
+        const [ax, ay] = this.toScreen((this.links[0] + this.links[2]) / 2, (this.links[1] + this.links[3]) / 2);
+        const length = Math.hypot(x - ax, y - ay) || 1;
+        const gap = Math.hypot(this.links[0] - this.links[2], this.links[1] - this.links[3]) * this.camera.scale;
+        const away = (gap / 2 + Math.min(20, Math.max(14, length))) / length;
         x = ax + (x - ax) * away;
         y = ay + (y - ay) * away;
       }
