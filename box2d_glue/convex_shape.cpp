@@ -8,6 +8,7 @@
 #include <box2d/b2_block_allocator.h>
 #include <box2d/b2_collision.h>
 
+#include "contact_register.h"
 #include "convex_access.h"
 #include "convex_geometry.h"
 #include "convex_registry.h"
@@ -122,7 +123,7 @@ void ConvexShape::Adopt(uint32_t handle) {
 }
 
 bmr_error ConvexShape::AdoptBlock(bmr_convex32_block *block) {
-    bmr_error error = block->mass.area > b2_epsilon ? BMR_OK : BMR_ERROR_OUT_OF_RANGE;
+    bmr_error error = block->mass.area > b2_epsilon ? RegisterConvexContacts() : BMR_ERROR_OUT_OF_RANGE;
     const uint32_t handle = error == BMR_OK ? registry::Add(block) : 0;
     if (handle != 0) {
         Adopt(handle);

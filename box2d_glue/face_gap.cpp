@@ -7,22 +7,23 @@
 #include <box2d/b2_body.h>
 #include <box2d/b2_fixture.h>
 
-#include "shapes32.h"
+#include "boomerang/convex32_collide.h"
+#include "polygon_view.h"
 #include "thresholds.h"
 
 namespace bmr {
 
 namespace {
 
-bmr_polygon32 PolygonOf(const b2Fixture &fixture) {
+bmr_polygon32 SmallPolygon(const b2Fixture &fixture) {
     return Polygon32(static_cast<const b2PolygonShape &>(*fixture.GetShape()));
 }
 
-double Extent(const bmr_polygon32 &shape) {
+double Extent(const bmr_convex32 &polygon) {
     double most = 0.0;
-    for (int32_t i = 0; i < shape.count; ++i)
-        most = std::max(most, std::hypot(static_cast<double>(shape.vertices[i].x),
-                                         static_cast<double>(shape.vertices[i].y)));
+    for (uint32_t i = 0; i < polygon.count; ++i)
+        most = std::max(most, std::hypot(static_cast<double>(polygon.vertices[i].x),
+                                         static_cast<double>(polygon.vertices[i].y)));
     return most;
 }
 
@@ -32,7 +33,7 @@ bmr_transform32 FrameOf(const b2Fixture &owner, const b2Fixture &other) {
 }
 
 /// What a separation in the other's frame proves.
-FaceGap Proved(float separation, int32_t edge, const bmr_polygon32 &owner, const bmr_polygon32 &other,
+FaceGap Proved(float separation, int32_t edge, const bmr_convex32 &owner, const bmr_convex32 &other,
                const bmr_transform32 &frame) {
     const double distance = std::hypot(static_cast<double>(frame.p.x), static_cast<double>(frame.p.y));
     FaceGap gap = {separation, edge, 0.0};
@@ -44,17 +45,24 @@ FaceGap Proved(float separation, int32_t edge, const bmr_polygon32 &owner, const
 } // namespace
 
 FaceGap LargestFaceGap(const b2Fixture &owner, const b2Fixture &other) {
-    const bmr_polygon32 own = PolygonOf(owner), others = PolygonOf(other);
     const bmr_transform32 frame = FrameOf(owner, other);
-    int32_t edge = 0;
-    const float separation = bmr_exact32_max_separation(&own, &others, &frame, &edge);
-    return Proved(separation, edge, own, others, frame);
+    const bmr_convex32 own = RealPolygon(owner), others = RealPolygon(other);
+    if (!IsBig(owner) && !IsBig(other)) { // to the bit
+        const bmr_polygon32 small = SmallPolygon(owner), otherSmall = SmallPolygon(other);
+        int32_t edge = 0;
+        const float separation = bmr_exact32_max_separation(&small, &otherSmall, &frame, &edge);
+        return Proved(separation, edge, own, others, frame);
+    }
+    uint32_t edge = 0, vertex = 0;
+    const float separation = bmr_convex32_max_separation(&own, &others, &frame, 0, &edge, &vertex);
+    return Proved(separation, static_cast<int32_t>(edge), own, others, frame);
 }
 
 FaceGap FaceGapAlong(int32_t edge, const b2Fixture &owner, const b2Fixture &other) {
-    const bmr_polygon32 own = PolygonOf(owner), others = PolygonOf(other);
+    const bmr_polygon32 small = SmallPolygon(owner), otherSmall = SmallPolygon(other);
     const bmr_transform32 frame = FrameOf(owner, other);
-    return Proved(bmr_exact32_edge_separation(&own, edge, &others, &frame), edge, own, others, frame);
+    return Proved(bmr_exact32_edge_separation(&small, edge, &otherSmall, &frame), edge, RealPolygon(owner),
+                  RealPolygon(other), frame);
 }
 
 } // namespace bmr

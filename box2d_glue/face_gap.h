@@ -17,9 +17,10 @@ struct FaceGap {
     double proved = 0.0;
 };
 
-/// Along the edge of the owner that has the largest, at the bodies' present poses. O(vertices).
+/// Along the edge of the owner that has the largest, at the bodies' present poses; of the real polygons where
+/// they are big. O(vertices).
 FaceGap LargestFaceGap(const b2Fixture &owner, const b2Fixture &other);
-/// Along one edge of the owner; it must have it.
+/// Along one edge of the owner; it must have it. Both of Box2D's own size.
 FaceGap FaceGapAlong(int32_t edge, const b2Fixture &owner, const b2Fixture &other);
 
 } // namespace bmr

@@ -14,6 +14,8 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_polygon_shape.h>
 
+#include "boomerang/convex32_envelope.h"
+#include "convex_geometry.h"
 #include "current_step.h"
 #include "settings.h"
 
@@ -25,6 +27,7 @@ struct HullMember {
     float radius;
     int32 count;
     b2Vec2 vertices[b2_maxPolygonVertices];
+    uint64_t bigPolygon; ///< its number; then there are no vertices here. Else 0
 };
 
 namespace {
@@ -38,8 +41,9 @@ HullMember MemberOf(const b2Fixture &fixture, const b2PolygonShape &polygon) {
     HullMember member;
     member.fixture = &fixture;
     member.radius = polygon.m_radius;
-    member.count = polygon.m_count;
-    std::copy_n(polygon.m_vertices, polygon.m_count, member.vertices);
+    member.bigPolygon = NumberOfBigPolygon(polygon);
+    member.count = member.bigPolygon != 0 ? 0 : polygon.m_count;
+    std::copy_n(polygon.m_vertices, member.count, member.vertices);
     return member;
 }
 
@@ -58,6 +62,18 @@ std::vector<HullMember> GatherMembers(const Hull &hull) {
     return members;
 }
 
+/// All vertices of a big polygon, or the corners of an envelope of it.
+void AddBigPolygon(const bmr_convex32 &polygon, std::vector<bmr_vec2> *points) {
+    if (polygon.count <= kMostHullVertices) {
+        for (uint32_t i = 0; i < polygon.count; ++i)
+            points->push_back(
+                {static_cast<double>(polygon.vertices[i].x), static_cast<double>(polygon.vertices[i].y)});
+        return;
+    }
+    points->resize(points->size() + kMostHullVertices);
+    bmr_convex32_envelope(&polygon, kMostHullVertices, points->data() + points->size() - kMostHullVertices);
+}
+
 /// The members' vertices. Bodies of many fixtures are cut from one outline, so that neighbours share most of
 /// theirs: what the member before has too is left out, which spares the hull two thirds of its sorting.
 std::vector<bmr_vec2> PointsOf(const std::vector<HullMember> &members) {
@@ -65,6 +81,8 @@ std::vector<bmr_vec2> PointsOf(const std::vector<HullMember> &members) {
     points.reserve(members.size() * b2_maxPolygonVertices);
     const b2Vec2 *before = nullptr, *beforeEnd = nullptr;
     for (const HullMember &member : members) {
+        if (member.bigPolygon != 0)
+            AddBigPolygon(BigPolygonOf(*member.fixture->GetShape())->polygon, &points);
         const b2Vec2 *const end = member.vertices + member.count;
         for (const b2Vec2 *v = member.vertices; v != end; ++v) {
             if (std::find(before, beforeEnd, *v) == beforeEnd)
@@ -87,6 +105,9 @@ bool SameTwo(const b2Vec2 *a, const b2Vec2 *b) {
 }
 
 bool LooksLike(const HullMember &member, const b2PolygonShape &polygon) {
+    const uint64_t number = AnyBigPolygon() ? NumberOfBigPolygon(polygon) : 0;
+    if (member.bigPolygon != number || number != 0)
+        return member.bigPolygon == number && member.radius == polygon.m_radius;
     const int32 count = member.count;
     if (count != polygon.m_count || member.radius != polygon.m_radius || count < 2)
         return false;
@@ -326,6 +347,9 @@ bool HullHolds(const Hull &hull, const b2Fixture &fixture) {
         return false;
     if (IsMember(hull, fixture, *polygon))
         return true;
+    if (const bmr_convex32_block *big = BigPolygonOf(*polygon))
+        return bmr_convex32_held(&big->polygon, hull.shape.polygon,
+                                 kHullTolerance * hull.shape.polygon->extent);
     for (int32 i = 0; i < polygon->m_count; ++i) {
         const bmr_vec2 point = {static_cast<double>(polygon->m_vertices[i].x),
                                 static_cast<double>(polygon->m_vertices[i].y)};

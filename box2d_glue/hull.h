@@ -19,8 +19,9 @@ struct HullMember;
 /// hierarchy that the chosen structure walks on. Shared by all pairs of its body; lives in the world's block
 /// allocator.
 ///
-/// Sensors are left out. A hull of many vertices is replaced by an envelope of kMostHullVertices edges around
-/// it (an outer approximation by the paper's own means), so that it fits a slab.
+/// Sensors are left out. Big ConvexShapes are there with their real polygons. A hull of many vertices is
+/// replaced by an envelope of kMostHullVertices edges around it (an outer approximation by the paper's own
+/// means), so that it fits a slab.
 struct Hull {
     bmr_shape shape; ///< polygon and hierarchy; polygon NULL where the hull could not be built
     const b2Body *body;

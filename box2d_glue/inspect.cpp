@@ -9,12 +9,12 @@
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
-#include <box2d/b2_polygon_shape.h>
 
 #include "body_pair.h"
 #include "face_gap.h"
 #include "pair_registry.h"
 #include "polygon_contact.h"
+#include "polygon_view.h"
 #include "settings.h"
 
 namespace bmr {
@@ -23,6 +23,10 @@ namespace {
 
 b2Vec2 Float(const bmr_vec2 &v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y)};
+}
+
+b2Vec2 FromPolygon(bmr_vec32 v) {
+    return {v.x, v.y};
 }
 
 b2Vec2 FromCertificate(const float v[2]) {
@@ -115,9 +119,9 @@ bool FillFromPair(const BodyPair &pair, Proof *proof) {
     return true;
 }
 
-bool AskPairs(const PolygonContact &contact, Proof *proof) {
+bool AskPairs(const SolidContact &contact, Proof *proof) {
     const BodyPair *pair = contact.state.pair;
-    if (pair == nullptr || contact.state.stamp != StampOf(*pair) || contact.state.excluded)
+    if (pair == nullptr || contact.state.link.stamp != StampOf(*pair) || contact.state.link.excluded)
         return false;
     return (pair->parent != nullptr && FillFromPair(*pair->parent, proof)) || FillFromPair(*pair, proof);
 }
@@ -128,53 +132,53 @@ const b2PolygonShape &ShapeOf(const b2Fixture &fixture) {
 
 /// If the edge separates the two in Box2D's sense, it is the proof.
 bool AskEdge(const FaceGap &gap, const b2Fixture &owner, const b2Fixture &other, bool ofB, Proof *proof) {
-    const b2PolygonShape &own = ShapeOf(owner), &others = ShapeOf(other);
-    if (!(gap.separation > own.m_radius + others.m_radius))
+    if (!(gap.separation > ShapeOf(owner).m_radius + ShapeOf(other).m_radius))
         return false;
+    const bmr_convex32 own = RealPolygon(owner), others = RealPolygon(other);
+    const auto first = static_cast<uint32_t>(gap.edge), second = first + 1 == own.count ? 0 : first + 1;
     proof->kind = ProofKind::RememberedEdge;
     proof->ownerIsB = ofB;
-    proof->normal = own.m_normals[gap.edge];
-    proof->edge[0] = own.m_vertices[gap.edge];
-    proof->edge[1] = own.m_vertices[(gap.edge + 1) % own.m_count];
+    proof->normal = FromPolygon(own.normals[first]);
+    proof->edge[0] = FromPolygon(own.vertices[first]);
+    proof->edge[1] = FromPolygon(own.vertices[second]);
     proof->slack = Slack(gap.proved);
     proof->a.fixture = ofB ? &other : &owner;
     proof->b.fixture = ofB ? &owner : &other;
     const b2Vec2 facing =
         b2MulT(other.GetBody()->GetTransform().q, b2Mul(owner.GetBody()->GetTransform().q, -proof->normal));
-    const b2Vec2 *const nearest = std::max_element(
-        others.m_vertices, others.m_vertices + others.m_count,
-        [facing](const b2Vec2 &a, const b2Vec2 &b) { return b2Dot(a, facing) < b2Dot(b, facing); });
+    const uint32_t nearest = bmr_convex32_support(&others, *Vectors32(&facing));
     SetSupport(ofB ? &proof->b : &proof->a, proof->edge[0]);
-    SetSupport(ofB ? &proof->a : &proof->b, *nearest);
+    SetSupport(ofB ? &proof->a : &proof->b, FromPolygon(others.vertices[nearest]));
     return true;
 }
 
 bool AskRememberedEdge(const PolygonContact &contact, Proof *proof) {
-    const bool ofB = contact.state.edgeOfB;
+    const EdgeMemory &memory = contact.state.link.byEdge;
+    const bool ofB = memory.edgeOfB;
     const b2Fixture &owner = ofB ? *contact.GetFixtureB() : *contact.GetFixtureA();
     const b2Fixture &other = ofB ? *contact.GetFixtureA() : *contact.GetFixtureB();
-    if (contact.state.edge >= ShapeOf(owner).m_count)
+    if (memory.edge >= ShapeOf(owner).m_count || IsBig(owner) || IsBig(other))
         return false;
-    proof->remembered = AskEdge(FaceGapAlong(contact.state.edge, owner, other), owner, other, ofB, proof);
+    proof->remembered = AskEdge(FaceGapAlong(memory.edge, owner, other), owner, other, ofB, proof);
     return proof->remembered;
 }
 
-bool SearchEdge(const PolygonContact &contact, Proof *proof) {
+bool SearchEdge(const b2Contact &contact, Proof *proof) {
     const b2Fixture &a = *contact.GetFixtureA(), &b = *contact.GetFixtureB();
     return AskEdge(LargestFaceGap(a, b), a, b, false, proof) ||
            AskEdge(LargestFaceGap(b, a), b, a, true, proof);
 }
 
-/// In the order of PolygonContact::Ask.
-void Ask(const PolygonContact &contact, Proof *proof) {
+/// In the order of PolygonContact::Ask, and of ConvexContact's, which remembers vertices and no edge.
+void Ask(const SolidContact &contact, const PolygonContact *ofSmall, Proof *proof) {
     const bool pairFirst = contact.state.pair != nullptr && contact.state.pair->verdict == BMR_APART;
     if (pairFirst && AskPairs(contact, proof))
         return;
-    if (EdgesAreOn() && AskRememberedEdge(contact, proof))
+    if (ofSmall != nullptr && EdgesAreOn() && AskRememberedEdge(*ofSmall, proof))
         return;
     if (!pairFirst && AskPairs(contact, proof))
         return;
-    if (EdgesAreOn())
+    if (ofSmall == nullptr || EdgesAreOn())
         SearchEdge(contact, proof);
 }
 
@@ -223,10 +227,10 @@ Proof Inspect(const b2Contact &contact) {
     const b2Fixture *a = contact.GetFixtureA(), *b = contact.GetFixtureB();
     proof.a.body = a->GetBody();
     proof.b.body = b->GetBody();
-    const PolygonContact *ours = PolygonContact::AsOurs(&contact);
+    const SolidContact *ours = SolidContact::AsOurs(const_cast<b2Contact *>(&contact));
     const bool touched = contact.GetManifold()->pointCount > 0;
     if (ours != nullptr && !touched && IsSolidPolygon(*a) && IsSolidPolygon(*b))
-        Ask(*ours, &proof);
+        Ask(*ours, PolygonContact::AsOurs(&contact), &proof);
     return proof;
 }
 

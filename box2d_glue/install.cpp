@@ -3,9 +3,8 @@
 #include <mutex>
 
 #include "boomerang/box2d_glue.h"
+#include "contact_register.h"
 #include "environment.h"
-#include "polygon_contact.h"
-#include "recognise.h"
 #include "settings.h"
 #include "statistics_file.h"
 #include "this_process.h"
@@ -43,11 +42,11 @@ bool Install(const Options &given) {
     const Options options = WithEnvironment(given);
     if (options.mode == Mode::Off || bmr_structure_name(options.structure) == nullptr)
         return false;
-    if (const char *why = WhyBox2DIsUnknown())
+    if (const char *why = WhyThisBox2DIsUnknown())
         return Refuse(why);
     if (!MakeSettings(options))
         return Refuse("there is no memory");
-    PolygonContact::Register();
+    RegisterPolygonContacts();
     ActivateHooks();
     installed = true;
     if (options.statisticsFile != nullptr && !WriteStatisticsAtExit(options.statisticsFile))

@@ -10,8 +10,8 @@
 #include "body_pair.h"
 #include "current_step.h"
 #include "hull.h"
-#include "polygon_contact.h"
 #include "settings.h"
+#include "solid_contact.h"
 
 namespace bmr {
 
@@ -78,19 +78,19 @@ bool Serves(const b2Contact &contact, const Unit &unit) {
     return unit.fixture == nullptr || mine == unit.fixture;
 }
 
-/// Calls `visit` with each contact of ours between two bodies that is no sensor's, the newest first, until it
-/// returns true; among the newest kMostContactsSearched of `walked` alone. That is to be the body of the new
-/// contact's fixture B: Box2D has just walked its list to look for the same contact, so that it is in the
-/// cache.
+/// Calls `visit` with each contact of ours between polygons of two bodies that is no sensor's, the newest
+/// first, until it returns true; among the newest kMostContactsSearched of `walked` alone. That is to be the
+/// body of the new contact's fixture B: Box2D has just walked its list to look for the same contact, so that
+/// it is in the cache.
 template <typename Visit> void VisitContactsBetween(b2Body *walked, const b2Body *other, Visit visit) {
     int left = kMostContactsSearched;
     for (b2ContactEdge *edge = walked->GetContactList(); edge != nullptr && left > 0;
          edge = edge->next, --left) {
         if (edge->other != other)
             continue;
-        PolygonContact *ours = PolygonContact::AsOurs(edge->contact);
-        if (ours != nullptr && !ours->GetFixtureA()->IsSensor() && !ours->GetFixtureB()->IsSensor() &&
-            visit(ours))
+        SolidContact *ours = SolidContact::AsOurs(edge->contact);
+        if (ours != nullptr && ours->IsOfPolygons() && !ours->GetFixtureA()->IsSensor() &&
+            !ours->GetFixtureB()->IsSensor() && visit(ours))
             return;
     }
 }
@@ -100,7 +100,7 @@ template <typename Visit> void VisitContactsBetween(b2Body *walked, const b2Body
 template <typename Visit> void VisitHulls(const b2Body *body, int mostContacts, Visit visit) {
     for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr && mostContacts > 0;
          edge = edge->next, --mostContacts) {
-        PolygonContact *ours = PolygonContact::AsOurs(edge->contact);
+        SolidContact *ours = SolidContact::AsOurs(edge->contact);
         for (BodyPair *pair = ours != nullptr ? ours->state.pair : nullptr; pair != nullptr;
              pair = pair->parent) {
             if (visit(pair->a, pair) || visit(pair->b, pair))
@@ -155,20 +155,22 @@ bool MakeHold(BodyPair *pair, const b2Fixture &fixture) {
 }
 
 /// Gives a contact a reference to a pair whose hulls it has not been shown to lie in.
-void Share(PolygonContact *contact, BodyPair *pair) {
+void Share(SolidContact *contact, BodyPair *pair) {
     ++pair->references;
+    contact->MakeRoomForPair();
     contact->state.pair = pair;
-    contact->state.stamp = StampOf(*pair) - 1; // differs: the next evaluation looks at the fixtures
+    contact->state.link.stamp =
+        (StampOf(*pair) - 1) & kStampMask; // differs: the next evaluation looks at the fixtures
 }
 
 /// The same for a new contact, whose fixtures may be new too: the hulls are made to hold them.
-void Join(PolygonContact *contact, BodyPair *pair) {
+void Join(SolidContact *contact, BodyPair *pair) {
     Share(contact, pair);
     bool holds = true;
     for (BodyPair *level = pair; level != nullptr; level = level->parent)
         holds = MakeHold(level, *contact->GetFixtureA()) && MakeHold(level, *contact->GetFixtureB()) && holds;
-    contact->state.stamp = StampOf(*pair);
-    contact->state.excluded = !holds;
+    contact->state.link.stamp = StampOf(*pair) & kStampMask;
+    contact->state.link.excluded = !holds;
 }
 
 /// Are so many contacts between two bodies worth a structure?
@@ -180,13 +182,13 @@ bool WorthAPair(const b2Body &a, const b2Body &b, int contacts) {
 }
 
 /// With remembered edges on: body pairs alone, once two bodies have contacts enough.
-void AttachToBodies(PolygonContact *contact, const Unit &a, const Unit &b, b2BlockAllocator *allocator) {
+void AttachToBodies(SolidContact *contact, const Unit &a, const Unit &b, b2BlockAllocator *allocator) {
     if (!MayMakeContacts(*a.body, *b.body, kWorthAPair))
         return;
-    PolygonContact *siblings[kMostSiblings];
+    SolidContact *siblings[kMostSiblings];
     BodyPair *pair = nullptr;
     int count = 0;
-    VisitContactsBetween(b.body, a.body, [&](PolygonContact *other) {
+    VisitContactsBetween(b.body, a.body, [&](SolidContact *other) {
         BodyPair *theirs = other->state.pair;
         if (theirs != nullptr && IsPairOf(*theirs, a, b))
             pair = theirs;
@@ -205,11 +207,11 @@ void AttachToBodies(PolygonContact *contact, const Unit &a, const Unit &b, b2Blo
 
 /// Without remembered edges: every contact has a pair of its own fixtures, below that of the bodies where
 /// that says more.
-void AttachToFixtures(PolygonContact *contact, const Unit &a, const Unit &b, b2BlockAllocator *allocator) {
+void AttachToFixtures(SolidContact *contact, const Unit &a, const Unit &b, b2BlockAllocator *allocator) {
     const Unit fixtureA = FixtureUnit(contact->GetFixtureA()), fixtureB = FixtureUnit(contact->GetFixtureB());
     BodyPair *parent = nullptr;
     if (a.fixture == nullptr || b.fixture == nullptr) {
-        VisitContactsBetween(b.body, a.body, [&parent, &a, &b](PolygonContact *other) {
+        VisitContactsBetween(b.body, a.body, [&parent, &a, &b](SolidContact *other) {
             BodyPair *above = other->state.pair != nullptr ? other->state.pair->parent : nullptr;
             if (above != nullptr && IsPairOf(*above, a, b))
                 parent = above;
@@ -224,7 +226,7 @@ void AttachToFixtures(PolygonContact *contact, const Unit &a, const Unit &b, b2B
 
 } // namespace
 
-void AttachPair(PolygonContact *contact, b2BlockAllocator *allocator) {
+void AttachPair(SolidContact *contact, b2BlockAllocator *allocator) {
     if (contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor())
         return;
     const Unit a = BodyUnit(contact->GetFixtureA()), b = BodyUnit(contact->GetFixtureB());
@@ -234,19 +236,19 @@ void AttachPair(PolygonContact *contact, b2BlockAllocator *allocator) {
         AttachToFixtures(contact, a, b, allocator);
 }
 
-void DetachPair(PolygonContact *contact, b2BlockAllocator *allocator) {
+void DetachPair(SolidContact *contact, b2BlockAllocator *allocator) {
     if (contact->state.pair != nullptr)
         ReleaseBodyPair(contact->state.pair, allocator);
     contact->state.pair = nullptr;
 }
 
 unsigned StampOf(const BodyPair &pair) {
-    return pair.stamp + (pair.parent != nullptr ? pair.parent->stamp : 0);
+    return (pair.stamp + (pair.parent != nullptr ? pair.parent->stamp : 0)) & kStampMask;
 }
 
-bool VerifyStamp(PolygonContact *contact) {
+bool VerifyStamp(SolidContact *contact) {
     ContactState &state = contact->state;
-    state.stamp = StampOf(*state.pair);
+    state.link.stamp = StampOf(*state.pair) & kStampMask;
     const b2Fixture &first = *contact->GetFixtureA(), &second = *contact->GetFixtureB();
     bool holds = true;
     for (const BodyPair *pair = state.pair; pair != nullptr; pair = pair->parent) {
@@ -254,11 +256,11 @@ bool VerifyStamp(PolygonContact *contact) {
         holds = holds && HullHolds(swapped ? *pair->b : *pair->a, first) &&
                 HullHolds(swapped ? *pair->a : *pair->b, second);
     }
-    state.excluded = !holds;
+    state.link.excluded = !holds;
     return holds;
 }
 
-bool LookAtShapes(PolygonContact *contact) {
+bool LookAtShapes(SolidContact *contact) {
     const uint64_t step = CurrentStep();
     if (step == 0)
         return !StepsAreSeen() || VerifyStamp(contact);

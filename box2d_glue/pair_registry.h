@@ -7,7 +7,7 @@ class b2Body;
 
 namespace bmr {
 
-class PolygonContact;
+class SolidContact;
 struct BodyPair;
 
 /// @file
@@ -18,20 +18,20 @@ struct BodyPair;
 /// are on, the contacts of two bodies get one when there are enough of them to be worth its hulls; until then
 /// an edge each serves them. Contacts that are born as a sensor's get none, also if the sensor turns solid
 /// later.
-void AttachPair(PolygonContact *contact, b2BlockAllocator *allocator);
+void AttachPair(SolidContact *contact, b2BlockAllocator *allocator);
 /// Gives it back.
-void DetachPair(PolygonContact *contact, b2BlockAllocator *allocator);
+void DetachPair(SolidContact *contact, b2BlockAllocator *allocator);
 
 /// Do the hulls of the contact's pair still hold its fixtures? To be asked when the stamps differ; makes them
 /// agree.
-bool VerifyStamp(PolygonContact *contact);
+bool VerifyStamp(SolidContact *contact);
 
 /// Have vertices of the bodies' fixtures been changed in place? To be asked once in each step, ahead of the
 /// first question to a pair: hulls that do not hold them any more are built anew. (What a listener or a
 /// filter changes in the middle of a step is found in the next one.) Outside of steps the contact's own
 /// fixtures are looked at alone: false where the hulls do not hold them. Where nobody tells of steps it does
 /// nothing.
-bool LookAtShapes(PolygonContact *contact);
+bool LookAtShapes(SolidContact *contact);
 
 /// The stamp that contacts of a pair compare with their own.
 unsigned StampOf(const BodyPair &pair);

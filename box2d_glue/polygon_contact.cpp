@@ -2,17 +2,14 @@
 #include "polygon_contact.h"
 
 #include <algorithm>
-#include <cstring>
 #include <new>
 
 #include <box2d/b2_block_allocator.h>
-#include <box2d/b2_body.h>
 #include <box2d/b2_collision.h>
 #include <box2d/b2_fixture.h>
-#include <box2d/b2_world_callbacks.h>
 
 #include "body_pair.h"
-#include "current_step.h"
+#include "convex_geometry.h"
 #include "pair_registry.h"
 #include "settings.h"
 #include "shapes32.h"
@@ -27,70 +24,38 @@ namespace {
 // Box2D unsearched.
 constexpr uint8_t kMostPatience = 4;
 
-/// What the register held before us: it made the contacts that are not ours.
-b2ContactDestroyFcn *stockDestroy = nullptr;
-
-/// Tells our contacts from stock's. Games build Box2D without run-time type information too, where typeid has
-/// nothing to look at; but an object's table of virtual functions is always its first word, on every ABI that
-/// Box2D runs on.
-const void *ourVtable = nullptr;
-
-const void *VtableOf(const b2Contact *contact) {
-    const void *vtable;
-    std::memcpy(&vtable, static_cast<const void *>(contact), sizeof vtable);
-    return vtable;
-}
-
 const b2PolygonShape &ShapeOf(const b2Fixture *fixture) {
     return *static_cast<const b2PolygonShape *>(fixture->GetShape());
 }
 
 } // namespace
 
-void PolygonContact::Register() {
-    // Whoever found out which Box2D this is made contacts: else the first b2Contact::Create of the process
-    // would fill the register and overwrite our entry.
-    b2Assert(s_initialized);
-    const PolygonContact ours;
-    ourVtable = VtableOf(&ours);
-    stockDestroy = s_registers[b2Shape::e_polygon][b2Shape::e_polygon].destroyFcn;
-    AddType(Create, Destroy, b2Shape::e_polygon, b2Shape::e_polygon);
+bool PolygonContact::Serves(const b2Shape &a, const b2Shape &b) {
+    return !AnyBigPolygon() || (BigPolygonOf(a) == nullptr && BigPolygonOf(b) == nullptr);
 }
 
-PolygonContact *PolygonContact::AsOurs(b2Contact *contact) {
-    return VtableOf(contact) == ourVtable ? static_cast<PolygonContact *>(contact) : nullptr;
-}
-
-const PolygonContact *PolygonContact::AsOurs(const b2Contact *contact) {
-    return AsOurs(const_cast<b2Contact *>(contact));
-}
-
-PolygonContact::PolygonContact(b2Fixture *fixtureA, b2Fixture *fixtureB)
-    : b2Contact(fixtureA, 0, fixtureB, 0), state() {
-    state.edge = kNoEdge;
-}
-
-b2Contact *PolygonContact::Create(b2Fixture *fixtureA, int32 /*indexA*/, b2Fixture *fixtureB,
-                                  int32 /*indexB*/, b2BlockAllocator *allocator) {
+b2Contact *PolygonContact::Make(b2Fixture *fixtureA, int32 /*indexA*/, b2Fixture *fixtureB, int32 /*indexB*/,
+                                b2BlockAllocator *allocator) {
     void *memory = allocator->Allocate(sizeof(PolygonContact));
     PolygonContact *contact = new (memory) PolygonContact(fixtureA, fixtureB);
     AttachPair(contact, allocator);
     return contact;
 }
 
-void PolygonContact::Destroy(b2Contact *contact, b2BlockAllocator *allocator) {
-    PolygonContact *ours = AsOurs(contact);
-    if (ours == nullptr) {
-        stockDestroy(contact, allocator);
-        return;
-    }
-    DetachPair(ours, allocator);
-    ours->~PolygonContact();
-    allocator->Free(ours, sizeof(PolygonContact));
+void PolygonContact::Unmake(PolygonContact *contact, b2BlockAllocator *allocator) {
+    DetachPair(contact, allocator);
+    contact->~PolygonContact();
+    allocator->Free(contact, sizeof(PolygonContact));
 }
 
-float PolygonContact::RadiusSum() const {
-    return ShapeOf(m_fixtureA).m_radius + ShapeOf(m_fixtureB).m_radius;
+void PolygonContact::LearnVtable() {
+    const PolygonContact ours;
+    polygonVtable.store(VtableOf(ours), std::memory_order_relaxed);
+}
+
+PolygonContact::PolygonContact(b2Fixture *fixtureA, b2Fixture *fixtureB)
+    : SolidContact(fixtureA, 0, fixtureB, 0) {
+    state.link.byEdge.edge = kNoEdge;
 }
 
 void PolygonContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
@@ -106,12 +71,12 @@ void PolygonContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, cons
 
 inline void PolygonContact::EvaluateHere(b2Manifold *manifold, const b2Transform &xfA,
                                          const b2Transform &xfB) {
-    FillManifold(Ask(xfA, xfB), manifold, xfA, xfB);
+    FillManifold(Ask(xfA, xfB), manifold, xfA, xfB, m_manifold);
 }
 
 /// The manifold, once it has been asked whether the two are apart.
 inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
-                                         const b2Transform &xfB) {
+                                         const b2Transform &xfB, const b2Manifold & /*old*/) {
     if (answer < Answer::HandedOver)
         manifold->pointCount = 0;
     else if (!ManifoldIsMadeHere())
@@ -123,49 +88,7 @@ inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, co
 }
 
 void PolygonContact::UpdateSolid(b2ContactListener *listener) {
-    b2Body *bodyA = m_fixtureA->GetBody(), *bodyB = m_fixtureB->GetBody();
-    const b2Transform &xfA = bodyA->GetTransform(), &xfB = bodyB->GetTransform();
-    const bool wasTouching = (m_flags & e_touchingFlag) != 0;
-    m_flags |= e_enabledFlag;
-    const Answer answer = Ask(xfA, xfB);
-    if (answer < Answer::HandedOver && !wasTouching) { // nothing has happened that anybody is to be told
-        FillManifold(answer, &m_manifold, xfA, xfB);
-        return;
-    }
-    const b2Manifold old = m_manifold;
-    FillManifold(answer, &m_manifold, xfA, xfB);
-    KeepImpulses(old);
-    const bool touching = m_manifold.pointCount > 0;
-    if (touching != wasTouching) {
-        bodyA->SetAwake(true);
-        bodyB->SetAwake(true);
-        m_flags ^= e_touchingFlag;
-    }
-    if (listener == nullptr)
-        return;
-    if (touching && !wasTouching)
-        listener->BeginContact(this);
-    if (!touching && wasTouching)
-        listener->EndContact(this);
-    if (touching)
-        listener->PreSolve(this, &old);
-}
-
-/// Points that were there before, by their features, keep the impulses that the solver starts from.
-inline void PolygonContact::KeepImpulses(const b2Manifold &old) {
-    for (int32 i = 0; i < m_manifold.pointCount; ++i) {
-        b2ManifoldPoint &point = m_manifold.points[i];
-        const b2ManifoldPoint *before = nullptr;
-        for (int32 j = old.pointCount; j-- > 0;) // the first of equals, should there be any, is taken last
-            if (old.points[j].id.key == point.id.key)
-                before = &old.points[j];
-        point.normalImpulse = before != nullptr ? before->normalImpulse : 0.0f;
-        point.tangentImpulse = before != nullptr ? before->tangentImpulse : 0.0f;
-    }
-}
-
-void PolygonContact::UpdateByBox2D(b2Contact *contact, b2ContactListener *listener) {
-    (contact->*(&PolygonContact::Update))(listener);
+    SolidContact::UpdateSolid(this, listener);
 }
 
 inline Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
@@ -217,39 +140,24 @@ inline bool PolygonContact::CollideHere(b2Manifold *manifold, const b2Transform 
                                              RadiusSum(), kTolerance);
     if (!EdgesAreOn())
         return false;
-    state.edgeOfB = edge >= BMR_EDGES_OF_B32;
-    state.edge = static_cast<uint8_t>(edge == BMR_NO_EDGE32 ? kNoEdge : edge & (BMR_EDGES_OF_B32 - 1));
+    state.link.byEdge.edgeOfB = edge >= BMR_EDGES_OF_B32;
+    state.link.byEdge.edge =
+        static_cast<uint8_t>(edge == BMR_NO_EDGE32 ? kNoEdge : edge & (BMR_EDGES_OF_B32 - 1));
     return edge != BMR_NO_EDGE32;
-}
-
-bool PolygonContact::PairSaysApart(const b2Transform &xfA, const b2Transform &xfB) {
-    BodyPair *pair = state.pair, *parent = pair->parent;
-    const uint64_t step = CurrentStep();
-    if ((pair->a->lookedAt != step || pair->b->lookedAt != step || parent != nullptr) && !LookAtShapes(this))
-        return false;
-    if (state.stamp != StampOf(*pair) ? !VerifyStamp(this) : state.excluded)
-        return false;
-    const b2Body *bodyA = m_fixtureA->GetBody();
-    const float radiusSum = RadiusSum();
-    const auto apart = [&](BodyPair *asked) {
-        const bool swapped = asked->a->body != bodyA;
-        // Radii may be changed by anybody at any time.
-        return radiusSum <= asked->radiusSum && KnownApart(asked, swapped ? xfB : xfA, swapped ? xfA : xfB);
-    };
-    return (parent != nullptr && apart(parent)) || apart(pair);
 }
 
 /// Box2D's own test on the remembered edge alone: where that edge's separation is larger than the radii, so
 /// is the largest.
 inline bool PolygonContact::EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) const {
     const b2PolygonShape &a = ShapeOf(m_fixtureA), &b = ShapeOf(m_fixtureB);
-    const bool ofB = state.edgeOfB;
+    const EdgeMemory &memory = state.link.byEdge;
+    const bool ofB = memory.edgeOfB;
     const b2PolygonShape &owner = ofB ? b : a, &other = ofB ? a : b;
     // Also where no edge is remembered; and vertices may have been edited in place: the edge may be gone.
-    if (state.edge >= owner.m_count)
+    if (memory.edge >= owner.m_count)
         return false;
     const float separation = bmr_exact32_posed_separation(
-        Vectors32(owner.m_vertices) + state.edge, Vectors32(owner.m_normals) + state.edge,
+        Vectors32(owner.m_vertices) + memory.edge, Vectors32(owner.m_normals) + memory.edge,
         Transform32(ofB ? xfB : xfA), Vectors32(other.m_vertices), other.m_count,
         Transform32(ofB ? xfA : xfB));
     return separation > a.m_radius + b.m_radius;
@@ -259,8 +167,9 @@ inline bool PolygonContact::EdgeSaysApart(const b2Transform &xfA, const b2Transf
 bool PolygonContact::FindEdge(const b2Transform &xfA, const b2Transform &xfB) {
     if (!EdgesAreOn())
         return false;
-    if (state.edge == kNoEdge && state.unasked > 0) {
-        --state.unasked;
+    EdgeMemory &memory = state.link.byEdge;
+    if (memory.edge == kNoEdge && memory.unasked > 0) {
+        --memory.unasked;
         return false;
     }
     Count(&Counts::edgeSearches);
@@ -273,15 +182,15 @@ bool PolygonContact::FindEdge(const b2Transform &xfA, const b2Transform &xfB) {
             bmr_exact32_relative(Transform32(ofB ? xfA : xfB), Transform32(ofB ? xfB : xfA));
         int32_t edge = 0;
         if (bmr_exact32_max_separation(&owner, &other, &frame, &edge) > radiusSum) {
-            state.edge = static_cast<uint8_t>(edge);
-            state.edgeOfB = ofB;
-            state.patience = 0;
+            memory.edge = static_cast<uint8_t>(edge);
+            memory.edgeOfB = ofB;
+            memory.patience = 0;
             return true;
         }
     }
-    state.edge = kNoEdge;
-    state.unasked = static_cast<uint8_t>((1u << state.patience) - 1u);
-    state.patience = std::min<uint8_t>(static_cast<uint8_t>(state.patience + 1), kMostPatience) & 0xfu;
+    memory.edge = kNoEdge;
+    memory.unasked = static_cast<uint8_t>((1u << memory.patience) - 1u);
+    memory.patience = std::min<uint8_t>(static_cast<uint8_t>(memory.patience + 1), kMostPatience) & 0xfu;
     return false;
 }
 

@@ -20,6 +20,7 @@ Counts &GetCounts() {
 
 bool MakeSettings(const Options &options) {
     Settings made;
+    made.made = true;
     made.options = options;
     made.options.statistics = options.statistics || options.onEvent != nullptr ||
                               options.onAnswer != nullptr || options.statisticsFile != nullptr;

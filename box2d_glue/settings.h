@@ -13,6 +13,7 @@ namespace bmr {
 /// What Install decided, constant from then on.
 /// Every member has its initial value at compile time: Install may run before this file's statics would.
 struct Settings {
+    bool made = false; ///< has Install decided? (Contacts of big ConvexShapes do not wait for it.)
     Options options = {};
     bmr_pair_def pairDef = {}; ///< structure and hysteresis; the margin is each pair's own
     /// Directions for hulls of up to kMostHullVertices vertices; NULL where not needed.

@@ -46,6 +46,10 @@ inline bmr_manifold32 *Manifold32(b2Manifold *manifold) {
     return reinterpret_cast<bmr_manifold32 *>(manifold);
 }
 
+inline const bmr_manifold32 *Manifold32(const b2Manifold *manifold) {
+    return reinterpret_cast<const bmr_manifold32 *>(manifold);
+}
+
 } // namespace bmr
 
 #endif

@@ -12,7 +12,7 @@
 #include "boomerang/box2d_glue.h"
 #include "face_gap.h"
 #include "pair_registry.h"
-#include "polygon_contact.h"
+#include "solid_contact.h"
 
 namespace bmr {
 
@@ -45,9 +45,9 @@ b2Contact *ContactOf(const b2Fixture &a, const b2Fixture &b) {
 /// What the kinetic structures that a contact shares prove; 0 without any.
 double StructureGap(const b2Fixture &a, const b2Fixture &b) {
     b2Contact *contact = ContactOf(a, b);
-    PolygonContact *ours = contact != nullptr ? PolygonContact::AsOurs(contact) : nullptr;
-    if (ours == nullptr || ours->state.pair == nullptr || ours->state.stamp != StampOf(*ours->state.pair) ||
-        ours->state.excluded)
+    SolidContact *ours = contact != nullptr ? SolidContact::AsOurs(contact) : nullptr;
+    if (ours == nullptr || ours->state.pair == nullptr ||
+        ours->state.link.stamp != StampOf(*ours->state.pair) || ours->state.link.excluded)
         return 0.0;
     double gap = 0.0;
     for (const BodyPair *pair = ours->state.pair; pair != nullptr; pair = pair->parent) {

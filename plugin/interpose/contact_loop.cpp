@@ -10,6 +10,7 @@
 // experiment did not see SetTransform, ShiftOrigin, radii and the sub-steps of SolveTOI, each of which must
 // end or widen what was proved, and its sums had no room of their own in a world.
 #include "contact_access.h"
+#include "convex_contact.h"
 #include "polygon_contact.h"
 #include "real.h"
 #include "settings.h"
@@ -39,20 +40,23 @@ void Prefetch(const b2Contact *contact) {
 
 void Update(b2Contact *contact, b2ContactListener *listener) {
     const bool sensor = contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor();
-    PolygonContact *ours = sensor || Verifying() ? nullptr : PolygonContact::AsOurs(contact);
-    if (ours != nullptr)
-        ours->UpdateSolid(listener);
+    if (sensor || Verifying())
+        SolidContact::UpdateByBox2D(contact, listener);
+    else if (PolygonContact *ofSmall = PolygonContact::AsOurs(contact))
+        ofSmall->UpdateSolid(listener);
+    else if (ConvexContact *ofBig = ConvexContact::AsOurs(contact))
+        ofBig->UpdateSolid(listener);
     else
-        PolygonContact::UpdateByBox2D(contact, listener);
+        SolidContact::UpdateByBox2D(contact, listener);
 }
 
 /// Brings one contact up to date; false where it is to be destroyed.
 inline bool Persists(b2ContactManager *manager, b2Contact *contact) {
     b2Fixture *fixtureA = contact->GetFixtureA(), *fixtureB = contact->GetFixtureB();
-    if (PolygonContact::WantsFiltering(*contact)) {
+    if (SolidContact::WantsFiltering(*contact)) {
         if (!PassesFilters(manager, fixtureA, fixtureB))
             return false;
-        PolygonContact::FilteringIsDone(contact);
+        SolidContact::FilteringIsDone(contact);
     }
     if (!IsActive(fixtureA->GetBody()) && !IsActive(fixtureB->GetBody()))
         return true;

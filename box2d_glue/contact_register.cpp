@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "contact_register.h"
+
+#include <atomic>
+#include <mutex>
+
+#include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
+
+#include "convex_contact.h"
+#include "polygon_contact.h"
+#include "recognise.h"
+
+namespace bmr {
+
+namespace {
+
+/// One class of contacts in front of whatever the register held before. There may be several layers, and a
+/// game's own between them: each knows what lies below it alone.
+///
+/// `Ours` has Serves(shapeA, shapeB), Make(fixtures, children, allocator), AsOurs(contact) and
+/// Unmake(contact, allocator).
+template <typename Ours> class Layer : b2Contact {
+public:
+    /// For shapes of these types; Create is given them in this order.
+    static void Register(b2Shape::Type typeA, b2Shape::Type typeB) {
+        // Whoever found out which Box2D this is made contacts: else the first b2Contact::Create of the
+        // process would fill the register and overwrite our entry.
+        b2Assert(s_initialized);
+        below[typeA][typeB] = s_registers[typeA][typeB];
+        below[typeB][typeA] = s_registers[typeB][typeA];
+        // Another thread may be making contacts: whoever finds us as the maker finds us as the destroyer too.
+        s_registers[typeA][typeB].destroyFcn = s_registers[typeB][typeA].destroyFcn = Destroy;
+        std::atomic_thread_fence(std::memory_order_release);
+        AddType(Create, Destroy, typeA, typeB);
+    }
+
+private:
+    static b2Contact *Create(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB,
+                             b2BlockAllocator *allocator) {
+        if (Ours::Serves(*fixtureA->GetShape(), *fixtureB->GetShape()))
+            return Ours::Make(fixtureA, indexA, fixtureB, indexB, allocator);
+        const b2ContactRegister &maker = below[fixtureA->GetType()][fixtureB->GetType()];
+        if (maker.createFcn == nullptr)
+            return nullptr;
+        return maker.primary ? maker.createFcn(fixtureA, indexA, fixtureB, indexB, allocator)
+                             : maker.createFcn(fixtureB, indexB, fixtureA, indexA, allocator);
+    }
+
+    static void Destroy(b2Contact *contact, b2BlockAllocator *allocator) {
+        if (Ours *ours = Ours::AsOurs(contact))
+            Ours::Unmake(ours, allocator);
+        else
+            below[contact->GetFixtureA()->GetType()][contact->GetFixtureB()->GetType()].destroyFcn(contact,
+                                                                                                   allocator);
+    }
+
+    /// What the register held.
+    static b2ContactRegister below[b2Shape::e_typeCount][b2Shape::e_typeCount];
+};
+
+template <typename Ours>
+b2ContactRegister Layer<Ours>::below[b2Shape::e_typeCount][b2Shape::e_typeCount] = {};
+
+std::mutex recognising, registering;
+std::atomic<bool> convexContactsAreOurs{false};
+
+} // namespace
+
+const char *WhyThisBox2DIsUnknown() {
+    static bool known = false;
+    static const char *why = nullptr;
+    const std::lock_guard<std::mutex> lock(recognising);
+    if (!known)
+        why = WhyBox2DIsUnknown();
+    known = true;
+    return why;
+}
+
+void RegisterPolygonContacts() {
+    const std::lock_guard<std::mutex> lock(registering);
+    PolygonContact::LearnVtable();
+    Layer<PolygonContact>::Register(b2Shape::e_polygon, b2Shape::e_polygon);
+}
+
+bmr_error RegisterConvexContacts() {
+    if (convexContactsAreOurs.load(std::memory_order_acquire))
+        return BMR_OK;
+    if (WhyThisBox2DIsUnknown() != nullptr)
+        return BMR_ERROR_UNKNOWN_ENGINE;
+    const std::lock_guard<std::mutex> lock(registering);
+    if (!convexContactsAreOurs.load(std::memory_order_relaxed)) {
+        ConvexContact::LearnVtable();
+        Layer<ConvexContact>::Register(b2Shape::e_polygon, b2Shape::e_polygon);
+        Layer<ConvexContact>::Register(b2Shape::e_polygon, b2Shape::e_circle);
+        Layer<ConvexContact>::Register(b2Shape::e_edge, b2Shape::e_polygon);
+        Layer<ConvexContact>::Register(b2Shape::e_chain, b2Shape::e_polygon);
+        convexContactsAreOurs.store(true, std::memory_order_release);
+    }
+    return BMR_OK;
+}
+
+} // namespace bmr

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "convex_contact.h"
+
+#include <new>
+
+#include <box2d/b2_block_allocator.h>
+#include <box2d/b2_chain_shape.h>
+#include <box2d/b2_circle_shape.h>
+#include <box2d/b2_edge_shape.h>
+#include <box2d/b2_polygon_shape.h>
+
+#include "pair_registry.h"
+#include "polygon_view.h"
+#include "settings.h"
+#include "thresholds.h"
+#include "verify.h"
+
+namespace bmr {
+
+namespace {
+
+/// Box2D's: the second polygon's face must be better by this to be the reference.
+constexpr float kTolerance = 0.1f * b2_linearSlop;
+
+/// So far from where a point of the last manifold was one of the new may be and still go on with its
+/// impulses. In a step of a sixtieth of a second that is a point that moves along the face at 5 m/s; points
+/// of one manifold that are as near as that share a load anyway.
+constexpr float kFeatureDistance = 16.0f * b2_linearSlop;
+
+const b2PolygonShape &PolygonOf(const b2Fixture *fixture) {
+    return *static_cast<const b2PolygonShape *>(fixture->GetShape());
+}
+
+bmr_edge32 Edge32(const b2EdgeShape &edge) {
+    return {*Vectors32(&edge.m_vertex0), *Vectors32(&edge.m_vertex1), *Vectors32(&edge.m_vertex2),
+            *Vectors32(&edge.m_vertex3), edge.m_oneSided};
+}
+
+/// Of an edge, or of a link of a chain.
+bmr_edge32 EdgeOf(const b2Fixture *fixture, int32 child) {
+    if (fixture->GetType() == b2Shape::e_edge)
+        return Edge32(*static_cast<const b2EdgeShape *>(fixture->GetShape()));
+    b2EdgeShape link;
+    static_cast<const b2ChainShape *>(fixture->GetShape())->GetChildEdge(&link, child);
+    return Edge32(link);
+}
+
+} // namespace
+
+bool ConvexContact::Serves(const b2Shape &a, const b2Shape &b) {
+    return BigPolygonOf(a) != nullptr || BigPolygonOf(b) != nullptr;
+}
+
+b2Contact *ConvexContact::Make(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB,
+                               b2BlockAllocator *allocator) {
+    void *memory = allocator->Allocate(sizeof(ConvexContact));
+    ConvexContact *contact = new (memory) ConvexContact(fixtureA, indexA, fixtureB, indexB);
+    if (contact->IsOfPolygons() && GetSettings().made)
+        AttachPair(contact, allocator);
+    return contact;
+}
+
+void ConvexContact::Unmake(ConvexContact *contact, b2BlockAllocator *allocator) {
+    DetachPair(contact, allocator);
+    contact->~ConvexContact();
+    allocator->Free(contact, sizeof(ConvexContact));
+}
+
+void ConvexContact::LearnVtable() {
+    const ConvexContact ours;
+    convexVtable.store(VtableOf(ours), std::memory_order_relaxed);
+}
+
+void ConvexContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
+    const b2Manifold old = m_manifold; // most likely the one that is written
+    const Answer answer = Ask(xfA, xfB);
+    FillManifold(answer, manifold, xfA, xfB, old);
+    if (Verifying() && answer < Answer::HandedOver) {
+        // There is nobody but ourselves to compare with: what was proved apart has no points.
+        b2Manifold made = old;
+        bmr_convex32_memory nothing = {};
+        Collide(&made, xfA, xfB, &nothing);
+        VerifyManifold(m_fixtureA, m_fixtureB, *manifold, made);
+    }
+}
+
+/// What is shared by a pair leaves room for less.
+inline bmr_convex32_memory ConvexContact::Recall() const {
+    if (state.pair == nullptr)
+        return state.closest;
+    return {state.link.byVertices.a, state.link.byVertices.b, 0, 0};
+}
+
+inline void ConvexContact::Keep(const bmr_convex32_memory &memory) {
+    if (state.pair == nullptr)
+        state.closest = memory;
+    else
+        state.link.byVertices = {memory.support_a, memory.support_b};
+}
+
+void ConvexContact::UpdateSolid(b2ContactListener *listener) {
+    SolidContact::UpdateSolid(this, listener);
+}
+
+inline Answer ConvexContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
+    // As PolygonContact has it: what touched most likely does still.
+    if (m_manifold.pointCount > 0)
+        return Answer::Touching;
+    if (!IsOfPolygons()) // there the search for the manifold begins with the look
+        return Answer::HandedOver;
+    // One answer of the pair serves many contacts; the look is this one's own.
+    if (state.pair != nullptr && PairSaysApart(xfA, xfB))
+        return Answer::ApartByPair;
+    return LookSaysApart(xfA, xfB) ? Answer::ApartByEdge : Answer::HandedOver;
+}
+
+inline bool ConvexContact::LookSaysApart(const b2Transform &xfA, const b2Transform &xfB) {
+    const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
+    const float reach = static_cast<float>(ContactMargin(static_cast<double>(RadiusSum())));
+    bmr_convex32_memory memory = Recall();
+    const bool apart = bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), reach, &memory);
+    Keep(memory);
+    return apart;
+}
+
+inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
+                                        const b2Transform &xfB, const b2Manifold &old) {
+    if (answer < Answer::HandedOver) {
+        manifold->pointCount = 0;
+    } else {
+        bmr_convex32_memory memory = Recall();
+        Collide(manifold, xfA, xfB, &memory);
+        Keep(memory);
+        if (manifold->pointCount > 0)
+            bmr_convex32_keep_features(Manifold32(manifold), Manifold32(&old), kFeatureDistance);
+    }
+    if (GetSettings().options.statistics)
+        CountAnswer(answer);
+}
+
+/// Which it is is decided by what the fixtures are, and by no more: their shapes may be changed in place.
+void ConvexContact::Collide(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
+                            bmr_convex32_memory *memory) const {
+    bmr_manifold32 *const made = Manifold32(manifold);
+    if (m_fixtureB->GetType() == b2Shape::e_circle) {
+        const bmr_convex32 polygon = RealPolygon(*m_fixtureA);
+        const auto *circle = static_cast<const b2CircleShape *>(m_fixtureB->GetShape());
+        bmr_convex32_collide_circle(made, &polygon, Transform32(xfA), *Vectors32(&circle->m_p),
+                                    Transform32(xfB), RadiusSum(), memory);
+    } else if (m_fixtureA->GetType() != b2Shape::e_polygon) {
+        const bmr_convex32 polygon = RealPolygon(*m_fixtureB);
+        const bmr_edge32 edge = EdgeOf(m_fixtureA, m_indexA);
+        bmr_convex32_collide_edge(made, &edge, Transform32(xfA), &polygon,
+                                  *Vectors32(&PolygonOf(m_fixtureB).m_centroid), Transform32(xfB),
+                                  RadiusSum(), memory);
+    } else {
+        const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
+        bmr_convex32_collide(made, &a, Transform32(xfA), &b, Transform32(xfB), RadiusSum(), kTolerance,
+                             memory);
+    }
+}
+
+void ConvexContact::CountAnswer(Answer answer) const {
+    Count(&Counts::evaluations);
+    Count(answer < Answer::HandedOver ? &Counts::provedApart : &Counts::handedOver);
+    if (answer >= Answer::HandedOver)
+        Count(&Counts::touchingAnswered);
+    if (answer == Answer::Touching)
+        Count(&Counts::handedOverTouching);
+    const Options &options = GetSettings().options;
+    if (options.onAnswer != nullptr)
+        options.onAnswer(options.eventContext, *this, answer);
+}
+
+} // namespace bmr

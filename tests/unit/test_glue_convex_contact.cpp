@@ -1,0 +1,667 @@
+// SPDX-License-Identifier: MIT
+// Contacts of big ConvexShapes: with every kind of shape, born and ended in every way, told of as Box2D tells
+// of its own, with the plugin installed in any of its forms or not at all.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <thread>
+#include <vector>
+
+#include "../../box2d_glue/recognise.h"
+#include "boomerang/convex_shape.h"
+#include "box2d_shapes.h"
+#include "forked_world.h"
+
+using bmr::ConvexShape;
+using forked::CheckSameAsStock; // what is the same here is what it is without Install
+using forked::Game;
+using forked::Run;
+
+namespace {
+
+constexpr float kRadius = 0.5f;
+constexpr float kPi = 3.14159265358979f;
+
+/// With an edge at the bottom: one that an octagon of its vertices does not have.
+ConvexShape Coin(int32 count, float radius = kRadius) {
+    std::vector<b2Vec2> vertices;
+    for (int32 i = 0; i < count; ++i) {
+        const float angle =
+            2.0f * kPi * (static_cast<float>(i) + 0.5f) / static_cast<float>(count) - 0.5f * kPi;
+        vertices.push_back(radius * b2Vec2(std::cos(angle), std::sin(angle)));
+    }
+    ConvexShape shape;
+    REQUIRE(shape.Set(vertices.data(), count) == BMR_OK);
+    return shape;
+}
+
+b2EdgeShape Edge(bool oneSided) {
+    b2EdgeShape edge;
+    const b2Vec2 left(-5.0f, 0.0f), right(5.0f, 0.0f);
+    if (oneSided)
+        edge.SetOneSided(right + b2Vec2(1.0f, 0.0f), right, left, left - b2Vec2(1.0f, 0.0f));
+    else
+        edge.SetTwoSided(left, right);
+    return edge;
+}
+
+b2ChainShape Chain() {
+    b2Vec2 points[11];
+    for (int i = 0; i < 11; ++i)
+        points[i].Set(5.0f - static_cast<float>(i), 0.0f);
+    b2ChainShape chain;
+    chain.CreateChain(points, 11, {6.0f, 0.0f}, {-6.0f, 0.0f});
+    return chain;
+}
+
+b2PolygonShape Box() {
+    b2PolygonShape box;
+    box.SetAsBox(5.0f, 1.0f, {0.0f, -1.0f}, 0.0f);
+    return box;
+}
+
+b2CircleShape Circle() {
+    b2CircleShape circle;
+    circle.m_radius = 40.0f;
+    circle.m_p.Set(0.0f, -40.0f);
+    return circle;
+}
+
+/// Whose upper side is at 0.
+template <typename Visit> void WithEveryGround(Visit visit) {
+    visit("box", Box());
+    visit("circle", Circle());
+    visit("edge", Edge(false));
+    visit("one-sided edge", Edge(true));
+    visit("chain", Chain());
+    ConvexShape big;
+    const b2Vec2 side[] = {{5.0f, 0.0f},   {-5.0f, 0.0f}, {-5.2f, -0.1f}, {-5.3f, -0.2f}, {-5.2f, -1.8f},
+                           {-5.0f, -2.0f}, {5.0f, -2.0f}, {5.2f, -1.8f},  {5.3f, -0.2f},  {5.2f, -0.1f}};
+    REQUIRE(big.Set(side, 10) == BMR_OK);
+    REQUIRE(big.GetVertexCount() == 10);
+    visit("big", big);
+}
+
+b2Body *Falling(Game &game, b2Vec2 place) {
+    return game.Body(b2_dynamicBody, place);
+}
+
+bool EndsWith(const std::string &text, const std::string &end) {
+    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// How far the lowest vertex is above 0, skins left out.
+float Gap(const b2Body *body) {
+    const ConvexShape *shape = ConvexShape::From(body->GetFixtureList()->GetShape());
+    float lowest = INFINITY;
+    for (int32 i = 0; i < shape->GetVertexCount(); ++i)
+        lowest = std::min(lowest, body->GetWorldPoint(shape->GetVertex(i)).y);
+    return lowest;
+}
+
+} // namespace
+
+TEST_CASE("a big shape rests with its own edge on every kind of shape, in either order") {
+    CheckSameAsStock([](Run &run) {
+        for (const int32 count : {9, 64, 1024}) {
+            for (const bool groundFirst : {true, false}) {
+                WithEveryGround([&](const char *name, const b2Shape &ground) {
+                    Game game(run, {0.0f, -10.0f});
+                    run.Print("%s, %d", name, count);
+                    b2Body *below = game.Body(b2_staticBody, {0.0f, 0.0f});
+                    if (groundFirst)
+                        game.Fixture(below, ground);
+                    b2Body *coin = Falling(game, {0.3f, kRadius + 0.1f});
+                    game.Fixture(coin, Coin(count));
+                    if (!groundFirst)
+                        game.Fixture(below, ground);
+                    game.Step(90);
+                    game.Stage(game.Touching() == 1, "one contact that touches");
+                    // The octagon that Box2D is shown would sink in until its own lowest vertex is here:
+                    // 0.038 deeper.
+                    const float gap = Gap(coin), middle = coin->GetPosition().y;
+                    const float skins = ground.m_radius + b2_polygonRadius;
+                    const float skin = ground.GetType() == b2Shape::e_circle ? b2_polygonRadius : skins;
+                    game.Stage(gap > skin - 4.0f * b2_linearSlop && gap < skin + 2.0f * b2_linearSlop,
+                               "it lies on its lowest edge or vertex");
+                    game.Stage(middle > kRadius * std::cos(kPi / static_cast<float>(count)) - 0.02f,
+                               "its middle is as high as the real polygon holds it");
+                });
+            }
+        }
+    });
+}
+
+TEST_CASE("what is smaller lies and rolls on a big shape as on any") {
+    CheckSameAsStock([](Run &run) {
+        ConvexShape plate;
+        REQUIRE(plate.SetRounded(4.0f, 0.5f, 0.3f, 20) == BMR_OK);
+        Game game(run, {0.0f, -10.0f});
+        game.Fixture(game.Body(b2_staticBody, {0.0f, -0.5f}), plate);
+        b2CircleShape ball;
+        ball.m_radius = 0.3f;
+        b2PolygonShape box;
+        box.SetAsBox(0.3f, 0.2f);
+        ConvexShape small;
+        REQUIRE(small.SetRegular(6, 0.3f) == BMR_OK);
+        game.Fixture(Falling(game, {-2.0f, 0.4f}), ball);
+        game.Fixture(Falling(game, {-1.0f, 0.4f}), box);
+        game.Fixture(Falling(game, {0.0f, 0.4f}), small);
+        b2Body *coin = Falling(game, {1.0f, 0.4f});
+        game.Fixture(coin, Coin(200, 0.3f));
+        game.Step(40);
+        game.Stage(game.Touching() == 4, "four contacts that touch");
+        coin->SetLinearVelocity({-3.0f, 0.0f}); // into the others
+        game.Step(60);
+    });
+}
+
+TEST_CASE(
+    "a wheel rolls over the joints of a one-sided chain without noticing them, and passes from behind") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run, {0.0f, -10.0f});
+        game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), Chain());
+        b2Body *wheel = Falling(game, {-4.0f, kRadius + 0.01f});
+        game.Fixture(wheel, Coin(512));
+        wheel->SetLinearVelocity({1.0f, 0.0f});
+        wheel->SetAngularVelocity(-2.0f);
+        float highest = -INFINITY, lowest = INFINITY;
+        for (int i = 0; i < 200; ++i) {
+            game.Step();
+            if (i > 20) {
+                highest = std::max(highest, wheel->GetPosition().y);
+                lowest = std::min(lowest, wheel->GetPosition().y);
+            }
+        }
+        game.Stage(wheel->GetPosition().x > -1.2f, "it rolled over several links");
+        game.Stage(highest - lowest < 2.0f * b2_linearSlop, "its way is flat");
+        b2Body *below = Falling(game, {0.0f, -1.0f});
+        game.Fixture(below, Coin(64));
+        below->SetLinearVelocity({0.0f, 9.0f});
+        float top = -1.0f;
+        for (int i = 0; i < 60; ++i) {
+            game.Step();
+            top = std::max(top, below->GetPosition().y);
+        }
+        game.Stage(top > 0.8f, "it came through from behind");
+    });
+}
+
+namespace {
+
+/// Counts what it is told, and that impulses belong to the points of the manifold.
+struct Listener : b2ContactListener {
+    int begun = 0, ended = 0, preSolved = 0, postSolved = 0, unlike = 0;
+    void BeginContact(b2Contact *) override { ++begun; }
+    void EndContact(b2Contact *) override { ++ended; }
+    void PreSolve(b2Contact *contact, const b2Manifold *) override {
+        ++preSolved;
+        unlike += contact->GetManifold()->pointCount == 0;
+    }
+    void PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) override {
+        ++postSolved;
+        unlike += impulse->count != contact->GetManifold()->pointCount;
+    }
+};
+
+} // namespace
+
+TEST_CASE("listeners are told once of each beginning and end, and of every solution between") {
+    CheckSameAsStock([](Run &run) {
+        b2World world({0.0f, -10.0f});
+        Listener told;
+        world.SetContactListener(&told);
+        b2BodyDef def;
+        const b2EdgeShape ground = Edge(false);
+        world.CreateBody(&def)->CreateFixture(&ground, 0.0f);
+        def.type = b2_dynamicBody;
+        def.position.Set(0.0f, 1.5f);
+        b2Body *body = world.CreateBody(&def);
+        const ConvexShape coin = Coin(64);
+        body->CreateFixture(&coin, 1.0f)->SetRestitution(0.8f);
+        for (int i = 0; i < 120; ++i)
+            world.Step(1.0f / 60.0f, 8, 3);
+        body->SetTransform({0.0f, 9.0f}, 0.0f);
+        world.Step(1.0f / 60.0f, 8, 3);
+        run.Print("%d %d %d %d", told.begun, told.ended, told.preSolved, told.postSolved);
+        const bool right = told.begun > 1 && told.begun == told.ended && told.preSolved >= told.begun &&
+                           told.postSolved > 0 && told.unlike == 0;
+        if (!right)
+            run.Print("!not staged: beginnings and ends in pairs");
+    });
+}
+
+TEST_CASE("sensors are told of and nothing else") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run, {0.0f, -10.0f});
+        b2Body *still = game.Body(b2_staticBody, {0.0f, 0.0f});
+        game.Fixture(still, Coin(100), true);
+        game.Fixture(Falling(game, {0.1f, 2.0f}), Coin(64));
+        bool overlapped = false, manifold = false;
+        for (int i = 0; i < 80; ++i) {
+            game.Step();
+            for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext()) {
+                overlapped = overlapped || c->IsTouching();
+                manifold = manifold || c->GetManifold()->pointCount > 0;
+            }
+        }
+        game.Stage(overlapped && !manifold && game.world.GetContactCount() == 0, "it fell through");
+    });
+}
+
+namespace {
+
+/// A box of ten coins, plates and stones.
+void Mixed(Game &game, shapes::Engine &engine, int32 vertices) {
+    game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), Chain());
+    ConvexShape stone;
+    for (int i = 0; i < 10; ++i) {
+        b2Body *body =
+            Falling(game, {shapes::UniformF(engine, -2.0, 2.0), 0.6f + 0.7f * static_cast<float>(i)});
+        body->SetTransform(body->GetPosition(), shapes::UniformF(engine, -3.0, 3.0));
+        switch (i % 4) {
+        case 0:
+            game.Fixture(body, Coin(vertices));
+            break;
+        case 1:
+            REQUIRE(stone.SetEllipse(vertices, 0.6f, 0.3f) == BMR_OK);
+            game.Fixture(body, stone);
+            break;
+        case 2:
+            game.Box(body, 0.4f, 0.2f);
+            break;
+        default: { // two big ones on one body
+            REQUIRE(stone.SetRounded(0.5f, 0.15f, 0.1f, 4) == BMR_OK);
+            game.Fixture(body, stone);
+            game.Fixture(body, Coin(12, 0.3f));
+            break;
+        }
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("heaps move the same whatever proves that their pieces are apart") {
+    CheckSameAsStock([](Run &run) {
+        shapes::Engine engine(11);
+        for (const int32 vertices : {16, 100, 700}) {
+            Game game(run, {0.0f, -10.0f});
+            Mixed(game, engine, vertices);
+            game.Step(150);
+            game.Stage(game.Touching() > 8, "a heap");
+        }
+    });
+}
+
+TEST_CASE("bodies of many big shapes share a structure that holds their real polygons") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        b2Body *a = game.Body(b2_dynamicBody, {0.0f, 0.0f}, 0.785f),
+               *b = game.Body(b2_dynamicBody, {0.0f, 2.0f}, 0.785f);
+        for (b2Body *body : {a, b}) {
+            body->SetSleepingAllowed(false);
+            for (int i = 0; i < 10; ++i) {
+                ConvexShape piece;
+                REQUIRE(piece.SetRounded(0.2f, 0.1f, 0.05f, i % 2 == 0 ? 4 : 40) == BMR_OK);
+                std::vector<b2Vec2> moved(piece.GetVertices(), piece.GetVertices() + piece.GetVertexCount());
+                for (b2Vec2 &v : moved)
+                    v.x += 0.4f * static_cast<float>(i) - 1.8f;
+                REQUIRE(piece.Set(moved.data(), static_cast<int32>(moved.size())) == BMR_OK);
+                game.Fixture(body, piece);
+            }
+        }
+        b->SetTransform(b2Mul(b2Rot(0.785f), b2Vec2(0.0f, 0.5f)), 0.785f);
+        game.Step(4);
+        game.Stage(game.world.GetContactCount() >= 10 && game.Touching() == 0, "contacts, apart");
+        game.StagePairs();
+        b->SetLinearVelocity(b2Mul(b2Rot(0.785f), b2Vec2(0.1f, -1.0f)));
+        game.Step(60);
+        game.Stage(a->GetLinearVelocity().Length() > 0.1f, "a collision");
+    });
+}
+
+TEST_CASE("contacts survive what is done to their bodies and fixtures") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run, {0.0f, -10.0f});
+        shapes::Engine engine(5);
+        Mixed(game, engine, 64);
+        game.Step(100);
+        b2Body *body = game.world.GetBodyList();
+        for (int i = 0; i < 9; ++i, body = body->GetNext()) {
+            b2Fixture *fixture = body->GetFixtureList();
+            switch (i) {
+            case 0:
+                body->SetType(b2_staticBody);
+                break;
+            case 1:
+                body->SetType(b2_kinematicBody);
+                break;
+            case 2:
+                fixture->SetSensor(true);
+                break;
+            case 3: {
+                b2Filter filter = fixture->GetFilterData();
+                filter.groupIndex = -1;
+                fixture->SetFilterData(filter);
+                break;
+            }
+            case 4:
+                body->SetEnabled(false);
+                break;
+            case 5:
+                body->SetTransform(body->GetPosition() + b2Vec2(0.0f, 1.0f), 1.0f);
+                break;
+            case 6:
+                body->DestroyFixture(fixture);
+                game.Fixture(body, Coin(33));
+                break;
+            case 7:
+                fixture->GetShape()->m_radius = 0.05f;
+                break;
+            default:
+                body->SetBullet(true);
+                break;
+            }
+            game.Step(10);
+            fixture = body->GetFixtureList();
+            body->SetType(b2_dynamicBody);
+            body->SetEnabled(true);
+            fixture->SetSensor(false);
+            game.Step(10);
+        }
+        game.world.ShiftOrigin({1.0f, 2.0f});
+        game.Step(10);
+        while (game.world.GetBodyCount() > 3) {
+            game.world.DestroyBody(game.world.GetBodyList());
+            game.Step(3);
+        }
+    });
+}
+
+TEST_CASE("churn and worlds that die with contacts alive leak nothing") {
+    CheckSameAsStock([](Run &run) {
+        size_t before = 0;
+        bool grew = false;
+        for (int round = 0; round < 120; ++round) {
+            {
+                Game game(run, {0.0f, -10.0f});
+                shapes::Engine engine(3);
+                Mixed(game, engine, 40);
+                game.world.Step(1.0f / 60.0f, 8, 3);
+                for (int i = 0; i < 30; ++i)
+                    game.world.Step(1.0f / 60.0f, 8, 3);
+                for (int i = 0; i < 4; ++i)
+                    game.world.DestroyBody(game.world.GetBodyList());
+                game.Print();
+            }
+            if (round == 60)
+                before = forked::BytesInUse();
+        }
+        constexpr size_t kLeastLeak = 200;
+        grew = forked::BytesInUse() >= before + 60 * kLeastLeak;
+        if (grew)
+            run.Print("!not staged: no growth");
+    });
+}
+
+TEST_CASE("worlds on several threads, the first big shape made on any of them") {
+    CheckSameAsStock([](Run &run) {
+        constexpr int kThreads = 4;
+        std::vector<Run> runs;
+        runs.reserve(kThreads);
+        std::vector<std::thread> threads;
+        for (int i = 0; i < kThreads; ++i)
+            runs.emplace_back(-1, nullptr);
+        for (int i = 0; i < kThreads; ++i) {
+            threads.emplace_back([i, &runs] {
+                shapes::Engine engine(static_cast<uint64_t>(i));
+                for (const int32 vertices : {9, 300}) {
+                    Game game(runs[static_cast<size_t>(i)], {0.0f, -10.0f});
+                    Mixed(game, engine, vertices);
+                    game.Step(60);
+                }
+            });
+        }
+        for (std::thread &thread : threads)
+            thread.join();
+        for (Run &one : runs)
+            run.Take(&one);
+    });
+}
+
+TEST_CASE("contacts that were alive at Install go on and are given back") {
+    CheckSameAsStock(
+        [](Run &run) {
+            Game game(run, {0.0f, -10.0f});
+            shapes::Engine engine(21);
+            Mixed(game, engine, 64);
+            game.Step(60);
+            game.Stage(game.Touching() > 5, "contacts");
+            run.Install();
+            game.Step(60);
+            game.Fixture(Falling(game, {0.0f, 9.0f}), Coin(64));
+            game.Step(60);
+            while (game.world.GetBodyCount() > 1)
+                game.world.DestroyBody(game.world.GetBodyList());
+            game.Step();
+        },
+        forked::When::kByScenario);
+}
+
+TEST_CASE("Mode::Off and Mode::Verify change nothing, and nothing differs") {
+    const forked::Scenario heap = [](Run &run) {
+        Game game(run, {0.0f, -10.0f});
+        shapes::Engine engine(8);
+        Mixed(game, engine, 64);
+        game.Step(120);
+    };
+    const std::string alone = forked::InChild(heap, nullptr, forked::When::kBefore);
+    bmr::Options verify;
+    verify.mode = bmr::Mode::Verify;
+    verify.statistics = true;
+    CHECK(forked::Difference(alone, forked::InChild(heap, &verify, forked::When::kBefore)) == "");
+    const std::string counted = forked::InChild(
+        [](Run &run) {
+            Game game(run, {0.0f, -10.0f});
+            shapes::Engine engine(8);
+            Mixed(game, engine, 64);
+            for (int i = 0; i < 120; ++i)
+                game.world.Step(1.0f / 60.0f, 8, 3);
+            const bmr::Statistics s = bmr::GetStatistics();
+            run.Print("%d %d %d", s.verified > 100, s.differences == 0, s.provedApart > 10);
+        },
+        &verify, forked::When::kBefore);
+    CHECK(EndsWith(counted, "\n1 1 1\n"));
+    CHECK(forked::InChild(
+              [](Run &run) {
+                  bmr::Options off;
+                  off.mode = bmr::Mode::Off;
+                  run.Print("%d", bmr::Install(off));
+                  Game game(run, {0.0f, -10.0f});
+                  shapes::Engine engine(8);
+                  Mixed(game, engine, 64);
+                  game.Step(120);
+              },
+              nullptr, forked::When::kBefore) == "0\n" + alone);
+}
+
+namespace {
+
+/// A game's own contact between polygons: it counts.
+class Counted : public b2Contact {
+public:
+    static void Register() { AddType(Create, Destroy, b2Shape::e_polygon, b2Shape::e_polygon); }
+    static int alive, made;
+
+private:
+    Counted(b2Fixture *a, b2Fixture *b) : b2Contact(a, 0, b, 0) {}
+    void Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) override {
+        b2CollidePolygons(manifold, static_cast<const b2PolygonShape *>(m_fixtureA->GetShape()), xfA,
+                          static_cast<const b2PolygonShape *>(m_fixtureB->GetShape()), xfB);
+    }
+    static b2Contact *Create(b2Fixture *a, int32, b2Fixture *b, int32, b2BlockAllocator *allocator) {
+        ++alive;
+        ++made;
+        return new (allocator->Allocate(sizeof(Counted))) Counted(a, b);
+    }
+    static void Destroy(b2Contact *contact, b2BlockAllocator *allocator) {
+        --alive;
+        static_cast<Counted *>(contact)->~Counted();
+        allocator->Free(contact, sizeof(Counted));
+    }
+};
+int Counted::alive = 0, Counted::made = 0;
+
+} // namespace
+
+TEST_CASE("what a game had put into the register goes on making what is not ours") {
+    const std::string text = forked::InChild(
+        [](Run &run) {
+            { // Box2D fills its register at the first contact
+                Game game(run);
+                game.Box(game.Body(b2_staticBody, {0.0f, 0.0f}), 1.0f, 1.0f);
+                game.Box(game.Body(b2_dynamicBody, {0.5f, 0.0f}), 1.0f, 1.0f);
+                game.world.Step(0.0f, 1, 1);
+            }
+            Counted::Register();
+            const ConvexShape first = Coin(64); // Box2D is looked at: contacts are made
+            const int madeBefore = Counted::made, aliveBefore = Counted::alive;
+            Game game(run, {0.0f, -10.0f});
+            game.Box(game.Body(b2_staticBody, {0.0f, -1.0f}), 5.0f, 1.0f);
+            b2Body *box = Falling(game, {-2.0f, 0.5f}), *coin = Falling(game, {2.0f, 0.6f});
+            game.Box(box, 0.2f, 0.2f);
+            game.Fixture(coin, first);
+            game.Step(60);
+            const int made = Counted::made - madeBefore, alive = Counted::alive - aliveBefore;
+            game.Stage(game.Touching() == 2, "two contacts that touch");
+            game.world.DestroyBody(box);
+            game.world.DestroyBody(coin);
+            run.Print("%d %d %d", made, alive, Counted::alive - aliveBefore);
+        },
+        nullptr, forked::When::kBefore);
+    CHECK(EndsWith(text, "\n1 1 0\n"));
+}
+
+TEST_CASE("where Box2D is unknown a big shape is refused and stays what it was, a small one is not") {
+    CHECK(forked::InChild(
+              [](Run &run) {
+                  bmr::SetLibraryCheck([] { return "a test says so"; });
+                  ConvexShape shape;
+                  const bmr_error small = shape.SetRegular(6, 1.0f), big = shape.SetRegular(64, 1.0f);
+                  run.Print("%d %d %d", small == BMR_OK, big == BMR_ERROR_UNKNOWN_ENGINE,
+                            shape.GetVertexCount());
+              },
+              nullptr, forked::When::kBefore) == "1 1 6\n");
+}
+
+namespace {
+
+/// Random polygons of Box2D's own size in a heap; `make` adds each to its body.
+template <typename Add> void SmallHeap(Run &run, Add add) {
+    Game game(run, {0.0f, -10.0f});
+    shapes::Engine engine(77);
+    game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), Chain());
+    for (int i = 0; i < 60; ++i) {
+        b2Body *body = game.Body(b2_dynamicBody,
+                                 {shapes::UniformF(engine, -3.0, 3.0), 1.0f + 0.4f * static_cast<float>(i)},
+                                 shapes::UniformF(engine, -3.0, 3.0));
+        const b2PolygonShape polygon = shapes::RandomPolygon(engine, 0.8);
+        add(game, body, polygon);
+    }
+    game.Step(200);
+}
+
+} // namespace
+
+TEST_CASE("up to 8 vertices all is as with Box2D's own polygons, to the bit") {
+    const forked::Scenario convex = [](Run &run) {
+        SmallHeap(run, [](Game &game, b2Body *body, const b2PolygonShape &p) {
+            b2PolygonShape again;
+            again.Set(p.m_vertices, p.m_count);
+            ConvexShape shape;
+            const bmr_error error = shape.Set(p.m_vertices, p.m_count);
+            game.Stage(error == BMR_OK && shape.m_count == again.m_count, bmr_error_describe(error));
+            game.Fixture(body, shape);
+        });
+    };
+    const forked::Scenario plain = [](Run &run) {
+        SmallHeap(run, [](Game &game, b2Body *body, const b2PolygonShape &p) {
+            b2PolygonShape again;
+            again.Set(p.m_vertices, p.m_count);
+            game.Fixture(body, again);
+        });
+    };
+    const forked::Scenario nudged = [](Run &run) {
+        SmallHeap(run, [](Game &game, b2Body *body, const b2PolygonShape &p) {
+            b2Vec2 vertices[b2_maxPolygonVertices];
+            std::copy_n(p.m_vertices, p.m_count, vertices);
+            vertices[0].x = std::nextafter(vertices[0].x, 1e9f);
+            ConvexShape shape;
+            shape.Set(vertices, p.m_count);
+            game.Fixture(body, shape);
+        });
+    };
+    const std::string reference = forked::InChild(plain, nullptr, forked::When::kBefore);
+    CHECK(reference.size() > 100000);
+    const bmr::Options defaults;
+    for (const bmr::Options *options : {static_cast<const bmr::Options *>(nullptr), &defaults})
+        CHECK(forked::Difference(reference, forked::InChild(convex, options, forked::When::kBefore)) == "");
+    CHECK(forked::InChild(nudged, nullptr, forked::When::kBefore) != reference);
+}
+
+namespace {
+
+/// Distance of two convex outlines, 0 where they overlap: by all pairs of a vertex and an edge.
+double TrueDistance(const b2Body *a, const b2Body *b, bool octagons) {
+    const b2Body *bodies[2] = {a, b};
+    std::vector<shapes::Point> outlines[2];
+    for (int i = 0; i < 2; ++i) {
+        const auto *shape = static_cast<const ConvexShape *>(bodies[i]->GetFixtureList()->GetShape());
+        const int32 count = octagons ? shape->m_count : shape->GetVertexCount();
+        for (int32 k = 0; k < count; ++k)
+            outlines[i].push_back(shapes::Place(bodies[i]->GetTransform(),
+                                                octagons ? shape->m_vertices[k] : shape->GetVertex(k)));
+    }
+    double least = INFINITY;
+    for (int i = 0; i < 2; ++i) {
+        const std::vector<shapes::Point> &own = outlines[i], &other = outlines[1 - i];
+        for (size_t k = 0; k < own.size(); ++k)
+            for (const shapes::Point &p : other)
+                least = std::min(least, shapes::DistanceToSegment(p, own[k], own[(k + 1) % own.size()]));
+    }
+    return least;
+}
+
+} // namespace
+
+TEST_CASE("the certified slack is never above the distance of the real polygons") {
+    CheckSameAsStock([](Run &run) {
+        shapes::Engine engine(13);
+        int positive = 0, tooLarge = 0, aboveUnlessOctagon = 0;
+        for (int round = 0; round < 150; ++round) {
+            Game game(run);
+            const int32 counts[2] = {9 + shapes::Below(engine, 20), 60 + shapes::Below(engine, 60)};
+            b2Body *bodies[2];
+            for (int i = 0; i < 2; ++i) {
+                bodies[i] = game.Body(b2_dynamicBody, {1.15f * static_cast<float>(i), 0.0f},
+                                      shapes::UniformF(engine, -3.0, 3.0));
+                bodies[i]->SetSleepingAllowed(false);
+                game.Fixture(bodies[i], Coin(counts[i], i == 0 ? 0.5f : 0.6f));
+                bodies[i]->SetAngularVelocity(shapes::UniformF(engine, -2.0, 2.0));
+            }
+            for (int step = 0; step < 4; ++step) {
+                game.world.Step(1.0f / 60.0f, 8, 3);
+                const auto slack = static_cast<double>(bmr::CertifiedSlack(bodies[0], bodies[1]));
+                positive += slack > 0.0;
+                tooLarge += slack > TrueDistance(bodies[0], bodies[1], false);
+                aboveUnlessOctagon += slack < TrueDistance(bodies[0], bodies[1], true) - 0.01;
+            }
+        }
+        run.Print("%d", tooLarge);
+        run.Expect(tooLarge == 0, "never above");
+        run.Expect(positive > 300, "positive where there is room");
+        run.Expect(aboveUnlessOctagon > 300, "and the octagons' distance would be");
+    });
+}
