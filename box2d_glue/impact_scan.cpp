@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "impact_scan.h"
 
+#include <new>
+
 #include <box2d/b2_distance.h>
 #include <box2d/b2_fixture.h>
 
@@ -30,7 +32,7 @@ ImpactScan::Place &ImpactScan::PlaceOf(const Side &side) {
 void ImpactScan::Fill(SweptShape *shape, const Side &side) {
     b2DistanceProxy proxy;
     SetProxy(&proxy, *side.fixture->GetShape(), side.child);
-    *shape = Sweep(proxy, side.sweep, side.rotation);
+    new (shape) SweptShape(Sweep(proxy, side.sweep, side.rotation)); // made in place, not copied there
 }
 
 inline const SweptShape &ImpactScan::Shape(Place &place, const Side &side) {
@@ -43,24 +45,29 @@ inline const SweptShape &ImpactScan::Shape(Place &place, const Side &side) {
     return place.shape;
 }
 
+bool ImpactScan::NeverTouchSpecial(const Side &a, const Side &b, bmr_vec32 *direction) {
+    bool never;
+    if (AnyBigPolygon() && BigNeverTouch({*a.fixture->GetShape(), a.child, a.sweep},
+                                         {*b.fixture->GetShape(), b.child, b.sweep}, direction, &never))
+        return never;
+    const SweptShape &shapeA = Shape(PlaceOf(a), a);
+    Place &placeB = PlaceOf(b);
+    if (&placeB != &PlaceOf(a))
+        return bmr::NeverTouch(shapeA, Shape(placeB, b), direction);
+    SweptShape shapeB;
+    Fill(&shapeB, b);
+    return bmr::NeverTouch(shapeA, shapeB, direction);
+}
+
 bool ImpactScan::NeverTouch(const b2Contact *contact, const Side &a, const Side &b) {
     PairMemory *memory = Remember(KeyOf(contact), 0);
     if (memory == nullptr)
         return false;
-    if (AnyBigPolygon()) {
-        const Swept sweptA = {*a.fixture->GetShape(), a.child, a.sweep};
-        const Swept sweptB = {*b.fixture->GetShape(), b.child, b.sweep};
-        bool never;
-        if (BigNeverTouch(sweptA, sweptB, &memory->direction, &never))
-            return never;
-    }
     Place &placeA = PlaceOf(a), &placeB = PlaceOf(b);
+    if (&placeA == &placeB || AnyBigPolygon())
+        return NeverTouchSpecial(a, b, &memory->direction);
     const SweptShape &shapeA = Shape(placeA, a);
-    if (&placeA != &placeB)
-        return bmr::NeverTouch(shapeA, Shape(placeB, b), &memory->direction);
-    SweptShape shapeB;
-    Fill(&shapeB, b);
-    return bmr::NeverTouch(shapeA, shapeB, &memory->direction);
+    return bmr::NeverTouch(shapeA, Shape(placeB, b), &memory->direction);
 }
 
 } // namespace bmr

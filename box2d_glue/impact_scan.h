@@ -41,6 +41,8 @@ private:
     Place &PlaceOf(const Side &side);
     static void Fill(SweptShape *shape, const Side &side);
     const SweptShape &Shape(Place &place, const Side &side);
+    /// Of two shapes in one place, and wherever one may be too big for a place.
+    bool NeverTouchSpecial(const Side &a, const Side &b, bmr_vec32 *direction);
 
     // 144 KB a thread that steps worlds. Two shapes that fall on one place take turns.
     static constexpr unsigned kPlaceBits = 10;
