@@ -71,7 +71,7 @@ void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const
                                ? remembered_axis(memory)
                                : minus(move(pose_b, about_middle(b)), move(pose_a, about_middle(a)));
     edge_found of_a, of_b;
-    const edge_search edges_of_a = edge_search_of(a, b, bmr_exact32_relative(pose_b, pose_a), true);
+    const edge_search edges_of_a = edge_search_of(a, b, bmr_exact32_relative(pose_b, pose_a), tolerance);
     bmr_convex32_seek(&edges_of_a, edge_towards(a, turn_back(pose_a, axis), memory->support_a),
                       memory->support_b, -FLT_MAX, &of_a);
     const edge_view *const best_a = &of_a.best;
@@ -82,7 +82,7 @@ void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const
     // B's edges count where one separates by more than the skins, or by `tolerance` more than A's.
     const float enough = best_a->separation + tolerance;
     const float floor = enough < radius_sum ? enough : radius_sum;
-    const edge_search edges_of_b = edge_search_of(b, a, bmr_exact32_relative(pose_a, pose_b), false);
+    const edge_search edges_of_b = edge_search_of(b, a, bmr_exact32_relative(pose_a, pose_b), 0.0f);
     const edge_view *const best_b = &of_b.best;
     if (of_a.rest >= floor) {
         bmr_convex32_seek(&edges_of_b, best_a->vertex, best_a->edge, floor, &of_b);

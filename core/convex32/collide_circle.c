@@ -28,7 +28,7 @@ void bmr_convex32_collide_circle(bmr_manifold32 *manifold, const bmr_convex32 *p
     const bmr_vec32 towards = remembers_axis(memory) ? turn_back(pose_polygon, remembered_axis(memory))
                                                      : minus(local, about_middle(polygon));
     const bmr_convex32 point = {&local, NULL, NULL, 1, 0, {0.0f, 0.0f}};
-    const edge_search search = edge_search_of(polygon, &point, bmr_convex32_here, false);
+    const edge_search search = edge_search_of(polygon, &point, bmr_convex32_here, 0.0f);
     edge_found found;
     bmr_convex32_seek(&search, edge_towards(polygon, towards, memory->support_a), 0, -FLT_MAX, &found);
     const uint32_t edge = found.best.edge;

@@ -135,7 +135,7 @@ void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
     const float from = enough < 0.0f ? radius_sum + enough : radius_sum;
     const bmr_vec32 ends[2] = {edge->first, edge->second};
     const bmr_convex32 segment = {ends, NULL, NULL, 2, 0, {0.0f, 0.0f}};
-    const edge_search search = edge_search_of(polygon, &segment, frame, false);
+    const edge_search search = edge_search_of(polygon, &segment, frame, 0.0f);
     edge_found found;
     bmr_convex32_seek(&search, vertex, 0, from - FLT_EPSILON * (fabsf(from) + radius_sum), &found);
     if (found.best.separation > radius_sum)

@@ -29,7 +29,7 @@ typedef struct edge_search {
     const bmr_convex32 *reference, *other;
     bmr_transform32 frame; ///< of the reference in the other's
     float frame_size;      ///< |x| + |y| of its place
-    bool wants_rest;
+    float tolerance;       ///< 0: the rest is not wanted
 } edge_search;
 
 typedef struct edge_found {
@@ -45,8 +45,8 @@ void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t v
                        edge_found *found);
 
 static inline edge_search edge_search_of(const bmr_convex32 *reference, const bmr_convex32 *other,
-                                         bmr_transform32 frame, bool wants_rest) {
-    const edge_search s = {reference, other, frame, fabsf(frame.p.x) + fabsf(frame.p.y), wants_rest};
+                                         bmr_transform32 frame, float tolerance) {
+    const edge_search s = {reference, other, frame, fabsf(frame.p.x) + fabsf(frame.p.y), tolerance};
     return s;
 }
 
@@ -64,34 +64,19 @@ static inline uint32_t steps32(uint32_t from, uint32_t to, uint32_t count) {
     return to >= from ? to - from : to + count - from;
 }
 
-/// The vertex farthest along u. Walks from the hint if that is near, and asks the table if it is not. Edges
-/// are judged by their own vectors, which hardly round, where products with far vertices would.
+/// The same where the hint is not it; and where it is not near either.
+uint32_t bmr_convex32_walk_farthest(const bmr_convex32 *polygon, bmr_vec32 u, uint32_t start);
+uint32_t bmr_convex32_find_farthest(const bmr_convex32 *polygon, bmr_vec32 u, uint32_t start);
+
+/// The vertex farthest along u. Edges are judged by their own vectors, which hardly round, where products
+/// with far vertices would: to rounding it is the real one.
 static inline uint32_t farthest32(const bmr_convex32 *polygon, bmr_vec32 u, uint32_t hint) {
-    enum { NEAR = 4 };
     const bmr_vec32 *const v = polygon->vertices;
-    const uint32_t count = polygon->count;
-    uint32_t at = hint < count ? hint : 0, budget = NEAR;
-    bool asked = polygon->count <= 8;
-    for (;;) {
-        uint32_t moved = 0, next = convex32_next(polygon, at);
-        while (moved < budget && dot(u, minus(v[next], v[at])) > 0.0f) {
-            at = next;
-            next = convex32_next(polygon, at);
-            ++moved;
-        }
-        if (moved == 0)
-            for (uint32_t last = convex32_previous(polygon, at);
-                 moved < budget && dot(u, minus(v[last], v[at])) > 0.0f; ++moved) {
-                at = last;
-                last = convex32_previous(polygon, at);
-            }
-        if (moved < budget || budget == count)
-            return at;
-        if (!asked)
-            at = bmr_convex32_support(polygon, u);
-        asked = true;
-        budget = count;
-    }
+    const uint32_t at = hint < polygon->count ? hint : 0;
+    if (dot(u, minus(v[convex32_next(polygon, at)], v[at])) <= 0.0f &&
+        dot(u, minus(v[convex32_previous(polygon, at)], v[at])) <= 0.0f)
+        return at;
+    return bmr_convex32_walk_farthest(polygon, u, at);
 }
 
 /// The edge of the polygon whose normal is nearest to u, its own frame, and the hint where that or a
@@ -102,7 +87,8 @@ static inline uint32_t edge_towards(const bmr_convex32 *polygon, bmr_vec32 u, ui
     if (dot(n[at], u) > 0.0f && cross(n[convex32_previous(polygon, at)], u) >= 0.0f &&
         cross(u, n[convex32_next(polygon, at)]) >= 0.0f)
         return at;
-    const uint32_t vertex = farthest32(polygon, u, at), last = convex32_previous(polygon, vertex);
+    const uint32_t vertex = bmr_convex32_find_farthest(polygon, u, at),
+                   last = convex32_previous(polygon, vertex);
     return dot(u, minus(n[vertex], n[last])) >= 0.0f ? vertex : last;
 }
 

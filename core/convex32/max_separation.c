@@ -83,14 +83,15 @@ static inline least least_separated(const bmr_convex32 *other, bmr_vec32 normal,
     uint32_t next = convex32_next(other, at), last = convex32_previous(other, at);
     float here = separate(normal, place, v[at]);
     float ahead = separate(normal, place, v[next]), behind = separate(normal, place, v[last]);
-    for (int steps = 0; steps < NEAR_STEPS && ahead < here; ++steps) {
+    int steps = 0;
+    for (; steps < NEAR_STEPS && ahead < here; ++steps) {
         behind = here;
         here = ahead;
         at = next;
         next = convex32_next(other, at);
         ahead = separate(normal, place, v[next]);
     }
-    for (int steps = 0; steps < NEAR_STEPS && behind < here; ++steps) {
+    for (; steps < NEAR_STEPS && behind < here; ++steps) {
         ahead = here;
         here = behind;
         at = last;
@@ -102,7 +103,10 @@ static inline least least_separated(const bmr_convex32 *other, bmr_vec32 normal,
         const least found = {here, at};
         return found;
     }
-    return least_around(other, normal, place, farthest32(other, negative(normal), at));
+    const bmr_vec32 back = negative(normal);
+    return least_around(other, normal, place,
+                        steps < NEAR_STEPS ? farthest32(other, back, at)
+                                           : bmr_convex32_find_farthest(other, back, at));
 }
 
 static edge_view look(const edge_search *search, uint32_t edge, uint32_t hint) {
@@ -175,7 +179,7 @@ static void bound(const edge_search *search, arc *a) {
 
 /// Between two neighbouring edges there is none of the reference, but there may be some of the other.
 static void bound_rest(const edge_search *search, const edge_view *from, const edge_view *to, float *rest) {
-    if (from->vertex == to->vertex || !search->wants_rest)
+    if (from->vertex == to->vertex || search->tolerance == 0.0f)
         return;
     arc a = {*from, *to, 0, 0, 0.0f, {0.0f, 0.0f}};
     bound(search, &a);
@@ -302,11 +306,18 @@ static inline beyond bound_beyond(const edge_view *view, bmr_vec32 shared_end, b
     const bmr_vec32 d = minus(view->nearest, shared_end);
     beyond b;
     b.next = dot(next_normal, d) + 2.0f * view->noise;
-    // As the direction turns by t the product goes as cos t and sin t do; it begins as the separation.
+    // As the direction turns by an angle t the product is cos t times what it began as, the separation, and
+    // sin t times what lies across.
+    const float across = outwards * cross(view->normal, d), cosine = dot(view->normal, next_normal);
     b.between = view->separation + 2.0f * view->noise;
-    if (outwards * cross(view->normal, d) > 0.0f)
-        b.between += dot(view->normal, next_normal) > 0.0f ? turned * (outwards * cross(view->normal, d))
-                                                           : convex32_size(d);
+    if (across > 0.0f || b.between < 0.0f) {
+        if (b.between < 0.0f)
+            b.between *= cosine;
+        if (across > 0.0f)
+            b.between += across * turned;
+        if (cosine <= 0.0f)
+            b.between = convex32_size(d);
+    }
     return b;
 }
 
@@ -323,6 +334,16 @@ static inline beyond beyond_low(const edge_search *search, const edge_view *low)
     return bound_beyond(low, low->place, normal, cross(normal, low->normal), -1.0f);
 }
 
+/// Of the directions between two neighbouring edges: `between` is one bound, the pairs at both ends give
+/// another.
+static inline void raise_rest(const edge_search *search, const edge_view *from, const edge_view *to,
+                              float between, edge_found *found) {
+    if (between <= found->best.separation + search->tolerance)
+        found->rest = between > found->rest ? between : found->rest;
+    else
+        bound_rest(search, from, to, &found->rest);
+}
+
 void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t vertex_hint, float floor,
                        edge_found *found) {
     const bmr_convex32 *const reference = search->reference;
@@ -337,14 +358,14 @@ void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t v
         const float close = best->separation - best->noise;
         if (above.next >= close) {
             const edge_view next = look(search, convex32_next(reference, high.edge), high.vertex);
-            bound_rest(search, &high, &next, &found->rest);
+            raise_rest(search, &high, &next, above.between, found);
             high = next;
             above = beyond_high(search, &high);
             if (better(&high, best))
                 *best = high;
         } else if (below.next >= close) {
             const edge_view last = look(search, convex32_previous(reference, low.edge), low.vertex);
-            bound_rest(search, &last, &low, &found->rest);
+            raise_rest(search, &last, &low, below.between, found);
             low = last;
             below = beyond_low(search, &low);
             if (better(&low, best))
@@ -365,7 +386,7 @@ void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t v
 float bmr_convex32_max_separation(const bmr_convex32 *reference, const bmr_convex32 *other,
                                   const bmr_transform32 *frame, uint32_t edge_hint, uint32_t *edge,
                                   uint32_t *other_vertex) {
-    const edge_search search = edge_search_of(reference, other, *frame, false);
+    const edge_search search = edge_search_of(reference, other, *frame, 0.0f);
     edge_found found;
     bmr_convex32_seek(&search, edge_hint, 0, -FLT_MAX, &found);
     *edge = found.best.edge;
