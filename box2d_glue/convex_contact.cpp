@@ -45,6 +45,20 @@ bmr_edge32 EdgeOf(const b2Fixture *fixture, int32 child) {
     return Edge32(link);
 }
 
+/// Are the disks around the bodies' origins that hold the two polygons farther apart than this? Coins are
+/// known apart by that nearly always, and it is a tenth of the look's work.
+bool DisksSayApart(const b2Fixture *fixtureA, const b2Transform &xfA, const b2Fixture *fixtureB,
+                   const b2Transform &xfB, float margin) {
+    const bmr_convex32_block *a = BigPolygonOf(*fixtureA->GetShape()),
+                             *b = BigPolygonOf(*fixtureB->GetShape());
+    if (a == nullptr || b == nullptr)
+        return false;
+    constexpr auto kFar = static_cast<float>(kReach); // the margin holds what rounding takes up to there
+    const b2Vec2 between = xfB.p - xfA.p, sum = b2Abs(xfA.p) + b2Abs(xfB.p);
+    const float least = a->reach + b->reach + margin;
+    return b2Dot(between, between) > least * least && sum.x + sum.y + least < kFar;
+}
+
 } // namespace
 
 bool ConvexContact::Serves(const b2Shape &a, const b2Shape &b) {
@@ -115,10 +129,12 @@ inline Answer ConvexContact::Ask(const b2Transform &xfA, const b2Transform &xfB)
 }
 
 inline bool ConvexContact::LookSaysApart(const b2Transform &xfA, const b2Transform &xfB) {
+    const auto margin = static_cast<float>(ContactMargin(static_cast<double>(RadiusSum())));
+    if (DisksSayApart(m_fixtureA, xfA, m_fixtureB, xfB, margin))
+        return true;
     const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
-    const float reach = static_cast<float>(ContactMargin(static_cast<double>(RadiusSum())));
     bmr_convex32_memory memory = Recall();
-    const bool apart = bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), reach, &memory);
+    const bool apart = bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), margin, &memory);
     Keep(memory);
     return apart;
 }

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 // b2Fixture::Synchronize: after a step each fixture's box is set anew, around where it was and where it is,
 // and its leaf of the tree moves if it must. For polygons both poses are done at once, in registers, in the
-// order of b2PolygonShape::ComputeAABB; and most leaves, which stay, are recognised here. Leaves that move
-// are b2BroadPhase::MoveProxy's. Other shapes go to Box2D.
-#include <cstring>
-
+// order of b2PolygonShape::ComputeAABB, and for big ConvexShapes as in theirs; and most leaves, which stay,
+// are recognised here. Leaves that move are b2BroadPhase::MoveProxy's. Other shapes go to Box2D.
 #include <box2d/b2_body.h>
 #include <box2d/b2_broad_phase.h>
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_polygon_shape.h>
 
+#include "convex_access.h"
+#include "convex_geometry.h"
 #include "real.h"
 #include "settings.h"
+#include "shapes32.h"
 #include "tree_descent.h"
 #include "verify.h"
 
@@ -32,12 +33,12 @@ struct ProxyAccess : b2Fixture {
     }
 };
 
-/// The shape, where it is Box2D's own polygon and nothing that a game has derived from it.
+/// The shape, where it is Box2D's own polygon or a ConvexShape and nothing that a game has derived from them.
 const b2PolygonShape *PolygonOf(const b2Fixture *fixture) {
     const b2PolygonShape model;
-    return std::memcmp(static_cast<const void *>(fixture->GetShape()), static_cast<const void *>(&model),
-                       sizeof(void *)) == 0
-               ? static_cast<const b2PolygonShape *>(fixture->GetShape())
+    const b2Shape &shape = *fixture->GetShape();
+    return internal::TableOf(shape) == internal::TableOf(model) || internal::IsConvexShape(shape)
+               ? static_cast<const b2PolygonShape *>(&shape)
                : nullptr;
 }
 
@@ -54,7 +55,24 @@ __m128 High(__m128 a) {
     return _mm_movehl_ps(a, a);
 }
 
-/// Lanes: x and y at the first pose, x and y at the second.
+// Lanes: x and y at the first pose, x and y at the second.
+
+Swept WithSkin(__m128 lower, __m128 upper, float skin) {
+    const __m128 radius = _mm_set1_ps(skin);
+    lower = _mm_sub_ps(lower, radius);
+    upper = _mm_add_ps(upper, radius);
+    const __m128 middle = _mm_mul_ps(_mm_set1_ps(0.5f), _mm_add_ps(lower, upper));
+    return {Low(_mm_min_ps(lower, High(lower)), _mm_max_ps(upper, High(upper))),
+            _mm_sub_ps(High(middle), middle)};
+}
+
+Swept SweepBig(const bmr_convex32 &polygon, float skin, const b2Transform &xf1, const b2Transform &xf2) {
+    bmr_vec32 lower[2], upper[2];
+    bmr_convex32_box(&polygon, Transform32(xf1), &lower[0], &upper[0]);
+    bmr_convex32_box(&polygon, Transform32(xf2), &lower[1], &upper[1]);
+    return WithSkin(_mm_loadu_ps(&lower[0].x), _mm_loadu_ps(&upper[0].x), skin);
+}
+
 Swept Sweep(const b2PolygonShape &polygon, const b2Transform &xf1, const b2Transform &xf2) {
     const __m128 first = _mm_loadu_ps(&xf1.p.x), second = _mm_loadu_ps(&xf2.p.x);
     const __m128 odd = _mm_castsi128_ps(_mm_set_epi32(0, INT32_MIN, 0, INT32_MIN));
@@ -71,12 +89,7 @@ Swept Sweep(const b2PolygonShape &polygon, const b2Transform &xf1, const b2Trans
         lower = _mm_min_ps(lower, v);
         upper = _mm_max_ps(upper, v);
     }
-    const __m128 radius = _mm_set1_ps(polygon.m_radius);
-    lower = _mm_sub_ps(lower, radius);
-    upper = _mm_add_ps(upper, radius);
-    const __m128 middle = _mm_mul_ps(_mm_set1_ps(0.5f), _mm_add_ps(lower, upper));
-    return {Low(_mm_min_ps(lower, High(lower)), _mm_max_ps(upper, High(upper))),
-            _mm_sub_ps(High(middle), middle)};
+    return WithSkin(lower, upper, polygon.m_radius);
 }
 
 /// Would MoveProxy leave the leaf where it is? It does where the leaf's box holds this one, and is held by
@@ -122,7 +135,9 @@ bool SynchronizeHere(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Trans
     b2FixtureProxy *proxy = ProxyAccess::OnlyProxyOf(fixture);
     if (polygon == nullptr || proxy == nullptr || !GetSettings().sameRounding)
         return false;
-    const Swept swept = Sweep(*polygon, xf1, xf2);
+    const bmr_convex32_block *big = BigPolygonOf(*polygon);
+    const Swept swept =
+        big != nullptr ? SweepBig(big->polygon, polygon->m_radius, xf1, xf2) : Sweep(*polygon, xf1, xf2);
     // Numbers that are none go through MoveProxy's comparisons, and keep their bits.
     if (!IsFinite(swept))
         return false;
