@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "edge_search.h"
+#include "exact32/clip_lanes.h"
 
 /// More than the length of a remembered direction, whose coordinates were rounded.
 static const float longest_axis = 32768.0f;
@@ -15,11 +16,6 @@ typedef struct gap {
 
 #if defined(__SSE2__)
 
-static inline __m128 load_two(const bmr_vec32 *first, const bmr_vec32 *second) {
-    return _mm_loadh_pi(_mm_loadl_pi(_mm_setzero_ps(), (const __m64 *)(const void *)first),
-                        (const __m64 *)(const void *)second);
-}
-
 /// In lane 0: the sum of all four, the outer pairs first.
 static inline float sum_of(__m128 v) {
     const __m128 halves = _mm_add_ps(v, _mm_movehl_ps(v, v));
@@ -32,9 +28,7 @@ static inline bool is_farthest(const bmr_convex32 *polygon, uint32_t at, __m128 
     const __m128 ways =
         _mm_sub_ps(load_two(v + convex32_next(polygon, at), v + convex32_previous(polygon, at)),
                    load_two(v + at, v + at));
-    const __m128 products = _mm_mul_ps(u, ways);
-    const __m128 sums = _mm_add_ps(products, _mm_shuffle_ps(products, products, _MM_SHUFFLE(2, 3, 0, 1)));
-    return _mm_movemask_ps(_mm_cmple_ps(sums, _mm_setzero_ps())) == 15;
+    return _mm_movemask_ps(_mm_cmple_ps(dots(u, ways), _mm_setzero_ps())) == 15;
 }
 
 static inline gap gap_along(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "edge_search.h"
+#include "exact32/clip_lanes.h"
 
 /// Two products of a unit normal with unit normals that differ by less than this may come in any order; each
 /// is off by 4 times 2^-24 at most, the turning included.
@@ -26,6 +27,12 @@ uint32_t bmr_convex32_edge_against(const bmr_convex32 *polygon, const bmr_transf
     return found;
 }
 
+static edge_ends edge_ends_of(const bmr_convex32 *polygon, uint32_t first, uint32_t second) {
+    const edge_ends ends = {polygon->vertices + first, polygon->vertices + second, (int32_t)(first & 0xffu),
+                            (int32_t)(second & 0xffu)};
+    return ends;
+}
+
 /// `found` is an edge of the reference.
 static void make_points(bmr_manifold32 *manifold, const bmr_convex32 *reference, const bmr_transform32 *pose,
                         const edge_view *found, const bmr_convex32 *incident,
@@ -36,24 +43,14 @@ static void make_points(bmr_manifold32 *manifold, const bmr_convex32 *reference,
         incident, &bmr_convex32_here, turn_back(incident_pose, turn(pose, reference->normals[edge])),
         found->vertex);
     const uint32_t next = convex32_next(incident, facing);
-    corner corners[2] = {corner_of_edge(move(incident_pose, incident->vertices[facing]), facing, edge),
-                         corner_of_edge(move(incident_pose, incident->vertices[next]), next, edge)};
-
-    const bmr_vec32 from = reference->vertices[edge], to = reference->vertices[second];
-    const bmr_vec32 tangent = direction(minus(to, from));
-    const bmr_vec32 posed_tangent = turn(pose, tangent), posed_normal = quarter_right(posed_tangent);
-    const bmr_vec32 posed_from = move(pose, from), posed_to = move(pose, to);
-    if (!cut(corners, negative(posed_tangent), -dot(posed_tangent, posed_from) + radius_sum, (int32_t)edge) ||
-        !cut(corners, posed_tangent, dot(posed_tangent, posed_to) + radius_sum, (int32_t)second))
-        return;
-
-    manifold->normal = quarter_right(tangent);
-    manifold->plane_point.x = 0.5f * (from.x + to.x);
-    manifold->plane_point.y = 0.5f * (from.y + to.y);
-    const float front = dot(posed_normal, posed_from);
-    for (int i = 0; i < 2; ++i)
-        if (dot(posed_normal, corners[i].v) - front <= radius_sum)
-            keep(manifold, move_back(incident_pose, corners[i].v), corners[i].feature, reference_is_b);
+    const edge_ends face = edge_ends_of(reference, edge, second),
+                    facing_ends = edge_ends_of(incident, facing, next);
+#if defined(__SSE2__)
+    clip_edges(manifold, face, _mm_loadu_ps(&pose->p.x), facing_ends, _mm_loadu_ps(&incident_pose->p.x),
+               radius_sum, reference_is_b);
+#else
+    clip_edges_scalar(manifold, face, pose, facing_ends, incident_pose, radius_sum, reference_is_b);
+#endif
 }
 
 /// `axis` points from a to b, in the world.
@@ -61,6 +58,13 @@ static void remember(bmr_convex32_memory *memory, uint32_t vertex_a, uint32_t ve
     memory->support_a = (uint16_t)vertex_a;
     memory->support_b = (uint16_t)vertex_b;
     remember_axis(memory, axis);
+}
+
+/// B's edges, from where A's best one was found.
+static void seek_of_b(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
+                      const bmr_transform32 *pose_b, const edge_view *best_a, float floor, edge_found *of_b) {
+    const edge_search search = edge_search_of(b, a, bmr_exact32_relative(pose_a, pose_b), 0.0f);
+    bmr_convex32_seek(&search, best_a->vertex, best_a->edge, floor, of_b);
 }
 
 void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const bmr_transform32 *pose_a,
@@ -82,10 +86,9 @@ void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const
     // B's edges count where one separates by more than the skins, or by `tolerance` more than A's.
     const float enough = best_a->separation + tolerance;
     const float floor = enough < radius_sum ? enough : radius_sum;
-    const edge_search edges_of_b = edge_search_of(b, a, bmr_exact32_relative(pose_a, pose_b), 0.0f);
     const edge_view *const best_b = &of_b.best;
     if (of_a.rest >= floor) {
-        bmr_convex32_seek(&edges_of_b, best_a->vertex, best_a->edge, floor, &of_b);
+        seek_of_b(a, pose_a, b, pose_b, best_a, floor, &of_b);
         const bool beyond = best_b->separation > radius_sum, reference = best_b->separation > enough;
         if (beyond || reference)
             remember(memory, best_b->vertex, best_b->edge, negative(turn(pose_b, b->normals[best_b->edge])));
@@ -100,7 +103,7 @@ void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const
 
     // The short edge of B that faces A's may lie beyond A's corner, where B's own face would have found it.
     if (manifold->count == 0 && (a->count > 8 || b->count > 8) && of_a.rest >= best_a->separation) {
-        bmr_convex32_seek(&edges_of_b, best_a->vertex, best_a->edge, best_a->separation, &of_b);
+        seek_of_b(a, pose_a, b, pose_b, best_a, best_a->separation, &of_b);
         if (best_b->separation > best_a->separation)
             make_points(manifold, b, pose_b, best_b, a, pose_a, radius_sum, true);
     }

@@ -81,8 +81,8 @@ static void points_on_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr
     manifold->type = BMR_MANIFOLD_FACE_A;
     const uint32_t facing = bmr_convex32_edge_against(polygon, frame, primary->normal, hint);
     const uint32_t next = convex32_next(polygon, facing);
-    corner corners[2] = {corner_of_edge(move(frame, polygon->vertices[facing]), facing, 0),
-                         corner_of_edge(move(frame, polygon->vertices[next]), next, 0)};
+    corner corners[2] = {corner_of(move(frame, polygon->vertices[facing]), (int32_t)facing, 0),
+                         corner_of(move(frame, polygon->vertices[next]), (int32_t)next, 0)};
     const bmr_vec32 back = negative(along);
     if (!cut(corners, back, dot(back, edge->first), 0) || !cut(corners, along, dot(along, edge->second), 1))
         return;

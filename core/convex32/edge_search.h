@@ -129,10 +129,4 @@ uint32_t bmr_convex32_edge_against(const bmr_convex32 *polygon, const bmr_transf
 
 static const bmr_transform32 bmr_convex32_here = {{0.0f, 0.0f}, 0.0f, 1.0f};
 
-/// A corner of the incident edge before it is cut.
-static inline corner corner_of_edge(bmr_vec32 place, uint32_t vertex, uint32_t edge) {
-    const corner c = {place, {(uint8_t)edge, (uint8_t)vertex, BMR_FEATURE_FACE, BMR_FEATURE_VERTEX}};
-    return c;
-}
-
 #endif

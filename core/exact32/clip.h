@@ -82,4 +82,41 @@ static inline void keep(bmr_manifold32 *manifold, bmr_vec32 local, bmr_feature32
     point->feature = swap ? swapped : f;
 }
 
+/// An edge of a polygon by its place in the arrays.
+typedef struct edge_ends {
+    const bmr_vec32 *first, *second;
+    int32_t index, next; ///< numbers of these for the features: 0 to 255
+} edge_ends;
+
+static inline corner corner_of(bmr_vec32 place, int32_t vertex, int32_t edge) {
+    const corner c = {place, {(uint8_t)edge, (uint8_t)vertex, BMR_FEATURE_FACE, BMR_FEATURE_VERTEX}};
+    return c;
+}
+
+/// Points where the incident edge lies above the reference edge: `normal` and `plane_point` where the cuts
+/// leave two, and as many points as are within the skins.
+static inline void clip_edges_scalar(bmr_manifold32 *manifold, edge_ends reference,
+                                     const bmr_transform32 *pose, edge_ends incident,
+                                     const bmr_transform32 *incident_pose, float radius_sum,
+                                     bool reference_is_b) {
+    corner corners[2] = {corner_of(move(incident_pose, *incident.first), incident.index, reference.index),
+                         corner_of(move(incident_pose, *incident.second), incident.next, reference.index)};
+    const bmr_vec32 from = *reference.first, to = *reference.second;
+    const bmr_vec32 tangent = direction(minus(to, from));
+    const bmr_vec32 posed_tangent = turn(pose, tangent), posed_normal = quarter_right(posed_tangent);
+    const bmr_vec32 backwards = {-posed_tangent.x, -posed_tangent.y};
+    const bmr_vec32 posed_from = move(pose, from), posed_to = move(pose, to);
+    if (!cut(corners, backwards, -dot(posed_tangent, posed_from) + radius_sum, reference.index) ||
+        !cut(corners, posed_tangent, dot(posed_tangent, posed_to) + radius_sum, reference.next))
+        return;
+
+    manifold->normal = quarter_right(tangent);
+    manifold->plane_point.x = 0.5f * (from.x + to.x);
+    manifold->plane_point.y = 0.5f * (from.y + to.y);
+    const float front = dot(posed_normal, posed_from);
+    for (int i = 0; i < 2; ++i)
+        if (dot(posed_normal, corners[i].v) - front <= radius_sum)
+            keep(manifold, move_back(incident_pose, corners[i].v), corners[i].feature, reference_is_b);
+}
+
 #endif

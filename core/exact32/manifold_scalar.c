@@ -23,39 +23,16 @@ static int32_t find_incident_edge(const bmr_polygon32 *incident, bmr_vec32 norma
     return found;
 }
 
-static corner corner_of(const bmr_polygon32 *incident, const bmr_transform32 *pose, int32_t index,
-                        int32_t edge) {
-    const corner c = {move(pose, incident->vertices[index]),
-                      {(uint8_t)edge, (uint8_t)index, BMR_FEATURE_FACE, BMR_FEATURE_VERTEX}};
-    return c;
-}
-
 static void make_points(bmr_manifold32 *manifold, const bmr_polygon32 *reference, const bmr_transform32 *pose,
                         int32_t edge, const bmr_polygon32 *incident, const bmr_transform32 *incident_pose,
                         float radius_sum, bool reference_is_b) {
     manifold->type = reference_is_b ? BMR_MANIFOLD_FACE_B : BMR_MANIFOLD_FACE_A;
     const int32_t found =
         find_incident_edge(incident, turn_back(incident_pose, turn(pose, reference->normals[edge])));
-    corner corners[2] = {corner_of(incident, incident_pose, found, edge),
-                         corner_of(incident, incident_pose, after(found, incident->count), edge)};
-
-    const int32_t second = after(edge, reference->count);
-    const bmr_vec32 from = reference->vertices[edge], to = reference->vertices[second];
-    const bmr_vec32 tangent = direction(minus(to, from));
-    const bmr_vec32 posed_tangent = turn(pose, tangent), posed_normal = quarter_right(posed_tangent);
-    const bmr_vec32 backwards = {-posed_tangent.x, -posed_tangent.y};
-    const bmr_vec32 posed_from = move(pose, from), posed_to = move(pose, to);
-    if (!cut(corners, backwards, -dot(posed_tangent, posed_from) + radius_sum, edge) ||
-        !cut(corners, posed_tangent, dot(posed_tangent, posed_to) + radius_sum, second))
-        return;
-
-    manifold->normal = quarter_right(tangent);
-    manifold->plane_point.x = 0.5f * (from.x + to.x);
-    manifold->plane_point.y = 0.5f * (from.y + to.y);
-    const float front = dot(posed_normal, posed_from);
-    for (int i = 0; i < 2; ++i)
-        if (dot(posed_normal, corners[i].v) - front <= radius_sum)
-            keep(manifold, move_back(incident_pose, corners[i].v), corners[i].feature, reference_is_b);
+    const int32_t next = after(found, incident->count), second = after(edge, reference->count);
+    const edge_ends face = {reference->vertices + edge, reference->vertices + second, edge, second};
+    const edge_ends facing = {incident->vertices + found, incident->vertices + next, found, next};
+    clip_edges_scalar(manifold, face, pose, facing, incident_pose, radius_sum, reference_is_b);
 }
 
 int32_t bmr_exact32_collide_scalar(bmr_manifold32 *manifold, const bmr_polygon32 *a,
