@@ -5,7 +5,7 @@
 #
 # Takes the handling of one trap at a time out of a copy of the glue, compiles that one file, links the test with
 # it, and expects the test case of that trap to fail. A mutant that survives is an error of the test.
-# TEST_OBJECTS: objects of test_glue_traps, test_glue_lifetimes, test_glue_slack; LINK_ARGUMENTS: libraries.
+# TEST_OBJECTS: objects of the tests that mutants.txt names; LINK_ARGUMENTS: libraries.
 set -u
 root=$1 compiler=$2
 shift 2
