@@ -52,21 +52,29 @@ static least least_of_few(const bmr_convex32 *other, bmr_vec32 normal, bmr_vec32
     return found;
 }
 
+/// Is the vertex, rounding included, separated by more than `least`, which is off by less than `noise`? Then
+/// so are those behind it.
+static inline bool clearly_above(bmr_vec32 normal, bmr_vec32 place, bmr_vec32 point, float separation,
+                                 float noise) {
+    const bmr_vec32 d = minus(point, place);
+    return dot(normal, d) > separation + (noise + noise_of_product * convex32_size(d));
+}
+
 /// On both sides of a vertex that is the least to rounding: the least as it was rounded.
 static least least_around(const bmr_convex32 *other, bmr_vec32 normal, bmr_vec32 place, uint32_t vertex) {
-    const uint32_t count = other->count;
-    least found = {separate(normal, place, other->vertices[vertex]), vertex};
-    const float noise = noise_of_product * convex32_size(minus(other->vertices[vertex], place));
+    const bmr_vec32 *const v = other->vertices;
+    least found = {separate(normal, place, v[vertex]), vertex};
+    const float noise = noise_of_product * convex32_size(minus(v[vertex], place));
     for (int side = 0; side < 2; ++side) {
         uint32_t j = vertex;
-        for (uint32_t steps = 1; steps < count; ++steps) {
+        for (uint32_t steps = 1; steps < other->count; ++steps) {
             j = side == 0 ? convex32_next(other, j) : convex32_previous(other, j);
-            const float s = separate(normal, place, other->vertices[j]);
+            const float s = separate(normal, place, v[j]);
             if (s < found.separation) {
                 found.separation = s;
                 found.vertex = j;
             }
-            if (!(s <= found.separation + 2.0f * noise))
+            if (clearly_above(normal, place, v[j], found.separation, noise))
                 break;
         }
     }
@@ -98,15 +106,19 @@ static inline least least_separated(const bmr_convex32 *other, bmr_vec32 normal,
         last = convex32_previous(other, at);
         behind = separate(normal, place, v[last]);
     }
-    const float clearly = here + 2.0f * noise_of_product * convex32_size(minus(v[at], place));
-    if (ahead > clearly && behind > clearly) {
+    if (steps == NEAR_STEPS) {
+        at = bmr_convex32_find_farthest(other, negative(normal), at);
+        next = convex32_next(other, at);
+        last = convex32_previous(other, at);
+        here = separate(normal, place, v[at]);
+    }
+    const float noise = noise_of_product * convex32_size(minus(v[at], place));
+    if (clearly_above(normal, place, v[next], here, noise) &&
+        clearly_above(normal, place, v[last], here, noise)) {
         const least found = {here, at};
         return found;
     }
-    const bmr_vec32 back = negative(normal);
-    return least_around(other, normal, place,
-                        steps < NEAR_STEPS ? farthest32(other, back, at)
-                                           : bmr_convex32_find_farthest(other, back, at));
+    return least_around(other, normal, place, farthest32(other, negative(normal), at));
 }
 
 static edge_view look(const edge_search *search, uint32_t edge, uint32_t hint) {
