@@ -68,7 +68,7 @@ void CheckDistance(Engine &engine, int most, Tally *tally) {
         xfB.p += xfA.p;
         const double truth = Distance(Placed(a, xfA), Placed(b, xfB));
         if (Below(engine, 2) == 0) // what is remembered may be anything
-            closest = {Below(engine, 1 << 20) + 0u, Below(engine, 1 << 20) + 0u};
+            closest = {static_cast<uint32_t>(engine() >> 44), static_cast<uint32_t>(engine() >> 44)};
         const bmr_distance32 found = Ask(a, xfA, b, xfB, &closest);
         const double scale = std::max(truth, static_cast<double>(Reach(a, b)));
         tally->worst = std::max(tally->worst, std::fabs(static_cast<double>(found.distance) - truth) / scale);
@@ -267,9 +267,13 @@ TEST_CASE("nothing touches before the time of impact, at whatever speed and spin
             CHECK_MESSAGE(right, "polygons ", i, ", motion ", k, ", state ", int{impact.state}, ", t ",
                           impact.t);
             // A remembered direction, good or not, changes nothing.
-            const Impact again = AskImpact(a, b, motion, tMax, &direction);
-            CHECK(again.state == impact.state);
-            CHECK(again.t == impact.t);
+            const float angle = UniformF(engine, -3.2, 3.2);
+            bmr_vec32 foreign = {std::cos(angle), std::sin(angle)};
+            for (bmr_vec32 *remembered : {&direction, &foreign}) {
+                const Impact again = AskImpact(a, b, motion, tMax, remembered);
+                CHECK(again.state == impact.state);
+                CHECK(again.t == impact.t);
+            }
             if (impact.state == BMR_IMPACT_TOUCHING && impact.t > 0.0f && impact.t < 0.98f * tMax) {
                 ++late; // the control: a little later is seen
                 const Impact later = {impact.state, impact.t + 0.02f * tMax};
