@@ -75,8 +75,8 @@ public:
     bmr_error SetRaw(const b2Vec2 *vertices, int32 count);
 
     /// A regular polygon around the origin; its first vertex lies on the positive x axis. Of very many
-    /// vertices those are left that floats can tell from a straight line (all 4096, 7 of 8 of 16384, of any
-    /// radius): GetVertexCount. Errors of this and the next two, besides those of Set: a size that is not
+    /// vertices those are left that floats can tell from a straight line (all of 12,000, about 26,000 of
+    /// 65,535): GetVertexCount. Errors of this and the next two, besides those of Set: a size that is not
     /// above zero is BMR_ERROR_OUT_OF_RANGE, more than kMostVertices are BMR_ERROR_TOO_MANY_POINTS.
     bmr_error SetRegular(int32 count, float radius);
     /// `count` vertices on an ellipse around the origin, dense where it bends.

@@ -1,0 +1,591 @@
+// SPDX-License-Identifier: MIT
+// bmr::ConvexShape as a shape: what it is up to 8 vertices and above, who owns the polygon, what goes wrong.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <box2d/box2d.h>
+
+#include "../../box2d_glue/convex_geometry.h"
+#include "../../box2d_glue/convex_registry.h"
+#include "boomerang/convex_shape.h"
+#include "box2d_shapes.h"
+
+#include "failing_allocator.h"
+#include "test_scale.h"
+
+using bmr::ConvexShape;
+using shapes::Below;
+using shapes::Engine;
+using shapes::Uniform;
+using shapes::UniformF;
+using Points = std::vector<b2Vec2>;
+
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(),
+                kInfinity = std::numeric_limits<float>::infinity();
+
+Points Circle(int count, double radius, double x = 0.0, double y = 0.0) {
+    Points points;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2.0 * 3.14159265358979323846 * i / count;
+        points.emplace_back(static_cast<float>(x + radius * std::cos(angle)),
+                            static_cast<float>(y + radius * std::sin(angle)));
+    }
+    return points;
+}
+
+bmr_error Set(ConvexShape &shape, const Points &points) {
+    return shape.Set(points.data(), static_cast<int32>(points.size()));
+}
+
+bool SameBits(const b2PolygonShape &a, const b2PolygonShape &b) {
+    const size_t size = static_cast<size_t>(a.m_count) * sizeof(b2Vec2);
+    return a.m_count == b.m_count && std::memcmp(a.m_vertices, b.m_vertices, size) == 0 &&
+           std::memcmp(a.m_normals, b.m_normals, size) == 0 &&
+           std::memcmp(&a.m_centroid, &b.m_centroid, sizeof a.m_centroid) == 0 && a.m_radius == b.m_radius;
+}
+
+/// Does Box2D's own Set end the program on these points? In a child, for it may.
+bool StockAsserts(const Points &points) {
+    std::fflush(nullptr);
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        const rlimit none = {0, 0};
+        setrlimit(RLIMIT_CORE, &none);
+        std::signal(SIGABRT, SIG_DFL);
+        std::fclose(stderr);
+        b2PolygonShape().Set(points.data(), static_cast<int32>(points.size()));
+        _exit(0);
+    }
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    return WIFSIGNALED(status);
+}
+
+bool Welds(const Points &points) {
+    const float weld = 0.5f * b2_linearSlop;
+    for (size_t i = 0; i < points.size(); ++i)
+        for (size_t j = 0; j < i; ++j)
+            if (b2DistanceSquared(points[i], points[j]) < weld * weld)
+                return true;
+    return false;
+}
+
+/// 3 to 8 points, many of them bad ones: lattices (points on lines), tiny, huge, next to each other.
+Points AnyPoints(Engine &engine) {
+    Points points;
+    const int count = 3 + Below(engine, 6), kind = Below(engine, 6);
+    const float size = static_cast<float>(std::pow(10.0, kind == 0   ? Uniform(engine, -4.0, -2.0)
+                                                         : kind == 1 ? Uniform(engine, 5.0, 38.0)
+                                                                     : Uniform(engine, -2.5, 3.0)));
+    for (int i = 0; i < count; ++i) {
+        b2Vec2 p(UniformF(engine, -1.0, 1.0), UniformF(engine, -1.0, 1.0));
+        if (kind == 2)
+            p.Set(static_cast<float>(Below(engine, 4)), static_cast<float>(Below(engine, 4)));
+        if (kind == 3)
+            p.y = p.x + 1e-7f * static_cast<float>(Below(engine, 3));
+        points.push_back(size * p);
+    }
+    if (kind == 4)
+        points[0] = points[1] + b2Vec2(UniformF(engine, 0.0, 0.004), 0.0f);
+    return points;
+}
+
+struct Outline : b2Draw {
+    struct Polygon {
+        Points points;
+        b2Color color;
+    };
+    std::vector<Polygon> polygons;
+    void DrawSolidPolygon(const b2Vec2 *v, int32 count, const b2Color &color) override {
+        polygons.push_back({Points(v, v + count), color});
+    }
+    void DrawPolygon(const b2Vec2 *, int32, const b2Color &) override {}
+    void DrawCircle(const b2Vec2 &, float, const b2Color &) override {}
+    void DrawSolidCircle(const b2Vec2 &, float, const b2Vec2 &, const b2Color &) override {}
+    void DrawSegment(const b2Vec2 &, const b2Vec2 &, const b2Color &) override {}
+    void DrawTransform(const b2Transform &) override {}
+    void DrawPoint(const b2Vec2 &, float, const b2Color &) override {}
+};
+
+} // namespace
+
+TEST_CASE("without memory a shape stays as it was and nothing leaks") {
+    // First of all: the registry has no chunk yet.
+    test_heap heap;
+    const Points big = Circle(100, 1.0), other = Circle(50, 2.0);
+    size_t failures = 0;
+    for (size_t failAt = 0; failAt < 40; ++failAt) {
+        test_heap_init(&heap, failAt);
+        bmr::registry::SetAllocator(&heap.allocator);
+        {
+            ConvexShape shape;
+            const bmr_error first = Set(shape, big);
+            REQUIRE((first == BMR_OK || first == BMR_ERROR_NO_MEMORY));
+            const ConvexShape before = shape;
+            const bmr_error errors[] = {Set(shape, other), shape.SetRaw(other.data(), 50),
+                                        shape.SetRegular(64, 1.0f), shape.SetRounded(2.0f, 1.0f, 0.5f, 8)};
+            for (const bmr_error error : errors) {
+                CHECK((error == BMR_OK || error == BMR_ERROR_NO_MEMORY));
+                failures += error != BMR_OK;
+            }
+            if (failAt < heap.asked && first == BMR_OK) {
+                shape = before;
+                CHECK(shape.GetVertexCount() == 100);
+            }
+            if (first != BMR_OK)
+                CHECK(before.GetVertexCount() == 0);
+            if (shape.GetVertexCount() > 8 && shape.Simplify(0.01f) != BMR_OK)
+                ++failures;
+        }
+        bmr::registry::SetAllocator(nullptr);
+        CHECK(bmr::registry::Count() == 0);
+        // The chunk of handles stays, once.
+        CHECK(heap.blocks <= 1);
+        CHECK(heap.wrong_sizes == 0);
+    }
+    CHECK(failures > 10);
+}
+
+TEST_CASE("up to 8 vertices a shape is what Set makes, to the bit, or an error where Set welds or asserts") {
+    const bool assertsAreOn = StockAsserts({{0, 0}, {1, 1}, {2, 2}});
+    Engine engine(1);
+    size_t accepted = 0, refused = 0;
+    for (size_t k = 0; k < test_scaled(2000); ++k) {
+        const Points points = AnyPoints(engine);
+        ConvexShape shape;
+        const bmr_error error = Set(shape, points);
+        if (error == BMR_OK) {
+            ++accepted;
+            REQUIRE_FALSE(Welds(points));
+            b2PolygonShape stock;
+            stock.Set(points.data(), static_cast<int32>(points.size()));
+            CHECK(SameBits(shape, stock));
+            CHECK(bmr::BigPolygonOf(shape) == nullptr);
+            CHECK(shape.GetVertexCount() == stock.m_count);
+            CHECK(shape.GetVertices() == shape.m_vertices);
+            // Raw, from any vertex on.
+            const int first = Below(engine, stock.m_count);
+            Points turned;
+            for (int i = 0; i < stock.m_count; ++i)
+                turned.push_back(stock.m_vertices[(first + i) % stock.m_count]);
+            ConvexShape raw;
+            if (raw.SetRaw(turned.data(), stock.m_count) == BMR_OK)
+                CHECK(std::memcmp(raw.m_vertices, turned.data(), turned.size() * sizeof(b2Vec2)) == 0);
+        } else if (error == BMR_ERROR_TOO_CLOSE)
+            CHECK(Welds(points));
+        else if (assertsAreOn && refused++ < 200) {
+            CAPTURE(error);
+            // Or its numbers overflowed.
+            CHECK((StockAsserts(points) || error == BMR_ERROR_OUT_OF_RANGE));
+            CHECK(shape.m_count == 0);
+        }
+    }
+    CHECK(accepted > 0);
+    CHECK((refused > 0 || !assertsAreOn));
+
+    // More than 8 points with a small hull: Set gets the hull.
+    Points cloud = {{2, 0}, {2, 1}, {-1, 1}, {-1, 0}};
+    for (int i = 0; i < 20; ++i)
+        cloud.emplace_back(UniformF(engine, -1.0, 2.0), UniformF(engine, 0.0, 1.0));
+    ConvexShape shape;
+    REQUIRE(Set(shape, cloud) == BMR_OK);
+    b2PolygonShape stock;
+    stock.Set(cloud.data(), 4);
+    CHECK(SameBits(shape, stock));
+    cloud[4].Set(2.0f, 0.001f);
+    cloud[0].Set(1.9999f, 0.0f);
+    CHECK(Set(shape, cloud) == BMR_ERROR_TOO_CLOSE);
+    CHECK(SameBits(shape, stock));
+}
+
+TEST_CASE("errors say what is wrong and leave the shape as it was") {
+    ConvexShape big, small;
+    REQUIRE(big.SetRegular(100, 1.0f) == BMR_OK);
+    small.SetAsBox(1.0f, 2.0f);
+    big.m_radius = small.m_radius = 0.125f;
+    const b2Vec2 *const vertices = big.GetVertices();
+    Points line, flat, clockwise = Circle(20, 1.0), dented = Circle(20, 1.0), tiny = Circle(20, 1e-4);
+    std::reverse(clockwise.begin(), clockwise.end());
+    dented[3] = 0.5f * dented[3];
+    for (int i = 0; i < 20; ++i) {
+        line.emplace_back(static_cast<float>(i), static_cast<float>(2 * i));
+        flat.emplace_back(static_cast<float>(i % 3), 0.0f);
+    }
+    Points notANumber = Circle(20, 1.0), infinite = notANumber, far = notANumber;
+    notANumber[7].y = kNaN;
+    infinite[7].x = -kInfinity;
+    far[7].x = 2e9f;
+    const Points same(20, b2Vec2(1.0f, 1.0f)), two(2, b2Vec2(0.0f, 0.0f));
+    const Points smallNaN = {{0, 0}, {1, 0}, {0, kNaN}}, smallLine = {{0, 0}, {1, 1}, {2, 2}};
+    const Points smallSame = {{0, 0}, {0, 0}, {1, 1}, {0, 1}}, huge = {{0, 0}, {1e30f, 0}, {0, 1e30f}};
+    const Points tinyTriangle = {{0, 0}, {3e-3f, 0}, {0, 3e-3f}}, thin = {{0, 0}, {1, 0}, {0.5f, 1e-8f}};
+    const Points over = {{0, 0}, {1, 0}, {2, 0}, {0, 1}};
+    for (ConvexShape *shape : {&big, &small}) {
+        const ConvexShape before = *shape;
+        const struct {
+            const Points &points;
+            bmr_error set, raw;
+        } cases[] = {
+            {two, BMR_ERROR_TOO_FEW_POINTS, BMR_ERROR_TOO_FEW_POINTS},
+            {line, BMR_ERROR_TOO_FEW_POINTS, BMR_ERROR_NOT_CONVEX},
+            {flat, BMR_ERROR_TOO_FEW_POINTS, BMR_ERROR_NOT_CONVEX},
+            {same, BMR_ERROR_TOO_FEW_POINTS, BMR_ERROR_OUT_OF_RANGE},
+            {notANumber, BMR_ERROR_NOT_FINITE, BMR_ERROR_NOT_FINITE},
+            {infinite, BMR_ERROR_NOT_FINITE, BMR_ERROR_NOT_FINITE},
+            {far, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_OUT_OF_RANGE},
+            {tiny, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_OUT_OF_RANGE},
+            {smallNaN, BMR_ERROR_NOT_FINITE, BMR_ERROR_NOT_FINITE},
+            {smallLine, BMR_ERROR_TOO_FEW_POINTS, BMR_ERROR_TOO_FEW_POINTS},
+            {smallSame, BMR_ERROR_TOO_CLOSE, BMR_ERROR_TOO_CLOSE},
+            {huge, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_OUT_OF_RANGE},
+            {tinyTriangle, BMR_OK, BMR_OK},
+            {thin, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_OUT_OF_RANGE},
+            {clockwise, BMR_OK, BMR_ERROR_NOT_CONVEX},
+            {dented, BMR_OK, BMR_ERROR_NOT_CONVEX},
+            {over, BMR_OK, BMR_ERROR_NOT_CONVEX},
+        };
+        for (const auto &c : cases) {
+            CAPTURE(&c - cases);
+            const int32 count = static_cast<int32>(c.points.size());
+            ConvexShape copy = *shape;
+            CHECK(copy.Set(c.points.data(), count) == c.set);
+            if (c.set != BMR_OK) {
+                CHECK(SameBits(copy, before));
+                CHECK(copy.GetVertices()[0] == before.GetVertices()[0]);
+            }
+            copy = *shape;
+            CHECK(copy.SetRaw(c.points.data(), count) == c.raw);
+            if (c.raw != BMR_OK)
+                CHECK(SameBits(copy, before));
+            CHECK(copy.m_radius == 0.125f);
+        }
+        CHECK(shape->Set(nullptr, 20) == BMR_ERROR_NULL_ARGUMENT);
+        CHECK(shape->SetRaw(nullptr, 20) == BMR_ERROR_NULL_ARGUMENT);
+        CHECK(shape->Set(line.data(), -1) == BMR_ERROR_TOO_FEW_POINTS);
+        CHECK(shape->SetRegular(2, 1.0f) == BMR_ERROR_TOO_FEW_POINTS);
+        CHECK(shape->SetRegular(65536, 1.0f) == BMR_ERROR_TOO_MANY_POINTS);
+        CHECK(shape->SetRegular(20, 0.0f) == BMR_ERROR_OUT_OF_RANGE);
+        CHECK(shape->SetRegular(20, kNaN) == BMR_ERROR_NOT_FINITE);
+        CHECK(shape->SetEllipse(20, 1.0f, -1.0f) == BMR_ERROR_OUT_OF_RANGE);
+        CHECK(shape->SetRounded(1.0f, 1.0f, 1.5f, 8) == BMR_ERROR_OUT_OF_RANGE);
+        CHECK(shape->SetRounded(1.0f, 1.0f, 0.5f, 1) == BMR_ERROR_TOO_FEW_POINTS);
+        CHECK(shape->SetRounded(1.0f, 1.0f, 0.5f, 20000) == BMR_ERROR_TOO_MANY_POINTS);
+        CHECK(shape->Simplify(-1.0f) == BMR_ERROR_OUT_OF_RANGE);
+        CHECK(SameBits(*shape, before));
+    }
+    CHECK(big.GetVertices() == vertices);
+    CHECK(ConvexShape().Simplify(1.0f) == BMR_ERROR_TOO_FEW_POINTS);
+}
+
+TEST_CASE("above 8 vertices every question is answered from the real polygon, as a loop over it would") {
+    Engine engine(2);
+    size_t inside = 0, hits = 0, octagonDiffers = 0;
+    for (size_t k = 0; k < test_scaled(200); ++k) {
+        const int count = 9 + Below(engine, k % 8 == 0 ? 2000 : 100);
+        ConvexShape shape;
+        REQUIRE(Set(shape, Circle(count, Uniform(engine, 0.1, 10.0), Uniform(engine, -5.0, 5.0), 1.0)) ==
+                BMR_OK);
+        shape.m_radius = UniformF(engine, 0.0, 0.1);
+        const int32 n = shape.GetVertexCount();
+        REQUIRE(n > 8);
+        REQUIRE(bmr::BigPolygonOf(shape) != nullptr);
+        CHECK(shape.m_count >= 7);
+        CHECK(shape.Validate());
+        CHECK(shape.GetChildCount() == 1);
+        for (int q = 0; q < 40; ++q) {
+            const b2Transform xf = shapes::RandomPose(engine, 20.0);
+            b2AABB box, octagon;
+            shape.ComputeAABB(&box, xf, 0);
+            shape.b2PolygonShape::ComputeAABB(&octagon, xf, 0);
+            CHECK(box.Contains(octagon));
+            octagonDiffers += !octagon.Contains(box);
+            b2Vec2 lower(kInfinity, kInfinity), upper(-kInfinity, -kInfinity);
+            for (int32 i = 0; i < n; ++i) {
+                lower = b2Min(lower, b2Mul(xf, shape.GetVertex(i)));
+                upper = b2Max(upper, b2Mul(xf, shape.GetVertex(i)));
+            }
+            const b2Vec2 skin(shape.m_radius, shape.m_radius);
+            CHECK(box.lowerBound == lower - skin);
+            CHECK(box.upperBound == upper + skin);
+
+            const b2Vec2 point(UniformF(engine, lower.x, upper.x), UniformF(engine, lower.y, upper.y));
+            const b2Vec2 local = b2MulT(xf.q, point - xf.p);
+            bool in = true;
+            for (int32 i = 0; i < n && in; ++i)
+                in = !(b2Dot(shape.GetNormal(i), local - shape.GetVertex(i)) > 0.0f);
+            CHECK(shape.TestPoint(xf, point) == in);
+            inside += in;
+
+            b2RayCastInput ray;
+            ray.p1.Set(UniformF(engine, -40.0, 40.0), UniformF(engine, -40.0, 40.0));
+            ray.p2 = point;
+            ray.maxFraction = 1.0f;
+            b2RayCastOutput output;
+            output.fraction = -1.0f;
+            const b2Vec2 p1 = b2MulT(xf.q, ray.p1 - xf.p), d = b2MulT(xf.q, ray.p2 - xf.p) - p1;
+            const bool hit = shape.RayCast(&output, ray, xf, 0);
+            CHECK((hit || !in || shape.TestPoint(xf, ray.p1)));
+            if (hit) {
+                ++hits;
+                const b2Vec2 at = p1 + output.fraction * d;
+                float most = -kInfinity;
+                for (int32 i = 0; i < n; ++i)
+                    most = std::max(most, b2Dot(shape.GetNormal(i), at - shape.GetVertex(i)));
+                CHECK(std::abs(most) < 1e-4f);
+                CHECK(b2Dot(output.normal, b2Mul(xf.q, d)) < 0.0f);
+            }
+        }
+        // Many small triangles, in double.
+        double area = 0.0, x = 0.0, y = 0.0, inertia = 0.0;
+        for (int32 i = 0; i < n; ++i) {
+            const double ax = shape.GetVertex(i).x, ay = shape.GetVertex(i).y;
+            const double bx = shape.GetVertex((i + 1) % n).x, by = shape.GetVertex((i + 1) % n).y;
+            const double cross = ax * by - ay * bx;
+            area += cross / 2.0;
+            x += cross * (ax + bx) / 6.0;
+            y += cross * (ay + by) / 6.0;
+            inertia += cross * (ax * ax + ax * bx + bx * bx + ay * ay + ay * by + by * by) / 12.0;
+        }
+        b2MassData mass;
+        shape.ComputeMass(&mass, 2.5f);
+        CHECK(mass.mass == doctest::Approx(2.5 * area).epsilon(1e-6));
+        CHECK(mass.I == doctest::Approx(2.5 * inertia).epsilon(1e-6));
+        CHECK(mass.center.x == doctest::Approx(x / area).epsilon(1e-5));
+        CHECK(mass.center == shape.m_centroid);
+    }
+    CHECK(inside > 0);
+    CHECK(hits > 0);
+    CHECK(octagonDiffers > 0);
+}
+
+TEST_CASE("copies, clones and fixtures share one polygon, and the last frees it") {
+    REQUIRE(bmr::registry::Count() == 0);
+    const ConvexShape *kept = nullptr;
+    {
+        ConvexShape shape;
+        REQUIRE(shape.SetRegular(64, 0.5f) == BMR_OK);
+        shape.m_radius = 0.02f;
+        const b2Vec2 *const vertices = shape.GetVertices();
+        ConvexShape copy(shape), assigned;
+        assigned = copy;
+        assigned = *&assigned;
+        CHECK(copy.GetVertices() == vertices);
+        CHECK(assigned.GetVertices() == vertices);
+        CHECK(assigned.m_radius == 0.02f);
+        CHECK(bmr::registry::Count() == 1);
+        REQUIRE(shape.SetRegular(32, 0.5f) == BMR_OK); // a new one: the others keep theirs
+        CHECK(copy.GetVertexCount() == 64);
+        CHECK(copy.GetVertices() == vertices);
+        CHECK(bmr::registry::Count() == 2);
+        shape = copy;
+        CHECK(bmr::registry::Count() == 1);
+        {
+            b2World world(b2Vec2(0.0f, -10.0f));
+            b2BodyDef def;
+            def.type = b2_dynamicBody;
+            b2Body *bodies[10];
+            for (int i = 0; i < 10; ++i) {
+                def.position.Set(5.0f * static_cast<float>(i), 0.0f);
+                bodies[i] = world.CreateBody(&def);
+                b2Fixture *fixture = bodies[i]->CreateFixture(&shape, 1.0f);
+                kept = ConvexShape::From(fixture->GetShape());
+                REQUIRE(kept != nullptr);
+                CHECK(kept != &shape);
+                CHECK(kept->GetVertices() == vertices);
+                CHECK(kept->m_radius == 0.02f);
+            }
+            CHECK(bodies[0]->GetMass() == doctest::Approx(3.14159 * 0.25).epsilon(0.01));
+            bodies[0]->DestroyFixture(bodies[0]->GetFixtureList());
+            world.DestroyBody(bodies[1]);
+            CHECK(bmr::registry::Count() == 1);
+            b2PolygonShape *const plain = &copy;
+            CHECK(plain->GetType() == b2Shape::e_polygon);
+        }
+        shape.SetRegular(4, 1.0f);
+        copy = shape;
+        CHECK(bmr::registry::Count() == 1);
+        assigned = shape;
+        CHECK(bmr::registry::Count() == 0);
+        CHECK(assigned.GetVertexCount() == 4);
+    }
+    CHECK(bmr::registry::Count() == 0);
+}
+
+TEST_CASE("shapes are known for what they are, and polygons by a number that never comes again") {
+    ConvexShape none, small, big;
+    REQUIRE(small.SetRegular(8, 1.0f) == BMR_OK);
+    REQUIRE(big.SetRegular(9, 1.0f) == BMR_OK);
+    const b2PolygonShape plain;
+    const b2CircleShape circle;
+    CHECK(ConvexShape::From(nullptr) == nullptr);
+    CHECK(ConvexShape::From(&plain) == nullptr);
+    CHECK(ConvexShape::From(&circle) == nullptr);
+    for (const ConvexShape *shape : {&none, &small, &big})
+        CHECK(ConvexShape::From(shape) == shape);
+    CHECK(bmr::AnyBigPolygon());
+    CHECK(bmr::NumberOfBigPolygon(small) == 0);
+    CHECK(bmr::NumberOfBigPolygon(plain) == 0);
+    CHECK(bmr::BigPolygonOf(circle) == nullptr);
+    std::vector<uint64_t> numbers;
+    for (int i = 0; i < 1000; ++i) {
+        REQUIRE(big.SetRegular(9 + i % 3, 1.0f) == BMR_OK);
+        numbers.push_back(bmr::NumberOfBigPolygon(big));
+        REQUIRE(numbers.back() != 0);
+        CHECK(bmr::BigPolygonOfNumber(numbers.back()) == bmr::BigPolygonOf(big));
+        if (i > 0)
+            CHECK(bmr::BigPolygonOfNumber(numbers[numbers.size() - 2]) == nullptr);
+    }
+    std::sort(numbers.begin(), numbers.end());
+    CHECK(std::adjacent_find(numbers.begin(), numbers.end()) == numbers.end());
+    Engine engine(3);
+    for (int i = 0; i < 10000; ++i) // whatever stands in memory
+        CHECK(bmr::BigPolygonOfNumber(i % 2 ? engine() : engine() & 0xff) == nullptr);
+}
+
+TEST_CASE("outlines that games ask for") {
+    ConvexShape shape;
+    for (const int32 count : {3, 4, 8, 9, 100, 4096, 12000}) {
+        REQUIRE(shape.SetRegular(count, 2.0f) == BMR_OK);
+        CHECK(shape.GetVertexCount() == count);
+        CHECK(shape.GetVertex(0) == b2Vec2(2.0f, 0.0f));
+        for (int32 i = 0; i < count; ++i)
+            CHECK(std::abs(shape.GetVertex(i).Length() - 2.0f) < 3e-7f);
+    }
+    REQUIRE(shape.SetRegular(65535, 0.5f) == BMR_OK);
+    CHECK(shape.GetVertexCount() > 20000);
+    CHECK(bmr_convex32_audit(&bmr::BigPolygonOf(shape)->polygon) == BMR_OK);
+
+    REQUIRE(shape.SetEllipse(64, 4.0f, 0.5f) == BMR_OK);
+    CHECK(shape.GetVertexCount() == 64);
+    CHECK(shape.GetVertex(16) == b2Vec2(0.0f, 0.5f));
+
+    REQUIRE(shape.SetRounded(2.0f, 1.0f, 0.25f, 8) == BMR_OK);
+    CHECK(shape.GetVertexCount() == 32);
+    b2AABB box;
+    b2Transform identity;
+    identity.SetIdentity();
+    shape.ComputeAABB(&box, identity, 0);
+    CHECK(box.upperBound.x == 2.0f + shape.m_radius);
+    CHECK(box.lowerBound.y == -1.0f - shape.m_radius);
+    REQUIRE(shape.SetRounded(2.0f, 1.0f, 1.0f, 16) == BMR_OK); // a capsule: its sides' ends are shared
+    CHECK(shape.GetVertexCount() == 62);
+    b2MassData mass;
+    shape.ComputeMass(&mass, 1.0f);
+    CHECK(mass.mass == doctest::Approx(4.0 + 3.14159265).epsilon(0.01));
+    REQUIRE(shape.SetRounded(1.0f, 1.0f, 1.0f, 17) == BMR_OK); // a disk
+    CHECK(shape.GetVertexCount() == 64);
+    REQUIRE(shape.SetRounded(2.0f, 1.0f, 0.5f, 2) == BMR_OK); // a box without corners
+    CHECK(shape.GetVertexCount() == 8);
+
+    REQUIRE(shape.SetRegular(4096, 1.0f) == BMR_OK);
+    REQUIRE(shape.Simplify(1e-3f) == BMR_OK);
+    CHECK(shape.GetVertexCount() < 200);
+    CHECK(shape.GetVertexCount() > 60);
+    REQUIRE(shape.Simplify(0.2f) == BMR_OK); // Box2D's own from here on
+    CHECK(shape.GetVertexCount() <= 8);
+    CHECK(bmr::BigPolygonOf(shape) == nullptr);
+    const int32 left = shape.GetVertexCount();
+    REQUIRE(shape.Simplify(0.0f) == BMR_OK);
+    CHECK(shape.GetVertexCount() == left);
+}
+
+TEST_CASE("drawn are the real outlines, in the colours of DebugDraw") {
+    b2World world(b2Vec2(0.0f, -10.0f));
+    Outline box2d, ours;
+    box2d.SetFlags(b2Draw::e_shapeBit);
+    world.SetDebugDraw(&box2d);
+    ConvexShape shape;
+    REQUIRE(shape.SetRegular(40, 0.5f) == BMR_OK);
+    for (int i = 0; i < 6; ++i) {
+        b2BodyDef def;
+        def.type = i == 0 ? b2_staticBody : i == 1 ? b2_kinematicBody : b2_dynamicBody;
+        def.position.Set(10.0f * static_cast<float>(i), 3.0f);
+        def.awake = i != 2;
+        def.enabled = i != 3;
+        world.CreateBody(&def)->CreateFixture(&shape, i == 4 ? 0.0f : 1.0f);
+    }
+    b2PolygonShape plain;
+    plain.SetAsBox(1.0f, 1.0f);
+    b2BodyDef def;
+    def.position.Set(0.0f, -20.0f);
+    world.CreateBody(&def)->CreateFixture(&plain, 1.0f);
+    world.DebugDraw();
+    bmr::DrawConvexShapes(world, ours);
+    REQUIRE(ours.polygons.size() == 6);
+    REQUIRE(box2d.polygons.size() == 7); // newest body first
+    for (size_t i = 0; i < 6; ++i) {
+        CHECK(ours.polygons[i].points.size() == 40);
+        const b2Color &a = ours.polygons[i].color, &b = box2d.polygons[i + 1].color;
+        CHECK((a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a));
+        CHECK((ours.polygons[i].points[0] - box2d.polygons[i + 1].points[0]).Length() < 1e-5f);
+    }
+}
+
+TEST_CASE("many threads make, copy, read and free shapes at once") {
+    const size_t rounds = test_scaled(2000);
+    {
+        ConvexShape shared;
+        REQUIRE(shared.SetRegular(200, 1.0f) == BMR_OK);
+        std::vector<std::thread> threads;
+        std::atomic<size_t> wrong{0};
+        for (unsigned t = 0; t < 4; ++t)
+            threads.emplace_back([&shared, &wrong, rounds, t] {
+                Engine engine(t);
+                std::vector<ConvexShape> mine(8);
+                b2World world(b2Vec2(0.0f, 0.0f));
+                for (size_t k = 0; k < rounds; ++k) {
+                    ConvexShape &shape = mine[static_cast<size_t>(Below(engine, 8))];
+                    const int32 count = 9 + Below(engine, 40);
+                    switch (Below(engine, 4)) {
+                    case 0:
+                        shape = shared;
+                        break;
+                    case 1:
+                        wrong += shape.SetRegular(count, 1.0f) != BMR_OK || shape.GetVertexCount() != count;
+                        break;
+                    case 2:
+                        shape = mine[static_cast<size_t>(Below(engine, 8))];
+                        break;
+                    default: {
+                        b2BodyDef def;
+                        b2Body *body = world.CreateBody(&def);
+                        if (shape.GetVertexCount() > 0)
+                            body->CreateFixture(&shape, 1.0f);
+                        world.DestroyBody(body);
+                    }
+                    }
+                    b2Transform xf;
+                    xf.SetIdentity();
+                    b2AABB box;
+                    shared.ComputeAABB(&box, xf, 0);
+                    wrong += box.upperBound.x != 1.0f + shared.m_radius;
+                    if (shape.GetVertexCount() > 0)
+                        wrong += shape.GetVertex(0).x != 1.0f || !shape.TestPoint(xf, b2Vec2(0.1f, 0.1f));
+                }
+            });
+        for (std::thread &thread : threads)
+            thread.join();
+        CHECK(wrong == 0);
+        CHECK(bmr::registry::Count() == 1);
+    }
+    CHECK(bmr::registry::Count() == 0);
+}
