@@ -39,6 +39,27 @@ if(TARGET boomerang_box2d)
   install(FILES ${PROJECT_SOURCE_DIR}/plugin/examples/game_loop.cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 endif()
 
+if(BOOMERANG_INSTALL_TESTBED AND TARGET boomerang-testbed)
+  # The workers lie beside the program, which looks for them there; what they load is found from wherever that is.
+  file(RELATIVE_PATH boomerang_bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+  set(boomerang_programs boomerang-testbed boomerang-scene)
+  if(TARGET boomerang-scene-plugin)
+    list(APPEND boomerang_programs boomerang-scene-plugin)
+    set_target_properties(boomerang-scene-plugin PROPERTIES INSTALL_RPATH "$ORIGIN/${boomerang_bin_to_lib}")
+  endif()
+  install(TARGETS ${boomerang_programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS boomerang-count LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/boomerang)
+  if(TARGET boomerang-manual)
+    set(boomerang_manual ${PROJECT_BINARY_DIR}/manual)
+    install(FILES ${boomerang_manual}/boomerang-testbed.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    install(FILES ${boomerang_manual}/boomerang-testbed
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+    install(FILES ${boomerang_manual}/_boomerang-testbed DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+    install(FILES ${boomerang_manual}/boomerang-testbed.fish
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+  endif()
+endif()
+
 set(boomerang_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/boomerang)
 install(EXPORT boomerangTargets NAMESPACE boomerang:: DESTINATION ${boomerang_package_dir})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/boomerangConfig.cmake.in

@@ -65,14 +65,27 @@ void DrawSeries(Canvas &canvas, const Frame &frame, const PlotSeries &series, si
             DrawMark(canvas, point, index, series.colour);
 }
 
+constexpr double kSwatch = 22.0, kLegendLine = 1.35 * kTextSize, kPad = 6.0;
+
+/// A line of the legend, from its left end on the base line.
+void DrawEntry(Canvas &canvas, bmr_vec2 at, const PlotSeries &series, size_t index) {
+    Pen pen = {series.colour, series.dashed ? 1.0 : 1.5};
+    if (series.dashed)
+        pen.dash = {4.0, 3.0};
+    const bmr_vec2 from = bmr_vec2_make(at.x, at.y + 0.3 * kTextSize);
+    canvas.Segment(from, bmr_vec2_make(from.x + kSwatch, from.y), pen);
+    if (!series.dashed)
+        DrawMark(canvas, bmr_vec2_make(from.x + 0.5 * kSwatch, from.y), index, series.colour);
+    canvas.Text(bmr_vec2_make(from.x + kSwatch + kPad, at.y), 0.0, 0.0, series.name, kTextSize);
+}
+
 /// The legend goes to that upper or lower, left or right corner which hides the fewest points.
 void DrawLegend(Canvas &canvas, const Frame &frame, const Plot &plot) {
-    constexpr double kSwatch = 22.0, kLine = 1.35 * kTextSize, kPad = 6.0;
     double width = 0.0;
     for (const PlotSeries &series : plot.series)
         width = std::max(width, canvas.TextWidth(series.name, kTextSize));
     width += kSwatch + 3.0 * kPad;
-    const double height = kLine * static_cast<double>(plot.series.size()) + 1.5 * kPad;
+    const double height = kLegendLine * static_cast<double>(plot.series.size()) + 1.5 * kPad;
     const Rectangle &in = frame.page;
     Rectangle best = {};
     size_t fewest = SIZE_MAX;
@@ -98,16 +111,20 @@ void DrawLegend(Canvas &canvas, const Frame &frame, const Plot &plot) {
                     bmr_vec2_make(best.right, best.top), bmr_vec2_make(best.left, best.top)},
                    {{1.0, 1.0, 1.0}, 0.85}, {ink::kFaint, 0.7});
     double y = best.top - kPad - 0.75 * kTextSize;
-    for (size_t i = 0; i < plot.series.size(); ++i, y -= kLine) {
-        const PlotSeries &series = plot.series[i];
-        Pen pen = {series.colour, series.dashed ? 1.0 : 1.5};
-        if (series.dashed)
-            pen.dash = {4.0, 3.0};
-        const bmr_vec2 from = bmr_vec2_make(best.left + kPad, y + 0.3 * kTextSize);
-        canvas.Segment(from, bmr_vec2_make(from.x + kSwatch, from.y), pen);
-        if (!series.dashed)
-            DrawMark(canvas, bmr_vec2_make(from.x + 0.5 * kSwatch, from.y), i, series.colour);
-        canvas.Text(bmr_vec2_make(from.x + kSwatch + kPad, y), 0.0, 0.0, series.name, kTextSize);
+    for (size_t i = 0; i < plot.series.size(); ++i, y -= kLegendLine)
+        DrawEntry(canvas, bmr_vec2_make(best.left + kPad, y), plot.series[i], i);
+}
+
+double HeightOfLegendBelow(const Plot &plot) {
+    return plot.legendBelow ? kLegendLine * static_cast<double>((plot.series.size() + 1) / 2) + kPad : 0.0;
+}
+
+void DrawLegendBelow(Canvas &canvas, const Frame &frame, const Plot &plot) {
+    const size_t rows = (plot.series.size() + 1) / 2;
+    for (size_t i = 0; i < plot.series.size(); ++i) {
+        const double x = frame.page.left + (i < rows ? 0.0 : 0.5 * frame.page.Width());
+        const double y = frame.page.bottom - kBottom - kPad - kLegendLine * static_cast<double>(i % rows);
+        DrawEntry(canvas, bmr_vec2_make(x, y - 0.3 * kTextSize), plot.series[i], i);
     }
 }
 
@@ -115,7 +132,8 @@ void DrawLegend(Canvas &canvas, const Frame &frame, const Plot &plot) {
 
 void DrawPlot(Canvas &canvas, const Rectangle &page, const Plot &plot) {
     canvas.ClearPanel();
-    Frame frame = {{page.left + kLeft, page.bottom + kBottom, page.right - kRight, page.top - kTop},
+    Frame frame = {{page.left + kLeft, page.bottom + kBottom + HeightOfLegendBelow(plot), page.right - kRight,
+                    page.top - kTop},
                    {plot.logX},
                    {plot.logY}};
     size_t shown = 0;
@@ -138,7 +156,10 @@ void DrawPlot(Canvas &canvas, const Rectangle &page, const Plot &plot) {
     DrawAxes(canvas, frame, plot);
     for (size_t i = 0; i < plot.series.size(); ++i)
         DrawSeries(canvas, frame, plot.series[i], i);
-    DrawLegend(canvas, frame, plot);
+    if (plot.legendBelow)
+        DrawLegendBelow(canvas, frame, plot);
+    else
+        DrawLegend(canvas, frame, plot);
 }
 
 } // namespace testbed

@@ -37,17 +37,6 @@ void PrintNumbers(std::ostream &out, const nlohmann::json &json, const std::stri
     }
 }
 
-std::vector<SceneInfo> SelectScenes(const std::vector<SceneInfo> &all,
-                                    const std::vector<std::string> &names) {
-    if (names.empty())
-        return all;
-    std::vector<SceneInfo> selected;
-    selected.reserve(names.size());
-    for (const std::string &name : names)
-        selected.push_back(FindScene(all, name));
-    return selected;
-}
-
 int CompareExitCode(const std::vector<SceneResult> &results) {
     int code = kExitOk;
     for (const SceneResult &result : results) {
@@ -61,6 +50,17 @@ int CompareExitCode(const std::vector<SceneResult> &results) {
 }
 
 } // namespace
+
+std::vector<SceneInfo> SelectScenes(const std::vector<SceneInfo> &all,
+                                    const std::vector<std::string> &names) {
+    if (names.empty())
+        return all;
+    std::vector<SceneInfo> selected;
+    selected.reserve(names.size());
+    for (const std::string &name : names)
+        selected.push_back(FindScene(all, name));
+    return selected;
+}
 
 const SceneInfo &FindScene(const std::vector<SceneInfo> &scenes, const std::string &name) {
     std::vector<std::string> names;

@@ -8,15 +8,18 @@
 
 #include "commands.h"
 #include "events_command.h"
+#include "manual_command.h"
 #include "nearest.h"
 #include "plot_command.h"
+#include "report_command.h"
 
 namespace testbed {
 namespace {
 
 constexpr char kExitCodes[] =
     "Exit codes: 0 done, nothing differs; 1 a difference was found; 2 the request makes no "
-    "sense; 3 a worker failed.";
+    "sense; 3 a worker failed, or the output could not be "
+    "written.";
 
 struct CommandLine {
     std::string directory;
@@ -27,6 +30,8 @@ struct CommandLine {
     FiguresCommand figures;
     EventsCommand events;
     PlotCommand plot;
+    ReportCommand report;
+    ManualCommand manual;
     bool noTime = false;
 };
 
@@ -175,6 +180,7 @@ int Run(int argc, char **argv) {
     CommandLine line;
     app.require_subcommand(1);
     app.footer(kExitCodes);
+    app.set_version_flag("--version", "boomerang-testbed " BOOMERANG_VERSION);
     app.add_option("--workers", line.directory,
                    "Directory of boomerang-scene and boomerang-scene-plugin (default: this program's own)")
         ->check(CLI::ExistingDirectory);
@@ -185,6 +191,8 @@ int Run(int argc, char **argv) {
     const CLI::App *figures = AddFigures(app, line);
     const CLI::App *events = AddEvents(app, line.events);
     const CLI::App *plot = AddPlot(app, line);
+    const CLI::App *report = AddReport(app, line.report);
+    AddManual(app, line.manual);
     for (CLI::App *subcommand : app.get_subcommands({})) {
         const std::string own = subcommand->get_footer();
         subcommand->footer(own.empty() ? kExitCodes : own + "\n\n" + kExitCodes);
@@ -205,6 +213,10 @@ int Run(int argc, char **argv) {
         return Execute(line.figures);
     if (app.got_subcommand(plot))
         return Execute(line.plot);
+    if (app.got_subcommand(report))
+        return Execute(line.report, line.directory);
+    if (WantsManual(app))
+        return Execute(line.manual, app, line.directory);
     const Workers workers(line.directory);
     int status = 0;
     if (app.got_subcommand(list))
@@ -217,9 +229,6 @@ int Run(int argc, char **argv) {
         status = Execute(line.events, workers);
     else
         status = Execute(line.draw, workers);
-    // What nobody could read was not done.
-    if (!std::cout.flush())
-        throw std::runtime_error("the output could not be written");
     return status;
 }
 
@@ -228,7 +237,11 @@ int Run(int argc, char **argv) {
 
 int main(int argc, char **argv) {
     try {
-        return testbed::Run(argc, argv);
+        const int status = testbed::Run(argc, argv);
+        // What nobody could read was not done.
+        if (!std::cout.flush())
+            throw std::runtime_error("the output could not be written");
+        return status;
     } catch (const testbed::UsageError &error) {
         std::cerr << "boomerang-testbed: " << error.what() << '\n';
         return testbed::kExitUsage;

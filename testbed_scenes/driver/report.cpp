@@ -4,76 +4,26 @@
 #include <algorithm>
 
 #include "figures.h"
+#include "report/scene_tables.h"
 #include "table.h"
 
 namespace testbed {
 namespace {
 
-struct TableColumn {
-    const char *group, *name, *figure;
-    int decimals;
-};
-
-constexpr TableColumn kTestColumns[] = {
-    {"", "bodies", "bodies", 0},
-    {"", "contacts", "contacts", 0},
-    {"polygon tests", "stock", "stock.polygon_tests_per_step", 1},
-    {"polygon tests", "plugin", "plugin.polygon_tests_per_step", 1},
-    {"of them apart", "stock", "stock.polygon_tests_apart_per_step", 1},
-    {"of them apart", "saved %", "saved.polygon_tests_apart_percent", 1},
-    {"TOI calls", "stock", "stock.toi_calls_per_step", 1},
-    {"TOI calls", "plugin", "plugin.toi_calls_per_step", 1},
-    {"b2Distance", "stock", "stock.distance_calls_per_step", 1},
-    {"b2Distance", "plugin", "plugin.distance_calls_per_step", 1},
-};
-
-constexpr TableColumn kEventColumns[] = {
-    {"certificate checks", "edge", "checks.edge_per_step", 1},
-    {"certificate checks", "search", "plugin.edge_searches_per_step", 1},
-    {"certificate checks", "kinetic", "checks.kinetic_per_step", 1},
-    {"events", "start", "events.start_per_step", 2},
-    {"events", "stab", "events.stab_per_step", 2},
-    {"events", "push", "events.push_per_step", 2},
-    {"events", "roll", "events.roll_per_step", 2},
-    {"events", "coarsen", "events.coarsen_per_step", 2},
-    {"events", "hand-over", "events.hand_over_per_step", 2},
-    {"answers", "proved apart", "plugin.proved_apart_per_step", 1},
-    {"answers", "reused", "plugin.verdicts_reused_per_step", 1},
-};
-
-constexpr TableColumn kTimeColumns[] = {
-    {"narrow phase, us", "stock", "stock.narrow_phase_us_per_step", 1},
-    {"narrow phase, us", "linked", "plugin.narrow_phase_us_per_step", 1},
-    {"narrow phase, us", "ratio", "ratio.narrow_phase", 2},
-    {"whole step, us", "stock", "stock.step_us_per_step", 1},
-    {"whole step, us", "register", "register.step_us_per_step", 1},
-    {"whole step, us", "linked", "plugin.step_us_per_step", 1},
-    {"step ratio", "register", "ratio_register.step", 2},
-    {"step ratio", "linked", "ratio.step", 2},
-};
-
-constexpr TableColumn kVerifyColumns[] = {
-    {"answers", "compared", "verify.compared", 0},
-    {"answers", "different", "verify.differences", 0},
-};
-
-/// A whole step slower than this is one to look into: what is nearer to 1 is the machine's noise.
-constexpr double kSlower = 0.98;
-
-template <size_t N>
-void PrintTable(std::ostream &out, const std::vector<SceneResult> &results, const TableColumn (&columns)[N],
+void PrintTable(std::ostream &out, const std::vector<SceneResult> &results, const SceneTable &layout,
                 bool colour) {
+    const std::vector<SceneColumn> &columns = layout.columns;
     Table table;
     table.AddColumn("", "scene");
-    for (const TableColumn &column : columns)
+    for (const SceneColumn &column : columns)
         table.AddColumn(column.group, column.name);
     for (const SceneResult &result : results) {
         const Figures figures(result);
         std::vector<Table::Cell> row = {{result.scene.name, Style::Plain}};
-        for (const TableColumn &column : columns) {
+        for (const SceneColumn &column : columns) {
             const std::optional<double> figure = figures[column.figure];
             Style style = figure ? Style::Plain : Style::Faint;
-            if (figure && column.group == std::string("step ratio"))
+            if (figure && column.group == std::string(kRatioGroup))
                 style = *figure < kSlower ? Style::Bad : Style::Good;
             row.push_back({Fixed(figure, column.decimals), style});
         }
@@ -107,26 +57,9 @@ void PrintVerdicts(std::ostream &out, const std::vector<SceneResult> &results, b
     table.Print(out, colour);
 }
 
-void PrintLegend(std::ostream &out, const CompareOptions &options, bool colour) {
-    auto line = [&out, colour](const std::string &text) {
-        out << Styled(text, Style::Faint, colour) << '\n';
-    };
-    line("contacts: pairs whose fat boxes overlap, mean per step; polygon tests: b2CollidePolygons; apart: "
-         "no point found");
-    line("TOI calls: b2TimeOfImpact; saved: of the tests that found stock's pairs apart, those that a "
-         "certificate answered");
-    line("edge: one remembered edge asked again; search: all edges, when it failed; kinetic: a body pair's "
-         "certificate asked again");
-    line("start, stab, push, roll, coarsen: the life of a certificate; hand-over: its end, the polygons are "
-         "searched");
-    line(
-        "proved apart: answered without Box2D; reused: of those, by what was found at the same poses before");
-    if (options.time)
-        line("time: median of " + std::to_string(options.repeat) +
-             " runs; ratio: stock / plugin, the median over pairs of runs; above 1 the plugin is faster");
-    line("register: linked, contacts alone, no hooks; linked: all hooks; preloaded: stock's program, plugin "
-         "in LD_PRELOAD");
-    line("bits: every body, contact, impulse and listener event of every step, hashed and compared");
+void PrintLegend(std::ostream &out, const std::vector<std::string> &legend, bool colour) {
+    for (const std::string &line : legend)
+        out << Styled(line, Style::Faint, colour) << '\n';
 }
 
 size_t CountOf(const std::vector<SceneResult> &results, Verdict verdict) {
@@ -178,26 +111,27 @@ nlohmann::json ToJson(const SceneResult &result) {
 
 void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options,
                  bool colour) {
-    auto title = [&out, colour](const char *text) {
-        out << '\n' << Styled(text, Style::Strong, colour) << '\n';
+    auto print = [&](const SceneTable &table) {
+        out << '\n' << Styled(table.title, Style::Strong, colour) << '\n';
+        PrintTable(out, results, table, colour);
     };
     if (options.verify) {
-        title("Every answer of the plugin beside Box2D's, in one process");
-        PrintTable(out, results, kVerifyColumns, colour);
+        print(VerifyTable());
         return;
     }
-    title("Separation tests, calls per step");
-    PrintTable(out, results, kTestColumns, colour);
-    title("What the plugin did instead, per step");
-    PrintTable(out, results, kEventColumns, colour);
-    if (options.time) {
-        title("Time per step");
-        PrintTable(out, results, kTimeColumns, colour);
-    }
-    title("Whether the bits agree");
+    print(TestTable());
+    print(EventTable());
+    const SceneTable times = TimeTable(options.repeat);
+    if (options.time)
+        print(times);
+    out << '\n' << Styled("Whether the bits agree", Style::Strong, colour) << '\n';
     PrintVerdicts(out, results, colour);
     out << '\n';
-    PrintLegend(out, options, colour);
+    PrintLegend(out, TestTable().legend, colour);
+    PrintLegend(out, EventTable().legend, colour);
+    if (options.time)
+        PrintLegend(out, times.legend, colour);
+    PrintLegend(out, VerdictLegend(), colour);
 }
 
 void PrintClosingLine(std::ostream &out, const std::vector<SceneResult> &results, bool colour) {
@@ -214,11 +148,11 @@ void PrintClosingLine(std::ostream &out, const std::vector<SceneResult> &results
     out << Styled(text, different + failed == 0 ? Style::Good : Style::Bad, colour) << '\n';
 }
 
-void WriteJson(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options) {
+nlohmann::json ToJson(const std::vector<SceneResult> &results, const CompareOptions &options) {
     nlohmann::json scenes = nlohmann::json::array();
     for (const SceneResult &result : results)
         scenes.push_back(ToJson(result));
-    const nlohmann::json json = {
+    return {
         {"options",
          {{"mode", options.verify ? "verify" : "bits"},
           {"repeat", options.time ? options.repeat : 0},
@@ -233,8 +167,11 @@ void WriteJson(std::ostream &out, const std::vector<SceneResult> &results, const
          {{"step_ratio", ToJson(MeanRatio(results, "ratio.step"))},
           {"narrow_phase_ratio", ToJson(MeanRatio(results, "ratio.narrow_phase"))}}},
     };
+}
+
+void WriteJson(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options) {
     // A worker's stderr may hold anything; a report must be valid all the same.
-    out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    out << ToJson(results, options).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
 void WriteCsv(std::ostream &out, const std::vector<SceneResult> &results) {

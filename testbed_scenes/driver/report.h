@@ -15,6 +15,7 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
 /// The closing line: how many are identical, and by what factor a step is faster.
 void PrintClosingLine(std::ostream &out, const std::vector<SceneResult> &results, bool colour);
 /// Everything that is known of every scene.
+nlohmann::json ToJson(const std::vector<SceneResult> &results, const CompareOptions &options);
 void WriteJson(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options);
 /// A header and one row per scene; unknown figures are empty.
 void WriteCsv(std::ostream &out, const std::vector<SceneResult> &results);

@@ -2,7 +2,6 @@
 #include "table.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace testbed {
@@ -22,14 +21,6 @@ std::string Styled(const std::string &text, Style style, bool colour) {
     case Style::Plain:
         break;
     }
-    return text;
-}
-
-std::string Fixed(std::optional<double> number, int decimals) {
-    if (!number)
-        return "-";
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, *number);
     return text;
 }
 

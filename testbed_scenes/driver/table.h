@@ -2,10 +2,11 @@
 #ifndef BOOMERANG_TESTBED_TABLE_H
 #define BOOMERANG_TESTBED_TABLE_H
 
-#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
+
+#include "report/number_text.h"
 
 namespace testbed {
 
@@ -13,9 +14,6 @@ enum class Style { Plain, Good, Bad, Faint, Strong };
 
 /// The text in its colour; the text alone where colours are not wanted.
 std::string Styled(const std::string &text, Style style, bool colour);
-
-/// A number with so many decimals, "-" for none.
-std::string Fixed(std::optional<double> number, int decimals);
 
 /// A table in plain text: two header lines (the upper one names groups of columns), numbers to the right, the
 /// first column to the left.

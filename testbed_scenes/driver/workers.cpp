@@ -49,7 +49,9 @@ Workers::Workers(const fs::path &directory) {
 
 fs::path Workers::FindLibrary(const char *name) const {
     std::error_code ignored;
-    for (const fs::path &place : {m_directory / ".." / "lib", m_directory}) {
+    for (const fs::path &place :
+         {m_directory / ".." / "lib", m_directory, m_directory / BOOMERANG_LIBRARY_DIRECTORY,
+          m_directory / BOOMERANG_LIBRARY_DIRECTORY / "boomerang"}) {
         fs::path library = (place / name).lexically_normal();
         if (fs::exists(library, ignored))
             return library;

@@ -339,22 +339,27 @@ Run RunFromJson(const nlohmann::json &entry) {
 
 } // namespace
 
-std::vector<Run> RunsFromJson(const nlohmann::json &json) {
-    std::vector<Run> runs;
+void CountRatios(std::vector<Run> &runs) {
     std::vector<double> ratios;
-    try {
-        for (const nlohmann::json &entry : json) {
-            runs.push_back(RunFromJson(entry));
-            ratios.push_back(runs.back().wantedRatio);
-        }
-    } catch (const nlohmann::json::exception &error) {
-        throw FileError(std::string("not the runs that `events --json` writes: ") + error.what());
-    }
+    ratios.reserve(runs.size());
+    for (const Run &run : runs)
+        ratios.push_back(run.wantedRatio);
     std::sort(ratios.begin(), ratios.end());
     ratios.erase(std::unique(ratios.begin(), ratios.end()), ratios.end());
     for (Run &run : runs)
         run.ratioIndex = static_cast<size_t>(std::lower_bound(ratios.begin(), ratios.end(), run.wantedRatio) -
                                              ratios.begin());
+}
+
+std::vector<Run> RunsFromJson(const nlohmann::json &json) {
+    std::vector<Run> runs;
+    try {
+        for (const nlohmann::json &entry : json)
+            runs.push_back(RunFromJson(entry));
+    } catch (const nlohmann::json::exception &error) {
+        throw FileError(std::string("not the runs that `events --json` writes: ") + error.what());
+    }
+    CountRatios(runs);
     return runs;
 }
 

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "report/scene_tables.h"
+
+namespace testbed {
+
+const SceneTable &TestTable() {
+    static const SceneTable table = {
+        "Separation tests, calls per step",
+        {
+            {"", "bodies", "bodies", 0},
+            {"", "contacts", "contacts", 0},
+            {"polygon tests", "stock", "stock.polygon_tests_per_step", 1},
+            {"polygon tests", "plugin", "plugin.polygon_tests_per_step", 1},
+            {"of them apart", "stock", "stock.polygon_tests_apart_per_step", 1},
+            {"of them apart", "saved %", "saved.polygon_tests_apart_percent", 1},
+            {"TOI calls", "stock", "stock.toi_calls_per_step", 1},
+            {"TOI calls", "plugin", "plugin.toi_calls_per_step", 1},
+            {"b2Distance", "stock", "stock.distance_calls_per_step", 1},
+            {"b2Distance", "plugin", "plugin.distance_calls_per_step", 1},
+        },
+        {
+            "contacts: pairs whose fat boxes overlap, mean per step; polygon tests: b2CollidePolygons; "
+            "apart: "
+            "no point found",
+            "TOI calls: b2TimeOfImpact; saved: of the tests that found stock's pairs apart, those that a "
+            "certificate answered",
+        }};
+    return table;
+}
+
+const SceneTable &EventTable() {
+    static const SceneTable table = {
+        "What the plugin did instead, per step",
+        {
+            {"certificate checks", "edge", "checks.edge_per_step", 1},
+            {"certificate checks", "search", "plugin.edge_searches_per_step", 1},
+            {"certificate checks", "kinetic", "checks.kinetic_per_step", 1},
+            {"events", "start", "events.start_per_step", 2},
+            {"events", "stab", "events.stab_per_step", 2},
+            {"events", "push", "events.push_per_step", 2},
+            {"events", "roll", "events.roll_per_step", 2},
+            {"events", "coarsen", "events.coarsen_per_step", 2},
+            {"events", "hand-over", "events.hand_over_per_step", 2},
+            {"answers", "proved apart", "plugin.proved_apart_per_step", 1},
+            {"answers", "reused", "plugin.verdicts_reused_per_step", 1},
+        },
+        {
+            "edge: one remembered edge asked again; search: all edges, when it failed; kinetic: a body "
+            "pair's "
+            "certificate asked again",
+            "start, stab, push, roll, coarsen: the life of a certificate; hand-over: its end, the polygons "
+            "are "
+            "searched",
+            "proved apart: answered without Box2D; reused: of those, by what was found at the same poses "
+            "before",
+        }};
+    return table;
+}
+
+const SceneTable &VerifyTable() {
+    static const SceneTable table = {"Every answer of the plugin beside Box2D's, in one process",
+                                     {
+                                         {"answers", "compared", "verify.compared", 0},
+                                         {"answers", "different", "verify.differences", 0},
+                                     },
+                                     {}};
+    return table;
+}
+
+SceneTable TimeTable(int repeat) {
+    return {"Time per step",
+            {
+                {"narrow phase, us", "stock", "stock.narrow_phase_us_per_step", 1},
+                {"narrow phase, us", "linked", "plugin.narrow_phase_us_per_step", 1},
+                {"narrow phase, us", "ratio", "ratio.narrow_phase", 2},
+                {"whole step, us", "stock", "stock.step_us_per_step", 1},
+                {"whole step, us", "register", "register.step_us_per_step", 1},
+                {"whole step, us", "linked", "plugin.step_us_per_step", 1},
+                {kRatioGroup, "register", "ratio_register.step", 2},
+                {kRatioGroup, "linked", "ratio.step", 2},
+            },
+            {"time: median of " + std::to_string(repeat) +
+             " runs; ratio: stock / plugin, the median over pairs of runs; above 1 the plugin is faster"}};
+}
+
+const std::vector<std::string> &VerdictLegend() {
+    static const std::vector<std::string> legend = {
+        "register: linked, contacts alone, no hooks; linked: all hooks; preloaded: stock's program, plugin "
+        "in LD_PRELOAD",
+        "bits: every body, contact, impulse and listener event of every step, hashed and compared"};
+    return legend;
+}
+
+} // namespace testbed
