@@ -34,9 +34,9 @@ void Scene::OnGoodbye(b2Joint &) {}
 const std::vector<SceneInfo> &AllScenes() {
     static const std::vector<SceneInfo> scenes = [] {
         std::vector<SceneInfo> all;
-        for (const auto add :
-             {AddClassicStacks, AddClassicMotion, AddClassicJoints, AddClassicExamples, AddTerrain,
-              AddLongThings, AddCoins, AddAsteroids, AddGears, AddBullets, AddSensors, AddChurn})
+        for (const auto add : {AddClassicStacks, AddClassicMotion, AddClassicJoints, AddClassicExamples,
+                               AddTerrain, AddLongThings, AddCoins, AddAsteroids, AddGears, AddBullets,
+                               AddSensors, AddChurn, AddAnySizeCoins, AddAnySizeBodies, AddAnySizeWorlds})
             add(all);
         return all;
     }();

@@ -35,7 +35,8 @@ struct SceneInfo {
     const char *name;
     const char *description;
     const char
-        *group; ///< "classic": small and known from Box2D's testbed; "hard": many pairs that stay apart
+        *group; ///< "classic": small and known from Box2D's testbed; "hard": many pairs that stay apart;
+                ///< "any-size": of polygons of any size, as the options `vertices` and `bodies` choose
     const char *sizeMeaning;
     int size;
     int steps;
@@ -44,13 +45,15 @@ struct SceneInfo {
     float timeStep = 1.0f / 60.0f;
     int velocityIterations = 8;
     int positionIterations = 3;
+    /// What its polygons are unless told otherwise; of 0 vertices: there is nothing to choose.
+    PolygonChoice polygons = {};
 };
 
 template <typename T> std::unique_ptr<Scene> CreateScene() {
     return std::make_unique<T>();
 }
 
-/// All scenes: the classic ones, then the hard ones.
+/// All scenes: the classic ones, then the hard ones, then those of any size.
 const std::vector<SceneInfo> &AllScenes();
 /// Null if there is none of this name.
 const SceneInfo *FindScene(std::string_view name);
@@ -70,6 +73,9 @@ void AddGears(std::vector<SceneInfo> &scenes);
 void AddBullets(std::vector<SceneInfo> &scenes);
 void AddSensors(std::vector<SceneInfo> &scenes);
 void AddChurn(std::vector<SceneInfo> &scenes);
+void AddAnySizeCoins(std::vector<SceneInfo> &scenes);
+void AddAnySizeBodies(std::vector<SceneInfo> &scenes);
+void AddAnySizeWorlds(std::vector<SceneInfo> &scenes);
 
 } // namespace testbed
 

@@ -69,13 +69,21 @@ Outline StarOutline(int count, float inner, float outer) {
     return outline;
 }
 
-void AddConvex(Stage &stage, b2Body *body, const Outline &outline, const b2FixtureDef &def) {
+std::vector<Outline> CutConvex(const Outline &outline) {
     constexpr int added = b2_maxPolygonVertices - 1; // a piece is the first vertex and a run of these
+    std::vector<Outline> pieces;
     const int count = static_cast<int>(outline.size());
     for (int first = 1; first < count - 1; first += added - 1) {
         const int last = std::min(first + added - 1, count - 1);
         Outline piece{outline.front()};
         piece.insert(piece.end(), outline.begin() + first, outline.begin() + last + 1);
+        pieces.push_back(std::move(piece));
+    }
+    return pieces;
+}
+
+void AddConvex(Stage &stage, b2Body *body, const Outline &outline, const b2FixtureDef &def) {
+    for (const Outline &piece : CutConvex(outline)) {
         b2PolygonShape shape;
         shape.Set(piece.data(), static_cast<int32>(piece.size()));
         stage.AddFixture(body, def, shape);

@@ -28,7 +28,9 @@ Outline RoughOutline(Random &random, int count, float inner, float outer);
 /// `count` vertices, alternately at `outer` and at `inner`; an odd one out lies halfway.
 Outline StarOutline(int count, float inner, float outer);
 
-/// Cuts a convex outline into fixtures of at most 8 vertices, all of which share its first vertex.
+/// A convex outline in pieces of at most 8 vertices, all of which share its first vertex.
+std::vector<Outline> CutConvex(const Outline &outline);
+/// A fixture for each of these pieces.
 void AddConvex(Stage &stage, b2Body *body, const Outline &outline, const b2FixtureDef &def);
 /// Makes each edge of an outline that is star-shaped about the origin a triangle with the origin.
 void AddFan(Stage &stage, b2Body *body, const Outline &outline, const b2FixtureDef &def);

@@ -7,6 +7,7 @@
 
 #include <box2d/box2d.h>
 
+#include "polygon_choice.h"
 #include "random.h"
 
 namespace testbed {
@@ -38,6 +39,9 @@ public:
 
     b2World &World() { return m_world; }
     Random &Rng() { return m_random; }
+    /// For the scenes that let it be chosen; to be set before they build.
+    const PolygonChoice &Polygons() const { return m_polygons; }
+    void SetPolygons(const PolygonChoice &choice) { m_polygons = choice; }
 
     b2Body *AddBody(b2BodyDef def);
     b2Body *AddBody(b2BodyType type, b2Vec2 position, float angle = 0.0f);
@@ -60,6 +64,7 @@ private:
     Scene &m_scene;
     EventObserver *m_observer;
     Random m_random;
+    PolygonChoice m_polygons;
     b2World m_world;
     std::vector<uint32_t> m_fixturesMade; // by body number
     uint32_t m_jointsMade = 0;

@@ -1,30 +1,26 @@
 // SPDX-License-Identifier: MIT
 //
-// 64-gons, which Box2D can only have as bodies of 11 fixtures.
+// Coins of any number of corners. Of 64 Box2D can only have them as bodies of 11 fixtures.
+#include "any_size.h"
 #include "scene.h"
 #include "shapes.h"
 
 namespace testbed {
 namespace {
 
-constexpr int corners = 64;
-
-void AddCoin(Stage &stage, const b2BodyDef &def, float radius, const b2FixtureDef &material) {
-    AddConvex(stage, stage.AddBody(def), RegularOutline(corners, radius), material);
-}
-
 class CoinsGas final : public Scene {
     void Build(Stage &stage, int size) override {
         stage.World().SetGravity({0.0f, 0.0f});
         const Grid grid(size, 18, 2.05f);
         AddArena(stage, {0.0f, 0.0f}, grid.halfWidth, grid.halfHeight, 1.0f);
+        const AnySizePolygon coin(stage.Polygons(), 0.5f);
         for (int i = 0; i < size; ++i) {
             b2BodyDef def;
             def.type = b2_dynamicBody;
             def.position = grid.Place(i);
             def.linearVelocity = stage.Rng().Direction(0.5f, 3.0f);
             def.angularVelocity = stage.Rng().Uniform(-1.0f, 1.0f);
-            AddCoin(stage, def, 0.5f, Material(1.0f, 0.1f, 1.0f));
+            coin.AddTo(stage, stage.AddBody(def), Material(1.0f, 0.1f, 1.0f));
         }
     }
 };
@@ -34,6 +30,7 @@ class CoinsPile final : public Scene {
         constexpr int columns = 10;
         constexpr float radius = 0.85f, spacing = 1.85f;
         AddArena(stage, {0.0f, 25.0f}, 0.5f * spacing * columns + 1.0f, 25.0f, 0.0f);
+        const AnySizePolygon coin(stage.Polygons(), radius);
         for (int i = 0; i < size; ++i) {
             b2BodyDef def;
             def.type = b2_dynamicBody;
@@ -41,7 +38,7 @@ class CoinsPile final : public Scene {
                                  stage.Rng().Uniform(-0.04f, 0.04f),
                              radius + 0.1f + spacing * static_cast<float>(i / columns));
             def.angle = stage.Rng().Uniform(-b2_pi, b2_pi);
-            AddCoin(stage, def, radius, Material(1.0f, 0.3f));
+            coin.AddTo(stage, stage.AddBody(def), Material(1.0f, 0.3f));
         }
     }
 };
@@ -49,10 +46,36 @@ class CoinsPile final : public Scene {
 } // namespace
 
 void AddCoins(std::vector<SceneInfo> &scenes) {
-    scenes.push_back({"coins-gas", "64-gons of 11 fixtures each bounce about in a closed box", "hard",
-                      "coins", 250, 300, CreateScene<CoinsGas>});
-    scenes.push_back({"coins-pile", "larger such coins fall into a pile", "hard", "coins", 200, 300,
-                      CreateScene<CoinsPile>});
+    SceneInfo gas = {"coins-gas",
+                     "64-gons of 11 fixtures each bounce about in a closed box",
+                     "hard",
+                     "coins",
+                     250,
+                     300,
+                     CreateScene<CoinsGas>};
+    SceneInfo pile = {"coins-pile",          "larger such coins fall into a pile", "hard", "coins", 200, 300,
+                      CreateScene<CoinsPile>};
+    gas.polygons = pile.polygons = {BodyKind::Many, 64};
+    scenes.insert(scenes.end(), {gas, pile});
+}
+
+void AddAnySizeCoins(std::vector<SceneInfo> &scenes) {
+    SceneInfo gas = {"any-gas",
+                     "coins of any number of corners bounce about in a closed box",
+                     "any-size",
+                     "coins",
+                     250,
+                     300,
+                     CreateScene<CoinsGas>};
+    SceneInfo pile = {"any-pile",
+                      "larger such coins fall into a pile",
+                      "any-size",
+                      "coins",
+                      200,
+                      300,
+                      CreateScene<CoinsPile>};
+    gas.polygons = pile.polygons = {BodyKind::One, 256};
+    scenes.insert(scenes.end(), {gas, pile});
 }
 
 } // namespace testbed

@@ -27,6 +27,8 @@ void PrintList() {
                         {"seed", scene.seed},
                         {"steps", scene.steps},
                         {"time_step", scene.timeStep},
+                        {"vertices", scene.polygons.vertices},
+                        {"bodies", NameOf(scene.polygons.bodies)},
                         {"velocity_iterations", scene.velocityIterations},
                         {"position_iterations", scene.positionIterations}});
     std::puts(list.dump(2).c_str());

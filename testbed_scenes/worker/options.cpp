@@ -13,6 +13,9 @@ namespace {
 const std::map<std::string, Mode> modes = {
     {"hash", Mode::Hash}, {"count", Mode::Count}, {"time", Mode::Time}};
 
+const std::map<std::string, BodyKind> kinds = {
+    {"one", BodyKind::One}, {"many", BodyKind::Many}, {"circle", BodyKind::Circle}};
+
 std::string ListScenes() {
     std::string text = "Scenes (default size, default steps):\n";
     for (const SceneInfo &scene : AllScenes()) {
@@ -29,9 +32,13 @@ void CheckScene(const Options &options) {
         return;
     if (options.scene.empty())
         throw CLI::RequiredError("a SCENE, --course or --list-json");
-    if (FindScene(options.scene) == nullptr)
+    const SceneInfo *scene = FindScene(options.scene);
+    if (scene == nullptr)
         throw CLI::ValidationError("there is no scene \"" + options.scene + "\"; did you mean \"" +
                                    NearestScene(options.scene).name + "\"?");
+    if ((options.vertices || options.bodies) && scene->polygons.vertices == 0)
+        throw CLI::ValidationError("the polygons of " + options.scene +
+                                   " are what they are: --vertices and --bodies are for coins and any-...");
 }
 
 } // namespace
@@ -41,6 +48,11 @@ const char *NameOf(Mode mode) {
         if (value == mode)
             return name.c_str();
     return "";
+}
+
+PolygonChoice PolygonsOf(const SceneInfo &scene, const Options &options) {
+    return {options.bodies.value_or(scene.polygons.bodies),
+            options.vertices.value_or(scene.polygons.vertices)};
 }
 
 std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
@@ -68,6 +80,16 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
         ->option_text("K")
         ->check(CLI::Range(1, 1000000).description(""));
     app.add_option("--seed", options.seed, "Seed of the scene's random numbers [1]")->option_text("S");
+    app.add_option("--vertices", options.vertices,
+                   "Vertices of the polygons; for scenes that have this to choose, each with its default")
+        ->option_text("N")
+        ->check(CLI::Range(3, 65535).description(""));
+    app.add_option(
+           "--bodies", options.bodies,
+           "What such polygons are: one fixture (needs the plugin), many of at most 8 vertices each, or "
+           "(if round) a circle")
+        ->transform(CLI::CheckedTransformer(kinds).description(""))
+        ->option_text("one|many|circle");
     app.add_option("--dump", options.dump,
                    "Instead of hashes, print after this step (the first is 0) all that is hashed, a line per "
                    "field, and "

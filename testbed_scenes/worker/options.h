@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "polygon_choice.h"
 #include "worker/plugin.h"
 
 namespace testbed {
@@ -20,6 +21,8 @@ struct Options {
     Mode mode = Mode::Hash;
     std::optional<int> steps, size;
     std::optional<unsigned long> seed;
+    std::optional<int> vertices;
+    std::optional<BodyKind> bodies;
     std::optional<int> dump, outline, perturb;
     PluginOptions plugin;
 };
@@ -31,6 +34,10 @@ enum ExitCode : int { exitOk = 0, exitUsage = 2, exitInternal = 3 };
 std::optional<int> ParseOptions(int argc, char **argv, Options &options);
 
 const char *NameOf(Mode mode);
+
+struct SceneInfo;
+/// The scene's own choice, where the options do not say otherwise.
+PolygonChoice PolygonsOf(const SceneInfo &scene, const Options &options);
 
 } // namespace testbed
 

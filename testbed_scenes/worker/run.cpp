@@ -68,6 +68,7 @@ void RunScene(const SceneInfo &info, const Options &options) {
     // Nobody listens to a world that is timed or counted, except a scene that would.
     const unsigned long seed = options.seed.value_or(info.seed);
     Stage stage(*scene, seed, options.mode == Mode::Hash ? &recorder : nullptr);
+    stage.SetPolygons(PolygonsOf(info, options));
     b2World &world = stage.World();
     const int steps = options.steps.value_or(info.steps);
     Summary summary(info, options, steps);

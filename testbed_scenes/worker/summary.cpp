@@ -82,6 +82,8 @@ void Summary::AddStep(const b2World &world, long nanoseconds) {
     // Walking the contacts would warm the caches of the next step, so not while it is timed.
     if (m_options.mode == Mode::Time)
         return;
+    if (m_options.mode == Mode::Count)
+        m_behaviour.AddStep(world);
     for (const b2Contact *contact = world.GetContactList(); contact != nullptr; contact = contact->GetNext())
         m_polygonContacts += IsPolygonContact(*contact) ? 1 : 0;
 }
@@ -112,6 +114,10 @@ nlohmann::json Summary::ToJson(const b2World &world) const {
                            {"steps_wanted", m_stepsWanted},
                            {"bodies", world.GetBodyCount()},
                            {"contacts", static_cast<double>(m_contacts) / steps}};
+    if (const PolygonChoice polygons = PolygonsOf(m_info, m_options); polygons.vertices > 0) {
+        json["vertices"] = polygons.vertices;
+        json["kind"] = NameOf(polygons.bodies);
+    }
     if (m_options.mode != Mode::Time)
         json["polygon_contacts"] = static_cast<double>(m_polygonContacts) / steps;
     switch (m_options.mode) {
@@ -126,6 +132,7 @@ nlohmann::json Summary::ToJson(const b2World &world) const {
         json["box2d_toi_runs"] = ToiRuns() - m_toiRunsBefore;
         json["box2d_gjk_runs"] = GjkRuns() - m_gjkRunsBefore;
         json["plugin"] = PluginStatistics();
+        json["behaviour"] = m_behaviour.ToJson();
         break;
     case Mode::Time:
         AddTimes(json);

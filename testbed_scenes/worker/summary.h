@@ -10,6 +10,7 @@
 #include "count/count.h"
 #include "scene.h"
 #include "state/snapshot.h"
+#include "worker/behaviour.h"
 #include "worker/options.h"
 
 namespace testbed {
@@ -25,7 +26,7 @@ public:
     /// In every mode: scene, program, mode, size, seed, steps (done), bodies, contacts and polygon_contacts
     /// (means per step; in time mode contacts only). Hash: hash. Time: step_ns_total, step_ns_median,
     /// collide_ms_total, solve_ms, broadphase_ms, solveTOI_ms. Count: see AddCalls in summary.cpp; plugin
-    /// (null for stock).
+    /// (null for stock); what Behaviour says. Scenes with polygons to choose: vertices, kind.
     nlohmann::json ToJson(const b2World &world) const;
 
 private:
@@ -36,6 +37,7 @@ private:
     const int m_stepsWanted;
     long m_steps = 0;
     long m_contacts = 0, m_polygonContacts = 0;
+    Behaviour m_behaviour;
     HashSink m_hash;
     std::vector<long> m_nanoseconds;
     // Box2D's profile, summed: floats of milliseconds.

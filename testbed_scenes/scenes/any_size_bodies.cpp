@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+//
+// Single bodies of polygons of any size, whose motion is known: a stack that stands, wheels that roll, a
+// planet that holds what lies on it.
+#include <cmath>
+
+#include "any_size.h"
+#include "scene.h"
+
+namespace testbed {
+namespace {
+
+/// What two polygons keep between them where they touch.
+constexpr float kSkins = 2.0f * b2_polygonRadius;
+
+class Stack final : public Scene {
+    void Build(Stage &stage, int size) override {
+        const int vertices = stage.Polygons().vertices;
+        constexpr float radius = 0.5f;
+        // An edge lies below; above it one, too, where the number of vertices is even.
+        const float turn = b2_pi / static_cast<float>(vertices);
+        const float apothem = stage.Polygons().bodies == BodyKind::Circle ? radius : radius * std::cos(turn);
+        const AnySizePolygon coin(stage.Polygons(), radius, -0.5f * b2_pi + turn);
+        b2Body *ground = stage.AddBody(b2_staticBody, {0.0f, 0.0f});
+        stage.AddFixture(ground, MakeBox(20.0f, 1.0f, {0.0f, -1.0f}), 0.0f);
+        for (int i = 0; i < size; ++i) {
+            const float y = apothem + kSkins + static_cast<float>(i) * (2.0f * apothem + kSkins);
+            coin.AddTo(stage, stage.AddBody(b2_dynamicBody, {0.0f, y}), Material(1.0f, 0.6f));
+        }
+    }
+};
+
+class Wheels final : public Scene {
+    void Build(Stage &stage, int size) override {
+        constexpr float slope = 0.15f, radius = 0.5f, spacing = 4.0f;
+        const b2Rot along(-slope);
+        b2Body *ground = stage.AddBody(b2_staticBody, {0.0f, 0.0f}, -slope);
+        const float length = spacing * static_cast<float>(size) + 40.0f;
+        stage.AddFixture(ground, Material(0.0f, 0.9f), MakeBox(length, 1.0f, {0.0f, -1.0f}));
+        const AnySizePolygon wheel(stage.Polygons(), radius);
+        for (int i = 0; i < size; ++i) {
+            const b2Vec2 place(spacing * static_cast<float>(i) - 0.5f * length, radius + kSkins);
+            b2Body *body = stage.AddBody(b2_dynamicBody, b2Mul(along, place));
+            wheel.AddTo(stage, body, Material(1.0f, 0.9f));
+        }
+    }
+};
+
+class Planet final : public Scene {
+    void Build(Stage &stage, int size) override {
+        stage.World().SetGravity({0.0f, 0.0f});
+        const AnySizePolygon planet(stage.Polygons(), radius);
+        planet.AddTo(stage, stage.AddBody(b2_staticBody, {0.0f, 0.0f}), Material(0.0f, 0.6f));
+        const int towers = (size + height - 1) / height;
+        for (int i = 0; i < size; ++i) {
+            const float angle = 2.0f * b2_pi * static_cast<float>(i / height) / static_cast<float>(towers);
+            const float at = radius + half + 0.05f + static_cast<float>(i % height) * (2.0f * half + 0.05f);
+            b2BodyDef def;
+            def.type = b2_dynamicBody;
+            def.position = at * b2Vec2(std::cos(angle), std::sin(angle));
+            def.angle = angle;
+            stage.AddFixture(stage.AddBody(def), Material(1.0f, 0.6f), MakeBox(half, half));
+        }
+    }
+
+    // Its own gravity, which wakes nobody: a tower that stands may sleep.
+    void BeforeStep(Stage &stage, int) override {
+        constexpr float gravity = 10.0f;
+        for (b2Body *body = stage.World().GetBodyList(); body != nullptr; body = body->GetNext()) {
+            if (body->GetType() != b2_dynamicBody)
+                continue;
+            b2Vec2 down = -body->GetPosition();
+            down.Normalize();
+            body->ApplyForceToCenter(gravity * body->GetMass() * down, false);
+        }
+    }
+
+    static constexpr float radius = 10.0f, half = 0.4f;
+    static constexpr int height = 4;
+};
+
+} // namespace
+
+void AddAnySizeBodies(std::vector<SceneInfo> &scenes) {
+    SceneInfo stack = {
+        "any-stack",       "coins with many corners stand on each other", "any-size", "coins", 10, 300,
+        CreateScene<Stack>};
+    stack.polygons = {BodyKind::One, 64};
+    SceneInfo wheels = {
+        "any-wheels",       "polygons of many vertices roll down a slope", "any-size", "wheels", 8, 300,
+        CreateScene<Wheels>};
+    wheels.polygons = {BodyKind::One, 1024};
+    SceneInfo planet = {"any-planet",
+                        "towers of boxes stand on a planet that is one polygon",
+                        "any-size",
+                        "boxes",
+                        160,
+                        300,
+                        CreateScene<Planet>};
+    planet.polygons = {BodyKind::One, 4096};
+    scenes.insert(scenes.end(), {stack, wheels, planet});
+}
+
+} // namespace testbed

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+//
+// Polygons of any size among other things: bullets at thin targets, gears with rounded teeth, and a bag of
+// everything on a chain.
+#include <cmath>
+
+#include "any_size.h"
+#include "scene.h"
+
+namespace testbed {
+namespace {
+
+Outline EllipseOutline(int count, float halfWidth, float halfHeight) {
+    Outline outline = RegularOutline(count, 1.0f);
+    for (b2Vec2 &vertex : outline)
+        vertex.Set(halfWidth * vertex.x, halfHeight * vertex.y);
+    return outline;
+}
+
+class BulletsAtThin final : public Scene {
+    void Build(Stage &stage, int size) override {
+        AddArena(stage, {0.0f, 0.0f}, halfWidth, halfHeight, 0.5f);
+        AddTargets(stage);
+        const PolygonChoice &choice = stage.Polygons();
+        const AnySizePolygon ball(choice, 0.15f);
+        const AnySizePolygon shell(choice.bodies, EllipseOutline(choice.vertices, 0.25f, 0.1f));
+        for (int i = 0; i < size; ++i) {
+            b2BodyDef def;
+            def.type = b2_dynamicBody;
+            def.bullet = true;
+            b2Body *bullet = stage.AddBody(def);
+            (i % 2 == 0 ? ball : shell).AddTo(stage, bullet, Material(1.0f, 0.2f, 0.5f));
+            m_bullets.push_back(bullet);
+            Shoot(stage, bullet);
+        }
+    }
+
+    // They take turns, so that at any time some fly and some have come to rest.
+    void BeforeStep(Stage &stage, int step) override {
+        constexpr int interval = 120;
+        for (std::size_t i = 0; i < m_bullets.size(); ++i)
+            if (step > 0 && (static_cast<int>(i) + step) % interval == 0)
+                Shoot(stage, m_bullets[i]);
+    }
+
+    /// Columns of planks, of bare edges and of zigzag chains, one behind the other.
+    static void AddTargets(Stage &stage) {
+        constexpr int columns = 9, rows = 8;
+        for (int column = 0; column < columns; ++column) {
+            const float x = 5.0f * (static_cast<float>(column) - 0.5f * (columns - 1));
+            b2Body *body = stage.AddBody(b2_staticBody, {x, 0.0f});
+            Outline zigzag;
+            for (int row = 0; row < rows; ++row) {
+                const float y = 3.4f * (static_cast<float>(row) - 0.5f * (rows - 1));
+                const float turn = stage.Rng().Uniform(-0.7f, 0.7f);
+                zigzag.push_back({row % 2 == 0 ? -0.6f : 0.6f, y});
+                if (column % 3 == 0)
+                    stage.AddFixture(body, MakeBox(0.02f, 1.2f, {0.0f, y}, turn), 0.0f);
+                else if (column % 3 == 1)
+                    stage.AddFixture(body, MakeEdge({-turn, y - 1.1f}, {turn, y + 1.1f}), 0.0f);
+            }
+            if (column % 3 == 2) {
+                b2ChainShape chain;
+                chain.CreateChain(zigzag.data(), rows, zigzag.front() - b2Vec2(0.0f, 1.0f),
+                                  zigzag.back() + b2Vec2(0.0f, 1.0f));
+                stage.AddFixture(body, chain, 0.0f);
+            }
+        }
+    }
+
+    static void Shoot(Stage &stage, b2Body *bullet) {
+        const float side = stage.Rng().OnceIn(2) ? -1.0f : 1.0f;
+        bullet->SetTransform({side * (halfWidth - 1.0f), stage.Rng().Uniform(-0.9f, 0.9f) * halfHeight},
+                             stage.Rng().Uniform(-b2_pi, b2_pi));
+        bullet->SetLinearVelocity(
+            {-side * stage.Rng().Uniform(60.0f, 110.0f), stage.Rng().Uniform(-20.0f, 20.0f)});
+        bullet->SetAngularVelocity(stage.Rng().Uniform(-10.0f, 10.0f));
+    }
+
+    static constexpr float halfWidth = 25.0f, halfHeight = 15.0f;
+    std::vector<b2Body *> m_bullets;
+};
+
+/// Gears as in the scene of that name, but with teeth that are half ellipses.
+class RoundedGears final : public Scene {
+    void Build(Stage &stage, int size) override {
+        constexpr int columns = 3;
+        const PolygonChoice &choice = stage.Polygons();
+        b2Body *frame = stage.AddBody(b2_staticBody, {0.0f, 0.0f});
+        const int rows = (size + columns - 1) / columns;
+        const float top = 2.0f * pitchRadius * static_cast<float>(rows) + 9.0f;
+        const float halfWidth = pitchRadius * columns + 0.4f;
+        stage.AddFixture(frame, MakeBox(halfWidth, 0.5f, {0.0f, -2.0f}), 0.0f);
+        for (const float side : {-1.0f, 1.0f})
+            stage.AddFixture(frame,
+                             MakeBox(0.5f, 0.5f * top + 1.0f, {side * (halfWidth + 0.5f), 0.5f * top - 1.5f}),
+                             0.0f);
+        for (int i = 0; i < size; ++i) {
+            const int row = i / columns, column = i % columns;
+            const b2Vec2 center(pitchRadius * static_cast<float>(2 * column - columns + 1),
+                                pitchRadius * static_cast<float>(2 * row + 1));
+            // Every other one is turned by half a tooth: so they mesh.
+            AddGear(stage, frame, center, (row + column) % 2 == 0 ? 0.0f : b2_pi / teeth, i == 0);
+        }
+        const AnySizePolygon pebble(choice, 0.3f);
+        for (int i = 0; i < pebbles; ++i) {
+            const float x =
+                halfWidth * (static_cast<float>(i % 10) / 5.0f - 0.9f) + stage.Rng().Uniform(-0.1f, 0.1f);
+            b2Body *body = stage.AddBody(b2_dynamicBody, {x, top - 4.0f + static_cast<float>(i / 10)});
+            pebble.AddTo(stage, body, Material(1.0f, 0.5f));
+        }
+    }
+
+    /// Counter-clockwise from the foot's right corner, over the tip, to its left one.
+    static Outline ToothOutline(int count, float phase) {
+        const b2Rot turn(phase);
+        Outline outline;
+        for (int i = 0; i < count; ++i) {
+            const float t = b2_pi * (static_cast<float>(i) / static_cast<float>(count - 1) - 0.5f);
+            outline.push_back(b2Mul(
+                turn, b2Vec2(footRadius + (tipRadius - footRadius) * std::cos(t), footHalf * std::sin(t))));
+        }
+        return outline;
+    }
+
+    static void AddGear(Stage &stage, b2Body *frame, b2Vec2 center, float phase, bool driven) {
+        const b2FixtureDef steel = Material(5.0f, 0.1f);
+        const PolygonChoice &choice = stage.Polygons();
+        b2Body *gear = stage.AddBody(b2_dynamicBody, center);
+        AnySizePolygon(choice, rootRadius, phase).AddTo(stage, gear, steel);
+        for (int i = 0; i < teeth; ++i) {
+            const float at = phase + 2.0f * b2_pi * static_cast<float>(i) / teeth;
+            AnySizePolygon(choice.bodies, ToothOutline(choice.vertices, at)).AddTo(stage, gear, steel);
+        }
+        b2RevoluteJointDef axle;
+        axle.Initialize(frame, gear, center);
+        axle.enableMotor = driven;
+        axle.motorSpeed = 1.0f;
+        axle.maxMotorTorque = 1e5f;
+        stage.AddJoint(axle);
+    }
+
+    static constexpr int teeth = 24, pebbles = 60;
+    static constexpr float pitchRadius = 2.0f, rootRadius = 1.78f, tipRadius = 2.17f;
+    // The foot lies below the hub's rim, so that nothing can get between. At the pitch circle a tooth is 0.2
+    // wide of the 0.26 it may have: Box2D keeps polygons 0.02 apart and the joints give a little.
+    static constexpr float footRadius = rootRadius - 0.05f, footHalf = 0.125f;
+};
+
+/// Polygons of 3 vertices to all that were asked for, ellipses, capsules, circles and boxes.
+class Bag final : public Scene {
+    void Build(Stage &stage, int size) override {
+        AddHills(stage);
+        m_left = size;
+    }
+
+    void BeforeStep(Stage &stage, int step) override {
+        constexpr int every = 2;
+        if (step % every != 0 || m_left == 0)
+            return;
+        --m_left;
+        const b2Vec2 at(stage.Rng().Uniform(-8.0f, 8.0f), 14.0f);
+        AddThing(stage, stage.AddBody(b2_dynamicBody, at, stage.Rng().Uniform(-b2_pi, b2_pi)));
+    }
+
+    /// One-sided, from right to left, so that its front is up.
+    static void AddHills(Stage &stage) {
+        constexpr float wall = 25.0f, halfWidth = 12.0f;
+        Outline hills{{halfWidth, wall}};
+        for (float x = halfWidth; x >= -halfWidth; x -= 0.5f)
+            hills.push_back({x, 1.2f * std::cos(0.8f * x) + 0.02f * x * x});
+        hills.push_back({-halfWidth, wall});
+        b2ChainShape chain;
+        chain.CreateChain(hills.data(), static_cast<int32>(hills.size()), hills.front() + b2Vec2(0.0f, 1.0f),
+                          hills.back() + b2Vec2(0.0f, 1.0f));
+        stage.AddFixture(stage.AddBody(b2_staticBody, {0.0f, 0.0f}), chain, 0.0f);
+    }
+
+    static void AddThing(Stage &stage, b2Body *body) {
+        const b2FixtureDef wood = Material(1.0f, 0.4f);
+        PolygonChoice choice = stage.Polygons();
+        const float size = stage.Rng().Uniform(0.25f, 0.6f);
+        switch (stage.Rng().Index(5)) {
+        case 0: // evenly in the logarithm
+            choice.vertices = static_cast<int>(
+                3.0f * std::pow(static_cast<float>(choice.vertices) / 3.0f, stage.Rng().Uniform(0.0f, 1.0f)));
+            AnySizePolygon(choice, size).AddTo(stage, body, wood);
+            break;
+        case 1:
+            AnySizePolygon(choice.bodies, EllipseOutline(choice.vertices, size, 0.5f * size))
+                .AddTo(stage, body, wood);
+            break;
+        case 2:
+            AnySizePolygon(choice.bodies, CapsuleOutline(choice.vertices, size, 0.4f * size))
+                .AddTo(stage, body, wood);
+            break;
+        case 3:
+            stage.AddFixture(body, wood, MakeCircle(0.7f * size));
+            break;
+        default:
+            stage.AddFixture(body, wood, MakeBox(size, 0.6f * size));
+        }
+    }
+
+    /// An even number of vertices: half of them around each end.
+    static Outline CapsuleOutline(int count, float half, float radius) {
+        const int each = count / 2;
+        Outline outline;
+        for (int i = 0; i < 2 * each; ++i) {
+            const int side = i / each;
+            const float t = b2_pi * (static_cast<float>(i % each) / static_cast<float>(each - 1) - 0.5f +
+                                     static_cast<float>(side));
+            outline.push_back({(side == 0 ? half : -half) + radius * std::cos(t), radius * std::sin(t)});
+        }
+        return outline;
+    }
+
+    int m_left = 0;
+};
+
+} // namespace
+
+void AddAnySizeWorlds(std::vector<SceneInfo> &scenes) {
+    SceneInfo bullets = {"any-bullets",
+                         "round bullets hit thin planks, bare edges and chains",
+                         "any-size",
+                         "bullets",
+                         120,
+                         300,
+                         CreateScene<BulletsAtThin>};
+    bullets.polygons = {BodyKind::One, 256};
+    SceneInfo gears = {"any-gears",
+                       "pebbles fall on gears in mesh whose teeth are rounded",
+                       "any-size",
+                       "gears",
+                       6,
+                       300,
+                       CreateScene<RoundedGears>};
+    gears.polygons = {BodyKind::One, 32};
+    SceneInfo bag = {"any-bag",
+                     "polygons of all sizes, ellipses, capsules, circles and boxes fall on a chain",
+                     "any-size",
+                     "bodies",
+                     150,
+                     420,
+                     CreateScene<Bag>};
+    bag.polygons = {BodyKind::One, 512};
+    scenes.insert(scenes.end(), {bullets, gears, bag});
+}
+
+} // namespace testbed
