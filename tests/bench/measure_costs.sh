@@ -17,7 +17,7 @@ Tables, each printed as Markdown:
   scenes     each scene of the testbed, stock over plugin: linked behind Box2D, which leaves contacts alone, and
              linked ahead of it with all hooks (SCENES="a b": these alone)
 --steps N   steps of each scene (default: the scene's own)
---csv FILE  also write fixtures and bodies as series,x,y, for `boomerang-testbed plot`
+--csv FILE  also write fixtures and bodies as series,x,y, for `boomerang-testbed plot` and `report --costs`
 Exit codes: 0 done; 2 wrong usage; 3 a program failed.
 TEXT
 }
@@ -42,7 +42,13 @@ if [[ ${#tables[@]} = 0 || ! -e $plugin || ! -x $worlds ]]; then
 fi
 profile=$(mktemp)
 trap 'rm -f "$profile"' EXIT
-[[ $csv = /dev/null ]] || echo series,x,y >"$csv"
+# What x is, if one table is written and not several: boomerang-testbed writes it at the axis.
+heading=x
+case ${tables[*]} in
+fixtures) heading='fixtures per body' ;;
+bodies | asleep) heading=bodies ;;
+esac
+[[ $csv = /dev/null ]] || echo "series,$heading,instructions a step" >"$csv"
 
 # The dynamic linker's look-ups would be counted where a function is called first.
 export LD_BIND_NOW=1

@@ -64,6 +64,15 @@ install)
     while read -r library; do
         ! readelf --dynamic "$library" | grep NEEDED | grep -i gsl || fail "$library links GSL"
     done < <(find "$prefix" -name '*.so')
+    # The installed testbed finds its workers, the library that counts and the plugin to preload, from anywhere.
+    if [ -x "$prefix/bin/boomerang-testbed" ]; then
+        (cd / && "$prefix/bin/boomerang-testbed" compare needles --steps 5 --no-time) >"$WORK/compare.txt" 2>&1 ||
+            fail "the installed testbed does not compare: $(cat "$WORK/compare.txt")"
+        ! grep '^note:' "$WORK/compare.txt" || fail "the installed testbed misses a library"
+        grep -q '^needles .* identical *identical *identical *identical$' "$WORK/compare.txt" ||
+            fail "the installed testbed does not run all three ways"
+        [ -s "$prefix/share/man/man1/boomerang-testbed.1" ] || fail "no manual page"
+    fi
     ;;
 find_package)
     build_with_cmake -DCMAKE_PREFIX_PATH="$prefix"

@@ -1,0 +1,130 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# `boomerang-testbed report`: what is on the page, where it goes, and what it will not read.
+#
+#   test_report_cli.sh DIRECTORY-OF-THE-PROGRAMS
+set -uo pipefail
+
+# shellcheck source=support/cli.sh
+source "$(dirname "${BASH_SOURCE[0]}")/support/cli.sh"
+
+"$testbed" compare pyramid needles --steps 8 --repeat 1 --quiet --json "$scratch/compare.json" >/dev/null
+"$testbed" events line orbit --structures lazy-compass,closest-features --seeds 1 --n 16 --ratios 8,32,128 --quiet \
+    --json "$scratch/events.json"
+printf '%s\n' 'series,bodies,instructions a step' stock,1000,5000 stock,2000,9000 plugin,1000,3000 plugin,2000,6000 \
+    >"$scratch/costs.csv"
+
+page_has() { grep -Eq -- "$1" "$scratch/page.html" || fail "the page lacks /$1/"; }
+page_lacks() { if grep -Eq -- "$1" "$scratch/page.html"; then fail "the page has /$1/"; fi; }
+
+make_page() {
+    expect 0 report --json "$scratch/compare.json" --json "$scratch/events.json" --costs "$scratch/costs.csv" \
+        -o "$scratch/page.html" "$@"
+}
+
+test_a_report_shows_everything_that_it_was_given() {
+    make_page
+    out_has 'page\.html$'
+    err_empty
+    clean
+    page_has '2 of 2</dd>'
+    page_has '<th scope="row">needles</th>'
+    page_has '<caption[^>]*>Time per step'
+    page_has 'Plot: orbit, n = 16\.'
+    page_has '<th scope="row">closest-features</th>'
+    page_has 'Plot: instructions a step against bodies\.'
+    [ "$(grep -c '<section ' "$scratch/page.html")" -eq 3 ] || fail "not three sections"
+}
+
+# What was not given is not there: the control of the test above.
+test_a_report_shows_nothing_else() {
+    expect 0 report --json "$scratch/events.json" -o "$scratch/page.html"
+    page_has 'id="events"'
+    page_lacks 'id="scenes"'
+    page_lacks 'id="costs"'
+    expect 0 report --costs "$scratch/costs.csv" -o "$scratch/page.html"
+    page_has 'id="costs"'
+    page_lacks 'id="events"'
+}
+
+test_a_page_needs_nothing_but_itself() {
+    make_page
+    # Names of XML are the only addresses.
+    if grep -Eo '(https?:)?//[a-z][^" <]*' "$scratch/page.html" | grep -v 'www\.w3\.org'; then
+        fail "an address"
+    fi
+    page_lacks '<script|<link|<img|@import'
+    page_has "default-src 'none'"
+    # Plots that share a page have their own ids.
+    [ -z "$(grep -Eo ' id="[^"]+"' "$scratch/page.html" | sort | uniq -d)" ] || fail "an id is there twice"
+    grep -Eo ' href="#[^"]+"' "$scratch/page.html" | sed 's/.*#//; s/"//' | sort -u >"$scratch/wanted"
+    grep -Eo ' id="[^"]+"' "$scratch/page.html" | sed 's/.*="//; s/"//' | sort -u >"$scratch/there"
+    [ -z "$(comm -23 "$scratch/wanted" "$scratch/there")" ] || fail "a reference leads nowhere"
+}
+
+test_names_from_files_are_text() {
+    sed 's/"needles"/"<b onclick=\\"x()\\">\&"/' "$scratch/compare.json" >"$scratch/named.json"
+    expect 0 report --json "$scratch/named.json" -o "$scratch/page.html"
+    page_has '&lt;b onclick=&quot;x\(\)&quot;&gt;&amp;'
+    page_lacks '<b onclick'
+}
+
+test_a_difference_is_told_and_is_the_exit_code() {
+    "$testbed" compare needles --steps 8 --perturb 3 --quiet --json "$scratch/different.json" >/dev/null
+    expect 1 report --json "$scratch/different.json" -o "$scratch/page.html"
+    page_has 'class="alarm"><strong>needles</strong> differs at step 3'
+    page_has '0 of 1</dd>'
+    page_has 'DIFFERENT'
+}
+
+test_figures_are_files_too() {
+    expect 0 report --json "$scratch/compare.json" --json "$scratch/events.json" --costs "$scratch/costs.csv" \
+        --figures "$scratch/figures"
+    local name
+    for name in speed-up-step speed-up-narrow-phase calls-saved events-line events-orbit cost-bodies; do
+        out_has "/$name\\.svg\$"
+        grep -q '<svg' "$scratch/figures/$name.svg" || fail "no picture $name"
+    done
+    expect 2 report --json "$scratch/events.json" --figures "$scratch/costs.csv/below"
+    err_has 'cannot make the directory'
+}
+
+test_a_piped_report_is_the_page_and_nothing_else() {
+    expect 0 report --json "$scratch/compare.json"
+    head -n 1 "$scratch/out" | grep -q '^<!doctype html>$' || fail "something before the page"
+    err_empty
+    clean
+    expect 2 report --json "$scratch/compare.json" -o - --figures "$scratch/figures"
+}
+
+test_what_is_not_measured_now_is_measured() {
+    expect 0 report pyramid --parts scenes --steps 5 --repeat 1 -o "$scratch/page.html"
+    err_empty
+    page_has '<th scope="row">pyramid</th><td class="first">20</td><td class="first">5</td>'
+    page_lacks '<th scope="row">needles</th>'
+}
+
+test_other_files_are_refused() {
+    echo '{"scene": 1}' >"$scratch/other.json"
+    expect 2 report --json "$scratch/other.json" -o "$scratch/page.html"
+    err_has 'other\.json: neither what'
+    echo '{"scenes": [' >"$scratch/half.json"
+    expect 2 report --json "$scratch/half.json" -o "$scratch/page.html"
+    err_has 'half\.json: cannot be read as JSON'
+    sed 's/"verdict"/"judgement"/' "$scratch/compare.json" >"$scratch/other.json"
+    expect 2 report --json "$scratch/other.json" -o "$scratch/page.html"
+    err_has 'verdict'
+    echo 'series,x,y' >"$scratch/bad.csv"
+    echo 'a,1' >>"$scratch/bad.csv"
+    expect 2 report --costs "$scratch/bad.csv" -o "$scratch/page.html"
+    expect 2 report --json "$scratch/missing.json" -o "$scratch/page.html"
+    expect 2 report --json "$scratch/compare.json" --steps 5 -o "$scratch/page.html"
+    expect 2 report peedles -o "$scratch/page.html"
+    err_has 'nearest is "needles"'
+    expect 2 report --json "$scratch/compare.json" -o "$scratch/no/such/directory.html"
+    err_has 'cannot write'
+    expect 3 report --json "$scratch/compare.json" -o /dev/full
+}
+
+run_tests
