@@ -49,7 +49,7 @@ constexpr uint32_t kAllHooks = (Bit(Hook::FixtureBoxes) << 1) - 1;
 /// How one evaluation of two polygons was answered. Those before HandedOver needed no manifold.
 enum class Answer : int32_t {
     ApartByPair,   ///< the kinetic structure of their bodies (or of the two) proves them apart
-    ApartByEdge,   ///< the edge that their contact remembers does
+    ApartByEdge,   ///< the edge that their contact remembers does; of a big ConvexShape its vertices
     ApartBySearch, ///< an edge was looked for, and is remembered from now on
     HandedOver,    ///< not known to be apart: a manifold was needed
     Touching       ///< the same, nothing asked: they touched at the last look
@@ -94,8 +94,9 @@ BMR_BOX2D_API bool IsInstalled();
 
 /// What has been done since the process began, summed over all worlds and threads.
 struct Statistics {
-    uint64_t steps = 0;              ///< calls of b2World::Step (seen by the shared library alone)
-    uint64_t evaluations = 0;        ///< times Box2D asked for a polygon-polygon manifold
+    uint64_t steps = 0; ///< calls of b2World::Step (seen by the shared library alone)
+    /// Times Box2D asked for a manifold of two polygons, or of a big ConvexShape with anything.
+    uint64_t evaluations = 0;
     uint64_t edgeChecks = 0;         ///< remembered edges re-tested
     uint64_t edgeSearches = 0;       ///< full separating-edge searches in front of b2CollidePolygons
     uint64_t verdictsReused = 0;     ///< answers of a body pair given again at the same poses
