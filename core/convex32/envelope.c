@@ -5,8 +5,8 @@
 
 #include "boomerang/vector.h"
 
-/// What the arithmetic of a corner may be off by, relatively to the farthest vertex: two dot products, a
-/// division by the sine of an edge's turn, which takes 64 edges and more apart by a tenth at least.
+/// What the arithmetic of a corner may be off by, relatively to the reach along its two edges: some roundings
+/// of 2^-53, over the sine of an edge's turn, which is a tenth where there are 64.
 #define CORNER_ROUNDING 0x1p-46
 
 static double along(const bmr_convex32 *polygon, uint32_t vertex, bmr_vec2 direction) {
