@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kWidth = 520.0, kHeight = 340.0, kLegendLine = 8.0, kRowWidth = 520.0, kMargin = 4.0;
 /// More lines than this nobody can tell apart.
-constexpr size_t kMostStructures = 7;
+constexpr size_t kMostStructures = 8;
 
 RowSeries SeriesOf(const std::vector<SceneNumbers> &scenes, const char *name, const Colour &colour,
                    const std::string &figure, bool withRange) {
@@ -151,10 +151,10 @@ std::optional<Picture> AgainstVertices(const Numbers &numbers, const std::string
                    plot};
 }
 
-/// The colour of each world, one for stock and plugin alike, would need two marks: two colours do it.
-void AddSizes(Plot &plot, const std::vector<SceneNumbers> &sizes, const char *figure, const std::string &name,
-              bool dashedRatio) {
-    PlotSeries series = {name, {}, ink::Series(plot.series.size()), dashedRatio};
+/// One line of a plot over sizes, if there are two points.
+void AddSizes(Plot &plot, const std::vector<SceneNumbers> &sizes, const char *figure,
+              const std::string &name) {
+    PlotSeries series = {name, {}, ink::Series(plot.series.size())};
     for (const SceneNumbers &scene : sizes)
         if (const auto bodies = scene["bodies"], value = scene[figure]; bodies && value)
             series.points.push_back({*bodies, *value});
@@ -162,6 +162,19 @@ void AddSizes(Plot &plot, const std::vector<SceneNumbers> &sizes, const char *fi
               [](const bmr_vec2 &a, const bmr_vec2 &b) { return a.x < b.x; });
     if (series.points.size() > 1)
         plot.series.push_back(std::move(series));
+}
+
+/// All runs of a scene over one number of steps, that of most of them: its first steps may cost more than the
+/// later ones.
+std::vector<SceneNumbers> SizesOf(const Numbers &numbers, const SceneNumbers &scene) {
+    std::map<int64_t, std::vector<SceneNumbers>> bySteps;
+    bySteps[scene.steps].push_back(scene);
+    for (const SceneNumbers &other : numbers.others)
+        if (other.name == scene.name)
+            bySteps[other.steps].push_back(other);
+    return std::max_element(bySteps.begin(), bySteps.end(),
+                            [](const auto &a, const auto &b) { return a.second.size() < b.second.size(); })
+        ->second;
 }
 
 std::string SafeName(std::string name) {
@@ -260,18 +273,15 @@ std::vector<Picture> EventPictures(const Numbers &numbers) {
 std::vector<Picture> CostPictures(const Numbers &numbers) {
     std::vector<Picture> pictures;
     for (const SceneNumbers &scene : numbers.scenes) {
-        std::vector<SceneNumbers> sizes = {scene};
-        for (const SceneNumbers &other : numbers.others)
-            if (other.name == scene.name)
-                sizes.push_back(other);
+        const std::vector<SceneNumbers> sizes = SizesOf(numbers, scene);
         Plot plot;
         plot.title = scene.name + ", larger and larger";
         plot.xLabel = "bodies";
         plot.yLabel = "microseconds a step";
-        AddSizes(plot, sizes, "stock.step_us_per_step", "whole step, stock", false);
-        AddSizes(plot, sizes, "plugin.step_us_per_step", "whole step, plugin", false);
-        AddSizes(plot, sizes, "stock.narrow_phase_us_per_step", "narrow phase, stock", false);
-        AddSizes(plot, sizes, "plugin.narrow_phase_us_per_step", "narrow phase, plugin", false);
+        AddSizes(plot, sizes, "stock.step_us_per_step", "whole step, stock");
+        AddSizes(plot, sizes, "plugin.step_us_per_step", "whole step, plugin");
+        AddSizes(plot, sizes, "stock.narrow_phase_us_per_step", "narrow phase, stock");
+        AddSizes(plot, sizes, "plugin.narrow_phase_us_per_step", "narrow phase, plugin");
         if (!plot.series.empty())
             pictures.push_back({"bodies-" + scene.name,
                                 "What a step costs as the number of bodies grows; both axes are logarithmic.",

@@ -72,6 +72,8 @@ footer li { overflow-wrap: anywhere; }
   nav, details { display: none; }
   section + section { break-before: page; }
   h2, caption { break-after: avoid; }
+  h2 { margin-top: 0; border-top: 0; }
+  .figures { margin-top: 5mm; }
   .figures { display: block; }
   figure { break-inside: avoid; margin: 0 0 5mm; }
   figure svg { max-width: 118mm; min-width: 0; margin: 0 auto; }

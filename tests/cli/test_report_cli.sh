@@ -20,7 +20,7 @@ page_lacks() { if grep -Eq -- "$1" "$scratch/page.html"; then fail "the page has
 
 make_page() {
     expect 0 report --json "$scratch/compare.json" --json "$scratch/events.json" --costs "$scratch/costs.csv" \
-        -o "$scratch/page.html" "$@"
+        -o "$scratch/page.html"
 }
 
 test_a_report_shows_everything_that_it_was_given() {
@@ -88,6 +88,19 @@ test_figures_are_files_too() {
     done
     expect 2 report --json "$scratch/events.json" --figures "$scratch/costs.csv/below"
     err_has 'cannot make the directory'
+}
+
+# One scene at several sizes shows how cost grows; at one size it does not.
+test_sizes_of_a_scene_are_a_plot() {
+    local size
+    for size in 10 20; do
+        "$testbed" compare needles --size "$size" --steps 4 --repeat 1 --quiet --json "$scratch/size$size.json" >/dev/null
+    done
+    expect 0 report --json "$scratch/size10.json" --json "$scratch/size20.json" -o "$scratch/page.html"
+    page_has 'Plot: needles, larger and larger'
+    page_has 'size20\.json: 1 scene, 1 of them known already'
+    expect 0 report --json "$scratch/size10.json" -o "$scratch/page.html"
+    page_lacks 'larger and larger'
 }
 
 test_a_piped_report_is_the_page_and_nothing_else() {
