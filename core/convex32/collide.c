@@ -83,11 +83,13 @@ void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const
     if (!(best_a->separation <= radius_sum))
         return;
 
-    // B's edges count where one separates by more than the skins, or by `tolerance` more than A's.
+    // B's edges count where one separates by more than the skins, or by `tolerance` more than A's. One may
+    // lie along A's best, and may separate by as much, to rounding.
     const float enough = best_a->separation + tolerance;
     const float floor = enough < radius_sum ? enough : radius_sum;
     const edge_view *const best_b = &of_b.best;
-    if (of_a.rest >= floor) {
+    const float along = best_a->separation + 2.0f * best_a->noise, rest = of_a.rest + 2.0f * best_a->noise;
+    if (rest >= floor || along >= floor) {
         seek_of_b(a, pose_a, b, pose_b, best_a, floor, &of_b);
         const bool beyond = best_b->separation > radius_sum, reference = best_b->separation > enough;
         if (beyond || reference)
@@ -102,7 +104,7 @@ void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const
     make_points(manifold, a, pose_a, best_a, b, pose_b, radius_sum, false);
 
     // The short edge of B that faces A's may lie beyond A's corner, where B's own face would have found it.
-    if (manifold->count == 0 && (a->count > 8 || b->count > 8) && of_a.rest >= best_a->separation) {
+    if (manifold->count == 0 && (a->count > 8 || b->count > 8)) {
         seek_of_b(a, pose_a, b, pose_b, best_a, best_a->separation, &of_b);
         if (best_b->separation > best_a->separation)
             make_points(manifold, b, pose_b, best_b, a, pose_a, radius_sum, true);

@@ -39,13 +39,12 @@ void bmr_convex32_collide_circle(bmr_manifold32 *manifold, const bmr_convex32 *p
 
     const bmr_vec32 v1 = polygon->vertices[edge], v2 = polygon->vertices[convex32_next(polygon, edge)];
     const bmr_vec32 middle = {0.5f * (v1.x + v2.x), 0.5f * (v1.y + v2.y)};
-    if (found.best.separation < FLT_EPSILON) { // the centre is inside
-        one_point(manifold, centre, polygon->normals[edge], middle);
-    } else if (dot(minus(local, v1), minus(v2, v1)) <= 0.0f) {
+    const bool inside = found.best.separation < FLT_EPSILON;
+    if (!inside && dot(minus(local, v1), minus(v2, v1)) <= 0.0f) {
         point_at_vertex(manifold, centre, local, v1, radius_sum);
-    } else if (dot(minus(local, v2), minus(v1, v2)) <= 0.0f) {
+    } else if (!inside && dot(minus(local, v2), minus(v1, v2)) <= 0.0f) {
         point_at_vertex(manifold, centre, local, v2, radius_sum);
-    } else if (!(dot(minus(local, middle), polygon->normals[edge]) > radius_sum)) {
+    } else if (inside || !(dot(minus(local, middle), polygon->normals[edge]) > radius_sum)) {
         one_point(manifold, centre, polygon->normals[edge], middle);
     }
 }

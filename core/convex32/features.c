@@ -5,19 +5,24 @@ static bool same(bmr_feature32 a, bmr_feature32 b) {
     return a.index_a == b.index_a && a.index_b == b.index_b && a.type_a == b.type_a && a.type_b == b.type_b;
 }
 
+static int points_of(const bmr_manifold32 *manifold) {
+    return manifold->count < 2 ? manifold->count : 2;
+}
+
 void bmr_convex32_keep_features(bmr_manifold32 *manifold, const bmr_manifold32 *old, float distance) {
-    const bool same_side = manifold->count > 0 && old->count > 0 && manifold->type == old->type;
+    const int count = points_of(manifold), old_count = points_of(old);
+    const bool same_side = manifold->type == old->type;
     bool kept[2] = {false, false}, used[2] = {false, false};
-    for (int i = 0; i < manifold->count; ++i)
-        for (int j = 0; j < old->count && !kept[i]; ++j)
+    for (int i = 0; i < count; ++i)
+        for (int j = 0; j < old_count && !kept[i]; ++j)
             if (!used[j] && same(manifold->points[i].feature, old->points[j].feature))
                 kept[i] = used[j] = true;
-    for (int i = 0; i < manifold->count && same_side; ++i) {
+    for (int i = 0; i < count && same_side; ++i) {
         if (kept[i])
             continue;
         int nearest = -1;
         float least = distance * distance;
-        for (int j = 0; j < old->count; ++j) {
+        for (int j = 0; j < old_count; ++j) {
             const float x = manifold->points[i].point.x - old->points[j].point.x;
             const float y = manifold->points[i].point.y - old->points[j].point.y;
             if (!used[j] && x * x + y * y <= least) {
@@ -31,6 +36,6 @@ void bmr_convex32_keep_features(bmr_manifold32 *manifold, const bmr_manifold32 *
         }
     }
     // A point's own new feature may be the one that the other has taken over. Any other number will do.
-    if (manifold->count == 2 && same(manifold->points[0].feature, manifold->points[1].feature))
+    if (count == 2 && same(manifold->points[0].feature, manifold->points[1].feature))
         manifold->points[kept[0] ? 1 : 0].feature.index_b ^= 0x80u;
 }

@@ -52,8 +52,7 @@ static least least_of_few(const bmr_convex32 *other, bmr_vec32 normal, bmr_vec32
     return found;
 }
 
-/// Is the vertex, rounding included, separated by more than `least`, which is off by less than `noise`? Then
-/// so are those behind it.
+/// Is the point, rounding included, separated by more than this, which is off by less than `noise`?
 static inline bool clearly_above(bmr_vec32 normal, bmr_vec32 place, bmr_vec32 point, float separation,
                                  float noise) {
     const bmr_vec32 d = minus(point, place);
@@ -100,7 +99,6 @@ static inline least least_separated(const bmr_convex32 *other, bmr_vec32 normal,
         ahead = separate(normal, place, v[next]);
     }
     for (; steps < NEAR_STEPS && behind < here; ++steps) {
-        ahead = here;
         here = behind;
         at = last;
         last = convex32_previous(other, at);
@@ -148,6 +146,13 @@ typedef struct arc {
     bmr_vec32 direction; ///< where it is reached
 } arc;
 
+static inline void raise_bound(arc *a, float bounded, bmr_vec32 direction) {
+    if (bounded > a->bound) {
+        a->bound = bounded;
+        a->direction = direction;
+    }
+}
+
 /// Bounds what is inside; what the two edges themselves separate is known.
 static void bound(const edge_search *search, arc *a) {
     const edge_view *const l = &a->from, *const r = &a->to;
@@ -163,28 +168,40 @@ static void bound(const edge_search *search, arc *a) {
     const bmr_vec32 end =
         second == r->edge ? r->place : move(&search->frame, search->reference->vertices[second]);
     const bmr_vec32 d = minus(l->nearest, end), e = minus(r->nearest, r->place);
-    // The pair of the left end bounds better up to the direction w, that of the right end from there on.
+    // The pair of the left end bounds up to a direction w, that of the right end from there on. Any w will
+    // do; the best is where they give the same. Edges so short that their vertices' rounding turns it get one
+    // that is not, so the larger of the two counts.
     const bmr_vec32 change = minus(d, e);
     bmr_vec32 w;
-    if (dot(l->normal, change) >= 0.0f) {
+    if (dot(l->normal, change) >= 0.0f) { // that of the right end all the way
         w = l->normal;
+        a->bound = dot(w, e);
     } else if (dot(r->normal, change) <= 0.0f) {
         w = r->normal;
+        a->bound = dot(w, d);
     } else {
         const float inverse = 1.0f / sqrtf(dot(change, change));
         w.x = change.y * inverse;
         w.y = -change.x * inverse;
+        const float at_d = dot(w, d), at_e = dot(w, e);
+        a->bound = at_d > at_e ? at_d : at_e;
     }
-    const float at_d = dot(w, d), at_e = dot(w, e);
-    a->bound = at_d < at_e ? at_d : at_e;
     a->direction = w;
-    // Each may have its maximum on its own side of w: that is where it points.
-    if (cross(l->normal, d) > 0.0f && cross(w, d) < 0.0f) {
-        a->bound = sqrtf(dot(d, d));
-        a->direction = d;
-    } else if (cross(w, e) > 0.0f && cross(r->normal, e) < 0.0f) {
-        a->bound = sqrtf(dot(e, e));
-        a->direction = e;
+    // On its own side of w each may also have its maximum where it points.
+    if (cross(l->normal, d) > 0.0f && cross(w, d) < 0.0f)
+        raise_bound(a, sqrtf(dot(d, d)), d);
+    if (cross(w, e) > 0.0f && cross(r->normal, e) < 0.0f)
+        raise_bound(a, sqrtf(dot(e, e)), e);
+    // Or at the end; not quite there, where the separation is known, but at the first edge inside.
+    if (a->inside > 0) {
+        const bmr_convex32 *const reference = search->reference;
+        const bmr_vec32 first = turn(&search->frame, reference->normals[second]);
+        const bmr_vec32 last =
+            turn(&search->frame, reference->normals[convex32_previous(reference, r->edge)]);
+        if (cross(first, w) >= 0.0f)
+            raise_bound(a, dot(first, d), first);
+        if (cross(w, last) >= 0.0f)
+            raise_bound(a, dot(last, e), last);
     }
     a->bound += l->noise + r->noise;
 }
