@@ -14,8 +14,8 @@ Point PointOf(const recording::Vec &vec) {
     return {static_cast<double>(vec.x), static_cast<double>(vec.y)};
 }
 
-uint8_t Byte(int64_t count) {
-    return static_cast<uint8_t>(std::clamp<int64_t>(count, 0, UINT8_MAX));
+uint16_t Clamped(int64_t count) {
+    return static_cast<uint16_t>(std::clamp<int64_t>(count, 0, UINT16_MAX));
 }
 
 Calls CallsOf(const recording::Calls &calls) {
@@ -136,8 +136,8 @@ void Collector::AddStock(const recording::Frame &frame) {
     m_replay.stockCalls.push_back(CallsOf(frame.calls));
     for (const recording::Pair &pair : frame.pairs)
         if (!recording::IsZero(pair.calls))
-            m_pairs[{pair.a, pair.b}].stock.push_back(
-                {step, Byte(pair.calls.polygon_tests), Byte(pair.calls.toi), Byte(pair.calls.overlap)});
+            m_pairs[{pair.a, pair.b}].stock.push_back({step, Clamped(pair.calls.polygon_tests),
+                                                       Clamped(pair.calls.toi), Clamped(pair.calls.overlap)});
 }
 
 void Collector::AddBodies(const recording::Frame &frame, int32_t step) {

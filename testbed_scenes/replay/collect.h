@@ -35,7 +35,7 @@ private:
     };
     struct StockStep {
         int32_t step;
-        uint8_t polygonTests, toi, overlaps;
+        uint16_t polygonTests, toi, overlaps;
     };
     struct Proofs {
         int32_t step;

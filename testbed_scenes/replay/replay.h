@@ -75,8 +75,9 @@ struct PairStep {
     float slack = -1.0f; ///< certified distance, a lower bound; 0: nothing is proved; negative: not known
     Answer answer = Answer::Unasked;
     bool touching = false; ///< there is a contact point
-    // Calls of Box2D's own functions in a stock run of the same scene, in this step; at most 255 are kept.
-    uint8_t stockPolygonTests = 0, stockToi = 0, stockOverlaps = 0;
+    // Calls of Box2D's own functions in a stock run of the same scene, in this step; at most 65535 are
+    // kept.
+    uint16_t stockPolygonTests = 0, stockToi = 0, stockOverlaps = 0;
 };
 
 /// Two bodies while they have a contact; a pair that parts and comes back has several of these.

@@ -30,6 +30,11 @@ class App {
     document.getElementById("title").textContent = about.scene;
     const words = [about.description, this.model.stepCount + " steps", this.model.c["body.number"].length + " bodies",
       about.structure && "structure " + about.structure, about.prefilter && "prefilter " + about.prefilter];
+    if (about.difference !== undefined) {
+      const problem = document.getElementById("problem");
+      problem.hidden = false;
+      problem.textContent = "The runs with and without the plugin differ after step " + about.difference + ".";
+    }
     document.getElementById("subtitle").textContent = words.filter(Boolean).join(" · ");
   }
 
