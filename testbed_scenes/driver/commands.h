@@ -42,15 +42,6 @@ struct CompareCommand {
     bool quiet = false;
 };
 
-struct DrawCommand {
-    std::string scene;
-    int64_t step = 0;
-    bool plugin = true;
-    std::string output;
-    int width = 1200;
-    WorkerOptions worker;
-};
-
 struct FiguresCommand {
     std::vector<std::string> names; ///< none: all
     std::string directory = ".";
@@ -62,7 +53,6 @@ struct FiguresCommand {
 int Execute(const ListCommand &command, const Workers &workers);
 int Execute(const RunCommand &command, const Workers &workers);
 int Execute(const CompareCommand &command, const Workers &workers);
-int Execute(const DrawCommand &command, const Workers &workers);
 int Execute(const FiguresCommand &command);
 
 /// The scene of that name; if there is none, a UsageError that names the nearest.

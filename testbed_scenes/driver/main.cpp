@@ -11,6 +11,7 @@
 #include "manual_command.h"
 #include "nearest.h"
 #include "plot_command.h"
+#include "render_command.h"
 #include "report_command.h"
 
 namespace testbed {
@@ -26,7 +27,7 @@ struct CommandLine {
     ListCommand list;
     RunCommand run;
     CompareCommand compare;
-    DrawCommand draw;
+    RenderCommand render;
     FiguresCommand figures;
     EventsCommand events;
     PlotCommand plot;
@@ -116,22 +117,6 @@ CLI::App *AddCompare(CLI::App &app, CommandLine &line) {
     return compare;
 }
 
-CLI::App *AddDraw(CLI::App &app, CommandLine &line) {
-    CLI::App *draw = app.add_subcommand("draw", "Draw a scene at one step");
-    draw->add_option("scene", line.draw.scene, "A name that `list` shows")->required();
-    draw->add_option("--step", line.draw.step, "The step to draw; the first is 0")
-        ->required()
-        ->check(AtLeast(0));
-    draw->add_option("-o,--output", line.draw.output, "The picture: .svg, .png or .pdf")->required();
-    draw->add_option("--width", line.draw.width, "Width in pixels (points in a PDF)")
-        ->check(CLI::Range(200, 10000))
-        ->capture_default_str();
-    AddPluginSwitch(*draw, line.draw.plugin);
-    AddPluginOptions(*draw, line.draw.worker);
-    AddSceneOptions(*draw, line.draw.worker);
-    return draw;
-}
-
 CLI::App *AddFigures(CLI::App &app, CommandLine &line) {
     CLI::App *figures = app.add_subcommand(
         "figures", "Draw the figures of the paper, and those that explain it, from the real structures");
@@ -187,7 +172,10 @@ int Run(int argc, char **argv) {
     const CLI::App *list = AddList(app, line);
     const CLI::App *run = AddRun(app, line);
     const CLI::App *compare = AddCompare(app, line);
-    AddDraw(app, line);
+    CLI::App *render = AddRender(app, line.render);
+    AddPluginSwitch(*render, line.render.plugin);
+    AddPluginOptions(*render, line.render.worker);
+    AddSceneOptions(*render, line.render.worker);
     const CLI::App *figures = AddFigures(app, line);
     const CLI::App *events = AddEvents(app, line.events);
     const CLI::App *plot = AddPlot(app, line);
@@ -228,7 +216,7 @@ int Run(int argc, char **argv) {
     else if (app.got_subcommand(events))
         status = Execute(line.events, workers);
     else
-        status = Execute(line.draw, workers);
+        status = Execute(line.render, workers);
     return status;
 }
 

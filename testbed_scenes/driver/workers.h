@@ -38,7 +38,7 @@ struct WorkerRequest {
     std::string scene;
     int64_t steps = 0;
     std::string mode = "hash";
-    /// --dump, --perturb, --outline, --trace with their values.
+    /// --dump, --perturb, --record, --trace with their values.
     std::vector<std::string> extra = {};
     std::string course = {}; ///< a file that takes the scene's place
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "worker/options.h"
 
+#include <cstdio>
 #include <map>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +16,20 @@ const std::map<std::string, Mode> modes = {
 
 const std::map<std::string, BodyKind> kinds = {
     {"one", BodyKind::One}, {"many", BodyKind::Many}, {"circle", BodyKind::Circle}};
+
+/// "12", "0:600" or "0:600:10".
+RecordRange ParseRange(const std::string &text) {
+    RecordRange range;
+    char rest = 0;
+    const int count = std::sscanf(text.c_str(), "%d:%d:%d%c", &range.first, &range.last, &range.every, &rest);
+    if (count == 1 && text.find(':') == std::string::npos)
+        range.last = range.first;
+    else if (count < 2 || count > 3)
+        throw CLI::ValidationError("--record", "FIRST[:LAST[:EVERY]] was expected, not \"" + text + "\"");
+    if (range.first < 0 || range.last < range.first || range.every < 1)
+        throw CLI::ValidationError("--record", "no steps in \"" + text + "\"");
+    return range;
+}
 
 std::string ListScenes() {
     std::string text = "Scenes (default size, default steps):\n";
@@ -96,10 +111,14 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
                    "stop")
         ->option_text("STEP")
         ->check(CLI::Range(0, 100000000).description(""));
-    app.add_option("--outline", options.outline,
-                   "Instead of hashes, print after this step the outlines of all shapes, and stop")
-        ->option_text("STEP")
-        ->check(CLI::Range(0, 100000000).description(""));
+    bool boxes = false;
+    CLI::Option *record =
+        app.add_option_function<std::string>(
+               "--record", [&options](const std::string &text) { options.record = ParseRange(text); },
+               "Instead of hashes, print the world after each of these steps (testbed_scenes/recording), and "
+               "stop after the last")
+            ->option_text("FIRST[:LAST[:EVERY]]");
+    app.add_flag("--record-boxes", boxes, "With the boxes of the broad phase")->needs(record);
     app.add_option("--perturb", options.perturb,
                    "After this step, nudge the velocity of one body by one ulp: the control for comparisons, "
                    "which must "
@@ -110,6 +129,8 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
     try {
         app.parse(argc, argv);
         CheckScene(options);
+        if (options.record)
+            options.record->boxes = boxes;
     } catch (const CLI::ParseError &error) {
         return app.exit(error) == 0 ? exitOk : exitUsage;
     }

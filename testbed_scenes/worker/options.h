@@ -8,6 +8,7 @@
 
 #include "polygon_choice.h"
 #include "worker/plugin.h"
+#include "worker/recorder.h"
 
 namespace testbed {
 
@@ -23,7 +24,8 @@ struct Options {
     std::optional<unsigned long> seed;
     std::optional<int> vertices;
     std::optional<BodyKind> bodies;
-    std::optional<int> dump, outline, perturb;
+    std::optional<int> dump, perturb;
+    std::optional<RecordRange> record;
     PluginOptions plugin;
 };
 

@@ -2,15 +2,20 @@
 #ifndef BOOMERANG_TESTBED_PLUGIN_H
 #define BOOMERANG_TESTBED_PLUGIN_H
 
+#include <array>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "outline.h"
+#include "recording/recording.h"
 
 /// @file
 /// All that the two workers do differently. boomerang-scene links plugin_absent.cpp, in which nothing
 /// happens; boomerang-scene-plugin links plugin_boomerang.cpp.
+
+class b2Body;
+class b2Contact;
 
 namespace CLI {
 class App;
@@ -26,8 +31,19 @@ struct PluginOptions {
 
 void AddPluginOptions(CLI::App &app, PluginOptions &options);
 
-/// Before the first world. Throws if the plugin will not install, or the trace cannot be written.
-void InstallPlugin(const PluginOptions &options, bool count);
+/// Is told what the plugin does while a world steps.
+class PluginObserver {
+public:
+    virtual ~PluginObserver() = default;
+    /// An event of a kinetic structure; `event` lacks its step and its bodies.
+    virtual void OnKineticEvent(const b2Body &bodyA, const b2Body &bodyB, recording::Event event) = 0;
+    /// An evaluation of two polygons. `searched`: an edge was looked for, and proves them apart.
+    virtual void OnAnswer(const b2Contact &contact, bool handedOver, bool searched) = 0;
+};
+
+/// Before the first world. Throws if the plugin will not install, or the trace cannot be written. The
+/// observer (nullptr: none) must live as long as the process steps.
+void InstallPlugin(const PluginOptions &options, bool count, PluginObserver *observer);
 /// The step that events belong to from now on.
 void SetTraceStep(int step);
 /// Closes the trace; throws if not all of it could be written.
@@ -37,8 +53,18 @@ void FinishTrace();
 const char *PluginName();
 /// What the plugin counted, or null.
 nlohmann::json PluginStatistics();
-/// Null without the plugin.
-SlackFunction PluginSlack();
+
+/// What proves the two fixtures of a contact apart, as the plugin shows it. Element 0 is of the contact's
+/// fixture A; ids of outlines are 0.
+struct ShownProof {
+    recording::Proof proof;
+    const void *structure = nullptr; ///< the same for contacts that share the proof; nullptr: this one's own
+};
+/// Of kind none without the plugin. Between steps.
+ShownProof ShowProof(const b2Contact &contact);
+/// The hulls (`envelope` false) of a proof just shown of this contact, or the envelopes at its level; empty
+/// where it has none.
+std::array<std::vector<recording::Vec>, 2> ShowHulls(const b2Contact &contact, bool envelope);
 
 } // namespace testbed
 

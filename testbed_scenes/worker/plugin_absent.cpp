@@ -4,7 +4,7 @@
 namespace testbed {
 
 void AddPluginOptions(CLI::App &, PluginOptions &) {}
-void InstallPlugin(const PluginOptions &, bool) {}
+void InstallPlugin(const PluginOptions &, bool, PluginObserver *) {}
 void SetTraceStep(int) {}
 void FinishTrace() {}
 const char *PluginName() {
@@ -13,8 +13,11 @@ const char *PluginName() {
 nlohmann::json PluginStatistics() {
     return nullptr;
 }
-SlackFunction PluginSlack() {
-    return nullptr;
+ShownProof ShowProof(const b2Contact &) {
+    return {};
+}
+std::array<std::vector<recording::Vec>, 2> ShowHulls(const b2Contact &, bool) {
+    return {};
 }
 
 } // namespace testbed

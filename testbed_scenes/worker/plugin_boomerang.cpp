@@ -19,13 +19,28 @@ struct Trace {
     int step = 0;
 };
 
-// The plugin's options are for the whole process, and so is the trace.
+// The plugin's options are for the whole process, and so are the trace and the observer.
 Trace trace;
+PluginObserver *observer = nullptr;
 
-void WriteEvent(void *, const b2Body *bodyA, const b2Body *bodyB, const bmr_event &event) {
+void OnEvent(void *, const b2Body *bodyA, const b2Body *bodyB, const bmr_event &event) {
+    if (observer != nullptr) {
+        recording::Event told;
+        told.kind = bmr_event_name(event.kind);
+        told.level_before = event.level_before;
+        told.level_after = event.level_after;
+        told.gap = static_cast<float>(event.gap);
+        observer->OnKineticEvent(*bodyA, *bodyB, told);
+    }
+    if (trace.file == nullptr)
+        return;
     std::fprintf(trace.file, "%d %" PRIu32 " %" PRIu32 " %s %d %d %d %.9g\n", trace.step, NumberOf(*bodyA),
                  NumberOf(*bodyB), bmr_event_name(event.kind), event.level_before, event.level_after,
                  static_cast<int>(event.pair->owner), event.gap);
+}
+
+void OnAnswer(void *, const b2Contact &contact, bmr::Answer answer) {
+    observer->OnAnswer(contact, answer >= bmr::Answer::HandedOver, answer == bmr::Answer::ApartBySearch);
 }
 
 void OpenTrace(const std::string &name) {
@@ -42,6 +57,21 @@ bmr_structure StructureOf(const std::string &name) {
     throw std::runtime_error("the plugin knows no structure " + name);
 }
 
+recording::Vec VecOf(const b2Vec2 &v) {
+    return {v.x, v.y};
+}
+
+void CopySide(const bmr::ProofSide &side, std::size_t index, recording::Proof *proof) {
+    if (side.fixture != nullptr)
+        proof->fixtures[index] = static_cast<int>(NumberOf(*side.fixture));
+    if (proof->kind == "disks") {
+        proof->centres[index] = VecOf(side.support);
+        proof->radii[index] = side.diskRadius;
+    } else if (proof->kind == "direction") {
+        proof->supports[index] = VecOf(side.support);
+    }
+}
+
 } // namespace
 
 void AddPluginOptions(CLI::App &app, PluginOptions &options) {
@@ -55,15 +85,18 @@ void AddPluginOptions(CLI::App &app, PluginOptions &options) {
         ->option_text("FILE");
 }
 
-void InstallPlugin(const PluginOptions &options, bool count) {
+void InstallPlugin(const PluginOptions &options, bool count, PluginObserver *told) {
     bmr::Options install;
     install.structure = StructureOf(options.structure);
     install.prefilter = options.prefilter == "on";
     install.statistics = count || !options.trace.empty();
-    if (!options.trace.empty()) {
+    observer = told;
+    if (observer != nullptr)
+        install.onAnswer = OnAnswer;
+    if (!options.trace.empty())
         OpenTrace(options.trace);
-        install.onEvent = WriteEvent;
-    }
+    if (observer != nullptr || !options.trace.empty())
+        install.onEvent = OnEvent;
     if (!bmr::Install(install))
         throw std::runtime_error("the plugin would not install");
 }
@@ -112,8 +145,47 @@ nlohmann::json PluginStatistics() {
             {"events", events}};
 }
 
-SlackFunction PluginSlack() {
-    return bmr::CertifiedSlack;
+ShownProof ShowProof(const b2Contact &contact) {
+    const bmr::Proof found = bmr::Inspect(contact);
+    ShownProof shown;
+    recording::Proof &proof = shown.proof;
+    proof.kind = bmr::NameOf(found.kind);
+    if (found.kind == bmr::ProofKind::None)
+        return shown;
+    shown.structure = found.structure;
+    proof.slack = found.slack;
+    proof.renewed = !found.remembered;
+    CopySide(found.a, 0, &proof);
+    CopySide(found.b, 1, &proof);
+    if (found.kind == bmr::ProofKind::Disks)
+        return shown;
+    const bmr::ProofSide &other = found.ownerIsB ? found.a : found.b;
+    proof.owner = found.ownerIsB ? 1 : 0;
+    proof.normal = VecOf(found.normal);
+    if (found.kind == bmr::ProofKind::Direction) {
+        proof.window = {VecOf(other.window[0]), VecOf(other.window[1])};
+    } else {
+        proof.level = found.level;
+        proof.edge = {VecOf(found.edge[0]), VecOf(found.edge[1])};
+        proof.opposite = VecOf(other.support);
+    }
+    return shown;
+}
+
+std::array<std::vector<recording::Vec>, 2> ShowHulls(const b2Contact &contact, bool envelope) {
+    const bmr::Proof found = bmr::Inspect(contact);
+    std::array<std::vector<recording::Vec>, 2> hulls;
+    if (envelope && found.kind != bmr::ProofKind::EdgeLine)
+        return hulls;
+    const int32_t level = envelope ? found.level : bmr::kHullLevel;
+    for (const bool ofB : {false, true}) {
+        const int32_t count = bmr::InspectHull(found, ofB, level, nullptr, 0);
+        std::vector<b2Vec2> vertices(static_cast<std::size_t>(count));
+        bmr::InspectHull(found, ofB, level, vertices.data(), count);
+        for (const b2Vec2 &vertex : vertices)
+            hulls[ofB ? 1 : 0].push_back(VecOf(vertex));
+    }
+    return hulls;
 }
 
 } // namespace testbed

@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "outline.h"
 #include "state/snapshot.h"
+#include "worker/recorder.h"
 #include "worker/summary.h"
 
 namespace testbed {
@@ -59,15 +59,31 @@ long TimeStep(const SceneInfo &info, b2World &world) {
     return static_cast<long>(std::chrono::nanoseconds(Clock::now() - start).count());
 }
 
+/// Prints the head of a recording.
+void PrintHead(const SceneInfo &info, const Options &options, const Recorder &recorder) {
+    recording::Head head = MakeHead(recorder, options.plugin);
+    head.scene = info.name;
+    head.size = options.size.value_or(info.size);
+    head.seed = options.seed.value_or(info.seed);
+    head.time_step = info.timeStep;
+    std::puts(Print(head).c_str());
+}
+
 } // namespace
 
 void RunScene(const SceneInfo &info, const Options &options) {
-    InstallPlugin(options.plugin, options.mode == Mode::Count);
+    std::optional<Recorder> record;
+    if (options.record)
+        record.emplace(*options.record);
+    InstallPlugin(options.plugin, options.mode == Mode::Count, record ? &*record : nullptr);
     EventRecorder recorder;
+    EventObserver *const observer = record                       ? static_cast<EventObserver *>(&*record)
+                                    : options.mode == Mode::Hash ? &recorder
+                                                                 : nullptr;
     const std::unique_ptr<Scene> scene = info.create();
-    // Nobody listens to a world that is timed or counted, except a scene that would.
+    // Nobody listens to a world that is timed or counted and not recorded, except a scene that would.
     const unsigned long seed = options.seed.value_or(info.seed);
-    Stage stage(*scene, seed, options.mode == Mode::Hash ? &recorder : nullptr);
+    Stage stage(*scene, seed, observer);
     stage.SetPolygons(PolygonsOf(info, options));
     b2World &world = stage.World();
     const int steps = options.steps.value_or(info.steps);
@@ -78,16 +94,23 @@ void RunScene(const SceneInfo &info, const Options &options) {
     scene->Build(stage, options.size.value_or(info.size));
     if (seed != info.seed)
         Shake(stage);
+    if (record)
+        PrintHead(info, options, *record);
     for (int step = 0; step < steps; ++step) {
         SetTraceStep(step);
         scene->BeforeStep(stage, step);
+        if (record)
+            record->BeginStep(world, step);
         const long nanoseconds = TimeStep(info, world);
         if (options.perturb == step)
             Perturb(world);
         summary.AddStep(world, nanoseconds);
-        if (options.outline == step) {
-            WriteOutline(stdout, world, PluginSlack());
-            break;
+        if (record) {
+            if (record->Range().Has(step))
+                std::puts(Print(record->Take(world)).c_str());
+            if (step == record->Range().last)
+                break;
+            continue;
         }
         if (options.dump == step) {
             std::fputs(DescribeState(world, recorder).c_str(), stdout);
@@ -96,7 +119,7 @@ void RunScene(const SceneInfo &info, const Options &options) {
         if (options.mode == Mode::Hash) {
             const StateHashes hashes = HashState(world, recorder);
             summary.AddHashes(hashes);
-            if (!options.dump && !options.outline)
+            if (!options.dump)
                 PrintHashes(step, hashes);
             recorder.StartStep(options.dump == step + 1);
         }

@@ -28,8 +28,8 @@ fake_workers() {
 test_help_names_exit_codes() {
     local command
     expect 0 --help
-    for command in list run compare draw events figures; do out_has "^  $command "; done
-    for command in list run compare draw events figures; do
+    for command in list run compare render events figures; do out_has "^  $command "; done
+    for command in list run compare render events figures; do
         expect 0 "$command" --help
         out_has 'Exit codes: 0 .* 1 .* 2 .* 3 '
         err_empty
@@ -47,7 +47,6 @@ test_usage_errors_exit_with_2() {
     expect 2 run
     expect 2 run "$classic" --prefilter perhaps
     expect 2 run "$classic" --plugin off --trace "$scratch/trace"
-    expect 2 draw "$classic" --step 3 -o "$scratch/picture.jpeg"
     expect 2 compare "$classic" --json "$scratch/no/such/directory.json"
     err_has 'cannot write'
 }
@@ -57,7 +56,7 @@ test_unknown_names_get_the_nearest() {
     err_has 'no scene "neddles"; the nearest is "needles"'
     expect 2 run piramid
     err_has 'nearest is "pyramid"'
-    expect 2 draw tumbelr --step 1 -o "$scratch/picture.svg"
+    expect 2 render tumbelr --step 1 -o "$scratch/picture.svg"
     err_has 'nearest is "tumbler"'
     expect 2 cmopare
     err_has 'no command "cmopare"; the nearest is "compare"'
@@ -246,17 +245,6 @@ test_terminals_get_colours_unless_told() {
     claim="$claim with NO_COLOR"
     NO_COLOR=1 script -qec "$line" /dev/null </dev/null >"$scratch/out" || fail "it failed"
     if LC_ALL=C grep -q $'\033\\[[0-9;]*m' "$scratch/out"; then fail "colours"; fi
-}
-
-test_draw_writes_pictures() {
-    local kind
-    for kind in svg png pdf; do
-        expect 0 draw "$classic" --step 5 -o "$scratch/picture.$kind"
-        [ -s "$scratch/picture.$kind" ] || fail "no picture"
-    done
-    grep -q '<svg' "$scratch/picture.svg" || fail "no SVG"
-    expect 0 draw "$classic" --step 5 --plugin off -o "$scratch/picture.svg"
-    expect 3 draw "$classic" --step 5 -o "$scratch/no/such/directory.png"
 }
 
 run_tests

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "recorded_run.h"
+
+#include <optional>
+
+namespace testbed {
+
+void RunRecorded(const Workers &workers, const RecordRequest &request,
+                 const std::function<void(const recording::Head &, recording::Frame)> &onFrame,
+                 const std::function<void()> &onTick) {
+    WorkerRequest work;
+    work.side = request.plugin ? Side::Plugin : Side::Stock;
+    work.scene = request.scene;
+    work.steps = request.last + 1;
+    work.mode = request.calls ? "count" : "hash";
+    work.extra = {"--record", std::to_string(request.first) + ":" + std::to_string(request.last) + ":" +
+                                  std::to_string(request.every)};
+    if (request.boxes)
+        work.extra.emplace_back("--record-boxes");
+
+    std::optional<recording::Head> head;
+    int64_t frames = 0;
+    const auto process = workers.Start(work, request.worker, [&](const std::string &line) {
+        if (recording::IsHead(line)) {
+            head = recording::ParseHead(line);
+        } else if (recording::IsFrame(line)) {
+            if (!head)
+                throw WorkerError("printed a frame before the head of its recording");
+            ++frames;
+            onFrame(*head, recording::ParseFrame(line));
+        } else if (!IsSummaryLine(line)) {
+            throw WorkerError("printed what is no line of a recording: \"" + line.substr(0, 200) + "\"");
+        }
+    });
+    RunAll({process.get()}, onTick);
+    if (!process->Succeeded())
+        throw WorkerError(process->Describe());
+    if (frames != (request.last - request.first) / request.every + 1)
+        throw WorkerError(process->CommandLine() + ": ended after " + std::to_string(frames) + " frames");
+}
+
+} // namespace testbed

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TESTBED_RECORDED_RUN_H
+#define BOOMERANG_TESTBED_RECORDED_RUN_H
+
+#include <functional>
+#include <string>
+
+#include "recording/recording.h"
+#include "workers.h"
+
+namespace testbed {
+
+/// What to record.
+struct RecordRequest {
+    std::string scene;
+    bool plugin = true;
+    int64_t first = 0, last = 0, every = 1;
+    bool boxes = false; ///< with the boxes of the broad phase
+    bool calls = false; ///< count the calls that reach Box2D
+    WorkerOptions worker;
+};
+
+/// Runs a worker and hands on each frame as it comes, with the head. Throws WorkerError if the worker fails
+/// or gives fewer frames than were asked for; what onFrame throws ends the run.
+void RunRecorded(const Workers &workers, const RecordRequest &request,
+                 const std::function<void(const recording::Head &, recording::Frame)> &onFrame,
+                 const std::function<void()> &onTick = nullptr);
+
+} // namespace testbed
+
+#endif

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+//
+// boomerang-testbed render: has a worker record its world, and makes pictures of it.
+#include "render_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <unistd.h>
+
+#include "commands.h"
+#include "drawing/surface.h"
+#include "progress.h"
+#include "recorded_run.h"
+
+namespace testbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kHelp[] =
+    "With no layer named: certificates, slack, handed-over and contacts. With some named: those alone.\n\n"
+    "Layers:\n"
+    "  certificates  what proves a pair apart: the thick edge of one body and the vertex of the other that "
+    "is "
+    "nearest to its line;\n"
+    "                or a direction (dashed); or two disks (dotted)\n"
+    "  slack         how far apart that proves them, as colour\n"
+    "  handed-over   diamonds: pairs that needed a manifold in this step\n\n"
+    "With --focus on a body, every pair of it is numbered, drawn in full and explained in words beside the "
+    "picture.\n\n"
+    "Examples:\n"
+    "  boomerang-testbed render planks --step 150 -o planks.png\n"
+    "  boomerang-testbed render planks --step 150 --focus 12 -o why.svg\n"
+    "  boomerang-testbed render gears --frames 0:300:2 --all -o gears.png";
+
+/// Numbers between commas; empty if the text is anything else.
+std::vector<double> ReadNumbers(const std::string &text) {
+    std::vector<double> numbers;
+    std::istringstream stream(text);
+    for (std::string word; std::getline(stream, word, ',');) {
+        std::size_t used = 0;
+        try {
+            numbers.push_back(std::stod(word, &used));
+        } catch (const std::exception &) {
+            return {};
+        }
+        if (used != word.size() || !std::isfinite(numbers.back()))
+            return {};
+    }
+    return !text.empty() && text.back() == ',' ? std::vector<double>() : numbers;
+}
+
+bool IsNumberOfABody(double number) {
+    return number >= 0.0 && number <= 1e9 && number == std::floor(number);
+}
+
+void ReadFocus(const std::string &text, PictureOptions *options) {
+    if (text.empty())
+        return;
+    const std::vector<double> numbers = ReadNumbers(text);
+    if ((numbers.size() == 1 || numbers.size() == 2) &&
+        std::all_of(numbers.begin(), numbers.end(), IsNumberOfABody)) {
+        for (const double number : numbers)
+            options->bodies.push_back(static_cast<int>(number));
+        if (numbers.size() == 2 && numbers[0] == numbers[1])
+            throw UsageError("--focus: two different bodies are wanted, not \"" + text + "\"");
+        return;
+    }
+    if (numbers.size() == 4 && numbers[2] > 0.0 && numbers[3] > 0.0) {
+        options->region = {numbers[0], numbers[1], numbers[0] + numbers[2], numbers[1] + numbers[3]};
+        return;
+    }
+    throw UsageError("--focus: a body, two bodies A,B or a rectangle X,Y,WIDTH,HEIGHT is wanted, not \"" +
+                     text + "\"");
+}
+
+Layers LayersOf(const RenderCommand &command) {
+    const Layers &named = command.named;
+    if (command.all)
+        return {true, true, true, true, true, true, true};
+    const bool any = named.certificates || named.slack || named.handedOver || named.contacts || named.hulls ||
+                     named.envelopes || named.boxes;
+    return any || command.bare ? named : Layers();
+}
+
+void ReadRange(const RenderCommand &command, RecordRequest *request) {
+    if (command.frames.empty()) {
+        request->first = request->last = *command.step;
+        return;
+    }
+    long long first = 0, last = 0, every = 1;
+    char rest = 0;
+    const int read = std::sscanf(command.frames.c_str(), "%lld:%lld:%lld%c", &first, &last, &every, &rest);
+    const bool isWhole = read == 3 || (read == 2 && command.frames.back() != ':');
+    constexpr long long kMost = 100000000;
+    if (!isWhole || first < 0 || last < first || last > kMost || every < 1)
+        throw UsageError("--frames: FIRST:LAST or FIRST:LAST:EVERY is wanted, with 0 <= FIRST <= LAST <= " +
+                         std::to_string(kMost) + ", not \"" + command.frames + "\"");
+    request->first = first;
+    request->every = every;
+    request->last = last - (last - first) % every; // nobody looks at what comes after the last picture
+}
+
+/// Before the work: the picture must have a place.
+void CheckOutput(const std::string &output) {
+    if (!IsPicturePath(output))
+        throw UsageError("\"" + output + "\" should end in .svg, .png or .pdf");
+    const fs::path path(output), directory = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    std::error_code error;
+    const bool exists = fs::exists(path, error);
+    if (!fs::is_directory(directory, error) || fs::is_directory(path, error) ||
+        access(exists ? path.c_str() : directory.c_str(), W_OK) != 0)
+        throw UsageError("cannot write " + output);
+}
+
+/// "picture.png", 7 of 120: "picture-0007.png".
+std::string NumberedPath(const std::string &output, int64_t index) {
+    const fs::path path(output);
+    char number[32];
+    std::snprintf(number, sizeof number, "-%04lld", static_cast<long long>(index));
+    return (path.parent_path() / (path.stem().string() + number + path.extension().string())).string();
+}
+
+void CheckBodies(const PictureOptions &options, const recording::Frame &frame) {
+    for (const int number : options.bodies) {
+        int most = -1;
+        bool isThere = false;
+        for (const recording::Body &body : frame.bodies) {
+            most = std::max(most, body.number);
+            isThere = isThere || body.number == number;
+        }
+        if (!isThere)
+            throw UsageError("--focus: there is no body " + std::to_string(number) + " after step " +
+                             std::to_string(frame.step) + "; the largest number is " + std::to_string(most));
+    }
+}
+
+} // namespace
+
+CLI::App *AddRender(CLI::App &app, RenderCommand &command) {
+    CLI::App *render =
+        app.add_subcommand("render", "Draw a scene after a step, with what proves its bodies apart");
+    render->add_option("scene", command.scene, "A name that `list` shows")->required();
+    CLI::Option *step = render->add_option("--step", command.step, "The step to draw; the first is 0")
+                            ->check(CLI::Range(0, 100000000));
+    CLI::Option *frames =
+        render
+            ->add_option("--frames", command.frames,
+                         "FIRST:LAST:EVERY instead: a series; picture.png becomes picture-0000.png, ...")
+            ->excludes(step);
+    step->excludes(frames);
+    render->add_option("-o,--output", command.output, "The picture: .svg, .png or .pdf")->required();
+    render->add_option("--focus", command.focus,
+                       "BODY: it and its pairs; A,B: two bodies; or X,Y,WIDTH,HEIGHT, a rectangle of the "
+                       "world from its lower left corner");
+    render->add_option("--width", command.width, "Width in pixels (points in an SVG or PDF)")
+        ->check(CLI::Range(200, 10000))
+        ->capture_default_str();
+    Layers &named = command.named;
+    render->add_flag("--certificates", named.certificates, "Layer: what proves pairs apart");
+    render->add_flag("--slack", named.slack, "Layer: how far apart, as colour");
+    render->add_flag("--handed-over", named.handedOver, "Layer: pairs that needed a manifold");
+    render->add_flag("--contacts", named.contacts, "Layer: contact points and normals");
+    render->add_flag("--hulls", named.hulls, "Layer: hulls of bodies");
+    render->add_flag("--envelopes", named.envelopes, "Layer: envelopes at the level of the proof");
+    render->add_flag("--aabbs", named.boxes, "Layer: boxes of the broad phase");
+    CLI::Option *all = render->add_flag("--all", command.all, "Every layer");
+    render->add_flag("--bare", command.bare, "No layer: the bodies alone")->excludes(all);
+    render->add_flag("--quiet", command.quiet, "No progress");
+    render->footer(kHelp);
+    return render;
+}
+
+int Execute(const RenderCommand &command, const Workers &workers) {
+    if (!command.step && command.frames.empty())
+        throw UsageError("which step? --step N, or --frames FIRST:LAST:EVERY for a series");
+    PictureOptions options;
+    ReadFocus(command.focus, &options);
+    options.layers = LayersOf(command);
+    options.width = command.width;
+    options.series = !command.frames.empty();
+    CheckOutput(command.output);
+    RecordRequest request;
+    ReadRange(command, &request);
+    request.scene = FindScene(workers.List(), command.scene).name;
+    request.plugin = command.plugin;
+    request.boxes = options.layers.boxes;
+    request.worker = command.worker;
+
+    Progress progress(1, command.quiet);
+    progress.Show(request.scene, 0.0);
+    recording::Gathered gathered;
+    int64_t count = 0;
+    std::optional<Rectangle> shape;
+    RunRecorded(
+        workers, request,
+        [&](const recording::Head &head, const recording::Frame &frame) {
+            gathered.Add(frame);
+            CheckBodies(options, frame);
+            // A series holds still, or follows its bodies with a frame of one size.
+            const Rectangle region = RegionOf(frame, gathered, options);
+            if (!shape)
+                shape = region;
+            PictureOptions these = options;
+            const double x =
+                options.bodies.empty() ? shape->left : 0.5 * (region.left + region.right - shape->Width());
+            const double y =
+                options.bodies.empty() ? shape->bottom : 0.5 * (region.bottom + region.top - shape->Height());
+            these.region = {x, y, x + shape->Width(), y + shape->Height()};
+            DrawPicture(head, frame, gathered, these,
+                        options.series ? NumberedPath(command.output, count) : command.output);
+            ++count;
+            progress.Show(request.scene, static_cast<double>(frame.step) /
+                                             static_cast<double>(std::max<int64_t>(request.last, 1)));
+        },
+        [&progress] { progress.Tick(); });
+    progress.Clear();
+    return kExitOk;
+}
+
+} // namespace testbed

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "picture/legend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "picture/bodies.h"
+#include "picture/proofs.h"
+#include "picture/slack_scale.h"
+#include "picture/style.h"
+
+namespace testbed {
+namespace {
+
+/// In points of a picture 1200 wide.
+constexpr double kRow = 24.0, kAround = 14.0, kAfterSample = 7.0, kAfterEntry = 20.0, kSample = 24.0;
+constexpr double kScale = 170.0;
+
+std::string Counted(std::size_t count, const char *one, const char *many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+} // namespace
+
+Legend::Legend(Canvas &canvas, const WorldView &world, const PictureOptions &options, std::string title,
+               double width, double unit)
+    : m_canvas(canvas), m_options(options), m_unit(unit), m_title(std::move(title)) {
+    AddBodies(world);
+    AddProofs(world);
+    AddOthers(world);
+    LayOut(width);
+}
+
+void Legend::Add(const std::string &text, double sample, std::function<void(bmr_vec2)> draw) {
+    Entry entry;
+    entry.text = text;
+    entry.sample = sample * m_unit;
+    entry.draw = std::move(draw);
+    m_entries.push_back(std::move(entry));
+}
+
+void Legend::AddLine(const std::string &text, const Pen &pen) {
+    Add(text, kSample, [this, pen](bmr_vec2 left) {
+        m_canvas.Segment(left, bmr_vec2_make(left.x + kSample * m_unit, left.y), pen);
+    });
+}
+
+void Legend::AddBodies(const WorldView &world) {
+    std::map<std::string, bool> present;
+    for (const recording::Body &body : world.Frame().bodies)
+        for (const recording::Fixture *fixture : world.FixturesOf(body.number))
+            present[StateOf(body, *fixture)] = true;
+    for (const char *state : {"dynamic", "sleeping", "kinematic", "static", "sensor", "disabled"}) {
+        if (present.count(state) == 0 && !m_options.series)
+            continue;
+        const Colour colour = ColourOfState(state);
+        const bool isSensor = state == std::string("sensor");
+        Add(state, 13.0, [this, colour, isSensor](bmr_vec2 left) {
+            const double half = 6.0 * m_unit, right = left.x + 13.0 * m_unit;
+            std::vector<double> dash;
+            if (isSensor)
+                dash = {3.0 * m_unit, 2.0 * m_unit};
+            m_canvas.Polygon({bmr_vec2_make(left.x, left.y - half), bmr_vec2_make(right, left.y - half),
+                              bmr_vec2_make(right, left.y + half), bmr_vec2_make(left.x, left.y + half)},
+                             {colour, isSensor ? 0.0 : style::kFillOpacity},
+                             {colour, 1.2 * m_unit, 1.0, dash});
+        });
+    }
+}
+
+void Legend::AddScale() {
+    Add("slack, m", kScale, [this](bmr_vec2 left) {
+        constexpr int kSteps = 64;
+        const double width = kScale * m_unit, bar = 5.0 * m_unit;
+        for (int i = 0; i < kSteps; ++i) {
+            const double share = (i + 0.5) / kSteps;
+            // Each lies over the end of the one before: no seams.
+            const double from = left.x + width * i / kSteps, to = left.x + width;
+            const Colour colour = ColourOfSlack(kLeastSlack * std::pow(kMostSlack / kLeastSlack, share));
+            m_canvas.Polygon({bmr_vec2_make(from, left.y), bmr_vec2_make(to, left.y),
+                              bmr_vec2_make(to, left.y + bar), bmr_vec2_make(from, left.y + bar)},
+                             {colour, 1.0}, {colour, 0.0, 1.0, {}});
+        }
+        const int decades = static_cast<int>(std::lround(std::log10(kMostSlack / kLeastSlack)));
+        for (int i = 0; i <= decades; ++i) {
+            char text[16];
+            std::snprintf(text, sizeof text, "%g", kLeastSlack * std::pow(10.0, i));
+            const double x = left.x + width * i / decades;
+            m_canvas.Text(bmr_vec2_make(x, left.y), 0.0, -10.5 * m_unit, text, 10.5 * m_unit,
+                          i == 0         ? Align::Left
+                          : i == decades ? Align::Right
+                                         : Align::Centre,
+                          style::kText);
+        }
+    });
+}
+
+void Legend::AddProofs(const WorldView &world) {
+    std::map<std::string, std::size_t> kinds;
+    for (const recording::Pair &pair : world.Frame().pairs)
+        for (const recording::Proof &proof : pair.proofs)
+            if (proof.kind != "none" && IsInFocus(m_options, pair))
+                kinds[proof.kind] += 1;
+    const bool all = m_options.series;
+    const auto text = [&kinds, all](const char *what, std::size_t count) {
+        return all ? std::string(what) : what + (": " + std::to_string(count));
+    };
+    if (m_options.layers.certificates) {
+        const Colour colour = m_options.layers.slack ? ColourOfSlack(0.3) : style::kCertificate;
+        const std::size_t edges = kinds["remembered-edge"] + kinds["edge-line"];
+        if (edges != 0 || all) {
+            Add(text("apart by an edge and the vertex opposite", edges), kSample,
+                [this, colour](bmr_vec2 left) {
+                    const double low = left.y - 6.0 * m_unit, high = left.y + 6.0 * m_unit;
+                    m_canvas.Segment(bmr_vec2_make(left.x, low),
+                                     bmr_vec2_make(left.x + kSample * m_unit, low),
+                                     {colour, 3.5 * m_unit, 1.0, {}});
+                    const bmr_vec2 vertex = bmr_vec2_make(left.x + 0.5 * kSample * m_unit, high);
+                    m_canvas.Segment(bmr_vec2_make(vertex.x, low), vertex, {colour, 1.2 * m_unit, 1.0, {}});
+                    m_canvas.Dot(vertex, 2.4 * m_unit, colour);
+                });
+        }
+        if (kinds["direction"] != 0 || all)
+            AddLine(text("apart along a direction", kinds["direction"]),
+                    {colour, 1.4 * m_unit, 1.0, {6.0 * m_unit, 4.0 * m_unit}});
+        if (kinds["disks"] != 0 || all)
+            AddLine(text("apart by bounding disks", kinds["disks"]),
+                    {colour, 1.8 * m_unit, 1.0, {1.0 * m_unit, 3.2 * m_unit}});
+    }
+    if (m_options.layers.slack && (!kinds.empty() || all))
+        AddScale();
+    if (m_options.layers.hulls)
+        AddLine("hull", {style::kHull, 1.2 * m_unit, 0.9, {6.0 * m_unit, 3.0 * m_unit}});
+    if (m_options.layers.envelopes)
+        AddLine("envelope at the proof's level",
+                {style::kEnvelope, 1.6 * m_unit, 1.0, {1.5 * m_unit, 3.5 * m_unit}});
+}
+
+void Legend::AddOthers(const WorldView &world) {
+    std::size_t handedOver = 0, points = 0;
+    for (const recording::Pair &pair : world.Frame().pairs)
+        handedOver += pair.handed_over > 0 && pair.contacts > 0 && IsInFocus(m_options, pair) ? 1 : 0;
+    for (const recording::Contact &contact : world.Frame().touching)
+        points += contact.points.size();
+    const bool all = m_options.series;
+    if (m_options.layers.handedOver && (handedOver != 0 || all))
+        Add(all ? "needed a manifold" : "needed a manifold: " + Counted(handedOver, "pair", "pairs"), 11.0,
+            [this](bmr_vec2 left) {
+                const double half = 5.0 * m_unit;
+                const bmr_vec2 at = bmr_vec2_make(left.x + half, left.y);
+                m_canvas.Polygon({bmr_vec2_make(at.x - half, at.y), bmr_vec2_make(at.x, at.y - half),
+                                  bmr_vec2_make(at.x + half, at.y), bmr_vec2_make(at.x, at.y + half)},
+                                 {}, {style::kHandedOver, 1.4 * m_unit, 1.0, {}});
+            });
+    if (m_options.layers.contacts && (points != 0 || all))
+        Add(all ? "contact point and normal" : Counted(points, "contact point", "contact points"), 8.0,
+            [this](bmr_vec2 left) {
+                const bmr_vec2 at = bmr_vec2_make(left.x + 3.0 * m_unit, left.y - 4.0 * m_unit);
+                m_canvas.Segment(at, bmr_vec2_make(at.x, at.y + 11.0 * m_unit),
+                                 {style::kContact, 1.2 * m_unit, 1.0, {}});
+                m_canvas.Dot(at, 2.2 * m_unit, style::kContact);
+            });
+    if (m_options.layers.boxes)
+        AddLine("box of the broad phase", {style::kBox, 1.0 * m_unit, 0.9, {1.0 * m_unit, 3.0 * m_unit}});
+    if (!world.Frame().joints.empty())
+        AddLine("joint", {style::kJoint, 1.4 * m_unit, 1.0, {}});
+}
+
+void Legend::LayOut(double width) {
+    const double left = kAround * m_unit, right = width - kAround * m_unit;
+    double x =
+        left + m_canvas.TextWidth(m_title, 1.15 * style::kTextSize * m_unit, true) + kAfterEntry * m_unit;
+    for (Entry &entry : m_entries) {
+        const double needed =
+            entry.sample + kAfterSample * m_unit + m_canvas.TextWidth(entry.text, style::kTextSize * m_unit);
+        if (x + needed > right && x > left) {
+            x = left;
+            ++m_rows;
+        }
+        entry.left = x;
+        entry.row = m_rows - 1;
+        x += needed + kAfterEntry * m_unit;
+    }
+}
+
+double Legend::Height() const {
+    return std::ceil((m_rows * kRow + kAround) * m_unit);
+}
+
+void Legend::Draw(bmr_vec2 top) const {
+    const auto middle = [&](int row) { return top.y - (0.5 * kAround + (row + 0.5) * kRow) * m_unit; };
+    const double title = 1.15 * style::kTextSize * m_unit, size = style::kTextSize * m_unit;
+    m_canvas.Text(bmr_vec2_make(top.x + kAround * m_unit, middle(0)), 0.0, -0.36 * title, m_title, title,
+                  Align::Left, style::kText, true);
+    for (const Entry &entry : m_entries) {
+        const bmr_vec2 at = bmr_vec2_make(top.x + entry.left, middle(entry.row));
+        entry.draw(at);
+        m_canvas.Text(at, entry.sample + kAfterSample * m_unit, -0.36 * size, entry.text, size, Align::Left,
+                      style::kText);
+    }
+}
+
+Rectangle DrawScaleBar(Canvas &canvas, const Rectangle &area, double pagePerWorld, double unit) {
+    constexpr double kLongest = 150.0;
+    double length = std::pow(10.0, std::floor(std::log10(kLongest * unit / pagePerWorld)));
+    for (const double factor : {5.0, 2.0}) {
+        if (factor * length * pagePerWorld <= kLongest * unit) {
+            length *= factor;
+            break;
+        }
+    }
+    const double x = area.left + 16.0 * unit, y = area.bottom + 16.0 * unit, width = length * pagePerWorld,
+                 size = style::kTextSize * unit, tick = 4.0 * unit;
+    const std::string text = LengthText(length);
+    const Rectangle box = {x - 6.0 * unit, y - 8.0 * unit,
+                           x + std::max(width, canvas.TextWidth(text, size)) + 6.0 * unit, y + 24.0 * unit};
+    canvas.Polygon({bmr_vec2_make(box.left, box.bottom), bmr_vec2_make(box.right, box.bottom),
+                    bmr_vec2_make(box.right, box.top), bmr_vec2_make(box.left, box.top)},
+                   {style::kStrip, 0.7}, {style::kStrip, 0.0, 1.0, {}});
+    const Pen pen = {style::kText, 1.6 * unit, 1.0, {}};
+    canvas.Segment(bmr_vec2_make(x, y), bmr_vec2_make(x + width, y), pen);
+    for (const double end : {x, x + width})
+        canvas.Segment(bmr_vec2_make(end, y - tick), bmr_vec2_make(end, y + tick), pen);
+    canvas.Text(bmr_vec2_make(x + 0.5 * width, y), 0.0, 8.0 * unit, text, size, Align::Centre, style::kText);
+    return box;
+}
+
+} // namespace testbed

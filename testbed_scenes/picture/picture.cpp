@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "picture/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "picture/bodies.h"
+#include "picture/labels.h"
+#include "picture/legend.h"
+#include "picture/proofs.h"
+#include "picture/slack_scale.h"
+#include "picture/style.h"
+#include "picture/world_view.h"
+
+namespace testbed {
+namespace {
+
+/// In points of a picture 1200 wide: the list that explains pairs.
+constexpr double kListWidth = 330.0, kListAround = 14.0, kListEntry = 44.0, kListTitle = 40.0;
+constexpr int kMostExplained = 9;
+
+std::string TitleOf(const recording::Head &head, const recording::Frame &frame) {
+    const std::string title = head.scene + ", step " + std::to_string(frame.step);
+    return head.program == "stock" ? title + ", stock Box2D" : title;
+}
+
+Colour ColourOf(const PictureOptions &options, const Explained &one) {
+    if (one.proof == nullptr)
+        return style::kHandedOver;
+    return options.layers.slack ? ColourOfSlack(static_cast<double>(one.proof->slack)) : style::kCertificate;
+}
+
+std::string SlackText(const Explained &one) {
+    return one.proof != nullptr ? LengthText(static_cast<double>(one.proof->slack)) : "";
+}
+
+class Page {
+public:
+    Page(const recording::Head &head, const WorldView &world, const PictureOptions &options)
+        : m_world(world), m_options(options), m_title(TitleOf(head, world.Frame())), m_width(options.width),
+          m_unit(options.width / 1200.0) {}
+
+    void Draw(const std::string &path) {
+        const Rectangle region = RegionOf(m_world.Frame(), m_world.Gathered(), m_options);
+        const double list = m_options.bodies.empty() ? 0.0 : std::round(kListWidth * m_unit);
+        const double wide = m_width - list, high = std::round(wide * region.Height() / region.Width());
+        double strip = 0.0;
+        {
+            // How high the legend is, and with it the page, a canvas must tell that knows the font. (A PNG
+            // that is not written is no file.)
+            Canvas measure("legend.png", 1.0, 1.0);
+            strip = Legend(measure, m_world, m_options, m_title, m_width, m_unit).Height();
+        }
+        Explanation explanation = Explain(m_world, m_options, region, kMostExplained);
+        m_explained = std::move(explanation.pairs);
+        m_touching = std::move(explanation.touching);
+        m_rest = explanation.rest;
+        Canvas canvas(path, m_width, high + strip);
+        Paint(canvas, {0.0, 0.0, m_width, high + strip}, style::kStrip);
+        const Rectangle area = {0.0, strip, wide, strip + high};
+        Paint(canvas, area, style::kBackground);
+        canvas.SetPanel(area, region);
+        const double pagePerWorld = canvas.Scale();
+        DrawWorld(canvas);
+        const std::vector<bmr_vec2> names = PlacesOfNames(canvas);
+        canvas.ClearPanel();
+        const Rectangle bar = DrawScaleBar(canvas, area, pagePerWorld, m_unit);
+        DrawLabels(canvas, area, bar, names);
+        if (list > 0.0)
+            DrawList(canvas, {wide, strip, m_width, strip + high});
+        Legend(canvas, m_world, m_options, m_title, m_width, m_unit).Draw(bmr_vec2_make(0.0, strip));
+        canvas.Write();
+    }
+
+private:
+    static void Paint(Canvas &canvas, const Rectangle &area, const Colour &colour) {
+        canvas.Polygon({bmr_vec2_make(area.left, area.bottom), bmr_vec2_make(area.right, area.bottom),
+                        bmr_vec2_make(area.right, area.top), bmr_vec2_make(area.left, area.top)},
+                       {colour, 1.0}, {colour, 0.0, 1.0, {}});
+    }
+
+    /// The bodies in focus, and those that an explained pair is about.
+    bool IsNamed(int body) const {
+        const auto &bodies = m_options.bodies;
+        return std::find(bodies.begin(), bodies.end(), body) != bodies.end() ||
+               std::any_of(m_explained.begin(), m_explained.end(), [body](const Explained &one) {
+                   return one.pair->a == body || one.pair->b == body;
+               });
+    }
+
+    void DrawWorld(Canvas &canvas) {
+        const Layers &layers = m_options.layers;
+        DrawBodies(canvas, m_world, m_unit,
+                   [this](int body) { return !m_options.bodies.empty() && !IsNamed(body); });
+        DrawJoints(canvas, m_world, m_unit);
+        if (layers.boxes)
+            DrawBoxes(canvas, m_world, m_unit);
+        DrawOutlines(canvas, m_world, m_options, m_unit);
+        if ((layers.certificates || layers.slack) && m_options.bodies.empty())
+            DrawProofs(canvas, m_world, m_options, m_unit);
+        for (Explained &one : m_explained)
+            if (layers.certificates || one.proof == nullptr)
+                DrawExplained(canvas, m_world, m_options, m_unit, &one);
+        if (layers.contacts)
+            DrawContacts(canvas, m_world, m_unit);
+        if (layers.handedOver)
+            DrawHandedOver(canvas, m_world, m_options, m_unit);
+    }
+
+    std::vector<int> NamedBodies() const {
+        std::vector<int> named;
+        for (const recording::Body &body : m_world.Frame().bodies)
+            if (!m_options.bodies.empty() && IsNamed(body.number))
+                named.push_back(body.number);
+        return named;
+    }
+
+    std::vector<bmr_vec2> PlacesOfNames(Canvas &canvas) const {
+        std::vector<bmr_vec2> places;
+        for (const int body : NamedBodies()) {
+            const Rectangle box = m_world.BoxOfBody(body);
+            places.push_back(
+                canvas.OnPage(bmr_vec2_make(0.5 * (box.left + box.right), 0.5 * (box.bottom + box.top))));
+        }
+        return places;
+    }
+
+    void DrawLabels(Canvas &canvas, const Rectangle &area, const Rectangle &bar,
+                    const std::vector<bmr_vec2> &names) const {
+        Labels labels(canvas, area, m_unit);
+        labels.Block(bmr_vec2_make(0.5 * (bar.left + bar.right), 0.5 * (bar.bottom + bar.top)),
+                     0.5 * std::max(bar.Width(), bar.Height()));
+        for (const Explained &one : m_explained)
+            labels.Block(one.place, 5.0 * m_unit);
+        const std::vector<int> named = NamedBodies();
+        for (std::size_t i = 0; i < named.size(); ++i)
+            labels.PlaceAt(names[i], std::to_string(named[i]), 15.0 * m_unit, style::kText);
+        if (!m_options.layers.certificates)
+            return;
+        for (const Explained &one : m_explained)
+            labels.Place(one.place, one.number, SlackText(one), ColourOf(m_options, one));
+    }
+
+    void DrawList(Canvas &canvas, const Rectangle &area) const {
+        const double left = area.left + kListAround * m_unit, right = area.right - kListAround * m_unit;
+        double y = area.top - 26.0 * m_unit;
+        const auto write = [&](double x, double baseline, const std::string &text, double size, bool bold,
+                               const Colour &colour, Align align) {
+            canvas.Text(bmr_vec2_make(x, baseline), 0.0, 0.0, text, size * m_unit, align, colour, bold);
+        };
+        const std::vector<int> &bodies = m_options.bodies;
+        write(left, y,
+              bodies.size() == 1
+                  ? "Why body " + std::to_string(bodies[0]) + " is known to be apart"
+                  : "Bodies " + std::to_string(bodies[0]) + " and " + std::to_string(bodies[1]),
+              14.5, true, style::kText, Align::Left);
+        y -= 0.75 * kListTitle * m_unit;
+        if (m_explained.empty() && m_touching.empty() && m_rest == 0)
+            write(left, y, "No boxes overlap: nobody asked.", style::kSmallText, false, style::kFaintText,
+                  Align::Left);
+        int hidden = m_rest;
+        for (const Explained &one : m_explained) {
+            if (y - kListEntry * m_unit < area.bottom) {
+                ++hidden;
+                continue;
+            }
+            const double disc = 9.0 * m_unit, text = left + 26.0 * m_unit;
+            DrawNumber(canvas, bmr_vec2_make(left + disc, y + 4.5 * m_unit), disc, one.number,
+                       ColourOf(m_options, one));
+            write(text, y, NameOfPair(one), style::kTextSize, true, style::kText, Align::Left);
+            write(right, y, SlackText(one), style::kTextSize, true, style::kText, Align::Right);
+            write(text, y - 17.0 * m_unit, ReasonOf(one), style::kSmallText - 0.5, false, style::kFaintText,
+                  Align::Left);
+            y -= kListEntry * m_unit;
+        }
+        std::vector<std::string> lines;
+        if (hidden > 0)
+            lines.push_back("and " + std::to_string(hidden) + " more, farther away");
+        if (!m_touching.empty())
+            lines.push_back(TouchingText());
+        y = std::max(y, area.bottom + (10.0 + 20.0 * static_cast<double>(lines.size() - 1)) * m_unit);
+        for (const std::string &line : lines) {
+            write(left, y, line, style::kSmallText, false, style::kFaintText, Align::Left);
+            y -= 20.0 * m_unit;
+        }
+    }
+
+    /// "It touches 39, 47, 58 and 10 more."
+    std::string TouchingText() const {
+        constexpr std::size_t kMostNamed = 5;
+        std::string text = "It touches ";
+        for (std::size_t i = 0; i < std::min(kMostNamed, m_touching.size()); ++i) {
+            const recording::Pair &pair = *m_touching[i];
+            text += (i == 0 ? "" : ", ") + std::to_string(pair.a == m_options.bodies[0] ? pair.b : pair.a);
+        }
+        const std::size_t more = m_touching.size() - std::min(kMostNamed, m_touching.size());
+        return text + (more > 0 ? " and " + std::to_string(more) + " more." : ".");
+    }
+
+    std::string NameOfPair(const Explained &one) const {
+        const int other = one.pair->a == m_options.bodies[0] ? one.pair->b : one.pair->a;
+        const std::size_t proofs = one.pair->proofs.size();
+        std::string name = "body " + std::to_string(other);
+        if (proofs > 1)
+            name += ", least of " + std::to_string(proofs) + " proofs";
+        return name;
+    }
+
+    const WorldView &m_world;
+    const PictureOptions &m_options;
+    const std::string m_title;
+    const double m_width, m_unit;
+    std::vector<Explained> m_explained;
+    std::vector<const recording::Pair *> m_touching;
+    int m_rest = 0;
+};
+
+} // namespace
+
+void DrawPicture(const recording::Head &head, const recording::Frame &frame,
+                 const recording::Gathered &gathered, const PictureOptions &options,
+                 const std::string &path) {
+    const WorldView world(frame, gathered);
+    Page(head, world, options).Draw(path);
+}
+
+} // namespace testbed

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TESTBED_PICTURE_H
+#define BOOMERANG_TESTBED_PICTURE_H
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drawing/canvas.h"
+#include "recording/recording.h"
+
+namespace testbed {
+
+/// What is drawn over the bodies.
+struct Layers {
+    bool certificates = true; ///< what proves pairs apart: lines, edges, vertices, directions, disks
+    bool slack = true;        ///< how far apart that proves them, as colour
+    bool handedOver = true;   ///< pairs for which a manifold was needed
+    bool contacts = true;     ///< points of the manifolds
+    bool hulls = false, envelopes = false, boxes = false;
+};
+
+struct PictureOptions {
+    Layers layers;
+    /// The part of the world to show; without it, where the scene happens.
+    std::optional<Rectangle> region;
+    /// None, or one body whose pairs are explained one by one, or two whose pair is.
+    std::vector<int> bodies;
+    int width = 1200;
+    /// One of a series: every picture has the same size, whatever there is to explain.
+    bool series = false;
+};
+
+/// The part of the world that a picture with these options shows of a frame: around the bodies without those
+/// that flew far away from the others, or around the bodies in focus.
+Rectangle RegionOf(const recording::Frame &frame, const recording::Gathered &gathered,
+                   const PictureOptions &options);
+
+/// Draws a frame in the colours of Box2D's testbed, with a scale bar, and a title and a legend below, as an
+/// SVG, PNG or PDF file by the ending of the path (drawing/surface.h). `gathered` must have the frame. Throws
+/// std::runtime_error if the file cannot be written, or if a body in focus is not there.
+void DrawPicture(const recording::Head &head, const recording::Frame &frame,
+                 const recording::Gathered &gathered, const PictureOptions &options, const std::string &path);
+
+} // namespace testbed
+
+#endif

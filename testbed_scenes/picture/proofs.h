@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TESTBED_PICTURE_PROOFS_H
+#define BOOMERANG_TESTBED_PICTURE_PROOFS_H
+
+#include <string>
+#include <vector>
+
+#include "picture/picture.h"
+#include "picture/world_view.h"
+
+/// @file
+/// Why pairs are known to be apart. `unit` is one point of a picture 1200 wide.
+
+namespace testbed {
+
+/// A pair that is explained by itself: its number in the picture, and where that is to stand (on the page).
+struct Explained {
+    int number = 0;
+    const recording::Pair *pair = nullptr;
+    /// The least slack of its proofs; nullptr where nothing proves it apart.
+    const recording::Proof *proof = nullptr;
+    bmr_vec2 place = {0.0, 0.0};
+};
+
+/// The proof that bounds a pair's slack; nullptr if one of its contacts has none, or with stock.
+const recording::Proof *WeakestProof(const recording::Pair &pair);
+
+/// The pairs of the bodies in focus.
+struct Explanation {
+    /// Those that do not touch (two bodies' own in any case), in the region, the closest first, up to a
+    /// number.
+    std::vector<Explained> pairs;
+    std::vector<const recording::Pair *> touching; ///< the others that touch
+    int rest = 0;                                  ///< how many more there are, or are not in the region
+};
+Explanation Explain(const WorldView &world, const PictureOptions &options, const Rectangle &region, int most);
+
+/// "all of body 7 lies beyond an edge of body 12": why, in a line.
+std::string ReasonOf(const Explained &explained);
+
+/// Hulls and envelopes that proofs of pairs (of the bodies in focus, if any) use, each once.
+void DrawOutlines(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
+/// Every proof as a short stroke across its gap, with its edge.
+void DrawProofs(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
+/// In full: the line with its edge and the vertex opposite, the direction, or the disks. Sets the place.
+void DrawExplained(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit,
+                   Explained *explained);
+/// A diamond at each pair that needed a manifold; a dashed stroke first, where it does not touch.
+void DrawHandedOver(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
+
+/// Is the pair one of those that the bodies in focus are about? All are, without any.
+bool IsInFocus(const PictureOptions &options, const recording::Pair &pair);
+
+} // namespace testbed
+
+#endif

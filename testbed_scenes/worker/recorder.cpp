@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+#include "worker/recorder.h"
+
+#include <algorithm>
+#include <set>
+
+#include <box2d/b2_distance.h>
+#include <dlfcn.h>
+
+#include "worker/record_world.h"
+
+namespace testbed {
+namespace {
+
+using Watch = decltype(&boomerang_count_watch);
+
+/// Nothing where the counting library is not preloaded.
+Watch FindWatch() {
+    return reinterpret_cast<Watch>(dlsym(RTLD_DEFAULT, "boomerang_count_watch"));
+}
+
+int Number(const b2Body &body) {
+    return static_cast<int>(NumberOf(body));
+}
+
+std::pair<int, int> Sorted(int a, int b) {
+    return {std::min(a, b), std::max(a, b)};
+}
+
+std::pair<int, int> BodiesOf(const b2Contact &contact) {
+    return Sorted(Number(*contact.GetFixtureA()->GetBody()), Number(*contact.GetFixtureB()->GetBody()));
+}
+
+std::array<int, 4> FixturesOf(const b2Contact &contact) {
+    const b2Fixture &a = *contact.GetFixtureA(), &b = *contact.GetFixtureB();
+    return {Number(*a.GetBody()), static_cast<int>(NumberOf(a)), Number(*b.GetBody()),
+            static_cast<int>(NumberOf(b))};
+}
+
+bool IsSolid(const b2Contact &contact) {
+    return !contact.GetFixtureA()->IsSensor() && !contact.GetFixtureB()->IsSensor();
+}
+
+bool IsOfPolygons(const b2Contact &contact) {
+    return contact.GetFixtureA()->GetType() == b2Shape::e_polygon &&
+           contact.GetFixtureB()->GetType() == b2Shape::e_polygon;
+}
+
+void AddCall(boomerang_counted what, recording::Calls *calls) {
+    switch (what) {
+    case BOOMERANG_COUNTED_POLYGON_TEST:
+        ++calls->polygon_tests;
+        break;
+    case BOOMERANG_COUNTED_TOI:
+        ++calls->toi;
+        break;
+    case BOOMERANG_COUNTED_DISTANCE:
+        ++calls->distance;
+        break;
+    case BOOMERANG_COUNTED_OVERLAP:
+        ++calls->overlap;
+        break;
+    }
+}
+
+bool IsSame(const recording::Fixture &a, const recording::Fixture &b) {
+    return a.shape == b.shape && a.points == b.points && a.radius == b.radius && a.sensor == b.sensor;
+}
+
+/// A proof between the same two bodies, called the other way round.
+void Swap(recording::Proof *proof) {
+    proof->owner = proof->kind == "disks" ? proof->owner : 1 - proof->owner;
+    for (auto *two : {&proof->fixtures, &proof->hulls, &proof->envelopes})
+        std::swap((*two)[0], (*two)[1]);
+    std::swap(proof->supports[0], proof->supports[1]);
+    std::swap(proof->centres[0], proof->centres[1]);
+    std::swap(proof->radii[0], proof->radii[1]);
+}
+
+} // namespace
+
+Recorder::~Recorder() {
+    WatchCalls(false);
+}
+
+bool Recorder::CountsCalls() const {
+    return FindWatch() != nullptr;
+}
+
+void Recorder::WatchCalls(bool on) {
+    if (const Watch watch = FindWatch())
+        watch(on ? OnCall : nullptr, this);
+}
+
+void Recorder::BeginStep(const b2World &world, int step) {
+    m_step = step;
+    if (step <= m_range.first) { // a frame tells of what came after the one before, and the first of its step
+        m_recent.clear();
+        m_events.clear();
+        m_calls = {};
+    }
+    if (step < m_range.first || !CountsCalls())
+        return;
+    m_bodyOf.clear();
+    for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+        for (const b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
+            if (f->GetType() == b2Shape::e_chain)
+                continue; // its proxies point into themselves
+            b2DistanceProxy proxy;
+            proxy.Set(f->GetShape(), 0);
+            m_bodyOf[proxy.m_vertices] = Number(*body);
+        }
+    }
+    WatchCalls(true);
+}
+
+void Recorder::OnCall(void *context, boomerang_counted what, const void *a, const void *b) {
+    auto &recorder = *static_cast<Recorder *>(context);
+    AddCall(what, &recorder.m_calls);
+    const auto foundA = recorder.m_bodyOf.find(a), foundB = recorder.m_bodyOf.find(b);
+    if (foundA != recorder.m_bodyOf.end() && foundB != recorder.m_bodyOf.end())
+        AddCall(what, &recorder.m_recent[Sorted(foundA->second, foundB->second)].calls);
+}
+
+void Recorder::AddEvent(recording::Event event, const Bodies &bodies) {
+    ++m_totals[bodies][event.kind];
+    event.step = m_step;
+    std::tie(event.a, event.b) = bodies;
+    m_events.push_back(std::move(event));
+}
+
+void Recorder::OnKineticEvent(const b2Body &bodyA, const b2Body &bodyB, recording::Event event) {
+    AddEvent(std::move(event), Sorted(Number(bodyA), Number(bodyB)));
+}
+
+void Recorder::OnAnswer(const b2Contact &contact, bool handedOver, bool searched) {
+    const Bodies bodies = BodiesOf(contact);
+    Counters &recent = m_recent[bodies];
+    std::map<std::string, int64_t> &totals = m_totals[bodies];
+    ++recent.asked;
+    ++totals["asked"];
+    recent.handedOver += handedOver ? 1 : 0;
+    totals["handed_over"] += handedOver ? 1 : 0;
+    recording::Event event;
+    if (searched) {
+        event.kind = "search";
+        AddEvent(event, bodies);
+    }
+    bool &before = m_handedOver[FixturesOf(contact)];
+    if (before != handedOver) {
+        event.kind = handedOver ? "hand-over" : "take-back";
+        AddEvent(event, bodies);
+    }
+    before = handedOver;
+}
+
+void Recorder::OnBegin(const b2Contact &contact) {
+    recording::Event event;
+    event.kind = "begin";
+    AddEvent(event, BodiesOf(contact));
+}
+
+void Recorder::OnEnd(const b2Contact &contact) {
+    recording::Event event;
+    event.kind = "end";
+    AddEvent(event, BodiesOf(contact));
+}
+
+recording::Frame Recorder::Take(const b2World &world) {
+    WatchCalls(false); // what is measured here is no call of the run's
+    recording::Frame frame;
+    frame.step = m_step;
+    frame.bodies = RecordBodies(world);
+    RecordChanges(world, &frame);
+    if (m_range.boxes)
+        frame.boxes = RecordBoxes(world);
+    frame.joints = RecordJoints(world);
+    frame.touching = RecordTouching(world);
+    RecordPairs(world, &frame);
+    frame.events = std::move(m_events);
+    frame.calls = m_calls;
+    m_recent.clear();
+    m_events.clear();
+    m_calls = {};
+    return frame;
+}
+
+/// The fixtures that are new, other or gone since the last frame.
+void Recorder::RecordChanges(const b2World &world, recording::Frame *frame) {
+    std::map<std::pair<int, int>, recording::Fixture> now;
+    for (recording::Fixture &fixture : RecordFixtures(world)) {
+        const std::pair<int, int> key = {fixture.body, fixture.number};
+        const auto sent = m_sent.find(key);
+        if (sent == m_sent.end() || !IsSame(sent->second, fixture))
+            frame->fixtures.push_back(fixture);
+        now.emplace(key, std::move(fixture));
+    }
+    for (const auto &[key, fixture] : m_sent) {
+        if (now.count(key) == 0)
+            frame->gone.push_back({key.first, key.second});
+    }
+    m_sent = std::move(now);
+}
+
+void Recorder::RecordPairs(const b2World &world, recording::Frame *frame) {
+    std::map<Bodies, recording::Pair> pairs;
+    std::map<Bodies, std::map<const void *, std::size_t>> shared;
+    for (const b2Contact *contact = world.GetContactList(); contact != nullptr;
+         contact = contact->GetNext()) {
+        const Bodies bodies = BodiesOf(*contact);
+        if (IsSolid(*contact))
+            AddContact(*contact, frame, &pairs[bodies], &shared[bodies]);
+    }
+    for (const auto &[bodies, recent] : m_recent) {
+        recording::Pair &pair = pairs[bodies];
+        pair.asked = recent.asked;
+        pair.handed_over = recent.handedOver;
+        pair.calls = recent.calls;
+    }
+    for (auto &[bodies, pair] : pairs) {
+        std::tie(pair.a, pair.b) = bodies;
+        if (const auto totals = m_totals.find(bodies); totals != m_totals.end())
+            pair.counters = totals->second;
+        frame->pairs.push_back(std::move(pair));
+    }
+}
+
+void Recorder::AddContact(const b2Contact &contact, recording::Frame *frame, recording::Pair *pair,
+                          std::map<const void *, std::size_t> *shared) {
+    ++pair->contacts;
+    pair->touching += contact.IsTouching() ? 1 : 0;
+    if (!IsOfPolygons(contact))
+        return;
+    const b2Fixture *a = contact.GetFixtureA(), *b = contact.GetFixtureB();
+    const bool swapped = Number(*a->GetBody()) > Number(*b->GetBody());
+    if (swapped)
+        std::swap(a, b);
+    const Closest closest = MeasureClosest(*a, *b);
+    if (pair->polygon_contacts++ == 0 || closest.distance < pair->distance) {
+        pair->distance = closest.distance;
+        pair->closest = {ToVec(closest.onA), ToVec(closest.onB)};
+    }
+    if (PluginName() == std::string("stock"))
+        return;
+    ShownProof shown = ShowProof(contact);
+    recording::Proof &proof = shown.proof;
+    pair->slack = pair->proofs.empty() ? proof.slack : std::min(pair->slack, proof.slack);
+    // All that is unproved goes together, and so does what one structure proves.
+    const bool alone = shown.structure == nullptr && proof.kind != "none";
+    if (const auto found = shared->find(shown.structure); !alone && found != shared->end()) {
+        ++pair->proofs[found->second].contacts;
+        return;
+    }
+    if (!alone)
+        shared->emplace(shown.structure, pair->proofs.size());
+    if (swapped)
+        Swap(&proof);
+    if (shown.structure != nullptr)
+        NameHulls(contact, swapped, frame, &proof);
+    pair->proofs.push_back(std::move(proof));
+}
+
+void Recorder::NameHulls(const b2Contact &contact, bool swapped, recording::Frame *frame,
+                         recording::Proof *proof) {
+    const auto [first, second] = BodiesOf(contact);
+    for (const bool envelope : {false, true}) {
+        std::array<std::vector<recording::Vec>, 2> hulls = ShowHulls(contact, envelope);
+        if (swapped)
+            std::swap(hulls[0], hulls[1]);
+        (envelope ? proof->envelopes : proof->hulls) = {NameOutline(first, hulls[0], frame),
+                                                        NameOutline(second, hulls[1], frame)};
+    }
+}
+
+int Recorder::NameOutline(int body, const std::vector<recording::Vec> &points, recording::Frame *frame) {
+    if (points.empty())
+        return 0;
+    std::vector<float> key;
+    for (const recording::Vec &point : points)
+        key.insert(key.end(), {point.x, point.y});
+    const auto [place, isNew] =
+        m_outlines.emplace(std::pair(body, std::move(key)), static_cast<int>(m_outlines.size()) + 1);
+    if (isNew)
+        frame->outlines.push_back({place->second, body, points});
+    return place->second;
+}
+
+recording::Head MakeHead(const Recorder &recorder, const PluginOptions &plugin) {
+    recording::Head head;
+    head.program = PluginName();
+    if (head.program != "stock") {
+        head.structure = plugin.structure;
+        head.prefilter = plugin.prefilter == "on";
+    }
+    head.first = recorder.Range().first;
+    head.last = recorder.Range().last;
+    head.every = recorder.Range().every;
+    head.counts_calls = recorder.CountsCalls();
+    return head;
+}
+
+} // namespace testbed
