@@ -389,10 +389,21 @@ class View {
 
   drawChosen(group, step) {
     const g = this.context, pair = this.model.spanAt(group, step);
-    g.beginPath();
-    for (const body of this.bodiesOf(group)) if (body >= 0) this.traceBody(g, body, () => true);
-    this.stroke(this.colour.chosen, 2.6);
-    g.stroke();
+    for (const body of this.bodiesOf(group)) {
+      if (body < 0) continue;
+      g.beginPath();
+      this.traceBody(g, body, () => true);
+      this.stroke(this.colour.chosen, 5);
+      g.stroke();
+      // The inner half goes again: of a body of many fixtures the outline alone is marked.
+      const m = this.model, name = { disabled: "sleeping" }[this.styleOf(body)] ?? this.styleOf(body);
+      g.beginPath();
+      this.traceBody(g, body, (shape) => !m.isSensor(shape) && m.shapeKind(shape) !== 2);
+      g.fillStyle = this.colour[name];
+      g.fill("nonzero");
+      this.stroke(this.colour[name + "-edge"], 0.8);
+      g.stroke();
+    }
     if (pair === undefined) return;
     this.drawProofOutlines("hull", this.colour.hull, [2, 3], [pair], step);
     this.drawProofOutlines("envelope", this.colour.envelope, [7, 3], [pair], step);
