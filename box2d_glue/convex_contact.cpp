@@ -2,6 +2,7 @@
 #include "convex_contact.h"
 
 #include <new>
+#include <utility>
 
 #include <box2d/b2_block_allocator.h>
 #include <box2d/b2_chain_shape.h>
@@ -22,10 +23,10 @@ namespace {
 /// Box2D's: the second polygon's face must be better by this to be the reference.
 constexpr float kTolerance = 0.1f * b2_linearSlop;
 
-/// So far from where a point of the last manifold was one of the new may be and still go on with its
-/// impulses. In a step of a sixtieth of a second that is a point that moves along the face at 5 m/s; points
-/// of one manifold that are as near as that share a load anyway.
-constexpr float kFeatureDistance = 16.0f * b2_linearSlop;
+/// A point that the last manifold did not have goes on with the impulse of the nearest one it had, however
+/// far: that of a polygon that rolls over a corner is two edges off, and a pile whose contacts begin anew
+/// with every edge sinks into itself.
+constexpr float kFeatureDistance = 1e9f; // beyond every polygon
 
 const b2PolygonShape &PolygonOf(const b2Fixture *fixture) {
     return *static_cast<const b2PolygonShape *>(fixture->GetShape());
@@ -57,6 +58,20 @@ bool DisksSayApart(const b2Fixture *fixtureA, const b2Transform &xfA, const b2Fi
     const b2Vec2 between = xfB.p - xfA.p, sum = b2Abs(xfA.p) + b2Abs(xfB.p);
     const float least = a->reach + b->reach + margin;
     return b2Dot(between, between) > least * least && sum.x + sum.y + least < kFar;
+}
+
+/// Puts the deeper of two points first. Of two points that are near each other (a fortieth of a disc's
+/// radius) b2ContactSolver takes the first alone: were that always the one behind, a wheel would roll by
+/// itself.
+void PutDeeperFirst(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
+    if (manifold->pointCount < 2)
+        return;
+    const bool faceOfA = manifold->type == b2Manifold::e_faceA;
+    const b2Rot &reference = faceOfA ? xfA.q : xfB.q, &incident = faceOfA ? xfB.q : xfA.q;
+    b2ManifoldPoint *const points = manifold->points;
+    const b2Vec2 between = b2Mul(incident, points[1].localPoint - points[0].localPoint);
+    if (b2Dot(b2Mul(reference, manifold->localNormal), between) < 0.0f)
+        std::swap(points[0], points[1]);
 }
 
 } // namespace
@@ -147,6 +162,7 @@ inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, con
         bmr_convex32_memory memory = Recall();
         Collide(manifold, xfA, xfB, &memory);
         Keep(memory);
+        PutDeeperFirst(manifold, xfA, xfB);
         if (manifold->pointCount > 0)
             bmr_convex32_keep_features(Manifold32(manifold), Manifold32(&old), kFeatureDistance);
     }
