@@ -12,7 +12,9 @@
 #include "nearest.h"
 #include "plot_command.h"
 #include "render_command.h"
+#include "replay_command.h"
 #include "report_command.h"
+#include "shapes_command.h"
 
 namespace testbed {
 namespace {
@@ -27,7 +29,9 @@ struct CommandLine {
     ListCommand list;
     RunCommand run;
     CompareCommand compare;
+    ShapesCommand shapes;
     RenderCommand render;
+    ReplayCommand replay;
     FiguresCommand figures;
     EventsCommand events;
     PlotCommand plot;
@@ -172,12 +176,18 @@ int Run(int argc, char **argv) {
     const CLI::App *list = AddList(app, line);
     const CLI::App *run = AddRun(app, line);
     const CLI::App *compare = AddCompare(app, line);
+    CLI::App *shapes = AddCompareShapes(app, line.shapes);
+    AddPluginOptions(*shapes, line.shapes.options.worker);
+    AddSceneOptions(*shapes, line.shapes.options.worker);
     CLI::App *render = AddRender(app, line.render);
     AddPluginSwitch(*render, line.render.plugin);
     AddPluginOptions(*render, line.render.worker);
     AddSceneOptions(*render, line.render.worker);
     const CLI::App *figures = AddFigures(app, line);
     const CLI::App *events = AddEvents(app, line.events);
+    CLI::App *replay = AddReplay(app, line.replay);
+    AddPluginOptions(*replay, line.replay.worker);
+    AddSceneOptions(*replay, line.replay.worker);
     const CLI::App *plot = AddPlot(app, line);
     const CLI::App *report = AddReport(app, line.report);
     AddManual(app, line.manual);
@@ -213,8 +223,12 @@ int Run(int argc, char **argv) {
         status = Execute(line.run, workers);
     else if (app.got_subcommand(compare))
         status = Execute(line.compare, workers);
+    else if (app.got_subcommand(shapes))
+        status = Execute(line.shapes, workers);
     else if (app.got_subcommand(events))
         status = Execute(line.events, workers);
+    else if (app.got_subcommand(replay))
+        status = Execute(line.replay, workers);
     else
         status = Execute(line.render, workers);
     return status;
