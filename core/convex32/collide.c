@@ -105,8 +105,7 @@ void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const
 
     // The short edge of B that faces A's may lie beyond A's corner, where B's own face would have found it.
     if (manifold->count == 0 && (a->count > 8 || b->count > 8)) {
-        seek_of_b(a, pose_a, b, pose_b, best_a, best_a->separation, &of_b);
-        if (best_b->separation > best_a->separation)
-            make_points(manifold, b, pose_b, best_b, a, pose_a, radius_sum, true);
+        seek_of_b(a, pose_a, b, pose_b, best_a, -FLT_MAX, &of_b);
+        make_points(manifold, b, pose_b, best_b, a, pose_a, radius_sum, true);
     }
 }

@@ -154,10 +154,9 @@ void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
     // The short face that faces the edge may lie beyond its end, where the face at the end would have found
     // it.
     if (manifold->count == 0 && polygon->count > 8) {
-        bmr_convex32_seek(&search, vertex, 0, of_edge.separation, &found);
+        bmr_convex32_seek(&search, vertex, 0, -FLT_MAX, &found);
         primary = axis_of_polygon(&found.best);
-        if (primary.separation > of_edge.separation &&
-            (!edge->one_sided || admit(edge, along, &of_edge, &primary)) && primary.of_polygon)
+        if ((!edge->one_sided || admit(edge, along, &of_edge, &primary)) && primary.of_polygon)
             points_on_polygon(manifold, edge, primary.edge, polygon, &frame, radius_sum);
     }
 }

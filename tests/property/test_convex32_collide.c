@@ -21,7 +21,7 @@
 
 static const float skin = 0.02f, tolerance = 0.0005f;
 
-enum { POSES_A_PAIR = 50 };
+enum { POSES_A_PAIR = 50, MANY = 2000 };
 
 typedef struct tally {
     size_t poses, touching, different;
@@ -91,7 +91,14 @@ static void check_separation(tally *t, const pair *p, uint32_t hint, bool truth)
     if (truth)
         t->off += !(fabs(reference_true_separation(p->a, &p->pose_a, p->b, &p->pose_b) - (double)got) <=
                     1e-5 * p->size);
-    t->climbs_that_stuck += climb(p, hint % p->a->count) < expected - 1e-4f;
+    if (t->poses % (p->a->count > 64 ? 8 : 16) == 0) // slow: each step is a loop over all vertices
+        t->climbs_that_stuck += climb(p, hint % p->a->count) < expected - 1e-4f;
+}
+
+/// The largest separation is a proof that is quick to find, the distance the last word.
+static bool truly_apart(const pair *p, double reach) {
+    return reference_true_separation(p->a, &p->pose_a, p->b, &p->pose_b) > reach ||
+           reference_distance(p->a, &p->pose_a, p->b, &p->pose_b) > reach;
 }
 
 static void check_apart(tally *t, const pair *p, bmr_convex32_memory *memory, bool truth) {
@@ -103,7 +110,7 @@ static void check_apart(tally *t, const pair *p, bmr_convex32_memory *memory, bo
             continue;
         ++t->apart;
         if (truth)
-            t->wrong += !(reference_distance(p->a, &p->pose_a, p->b, &p->pose_b) > (double)reach);
+            t->wrong += !truly_apart(p, (double)reach);
     }
 }
 
@@ -144,7 +151,7 @@ static void check_pair(tally *t, dice *d, const bmr_convex32_block *a, const bmr
         check_manifold(t, &p, i % 2 == 0 ? &zero : &any, &expected);
         check_separation(t, &p, dice_roll(d), truth);
         if (truth && expected.count == 0 && (p.a->count > 8 || p.b->count > 8))
-            t->missed += reference_distance(p.a, &p.pose_a, p.b, &p.pose_b) < (double)skin - 1e-5 * p.size;
+            t->missed += !truly_apart(&p, (double)skin - 1e-5 * p.size);
     }
 }
 
@@ -179,10 +186,12 @@ static void expect_no_difference(tally t) {
     assert_int_equal(t.off, 0);
     assert_int_equal(t.wrong, 0);
     assert_int_equal(t.missed, 0);
+    assert_true(t.turned_over >= t.touching); // control: the comparison sees one bit
+    if (t.poses < MANY)                       // too few to show what is rare
+        return;
     assert_true(t.touching > t.poses / 5);
-    // Controls: the poses are such that a search without branch and bound fails, the comparison sees one bit.
+    // Control: the poses are such that a search without branch and bound fails.
     assert_true(t.climbs_that_stuck > 0);
-    assert_true(t.turned_over >= t.touching);
 }
 
 static void same_as_all_vertices_up_to_64(void **state) {
@@ -222,7 +231,7 @@ static void circle_same_as_all_vertices(void **state) {
     }
     print_message("%zu circles, %zu touching, %zu with their centres inside\n", poses, touching, inside);
     assert_int_equal(different, 0);
-    assert_true(touching > poses / 5 && inside > poses / 20);
+    assert_true(poses < MANY || (touching > poses / 5 && inside > poses / 20));
 }
 
 static void edge_same_as_all_vertices(void **state) {
@@ -271,7 +280,7 @@ static void edge_same_as_all_vertices(void **state) {
                   poses, touching, of_b, skipped);
     assert_int_equal(different, 0);
     assert_int_equal(missed, 0);
-    assert_true(touching > poses / 5 && of_b > poses / 50 && skipped > poses / 50);
+    assert_true(poses < MANY || (touching > poses / 5 && of_b > poses / 50 && skipped > poses / 50));
 }
 
 int main(void) {

@@ -258,7 +258,7 @@ void reference_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const po
         return;
     const bool flip = of_b > of_a + tolerance;
     clip_to(manifold, flip, flip ? edge_b : edge_a, a, pose_a, b, pose_b, radius_sum);
-    if (manifold->count == 0 && !flip && of_b > of_a && (a->count > 8 || b->count > 8))
+    if (manifold->count == 0 && !flip && (a->count > 8 || b->count > 8))
         clip_to(manifold, true, edge_b, a, pose_a, b, pose_b, radius_sum);
 }
 
@@ -429,8 +429,7 @@ void reference_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge, co
         return;
     const float wider = polygon->count > 8 ? radius_sum : 0.0f;
     clip_edge(manifold, &primary, edge, polygon, &frame, radius_sum, wider);
-    if (manifold->count == 0 && !primary.of_polygon && of_polygon.separation > of_edge.separation &&
-        polygon->count > 8) {
+    if (manifold->count == 0 && !primary.of_polygon && polygon->count > 8) {
         primary = of_polygon;
         if ((!edge->one_sided || smooth(&primary, &of_edge, edge, along)) && primary.of_polygon)
             clip_edge(manifold, &primary, edge, polygon, &frame, radius_sum, wider);
