@@ -18,6 +18,8 @@ namespace {
 /// In points of a picture 1200 wide: the list that explains pairs.
 constexpr double kListWidth = 330.0, kListAround = 14.0, kListEntry = 44.0, kListTitle = 40.0;
 constexpr int kMostExplained = 9;
+/// Smaller pictures keep their letters legible.
+constexpr double kLeastUnit = 0.7;
 
 std::string TitleOf(const recording::Head &head, const recording::Frame &frame) {
     const std::string title = head.scene + ", step " + std::to_string(frame.step);
@@ -38,7 +40,7 @@ class Page {
 public:
     Page(const recording::Head &head, const WorldView &world, const PictureOptions &options)
         : m_world(world), m_options(options), m_title(TitleOf(head, world.Frame())), m_width(options.width),
-          m_unit(options.width / 1200.0) {}
+          m_unit(std::max(options.width / 1200.0, kLeastUnit)) {}
 
     void Draw(const std::string &path) {
         const Rectangle region = RegionOf(m_world.Frame(), m_world.Gathered(), m_options);
@@ -96,7 +98,7 @@ private:
         if (layers.boxes)
             DrawBoxes(canvas, m_world, m_unit);
         DrawOutlines(canvas, m_world, m_options, m_unit);
-        if ((layers.certificates || layers.slack) && m_options.bodies.empty())
+        if (layers.certificates || layers.slack)
             DrawProofs(canvas, m_world, m_options, m_unit);
         for (Explained &one : m_explained)
             if (layers.certificates || one.proof == nullptr)
@@ -201,7 +203,7 @@ private:
         const int other = one.pair->a == m_options.bodies[0] ? one.pair->b : one.pair->a;
         const std::size_t proofs = one.pair->proofs.size();
         std::string name = "body " + std::to_string(other);
-        if (proofs > 1)
+        if (proofs > 1 && one.proof != nullptr)
             name += ", least of " + std::to_string(proofs) + " proofs";
         return name;
     }

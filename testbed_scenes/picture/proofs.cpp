@@ -252,7 +252,8 @@ void DrawProofs(Canvas &canvas, const WorldView &world, const PictureOptions &op
     std::vector<std::pair<const Proof *, const Pair *>> proofs;
     for (const Pair &pair : world.Frame().pairs)
         for (const Proof &proof : pair.proofs)
-            if (proof.kind != "none")
+            if (proof.kind != "none" && IsInFocus(options, pair) &&
+                (options.bodies.empty() || pair.touching > 0))
                 proofs.emplace_back(&proof, &pair);
     // The closest pairs are looked for most: on top.
     std::stable_sort(proofs.begin(), proofs.end(),

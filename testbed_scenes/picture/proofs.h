@@ -40,7 +40,8 @@ std::string ReasonOf(const Explained &explained);
 
 /// Hulls and envelopes that proofs of pairs (of the bodies in focus, if any) use, each once.
 void DrawOutlines(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
-/// Every proof as a short stroke across its gap, with its edge.
+/// Every proof as a short stroke across its gap, with its edge; with bodies in focus those of pairs that
+/// touch elsewhere.
 void DrawProofs(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
 /// In full: the line with its edge and the vertex opposite, the direction, or the disks. Sets the place.
 void DrawExplained(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit,

@@ -1,0 +1,161 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# boomerang-testbed render: pictures against golden ones, layers, focus, series, and what it says of bad requests.
+#
+#   test_render_cli.sh DIRECTORY-OF-THE-PROGRAMS
+#   BOOMERANG_WRITE_GOLDEN=1 test_render_cli.sh DIRECTORY…   writes the golden pictures instead of comparing
+set -uo pipefail
+
+# shellcheck source=support/cli.sh
+source "$(dirname "${BASH_SOURCE[0]}")/support/cli.sh"
+golden=$(cd "$(dirname "${BASH_SOURCE[0]}")/../golden" && pwd)
+
+# The golden pictures: small scenes, one of each kind of proof.
+golden_arguments() {
+    case $1 in
+    pyramid) echo pyramid --size 5 --step 40 --width 500 ;;
+    layers) echo coins-gas --size 8 --step 60 --width 500 --prefilter off --structure lazy-compass --all ;;
+    why) echo planks --size 60 --step 120 --focus 30 --width 900 ;;
+    bare) echo planks --size 60 --step 120 --bare --width 500 ;;
+    esac
+}
+
+draw() {
+    local output=$1
+    shift
+    expect 0 render "$@" -o "$output"
+    err_empty
+    [ ! -s "$scratch/out" ] || fail "stdout is not empty"
+}
+
+same_svg() { python3 "$golden/compare_svg.py" "$1" "$2" >"$scratch/out" 2>"$scratch/err"; }
+same_png() { python3 "$golden/compare_png.py" "$1" "$2" >"$scratch/out" 2>"$scratch/err"; }
+
+test_pictures_are_the_golden_ones() {
+    local name arguments
+    for name in pyramid layers why bare; do
+        read -ra arguments <<<"$(golden_arguments $name)"
+        draw "$scratch/$name.svg" "${arguments[@]}"
+        if [ -n "${BOOMERANG_WRITE_GOLDEN:-}" ]; then cp "$scratch/$name.svg" "$golden/"; fi
+        same_svg "$golden/$name.svg" "$scratch/$name.svg" || fail "not the golden picture"
+    done
+    # The control: a step later it is another picture.
+    draw "$scratch/later.svg" pyramid --size 5 --step 45 --width 500
+    ! same_svg "$golden/pyramid.svg" "$scratch/later.svg" || fail "a later step passes for the golden picture"
+    same_svg "$golden/pyramid.svg" "$scratch/pyramid.svg" || fail "it differs from itself"
+    sed 's/stroke:rgb(100%, *35/stroke:rgb(10%,35/; s/stroke="rgb(100%, *35/stroke="rgb(10%,35/' \
+        "$scratch/pyramid.svg" >"$scratch/recoloured.svg"
+    ! same_svg "$golden/pyramid.svg" "$scratch/recoloured.svg" || fail "another colour passes for the golden one"
+}
+
+test_pixels_are_the_golden_ones() {
+    local arguments
+    read -ra arguments <<<"$(golden_arguments pyramid)"
+    draw "$scratch/pyramid.png" "${arguments[@]}"
+    if [ -n "${BOOMERANG_WRITE_GOLDEN:-}" ]; then cp "$scratch/pyramid.png" "$golden/"; fi
+    same_png "$golden/pyramid.png" "$scratch/pyramid.png" || fail "not the golden picture"
+    draw "$scratch/bare.png" "${arguments[@]}" --bare
+    ! same_png "$golden/pyramid.png" "$scratch/bare.png" || fail "a picture without layers passes for the golden one"
+}
+
+test_every_layer_draws_something_of_its_own() {
+    local layer
+    draw "$scratch/none.svg" coins-gas --size 60 --step 60 --width 500 --prefilter off --structure lazy-compass --bare
+    for layer in certificates slack handed-over contacts hulls envelopes aabbs; do
+        draw "$scratch/$layer.svg" coins-gas --size 60 --step 60 --width 500 --prefilter off --structure lazy-compass \
+            "--$layer"
+        ! same_svg "$scratch/none.svg" "$scratch/$layer.svg" || fail "--$layer draws nothing"
+    done
+}
+
+test_every_kind_of_file() {
+    draw "$scratch/picture.pdf" pyramid --size 4 --step 3
+    head -c 5 "$scratch/picture.pdf" | grep -q '%PDF-' || fail "no PDF"
+    draw "$scratch/picture.svg" pyramid --size 4 --step 3 --plugin off
+    grep -q '<svg' "$scratch/picture.svg" || fail "no SVG"
+}
+
+test_recordings_tell_the_truth() {
+    local scene options
+    for scene in "coins-gas --size 40" "planks --size 60" "churn"; do
+        for options in "" "--prefilter off" "--prefilter off --structure lazy-dudley"; do
+            claim="boomerang-scene $scene --record 20:50:10 $options"
+            : >"$scratch/out"
+            # shellcheck disable=SC2086
+            "$bin/boomerang-scene-plugin" $scene --steps 60 --record 20:50:10 $options >"$scratch/plugin" \
+                2>"$scratch/err" || fail "the worker failed"
+            # shellcheck disable=SC2086
+            "$bin/boomerang-scene" $scene --steps 60 --record 20:50:10 >"$scratch/stock" 2>"$scratch/err" ||
+                fail "the worker failed"
+            python3 "$golden/check_recording.py" "$scratch/plugin" "$scratch/stock" 2>"$scratch/err" ||
+                fail "it is not what it should be"
+            ! python3 "$golden/check_recording.py" "$scratch/plugin" "$scratch/stock" --control 2>"$scratch/err" ||
+                fail "too much slack is not noticed"
+        done
+    done
+}
+
+test_focus_on_bodies_and_places() {
+    draw "$scratch/one.svg" planks --size 60 --step 60 --focus 30
+    draw "$scratch/two.svg" planks --size 60 --step 60 --focus 30,12
+    draw "$scratch/place.svg" planks --size 60 --step 60 --focus -3,-2,8,6
+    ! same_svg "$scratch/one.svg" "$scratch/two.svg" || fail "two bodies look like one"
+    local bad
+    for bad in x 1,2,3 1, 3,3 0,0,-1,2 0,0,0,2 1.5 nan -4; do
+        expect 2 render pyramid --size 4 --step 3 "--focus=$bad" -o "$scratch/picture.svg"
+        err_has 'a body, two bodies A,B or a rectangle|two different bodies'
+    done
+    expect 2 render pyramid --size 4 --step 3 --focus 4711 -o "$scratch/picture.svg"
+    err_has 'there is no body 4711 after step 3; the largest number is [0-9]+'
+}
+
+test_a_series_is_numbered_and_of_one_size() {
+    draw "$scratch/series.svg" coins-gas --size 30 --frames 10:19:3 --quiet --width 400
+    local name
+    for name in 0000 0001 0002 0003; do [ -s "$scratch/series-$name.svg" ] || fail "no series-$name.svg"; done
+    [ ! -e "$scratch/series-0004.svg" ] || fail "one picture too many"
+    [ ! -e "$scratch/series.svg" ] || fail "a picture without a number"
+    [ "$(grep -h '<svg' "$scratch"/series-*.svg | grep -o ' height="[^"]*"' | sort -u | wc -l)" -eq 1 ] ||
+        fail "pictures of different heights"
+    ! same_svg "$scratch/series-0000.svg" "$scratch/series-0003.svg" || fail "nothing moves"
+    local bad
+    for bad in 3 5:3 -1:4 1:2:0 1:2: 1:2:3:4 a:b; do
+        expect 2 render pyramid "--frames=$bad" -o "$scratch/picture.svg"
+        err_has 'FIRST:LAST or FIRST:LAST:EVERY is wanted'
+    done
+}
+
+test_requests_that_make_no_sense() {
+    expect 2 render pyramid -o "$scratch/picture.svg"
+    err_has 'which step'
+    expect 2 render pyramid --step -1 -o "$scratch/picture.svg"
+    expect 2 render pyramid --step 100000001 -o "$scratch/picture.svg"
+    err_has 'not in range'
+    expect 2 render pyramid --step 1 --frames 1:2 -o "$scratch/picture.svg"
+    expect 2 render pyramid --step 1
+    expect 2 render pyramid --step 1 --all --bare -o "$scratch/picture.svg"
+    expect 2 render pyramid --step 1 -o "$scratch/picture.jpeg"
+    err_has 'should end in .svg, .png or .pdf'
+    expect 2 render pyramid --step 1 -o "$scratch/no/such/directory.png"
+    err_has 'cannot write'
+    expect 2 render piramid --step 1 -o "$scratch/picture.svg"
+    err_has 'nearest is "pyramid"'
+    expect 0 render --help
+    out_has 'Layers:'
+    out_has '--focus'
+    clean
+}
+
+test_progress_on_a_terminal_alone() {
+    command -v script >/dev/null || return 0
+    local line="'$testbed' render pyramid --size 6 --frames 0:60:5 --width 400 -o '$scratch/terminal.png'"
+    claim=$line
+    : >"$scratch/err"
+    script -qec "$line" /dev/null </dev/null >"$scratch/out" || fail "it failed"
+    LC_ALL=C grep -q $'\r.*ETA' "$scratch/out" || fail "no progress"
+    script -qec "$line --quiet" /dev/null </dev/null >"$scratch/out" || fail "it failed"
+    ! LC_ALL=C grep -q 'ETA' "$scratch/out" || fail "progress though quiet"
+}
+
+run_tests
