@@ -103,7 +103,7 @@ void Legend::AddProofs(const WorldView &world) {
             if (proof.kind != "none" && IsInFocus(m_options, pair))
                 kinds[proof.kind] += 1;
     const bool all = m_options.series;
-    const auto text = [&kinds, all](const char *what, std::size_t count) {
+    const auto text = [all](const char *what, std::size_t count) {
         return all ? std::string(what) : what + (": " + std::to_string(count));
     };
     if (m_options.layers.certificates) {
