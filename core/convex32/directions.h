@@ -15,6 +15,8 @@
 /// buckets these are boundaries of buckets.
 
 #define BMR_CONVEX32_LEAST_BITS 5u
+/// More vertices than this between a bucket's ends are searched by halving.
+#define BMR_CONVEX32_SHORT_WALK 4u
 
 /// Sign of the turn from a to b, exact: products of floats are exact in double, and so is the sign of their
 /// difference.
@@ -61,6 +63,26 @@ static inline bmr_vec32 convex32_bucket_begin(uint32_t bucket, uint32_t bits) {
 static inline bool convex32_leaves_at(const bmr_convex32 *p, uint32_t i, bmr_vec32 direction) {
     return convex32_turn(p->normals[convex32_previous(p, i)], direction) >= 0.0 &&
            convex32_turn(direction, p->normals[i]) > 0.0;
+}
+
+/// Near the vertex where the direction of this size > 0 leaves the polygon, by the table and halving: some
+/// steps off.
+static inline uint32_t convex32_near_leaving(const bmr_convex32 *p, bmr_vec32 d, float size) {
+    const uint32_t bucket = convex32_bucket(p, d, size);
+    const uint32_t first = p->buckets[bucket];
+    const uint32_t last = p->buckets[(bucket + 1) & ((1u << p->bucket_bits) - 1u)];
+    uint32_t low = 0, high = last >= first ? last - first : last + p->count - first;
+    if (high <= BMR_CONVEX32_SHORT_WALK)
+        return first;
+    while (low < high) {
+        const uint32_t middle = (low + high) / 2;
+        const uint32_t edge = first + middle < p->count ? first + middle : first + middle - p->count;
+        if (convex32_turn(p->normals[edge], d) >= 0.0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return first + low < p->count ? first + low : first + low - p->count;
 }
 
 /// If the float dot products of two vertices with d differ by more than this, so do the real ones, and no

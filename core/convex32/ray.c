@@ -4,29 +4,35 @@
 
 /// @file
 /// Box2D's ray cast goes through the edges in order, and keeps the part of the segment that is inside all
-/// so far. Edges that the line's part inside the polygon is well inside of change nothing that counts,
-/// whenever they come; so the same steps over those edges alone that are near where the line enters and
-/// leaves give the same fraction and edge, ties and rounding included. Where the line runs nearly along one
-/// of these edges, rounding can put the fraction anywhere, and all edges are asked.
+/// so far. Floats decide wrongly only of edges that rounding can move onto the ends of that part. So: move
+/// all edges outward by `noise`, which is more than any rounding. The part of the segment inside of that
+/// larger polygon, from `lower` to `upper`, can be relied on: whatever the order of the edges, the loop over
+/// all of them ends with nothing outside of it. An edge that is more than the noise away from the line's
+/// places at both `lower` and `upper` is without effect, since what it says is nowhere between. The others
+/// are asked in the order of the loop, and answer as in the loop, ties and rounding included.
 
 /// Sizes that leave room for every product.
 #define LARGE 1e15f
 #define SMALL 1e-15f
-/// An edge whose normal's product with the ray's direction is smaller than this part of its length is along
-/// the ray.
-#define ALONG 0.125f
-/// How near an edge has to be, in parts of the size of all that goes in. A separation and the point are wrong
-/// by less than 10 * 2^-24 together, a place on a line that meets an edge steeper than ALONG by 8 times that;
-/// this is three times as much, so what is left out is clear.
-#define NEAR 0x1p-16f
-/// Two points with a range for each sector, and one more piece for each that runs past the last edge.
+/// Rounding of a separation at a place on the segment: 3 * 2^-24 of the distance of the vertex and of the
+/// place from the segment's begin, besides 2 * 2^-24 of the polygon's extent for normals. As much again is
+/// left for comparisons that an ulp decides.
+#define NOISE 0x1.8p-22
+/// A product of a normal with the ray's direction that is a smaller part of its length may come out with the
+/// other sign.
+#define ALONG 0x1p-21
+/// The noise is that of places at most this many times as far from the segment's begin as the polygon.
+#define FAR 2.0
+/// Where the direction is so much nearer to a sector's axis than to its sides, in parts of its length, it
+/// leaves all the sector's edges.
+#define CLEARLY 0x1p-18f
+/// Two places with a range for each sector, and one more piece for each that runs past the last edge.
 enum { MOST_RANGES = 2 * 2 * CONVEX32_SECTORS };
 
 typedef struct ray_state {
     bmr_vec32 p1, d;
     float lower, upper;
     uint32_t edge;
-    float least_steep; ///< the smallest |denominator| so far
 } ray_state;
 
 #define NO_EDGE UINT32_MAX
@@ -36,7 +42,6 @@ static inline bool clip_by_edge(const bmr_convex32 *p, uint32_t i, ray_state *ra
     const bmr_vec32 n = p->normals[i], v = p->vertices[i];
     const float numerator = n.x * (v.x - ray->p1.x) + n.y * (v.y - ray->p1.y);
     const float denominator = n.x * ray->d.x + n.y * ray->d.y;
-    ray->least_steep = fminf(ray->least_steep, fabsf(denominator));
     if (denominator == 0.0f) {
         if (numerator < 0.0f)
             return false;
@@ -55,6 +60,59 @@ static bool clip_by_range(const bmr_convex32 *p, edge_range range, ray_state *ra
     return true;
 }
 
+/// The segment, and the part of it inside of the larger polygon, as far as that has been cut off.
+typedef struct ray_part {
+    double px, py, dx, dy;
+    double noise;
+    double along; ///< the least product of a normal with d to rely on
+    double lower, upper;
+} ray_part;
+
+/// How far the line's place is outside of an edge.
+static inline double separation_on(const bmr_convex32 *p, const ray_part *part, uint32_t edge, double at) {
+    const bmr_vec32 n = p->normals[edge], v = p->vertices[edge];
+    return (double)n.x * (part->px + at * part->dx - (double)v.x) +
+           (double)n.y * (part->py + at * part->dy - (double)v.y);
+}
+
+/// Cuts off what is outside of this edge, moved out. False where nothing is left.
+static bool cut(const bmr_convex32 *p, uint32_t edge, ray_part *part) {
+    const bmr_vec32 n = p->normals[edge];
+    const double out = separation_on(p, part, edge, 0.0) - part->noise;
+    const double denominator = (double)n.x * part->dx + (double)n.y * part->dy;
+    if (denominator < 0.0)
+        part->lower = fmax(part->lower, -out / denominator);
+    else if (denominator > part->along)
+        part->upper = fmin(part->upper, -out / denominator);
+    else if (denominator == 0.0 && out > 0.0)
+        return false;
+    return part->lower <= part->upper;
+}
+
+/// How far to the left of the line an edge begins, once moved out, times the length of d.
+static inline double side_of_begin(const bmr_convex32 *p, const ray_part *part, uint32_t edge) {
+    const bmr_vec32 n = p->normals[edge], v = p->vertices[edge];
+    const double x = (double)v.x + part->noise * (double)n.x - part->px;
+    const double y = (double)v.y + part->noise * (double)n.y - part->py;
+    return part->dx * y - part->dy * x;
+}
+
+/// Cuts by the edges, of those from vertex `from` to vertex `to`, that the line crosses once they are moved
+/// out: one, or the two at a corner. Along them it goes from one side of the line (sign 1: left) to the
+/// other.
+static bool cut_by_chain(const bmr_convex32 *p, uint32_t from, uint32_t to, double sign, ray_part *part) {
+    uint32_t low = 0, high = to > from ? to - from : to + p->count - from;
+    while (low + 1 < high) {
+        const uint32_t middle = (low + high) / 2;
+        if (sign * side_of_begin(p, part, convex32_wrap(p, from + middle)) > 0.0)
+            low = middle;
+        else
+            high = middle;
+    }
+    const uint32_t edge = convex32_wrap(p, from + low);
+    return cut(p, edge, part) && cut(p, convex32_next(p, edge), part);
+}
+
 typedef struct range_list {
     edge_range ranges[MOST_RANGES];
     uint32_t count;
@@ -68,128 +126,119 @@ static void add_piece(range_list *list, edge_range piece) {
     list->ranges[place] = piece;
 }
 
-/// The edges with a separation of more than -margin from the point.
-static void add_near(const bmr_convex32 *p, bmr_vec32 point, float margin, range_list *list) {
+/// The edges of a sector that are not farther inside than the noise from the line's place, and perhaps more.
+static void add_near(const bmr_convex32 *p, const ray_part *part, double at, edge_range edges,
+                     uint32_t sector, range_list *list) {
+    const double bound = -1.5 * part->noise; // see `around`
+    const bmr_vec32 place = {(float)(part->px + at * part->dx), (float)(part->py + at * part->dy)};
+    const uint32_t hit = sector_hit(p, edges, sector, place);
+    if (separation_on(p, part, convex32_wrap(p, edges.first + hit), at) <= bound)
+        return;
+    uint32_t low = hit, high = hit + 1;
+    while (low > 0 && separation_on(p, part, convex32_wrap(p, edges.first + low - 1), at) > bound)
+        --low;
+    while (high < edges.count && separation_on(p, part, convex32_wrap(p, edges.first + high), at) > bound)
+        ++high;
+    edge_range range = {convex32_wrap(p, edges.first + low), high - low};
+    if (range.first + range.count > p->count) {
+        const edge_range wrapped = {0, range.first + range.count - p->count};
+        add_piece(list, wrapped);
+        range.count -= wrapped.count;
+    }
+    add_piece(list, range);
+}
+
+/// Those that the segment leaves count where the part ends, and those that it enters where it begins.
+static void add_ends(const bmr_convex32 *p, const ray_part *part, bmr_vec32 d, range_list *list) {
+    const float clearly = CLEARLY * convex32_size(d), along[2] = {d.x, d.y};
     for (uint32_t k = 0; k < CONVEX32_SECTORS; ++k) {
         const edge_range edges = sector_edges(p, k);
         if (edges.count == 0)
             continue;
-        const uint32_t hit = sector_hit(p, edges, k, point);
-        if (edge_separation(p, convex32_wrap(p, edges.first + hit), point) <= -1.5f * margin)
-            continue;
-        edge_range range = around(p, edges, hit, point, margin);
-        if (range.first + range.count > p->count) {
-            const edge_range wrapped = {0, range.first + range.count - p->count};
-            add_piece(list, wrapped);
-            range.count -= wrapped.count;
-        }
-        add_piece(list, range);
+        const float ahead = k < 2 ? along[k] : -along[k - 2], across = fabsf(along[(k + 1) & 1u]);
+        if (!(ahead - across > clearly))
+            add_near(p, part, part->lower, edges, k, list);
+        if (!(-ahead - across > clearly))
+            add_near(p, part, part->upper, edges, k, list);
     }
 }
 
-/// Each edge once, in order. `along` says whether one was along the ray; then the answer is not to be
-/// trusted.
-static bool clip_by_list(const bmr_convex32 *p, const range_list *list, ray_state *ray, bool *along) {
-    const float steep = ALONG * convex32_size(ray->d);
-    bool left_over = true;
+/// Each edge once, in order.
+static bool clip_by_list(const bmr_convex32 *p, const range_list *list, ray_state *ray) {
     uint32_t done = 0; // all edges before this one
-    for (uint32_t k = 0; k < list->count && left_over; ++k) {
+    for (uint32_t k = 0; k < list->count; ++k) {
         const uint32_t end = list->ranges[k].first + list->ranges[k].count;
         const uint32_t first = list->ranges[k].first > done ? list->ranges[k].first : done;
         if (end <= first)
             continue;
         const edge_range left = {first, end - first};
-        left_over = clip_by_range(p, left, ray);
+        if (!clip_by_range(p, left, ray))
+            return false;
         done = end;
     }
-    *along = !(ray->least_steep > steep);
-    return left_over;
-}
-
-/// How far to the left of the ray's line, times the length of d.
-static double side_of(const ray_state *ray, bmr_vec32 v) {
-    return (double)ray->d.x * ((double)v.y - (double)ray->p1.y) -
-           (double)ray->d.y * ((double)v.x - (double)ray->p1.x);
-}
-
-/// Where the line crosses the chain from vertex `from` to vertex `to`, along which the vertices go from one
-/// of its sides (sign 1: left) to the other. False where it does not.
-static bool crosses(const bmr_convex32 *p, const ray_state *ray, uint32_t from, uint32_t to, double sign,
-                    bmr_vec32 *point) {
-    uint32_t low = 0, high = to > from ? to - from : to + p->count - from;
-    if (sign * side_of(ray, p->vertices[from]) <= 0.0 || sign * side_of(ray, p->vertices[to]) >= 0.0)
-        return false;
-    while (low + 1 < high) {
-        const uint32_t middle = (low + high) / 2;
-        if (sign * side_of(ray, p->vertices[convex32_wrap(p, from + middle)]) > 0.0)
-            low = middle;
-        else
-            high = middle;
-    }
-    const bmr_vec32 a = p->vertices[convex32_wrap(p, from + low)],
-                    b = p->vertices[convex32_wrap(p, from + high)];
-    const double side_a = side_of(ray, a), side_b = side_of(ray, b);
-    const double t = side_a / (side_a - side_b);
-    point->x = (float)((double)a.x + t * ((double)b.x - (double)a.x));
-    point->y = (float)((double)a.y + t * ((double)b.y - (double)a.y));
     return true;
 }
 
-/// Does the line pass this vertex so clearly that both its edges say so, where the one is left and the other
-/// entered? Then it has left the one before it comes to the other.
-static bool passes_by(const bmr_convex32 *p, const ray_state *ray, uint32_t vertex, float margin) {
-    const bmr_vec32 v = p->vertices[vertex];
-    const double dx = (double)ray->d.x, dy = (double)ray->d.y;
-    const bmr_vec32 before = p->normals[convex32_previous(p, vertex)], after = p->normals[vertex];
-    if ((dx * (double)before.x + dy * (double)before.y) * (dx * (double)after.x + dy * (double)after.y) >=
-        0.0)
+/// Where the direction leaves the polygon, exactly.
+static uint32_t leaving_vertex(const bmr_convex32 *p, bmr_vec32 d) {
+    uint32_t vertex = convex32_near_leaving(p, d, convex32_size(d));
+    while (convex32_turn(p->normals[vertex], d) >= 0.0)
+        vertex = convex32_next(p, vertex);
+    while (convex32_turn(p->normals[convex32_previous(p, vertex)], d) < 0.0)
+        vertex = convex32_previous(p, vertex);
+    return vertex;
+}
+
+/// The part of the segment inside of the larger polygon. False where there is none.
+static bool cut_by_all(const bmr_convex32 *p, const ray_state *ray, ray_part *part) {
+    const bmr_vec32 to_left = {-ray->d.y, ray->d.x}, to_right = {ray->d.y, -ray->d.x};
+    const uint32_t left = leaving_vertex(p, to_left), right = leaving_vertex(p, to_right);
+    // Passed by on this side: left by one edge before the next is entered.
+    if (side_of_begin(p, part, left) <= 0.0 &&
+        !(cut(p, left, part) && cut(p, convex32_previous(p, left), part)))
         return false;
-    const double t = side_of(ray, v) / (dx * dx + dy * dy);
-    const bmr_vec32 passed = {(float)((double)v.x + t * dy), (float)((double)v.y - t * dx)};
-    return edge_separation(p, vertex, passed) > margin &&
-           edge_separation(p, convex32_previous(p, vertex), passed) > margin;
+    if (side_of_begin(p, part, right) >= 0.0 &&
+        !(cut(p, right, part) && cut(p, convex32_previous(p, right), part)))
+        return false;
+    // Counter-clockwise from left to right, the edges face the ray.
+    return cut_by_chain(p, left, right, 1.0, part) && cut_by_chain(p, right, left, -1.0, part);
 }
 
 /// False also where nothing can be said in less than all edges: then `*unsure`.
 static bool clip_by_near(const bmr_convex32 *p, ray_state *ray, bool *unsure) {
-    const float size = convex32_size(ray->d);
-    const bmr_vec32 to_left = {-ray->d.y, ray->d.x}, to_right = {ray->d.y, -ray->d.x};
-    *unsure = true;
-    if (!p->buckets || !(size > SMALL && size < LARGE) || !(convex32_size(ray->p1) < LARGE) ||
-        !(fabsf(ray->upper) < LARGE))
+    const float size = convex32_size(ray->d), begin = convex32_size(ray->p1);
+    *unsure =
+        !p->buckets || !(size > SMALL && size < LARGE) || !(begin < LARGE) || !(fabsf(ray->upper) < LARGE);
+    if (*unsure)
         return false;
-    const uint32_t left = bmr_convex32_support(p, to_left), right = bmr_convex32_support(p, to_right);
-    if (left == right) // thinner than rounding
+    const double reach = (double)separation_size(p, ray->p1), length = (double)ray->upper * (double)size;
+    const bool far = length > FAR * reach;
+    ray_part part = {.px = (double)ray->p1.x,
+                     .py = (double)ray->p1.y,
+                     .dx = (double)ray->d.x,
+                     .dy = (double)ray->d.y,
+                     .noise = NOISE * (reach + (far ? FAR * reach : fmax(length, 0.0))),
+                     .along = far ? ALONG * (double)size : 0.0,
+                     .lower = 0.0,
+                     .upper = (double)ray->upper};
+    if (!cut_by_all(p, ray, &part))
         return false;
-    const float margin = NEAR * separation_size(p, ray->p1);
-    if (passes_by(p, ray, left, margin) || passes_by(p, ray, right, margin)) {
-        *unsure = false;
-        return false;
-    }
-    // Counter-clockwise from left to right, the edges face the ray.
-    bmr_vec32 in, out;
-    if (!crosses(p, ray, left, right, 1.0, &in) || !crosses(p, ray, right, left, -1.0, &out))
+    *unsure = far && part.upper * (double)size > FAR * reach;
+    if (*unsure)
         return false;
     range_list list = {.count = 0};
-    add_near(p, in, margin, &list);
-    add_near(p, out, margin, &list);
-    const bool left_over = clip_by_list(p, &list, ray, unsure);
-    // What is left is next to nothing, or next to something: rounding decides.
-    *unsure = *unsure || !(fabsf(ray->upper - ray->lower) * size > margin);
-    return left_over;
+    add_ends(p, &part, ray->d, &list);
+    return clip_by_list(p, &list, ray);
 }
 
 bool bmr_convex32_ray(const bmr_convex32 *polygon, bmr_vec32 p1, bmr_vec32 p2, float max_fraction,
                       float *fraction, uint32_t *edge) {
-    const ray_state start = {p1, {p2.x - p1.x, p2.y - p1.y}, 0.0f, max_fraction, NO_EDGE, FLT_MAX};
     const edge_range all = {0, polygon->count};
-    ray_state ray = start;
+    ray_state ray = {p1, {p2.x - p1.x, p2.y - p1.y}, 0.0f, max_fraction, NO_EDGE};
     bool unsure;
     bool left_over = clip_by_near(polygon, &ray, &unsure);
-    if (unsure) {
-        ray = start;
+    if (unsure)
         left_over = clip_by_range(polygon, all, &ray);
-    }
     if (!left_over || ray.edge == NO_EDGE)
         return false;
     *fraction = ray.lower;

@@ -4,8 +4,6 @@
 
 /// Steps from a hint after which the table is asked: about what it costs.
 #define HINT_STEPS 8u
-/// More vertices than this between a bucket's ends are searched by halving.
-#define SHORT_WALK 4u
 
 static uint32_t support_of_all(const bmr_convex32 *p, bmr_vec32 d) {
     uint32_t best = 0;
@@ -52,27 +50,8 @@ static uint32_t climb(const bmr_convex32 *p, bmr_vec32 d, float noise, uint32_t 
     return best;
 }
 
-/// Near the vertex where the direction leaves the polygon, by the table and halving.
-static uint32_t near_support(const bmr_convex32 *p, bmr_vec32 d, float size) {
-    const uint32_t bucket = convex32_bucket(p, d, size);
-    const uint32_t first = p->buckets[bucket];
-    const uint32_t last = p->buckets[(bucket + 1) & ((1u << p->bucket_bits) - 1u)];
-    uint32_t low = 0, high = last >= first ? last - first : last + p->count - first;
-    if (high <= SHORT_WALK)
-        return first;
-    while (low < high) {
-        const uint32_t middle = (low + high) / 2;
-        const uint32_t edge = first + middle < p->count ? first + middle : first + middle - p->count;
-        if (convex32_turn(p->normals[edge], d) >= 0.0)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return first + low < p->count ? first + low : first + low - p->count;
-}
-
 static uint32_t support_by_table(const bmr_convex32 *p, bmr_vec32 d, float size, float noise) {
-    const uint32_t best = climb(p, d, noise, near_support(p, d, size), p->count);
+    const uint32_t best = climb(p, d, noise, convex32_near_leaving(p, d, size), p->count);
     return best != UINT32_MAX ? best : support_of_all(p, d); // products so small that none is below another
 }
 

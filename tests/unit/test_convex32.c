@@ -515,7 +515,7 @@ static ray random_ray(test_random *random, const bmr_convex32_block *block) {
     const bmr_vec32 from = p->vertices[edge], to = p->vertices[convex32_next(p, edge)];
     ray r = {vec((double)a.x + far * cos(angle), (double)a.y + far * sin(angle)), point_near(random, p),
              1.0f};
-    switch (test_random_below(random, 10)) {
+    switch (test_random_below(random, 13)) {
     case 0: // along an edge
         r.p1 = between(from, to, -1.0 - test_random_uniform(random, 0.0, 3.0));
         r.p2 = between(from, to, 2.0);
@@ -536,6 +536,23 @@ static ray random_ray(test_random *random, const bmr_convex32_block *block) {
     case 5: // no ray at all
         r.p1 = r.p2;
         break;
+    case 6:
+    case 7: { // past a vertex, some ulps above or below
+        const bmr_vec32 n = p->normals[edge];
+        const double turn = test_random_below(random, 2) ? test_random_uniform(random, -1e-3, 1e-3) : 0.0;
+        const double up = (double)block->reach * ldexp(test_random_uniform(random, -1.0, 1.0), -20);
+        const double x = far * ((double)n.y + turn * (double)n.x),
+                     y = far * (turn * (double)n.y - (double)n.x);
+        const double at_x = (double)from.x + up * (double)n.x, at_y = (double)from.y + up * (double)n.y;
+        r.p1 = vec(at_x - x, at_y - y);
+        r.p2 = vec(at_x + x, at_y + y);
+        if (test_random_below(random, 2) == 0)
+            r.max_fraction = (float)pow(10.0, test_random_uniform(random, 0.0, 9.0));
+        return r;
+    }
+    case 8: // ends far beyond
+        r.max_fraction = (float)pow(10.0, test_random_uniform(random, 0.0, 12.0));
+        return r;
     default: // through, or short of it
         r.p2 = between(r.p1, r.p2, test_random_uniform(random, 0.5, 2.0));
     }
