@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cstring>
+
 #include <boomerang/box2d.h>
 #include <box2d/box2d.h>
 
@@ -14,6 +16,13 @@ int main() {
     box.SetAsBox(1.0f, 1.0f);
     world.CreateBody(&body)->CreateFixture(&box, 1.0f);
     world.Step(1.0f / 60.0f, 8, 3);
+    // What is wrong with a polygon can be told.
+    bmr::ConvexShape line;
+    const b2Vec2 ends[] = {{0.0f, 0.0f}, {1.0f, 0.0f}};
+    const bmr_error error = line.Set(ends, 2);
+    if (error != BMR_ERROR_TOO_FEW_POINTS ||
+        std::strcmp(bmr_error_describe(error), bmr_error_describe(BMR_OK)) == 0)
+        return 1;
     // Installed, and ahead of Box2D: the step came by.
     return bmr::IsInstalled() && bmr::GetStatistics().steps == 1 ? 0 : 1;
 }

@@ -58,11 +58,11 @@ one_line() {
 
 test_exported_symbols_are_the_listed_ones() {
     nm -D --defined-only "$plugin" | awk '{ print $NF }' | LC_ALL=C sort >"$room/exported"
-    sed -n 's/^ *\(_Z[A-Za-z0-9_]*\);.*/\1/p' "$source/exports.map" | LC_ALL=C sort >"$room/listed"
+    sed -n 's/^ *\([A-Za-z0-9_]*\);.*/\1/p' "$source/exports.map" | LC_ALL=C sort >"$room/listed"
     diff "$room/listed" "$room/exported" >"$room/err" || fail "exported symbols differ from exports.map (< listed, > exported)"
     # All but the API stand in front of functions that Box2D really has, and no hook is hidden.
     nm -D --defined-only "$box2d" | awk '{ print $NF }' | LC_ALL=C sort >"$room/box2d"
-    grep -v '3bmr' "$room/exported" | LC_ALL=C comm -23 - "$room/box2d" | grep . >"$room/err" && fail "in front of nothing"
+    grep -v '3bmr\|^bmr_' "$room/exported" | LC_ALL=C comm -23 - "$room/box2d" | grep . >"$room/err" && fail "in front of nothing"
     sed -n 's/.*BMR_STANDS_FOR("\([^"]*\)").*/\1/p' "$source"/interpose/*.cpp | LC_ALL=C sort -u >"$room/hooks"
     [ -s "$room/hooks" ] || fail "no hooks found"
     LC_ALL=C comm -23 "$room/hooks" "$room/exported" | grep . >"$room/err" && fail "hooks that nobody can see"

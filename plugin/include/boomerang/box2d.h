@@ -9,7 +9,7 @@
 ///     bmr::Install();
 ///
 /// Every simulation computes the bits that it computed before. bmr::ConvexShape is there besides: a convex
-/// polygon of any number of vertices.
+/// polygon of any number of vertices; bmr_error_describe tells what is wrong with points that make none.
 
 #include "boomerang/box2d_glue.h"
 #include "boomerang/convex_shape.h"
