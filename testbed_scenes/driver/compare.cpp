@@ -18,7 +18,11 @@ std::vector<std::string> ExtraFor(Side side, const CompareOptions &options) {
 
 WorkerRequest RequestFor(Side side, const SceneResult &result, const CompareOptions &options,
                          const char *mode) {
-    return {side, result.scene.name, result.steps, mode, ExtraFor(side, options)};
+    const std::vector<std::string> extra = ExtraFor(side, options);
+    // What stock does not have is held against the plugin that is told to be off.
+    if (side == Side::Stock && result.scene.NeedsPlugin())
+        side = Side::Off;
+    return {side, result.scene.name, result.steps, mode, extra};
 }
 
 /// Matches two streams of steps as they arrive, whichever is ahead, and keeps only what the other has not
@@ -199,7 +203,7 @@ void CompareHashes(const Workers &workers, const CompareOptions &options, SceneR
                    Progress &progress) {
     const std::string what = result.scene.name + ": comparing";
     for (const Side side : {Side::Register, Side::Plugin, Side::Preloaded})
-        if (side != Side::Preloaded || workers.CanPreload())
+        if (side != Side::Preloaded || (workers.CanPreload() && !result.scene.NeedsPlugin()))
             result.variants.push_back({side, Verdict::Failed});
     HashComparison comparison(workers, options, result);
     comparison.Run([&](int64_t matched) {

@@ -14,6 +14,7 @@
 #include "render_command.h"
 #include "replay_command.h"
 #include "report_command.h"
+#include "shapes_command.h"
 
 namespace testbed {
 namespace {
@@ -28,6 +29,7 @@ struct CommandLine {
     ListCommand list;
     RunCommand run;
     CompareCommand compare;
+    ShapesCommand shapes;
     RenderCommand render;
     ReplayCommand replay;
     FiguresCommand figures;
@@ -174,6 +176,9 @@ int Run(int argc, char **argv) {
     const CLI::App *list = AddList(app, line);
     const CLI::App *run = AddRun(app, line);
     const CLI::App *compare = AddCompare(app, line);
+    CLI::App *shapes = AddCompareShapes(app, line.shapes);
+    AddPluginOptions(*shapes, line.shapes.options.worker);
+    AddSceneOptions(*shapes, line.shapes.options.worker);
     CLI::App *render = AddRender(app, line.render);
     AddPluginSwitch(*render, line.render.plugin);
     AddPluginOptions(*render, line.render.worker);
@@ -218,6 +223,8 @@ int Run(int argc, char **argv) {
         status = Execute(line.run, workers);
     else if (app.got_subcommand(compare))
         status = Execute(line.compare, workers);
+    else if (app.got_subcommand(shapes))
+        status = Execute(line.shapes, workers);
     else if (app.got_subcommand(events))
         status = Execute(line.events, workers);
     else if (app.got_subcommand(replay))

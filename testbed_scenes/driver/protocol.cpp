@@ -39,6 +39,8 @@ std::vector<SceneInfo> ParseSceneList(const std::string &text) {
             entry.at("size").get_to(scene.size);
             entry.at("seed").get_to(scene.seed);
             entry.at("steps").get_to(scene.steps);
+            entry.at("vertices").get_to(scene.vertices);
+            entry.at("bodies").get_to(scene.bodies);
             scenes.push_back(scene);
         }
     } catch (const nlohmann::json::exception &error) {
@@ -48,9 +50,10 @@ std::vector<SceneInfo> ParseSceneList(const std::string &text) {
 }
 
 nlohmann::json ToJson(const SceneInfo &scene) {
-    return {{"name", scene.name},   {"description", scene.description},
-            {"group", scene.group}, {"size", scene.size},
-            {"seed", scene.seed},   {"steps", scene.steps}};
+    return {{"name", scene.name},         {"description", scene.description},
+            {"group", scene.group},       {"size", scene.size},
+            {"seed", scene.seed},         {"steps", scene.steps},
+            {"vertices", scene.vertices}, {"bodies", scene.bodies}};
 }
 
 bool IsStepLine(const std::string &line) {

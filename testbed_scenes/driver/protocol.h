@@ -23,6 +23,10 @@ struct SceneInfo {
     int64_t size = 0;
     uint64_t seed = 0;
     int64_t steps = 0;
+    int64_t vertices = 0; ///< of its polygons unless told otherwise; 0: that cannot be chosen
+    std::string bodies;   ///< and what they are: one, many or circle
+    /// Whether it is made of what stock Box2D does not have.
+    bool NeedsPlugin() const { return vertices > 8 && bodies == "one"; }
 };
 
 std::vector<SceneInfo> ParseSceneList(const std::string &text);

@@ -28,6 +28,8 @@ const char *NameOf(Side side) {
         return "linked";
     case Side::Preloaded:
         return "preloaded";
+    case Side::Off:
+        return "off";
     case Side::Verify:
         break;
     }
@@ -75,6 +77,8 @@ std::vector<std::string> Workers::EnvironmentOf(const WorkerRequest &request,
         hooks = "none";
     if (request.side == Side::Verify)
         mode = "verify";
+    if (request.side == Side::Off)
+        mode = "off";
     if (request.side == Side::Preloaded) {
         mode = "on";
         structure = options.structure;

@@ -18,8 +18,9 @@ namespace testbed {
 
 /// Stock Box2D, or Box2D with the plugin: never in one process. Register, Plugin: the program that was linked
 /// with it, with the contacts alone or with all hooks. Preloaded: stock's program, with the plugin in
-/// LD_PRELOAD. Verify: as Plugin, but everything is computed twice.
-enum class Side { Stock, Register, Plugin, Preloaded, Verify };
+/// LD_PRELOAD. Verify: as Plugin, but everything is computed twice. Off: as Plugin, but told to be off, which
+/// leaves polygons of any size and nothing else.
+enum class Side { Stock, Register, Plugin, Preloaded, Verify, Off };
 
 const char *NameOf(Side side);
 

@@ -87,7 +87,9 @@ const std::vector<std::string> &VerdictLegend() {
     static const std::vector<std::string> legend = {
         "register: linked, contacts alone, no hooks; linked: all hooks; preloaded: stock's program, plugin "
         "in LD_PRELOAD",
-        "bits: every body, contact, impulse and listener event of every step, hashed and compared"};
+        "bits: every body, contact, impulse and listener event of every step, hashed and compared",
+        "any-...: stock Box2D does not have these polygons; its place has the plugin told to be off "
+        "(BOOMERANG=off)"};
     return legend;
 }
 
