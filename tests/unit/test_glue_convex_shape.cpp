@@ -370,6 +370,7 @@ TEST_CASE("above 8 vertices every question is answered from the real polygon, as
         CHECK(mass.mass == doctest::Approx(2.5 * area).epsilon(1e-6));
         CHECK(mass.I == doctest::Approx(2.5 * inertia).epsilon(1e-6));
         CHECK(mass.center.x == doctest::Approx(x / area).epsilon(1e-5));
+        CHECK(mass.center.y == doctest::Approx(y / area).epsilon(1e-5));
         CHECK(mass.center == shape.m_centroid);
     }
     CHECK(inside > 0);
