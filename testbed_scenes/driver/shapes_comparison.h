@@ -21,8 +21,8 @@ struct ShapesOptions {
     WorkerOptions worker;
     std::vector<int64_t> vertices = {16, 64, 256, 1024, 4096}; ///< ascending
     bool many = true, circles = true;
-    int64_t manyUpTo = 256; ///< bodies of more fixtures than these vertices need are left out
-    int64_t manySteps = 20; ///< of those that take long: of more vertices than kManyAtLength
+    int64_t manyUpTo = 256;  ///< bodies of more fixtures than these vertices need are left out
+    int64_t manySteps = 100; ///< of those that take long: of more vertices than kManyAtLength
     std::optional<int64_t> steps;
     int repeat = 3;
 };
