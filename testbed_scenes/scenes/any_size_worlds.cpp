@@ -89,7 +89,7 @@ class RoundedGears final : public Scene {
         b2Body *frame = stage.AddBody(b2_staticBody, {0.0f, 0.0f});
         const int rows = (size + columns - 1) / columns;
         const float top = 2.0f * pitchRadius * static_cast<float>(rows) + 9.0f;
-        const float halfWidth = pitchRadius * columns + 0.4f;
+        const float halfWidth = pitchRadius * columns + 1.0f; // a pebble passes at the sides
         stage.AddFixture(frame, MakeBox(halfWidth, 0.5f, {0.0f, -2.0f}), 0.0f);
         for (const float side : {-1.0f, 1.0f})
             stage.AddFixture(frame,
@@ -136,7 +136,7 @@ class RoundedGears final : public Scene {
         axle.Initialize(frame, gear, center);
         axle.enableMotor = driven;
         axle.motorSpeed = 1.0f;
-        axle.maxMotorTorque = 1e5f;
+        axle.maxMotorTorque = 1e3f; // stalls where a pebble is caught
         stage.AddJoint(axle);
     }
 
