@@ -25,7 +25,7 @@ install(TARGETS ${boomerang_installed_targets} EXPORT boomerangTargets
 
 file(GLOB core_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/include/boomerang/*.h)
 if(NOT TARGET boomerang_kinetic)
-  list(FILTER core_headers EXCLUDE REGEX "/kinetic\\.h$")
+  list(FILTER core_headers EXCLUDE REGEX "/(kinetic|motion|failure|simulation|families|analysis)\\.h$")
 endif()
 install(FILES ${core_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang)
 if(TARGET boomerang_box2d)
@@ -33,11 +33,15 @@ if(TARGET boomerang_box2d)
     ${PROJECT_SOURCE_DIR}/box2d_glue/include/boomerang/*.h)
   install(FILES ${box2d_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang)
 endif()
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-if(TARGET boomerang_box2d)
-  install(FILES ${PROJECT_SOURCE_DIR}/docs/is-it-for-my-game.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-  install(FILES ${PROJECT_SOURCE_DIR}/plugin/examples/game_loop.cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
-endif()
+# The documentation as it lies in the sources, so that its links lead somewhere.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/core/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/core)
+foreach(examples core/examples plugin/examples)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${examples}/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/${examples}
+    FILES_MATCHING PATTERN "*.c" PATTERN "*.cpp")
+endforeach()
 
 if(BOOMERANG_INSTALL_TESTBED AND TARGET boomerang-testbed)
   # The workers lie beside the program, which looks for them there; what they load is found from wherever that is.

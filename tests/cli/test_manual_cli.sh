@@ -9,7 +9,7 @@ set -uo pipefail
 # shellcheck source=support/cli.sh
 source "$(dirname "${BASH_SOURCE[0]}")/support/cli.sh"
 
-commands() { "$testbed" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p'; }
+commands() { "$testbed" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p'; }
 # options COMMAND: the long ones of its --help.
 options() { "$testbed" "$1" --help | grep -Eo -- '^  (-[a-z],)?--[a-z0-9-]+' | grep -o -- '--.*'; }
 
@@ -52,7 +52,7 @@ test_bash_completes_commands_options_and_scenes() {
     complete_words ''
     [ "$(sort "$scratch/out")" = "$(commands | sort)" ] || fail "not the commands"
     complete_words co
-    [ "$(sort "$scratch/out" | tr '\n' ' ')" = 'compare completion ' ] || fail "not what begins with co"
+    [ "$(sort "$scratch/out" | tr '\n' ' ')" = 'compare compare-shapes completion ' ] || fail "not what begins with co"
     local command
     for command in $(commands); do
         complete_words "$command" --
