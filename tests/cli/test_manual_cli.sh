@@ -20,7 +20,8 @@ test_the_manual_has_every_option_of_help() {
     cp "$scratch/out" "$scratch/page.1"
     [ "$(commands | wc -l)" -ge 9 ] || fail "commands are not found in --help"
     for command in $(commands); do
-        sed -n "/^\.SS $command\$/,/^\.S[SH]/p" "$scratch/page.1" >"$scratch/section"
+        # In the page a hyphen of a name is written \-.
+        awk -v title=".SS ${command//-/\\\\-}" '/^\.S[SH]/ {on = 0} $0 == title {on = 1} on' "$scratch/page.1" >"$scratch/section"
         [ -s "$scratch/section" ] || fail "no section for $command"
         for option in $(options "$command"); do
             grep -Fq -- "\\fB${option//-/\\-}\\fR" "$scratch/section" || fail "$command lacks $option"
