@@ -107,7 +107,7 @@ int Execute(const RunCommand &command, const Workers &workers) {
         throw UsageError("--trace shows what the plugin does: it needs --plugin on");
     const SceneInfo scene = FindScene(workers.List(), command.scene);
     WorkerRequest request;
-    request.side = command.plugin ? Side::Plugin : Side::Stock;
+    request.side = command.plugin ? Side::Plugin : StockFor(scene);
     request.scene = scene.name;
     request.steps = command.steps.value_or(scene.steps);
     request.mode = command.hash ? "hash" : command.time ? "time" : "count";

@@ -19,9 +19,8 @@ std::vector<std::string> ExtraFor(Side side, const CompareOptions &options) {
 WorkerRequest RequestFor(Side side, const SceneResult &result, const CompareOptions &options,
                          const char *mode) {
     const std::vector<std::string> extra = ExtraFor(side, options);
-    // What stock does not have is held against the plugin that is told to be off.
-    if (side == Side::Stock && result.scene.NeedsPlugin())
-        side = Side::Off;
+    if (side == Side::Stock)
+        side = StockFor(result.scene);
     return {side, result.scene.name, result.steps, mode, extra};
 }
 
@@ -164,7 +163,6 @@ public:
         std::optional<Difference> earliest;
         for (size_t i = 0; i < m_matchers.size(); ++i) {
             const StreamMatcher &matcher = m_matchers[i];
-            result.variants[i].verdict = Verdict::Identical;
             if (const std::optional<Difference> &difference = matcher.GetDifference()) {
                 result.variants[i].verdict = Verdict::Different;
                 if (!earliest || difference->step < earliest->step)
@@ -177,6 +175,7 @@ public:
             if (!matcher.IsComplete(result.steps))
                 throw WorkerError(m_processes[i + 1]->CommandLine() + ": ended after " +
                                   std::to_string(matcher.Matched()) + " steps, or without a summary");
+            result.variants[i].verdict = Verdict::Identical;
         }
         return earliest;
     }

@@ -155,7 +155,10 @@ bool Process::ReadErrors() {
     if (!more && !m_errorRest.empty())
         m_errorRest += '\n';
     TakeLines(m_errorRest, [this](const std::string &line) {
-        m_errorTail.push_back(line);
+        // As in CommandLine: a program that names itself need not say where it lies.
+        const size_t directory = m_arguments[0].rfind('/') + 1;
+        const bool isNamed = line.compare(0, m_arguments[0].size(), m_arguments[0]) == 0;
+        m_errorTail.push_back(isNamed ? line.substr(directory) : line);
         if (m_errorTail.size() > kErrorLinesKept)
             m_errorTail.pop_front();
     });

@@ -9,7 +9,7 @@ void RunRecorded(const Workers &workers, const RecordRequest &request,
                  const std::function<void(const recording::Head &, recording::Frame)> &onFrame,
                  const std::function<void()> &onTick) {
     WorkerRequest work;
-    work.side = request.plugin ? Side::Plugin : Side::Stock;
+    work.side = request.side;
     work.scene = request.scene;
     work.steps = request.last + 1;
     work.mode = request.calls ? "count" : "hash";

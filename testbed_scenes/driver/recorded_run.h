@@ -13,7 +13,7 @@ namespace testbed {
 /// What to record.
 struct RecordRequest {
     std::string scene;
-    bool plugin = true;
+    Side side = Side::Plugin;
     int64_t first = 0, last = 0, every = 1;
     bool boxes = false; ///< with the boxes of the broad phase
     bool calls = false; ///< count the calls that reach Box2D

@@ -185,8 +185,9 @@ int Execute(const RenderCommand &command, const Workers &workers) {
     CheckOutput(command.output);
     RecordRequest request;
     ReadRange(command, &request);
-    request.scene = FindScene(workers.List(), command.scene).name;
-    request.plugin = command.plugin;
+    const SceneInfo scene = FindScene(workers.List(), command.scene);
+    request.scene = scene.name;
+    request.side = command.plugin ? Side::Plugin : StockFor(scene);
     request.boxes = options.layers.boxes;
     request.worker = command.worker;
 

@@ -31,18 +31,18 @@ std::string Megabytes(size_t bytes) {
 }
 
 /// Both runs of the scene, one after the other: a recording is as much work to read as to write.
-replay::Collector Record(const RecordRequest &plugin, const Workers &workers, recording::Head *head,
-                         bool quiet) {
+replay::Collector Record(const RecordRequest &plugin, Side stockSide, const Workers &workers,
+                         recording::Head *head, bool quiet) {
     replay::Collector collector;
     Progress progress(2, quiet);
-    const auto run = [&](const RecordRequest &request, const char *what, const auto &add) {
+    const auto run = [&](const RecordRequest &request, const std::string &what, const auto &add) {
         const double frames = static_cast<double>(request.last + 1);
         int64_t done = 0;
         progress.Show(request.scene + what, 0.0);
         RunRecorded(
             workers, request,
             [&](const recording::Head &its, recording::Frame frame) {
-                if (request.plugin)
+                if (request.side == Side::Plugin)
                     *head = its;
                 add(frame);
                 progress.Show(request.scene + what, static_cast<double>(++done) / frames);
@@ -52,8 +52,10 @@ replay::Collector Record(const RecordRequest &plugin, const Workers &workers, re
     };
     run(plugin, ", with the plugin", [&](const recording::Frame &frame) { collector.AddPlugin(frame); });
     RecordRequest stock = plugin;
-    stock.plugin = stock.boxes = false;
-    run(stock, ", stock", [&](const recording::Frame &frame) { collector.AddStock(frame); });
+    stock.side = stockSide;
+    stock.boxes = false;
+    run(stock, std::string(", ") + NameOf(stockSide),
+        [&](const recording::Frame &frame) { collector.AddStock(frame); });
     return collector;
 }
 
@@ -64,6 +66,7 @@ nlohmann::json About(const SceneInfo &scene, const recording::Head &head) {
             {"prefilter", head.prefilter ? "on" : "off"},
             {"size", head.size},
             {"seed", head.seed},
+            {"stock", NameOf(StockFor(scene))},
             {"timeStep", static_cast<double>(head.time_step)}};
 }
 
@@ -95,7 +98,7 @@ int Execute(const ReplayCommand &command, const Workers &workers) {
     request.worker = command.worker;
 
     recording::Head head;
-    replay::Collector collector = Record(request, workers, &head, command.quiet);
+    replay::Collector collector = Record(request, StockFor(scene), workers, &head, command.quiet);
     const std::optional<int64_t> difference = collector.FirstDifference();
     replay::Replay replay = collector.Finish();
     replay.about = About(scene, head);

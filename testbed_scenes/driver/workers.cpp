@@ -36,6 +36,10 @@ const char *NameOf(Side side) {
     return "verify";
 }
 
+Side StockFor(const SceneInfo &scene) {
+    return scene.NeedsPlugin() ? Side::Off : Side::Stock;
+}
+
 Workers::Workers(const fs::path &directory) {
     std::error_code ignored;
     m_directory = directory.empty() ? fs::read_symlink("/proc/self/exe", ignored).parent_path() : directory;

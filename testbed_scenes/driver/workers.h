@@ -23,6 +23,9 @@ namespace testbed {
 enum class Side { Stock, Register, Plugin, Preloaded, Verify, Off };
 
 const char *NameOf(Side side);
+/// The side that the plugin's is held against: stock, or the plugin told to be off where stock Box2D does not
+/// have the scene's polygons.
+Side StockFor(const SceneInfo &scene);
 
 /// What a command's options say about every worker it starts.
 struct WorkerOptions {

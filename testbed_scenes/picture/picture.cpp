@@ -23,6 +23,8 @@ constexpr double kLeastUnit = 0.7;
 
 std::string TitleOf(const recording::Head &head, const recording::Frame &frame) {
     const std::string title = head.scene + ", step " + std::to_string(frame.step);
+    if (head.program == "off")
+        return title + ", plugin off";
     return head.program == "stock" ? title + ", stock Box2D" : title;
 }
 

@@ -208,7 +208,7 @@ std::string ReasonOf(const Explained &explained) {
             return "they touch: a manifold is needed";
         if (pair.polygon_contacts == 0)
             return "not two polygons: Box2D's alone";
-        return pair.slack < 0.0f ? "stock Box2D proves nothing" : "near: nothing proves them apart";
+        return pair.slack < 0.0f ? "without the plugin nothing is proved" : "near: nothing proves them apart";
     }
     const Proof &proof = *explained.proof;
     const std::string owner = NameOf(proof.owner == 0 ? pair.a : pair.b),

@@ -47,7 +47,7 @@ Vec Rotate(const Pose &pose, const Vec &direction);
 struct Head {
     int version = 0; ///< kVersion; set by Print
     std::string scene;
-    std::string program;    ///< stock or plugin
+    std::string program;    ///< stock, plugin, or off: with the plugin told to be off
     std::string structure;  ///< of the plugin: free-direction, lazy-compass, lazy-dudley
     bool prefilter = false; ///< the plugin asks remembered edges first
     int64_t size = 0;

@@ -14,9 +14,9 @@ namespace testbed::replay {
 /// Replay::about, as the page reads it (whatever is missing is left out of the page):
 ///
 ///     scene, description, structure, prefilter   words
-///     timeStep                                   seconds
-///     margin                                     what a certificate must prove, in lengths
-///     boxes                                      false: those of the broad phase were not recorded
+///     stock                                      what the plugin is held against: stock, or off (the plugin
+///     off) timeStep                                   seconds margin what a certificate must prove, in
+///     lengths boxes                                      false: those of the broad phase were not recorded
 ///
 /// O(size of the replay).
 std::string PageOf(const Replay &replay);

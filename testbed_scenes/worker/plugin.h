@@ -49,7 +49,7 @@ void SetTraceStep(int step);
 /// Closes the trace; throws if not all of it could be written.
 void FinishTrace();
 
-/// "stock" or "plugin".
+/// "stock", "plugin", or "off": linked with the plugin, which is told to be off.
 const char *PluginName();
 /// What the plugin counted, or null.
 nlohmann::json PluginStatistics();

@@ -74,6 +74,11 @@ void CopySide(const bmr::ProofSide &side, std::size_t index, recording::Proof *p
     }
 }
 
+bool IsToldToBeOff() {
+    const char *asked = std::getenv("BOOMERANG");
+    return asked != nullptr && std::strcmp(asked, "off") == 0;
+}
+
 } // namespace
 
 void AddPluginOptions(CLI::App &app, PluginOptions &options) {
@@ -100,9 +105,7 @@ void InstallPlugin(const PluginOptions &options, bool count, PluginObserver *tol
     if (observer != nullptr || !options.trace.empty())
         install.onEvent = OnEvent;
     // Told to be off, it still has the polygons of any size.
-    const char *asked = std::getenv("BOOMERANG");
-    const bool off = asked != nullptr && std::strcmp(asked, "off") == 0;
-    if (!bmr::Install(install) && !off)
+    if (!bmr::Install(install) && !IsToldToBeOff())
         throw std::runtime_error("the plugin would not install");
 }
 
@@ -121,7 +124,7 @@ void FinishTrace() {
 }
 
 const char *PluginName() {
-    return "plugin";
+    return IsToldToBeOff() ? "off" : "plugin";
 }
 
 nlohmann::json PluginStatistics() {

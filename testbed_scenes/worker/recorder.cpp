@@ -240,7 +240,7 @@ void Recorder::AddContact(const b2Contact &contact, recording::Frame *frame, rec
         pair->distance = closest.distance;
         pair->closest = {ToVec(closest.onA), ToVec(closest.onB)};
     }
-    if (PluginName() == std::string("stock"))
+    if (PluginName() != std::string("plugin"))
         return;
     ShownProof shown = ShowProof(contact);
     recording::Proof &proof = shown.proof;
@@ -288,7 +288,7 @@ int Recorder::NameOutline(int body, const std::vector<recording::Vec> &points, r
 recording::Head MakeHead(const Recorder &recorder, const PluginOptions &plugin) {
     recording::Head head;
     head.program = PluginName();
-    if (head.program != "stock") {
+    if (head.program == "plugin") {
         head.structure = plugin.structure;
         head.prefilter = plugin.prefilter == "on";
     }

@@ -76,6 +76,18 @@ test_every_kind_of_file() {
     grep -q '<svg' "$scratch/picture.svg" || fail "no SVG"
 }
 
+# Stock Box2D does not have these polygons: its place has the plugin told to be off, and the page says so.
+test_scenes_that_stock_does_not_have() {
+    expect 0 replay any-gas --steps 5 -o "$scratch/replay.html"
+    grep -q '"stock":"off"' "$scratch/replay.html" || fail "the page does not say that the plugin was off"
+    expect 0 replay pyramid --size 4 --steps 5 -o "$scratch/replay.html"
+    grep -q '"stock":"stock"' "$scratch/replay.html" || fail "the page does not say that it was stock"
+    draw "$scratch/on.svg" any-stack --step 5 --bare --width 400
+    draw "$scratch/off.svg" any-stack --step 5 --bare --width 400 --plugin off
+    ! same_svg "$scratch/on.svg" "$scratch/off.svg" || fail "the picture does not say that the plugin was off"
+    expect 0 run any-gas --steps 3 --plugin off --json
+}
+
 test_recordings_tell_the_truth() {
     local scene options
     for scene in "coins-gas --size 40" "planks --size 60" "churn"; do

@@ -118,6 +118,33 @@ test_what_is_not_measured_now_is_measured() {
     page_lacks '<th scope="row">needles</th>'
 }
 
+# Stock Box2D does not have these polygons: its place has the plugin told to be off.
+test_scenes_that_stock_does_not_have() {
+    expect 0 report any-stack --parts scenes --steps 3 --repeat 1 -o "$scratch/page.html"
+    page_has '<td class="good first">identical</td><td class="good">identical</td><td class="none">–</td>'
+    page_has 'BOOMERANG=off'
+}
+
+# A worker that fails before it is done is no agreement, and where the programs lie is nobody's business.
+test_a_worker_that_fails_is_not_identical() {
+    mkdir -p "$scratch/workers/bin" "$scratch/workers/lib"
+    ln -sf "$bin"/boomerang-scene "$bin"/boomerang-scene-plugin "$scratch/workers/bin/"
+    expect 0 --workers "$scratch/workers/bin" report pyramid --parts scenes --steps 3 --repeat 1 -o "$scratch/page.html"
+    rm "$scratch/workers/bin/boomerang-scene"
+    cat >"$scratch/workers/bin/boomerang-scene" <<STUB
+#!/bin/sh
+[ "\$1" != --list-json ] || exec "$bin/boomerang-scene" --list-json
+"$bin/boomerang-scene" "\$@"
+echo "\$0: broken" >&2
+exit 3
+STUB
+    chmod +x "$scratch/workers/bin/boomerang-scene"
+    expect 3 --workers "$scratch/workers/bin" report pyramid --parts scenes --steps 3 --repeat 1 -o "$scratch/page.html"
+    page_lacks '>identical<'
+    page_has 'boomerang-scene: broken'
+    page_lacks "$scratch"
+}
+
 test_other_files_are_refused() {
     echo '{"scene": 1}' >"$scratch/other.json"
     expect 2 report --json "$scratch/other.json" -o "$scratch/page.html"

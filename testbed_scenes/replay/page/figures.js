@@ -28,7 +28,7 @@ class Figures {
       onSeek(Math.round(((event.clientX - box.left) / box.width) * (model.stepCount - 1)));
     });
     const saved = this.total["stock.polygon"] - this.total["plugin.polygon"];
-    const words = "Polygon tests in each step: stock " + this.total["stock.polygon"].toLocaleString("en") +
+    const words = "Polygon tests in each step: " + model.stock + " " + this.total["stock.polygon"].toLocaleString("en") +
       " in all (line), with the plugin " + this.total["plugin.polygon"].toLocaleString("en") + " (filled).";
     note.textContent = words;
     chart.setAttribute("aria-label", words + (saved > 0 ? " " + saved + " saved." : ""));
@@ -48,7 +48,7 @@ class Figures {
 
   build() {
     this.table.innerHTML = "<caption class=unseen>Calls of Box2D's own functions in the whole run</caption><thead><tr><th scope=col>calls</th>" +
-      "<th scope=col>stock</th><th scope=col>plugin</th><th scope=col>less</th></tr></thead><tbody></tbody>";
+      "<th scope=col>" + this.model.stock + "</th><th scope=col>plugin</th><th scope=col>less</th></tr></thead><tbody></tbody>";
     const body = this.table.tBodies[0];
     for (const [name, title] of CALLS) {
       const row = body.insertRow(), head = document.createElement("th");

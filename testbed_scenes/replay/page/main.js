@@ -35,6 +35,10 @@ class App {
       problem.hidden = false;
       problem.textContent = "The runs with and without the plugin differ after step " + about.difference + ".";
     }
+    if (this.model.stock === "off") {
+      words.push("stock Box2D does not have these polygons: “off”, in its place, is the plugin told to be off (BOOMERANG=off)");
+      for (const option of document.querySelectorAll("#pair-order option")) option.textContent = option.textContent.replace("in stock", "with it off");
+    }
     document.getElementById("subtitle").textContent = words.filter(Boolean).join(" · ");
   }
 

@@ -27,6 +27,7 @@ function lastNotAbove(values, value, from, until) {
 class Model {
   constructor(about, columns) {
     this.about = about;
+    this.stock = about.stock ?? "stock";
     this.c = columns;
     this.stepCount = about.stepCount;
     this.unit = about.quanta.position;

@@ -80,7 +80,7 @@ class Pairs {
     item.setAttribute("role", "option");
     item.setAttribute("aria-selected", group === this.chosen);
     const facts = document.createElement("span");
-    facts.textContent = group.events.length + " events, " + group.tests + " tests in stock";
+    facts.textContent = group.events.length + " events, " + group.tests + " tests in " + this.model.stock;
     item.append(group.a + " – " + group.b, facts);
     return item;
   }
@@ -149,7 +149,7 @@ class Pairs {
     else if (slack === 0) words.push("nothing is proved");
     const tests = [[m.c["step.polygon"][row], "polygon test"], [m.c["step.toi"][row], "time of impact"], [m.c["step.overlap"][row], "overlap test"]]
       .filter(([count]) => count > 0).map(([count, name]) => count + " × " + name);
-    words.push("stock: " + (tests.join(", ") || "no test"));
+    words.push(m.stock + ": " + (tests.join(", ") || "no test"));
     return words.join("; ") + ".";
   }
 

@@ -106,10 +106,10 @@ class Timeline {
     label("to Box2D", y);
     this.drawStrip(g, y, colour.handed, (row) => (this.model.answerAt(row) === HANDED_OVER ? 1 : 0));
     y += ROW_HEIGHT;
-    label("stock: SAT", y);
+    label(this.model.stock + ": SAT", y);
     this.drawStrip(g, y, colour.ink, (row) => this.model.c["step.polygon"][row]);
     y += ROW_HEIGHT;
-    label("stock: TOI", y);
+    label(this.model.stock + ": TOI", y);
     this.drawStrip(g, y, colour.ink, (row) => this.model.c["step.toi"][row]);
     y += ROW_HEIGHT;
     this.drawAxis(g, y);
@@ -181,6 +181,6 @@ class Timeline {
     for (const event of this.events) counts[event.kind] = (counts[event.kind] || 0) + 1;
     const words = Object.entries(counts).map(([kind, count]) => count + " " + kind).join(", ");
     return "Time line of bodies " + this.group.a + " and " + this.group.b + ": " + (words || "no events") +
-      "; stock Box2D tested the two " + this.group.tests + " times. The list of events below says the same.";
+      "; " + (this.model.stock === "off" ? "with the plugin off, Box2D" : "stock Box2D") + " tested the two " + this.group.tests + " times. The list of events below says the same.";
   }
 }
