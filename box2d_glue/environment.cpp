@@ -21,6 +21,8 @@ static_assert(kAllHooks == (1u << kHookCount) - 1, "one name for each hook");
 /// Variables that have been complained about, a bit each.
 enum Variable : unsigned { kMode = 1, kStructure = 2, kHooks = 4, kVerbose = 8, kPrefilter = 16 };
 
+thread_local bool complaintsHeld = false;
+
 std::string_view Read(const char *name) {
 #if defined(__GLIBC__)
     const char *value = secure_getenv(name);
@@ -32,6 +34,8 @@ std::string_view Read(const char *name) {
 
 void Complain(Variable variable, const char *name, std::string_view value, const std::string &known) {
     static std::atomic<unsigned> complained{0};
+    if (complaintsHeld)
+        return;
     if ((complained.fetch_or(variable) & variable) == 0)
         std::fprintf(stderr, "boomerang: %s=%.*s is not understood, so it does nothing; known: %s\n", name,
                      static_cast<int>(value.size()), value.data(), known.c_str());
@@ -106,6 +110,14 @@ std::optional<bool> ChoiceOfEnvironment(Variable variable, const char *name, con
 }
 
 } // namespace
+
+HeldComplaints::HeldComplaints() {
+    complaintsHeld = true;
+}
+
+HeldComplaints::~HeldComplaints() {
+    complaintsHeld = false;
+}
 
 const char *NameOf(Mode mode) {
     switch (mode) {

@@ -33,6 +33,15 @@ std::optional<Mode> ModeOfEnvironment();
 /// `options`, outweighed by the environment. statisticsFile then points into the environment.
 Options WithEnvironment(const Options &options);
 
+/// As long as one lives, this thread says nothing of values that are not understood: for whoever only looks.
+class HeldComplaints {
+public:
+    HeldComplaints();
+    ~HeldComplaints();
+    HeldComplaints(const HeldComplaints &) = delete;
+    HeldComplaints &operator=(const HeldComplaints &) = delete;
+};
+
 } // namespace bmr
 
 #endif

@@ -10,6 +10,10 @@
 
 namespace bmr {
 
+/// One of this library's own references to Box2D: at no address where no Box2D was in search order when it
+/// was loaded.
+extern const char boundReference[] asm("_ZN9b2Contact11s_registersE") __attribute__((weak));
+
 namespace {
 
 enum class Kind { kFunction, kLeaf, kData };
@@ -68,6 +72,18 @@ bool StepsComeByHere() {
     return FileOf(dlsym(RTLD_DEFAULT, kStep)) == OurFile();
 }
 
+bool AnyBox2DBehind() {
+    return dlsym(RTLD_NEXT, kStep) != nullptr;
+}
+
+void InitialiseBox2D() {
+    Dl_info info;
+    void *step = dlsym(RTLD_DEFAULT, kStep);
+    // What is opened is initialised when dlopen returns. (It is not closed: it is the program's.)
+    if (step != nullptr && dladdr(step, &info) != 0)
+        dlopen(info.dli_fname, RTLD_NOW | RTLD_NOLOAD);
+}
+
 const char *WhyLibraryIsUnknown() {
     static char why[200];
     const void *library = nullptr;
@@ -90,6 +106,8 @@ const char *WhyLibraryIsUnknown() {
             return why;
         }
     }
+    if (boundReference == nullptr)
+        return "the Box2D of this process was loaded after this library";
     return nullptr;
 }
 

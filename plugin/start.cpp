@@ -19,6 +19,17 @@ namespace {
 
 std::mutex starting;
 
+// When the library is loaded nobody has asked for a Box2D yet, so nothing is said then of values that are not
+// understood; Install says it.
+std::optional<Mode> ModeWithoutComplaint() {
+    const HeldComplaints held;
+    return ModeOfEnvironment();
+}
+bool IsVerbose() {
+    const HeldComplaints held;
+    return WithEnvironment(Options()).verbosity > 0;
+}
+
 long loadedIn;
 
 /// For the program and all that it has forked. (What it executes loads the library anew, and speaks for
@@ -34,17 +45,23 @@ void SayNobodyCame() {
 /// looks at the environment and at what else is loaded.
 __attribute__((constructor)) void Loaded() {
     SetLibraryCheck(WhyLibraryIsUnknown);
-    const std::optional<Mode> asked = ModeOfEnvironment();
-    if (asked == Mode::Off || (!asked && !IsPreloaded()))
+    const std::optional<Mode> asked = ModeWithoutComplaint();
+    if (asked == Mode::Off)
         return;
+    if (!asked && !IsPreloaded()) {
+        ModeOfEnvironment(); // for what it says of a word that was meant to switch it on
+        return;
+    }
     if (!StepsComeByHere()) {
         // Linked behind Box2D, say. What was asked for by name is done as far as it goes: contacts alone.
-        if (asked)
+        if (asked) {
+            InitialiseBox2D();
             Install();
+        }
         return;
     }
     internal::startsByItself = true;
-    if (WithEnvironment(Options()).verbosity > 0) {
+    if (IsVerbose()) {
         loadedIn = ThisProcess();
         ShareAnnouncement();
         std::atexit(SayNobodyCame);
@@ -57,7 +74,11 @@ void internal::StartNow() {
     const std::lock_guard<std::mutex> lock(starting);
     if (!startsByItself.load(std::memory_order_relaxed))
         return;
-    Install(); // says itself why not; false where the program has called it before
+    if (AnyBox2DBehind())
+        Install(); // says itself why not; false where the program has called it before
+    else if (WithEnvironment(Options()).verbosity > 0 && ClaimAnnouncement())
+        std::fputs("boomerang: never at work: the Box2D of this process is a module's own (dlopen)\n",
+                   stderr);
     startsByItself.store(false, std::memory_order_release);
 }
 

@@ -40,6 +40,12 @@ bool StepsComeByHere() {
     return true;
 }
 
+bool AnyBox2DBehind() {
+    return true;
+}
+
+void InitialiseBox2D() {}
+
 bool IsPreloaded() {
     return false;
 }

@@ -30,6 +30,8 @@ namespace {
 // No count of microseconds within a second.
 constexpr unsigned long long kOurs = ~0ull;
 
+Real<void(TimerWords *)> realConstruct("_ZN7b2TimerC1Ev");
+Real<void(TimerWords *)> realConstructBase("_ZN7b2TimerC2Ev");
 Real<void(TimerWords *)> realReset("_ZN7b2Timer5ResetEv");
 Real<float(const TimerWords *)> realGetMilliseconds("_ZNK7b2Timer15GetMillisecondsEv");
 
@@ -120,10 +122,11 @@ private:
 };
 Rate rate; // initialised at compile time: timers may be older than this library's constructors
 
-void Start(TimerWords *timer) {
+/// `real`: what Box2D does here.
+void Start(TimerWords *timer, Real<void(TimerWords *)> &real) {
     const uint64_t now = HookIsOn(Hook::ProfileClock) ? Ticks() : 0;
     if (now == 0 || rate.MillisecondsPerTick(now) <= 0.0)
-        realReset.Get()(timer);
+        real.Get()(timer);
     else
         *timer = {now, kOurs};
 }
@@ -136,19 +139,20 @@ void Reset(TimerWords *timer) BMR_STANDS_FOR("_ZN7b2Timer5ResetEv");
 float GetMilliseconds(const TimerWords *timer) BMR_STANDS_FOR("_ZNK7b2Timer15GetMillisecondsEv");
 
 void Construct(TimerWords *timer) {
-    Start(timer);
+    Start(timer, realConstruct);
 }
 
 void ConstructBase(TimerWords *timer) {
-    Start(timer);
+    Start(timer, realConstructBase);
 }
 
 void Reset(TimerWords *timer) {
-    Start(timer);
+    Start(timer, realReset);
 }
 
 float GetMilliseconds(const TimerWords *timer) {
-    if (timer->mark != kOurs)
+    // (Another Box2D's timer may be smaller: with the hook off nothing is read of it.)
+    if (!HookIsOn(Hook::ProfileClock) || timer->mark != kOurs)
         return realGetMilliseconds.Get()(timer);
     const uint64_t now = Ticks();
     const auto ticks = static_cast<int64_t>(now - timer->ticks);

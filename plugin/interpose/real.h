@@ -30,8 +30,9 @@ struct b2TOIOutput;
 
 namespace bmr {
 
-/// The next definition of this name after this library's. Ends the program where there is none: it is called,
-/// so something must be behind it.
+/// The next definition of this name after this library's; where there is none, that of a module which was
+/// opened for itself (dlopen with RTLD_LOCAL) and which then stays loaded: of several, the one that was
+/// loaded first. Ends the program where nobody has it: it is called, so somebody must.
 void *FindReal(const char *mangled);
 
 } // namespace bmr

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A module with a Box2D of its own inside, as engines bring it: the mangled names are Box2D's, the classes
+// are not. What is called is seen from outside, so that whoever was preloaded stands in front of it.
+#include <cstdio>
+
+/// Constructed without a call of Reset, of which there is none.
+class b2Timer {
+public:
+    b2Timer();
+    float GetMilliseconds() const;
+
+private:
+    double m_milliseconds;
+};
+
+/// Its number lies behind all that another Box2D would take for a world, and that is zeros: nothing to do.
+class b2World {
+public:
+    void Step(float timeStep, int velocityIterations, int positionIterations);
+    char room[1 << 18];
+    int steps;
+};
+
+__attribute__((noinline)) b2Timer::b2Timer() : m_milliseconds(2.0) {}
+
+__attribute__((noinline)) float b2Timer::GetMilliseconds() const {
+    return static_cast<float>(m_milliseconds);
+}
+
+__attribute__((noinline)) void b2World::Step(float, int, int) {
+    const b2Timer timer;
+    steps += static_cast<int>(timer.GetMilliseconds());
+}
+
+int PlayModule();
+
+int PlayModule() {
+    auto *world = new b2World();
+    for (int i = 0; i < 5; ++i)
+        world->Step(0.25f, 8, 3);
+    std::printf("steps %d\n", world->steps);
+    delete world;
+    return 0;
+}
