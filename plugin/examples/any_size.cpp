@@ -33,6 +33,7 @@ int main() {
     error = shape.SetRounded(0.6f, 0.15f, 0.15f, 24);
     const bmr::ConvexShape capsule = Checked(shape, error);
     std::vector<b2Vec2> points; // in any order; the shape is their hull
+    points.reserve(500);
     for (int i = 0; i < 500; ++i)
         points.emplace_back(0.5f * std::cos(0.7f * i), 0.3f * std::sin(1.1f * i));
     error = shape.Set(points.data(), static_cast<int32>(points.size()));
@@ -42,6 +43,7 @@ int main() {
     b2BodyDef def;
     b2ChainShape bowl;
     std::vector<b2Vec2> rim;
+    rim.reserve(61);
     for (int i = 0; i <= 60; ++i)
         rim.emplace_back(5.0f * std::cos(b2_pi * i / 60.0f), -5.0f * std::sin(b2_pi * i / 60.0f));
     bowl.CreateChain(rim.data(), static_cast<int32>(rim.size()), {5.0f, 1.0f}, {-5.0f, 1.0f});
@@ -50,7 +52,8 @@ int main() {
     const bmr::ConvexShape *const shapes[] = {&coin, &capsule, &pebble};
     def.type = b2_dynamicBody;
     for (int i = 0; i < 60; ++i) {
-        def.position.Set(0.9f * (i % 6) - 2.25f, 0.8f * (i / 6));
+        const int row = i / 6;
+        def.position.Set(0.9f * (i % 6) - 2.25f, 0.8f * row);
         world.CreateBody(&def)->CreateFixture(shapes[i % 3], 1.0f);
     }
     for (int frame = 0; frame < 600; ++frame)
