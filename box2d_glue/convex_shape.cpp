@@ -179,6 +179,27 @@ bmr_error ConvexShape::SetRaw(const b2Vec2 *vertices, int32 count) {
     return error;
 }
 
+bmr_error ConvexShape::SetAsBox(float halfWidth, float halfHeight) {
+    if (!std::isfinite(halfWidth) || !std::isfinite(halfHeight))
+        return BMR_ERROR_NOT_FINITE;
+    if (!(halfWidth > 0.0f && halfHeight > 0.0f))
+        return BMR_ERROR_OUT_OF_RANGE;
+    const uint32_t old = GetHandle();
+    b2PolygonShape::SetAsBox(halfWidth, halfHeight);
+    SetHandle(0);
+    registry::Release(old);
+    return BMR_OK;
+}
+
+bmr_error ConvexShape::SetAsBox(float halfWidth, float halfHeight, const b2Vec2 &center, float angle) {
+    if (!center.IsValid() || !std::isfinite(angle))
+        return BMR_ERROR_NOT_FINITE;
+    const bmr_error error = SetAsBox(halfWidth, halfHeight);
+    if (error == BMR_OK)
+        b2PolygonShape::SetAsBox(halfWidth, halfHeight, center, angle);
+    return error;
+}
+
 int32 ConvexShape::GetVertexCount() const {
     const uint32_t handle = GetHandle();
     return handle != 0 ? static_cast<int32>(Block(handle)->polygon.count) : m_count;

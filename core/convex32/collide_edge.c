@@ -59,8 +59,24 @@ static axis32 axis_of_polygon(const edge_view *best) {
     return axis;
 }
 
+/// How far beyond its neighbours' normals (a sine) a one-sided edge is pushed. Past 8 vertices by no more
+/// than the polygon turns at its face: one of two adjacent faces is always that near to the real direction.
+static float region_of(const bmr_convex32 *polygon, const axis32 *primary) {
+    if (polygon->count <= 8 || !primary->of_polygon)
+        return region_tolerance;
+    const uint32_t last = convex32_previous(polygon, primary->edge),
+                   next = convex32_next(polygon, primary->edge);
+    const bmr_vec32 before = polygon->normals[last], face = polygon->normals[primary->edge],
+                    after = polygon->normals[next];
+    if (dot(before, face) <= 0.0f || dot(face, after) <= 0.0f)
+        return region_tolerance;
+    const float turns = fmaxf(cross(before, face), cross(face, after)) + 4.0f * FLT_EPSILON;
+    return fminf(turns, region_tolerance);
+}
+
 /// What a one-sided edge's neighbours leave it: false where the direction is theirs.
-static bool admit(const bmr_edge32 *edge, bmr_vec32 along, const axis32 *of_edge, axis32 *primary) {
+static bool admit(const bmr_edge32 *edge, bmr_vec32 along, const bmr_convex32 *polygon, const axis32 *of_edge,
+                  axis32 *primary) {
     const bool at_first = dot(primary->normal, along) <= 0.0f;
     const bmr_vec32 neighbour =
         direction(at_first ? minus(edge->first, edge->before) : minus(edge->after, edge->second));
@@ -69,9 +85,18 @@ static bool admit(const bmr_edge32 *edge, bmr_vec32 along, const axis32 *of_edge
         *primary = *of_edge;
         return true;
     }
-    const bmr_vec32 its_normal = quarter_right(neighbour);
-    return !((at_first ? cross(primary->normal, its_normal) : cross(its_normal, primary->normal)) >
-             region_tolerance);
+    const bmr_vec32 its_normal = quarter_right(neighbour), normal = quarter_right(along);
+    const bmr_vec32 inner = at_first ? primary->normal : its_normal,
+                    outer = at_first ? its_normal : primary->normal;
+    if (!(cross(inner, outer) > region_of(polygon, primary)))
+        return true;
+    // A sharp vertex on a joint that is nearly flat: both edges would leave it to each other.
+    const float bend = at_first ? cross(its_normal, normal) : cross(normal, its_normal);
+    if (polygon->count <= 8 || !primary->of_polygon || !(bend <= region_tolerance) ||
+        dot(normal, its_normal) <= 0.0f)
+        return false;
+    *primary = *of_edge;
+    return true;
 }
 
 /// The polygon's edge, cut at the ends of the edge.
@@ -93,25 +118,41 @@ static void points_on_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr
             keep(manifold, move_back(frame, corners[i].v), corners[i].feature, false);
 }
 
-/// The edge, cut at the sides of the polygon's face.
+/// The edge, cut at the sides of the polygon's face; where the two touch around an end of a short one,
+/// nothing of the edge may lie above it, and what is nearest to it counts.
 static void points_on_polygon(bmr_manifold32 *manifold, const bmr_edge32 *edge, uint32_t face,
                               const bmr_convex32 *polygon, const bmr_transform32 *frame, float radius_sum) {
-    manifold->type = BMR_MANIFOLD_FACE_B;
     const uint32_t second = convex32_next(polygon, face);
     const bmr_vec32 v1 = move(frame, polygon->vertices[face]), v2 = move(frame, polygon->vertices[second]);
     const bmr_vec32 normal = turn(frame, polygon->normals[face]);
     const bmr_vec32 side = quarter_right(normal), other_side = negative(side);
-    const float wider = polygon->count > 8 ? radius_sum : 0.0f;
-    corner corners[2] = {{edge->second, {1, (uint8_t)face, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE}},
-                         {edge->first, {0, (uint8_t)face, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE}}};
-    if (!cut(corners, side, dot(side, v1) + wider, (int32_t)face) ||
-        !cut(corners, other_side, dot(other_side, v2) + wider, (int32_t)second))
-        return;
-    manifold->normal = polygon->normals[face];
-    manifold->plane_point = polygon->vertices[face];
-    for (int i = 0; i < 2; ++i)
-        if (dot(normal, minus(corners[i].v, v1)) <= radius_sum)
-            keep(manifold, corners[i].v, corners[i].feature, true);
+    const corner whole[2] = {{edge->second, {1, (uint8_t)face, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE}},
+                             {edge->first, {0, (uint8_t)face, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE}}};
+    manifold->type = BMR_MANIFOLD_FACE_B;
+    const int passes = polygon->count > 8 ? 2 : 1;
+    for (int pass = 0; pass < passes && manifold->count == 0; ++pass) {
+        const float wider = pass == 0 ? 0.0f : radius_sum;
+        corner corners[2] = {whole[0], whole[1]};
+        if (!cut(corners, side, dot(side, v1) + wider, (int32_t)face) ||
+            !cut(corners, other_side, dot(other_side, v2) + wider, (int32_t)second))
+            continue;
+        manifold->normal = polygon->normals[face];
+        manifold->plane_point = polygon->vertices[face];
+        float nearest = FLT_MAX;
+        for (int i = 0; i < 2; ++i) {
+            const bmr_vec32 point = corners[i].v;
+            if (!(dot(normal, minus(point, v1)) <= radius_sum))
+                continue;
+            if (pass == 1) {
+                const float outside = fmaxf(dot(side, minus(point, v1)), dot(other_side, minus(point, v2)));
+                if (!(outside < nearest))
+                    continue;
+                nearest = outside;
+                manifold->count = 0;
+            }
+            keep(manifold, point, corners[i].feature, true);
+        }
+    }
 }
 
 void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
@@ -143,7 +184,7 @@ void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
     axis32 primary = of_edge;
     if (found.best.separation - radius_sum > enough)
         primary = axis_of_polygon(&found.best);
-    if (edge->one_sided && !admit(edge, along, &of_edge, &primary))
+    if (edge->one_sided && !admit(edge, along, polygon, &of_edge, &primary))
         return;
     if (primary.of_polygon) {
         points_on_polygon(manifold, edge, primary.edge, polygon, &frame, radius_sum);
@@ -156,7 +197,7 @@ void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
     if (manifold->count == 0 && polygon->count > 8) {
         bmr_convex32_seek(&search, vertex, 0, -FLT_MAX, &found);
         primary = axis_of_polygon(&found.best);
-        if ((!edge->one_sided || admit(edge, along, &of_edge, &primary)) && primary.of_polygon)
+        if ((!edge->one_sided || admit(edge, along, polygon, &of_edge, &primary)) && primary.of_polygon)
             points_on_polygon(manifold, edge, primary.edge, polygon, &frame, radius_sum);
     }
 }

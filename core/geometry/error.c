@@ -14,7 +14,8 @@ const char *bmr_error_describe(bmr_error error) {
     case BMR_ERROR_NOT_FINITE:
         return "a coordinate is NaN or infinite";
     case BMR_ERROR_OUT_OF_RANGE:
-        return "a coordinate is beyond 1e9, or a polygon of more than one point is smaller than 1e-9";
+        return "a number is outside of what the call takes: a coordinate beyond 1e9, a polygon too small, a "
+               "size not above 0";
     case BMR_ERROR_NO_MEMORY:
         return "the allocator had no memory";
     case BMR_ERROR_NOT_CONVEX:

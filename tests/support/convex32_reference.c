@@ -343,16 +343,41 @@ static separating best_of_polygon(const bmr_convex32 *polygon, const pose32 *fra
     return best;
 }
 
+/// Past 8 vertices the larger turn at the ends of the polygon's face, at most Box2D's 0.1.
+static float region(const separating *primary, const bmr_convex32 *polygon) {
+    if (polygon->count <= 8 || !primary->of_polygon)
+        return 0.1f;
+    const uint32_t i = primary->index;
+    const vec n0 = polygon->normals[(i + polygon->count - 1) % polygon->count], n1 = polygon->normals[i],
+              n2 = polygon->normals[following(polygon, i)];
+    const float turn0 = area(n0, n1) + 4.0f * FLT_EPSILON, turn2 = area(n1, n2) + 4.0f * FLT_EPSILON;
+    const float turn = turn0 > turn2 ? turn0 : turn2;
+    return turn > 0.1f || product(n0, n1) <= 0.0f || product(n1, n2) <= 0.0f ? 0.1f : turn;
+}
+
 /// False where the one-sided edge's neighbour has the say.
-static bool smooth(separating *primary, const separating *of_edge, const bmr_edge32 *edge, vec along) {
+static bool smooth(separating *primary, const separating *of_edge, const bmr_edge32 *edge, vec along,
+                   const bmr_convex32 *polygon) {
+    const float tolerance = region(primary, polygon);
     const vec edge0 = unit(difference(edge->first, edge->before)), normal0 = vec_of(edge0.y, -edge0.x);
     const vec edge2 = unit(difference(edge->after, edge->second)), normal2 = vec_of(edge2.y, -edge2.x);
+    const vec normal1 = vec_of(along.y, -along.x);
     if (product(primary->normal, along) <= 0.0f) {
-        if (area(edge0, along) >= 0.0f)
-            return !(area(primary->normal, normal0) > 0.1f);
+        if (area(edge0, along) >= 0.0f) {
+            const bool flat = area(normal0, normal1) <= 0.1f && product(normal1, normal0) > 0.0f;
+            if (!(area(primary->normal, normal0) > tolerance))
+                return true;
+            if (polygon->count <= 8 || !primary->of_polygon || !flat)
+                return false;
+        }
     } else {
-        if (area(along, edge2) >= 0.0f)
-            return !(area(normal2, primary->normal) > 0.1f);
+        if (area(along, edge2) >= 0.0f) {
+            const bool flat = area(normal1, normal2) <= 0.1f && product(normal1, normal2) > 0.0f;
+            if (!(area(normal2, primary->normal) > tolerance))
+                return true;
+            if (polygon->count <= 8 || !primary->of_polygon || !flat)
+                return false;
+        }
     }
     *primary = *of_edge;
     return true;
@@ -399,12 +424,30 @@ static void clip_edge(bmr_manifold32 *manifold, const separating *primary, const
         return;
     manifold->normal = primary->of_polygon ? polygon->normals[i1] : face;
     manifold->plane_point = primary->of_polygon ? polygon->vertices[i1] : v1;
+    bool wanted[2];
+    float beside[2];
+    for (int i = 0; i < 2; ++i) {
+        const float left = product(side1, difference(rest[i].v, r1)),
+                    right = product(side2, difference(rest[i].v, r2));
+        wanted[i] = product(face, difference(rest[i].v, r1)) <= radius_sum;
+        beside[i] = left > right ? left : right;
+    }
+    if (extra > 0.0f && wanted[0] && wanted[1]) // beside the face: the nearer one
+        wanted[beside[1] < beside[0] ? 0 : 1] = false;
     for (int i = 0; i < 2; ++i)
-        if (product(face, difference(rest[i].v, r1)) <= radius_sum) {
+        if (wanted[i]) {
             bmr_manifold_point32 *const point = &manifold->points[manifold->count++];
             point->point = primary->of_polygon ? rest[i].v : unplace(frame, rest[i].v);
             point->feature = primary->of_polygon ? exchanged(rest[i].id) : rest[i].id;
         }
+}
+
+/// Past 8 vertices also beside the polygon's face, where nothing is above it.
+static void clip_polygon(bmr_manifold32 *manifold, const separating *primary, const bmr_edge32 *edge,
+                         const bmr_convex32 *polygon, const pose32 *frame, float radius_sum) {
+    clip_edge(manifold, primary, edge, polygon, frame, radius_sum, 0.0f);
+    if (manifold->count == 0 && primary->of_polygon && polygon->count > 8)
+        clip_edge(manifold, primary, edge, polygon, frame, radius_sum, radius_sum);
 }
 
 void reference_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge, const pose32 *pose_edge,
@@ -425,14 +468,13 @@ void reference_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge, co
     separating primary = of_edge;
     if (of_polygon.separation - radius_sum > 0.98f * (of_edge.separation - radius_sum) + 0.001f)
         primary = of_polygon;
-    if (edge->one_sided && !smooth(&primary, &of_edge, edge, along))
+    if (edge->one_sided && !smooth(&primary, &of_edge, edge, along, polygon))
         return;
-    const float wider = polygon->count > 8 ? radius_sum : 0.0f;
-    clip_edge(manifold, &primary, edge, polygon, &frame, radius_sum, wider);
+    clip_polygon(manifold, &primary, edge, polygon, &frame, radius_sum);
     if (manifold->count == 0 && !primary.of_polygon && polygon->count > 8) {
         primary = of_polygon;
-        if ((!edge->one_sided || smooth(&primary, &of_edge, edge, along)) && primary.of_polygon)
-            clip_edge(manifold, &primary, edge, polygon, &frame, radius_sum, wider);
+        if ((!edge->one_sided || smooth(&primary, &of_edge, edge, along, polygon)) && primary.of_polygon)
+            clip_polygon(manifold, &primary, edge, polygon, &frame, radius_sum);
     }
 }
 

@@ -590,3 +590,25 @@ TEST_CASE("many threads make, copy, read and free shapes at once") {
     }
     CHECK(bmr::registry::Count() == 0);
 }
+
+TEST_CASE("SetAsBox makes Box2D's box of any shape, and lets the polygon go") {
+    const b2Vec2 center(0.25f, -3.0f);
+    b2PolygonShape box, turned;
+    box.SetAsBox(1.5f, 0.25f);
+    turned.SetAsBox(1.5f, 0.25f, center, 0.7f);
+    for (const b2PolygonShape *expected : {&box, &turned}) {
+        bmr::ConvexShape shape;
+        REQUIRE(shape.SetRegular(100, 1.0f) == BMR_OK);
+        CHECK(shape.SetAsBox(0.0f, 1.0f) == BMR_ERROR_OUT_OF_RANGE);
+        CHECK(shape.SetAsBox(1.0f, NAN, center, 0.0f) == BMR_ERROR_NOT_FINITE);
+        CHECK(shape.SetAsBox(1.0f, 1.0f, center, INFINITY) == BMR_ERROR_NOT_FINITE);
+        CHECK(shape.GetVertexCount() == 100); // an error leaves it
+        const bmr_error error =
+            expected == &box ? shape.SetAsBox(1.5f, 0.25f) : shape.SetAsBox(1.5f, 0.25f, center, 0.7f);
+        CHECK(error == BMR_OK);
+        CHECK(shape.GetVertexCount() == 4);
+        CHECK(std::memcmp(shape.GetVertices(), expected->m_vertices, 4 * sizeof(b2Vec2)) == 0);
+        CHECK(std::memcmp(&shape.GetNormal(0), expected->m_normals, 4 * sizeof(b2Vec2)) == 0);
+        CHECK(std::memcmp(&shape.m_centroid, &expected->m_centroid, sizeof(b2Vec2)) == 0);
+    }
+}

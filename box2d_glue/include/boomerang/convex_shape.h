@@ -45,7 +45,8 @@ struct ConvexShapeAccess;
 /// Copies and clones share the polygon; it is freed with the last of them. Shapes may be made, copied and
 /// destroyed on any thread. What Box2D inherits is as it is: m_radius may be changed as ever, but m_vertices,
 /// m_normals and m_count are not to be touched, nor is the shape to be copied into a plain b2PolygonShape
-/// (which would be the octagon).
+/// (which would be the octagon). The shape of a fixture is not to be changed in place between at most 8 and
+/// more vertices: its contacts live on as they were until they part.
 class BMR_BOX2D_API ConvexShape final : public b2PolygonShape {
 public:
     ConvexShape() noexcept;
@@ -73,6 +74,11 @@ public:
     /// The same of vertices that are such a hull, counter-clockwise from any one: kept as they are and where
     /// they are. BMR_ERROR_NOT_CONVEX where they are not. O(n).
     bmr_error SetRaw(const b2Vec2 *vertices, int32 count);
+
+    /// b2PolygonShape::SetAsBox, bit for bit; a polygon that the shape held is let go. Errors leave it as it
+    /// was: BMR_ERROR_NOT_FINITE, BMR_ERROR_OUT_OF_RANGE (a size that is not above zero).
+    bmr_error SetAsBox(float halfWidth, float halfHeight);
+    bmr_error SetAsBox(float halfWidth, float halfHeight, const b2Vec2 &center, float angle);
 
     /// A regular polygon around the origin; its first vertex lies on the positive x axis. Of very many
     /// vertices those are left that floats can tell from a straight line (all of 12,000, about 26,000 of

@@ -59,10 +59,19 @@ typedef struct bmr_edge32 {
     bool one_sided;
 } bmr_edge32;
 
-/// An edge (A) and a polygon (B): Box2D's b2CollideEdgeAndPolygon, with two differences past 8 vertices, for
-/// the sake of short faces. Where one is the reference, Box2D clips the edge to what lies straight above it;
-/// here the sides are `radius_sum` farther out, as between polygons. And where the edge is the reference and
-/// the polygon touches it around one of its ends, so that no point is left, the polygon's face is taken.
+/// An edge (A) and a polygon (B): Box2D's b2CollideEdgeAndPolygon, with four differences past 8 vertices,
+/// where its rules are only good for few and long faces:
+/// - A one-sided edge leaves what lies beyond its neighbours' normals to them. Box2D does so from a sine of
+///   0.1 on, which is many faces of a polygon that is nearly round; a wheel would stumble over each joint of
+///   a flat chain. Here it is the larger turn at the ends of the polygon's face, at most 0.1.
+/// - Where that leaves it nothing and the neighbour's normal is within Box2D's 0.1 of its own, its own normal
+///   is taken: of a sharp vertex on a flat joint each edge would say that it is the other's.
+///   (Where the chain bends more, such a vertex may still be left to neither, as in Box2D.)
+/// - Where the polygon's face is the reference and no point of the edge that is near enough lies straight
+///   above it, Box2D finds none. Here the one nearest to the face, at most `radius_sum` beside it, is taken.
+/// - Where the edge is the reference and the polygon touches it around one of its ends, so that no point is
+///   left, the polygon's face is taken.
+///
 /// `centroid` is B's, in its own frame: a one-sided edge does not push what is behind it.
 /// Box2D's two tolerances here are absolute, so no slop is asked for.
 void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,

@@ -14,7 +14,8 @@ typedef enum bmr_error {
     BMR_ERROR_NO_POINTS,       ///< a polygon needs at least one point
     BMR_ERROR_TOO_MANY_POINTS, ///< more than BMR_MAX_VERTICES points
     BMR_ERROR_NOT_FINITE,      ///< a coordinate is NaN or infinite
-    BMR_ERROR_OUT_OF_RANGE,    ///< a coordinate is too large, or an extent too small: see BMR_MAX_COORDINATE
+    BMR_ERROR_OUT_OF_RANGE,    ///< a coordinate too large, an extent too small (BMR_MAX_COORDINATE), any size
+                               ///< not taken
     BMR_ERROR_NO_MEMORY,       ///< the allocator returned NULL
     BMR_ERROR_NOT_CONVEX,      ///< raw vertices that are not strictly convex and counter-clockwise
     BMR_ERROR_TABLE_TOO_SMALL, ///< the compass table has fewer levels than the polygon asks for

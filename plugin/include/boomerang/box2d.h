@@ -5,6 +5,7 @@
 /// @file
 /// What a game includes. One call before the first world, and nothing else changes:
 ///
+///     #include <box2d/box2d.h>
 ///     #include <boomerang/box2d.h>
 ///     bmr::Install();
 ///
