@@ -8,13 +8,15 @@
 
 #include <cairo.h>
 
+#include "drawing/whole_file.h"
+
 namespace testbed {
 
 /// Whether there is a kind of picture for the ending of this path: .svg, .png or .pdf.
 bool IsPicturePath(const std::string &path);
 
 /// A picture file being drawn: cairo's surface of the kind that the path's ending names, and a context on it.
-/// Sizes are pixels in a PNG and points elsewhere.
+/// Sizes are pixels in a PNG and points elsewhere. An older file stays until Write.
 class Surface {
 public:
     Surface(std::string path, double width, double height);
@@ -30,6 +32,7 @@ private:
     using ContextPointer = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
     std::string m_path;
+    WholeFile m_file;
     SurfacePointer m_surface;
     ContextPointer m_context;
 };

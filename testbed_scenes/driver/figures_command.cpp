@@ -57,7 +57,7 @@ int Execute(const FiguresCommand &command) {
     std::error_code error;
     std::filesystem::create_directories(command.directory, error);
     if (error)
-        throw UsageError("cannot make the directory " + command.directory + ": " + error.message());
+        throw std::runtime_error("cannot make the directory " + command.directory + ": " + error.message());
     for (const FigureInfo *figure : wanted)
         for (const char *format : {"svg", "png"})
             if (command.format == format || command.format == "both")

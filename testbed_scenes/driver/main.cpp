@@ -168,7 +168,6 @@ int Run(int argc, char **argv) {
                  "boomerang-testbed");
     CommandLine line;
     app.require_subcommand(1);
-    app.footer(kExitCodes);
     app.set_version_flag("--version", "boomerang-testbed " BOOMERANG_VERSION);
     app.add_option("--workers", line.directory,
                    "Directory of boomerang-scene and boomerang-scene-plugin (default: this program's own)")
@@ -196,6 +195,8 @@ int Run(int argc, char **argv) {
         subcommand->footer(own.empty() ? kExitCodes : own + "\n\n" + kExitCodes);
         subcommand->fallthrough(); // so that --workers may stand behind the command as well
     }
+
+    app.footer(kExitCodes); // not before: commands would inherit it, and have it twice
 
     const std::string unknown = ExplainCommand(app, argc, argv);
     if (!unknown.empty())

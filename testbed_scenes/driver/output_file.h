@@ -7,31 +7,40 @@
 #include <string>
 
 #include "commands.h"
+#include "drawing/whole_file.h"
 
 namespace testbed {
 
-/// A file that is opened before the work begins: hours of comparing should not end in "cannot write".
+/// A file that is checked before the work begins, for hours of comparing should not end in "cannot write";
+/// and that replaces an older one only when it is whole.
 class OutputFile {
 public:
-    explicit OutputFile(const std::string &path) : m_path(path) {
-        if (path.empty())
-            return;
+    /// No file is wanted where the path is empty. Throws std::runtime_error if it cannot be written.
+    explicit OutputFile(const std::string &path) : m_path(path), m_file(path) {
         if (path == "-")
             throw UsageError("the table takes standard output: give this option a file");
-        m_stream.open(path);
-        if (!m_stream)
-            throw UsageError("cannot write " + path);
+        if (IsWanted())
+            WholeFile::Check(path);
     }
     bool IsWanted() const { return !m_path.empty(); }
-    std::ostream &Stream() { return m_stream; }
+    /// Opened when it is first asked for: an interrupt before leaves nothing behind.
+    std::ostream &Stream() {
+        if (!m_stream.is_open())
+            m_stream.open(m_file.WritePath());
+        if (!m_stream)
+            throw std::runtime_error("cannot write " + m_path);
+        return m_stream;
+    }
     void Close() {
         m_stream.close();
         if (!m_stream)
             throw std::runtime_error("writing " + m_path + " failed");
+        m_file.Finish();
     }
 
 private:
     std::string m_path;
+    WholeFile m_file;
     std::ofstream m_stream;
 };
 

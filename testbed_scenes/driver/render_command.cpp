@@ -8,10 +8,10 @@
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
-#include <unistd.h>
 
 #include "commands.h"
 #include "drawing/surface.h"
+#include "drawing/whole_file.h"
 #include "progress.h"
 #include "recorded_run.h"
 
@@ -108,12 +108,7 @@ void ReadRange(const RenderCommand &command, RecordRequest *request) {
 void CheckOutput(const std::string &output) {
     if (!IsPicturePath(output))
         throw UsageError("\"" + output + "\" should end in .svg, .png or .pdf");
-    const fs::path path(output), directory = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    std::error_code error;
-    const bool exists = fs::exists(path, error);
-    if (!fs::is_directory(directory, error) || fs::is_directory(path, error) ||
-        access(exists ? path.c_str() : directory.c_str(), W_OK) != 0)
-        throw UsageError("cannot write " + output);
+    WholeFile::Check(output);
 }
 
 /// "picture.png", 7 of 120: "picture-0007.png".
@@ -153,9 +148,14 @@ CLI::App *AddRender(CLI::App &app, RenderCommand &command) {
             ->excludes(step);
     step->excludes(frames);
     render->add_option("-o,--output", command.output, "The picture: .svg, .png or .pdf")->required();
-    render->add_option("--focus", command.focus,
-                       "BODY: it and its pairs; A,B: two bodies; or X,Y,WIDTH,HEIGHT, a rectangle of the "
-                       "world from its lower left corner");
+    render
+        ->add_option("--focus", command.focus,
+                     "BODY: it and its pairs; A,B: two bodies; or X,Y,WIDTH,HEIGHT, a rectangle of the "
+                     "world from its lower left corner")
+        ->check([](const std::string &text) {
+            return text.empty() ? std::string("a body, two bodies A,B or a rectangle is wanted")
+                                : std::string();
+        });
     render->add_option("--width", command.width, "Width in pixels (points in an SVG or PDF)")
         ->check(CLI::Range(200, 10000))
         ->capture_default_str();
@@ -181,6 +181,10 @@ int Execute(const RenderCommand &command, const Workers &workers) {
     ReadFocus(command.focus, &options);
     options.layers = LayersOf(command);
     options.width = command.width;
+    // Beside the list of reasons, the world must still be seen.
+    constexpr int kLeastWithBodies = 600;
+    if (!options.bodies.empty() && options.width < kLeastWithBodies)
+        throw UsageError("--width: with --focus on a body at least " + std::to_string(kLeastWithBodies));
     options.series = !command.frames.empty();
     CheckOutput(command.output);
     RecordRequest request;

@@ -150,7 +150,7 @@ void WriteFigures(const Numbers &numbers, const std::string &directory) {
     std::error_code error;
     std::filesystem::create_directories(directory, error);
     if (error)
-        throw UsageError("cannot make the directory " + directory + ": " + error.message());
+        throw std::runtime_error("cannot make the directory " + directory + ": " + error.message());
     for (const Picture &picture : AllPictures(numbers)) {
         const std::string path = (std::filesystem::path(directory) / (picture.name + ".svg")).string();
         OutputFile file(path);

@@ -58,6 +58,7 @@ public:
         Explanation explanation = Explain(m_world, m_options, region, kMostExplained);
         m_explained = std::move(explanation.pairs);
         m_touching = std::move(explanation.touching);
+        m_alone = std::move(explanation.alone);
         m_rest = explanation.rest;
         Canvas canvas(path, m_width, high + strip);
         Paint(canvas, {0.0, 0.0, m_width, high + strip}, style::kStrip);
@@ -159,7 +160,7 @@ private:
                   : "Bodies " + std::to_string(bodies[0]) + " and " + std::to_string(bodies[1]),
               14.5, true, style::kText, Align::Left);
         y -= 0.75 * kListTitle * m_unit;
-        if (m_explained.empty() && m_touching.empty() && m_rest == 0)
+        if (m_explained.empty() && m_touching.empty() && m_alone.empty() && m_rest == 0)
             write(left, y, "No boxes overlap: nobody asked.", style::kSmallText, false, style::kFaintText,
                   Align::Left);
         int hidden = m_rest;
@@ -181,7 +182,9 @@ private:
         if (hidden > 0)
             lines.push_back("and " + std::to_string(hidden) + " more, farther away");
         if (!m_touching.empty())
-            lines.push_back(TouchingText());
+            lines.push_back("It touches " + NamesOf(m_touching) + ".");
+        if (!m_alone.empty())
+            lines.push_back("Not two polygons, Box2D's alone: " + NamesOf(m_alone) + ".");
         y = std::max(y, area.bottom + (10.0 + 20.0 * static_cast<double>(lines.size() - 1)) * m_unit);
         for (const std::string &line : lines) {
             write(left, y, line, style::kSmallText, false, style::kFaintText, Align::Left);
@@ -189,16 +192,16 @@ private:
         }
     }
 
-    /// "It touches 39, 47, 58 and 10 more."
-    std::string TouchingText() const {
+    /// The other bodies of pairs: "39, 47, 58 and 10 more".
+    std::string NamesOf(const std::vector<const recording::Pair *> &pairs) const {
         constexpr std::size_t kMostNamed = 5;
-        std::string text = "It touches ";
-        for (std::size_t i = 0; i < std::min(kMostNamed, m_touching.size()); ++i) {
-            const recording::Pair &pair = *m_touching[i];
+        std::string text;
+        for (std::size_t i = 0; i < std::min(kMostNamed, pairs.size()); ++i) {
+            const recording::Pair &pair = *pairs[i];
             text += (i == 0 ? "" : ", ") + std::to_string(pair.a == m_options.bodies[0] ? pair.b : pair.a);
         }
-        const std::size_t more = m_touching.size() - std::min(kMostNamed, m_touching.size());
-        return text + (more > 0 ? " and " + std::to_string(more) + " more." : ".");
+        const std::size_t more = pairs.size() - std::min(kMostNamed, pairs.size());
+        return text + (more > 0 ? " and " + std::to_string(more) + " more" : "");
     }
 
     std::string NameOfPair(const Explained &one) const {
@@ -216,6 +219,7 @@ private:
     const double m_width, m_unit;
     std::vector<Explained> m_explained;
     std::vector<const recording::Pair *> m_touching;
+    std::vector<const recording::Pair *> m_alone;
     int m_rest = 0;
 };
 

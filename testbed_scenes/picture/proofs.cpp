@@ -170,6 +170,10 @@ Explanation Explain(const WorldView &world, const PictureOptions &options, const
             explanation.touching.push_back(&pair);
             continue;
         }
+        if (pair.touching == 0 && pair.polygon_contacts == 0) {
+            explanation.alone.push_back(&pair);
+            continue;
+        }
         Explained one;
         one.pair = &pair;
         one.proof = WeakestProof(pair);

@@ -31,6 +31,7 @@ struct Explanation {
     /// number.
     std::vector<Explained> pairs;
     std::vector<const recording::Pair *> touching; ///< the others that touch
+    std::vector<const recording::Pair *> alone;    ///< apart, but not of two polygons: Box2D's alone
     int rest = 0;                                  ///< how many more there are, or are not in the region
 };
 Explanation Explain(const WorldView &world, const PictureOptions &options, const Rectangle &region, int most);

@@ -118,6 +118,9 @@ test_focus_on_bodies_and_places() {
         expect 2 render pyramid --size 4 --step 3 "--focus=$bad" -o "$scratch/picture.svg"
         err_has 'a body, two bodies A,B or a rectangle|two different bodies'
     done
+    expect 2 render pyramid --size 4 --step 3 --focus '' -o "$scratch/picture.svg"
+    expect 2 render pyramid --size 4 --step 3 --focus 1 --width 599 -o "$scratch/picture.svg"
+    err_has 'at least 600'
     expect 2 render pyramid --size 4 --step 3 --focus 4711 -o "$scratch/picture.svg"
     err_has 'there is no body 4711 after step 3; the largest number is [0-9]+'
 }
@@ -149,8 +152,19 @@ test_requests_that_make_no_sense() {
     expect 2 render pyramid --step 1 --all --bare -o "$scratch/picture.svg"
     expect 2 render pyramid --step 1 -o "$scratch/picture.jpeg"
     err_has 'should end in .svg, .png or .pdf'
-    expect 2 render pyramid --step 1 -o "$scratch/no/such/directory.png"
+    expect 3 render pyramid --step 1 -o "$scratch/no/such/directory.png"
     err_has 'cannot write'
+    expect 3 replay pyramid --steps 1 -o "$scratch/no/such/directory.html"
+    err_has 'cannot write'
+    local ending
+    for ending in png svg pdf; do
+        echo old >"$scratch/kept.$ending"
+        expect 2 render pyramid --size 4 --step 3 --focus 4711 -o "$scratch/kept.$ending"
+        echo old | cmp -s - "$scratch/kept.$ending" || fail "the old picture is gone"
+        draw "$scratch/kept.$ending" pyramid --size 4 --step 3
+        ! echo old | cmp -s - "$scratch/kept.$ending" || fail "control: the old picture is still there"
+        [ -z "$(find "$scratch" -name '*.part')" ] || fail "an unfinished picture is left"
+    done
     expect 2 render piramid --step 1 -o "$scratch/picture.svg"
     err_has 'nearest is "pyramid"'
     expect 0 render --help

@@ -86,7 +86,7 @@ test_figures_are_files_too() {
         out_has "/$name\\.svg\$"
         grep -q '<svg' "$scratch/figures/$name.svg" || fail "no picture $name"
     done
-    expect 2 report --json "$scratch/events.json" --figures "$scratch/costs.csv/below"
+    expect 3 report --json "$scratch/events.json" --figures "$scratch/costs.csv/below"
     err_has 'cannot make the directory'
 }
 
@@ -162,9 +162,28 @@ test_other_files_are_refused() {
     expect 2 report --json "$scratch/compare.json" --steps 5 -o "$scratch/page.html"
     expect 2 report peedles -o "$scratch/page.html"
     err_has 'nearest is "needles"'
-    expect 2 report --json "$scratch/compare.json" -o "$scratch/no/such/directory.html"
+}
+
+test_a_page_that_cannot_be_written_leaves_the_old_one() {
+    expect 3 report --json "$scratch/compare.json" -o "$scratch/no/such/directory.html"
     err_has 'cannot write'
     expect 3 report --json "$scratch/compare.json" -o /dev/full
+    echo old >"$scratch/page.html"
+    expect 2 report --json "$scratch/missing.json" -o "$scratch/page.html"
+    expect 2 report peedles -o "$scratch/page.html"
+    (
+        ulimit -f 1
+        trap '' XFSZ
+        exec "$testbed" report --json "$scratch/compare.json" -o "$scratch/page.html"
+    ) >"$scratch/out" 2>"$scratch/err" && fail "a page that is too long was written"
+    echo old | cmp -s - "$scratch/page.html" || fail "the old page is gone"
+    [ -z "$(find "$scratch" -name 'page.html.*')" ] || fail "an unfinished page is left"
+    chmod 640 "$scratch/page.html"
+    ln -sf page.html "$scratch/link.html"
+    expect 0 report --json "$scratch/compare.json" -o "$scratch/link.html"
+    [ -L "$scratch/link.html" ] || fail "the link is gone"
+    [ "$(stat -c %a "$scratch/page.html")" = 640 ] || fail "its permissions are gone"
+    page_has '<section id="scenes">'
 }
 
 run_tests

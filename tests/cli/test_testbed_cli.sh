@@ -47,7 +47,7 @@ test_usage_errors_exit_with_2() {
     expect 2 run
     expect 2 run "$classic" --prefilter perhaps
     expect 2 run "$classic" --plugin off --trace "$scratch/trace"
-    expect 2 compare "$classic" --json "$scratch/no/such/directory.json"
+    expect 3 compare "$classic" --json "$scratch/no/such/directory.json"
     err_has 'cannot write'
 }
 

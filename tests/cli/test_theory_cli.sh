@@ -82,7 +82,7 @@ test_events_explain_wrong_input() {
     expect 2 events line --alpha -1
     expect 2 events line --alpha nan
     expect 2 events line --offset-ratio 1
-    expect 2 events line --csv "$scratch/no/such/file.csv"
+    expect 3 events line --csv "$scratch/no/such/file.csv"
     err_has 'cannot write'
     expect 2 events line --structures points
     err_has 'none of these structures'
@@ -111,7 +111,7 @@ test_figures_are_drawn() {
     done
     expect 2 figures dudly
     err_has 'the nearest is "dudley"'
-    expect 2 figures dudley -o /dev/null/x
+    expect 3 figures dudley -o /dev/null/x
     err_has 'cannot make the directory'
 }
 
