@@ -40,11 +40,11 @@ void Prefetch(const b2Contact *contact) {
 
 void Update(b2Contact *contact, b2ContactListener *listener) {
     const bool sensor = contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor();
-    if (sensor || Verifying())
-        SolidContact::UpdateByBox2D(contact, listener);
-    else if (PolygonContact *ofSmall = PolygonContact::AsOurs(contact))
+    const bool here = !sensor && !Verifying();
+    PolygonContact *ofSmall = here ? PolygonContact::AsOurs(contact) : nullptr;
+    if (ofSmall != nullptr)
         ofSmall->UpdateSolid(listener);
-    else if (ConvexContact *ofBig = ConvexContact::AsOurs(contact))
+    else if (ConvexContact *ofBig = here ? ConvexContact::AsOurs(contact) : nullptr)
         ofBig->UpdateSolid(listener);
     else
         SolidContact::UpdateByBox2D(contact, listener);
