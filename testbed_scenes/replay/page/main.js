@@ -108,11 +108,17 @@ class App {
     };
     const bodies = this.view.bodiesOf(group).filter((body) => body >= 0);
     if (!bodies.length) { this.say("Neither body is there at this step."); return; }
-    // The smaller one whole; of a larger one, what is near.
+    // Both whole; of one that is far larger (a ground), what is near.
+    const farLarger = 10;
     const small = bodies.reduce((a, b) => (m.reach[b] < m.reach[a] ? b : a));
-    add(m.x[small], m.y[small]);
+    for (const body of bodies) {
+      const reach = m.reach[body];
+      if (reach > farLarger * m.reach[small]) continue;
+      add(m.x[body] - reach, m.y[body] - reach);
+      add(m.x[body] + reach, m.y[body] + reach);
+    }
     if (pair !== undefined && m.linkOf(pair, links)) { add(links[0], links[1]); add(links[2], links[3]); }
-    this.view.frame(box, 3 * m.reach[small]);
+    this.view.frame(box, m.reach[small]);
     this.redraw();
   }
 

@@ -7,8 +7,8 @@ const EVENT_ROWS = [
   { kinds: ["roll"], name: "roll", glyph: "ring" },
   { kinds: ["coarsen"], name: "coarsen", glyph: "diamond" },
   { kinds: ["start", "search"], name: "start, search", glyph: "bar" },
-  { kinds: ["contact", "hand-over"], name: "hand-over", glyph: "cross" },
-  { kinds: ["leave", "take-back"], name: "take-back", glyph: "plus" },
+  { kinds: ["contact", "hand-over"], name: "manifold", glyph: "cross" },
+  { kinds: ["leave", "take-back"], name: "apart again", glyph: "plus" },
 ];
 const SLACK_HEIGHT = 48, ROW_HEIGHT = 14, LABELS = 84;
 
@@ -103,7 +103,7 @@ class Timeline {
       this.drawEvents(g, row, y + ROW_HEIGHT / 2);
       y += ROW_HEIGHT;
     }
-    label("to Box2D", y);
+    label("call of Box2D", y);
     this.drawStrip(g, y, colour.handed, (row) => (this.model.answerAt(row) === HANDED_OVER ? 1 : 0));
     y += ROW_HEIGHT;
     label(this.model.stock + ": SAT", y);

@@ -55,26 +55,49 @@ class View {
     return [(x - this.width / 2) / this.camera.scale + this.camera.x, this.camera.y - (y - this.height / 2) / this.camera.scale];
   }
 
-  // Where the scene happens: around nearly all places of moving bodies in all steps, without runaways.
+  // Where the scene happens: the box of nearly all moving bodies in all steps, without runaways.
   fit() {
-    const m = this.model, c = m.c, xs = [], ys = [], reach = [];
+    const m = this.model, c = m.c, lows = [[], []], highs = [[], []];
     for (const movingOnly of [true, false]) {
       for (let body = 0; body < m.bodyCount; ++body) {
         if (movingOnly && (c["body.type"][body] & 3) === 0) continue;
-        reach.push(Math.min(m.reach[body], 50));
+        const box = this.shapeBox(body);
         const stride = Math.max(1, Math.floor(c["body.steps"][body] / 40));
         for (let pose = m.poseStart[body]; pose < m.poseStart[body + 1]; pose += stride) {
-          xs.push(c["pose.x"][pose] * m.unit);
-          ys.push(c["pose.y"][pose] * m.unit);
+          const angle = c["pose.angle"][pose] * m.about.quanta.angle, cos = Math.cos(angle), sin = Math.sin(angle);
+          const at = [c["pose.x"][pose] * m.unit, c["pose.y"][pose] * m.unit];
+          // The turned box's own box; what has no end (a ground) counts as fifty lengths.
+          const middle = [cos * box.x - sin * box.y, sin * box.x + cos * box.y];
+          const half = [Math.abs(cos) * box.w + Math.abs(sin) * box.h, Math.abs(sin) * box.w + Math.abs(cos) * box.h];
+          for (const axis of [0, 1]) {
+            lows[axis].push(at[axis] + Math.max(-50, middle[axis] - half[axis]));
+            highs[axis].push(at[axis] + Math.min(50, middle[axis] + half[axis]));
+          }
         }
       }
-      if (xs.length) break;
+      if (lows[0].length) break;
     }
-    if (!xs.length) return;
-    for (const list of [xs, ys, reach]) list.sort((a, b) => a - b);
+    if (!lows[0].length) return;
+    for (const list of [...lows, ...highs]) list.sort((a, b) => a - b);
     const at = (list, share) => list[Math.min(list.length - 1, Math.floor(list.length * share))];
-    const room = 2 * at(reach, 0.9);
-    this.frame([at(xs, 0.02), at(ys, 0.02), at(xs, 0.98), at(ys, 0.98)], room);
+    this.frame([at(lows[0], 0.01), at(lows[1], 0.01), at(highs[0], 0.99), at(highs[1], 0.99)], 0);
+  }
+
+  // The box of a body's shapes in its own frame: its middle and half its sides.
+  shapeBox(body) {
+    const m = this.model, low = [0, 0], high = [0, 0];
+    let first = true;
+    for (let shape = m.shapeStart[body]; shape < m.shapeStart[body + 1]; ++shape) {
+      const radius = m.shapeKind(shape) === 1 ? m.c["shape.radius"][shape] * m.unit : 0;
+      for (let k = m.shapePointStart[shape]; k < m.shapePointStart[shape + 1]; ++k) {
+        [m.px[k], m.py[k]].forEach((value, axis) => {
+          low[axis] = first ? value - radius : Math.min(low[axis], value - radius);
+          high[axis] = first ? value + radius : Math.max(high[axis], value + radius);
+        });
+        first = false;
+      }
+    }
+    return { x: (low[0] + high[0]) / 2, y: (low[1] + high[1]) / 2, w: (high[0] - low[0]) / 2, h: (high[1] - low[1]) / 2 };
   }
 
   frame([left, bottom, right, top], room) {
