@@ -437,7 +437,7 @@ class ReplayCommand(unittest.TestCase):
 
     def test_what_makes_no_sense_is_refused_with_2(self):
         self.check(2, 'the nearest is "planks"', "plancks", "-o", "/dev/null")
-        self.check(2, "cannot write", "planks", "-o", "/no/such/directory/page.html")
+        self.check(3, "cannot write", "planks", "-o", "/no/such/directory/page.html")
         self.check(2, "--steps", "planks", "--steps", "0", "-o", "/dev/null")
         self.check(2, "--steps", "planks", "--steps", "1000000", "-o", "/dev/null")
         self.check(2, "--output", "planks")

@@ -3,7 +3,7 @@
 const OVERLAYS = [
   { name: "slack", text: "Slack: near wide, far thin", on: true, sample: ["slack-1", 3, ""] },
   { name: "handed", text: "Handed to Box2D: crossed", on: true, sample: ["handed", 2, "", "cross"] },
-  { name: "contacts", text: "Contact points (of two polygons the plugin’s own, unless crossed)", on: true, sample: ["contact", 0, "", "diamond"] },
+  { name: "contacts", text: "Contacts (plugin’s if uncrossed)", on: true, sample: ["contact", 0, "", "diamond"] },
   { name: "certificates", text: "Certificates: line and gap", on: false, sample: ["certificate", 2, ""] },
   { name: "envelopes", text: "Envelopes at the certified level", on: false, sample: ["envelope", 1.6, "7 3"] },
   { name: "hulls", text: "Hulls", on: false, sample: ["hull", 1.6, "2 3"] },

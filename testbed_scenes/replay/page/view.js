@@ -55,12 +55,15 @@ class View {
     return [(x - this.width / 2) / this.camera.scale + this.camera.x, this.camera.y - (y - this.height / 2) / this.camera.scale];
   }
 
-  // Where the scene happens: the box of nearly all moving bodies in all steps, without runaways.
+  // Where the scene happens: the box of nearly all bodies in all steps, without runaways and without what is
+  // far larger than the moving ones' own box (a ground).
   fit() {
     const m = this.model, c = m.c, lows = [[], []], highs = [[], []];
-    for (const movingOnly of [true, false]) {
+    const at = (list, share) => list[Math.min(list.length - 1, Math.floor(list.length * share))];
+    let largest = 0; // reach of a body that does not move
+    for (const moving of [true, false]) {
       for (let body = 0; body < m.bodyCount; ++body) {
-        if (movingOnly && (c["body.type"][body] & 3) === 0) continue;
+        if (((c["body.type"][body] & 3) !== 0) !== moving || (!moving && m.reach[body] > largest)) continue;
         const box = this.shapeBox(body);
         const stride = Math.max(1, Math.floor(c["body.steps"][body] / 40));
         for (let pose = m.poseStart[body]; pose < m.poseStart[body + 1]; pose += stride) {
@@ -75,11 +78,11 @@ class View {
           }
         }
       }
-      if (lows[0].length) break;
+      for (const list of [...lows, ...highs]) list.sort((a, b) => a - b);
+      const spread = [0, 1].map((axis) => at(highs[axis], 0.99) - at(lows[axis], 0.01));
+      largest = lows[0].length ? Math.max(...spread) / 2 : Infinity;
     }
     if (!lows[0].length) return;
-    for (const list of [...lows, ...highs]) list.sort((a, b) => a - b);
-    const at = (list, share) => list[Math.min(list.length - 1, Math.floor(list.length * share))];
     this.frame([at(lows[0], 0.01), at(lows[1], 0.01), at(highs[0], 0.99), at(highs[1], 0.99)], 0);
   }
 
