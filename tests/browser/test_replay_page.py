@@ -245,8 +245,14 @@ class ReplayPage(unittest.TestCase):
             for short, long in names.items():
                 self.assertEqual(totals[f"stock.{short}"], stock[long], f"{name}: stock's {long}")
             # Of the plugin's side what the recorder itself asks for is not its own: b2Distance has no counterpart.
-            for short, long in (("polygon", "polygon_tests"), ("toi", "toi_calls")):
-                self.assertEqual(totals[f"plugin.{short}"], self.recordings[name]["plugin"].summary[long], f"{name}: {long}")
+            recorded = self.recordings[name]["plugin"].summary
+            self.assertEqual(totals["plugin.polygon"], recorded["polygon_tests"], f"{name}: polygon_tests")
+            # Where a proof is remembered depends on where shapes lie in memory, and so, a little, does how many times of
+            # impact are left to Box2D: another process may count a few more or fewer.
+            room = max(5, recorded["toi_calls"] // 20)
+            self.assertAlmostEqual(totals["plugin.toi"], recorded["toi_calls"], delta=room, msg=f"{name}: toi_calls")
+            if name == "planks":
+                self.assertGreater(totals["stock.toi"], recorded["toi_calls"] + room, "control: stock's number would be noticed")
             self.assertGreater(totals["stock.polygon"], totals["plugin.polygon"], "control: the sides differ")
 
     def test_the_scene_and_the_time_line_are_not_blank(self):
