@@ -8,8 +8,8 @@ function(boomerang_target target)
   set_target_properties(${target} PROPERTIES C_STANDARD 11 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF
     CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   if(BOOMERANG_SANITIZE)
-    # Following variables through instrumented code takes gcc minutes for a large test, and nobody steps through it.
-    target_compile_options(${target} PRIVATE $<$<OR:$<C_COMPILER_ID:GNU>,$<CXX_COMPILER_ID:GNU>>:-fno-var-tracking>)
+    # More optimisation than this takes gcc minutes for a large test.
+    target_compile_options(${target} PRIVATE -O1)
     target_compile_options(${target} PRIVATE -fsanitize=${BOOMERANG_SANITIZE} -fno-omit-frame-pointer
       -fno-sanitize-recover=all)
     target_link_options(${target} PRIVATE -fsanitize=${BOOMERANG_SANITIZE})
