@@ -181,7 +181,7 @@ TEST_CASE("two bodies are as far apart as the weakest proof between them") {
     CheckSameAsStock([](Run &run) {
         shapes::Engine engine(12);
         size_t looked = 0, unlike = 0;
-        for (size_t world = 0; world < test_scaled(100); ++world) {
+        for (int world = 0; world < 100; ++world) { // at every scale: few worlds have such a pair
             Game game(run);
             const b2Body *a = Burr(game, engine, {0.0f, 0.0f}, 3), *b = Burr(game, engine, {0.9f, 0.3f}, 3);
             game.world.Step(1.0f / 60.0f, 8, 3);
