@@ -109,7 +109,7 @@ bmr_error ConvexShape::SetRounded(float halfWidth, float halfHeight, float corne
         if (const bmr_error error = CheckSize(size))
             return error;
     if (cornerRadius > halfWidth || cornerRadius > halfHeight)
-        return BMR_ERROR_OUT_OF_RANGE;
+        return BMR_ERROR_CORNER_TOO_LARGE;
     if (cornerVertices < 2)
         return BMR_ERROR_TOO_FEW_POINTS;
     if (cornerVertices > kMostVertices / 4)

@@ -122,7 +122,7 @@ bmr_error bmr_convex32_simplify(const bmr_convex32 *polygon, float tolerance, co
     if (isnan(tolerance))
         return BMR_ERROR_NOT_FINITE;
     if (tolerance < 0.0f)
-        return BMR_ERROR_OUT_OF_RANGE;
+        return BMR_ERROR_NEGATIVE;
     const uint32_t n = polygon->count;
     const size_t size = n * (sizeof(bmr_vec2) + sizeof(bool));
     bmr_vec2 *vertices = bmr_allocate(allocator, size);

@@ -6,34 +6,48 @@ const char *bmr_error_describe(bmr_error error) {
     case BMR_OK:
         return "no error";
     case BMR_ERROR_NULL_ARGUMENT:
-        return "a pointer that must not be NULL is NULL";
+        return "a pointer that must not be NULL is NULL: pass what is asked about, and an address for the "
+               "result";
     case BMR_ERROR_NO_POINTS:
-        return "a polygon needs at least one point";
+        return "there are no points: a polygon needs at least one";
     case BMR_ERROR_TOO_MANY_POINTS:
-        return "a polygon takes at most 65535 points";
+        return "a polygon takes at most 65535 points: leave some out, or give fewer vertices to what is "
+               "round";
     case BMR_ERROR_NOT_FINITE:
-        return "a coordinate is NaN or infinite";
+        return "a number is NaN or infinite: look for a division by zero or an overflow where it was made";
     case BMR_ERROR_OUT_OF_RANGE:
-        return "a number is outside of what the call takes: a coordinate beyond 1e9, a polygon too small, a "
-               "size not above 0";
+        return "a number is outside of what the call takes: coordinates up to 1e9, polygons and their areas "
+               "not next to nothing, sizes above 0; the call's comment has the rest";
     case BMR_ERROR_NO_MEMORY:
-        return "the allocator had no memory";
+        return "the allocator had no memory: nothing was changed, so free some and call again";
     case BMR_ERROR_NOT_CONVEX:
-        return "the vertices are not strictly convex and counter-clockwise";
+        return "the vertices are not strictly convex and counter-clockwise: sort them so, or use the call "
+               "that makes a hull of points in any order";
     case BMR_ERROR_TABLE_TOO_SMALL:
-        return "the compass table has too few levels for a polygon of this many vertices";
+        return "the compass table has too few levels for a polygon of this many vertices: make it for the "
+               "largest polygon";
     case BMR_ERROR_INVALID_STRUCTURE:
-        return "the audited structure contradicts itself";
+        return "the audited structure contradicts itself: it was written to, or what it was made of has "
+               "changed";
     case BMR_ERROR_FALSE_CERTIFICATE:
-        return "the audited certificate does not prove what it claims";
+        return "the audited certificate does not prove what it claims: ask at the pose and with the polygons "
+               "that it was made for";
     case BMR_ERROR_STALLED:
-        return "a pair has event after event while time stands still";
+        return "a pair has event after event while time stands still: give it a larger margin or hysteresis, "
+               "or other motions";
     case BMR_ERROR_UNKNOWN_ENGINE:
-        return "the Box2D of this process is none that this library knows";
+        return "the Box2D of this process is none that this library knows: use 2.4.1, or at most 8 vertices";
     case BMR_ERROR_TOO_FEW_POINTS:
-        return "a polygon with an area needs at least three points that are not on one line";
+        return "a polygon with an area needs at least three points that are not on one line: add one beside "
+               "it";
     case BMR_ERROR_TOO_CLOSE:
-        return "two points are so close together that the physics engine would make one of them";
+        return "two points are so close together that the physics engine would make one of them: leave one "
+               "out, or make the polygon larger";
+    case BMR_ERROR_NEGATIVE:
+        return "a tolerance is below 0: give 0 where nothing may change";
+    case BMR_ERROR_CORNER_TOO_LARGE:
+        return "the corner's radius is more than half of a side: make it at most the half width and the half "
+               "height";
     case BMR_ERROR_COUNT:
         break;
     }

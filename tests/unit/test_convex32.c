@@ -766,8 +766,7 @@ static void simplified_polygons_are_near_and_have_few_vertices(void **state) {
     assert_int_equal(bmr_convex32_simplify(&block->polygon, 1e9f, NULL, points, &count), BMR_OK);
     assert_int_equal(count, 3);
     count = 5;
-    assert_int_equal(bmr_convex32_simplify(&block->polygon, -1.0f, NULL, points, &count),
-                     BMR_ERROR_OUT_OF_RANGE);
+    assert_int_equal(bmr_convex32_simplify(&block->polygon, -1.0f, NULL, points, &count), BMR_ERROR_NEGATIVE);
     assert_int_equal(bmr_convex32_simplify(&block->polygon, NAN, NULL, points, &count), BMR_ERROR_NOT_FINITE);
     assert_int_equal(bmr_convex32_simplify(NULL, 1.0f, NULL, points, &count), BMR_ERROR_NULL_ARGUMENT);
     assert_int_equal(count, 5);

@@ -286,10 +286,10 @@ TEST_CASE("errors say what is wrong and leave the shape as it was") {
         CHECK(shape->SetRegular(20, 0.0f) == BMR_ERROR_OUT_OF_RANGE);
         CHECK(shape->SetRegular(20, kNaN) == BMR_ERROR_NOT_FINITE);
         CHECK(shape->SetEllipse(20, 1.0f, -1.0f) == BMR_ERROR_OUT_OF_RANGE);
-        CHECK(shape->SetRounded(1.0f, 1.0f, 1.5f, 8) == BMR_ERROR_OUT_OF_RANGE);
+        CHECK(shape->SetRounded(1.0f, 1.0f, 1.5f, 8) == BMR_ERROR_CORNER_TOO_LARGE);
         CHECK(shape->SetRounded(1.0f, 1.0f, 0.5f, 1) == BMR_ERROR_TOO_FEW_POINTS);
         CHECK(shape->SetRounded(1.0f, 1.0f, 0.5f, 20000) == BMR_ERROR_TOO_MANY_POINTS);
-        CHECK(shape->Simplify(-1.0f) == BMR_ERROR_OUT_OF_RANGE);
+        CHECK(shape->Simplify(-1.0f) == BMR_ERROR_NEGATIVE);
         CHECK(SameBits(*shape, before));
     }
     CHECK(big.GetVertices() == vertices);

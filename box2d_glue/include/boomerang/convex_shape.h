@@ -88,10 +88,12 @@ public:
     /// `count` vertices on an ellipse around the origin, dense where it bends.
     bmr_error SetEllipse(int32 count, float halfWidth, float halfHeight);
     /// A rectangle around the origin whose corners are rounded with `cornerRadius`, a quarter circle of
-    /// `cornerVertices` (at least 2) each. halfHeight == cornerRadius: a capsule.
+    /// `cornerVertices` (at least 2) each. halfHeight == cornerRadius: a capsule. A larger one is
+    /// BMR_ERROR_CORNER_TOO_LARGE.
     bmr_error SetRounded(float halfWidth, float halfHeight, float cornerRadius, int32 cornerVertices);
     /// Fewer vertices, all of them among those it has, nowhere farther than `tolerance` from what it was
-    /// (bmr_convex32_simplify). O(n log n).
+    /// (bmr_convex32_simplify). A shape without vertices is BMR_ERROR_TOO_FEW_POINTS, a tolerance below zero
+    /// BMR_ERROR_NEGATIVE. O(n log n).
     bmr_error Simplify(float tolerance);
 
     /// The real polygon. O(1).

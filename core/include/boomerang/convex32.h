@@ -112,7 +112,8 @@ void bmr_convex32_inner(const bmr_convex32 *polygon, uint32_t *vertices, uint32_
 /// polygon lies within `tolerance` (Hausdorff distance) of the given one: some of the given ones, at least 3,
 /// in order. Where a boomerang is within the tolerance, no deeper level is opened; at the end those that are
 /// not needed after all are dropped. `points` has room for polygon->count; errors leave the outputs as they
-/// were: BMR_ERROR_NOT_FINITE and BMR_ERROR_OUT_OF_RANGE of a tolerance that is NaN or negative. O(n log n).
+/// were: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_NOT_FINITE and BMR_ERROR_NEGATIVE of a tolerance that is NaN or
+/// negative, BMR_ERROR_NO_MEMORY. O(n log n).
 bmr_error bmr_convex32_simplify(const bmr_convex32 *polygon, float tolerance, const bmr_allocator *allocator,
                                 bmr_vec32 *points, size_t *count);
 

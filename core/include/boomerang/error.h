@@ -14,21 +14,24 @@ typedef enum bmr_error {
     BMR_ERROR_NO_POINTS,       ///< a polygon needs at least one point
     BMR_ERROR_TOO_MANY_POINTS, ///< more than BMR_MAX_VERTICES points
     BMR_ERROR_NOT_FINITE,      ///< a coordinate is NaN or infinite
-    BMR_ERROR_OUT_OF_RANGE,    ///< a coordinate too large, an extent too small (BMR_MAX_COORDINATE), any size
-                               ///< not taken
-    BMR_ERROR_NO_MEMORY,       ///< the allocator returned NULL
-    BMR_ERROR_NOT_CONVEX,      ///< raw vertices that are not strictly convex and counter-clockwise
-    BMR_ERROR_TABLE_TOO_SMALL, ///< the compass table has fewer levels than the polygon asks for
+    BMR_ERROR_OUT_OF_RANGE, ///< a coordinate too large, an extent too small (BMR_MAX_COORDINATE), any other
+                            ///< number that the call does not take
+    BMR_ERROR_NO_MEMORY,    ///< the allocator returned NULL
+    BMR_ERROR_NOT_CONVEX,   ///< raw vertices that are not strictly convex and counter-clockwise
+    BMR_ERROR_TABLE_TOO_SMALL,   ///< the compass table has fewer levels than the polygon asks for
     BMR_ERROR_INVALID_STRUCTURE, ///< an audit found a structure that contradicts itself
     BMR_ERROR_FALSE_CERTIFICATE, ///< an audit found a certificate that does not prove what it claims
     BMR_ERROR_STALLED,           ///< a simulation's pair has event after event and time stands still
     BMR_ERROR_UNKNOWN_ENGINE,    ///< the physics engine of this process is none that the glue knows
     BMR_ERROR_TOO_FEW_POINTS,    ///< fewer than three points, or all on one line as far as floats can tell
     BMR_ERROR_TOO_CLOSE,         ///< points so close together that the engine would make one of them
+    BMR_ERROR_NEGATIVE,          ///< a tolerance below zero
+    BMR_ERROR_CORNER_TOO_LARGE,  ///< a corner's radius above half of a side
     BMR_ERROR_COUNT              ///< number of codes; not an error
 } bmr_error;
 
-/// One English sentence for `error`, without a full stop; never NULL, also for values that are no bmr_error.
+/// One English sentence for `error`, without a full stop: what is wrong and what to do about it. Each code
+/// has its own; never NULL, also for values that are no bmr_error.
 const char *bmr_error_describe(bmr_error error);
 
 #ifdef __cplusplus
