@@ -75,7 +75,8 @@ bmr_error bmr_clear_decomposition(const bmr_course *course, double kappa, double
     if (!course || !clear || !course->polygons[0] || !course->polygons[1] || !course->motions[0] ||
         !course->motions[1])
         return BMR_ERROR_NULL_ARGUMENT;
-    if (!bmr_course_is_valid(course) || !(kappa > 1.0) || !(diameter >= 0.0))
+    if (!bmr_course_is_valid(course) || !(kappa > 1.0) || !isfinite(kappa) || !(diameter >= 0.0) ||
+        !isfinite(diameter))
         return BMR_ERROR_OUT_OF_RANGE;
     const bmr_polygon *a = course->polygons[0], *b = course->polygons[1];
     decomposition d = {.course = course, .kappa = kappa, .weight = diameter, .clear = {1, 1, 1}};

@@ -64,9 +64,9 @@ typedef struct bmr_clear {
     uint64_t samples; ///< poses looked at
 } bmr_clear;
 
-/// `kappa` > 1; `diameter` is the weight of a radian (0 for a path without rotation). Steps are a twentieth
-/// of a clear disk's radius. A path that comes nearer than 1e-9 of the extents has none: OUT_OF_RANGE. Errors
-/// also: NULL_ARGUMENT.
+/// `kappa` > 1; `diameter` >= 0 is the weight of a radian (0 for a path without rotation); both finite. Steps
+/// are a twentieth of a clear disk's radius: their number grows with kappa. A path that comes nearer than
+/// 1e-9 of the extents has none: OUT_OF_RANGE, as for other numbers than these. Errors also: NULL_ARGUMENT.
 bmr_error bmr_clear_decomposition(const bmr_course *course, double kappa, double diameter, bmr_clear *clear);
 
 // ---- Hysteresis (section 6) ----
@@ -140,7 +140,7 @@ typedef struct bmr_growth {
 
 /// Least squares: of log y on log x for the power, of y on log2 x for the other. Points with y = 0 count in
 /// the second only. Errors: NULL_ARGUMENT, OUT_OF_RANGE (fewer than two points of different x with y > 0, x
-/// not positive, y negative), NOT_FINITE.
+/// not positive, y negative, more than 256 points), NOT_FINITE.
 bmr_error bmr_fit_growth(const double *x, const double *y, size_t count, bmr_growth *growth);
 
 // ---- Adversaries (section 5, introduction) ----

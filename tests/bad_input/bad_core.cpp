@@ -1,0 +1,560 @@
+// SPDX-License-Identifier: MIT
+// Bad arguments of core's functions, and poses that are none.
+#include <cstring>
+
+#include "arguments.h"
+#include "boomerang/convex32_collide.h"
+#include "boomerang/convex32_distance.h"
+#include "boomerang/convex32_envelope.h"
+#include "boomerang/inflated.h"
+#include "boomerang/kds.h"
+#include "boomerang/minkowski.h"
+#include "boomerang/mixed.h"
+#include "boomerang/pair.h"
+#include "boomerang/swept32.h"
+#include "points.h"
+
+using namespace bad_input;
+
+namespace {
+
+constexpr float kNone32 = std::numeric_limits<float>::quiet_NaN();
+
+bmr_polygon *Polygon(const std::vector<double> &xy) {
+    bmr_polygon *polygon = nullptr;
+    bmr_polygon_create(reinterpret_cast<const bmr_vec2 *>(xy.data()), xy.size() / 2, nullptr, &polygon);
+    return polygon;
+}
+
+/// A square of half width 1 and what can be made of it; every cell has a process of its own, which frees it.
+struct World {
+    bmr_polygon *square = Polygon(Square(1.0));
+    bmr_polygon *round = Polygon(Circle(40, 1.0));
+    bmr_compass *compass = nullptr;
+    bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT] = {};
+    bmr_convex32_block *convex = nullptr;
+
+    World() {
+        bmr_compass_create(64, nullptr, &compass);
+        bmr_hierarchy_build_compass(square, compass, nullptr, &hierarchies[BMR_HIERARCHY_COMPASS]);
+        bmr_hierarchy_build_dudley(square, nullptr, &hierarchies[BMR_HIERARCHY_DUDLEY]);
+        bmr_hierarchy_build_dobkin_kirkpatrick(square, nullptr,
+                                               &hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK]);
+        const std::vector<double> xy = Circle(40, 1.0);
+        std::vector<bmr_vec32> points;
+        for (size_t i = 0; i < xy.size(); i += 2)
+            points.push_back({static_cast<float>(xy[i]), static_cast<float>(xy[i + 1])});
+        bmr_convex32_create(points.data(), points.size(), nullptr, &convex);
+    }
+    World(const World &) = delete;
+    World &operator=(const World &) = delete;
+    ~World() {
+        for (bmr_hierarchy *hierarchy : hierarchies)
+            bmr_hierarchy_destroy(hierarchy, nullptr);
+        bmr_compass_destroy(compass, nullptr);
+        bmr_polygon_destroy(square, nullptr);
+        bmr_polygon_destroy(round, nullptr);
+        bmr_convex32_destroy(convex, nullptr);
+    }
+    bmr_kds_shape Shape() const { return {square, {hierarchies[0], hierarchies[1], hierarchies[2]}}; }
+};
+
+std::string CreateKds(const char *name, void (*spoil)(bmr_kds_def *, bmr_kds_shape *)) {
+    const World world;
+    bmr_kds_def def = bmr_default_kds_def();
+    bmr_kds_shape shape = world.Shape();
+    if (spoil != nullptr)
+        spoil(&def, &shape);
+    bmr_kds *kds = nullptr;
+    const bmr_error error = bmr_kds_create(bmr_kds_find(name), &def, &shape, &shape, nullptr, &kds);
+    bmr_kds_destroy(kds, nullptr);
+    return Said(error);
+}
+
+std::string Minkowski(bmr_vec2 rotation, size_t a, size_t b, double size) {
+    bmr_polygon *p = Polygon(Circle(a, size)), *q = Polygon(Circle(b, size)), *sum = nullptr;
+    const bmr_error error = bmr_minkowski_difference(p, q, rotation, nullptr, &sum);
+    for (bmr_polygon *polygon : {p, q, sum})
+        bmr_polygon_destroy(polygon, nullptr);
+    return Said(error);
+}
+
+std::string Compass(size_t most) {
+    bmr_compass *compass = nullptr;
+    const bmr_error error = bmr_compass_create(most, nullptr, &compass);
+    bmr_compass_destroy(compass, nullptr);
+    return Said(error);
+}
+
+std::string Simplify(float tolerance) {
+    const World world;
+    bmr_vec32 points[40];
+    size_t count = 77;
+    const bmr_error error = bmr_convex32_simplify(&world.convex->polygon, tolerance, nullptr, points, &count);
+    return error != BMR_OK ? Said(error) : std::to_string(count) + " vertices";
+}
+
+std::string Impact(float t_max, float slop, float angle = 0.0f) {
+    const World world;
+    const bmr_proxy32 proxy = bmr_proxy32_polygon(world.convex, 0.01f);
+    const bmr_sweep32 still = {{0, 0}, {0, 0}, {0, 0}, 0, 0, 0},
+                      moves = {{0, 0}, {9, 0}, {-9, 0}, 0, angle, 0};
+    bmr_vec32 direction = {0, 0};
+    float t = -1.0f;
+    static const char *const names[] = {"FAILED", "OVERLAPPED", "TOUCHING", "SEPARATED"};
+    return names[bmr_convex32_impact(&proxy, &still, &proxy, &moves, t_max, slop, &direction, &t)];
+}
+
+std::vector<Argument> Arguments() {
+    return {
+        {"`bmr_polygon_create`: no place for the result",
+         [] {
+             const bmr_vec2 point = {0, 0};
+             return Said(bmr_polygon_create(&point, 1, nullptr, nullptr));
+         }},
+        {"`bmr_polygon_copy`: `NULL`",
+         [] {
+             bmr_polygon *copy = nullptr;
+             return Said(bmr_polygon_copy(nullptr, nullptr, &copy));
+         }},
+        {"`bmr_polygon_destroy`: `NULL`",
+         [] {
+             bmr_polygon_destroy(nullptr, nullptr);
+             return std::string("nothing happens");
+         }},
+        {"`bmr_polygon_audit`: `NULL`", [] { return Said(bmr_polygon_audit(nullptr)); }},
+        {"`bmr_polygon_support_from`: direction of NaN, hint 2",
+         [] {
+             const World world;
+             return std::to_string(bmr_polygon_support_from(world.square, {kNone, 1.0}, 2));
+         }},
+        {"`bmr_polygon_support_from`: direction of zero, hint `UINT32_MAX`",
+         [] {
+             const World world;
+             return std::to_string(bmr_polygon_support_from(world.square, {0.0, 0.0}, UINT32_MAX));
+         }},
+        {"`bmr_polygon_support`: direction of NaN",
+         [] {
+             const World world;
+             return bmr_polygon_support(world.round, {kNone, kNone}) < 40 ? "some vertex" : "no vertex";
+         }},
+        {"`bmr_polygon_support`: direction of infinity",
+         [] {
+             const World world;
+             return bmr_polygon_support(world.round, {kInfinite, 0.0}) < 40 ? "some vertex" : "no vertex";
+         }},
+        {"`bmr_polygon_contains`: a point of NaN, tolerance 0",
+         [] {
+             const World world;
+             return Said(bmr_polygon_contains(world.square, {kNone, 0.0}, 0.0));
+         }},
+        {"`bmr_polygon_contains`: a point of NaN, tolerance 1",
+         [] {
+             const World world;
+             return Said(bmr_polygon_contains(world.square, {kNone, 0.0}, 1.0));
+         }},
+        {"`bmr_polygon_contains`: the middle, tolerance of NaN",
+         [] {
+             const World world;
+             return Said(bmr_polygon_contains(world.square, {0.0, 0.0}, kNone));
+         }},
+        {"`bmr_polygon_contains`: a point at infinity, tolerance 0",
+         [] {
+             const World world;
+             return Said(bmr_polygon_contains(world.square, {kInfinite, 0.0}, 0.0));
+         }},
+        {"`bmr_minkowski_difference`: `NULL`",
+         [] {
+             const World world;
+             bmr_polygon *sum = nullptr;
+             return Said(bmr_minkowski_difference(world.square, nullptr, {1, 0}, nullptr, &sum));
+         }},
+        {"`bmr_minkowski_difference`: rotation of NaN",
+         [] {
+             return Minkowski({kNone, 0}, 8, 8, 1.0);
+         }},
+        {"`bmr_minkowski_difference`: rotation of infinity",
+         [] {
+             return Minkowski({kInfinite, 0}, 8, 8, 1.0);
+         }},
+        {"`bmr_minkowski_difference`: 40,000 and 40,000 vertices",
+         [] {
+             return Minkowski({1, 0}, 40000, 40000, 1.0);
+         }},
+        {"`bmr_minkowski_difference`: a sum beyond 1e9",
+         [] {
+             return Minkowski({1, 0}, 8, 8, 9e8);
+         }},
+        {"`bmr_compass_create`: for 0 vertices", [] { return Compass(0); }},
+        {"`bmr_compass_create`: for 65,536 vertices", [] { return Compass(65536); }},
+        {"`bmr_compass_create`: for `SIZE_MAX` vertices", [] { return Compass(SIZE_MAX); }},
+        {"`bmr_compass_create`: no place for the result",
+         [] { return Said(bmr_compass_create(8, nullptr, nullptr)); }},
+        {"`bmr_hierarchy_build_compass`: no polygon",
+         [] {
+             const World world;
+             bmr_hierarchy *made = nullptr;
+             return Said(bmr_hierarchy_build_compass(nullptr, world.compass, nullptr, &made));
+         }},
+        {"`bmr_hierarchy_build_compass`: no compass",
+         [] {
+             const World world;
+             bmr_hierarchy *made = nullptr;
+             return Said(bmr_hierarchy_build_compass(world.square, nullptr, nullptr, &made));
+         }},
+        {"`bmr_hierarchy_build_compass`: a compass for half of the vertices",
+         [] {
+             const World world;
+             bmr_polygon *large = Polygon(Circle(128, 1.0));
+             bmr_hierarchy *made = nullptr;
+             const bmr_error error = bmr_hierarchy_build_compass(large, world.compass, nullptr, &made);
+             bmr_polygon_destroy(large, nullptr);
+             return Said(error);
+         }},
+        {"`bmr_hierarchy_build_dudley`: no polygon",
+         [] {
+             bmr_hierarchy *made = nullptr;
+             return Said(bmr_hierarchy_build_dudley(nullptr, nullptr, &made));
+         }},
+        {"`bmr_hierarchy_build_dobkin_kirkpatrick`: no place for the result",
+         [] {
+             const World world;
+             return Said(bmr_hierarchy_build_dobkin_kirkpatrick(world.square, nullptr, nullptr));
+         }},
+        {"`bmr_hierarchy_audit`: `NULL`", [] { return Said(bmr_hierarchy_audit(nullptr)); }},
+        {"`bmr_hierarchy_extreme`: direction of NaN, level `UINT32_MAX`",
+         [] {
+             const World world;
+             const bmr_corner corner =
+                 bmr_hierarchy_extreme(world.hierarchies[0], {kNone, kNone}, UINT32_MAX);
+             return corner.before < bmr_hierarchy_edge_count(world.hierarchies[0]) ? "some corner"
+                                                                                   : "no corner";
+         }},
+        {"`bmr_inflation_level`: a root level of `UINT32_MAX`",
+         [] {
+             const World world;
+             const bmr_inflation inflation = bmr_inflation_make(1.0, 0.5, 0.5, UINT32_MAX);
+             return bmr_inflation_level(&inflation, world.hierarchies[0], 3) ==
+                            bmr_hierarchy_depth(world.hierarchies[0])
+                        ? "the deepest"
+                        : "another level";
+         }},
+        {"`bmr_mixed_tiling_create`: `NULL`",
+         [] {
+             bmr_mixed_tiling *tiling = nullptr;
+             return Said(bmr_mixed_tiling_create(nullptr, nullptr, &tiling));
+         }},
+        {"`bmr_structure_name`: no structure",
+         [] { return bmr_structure_name(BMR_STRUCTURE_COUNT) == nullptr ? "`NULL`" : "a name"; }},
+        {"`bmr_event_name`, `bmr_kds_event_name`: no event",
+         [] {
+             return bmr_event_name(BMR_EVENT_KIND_COUNT) == nullptr &&
+                            bmr_kds_event_name(BMR_KDS_EVENT_KIND_COUNT) == nullptr
+                        ? "`NULL`"
+                        : "a name";
+         }},
+        {"`bmr_kds_find`: no such name",
+         [] { return bmr_kds_find("") == nullptr ? "`NULL`" : "a structure"; }},
+        {"`bmr_kds_create`: no structure", [] { return CreateKds("none of that name", nullptr); }},
+        {"`bmr_kds_create`: no polygon",
+         [] {
+             return CreateKds("lazy-compass", [](bmr_kds_def *, bmr_kds_shape *s) { s->polygon = nullptr; });
+         }},
+        {"`bmr_kds_create`: not the hierarchy that it needs",
+         [] {
+             return CreateKds("lazy-dudley", [](bmr_kds_def *, bmr_kds_shape *s) {
+                 s->hierarchies[BMR_HIERARCHY_DUDLEY] = nullptr;
+             });
+         }},
+        {"`bmr_kds_create`: a margin of 0",
+         [] { return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->margin = 0.0; }); }},
+        {"`bmr_kds_create`: a margin of NaN",
+         [] {
+             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->margin = kNone; });
+         }},
+        {"`bmr_kds_create`: an infinite margin",
+         [] {
+             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->margin = kInfinite; });
+         }},
+        {"`bmr_kds_create`: a hysteresis below 0",
+         [] {
+             return CreateKds("lazy-compass",
+                              [](bmr_kds_def *d, bmr_kds_shape *) { d->hysteresis = -1e-38; });
+         }},
+        {"`bmr_kds_create`: a hysteresis of NaN",
+         [] {
+             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->hysteresis = kNone; });
+         }},
+        {"`bmr_kds_create`: an alpha of NaN",
+         [] { return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->alpha = kNone; }); }},
+        {"`bmr_kds_create`: an offset ratio of 1",
+         [] {
+             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->offset_ratio = 1.0; });
+         }},
+        {"`bmr_kds_create`: a window part of 1",
+         [] {
+             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->window_part = 1.0; });
+         }},
+        {"`bmr_kds_create`: a window part of NaN",
+         [] {
+             return CreateKds("lazy-compass",
+                              [](bmr_kds_def *d, bmr_kds_shape *) { d->window_part = kNone; });
+         }},
+        {"`bmr_kds_create`: a point's structure for two squares",
+         [] { return CreateKds("point-lazy-compass", nullptr); }},
+        {"`bmr_kds_audit`: `NULL`", [] { return Said(bmr_kds_audit(nullptr, nullptr)); }},
+        {"`bmr_convex32_audit`: `NULL`", [] { return Said(bmr_convex32_audit(nullptr)); }},
+        {"`bmr_convex32_destroy`: `NULL`",
+         [] {
+             bmr_convex32_destroy(nullptr, nullptr);
+             return std::string("nothing happens");
+         }},
+        {"`bmr_convex32_support`: direction of NaN",
+         [] {
+             const World world;
+             return std::to_string(bmr_convex32_support(&world.convex->polygon, {kNone32, 1.0f}));
+         }},
+        {"`bmr_convex32_support_from`: direction of zero, hint `UINT32_MAX`",
+         [] {
+             const World world;
+             return std::to_string(
+                 bmr_convex32_support_from(&world.convex->polygon, {0.0f, 0.0f}, UINT32_MAX));
+         }},
+        {"`bmr_convex32_contains`: a point of NaN",
+         [] {
+             const World world;
+             return Said(bmr_convex32_contains(&world.convex->polygon, {kNone32, kNone32}));
+         }},
+        {"`bmr_convex32_simplify`: a tolerance of NaN", [] { return Simplify(kNone32); }},
+        {"`bmr_convex32_simplify`: a tolerance below 0", [] { return Simplify(-1e-38f); }},
+        {"`bmr_convex32_simplify`: a tolerance of -0", [] { return Simplify(-0.0f); }},
+        {"`bmr_convex32_simplify`: an infinite tolerance", [] { return Simplify(INFINITY); }},
+        {"`bmr_convex32_simplify`: no place for the points",
+         [] {
+             const World world;
+             size_t count = 0;
+             return Said(bmr_convex32_simplify(&world.convex->polygon, 0.1f, nullptr, nullptr, &count));
+         }},
+        {"`bmr_convex32_held`: a tolerance of NaN",
+         [] {
+             const World world;
+             return Said(bmr_convex32_held(&world.convex->polygon, world.square, kNone));
+         }},
+        {"`bmr_convex32_impact`: a time of NaN", [] { return Impact(kNone32, 0.005f); }},
+        {"`bmr_convex32_impact`: a time below 0", [] { return Impact(-1.0f, 0.005f); }},
+        {"`bmr_convex32_impact`: an angle of NaN", [] { return Impact(1.0f, 0.005f, kNone32); }},
+        {"`bmr_convex32_impact`: an infinite angle", [] { return Impact(1.0f, 0.005f, INFINITY); }},
+        {"`bmr_convex32_impact`: an angle of 1e38", [] { return Impact(1.0f, 0.005f, 1e38f); }},
+        {"`bmr_convex32_impact`: a slop of NaN", [] { return Impact(1.0f, kNone32); }},
+    };
+}
+
+// --- poses ---
+
+struct BadPose {
+    const char *name;
+    bmr_pose pose;
+};
+const BadPose kPoses[] = {
+    {"5 to the right (a good one)", {{5, 0}, 1, 0}},
+    {"x is NaN", {{kNone, 0}, 1, 0}},
+    {"y is NaN", {{5, kNone}, 1, 0}},
+    {"x is infinite", {{kInfinite, 0}, 1, 0}},
+    {"y is minus infinity", {{5, -kInfinite}, 1, 0}},
+    {"x is 1e38", {{1e38, 0}, 1, 0}},
+    {"x is 1e308", {{1e308, 0}, 1, 0}},
+    {"x is 5 and y 1e-38", {{5, 1e-38}, 1, 0}},
+    {"the cosine is NaN", {{5, 0}, kNone, 0}},
+    {"the sine is infinite", {{5, 0}, 1, kInfinite}},
+    {"the rotation is 0", {{5, 0}, 0, 0}},
+    {"the rotation is 1 % too long", {{5, 0}, 1.01, 0}},
+    {"the rotation is twice too long", {{5, 0}, 2, 0}},
+    {"the rotation is 1e38", {{5, 0}, 1e38, 0}},
+};
+
+std::string AdvancePair(const bmr_pose &pose, bmr_structure structure, bool check) {
+    const World world;
+    bmr_pair_def def = bmr_default_pair_def();
+    def.structure = structure;
+    const bmr_shape shape = {world.square,
+                             structure == BMR_FREE_DIRECTION ? nullptr : world.hierarchies[structure]};
+    bmr_pair pair;
+    bmr_pair_init(&pair);
+    if (check) {                                  // the certificate of a good pose, looked at
+        const bmr_pose good = {{2.5, 0.5}, 1, 0}; // near enough for a line
+        double gap = 0.0;
+        if (bmr_pair_advance(&pair, &def, &shape, &shape, &good, nullptr, nullptr) != BMR_APART)
+            return "not apart at a good pose";
+        return bmr_pair_check(&pair, &pose, 0.0, &gap) ? "holds" : "no answer";
+    }
+    double gap = 0.0;
+    const bool apart = bmr_pair_advance(&pair, &def, &shape, &shape, &pose, nullptr, &gap) == BMR_APART;
+    return apart ? gap > 0.0 ? "apart" : "apart without a gap" : "ask an exact test";
+}
+
+std::string StartKds(const bmr_pose &pose, const char *name) {
+    const World world;
+    const bmr_kds_def def = bmr_default_kds_def();
+    const bmr_kds_shape shape = world.Shape();
+    bmr_kds *kds = nullptr;
+    if (bmr_kds_create(bmr_kds_find(name), &def, &shape, &shape, nullptr, &kds) != BMR_OK)
+        return "not made";
+    const bmr_instant now = {pose, {0, 0}, 0};
+    bmr_kds_report report;
+    bmr_kds_start(kds, &now, &report);
+    const bool apart = report.apart;
+    bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
+    const bool waits = bmr_kds_conditions(kds, conditions) > 0;
+    bmr_kds_destroy(kds, nullptr);
+    return waits != apart ? "conditions do not fit" : apart ? "apart" : "contact";
+}
+
+bmr_transform32 Transform(const bmr_pose &pose) {
+    return {{static_cast<float>(pose.position.x), static_cast<float>(pose.position.y)},
+            static_cast<float>(pose.s),
+            static_cast<float>(pose.c)};
+}
+
+std::string Collide(const bmr_pose &pose) {
+    const World world;
+    const bmr_transform32 here = {{0, 0}, 0, 1}, there = Transform(pose);
+    bmr_convex32_memory memory = {};
+    bmr_manifold32 manifold = {};
+    bmr_convex32_collide(&manifold, &world.convex->polygon, &here, &world.convex->polygon, &there, 0.02f,
+                         0.0005f, &memory);
+    return manifold.count == 0 ? "no point" : manifold.count == 1 ? "1 point" : "2 points";
+}
+
+std::string Apart(const bmr_pose &pose) {
+    const World world;
+    const bmr_transform32 here = {{0, 0}, 0, 1}, there = Transform(pose);
+    bmr_convex32_memory memory = {};
+    return bmr_convex32_apart(&world.convex->polygon, &here, &world.convex->polygon, &there, 0.0f, &memory)
+               ? "apart"
+               : "no answer";
+}
+
+std::string Distance(const bmr_pose &pose) {
+    const World world;
+    const bmr_proxy32 proxy = bmr_proxy32_polygon(world.convex, 0.01f);
+    const bmr_transform32 here = {{0, 0}, 0, 1}, there = Transform(pose);
+    bmr_closest32 closest = {0, 0};
+    return Said(static_cast<double>(bmr_convex32_distance(&proxy, &here, &proxy, &there, &closest).distance));
+}
+
+std::string Cast(const bmr_pose &pose) {
+    const World world;
+    const bmr_proxy32 proxy = bmr_proxy32_polygon(world.convex, 0.01f);
+    const bmr_transform32 here = {{0, 0}, 0, 1}, there = Transform(pose);
+    bmr_cast32 cast;
+    return bmr_convex32_cast(&proxy, &here, &proxy, &there, {-10.0f, 0.0f}, 0.005f, &cast) ? "hit" : "no hit";
+}
+
+std::string ImpactFrom(const bmr_pose &pose) {
+    if (pose.c != 1.0 || pose.s != 0.0)
+        return "-"; // its motions have angles
+    const World world;
+    const bmr_proxy32 proxy = bmr_proxy32_polygon(world.convex, 0.01f);
+    const auto x = static_cast<float>(pose.position.x), y = static_cast<float>(pose.position.y);
+    const bmr_sweep32 still = {{0, 0}, {0, 0}, {0, 0}, 0, 0, 0};
+    const bmr_sweep32 moves = {{0, 0}, {x, y}, {x - 10.0f, y}, 0, 0, 0};
+    bmr_vec32 direction = {0, 0};
+    float t = -1.0f;
+    static const char *const names[] = {"failed", "overlapped", "touching", "separated"};
+    return names[bmr_convex32_impact(&proxy, &still, &proxy, &moves, 1.0f, 0.005f, &direction, &t)];
+}
+
+std::string Swept(const bmr_pose &pose) {
+    const World world;
+    const bmr_vec32 points[8] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
+    const bmr_transform32 there = Transform(pose);
+    const bmr_motion32 still = {{0, 0}, {0, 0}, {0, 0}, 0, 1, 0},
+                       moves = {{0, 0}, there.p, there.p, there.s, there.c, 0};
+    bmr_swept32 a, b;
+    bmr_swept32_make(&a, points, 4, &still);
+    bmr_swept32_make(&b, points, 4, &moves);
+    bmr_vec32 direction = {0, 0};
+    static const char *const names[] = {"apart", "near", "no answer"};
+    return names[bmr_swept32_compare(&a, &b, 0.01f, 0.005f, &direction)];
+}
+
+std::string PoseAnswer(size_t row, size_t column) {
+    const bmr_pose &pose = kPoses[row].pose;
+    switch (column) {
+    case 0:
+        return AdvancePair(pose, BMR_FREE_DIRECTION, true);
+    case 1:
+        return AdvancePair(pose, BMR_LAZY_COMPASS, false);
+    case 2:
+        return AdvancePair(pose, BMR_LAZY_DUDLEY, false);
+    case 3:
+        return AdvancePair(pose, BMR_FREE_DIRECTION, false);
+    default:
+        return "";
+    }
+}
+
+/// Of two polygons.
+std::vector<std::string> KdsNames() {
+    std::vector<std::string> names;
+    for (size_t i = 0; i < bmr_kds_count(); ++i)
+        if (bmr_kds_at(i)->domain != BMR_KDS_POINT)
+            names.emplace_back(bmr_kds_at(i)->name);
+    return names;
+}
+
+/// All structures agree, or the first that does not is named.
+std::string EveryKds(size_t row) {
+    std::string first;
+    for (const std::string &name : KdsNames()) {
+        const std::string answer = StartKds(kPoses[row].pose, name.c_str());
+        if (first.empty())
+            first = answer;
+        else if (answer != first)
+            return first + ", but " + name + ": " + answer;
+    }
+    return first;
+}
+
+std::string PoseAnswer32(size_t row, size_t column) {
+    const bmr_pose &pose = kPoses[row].pose;
+    switch (column) {
+    case 0:
+        return Apart(pose);
+    case 1:
+        return Collide(pose);
+    case 2:
+        return Distance(pose);
+    case 3:
+        return Cast(pose);
+    case 4:
+        return ImpactFrom(pose);
+    default:
+        return Swept(pose);
+    }
+}
+
+std::vector<std::string> PoseNames() {
+    std::vector<std::string> names;
+    for (const BadPose &pose : kPoses)
+        names.emplace_back(pose.name);
+    return names;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    return Main(
+        argc, argv,
+        {ArgumentTable("arguments of core", Arguments()),
+         {"poses of a pair",
+          {"`bmr_pair_check`", "`bmr_pair_advance`, lazy-compass", "`bmr_pair_advance`, lazy-dudley",
+           "`bmr_pair_advance`, free-direction", "`bmr_kds_start`, every structure"},
+          PoseNames(),
+          [](size_t row, size_t column) { return column == 4 ? EveryKds(row) : PoseAnswer(row, column); }},
+         {"poses in float",
+          {"`bmr_convex32_apart`", "`bmr_convex32_collide`", "`bmr_convex32_distance`", "`bmr_convex32_cast`",
+           "`bmr_convex32_impact`", "`bmr_swept32_compare`"},
+          PoseNames(),
+          PoseAnswer32}});
+}
