@@ -19,14 +19,6 @@ bmr_polygon32 SmallPolygon(const b2Fixture &fixture) {
     return Polygon32(static_cast<const b2PolygonShape &>(*fixture.GetShape()));
 }
 
-double Extent(const bmr_convex32 &polygon) {
-    double most = 0.0;
-    for (uint32_t i = 0; i < polygon.count; ++i)
-        most = std::max(most, std::hypot(static_cast<double>(polygon.vertices[i].x),
-                                         static_cast<double>(polygon.vertices[i].y)));
-    return most;
-}
-
 bmr_transform32 FrameOf(const b2Fixture &owner, const b2Fixture &other) {
     return bmr_exact32_relative(Transform32(other.GetBody()->GetTransform()),
                                 Transform32(owner.GetBody()->GetTransform()));

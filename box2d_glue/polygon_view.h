@@ -2,6 +2,9 @@
 #ifndef BOOMERANG_GLUE_POLYGON_VIEW_H
 #define BOOMERANG_GLUE_POLYGON_VIEW_H
 
+#include <algorithm>
+#include <cmath>
+
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_polygon_shape.h>
 
@@ -26,6 +29,15 @@ inline bmr_convex32 RealPolygon(const b2Fixture &fixture) {
 
 inline bool IsBig(const b2Fixture &fixture) {
     return BigPolygonOf(*fixture.GetShape()) != nullptr;
+}
+
+/// The largest distance of a vertex from the body's origin. O(vertices).
+inline double Extent(const bmr_convex32 &polygon) {
+    double most = 0.0;
+    for (uint32_t i = 0; i < polygon.count; ++i)
+        most = std::max(most, std::hypot(static_cast<double>(polygon.vertices[i].x),
+                                         static_cast<double>(polygon.vertices[i].y)));
+    return most;
 }
 
 } // namespace bmr

@@ -12,18 +12,28 @@
 #include "boomerang/box2d_glue.h"
 #include "face_gap.h"
 #include "pair_registry.h"
+#include "polygon_view.h"
 #include "solid_contact.h"
 
 namespace bmr {
 
 namespace {
 
-/// Distance of two boxes, less what rounding their bounds to float may have added; 0 where they overlap.
-double BoxGap(const b2AABB &a, const b2AABB &b) {
-    const auto apart = [](float low, float high) {
-        const double gap = static_cast<double>(low) - static_cast<double>(high);
-        return gap - 4.0 * FLT_EPSILON *
-                         (std::fabs(static_cast<double>(low)) + std::fabs(static_cast<double>(high)));
+/// What rounding may have added to the bounds of a polygon's box: a point is turned (off by 2 units of its
+/// place in its body), moved (one of where it is, on both counts) and the skin added (one); of big ones the
+/// farthest point may be the wrong one of two (4 more). Not in proportion to the bounds: those may be small
+/// where the point is far from its body's origin. Half an epsilon is a unit.
+double BoxRounding(const b2Fixture &fixture) {
+    const b2Vec2 place = b2Abs(fixture.GetBody()->GetPosition());
+    return 4.0 * FLT_EPSILON *
+           (Extent(RealPolygon(fixture)) + static_cast<double>(std::max(place.x, place.y)) +
+            std::fabs(static_cast<double>(fixture.GetShape()->m_radius)));
+}
+
+/// Distance of two boxes, less what their bounds may be off by; 0 where they overlap.
+double BoxGap(const b2AABB &a, const b2AABB &b, double rounding) {
+    const auto apart = [rounding](float low, float high) {
+        return static_cast<double>(low) - static_cast<double>(high) - rounding;
     };
     const double x =
         std::max({0.0, apart(a.lowerBound.x, b.upperBound.x), apart(b.lowerBound.x, a.upperBound.x)});
@@ -64,8 +74,8 @@ double FixtureGap(const b2Fixture &a, const b2Fixture &b) {
     b2AABB boxA, boxB;
     a.GetShape()->ComputeAABB(&boxA, a.GetBody()->GetTransform(), 0);
     b.GetShape()->ComputeAABB(&boxB, b.GetBody()->GetTransform(), 0);
-    return std::max(
-        {BoxGap(boxA, boxB), LargestFaceGap(a, b).proved, LargestFaceGap(b, a).proved, StructureGap(a, b)});
+    return std::max({BoxGap(boxA, boxB, BoxRounding(a) + BoxRounding(b)), LargestFaceGap(a, b).proved,
+                     LargestFaceGap(b, a).proved, StructureGap(a, b)});
 }
 
 bool IsSolidPolygon(const b2Fixture *fixture) {

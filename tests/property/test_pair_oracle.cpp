@@ -9,84 +9,26 @@
 #include <cstddef>
 #include <vector>
 
-#include <CGAL/Gmpq.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include "boomerang/pair.h"
+#include "exact_polygons.h"
 #include "motions.h"
 #include "polygons.h"
 #include "test_scale.h"
 
 namespace {
 
-using Number = CGAL::Gmpq;
-using Kernel = CGAL::Simple_cartesian<Number>; // no filter, no floating point at all
-using Point = Kernel::Point_2;
-using Vector = Kernel::Vector_2;
-using Segment = Kernel::Segment_2;
+using exact::GapAlong;
+using exact::Number;
+using exact::Point;
+using exact::PointsAt;
+using exact::PointsOf;
+using exact::Square;
+using exact::SquaredDistance;
+using exact::Vector;
 
 /// A few motions must always run, or the controls may see nothing.
 std::size_t rounds(std::size_t count) {
     return std::max<std::size_t>(test_scaled(count), 64);
-}
-
-std::vector<Point> exact_points(const bmr_polygon *polygon) {
-    std::vector<Point> points;
-    for (std::uint32_t i = 0; i < polygon->count; ++i)
-        points.emplace_back(Number(polygon->vertices[i].x), Number(polygon->vertices[i].y));
-    return points;
-}
-
-/// The pose's matrix as it stands, unit length or not.
-std::vector<Point> exact_points(const bmr_polygon *polygon, const bmr_pose &q) {
-    const Number c(q.c), s(q.s), x(q.position.x), y(q.position.y);
-    std::vector<Point> points;
-    for (const Point &p : exact_points(polygon))
-        points.emplace_back(c * p.x() - s * p.y() + x, s * p.x() + c * p.y() + y);
-    return points;
-}
-
-/// min over b - max over a of the product with a direction.
-Number gap_along(const std::vector<Point> &a, const std::vector<Point> &b, const Vector &direction) {
-    const auto along = [&](const Point &p) { return direction * (p - CGAL::ORIGIN); };
-    Number high = along(a.front()), low = along(b.front());
-    for (const Point &p : a)
-        high = std::max(high, along(p));
-    for (const Point &p : b)
-        low = std::min(low, along(p));
-    return low - high;
-}
-
-/// Do the normals of some edge separate the interiors? (If all are points or segments, nothing has an
-/// interior.)
-bool some_edge_separates(const std::vector<Point> &a, const std::vector<Point> &b) {
-    for (int turn = 0; turn < 2; ++turn) {
-        const std::vector<Point> &own = turn ? b : a;
-        for (std::size_t i = 0; i < own.size(); ++i) {
-            const Vector e = own[(i + 1) % own.size()] - own[i];
-            const Vector normal = turn ? Vector(-e.y(), e.x()) : Vector(e.y(), -e.x());
-            if (gap_along(a, b, normal) > 0)
-                return true;
-        }
-    }
-    return false;
-}
-
-/// The exact squared distance of two convex polygons.
-Number squared_distance(const std::vector<Point> &a, const std::vector<Point> &b) {
-    if (a.size() + b.size() > 4 && !some_edge_separates(a, b))
-        return 0;
-    Number best(-1);
-    for (std::size_t i = 0; i < a.size(); ++i)
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const Segment e(a[i], a[(i + 1) % a.size()]), f(b[j], b[(j + 1) % b.size()]);
-            for (const Number &d : {CGAL::squared_distance(a[i], f), CGAL::squared_distance(b[j], e)})
-                if (best < 0 || d < best)
-                    best = d;
-            if (!e.is_degenerate() && !f.is_degenerate() && CGAL::do_intersect(e, f))
-                return 0;
-        }
-    return best;
 }
 
 struct Couple {
@@ -119,10 +61,6 @@ struct Couple {
     double extents() const { return shape[0].polygon->extent + shape[1].polygon->extent; }
 };
 
-Number square(double x) {
-    return Number(x) * Number(x);
-}
-
 /// What a certificate proves at a pose, exactly: the gap along its normal as it is in floats, over the
 /// normal's length. Says whether that is at least `gap`.
 bool proves(const bmr_certificate &k, int owner, const std::vector<Point> &a, const std::vector<Point> &b,
@@ -130,8 +68,8 @@ bool proves(const bmr_certificate &k, int owner, const std::vector<Point> &a, co
     const Number nx(static_cast<double>(k.normal[0])), ny(static_cast<double>(k.normal[1]));
     const Number c(q.c), s(q.s);
     const Vector normal = owner == 0 ? Vector(nx, ny) : Vector(-(c * nx - s * ny), -(s * nx + c * ny));
-    const Number along = gap_along(a, b, normal);
-    return along > 0 && along * along >= square(gap) * (normal * normal);
+    const Number along = GapAlong(a, b, normal);
+    return along > 0 && along * along >= Square(gap) * (normal * normal);
 }
 
 } // namespace
@@ -142,7 +80,7 @@ TEST_CASE("no pair claims a gap that rational arithmetic denies, and none misses
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
         for (std::size_t round = 0; round < rounds(300); ++round) {
             Couple t(static_cast<bmr_structure>(structure), round, &random);
-            const std::vector<Point> a = exact_points(t.shape[0].polygon);
+            const std::vector<Point> a = PointsOf(t.shape[0].polygon);
             bmr_pair stale;
             bmr_pair_init(&stale);
             for (int step = 0; step < 20; ++step) {
@@ -150,20 +88,20 @@ TEST_CASE("no pair claims a gap that rational arithmetic denies, and none misses
                 double gap;
                 const bmr_answer answer =
                     bmr_pair_advance(&t.pair, &t.def, &t.shape[0], &t.shape[1], &q, nullptr, &gap);
-                const std::vector<Point> b = exact_points(t.shape[1].polygon, q);
-                const Number truth = squared_distance(a, b);
+                const std::vector<Point> b = PointsAt(t.shape[1].polygon, q);
+                const Number truth = SquaredDistance(a, b);
                 // The control: to believe the last step's answer.
-                stale_lies += stale.state == BMR_PAIR_APART && truth <= square(t.def.margin);
+                stale_lies += stale.state == BMR_PAIR_APART && truth <= Square(t.def.margin);
                 stale = t.pair;
                 if (answer == BMR_STAB_POLYGON) {
                     ++contact;
                     const double need = t.def.margin * (1.0 + 1e-6) + BMR_PAIR_SLOP * t.extents();
-                    REQUIRE(truth <= square(need));
+                    REQUIRE(truth <= Square(need));
                     continue;
                 }
                 ++apart;
                 REQUIRE(gap > t.def.margin);
-                REQUIRE(truth >= square(gap)); // so: more than the margin apart, and not touching
+                REQUIRE(truth >= Square(gap)); // so: more than the margin apart, and not touching
                 if (t.pair.level == BMR_LEVEL_DISKS) {
                     ++disks;
                     continue;
@@ -197,7 +135,7 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
         for (std::size_t round = 0; round < rounds(40); ++round) {
             Couple t(static_cast<bmr_structure>(structure), 1, &random);
-            const std::vector<Point> a = exact_points(t.shape[0].polygon);
+            const std::vector<Point> a = PointsOf(t.shape[0].polygon);
             const double way = test_random_uniform(&random, 0.0, 6.28),
                          turn = test_random_uniform(&random, 0.0, 6.28);
             const double slop = t.def.margin * 1e-6 + BMR_PAIR_SLOP * t.extents();
@@ -207,11 +145,11 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
                 bmr_pair_init(&t.pair);
                 const bool apart = bmr_pair_advance(&t.pair, &t.def, &t.shape[0], &t.shape[1], &q, nullptr,
                                                     nullptr) == BMR_APART;
-                const Number truth = squared_distance(a, exact_points(t.shape[1].polygon, q));
+                const Number truth = SquaredDistance(a, PointsAt(t.shape[1].polygon, q));
                 if (apart)
-                    REQUIRE(truth > square(t.def.margin));
+                    REQUIRE(truth > Square(t.def.margin));
                 else
-                    REQUIRE(truth <= square(t.def.margin + slop));
+                    REQUIRE(truth <= Square(t.def.margin + slop));
             }
         }
 }
@@ -223,8 +161,8 @@ TEST_CASE("the brute-force distance of the other tests is the exact one up to do
         Couple t(BMR_FREE_DIRECTION, 7, &random); // jumps
         const bmr_pose q = test_motion_next(&t.motion, &random);
         const double distance = test_distance(t.shape[0].polygon, t.shape[1].polygon, &q);
-        const double exact = std::sqrt(CGAL::to_double(
-            squared_distance(exact_points(t.shape[0].polygon), exact_points(t.shape[1].polygon, q))));
+        const double exact = std::sqrt(
+            CGAL::to_double(SquaredDistance(PointsOf(t.shape[0].polygon), PointsAt(t.shape[1].polygon, q))));
         REQUIRE(std::abs(distance - exact) <= 1e-14 * (t.extents() + exact));
         overlapping += exact == 0.0;
     }

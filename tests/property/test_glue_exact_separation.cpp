@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+// What the glue says of distances against rational arithmetic: a slack is never above the true distance,
+// "apart" is apart and "overlapping" overlaps, at poses a unit in the last place from touching, ten
+// kilometres out, at any angle, of slivers and of polygons of hundreds of metres.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <memory>
+
+#include <box2d/b2_block_allocator.h>
+#include <box2d/b2_distance.h>
+#include <box2d/b2_time_of_impact.h>
+#include <box2d/box2d.h>
+
+#include "../../box2d_glue/body_pair.h"
+#include "../../box2d_glue/face_gap.h"
+#include "../../box2d_glue/overlap.h"
+#include "../../box2d_glue/sweep_apart.h"
+#include "../../box2d_glue/thresholds.h"
+#include "boomerang/box2d_glue.h"
+#include "box2d_shapes.h"
+#include "exact_polygons.h"
+#include "test_scale.h"
+
+namespace {
+
+using exact::Number;
+using exact::Points;
+using exact::Square;
+using shapes::Below;
+using shapes::Engine;
+using shapes::Uniform;
+using shapes::UniformF;
+
+/// A few must always run, or the counts below see nothing.
+size_t Rounds(size_t count) {
+    return std::max<size_t>(test_scaled(count), 100);
+}
+
+Points At(const b2PolygonShape &shape, const b2Transform &xf) {
+    Points points;
+    for (int32 i = 0; i < shape.m_count; ++i)
+        points.push_back(
+            exact::Placed(shape.m_vertices[i].x, shape.m_vertices[i].y, xf.q.c, xf.q.s, xf.p.x, xf.p.y));
+    return points;
+}
+
+const b2PolygonShape &PolygonOf(const b2Fixture *fixture) {
+    return *static_cast<const b2PolygonShape *>(fixture->GetShape());
+}
+
+/// The squared distance of all polygons of two bodies.
+Number Truth(const b2Body *a, const b2Body *b) {
+    Number least(-1);
+    for (const b2Fixture *f = a->GetFixtureList(); f != nullptr; f = f->GetNext()) {
+        for (const b2Fixture *g = b->GetFixtureList(); g != nullptr; g = g->GetNext()) {
+            const Number d = exact::SquaredDistance(At(PolygonOf(f), a->GetTransform()),
+                                                    At(PolygonOf(g), b->GetTransform()));
+            if (least < 0 || d < least)
+                least = d;
+        }
+    }
+    return least;
+}
+
+/// Is a claimed lower bound one?
+bool IsTrue(double claimed, const Number &squaredDistance) {
+    return claimed <= 0.0 || Square(claimed) <= squaredDistance;
+}
+
+/// The largest float that is no larger than the root.
+float LargestTrue(const Number &squaredDistance) {
+    auto f = static_cast<float>(std::sqrt(CGAL::to_double(squaredDistance)));
+    while (!IsTrue(static_cast<double>(f), squaredDistance))
+        f = std::nextafterf(f, 0.0f);
+    while (IsTrue(static_cast<double>(std::nextafterf(f, INFINITY)), squaredDistance))
+        f = std::nextafterf(f, INFINITY);
+    return f;
+}
+
+/// Boxes, needles of half a millimetre, anything of up to 8 sides; one in six of hundreds of metres.
+b2PolygonShape RandomShape(Engine &engine) {
+    const int kind = Below(engine, 6);
+    b2PolygonShape shape;
+    if (kind == 0) { // a sliver
+        const float length = UniformF(engine, 0.5, 20.0), tip = UniformF(engine, 0.004, 0.02);
+        const b2Vec2 points[] = {{-length, 0.0f}, {length, -tip}, {length, tip}};
+        shape.Set(points, 3);
+    } else if (kind == 1) { // its body's origin is far from its sides
+        const float width = UniformF(engine, 50.0, 200.0);
+        shape.SetAsBox(width, UniformF(engine, 1.0, 100.0));
+    } else {
+        shape = shapes::RandomPolygon(engine, 10.0);
+    }
+    if (Below(engine, 3) == 0)
+        shape.m_radius = 0.0f;
+    return shape;
+}
+
+b2Vec2 Middle(const b2Body *body) {
+    const b2PolygonShape &polygon = PolygonOf(body->GetFixtureList());
+    return body->GetWorldPoint(0.5f * (polygon.m_vertices[0] + polygon.m_vertices[polygon.m_count / 2]));
+}
+
+/// The same of double, to find a place by.
+double Near(const b2Body *a, const b2Body *b) {
+    double least = INFINITY;
+    for (const b2Fixture *f = a->GetFixtureList(); f != nullptr; f = f->GetNext())
+        for (const b2Fixture *g = b->GetFixtureList(); g != nullptr; g = g->GetNext())
+            least = std::min(
+                least,
+                shapes::Measure(PolygonOf(f), a->GetTransform(), PolygonOf(g), b->GetTransform()).distance);
+    return least;
+}
+
+struct Couple {
+    b2World world{b2Vec2(0.0f, 0.0f)};
+    b2Body *a, *b;
+
+    explicit Couple(Engine &engine) {
+        b2BodyDef def;
+        def.type = b2_dynamicBody;
+        def.allowSleep = false;
+        a = world.CreateBody(&def);
+        b = world.CreateBody(&def);
+        for (b2Body *body : {a, b}) {
+            for (int i = Below(engine, 3); i >= 0; --i) {
+                const b2PolygonShape shape = RandomShape(engine);
+                body->CreateFixture(&shape, 0.0f);
+            }
+        }
+    }
+
+    /// So far from the origin; b so far from a, to within rounding, or a few floats off.
+    void Put(Engine &engine, double far, double wanted) {
+        const double angle = Below(engine, 3) == 0 ? 1e6 : 4.0;
+        a->SetTransform({UniformF(engine, -far, far), UniformF(engine, -far, far)},
+                        Below(engine, 3) == 0 ? 0.0f : UniformF(engine, -angle, angle));
+        b->SetTransform(a->GetPosition(), Below(engine, 3) == 0 ? a->GetAngle() + 0.5f * b2_pi
+                                                                : UniformF(engine, -angle, angle));
+        const double way = Below(engine, 4) == 0 ? 0.0 : Uniform(engine, -3.2, 3.2);
+        const b2Vec2 start = b->GetPosition() + Middle(a) - Middle(b);
+        const auto move = [&](double t) {
+            b->SetTransform(
+                start + b2Vec2(static_cast<float>(t * std::cos(way)), static_cast<float>(t * std::sin(way))),
+                b->GetAngle());
+            return Near(a, b);
+        };
+        double t = 1500.0;
+        for (int i = 0; i < 60; ++i) {
+            const double left = move(t) - wanted;
+            if (std::fabs(left) < 1e-9)
+                break;
+            t -= left;
+        }
+        b2Vec2 p = b->GetPosition();
+        for (int i = Below(engine, 4); i > 0; --i)
+            (Below(engine, 2) == 0 ? p.x : p.y) =
+                std::nextafterf(Below(engine, 2) == 0 ? p.x : p.y, Below(engine, 2) == 0 ? -1e9f : 1e9f);
+        b->SetTransform(p, b->GetAngle());
+    }
+};
+
+constexpr double kFar[] = {0.0, 1.0, 100.0, 300.0, 10000.0};
+constexpr double kWanted[] = {0.0, 1e-6, 1e-4, 0.001, 0.0015, 0.02, 0.03, 0.5, 20.0};
+
+template <size_t n> double OneOf(Engine &engine, const double (&values)[n]) {
+    return values[Below(engine, static_cast<int>(n))];
+}
+
+struct Tally {
+    size_t claims = 0, lies = 0, caught = 0;
+
+    void Add(double claimed, const Number &truth) {
+        claims += claimed > 0.0;
+        lies += !IsTrue(claimed, truth);
+        // The control: what is one float above the truth is a lie.
+        if (truth > 0)
+            caught += !IsTrue(static_cast<double>(std::nextafterf(LargestTrue(truth), INFINITY)), truth);
+    }
+};
+
+} // namespace
+
+TEST_CASE("the oracle tells a claim from one that is a unit in the last place higher") {
+    b2PolygonShape box;
+    box.SetAsBox(0.5f, 0.5f);
+    b2Transform here, there;
+    here.SetIdentity();
+    there.SetIdentity();
+    for (const float gap : {0.25f, 0x1p-20f}) {
+        there.p.x = 1.0f + gap;
+        const Number truth = exact::SquaredDistance(At(box, here), At(box, there));
+        CHECK(IsTrue(static_cast<double>(gap), truth));
+        CHECK_FALSE(IsTrue(std::nextafter(static_cast<double>(gap), 1.0), truth));
+        // The same shapes, turned by an angle of which nothing is exact, 10 km out.
+        b2Transform farHere, farThere;
+        farHere.Set(b2Vec2(10000.0f, -7000.0f), 1e6f);
+        farThere = b2Mul(farHere, there);
+        const Number far = exact::SquaredDistance(At(box, farHere), At(box, farThere));
+        CHECK(IsTrue(static_cast<double>(LargestTrue(far)), far));
+        CHECK_FALSE(IsTrue(static_cast<double>(std::nextafterf(LargestTrue(far), 1.0f)), far));
+    }
+    there.p.x = 1.0f;
+    CHECK(exact::SquaredDistance(At(box, here), At(box, there)) == 0);
+}
+
+TEST_CASE("no certified slack is above the exact distance") {
+    bmr::Install();
+    Engine engine(31);
+    Tally slack, face;
+    for (size_t i = 0; i < Rounds(1500); ++i) {
+        Couple t(engine);
+        t.Put(engine, OneOf(engine, kFar), OneOf(engine, kWanted));
+        if (i % 2 == 0) { // with contacts, and what they keep
+            t.world.Step(0.0f, 1, 1);
+            t.Put(engine, OneOf(engine, kFar), OneOf(engine, kWanted));
+        }
+        const Number truth = Truth(t.a, t.b);
+        slack.Add(static_cast<double>(bmr::CertifiedSlack(t.a, t.b)), truth);
+        for (const bool ofB : {false, true}) {
+            const b2Fixture &f = *(ofB ? t.b : t.a)->GetFixtureList(),
+                            &g = *(ofB ? t.a : t.b)->GetFixtureList();
+            const Number two = exact::SquaredDistance(At(PolygonOf(&f), f.GetBody()->GetTransform()),
+                                                      At(PolygonOf(&g), g.GetBody()->GetTransform()));
+            face.Add(bmr::LargestFaceGap(f, g).proved, two);
+        }
+    }
+    MESSAGE("slacks ", slack.claims, ", lies ", slack.lies, "; faces ", face.claims, ", lies ", face.lies);
+    CHECK(slack.lies == 0);
+    CHECK(face.lies == 0);
+    CHECK(slack.claims > Rounds(1500) / 4);
+    CHECK(face.claims > Rounds(1500) / 4);
+    CHECK(slack.caught > Rounds(1500) / 4);
+}
+
+TEST_CASE("bounding boxes prove no more than there is where the shapes are far from their bodies' origins") {
+    Engine engine(32);
+    b2PolygonShape wall, needle;
+    wall.SetAsBox(1.0f, 300.0f);
+    wall.m_radius = 0.0f;
+    Tally slack;
+    for (size_t i = 0; i < Rounds(400); ++i) {
+        b2World world(b2Vec2(0.0f, 0.0f));
+        b2BodyDef def;
+        b2Body *a = world.CreateBody(&def), *b = world.CreateBody(&def);
+        const float length = UniformF(engine, 50.0, 250.0);
+        const b2Vec2 points[] = {{-length, -3.0f}, {length, 0.0f}, {-length, 3.0f}};
+        needle.Set(points, 3);
+        needle.m_radius = 0.0f;
+        a->CreateFixture(&needle, 0.0f);
+        b->CreateFixture(&wall, 0.0f);
+        b->SetTransform({1.0f, 0.0f}, 0.0f); // its side is at 0
+        const float angle = UniformF(engine, -0.7, 0.7);
+        const double tip = static_cast<double>(length) * std::cos(static_cast<double>(angle));
+        a->SetTransform({static_cast<float>(-tip - Uniform(engine, 1e-5, 9e-4)), 0.0f}, angle);
+        slack.Add(static_cast<double>(bmr::CertifiedSlack(a, b)), Truth(a, b));
+    }
+    MESSAGE("slacks ", slack.claims, ", lies ", slack.lies);
+    CHECK(slack.claims > Rounds(400) / 2);
+    CHECK(slack.lies == 0);
+    CHECK(slack.caught == Rounds(400));
+}
