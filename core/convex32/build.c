@@ -62,8 +62,11 @@ static double box_side(const bmr_vec32 *v, size_t count) {
     return fmax((double)high.x - (double)low.x, (double)high.y - (double)low.y);
 }
 
+/// Opposite normals turn too, by half a turn to rounding: b is the tip of a needle.
 static bool turns(bmr_vec32 a, bmr_vec32 b, bmr_vec32 c) {
-    return convex32_turn(edge_normal(a, b), edge_normal(b, c)) > 0.0;
+    const bmr_vec32 before = edge_normal(a, b), after = edge_normal(b, c);
+    return convex32_turn(before, after) > 0.0 ||
+           (double)before.x * (double)after.x + (double)before.y * (double)after.y < 0.0;
 }
 
 /// Drops the vertices of a strictly convex polygon that turn by no more than rounding, in place. What is left
@@ -196,6 +199,8 @@ bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_a
     else {
         start_rightmost(vertices, kept, vertices + count);
         error = make(vertices, kept, allocator, block);
+        if (error == BMR_ERROR_NOT_CONVEX) // a needle, whose long sides have one direction
+            error = BMR_ERROR_TOO_FEW_POINTS;
     }
     bmr_release(allocator, sorted, scratch_size);
     return error;

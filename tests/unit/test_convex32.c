@@ -250,6 +250,12 @@ static void bad_points_are_errors_and_leave_the_output(void **state) {
         {{{0, 0}, {1, 0}, {2, 0}, {0, 1}}, 4, BMR_OK, BMR_ERROR_NOT_CONVEX},
         {{{0, 0}, {0, 1}, {1, 0}}, 3, BMR_OK, BMR_ERROR_NOT_CONVEX},
         {{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, 4, BMR_OK, BMR_ERROR_NOT_CONVEX},
+        // A needle whose long sides have opposite normals, as far as those can tell: its tip is no straight
+        // vertex.
+        {{{-1e9f, -1e9f}, {0.25f, -1}, {1, 0.25f}, {-0.25f, 1}},
+         4,
+         BMR_ERROR_TOO_FEW_POINTS,
+         BMR_ERROR_NOT_CONVEX},
         // Turns by 1e-8, and so straight as far as its normals can tell.
         {{{-1, -1}, {0, -0x1p-27f}, {1, 1}, {-1, 1}}, 4, BMR_OK, BMR_ERROR_NOT_CONVEX},
     };

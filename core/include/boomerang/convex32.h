@@ -54,13 +54,14 @@ typedef struct bmr_convex32_block {
 /// their two edges round to the same floats: kept normals all differ, and turn once around. Coordinates are
 /// at most BMR_MAX_COORDINATE, the extent is at least BMR_MIN_EXTENT (polygon.h).
 ///
-/// Errors leave `*block` as it was: BMR_ERROR_TOO_FEW_POINTS, also for a hull without area,
-/// BMR_ERROR_NOT_FINITE, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_TOO_MANY_POINTS on the hull, BMR_ERROR_NO_MEMORY.
-/// O(n log n).
+/// Errors leave `*block` as it was: BMR_ERROR_TOO_FEW_POINTS, also for a hull without area as far as floats
+/// can tell (a needle whose long sides have opposite normals), BMR_ERROR_NOT_FINITE, BMR_ERROR_OUT_OF_RANGE,
+/// BMR_ERROR_TOO_MANY_POINTS on the hull, BMR_ERROR_NO_MEMORY. O(n log n).
 bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_allocator *allocator,
                               bmr_convex32_block **block);
 /// The same of vertices that are such a hull, counter-clockwise from any one: kept to the bit. Others are
-/// BMR_ERROR_NOT_CONVEX: exactly so, or because the normals of two edges round to the same. O(n).
+/// BMR_ERROR_NOT_CONVEX: exactly so, or because the normals of two edges round to the same, or to opposites
+/// (a needle). O(n).
 bmr_error bmr_convex32_create_raw(const bmr_vec32 *vertices, size_t count, const bmr_allocator *allocator,
                                   bmr_convex32_block **block);
 void bmr_convex32_destroy(bmr_convex32_block *block, const bmr_allocator *allocator);
