@@ -15,13 +15,14 @@
 #include <cmocka.h>
 
 #include "boomerang/failure.h"
+#include "failure_oracle.h"
 #include "polygons.h"
 #include "test_scale.h"
 
 #define PI 3.14159265358979323846
 #define BEGIN 0.0
 #define END 4.0
-#define LOOKS 600
+#define LOOKS ORACLE_LOOKS
 
 // ---- motions, and what they do in long double ----
 
@@ -35,83 +36,10 @@ typedef enum motion_kind {
     MOTION_KINDS
 } motion_kind;
 
-/// A motion as it was asked for.
-typedef struct plan {
-    size_t count;
-    double from[8];
-    bmr_motion_piece pieces[8];
-} plan;
-
-typedef struct place {
-    long double x, y, c, s;
-} place;
-
-static long double horner(const double *c, size_t degree, long double u) {
-    long double value = c[degree];
-    for (size_t k = degree; k-- > 0;)
-        value = value * u + (long double)c[k];
-    return value;
-}
-
-static place place_at(const plan *p, long double t) {
-    size_t i = 0;
-    while (i + 1 < p->count && (long double)p->from[i + 1] <= t)
-        i++;
-    const bmr_motion_piece *piece = &p->pieces[i];
-    const long double u = t - (long double)piece->origin;
-    place at;
-    long double c, s, c0, s0;
-    if (piece->kind == BMR_PIECE_SCREW) {
-        const bmr_screw_motion *w = &piece->as.screw;
-        at.x = (long double)w->start.position.x + u * (long double)w->velocity.x;
-        at.y = (long double)w->start.position.y + u * (long double)w->velocity.y;
-        c = cosl((long double)w->spin * u);
-        s = sinl((long double)w->spin * u);
-        c0 = w->start.c;
-        s0 = w->start.s;
-    } else {
-        const bmr_algebraic_piece *w = &piece->as.algebraic;
-        at.x = horner(w->x, w->degree, u);
-        at.y = horner(w->y, w->degree, u);
-        const long double a = horner(w->a, w->rotation_degree, u), b = horner(w->b, w->rotation_degree, u);
-        c = (a * a - b * b) / (a * a + b * b);
-        s = 2.0L * a * b / (a * a + b * b);
-        c0 = w->start_c;
-        s0 = w->start_s;
-    }
-    const long double unit = hypotl(c0, s0);
-    at.c = (c * c0 - s * s0) / unit;
-    at.s = (s * c0 + c * s0) / unit;
-    return at;
-}
-
 typedef struct trial {
-    plan a, b;
+    oracle_trial moving;
     bmr_motion *motion_a, *motion_b;
-    bmr_condition condition;
 } trial;
-
-/// The condition's value; *size: the lengths that go into it.
-static long double value_at(const trial *r, long double t, long double *size) {
-    const bmr_condition *k = &r->condition;
-    const place o = place_at(k->owner == 0 ? &r->a : &r->b, t),
-                x = place_at(k->owner == 0 ? &r->b : &r->a, t);
-    const long double nx = o.c * (long double)k->normal.x - o.s * (long double)k->normal.y,
-                      ny = o.s * (long double)k->normal.x + o.c * (long double)k->normal.y;
-    const long double px = x.c * (long double)k->point.x - x.s * (long double)k->point.y,
-                      py = x.s * (long double)k->point.x + x.c * (long double)k->point.y;
-    const long double n = hypotl(nx, ny), p = hypotl(px, py);
-    const long double ways = hypotl(o.x, o.y) + hypotl(x.x, x.y);
-    if (size)
-        *size = k->kind == BMR_CONDITION_TURN    ? n * p
-                : k->kind == BMR_CONDITION_DISKS ? n + p + ways + fabsl((long double)k->offset)
-                                                 : n * (p + ways) + fabsl((long double)k->offset);
-    if (k->kind == BMR_CONDITION_TURN)
-        return nx * py - ny * px;
-    if (k->kind == BMR_CONDITION_DISKS)
-        return hypotl(px + x.x - o.x - nx, py + x.y - o.y - ny) - (long double)k->offset;
-    return nx * (px + x.x - o.x) + ny * (py + x.y - o.y) - (long double)k->offset;
-}
 
 static double uniform(test_random *random, double low, double high) {
     return test_random_uniform(random, low, high);
@@ -167,7 +95,7 @@ static bmr_motion_piece random_piece(test_random *random, motion_kind kind) {
 }
 
 /// `exact`: as the motion keeps it; samples are joined as the header says.
-static bmr_motion *random_motion(test_random *random, motion_kind kind, plan *p) {
+static bmr_motion *random_motion(test_random *random, motion_kind kind, oracle_plan *p) {
     bmr_motion *motion = NULL;
     if (kind == SAMPLED) {
         double times[6];
@@ -198,15 +126,8 @@ static bmr_motion *random_motion(test_random *random, motion_kind kind, plan *p)
         piece.origin = t;
         assert_int_equal(bmr_motion_change(motion, t, &piece), BMR_OK);
     }
-    // Read it back: what the pieces are is test_kinetic_motion's business.
-    p->count = 0;
-    double t = -INFINITY;
-    do {
-        double end;
-        p->from[p->count] = t;
-        p->pieces[p->count++] = *bmr_motion_piece_at(motion, t, &end);
-        t = end;
-    } while (!isinf(t));
+    // What the pieces are is test_kinetic_motion's business.
+    oracle_read_plan(motion, p);
     return motion;
 }
 
@@ -226,9 +147,9 @@ static bmr_condition random_condition(test_random *random, int kind) {
 static trial make_trial(test_random *random, motion_kind a, motion_kind b, int condition) {
     trial r;
     memset(&r, 0, sizeof r);
-    r.motion_a = random_motion(random, a, &r.a);
-    r.motion_b = random_motion(random, b, &r.b);
-    r.condition = random_condition(random, condition);
+    r.motion_a = random_motion(random, a, &r.moving.a);
+    r.motion_b = random_motion(random, b, &r.moving.b);
+    r.moving.condition = random_condition(random, condition);
     return r;
 }
 
@@ -239,81 +160,14 @@ static void drop_trial(trial *r) {
 
 // ---- the verdict ----
 
-/// What a value may be below zero, in parts of the lengths that go into it: the
-/// header's 1e-14, times the growth over one interval and the number of terms
-/// of the algebraic ones.
-#define VALUE_SLACK 2e-12L
-
-typedef struct verdict {
-    bool late, early;
-    long double worst; ///< the least value before the time, over the lengths involved
-} verdict;
-
-/// The least value in [low, high] around `middle`, by golden section.
-static long double least_near(const trial *r, long double low, long double high) {
-    const long double ratio = 0.6180339887498949L;
-    long double p = high - ratio * (high - low), q = low + ratio * (high - low);
-    long double fp = value_at(r, p, NULL), fq = value_at(r, q, NULL);
-    for (int i = 0; i < 60; i++) {
-        if (fp < fq) {
-            high = q;
-            q = p;
-            fq = fp;
-            p = high - ratio * (high - low);
-            fp = value_at(r, p, NULL);
-        } else {
-            low = p;
-            p = q;
-            fp = fq;
-            q = low + ratio * (high - low);
-            fq = value_at(r, q, NULL);
-        }
-    }
-    return fminl(fp, fq);
-}
-
-/// Judges a failure time (INFINITY: none until END).
-static verdict judge(const trial *r, double after, double time, double tolerance) {
-    verdict v = {false, false, 0.0L};
-    const long double last = fminl((long double)time, (long double)END);
-    const long double step = (last - (long double)after) / LOOKS;
-    long double size, before = INFINITY, here = value_at(r, after, &size), worst = 0.0L;
-    for (int i = 1; i <= LOOKS && step > 0.0L; i++) {
-        const long double t = (long double)after + step * i - (i == LOOKS ? 1e-17L : 0.0L);
-        const long double next = value_at(r, t, &size);
-        if (i < LOOKS)
-            worst = fminl(worst, next / size);
-        if (here <= before && here <= next && i > 1 && here < 0.05L * size)
-            worst = fminl(worst, least_near(r, t - 2.0L * step, t) / size);
-        before = here;
-        here = next;
-    }
-    // Nearer and nearer to the end, and there.
-    for (int i = 0; i < 60 && step > 0.0L; i++) {
-        const long double value = value_at(r, last - ldexpl(step, -i), &size);
-        worst = fminl(worst, value / size);
-    }
-    if (!isinf(time))
-        worst = fminl(worst, value_at(r, last, &size) / size);
-    v.worst = worst;
-    v.late = worst < -VALUE_SLACK;
-    if (!isinf(time)) {
-        v.early = true;
-        for (int i = 0; i <= LOOKS && v.early; i++) {
-            const long double part = (long double)tolerance * (LOOKS - i) / LOOKS;
-            v.early = value_at(r, (long double)time + part, &size) > VALUE_SLACK * size;
-        }
-    }
-    return v;
-}
-
 static double failure(const trial *r, double after, bmr_root_method method, double tolerance) {
     bmr_failure_options options = bmr_default_failure_options();
     options.method = method;
     options.tolerance = tolerance;
     double time = -1.0;
-    assert_int_equal(bmr_failure_time(&r->condition, r->motion_a, r->motion_b, after, END, &options, &time),
-                     BMR_OK);
+    assert_int_equal(
+        bmr_failure_time(&r->moving.condition, r->motion_a, r->motion_b, after, END, &options, &time),
+        BMR_OK);
     assert_true(time >= after);
     return time;
 }
@@ -321,7 +175,7 @@ static double failure(const trial *r, double after, bmr_root_method method, doub
 /// Until its true value is clearly positive there.
 static bool starts_positive(const trial *r, double after) {
     long double size;
-    const long double value = value_at(r, after, &size);
+    const long double value = oracle_value(&r->moving, after, &size);
     return value > 1e-6L * size;
 }
 
@@ -341,7 +195,8 @@ static void no_failure_is_late_and_none_early(void **state) {
                     if (starts_positive(&r, after)) {
                         const double time = failure(&r, after, BMR_ROOT_BERNSTEIN, tolerance);
                         const double width = 1.01 * tolerance * fmax(1.0, fabs(time));
-                        const verdict v = judge(&r, after, time, isinf(time) ? 0.0 : width);
+                        const oracle_verdict v =
+                            oracle_judge(&r.moving, after, END, time, isinf(time) ? 0.0 : width, LOOKS);
                         if (v.late || v.early)
                             print_message("round %zu kinds %d %d condition %d: time %.17g "
                                           "late %d early %d "
@@ -356,7 +211,7 @@ static void no_failure_is_late_and_none_early(void **state) {
                         // is one.
                         if (!isinf(time) && time + 0.02 < END) {
                             controls++;
-                            caught += judge(&r, after, time + 0.02, 0.0).late;
+                            caught += oracle_judge(&r.moving, after, END, time + 0.02, 0.0, LOOKS).late;
                         }
                     }
                     drop_trial(&r);
@@ -379,11 +234,11 @@ static void negate(bmr_condition *k) {
 static size_t sign_changes(const trial *r, double after, double *last, bool *clear) {
     const int looks = 8 * LOOKS;
     const long double step = ((long double)END - (long double)after) / looks;
-    long double size, before = value_at(r, after, &size), earlier = before;
+    long double size, before = oracle_value(&r->moving, after, &size), earlier = before;
     size_t changes = 0;
     *clear = fabsl(before) > 1e-3L * size;
     for (int i = 1; i <= looks; i++) {
-        const long double here = value_at(r, (long double)after + step * i, &size);
+        const long double here = oracle_value(&r->moving, (long double)after + step * i, &size);
         if ((here > 0.0L) != (before > 0.0L)) {
             changes++;
             *last = (double)((long double)after + step * i);
@@ -414,8 +269,8 @@ static void a_condition_and_its_opposite_take_turns(void **state) {
                     bool clear;
                     const size_t expected = sign_changes(&r, BEGIN, &last, &clear);
                     if (clear) {
-                        if (!(value_at(&r, BEGIN, NULL) > 0.0L))
-                            negate(&r.condition);
+                        if (!(oracle_value(&r.moving, BEGIN, NULL) > 0.0L))
+                            negate(&r.moving.condition);
                         const bmr_root_method method = round % 2 ? BMR_ROOT_GSL : BMR_ROOT_BERNSTEIN;
                         size_t found = 0;
                         for (double time = failure(&r, BEGIN, method, 1e-12); !isinf(time);
@@ -423,7 +278,7 @@ static void a_condition_and_its_opposite_take_turns(void **state) {
                             assert_true(time <= last);
                             if (++found > expected)
                                 break;
-                            negate(&r.condition);
+                            negate(&r.moving.condition);
                         }
                         if (found != expected)
                             print_message("kinds %d %d condition %d: %zu of %zu\n", a, b, k, found, expected);
@@ -455,10 +310,10 @@ static void both_methods_find_the_same_root(void **state) {
                         if (!isinf(first) && fabs(s - t) > 1e-9) {
                             // Only a touch may be found by one and not by the other.
                             long double size;
-                            const long double least =
-                                least_near(&r, (long double)first - 1e-5L, (long double)first + 1e-5L);
-                            value_at(&r, first, &size);
-                            assert_true(fabsl(least) < VALUE_SLACK * size);
+                            const long double least = oracle_least(&r.moving, (long double)first - 1e-5L,
+                                                                   (long double)first + 1e-5L);
+                            oracle_value(&r.moving, first, &size);
+                            assert_true(fabsl(least) < ORACLE_SLACK * size);
                             touches++;
                         } else if (!isinf(first)) {
                             worst = fmax(worst, fabs(s - t));
@@ -481,7 +336,7 @@ static void the_highest_degrees_are_judged_too(void **state) {
         for (int k = 0; k < BMR_CONDITION_KIND_COUNT; k++) {
             trial r = make_trial(&random, GLIDE, GLIDE, k);
             bmr_motion **const motions[] = {&r.motion_a, &r.motion_b};
-            plan *const plans[] = {&r.a, &r.b};
+            oracle_plan *const plans[] = {&r.moving.a, &r.moving.b};
             for (int i = 0; i < 2; i++) {
                 bmr_motion_destroy(*motions[i]);
                 bmr_motion_piece piece = random_algebraic(&random, BMR_MOTION_MAX_DEGREE);
@@ -493,7 +348,7 @@ static void the_highest_degrees_are_judged_too(void **state) {
             if (starts_positive(&r, BEGIN)) {
                 for (int method = 0; method <= BMR_ROOT_GSL; method++) {
                     const double time = failure(&r, BEGIN, (bmr_root_method)method, 1e-12);
-                    const verdict v = judge(&r, BEGIN, time, 1e-11);
+                    const oracle_verdict v = oracle_judge(&r.moving, BEGIN, END, time, 1e-11, LOOKS);
                     if (v.late || v.early)
                         print_message("method %d condition %d time %.17g late %d early %d "
                                       "worst %Lg\n",

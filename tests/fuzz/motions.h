@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#ifndef BMR_FUZZ_MOTIONS_H
+#define BMR_FUZZ_MOTIONS_H
+
+#include "boomerang/motion.h"
+#include "bytes.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// @file
+/// Reads rigid motions. What `reach` and `spin` bound, they bound at the times of interest, some units around
+/// 0; without `wild` all numbers are moderate.
+
+typedef struct fuzz_motion_range {
+    double reach; ///< of coordinates
+    double speed; ///< of velocities
+    double spin;  ///< radians per unit of time; 0: nothing turns
+    double begin, end;
+    bool wild; ///< any number may come
+} fuzz_motion_range;
+
+static inline double fuzz_wild(fuzz_bytes *bytes, const fuzz_motion_range *range, double most) {
+    return range->wild ? fuzz_number(bytes) : fuzz_in(bytes, -most, most);
+}
+
+static inline bmr_pose fuzz_pose(fuzz_bytes *bytes, const fuzz_motion_range *range, double angle) {
+    const double x = fuzz_wild(bytes, range, range->reach);
+    const bmr_pose pose = {{x, fuzz_wild(bytes, range, range->reach)}, cos(angle), sin(angle)};
+    return pose;
+}
+
+/// One piece; it may be one that cannot be made, if wild.
+static inline bmr_motion_piece fuzz_piece(fuzz_bytes *bytes, const fuzz_motion_range *range) {
+    const uint8_t kind = fuzz_u8(bytes);
+    const double origin = kind >= 128 ? fuzz_wild(bytes, range, range->end) : 0.0;
+    const double angle = fuzz_in(bytes, -3.2, 3.2);
+    if (kind % 2 == 0) {
+        const bmr_pose pose = fuzz_pose(bytes, range, angle);
+        const double vx = fuzz_wild(bytes, range, range->speed);
+        const bmr_vec2 velocity = {vx, fuzz_wild(bytes, range, range->speed)};
+        const double spin = kind % 8 != 0 ? fuzz_wild(bytes, range, range->spin) : 0.0;
+        return bmr_piece_screw(origin, pose, velocity, range->spin > 0.0 ? spin : 0.0);
+    }
+    bmr_motion_piece piece;
+    memset(&piece, 0, sizeof piece);
+    piece.kind = BMR_PIECE_ALGEBRAIC;
+    piece.origin = origin;
+    bmr_algebraic_piece *const w = &piece.as.algebraic;
+    w->degree = fuzz_below(bytes, BMR_MOTION_MAX_DEGREE + 1);
+    double scale = range->reach;
+    for (size_t k = 0; k <= w->degree; ++k, scale /= 3.0) {
+        w->x[k] = fuzz_wild(bytes, range, scale);
+        w->y[k] = fuzz_wild(bytes, range, scale);
+    }
+    w->rotation_degree = range->spin > 0.0 && kind % 4 == 1 ? fuzz_below(bytes, 4) : 0;
+    if (kind % 32 == 5 && range->spin > 0.0)
+        w->rotation_degree = fuzz_below(bytes, BMR_MOTION_MAX_DEGREE + 1);
+    scale = 1.0;
+    w->a[0] = 1.0;
+    for (size_t k = 0; k <= w->rotation_degree && w->rotation_degree > 0; ++k, scale /= 2.0) {
+        w->a[k] = fuzz_wild(bytes, range, scale);
+        w->b[k] = fuzz_wild(bytes, range, scale);
+    }
+    w->start_c = cos(angle);
+    w->start_s = sin(angle);
+    return piece;
+}
+
+/// A motion of up to 7 pieces; NULL where it cannot be made.
+static inline bmr_motion *fuzz_motion(fuzz_bytes *bytes, const fuzz_motion_range *range) {
+    const uint8_t how = fuzz_u8(bytes);
+    bmr_motion *motion = NULL;
+    if (how % 4 == 0) { // from sample to sample
+        double times[6];
+        bmr_pose poses[6];
+        const double angle = fuzz_in(bytes, -3.2, 3.2);
+        const size_t count = 1 + how / 4 % 6;
+        for (size_t i = 0; i < count; ++i) {
+            const double part = ((double)i + fuzz_in(bytes, 0.05, 0.95)) / (double)count;
+            times[i] = range->begin + (range->end - range->begin) * part;
+            poses[i] = fuzz_pose(bytes, range, range->spin > 0.0 ? fuzz_in(bytes, -3.2, 3.2) : angle);
+        }
+        return bmr_motion_create_sampled(times, poses, count, NULL, &motion) == BMR_OK ? motion : NULL;
+    }
+    const bmr_motion_piece first = fuzz_piece(bytes, range);
+    if (bmr_motion_create(&first, NULL, &motion) != BMR_OK)
+        return NULL;
+    for (int changes = how % 4 == 1 ? how / 4 % 6 : 0; changes > 0 && !fuzz_done(bytes); --changes) {
+        // Mostly the pose stays and the plan changes; else it jumps.
+        const double time = fuzz_in(bytes, range->begin, range->end);
+        const bool jumps = fuzz_u8(bytes) % 8 == 0;
+        bmr_motion_piece piece = fuzz_piece(bytes, range);
+        const bmr_pose pose = bmr_motion_pose(motion, time, NULL, NULL);
+        if (piece.kind == BMR_PIECE_SCREW) {
+            if (!jumps)
+                piece.as.screw.start = pose;
+            else if (!(range->spin > 0.0)) {
+                piece.as.screw.start.c = pose.c;
+                piece.as.screw.start.s = pose.s;
+            }
+        } else {
+            if (!jumps) {
+                piece.as.algebraic.x[0] = pose.position.x;
+                piece.as.algebraic.y[0] = pose.position.y;
+                piece.as.algebraic.a[0] = 1.0;
+                piece.as.algebraic.b[0] = 0.0;
+            }
+            if (!jumps || !(range->spin > 0.0)) {
+                piece.as.algebraic.start_c = pose.c;
+                piece.as.algebraic.start_s = pose.s;
+            }
+        }
+        piece.origin = time;
+        bmr_motion_change(motion, time, &piece); // refused: the motion stays as it was
+    }
+    return motion;
+}
+
+#ifdef __cplusplus
+}
+#endif
+#endif
