@@ -43,7 +43,7 @@ bool SamePose(const b2Transform &a, const b2Transform &b) {
 }
 
 bool WithinReach(const b2Transform &xf, double reach) {
-    const double limit = kReach - reach;
+    const double limit = kReach - kReachOfExtent * reach;
     return std::fabs(static_cast<double>(xf.p.x)) <= limit && std::fabs(static_cast<double>(xf.p.y)) <= limit;
 }
 

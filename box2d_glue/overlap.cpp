@@ -42,7 +42,7 @@ float Rounding(const Question &q, float reach) {
 
 /// b2TestOverlap's threshold is 10 epsilon beyond the radii.
 float ApartBeyond(const Question &q, float rounding) {
-    return q.Radius() + 10.0f * b2_epsilon + rounding;
+    return q.Radius() * (1.0f + kUnit * kErrorPerDistance) + 10.0f * b2_epsilon + rounding;
 }
 
 /// How far apart the two are along a direction.
@@ -68,7 +68,8 @@ bmr_swept32 Still(const b2DistanceProxy &proxy, const b2Transform &xf) {
 Overlap Search(const Question &q, bmr_vec32 *direction) {
     const bmr_swept32 a = Still(q.a, q.xfA), b = Still(q.b, q.xfB);
     const float rounding = Rounding(q, std::max(a.radius, b.radius));
-    switch (bmr_swept32_compare(&a, &b, ApartBeyond(q, rounding), q.Radius() - rounding, direction)) {
+    switch (bmr_swept32_compare(&a, &b, ApartBeyond(q, rounding),
+                                q.Radius() * (1.0f - kUnit * kErrorPerDistance) - rounding, direction)) {
     case BMR_SWEPT32_APART:
         return Overlap::kApart;
     case BMR_SWEPT32_NEAR:

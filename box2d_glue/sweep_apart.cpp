@@ -52,8 +52,10 @@ SweptShape Sweep(const b2DistanceProxy &proxy, const b2Sweep &sweep, const b2Rot
 
 bool NeverTouch(const SweptShape &a, const SweptShape &b, bmr_vec32 *direction) {
     const float lever = 1.0f + std::max(a.points.width / b.points.edge, b.points.width / a.points.edge);
+    const float impact = ImpactDistance(a.radius + b.radius);
+    const float tilt = a.tilt + b.tilt + (kTiltAlways + kUnit * kTiltPerDistance * impact);
     const float distance =
-        ImpactDistance(a.radius + b.radius) + a.rounding + b.rounding + (a.tilt + b.tilt) * lever;
+        impact * (1.0f + kUnit * kErrorPerDistance) + (a.rounding + b.rounding) + tilt * lever;
     return bmr_swept32_compare(&a.points, &b.points, distance, distance, direction) == BMR_SWEPT32_APART;
 }
 

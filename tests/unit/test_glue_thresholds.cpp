@@ -174,10 +174,13 @@ TEST_CASE("the diagonal is reached: corner to corner, Box2D gives points nearly 
 }
 
 TEST_CASE("every threshold derives from Box2D's constants") {
-    CHECK(bmr::ContactMargin(0.0) == bmr::kRoundingMargin);
-    CHECK(bmr::ContactMargin(-1.0) == bmr::kRoundingMargin);
-    const double polygons = 2.0 * b2_polygonRadius;
-    CHECK(bmr::ContactMargin(polygons) == std::sqrt(2.0) * polygons + bmr::kRoundingMargin);
+    // Radii below a slop count as one.
+    CHECK(bmr::ContactMargin(0.0) == bmr::ContactMargin(static_cast<double>(b2_linearSlop)));
+    CHECK(bmr::ContactMargin(-1.0) == bmr::ContactMargin(0.0));
+    CHECK(bmr::ContactMargin(std::nan("")) == bmr::ContactMargin(0.0)); // Box2D gives no points there
+    const double polygons = 2.0 * b2_polygonRadius, exact = std::sqrt(2.0) * polygons + bmr::kRoundingMargin;
+    CHECK(bmr::ContactMargin(polygons) > exact);
+    CHECK(bmr::ContactMargin(polygons) < exact + 1e-6);
     CHECK(bmr::kRoundingMargin < b2_linearSlop);
     CHECK(bmr::kHysteresis > 0.0);
 }
