@@ -14,6 +14,7 @@
 
 #include "boomerang/simulation.h"
 #include "kds_driver.h"
+#include "polygon_distance.h"
 #include "test_scale.h"
 
 namespace {
@@ -25,59 +26,10 @@ constexpr double kMargin = 1e-5;
 /// What both sides may be wrong by: event times (1e-12) times speeds, and the rounding of double.
 constexpr long double kSlop = 1e-9L;
 
-struct Point {
-    long double x, y;
-};
-using Points = std::vector<Point>;
-
-Points Transformed(const bmr_polygon *polygon, const bmr_pose &pose) {
-    // The rotation is made exactly orthonormal in long double: a double's is off by a rounding.
-    const long double length = std::hypot(static_cast<long double>(pose.c), static_cast<long double>(pose.s));
-    const long double c = pose.c / length, s = pose.s / length;
-    Points points;
-    for (uint32_t i = 0; i < polygon->count; ++i) {
-        const long double x = polygon->vertices[i].x, y = polygon->vertices[i].y;
-        points.push_back({c * x - s * y + pose.position.x, s * x + c * y + pose.position.y});
-    }
-    return points;
-}
-
-/// The largest separation that an edge's normal of `a` gives: min over b - max over a along it.
-long double EdgeSeparation(const Points &a, const Points &b) {
-    long double best = -INFINITY;
-    for (size_t i = 0; i < a.size(); ++i) {
-        const Point p = a[i], q = a[(i + 1) % a.size()];
-        const long double nx = q.y - p.y, ny = p.x - q.x, length = std::hypot(nx, ny);
-        if (length == 0.0L)
-            continue;
-        long double least = INFINITY;
-        for (const Point &r : b)
-            least = std::min(least, (nx * (r.x - p.x) + ny * (r.y - p.y)) / length);
-        best = std::max(best, least);
-    }
-    return best;
-}
-
-long double SegmentDistance(const Point &r, const Point &p, const Point &q) {
-    const long double dx = q.x - p.x, dy = q.y - p.y, square = dx * dx + dy * dy;
-    long double t = square > 0.0L ? ((r.x - p.x) * dx + (r.y - p.y) * dy) / square : 0.0L;
-    t = std::min(1.0L, std::max(0.0L, t));
-    return std::hypot(r.x - p.x - t * dx, r.y - p.y - t * dy);
-}
-
-/// The distance; where the polygons overlap, minus the least depth over edge normals.
-long double SignedDistance(const Points &a, const Points &b) {
-    const long double separation = std::max(EdgeSeparation(a, b), EdgeSeparation(b, a));
-    if (separation <= 0.0L)
-        return separation;
-    long double least = INFINITY;
-    for (size_t i = 0; i < a.size(); ++i)
-        for (size_t j = 0; j < b.size(); ++j) {
-            least = std::min(least, SegmentDistance(b[j], a[i], a[(i + 1) % a.size()]));
-            least = std::min(least, SegmentDistance(a[i], b[j], b[(j + 1) % b.size()]));
-        }
-    return least;
-}
+using distance::Point;
+using distance::Points;
+using distance::SignedDistance;
+using distance::Transformed;
 
 /// Where a motion of B passes: by, near, into or through A, which stays around the origin.
 bmr_motion *RandomMotion(test_random *random, bool rotates, bool isB) {
@@ -145,13 +97,13 @@ struct Tally {
 };
 
 /// What a look finds. `said` is the structure's word.
-void Judge(long double distance, bool saysContact, Tally &tally) {
+void Judge(long double gap, bool saysContact, Tally &tally) {
     ++tally.looks;
     tally.apart += saysContact ? 0 : 1;
     tally.contacts += saysContact ? 1 : 0;
-    if (!saysContact && distance < kMargin - kSlop)
-        ++(distance <= 0.0L ? tally.missedContacts : tally.falseClaims);
-    if (saysContact && distance > kMargin + kSlop)
+    if (!saysContact && gap < kMargin - kSlop)
+        ++(gap <= 0.0L ? tally.missedContacts : tally.falseClaims);
+    if (saysContact && gap > kMargin + kSlop)
         ++tally.falseContacts;
 }
 
