@@ -64,8 +64,10 @@ bool ReadPage(const char *file, const std::string &name, Page *page) {
     return true;
 }
 
-/// The answer of a child process, so that no cell can spoil another.
-std::string AnswerInChild(const Table &table, size_t row, size_t column) {
+/// Of a child process, so that no cell can spoil another.
+std::string Answer(const Table &table, size_t row, size_t column) {
+    if (!table.alone)
+        return table.answer(row, column);
     int ends[2];
     if (pipe(ends) != 0)
         return "no pipe";
@@ -122,7 +124,7 @@ struct Result {
 };
 
 void CheckCell(const Table &table, size_t row, size_t column, const std::string &expected, Result *result) {
-    const std::string found = AnswerInChild(table, row, column);
+    const std::string found = Answer(table, row, column);
     if (found == expected) {
         ++result->passed;
         return;
@@ -180,7 +182,7 @@ void Print(const std::vector<Table> &tables) {
         for (size_t row = 0; row < table.rows.size(); ++row) {
             std::printf("\n| %s |", table.rows[row].c_str());
             for (size_t column = 0; column < table.columns.size(); ++column)
-                std::printf(" %s |", AnswerInChild(table, row, column).c_str());
+                std::printf(" %s |", Answer(table, row, column).c_str());
         }
         std::printf("\n\n");
     }

@@ -19,6 +19,8 @@ struct Table {
     /// What happens in one cell. It runs in a process of its own: where that ends by a signal, the signal is
     /// the cell.
     std::function<std::string(size_t row, size_t column)> answer;
+    /// Whether it does: no where answers come from programs of their own.
+    bool alone = true;
 };
 
 /// The main function of a program that answers for these tables:

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Worlds to which bad things happen: as stock Box2D, and with the plugin in front of it in each of its ways.
+//
+// The programs and libraries are given by the build: BAD_WORLD (a plain Box2D program), BAD_WORLD_LINKED (the
+// same, linked ahead) and BAD_WORLD_PLUGIN (the shared library).
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+
+#include <unistd.h>
+
+#include "process.h"
+#include "table.h"
+
+using namespace bad_input;
+
+namespace {
+
+/// One way of playing; a preloaded one where no variable says otherwise.
+struct Way {
+    const char *name;
+    bool linked;
+    std::vector<std::string> environment;
+};
+
+const std::vector<Way> kWays = {
+    {"linked ahead", true, {"BOOMERANG=on"}},
+    {"preloaded", false, {}},
+    {"preloaded, no remembered edges", false, {"BOOMERANG_PREFILTER=off"}},
+    {"the same with lazy-dudley", false, {"BOOMERANG_PREFILTER=off", "BOOMERANG_STRUCTURE=lazy-dudley"}},
+    {"`BOOMERANG=verify`", false, {"BOOMERANG=verify"}},
+};
+
+std::vector<std::string> BadThings() {
+    std::istringstream lines(RunProgram({BAD_WORLD}).output);
+    std::vector<std::string> names;
+    for (std::string name; std::getline(lines, name);)
+        names.push_back(name);
+    return names;
+}
+
+Ended Play(size_t thing, const std::string &program, std::vector<std::string> environment) {
+    return RunProgram({program, std::to_string(thing)}, std::move(environment));
+}
+
+/// Once for all ways.
+const Ended &PlayStock(size_t thing) {
+    static std::map<size_t, Ended> played;
+    const auto known = played.find(thing);
+    return known != played.end() ? known->second : played[thing] = Play(thing, BAD_WORLD, {});
+}
+
+std::string HowItEnds(const Ended &ended) {
+    if (ended.signal == SIGABRT)
+        return "aborts";
+    if (ended.signal != 0)
+        return "signal " + std::to_string(ended.signal);
+    return ended.status == 0 ? "runs" : "status " + std::to_string(ended.status);
+}
+
+/// The number of a member of the statistics, which are flat where it matters; -1 where there are none.
+long Statistic(const std::string &file, const std::string &name) {
+    std::ifstream stream(file);
+    const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    const size_t at = text.find("\"" + name + "\": ");
+    return at == std::string::npos ? -1 : std::atol(text.c_str() + at + name.size() + 4);
+}
+
+std::string PlayedBy(size_t thing, const Way &way) {
+    const Ended &stock = PlayStock(thing);
+    char file[] = "/tmp/boomerang_bad_world_XXXXXX";
+    const int descriptor = mkstemp(file);
+    if (descriptor < 0)
+        return "no file for the statistics";
+    close(descriptor);
+    std::vector<std::string> environment = way.environment;
+    environment.push_back(std::string("BOOMERANG_STATISTICS=") + file);
+    if (!way.linked)
+        environment.push_back(std::string("LD_PRELOAD=") + BAD_WORLD_PLUGIN);
+    const Ended ours = Play(thing, way.linked ? BAD_WORLD_LINKED : BAD_WORLD, environment);
+    const long evaluations = Statistic(file, "evaluations"), differences = Statistic(file, "differences");
+    std::remove(file);
+
+    if (ours.signal != stock.signal || ours.status != stock.status)
+        return HowItEnds(ours) + ", stock " + HowItEnds(stock);
+    if (ours.output != stock.output)
+        return "other steps than stock's";
+    if (stock.signal == 0 && evaluations <= 0)
+        return "as stock, but the plugin is not at work";
+    if (stock.signal == 0 && differences != 0)
+        return "as stock, but " + std::to_string(differences) + " differences";
+    // What is said besides is Box2D's assertion.
+    if (stock.signal == 0 && !ours.errors.empty())
+        return "as stock, but says " + ours.errors;
+    return stock.signal == 0 ? "as stock" : "as stock: " + HowItEnds(stock);
+}
+
+/// The control: two things that happen are two outputs.
+bool OutputsTell() {
+    return PlayStock(0).output != PlayStock(1).output && !PlayStock(0).output.empty();
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    for (const char *name : {"BOOMERANG", "BOOMERANG_HOOKS", "BOOMERANG_STRUCTURE", "BOOMERANG_PREFILTER",
+                             "BOOMERANG_STATISTICS", "BOOMERANG_VERBOSE", "LD_PRELOAD"})
+        unsetenv(name);
+    if (!OutputsTell()) {
+        std::printf("FAILED: what happens does not show in the output\n");
+        return 1;
+    }
+    std::vector<std::string> columns = {"Box2D"};
+    for (const Way &way : kWays)
+        columns.emplace_back(way.name);
+    return Main(argc, argv,
+                {{"worlds", columns, BadThings(),
+                  [](size_t row, size_t column) {
+                      return column == 0 ? HowItEnds(PlayStock(row)) : PlayedBy(row, kWays[column - 1]);
+                  },
+                  false}});
+}
