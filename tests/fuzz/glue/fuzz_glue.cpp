@@ -7,8 +7,8 @@
 // namespace, with another structure and without remembered edges.
 //
 // The plugin's environment (BOOMERANG_STRUCTURE, BOOMERANG_PREFILTER, BOOMERANG_HOOKS, BOOMERANG=verify) sets
-// what is tested. BMR_FUZZ_ENDINGS=1: says at the end how scripts ended. Controls: one-ulp, and of sanitized
-// builds freed-read.
+// what is tested. BMR_FUZZ_ENDINGS=1: says at the end how scripts ended. BMR_FUZZ_MODULES: a directory with
+// the two modules, instead of where they were built. Controls: one-ulp, and of sanitized builds freed-read.
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
@@ -34,8 +34,12 @@ namespace {
 
 using namespace fuzz;
 
-fuzz_glue_run_function *Load(const char *library) {
-    void *opened = dlmopen(LM_ID_NEWLM, library, RTLD_NOW | RTLD_LOCAL);
+fuzz_glue_run_function *Load(const char *built) {
+    // A program that runs for hours keeps copies of its own.
+    const char *elsewhere = std::getenv("BMR_FUZZ_MODULES");
+    const std::string library =
+        elsewhere != nullptr ? elsewhere + std::string(std::strrchr(built, '/')) : std::string(built);
+    void *opened = dlmopen(LM_ID_NEWLM, library.c_str(), RTLD_NOW | RTLD_LOCAL);
     void *found = opened != nullptr ? dlsym(opened, "fuzz_glue_run") : nullptr;
     if (found == nullptr) {
         std::fprintf(stderr, "%s\n", dlerror());
