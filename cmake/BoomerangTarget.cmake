@@ -7,12 +7,25 @@ function(boomerang_target target)
     $<$<BOOL:${BOOMERANG_WARNINGS_AS_ERRORS}>:-Werror>)
   set_target_properties(${target} PROPERTIES C_STANDARD 11 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF
     CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE room)
   if(BOOMERANG_SANITIZE)
-    # More optimisation than this takes gcc minutes for a large test.
-    target_compile_options(${target} PRIVATE -O1)
+    # More optimisation than -O1 takes minutes for a large test; and C++ that is mostly other people's templates takes three
+    # times as long to compile with -O1 as without, for programs that start, run once and end.
+    if(room MATCHES "^(core|box2d_glue|plugin|tests/fuzz)")
+      target_compile_options(${target} PRIVATE -O1)
+    else()
+      target_compile_options(${target} PRIVATE $<IF:$<COMPILE_LANGUAGE:CXX>,-O0,-O1>)
+    endif()
     target_compile_options(${target} PRIVATE -fsanitize=${BOOMERANG_SANITIZE} -fno-omit-frame-pointer
       -fno-sanitize-recover=all)
     target_link_options(${target} PRIVATE -fsanitize=${BOOMERANG_SANITIZE})
+  endif()
+  if(BOOMERANG_COVERAGE)
+    target_compile_options(${target} PRIVATE -g1) # the lines of a sanitizer's report need no more
+    if(room MATCHES "^(core|core/kinetic|box2d_glue|plugin)$")
+      target_compile_options(${target} PRIVATE -fprofile-instr-generate -fcoverage-mapping)
+    endif()
+    target_link_options(${target} PRIVATE -fprofile-instr-generate)
   endif()
 endfunction()
 

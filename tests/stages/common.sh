@@ -1,0 +1,123 @@
+# shellcheck shell=bash disable=SC2154
+# SPDX-License-Identifier: MIT
+# What the stages share. Sourced by tests/run, which sets root, jobs, strict, build_base and work, a directory for this run.
+#
+# A stage NAME is the function stage_NAME (with _ for -) in NAME.sh. It calls `check` and `run_tests`, which write down in
+# $work/verdicts what passed and what failed: stages may run in processes of their own.
+
+heading() { printf '\n== %s\n' "$*"; }
+
+# verdict PASSED FAILED [FAILURE]
+verdict() { printf '%d %d %s\n' "$@" >>"$work/verdicts"; }
+
+# check NAME COMMAND…: one check, counted.
+check() {
+    local name=$1
+    shift
+    if "$@"; then
+        verdict 1 0 "$name"
+        printf '%s: ok\n' "$name"
+    else
+        verdict 0 1 "$name"
+        printf '%s: FAILED\n' "$name"
+        return 1
+    fi
+}
+
+# in_tree NAME: BMR_BUILD_DIR is from here on the tree of this name; `release` is the first.
+in_tree() {
+    BMR_BUILD_DIR=$build_base
+    [ "$1" = release ] || BMR_BUILD_DIR=$build_base-$1
+    mkdir -p "$BMR_BUILD_DIR" && BMR_BUILD_DIR=$(cd "$BMR_BUILD_DIR" && pwd)
+}
+
+# build_tree NAME PRESET [CMAKE-ARGUMENT…] [-- TARGET…]: once a run, and counted if it fails.
+build_tree() {
+    local name=$1 preset=$2 options=()
+    shift 2
+    in_tree "$name"
+    [ ! -e "$work/built.$name" ] || return 0
+    [ ! -e "$work/broken.$name" ] || return 1
+    while [ $# -gt 0 ] && [ "$1" != -- ]; do
+        options+=("$1")
+        shift
+    done
+    [ $# -eq 0 ] || shift
+    if bmr_configure "$preset" "${options[@]}" && BMR_JOBS=$jobs bmr_build "$@"; then
+        touch "$work/built.$name"
+    else
+        touch "$work/broken.$name"
+        verdict 0 1 "build ($name)"
+        return 1
+    fi
+}
+
+# run_tests NAME [CTEST-ARGUMENT…]: the tests of BMR_BUILD_DIR, each counted.
+run_tests() {
+    local name=$1 log=$BMR_BUILD_DIR/boomerang-ctest.log of bad
+    shift
+    # The pipe must not hide ctest's answer, and what ctest says is counted below: a run without tests is no success.
+    ctest --test-dir "$BMR_BUILD_DIR" --output-on-failure --no-tests=error --parallel "$jobs" "$@" 2>&1 |
+        tee "$log" | grep -v -e '^ *Start ' -e '^Internal ctest' -e '^Test project' || true
+    bad=$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests? failed out of [0-9]+.*/\1/p' "$log")
+    of=$(sed -nE 's/^[0-9]+% tests passed, [0-9]+ tests? failed out of ([0-9]+).*/\1/p' "$log")
+    if [ -z "$of" ]; then
+        verdict 0 1 "$name: no tests ran"
+        return 1
+    fi
+    verdict $((of - bad)) 0 "$name"
+    [ "$bad" -eq 0 ] || verdict 0 "$bad" "$name: $bad tests"
+}
+
+# The project's own files among those that git knows, by pattern.
+sources() { (cd "$root" && git ls-files -- "$@"); }
+
+failures() { awk '$2 > 0 { n++ } END { print n + 0 }' "$work/verdicts"; }
+
+# run_stage NAME. A stage that ends badly without a word is a failure, too.
+run_stage() {
+    local started=$SECONDS before
+    touch "$work/verdicts"
+    before=$(failures)
+    heading "$1: $(sed -n '3s/^# //p' "$root/tests/stages/$1.sh")"
+    "stage_${1//-/_}" || [ "$(failures)" -gt "$before" ] || verdict 0 1 "stage $1"
+    printf '%s: %d s\n' "$1" $((SECONDS - started)) | tee -a "$work/times"
+}
+
+# run_lanes STAGE,STAGE… STAGE,STAGE…: the lanes side by side, each with its share of the jobs; the first is seen as it
+# runs, the others afterwards. With one job, one after the other.
+run_lanes() {
+    local lane stage lanes=("$@") share=$((jobs / $#)) processes=()
+    if [ "$share" -eq 0 ]; then
+        for lane in "${lanes[@]}"; do
+            for stage in ${lane//,/ }; do run_stage "$stage"; done
+        done
+        return
+    fi
+    for lane in "${lanes[@]:1}"; do
+        (
+            jobs=$share
+            for stage in ${lane//,/ }; do run_stage "$stage"; done
+        ) >"$work/lane.$lane" 2>&1 &
+        processes+=($!)
+    done
+    (
+        jobs=$share
+        for stage in ${lanes[0]//,/ }; do run_stage "$stage"; done
+    )
+    for lane in "${!processes[@]}"; do
+        wait "${processes[lane]}" || verdict 0 1 "${lanes[lane + 1]}: ended before its time"
+        cat "$work/lane.${lanes[lane + 1]}"
+    done
+}
+
+# What all stages wrote down, and the exit code.
+report() {
+    local passed failed
+    heading "result"
+    cat "$work/times"
+    awk '$2 > 0 { sub(/^[0-9]+ [0-9]+ /, "failed: "); print }' "$work/verdicts"
+    read -r passed failed < <(awk '{ p += $1; f += $2 } END { print p + 0, f + 0 }' "$work/verdicts")
+    printf '%d s\n%d passed, %d failed\n' "$SECONDS" "$passed" "$failed"
+    [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
+}

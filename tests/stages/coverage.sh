@@ -1,0 +1,10 @@
+# shellcheck shell=bash disable=SC2154
+# SPDX-License-Identifier: MIT
+# which lines of core, the glue and the plugin those tests ran
+
+stage_coverage() {
+    build_sanitizers || return 1
+    # After --only coverage the tests are yet to run.
+    [ -d "$BMR_BUILD_DIR/profiles" ] || stage_sanitized_tests
+    check "coverage" "$root/tests/coverage/report" "$BMR_BUILD_DIR"
+}

@@ -1,0 +1,37 @@
+# shellcheck shell=bash disable=SC2154
+# SPDX-License-Identifier: MIT
+# memcheck over scenes with the plugin, whose hashes must be stock's
+
+# memcheck REFERENCE SCENE STEPS [PRELOADED]: nothing lost, nothing read that was not written, and the reference's hashes.
+# REFERENCE: stock or off, which is what there is of a scene of polygons that stock has not.
+memcheck() {
+    local program=$BMR_BUILD_DIR/bin/boomerang-scene-plugin room=$work/memcheck
+    mkdir -p "$room"
+    if [ "$1" = stock ]; then
+        "$BMR_BUILD_DIR/bin/boomerang-scene" "$2" --steps "$3" | grep '^step ' >"$room/expected"
+    else
+        BOOMERANG=off "$program" "$2" --steps "$3" | grep '^step ' >"$room/expected"
+    fi
+    [ "$(wc -l <"$room/expected")" -eq "$3" ] || return 1
+    if ! env ${4:+"LD_PRELOAD=$4"} BOOMERANG=on valgrind --quiet --error-exitcode=9 --leak-check=full \
+        --errors-for-leak-kinds=definite,indirect,possible --num-callers=20 \
+        "$program" "$2" --steps "$3" >"$room/output" 2>"$room/errors"; then
+        [ -n "${4:-}" ] || head -n 60 "$room/errors"
+        return 1
+    fi
+    cmp "$room/expected" <(grep '^step ' "$room/output")
+}
+
+# A step that loses a kilobyte is found.
+memcheck_control() {
+    cc -shared -fPIC -O1 -o "$work/leaking_step.so" "$root/tests/soak/leaking_step.c" -ldl &&
+        ! memcheck stock churn 5 "$work/leaking_step.so"
+}
+
+stage_valgrind() {
+    build_tree release release -DBOOMERANG_BUILD_TESTS=ON -DBOOMERANG_BUILD_BENCHMARKS=ON \
+        "-DBOOMERANG_WARNINGS_AS_ERRORS=$strict" || return 1
+    check "memcheck: churn" memcheck stock churn 100 || true
+    check "memcheck: any-bag" memcheck off any-bag 40 || true
+    check "memcheck: control" memcheck_control
+}
