@@ -9,11 +9,40 @@
 
 #include "convex_contact.h"
 #include "polygon_contact.h"
+#include "process_locks.h"
 #include "recognise.h"
 
 namespace bmr {
 
 namespace {
+
+/// What the register held for two types.
+class Below {
+public:
+    void Keep(const b2ContactRegister &held) {
+        m_held = held;
+        m_kept.store(true, std::memory_order_release);
+    }
+    /// For whoever Box2D found in the register, which is written later. (Box2D reads it as if nobody wrote: a
+    /// processor may have gone ahead.)
+    const b2ContactRegister &Get() const {
+        while (!m_kept.load(std::memory_order_acquire)) {
+        }
+        return m_held;
+    }
+
+private:
+    b2ContactRegister m_held = {};
+    std::atomic<bool> m_kept{false};
+};
+
+/// Who sees what is written from here on sees what was written before. (gcc's thread sanitizer knows no
+/// fences; where it runs, stores are seen in order.)
+void EndOfWrites() {
+#if !defined(__SANITIZE_THREAD__)
+    std::atomic_thread_fence(std::memory_order_release);
+#endif
+}
 
 /// One class of contacts in front of whatever the register held before. There may be several layers, and a
 /// game's own between them: each knows what lies below it alone.
@@ -27,11 +56,12 @@ public:
         // Whoever found out which Box2D this is made contacts: else the first b2Contact::Create of the
         // process would fill the register and overwrite our entry.
         b2Assert(s_initialized);
-        below[typeA][typeB] = s_registers[typeA][typeB];
-        below[typeB][typeA] = s_registers[typeB][typeA];
+        below[typeA][typeB].Keep(s_registers[typeA][typeB]);
+        if (typeA != typeB)
+            below[typeB][typeA].Keep(s_registers[typeB][typeA]);
         // Another thread may be making contacts: whoever finds us as the maker finds us as the destroyer too.
         s_registers[typeA][typeB].destroyFcn = s_registers[typeB][typeA].destroyFcn = Destroy;
-        std::atomic_thread_fence(std::memory_order_release);
+        EndOfWrites();
         AddType(Create, Destroy, typeA, typeB);
     }
 
@@ -40,7 +70,7 @@ private:
                              b2BlockAllocator *allocator) {
         if (Ours::Serves(*fixtureA->GetShape(), *fixtureB->GetShape()))
             return Ours::Make(fixtureA, indexA, fixtureB, indexB, allocator);
-        const b2ContactRegister &maker = below[fixtureA->GetType()][fixtureB->GetType()];
+        const b2ContactRegister &maker = below[fixtureA->GetType()][fixtureB->GetType()].Get();
         if (maker.createFcn == nullptr)
             return nullptr;
         return maker.primary ? maker.createFcn(fixtureA, indexA, fixtureB, indexB, allocator)
@@ -51,18 +81,15 @@ private:
         if (Ours *ours = Ours::AsOurs(contact))
             Ours::Unmake(ours, allocator);
         else
-            below[contact->GetFixtureA()->GetType()][contact->GetFixtureB()->GetType()].destroyFcn(contact,
-                                                                                                   allocator);
+            below[contact->GetFixtureA()->GetType()][contact->GetFixtureB()->GetType()].Get().destroyFcn(
+                contact, allocator);
     }
 
-    /// What the register held.
-    static b2ContactRegister below[b2Shape::e_typeCount][b2Shape::e_typeCount];
+    static Below below[b2Shape::e_typeCount][b2Shape::e_typeCount];
 };
 
-template <typename Ours>
-b2ContactRegister Layer<Ours>::below[b2Shape::e_typeCount][b2Shape::e_typeCount] = {};
+template <typename Ours> Below Layer<Ours>::below[b2Shape::e_typeCount][b2Shape::e_typeCount] = {};
 
-std::mutex recognising, registering;
 std::atomic<bool> convexContactsAreOurs{false};
 
 } // namespace
@@ -70,7 +97,7 @@ std::atomic<bool> convexContactsAreOurs{false};
 const char *WhyThisBox2DIsUnknown() {
     static bool known = false;
     static const char *why = nullptr;
-    const std::lock_guard<std::mutex> lock(recognising);
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Recognising));
     if (!known)
         why = WhyBox2DIsUnknown();
     known = true;
@@ -78,7 +105,7 @@ const char *WhyThisBox2DIsUnknown() {
 }
 
 void RegisterPolygonContacts() {
-    const std::lock_guard<std::mutex> lock(registering);
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Registering));
     PolygonContact::LearnVtable();
     Layer<PolygonContact>::Register(b2Shape::e_polygon, b2Shape::e_polygon);
 }
@@ -88,7 +115,7 @@ bmr_error RegisterConvexContacts() {
         return BMR_OK;
     if (WhyThisBox2DIsUnknown() != nullptr)
         return BMR_ERROR_UNKNOWN_ENGINE;
-    const std::lock_guard<std::mutex> lock(registering);
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Registering));
     if (!convexContactsAreOurs.load(std::memory_order_relaxed)) {
         ConvexContact::LearnVtable();
         Layer<ConvexContact>::Register(b2Shape::e_polygon, b2Shape::e_polygon);

@@ -39,8 +39,15 @@ Mark MarkOf(const b2DistanceProxy &proxy) {
     return mark;
 }
 
+/// Has the polygon of this block these vertices? Found out without a look at the block, which another thread
+/// may be freeing if it has not: a block's vertices are right behind it.
+bool VerticesAreOf(const bmr_convex32_block *block, const b2Vec2 *vertices) {
+    return reinterpret_cast<const bmr_vec32 *>(block + 1) == Vectors32(vertices);
+}
+
 /// The polygon that a proxy is marked with; nullptr where there is none. Small ones are told without a look
-/// at the buffer, which nobody may have written.
+/// at the buffer, which nobody may have written: a mark may be left there of a polygon that has nothing to do
+/// with the proxy.
 const bmr_convex32_block *BigOf(const b2DistanceProxy &proxy) {
     if (proxy.m_count <= b2_maxPolygonVertices)
         return nullptr;
@@ -48,7 +55,7 @@ const bmr_convex32_block *BigOf(const b2DistanceProxy &proxy) {
     if (mark.magic != kMagic)
         return nullptr;
     const bmr_convex32_block *block = BigPolygonOfNumber(mark.polygon);
-    return block != nullptr && block->polygon.vertices == Vectors32(proxy.m_vertices) &&
+    return block != nullptr && VerticesAreOf(block, proxy.m_vertices) &&
                    block->polygon.count == static_cast<uint32_t>(proxy.m_count)
                ? block
                : nullptr;

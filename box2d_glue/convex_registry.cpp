@@ -6,6 +6,7 @@
 #include <new>
 
 #include "convex_geometry.h"
+#include "process_locks.h"
 
 namespace bmr {
 
@@ -22,7 +23,7 @@ constexpr uint32_t kChunkSize = 1u << kChunkBits;
 /// by chance.
 constexpr uint64_t kScatter = 0x9e3779b97f4a7c15u;
 
-std::mutex mutex; // guards all below
+// Guarded by ProcessLock::Polygons.
 Handle firstFree = 0;
 Handle firstUnused = 1;
 uint64_t made = 0;
@@ -58,7 +59,7 @@ Handle TakeHandle() {
 } // namespace
 
 Handle Add(bmr_convex32_block *block) {
-    const std::lock_guard<std::mutex> lock(mutex);
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
     const Handle handle = TakeHandle();
     if (handle == 0)
         return 0;
@@ -80,24 +81,24 @@ void Release(Handle handle) {
         return;
     entry.number.store(0, std::memory_order_relaxed);
     bmr_convex32_destroy(entry.block.load(std::memory_order_relaxed), GetAllocator());
-    const std::lock_guard<std::mutex> lock(mutex);
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
     entry.nextFree = firstFree;
     firstFree = handle;
     --count;
 }
 
 void SetAllocator(const bmr_allocator *newAllocator) {
-    const std::lock_guard<std::mutex> lock(mutex);
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
     allocator = newAllocator;
 }
 
 const bmr_allocator *GetAllocator() {
-    const std::lock_guard<std::mutex> lock(mutex);
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
     return allocator;
 }
 
 size_t Count() {
-    const std::lock_guard<std::mutex> lock(mutex);
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
     return count;
 }
 

@@ -5,6 +5,7 @@
 #include "boomerang/box2d_glue.h"
 #include "contact_register.h"
 #include "environment.h"
+#include "process_locks.h"
 #include "settings.h"
 #include "statistics_file.h"
 #include "this_process.h"
@@ -13,7 +14,6 @@ namespace bmr {
 
 namespace {
 
-std::mutex installing;
 bool installed = false;
 bool refused = false;
 
@@ -36,7 +36,7 @@ void Announce(const Options &options) {
 } // namespace
 
 bool Install(const Options &given) {
-    const std::lock_guard<std::mutex> lock(installing);
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Installing));
     if (installed || refused)
         return false;
     const Options options = WithEnvironment(given);
@@ -57,7 +57,7 @@ bool Install(const Options &given) {
 }
 
 bool IsInstalled() {
-    const std::lock_guard<std::mutex> lock(installing);
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Installing));
     return installed;
 }
 

@@ -30,9 +30,10 @@ inline const Settings &GetSettings() {
     return internal::settings;
 }
 
-/// Is this function answered here? A load and a test, for the first line of a hook.
+/// Is this function answered here? A load and a test, for the first line of a hook. Where it is, the settings
+/// are all there, also on a thread that steps nothing and calls Box2D while another one starts the library.
 inline bool HookIsOn(Hook hook) {
-    return (internal::activeHooks.load(std::memory_order_relaxed) & Bit(hook)) != 0;
+    return (internal::activeHooks.load(std::memory_order_acquire) & Bit(hook)) != 0;
 }
 
 /// Is every answer to be compared with Box2D's?

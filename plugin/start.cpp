@@ -8,6 +8,7 @@
 #include "boomerang/box2d.h"
 #include "environment.h"
 #include "library_check.h"
+#include "process_locks.h"
 #include "recognise.h"
 #include "this_process.h"
 
@@ -16,8 +17,6 @@ namespace bmr {
 std::atomic<bool> internal::startsByItself{false};
 
 namespace {
-
-std::mutex starting;
 
 // When the library is loaded nobody has asked for a Box2D yet, so nothing is said then of values that are not
 // understood; Install says it.
@@ -71,7 +70,7 @@ __attribute__((constructor)) void Loaded() {
 } // namespace
 
 void internal::StartNow() {
-    const std::lock_guard<std::mutex> lock(starting);
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Starting));
     if (!startsByItself.load(std::memory_order_relaxed))
         return;
     if (AnyBox2DBehind())

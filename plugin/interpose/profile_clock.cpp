@@ -6,9 +6,11 @@
 #include <atomic>
 #include <cstdint>
 #include <ctime>
+#include <mutex>
 
 #include <box2d/b2_timer.h>
 
+#include "process_locks.h"
 #include "real.h"
 #include "settings.h"
 
@@ -94,7 +96,8 @@ private:
     static constexpr uint64_t kShortest = 20000000;
 
     __attribute__((noinline, cold)) void Measure() {
-        if (m_busy.test_and_set(std::memory_order_acquire))
+        const std::unique_lock<std::mutex> lock(LockOf(ProcessLock::Clock), std::try_to_lock);
+        if (!lock.owns_lock())
             return; // another thread is at it
         Moment now;
         if (!m_started) {
@@ -111,12 +114,10 @@ private:
                      1e-6;
             m_next = 2 * ticks;
         }
-        m_busy.clear(std::memory_order_release);
     }
 
     std::atomic<uint64_t> m_first{0}, m_next{0};
     std::atomic<double> m_rate{0.0};
-    std::atomic_flag m_busy = ATOMIC_FLAG_INIT;
     bool m_started = false;
     Moment m_start = {0, 0};
 };

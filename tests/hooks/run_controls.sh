@@ -21,6 +21,8 @@ room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 # B2_SHARED as in the library's own build: Box2D's functions that are defined here must be seen.
 flags="-std=c++17 -O1 -fPIC -fvisibility=hidden -ftls-model=initial-exec -ffp-contract=off -w -DB2_SHARED"
+# shellcheck source=tests/support/mutant_library.sh
+source "$root/tests/support/mutant_library.sh"
 
 # hashes SCENE STEPS [LIBRARY]: what the scene prints, with the library in front
 hashes() {
@@ -35,25 +37,6 @@ hashes() {
         return
     fi
     BOOMERANG=on LD_PRELOAD=${3:-} timeout 100 "$program" "$1" --steps "$2" 2>/dev/null | grep '^step' | cksum
-}
-
-# mutate PLACE FILE UNIT SUBSTITUTION: makes PLACE/libmutant.so
-mutate() {
-    local place=$1 file=$2 unit=$3 others=()
-    mkdir "$place"
-    for part in box2d_glue plugin core; do cp -r "$root/$part" "$place/$part"; done
-    perl -0pi -e "$4" "$place/$file"
-    if [ -n "$4" ] && cmp -s "$root/$file" "$place/$file"; then
-        echo "the substitution finds nothing in $file"
-        return 1
-    fi
-    for object in "${objects[@]}"; do
-        case $object in */"$unit".o | */"$(basename "$unit")".o) ;; *) others+=("$object") ;; esac
-    done
-    $compiler $flags -I"$place/core/include" -I"$place/box2d_glue" -I"$place/box2d_glue/include" -I"$place/plugin" \
-        -I"$place/plugin/include" -include "$place/plugin/weak_box2d.h" -c "$place/$unit" -o "$place/mutant.o" &&
-        $compiler -shared -o "$place/libmutant.so" "$place/mutant.o" "${others[@]}" "${link[@]}" \
-            -Wl,--version-script="$place/plugin/exports.map"
 }
 
 # control NUMBER NAME FILE UNIT SUBSTITUTION SCENE STEPS: writes its verdict to $room/NUMBER

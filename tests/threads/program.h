@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TEST_THREADS_PROGRAM_H
+#define BOOMERANG_TEST_THREADS_PROGRAM_H
+
+#include <vector>
+
+#include "worlds.h"
+
+/// @file
+/// All that threads_stock and threads_plugin do differently.
+
+namespace threads {
+
+/// Scenes of polygons of any size; none in stock. Worlds share their polygons.
+const std::vector<Chosen> &ScenesOfThePlugin();
+
+/// bmr::Install: did this call put the plugin to work? False in stock.
+bool Install();
+/// Is it at work? True in stock, which has nothing to install.
+bool IsInstalled();
+
+/// Reads the statistics, which never go back. False where one did, or where they do not belong together.
+class StatisticsReader {
+public:
+    bool Read();
+
+private:
+    unsigned long long m_steps = 0, m_evaluations = 0;
+};
+
+} // namespace threads
+
+#endif
