@@ -37,6 +37,19 @@ const b2PolygonShape *PolygonOf(const b2Fixture &fixture) {
                                                    : nullptr;
 }
 
+/// Has it a side that Box2D makes no unit vector of? Clipping against it keeps points however far off they
+/// are: there a hull proves nothing. (b2PolygonShape::Set makes none, but anybody may.) What is not a number
+/// counts as such.
+bool HasSideWithoutDirection(const b2PolygonShape &polygon) {
+    constexpr float kShortest = 2.0f * b2_epsilon; // b2Vec2::Normalize's limit, far from its rounding
+    for (int32 i = 0; i < polygon.m_count; ++i) {
+        const b2Vec2 &end = polygon.m_vertices[i + 1 < polygon.m_count ? i + 1 : 0];
+        if (!((end - polygon.m_vertices[i]).LengthSquared() >= kShortest * kShortest))
+            return true;
+    }
+    return false;
+}
+
 HullMember MemberOf(const b2Fixture &fixture, const b2PolygonShape &polygon) {
     HullMember member;
     member.fixture = &fixture;
@@ -50,14 +63,17 @@ HullMember MemberOf(const b2Fixture &fixture, const b2PolygonShape &polygon) {
 constexpr size_t kSlabSlack = 64; // alignment of the pieces
 
 /// The fixtures that the hull is to hold. A hull of one fixture takes it as it is; that of a body leaves
-/// sensors out: their contacts ask nothing of it.
+/// sensors out: their contacts ask nothing of it. None at all where one of them makes a hull worthless.
 std::vector<HullMember> GatherMembers(const Hull &hull) {
     std::vector<HullMember> members;
     members.reserve(hull.fixture != nullptr ? 1 : 16);
     for (const b2Fixture *f = hull.body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
         const b2PolygonShape *polygon = PolygonOf(*f);
-        if (polygon != nullptr && (hull.fixture != nullptr ? f == hull.fixture : !f->IsSensor()))
-            members.push_back(MemberOf(*f, *polygon));
+        if (polygon == nullptr || !(hull.fixture != nullptr ? f == hull.fixture : !f->IsSensor()))
+            continue;
+        if (BigPolygonOf(*polygon) == nullptr && HasSideWithoutDirection(*polygon))
+            return {};
+        members.push_back(MemberOf(*f, *polygon));
     }
     return members;
 }
@@ -350,6 +366,8 @@ bool HullHolds(const Hull &hull, const b2Fixture &fixture) {
     if (const bmr_convex32_block *big = BigPolygonOf(*polygon))
         return bmr_convex32_held(&big->polygon, hull.shape.polygon,
                                  kHullTolerance * hull.shape.polygon->extent);
+    if (HasSideWithoutDirection(*polygon))
+        return false;
     for (int32 i = 0; i < polygon->m_count; ++i) {
         const bmr_vec2 point = {static_cast<double>(polygon->m_vertices[i].x),
                                 static_cast<double>(polygon->m_vertices[i].y)};

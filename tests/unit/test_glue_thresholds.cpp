@@ -3,8 +3,14 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <cfloat>
 #include <cmath>
 
+#include <box2d/b2_block_allocator.h>
+#include <box2d/box2d.h>
+
+#include "../../box2d_glue/body_pair.h"
+#include "../../box2d_glue/settings.h"
 #include "../../box2d_glue/thresholds.h"
 #include "box2d_shapes.h"
 #include "test_scale.h"
@@ -183,4 +189,72 @@ TEST_CASE("every threshold derives from Box2D's constants") {
     CHECK(bmr::ContactMargin(polygons) < exact + 1e-6);
     CHECK(bmr::kRoundingMargin < b2_linearSlop);
     CHECK(bmr::kHysteresis > 0.0);
+}
+
+namespace {
+
+/// A needle that points to the right. A side too short for Box2D to make a unit vector of cuts its tip off;
+/// its normal is nearly that of the needle's upper side.
+b2PolygonShape CutNeedle(float side) {
+    b2PolygonShape needle;
+    const b2Vec2 points[] = {{-10.0f, -0.5f}, {0.0f, 0.0f}, {-10.0f, 0.5f}};
+    needle.Set(points, 3);
+    int32 tip = 0;
+    while (needle.m_vertices[tip].x != 0.0f)
+        ++tip;
+    REQUIRE(needle.m_count == 3);
+    const b2Vec2 below = needle.m_vertices[(tip + 2) % 3], above = needle.m_vertices[(tip + 1) % 3];
+    const b2Vec2 lower = needle.m_normals[(tip + 2) % 3], upper = needle.m_normals[tip];
+    const b2Vec2 cut(0.1f, std::sqrt(0.99f));
+    needle.m_count = 4;
+    needle.m_vertices[0] = below;
+    needle.m_normals[0] = lower;
+    needle.m_vertices[1].SetZero();
+    needle.m_normals[1] = cut;
+    needle.m_vertices[2] = side * b2Vec2(-cut.y, cut.x);
+    needle.m_normals[2] = upper;
+    needle.m_vertices[3] = above;
+    needle.m_normals[3].Set(-1.0f, 0.0f);
+    return needle;
+}
+
+} // namespace
+
+TEST_CASE("a side too short for a direction: Box2D gives points far away, and no hull says apart") {
+    REQUIRE(bmr::MakeSettings(bmr::Options()));
+    for (const float side : {1e-8f, 1e-3f}) {
+        CAPTURE(side);
+        b2World world(b2Vec2(0.0f, 0.0f));
+        b2BodyDef def;
+        b2Body *a = world.CreateBody(&def), *b = world.CreateBody(&def);
+        const b2PolygonShape needle = CutNeedle(side);
+        b2PolygonShape other;
+        const b2Vec2 points[] = {{0.0f, 0.0f}, {10.0f, -0.5f}, {10.0f, 0.5f}};
+        other.Set(points, 3);
+        a->CreateFixture(&needle, 0.0f);
+        b->CreateFixture(&other, 0.0f);
+        b->SetTransform({0.15f, 0.0f}, 0.0f);
+        REQUIRE(shapes::Measure(needle, a->GetTransform(), other, b->GetTransform()).distance > 0.14);
+        b2Manifold manifold;
+        b2CollidePolygons(&manifold, &needle, a->GetTransform(), &other, b->GetTransform());
+        CHECK((manifold.pointCount > 0) == (side < FLT_EPSILON));
+
+        b2BlockAllocator memory;
+        bmr::Hull *hullA = bmr::CreateHull(a, nullptr, &memory),
+                  *hullB = bmr::CreateHull(b, nullptr, &memory);
+        bmr::BodyPair *pair = bmr::CreateBodyPair(hullA, hullB, nullptr, &memory);
+        pair->references = 1;
+        if (side < FLT_EPSILON) {
+            CHECK(hullA->shape.polygon == nullptr); // contacts leave such a pair alone
+            CHECK_FALSE(bmr::HullHolds(*hullA, *a->GetFixtureList()));
+        } else {
+            CHECK(bmr::KnownApart(pair, a->GetTransform(), b->GetTransform()));
+        }
+        // In place, inside of the hull of what it was.
+        if (side > FLT_EPSILON) {
+            *static_cast<b2PolygonShape *>(a->GetFixtureList()->GetShape()) = CutNeedle(1e-8f);
+            CHECK_FALSE(bmr::HullHolds(*hullA, *a->GetFixtureList()));
+        }
+        bmr::ReleaseBodyPair(pair, &memory);
+    }
 }
