@@ -3,11 +3,7 @@
 
 #include "boomerang/polygon.h"
 #include "geometry/predicates.h"
-
-/// Below this, products with it may lose bits to underflow; scaling by a power of two is exact and changes no
-/// sign.
-#define TINY 1e-140
-#define TINY_SCALE 0x1p600
+#include "geometry/tiny.h"
 
 /// What rounding can do to a support value, as a multiple of extent * |direction|: a difference, two
 /// products, a sum.
@@ -25,20 +21,16 @@ static inline bool ascends(const bmr_polygon *p, uint32_t i, bmr_vec2 direction)
     return bmr_dot(edge_vector(p, i), direction) > 0.0;
 }
 
-static inline bmr_vec2 scale_up_if_tiny(bmr_vec2 d) {
-    return fabs(d.x) < TINY && fabs(d.y) < TINY ? bmr_scale(TINY_SCALE, d) : d;
-}
-
 bmr_vec2 bmr_polygon_normal(const bmr_polygon *polygon, uint32_t edge) {
     if (polygon->count == 1)
         return bmr_vec2_make(1.0, 0.0);
-    const bmr_vec2 e = scale_up_if_tiny(edge_vector(polygon, edge));
+    const bmr_vec2 e = bmr_scale_up_if_tiny(edge_vector(polygon, edge));
     const double length = sqrt(e.x * e.x + e.y * e.y);
     return bmr_vec2_make(e.y / length, -e.x / length);
 }
 
 uint32_t bmr_polygon_support(const bmr_polygon *polygon, bmr_vec2 direction) {
-    const bmr_vec2 d = scale_up_if_tiny(direction);
+    const bmr_vec2 d = bmr_scale_up_if_tiny(direction);
     // Along the right chain, lowest to highest, the angles of the edges rise through [0, 180) degrees; along
     // the left one through [180, 360). The chain that holds the angle of `direction` + 90 degrees holds the
     // answer, and there "edge i ascends" is true up to the answer and false from it on: no wrap-around, and
@@ -70,7 +62,7 @@ static inline bool surely_upper(const bmr_polygon *p, uint32_t i, bmr_vec2 d) {
 uint32_t bmr_polygon_support_from(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t hint) {
     const uint32_t n = polygon->count;
     uint32_t i = hint < n ? hint : hint % n;
-    const bmr_vec2 d = scale_up_if_tiny(direction);
+    const bmr_vec2 d = bmr_scale_up_if_tiny(direction);
     if (!(d.x != 0.0 || d.y != 0.0) || d.x != d.x || d.y != d.y)
         return i;
     if (n <= 2) // both edges of a segment may be level: nothing to climb

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "hierarchy/tree.h"
 
-/// Tangents shorter than this are scaled up: products of two must not underflow.
-#define TINY 1e-140
-#define TINY_SCALE 0x1p600
-
 bmr_line bmr_hierarchy_line(const bmr_hierarchy *hierarchy, bmr_edge edge) {
     const bmr_polygon *p = hierarchy->polygon;
     const bmr_node *node = &hierarchy->nodes[edge];
@@ -19,9 +15,7 @@ bmr_line bmr_hierarchy_line(const bmr_hierarchy *hierarchy, bmr_edge edge) {
 }
 
 static bmr_vec2 tangent(const bmr_hierarchy *h, const bmr_node *node) {
-    const bmr_vec2 n = bmr_tree_normal(h, node);
-    const bmr_vec2 t = bmr_left(n);
-    return fabs(t.x) < TINY && fabs(t.y) < TINY ? bmr_scale(TINY_SCALE, t) : t;
+    return bmr_left(bmr_tree_normal(h, node));
 }
 
 bmr_vec2 bmr_tree_meet(const bmr_hierarchy *h, const bmr_node *a, const bmr_node *b) {

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "boomerang/hierarchy.h"
+#include "geometry/tiny.h"
 
 /// @file
 /// How a hierarchy lies in memory: what its queries, builders and audit share.
@@ -58,12 +59,13 @@ static inline bmr_vec2 bmr_tree_edge_vector(const bmr_polygon *p, uint32_t i) {
     return bmr_sub(p->vertices[i + 1 < p->count ? i + 1 : 0], p->vertices[i]);
 }
 
-/// The outer normal of an edge in some positive length: all that signs and meeting points need.
+/// The outer normal of an edge in some positive length, but not so short that products underflow: all that
+/// signs and meeting points need.
 static inline bmr_vec2 bmr_tree_normal(const bmr_hierarchy *h, const bmr_node *node) {
     if (!node->own)
         return h->directions[node->direction];
     const bmr_vec2 e = bmr_tree_edge_vector(h->polygon, (uint32_t)node->touch);
-    return bmr_vec2_make(e.y, -e.x);
+    return bmr_scale_up_if_tiny(bmr_vec2_make(e.y, -e.x));
 }
 
 /// The vertex at which the chain leaves the line counter-clockwise; the one where it arrives is node->touch.

@@ -350,6 +350,24 @@ static void polygons_bent_by_ulps_pass_the_audit(void **state) {
     assert_true(2 * polygons > test_scaled(10000));
 }
 
+/// Two vertices that only denormal numbers tell apart, at an edge whose direction is neither axis'.
+static void edges_as_short_as_double_has_them_pass_the_audit(void **state) {
+    (void)state;
+    for (int k = 1; k <= 64; ++k) {
+        const double tiny = 0x1p-1074;
+        const bmr_vec2 points[] = {{4 * tiny * k, -5 * tiny * k}, {0.0, 0.0}, {-0.65, 0.75}, {-0.87, 0.49}};
+        bmr_polygon *p = NULL;
+        assert_int_equal(bmr_polygon_create(points, COUNT_OF(points), NULL, &p), BMR_OK);
+        assert_int_equal(p->count, 4);
+        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+            bmr_hierarchy *h = built(kind, p);
+            assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
+            bmr_hierarchy_destroy(h, NULL);
+        }
+        bmr_polygon_destroy(p, NULL);
+    }
+}
+
 /// The same polygon far from the origin and at the ends of the range.
 static void scale_and_place_do_not_matter(void **state) {
     (void)state;
@@ -389,6 +407,7 @@ int main(void) {
         cmocka_unit_test(heights_are_distances_from_the_polygon_and_shrink_downwards),
         cmocka_unit_test(polygons_of_65535_vertices_pass_the_audit),
         cmocka_unit_test(polygons_bent_by_ulps_pass_the_audit),
+        cmocka_unit_test(edges_as_short_as_double_has_them_pass_the_audit),
         cmocka_unit_test(scale_and_place_do_not_matter),
     };
     return cmocka_run_group_tests(tests, make_compass, drop_compass);
