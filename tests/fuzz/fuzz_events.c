@@ -7,7 +7,7 @@
 #include "boomerang/failure.h"
 #include "failure_oracle.h"
 #include "harness.h"
-#include "motions.h"
+#include "paths.h"
 
 #define LOOKS 150
 #define BEGIN 0.0
@@ -59,7 +59,8 @@ static double time_of(const oracle_trial *trial, bmr_motion *const motions[2], d
 
 /// What the header says of a condition that is not positive at the beginning: below zero there and after four
 /// tolerances, it fails there.
-static void check_start(const oracle_trial *trial, double after, double until, double time, double tolerance) {
+static void check_start(const oracle_trial *trial, double after, double until, double time,
+                        double tolerance) {
     const double width = tolerance * fmax(1.0, fabs(after));
     bool below = true;
     for (int i = 0; i <= 12 && below; ++i) {

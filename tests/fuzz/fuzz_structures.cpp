@@ -6,7 +6,7 @@
 #include "boomerang/simulation.h"
 #include "harness.h"
 #include "kds_driver.h"
-#include "motions.h"
+#include "paths.h"
 #include "points.h"
 #include "polygon_distance.h"
 
@@ -107,6 +107,7 @@ void Replan(World *world, double time, fuzz_bytes *bytes) {
         piece.as.algebraic.start_s = pose.s;
     }
     piece.origin = time;
+    fuzz_tame(&piece, &world->ranges[body]);
     if (bmr_motion_change(world->motions[body], time, &piece) != BMR_OK)
         return;
     const bmr_error error = bmr_simulation_replan(world->simulation, body);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BMR_FUZZ_MOTIONS_H
-#define BMR_FUZZ_MOTIONS_H
+#ifndef BMR_FUZZ_PATHS_H
+#define BMR_FUZZ_PATHS_H
 
 #include "boomerang/motion.h"
 #include "bytes.h"
@@ -68,6 +68,29 @@ static inline bmr_motion_piece fuzz_piece(fuzz_bytes *bytes, const fuzz_motion_r
     return piece;
 }
 
+/// The contract: a rotation's a and b have no common root. Where they come near to one in the range, the
+/// piece is made not to turn.
+static inline void fuzz_tame(bmr_motion_piece *piece, const fuzz_motion_range *range) {
+    if (range->wild || piece->kind != BMR_PIECE_ALGEBRAIC)
+        return;
+    bmr_algebraic_piece *const w = &piece->as.algebraic;
+    for (int i = 0; i <= 100; ++i) {
+        const double u = range->begin + (range->end - range->begin) * i / 100.0 - piece->origin;
+        double a = 0.0, b = 0.0, size = 0.0;
+        for (size_t k = w->rotation_degree + 1; k-- > 0;) {
+            a = a * u + w->a[k];
+            b = b * u + w->b[k];
+            size = size * fabs(u) + hypot(w->a[k], w->b[k]);
+        }
+        if (!(hypot(a, b) > 0.02 * size)) {
+            w->rotation_degree = 0;
+            w->a[0] = 1.0;
+            w->b[0] = 0.0;
+            return;
+        }
+    }
+}
+
 /// A motion of up to 7 pieces; NULL where it cannot be made.
 static inline bmr_motion *fuzz_motion(fuzz_bytes *bytes, const fuzz_motion_range *range) {
     const uint8_t how = fuzz_u8(bytes);
@@ -84,7 +107,8 @@ static inline bmr_motion *fuzz_motion(fuzz_bytes *bytes, const fuzz_motion_range
         }
         return bmr_motion_create_sampled(times, poses, count, NULL, &motion) == BMR_OK ? motion : NULL;
     }
-    const bmr_motion_piece first = fuzz_piece(bytes, range);
+    bmr_motion_piece first = fuzz_piece(bytes, range);
+    fuzz_tame(&first, range);
     if (bmr_motion_create(&first, NULL, &motion) != BMR_OK)
         return NULL;
     for (int changes = how % 4 == 1 ? how / 4 % 6 : 0; changes > 0 && !fuzz_done(bytes); --changes) {
@@ -113,6 +137,7 @@ static inline bmr_motion *fuzz_motion(fuzz_bytes *bytes, const fuzz_motion_range
             }
         }
         piece.origin = time;
+        fuzz_tame(&piece, range);
         bmr_motion_change(motion, time, &piece); // refused: the motion stays as it was
     }
     return motion;

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// Hierarchies of all kinds over fuzzed polygons: their own audit, what their header promises by brute force
+// over all edges and vertices, the inflated envelopes, and (mixed.cpp) the mixed hierarchy of two.
+#include "fuzz_hierarchy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "boomerang/inflated.h"
+#include "harness.h"
+#include "hierarchies.h"
+#include "points.h"
+
+namespace {
+
+constexpr size_t kMost = 64;
+/// Some ten roundings of 1.1e-16 each, and the same again: what the audit allows.
+constexpr double kRounding = 4e-15;
+/// Edges whose directions agree so far are one (hierarchy.h).
+constexpr double kMergeAngle = 1e-11;
+
+using Points = std::vector<bmr_vec2>;
+
+double Slack(const bmr_hierarchy *h) {
+    return kRounding * bmr_hierarchy_polygon(h)->extent;
+}
+
+bool Same(bmr_corner a, bmr_corner b) {
+    return a.before == b.before && a.after == b.after && a.cut == b.cut;
+}
+
+uint32_t CeilLog2(uint32_t n) {
+    uint32_t log = 0;
+    while ((uint64_t{1} << log) < n)
+        ++log;
+    return log;
+}
+
+void CheckSizes(const bmr_hierarchy *h) {
+    const bmr_polygon *p = bmr_hierarchy_polygon(h);
+    const uint32_t n = p->count, log = CeilLog2(n), edges = bmr_hierarchy_edge_count(h);
+    // Points and segments have four lines too, whatever their number.
+    const uint32_t depths[] = {2 * log, CeilLog2(2 * n), log};
+    const uint32_t counts[] = {std::max(5 * n, 4u), 2 * n + 4, n + 4};
+    const bmr_hierarchy_kind kind = bmr_hierarchy_get_kind(h);
+    FUZZ_CHECK(bmr_hierarchy_depth(h) <= depths[kind], "kind %d of %u vertices: depth %u", kind, n,
+               bmr_hierarchy_depth(h));
+    FUZZ_CHECK(edges <= counts[kind], "kind %d of %u vertices: %u edges", kind, n, edges);
+    FUZZ_CHECK(n < 64 || bmr_hierarchy_bytes(h) + bmr_polygon_bytes(n) <= 160 * size_t{n}, "%zu bytes for %u",
+               bmr_hierarchy_bytes(h), n);
+}
+
+void CheckLines(const bmr_hierarchy *h) {
+    const bmr_polygon *p = bmr_hierarchy_polygon(h);
+    for (bmr_edge id = 0; id < bmr_hierarchy_edge_count(h); ++id) {
+        bmr_line line = bmr_hierarchy_line(h, id);
+        if (fuzz_control("line"))
+            line.offset -= 3.0 * Slack(h);
+        const double most = test_farthest(p->vertices, p->count, line.normal);
+        const double touch = bmr_dot(line.normal, p->vertices[bmr_hierarchy_touch(h, id)]);
+        FUZZ_CHECK(std::fabs(std::hypot(line.normal.x, line.normal.y) - 1.0) <= 1e-15,
+                   "edge %u: no unit normal", id);
+        FUZZ_CHECK(std::fabs(most - line.offset) <= Slack(h) && std::fabs(touch - line.offset) <= Slack(h),
+                   "kind %d, edge %u is no support line: off by %g and %g", bmr_hierarchy_get_kind(h), id,
+                   most - line.offset, touch - line.offset);
+    }
+}
+
+double SegmentDistance(bmr_vec2 x, bmr_vec2 a, bmr_vec2 b) {
+    const long double ex = static_cast<long double>(b.x) - a.x, ey = static_cast<long double>(b.y) - a.y;
+    const long double px = static_cast<long double>(x.x) - a.x, py = static_cast<long double>(x.y) - a.y;
+    const long double square = ex * ex + ey * ey;
+    const long double t = square > 0.0L ? std::min(1.0L, std::max(0.0L, (px * ex + py * ey) / square)) : 0.0L;
+    return static_cast<double>(std::hypot(px - t * ex, py - t * ey));
+}
+
+void CheckHeight(const bmr_hierarchy *h, bmr_edge id) {
+    const bmr_polygon *p = bmr_hierarchy_polygon(h);
+    const bmr_vec2 apex = bmr_hierarchy_apex(h, id);
+    double least = INFINITY;
+    for (uint32_t i = 0; i < p->count; ++i)
+        least = std::fmin(least, SegmentDistance(apex, p->vertices[i], p->vertices[(i + 1) % p->count]));
+    const double height = bmr_hierarchy_height(h, id) * (fuzz_control("height") ? 1.5 : 1.0);
+    FUZZ_CHECK(id < 4 ? height == 0.0 : std::fabs(height - least) <= 2.0 * Slack(h),
+               "kind %d, edge %u: height %g, really %g", bmr_hierarchy_get_kind(h), id, height, least);
+}
+
+/// The corners of P_level, by walking round.
+Points Envelope(const bmr_hierarchy *h, uint32_t level, std::vector<bmr_corner> *corners) {
+    Points points;
+    bmr_edge edge = 0;
+    do {
+        const bmr_corner corner = bmr_hierarchy_corner_after(h, edge, level);
+        FUZZ_CHECK(points.size() < bmr_hierarchy_edge_count(h), "level %u does not close", level);
+        points.push_back(bmr_hierarchy_corner_point(h, corner));
+        corners->push_back(corner);
+        edge = corner.after;
+    } while (edge != 0);
+    return points;
+}
+
+bmr_vec2 ReadDirection(const bmr_hierarchy *h, fuzz_bytes *bytes) {
+    const uint8_t how = fuzz_u8(bytes);
+    if (how % 4 == 0) { // a tie
+        const bmr_edge edge = fuzz_u16(bytes) % bmr_hierarchy_edge_count(h);
+        return bmr_hierarchy_line(h, edge).normal;
+    }
+    const double angle = fuzz_in(bytes, -3.2, 3.2),
+                 scale = how % 4 == 1 ? std::ldexp(1.0, fuzz_u8(bytes) - 128) : 1.0;
+    return bmr_vec2_make(scale * std::cos(angle), scale * std::sin(angle));
+}
+
+/// A level between its neighbours, as seen from a direction, and the ways from one level to another.
+void CheckLevel(const bmr_hierarchy *h, fuzz_bytes *bytes) {
+    const bmr_polygon *p = bmr_hierarchy_polygon(h);
+    const uint32_t depth = bmr_hierarchy_depth(h), level = fuzz_below(bytes, depth + 2);
+    std::vector<bmr_corner> corners, outer;
+    const Points points = Envelope(h, level, &corners);
+    const Points before = level > 0 ? Envelope(h, level - 1, &outer) : Points();
+    uint32_t expected = 0;
+    for (bmr_edge id = 0; id < bmr_hierarchy_edge_count(h); ++id)
+        expected += bmr_hierarchy_level(h, id) <= level;
+    FUZZ_CHECK(points.size() == expected, "level %u has %zu edges of %u", level, points.size(), expected);
+    for (int i = 0; i < 4; ++i) {
+        const bmr_vec2 d = ReadDirection(h, bytes);
+        const double size = std::hypot(d.x, d.y), slack = Slack(h) * size;
+        bmr_corner corner = bmr_hierarchy_extreme(h, d, level);
+        if (fuzz_control("extreme"))
+            corner = bmr_hierarchy_extreme(h, bmr_neg(d), level);
+        const double here = test_farthest(points.data(), static_cast<uint32_t>(points.size()), d);
+        const double inside = test_farthest(p->vertices, p->count, d);
+        FUZZ_CHECK(bmr_dot(d, bmr_hierarchy_corner_point(h, corner)) >= here - 2.0 * slack,
+                   "level %u: the corner is not extreme by %g", level,
+                   here - bmr_dot(d, bmr_hierarchy_corner_point(h, corner)));
+        FUZZ_CHECK(here >= inside - slack, "level %u cuts into the polygon by %g", level, inside - here);
+        FUZZ_CHECK(level < depth || here <= inside + 2.0 * slack + 4.0 * kMergeAngle * p->radius * size,
+                   "the deepest level is not the polygon, by %g", here - inside);
+        if (level > 0)
+            FUZZ_CHECK(here <= test_farthest(before.data(), static_cast<uint32_t>(before.size()), d) + slack,
+                       "level %u is not within the one before", level);
+        const uint32_t from = fuzz_below(bytes, level + 1);
+        FUZZ_CHECK(Same(corner, bmr_hierarchy_refine(h, bmr_hierarchy_extreme(h, d, from), d, level)),
+                   "refined from %u to %u it is another corner", from, level);
+        if (level > 0)
+            FUZZ_CHECK(Same(bmr_hierarchy_coarsen(h, corner, level), bmr_hierarchy_extreme(h, d, level - 1)),
+                       "coarsened from %u it is another corner", level);
+    }
+}
+
+/// A point outside, near or far, and the direction from the polygon's nearest point to it.
+bool ReadOutside(const bmr_polygon *p, fuzz_bytes *bytes, bmr_vec2 *x, bmr_vec2 *away) {
+    const double angle = fuzz_in(bytes, -3.2, 3.2), gap = p->radius * std::exp2(fuzz_in(bytes, -20.0, 4.0));
+    const bmr_vec2 at = p->vertices[fuzz_u8(bytes) % p->count], u = {std::cos(angle), std::sin(angle)};
+    *x = bmr_add(at, bmr_scale(gap, u));
+    long double least = INFINITY;
+    for (uint32_t i = 0; i < p->count; ++i) {
+        const bmr_vec2 a = p->vertices[i], b = p->vertices[(i + 1) % p->count];
+        const long double ex = static_cast<long double>(b.x) - a.x, ey = static_cast<long double>(b.y) - a.y;
+        const long double px = static_cast<long double>(x->x) - a.x,
+                          py = static_cast<long double>(x->y) - a.y;
+        const long double square = ex * ex + ey * ey;
+        const long double t =
+            square > 0.0L ? std::min(1.0L, std::max(0.0L, (px * ex + py * ey) / square)) : 0.0L;
+        const long double rx = px - t * ex, ry = py - t * ey, length = std::hypot(rx, ry);
+        if (length < least) {
+            least = length;
+            *away = {static_cast<double>(rx), static_cast<double>(ry)};
+        }
+    }
+    return least > 1e-6L * p->extent && !bmr_polygon_contains(p, *x, 0.0);
+}
+
+void CheckInflated(const bmr_hierarchy *h, fuzz_bytes *bytes) {
+    const bmr_polygon *p = bmr_hierarchy_polygon(h);
+    bmr_vec2 x, away;
+    const bool outside = ReadOutside(p, bytes, &x, &away);
+    const uint32_t level = fuzz_below(bytes, bmr_hierarchy_depth(h) + 1);
+    const double offset = p->radius * std::exp2(fuzz_in(bytes, -20.0, 1.0));
+    const double size = p->extent + std::hypot(x.x, x.y), rounding = 1e-13 * size;
+    const bmr_vec2 d = bmr_sub(p->vertices[fuzz_u8(bytes) % p->count], x);
+    if (d.x == 0.0 && d.y == 0.0)
+        return;
+    double most = -INFINITY, widest;
+    bmr_entry entry = bmr_inflated_entry(h, level, offset, x, d);
+    if (fuzz_control("entry"))
+        entry.parameter += 1.0;
+    FUZZ_CHECK(entry.steps <= level && entry.edge < bmr_hierarchy_edge_count(h), "entry by edge %u, %u steps",
+               entry.edge, entry.steps);
+    bool found = false;
+    for (bmr_edge id = 0; id < bmr_hierarchy_edge_count(h); ++id) {
+        if (bmr_hierarchy_level(h, id) > level)
+            continue;
+        const bmr_line line = bmr_hierarchy_line(h, id);
+        const double rate = bmr_dot(line.normal, d), above = bmr_dot(line.normal, x) - line.offset;
+        most = std::fmax(most, above);
+        // At the entry the line is inside every edge, and on one.
+        const double there = above - offset + entry.parameter * rate;
+        FUZZ_CHECK(rate >= 0.0 || there <= rounding * (1.0 + std::fabs(entry.parameter)),
+                   "level %u: at the entry still %g beyond edge %u", level, there, id);
+        found =
+            found || (id == entry.edge && std::fabs(there) <= rounding * (1.0 + std::fabs(entry.parameter)));
+    }
+    FUZZ_CHECK(found, "level %u: the entry is not on its edge %u", level, entry.edge);
+    if (outside && most > 1e-9 * size) {
+        bmr_corner_widest_edge(h, bmr_hierarchy_extreme(h, away, level), x, &widest);
+        if (fuzz_control("widest"))
+            widest -= 1e-6 * size;
+        FUZZ_CHECK(std::fabs(widest - most) <= 1e-11 * size, "level %u: slack %g, the widest is %g", level,
+                   widest, most);
+    }
+}
+
+void FuzzOne(fuzz_bytes *bytes, const bmr_polygon *p, bmr_hierarchy_kind kind) {
+    bmr_hierarchy *h = nullptr;
+    const bmr_error error = test_build_hierarchy(kind, p, fuzz_compass(), nullptr, &h);
+    FUZZ_CHECK(error == BMR_OK, "kind %d of %u vertices: error %d", kind, p->count, error);
+    FUZZ_CHECK(bmr_hierarchy_audit(h) == BMR_OK, "kind %d of %u vertices: audit %d", kind, p->count,
+               bmr_hierarchy_audit(h));
+    CheckSizes(h);
+    CheckLines(h);
+    for (int i = 0; i < 4; ++i)
+        CheckHeight(h, fuzz_u16(bytes) % bmr_hierarchy_edge_count(h));
+    for (uint32_t questions = fuzz_below(bytes, 6); questions > 0; --questions)
+        if (fuzz_u8(bytes) % 2 == 0 || p->count < 3)
+            CheckLevel(h, bytes);
+        else
+            CheckInflated(h, bytes);
+    bmr_hierarchy_destroy(h, nullptr);
+}
+
+} // namespace
+
+const bmr_compass *fuzz_compass() {
+    static bmr_compass *compass = nullptr; // for the life of the process
+    if (compass == nullptr && bmr_compass_create(1024, nullptr, &compass) != BMR_OK)
+        abort();
+    return compass;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    fuzz_bytes bytes = fuzz_bytes_make(data, size);
+    const uint8_t how = fuzz_u8(&bytes);
+    bmr_polygon *a = fuzz_polygon(&bytes, kMost);
+    if (a != nullptr && how % 2 == 0)
+        FuzzOne(&bytes, a, static_cast<bmr_hierarchy_kind>(how / 2 % BMR_HIERARCHY_KIND_COUNT));
+    if (a != nullptr && how % 2 != 0)
+        FuzzMixed(&bytes, a, static_cast<bmr_hierarchy_kind>(how / 2 % 2));
+    bmr_polygon_destroy(a, nullptr);
+    return 0;
+}
