@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
 #include "box2d_shapes.h"
 #include "forked_world.h"
@@ -36,9 +37,12 @@ b2Body *Burr(Game &game, shapes::Engine &engine, b2Vec2 place, int fixtures) {
 /// Calls `visit` with each vertex, in the world, that one side of a proof speaks of.
 template <typename Visit> void VisitVertices(const bmr::ProofSide &side, Visit visit) {
     for (const b2Fixture *f = side.body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
+        const bmr::ConvexShape *big = bmr::ConvexShape::From(f->GetShape());
         const auto &polygon = static_cast<const b2PolygonShape &>(*f->GetShape());
-        for (int32 i = 0; i < polygon.m_count && (side.fixture == nullptr || side.fixture == f); ++i)
-            visit(b2Mul(side.body->GetTransform(), polygon.m_vertices[i]));
+        const b2Vec2 *vertices = big != nullptr ? big->GetVertices() : polygon.m_vertices;
+        const int32 count = big != nullptr ? big->GetVertexCount() : polygon.m_count;
+        for (int32 i = 0; i < count && (side.fixture == nullptr || side.fixture == f); ++i)
+            visit(b2Mul(side.body->GetTransform(), vertices[i]));
     }
 }
 
@@ -174,6 +178,37 @@ TEST_CASE("every proof that is shown can be checked by hand, and looking changes
         run.Expect(tally.kinds.count(bmr::ProofKind::RememberedEdge) == (run.Prefilter() ? 1u : 0u),
                    "edges where they are remembered");
         run.Expect(tally.kinds.size() > 1, "proofs of several kinds");
+    });
+}
+
+TEST_CASE("the proof of two big shapes is an edge of one of them, and holds for all their vertices") {
+    CheckSameAsStock([](Run &run) {
+        shapes::Engine engine(13);
+        Tally tally;
+        int touching = 0;
+        for (int round = 0; round < 60; ++round) {
+            Game game(run);
+            const b2Body *bodies[2];
+            for (int i = 0; i < 2; ++i) {
+                b2Body *body = game.Body(b2_dynamicBody, {1.12f * static_cast<float>(i), 0.0f},
+                                         shapes::UniformF(engine, -3.0, 3.0));
+                bmr::ConvexShape shape;
+                run.Expect(shape.SetRegular(9 + shapes::Below(engine, 60), 0.55f) == BMR_OK, "a shape");
+                game.Fixture(body, shape);
+                bodies[i] = body;
+            }
+            game.world.Step(1.0f / 60.0f, 8, 3);
+            if (!run.HasPlugin())
+                continue;
+            const bmr::Proof proof = bmr::Inspect(bodies[0], bodies[1]);
+            tally.Look(proof);
+            touching += proof.kind == bmr::ProofKind::None;
+        }
+        run.Print("looked");
+        run.Expect(touching < 10, "nearly all are apart");
+        run.Expect(tally.kinds.count(bmr::ProofKind::RememberedEdge) == 1, "edges");
+        run.Expect(tally.tooMuch == 0, "no proof claims more than its own line shows");
+        run.Expect(tally.notNearest == 0, "its points are the nearest to the line");
     });
 }
 
