@@ -406,13 +406,15 @@ static void events_of_a_pass_grow_with_the_logarithm_of_its_nearness_and_not_wit
     }
 }
 
-/// Events of one turn around the other at a distance of sigma.
-static double events_of_an_orbit(bmr_structure s, size_t n, double sigma) {
+/// Events of one turn around the other at a distance of sigma, counter-clockwise (sense 1) or clockwise (-1),
+/// the other turning `spin` times meanwhile.
+static double events_of_an_orbit(bmr_structure s, size_t n, double sigma, double sense, double spin) {
     couple c;
     couple_make(&c, s, ellipse(n, 0.25, 0.3), ellipse(n, 0.5, 1.9));
     const bmr_observer observer = {&c.counters, NULL, NULL};
     for (int i = 0; i < 20000; ++i) {
-        const bmr_pose q = test_pose_at(c.a.polygon, c.b.polygon, TWO_PI * i / 20000.0, 0.6, sigma);
+        const double turned = sense * TWO_PI * i / 20000.0;
+        const bmr_pose q = test_pose_at(c.a.polygon, c.b.polygon, turned, 0.6 + spin * turned, sigma);
         bmr_pair_advance(&c.pair, &c.def, &c.a, &c.b, &q, &observer, NULL);
     }
     const double events = events_of(&c.counters);
@@ -420,10 +422,21 @@ static double events_of_an_orbit(bmr_structure s, size_t n, double sigma) {
     return events;
 }
 
+/// The free direction's brackets reach to where a body turns: to either side alike.
+static void an_orbit_meets_as_many_events_backwards(void **state) {
+    (void)state;
+    for (int spin = -1; spin <= 2; ++spin) {
+        const double there = events_of_an_orbit(BMR_FREE_DIRECTION, 256, 2e-2, 1.0, spin),
+                     back = events_of_an_orbit(BMR_FREE_DIRECTION, 256, 2e-2, -1.0, spin);
+        assert_true(fabs(there - back) <= 0.2 * there);
+    }
+}
+
 static void events_of_an_orbit_grow_with_the_square_root_of_its_nearness(void **state) {
     (void)state;
     FOR_EACH_STRUCTURE(s) {
-        const double far = events_of_an_orbit(s, 4096, 2e-1), near = events_of_an_orbit(s, 4096, 2e-3);
+        const double far = events_of_an_orbit(s, 4096, 2e-1, 1.0, 0.0),
+                     near = events_of_an_orbit(s, 4096, 2e-3, 1.0, 0.0);
         const double exponent = log(near / far) / log(100.0);
         assert_true(exponent > 0.3 && exponent < 0.6);
     }
@@ -446,6 +459,7 @@ int main(void) {
         cmocka_unit_test(spinning_far_apart_costs_nothing),
         cmocka_unit_test(events_of_a_pass_grow_with_the_logarithm_of_its_nearness_and_not_with_n),
         cmocka_unit_test(events_of_an_orbit_grow_with_the_square_root_of_its_nearness),
+        cmocka_unit_test(an_orbit_meets_as_many_events_backwards),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
