@@ -3,11 +3,14 @@
 
 #include <math.h>
 
+#include "geometry/tiny.h"
 #include "kds/failing.h"
 
 /// How far a Voronoi region reaches over its border, relative to the extents: a few thousand roundings, far
 /// below the margin, far above noise.
 #define OVERLAP 1e-12
+/// Farther apart than the margin by more than this, relative to the extents, is no contact (kds.h).
+#define CONTACT_ROUNDING 1e-9
 /// Steps of a walk before it begins anew from the exact distance. A walk takes one step, two past a short
 /// edge; only jumps take more.
 #define WALK_STEPS 64
@@ -36,7 +39,8 @@ bool bmr_features_violated(const bmr_kds *kds, const bmr_condition *condition, c
 }
 
 static bmr_vec2 unit(bmr_vec2 v) {
-    return bmr_scale(1.0 / hypot(v.x, v.y), v);
+    const bmr_vec2 d = bmr_scale_up_if_tiny(v);
+    return bmr_scale(1.0 / hypot(d.x, d.y), d);
 }
 
 /// The unit vector from vertex i to the one after (before) it.
@@ -204,7 +208,12 @@ bool bmr_features_start(const bmr_kds *kds, const bmr_instant *now, bmr_feature_
     // The support vertices in the direction of the closest points are these or an end of their edge.
     const walk_end end = walk(kds, now, &found, touched);
     *pair = found;
-    return end == FOUND || (end == LOST && take_line(kds, now, pair));
+    if (end == NEAR) { // of a polygon thinner than rounding the walk may end behind an edge: the distance
+                       // knows better
+        const double extent = kds->shapes[0].polygon->extent + kds->shapes[1].polygon->extent;
+        return distance > kds->def.margin + CONTACT_ROUNDING * extent && take_line(kds, now, pair);
+    }
+    return end == FOUND || take_line(kds, now, pair);
 }
 
 bool bmr_features_repair(const bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_feature_pair *pair,
