@@ -65,13 +65,13 @@ inline Point ToSegment(const Point &r, const Point &p, const Point &q) {
 /// The distance; where the polygons overlap, minus the least depth over edge normals. At least one has an
 /// inside.
 inline long double SignedDistance(const Points &a, const Points &b) {
-    Point way = {0.0L, 0.0L}; // from a to b
-    long double least = INFINITY;
+    Point way = {0.0L, 0.0L};     // from a to b
+    long double least = INFINITY; // squared
     for (size_t i = 0; i < a.size(); ++i)
         for (size_t j = 0; j < b.size(); ++j) {
             const Point toA = ToSegment(b[j], a[i], a[(i + 1) % a.size()]);
             const Point toB = ToSegment(a[i], b[j], b[(j + 1) % b.size()]);
-            const long double fromB = std::hypot(toA.x, toA.y), fromA = std::hypot(toB.x, toB.y);
+            const long double fromB = toA.x * toA.x + toA.y * toA.y, fromA = toB.x * toB.x + toB.y * toB.y;
             if (std::min(fromA, fromB) < least)
                 way = fromA < fromB ? toB : Point{-toA.x, -toA.y};
             least = std::min(least, std::min(fromA, fromB));
@@ -79,7 +79,7 @@ inline long double SignedDistance(const Points &a, const Points &b) {
     // Normals of tiny edges are rough; the way between the nearest points is not.
     const long double separation =
         std::max(std::max(EdgeSeparation(a, b), EdgeSeparation(b, a)), SeparationAlong(a, b, way.x, way.y));
-    return separation <= 0.0L ? separation : least;
+    return separation <= 0.0L ? separation : std::sqrt(least);
 }
 
 } // namespace distance

@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: MIT
+// Pairs of the plugin's polygons in float: manifolds and separations have the bits of plain loops over all
+// vertices (convex32_reference.h), distances, casts and times of impact are true by looking at all sides in
+// long double.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "boomerang/convex32_collide.h"
+#include "boomerang/convex32_distance.h"
+#include "boomerang/convex32_envelope.h"
+#include "convex32_poses.h"
+#include "convex32_reference.h"
+#include "harness.h"
+#include "points.h"
+#include "polygon_distance.h"
+
+namespace {
+
+constexpr float kSlop = 0.005f;
+constexpr size_t kMost = 40;
+
+/// A polygon, or one or two points, with a skin.
+struct Shape {
+    bmr_convex32_block *block = nullptr;
+    std::vector<bmr_vec32> vertices;
+    float radius = 0.0f;
+
+    Shape() = default;
+    Shape(const Shape &) = delete;
+    Shape &operator=(const Shape &) = delete;
+    ~Shape() { bmr_convex32_destroy(block, nullptr); }
+
+    const bmr_convex32 *Polygon() const { return &block->polygon; }
+    bmr_proxy32 Proxy() const {
+        return block != nullptr
+                   ? bmr_proxy32_polygon(block, radius)
+                   : bmr_proxy32_points(vertices.data(), static_cast<uint32_t>(vertices.size()), radius);
+    }
+    double Reach() const { return static_cast<double>(Proxy().reach); }
+};
+
+/// Of a size from 1/16 to 64 about an origin not far away: what the bounds below are relative to.
+void ReadPolygon(fuzz_bytes *bytes, Shape *shape) {
+    const uint8_t how = fuzz_u8(bytes);
+    if (how % 2 == 0) {
+        dice d = {1u + fuzz_u16(bytes)};
+        const uint32_t count = how % 64 == 2 ? 8 + fuzz_u16(bytes) % 500 : 3 + fuzz_below(bytes, 40);
+        shape->block = random_convex32(&d, static_cast<convex32_kind>(how / 2 % KINDS), count);
+    } else {
+        bmr_vec2 wide[kMost + 12];
+        const int exponent = static_cast<int>(fuzz_below(bytes, 8)) - 2;
+        const size_t count = fuzz_points(bytes, wide, kMost);
+        bmr_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
+        for (size_t i = 0; i < count; ++i) {
+            low = {std::fmin(low.x, wide[i].x), std::fmin(low.y, wide[i].y)};
+            high = {std::fmax(high.x, wide[i].x), std::fmax(high.y, wide[i].y)};
+        }
+        const double side = std::fmax(high.x - low.x, high.y - low.y);
+        std::vector<bmr_vec32> points;
+        for (size_t i = 0; i < count && side > 0.0 && side < 1e300; ++i)
+            points.push_back({static_cast<float>(std::ldexp((wide[i].x - low.x) / side - 0.5, exponent)),
+                              static_cast<float>(std::ldexp((wide[i].y - low.y) / side - 0.5, exponent))});
+        if (bmr_convex32_create(points.data(), points.size(), nullptr, &shape->block) != BMR_OK)
+            shape->block = nullptr;
+    }
+    shape->radius = how >= 192 ? static_cast<float>(fuzz_in(bytes, 0.0, 0.5)) : 2.0f * kSlop;
+    if (shape->block != nullptr)
+        shape->vertices.assign(shape->Polygon()->vertices,
+                               shape->Polygon()->vertices + shape->Polygon()->count);
+}
+
+/// The second of a pair may be a circle or an edge.
+void ReadShape(fuzz_bytes *bytes, Shape *shape) {
+    const uint8_t how = fuzz_u8(bytes);
+    if (how % 4 != 0) {
+        ReadPolygon(bytes, shape);
+        return;
+    }
+    for (int i = 0; i <= how / 4 % 2; ++i) {
+        const float x = static_cast<float>(fuzz_in(bytes, -2.0, 2.0));
+        shape->vertices.push_back({x, static_cast<float>(fuzz_in(bytes, -2.0, 2.0))});
+    }
+    shape->radius = static_cast<float>(fuzz_in(bytes, 0.0, 1.0));
+}
+
+bmr_transform32 PoseOf(double x, double y, double angle) {
+    return {{static_cast<float>(x), static_cast<float>(y)},
+            static_cast<float>(std::sin(angle)),
+            static_cast<float>(std::cos(angle))};
+}
+
+bmr_transform32 ReadPose(fuzz_bytes *bytes, double range) {
+    const double x = fuzz_in(bytes, -range, range), y = fuzz_in(bytes, -range, range);
+    const uint8_t how = fuzz_u8(bytes);
+    return PoseOf(x, y,
+                  how < 64   ? 0.0
+                  : how < 96 ? 1.5707963267948966 * (how % 4)
+                             : fuzz_in(bytes, -3.2, 3.2));
+}
+
+bmr_convex32_memory ReadMemory(fuzz_bytes *bytes) {
+    bmr_convex32_memory memory = {0, 0, 0, 0};
+    if (fuzz_u8(bytes) % 2 != 0) {
+        memory.support_a = fuzz_u16(bytes);
+        memory.support_b = fuzz_u16(bytes);
+        memory.axis_x =
+            static_cast<int16_t>(std::max(static_cast<int16_t>(fuzz_u16(bytes)), int16_t{-32767}));
+        memory.axis_y =
+            static_cast<int16_t>(std::max(static_cast<int16_t>(fuzz_u16(bytes)), int16_t{-32767}));
+    }
+    return memory;
+}
+
+distance::Points Placed(const std::vector<bmr_vec32> &vertices, long double x, long double y, long double s,
+                        long double c) {
+    distance::Points points;
+    for (const bmr_vec32 v : vertices)
+        points.push_back({x + c * v.x - s * v.y, y + s * v.x + c * v.y});
+    return points;
+}
+
+distance::Points Placed(const std::vector<bmr_vec32> &vertices, const bmr_transform32 &pose) {
+    return Placed(vertices, pose.p.x, pose.p.y, pose.s, pose.c);
+}
+
+/// 0 where they overlap.
+double Distance(const distance::Points &a, const distance::Points &b) {
+    return static_cast<double>(std::max(0.0L, distance::SignedDistance(a, b)));
+}
+
+struct Pair {
+    Shape a, b;
+    bmr_transform32 poseA, poseB;
+    double size; ///< what float's rounding is relative to
+};
+
+void CheckManifold(const char *what, const bmr_manifold32 &expected, bmr_manifold32 got) {
+    if (fuzz_control("manifold")) {
+        got.normal.x += 1e-6f;
+        got.count ^= 1;
+    }
+    FUZZ_CHECK(reference_same_manifold(&expected, &got),
+               "%s: %d points of type %d, expected %d of type %d; normals (%a, %a), (%a, %a)", what,
+               got.count, got.type, expected.count, expected.type, static_cast<double>(got.normal.x),
+               static_cast<double>(got.normal.y), static_cast<double>(expected.normal.x),
+               static_cast<double>(expected.normal.y));
+}
+
+void CheckCollide(const Pair &p, fuzz_bytes *bytes) {
+    bmr_convex32_memory memory = ReadMemory(bytes);
+    bmr_manifold32 expected = {}, got = {};
+    const float skins = p.a.radius + p.b.radius;
+    reference_collide(&expected, p.a.Polygon(), &p.poseA, p.b.Polygon(), &p.poseB, skins, 0.1f * kSlop);
+    for (int i = 0; i < 2; ++i) { // the second time remembering the first
+        got = {};
+        bmr_convex32_collide(&got, p.a.Polygon(), &p.poseA, p.b.Polygon(), &p.poseB, skins, 0.1f * kSlop,
+                             &memory);
+        CheckManifold("polygons", expected, got);
+    }
+    // Features that last: all different, and the old ones where the points are the old ones.
+    bmr_manifold32 kept = got;
+    bmr_convex32_keep_features(&kept, &got, 0.01f);
+    for (int i = 0; i < got.count; ++i)
+        FUZZ_CHECK(memcmp(&kept.points[i].feature, &got.points[i].feature, sizeof(bmr_feature32)) == 0 ||
+                       memcmp(&got.points[0].feature, &got.points[1].feature, sizeof(bmr_feature32)) == 0,
+                   "the features of the same manifold change");
+    FUZZ_CHECK(kept.count < 2 ||
+                   memcmp(&kept.points[0].feature, &kept.points[1].feature, sizeof(bmr_feature32)) != 0,
+               "two points of one feature");
+}
+
+void CheckCircle(const Pair &p, fuzz_bytes *bytes) {
+    bmr_convex32_memory memory = ReadMemory(bytes);
+    bmr_manifold32 expected = {}, got = {};
+    const bmr_vec32 centre = p.b.vertices[0];
+    const float skins = p.a.radius + p.b.radius;
+    reference_collide_circle(&expected, p.a.Polygon(), &p.poseA, centre, &p.poseB, skins);
+    bmr_convex32_collide_circle(&got, p.a.Polygon(), &p.poseA, centre, &p.poseB, skins, &memory);
+    CheckManifold("circle", expected, got);
+}
+
+void CheckEdge(const Pair &p, fuzz_bytes *bytes) {
+    bmr_convex32_memory memory = ReadMemory(bytes);
+    bmr_manifold32 expected = {}, got = {};
+    bmr_edge32 edge;
+    for (bmr_vec32 *v : {&edge.before, &edge.first, &edge.second, &edge.after}) {
+        v->x = static_cast<float>(fuzz_in(bytes, -4.0, 4.0));
+        v->y = static_cast<float>(fuzz_in(bytes, -4.0, 4.0));
+    }
+    edge.one_sided = fuzz_u8(bytes) % 2 != 0;
+    if (std::hypot(edge.second.x - edge.first.x, edge.second.y - edge.first.y) < kSlop)
+        return; // none of Box2D's
+    const float skins = p.a.radius + 2.0f * kSlop;
+    reference_collide_edge(&expected, &edge, &p.poseB, p.a.Polygon(), p.a.block->mass.centroid, &p.poseA,
+                           skins);
+    bmr_convex32_collide_edge(&got, &edge, &p.poseB, p.a.Polygon(), p.a.block->mass.centroid, &p.poseA, skins,
+                              &memory);
+    CheckManifold("edge", expected, got);
+}
+
+void CheckSeparation(const Pair &p, fuzz_bytes *bytes) {
+    uint32_t first, edge, vertex;
+    const bmr_transform32 frame = bmr_exact32_relative(&p.poseB, &p.poseA);
+    const float expected = reference_max_separation(p.a.Polygon(), &p.poseA, p.b.Polygon(), &p.poseB, &first);
+    float got =
+        bmr_convex32_max_separation(p.a.Polygon(), p.b.Polygon(), &frame, fuzz_u16(bytes), &edge, &vertex);
+    if (fuzz_control("separation"))
+        got = std::nextafter(got, INFINITY);
+    FUZZ_CHECK(got == expected && edge == first && vertex < p.b.Polygon()->count,
+               "separation %a of edge %u, expected %a of %u", static_cast<double>(got), edge,
+               static_cast<double>(expected), first);
+}
+
+void CheckApart(const Pair &p, fuzz_bytes *bytes) {
+    bmr_convex32_memory memory = ReadMemory(bytes);
+    const float reach = static_cast<float>(fuzz_u8(bytes) % 2 == 0 ? 0.0 : p.size * fuzz_in(bytes, 0.0, 1.0));
+    const double truth = Distance(Placed(p.a.vertices, p.poseA), Placed(p.b.vertices, p.poseB));
+    bool apart = false;
+    for (int i = 0; i < 3; ++i)
+        apart = bmr_convex32_apart(p.a.Polygon(), &p.poseA, p.b.Polygon(), &p.poseB, reach, &memory) || apart;
+    FUZZ_CHECK(!(apart || fuzz_control("apart")) || truth > static_cast<double>(reach),
+               "said to be farther apart than %g, at %g", static_cast<double>(reach), truth);
+}
+
+void CheckDistance(const Pair &p, fuzz_bytes *bytes) {
+    const bmr_proxy32 a = p.a.Proxy(), b = p.b.Proxy();
+    bmr_closest32 closest = {0, 0};
+    if (fuzz_u8(bytes) % 2 != 0)
+        closest = {fuzz_u16(bytes), fuzz_u16(bytes)};
+    const double truth = Distance(Placed(p.a.vertices, p.poseA), Placed(p.b.vertices, p.poseB));
+    const bmr_distance32 found = bmr_convex32_distance(&a, &p.poseA, &b, &p.poseB, &closest);
+    const double scale = std::max(truth, std::max(p.a.Reach(), p.b.Reach()));
+    const double said = static_cast<double>(found.distance) + (fuzz_control("distance") ? 1e-3 * scale : 0.0);
+    FUZZ_CHECK(std::fabs(said - truth) <= 1e-6 * scale, "distance %g, really %g", said, truth);
+    const double dx = static_cast<double>(found.point_b.x) - static_cast<double>(found.point_a.x);
+    const double dy = static_cast<double>(found.point_b.y) - static_cast<double>(found.point_a.y);
+    FUZZ_CHECK(std::fabs(std::hypot(dx, dy) - said) <= 1e-6 * (scale + p.size + 20.0),
+               "points %g apart, distance %g", std::hypot(dx, dy), said);
+    FUZZ_CHECK(found.count >= 1 && found.count <= 3, "a simplex of %d", found.count);
+    for (int i = 0; i < found.count; ++i)
+        FUZZ_CHECK(found.vertex_a[i] < p.a.vertices.size() && found.vertex_b[i] < p.b.vertices.size(),
+                   "vertices %u and %u", found.vertex_a[i], found.vertex_b[i]);
+}
+
+void CheckCast(const Pair &p, fuzz_bytes *bytes) {
+    const bmr_proxy32 a = p.a.Proxy(), b = p.b.Proxy();
+    const double way = 3.0 * (p.a.Reach() + p.b.Reach());
+    const bmr_vec32 translation = {static_cast<float>(fuzz_in(bytes, -way, way)),
+                                   static_cast<float>(fuzz_in(bytes, -way, way))};
+    bmr_cast32 cast;
+    const bool hit = bmr_convex32_cast(&a, &p.poseA, &b, &p.poseB, translation, kSlop, &cast);
+    const double sigma = std::max(2.0 * static_cast<double>(kSlop),
+                                  static_cast<double>(std::max(p.a.radius, 2.0f * kSlop) +
+                                                      std::max(p.b.radius, 2.0f * kSlop) - 2.0f * kSlop));
+    const double slack = 1e-5 * (10.0 + way + p.size);
+    const distance::Points still = Placed(p.a.vertices, p.poseA);
+    const auto at = [&](double lambda) {
+        bmr_transform32 pose = p.poseB;
+        return Distance(still, Placed(p.b.vertices, pose.p.x + lambda * translation.x,
+                                      pose.p.y + lambda * translation.y, pose.s, pose.c));
+    };
+    const double lambda = static_cast<double>(cast.lambda) + (fuzz_control("cast") && hit ? 0.3 : 0.0);
+    if (hit)
+        FUZZ_CHECK(at(lambda) <= sigma + 0.5 * static_cast<double>(kSlop) + slack, "a hit at %g, %g apart",
+                   lambda, at(lambda));
+    else
+        FUZZ_CHECK(cast.lambda == 1.0f && cast.normal.x == 0.0f && cast.normal.y == 0.0f &&
+                       cast.point.x == 0.0f && cast.point.y == 0.0f,
+                   "a miss wrote its outputs");
+    if (!hit && at(0.0) <= sigma + slack)
+        return; // overlapping at the beginning is none
+    for (int i = 0; i <= 20 && lambda > 0.0; ++i)
+        FUZZ_CHECK(at(lambda * i / 20) >= sigma - slack, "%g apart before the hit at %g, sigma %g",
+                   at(lambda * i / 20), lambda, sigma);
+}
+
+bmr_sweep32 ReadSweep(fuzz_bytes *bytes, double range, bool turns) {
+    const auto in = [bytes](double most) { return static_cast<float>(fuzz_in(bytes, -most, most)); };
+    bmr_sweep32 sweep;
+    sweep.local_center = {in(1.0), in(1.0)};
+    sweep.c0 = {in(range), in(range)};
+    sweep.c = {sweep.c0.x + in(range), sweep.c0.y + in(range)};
+    sweep.a0 = in(10.0);
+    sweep.a = sweep.a0 + (turns ? in(6.0) : 0.0f);
+    sweep.alpha0 = 0.0f;
+    return sweep;
+}
+
+distance::Points At(const Shape &shape, const bmr_sweep32 &sweep, long double t) {
+    const long double angle = (1.0L - t) * sweep.a0 + t * sweep.a, s = std::sin(angle), c = std::cos(angle);
+    const long double lx = sweep.local_center.x, ly = sweep.local_center.y;
+    return Placed(shape.vertices, (1.0L - t) * sweep.c0.x + t * sweep.c.x - (c * lx - s * ly),
+                  (1.0L - t) * sweep.c0.y + t * sweep.c.y - (s * lx + c * ly), s, c);
+}
+
+void CheckImpact(const Pair &p, fuzz_bytes *bytes) {
+    constexpr int kSamples = 40;
+    const bmr_proxy32 a = p.a.Proxy(), b = p.b.Proxy();
+    const double range = p.a.Reach() + p.b.Reach();
+    const uint8_t how = fuzz_u8(bytes);
+    const bmr_sweep32 sweepA = ReadSweep(bytes, range, how % 2 != 0),
+                      sweepB = ReadSweep(bytes, 1.5 * range, how % 4 >= 2);
+    const float most = how % 8 >= 4 ? 1.0f : static_cast<float>(fuzz_in(bytes, 0.1, 1.0));
+    const double angle = fuzz_in(bytes, -3.2, 3.2);
+    bmr_vec32 direction = {0.0f, 0.0f};
+    if (how >= 128)
+        direction = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
+    float time = -1.0f;
+    const bmr_impact32 state = bmr_convex32_impact(&a, &sweepA, &b, &sweepB, most, kSlop, &direction, &time);
+    const double t =
+        static_cast<double>(time) + (fuzz_control("impact") && state == BMR_IMPACT_TOUCHING ? 0.2 : 0.0);
+    const double target =
+        std::max(static_cast<double>(kSlop), static_cast<double>(p.a.radius + p.b.radius - 3.0f * kSlop));
+    const double slack = 4e-6 * (range + 2.0);
+    const auto gap = [&](double at) { return Distance(At(p.a, sweepA, at), At(p.b, sweepB, at)); };
+    const double there = gap(t);
+    FUZZ_CHECK(state != BMR_IMPACT_FAILED, "given up at %g", t);
+    FUZZ_CHECK(state != BMR_IMPACT_OVERLAPPED || (time == 0.0f && there <= slack),
+               "overlapping at %g, %g apart", t, there);
+    FUZZ_CHECK(state != BMR_IMPACT_SEPARATED || time == most, "separated until %g", t);
+    if (state == BMR_IMPACT_TOUCHING)
+        FUZZ_CHECK(there <= target + 0.25 * static_cast<double>(kSlop) + slack &&
+                       (t == 0.0 || there >= target - slack),
+                   "touching at %g, %g apart, target %g", t, there, target);
+    for (int i = 0; i <= kSamples && t > 0.0; ++i)
+        FUZZ_CHECK(gap(t * i / kSamples) >= target - slack, "state %d at %g, but %g apart at %g, target %g",
+                   state, t, gap(t * i / kSamples), t * i / kSamples, target);
+}
+
+void CheckEnvelope(const Pair &p, fuzz_bytes *bytes) {
+    const uint32_t edges = 3 + fuzz_below(bytes, 30);
+    std::vector<bmr_vec2> corners(edges);
+    bmr_convex32_envelope(p.a.Polygon(), edges, corners.data());
+    if (fuzz_control("envelope"))
+        corners[0] = bmr_scale(0.5, corners[0]);
+    for (uint32_t i = 0; i < edges; ++i) {
+        const bmr_vec2 from = corners[i], to = corners[(i + 1) % edges];
+        const long double ex = static_cast<long double>(to.x) - from.x,
+                          ey = static_cast<long double>(to.y) - from.y;
+        if (std::hypot(ex, ey) <= 1e-9L * p.size)
+            continue; // edges that meet in one vertex
+        for (const bmr_vec32 v : p.a.vertices)
+            FUZZ_CHECK(ey * (v.x - static_cast<long double>(from.x)) -
+                               ex * (v.y - static_cast<long double>(from.y)) <=
+                           0.0L,
+                       "a vertex is outside the envelope of %u edges", edges);
+    }
+}
+
+void Ask(const Pair &p, fuzz_bytes *bytes) {
+    const bool polygons = p.b.block != nullptr;
+    switch (fuzz_below(bytes, 9)) {
+    case 0:
+        return polygons ? CheckCollide(p, bytes) : CheckCircle(p, bytes);
+    case 1:
+        return CheckCircle(p, bytes);
+    case 2:
+        return CheckEdge(p, bytes);
+    case 3:
+        return polygons ? CheckSeparation(p, bytes) : CheckDistance(p, bytes);
+    case 4:
+        return polygons ? CheckApart(p, bytes) : CheckDistance(p, bytes);
+    case 5:
+        return CheckDistance(p, bytes);
+    case 6:
+        return CheckCast(p, bytes);
+    case 7:
+        return CheckImpact(p, bytes);
+    default:
+        return CheckEnvelope(p, bytes);
+    }
+}
+
+} // namespace
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    fuzz_bytes bytes = fuzz_bytes_make(data, size);
+    Pair p;
+    ReadPolygon(&bytes, &p.a);
+    ReadShape(&bytes, &p.b);
+    if (p.a.block == nullptr || p.b.vertices.empty())
+        return 0;
+    for (uint32_t questions = 1 + fuzz_below(&bytes, 6); questions > 0; --questions) {
+        const uint8_t how = fuzz_u8(&bytes);
+        const double range = p.a.Reach() + p.b.Reach();
+        p.poseA = how % 2 == 0 ? PoseOf(0.0, 0.0, 0.0) : ReadPose(&bytes, 20.0);
+        if (p.b.block != nullptr && how % 4 < 2) { // against each other, or nearly
+            dice d = {1u + fuzz_u16(&bytes)};
+            p.poseB = pose_against(&d, p.a.Polygon(), &p.poseA, p.b.Polygon(),
+                                   static_cast<double>(p.a.radius + p.b.radius));
+        } else {
+            p.poseB = ReadPose(&bytes, range);
+            p.poseB.p.x += p.poseA.p.x;
+            p.poseB.p.y += p.poseA.p.y;
+        }
+        p.size =
+            range + std::fabs(static_cast<double>(p.poseA.p.x)) + std::fabs(static_cast<double>(p.poseA.p.y));
+        Ask(p, &bytes);
+    }
+    return 0;
+}
