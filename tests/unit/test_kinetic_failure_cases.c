@@ -13,6 +13,7 @@
 #include <gsl/gsl_errno.h>
 
 #include "boomerang/failure.h"
+#include "kinetic/failure_start.h"
 
 #define PI 3.14159265358979323846
 #define AFTER 3.0
@@ -97,6 +98,17 @@ static void what_is_zero_at_the_beginning_is_judged_by_where_it_goes(void **stat
                 print_message("case %zu method %d: %.17g\n", i, method, time - AFTER);
             assert_true(good);
         }
+}
+
+/// What is zero up to rounding when the grace of a start is over has grown; what is clearly below has not.
+static void a_start_below_zero_has_grown_where_its_grace_ends_at_zero(void **state) {
+    (void)state;
+    const double grace = bmr_start_grace(AFTER, bmr_default_failure_options().tolerance * AFTER);
+    for (int method = 0; method <= BMR_ROOT_GSL; method++) {
+        const double grown[] = {-grace, 1.0}, below[] = {-1.1 * grace, 1.0};
+        assert_true(isinf(failure_of_polynomial(grown, 1, AFTER + 10.0, (bmr_root_method)method)));
+        assert_true(failure_of_polynomial(below, 1, AFTER + 10.0, (bmr_root_method)method) == AFTER);
+    }
 }
 
 /// A rounding of a thousand below zero, and so slow that no few tolerances of time lead out of it.
@@ -321,6 +333,7 @@ static void bad_arguments_are_refused_and_the_time_untouched(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_zero_at_the_beginning_is_judged_by_where_it_goes),
+        cmocka_unit_test(a_start_below_zero_has_grown_where_its_grace_ends_at_zero),
         cmocka_unit_test(rounding_below_zero_is_zero),
         cmocka_unit_test(a_touch_from_above_is_no_crossing_and_a_crossing_no_touch),
         cmocka_unit_test(a_turning_direction_fails_when_it_turns_past),
