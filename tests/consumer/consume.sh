@@ -94,7 +94,8 @@ pkg_config)
     LD_LIBRARY_PATH=$(dirname "$directory") run_programs
     ;;
 add_subdirectory)
-    build_with_cmake -DBOOMERANG_SOURCE="$SOURCE"
+    # (Debug: all is compiled once more, and runs for a moment.)
+    build_with_cmake -DCMAKE_BUILD_TYPE=Debug -DBOOMERANG_SOURCE="$SOURCE"
     run_programs
     ;;
 uninstall)

@@ -20,8 +20,7 @@ stage_determinism() {
     if build_sanitizers; then
         libraries+=(--programs "sanitizers=$BMR_BUILD_DIR")
     fi
-    build_tree release release -DBOOMERANG_BUILD_TESTS=ON -DBOOMERANG_BUILD_BENCHMARKS=ON \
-        "-DBOOMERANG_WARNINGS_AS_ERRORS=$strict" || return 1
+    build_release || return 1
     # Box2D and GSL keep what they have to the end of the process.
     check "determinism" env ASAN_OPTIONS=detect_leaks=0 LLVM_PROFILE_FILE=/dev/null BMR_JOBS="$jobs" \
         "$root/tests/determinism/run" "${libraries[@]}" "$BMR_BUILD_DIR"

@@ -2,15 +2,17 @@
 # SPDX-License-Identifier: MIT
 # clang-tidy over core, the glue and the plugin
 
-# Where each was found in the commands of a build: as they stand, but a source of the glue once, which is compiled for
-# the glue and again, with weak references, for the plugin.
+# Each source once, as its own library compiles it: some are compiled again for the plugin, for static links, for a fuzzer.
 tidy_commands() {
-    mkdir -p "$BMR_BUILD_DIR/tidy" && python3 - "$root" "$BMR_BUILD_DIR" <<'PYTHON'
-import json, sys
-root, build = sys.argv[1:]
-commands = json.load(open(build + "/compile_commands.json"))
-kept = [c for c in commands if not (c["file"].startswith(root + "/box2d_glue/") and "weak_box2d.h" in c["command"])]
-json.dump(kept, open(build + "/tidy/compile_commands.json", "w"))
+    mkdir -p "$BMR_BUILD_DIR/tidy" && python3 - "$BMR_BUILD_DIR" <<'PYTHON'
+import json, re, sys
+build = sys.argv[1]
+kept = {}
+for command in json.load(open(build + "/compile_commands.json")):
+    output = re.search(r" -o (\S+)", command["command"]).group(1)
+    if output.split("/")[0] in ("core", "box2d_glue", "plugin"):
+        kept.setdefault(command["file"], command)
+json.dump(list(kept.values()), open(build + "/tidy/compile_commands.json", "w"))
 PYTHON
 }
 
