@@ -16,6 +16,7 @@
 #include "../../box2d_glue/body_pair.h"
 #include "../../box2d_glue/face_gap.h"
 #include "../../box2d_glue/overlap.h"
+#include "../../box2d_glue/settings.h"
 #include "../../box2d_glue/sweep_apart.h"
 #include "../../box2d_glue/thresholds.h"
 #include "boomerang/box2d_glue.h"
@@ -165,6 +166,7 @@ struct Couple {
 constexpr double kFar[] = {0.0, 1.0, 100.0, 300.0, 10000.0};
 constexpr double kWanted[] = {0.0, 1e-6, 1e-4, 0.001, 0.0015, 0.02, 0.03, 0.5, 20.0};
 
+/// One of some values.
 template <size_t n> double OneOf(Engine &engine, const double (&values)[n]) {
     return values[Below(engine, static_cast<int>(n))];
 }
@@ -261,4 +263,148 @@ TEST_CASE("bounding boxes prove no more than there is where the shapes are far f
     CHECK(slack.claims > Rounds(400) / 2);
     CHECK(slack.lies == 0);
     CHECK(slack.caught == Rounds(400));
+}
+
+TEST_CASE(
+    "what two hulls say is apart is farther apart than the diagonal of the radii, and their gap is there") {
+    REQUIRE(bmr::MakeSettings(bmr::Options()));
+    Engine engine(33);
+    Tally gaps;
+    size_t apart = 0, wrong = 0, wrongIfMore = 0, beyond = 0;
+    for (size_t i = 0; i < Rounds(300); ++i) {
+        Couple t(engine);
+        b2BlockAllocator memory;
+        bmr::BodyPair *pair = bmr::CreateBodyPair(bmr::CreateHull(t.a, nullptr, &memory),
+                                                  bmr::CreateHull(t.b, nullptr, &memory), nullptr, &memory);
+        pair->references = 1;
+        const double margin = bmr::ContactMargin(static_cast<double>(pair->radiusSum));
+        // What Box2D's own rounding may take of it is left.
+        const double proved = margin - bmr::kRoundingMargin;
+        for (int step = 0; step < 6; ++step) {
+            const double far = OneOf(engine, kFar);
+            t.Put(engine, far, margin + OneOf(engine, {-1e-3, -1e-5, 0.0, 1e-5, 1e-3, 0.01, 1.0}));
+            const Number truth = Truth(t.a, t.b);
+            const bool known = bmr::KnownApart(pair, t.a->GetTransform(), t.b->GetTransform());
+            pair->unasked = 0; // every pose is asked about
+            apart += known;
+            wrong += known && !IsTrue(proved, truth);
+            wrongIfMore += known && !IsTrue(proved + 0.002, truth);
+            const b2Vec2 place = b2Abs(t.a->GetPosition());
+            beyond += known && static_cast<double>(std::max(place.x, place.y)) > bmr::kReach;
+            gaps.Add(bmr::CertifiedGap(*pair, t.a->GetTransform(), t.b->GetTransform()), truth);
+        }
+        bmr::ReleaseBodyPair(pair, &memory);
+    }
+    MESSAGE("apart ", apart, ", gaps ", gaps.claims);
+    CHECK(apart > Rounds(300) / 2);
+    CHECK(wrong == 0);
+    CHECK(wrongIfMore > 0); // the control
+    CHECK(beyond == 0);
+    CHECK(gaps.claims > Rounds(300) / 2);
+    CHECK(gaps.lies == 0);
+}
+
+TEST_CASE("what is certainly apart or overlapping is so by the exact distance") {
+    Engine engine(34);
+    size_t apart = 0, overlapping = 0, wrong = 0, wrongIfMore = 0;
+    for (size_t i = 0; i < Rounds(1500); ++i) {
+        Couple t(engine);
+        const b2Fixture *f = t.a->GetFixtureList(), *g = t.b->GetFixtureList();
+        const double radii = static_cast<double>(PolygonOf(f).m_radius + PolygonOf(g).m_radius);
+        const double touching = radii + 10.0 * static_cast<double>(b2_epsilon);
+        t.Put(engine, OneOf(engine, kFar),
+              touching + OneOf(engine, {-1e-3, -1e-4, -1e-5, 1e-5, 1e-4, 1e-3, 0.5}));
+        const Number truth = exact::SquaredDistance(At(PolygonOf(f), t.a->GetTransform()),
+                                                    At(PolygonOf(g), t.b->GetTransform()));
+        const bmr::Overlap ours =
+            bmr::CertainOverlap(PolygonOf(f), 0, PolygonOf(g), 0, t.a->GetTransform(), t.b->GetTransform());
+        apart += ours == bmr::Overlap::kApart;
+        overlapping += ours == bmr::Overlap::kOverlapping;
+        wrong += ours == bmr::Overlap::kApart && !IsTrue(touching, truth);
+        wrong += ours == bmr::Overlap::kOverlapping && truth > Square(touching);
+        wrongIfMore += ours == bmr::Overlap::kApart && !IsTrue(touching + 2e-3, truth);
+    }
+    MESSAGE("apart ", apart, ", overlapping ", overlapping);
+    CHECK(apart > Rounds(1500) / 10);
+    CHECK(overlapping > Rounds(1500) / 20);
+    CHECK(wrong == 0);
+    CHECK(wrongIfMore > 0); // the control
+}
+
+namespace {
+
+b2Sweep RandomSweep(Engine &engine, const b2PolygonShape &shape, double far, double way) {
+    b2Sweep sweep;
+    sweep.localCenter = shape.m_centroid;
+    sweep.c.Set(UniformF(engine, -far, far), UniformF(engine, -far, far));
+    sweep.c0 = sweep.c + b2Vec2(UniformF(engine, -way, way), UniformF(engine, -way, way));
+    sweep.a = UniformF(engine, -400.0, 400.0);
+    sweep.a0 = sweep.a + static_cast<float>(way) * UniformF(engine, -0.6, 0.6);
+    sweep.alpha0 = 0.0f;
+    return sweep;
+}
+
+/// The polygon at a time of the sweep: the angle's sine and cosine as double has them, all else exact.
+Points At(const b2PolygonShape &shape, const b2Sweep &sweep, double t) {
+    const double angle = (1.0 - t) * static_cast<double>(sweep.a0) + t * static_cast<double>(sweep.a);
+    const Number s(std::sin(angle)), c(std::cos(angle)), rest = Number(1) - Number(t);
+    const auto between = [&](float start, float end) -> Number {
+        return rest * Number(static_cast<double>(start)) + Number(t) * Number(static_cast<double>(end));
+    };
+    const Number x = between(sweep.c0.x, sweep.c.x), y = between(sweep.c0.y, sweep.c.y);
+    Points points;
+    for (int32 i = 0; i < shape.m_count; ++i) {
+        const Number px = Number(shape.m_vertices[i].x) - Number(sweep.localCenter.x),
+                     py = Number(shape.m_vertices[i].y) - Number(sweep.localCenter.y);
+        points.emplace_back(x + c * px - s * py, y + s * px + c * py);
+    }
+    return points;
+}
+
+} // namespace
+
+TEST_CASE("what never touches is farther apart than the impact distance at every time that is looked at") {
+    Engine engine(35);
+    size_t proofs = 0, wrong = 0, wrongIfMore = 0;
+    for (size_t i = 0; i < Rounds(300); ++i) {
+        const b2PolygonShape a = RandomShape(engine), b = RandomShape(engine);
+        const double far = OneOf(engine, {0.0, 10.0, 200.0}), way = OneOf(engine, {0.0, 0.01, 0.3, 2.0});
+        b2TOIInput in;
+        in.proxyA.Set(&a, 0);
+        in.proxyB.Set(&b, 0);
+        in.sweepA = RandomSweep(engine, a, far, way);
+        in.sweepB = RandomSweep(engine, b, far, way);
+        in.tMax = 1.0f;
+        const double angle = Uniform(engine, -3.2, 3.2);
+        const b2Vec2 away(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
+        const b2Vec2 back = in.sweepB.c0 - in.sweepB.c;
+        const auto proved = [&](float distance) {
+            in.sweepB.c = in.sweepA.c + distance * away;
+            in.sweepB.c0 = in.sweepB.c + back;
+            const bmr::SweptShape sweptA = bmr::Sweep(in.proxyA, in.sweepA, b2Rot(in.sweepA.a)),
+                                  sweptB = bmr::Sweep(in.proxyB, in.sweepB, b2Rot(in.sweepB.a));
+            bmr_vec32 direction = {0.0f, 0.0f};
+            return bmr::NeverTouch(sweptA, sweptB, &direction);
+        };
+        float near = 0.0f, apart = 300.0f;
+        if (!proved(apart))
+            continue;
+        for (int j = 0; j < 28; ++j) {
+            const float middle = 0.5f * (near + apart);
+            (proved(middle) ? apart : near) = middle;
+        }
+        if (!proved(apart))
+            continue;
+        ++proofs;
+        const double impact = static_cast<double>(bmr::ImpactDistance(a.m_radius + b.m_radius));
+        for (const double t : {0.0, 0.125, 0.5, 0.8125, 1.0}) {
+            const Number truth = exact::SquaredDistance(At(a, in.sweepA, t), At(b, in.sweepB, t));
+            wrong += !IsTrue(impact, truth);
+            wrongIfMore += !IsTrue(impact + 0.002, truth);
+        }
+    }
+    MESSAGE("proofs ", proofs);
+    CHECK(proofs > Rounds(300) / 2);
+    CHECK(wrong == 0);
+    CHECK(wrongIfMore > 0); // the control
 }
