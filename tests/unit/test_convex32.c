@@ -15,6 +15,7 @@
 
 #include "boomerang/convex32.h"
 #include "convex32/directions.h"
+#include "convex32_loops.h"
 #include "failing_allocator.h"
 #include "polygons.h"
 #include "test_scale.h"
@@ -97,13 +98,6 @@ static bmr_vec32 random_direction(test_random *random, const bmr_convex32 *p) {
     default:
         return d;
     }
-}
-
-static float most_of_all(const bmr_convex32 *p, bmr_vec32 d) {
-    float most = -INFINITY;
-    for (uint32_t i = 0; i < p->count; ++i)
-        most = fmaxf(most, convex32_dot(p->vertices[i], d));
-    return most;
 }
 
 // --- made ---
@@ -222,7 +216,7 @@ static void polygons_have_up_to_65535_vertices(void **state) {
     for (int k = 0; k < 200; ++k) {
         const bmr_vec32 d = random_direction(&random, &block->polygon);
         assert_true(convex32_dot(block->polygon.vertices[bmr_convex32_support(&block->polygon, d)], d) ==
-                    most_of_all(&block->polygon, d));
+                    loop_support(&block->polygon, d));
     }
     bmr_convex32_destroy(raw, NULL);
     bmr_convex32_destroy(block, NULL);
@@ -383,7 +377,7 @@ static void supports_have_the_largest_product_of_all(void **state) {
         const bmr_convex32 *p = &block->polygon;
         for (int q = 0; q < 50; ++q) {
             const bmr_vec32 d = random_direction(&random, p);
-            const float most = most_of_all(p, d);
+            const float most = loop_support(p, d);
             const uint32_t support = bmr_convex32_support(p, d);
             assert_true(support < p->count && convex32_dot(p->vertices[support], d) == most);
             const uint32_t hint =
@@ -411,21 +405,11 @@ static void directions_that_are_none_have_an_answer(void **state) {
             assert_true(support < p->count && from < p->count);
             if (isnan(d.x) || isnan(d.y) || (d.x == 0.0f && d.y == 0.0f))
                 assert_true(support == 0 && from == 0);
-            else if (isfinite(most_of_all(p, d)))
-                assert_true(convex32_dot(p->vertices[support], d) == most_of_all(p, d));
+            else if (isfinite(loop_support(p, d)))
+                assert_true(convex32_dot(p->vertices[support], d) == loop_support(p, d));
         }
         bmr_convex32_destroy(block, NULL);
     }
-}
-
-static bool contains_by_loop(const bmr_convex32 *p, bmr_vec32 q) {
-    for (uint32_t i = 0; i < p->count; ++i) {
-        const bmr_vec32 n = p->normals[i], v = p->vertices[i];
-        const float x = q.x - v.x, y = q.y - v.y;
-        if (n.x * x + n.y * y > 0.0f)
-            return false;
-    }
-    return true;
 }
 
 /// The control: what is true of the vertices.
@@ -465,7 +449,7 @@ static void points_are_inside_where_the_loop_says_so(void **state) {
         const bmr_convex32 *p = &block->polygon;
         for (int q = 0; q < 50; ++q, ++asked) {
             const bmr_vec32 point = point_near(&random, p);
-            const bool in = contains_by_loop(p, point);
+            const bool in = loop_contains(p, point);
             assert_int_equal(bmr_convex32_contains(p, point), in);
             inside += in;
             control += really_contains(p, point) != in;
@@ -473,38 +457,12 @@ static void points_are_inside_where_the_loop_says_so(void **state) {
         const float strange[] = {NAN, INFINITY, -INFINITY, FLT_MAX, -FLT_MAX, 0.0f};
         for (size_t i = 0; i < 36; ++i) {
             const bmr_vec32 point = {strange[i / 6], strange[i % 6]};
-            assert_int_equal(bmr_convex32_contains(p, point), contains_by_loop(p, point));
+            assert_int_equal(bmr_convex32_contains(p, point), loop_contains(p, point));
         }
         bmr_convex32_destroy(block, NULL);
     }
     assert_true(inside > asked / 10 && inside < asked - asked / 10);
     assert_true(control > 0);
-}
-
-/// As Box2D goes through the edges. `skip` is an edge left out: the control.
-static bool ray_by_loop(const bmr_convex32 *p, bmr_vec32 p1, bmr_vec32 p2, float max_fraction, uint32_t skip,
-                        float *fraction, uint32_t *edge) {
-    const float dx = p2.x - p1.x, dy = p2.y - p1.y;
-    float lower = 0.0f, upper = max_fraction;
-    *edge = UINT32_MAX;
-    for (uint32_t i = 0; i < p->count; ++i) {
-        const bmr_vec32 n = p->normals[i], v = p->vertices[i];
-        const float x = v.x - p1.x, y = v.y - p1.y;
-        const float distance = n.x * x + n.y * y, speed = n.x * dx + n.y * dy;
-        if (i == skip)
-            continue;
-        if (speed == 0.0f && distance < 0.0f)
-            return false;
-        if (speed < 0.0f && distance < lower * speed) {
-            lower = distance / speed;
-            *edge = i;
-        } else if (speed > 0.0f && distance < upper * speed)
-            upper = distance / speed;
-        if (upper < lower)
-            return false;
-    }
-    *fraction = lower;
-    return *edge != UINT32_MAX;
 }
 
 typedef struct ray {
@@ -578,13 +536,12 @@ static void rays_hit_what_the_loop_hits(void **state) {
             const ray r = random_ray(&random, block);
             float expected = -1.0f, fraction = -1.0f, other;
             uint32_t edge_expected = 0, edge = UINT32_MAX, other_edge;
-            const bool hit =
-                ray_by_loop(p, r.p1, r.p2, r.max_fraction, UINT32_MAX, &expected, &edge_expected);
+            const bool hit = loop_ray(p, r.p1, r.p2, r.max_fraction, UINT32_MAX, &expected, &edge_expected);
             assert_int_equal(bmr_convex32_ray(p, r.p1, r.p2, r.max_fraction, &fraction, &edge), hit);
             if (hit) {
                 assert_true(fraction == expected);
                 assert_int_equal(edge, edge_expected);
-                const bool still = ray_by_loop(p, r.p1, r.p2, r.max_fraction, edge, &other, &other_edge);
+                const bool still = loop_ray(p, r.p1, r.p2, r.max_fraction, edge, &other, &other_edge);
                 control += !still || other != expected;
             } else
                 assert_true(fraction == -1.0f && edge == UINT32_MAX);
@@ -595,8 +552,7 @@ static void rays_hit_what_the_loop_hits(void **state) {
             const ray r = {{strange[i / 5], 1.0f}, {0.5f, strange[i % 5]}, 1.0f};
             float expected = -1.0f, fraction = -1.0f;
             uint32_t edge_expected, edge = UINT32_MAX;
-            const bool hit =
-                ray_by_loop(p, r.p1, r.p2, r.max_fraction, UINT32_MAX, &expected, &edge_expected);
+            const bool hit = loop_ray(p, r.p1, r.p2, r.max_fraction, UINT32_MAX, &expected, &edge_expected);
             assert_int_equal(bmr_convex32_ray(p, r.p1, r.p2, r.max_fraction, &fraction, &edge), hit);
             assert_true(!hit || fraction == expected || (isnan(fraction) && isnan(expected)));
         }
@@ -618,16 +574,8 @@ static void boxes_are_those_of_all_vertices(void **state) {
             const bmr_transform32 pose = {
                 vec(test_random_uniform(&random, -100, 100), test_random_uniform(&random, -100, 100)),
                 q % 8 ? sinf(angle) : 0.0f, q % 8 ? cosf(angle) : 1.0f};
-            bmr_vec32 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY}, lower, upper;
-            for (uint32_t i = 0; i < p->count; ++i) {
-                const bmr_vec32 v = p->vertices[i];
-                const float x = (pose.c * v.x - pose.s * v.y) + pose.p.x;
-                const float y = (pose.s * v.x + pose.c * v.y) + pose.p.y;
-                low.x = fminf(low.x, x);
-                low.y = fminf(low.y, y);
-                high.x = fmaxf(high.x, x);
-                high.y = fmaxf(high.y, y);
-            }
+            bmr_vec32 low, high, lower, upper;
+            loop_box(p, &pose, &low, &high);
             bmr_convex32_box(p, &pose, &lower, &upper);
             assert_true(lower.x == low.x && lower.y == low.y && upper.x == high.x && upper.y == high.y);
             const bmr_vec32 v = p->vertices[leaving_vertex(p, vec((double)pose.c, -(double)pose.s))];
@@ -645,35 +593,19 @@ static void masses_are_those_of_the_sum_over_triangles(void **state) {
     for (size_t k = 0; k < test_scaled(1000); ++k) {
         bmr_convex32_block *block = random_polygon(&random, random_count(&random));
         const bmr_convex32 *p = &block->polygon;
-        long double area = 0, x = 0, y = 0, inertia = 0;
         float float_area = 0.0f;
-        const long double x0 = (long double)p->vertices[p->count / 3].x,
-                          y0 = (long double)p->vertices[p->count / 3].y;
         for (uint32_t i = 0; i < p->count; ++i) {
             const bmr_vec32 v = p->vertices[i], w = p->vertices[convex32_next(p, i)];
-            const long double ax = (long double)v.x - x0, ay = (long double)v.y - y0;
-            const long double bx = (long double)w.x - x0, by = (long double)w.y - y0;
-            const long double cross = ax * by - ay * bx;
-            area += cross / 2;
-            x += cross * (ax + bx) / 6;
-            y += cross * (ay + by) / 6;
-            // About the origin, of a triangle by its edges' midpoints: exact for squares.
-            const long double m[3][2] = {{x0 + ax / 2, y0 + ay / 2},
-                                         {x0 + bx / 2, y0 + by / 2},
-                                         {x0 + (ax + bx) / 2, y0 + (ay + by) / 2}};
-            for (int e = 0; e < 3; ++e)
-                inertia += cross / 6 * (m[e][0] * m[e][0] + m[e][1] * m[e][1]);
             float_area += 0.5f * (v.x * w.y - v.y * w.x);
         }
-        x = x0 + x / area;
-        y = y0 + y / area;
+        const loop_mass truth = loop_measure(p);
         const bmr_mass32 mass = block->mass;
-        assert_true(fabsl((long double)mass.area - area) <= 1e-7L * area);
-        assert_true(fabsl((long double)mass.inertia - inertia) <= 1e-7L * inertia);
+        assert_true(fabsl((long double)mass.area - truth.area) <= 1e-7L * truth.area);
+        assert_true(fabsl((long double)mass.inertia - truth.inertia) <= 1e-7L * truth.inertia);
         const long double size = (long double)block->reach;
-        assert_true(fabsl((long double)mass.centroid.x - x) <= 1e-7L * size);
-        assert_true(fabsl((long double)mass.centroid.y - y) <= 1e-7L * size);
-        control += fabsl((long double)float_area - area) > 1e-7L * area;
+        assert_true(fabsl((long double)mass.centroid.x - truth.x) <= 1e-7L * size);
+        assert_true(fabsl((long double)mass.centroid.y - truth.y) <= 1e-7L * size);
+        control += fabsl((long double)float_area - truth.area) > 1e-7L * truth.area;
         for (uint32_t i = 0; i < p->count; ++i)
             assert_true(hypot((double)p->vertices[i].x, (double)p->vertices[i].y) <= (double)block->reach);
         bmr_convex32_destroy(block, NULL);
@@ -710,20 +642,6 @@ static void the_polygon_inside_is_convex_and_spreads(void **state) {
     bmr_convex32_destroy(block, NULL);
 }
 
-static double distance_to_polygon(const bmr_vec32 *v, size_t count, bmr_vec32 q) {
-    double least = INFINITY;
-    bool inside = true;
-    for (size_t i = 0; i < count; ++i) {
-        const bmr_vec32 a = v[i], b = v[i + 1 < count ? i + 1 : 0];
-        const double x = (double)b.x - (double)a.x, y = (double)b.y - (double)a.y;
-        const double px = (double)q.x - (double)a.x, py = (double)q.y - (double)a.y;
-        const double t = fmin(fmax((px * x + py * y) / (x * x + y * y), 0.0), 1.0);
-        least = fmin(least, hypot(px - t * x, py - t * y));
-        inside = inside && x * py - y * px >= 0.0;
-    }
-    return inside ? 0.0 : least;
-}
-
 static void simplified_polygons_are_near_and_have_few_vertices(void **state) {
     (void)state;
     test_random random = {11};
@@ -743,7 +661,7 @@ static void simplified_polygons_are_near_and_have_few_vertices(void **state) {
                 assert_true(++at < p->count);
         double far = 0.0;
         for (uint32_t i = 0; i < p->count; ++i)
-            far = fmax(far, distance_to_polygon(points, count, p->vertices[i]));
+            far = fmax(far, loop_distance(points, count, p->vertices[i]));
         assert_true(far <= (double)(float)tolerance * (1.0 + 1e-9));
         control += far > 0.5 * tolerance;
         reduced += count < p->count;
