@@ -141,6 +141,33 @@ static void a_repair_that_comes_early_changes_nothing(void **state) {
     test_kds_body_destroy(&b);
 }
 
+/// A bracket ends sooner on the side that is nearer, and that is what counts where nobody knows which way it
+/// turns.
+static void a_bracket_lasts_as_long_as_its_nearer_side(void **state) {
+    (void)state;
+    test_random random = {12};
+    size_t uneven = 0;
+    for (size_t k = 0; k < NAMES; ++k)
+        for (int i = 0; i < 20; ++i) {
+            test_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 30, &random));
+            test_kds_body b = test_kds_body_make(test_polygon(TEST_ELLIPSE, 20, &random));
+            const bmr_instant now = {
+                test_pose_at(a.polygon, b.polygon, 0.3 * i, 0.7 * i, 0.3), {-0.3, 0.2}, 0.7};
+            bmr_kds *kds = made(names[k], &a, &b);
+            bmr_kds_report report;
+            bmr_kds_start(kds, &now, &report);
+            const bmr_windowed_line *w = (const bmr_windowed_line *)(const void *)kds->state;
+            const double low = bmr_windowed_life(w, &now.pose, -1), high = bmr_windowed_life(w, &now.pose, 1);
+            assert_true(bmr_windowed_life(w, &now.pose, 0) == (low > high ? low : high));
+            assert_true((low == -2.0) == w->fixed);
+            uneven += low != high;
+            bmr_kds_destroy(kds, NULL);
+            test_kds_body_destroy(&a);
+            test_kds_body_destroy(&b);
+        }
+    assert_true(uneven > NAMES * 10);
+}
+
 /// Contact ends at the margin and the hysteresis, not before.
 static void contact_is_left_beyond_the_hysteresis(void **state) {
     (void)state;
@@ -175,6 +202,7 @@ int main(void) {
         cmocka_unit_test(they_are_sound_on_random_motions),
         cmocka_unit_test(an_audit_refutes_what_is_false),
         cmocka_unit_test(a_repair_that_comes_early_changes_nothing),
+        cmocka_unit_test(a_bracket_lasts_as_long_as_its_nearer_side),
         cmocka_unit_test(contact_is_left_beyond_the_hysteresis),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
