@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
-#include <string>
 #include <string_view>
 
 namespace bmr {
@@ -32,14 +32,45 @@ std::string_view Read(const char *name) {
     return value != nullptr ? value : "";
 }
 
-void Complain(Variable variable, const char *name, std::string_view value, const std::string &known) {
-    static std::atomic<unsigned> complained{0};
-    if (complaintsHeld)
-        return;
-    if ((complained.fetch_or(variable) & variable) == 0)
-        std::fprintf(stderr, "boomerang: %s=%.*s is not understood, so it does nothing; known: %s\n", name,
-                     static_cast<int>(value.size()), value.data(), known.c_str());
-}
+/// One line, made of pieces as it is said: no memory is asked for, and none can be missing, in the middle of
+/// a game's step.
+class Complaint {
+public:
+    Complaint(Variable variable, const char *name, std::string_view value)
+        : m_said(!complaintsHeld && (complained.fetch_or(variable) & variable) == 0) {
+        if (m_said)
+            Add("boomerang: %s=%.*s is not understood, so it does nothing; known: ", name,
+                static_cast<int>(value.size()), value.data());
+    }
+    ~Complaint() {
+        if (m_said)
+            std::fprintf(stderr, "%s\n", m_line);
+    }
+    Complaint(const Complaint &) = delete;
+    Complaint &operator=(const Complaint &) = delete;
+
+    Complaint &Word(const char *before, const char *word) {
+        if (m_said)
+            Add("%s%s", before, word);
+        return *this;
+    }
+
+private:
+    void Add(const char *format, ...) __attribute__((format(printf, 2, 3))) {
+        va_list arguments;
+        va_start(arguments, format);
+        // NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized): va_start is one line above
+        const int added = std::vsnprintf(m_line + m_length, sizeof m_line - m_length, format, arguments);
+        va_end(arguments);
+        m_length = std::min(m_length + static_cast<size_t>(std::max(added, 0)), sizeof m_line - 1);
+    }
+
+    static std::atomic<unsigned> complained;
+    bool m_said;
+    char m_line[1024] = ""; ///< a value that is longer is cut
+    size_t m_length = 0;
+};
+std::atomic<unsigned> Complaint::complained{0};
 
 std::optional<uint32_t> BitOfHook(std::string_view name) {
     for (int i = 0; i < kHookCount; ++i)
@@ -70,10 +101,10 @@ uint32_t HooksOfEnvironment(uint32_t hooks) {
         const size_t end = std::min(value.find(',', start), value.size());
         const std::optional<uint32_t> next = ApplyWord(made, value.substr(start, end - start));
         if (!next) {
-            std::string known = "all, none, and + or - before";
+            Complaint complaint(kHooks, "BOOMERANG_HOOKS", value);
+            complaint.Word("", "all, none, and + or - before");
             for (const char *name : kHookNames)
-                known += std::string(" ") + name;
-            Complain(kHooks, "BOOMERANG_HOOKS", value, known);
+                complaint.Word(" ", name);
             return hooks;
         }
         made = *next;
@@ -86,14 +117,12 @@ bmr_structure StructureOfEnvironment(bmr_structure structure) {
     const std::string_view value = Read("BOOMERANG_STRUCTURE");
     if (value.empty())
         return structure;
-    std::string known;
-    for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i) {
-        const char *name = bmr_structure_name(static_cast<bmr_structure>(i));
-        if (value == name)
+    for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
+        if (value == bmr_structure_name(static_cast<bmr_structure>(i)))
             return static_cast<bmr_structure>(i);
-        known += (known.empty() ? "" : ", ") + std::string(name);
-    }
-    Complain(kStructure, "BOOMERANG_STRUCTURE", value, known);
+    Complaint complaint(kStructure, "BOOMERANG_STRUCTURE", value);
+    for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
+        complaint.Word(i == 0 ? "" : ", ", bmr_structure_name(static_cast<bmr_structure>(i)));
     return structure;
 }
 
@@ -105,7 +134,7 @@ std::optional<bool> ChoiceOfEnvironment(Variable variable, const char *name, con
         return std::nullopt;
     if (value == no || value == yes)
         return value == yes;
-    Complain(variable, name, value, std::string(no) + ", " + yes);
+    Complaint(variable, name, value).Word("", no).Word(", ", yes);
     return std::nullopt;
 }
 
@@ -142,7 +171,7 @@ std::optional<Mode> ModeOfEnvironment() {
     for (const Mode mode : {Mode::On, Mode::Off, Mode::Verify})
         if (value == NameOf(mode))
             return mode;
-    Complain(kMode, "BOOMERANG", value, "on, off, verify");
+    Complaint(kMode, "BOOMERANG", value).Word("", "on, off, verify");
     return std::nullopt;
 }
 

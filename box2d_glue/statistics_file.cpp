@@ -4,7 +4,6 @@
 #include <cinttypes>
 #include <cstdlib>
 #include <cstring>
-#include <string>
 
 #include "environment.h"
 #include "settings.h"
@@ -19,29 +18,37 @@ constexpr char kPlaceOfNumber[] = "%p";
 char fileName[kLongestName];
 long installedIn;
 
-/// The file's name with the number of this process for each "%p".
-std::string NameForThisProcess() {
-    const std::string number = std::to_string(ThisProcess());
-    std::string name = fileName;
-    for (size_t at = 0; (at = name.find(kPlaceOfNumber, at)) != std::string::npos; at += number.size())
-        name.replace(at, sizeof kPlaceOfNumber - 1, number);
-    return name;
+/// The file's name with the number of this process for each "%p". Without memory: an exit handler that throws
+/// would end the program another way. False where the name is too long with it.
+bool NameForThisProcess(char (&name)[kLongestName]) {
+    size_t length = 0;
+    for (const char *at = fileName; *at != '\0';) {
+        const bool number = std::strncmp(at, kPlaceOfNumber, sizeof kPlaceOfNumber - 1) == 0;
+        const size_t left = sizeof name - length;
+        const int added = number ? std::snprintf(name + length, left, "%ld", ThisProcess())
+                                 : std::snprintf(name + length, left, "%c", *at);
+        length += static_cast<size_t>(added);
+        if (length >= sizeof name)
+            return false;
+        at += number ? sizeof kPlaceOfNumber - 1 : 1;
+    }
+    return true;
 }
 
 /// A forked child has the handlers of its parent. Where both would write one file, the parent does.
 void WriteNow() {
     if (ThisProcess() != installedIn && std::strstr(fileName, kPlaceOfNumber) == nullptr)
         return;
-    const std::string name = NameForThisProcess();
-    std::FILE *file = std::fopen(name.c_str(), "w");
+    char name[kLongestName] = "";
+    std::FILE *file = NameForThisProcess(name) ? std::fopen(name, "w") : nullptr;
     if (file == nullptr) {
-        std::fprintf(stderr, "boomerang: cannot write the statistics to %s\n", name.c_str());
+        std::fprintf(stderr, "boomerang: cannot write the statistics to %s\n", name);
         return;
     }
     WriteStatistics(file);
     const bool written = std::ferror(file) == 0;
     if (std::fclose(file) != 0 || !written)
-        std::fprintf(stderr, "boomerang: the statistics in %s are not complete\n", name.c_str());
+        std::fprintf(stderr, "boomerang: the statistics in %s are not complete\n", name);
 }
 
 /// Writes the members of JSON objects, with commas where they belong. Names and words are our own: nothing in

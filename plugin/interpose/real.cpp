@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "real.h"
 
+#include <climits>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <string>
-#include <vector>
 
 #include <dlfcn.h>
 #include <link.h>
@@ -18,28 +18,58 @@ const void *FileOf(const void *address) {
     return dladdr(address, &info) != 0 ? info.dli_fbase : nullptr;
 }
 
-int AddName(dl_phdr_info *object, size_t, void *names) {
-    static_cast<std::vector<std::string> *>(names)->emplace_back(object->dlpi_name);
-    return 0;
+/// The name of one loaded object.
+struct Name {
+    size_t left;         ///< objects before it
+    uint64_t changes;    ///< objects that have come and gone by then
+    char text[PATH_MAX]; ///< empty where it has none that can be opened
+};
+
+int FindName(dl_phdr_info *object, size_t, void *context) {
+    auto *name = static_cast<Name *>(context);
+    name->changes = object->dlpi_adds + object->dlpi_subs;
+    if (name->left-- > 0)
+        return 0;
+    const int length = std::snprintf(name->text, sizeof name->text, "%s", object->dlpi_name);
+    if (length < 0 || static_cast<size_t>(length) >= sizeof name->text)
+        name->text[0] = '\0';
+    return 1;
+}
+
+bool IsOurs(const void *address) {
+    return FileOf(address) == FileOf(reinterpret_cast<const void *>(&FindReal));
 }
 
 /// In the modules that are out of everybody's search order but their own. The one that has it is never
-/// closed: what it defines is remembered.
-void *FindInModules(const char *mangled) {
-    // Opened only afterwards: the loader must not be asked while it goes through its list.
-    std::vector<std::string> names;
-    dl_iterate_phdr(AddName, &names);
-    for (const std::string &name : names) {
-        void *module = name.empty() ? nullptr : dlopen(name.c_str(), RTLD_NOW | RTLD_NOLOAD);
+/// closed: what it defines is remembered. `*changes` is of the list that was gone through.
+void *FindInModules(const char *mangled, uint64_t *changes) {
+    // Opened only afterwards: the loader must not be asked while it goes through its list. And by one name at
+    // a time, without memory: this may be in the middle of a step, which nothing may throw through.
+    Name name;
+    name.changes = 0;
+    for (size_t i = 0; name.left = i, dl_iterate_phdr(FindName, &name) != 0; ++i) {
+        void *module = name.text[0] == '\0' ? nullptr : dlopen(name.text, RTLD_NOW | RTLD_NOLOAD);
         if (module == nullptr)
             continue;
         void *found = dlsym(module, mangled);
         // (A module that asks for this library finds ours.)
-        if (found != nullptr && FileOf(found) != FileOf(reinterpret_cast<const void *>(&FindReal)))
+        if (found != nullptr && !IsOurs(found))
             return found;
         dlclose(module);
     }
+    *changes = name.changes;
     return nullptr;
+}
+
+/// Once more where other threads opened or closed modules meanwhile: their places were others.
+void *FindInModules(const char *mangled) {
+    uint64_t before, after = 0;
+    void *found;
+    do {
+        before = after;
+        found = FindInModules(mangled, &after);
+    } while (found == nullptr && after != before);
+    return found;
 }
 
 } // namespace
