@@ -41,7 +41,7 @@ Script::Script(const RunRequest &request)
     static constexpr float kFar[] = {0.0f, 0.0f, 0.0f, 60.0f, 505.0f, 1000.0f, 10000.0f, 100000.0f};
     static constexpr float kSpreads[] = {0.015625f, 0.0625f, 0.25f, 1.0f};
     const uint8_t flags = Byte();
-    m_anySize = (flags & 1) != 0;
+    m_anySize = AsksForAnySize(request.data, request.size);
     const uint8_t where = Byte();
     m_origin = {kFar[where % 8], (where & 8) != 0 ? kFar[where % 8] : 0.0f};
     m_spread = kSpreads[where / 64];

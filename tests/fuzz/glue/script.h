@@ -23,7 +23,7 @@ public:
     const RunResult &Result() const { return m_result; }
 
     /// Does the script ask for polygons of any size? Stock Box2D has none.
-    static bool AsksForAnySize(const uint8_t *data, size_t size) { return size > 0 && (data[0] & 1) != 0; }
+    static bool AsksForAnySize(const uint8_t *data, size_t size) { return size > 0 && data[0] / 32 == 1; }
 
 private:
     static constexpr uint8_t kFirstStep = 160;

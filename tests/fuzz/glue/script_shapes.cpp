@@ -117,8 +117,11 @@ void Script::AddFixture(b2Body *body) {
             AnySize size;
             size.kind = Below(4);
             size.vertices = 3 + Byte();
-            size.width = Size();
-            size.height = size.kind == 0 || size.kind == 3 ? Unsigned(1.0f / 255.0f) : Size();
+            // What spins and is as large as a town takes milliseconds for each time of impact.
+            constexpr float kLargest = 10.0f;
+            size.width = b2Min(Size(), kLargest);
+            size.height =
+                size.kind == 0 || size.kind == 3 ? Unsigned(1.0f / 255.0f) : b2Min(Size(), kLargest);
             def.userData.pointer = m_world->NextFixture();
             CreateAnySize(body, def, size);
             break;
