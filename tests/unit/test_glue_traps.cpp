@@ -74,8 +74,10 @@ TEST_CASE("a fixture that is added outside the hull collides at once") {
     CheckSameAsStock([](Run &run) {
         Game game(run);
         TwoPlanks planks(game, 0.6f);
+        const uint64_t before = bmr::GetStatistics().hulls;
         game.Box(planks.b, 0.1f, 0.1f, {-1.0f, -0.6f});
         game.Step();
+        run.Expect(!run.Counts() || bmr::GetStatistics().hulls > before, "the hull is built anew");
         game.Stage(game.Touching() >= 1, "a collision");
         game.Step(20);
     });
