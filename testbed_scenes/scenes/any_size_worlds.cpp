@@ -70,8 +70,9 @@ class BulletsAtThin final : public Scene {
 
     static void Shoot(Stage &stage, b2Body *bullet) {
         const float side = stage.Rng().OnceIn(2) ? -1.0f : 1.0f;
-        bullet->SetTransform({side * (halfWidth - 1.0f), stage.Rng().Uniform(-0.9f, 0.9f) * halfHeight},
-                             stage.Rng().Uniform(-b2_pi, b2_pi));
+        const float angle = stage.Rng().Uniform(-b2_pi, b2_pi);
+        const float height = stage.Rng().Uniform(-0.9f, 0.9f) * halfHeight;
+        bullet->SetTransform({side * (halfWidth - 1.0f), height}, angle);
         bullet->SetLinearVelocity(
             {-side * stage.Rng().Uniform(60.0f, 110.0f), stage.Rng().Uniform(-20.0f, 20.0f)});
         bullet->SetAngularVelocity(stage.Rng().Uniform(-10.0f, 10.0f));

@@ -139,13 +139,18 @@ class Churn final : public Scene {
         b2Body *body = stage.AddBody(def);
         m_bodies.push_back(body);
         switch (random.Index(6)) {
-        case 0:
-            AddConvex(stage, body, RegularOutline(9 + random.Index(40), random.Uniform(0.4f, 0.8f)),
-                      SomeMaterial(random));
+        // (One statement for each: the order in which a compiler evaluates arguments must not decide the
+        // scene.)
+        case 0: {
+            const b2FixtureDef material = SomeMaterial(random);
+            const float radius = random.Uniform(0.4f, 0.8f);
+            AddConvex(stage, body, RegularOutline(9 + random.Index(40), radius), material);
             break;
+        }
         case 1: {
             const int count = 5 + random.Index(8);
-            AddFan(stage, body, RoughOutline(random, count, 0.4f, 0.9f), SomeMaterial(random));
+            const b2FixtureDef material = SomeMaterial(random);
+            AddFan(stage, body, RoughOutline(random, count, 0.4f, 0.9f), material);
             break;
         }
         case 2: {
@@ -170,13 +175,15 @@ class Churn final : public Scene {
         Random &random = stage.Rng();
         const b2Vec2 center = random.Direction(0.0f, 0.4f);
         const b2FixtureDef def = SomeMaterial(random);
-        if (random.OnceIn(5))
+        if (random.OnceIn(5)) {
             stage.AddFixture(body, def, MakeCircle(random.Uniform(0.15f, 0.4f), center));
-        else if (random.OnceIn(2))
-            stage.AddFixture(body, def, MakeRegular(3 + random.Index(6), random.Uniform(0.25f, 0.6f)));
-        else
-            stage.AddFixture(body, def,
-                             MakeBox(random.Uniform(0.1f, 0.8f), 0.2f, center, random.Uniform(0.0f, 3.0f)));
+        } else if (random.OnceIn(2)) {
+            const float radius = random.Uniform(0.25f, 0.6f);
+            stage.AddFixture(body, def, MakeRegular(3 + random.Index(6), radius));
+        } else {
+            const float angle = random.Uniform(0.0f, 3.0f);
+            stage.AddFixture(body, def, MakeBox(random.Uniform(0.1f, 0.8f), 0.2f, center, angle));
+        }
     }
 
     b2Body *SomeBody(Random &random) const {

@@ -44,9 +44,9 @@ class Gears final : public Scene {
         if (m_nextOctagon == m_octagons)
             return;
         ++m_nextOctagon;
-        const b2Vec2 position(stage.Rng().Uniform(-10.0f, 10.0f),
-                              m_top - 6.0f + stage.Rng().Uniform(-2.0f, 2.0f));
-        b2Body *body = stage.AddBody(b2_dynamicBody, position);
+        const float above = stage.Rng().Uniform(-2.0f, 2.0f);
+        const float across = stage.Rng().Uniform(-10.0f, 10.0f);
+        b2Body *body = stage.AddBody(b2_dynamicBody, {across, m_top - 6.0f + above});
         stage.AddFixture(body, Material(1.0f, 0.5f), MakeRegular(8, stage.Rng().Uniform(0.2f, 0.35f)));
     }
 
