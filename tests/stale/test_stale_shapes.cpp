@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// Shapes that are changed in place, and polygons of any size that others take the place of. README.md has the
+// whole list.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <boomerang/convex_shape.h>
+
+#include "yard.h"
+
+using namespace stale;
+
+namespace {
+
+b2PolygonShape Regular(int32 count, float radius) {
+    b2Vec2 corners[b2_maxPolygonVertices];
+    for (int32 i = 0; i < count; ++i)
+        corners[i] = b2Mul(b2Rot(2.0f * b2_pi * (static_cast<float>(i) + 0.5f) / static_cast<float>(count)),
+                           b2Vec2(radius, 0.0f));
+    b2PolygonShape shape;
+    shape.Set(corners, count);
+    return shape;
+}
+
+} // namespace
+
+// bullet3 #2056, godot-jolt #251, gazebo-classic #526: shapes that were resized kept what was cached of them.
+TEST_CASE("polygons grow and shrink in place, past their boxes, with more and with fewer vertices") {
+    CheckSameAsStock([](Run &run) {
+        Yard yard(run);
+        yard.Begin();
+        for (int round = 0; round < 12; ++round) {
+            yard.Place(false);
+            const auto count = static_cast<int32>(3 + (5 * round) % 6); // 3, 8, 7, 6, 5, 4
+            const float radius = round % 3 == 0 ? 0.85f : 0.3f;
+            for (const Yard::Couple &couple : yard.couples) {
+                b2PolygonShape *polygon = PolygonOf(couple.mover->GetFixtureList());
+                const float skin = polygon->m_radius;
+                *polygon = Regular(count, radius);
+                polygon->m_radius = skin;
+                Edited(run, couple.mover);
+            }
+            yard.game.Step();
+            yard.game.Stage((yard.TouchingCouples() >= 4) == (round % 3 == 0), "the new shapes decide");
+            yard.Drift(round % 2 == 0 ? -1.5f : 0.1f);
+            yard.game.Step(4);
+        }
+    });
+}
+
+TEST_CASE("radii of circles, edges, polygons and sensors change in place") {
+    CheckSameAsStock([](Run &run) {
+        Yard yard(run);
+        b2Body *circles[2];
+        for (int i = 0; i < 2; ++i) { // one is a sensor
+            b2CircleShape circle;
+            circle.m_radius = 0.1f;
+            circles[i] = yard.game.Body(b2_dynamicBody, {14.0f * static_cast<float>(i), 2.0f});
+            yard.game.Fixture(circles[i], circle, i == 1);
+            circles[i]->SetSleepingAllowed(false);
+        }
+        yard.Begin();
+        for (const float radius : {0.4f, 0.02f, 0.5f, 0.01f}) {
+            yard.Place(false);
+            for (const Yard::Couple &couple : yard.couples)
+                for (b2Body *body : {couple.stays, couple.mover})
+                    for (b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext())
+                        f->GetShape()->m_radius = radius;
+            for (int i = 0; i < 2; ++i) {
+                circles[i]->SetTransform({14.0f * static_cast<float>(i), 2.0f}, 0.0f);
+                circles[i]->GetFixtureList()->GetShape()->m_radius = 2.0f * radius;
+            }
+            yard.game.Step();
+            yard.game.Stage((yard.TouchingCouples() >= 5) == (radius > 0.3f), "the radii decide");
+            yard.Drift(-2.0f);
+            yard.game.Step(3);
+        }
+    });
+}
+
+// box2d #341, #553, #1016: what an edge knows of its neighbours decides what a polygon does at its ends.
+TEST_CASE("edges and chains, their neighbours and their sides are changed in place") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run, {0.0f, -10.0f});
+        b2Body *ground = game.Body(b2_staticBody, {0.0f, 0.0f});
+        b2EdgeShape edge;
+        edge.SetOneSided({4.0f, 0.0f}, {2.0f, 0.0f}, {-2.0f, 0.0f}, {-4.0f, 0.0f});
+        auto *made = static_cast<b2EdgeShape *>(game.Fixture(ground, edge)->GetShape());
+        const b2Vec2 links[5] = {{14.0f, 0.0f}, {11.0f, 0.0f}, {9.0f, 0.0f}, {7.0f, 0.0f}, {5.0f, 0.0f}};
+        b2ChainShape chain;
+        chain.CreateChain(links, 5, {16.0f, 0.0f}, {4.0f, 0.0f});
+        auto *linked = static_cast<b2ChainShape *>(game.Fixture(ground, chain)->GetShape());
+        b2Body *boxes[6];
+        for (int i = 0; i < 6; ++i) {
+            boxes[i] = game.Body(b2_dynamicBody, {0.0f, 0.0f});
+            game.Box(boxes[i], 0.4f, 0.3f);
+            boxes[i]->SetBullet(i % 2 == 0);
+            boxes[i]->SetSleepingAllowed(false);
+        }
+        int touched = 0;
+        for (int round = 0; round < 12; ++round) {
+            for (int i = 0; i < 6; ++i) {
+                boxes[i]->SetTransform({2.6f * static_cast<float>(i) - 1.7f, 0.5f},
+                                       0.05f * static_cast<float>(round));
+                boxes[i]->SetLinearVelocity({round % 2 == 0 ? 6.0f : -6.0f, i % 2 == 0 ? -30.0f : -1.0f});
+                boxes[i]->SetAngularVelocity(0.0f);
+            }
+            game.Step(4);
+            touched += game.Touching();
+            const float lift = round % 3 == 0 ? 0.4f : -0.3f;
+            made->m_vertex0.y = lift;
+            made->m_vertex3.y = -lift;
+            made->m_oneSided = round % 4 != 1;
+            made->m_vertex1.y = 0.1f * static_cast<float>(round % 3);
+            linked->m_vertices[1 + round % 3].y = 0.5f * lift;
+            linked->m_prevVertex.y = -lift;
+            linked->m_nextVertex.y = lift;
+            game.Step(4);
+        }
+        game.Stage(touched > 10, "they land");
+    });
+}
+
+// Sensors' overlaps remember a vertex that was inside the other, or a direction that kept the two apart.
+TEST_CASE("a sensor's remembered vertex is gone, and its direction keeps nobody apart") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        b2Body *eye = game.Body(b2_dynamicBody, {0.0f, 0.0f}),
+               *seen = game.Body(b2_dynamicBody, {0.9f, 0.0f});
+        auto *watching = static_cast<b2PolygonShape *>(game.Fixture(eye, Regular(8, 1.0f), true)->GetShape());
+        auto *watched = static_cast<b2PolygonShape *>(game.Fixture(seen, Regular(8, 0.5f))->GetShape());
+        eye->SetSleepingAllowed(false);
+        seen->SetSleepingAllowed(false);
+        int both[2] = {0, 0};
+        for (int round = 0; round < 24; ++round) {
+            *watched = Regular(static_cast<int32>(8 - round % 6), round % 4 == 3 ? 0.02f : 0.5f);
+            *watching = Regular(static_cast<int32>(3 + (7 * round) % 6), round % 5 == 4 ? 0.2f : 1.0f);
+            seen->SetTransform({0.45f * static_cast<float>(round % 5), 0.3f},
+                               0.4f * static_cast<float>(round));
+            Edited(run, seen);
+            Edited(run, eye);
+            game.Step(2);
+            ++both[game.world.GetContactList() != nullptr && game.world.GetContactList()->IsTouching()];
+        }
+        game.Stage(both[0] > 3 && both[1] > 3, "they overlap, and do not");
+    });
+}
+
+// A polygon of more than 8 vertices has no stock to compare with: what counts is a world that was built of
+// the new shape to begin with.
+namespace {
+
+struct Outcome {
+    std::string text;
+    int touching = 0;
+};
+
+/// A coin on a plank of its own kind and beside a box; `before` gives way to `after`, in the way of `how`.
+enum class How { kFresh, kInPlace, kNewFixture };
+Outcome PlayCoins(How how, int32 before, int32 after, float across) {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    def.allowSleep = false;
+    b2Body *bodies[3];
+    for (int i = 0; i < 3; ++i) {
+        def.position = Slanted(i == 2 ? 2.2f : 0.0f, i == 1 ? across : 0.0f);
+        bodies[i] = world.CreateBody(&def);
+    }
+    bmr::ConvexShape coin, other;
+    b2PolygonShape box;
+    box.SetAsBox(0.6f, 0.9f);
+    CHECK(coin.SetRegular(how == How::kFresh ? after : before, 1.0f) == BMR_OK);
+    CHECK(other.SetEllipse(48, 1.0f, 0.9f) == BMR_OK);
+    b2Fixture *changing = bodies[0]->CreateFixture(&coin, 1.0f);
+    bodies[1]->CreateFixture(&other, 1.0f);
+    bodies[2]->CreateFixture(&box, 1.0f);
+    const auto place = [&bodies, across] {
+        for (int i = 0; i < 3; ++i) {
+            bodies[i]->SetTransform(Slanted(i == 2 ? 2.2f : 0.0f, i == 1 ? across : 0.0f), 0.3f);
+            bodies[i]->SetLinearVelocity({0.0f, 0.0f});
+            bodies[i]->SetAngularVelocity(0.0f);
+        }
+    };
+    // What is remembered is a vertex whose number the new polygon may not have.
+    for (int i = 0; i < 8; ++i) {
+        bodies[0]->SetTransform(bodies[0]->GetPosition(), 0.8f * static_cast<float>(i));
+        world.Step(1.0f / 60.0f, 8, 3);
+    }
+    CHECK(coin.SetRegular(after, 1.0f) == BMR_OK);
+    if (how == How::kInPlace) {
+        *static_cast<bmr::ConvexShape *>(changing->GetShape()) = coin;
+    } else if (how == How::kNewFixture) {
+        bodies[0]->DestroyFixture(changing); // the polygon's place and number are free for the next
+        bmr::ConvexShape next;
+        CHECK(next.SetRegular(after, 1.0f) == BMR_OK);
+        bodies[0]->CreateFixture(&next, 1.0f);
+    }
+    bodies[0]->ResetMassData();
+    place();
+    // Impulses and the order of contacts are of the past: what is compared is where things touch now.
+    Outcome outcome;
+    world.Step(0.0f, 8, 3);
+    for (b2Contact *c = world.GetContactList(); c != nullptr; c = c->GetNext())
+        outcome.touching += c->IsTouching();
+    std::vector<std::string> lines;
+    for (b2Contact *c = world.GetContactList(); c != nullptr; c = c->GetNext()) {
+        b2WorldManifold where;
+        c->GetWorldManifold(&where);
+        float sums[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+        for (int32 i = 0; i < c->GetManifold()->pointCount; ++i) {
+            sums[0] += where.points[i].x;
+            sums[1] += where.points[i].y;
+            sums[2] += where.separations[i];
+        }
+        char line[160];
+        std::snprintf(line, sizeof line, "%d %.4f %.4f %.4f\n", c->GetManifold()->pointCount,
+                      static_cast<double>(sums[0]), static_cast<double>(sums[1]),
+                      static_cast<double>(sums[2]));
+        if (c->GetManifold()->pointCount > 0)
+            lines.emplace_back(line);
+    }
+    std::sort(lines.begin(), lines.end());
+    for (const std::string &line : lines)
+        outcome.text += line;
+    return outcome;
+}
+
+} // namespace
+
+TEST_CASE("a big polygon that another one took the place of leaves nothing behind") {
+    int touching = 0;
+    for (const auto &[before, after] :
+         {std::pair<int32, int32>{64, 12}, {12, 64}, {500, 9}, {9, 500}, {40, 40}}) {
+        for (const float across : {1.85f, 2.2f}) {
+            const Outcome fresh = PlayCoins(How::kFresh, before, after, across);
+            touching += fresh.touching;
+            for (const How how : {How::kInPlace, How::kNewFixture}) {
+                const Outcome changed = PlayCoins(how, before, after, across);
+                CAPTURE(before);
+                CAPTURE(after);
+                CAPTURE(across);
+                CAPTURE(how == How::kInPlace);
+                CHECK(changed.text == fresh.text);
+                CHECK(changed.touching == fresh.touching);
+            }
+        }
+    }
+    CHECK(touching >= 5);
+}
