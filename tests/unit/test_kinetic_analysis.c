@@ -11,6 +11,7 @@
 
 #include "boomerang/analysis.h"
 #include "failing_allocator.h"
+#include "kds/structure.h"
 #include "polygons.h"
 #include "test_scale.h"
 
@@ -372,6 +373,40 @@ static void test_adversaries_cost_the_rivals_n_and_n_squared_at_any_separation(v
     }
 }
 
+static int audits;
+static bmr_error audit_with_errors(const bmr_kds *kds, const bmr_pose *b_in_a) {
+    (void)kds, (void)b_in_a;
+    ++audits;
+    return audits == 2 ? BMR_ERROR_INVALID_STRUCTURE : audits > 2 ? BMR_ERROR_NO_MEMORY : BMR_OK;
+}
+
+static void test_a_run_keeps_the_first_error_of_its_audits(void **state) {
+    (void)state;
+    bmr_kds_class class = *(const bmr_kds_class *)bmr_kds_find("free-fd2")->implementation;
+    class.audit = audit_with_errors;
+    bmr_kds_info info = *bmr_kds_find("free-fd2");
+    info.implementation = &class;
+    bmr_adversary adversary;
+    assert_int_equal(bmr_adversary_create(BMR_ADVERSARY_PASS, 32, 0.1, NULL, &adversary), BMR_OK);
+    const bmr_course course = {{adversary.polygons[0], adversary.polygons[1]},
+                               {adversary.motions[0], adversary.motions[1]},
+                               0.0,
+                               1.0};
+    for (int audit = 0; audit < 2; ++audit) {
+        const bmr_run_def def = {.structure = &info,
+                                 .shapes = {{.polygon = course.polygons[0]}, {.polygon = course.polygons[1]}},
+                                 .simulation = bmr_default_simulation_def(),
+                                 .audit = audit != 0};
+        bmr_run run;
+        audits = 0;
+        assert_int_equal(bmr_run_course(&def, &course, 2.0, NULL, &run), BMR_OK);
+        assert_true(run.events > 2);
+        assert_int_equal(run.audit, audit ? BMR_ERROR_INVALID_STRUCTURE : BMR_OK);
+        assert_int_equal(audits, audit ? 2 : 0); // what comes after it is not looked at
+    }
+    bmr_adversary_destroy(&adversary, NULL);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_optimum_of_convex_passes_and_of_a_spin_is_1),
@@ -382,6 +417,7 @@ int main(void) {
         cmocka_unit_test(test_clear_decomposition_counts_rotation),
         cmocka_unit_test(test_hysteresis_takes_the_least_of_each_kind),
         cmocka_unit_test(test_fits_find_power_and_logarithm),
+        cmocka_unit_test(test_a_run_keeps_the_first_error_of_its_audits),
         cmocka_unit_test(test_adversaries_cost_the_rivals_n_and_n_squared_at_any_separation),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
