@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "geometry/tiny.h"
+
 /// No tangent is turned farther than this (75 degrees) in one go, so that any bracket stays well below 180.
 #define WIDEST_COSINE 0.25881904510252074
 
@@ -62,7 +64,7 @@ static inline uint32_t vertex_after(const turning *t, uint32_t steps) {
 static bmr_vec2 normal_after(const turning *t, uint32_t steps, bmr_vec2 *vertex) {
     const uint32_t i = vertex_after(t, steps), j = next_vertex(t->polygon, i, t->sense);
     *vertex = t->polygon->vertices[i];
-    const bmr_vec2 e = bmr_sub(t->polygon->vertices[j], *vertex);
+    const bmr_vec2 e = bmr_scale_up_if_tiny(bmr_sub(t->polygon->vertices[j], *vertex));
     return t->sense > 0 ? bmr_vec2_make(e.y, -e.x) : bmr_vec2_make(-e.y, e.x);
 }
 
@@ -166,7 +168,8 @@ static tangent turn(const bmr_polygon *polygon, tangent from, int sense, double 
         t.along = bmr_neg(t.along);
     for (uint32_t i = 0; i < polygon->count; ++i) { // a tangent along an edge: go to that edge's far end
         const uint32_t next = next_vertex(polygon, t.from.vertex, sense);
-        const bmr_vec2 e = bmr_sub(polygon->vertices[next], polygon->vertices[t.from.vertex]);
+        const bmr_vec2 e =
+            bmr_scale_up_if_tiny(bmr_sub(polygon->vertices[next], polygon->vertices[t.from.vertex]));
         const double drop = -bmr_dot(e, from.direction);
         if (drop > 0.0 && drop * drop > FLAT * FLAT * bmr_dot(e, e))
             break;

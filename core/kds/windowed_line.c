@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "geometry/distance.h"
+#include "geometry/tiny.h"
 #include "kds/failing.h"
 
 /// A direction is inside a bracket when it is this far (a sine) from both ends: well above the rounding of a
@@ -272,7 +273,7 @@ bmr_error bmr_windowed_audit(const bmr_windowed_line *w, const bmr_kds *kds, con
     // Between two ends, the window's reach minus a vertex's is least where two of its points tie.
     for (int i = 0; i < w->count; ++i)
         for (int j = 0; j < w->count; ++j) {
-            const bmr_vec2 e = bmr_sub(w->point[j], w->point[i]);
+            const bmr_vec2 e = bmr_scale_up_if_tiny(bmr_sub(w->point[j], w->point[i]));
             const double length = hypot(e.x, e.y);
             const bmr_vec2 tie = bmr_scale(1.0 / length, bmr_left(e));
             if (length > 0.0 && bmr_cross(w->low, tie) > 0.0 && bmr_cross(tie, w->high) > 0.0 &&

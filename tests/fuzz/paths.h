@@ -111,7 +111,9 @@ static inline bmr_motion *fuzz_motion(fuzz_bytes *bytes, const fuzz_motion_range
     fuzz_tame(&first, range);
     if (bmr_motion_create(&first, NULL, &motion) != BMR_OK)
         return NULL;
-    for (int changes = how % 4 == 1 ? how / 4 % 6 : 0; changes > 0 && !fuzz_done(bytes); --changes) {
+    // A wild search may take all of its steps for each two pieces.
+    const int most = range->wild ? 2 : 6;
+    for (int changes = how % 4 == 1 ? how / 4 % most : 0; changes > 0 && !fuzz_done(bytes); --changes) {
         // Mostly the pose stays and the plan changes; else it jumps.
         const double time = fuzz_in(bytes, range->begin, range->end);
         const bool jumps = fuzz_u8(bytes) % 8 == 0;
