@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A program that asks b2TimeOfImpact and b2TestOverlap itself, beside the steps of its worlds: it gets
-// Box2D's own answers, and Box2D's counters go on. Linked to the plugin. Exit status 0: so it is; else what
-// is wrong is said.
+// Box2D's own answers, and Box2D's counters go on. And what a step asks itself. Linked to the plugin. Exit
+// status 0: so it is; else what is wrong is said.
 #include <cstdint>
 #include <cstdio>
 #include <functional>
@@ -81,13 +81,24 @@ private:
     bool m_done = false;
 };
 
-void AddBox(b2World *world, b2BodyType type, b2Vec2 at) {
+b2Fixture *AddBox(b2World *world, b2BodyType type, b2Vec2 at) {
     b2BodyDef def;
     def.type = type;
     def.position = at;
     b2PolygonShape box;
     box.SetAsBox(0.5f, 0.5f);
-    world->CreateBody(&def)->CreateFixture(&box, 1.0f);
+    return world->CreateBody(&def)->CreateFixture(&box, 1.0f);
+}
+
+/// Times of impact that steps ask for with one box beside another, near enough for a contact.
+uint64_t ImpactsAskedFor(bool sensor) {
+    b2World world({0.0f, 0.0f});
+    AddBox(&world, b2_staticBody, {0.0f, 0.0f});
+    AddBox(&world, b2_dynamicBody, {0.0f, 1.05f})->SetSensor(sensor);
+    const uint64_t before = bmr::GetStatistics().toiQueries;
+    for (int step = 0; step < 3; ++step)
+        world.Step(1.0f / 60.0f, 8, 3);
+    return bmr::GetStatistics().toiQueries - before;
 }
 
 /// A box that falls on another, until they touch; `something` is done then. True if it was.
@@ -145,6 +156,8 @@ int main() {
     }
     Expect(thrown, "a listener's exception comes through");
     CheckBetweenSteps();
+    Expect(ImpactsAskedFor(true) == 0, "a sensor has no time of impact");
+    Expect(ImpactsAskedFor(false) == 3, "control: what is solid has one in each step");
     if (failures == 0)
         std::printf("passed\n");
     return failures != 0;
