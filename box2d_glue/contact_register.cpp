@@ -100,7 +100,7 @@ const char *WhyThisBox2DIsUnknown() {
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Recognising));
     if (!known)
         why = WhyBox2DIsUnknown();
-    known = true;
+    known = why != kNoMemoryToRecognise;
     return why;
 }
 
@@ -113,8 +113,8 @@ void RegisterPolygonContacts() {
 bmr_error RegisterConvexContacts() {
     if (convexContactsAreOurs.load(std::memory_order_acquire))
         return BMR_OK;
-    if (WhyThisBox2DIsUnknown() != nullptr)
-        return BMR_ERROR_UNKNOWN_ENGINE;
+    if (const char *why = WhyThisBox2DIsUnknown())
+        return why == kNoMemoryToRecognise ? BMR_ERROR_NO_MEMORY : BMR_ERROR_UNKNOWN_ENGINE;
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Registering));
     if (!convexContactsAreOurs.load(std::memory_order_relaxed)) {
         ConvexContact::LearnVtable();

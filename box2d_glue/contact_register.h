@@ -14,7 +14,8 @@ namespace bmr {
 /// Contacts of big ConvexShapes with polygons, circles, edges and chains are ours from here on. To be called
 /// before the first such shape is handed out; any number of times, from any thread. (A world that another
 /// thread steps meanwhile makes its contacts as before or as after.) BMR_ERROR_UNKNOWN_ENGINE where the Box2D
-/// of this process is none that the glue knows, now and ever after.
+/// of this process is none that the glue knows, now and ever after; BMR_ERROR_NO_MEMORY where there was none
+/// to find that out, this time.
 bmr_error RegisterConvexContacts();
 
 /// Contacts of two polygons are ours from here on (PolygonContact). Once for a process, by Install, which
@@ -22,7 +23,7 @@ bmr_error RegisterConvexContacts();
 void RegisterPolygonContacts();
 
 /// Why the Box2D of this process must be left alone (recognise.h), found out once for the process by whoever
-/// asks first, on any thread.
+/// asks first, on any thread; again where there was no memory to find it out.
 const char *WhyThisBox2DIsUnknown();
 
 } // namespace bmr

@@ -56,7 +56,11 @@ public:
     }
 
 private:
-    void Add(const char *format, ...) __attribute__((format(printf, 2, 3))) {
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    void
+    Add(const char *format, ...) {
         va_list arguments;
         va_start(arguments, format);
         // NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized): va_start is one line above

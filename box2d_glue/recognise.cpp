@@ -203,6 +203,8 @@ Trial *leftAlone = nullptr;
 
 } // namespace
 
+const char kNoMemoryToRecognise[] = "there is no memory to find out which Box2D this is";
+
 void SetLibraryCheck(const char *(*check)()) {
     libraryCheck = check;
 }
@@ -217,7 +219,7 @@ const char *WhyBox2DIsUnknown() {
             return why;
     auto *trial = static_cast<Trial *>(std::malloc(sizeof(Trial)));
     if (trial == nullptr)
-        return "there is no memory to find out which Box2D this is";
+        return kNoMemoryToRecognise;
     std::memset(trial->room, kUntouched, sizeof trial->room);
     b2World *world = new (trial->room) b2World(b2Vec2(kSpeed, -kSpeed));
     const char *why = WhyWorldIsUnknown(trial->room, *world);

@@ -13,6 +13,8 @@ namespace bmr {
 /// time of impact come out as they should. About 0.1 ms, once for a process, before anything of ours is
 /// registered. No step is made.
 const char *WhyBox2DIsUnknown();
+/// The one answer that may be another the next time.
+extern const char kNoMemoryToRecognise[];
 
 /// What b2World begins with for a contact listener, as far as WhyBox2DIsUnknown has seen one begin: Box2D's
 /// own, which does nothing.

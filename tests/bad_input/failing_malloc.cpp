@@ -34,8 +34,8 @@ uint64_t Setting(const char *name) {
     return value != nullptr ? std::strtoull(value, nullptr, 10) : UINT64_MAX;
 }
 
-std::atomic<uint64_t> failAt{Setting("BOOMERANG_TEST_FAIL_AT")};
-std::atomic<uint64_t> failFrom{Setting("BOOMERANG_TEST_FAIL_FROM")};
+// Nothing fails before the environment was looked at.
+std::atomic<uint64_t> failAt{UINT64_MAX}, failFrom{UINT64_MAX};
 std::atomic<uint64_t> asked{0}, failed{0};
 std::atomic<int64_t> out{0};
 
@@ -50,6 +50,11 @@ bool Fails() {
 void *Counted(void *block) {
     out += block != nullptr;
     return block;
+}
+
+__attribute__((constructor)) void LookAtEnvironment() {
+    failAt = Setting("BOOMERANG_TEST_FAIL_AT");
+    failFrom = Setting("BOOMERANG_TEST_FAIL_FROM");
 }
 
 __attribute__((destructor)) void Report() {

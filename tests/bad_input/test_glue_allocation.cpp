@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+// Every allocation of the glue fails once: worlds keep stock's bits, shapes stay as they were, and nothing is
+// lost. (All of this program is linked with memory that fails, its own code too: what fails while a world
+// steps must be the glue's.)
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <vector>
+
+#include <sys/mman.h>
+
+#include "boomerang/convex_shape.h"
+#include "boomerang/inspect.h"
+#include "failing_malloc.h"
+#include "forked_world.h"
+#include "test_scale.h"
+
+using bmr::ConvexShape;
+using forked::Game;
+using forked::Run;
+
+namespace {
+
+constexpr uint64_t kNoFailure = UINT64_MAX;
+/// What the next child does; fork hands it on.
+uint64_t failAt = kNoFailure;
+bmr::Options options;
+
+/// What the last child found.
+struct Found {
+    uint64_t asked, failed;
+    int64_t left;
+};
+Found *const found = static_cast<Found *>(
+    mmap(nullptr, sizeof(Found), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+
+int64_t outAtBegin = 0;
+
+void Begin(const Run &run, uint64_t fail) {
+    outAtBegin = failing_malloc::Out();
+    failing_malloc::FailAt(run.HasPlugin() ? fail : kNoFailure);
+}
+
+void End() {
+    *found = {failing_malloc::Asked(), failing_malloc::Failed(), failing_malloc::Out() - outAtBegin};
+    failing_malloc::FailAt(kNoFailure);
+}
+
+/// Small polygons in bodies of many fixtures, whose hulls come, change and go. The plugin is installed with
+/// memory that fails, too.
+void PlayPlanks(Run &run) {
+    Begin(run, failAt);
+    if (run.HasPlugin())
+        bmr::Install(options);
+    {
+        Game game(run, {0.0f, -10.0f});
+        game.Plank(game.Body(b2_staticBody, {0.0f, 0.0f}));
+        b2Body *above = game.Body(b2_dynamicBody, {0.3f, 0.6f}, 0.1f);
+        game.Plank(above);
+        b2Body *high = game.Body(b2_dynamicBody, {-0.3f, 1.2f});
+        game.Plank(high);
+        game.Step(20);
+        auto *shape = static_cast<b2PolygonShape *>(above->GetFixtureList()->GetShape());
+        shape->m_vertices[0] *= 1.01f;
+        if (run.HasPlugin())
+            bmr::Invalidate(above);
+        game.Step(10);
+        game.Fixture(game.Body(b2_staticBody, {0.0f, 1.0f}), *shape, true);
+        game.Step(10);
+        game.world.DestroyBody(above);
+        game.Step(20);
+    }
+    End();
+}
+
+/// Big polygons, several in a body; made before memory fails.
+void PlayCoins(Run &run) {
+    if (run.HasPlugin())
+        bmr::Install(options);
+    ConvexShape coin, plate;
+    if (coin.SetRegular(100, 0.4f) != BMR_OK || plate.SetRounded(3.0f, 0.2f, 0.1f, 20) != BMR_OK) {
+        run.Print("!no shapes");
+        return;
+    }
+    Begin(run, failAt);
+    {
+        Game game(run, {0.0f, -10.0f});
+        game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), plate);
+        for (int i = 0; i < 4; ++i) {
+            b2Body *body = game.Body(b2_dynamicBody, {1.5f * static_cast<float>(i) - 2.2f, 0.8f});
+            game.Fixture(body, coin);
+            for (int k = 0; k < 9; ++k)
+                game.Box(body, 0.1f, 0.1f, {0.1f * static_cast<float>(k), 0.0f});
+        }
+        game.Step(40);
+    }
+    End();
+}
+
+void CheckEveryFailure(forked::Scenario scenario, bool likeStock, int64_t stays) {
+    failAt = kNoFailure;
+    const std::string reference =
+        forked::InChild(scenario, likeStock ? nullptr : &options, forked::When::kByScenario);
+    const std::string whole = forked::InChild(scenario, &options, forked::When::kByScenario);
+    REQUIRE(reference.size() > 1000);
+    REQUIRE(forked::Difference(reference, whole) == "");
+    const Found complete = *found;
+    REQUIRE(complete.asked > 5);
+    REQUIRE(complete.failed == 0);
+    CHECK(complete.left <= stays);
+    // The first ones all, the others in steps that leave none of their kind out.
+    const uint64_t most = test_scaled(30);
+    for (failAt = 0; failAt < complete.asked; failAt += failAt < 20 ? 1 : complete.asked / most + 1) {
+        CAPTURE(failAt);
+        const std::string failing = forked::InChild(scenario, &options, forked::When::kByScenario);
+        CHECK(forked::Difference(reference, failing) == "");
+        CHECK(found->failed == 1);
+        CHECK(found->left <= complete.left);
+    }
+}
+
+struct CountingDraw : b2Draw {
+    int polygons = 0;
+    void DrawPolygon(const b2Vec2 *, int32, const b2Color &) override {}
+    void DrawSolidPolygon(const b2Vec2 *, int32, const b2Color &) override { ++polygons; }
+    void DrawCircle(const b2Vec2 &, float, const b2Color &) override {}
+    void DrawSolidCircle(const b2Vec2 &, float, const b2Vec2 &, const b2Color &) override {}
+    void DrawSegment(const b2Vec2 &, const b2Vec2 &, const b2Color &) override {}
+    void DrawTransform(const b2Transform &) override {}
+    void DrawPoint(const b2Vec2 &, float, const b2Color &) override {}
+};
+
+} // namespace
+
+TEST_CASE("a shape without memory says so, stays as it was, and can be set once there is some") {
+    std::vector<b2Vec2> points;
+    {
+        ConvexShape ellipse; // up to 8 vertices: no memory, so that the first one below is the first of all
+        REQUIRE(ellipse.SetEllipse(8, 1.0f, 1.0f) == BMR_OK);
+        for (int i = 0; i < 60; ++i) {
+            const b2Rot rotation(0.1f * static_cast<float>(i));
+            points.push_back(2.0f * rotation.GetXAxis());
+        }
+    }
+    using Make = bmr_error (*)(ConvexShape *, const std::vector<b2Vec2> &);
+    const struct {
+        const char *name;
+        Make make;
+    } makers[] = {
+        {"Set", [](ConvexShape *shape,
+                   const std::vector<b2Vec2> &p) { return shape->Set(p.data(), int32(p.size())); }},
+        {"SetRaw", [](ConvexShape *shape,
+                      const std::vector<b2Vec2> &p) { return shape->SetRaw(p.data(), int32(p.size())); }},
+        {"SetRegular",
+         [](ConvexShape *shape, const std::vector<b2Vec2> &) { return shape->SetRegular(64, 1.0f); }},
+        {"SetRegular of 5",
+         [](ConvexShape *shape, const std::vector<b2Vec2> &) { return shape->SetRegular(5, 1.0f); }},
+        {"SetEllipse",
+         [](ConvexShape *shape, const std::vector<b2Vec2> &) { return shape->SetEllipse(64, 1.0f, 2.0f); }},
+        {"SetRounded", [](ConvexShape *shape,
+                          const std::vector<b2Vec2> &) { return shape->SetRounded(1.0f, 2.0f, 0.5f, 9); }},
+        {"Simplify", [](ConvexShape *shape, const std::vector<b2Vec2> &) { return shape->Simplify(0.05f); }},
+        {"a copy",
+         [](ConvexShape *shape, const std::vector<b2Vec2> &) {
+             const ConvexShape copy = *shape;
+             *shape = copy;
+             return BMR_OK;
+         }},
+    };
+    for (const auto &maker : makers) {
+        CAPTURE(maker.name);
+        uint64_t failures = 0;
+        for (bmr_error error = BMR_ERROR_NO_MEMORY; error != BMR_OK; ++failures) {
+            REQUIRE(failures < 100);
+            ConvexShape shape;
+            // Without the first big polygon of all (which makes the registry's first chunk) there is no
+            // other.
+            failing_malloc::FailAt(std::strcmp(maker.name, "Set") == 0 ? failures : kNoFailure);
+            error = shape.SetRegular(30, 3.0f);
+            failing_malloc::FailAt(kNoFailure);
+            if (error != BMR_OK) {
+                CHECK(error == BMR_ERROR_NO_MEMORY);
+                CHECK(shape.GetVertexCount() == 0);
+                continue;
+            }
+            unsigned char before[sizeof shape], after[sizeof shape];
+            std::memcpy(before, static_cast<const void *>(&shape), sizeof shape);
+            const int64_t out = failing_malloc::Out();
+            failing_malloc::FailAt(failures);
+            error = maker.make(&shape, points);
+            const bool failed = failing_malloc::Failed() > 0;
+            failing_malloc::FailAt(kNoFailure);
+            CHECK(error == (failed ? BMR_ERROR_NO_MEMORY : BMR_OK));
+            if (error == BMR_OK)
+                continue;
+            std::memcpy(after, static_cast<const void *>(&shape), sizeof shape);
+            CHECK(std::memcmp(before, after, sizeof shape) == 0);
+            CHECK(failing_malloc::Out() == out);
+            CHECK(shape.GetVertexCount() == 30);
+            CHECK(maker.make(&shape, points) == BMR_OK);
+        }
+        if (std::strcmp(maker.name, "a copy") == 0)
+            CHECK(failures == 1); // it asks for none
+        else
+            CHECK(failures > 1);
+    }
+}
+
+TEST_CASE("a world of small polygons plays as stock, whatever allocation fails") {
+    for (const bmr_structure structure : {BMR_FREE_DIRECTION, BMR_LAZY_DUDLEY, BMR_LAZY_COMPASS})
+        for (const bool prefilter : {false, true}) {
+            const std::string name = bmr_structure_name(structure);
+            CAPTURE(name);
+            CAPTURE(prefilter);
+            options = bmr::Options();
+            options.structure = structure;
+            options.prefilter = prefilter;
+            // The compass table is the process's.
+            CheckEveryFailure(PlayPlanks, true, structure == BMR_LAZY_COMPASS ? 1 : 0);
+        }
+}
+
+TEST_CASE("a world of big polygons plays as with memory, whatever allocation fails") {
+    for (const bmr_structure structure : {BMR_FREE_DIRECTION, BMR_LAZY_DUDLEY}) {
+        options = bmr::Options();
+        options.structure = structure;
+        options.prefilter = false;
+        CheckEveryFailure(PlayCoins, false, 0);
+    }
+}
+
+TEST_CASE("what cannot be drawn for want of memory is left out") {
+    b2World world({0.0f, 0.0f});
+    ConvexShape shape;
+    REQUIRE(shape.SetRegular(50, 1.0f) == BMR_OK);
+    b2BodyDef def;
+    for (int i = 0; i < 2; ++i)
+        world.CreateBody(&def)->CreateFixture(&shape, 1.0f);
+    CountingDraw all, less;
+    failing_malloc::FailAt(kNoFailure);
+    bmr::DrawConvexShapes(world, all);
+    failing_malloc::FailAt(0);
+    bmr::DrawConvexShapes(world, less);
+    failing_malloc::FailAt(kNoFailure);
+    CHECK(all.polygons == 2);
+    CHECK(less.polygons == 1);
+}
