@@ -77,11 +77,11 @@ inline bool SomeEdgeSeparates(const Points &a, const Points &b) {
     return false;
 }
 
-/// The squared distance of two convex polygons in order, either way around being no matter for fewer than
-/// three points; 0 where they touch or overlap.
+/// The squared distance of two convex polygons in order, or of points and segments; 0 where they touch or
+/// overlap.
 inline Number SquaredDistance(const Points &a, const Points &b) {
     const bool separated = SomeEdgeSeparates(a, b);
-    if (a.size() + b.size() > 4 && !separated)
+    if ((a.size() > 2 || b.size() > 2) && !separated)
         return 0;
     Number best(-1);
     for (std::size_t i = 0; i < a.size(); ++i)

@@ -54,7 +54,8 @@ const bmr_kds_info *bmr_kds_find(const char *name);
 /// How a structure is to behave. Start from bmr_default_kds_def().
 typedef struct bmr_kds_def {
     /// In contact when the polygons are this near; > 0, length units. A structure may also report contact
-    /// where the distance is larger by no more than 1e-9 of the extents (its rounding).
+    /// where the distance is larger by no more than 1e-9 of the extents (its rounding); the two rivals that
+    /// compare distances (closest features, inner tangent) "apart" where it is smaller by 1e-15 of them.
     double margin;
     /// Contact is left when they are margin + hysteresis apart; >= 0.
     double hysteresis;

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Every kinetic structure against rational arithmetic: where it says apart, or where all conditions of its
+// proof are positive, the exact distance is more than the margin; where it says contact, it is not. At poses
+// some units in the last place about the margin, of slivers too, near the origin and far from it.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "boomerang/kds.h"
+#include "exact_polygons.h"
+#include "kds_driver.h"
+#include "motions.h"
+#include "test_scale.h"
+
+namespace {
+
+using exact::Number;
+using exact::Square;
+
+struct Body {
+    test_kds_body body;
+
+    explicit Body(test_kds_body made) : body(made) {}
+    Body(const Body &) = delete;
+    Body &operator=(const Body &) = delete;
+    ~Body() { test_kds_body_destroy(&body); }
+};
+
+test_kds_body RandomBody(test_random *random, double shift) {
+    const auto family = static_cast<test_family>(test_random_below(random, TEST_FAMILY_COUNT));
+    return test_kds_body_make_scaled(test_polygon(family, 3 + test_random_below(random, 6), random), 1.0,
+                                     shift);
+}
+
+test_kds_body OtherBody(bmr_kds_domain domain, test_random *random, double shift) {
+    if (domain == BMR_KDS_POINT)
+        return test_kds_point_make(shift + test_random_uniform(random, -1.0, 1.0), shift);
+    return RandomBody(random, shift);
+}
+
+Number Truth(const Body &a, const Body &b, const bmr_pose &q) {
+    return exact::SquaredDistance(exact::PointsOf(a.body.polygon), exact::PointsAt(b.body.polygon, q));
+}
+
+double Nudged(double x, test_random *random) {
+    const double steps = 3.0 * 0x1p-52 * (std::fabs(x) + 1e-3);
+    return x + test_random_uniform(random, -steps, steps);
+}
+
+/// The structures are in double: the distance that they find is rounded like the coordinates are.
+constexpr double kRounding = 1e-15;
+
+struct Tally {
+    std::size_t exactly = 0; ///< said to be apart within the margin by less than that
+    std::size_t apart = 0, contact = 0, held = 0, stale = 0, lies = 0, missed = 0;
+};
+
+void Look(const bmr_kds_info *info, test_random *random, Tally *tally) {
+    const double shifts[] = {0.0, 0.0, 100.0, 10000.0};
+    const double shift = shifts[test_random_below(random, 4)];
+    const Body a(RandomBody(random, shift)), b(OtherBody(info->domain, random, 0.5 * shift));
+    const double extents = a.body.polygon->extent + b.body.polygon->extent;
+    bmr_kds_def def = bmr_default_kds_def();
+    def.margin = 1e-6 * extents;
+    bmr_kds *kds = nullptr;
+    REQUIRE(bmr_kds_create(info, &def, &a.body.shape, &b.body.shape, nullptr, &kds) == BMR_OK);
+    const double gaps[] = {0.0, 1e-13, 1e-9, 2e-9, 1e-7, 1e-4, 0.1};
+    const double gap = def.margin + (test_random_below(random, 2) ? 1.0 : -1.0) * extents *
+                                        gaps[test_random_below(random, 7)];
+    const bmr_pose q = test_pose_at(a.body.polygon, b.body.polygon, test_random_uniform(random, 0.0, 6.28),
+                                    test_random_uniform(random, 0.0, 6.28), gap);
+    const bmr_instant now = {q, {0.0, 0.0}, 0.0};
+    bmr_kds_report report;
+    bmr_kds_start(kds, &now, &report);
+    const Number truth = Truth(a, b, q);
+    if (report.apart) {
+        ++tally->apart;
+        tally->lies += truth <= Square(def.margin - kRounding * extents);
+        tally->exactly += truth <= Square(def.margin);
+    } else {
+        ++tally->contact;
+        tally->missed += truth > Square(def.margin + 1e-9 * extents);
+    }
+    // Elsewhere the conditions decide.
+    bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
+    const std::size_t count = bmr_kds_conditions(kds, conditions);
+    for (int i = 0; i < 4 && report.apart; ++i) {
+        const double way = extents * std::pow(10.0, test_random_uniform(random, -14.0, -3.0)),
+                     turn = info->domain == BMR_KDS_RIGID
+                                ? std::pow(10.0, test_random_uniform(random, -14.0, -3.0))
+                                : 0.0;
+        const double angle = std::atan2(q.s, q.c) + (i % 2 ? turn : -turn);
+        bmr_pose moved = {{q.position.x + test_random_uniform(random, -way, way),
+                           q.position.y + test_random_uniform(random, -way, way)},
+                          turn > 0.0 ? std::cos(angle) : q.c,
+                          turn > 0.0 ? std::sin(angle) : q.s};
+        moved.position.x = Nudged(moved.position.x, random);
+        bool holds = true;
+        for (std::size_t j = 0; j < count; ++j)
+            holds = holds && bmr_condition_value(&conditions[j], &moved) > 0.0;
+        const bool lie = Truth(a, b, moved) <= Square(def.margin - kRounding * extents);
+        tally->stale += lie; // the control: to believe the start's answer
+        tally->held += holds;
+        tally->lies += holds && lie;
+    }
+    bmr_kds_destroy(kds, nullptr);
+}
+
+} // namespace
+
+TEST_CASE(
+    "no structure is apart, nor its conditions positive, where the exact distance is within the margin") {
+    test_random random = {91};
+    const std::size_t rounds = std::max<std::size_t>(test_scaled(60), 12);
+    Tally all;
+    for (std::size_t i = 0; i < bmr_kds_count(); ++i) {
+        const bmr_kds_info *info = bmr_kds_at(i);
+        const std::string name = info->name;
+        CAPTURE(name);
+        Tally t;
+        for (std::size_t round = 0; round < rounds; ++round)
+            Look(info, &random, &t);
+        CHECK(t.lies == 0);
+        CHECK(t.missed == 0);
+        CHECK(t.apart > 0);
+        if (t.exactly > 0)
+            MESSAGE(name, " says apart within the margin by rounding: ", t.exactly);
+        all.apart += t.apart;
+        all.contact += t.contact;
+        all.held += t.held;
+        all.stale += t.stale;
+    }
+    MESSAGE("apart ", all.apart, ", contact ", all.contact, ", held ", all.held, ", stale ", all.stale);
+    CHECK(all.contact > 0);
+    CHECK(all.held > all.apart);
+    CHECK(all.stale > 0);
+}
