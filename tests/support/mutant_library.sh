@@ -18,7 +18,7 @@ mutate() {
     for object in "${objects[@]}"; do
         case $object in */"$unit".o | */"$(basename "$unit")".o) ;; *) others+=("$object") ;; esac
     done
-    $compiler $flags -I"$place/core/include" -I"$place/box2d_glue" -I"$place/box2d_glue/include" -I"$place/plugin" \
+    $compiler $flags -I"$place/core/include" -I"$place/core" -I"$place/box2d_glue" -I"$place/box2d_glue/include" -I"$place/plugin" \
         -I"$place/plugin/include" -include "$place/plugin/weak_box2d.h" -c "$place/$unit" -o "$place/mutant.o" &&
         $compiler -shared ${linked:-} -o "$place/libmutant.so" "$place/mutant.o" "${others[@]}" "${link[@]}" \
             -Wl,--version-script="$place/plugin/exports.map"

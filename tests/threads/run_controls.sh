@@ -1,14 +1,14 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 #
-#   run_controls.sh ROOT COMPILER SANITIZER PROGRAMS OBJECTS... -- LINK_ARGUMENTS...
+#   run_controls.sh MUTANTS ROOT COMPILER SANITIZER PROGRAMS OBJECTS... -- LINK_ARGUMENTS...
 #
-# Takes one thing that keeps threads apart out of the shared library at a time, and expects the command that
-# mutants.txt names to fail with it. With nothing taken out the commands must pass. SANITIZER: `thread`, where the
-# objects are of a build with the thread sanitizer, else anything; PROGRAMS: the directory of the commands.
+# Takes one thing out of the shared library at a time, as the file MUTANTS says, and expects the command that it names
+# to fail. With nothing taken out the commands must pass. SANITIZER: `thread`, where the objects are of a build with the
+# thread sanitizer, else anything; PROGRAMS: the directory of the commands.
 set -u
-root=$1 compiler=$2 sanitizer=$3 programs=$4
-shift 4
+mutants=$1 root=$2 compiler=$3 sanitizer=$4 programs=$5
+shift 5
 objects=()
 while [ $# -gt 0 ] && [ "$1" != -- ]; do
     objects+=("$1")
@@ -26,14 +26,18 @@ if [ "$sanitizer" = thread ]; then
 fi
 # shellcheck source=tests/support/mutant_library.sh
 source "$root/tests/support/mutant_library.sh"
-unset BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_VERBOSE
-export BOOMERANG=on BOOMERANG_STATISTICS=/dev/null TSAN_OPTIONS=halt_on_error=1
+unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE
+export TSAN_OPTIONS=halt_on_error=1
 
-# passes PLACE COMMAND: does it, with the library in PLACE for its own? (In a shell of its own, which says nothing where
-# the command crashes.)
+# passes PLACE COMMAND: does it, with the library in PLACE for its own? VARIABLE=VALUE may stand before the program. (In a
+# shell of its own, which says nothing where the command crashes.)
 passes() {
     local words
     read -ra words <<<"$2"
+    while [[ ${words[0]} = *=* ]]; do
+        local -x "${words[0]?}"
+        words=("${words[@]:1}")
+    done
     cp "$1/libmutant.so" "$1/libboomerang_box2d.so.0"
     (LD_LIBRARY_PATH=$1 timeout 100 "$programs/${words[0]}" "${words[@]:1}") >"$1/output" 2>&1
 }
@@ -71,6 +75,6 @@ while IFS='@' read -r name file unit substitution by command; do
         verdict "$name" $? "survives $command"
     fi
     rm -rf "$place"
-done <"$root/tests/threads/mutants.txt"
+done <"$mutants"
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$number" -gt 0 ]
