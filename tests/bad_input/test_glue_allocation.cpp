@@ -176,12 +176,14 @@ TEST_CASE("a shape without memory says so, stays as it was, and can be set once 
             ConvexShape shape;
             // Without the first big polygon of all (which makes the registry's first chunk) there is no
             // other.
+            const int64_t none = failing_malloc::Out();
             failing_malloc::FailAt(std::strcmp(maker.name, "Set") == 0 ? failures : kNoFailure);
             error = shape.SetRegular(30, 3.0f);
             failing_malloc::FailAt(kNoFailure);
             if (error != BMR_OK) {
                 CHECK(error == BMR_ERROR_NO_MEMORY);
                 CHECK(shape.GetVertexCount() == 0);
+                CHECK(failing_malloc::Out() == none);
                 continue;
             }
             unsigned char before[sizeof shape], after[sizeof shape];

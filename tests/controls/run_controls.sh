@@ -5,7 +5,7 @@
 #
 # Takes the handling of one trap at a time out of a copy of the glue, compiles that one file, links the test with
 # it, and expects the test case of that trap to fail. A mutant that survives is an error of the test.
-# TEST_OBJECTS: objects of the tests that mutants.txt names; LINK_ARGUMENTS: libraries.
+# TEST_OBJECTS: objects of the tests that mutants.txt (or the file BMR_MUTANTS) names; LINK_ARGUMENTS: libraries.
 set -u
 root=$1 compiler=$2
 shift 2
@@ -58,7 +58,7 @@ while IFS='@' read -r name file substitution test case; do
     number=$((number + 1))
     control "$number" "$name" "$file" "$substitution" "$test" "$case" &
     while [ "$(jobs -rp | wc -l)" -ge "$jobs_at_once" ]; do wait -n; done
-done <"$root/tests/controls/mutants.txt"
+done <"${BMR_MUTANTS:-$root/tests/controls/mutants.txt}"
 wait
 
 passed=0 failed=0
