@@ -10,13 +10,14 @@ build_sanitizers() {
 # The testbed's programs and pages, which no test runs under a sanitizer: looked at by the compiler, not made.
 check_rest_with_clang() {
     python3 - "$root/testbed_scenes" "$BMR_BUILD_DIR/compile_commands.json" <<'PYTHON' |
-import json, re, sys
+import json, re, shlex, sys
 root, commands = sys.argv[1:]
 for command in json.load(open(commands)):
     if re.match(re.escape(root) + "/(driver|manual|report)/", command["file"]):
-        print(command["directory"], re.sub(r" -o \S+ -c ", " -fsyntax-only ", command["command"]), sep="\t")
+        line = re.sub(r" -o \S+ -c ", " -fsyntax-only ", command["command"])
+        print("cd", shlex.quote(command["directory"]), "&&", line)
 PYTHON
-        sort -u | xargs -d '\n' -n 1 -P "$jobs" bash -c 'cd "${0%%$'\''\t'\''*}" && ${0#*$'\''\t'\''}'
+        sort -u | xargs -d '\n' -n 1 -P "$jobs" bash -c
 }
 
 stage_sanitizers() {
