@@ -6,8 +6,9 @@
 
 #include <box2d/box2d.h>
 
+#include "arguments.h"
 #include "boomerang/convex_shape.h"
-#include "error_name.h"
+#include "boomerang/inspect.h"
 #include "points.h"
 #include "table.h"
 
@@ -15,7 +16,7 @@ using namespace bad_input;
 
 namespace {
 
-const float kNone = std::nanf(""), kInfinite = INFINITY;
+const float kNone32 = std::nanf(""), kInfinite32 = INFINITY;
 
 std::vector<b2Vec2> Vectors(const Points &points) {
     std::vector<b2Vec2> made;
@@ -56,9 +57,9 @@ struct Size {
     const char *name;
     float value;
 };
-const Size kSizes[] = {{"NaN", kNone},
-                       {"infinite", kInfinite},
-                       {"minus infinity", -kInfinite},
+const Size kSizes[] = {{"NaN", kNone32},
+                       {"infinite", kInfinite32},
+                       {"minus infinity", -kInfinite32},
                        {"zero", 0.0f},
                        {"minus zero", -0.0f},
                        {"negative", -1.0f},
@@ -127,6 +128,165 @@ std::string CountAnswer(int32 count, size_t column) {
         &circle);
 }
 
+// --- everything else that the glue offers ---
+
+/// Two bodies with a big shape each, 5 apart, and their contact once they are near.
+struct World {
+    b2World world{b2Vec2(0.0f, 0.0f)};
+    b2Body *a, *b;
+    bool installed = bmr::Install();
+
+    World() {
+        bmr::ConvexShape shape;
+        shape.SetRegular(30, 1.0f);
+        for (b2Body **body : {&a, &b}) {
+            b2BodyDef def;
+            def.type = b2_dynamicBody;
+            def.position.Set(body == &a ? 0.0f : 2.2f, 0.0f);
+            *body = world.CreateBody(&def);
+            (*body)->CreateFixture(&shape, 1.0f);
+        }
+        world.Step(1.0f / 60.0f, 8, 3);
+    }
+    const bmr::ConvexShape &Shape() const { return *bmr::ConvexShape::From(a->GetFixtureList()->GetShape()); }
+};
+
+std::string Slack(float value) {
+    return value > 0.0f ? "above 0" : value == 0.0f ? "0" : "below 0, or NaN";
+}
+
+std::string ProofOf(const bmr::Proof &proof) {
+    return bmr::NameOf(proof.kind);
+}
+
+std::string Ray(b2Vec2 from, b2Vec2 to, float fraction) {
+    const World world;
+    const b2RayCastInput input = {from, to, fraction};
+    b2RayCastOutput output;
+    b2Transform here;
+    here.SetIdentity();
+    return world.Shape().RayCast(&output, input, here, 0) ? "hit" : "no hit";
+}
+
+std::string InstallWith(void (*spoil)(bmr::Options *)) {
+    bmr::Options options;
+    spoil(&options);
+    return Said(bmr::Install(options));
+}
+
+std::vector<Argument> OfTheGlue() {
+    return {
+        {"`Install`: no such structure",
+         [] { return InstallWith([](bmr::Options *o) { o->structure = BMR_STRUCTURE_COUNT; }); }},
+        {"`Install`: hooks that there are not",
+         [] { return InstallWith([](bmr::Options *o) { o->hooks = 0xffffffffu; }); }},
+        {"`Install`: a negative verbosity",
+         [] { return InstallWith([](bmr::Options *o) { o->verbosity = INT_MIN; }); }},
+        {"`Install`: twice",
+         [] {
+             const std::string first = Said(bmr::Install());
+             return first + ", then " + Said(bmr::Install());
+         }},
+        {"`CertifiedSlack`: two bodies (a good one)",
+         [] {
+             const World world;
+             return Slack(bmr::CertifiedSlack(world.a, world.b));
+         }},
+        {"`CertifiedSlack`: a body and itself",
+         [] {
+             const World world;
+             return Slack(bmr::CertifiedSlack(world.a, world.a));
+         }},
+        {"`CertifiedSlack`: bodies of two worlds",
+         [] {
+             const World world, other;
+             return Slack(bmr::CertifiedSlack(world.a, other.b));
+         }},
+        {"`CertifiedSlack`: a body without fixtures",
+         [] {
+             World world;
+             b2BodyDef def;
+             return Slack(bmr::CertifiedSlack(world.a, world.world.CreateBody(&def)));
+         }},
+        {"`CertifiedSlack`: a body at NaN",
+         [] {
+             World world;
+             world.b->SetTransform({kNone32, 0.0f}, 0.0f);
+             return Slack(bmr::CertifiedSlack(world.a, world.b));
+         }},
+        {"`CertifiedSlack`: a body at 1e38",
+         [] {
+             World world;
+             world.b->SetTransform({1e38f, 0.0f}, 0.0f);
+             return Slack(bmr::CertifiedSlack(world.a, world.b));
+         }},
+        {"`Inspect`: a body and itself",
+         [] {
+             const World world;
+             return ProofOf(bmr::Inspect(world.a, world.a));
+         }},
+        {"`Inspect`: a body at NaN",
+         [] {
+             World world;
+             world.b->SetTransform({kNone32, 0.0f}, 0.0f);
+             return ProofOf(bmr::Inspect(world.a, world.b));
+         }},
+        {"`InspectHull`: no proof",
+         [] {
+             b2Vec2 vertices[4];
+             return std::to_string(bmr::InspectHull(bmr::Proof(), false, 0, vertices, 4)) + " vertices";
+         }},
+        {"`NameOf`: no kind of proof",
+         [] { return bmr::NameOf(bmr::ProofKind::Count) == nullptr ? "`nullptr`" : "a name"; }},
+        {"`Invalidate`: a body without fixtures",
+         [] {
+             World world;
+             b2BodyDef def;
+             bmr::Invalidate(world.world.CreateBody(&def));
+             return std::string("nothing happens");
+         }},
+        {"`ConvexShape::From`: `nullptr`",
+         [] { return bmr::ConvexShape::From(nullptr) == nullptr ? "`nullptr`" : "a shape"; }},
+        {"`ConvexShape`: never set",
+         [] {
+             const bmr::ConvexShape shape, copy = shape;
+             return std::to_string(copy.GetVertexCount()) + " vertices";
+         }},
+        {"`ConvexShape::Simplify`: never set", [] { return Said(bmr::ConvexShape().Simplify(0.1f)); }},
+        {"`ConvexShape::RayCast`: from outside (a good one)",
+         [] {
+             return Ray({-5, 0}, {5, 0}, 1.0f);
+         }},
+        {"`ConvexShape::RayCast`: from NaN",
+         [] {
+             return Ray({kNone32, 0}, {5, 0}, 1.0f);
+         }},
+        {"`ConvexShape::RayCast`: to infinity",
+         [] {
+             return Ray({-5, 0}, {kInfinite32, 0}, 1.0f);
+         }},
+        {"`ConvexShape::RayCast`: from and to one point",
+         [] {
+             return Ray({-5, 0}, {-5, 0}, 1.0f);
+         }},
+        {"`ConvexShape::RayCast`: a fraction of NaN",
+         [] {
+             return Ray({-5, 0}, {5, 0}, kNone32);
+         }},
+        {"`ConvexShape::RayCast`: a fraction below 0",
+         [] {
+             return Ray({-5, 0}, {5, 0}, -1.0f);
+         }},
+        {"`ConvexShape::TestPoint`: a point of NaN",
+         [] {
+             const World world;
+             b2Transform here;
+             here.SetIdentity();
+             return Said(world.Shape().TestPoint(here, {kNone32, kNone32}));
+         }},
+    };
+}
+
 std::vector<std::string> SizeNames() {
     std::vector<std::string> names;
     for (const Size &size : kSizes)
@@ -154,5 +314,6 @@ int main(int argc, char **argv) {
                  {"sizes of a shape", kSizeColumns, SizeNames(),
                   [](size_t row, size_t column) { return SizeAnswer(kSizes[row].value, column); }},
                  {"counts of a shape", kCountColumns, CountNames(),
-                  [](size_t row, size_t column) { return CountAnswer(kCounts[row], column); }}});
+                  [](size_t row, size_t column) { return CountAnswer(kCounts[row], column); }},
+                 ArgumentTable("arguments of the glue", OfTheGlue())});
 }
