@@ -87,8 +87,8 @@ struct Options {
 /// Call it once, before or after worlds exist (contacts that exist already keep working as stock). What the
 /// environment says (BOOMERANG, BOOMERANG_HOOKS, ...; docs/is-it-for-my-game.md) outweighs the options.
 /// Returns whether this call put the plugin to work: false at a second call, where the mode is Off, and where
-/// the Box2D of this process is not one that the plugin knows (one line on stderr says so, once). Not to be
-/// raced against a running b2World::Step of another thread.
+/// the Box2D of this process is not one that the plugin knows, or there is no memory (one line on stderr says
+/// so, once). Not to be raced against a running b2World::Step of another thread.
 BMR_BOX2D_API bool Install(const Options &options = Options());
 BMR_BOX2D_API bool IsInstalled();
 

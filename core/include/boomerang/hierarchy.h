@@ -51,13 +51,17 @@ typedef struct bmr_hierarchy bmr_hierarchy;
 /// by any number of compass hierarchies on any number of threads. It must outlive them.
 typedef struct bmr_compass bmr_compass;
 /// A table fit for polygons of up to `max_vertices` vertices: 64 to 128 bytes a vertex of the LARGEST
-/// polygon, once.
+/// polygon, once. Errors: NULL_ARGUMENT, NO_POINTS (for 0 vertices), TOO_MANY_POINTS, NO_MEMORY; then
+/// *compass is untouched.
 bmr_error bmr_compass_create(size_t max_vertices, const bmr_allocator *allocator, bmr_compass **compass);
+/// NULL is no error.
 void bmr_compass_destroy(bmr_compass *compass, const bmr_allocator *allocator);
 
 /// Builds a hierarchy over `polygon`, which must outlive it. Points and segments have one too. O(n log n)
 /// time, one block. With the polygon at most 160 bytes a vertex for n >= 64. Compass: the top ceil(log2 n)
-/// levels bisect the angle, below them the median edge; depth <= 2 ceil(log2 n), at most 5 n edges.
+/// levels bisect the angle, below them the median edge; depth <= 2 ceil(log2 n), at most 5 n edges. Errors of
+/// all builders, which leave *hierarchy untouched: NULL_ARGUMENT, NO_MEMORY; of this one also
+/// TABLE_TOO_SMALL.
 bmr_error bmr_hierarchy_build_compass(const bmr_polygon *polygon, const bmr_compass *compass,
                                       const bmr_allocator *allocator, bmr_hierarchy **hierarchy);
 /// Dudley: degenerate edges and vertices from n regular points on a circle of radius 2D (normals outward:
@@ -69,6 +73,7 @@ bmr_error bmr_hierarchy_build_dudley(const bmr_polygon *polygon, const bmr_alloc
 /// ceil(log2 n), at most n + 4 edges.
 bmr_error bmr_hierarchy_build_dobkin_kirkpatrick(const bmr_polygon *polygon, const bmr_allocator *allocator,
                                                  bmr_hierarchy **hierarchy);
+/// NULL is no error.
 void bmr_hierarchy_destroy(bmr_hierarchy *hierarchy, const bmr_allocator *allocator);
 
 /// Bytes of the hierarchy's block, the polygon and the compass table left out.

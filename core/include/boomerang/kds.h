@@ -138,10 +138,11 @@ void bmr_kds_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report)
 /// conjunction implies that the polygons are apart by more than the margin. O(1).
 size_t bmr_kds_conditions(const bmr_kds *kds, bmr_condition conditions[BMR_KDS_MAX_CONDITIONS]);
 
-/// Takes the structure past a failure: `failed` is the index of the condition that is at zero (or just below)
-/// at this instant. Afterwards every condition is positive, or zero and about to grow under `now`'s rates, or
-/// the pair is in contact. Called where nothing has failed, it reports NONE and changes nothing. Contact is
-/// reported only where the exact distance is at most the margin (up to rounding, see bmr_kds_def).
+/// Takes the structure past a failure: `failed` is the index (less than their number, which is not checked)
+/// of the condition that is at zero (or just below) at this instant. Afterwards every condition is positive,
+/// or zero and about to grow under `now`'s rates, or the pair is in contact. Called where nothing has failed,
+/// it reports NONE and changes nothing. Contact is reported only where the exact distance is at most the
+/// margin (up to rounding, see bmr_kds_def).
 void bmr_kds_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report);
 
 bool bmr_kds_in_contact(const bmr_kds *kds);
@@ -151,7 +152,8 @@ bool bmr_kds_get_proof(const bmr_kds *kds, bmr_kds_proof *proof);
 
 /// Re-proves everything by brute force over all vertices at a pose where the conditions hold: the line
 /// separates by more than the margin, and what else the structure promises of its level, cell or features. OK
-/// for a pair in contact whose distance is at most the margin. O(n). FALSE_CERTIFICATE, INVALID_STRUCTURE.
+/// for a pair in contact whose distance is at most the margin, and where the pose is none, which is contact.
+/// O(n). Errors: NULL_ARGUMENT, FALSE_CERTIFICATE, INVALID_STRUCTURE.
 bmr_error bmr_kds_audit(const bmr_kds *kds, const bmr_pose *b_in_a);
 
 #ifdef __cplusplus

@@ -125,8 +125,9 @@ typedef struct bmr_observer {
 void bmr_pair_init(bmr_pair *pair);
 
 /// The quick look: is the certificate of the last advance still true at this pose, by more than the margin?
-/// One cache line, no memory but the pair's. False says nothing but "call bmr_pair_advance". `*gap` as in
-/// bmr_certificate_check.
+/// One cache line, no memory but the pair's. False says nothing but "call bmr_pair_advance"; a pose with a
+/// NaN is never true. The length of (c, s) is the caller's to know: it is bmr_pair_advance that looks at it.
+/// `*gap` as in bmr_certificate_check.
 static inline bool bmr_pair_check(const bmr_pair *pair, const bmr_pose *b_in_a, double margin, double *gap);
 
 /// How much closer than the truth, in units of the sum of the two polygons' extents, a certificate may have
