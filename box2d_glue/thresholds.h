@@ -12,7 +12,7 @@ namespace bmr {
 constexpr double kRoundingMargin = 0.2 * b2_linearSlop;
 
 /// b2CollidePolygons clips in world coordinates, each as large as X. A moved point is off by 1.4 units of X,
-/// its product with a normal by 2.8, a clipped corner all told by 16 (units are halves of FLT_EPSILON;
+/// its product with a normal by 3, a clipped corner all told by 16.5 (units are halves of FLT_EPSILON;
 /// docs/thresholds.md has the derivation, test_glue_threshold_bounds computes it). So up to this distance
 /// from the origin all of it stays within kRoundingMargin; beyond, pairs go to Box2D.
 constexpr double kReach = kRoundingMargin / (16.0 * FLT_EPSILON);
@@ -46,11 +46,11 @@ constexpr float kUnit = 0.5f * FLT_EPSILON;
 /// sum of the radii, for a sensor). docs/thresholds.md has the derivation, test_glue_threshold_bounds
 /// computes it.
 ///
-/// - X: interpolating the centre and the transform 7.1 in length. The closest point, a mean of two such
+/// - X: interpolating the centre and the transform 7.4 in length. The closest point, a mean of two such
 ///   points, 2.8 more. Our own difference of the centres, of their ways, and their products with a direction
 ///   21. Together 31.3.
-/// - R: sine and cosine and the interpolated angle (at most a turn once it is normalised) 37; transforming a
-///   point, a support's choice, an axis' product, our own 42. Together 79.
+/// - R: sine and cosine and the interpolated angle (at most a turn once it is normalised) 50; transforming a
+///   point, a support's choice, an axis' product, our own 60, of which X has 32.
 /// - angle: b2Sweep::Normalize takes off a multiple of a 2 pi that is off by half a unit, and rounds it: 1.5.
 constexpr float kErrorPerCoordinate = 32.0f, kErrorPerReach = 128.0f, kErrorPerAngle = 4.0f;
 
@@ -61,7 +61,8 @@ constexpr float kErrorPerDistance = 24.0f;
 /// b2TimeOfImpact's axis may be the normal of a side, found by comparing points as they were rounded: these
 /// units of X and R over the side's length is how far it may be tilted from the direction that the distance
 /// was found along. The far points of the other shape come closer along it by that times its width. (A
-/// difference of two rounded points 2.8 X + 14 R; a support may be the wrong one of two that differ by 9 R.)
+/// difference of two rounded points 2.8 X + 11.6 R; a support may be the wrong one of two that differ by 11.6
+/// R.)
 constexpr float kTiltPerCoordinate = 3.0f, kTiltPerReach = 24.0f;
 /// And by these units of the distance, and an epsilon: b2Distance stops searching below it.
 constexpr float kTiltPerDistance = 4.0f, kTiltAlways = FLT_EPSILON;
@@ -70,8 +71,8 @@ constexpr float kTiltPerDistance = 4.0f, kTiltAlways = FLT_EPSILON;
 /// FLT_EPSILON as they are).
 constexpr float kShortestSide = 0.01f * b2_linearSlop;
 
-/// Beyond these, times of impact and overlaps are Box2D's: its own answers are off by a tenth of a slop
-/// there.
+/// Beyond these, times of impact and overlaps are Box2D's: what the margins above leave is a good part of
+/// what lies between ImpactDistance and a resting pair.
 constexpr float kSweepReach = 500.0f * b2_lengthUnitsPerMeter, kSweepAngle = 500.0f;
 
 /// A pair in contact is taken as apart again only when this much more is proved: a resting pair that trembles
