@@ -33,6 +33,12 @@ static double side(bmr_connector connector, bmr_vec2 x) {
     return bmr_cross(bmr_sub(connector.outer, connector.inner), bmr_sub(x, connector.inner));
 }
 
+/// Is the point nearer to the first end of an edge than to the second, along the edge?
+static bool beyond_middle(bmr_vec2 first, bmr_vec2 second, bmr_vec2 x) {
+    const bmr_vec2 middle = bmr_scale(0.5, bmr_add(first, second));
+    return bmr_dot(bmr_sub(first, second), bmr_sub(x, middle)) > 0.0;
+}
+
 bmr_edge bmr_point_complex_cell(const bmr_kds *kds, bmr_edge from, uint32_t j, bmr_vec2 x,
                                 unsigned *touched) {
     const bmr_hierarchy *h = bmr_point_look(kds)->hierarchy;
@@ -44,10 +50,18 @@ bmr_edge bmr_point_complex_cell(const bmr_kds *kds, bmr_edge from, uint32_t j, b
         ++*touched;
         const bmr_corner after = bmr_hierarchy_corner_after(h, edge, level);
         const bmr_corner before = bmr_hierarchy_corner_before(h, edge, level);
-        if (sense >= 0 && side(bmr_point_complex_connector(kds, after, j), x) > 0.0) {
+        const bmr_connector left = bmr_point_complex_connector(kds, after, j),
+                            right = bmr_point_complex_connector(kds, before, j);
+        bool on = sense >= 0 && side(left, x) > 0.0;
+        const bool back = sense <= 0 && side(right, x) < 0.0;
+        // Where the edge's ends turn by a right angle and more, a point can be beyond the lines of both
+        // connectors.
+        if (on && back)
+            on = beyond_middle(left.inner, right.inner, x);
+        if (on) {
             edge = after.after;
             sense = 1;
-        } else if (sense <= 0 && side(bmr_point_complex_connector(kds, before, j), x) < 0.0) {
+        } else if (back) {
             edge = before.before;
             sense = -1;
         } else {

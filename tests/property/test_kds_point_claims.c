@@ -391,8 +391,15 @@ static void look_at_complex(const bmr_kds *kds, test_random *random, bool drop_t
             for (int i = 0; i < 50; ++i)
                 if (in_cell(corners, samples[i], 1e-9 * size)) {
                     ++holders[i];
-                    unsigned touched = 0; // from any edge of the level, the walk ends here
-                    assert_int_equal(bmr_point_complex_cell(kds, edge, j, samples[i], &touched), edge);
+                    // From here and from the edges to both sides the walk ends here.
+                    bmr_edge left = edge, right = edge;
+                    for (int steps = 0; steps < 2; ++steps) {
+                        unsigned touched = 0;
+                        assert_int_equal(bmr_point_complex_cell(kds, left, j, samples[i], &touched), edge);
+                        assert_int_equal(bmr_point_complex_cell(kds, right, j, samples[i], &touched), edge);
+                        left = bmr_hierarchy_corner_after(h, left, level).after;
+                        right = bmr_hierarchy_corner_before(h, right, level).before;
+                    }
                 }
             edge = bmr_hierarchy_corner_after(h, edge, level).after;
         } while (edge != 0);
