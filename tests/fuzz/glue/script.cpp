@@ -51,6 +51,23 @@ Script::Script(const RunRequest &request)
         m_worlds[i]->other = &*m_worlds[1 - i];
     m_world = &*m_worlds[0];
     Box2D().SetSubStepping((flags & 4) != 0);
+    if ((flags & 8) != 0)
+        BuildBin();
+}
+
+/// Where what is created stays together.
+void Script::BuildBin() {
+    constexpr float kHalfWidth = 2.5f, kHalfHeight = 2.5f, kWall = 0.3f;
+    b2BodyDef def;
+    def.position = m_origin;
+    b2Body *bin = m_world->Create(def);
+    b2PolygonShape wall;
+    wall.SetAsBox(kHalfWidth, kWall, {0.0f, -kHalfHeight}, 0.0f);
+    m_world->Create(bin, b2FixtureDef(), wall);
+    for (const float side : {-1.0f, 1.0f}) {
+        wall.SetAsBox(kWall, kHalfHeight, {side * kHalfWidth, 0.0f}, side * 0.1f);
+        m_world->Create(bin, b2FixtureDef(), wall);
+    }
 }
 
 b2Vec2 Script::Vector(float scale) {

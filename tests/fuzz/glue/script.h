@@ -13,9 +13,10 @@ namespace fuzz {
 /// A byte string as what a game does to its worlds. The same bytes do the same in every program whose worlds
 /// have the same bits: what is drawn from them hangs on bytes and on what can be seen of a world.
 ///
-/// Header: a byte of flags, a byte that says how far from the origin it plays and how far things are apart.
-/// Then operations, a byte each and what it reads: from kFirstStep on steps (every fourth value one step
-/// more, up to four), below one of the actions of script.cpp's table.
+/// Header: a byte of flags (without gravity, sub-stepping, in a bin; the upper three bits: of any size), a
+/// byte that says how far from the origin it plays and how far things are apart. Then operations, a byte each
+/// and what it reads: from kFirstStep on steps (every fourth value one step more, up to four), below one of
+/// the actions of script.cpp's table.
 class Script {
 public:
     explicit Script(const RunRequest &request);
@@ -48,6 +49,7 @@ private:
     b2Joint *SomeJoint();
     b2Contact *SomeContact();
 
+    void BuildBin();
     bool Step(uint8_t code); ///< false: that was enough
     bool Record();
     void Perturb();

@@ -130,6 +130,8 @@ void Script::AddFixture(b2Body *body) {
     default: {
         b2PolygonShape polygon;
         MakePolygon(&polygon);
+        if (material / 16 % 4 == 3) // the skins of a body's polygons need not be equal
+            polygon.m_radius *= material % 2 == 0 ? 20.0f : 0.5f;
         m_world->Create(body, def, polygon);
     }
     }

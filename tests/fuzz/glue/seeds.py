@@ -16,7 +16,7 @@ CREATING = [0, 1, 2, 3, 4]
 
 def seed(number: int) -> bytes:
     rng = random.Random(number)
-    script = [rng.choice([0, 0, 0, 2, 2, 4, 32, 34]), rng.choice([0, 0, 0, 64, 64, rng.randrange(256)])]
+    script = [rng.choice([0, 2, 4, 8, 8, 8, 8, 10, 12, 32, 40]), rng.choice([0, 0, 0, 64, 64, rng.randrange(256)])]
     for _ in range(rng.randrange(3, 14)):
         script += [rng.choice(CREATING), rng.choice([0, 1, 8, 16, 24, 192, 208, rng.randrange(256)])]
         script += [rng.randrange(256), rng.randrange(256), rng.choice([0, 0, rng.randrange(256)])]
