@@ -235,8 +235,9 @@ Outcome PlayCoins(How how, int32 before, int32 after, float across) {
 
 TEST_CASE("a big polygon that another one took the place of leaves nothing behind") {
     int touching = 0;
-    for (const auto &[before, after] :
-         {std::pair<int32, int32>{64, 12}, {12, 64}, {500, 9}, {9, 500}, {40, 40}}) {
+    constexpr int32 kCounts[][2] = {{64, 12}, {12, 64}, {500, 9}, {9, 500}, {40, 40}};
+    for (const int32 *counts : kCounts) {
+        const int32 before = counts[0], after = counts[1];
         for (const float across : {1.85f, 2.2f}) {
             const Outcome fresh = PlayCoins(How::kFresh, before, after, across);
             touching += fresh.touching;

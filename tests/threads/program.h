@@ -20,12 +20,9 @@ bool Install();
 bool IsInstalled();
 
 /// Reads the statistics, which never go back. False where one did, or where they do not belong together.
-class StatisticsReader {
-public:
+struct StatisticsReader {
     bool Read();
-
-private:
-    unsigned long long m_steps = 0, m_evaluations = 0;
+    unsigned long long steps = 0, evaluations = 0; ///< as they were read last
 };
 
 } // namespace threads

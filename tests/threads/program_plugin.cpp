@@ -28,9 +28,9 @@ bool IsInstalled() {
 
 bool StatisticsReader::Read() {
     const bmr::Statistics s = bmr::GetStatistics();
-    const bool forward = s.steps >= m_steps && s.evaluations >= m_evaluations && s.differences == 0;
-    m_steps = s.steps;
-    m_evaluations = s.evaluations;
+    const bool forward = s.steps >= steps && s.evaluations >= evaluations && s.differences == 0;
+    steps = s.steps;
+    evaluations = s.evaluations;
     return forward;
 }
 
