@@ -83,6 +83,21 @@ TEST_CASE("a fixture that is added outside the hull collides at once") {
     });
 }
 
+TEST_CASE("remembered edges are counted where they are asked, and nowhere else") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, 0.6f);
+        game.Box(a, 2.0f, 0.1f);
+        game.Box(b, 2.0f, 0.1f);
+        game.Step(5);
+        game.Stage(game.world.GetContactCount() == 1 && game.Touching() == 0, "a contact, apart");
+        const bmr::Statistics s = bmr::GetStatistics();
+        run.Expect(!run.Counts() || s.provedApart == 5, "it is answered in each step");
+        run.Expect(!run.Counts() || s.edgeChecks == (run.Prefilter() ? s.provedApart : 0),
+                   "by an edge, if any");
+    });
+}
+
 TEST_CASE("a second fixture on a body of one collides at once") {
     CheckSameAsStock([](Run &run) {
         Game game(run);
