@@ -121,7 +121,7 @@ static bmr_error algebraic_failure(const bmr_condition *condition, const bmr_mot
         if (error != BMR_OK)
             return error;
         if (u <= 1.0) {
-            *time = at_part(from, u, p.width);
+            *time = fmin(at_part(from, u, p.width), to); // the width is rounded too
             return BMR_OK;
         }
         const double next = p.width < to - from ? from + p.width : to;
