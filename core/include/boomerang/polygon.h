@@ -68,7 +68,8 @@ bmr_vec2 bmr_polygon_normal(const bmr_polygon *polygon, uint32_t edge);
 
 /// Index of a vertex farthest in `direction` (of two, the counter-clockwise first). Climbs from `hint` (any
 /// value; taken modulo count): O(1) when the answer is near, O(n) at worst. A zero or NaN direction gives the
-/// hint back. Rounding: never nearer than the true farthest by more than 1e-15 * extent * |direction|.
+/// hint back. Rounding: never nearer than the true farthest by more than 1e-15 * extent * |direction|, for
+/// directions of length 1e-290 to 1e290; of others, whose products underflow or overflow, some vertex.
 uint32_t bmr_polygon_support_from(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t hint);
 
 /// The same from scratch in O(log n), by bisection of the two chains between the lowest and the highest
