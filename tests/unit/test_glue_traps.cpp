@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "../../box2d_glue/current_step.h"
+#include "boomerang/inspect.h"
 #include "forked_world.h"
 
 using forked::CheckSameAsStock;
@@ -233,6 +234,24 @@ TEST_CASE("the hull of a level does not swallow what is inside") {
         plank->SetLinearVelocity(Slanted(0.1f, -1.0f));
         game.Step(60);
         game.Stage(game.Touching() > 0, "a collision with the level");
+    });
+}
+
+TEST_CASE("no structure vouches for a body that is far from its own origin, be it the first or the second") {
+    CheckSameAsStock([](Run &run) {
+        constexpr float kFar = 3000.0f;
+        for (const bool farFirst : {false, true}) {
+            Game game(run);
+            for (const bool far : {farFirst, !farFirst})
+                game.Plank(Slanting(game, far ? kFar + 0.6f : 0.0f, far ? b2_kinematicBody : b2_dynamicBody),
+                           {0.0f, far ? -kFar : 0.0f});
+            game.Step(2);
+            game.Stage(game.world.GetContactCount() >= 2 && game.Touching() == 0, "contacts, apart");
+            int vouched = 0;
+            for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+                vouched += run.HasPlugin() && bmr::Inspect(*c).structure != nullptr;
+            run.Expect(vouched == 0, "edges at most");
+        }
     });
 }
 
