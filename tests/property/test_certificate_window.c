@@ -118,10 +118,31 @@ static void nothing_is_lost_at_the_direction_or_the_limit_when_leaning(void **st
     assert_true(w.loss > SHORT_PART); // leaning costs more than its short side does
 }
 
+static void a_point_and_a_segment_stand_for_themselves_in_every_direction(void **state) {
+    (void)state;
+    const bmr_vec2 ends[2] = {{-0.5, 0.1}, {0.7, 0.2}};
+    for (size_t n = 1; n <= 2; ++n)
+        for (int lean = -1; lean <= 1; ++lean)
+            for (int corners = 1; corners <= 2; ++corners) {
+                bmr_polygon *p = NULL;
+                assert_int_equal(bmr_polygon_create(ends, n, NULL, &p), BMR_OK);
+                bmr_window w;
+                (corners == 1 ? bmr_window_make_one : bmr_window_make)(p, bmr_vec2_make(0.6, 0.8), 0, 0.1,
+                                                                       lean, &w);
+                assert_true(w.life == -2.0); // never
+                assert_true(w.low.x == 0.0 && w.low.y == 0.0 && w.high.x == 0.0 && w.high.y == 0.0);
+                for (size_t i = 0; i < n; ++i)
+                    assert_true((w.corner[0].x == p->vertices[i].x && w.corner[0].y == p->vertices[i].y) ||
+                                (w.corner[1].x == p->vertices[i].x && w.corner[1].y == p->vertices[i].y));
+                bmr_polygon_destroy(p, NULL);
+            }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_bracket_is_as_wide_as_the_limit_pays_for),
         cmocka_unit_test(nothing_is_lost_at_the_direction_or_the_limit_when_leaning),
+        cmocka_unit_test(a_point_and_a_segment_stand_for_themselves_in_every_direction),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
