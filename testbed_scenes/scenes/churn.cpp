@@ -209,13 +209,16 @@ class Churn final : public Scene {
             m_bodies.erase(m_bodies.begin() + static_cast<std::ptrdiff_t>(index));
             stage.World().DestroyBody(body);
             break;
-        case 1:
-            body->SetTransform(Anywhere(stage), random.Uniform(-b2_pi, b2_pi));
+        case 1: {
+            const float angle = random.Uniform(-b2_pi, b2_pi);
+            body->SetTransform(Anywhere(stage), angle);
             break;
-        case 2: // a nudge: near enough that what was known of the pair almost holds
-            body->SetTransform(body->GetPosition() + random.Direction(0.0f, 0.05f),
-                               body->GetAngle() + random.Uniform(-0.02f, 0.02f));
+        }
+        case 2: { // a nudge: near enough that what was known of the pair almost holds
+            const float turn = random.Uniform(-0.02f, 0.02f);
+            body->SetTransform(body->GetPosition() + random.Direction(0.0f, 0.05f), body->GetAngle() + turn);
             break;
+        }
         case 3:
             body->SetType(static_cast<b2BodyType>(random.Index(3)));
             break;
