@@ -8,6 +8,10 @@ function(boomerang_target target)
   set_target_properties(${target} PROPERTIES C_STANDARD 11 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF
     CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE room)
+  # What reads options and writes pages is other people's templates mostly, and waits for nothing.
+  if(room MATCHES "^testbed_scenes/(driver|drawing|manual|picture|report|theory)")
+    target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1>)
+  endif()
   if(BOOMERANG_SANITIZE)
     # More optimisation than -O1 takes minutes for a large test; and C++ that is mostly other people's templates takes three
     # times as long to compile with -O1 as without, for programs that start, run once and end.
