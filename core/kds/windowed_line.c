@@ -155,33 +155,11 @@ static void take_window(bmr_windowed_line *w, const bmr_window *window, int corn
         w->point[i] = window->corner[i];
 }
 
-/// Does the polygon rise along `d`, as the edge itself sees it, from vertex `v` to its neighbour `to`?
-static bool rises(const bmr_polygon *p, uint32_t v, uint32_t to, bmr_vec2 d) {
-    const bmr_vec2 e = bmr_scale_up_if_tiny(bmr_sub(p->vertices[to], p->vertices[v]));
-    const double rise = bmr_dot(e, d);
-    return rise > 0.0 && rise * rise > INSIDE * INSIDE * bmr_dot(e, e);
-}
-
-/// The support vertex in direction `d`, from one that products with vertices took for it: these cannot tell
-/// apart neighbours that are nearer than rounding, and the normals around the wrong one are no bracket of
-/// `d`.
-static uint32_t settle(const bmr_polygon *p, bmr_vec2 d, uint32_t v) {
-    const uint32_t n = p->count;
-    const bool up = rises(p, v, v + 1 < n ? v + 1 : 0, d);
-    for (uint32_t i = 0; i < n; ++i) {
-        const uint32_t to = up ? (v + 1 < n ? v + 1 : 0) : (v > 0 ? v - 1 : n - 1);
-        if (!rises(p, v, to, d))
-            break;
-        v = to;
-    }
-    return v;
-}
-
 void bmr_windowed_exact(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *b_in_a, int sense) {
     const int other = 1 - w->owner;
     const bmr_polygon *p = kds->shapes[other].polygon;
     const bmr_vec2 d = facing(w, b_in_a);
-    const uint32_t n = p->count, v = settle(p, d, bmr_support_near(p, d, w->support[other] % n));
+    const uint32_t n = p->count, v = bmr_support_near(p, d, w->support[other] % n);
     w->support[other] = v;
     w->low = w->high = bmr_vec2_make(0.0, 0.0);
     w->point[0] = p->vertices[v];
