@@ -170,8 +170,11 @@ TEST_CASE("a new world at the address of an old one is not the old one") {
             yard.Drift(-2.0f);
             yard.game.Step(10);
         }
+#if !defined(FORKED_WORLD_ASAN) // which keeps freed memory back, so that nothing lies where something lay
         if (!same)
             run.Print("!not staged: the same address");
+#endif
+        static_cast<void>(same);
     });
 }
 
