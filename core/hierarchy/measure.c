@@ -65,7 +65,7 @@ double bmr_hierarchy_height(const bmr_hierarchy *hierarchy, bmr_edge edge) {
         else
             high = middle;
     }
-    const uint32_t i = (first + low) % p->count;
+    const uint32_t i = first + low < p->count ? first + low : first + low - p->count;
     const bmr_vec2 r = bmr_sub(apex, p->vertices[i]);
     if (low < edges && bmr_dot(r, bmr_tree_edge_vector(p, i)) > 0.0)
         return fabs(bmr_dot(bmr_polygon_normal(p, i), r));
