@@ -52,12 +52,12 @@ build_tree() {
     fi
 }
 
-# run_tests NAME [CTEST-ARGUMENT…]: the tests of BMR_BUILD_DIR, each counted; started with `still` if a stage sets it.
+# run_tests NAME [CTEST-ARGUMENT…]: the tests of BMR_BUILD_DIR, each counted.
 run_tests() {
     local name=$1 log=$BMR_BUILD_DIR/boomerang-ctest.log of bad
     shift
     # The pipe must not hide ctest's answer, and what ctest says is counted below: a run without tests is no success.
-    "${still[@]}" ctest --test-dir "$BMR_BUILD_DIR" --output-on-failure --no-tests=error --parallel "$jobs" "$@" 2>&1 |
+    ctest --test-dir "$BMR_BUILD_DIR" --output-on-failure --no-tests=error --parallel "$jobs" "$@" 2>&1 |
         tee "$log" | grep -v -e '^ *Start ' -e '^Internal ctest' -e '^Test project' || true
     bad=$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests? failed out of [0-9]+.*/\1/p' "$log")
     of=$(sed -nE 's/^[0-9]+% tests passed, [0-9]+ tests? failed out of ([0-9]+).*/\1/p' "$log")
@@ -67,13 +67,6 @@ run_tests() {
     fi
     verdict $((of - bad)) 0 "$name"
     [ "$bad" -eq 0 ] || verdict 0 "$bad" "$name: $bad tests"
-}
-
-# Sets the array `still`: what a sanitized program is to be started with. The runtime of a sanitizer wants certain addresses,
-# and now and then does not get them where the kernel spreads a process at random.
-find_still() {
-    still=()
-    ! setarch "$(uname -m)" -R true 2>/dev/null || still=(setarch "$(uname -m)" -R)
 }
 
 # The project's own files among those that git knows, by pattern.

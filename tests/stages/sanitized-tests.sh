@@ -6,9 +6,8 @@
 # testbed's pages and command line or the scripts. The differential test neither: the fuzzer of the glue does its work. Nor
 # forks of a process that has threads: the sanitizer's own locks stay locked in the child.
 stage_sanitized_tests() {
-    local still which=()
+    local which=()
     [ "$brief" = no ] || which=(--label-regex '^(unit|property|fuzz)$')
-    find_still
     build_sanitizers || return 1
     rm -rf "$BMR_BUILD_DIR/profiles"
     LLVM_PROFILE_FILE=$BMR_BUILD_DIR/profiles/%m.profraw BMR_TEST_SCALE=${BMR_TEST_SCALE:-0.1} \

@@ -3,8 +3,6 @@
 # the tests of threads, under the thread sanitizer
 
 stage_threads() {
-    local still
-    find_still
     build_tree tsan tsan -DBOOMERANG_BUILD_TESTBED=OFF -- tests/threads/all &&
         BMR_TEST_SCALE=${BMR_TEST_SCALE:-0.1} run_tests "tests (thread sanitizer)" --label-regex '^threads$'
 }

@@ -21,7 +21,12 @@
 
 static size_t allocations;
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(__has_feature)
+#    if __has_feature(address_sanitizer)
+#        define TEST_PAIR_ASAN
+#    endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(TEST_PAIR_ASAN)
 int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void *, size_t),
                                               void (*on_free)(const volatile void *));
 static void on_malloc(const volatile void *block, size_t size) {
