@@ -17,14 +17,8 @@
 /// can be level up to rounding.
 #define CLIMB_ROUNDING 1e-15
 
-/// Below this, rises are those of edges so short that products underflow: a climb would stop at them, or go
-/// back.
-#define LEAST_RISE 1e-300
-
 static inline bool ascends(const bmr_polygon *p, uint32_t from, uint32_t to, bmr_vec2 direction) {
-    const bmr_vec2 e = bmr_sub(p->vertices[to], p->vertices[from]);
-    const double rise = bmr_dot(e, direction);
-    return fabs(rise) >= LEAST_RISE ? rise > 0.0 : bmr_dot(bmr_scale_up_if_tiny(e), direction) > 0.0;
+    return bmr_ascends(bmr_sub(p->vertices[to], p->vertices[from]), direction);
 }
 
 uint32_t bmr_support_near(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t hint) {

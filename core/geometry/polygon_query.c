@@ -14,11 +14,9 @@ static inline bmr_vec2 edge_vector(const bmr_polygon *p, uint32_t i) {
     return bmr_sub(p->vertices[j], p->vertices[i]);
 }
 
-/// Does edge i lead farther in the direction? The difference of two doubles has a relative error of half an
-/// ulp in each component, however short the edge, so that only edges at right angles to `direction` up to
-/// 1e-15 can be misjudged.
+/// Does edge i lead farther in the direction?
 static inline bool ascends(const bmr_polygon *p, uint32_t i, bmr_vec2 direction) {
-    return bmr_dot(edge_vector(p, i), direction) > 0.0;
+    return bmr_ascends(edge_vector(p, i), direction);
 }
 
 bmr_vec2 bmr_polygon_normal(const bmr_polygon *polygon, uint32_t edge) {

@@ -3,6 +3,7 @@
 #define BMR_GEOMETRY_TINY_H
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "boomerang/vector.h"
 
@@ -13,6 +14,18 @@
 /// The same direction, long enough for products. Scaling by a power of two is exact and changes no sign.
 static inline bmr_vec2 bmr_scale_up_if_tiny(bmr_vec2 d) {
     return fabs(d.x) < BMR_TINY && fabs(d.y) < BMR_TINY ? bmr_scale(BMR_TINY_SCALE, d) : d;
+}
+
+/// Below this, rises are those of edges so short that products underflow: a climb would stop at them, or go
+/// back.
+#define BMR_LEAST_RISE 1e-300
+
+/// Does an edge lead farther in a direction that is not tiny? The difference of two doubles has a relative
+/// error of half an ulp in each component, however short the edge, so that only edges at right angles to
+/// `direction` up to 1e-15 can be misjudged.
+static inline bool bmr_ascends(bmr_vec2 edge, bmr_vec2 direction) {
+    const double rise = bmr_dot(edge, direction);
+    return fabs(rise) >= BMR_LEAST_RISE ? rise > 0.0 : bmr_dot(bmr_scale_up_if_tiny(edge), direction) > 0.0;
 }
 
 #endif

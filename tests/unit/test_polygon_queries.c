@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "boomerang/polygon.h"
+#include "geometry/distance.h"
 #include "geometry/predicates.h"
 #include "polygons.h"
 #include "test_scale.h"
@@ -104,6 +105,35 @@ static void support_across_a_level_segment_is_the_start_of_the_side_it_faces(voi
     assert_int_equal(bmr_polygon_support(q, bmr_vec2_make(-1, 0)), 1);
     bmr_polygon_destroy(p, NULL);
     bmr_polygon_destroy(q, NULL);
+}
+
+/// Products with such edges underflow: a search that took them for level would end there.
+static void edges_of_denormal_length_hide_no_vertex_behind_them(void **state) {
+    (void)state;
+    const double least = 4.9406564584124654e-324;
+    const bmr_vec2 points[] = {{-least, 0}, {least, 0}, {1e-260, 1e-290},
+                               {3.5, 0.75}, {2.5, 2},   {-0.2, 0.14}};
+    const size_t count = sizeof points / sizeof *points;
+    for (int turn = 0; turn < 4; ++turn) { // what comes first, and which chain it is on
+        bmr_vec2 turned[sizeof points / sizeof *points];
+        for (size_t i = 0; i < count; ++i) {
+            const bmr_vec2 v = points[i];
+            turned[i] = turn == 0   ? v
+                        : turn == 1 ? bmr_vec2_make(-v.y, v.x)
+                        : turn == 2 ? bmr_vec2_make(-v.x, -v.y)
+                                    : bmr_vec2_make(v.y, -v.x);
+        }
+        bmr_polygon *p = hull_of(turned, count);
+        for (int i = 0; i < 360; ++i) {
+            const bmr_vec2 d = bmr_vec2_make(cos(0.017453 * i), sin(0.017453 * i));
+            assert_true(is_support(p, d, bmr_polygon_support(p, d)));
+            for (uint32_t hint = 0; hint < p->count; ++hint) {
+                assert_true(is_support(p, d, bmr_polygon_support_from(p, d, hint)));
+                assert_true(is_support(p, d, bmr_support_near(p, d, hint)));
+            }
+        }
+        bmr_polygon_destroy(p, NULL);
+    }
 }
 
 static void a_direction_that_is_none_gives_the_hint_back(void **state) {
@@ -256,6 +286,7 @@ int main(void) {
         cmocka_unit_test(support_is_a_farthest_vertex_from_scratch_and_from_any_hint),
         cmocka_unit_test(support_of_a_tie_is_the_counter_clockwise_first),
         cmocka_unit_test(support_across_a_level_segment_is_the_start_of_the_side_it_faces),
+        cmocka_unit_test(edges_of_denormal_length_hide_no_vertex_behind_them),
         cmocka_unit_test(a_direction_that_is_none_gives_the_hint_back),
         cmocka_unit_test(a_climb_does_not_get_stuck_where_the_bottom_is_flat_up_to_rounding),
         cmocka_unit_test(normals_have_unit_length_and_point_outwards),
