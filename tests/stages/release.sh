@@ -9,7 +9,7 @@ build_release() {
 }
 
 stage_release() {
-    local without=() scale=1
-    [ "$brief" = no ] || without=(--label-exclude '^controls$') scale=0.5
-    build_release && BMR_TEST_SCALE=${BMR_TEST_SCALE:-$scale} run_tests "tests (release)" "${without[@]}"
+    local scale=1
+    [ "$brief" = no ] || scale=0.5
+    build_release && BMR_TEST_SCALE=${BMR_TEST_SCALE:-$scale} run_tests "tests (release)"
 }
