@@ -6,6 +6,7 @@
 #include "boomerang/simulation.h"
 #include "harness.h"
 #include "kds_driver.h"
+#include "motion_pieces.h"
 #include "paths.h"
 #include "points.h"
 #include "polygon_distance.h"
@@ -96,17 +97,7 @@ void Replan(World *world, double time, fuzz_bytes *bytes) {
     const size_t body = fuzz_u8(bytes) % 2;
     bmr_motion_piece piece = fuzz_piece(bytes, &world->ranges[body]);
     const bmr_pose pose = bmr_motion_pose(world->motions[body], time, nullptr, nullptr);
-    if (piece.kind == BMR_PIECE_SCREW) {
-        piece.as.screw.start = pose;
-    } else {
-        piece.as.algebraic.x[0] = pose.position.x;
-        piece.as.algebraic.y[0] = pose.position.y;
-        piece.as.algebraic.a[0] = 1.0;
-        piece.as.algebraic.b[0] = 0.0;
-        piece.as.algebraic.start_c = pose.c;
-        piece.as.algebraic.start_s = pose.s;
-    }
-    piece.origin = time;
+    test_piece_begin(&piece, time, pose);
     fuzz_tame(&piece, &world->ranges[body]);
     if (bmr_motion_change(world->motions[body], time, &piece) != BMR_OK)
         return;

@@ -16,6 +16,7 @@
 
 #include "boomerang/failure.h"
 #include "failure_oracle.h"
+#include "motion_pieces.h"
 #include "polygons.h"
 #include "test_scale.h"
 
@@ -113,17 +114,7 @@ static bmr_motion *random_motion(test_random *random, motion_kind kind, oracle_p
         // The pose stays, the plan changes.
         const bmr_pose pose = bmr_motion_pose(motion, t, NULL, NULL);
         bmr_motion_piece piece = random_piece(random, (motion_kind)test_random_below(random, 4));
-        if (piece.kind == BMR_PIECE_SCREW) {
-            piece.as.screw.start = pose;
-        } else {
-            piece.as.algebraic.x[0] = pose.position.x;
-            piece.as.algebraic.y[0] = pose.position.y;
-            piece.as.algebraic.a[0] = 1.0;
-            piece.as.algebraic.b[0] = 0.0;
-            piece.as.algebraic.start_c = pose.c;
-            piece.as.algebraic.start_s = pose.s;
-        }
-        piece.origin = t;
+        test_piece_begin(&piece, t, pose);
         assert_int_equal(bmr_motion_change(motion, t, &piece), BMR_OK);
     }
     // What the pieces are is test_kinetic_motion's business.
