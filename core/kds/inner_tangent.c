@@ -7,6 +7,7 @@
 // margin: the line then keeps the margin from it. Where the thick body is nearer to the other than a tangent
 // can be told (at sharp corners that is up to margin / sin(angle/2)), the closest features serve until it is
 // not.
+#include <float.h>
 #include <math.h>
 
 #include "kds/features.h"
@@ -18,6 +19,9 @@
 /// A corner of the thick body may stand out by this part of the extents; with a sharper corner the body
 /// cannot be the thick one.
 #define MOST_MITRE 1e-2
+/// What the sum of two unit normals may be wrong by: each of them by five halves (of the edge, its length and
+/// the division), and a half of the sum's own.
+#define SUM_ROUNDING (6.0 * DBL_EPSILON)
 /// Steps to a tangent: from nothing (a Newton iteration, some five in practice), from the last one.
 #define SEARCH_STEPS 64
 #define WALK_STEPS 64
@@ -42,10 +46,17 @@ static const inner_tangent *view(const bmr_kds *kds) {
     return (const inner_tangent *)(const void *)kds->state;
 }
 
-/// The corner i of the polygon with its edges moved out by the margin.
+/// The sum of the normals of the edges at corner i.
+static bmr_vec2 corner_normals(const bmr_polygon *p, uint32_t i) {
+    return bmr_add(bmr_polygon_normal(p, bmr_vertex_before(p, i)), bmr_polygon_normal(p, i));
+}
+
+/// The corner i of the polygon with its edges moved out by the margin: along the sum s of their normals by
+/// 2 margin / |s|. (That is margin / (1 + <m, n>) times s, where the digits of the denominator would be lost
+/// at a sharp corner.)
 static bmr_vec2 thick_corner(const bmr_polygon *p, uint32_t i, double margin) {
-    const bmr_vec2 m = bmr_polygon_normal(p, bmr_vertex_before(p, i)), n = bmr_polygon_normal(p, i);
-    return bmr_add(p->vertices[i], bmr_scale(margin / (1.0 + bmr_dot(m, n)), bmr_add(m, n)));
+    const bmr_vec2 s = corner_normals(p, i);
+    return bmr_add(p->vertices[i], bmr_scale(2.0 * margin / bmr_dot(s, s), s));
 }
 
 static bmr_vec2 tangent_point(const bmr_kds *kds, int body, uint32_t i) {
@@ -57,11 +68,14 @@ static double extents(const bmr_kds *kds) {
     return kds->shapes[0].polygon->extent + kds->shapes[1].polygon->extent;
 }
 
+/// Are all corners blunt enough, and are they known to the width of the conditions' overlap? (Of normals that
+/// are opposite but for rounding, the sum is nothing but that.)
 static bool can_be_thick(const bmr_kds *kds, int body) {
     const bmr_polygon *p = kds->shapes[body].polygon;
     for (uint32_t i = 0; i < p->count && p->count > 2; i++) {
-        const bmr_vec2 out = bmr_sub(thick_corner(p, i, kds->def.margin), p->vertices[i]);
-        if (!(hypot(out.x, out.y) <= MOST_MITRE * extents(kds)))
+        const bmr_vec2 s = corner_normals(p, i);
+        const double sum = hypot(s.x, s.y), mitre = 2.0 * kds->def.margin / sum;
+        if (!(mitre <= MOST_MITRE * extents(kds) && mitre * SUM_ROUNDING <= bmr_features_overlap(kds) * sum))
             return false;
     }
     return p->count > 2;

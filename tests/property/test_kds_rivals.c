@@ -185,6 +185,55 @@ static void test_feature_audit_finds_features_that_are_not_the_closest(void **st
     test_kds_body_destroy(&b);
 }
 
+/// A triangle of length 1 with a short edge of that length, both in random directions: the normals of the
+/// long edges are nearly opposite, or opposite but for rounding. NULL where rounding leaves no triangle.
+static bmr_polygon *needle(double width, test_random *random) {
+    const double along = test_random_uniform(random, 0.0, 6.3),
+                 across = test_random_uniform(random, 0.0, 6.3);
+    const bmr_vec2 tip = {cos(along), sin(along)}, way = {width * cos(across), width * sin(across)};
+    const bmr_vec2 corners[] = {{0.0, 0.0}, tip, bmr_add(tip, way)};
+    bmr_polygon *polygon = NULL;
+    if (bmr_polygon_create(corners, 3, NULL, &polygon) == BMR_OK && polygon->count == 3)
+        return polygon;
+    bmr_polygon_destroy(polygon, NULL);
+    return NULL;
+}
+
+/// However thin a needle is and however small the margin: what is said of it is true.
+static void test_needles_of_any_width_are_proved(void **state) {
+    (void)state;
+    test_random random = {9};
+    const size_t trials = test_scaled(1500);
+    size_t thin = 0;
+    test_kds_body b = test_kds_body_make(test_polygon(TEST_CIRCLE, 5, &random));
+    for (size_t trial = 0; trial < trials; trial++) {
+        const double width = exp(test_random_uniform(&random, log(1e-17), 0.0));
+        const double margin = exp(test_random_uniform(&random, log(1e-14), log(1e-2)));
+        bmr_polygon *polygon = needle(width, &random);
+        if (!polygon)
+            continue;
+        thin += width < 1e-14;
+        test_kds_body a = test_kds_body_make(polygon);
+        const test_kds_body *p = trial % 2 == 0 ? &a : &b, *q = trial % 2 == 0 ? &b : &a;
+        const bmr_pose pose =
+            test_pose_at(p->polygon, q->polygon, test_random_uniform(&random, 0.0, 6.3),
+                         test_random_uniform(&random, 0.0, 6.3), test_random_uniform(&random, 0.05, 1.0));
+        const bmr_instant now = {pose, {0.0, 0.0}, 0.0};
+        for (size_t k = 0; k < RIVALS; k++) {
+            bmr_kds *kds = make(rivals[k], p, q, margin);
+            bmr_kds_report report;
+            bmr_kds_start(kds, &now, &report);
+            assert_true(report.apart);
+            if (bmr_kds_audit(kds, &now.pose) != BMR_OK)
+                fail_msg("%s: trial %zu, width %g, margin %g", rivals[k]->name, trial, width, margin);
+            bmr_kds_destroy(kds, NULL);
+        }
+        test_kds_body_destroy(&a);
+    }
+    assert_true(thin > trials / 100);
+    test_kds_body_destroy(&b);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random_motions_are_proved_throughout),
@@ -192,6 +241,7 @@ int main(void) {
         cmocka_unit_test(test_a_repair_without_failure_changes_nothing),
         cmocka_unit_test(test_audits_find_a_stale_proof),
         cmocka_unit_test(test_feature_audit_finds_features_that_are_not_the_closest),
+        cmocka_unit_test(test_needles_of_any_width_are_proved),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
