@@ -354,12 +354,56 @@ static void the_highest_degrees_are_judged_too(void **state) {
     assert_true(failing > rounds / 2);
 }
 
+/// A point comes down on a wall, up to `depth` behind it at time 1, and goes away: from one plan to the
+/// other, or on a parabola.
+static oracle_trial touching(bool parabola, double depth) {
+    oracle_trial r;
+    memset(&r, 0, sizeof r);
+    r.condition = bmr_condition_beyond(0, bmr_vec2_make(0.0, 1.0), 1.0, bmr_vec2_make(0.0, 0.0), 0);
+    const bmr_pose here = bmr_pose_identity(), below = {{0.0, 1.0 - depth}, 1.0, 0.0};
+    const bmr_vec2 down = {0.0, -1.0}, up = {0.0, 1.0}, rest = {0.0, 0.0};
+    r.a = (oracle_plan){1, {-INFINITY}, {bmr_piece_screw(0.0, here, rest, 0.0)}};
+    r.b = (oracle_plan){
+        2, {-INFINITY, 1.0}, {bmr_piece_screw(1.0, below, down, 0.0), bmr_piece_screw(1.0, below, up, 0.0)}};
+    if (parabola) {
+        bmr_motion_piece *piece = &r.b.pieces[0];
+        memset(piece, 0, sizeof *piece);
+        piece->kind = BMR_PIECE_ALGEBRAIC;
+        piece->origin = 1.0;
+        piece->as.algebraic.degree = 2;
+        piece->as.algebraic.y[0] = 1.0 - depth;
+        piece->as.algebraic.y[2] = 1.0;
+        piece->as.algebraic.a[0] = piece->as.algebraic.start_c = 1.0;
+        r.b.count = 1;
+    }
+    return r;
+}
+
+/// A touch may be reported or passed over, wherever the looks fall; a dip that is deeper must be found.
+static void the_oracle_finds_touches_between_its_looks(void **state) {
+    (void)state;
+    const double tolerance = 1e-4;
+    for (int parabola = 0; parabola < 2; parabola++) {
+        const oracle_trial touch = touching(parabola, 0.0), dip = touching(parabola, 1e-9);
+        for (double early = 1e-11; early < 1e-3; early *= 1.7) {
+            const oracle_verdict v = oracle_judge(&touch, 0.0, 2.0, 1.0 - early, tolerance, LOOKS);
+            assert_false(v.late);
+            assert_int_equal(v.early, early > tolerance);
+        }
+        for (double until = 1.5; until < 3.0; until += 0.0137) { // the looks fall elsewhere
+            assert_false(oracle_judge(&touch, 0.0, until, INFINITY, 0.0, LOOKS).late);
+            assert_true(oracle_judge(&dip, 0.0, until, INFINITY, 0.0, LOOKS).late);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_failure_is_late_and_none_early),
         cmocka_unit_test(a_condition_and_its_opposite_take_turns),
         cmocka_unit_test(both_methods_find_the_same_root),
         cmocka_unit_test(the_highest_degrees_are_judged_too),
+        cmocka_unit_test(the_oracle_finds_touches_between_its_looks),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

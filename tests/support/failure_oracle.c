@@ -119,6 +119,57 @@ long double oracle_least(const oracle_trial *r, long double low, long double hig
     return fminl(fp, fq);
 }
 
+/// The next time after `t` at which one of the two changes its plan; INFINITY: none.
+static long double next_change(const oracle_trial *r, long double t) {
+    long double next = INFINITY;
+    for (int body = 0; body < 2; body++) {
+        const oracle_plan *p = body == 0 ? &r->a : &r->b;
+        for (size_t i = 1; i < p->count; i++)
+            if ((long double)p->from[i] > t)
+                next = fminl(next, (long double)p->from[i]);
+    }
+    return next;
+}
+
+/// The value in parts of the lengths that go into it.
+static long double part_at(const oracle_trial *r, long double t, side which) {
+    long double size;
+    const long double value = value_at(r, t, which, &size);
+    return value / size;
+}
+
+/// The least of such parts on both sides of all changes of plan in (low, high): there, values jump or bend,
+/// and a touch lasts for no time at all.
+static long double least_at_changes(const oracle_trial *r, long double low, long double high) {
+    long double worst = INFINITY;
+    for (long double t = next_change(r, low); t < high; t = next_change(r, t))
+        worst = fminl(worst, fminl(part_at(r, t, BEFORE), part_at(r, t, AFTER)));
+    return worst;
+}
+
+/// Is the value about zero or below at some time in [low, high]? Least values between looks are sought out.
+static bool comes_to_zero(const oracle_trial *r, long double low, long double high, int looks) {
+    const long double step = (high - low) / looks;
+    if (part_at(r, high, BEFORE) <= ORACLE_SLACK || least_at_changes(r, low, high) <= ORACLE_SLACK)
+        return true;
+    long double after = INFINITY, here = INFINITY;
+    for (int i = 0; i <= looks + 1; i++) { // from the end, where it is below zero mostly
+        const long double before = i <= looks ? part_at(r, high - step * i, AFTER) : INFINITY;
+        if (before <= ORACLE_SLACK)
+            return true;
+        if (i > 0 && here <= after && here <= before) {
+            const long double t = high - step * (i - 1);
+            long double size;
+            oracle_value(r, t, &size);
+            if (oracle_least(r, fmaxl(low, t - step), fminl(high, t + step)) <= ORACLE_SLACK * size)
+                return true;
+        }
+        after = here;
+        here = before;
+    }
+    return false;
+}
+
 oracle_verdict oracle_judge(const oracle_trial *r, double after, double until, double time, double tolerance,
                             int looks) {
     oracle_verdict v = {false, false, 0.0L};
@@ -142,14 +193,10 @@ oracle_verdict oracle_judge(const oracle_trial *r, double after, double until, d
     }
     if (!isinf(time) && step > 0.0L)
         worst = fminl(worst, value_at(r, last, BEFORE, &size) / size);
+    worst = fminl(worst, least_at_changes(r, after, last));
     v.worst = worst;
     v.late = worst < -ORACLE_SLACK;
-    if (!isinf(time)) {
-        v.early = true;
-        for (int i = 0; i <= looks && v.early; i++) {
-            const long double part = (long double)tolerance * (looks - i) / looks;
-            v.early = oracle_value(r, (long double)time + part, &size) > ORACLE_SLACK * size;
-        }
-    }
+    if (!isinf(time))
+        v.early = !comes_to_zero(r, time, (long double)time + (long double)tolerance, looks);
     return v;
 }
