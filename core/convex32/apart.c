@@ -3,16 +3,52 @@
 #include "exact32/clip_lanes.h"
 
 /// More than the length of a remembered direction, whose coordinates were rounded.
-static const float longest_axis = 32768.0f;
+#define LONGEST_AXIS 32768.0f
 
-/// Of the sum of all coordinates that go in, each of which is rounded five times at most on the way: 2^-24
-/// each, and the sines and cosines are themselves off by as much.
-static const float noise_of_size = 0x1p-21f;
+/// Of the sum of all coordinates that go in, which are rounded six times at most on the way (in the turned
+/// direction twice), and the sum once more where it is compared: 2^-24 each.
+///
+/// The same part of an edge's |x| + |y| is more than what a product of the turned direction with it is off
+/// by: 2^-24 twice for the direction and three times for the difference, the product and the sum.
+static const float noise = 0x1p-21f * LONGEST_AXIS;
 
 typedef struct gap {
     float certain; ///< so much, times the direction's length, are they apart along it
     uint32_t vertex_a, vertex_b;
 } gap;
+
+/// The same as in the lanes below: does the polygon certainly end at this vertex along u? Both its edges
+/// descend, rounding included, and so does all that lies between them.
+static bool certainly_farthest(const bmr_convex32 *polygon, uint32_t at, bmr_vec32 u) {
+    const bmr_vec32 here = polygon->vertices[at];
+    const bmr_vec32 next = minus(polygon->vertices[convex32_next(polygon, at)], here),
+                    last = minus(polygon->vertices[convex32_previous(polygon, at)], here);
+    return dot(u, next) < -noise * convex32_size(next) && dot(u, last) < -noise * convex32_size(last);
+}
+
+/// No |x| + |y| of a vertex is larger.
+static float size_of(const bmr_convex32 *polygon) {
+    if (polygon->buckets)
+        return convex32_size(polygon->extent);
+    float most = 0.0f;
+    for (uint32_t i = 0; i < polygon->count; ++i) {
+        const float size = convex32_size(polygon->vertices[i]);
+        most = size > most ? size : most;
+    }
+    return most;
+}
+
+/// Moves the vertex to the farthest along u, from where it certainly is not; and how much more size goes into
+/// the noise by that. An edge that lies across u to rounding may hide where the polygon goes on, or that this
+/// is its other end: then the largest product of all is taken. Two products are off by 2^-24 four times each,
+/// the direction included, so by no more than the noise of twice the polygon's size.
+static float find_end(const bmr_convex32 *polygon, bmr_vec32 u, uint32_t *at) {
+    *at = bmr_convex32_walk_farthest(polygon, u, *at);
+    if (certainly_farthest(polygon, *at, u))
+        return 0.0f;
+    *at = bmr_convex32_support_from(polygon, u, *at);
+    return 2.0f * size_of(polygon);
+}
 
 #if defined(__SSE2__)
 
@@ -22,13 +58,15 @@ static inline float sum_of(__m128 v) {
     return _mm_cvtss_f32(_mm_add_ss(halves, SPLAT(halves, 1)));
 }
 
-/// Is neither neighbour farther along u, which is in both halves?
-static inline bool is_farthest(const bmr_convex32 *polygon, uint32_t at, __m128 u) {
+/// Of u, which is in both halves.
+static inline bool lanes_farthest(const bmr_convex32 *polygon, uint32_t at, __m128 u) {
     const bmr_vec32 *const v = polygon->vertices;
     const __m128 ways =
         _mm_sub_ps(load_two(v + convex32_next(polygon, at), v + convex32_previous(polygon, at)),
                    load_two(v + at, v + at));
-    return _mm_movemask_ps(_mm_cmple_ps(dots(u, ways), _mm_setzero_ps())) == 15;
+    const __m128 sizes = _mm_and_ps(ways, _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff)));
+    const __m128 least = _mm_mul_ps(_mm_set1_ps(-noise), dots(_mm_set1_ps(1.0f), sizes));
+    return _mm_movemask_ps(_mm_cmplt_ps(dots(u, ways), least)) == 15;
 }
 
 static inline gap gap_along(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
@@ -44,43 +82,54 @@ static inline gap gap_along(const bmr_convex32 *a, const bmr_transform32 *pose_a
     g.vertex_a = hint_a < a->count ? hint_a : 0;
     g.vertex_b = hint_b < b->count ? hint_b : 0;
     const __m128 in_a = _mm_movelh_ps(local, local), in_b = _mm_movehl_ps(local, local);
-    if (!is_farthest(a, g.vertex_a, in_a)) {
+    float unsure = 0.0f;
+    if (!lanes_farthest(a, g.vertex_a, in_a)) {
         const bmr_vec32 u = {_mm_cvtss_f32(in_a), _mm_cvtss_f32(SPLAT(in_a, 1))};
-        g.vertex_a = bmr_convex32_walk_farthest(a, u, g.vertex_a);
+        unsure = find_end(a, u, &g.vertex_a);
     }
-    if (!is_farthest(b, g.vertex_b, in_b)) {
+    if (!lanes_farthest(b, g.vertex_b, in_b)) {
         const bmr_vec32 u = {_mm_cvtss_f32(in_b), _mm_cvtss_f32(SPLAT(in_b, 1))};
-        g.vertex_b = bmr_convex32_walk_farthest(b, u, g.vertex_b);
+        unsure += find_end(b, u, &g.vertex_b);
     }
     const __m128 magnitude = _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));
     const __m128 points = load_two(a->vertices + g.vertex_a, b->vertices + g.vertex_b);
     const __m128 way = _mm_movelh_ps(_mm_sub_ps(at_b, at_a), _mm_setzero_ps());
     const float size = sum_of(_mm_add_ps(_mm_and_ps(points, magnitude), _mm_and_ps(way, magnitude)));
     const float most = sum_of(_mm_sub_ps(_mm_mul_ps(both, way), _mm_mul_ps(local, points)));
-    g.certain = most - (noise_of_size * longest_axis) * size;
+    g.certain = most - noise * (size + unsure);
     return g;
 }
 
 #else
 
-/// Along a direction of about longest_axis, in the world. The sums are those of the lanes above.
+/// Along a direction of about LONGEST_AXIS, in the world. The sums are those of the lanes above.
 static inline gap gap_along(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
                             const bmr_transform32 *pose_b, bmr_vec32 axis, uint32_t hint_a, uint32_t hint_b) {
     const bmr_vec32 in_a = turn_back(pose_a, axis), in_b = turn_back(pose_b, negative(axis));
     gap g;
-    g.vertex_a = farthest32(a, in_a, hint_a);
-    g.vertex_b = farthest32(b, in_b, hint_b);
+    g.vertex_a = hint_a < a->count ? hint_a : 0;
+    g.vertex_b = hint_b < b->count ? hint_b : 0;
+    float unsure = 0.0f;
+    if (!certainly_farthest(a, g.vertex_a, in_a))
+        unsure = find_end(a, in_a, &g.vertex_a);
+    if (!certainly_farthest(b, g.vertex_b, in_b))
+        unsure += find_end(b, in_b, &g.vertex_b);
     const bmr_vec32 p = a->vertices[g.vertex_a], q = b->vertices[g.vertex_b];
     const bmr_vec32 way = minus(pose_b->p, pose_a->p);
     const float size =
         ((fabsf(p.x) + fabsf(way.x)) + fabsf(q.x)) + ((fabsf(p.y) + fabsf(way.y)) + fabsf(q.y));
     const float most =
         ((axis.x * way.x - in_a.x * p.x) - in_b.x * q.x) + ((axis.y * way.y - in_a.y * p.y) - in_b.y * q.y);
-    g.certain = most - (noise_of_size * longest_axis) * size;
+    g.certain = most - noise * (size + unsure);
     return g;
 }
 
 #endif
+
+/// For directions no longer than LONGEST_AXIS. What overflowed says nothing.
+static inline bool exceeds(const gap *g, float reach) {
+    return g->certain > reach * LONGEST_AXIS && g->certain <= FLT_MAX;
+}
 
 /// From a's vertex to b's, in the world.
 static bmr_vec32 between(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
@@ -112,7 +161,7 @@ static bool apart_otherwise(const bmr_convex32 *a, const bmr_transform32 *pose_a
             most = last.certain;
             *memory = turned;
         }
-        if (last.certain > reach * longest_axis)
+        if (exceeds(&last, reach))
             return true;
         way = between(a, pose_a, b, pose_b, &last);
         axis = quarter_right(minus(way, first_way));
@@ -122,15 +171,22 @@ static bool apart_otherwise(const bmr_convex32 *a, const bmr_transform32 *pose_a
     return false;
 }
 
+/// Is a direction remembered, and none that is longer than what is remembered here?
+static inline bool remembers_unit_axis(const bmr_convex32_memory *memory) {
+    const uint32_t square =
+        (uint32_t)(memory->axis_x * memory->axis_x) + (uint32_t)(memory->axis_y * memory->axis_y);
+    return square - 1u < 0x40000000u; // the square of LONGEST_AXIS; zero is none
+}
+
 bool bmr_convex32_apart(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
                         const bmr_transform32 *pose_b, float reach, bmr_convex32_memory *memory) {
-    if (!remembers_axis(memory))
+    if (!remembers_unit_axis(memory))
         remember_axis(memory, direction(minus(move(pose_b, about_middle(b)), move(pose_a, about_middle(a)))));
     const gap first =
         gap_along(a, pose_a, b, pose_b, remembered_axis(memory), memory->support_a, memory->support_b);
     memory->support_a = (uint16_t)first.vertex_a;
     memory->support_b = (uint16_t)first.vertex_b;
-    if (first.certain > reach * longest_axis)
+    if (exceeds(&first, reach))
         return true;
     return apart_otherwise(a, pose_a, b, pose_b, reach, memory, &first);
 }

@@ -104,10 +104,8 @@ bmr_convex32_memory ReadMemory(fuzz_bytes *bytes) {
     if (fuzz_u8(bytes) % 2 != 0) {
         memory.support_a = fuzz_u16(bytes);
         memory.support_b = fuzz_u16(bytes);
-        memory.axis_x =
-            static_cast<int16_t>(std::max(static_cast<int16_t>(fuzz_u16(bytes)), int16_t{-32767}));
-        memory.axis_y =
-            static_cast<int16_t>(std::max(static_cast<int16_t>(fuzz_u16(bytes)), int16_t{-32767}));
+        memory.axis_x = static_cast<int16_t>(fuzz_u16(bytes));
+        memory.axis_y = static_cast<int16_t>(fuzz_u16(bytes));
     }
     return memory;
 }

@@ -19,7 +19,7 @@ extern "C" {
 /// pose to the next; the direction, which is the world's, those that spin by many of their edges.
 typedef struct bmr_convex32_memory {
     uint16_t support_a, support_b; ///< the pair of vertices that was closest
-    int16_t axis_x, axis_y;        ///< from a to b, of length 32767; zero: none yet
+    int16_t axis_x, axis_y;        ///< from a to b, of length 32767; zero, or longer than 32768: none yet
 } bmr_convex32_memory;
 
 /// The largest edge separation over all edges of `reference` and the first edge that has it: the bits of a
@@ -31,8 +31,9 @@ float bmr_convex32_max_separation(const bmr_convex32 *reference, const bmr_conve
                                   uint32_t *other_vertex);
 
 /// Certainly farther apart than `reach` (>= 0, length units)? A quick look along the remembered direction,
-/// and one more along that between the vertices which are closest there. True is certain, rounding included;
-/// false says nothing. Moves the memory.
+/// and two more at most where that says nothing. True is certain, rounding included, whatever the memory
+/// holds: of the poses as they stand in floats, and of polygons that are exactly convex. False says nothing.
+/// Moves the memory.
 bool bmr_convex32_apart(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
                         const bmr_transform32 *pose_b, float reach, bmr_convex32_memory *memory);
 

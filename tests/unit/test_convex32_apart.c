@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// What is said to be apart is so, whatever was remembered and however large the polygons are.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <math.h>
+
+#include "boomerang/convex32_collide.h"
+#include "convex32_poses.h"
+#include "convex32_reference.h"
+#include "test_scale.h"
+
+static const bmr_transform32 here = {{0.0f, 0.0f}, 0.0f, 1.0f};
+
+static bmr_convex32_block *made_of(const bmr_vec32 *vertices, size_t count) {
+    bmr_convex32_block *block = NULL;
+    assert_int_equal(bmr_convex32_create_raw(vertices, count, NULL, &block), BMR_OK);
+    return block;
+}
+
+static bmr_convex32_block *square(void) {
+    const bmr_vec32 vertices[] = {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}};
+    return made_of(vertices, 4);
+}
+
+static void no_remembered_direction_is_too_long(void **state) {
+    (void)state;
+    bmr_convex32_block *const block = square();
+    const bmr_convex32 *const p = &block->polygon;
+    const float away = 0.5f * sqrtf(0.5f); // corners half a metre apart
+    const bmr_transform32 there = {{1.0f + away, 1.0f + away}, 0.0f, 1.0f};
+    static const int16_t longest[] = {INT16_MIN, -32767, 0, 32767};
+    for (int i = 0; i < 16; ++i)
+        for (uint16_t vertex = 0; vertex < 5; ++vertex) {
+            const bmr_convex32_memory memory = {vertex, vertex, longest[i / 4], longest[i % 4]};
+            bmr_convex32_memory kept = memory;
+            assert_false(bmr_convex32_apart(p, &here, p, &there, 0.51f, &kept));
+            kept = memory;
+            assert_true(bmr_convex32_apart(p, &here, p, &there, 0.3f, &kept));
+        }
+    bmr_convex32_destroy(block, NULL);
+}
+
+/// The second vertex turns so little that along some directions both its edges seem to descend where both
+/// ascend: it is the other end of the polygon.
+static void a_vertex_that_hardly_turns_is_no_end(void **state) {
+    (void)state;
+    static const bmr_vec32 flat[] = {{0x1.60700ep-2f, 0x1.88aaf6p-2f},
+                                     {-0x1.2a4836p-27f, 0x1.0bb8dcp-27f},
+                                     {-0x1.4b8c74p-2f, -0x1.7164fp-2f},
+                                     {0x1.ae8374p-2f, -0x1.07585cp+0f},
+                                     {0x1.169ffep+0f, -0x1.23518cp-2f}};
+    static const bmr_vec32 tiny[] = {{0.01f, 0.0f}, {0.0f, 0.01f}, {-0.01f, -0.01f}};
+    static const struct {
+        float sine;
+        int16_t axis_x, axis_y;
+    } cases[] = {{0x1.4ade3ap-14f, 24387, -21885},
+                 {-0x1.8840ep-14f, 24383, -21889},
+                 {-0x1.f875f8p-16f, 24385, -21888}};
+    bmr_convex32_block *const a = made_of(flat, 5), *const b = made_of(tiny, 3);
+    for (int i = 0; i < 3; ++i) {
+        // In the middle of it.
+        const bmr_transform32 pose = {{0.0f, 0.0f}, cases[i].sine, 1.0f},
+                              inside = {{0.37f, -0.33f}, 0.0f, 1.0f};
+        assert_true(reference_true_separation(&a->polygon, &pose, &b->polygon, &inside) < -0.2);
+        bmr_convex32_memory memory = {1, 0, cases[i].axis_x, cases[i].axis_y};
+        assert_false(bmr_convex32_apart(&a->polygon, &pose, &b->polygon, &inside, 0.0f, &memory));
+    }
+    bmr_convex32_destroy(a, NULL);
+    bmr_convex32_destroy(b, NULL);
+}
+
+/// Bars side by side that meet, if at all, far from where the look finds their ends, which is at the bodies'
+/// origins.
+static void large_polygons_are_apart_where_that_is_said(void **state) {
+    (void)state;
+    enum { LENGTH = 1000 };
+    const bmr_vec32 left[] = {{0.0f, 0.0f}, {0.0f, LENGTH}, {-1.0f, LENGTH}, {-1.0f, 0.0f}},
+                    right[] = {{0.0f, 0.0f}, {1.0f, 0.0f}, {1.0f, LENGTH}, {0.0f, LENGTH}};
+    bmr_convex32_block *const a = made_of(left, 4), *const b = made_of(right, 4);
+    dice d = {1};
+    size_t apart = 0;
+    const size_t poses = test_scaled(20000);
+    for (size_t i = 0; i < poses; ++i) {
+        // A direction that is remembered as it is, and both bodies turned to it, to rounding.
+        bmr_convex32_memory memory = {0, 0, 0, 0};
+        const double angle = dice_in(&d, 0.0, 6.28);
+        memory.axis_x = (int16_t)lrint(32767.0 * cos(angle));
+        memory.axis_y = (int16_t)lrint(32767.0 * sin(angle));
+        const double turned = atan2((double)memory.axis_y, (double)memory.axis_x);
+        const double tilt = ldexp(dice_in(&d, -1.0, 1.0), -22), gap = 0.02 * pow(dice_in(&d, 0.0, 1.0), 4.0);
+        const bmr_transform32 pose_a = {{0.0f, 0.0f}, (float)sin(turned + tilt), (float)cos(turned + tilt)},
+                              pose_b = {{(float)(gap * cos(turned)), (float)(gap * sin(turned))},
+                                        (float)sin(turned - tilt),
+                                        (float)cos(turned - tilt)};
+        if (!bmr_convex32_apart(&a->polygon, &pose_a, &b->polygon, &pose_b, 0.0f, &memory))
+            continue;
+        ++apart;
+        assert_true(reference_distance(&a->polygon, &pose_a, &b->polygon, &pose_b) > 0.0);
+    }
+    assert_true(apart > poses / 4 && apart < poses);
+    bmr_convex32_destroy(a, NULL);
+    bmr_convex32_destroy(b, NULL);
+}
+
+static void what_overflows_is_not_apart(void **state) {
+    (void)state;
+    bmr_convex32_block *const block = square();
+    const bmr_convex32 *const p = &block->polygon;
+    static const float large[] = {1e30f, 1e34f, 3e38f, -1e30f, -1e34f, -3e38f};
+    for (int i = 0; i < 36; ++i)
+        for (uint16_t vertex = 0; vertex < 16; ++vertex) {
+            const bmr_transform32 stretched = {{0.0f, 0.0f}, large[i / 6], large[i % 6]};
+            bmr_convex32_memory memory = {vertex / 4, vertex % 4, 32767, 0};
+            assert_false(bmr_convex32_apart(p, &stretched, p, &here, 0.0f, &memory));
+        }
+    bmr_convex32_destroy(block, NULL);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_remembered_direction_is_too_long),
+        cmocka_unit_test(a_vertex_that_hardly_turns_is_no_end),
+        cmocka_unit_test(large_polygons_are_apart_where_that_is_said),
+        cmocka_unit_test(what_overflows_is_not_apart),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
