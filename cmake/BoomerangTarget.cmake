@@ -12,6 +12,9 @@ function(boomerang_target target)
   if(room MATCHES "^testbed_scenes/(driver|drawing|manual|picture|report|theory)")
     target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1>)
   endif()
+  if(BOOMERANG_QUICK_BUILD AND room MATCHES "^testbed_scenes")
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+  endif()
   if(BOOMERANG_SANITIZE)
     # More optimisation than -O1 takes minutes for a large test; and C++ that is mostly other people's templates takes three
     # times as long to compile with -O1 as without, for programs that start, run once and end.

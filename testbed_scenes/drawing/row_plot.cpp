@@ -10,7 +10,7 @@ namespace {
 
 using plot_style::kTextSize, plot_style::kTick, plot_style::kTitleSize;
 
-constexpr double kRow = 17.0, kBottom = 36.0, kTitle = 20.0, kLegend = 20.0, kRight = 14.0, kGap = 6.0;
+constexpr double kRow = 17.0, kUnder = 36.0, kTitle = 20.0, kLegend = 20.0, kBeside = 14.0, kGap = 6.0;
 /// Marks of one row stand a little apart, so that equal values do not hide one another.
 constexpr double kApart = 4.0;
 
@@ -35,7 +35,7 @@ Axis AxisOf(const RowPlot &plot) {
     return axis;
 }
 
-struct Frame {
+struct Rows {
     Rectangle page; ///< inside the axes
     Axis x;
 
@@ -43,7 +43,7 @@ struct Frame {
     double YOf(size_t row) const { return page.top - (static_cast<double>(row) + 0.5) * kRow; }
 };
 
-void DrawAxes(Canvas &canvas, const Frame &frame, const RowPlot &plot) {
+void DrawAxes(Canvas &canvas, const Rows &frame, const RowPlot &plot) {
     const Rectangle &in = frame.page;
     const Pen grid = {ink::kFaint, 0.7}, axis = {ink::kBlack, 0.9};
     for (const double tick : frame.x.Ticks()) {
@@ -67,11 +67,11 @@ void DrawAxes(Canvas &canvas, const Frame &frame, const RowPlot &plot) {
         canvas.Segment(bmr_vec2_make(at, in.bottom), bmr_vec2_make(at, in.top),
                        {ink::kBlack, 1.2, 1.0, {5.0, 3.0}});
     }
-    canvas.Text(bmr_vec2_make(0.5 * (in.left + in.right), in.bottom), 0.0, -kBottom + 6.0, plot.xLabel,
+    canvas.Text(bmr_vec2_make(0.5 * (in.left + in.right), in.bottom), 0.0, -kUnder + 6.0, plot.xLabel,
                 kTextSize, Align::Centre);
 }
 
-void DrawSeries(Canvas &canvas, const Frame &frame, const RowPlot &plot, size_t index) {
+void DrawSeries(Canvas &canvas, const Rows &frame, const RowPlot &plot, size_t index) {
     const RowSeries &series = plot.series[index];
     const double shift =
         kApart * (0.5 * static_cast<double>(plot.series.size() - 1) - static_cast<double>(index));
@@ -101,7 +101,7 @@ void DrawLegend(Canvas &canvas, double right, double y, const RowPlot &plot) {
 } // namespace
 
 double HeightOf(const RowPlot &plot) {
-    return kTitle + kLegend + kRow * static_cast<double>(std::max<size_t>(plot.rows.size(), 1)) + kBottom;
+    return kTitle + kLegend + kRow * static_cast<double>(std::max<size_t>(plot.rows.size(), 1)) + kUnder;
 }
 
 void DrawPlot(Canvas &canvas, const Rectangle &page, const RowPlot &plot) {
@@ -109,9 +109,9 @@ void DrawPlot(Canvas &canvas, const Rectangle &page, const RowPlot &plot) {
     double names = 0.0;
     for (const std::string &row : plot.rows)
         names = std::max(names, canvas.TextWidth(row, kTextSize));
-    Frame frame = {{page.left + names + 2.0 * kGap, page.bottom + kBottom, page.right - kRight,
-                    page.top - kTitle - kLegend},
-                   AxisOf(plot)};
+    Rows frame = {{page.left + names + 2.0 * kGap, page.bottom + kUnder, page.right - kBeside,
+                   page.top - kTitle - kLegend},
+                  AxisOf(plot)};
     canvas.Text(bmr_vec2_make(page.left, page.top), 0.0, -kTitleSize - 2.0, plot.title, kTitleSize,
                 Align::Left, ink::kBlack, true);
     if (!(frame.x.low <= frame.x.high)) {

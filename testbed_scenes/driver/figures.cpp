@@ -124,20 +124,20 @@ void Figures::AddEvents(const SceneResult &result) {
 
 void Figures::AddTimes(const SceneResult &result) {
     const double steps = static_cast<double>(std::max<int64_t>(result.steps, 1));
-    struct Quantity {
+    struct Time {
         const char *name, *pointer;
         double toMicroseconds;
     };
     // Box2D's own profile gives milliseconds, the worker's clock around a step nanoseconds.
     constexpr double kFromMilliseconds = 1e3, kFromNanoseconds = 1e-3;
-    for (const Quantity &quantity : {Quantity{"narrow_phase", "/collide_ms_total", kFromMilliseconds},
-                                     Quantity{"toi", "/solveTOI_ms", kFromMilliseconds},
-                                     Quantity{"step", "/step_ns_total", kFromNanoseconds}}) {
-        const std::vector<double> stock = Column(result.stockTimes, quantity.pointer);
-        const std::vector<double> plugin = Column(result.pluginTimes, quantity.pointer);
-        const std::vector<double> contacts = Column(result.registerTimes, quantity.pointer);
-        const double factor = quantity.toMicroseconds / steps;
-        const std::string name = quantity.name;
+    for (const Time &time :
+         {Time{"narrow_phase", "/collide_ms_total", kFromMilliseconds},
+          Time{"toi", "/solveTOI_ms", kFromMilliseconds}, Time{"step", "/step_ns_total", kFromNanoseconds}}) {
+        const std::vector<double> stock = Column(result.stockTimes, time.pointer);
+        const std::vector<double> plugin = Column(result.pluginTimes, time.pointer);
+        const std::vector<double> contacts = Column(result.registerTimes, time.pointer);
+        const double factor = time.toMicroseconds / steps;
+        const std::string name = time.name;
         Add("stock." + name + "_us_per_step", Scaled(Median(stock), factor));
         Add("plugin." + name + "_us_per_step", Scaled(Median(plugin), factor));
         Add("register." + name + "_us_per_step", Scaled(Median(contacts), factor));

@@ -23,7 +23,7 @@ const FigureInfo &FindFigure(const std::string &name) {
                      "\" (--list shows all)");
 }
 
-void List() {
+void ListFigures() {
     constexpr size_t kNameWidth = 22, kSectionWidth = 18;
     for (const FigureInfo &figure : AllFigures()) {
         std::string line = figure.name;
@@ -48,7 +48,7 @@ int Execute(const FiguresCommand &command) {
     for (const std::string &name : command.names)
         wanted.push_back(&FindFigure(name));
     if (command.list) {
-        List();
+        ListFigures();
         return kExitOk;
     }
     if (wanted.empty())

@@ -163,7 +163,7 @@ std::string ExplainCommand(const CLI::App &app, int argc, char **argv) {
     return "there is no command \"" + word + "\"; the nearest is \"" + Nearest(word, names) + "\"";
 }
 
-int Run(int argc, char **argv) {
+int Answer(int argc, char **argv) {
     CLI::App app("Scenes on stock Box2D and on Box2D with the Boomerang plugin, compared.",
                  "boomerang-testbed");
     CommandLine line;
@@ -240,7 +240,7 @@ int Run(int argc, char **argv) {
 
 int main(int argc, char **argv) {
     try {
-        const int status = testbed::Run(argc, argv);
+        const int status = testbed::Answer(argc, argv);
         // What nobody could read was not done.
         if (!std::cout.flush())
             throw std::runtime_error("the output could not be written");

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "figures.h"
+
 namespace testbed {
 namespace {
 
@@ -40,14 +42,6 @@ WorkerRequest RequestFor(const SceneInfo &scene, const ShapesRow &row, const cha
 
 std::string Describe(const SceneInfo &scene, const ShapesRow &row) {
     return scene.name + ", " + row.bodies + (row.vertices > 0 ? " " + std::to_string(row.vertices) : "");
-}
-
-std::optional<double> Median(std::vector<double> values) {
-    if (values.empty())
-        return std::nullopt;
-    std::sort(values.begin(), values.end());
-    const size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
 } // namespace

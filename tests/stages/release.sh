@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 # all programs, tests and benchmarks with gcc -O3; all tests
 
-# Headers are precompiled here; that each file includes what it needs shows in the tree of the sanitizers.
+# The testbed is compiled the quick way here; that each file includes what it needs shows in the tree of the sanitizers.
 build_release() {
-    build_tree release release -DBOOMERANG_BUILD_TESTS=ON -DBOOMERANG_BUILD_BENCHMARKS=ON -DBOOMERANG_PRECOMPILE=ON \
+    build_tree release release -DBOOMERANG_BUILD_TESTS=ON -DBOOMERANG_BUILD_BENCHMARKS=ON -DBOOMERANG_QUICK_BUILD=ON \
         "-DBOOMERANG_WARNINGS_AS_ERRORS=$strict"
 }
 

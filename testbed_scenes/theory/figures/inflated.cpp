@@ -9,8 +9,8 @@
 namespace testbed {
 namespace {
 
-const std::vector<bmr_vec2> kQ = {{-1.75, -0.5}, {-0.95, -1.15}, {0.5, -1.2}, {1.7, -0.55},
-                                  {1.85, 0.5},   {0.8, 1.2},     {-0.6, 1.1}, {-1.6, 0.5}};
+const std::vector<bmr_vec2> kOther = {{-1.75, -0.5}, {-0.95, -1.15}, {0.5, -1.2}, {1.7, -0.55},
+                                      {1.85, 0.5},   {0.8, 1.2},     {-0.6, 1.1}, {-1.6, 0.5}};
 
 /// Every corner of an envelope, in counter-clockwise order.
 std::vector<bmr_corner> CornersOf(const bmr_hierarchy *hierarchy, uint32_t level) {
@@ -39,7 +39,7 @@ bmr_vec2 Middle(const bmr_hierarchy *hierarchy, const bmr_corner &corner) {
 } // namespace
 
 void DrawInflated(Canvas &canvas) {
-    const Body body(kQ);
+    const Body body(kOther);
     const bmr_hierarchy *hierarchy = body.Hierarchy(BMR_HIERARCHY_COMPASS);
     const bmr_inflation inflation = bmr_inflation_make(bmr_inflation_diameter(body.Polygon()), 0.5, 0.5, 0);
     constexpr uint32_t kLevels = 3;
@@ -77,7 +77,7 @@ void DrawInflated(Canvas &canvas) {
 }
 
 void DrawWindow(Canvas &canvas) {
-    const Body owner(EllipsePoints(9, 1.2, 0.8, 0.2)), other(kQ);
+    const Body owner(EllipsePoints(9, 1.2, 0.8, 0.2)), other(kOther);
     const bmr_hierarchy *hierarchy = other.Hierarchy(BMR_HIERARCHY_COMPASS);
     constexpr uint32_t kLevel = 2;
     const bmr_vec2 down = bmr_vec2_make(0.12, -1.0);
