@@ -43,7 +43,7 @@ static float size_of(const bmr_convex32 *polygon) {
 /// is its other end: then the largest product of all is taken. Two products are off by 2^-24 four times each,
 /// the direction included, so by no more than the noise of twice the polygon's size.
 static float find_end(const bmr_convex32 *polygon, bmr_vec32 u, uint32_t *at) {
-    *at = bmr_convex32_walk_farthest(polygon, u, *at);
+    *at = bmr_convex32_find_farthest(polygon, u, *at);
     if (certainly_farthest(polygon, *at, u))
         return 0.0f;
     *at = bmr_convex32_support_from(polygon, u, *at);
@@ -52,21 +52,36 @@ static float find_end(const bmr_convex32 *polygon, bmr_vec32 u, uint32_t *at) {
 
 #if defined(__SSE2__)
 
+static inline __m128 magnitude_lanes(void) {
+    return _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));
+}
+
 /// In lane 0: the sum of all four, the outer pairs first.
 static inline float sum_of(__m128 v) {
     const __m128 halves = _mm_add_ps(v, _mm_movehl_ps(v, v));
     return _mm_cvtss_f32(_mm_add_ss(halves, SPLAT(halves, 1)));
 }
 
-/// Of u, which is in both halves.
-static inline bool lanes_farthest(const bmr_convex32 *polygon, uint32_t at, __m128 u) {
+/// Where the polygon ends along u, which is in both halves: some steps from the hint, or see find_end.
+static inline uint32_t end_along(const bmr_convex32 *polygon, __m128 u, uint32_t hint, float *unsure) {
+    enum { NEAR_STEPS = 2 };
     const bmr_vec32 *const v = polygon->vertices;
-    const __m128 ways =
-        _mm_sub_ps(load_two(v + convex32_next(polygon, at), v + convex32_previous(polygon, at)),
-                   load_two(v + at, v + at));
-    const __m128 sizes = _mm_and_ps(ways, _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff)));
-    const __m128 least = _mm_mul_ps(_mm_set1_ps(-noise), dots(_mm_set1_ps(1.0f), sizes));
-    return _mm_movemask_ps(_mm_cmplt_ps(dots(u, ways), least)) == 15;
+    uint32_t at = hint < polygon->count ? hint : 0;
+    for (int steps = 0; steps < NEAR_STEPS; ++steps) {
+        const uint32_t next = convex32_next(polygon, at), last = convex32_previous(polygon, at);
+        const __m128 ways = _mm_sub_ps(load_two(v + next, v + last), load_two(v + at, v + at));
+        const __m128 slopes = dots(u, ways), sizes = _mm_and_ps(ways, magnitude_lanes());
+        const __m128 size = _mm_add_ps(sizes, _mm_shuffle_ps(sizes, sizes, _MM_SHUFFLE(2, 3, 0, 1)));
+        if (_mm_movemask_ps(_mm_cmplt_ps(slopes, _mm_mul_ps(_mm_set1_ps(-noise), size))) == 15)
+            return at;
+        const int ascends = _mm_movemask_ps(_mm_cmpgt_ps(slopes, _mm_setzero_ps()));
+        if (ascends == 0)
+            break;
+        at = (ascends & 1) != 0 ? next : last;
+    }
+    const bmr_vec32 direction_of_u = {_mm_cvtss_f32(u), _mm_cvtss_f32(SPLAT(u, 1))};
+    *unsure += find_end(polygon, direction_of_u, &at);
+    return at;
 }
 
 static inline gap gap_along(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
@@ -79,19 +94,10 @@ static inline gap gap_along(const bmr_convex32 *a, const bmr_transform32 *pose_a
     // The axis in a's frame, and backwards in b's.
     const __m128 local = _mm_add_ps(_mm_mul_ps(c, both), _mm_mul_ps(s, right));
     gap g;
-    g.vertex_a = hint_a < a->count ? hint_a : 0;
-    g.vertex_b = hint_b < b->count ? hint_b : 0;
-    const __m128 in_a = _mm_movelh_ps(local, local), in_b = _mm_movehl_ps(local, local);
     float unsure = 0.0f;
-    if (!lanes_farthest(a, g.vertex_a, in_a)) {
-        const bmr_vec32 u = {_mm_cvtss_f32(in_a), _mm_cvtss_f32(SPLAT(in_a, 1))};
-        unsure = find_end(a, u, &g.vertex_a);
-    }
-    if (!lanes_farthest(b, g.vertex_b, in_b)) {
-        const bmr_vec32 u = {_mm_cvtss_f32(in_b), _mm_cvtss_f32(SPLAT(in_b, 1))};
-        unsure += find_end(b, u, &g.vertex_b);
-    }
-    const __m128 magnitude = _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));
+    g.vertex_a = end_along(a, _mm_movelh_ps(local, local), hint_a, &unsure);
+    g.vertex_b = end_along(b, _mm_movehl_ps(local, local), hint_b, &unsure);
+    const __m128 magnitude = magnitude_lanes();
     const __m128 points = load_two(a->vertices + g.vertex_a, b->vertices + g.vertex_b);
     const __m128 way = _mm_movelh_ps(_mm_sub_ps(at_b, at_a), _mm_setzero_ps());
     const float size = sum_of(_mm_add_ps(_mm_and_ps(points, magnitude), _mm_and_ps(way, magnitude)));
