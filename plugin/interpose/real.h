@@ -39,6 +39,8 @@ void *FindReal(const char *mangled);
 
 namespace bmr::interpose {
 
+class ShortList;
+
 /// A function of Box2D's, looked up once. Any thread may be the first; initialised at compile time, since
 /// Box2D may be called before this library's constructors ran.
 template <typename Function> class Real {
@@ -61,11 +63,20 @@ private:
     const char *m_name;
 };
 
-/// The world that this thread is stepping, or nullptr: only then are questions answered here; whoever else
-/// calls these functions gets Box2D's own. One load: the library is there when the program starts.
-extern __thread const b2World *steppedWorld __attribute__((tls_model("initial-exec")));
+/// What the hooks keep on a thread while it steps a world, and no longer: a step that a listener makes of
+/// another world begins with none of it, and what the outer step had is there again afterwards.
+struct Stepping {
+    const b2World *world;  ///< nullptr outside of steps
+    ShortList *shortList;  ///< the innermost that is alive
+    uint32_t knownImpacts; ///< so many questions are left that KnownImpacts sends to Box2D
+};
+
+/// This thread's. One load: the library is there when the program starts.
+extern __thread Stepping stepping __attribute__((tls_model("initial-exec")));
+
+/// Only in a step are questions answered here; whoever else calls these functions gets Box2D's own.
 inline bool InStep() {
-    return steppedWorld != nullptr;
+    return stepping.world != nullptr;
 }
 
 /// Box2D's own b2TimeOfImpact, or what stands for it where a polygon is too big for that.
@@ -75,20 +86,19 @@ void RealTimeOfImpact(b2TOIOutput *output, const b2TOIInput *input);
 /// proof was sought for them already, in vain.
 class KnownImpacts {
 public:
-    explicit KnownImpacts(uint32_t count) : m_outer(s_left) { s_left = count; }
-    ~KnownImpacts() { s_left = m_outer; }
+    explicit KnownImpacts(uint32_t count) : m_outer(stepping.knownImpacts) { stepping.knownImpacts = count; }
+    ~KnownImpacts() { stepping.knownImpacts = m_outer; }
     KnownImpacts(const KnownImpacts &) = delete;
     KnownImpacts &operator=(const KnownImpacts &) = delete;
 
     static bool Take() {
-        if (s_left == 0)
+        if (stepping.knownImpacts == 0)
             return false;
-        --s_left;
+        --stepping.knownImpacts;
         return true;
     }
 
 private:
-    static __thread uint32_t s_left __attribute__((tls_model("initial-exec")));
     uint32_t m_outer;
 };
 

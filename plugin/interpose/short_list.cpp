@@ -25,8 +25,6 @@ bool Listens(const b2ContactListener *listener) {
 
 } // namespace
 
-__thread ShortList *ShortList::innermost = nullptr;
-
 /// While a listener is called the world is as Box2D would have it.
 class ShortList::Pause {
 public:
@@ -41,8 +39,8 @@ private:
 
 ShortList::ShortList(b2ContactManager *manager)
     : m_manager(manager), m_listener(manager->m_contactListener), m_listens(Listens(m_listener)),
-      m_outer(innermost) {
-    innermost = this;
+      m_outer(stepping.shortList) {
+    stepping.shortList = this;
     Choose();
     Resume();
 }
@@ -51,7 +49,7 @@ ShortList::~ShortList() {
     Open();
     if (m_manager->m_contactListener == this)
         m_manager->m_contactListener = m_listener;
-    innermost = m_outer;
+    stepping.shortList = m_outer;
 }
 
 /// Which are kept. The list is whole.

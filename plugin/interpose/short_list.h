@@ -4,6 +4,8 @@
 
 #include <box2d/b2_world_callbacks.h>
 
+#include "real.h"
+
 class b2ContactManager;
 
 namespace bmr::interpose {
@@ -28,7 +30,7 @@ public:
     /// be added to it and known times forgotten.
     class Whole {
     public:
-        explicit Whole(const b2ContactManager *manager) : m_list(innermost) {
+        explicit Whole(const b2ContactManager *manager) : m_list(stepping.shortList) {
             if (m_list != nullptr && m_list->m_manager != manager)
                 m_list = nullptr;
             if (m_list != nullptr)
@@ -75,9 +77,6 @@ private:
     b2Contact *m_first = nullptr; ///< of the whole list
     int32 m_count = 0;            ///< of m_kept; 0 where the list stays whole
     Kept m_kept[kMost];
-
-    /// Of this thread; listeners may step other worlds.
-    static __thread ShortList *innermost __attribute__((tls_model("initial-exec")));
 };
 
 } // namespace bmr::interpose

@@ -10,26 +10,26 @@
 
 namespace bmr::interpose {
 
-__thread const b2World *steppedWorld = nullptr;
+__thread Stepping stepping = {nullptr, nullptr, 0};
 
 namespace {
 
 /// Ends with the step, also by an exception of a listener's; a listener may step another world.
 class StepMark {
 public:
-    explicit StepMark(const b2World *world) : m_outer(steppedWorld), m_outerStep(CurrentStep()) {
-        steppedWorld = world;
+    explicit StepMark(const b2World *world) : m_outer(stepping), m_outerStep(CurrentStep()) {
+        stepping = {world, nullptr, 0};
         CurrentStep() = NextStep();
     }
     ~StepMark() {
-        steppedWorld = m_outer;
+        stepping = m_outer;
         CurrentStep() = m_outerStep;
     }
     StepMark(const StepMark &) = delete;
     StepMark &operator=(const StepMark &) = delete;
 
 private:
-    const b2World *m_outer;
+    Stepping m_outer;
     uint64_t m_outerStep;
 };
 

@@ -20,8 +20,6 @@ Real<void(b2TOIOutput *, const b2TOIInput *)>
 
 } // namespace
 
-__thread uint32_t KnownImpacts::s_left = 0;
-
 void RealTimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
     if (AnyBigPolygon() && BigImpact(output, *input))
         return;

@@ -92,7 +92,8 @@ extern "C" void fuzz_glue_run(const fuzz::RunRequest *request, fuzz::RunResult *
         result->ending = fuzz::Ending::Asserted;
         std::snprintf(result->assertion, sizeof result->assertion, "%s", assertion);
 #if defined(BOOMERANG_FUZZ_OTHER)
-        bmr::interpose::steppedWorld = nullptr; // no step has ended
+        // No step has ended, and what the thread keeps for one lies in frames that are gone.
+        bmr::interpose::stepping = {};
         bmr::CurrentStep() = 0;
 #endif
         while (heap.next != &heap)
