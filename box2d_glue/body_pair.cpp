@@ -42,11 +42,6 @@ bool SamePose(const b2Transform &a, const b2Transform &b) {
     return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
 }
 
-bool WithinReach(const b2Transform &xf, double reach) {
-    const double limit = kReach - kReachOfExtent * reach;
-    return std::fabs(static_cast<double>(xf.p.x)) <= limit && std::fabs(static_cast<double>(xf.p.y)) <= limit;
-}
-
 void TellOfEvent(void *context, const bmr_event *event) {
     const auto *pair = static_cast<const BodyPair *>(context);
     const Options &options = GetSettings().options;

@@ -10,6 +10,7 @@
 #include <box2d/b2_edge_shape.h>
 #include <box2d/b2_polygon_shape.h>
 
+#include "boomerang/convex32_distance.h"
 #include "pair_registry.h"
 #include "polygon_view.h"
 #include "settings.h"
@@ -44,6 +45,16 @@ bmr_edge32 EdgeOf(const b2Fixture *fixture, int32 child) {
     b2EdgeShape link;
     static_cast<const b2ChainShape *>(fixture->GetShape())->GetChildEdge(&link, child);
     return Edge32(link);
+}
+
+/// No vertex of the polygon is farther from the body's origin.
+double ReachOf(const b2Fixture *fixture) {
+    const b2Shape &shape = *fixture->GetShape();
+    if (const bmr_convex32_block *big = BigPolygonOf(shape))
+        return static_cast<double>(big->reach);
+    const auto &small = static_cast<const b2PolygonShape &>(shape);
+    return static_cast<double>(
+        bmr_proxy32_points(Vectors32(small.m_vertices), static_cast<uint32_t>(small.m_count), 0.0f).reach);
 }
 
 /// Are the disks around the bodies' origins that hold the two polygons farther apart than this? Coins are
@@ -147,6 +158,8 @@ inline bool ConvexContact::LookSaysApart(const b2Transform &xfA, const b2Transfo
     const auto margin = static_cast<float>(ContactMargin(static_cast<double>(RadiusSum())));
     if (DisksSayApart(m_fixtureA, xfA, m_fixtureB, xfB, margin))
         return true;
+    if (!WithinReach(xfA, ReachOf(m_fixtureA)) || !WithinReach(xfB, ReachOf(m_fixtureB)))
+        return false;
     const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
     bmr_convex32_memory memory = Recall();
     const bool apart = bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), margin, &memory);

@@ -3,8 +3,10 @@
 #define BOOMERANG_GLUE_THRESHOLDS_H
 
 #include <cfloat>
+#include <cmath>
 
 #include <box2d/b2_common.h>
+#include <box2d/b2_math.h>
 
 namespace bmr {
 
@@ -19,6 +21,13 @@ constexpr double kReach = kRoundingMargin / (16.0 * FLT_EPSILON);
 
 /// What is turned is off by more than what is moved: a body's extent counts so much more than its place.
 constexpr double kReachOfExtent = 1.5;
+
+/// Is a body, whose vertices are no farther from its origin than `reach`, where ContactMargin holds all of
+/// the rounding? No for what is not a number.
+inline bool WithinReach(const b2Transform &xf, double reach) {
+    const double limit = kReach - kReachOfExtent * reach;
+    return std::fabs(static_cast<double>(xf.p.x)) <= limit && std::fabs(static_cast<double>(xf.p.y)) <= limit;
+}
 
 /// b2CollidePolygons gives no points when the polygons are farther apart than this: it keeps points whose
 /// separation is at most the sum of the radii and whose side offset is at most the same, so nothing beyond

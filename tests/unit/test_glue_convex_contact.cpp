@@ -487,6 +487,44 @@ TEST_CASE("Mode::Off and Mode::Verify change nothing, and nothing differs") {
               nullptr, forked::When::kBefore) == "0\n" + alone);
 }
 
+TEST_CASE("far from the origin nothing is proved apart that has points") {
+    bmr::Options verify;
+    verify.mode = bmr::Mode::Verify;
+    verify.statistics = true;
+    const std::string counted = forked::InChild(
+        [](Run &run) {
+            constexpr float kFar = 100000.0f; // floats are 8 mm apart
+            // Sharp ends that meet head-on: their sides hardly separate them.
+            std::vector<b2Vec2> vertices = {{1.0f, 0.0f}};
+            for (int i = 0; i <= 12; ++i) {
+                const float angle = kPi * (0.5f + static_cast<float>(i) / 12.0f);
+                vertices.emplace_back(0.25f * std::cos(angle), 0.25f * std::sin(angle));
+            }
+            ConvexShape shape;
+            if (shape.Set(vertices.data(), static_cast<int32>(vertices.size())) != BMR_OK)
+                run.Print("no shape");
+            Game game(run);
+            b2Body *const a = game.Body(b2_dynamicBody, {kFar, kFar});
+            b2Body *const b = game.Body(b2_dynamicBody, {kFar + 2.0f, kFar});
+            game.Fixture(a, shape);
+            game.Fixture(b, shape);
+            shapes::Engine engine(12);
+            std::uniform_real_distribution<float> turned(-kPi, kPi), away(0.02f, 0.06f), aside(-0.01f, 0.01f);
+            for (int i = 0; i < 4000; ++i) {
+                const float angle = turned(engine);
+                const b2Rot rotation(angle);
+                const b2Vec2 ends(2.0f + away(engine), aside(engine));
+                a->SetTransform({kFar, kFar}, angle);
+                b->SetTransform(b2Vec2(kFar, kFar) + b2Mul(rotation, ends), angle + kPi);
+                game.world.Step(0.0f, 1, 1);
+            }
+            const bmr::Statistics s = bmr::GetStatistics();
+            run.Print("verified %d, differences %d", s.evaluations > 1000, static_cast<int>(s.differences));
+        },
+        &verify, forked::When::kBefore);
+    CHECK(EndsWith(counted, "\nverified 1, differences 0\n"));
+}
+
 namespace {
 
 /// A game's own contact between polygons: it counts.
