@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 # all programs, tests and benchmarks with gcc -O3; all tests
 
-# The testbed is compiled the quick way here; that each file includes what it needs shows in the tree of the sanitizers.
+# The testbed is compiled the quick way here; that each file includes what it needs shows in the tree of the sanitizers of a
+# whole run.
 build_release() {
     build_tree release release -DBOOMERANG_BUILD_TESTS=ON -DBOOMERANG_BUILD_BENCHMARKS=ON -DBOOMERANG_QUICK_BUILD=ON \
         "-DBOOMERANG_WARNINGS_AS_ERRORS=$strict"
