@@ -266,11 +266,12 @@ void CheckCast(const Pair &p, fuzz_bytes *bytes) {
                                                       std::max(p.b.radius, 2.0f * kSlop) - 2.0f * kSlop));
     const double slack = 1e-5 * (10.0 + way + p.size);
     const distance::Points still = Placed(p.a.vertices, p.poseA);
-    const auto at = [&](double lambda) {
-        bmr_transform32 pose = p.poseB;
-        return Distance(still, Placed(p.b.vertices, pose.p.x + lambda * translation.x,
-                                      pose.p.y + lambda * translation.y, pose.s, pose.c));
+    const auto moved = [&](double lambda) {
+        const bmr_transform32 &pose = p.poseB;
+        return Placed(p.b.vertices, pose.p.x + lambda * translation.x, pose.p.y + lambda * translation.y,
+                      pose.s, pose.c);
     };
+    const auto at = [&](double lambda) { return Distance(still, moved(lambda)); };
     const double lambda = static_cast<double>(cast.lambda) + (fuzz_control("cast") && hit ? 0.3 : 0.0);
     if (hit)
         FUZZ_CHECK(at(lambda) <= sigma + 0.5 * static_cast<double>(kSlop) + slack, "a hit at %g, %g apart",
@@ -282,8 +283,8 @@ void CheckCast(const Pair &p, fuzz_bytes *bytes) {
     if (!hit && at(0.0) <= sigma + slack)
         return; // overlapping at the beginning is none
     for (int i = 0; i <= 20 && lambda > 0.0; ++i)
-        FUZZ_CHECK(at(lambda * i / 20) >= sigma - slack, "%g apart before the hit at %g, sigma %g",
-                   at(lambda * i / 20), lambda, sigma);
+        FUZZ_CHECK(AtLeast(still, moved(lambda * i / 20), sigma - slack),
+                   "%g apart before the hit at %g, sigma %g", at(lambda * i / 20), lambda, sigma);
 }
 
 bmr_sweep32 ReadSweep(fuzz_bytes *bytes, double range, bool turns) {
