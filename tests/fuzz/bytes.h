@@ -98,8 +98,10 @@ static inline double fuzz_number(fuzz_bytes *bytes) {
     case 3:
     case 4:
         return fuzz_in(bytes, -2.0, 2.0);
-    case 5:
-        return ldexp(fuzz_in(bytes, -1.0, 1.0), (int8_t)fuzz_u8(bytes) / (how >= 128 ? 1 : 4));
+    case 5: {
+        const double fraction = fuzz_in(bytes, -1.0, 1.0); // first: arguments are computed in any order
+        return ldexp(fraction, (int8_t)fuzz_u8(bytes) / (how >= 128 ? 1 : 4));
+    }
     case 6: {
         double value = fuzz_special(bytes);
         for (int steps = (int8_t)fuzz_u8(bytes); steps != 0; steps += steps < 0 ? 1 : -1)
