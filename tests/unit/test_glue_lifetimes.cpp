@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "forked_world.h"
+#include "test_scale.h"
 
 using forked::CheckSameAsStock;
 using forked::Game;
@@ -231,7 +232,7 @@ TEST_CASE("a world that dies with contacts alive leaks nothing") {
         for (int i = 0; i < 20; ++i)
             live();
         const size_t before = forked::BytesInUse();
-        for (int i = 0; i < 300; ++i)
+        for (size_t i = test_scaled(300); i > 0; --i)
             live();
         run.Print("dead");
         if (forked::BytesInUse() != before)
