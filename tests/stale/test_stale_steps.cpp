@@ -189,7 +189,7 @@ TEST_CASE("listeners change shapes, filters, bullets and velocities of a locked 
              ++round) { // what is changed in a step begins and ends contacts, which change more
             yard.Place(round % 2 == 0);
             yard.Drift(-3.0f);
-            yard.game.Step(2);
+            yard.game.Step(4);
         }
         yard.game.Stage(meddler.meddled > 20, "something is changed");
     });
