@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "boomerang/box2d_glue.h"
+#include "leave.h"
 
 #if defined(__has_feature)
 #    if __has_feature(address_sanitizer)
@@ -248,9 +249,9 @@ inline std::string InChild(Scenario scenario, const bmr::Options *options, When 
         }
 #if defined(FORKED_WORLD_ASAN)
         if (__lsan_do_recoverable_leak_check() != 0)
-            _exit(4);
+            test_leave(4);
 #endif
-        _exit(0);
+        test_leave(0);
     }
     close(ends[1]);
     std::string text;
