@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// What Install and the end of a process say, on stderr and in the file of statistics.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include <sys/wait.h>
+
+#include "../../box2d_glue/environment.h"
+#include "../../box2d_glue/recognise.h"
+#include "../../box2d_glue/statistics_file.h"
+#include "../../box2d_glue/this_process.h"
+#include "forked_world.h"
+#include "stderr_text.h"
+
+using forked::Run;
+
+namespace {
+
+/// What a scenario prints in a process of its own, in which nothing is installed yet.
+std::string Alone(forked::Scenario scenario) {
+    return forked::InChild(scenario, nullptr, forked::When::kByScenario);
+}
+
+void PrintInstall(Run &run, const bmr::Options &options) {
+    bool done = false;
+    const std::string said = StderrOf([&] { done = bmr::Install(options); });
+    run.Print("%s, %s: %s", done ? "done" : "not done", bmr::IsInstalled() ? "installed" : "not installed",
+              said.c_str());
+}
+
+std::string TextOf(const std::string &name) {
+    std::string text;
+    std::FILE *file = std::fopen(name.c_str(), "r");
+    if (file == nullptr)
+        return "no file";
+    for (int c; (c = std::fgetc(file)) != EOF;)
+        text += static_cast<char>(c);
+    std::fclose(file);
+    std::remove(name.c_str());
+    return text;
+}
+
+/// A name in the directory of temporary files that no other process uses.
+std::string NameFor(const char *end) {
+    const char *room = std::getenv("TMPDIR");
+    return std::string(room != nullptr ? room : "/tmp") + "/boomerang-" + std::to_string(bmr::ThisProcess()) +
+           end;
+}
+
+/// Ends a child, and where asked a child of that, with exit handlers that write the statistics into `file`;
+/// what both say, and the number of the last.
+struct End {
+    std::string said;
+    long child = 0;
+};
+End EndWith(const std::string &file, bool forks = false) {
+    End end;
+    end.said = StderrOf([&] {
+        std::fflush(nullptr);
+        const pid_t child = fork();
+        if (child == 0) {
+            if (!bmr::WriteStatisticsAtExit(file.c_str()))
+                test_leave(3);
+            if (forks && fork() != 0) {
+                int status = 0;
+                wait(&status);
+                test_leave(WEXITSTATUS(status)); // the parent writes nothing: the child's file is looked at
+            }
+            std::exit(0);
+        }
+        int status = 0;
+        waitpid(child, &status, 0);
+        end.child = status == 0 ? child : -1;
+    });
+    return end;
+}
+
+} // namespace
+
+TEST_CASE("Install works once") {
+    CHECK(Alone([](Run &run) {
+              run.Print("%d", bmr::IsInstalled());
+              PrintInstall(run, bmr::Options());
+              PrintInstall(run, bmr::Options());
+          }) == "0\ndone, installed: \nnot done, installed: \n");
+}
+
+TEST_CASE("Install does nothing where it is told off, or told a structure that there is not") {
+    CHECK(Alone([](Run &run) {
+              bmr::Options options;
+              options.mode = bmr::Mode::Off;
+              PrintInstall(run, options);
+              options.mode = bmr::Mode::On;
+              options.structure = BMR_STRUCTURE_COUNT;
+              PrintInstall(run, options);
+              PrintInstall(run, bmr::Options());
+          }) == "not done, not installed: \nnot done, not installed: \ndone, installed: \n");
+}
+
+TEST_CASE("a refusal is said once, with its reason, and is for good") {
+    CHECK(Alone([](Run &run) {
+              bmr::SetLibraryCheck([] { return "this one is another"; });
+              PrintInstall(run, bmr::Options());
+              bmr::SetLibraryCheck(nullptr);
+              PrintInstall(run, bmr::Options());
+          }) ==
+          "not done, not installed: boomerang: not at work, Box2D runs as it is: this one is another\n\n"
+          "not done, not installed: \n");
+}
+
+TEST_CASE("who asks is told what is at work") {
+    const std::string said = Alone([](Run &run) {
+        bmr::Options options;
+        options.verbosity = 1;
+        options.hooks = Bit(bmr::Hook::SolveToi) | Bit(bmr::Hook::TestOverlap);
+        PrintInstall(run, options);
+    });
+    CHECK(said.find("done, installed: boomerang: on, free-direction; rounds ") == 0);
+    CHECK(said.find(" Box2D; hooks: test-overlap solve-toi\n") != std::string::npos);
+    CHECK(Alone([](Run &run) {
+              bmr::Options options;
+              options.verbosity = 1;
+              options.hooks = bmr::kNoHooks;
+              PrintInstall(run, options);
+          }).find(" hooks: none\n") != std::string::npos);
+}
+
+TEST_CASE("of processes that share their announcement one claims it") {
+    CHECK(Alone([](Run &run) {
+              bmr::ShareAnnouncement();
+              run.Print("%d", bmr::IsAnnounced());
+              const pid_t child = fork();
+              if (child == 0)
+                  test_leave(bmr::ClaimAnnouncement() ? 0 : 1);
+              int status = 0;
+              waitpid(child, &status, 0);
+              run.Print("%d %d %d", status == 0, bmr::IsAnnounced(), bmr::ClaimAnnouncement());
+          }) == "0\n1 1 0\n");
+}
+
+TEST_CASE("a name for the statistics that is too long is refused when installing") {
+    CHECK(Alone([](Run &run) {
+              const std::string name(5000, 'x');
+              bmr::Options options;
+              options.statisticsFile = name.c_str();
+              bool done = false;
+              const std::string said = StderrOf([&] { done = bmr::Install(options); });
+              run.Print("%d %d", done,
+                        said == "boomerang: the statistics will not be written to " + name + "\n");
+          }) == "1 1\n");
+}
+
+TEST_CASE("the statistics are one JSON object of the options and all counts") {
+    const std::string text = Alone([](Run &run) {
+        bmr::Options options;
+        options.statistics = true;
+        options.structure = BMR_LAZY_DUDLEY;
+        options.hooks = Bit(bmr::Hook::SolveToi) | Bit(bmr::Hook::TestOverlap);
+        bmr::Install(options);
+        std::FILE *file = std::tmpfile();
+        bmr::WriteStatistics(file);
+        std::rewind(file);
+        std::string written;
+        for (int c; (c = std::fgetc(file)) != EOF;)
+            if (c != '\n' && c != ' ')
+                written += static_cast<char>(c);
+        std::fclose(file);
+        for (size_t at = 0; at < written.size(); at += 300)
+            run.Print("%s", written.substr(at, 300).c_str());
+    });
+    std::string line;
+    for (const char c : text)
+        if (c != '\n')
+            line += c;
+    CHECK(line ==
+          "{\"mode\":\"on\",\"structure\":\"lazy-dudley\",\"hooks\":[\"test-overlap\",\"solve-toi\"],"
+          "\"steps\":0,"
+          "\"evaluations\":0,\"edge_checks\":0,\"edge_searches\":0,\"verdicts_reused\":0,\"proved_apart\":0,"
+          "\"handed_over\":0,\"handed_over_touching\":0,\"touching_answered\":0,\"toi_queries\":0,\"toi_"
+          "answered\":0,"
+          "\"overlap_queries\":0,\"overlaps_answered\":0,\"verified\":0,\"differences\":0,\"pairs\":0,"
+          "\"hulls\":0,"
+          "\"checks\":0,\"levels\":0,\"events\":{\"start\":0,\"push\":0,\"stab\":0,\"roll\":0,\"coarsen\":0,"
+          "\"contact\":0,\"leave\":0}}");
+}
+
+TEST_CASE("the statistics are written when the process ends, under its number where the name asks for it") {
+    const std::string name = NameFor(".json");
+    CHECK(EndWith(name).said == "");
+    CHECK(TextOf(name).find("\"steps\": 0,\n") != std::string::npos);
+    const std::string before = NameFor("-of-"), place = before + "%p.json";
+    const End end = EndWith(place);
+    CHECK(end.said == "");
+    CHECK(TextOf(before + std::to_string(end.child) + ".json").find("\"steps\": 0,\n") != std::string::npos);
+}
+
+TEST_CASE("a forked child leaves its parent's file alone") {
+    const std::string name = NameFor(".json");
+    const End end = EndWith(name, true);
+    CHECK(end.said == "");
+    CHECK(end.child > 0);
+    CHECK(TextOf(name) == "no file");
+}
+
+TEST_CASE("where the statistics cannot be written, one line says so") {
+    const std::string nowhere = NameFor("/no/such/place.json");
+    CHECK(EndWith(nowhere).said == "boomerang: cannot write the statistics to " + nowhere + "\n");
+    CHECK(EndWith("/dev/full").said == "boomerang: the statistics in /dev/full are not complete\n");
+    // As long as a name may be, but longer with the number in it.
+    const std::string longest = std::string(4096 - 1 - 4, 'x') + "%p%p";
+    CHECK(EndWith(longest).said.find("boomerang: cannot write the statistics to xxx") == 0);
+}

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Mode::Verify tells two answers apart by each of their fields, counts all differences and describes the
+// first.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include <box2d/b2_time_of_impact.h>
+
+#include "../../box2d_glue/verify.h"
+#include "forked_world.h"
+#include "stderr_text.h"
+
+namespace {
+
+b2Manifold TwoPoints() {
+    b2Manifold m = {};
+    m.type = b2Manifold::e_faceA;
+    m.localNormal.Set(1.0f, 0.0f);
+    m.localPoint.Set(0.5f, -0.5f);
+    m.pointCount = 2;
+    for (int i = 0; i < 2; ++i) {
+        m.points[i].localPoint.Set(static_cast<float>(i), 2.0f);
+        m.points[i].id.key = static_cast<uint32>(i);
+    }
+    return m;
+}
+
+b2TOIOutput Impact(b2TOIOutput::State state, float t) {
+    b2TOIOutput output;
+    output.state = state;
+    output.t = t;
+    return output;
+}
+
+/// What comparisons add to the counts of a process that compares for the first time, and what it says of
+/// them.
+struct Told {
+    unsigned verified = 0, differences = 0;
+    std::string line;
+};
+template <typename Verify> Told By(Verify verify) {
+    static const Verify *chosen;
+    chosen = &verify;
+    const std::string text = forked::InChild(
+        [](forked::Run &run) {
+            const std::string line = StderrOf(*chosen);
+            const bmr::Statistics s = bmr::GetStatistics();
+            run.Print("%u %u", static_cast<unsigned>(s.verified), static_cast<unsigned>(s.differences));
+            run.Print("%s", line.c_str());
+        },
+        nullptr, forked::When::kByScenario);
+    Told told;
+    REQUIRE(std::sscanf(text.c_str(), "%u %u", &told.verified, &told.differences) == 2);
+    told.line = text.substr(text.find('\n') + 1);
+    return told;
+}
+
+/// One comparison, of which there is a line if it finds a difference.
+bool OneDiffers(const Told &told) {
+    CHECK(told.verified == 1);
+    CHECK((told.line != "\n") == (told.differences == 1));
+    return told.differences == 1;
+}
+
+bool Differ(const b2Manifold &ours, const b2Manifold &box2d) {
+    return OneDiffers(By([&] { bmr::VerifyManifold(nullptr, nullptr, ours, box2d); }));
+}
+
+bool Differ(const b2TOIOutput &ours, const b2TOIOutput &box2d) {
+    return OneDiffers(By([&] { bmr::VerifyImpact(nullptr, nullptr, ours, box2d); }));
+}
+
+bool Differ(bool ours, bool box2d) {
+    return OneDiffers(By([&] { bmr::VerifyOverlap(nullptr, nullptr, ours, box2d); }));
+}
+
+bool Holds(const std::string &text, const std::string &part) {
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("manifolds differ by each field that has a meaning") {
+    const b2Manifold stock = TwoPoints();
+    CHECK(!Differ(stock, stock));
+    b2Manifold ours[8];
+    for (b2Manifold &m : ours)
+        m = stock;
+    ours[0].pointCount = 1;
+    ours[1].type = b2Manifold::e_faceB;
+    ours[2].localNormal.y = 1e-40f;
+    ours[3].localPoint.x = std::nextafterf(0.5f, 1.0f);
+    ours[4].points[1].localPoint.y = std::nextafterf(2.0f, 3.0f);
+    ours[5].points[1].id.key = 7;
+    for (int i = 0; i < 6; ++i) {
+        CAPTURE(i);
+        CHECK(Differ(ours[i], stock));
+    }
+    ours[6].localNormal.y = -0.0f; // a zero is a zero
+    ours[7].points[0].normalImpulse = 3.0f;
+    CHECK(!Differ(ours[6], stock));
+    CHECK(!Differ(ours[7], stock));
+}
+
+TEST_CASE("without points, or where both are no numbers, there is nothing to differ") {
+    b2Manifold ours = TwoPoints(), box2d = {};
+    ours.pointCount = 0;
+    CHECK(!Differ(ours, box2d));
+    ours = box2d = TwoPoints();
+    ours.localPoint.x = box2d.localPoint.x = NAN;
+    CHECK(!Differ(ours, box2d));
+    box2d.localPoint.x = 0.0f;
+    CHECK(Differ(ours, box2d));
+}
+
+TEST_CASE("times of impact differ by touching, and by when") {
+    const b2TOIOutput touching = Impact(b2TOIOutput::e_touching, 0.5f);
+    CHECK(!Differ(touching, touching));
+    CHECK(Differ(touching, Impact(b2TOIOutput::e_touching, std::nextafterf(0.5f, 1.0f))));
+    const b2TOIOutput others[] = {Impact(b2TOIOutput::e_unknown, 0.0f), Impact(b2TOIOutput::e_failed, 0.1f),
+                                  Impact(b2TOIOutput::e_overlapped, 0.2f),
+                                  Impact(b2TOIOutput::e_separated, 0.5f)};
+    for (const b2TOIOutput &other : others) {
+        CHECK(Differ(touching, other));
+        CHECK(Differ(other, touching));
+        CHECK(!Differ(other, others[0]));
+    }
+}
+
+TEST_CASE("overlaps differ by their answer") {
+    for (const bool ours : {false, true})
+        for (const bool box2d : {false, true})
+            CHECK(Differ(ours, box2d) == (ours != box2d));
+}
+
+TEST_CASE("the first difference is described with its step, its door, both answers and both fixtures") {
+    b2World world({0.0f, 0.0f});
+    b2BodyDef def;
+    def.position.Set(3.0f, -4.0f);
+    def.angle = 0.5f;
+    b2PolygonShape box;
+    box.SetAsBox(1.0f, 1.0f);
+    const b2Fixture *fixture = world.CreateBody(&def)->CreateFixture(&box, 1.0f);
+
+    b2Manifold none = {};
+    const std::string manifold = By([&] { bmr::VerifyManifold(fixture, nullptr, none, TwoPoints()); }).line;
+    CHECK(Holds(manifold,
+                "boomerang: first difference from Box2D, step 0, polygon manifold: pointCount (0 points "
+                "here, 2 in Box2D); fixture 0x"));
+    CHECK(Holds(manifold, " (at 3, -4, angle 0.5) against an unknown fixture\n"));
+
+    using State = b2TOIOutput::State;
+    const std::pair<State, const char *> names[] = {{State::e_unknown, "unknown"},
+                                                    {State::e_failed, "failed"},
+                                                    {State::e_overlapped, "overlapped"},
+                                                    {State::e_separated, "separated"}};
+    for (const auto &[state, name] : names) {
+        const b2TOIOutput ours = Impact(state, 0.25f), box2d = Impact(State::e_touching, 0.75f);
+        CHECK(Holds(By([&] { bmr::VerifyImpact(nullptr, fixture, ours, box2d); }).line,
+                    std::string("time of impact: ") + name + " at 0.25 here, touching at 0.75 in Box2D; "));
+    }
+    CHECK(Holds(By([&] { bmr::VerifyOverlap(fixture, fixture, true, false); }).line,
+                "sensor overlap: overlap here, apart in Box2D; "));
+    CHECK(Holds(By([&] { bmr::VerifyOverlap(fixture, fixture, false, true); }).line,
+                "sensor overlap: apart here, overlap in Box2D; "));
+}
+
+TEST_CASE("of many differences the first alone is described") {
+    const Told told = By([] {
+        for (int i = 0; i < 3; ++i)
+            bmr::VerifyOverlap(nullptr, nullptr, true, false);
+    });
+    CHECK(told.differences == 3);
+    CHECK(Holds(told.line, "first difference"));
+    CHECK(told.line.find("first difference") == told.line.rfind("first difference"));
+}
