@@ -7,7 +7,7 @@
 # forks of a process that has threads: the sanitizer's own locks stay locked in the child.
 stage_sanitized_tests() {
     local which=()
-    [ "$brief" = no ] || which=(--label-regex '^(unit|property|fuzz)$')
+    [ "$brief" = no ] || which=(--label-regex '^(unit|property|fuzz|stale)$')
     build_sanitizers || return 1
     rm -rf "$BMR_BUILD_DIR/profiles"
     LLVM_PROFILE_FILE=$BMR_BUILD_DIR/profiles/%m.profraw BMR_TEST_SCALE=${BMR_TEST_SCALE:-0.1} \
