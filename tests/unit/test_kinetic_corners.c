@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// Searches and analyses where they are hard or have nothing to do: the queue against brute force, roots that
+// a solver does not find, points instead of polygons, contact, and what is refused.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_poly.h>
+
+#include "boomerang/analysis.h"
+#include "kds_driver.h"
+#include "kinetic/bernstein.h"
+#include "kinetic/event_queue.h"
+
+/// In GSL's place: what the solver says here.
+static int solver_status = GSL_SUCCESS;
+static double solver_root = 0.0;
+int gsl_poly_complex_solve(const double *a, size_t n, gsl_poly_complex_workspace *w,
+                           gsl_complex_packed_ptr z) {
+    (void)a, (void)w;
+    for (size_t i = 0; i + 1 < n; i++) {
+        z[2 * i] = solver_root;
+        z[2 * i + 1] = 0.0;
+    }
+    return solver_status;
+}
+
+/// (t - 1/4) (t^2 + 1) (t^2 + 4): one root, far from what the solver above says.
+static const double one_root[] = {-1.0, 4.0, -1.25, 5.0, -0.25, 1.0};
+
+static void different_signs_at_the_ends_prove_a_root_that_no_solver_finds(void **state) {
+    (void)state;
+    solver_status = GSL_SUCCESS;
+    solver_root = 1e9;
+    double root = 0.0;
+    assert_int_equal(bmr_polynomial_first_root(one_root, 5, 0.0, 1.0, &root), BMR_OK);
+    assert_true(fabs(root - 0.25) < 1e-15);
+    // And the other way up.
+    double turned[6];
+    for (int k = 0; k < 6; k++)
+        turned[k] = -one_root[k];
+    assert_int_equal(bmr_polynomial_first_root(turned, 5, 0.0, 1.0, &root), BMR_OK);
+    assert_true(fabs(root - 0.25) < 1e-15);
+    // The control: without a change of sign it is the solver's word.
+    assert_int_equal(bmr_polynomial_first_root(one_root, 5, 0.5, 1.0, &root), BMR_OK);
+    assert_true(root == INFINITY);
+}
+
+static void a_solver_that_gives_up_is_an_error(void **state) {
+    (void)state;
+    solver_status = GSL_EFAILED;
+    double root = 7.0;
+    assert_int_equal(bmr_polynomial_first_root(one_root, 5, 0.0, 1.0, &root), BMR_ERROR_OUT_OF_RANGE);
+    assert_true(root == 7.0);
+}
+
+static void roots_nearer_than_the_tolerance_are_one(void **state) {
+    (void)state;
+    // -(u - r) (u - r - e) (u - r + e), three roots closer than a part can be told: found, not counted.
+    const double r = 0.3, e = 1e-7, c[] = {r * r * r - r * e * e, e * e - 3.0 * r * r, 3.0 * r, -1.0};
+    double low = -1.0;
+    assert_true(bmr_bernstein_first_root(c, 3, 0.0, 1e-4, &low));
+    assert_true(low <= r && low + 1e-4 >= r - e);
+    // It touches zero and never is below: with no noise asked for, the parts at the touch are too short in
+    // the end.
+    const double touch[] = {0.09, -0.6, 1.0};
+    assert_false(bmr_bernstein_first_root(touch, 2, 0.0, 1e-4, &low));
+    // The control: lowered a little, it has a root.
+    const double lowered[] = {0.09 - 1e-4, -0.6, 1.0};
+    assert_true(bmr_bernstein_first_root(lowered, 2, 0.0, 1e-4, &low));
+    assert_true(fabs(low - 0.29) < 1e-3);
+}
+
+#define ITEMS 13
+
+static void the_queue_has_the_earliest_on_top_however_times_change(void **state) {
+    (void)state;
+    double times[ITEMS];
+    size_t order[ITEMS], place[ITEMS];
+    bmr_event_queue queue = {times, order, place, ITEMS};
+    bmr_event_queue_init(&queue);
+    assert_true(bmr_event_queue_time(&queue) == INFINITY);
+    test_random random = {5};
+    for (int round = 0; round < 2000; round++) {
+        const size_t item = (size_t)test_random_below(&random, ITEMS);
+        bmr_event_queue_set(&queue, item, (double)test_random_below(&random, 40)); // ties, too
+        size_t first = 0;
+        for (size_t i = 1; i < ITEMS; i++)
+            if (times[i] < times[first])
+                first = i;
+        assert_int_equal(bmr_event_queue_first(&queue), first);
+        assert_true(bmr_event_queue_time(&queue) == times[first]);
+    }
+}
+
+static bmr_polygon *polygon_of(const bmr_vec2 *points, size_t count) {
+    bmr_polygon *polygon = NULL;
+    assert_int_equal(bmr_polygon_create(points, count, NULL, &polygon), BMR_OK);
+    return polygon;
+}
+
+static bmr_motion *motion_of(bmr_motion_piece piece) {
+    bmr_motion *motion = NULL;
+    assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+    return motion;
+}
+
+static bmr_motion *flight(double x, double y, double vx, double vy) {
+    const bmr_pose from = {{x, y}, 1.0, 0.0};
+    return motion_of(bmr_piece_screw(0.0, from, bmr_vec2_make(vx, vy), 0.0));
+}
+
+static const bmr_vec2 square[] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
+
+static void one_line_covers_a_point_that_passes_a_point(void **state) {
+    (void)state;
+    const bmr_vec2 origin = {0.0, 0.0};
+    bmr_polygon *a = polygon_of(&origin, 1), *b = polygon_of(&origin, 1);
+    const bmr_course course = {
+        {a, b}, {motion_of(bmr_piece_rest(bmr_pose_identity())), flight(-3.0, 1.0, 6.0, 0.0)}, 0.0, 1.0};
+    bmr_optimum optimum;
+    assert_int_equal(bmr_offline_optimum(&course, 1e-3, 0.02, NULL, 0, &optimum), BMR_OK);
+    assert_int_equal(optimum.least, 1);
+    assert_int_equal(optimum.found, 1);
+    for (int k = 0; k < 2; k++)
+        bmr_motion_destroy(course.motions[k]);
+    bmr_polygon_destroy(a, NULL);
+    bmr_polygon_destroy(b, NULL);
+}
+
+static void a_run_into_contact_has_a_distance_of_zero_there(void **state) {
+    (void)state;
+    test_kds_body a = test_kds_body_make(polygon_of(square, 4)),
+                  b = test_kds_body_make(polygon_of(square, 4));
+    const bmr_course course = {{a.polygon, b.polygon},
+                               {motion_of(bmr_piece_rest(bmr_pose_identity())), flight(4.0, 0.5, -4.0, 0.0)},
+                               0.0,
+                               1.0};
+    bmr_run_def def;
+    memset(&def, 0, sizeof def);
+    def.structure = bmr_kds_find("lazy-dudley");
+    def.shapes[0] = a.shape;
+    def.shapes[1] = b.shape;
+    def.simulation = bmr_default_simulation_def();
+    bmr_run run;
+    assert_int_equal(bmr_run_course(&def, &course, 2.0, NULL, &run), BMR_OK);
+    assert_int_equal(run.counts.events[BMR_KDS_CONTACT], 1);
+    assert_true(run.hysteresis.distance == 0.0);
+    // What is no course is refused: its end before its beginning.
+    bmr_course backwards = course;
+    backwards.from = 2.0;
+    assert_int_equal(bmr_run_course(&def, &backwards, 2.0, NULL, &run), BMR_ERROR_OUT_OF_RANGE);
+    for (int k = 0; k < 2; k++)
+        bmr_motion_destroy(course.motions[k]);
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+}
+
+static void families_know_which_paths_are_convex(void **state) {
+    (void)state;
+    for (int family = 0; family <= BMR_FAMILY_COUNT; family++)
+        assert_int_equal(bmr_family_is_convex((bmr_family)family),
+                         family == BMR_FAMILY_LINE || family == BMR_FAMILY_PARABOLA);
+}
+
+static void what_makes_no_sense_is_refused(void **state) {
+    (void)state;
+    bmr_polygon *p = polygon_of(square, 4);
+    bmr_motion *motion = flight(0.0, 0.0, 1.0, 0.0);
+    double distance, time;
+    assert_int_equal(bmr_least_distance(p, p, motion, NULL, 0.0, 1.0, 1e-3, &distance, &time),
+                     BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_adversary_create(BMR_ADVERSARY_COUNT, 8, 0.1, NULL, NULL), BMR_ERROR_NULL_ARGUMENT);
+    bmr_clear clear;
+    assert_int_equal(bmr_clear_decomposition(NULL, 2.0, 0.0, &clear), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_fit_growth(NULL, NULL, 0, NULL), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_simulation_replan(NULL, 0), BMR_ERROR_NULL_ARGUMENT);
+
+    bmr_simulation_def def = bmr_default_simulation_def();
+    def.structure = bmr_kds_find("lazy-dudley");
+    test_kds_body body = test_kds_body_make(polygon_of(square, 4));
+    const bmr_kds_shape shapes[] = {body.shape, body.shape};
+    bmr_motion *const motions[] = {motion, NULL};
+    bmr_simulation *simulation = NULL;
+    assert_int_equal(bmr_simulation_create(&def, shapes, motions, 2, 0.0, NULL, NULL, NULL, &simulation),
+                     BMR_ERROR_NULL_ARGUMENT);
+    assert_null(simulation);
+    test_kds_body_destroy(&body);
+
+    bmr_motion_piece piece = bmr_piece_rest(bmr_pose_identity());
+    piece.kind = (bmr_motion_piece_kind)2;
+    bmr_motion *made = NULL;
+    assert_int_equal(bmr_motion_create(&piece, NULL, &made), BMR_ERROR_OUT_OF_RANGE);
+    assert_null(made);
+    bmr_motion_destroy(motion);
+    bmr_polygon_destroy(p, NULL);
+
+    // So far from its origin that the distance asked for is below the rounding of its vertices.
+    bmr_vec2 far[4];
+    for (int i = 0; i < 4; i++)
+        far[i] = bmr_vec2_make(square[i].x + 1e5, square[i].y);
+    p = polygon_of(far, 4);
+    const bmr_family_def family = {BMR_FAMILY_LINE, 1e9, 1, 0, 0};
+    bmr_family_motion path;
+    assert_int_equal(bmr_family_create(&family, p, p, NULL, &path), BMR_ERROR_OUT_OF_RANGE);
+    bmr_polygon_destroy(p, NULL);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(different_signs_at_the_ends_prove_a_root_that_no_solver_finds),
+        cmocka_unit_test(a_solver_that_gives_up_is_an_error),
+        cmocka_unit_test(roots_nearer_than_the_tolerance_are_one),
+        cmocka_unit_test(the_queue_has_the_earliest_on_top_however_times_change),
+        cmocka_unit_test(one_line_covers_a_point_that_passes_a_point),
+        cmocka_unit_test(a_run_into_contact_has_a_distance_of_zero_there),
+        cmocka_unit_test(families_know_which_paths_are_convex),
+        cmocka_unit_test(what_makes_no_sense_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
