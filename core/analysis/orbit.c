@@ -56,8 +56,8 @@ static void append_edge(orbit *o, bmr_vec2 by) {
 }
 
 /// A cubic with the circle's tangents at both ends, and its middle on the circle.
-static void append_arc_piece(orbit *o, double from, double angle, double part_of_turn) {
-    const double duration = part_of_turn * angle / (2.0 * PI);
+static void append_arc_piece(orbit *o, double from, double angle) {
+    const double duration = 0.5 * angle / (2.0 * PI);
     if (o->error != BMR_OK || !(o->time + duration > o->time))
         return;
     const bmr_vec2 u = {cos(from), sin(from)}, v = {cos(from + angle), sin(from + angle)};
@@ -78,12 +78,12 @@ static void append_arc_piece(orbit *o, double from, double angle, double part_of
     o->at.position = bmr_add(o->at.position, chord);
 }
 
-static void append_arc(orbit *o, double from, double angle, double part_of_turn) {
+static void append_arc(orbit *o, double from, double angle) {
     if (!(angle > SAME_ANGLE))
         return;
     const int pieces = (int)ceil(angle / ARC_ANGLE);
     for (int i = 0; i < pieces; i++)
-        append_arc_piece(o, from + angle * i / pieces, angle / pieces, part_of_turn);
+        append_arc_piece(o, from + angle * i / pieces, angle / pieces);
 }
 
 /// The sides of A + (-B) in the order of their angles, B turned; returns the perimeter.
@@ -106,24 +106,20 @@ static double collect_sides(const bmr_family_plan *plan, side *sides) {
 }
 
 static void go_round(orbit *o, const bmr_family_plan *plan, const side *sides, size_t count) {
-    const double part_of_turn = count > 0 ? 0.5 : 1.0;
-    double angle = count > 0 ? sides[0].angle : 0.0;
+    double angle = sides[0].angle;
     for (size_t k = 0; k < count; k++) {
-        append_arc(o, angle, sides[k].angle - angle, part_of_turn);
+        append_arc(o, angle, sides[k].angle - angle);
         angle = sides[k].angle;
         const bmr_polygon *p = sides[k].owner == 0 ? plan->a : plan->b;
         const uint32_t i = sides[k].edge;
         const bmr_vec2 edge = bmr_sub(p->vertices[(i + 1) % p->count], p->vertices[i]);
         append_edge(o, sides[k].owner == 0 ? edge : bmr_neg(bmr_rotate(&plan->turn, edge)));
     }
-    const double rest = count > 0 ? sides[0].angle + 2.0 * PI - angle : 2.0 * PI;
-    append_arc(o, angle, rest, part_of_turn);
+    append_arc(o, angle, sides[0].angle + 2.0 * PI - angle);
 }
 
 /// B's frame where the first side begins: the last vertices of both before its direction.
 static bmr_vec2 start_of(const bmr_family_plan *plan, const side *sides, size_t count, double gap) {
-    if (count == 0)
-        return bmr_place_at_gap(plan->a, plan->b, &plan->turn, bmr_vec2_make(1.0, 0.0), gap);
     // In the middle of the gap before the first side no edge ties.
     const double before = sides[count - 1].angle - 2.0 * PI, middle = 0.5 * (before + sides[0].angle);
     const bmr_vec2 u = {cos(middle), sin(middle)}, first = {cos(sides[0].angle), sin(sides[0].angle)};
