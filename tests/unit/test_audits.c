@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+// Audits see what is wrong in a state, each promise by itself: what is damaged here is damaged nowhere else.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "boomerang/pair.h"
+#include "kds/point.h"
+#include "kds/structure.h"
+#include "kds/windowed_line.h"
+#include "kds_driver.h"
+#include "motions.h"
+
+static test_kds_body regular(size_t n) {
+    test_random random = {n};
+    return test_kds_body_make(test_polygon(TEST_REGULAR, n, &random));
+}
+
+/// A structure of a name, started at a distance.
+typedef struct stage {
+    test_kds_body a, b;
+    bmr_instant now;
+    bmr_kds *kds;
+} stage;
+
+static stage stage_of(const char *name, test_kds_body a, test_kds_body b, double gap) {
+    stage s = {a, b, {test_pose_at(a.polygon, b.polygon, 0.3, 0.5, gap), {0.0, 0.0}, 0.0}, NULL};
+    const bmr_kds_def def = bmr_default_kds_def();
+    const bmr_kds_info *info = bmr_kds_find(name);
+    assert_non_null(info);
+    assert_int_equal(bmr_kds_create(info, &def, &s.a.shape, &s.b.shape, NULL, &s.kds), BMR_OK);
+    assert_ptr_equal(bmr_kds_get_info(s.kds), info);
+    bmr_kds_report report;
+    bmr_kds_repair(s.kds, &s.now, 0, &report); // before its start there is nothing to repair
+    assert_int_equal(report.kind, BMR_KDS_NONE);
+    assert_false(report.apart);
+    bmr_kds_start(s.kds, &s.now, &report);
+    assert_true(report.apart);
+    assert_int_equal(bmr_kds_audit(s.kds, &s.now.pose), BMR_OK);
+    return s;
+}
+static void stage_destroy(stage *s) {
+    bmr_kds_destroy(s->kds, NULL);
+    test_kds_body_destroy(&s->a);
+    test_kds_body_destroy(&s->b);
+}
+static void assert_refused(const stage *s) {
+    assert_int_equal(bmr_kds_audit(s->kds, &s->now.pose), BMR_ERROR_INVALID_STRUCTURE);
+}
+
+/// How the state of the lazy structures begins.
+typedef struct lazy_begin {
+    bmr_corner corner;
+    bmr_edge edge;
+} lazy_begin;
+
+static void the_edge_and_the_corner_of_a_lazy_structure_are_of_its_level(void **state) {
+    (void)state;
+    stage s = stage_of("lazy-dudley", regular(64), regular(64), 0.5);
+    lazy_begin *lazy = (lazy_begin *)(void *)s.kds->state;
+    const lazy_begin right = *lazy;
+    const bmr_hierarchy *h = s.a.hierarchies[BMR_HIERARCHY_DUDLEY];
+    const bmr_edge last = bmr_hierarchy_edge_count(h) - 1;
+    assert_int_equal(bmr_hierarchy_level(h, last), bmr_hierarchy_depth(h));
+    lazy->corner.before = last; // of a deeper level
+    assert_refused(&s);
+    lazy->corner.before = right.corner.after; // not the edge before this one
+    assert_refused(&s);
+    *lazy = right;
+    assert_int_equal(bmr_kds_audit(s.kds, &s.now.pose), BMR_OK);
+    stage_destroy(&s);
+}
+
+static void the_edge_of_a_triangle_is_one_of_the_hierarchy(void **state) {
+    (void)state;
+    stage s = stage_of("triangle-levels-dudley", regular(64), test_kds_point_make(0.125, 0.0), 0.1);
+    bmr_point_state *point = bmr_point_get(s.kds);
+    const bmr_edge right = point->edge;
+    assert_true(right != BMR_NO_EDGE);
+    // Every edge but its own and those whose triangles it is in, too: it is in no triangle of the far side.
+    size_t refused = 0;
+    for (bmr_edge edge = 0; edge < bmr_hierarchy_edge_count(point->hierarchy); ++edge) {
+        point->edge = edge;
+        refused += bmr_kds_audit(s.kds, &s.now.pose) != BMR_OK;
+    }
+    assert_true(refused > 32);
+    point->edge = right;
+    stage_destroy(&s);
+}
+
+/// How the state of the separating edge begins.
+typedef struct edge_begin {
+    bmr_line line;
+    int owner;
+    bool is_edge;
+    uint32_t edge, vertex;
+} edge_begin;
+
+static void the_separating_edge_has_its_own_line_and_the_nearest_vertex(void **state) {
+    (void)state;
+    stage s = stage_of("separating-edge", regular(16), regular(16), 0.2);
+    edge_begin *e = (edge_begin *)(void *)s.kds->state;
+    assert_true(e->is_edge);
+    const edge_begin right = *e;
+    e->line.offset += 0.01; // separates still
+    assert_refused(&s);
+    *e = right;
+    e->vertex = (right.vertex + 8) % 16;
+    assert_refused(&s);
+    *e = right;
+    assert_int_equal(bmr_kds_audit(s.kds, &s.now.pose), BMR_OK);
+    stage_destroy(&s);
+}
+
+/// Between the ends of a bracket, where two points of the window tie, a vertex between them is farther.
+static void a_window_bounds_in_the_middle_of_its_bracket_too(void **state) {
+    (void)state;
+    stage s = stage_of("free-fd1", regular(16), regular(16), 0.2);
+    bmr_windowed_line *w = (bmr_windowed_line *)(void *)s.kds->state;
+    const int other = 1 - w->owner;
+    const bmr_polygon *p = s.kds->shapes[other].polygon;
+    const bmr_vec2 d = other == 1 ? bmr_neg(bmr_unrotate(&s.now.pose, w->line.normal))
+                                  : bmr_neg(bmr_rotate(&s.now.pose, w->line.normal));
+    const uint32_t i = bmr_polygon_support(p, d), before = (i + 15) % 16, after = (i + 1) % 16;
+    w->count = 2;
+    w->point[0] = p->vertices[before];
+    w->point[1] = p->vertices[after];
+    w->low = bmr_polygon_normal(p, (before + 15) % 16);
+    w->high = bmr_polygon_normal(p, after);
+    assert_refused(&s);
+    // The control: with the vertex it is a window.
+    w->count = 3;
+    w->point[2] = p->vertices[i];
+    assert_int_equal(bmr_kds_audit(s.kds, &s.now.pose), BMR_OK);
+    // Without a bracket the window must be all vertices.
+    w->low = w->high = bmr_vec2_make(0.0, 0.0);
+    assert_refused(&s);
+    stage_destroy(&s);
+}
+
+static void a_pair_is_audited_field_by_field(void **state) {
+    (void)state;
+    for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
+        test_random random = {3};
+        test_body a = test_body_make(test_polygon(TEST_ELLIPSE, 40, &random), (bmr_structure)structure),
+                  b = test_body_make(test_polygon(TEST_ELLIPSE, 40, &random), (bmr_structure)structure);
+        const bmr_shape shape_a = test_body_shape(&a), shape_b = test_body_shape(&b);
+        bmr_pair_def def = bmr_default_pair_def();
+        def.structure = (bmr_structure)structure;
+        const bmr_pose near = test_pose_at(a.polygon, b.polygon, 0.3, 0.5, 0.01);
+        bmr_pair pair;
+        bmr_pair_init(&pair);
+        assert_int_equal(bmr_pair_advance(&pair, &def, &shape_a, &shape_b, &near, NULL, NULL), BMR_APART);
+        assert_true(pair.level >= 0);
+        assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &shape_b, &near), BMR_OK);
+        assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &shape_b, NULL), BMR_ERROR_NULL_ARGUMENT);
+        const bmr_pair right = pair;
+        pair.owner = 2;
+        assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &shape_b, &near), BMR_ERROR_INVALID_STRUCTURE);
+        pair = right;
+        pair.edge = 1000; // neither a vertex nor an edge
+        assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &shape_b, &near), BMR_ERROR_INVALID_STRUCTURE);
+        pair = right;
+        if (structure != BMR_FREE_DIRECTION) {
+            bmr_shape bare = shape_a;
+            bare.hierarchy = NULL; // as for another structure
+            assert_int_equal(bmr_pair_audit(&pair, &def, &bare, &shape_b, &near),
+                             BMR_ERROR_INVALID_STRUCTURE);
+            bare = shape_b;
+            bare.hierarchy = shape_a.hierarchy; // of another polygon
+            assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &bare, &near),
+                             BMR_ERROR_INVALID_STRUCTURE);
+        }
+        test_body_destroy(&a);
+        test_body_destroy(&b);
+    }
+}
+
+/// Without hierarchies the lazy structures have nothing to prove with: the pair goes to the exact test.
+static void a_lazy_pair_without_hierarchies_claims_nothing(void **state) {
+    (void)state;
+    test_random random = {3};
+    test_body a = test_body_make(test_polygon(TEST_REGULAR, 40, &random), BMR_FREE_DIRECTION);
+    const bmr_shape shape = test_body_shape(&a);
+    assert_null(shape.hierarchy);
+    bmr_pair_def def = bmr_default_pair_def();
+    def.structure = BMR_LAZY_DUDLEY;
+    const bmr_pose far = {{100.0, 0.0}, 1.0, 0.0};
+    bmr_pair pair;
+    bmr_pair_init(&pair);
+    assert_int_equal(bmr_pair_advance(&pair, &def, &shape, &shape, &far, NULL, NULL), BMR_STAB_POLYGON);
+    assert_int_equal(pair.state, BMR_PAIR_CONTACT);
+    test_body_destroy(&a);
+}
+
+static void a_certificate_whose_bracket_is_wider_than_half_a_turn_is_none(void **state) {
+    (void)state;
+    test_random random = {3};
+    bmr_polygon *p = test_polygon(TEST_REGULAR, 8, &random);
+    const bmr_pose right = {{4.0, 0.0}, 1.0, 0.0};
+    bmr_certificate k;
+    memset(&k, 0, sizeof k);
+    k.normal[0] = 1.0f;
+    k.offset = 1.5f;
+    for (int i = 0; i < 2; ++i)
+        k.window[i][0] = -1.5f;
+    k.low[0] = k.high[0] = 0.5f;
+    k.low[1] = 0.8660254f;
+    k.high[1] = -0.8660254f;
+    double gap;
+    assert_int_not_equal(bmr_certificate_check(&k, &right, 0.0, &gap), BMR_CHECK_ROLLED);
+    assert_int_equal(bmr_certificate_audit(&k, p, p, &right), BMR_ERROR_FALSE_CERTIFICATE);
+    bmr_polygon_destroy(p, NULL);
+}
+
+static void a_polygon_beyond_the_range_is_refused(void **state) {
+    (void)state;
+    test_random random = {3};
+    bmr_polygon *p = test_polygon(TEST_REGULAR, 8, &random);
+    const bmr_polygon right = *p;
+    bmr_vec2 *vertices = (bmr_vec2 *)(p + 1); // they lie in the same block
+    const bmr_vec2 first = vertices[0];
+    vertices[0].x = 2.0 * BMR_MAX_COORDINATE;
+    assert_int_equal(bmr_polygon_audit(p), BMR_ERROR_OUT_OF_RANGE);
+    bmr_hierarchy *h = NULL;
+    vertices[0] = first;
+    assert_int_equal(bmr_hierarchy_build_dudley(p, NULL, &h), BMR_OK);
+    vertices[0].x = 2.0 * BMR_MAX_COORDINATE;
+    assert_int_equal(bmr_hierarchy_audit(h), BMR_ERROR_OUT_OF_RANGE); // what its polygon's audit says
+    vertices[0] = first;
+    assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
+    bmr_hierarchy_destroy(h, NULL);
+    p->lowest = (uint16_t)p->count;
+    assert_int_equal(bmr_polygon_audit(p), BMR_ERROR_INVALID_STRUCTURE);
+    *p = right;
+    bmr_polygon_destroy(p, NULL);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_edge_and_the_corner_of_a_lazy_structure_are_of_its_level),
+        cmocka_unit_test(the_edge_of_a_triangle_is_one_of_the_hierarchy),
+        cmocka_unit_test(the_separating_edge_has_its_own_line_and_the_nearest_vertex),
+        cmocka_unit_test(a_window_bounds_in_the_middle_of_its_bracket_too),
+        cmocka_unit_test(a_pair_is_audited_field_by_field),
+        cmocka_unit_test(a_lazy_pair_without_hierarchies_claims_nothing),
+        cmocka_unit_test(a_certificate_whose_bracket_is_wider_than_half_a_turn_is_none),
+        cmocka_unit_test(a_polygon_beyond_the_range_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
