@@ -66,10 +66,87 @@ static void control_one_that_is_smaller_does_not(void **state) {
             look(count, 1.0 - 0.049 * i, 0.37 * i, 1e-6, false);
 }
 
+static bmr_convex32_block *regular_raw(uint32_t count, double from) {
+    for (uint32_t i = 0; i < count; ++i) {
+        const double angle = from + 2.0 * 3.14159265358979323846 * i / count;
+        points[i].x = (float)cos(angle);
+        points[i].y = (float)sin(angle);
+    }
+    bmr_convex32_block *block = NULL;
+    assert_int_equal(bmr_convex32_create_raw(points, count, NULL, &block), BMR_OK);
+    return block;
+}
+
+static void a_segment_holds_nothing(void **state) {
+    (void)state;
+    bmr_convex32_block *block = regular_raw(12, 0.0);
+    const bmr_vec2 ends[] = {{-5.0, 0.0}, {5.0, 0.0}};
+    bmr_polygon *segment = NULL;
+    assert_int_equal(bmr_polygon_create(ends, 2, NULL, &segment), BMR_OK);
+    assert_false(bmr_convex32_held(&block->polygon, segment, 10.0));
+    bmr_polygon_destroy(segment, NULL);
+    bmr_convex32_destroy(block, NULL);
+}
+
+static void the_polygon_inside_has_8_vertices_at_most(void **state) {
+    (void)state;
+    bmr_convex32_block *block = regular_raw(24, 0.1);
+    uint32_t eight[8], asked_for_more[9];
+    asked_for_more[8] = 1234;
+    bmr_convex32_inner(&block->polygon, eight, 8);
+    bmr_convex32_inner(&block->polygon, asked_for_more, 9);
+    assert_memory_equal(eight, asked_for_more, sizeof eight);
+    assert_int_equal(asked_for_more[8], 1234);
+    bmr_convex32_destroy(block, NULL);
+}
+
+/// A raw polygon begins anywhere: what is kept need not begin with its first vertex.
+static void polygons_are_simplified_wherever_they_begin(void **state) {
+    (void)state;
+    for (int step = 0; step < 16; ++step) {
+        bmr_convex32_block *block = regular_raw(32, 0.05 + 0.4 * step);
+        for (float tolerance = 0.01f; tolerance < 4.0f; tolerance *= 2.0f) {
+            bmr_vec32 kept[32];
+            size_t count = 0;
+            assert_int_equal(bmr_convex32_simplify(&block->polygon, tolerance, NULL, kept, &count), BMR_OK);
+            assert_true(count >= 3 && count <= 32);
+            if (tolerance > 2.0f)
+                assert_int_equal(count, 3);
+            // Some of the vertices, in their order.
+            uint32_t at = 0;
+            for (size_t i = 0; i < count; ++i, ++at) {
+                while (at < 32 && (block->polygon.vertices[at].x != kept[i].x ||
+                                   block->polygon.vertices[at].y != kept[i].y))
+                    ++at;
+                assert_true(at < 32);
+            }
+        }
+        bmr_convex32_destroy(block, NULL);
+    }
+}
+
+static void the_audit_refuses_counts_that_no_polygon_has(void **state) {
+    (void)state;
+    bmr_convex32_block *block = regular_raw(12, 0.0);
+    bmr_convex32 polygon = block->polygon;
+    polygon.count = 2;
+    assert_int_equal(bmr_convex32_audit(&polygon), BMR_ERROR_TOO_FEW_POINTS);
+    polygon.count = BMR_CONVEX32_MOST + 1;
+    assert_int_equal(bmr_convex32_audit(&polygon), BMR_ERROR_TOO_MANY_POINTS);
+    assert_int_equal(bmr_convex32_create_raw(points, BMR_CONVEX32_MOST + 1, NULL, &block),
+                     BMR_ERROR_TOO_MANY_POINTS);
+    assert_int_equal(bmr_convex32_create_raw(points, 2, NULL, &block), BMR_ERROR_TOO_FEW_POINTS);
+    bmr_convex32_destroy(block, NULL);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_envelope_holds_every_vertex),
         cmocka_unit_test(control_one_that_is_smaller_does_not),
+        cmocka_unit_test(a_segment_holds_nothing),
+        cmocka_unit_test(the_polygon_inside_has_8_vertices_at_most),
+        cmocka_unit_test(polygons_are_simplified_wherever_they_begin),
+        cmocka_unit_test(the_audit_refuses_counts_that_no_polygon_has),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,6 +12,7 @@
 #include "compass_fixture.h"
 #include "failing_allocator.h"
 #include "hierarchies.h"
+#include "hierarchy/mixed.h"
 
 /// @file
 /// The mixed hierarchy of a diamond and a square, whose cells can be written down by hand.
@@ -164,6 +165,64 @@ static void the_tiling_has_those_cells_and_their_neighbours(void **state) {
     scene_destroy(&s);
 }
 
+static void what_is_no_cell_has_neither_sides_nor_height_nor_neighbours(void **state) {
+    (void)state;
+    scene s = diamond_and_square();
+    const bmr_mixed mixed = mixed_of(&s, 0.3, 0.0);
+    double slack;
+    const bmr_mixed_cell outside = bmr_mixed_outside(&mixed, bmr_vec2_make(5.0, 1.0), &slack);
+    assert_int_equal(outside.kind, BMR_MIXED_OUTSIDE);
+    assert_true(slack > 0.0);
+    const bmr_mixed_cell inside = {BMR_NO_EDGE, {BMR_NO_EDGE, BMR_NO_EDGE}, BMR_MIXED_INSIDE, 0, {0, 0}};
+    assert_false(bmr_mixed_exists(&mixed, &inside));
+    assert_false(bmr_mixed_holds(&mixed, &inside, bmr_vec2_make(0.0, 0.0)));
+    bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
+    assert_int_equal(bmr_mixed_sides(&mixed, &inside, sides), 0);
+    const bmr_mixed_ray ray = {{5.0, 1.0}, {-1.0, 0.0}};
+    unsigned touched = 0;
+    for (int k = 0; k < 2; ++k) {
+        const bmr_mixed_cell *cell = k == 0 ? &inside : &outside;
+        bmr_vec2 corners[BMR_MIXED_MAX_SIDES];
+        assert_int_equal(bmr_mixed_polygon(&mixed, cell, corners), 0);
+        assert_true(bmr_mixed_height(&mixed, cell) == 0.0);
+        const bmr_mixed_cell next = bmr_mixed_next(&mixed, cell, BMR_MIXED_INNER, &ray, &touched);
+        assert_memory_equal(&next, cell, sizeof next);
+    }
+    assert_int_equal(touched, 0);
+    scene_destroy(&s);
+}
+
+static void a_way_of_no_length_stays_and_one_that_passes_by_is_outside(void **state) {
+    (void)state;
+    scene s = diamond_and_square();
+    const bmr_mixed mixed = mixed_of(&s, 0.3, 0.0);
+    const bmr_mixed_cell at = cell_at(&mixed, 1.1, 1.1);
+    bmr_mixed_cell cell = at;
+    unsigned touched = 0;
+    const bmr_vec2 here = {1.1, 1.1};
+    assert_true(bmr_mixed_walk(&mixed, &cell, here, here, &touched));
+    assert_memory_equal(&cell, &at, sizeof at);
+    assert_int_equal(touched, 0);
+    const bmr_mixed_ray past = {{5.0, 5.0}, {-1.0, 0.0}}, into = {{5.0, 0.0}, {-1.0, 0.0}};
+    assert_int_equal(bmr_mixed_enter(&mixed, &past, &touched).kind, BMR_MIXED_OUTSIDE);
+    assert_int_not_equal(bmr_mixed_enter(&mixed, &into, &touched).kind, BMR_MIXED_OUTSIDE);
+    scene_destroy(&s);
+}
+
+static void a_tiling_remembers_its_rotation(void **state) {
+    (void)state;
+    scene s = diamond_and_square();
+    const bmr_mixed mixed = mixed_of(&s, 0.3, 0.125);
+    bmr_mixed_tiling *tiling = NULL;
+    assert_int_equal(bmr_mixed_tiling_create(&mixed, NULL, &tiling), BMR_OK);
+    const bmr_mixed *kept = bmr_mixed_tiling_mixed(tiling);
+    assert_true(kept->c == mixed.c && kept->s == mixed.s && kept->offset == 0.125);
+    assert_ptr_equal(kept->hierarchies[0], s.hierarchies[0]);
+    assert_ptr_equal(kept->hierarchies[1], s.hierarchies[1]);
+    bmr_mixed_tiling_destroy(tiling, NULL);
+    scene_destroy(&s);
+}
+
 static void bad_arguments_and_no_memory_are_errors(void **state) {
     (void)state;
     scene s = diamond_and_square();
@@ -193,6 +252,9 @@ int main(void) {
         cmocka_unit_test(a_small_turn_opens_parallelograms),
         cmocka_unit_test(an_offset_moves_every_line_and_mitres_the_corners),
         cmocka_unit_test(the_tiling_has_those_cells_and_their_neighbours),
+        cmocka_unit_test(what_is_no_cell_has_neither_sides_nor_height_nor_neighbours),
+        cmocka_unit_test(a_way_of_no_length_stays_and_one_that_passes_by_is_outside),
+        cmocka_unit_test(a_tiling_remembers_its_rotation),
         cmocka_unit_test(bad_arguments_and_no_memory_are_errors),
     };
     return cmocka_run_group_tests(tests, make_compass, drop_compass);
