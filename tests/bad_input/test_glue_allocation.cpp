@@ -6,14 +6,20 @@
 #include <doctest/doctest.h>
 
 #include <cstring>
+#include <thread>
 #include <vector>
 
+#include <box2d/b2_time_of_impact.h>
 #include <sys/mman.h>
 
+#include "../../box2d_glue/impact_scan.h"
+#include "../../box2d_glue/overlap.h"
+#include "../../box2d_glue/sweep_apart.h"
 #include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
 #include "failing_malloc.h"
 #include "forked_world.h"
+#include "stderr_text.h"
 #include "test_scale.h"
 
 using bmr::ConvexShape;
@@ -247,4 +253,74 @@ TEST_CASE("what cannot be drawn for want of memory is left out") {
     failing_malloc::FailAt(kNoFailure);
     CHECK(all.polygons == 2);
     CHECK(less.polygons == 1);
+}
+
+TEST_CASE("without memory to remember pairs nothing is certain, and nothing but that is lost") {
+    b2PolygonShape box;
+    box.SetAsBox(1.0f, 1.0f);
+    b2TOIInput far;
+    far.proxyA.Set(&box, 0);
+    far.proxyB.Set(&box, 0);
+    for (b2Sweep *sweep : {&far.sweepA, &far.sweepB}) {
+        sweep->localCenter.SetZero();
+        sweep->c0.SetZero();
+        sweep->c.SetZero();
+        sweep->a0 = sweep->a = sweep->alpha0 = 0.0f;
+    }
+    far.sweepB.c0.Set(9.0f, 0.0f);
+    far.sweepB.c.Set(9.0f, 0.0f);
+    far.tMax = 1.0f;
+    b2Transform here, there;
+    here.SetIdentity();
+    there.Set({9.0f, 0.0f}, 0.0f);
+    b2World world({0.0f, 0.0f});
+    b2BodyDef def;
+    const b2Fixture *a = world.CreateBody(&def)->CreateFixture(&box, 1.0f);
+    const bmr::ImpactScan::Side sides[] = {{a, 0, far.sweepA, here.q}, {a, 0, far.sweepB, here.q}};
+    // What is remembered is the thread's: each of these asks first on a thread of its own.
+    const auto ask = [&](int which, bool withMemory) {
+        bool known = false;
+        std::thread([&] {
+            bmr::ImpactScan *scan = which == 3 ? bmr::ImpactScan::Begin() : nullptr;
+            failing_malloc::FailAt(withMemory ? UINT64_MAX : 0);
+            if (which == 0)
+                known = bmr::CertainOverlap(box, 0, box, 0, here, there) != bmr::Overlap::kUnknown;
+            else if (which == 1)
+                known = bmr::NeverTouch(far);
+            else if (which == 2)
+                known = bmr::NeverTouchUnlessResting(far);
+            else
+                known = scan->NeverTouch(nullptr, sides[0], sides[1]);
+            failing_malloc::FailAt(UINT64_MAX);
+        }).join();
+        return known;
+    };
+    for (int which = 0; which < 4; ++which) {
+        CAPTURE(which);
+        CHECK(!ask(which, false));
+        CHECK(ask(which, true));
+    }
+}
+
+TEST_CASE("Install without memory for its table is refused, and says so") {
+    // Which Box2D this is may be known already: then the table is the first that is asked for, else the
+    // second.
+    static uint64_t at;
+    int refused = 0;
+    for (at = 0; at < 2; ++at)
+        refused += forked::InChild(
+                       [](Run &run) {
+                           bmr::Options lazy;
+                           lazy.structure = BMR_LAZY_COMPASS;
+                           bool done = true;
+                           const std::string said = StderrOf([&] {
+                               failing_malloc::FailAt(at);
+                               done = bmr::Install(lazy);
+                               failing_malloc::FailAt(UINT64_MAX);
+                           });
+                           run.Print("%d %d %s", done, bmr::IsInstalled(), said.c_str());
+                       },
+                       nullptr, forked::When::kByScenario) ==
+                   "0 0 boomerang: not at work, Box2D runs as it is: there is no memory\n\n";
+    CHECK(refused == 1);
 }

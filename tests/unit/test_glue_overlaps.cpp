@@ -213,3 +213,15 @@ TEST_CASE("what is not a number, not finite or out of reach is left to Box2D, or
     far.p.Set(700.0f, 0.0f);
     CHECK(bmr::CertainOverlap(box, 0, box, 0, at, far) == Overlap::kUnknown);
 }
+
+TEST_CASE("a polygon that was never set, which has no vertices, is left to Box2D") {
+    const b2PolygonShape never;
+    b2PolygonShape box;
+    box.SetAsBox(1.0f, 1.0f);
+    b2Transform xf;
+    xf.SetIdentity();
+    CHECK(bmr::CertainOverlap(never, 0, box, 0, xf, xf) == bmr::Overlap::kUnknown);
+    CHECK(bmr::CertainOverlap(box, 0, never, 0, xf, xf) == bmr::Overlap::kUnknown);
+    // The control: two boxes are not.
+    CHECK(bmr::CertainOverlap(box, 0, box, 0, xf, xf) == bmr::Overlap::kOverlapping);
+}

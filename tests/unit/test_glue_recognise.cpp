@@ -12,6 +12,7 @@
 #include <dlfcn.h>
 
 #include "../../box2d_glue/recognise.h"
+#include "../../box2d_glue/rounding_probe.h"
 
 namespace {
 
@@ -25,11 +26,14 @@ enum class Oddity {
     kLargerShape,
     kLargerContact,
     kMovedField,
+    kUnreadField,
     kMovedFixture,
     kMovedRestitution,
     kMoreContacts,
     kOtherManifold,
     kLargerManifold,
+    kHastyManifold,
+    kSlowManifold,
     kOtherImpact
 };
 Oddity oddity = Oddity::kNone;
@@ -76,6 +80,8 @@ b2Body *MakeBody(b2World *world, const b2BodyDef *def) {
     b2Body *body = real(world, def);
     if (oddity == Oddity::kMovedField)
         body->SetGravityScale(def->linearDamping);
+    if (oddity == Oddity::kUnreadField) // of a definition that is laid out otherwise
+        body->SetGravityScale(b2BodyDef().gravityScale);
     return body;
 }
 
@@ -134,10 +140,15 @@ void Collide(b2Manifold *manifold, const b2PolygonShape *a, const b2Transform &x
                  &xfB) __asm__("_Z17b2CollidePolygonsP10b2ManifoldPK14b2PolygonShapeRK11b2TransformS3_S6_");
 void Collide(b2Manifold *manifold, const b2PolygonShape *a, const b2Transform &xfA, const b2PolygonShape *b,
              const b2Transform &xfB) {
+    const b2Vec2 before = manifold->localNormal;
     Real<void(b2Manifold *, const b2PolygonShape *, const b2Transform &, const b2PolygonShape *,
               const b2Transform &)>(
         "_Z17b2CollidePolygonsP10b2ManifoldPK14b2PolygonShapeRK11b2TransformS3_S6_")(manifold, a, xfA, b,
                                                                                      xfB);
+    if (oddity == Oddity::kHastyManifold)
+        manifold->localNormal = before;
+    if (oddity == Oddity::kSlowManifold)
+        manifold->localNormal.SetZero();
     if (oddity == Oddity::kOtherManifold)
         manifold->pointCount = 1;
     if (oddity == Oddity::kLargerManifold)
@@ -170,6 +181,7 @@ TEST_CASE("another size is noticed") {
 
 TEST_CASE("another place of a field, another result, another number of contacts are noticed") {
     CHECK(Why(Oddity::kMovedField) == "the fields of b2Body lie elsewhere than in 2.4.1");
+    CHECK(Why(Oddity::kUnreadField) == "the fields of b2Body lie elsewhere than in 2.4.1");
     CHECK(Why(Oddity::kMovedFieldOfWorld) == "the fields of b2World lie elsewhere than in 2.4.1");
     CHECK(Why(Oddity::kMovedFixture) == "the fields of b2Contact lie elsewhere than in 2.4.1");
     CHECK(Why(Oddity::kMovedRestitution) == "the fields of b2Contact lie elsewhere than in 2.4.1");
@@ -182,4 +194,14 @@ TEST_CASE("the library's own check is asked first") {
     bmr::SetLibraryCheck([] { return "no symbols"; });
     CHECK(Why(Oddity::kLargerWorld) == "no symbols");
     bmr::SetLibraryCheck(nullptr);
+}
+
+TEST_CASE("a Box2D that separates polygons a rounding earlier or later is noticed") {
+    const bool stock = bmr::Box2DRoundsAsExact32();
+    oddity = Oddity::kHastyManifold;
+    CHECK(!bmr::Box2DRoundsAsExact32());
+    oddity = Oddity::kSlowManifold;
+    CHECK(!bmr::Box2DRoundsAsExact32());
+    oddity = Oddity::kNone;
+    CHECK(bmr::Box2DRoundsAsExact32() == stock);
 }
