@@ -29,8 +29,9 @@ bool bmr_point_choose_by_slack(bmr_kds *kds, const bmr_pose *b_in_a, unsigned *t
 bool bmr_point_inflated_fails(const bmr_kds *kds, bmr_vec2 x, bmr_kds_report *report);
 bool bmr_point_inflated_done(const bmr_kds *kds, bool apart, bmr_kds_report *report);
 
-/// The edge of the cell of the inflated complex that the point is in, walking from the edge `from` of Q_j:
-/// between Q'_(j-1) and Q'_j, or for j = last + 1 between the last and the polygon. O(cells walked).
+/// The edge of the cell of the inflated complex that the point is in, walking from the edge `from` of Q_j,
+/// whose line in Q'_j the point is beyond, or a neighbour: between Q'_(j-1) and Q'_j, or for j = last + 1
+/// between the last and the polygon. O(cells walked).
 bmr_edge bmr_point_complex_cell(const bmr_kds *kds, bmr_edge from, uint32_t j, bmr_vec2 x, unsigned *touched);
 
 /// One side of a cell of the complex: from the corner (on the inner polygon) to the corner it came from (on

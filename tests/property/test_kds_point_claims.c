@@ -360,6 +360,13 @@ static bool in_cell(const bmr_vec2 corners[4], bmr_vec2 x, double slop) {
     return true;
 }
 
+/// Is the point outside of the line of the edge that the cell is on?
+static bool beyond_cell(const bmr_kds *kds, bmr_edge edge, uint32_t j, bmr_vec2 x) {
+    bmr_vec2 corners[4];
+    cell_corners(kds, edge, j, corners);
+    return bmr_cross(bmr_sub(corners[3], corners[0]), bmr_sub(x, corners[0])) < 0.0;
+}
+
 static void look_at_complex(const bmr_kds *kds, test_random *random, bool drop_triangles, double *missing) {
     const bmr_hierarchy *h = bmr_point_look(kds)->hierarchy;
     const bmr_polygon *p = bmr_hierarchy_polygon(h);
@@ -391,14 +398,18 @@ static void look_at_complex(const bmr_kds *kds, test_random *random, bool drop_t
             for (int i = 0; i < 50; ++i)
                 if (in_cell(corners, samples[i], 1e-9 * size)) {
                     ++holders[i];
-                    // From here and from the edges to both sides the walk ends here.
-                    bmr_edge left = edge, right = edge;
-                    for (int steps = 0; steps < 2; ++steps) {
-                        unsigned touched = 0;
-                        assert_int_equal(bmr_point_complex_cell(kds, left, j, samples[i], &touched), edge);
-                        assert_int_equal(bmr_point_complex_cell(kds, right, j, samples[i], &touched), edge);
-                        left = bmr_hierarchy_corner_after(h, left, level).after;
-                        right = bmr_hierarchy_corner_before(h, right, level).before;
+                    // From here and from the edges to both sides the walk ends here, and from the next ones
+                    // where the sample is beyond their lines.
+                    bmr_edge from[2] = {edge, edge};
+                    for (int steps = 0; steps < 3; ++steps) {
+                        for (int side = 0; side < 2; ++side) {
+                            unsigned touched = 0;
+                            if (steps < 2 || beyond_cell(kds, from[side], j, samples[i]))
+                                assert_int_equal(
+                                    bmr_point_complex_cell(kds, from[side], j, samples[i], &touched), edge);
+                        }
+                        from[0] = bmr_hierarchy_corner_after(h, from[0], level).after;
+                        from[1] = bmr_hierarchy_corner_before(h, from[1], level).before;
                     }
                 }
             edge = bmr_hierarchy_corner_after(h, edge, level).after;

@@ -197,6 +197,30 @@ static void test_same_seed_same_bits_other_seed_other_motion(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
+/// A's body turns by the same angle either way round, as the seed has it.
+static void test_seeds_turn_either_way(void **state) {
+    (void)state;
+    bmr_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 16, 1), *b = outline(BMR_OUTLINE_DISC, 16, 2);
+    const bmr_family turning[] = {BMR_FAMILY_SPIN, BMR_FAMILY_TUMBLE};
+    for (size_t k = 0; k < sizeof turning / sizeof *turning; k++) {
+        int left = 0, right = 0;
+        double rate = 0.0;
+        for (uint64_t seed = 1; seed <= 16; seed++) {
+            bmr_family_motion m = make(turning[k], 8.0, seed, a, b);
+            double spin;
+            (void)bmr_motion_pose(m.motions[0], 0.5, NULL, &spin);
+            left += spin > 0.0;
+            right += spin < 0.0;
+            assert_true(seed == 1 || fabs(spin) == rate);
+            rate = fabs(spin);
+            bmr_family_destroy(&m);
+        }
+        assert_true(left > 0 && right > 0 && left + right == 16);
+    }
+    bmr_polygon_destroy(a, NULL);
+    bmr_polygon_destroy(b, NULL);
+}
+
 static void test_points_and_segments_move_too(void **state) {
     (void)state;
     const bmr_vec2 point = {0.3, 0.1}, segment[2] = {{0.0, 0.0}, {1.0, 0.5}};
@@ -300,6 +324,7 @@ int main(void) {
         cmocka_unit_test(test_orbit_keeps_its_distance_and_closes),
         cmocka_unit_test(test_motions_are_continuous),
         cmocka_unit_test(test_same_seed_same_bits_other_seed_other_motion),
+        cmocka_unit_test(test_seeds_turn_either_way),
         cmocka_unit_test(test_points_and_segments_move_too),
         cmocka_unit_test(test_least_distance_finds_a_short_approach),
         cmocka_unit_test(test_bad_definitions_are_errors),

@@ -188,6 +188,25 @@ static void bounds_hold_and_are_not_idle(void **state) {
     assert_true(tightest > 0.999 && controls > rounds / 2);
 }
 
+static void rotations_are_made_of_unit_length(void **state) {
+    (void)state;
+    bmr_motion_piece pieces[] = {algebraic(0.0),
+                                 bmr_piece_screw(0.0, pose_of(0.0, 0.0, 1.0), bmr_vec2_make(1.0, 0.0), 2.0)};
+    const double off = 1.0 + 5e-10; // as far as a piece may be off, to a half
+    pieces[0].as.algebraic.start_c *= off;
+    pieces[1].as.screw.start.c *= off;
+    pieces[1].as.screw.start.s *= off;
+    for (int i = 0; i < 2; i++) {
+        bmr_motion *motion = made(&pieces[i], NULL);
+        assert_int_equal(bmr_motion_change(motion, 1.0, &pieces[1 - i]), BMR_OK);
+        for (double time = 0.5; time < 2.0; time += 1.0) {
+            const bmr_pose pose = bmr_motion_pose(motion, time, NULL, NULL);
+            assert_true(fabs(hypot(pose.c, pose.s) - 1.0) < 1e-14);
+        }
+        bmr_motion_destroy(motion);
+    }
+}
+
 static void bad_pieces_are_refused_and_nothing_changes(void **state) {
     (void)state;
     const bmr_motion_piece good = bmr_piece_screw(0.0, pose_of(1.0, 2.0, 3.0), bmr_vec2_make(1.0, 1.0), 1.0);
@@ -288,6 +307,7 @@ int main(void) {
         cmocka_unit_test(a_change_of_plan_keeps_the_past_and_drops_the_future),
         cmocka_unit_test(samples_are_met_and_joined_the_short_way_round),
         cmocka_unit_test(bounds_hold_and_are_not_idle),
+        cmocka_unit_test(rotations_are_made_of_unit_length),
         cmocka_unit_test(bad_pieces_are_refused_and_nothing_changes),
         cmocka_unit_test(every_allocation_may_fail),
     };
