@@ -254,37 +254,102 @@ void CheckDistance(const Pair &p, fuzz_bytes *bytes) {
                    "vertices %u and %u", found.vertex_a[i], found.vertex_b[i]);
 }
 
-void CheckCast(const Pair &p, fuzz_bytes *bytes) {
-    const bmr_proxy32 a = p.a.Proxy(), b = p.b.Proxy();
-    const double way = 3.0 * (p.a.Reach() + p.b.Reach());
-    const bmr_vec32 translation = {static_cast<float>(fuzz_in(bytes, -way, way)),
-                                   static_cast<float>(fuzz_in(bytes, -way, way))};
-    bmr_cast32 cast;
-    const bool hit = bmr_convex32_cast(&a, &p.poseA, &b, &p.poseB, translation, kSlop, &cast);
-    const double sigma = std::max(2.0 * static_cast<double>(kSlop),
-                                  static_cast<double>(std::max(p.a.radius, 2.0f * kSlop) +
-                                                      std::max(p.b.radius, 2.0f * kSlop) - 2.0f * kSlop));
-    const double slack = 1e-5 * (10.0 + way + p.size);
-    const distance::Points still = Placed(p.a.vertices, p.poseA);
-    const auto moved = [&](double lambda) {
+/// b on its way to a, and what a cast looks for.
+struct Way {
+    const Pair &p;
+    bmr_vec32 translation;
+    distance::Points still;
+    double skinA, sigma;
+    double tolerance; ///< this much more than sigma counts as reached
+    double slack;     ///< of float answers
+
+    Way(const Pair &pair, bmr_vec32 way, double length)
+        : p(pair), translation(way), still(Placed(pair.a.vertices, pair.poseA)) {
+        const double slop = static_cast<double>(kSlop);
+        const double skinB = std::max(static_cast<double>(p.b.radius), 2.0 * slop);
+        skinA = std::max(static_cast<double>(p.a.radius), 2.0 * slop);
+        sigma = std::max(2.0 * slop, skinA + skinB - 2.0 * slop);
+        tolerance = 0.5 * slop;
+        slack = 1e-5 * (10.0 + length + p.size);
+    }
+    distance::Points Moved(double lambda) const {
         const bmr_transform32 &pose = p.poseB;
         return Placed(p.b.vertices, pose.p.x + lambda * translation.x, pose.p.y + lambda * translation.y,
                       pose.s, pose.c);
-    };
-    const auto at = [&](double lambda) { return Distance(still, moved(lambda)); };
+    }
+    double At(double lambda) const { return Distance(still, Moved(lambda)); }
+    bool FirstTwoWithin(double most) const;
+};
+
+/// May the first two vertices that a cast looks at, the farthest of a against the way and of b along it, be
+/// so near? Supports are chosen in float: any that is the farthest to rounding may be one.
+bool Way::FirstTwoWithin(double most) const {
+    // A direction, two products and a sum are rounded, of the farthest and of the one chosen.
+    const long double rounding =
+        0x1p-21L * std::hypot(translation.x, translation.y) * (p.a.Reach() + p.b.Reach()) + 1e-40L;
+    const auto along = [&](const distance::Point &v) { return v.x * translation.x + v.y * translation.y; };
+    const distance::Points begin = Moved(0.0);
+    long double leastA = INFINITY, mostB = -INFINITY;
+    for (const distance::Point &v : still)
+        leastA = std::min(leastA, along(v));
+    for (const distance::Point &w : begin)
+        mostB = std::max(mostB, along(w));
+    for (const distance::Point &v : still)
+        for (const distance::Point &w : begin)
+            if (along(v) <= leastA + rounding && along(w) >= mostB - rounding &&
+                std::hypot(w.x - v.x, w.y - v.y) <= most)
+                return true;
+    return false;
+}
+
+void CheckHit(const Way &way, const bmr_cast32 &cast, double lambda) {
+    const double there = way.At(lambda);
+    FUZZ_CHECK(there <= way.sigma + way.tolerance + way.slack, "a hit at %g, %g apart", lambda, there);
+    const double nx = static_cast<double>(fuzz_control("cast-normal") ? -cast.normal.x : cast.normal.x);
+    const double ny = static_cast<double>(cast.normal.y);
+    const double along = static_cast<double>(distance::SeparationAlong(way.still, way.Moved(lambda), nx, ny));
+    FUZZ_CHECK(std::fabs(std::hypot(nx, ny) - 1.0) <= 1e-6 && std::fabs(along - there) <= way.slack,
+               "a normal of length %g along which they are %g apart, really %g", std::hypot(nx, ny), along,
+               there);
+    const double skin = Distance(way.still, {{cast.point.x, cast.point.y}});
+    FUZZ_CHECK(std::fabs(skin - way.skinA) <= way.slack, "a point %g from a, its skin is %g", skin,
+               way.skinA);
+}
+
+/// False where there is one whatever comes later: as the two begin.
+bool CheckMiss(const Way &way, const bmr_cast32 &cast) {
+    FUZZ_CHECK(cast.lambda == 1.0f && cast.normal.x == 0.0f && cast.normal.y == 0.0f &&
+                   cast.point.x == 0.0f && cast.point.y == 0.0f,
+               "a miss wrote its outputs");
+    const double reached = way.sigma + way.tolerance, rounding = 0x1p-40 * way.p.size; // both are double's
+    if (way.At(0.0) <= rounding || way.FirstTwoWithin(reached + rounding))
+        return false;
+    FUZZ_CHECK(AtLeast(way.still, way.Moved(0.0), reached - way.slack),
+               "a miss, but %g apart at the beginning, sigma %g", way.At(0.0), way.sigma);
+    return true;
+}
+
+void CheckCast(const Pair &p, fuzz_bytes *bytes) {
+    const bmr_proxy32 a = p.a.Proxy(), b = p.b.Proxy();
+    const double length = 3.0 * (p.a.Reach() + p.b.Reach());
+    const bmr_vec32 translation = {static_cast<float>(fuzz_in(bytes, -length, length)),
+                                   static_cast<float>(fuzz_in(bytes, -length, length))};
+    bmr_cast32 cast;
+    bool hit = bmr_convex32_cast(&a, &p.poseA, &b, &p.poseB, translation, kSlop, &cast);
+    if (fuzz_control("cast-miss")) {
+        hit = false;
+        cast = {{0.0f, 0.0f}, {0.0f, 0.0f}, 1.0f, 0};
+    }
+    const Way way(p, translation, length);
     const double lambda = static_cast<double>(cast.lambda) + (fuzz_control("cast") && hit ? 0.3 : 0.0);
     if (hit)
-        FUZZ_CHECK(at(lambda) <= sigma + 0.5 * static_cast<double>(kSlop) + slack, "a hit at %g, %g apart",
-                   lambda, at(lambda));
-    else
-        FUZZ_CHECK(cast.lambda == 1.0f && cast.normal.x == 0.0f && cast.normal.y == 0.0f &&
-                       cast.point.x == 0.0f && cast.point.y == 0.0f,
-                   "a miss wrote its outputs");
-    if (!hit && at(0.0) <= sigma + slack)
-        return; // overlapping at the beginning is none
+        CheckHit(way, cast, lambda);
+    else if (!CheckMiss(way, cast))
+        return;
     for (int i = 0; i <= 20 && lambda > 0.0; ++i)
-        FUZZ_CHECK(AtLeast(still, moved(lambda * i / 20), sigma - slack),
-                   "%g apart before the hit at %g, sigma %g", at(lambda * i / 20), lambda, sigma);
+        FUZZ_CHECK(AtLeast(way.still, way.Moved(lambda * i / 20), way.sigma - way.slack),
+                   "a %s at %g, but %g apart at %g, sigma %g", hit ? "hit" : "miss", lambda,
+                   way.At(lambda * i / 20), lambda * i / 20, way.sigma);
 }
 
 bmr_sweep32 ReadSweep(fuzz_bytes *bytes, double range, bool turns) {

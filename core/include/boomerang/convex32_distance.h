@@ -89,9 +89,13 @@ typedef struct bmr_cast32 {
 } bmr_cast32;
 
 /// When does b come into touch with a? Box2D's b2ShapeCast: skins are at least twice the slop thick, the
-/// distance looked for is that of both less twice the slop, up to half a slop more counts as reached. False
-/// (point and normal zero) where they do not meet, or overlap at the beginning. Newton's iteration on a
-/// convex function: it never steps past the first touch.
+/// distance looked for is that of both less twice the slop, up to half a slop more counts as reached.
+/// Newton's iteration on a convex function: it never steps past the first touch.
+///
+/// False (point and normal zero) where they do not meet, and in two cases at the beginning, even if they meet
+/// later: without skins they overlap; or, as Box2D has it, a's vertex farthest against the translation and
+/// b's farthest along it (of equal ones any) are so near that they count as reached. Where others do at the
+/// beginning, in front of a side for instance, that is a hit at lambda 0, whichever way b goes.
 bool bmr_convex32_cast(const bmr_proxy32 *a, const bmr_transform32 *pose_a, const bmr_proxy32 *b,
                        const bmr_transform32 *pose_b, bmr_vec32 translation, float linear_slop,
                        bmr_cast32 *cast);
