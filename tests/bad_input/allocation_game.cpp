@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A plain Box2D game in which the plugin asks for memory in all of its ways: hulls of bodies of many fixtures
-// that come and go and change, bodies with so many contacts that they are worth a table, a big hull, two
-// worlds, two threads.
+// that come and go and change, bodies with so many contacts that they are worth a table, also one that grows
+// while pairs are found twice, a big hull, several worlds, two threads.
 #include <thread>
 
 #include "../plugin/small_world.h"
@@ -23,7 +23,17 @@ b2Body *AddComb(b2World &world, b2BodyType type, b2Vec2 at, int teeth) {
     return body;
 }
 
+/// More new contacts in one step than a table has room for at first. What is moved after it was made is asked
+/// twice for its pairs.
+void PlayCrowd(Hash *hash) {
+    b2World world(b2Vec2(0.0f, -10.0f));
+    AddComb(world, b2_staticBody, {0.0f, 0.0f}, 60);
+    AddComb(world, b2_dynamicBody, {0.0f, 5.0f}, 60)->SetTransform({0.0f, 0.1f}, 0.0f);
+    Step(world, 2, hash);
+}
+
 void Play(Hash *hash) {
+    PlayCrowd(hash);
     b2World world(b2Vec2(0.0f, -10.0f));
     AddComb(world, b2_staticBody, {0.0f, 0.0f}, 90); // more contacts than a list is for
     b2Body *comb = AddComb(world, b2_dynamicBody, {0.0f, 2.0f}, 12);
