@@ -143,6 +143,56 @@ static void a_window_bounds_in_the_middle_of_its_bracket_too(void **state) {
     stage_destroy(&s);
 }
 
+/// A sum has as many vertices as both, and its block is made for all of them: what could not be is refused at
+/// once.
+static void sums_that_are_too_large_are_refused(void **state) {
+    (void)state;
+    const bmr_kds_def def = bmr_default_kds_def();
+    const bmr_kds_info *info = bmr_kds_find("sum-triangle-dudley");
+    test_random random = {1};
+    bmr_polygon *many = test_polygon(TEST_REGULAR, BMR_MAX_VERTICES / 2 + 1, &random);
+    const bmr_vec2 far[] = {{0.75 * BMR_MAX_COORDINATE, 0.0}, {0.0, 0.75 * BMR_MAX_COORDINATE}, {0.0, 0.0}};
+    bmr_polygon *large = NULL;
+    assert_int_equal(bmr_polygon_create(far, 3, NULL, &large), BMR_OK);
+    for (int k = 0; k < 2; ++k) {
+        bmr_kds_shape shape;
+        memset(&shape, 0, sizeof shape);
+        shape.polygon = k == 0 ? many : large;
+        bmr_kds *kds = NULL;
+        assert_int_equal(bmr_kds_create(info, &def, &shape, &shape, NULL, &kds), BMR_ERROR_OUT_OF_RANGE);
+        assert_null(kds);
+    }
+    bmr_polygon_destroy(many, NULL);
+    bmr_polygon_destroy(large, NULL);
+}
+
+/// Nothing has failed, and nothing is repaired: the state stays as it was, to the bit.
+static void an_early_repair_of_a_windowed_line_changes_nothing(void **state) {
+    (void)state;
+    static const char *const names[] = {"free-fd1",  "free-fd2", "free-fdx",
+                                        "free-fdxa", "predict",  "inflated-translation"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; ++k) {
+        stage s = stage_of(names[k], regular(24), regular(16), 0.2);
+        const size_t bytes = bmr_kds_bytes(s.kds);
+        unsigned char before[4096];
+        assert_true(bytes <= sizeof before);
+        memcpy(before, s.kds, bytes);
+        bmr_kds_report report;
+        bmr_kds_repair(s.kds, &s.now, 0, &report);
+        assert_int_equal(report.kind, BMR_KDS_NONE);
+        assert_true(report.apart && !report.line_changed);
+        assert_memory_equal(s.kds, before, bytes);
+        // B leaps to another angle without a spin: which way it turned is seen in what failed.
+        for (int turn = 1; turn < 12 && bmr_kds_get_info(s.kds)->domain == BMR_KDS_RIGID; ++turn) {
+            s.now.pose = test_pose_at(s.a.polygon, s.b.polygon, 0.3 + 0.02 * turn, 0.5 + 0.4 * turn, 0.2);
+            bmr_kds_repair(s.kds, &s.now, 0, &report);
+            assert_true(report.apart);
+            assert_int_equal(bmr_kds_audit(s.kds, &s.now.pose), BMR_OK);
+        }
+        stage_destroy(&s);
+    }
+}
+
 static void a_pair_is_audited_field_by_field(void **state) {
     (void)state;
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
@@ -247,6 +297,8 @@ int main(void) {
         cmocka_unit_test(the_edge_of_a_triangle_is_one_of_the_hierarchy),
         cmocka_unit_test(the_separating_edge_has_its_own_line_and_the_nearest_vertex),
         cmocka_unit_test(a_window_bounds_in_the_middle_of_its_bracket_too),
+        cmocka_unit_test(sums_that_are_too_large_are_refused),
+        cmocka_unit_test(an_early_repair_of_a_windowed_line_changes_nothing),
         cmocka_unit_test(a_pair_is_audited_field_by_field),
         cmocka_unit_test(a_lazy_pair_without_hierarchies_claims_nothing),
         cmocka_unit_test(a_certificate_whose_bracket_is_wider_than_half_a_turn_is_none),

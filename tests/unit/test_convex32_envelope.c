@@ -125,6 +125,44 @@ static void polygons_are_simplified_wherever_they_begin(void **state) {
     }
 }
 
+/// Of a needle, two vertices are the ends in all four directions of the roots: the third is the farthest from
+/// these.
+static void a_needle_keeps_three_vertices_wherever_it_begins(void **state) {
+    (void)state;
+    static const bmr_vec32 needle[] = {
+        {10.0f, 10.0f}, {1.0f, 1.5f}, {-1.0f, -0.5f}, {-10.0f, -10.0f}, {1.0f, 0.5f}};
+    for (uint32_t first = 0; first < 5; ++first) {
+        for (uint32_t i = 0; i < 5; ++i)
+            points[i] = needle[(first + i) % 5];
+        bmr_convex32_block *block = NULL;
+        assert_int_equal(bmr_convex32_create_raw(points, 5, NULL, &block), BMR_OK);
+        bmr_vec32 kept[5];
+        size_t count = 0;
+        assert_int_equal(bmr_convex32_simplify(&block->polygon, 100.0f, NULL, kept, &count), BMR_OK);
+        assert_int_equal(count, 3);
+        bmr_convex32_destroy(block, NULL);
+    }
+}
+
+/// The lowest vertex, with which the hull begins, turns by less than a float can tell.
+static void a_first_vertex_that_does_not_turn_is_dropped(void **state) {
+    (void)state;
+    static const bmr_vec32 house[] = {
+        {-10.0f, 1e-45f}, {0.0f, 0.0f}, {10.0f, 1e-45f}, {10.0f, 10.0f}, {-10.0f, 10.0f}};
+    for (int turn = 0; turn < 4; ++turn) { // whichever vertex a hull begins with
+        bmr_vec32 turned[5];
+        for (int i = 0; i < 5; ++i) {
+            const bmr_vec32 v = house[i];
+            turned[i].x = turn == 0 ? v.x : turn == 1 ? -v.y : turn == 2 ? -v.x : v.y;
+            turned[i].y = turn == 0 ? v.y : turn == 1 ? v.x : turn == 2 ? -v.y : -v.x;
+        }
+        bmr_convex32_block *block = NULL;
+        assert_int_equal(bmr_convex32_create(turned, 5, NULL, &block), BMR_OK);
+        assert_int_equal(block->polygon.count, 4);
+        bmr_convex32_destroy(block, NULL);
+    }
+}
+
 static void the_audit_refuses_counts_that_no_polygon_has(void **state) {
     (void)state;
     bmr_convex32_block *block = regular_raw(12, 0.0);
@@ -146,6 +184,8 @@ int main(void) {
         cmocka_unit_test(a_segment_holds_nothing),
         cmocka_unit_test(the_polygon_inside_has_8_vertices_at_most),
         cmocka_unit_test(polygons_are_simplified_wherever_they_begin),
+        cmocka_unit_test(a_needle_keeps_three_vertices_wherever_it_begins),
+        cmocka_unit_test(a_first_vertex_that_does_not_turn_is_dropped),
         cmocka_unit_test(the_audit_refuses_counts_that_no_polygon_has),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -168,6 +168,24 @@ static void families_know_which_paths_are_convex(void **state) {
                          family == BMR_FAMILY_LINE || family == BMR_FAMILY_PARABOLA);
 }
 
+/// At a time this late the next one that a double tells is an eighth of a second on: a hundred metres.
+static void a_path_that_is_faster_than_time_can_be_told_has_no_decomposition(void **state) {
+    (void)state;
+    bmr_polygon *p = polygon_of(square, 4);
+    const double late = 1e15;
+    const bmr_pose from = {{10.0, 0.0}, 1.0, 0.0};
+    const bmr_course course = {{p, p},
+                               {motion_of(bmr_piece_rest(bmr_pose_identity())),
+                                motion_of(bmr_piece_screw(late, from, bmr_vec2_make(800.0, 0.0), 0.0))},
+                               late,
+                               late + 1.0};
+    bmr_clear clear;
+    assert_int_equal(bmr_clear_decomposition(&course, 3.0, 0.0, &clear), BMR_ERROR_OUT_OF_RANGE);
+    for (int k = 0; k < 2; k++)
+        bmr_motion_destroy(course.motions[k]);
+    bmr_polygon_destroy(p, NULL);
+}
+
 static void what_makes_no_sense_is_refused(void **state) {
     (void)state;
     bmr_polygon *p = polygon_of(square, 4);
@@ -220,6 +238,7 @@ int main(void) {
         cmocka_unit_test(one_line_covers_a_point_that_passes_a_point),
         cmocka_unit_test(a_run_into_contact_has_a_distance_of_zero_there),
         cmocka_unit_test(families_know_which_paths_are_convex),
+        cmocka_unit_test(a_path_that_is_faster_than_time_can_be_told_has_no_decomposition),
         cmocka_unit_test(what_makes_no_sense_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
