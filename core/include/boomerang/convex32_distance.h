@@ -95,7 +95,8 @@ typedef struct bmr_cast32 {
 /// False (point and normal zero) where they do not meet, and in two cases at the beginning, even if they meet
 /// later: without skins they overlap; or, as Box2D has it, a's vertex farthest against the translation and
 /// b's farthest along it (of equal ones any) are so near that they count as reached. Where others do at the
-/// beginning, in front of a side for instance, that is a hit at lambda 0, whichever way b goes.
+/// beginning, in front of a side for instance, that is a hit at lambda 0, whichever way b goes. (Box2D may
+/// miss them, or go on a little, where what is reached is only the half slop more: as its vertices fall.)
 bool bmr_convex32_cast(const bmr_proxy32 *a, const bmr_transform32 *pose_a, const bmr_proxy32 *b,
                        const bmr_transform32 *pose_b, bmr_vec32 translation, float linear_slop,
                        bmr_cast32 *cast);
