@@ -11,6 +11,10 @@
 #define OVERLAP 1e-12
 /// Farther apart than the margin by more than this, relative to the extents, is no contact (kds.h).
 #define CONTACT_ROUNDING 1e-9
+/// A sine of unit vectors above this is above zero however it is computed, and well within the overlap.
+#define SINE_ROUNDING (0.25 * BMR_CONE_OVERLAP)
+/// A cone widened on both sides must stay below half a turn, and its ends are rounded.
+#define HALF_TURN_SINE (2.5 * BMR_CONE_OVERLAP)
 /// Steps of a walk before it begins anew from the exact distance. A walk takes one step, two past a short
 /// edge; only jumps take more.
 #define WALK_STEPS 64
@@ -36,6 +40,20 @@ bool bmr_features_violated(const bmr_kds *kds, const bmr_condition *condition, c
     const double value = bmr_condition_value(condition, &now->pose);
     return !(value > 0.0) && (!(value >= -tolerance(kds, condition, &now->pose)) ||
                               !(bmr_condition_rate(condition, now) > 0.0));
+}
+
+bool bmr_features_outside(const bmr_condition *condition, const bmr_pose *b_in_a) {
+    const double least = condition->kind == BMR_CONDITION_TURN ? SINE_ROUNDING : 0.0;
+    return !(bmr_condition_value(condition, b_in_a) > least);
+}
+
+bool bmr_cone_is_half_turn(const bmr_polygon *p, uint32_t i) {
+    const bmr_vec2 before = bmr_polygon_normal(p, bmr_vertex_before(p, i)), after = bmr_polygon_normal(p, i);
+    return p->count > 1 && bmr_dot(before, after) < 0.0 && bmr_cross(before, after) < HALF_TURN_SINE;
+}
+
+double bmr_cone_overlap(const bmr_polygon *p, uint32_t i) {
+    return bmr_cone_is_half_turn(p, i) ? 0.0 : BMR_CONE_OVERLAP;
 }
 
 static bmr_vec2 unit(bmr_vec2 v) {
@@ -83,10 +101,10 @@ static size_t edge_conditions(const bmr_kds *kds, const bmr_feature_pair *pair, 
     if (other->count > 1) { // the direction against the edge stays in the vertex's cone
         const bmr_vec2 before = bmr_polygon_normal(other, bmr_vertex_before(other, j)),
                        after = bmr_polygon_normal(other, j);
-        c[count++] = bmr_condition_turn(1 - owner, bmr_turned_slightly(before, -BMR_CONE_OVERLAP), bmr_neg(n),
-                                        BEFORE_CONE);
+        const double widening = bmr_cone_overlap(other, j);
         c[count++] =
-            bmr_condition_turn(1 - owner, bmr_turned_slightly(after, BMR_CONE_OVERLAP), n, AFTER_CONE);
+            bmr_condition_turn(1 - owner, bmr_turned_slightly(before, -widening), bmr_neg(n), BEFORE_CONE);
+        c[count++] = bmr_condition_turn(1 - owner, bmr_turned_slightly(after, widening), n, AFTER_CONE);
     }
     return count;
 }
@@ -163,7 +181,7 @@ static int violated(const bmr_kds *kds, const bmr_feature_pair *pair, const bmr_
     int worst = -1;
     for (size_t k = 1; k < count; k++) {
         const double value = bmr_condition_value(&c[k], &now->pose);
-        if (value < least && bmr_features_violated(kds, &c[k], now)) {
+        if (value < least && bmr_features_outside(&c[k], &now->pose)) {
             least = value;
             worst = c[k].label;
         }
@@ -260,6 +278,13 @@ void bmr_features_proof(const bmr_kds *kds, const bmr_feature_pair *pair, const 
         proof->line.normal = bmr_neg(bmr_rotate(b_in_a, back));
     }
     proof->line.offset = bmr_dot(proof->line.normal, on_line);
+    if (pair->edge_owner <
+        0) { // cones that miss one another by the overlap leave a neighbour before the line
+        const bmr_vec2 next = a->vertices[bmr_vertex_after(a, pair->vertex[0])],
+                       last = a->vertices[bmr_vertex_before(a, pair->vertex[0])];
+        const double most = fmax(bmr_dot(proof->line.normal, next), bmr_dot(proof->line.normal, last));
+        proof->line.offset = fmax(proof->line.offset, most);
+    }
 }
 
 bmr_error bmr_features_audit(const bmr_kds *kds, const bmr_feature_pair *pair, const bmr_pose *b_in_a) {

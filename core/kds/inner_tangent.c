@@ -113,16 +113,16 @@ static void step(const bmr_kds *kds, uint32_t vertex[2], int label) {
     vertex[body] = label % 2 == 0 ? bmr_vertex_after(p, vertex[body]) : bmr_vertex_before(p, vertex[body]);
 }
 
-/// The side that is violated by the most; -1: none. `now` NULL: by any amount.
-static int worst_side(const bmr_kds *kds, const bmr_condition *c, size_t count, const bmr_pose *b_in_a,
-                      const bmr_instant *now, double *value) {
+/// The side that is violated by the most; -1: none. `touching`: is one at zero violated?
+static int worst_side(const bmr_condition *c, size_t count, const bmr_pose *b_in_a, bool touching,
+                      double *value) {
     int worst = -1;
     *value = 0.0;
     for (size_t i = 0; i + 1 < count; i++) {
         const double here = bmr_condition_value(&c[i], b_in_a);
         if (worst >= 0 && here >= *value)
             continue;
-        if (now ? bmr_features_violated(kds, &c[i], now) : here < 0.0) {
+        if (touching ? bmr_features_outside(&c[i], b_in_a) : here < 0.0) {
             *value = here;
             worst = c[i].label;
         }
@@ -136,7 +136,7 @@ static bool walk(const bmr_kds *kds, const bmr_instant *now, uint32_t vertex[2],
         bmr_condition c[BMR_KDS_MAX_CONDITIONS];
         const size_t count = tangent_conditions(kds, vertex, bmr_features_overlap(kds), c);
         double value;
-        const int side = worst_side(kds, c, count, &now->pose, now, &value);
+        const int side = worst_side(c, count, &now->pose, true, &value);
         if (side < 0)
             return !bmr_features_violated(kds, &c[count - 1], now);
         step(kds, vertex, side);
@@ -154,7 +154,7 @@ static int polish(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t vertex[2]
         bmr_condition c[BMR_KDS_MAX_CONDITIONS];
         const size_t count = tangent_conditions(kds, next, 0.0, c);
         double value;
-        const int side = worst_side(kds, c, count, b_in_a, NULL, &value);
+        const int side = worst_side(c, count, b_in_a, false, &value);
         if (side >= 0 && value <= before)
             return last;
         vertex[0] = next[0];

@@ -23,7 +23,7 @@ typedef struct separating_edge {
     int owner;
     bool is_edge;    ///< false: the line across the closest points
     uint32_t edge;   ///< the owner's
-    uint32_t vertex; ///< the other's nearest; of a segment: when the line was made
+    uint32_t vertex; ///< the other's nearest; one end of what is a segment up to rounding
 } separating_edge;
 
 static separating_edge *state_of(bmr_kds *kds) {
@@ -41,6 +41,19 @@ static uint32_t nearest_vertex(const bmr_kds *kds, const bmr_pose *b_in_a, int o
                                uint32_t hint) {
     const bmr_vec2 n = owner == 0 ? bmr_unrotate(b_in_a, normal) : bmr_rotate(b_in_a, normal);
     return bmr_polygon_support_from(kds->shapes[1 - owner].polygon, bmr_neg(n), hint);
+}
+
+/// Is the other body a segment up to the overlap, as its nearest vertex sees it? Cones of half a turn cannot
+/// overlap: both ends are watched instead.
+static bool watches_ends(const bmr_kds *kds) {
+    const separating_edge *s = view(kds);
+    return bmr_cone_is_half_turn(kds->shapes[1 - s->owner].polygon, s->vertex);
+}
+
+/// The end that is not the nearest vertex. O(log n), and O(1) for a segment.
+static uint32_t other_end(const bmr_polygon *p, uint32_t vertex) {
+    const uint32_t next = bmr_vertex_after(p, vertex);
+    return p->count == 2 ? next : bmr_polygon_support_from(p, bmr_left(bmr_polygon_normal(p, vertex)), next);
 }
 
 /// Makes the line with this normal of the owner's frame; the nearest vertex is found from `hint`.
@@ -144,22 +157,6 @@ static void walk_on(bmr_kds *kds, const situation *at, unsigned *touched) {
     take_closest_line(kds, at);
 }
 
-/// A new line, or contact.
-static bool choose(bmr_kds *kds, const bmr_instant *now, bool afresh, unsigned *touched) {
-    situation at;
-    if (!look(kds, now, &at))
-        return false;
-    if (afresh || !view(kds)->is_edge || kds->info == &bmr_kds_separating_edge)
-        pick_best(kds, &at, touched);
-    else
-        walk_on(kds, &at, touched);
-    return true;
-}
-
-static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
-    return choose(kds, now, true, &report->touched);
-}
-
 static size_t conditions(const bmr_kds *kds, bmr_condition *c) {
     const separating_edge *s = view(kds);
     const bmr_polygon *other = kds->shapes[1 - s->owner].polygon;
@@ -168,9 +165,9 @@ static size_t conditions(const bmr_kds *kds, bmr_condition *c) {
                                 BEYOND);
     if (other->count == 1)
         return 1;
-    if (other->count == 2) { // cones of half a turn cannot overlap: both ends are watched
+    if (watches_ends(kds)) {
         c[1] = bmr_condition_beyond(s->owner, n, s->line.offset + kds->def.margin,
-                                    other->vertices[bmr_vertex_after(other, s->vertex)], OTHER_END);
+                                    other->vertices[other_end(other, s->vertex)], OTHER_END);
         return 2;
     }
     const bmr_vec2 before = bmr_polygon_normal(other, bmr_vertex_before(other, s->vertex)),
@@ -181,20 +178,59 @@ static size_t conditions(const bmr_kds *kds, bmr_condition *c) {
     return 3;
 }
 
-/// The vertex follows the direction against the line.
-static void roll(bmr_kds *kds, const bmr_instant *now, size_t label, unsigned *touched) {
+/// On which side the direction against the line is out of the vertex's cone; 0: on none.
+static int side_outside(const bmr_kds *kds, const bmr_pose *b_in_a) {
+    bmr_condition c[BMR_KDS_MAX_CONDITIONS];
+    const size_t count = conditions(kds, c);
+    for (size_t k = 1; k < count; k++)
+        if (c[k].kind == BMR_CONDITION_TURN && bmr_features_outside(&c[k], b_in_a))
+            return c[k].label;
+    return 0;
+}
+
+/// The vertex follows the direction against the line, out of its cone on the side `label`.
+static void roll(bmr_kds *kds, const bmr_pose *b_in_a, int label, unsigned *touched) {
     separating_edge *s = state_of(kds);
     const bmr_polygon *other = kds->shapes[1 - s->owner].polygon;
-    for (int k = 0; k < ROLL_STEPS && label != 0; k++, ++*touched) {
+    const int way = label;
+    for (int k = 0; k < ROLL_STEPS && label == way; k++, ++*touched) {
         s->vertex =
-            label == AFTER_CONE ? bmr_vertex_after(other, s->vertex) : bmr_vertex_before(other, s->vertex);
-        bmr_condition c[BMR_KDS_MAX_CONDITIONS];
-        conditions(kds, c);
+            way == AFTER_CONE ? bmr_vertex_after(other, s->vertex) : bmr_vertex_before(other, s->vertex);
         // Going on in the same direction only: back is where it came from.
-        label = bmr_features_violated(kds, &c[label], now) ? label : 0;
+        label = side_outside(kds, b_in_a);
     }
-    if (label != 0)
-        s->vertex = nearest_vertex(kds, &now->pose, s->owner, s->line.normal, s->vertex);
+    if (label == way)
+        s->vertex = nearest_vertex(kds, b_in_a, s->owner, s->line.normal, s->vertex);
+}
+
+/// A new line, or contact.
+static bool choose(bmr_kds *kds, const bmr_instant *now, bool afresh, unsigned *touched) {
+    situation at;
+    if (!look(kds, now, &at))
+        return false;
+    if (afresh || !view(kds)->is_edge || kds->info == &bmr_kds_separating_edge)
+        pick_best(kds, &at, touched);
+    else
+        walk_on(kds, &at, touched);
+    // By the rounding of a distance the nearest vertex may be the one beside the right one.
+    const int side = side_outside(kds, at.pose);
+    if (side != 0)
+        roll(kds, at.pose, side, touched);
+    return true;
+}
+
+static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+    return choose(kds, now, true, &report->touched);
+}
+
+/// Is what is watched of the other body beyond the line by more than the margin?
+static bool is_beyond(const bmr_kds *kds, const bmr_pose *b_in_a) {
+    bmr_condition c[BMR_KDS_MAX_CONDITIONS];
+    const size_t count = conditions(kds, c);
+    for (size_t k = 0; k < count; k++)
+        if (c[k].kind == BMR_CONDITION_BEYOND && !(bmr_condition_value(&c[k], b_in_a) > 0.0))
+            return false;
+    return true;
 }
 
 static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
@@ -204,13 +240,12 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     if (failed >= count || !bmr_features_failed(kds, &c[failed], now))
         return true;
     report->kind = BMR_KDS_FEATURE;
-    const bool rolls = c[failed].label == BEFORE_CONE || c[failed].label == AFTER_CONE;
+    const bool rolls = c[failed].kind == BMR_CONDITION_TURN;
     if (rolls)
-        roll(kds, now, failed, &report->touched);
+        roll(kds, &now->pose, c[failed].label, &report->touched);
     else if (c[failed].label == OTHER_END)
-        s->vertex = bmr_vertex_after(kds->shapes[1 - s->owner].polygon, s->vertex);
-    conditions(kds, c);
-    if (rolls && !bmr_features_violated(kds, &c[0], now))
+        s->vertex = other_end(kds->shapes[1 - s->owner].polygon, s->vertex);
+    if (rolls && is_beyond(kds, &now->pose))
         return true;
     const bmr_line before = s->line;
     const int owner = s->owner;
@@ -228,7 +263,7 @@ static void proof(const bmr_kds *kds, bmr_kds_proof *proof) {
     proof->level = 0;
 }
 
-/// The line is the edge's, and the vertex is the nearest (of a segment, either end may be): brute force.
+/// The line is the edge's, and the vertex is the nearest, or the other end is: brute force.
 static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
     const separating_edge *s = view(kds);
     const bmr_polygon *own = kds->shapes[s->owner].polygon, *other = kds->shapes[1 - s->owner].polygon;
@@ -238,11 +273,11 @@ static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
             if (fabs(bmr_dot(s->line.normal, own->vertices[(s->edge + end) % own->count]) - s->line.offset) >
                 slop)
                 return BMR_ERROR_INVALID_STRUCTURE;
-    if (other->count == 2)
-        return BMR_OK;
     const bmr_pose other_in_own = s->owner == 0 ? *b_in_a : bmr_pose_inverse(b_in_a);
     const bmr_vec2 n = bmr_unrotate(&other_in_own, s->line.normal);
-    const double value = bmr_dot(n, other->vertices[s->vertex]);
+    double value = bmr_dot(n, other->vertices[s->vertex]);
+    if (watches_ends(kds))
+        value = fmin(value, bmr_dot(n, other->vertices[other_end(other, s->vertex)]));
     for (uint32_t i = 0; i < other->count; i++)
         if (bmr_dot(n, other->vertices[i]) < value - slop)
             return BMR_ERROR_INVALID_STRUCTURE;

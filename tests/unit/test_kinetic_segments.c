@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every registered structure on points, segments and boxes that lie parallel: edges without an inside and
-// cones of half a turn are where conditions that overlap elsewhere may not.
+// Every registered structure on points, segments, boxes and needles that lie parallel: edges without an
+// inside and cones of half a turn, or nearly, are where conditions that overlap elsewhere may not.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,7 +12,11 @@
 #include "boomerang/simulation.h"
 #include "kds_driver.h"
 
-enum { POINT, SEGMENT, BOX, SHAPES };
+enum { POINT, SEGMENT, BOX, NEEDLE, RHOMB, SHAPES };
+
+/// The needle is as thick as the rounding of its length, the rhomb as the overlap of two cones.
+#define NEEDLE_HEIGHT 1e-15
+#define RHOMB_HEIGHT 1e-13
 
 /// Twice the most measured: 4 of those that do not turn, 12 of those that do. The stalls to be caught have
 /// 1001.
@@ -20,8 +24,12 @@ enum { POINT, SEGMENT, BOX, SHAPES };
 
 static test_kds_body body_of(int shape) {
     static const bmr_vec2 points[SHAPES][4] = {
-        {{0.0, 0.0}}, {{-1.0, 0.0}, {1.0, 0.0}}, {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};
-    static const size_t counts[SHAPES] = {1, 2, 4};
+        {{0.0, 0.0}},
+        {{-1.0, 0.0}, {1.0, 0.0}},
+        {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}},
+        {{-1.0, 0.0}, {1.0, 0.0}, {1.0, NEEDLE_HEIGHT}},
+        {{-1.0, 0.0}, {0.0, -RHOMB_HEIGHT}, {1.0, 0.0}, {0.0, RHOMB_HEIGHT}}};
+    static const size_t counts[SHAPES] = {1, 2, 4, 3, 4};
     bmr_polygon *polygon = NULL;
     assert_int_equal(bmr_polygon_create(points[shape], counts[shape], NULL, &polygon), BMR_OK);
     return test_kds_body_make(polygon);
@@ -138,6 +146,24 @@ static void check_runs(const pair *p) {
     run(p, moving(0.0, p->touching + 1.0, 0.0, -0.125, 0.0), 1);
 }
 
+/// So slowly that a condition that is a little below zero where the turn begins stays so for long.
+static void check_slow_turns(const pair *p) {
+    static const double spins[] = {1e-3, 1e-9, 1e-12};
+    if (p->info->domain != BMR_KDS_RIGID)
+        return;
+    for (int i = 0; i < 6; i++) {
+        const double spin = i % 2 == 0 ? spins[i / 2] : -spins[i / 2], y = p->touching + 1.0;
+        run(p, moving(0.0, y, 0.0, 0.0, spin), 0);
+        run(p, moving(0.5, -y, 0.0, 0.0, spin), 0);
+        run(p, moving(-4.0, y, 1.0, 0.0, spin), 0);
+    }
+}
+
+static void slow_turns_go_on_without_a_stall(void **state) {
+    (void)state;
+    for_each_pair(check_slow_turns);
+}
+
 static void rest_slides_and_turns_go_on_without_a_stall(void **state) {
     (void)state;
     for_each_pair(check_runs);
@@ -147,6 +173,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(starts_on_parallel_edges_hold),
         cmocka_unit_test(rest_slides_and_turns_go_on_without_a_stall),
+        cmocka_unit_test(slow_turns_go_on_without_a_stall),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
