@@ -150,7 +150,8 @@ static bmr_vec2 turn_about(const turning *t, uint32_t passed, bmr_vec2 chord) {
     // A triangle on the chord: its angle at the start is known, its height is the limit; solved for the angle
     // outside the meeting point, by which the tangent turns.
     const double x = bmr_dot(chord, t->along), drop = -bmr_dot(chord, t->from.direction);
-    const double back = t->limit * sqrt(bmr_dot(chord, chord)) / drop;
+    const bmr_vec2 way = bmr_scale_up_if_tiny(chord); // it is the quotient of two of its lengths that counts
+    const double back = t->limit * sqrt(bmr_dot(way, way)) / -bmr_dot(way, t->from.direction);
     bmr_vec2 wanted = bmr_add(bmr_scale(x - back, t->from.direction), bmr_scale(drop, t->along));
     if (!(bmr_cross(first, wanted) * t->sense > 0.0))
         wanted = first;

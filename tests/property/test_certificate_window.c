@@ -138,11 +138,38 @@ static void a_point_and_a_segment_stand_for_themselves_in_every_direction(void *
             }
 }
 
+static bool is_unit(bmr_vec2 v) {
+    return fabs(hypot(v.x, v.y) - 1.0) <= ROUNDING;
+}
+
+/// Products of lengths as short as the first edge's are 0.
+static void a_chord_whose_square_underflows_makes_no_bracket_of_nothing(void **state) {
+    (void)state;
+    const bmr_vec2 corners[] = {{0.0, 0.0}, {1e-235, 1e-240}, {-3.0, 2.0}};
+    bmr_polygon *p = NULL;
+    assert_int_equal(bmr_polygon_create(corners, 3, NULL, &p), BMR_OK);
+    assert_int_equal(p->count, 3);
+    for (int i = 0; i < 360; ++i) {
+        const bmr_vec2 d = {cos(i * PI / 180.0), sin(i * PI / 180.0)};
+        for (int lean = -1; lean <= 1; ++lean)
+            for (int count = 1; count <= 2; ++count) {
+                bmr_window w;
+                (count == 1 ? bmr_window_make_one : bmr_window_make)(p, d, support_of(p, d), 1e-3, lean, &w);
+                assert_true(is_unit(w.low) && is_unit(w.high));
+                assert_true(angle_from(w.low, d) >= -ROUNDING && angle_from(d, w.high) >= -ROUNDING);
+                const double reach = fmax(bmr_dot(w.corner[0], d), bmr_dot(w.corner[1], d));
+                assert_true(reach >= bmr_dot(p->vertices[support_of(p, d)], d) - ROUNDING);
+            }
+    }
+    bmr_polygon_destroy(p, NULL);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_bracket_is_as_wide_as_the_limit_pays_for),
         cmocka_unit_test(nothing_is_lost_at_the_direction_or_the_limit_when_leaning),
         cmocka_unit_test(a_point_and_a_segment_stand_for_themselves_in_every_direction),
+        cmocka_unit_test(a_chord_whose_square_underflows_makes_no_bracket_of_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
