@@ -117,6 +117,62 @@ static void test_a_pass_and_a_turn_cost_events_in_proportion_to_n(void **state) 
         }
 }
 
+/// The line of a structure, and whether a mere turn has moved it.
+typedef struct rolls {
+    const test_kds_body *bodies[2];
+    bool known;
+    bmr_kds_proof line;
+    size_t kept, moved;
+} rolls;
+
+/// How far the other body is beyond a line: by all of its vertices.
+static double beyond(const test_kds_body *const bodies[2], const bmr_kds_proof *line,
+                     const bmr_pose *b_in_a) {
+    const bmr_pose a_in_b = bmr_pose_inverse(b_in_a);
+    const bmr_polygon *other = bodies[1 - line->owner]->polygon;
+    double least = INFINITY;
+    for (uint32_t i = 0; i < other->count; i++) {
+        const bmr_vec2 v = bmr_transform(line->owner == 0 ? b_in_a : &a_in_b, other->vertices[i]);
+        least = fmin(least, bmr_dot(line->line.normal, v) - line->line.offset);
+    }
+    return least;
+}
+
+static void look_at_roll(void *context, const test_drive_event *event) {
+    rolls *r = context;
+    if (r->known && event->report.apart && event->failed.kind == BMR_CONDITION_TURN &&
+        beyond(r->bodies, &r->line, &event->now.pose) > 1e-3) {
+        r->kept += !event->report.line_changed;
+        r->moved += event->report.line_changed;
+    }
+    r->known = bmr_kds_get_proof(event->kds, &r->line);
+}
+
+/// Another vertex is the nearest: the edge stays, though others may have more slack by now.
+static void test_a_separating_edge_stays_while_the_nearest_vertex_changes(void **state) {
+    (void)state;
+    test_random random = {10};
+    test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 24, &random)),
+                  b = test_kds_body_make(test_polygon(TEST_REGULAR, 24, &random));
+    for (size_t k = 2; k < RIVALS; k++)
+        for (double spin = -3.0; spin <= 3.0; spin += 6.0) {
+            rolls r = {.bodies = {&a, &b}};
+            test_path path;
+            memset(&path, 0, sizeof path);
+            path.cubic[0] = bmr_vec2_make(-3.0, 3.0);
+            path.cubic[1] = bmr_vec2_make(6.0, 0.0);
+            path.spin = spin;
+            bmr_kds *kds = make(rivals[k], &a, &b, 1e-6);
+            const test_drive d = {.path = &path, .margin = 1e-6, .on_event = look_at_roll, .context = &r};
+            const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &d);
+            assert_true(test_drive_is_sound(&result));
+            assert_true(r.kept >= 5 && r.moved == 0);
+            bmr_kds_destroy(kds, NULL);
+        }
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+}
+
 static void test_a_repair_without_failure_changes_nothing(void **state) {
     (void)state;
     test_random random = {3};
@@ -238,6 +294,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random_motions_are_proved_throughout),
         cmocka_unit_test(test_a_pass_and_a_turn_cost_events_in_proportion_to_n),
+        cmocka_unit_test(test_a_separating_edge_stays_while_the_nearest_vertex_changes),
         cmocka_unit_test(test_a_repair_without_failure_changes_nothing),
         cmocka_unit_test(test_audits_find_a_stale_proof),
         cmocka_unit_test(test_feature_audit_finds_features_that_are_not_the_closest),

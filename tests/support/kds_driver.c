@@ -236,13 +236,22 @@ static void start(drive *d, const bmr_instant *now) {
     audit(d, &now->pose);
 }
 
+static bool same_line(const bmr_kds_proof *p, const bmr_kds_proof *q) {
+    return p->owner == q->owner && p->line.normal.x == q->line.normal.x &&
+           p->line.normal.y == q->line.normal.y && p->line.offset == q->line.offset;
+}
+
 static void repair(drive *d, const bmr_instant *now, size_t failed) {
     const bmr_condition condition = d->conditions[failed];
     bmr_condition before[BMR_KDS_MAX_CONDITIONS];
     memcpy(before, d->conditions, sizeof before);
     const size_t count = d->count;
+    bmr_kds_proof old, made;
     bmr_kds_report report;
+    const bool was_apart = bmr_kds_get_proof(d->kds, &old);
     bmr_kds_repair(d->kds, now, failed, &report);
+    if (was_apart && bmr_kds_get_proof(d->kds, &made) && !report.line_changed && !same_line(&old, &made))
+        ++d->result->silent_lines;
     tell(d, now, &report, &condition);
     rearm(d, &now->pose);
     if (report.kind == BMR_KDS_NONE &&
@@ -366,7 +375,7 @@ test_drive_result test_drive_run(bmr_kds *kds, const bmr_polygon *a, const bmr_p
 
 bool test_drive_is_sound(const test_drive_result *result) {
     return result->false_audits == 0 && result->dead_repairs == 0 && result->false_contacts == 0 &&
-           result->missed_contacts == 0 && result->changed_by_none == 0;
+           result->missed_contacts == 0 && result->changed_by_none == 0 && result->silent_lines == 0;
 }
 
 uint64_t test_drive_events(const test_drive_result *result) {

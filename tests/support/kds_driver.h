@@ -85,6 +85,7 @@ typedef struct test_drive_result {
     unsigned false_contacts;  ///< contact where the polygons are apart by more than margin and rounding
     unsigned missed_contacts; ///< not in contact where they overlap
     unsigned changed_by_none; ///< a repair that reported NONE changed the conditions
+    unsigned silent_lines;    ///< a repair that did not say so left another line
     bmr_error error;          ///< of the first false audit
 
     uint64_t events[BMR_KDS_EVENT_KIND_COUNT];

@@ -50,6 +50,11 @@ static bool line_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr
     report->line_changed = true;
     return line_start(kds, now, report);
 }
+static bool silent_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+    const bool apart = line_repair(kds, now, failed, report);
+    report->line_changed = false;
+    return apart;
+}
 static bool lazy_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     (void)kds, (void)now, (void)failed;
     report->kind = BMR_KDS_PUSH;
@@ -68,6 +73,8 @@ static void line_proof(const bmr_kds *kds, bmr_kds_proof *proof) {
 
 static const bmr_kds_class right = {sizeof(bmr_vec2), NULL,        NULL,       line_start,
                                     line_conditions,  line_repair, line_proof, NULL};
+static const bmr_kds_class silent = {sizeof(bmr_vec2), NULL,          NULL,       line_start,
+                                     line_conditions,  silent_repair, line_proof, NULL};
 static const bmr_kds_class careless = {sizeof(bmr_vec2), NULL,        NULL,       line_start,
                                        no_conditions,    line_repair, line_proof, NULL};
 static const bmr_kds_class idle = {sizeof(bmr_vec2), NULL,        NULL,       line_start,
@@ -119,6 +126,8 @@ static void wrong_structures_are_found_out(void **state) {
     assert_true(dead.dead_repairs > 0);
     const test_drive_result afraid = drive(&fearful, TEST_PATH_ORBIT, 1);
     assert_true(afraid.false_contacts > 0);
+    const test_drive_result secret = drive(&silent, TEST_PATH_ORBIT, 1);
+    assert_true(secret.silent_lines > 0 && secret.false_audits == 0);
 }
 
 static void a_path_s_rates_are_those_of_its_poses(void **state) {

@@ -100,8 +100,10 @@ const char *bmr_kds_event_name(bmr_kds_event_kind kind);
 
 typedef struct bmr_kds_report {
     bmr_kds_event_kind kind;
-    bool apart;        ///< there is a proof now; false: contact
-    bool line_changed; ///< the separating line is another than before (its owner, direction or offset)
+    bool apart; ///< there is a proof now; false: contact
+    /// The separating line is another than before (its owner, direction or offset); a new one that happens to
+    /// be the same may count as another.
+    bool line_changed;
     int level_before, level_after; ///< of the hierarchy; 0 for a structure that has none
     unsigned touched;              ///< cells, levels or candidate features looked at
 } bmr_kds_report;
