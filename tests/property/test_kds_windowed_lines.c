@@ -168,6 +168,64 @@ static void a_bracket_lasts_as_long_as_its_nearer_side(void **state) {
     assert_true(uneven > NAMES * 10);
 }
 
+/// The same polygon with y turned around.
+static test_kds_body mirrored(const bmr_polygon *polygon) {
+    bmr_vec2 points[64];
+    assert_true(polygon->count <= 64);
+    for (uint32_t i = 0; i < polygon->count; ++i)
+        points[i] = bmr_vec2_make(polygon->vertices[i].x, -polygon->vertices[i].y);
+    bmr_polygon *image = NULL;
+    assert_int_equal(bmr_polygon_create(points, polygon->count, NULL, &image), BMR_OK);
+    return test_kds_body_make(image);
+}
+
+/// For how long the line that a structure starts with separates, if the velocity stays; at most 100.
+static double life_of_start(const char *name, const test_kds_body *a, const test_kds_body *b,
+                            const bmr_instant *now) {
+    bmr_kds *kds = made(name, a, b);
+    bmr_kds_report report;
+    bmr_kds_start(kds, now, &report);
+    assert_true(report.apart);
+    const bmr_vec2 u =
+        bmr_windowed_direction((const bmr_windowed_line *)(const void *)kds->state, &now->pose);
+    const double gap = bmr_kds_separation(kds, &now->pose, u) - bmr_default_kds_def().margin;
+    const double closing = -bmr_dot(u, now->velocity);
+    bmr_kds_destroy(kds, NULL);
+    return gap < 100.0 * closing ? gap / closing : 100.0;
+}
+
+/// No sense of turning is preferred, and no end of the cone of the directions that separate.
+static void the_mirror_image_of_a_way_finds_a_line_that_lasts_as_long(void **state) {
+    (void)state;
+    test_random random = {13};
+    size_t ending = 0;
+    for (size_t k = 0; k < NAMES; ++k)
+        for (size_t i = 0; i < 50; ++i) {
+            test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 20, &random));
+            test_kds_body b = test_kds_body_make(test_polygon(TEST_ELLIPSE, 20, &random));
+            test_kds_body image_a = mirrored(a.polygon), image_b = mirrored(b.polygon);
+            const double way = test_random_uniform(&random, 0.0, 6.3);
+            const bmr_instant now = {test_pose_at(a.polygon, b.polygon,
+                                                  test_random_uniform(&random, 0.0, 6.3),
+                                                  test_random_uniform(&random, 0.0, 6.3), 0.5),
+                                     {cos(way), sin(way)},
+                                     0.0};
+            bmr_instant image = now;
+            image.pose.position.y = -now.pose.position.y;
+            image.pose.s = -now.pose.s;
+            image.velocity.y = -now.velocity.y;
+            const double life = life_of_start(names[k], &a, &b, &now),
+                         image_life = life_of_start(names[k], &image_a, &image_b, &image);
+            assert_true(fabs(life - image_life) <= 1e-9 * life);
+            ending += life < 100.0;
+            test_kds_body_destroy(&a);
+            test_kds_body_destroy(&b);
+            test_kds_body_destroy(&image_a);
+            test_kds_body_destroy(&image_b);
+        }
+    assert_true(ending > NAMES * 10);
+}
+
 /// Contact ends at the margin and the hysteresis, not before.
 static void contact_is_left_beyond_the_hysteresis(void **state) {
     (void)state;
@@ -203,6 +261,7 @@ int main(void) {
         cmocka_unit_test(an_audit_refutes_what_is_false),
         cmocka_unit_test(a_repair_that_comes_early_changes_nothing),
         cmocka_unit_test(a_bracket_lasts_as_long_as_its_nearer_side),
+        cmocka_unit_test(the_mirror_image_of_a_way_finds_a_line_that_lasts_as_long),
         cmocka_unit_test(contact_is_left_beyond_the_hysteresis),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
