@@ -57,11 +57,13 @@ static void assert_refused(const stage *s) {
 typedef struct lazy_begin {
     bmr_corner corner;
     bmr_edge edge;
+    bmr_line free_line;
+    int level;
 } lazy_begin;
 
 static void the_edge_and_the_corner_of_a_lazy_structure_are_of_its_level(void **state) {
     (void)state;
-    stage s = stage_of("lazy-dudley", regular(64), regular(64), 0.5);
+    stage s = stage_of("lazy-dudley", regular(64), regular(64), 1e-3);
     lazy_begin *lazy = (lazy_begin *)(void *)s.kds->state;
     const lazy_begin right = *lazy;
     const bmr_hierarchy *h = s.a.hierarchies[BMR_HIERARCHY_DUDLEY];
@@ -72,8 +74,31 @@ static void the_edge_and_the_corner_of_a_lazy_structure_are_of_its_level(void **
     lazy->corner.before = right.corner.after; // not the edge before this one
     assert_refused(&s);
     *lazy = right;
+    assert_true(bmr_hierarchy_level(h, lazy->edge) > 0);
+    lazy->level = 0; // above its edge
+    assert_refused(&s);
+    *lazy = right;
     assert_int_equal(bmr_kds_audit(s.kds, &s.now.pose), BMR_OK);
     stage_destroy(&s);
+}
+
+/// Below the deepest level there is none to begin with: the deepest is all.
+static void an_inflation_may_begin_below_both_hierarchies(void **state) {
+    (void)state;
+    test_kds_body a = regular(24), b = regular(16);
+    bmr_kds_def def = bmr_default_kds_def();
+    def.root_level = 50;
+    bmr_kds *kds = NULL;
+    assert_int_equal(
+        bmr_kds_create(bmr_kds_find("inflated-translation"), &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
+    const bmr_instant now = {test_pose_at(a.polygon, b.polygon, 0.3, 0.5, 0.2), {0.0, 0.0}, 0.0};
+    bmr_kds_report report;
+    bmr_kds_start(kds, &now, &report);
+    assert_true(report.apart);
+    assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
+    bmr_kds_destroy(kds, NULL);
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
 }
 
 static void the_edge_of_a_triangle_is_one_of_the_hierarchy(void **state) {
@@ -294,6 +319,7 @@ static void a_polygon_beyond_the_range_is_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_edge_and_the_corner_of_a_lazy_structure_are_of_its_level),
+        cmocka_unit_test(an_inflation_may_begin_below_both_hierarchies),
         cmocka_unit_test(the_edge_of_a_triangle_is_one_of_the_hierarchy),
         cmocka_unit_test(the_separating_edge_has_its_own_line_and_the_nearest_vertex),
         cmocka_unit_test(a_window_bounds_in_the_middle_of_its_bracket_too),

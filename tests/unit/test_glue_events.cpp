@@ -78,6 +78,17 @@ void PlayUnheard(Run &run) {
     game.Stage(game.Touching() == 0, "and part again");
 }
 
+/// More fixtures than a hull's list of them has room for: all is left to Box2D.
+void PlayMany(Run &run) {
+    Game game(run, {0.0f, -10.0f});
+    b2Body *floor = game.Body(b2_staticBody, {0.0f, 0.0f});
+    for (int i = 0; i < 1200; ++i)
+        game.Box(floor, 0.005f, 0.1f,
+                 {0.01f * static_cast<float>(i % 400) - 2.0f, -0.1f * static_cast<float>(i / 400)});
+    game.Plank(game.Body(b2_dynamicBody, {0.0f, 0.4f}, 0.1f));
+    game.Step(8);
+}
+
 void CheckHeard(Run &run) {
     const bmr::Statistics s = bmr::GetStatistics();
     uint64_t events = 0, answers = 0;
@@ -133,4 +144,16 @@ TEST_CASE("every event and every answer is told of, with every structure") {
 
 TEST_CASE("worlds without a listener play as stock") {
     forked::CheckSameAsStock(PlayUnheard);
+}
+
+TEST_CASE("bodies of very many fixtures play as stock") {
+    forked::CheckSameAsStock(PlayMany);
+}
+
+TEST_CASE("without hooks and without remembered edges worlds play as stock") {
+    const std::string stock = forked::InChild(PlaySmall, nullptr, forked::When::kBefore);
+    bmr::Options bare;
+    bare.hooks = bmr::kNoHooks;
+    bare.prefilter = false;
+    CHECK(forked::Difference(stock, forked::InChild(PlaySmall, &bare, forked::When::kBefore)) == "");
 }

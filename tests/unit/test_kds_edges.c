@@ -156,6 +156,56 @@ static void the_state_does_not_grow_with_the_polygons_unless_it_says_so(void **s
     }
 }
 
+/// Vertex against vertex, nearer than any edge's line would allow: the line is the closest direction's own.
+/// It is repaired like any other, whether B turns, goes round A, or both.
+static void a_free_line_is_repaired_like_that_of_an_edge(void **state) {
+    (void)state;
+    static const bmr_vec2 diamond[] = {{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}};
+    static const struct {
+        double around, turned; ///< quarter turns: where B is, and by how much it has turned
+    } ways[] = {{0, 1}, {1, 1}, {1, 2}, {2, 3}, {3, 3}, {2, 2}, {0, 1}, {1, 1}, {2, 1}, {0, 0}};
+    for (size_t i = 0; i < NAMES; ++i) {
+        bmr_polygon *square = NULL;
+        assert_int_equal(bmr_polygon_create(diamond, 4, NULL, &square), BMR_OK);
+        test_kds_body a = test_kds_body_make(square), b;
+        const bool point = info_of(i)->domain == BMR_KDS_POINT;
+        if (point) {
+            b = test_kds_point_make(0.0, 0.0);
+        } else {
+            assert_int_equal(bmr_polygon_create(diamond, 4, NULL, &square), BMR_OK);
+            b = test_kds_body_make(square);
+        }
+        bmr_kds_def def = bmr_default_kds_def();
+        def.margin = 0.01;
+        bmr_kds *kds = made(i, &def, &a, &b);
+        const double away = (point ? 1.0 : 2.0) + 1.3 * def.margin;
+        bmr_kds_report report;
+        bmr_instant now = {{{away, 0.0}, 1.0, 0.0}, {0.0, 0.0}, 0.0};
+        bmr_kds_start(kds, &now, &report);
+        assert_true(report.apart);
+        for (size_t k = 0; k < sizeof ways / sizeof *ways; ++k) {
+            const double quarter = 0.5 * 3.14159265358979323846;
+            now.pose.position =
+                bmr_vec2_make(away * cos(quarter * ways[k].around), away * sin(quarter * ways[k].around));
+            const bool turns = !point && info_of(i)->domain == BMR_KDS_RIGID;
+            now.pose.c = turns ? cos(quarter * ways[k].turned) : 1.0;
+            now.pose.s = turns ? sin(quarter * ways[k].turned) : 0.0;
+            bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
+            const size_t count = bmr_kds_conditions(kds, conditions);
+            for (size_t c = 0; c < count; ++c)
+                if (!(bmr_condition_value(&conditions[c], &now.pose) > 0.0)) {
+                    bmr_kds_repair(kds, &now, c, &report);
+                    assert_true(report.apart);
+                    break;
+                }
+            assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
+        }
+        bmr_kds_destroy(kds, NULL);
+        test_kds_body_destroy(&a);
+        test_kds_body_destroy(&b);
+    }
+}
+
 static void no_pose_is_contact_and_no_point_is_an_error(void **state) {
     (void)state;
     test_kds_body a = regular(8), b = regular(5), point = test_kds_point_make(0.0, 0.0);
@@ -191,6 +241,7 @@ int main(void) {
         cmocka_unit_test(an_early_repair_reports_none_and_changes_nothing),
         cmocka_unit_test(contact_is_left_beyond_margin_and_hysteresis_only),
         cmocka_unit_test(the_state_does_not_grow_with_the_polygons_unless_it_says_so),
+        cmocka_unit_test(a_free_line_is_repaired_like_that_of_an_edge),
         cmocka_unit_test(no_pose_is_contact_and_no_point_is_an_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
