@@ -341,6 +341,17 @@ static bool fails_now(const cell_state *s, const bmr_condition *condition, const
     return !(value > 0.0) && !(value >= -no_sign && grows);
 }
 
+/// Does any condition of the new cell fail where the old one's did? Where three cells meet in less than is
+/// looked ahead, one may be forced that x does not come to.
+static bool fails_at_once(const bmr_kds *kds, const bmr_instant *now, const bmr_pose *ahead) {
+    bmr_condition held[BMR_KDS_MAX_CONDITIONS];
+    const size_t count = conditions(kds, held);
+    for (size_t i = 0; i < count; ++i)
+        if (fails_now(constant_state_of(kds), &held[i], now, ahead))
+            return true;
+    return false;
+}
+
 /// To the cell that holds x, and never back into the one of which a condition failed.
 static bool leave_cell(bmr_kds *kds, const cell_state *left, const bmr_condition *failed, bmr_vec2 x,
                        unsigned *touched) {
@@ -372,7 +383,8 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     report->level_before = level_of(s);
     const bmr_pose q = bmr_held_displaced(&s->held, &ahead);
     set_rotation(kds, &q);
-    const bool left = heals ? force_over(kds, &held[failed], q.position, &report->touched)
+    const bool left = heals ? force_over(kds, &held[failed], q.position, &report->touched) &&
+                                  !fails_at_once(kds, now, &ahead)
                             : leave_cell(kds, &before, &held[failed], q.position, &report->touched);
     if (!left && !find_by_closest(kds, &before, now, q.position, &report->touched))
         return false;
