@@ -160,7 +160,11 @@ static void the_state_does_not_grow_with_the_polygons_unless_it_says_so(void **s
 /// It is repaired like any other, whether B turns, goes round A, or both.
 static void a_free_line_is_repaired_like_that_of_an_edge(void **state) {
     (void)state;
-    static const bmr_vec2 diamond[] = {{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}};
+    const double lean = 0.4; // else an edge of the rectangle around would do
+    const double quarter = 0.5 * 3.14159265358979323846;
+    bmr_vec2 diamond[4];
+    for (int k = 0; k < 4; ++k)
+        diamond[k] = bmr_vec2_make(cos(lean + quarter * k), sin(lean + quarter * k));
     static const struct {
         double around, turned; ///< quarter turns: where B is, and by how much it has turned
     } ways[] = {{0, 1}, {1, 1}, {1, 2}, {2, 3}, {3, 3}, {2, 2}, {0, 1}, {1, 1}, {2, 1}, {0, 0}};
@@ -178,15 +182,14 @@ static void a_free_line_is_repaired_like_that_of_an_edge(void **state) {
         bmr_kds_def def = bmr_default_kds_def();
         def.margin = 0.01;
         bmr_kds *kds = made(i, &def, &a, &b);
-        const double away = (point ? 1.0 : 2.0) + 1.3 * def.margin;
+        const double away = (point ? 1.0 : 2.0) + 1.05 * def.margin;
         bmr_kds_report report;
-        bmr_instant now = {{{away, 0.0}, 1.0, 0.0}, {0.0, 0.0}, 0.0};
+        bmr_instant now = {{{away * cos(lean), away * sin(lean)}, 1.0, 0.0}, {0.0, 0.0}, 0.0};
         bmr_kds_start(kds, &now, &report);
         assert_true(report.apart);
         for (size_t k = 0; k < sizeof ways / sizeof *ways; ++k) {
-            const double quarter = 0.5 * 3.14159265358979323846;
-            now.pose.position =
-                bmr_vec2_make(away * cos(quarter * ways[k].around), away * sin(quarter * ways[k].around));
+            const double at = lean + quarter * ways[k].around;
+            now.pose.position = bmr_vec2_make(away * cos(at), away * sin(at));
             const bool turns = !point && info_of(i)->domain == BMR_KDS_RIGID;
             now.pose.c = turns ? cos(quarter * ways[k].turned) : 1.0;
             now.pose.s = turns ? sin(quarter * ways[k].turned) : 0.0;
