@@ -137,7 +137,8 @@ size_t bmr_kds_bytes(const bmr_kds *kds);
 void bmr_kds_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report);
 
 /// The conditions of the present proof, all of which held at the last start or repair; 0 in contact. Their
-/// conjunction implies that the polygons are apart by more than the margin. O(1).
+/// conjunction implies that the polygons are apart by more than the margin. O(1), but O(log n) for a
+/// separating edge of a polygon as thin as rounding.
 size_t bmr_kds_conditions(const bmr_kds *kds, bmr_condition conditions[BMR_KDS_MAX_CONDITIONS]);
 
 /// Takes the structure past a failure: `failed` is the index (less than their number, which is not checked)
