@@ -10,7 +10,7 @@ stage_sanitized_tests() {
     [ "$brief" = no ] || which=(--label-regex '^(unit|property|fuzz|stale)$')
     build_sanitizers || return 1
     rm -rf "$BMR_BUILD_DIR/profiles"
-    LLVM_PROFILE_FILE=$BMR_BUILD_DIR/profiles/%m.profraw BMR_TEST_SCALE=${BMR_TEST_SCALE:-0.1} \
+    BMR_TEST_SCALE=${BMR_TEST_SCALE:-0.1} \
         run_tests "tests (sanitizers)" --label-exclude '^(cli|browser|consumer|controls|mutation|differential)$' \
         --exclude-regex '^threads_forking_' "${which[@]}"
 }
