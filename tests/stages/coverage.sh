@@ -6,5 +6,7 @@ stage_coverage() {
     build_sanitizers || return 1
     # After --only coverage the tests are yet to run.
     [ -d "$BMR_BUILD_DIR/profiles" ] || stage_sanitized_tests
-    check "coverage" "$root/tests/coverage/report" "$BMR_BUILD_DIR"
+    local options=()
+    [ "$brief" = no ] || options=(--brief)
+    check "coverage" "$root/tests/coverage/report" "${options[@]}" "$BMR_BUILD_DIR"
 }
