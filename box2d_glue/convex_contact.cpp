@@ -13,6 +13,7 @@
 #include "boomerang/convex32_distance.h"
 #include "pair_registry.h"
 #include "polygon_view.h"
+#include "rounding_mode.h"
 #include "settings.h"
 #include "thresholds.h"
 #include "verify.h"
@@ -113,7 +114,7 @@ void ConvexContact::LearnVtable() {
 
 void ConvexContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
     const b2Manifold old = m_manifold; // most likely the one that is written
-    const Answer answer = Ask(xfA, xfB);
+    const Answer answer = RoundsToNearest() ? Ask(xfA, xfB) : Answer::HandedOver;
     FillManifold(answer, manifold, xfA, xfB, old);
     if (Verifying() && answer < Answer::HandedOver) {
         // There is nobody but ourselves to compare with: what was proved apart has no points.

@@ -6,6 +6,7 @@
 #include "contact_register.h"
 #include "environment.h"
 #include "process_locks.h"
+#include "rounding_mode.h"
 #include "settings.h"
 #include "statistics_file.h"
 #include "this_process.h"
@@ -39,6 +40,7 @@ bool Install(const Options &given) {
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Installing));
     if (installed || refused)
         return false;
+    const NearestRounding nearest; // whoever is tried out here is tried out as he will be asked
     const Options options = WithEnvironment(given);
     if (options.mode == Mode::Off || bmr_structure_name(options.structure) == nullptr)
         return false;

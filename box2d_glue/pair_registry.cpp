@@ -10,6 +10,7 @@
 #include "body_pair.h"
 #include "current_step.h"
 #include "hull.h"
+#include "rounding_mode.h"
 #include "settings.h"
 #include "solid_contact.h"
 
@@ -229,6 +230,7 @@ void AttachToFixtures(SolidContact *contact, const Unit &a, const Unit &b, b2Blo
 void AttachPair(SolidContact *contact, b2BlockAllocator *allocator) {
     if (contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor())
         return;
+    const NearestRounding nearest; // hulls outlast the mode that they are built in
     const Unit a = BodyUnit(contact->GetFixtureA()), b = BodyUnit(contact->GetFixtureB());
     if (EdgesAreOn())
         AttachToBodies(contact, a, b, allocator);
@@ -277,6 +279,7 @@ bool LookAtShapes(SolidContact *contact) {
 }
 
 void InvalidateBody(b2Body *body) {
+    const NearestRounding nearest;
     // One hull after another: rebuilding it for each pair that uses it changes nothing but the time this
     // takes.
     VisitHulls(body, kAllContacts, [body](Hull *hull, BodyPair *pair) {

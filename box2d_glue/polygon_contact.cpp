@@ -11,6 +11,7 @@
 #include "body_pair.h"
 #include "convex_geometry.h"
 #include "pair_registry.h"
+#include "rounding_mode.h"
 #include "settings.h"
 #include "shapes32.h"
 #include "verify.h"
@@ -59,6 +60,12 @@ PolygonContact::PolygonContact(b2Fixture *fixtureA, b2Fixture *fixtureB)
 }
 
 void PolygonContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
+    if (!RoundsToNearest()) {
+        Count(&Counts::evaluations);
+        Count(&Counts::handedOver);
+        b2CollidePolygons(manifold, &ShapeOf(m_fixtureA), xfA, &ShapeOf(m_fixtureB), xfB);
+        return;
+    }
     if (!Verifying()) {
         EvaluateHere(manifold, xfA, xfB);
         return;

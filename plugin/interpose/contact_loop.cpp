@@ -15,7 +15,9 @@
 #include "convex_contact.h"
 #include "polygon_contact.h"
 #include "real.h"
+#include "rounding_mode.h"
 #include "settings.h"
+#include "short_list.h"
 
 namespace bmr::interpose {
 
@@ -45,7 +47,7 @@ void Prefetch(const b2Contact *contact) {
 
 void Update(b2Contact *contact, b2ContactListener *listener) {
     const bool sensor = contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor();
-    const bool here = !sensor && !Verifying();
+    const bool here = !sensor && !Verifying() && RoundsToNearest(); // by now: a listener may change it
     PolygonContact *ofSmall = here ? PolygonContact::AsOurs(contact) : nullptr;
     if (ofSmall != nullptr)
         ofSmall->UpdateSolid(listener);
@@ -76,6 +78,7 @@ inline bool Persists(b2ContactManager *manager, b2Contact *contact) {
 void Collide(b2ContactManager *manager) BMR_STANDS_FOR("_ZN16b2ContactManager7CollideEv");
 
 void Collide(b2ContactManager *manager) {
+    const ShortList::Whole whole(manager);
     if (!HookIsOn(Hook::ContactLoop)) {
         realCollide.Get()(manager);
         return;

@@ -11,6 +11,7 @@
 #include "convex_access.h"
 #include "convex_geometry.h"
 #include "real.h"
+#include "rounding_mode.h"
 #include "settings.h"
 #include "shapes32.h"
 #include "tree_descent.h"
@@ -169,7 +170,8 @@ void Synchronize(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform
 
 void Synchronize(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
                  const b2Transform &xf2) {
-    if (!HookIsOn(Hook::FixtureBoxes) || !SynchronizeHere(fixture, broadPhase, xf1, xf2))
+    if (!HookIsOn(Hook::FixtureBoxes) || !RoundsToNearest() ||
+        !SynchronizeHere(fixture, broadPhase, xf1, xf2))
         realSynchronize.Get()(fixture, broadPhase, xf1, xf2);
 }
 

@@ -6,6 +6,8 @@
 
 #include <box2d/b2_common.h>
 
+#include "rounding_mode.h"
+
 class b2World;
 struct b2TOIInput;
 struct b2TOIOutput;
@@ -40,6 +42,7 @@ void *FindReal(const char *mangled);
 namespace bmr::interpose {
 
 class ShortList;
+class StepMark;
 
 /// A function of Box2D's, looked up once. Any thread may be the first; initialised at compile time, since
 /// Box2D may be called before this library's constructors ran.
@@ -63,31 +66,41 @@ private:
     const char *m_name;
 };
 
-/// What the hooks keep on a thread while it steps a world, and no longer: a step that a listener makes of
-/// another world begins with none of it, and what the outer step had is there again afterwards.
+/// What the hooks keep on a thread while it steps worlds, and no longer. A listener may step another world,
+/// or its own; and steps of two worlds may be interleaved on one thread, where each runs on a stack of its
+/// own and a listener leaves one for the other: the later one need not end first. So marks and lists take
+/// themselves out of their chain wherever they are in it, and a list is looked up by the world it is of.
 struct Stepping {
-    const b2World *world;  ///< nullptr outside of steps
-    ShortList *shortList;  ///< the innermost that is alive
+    StepMark *mark;        ///< the newest of the steps that have not ended; nullptr outside of steps
+    ShortList *shortList;  ///< the newest that is alive
     uint32_t knownImpacts; ///< so many questions are left that KnownImpacts sends to Box2D
+    bool *stepComplete;    ///< while there are any: what KnownImpacts sets to true
 };
 
 /// This thread's. One load: the library is there when the program starts.
 extern __thread Stepping stepping __attribute__((tls_model("initial-exec")));
 
-/// Only in a step are questions answered here; whoever else calls these functions gets Box2D's own.
+/// Only in a step, and rounding to nearest, are questions answered here; whoever else calls these functions
+/// gets Box2D's own.
 inline bool InStep() {
-    return stepping.world != nullptr;
+    return stepping.mark != nullptr && RoundsToNearest();
 }
 
 /// Box2D's own b2TimeOfImpact, or what stands for it where a polygon is too big for that.
 void RealTimeOfImpact(b2TOIOutput *output, const b2TOIInput *input);
 
 /// As long as it lives, so many of this thread's next questions to b2TimeOfImpact go to Box2D at once: a
-/// proof was sought for them already, in vain.
+/// proof was sought for them already, in vain. They are the first thing that b2World::SolveTOI does, before
+/// it calls anybody. Once it asks it has read `stepComplete`, which was false for it alone, and nobody else
+/// is to see that.
 class KnownImpacts {
 public:
-    explicit KnownImpacts(uint32_t count) : m_outer(stepping.knownImpacts) { stepping.knownImpacts = count; }
-    ~KnownImpacts() { stepping.knownImpacts = m_outer; }
+    KnownImpacts(uint32_t count, bool *stepComplete) {
+        *stepComplete = false;
+        stepping.knownImpacts = count;
+        stepping.stepComplete = stepComplete;
+    }
+    ~KnownImpacts() { stepping.knownImpacts = 0; }
     KnownImpacts(const KnownImpacts &) = delete;
     KnownImpacts &operator=(const KnownImpacts &) = delete;
 
@@ -95,11 +108,9 @@ public:
         if (stepping.knownImpacts == 0)
             return false;
         --stepping.knownImpacts;
+        *stepping.stepComplete = true;
         return true;
     }
-
-private:
-    uint32_t m_outer;
 };
 
 } // namespace bmr::interpose

@@ -4,6 +4,7 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_contact_manager.h>
 
+#include "per_thread.h"
 #include "recognise.h"
 
 namespace bmr::interpose {
@@ -39,25 +40,38 @@ private:
 
 ShortList::ShortList(b2ContactManager *manager)
     : m_manager(manager), m_listener(manager->m_contactListener), m_listens(Listens(m_listener)),
-      m_outer(stepping.shortList) {
+      m_older(stepping.shortList), m_room(PerThread<Room>()) {
+    if (m_room != nullptr && m_room->taken)
+        m_room = nullptr;
+    if (m_room != nullptr)
+        m_room->taken = true;
+    if (m_older != nullptr)
+        m_older->m_newer = this;
     stepping.shortList = this;
     Choose();
-    Resume();
+    Close();
 }
 
 ShortList::~ShortList() {
     Open();
-    if (m_manager->m_contactListener == this)
-        m_manager->m_contactListener = m_listener;
-    stepping.shortList = m_outer;
+    if (m_room != nullptr)
+        m_room->taken = false;
+    if (m_older != nullptr)
+        m_older->m_newer = m_newer;
+    if (m_newer != nullptr)
+        m_newer->m_older = m_older;
+    else
+        stepping.shortList = m_older;
 }
 
 /// Which are kept. The list is whole.
 void ShortList::Choose() {
     m_first = m_manager->m_contactList;
     m_count = 0;
-    if (m_staysWhole)
+    m_changed = false;
+    if (m_room == nullptr)
         return;
+    Kept *const kept = m_room->kept;
     for (b2Contact *contact = m_first; contact != nullptr; contact = Links::Next(contact)) {
         if (Links::HasNoImpact(contact))
             continue;
@@ -65,43 +79,59 @@ void ShortList::Choose() {
             m_count = 0;
             return;
         }
-        m_kept[m_count++] = {contact, Links::Next(contact)};
+        kept[m_count++] = {contact, Links::Next(contact)};
     }
 }
 
-/// As Box2D would have it: the list whole, and the world's own listener.
+/// As Box2D would have it: the list whole, and the world's own listener. Listeners and filters may call what
+/// wants it whole, too: it is closed when the last of them is done.
 void ShortList::Suspend() {
-    Open();
-    if (m_listens && !m_staysWhole)
-        m_manager->m_contactListener = m_listener;
+    if (m_suspensions++ == 0)
+        Open();
 }
 
-/// Another listener from now on: Box2D hands it all but what it is in the middle of, so nobody would open the
-/// list for it.
 void ShortList::Resume() {
-    m_staysWhole = m_staysWhole || m_manager->m_contactListener != m_listener;
-    if (m_staysWhole)
-        m_count = 0;
-    else if (m_listens)
-        m_manager->m_contactListener = this;
+    if (--m_suspensions > 0 || m_staysWhole)
+        return;
+    if (m_manager->m_contactListener != m_listener) {
+        // Box2D hands another listener all but what it is in the middle of: nobody would open the list for
+        // it.
+        m_staysWhole = true;
+        return;
+    }
+    if (m_changed)
+        Choose();
     Close();
 }
 
+void ShortList::StayWhole() {
+    if (m_suspensions == 0)
+        Open();
+    m_staysWhole = true;
+}
+
 void ShortList::Open() {
+    if (m_staysWhole)
+        return;
+    if (m_manager->m_contactListener == this)
+        m_manager->m_contactListener = m_listener;
     if (m_count == 0)
         return;
     m_manager->m_contactList = m_first;
     for (int32 i = 0; i < m_count; ++i)
-        Links::Next(m_kept[i].contact) = m_kept[i].next;
+        Links::Next(m_room->kept[i].contact) = m_room->kept[i].next;
 }
 
 void ShortList::Close() {
+    if (m_listens)
+        m_manager->m_contactListener = this;
     if (m_count == 0)
         return;
-    m_manager->m_contactList = m_kept[0].contact;
+    const Kept *const kept = m_room->kept;
+    m_manager->m_contactList = kept[0].contact;
     for (int32 i = 0; i + 1 < m_count; ++i)
-        Links::Next(m_kept[i].contact) = m_kept[i + 1].contact;
-    Links::Next(m_kept[m_count - 1].contact) = nullptr;
+        Links::Next(kept[i].contact) = kept[i + 1].contact;
+    Links::Next(kept[m_count - 1].contact) = nullptr;
 }
 
 void ShortList::BeginContact(b2Contact *contact) {

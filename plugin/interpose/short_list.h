@@ -15,8 +15,9 @@ namespace bmr::interpose {
 /// and leave them as they are. What is left is in its order, and nobody else sees it: the list is whole while
 /// a listener is called or new contacts are looked for.
 ///
-/// No memory beyond itself: the links of those that are left are kept here and put back, the links of the
-/// others stay as they are. Where too many are left the list is whole.
+/// The links of those that are left are kept and put back, the links of the others stay as they are. The
+/// thread has room for one list's (on the heap: stacks may be small); a list that begins in the midst of
+/// another one stays whole, as does one of which too many are left.
 class ShortList final : private b2ContactListener {
 public:
     /// From here on; the times of impact that are known are marked. To be called in the middle of a step.
@@ -30,15 +31,13 @@ public:
     /// be added to it and known times forgotten.
     class Whole {
     public:
-        explicit Whole(const b2ContactManager *manager) : m_list(stepping.shortList) {
-            if (m_list != nullptr && m_list->m_manager != manager)
-                m_list = nullptr;
+        explicit Whole(const b2ContactManager *manager) : m_list(Of(manager)) {
             if (m_list != nullptr)
                 m_list->Suspend();
         }
         ~Whole() {
             if (m_list != nullptr) {
-                m_list->Choose();
+                m_list->m_changed = true;
                 m_list->Resume();
             }
         }
@@ -49,8 +48,24 @@ public:
         ShortList *m_list;
     };
 
+    /// This thread's lists for `manager`, if there are any, are whole from now on: a step of the same world
+    /// is about to begin in the midst of theirs, and may make and destroy contacts.
+    static void KeepWhole(const b2ContactManager *manager) {
+        for (ShortList *list = stepping.shortList; list != nullptr; list = list->m_older)
+            if (list->m_manager == manager)
+                list->StayWhole();
+    }
+
 private:
     class Pause;
+
+    /// The newest for this manager, or nullptr.
+    static ShortList *Of(const b2ContactManager *manager) {
+        ShortList *list = stepping.shortList;
+        while (list != nullptr && list->m_manager != manager)
+            list = list->m_older;
+        return list;
+    }
 
     void BeginContact(b2Contact *contact) override;
     void EndContact(b2Contact *contact) override;
@@ -60,23 +75,31 @@ private:
     void Choose();
     void Suspend();
     void Resume();
+    void StayWhole();
     void Open();
     void Close();
 
     struct Kept {
         b2Contact *contact, *next;
     };
-    // 8 KB of stack. Planks that 300 hexagons lie on keep some 50.
+    // Planks that 300 hexagons lie on keep some 50.
     static constexpr int32 kMost = 512;
+    /// 8 KB a thread that steps worlds.
+    struct Room {
+        bool taken;
+        Kept kept[kMost];
+    };
 
     b2ContactManager *m_manager;
     b2ContactListener *m_listener; ///< the world's, at first
     bool m_listens;                ///< whether it is called through this
-    bool m_staysWhole = false;     ///< a listener or a filter put another one in its place
-    ShortList *m_outer;
-    b2Contact *m_first = nullptr; ///< of the whole list
-    int32 m_count = 0;            ///< of m_kept; 0 where the list stays whole
-    Kept m_kept[kMost];
+    bool m_staysWhole = false;     ///< another listener was put in its place, or the world stepped meanwhile
+    bool m_changed = false;        ///< contacts may have been added since they were chosen
+    int32 m_suspensions = 0;       ///< that have not ended; the list is whole while there are any
+    ShortList *m_older, *m_newer = nullptr; ///< of this thread's that are alive
+    b2Contact *m_first = nullptr;           ///< of the whole list
+    int32 m_count = 0;                      ///< of those that are kept; 0 where the list stays whole
+    Room *m_room;                           ///< nullptr: none is left, and the list stays whole
 };
 
 } // namespace bmr::interpose

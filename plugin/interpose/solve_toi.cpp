@@ -51,8 +51,9 @@ void CompareWithBox2D(const ImpactScan::Side &a, const ImpactScan::Side &b) {
 } // namespace
 
 void b2World::SolveTOI(const b2TimeStep &step) {
-    ImpactScan *scan =
-        HookIsOn(Hook::SolveToi) && m_stepComplete && !m_subStepping ? ImpactScan::Begin() : nullptr;
+    ImpactScan *scan = HookIsOn(Hook::SolveToi) && m_stepComplete && !m_subStepping && RoundsToNearest()
+                           ? ImpactScan::Begin()
+                           : nullptr;
     if (scan == nullptr) {
         realSolveToi.Get()(this, step);
         return;
@@ -92,13 +93,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     if (unproved == 0)
         return;
     // In the middle of a step Box2D keeps what is known; when it is done it says that the step is complete.
-    m_stepComplete = false;
-    try {
-        const ShortList list(&m_contactManager);
-        const KnownImpacts known(unproved); // Box2D asks for the very same ones first
-        realSolveToi.Get()(this, step);
-    } catch (...) { // a listener's; the step is as complete as Box2D would leave it
-        m_stepComplete = true;
-        throw;
-    }
+    const ShortList list(&m_contactManager);
+    const KnownImpacts known(unproved, &m_stepComplete); // Box2D asks for the very same ones first
+    realSolveToi.Get()(this, step);
 }

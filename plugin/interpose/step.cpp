@@ -6,32 +6,43 @@
 #include "current_step.h"
 #include "real.h"
 #include "settings.h"
+#include "short_list.h"
 #include "start.h"
 
 namespace bmr::interpose {
 
-__thread Stepping stepping = {nullptr, nullptr, 0};
+__thread Stepping stepping = {nullptr, nullptr, 0, nullptr};
 
-namespace {
-
-/// Ends with the step, also by an exception of a listener's; a listener may step another world.
+/// Ends with the step, also by an exception of a listener's. The number of the thread's step is always that
+/// of the newest mark.
 class StepMark {
 public:
-    explicit StepMark(const b2World *world) : m_outer(stepping), m_outerStep(CurrentStep()) {
-        stepping = {world, nullptr, 0};
-        CurrentStep() = NextStep();
+    explicit StepMark(const b2World *world) : m_step(NextStep()), m_older(stepping.mark) {
+        ShortList::KeepWhole(&world->GetContactManager()); // its listener may be what steps it
+        if (m_older != nullptr)
+            m_older->m_newer = this;
+        stepping.mark = this;
+        CurrentStep() = m_step;
     }
     ~StepMark() {
-        stepping = m_outer;
-        CurrentStep() = m_outerStep;
+        if (m_older != nullptr)
+            m_older->m_newer = m_newer;
+        if (m_newer != nullptr) {
+            m_newer->m_older = m_older;
+            return;
+        }
+        stepping.mark = m_older;
+        CurrentStep() = m_older != nullptr ? m_older->m_step : 0;
     }
     StepMark(const StepMark &) = delete;
     StepMark &operator=(const StepMark &) = delete;
 
 private:
-    Stepping m_outer;
-    uint64_t m_outerStep;
+    uint64_t m_step;
+    StepMark *m_older, *m_newer = nullptr;
 };
+
+namespace {
 
 Real<void(b2World *, float, int32, int32)> realStep("_ZN7b2World4StepEfii");
 

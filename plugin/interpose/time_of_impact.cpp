@@ -30,16 +30,13 @@ void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input)
     BMR_STANDS_FOR("_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput");
 
 void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
-    if (AnyBigPolygon() && BigImpact(output, *input)) {
-        if (InStep())
-            KnownImpacts::Take();
-        return;
-    }
-    if (!HookIsOn(Hook::TimeOfImpact) || !InStep()) {
-        realTimeOfImpact.Get()(output, input);
-        return;
-    }
     if (KnownImpacts::Take()) { // counted by who sought
+        RealTimeOfImpact(output, input);
+        return;
+    }
+    if (AnyBigPolygon() && BigImpact(output, *input))
+        return;
+    if (!HookIsOn(Hook::TimeOfImpact) || !InStep()) {
         realTimeOfImpact.Get()(output, input);
         return;
     }

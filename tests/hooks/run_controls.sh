@@ -6,7 +6,8 @@
 # Takes one piece of a hook out of the shared library at a time, preloads the library into the plain program that runs
 # a scene, and expects its hashes to differ from stock's. With nothing taken out they must be stock's. Where the scene is
 # called outside_game that program is run instead, with the library for its own, and must fail; other names in _game
-# are programs in the directory GAMES. OBJECTS: those of the shared library; LINK_ARGUMENTS: what else it is linked from.
+# are programs in the directory GAMES, which arguments may follow. OBJECTS: those of the shared library; LINK_ARGUMENTS:
+# what else it is linked from.
 set -u
 root=$1 compiler=$2 program=$3 outside_game=$4 games=$5
 shift 5
@@ -33,9 +34,9 @@ hashes() {
         LD_LIBRARY_PATH=${3:+$(dirname "$3")} timeout "$limit" "$outside_game"
         return
     fi
-    if [[ $1 = *_game ]]; then
+    if [[ ${1%% *} = *_game ]]; then
         # (In a shell of its own, which says nothing where the game crashes.)
-        (BOOMERANG=on LD_PRELOAD=${3:-} MALLOC_PERTURB_=165 timeout "$limit" "$games/$1") 2>/dev/null | cksum
+        (BOOMERANG=on LD_PRELOAD=${3:-} MALLOC_PERTURB_=165 timeout "$limit" "$games"/$1) 2>/dev/null | cksum
         return
     fi
     BOOMERANG=on LD_PRELOAD=${3:-} timeout "$limit" "$program" "$1" --steps "$2" 2>/dev/null | grep '^step' | cksum

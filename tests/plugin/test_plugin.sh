@@ -269,6 +269,22 @@ test_filters_and_listeners_may_change_the_listener() {
     grep -Eq ', [1-9][0-9]* switches' "$room/out" || fail "no listener was changed"
 }
 
+test_any_direction_of_rounding_plays_as_stock() {
+    local mode when
+    for mode in upward downward toward-zero; do
+        for when in before later in-turn listening; do
+            plays_as_stock "rounding_game $mode $when"
+        done
+    done
+}
+
+test_worlds_may_be_stepped_in_the_midst_of_a_step() {
+    local what
+    for what in own round pairs fibers small; do
+        plays_as_stock "stepping_game $what"
+    done
+}
+
 test_forked_games_play_on() {
     plays_as_stock "forking_game 30 40"
     [ "$(number steps)" -eq 70 ] || fail "the statistics are not the parent's"
