@@ -84,7 +84,7 @@ void ShortList::Choose() {
 }
 
 /// As Box2D would have it: the list whole, and the world's own listener. Listeners and filters may call what
-/// wants it whole, too: it is closed when the last of them is done.
+/// wants it whole, too (also by a step of this world): it is closed when the last of them is done.
 void ShortList::Suspend() {
     if (m_suspensions++ == 0)
         Open();
@@ -102,12 +102,6 @@ void ShortList::Resume() {
     if (m_changed)
         Choose();
     Close();
-}
-
-void ShortList::StayWhole() {
-    if (m_suspensions == 0)
-        Open();
-    m_staysWhole = true;
 }
 
 void ShortList::Open() {

@@ -48,14 +48,6 @@ public:
         ShortList *m_list;
     };
 
-    /// This thread's lists for `manager`, if there are any, are whole from now on: a step of the same world
-    /// is about to begin in the midst of theirs, and may make and destroy contacts.
-    static void KeepWhole(const b2ContactManager *manager) {
-        for (ShortList *list = stepping.shortList; list != nullptr; list = list->m_older)
-            if (list->m_manager == manager)
-                list->StayWhole();
-    }
-
 private:
     class Pause;
 
@@ -75,7 +67,6 @@ private:
     void Choose();
     void Suspend();
     void Resume();
-    void StayWhole();
     void Open();
     void Close();
 
@@ -91,11 +82,11 @@ private:
     };
 
     b2ContactManager *m_manager;
-    b2ContactListener *m_listener; ///< the world's, at first
-    bool m_listens;                ///< whether it is called through this
-    bool m_staysWhole = false;     ///< another listener was put in its place, or the world stepped meanwhile
-    bool m_changed = false;        ///< contacts may have been added since they were chosen
-    int32 m_suspensions = 0;       ///< that have not ended; the list is whole while there are any
+    b2ContactListener *m_listener;          ///< the world's, at first
+    bool m_listens;                         ///< whether it is called through this
+    bool m_staysWhole = false;              ///< a listener or a filter put another one in its place
+    bool m_changed = false;                 ///< contacts may have come and gone since they were chosen
+    int32 m_suspensions = 0;                ///< that have not ended; the list is whole while there are any
     ShortList *m_older, *m_newer = nullptr; ///< of this thread's that are alive
     b2Contact *m_first = nullptr;           ///< of the whole list
     int32 m_count = 0;                      ///< of those that are kept; 0 where the list stays whole

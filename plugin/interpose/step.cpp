@@ -6,7 +6,6 @@
 #include "current_step.h"
 #include "real.h"
 #include "settings.h"
-#include "short_list.h"
 #include "start.h"
 
 namespace bmr::interpose {
@@ -17,8 +16,7 @@ __thread Stepping stepping = {nullptr, nullptr, 0, nullptr};
 /// of the newest mark.
 class StepMark {
 public:
-    explicit StepMark(const b2World *world) : m_step(NextStep()), m_older(stepping.mark) {
-        ShortList::KeepWhole(&world->GetContactManager()); // its listener may be what steps it
+    StepMark() : m_step(NextStep()), m_older(stepping.mark) {
         if (m_older != nullptr)
             m_older->m_newer = this;
         stepping.mark = this;
@@ -53,7 +51,7 @@ void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positi
 
 void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
     StartAtFirstStep();
-    const StepMark mark(world);
+    const StepMark mark;
     Count(&Counts::steps);
     realStep.Get()(world, timeStep, velocityIterations, positionIterations);
 }

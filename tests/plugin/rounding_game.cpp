@@ -20,6 +20,17 @@ private:
     int m_mode, m_calls = 0;
 };
 
+/// Boxes that are an ulp too wide are seen nowhere else.
+void AddBoxes(const b2World &world, Hash *hash) {
+    for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+        for (const b2Fixture *fixture = body->GetFixtureList(); fixture != nullptr;
+             fixture = fixture->GetNext()) {
+            const b2AABB &box = fixture->GetAABB(0);
+            for (const float value : {box.lowerBound.x, box.lowerBound.y, box.upperBound.x, box.upperBound.y})
+                hash->Add(value);
+        }
+}
+
 int ModeOf(const std::string &name) {
     return name == "upward" ? FE_UPWARD : name == "downward" ? FE_DOWNWARD : FE_TOWARDZERO;
 }
@@ -47,6 +58,7 @@ int main(int argc, char **argv) {
         if (when == "in-turn")
             std::fesetround(step % 3 == 2 ? mode : FE_TONEAREST);
         Step(world, 1, &hash);
+        AddBoxes(world, &hash);
         if (step % 25 == 24)
             Print(argv[2], hash);
     }
