@@ -235,8 +235,8 @@ Overlap BigOverlap(const b2DistanceProxy &a, const b2Transform &xfA, const b2Dis
     Two two;
     if (!Find(a, b, &two))
         return Overlap::kUnknown;
-    // What b2TestOverlap takes for none.
-    const float least = two.a.radius + two.b.radius + 10.0f * b2_epsilon;
+    // What b2TestOverlap takes for none. (Shapes that overlap are at 0, also where radii are below that.)
+    const float least = std::max(two.a.radius + two.b.radius, 0.0f) + 10.0f * b2_epsilon;
     if (bmr_convex32_apart_along(&two.a, Transform32(xfA), &two.b, Transform32(xfB), least, *direction))
         return Overlap::kApart;
     bmr_closest32 closest = {0, 0};

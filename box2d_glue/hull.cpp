@@ -2,6 +2,7 @@
 #include "hull.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <functional>
@@ -50,6 +51,23 @@ bool HasSideWithoutDirection(const b2PolygonShape &polygon) {
     return false;
 }
 
+/// Are its normals those of its sides? b2CollidePolygons goes by normals, a hull by vertices: of normals that
+/// are others the face that Box2D clips against may be any, and keeps points however far off they are.
+/// (Vertices that were turned and moved after their normals are off by the rounding of their place.)
+bool HasNormalsOfItsSides(const b2PolygonShape &polygon) {
+    constexpr float kTilt = 1e-5f, kRounding = 4.0f * b2_epsilon;
+    for (int32 i = 0; i < polygon.m_count; ++i) {
+        const b2Vec2 &n = polygon.m_normals[i], &v = polygon.m_vertices[i],
+                     &w = polygon.m_vertices[i + 1 < polygon.m_count ? i + 1 : 0];
+        const b2Vec2 side = w - v;
+        const float place = b2Max(v.Length(), w.Length());
+        if (!(std::fabs(n.LengthSquared() - 1.0f) <= kTilt) || !(b2Cross(n, side) > 0.0f) ||
+            !(std::fabs(b2Dot(n, side)) <= kTilt * side.Length() + kRounding * place))
+            return false;
+    }
+    return true;
+}
+
 HullMember MemberOf(const b2Fixture &fixture, const b2PolygonShape &polygon) {
     HullMember member;
     member.fixture = &fixture;
@@ -71,7 +89,8 @@ std::vector<HullMember> GatherMembers(const Hull &hull) {
         const b2PolygonShape *polygon = PolygonOf(*f);
         if (polygon == nullptr || !(hull.fixture != nullptr ? f == hull.fixture : !f->IsSensor()))
             continue;
-        if (BigPolygonOf(*polygon) == nullptr && HasSideWithoutDirection(*polygon))
+        if (BigPolygonOf(*polygon) == nullptr &&
+            (HasSideWithoutDirection(*polygon) || !HasNormalsOfItsSides(*polygon)))
             return {};
         members.push_back(MemberOf(*f, *polygon));
     }

@@ -40,9 +40,23 @@ float Rounding(const Question &q, float reach) {
     return 2.0f * kUnit * (kErrorPerCoordinate * x + kErrorPerReach * kDiagonal * reach);
 }
 
-/// b2TestOverlap's threshold is 10 epsilon beyond the radii.
+/// b2TestOverlap's threshold is 10 epsilon beyond the radii. Radii below zero take nothing off a distance of
+/// the shapes themselves, which is 0 as soon as they overlap: they count as 0. (A NaN stays one.)
 float ApartBeyond(const Question &q, float rounding) {
-    return q.Radius() * (1.0f + kUnit * kErrorPerDistance) + 10.0f * b2_epsilon + rounding;
+    return std::max(q.Radius(), 0.0f) * (1.0f + kUnit * kErrorPerDistance) + 10.0f * b2_epsilon + rounding;
+}
+
+/// Do these turn only, and not scale too? What b2Rot makes does, to 2.4 units of its square's length and 2 of
+/// the sum here; a caller may bring any numbers.
+bool IsRotation(const b2Rot &q) {
+    constexpr float kMost = 8.0f * kUnit;
+    return std::fabs(q.s * q.s + q.c * q.c - 1.0f) <= kMost;
+}
+
+/// A normal's length may be off by 6 units; so that of a direction that is as long as it should be.
+bool IsDirection(bmr_vec32 n) {
+    constexpr float kMost = 12.0f * kUnit;
+    return std::fabs(n.x * n.x + n.y * n.y - 1.0f) <= kMost;
 }
 
 /// How far apart the two are along a direction.
@@ -86,7 +100,8 @@ bool IsPlainPolygon(const b2Shape &shape, const b2DistanceProxy &proxy) {
            proxy.m_vertices == static_cast<const b2PolygonShape &>(shape).m_vertices;
 }
 
-/// Two polygons, asked by their sides.
+/// Two polygons, asked by their sides. b2Distance looks at vertices alone, and so does whatever is proved
+/// here: normals may have been left as they were when the vertices were edited in place.
 class Polygons {
 public:
     Polygons(const Question &q, const b2Shape &a, const b2Shape &b)
@@ -124,7 +139,8 @@ public:
         return false;
     }
 
-    /// All sides of both: one that keeps them apart, or none that the two do not overlap along.
+    /// All sides of both: one that keeps them apart, or none that the two do not overlap along. (Which side
+    /// to ask is what normals are read for; that there is no other only where they are those of the sides.)
     Overlap AskSides(bmr_vec32 *direction) const {
         bool deep = true;
         for (const bool ofB : {false, true}) {
@@ -132,9 +148,10 @@ public:
                 bmr_exact32_relative(Transform32(Pose(!ofB)), Transform32(Pose(ofB)));
             int32_t side = 0;
             const float separation = bmr_exact32_max_separation(&Owner(ofB), &Owner(!ofB), &frame, &side);
-            const b2Vec2 normal =
-                b2Mul(Pose(ofB).q, b2Vec2(Owner(ofB).normals[side].x, Owner(ofB).normals[side].y));
+            const b2Vec2 normal = b2Mul(Pose(ofB).q, NormalOf(Owner(ofB), side));
             const bmr_vec32 fromA = {ofB ? -normal.x : normal.x, ofB ? -normal.y : normal.y};
+            if (!IsDirection(fromA))
+                return Overlap::kUnknown;
             // Asked again along it, for what minima do not see: numbers that are none.
             float reach;
             const float gap = Gap(m_q, fromA, &reach);
@@ -145,7 +162,7 @@ public:
             }
             deep = deep && separation < -rounding && gap < -rounding;
         }
-        return deep ? Overlap::kOverlapping : Overlap::kUnknown;
+        return deep && HasOwnNormals(m_a) && HasOwnNormals(m_b) ? Overlap::kOverlapping : Overlap::kUnknown;
     }
 
 private:
@@ -153,6 +170,24 @@ private:
     const b2Transform &Pose(bool ofB) const { return ofB ? m_q.xfB : m_q.xfA; }
     static b2Vec2 VertexOf(const bmr_polygon32 &polygon, int32 i) {
         return b2Vec2(polygon.vertices[i].x, polygon.vertices[i].y);
+    }
+    static b2Vec2 NormalOf(const bmr_polygon32 &polygon, int32 i) {
+        return b2Vec2(polygon.normals[i].x, polygon.normals[i].y);
+    }
+    /// Are its normals those of its sides, outwards, and do they turn to the left, once around?
+    static bool HasOwnNormals(const bmr_polygon32 &polygon) {
+        constexpr float kTilt = 8.0f * kUnit;
+        int32 turns = 0;
+        for (int32 i = 0; i < polygon.count; ++i) {
+            const int32 next = i + 1 < polygon.count ? i + 1 : 0;
+            const b2Vec2 n = NormalOf(polygon, i), m = NormalOf(polygon, next);
+            const b2Vec2 side = VertexOf(polygon, next) - VertexOf(polygon, i);
+            if (!IsDirection({n.x, n.y}) || !(b2Cross(n, side) > 0.0f) || !(b2Cross(n, m) > 0.0f) ||
+                !(std::fabs(b2Dot(n, side)) <= kTilt * (std::fabs(side.x) + std::fabs(side.y))))
+                return false;
+            turns += n.y < 0.0f && m.y >= 0.0f;
+        }
+        return turns == 1;
     }
     static b2Vec2 Middle(const bmr_polygon32 &polygon) {
         return 0.5f * (VertexOf(polygon, 0) + VertexOf(polygon, polygon.count / 2));
@@ -178,6 +213,8 @@ bool IsSmall(const b2DistanceProxy &proxy) {
 
 Overlap CertainOverlap(const b2Shape &shapeA, int32 childA, const b2Shape &shapeB, int32 childB,
                        const b2Transform &xfA, const b2Transform &xfB) {
+    if (!IsRotation(xfA.q) || !IsRotation(xfB.q))
+        return Overlap::kUnknown;
     Question q = {b2DistanceProxy(), b2DistanceProxy(), xfA, xfB};
     SetProxy(&q.a, shapeA, childA);
     SetProxy(&q.b, shapeB, childB);

@@ -25,14 +25,18 @@ static bmr_vec32 into_frame(const bmr_transform32 *at, bmr_vec32 p) {
 static __m128 four_outside(const bmr_polygon32 *polygon, int32_t first, int32_t third, bmr_vec32 p,
                            __m128 *far) {
     const __m128 magnitude = _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));
-    const __m128 v0 = _mm_loadu_ps(&polygon->vertices[first].x),
-                 v1 = _mm_loadu_ps(&polygon->vertices[third].x);
-    const __m128 n0 = _mm_loadu_ps(&polygon->normals[first].x), n1 = _mm_loadu_ps(&polygon->normals[third].x);
+    const bmr_vec32 *v = polygon->vertices, *end = third + 2 < polygon->count ? v + third + 2 : v;
+    const __m128 v0 = _mm_loadu_ps(&v[first].x), v1 = _mm_loadu_ps(&v[third].x);
+    const __m128 e0 = _mm_sub_ps(_mm_loadu_ps(&v[first + 1].x), v0);
+    const __m128 e1 = _mm_sub_ps(_mm_movelh_ps(_mm_movehl_ps(v1, v1), _mm_loadu_ps(&end->x)), v1);
     *far = _mm_max_ps(*far, _mm_max_ps(_mm_and_ps(v0, magnitude), _mm_and_ps(v1, magnitude)));
     const __m128 dx = _mm_sub_ps(_mm_set1_ps(p.x), _mm_shuffle_ps(v0, v1, _MM_SHUFFLE(2, 0, 2, 0)));
     const __m128 dy = _mm_sub_ps(_mm_set1_ps(p.y), _mm_shuffle_ps(v0, v1, _MM_SHUFFLE(3, 1, 3, 1)));
-    return _mm_add_ps(_mm_mul_ps(_mm_shuffle_ps(n0, n1, _MM_SHUFFLE(2, 0, 2, 0)), dx),
-                      _mm_mul_ps(_mm_shuffle_ps(n0, n1, _MM_SHUFFLE(3, 1, 3, 1)), dy));
+    const __m128 ex = _mm_shuffle_ps(e0, e1, _MM_SHUFFLE(2, 0, 2, 0)),
+                 ey = _mm_shuffle_ps(e0, e1, _MM_SHUFFLE(3, 1, 3, 1));
+    const __m128 length = _mm_sqrt_ps(_mm_add_ps(_mm_mul_ps(ex, ex), _mm_mul_ps(ey, ey)));
+    return _mm_div_ps(_mm_sub_ps(_mm_mul_ps(ey, dx), _mm_mul_ps(ex, dy)),
+                      _mm_max_ps(length, _mm_set1_ps(FLT_MIN)));
 }
 
 float bmr_posed32_depth(const bmr_polygon32 *polygon, const bmr_transform32 *at, bmr_vec32 point,
@@ -77,8 +81,9 @@ float bmr_posed32_depth(const bmr_polygon32 *polygon, const bmr_transform32 *at,
     float most = -FLT_MAX;
     bool broken = false;
     for (int32_t i = 0; i < polygon->count; ++i) {
-        const bmr_vec32 v = polygon->vertices[i], n = polygon->normals[i];
-        const float o = n.x * (p.x - v.x) + n.y * (p.y - v.y);
+        const bmr_vec32 v = polygon->vertices[i], w = polygon->vertices[i + 1 < polygon->count ? i + 1 : 0];
+        const float ex = w.x - v.x, ey = w.y - v.y;
+        const float o = (ey * (p.x - v.x) - ex * (p.y - v.y)) / larger(sqrtf(ex * ex + ey * ey), FLT_MIN);
         most = larger(most, o);
         broken = broken || !(o == o);
         *reach = larger(*reach, larger(fabsf(v.x), fabsf(v.y)));

@@ -4,9 +4,11 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include <box2d/b2_chain_shape.h>
 #include <box2d/b2_circle_shape.h>
@@ -97,6 +99,37 @@ void MoveToTheThreshold(Engine &engine, Pair *pair, double off) {
     pair->xfB.p = from + (near + UniformF(engine, -off, off)) * way;
 }
 
+/// Vertices in place, with the normals that were there; or normals alone.
+void EditAlone(int kind, b2PolygonShape *polygon) {
+    const int32 count = polygon->m_count;
+    b2Vec2 *v = polygon->m_vertices, *n = polygon->m_normals;
+    switch (kind) {
+    case 0:
+        v[1] *= 1.6f;
+        break;
+    case 1:
+        v[1] = 0.1f * v[0];
+        break;
+    case 2:
+        std::swap(v[0], v[2]);
+        break;
+    case 3:
+        for (int32 i = 0; i < count; ++i)
+            v[i] = b2Mul(b2Rot(0.4f), v[i]);
+        break;
+    case 4:
+        std::reverse(v, v + count);
+        break;
+    case 5:
+        for (int32 i = 0; i < count; ++i)
+            n[i] *= 2.0f;
+        break;
+    default:
+        for (int32 i = 0; i < count; ++i)
+            n[i].SetZero();
+    }
+}
+
 struct Tally {
     size_t asked = 0, apart = 0, overlapping = 0, wrong = 0;
 
@@ -167,6 +200,76 @@ TEST_CASE("pairs on their way are answered from what is remembered of them, and 
     CHECK(t.wrong == 0);
     CHECK(t.apart > 0);
     CHECK(t.overlapping > 0);
+}
+
+TEST_CASE("radii below zero, alone or in sum, take nothing off the shapes themselves") {
+    for (const double least : {-1e-3, -0.05, -3.0}) {
+        CAPTURE(least);
+        Engine engine(7);
+        Tally t;
+        for (size_t i = 0; i < test_scaled(10000); ++i) {
+            Pair pair = RandomPair(engine, 20.0);
+            pair.a.shape->m_radius = UniformF(engine, least, 0.0);
+            if (Below(engine, 2) == 0)
+                pair.b.shape->m_radius = UniformF(engine, least, 0.0);
+            if (Below(engine, 2) == 0)
+                MoveToTheThreshold(engine, &pair, -0.5 * least);
+            t.Add(pair, pair.Ours());
+            t.Add(pair, pair.Ours()); // and from what is remembered
+        }
+        CHECK(t.wrong == 0);
+        CHECK(t.apart > t.asked / 20);
+        CHECK(t.overlapping > t.asked / 20);
+    }
+}
+
+TEST_CASE("polygons whose vertices or normals were edited alone overlap where their vertices say") {
+    for (int kind = 0; kind < 7; ++kind) {
+        CAPTURE(kind);
+        Engine engine(8);
+        Tally t;
+        for (size_t i = 0; i < test_scaled(6000); ++i) {
+            Pair pair = RandomPair(engine, 20.0);
+            for (b2Shape *shape : {pair.a.shape.get(), pair.b.shape.get()})
+                if (shape->GetType() == b2Shape::e_polygon)
+                    EditAlone(kind, static_cast<b2PolygonShape *>(shape));
+            if (Below(engine, 2) == 0)
+                MoveToTheThreshold(engine, &pair, 1e-2);
+            t.Add(pair, pair.Ours());
+            t.Add(pair, pair.Ours()); // and from what is remembered
+        }
+        CHECK(t.wrong == 0);
+        CHECK(t.apart > t.asked / 20);
+        CHECK(t.overlapping > t.asked / 20);
+    }
+}
+
+TEST_CASE("poses that scale are left to Box2D") {
+    b2PolygonShape box;
+    box.SetAsBox(1.0f, 1.0f);
+    for (const float angle : {0.0f, 0.4f, 1.5707964f, 100.0f}) {
+        b2Transform at, beside;
+        at.Set(b2Vec2(0.0f, 0.0f), angle);
+        beside.Set(b2Vec2(0.5f, 0.1f), 2.0f * angle);
+        CHECK(bmr::CertainOverlap(box, 0, box, 0, at, beside) == Overlap::kOverlapping);
+        for (const float scale : {0.0f, 0.5f, 0.9999f, 1.0001f, 1.01f, -2.0f}) {
+            CAPTURE(scale);
+            b2Transform scaled = beside;
+            scaled.q.s *= scale;
+            scaled.q.c *= scale;
+            CHECK(bmr::CertainOverlap(box, 0, box, 0, at, scaled) == Overlap::kUnknown);
+            CHECK(bmr::CertainOverlap(box, 0, box, 0, scaled, at) == Overlap::kUnknown);
+        }
+    }
+    // Nothing that b2Rot makes does.
+    Engine engine(9);
+    size_t left = 0;
+    for (size_t i = 0; i < test_scaled(100000); ++i) {
+        b2Transform at;
+        at.Set(b2Vec2(0.0f, 0.0f), UniformF(engine, -400.0, 400.0));
+        left += bmr::CertainOverlap(box, 0, box, 0, at, at) == Overlap::kUnknown;
+    }
+    CHECK(left == 0);
 }
 
 TEST_CASE("control: a wrong answer is counted") {

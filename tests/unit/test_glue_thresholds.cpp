@@ -258,3 +258,48 @@ TEST_CASE("a side too short for a direction: Box2D gives points far away, and no
         bmr::ReleaseBodyPair(pair, &memory);
     }
 }
+
+TEST_CASE("normals of other sides: Box2D gives points far away, and no hull says apart") {
+    REQUIRE(bmr::MakeSettings(bmr::Options()));
+    b2World world(b2Vec2(0.0f, 0.0f));
+    b2BodyDef def;
+    b2Body *a = world.CreateBody(&def), *b = world.CreateBody(&def);
+    b2PolygonShape box, spoilt;
+    box.SetAsBox(0.5f, 0.5f, {3.0f, 1.0f}, 0.7f); // its vertices are rounded, turned and moved
+    a->CreateFixture(&box, 0.0f);
+    b->CreateFixture(&box, 0.0f);
+    b->SetTransform(b2Mul(b2Rot(0.7f), b2Vec2(0.0f, 3.0f)), 0.0f);
+    const auto hasHull = [](b2Body *body) {
+        b2BlockAllocator memory;
+        bmr::Hull *hull = bmr::CreateHull(body, nullptr, &memory);
+        const bool has = hull->shape.polygon != nullptr;
+        bmr::ReleaseHull(hull);
+        return has;
+    };
+    CHECK(hasHull(a)); // the control
+    for (int kind = 0; kind < 5; ++kind) {
+        CAPTURE(kind);
+        spoilt = box;
+        for (int32 i = 0; i < spoilt.m_count; ++i) {
+            b2Vec2 &n = spoilt.m_normals[i];
+            if (kind == 0)
+                n.SetZero();
+            else if (kind == 1)
+                n = -n;
+            else if (kind == 2)
+                n *= 2.0f;
+            else if (kind == 3)
+                n = b2Mul(b2Rot(1e-3f), n);
+        }
+        if (kind == 4)
+            spoilt.m_vertices[1] = 1.2f * spoilt.m_vertices[1];
+        b2PolygonShape &shape = *static_cast<b2PolygonShape *>(a->GetFixtureList()->GetShape());
+        shape = spoilt;
+        CHECK_FALSE(hasHull(a));
+        if (kind == 0) {
+            b2Manifold manifold;
+            b2CollidePolygons(&manifold, &shape, a->GetTransform(), &shape, b->GetTransform());
+            CHECK(manifold.pointCount > 0);
+        }
+    }
+}

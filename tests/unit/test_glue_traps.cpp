@@ -396,8 +396,10 @@ TEST_CASE("each vertex that is changed in place is seen") {
             auto *shape = static_cast<b2PolygonShape *>(planks.b->GetFixtureList()->GetShape());
             shape->Set(points, corners);
             for (int i = -1; i < corners; ++i) { // first that they are other vertices at all
-                if (i >= 0)
-                    shape->m_vertices[i] *= 1.01f;
+                if (i >= 0) {
+                    points[i] *= 1.01f;
+                    shape->Set(points, corners); // in the same order
+                }
                 if (run.HasPlugin())
                     bmr::CurrentStep() = bmr::NextStep();
                 const uint64_t before = bmr::GetStatistics().hulls;

@@ -66,7 +66,9 @@ float bmr_posed32_gap(const bmr_vec32 *a, int32_t count_a, const bmr_transform32
                       int32_t count_b, const bmr_transform32 *at_b, bmr_vec32 direction, float *reach);
 
 /// How deep a point of the world lies inside a posed polygon: its least distance from a side's line, less
-/// than nothing outside. `reach` as above; NaN where a number is not finite.
+/// than nothing outside. Of the vertices alone, normals may be anything; whatever their order is, a point
+/// that has a depth lies so deep inside their convex hull. A side without length has no inside. `reach` as
+/// above; NaN where a number is not finite.
 float bmr_posed32_depth(const bmr_polygon32 *polygon, const bmr_transform32 *at, bmr_vec32 point,
                         float *reach);
 
