@@ -92,7 +92,7 @@ std::string PlayedBy(size_t thing, const Way &way) {
     if (stock.signal == 0 && evaluations <= 0)
         return "as stock, but the plugin is not at work";
     if (stock.signal == 0 && differences != 0)
-        return "as stock, but " + std::to_string(differences) + " differences";
+        return std::to_string(differences) + " answers are not Box2D's";
     // What is said besides is Box2D's assertion.
     if (stock.signal == 0 && !ours.errors.empty())
         return "as stock, but says " + ours.errors;
