@@ -341,7 +341,7 @@ void RandomWorld::ActOnFixture(Stage &stage, b2Body *body) {
         break;
     case 2:
         if (fixture->GetType() == b2Shape::e_polygon || fixture->GetType() == b2Shape::e_edge)
-            fixture->GetShape()->m_radius = random.Uniform(0.0f, 3.0f) * b2_polygonRadius;
+            fixture->GetShape()->m_radius = random.Uniform(-1.0f, 3.0f) * b2_polygonRadius;
         break;
     default:
         if (fixture->GetType() == b2Shape::e_polygon) {
@@ -349,6 +349,9 @@ void RandomWorld::ActOnFixture(Stage &stage, b2Body *body) {
             *static_cast<b2PolygonShape *>(fixture->GetShape()) =
                 SomePolygon(random, random.Direction(0.0f, 0.4f));
             fixture->GetShape()->m_radius = radius;
+            if (random.OnceIn(4)) // a vertex alone: the normals are those of other sides
+                static_cast<b2PolygonShape *>(fixture->GetShape())->m_vertices[random.Index(3)] *=
+                    random.Uniform(0.2f, 1.6f);
             if (random.OnceIn(2))
                 body->ResetMassData();
         }
