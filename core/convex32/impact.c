@@ -5,8 +5,8 @@
 
 // A direction is asked at so many times at most before the closest points are looked for again, and so often
 // are they looked for. Box2D's own search has 20 directions; this one takes three, but for sides that turn by
-// radians next to each other.
-enum { MOST_TIMES = 12, MOST_DIRECTIONS = 400 };
+// radians next to each other: after a few directions that stand still it tries some that turn, too.
+enum { MOST_TIMES = 12, FEW_DIRECTIONS = 32, MOST_DIRECTIONS = 400 };
 
 /// A shape on its way.
 typedef struct moving {
@@ -20,7 +20,16 @@ typedef struct question {
     moving a, b;
     double target, tolerance;
     double rounding; ///< of what is found along a direction
+    double far;      ///< the centres are never farther apart
+    double speed;    ///< of one centre as the other sees it
 } question;
+
+/// A direction that turns evenly, or stands still.
+typedef struct axis {
+    bmr_vec2 n; ///< at a time
+    double since, turn;
+    double bend; ///< of what lies between the shapes along it: its second derivative is at most this
+} axis;
 
 /// A direction at a time.
 typedef struct moment {
@@ -51,69 +60,98 @@ static bmr_posed32 at(const moving *m, double t) {
     return shape;
 }
 
-static moment look(const question *q, bmr_vec2 n, double t, double distance) {
+/// A shape's part of the bend: how far it reaches along a direction is a function of the angle between them
+/// whose second derivative is at least -lever (a vertex' is its negative; where one takes over from another
+/// the slope jumps up).
+static double bend_of(const moving *m, double turn) {
+    const double relative = m->turn - turn;
+    return m->lever * relative * relative;
+}
+
+/// Centres, D + t V apart, move evenly along a direction that stands still. Along one that turns by w the
+/// second derivative of n (D + t V) is -w^2 n (D + t V) + 2 w V n', n' a quarter turn from n.
+static axis axis_at(const question *q, bmr_vec2 n, double since, double turn) {
+    const double centers = turn != 0.0 ? turn * turn * q->far + 2.0 * fabs(turn) * q->speed : 0.0;
+    const axis along = {n, since, turn, bend_of(&q->a, turn) + bend_of(&q->b, turn) + centers};
+    return along;
+}
+
+static bmr_vec2 direction_at(const axis *along, double t) {
+    if (along->turn == 0.0)
+        return along->n;
+    const double angle = along->turn * (t - along->since);
+    const bmr_pose turned = {{0.0, 0.0}, cos(angle), sin(angle)};
+    return bmr_rotate(&turned, along->n);
+}
+
+static moment look(const question *q, const axis *along, double t, double distance) {
     const bmr_posed32 a = at(&q->a, t), b = at(&q->b, t);
-    const moment m = {t, bmr_posed32_beyond(&a, &b, n) - q->rounding - distance};
+    const moment m = {t, bmr_posed32_beyond(&a, &b, direction_at(along, t)) - q->rounding - distance};
     return m;
 }
 
 /// Does a direction that keeps the shapes apart at two times do so in between?
 ///
-/// Centres move along it evenly. How far a turning shape reaches along it is a function h of the angle whose
-/// second derivative is at least -lever (a vertex' is its negative; where one takes over from another the
-/// slope jumps up), so h is above its chord by no more than lever x (1 - x) turn^2 / 2, x from 0 to 1. What
-/// is left of the gaps is a parabola, and its minimum above zero.
-static bool holds_between(const question *q, moment first, moment last) {
+/// What lies between them is below its chord by no more than bend x (1 - x) / 2, x from 0 to 1 the part of
+/// the time. What is left of the gaps is a parabola, and its minimum above zero.
+static bool holds_between(const axis *along, moment first, moment last) {
     if (!(first.gap >= 0.0) || !(last.gap >= 0.0))
         return false;
     const double part = last.t - first.t;
-    const double bulge =
-        0.5 * part * part * (q->a.lever * q->a.turn * q->a.turn + q->b.lever * q->b.turn * q->b.turn);
+    const double bulge = 0.5 * part * part * along->bend;
     return bulge <= 0.0 || sqrt(bulge) <= sqrt(first.gap) + sqrt(last.gap);
 }
 
 /// How long that lasts for certain if it holds at the end.
-static double certain_part(const question *q, double gap) {
-    const double bulge = 0.5 * (q->a.lever * q->a.turn * q->a.turn + q->b.lever * q->b.turn * q->b.turn);
+static double certain_part(const axis *along, double gap) {
+    const double bulge = 0.5 * along->bend;
     return bulge > 0.0 ? sqrt(gap / bulge) : HUGE_VAL;
 }
 
 /// When to look next: where the gap is about a quarter of the tolerance, by false position and bisection in
 /// turns (`turn`), but no later than what is certain to hold.
-static double next_time(const question *q, moment proved, moment beyond, int turn) {
+static double next_time(const question *q, const axis *along, moment proved, moment beyond, int turn) {
     double part = 0.5 * (beyond.t - proved.t);
     if (beyond.gap < 0.0 && turn % 2 == 0)
         part *= 2.0 * (proved.gap - 0.25 * q->tolerance) / (proved.gap - beyond.gap);
-    return proved.t + fmin(part, certain_part(q, proved.gap));
+    return proved.t + fmin(part, certain_part(along, proved.gap));
 }
 
 /// The last moment found up to which the direction keeps the shapes farther apart than the target. It has
 /// less gap than half the tolerance left, or ends at t_max, or was hard to find.
-static moment advance(const question *q, bmr_vec2 n, double t, double t_max) {
-    moment proved = look(q, n, t, q->target), beyond = {t_max, 0.0};
+static moment advance(const question *q, const axis *along, double t, double t_max) {
+    moment proved = look(q, along, t, q->target), beyond = {t_max, 0.0};
     double next = t_max;
     for (int i = 0; i < MOST_TIMES && proved.gap > 0.25 * q->tolerance && next > proved.t; ++i) {
-        const moment m = look(q, n, next, q->target);
-        if (!holds_between(q, proved, m)) {
+        const moment m = look(q, along, next, q->target);
+        if (!holds_between(along, proved, m)) {
             beyond = m;
         } else {
             proved = m;
             if (m.t >= t_max || m.gap <= 0.5 * q->tolerance)
                 break;
         }
-        next = next_time(q, proved, beyond, i);
+        next = next_time(q, along, proved, beyond, i);
     }
     return proved;
+}
+
+/// The same, of directions that turn with either shape. Where a vertex slides along a side that turns, one
+/// that stands still soon has the side's far end before it and is left; the side's own normal is not.
+static moment advance_turning(const question *q, bmr_vec2 n, double t, double t_max) {
+    const axis with_a = axis_at(q, n, t, q->a.turn), with_b = axis_at(q, n, t, q->b.turn);
+    const moment of_a = advance(q, &with_a, t, t_max), of_b = advance(q, &with_b, t, t_max);
+    return of_a.t >= of_b.t ? of_a : of_b;
 }
 
 /// The direction that was good for another motion.
 static bool keeps_apart(const question *q, bmr_vec32 direction, double t_max) {
     if (direction.x == 0.0f && direction.y == 0.0f)
         return false;
-    const bmr_vec2 n = bmr_widen(direction);
+    const axis along = axis_at(q, bmr_widen(direction), 0.0, 0.0);
     const double distance = q->target + q->tolerance + q->rounding;
-    const moment first = look(q, n, 0.0, distance);
-    return first.gap >= 0.0 && holds_between(q, first, look(q, n, t_max, distance));
+    const moment first = look(q, &along, 0.0, distance);
+    return first.gap >= 0.0 && holds_between(&along, first, look(q, &along, t_max, distance));
 }
 
 static bmr_impact32 search(const question *q, double t_max, bmr_vec32 *direction, double *t) {
@@ -129,7 +167,12 @@ static bmr_impact32 search(const question *q, double t_max, bmr_vec32 *direction
         if (*t >= t_max)
             return BMR_IMPACT_SEPARATED;
         const bmr_vec2 n = bmr_scale(1.0 / found.distance, found.closest);
-        const moment proved = advance(q, n, *t, t_max);
+        const axis still = axis_at(q, n, *t, 0.0);
+        moment proved = advance(q, &still, *t, t_max);
+        if (i >= FEW_DIRECTIONS && proved.t < t_max) {
+            const moment turning = advance_turning(q, n, *t, t_max);
+            proved = turning.t > proved.t ? turning : proved;
+        }
         if (proved.t >= t_max && proved.gap > q->tolerance) {
             *direction = bmr_narrow(n);
             *t = t_max;
@@ -147,10 +190,16 @@ bmr_impact32 bmr_convex32_impact(const bmr_proxy32 *a, const bmr_sweep32 *sweep_
                                  bmr_vec32 *direction, float *t) {
     const double slop = (double)linear_slop;
     const double target = (double)a->radius + (double)b->radius - 3.0 * slop;
-    question q = {move(a, sweep_a), move(b, sweep_b), target > slop ? target : slop, 0.25 * slop, 0.0};
+    question q = {.a = move(a, sweep_a), .b = move(b, sweep_b)};
+    q.target = target > slop ? target : slop;
+    q.tolerance = 0.25 * slop;
     q.rounding = BMR_SUPPORT32_ROUNDING * ((double)a->reach + (double)b->reach);
     // Of shapes of kilometres, supports are off by as much.
     q.tolerance = fmax(q.tolerance, 4.0 * q.rounding);
+    const bmr_vec2 between = bmr_sub(q.b.start, q.a.start), way = bmr_sub(q.b.way, q.a.way);
+    const bmr_vec2 after = bmr_add(between, bmr_scale((double)t_max, way));
+    q.far = sqrt(fmax(bmr_dot(between, between), bmr_dot(after, after)));
+    q.speed = sqrt(bmr_dot(way, way));
     *t = t_max;
     if (keeps_apart(&q, *direction, (double)t_max))
         return BMR_IMPACT_SEPARATED;

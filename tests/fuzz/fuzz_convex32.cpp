@@ -392,6 +392,7 @@ void CheckImpact(const Pair &p, fuzz_bytes *bytes) {
     const double slack = 4e-6 * (range + 2.0);
     const auto gap = [&](double at) { return Distance(At(p.a, sweepA, at), At(p.b, sweepB, at)); };
     const double there = gap(t);
+    // Sweeps turn by up to 6 radians: the header knows of none that is given up, and asks to be shown one.
     FUZZ_CHECK(state != BMR_IMPACT_FAILED, "given up at %g", t);
     FUZZ_CHECK(state != BMR_IMPACT_OVERLAPPED || (time == 0.0f && there <= slack),
                "overlapping at %g, %g apart", t, there);

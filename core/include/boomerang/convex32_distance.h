@@ -68,14 +68,16 @@ typedef enum bmr_impact32 {
 /// When the two first come within Box2D's target distance of each other (b2TimeOfImpact's contract: target
 /// max(slop, radii - 3 slop), tolerance slop / 4), in [0, t_max]; t_max where they do not. TOUCHING: at t
 /// they are nearer than target + tolerance, and before they never were nearer than target, all but for
-/// rounding; SEPARATED: they never are nearer than target. FAILED: the same up to t, but the search was given
-/// up (a turn of many radians along a side), or a number is none. Unlike Box2D's, this misses nothing however
-/// fast the shapes turn: a direction is left for another where it does not prove the whole of the way.
+/// rounding; SEPARATED: they never are nearer than target. FAILED: up to t they never were nearer than
+/// target, but 400 directions were not enough to go on, or a number is none. No motion is known that needs so
+/// many where each shape turns by up to 6 radians (fuzzed, not proved). Unlike Box2D's, this misses nothing up
+/// to t however fast the shapes turn: a direction is left for another where it does not prove the whole of
+/// the way.
 ///
 /// `direction`, zero or of unit length, is tried first, for all of the motion: a pair that stays apart costs
 /// four supports. It becomes the one that kept them apart. It never decides the answer. Otherwise the cost is
-/// that of a few distances, and at most of 400 with a dozen times each (shapes that turn by very many
-/// radians).
+/// that of a few distances, and at most of 400 with three dozen times each (shapes that turn by very
+/// many radians).
 bmr_impact32 bmr_convex32_impact(const bmr_proxy32 *a, const bmr_sweep32 *sweep_a, const bmr_proxy32 *b,
                                  const bmr_sweep32 *sweep_b, float t_max, float linear_slop,
                                  bmr_vec32 *direction, float *t);
