@@ -70,8 +70,8 @@ typedef enum bmr_impact32 {
 /// they are nearer than target + tolerance, and before they never were nearer than target, all but for
 /// rounding; SEPARATED: they never are nearer than target. FAILED: up to t they never were nearer than
 /// target, but 400 directions were not enough to go on, or a number is none. No motion is known that needs so
-/// many where each shape turns by up to 6 radians (fuzzed, not proved). Unlike Box2D's, this misses nothing up
-/// to t however fast the shapes turn: a direction is left for another where it does not prove the whole of
+/// many where each shape turns by up to 6 radians (fuzzed, not proved). Unlike Box2D's, this misses nothing
+/// up to t however fast the shapes turn: a direction is left for another where it does not prove the whole of
 /// the way.
 ///
 /// `direction`, zero or of unit length, is tried first, for all of the motion: a pair that stays apart costs
