@@ -28,8 +28,7 @@ double bmr_condition_rate(const bmr_condition *condition, const bmr_instant *now
 
 bool bmr_condition_fails(const bmr_condition *condition, const bmr_instant *now, double tolerance) {
     const double value = bmr_condition_value(condition, &now->pose);
-    if (!(fabs(value) <= tolerance))
-        return !(value > 0.0); // a NaN has failed
-    const double rate = bmr_condition_rate(condition, now);
-    return rate < 0.0 || (rate == 0.0 && value <= 0.0);
+    if (!(value > 0.0)) // a NaN has failed
+        return true;
+    return value <= tolerance && bmr_condition_rate(condition, now) < 0.0;
 }

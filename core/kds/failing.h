@@ -4,15 +4,16 @@
 
 #include "boomerang/kds.h"
 
-/// A value within this part of its magnitudes of zero may be a failure that was found a little early or
-/// late; farther from zero, its sign alone counts.
+/// A value above zero by less than this part of its magnitudes may be a failure that was found a little
+/// early.
 #define BMR_FAILING_PART 1e-10
 
 /// d/dt of bmr_condition_value under the instant's rates. O(1).
 double bmr_condition_rate(const bmr_condition *condition, const bmr_instant *now);
 
-/// Has the condition failed at this instant? Where its value is zero up to `tolerance`, it has if it is
-/// falling, or not positive and not growing.
+/// Has the condition failed at this instant? It has if it is not positive, or within `tolerance` and falling.
+/// Growing from below zero is no excuse: where a motion turns round just after the failure, whoever looks for
+/// failures finds this one as long as the condition is below zero.
 bool bmr_condition_fails(const bmr_condition *condition, const bmr_instant *now, double tolerance);
 
 #endif
