@@ -139,6 +139,17 @@ struct Tally {
         overlapping += ours == Overlap::kOverlapping;
         wrong += ours != Overlap::kUnknown && (ours == Overlap::kOverlapping) != pair.Box2D();
     }
+    /// Now, and from what is remembered.
+    void AddTwice(const Pair &pair) {
+        Add(pair, pair.Ours());
+        Add(pair, pair.Ours());
+    }
+    /// Nothing wrong, and enough of both answers.
+    void Check() const {
+        CHECK(wrong == 0);
+        CHECK(apart > asked / 20);
+        CHECK(overlapping > asked / 20);
+    }
 };
 
 } // namespace
@@ -214,12 +225,9 @@ TEST_CASE("radii below zero, alone or in sum, take nothing off the shapes themse
                 pair.b.shape->m_radius = UniformF(engine, least, 0.0);
             if (Below(engine, 2) == 0)
                 MoveToTheThreshold(engine, &pair, -0.5 * least);
-            t.Add(pair, pair.Ours());
-            t.Add(pair, pair.Ours()); // and from what is remembered
+            t.AddTwice(pair);
         }
-        CHECK(t.wrong == 0);
-        CHECK(t.apart > t.asked / 20);
-        CHECK(t.overlapping > t.asked / 20);
+        t.Check();
     }
 }
 
@@ -235,12 +243,9 @@ TEST_CASE("polygons whose vertices or normals were edited alone overlap where th
                     EditAlone(kind, static_cast<b2PolygonShape *>(shape));
             if (Below(engine, 2) == 0)
                 MoveToTheThreshold(engine, &pair, 1e-2);
-            t.Add(pair, pair.Ours());
-            t.Add(pair, pair.Ours()); // and from what is remembered
+            t.AddTwice(pair);
         }
-        CHECK(t.wrong == 0);
-        CHECK(t.apart > t.asked / 20);
-        CHECK(t.overlapping > t.asked / 20);
+        t.Check();
     }
 }
 
