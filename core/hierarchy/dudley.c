@@ -36,9 +36,7 @@ static feature nearest_by_search(const bmr_polygon *p, bmr_vec2 x) {
             least = to_vertex;
             nearest = 2 * i;
         }
-        const bmr_vec2 e = bmr_tree_edge_vector(p, i);
-        const bmr_vec2 from_end = bmr_sub(x, p->vertices[next_vertex(p, i)]);
-        if (!(bmr_dot(r, e) > 0.0 && bmr_dot(from_end, e) < 0.0))
+        if (!bmr_tree_beyond(p, i, r) || bmr_tree_beyond(p, i, bmr_sub(x, p->vertices[next_vertex(p, i)])))
             continue;
         const double to_line = bmr_dot(r, bmr_polygon_normal(p, i));
         if (to_line > 0.0 && to_line < least) {
@@ -56,7 +54,7 @@ static feature nearest_by_walk(const bmr_polygon *p, bmr_vec2 x, feature at) {
         const uint32_t i = at / 2;
         const uint32_t corner = at % 2 ? next_vertex(p, i) : i;
         // The border between a vertex and an edge is the ray from the vertex along the edge's normal.
-        if (!(bmr_dot(bmr_sub(x, p->vertices[corner]), bmr_tree_edge_vector(p, i)) > 0.0))
+        if (!bmr_tree_beyond(p, i, bmr_sub(x, p->vertices[corner])))
             break;
         at = at + 1 < 2 * p->count ? at + 1 : 0;
     }

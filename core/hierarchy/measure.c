@@ -60,14 +60,14 @@ double bmr_hierarchy_height(const bmr_hierarchy *hierarchy, bmr_edge edge) {
         const uint32_t middle = low + (high - low) / 2;
         const uint32_t i = (first + middle) % p->count;
         const bmr_vec2 end = p->vertices[i + 1 < p->count ? i + 1 : 0];
-        if (bmr_dot(bmr_sub(apex, end), bmr_tree_edge_vector(p, i)) > 0.0)
+        if (bmr_tree_beyond(p, i, bmr_sub(apex, end)))
             low = middle + 1;
         else
             high = middle;
     }
     const uint32_t i = first + low < p->count ? first + low : first + low - p->count;
     const bmr_vec2 r = bmr_sub(apex, p->vertices[i]);
-    if (low < edges && bmr_dot(r, bmr_tree_edge_vector(p, i)) > 0.0)
+    if (low < edges && bmr_tree_beyond(p, i, r))
         return fabs(bmr_dot(bmr_polygon_normal(p, i), r));
     return hypot(r.x, r.y);
 }

@@ -59,6 +59,11 @@ static inline bmr_vec2 bmr_tree_edge_vector(const bmr_polygon *p, uint32_t i) {
     return bmr_sub(p->vertices[i + 1 < p->count ? i + 1 : 0], p->vertices[i]);
 }
 
+/// Is what lies at `r` from an end of edge i beyond that end, along the edge? However short the edge is.
+static inline bool bmr_tree_beyond(const bmr_polygon *p, uint32_t i, bmr_vec2 r) {
+    return bmr_ascends(bmr_tree_edge_vector(p, i), bmr_scale_up_if_tiny(r));
+}
+
 /// The outer normal of an edge in some positive length, but not so short that products underflow: all that
 /// signs and meeting points need.
 static inline bmr_vec2 bmr_tree_normal(const bmr_hierarchy *h, const bmr_node *node) {

@@ -285,13 +285,17 @@ static double brute_height(const bmr_hierarchy *h, bmr_edge edge) {
     return least;
 }
 
+static void check_height(const bmr_hierarchy *h, bmr_edge id) {
+    assert_true(fabs(bmr_hierarchy_height(h, id) - brute_height(h, id)) <= 2.0 * slack(h));
+}
+
 static void visit_heights(const bmr_hierarchy *h, test_family family, test_random *random, void *context) {
     (void)family;
     (void)random;
     (void)context;
     for (bmr_edge id = 4; id < bmr_hierarchy_edge_count(h); ++id) {
-        const double height = bmr_hierarchy_height(h, id), expected = brute_height(h, id);
-        assert_true(fabs(height - expected) <= 2.0 * slack(h));
+        const double height = bmr_hierarchy_height(h, id);
+        check_height(h, id);
         assert_true(height > 0.0); // pruned otherwise
         const bmr_boomerang b = bmr_hierarchy_boomerang(h, id);
         const double level_before = bmr_hierarchy_level(h, b.outer_before),
@@ -368,6 +372,29 @@ static void edges_as_short_as_double_has_them_pass_the_audit(void **state) {
     }
 }
 
+/// The nearest point of the chain is looked for along edges whose products with anything underflow.
+static void heights_over_edges_as_short_as_double_has_them(void **state) {
+    (void)state;
+    for (int k = 1; k <= 64; ++k) {
+        const double tiny = 0x1p-1074 * k;
+        const bmr_vec2 points[] = {{0.0, -15.0 * tiny},
+                                   {5.0 * tiny, -8.0 * tiny},
+                                   {5.0 * tiny, -5.0 * tiny},
+                                   {-5.0 * tiny, 5.0 * tiny},
+                                   {-1.0, 0.0105}};
+        bmr_polygon *p = NULL;
+        assert_int_equal(bmr_polygon_create(points, COUNT_OF(points), NULL, &p), BMR_OK);
+        assert_int_equal(p->count, COUNT_OF(points));
+        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+            bmr_hierarchy *h = built(kind, p);
+            for (bmr_edge id = 4; id < bmr_hierarchy_edge_count(h); ++id)
+                check_height(h, id);
+            bmr_hierarchy_destroy(h, NULL);
+        }
+        bmr_polygon_destroy(p, NULL);
+    }
+}
+
 /// The same polygon far from the origin and at the ends of the range.
 static void scale_and_place_do_not_matter(void **state) {
     (void)state;
@@ -408,6 +435,7 @@ int main(void) {
         cmocka_unit_test(polygons_of_65535_vertices_pass_the_audit),
         cmocka_unit_test(polygons_bent_by_ulps_pass_the_audit),
         cmocka_unit_test(edges_as_short_as_double_has_them_pass_the_audit),
+        cmocka_unit_test(heights_over_edges_as_short_as_double_has_them),
         cmocka_unit_test(scale_and_place_do_not_matter),
     };
     return cmocka_run_group_tests(tests, make_compass, drop_compass);
