@@ -150,13 +150,21 @@ void Script::ResizeInPlace() {
         fixture->GetBody()->ResetMassData();
 }
 
-/// Larger by some units in the last place, or shifted by as much.
+/// Larger by some units in the last place, or shifted by as much; or one vertex alone moved, so that normals
+/// are those of other sides.
 void Script::NudgeShapeInPlace() {
     b2Fixture *fixture = SomeFixture();
     b2PolygonShape *polygon = fixture != nullptr ? PlainPolygon(*fixture) : nullptr;
     if (polygon == nullptr)
         return;
     const int how = Byte();
+    if (how >= 0xf0) {
+        const float far = Below(2) == 0 ? 1e-7f : 1e-3f;
+        polygon->m_vertices[how % polygon->m_count] += Vector(far);
+        if (how % 2 == 0)
+            Invalidate(fixture->GetBody());
+        return;
+    }
     const float scale = 1.0f + (how % 4 == 0 ? 0.01f : 1.2e-7f) * static_cast<float>(how / 16);
     const b2Vec2 shift = how % 4 == 1 ? Vector(1e-6f) : b2Vec2(0.0f, 0.0f);
     for (int i = 0; i < polygon->m_count; ++i)
@@ -169,10 +177,12 @@ void Script::NudgeShapeInPlace() {
 void Script::ChangeRadiusInPlace() {
     static constexpr float kRadii[] = {b2_polygonRadius, 0.0f, 0.5f * b2_polygonRadius,
                                        4.0f * b2_polygonRadius, 0.3f};
+    static constexpr float kNegative[] = {-b2_polygonRadius, -0.0f, -1e-6f, -0.5f * b2_polygonRadius, -0.1f};
+    constexpr int kFirstNegative = 250;
     b2Fixture *fixture = SomeFixture();
-    const int which = Below(5);
+    const int byte = Byte(), which = byte % 5;
     if (fixture != nullptr && fixture->GetType() != b2Shape::e_circle) {
-        fixture->GetShape()->m_radius = kRadii[which];
+        fixture->GetShape()->m_radius = byte < kFirstNegative ? kRadii[which] : kNegative[which];
         if (which % 2 == 0)
             Invalidate(fixture->GetBody());
     }
