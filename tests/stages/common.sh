@@ -84,31 +84,33 @@ run_stage() {
     printf '%s: %d s\n' "$1" $((SECONDS - started)) | tee -a "$work/times"
 }
 
-# run_lanes STAGE,STAGE… STAGE,STAGE…: the lanes side by side, each with its share of the jobs; the first is seen as it
-# runs, the others afterwards. With one job, one after the other.
-run_lanes() {
-    local lane stage lanes=("$@") share=$((jobs / $#)) processes=()
-    if [ "$share" -eq 0 ]; then
-        for lane in "${lanes[@]}"; do
-            for stage in ${lane//,/ }; do run_stage "$stage"; done
-        done
+# take_stages STAGE…: runs those of them that nobody else has begun, in this order.
+take_stages() {
+    local stage
+    for stage; do
+        if mkdir "$work/begun.$stage" 2>/dev/null; then run_stage "$stage"; fi
+    done
+}
+
+# run_together STAGE…: two at a time, each with its half of the jobs: whoever ends one begins the next. What runs here is
+# seen as it runs, the others afterwards. With one job, one after the other.
+run_together() {
+    local half=$((jobs / 2)) other
+    if [ "$half" -eq 0 ]; then
+        take_stages "$@"
         return
     fi
-    for lane in "${lanes[@]:1}"; do
-        (
-            jobs=$share
-            for stage in ${lane//,/ }; do run_stage "$stage"; done
-        ) >"$work/lane.$lane" 2>&1 &
-        processes+=($!)
-    done
     (
-        jobs=$share
-        for stage in ${lanes[0]//,/ }; do run_stage "$stage"; done
-    )
-    for lane in "${!processes[@]}"; do
-        wait "${processes[lane]}" || verdict 0 1 "${lanes[lane + 1]}: ended before its time"
-        cat "$work/lane.${lanes[lane + 1]}"
-    done
+        jobs=$half
+        take_stages "${@:2}"
+    ) >"$work/others" 2>&1 &
+    other=$!
+    (
+        jobs=$half
+        take_stages "$@"
+    ) || verdict 0 1 "$1: ended before its time"
+    wait "$other" || verdict 0 1 "what ran beside $1: ended before its time"
+    cat "$work/others"
 }
 
 # What all stages wrote down, and the exit code.
