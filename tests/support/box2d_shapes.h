@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <vector>
 
 #include <box2d/b2_collision.h>
 #include <box2d/b2_polygon_shape.h>
@@ -28,6 +29,17 @@ inline float UniformF(Engine &engine, double low, double high) {
 
 inline int Below(Engine &engine, int count) {
     return static_cast<int>(engine() % static_cast<uint64_t>(count));
+}
+
+/// Points on a circle, in order.
+inline std::vector<b2Vec2> Circle(int count, double radius, double x = 0.0, double y = 0.0) {
+    std::vector<b2Vec2> points;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2.0 * 3.14159265358979323846 * i / count;
+        points.emplace_back(static_cast<float>(x + radius * std::cos(angle)),
+                            static_cast<float>(y + radius * std::sin(angle)));
+    }
+    return points;
 }
 
 /// Of 3 to 8 vertices; sizes over three decades; a third of them boxes, some of these needles. It lies within

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// Who owns the real polygon of bmr::ConvexShapes: copies, clones, fixtures and threads share it, and the last
+// frees it.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
+#include <box2d/box2d.h>
+
+#include "../../box2d_glue/convex_geometry.h"
+#include "../../box2d_glue/convex_registry.h"
+#include "boomerang/convex_shape.h"
+#include "box2d_shapes.h"
+
+#include "failing_allocator.h"
+#include "test_scale.h"
+
+using bmr::ConvexShape;
+using shapes::Below;
+using shapes::Circle;
+using shapes::Engine;
+
+TEST_CASE("without memory a shape stays as it was and nothing leaks") {
+    // First of all: the registry has no chunk yet.
+    test_heap heap;
+    const std::vector<b2Vec2> big = Circle(100, 1.0), other = Circle(50, 2.0);
+    size_t failures = 0;
+    for (size_t failAt = 0; failAt < 40; ++failAt) {
+        test_heap_init(&heap, failAt);
+        bmr::registry::SetAllocator(&heap.allocator);
+        {
+            ConvexShape shape;
+            const bmr_error first = shape.Set(big.data(), 100);
+            REQUIRE((first == BMR_OK || first == BMR_ERROR_NO_MEMORY));
+            const ConvexShape before = shape;
+            const bmr_error errors[] = {shape.Set(other.data(), 50), shape.SetRaw(other.data(), 50),
+                                        shape.SetRegular(64, 1.0f), shape.SetRounded(2.0f, 1.0f, 0.5f, 8)};
+            for (const bmr_error error : errors) {
+                CHECK((error == BMR_OK || error == BMR_ERROR_NO_MEMORY));
+                failures += error != BMR_OK;
+            }
+            if (failAt < heap.asked && first == BMR_OK) {
+                shape = before;
+                CHECK(shape.GetVertexCount() == 100);
+            }
+            if (first != BMR_OK)
+                CHECK(before.GetVertexCount() == 0);
+            if (shape.GetVertexCount() > 8 && shape.Simplify(0.01f) != BMR_OK)
+                ++failures;
+        }
+        bmr::registry::SetAllocator(nullptr);
+        CHECK(bmr::registry::Count() == 0);
+        // The chunk of handles stays, once.
+        CHECK(heap.blocks <= 1);
+        CHECK(heap.wrong_sizes == 0);
+    }
+    CHECK(failures > 10);
+}
+
+TEST_CASE("copies, clones and fixtures share one polygon, and the last frees it") {
+    REQUIRE(bmr::registry::Count() == 0);
+    const ConvexShape *kept = nullptr;
+    {
+        ConvexShape shape;
+        REQUIRE(shape.SetRegular(64, 0.5f) == BMR_OK);
+        shape.m_radius = 0.02f;
+        const b2Vec2 *const vertices = shape.GetVertices();
+        ConvexShape copy(shape), assigned;
+        assigned = copy;
+        assigned = *&assigned;
+        CHECK(copy.GetVertices() == vertices);
+        CHECK(assigned.GetVertices() == vertices);
+        CHECK(assigned.m_radius == 0.02f);
+        CHECK(bmr::registry::Count() == 1);
+        REQUIRE(shape.SetRegular(32, 0.5f) == BMR_OK); // a new one: the others keep theirs
+        CHECK(copy.GetVertexCount() == 64);
+        CHECK(copy.GetVertices() == vertices);
+        CHECK(bmr::registry::Count() == 2);
+        shape = copy;
+        CHECK(bmr::registry::Count() == 1);
+        {
+            b2World world(b2Vec2(0.0f, -10.0f));
+            b2BodyDef def;
+            def.type = b2_dynamicBody;
+            b2Body *bodies[10];
+            for (int i = 0; i < 10; ++i) {
+                def.position.Set(5.0f * static_cast<float>(i), 0.0f);
+                bodies[i] = world.CreateBody(&def);
+                b2Fixture *fixture = bodies[i]->CreateFixture(&shape, 1.0f);
+                kept = ConvexShape::From(fixture->GetShape());
+                REQUIRE(kept != nullptr);
+                CHECK(kept != &shape);
+                CHECK(kept->GetVertices() == vertices);
+                CHECK(kept->m_radius == 0.02f);
+            }
+            CHECK(bodies[0]->GetMass() == doctest::Approx(3.14159 * 0.25).epsilon(0.01));
+            bodies[0]->DestroyFixture(bodies[0]->GetFixtureList());
+            world.DestroyBody(bodies[1]);
+            CHECK(bmr::registry::Count() == 1);
+            b2PolygonShape *const plain = &copy;
+            CHECK(plain->GetType() == b2Shape::e_polygon);
+        }
+        shape.SetRegular(4, 1.0f);
+        copy = shape;
+        CHECK(bmr::registry::Count() == 1);
+        assigned = shape;
+        CHECK(bmr::registry::Count() == 0);
+        CHECK(assigned.GetVertexCount() == 4);
+    }
+    CHECK(bmr::registry::Count() == 0);
+}
+
+TEST_CASE("shapes are known for what they are, and polygons by a number that never comes again") {
+    ConvexShape none, small, big;
+    REQUIRE(small.SetRegular(8, 1.0f) == BMR_OK);
+    REQUIRE(big.SetRegular(9, 1.0f) == BMR_OK);
+    const b2PolygonShape plain;
+    const b2CircleShape circle;
+    CHECK(ConvexShape::From(nullptr) == nullptr);
+    CHECK(ConvexShape::From(&plain) == nullptr);
+    CHECK(ConvexShape::From(&circle) == nullptr);
+    for (const ConvexShape *shape : {&none, &small, &big})
+        CHECK(ConvexShape::From(shape) == shape);
+    CHECK(bmr::AnyBigPolygon());
+    CHECK(bmr::NumberOfBigPolygon(small) == 0);
+    CHECK(bmr::NumberOfBigPolygon(plain) == 0);
+    CHECK(bmr::BigPolygonOf(circle) == nullptr);
+    std::vector<uint64_t> numbers;
+    for (int i = 0; i < 1000; ++i) {
+        REQUIRE(big.SetRegular(9 + i % 3, 1.0f) == BMR_OK);
+        numbers.push_back(bmr::NumberOfBigPolygon(big));
+        REQUIRE(numbers.back() != 0);
+        CHECK(bmr::BigPolygonOfNumber(numbers.back()) == bmr::BigPolygonOf(big));
+        if (i > 0)
+            CHECK(bmr::BigPolygonOfNumber(numbers[numbers.size() - 2]) == nullptr);
+    }
+    std::sort(numbers.begin(), numbers.end());
+    CHECK(std::adjacent_find(numbers.begin(), numbers.end()) == numbers.end());
+    Engine engine(3);
+    for (int i = 0; i < 10000; ++i) // whatever stands in memory
+        CHECK(bmr::BigPolygonOfNumber(i % 2 ? engine() : engine() & 0xff) == nullptr);
+}
+
+TEST_CASE("many threads make, copy, read and free shapes at once") {
+    const size_t rounds = test_scaled(2000);
+    {
+        ConvexShape shared;
+        REQUIRE(shared.SetRegular(200, 1.0f) == BMR_OK);
+        std::vector<std::thread> threads;
+        std::atomic<size_t> wrong{0};
+        for (unsigned t = 0; t < 4; ++t)
+            threads.emplace_back([&shared, &wrong, rounds, t] {
+                Engine engine(t);
+                std::vector<ConvexShape> mine(8);
+                b2World world(b2Vec2(0.0f, 0.0f));
+                for (size_t k = 0; k < rounds; ++k) {
+                    ConvexShape &shape = mine[static_cast<size_t>(Below(engine, 8))];
+                    const int32 count = 9 + Below(engine, 40);
+                    switch (Below(engine, 4)) {
+                    case 0:
+                        shape = shared;
+                        break;
+                    case 1:
+                        wrong += shape.SetRegular(count, 1.0f) != BMR_OK || shape.GetVertexCount() != count;
+                        break;
+                    case 2:
+                        shape = mine[static_cast<size_t>(Below(engine, 8))];
+                        break;
+                    default: {
+                        b2BodyDef def;
+                        b2Body *body = world.CreateBody(&def);
+                        if (shape.GetVertexCount() > 0)
+                            body->CreateFixture(&shape, 1.0f);
+                        world.DestroyBody(body);
+                    }
+                    }
+                    b2Transform xf;
+                    xf.SetIdentity();
+                    b2AABB box;
+                    shared.ComputeAABB(&box, xf, 0);
+                    wrong += box.upperBound.x != 1.0f + shared.m_radius;
+                    if (shape.GetVertexCount() > 0)
+                        wrong += shape.GetVertex(0).x != 1.0f || !shape.TestPoint(xf, b2Vec2(0.1f, 0.1f));
+                }
+            });
+        for (std::thread &thread : threads)
+            thread.join();
+        CHECK(wrong == 0);
+        CHECK(bmr::registry::Count() == 1);
+    }
+    CHECK(bmr::registry::Count() == 0);
+}
