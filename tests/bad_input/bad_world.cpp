@@ -20,6 +20,7 @@ const float kNone = std::nanf(""), kInfinite = INFINITY;
 struct Game {
     b2World world{b2Vec2(0.0f, -10.0f)};
     b2Body *box, *wheel, *bullet; ///< in the middle of the others
+    b2Body *sensor;               ///< through which they fall
     float timeStep = 1.0f / 60.0f;
     int32 velocityIterations = 8, positionIterations = 3;
 
@@ -29,7 +30,7 @@ struct Game {
             const float x = static_cast<float>(i);
             AddBox(world, b2_staticBody, {6.0f * (x - 1.0f), -x}, {3.5f, 0.2f}, 0.15f * (x - 1.0f));
         }
-        AddBox(world, b2_staticBody, {0.0f, 5.0f}, {12.0f, 0.5f}, 0.0f, true);
+        sensor = AddBox(world, b2_staticBody, {0.0f, 5.0f}, {12.0f, 0.5f}, 0.0f, true);
         for (int i = 0; i < 10; ++i)
             AddBox(world, b2_dynamicBody, {1.3f * static_cast<float>(i - 5), 9.0f}, {0.4f, 0.3f},
                    0.3f * static_cast<float>(i));
@@ -207,6 +208,30 @@ const BadThing kBadThings[] = {
     {"a count of 2", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_count = 2; }); }},
     {"a count of 1", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_count = 1; }); }},
     {"a count of 0", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_count = 0; }); }},
+    // The same of a sensor.
+    {"a sensor's radius becomes NaN", [](Game *g) { g->Polygon(g->sensor).m_radius = kNone; }},
+    {"a sensor's radius becomes negative", [](Game *g) { g->Polygon(g->sensor).m_radius = -0.6f; }},
+    {"a sensor's vertex becomes NaN", [](Game *g) { g->Polygon(g->sensor).m_vertices[1].x = kNone; }},
+    {"a sensor's vertex becomes 1e38", [](Game *g) { g->Polygon(g->sensor).m_vertices[1].x = 1e38f; }},
+    {"a sensor's vertex makes a dent", [](Game *g) { g->Polygon(g->sensor).m_vertices[2].Set(0.0f, -0.4f); }},
+    {"a sensor's vertices are exchanged",
+     [](Game *g) { std::swap(g->Polygon(g->sensor).m_vertices[0], g->Polygon(g->sensor).m_vertices[1]); }},
+    {"a sensor's vertices become equal",
+     [](Game *g) {
+         for (b2Vec2 &v : g->Polygon(g->sensor).m_vertices)
+             v = g->Polygon(g->sensor).m_vertices[0];
+     }},
+    {"a sensor's normals become NaN",
+     [](Game *g) {
+         for (b2Vec2 &n : g->Polygon(g->sensor).m_normals)
+             n.Set(kNone, kNone);
+     }},
+    {"a sensor's normals are turned round",
+     [](Game *g) {
+         for (b2Vec2 &n : g->Polygon(g->sensor).m_normals)
+             n = -n;
+     }},
+    {"a sensor has a count of 1", [](Game *g) { g->Polygon(g->sensor).m_count = 1; }},
     // `Set`, and what comes of it.
     {"`Set` of 2 points", [](Game *g) { g->DropPoints({{0, 0}, {1, 0}}); }},
     {"`Set` of 3 points on a line", [](Game *g) { g->DropPoints({{0, 0}, {1, 1}, {2, 2}}); }},

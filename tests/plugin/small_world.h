@@ -76,11 +76,32 @@ public:
     }
     void Add(uint32_t word) { m_value = (m_value ^ word) * UINT64_C(1099511628211); }
     void Add(const b2World &world) {
-        for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext())
-            for (const float value : {body->GetPosition().x, body->GetPosition().y, body->GetAngle(),
-                                      body->GetLinearVelocity().x, body->GetAngularVelocity()})
+        for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+            for (const float value :
+                 {body->GetPosition().x, body->GetPosition().y, body->GetAngle(), body->GetLinearVelocity().x,
+                  body->GetLinearVelocity().y, body->GetAngularVelocity()})
                 Add(value);
+            Add(static_cast<uint32_t>(body->IsAwake()));
+        }
         Add(static_cast<uint32_t>(world.GetContactCount()));
+        for (const b2Contact *contact = world.GetContactList(); contact != nullptr;
+             contact = contact->GetNext())
+            Add(*contact);
+    }
+    /// Of a sensor's contact all that Box2D finds is whether it touches.
+    void Add(const b2Contact &contact) {
+        Add(static_cast<uint32_t>(contact.IsTouching()));
+        const b2Manifold &manifold = *contact.GetManifold();
+        if (contact.GetFixtureA()->IsSensor() || contact.GetFixtureB()->IsSensor() ||
+            manifold.pointCount == 0)
+            return; // what is left in it is whatever was there
+        Add(static_cast<uint32_t>(manifold.type));
+        for (int32 i = 0; i < manifold.pointCount; ++i) {
+            Add(manifold.points[i].id.key);
+            for (const float value : {manifold.points[i].localPoint.x, manifold.points[i].localPoint.y,
+                                      manifold.points[i].normalImpulse})
+                Add(value);
+        }
     }
     uint64_t Value() const { return m_value; }
 
