@@ -8,6 +8,8 @@
 #include <dlfcn.h>
 #include <link.h>
 
+#include "loaded_file.h"
+
 namespace bmr {
 
 /// One of this library's own references to Box2D: at no address where no Box2D was in search order when it
@@ -42,11 +44,6 @@ constexpr Symbol kSymbols[] = {
 };
 
 constexpr char kStep[] = "_ZN7b2World4StepEfii";
-
-const void *FileOf(const void *address) {
-    Dl_info info;
-    return dladdr(address, &info) != 0 ? info.dli_fbase : nullptr;
-}
 
 const void *OurFile() {
     return FileOf(reinterpret_cast<const void *>(&StepsComeByHere));

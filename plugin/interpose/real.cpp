@@ -6,17 +6,13 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include <dlfcn.h>
 #include <link.h>
+
+#include "loaded_file.h"
 
 namespace bmr {
 
 namespace {
-
-const void *FileOf(const void *address) {
-    Dl_info info;
-    return dladdr(address, &info) != 0 ? info.dli_fbase : nullptr;
-}
 
 /// The name of one loaded object.
 struct Name {
