@@ -11,6 +11,6 @@ build_release() {
 
 stage_release() {
     local scale=1
-    [ "$brief" = no ] || scale=0.5
+    [ "$brief" = no ] || scale=0.25
     build_release && BMR_TEST_SCALE=${BMR_TEST_SCALE:-$scale} run_tests "tests (release)"
 }
