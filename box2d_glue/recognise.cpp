@@ -22,6 +22,7 @@ namespace {
 
 const char *(*libraryCheck)() = nullptr;
 const b2ContactListener *listenerOfNewWorlds = nullptr;
+const b2ContactFilter *filterOfNewWorlds = nullptr;
 
 constexpr unsigned char kUntouched = 0xa5;
 /// Room behind an object for a Box2D whose own is larger.
@@ -213,6 +214,10 @@ const b2ContactListener *ListenerOfNewWorlds() {
     return listenerOfNewWorlds;
 }
 
+const b2ContactFilter *FilterOfNewWorlds() {
+    return filterOfNewWorlds;
+}
+
 const char *WhyBox2DIsUnknown() {
     if (libraryCheck != nullptr)
         if (const char *why = libraryCheck())
@@ -230,6 +235,7 @@ const char *WhyBox2DIsUnknown() {
         return why;
     }
     listenerOfNewWorlds = world->GetContactManager().m_contactListener;
+    filterOfNewWorlds = world->GetContactManager().m_contactFilter;
     world->~b2World();
     std::free(trial);
     return nullptr;

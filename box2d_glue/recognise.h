@@ -2,6 +2,7 @@
 #ifndef BOOMERANG_GLUE_RECOGNISE_H
 #define BOOMERANG_GLUE_RECOGNISE_H
 
+class b2ContactFilter;
 class b2ContactListener;
 
 namespace bmr {
@@ -19,6 +20,8 @@ extern const char kNoMemoryToRecognise[];
 /// What b2World begins with for a contact listener, as far as WhyBox2DIsUnknown has seen one begin: Box2D's
 /// own, which does nothing.
 const b2ContactListener *ListenerOfNewWorlds();
+/// The same for its contact filter, which runs nobody's code but Box2D's.
+const b2ContactFilter *FilterOfNewWorlds();
 
 /// A question to be asked before any of Box2D's symbols is touched, answered in the same way: the shared
 /// library, which may meet any libbox2d, looks for the symbols. Set before Install.

@@ -73,17 +73,19 @@ private:
 /// and worlds that go away, and proxy ids may name the contacts.
 class ContactIndex {
 public:
-    /// A call's use of the thread's tables; where they are in use already (a filter that steps another
-    /// world), or the thread has none any more, it gets none.
+    /// A call's use of the thread's tables; where they are in use already (a filter that steps a world), or
+    /// the thread has none any more, it gets none, and whoever uses them begins anew: it may have been his
+    /// world.
     class Use {
     public:
         Use() : m_index(PerThread<ContactIndex>()) {
-            if (m_index != nullptr && m_index->m_taken)
-                m_index = nullptr;
             if (m_index == nullptr)
                 return;
-            m_index->m_taken = true;
             m_index->Forget();
+            if (m_index->m_taken)
+                m_index = nullptr;
+            else
+                m_index->m_taken = true;
         }
         ~Use() {
             if (m_index != nullptr)
@@ -108,6 +110,13 @@ public:
         return edge != nullptr && ExistsBehind(edge, a, b);
     }
 
+    /// Contacts may have ended.
+    void Forget() {
+        m_pairs.Clear();
+        m_bodies.Clear();
+        m_lastBody = nullptr;
+    }
+
     /// To be told of each contact that the call makes.
     void Remember(const b2Contact &made);
 
@@ -126,12 +135,6 @@ private:
     // four walks over a list of 64.
     static constexpr uint32_t kWorthIndexing = 256;
     static constexpr uint32_t kIndexed = 0xffffffffu;
-
-    void Forget() {
-        m_pairs.Clear();
-        m_bodies.Clear();
-        m_lastBody = nullptr;
-    }
 
     uint32_t *StepsOf(const b2Body *body) {
         if (body != m_lastBody) {

@@ -7,7 +7,9 @@
 //     each is then held against the few leaves of other bodies that this found. The leaves come in the order
 //     of the descent, so each proxy meets them in the order in which its own would have.
 //   - The tree is descended with boxes in registers, and a node is looked at before it is put on the stack.
-//   - Two fixtures of one body, nearly all that a body of many fixtures finds, are passed over at once.
+//   - Two fixtures of one body, nearly all that a body of many fixtures finds, are passed over at once: not
+//     where the world has a filter of the game's own, which may step this world in the midst of it. Box2D
+//     then goes on in the newer pairs, at the place that it had come to in the older ones.
 //   - Existing contacts of bodies that have many are found in a table (contact_index.h), where AddPair would
 //     walk over the body's list.
 #include <cstring>
@@ -18,6 +20,7 @@
 #include "contact_access.h"
 #include "contact_index.h"
 #include "real.h"
+#include "recognise.h"
 #include "settings.h"
 #include "short_list.h"
 #include "tree_descent.h"
@@ -40,13 +43,13 @@ bool Reports(int32 proxy, int32 leaf, bool moved) {
 
 /// One proxy's own descent.
 template <typename Keep> struct OneProxy {
-    const b2Body *body;
+    const b2Body *passedOver; ///< leaves of this one; nullptr: of none
     int32 proxy;
     const Keep &keep;
 
     static bool Visit(Box) { return true; }
     bool Take(int32 leaf, const b2TreeNode &node) const {
-        if (Reports(proxy, leaf, node.moved) && BodyOf(node.userData) != body)
+        if (Reports(proxy, leaf, node.moved) && BodyOf(node.userData) != passedOver)
             keep(proxy, leaf);
         return true;
     }
@@ -66,19 +69,20 @@ struct ManyProxies {
         bool moved;
     };
 
-    const b2Body *body;
+    const b2Body *passedOver; ///< leaves of this one; nullptr: of none
     int32 visitsLeft;
     int32 count = 0;
     Leaf leaves[kMostLeaves];
 
     // cppcheck-suppress uninitMemberVar ; leaves are written before they are read
-    ManyProxies(const b2Body *owner, int32 proxies) : body(owner), visitsLeft(proxies * kVisitsForAProxy) {}
+    ManyProxies(const b2Body *body, int32 proxies)
+        : passedOver(body), visitsLeft(proxies * kVisitsForAProxy) {}
 
     /// Gives up where too much is near; and at a box that is not a number, because the boxes above it in the
     /// tree need not hold it, so that whether a proxy finds it depends on the way down.
     bool Visit(Box box) { return --visitsLeft >= 0 && HasNumbers(box); }
     bool Take(int32 leaf, const b2TreeNode &node) {
-        if (BodyOf(node.userData) == body)
+        if (BodyOf(node.userData) == passedOver)
             return true;
         if (count == kMostLeaves)
             return false;
@@ -122,20 +126,30 @@ private:
 /// What b2BroadPhase::UpdatePairs is instantiated for.
 class PairFinder {
 public:
-    PairFinder(b2ContactManager *manager, ContactIndex *index) : m_manager(manager), m_index(index) {}
+    PairFinder(b2ContactManager *manager, ContactIndex *index)
+        : m_manager(manager), m_index(index),
+          m_ownPairs(!OnlyCompares() && manager->m_contactFilter != nullptr &&
+                     manager->m_contactFilter != FilterOfNewWorlds()) {}
 
     /// Mode::Verify: the pairs are found and compared with Box2D's way of finding them; nothing else is done.
-    bool OnlyCompares() const { return Verifying(); }
+    static bool OnlyCompares() { return Verifying(); }
     void Compare(const b2DynamicTree &tree, const int32 *moves, int32 count, const b2Pair *found,
                  int32 foundCount);
 
-    /// Calls `keep(proxy, leaf)` for the pairs that Box2D would find, without those of one body.
+    /// Calls `keep(proxy, leaf)` for the pairs that Box2D would find, without those of one body if nobody can
+    /// see them.
     template <typename Keep>
-    static void FindPairs(const b2DynamicTree &tree, const int32 *moves, int32 count, const Keep &keep);
+    void FindPairs(const b2DynamicTree &tree, const int32 *moves, int32 count, const Keep &keep) const;
 
     /// Makes a contact of the pair, unless there is one already.
     void Report(const b2FixtureProxy &a, const b2FixtureProxy &b) const {
-        if (m_index->Exists(a, b) || !PassesFilters(m_manager, a.fixture, b.fixture))
+        if ((m_ownPairs && a.fixture->GetBody() == b.fixture->GetBody()) || m_index->Exists(a, b))
+            return;
+        const int32 contacts = m_manager->m_contactCount;
+        const bool passes = PassesFilters(m_manager, a.fixture, b.fixture);
+        if (m_manager->m_contactCount != contacts)
+            m_index->Forget(); // a filter may end contacts where the world is not locked
+        if (!passes)
             return;
         b2Contact *contact = NewContact::Create(a, b, m_manager->m_allocator);
         if (contact == nullptr)
@@ -148,11 +162,14 @@ public:
 
 private:
     template <typename Keep>
-    static bool FindTogether(const b2DynamicTree &tree, const TreeNodes &nodes, const int32 *moves,
-                             int32 count, const Keep &keep);
+    bool FindTogether(const b2DynamicTree &tree, const TreeNodes &nodes, const int32 *moves, int32 count,
+                      const Keep &keep) const;
+
+    const b2Body *PassedOver(const b2Body *body) const { return m_ownPairs ? nullptr : body; }
 
     b2ContactManager *m_manager;
     ContactIndex *m_index;
+    bool m_ownPairs; ///< pairs of one body are found, too
 };
 
 /// How many of the moves from the first on are of its body; those that were taken back count as such.
@@ -166,7 +183,8 @@ int32 CountTogether(const b2DynamicTree &tree, const int32 *moves, int32 count) 
 }
 
 template <typename Keep>
-void PairFinder::FindPairs(const b2DynamicTree &tree, const int32 *moves, int32 count, const Keep &keep) {
+void PairFinder::FindPairs(const b2DynamicTree &tree, const int32 *moves, int32 count,
+                           const Keep &keep) const {
     TreeNodes nodes;
     tree.Query(&nodes, b2AABB());
     for (int32 i = 0; i < count;) {
@@ -179,7 +197,7 @@ void PairFinder::FindPairs(const b2DynamicTree &tree, const int32 *moves, int32 
             for (int32 j = i; j < i + together; ++j) {
                 if (moves[j] == b2BroadPhase::e_nullProxy)
                     continue;
-                OneProxy<Keep> one = {BodyOf(tree.GetUserData(moves[j])), moves[j], keep};
+                OneProxy<Keep> one = {PassedOver(BodyOf(tree.GetUserData(moves[j]))), moves[j], keep};
                 Descend(nodes, BoxOf(tree.GetFatAABB(moves[j])), &one);
             }
         }
@@ -228,7 +246,7 @@ void PairFinder::Compare(const b2DynamicTree &tree, const int32 *moves, int32 co
 /// False, and nothing kept, where the proxies are to descend one by one.
 template <typename Keep>
 bool PairFinder::FindTogether(const b2DynamicTree &tree, const TreeNodes &nodes, const int32 *moves,
-                              int32 count, const Keep &keep) {
+                              int32 count, const Keep &keep) const {
     Box around = BoxOf(tree.GetFatAABB(moves[0]));
     for (int32 i = 0; i < count; ++i) {
         if (moves[i] == b2BroadPhase::e_nullProxy)
@@ -238,7 +256,7 @@ bool PairFinder::FindTogether(const b2DynamicTree &tree, const TreeNodes &nodes,
             return false;
         around = Around(around, box);
     }
-    ManyProxies many(BodyOf(tree.GetUserData(moves[0])), count);
+    ManyProxies many(PassedOver(BodyOf(tree.GetUserData(moves[0]))), count);
     if (!Descend(nodes, around, &many))
         return false;
     for (int32 i = 0; i < count; ++i) {
@@ -272,7 +290,7 @@ template <> void b2BroadPhase::UpdatePairs(bmr::interpose::PairFinder *finder) {
         }
         m_pairBuffer[m_pairCount++] = {b2Min(proxy, leaf), b2Max(proxy, leaf)};
     };
-    bmr::interpose::PairFinder::FindPairs(m_tree, m_moveBuffer, m_moveCount, keep);
+    finder->FindPairs(m_tree, m_moveBuffer, m_moveCount, keep);
     if (finder->OnlyCompares()) {
         finder->Compare(m_tree, m_moveBuffer, m_moveCount, m_pairBuffer, m_pairCount);
         return;

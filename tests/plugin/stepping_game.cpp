@@ -8,6 +8,8 @@
 //   and the later
 //                          one need not end first
 //   stepping_game small    on a thread with a stack of 16 KiB
+//   stepping_game filters  a filter steps its own world in the midst of the search for new contacts
+//   stepping_game ending   a filter ends contacts of bodies that have many
 #include <pthread.h>
 #include <ucontext.h>
 
@@ -109,6 +111,84 @@ void PlayPairs() {
     PlayOn(world, 100, "pairs");
 }
 
+/// Calls `Midst` at every so many questions, but not in the midst of itself, and prints what it is asked.
+class BreakingFilter : public b2ContactFilter {
+public:
+    BreakingFilter(b2World *world, int every) : m_world(world), m_every(every) {
+        world->SetContactFilter(this);
+    }
+    bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
+        hash.Add(static_cast<uint32_t>(a->GetUserData().pointer));
+        hash.Add(static_cast<uint32_t>(b->GetUserData().pointer));
+        if (!m_inside && ++m_asked % m_every == 0) {
+            m_inside = true;
+            Midst();
+            m_inside = false;
+        }
+        return true;
+    }
+    virtual void Midst() = 0;
+
+    Hash hash;
+
+protected:
+    b2World *m_world;
+
+private:
+    int m_every, m_asked = 0;
+    bool m_inside = false;
+};
+
+class FilterSteps : public BreakingFilter {
+public:
+    using BreakingFilter::BreakingFilter;
+    void Midst() override { m_world->Step(1.0f / 60.0f, 2, 2); }
+};
+
+/// Contacts end with the proxies of a body that is put out of the world for a moment: each time another's.
+class FilterEnds : public BreakingFilter {
+public:
+    using BreakingFilter::BreakingFilter;
+    void Midst() override {
+        if (m_world->IsLocked())
+            return;
+        const int32 number = 7 * ++m_times % m_world->GetBodyCount();
+        b2Body *body = m_world->GetBodyList();
+        for (int32 i = 0; i < number; ++i)
+            body = body->GetNext();
+        body->SetEnabled(false);
+        body->SetEnabled(true);
+    }
+
+private:
+    int m_times = 0;
+};
+
+/// Heaps of bodies of three boxes each; every twenty steps, more fall on them.
+template <typename Filter> void PlayFiltered(const char *name, int every) {
+    b2World world(b2Vec2(0.0f, -10.0f));
+    Filter filter(&world, every);
+    AddBox(world, b2_staticBody, {0.0f, 0.0f}, {20.0f, 0.2f}, 0.0f);
+    uintptr_t made = 0;
+    for (int round = 0; round < 4; ++round) {
+        for (int i = 0; i < 25; ++i) {
+            const float x = static_cast<float>(i % 9) - 4.0f, y = 0.4f * static_cast<float>(i % 5);
+            b2Body *body = AddBox(world, b2_dynamicBody, {0.9f * x, 0.6f + y}, {0.4f, 0.1f}, 0.4f * x);
+            for (const float side : {-0.3f, 0.3f}) {
+                b2PolygonShape foot;
+                foot.SetAsBox(0.1f, 0.3f, {side, 0.1f}, side);
+                body->CreateFixture(&foot, 1.0f);
+            }
+            for (b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext())
+                f->GetUserData().pointer = ++made;
+        }
+        // Whoever came later looks through its contacts: this one has many.
+        AddBox(world, b2_staticBody, {0.0f, 3.0f}, {6.0f, 3.0f}, 0.0f, true);
+        PlayOn(world, 20, name);
+    }
+    Print(name, filter.hash);
+}
+
 ucontext_t places[2], outside;
 int running = 0;
 bool over[2] = {false, false};
@@ -183,6 +263,10 @@ int main(int argc, char **argv) {
         PlayPairs();
     else if (what == "fibers")
         PlayFibers();
+    else if (what == "filters")
+        PlayFiltered<FilterSteps>("filters", 40);
+    else if (what == "ending")
+        PlayFiltered<FilterEnds>("ending", 5);
     else
         return what == "small" ? PlayOnSmallStack() : 2;
     return 0;

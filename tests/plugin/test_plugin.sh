@@ -280,7 +280,7 @@ test_any_direction_of_rounding_plays_as_stock() {
 
 test_worlds_may_be_stepped_in_the_midst_of_a_step() {
     local what
-    for what in own round pairs fibers small; do
+    for what in own round pairs fibers small filters ending; do
         plays_as_stock "stepping_game $what"
     done
 }
