@@ -6,11 +6,11 @@
 # testbed's pages and command line or the scripts. The differential test neither: the fuzzer of the glue does its work. Nor
 # forks of a process that has threads: the sanitizer's own locks stay locked in the child.
 stage_sanitized_tests() {
-    local which=() scale=0.1
-    [ "$brief" = no ] || which=(--label-regex '^(unit|property|fuzz|stale)$') scale=0.05
+    local which=()
+    [ "$brief" = no ] || which=(--label-regex '^(unit|property|fuzz|stale)$')
     build_sanitizers || return 1
     rm -rf "$BMR_BUILD_DIR/profiles"
-    BMR_TEST_SCALE=${BMR_TEST_SCALE:-$scale} \
+    BMR_TEST_SCALE=${BMR_TEST_SCALE:-0.1} \
         run_tests "tests (sanitizers)" --label-exclude '^(cli|browser|consumer|controls|mutation|differential)$' \
         --exclude-regex '^threads_forking_' "${which[@]}"
 }
