@@ -68,6 +68,12 @@ bool HasNormalsOfItsSides(const b2PolygonShape &polygon) {
     return true;
 }
 
+/// Is a hull of this small polygon's vertices all that b2CollidePolygons goes by? To be asked as often as
+/// vertices are believed: when a hull is built of them, and when one that stands is to hold them.
+bool VerticesTellAll(const b2PolygonShape &polygon) {
+    return !HasSideWithoutDirection(polygon) && HasNormalsOfItsSides(polygon);
+}
+
 HullMember MemberOf(const b2Fixture &fixture, const b2PolygonShape &polygon) {
     HullMember member;
     member.fixture = &fixture;
@@ -89,8 +95,7 @@ std::vector<HullMember> GatherMembers(const Hull &hull) {
         const b2PolygonShape *polygon = PolygonOf(*f);
         if (polygon == nullptr || !(hull.fixture != nullptr ? f == hull.fixture : !f->IsSensor()))
             continue;
-        if (BigPolygonOf(*polygon) == nullptr &&
-            (HasSideWithoutDirection(*polygon) || !HasNormalsOfItsSides(*polygon)))
+        if (BigPolygonOf(*polygon) == nullptr && !VerticesTellAll(*polygon))
             return {};
         members.push_back(MemberOf(*f, *polygon));
     }
@@ -385,7 +390,7 @@ bool HullHolds(const Hull &hull, const b2Fixture &fixture) {
     if (const bmr_convex32_block *big = BigPolygonOf(*polygon))
         return bmr_convex32_held(&big->polygon, hull.shape.polygon,
                                  kHullTolerance * hull.shape.polygon->extent);
-    if (HasSideWithoutDirection(*polygon))
+    if (!VerticesTellAll(*polygon))
         return false;
     for (int32 i = 0; i < polygon->m_count; ++i) {
         const bmr_vec2 point = {static_cast<double>(polygon->m_vertices[i].x),

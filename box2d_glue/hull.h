@@ -52,7 +52,9 @@ void RebuildHull(Hull *hull);
 /// Are all polygon fixtures that the hull is to hold in it, as they are now? Vertices may be changed in
 /// place. True where its shape is NULL. Reads all of them: about 5 ns a fixture that is still as it was.
 bool HullIsUpToDate(const Hull &hull);
-/// Does the hull hold every vertex of this polygon fixture, as it is now, and a radius at least as large?
+/// Does the hull hold every vertex of this polygon fixture, as it is now, and a radius at least as large? And
+/// are its vertices all that matters: false of a polygon that no hull is built of (a side without a
+/// direction, normals of other sides), unless it looks as it did when this one was built.
 bool HullHolds(const Hull &hull, const b2Fixture &fixture);
 
 } // namespace bmr

@@ -5,6 +5,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -416,6 +417,42 @@ TEST_CASE("each vertex that is changed in place is seen") {
             game.Step();
             bmr::CurrentStep() = 0;
             run.Expect(bmr::GetStatistics().hulls == before, "control: nothing has changed");
+        }
+    });
+}
+
+TEST_CASE("vertices that leave their normals, within the hull, are not proved apart by it") {
+    CheckSameAsStock([](Run &run) {
+        // Two diagonal rows of six boxes; then one box of each is another quadrangle, within its row, with
+        // the normals of the box. Box2D gives points, though the two are apart.
+        const b2Vec2 moved[2][4] = {
+            {{0.177f, 0.156f}, {0.214f, 0.2f}, {0.162f, 0.178f}, {0.009f, 0.011f}},
+            {{-0.271f, -0.265f}, {0.262f, 0.103f}, {0.247f, 0.209f}, {-0.102f, 0.071f}}};
+        for (const bool tell : {false, true}) {
+            Game game(run, {0.0f, 0.0f});
+            b2PolygonShape *shapes[2];
+            for (int k = 0; k < 2; ++k) {
+                const float place = 0.25f * static_cast<float>(k);
+                b2Body *body = game.Body(b2_dynamicBody, {-place, place});
+                for (int i = 0; i < 6; ++i) {
+                    const float at = 0.12f * (static_cast<float>(i) - 2.5f);
+                    game.Box(body, 0.1f, 0.1f, {at, at});
+                }
+                shapes[k] = static_cast<b2PolygonShape *>(body->GetFixtureList()->GetShape());
+            }
+            game.Step(5);
+            game.StagePairs();
+            game.Stage(game.Touching() == 0, "apart");
+            for (int k = 0; k < 2; ++k)
+                std::copy_n(moved[k], 4, shapes[k]->m_vertices);
+            for (b2Body *body = game.world.GetBodyList(); run.HasPlugin() && tell && body != nullptr;
+                 body = body->GetNext())
+                bmr::Invalidate(body);
+            if (run.HasPlugin() && !tell)
+                bmr::CurrentStep() = bmr::NextStep();
+            game.Step();
+            bmr::CurrentStep() = 0;
+            game.Stage(game.Touching() == 1, "points of the two that were moved");
         }
     });
 }
