@@ -24,13 +24,29 @@ bmr_transform32 FrameOf(const b2Fixture &owner, const b2Fixture &other) {
                                 Transform32(owner.GetBody()->GetTransform()));
 }
 
+/// How far the owner's own vertices lie beyond the line of its edge, in units of the normal: nowhere but by
+/// rounding, unless vertices or normals were edited in place. What is not a number makes it infinite.
+double Overhang(const bmr_convex32 &owner, int32_t edge) {
+    const bmr_vec32 &n = owner.normals[edge], &foot = owner.vertices[edge];
+    constexpr float kLongest = 1.0f + 1e-5f; // of a square; a shorter normal makes separations smaller
+    if (!(n.x * n.x + n.y * n.y <= kLongest))
+        return INFINITY;
+    float most = 0.0f;
+    for (uint32_t i = 0; i < owner.count; ++i) {
+        const float beyond = n.x * (owner.vertices[i].x - foot.x) + n.y * (owner.vertices[i].y - foot.y);
+        if (!(beyond <= most))
+            most = beyond;
+    }
+    return static_cast<double>(most);
+}
+
 /// What a separation in the other's frame proves.
 FaceGap Proved(float separation, int32_t edge, const bmr_convex32 &owner, const bmr_convex32 &other,
                const bmr_transform32 &frame) {
     const double distance = std::hypot(static_cast<double>(frame.p.x), static_cast<double>(frame.p.y));
     FaceGap gap = {separation, edge, 0.0};
     if (distance + Extent(owner) + Extent(other) < kReach)
-        gap.proved = std::max(0.0, static_cast<double>(separation) - kRoundingMargin);
+        gap.proved = std::max(0.0, static_cast<double>(separation) - kRoundingMargin - Overhang(owner, edge));
     return gap;
 }
 

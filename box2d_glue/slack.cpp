@@ -62,6 +62,9 @@ double StructureGap(const b2Fixture &a, const b2Fixture &b) {
     double gap = 0.0;
     for (const BodyPair *pair = ours->state.pair; pair != nullptr; pair = pair->parent) {
         const b2Fixture &first = pair->a->body == a.GetBody() ? a : b, &second = &first == &a ? b : a;
+        // Vertices may have been edited in place since the last step.
+        if (!HullHolds(*pair->a, first) || !HullHolds(*pair->b, second))
+            continue;
         gap = std::max(
             gap, CertifiedGap(*pair, first.GetBody()->GetTransform(), second.GetBody()->GetTransform()));
     }

@@ -116,3 +116,44 @@ TEST_CASE("bodies of boxes that are a tenth apart have positive slack after a st
         run.Expect(some == 0, "zero where they overlap");
     });
 }
+
+TEST_CASE("the certified slack is of the vertices as they are, whatever the normals") {
+    CheckSameAsStock([](Run &run) {
+        size_t asked = 0, tooLarge = 0, positive = 0;
+        for (int kind = 0; kind < 5; ++kind) {
+            Game game(run, {0.0f, 0.0f});
+            // The corner of one towards the corner of the other, so that their boxes overlap.
+            b2Body *a = game.Body(b2_dynamicBody, {0.0f, 0.0f}, 0.5f),
+                   *b = game.Body(b2_dynamicBody, b2Mul(b2Rot(0.5f), b2Vec2(2.5f, 0.2f)), 0.5f);
+            game.Plank(a);
+            game.Plank(b, {0.0f, 0.4f});
+            game.Box(a, 1.0f, 1.0f);
+            game.Box(b, 1.0f, 1.0f);
+            game.Step(3);
+            for (b2Body *body : {a, b}) {
+                auto *shape = static_cast<b2PolygonShape *>(body->GetFixtureList()->GetShape());
+                for (int32 i = 0; i < shape->m_count; ++i) {
+                    b2Vec2 &v = shape->m_vertices[i], &n = shape->m_normals[i];
+                    if (kind == 1)
+                        n *= 3.0f;
+                    else if (kind == 2)
+                        n = b2Mul(b2Rot(0.5f), n);
+                    else if (kind == 3)
+                        v.y *= 0.5f;
+                    else if (kind == 4)
+                        v += 0.15f * b2Vec2(v.y, v.x); // a rhomb that sticks out of the box
+                }
+            }
+            if (!run.HasPlugin())
+                continue;
+            const double slack = static_cast<double>(bmr::CertifiedSlack(a, b)),
+                         distance = TrueDistance(a, b);
+            ++asked;
+            tooLarge += slack > distance;
+            positive += kind == 0 && slack > 0.0;
+        }
+        run.Print("looked");
+        run.Expect(asked == 5 && positive == 1, "there is something to check");
+        run.Expect(tooLarge == 0, "never above the true distance");
+    });
+}

@@ -118,7 +118,8 @@ BMR_BOX2D_API Statistics GetStatistics();
 
 /// The distance that is certified between the polygon fixtures of two bodies at their present poses: a lower
 /// bound of the true distance of the core polygons (radii not subtracted), 0 where nothing is proved or they
-/// touch. Bodies of different worlds: 0. O(fixtures of one times fixtures of the other); does not change the
+/// touch; of the vertices as they are, also where these were changed in place and normals left. Bodies of
+/// different worlds: 0. O(fixtures of one times fixtures of the other); does not change the
 /// simulation.
 BMR_BOX2D_API float CertifiedSlack(const b2Body *bodyA, const b2Body *bodyB);
 
