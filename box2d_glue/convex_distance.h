@@ -67,7 +67,8 @@ bool BigDistance(b2DistanceOutput *output, b2SimplexCache *cache, const b2Distan
 /// b2ShapeCast, likewise.
 bool BigCast(b2ShapeCastOutput *output, const b2ShapeCastInput &input, bool *hit);
 
-/// b2TimeOfImpact, likewise. Directions that kept two apart are remembered by the thread.
+/// b2TimeOfImpact, likewise, for any tMax from 0 on; below 0 it looks at time 0 alone. Directions that kept
+/// two apart are remembered by the thread.
 bool BigImpact(b2TOIOutput *output, const b2TOIInput &input);
 
 /// One shape of a body during a step.

@@ -61,6 +61,13 @@ bool NeverTouch(const SweptShape &a, const SweptShape &b, bmr_vec32 *direction) 
 
 namespace {
 
+/// What is remembered of the two; nullptr without memory, and where more is asked for than the way from 0 to
+/// 1 that is proved: Box2D's sweeps go on at either end.
+PairMemory *MemoryOf(const b2TOIInput &input) {
+    return input.tMax >= 0.0f && input.tMax <= 1.0f ? Remember(KeyOf(input.proxyA), KeyOf(input.proxyB))
+                                                    : nullptr;
+}
+
 bool NeverTouch(const b2TOIInput &input, PairMemory *memory) {
     return NeverTouch(Sweep(input.proxyA, input.sweepA, b2Rot(input.sweepA.a)),
                       Sweep(input.proxyB, input.sweepB, b2Rot(input.sweepB.a)), &memory->direction);
@@ -72,12 +79,12 @@ constexpr uint8_t kMostDoublings = 3;
 } // namespace
 
 bool NeverTouch(const b2TOIInput &input) {
-    PairMemory *memory = Remember(KeyOf(input.proxyA), KeyOf(input.proxyB));
+    PairMemory *memory = MemoryOf(input);
     return memory != nullptr && NeverTouch(input, memory);
 }
 
 bool NeverTouchUnlessResting(const b2TOIInput &input) {
-    PairMemory *memory = Remember(KeyOf(input.proxyA), KeyOf(input.proxyB));
+    PairMemory *memory = MemoryOf(input);
     if (memory == nullptr)
         return false;
     if (memory->rests > 0) {

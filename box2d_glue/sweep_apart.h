@@ -27,11 +27,12 @@ struct SweptShape {
 /// `rotation` is sweep.a's. A proxy of no points or of more than 8 gets an infinite margin.
 SweptShape Sweep(const b2DistanceProxy &proxy, const b2Sweep &sweep, const b2Rot &rotation);
 
-/// Is it certain that b2TimeOfImpact does not say e_touching of these two, for any tMax up to 1? `direction`
-/// is a guess, of unit length or zero, and the one that was found.
+/// Is it certain that b2TimeOfImpact does not say e_touching of these two, for any tMax from 0 to 1?
+/// `direction` is a guess, of unit length or zero, and the one that was found.
 bool NeverTouch(const SweptShape &a, const SweptShape &b, bmr_vec32 *direction);
 
-/// The same of b2TimeOfImpact's own input; directions are remembered by the thread.
+/// The same of b2TimeOfImpact's own input, never where its tMax is another; directions are remembered by the
+/// thread.
 bool NeverTouch(const b2TOIInput &input);
 /// The same for a caller that has Box2D's own answer to fall back on: a pair that has just met is most likely
 /// to meet again, so after a proof sought in vain none is sought for the next 1, 3, 7, 7, .. times.

@@ -164,8 +164,10 @@ static bmr_impact32 search(const question *q, double t_max, bmr_vec32 *direction
             return found.distance <= 0.0 ? BMR_IMPACT_OVERLAPPED : BMR_IMPACT_FAILED;
         if (found.distance < q->target + q->tolerance)
             return BMR_IMPACT_TOUCHING;
-        if (*t >= t_max)
+        if (*t >= t_max) {
+            *t = t_max; // which may be below 0
             return BMR_IMPACT_SEPARATED;
+        }
         const bmr_vec2 n = bmr_scale(1.0 / found.distance, found.closest);
         const axis still = axis_at(q, n, *t, 0.0);
         moment proved = advance(q, &still, *t, t_max);

@@ -49,6 +49,26 @@ TEST_CASE("impacts are told by all of their states") {
     CHECK(within.Ask().state == b2TOIOutput::e_overlapped);
 }
 
+TEST_CASE("sweeps go on beyond their end; before their beginning only the beginning is looked at") {
+    Flight flight(1.0f);
+    flight.input.tMax = 2.0f;
+    CHECK(flight.Ask().state == b2TOIOutput::e_separated);
+    CHECK(flight.Ask().t == 2.0f);
+    flight.input.tMax = 4.0f;
+    CHECK(flight.Ask().state == b2TOIOutput::e_touching);
+    CHECK(std::fabs(flight.Ask().t - 2.5f) < 0.01f);
+    // Whether a direction is remembered or not.
+    Flight back(-1.0f);
+    back.input.tMax = -4.0f;
+    CHECK(back.Ask().state == b2TOIOutput::e_separated);
+    CHECK(back.Ask().t == -4.0f);
+    back.input.tMax = 1.0f;
+    CHECK(back.Ask().state == b2TOIOutput::e_separated);
+    back.input.tMax = -0.5f;
+    CHECK(back.Ask().state == b2TOIOutput::e_separated);
+    CHECK(back.Ask().t == -0.5f);
+}
+
 TEST_CASE("what is nowhere has no time of impact") {
     Flight flight(1.0f);
     for (float *number : {&flight.input.sweepB.c0.x, &flight.input.sweepA.c0.y, &flight.input.sweepB.a0}) {

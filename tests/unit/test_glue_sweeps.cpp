@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <box2d/b2_distance.h>
 #include <box2d/b2_time_of_impact.h>
@@ -264,6 +265,23 @@ TEST_CASE("a motion through the other shape is not proved, whichever end is look
     CHECK(bmr::NeverTouch(turning));
     turning.sweepB.a0 = -0.1f;
     CHECK_FALSE(bmr::NeverTouch(turning));
+}
+
+TEST_CASE("a time beyond either end of the sweeps is left to Box2D, which goes on along them") {
+    b2PolygonShape box;
+    b2TOIInput in = TwoBoxes(&box, 4.0f);
+    in.sweepB.c.x -= 1.0f; // they meet at 4 or so
+    for (const float tMax : {0.0f, 0.5f, 1.0f, 1.5f, 5.0f, -0.5f, INFINITY, NAN}) {
+        CAPTURE(tMax);
+        in.tMax = tMax;
+        CHECK(bmr::NeverTouch(in) == (tMax >= 0.0f && tMax <= 1.0f));
+        CHECK(bmr::NeverTouchUnlessResting(in) == (tMax >= 0.0f && tMax <= 1.0f));
+    }
+    in.tMax = 5.0f;
+    CHECK(Touches(in));
+    std::swap(in.sweepB.c0, in.sweepB.c);
+    in.tMax = -5.0f;
+    CHECK(Touches(in));
 }
 
 TEST_CASE("what is not a number, not finite or out of reach is left to Box2D") {

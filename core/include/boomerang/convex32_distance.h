@@ -66,13 +66,13 @@ typedef enum bmr_impact32 {
 } bmr_impact32;
 
 /// When the two first come within Box2D's target distance of each other (b2TimeOfImpact's contract: target
-/// max(slop, radii - 3 slop), tolerance slop / 4), in [0, t_max]; t_max where they do not. TOUCHING: at t
-/// they are nearer than target + tolerance, and before they never were nearer than target, all but for
-/// rounding; SEPARATED: they never are nearer than target. FAILED: up to t they never were nearer than
-/// target, but 400 directions were not enough to go on, or a number is none. No motion is known that needs so
-/// many where each shape turns by up to 6 radians (fuzzed, not proved). Unlike Box2D's, this misses nothing
-/// up to t however fast the shapes turn: a direction is left for another where it does not prove the whole of
-/// the way.
+/// max(slop, radii - 3 slop), tolerance slop / 4), in [0, t_max]; t_max where they do not. Above 1 sweeps go
+/// on as they went, as Box2D's do; below 0 it is the poses at 0 that are looked at. TOUCHING: at t they are
+/// nearer than target + tolerance, and before they never were nearer than target, all but for rounding;
+/// SEPARATED: they never are nearer than target. FAILED: up to t they never were nearer than target, but 400
+/// directions were not enough to go on, or a number is none. No motion is known that needs so many where each
+/// shape turns by up to 6 radians (fuzzed, not proved). Unlike Box2D's, this misses nothing up to t however
+/// fast the shapes turn: a direction is left for another where it does not prove the whole of the way.
 ///
 /// `direction`, zero or of unit length, is tried first, for all of the motion: a pair that stays apart costs
 /// four supports. It becomes the one that kept them apart. It never decides the answer. Otherwise the cost is
