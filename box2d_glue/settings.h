@@ -51,7 +51,8 @@ bool MakeSettings(const Options &options);
 /// From here on the hooks answer. The last thing that Install does.
 void ActivateHooks();
 
-/// Process-wide counts, written only where Options::statistics asks for them.
+/// Process-wide counts, written only where Options::statistics asks for them; what Mode::Verify tells
+/// (verified, differences, steps) in that mode too.
 struct Counts {
     std::atomic<uint64_t> evaluations{0}, edgeChecks{0}, edgeSearches{0}, verdictsReused{0}, provedApart{0},
         handedOver{0}, handedOverTouching{0}, touchingAnswered{0}, toiQueries{0}, toiAnswered{0},
@@ -64,6 +65,11 @@ Counts &GetCounts();
 inline void Count(std::atomic<uint64_t> Counts::*counter) {
     if (GetSettings().options.statistics)
         (GetCounts().*counter).fetch_add(1, std::memory_order_relaxed);
+}
+
+inline void CountStep() {
+    if (GetSettings().options.statistics || Verifying())
+        GetCounts().steps.fetch_add(1, std::memory_order_relaxed);
 }
 
 } // namespace bmr

@@ -52,7 +52,7 @@ void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positi
 void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
     StartAtFirstStep();
     const StepMark mark;
-    Count(&Counts::steps);
+    CountStep();
     realStep.Get()(world, timeStep, velocityIterations, positionIterations);
 }
 
