@@ -239,14 +239,17 @@ bmr_error bmr_convex32_audit(const bmr_convex32 *polygon) {
         error = audit_shape(polygon);
     if (error != BMR_OK)
         return error;
+    bmr_vec32 extent = {0.0f, 0.0f};
     for (uint32_t i = 0; i < polygon->count; ++i) {
         const bmr_vec32 v = polygon->vertices[i];
         const bmr_vec32 normal = edge_normal(v, polygon->vertices[convex32_next(polygon, i)]);
         if (normal.x != polygon->normals[i].x || normal.y != polygon->normals[i].y)
             return BMR_ERROR_INVALID_STRUCTURE;
-        if (polygon->buckets && (fabsf(v.x) > polygon->extent.x || fabsf(v.y) > polygon->extent.y))
-            return BMR_ERROR_INVALID_STRUCTURE;
+        extent.x = fmaxf(extent.x, fabsf(v.x));
+        extent.y = fmaxf(extent.y, fabsf(v.y));
     }
+    if (polygon->buckets && !(polygon->extent.x == extent.x && polygon->extent.y == extent.y))
+        return BMR_ERROR_INVALID_STRUCTURE;
     if ((polygon->buckets != NULL) != (polygon->count > 8) ||
         polygon->bucket_bits != bits_for(polygon->count))
         return BMR_ERROR_INVALID_STRUCTURE;

@@ -234,9 +234,14 @@ static void the_audit_finds_what_is_wrong(void **state) {
         *bucket = was;
     }
     bmr_convex32 other = p;
-    other.extent.x = 0.0f;
-    assert_int_equal(bmr_convex32_audit(&other), BMR_ERROR_INVALID_STRUCTURE);
-    other = p;
+    for (int k = 0; k < 2; ++k) {
+        const float extents[] = {0.0f, NAN, INFINITY, -1.0f, nextafterf(k ? p.extent.y : p.extent.x, 2.0f)};
+        for (int i = 0; i < 5; ++i) {
+            *(k ? &other.extent.y : &other.extent.x) = extents[i];
+            assert_int_equal(bmr_convex32_audit(&other), BMR_ERROR_INVALID_STRUCTURE);
+        }
+        other = p;
+    }
     --other.bucket_bits;
     assert_int_equal(bmr_convex32_audit(&other), BMR_ERROR_INVALID_STRUCTURE);
     other = p;

@@ -68,7 +68,8 @@ void bmr_convex32_destroy(bmr_convex32_block *block, const bmr_allocator *alloca
 /// Bytes of a block of so many vertices: 16 a vertex and, past 8, 4 to 8 for the table.
 size_t bmr_convex32_bytes(size_t count);
 /// Is it convex (in exact arithmetic), counter-clockwise, once around, do the normals fit and turn from each
-/// to the next, does the table start well? BMR_ERROR_NOT_CONVEX or BMR_ERROR_INVALID_STRUCTURE. O(n).
+/// to the next, does the table start well, and is the extent that it is used with that of the vertices (to
+/// the bit; without a table it may be anything)? BMR_ERROR_NOT_CONVEX or BMR_ERROR_INVALID_STRUCTURE. O(n).
 bmr_error bmr_convex32_audit(const bmr_convex32 *polygon);
 
 /// A polygon of Box2D's own size, with its own arrays; no table, no audit.
