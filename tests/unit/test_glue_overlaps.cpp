@@ -16,6 +16,7 @@
 #include <box2d/b2_edge_shape.h>
 
 #include "../../box2d_glue/overlap.h"
+#include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
 #include "test_scale.h"
 
@@ -228,6 +229,59 @@ TEST_CASE("radii below zero, alone or in sum, take nothing off the shapes themse
             t.AddTwice(pair);
         }
         t.Check();
+    }
+}
+
+TEST_CASE("radii below zero take nothing off big polygons either, whatever direction is remembered") {
+    bmr::ConvexShape wheel;
+    REQUIRE(wheel.SetRegular(40, 1.0f) == BMR_OK);
+    b2PolygonShape box;
+    box.SetAsBox(0.5f, 0.5f);
+    b2Transform at, beside;
+    at.SetIdentity();
+    for (const float radius : {b2_polygonRadius, 0.0f, -0.2f, -1.0f}) {
+        CAPTURE(radius);
+        wheel.m_radius = radius;
+        const auto says = [&](float x) {
+            beside.Set(b2Vec2(x, 0.0f), 0.0f);
+            const Overlap answer = bmr::CertainOverlap(wheel, 0, box, 0, at, beside);
+            CHECK(bmr::CertainOverlap(box, 0, wheel, 0, beside, at) == answer);
+            return answer;
+        };
+        CHECK(says(2.0f) == Overlap::kApart); // and that is remembered
+        CHECK(says(1.49f) == Overlap::kOverlapping);
+        CHECK(says(1.0f) == Overlap::kOverlapping);
+        CHECK(says(1.55f) == Overlap::kApart);
+    }
+}
+
+TEST_CASE("a polygon whose sides turn twice around holds less than its vertices") {
+    // Its sides are the diagonals of a regular pentagon. The wide triangle beneath is apart from that along
+    // the pentagon's side alone, which is none of theirs.
+    b2PolygonShape star, below;
+    star.m_count = 5;
+    for (int32 i = 0; i < 5; ++i) {
+        const float angle = 0.1f * b2_pi * static_cast<float>(5 + 8 * i);
+        star.m_vertices[i].Set(std::cos(angle), std::sin(angle));
+    }
+    for (int32 i = 0; i < 5; ++i) {
+        star.m_normals[i] = b2Cross(star.m_vertices[(i + 1) % 5] - star.m_vertices[i], 1.0f);
+        star.m_normals[i].Normalize();
+    }
+    const b2Vec2 points[] = {{0.0f, 0.0f}, {-2.0f, -0.2f}, {2.0f, -0.2f}};
+    below.Set(points, 3);
+    b2Transform at, beneath;
+    at.SetIdentity();
+    for (const float gap : {0.03f, 0.04f, 0.05f}) {
+        CAPTURE(gap);
+        beneath.Set(b2Vec2(0.0f, -std::cos(0.2f * b2_pi) - gap), 0.0f);
+        for (const auto *other : {&star, &below}) {
+            const bool first = other == &below;
+            const b2PolygonShape &a = first ? star : below, &b = first ? below : star;
+            const b2Transform &xfA = first ? at : beneath, &xfB = first ? beneath : at;
+            CHECK_FALSE(b2TestOverlap(&a, 0, &b, 0, xfA, xfB));
+            CHECK(bmr::CertainOverlap(a, 0, b, 0, xfA, xfB) != Overlap::kOverlapping);
+        }
     }
 }
 
