@@ -395,6 +395,26 @@ static void heights_over_edges_as_short_as_double_has_them(void **state) {
     }
 }
 
+/// Also where an apex is so near the end of an edge: every product with what lies between them underflows.
+static void what_is_beyond_an_end_by_a_denormal_distance(void **state) {
+    (void)state;
+    const bmr_vec2 points[] = {{0.0, 0.0}, {0.4, -0.6}, {1.0, 1.0}};
+    bmr_polygon *p = NULL;
+    assert_int_equal(bmr_polygon_create(points, COUNT_OF(points), NULL, &p), BMR_OK);
+    for (uint32_t i = 0; i < p->count; ++i) {
+        const bmr_vec2 e = bmr_tree_edge_vector(p, i);
+        for (int x = -6; x <= 6; ++x)
+            for (int y = -6; y <= 6; ++y) {
+                const double along = e.x * x + e.y * y;
+                if (fabs(along) < 1e-9)
+                    continue;
+                for (double unit = 0x1p-1074; unit < 1.0; unit *= 0x1p100)
+                    assert_int_equal(bmr_tree_beyond(p, i, bmr_vec2_make(unit * x, unit * y)), along > 0.0);
+            }
+    }
+    bmr_polygon_destroy(p, NULL);
+}
+
 /// The same polygon far from the origin and at the ends of the range.
 static void scale_and_place_do_not_matter(void **state) {
     (void)state;
@@ -436,6 +456,7 @@ int main(void) {
         cmocka_unit_test(polygons_bent_by_ulps_pass_the_audit),
         cmocka_unit_test(edges_as_short_as_double_has_them_pass_the_audit),
         cmocka_unit_test(heights_over_edges_as_short_as_double_has_them),
+        cmocka_unit_test(what_is_beyond_an_end_by_a_denormal_distance),
         cmocka_unit_test(scale_and_place_do_not_matter),
     };
     return cmocka_run_group_tests(tests, make_compass, drop_compass);
