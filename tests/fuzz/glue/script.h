@@ -60,6 +60,7 @@ private:
     void MakeChain(b2Body *body, const b2FixtureDef &def, bool loop);
     void ResizeInPlace();
     void NudgeShapeInPlace();
+    void PullVerticesInPlace(b2PolygonShape *polygon, b2Body *body);
     void ChangeRadiusInPlace();
     void ChangeRoundInPlace();
 

@@ -150,8 +150,23 @@ void Script::ResizeInPlace() {
         fixture->GetBody()->ResetMassData();
 }
 
-/// Larger by some units in the last place, or shifted by as much; or one vertex alone moved, so that normals
-/// are those of other sides.
+/// Some of its vertices go towards vertices of its body, so that they stay within the body's hull while the
+/// normals stay as they were.
+void Script::PullVerticesInPlace(b2PolygonShape *polygon, b2Body *body) {
+    const int which = Byte();
+    for (int i = 0; i < polygon->m_count; ++i) {
+        if ((which >> i & 1) == 0)
+            continue;
+        const b2PolygonShape *other = PlainPolygon(*SomeFixtureOf(body));
+        const b2Vec2 target = other != nullptr && other->m_count > 0
+                                  ? other->m_vertices[Below(other->m_count)]
+                                  : polygon->m_centroid;
+        polygon->m_vertices[i] += Unsigned(1.0f / 255.0f) * (target - polygon->m_vertices[i]);
+    }
+}
+
+/// Larger by some units in the last place, or shifted by as much; or some vertices alone moved, so that
+/// normals are those of other sides.
 void Script::NudgeShapeInPlace() {
     b2Fixture *fixture = SomeFixture();
     b2PolygonShape *polygon = fixture != nullptr ? PlainPolygon(*fixture) : nullptr;
@@ -162,6 +177,12 @@ void Script::NudgeShapeInPlace() {
         const float far = Below(2) == 0 ? 1e-7f : 1e-3f;
         polygon->m_vertices[how % polygon->m_count] += Vector(far);
         if (how % 2 == 0)
+            Invalidate(fixture->GetBody());
+        return;
+    }
+    if (how >= 0xe0) {
+        PullVerticesInPlace(polygon, fixture->GetBody());
+        if (how % 8 == 0)
             Invalidate(fixture->GetBody());
         return;
     }
