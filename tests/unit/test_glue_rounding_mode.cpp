@@ -6,7 +6,11 @@
 
 #include <cfenv>
 
+#include "../../box2d_glue/body_pair.h"
+#include "../../box2d_glue/hull.h"
 #include "../../box2d_glue/rounding_mode.h"
+#include "../../box2d_glue/solid_contact.h"
+#include "boomerang/convex_shape.h"
 #include "forked_world.h"
 
 namespace {
@@ -62,6 +66,55 @@ TEST_CASE("the mode decides what a step gives: what these tests compare can diff
     CHECK(forked::Difference(nearest, nearest) == "");
     const std::string upward = forked::InChild(AlwaysIn<FE_UPWARD>, nullptr, forked::When::kByScenario);
     CHECK(forked::Difference(nearest, upward) != "");
+}
+
+namespace {
+
+/// Two wheels of so many corners that their hulls are envelopes, whose corners are computed. Prints the hulls
+/// that are built in one mode, and built again in another.
+template <int kBuilt, int kRebuilt> void Hulls(forked::Run &run) {
+    forked::Game game(run);
+    bmr::ConvexShape wheel;
+    REQUIRE(wheel.SetRegular(100, 0.7f) == BMR_OK);
+    b2Body *body = nullptr;
+    for (const float x : {0.0f, 1.41f}) {
+        body = game.Body(b2_dynamicBody, {x, 0.0f}, 0.3f);
+        game.Fixture(body, wheel);
+    }
+    std::fesetround(kBuilt);
+    game.world.Step(1.0f / 60.0f, 8, 3);
+    std::fesetround(kRebuilt);
+    if (kBuilt != kRebuilt)
+        bmr::Invalidate(body);
+    std::fesetround(FE_TONEAREST);
+    const bmr::SolidContact *contact = bmr::SolidContact::AsOurs(game.world.GetContactList());
+    REQUIRE(contact != nullptr);
+    REQUIRE(contact->state.pair != nullptr);
+    for (const bmr::Hull *hull : {contact->state.pair->a, contact->state.pair->b}) {
+        const bmr_polygon &polygon = *hull->shape.polygon;
+        REQUIRE(polygon.count < 100);
+        for (uint32_t i = 0; i < polygon.count; ++i)
+            run.Print("%a %a", polygon.vertices[i].x, polygon.vertices[i].y);
+    }
+}
+
+std::string HullsOf(forked::Scenario scenario) {
+    bmr::Options options;
+    options.prefilter = false; // each fixture has a hull
+    const std::string text = forked::InChild(scenario, &options, forked::When::kBefore);
+    CHECK(forked::Difference(text, text) == "");
+    return text;
+}
+
+} // namespace
+
+TEST_CASE("hulls are the same in whatever mode they are built") {
+    const std::string nearest = HullsOf(Hulls<FE_TONEAREST, FE_TONEAREST>);
+    CHECK(nearest.size() > 1000);
+    CHECK(forked::Difference(nearest, HullsOf(Hulls<FE_UPWARD, FE_UPWARD>)) == "");
+    CHECK(forked::Difference(nearest, HullsOf(Hulls<FE_DOWNWARD, FE_DOWNWARD>)) == "");
+    CHECK(forked::Difference(nearest, HullsOf(Hulls<FE_TONEAREST, FE_UPWARD>)) == "");
+    CHECK(forked::Difference(nearest, HullsOf(Hulls<FE_TONEAREST, FE_TOWARDZERO>)) == "");
 }
 
 TEST_CASE("what rounds to nearest for a while gives the mode back") {
