@@ -344,8 +344,7 @@ static uint64_t adversary_events(bmr_adversary_kind kind, size_t n, double separ
     return events;
 }
 
-/// The exponent of events in n, from n = 16 to 128.
-/// The last: how many events there are of 128 vertices.
+/// The exponent of events in n, from n = 16 to 128; `last`: how many there are at 128.
 static double exponent_in_n(bmr_adversary_kind kind, double separation, const char *name, double *last) {
     double x[4], y[4];
     for (int k = 0; k < 4; k++) {
