@@ -60,15 +60,37 @@ void loop_box(const bmr_convex32 *p, const bmr_transform32 *pose, bmr_vec32 *low
     }
 }
 
+/// (b - a) x (c - a) of the products of coordinates, which are exact: their sum is made firm by passing on,
+/// again and again, what its additions lose.
+static long double exact_cross(bmr_vec32 a, bmr_vec32 b, bmr_vec32 c) {
+    const long double x[3] = {(long double)a.x, (long double)b.x, (long double)c.x};
+    const long double y[3] = {(long double)a.y, (long double)b.y, (long double)c.y};
+    long double terms[6];
+    for (int i = 0; i < 3; ++i) {
+        terms[2 * i] = x[i] * y[(i + 1) % 3];
+        terms[2 * i + 1] = -y[i] * x[(i + 1) % 3];
+    }
+    for (int pass = 0; pass < 6; ++pass)
+        for (int i = 1; i < 6; ++i) {
+            const long double sum = terms[i - 1] + terms[i], part = sum - terms[i];
+            terms[i - 1] = (terms[i - 1] - part) + (terms[i] - (sum - part));
+            terms[i] = sum;
+        }
+    long double sum = 0;
+    for (int i = 0; i < 6; ++i)
+        sum += terms[i];
+    return sum;
+}
+
 loop_mass loop_measure(const bmr_convex32 *p) {
     loop_mass m = {0, 0, 0, 0};
-    const long double x0 = (long double)p->vertices[p->count / 3].x,
-                      y0 = (long double)p->vertices[p->count / 3].y;
+    const bmr_vec32 apex = p->vertices[p->count / 3];
+    const long double x0 = (long double)apex.x, y0 = (long double)apex.y;
     for (uint32_t i = 0; i < p->count; ++i) {
         const bmr_vec32 v = p->vertices[i], w = p->vertices[i + 1 < p->count ? i + 1 : 0];
         const long double ax = (long double)v.x - x0, ay = (long double)v.y - y0;
         const long double bx = (long double)w.x - x0, by = (long double)w.y - y0;
-        const long double cross = ax * by - ay * bx;
+        const long double cross = exact_cross(apex, v, w);
         m.area += cross / 2;
         m.x += cross * (ax + bx) / 6;
         m.y += cross * (ay + by) / 6;

@@ -313,6 +313,42 @@ static void masses_are_those_of_the_sum_over_triangles(void **state) {
     assert_true(control > 0);
 }
 
+/// Of a needle whose short side is level, the area is known: half of base times height, both differences of
+/// two floats.
+static void masses_of_needles_are_exact(void **state) {
+    (void)state;
+    test_random random = {14};
+    size_t made = 0, lost = 0;
+    for (size_t k = 0; k < 100000; ++k) {
+        const float scale = ldexpf(1.0f, (int)floor(test_random_uniform(&random, -40.0, -24.0)));
+        const bmr_vec32 points[3] = {
+            {(float)test_random_uniform(&random, 0.1, 1.0), (float)test_random_uniform(&random, -1.0, 0.5)},
+            {scale * (float)test_random_uniform(&random, 0.0, 1.0), 1.0f},
+            {-scale * (float)test_random_uniform(&random, 0.0, 1.0), 1.0f}};
+        bmr_convex32_block *block = NULL;
+        if (bmr_convex32_create(points, 3, NULL, &block) != BMR_OK)
+            continue;
+        ++made;
+        const long double base = (long double)points[1].x - (long double)points[2].x;
+        const long double area = base * (1.0L - (long double)points[0].y) / 2;
+        assert_true(fabsl((long double)block->mass.area - area) <= 1e-7L * area);
+        const loop_mass truth = loop_measure(&block->polygon);
+        assert_true(fabsl(truth.area - area) <= 1e-12L * area);
+        assert_true(fabsl((long double)block->mass.inertia - truth.inertia) <= 1e-7L * truth.inertia);
+        assert_true(fabsl((long double)block->mass.centroid.x - truth.x) <=
+                    1e-7L * (long double)block->reach);
+        assert_true(fabsl((long double)block->mass.centroid.y - truth.y) <=
+                    1e-7L * (long double)block->reach);
+        // The control: a product of rounded differences is somewhere else.
+        const double ax = (double)points[0].x, ay = (double)points[0].y;
+        const double rounded =
+            ((double)points[1].x - ax) * (1.0 - ay) - (1.0 - ay) * ((double)points[2].x - ax);
+        lost += fabsl(rounded / 2 - area) > 1e-7L * area;
+        bmr_convex32_destroy(block, NULL);
+    }
+    assert_true(made > 100 && lost > 10);
+}
+
 static void the_polygon_inside_is_convex_and_spreads(void **state) {
     (void)state;
     test_random random = {10};
@@ -406,6 +442,7 @@ int main(void) {
         cmocka_unit_test(the_audit_finds_what_is_wrong),
         cmocka_unit_test(failing_allocations_are_reported_and_leak_nothing),
         cmocka_unit_test(masses_are_those_of_the_sum_over_triangles),
+        cmocka_unit_test(masses_of_needles_are_exact),
         cmocka_unit_test(the_polygon_inside_is_convex_and_spreads),
         cmocka_unit_test(simplified_polygons_are_near_and_have_few_vertices),
     };
