@@ -16,7 +16,6 @@
 
 #if defined(__x86_64__)
 #    include <cpuid.h>
-#    include <x86intrin.h>
 #endif
 
 namespace bmr::interpose {
@@ -39,7 +38,7 @@ Real<float(const TimerWords *)> realGetMilliseconds("_ZNK7b2Timer15GetMillisecon
 
 #if defined(__x86_64__)
 uint64_t Ticks() {
-    return __rdtsc();
+    return __builtin_ia32_rdtsc();
 }
 
 bool TicksAreSteady() {
