@@ -9,7 +9,7 @@ function(boomerang_target target)
     CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE room)
   # What reads options and writes pages, and some tests, are other people's templates mostly, and wait for nothing.
-  if(room MATCHES "^(testbed_scenes/(driver|drawing|manual|picture|report|theory)|tests/(bad_input|stale|threads))")
+  if(room MATCHES "^(testbed_scenes/(driver|drawing|manual|picture|recording|replay|report|theory)|tests/(bad_input|stale|threads))")
     target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1>)
   endif()
   if(BOOMERANG_QUICK_BUILD AND room MATCHES "^testbed_scenes")
@@ -17,8 +17,10 @@ function(boomerang_target target)
   endif()
   if(BOOMERANG_SANITIZE)
     # More optimisation than -O1 takes minutes for a large test; and C++ that is mostly other people's templates takes three
-    # times as long to compile with -O1 as without, for programs that start, run once and end.
-    if(room MATCHES "^(core|box2d_glue|plugin|tests/fuzz)")
+    # times as long to compile with -O1 as without, for programs that start, run once and end. Core is what tests run most.
+    if(room MATCHES "^core")
+      target_compile_options(${target} PRIVATE -O2)
+    elseif(room MATCHES "^(box2d_glue|plugin|tests/fuzz)")
       target_compile_options(${target} PRIVATE -O1)
     else()
       target_compile_options(${target} PRIVATE $<IF:$<COMPILE_LANGUAGE:CXX>,-O0,-O1>)
