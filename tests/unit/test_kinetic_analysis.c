@@ -361,7 +361,8 @@ static double exponent_in_n(bmr_adversary_kind kind, double separation, const ch
 
 static void test_adversaries_cost_the_rivals_n_and_n_squared_at_any_separation(void **state) {
     (void)state;
-    for (int step = 0; step < 3; step++) {
+    const int steps = (int)test_scaled(3);
+    for (int step = 0; step < steps; step++) {
         const double separation = 0.1 * pow(30.0, step);
         double last;
         assert_true(exponent_in_n(BMR_ADVERSARY_PASS, separation, "closest-features", &last) > 0.9);
