@@ -4,8 +4,8 @@
 
 #include "boomerang/convex32.h"
 
-/// Mass of a convex polygon, however thin, and how far its vertices reach, in double, rounded once. Outputs are written only
-/// without error: BMR_ERROR_OUT_OF_RANGE where the area or the inertia is no normal float.
+/// Mass of a convex polygon, however thin, and how far its vertices reach, in double, rounded once. Outputs
+/// are written only without error: BMR_ERROR_OUT_OF_RANGE where the area or the inertia is no normal float.
 bmr_error convex32_measure(const bmr_convex32 *polygon, bmr_mass32 *mass, float *reach);
 
 #endif
