@@ -12,6 +12,7 @@
 #include "convex_access.h"
 #include "convex_geometry.h"
 #include "convex_registry.h"
+#include "rounding_mode.h"
 #include "shapes32.h"
 #include "stock_polygon.h"
 
@@ -140,6 +141,7 @@ bmr_error ConvexShape::Set(const b2Vec2 *points, int32 count) {
         return BMR_ERROR_TOO_FEW_POINTS;
     bmr_convex32_block *block = nullptr;
     if (count > b2_maxPolygonVertices) {
+        const NearestRounding nearest; // shapes outlast the mode that they are made in
         const bmr_error error = bmr_convex32_create(Vectors32(points), static_cast<size_t>(count),
                                                     registry::GetAllocator(), &block);
         if (error != BMR_OK)
@@ -165,6 +167,7 @@ bmr_error ConvexShape::SetRaw(const b2Vec2 *vertices, int32 count) {
     if (count < 3)
         return BMR_ERROR_TOO_FEW_POINTS;
     if (count > b2_maxPolygonVertices) {
+        const NearestRounding nearest;
         bmr_convex32_block *block = nullptr;
         const bmr_error error = bmr_convex32_create_raw(Vectors32(vertices), static_cast<size_t>(count),
                                                         registry::GetAllocator(), &block);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "boomerang/convex32.h"
 #include "convex32/directions.h"
+#include "convex32/triangle.h"
 
 #define MOST_INNER 8u
 
@@ -22,15 +23,13 @@ static uint32_t insert(uint32_t *list, uint32_t length, uint32_t vertex) {
 /// between.
 static uint32_t most_missing(const bmr_convex32 *p, const uint32_t *list, uint32_t length) {
     uint32_t found = UINT32_MAX;
-    double most = -1.0;
+    double most = 0.0;
     for (uint32_t k = 0; k < length; ++k) {
-        const bmr_vec32 a = p->vertices[list[k]], b = p->vertices[list[k + 1 < length ? k + 1 : 0]];
-        const double x = (double)b.x - (double)a.x, y = (double)b.y - (double)a.y;
-        for (uint32_t i = convex32_next(p, list[k]); i != list[k + 1 < length ? k + 1 : 0];
-             i = convex32_next(p, i)) {
-            const bmr_vec32 v = p->vertices[i];
-            const double area = y * ((double)v.x - (double)a.x) - x * ((double)v.y - (double)a.y);
-            if (area > most) {
+        const uint32_t first = list[k], last = list[k + 1 < length ? k + 1 : 0];
+        for (uint32_t i = convex32_next(p, first); i != last; i = convex32_next(p, i)) {
+            const double area = convex32_twice_area(p->vertices[first], p->vertices[i], p->vertices[last]);
+            // Any of them, where none is more than another.
+            if (found == UINT32_MAX || area > most) {
                 most = area;
                 found = i;
             }

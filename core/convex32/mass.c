@@ -4,40 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-/// Below this part of the products, a cross product of rounded differences is not trusted: above, it is
-/// within 2e-9 of its value.
-#define FIRM 1e-7
-
-/// Adds a number to an exact sum of `count` others, smallest first, none of which has bits where another has
-/// (Shewchuk's expansions). There is room for one more. The new count.
-static int add_exactly(double *sum, int count, double term) {
-    for (int i = 0; i < count; ++i) {
-        const double total = term + sum[i], part = total - term;
-        sum[i] = (term - (total - part)) + (sum[i] - part);
-        term = total;
-    }
-    sum[count] = term;
-    return count + 1;
-}
-
-/// Twice the area of a triangle that is counter-clockwise. A needle's is lost in the rounding of the
-/// products: there, all six of the coordinates themselves, which double holds exactly, are summed exactly.
-static double twice_area_of(bmr_vec32 a, bmr_vec32 b, bmr_vec32 c) {
-    const double ax = (double)a.x, ay = (double)a.y, bx = (double)b.x, by = (double)b.y, cx = (double)c.x,
-                 cy = (double)c.y;
-    const double left = (bx - ax) * (cy - ay), right = (by - ay) * (cx - ax);
-    if (left - right >= FIRM * (fabs(left) + fabs(right)))
-        return left - right;
-    const double terms[6] = {ax * by, -ay * bx, bx * cy, -by * cx, cx * ay, -cy * ax};
-    double sum[6];
-    int count = 0;
-    for (int i = 0; i < 6; ++i)
-        count = add_exactly(sum, count, terms[i]);
-    double total = 0.0;
-    for (int i = 0; i < count; ++i)
-        total += sum[i];
-    return total;
-}
+#include "convex32/triangle.h"
 
 bmr_error convex32_measure(const bmr_convex32 *polygon, bmr_mass32 *mass, float *reach) {
     // A fan of triangles around vertex 0, so that a polygon far from the origin is as exact as one at it.
@@ -50,7 +17,7 @@ bmr_error convex32_measure(const bmr_convex32 *polygon, bmr_mass32 *mass, float 
         if (i + 1 == polygon->count)
             break;
         const double next_x = (double)v[i + 1].x - x0, next_y = (double)v[i + 1].y - y0;
-        const double cross = twice_area_of(v[0], v[i], v[i + 1]);
+        const double cross = convex32_twice_area(v[0], v[i], v[i + 1]);
         twice_area += cross;
         six_x += cross * (x + next_x);
         six_y += cross * (y + next_y);

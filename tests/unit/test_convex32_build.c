@@ -378,6 +378,45 @@ static void the_polygon_inside_is_convex_and_spreads(void **state) {
     bmr_convex32_destroy(block, NULL);
 }
 
+/// Far from each other beside what they span with others: no rounding may leave a vertex out, or one that
+/// there is not.
+static void the_polygon_inside_of_a_needle_is_of_its_vertices(void **state) {
+    (void)state;
+    test_random random = {15};
+    size_t lost = 0;
+    for (size_t k = 0; k < 20000; ++k) {
+        const float far = ldexpf(1.0f, (int)floor(test_random_uniform(&random, 20.0, 29.0)));
+        bmr_vec32 points[10] = {{far, far * (float)test_random_uniform(&random, -1.0, 1.0)},
+                                {-far, far * (float)test_random_uniform(&random, -1.0, 1.0)}};
+        for (int i = 2; i < 10; ++i) {
+            const double angle = test_random_uniform(&random, 0.0, 6.3);
+            points[i].x = 1e-7f * (float)cos(angle);
+            points[i].y = 1e-7f * (float)sin(angle);
+        }
+        bmr_convex32_block *block = NULL;
+        if (bmr_convex32_create(points, 10, NULL, &block) != BMR_OK)
+            continue;
+        const bmr_convex32 *p = &block->polygon;
+        for (uint32_t count = 3; count <= 8 && count <= p->count; ++count) {
+            uint32_t inner[8];
+            bmr_convex32_inner(p, inner, count);
+            for (uint32_t i = 0; i < count; ++i)
+                assert_true(inner[i] < p->count && (i == 0 || inner[i - 1] < inner[i]));
+        }
+        // The control: by rounded differences, all vertices of some turn right.
+        bool any = false;
+        for (uint32_t i = 0; i < p->count; ++i) {
+            const bmr_vec32 u = p->vertices[i], v = p->vertices[convex32_next(p, i)],
+                            w = p->vertices[convex32_next(p, convex32_next(p, i))];
+            const double x = (double)v.x - (double)u.x, y = (double)v.y - (double)u.y;
+            any = any || x * ((double)w.y - (double)u.y) - y * ((double)w.x - (double)u.x) <= -1.0;
+        }
+        lost += any;
+        bmr_convex32_destroy(block, NULL);
+    }
+    assert_true(lost > 10);
+}
+
 static void simplified_polygons_are_near_and_have_few_vertices(void **state) {
     (void)state;
     test_random random = {11};
@@ -444,6 +483,7 @@ int main(void) {
         cmocka_unit_test(masses_are_those_of_the_sum_over_triangles),
         cmocka_unit_test(masses_of_needles_are_exact),
         cmocka_unit_test(the_polygon_inside_is_convex_and_spreads),
+        cmocka_unit_test(the_polygon_inside_of_a_needle_is_of_its_vertices),
         cmocka_unit_test(simplified_polygons_are_near_and_have_few_vertices),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -408,6 +408,23 @@ TEST_CASE("drawn are the real outlines, in the colours of DebugDraw") {
     }
 }
 
+TEST_CASE("a polygon that is a point beside what it reaches is taken") {
+    // Ten vertices, eight of them nearer to each other than the rounding of the others' products.
+    std::vector<b2Vec2> points = {{0x1p+29f, 0x1.09fc78p+27f}, {-0x1p+29f, 0x1.9f0ca8p+28f}};
+    const float near[][2] = {{-0x1.3b9402p-24f, -0x1.ea529cp-26f}, {-0x1.39c4b2p-24f, -0x1.edc692p-26f},
+                             {-0x1.37f22cp-24f, -0x1.f11f2ap-26f}, {-0x1.361c8ep-24f, -0x1.f45c36p-26f},
+                             {-0x1.3443fp-24f, -0x1.f77d8ap-26f},  {-0x1.32686cp-24f, -0x1.fa82f6p-26f},
+                             {-0x1.308a1ep-24f, -0x1.fd6c52p-26f}, {-0x1.2ea92p-24f, -0x1.001cbap-25f}};
+    for (const auto &p : near)
+        points.push_back({p[0], p[1]});
+    ConvexShape shape;
+    CHECK(shape.Set(points.data(), static_cast<int32>(points.size())) == BMR_OK);
+    CHECK(shape.GetVertexCount() == 10);
+    // What Box2D would see of it are vertices of its own.
+    for (int32 i = 0; i < shape.m_count; ++i)
+        CHECK(std::find(points.begin(), points.end(), shape.m_vertices[i]) != points.end());
+}
+
 TEST_CASE("SetAsBox makes Box2D's box of any shape, and lets the polygon go") {
     const b2Vec2 center(0.25f, -3.0f);
     b2PolygonShape box, turned;

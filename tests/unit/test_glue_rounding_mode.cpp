@@ -5,6 +5,9 @@
 #include <doctest/doctest.h>
 
 #include <cfenv>
+#include <cmath>
+#include <cstdio>
+#include <string>
 
 #include "../../box2d_glue/body_pair.h"
 #include "../../box2d_glue/hull.h"
@@ -115,6 +118,46 @@ TEST_CASE("hulls are the same in whatever mode they are built") {
     CHECK(forked::Difference(nearest, HullsOf(Hulls<FE_DOWNWARD, FE_DOWNWARD>)) == "");
     CHECK(forked::Difference(nearest, HullsOf(Hulls<FE_TONEAREST, FE_UPWARD>)) == "");
     CHECK(forked::Difference(nearest, HullsOf(Hulls<FE_TONEAREST, FE_TOWARDZERO>)) == "");
+}
+
+TEST_CASE("polygons of many vertices are the same in whatever mode they are made") {
+    b2Vec2 points[20];
+    for (int i = 0; i < 20; ++i)
+        points[i].Set(0.9f * std::cos(0.31f * static_cast<float>(i)),
+                      0.7f * std::sin(0.31f * static_cast<float>(i)));
+    const auto text = [&points](int mode, bmr_error (bmr::ConvexShape::*set)(const b2Vec2 *, int32)) {
+        bmr::ConvexShape shape;
+        std::fesetround(mode);
+        const bmr_error error = (shape.*set)(points, 20);
+        std::fesetround(FE_TONEAREST);
+        REQUIRE(error == BMR_OK);
+        b2MassData mass;
+        shape.ComputeMass(&mass, 1.0f);
+        std::string all = std::to_string(mass.mass) + ' ' + std::to_string(mass.I) + ' ' +
+                          std::to_string(mass.center.x) + ' ' + std::to_string(mass.center.y);
+        REQUIRE(shape.GetVertexCount() == 20);
+        for (int32 i = 0; i < 20; ++i)
+            for (const float f :
+                 {shape.GetVertex(i).x, shape.GetVertex(i).y, shape.GetNormal(i).x, shape.GetNormal(i).y}) {
+                char bits[32];
+                std::snprintf(bits, sizeof bits, " %a", static_cast<double>(f));
+                all += bits;
+            }
+        return all;
+    };
+    for (const auto set : {&bmr::ConvexShape::Set, &bmr::ConvexShape::SetRaw})
+        for (const int mode : kModes)
+            CHECK(text(mode, set) == text(FE_TONEAREST, set));
+    // The control: the modes part over such numbers.
+    const auto third = [](int mode) {
+        std::fesetround(mode);
+        const volatile float one = 1.0f, three = 3.0f;
+        volatile float quotient = 0.0f;
+        quotient = one / three;
+        std::fesetround(FE_TONEAREST);
+        return float{quotient};
+    };
+    CHECK(third(FE_UPWARD) != third(FE_DOWNWARD));
 }
 
 TEST_CASE("what rounds to nearest for a while gives the mode back") {

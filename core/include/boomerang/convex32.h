@@ -35,7 +35,8 @@ typedef struct bmr_convex32 {
     bmr_vec32 extent; ///< the largest |x| and |y| of a vertex; used with a table alone
 } bmr_convex32;
 
-/// What bodies are made of, at a density of one.
+/// What bodies are made of, at a density of one: within 1e-7, however thin the polygon, where floating point
+/// rounds to nearest.
 typedef struct bmr_mass32 {
     float area;
     bmr_vec32 centroid;
