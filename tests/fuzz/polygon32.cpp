@@ -314,12 +314,19 @@ void CheckFewer(const bmr_convex32_block *block, fuzz_bytes *bytes) {
 } // namespace
 
 void FuzzPolygon32(fuzz_bytes *bytes) {
-    const uint8_t questions = fuzz_u8(bytes) % 16;
+    const uint8_t first = fuzz_u8(bytes), questions = first % 16;
     std::vector<bmr_vec2> wide(FUZZ_ROOM(kMost));
     wide.resize(fuzz_points(bytes, wide.data(), kMost));
     Points points;
     for (const bmr_vec2 p : wide)
         points.push_back({Narrow(p.x), Narrow(p.y)});
+    if (first >= 240) // two far away, the others together
+        for (size_t i = 0; i < points.size(); ++i) {
+            const float size = std::fmax(std::fabs(points[i].x), std::fabs(points[i].y));
+            const float scale = i < 2 && size > 0.0f ? 0x1p29f / size : 0x1p-24f;
+            points[i].x *= scale;
+            points[i].y *= scale;
+        }
     CheckRaw(points);
     bmr_convex32_block *block = nullptr;
     const bmr_error error = bmr_convex32_create(points.data(), points.size(), nullptr, &block);
