@@ -8,7 +8,7 @@ stage_fuzz() {
     for fuzzer in $("$root/tests/fuzz/run" --list); do
         seconds=5
         [ "$fuzzer" != fuzz_glue ] || seconds=60
-        check "$fuzzer, $seconds s" env LLVM_PROFILE_FILE=/dev/null BMR_PRESET=sanitizers BMR_JOBS="$jobs" \
+        check "$fuzzer, $seconds s" env LLVM_PROFILE_FILE=/dev/null BMR_PRESET="$(sanitizers_preset)" BMR_JOBS="$jobs" \
             BMR_BUILD_DIR="$BMR_BUILD_DIR" "$root/tests/fuzz/run" --seconds "$seconds" "$fuzzer" || true
     done
 }

@@ -10,6 +10,8 @@ stage_sanitized_tests() {
     [ "$brief" = no ] || which=(--label-regex '^(unit|property|fuzz|stale)$')
     build_sanitizers || return 1
     rm -rf "$BMR_BUILD_DIR/profiles"
+    mkdir "$BMR_BUILD_DIR/profiles"
+    echo "$brief" >"$BMR_BUILD_DIR/profiles/brief"
     BMR_TEST_SCALE=${BMR_TEST_SCALE:-0.1} \
         run_tests "tests (sanitizers)" --label-exclude '^(cli|browser|consumer|controls|mutation|differential)$' \
         --exclude-regex '^threads_forking_' "${which[@]}"

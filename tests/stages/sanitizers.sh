@@ -1,19 +1,15 @@
 # shellcheck shell=bash disable=SC2154
 # SPDX-License-Identifier: MIT
-# all programs with clang, its address and undefined-behaviour sanitizers and its counts of lines; warnings are errors
+# what is tested, with clang, its address and undefined-behaviour sanitizers and its counts of lines; warnings are errors
 
-# The stages sanitized-tests, fuzz, coverage and (of a whole run) determinism work in this tree. A brief run makes there what
-# its sanitized tests are, and no more.
+# The stages sanitized-tests, fuzz, coverage and (of a whole run) determinism work in this tree. In a brief run it holds what its
+# sanitized tests are made of, and no more.
+sanitizers_preset() { if [ "$brief" = no ]; then echo sanitizers; else echo sanitizers-brief; fi; }
+
 build_sanitizers() {
-    local rest=ON rooms='differential;hooks;consumer;controls;examples;plugin;browser;bad_input;fuzz;threads;stale;mutation'
     local targets=(core/all box2d_glue/all plugin/all tests/all)
-    if [ "$brief" = no ]; then
-        targets+=(boomerang-scene boomerang-scene-plugin)
-    else
-        rest=OFF rooms='bad_input;fuzz;stale'
-    fi
-    build_tree sanitizers sanitizers "-DBOOMERANG_BUILD_TESTBED=$rest" "-DBOOMERANG_BUILD_BENCHMARKS=$rest" \
-        "-DBOOMERANG_TEST_ROOMS=$rooms" -- "${targets[@]}"
+    [ "$brief" = yes ] || targets+=(boomerang-scene boomerang-scene-plugin)
+    build_tree sanitizers "$(sanitizers_preset)" -- "${targets[@]}"
 }
 
 # The testbed's programs and pages, which no test runs under a sanitizer: looked at by the compiler, not made.

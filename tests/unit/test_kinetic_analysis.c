@@ -361,7 +361,7 @@ static double exponent_in_n(bmr_adversary_kind kind, double separation, const ch
 
 static void test_adversaries_cost_the_rivals_n_and_n_squared_at_any_separation(void **state) {
     (void)state;
-    const int steps = (int)test_scaled(3);
+    const int steps = test_scaled(3) < 3 ? 1 : 3; // the nearest alone where little is asked
     for (int step = 0; step < steps; step++) {
         const double separation = 0.1 * pow(30.0, step);
         double last;
