@@ -160,7 +160,9 @@ static bmr_piece_rates join(bmr_piece_rates a, bmr_piece_rates b) {
 
 /// The rotation is by the angle 2 arg z, z = a + i b; so the spin is 2 Im(z'/z) and its derivative
 /// 2 Im(z''/z - (z'/z)^2). Around the middle of the interval, |z| >= |z_0| - sum of the rest.
-static bmr_piece_rates algebraic_bounds(const bmr_motion_piece *piece, double from, double to, int depth) {
+static bmr_piece_rates algebraic_bounds(const bmr_motion_piece *piece, double from, double to, int depth,
+                                        size_t *intervals) {
+    ++*intervals;
     const double middle = from + (to - from) / 2.0, h = fmax(middle - from, to - middle);
     const bmr_algebraic_piece p = bmr_piece_expand(piece, middle);
     double path[3], turn[3];
@@ -168,8 +170,8 @@ static bmr_piece_rates algebraic_bounds(const bmr_motion_piece *piece, double fr
     magnitudes(p.a, p.b, p.rotation_degree, 1, h, turn);
     const double center = hypot(p.a[0], p.b[0]), least = center - turn[0];
     if (!(least >= 0.5 * center && center > 0.0) && depth > 0)
-        return join(algebraic_bounds(piece, from, middle, depth - 1),
-                    algebraic_bounds(piece, middle, to, depth - 1));
+        return join(algebraic_bounds(piece, from, middle, depth - 1, intervals),
+                    algebraic_bounds(piece, middle, to, depth - 1, intervals));
     bmr_piece_rates rates = {path[1] * BOUND_SLACK, path[2] * BOUND_SLACK, -INFINITY, INFINITY, INFINITY};
     if (least > 0.0) {
         const double first = turn[1] / least, second = turn[2] / least;
@@ -184,9 +186,10 @@ static bmr_piece_rates algebraic_bounds(const bmr_motion_piece *piece, double fr
     return rates;
 }
 
-bmr_piece_rates bmr_piece_bounds(const bmr_motion_piece *piece, double from, double to) {
+bmr_piece_rates bmr_piece_bounds(const bmr_motion_piece *piece, double from, double to, size_t *intervals) {
     if (piece->kind == BMR_PIECE_ALGEBRAIC)
-        return algebraic_bounds(piece, from, to, POLE_DEPTH);
+        return algebraic_bounds(piece, from, to, POLE_DEPTH, intervals);
+    ++*intervals;
     const bmr_screw_motion *screw = &piece->as.screw;
     const bmr_piece_rates rates = {hypot(screw->velocity.x, screw->velocity.y) * BOUND_SLACK, 0.0,
                                    screw->spin, screw->spin, 0.0};
@@ -197,7 +200,8 @@ double bmr_motion_piece_speed(const bmr_motion_piece *piece, double from, double
     if (piece->kind == BMR_PIECE_ALGEBRAIC && (piece->as.algebraic.degree > BMR_MOTION_MAX_DEGREE ||
                                                piece->as.algebraic.rotation_degree > BMR_MOTION_MAX_DEGREE))
         return INFINITY;
-    const bmr_piece_rates rates = bmr_piece_bounds(piece, from, to);
+    size_t intervals = 0;
+    const bmr_piece_rates rates = bmr_piece_bounds(piece, from, to, &intervals);
     const double spin = bmr_rates_spin(&rates);
     return radius > 0.0 ? rates.speed + spin * radius * BOUND_SLACK : rates.speed;
 }

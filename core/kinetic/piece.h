@@ -28,8 +28,8 @@ typedef struct bmr_piece_rates {
     double spin_change;         ///< the largest magnitude of that rate's derivative
 } bmr_piece_rates;
 /// `to` - `from` finite. O(degree) and, where the rotation comes near a pole, as many subdivisions as that
-/// takes (at most 2^POLE_DEPTH of them).
-bmr_piece_rates bmr_piece_bounds(const bmr_motion_piece *piece, double from, double to);
+/// takes (at most 2^POLE_DEPTH of them). Adds to *intervals how many it looked at.
+bmr_piece_rates bmr_piece_bounds(const bmr_motion_piece *piece, double from, double to, size_t *intervals);
 /// The largest magnitude of the spin.
 static inline double bmr_rates_spin(const bmr_piece_rates *rates) {
     return rates->spin_high > -rates->spin_low ? rates->spin_high : -rates->spin_low;

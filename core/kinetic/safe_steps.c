@@ -20,6 +20,9 @@
 /// Looks at a condition that is zero up to rounding before it is taken to stay so.
 #define FLAT_LOOKS 256
 
+/// Two are looked at for a step's bounds; thousands where a rotation is near its pole all the way.
+#define MOST_INTERVALS (16 * BMR_FAILURE_MAX_STEPS)
+
 /// Time is resolved to this many of its own roundings.
 #define TIME_ROUNDINGS 4.0
 
@@ -33,6 +36,7 @@ typedef struct search {
     const bmr_condition *condition;
     const bmr_motion_piece *owner, *other;
     double tolerance;
+    size_t intervals; ///< looked at for bounds so far
 } search;
 
 typedef struct look {
@@ -95,10 +99,10 @@ static look look_at(const search *s, double time) {
 
 /// The second derivative over [time, time + width]. In the owner's frame BEYOND is
 /// <n, R v> + <n, R_owner^T way>, where R turns by the difference of the angles.
-static bounds bound_over(const search *s, double time, double width) {
+static bounds bound_over(search *s, double time, double width) {
     const bmr_condition *k = s->condition;
-    const bmr_piece_rates own = bmr_piece_bounds(s->owner, time, time + width);
-    const bmr_piece_rates other = bmr_piece_bounds(s->other, time, time + width);
+    const bmr_piece_rates own = bmr_piece_bounds(s->owner, time, time + width, &s->intervals);
+    const bmr_piece_rates other = bmr_piece_bounds(s->other, time, time + width, &s->intervals);
     const double turn = fmax(other.spin_high - own.spin_low, own.spin_high - other.spin_low);
     const double spin = bmr_rates_spin(&own), other_spin = bmr_rates_spin(&other);
     const double turn_change = own.spin_change + other.spin_change;
@@ -190,7 +194,7 @@ static double narrow(const search *s, double low, double high) {
 
 /// A condition that is not positive at the beginning: *at becomes a look from which it can be walked on, and
 /// false is returned, or it fails there and then.
-static bool fails_at_start(const search *s, double to, bool fresh, look *at) {
+static bool fails_at_start(search *s, double to, bool fresh, look *at) {
     if (at->value > 0.0)
         return false;
     if (at->value < -BMR_START_NOISES * at->noise) {
@@ -225,7 +229,7 @@ static bool fails_at_start(const search *s, double to, bool fresh, look *at) {
 bmr_error bmr_safe_first_failure(const bmr_condition *condition, const bmr_motion_piece *owner,
                                  const bmr_motion_piece *other, double from, double to, bool fresh,
                                  double tolerance, double *time) {
-    const search s = {condition, owner, other, tolerance};
+    search s = {condition, owner, other, tolerance, 0};
     look at = look_at(&s, from);
     if (!isfinite(at.value))
         return BMR_ERROR_NOT_FINITE;
@@ -235,7 +239,7 @@ bmr_error bmr_safe_first_failure(const bmr_condition *condition, const bmr_motio
     }
     double window = to - at.time;
     for (size_t steps = 0; at.time < to; steps++) {
-        if (steps == BMR_FAILURE_MAX_STEPS)
+        if (steps == BMR_FAILURE_MAX_STEPS || s.intervals > MOST_INTERVALS)
             return BMR_ERROR_OUT_OF_RANGE;
         const double room = to - at.time;
         window = fmin(window, room);

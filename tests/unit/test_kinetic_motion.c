@@ -154,7 +154,9 @@ static void bounds_hold_and_are_not_idle(void **state) {
         const double to = from + pow(10.0, test_random_uniform(&random, -5.0, 0.0));
         const double radius = test_random_uniform(&random, 0.0, 3.0);
         const double bound = bmr_motion_piece_speed(&piece, from, to, radius);
-        const bmr_piece_rates rates = bmr_piece_bounds(&piece, from, to);
+        size_t intervals = 0;
+        const bmr_piece_rates rates = bmr_piece_bounds(&piece, from, to, &intervals);
+        assert_true(intervals > 0 && intervals < 2048);
         double most = 0.0, spin_before = 0.0;
         const int looks = 100;
         for (int i = 0; i <= looks; i++) {
