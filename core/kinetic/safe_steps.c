@@ -21,7 +21,7 @@
 #define FLAT_LOOKS 256
 
 /// Two are looked at for a step's bounds; thousands where a rotation is near its pole all the way.
-#define MOST_INTERVALS (16 * BMR_FAILURE_MAX_STEPS)
+#define MOST_INTERVALS (4 * BMR_FAILURE_MAX_STEPS)
 
 /// Time is resolved to this many of its own roundings.
 #define TIME_ROUNDINGS 4.0

@@ -52,7 +52,7 @@ bmr_error bmr_failure_time(const bmr_condition *condition, const bmr_motion *a, 
                            double after, double until, const bmr_failure_options *options, double *time);
 /// With a spin: steps over two pieces at most, which is some 50,000 turns and a few hundredths of a second;
 /// or a second, where a and b of the other's rotation have a common root (motion.h) and time is spent around
-/// it. (Each look at the bounds of a motion's rates around such a root counts, too: a sixteenth of a step.)
+/// it. (Each look at the bounds of a motion's rates around such a root counts, too: a quarter of a step.)
 #define BMR_FAILURE_MAX_STEPS ((size_t)1 << 18)
 /// Under two algebraic pieces: intervals at most; as long, at some microseconds for each.
 #define BMR_FAILURE_MAX_INTERVALS ((size_t)1 << 14)
