@@ -4,15 +4,24 @@
 
 #include <box2d/b2_math.h>
 
+#include "boomerang/box2d_glue.h"
 #include "boomerang/convex32.h"
 
 class b2Draw;
+class b2World;
 struct b2Color;
 
 namespace bmr {
 
-/// The outline at a pose, filled. Without memory for it nothing is drawn.
-void DrawOutline(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color &color, b2Draw &draw);
+/// Hands a polygon at a pose to a game's b2Draw::DrawSolidPolygon: in pieces of at most b2_maxPolygonVertices
+/// vertices, which is all that a drawer of Box2D's polygons must have room for, or whole. Without memory for
+/// the whole outline, in pieces.
+void DrawOutline(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color &color, Outlines outlines,
+                 b2Draw &draw);
+
+/// b2World::DebugDraw calls this on its thread when it draws a big polygon of the world: the next
+/// DrawConvexShapes of the same world and drawer then has nothing left to do.
+void NoteDrawnByBox2D(const b2World *world, const b2Draw *draw);
 
 } // namespace bmr
 

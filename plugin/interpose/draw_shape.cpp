@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// b2World::DrawShape: of big polygons the real outline, whatever is installed.
+// b2World::DrawShape: of big polygons the real outline, whatever is installed, in pieces that every b2Draw
+// has room for unless Options::outlines asks for it whole.
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_world.h>
 
 #include "convex_draw.h"
 #include "convex_geometry.h"
 #include "real.h"
+#include "settings.h"
 
 using namespace bmr;
 
@@ -18,8 +20,10 @@ interpose::Real<void(b2World *, b2Fixture *, const b2Transform &, const b2Color 
 
 void b2World::DrawShape(b2Fixture *fixture, const b2Transform &xf, const b2Color &color) {
     const bmr_convex32_block *block = AnyBigPolygon() ? BigPolygonOf(*fixture->GetShape()) : nullptr;
-    if (block != nullptr)
-        DrawOutline(block->polygon, xf, color, *m_debugDraw);
-    else
+    if (block == nullptr) {
         realDrawShape.Get()(this, fixture, xf, color);
+        return;
+    }
+    NoteDrawnByBox2D(this, m_debugDraw);
+    DrawOutline(block->polygon, xf, color, GetSettings().options.outlines, *m_debugDraw);
 }

@@ -25,6 +25,24 @@ namespace {
 
 constexpr bool kReal = CONVEX_REAL != 0;
 
+/// A drawer as games write them, with room for one of Box2D's polygons.
+struct SmallDrawer : b2Draw {
+    int polygons = 0, vertices = 0;
+    b2Vec2 room[b2_maxPolygonVertices];
+    void DrawSolidPolygon(const b2Vec2 *v, int32 count, const b2Color &) override {
+        ++polygons;
+        vertices += count;
+        REQUIRE(count <= b2_maxPolygonVertices);
+        std::copy_n(v, count, room);
+    }
+    void DrawPolygon(const b2Vec2 *, int32, const b2Color &) override {}
+    void DrawCircle(const b2Vec2 &, float, const b2Color &) override {}
+    void DrawSolidCircle(const b2Vec2 &, float, const b2Vec2 &, const b2Color &) override {}
+    void DrawSegment(const b2Vec2 &, const b2Vec2 &, const b2Color &) override {}
+    void DrawTransform(const b2Transform &) override {}
+    void DrawPoint(const b2Vec2 &, float, const b2Color &) override {}
+};
+
 std::vector<b2Vec2> Circle(int count, float radius) {
     std::vector<b2Vec2> points;
     for (int i = 0; i < count; ++i) {
@@ -303,4 +321,26 @@ TEST_CASE("sensors and b2TestOverlap feel what lies between the rim and the octa
     bmr::Install(); // and where questions are answered before they come to Box2D
     REQUIRE(bmr::IsInstalled());
     CheckSensors();
+}
+
+TEST_CASE("DebugDraw hands over no more than 8 vertices at a time, and nothing is drawn twice") {
+    b2World world({0.0f, 0.0f});
+    SmallDrawer drawer, other;
+    drawer.SetFlags(b2Draw::e_shapeBit);
+    world.SetDebugDraw(&drawer);
+    const ConvexShape shape = Make(Circle(50, 1.0f));
+    b2BodyDef def;
+    world.CreateBody(&def)->CreateFixture(&shape, 1.0f);
+    constexpr int kPieces = 8; // 48 triangles, six to a piece
+    for (int frame = 1; frame <= 2; ++frame) {
+        drawer.polygons = other.polygons = 0;
+        world.DebugDraw();
+        CHECK(drawer.polygons == (kReal ? kPieces : 1)); // or the octagon
+        bmr::DrawConvexShapes(world, drawer);
+        CHECK(drawer.polygons == (kReal ? kPieces : 1 + kPieces));
+        bmr::DrawConvexShapes(world, other); // control: nobody has drawn there
+        CHECK(other.polygons == kPieces);
+        bmr::DrawConvexShapes(world, drawer); // nor since
+        CHECK(drawer.polygons == (kReal ? 2 * kPieces : 1 + 2 * kPieces));
+    }
 }

@@ -397,7 +397,7 @@ TEST_CASE("drawn are the real outlines, in the colours of DebugDraw") {
     def.position.Set(0.0f, -20.0f);
     world.CreateBody(&def)->CreateFixture(&plain, 1.0f);
     world.DebugDraw();
-    bmr::DrawConvexShapes(world, ours);
+    bmr::DrawConvexShapes(world, ours, bmr::Outlines::Whole);
     REQUIRE(ours.polygons.size() == 6);
     REQUIRE(box2d.polygons.size() == 7); // newest body first
     for (size_t i = 0; i < 6; ++i) {
@@ -405,6 +405,49 @@ TEST_CASE("drawn are the real outlines, in the colours of DebugDraw") {
         const b2Color &a = ours.polygons[i].color, &b = box2d.polygons[i + 1].color;
         CHECK((a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a));
         CHECK((ours.polygons[i].points[0] - box2d.polygons[i + 1].points[0]).Length() < 1e-5f);
+    }
+}
+
+namespace {
+
+double AreaOf(const Points &points) {
+    double area = 0.0;
+    for (size_t i = 0; i < points.size(); ++i) {
+        const b2Vec2 &p = points[i], &q = points[(i + 1) % points.size()];
+        area += 0.5 * (static_cast<double>(p.x) * static_cast<double>(q.y) -
+                       static_cast<double>(q.x) * static_cast<double>(p.y));
+    }
+    return area;
+}
+
+} // namespace
+
+TEST_CASE("unless asked for whole outlines, a drawer gets no more than 8 vertices at a time") {
+    for (const int32 count : {9, 13, 14, 15, 20, 1000}) {
+        CAPTURE(count);
+        b2World world({0.0f, 0.0f});
+        ConvexShape shape;
+        REQUIRE(shape.SetRegular(count, 1.0f) == BMR_OK);
+        b2BodyDef def;
+        def.position.Set(3.0f, -2.0f);
+        def.angle = 0.7f;
+        world.CreateBody(&def)->CreateFixture(&shape, 1.0f);
+        Outline pieces, whole;
+        bmr::DrawConvexShapes(world, pieces);
+        bmr::DrawConvexShapes(world, whole, bmr::Outlines::Whole);
+        REQUIRE(whole.polygons.size() == 1);
+        double area = 0.0;
+        size_t corners = 2; // each piece shares two with the one before
+        for (const Outline::Polygon &piece : pieces.polygons) {
+            CHECK(piece.points.size() >= 3);
+            CHECK(piece.points.size() <= b2_maxPolygonVertices);
+            const double part = AreaOf(piece.points);
+            CHECK(part > 0.0); // the same way around
+            area += part;
+            corners += piece.points.size() - 2;
+        }
+        CHECK(corners == static_cast<size_t>(count));
+        CHECK(area == doctest::Approx(AreaOf(whole.polygons[0].points)).epsilon(1e-5));
     }
 }
 

@@ -55,6 +55,13 @@ enum class Answer : int32_t {
     Touching       ///< the same, nothing asked: they touched at the last look
 };
 
+/// How polygons of more than b2_maxPolygonVertices vertices are handed to a game's b2Draw. A drawer that was
+/// written for Box2D's polygons may have room for 8 vertices and no more.
+enum class Outlines : int32_t {
+    Pieces, ///< as a fan of polygons of at most 8 vertices
+    Whole   ///< at once: for drawers that take any number
+};
+
 /// How the plugin is to work. Process-wide, fixed at the first Install.
 struct Options {
     /// The kinetic structure of body pairs (bodies of several fixtures, and all pairs where the prefilter is
@@ -81,6 +88,8 @@ struct Options {
     /// Of a program that forks, the process that installed writes it; with "%p" in the name, which stands for
     /// the number of the process, each writes its own.
     const char *statisticsFile = nullptr;
+    /// How b2World::DebugDraw draws a ConvexShape, where the shared library stands in front of Box2D.
+    Outlines outlines = Outlines::Pieces;
 };
 
 /// Makes Boomerang the polygon-against-polygon contact of every world in the process, and turns the hooks on.
@@ -126,8 +135,8 @@ BMR_BOX2D_API float CertifiedSlack(const b2Body *bodyA, const b2Body *bodyB);
 /// To be called after the vertices of a polygon fixture were changed in place (through b2Fixture::GetShape):
 /// forgets what is known about this body's shape. Creating and destroying fixtures needs no call. Where the
 /// library sees b2World::Step (all hooks can answer: not behind Box2D, not the static glue alone) it finds
-/// such changes in the next step by itself, and a call is needed only in the middle of a step, by a listener
-/// or a filter.
+/// such changes by itself, also those of a listener or a filter in the middle of a step; a call is needed
+/// only where normals alone were changed.
 BMR_BOX2D_API void Invalidate(b2Body *body);
 
 } // namespace bmr
