@@ -13,8 +13,4 @@ uint64_t NextStep() {
     return begun.fetch_add(1, std::memory_order_relaxed) + 1;
 }
 
-bool StepsAreSeen() {
-    return begun.load(std::memory_order_relaxed) != 0;
-}
-
 } // namespace bmr

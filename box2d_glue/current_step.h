@@ -13,10 +13,15 @@ inline uint64_t &CurrentStep() {
     return step;
 }
 
+/// May code of the game's own run in the middle of this thread's step? Not where the world's listener and
+/// filter are the ones that Box2D begins with. True outside of steps that are announced.
+inline bool &GameMayRun() {
+    static thread_local bool mayRun = true;
+    return mayRun;
+}
+
 /// The number of a step that begins.
 uint64_t NextStep();
-/// Has any begun? Then the others will be told of, too.
-bool StepsAreSeen();
 
 } // namespace bmr
 

@@ -344,7 +344,7 @@ Hull *CreateHull(const b2Body *body, const b2Fixture *fixture, b2BlockAllocator 
     hull->references = 1;
     hull->allocator = allocator;
     BuildShapeOrNone(hull);
-    hull->lookedAt = CurrentStep() == 0 && StepsAreSeen() ? kNeverLookedAt : CurrentStep();
+    hull->lookedAt = CurrentStep();
     return hull;
 }
 
@@ -358,7 +358,7 @@ void ReleaseHull(Hull *hull) {
 void RebuildHull(Hull *hull) {
     Forget(hull);
     BuildShapeOrNone(hull);
-    hull->lookedAt = CurrentStep() == 0 && StepsAreSeen() ? kNeverLookedAt : CurrentStep();
+    hull->lookedAt = CurrentStep();
 }
 
 bool HullIsUpToDate(const Hull &hull) {

@@ -30,13 +30,12 @@ struct Hull {
     float radius;                ///< largest radius of the fixtures it holds
     int32_t references;          ///< pairs that use it
     b2BlockAllocator *allocator; ///< the world's, where all of it lives
-    uint64_t lookedAt;           ///< CurrentStep() when it was last known to hold the fixtures as they were
-    Slab slab;                   ///< what holds the shape and the members
-    HullMember *members;         ///< the fixtures it was built from, as they were then
+    uint64_t lookedAt;   ///< CurrentStep() when it was last seen to hold all fixtures that are no sensors
+    Slab slab;           ///< what holds the shape and the members
+    HullMember *members; ///< the fixtures it was built from, as they were then
     int32_t memberCount;
 };
 
-constexpr uint64_t kNeverLookedAt = ~uint64_t{0};
 constexpr uint32_t kMostHullVertices = 64;
 /// How far beyond an edge, relative to the coordinates, a vertex of the hull's own fixtures may seem to lie
 /// by rounding.

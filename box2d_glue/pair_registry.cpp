@@ -248,25 +248,28 @@ unsigned StampOf(const BodyPair &pair) {
     return (pair.stamp + (pair.parent != nullptr ? pair.parent->stamp : 0)) & kStampMask;
 }
 
-bool VerifyStamp(SolidContact *contact) {
-    ContactState &state = contact->state;
-    state.link.stamp = StampOf(*state.pair) & kStampMask;
-    const b2Fixture &first = *contact->GetFixtureA(), &second = *contact->GetFixtureB();
-    bool holds = true;
-    for (const BodyPair *pair = state.pair; pair != nullptr; pair = pair->parent) {
+bool HullsHold(const SolidContact &contact) {
+    const b2Fixture &first = *contact.GetFixtureA(), &second = *contact.GetFixtureB();
+    for (const BodyPair *pair = contact.state.pair; pair != nullptr; pair = pair->parent) {
         const bool swapped = pair->a->body != first.GetBody();
-        holds = holds && HullHolds(swapped ? *pair->b : *pair->a, first) &&
-                HullHolds(swapped ? *pair->a : *pair->b, second);
+        if (!HullHolds(swapped ? *pair->b : *pair->a, first) ||
+            !HullHolds(swapped ? *pair->a : *pair->b, second))
+            return false;
     }
-    state.link.excluded = !holds;
+    return true;
+}
+
+bool VerifyStamp(SolidContact *contact) {
+    PairLink &link = contact->state.link;
+    link.stamp = StampOf(*contact->state.pair) & kStampMask;
+    const bool holds = HullsHold(*contact);
+    link.excluded = !holds;
     return holds;
 }
 
-bool LookAtShapes(SolidContact *contact) {
+void LookAtShapes(const SolidContact &contact) {
     const uint64_t step = CurrentStep();
-    if (step == 0)
-        return !StepsAreSeen() || VerifyStamp(contact);
-    for (BodyPair *pair = contact->state.pair; pair != nullptr; pair = pair->parent) {
+    for (BodyPair *pair = contact.state.pair; pair != nullptr; pair = pair->parent) {
         for (Hull *hull : {pair->a, pair->b}) {
             if (hull->lookedAt == step)
                 continue;
@@ -275,7 +278,6 @@ bool LookAtShapes(SolidContact *contact) {
             hull->lookedAt = step;
         }
     }
-    return true;
 }
 
 void InvalidateBody(b2Body *body) {

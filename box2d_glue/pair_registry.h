@@ -22,16 +22,15 @@ void AttachPair(SolidContact *contact, b2BlockAllocator *allocator);
 /// Gives it back.
 void DetachPair(SolidContact *contact, b2BlockAllocator *allocator);
 
-/// Do the hulls of the contact's pair still hold its fixtures? To be asked when the stamps differ; makes them
-/// agree.
+/// Do the hulls of the contact's pair hold its fixtures as they are now? Some 20 ns.
+bool HullsHold(const SolidContact &contact);
+/// The same, to be asked when the stamps differ; makes them agree.
 bool VerifyStamp(SolidContact *contact);
 
-/// Have vertices of the bodies' fixtures been changed in place? To be asked once in each step, ahead of the
-/// first question to a pair: hulls that do not hold them any more are built anew. (What a listener or a
-/// filter changes in the middle of a step is found in the next one.) Outside of steps the contact's own
-/// fixtures are looked at alone: false where the hulls do not hold them. Where nobody tells of steps it does
-/// nothing.
-bool LookAtShapes(SolidContact *contact);
+/// To be called once in each step, ahead of the first question to a pair: builds those of its hulls anew that
+/// do not hold all fixtures as they are now. (Vertices may be changed in place. What a listener or a filter
+/// changes after that, in the middle of the step, is found by HullsHold.)
+void LookAtShapes(const SolidContact &contact);
 
 /// The stamp that contacts of a pair compare with their own.
 unsigned StampOf(const BodyPair &pair);

@@ -36,6 +36,11 @@ inline bool HookIsOn(Hook hook) {
     return (internal::activeHooks.load(std::memory_order_acquire) & Bit(hook)) != 0;
 }
 
+/// Is any? Then this is a Box2D that the glue knows, and its objects may be looked into.
+inline bool AnyHookIsOn() {
+    return internal::activeHooks.load(std::memory_order_acquire) != kNoHooks;
+}
+
 /// Is every answer to be compared with Box2D's?
 inline bool Verifying() {
     return GetSettings().options.mode == Mode::Verify;

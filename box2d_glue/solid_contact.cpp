@@ -47,8 +47,8 @@ void SolidContact::Finish(bool wasTouching, const b2Manifold &old, b2ContactList
 bool SolidContact::PairSaysApart(const b2Transform &xfA, const b2Transform &xfB) {
     BodyPair *pair = state.pair, *parent = pair->parent;
     const uint64_t step = CurrentStep();
-    if ((pair->a->lookedAt != step || pair->b->lookedAt != step || parent != nullptr) && !LookAtShapes(this))
-        return false;
+    if (step != 0 && (pair->a->lookedAt != step || pair->b->lookedAt != step || parent != nullptr))
+        LookAtShapes(*this);
     if (state.link.stamp != StampOf(*pair) ? !VerifyStamp(this) : state.link.excluded)
         return false;
     const b2Body *bodyA = m_fixtureA->GetBody();
@@ -58,7 +58,12 @@ bool SolidContact::PairSaysApart(const b2Transform &xfA, const b2Transform &xfB)
         // Radii may be changed by anybody at any time.
         return radiusSum <= asked->radiusSum && KnownApart(asked, swapped ? xfB : xfA, swapped ? xfA : xfB);
     };
-    return (parent != nullptr && apart(parent)) || apart(pair);
+    if (!(parent != nullptr && apart(parent)) && !apart(pair))
+        return false;
+    // In a step, LookAtShapes has compared the hulls with their fixtures. Since then a listener or a filter
+    // may have changed vertices, or have made a sensor solid, which is in no hull. Outside of steps nobody
+    // has compared anything. So this contact's own two fixtures are compared now.
+    return !GameMayRun() || HullsHold(*this);
 }
 
 } // namespace bmr

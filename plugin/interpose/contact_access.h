@@ -7,6 +7,8 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_world_callbacks.h>
 
+#include "recognise.h"
+
 /// @file
 /// What Box2D shows its contact manager alone, and its stand-ins here need too.
 
@@ -33,6 +35,15 @@ template <typename Tag, typename Type, Type Member> struct Naming {
 };
 template struct Naming<ShouldCollide, ShouldCollideFcn, &b2Body::ShouldCollide>;
 template struct Naming<ContactList, ContactListOfBody, &b2Body::m_contactList>;
+
+/// Is it a listener or a filter of the game's own? Those that worlds begin with are Box2D's, and run nobody's
+/// code.
+inline bool IsOfGame(const b2ContactListener *listener) {
+    return listener != nullptr && listener != ListenerOfNewWorlds();
+}
+inline bool IsOfGame(const b2ContactFilter *filter) {
+    return filter != nullptr && filter != FilterOfNewWorlds();
+}
 
 /// Do bodies, joints and the game's filter let the two collide?
 inline bool PassesFilters(const b2ContactManager *manager, b2Fixture *fixtureA, b2Fixture *fixtureB) {

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include <box2d/b2_broad_phase.h>
+
 #include "contact_access.h"
 
 namespace bmr::interpose {
@@ -49,9 +51,13 @@ uint64_t PairOf(int32 proxyA, int32 proxyB) {
            static_cast<uint32_t>(b2Max(proxyA, proxyB));
 }
 
-uint64_t PairOf(const b2Contact &contact) {
-    return PairOf(FixtureAccess::ProxyOf(contact.GetFixtureA(), contact.GetChildIndexA()),
-                  FixtureAccess::ProxyOf(contact.GetFixtureB(), contact.GetChildIndexB()));
+/// False for a contact whose fixtures have no proxies: its bodies were put out of the world in the middle of
+/// the call, and may come back with any.
+bool FindPairOf(const b2Contact &contact, uint64_t *pair) {
+    const int32 a = FixtureAccess::ProxyOf(contact.GetFixtureA(), contact.GetChildIndexA());
+    const int32 b = FixtureAccess::ProxyOf(contact.GetFixtureB(), contact.GetChildIndexB());
+    *pair = PairOf(a, b);
+    return a != b2BroadPhase::e_nullProxy && b != b2BroadPhase::e_nullProxy;
 }
 
 } // namespace
@@ -70,17 +76,17 @@ bool ContactIndex::ExistsBehind(const b2ContactEdge *edge, const b2FixtureProxy 
 }
 
 void ContactIndex::Index(const b2Body *body, uint32_t *steps) {
+    uint64_t pair;
     for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
-        if (m_pairs.Add(PairOf(*edge->contact)) == nullptr)
+        if (!FindPairOf(*edge->contact, &pair) || m_pairs.Add(pair) == nullptr)
             return;
     *steps = kIndexed;
 }
 
 void ContactIndex::Remember(const b2Contact &made) {
-    if (m_pairs.Count() == 0 || m_pairs.Add(PairOf(made)) != nullptr)
-        return;
-    m_bodies.Clear(); // nothing is indexed any more
-    m_lastBody = nullptr;
+    uint64_t pair;
+    if (m_pairs.Count() != 0 && (!FindPairOf(made, &pair) || m_pairs.Add(pair) == nullptr))
+        Forget(); // nothing is indexed any more
 }
 
 } // namespace bmr::interpose

@@ -12,15 +12,12 @@
 //     then goes on in the newer pairs, at the place that it had come to in the older ones.
 //   - Existing contacts of bodies that have many are found in a table (contact_index.h), where AddPair would
 //     walk over the body's list.
-#include <cstring>
-
 #include <box2d/b2_broad_phase.h>
 #include <box2d/b2_contact.h>
 
 #include "contact_access.h"
 #include "contact_index.h"
 #include "real.h"
-#include "recognise.h"
 #include "settings.h"
 #include "short_list.h"
 #include "tree_descent.h"
@@ -128,8 +125,7 @@ class PairFinder {
 public:
     PairFinder(b2ContactManager *manager, ContactIndex *index)
         : m_manager(manager), m_index(index),
-          m_ownPairs(!OnlyCompares() && manager->m_contactFilter != nullptr &&
-                     manager->m_contactFilter != FilterOfNewWorlds()) {}
+          m_ownPairs(!OnlyCompares() && IsOfGame(manager->m_contactFilter)) {}
 
     /// Mode::Verify: the pairs are found and compared with Box2D's way of finding them; nothing else is done.
     static bool OnlyCompares() { return Verifying(); }
@@ -276,17 +272,16 @@ bool PairFinder::FindTogether(const b2DynamicTree &tree, const TreeNodes &nodes,
 
 } // namespace bmr::interpose
 
-/// The broad phase's own buffer of pairs is used: nothing is allocated that Box2D would not.
+/// The broad phase's own buffer of pairs is used. It is Box2D's to grow: a game may have built Box2D with an
+/// allocator of its own, and this library with another one. b2BroadPhase::QueryCallback grows it, in putting
+/// in the next pair.
 template <> void b2BroadPhase::UpdatePairs(bmr::interpose::PairFinder *finder) {
     m_pairCount = 0;
     const auto keep = [this](int32 proxy, int32 leaf) {
         if (m_pairCount == m_pairCapacity) {
-            const int32 capacity = m_pairCapacity + m_pairCapacity / 2;
-            auto *larger = static_cast<b2Pair *>(b2Alloc(capacity * static_cast<int32>(sizeof(b2Pair))));
-            std::memcpy(larger, m_pairBuffer, static_cast<size_t>(m_pairCount) * sizeof(b2Pair));
-            b2Free(m_pairBuffer);
-            m_pairBuffer = larger;
-            m_pairCapacity = capacity;
+            m_queryProxyId = proxy;
+            QueryCallback(leaf);
+            return;
         }
         m_pairBuffer[m_pairCount++] = {b2Min(proxy, leaf), b2Max(proxy, leaf)};
     };
@@ -320,6 +315,7 @@ void FindNewContacts(b2ContactManager *manager) {
     }
     if (!ours || Verifying())
         realFindNewContacts.Get()(manager);
+    stepping.searched = manager;
 }
 
 } // namespace bmr::interpose

@@ -8,6 +8,7 @@
 
 #include "rounding_mode.h"
 
+class b2ContactManager;
 class b2World;
 struct b2TOIInput;
 struct b2TOIOutput;
@@ -75,6 +76,8 @@ struct Stepping {
     ShortList *shortList;  ///< the newest that is alive
     uint32_t knownImpacts; ///< so many questions are left that KnownImpacts sends to Box2D
     bool *stepComplete;    ///< while there are any: what KnownImpacts sets to true
+    /// Whose new contacts were looked for last, if that came by here.
+    const b2ContactManager *searched;
 };
 
 /// This thread's. One load: the library is there when the program starts.

@@ -4,8 +4,8 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_contact_manager.h>
 
+#include "contact_access.h"
 #include "per_thread.h"
-#include "recognise.h"
 
 namespace bmr::interpose {
 
@@ -18,11 +18,6 @@ struct Links : b2Contact {
         return (contact->*(&Links::m_flags) & e_toiFlag) != 0 && !(contact->*(&Links::m_toi) < 1.0f);
     }
 };
-
-/// Box2D's own listener, which it begins with, does nothing: it need not be kept from the list.
-bool Listens(const b2ContactListener *listener) {
-    return listener != nullptr && listener != ListenerOfNewWorlds();
-}
 
 } // namespace
 
@@ -39,7 +34,7 @@ private:
 };
 
 ShortList::ShortList(b2ContactManager *manager)
-    : m_manager(manager), m_listener(manager->m_contactListener), m_listens(Listens(m_listener)),
+    : m_manager(manager), m_listener(manager->m_contactListener), m_listens(IsOfGame(m_listener)),
       m_older(stepping.shortList), m_room(PerThread<Room>()) {
     if (m_room != nullptr && m_room->taken)
         m_room = nullptr;
@@ -67,6 +62,7 @@ ShortList::~ShortList() {
 /// Which are kept. The list is whole.
 void ShortList::Choose() {
     m_first = m_manager->m_contactList;
+    m_contactCount = m_manager->m_contactCount;
     m_count = 0;
     m_changed = false;
     if (m_room == nullptr)
@@ -99,7 +95,10 @@ void ShortList::Resume() {
         m_staysWhole = true;
         return;
     }
-    if (m_changed)
+    // Contacts are made in FindNewContacts alone, which says so. Where none was made, their number tells
+    // whether any ended: a listener may put bodies out of the world (b2Body::SetEnabled), and the contacts of
+    // these are destroyed, kept ones among them.
+    if (m_changed || m_manager->m_contactCount != m_contactCount)
         Choose();
     Close();
 }

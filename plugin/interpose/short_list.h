@@ -15,9 +15,12 @@ namespace bmr::interpose {
 /// and leave them as they are. What is left is in its order, and nobody else sees it: the list is whole while
 /// a listener is called or new contacts are looked for.
 ///
-/// The links of those that are left are kept and put back, the links of the others stay as they are. The
-/// thread has room for one list's (on the heap: stacks may be small); a list that begins in the midst of
-/// another one stays whole, as does one of which too many are left.
+/// `Kept` stores each remaining contact's original link. Opening the list writes these links back; the links
+/// of contacts that are left out are never written. The pointers are good as long as no contact comes or
+/// goes: after each call of game code, which may destroy contacts, the list is chosen anew if their number
+/// has changed, or if FindNewContacts ran. The thread has room for one list's (on the heap: stacks may be
+/// small); a list that begins in the midst of another one stays whole, as does one of which too many are
+/// left.
 class ShortList final : private b2ContactListener {
 public:
     /// From here on; the times of impact that are known are marked. To be called in the middle of a step.
@@ -89,6 +92,7 @@ private:
     int32 m_suspensions = 0;                ///< that have not ended; the list is whole while there are any
     ShortList *m_older, *m_newer = nullptr; ///< of this thread's that are alive
     b2Contact *m_first = nullptr;           ///< of the whole list
+    int32 m_contactCount = 0;               ///< of the whole list, when it was chosen from
     int32 m_count = 0;                      ///< of those that are kept; 0 where the list stays whole
     Room *m_room;                           ///< nullptr: none is left, and the list stays whole
 };

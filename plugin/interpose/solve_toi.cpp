@@ -51,7 +51,11 @@ void CompareWithBox2D(const ImpactScan::Side &a, const ImpactScan::Side &b) {
 } // namespace
 
 void b2World::SolveTOI(const b2TimeStep &step) {
-    ImpactScan *scan = HookIsOn(Hook::SolveToi) && m_stepComplete && !m_subStepping && RoundsToNearest()
+    // b2World::Solve, which ran just before, has looked for new contacts. Where that did not come by our
+    // FindNewContacts (a Box2D whose inner calls are bound in part), neither would it after an impact, and
+    // nobody would tell the short list of contacts that were made.
+    ImpactScan *scan = HookIsOn(Hook::SolveToi) && m_stepComplete && !m_subStepping && RoundsToNearest() &&
+                               stepping.searched == &m_contactManager
                            ? ImpactScan::Begin()
                            : nullptr;
     if (scan == nullptr) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // b2World::Step: starts the library where nobody called bmr::Install, and marks the thread as stepping this
 // world; the step itself is Box2D's.
+#include <box2d/b2_contact_manager.h>
 #include <box2d/b2_world.h>
 
+#include "contact_access.h"
 #include "current_step.h"
 #include "real.h"
 #include "settings.h"
@@ -10,17 +12,32 @@
 
 namespace bmr::interpose {
 
-__thread Stepping stepping = {nullptr, nullptr, 0, nullptr};
+__thread Stepping stepping = {nullptr, nullptr, 0, nullptr, nullptr};
 
-/// Ends with the step, also by an exception of a listener's. The number of the thread's step is always that
-/// of the newest mark.
+namespace {
+
+/// May a listener or a filter of the game's run in a step of this world? Of a Box2D that is another one
+/// nothing is looked at.
+bool GameMayRunIn(const b2World &world) {
+    if (!AnyHookIsOn())
+        return true;
+    const b2ContactManager &manager = world.GetContactManager();
+    return IsOfGame(manager.m_contactListener) || IsOfGame(manager.m_contactFilter);
+}
+
+} // namespace
+
+/// Ends with the step, also by an exception of a listener's. The number of the thread's step, and whether the
+/// game may run in it, are always those of the newest mark.
 class StepMark {
 public:
-    StepMark() : m_step(NextStep()), m_older(stepping.mark) {
+    explicit StepMark(const b2World &world)
+        : m_step(NextStep()), m_gameMayRun(GameMayRunIn(world)), m_older(stepping.mark) {
         if (m_older != nullptr)
             m_older->m_newer = this;
         stepping.mark = this;
         CurrentStep() = m_step;
+        GameMayRun() = m_gameMayRun;
     }
     ~StepMark() {
         if (m_older != nullptr)
@@ -31,12 +48,14 @@ public:
         }
         stepping.mark = m_older;
         CurrentStep() = m_older != nullptr ? m_older->m_step : 0;
+        GameMayRun() = m_older == nullptr || m_older->m_gameMayRun;
     }
     StepMark(const StepMark &) = delete;
     StepMark &operator=(const StepMark &) = delete;
 
 private:
     uint64_t m_step;
+    bool m_gameMayRun;
     StepMark *m_older, *m_newer = nullptr;
 };
 
@@ -51,7 +70,7 @@ void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positi
 
 void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
     StartAtFirstStep();
-    const StepMark mark;
+    const StepMark mark(*world);
     CountStep();
     realStep.Get()(world, timeStep, velocityIterations, positionIterations);
 }

@@ -269,6 +269,14 @@ test_filters_and_listeners_may_change_the_listener() {
     grep -Eq ', [1-9][0-9]* switches' "$room/out" || fail "no listener was changed"
 }
 
+test_listeners_and_filters_may_change_the_world() {
+    local what
+    for what in disabling turning editing proxies; do
+        plays_as_stock "meddling_game $what"
+        plays_as_stock "meddling_game $what" BOOMERANG_PREFILTER=off
+    done
+}
+
 test_any_direction_of_rounding_plays_as_stock() {
     local mode when
     for mode in upward downward toward-zero; do

@@ -159,18 +159,14 @@ private:
         ++meddled;
         b2Body *body = fixture->GetBody();
         m_run.Print("meddles, locked %d", m_world->IsLocked());
-        if (b2PolygonShape *polygon = PolygonOf(fixture)) {
-            polygon->SetAsBox(0.5f, thickness);
-            if (HasPlugin())
-                bmr::Invalidate(body); // in the middle of a step it has to be told
-        }
+        if (b2PolygonShape *polygon = PolygonOf(fixture))
+            polygon->SetAsBox(0.5f, thickness); // nobody is told
         body->SetBullet(!body->IsBullet());
         body->SetLinearVelocity(-0.5f * body->GetLinearVelocity());
         b2Filter filter = fixture->GetFilterData();
         filter.groupIndex = static_cast<int16>(1 - filter.groupIndex);
         fixture->SetFilterData(filter);
     }
-    bool HasPlugin() const { return m_run.HasPlugin(); }
 
     Run &m_run;
     b2World *m_world;

@@ -198,11 +198,9 @@ void World::ActOn(b2Contact *contact, uint32_t reaction, uint32_t mixed) {
         ProbePair(m_probes, *contact->GetFixtureA(), contact->GetChildIndexA(), *contact->GetFixtureB(),
                   contact->GetChildIndexB());
         break;
-    case 17: // in place, and told, as is asked for in the middle of a step
-        if (b2PolygonShape *polygon = PlainPolygon(*fixture)) {
+    case 17: // in place, and nobody is told
+        if (b2PolygonShape *polygon = PlainPolygon(*fixture))
             polygon->SetAsBox(0.2f + amount, 0.3f);
-            Invalidate(body);
-        }
         break;
     case 18:
         third->SetGravityScale(amount - 0.5f);
@@ -221,7 +219,6 @@ void World::ActOn(b2Contact *contact, uint32_t reaction, uint32_t mixed) {
         break;
     case 21:
         fixture->GetShape()->m_radius = amount * 4.0f * b2_polygonRadius;
-        Invalidate(body);
         break;
     case 22:
         fixture->SetFriction(amount);
