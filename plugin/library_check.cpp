@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "library_check.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdio>
 
@@ -8,6 +9,7 @@
 #include <dlfcn.h>
 #include <link.h>
 
+#include "boomerang/box2d.h"
 #include "loaded_file.h"
 
 namespace bmr {
@@ -15,6 +17,8 @@ namespace bmr {
 /// One of this library's own references to Box2D: at no address where no Box2D was in search order when it
 /// was loaded.
 extern const char boundReference[] asm("_ZN9b2Contact11s_registersE") __attribute__((weak));
+/// What the loader gives to whoever asks for b2World::Step by name: this library's where it is ahead.
+extern const char boundStep[] asm("_ZN7b2World4StepEfii") __attribute__((weak));
 
 namespace {
 
@@ -43,16 +47,28 @@ constexpr Symbol kSymbols[] = {
 #undef BMR_SIGN
 };
 
+/// A program that includes our header calls another Box2D than this library. (Initialised at compile time.)
+std::atomic<bool> programHasItsOwn{false};
+
 constexpr char kStep[] = "_ZN7b2World4StepEfii";
+constexpr char kInside[] =
+    "the program has a Box2D of its own inside (boomerang::box2d_static is the library for that)";
 
 const void *OurFile() {
     return FileOf(reinterpret_cast<const void *>(&StepsComeByHere));
 }
 
-/// Box2D's own definition: the first, or the next one where the first is ours.
+/// Box2D's own definition. (What stands in front of it here is not found by dlsym.)
 void *Find(const char *name) {
-    void *first = dlsym(RTLD_DEFAULT, name);
-    return first != nullptr && FileOf(first) == OurFile() ? dlsym(RTLD_NEXT, name) : first;
+    return dlsym(RTLD_DEFAULT, name);
+}
+
+/// Is this in the program itself, and not in a library that it loads?
+bool IsInProgram(const void *address) {
+    Dl_info info;
+    void *file = nullptr;
+    return dladdr1(address, &info, &file, RTLD_DL_LINKMAP) != 0 && file != nullptr &&
+           static_cast<const link_map *>(file)->l_name[0] == '\0';
 }
 
 size_t SizeOf(const void *address) {
@@ -66,28 +82,40 @@ size_t SizeOf(const void *address) {
 } // namespace
 
 bool StepsComeByHere() {
-    return FileOf(dlsym(RTLD_DEFAULT, kStep)) == OurFile();
+    return FileOf(boundStep) == OurFile();
 }
 
 bool AnyBox2DBehind() {
     return dlsym(RTLD_NEXT, kStep) != nullptr;
 }
 
-void InitialiseBox2D() {
+bool InitialiseBox2D() {
     Dl_info info;
-    void *step = dlsym(RTLD_DEFAULT, kStep);
-    // What is opened is initialised when dlopen returns. (It is not closed: it is the program's.)
-    if (step != nullptr && dladdr(step, &info) != 0)
-        dlopen(info.dli_fname, RTLD_NOW | RTLD_NOLOAD);
+    const void *step = Find(kStep);
+    // What is opened is initialised when dlopen returns. (It is not closed: it is the program's.) The program
+    // itself is initialised after all that it loads.
+    return step != nullptr && !IsInProgram(step) && dladdr(step, &info) != 0 &&
+           dlopen(info.dli_fname, RTLD_NOW | RTLD_NOLOAD) != nullptr;
+}
+
+bool internal::MeetBox2D(const void *function) {
+    const bool same = function == reinterpret_cast<const void *>(&b2CollidePolygons);
+    if (!same)
+        programHasItsOwn = true;
+    return same;
 }
 
 const char *WhyLibraryIsUnknown() {
     static char why[200];
+    if (programHasItsOwn)
+        return kInside;
     const void *library = nullptr;
     for (const Symbol &symbol : kSymbols) {
         const void *found = Find(symbol.name);
         const char *what = nullptr;
         if (found == nullptr) {
+            if (IsInProgram(Find(kStep)))
+                return kInside; // the linker shows as much of it as libraries ask for
             what = "lacks";
         } else if (symbol.kind == Kind::kFunction) {
             // (Data may have been copied into the program: any file will do for that.)

@@ -53,10 +53,9 @@ __attribute__((constructor)) void Loaded() {
     }
     if (!StepsComeByHere()) {
         // Linked behind Box2D, say. What was asked for by name is done as far as it goes: contacts alone.
-        if (asked) {
-            InitialiseBox2D();
+        // (A program that has Box2D inside, for all to see, calls Install itself.)
+        if (asked && InitialiseBox2D())
             Install();
-        }
         return;
     }
     internal::startsByItself = true;

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "boomerang/box2d.h"
 #include "interpose/real.h"
 #include "library_check.h"
 #include "start.h"
@@ -44,7 +45,13 @@ bool AnyBox2DBehind() {
     return true;
 }
 
-void InitialiseBox2D() {}
+bool InitialiseBox2D() {
+    return false; // never asked: steps come by
+}
+
+bool internal::MeetBox2D(const void *) {
+    return true; // there is one, and it is linked with this
+}
 
 bool IsPreloaded() {
     return false;

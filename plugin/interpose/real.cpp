@@ -8,8 +8,6 @@
 
 #include <link.h>
 
-#include "loaded_file.h"
-
 namespace bmr {
 
 namespace {
@@ -32,10 +30,6 @@ int FindName(dl_phdr_info *object, size_t, void *context) {
     return 1;
 }
 
-bool IsOurs(const void *address) {
-    return FileOf(address) == FileOf(reinterpret_cast<const void *>(&FindReal));
-}
-
 /// In the modules that are out of everybody's search order but their own. The one that has it is never
 /// closed: what it defines is remembered. `*changes` is of the list that was gone through.
 void *FindInModules(const char *mangled, uint64_t *changes) {
@@ -47,9 +41,7 @@ void *FindInModules(const char *mangled, uint64_t *changes) {
         void *module = name.text[0] == '\0' ? nullptr : dlopen(name.text, RTLD_NOW | RTLD_NOLOAD);
         if (module == nullptr)
             continue;
-        void *found = dlsym(module, mangled);
-        // (A module that asks for this library finds ours.)
-        if (found != nullptr && !IsOurs(found))
+        if (void *found = dlsym(module, mangled))
             return found;
         dlclose(module);
     }

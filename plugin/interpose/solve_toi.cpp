@@ -50,6 +50,8 @@ void CompareWithBox2D(const ImpactScan::Side &a, const ImpactScan::Side &b) {
 
 } // namespace
 
+BMR_FOR_LOADERS("_ZN7b2World8SolveTOIERK10b2TimeStep");
+
 void b2World::SolveTOI(const b2TimeStep &step) {
     // b2World::Solve, which ran just before, has looked for new contacts. Where that did not come by our
     // FindNewContacts (a Box2D whose inner calls are bound in part), neither would it after an impact, and

@@ -28,7 +28,9 @@ const void *FirstVertexOf(const b2Shape *shape, int32 child) {
 
 /// The function of that name in whatever was loaded after this library: the plugin's, or Box2D's.
 template <typename Function> Function Next(const char *name) {
-    void *found = dlsym(RTLD_NEXT, name);
+    void *found = dlvsym(RTLD_NEXT, name, "BOOMERANG_HOOKS"); // the plugin's, which dlsym passes over
+    if (found == nullptr)
+        found = dlsym(RTLD_NEXT, name);
     if (found == nullptr) {
         std::fprintf(stderr, "libboomerang-count: %s is nowhere\n", name);
         std::abort();

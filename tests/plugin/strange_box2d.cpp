@@ -2,5 +2,8 @@
 #include "strange_box2d.h"
 
 void b2World::Step(float timeStep, int, int) {
-    time += timeStep;
+    b2TOIOutput output = {0.0f};
+    const b2TOIInput input = {timeStep};
+    b2TimeOfImpact(&output, &input);
+    time += output.t;
 }

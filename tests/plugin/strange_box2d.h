@@ -10,4 +10,12 @@ public:
     float time = 0.0f;
 };
 
+struct b2TOIInput {
+    float tMax;
+};
+struct b2TOIOutput {
+    float t;
+};
+void b2TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input);
+
 #endif

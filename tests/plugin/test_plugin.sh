@@ -57,8 +57,10 @@ one_line() {
 }
 
 test_exported_symbols_are_the_listed_ones() {
-    nm -D --defined-only "$plugin" | awk '{ print $NF }' | LC_ALL=C sort >"$room/exported"
-    sed -n 's/^ *\([A-Za-z0-9_]*\);.*/\1/p' "$source/exports.map" | LC_ALL=C sort >"$room/listed"
+    # (Versions have symbols of their own, which are absolute.)
+    nm -D --defined-only "$plugin" | awk '$(NF - 1) != "A" { print $NF }' | LC_ALL=C sort >"$room/versioned"
+    sed 's/@.*//' "$room/versioned" >"$room/exported"
+    sed -n 's/^ \{4\}\([A-Za-z0-9_]*\);.*/\1/p' "$source/exports.map" | LC_ALL=C sort >"$room/listed"
     diff "$room/listed" "$room/exported" >"$room/err" || fail "exported symbols differ from exports.map (< listed, > exported)"
     # All but the API stand in front of functions that Box2D really has, and no hook is hidden.
     nm -D --defined-only "$box2d" | awk '{ print $NF }' | LC_ALL=C sort >"$room/box2d"
@@ -66,6 +68,9 @@ test_exported_symbols_are_the_listed_ones() {
     sed -n 's/.*BMR_STANDS_FOR("\([^"]*\)").*/\1/p' "$source"/interpose/*.cpp | LC_ALL=C sort -u >"$room/hooks"
     [ -s "$room/hooks" ] || fail "no hooks found"
     LC_ALL=C comm -23 "$room/hooks" "$room/exported" | grep . >"$room/err" && fail "hooks that nobody can see"
+    # Loaders find them all, linkers none.
+    grep -v '3bmr\|^bmr_' "$room/versioned" | grep -v '[^@]@BOOMERANG_HOOKS$' >"$room/err" && fail "hooks that a linker would take"
+    readelf -VW "$plugin" | grep -q 'Index: 2 .*Name: BOOMERANG_HOOKS$' || fail "hooks that loaders pass over"
 }
 
 test_needed_libraries_are_the_least() {
@@ -199,6 +204,25 @@ test_programs_without_box2d_run_as_ever() {
     one_line "Box2D inside the program, verbose" 'never at work'
     LD_PRELOAD=$plugin /bin/ls / >"$room/out" 2>"$room/err" || fail "ls failed"
     quiet ls
+}
+
+test_programs_keep_the_box2d_inside_them() {
+    local game setting
+    "$bin/vendored_game" >"$room/strange" || fail "the game with a Box2D inside does not run"
+    for game in "$bin"/inside_game_*; do
+        game=${game##*/}
+        [ "$game" != inside_game_taken ] || continue
+        for setting in '' on verify; do
+            game "$game" BOOMERANG="$setting" || fail "$game, '$setting': exit status $?"
+            cmp -s "$room/out" "$room/strange" || fail "$game, '$setting': other output"
+            quiet "$game, '$setting'"
+            at_rest "$game, '$setting'"
+        done
+    done
+    # Control: a library whose functions a linker sees has them taken for Box2D's.
+    "$bin/inside_game_taken" >"$room/out" 2>"$room/err" && fail "control: nothing was taken"
+    game inside_game || fail "its own Box2D inside, the system's besides: at work"
+    one_line "its own Box2D inside, the system's besides" 'not at work, .* of its own inside (boomerang::box2d_static '
 }
 
 test_no_box2d_need_be_there() {

@@ -12,8 +12,22 @@
 /// Every simulation computes the bits that it computed before. bmr::ConvexShape is there besides: a convex
 /// polygon of any number of vertices; bmr_error_describe tells what is wrong with points that make none.
 
+#include <box2d/b2_collision.h>
+
 #include "boomerang/box2d_glue.h"
 #include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
+
+namespace bmr::internal {
+
+/// Tells the library which Box2D this program calls, by the address of one of its functions. Where the
+/// library finds another one by that name, or none, the program has Box2D inside: then Install and
+/// ConvexShape refuse.
+BMR_BOX2D_API bool MeetBox2D(const void *function);
+
+/// Before main, once for a program.
+inline const bool metBox2D = MeetBox2D(reinterpret_cast<const void *>(&b2CollidePolygons));
+
+} // namespace bmr::internal
 
 #endif
