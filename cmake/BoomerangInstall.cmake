@@ -70,6 +70,7 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/boomerangConfig.cmake.in
   ${PROJECT_BINARY_DIR}/boomerangConfig.cmake INSTALL_DESTINATION ${boomerang_package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/boomerangConfig.cmake ${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/BoomerangLinks.cmake
   DESTINATION ${boomerang_package_dir})
 
 # The pkg-config files name their prefix relative to themselves, so that `cmake --install --prefix` may choose it late.

@@ -58,9 +58,11 @@ const void *OurFile() {
     return FileOf(reinterpret_cast<const void *>(&StepsComeByHere));
 }
 
-/// Box2D's own definition. (What stands in front of it here is not found by dlsym.)
+/// Box2D's own definition: the first, or the next one where the first is ours. (It is where this was not made
+/// as a shared library: dlsym passes its hooks over.)
 void *Find(const char *name) {
-    return dlsym(RTLD_DEFAULT, name);
+    void *first = dlsym(RTLD_DEFAULT, name);
+    return first != nullptr && FileOf(first) == OurFile() ? dlsym(RTLD_NEXT, name) : first;
 }
 
 /// Is this in the program itself, and not in a library that it loads?

@@ -6,6 +6,8 @@
 #ifndef BOOMERANG_PLUGIN_WEAK_BOX2D_H
 #define BOOMERANG_PLUGIN_WEAK_BOX2D_H
 
+#define BMR_SHARED_LIBRARY
+
 #define BMR_FUNCTION(name) __asm__(".weak " #name);
 #define BMR_LEAF(name) __asm__(".weak " #name);
 #define BMR_DATA(name, bytes) __asm__(".weak " #name);

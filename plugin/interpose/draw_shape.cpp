@@ -18,6 +18,7 @@ interpose::Real<void(b2World *, b2Fixture *, const b2Transform &, const b2Color 
 
 } // namespace
 
+// Box2D's header declares it without BMR_STANDS_FOR.
 BMR_FOR_LOADERS("_ZN7b2World9DrawShapeEP9b2FixtureRK11b2TransformRK7b2Color");
 
 void b2World::DrawShape(b2Fixture *fixture, const b2Transform &xf, const b2Color &color) {

@@ -21,12 +21,12 @@ struct b2TOIOutput;
 ///
 ///     void Hook(b2TOIOutput *output, const b2TOIInput *input) BMR_STANDS_FOR("_Z14b2TimeOf...");
 ///
-/// Loaders find it, linkers do not. The name has the version BOOMERANG_HOOKS, which is not the library's
-/// default. A loader that looks for a name without a version takes it from a library's first version, default
-/// or not; a linker takes the default alone. So calls to a Box2D that is loaded come here. A program that has
-/// Box2D inside keeps all of that: if the linker saw the hooks, it would take them for the functions that the
-/// program needs and leave Box2D's own out, which then is nowhere. (dlsym does not find hooks either: what it
-/// finds is Box2D's.)
+/// In the shared library loaders find it, linkers do not. The name has the version BOOMERANG_HOOKS, which is
+/// not its default. A loader that looks for a name without a version takes it from a library's first version,
+/// default or not; a linker takes the default alone. So calls to a Box2D that is loaded come here. A program
+/// that has Box2D inside keeps all of that: if the linker saw the hooks, it would take them for the functions
+/// that the program needs and leave Box2D's own out, which then is nowhere. (dlsym does not find hooks
+/// either: what it finds is Box2D's.)
 ///
 /// With BMR_STATIC_WRAP (a static link with -Wl,--wrap=NAME for each) the same source makes __wrap_NAME, and
 /// Box2D's own function is __real_NAME.
@@ -34,12 +34,14 @@ struct b2TOIOutput;
 #define BMR_EXPORTED __attribute__((visibility("default")))
 #if defined(BMR_STATIC_WRAP)
 #    define BMR_STANDS_FOR(name) asm("__wrap_" name) BMR_EXPORTED
-#else
+#elif defined(BMR_SHARED_LIBRARY)
+#    define BMR_FOR_LOADERS(name) __asm__(".symver " name ", " name "@BOOMERANG_HOOKS, remove")
 #    define BMR_STANDS_FOR(name)                                                                             \
         asm(name) BMR_EXPORTED;                                                                              \
         BMR_FOR_LOADERS(name)
-/// The second half alone, where Box2D's header declares the function.
-#    define BMR_FOR_LOADERS(name) __asm__(".symver " name ", " name "@BOOMERANG_HOOKS, remove")
+#else
+#    define BMR_FOR_LOADERS(name) static_assert(true)
+#    define BMR_STANDS_FOR(name) asm(name) BMR_EXPORTED
 #endif
 
 namespace bmr {

@@ -50,6 +50,7 @@ void CompareWithBox2D(const ImpactScan::Side &a, const ImpactScan::Side &b) {
 
 } // namespace
 
+// Box2D's header declares it without BMR_STANDS_FOR.
 BMR_FOR_LOADERS("_ZN7b2World8SolveTOIERK10b2TimeStep");
 
 void b2World::SolveTOI(const b2TimeStep &step) {

@@ -6,6 +6,7 @@
 #   find_package       builds the programs with CMake on what is installed there, and runs them
 #   pkg_config         the same with nothing but the compiler and pkg-config
 #   add_subdirectory   builds them together with the sources, and runs them
+#   static_box2d       builds a program with Box2D inside: what CMake says of it, and that it runs
 #   uninstall          takes the installation away and checks that no file is left
 # Environment: SOURCE, BUILD (the tree to install from), WORK (a directory of our own), WITH_BOX2D (ON or OFF), CC, CXX.
 set -euo pipefail
@@ -97,6 +98,35 @@ add_subdirectory)
     # (Debug: all is compiled once more, and runs for a moment.)
     build_with_cmake -DCMAKE_BUILD_TYPE=Debug -DBOOMERANG_SOURCE="$SOURCE"
     run_programs
+    ;;
+static_box2d)
+    [ "$WITH_BOX2D" = ON ] || exit 0
+    warning='game links boomerang::box2d, which answers for a shared Box2D, and has Box2D inside (box2d).*Link boomerang::box2d_static instead'
+    # configured WARNED [OPTION]...
+    configured() {
+        local warned=$1
+        shift
+        rm -rf "$out"
+        cmake -S "$consumer/static_box2d" -B "$out" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER="$CC" \
+            -DCMAKE_CXX_COMPILER="$CXX" "$@" >"$WORK/static_box2d.txt" 2>&1 || fail "not configured: $(cat "$WORK/static_box2d.txt")"
+        # (CMake breaks lines where it likes.)
+        if tr -s '\n ' '  ' <"$WORK/static_box2d.txt" | grep -q "$warning"; then
+            [ "$warned" = yes ] || fail "a warning where there is nothing to warn of: $*"
+        else
+            [ "$warned" = no ] || fail "no warning: $*"
+        fi
+    }
+    # As a subdirectory Boomerang takes the project's Box2D, and has the target that the warning names.
+    configured yes -DBOOMERANG_SOURCE="$SOURCE"
+    ! grep -q 'BOOMERANG_STATIC_WRAP=ON' "$WORK/static_box2d.txt" || fail "the target that the warning names is not there"
+    configured no -DBOOMERANG_SOURCE="$SOURCE" -DLINKED=wrapped
+    configured no -DCMAKE_PREFIX_PATH="$prefix" -DBUILD_SHARED_LIBS=ON
+    configured yes -DCMAKE_PREFIX_PATH="$prefix" -DLINKED=below
+    configured yes -DCMAKE_PREFIX_PATH="$prefix"
+    cmake --build "$out"
+    for setting in '' on verify; do
+        [ "$(BOOMERANG=$setting "$out/bin/game" 2>&1)" = 'time 1' ] || fail "BOOMERANG=$setting: a game with Box2D inside does not run"
+    done
     ;;
 uninstall)
     [ -n "$(find "$prefix" -type f)" ] || fail "nothing was installed"
