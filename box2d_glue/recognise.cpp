@@ -8,13 +8,15 @@
 #include <initializer_list>
 #include <new>
 
+#include <box2d/b2_block_allocator.h>
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_distance.h>
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_polygon_shape.h>
-#include <box2d/b2_time_of_impact.h>
 #include <box2d/b2_world.h>
+
+#include "recognise_constants.h"
 
 namespace bmr {
 
@@ -24,12 +26,15 @@ const char *(*libraryCheck)() = nullptr;
 const b2ContactListener *listenerOfNewWorlds = nullptr;
 const b2ContactFilter *filterOfNewWorlds = nullptr;
 
+constexpr char kOtherBodySize[] = "b2Body has not the size that it has in 2.4.1";
+constexpr char kOtherFixtureSize[] = "b2Fixture has not the size that it has in 2.4.1";
+
 constexpr unsigned char kUntouched = 0xa5;
 /// Room behind an object for a Box2D whose own is larger.
 constexpr size_t kMargin = 4096;
 
 /// The sizes that Box2D's block allocator rounds up to.
-size_t BlockSize(size_t size) {
+constexpr size_t BlockSize(size_t size) {
     for (const size_t block :
          {16u, 32u, 64u, 96u, 128u, 160u, 192u, 224u, 256u, 320u, 384u, 448u, 512u, 640u})
         if (size <= block)
@@ -111,27 +116,80 @@ bool ManifoldIsRight(b2Contact *contact) {
 
 /// A box that flies 10 at one 8 away in front of it: they meet a good half of the way along.
 bool ImpactIsRight(const b2PolygonShape &shape) {
-    b2TOIInput input;
-    input.proxyA.Set(&shape, 0);
-    input.proxyB.Set(&shape, 0);
-    for (b2Sweep *sweep : {&input.sweepA, &input.sweepB}) {
-        sweep->localCenter.SetZero();
-        sweep->c0.SetZero();
-        sweep->c.SetZero();
-        sweep->a0 = sweep->a = sweep->alpha0 = 0.0f;
-    }
-    input.sweepA.c.Set(10.0f, 0.0f);
-    input.sweepB.c0.Set(8.0f, 0.0f);
-    input.sweepB.c.Set(8.0f, 0.0f);
-    input.tMax = 1.0f;
-    b2TOIOutput output;
-    b2TimeOfImpact(&output, &input);
-    return output.state == b2TOIOutput::e_touching && output.t > 0.59f && output.t < 0.61f;
+    b2DistanceProxy box;
+    box.Set(&shape, 0);
+    const float time = TrialImpact(box, b2Vec2(10.0f, 0.0f), box, b2Vec2(8.0f, 0.0f));
+    return time > 0.59f && time < 0.61f;
 }
 
-const char *WhyContentsAreUnknown(b2World &world) {
-    b2PolygonShape shape;
-    shape.SetAsBox(1.0f, 1.0f);
+/// A definition with zeros behind it: a Box2D whose own is larger reads zeros there. All others of its fields
+/// are zero, too.
+template <typename Def> struct ZeroDef {
+    ZeroDef() { std::memset(static_cast<void *>(this), 0, sizeof *this); }
+    Def *Get() { return reinterpret_cast<Def *>(room); }
+    const Def *Get() const { return reinterpret_cast<const Def *>(room); }
+    alignas(Def) unsigned char room[sizeof(Def) + 256];
+};
+
+/// The block that Box2D's allocator hands out next to an object of class T, each of its bytes known.
+template <typename T> class NextBlock {
+public:
+    explicit NextBlock(b2BlockAllocator *allocator) {
+        constexpr auto kBytes = static_cast<int32>(BlockSize(sizeof(T)));
+        m_block = allocator->Allocate(kBytes);
+        std::memset(m_block, kUntouched, static_cast<size_t>(kBytes));
+        allocator->Free(m_block, kBytes);
+    }
+
+    /// Was it `object` that got the block, and did nobody write behind a T there?
+#if defined(__GNUC__)
+    __attribute__((no_sanitize("address"))) // nor read there, says a sanitizer that knows what was asked for
+#endif
+    bool
+    HoldsNoMoreThan(const T *object) const {
+        constexpr unsigned char kFreedForDebugging = 0xfd; // what Free writes with _DEBUG
+        if (object != m_block)
+            return false;
+        const auto *bytes = static_cast<const volatile unsigned char *>(m_block);
+        for (size_t i = sizeof(T); i < BlockSize(sizeof(T)); ++i)
+            if (bytes[i] != kUntouched && bytes[i] != kFreedForDebugging)
+                return false;
+        return true;
+    }
+
+private:
+    void *m_block;
+};
+
+/// Bodies and fixtures end with what a game's own settings may make of their user data. To be asked before
+/// anybody makes them out of definitions with more than zeros behind the user data.
+const char *WhyUserDataIsUnknown(b2World *world, const b2PolygonShape &shape) {
+    b2BlockAllocator *allocator = world->GetContactManager().m_allocator;
+    const NextBlock<b2Body> blockOfBody(allocator);
+    const ZeroDef<b2BodyDef> bodyDef;
+    b2Body *body = world->CreateBody(bodyDef.Get());
+    if (!blockOfBody.HoldsNoMoreThan(body))
+        return kOtherBodySize;
+    if (body->GetUserData().pointer != 0)
+        return "b2BodyUserData has not the size that it has in 2.4.1";
+    const NextBlock<b2Fixture> blockOfFixture(allocator);
+    ZeroDef<b2FixtureDef> fixtureDef;
+    fixtureDef.Get()->shape = &shape;
+    b2Fixture *fixture = body->CreateFixture(fixtureDef.Get());
+    if (!blockOfFixture.HoldsNoMoreThan(fixture))
+        return kOtherFixtureSize;
+    if (fixture->GetUserData().pointer != 0)
+        return "b2FixtureUserData has not the size that it has in 2.4.1";
+    world->DestroyBody(body);
+    return nullptr;
+}
+
+const char *WhyContentsAreUnknown(b2World &world, b2PolygonShape *box) {
+    if (const char *why = WhyVerticesAreOthers(box, kMargin))
+        return why;
+    const b2PolygonShape &shape = *box;
+    if (const char *why = WhyUserDataIsUnknown(&world, shape))
+        return why;
     constexpr float kX[] = {0.0f, 1.5f, 0.0f}, kY[] = {0.0f, 0.25f, 8.0f};
     b2Body *bodies[3];
     for (int i = 0; i < 3; ++i) {
@@ -141,7 +199,7 @@ const char *WhyContentsAreUnknown(b2World &world) {
     }
     if (!IsOneBlock(bodies[0], bodies[1]) || world.GetBodyCount() != 3 || world.GetBodyList() != bodies[2] ||
         bodies[2]->GetNext() != bodies[1])
-        return "b2Body has not the size that it has in 2.4.1";
+        return kOtherBodySize;
     const b2Fixture *fixtures[4];
     for (int i = 0; i < 3; ++i) {
         fixtures[i] = MakeFixture(bodies[i], shape);
@@ -149,10 +207,14 @@ const char *WhyContentsAreUnknown(b2World &world) {
             return "the fields of b2Fixture or b2PolygonShape lie elsewhere than in 2.4.1";
     }
     if (!IsOneBlock(fixtures[0], fixtures[1]))
-        return "b2Fixture has not the size that it has in 2.4.1";
+        return kOtherFixtureSize;
     if (!IsOneBlock(static_cast<const b2PolygonShape *>(fixtures[0]->GetShape()),
                     static_cast<const b2PolygonShape *>(fixtures[1]->GetShape())))
         return "b2PolygonShape has not the size that it has in 2.4.1";
+    if (!ImpactIsRight(shape))
+        return "b2TimeOfImpact gives other times than in 2.4.1";
+    if (const char *why = WhyConstantsAreOthers(&world))
+        return why;
     // A second box in the place of the first gives the two contacts whose distance is looked at.
     fixtures[3] = MakeFixture(bodies[0], shape);
     const_cast<b2ContactManager &>(world.GetContactManager()).FindNewContacts();
@@ -174,13 +236,11 @@ const char *WhyContentsAreUnknown(b2World &world) {
     }
     if (oldest->GetFixtureA() == fixtures[0] && !ManifoldIsRight(oldest))
         return "b2CollidePolygons gives other manifolds than in 2.4.1";
-    if (!ImpactIsRight(shape))
-        return "b2TimeOfImpact gives other times than in 2.4.1";
     return nullptr;
 }
 
 /// The constructor of b2World ends with its last member, a b2Profile of zeros.
-const char *WhyWorldIsUnknown(unsigned char *room, b2World &world) {
+const char *WhyWorldIsUnknown(const unsigned char *room, b2World &world, b2PolygonShape *box) {
     for (size_t i = sizeof(b2World); i < sizeof(b2World) + kMargin; ++i)
         if (room[i] != kUntouched)
             return "b2World is larger than in 2.4.1";
@@ -192,13 +252,15 @@ const char *WhyWorldIsUnknown(unsigned char *room, b2World &world) {
         !world.GetAllowSleeping() || world.IsLocked() || !world.GetContinuousPhysics() ||
         world.GetSubStepping() || !world.GetAutoClearForces() || world.GetProxyCount() != 0)
         return "the fields of b2World lie elsewhere than in 2.4.1";
-    return WhyContentsAreUnknown(world);
+    return WhyContentsAreUnknown(world, box);
 }
 
-/// Room for one world of another size than expected. A leak checker finds those that stay by their list.
+/// Room for one world and one polygon of another size than expected. A leak checker finds those that stay by
+/// their list.
 struct Trial {
     Trial *before;
     alignas(std::max_align_t) unsigned char room[sizeof(b2World) + kMargin];
+    alignas(std::max_align_t) unsigned char polygon[sizeof(b2PolygonShape) + kMargin];
 };
 Trial *leftAlone = nullptr;
 
@@ -226,8 +288,9 @@ const char *WhyBox2DIsUnknown() {
     if (trial == nullptr)
         return kNoMemoryToRecognise;
     std::memset(trial->room, kUntouched, sizeof trial->room);
+    std::memset(trial->polygon, kUntouched, sizeof trial->polygon);
     b2World *world = new (trial->room) b2World(b2Vec2(kSpeed, -kSpeed));
-    const char *why = WhyWorldIsUnknown(trial->room, *world);
+    const char *why = WhyWorldIsUnknown(trial->room, *world, new (trial->polygon) b2PolygonShape());
     if (why != nullptr) {
         // A world of another kind is not to be trusted with its own end: it stays.
         trial->before = leftAlone;

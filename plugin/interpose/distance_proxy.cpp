@@ -5,6 +5,7 @@
 
 #include "convex_distance.h"
 #include "real.h"
+#include "settings.h"
 
 namespace bmr::interpose {
 
@@ -18,7 +19,8 @@ void SetProxy(b2DistanceProxy *proxy, const b2Shape *shape, int32 child)
     BMR_STANDS_FOR("_ZN15b2DistanceProxy3SetEPK7b2Shapei");
 
 void SetProxy(b2DistanceProxy *proxy, const b2Shape *shape, int32 child) {
-    if (!SetCommonProxy(proxy, *shape))
+    // (Shapes of a Box2D that is none we know are not ours to read.)
+    if (!(AnyHookIsOn() || AnyBigPolygon()) || !SetCommonProxy(proxy, *shape))
         realSet.Get()(proxy, shape, child);
 }
 

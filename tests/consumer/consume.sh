@@ -125,7 +125,7 @@ static_box2d)
     configured yes -DCMAKE_PREFIX_PATH="$prefix"
     cmake --build "$out"
     for setting in '' on verify; do
-        [ "$(BOOMERANG=$setting "$out/bin/game" 2>&1)" = 'time 1' ] || fail "BOOMERANG=$setting: a game with Box2D inside does not run"
+        [ "$(BOOMERANG=$setting "$out/bin/game" 2>&1)" = 'time 1 radius 1.5' ] || fail "BOOMERANG=$setting: a game with Box2D inside does not run"
     done
     ;;
 uninstall)

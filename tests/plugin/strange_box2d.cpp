@@ -7,3 +7,7 @@ void b2World::Step(float timeStep, int, int) {
     b2TimeOfImpact(&output, &input);
     time += output.t;
 }
+
+void b2DistanceProxy::Set(const b2Shape *shape, int index) {
+    radius = shape->radius + static_cast<float>(index);
+}

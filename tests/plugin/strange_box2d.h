@@ -18,4 +18,18 @@ struct b2TOIOutput {
 };
 void b2TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input);
 
+/// As a polygon of Box2D's looks to whoever knows 2.4.1 alone: the second word is a type.
+class b2Shape {
+public:
+    void *first = nullptr;
+    int type = 2;
+    float radius = 0.5f;
+    float rest[64] = {};
+};
+struct b2DistanceProxy {
+    void Set(const b2Shape *shape, int index);
+    float radius = 0.0f;
+    float rest[15] = {};
+};
+
 #endif

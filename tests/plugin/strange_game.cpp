@@ -7,6 +7,9 @@ int main() {
     b2World world;
     for (int i = 0; i < 4; ++i)
         world.Step(0.25f, 8, 3);
-    std::printf("time %g\n", static_cast<double>(world.time));
+    const b2Shape shape;
+    b2DistanceProxy proxy;
+    proxy.Set(&shape, 1);
+    std::printf("time %g radius %g\n", static_cast<double>(world.time), static_cast<double>(proxy.radius));
     return world.time == 1.0f ? 0 : 1;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A Box2D that is not the one the glue was built for is left alone. This program stands in front of seven
-// functions of Box2D's (ELF lets it) and lets each do something that another version could do.
+// A Box2D that is not the one the glue was built for is left alone. This program stands in front of some
+// functions of Box2D's (ELF lets it) and lets each do what another version, or one with other constants,
+// could do.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
@@ -34,7 +35,20 @@ enum class Oddity {
     kLargerManifold,
     kHastyManifold,
     kSlowManifold,
-    kOtherImpact
+    kOtherImpact,
+    kLargerUserDataOfBody,
+    kSmallerUserDataOfBody,
+    kLargerUserDataOfFixture,
+    kSmallerUserDataOfFixture,
+    kMoreVertices,
+    kFewerVertices,
+    kNoNormals,
+    kOtherExtension,
+    kOtherMultiplier,
+    kOtherBoxes,
+    kOtherSlop,
+    kOtherRadius,
+    kOtherUnits
 };
 Oddity oddity = Oddity::kNone;
 
@@ -78,6 +92,10 @@ b2Body *MakeBody(b2World *world, const b2BodyDef *def) {
         return body;
     }
     b2Body *body = real(world, def);
+    if (oddity == Oddity::kLargerUserDataOfBody)
+        std::memset(static_cast<void *>(body + 1), 0, sizeof(void *));
+    if (oddity == Oddity::kSmallerUserDataOfBody)
+        body->GetUserData().pointer = ~uintptr_t{0} << 32;
     if (oddity == Oddity::kMovedField)
         body->SetGravityScale(def->linearDamping);
     if (oddity == Oddity::kUnreadField) // of a definition that is laid out otherwise
@@ -99,6 +117,10 @@ b2Fixture *MakeFixture(b2Body *body, const b2FixtureDef *def) {
         return fixture;
     }
     b2Fixture *fixture = real(body, def);
+    if (oddity == Oddity::kLargerUserDataOfFixture)
+        std::memset(static_cast<void *>(fixture + 1), 0, sizeof(void *));
+    if (oddity == Oddity::kSmallerUserDataOfFixture)
+        fixture->GetUserData().pointer = ~uintptr_t{0} << 32;
     if (oddity == Oddity::kMoreContacts && fixture->GetNext() != nullptr)
         real(body, def);
     return fixture;
@@ -162,6 +184,76 @@ void Impact(b2TOIOutput *output, const b2TOIInput *input) {
                                                                                                     input);
     if (oddity == Oddity::kOtherImpact)
         output->t = 0.0f;
+    const bool points = input->proxyA.m_count == 1;
+    if (points && oddity == Oddity::kOtherSlop)
+        output->t = 0.9925f;
+    if (points && oddity == Oddity::kOtherUnits)
+        output->t = 0.95f;
+}
+
+bool Cast(b2ShapeCastOutput *output,
+          const b2ShapeCastInput *input) __asm__("_Z11b2ShapeCastP17b2ShapeCastOutputPK16b2ShapeCastInput");
+bool Cast(b2ShapeCastOutput *output, const b2ShapeCastInput *input) {
+    const bool hit = Real<bool(b2ShapeCastOutput *, const b2ShapeCastInput *)>(
+        "_Z11b2ShapeCastP17b2ShapeCastOutputPK16b2ShapeCastInput")(output, input);
+    if (oddity == Oddity::kOtherRadius)
+        output->lambda = 0.75f;
+    return hit;
+}
+
+/// The box of a tree whose extension is larger by so much.
+b2AABB Larger(b2AABB box, float x, float y) {
+    box.lowerBound -= b2Vec2(x, y);
+    box.upperBound += b2Vec2(x, y);
+    return box;
+}
+b2AABB OddBox(const b2AABB &box) {
+    switch (oddity) {
+    case Oddity::kOtherExtension:
+        return Larger(box, b2_aabbExtension, b2_aabbExtension);
+    case Oddity::kOtherUnits:
+        return Larger(box, 9.0f * b2_aabbExtension, 9.0f * b2_aabbExtension);
+    case Oddity::kOtherBoxes:
+        return Larger(box, b2_aabbExtension, 0.0f);
+    default:
+        return box;
+    }
+}
+
+int32 MakeProxy(b2DynamicTree *tree, const b2AABB &box,
+                void *userData) __asm__("_ZN13b2DynamicTree11CreateProxyERK6b2AABBPv");
+int32 MakeProxy(b2DynamicTree *tree, const b2AABB &box, void *userData) {
+    return Real<int32(b2DynamicTree *, const b2AABB &, void *)>(
+        "_ZN13b2DynamicTree11CreateProxyERK6b2AABBPv")(tree, OddBox(box), userData);
+}
+
+bool MoveProxy(b2DynamicTree *tree, int32 proxy, const b2AABB &box,
+               const b2Vec2 &way) __asm__("_ZN13b2DynamicTree9MoveProxyEiRK6b2AABBRK6b2Vec2");
+bool MoveProxy(b2DynamicTree *tree, int32 proxy, const b2AABB &box, const b2Vec2 &way) {
+    return Real<bool(b2DynamicTree *, int32, const b2AABB &, const b2Vec2 &)>(
+        "_ZN13b2DynamicTree9MoveProxyEiRK6b2AABBRK6b2Vec2")(
+        tree, proxy, OddBox(box), oddity == Oddity::kOtherMultiplier ? 0.5f * way : way);
+}
+
+/// As where b2_maxPolygonVertices is another.
+void LayOut(b2PolygonShape *shape, size_t vertices) {
+    auto *bytes = reinterpret_cast<unsigned char *>(shape->m_vertices);
+    b2Vec2 normals[4];
+    std::memcpy(normals, shape->m_normals, sizeof normals);
+    std::memset(bytes + sizeof normals, 0, sizeof shape->m_vertices);
+    std::memcpy(bytes + vertices * sizeof *normals, normals, sizeof normals);
+    shape->m_count = 0;
+}
+
+void MakeBox(b2PolygonShape *shape, float hx, float hy) __asm__("_ZN14b2PolygonShape8SetAsBoxEff");
+void MakeBox(b2PolygonShape *shape, float hx, float hy) {
+    Real<void(b2PolygonShape *, float, float)>("_ZN14b2PolygonShape8SetAsBoxEff")(shape, hx, hy);
+    if (oddity == Oddity::kMoreVertices)
+        LayOut(shape, 32);
+    if (oddity == Oddity::kFewerVertices)
+        LayOut(shape, 7);
+    if (oddity == Oddity::kNoNormals)
+        LayOut(shape, 0);
 }
 
 TEST_CASE("the Box2D of this process is known, as often as it is asked") {
@@ -188,6 +280,29 @@ TEST_CASE("another place of a field, another result, another number of contacts 
     CHECK(Why(Oddity::kMoreContacts) == "contacts are found or listed otherwise than in 2.4.1");
     CHECK(Why(Oddity::kOtherManifold) == "b2CollidePolygons gives other manifolds than in 2.4.1");
     CHECK(Why(Oddity::kOtherImpact) == "b2TimeOfImpact gives other times than in 2.4.1");
+}
+
+TEST_CASE("user data of another size are noticed") {
+    CHECK(Why(Oddity::kLargerUserDataOfBody) == "b2Body has not the size that it has in 2.4.1");
+    CHECK(Why(Oddity::kLargerUserDataOfFixture) == "b2Fixture has not the size that it has in 2.4.1");
+    CHECK(Why(Oddity::kSmallerUserDataOfBody) == "b2BodyUserData has not the size that it has in 2.4.1");
+    CHECK(Why(Oddity::kSmallerUserDataOfFixture) ==
+          "b2FixtureUserData has not the size that it has in 2.4.1");
+}
+
+TEST_CASE("another constant is noticed, and named") {
+    CHECK(Why(Oddity::kMoreVertices) ==
+          "b2_maxPolygonVertices is 32 here, 8 in the Box2D this was built for");
+    CHECK(Why(Oddity::kFewerVertices) ==
+          "b2_maxPolygonVertices is 7 here, 8 in the Box2D this was built for");
+    CHECK(Why(Oddity::kNoNormals) == "the fields of b2PolygonShape lie elsewhere than in 2.4.1");
+    CHECK(Why(Oddity::kOtherExtension) ==
+          "b2_aabbExtension is 0.2 here, 0.1 in the Box2D this was built for");
+    CHECK(Why(Oddity::kOtherMultiplier) == "b2_aabbMultiplier is 2 here, 4 in the Box2D this was built for");
+    CHECK(Why(Oddity::kOtherBoxes) == "the boxes of the broad phase are others than in 2.4.1");
+    CHECK(Why(Oddity::kOtherSlop) == "b2_linearSlop is 0.0075 here, 0.005 in the Box2D this was built for");
+    CHECK(Why(Oddity::kOtherRadius) == "b2_polygonRadius is 0.25 here, 0.01 in the Box2D this was built for");
+    CHECK(Why(Oddity::kOtherUnits) == "b2_lengthUnitsPerMeter is 10 here, 1 in the Box2D this was built for");
 }
 
 TEST_CASE("the library's own check is asked first") {
