@@ -6,10 +6,12 @@
 #include "contact_register.h"
 #include "environment.h"
 #include "process_locks.h"
+#include "reach.h"
 #include "rounding_mode.h"
 #include "settings.h"
 #include "statistics_file.h"
 #include "this_process.h"
+#include "verify.h"
 
 namespace bmr {
 
@@ -25,13 +27,21 @@ bool Refuse(const char *why) {
     return false;
 }
 
-void Announce(const Options &options) {
-    std::fprintf(stderr, "boomerang: %s, %s; rounds %s Box2D; hooks:", NameOf(options.mode),
-                 bmr_structure_name(options.structure), GetSettings().sameRounding ? "as" : "otherwise than");
+void ListHooks(const char *before, uint32_t hooks) {
+    std::fputs(before, stderr);
     for (int i = 0; NameOfHook(i) != nullptr; ++i)
-        if (options.hooks & (1u << i))
+        if (hooks & (1u << i))
             std::fprintf(stderr, " %s", NameOfHook(i));
-    std::fputs(options.hooks == kNoHooks ? " none\n" : "\n", stderr);
+}
+
+void Announce(const Options &options) {
+    const uint32_t reached = options.hooks & GetSettings().reached;
+    std::fprintf(stderr, "boomerang: %s, %s; rounds %s Box2D", NameOf(options.mode),
+                 bmr_structure_name(options.structure), GetSettings().sameRounding ? "as" : "otherwise than");
+    ListHooks(reached == kNoHooks ? "; hooks: none" : "; hooks:", reached);
+    if (reached != options.hooks)
+        ListHooks("; not reached by this Box2D's calls:", options.hooks & ~reached);
+    std::fputc('\n', stderr);
 }
 
 } // namespace
@@ -46,11 +56,14 @@ bool Install(const Options &given) {
         return false;
     if (const char *why = WhyThisBox2DIsUnknown())
         return Refuse(why);
-    if (!MakeSettings(options))
+    const bool anybodyIsTold = options.verbosity > 0 || options.statisticsFile != nullptr;
+    if (!MakeSettings(options, anybodyIsTold ? FindReachedHooks() : kAllHooks))
         return Refuse("there is no memory");
     RegisterPolygonContacts();
     ActivateHooks();
     installed = true;
+    if (options.mode == Mode::Verify)
+        SayVerifiedAtExit();
     if (options.statisticsFile != nullptr && !WriteStatisticsAtExit(options.statisticsFile))
         std::fprintf(stderr, "boomerang: the statistics will not be written to %s\n", options.statisticsFile);
     if (options.verbosity > 0 && ClaimAnnouncement())

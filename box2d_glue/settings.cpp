@@ -18,10 +18,11 @@ Counts &GetCounts() {
     return counts;
 }
 
-bool MakeSettings(const Options &options) {
+bool MakeSettings(const Options &options, uint32_t reached) {
     Settings made;
     made.made = true;
     made.options = options;
+    made.reached = reached;
     made.options.statistics = options.statistics || options.onEvent != nullptr ||
                               options.onAnswer != nullptr || options.statisticsFile != nullptr;
     made.options.statisticsFile = nullptr; // the caller's; the exit handler has a copy

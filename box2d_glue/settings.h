@@ -18,13 +18,19 @@ struct Settings {
     bmr_pair_def pairDef = {}; ///< structure and hysteresis; the margin is each pair's own
     /// Directions for hulls of up to kMostHullVertices vertices; NULL where not needed.
     const bmr_compass *compass = nullptr;
+    /// The hooks that Box2D's calls come by, where anybody is told of them; all where nobody is.
+    uint32_t reached = kAllHooks;
     bool sameRounding = false; ///< Box2D here rounds as core/exact32 does: remembered edges need no margin
 };
 
 namespace internal {
 extern Settings settings;
-/// Options::hooks once installed; none before, and none in mode Off.
+/// Options::hooks once installed; none before, and none in mode Off. kWatching while it is found out which
+/// hooks are reached (reach.h).
 extern std::atomic<uint32_t> activeHooks;
+constexpr uint32_t kWatching = 1u << 31;
+static_assert((kAllHooks & kWatching) == 0);
+void NoteReached(Hook hook);
 } // namespace internal
 inline const Settings &GetSettings() {
     return internal::settings;
@@ -33,12 +39,17 @@ inline const Settings &GetSettings() {
 /// Is this function answered here? A load and a test, for the first line of a hook. Where it is, the settings
 /// are all there, also on a thread that steps nothing and calls Box2D while another one starts the library.
 inline bool HookIsOn(Hook hook) {
-    return (internal::activeHooks.load(std::memory_order_acquire) & Bit(hook)) != 0;
+    const uint32_t active = internal::activeHooks.load(std::memory_order_acquire);
+    if ((active & Bit(hook)) != 0)
+        return true;
+    if ((active & internal::kWatching) != 0)
+        internal::NoteReached(hook);
+    return false;
 }
 
 /// Is any? Then this is a Box2D that the glue knows, and its objects may be looked into.
 inline bool AnyHookIsOn() {
-    return internal::activeHooks.load(std::memory_order_acquire) != kNoHooks;
+    return (internal::activeHooks.load(std::memory_order_acquire) & kAllHooks) != 0;
 }
 
 /// Is every answer to be compared with Box2D's?
@@ -52,7 +63,7 @@ inline bool EdgesAreOn() {
 }
 
 /// Takes the options over; called once, by Install. False without memory for the compass table.
-bool MakeSettings(const Options &options);
+bool MakeSettings(const Options &options, uint32_t reached = kAllHooks);
 /// From here on the hooks answer. The last thing that Install does.
 void ActivateHooks();
 

@@ -7,6 +7,7 @@
 #if defined(_WIN32)
 #    include <process.h>
 #else
+#    include <pthread.h>
 #    include <sys/mman.h>
 #    include <unistd.h>
 #endif
@@ -26,6 +27,12 @@ long ThisProcess() {
     return _getpid();
 #else
     return getpid();
+#endif
+}
+
+void CallWhenForked([[maybe_unused]] void (*function)()) {
+#if !defined(_WIN32) // which does not fork
+    pthread_atfork(nullptr, nullptr, function);
 #endif
 }
 

@@ -10,6 +10,9 @@ namespace bmr {
 /// The system's number of this process.
 long ThisProcess();
 
+/// In the child of every fork from here on.
+void CallWhenForked(void (*function)());
+
 /// What is said on stderr about what is at work: true for the first who asks. Where ShareAnnouncement was
 /// called, that is the first of the process that called it and all that are forked from it since.
 bool ClaimAnnouncement();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_collision.h>
@@ -13,6 +14,7 @@
 #include <box2d/b2_time_of_impact.h>
 
 #include "settings.h"
+#include "this_process.h"
 
 namespace bmr {
 
@@ -86,7 +88,47 @@ const char *FieldThatDiffers(const b2Manifold &a, const b2Manifold &b) {
     return nullptr;
 }
 
+// What a process that was forked has of its parent.
+std::atomic<uint64_t> verifiedBefore{0}, differencesBefore{0};
+long installedIn;
+
+/// A number as it is read: 498,299.
+struct Grouped {
+    explicit Grouped(uint64_t number) {
+        char *at = text + sizeof text - 1;
+        *at = '\0';
+        for (int digits = 0; digits == 0 || number != 0; ++digits, number /= 10) {
+            if (digits != 0 && digits % 3 == 0)
+                *--at = ',';
+            *--at = static_cast<char>('0' + number % 10);
+        }
+        first = at;
+    }
+    Grouped(const Grouped &) = delete;
+    Grouped &operator=(const Grouped &) = delete;
+
+    char text[32];
+    const char *first;
+};
+
+void SayVerified() {
+    const uint64_t verified = GetCounts().verified - verifiedBefore;
+    if (verified == 0 && ThisProcess() != installedIn)
+        return;
+    std::fprintf(stderr, "boomerang: verified %s answers, %s differ\n", Grouped(verified).first,
+                 Grouped(GetCounts().differences - differencesBefore).first);
+}
+
 } // namespace
+
+void SayVerifiedAtExit() {
+    installedIn = ThisProcess();
+    CallWhenForked([] {
+        verifiedBefore = GetCounts().verified.load();
+        differencesBefore = GetCounts().differences.load();
+    });
+    std::atexit(SayVerified);
+}
 
 void CountVerified() {
     GetCounts().verified.fetch_add(1, std::memory_order_relaxed);

@@ -35,6 +35,11 @@ void ReportDifference(const char *door, const b2Fixture *fixtureA, const b2Fixtu
                       const char *format, ...);
 void CountVerified();
 
+/// When the process ends (by exit, or by returning from main), one line on stderr says how many answers were
+/// compared and how many differed, also where none was. Called once, by Install. Of a program that forks,
+/// each process that has compared any says how many it did itself.
+void SayVerifiedAtExit();
+
 } // namespace bmr
 
 #endif

@@ -9,6 +9,7 @@
 #include "environment.h"
 #include "library_check.h"
 #include "process_locks.h"
+#include "reach.h"
 #include "recognise.h"
 #include "this_process.h"
 
@@ -69,6 +70,8 @@ __attribute__((constructor)) void Loaded() {
 } // namespace
 
 void internal::StartNow() {
+    if (IsFindingReachedHooks()) // Install does, on this thread
+        return;
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Starting));
     if (!startsByItself.load(std::memory_order_relaxed))
         return;

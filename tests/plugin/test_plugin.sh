@@ -35,7 +35,7 @@ plays_as_stock() {
     for mode in on verify; do
         game "$played" LD_PRELOAD="$plugin" BOOMERANG="$mode" "$@" || fail "$played, $mode: exit status $?"
         cmp -s "$room/out" "$room/stock_of_it" || fail "$played, $mode: other output than stock's"
-        quiet "$played, $mode"
+        if [ "$mode" = verify ]; then verified "$played"; else quiet "$played, $mode"; fi
         at_work "$played, $mode"
         [ "$(number differences)" -eq 0 ] || fail "$played, $mode: differences"
     done
@@ -49,6 +49,11 @@ number() {
 
 same_output() { cmp -s "$room/out" "$room/stock" || fail "$1: other output than stock's"; }
 quiet() { [ ! -s "$room/err" ] || fail "$1: something on stderr"; }
+# verified WHAT: on stderr is what mode verify says when all is well, once for each process that verified, and no more.
+verified() {
+    grep -q '^boomerang: verified [1-9][0-9,]* answers, 0 differ$' "$room/err" || fail "$1: nobody says what was verified"
+    grep -v '^boomerang: verified [0-9,]* answers, 0 differ$' "$room/err" && fail "$1: something else on stderr"
+}
 at_work() { [ -s "$room/json" ] && [ "$(number evaluations)" -gt 0 ] || fail "$1: the plugin is not at work"; }
 at_rest() { [ ! -e "$room/json" ] || fail "$1: the plugin is at work"; }
 one_line() {
@@ -134,10 +139,36 @@ test_linked_behind_box2d_has_the_contacts_alone() {
 test_verify_compares_and_finds_nothing() {
     game plain_game LD_PRELOAD="$plugin" BOOMERANG=verify
     same_output verify
-    quiet verify
+    local said
+    said=$(tr -d , <"$room/err" | sed -n 's/^boomerang: verified \([0-9]*\) answers 0 differ$/\1/p')
+    one_line verify 'boomerang: verified [1-9][0-9]\{0,2\}\(,[0-9][0-9][0-9]\)* answers, 0 differ$'
+    [ "$said" = "$(number verified)" ] || fail "verify: says $said, counted $(number verified)"
     [ "$(number mode)" = verify ] || fail "verify: another mode in the statistics"
     [ "$(number verified)" -gt 10000 ] || fail "verify: next to nothing was compared"
     [ "$(number differences)" -eq 0 ] || fail "verify: differences"
+    # Also where there was nothing to compare; and not where Boomerang never came to work.
+    game linked_game BOOMERANG=verify BOOMERANG_HOOKS=none
+    verified "linked, verify"
+    game no_game LD_PRELOAD="$plugin" BOOMERANG=verify
+    quiet "no game, verify"
+}
+
+test_what_is_announced_is_what_is_reached() {
+    local all='"time-of-impact", "test-overlap", "solve-toi", "contact-loop", "pair-finding", "profile-clock", "touching-manifold", "fixture-boxes"'
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1
+    same_output "announced"
+    one_line "announced" 'hooks: time-of-impact test-overlap solve-toi contact-loop pair-finding profile-clock touching-manifold fixture-boxes$'
+    grep -q "\"hooks\": \[$all\]" "$room/json" || fail "in front: hooks that are reached are not listed"
+    grep -q '"hooks_not_reached": \[\]' "$room/json" || fail "in front: hooks are not reached"
+    [ "$(number steps)" -eq 240 ] || fail "in front: the step that finds out was counted"
+    # Behind, only Box2D's register leads here.
+    game late_game BOOMERANG=on BOOMERANG_VERBOSE=1
+    same_output "announced, behind"
+    one_line "announced, behind" "hooks: touching-manifold; not reached by this Box2D's calls: time-of-impact .* profile-clock fixture-boxes\$"
+    grep -q '"hooks": \["touching-manifold"\]' "$room/json" || fail "behind: hooks are listed that are not reached"
+    game late_game BOOMERANG=on BOOMERANG_HOOKS=none,+solve-toi BOOMERANG_VERBOSE=1
+    one_line "announced, behind, one hook" "hooks: none; not reached by this Box2D's calls: solve-toi\$"
+    grep -q '"hooks_not_reached": \["solve-toi"\]' "$room/json" || fail "behind: one hook is not listed as out of reach"
 }
 
 test_hooks_and_structure_are_taken_from_the_environment() {
@@ -258,7 +289,7 @@ test_modules_keep_their_own_box2d() {
     # Named with the library, the one that the module would bring is in search order.
     for setting in '' verify; do
         played libsharing_module "both preloaded, '$setting'" LD_PRELOAD="$plugin:$box2d" BOOMERANG="$setting"
-        quiet "both preloaded, '$setting'"
+        if [ "$setting" = verify ]; then verified "both preloaded"; else quiet "both preloaded"; fi
         at_work "both preloaded, '$setting'"
     done
     # Control, and the limit: where there are two, calls by name all go to the one that is in search order.
@@ -330,6 +361,14 @@ test_forked_games_play_on() {
     done
     game "forking_game 30 40" LD_PRELOAD="$plugin" BOOMERANG_STATISTICS="$room/of-%p.json"
     [ "$(cat "$room"/of-[0-9]*.json | grep -c '"steps": 7[01],')" -eq 2 ] || fail "not a file for each process"
+    # Who verified says so, of what it did itself.
+    game "forking_game 30 40" LD_PRELOAD="$plugin" BOOMERANG=verify
+    verified "forked, verify"
+    [ "$(wc -l <"$room/err")" -eq 2 ] || fail "forked, verify: not a line for each process"
+    local most
+    most=$(tr -cd '0-9 \n' <"$room/err" | awk '{ print $1 }' | sort -n | tail -n 1)
+    [ "$most" -eq "$(number verified)" ] || fail "forked, verify: the parent says $most, counted $(number verified)"
+    [ "$(sort -u "$room/err" | wc -l)" -eq 2 ] || fail "forked, verify: the child says what the parent did"
 }
 
 test_the_library_may_be_opened_in_the_middle() {
@@ -337,7 +376,7 @@ test_the_library_may_be_opened_in_the_middle() {
     for mode in on verify; do
         game "opening_game $plugin" BOOMERANG="$mode" || fail "opened, $mode: failed"
         cmp -s "$room/out" "$room/stock_of_it" || fail "opened, $mode: other output than stock's"
-        quiet "opened, $mode"
+        if [ "$mode" = verify ]; then verified opened; else quiet "opened, $mode"; fi
         at_work "opened, $mode"
     done
 }

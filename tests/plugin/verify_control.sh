@@ -39,6 +39,7 @@ got=$(BOOMERANG=verify LD_PRELOAD=$room/libwidened.so "$game" 2>"$room/err") || 
 [ "$(grep -c 'first difference from Box2D' "$room/err")" -eq 1 ] || fail "not one line tells of the difference"
 grep -Eq 'step [1-9][0-9]*, polygon manifold: pointCount \(0 points here, [12] in Box2D\); fixture .* against fixture ' \
     "$room/err" || fail "the line does not say what differs, where and when"
+grep -Eq '^boomerang: verified [1-9][0-9,]* answers, [1-9][0-9,]* differ$' "$room/err" || fail "the last line does not count the differences"
 # And without verify the difference is there to be seen: the control is one.
 [ "$(BOOMERANG=on LD_PRELOAD=$room/libwidened.so "$game" 2>"$room/err")" != "$wanted" ] || fail "nothing was widened"
 echo passed

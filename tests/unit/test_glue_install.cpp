@@ -111,15 +111,16 @@ TEST_CASE("a refusal is said once, with its reason, and is for good") {
           "not done, not installed: \n");
 }
 
-TEST_CASE("who asks is told what is at work") {
+TEST_CASE("who asks is told what is at work, and what is not reached without the shared library") {
     const std::string said = Alone([](Run &run) {
         bmr::Options options;
         options.verbosity = 1;
-        options.hooks = Bit(bmr::Hook::SolveToi) | Bit(bmr::Hook::TestOverlap);
+        options.hooks = Bit(bmr::Hook::SolveToi) | Bit(bmr::Hook::TouchingManifold);
         PrintInstall(run, options);
     });
     CHECK(said.find("done, installed: boomerang: on, free-direction; rounds ") == 0);
-    CHECK(said.find(" Box2D; hooks: test-overlap solve-toi\n") != std::string::npos);
+    CHECK(said.find(" Box2D; hooks: touching-manifold; not reached by this Box2D's calls: solve-toi\n") !=
+          std::string::npos);
     CHECK(Alone([](Run &run) {
               bmr::Options options;
               options.verbosity = 1;
@@ -177,6 +178,7 @@ TEST_CASE("the statistics are one JSON object of the options and all counts") {
             line += c;
     CHECK(line ==
           "{\"mode\":\"on\",\"structure\":\"lazy-dudley\",\"hooks\":[\"test-overlap\",\"solve-toi\"],"
+          "\"hooks_not_reached\":[],"
           "\"steps\":0,"
           "\"evaluations\":0,\"edge_checks\":0,\"edge_searches\":0,\"verdicts_reused\":0,\"proved_apart\":0,"
           "\"handed_over\":0,\"handed_over_touching\":0,\"touching_answered\":0,\"toi_queries\":0,\"toi_"
