@@ -10,6 +10,11 @@ enum { MOST_STEPS = 64 };
 // what float supports resolve, far above what double arithmetic confuses.
 static const double least_gain = 1e-10;
 
+// A vertex of the difference is off by a few 2^-53 of the shapes' reach and place. What is left of a distance
+// that is no more than this part of them may point anywhere: across a side through the origin to either side
+// of it, and from a vertex in a direction that is off by 1e-4. Such a distance is none: the shapes overlap.
+static const double no_distance = 0x1p-40;
+
 bmr_proxy32 bmr_proxy32_points(const bmr_vec32 *points, uint32_t count, float radius) {
     double reach2 = 0.0;
     for (uint32_t i = 0; i < count; ++i) {
@@ -120,6 +125,19 @@ static bool holds(const bmr_gjk32 *s, const bmr_difference32 *vertex) {
     return false;
 }
 
+static double rounding_of(const bmr_posed32 *shape) {
+    const bmr_vec2 place = shape->pose.position;
+    return no_distance * ((double)shape->proxy->reach + fabs(place.x) + fabs(place.y));
+}
+
+/// Calls what is no more than rounding nothing. Of shapes whose reach is infinite nothing is.
+static void drop_rounding(bmr_gjk32 *s, double rounding) {
+    if (s->distance <= rounding && rounding < HUGE_VAL) {
+        s->closest = bmr_vec2_make(0.0, 0.0);
+        s->distance = 0.0;
+    }
+}
+
 void bmr_gjk32_search(bmr_gjk32 *search, const bmr_posed32 *a, const bmr_posed32 *b, bmr_closest32 *closest) {
     search->vertices[0] = difference(a, closest->a < a->proxy->polygon.count ? closest->a : 0, b,
                                      closest->b < b->proxy->polygon.count ? closest->b : 0);
@@ -127,6 +145,8 @@ void bmr_gjk32_search(bmr_gjk32 *search, const bmr_posed32 *a, const bmr_posed32
     search->closest = search->vertices[0].w;
     search->distance = sqrt(bmr_dot(search->closest, search->closest));
     search->iterations = 0;
+    const double rounding = rounding_of(a) + rounding_of(b);
+    drop_rounding(search, rounding);
     while (search->distance > 0.0 && search->iterations < MOST_STEPS) {
         const bmr_vec2 n = bmr_scale(1.0 / search->distance, search->closest);
         const bmr_difference32 found = least(a, b, n);
@@ -136,6 +156,7 @@ void bmr_gjk32_search(bmr_gjk32 *search, const bmr_posed32 *a, const bmr_posed32
             break;
         const bmr_gjk32 before = *search;
         take(search, &found);
+        drop_rounding(search, rounding);
         if (search->count < 3 && !(search->distance < before.distance)) { // rounding has the last word
             *search = before;
             break;

@@ -34,8 +34,10 @@ typedef struct bmr_closest32 {
 } bmr_closest32;
 
 /// Closest points (world), their distance and the simplex's vertices. Radii are left to the caller. 0 where
-/// they overlap. GJK: O(log n) supports. Correct to 1e-6 of the larger of the distance and the reach of the
-/// shapes (an iteration chooses supports in float).
+/// they overlap, and where they are so near that rounding decides on which side they are: within 2^-40
+/// (1e-12) of the sum of their reaches and of the coordinates of both poses' positions. GJK: O(log n)
+/// supports. Correct to 1e-6 of the larger of the distance and the reach of the shapes (an iteration chooses
+/// supports in float).
 typedef struct bmr_distance32 {
     bmr_vec32 point_a, point_b;
     float distance;
@@ -95,10 +97,11 @@ typedef struct bmr_cast32 {
 /// Newton's iteration on a convex function: it never steps past the first touch.
 ///
 /// False (point and normal zero) where they do not meet, and in two cases at the beginning, even if they meet
-/// later: without skins they overlap; or, as Box2D has it, a's vertex farthest against the translation and
-/// b's farthest along it (of equal ones any) are so near that they count as reached. Where others do at the
-/// beginning, in front of a side for instance, that is a hit at lambda 0, whichever way b goes. (Box2D may
-/// miss them, or go on a little, where what is reached is only the half slop more: as its vertices fall.)
+/// later: without skins they overlap (their bmr_convex32_distance is 0); or, as Box2D has it, a's vertex
+/// farthest against the translation and b's farthest along it (of equal ones any) are so near that they count
+/// as reached. Where others do at the beginning, in front of a side for instance, that is a hit at lambda 0,
+/// whichever way b goes. (Box2D may miss them, or go on a little, where what is reached is only the half slop
+/// more: as its vertices fall.)
 bool bmr_convex32_cast(const bmr_proxy32 *a, const bmr_transform32 *pose_a, const bmr_proxy32 *b,
                        const bmr_transform32 *pose_b, bmr_vec32 translation, float linear_slop,
                        bmr_cast32 *cast);
