@@ -58,9 +58,15 @@ bmr_pair_def DefOf(const BodyPair &pair) {
 
 bmr_answer Advance(BodyPair *pair, const bmr_pose &pose) {
     const bmr_pair_def def = DefOf(*pair);
-    if (!GetSettings().options.statistics)
+    if (!GetSettings().options.statistics) {
+        // A rebuilt hull resets its pairs, so a certificate that is here is of these two hulls: the quick
+        // look need not read them.
+        double gap;
+        if (bmr_pair_takes(&pose) && bmr_pair_check(&pair->kinetic, &pose, def.margin, &gap))
+            return BMR_APART;
         return bmr_pair_advance(&pair->kinetic, &def, &pair->a->shape, &pair->b->shape, &pose, nullptr,
                                 nullptr);
+    }
     bmr_counters counters = {};
     const bmr_observer observer = {&counters, TellOfEvent, pair};
     const bmr_answer answer =

@@ -7,9 +7,17 @@
 #include "geometry/bounding_disk.h"
 #include "geometry/hull.h"
 #include "geometry/memory.h"
+#include "geometry/stamp.h"
+
+/// The vertices begin at a multiple of their own size, so that none of them lies across two cache lines.
+#define VERTICES_AT ((sizeof(bmr_polygon) + sizeof(bmr_vec2) - 1) / sizeof(bmr_vec2) * sizeof(bmr_vec2))
 
 size_t bmr_polygon_bytes(size_t count) {
-    return sizeof(bmr_polygon) + count * sizeof(bmr_vec2);
+    return VERTICES_AT + count * sizeof(bmr_vec2);
+}
+
+static bmr_vec2 *vertices_of(bmr_polygon *block) {
+    return (bmr_vec2 *)(void *)((char *)block + VERTICES_AT);
 }
 
 static bmr_error check_points(const bmr_vec2 *points, size_t count) {
@@ -37,6 +45,24 @@ static double box_side(const bmr_vec2 *vertices, size_t count) {
     return fmax(high.x - low.x, high.y - low.y);
 }
 
+/// Each step mixes 64 bits in by a multiplication that every one of them passes upwards, and by a shift that
+/// brings them down again. (The multiplier is Steele and Vigna's for such a mixer.)
+static uint64_t mix(uint64_t hash, uint64_t bits) {
+    hash = (hash ^ bits) * UINT64_C(0xd1342543de82ef95);
+    return hash ^ hash >> 32;
+}
+
+uint32_t bmr_polygon_stamp_of(const bmr_polygon *polygon) {
+    uint64_t hash = mix(0, polygon->count);
+    for (uint32_t i = 0; i < polygon->count; ++i) {
+        uint64_t bits[2];
+        memcpy(bits, &polygon->vertices[i], sizeof bits);
+        hash = mix(mix(hash, bits[0]), bits[1]);
+    }
+    hash = mix(hash, 0);
+    return (uint32_t)hash;
+}
+
 static void measure(bmr_polygon *polygon) {
     const bmr_vec2 *v = polygon->vertices;
     uint32_t lowest = 0, highest = 0;
@@ -54,6 +80,7 @@ static void measure(bmr_polygon *polygon) {
     polygon->center = disk.center;
     polygon->radius = disk.radius;
     polygon->extent = extent;
+    polygon->stamp = bmr_polygon_stamp_of(polygon);
 }
 
 /// One block from vertices that have passed every check.
@@ -64,7 +91,7 @@ static bmr_error make(const bmr_vec2 *vertices, size_t count, const bmr_allocato
     bmr_polygon *made = bmr_allocate(allocator, bmr_polygon_bytes(count));
     if (!made)
         return BMR_ERROR_NO_MEMORY;
-    bmr_vec2 *own = (bmr_vec2 *)(made + 1);
+    bmr_vec2 *own = vertices_of(made);
     memcpy(own, vertices, count * sizeof *own);
     made->vertices = own;
     made->count = (uint32_t)count;
@@ -108,7 +135,7 @@ bmr_error bmr_polygon_copy(const bmr_polygon *polygon, const bmr_allocator *allo
     bmr_polygon *made = bmr_allocate(allocator, bmr_polygon_bytes(polygon->count));
     if (!made)
         return BMR_ERROR_NO_MEMORY;
-    bmr_vec2 *own = (bmr_vec2 *)(made + 1);
+    bmr_vec2 *own = vertices_of(made);
     memcpy(own, polygon->vertices, polygon->count * sizeof *own);
     *made = *polygon;
     made->vertices = own;

@@ -3,6 +3,7 @@
 
 #include "boomerang/polygon.h"
 #include "geometry/predicates.h"
+#include "geometry/stamp.h"
 
 static bmr_error audit_range(const bmr_polygon *p) {
     double extent = 0.0, right = p->vertices[0].x, left = right, top = p->vertices[0].y, bottom = top;
@@ -67,5 +68,6 @@ bmr_error bmr_polygon_audit(const bmr_polygon *polygon) {
         return error;
     if (!is_strictly_convex(polygon))
         return BMR_ERROR_NOT_CONVEX;
-    return error == BMR_OK && is_measured(polygon) ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
+    const bool stamped = polygon->stamp == bmr_polygon_stamp_of(polygon);
+    return error == BMR_OK && stamped && is_measured(polygon) ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
 }

@@ -42,9 +42,6 @@ static bool has_edge(const bmr_hierarchy *h, uint32_t edge, uint32_t level) {
 static bmr_error audit_lazy(const bmr_pair *pair, const bmr_shape *owner, const bmr_shape *other,
                             const bmr_pose *other_in_owner) {
     const bmr_hierarchy *own = owner->hierarchy, *facing = other->hierarchy;
-    if (!own || !facing || bmr_hierarchy_polygon(own) != owner->polygon ||
-        bmr_hierarchy_polygon(facing) != other->polygon)
-        return BMR_ERROR_INVALID_STRUCTURE;
     const uint32_t level = side_level(facing, pair);
     if (!has_edge(own, pair->edge, side_level(own, pair)) || !has_edge(facing, pair->other, level) ||
         !has_edge(facing, pair->other_after, level))
@@ -80,21 +77,14 @@ static bmr_error audit_free(const bmr_pair *pair, const bmr_shape *owner, const 
     return BMR_OK;
 }
 
-_Static_assert((int)BMR_LAZY_COMPASS == (int)BMR_HIERARCHY_COMPASS &&
-                   (int)BMR_LAZY_DUDLEY == (int)BMR_HIERARCHY_DUDLEY &&
-                   (int)BMR_LAZY_DOBKIN_KIRKPATRICK == (int)BMR_HIERARCHY_DOBKIN_KIRKPATRICK,
-               "a lazy structure has the number of its hierarchy");
-
-static bool kind_fits(bmr_structure structure, const bmr_shape *shape) {
-    return shape->hierarchy && (int)bmr_hierarchy_get_kind(shape->hierarchy) == (int)structure;
-}
-
 bmr_error bmr_pair_audit(const bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a,
                          const bmr_shape *b, const bmr_pose *b_in_a) {
     if (!pair || !def || !a || !b || !b_in_a)
         return BMR_ERROR_NULL_ARGUMENT;
     if (pair->state == BMR_PAIR_NEW || pair->state == BMR_PAIR_CONTACT)
         return BMR_OK;
+    if (pair->stamp != bmr_pair_stamp(a->polygon, b->polygon))
+        return BMR_ERROR_FALSE_CERTIFICATE;
     if (pair->state != BMR_PAIR_APART || pair->owner > 1 || pair->level < BMR_LEVEL_DISKS)
         return BMR_ERROR_INVALID_STRUCTURE;
     if (pair->level == BMR_LEVEL_DISKS)
@@ -109,9 +99,10 @@ bmr_error bmr_pair_audit(const bmr_pair *pair, const bmr_pair_def *def, const bm
     double gap;
     if (bmr_certificate_check(&pair->certificate, other_in_owner, def->margin, &gap) != BMR_CHECK_HOLDS)
         return BMR_ERROR_FALSE_CERTIFICATE;
-    if (def->structure == BMR_FREE_DIRECTION)
-        return pair->level == 0 ? audit_free(pair, owner, other) : BMR_ERROR_INVALID_STRUCTURE;
-    if (!kind_fits(def->structure, a) || !kind_fits(def->structure, b))
+    const bmr_structure structure = bmr_pair_structure(def, a, b);
+    if (pair->structure != structure)
         return BMR_ERROR_INVALID_STRUCTURE;
+    if (structure == BMR_FREE_DIRECTION)
+        return pair->level == 0 ? audit_free(pair, owner, other) : BMR_ERROR_INVALID_STRUCTURE;
     return pair->free ? audit_free(pair, owner, other) : audit_lazy(pair, owner, other, other_in_owner);
 }

@@ -97,7 +97,7 @@ bmr_answer bmr_free_repair(bmr_step *step, bmr_failure failure, double *gap) {
     const int level_before = failure == BMR_FAILURE_NEW ? BMR_LEVEL_DISKS : pair->level;
     bmr_simplex simplex = start_of(pair, failure);
     if (failure == BMR_FAILURE_ROLLED)
-        pair->spin = (int8_t)bmr_free_spin(pair, step->pose);
+        pair->spin = bmr_free_spin(pair, step->pose) > 0 ? 1 : -1;
     if (failure == BMR_FAILURE_NEW && bmr_disks_certify(step, step->need, gap)) {
         bmr_step_tell(step, BMR_EVENT_START, level_before, BMR_LEVEL_DISKS, *gap);
         return BMR_APART;

@@ -206,10 +206,6 @@ bmr_answer bmr_lazy_repair(bmr_step *step, bmr_failure failure, double *gap) {
                 failure,
                 failure == BMR_FAILURE_NEW ? BMR_LEVEL_DISKS : pair->level,
                 0};
-    if (!r.walk.hierarchies[0] || !r.walk.hierarchies[1]) { // nothing to walk on, nothing to prove with
-        const bmr_simplex simplex = bmr_simplex_make(0, 0);
-        return bmr_contact_enter(step, &simplex, 0);
-    }
     bmr_answer answer;
     if (failure == BMR_FAILURE_NEW || failure == BMR_FAILURE_DISKS)
         answer = start(&r, between_centers(step), gap);

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "boomerang/pair.h"
 
-#include <float.h>
-#include <math.h>
 #include <string.h>
 
+#include "certificate/walk.h"
 #include "pair/step.h"
-
-/// A pose whose c^2 + s^2 is off 1 by more is no rigid motion, and nothing is proved about it.
-#define UNIT_TOLERANCE 1e-3
 
 /// Of the need, what a certificate's own relative rounding and the distance query's tolerance may hide: 2^-22
 /// and 2e-8, and room for the squares of these.
@@ -100,13 +96,30 @@ bmr_answer bmr_contact_enter(bmr_step *step, const bmr_simplex *simplex, int lev
     pair->edge = packed[0];
     pair->other = packed[1];
     pair->other_after = packed[2];
-    pair->simplex = (uint8_t)simplex->count;
+    pair->simplex = simplex->count & 3u;
     pair->state = BMR_PAIR_CONTACT;
     pair->level = (int8_t)level;
     pair->free = 0;
     if (entering)
         bmr_step_tell(step, BMR_EVENT_CONTACT, level_before, level, 0.0);
     return BMR_STAB_POLYGON;
+}
+
+_Static_assert((int)BMR_LAZY_COMPASS == (int)BMR_HIERARCHY_COMPASS &&
+                   (int)BMR_LAZY_DUDLEY == (int)BMR_HIERARCHY_DUDLEY &&
+                   (int)BMR_LAZY_DOBKIN_KIRKPATRICK == (int)BMR_HIERARCHY_DOBKIN_KIRKPATRICK,
+               "a lazy structure has the number of its hierarchy");
+_Static_assert(BMR_STRUCTURE_COUNT <= 4, "a pair has two bits for its structure");
+
+/// Has the shape a hierarchy that this structure can walk on?
+static bool walks(const bmr_shape *shape, bmr_structure structure) {
+    const bmr_hierarchy *h = shape->hierarchy;
+    return h && (int)bmr_hierarchy_get_kind(h) == (int)structure &&
+           bmr_hierarchy_polygon(h) == shape->polygon;
+}
+
+bmr_structure bmr_pair_structure(const bmr_pair_def *def, const bmr_shape *a, const bmr_shape *b) {
+    return walks(a, def->structure) && walks(b, def->structure) ? def->structure : BMR_FREE_DIRECTION;
 }
 
 bool bmr_step_closest(const bmr_step *step, bmr_simplex *simplex, bmr_closest *closest) {
@@ -126,10 +139,39 @@ bool bmr_step_holds(const bmr_step *step, double need, double *gap) {
     return look(step->pair, step->pose, need, gap) == BMR_CHECK_HOLDS;
 }
 
-/// False for NaN and infinity too.
-static bool is_rigid(const bmr_pose *q) {
-    return fabs(q->c * q->c + q->s * q->s - 1.0) <= UNIT_TOLERANCE &&
-           fabs(q->position.x) + fabs(q->position.y) <= DBL_MAX;
+static bool simplex_fits(const bmr_pair *pair, uint32_t count_a, uint32_t count_b) {
+    const bmr_simplex simplex = bmr_contact_simplex(pair);
+    for (uint32_t i = 0; i < simplex.count; ++i)
+        if (simplex.a[i] >= count_a || simplex.b[i] >= count_b)
+            return false;
+    return simplex.count > 0;
+}
+
+/// Does all that the pair remembers lie within these shapes? It does where the stamp and the structure are
+/// right and the pair was left by an advance. Asked for the one polygon in 2^32 whose stamp is another's.
+static bool remembers_what_is_there(const bmr_pair *pair, const bmr_shape *a, const bmr_shape *b) {
+    if (pair->state == BMR_PAIR_CONTACT)
+        return simplex_fits(pair, a->polygon->count, b->polygon->count);
+    if (pair->level == BMR_LEVEL_DISKS)
+        return true;
+    const bmr_shape *owner = pair->owner == 0 ? a : b, *other = pair->owner == 0 ? b : a;
+    if (pair->structure == BMR_FREE_DIRECTION || pair->free)
+        return pair->edge < owner->polygon->count && pair->other < other->polygon->count;
+    const bmr_hierarchy *const hierarchies[2] = {owner->hierarchy, other->hierarchy};
+    const uint32_t count = bmr_hierarchy_edge_count(other->hierarchy);
+    return pair->edge < bmr_hierarchy_edge_count(owner->hierarchy) && pair->other < count &&
+           pair->other_after < count && pair->level >= 0 && pair->level <= bmr_walk_deepest(hierarchies);
+}
+
+/// Forgets what is of another structure, or of other shapes after all.
+static void take_up(bmr_pair *pair, bmr_structure structure, const bmr_shape *a, const bmr_shape *b) {
+    const bool known = pair->state == BMR_PAIR_APART || pair->state == BMR_PAIR_CONTACT;
+    if (!known || pair->owner > 1 || pair->structure != structure || !remembers_what_is_there(pair, a, b)) {
+        const uint32_t stamp = pair->stamp;
+        bmr_pair_init(pair);
+        pair->stamp = stamp;
+        pair->structure = structure & 3u;
+    }
 }
 
 static bmr_failure failure_of(const bmr_pair *pair, bmr_check check) {
@@ -145,6 +187,8 @@ static bmr_failure failure_of(const bmr_pair *pair, bmr_check check) {
 /// Out of line: what is done when the quick look says no.
 static bmr_answer repair(bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a, const bmr_shape *b,
                          const bmr_pose *b_in_a, const bmr_observer *observer, bmr_check check, double *gap) {
+    const bmr_structure structure = bmr_pair_structure(def, a, b);
+    take_up(pair, structure, a, b);
     bmr_step step = {pair, def, {a, b}, b_in_a, observer, def->margin, 0.0};
     if (pair->state == BMR_PAIR_CONTACT)
         step.need += def->hysteresis;
@@ -152,8 +196,8 @@ static bmr_answer repair(bmr_pair *pair, const bmr_pair_def *def, const bmr_shap
         step.need * (1.0 + NEED_LOSS) + BMR_CERTIFICATE_LOSS * (a->polygon->extent + b->polygon->extent);
     const bmr_failure failure = failure_of(pair, check);
     *gap = 0.0;
-    const bmr_answer answer = def->structure == BMR_FREE_DIRECTION ? bmr_free_repair(&step, failure, gap)
-                                                                   : bmr_lazy_repair(&step, failure, gap);
+    const bmr_answer answer = structure == BMR_FREE_DIRECTION ? bmr_free_repair(&step, failure, gap)
+                                                              : bmr_lazy_repair(&step, failure, gap);
     if (answer != BMR_APART)
         *gap = 0.0;
     return answer;
@@ -166,10 +210,15 @@ bmr_answer bmr_pair_advance(bmr_pair *pair, const bmr_pair_def *def, const bmr_s
         gap = &unwanted;
     if (observer && observer->counters)
         ++observer->counters->checks;
-    if (!is_rigid(b_in_a)) {
+    if (!bmr_pair_takes(b_in_a)) {
         bmr_pair_init(pair);
         *gap = 0.0;
         return BMR_STAB_POLYGON;
+    }
+    const uint32_t stamp = bmr_pair_stamp(a->polygon, b->polygon);
+    if (pair->stamp != stamp) {
+        bmr_pair_init(pair);
+        pair->stamp = stamp;
     }
     bmr_check check = BMR_CHECK_CROSSED;
     if (pair->state == BMR_PAIR_APART) {

@@ -51,6 +51,14 @@ bmr_error bmr_disks_audit(const bmr_certificate *certificate, const bmr_polygon 
 /// window may cost.
 #define BMR_CLOSEST_SLACK 0.0625
 
+/// What a pair remembers of its two polygons. Exchanged they have another stamp, unless they are the same:
+/// the multiplier is odd, and less 1 twice an odd number.
+static inline uint32_t bmr_pair_stamp(const bmr_polygon *a, const bmr_polygon *b) {
+    return a->stamp * UINT32_C(0x9e3779b3) + b->stamp;
+}
+/// Which structure keeps a pair of these: the one that was asked for, if both have what it walks on.
+bmr_structure bmr_pair_structure(const bmr_pair_def *def, const bmr_shape *a, const bmr_shape *b);
+
 /// The distance query of a step, from the vertices given; true: apart by more than step->reach.
 bool bmr_step_closest(const bmr_step *step, bmr_simplex *simplex, bmr_closest *closest);
 /// The simplex that a pair in contact remembers.

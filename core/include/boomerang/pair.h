@@ -2,6 +2,8 @@
 #ifndef BOOMERANG_PAIR_H
 #define BOOMERANG_PAIR_H
 
+#include <float.h>
+
 #include "boomerang/certificate.h"
 #include "boomerang/hierarchy.h"
 
@@ -16,6 +18,13 @@ extern "C" {
 ///
 /// Poses are of B's frame in A's frame throughout. Nothing here allocates; a pair is plain data that may be
 /// copied.
+///
+/// A pair belongs to the two polygons of its last advance, A and B in this order. It knows them by their
+/// stamps (bmr_polygon), not by their addresses; others pass for them with a probability of 2^-32. An advance
+/// with polygons of other vertices, or with A and B exchanged, starts the pair anew, as bmr_pair_init would
+/// have: a polygon may be replaced, also by one at the same address, and nobody need tell the pair. A copy of
+/// a polygon is the same polygon. A polygon that was written to in place keeps its stamp, which is why nobody
+/// may (bmr_polygon_audit finds it).
 
 /// Which kinetic structure.
 typedef enum bmr_structure {
@@ -32,22 +41,27 @@ typedef enum bmr_structure {
 /// "lazy-compass", "lazy-dudley", "lazy-dobkin-kirkpatrick", "free-direction"; NULL for anything else.
 const char *bmr_structure_name(bmr_structure structure);
 
-/// One body of a pair. `hierarchy` is what the lazy structures walk on (of the kind the structure names; its
-/// polygon is `polygon`); the free direction takes NULL. Both must outlive the pair's use of them.
+/// One body of a pair. `hierarchy` is what the lazy structures walk on: of the kind that the structure names,
+/// built over `polygon` itself. NULL, one of another kind and one of another polygon are no hierarchy. Both
+/// need only live during each call.
 typedef struct bmr_shape {
-    const bmr_polygon *polygon;
-    const bmr_hierarchy *hierarchy;
+    const bmr_polygon *polygon;     ///< never NULL
+    const bmr_hierarchy *hierarchy; ///< may be NULL
 } bmr_shape;
 
 /// How a structure is to behave: constant, shared by many pairs.
 typedef struct bmr_pair_def {
+    /// A lazy structure needs the hierarchies of both shapes. Where either has none, the pair is kept as a
+    /// free direction, which needs none: the same answers, the same bounds and audits, other events (it has
+    /// one level below the disks, and starts with a distance query). The same goes for a number that names no
+    /// structure. It may change between two advances: the pair then starts anew at its next repair.
     bmr_structure structure;
     /// The pair counts as in contact when no line proves more than this; >= 0, length units.
     double margin;
     /// A pair in contact leaves it only when more than margin + hysteresis is proved; >= 0, length units.
     double hysteresis;
 } bmr_pair_def;
-/// lazy-compass, margin and hysteresis 0.
+/// lazy-compass, margin and hysteresis 0. With it, shapes need no hierarchy, and are faster with one.
 bmr_pair_def bmr_default_pair_def(void);
 
 /// Kinds of events, in the paper's words. One repair is one of START, PUSH, STAB, ROLL, CONTACT and LEAVE,
@@ -74,17 +88,18 @@ const char *bmr_event_name(bmr_event_kind kind);
 typedef struct bmr_pair {
     bmr_certificate certificate; ///< 44 bytes; at level -1 normal = centre of A's disk, window[0] = that of
                                  ///< B's, offset = sum of radii
-    uint8_t simplex;      ///< in contact: how many vertex pairs (a | b << 16) are remembered in edge, other,
-                          ///< other_after
-    int8_t spin;          ///< free: the sense in which B turned out of the last bracket: -1, 0 (unknown) or 1
-    uint8_t owner;        ///< 0: the line is A's; 1: it is B's
-    uint8_t state;        ///< bmr_pair_state
-    uint32_t edge;        ///< lazy: the owner's edge id; free: support vertex of the owner
-    uint32_t other;       ///< lazy: `before` of the other's corner; free: support vertex of the other
+    uint8_t simplex : 2;   ///< in contact: how many vertex pairs (a | b << 16) are remembered in edge, other,
+                           ///< other_after
+    uint8_t structure : 2; ///< bmr_structure that edge, other and other_after are of
+    uint8_t free : 1; ///< lazy: 1 where no edge's line does and the certificate is the closest direction's
+    int8_t spin : 2;  ///< free: the sense in which B turned out of the last bracket: -1, 0 (unknown) or 1
+    uint8_t owner;    ///< 0: the line is A's; 1: it is B's
+    uint8_t state;    ///< bmr_pair_state
+    int8_t level;     ///< -1 disks, 0 rectangles, ...; free direction: 0; in contact: the deepest
+    uint32_t edge;    ///< lazy: the owner's edge id; free: support vertex of the owner
+    uint32_t other;   ///< lazy: `before` of the other's corner; free: support vertex of the other
     uint32_t other_after; ///< lazy: `after` of the other's corner (its `cut` follows from the level)
-    int8_t level;         ///< -1 disks, 0 rectangles, ...; free direction: 0; in contact: the deepest
-    uint8_t free; ///< lazy: 1 where no edge's line does and the certificate is the closest direction's
-    uint8_t reserved[2];
+    uint32_t stamp;       ///< of the polygons of the last advance, A and B in this order
 } bmr_pair;
 
 typedef enum bmr_pair_state {
@@ -121,12 +136,25 @@ typedef struct bmr_observer {
     void *context;
 } bmr_observer;
 
-/// A pair about which nothing is known. Any pose may come next. O(1).
+/// A pose whose c^2 + s^2 is off 1 by more is no rigid motion, and nothing is proved about it.
+#define BMR_PAIR_UNIT_TOLERANCE 1e-3
+
+/// Is it a pose that a pair can be advanced to: finite, and of a rotation of about unit length? O(1).
+static inline bool bmr_pair_takes(const bmr_pose *b_in_a) {
+    const double excess = b_in_a->c * b_in_a->c + b_in_a->s * b_in_a->s - 1.0;
+    const double x = b_in_a->position.x, y = b_in_a->position.y;
+    const double reach = (x < 0.0 ? -x : x) + (y < 0.0 ? -y : y);
+    return excess <= BMR_PAIR_UNIT_TOLERANCE && -excess <= BMR_PAIR_UNIT_TOLERANCE && reach <= DBL_MAX;
+}
+
+/// A pair about which nothing is known. Any polygons and any pose may come next. 64 bytes of zeros are one.
+/// O(1).
 void bmr_pair_init(bmr_pair *pair);
 
 /// The quick look: is the certificate of the last advance still true at this pose, by more than the margin?
-/// One cache line, no memory but the pair's. False says nothing but "call bmr_pair_advance"; a pose with a
-/// NaN is never true. The length of (c, s) is the caller's to know: it is bmr_pair_advance that looks at it.
+/// True of the polygons of that advance: whoever has others now must know it, or call bmr_pair_advance, which
+/// sees it. One cache line, no memory but the pair's. False says nothing but "call bmr_pair_advance"; a pose
+/// with a NaN is never true. Asks for a pose that bmr_pair_takes, which bmr_pair_advance looks at itself.
 /// `*gap` as in bmr_certificate_check.
 static inline bool bmr_pair_check(const bmr_pair *pair, const bmr_pose *b_in_a, double margin, double *gap);
 
@@ -139,17 +167,25 @@ static inline bool bmr_pair_check(const bmr_pair *pair, const bmr_pose *b_in_a, 
 /// gets a certified lower bound of the distance of the polygons: > margin when the answer is APART, 0
 /// otherwise. NaN poses answer STAB_POLYGON. Certified means: true of the given polygons at the given pose,
 /// all rounding included (poses whose (c, s) is off unit length by e > 2^-50 scale the other body by 1 + e;
-/// that is the caller's to add to the margin. Poses off by more than 1e-3 are no motions and answer
-/// STAB_POLYGON, as NaN does). Complete: where the distance is larger than need + BMR_PAIR_SLOP * (sum of the
+/// that is the caller's to add to the margin. To a pose that bmr_pair_takes does not take the answer
+/// is STAB_POLYGON). Complete: where the distance is larger than need + BMR_PAIR_SLOP * (sum of the
 /// extents) + 1e-6 * need, the answer is APART; need is the margin, and for a pair in contact margin +
-/// hysteresis. Cost: O(1) where the certificate holds, else O(level change) expected, O(log n) for a start.
+/// hysteresis.
+///
+/// All of this is so whatever the pair was advanced with before: other polygons, hierarchies or structures
+/// start it anew (see the top). Even a pair of bytes that no call of this header has left reads nothing but
+/// the pair and the shapes; what it answers is as good as its bytes.
+///
+/// Cost: O(1) where the certificate holds, reading the pair and one line of each polygon, else O(level
+/// change) expected, O(log n) for a start.
 bmr_answer bmr_pair_advance(bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a, const bmr_shape *b,
                             const bmr_pose *b_in_a, const bmr_observer *observer, double *gap);
 
 /// Re-proves the pair's state from scratch at a pose where it was just advanced to (brute force over all
 /// vertices, and for the lazy structures: the edge is on its level, the corner is the extreme one of its
-/// level, the window is its point). OK for a pair in contact or new. FALSE_CERTIFICATE or INVALID_STRUCTURE
-/// otherwise. O(n).
+/// level, the window is its point). OK for a pair in contact or new. Errors: NULL_ARGUMENT;
+/// FALSE_CERTIFICATE, also of polygons that are not those of its last advance; INVALID_STRUCTURE, also where
+/// the pair was last repaired as another structure, and its next repair will start it anew. O(n).
 bmr_error bmr_pair_audit(const bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a,
                          const bmr_shape *b, const bmr_pose *b_in_a);
 

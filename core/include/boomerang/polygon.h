@@ -32,6 +32,9 @@ typedef struct bmr_polygon {
     bmr_vec2 center;  ///< centre of a bounding disk
     double radius;    ///< its radius, not smaller than the distance of any vertex from `center`
     double extent;    ///< largest |coordinate|: what rounding errors scale with
+    /// Made of the vertices' bits, in order: polygons of the same vertices have the same stamp, wherever they
+    /// lie, and two others have it with a probability of 2^-32. By it a bmr_pair knows its polygons again.
+    uint32_t stamp;
 } bmr_polygon;
 
 /// The convex hull of `points`, in any order. The merging rule is exact: a point is dropped if and only if it

@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: MIT
+// A pair that is advanced with other shapes than the last time: it may say apart only of the ones it is
+// given.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "boomerang/pair.h"
+#include "hierarchies.h"
+#include "polygon_distance.h"
+#include "polygons.h"
+#include "test_scale.h"
+
+namespace {
+
+struct CompassDeleter {
+    void operator()(bmr_compass *c) const { bmr_compass_destroy(c, nullptr); }
+};
+
+const bmr_compass *Compass() {
+    static const std::unique_ptr<bmr_compass, CompassDeleter> compass([] {
+        bmr_compass *made = nullptr;
+        REQUIRE(bmr_compass_create(256, nullptr, &made) == BMR_OK);
+        return made;
+    }());
+    return compass.get();
+}
+
+/// A polygon with a hierarchy of each kind.
+struct Body {
+    bmr_polygon *polygon = nullptr;
+    bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT] = {};
+
+    explicit Body(const std::vector<bmr_vec2> &points) {
+        REQUIRE(bmr_polygon_create(points.data(), points.size(), nullptr, &polygon) == BMR_OK);
+        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind)
+            REQUIRE(test_build_hierarchy(static_cast<bmr_hierarchy_kind>(kind), polygon, Compass(), nullptr,
+                                         &hierarchies[kind]) == BMR_OK);
+    }
+    Body(const Body &) = delete;
+    Body &operator=(const Body &) = delete;
+    ~Body() {
+        for (bmr_hierarchy *hierarchy : hierarchies)
+            bmr_hierarchy_destroy(hierarchy, nullptr);
+        bmr_polygon_destroy(polygon, nullptr);
+    }
+    /// What the structure names; nothing for the free direction.
+    bmr_shape Shape(int structure) const {
+        return {polygon, structure == BMR_FREE_DIRECTION ? nullptr : hierarchies[structure]};
+    }
+};
+
+std::vector<bmr_vec2> Box(double halfWidth, double halfHeight) {
+    return {{halfWidth, halfHeight},
+            {-halfWidth, halfHeight},
+            {-halfWidth, -halfHeight},
+            {halfWidth, -halfHeight}};
+}
+
+std::vector<bmr_vec2> Regular(int count, double radius, double turn) {
+    std::vector<bmr_vec2> points;
+    for (int i = 0; i < count; ++i) {
+        const double angle = turn + 6.283185307179586 * i / count;
+        points.push_back({radius * std::cos(angle), 0.8 * radius * std::sin(angle)});
+    }
+    return points;
+}
+
+bmr_pair NewPair() {
+    bmr_pair pair;
+    bmr_pair_init(&pair);
+    return pair;
+}
+
+bmr_pair_def Def(int structure) {
+    bmr_pair_def def = bmr_default_pair_def();
+    def.structure = static_cast<bmr_structure>(structure);
+    return def;
+}
+
+double Distance(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose &pose) {
+    const bmr_pose here = {{0.0, 0.0}, 1.0, 0.0};
+    return static_cast<double>(
+        distance::SignedDistance(distance::Transformed(a, here), distance::Transformed(b, pose)));
+}
+
+/// What is to keep such a pair.
+bmr_structure Structure(const bmr_pair_def &def, const bmr_shape &a, const bmr_shape &b) {
+    for (const bmr_shape *shape : {&a, &b})
+        if (shape->hierarchy == nullptr || bmr_hierarchy_polygon(shape->hierarchy) != shape->polygon ||
+            static_cast<int>(bmr_hierarchy_get_kind(shape->hierarchy)) != static_cast<int>(def.structure))
+            return BMR_FREE_DIRECTION;
+    return def.structure;
+}
+
+/// Advances, and looks whether the answer is true, tight and audited.
+bmr_answer Advance(bmr_pair *pair, const bmr_pair_def &def, const bmr_shape &a, const bmr_shape &b,
+                   const bmr_pose &pose, const bmr_observer *observer = nullptr) {
+    double gap = -1.0;
+    const bool contact = pair->state == BMR_PAIR_CONTACT;
+    const bmr_answer answer = bmr_pair_advance(pair, &def, &a, &b, &pose, observer, &gap);
+    const double truth = Distance(a.polygon, b.polygon, pose);
+    const double need = def.margin + (contact ? def.hysteresis : 0.0);
+    const double slop = BMR_PAIR_SLOP * (a.polygon->extent + b.polygon->extent) + 1e-6 * need;
+    if (answer == BMR_APART) {
+        CHECK(gap > def.margin);
+        CHECK(gap <= truth + 1e-12);
+    } else {
+        CHECK(gap == 0.0);
+        CHECK(truth <= need + slop);
+    }
+    // A certificate that held is not repaired, and may be another structure's.
+    const bool others = pair->state == BMR_PAIR_APART && pair->level != BMR_LEVEL_DISKS &&
+                        pair->structure != Structure(def, a, b);
+    CHECK(bmr_pair_audit(pair, &def, &a, &b, &pose) == (others ? BMR_ERROR_INVALID_STRUCTURE : BMR_OK));
+    return answer;
+}
+
+bmr_pose At(double x, double y, double angle) {
+    return {{x, y}, std::cos(angle), std::sin(angle)};
+}
+
+uint64_t Starts(const bmr_counters &counters) {
+    return counters.events[BMR_EVENT_START];
+}
+
+} // namespace
+
+TEST_CASE("a pair proved for two boxes says nothing of two larger ones that overlap") {
+    const Body box(Box(0.5, 0.5)), larger(Box(1.0, 1.0));
+    for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
+        CAPTURE(structure);
+        const bmr_pair_def def = Def(structure);
+        for (const double x : {1.67, 4.0}) { // a line; two disks
+            bmr_pair pair = NewPair();
+            REQUIRE(Advance(&pair, def, box.Shape(structure), box.Shape(structure), At(x, 0.3, 0.0)) ==
+                    BMR_APART);
+            const bmr_pose near = At(1.67, 0.3, 0.0);
+            CHECK(Advance(&pair, def, larger.Shape(structure), larger.Shape(structure), near) ==
+                  BMR_STAB_POLYGON);
+        }
+    }
+}
+
+TEST_CASE("a pair takes the sides of A and B by what they are") {
+    const Body wide(Box(3.0, 0.1)), tall(Box(0.1, 3.0));
+    for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
+        CAPTURE(structure);
+        const bmr_pair_def def = Def(structure);
+        const bmr_shape a = wide.Shape(structure), b = tall.Shape(structure);
+        bmr_pair pair = NewPair();
+        // At (2.9, 2.9) the tall one stands beyond the wide one's side; the other way round they cross.
+        const bmr_pose pose = At(2.9, 3.3, 0.0);
+        REQUIRE(Advance(&pair, def, a, b, pose) == BMR_APART);
+        CHECK(Advance(&pair, def, b, a, At(2.9, 2.9, 0.0)) == BMR_STAB_POLYGON);
+        CHECK(Advance(&pair, def, a, b, pose) == BMR_APART);
+    }
+}
+
+namespace {
+
+/// Hands out one place, again and again.
+struct OnePlace {
+    alignas(64) unsigned char bytes[4096];
+    bmr_allocator allocator = {[](void *context, size_t size) -> void * {
+                                   return size <= sizeof bytes ? static_cast<OnePlace *>(context)->bytes
+                                                               : nullptr;
+                               },
+                               [](void *context, void *block, size_t) {
+                                   // What is freed is gone: reading it later shows.
+                                   std::memset(block, 0xff, sizeof static_cast<OnePlace *>(context)->bytes);
+                               },
+                               this};
+};
+
+} // namespace
+
+TEST_CASE("a polygon that was made where another was freed is another") {
+    OnePlace place;
+    const Body box(Box(0.5, 0.5));
+    const bmr_pair_def def = Def(BMR_FREE_DIRECTION);
+    const std::vector<bmr_vec2> small = Regular(60, 0.5, 0.1), large = Regular(5, 4.0, 0.3);
+    for (const std::vector<bmr_vec2> *points : {&small, &large}) {
+        const bool first = points == &small;
+        for (const bmr_pose &pose :
+             {At(1.5, 0.2, 0.0), At(9.0, 0.0, 0.4), At(0.2, 0.2, 0.0)}) { // line, disks, contact
+            bmr_polygon *made = nullptr;
+            const std::vector<bmr_vec2> &other = first ? large : small;
+            REQUIRE(bmr_polygon_create_raw(points->data(), points->size(), &place.allocator, &made) ==
+                    BMR_OK);
+            bmr_pair pair = NewPair();
+            Advance(&pair, def, {made, nullptr}, box.Shape(BMR_FREE_DIRECTION), pose);
+            bmr_polygon_destroy(made, &place.allocator);
+            bmr_polygon *again = nullptr;
+            REQUIRE(bmr_polygon_create_raw(other.data(), other.size(), &place.allocator, &again) == BMR_OK);
+            REQUIRE(again == made); // the same address
+            Advance(&pair, def, {again, nullptr}, box.Shape(BMR_FREE_DIRECTION), pose);
+            Advance(&pair, def, {again, nullptr}, box.Shape(BMR_FREE_DIRECTION), At(1.5, 0.2, 0.2));
+            bmr_polygon_destroy(again, &place.allocator);
+        }
+    }
+}
+
+TEST_CASE("a copy of a polygon is the same polygon: nothing starts anew") {
+    const Body one(Regular(20, 1.0, 0.2)), other(Box(0.5, 0.5));
+    bmr_polygon *copy = nullptr, *rebuilt = nullptr;
+    REQUIRE(bmr_polygon_copy(one.polygon, nullptr, &copy) == BMR_OK);
+    REQUIRE(bmr_polygon_create_raw(one.polygon->vertices, one.polygon->count, nullptr, &rebuilt) == BMR_OK);
+    CHECK(copy->stamp == one.polygon->stamp);
+    CHECK(rebuilt->stamp == one.polygon->stamp);
+    const bmr_pair_def def = Def(BMR_FREE_DIRECTION);
+    bmr_pair pair = NewPair();
+    bmr_counters counters = {};
+    const bmr_observer observer = {&counters, nullptr, nullptr};
+    for (int i = 0; i < 300; ++i) {
+        const bmr_polygon *const which[] = {one.polygon, copy, rebuilt};
+        const bmr_pose pose = At(1.9 * std::cos(0.02 * i), 1.9 * std::sin(0.02 * i), 0.05 * i);
+        Advance(&pair, def, {which[i % 3], nullptr}, {other.polygon, nullptr}, pose, &observer);
+    }
+    CHECK(Starts(counters) == 1);
+    CHECK(counters.checks == 300);
+    bmr_polygon_destroy(copy, nullptr);
+    bmr_polygon_destroy(rebuilt, nullptr);
+}
+
+TEST_CASE("polygons of other vertices have another stamp, and one that was written to is found") {
+    const Body box(Box(0.5, 0.5));
+    std::vector<uint32_t> stamps;
+    const double wholes[] = {-1.0, 1.0, 2.0, 0.5};
+    for (const double x : wholes) // signs and exponents alone differ
+        for (const double y : wholes) {
+            bmr_vec2 points[] = {{x, y}, {16.0 * x + 64.0, y}, {x + 64.0, y + 64.0}};
+            bmr_polygon *polygon = nullptr;
+            REQUIRE(bmr_polygon_create(points, 3, nullptr, &polygon) == BMR_OK);
+            for (const uint32_t stamp : stamps)
+                CHECK(stamp != polygon->stamp);
+            stamps.push_back(polygon->stamp);
+            bmr_polygon_destroy(polygon, nullptr);
+        }
+    bmr_polygon *written = nullptr;
+    REQUIRE(bmr_polygon_copy(box.polygon, nullptr, &written) == BMR_OK);
+    CHECK(bmr_polygon_audit(written) == BMR_OK);
+    const_cast<bmr_vec2 *>(written->vertices)[1].x += 1e-12; // within every other promise
+    written->radius += 1.0;
+    written->extent = std::fmax(written->extent, written->vertices[1].x);
+    CHECK(bmr_polygon_audit(written) == BMR_ERROR_INVALID_STRUCTURE);
+    bmr_polygon_destroy(written, nullptr);
+}
+
+TEST_CASE("every structure answers with whatever hierarchies there are") {
+    const Body one(Regular(24, 1.0, 0.2)), two(Box(1.0, 0.5));
+    const auto choices = [](const Body &body, const Body &another) {
+        std::vector<bmr_shape> shapes = {{body.polygon, nullptr}, {body.polygon, another.hierarchies[0]}};
+        for (const bmr_hierarchy *hierarchy : body.hierarchies)
+            shapes.push_back({body.polygon, hierarchy});
+        return shapes;
+    };
+    for (int structure = 0; structure <= BMR_STRUCTURE_COUNT; ++structure) // the last is none
+        for (const bmr_shape &a : choices(one, two))
+            for (const bmr_shape &b : choices(two, one)) {
+                CAPTURE(structure);
+                bmr_pair_def def = Def(structure);
+                def.margin = 0.01;
+                def.hysteresis = 0.01;
+                bmr_pair pair = NewPair();
+                CHECK(Advance(&pair, def, a, b, At(98.0, 0.0, 0.0)) == BMR_APART);
+                for (int i = 0; i < 60; ++i) {
+                    const double r = 1.9 + std::cos(0.21 * i);
+                    Advance(&pair, def, a, b, At(r * std::cos(0.1 * i), r * std::sin(0.1 * i), 0.3 * i));
+                }
+                CHECK(Advance(&pair, def, a, b, At(0.0, 98.0, 0.3)) == BMR_APART);
+            }
+}
+
+TEST_CASE("the default definition needs no hierarchy") {
+    const Body box(Box(1.0, 1.0));
+    const bmr_pair_def def = bmr_default_pair_def();
+    const bmr_shape bare = {box.polygon, nullptr};
+    bmr_pair pair = NewPair();
+    CHECK(Advance(&pair, def, bare, bare, At(100.0, 0.0, 0.0)) == BMR_APART);
+    CHECK(Advance(&pair, def, bare, bare, At(2.1, 0.5, 0.0)) == BMR_APART);
+    CHECK(Advance(&pair, def, bare, bare, At(1.9, 0.5, 0.0)) == BMR_STAB_POLYGON);
+    CHECK(Advance(&pair, def, bare, bare, At(2.1, 0.5, 0.1)) == BMR_APART);
+}
+
+namespace {
+
+/// Polygons of 1 to 200 vertices, from small to large.
+std::vector<std::unique_ptr<Body>> Bodies(test_random *random) {
+    std::vector<std::unique_ptr<Body>> bodies;
+    for (const int count : {1, 2, 3, 4, 7, 30, 100})
+        for (const double radius : {0.2, 1.0, 3.0})
+            bodies.push_back(
+                std::make_unique<Body>(Regular(count, radius, test_random_uniform(random, 0.0, 6.0))));
+    return bodies;
+}
+
+bmr_pose AnyPose(test_random *random, double reach) {
+    const double angle = test_random_uniform(random, 0.0, 6.3);
+    const double r = reach * test_random_uniform(random, 0.2, 1.6);
+    return At(r * std::cos(angle), r * std::sin(angle), test_random_uniform(random, -4.0, 4.0));
+}
+
+} // namespace
+
+TEST_CASE("whatever a pair is advanced with next, what it says is true") {
+    test_random random = {1234};
+    const std::vector<std::unique_ptr<Body>> bodies = Bodies(&random);
+    const auto any = [&]() -> const Body & {
+        return *bodies[test_random_below(&random, static_cast<uint32_t>(bodies.size()))];
+    };
+    const size_t rounds = test_scaled(20000);
+    size_t apart = 0, contact = 0;
+    bmr_pair pair = NewPair(), kept = pair;
+    const Body *a = &any(), *b = &any();
+    bmr_pair_def def = Def(0);
+    int hierarchies[2] = {0, 0};
+    bmr_pose pose = At(3.0, 0.0, 0.0);
+    for (size_t i = 0; i < rounds; ++i) {
+        switch (test_random_below(&random, 10)) {
+        case 0:
+            a = &any();
+            break;
+        case 1:
+            b = &any();
+            break;
+        case 2:
+            std::swap(a, b);
+            break;
+        case 3:
+            def.structure = static_cast<bmr_structure>(test_random_below(&random, BMR_STRUCTURE_COUNT));
+            hierarchies[0] = hierarchies[1] = def.structure;
+            break;
+        case 4:
+            hierarchies[i % 2] = static_cast<int>(test_random_below(&random, BMR_STRUCTURE_COUNT));
+            break;
+        case 5:
+            kept = pair;
+            break;
+        case 6:
+            pair = kept; // of other shapes, maybe
+            break;
+        case 7:
+            def.margin = i % 3 == 0 ? 0.0 : 0.02;
+            break;
+        default: // the same shapes, nearly the same pose
+            break;
+        }
+        if (test_random_below(&random, 3) == 0)
+            pose = AnyPose(&random, a->polygon->extent + b->polygon->extent);
+        pose.position.x += test_random_uniform(&random, -0.01, 0.01);
+        const bool found =
+            Advance(&pair, def, a->Shape(hierarchies[0]), b->Shape(hierarchies[1]), pose) == BMR_APART;
+        ++(found ? apart : contact);
+    }
+    CHECK(apart > rounds / 5);
+    CHECK(contact > rounds / 20);
+}
+
+TEST_CASE("a pair of any bytes reads nothing but its shapes") {
+    // What the stamp would let through once in 2^32 times: here it is right, and all the rest anything.
+    test_random random = {99};
+    const std::vector<std::unique_ptr<Body>> bodies = Bodies(&random);
+    size_t answers = 0;
+    for (size_t i = 0; i < test_scaled(50000); ++i) {
+        const Body &a = *bodies[test_random_below(&random, static_cast<uint32_t>(bodies.size()))];
+        const Body &b = *bodies[test_random_below(&random, static_cast<uint32_t>(bodies.size()))];
+        const int structure = static_cast<int>(test_random_below(&random, BMR_STRUCTURE_COUNT));
+        const bmr_pair_def def = Def(structure);
+        const bmr_shape of_a = a.Shape(structure), of_b = b.Shape(structure);
+        const bmr_pose pose = AnyPose(&random, a.polygon->extent + b.polygon->extent);
+        bmr_pair pair = NewPair();
+        bmr_pair_advance(&pair, &def, &of_a, &of_b, &pose, nullptr, nullptr);
+        const uint32_t stamp = pair.stamp;
+        unsigned char bytes[sizeof pair];
+        std::memcpy(bytes, &pair, sizeof pair);
+        const uint32_t changes = 1 + test_random_below(&random, 24);
+        for (uint32_t k = 0; k < changes; ++k) // the certificate's part as well as the indices
+            bytes[test_random_below(&random, 2) == 0 ? test_random_below(&random, sizeof bytes)
+                                                     : 44 + test_random_below(&random, 16)] =
+                static_cast<unsigned char>(test_random_below(&random, 256));
+        std::memcpy(&pair, bytes, sizeof pair);
+        pair.stamp = stamp;
+        for (int step = 0; step < 3; ++step) {
+            const bmr_pose next = AnyPose(&random, a.polygon->extent + b.polygon->extent);
+            answers += bmr_pair_advance(&pair, &def, &of_a, &of_b, &next, nullptr, nullptr) == BMR_APART;
+            bmr_pair_audit(&pair, &def, &of_a, &of_b, &next);
+        }
+    }
+    CHECK(answers > 0);
+}
