@@ -8,6 +8,7 @@
 #include "analysis/family_paths.h"
 #include "analysis/random.h"
 #include "geometry/memory.h"
+#include "geometry/size.h"
 
 #define PI 3.14159265358979323846
 /// The separation measured is within this part of sigma when the search ends ..
@@ -134,9 +135,12 @@ static bmr_error draw(bmr_family_plan *plan, const bmr_family_def *def, const bm
         draw_path(plan, random);
     plan->steps = def->steps && info->default_steps ? def->steps : info->default_steps;
     bmr_error error = BMR_OK;
+    size_t bytes;
     const bool is_random_walk = info->path == bmr_path_brownian || info->path == bmr_path_wander;
-    if (is_random_walk && plan->steps > 0) {
-        plan->draws = bmr_allocate(allocator, plan->steps * sizeof *plan->draws);
+    if (is_random_walk && !bmr_size_product(plan->steps, sizeof *plan->draws, SIZE_MAX, &bytes)) {
+        error = BMR_ERROR_TOO_LARGE;
+    } else if (is_random_walk && plan->steps > 0) {
+        plan->draws = bmr_allocate(allocator, bytes);
         for (size_t k = 0; plan->draws && k < plan->steps; k++) {
             plan->draws[k].x = gsl_ran_gaussian(random, 1.0);
             plan->draws[k].y = gsl_ran_gaussian(random, 1.0);

@@ -6,6 +6,7 @@
 #include "boomerang/polygon.h"
 #include "convex32/directions.h"
 #include "convex32/mass.h"
+#include "convex32/scratch.h"
 #include "geometry/hull.h"
 #include "geometry/memory.h"
 #include "geometry/predicates.h"
@@ -25,6 +26,8 @@ static uint32_t bits_for(size_t count) {
 }
 
 size_t bmr_convex32_bytes(size_t count) {
+    if (count > BMR_CONVEX32_MOST)
+        return SIZE_MAX;
     const uint32_t bits = bits_for(count);
     return sizeof(bmr_convex32_block) + 2 * count * sizeof(bmr_vec32) +
            (bits > 0 ? ((size_t)1 << bits) * sizeof(uint16_t) : 0);
@@ -169,12 +172,12 @@ bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_a
         return BMR_ERROR_NULL_ARGUMENT;
     if (count < 3)
         return BMR_ERROR_TOO_FEW_POINTS;
-    if (count > SIZE_MAX / (4 * sizeof(bmr_vec2)))
+    size_t scratch_size;
+    if (!bmr_convex32_scratch(count, SIZE_MAX, &scratch_size))
         return BMR_ERROR_TOO_MANY_POINTS;
     bmr_error error = check_points(points, count);
     if (error != BMR_OK)
         return error;
-    const size_t scratch_size = (2 * count + 1) * sizeof(bmr_vec2);
     bmr_vec2 *sorted = bmr_allocate(allocator, scratch_size);
     if (!sorted)
         return BMR_ERROR_NO_MEMORY;

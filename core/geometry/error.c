@@ -48,6 +48,13 @@ const char *bmr_error_describe(bmr_error error) {
     case BMR_ERROR_CORNER_TOO_LARGE:
         return "the corner's radius is more than half of a side: make it at most the half width and the half "
                "height";
+    case BMR_ERROR_TOO_LARGE:
+        return "what was asked for takes more bytes than this machine can address: ask for fewer bodies, "
+               "points or steps";
+    case BMR_ERROR_WRONG_HIERARCHY:
+        return "a hierarchy was built over another polygon than the one beside it, or is of another kind "
+               "than "
+               "its place says: build it over this polygon";
     case BMR_ERROR_COUNT:
         break;
     }

@@ -13,7 +13,7 @@
 #define VERTICES_AT ((sizeof(bmr_polygon) + sizeof(bmr_vec2) - 1) / sizeof(bmr_vec2) * sizeof(bmr_vec2))
 
 size_t bmr_polygon_bytes(size_t count) {
-    return VERTICES_AT + count * sizeof(bmr_vec2);
+    return count <= BMR_MAX_VERTICES ? VERTICES_AT + count * sizeof(bmr_vec2) : SIZE_MAX;
 }
 
 static bmr_vec2 *vertices_of(bmr_polygon *block) {

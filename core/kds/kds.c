@@ -32,12 +32,20 @@ static bool def_makes_sense(const bmr_kds_def *def) {
            def->offset_ratio < 1.0 && def->window_part >= 0.0 && def->window_part < 1.0;
 }
 
+/// Is the hierarchy that stands in this place of this kind, and built over this polygon?
+static bool is_of(const bmr_kds_shape *shape, int kind) {
+    const bmr_hierarchy *h = shape->hierarchies[kind];
+    return (int)bmr_hierarchy_get_kind(h) == kind && bmr_hierarchy_polygon(h) == shape->polygon;
+}
+
 bmr_error bmr_kds_create(const bmr_kds_info *info, const bmr_kds_def *def, const bmr_kds_shape *a,
                          const bmr_kds_shape *b, const bmr_allocator *allocator, bmr_kds **kds) {
     if (!info || !def || !a || !b || !kds || !a->polygon || !b->polygon)
         return BMR_ERROR_NULL_ARGUMENT;
     if (info->hierarchy >= 0 && (!a->hierarchies[info->hierarchy] || !b->hierarchies[info->hierarchy]))
         return BMR_ERROR_NULL_ARGUMENT;
+    if (info->hierarchy >= 0 && !(is_of(a, info->hierarchy) && is_of(b, info->hierarchy)))
+        return BMR_ERROR_WRONG_HIERARCHY;
     if (!def_makes_sense(def) || (info->domain == BMR_KDS_POINT && b->polygon->count != 1))
         return BMR_ERROR_OUT_OF_RANGE;
     const bmr_kds_class *class = class_of(info);

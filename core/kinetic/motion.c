@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "geometry/memory.h"
+#include "geometry/size.h"
 #include "kinetic/piece.h"
 
 /// Room for pieces is doubled from here.
@@ -47,8 +48,11 @@ bmr_motion_piece bmr_piece_screw(double origin, bmr_pose pose, bmr_vec2 velocity
 }
 
 static bmr_error make_motion(size_t capacity, const bmr_allocator *allocator, bmr_motion **motion) {
+    size_t bytes;
+    if (!bmr_size_product(capacity, sizeof(timed_piece), SIZE_MAX, &bytes))
+        return BMR_ERROR_TOO_LARGE;
     bmr_motion *made = bmr_allocate(allocator, sizeof *made);
-    timed_piece *pieces = made ? bmr_allocate(allocator, capacity * sizeof *pieces) : NULL;
+    timed_piece *pieces = made ? bmr_allocate(allocator, bytes) : NULL;
     if (!pieces) {
         if (made)
             bmr_release(allocator, made, sizeof *made);
@@ -162,8 +166,12 @@ static size_t find(const bmr_motion *motion, double time) {
 }
 
 static bmr_error grow(bmr_motion *motion) {
-    const size_t size = sizeof *motion->pieces, capacity = 2 * motion->capacity;
-    timed_piece *pieces = bmr_allocate(motion->allocator, capacity * size);
+    const size_t size = sizeof *motion->pieces;
+    size_t capacity, bytes;
+    if (!bmr_size_product(2, motion->capacity, SIZE_MAX, &capacity) ||
+        !bmr_size_product(capacity, size, SIZE_MAX, &bytes))
+        return BMR_ERROR_TOO_LARGE;
+    timed_piece *pieces = bmr_allocate(motion->allocator, bytes);
     if (!pieces)
         return BMR_ERROR_NO_MEMORY;
     memcpy(pieces, motion->pieces, motion->count * size);

@@ -3,11 +3,14 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "geometry/memory.h"
+#include "geometry/size.h"
 #include "kinetic/event_queue.h"
 #include "kinetic/pair_motion.h"
+#include "kinetic/simulation_layout.h"
 
 /// A pair is searched ahead for so many times the time between its last events, then for twice that, and so
 /// on: long enough that most searches find the next event at once, and short enough that little is searched
@@ -310,50 +313,48 @@ static bool def_makes_sense(const bmr_simulation_def *def) {
            def->contact_step > 0.0;
 }
 
-/// Where each array begins in the one block.
-typedef struct layout {
-    size_t shapes, motions, pairs, times, order, place, bytes;
-} layout;
-
-static size_t reserve(size_t *bytes, size_t count, size_t size) {
-    const size_t alignment = _Alignof(max_align_t), begin = (*bytes + alignment - 1) / alignment * alignment;
-    *bytes = begin + count * size;
-    return begin;
+bool bmr_simulation_lay_out(size_t bodies, size_t limit, bmr_simulation_layout *layout) {
+    // One of the two factors is even.
+    const size_t even = bodies % 2 == 0 ? bodies : bodies - 1, odd = bodies % 2 == 0 ? bodies - 1 : bodies;
+    bmr_simulation_layout l = {.bytes = sizeof(bmr_simulation)};
+    if (!bmr_size_product(even / 2, odd, limit, &l.pair_count))
+        return false;
+    const struct {
+        size_t *begin, count, each;
+    } arrays[] = {{&l.shapes, bodies, sizeof(bmr_kds_shape)}, {&l.motions, bodies, sizeof(bmr_motion *)},
+                  {&l.pairs, l.pair_count, sizeof(pair)},     {&l.times, l.pair_count, sizeof(double)},
+                  {&l.order, l.pair_count, sizeof(size_t)},   {&l.place, l.pair_count, sizeof(size_t)}};
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
+        if (!bmr_size_add(&l.bytes, arrays[i].count, arrays[i].each, _Alignof(max_align_t), limit,
+                          arrays[i].begin))
+            return false;
+    *layout = l;
+    return true;
 }
 
-static layout lay_out(size_t bodies, size_t pairs) {
-    layout l;
-    l.bytes = sizeof(bmr_simulation);
-    l.shapes = reserve(&l.bytes, bodies, sizeof(bmr_kds_shape));
-    l.motions = reserve(&l.bytes, bodies, sizeof(bmr_motion *));
-    l.pairs = reserve(&l.bytes, pairs, sizeof(pair));
-    l.times = reserve(&l.bytes, pairs, sizeof(double));
-    l.order = reserve(&l.bytes, pairs, sizeof(size_t));
-    l.place = reserve(&l.bytes, pairs, sizeof(size_t));
-    return l;
-}
-
-static bmr_simulation *make(size_t bodies, const bmr_allocator *allocator) {
-    const size_t pairs = bodies * (bodies - 1) / 2;
-    const layout l = lay_out(bodies, pairs);
+static bmr_error make(size_t bodies, const bmr_allocator *allocator, bmr_simulation **made) {
+    bmr_simulation_layout l;
+    if (!bmr_simulation_lay_out(bodies, SIZE_MAX, &l))
+        return BMR_ERROR_TOO_LARGE;
     unsigned char *block = bmr_allocate(allocator, l.bytes);
     if (!block)
-        return NULL;
+        return BMR_ERROR_NO_MEMORY;
     memset(block, 0, l.bytes);
     bmr_simulation *s = (bmr_simulation *)(void *)block;
     s->allocator = allocator;
     s->bytes = l.bytes;
     s->body_count = bodies;
-    s->pair_count = pairs;
+    s->pair_count = l.pair_count;
     s->shapes = (void *)(block + l.shapes);
     s->motions = (void *)(block + l.motions);
     s->pairs = (void *)(block + l.pairs);
     s->queue.times = (void *)(block + l.times);
     s->queue.order = (void *)(block + l.order);
     s->queue.place = (void *)(block + l.place);
-    s->queue.count = pairs;
+    s->queue.count = l.pair_count;
     bmr_event_queue_init(&s->queue);
-    return s;
+    *made = s;
+    return BMR_OK;
 }
 
 /// One structure for each pair, by a, then b.
@@ -385,9 +386,10 @@ bmr_error bmr_simulation_create(const bmr_simulation_def *def, const bmr_kds_sha
     for (size_t i = 0; i < count; i++)
         if (!motions[i])
             return BMR_ERROR_NULL_ARGUMENT;
-    bmr_simulation *s = make(count, allocator);
-    if (!s)
-        return BMR_ERROR_NO_MEMORY;
+    bmr_simulation *s;
+    bmr_error error = make(count, allocator, &s);
+    if (error != BMR_OK)
+        return error;
     s->def = *def;
     s->observer = observer;
     s->context = context;
@@ -396,7 +398,7 @@ bmr_error bmr_simulation_create(const bmr_simulation_def *def, const bmr_kds_sha
         s->shapes[i] = shapes[i];
         s->motions[i] = motions[i];
     }
-    const bmr_error error = make_pairs(s);
+    error = make_pairs(s);
     if (error != BMR_OK) {
         bmr_simulation_destroy(s);
         return error;

@@ -266,6 +266,18 @@ std::vector<Argument> Arguments() {
                  s->hierarchies[BMR_HIERARCHY_DUDLEY] = nullptr;
              });
          }},
+        {"`bmr_kds_create`: a hierarchy of another polygon",
+         [] {
+             static const World other; // its square has the same vertices, and other owners
+             return CreateKds("lazy-dudley",
+                              [](bmr_kds_def *, bmr_kds_shape *s) { s->polygon = other.square; });
+         }},
+        {"`bmr_kds_create`: a hierarchy of another kind",
+         [] {
+             return CreateKds("lazy-dudley", [](bmr_kds_def *, bmr_kds_shape *s) {
+                 s->hierarchies[BMR_HIERARCHY_DUDLEY] = s->hierarchies[BMR_HIERARCHY_COMPASS];
+             });
+         }},
         {"`bmr_kds_create`: a margin of 0",
          [] { return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->margin = 0.0; }); }},
         {"`bmr_kds_create`: a margin of NaN",

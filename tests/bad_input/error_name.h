@@ -26,7 +26,9 @@ inline std::string NameOf(bmr_error error) {
                                         "TOO_FEW_POINTS",
                                         "TOO_CLOSE",
                                         "NEGATIVE",
-                                        "CORNER_TOO_LARGE"};
+                                        "CORNER_TOO_LARGE",
+                                        "TOO_LARGE",
+                                        "WRONG_HIERARCHY"};
     static_assert(sizeof names / sizeof *names == BMR_ERROR_COUNT, "one name for each code");
     return error >= BMR_OK && error < BMR_ERROR_COUNT ? names[error] : "no code at all";
 }

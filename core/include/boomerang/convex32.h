@@ -57,7 +57,8 @@ typedef struct bmr_convex32_block {
 ///
 /// Errors leave `*block` as it was: BMR_ERROR_TOO_FEW_POINTS, also for a hull without area as far as floats
 /// can tell (a needle whose long sides have opposite normals), BMR_ERROR_NOT_FINITE, BMR_ERROR_OUT_OF_RANGE,
-/// BMR_ERROR_TOO_MANY_POINTS on the hull, BMR_ERROR_NO_MEMORY. O(n log n).
+/// BMR_ERROR_TOO_MANY_POINTS (on the hull; or given, where the 32 bytes that each takes for the
+/// time of the call have no addresses), BMR_ERROR_NO_MEMORY. O(n log n).
 bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_allocator *allocator,
                               bmr_convex32_block **block);
 /// The same of vertices that are such a hull, counter-clockwise from any one: kept to the bit. Others are
@@ -66,7 +67,8 @@ bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_a
 bmr_error bmr_convex32_create_raw(const bmr_vec32 *vertices, size_t count, const bmr_allocator *allocator,
                                   bmr_convex32_block **block);
 void bmr_convex32_destroy(bmr_convex32_block *block, const bmr_allocator *allocator);
-/// Bytes of a block of so many vertices: 16 a vertex and, past 8, 4 to 8 for the table.
+/// Bytes of a block of so many vertices: 16 a vertex and, past 8, 4 to 8 for the table. SIZE_MAX for more
+/// than BMR_CONVEX32_MOST, for which there is none.
 size_t bmr_convex32_bytes(size_t count);
 /// Is it convex (in exact arithmetic), counter-clockwise, once around, do the normals fit and turn from each
 /// to the next, does the table start well, and is the extent that it is used with that of the vertices (to

@@ -24,7 +24,7 @@ typedef struct bmr_convex32_memory {
 
 /// The largest edge separation over all edges of `reference` and the first edge that has it: the bits of a
 /// loop over all. `frame` as in exact32.h. Global, also where the polygons overlap deeply: directions are
-/// searched by branch and bound. `edge_hint` is any edge; `*other_vertex` gets a vertex of `other` that is
+/// searched by branch and bound. `edge_hint` is any number; `*other_vertex` gets a vertex of `other` that is
 /// least separated. O(log n); besides, it looks at all edges that separate too nearly as much to tell apart.
 float bmr_convex32_max_separation(const bmr_convex32 *reference, const bmr_convex32 *other,
                                   const bmr_transform32 *frame, uint32_t edge_hint, uint32_t *edge,

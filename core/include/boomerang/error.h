@@ -27,6 +27,8 @@ typedef enum bmr_error {
     BMR_ERROR_TOO_CLOSE,         ///< points so close together that the engine would make one of them
     BMR_ERROR_NEGATIVE,          ///< a tolerance below zero
     BMR_ERROR_CORNER_TOO_LARGE,  ///< a corner's radius above half of a side
+    BMR_ERROR_TOO_LARGE,         ///< more bytes than this machine has addresses for
+    BMR_ERROR_WRONG_HIERARCHY,   ///< a hierarchy of another polygon or of another kind
     BMR_ERROR_COUNT              ///< number of codes; not an error
 } bmr_error;
 

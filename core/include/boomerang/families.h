@@ -66,7 +66,8 @@ typedef struct bmr_family_motion {
 /// 0.5 % of sigma; the orbit is built at its distance from the polygons' edges and vertices, and looked at
 /// once in each piece. Takes milliseconds, more where the separation stays next to sigma for long (spin of a
 /// disc). Errors: NULL_ARGUMENT, OUT_OF_RANGE (a def that makes no sense, two points, sigma too near to
-/// rounding: below 1e-12 of the extents), NO_MEMORY, and those of bmr_motion_create.
+/// rounding: below 1e-12 of the extents), TOO_LARGE (more steps than there are addresses for), NO_MEMORY, and
+/// those of bmr_motion_create.
 bmr_error bmr_family_create(const bmr_family_def *def, const bmr_polygon *a, const bmr_polygon *b,
                             const bmr_allocator *allocator, bmr_family_motion *made);
 /// Destroys the two motions.

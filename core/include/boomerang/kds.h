@@ -20,8 +20,8 @@ extern "C" {
 ///
 /// All of it is in double precision. Poses are of B's frame in A's frame throughout.
 
-/// What is prepared once per polygon, shared by all pairs it is in: the polygon and its hierarchies. A
-/// hierarchy that no structure in use needs may be NULL.
+/// What is prepared once per polygon, shared by all pairs it is in: the polygon and its hierarchies, each in
+/// the place of its kind. A hierarchy that no structure in use needs may be NULL.
 typedef struct bmr_kds_shape {
     const bmr_polygon *polygon;
     const bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT];
@@ -123,8 +123,9 @@ typedef struct bmr_kds bmr_kds;
 
 /// Makes a structure for one pair; nothing is known yet. One block of the allocator (NULL: malloc), O(1)
 /// bytes, but for the structures on an explicit Minkowski sum or tiling, which say so. The shapes must
-/// outlive it. Errors: NULL_ARGUMENT (also a hierarchy that `info` needs), OUT_OF_RANGE (a def that makes no
-/// sense; a POINT structure for a B of several vertices), NO_MEMORY.
+/// outlive it, unchanged: it is bound to them, and no later call takes others. Errors: NULL_ARGUMENT (also a
+/// hierarchy that `info` needs), WRONG_HIERARCHY (it is of another polygon or kind), OUT_OF_RANGE (a def that
+/// makes no sense; a POINT structure for a B of several vertices), NO_MEMORY.
 bmr_error bmr_kds_create(const bmr_kds_info *info, const bmr_kds_def *def, const bmr_kds_shape *a,
                          const bmr_kds_shape *b, const bmr_allocator *allocator, bmr_kds **kds);
 void bmr_kds_destroy(bmr_kds *kds, const bmr_allocator *allocator);

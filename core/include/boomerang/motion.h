@@ -60,7 +60,7 @@ typedef struct bmr_motion bmr_motion;
 bmr_error bmr_motion_create(const bmr_motion_piece *piece, const bmr_allocator *allocator,
                             bmr_motion **motion);
 /// Screw motions from sample to sample (the shorter way round), at rest before the first and after the last.
-/// `times` ascend strictly. Errors also: NO_POINTS (count 0), OUT_OF_RANGE (times do not ascend).
+/// `times` ascend strictly. Errors also: NO_POINTS (count 0), OUT_OF_RANGE (times do not ascend), TOO_LARGE.
 bmr_error bmr_motion_create_sampled(const double *times, const bmr_pose *poses, size_t count,
                                     const bmr_allocator *allocator, bmr_motion **motion);
 /// NULL is no error.
@@ -68,7 +68,8 @@ void bmr_motion_destroy(bmr_motion *motion);
 
 /// From `time` on the motion is `piece`; what it was before that stays, what was planned after is forgotten.
 /// Poses may jump at `time` (the kinetic simulation then starts the pair afresh). Errors as at creation, and
-/// NOT_FINITE for the time; then the motion is as it was. Amortized O(1) beside the search for the place.
+/// NOT_FINITE for the time, TOO_LARGE for pieces that there are no addresses for; then the motion is as it
+/// was. Amortized O(1) beside the search for the place.
 bmr_error bmr_motion_change(bmr_motion *motion, double time, const bmr_motion_piece *piece);
 
 /// The piece that holds at `time` (at a change: the later one), and where `end` is not NULL when it ends

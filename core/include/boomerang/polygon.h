@@ -59,7 +59,8 @@ bmr_error bmr_polygon_copy(const bmr_polygon *polygon, const bmr_allocator *allo
 /// Gives the block back; `allocator` as at creation. NULL is no error.
 void bmr_polygon_destroy(bmr_polygon *polygon, const bmr_allocator *allocator);
 
-/// Bytes of the block of a polygon of `count` vertices.
+/// Bytes of the block of a polygon of `count` vertices; SIZE_MAX for more than BMR_MAX_VERTICES, for which
+/// there is none.
 size_t bmr_polygon_bytes(size_t count);
 
 /// OK if the polygon keeps every promise of this header (exact predicates), else NULL_ARGUMENT, NOT_CONVEX,

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Bytes that the library asks for, where size_t has 32 bits: what does not fit is refused, nothing wraps.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "boomerang/convex32.h"
+#include "boomerang/kds.h"
+#include "boomerang/minkowski.h"
+#include "boomerang/mixed.h"
+#include "boomerang/simulation.h"
+
+extern "C" {
+#include "convex32/scratch.h"
+#include "geometry/size.h"
+#include "kinetic/simulation_layout.h"
+}
+
+namespace {
+
+constexpr size_t k32 = 0xffffffffu;
+/// Counts at which something happens: small ones, and those whose products are just below and above 2^32.
+const size_t kCounts[] = {0,     1,     2,        3,          5,          16,       65535,   65536, 65537,
+                          92681, 92682, 1u << 20, 0x7fffffff, 0x80000000, k32 - 17, k32 - 1, k32};
+
+long double Long(size_t n) {
+    return static_cast<long double>(n);
+}
+
+} // namespace
+
+TEST_CASE("a product is exact, or is refused and leaves its place alone") {
+    for (const size_t limit : {k32, SIZE_MAX})
+        for (const size_t a : kCounts)
+            for (const size_t b : kCounts) {
+                size_t product = 77;
+                const bool fits = bmr_size_product(a, b, limit, &product);
+                CHECK(fits == (Long(a) * Long(b) <= Long(limit)));
+                CHECK((fits ? Long(product) == Long(a) * Long(b) : product == 77));
+            }
+    size_t product = 0;
+    CHECK_FALSE(bmr_size_product(SIZE_MAX, 2, SIZE_MAX, &product));
+    CHECK(bmr_size_product(SIZE_MAX, 1, SIZE_MAX, &product));
+    CHECK(product == SIZE_MAX);
+}
+
+TEST_CASE("an array begins aligned behind the bytes before it, or is refused") {
+    size_t fit = 0, refused = 0;
+    for (const size_t before : kCounts)
+        for (const size_t count : kCounts)
+            for (const size_t each : {1, 8, 24})
+                for (const size_t alignment : {1, 16}) {
+                    size_t bytes = before, begin = 77;
+                    const long double start = std::ceil(Long(before) / Long(alignment)) * Long(alignment);
+                    const long double end = start + Long(count) * Long(each);
+                    const bool fits = bmr_size_add(&bytes, count, each, alignment, k32, &begin);
+                    CHECK(fits == (end <= Long(k32)));
+                    CHECK(Long(bytes) == (fits ? end : Long(before)));
+                    CHECK((fits ? Long(begin) == start : begin == 77));
+                    ++(fits ? fit : refused);
+                }
+    CHECK(fit > 100);
+    CHECK(refused > 100);
+}
+
+TEST_CASE("the pairs of a simulation take what they take, or are refused") {
+    size_t most = 0;
+    for (size_t bodies = 2; bodies < 70000; bodies += bodies < 4000 ? 97 : 1) {
+        bmr_simulation_layout layout = {};
+        if (!bmr_simulation_lay_out(bodies, k32, &layout)) {
+            CHECK(layout.bytes == 0);
+            continue;
+        }
+        REQUIRE(most + 100 > bodies); // none fits behind one that did not
+        most = bodies;
+        const size_t pairs = bodies * (bodies - 1) / 2;
+        CHECK(layout.pair_count == pairs);
+        CHECK(layout.bytes <= k32);
+        // Every array behind the one before, with room for its elements.
+        CHECK(layout.motions >= layout.shapes + bodies * sizeof(bmr_kds_shape));
+        CHECK(layout.pairs >= layout.motions + bodies * sizeof(void *));
+        CHECK(layout.times >= layout.pairs + pairs * 64);
+        CHECK(layout.order >= layout.times + pairs * sizeof(double));
+        CHECK(layout.place >= layout.order + pairs * sizeof(size_t));
+        CHECK(layout.bytes >= layout.place + pairs * sizeof(size_t));
+        bmr_simulation_layout wide = {};
+        CHECK(bmr_simulation_lay_out(bodies, SIZE_MAX, &wide));
+        CHECK(wide.bytes == layout.bytes);
+    }
+    CAPTURE(most);
+    CHECK(most >= 7500); // as the header says
+    CHECK(most < 8000);
+    bmr_simulation_layout layout = {};
+    for (const size_t bodies : {most + 1, size_t{1} << 16, size_t{1} << 31, size_t{k32}})
+        CHECK_FALSE(bmr_simulation_lay_out(bodies, k32, &layout));
+    for (const size_t bodies : {SIZE_MAX, SIZE_MAX - 1, SIZE_MAX / 2 + 1, size_t{1} << 33})
+        CHECK_FALSE(bmr_simulation_lay_out(bodies, SIZE_MAX, &layout));
+}
+
+TEST_CASE("points of a polygon in float take what they take, or are refused") {
+    for (const size_t count : kCounts) {
+        size_t bytes = 77;
+        const bool fits = bmr_convex32_scratch(count, k32, &bytes);
+        CHECK(fits == (32.0L * Long(count) + 16.0L <= Long(k32)));
+        CHECK((fits ? bytes == 32 * count + 16 : bytes == 77));
+    }
+    const bmr_vec32 point = {0.0f, 0.0f};
+    bmr_convex32_block *block = nullptr;
+    CHECK(bmr_convex32_create(&point, SIZE_MAX / 16, nullptr, &block) == BMR_ERROR_TOO_MANY_POINTS);
+    CHECK(block == nullptr);
+}
+
+TEST_CASE("there is no block for more vertices than a polygon may have") {
+    CHECK(bmr_polygon_bytes(BMR_MAX_VERTICES) <= 16 * size_t{BMR_MAX_VERTICES} + 64);
+    CHECK(bmr_convex32_bytes(BMR_CONVEX32_MOST) <= 40 * size_t{BMR_CONVEX32_MOST});
+    for (const size_t count : {size_t{65536}, size_t{k32}, SIZE_MAX / 16, SIZE_MAX}) {
+        CHECK(bmr_polygon_bytes(count) == SIZE_MAX);
+        CHECK(bmr_convex32_bytes(count) == SIZE_MAX);
+    }
+}
+
+namespace {
+
+/// Notes the largest block that was asked for.
+struct Ledger {
+    size_t largest = 0;
+    bmr_allocator allocator = {[](void *context, size_t size) -> void * {
+                                   auto *ledger = static_cast<Ledger *>(context);
+                                   ledger->largest = size > ledger->largest ? size : ledger->largest;
+                                   return std::malloc(size);
+                               },
+                               [](void *, void *block, size_t) { std::free(block); }, this};
+};
+
+} // namespace
+
+TEST_CASE("all that is made of the largest polygons fits 32 bits") {
+    // Counts of vertices are limited, so these sums need no check of their own: this is it. On a machine with
+    // smaller pointers none is larger.
+    Ledger ledger;
+    const bmr_allocator *memory = &ledger.allocator;
+    const auto ellipse = [&](size_t count) {
+        std::vector<bmr_vec2> points;
+        for (size_t i = 0; i < count; ++i) {
+            const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(count);
+            points.push_back({1e6 * std::cos(angle), 7e5 * std::sin(angle)});
+        }
+        bmr_polygon *polygon = nullptr;
+        REQUIRE(bmr_polygon_create(points.data(), count, memory, &polygon) == BMR_OK);
+        REQUIRE(polygon->count == count);
+        return polygon;
+    };
+    size_t made_of_two = 0;
+    bmr_compass *compass = nullptr;
+    REQUIRE(bmr_compass_create(BMR_MAX_VERTICES, memory, &compass) == BMR_OK);
+    for (const size_t count : {size_t{BMR_MAX_VERTICES}, size_t{BMR_MAX_VERTICES} / 2}) { // the second: sums
+        bmr_polygon *polygon = ellipse(count);
+        bmr_hierarchy *made[BMR_HIERARCHY_KIND_COUNT] = {};
+        REQUIRE(bmr_hierarchy_build_compass(polygon, compass, memory, &made[BMR_HIERARCHY_COMPASS]) ==
+                BMR_OK);
+        REQUIRE(bmr_hierarchy_build_dudley(polygon, memory, &made[BMR_HIERARCHY_DUDLEY]) == BMR_OK);
+        REQUIRE(bmr_hierarchy_build_dobkin_kirkpatrick(polygon, memory,
+                                                       &made[BMR_HIERARCHY_DOBKIN_KIRKPATRICK]) == BMR_OK);
+        const bmr_kds_shape shape = {polygon, {made[0], made[1], made[2]}};
+        bmr_polygon *difference = nullptr;
+        if (bmr_minkowski_difference(polygon, polygon, {1.0, 0.0}, memory, &difference) == BMR_OK)
+            bmr_polygon_destroy(difference, memory);
+        const bmr_kds_def def = bmr_default_kds_def();
+        for (size_t i = 0; i < bmr_kds_count(); ++i) {
+            bmr_kds *kds = nullptr;
+            const bmr_kds_info *info = bmr_kds_at(i);
+            const bmr_error error = bmr_kds_create(info, &def, &shape, &shape, memory, &kds);
+            bmr_kds_destroy(kds, memory);
+            made_of_two += info->domain != BMR_KDS_POINT && error == BMR_OK;
+        }
+        for (bmr_hierarchy *hierarchy : made)
+            bmr_hierarchy_destroy(hierarchy, memory);
+        bmr_polygon_destroy(polygon, memory);
+    }
+    bmr_compass_destroy(compass, memory);
+    CHECK(made_of_two > 30);
+    CHECK(ledger.largest > size_t{1} << 26); // 77 MB
+    CHECK(ledger.largest <= k32);
+}
