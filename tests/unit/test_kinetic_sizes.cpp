@@ -52,8 +52,8 @@ TEST_CASE("an array begins aligned behind the bytes before it, or is refused") {
     size_t fit = 0, refused = 0;
     for (const size_t before : kCounts)
         for (const size_t count : kCounts)
-            for (const size_t each : {1, 8, 24})
-                for (const size_t alignment : {1, 16}) {
+            for (const size_t each : {size_t{1}, size_t{8}, size_t{24}})
+                for (const size_t alignment : {size_t{1}, size_t{16}}) {
                     size_t bytes = before, begin = 77;
                     const long double start = std::ceil(Long(before) / Long(alignment)) * Long(alignment);
                     const long double end = start + Long(count) * Long(each);
