@@ -167,10 +167,10 @@ static size_t find(const bmr_motion *motion, double time) {
 
 static bmr_error grow(bmr_motion *motion) {
     const size_t size = sizeof *motion->pieces;
-    size_t capacity, bytes;
-    if (!bmr_size_product(2, motion->capacity, SIZE_MAX, &capacity) ||
-        !bmr_size_product(capacity, size, SIZE_MAX, &bytes))
+    size_t bytes;
+    if (!bmr_size_product(motion->capacity, 2 * size, SIZE_MAX, &bytes))
         return BMR_ERROR_TOO_LARGE;
+    const size_t capacity = 2 * motion->capacity;
     timed_piece *pieces = bmr_allocate(motion->allocator, bytes);
     if (!pieces)
         return BMR_ERROR_NO_MEMORY;
