@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-//   differential_stock  FIRST COUNT STEPS [dump SEED STEP | perturb SEED STEP]
+//   differential_stock  FIRST COUNT STEPS [dump SEED STEP | perturb SEED STEP | end SEED STEP]
 //   differential_plugin FIRST COUNT STEPS STRUCTURE on|off [dump SEED STEP]
 //
 // Runs the random worlds of COUNT seeds, from FIRST on, and prints a line for every step: seed, step, and for
 // each of the seed's worlds (every other seed has two at once) the hashes of bodies, contacts, events and
 // probes. `dump` prints the whole state after one step instead, `perturb` changes one velocity by one unit in
-// the last place after one step: the control. On stderr: how often listeners meddled with impacts.
+// the last place after one step, `end` ends the process there as a failed assertion would: the controls. On
+// stderr: how often listeners meddled with impacts.
 #include <cfloat>
 #include <cinttypes>
 #include <cmath>
@@ -27,7 +28,7 @@ constexpr int kSize = 12; // to 24 bodies
 
 struct Request {
     long first = 0, count = 0, steps = 0;
-    long dumpSeed = -1, dumpStep = -1, perturbSeed = -1, perturbStep = -1;
+    long dumpSeed = -1, dumpStep = -1, perturbSeed = -1, perturbStep = -1, endSeed = -1, endStep = -1;
 };
 
 struct World {
@@ -75,6 +76,10 @@ void RunSeed(const Request &request, long seed, differential::Meddling *meddling
         all[i] = std::make_unique<World>(static_cast<unsigned long>(1000003 * i + seed));
     const bool dumping = request.dumpSeed == seed;
     for (int step = 0; step < request.steps; ++step) {
+        if (request.endSeed == seed && request.endStep == step) {
+            std::fprintf(stderr, "told to end\n");
+            std::abort();
+        }
         const bool dump = dumping && request.dumpStep == step;
         if (!dumping)
             std::printf("%ld %d", seed, step);
@@ -97,7 +102,7 @@ void RunSeed(const Request &request, long seed, differential::Meddling *meddling
 }
 
 int Usage() {
-    std::fprintf(stderr, "usage: FIRST COUNT STEPS%s [dump SEED STEP | perturb SEED STEP]\n",
+    std::fprintf(stderr, "usage: FIRST COUNT STEPS%s [dump SEED STEP | perturb SEED STEP | end SEED STEP]\n",
                  std::strcmp(differential::Kind(), "stock") == 0 ? "" : " STRUCTURE on|off");
     return 2;
 }
@@ -118,9 +123,20 @@ int main(int argc, char **argv) {
         at += 2;
     }
     for (; at + 2 < argc; at += 3) {
-        const bool dump = std::strcmp(argv[at], "dump") == 0;
-        (dump ? request.dumpSeed : request.perturbSeed) = std::atol(argv[at + 1]);
-        (dump ? request.dumpStep : request.perturbStep) = std::atol(argv[at + 2]);
+        const auto is = [what = argv[at]](const char *name) { return std::strcmp(what, name) == 0; };
+        const long seed = std::atol(argv[at + 1]), step = std::atol(argv[at + 2]);
+        if (is("dump")) {
+            request.dumpSeed = seed;
+            request.dumpStep = step;
+        } else if (is("perturb")) {
+            request.perturbSeed = seed;
+            request.perturbStep = step;
+        } else if (is("end")) {
+            request.endSeed = seed;
+            request.endStep = step;
+        } else {
+            return Usage();
+        }
     }
     if (at != argc)
         return Usage();

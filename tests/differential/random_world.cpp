@@ -46,6 +46,28 @@ b2PolygonShape SomePolygon(Random &random, b2Vec2 center) {
     return MakeBox(width, height, center, random.OnceIn(2) ? 0.0f : random.Uniform(0.0f, 3.0f));
 }
 
+/// Has the polygon a mass that Box2D takes, whatever its density? It asserts that the area is positive, and
+/// the moment of inertia of the body, which it is where each polygon's is, about its own centre.
+bool HasMass(const b2PolygonShape &polygon) {
+    float area = 0.0f;
+    for (int32 i = 0; i < polygon.m_count; ++i)
+        area += 0.5f * b2Cross(polygon.m_vertices[i], polygon.m_vertices[(i + 1) % polygon.m_count]);
+    if (area <= 0.001f)
+        return false;
+    b2MassData mass;
+    polygon.ComputeMass(&mass, 1.0f);
+    return mass.I - mass.mass * mass.center.LengthSquared() > 0.001f * mass.I;
+}
+
+/// Moves one vertex alone: the normals are those of other sides then. A vertex that turns the polygon inside
+/// out stays.
+void MoveVertex(Random &random, b2PolygonShape *polygon) {
+    b2PolygonShape moved = *polygon;
+    moved.m_vertices[random.Index(3)] *= random.Uniform(0.2f, 1.6f);
+    if (HasMass(moved))
+        *polygon = moved;
+}
+
 /// One more fixture, somewhere on the body.
 void AddPart(Stage &stage, b2Body *body) {
     Random &random = stage.Rng();
@@ -345,13 +367,12 @@ void RandomWorld::ActOnFixture(Stage &stage, b2Body *body) {
         break;
     default:
         if (fixture->GetType() == b2Shape::e_polygon) {
-            const float radius = fixture->GetShape()->m_radius;
-            *static_cast<b2PolygonShape *>(fixture->GetShape()) =
-                SomePolygon(random, random.Direction(0.0f, 0.4f));
-            fixture->GetShape()->m_radius = radius;
-            if (random.OnceIn(4)) // a vertex alone: the normals are those of other sides
-                static_cast<b2PolygonShape *>(fixture->GetShape())->m_vertices[random.Index(3)] *=
-                    random.Uniform(0.2f, 1.6f);
+            auto *polygon = static_cast<b2PolygonShape *>(fixture->GetShape());
+            const float radius = polygon->m_radius;
+            *polygon = SomePolygon(random, random.Direction(0.0f, 0.4f));
+            polygon->m_radius = radius;
+            if (random.OnceIn(4))
+                MoveVertex(random, polygon);
             if (random.OnceIn(2))
                 body->ResetMassData();
         }
