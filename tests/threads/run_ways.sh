@@ -29,7 +29,7 @@ verdict() { # NAME STATUS
 same() {
     local name=$1 expected=$2 installs=$3 program=$4 way=$5 count=$6 status=0
     shift 6
-    env "$@" timeout 250 "$program" "$way" "$count" "$steps" >"$room/out" 2>"$room/err" || status=$?
+    env "$@" timeout 1500 "$program" "$way" "$count" "$steps" >"$room/out" 2>"$room/err" || status=$?
     cmp -s "$expected" "$room/out" || status=1
     grep -q "^installed $installs\$" "$room/err" || status=1
     [ "$status" -eq 0 ] || diff "$expected" "$room/out" | head -n 4
