@@ -169,19 +169,19 @@ class ReplayPage(unittest.TestCase):
         self.assertEqual(self.browser.run("return replay.step"), 0, "control: it does not start by itself")
         self.slow_down("0.1")
         self.browser.driver.find_element("id", "play").click()
-        self.assertTrue(self.browser.wait("replay.step > 8", 20))
+        self.assertTrue(self.browser.wait("replay.step > 8"))
         self.assertTrue(self.browser.run("return replay.framesDrawn > 3"))
         self.browser.driver.find_element("id", "play").click()
         self.assertFalse(self.browser.run("return replay.playing"))
         step = self.browser.run("return replay.step")
         self.browser.settle()
         self.assertEqual(self.browser.run("return replay.step"), step)
-        self.assertTrue(self.browser.wait("document.getElementById('status').textContent.startsWith('Paused. Step')", 5))
+        self.assertTrue(self.browser.wait("document.getElementById('status').textContent.startsWith('Paused. Step')"))
 
     def test_it_plays_to_the_end_and_stops_there(self):
         self.seek(80)
         self.browser.run("replay.play()")
-        self.assertTrue(self.browser.wait("!replay.playing", 20))
+        self.assertTrue(self.browser.wait("!replay.playing"))
         self.assertEqual(self.browser.run("return replay.step"), 89)
 
     def test_each_step_shows_the_bodies_of_the_recording(self):
@@ -430,7 +430,7 @@ class ReplayPage(unittest.TestCase):
         broken = self.pages["planks"].with_name("broken.html")
         broken.write_text(page[:at] + "AAAA" * 8 + page[at + 32:])
         self.browser.open(broken)
-        self.assertTrue(self.browser.wait("!document.getElementById('problem').hidden", 20))
+        self.assertTrue(self.browser.wait("!document.getElementById('problem').hidden"))
         self.assertIn("cannot be shown", self.browser.run("return document.getElementById('problem').textContent"))
         self.assertGreater(len(self.browser.errors()), 0)  # and they are no surprise to tearDown
 
