@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154
 # SPDX-License-Identifier: MIT
-# What the stages share. Sourced by tests/run, which sets root, jobs, strict, build_base and work, a directory for this run.
+# What the stages share. Sourced by tests/run, which sets root, jobs, long, seed, build_base and work, a directory for this run.
 #
 # A stage NAME is the function stage_NAME (with _ for -) in NAME.sh. It calls `check` and `run_tests`, which write down in
 # $work/verdicts what passed and what failed: stages may run in processes of their own.
@@ -75,21 +75,32 @@ sources() { (cd "$root" && git ls-files -- "$@"); }
 
 failures() { awk '$2 > 0 { n++ } END { print n + 0 }' "$work/verdicts"; }
 
+# processor_seconds: sets REPLY to the seconds that this process and what it has waited for had of the processors.
+processor_seconds() {
+    local file=$work/processor.$BASHPID
+    times >"$file"
+    REPLY=$(tr 'ms' '  ' <"$file" | awk '{ sum += 60 * ($1 + $3) + $2 + $4 } END { printf "%d", sum }')
+}
+
 # run_stage NAME. A stage that ends badly without a word is a failure, too.
 run_stage() {
-    local started=$SECONDS before
+    local started=$SECONDS before used
     touch "$work/verdicts"
     before=$(failures)
+    processor_seconds
+    used=$REPLY
     heading "$1: $(sed -n '3s/^# //p' "$root/tests/stages/$1.sh")"
     "stage_${1//-/_}" || [ "$(failures)" -gt "$before" ] || verdict 0 1 "stage $1"
-    printf '%s: %d s\n' "$1" $((SECONDS - started)) | tee -a "$work/times"
+    processor_seconds
+    printf '%-16s %5d s, %5d s of the processors\n' "$1:" $((SECONDS - started)) $((REPLY - used)) | tee -a "$work/times"
+    [ "$(failures)" -eq "$before" ]
 }
 
 # take_stages STAGE…: runs those of them that nobody else has begun, in this order.
 take_stages() {
     local stage
     for stage; do
-        if mkdir "$work/begun.$stage" 2>/dev/null; then run_stage "$stage"; fi
+        if mkdir "$work/begun.$stage" 2>/dev/null; then run_stage "$stage" || true; fi
     done
 }
 
@@ -121,6 +132,8 @@ report() {
     cat "$work/times"
     awk '$2 > 0 { sub(/^[0-9]+ [0-9]+ /, "failed: "); print }' "$work/verdicts"
     read -r passed failed < <(awk '{ p += $1; f += $2 } END { print p + 0, f + 0 }' "$work/verdicts")
-    printf '%d s\n%d passed, %d failed\n' "$SECONDS" "$passed" "$failed"
+    processor_seconds
+    printf '%-16s %5d s, %5d s of the processors\n' all: "$SECONDS" "$REPLY"
+    printf '%d passed, %d failed\n' "$passed" "$failed"
     [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
 }

@@ -5,8 +5,8 @@
 stage_coverage() {
     build_sanitizers || return 1
     # After --only coverage the tests are yet to run, or ran when others were chosen.
-    [ "$(cat "$BMR_BUILD_DIR/profiles/brief" 2>/dev/null)" = "$brief" ] || stage_sanitized_tests
+    [ "$(cat "$BMR_BUILD_DIR/profiles/long" 2>/dev/null)" = "$long" ] || stage_sanitized_tests
     local options=()
-    [ "$brief" = no ] || options=(--brief)
+    [ "$long" = yes ] || options=(--partial)
     check "coverage" "$root/tests/coverage/report" "${options[@]}" "$BMR_BUILD_DIR"
 }

@@ -1,14 +1,27 @@
 # shellcheck shell=bash disable=SC2154
 # SPDX-License-Identifier: MIT
-# the fuzzers over their corpora, then on: 5 s each, 60 s for the one that drives Box2D
+# the fuzzers over their corpora, then on, so many executions each; with --long half an hour each
+
+# What one takes some seconds for; the one that drives Box2D has the longest way to go.
+executions_of() {
+    case $1 in
+    fuzz_events) echo 500 ;;
+    fuzz_glue) echo 3000 ;;
+    *) echo 5000 ;;
+    esac
+}
 
 stage_fuzz() {
-    local fuzzer seconds
+    local fuzzer much name
     build_sanitizers || return 1
     for fuzzer in $("$root/tests/fuzz/run" --list); do
-        seconds=5
-        [ "$fuzzer" != fuzz_glue ] || seconds=60
-        check "$fuzzer, $seconds s" env LLVM_PROFILE_FILE=/dev/null BMR_PRESET="$(sanitizers_preset)" BMR_JOBS="$jobs" \
-            BMR_BUILD_DIR="$BMR_BUILD_DIR" "$root/tests/fuzz/run" --seconds "$seconds" "$fuzzer" || true
+        if [ "$long" = yes ]; then
+            much=(--cpu --seconds "${BMR_FUZZ_SECONDS:-1800}")
+        else
+            much=(--runs "$(executions_of "$fuzzer")")
+        fi
+        name="$fuzzer ${much[*]} --seed $seed"
+        check "$name" env LLVM_PROFILE_FILE=/dev/null BMR_PRESET="$(sanitizers_preset)" BMR_JOBS="$jobs" \
+            BMR_BUILD_DIR="$BMR_BUILD_DIR" "$root/tests/fuzz/run" "${much[@]}" --seed "$seed" "$fuzzer" || true
     done
 }

@@ -3,15 +3,26 @@
 # all programs, tests and benchmarks with gcc -O3; all tests
 
 # The testbed is compiled the quick way here; that each file includes what it needs shows in the tree of the sanitizers of a
-# whole run.
+# long run.
 build_release() {
     build_tree release release -DBOOMERANG_BUILD_TESTS=ON -DBOOMERANG_BUILD_BENCHMARKS=ON -DBOOMERANG_QUICK_BUILD=ON \
-        "-DBOOMERANG_WARNINGS_AS_ERRORS=$strict"
+        -DBOOMERANG_WARNINGS_AS_ERRORS=ON
+}
+
+# Many random worlds, from the seed of this run on; the test of this name has some.
+check_random_worlds() {
+    bash "$root/tests/differential/compare.sh" "$BMR_BUILD_DIR/bin/differential_stock" "$BMR_BUILD_DIR/bin/differential_plugin" \
+        "$seed" 5000
 }
 
 stage_release() {
     local scale=1 less=()
-    # In a brief run what is taken out of the library for the tests of threads is left to the thread sanitizer's tree.
-    [ "$brief" = no ] || scale=0.1 less=(--exclude-regex '^threads_controls$')
-    build_release && BMR_TEST_SCALE=${BMR_TEST_SCALE:-$scale} run_tests "tests (release)" "${less[@]}"
+    if [ "$long" = no ]; then
+        scale=0.1
+        # What is taken out of the library for the tests of threads is left to the thread sanitizer's tree.
+        less=(--exclude-regex '^threads_controls$')
+    fi
+    build_release || return 1
+    BMR_TEST_SCALE=${BMR_TEST_SCALE:-$scale} run_tests "tests (release)" "${less[@]}"
+    [ "$long" = no ] || check "5,000 random worlds from seed $seed on" check_random_worlds
 }

@@ -7,11 +7,11 @@
 # forks of a process that has threads: the sanitizer's own locks stay locked in the child.
 stage_sanitized_tests() {
     local which=()
-    [ "$brief" = no ] || which=(--label-regex '^(unit|property|fuzz|stale)$')
+    [ "$long" = yes ] || which=(--label-regex '^(unit|property|fuzz|stale)$')
     build_sanitizers || return 1
     rm -rf "$BMR_BUILD_DIR/profiles"
     mkdir "$BMR_BUILD_DIR/profiles"
-    echo "$brief" >"$BMR_BUILD_DIR/profiles/brief"
+    echo "$long" >"$BMR_BUILD_DIR/profiles/long"
     BMR_TEST_SCALE=${BMR_TEST_SCALE:-0.1} \
         run_tests "tests (sanitizers)" --label-exclude '^(cli|browser|consumer|controls|mutation|differential)$' \
         --exclude-regex '^threads_forking_' "${which[@]}"

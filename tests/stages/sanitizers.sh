@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: MIT
 # what is tested, with clang, its address and undefined-behaviour sanitizers and its counts of lines; warnings are errors
 
-# The stages sanitized-tests, fuzz, coverage and (of a whole run) determinism work in this tree. In a brief run it holds what its
+# The stages sanitized-tests, fuzz, coverage and (of a long run) determinism work in this tree. In the gate it holds what its
 # sanitized tests are made of, and no more.
-sanitizers_preset() { if [ "$brief" = no ]; then echo sanitizers; else echo sanitizers-brief; fi; }
+sanitizers_preset() { if [ "$long" = yes ]; then echo sanitizers; else echo sanitizers-gate; fi; }
 
 build_sanitizers() {
     local targets=(core/all box2d_glue/all plugin/all tests/all)
-    [ "$brief" = yes ] || targets+=(boomerang-scene boomerang-scene-plugin)
+    [ "$long" = no ] || targets+=(boomerang-scene boomerang-scene-plugin)
     build_tree sanitizers "$(sanitizers_preset)" -- "${targets[@]}"
 }
 
@@ -26,5 +26,5 @@ PYTHON
 
 stage_sanitizers() {
     check "build with clang, warnings are errors" build_sanitizers || return 1
-    [ "$brief" = yes ] || check "the testbed's programs with clang, warnings are errors" check_rest_with_clang
+    [ "$long" = no ] || check "the testbed's programs with clang, warnings are errors" check_rest_with_clang
 }

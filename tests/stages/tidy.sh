@@ -19,7 +19,7 @@ PYTHON
 check_tidy() {
     local log=$BMR_BUILD_DIR/boomerang-clang-tidy.log less=()
     # clang's analyzer follows 225,000 states of a function, which takes four fifths of the time.
-    [ "$brief" = no ] || less=(--extra-arg=-Xclang --extra-arg=-analyzer-config --extra-arg=-Xclang --extra-arg=max-nodes=50000)
+    [ "$long" = yes ] || less=(--extra-arg=-Xclang --extra-arg=-analyzer-config --extra-arg=-Xclang --extra-arg=max-nodes=50000)
     # The long ones first, so that no job waits for another's last file; C++ takes longest.
     (cd "$root" && sources 'core/**.c' 'box2d_glue/**.cpp' 'plugin/*.cpp' | xargs wc -l |
         awk '$2 != "total" { print $1 * ($2 ~ /cpp$/ ? 20 : 1), $2 }' | sort -rn | cut -d ' ' -f 2 |
