@@ -1,0 +1,43 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+#
+#   test_options.sh ROOT
+#
+# tests/run tells what it does and refuses what it does not know, before it does anything.
+set -u
+root=$1
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+failed=0
+
+# answers STATUS PATTERN ARGUMENT…: exit status, and what it says
+answers() {
+    local wanted=$1 pattern=$2 status=0
+    shift 2
+    "$root/tests/run" "$@" >"$room/said" 2>&1 || status=$?
+    if [ "$status" -ne "$wanted" ] || ! grep -q -e "$pattern" "$room/said"; then
+        echo "FAILED: tests/run $*: exit status $status, not $wanted, or nothing like '$pattern' in:"
+        head -n 5 "$room/said"
+        failed=1
+    fi
+}
+
+for word in --long --seed --quick --only --help BMR_JOBS BMR_BUILD_DIR BMR_TEST_SCALE BMR_FUZZ_SECONDS; do
+    answers 0 "$word" --help
+done
+# Each stage has a line; each file of a stage is one that tests/run knows.
+for file in "$root"/tests/stages/*.sh; do
+    stage=$(basename "$file" .sh)
+    case $stage in common | packages) continue ;; esac
+    answers 0 "^  $stage  *[a-z]" --help
+done
+answers 2 "unknown option '--lnog'; see tests/run --help" --lnog
+answers 2 "no stage 'fuz'; there are: release .*fuzz" --only fuz
+answers 2 "needs a stage: release" --only
+answers 2 "needs a number" --seed
+answers 2 "needs a number" --seed 0
+answers 2 "needs a number" --long --seed x1
+answers 2 "always errors" --strict
+answers 2 "long" --brief
+[ "$failed" -eq 0 ] && echo passed
+exit "$failed"
