@@ -219,6 +219,37 @@ static void rays_hit_what_the_loop_hits(void **state) {
     assert_true(control > 0);
 }
 
+/// A lens so flat that no edge cuts a ray along it for sure: of a ray from far too much is left to know how
+/// far rounding reaches, and all edges are asked.
+static void rays_along_a_flat_lens_hit_what_the_loop_hits(void **state) {
+    (void)state;
+    enum { HALF = 40 };
+    bmr_vec32 lens[2 * HALF];
+    const float height = 1e-8f;
+    for (int i = 0; i < HALF; ++i) {
+        const float x = -1.0f + 2.0f * (float)i / HALF;
+        lens[i] = (bmr_vec32){x, -height * (1.0f - x * x)};
+        lens[i + HALF] = (bmr_vec32){-x, height * (1.0f - x * x)};
+    }
+    bmr_convex32_block *block = NULL;
+    assert_int_equal(bmr_convex32_create_raw(lens, 2 * HALF, NULL, &block), BMR_OK);
+    size_t hits = 0;
+    for (int i = -20; i <= 20; ++i) {
+        const float end = 100.0f, rise = 0.2f * height * (float)i;
+        const ray r = {{-3.0f, rise}, {end, rise}, 1.0f};
+        float expected = -1.0f, fraction = -1.0f;
+        uint32_t edge_expected = UINT32_MAX, edge = UINT32_MAX;
+        const bool hit =
+            loop_ray(&block->polygon, r.p1, r.p2, r.max_fraction, UINT32_MAX, &expected, &edge_expected);
+        assert_int_equal(bmr_convex32_ray(&block->polygon, r.p1, r.p2, r.max_fraction, &fraction, &edge),
+                         hit);
+        assert_true(!hit || (fraction == expected && edge == edge_expected));
+        hits += hit;
+    }
+    assert_true(hits > 0 && hits < 41);
+    bmr_convex32_destroy(block, NULL);
+}
+
 static void boxes_are_those_of_all_vertices(void **state) {
     (void)state;
     test_random random = {8};
@@ -249,6 +280,7 @@ int main(void) {
         cmocka_unit_test(directions_that_are_none_have_an_answer),
         cmocka_unit_test(points_are_inside_where_the_loop_says_so),
         cmocka_unit_test(rays_hit_what_the_loop_hits),
+        cmocka_unit_test(rays_along_a_flat_lens_hit_what_the_loop_hits),
         cmocka_unit_test(boxes_are_those_of_all_vertices),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
