@@ -95,8 +95,8 @@ pkg_config)
     LD_LIBRARY_PATH=$(dirname "$directory") run_programs
     ;;
 add_subdirectory)
-    # (Debug: all is compiled once more, and runs for a moment.)
-    build_with_cmake -DCMAKE_BUILD_TYPE=Debug -DBOOMERANG_SOURCE="$SOURCE"
+    # (Debug, without what a debugger wants: all is compiled once more, and runs for a moment.)
+    build_with_cmake -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS_DEBUG=-O0 -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DBOOMERANG_SOURCE="$SOURCE"
     run_programs
     ;;
 static_box2d)

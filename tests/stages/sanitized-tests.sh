@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154
 # SPDX-License-Identifier: MIT
-# the tests under those sanitizers, at a tenth of their iterations
+# the tests under those sanitizers, at a tenth of their iterations; with --long all that can run there
 
 # Not there: what preloads the library (a sanitizer's runtime wants to be the first of a process), and what tests the
 # testbed's pages and command line or the scripts. The differential test neither: the fuzzer of the glue does its work. Nor

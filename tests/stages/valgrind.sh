@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154
 # SPDX-License-Identifier: MIT
-# memcheck over scenes with the plugin, whose hashes must be stock's
+# memcheck over two scenes, with --long over all, with the plugin, whose hashes must be stock's
 
 # memcheck REFERENCE SCENE STEPS [PRELOADED]: nothing lost, nothing read that was not written, and the reference's hashes.
 # REFERENCE: stock or off, which is what there is of a scene of polygons that stock has not.
@@ -28,8 +28,20 @@ memcheck_control() {
         ! memcheck stock churn 5 "$BMR_BUILD_DIR/lib/libboomerang_box2d.so $work/leaking_step.so" && grep -q 'are definitely lost' "$work/memcheck/errors"
 }
 
+# Every scene that there is, for some steps.
+memcheck_all() {
+    local scene reference
+    while IFS=$'\t' read -r scene reference; do
+        check "memcheck: $scene, 20 steps" memcheck "$reference" "$scene" 20 || true
+    done < <("$BMR_BUILD_DIR/bin/boomerang-scene" --list-json | python3 -c '
+import json, sys
+for scene in json.load(sys.stdin):
+    print(scene["name"], "off" if scene["vertices"] > 8 and scene["bodies"] == "one" else "stock", sep="\t")')
+}
+
 stage_valgrind() {
     build_release || return 1
+    [ "$long" = no ] || memcheck_all
     check "memcheck: churn" memcheck stock churn 100 || true
     check "memcheck: any-bag" memcheck off any-bag 40 || true
     check "memcheck: control" memcheck_control
