@@ -168,10 +168,14 @@ class ReplayPage(unittest.TestCase):
         self.browser.settle()
         self.assertEqual(self.browser.run("return replay.step"), 0, "control: it does not start by itself")
         self.slow_down("0.1")
-        self.browser.driver.find_element("id", "play").click()
-        self.assertTrue(self.browser.wait("replay.step > 8"))
+        # It plays by the clock. Where the machine was so busy that it came to its end between two looks, once more.
+        for _ in range(100):
+            self.seek(0)
+            self.browser.driver.find_element("id", "play").click()
+            self.assertTrue(self.browser.wait("(replay.step > 8 && replay.framesDrawn > 3) || !replay.playing"))
+            if self.browser.run("return replay.playing && (document.getElementById('play').click(), true)"):
+                break
         self.assertTrue(self.browser.run("return replay.framesDrawn > 3"))
-        self.browser.driver.find_element("id", "play").click()
         self.assertFalse(self.browser.run("return replay.playing"))
         step = self.browser.run("return replay.step")
         self.browser.settle()

@@ -71,7 +71,8 @@ def check_verdicts(directory, arguments):
     expect("a comment is no other object code", verdict(text + "// more\n")[0], "equivalent")
     expect("what is no C does not compile", verdict(text + "int int;\n")[0], "does not compile")
     expect("the file is what it was", (shop.source / SUBJECT).read_text() == text, True)
-    expect("what takes too long is ended", workshop.run(["sleep", "60"], "/", 0.1)[0], None)
+    expect("what waits too long is ended", workshop.run(["sleep", "60"], "/", 0.1)[0], None)
+    expect("what computes too long is ended", workshop.run(["sh", "-c", "while :; do :; done"], "/", 1.0)[0], None)
 
 
 if __name__ == "__main__":

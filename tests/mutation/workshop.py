@@ -3,6 +3,7 @@
 import collections
 import hashlib
 import json
+import math
 import os
 import pathlib
 import re
@@ -30,14 +31,21 @@ class BuildError(Exception):
 
 
 def run(command, directory, timeout=None, environment=None):
-    """Runs it in a process group of its own. (exit code or None where it took too long, output, seconds)"""
+    """Runs it in a process group of its own. (exit code or None where it took too long, output, seconds)
+
+    `timeout`: so many seconds of the processor for each of its processes. What waits without using any has twenty times as many
+    by the clock, which goes on where the machine is busy with other things."""
     started = time.monotonic()
+    if timeout is not None:
+        seconds = max(1, math.ceil(timeout))
+        command = ["prlimit", f"--cpu={seconds}:{seconds + 60}", *command]
+        timeout *= 20
     process = subprocess.Popen(command, cwd=directory, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                stdin=subprocess.DEVNULL, start_new_session=True,
                                env={**os.environ, **(environment or {})})
     try:
         output, _ = process.communicate(timeout=timeout)
-        code = process.returncode
+        code = process.returncode if process.returncode not in (-signal.SIGXCPU, 128 + signal.SIGXCPU) else None
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         output, _ = process.communicate()

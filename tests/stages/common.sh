@@ -59,7 +59,7 @@ run_tests() {
     # The pipe must not hide ctest's answer, and what ctest says is counted below: a run without tests is no success.
     # (One more than there are jobs: some tests wait, for a browser or for each other.)
     ctest --test-dir "$BMR_BUILD_DIR" --output-on-failure --no-tests=error --parallel $((jobs + 1)) "$@" 2>&1 |
-        tee "$log" | grep -v -e '^ *Start ' -e '^Internal ctest' -e '^Test project' || true
+        tee "$log" | grep --line-buffered -v -e '^ *Start ' -e '^Internal ctest' -e '^Test project' || true
     bad=$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests? failed out of [0-9]+.*/\1/p' "$log")
     of=$(sed -nE 's/^[0-9]+% tests passed, [0-9]+ tests? failed out of ([0-9]+).*/\1/p' "$log")
     if [ -z "$of" ]; then

@@ -39,6 +39,7 @@ using Worlds = std::deque<World>;
 
 std::atomic<int> failures{0};
 std::atomic<int> installed{0};
+std::atomic<bool> stepped{false}; // relaxed: it must not order what the plugin has to order
 
 void Expect(bool holds, const char *claim) {
     if (!holds && ++failures < 10)
@@ -75,7 +76,9 @@ void StepAll(World *world, int steps) {
 
 void LiveWhole(World *world, int steps) {
     world->Build();
-    StepAll(world, steps);
+    world->Step();
+    stepped.store(true, std::memory_order_relaxed);
+    StepAll(world, steps - 1);
     world->Destroy();
 }
 
@@ -173,8 +176,9 @@ void Counted(Worlds *worlds, int count, int steps) {
     std::atomic<bool> done{false};
     std::thread reader([&done] {
         threads::StatisticsReader statistics;
-        while (!done)
+        do // once at least, however late this thread begins
             Expect(statistics.Read(), "statistics go forward and tell of no difference");
+        while (!done);
     });
     HandedOver(worlds, count, steps);
     done = true;
@@ -186,7 +190,7 @@ void InstallHere() {
     Expect(threads::IsInstalled(), "when Install is back the plugin is installed, whoever did it");
 }
 
-/// Box2D is called, but nothing is stepped.
+/// Box2D is called, but nothing is stepped: before others begin to step, while they do, and after.
 void MoveBodies() {
     b2World world(b2Vec2(0.0f, 0.0f));
     b2PolygonShape box;
@@ -195,8 +199,13 @@ void MoveBodies() {
     def.type = b2_dynamicBody;
     b2Body *body = world.CreateBody(&def);
     body->CreateFixture(&box, 1.0f);
-    for (int i = 0; i < 5000; ++i)
-        body->SetTransform({0.01f * static_cast<float>(i), 0.0f}, 0.1f * static_cast<float>(i));
+    const auto move = [body](int count) {
+        for (int i = 0; i < count; ++i)
+            body->SetTransform({0.01f * static_cast<float>(i), 0.0f}, 0.1f * static_cast<float>(i));
+    };
+    while (!stepped.load(std::memory_order_relaxed))
+        move(100);
+    move(5001);
     Expect(body->GetFixtureList()->GetAABB(0).upperBound.x > 50.0f,
            "a body that is moved takes its box along");
 }
