@@ -26,6 +26,7 @@ public:
     virtual void OnBegin(b2Contact &contact);
     virtual void OnEnd(b2Contact &contact);
     virtual void OnPreSolve(b2Contact &contact);
+    virtual void OnPostSolve(b2Contact &contact);
     /// Called always: a scene must forget joints that die with their bodies.
     virtual void OnGoodbye(b2Joint &joint);
 };

@@ -88,6 +88,7 @@ void Stage::PreSolve(b2Contact *contact, const b2Manifold *old) {
 void Stage::PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) {
     if (m_observer != nullptr)
         m_observer->OnPostSolve(*contact, *impulse);
+    m_scene.OnPostSolve(*contact);
 }
 
 void Stage::SayGoodbye(b2Joint *joint) {
