@@ -99,6 +99,11 @@ void RandomWorld::OnGoodbye(b2Joint &joint) {
     m_joints.erase(std::remove(m_joints.begin(), m_joints.end(), &joint), m_joints.end());
 }
 
+void RandomWorld::Destroy(b2World &world, b2Body *body) {
+    m_bodies.erase(std::find(m_bodies.begin(), m_bodies.end(), body));
+    world.DestroyBody(body);
+}
+
 void RandomWorld::BuildLevel(Stage &stage) {
     Random &random = stage.Rng();
     // Near the origin, about where certificates are no longer trusted, and beyond.
@@ -258,12 +263,10 @@ void RandomWorld::TurnSensor(Random &random) {
 
 void RandomWorld::ActOnBody(Stage &stage) {
     Random &random = stage.Rng();
-    const std::size_t index = Pick(random, m_bodies.size());
-    b2Body *body = m_bodies[index];
+    b2Body *body = SomeBody(random);
     switch (random.Index(18)) {
     case 0:
-        m_bodies.erase(m_bodies.begin() + static_cast<std::ptrdiff_t>(index));
-        stage.World().DestroyBody(body);
+        Destroy(stage.World(), body);
         break;
     case 1:
         body->SetTransform(Anywhere(random), random.Uniform(-b2_pi, b2_pi));

@@ -34,6 +34,15 @@ public:
     void OnPreSolve(b2Contact &contact) override;
     void OnGoodbye(b2Joint &joint) override;
 
+    /// Between the solving of velocities and the end of the step: listeners are told of impacts.
+    bool ImpactsAreSolved() const;
+    /// Ends a body where the world is not locked.
+    void Destroy(b2World &world, b2Body *body);
+    /// Bodies were moved after BeforeStep: by a filter, say, before the world is locked.
+    void RememberPlaces();
+    /// So that all contacts of what turned solid are brought up to date before they are solved.
+    void WakeAll();
+
 private:
     b2Vec2 Anywhere(testbed::Random &random) const;
     b2Body *SomeBody(testbed::Random &random) const;
@@ -41,12 +50,9 @@ private:
     /// In these steps listeners put bodies to sleep, and no sensor turns solid: Box2D asserts where one that
     /// touches sleeps over its next update. (Listeners turn sensors in the steps after these.)
     bool StepIsSleepy() const { return m_step % 3 == 2; }
-    bool ImpactsAreSolved() const;
     void Meddle(b2Contact &contact, uint32_t mixed);
     void MeddleWithSensor(const b2Contact &contact, b2Fixture *fixture, bool inImpacts);
     void LookAtContacts(const b2Contact &contact);
-    void RememberPlaces();
-    void WakeAll();
 
     void BuildLevel(testbed::Stage &stage);
     void CreateBody(testbed::Stage &stage);

@@ -73,7 +73,6 @@ void RandomWorld::RememberPlaces() {
         m_places.push_back({body->GetPosition(), body->GetAngle()});
 }
 
-/// So that all contacts of what turned solid are brought up to date before they are solved.
 void RandomWorld::WakeAll() {
     for (b2Body *body : m_bodies)
         body->SetAwake(true);
