@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+#   check_shelf.sh BUILD LIBBOX2D
+#
+# Is each Box2D of the shelf what it is said to be? A build that silently is another one would pass every game. Each property is
+# looked for in the variant that has it and in one that has not, so that the look itself is shown to tell them apart.
+# LIBBOX2D: the installed library.
+set -uo pipefail
+build=${1:?} installed=${2:?}
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+passed=0 failed=0
+# shellcheck source=tests/box2d_builds/processor.sh
+source "$here/processor.sh"
+unset BOOMERANG LD_PRELOAD
+
+holds() {
+    local name=$1
+    shift
+    if "$@"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        printf 'FAILED: %s\n' "$name"
+    fi
+}
+# but HAS VARIANT OTHER: HAS is true of VARIANT and not of OTHER
+but() { "$1" "$2" && ! "$1" "$3"; }
+
+library() { ls "$build/$1"/libbox2d.so.2 "$build/$1"/libbox2d.a 2>/dev/null; }
+exported() { nm -D --defined-only "$1" | awk '{ print $NF }' | LC_ALL=C sort; }
+# (grep reads to the end: who writes must not be told that nobody listens.)
+has_assertions() { strings -a "$(library "$1")" | grep -c 'm_world->IsLocked() == false' >/dev/null; }
+has_own_allocator() { nm -D --defined-only "$(library "$1")" | grep -c ' box2dBlocks$' >/dev/null; }
+has_fused() { objdump -d --no-show-raw-insn "$(library "$1")" | grep -cE '[[:space:]](vfn?m(add|sub)[0-9a-z]*|fn?m(add|sub)) ' >/dev/null; }
+shows_island() { exported "$(library "$1")" | grep -c '_ZN8b2Island' >/dev/null; }
+is_archive() { [ -e "$build/$1/libbox2d.a" ] && [ ! -e "$build/$1/libbox2d.so.2" ]; }
+is_hidden() { readelf -sW "$(library "$1")" | grep -c ' HIDDEN .* _ZN7b2World4StepEfii$' >/dev/null; }
+# (What one file calls its own has another name where all files were put together.)
+was_optimised_at_link_time() { nm "$(library "$1")" | grep -c '\.lto_priv' >/dev/null; }
+
+# play VARIANT GAME [VARIABLE=VALUE...]: what stock prints
+play() {
+    processor_for "$1" && "${runner[@]}" "${@:3}" "$build/$1/games_$1" "$2"
+}
+
+# debian: it does what the installed library does, and exports what that exports.
+play debian heap >"$room/debian"
+play debian heap LD_PRELOAD="$installed" >"$room/installed"
+holds "debian: the installed Box2D's bits" cmp -s "$room/debian" "$room/installed"
+holds "debian: the installed Box2D's symbols" cmp -s <(exported "$(library debian)") <(exported "$installed")
+holds "debian: with assertions; ndebug: without" but has_assertions debian ndebug
+holds "allocator: has one of its own" but has_own_allocator allocator debian
+play allocator heap >"$room/allocator" 2>"$room/allocator.err"
+holds "allocator: stock's bits" cmp -s "$room/allocator" "$room/debian"
+holds "allocator: Box2D asks it for memory" grep -qE '^blocks [1-9]' "$room/allocator.err"
+play units10 heap >"$room/units10"
+holds "units10: other bits than with 1" eval '! cmp -s "$room/units10" "$room/debian"'
+holds "fma: fuses" but has_fused fma debian
+play fma heap >"$room/fma"
+holds "fma: rounds otherwise" eval '[ -s "$room/fma" ] && ! cmp -s "$room/fma" "$room/debian"'
+holds "static: an archive" but is_archive static debian
+holds "static: of Box2D's many files" eval '[ "$(ar t "$(library static)" | wc -l)" -gt 40 ]'
+holds "lto: optimised at link time" but was_optimised_at_link_time lto debian
+holds "onefile: everything is seen" but shows_island onefile debian
+holds "hidden: nothing is seen" but is_hidden hidden static
+for variant in ndebug lto onefile static hidden; do
+    play "$variant" heap >"$room/$variant"
+    holds "$variant: Debian's bits" cmp -s "$room/$variant" "$room/debian"
+done
+
+# The source: there already, it is asked for nowhere; and where it cannot be had that is said.
+mkdir "$room/bin"
+printf '#!/bin/sh\necho "no network here"\nexit 100\n' >"$room/bin/apt-get"
+chmod +x "$room/bin/apt-get"
+holds "source: a second call needs no network" env PATH="$room/bin:$PATH" "$here/get_source.sh" "$build"
+if env PATH="$room/bin:$PATH" "$here/get_source.sh" "$room/nowhere" 2>"$room/err"; then
+    holds "source: without a network it fails" false
+else
+    holds "source: without a network it says so" grep -q '^box2d_builds: apt-get source .* failed' "$room/err"
+fi
+printf '%d passed, %d failed\n' "$passed" "$failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

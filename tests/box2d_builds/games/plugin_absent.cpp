@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#include "install.h"
+
+void InstallPlugin() {}

@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+#   play.sh BUILD VARIANT PLUGIN named
+#   play.sh BUILD VARIANT PLUGIN random [FIRST_SEED [COUNT [STEPS]]]
+#   play.sh BUILD VARIANT PLUGIN only GAME...
+#
+# Plays all named games, the random ones of these seeds, or these games, on one Box2D of the shelf: without the plugin, with it
+# preloaded, linked ahead and linked behind. Exit status and every line must be those without it. A game that stock does not end
+# well is a failure, too: of the game. BUILD: where the shelf was built.
+#
+# Environment: BOX2D_BUILDS_WAYS   the ways of the plugin (default: preloaded ahead behind)
+#              BMR_TEST_SEED       the first seed (default 1)
+#              BOX2D_BUILDS_SEEDS  so many of them (default 3)
+set -uo pipefail
+build=${1:?} variant=${2:?} plugin=${3:?} what=${4:?}
+shift 4
+read -ra ways <<<"${BOX2D_BUILDS_WAYS:-preloaded ahead behind}"
+program=$build/$variant/games_$variant
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+passed=0 failed=0
+unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+# What goes round for ever ends: many hundred times what a game needs of a processor, however busy the machine is.
+ulimit -t 300
+ulimit -c 0
+
+# shellcheck source=tests/box2d_builds/processor.sh
+source "$(dirname "${BASH_SOURCE[0]}")/processor.sh"
+processor_for "$variant" || exit 1
+
+fails() {
+    failed=$((failed + 1))
+    printf 'FAILED: %s: %s\n' "$variant" "$*"
+}
+
+# play NAME PRELOADED PROGRAM ARGUMENT...: what it prints into $room/NAME, what it says into $room/NAME.err
+play() {
+    (
+        "${runner[@]}" ${2:+"${set_variable[@]}" "LD_PRELOAD=$2"} "$3" "${@:4}" >"$room/$1" 2>"$room/$1.err"
+    ) 2>/dev/null
+}
+
+# first_difference FILE FILE: game and step of the first line that is not the same in both
+first_difference() {
+    paste -d '\n' "$1" "$2" |
+        awk 'NR % 2 { a = $0; next } a != $0 { split(a == "" ? $0 : a, n, " "); print n[1], "step", n[2]; exit }'
+}
+
+# game ARGUMENT...: played in all ways
+game() {
+    local way played preload status expected=0
+    play stock '' "$program" "$@" || expected=$?
+    if [ "$expected" -ne 0 ] || [ ! -s "$room/stock" ]; then
+        fails "stock Box2D does not survive '$*' (exit status $expected), so that the game is at fault and not the plugin;" \
+            "it came to $(tail -n 1 "$room/stock" | cut -d' ' -f1,2) and said: $(tail -n 1 "$room/stock.err")"
+        return
+    fi
+    for way in "${ways[@]}"; do
+        played=${program}_$way preload='' status=0
+        [ "$way" != preloaded ] || { played=$program preload=$plugin; }
+        play played "$preload" "$played" "$@" || status=$?
+        if grep -q '^ERROR: ld.so' "$room/played.err"; then
+            fails "$way: '$*': the plugin was not loaded: $(grep -m1 '^ERROR: ld.so' "$room/played.err")"
+        elif [ "$status" -eq "$expected" ] && cmp -s "$room/played" "$room/stock"; then
+            passed=$((passed + 1))
+        else
+            fails "$way: '$*': exit status $status, stock's is $expected; first difference:" \
+                "$(first_difference "$room/stock" "$room/played"); $(tail -n 1 "$room/played.err")"
+        fi
+    done
+}
+
+games=("$@")
+case $what in
+random)
+    first=${1:-${BMR_TEST_SEED:-1}} count=${2:-${BOX2D_BUILDS_SEEDS:-3}} steps=${3:-150}
+    printf 'seeds %d to %d of %d steps\n' "$first" $((first + count - 1)) "$steps"
+    # Each in a process of its own: one that ends badly takes no other with it.
+    for ((seed = first; seed < first + count; ++seed)); do game random "$seed" 1 "$steps"; done
+    games=()
+    ;;
+named) mapfile -t games < <("${runner[@]}" "$program" list) ;;
+only) ;;
+*)
+    echo "play.sh: what is '$what'?" >&2
+    exit 2
+    ;;
+esac
+for name in "${games[@]}"; do game "$name"; done
+printf '%s: %d passed, %d failed\n' "$variant" "$passed" "$failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

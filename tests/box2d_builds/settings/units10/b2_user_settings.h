@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// A game that measures in decimetres. (Box2D's b2_linearSlop, b2_aabbExtension and the like follow.)
+#ifndef B2_USER_SETTINGS_H
+#define B2_USER_SETTINGS_H
+
+#include "../common_user_data.h"
+
+#define b2_lengthUnitsPerMeter 10.0f
+
+inline void *b2Alloc(int32 size) {
+    return b2Alloc_Default(size);
+}
+inline void b2Free(void *memory) {
+    b2Free_Default(memory);
+}
+
+#endif

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+# The shelf: Box2D 2.4.1 as games build it. One row a variant, and what each means; README.md says how to use them.
+#
+#   variant     what is built                                  what it must not change, or what it may break
+#   debian      Debian's flags, file by file, shared           nothing: it must do what the installed library does
+#   ndebug      -O3 -DNDEBUG, shared: a game's release build   no assertion stops a listener from what it may not do
+#   allocator   b2Alloc and b2Free of its own, shared          memory must go back to whom it came from
+#   units10     b2_lengthUnitsPerMeter 10, shared              all of Box2D's constants are ten times as large
+#   fma         -O3 -march=haswell, shared                     products are added without being rounded
+#   static      an archive, file by file                       no call of it can be answered from outside
+#   lto         link-time optimisation, shared                 calls between its files may be inlined
+#   onefile     all of it one source, everything visible       calls between its files may be inlined
+#   hidden      an archive, compiled with -fvisibility=hidden  as static, and nothing of it is seen from outside
+#
+# After box2d_shelf(SOURCE), for each VARIANT of ${BOX2D_SHELF}:
+#
+#   the target box2d_VARIANT     the library; who links it has its headers, definitions and flags
+#   <build>/VARIANT/             its file: libbox2d.so.2 (Box2D's own soname) or libbox2d.a
+#   BOX2D_VARIANT_GAME           the flags and definitions that a game is compiled with, as a list
+#   BOX2D_VARIANT_HEADERS        the directories of its headers
+#
+# Where one source is as good as many, all are compiled as one: it takes a third of the time. (In a shared library a function
+# that can be seen from outside is called by its name, also within one source.)
+set(BOX2D_SHELF debian ndebug allocator units10 fma static lto onefile hidden)
+set(BOX2D_SHELF_STATIC static hidden)
+
+execute_process(COMMAND dpkg-buildflags --get CPPFLAGS OUTPUT_VARIABLE debian_preprocessor OUTPUT_STRIP_TRAILING_WHITESPACE
+  COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND dpkg-buildflags --get CXXFLAGS OUTPUT_VARIABLE debian_compiler OUTPUT_STRIP_TRAILING_WHITESPACE
+  COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND dpkg-buildflags --get LDFLAGS OUTPUT_VARIABLE debian_linker OUTPUT_STRIP_TRAILING_WHITESPACE
+  COMMAND_ERROR_IS_FATAL ANY)
+separate_arguments(debian_flags UNIX_COMMAND "${debian_preprocessor} ${debian_compiler}")
+separate_arguments(debian_linker UNIX_COMMAND "${debian_linker}")
+list(FILTER debian_flags EXCLUDE REGEX "^-ffile-prefix-map=") # names the directory that this is called in
+
+# What Box2D's own CMakeLists.txt sets for a shared library.
+set(shared_flags -fPIC -fvisibility=hidden -fvisibility-inlines-hidden)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|amd64|AMD64)$")
+  set(fused -march=haswell)
+else()
+  set(fused -ffp-contract=fast) # processors that all have it, where a compiler may be told not to use it
+endif()
+
+# box2d_variant(<variant> [ARCHIVE] [FILE_BY_FILE] [FLAGS <flag>...] [LINK <flag>...] [GAME <flag>...] [SETTINGS <directory>])
+#   FLAGS: of the library; GAME: of the library and the game; SETTINGS: where its b2_user_settings.h is
+function(box2d_variant name)
+  cmake_parse_arguments(PARSE_ARGV 1 with "ARCHIVE;FILE_BY_FILE" "SETTINGS" "FLAGS;LINK;GAME")
+  set(sources ${box2d_one_source})
+  if(with_FILE_BY_FILE)
+    set(sources ${box2d_sources})
+  endif()
+  set(headers ${BOX2D_SOURCE}/include)
+  set(game ${with_GAME})
+  if(with_SETTINGS)
+    list(APPEND game -DB2_USER_SETTINGS)
+    list(APPEND headers ${with_SETTINGS})
+    file(GLOB more ${with_SETTINGS}/*.cpp)
+    list(APPEND sources ${more})
+  endif()
+  if(with_ARCHIVE)
+    add_library(box2d_${name} STATIC ${sources})
+  else()
+    add_library(box2d_${name} SHARED ${sources})
+    list(APPEND game -DB2_SHARED)
+  endif()
+  set_target_properties(box2d_${name} PROPERTIES OUTPUT_NAME box2d SOVERSION 2 CXX_STANDARD 11 CXX_EXTENSIONS OFF
+    POSITION_INDEPENDENT_CODE ON DEFINE_SYMBOL box2d_EXPORTS
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${name} ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${name})
+  target_include_directories(box2d_${name} SYSTEM INTERFACE ${headers} PRIVATE ${headers} ${BOX2D_SOURCE}/src)
+  target_compile_options(box2d_${name} PRIVATE ${with_FLAGS} ${game} -w)
+  target_link_options(box2d_${name} PRIVATE ${with_LINK})
+  set(BOX2D_${name}_GAME ${game} PARENT_SCOPE)
+  set(BOX2D_${name}_HEADERS ${headers} PARENT_SCOPE)
+endfunction()
+
+macro(box2d_shelf source)
+  set(BOX2D_SOURCE ${source})
+  file(GLOB box2d_sources ${source}/src/*/*.cpp)
+  list(TRANSFORM box2d_sources REPLACE "(.+)" "#include \"\\1\"" OUTPUT_VARIABLE includes)
+  string(REPLACE ";" "\n" includes "${includes}")
+  set(box2d_one_source ${PROJECT_BINARY_DIR}/one_source.cpp)
+  file(CONFIGURE OUTPUT ${box2d_one_source} CONTENT "@includes@\n" @ONLY)
+
+  box2d_variant(debian FILE_BY_FILE FLAGS ${shared_flags} ${debian_flags} LINK ${debian_linker})
+  box2d_variant(ndebug FLAGS ${shared_flags} -O3 GAME -DNDEBUG)
+  box2d_variant(allocator FLAGS ${shared_flags} -O2 SETTINGS ${CMAKE_CURRENT_LIST_DIR}/settings/allocator)
+  box2d_variant(units10 FLAGS ${shared_flags} -O2 SETTINGS ${CMAKE_CURRENT_LIST_DIR}/settings/units10)
+  box2d_variant(fma FLAGS ${shared_flags} -O3 GAME ${fused})
+  box2d_variant(static ARCHIVE FILE_BY_FILE FLAGS -O2)
+  box2d_variant(lto FILE_BY_FILE FLAGS ${shared_flags} -O2 -flto LINK -O2 -flto=auto)
+  box2d_variant(onefile FLAGS -fPIC -O2)
+  box2d_variant(hidden ARCHIVE FLAGS -O2 -fvisibility=hidden -fvisibility-inlines-hidden)
+endmacro()

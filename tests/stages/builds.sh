@@ -1,0 +1,29 @@
+# shellcheck shell=bash disable=SC2154
+# SPDX-License-Identifier: MIT
+# Box2D built as games build it, in nine ways, and games on each: with the plugin they do what they do without
+
+# With --long a hundred random games on each, and those games in stock alone under the address sanitizer: what differs must be
+# the plugin's doing.
+stage_builds() {
+    local plugin seeds=3 program
+    build_release || return 1
+    plugin=$BMR_BUILD_DIR/lib/libboomerang_box2d.so
+    in_tree builds
+    # shellcheck source=tests/box2d_builds/processor.sh
+    source "$root/tests/box2d_builds/processor.sh"
+    ! lacks_fma || bmr_need_packages qemu-user || return 1
+    bmr_say "configuring $BMR_BUILD_DIR, with Box2D's source"
+    bmr_quietly "$BMR_BUILD_DIR/boomerang-configure.log" cmake -S "$root/tests/box2d_builds" -B "$BMR_BUILD_DIR" -G Ninja \
+        "-DBOX2D_BUILDS_PLUGIN=$plugin" -DBOOMERANG_WARNINGS_AS_ERRORS=ON || return 1
+    BMR_JOBS=$jobs bmr_build || return 1
+    if [ "${long:-no}" = yes ]; then
+        seeds=100
+        BMR_JOBS=$jobs bmr_build games_checked games_checked_released games_checked_blocks || return 1
+        for program in games_checked games_checked_released games_checked_blocks; do
+            check "stock survives the random games ($program, seeds $seed to $((seed + seeds - 1)))" \
+                env ASAN_OPTIONS=detect_leaks=0 "$BMR_BUILD_DIR/checked/$program" random "$seed" "$seeds" 150 \
+                >"$BMR_BUILD_DIR/$program.log" || true
+        done
+    fi
+    BOX2D_BUILDS_SEEDS=$seeds run_tests "games on each Box2D"
+}
