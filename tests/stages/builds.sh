@@ -21,8 +21,8 @@ stage_builds() {
         BMR_JOBS=$jobs bmr_build games_checked games_checked_released games_checked_blocks || return 1
         for program in games_checked games_checked_released games_checked_blocks; do
             check "stock survives the random games ($program, seeds $seed to $((seed + seeds - 1)))" \
-                env ASAN_OPTIONS=detect_leaks=0 "$BMR_BUILD_DIR/checked/$program" random "$seed" "$seeds" 150 \
-                >"$BMR_BUILD_DIR/$program.log" || true
+                bmr_quietly "$BMR_BUILD_DIR/$program.log" env ASAN_OPTIONS=detect_leaks=0 \
+                "$BMR_BUILD_DIR/checked/$program" random "$seed" "$seeds" 150 || true
         done
     fi
     BOX2D_BUILDS_SEEDS=$seeds run_tests "games on each Box2D"
