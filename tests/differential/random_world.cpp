@@ -11,6 +11,9 @@ namespace differential {
 
 namespace {
 
+/// In a Box2D of other length units everything is as many times as large.
+constexpr float kMeter = b2_lengthUnitsPerMeter;
+
 std::size_t Pick(Random &random, std::size_t count) {
     return static_cast<std::size_t>(random.Index(static_cast<int>(count)));
 }
@@ -35,14 +38,16 @@ b2FixtureDef SomeMaterial(Random &random) {
 b2PolygonShape SomePolygon(Random &random, b2Vec2 center) {
     if (random.OnceIn(3)) {
         const int count = 3 + random.Index(6);
-        Outline outline = RegularOutline(count, random.Uniform(0.15f, 0.6f), random.Uniform(0.0f, 3.0f));
+        Outline outline =
+            RegularOutline(count, kMeter * random.Uniform(0.15f, 0.6f), random.Uniform(0.0f, 3.0f));
         for (b2Vec2 &corner : outline)
             corner += center;
         b2PolygonShape shape;
         shape.Set(outline.data(), count);
         return shape;
     }
-    const float width = random.Uniform(0.1f, 1.2f), height = random.OnceIn(2) ? 0.08f : 0.3f;
+    const float width = kMeter * random.Uniform(0.1f, 1.2f),
+                height = kMeter * (random.OnceIn(2) ? 0.08f : 0.3f);
     return MakeBox(width, height, center, random.OnceIn(2) ? 0.0f : random.Uniform(0.0f, 3.0f));
 }
 
@@ -52,7 +57,7 @@ bool HasMass(const b2PolygonShape &polygon) {
     float area = 0.0f;
     for (int32 i = 0; i < polygon.m_count; ++i)
         area += 0.5f * b2Cross(polygon.m_vertices[i], polygon.m_vertices[(i + 1) % polygon.m_count]);
-    if (area <= 0.001f)
+    if (area <= 0.001f * kMeter * kMeter)
         return false;
     b2MassData mass;
     polygon.ComputeMass(&mass, 1.0f);
@@ -71,14 +76,14 @@ void MoveVertex(Random &random, b2PolygonShape *polygon) {
 /// One more fixture, somewhere on the body.
 void AddPart(Stage &stage, b2Body *body) {
     Random &random = stage.Rng();
-    const b2Vec2 center = random.Direction(0.0f, 0.8f);
+    const b2Vec2 center = kMeter * random.Direction(0.0f, 0.8f);
     b2FixtureDef def = SomeMaterial(random);
     def.isSensor = random.OnceIn(8); // sensors of every kind, on bodies of every type
     const int kind = random.Index(10);
     if (kind == 0)
-        stage.AddFixture(body, def, MakeCircle(random.Uniform(0.1f, 0.4f), center));
+        stage.AddFixture(body, def, MakeCircle(kMeter * random.Uniform(0.1f, 0.4f), center));
     else if (kind == 1 && body->GetType() == b2_staticBody)
-        stage.AddFixture(body, def, MakeEdge(center, center + random.Direction(0.3f, 2.0f)));
+        stage.AddFixture(body, def, MakeEdge(center, center + kMeter * random.Direction(0.3f, 2.0f)));
     else
         stage.AddFixture(body, def, SomePolygon(random, center));
 }
@@ -108,16 +113,16 @@ void RandomWorld::BuildLevel(Stage &stage) {
     Random &random = stage.Rng();
     // Near the origin, about where certificates are no longer trusted, and beyond.
     constexpr float kPlaces[] = {0.0f, 0.0f, 0.0f, 0.0f, 60.0f, 300.0f, 505.0f, 517.0f, 3000.0f, -10000.0f};
-    const float place = kPlaces[random.Index(10)];
+    const float place = kMeter * kPlaces[random.Index(10)];
     m_arena = AddArena(stage, {place, random.OnceIn(2) ? place : 0.0f}, kHalfWidth, kHalfHeight, 0.3f);
     if (random.OnceIn(2)) {
         Outline floor;
         for (int i = 0; i <= 10; ++i)
             floor.emplace_back(kHalfWidth * (1.0f - 0.2f * static_cast<float>(i)),
-                               random.Uniform(0.1f, 0.8f) - kHalfHeight);
+                               kMeter * random.Uniform(0.1f, 0.8f) - kHalfHeight);
         b2ChainShape chain;
-        chain.CreateChain(floor.data(), static_cast<int32>(floor.size()), floor.front() + b2Vec2(1.0f, 0.0f),
-                          floor.back() - b2Vec2(1.0f, 0.0f));
+        chain.CreateChain(floor.data(), static_cast<int32>(floor.size()),
+                          floor.front() + b2Vec2(kMeter, 0.0f), floor.back() - b2Vec2(kMeter, 0.0f));
         stage.AddFixture(m_arena, chain, 0.0f);
     }
     for (int i = random.Index(5); i > 0; --i) {
@@ -127,10 +132,10 @@ void RandomWorld::BuildLevel(Stage &stage) {
         if (random.OnceIn(2)) {
             def.type = b2_kinematicBody;
             def.angularVelocity = random.Uniform(-2.0f, 2.0f);
-            def.linearVelocity = random.Direction(0.0f, 0.5f);
+            def.linearVelocity = kMeter * random.Direction(0.0f, 0.5f);
         }
-        AddFan(stage, stage.AddBody(def), RoughOutline(random, 5 + random.Index(9), 0.4f, 1.2f),
-               Material(0.0f));
+        AddFan(stage, stage.AddBody(def),
+               RoughOutline(random, 5 + random.Index(9), 0.4f * kMeter, 1.2f * kMeter), Material(0.0f));
     }
     AddChains(stage);
 }
@@ -144,9 +149,9 @@ void RandomWorld::AddChains(Stage &stage) {
         if (random.OnceIn(2)) {
             def.type = b2_kinematicBody;
             def.angularVelocity = random.Uniform(-4.0f, 4.0f);
-            def.linearVelocity = random.Direction(0.0f, 1.0f);
+            def.linearVelocity = kMeter * random.Direction(0.0f, 1.0f);
         }
-        const Outline corners = RoughOutline(random, 4 + random.Index(6), 0.5f, 1.5f);
+        const Outline corners = RoughOutline(random, 4 + random.Index(6), 0.5f * kMeter, 1.5f * kMeter);
         b2ChainShape loop;
         loop.CreateLoop(corners.data(), static_cast<int32>(corners.size()));
         b2FixtureDef fixture = Material(0.0f, 0.3f, random.OnceIn(2) ? 0.8f : 0.0f);
@@ -172,13 +177,13 @@ void RandomWorld::CreateBody(Stage &stage) {
     def.type = random.OnceIn(10) ? b2_kinematicBody : b2_dynamicBody;
     def.position = Anywhere(random);
     def.angle = random.OnceIn(4) ? 0.25f * b2_pi : random.Uniform(-b2_pi, b2_pi);
-    def.linearVelocity = random.Direction(0.0f, random.OnceIn(5) ? 60.0f : 3.0f);
+    def.linearVelocity = kMeter * random.Direction(0.0f, random.OnceIn(5) ? 60.0f : 3.0f);
     if (random.OnceIn(6)) // far beyond a turn, and beyond where certificates are trusted
         def.angle += random.Uniform(-700.0f, 700.0f);
     def.angularVelocity = random.Uniform(-3.0f, 3.0f);
     def.bullet = m_stormy || random.OnceIn(5);
     if (m_stormy)
-        def.linearVelocity = random.Direction(20.0f, 150.0f);
+        def.linearVelocity = kMeter * random.Direction(20.0f, 150.0f);
     def.fixedRotation = random.OnceIn(12);
     def.allowSleep = !random.OnceIn(8);
     b2Body *body = stage.AddBody(def);
@@ -190,24 +195,27 @@ void RandomWorld::FillBody(Stage &stage, b2Body *body) {
     Random &random = stage.Rng();
     switch (random.Index(8)) {
     case 0: // up to 100 vertices: more than a hull keeps
-        AddConvex(stage, body, RegularOutline(9 + random.Index(92), random.Uniform(0.3f, 0.9f)),
+        AddConvex(stage, body, RegularOutline(9 + random.Index(92), kMeter * random.Uniform(0.3f, 0.9f)),
                   SomeMaterial(random));
         break;
     case 1:
-        AddFan(stage, body, RoughOutline(random, 5 + random.Index(8), 0.2f, 0.9f), SomeMaterial(random));
+        AddFan(stage, body, RoughOutline(random, 5 + random.Index(8), 0.2f * kMeter, 0.9f * kMeter),
+               SomeMaterial(random));
         break;
     case 2:
-        AddFan(stage, body, StarOutline(6 + random.Index(12), 0.3f, 0.9f), SomeMaterial(random));
+        AddFan(stage, body, StarOutline(6 + random.Index(12), 0.3f * kMeter, 0.9f * kMeter),
+               SomeMaterial(random));
         break;
     case 3: // a plank of several boxes
         for (int i = random.Index(4); i >= 0; --i)
             stage.AddFixture(body, SomeMaterial(random),
-                             MakeBox(0.4f, 0.06f, {0.8f * static_cast<float>(i) - 0.8f, 0.0f}));
+                             MakeBox(0.4f * kMeter, 0.06f * kMeter,
+                                     {kMeter * (0.8f * static_cast<float>(i) - 0.8f), 0.0f}));
         break;
     case 4: { // an eye
         b2FixtureDef eye = SomeMaterial(random);
         eye.isSensor = true;
-        stage.AddFixture(body, eye, MakeRegular(3 + random.Index(6), 1.2f));
+        stage.AddFixture(body, eye, MakeRegular(3 + random.Index(6), 1.2f * kMeter));
         AddPart(stage, body);
         AddPart(stage, body);
         break;
@@ -272,7 +280,7 @@ void RandomWorld::ActOnBody(Stage &stage) {
         body->SetTransform(Anywhere(random), random.Uniform(-b2_pi, b2_pi));
         break;
     case 2: // so near that what was known of its pairs almost holds
-        body->SetTransform(body->GetPosition() + random.Direction(0.0f, 0.05f),
+        body->SetTransform(body->GetPosition() + kMeter * random.Direction(0.0f, 0.05f),
                            body->GetAngle() + random.Uniform(-0.02f, 0.02f));
         break;
     case 3: { // two change places
@@ -301,7 +309,7 @@ void RandomWorld::ActOnBody(Stage &stage) {
         body->SetBullet(!body->IsBullet());
         break;
     case 10:
-        body->SetLinearVelocity(random.Direction(0.0f, random.OnceIn(3) ? 60.0f : 4.0f));
+        body->SetLinearVelocity(kMeter * random.Direction(0.0f, random.OnceIn(3) ? 60.0f : 4.0f));
         body->SetAngularVelocity(random.Uniform(-10.0f, 10.0f));
         break;
     case 11:
@@ -340,7 +348,8 @@ void RandomWorld::ActOnShape(Stage &stage, b2Body *body) {
         if (fixture == nullptr)
             break;
         body->DestroyFixture(fixture);
-        stage.AddFixture(body, SomeMaterial(random), SomePolygon(random, random.Direction(0.0f, 0.6f)));
+        stage.AddFixture(body, SomeMaterial(random),
+                         SomePolygon(random, kMeter * random.Direction(0.0f, 0.6f)));
     }
 }
 
@@ -372,7 +381,7 @@ void RandomWorld::ActOnFixture(Stage &stage, b2Body *body) {
         if (fixture->GetType() == b2Shape::e_polygon) {
             auto *polygon = static_cast<b2PolygonShape *>(fixture->GetShape());
             const float radius = polygon->m_radius;
-            *polygon = SomePolygon(random, random.Direction(0.0f, 0.4f));
+            *polygon = SomePolygon(random, kMeter * random.Direction(0.0f, 0.4f));
             polygon->m_radius = radius;
             if (random.OnceIn(4))
                 MoveVertex(random, polygon);
@@ -394,7 +403,7 @@ void RandomWorld::ActOnJoints(Stage &stage) {
     b2Body *a = SomeBody(random), *b = SomeBody(random);
     const float distance = (a->GetPosition() - b->GetPosition()).Length();
     // Joints that begin far from rest would throw their bodies out of the world.
-    if (a == b || distance > 3.0f || distance < 0.1f)
+    if (a == b || distance > 3.0f * kMeter || distance < 0.1f * kMeter)
         return;
     if (random.OnceIn(2)) {
         b2RevoluteJointDef def;
@@ -415,16 +424,17 @@ void RandomWorld::ActOnWorld(Stage &stage) {
     constexpr float kTimeSteps[] = {1.0f / 60.0f, 1.0f / 60.0f, 1.0f / 30.0f, 1.0f / 240.0f, 0.0f};
     switch (random.Index(8)) {
     case 0: // there and, sooner or later, back
-        world.ShiftOrigin(m_arena->GetPosition() + random.Direction(0.0f, random.OnceIn(3) ? 700.0f : 50.0f));
+        world.ShiftOrigin(m_arena->GetPosition() +
+                          kMeter * random.Direction(0.0f, random.OnceIn(3) ? 700.0f : 50.0f));
         break;
     case 1:
         world.ShiftOrigin(m_arena->GetPosition());
         break;
     case 2:
-        world.SetGravity(random.OnceIn(2) ? b2Vec2(0.0f, -10.0f) : b2Vec2(0.0f, 0.0f));
+        world.SetGravity(random.OnceIn(2) ? b2Vec2(0.0f, -10.0f * kMeter) : b2Vec2(0.0f, 0.0f));
         break;
     case 3:
-        world.SetGravity(random.Direction(0.0f, 12.0f));
+        world.SetGravity(kMeter * random.Direction(0.0f, 12.0f));
         break;
     case 4:
         world.SetAllowSleeping(!world.GetAllowSleeping());
@@ -451,7 +461,7 @@ void RandomWorld::Probe(Stage &stage) {
         b2Transform xfA = c->GetFixtureA()->GetBody()->GetTransform();
         const b2Transform xfB = c->GetFixtureB()->GetBody()->GetTransform();
         if (random.OnceIn(2))
-            xfA.p += random.Direction(0.0f, 0.3f);
+            xfA.p += kMeter * random.Direction(0.0f, 0.3f);
         b2Manifold manifold;
         std::memset(static_cast<void *>(&manifold), 0x7f, sizeof manifold);
         c->Evaluate(&manifold, xfA, xfB);
@@ -468,7 +478,7 @@ void RandomWorld::Probe(Stage &stage) {
 void RandomWorld::RescueLost(Random &random) {
     for (b2Body *body : m_bodies) {
         const b2Vec2 away = body->GetPosition() - m_arena->GetPosition();
-        if (std::abs(away.x) < kHalfWidth + 2.0f && std::abs(away.y) < kHalfHeight + 2.0f)
+        if (std::abs(away.x) < kHalfWidth + 2.0f * kMeter && std::abs(away.y) < kHalfHeight + 2.0f * kMeter)
             continue;
         body->SetTransform(Anywhere(random), 0.0f);
         body->SetLinearVelocity({0.0f, 0.0f});

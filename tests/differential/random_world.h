@@ -67,7 +67,8 @@ private:
     void Probe(testbed::Stage &stage);
     void RescueLost(testbed::Random &random);
 
-    static constexpr float kHalfWidth = 7.0f, kHalfHeight = 5.0f;
+    static constexpr float kHalfWidth = 7.0f * b2_lengthUnitsPerMeter,
+                           kHalfHeight = 5.0f * b2_lengthUnitsPerMeter;
     std::size_t m_wanted = 0;
     int m_step = 0;
     float m_timeStep = 1.0f / 60.0f;

@@ -12,6 +12,8 @@ namespace box2d_builds {
 
 namespace {
 
+constexpr float kMeter = b2_lengthUnitsPerMeter;
+
 /// Box2D goes on with a contact that is gone: its memory is Box2D's, and is as it was.
 #if defined(BOX2D_BUILDS_NO_OWN)
 constexpr bool kOwn = false;
@@ -219,7 +221,8 @@ void RandomGame::ActBetweenSteps(b2Contact &contact, uint32_t mixed) {
         break;
     case 1: {
         const b2Vec2 place = third->GetPosition() + b2Vec2(0.3f, 0.2f);
-        m_stage->AddFixture(m_stage->AddBody(b2_staticBody, place, 0.5f), MakeBox(0.2f, 0.1f), 0.0f);
+        m_stage->AddFixture(m_stage->AddBody(b2_staticBody, place, 0.5f),
+                            MakeBox(0.2f * kMeter, 0.1f * kMeter), 0.0f);
         ++m_done.made;
         break;
     }
@@ -285,7 +288,7 @@ void RandomGame::Edit(b2Body *body, uint32_t mixed) {
         polygon.m_radius = static_cast<float>(1 + mixed / 16 % 5) * b2_polygonRadius;
         return;
     }
-    ScaleInPlace(&polygon, 0.8f);
+    ScaleInPlace(&polygon, 0.8f * kMeter);
 }
 
 void RandomGame::ChangeFilter(b2Fixture *fixture, uint32_t mixed) {
