@@ -27,8 +27,9 @@ fi
 # shellcheck source=tests/support/mutant_library.sh
 source "$root/tests/support/mutant_library.sh"
 unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE
-# (A child inherits threads that ended in its parent, and that it cannot join.)
-export TSAN_OPTIONS=halt_on_error=1:report_thread_leaks=0
+# (A child inherits threads that ended in its parent, and that it cannot join; and would sleep for a second before it ends, to let them
+# race.)
+export TSAN_OPTIONS=halt_on_error=1:report_thread_leaks=0:atexit_sleep_ms=0
 # A bound in seconds for what hangs, which is no verdict.
 patience=1500
 
