@@ -22,7 +22,7 @@ trap 'rm -rf "$room"' EXIT
 passed=0 failed=0
 unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
 # What goes round for ever ends: many hundred times what a game needs of a processor, however busy the machine is.
-ulimit -t 300
+ulimit -t 60
 ulimit -c 0
 
 # shellcheck source=tests/box2d_builds/processor.sh
@@ -36,8 +36,10 @@ fails() {
 
 # play NAME PRELOADED PROGRAM ARGUMENT...: what it prints into $room/NAME, what it says into $room/NAME.err
 play() {
+    # (In a shell of its own, which stays to say to nobody that the game crashed.)
     (
         "${runner[@]}" ${2:+"${set_variable[@]}" "LD_PRELOAD=$2"} "$3" "${@:4}" >"$room/$1" 2>"$room/$1.err"
+        exit $?
     ) 2>/dev/null
 }
 
