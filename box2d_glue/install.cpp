@@ -20,9 +20,10 @@ namespace {
 bool installed = false;
 bool refused = false;
 
-/// One line, once: nothing else of a refusal is ever seen.
+/// One line, once: nothing else of a refusal is ever seen, nor is anything said of hooks that nobody comes by.
 bool Refuse(const char *why) {
     refused = true;
+    ClaimAnnouncement();
     std::fprintf(stderr, "boomerang: not at work, Box2D runs as it is: %s\n", why);
     return false;
 }
@@ -35,10 +36,13 @@ void ListHooks(const char *before, uint32_t hooks) {
 }
 
 void Announce(const Options &options) {
-    const uint32_t reached = options.hooks & GetSettings().reached;
+    const uint32_t reached = options.hooks & GetSettings().reached, off = HooksOffForRounding();
+    const uint32_t atWork = reached & ~off;
     std::fprintf(stderr, "boomerang: %s, %s; rounds %s Box2D", NameOf(options.mode),
                  bmr_structure_name(options.structure), GetSettings().sameRounding ? "as" : "otherwise than");
-    ListHooks(reached == kNoHooks ? "; hooks: none" : "; hooks:", reached);
+    ListHooks(atWork == kNoHooks ? "; hooks: none" : "; hooks:", atWork);
+    if (off != kNoHooks)
+        ListHooks("; off, for it rounds otherwise:", off);
     if (reached != options.hooks)
         ListHooks("; not reached by this Box2D's calls:", options.hooks & ~reached);
     std::fputc('\n', stderr);

@@ -52,6 +52,15 @@ inline bool AnyHookIsOn() {
     return (internal::activeHooks.load(std::memory_order_acquire) & kAllHooks) != 0;
 }
 
+/// The hooks that answer nothing where Box2D rounds otherwise than core/exact32: theirs are the bits of its
+/// operations.
+constexpr uint32_t kHooksOfSameRounding = Bit(Hook::TouchingManifold) | Bit(Hook::FixtureBoxes);
+inline uint32_t HooksOffForRounding() {
+    const Settings &settings = GetSettings();
+    return settings.sameRounding ? kNoHooks
+                                 : settings.options.hooks & settings.reached & kHooksOfSameRounding;
+}
+
 /// Is every answer to be compared with Box2D's?
 inline bool Verifying() {
     return GetSettings().options.mode == Mode::Verify;

@@ -89,7 +89,8 @@ struct Options {
     /// find out (about 0.1 ms, here and for statisticsFile alone).
     int32_t verbosity = 0;
     /// Where the statistics go when the process ends, as JSON (implies statistics); nullptr: nowhere. Copied.
-    /// "hooks" are those that are on and reached, "hooks_not_reached" those that are on in vain.
+    /// "hooks" are those that are at work, "hooks_not_reached" and "hooks_off_for_rounding" (Box2D was built
+    /// with another rounding, fused multiply-add say) those that are on in vain.
     /// Of a program that forks, the process that installed writes it; with "%p" in the name, which stands for
     /// the number of the process, each writes its own.
     const char *statisticsFile = nullptr;

@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+#   check_announced.sh BUILD PLUGIN
+#
+# Is the plugin at work on each Box2D of the shelf as far as it is to be, and does it say so? A plugin that did nothing would play every
+# game as stock does. The line that BOOMERANG_VERBOSE asks for is held against the table below, and the counts of the JSON file
+# against the line: what is at work has answered, what is not has not.
+set -uo pipefail
+build=${1:?} plugin=${2:?}
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+passed=0 failed=0
+unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+
+# shellcheck source=tests/box2d_builds/processor.sh
+source "$(dirname "${BASH_SOURCE[0]}")/processor.sh"
+
+loops='time-of-impact test-overlap solve-toi contact-loop pair-finding profile-clock'
+all="on, .*rounds as Box2D; hooks: $loops touching-manifold fixture-boxes\$"
+behind="on, .*rounds as Box2D; hooks: touching-manifold; not reached by this Box2D's calls: $loops fixture-boxes\$"
+inside='not at work, .*: the program has a Box2D of its own inside (boomerang::box2d_static is the library for that)$'
+nobody='never at work: no b2World::Step came by (has the program its own Box2D inside?)$'
+units='not at work, .*: b2_lengthUnitsPerMeter is 10 here, 1 in the Box2D this was built for$'
+fused="on, .*rounds otherwise than Box2D; hooks: $loops; off, for it rounds otherwise: touching-manifold fixture-boxes\$"
+fused_behind="on, .*rounds otherwise than Box2D; hooks: none; off, for it rounds otherwise: touching-manifold; not reached by this Box2D's calls: $loops fixture-boxes\$"
+
+fails() {
+    failed=$((failed + 1))
+    printf 'FAILED: %s\n' "$*"
+}
+
+# number NAME: of the JSON file
+number() { sed -nE "s/^ *\"$1\": ([0-9]+),?\$/\\1/p" "$room/json"; }
+
+# says VARIANT WAY LINE [COUNT...]: with the plugin in this way, the game's one line is this; these counts are above zero, or, where
+# none is named, there are none at all.
+says() {
+    local variant=$1 way=$2 line=$3 program=$build/$1/games_$1 preload='' name
+    shift 3
+    if [ "$way" = preloaded ]; then preload=$plugin; else program=${program}_$way; fi
+    processor_for "$variant" || return 1
+    rm -f "$room/json"
+    "${runner[@]}" "${set_variable[@]}" "LD_PRELOAD=$preload" "${set_variable[@]}" BOOMERANG_VERBOSE=1 \
+        "${set_variable[@]}" "BOOMERANG_STATISTICS=$room/json" "$program" heap >/dev/null 2>"$room/err"
+    if ! grep -q "^boomerang: $line" "$room/err" || [ "$(grep -c '^boomerang: ' "$room/err")" -ne 1 ]; then
+        fails "$variant, $way: says \"$(cat "$room/err")\", not \"$line\""
+        return
+    fi
+    if [ $# -eq 0 ] && [ -e "$room/json" ]; then
+        fails "$variant, $way: counts something"
+        return
+    fi
+    for name; do
+        if [ "$(number "$name")" = "" ] || [ "$(number "$name")" -eq 0 ]; then
+            fails "$variant, $way: $name: '$(number "$name")'"
+            return
+        fi
+    done
+    passed=$((passed + 1))
+}
+
+for variant in debian ndebug allocator lto onefile; do
+    says "$variant" preloaded "$all" steps evaluations edge_checks touching_answered
+    says "$variant" ahead "$all" steps evaluations edge_checks touching_answered
+    says "$variant" behind "$behind" evaluations edge_checks touching_answered
+done
+says fma preloaded "$fused" steps evaluations
+says fma ahead "$fused" steps evaluations
+says fma behind "$fused_behind" evaluations
+for way in preloaded ahead behind; do says units10 "$way" "$units"; done
+for variant in static hidden; do
+    says "$variant" preloaded "$nobody"
+    says "$variant" ahead "$inside"
+    says "$variant" behind "$inside"
+done
+# Control: what is said of one Box2D is not said of another.
+before=$failed
+says units10 preloaded "$all" steps >/dev/null
+says debian preloaded "$fused" steps >/dev/null
+says debian behind "$behind" steps >/dev/null
+[ "$failed" -eq $((before + 3)) ] && failed=$before || fails "the controls"
+printf '%d passed, %d failed\n' "$passed" "$failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
