@@ -26,7 +26,8 @@ struct b2TOIOutput;
 /// default or not; a linker takes the default alone. So calls to a Box2D that is loaded come here. A program
 /// that has Box2D inside keeps all of that: if the linker saw the hooks, it would take them for the functions
 /// that the program needs and leave Box2D's own out, which then is nowhere. (dlsym does not find hooks
-/// either: what it finds is Box2D's.)
+/// either: what it finds is Box2D's.) With BMR_HOOKS_FOR_LINKERS linkers find them, too: for builds with
+/// sanitizers or counts of lines, which are never linked ahead of an archive.
 ///
 /// With BMR_STATIC_WRAP (a static link with -Wl,--wrap=NAME for each) the same source makes __wrap_NAME, and
 /// Box2D's own function is __real_NAME.
@@ -34,7 +35,7 @@ struct b2TOIOutput;
 #define BMR_EXPORTED __attribute__((visibility("default")))
 #if defined(BMR_STATIC_WRAP)
 #    define BMR_STANDS_FOR(name) asm("__wrap_" name) BMR_EXPORTED
-#elif defined(BMR_SHARED_LIBRARY)
+#elif defined(BMR_SHARED_LIBRARY) && !defined(BMR_HOOKS_FOR_LINKERS)
 #    define BMR_FOR_LOADERS(name) __asm__(".symver " name ", " name "@BOOMERANG_HOOKS, remove")
 #    define BMR_STANDS_FOR(name)                                                                             \
         asm(name) BMR_EXPORTED;                                                                              \

@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154
 # SPDX-License-Identifier: MIT
-# Box2D built as games build it, in nine ways, and games on each: with the plugin they do what they do without
+# games on Box2D built as games build it, in nine ways: with the plugin they do what they do without
 
 # With --long a hundred random games on each, and those games in stock alone under the address sanitizer: what differs must be
 # the plugin's doing.
