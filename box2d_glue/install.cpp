@@ -20,7 +20,8 @@ namespace {
 bool installed = false;
 bool refused = false;
 
-/// One line, once: nothing else of a refusal is ever seen, nor is anything said of hooks that nobody comes by.
+/// One line, once: nothing else of a refusal is ever seen, nor is anything said of hooks that nobody comes
+/// by.
 bool Refuse(const char *why) {
     refused = true;
     ClaimAnnouncement();
