@@ -20,7 +20,8 @@ void DrawOutline(const bmr_convex32 &polygon, const b2Transform &xf, const b2Col
                  b2Draw &draw);
 
 /// b2World::DebugDraw calls this on its thread when it draws a big polygon of the world: the next
-/// DrawConvexShapes of the same world and drawer then has nothing left to do.
+/// DrawConvexShapes of the same world and drawer then has nothing left to do, up to the next step of any
+/// world on this thread (which calls it with nullptr).
 void NoteDrawnByBox2D(const b2World *world, const b2Draw *draw);
 
 } // namespace bmr

@@ -10,8 +10,8 @@ namespace bmr {
 /// once, with all hooks off, and each says whether it was called. Where the library is behind Box2D, or Box2D
 /// is inside the program, or calls its own functions without the loader, some or all are not. The manifold of
 /// polygons that touch is always among them: Box2D's register of contacts leads to it. For whoever announces
-/// what is at work, before Install makes its settings, on a Box2D that is known; about 0.1 ms. None where
-/// there is no memory.
+/// what is at work, before Install makes its settings, on a Box2D that is known; about 0.1 ms. None is
+/// reported where there is no memory to find out.
 uint32_t FindReachedHooks();
 
 /// Is this thread stepping that world?

@@ -143,7 +143,8 @@ public:
 
     /// Was it `object` that got the block, and did nobody write behind a T there?
 #if defined(__GNUC__)
-    __attribute__((no_sanitize("address"))) // nor read there, says a sanitizer that knows what was asked for
+    // Reads to the end of the block; the address sanitizer would allow no more than the bytes of a T.
+    __attribute__((no_sanitize("address")))
 #endif
     bool
     HoldsNoMoreThan(const T *object) const {

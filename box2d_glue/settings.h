@@ -47,7 +47,8 @@ inline bool HookIsOn(Hook hook) {
     return false;
 }
 
-/// Is any? Then this is a Box2D that the glue knows, and its objects may be looked into.
+/// Is any function answered here? Then this is a Box2D that the glue knows, and its objects may be looked
+/// into.
 inline bool AnyHookIsOn() {
     return (internal::activeHooks.load(std::memory_order_acquire) & kAllHooks) != 0;
 }

@@ -32,13 +32,22 @@ bool IsVerbose() {
 
 long loadedIn;
 
-/// For the program and all that it has forked. (What it executes loads the library anew, and speaks for
-/// itself.)
+/// For the program and all that it has forked, where nothing else was said. (What it executes loads the
+/// library anew, and speaks for itself.)
 void SayNobodyCame() {
-    if (internal::startsByItself && ThisProcess() == loadedIn && !IsAnnounced())
+    const bool came = StepsComeByHere() && !internal::startsByItself;
+    if (!came && ThisProcess() == loadedIn && !IsAnnounced())
         std::fputs(
             "boomerang: never at work: no b2World::Step came by (has the program its own Box2D inside?)\n",
             stderr);
+}
+
+void SayAtExitIfNobodyComes() {
+    if (!IsVerbose())
+        return;
+    loadedIn = ThisProcess();
+    ShareAnnouncement();
+    std::atexit(SayNobodyCame);
 }
 
 /// Runs when the library is loaded, possibly before other libraries' and the program's own constructors: it
@@ -53,18 +62,15 @@ __attribute__((constructor)) void Loaded() {
         return;
     }
     if (!StepsComeByHere()) {
-        // Linked behind Box2D, say. What was asked for by name is done as far as it goes: contacts alone.
-        // (A program that has Box2D inside, for all to see, calls Install itself.)
+        // Linked behind Box2D, say. What was asked for by name is done as far as it goes: contacts alone. Not
+        // where the program itself shows its Box2D (-rdynamic): that one is initialised later than this runs.
+        SayAtExitIfNobodyComes();
         if (asked && InitialiseBox2D())
             Install();
         return;
     }
     internal::startsByItself = true;
-    if (IsVerbose()) {
-        loadedIn = ThisProcess();
-        ShareAnnouncement();
-        std::atexit(SayNobodyCame);
-    }
+    SayAtExitIfNobodyComes();
 }
 
 } // namespace

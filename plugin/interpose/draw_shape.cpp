@@ -18,7 +18,7 @@ interpose::Real<void(b2World *, b2Fixture *, const b2Transform &, const b2Color 
 
 } // namespace
 
-// Box2D's header declares it without BMR_STANDS_FOR.
+// Box2D's own header declares b2World::DrawShape, so BMR_STANDS_FOR cannot be put on its declaration.
 BMR_FOR_LOADERS("_ZN7b2World9DrawShapeEP9b2FixtureRK11b2TransformRK7b2Color");
 
 void b2World::DrawShape(b2Fixture *fixture, const b2Transform &xf, const b2Color &color) {

@@ -2,9 +2,8 @@
 // b2ContactManager::FindNewContacts: pairs of proxies whose fat boxes have come to overlap. The same contacts
 // are made in the same order, and the same filters asked. What is done otherwise:
 //
-//   - Proxies of one body that were moved together descend the tree together, with the box around all of
-//   them;
-//     each is then held against the few leaves of other bodies that this found. The leaves come in the order
+//   - Proxies of one body that were moved together descend the tree together, with the box around them all.
+//     Each is then held against the few leaves of other bodies that this found. The leaves come in the order
 //     of the descent, so each proxy meets them in the order in which its own would have.
 //   - The tree is descended with boxes in registers, and a node is looked at before it is put on the stack.
 //   - Two fixtures of one body, nearly all that a body of many fixtures finds, are passed over at once: not

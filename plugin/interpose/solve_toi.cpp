@@ -50,7 +50,7 @@ void CompareWithBox2D(const ImpactScan::Side &a, const ImpactScan::Side &b) {
 
 } // namespace
 
-// Box2D's header declares it without BMR_STANDS_FOR.
+// Box2D's own header declares b2World::SolveTOI, so BMR_STANDS_FOR cannot be put on its declaration.
 BMR_FOR_LOADERS("_ZN7b2World8SolveTOIERK10b2TimeStep");
 
 void b2World::SolveTOI(const b2TimeStep &step) {

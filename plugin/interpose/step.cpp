@@ -5,6 +5,8 @@
 #include <box2d/b2_world.h>
 
 #include "contact_access.h"
+#include "convex_draw.h"
+#include "convex_geometry.h"
 #include "current_step.h"
 #include "real.h"
 #include "settings.h"
@@ -72,6 +74,8 @@ void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positi
     StartAtFirstStep();
     const StepMark mark(*world);
     CountStep();
+    if (AnyBigPolygon())
+        NoteDrawnByBox2D(nullptr, nullptr); // what was drawn before a step is drawn anew after it
     realStep.Get()(world, timeStep, velocityIterations, positionIterations);
 }
 

@@ -76,7 +76,9 @@ for structure in $structures; do
     wait
     for prefilter in on off; do
         name=$structure-$prefilter
-        if cmp -s "$room/stock" "$room/$name"; then
+        if [ -s "$room/$name.lost" ]; then
+            fails "$structure, prefilter $prefilter: with the plugin the program does not end well: $(head -n 1 "$room/$name.lost")"
+        elif cmp -s "$room/stock" "$room/$name"; then
             passed=$((passed + 1))
         else
             explain "$name" "$structure" $prefilter
@@ -103,6 +105,16 @@ if [ "$(cat "$room/ended.lost")" = "seed $((first + 1)), exit status 134: told t
     passed=$((passed + 1))
 else
     fails "control: ended in seed $((first + 1)); lost: $(cat "$room/ended.lost")"
+fi
+
+# Control: so has one that prints all lines and then ends badly.
+printf '#!/bin/sh\n"%s" "$@"\nexit 3\n' "$stock" >"$room/bad_end"
+chmod +x "$room/bad_end"
+run "$room/ended" "$first" 1 "$room/bad_end"
+if [ -s "$room/ended.lost" ] && [ "$(wc -l <"$room/ended")" -eq "$steps" ]; then
+    passed=$((passed + 1))
+else
+    fails "control: a program that ends with status 3 goes unnoticed"
 fi
 
 echo "seeds $first to $((first + seeds - 1)), $((seeds - lost)) of $seeds run, $steps steps each: $passed passed, $failed failed"

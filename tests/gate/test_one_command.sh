@@ -14,7 +14,7 @@ failed=0
 told() { sed -n '/^## See it, check it/,/^## /{/^```sh$/,/^```$/p}' "$1" | sed -n 's/^\(\.[^ ]*\) *#.*/\1/p'; }
 
 # commands FILE: what a script does, without comments, blank lines and what sets it up
-commands() { grep -v -e '^ *#' -e '^ *$' -e '^set ' -e '^cd "\$(dirname "\${BASH_SOURCE\[0\]}")/\.\."$' "$1"; }
+commands() { grep -v -e '^ *#' -e '^ *$' -e '^set -euo pipefail$' -e '^cd "\$(dirname "\${BASH_SOURCE\[0\]}")/\.\."$' "$1"; }
 
 # one_command CI README: does the script do the README's second command alone?
 one_command() {
@@ -38,6 +38,8 @@ sed 's|exec ./tests/run|exec ./tests/run --quick|' "$root/.ci/run" >"$room/optio
 expect 1 "control: an option is noticed" one_command "$room/option" "$root/README.md"
 sed 's|exec ./tests/run|BMR_JOBS=1 ./tests/run|' "$root/.ci/run" >"$room/variable"
 expect 1 "control: a setting is noticed" one_command "$room/variable" "$root/README.md"
+sed 's|exec ./tests/run|set -a; BMR_TEST_SCALE=0.0001\n&|' "$root/.ci/run" >"$room/set"
+expect 1 "control: a setting behind set is noticed" one_command "$room/set" "$root/README.md"
 sed 's|exec ./tests/run|./testbed_scenes/run\n&|' "$root/.ci/run" >"$room/more"
 expect 1 "control: a second command is noticed" one_command "$room/more" "$root/README.md"
 sed 's|^\./tests/run |./tests/run --quick |' "$root/README.md" >"$room/README.md"

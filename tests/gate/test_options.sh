@@ -38,6 +38,8 @@ answers 2 "needs a number" --seed
 answers 2 "needs a number" --seed 0
 answers 2 "needs a number" --long --seed x1
 answers 2 "always errors" --strict
+BMR_JOBS=0 answers 2 "BMR_JOBS is '0'" --only format
+BMR_JOBS=abc answers 2 "BMR_JOBS is 'abc'" --only format
 answers 2 "long" --brief
 [ "$failed" -eq 0 ] && echo passed
 exit "$failed"

@@ -30,8 +30,9 @@ enum class Mode : int32_t {
 };
 
 /// What the shared library puts in front of Box2D besides the polygon contact, each on its own switch. Bits
-/// of Options::hooks. A hook that is on answers where Box2D's calls come by it: all do where the library is
-/// loaded ahead of a shared Box2D. Behind it, or with the static glue alone, TouchingManifold does.
+/// of Options::hooks. A hook can only answer calls that Box2D makes through it. It makes all of them so where
+/// the library is loaded ahead of a shared Box2D; behind it, or with the static glue alone, only those of
+/// TouchingManifold.
 enum class Hook : uint32_t {
     TimeOfImpact = 1u << 0,     ///< b2TimeOfImpact answered from proofs of separation
     TestOverlap = 1u << 1,      ///< b2TestOverlap of sensors, likewise
@@ -138,11 +139,11 @@ BMR_BOX2D_API Statistics GetStatistics();
 /// simulation.
 BMR_BOX2D_API float CertifiedSlack(const b2Body *bodyA, const b2Body *bodyB);
 
-/// To be called after the vertices of a polygon fixture were changed in place (through b2Fixture::GetShape):
-/// forgets what is known about this body's shape. Creating and destroying fixtures needs no call. Where the
-/// library sees b2World::Step (all hooks can answer: not behind Box2D, not the static glue alone) it finds
-/// such changes by itself, also those of a listener or a filter in the middle of a step; a call is needed
-/// only where normals alone were changed.
+/// Forgets what is known about this body's shape, and builds its hulls again. To be called after normals of a
+/// polygon fixture were changed in place (through b2Fixture::GetShape) and its vertices were not. All else is
+/// found without it: vertices and radii that are changed in place, at any time, fixtures that come and go. A
+/// call after a change of vertices can save time where the library does not see b2World::Step: there a hull
+/// that no longer holds its fixtures answers nothing, and nobody else builds it again.
 BMR_BOX2D_API void Invalidate(b2Body *body);
 
 } // namespace bmr
