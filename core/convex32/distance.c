@@ -10,9 +10,11 @@ enum { MOST_STEPS = 64 };
 // what float supports resolve, far above what double arithmetic confuses.
 static const double least_gain = 1e-10;
 
-// A vertex of the difference is off by a few 2^-53 of the shapes' reach and place. What is left of a distance
-// that is no more than this part of them may point anywhere: across a side through the origin to either side
-// of it, and from a vertex in a direction that is off by 1e-4. Such a distance is none: the shapes overlap.
+// Rounding moves each vertex of the difference by a few 2^-53 of the shapes' reach and place. A distance that
+// is no more than 2^-40 of them is so short that its direction cannot be trusted. Where a side of the
+// difference is nearest, rounding alone may decide on which of its two sides the origin lies, and so turn the
+// direction round. Where a vertex is nearest, the direction may be off by 1e-4. The search therefore calls
+// such a distance 0: the shapes overlap.
 static const double no_distance = 0x1p-40;
 
 bmr_proxy32 bmr_proxy32_points(const bmr_vec32 *points, uint32_t count, float radius) {

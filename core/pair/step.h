@@ -51,8 +51,11 @@ bmr_error bmr_disks_audit(const bmr_certificate *certificate, const bmr_polygon 
 /// window may cost.
 #define BMR_CLOSEST_SLACK 0.0625
 
-/// What a pair remembers of its two polygons. Exchanged they have another stamp, unless they are the same:
-/// the multiplier is odd, and less 1 twice an odd number.
+/// What a pair remembers of its two polygons. All of it is modulo 2^32. Where one polygon is kept and the
+/// other's stamp changes, the pair's stamp changes: the multiplier is odd. Where A and B change places, the
+/// pair's stamp changes by (multiplier - 1) times the difference of their stamps. The multiplier less 1 is
+/// twice an odd number, so the pair's stamp stays as it is only where the two stamps are the same or differ
+/// by exactly 2^31.
 static inline uint32_t bmr_pair_stamp(const bmr_polygon *a, const bmr_polygon *b) {
     return a->stamp * UINT32_C(0x9e3779b3) + b->stamp;
 }
