@@ -162,7 +162,8 @@ bmr_error bmr_hierarchy_audit(const bmr_hierarchy *hierarchy) {
     const bmr_error error = bmr_polygon_audit(hierarchy->polygon);
     if (error != BMR_OK)
         return error;
-    if (hierarchy->count < BMR_ROOTS || hierarchy->kind >= BMR_HIERARCHY_KIND_COUNT || !is_shallow(hierarchy))
+    if (hierarchy->stamp != hierarchy->polygon->stamp || hierarchy->count < BMR_ROOTS ||
+        hierarchy->kind >= BMR_HIERARCHY_KIND_COUNT || !is_shallow(hierarchy))
         return BMR_ERROR_INVALID_STRUCTURE;
     const audit a = {hierarchy, AUDIT_ROUNDING * hierarchy->polygon->extent};
     uint32_t deepest = 0;

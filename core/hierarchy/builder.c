@@ -226,6 +226,7 @@ static void keep_directions(const work *w, bmr_hierarchy *h) {
 static bmr_error keep_tree(const work *w, const bmr_allocator *allocator, bmr_hierarchy **hierarchy) {
     bmr_hierarchy head = {0};
     head.polygon = w->build->polygon;
+    head.stamp = w->build->polygon->stamp;
     head.kind = (uint16_t)w->build->kind;
     head.count = BMR_ROOTS + w->queued;
     head.direction_count = w->build->compass ? 0 : BMR_ROOTS + w->degenerate;

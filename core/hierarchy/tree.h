@@ -45,6 +45,7 @@ struct bmr_hierarchy {
     uint32_t direction_count; ///< how many are in this block
     uint16_t depth;
     uint16_t kind;
+    uint32_t stamp; ///< the polygon's when this was built: another may lie at its address by now
     bmr_node nodes[];
 };
 
@@ -62,6 +63,13 @@ static inline bmr_vec2 bmr_tree_edge_vector(const bmr_polygon *p, uint32_t i) {
 /// Is what lies at `r` from an end of edge i beyond that end, along the edge? However short the edge is.
 static inline bool bmr_tree_beyond(const bmr_polygon *p, uint32_t i, bmr_vec2 r) {
     return bmr_ascends(bmr_tree_edge_vector(p, i), bmr_scale_up_if_tiny(r));
+}
+
+/// Is the hierarchy of this kind, and was it built over this polygon? The address alone does not tell: the
+/// polygon may have been freed, and another made where it was. Reads nothing of the hierarchy's own polygon,
+/// which may be gone.
+static inline bool bmr_tree_is_of(const bmr_hierarchy *h, int kind, const bmr_polygon *polygon) {
+    return (int)h->kind == kind && h->polygon == polygon && h->stamp == polygon->stamp;
 }
 
 /// The outer normal of an edge in some positive length, but not so short that products underflow: all that

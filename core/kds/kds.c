@@ -5,6 +5,7 @@
 
 #include "geometry/distance.h"
 #include "geometry/memory.h"
+#include "hierarchy/tree.h"
 #include "kds/structure.h"
 
 /// How far (c, s) of a pose may be off unit length before it is no motion.
@@ -34,8 +35,7 @@ static bool def_makes_sense(const bmr_kds_def *def) {
 
 /// Is the hierarchy that stands in this place of this kind, and built over this polygon?
 static bool is_of(const bmr_kds_shape *shape, int kind) {
-    const bmr_hierarchy *h = shape->hierarchies[kind];
-    return (int)bmr_hierarchy_get_kind(h) == kind && bmr_hierarchy_polygon(h) == shape->polygon;
+    return bmr_tree_is_of(shape->hierarchies[kind], kind, shape->polygon);
 }
 
 bmr_error bmr_kds_create(const bmr_kds_info *info, const bmr_kds_def *def, const bmr_kds_shape *a,

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "certificate/walk.h"
+#include "hierarchy/tree.h"
 #include "pair/step.h"
 
 /// Of the need, what a certificate's own relative rounding and the distance query's tolerance may hide: 2^-22
@@ -114,8 +115,7 @@ _Static_assert(BMR_STRUCTURE_COUNT <= 4, "a pair has two bits for its structure"
 /// Has the shape a hierarchy that this structure can walk on?
 static bool walks(const bmr_shape *shape, bmr_structure structure) {
     const bmr_hierarchy *h = shape->hierarchy;
-    return h && (int)bmr_hierarchy_get_kind(h) == (int)structure &&
-           bmr_hierarchy_polygon(h) == shape->polygon;
+    return h && bmr_tree_is_of(h, (int)structure, shape->polygon);
 }
 
 bmr_structure bmr_pair_structure(const bmr_pair_def *def, const bmr_shape *a, const bmr_shape *b) {

@@ -153,11 +153,62 @@ static void a_path_s_rates_are_those_of_its_poses(void **state) {
     test_kds_body_destroy(&a);
 }
 
+/// Hands out one place, again and again.
+static _Alignas(64) unsigned char place[1024];
+static void *take_place(void *context, size_t size) {
+    (void)context;
+    return size <= sizeof place ? place : NULL;
+}
+static void leave_place(void *context, void *block, size_t size) {
+    (void)context, (void)block, (void)size;
+}
+
+static bmr_kds_shape triangle_in_place(double width, const bmr_allocator *allocator) {
+    const bmr_vec2 vertices[] = {{0.0, 0.0}, {width, 0.0}, {0.0, 1.0}};
+    bmr_polygon *made = NULL;
+    assert_int_equal(bmr_polygon_create(vertices, 3, allocator, &made), BMR_OK);
+    const bmr_kds_shape shape = {made, {NULL, NULL, NULL}};
+    return shape;
+}
+
+/// The hierarchy is kept while its polygon is freed and another made at the same address.
+static void a_hierarchy_of_a_polygon_that_is_no_more_is_refused(void **state) {
+    (void)state;
+    const bmr_allocator one_place = {take_place, leave_place, NULL};
+    const bmr_kds_info *info = bmr_kds_find("lazy-dk");
+    const bmr_kds_def def = bmr_default_kds_def();
+    bmr_kds_shape a = triangle_in_place(1.0, NULL), b = triangle_in_place(1.0, &one_place);
+    bmr_hierarchy *of_a = NULL, *of_b = NULL;
+    assert_int_equal(bmr_hierarchy_build_dobkin_kirkpatrick(a.polygon, NULL, &of_a), BMR_OK);
+    assert_int_equal(bmr_hierarchy_build_dobkin_kirkpatrick(b.polygon, NULL, &of_b), BMR_OK);
+    a.hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK] = of_a;
+    // Of the second the old lines are support lines, up to rounding: the stamp alone tells.
+    const double widths[] = {2.0, 1.0 + 0x1p-48, 1.0};
+    for (int k = 0; k < 3; ++k) {
+        const bool same = widths[k] == 1.0;
+        b = triangle_in_place(widths[k], &one_place);
+        b.hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK] = of_b;
+        const bmr_error expected = same ? BMR_OK : BMR_ERROR_WRONG_HIERARCHY;
+        assert_ptr_equal(bmr_hierarchy_polygon(of_b), b.polygon);
+        assert_int_equal(bmr_hierarchy_audit(of_b), same ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE);
+        bmr_kds *kds = NULL;
+        assert_int_equal(bmr_kds_create(info, &def, &a, &b, NULL, &kds), expected);
+        bmr_kds_destroy(kds, NULL);
+        kds = NULL;
+        assert_int_equal(bmr_kds_create(info, &def, &b, &a, NULL, &kds), expected);
+        bmr_kds_destroy(kds, NULL);
+    }
+    bmr_hierarchy_destroy(of_a, NULL);
+    bmr_hierarchy_destroy(of_b, NULL);
+    bmr_polygon_destroy((bmr_polygon *)(uintptr_t)a.polygon, NULL);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_right_structure_is_sound_on_every_kind_of_path),
         cmocka_unit_test(wrong_structures_are_found_out),
         cmocka_unit_test(a_path_s_rates_are_those_of_its_poses),
+        cmocka_unit_test(a_hierarchy_of_a_polygon_that_is_no_more_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

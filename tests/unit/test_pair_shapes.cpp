@@ -97,9 +97,9 @@ bmr_structure Structure(const bmr_pair_def &def, const bmr_shape &a, const bmr_s
     return def.structure;
 }
 
-/// Advances, and looks whether the answer is true, tight and audited.
-bmr_answer Advance(bmr_pair *pair, const bmr_pair_def &def, const bmr_shape &a, const bmr_shape &b,
-                   const bmr_pose &pose, const bmr_observer *observer = nullptr) {
+/// Advances, and looks whether the answer is true, tight and audited. `keeper`: what is to keep the pair.
+bmr_answer AdvanceKeptBy(bmr_structure keeper, bmr_pair *pair, const bmr_pair_def &def, const bmr_shape &a,
+                         const bmr_shape &b, const bmr_pose &pose, const bmr_observer *observer = nullptr) {
     double gap = -1.0;
     const bool contact = pair->state == BMR_PAIR_CONTACT;
     const bmr_answer answer = bmr_pair_advance(pair, &def, &a, &b, &pose, observer, &gap);
@@ -114,10 +114,15 @@ bmr_answer Advance(bmr_pair *pair, const bmr_pair_def &def, const bmr_shape &a, 
         CHECK(truth <= need + slop);
     }
     // A certificate that held is not repaired, and may be another structure's.
-    const bool others = pair->state == BMR_PAIR_APART && pair->level != BMR_LEVEL_DISKS &&
-                        pair->structure != Structure(def, a, b);
+    const bool others =
+        pair->state == BMR_PAIR_APART && pair->level != BMR_LEVEL_DISKS && pair->structure != keeper;
     CHECK(bmr_pair_audit(pair, &def, &a, &b, &pose) == (others ? BMR_ERROR_INVALID_STRUCTURE : BMR_OK));
     return answer;
+}
+
+bmr_answer Advance(bmr_pair *pair, const bmr_pair_def &def, const bmr_shape &a, const bmr_shape &b,
+                   const bmr_pose &pose, const bmr_observer *observer = nullptr) {
+    return AdvanceKeptBy(Structure(def, a, b), pair, def, a, b, pose, observer);
 }
 
 bmr_pose At(double x, double y, double angle) {
@@ -180,29 +185,44 @@ struct OnePlace {
 } // namespace
 
 TEST_CASE("a polygon that was made where another was freed is another") {
+    // Its hierarchy is kept: it is one of a polygon that is no more.
     OnePlace place;
     const Body box(Box(0.5, 0.5));
-    const bmr_pair_def def = Def(BMR_FREE_DIRECTION);
-    const std::vector<bmr_vec2> small = Regular(60, 0.5, 0.1), large = Regular(5, 4.0, 0.3);
-    for (const std::vector<bmr_vec2> *points : {&small, &large}) {
-        const bool first = points == &small;
-        for (const bmr_pose &pose :
-             {At(1.5, 0.2, 0.0), At(9.0, 0.0, 0.4), At(0.2, 0.2, 0.0)}) { // line, disks, contact
-            bmr_polygon *made = nullptr;
-            const std::vector<bmr_vec2> &other = first ? large : small;
-            REQUIRE(bmr_polygon_create_raw(points->data(), points->size(), &place.allocator, &made) ==
-                    BMR_OK);
-            bmr_pair pair = NewPair();
-            Advance(&pair, def, {made, nullptr}, box.Shape(BMR_FREE_DIRECTION), pose);
-            bmr_polygon_destroy(made, &place.allocator);
-            bmr_polygon *again = nullptr;
-            REQUIRE(bmr_polygon_create_raw(other.data(), other.size(), &place.allocator, &again) == BMR_OK);
-            REQUIRE(again == made); // the same address
-            Advance(&pair, def, {again, nullptr}, box.Shape(BMR_FREE_DIRECTION), pose);
-            Advance(&pair, def, {again, nullptr}, box.Shape(BMR_FREE_DIRECTION), At(1.5, 0.2, 0.2));
-            bmr_polygon_destroy(again, &place.allocator);
-        }
-    }
+    const std::vector<bmr_vec2> polygons[] = {Regular(60, 0.5, 0.1), Regular(60, 4.0, 0.7),
+                                              Regular(5, 4.0, 0.3)};
+    const bmr_pose line = At(1.5, 0.2, 0.0), disks = At(9.0, 0.0, 0.4), contact = At(0.2, 0.2, 0.0);
+    for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
+        for (const std::vector<bmr_vec2> &before : polygons)
+            for (const std::vector<bmr_vec2> &after : polygons)
+                for (const bmr_pose &pose : {line, disks, contact}) {
+                    CAPTURE(structure);
+                    CAPTURE(&before - polygons);
+                    CAPTURE(&after - polygons);
+                    const bmr_pair_def def = Def(structure);
+                    bmr_polygon *made = nullptr;
+                    REQUIRE(bmr_polygon_create_raw(before.data(), before.size(), &place.allocator, &made) ==
+                            BMR_OK);
+                    bmr_hierarchy *kept = nullptr;
+                    if (structure != BMR_FREE_DIRECTION)
+                        REQUIRE(test_build_hierarchy(static_cast<bmr_hierarchy_kind>(structure), made,
+                                                     Compass(), nullptr, &kept) == BMR_OK);
+                    bmr_pair pair = NewPair();
+                    Advance(&pair, def, {made, kept}, box.Shape(structure), pose);
+                    bmr_polygon_destroy(made, &place.allocator);
+                    bmr_polygon *again = nullptr;
+                    REQUIRE(bmr_polygon_create_raw(after.data(), after.size(), &place.allocator, &again) ==
+                            BMR_OK);
+                    REQUIRE(again == made); // the same address
+                    // Made of the same vertices it is the same polygon, and the hierarchy is its own.
+                    const bmr_structure keeper = &before == &after ? def.structure : BMR_FREE_DIRECTION;
+                    for (const bmr_pose &next : {pose, At(1.5, 0.2, 0.2), At(4.2, 0.3, 0.1)})
+                        AdvanceKeptBy(keeper, &pair, def, {again, kept}, box.Shape(structure), next);
+                    bmr_pair fresh = NewPair(); // knows neither of them
+                    for (const bmr_pose &next : {At(1.5, 0.2, 0.2), line, contact, disks})
+                        AdvanceKeptBy(keeper, &fresh, def, {again, kept}, box.Shape(structure), next);
+                    bmr_hierarchy_destroy(kept, nullptr);
+                    bmr_polygon_destroy(again, &place.allocator);
+                }
 }
 
 TEST_CASE("a copy of a polygon is the same polygon: nothing starts anew") {

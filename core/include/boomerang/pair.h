@@ -20,11 +20,11 @@ extern "C" {
 /// copied.
 ///
 /// A pair belongs to the two polygons of its last advance, A and B in this order. It knows them by their
-/// stamps (bmr_polygon), not by their addresses; others pass for them with a probability of 2^-32. An advance
-/// with polygons of other vertices, or with A and B exchanged, starts the pair anew, as bmr_pair_init would
-/// have: a polygon may be replaced, also by one at the same address, and nobody need tell the pair. A copy of
-/// a polygon is the same polygon. A polygon that was written to in place keeps its stamp, which is why nobody
-/// may (bmr_polygon_audit finds it).
+/// stamps (bmr_polygon), not by their addresses; others pass for them with a probability of 2^-32, the same
+/// two exchanged with one of 2^-31. An advance with polygons of other vertices, or with A and B exchanged,
+/// starts the pair anew, as bmr_pair_init would have: a polygon may be replaced, also by one at the same
+/// address, and nobody need tell the pair. A copy of a polygon is the same polygon. A polygon that was
+/// written to in place keeps its stamp, which is why nobody may (bmr_polygon_audit finds it).
 
 /// Which kinetic structure.
 typedef enum bmr_structure {
@@ -42,8 +42,10 @@ typedef enum bmr_structure {
 const char *bmr_structure_name(bmr_structure structure);
 
 /// One body of a pair. `hierarchy` is what the lazy structures walk on: of the kind that the structure names,
-/// built over `polygon` itself. NULL, one of another kind and one of another polygon are no hierarchy. Both
-/// need only live during each call.
+/// built over `polygon` itself. NULL, one of another kind and one of another polygon are no hierarchy. A
+/// hierarchy knows its polygon by its address and its stamp together: kept while its polygon was freed, it is
+/// none of a polygon of other vertices that was made at the same address. Both need only live during each
+/// call.
 typedef struct bmr_shape {
     const bmr_polygon *polygon;     ///< never NULL
     const bmr_hierarchy *hierarchy; ///< may be NULL

@@ -33,7 +33,8 @@ typedef struct bmr_polygon {
     double radius;    ///< its radius, not smaller than the distance of any vertex from `center`
     double extent;    ///< largest |coordinate|: what rounding errors scale with
     /// Made of the vertices' bits, in order: polygons of the same vertices have the same stamp, wherever they
-    /// lie, and two others have it with a probability of 2^-32. By it a bmr_pair knows its polygons again.
+    /// lie, and two others have it with a probability of 2^-32. By it a bmr_pair knows its polygons again,
+    /// and a bmr_hierarchy its own.
     uint32_t stamp;
 } bmr_polygon;
 
