@@ -130,7 +130,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     memset(&trial, 0, sizeof trial);
     trial.by_terms = true;
     trial.condition = read_condition(&bytes, wild);
-    const fuzz_motion_range range = {3.0, 2.0, 6.0, BEGIN, END, wild};
+    const fuzz_motion_range range = {3.0, 2.0, 6.0, BEGIN, END, wild, fuzz_control("common-root")};
     bmr_motion *motions[2];
     motions[0] = fuzz_motion(&bytes, &range);
     motions[1] = fuzz_motion(&bytes, &range);

@@ -118,7 +118,9 @@ void Run(World *world, fuzz_bytes *bytes) {
     Look(*world, time);
     for (int look = 0; look < 10 && time < kEnd; ++look) {
         time = std::fmin(kEnd, time + (fuzz_done(bytes) ? 0.35 : fuzz_in(bytes, 0.0, 0.5)));
-        const bmr_error error = bmr_simulation_run(world->simulation, time);
+        bmr_error error = bmr_simulation_run(world->simulation, time);
+        if (fuzz_control("error"))
+            error = BMR_ERROR_NOT_FINITE;
         FUZZ_CHECK(error == BMR_OK, "%s: run to %.17g: error %d", world->info->name, time, error);
         Look(*world, time);
         if (!fuzz_done(bytes) && fuzz_u8(bytes) % 4 == 0)
@@ -149,8 +151,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         world.bodies[1] = test_kds_body_make(b);
     }
     const double spin = world.info->domain == BMR_KDS_TRANSLATION ? 0.0 : 12.0;
-    world.ranges[0] = {0.5, 3.0, spin, 0.0, kEnd, false};
-    world.ranges[1] = {6.0, 8.0, spin, 0.0, kEnd, false};
+    const bool roots = fuzz_control("common-root");
+    world.ranges[0] = {0.5, 3.0, spin, 0.0, kEnd, false, roots};
+    world.ranges[1] = {6.0, 8.0, spin, 0.0, kEnd, false, roots};
     bool moving = true;
     for (int i = 0; i < 2; ++i) {
         world.motions[i] = fuzz_motion(&bytes, &world.ranges[i]);

@@ -18,7 +18,8 @@ typedef struct fuzz_motion_range {
     double speed; ///< of velocities
     double spin;  ///< radians per unit of time; 0: nothing turns
     double begin, end;
-    bool wild; ///< any number may come
+    bool wild;  ///< any number may come
+    bool roots; ///< a control: rotations with common roots come too, against the contract
 } fuzz_motion_range;
 
 static inline double fuzz_wild(fuzz_bytes *bytes, const fuzz_motion_range *range, double most) {
@@ -68,27 +69,60 @@ static inline bmr_motion_piece fuzz_piece(fuzz_bytes *bytes, const fuzz_motion_r
     return piece;
 }
 
-/// The contract: a rotation's a and b have no common root. Where they come near to one in the range, the
-/// piece is made not to turn.
+/// What failure times are exact to by default: two times nearer to one another than this are one.
+#define FUZZ_TIME 1e-12
+/// What a sum of terms may be wrong by, in parts of the terms (failure.h).
+#define FUZZ_ROUNDING 1e-14
+
+/// |a + i b| at a time of the piece; *size: the lengths of the terms that it is the sum of.
+static inline double fuzz_turn(const bmr_algebraic_piece *w, double u, double *size) {
+    double a = 0.0, b = 0.0;
+    *size = 0.0;
+    for (size_t k = w->rotation_degree + 1; k-- > 0;) {
+        a = a * u + w->a[k];
+        b = b * u + w->b[k];
+        *size = *size * fabs(u) + hypot(w->a[k], w->b[k]);
+    }
+    return hypot(a, b);
+}
+
+/// Have a and b a common root in [low, high], times of the piece? Halves the interval until the first term
+/// around its middle is more than all others, or until its times are one.
+static inline bool fuzz_common_root(const bmr_algebraic_piece *w, double low, double high) {
+    const double half = 0.5 * (high - low), middle = low + half;
+    double a[BMR_MOTION_MAX_DEGREE + 1], b[BMR_MOTION_MAX_DEGREE + 1], size, others = 0.0;
+    memcpy(a, w->a, sizeof a);
+    memcpy(b, w->b, sizeof b);
+    for (size_t i = 0; i < w->rotation_degree; ++i)
+        for (size_t k = w->rotation_degree; k-- > i;) {
+            a[k] += middle * a[k + 1];
+            b[k] += middle * b[k + 1];
+        }
+    for (size_t k = w->rotation_degree; k > 0; --k)
+        others = (others + hypot(a[k], b[k])) * half;
+    if (fuzz_turn(w, middle, &size) > others + FUZZ_ROUNDING * size)
+        return false;
+    return high - low <= FUZZ_TIME || fuzz_common_root(w, low, middle) || fuzz_common_root(w, middle, high);
+}
+
+/// The contract: a rotation's a and b have no common root. Where they have one in the range, or come near to
+/// one at a look, the piece is made not to turn. (Between the looks they may come as near as they like.)
 static inline void fuzz_tame(bmr_motion_piece *piece, const fuzz_motion_range *range) {
     if (range->wild || piece->kind != BMR_PIECE_ALGEBRAIC)
         return;
     bmr_algebraic_piece *const w = &piece->as.algebraic;
-    for (int i = 0; i <= 100; ++i) {
+    bool turns =
+        range->roots || !fuzz_common_root(w, range->begin - piece->origin, range->end - piece->origin);
+    for (int i = 0; i <= 100 && turns; ++i) {
+        double size;
         const double u = range->begin + (range->end - range->begin) * i / 100.0 - piece->origin;
-        double a = 0.0, b = 0.0, size = 0.0;
-        for (size_t k = w->rotation_degree + 1; k-- > 0;) {
-            a = a * u + w->a[k];
-            b = b * u + w->b[k];
-            size = size * fabs(u) + hypot(w->a[k], w->b[k]);
-        }
-        if (!(hypot(a, b) > 0.02 * size)) {
-            w->rotation_degree = 0;
-            w->a[0] = 1.0;
-            w->b[0] = 0.0;
-            return;
-        }
+        turns = fuzz_turn(w, u, &size) > 0.02 * size;
     }
+    if (turns)
+        return;
+    w->rotation_degree = 0;
+    w->a[0] = 1.0;
+    w->b[0] = 0.0;
 }
 
 /// A motion of up to 7 pieces; NULL where it cannot be made.
