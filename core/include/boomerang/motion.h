@@ -30,6 +30,8 @@ typedef enum bmr_motion_piece_kind {
 /// An algebraic frame: with u = t - origin, position = (sum x[k] u^k, sum y[k] u^k) and rotation = start
 /// turned by the angle 2 atan2(b(u), a(u)), that is (c, s) = (a^2 - b^2, 2 a b) / (a^2 + b^2): an orthonormal
 /// frame whose entries are rational functions of degree 2 rotation_degree. a and b must have no common root.
+/// (Creation does not look for one. At a common root the pose is NaN, and what searches past it answers
+/// BMR_ERROR_NOT_FINITE.)
 typedef struct bmr_algebraic_piece {
     size_t degree; ///< of the position
     double x[BMR_MOTION_MAX_DEGREE + 1], y[BMR_MOTION_MAX_DEGREE + 1];
