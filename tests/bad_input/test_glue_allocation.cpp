@@ -19,6 +19,7 @@
 #include "boomerang/inspect.h"
 #include "failing_malloc.h"
 #include "forked_world.h"
+#include "idle_draw.h"
 #include "stderr_text.h"
 #include "test_scale.h"
 
@@ -126,15 +127,9 @@ void CheckEveryFailure(forked::Scenario scenario, bool likeStock, int64_t stays)
     }
 }
 
-struct CountingDraw : b2Draw {
+struct CountingDraw : IdleDraw {
     int polygons = 0;
-    void DrawPolygon(const b2Vec2 *, int32, const b2Color &) override {}
     void DrawSolidPolygon(const b2Vec2 *, int32, const b2Color &) override { ++polygons; }
-    void DrawCircle(const b2Vec2 &, float, const b2Color &) override {}
-    void DrawSolidCircle(const b2Vec2 &, float, const b2Vec2 &, const b2Color &) override {}
-    void DrawSegment(const b2Vec2 &, const b2Vec2 &, const b2Color &) override {}
-    void DrawTransform(const b2Transform &) override {}
-    void DrawPoint(const b2Vec2 &, float, const b2Color &) override {}
 };
 
 } // namespace

@@ -12,6 +12,7 @@
 
 #include "boomerang/box2d.h"
 #include "convex_oracle.h"
+#include "idle_draw.h"
 
 using bmr::ConvexShape;
 using oracle::Placed;
@@ -26,7 +27,7 @@ namespace {
 constexpr bool kReal = CONVEX_REAL != 0;
 
 /// A drawer as games write them, with room for one of Box2D's polygons.
-struct SmallDrawer : b2Draw {
+struct SmallDrawer : IdleDraw {
     int polygons = 0, vertices = 0;
     b2Vec2 room[b2_maxPolygonVertices];
     void DrawSolidPolygon(const b2Vec2 *v, int32 count, const b2Color &) override {
@@ -35,12 +36,6 @@ struct SmallDrawer : b2Draw {
         REQUIRE(count <= b2_maxPolygonVertices);
         std::copy_n(v, count, room);
     }
-    void DrawPolygon(const b2Vec2 *, int32, const b2Color &) override {}
-    void DrawCircle(const b2Vec2 &, float, const b2Color &) override {}
-    void DrawSolidCircle(const b2Vec2 &, float, const b2Vec2 &, const b2Color &) override {}
-    void DrawSegment(const b2Vec2 &, const b2Vec2 &, const b2Color &) override {}
-    void DrawTransform(const b2Transform &) override {}
-    void DrawPoint(const b2Vec2 &, float, const b2Color &) override {}
 };
 
 std::vector<b2Vec2> Circle(int count, float radius) {

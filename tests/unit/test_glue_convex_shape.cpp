@@ -23,6 +23,7 @@
 #include "../../box2d_glue/convex_registry.h"
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
+#include "idle_draw.h"
 
 #include "test_scale.h"
 
@@ -97,7 +98,7 @@ Points AnyPoints(Engine &engine) {
     return points;
 }
 
-struct Outline : b2Draw {
+struct Outline : IdleDraw {
     struct Polygon {
         Points points;
         b2Color color;
@@ -106,12 +107,6 @@ struct Outline : b2Draw {
     void DrawSolidPolygon(const b2Vec2 *v, int32 count, const b2Color &color) override {
         polygons.push_back({Points(v, v + count), color});
     }
-    void DrawPolygon(const b2Vec2 *, int32, const b2Color &) override {}
-    void DrawCircle(const b2Vec2 &, float, const b2Color &) override {}
-    void DrawSolidCircle(const b2Vec2 &, float, const b2Vec2 &, const b2Color &) override {}
-    void DrawSegment(const b2Vec2 &, const b2Vec2 &, const b2Color &) override {}
-    void DrawTransform(const b2Transform &) override {}
-    void DrawPoint(const b2Vec2 &, float, const b2Color &) override {}
 };
 
 } // namespace

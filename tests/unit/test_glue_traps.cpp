@@ -437,33 +437,52 @@ TEST_CASE("each vertex that is changed in place is seen") {
     });
 }
 
+namespace {
+
+/// Two diagonal rows of six boxes, one body each, in which one box of each is to become another quadrangle
+/// within its row. With the box's normals Box2D gives points of the two quadrangles, though they are apart.
+struct DiagonalRows {
+    explicit DiagonalRows(Game &game) {
+        for (int k = 0; k < 2; ++k) {
+            const float place = 0.25f * static_cast<float>(k);
+            b2Body *body = game.Body(b2_dynamicBody, {-place, place});
+            for (int i = 0; i < 6; ++i) {
+                const float at = 0.12f * (static_cast<float>(i) - 2.5f);
+                game.Box(body, 0.1f, 0.1f, {at, at});
+            }
+            shapes[k] = static_cast<b2PolygonShape *>(body->GetFixtureList()->GetShape());
+        }
+    }
+    void MoveVertices() {
+        for (int k = 0; k < 2; ++k)
+            for (int i = 0; i < 4; ++i)
+                shapes[k]->m_vertices[i].Set(kCorners[k][i][0], kCorners[k][i][1]);
+    }
+
+    static constexpr float kCorners[2][4][2] = {
+        {{0.177f, 0.156f}, {0.214f, 0.2f}, {0.162f, 0.178f}, {0.009f, 0.011f}},
+        {{-0.271f, -0.265f}, {0.262f, 0.103f}, {0.247f, 0.209f}, {-0.102f, 0.071f}}};
+    b2PolygonShape *shapes[2];
+};
+
+void InvalidateAll(Game &game) {
+    for (b2Body *body = game.world.GetBodyList(); body != nullptr; body = body->GetNext())
+        bmr::Invalidate(body);
+}
+
+} // namespace
+
 TEST_CASE("vertices that leave their normals, within the hull, are not proved apart by it") {
     CheckSameAsStock([](Run &run) {
-        // Two diagonal rows of six boxes; then one box of each is another quadrangle, within its row, with
-        // the normals of the box. Box2D gives points, though the two are apart.
-        const b2Vec2 moved[2][4] = {
-            {{0.177f, 0.156f}, {0.214f, 0.2f}, {0.162f, 0.178f}, {0.009f, 0.011f}},
-            {{-0.271f, -0.265f}, {0.262f, 0.103f}, {0.247f, 0.209f}, {-0.102f, 0.071f}}};
         for (const bool tell : {false, true}) {
             Game game(run, {0.0f, 0.0f});
-            b2PolygonShape *shapes[2];
-            for (int k = 0; k < 2; ++k) {
-                const float place = 0.25f * static_cast<float>(k);
-                b2Body *body = game.Body(b2_dynamicBody, {-place, place});
-                for (int i = 0; i < 6; ++i) {
-                    const float at = 0.12f * (static_cast<float>(i) - 2.5f);
-                    game.Box(body, 0.1f, 0.1f, {at, at});
-                }
-                shapes[k] = static_cast<b2PolygonShape *>(body->GetFixtureList()->GetShape());
-            }
+            DiagonalRows rows(game);
             game.Step(5);
             game.StagePairs();
             game.Stage(game.Touching() == 0, "apart");
-            for (int k = 0; k < 2; ++k)
-                std::copy_n(moved[k], 4, shapes[k]->m_vertices);
-            for (b2Body *body = game.world.GetBodyList(); run.HasPlugin() && tell && body != nullptr;
-                 body = body->GetNext())
-                bmr::Invalidate(body);
+            rows.MoveVertices();
+            if (run.HasPlugin() && tell)
+                InvalidateAll(game);
             if (run.HasPlugin() && !tell)
                 bmr::CurrentStep() = bmr::NextStep();
             game.Step();
@@ -477,35 +496,23 @@ TEST_CASE("vertices that leave their normals, within the hull, are not proved ap
 TEST_CASE("normals that are changed in place count once the body is invalidated") {
     CheckSameAsStock([](Run &run) {
         Game game(run, {0.0f, 0.0f});
-        const b2Vec2 corners[2][4] = {
-            {{0.177f, 0.156f}, {0.214f, 0.2f}, {0.162f, 0.178f}, {0.009f, 0.011f}},
-            {{-0.271f, -0.265f}, {0.262f, 0.103f}, {0.247f, 0.209f}, {-0.102f, 0.071f}}};
-        b2PolygonShape *shapes[2];
+        DiagonalRows rows(game);
         b2Vec2 ofBox[4];
-        for (int k = 0; k < 2; ++k) {
-            const float place = 0.25f * static_cast<float>(k);
-            b2Body *body = game.Body(b2_dynamicBody, {-place, place});
-            for (int i = 0; i < 6; ++i) {
-                const float at = 0.12f * (static_cast<float>(i) - 2.5f);
-                game.Box(body, 0.1f, 0.1f, {at, at});
-            }
-            shapes[k] = static_cast<b2PolygonShape *>(body->GetFixtureList()->GetShape());
-            std::copy_n(shapes[k]->m_normals, 4, ofBox);
-            std::copy_n(corners[k], 4, shapes[k]->m_vertices);
+        std::copy_n(rows.shapes[0]->m_normals, 4, ofBox);
+        rows.MoveVertices();
+        for (b2PolygonShape *shape : rows.shapes)
             for (int i = 0; i < 4; ++i) {
-                const b2Vec2 side = corners[k][(i + 1) % 4] - corners[k][i];
-                shapes[k]->m_normals[i].Set(side.y, -side.x);
-                shapes[k]->m_normals[i].Normalize();
+                const b2Vec2 side = shape->m_vertices[(i + 1) % 4] - shape->m_vertices[i];
+                shape->m_normals[i].Set(side.y, -side.x);
+                shape->m_normals[i].Normalize();
             }
-        }
         game.Step(5);
         game.StagePairs();
         game.Stage(game.Touching() == 0, "apart");
-        for (b2PolygonShape *shape : shapes)
+        for (b2PolygonShape *shape : rows.shapes)
             std::copy_n(ofBox, 4, shape->m_normals);
-        for (b2Body *body = game.world.GetBodyList(); run.HasPlugin() && body != nullptr;
-             body = body->GetNext())
-            bmr::Invalidate(body);
+        if (run.HasPlugin())
+            InvalidateAll(game);
         game.Step();
         game.Stage(game.Touching() == 1, "points of the two that have other normals");
     });
