@@ -153,7 +153,7 @@ static void a_path_s_rates_are_those_of_its_poses(void **state) {
     test_kds_body_destroy(&a);
 }
 
-/// Hands out one place, again and again.
+/// Hands out one place, again and again: for a polygon that is made without scratch memory.
 static _Alignas(64) unsigned char place[1024];
 static void *take_place(void *context, size_t size) {
     (void)context;
@@ -166,7 +166,7 @@ static void leave_place(void *context, void *block, size_t size) {
 static bmr_kds_shape triangle_in_place(double width, const bmr_allocator *allocator) {
     const bmr_vec2 vertices[] = {{0.0, 0.0}, {width, 0.0}, {0.0, 1.0}};
     bmr_polygon *made = NULL;
-    assert_int_equal(bmr_polygon_create(vertices, 3, allocator, &made), BMR_OK);
+    assert_int_equal(bmr_polygon_create_raw(vertices, 3, allocator, &made), BMR_OK);
     const bmr_kds_shape shape = {made, {NULL, NULL, NULL}};
     return shape;
 }
