@@ -33,9 +33,10 @@ agrees <<<"$text" || fail "$readme"
 
 # The control: a text with another word in the code, or another figure in the output, is wrong.
 good=$text
-text=${good//bmr_pose/bmr_place}
+text=${good//bmr_/bmr_other_}
 agrees <<<"$text" >/dev/null && fail "a wrong quotation was not noticed"
 text=${good//level 0/level 7}
 text=${text//3 repairs/4 repairs}
+text=${text//the same bodies/other bodies}
 agrees <<<"$text" >/dev/null && fail "a wrong output was not noticed"
 echo "passed: $name"
