@@ -6,12 +6,13 @@
 #include <mutex>
 
 #include "boomerang/box2d.h"
-#include "environment.h"
-#include "library_check.h"
-#include "process_locks.h"
-#include "reach.h"
-#include "recognise.h"
-#include "this_process.h"
+#include "hooks/profile_clock.h"
+#include "reach/library_check.h"
+#include "start/environment.h"
+#include "start/process_locks.h"
+#include "start/reach.h"
+#include "start/recognise.h"
+#include "start/this_process.h"
 
 namespace bmr {
 
@@ -57,6 +58,7 @@ __attribute__((constructor)) void Loaded() {
     const std::optional<Mode> asked = ModeWithoutComplaint();
     if (asked == Mode::Off)
         return;
+    hooks::StartProfileClock();
     if (!asked && !IsPreloaded()) {
         ModeOfEnvironment(); // for what it says of a word that was meant to switch it on
         return;

@@ -73,6 +73,7 @@ void AddAsteroids(std::vector<SceneInfo> &scenes);
 void AddGears(std::vector<SceneInfo> &scenes);
 void AddBullets(std::vector<SceneInfo> &scenes);
 void AddSensors(std::vector<SceneInfo> &scenes);
+void AddSleepers(std::vector<SceneInfo> &scenes);
 void AddChurn(std::vector<SceneInfo> &scenes);
 void AddAnySizeCoins(std::vector<SceneInfo> &scenes);
 void AddAnySizeBodies(std::vector<SceneInfo> &scenes);

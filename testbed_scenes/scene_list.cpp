@@ -28,9 +28,10 @@ std::size_t EditDistance(std::string_view from, std::string_view to) {
 const std::vector<SceneInfo> &AllScenes() {
     static const std::vector<SceneInfo> scenes = [] {
         std::vector<SceneInfo> all;
-        for (const auto add : {AddClassicStacks, AddClassicMotion, AddClassicJoints, AddClassicExamples,
-                               AddTerrain, AddLongThings, AddCoins, AddAsteroids, AddGears, AddBullets,
-                               AddSensors, AddChurn, AddAnySizeCoins, AddAnySizeBodies, AddAnySizeWorlds})
+        for (const auto add :
+             {AddClassicStacks, AddClassicMotion, AddClassicJoints, AddClassicExamples, AddTerrain,
+              AddLongThings, AddCoins, AddAsteroids, AddGears, AddBullets, AddSensors, AddSleepers, AddChurn,
+              AddAnySizeCoins, AddAnySizeBodies, AddAnySizeWorlds})
             add(all);
         return all;
     }();

@@ -88,8 +88,13 @@ void Figures::AddCounts(const SceneResult &result) {
     // left the plugin searches itself, so that its calls of b2CollidePolygons would not tell.)
     const std::optional<double> stock = NumberAt(result.stockCount, "/polygon_tests_apart");
     const std::optional<double> proved = NumberAt(result.pluginCount, "/plugin/proved_apart");
+    const std::optional<double> pairs = NumberAt(result.pluginCount, "/plugin/pairs_watched");
+    const std::optional<double> looks = NumberAt(result.pluginCount, "/plugin/looks");
+    // Pairs that nobody looked at had a budget left that a certificate gave them, or were renewed by its
+    // line.
+    const std::optional<double> answered = proved && pairs && looks ? *proved + (*pairs - *looks) : proved;
     Add("saved.polygon_tests_apart_percent",
-        stock && proved ? Quotient(100.0 * std::min(*proved, *stock), stock) : std::optional<double>());
+        stock && answered ? Quotient(100.0 * std::min(*answered, *stock), stock) : std::optional<double>());
 }
 
 void Figures::AddEvents(const SceneResult &result) {
@@ -103,6 +108,12 @@ void Figures::AddEvents(const SceneResult &result) {
         edges && kinetic ? Scaled(*edges + *kinetic, perStep) : std::optional<double>());
     Add("checks.edge_per_step", Scaled(edges, perStep));
     Add("checks.kinetic_per_step", Scaled(kinetic, perStep));
+    const std::optional<double> pairs = NumberAt(result.pluginCount, "/plugin/pairs_watched");
+    const std::optional<double> looks = NumberAt(result.pluginCount, "/plugin/looks");
+    add("ledger.pairs_per_step", "pairs_watched");
+    add("ledger.looks_per_step", "looks");
+    add("ledger.renewals_per_step", "renewals");
+    Add("ledger.looks_percent", looks && pairs ? Quotient(100.0 * *looks, pairs) : std::optional<double>());
     add("plugin.evaluations_per_step", "evaluations");
     add("plugin.edge_searches_per_step", "edge_searches");
     add("plugin.verdicts_reused_per_step", "verdicts_reused");

@@ -120,6 +120,7 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
         return;
     }
     print(TestTable());
+    print(BudgetTable());
     print(EventTable());
     const SceneTable times = TimeTable(options.repeat);
     if (options.time)
@@ -128,6 +129,7 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
     PrintVerdicts(out, results, colour);
     out << '\n';
     PrintLegend(out, TestTable().legend, colour);
+    PrintLegend(out, BudgetTable().legend, colour);
     PrintLegend(out, EventTable().legend, colour);
     if (options.time)
         PrintLegend(out, times.legend, colour);

@@ -118,6 +118,7 @@ private:
         if (m_numbers.repeat > 0)
             Layout(TimeTable(m_numbers.repeat));
         Layout(TestTable());
+        Layout(BudgetTable());
         Layout(EventTable());
         m_out << "</section>\n";
     }

@@ -28,6 +28,24 @@ const SceneTable &TestTable() {
     return table;
 }
 
+const SceneTable &BudgetTable() {
+    static const SceneTable table = {
+        "How kinetic the world is: pairs and who was looked at, per step",
+        {
+            {"budgets of motion", "pairs", "ledger.pairs_per_step", 1},
+            {"budgets of motion", "renewed", "ledger.renewals_per_step", 1},
+            {"budgets of motion", "looks", "ledger.looks_per_step", 1},
+            {"budgets of motion", "% looks", "ledger.looks_percent", 1},
+        },
+        {
+            "pairs: contacts of bodies that are awake; renewed: by their own line, whose shapes and contact "
+            "nobody "
+            "read",
+            "looks: whose contact or shapes were read; of all others nothing but a deadline was",
+        }};
+    return table;
+}
+
 const SceneTable &EventTable() {
     static const SceneTable table = {
         "What the plugin did instead, per step",

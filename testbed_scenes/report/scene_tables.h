@@ -21,6 +21,7 @@ struct SceneTable {
 };
 
 const SceneTable &TestTable();   ///< separation tests, stock against plugin
+const SceneTable &BudgetTable(); ///< which pairs were looked at
 const SceneTable &EventTable();  ///< what the plugin did instead
 const SceneTable &VerifyTable(); ///< every answer held beside Box2D's
 /// Times; medians of so many runs.

@@ -26,7 +26,7 @@ void BeginContactEvent(Sink &sink, uint64_t number, EventKind kind, const char *
     sink.Begin("event", number);
     sink.Is(name, static_cast<uint64_t>(kind));
     NameContact(sink, contact);
-    sink.Field("flags", ContactMembers::Flags(contact));
+    sink.Field("flags", ContactMembers::FlagsThatLast(contact));
     VisitManifold(sink, *contact.GetManifold(), false);
 }
 

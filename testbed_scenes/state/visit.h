@@ -8,8 +8,9 @@
 
 /// @file
 /// Which fields make up the state of a world and the arguments of its events. Objects go by their stage's
-/// numbers, never by address. What Box2D leaves unset is left out: a manifold without points, a time of
-/// impact that is not flagged.
+/// numbers, never by address. What Box2D leaves unset is left out: a manifold without points. So is what a
+/// step keeps in contacts for itself, which no game can see and every step begins anew: times of impact and
+/// their counts, who is in an island.
 
 namespace testbed {
 
@@ -103,14 +104,11 @@ template <typename Sink> void NameContact(Sink &sink, const b2Contact &contact) 
 template <typename Sink> void VisitContact(Sink &sink, uint64_t number, const b2Contact &contact) {
     sink.Begin("contact", number);
     NameContact(sink, contact);
-    sink.Field("flags", ContactMembers::Flags(contact));
+    sink.Field("flags", ContactMembers::FlagsThatLast(contact));
     sink.Field("friction", contact.GetFriction());
     sink.Field("restitution", contact.GetRestitution());
     sink.Field("restitutionThreshold", contact.GetRestitutionThreshold());
     sink.Field("tangentSpeed", contact.GetTangentSpeed());
-    sink.Field("toiCount", ContactMembers::ToiCount(contact));
-    if (ContactMembers::HasToi(contact))
-        sink.Field("toi", ContactMembers::Toi(contact));
     VisitManifold(sink, *contact.GetManifold(), false);
 }
 

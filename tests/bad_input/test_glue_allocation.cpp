@@ -12,14 +12,14 @@
 #include <box2d/b2_time_of_impact.h>
 #include <sys/mman.h>
 
-#include "../../box2d_glue/impact_scan.h"
-#include "../../box2d_glue/overlap.h"
-#include "../../box2d_glue/sweep_apart.h"
 #include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
 #include "failing_malloc.h"
 #include "forked_world.h"
 #include "idle_draw.h"
+#include "proofs/impact_scan.h"
+#include "proofs/overlap.h"
+#include "proofs/sweep_apart.h"
 #include "stderr_text.h"
 #include "test_scale.h"
 

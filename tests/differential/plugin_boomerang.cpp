@@ -14,6 +14,8 @@ bool InstallPlugin(const std::string &structure, bool prefilter) {
         bmr::Options options;
         options.structure = static_cast<bmr_structure>(i);
         options.prefilter = prefilter;
+        // With one structure as games have it, with the others also where it does not pay.
+        options.everywhere = structure != "free-direction";
         if (structure == bmr_structure_name(options.structure))
             return bmr::Install(options);
     }

@@ -18,6 +18,7 @@ tests/bad_input/process.cpp: ends what hangs
 tests/bad_input/table.cpp: ends what hangs
 tests/browser/browser.py: polls a page; ends what hangs
 tests/controls/run_controls.sh: how many at once
+tests/controls/run_core_controls.sh: how many at once
 tests/determinism/run: how many at once
 tests/fuzz/run: tells how long it took; the seconds of a campaign are asked for by name
 tests/gate/test_clocks.sh: the list itself
@@ -27,6 +28,7 @@ tests/mutation/workshop.py: a campaign
 tests/run: how many at once; the seed of a long run, which is printed
 tests/soak/run_soak.sh: when to look at the memory
 tests/stages/common.sh: tells how long it took
+tests/plugin/small_worlds/main.cpp: of its benchmark alone, which no test runs
 tests/threads/forking.cpp: between two looks at whether a thread is asleep
 tests/threads/run_controls.sh: ends what hangs
 tests/threads/run_ways.sh: ends what hangs

@@ -6,8 +6,10 @@
 # Takes one piece of a hook out of the shared library at a time, preloads the library into the plain program that runs
 # a scene, and expects its hashes to differ from stock's. With nothing taken out they must be stock's. Where the scene is
 # called outside_game that program is run instead, with the library for its own, and must fail; other names in _game
-# are programs in the directory GAMES, which arguments may follow. OBJECTS: those of the shared library; LINK_ARGUMENTS:
+# are programs in the directory GAMES, which arguments may follow (a colon for an @); "differential SEED" is a random world of
+# the program differential_stock beside SCENE_PROGRAM. OBJECTS: those of the shared library; LINK_ARGUMENTS:
 # what else it is linked from.
+# BMR_LONG_CONTROLS in the environment: mutants_long.txt, too.
 set -u
 root=$1 compiler=$2 program=$3 outside_game=$4 games=$5
 shift 5
@@ -34,6 +36,11 @@ within() { (ulimit -t "$limit" && exec timeout "$patience" "$@"); }
 # hashes SCENE STEPS [LIBRARY]: what the scene prints, with the library in front
 nothing=$(cksum </dev/null)
 hashes() {
+    local -x BOOMERANG_EVERYWHERE=on BOOMERANG_HOOKS=all
+    if [[ $1 = "listed "* ]]; then # without a ledger
+        BOOMERANG_HOOKS=all,-ledger
+        set -- "${1#listed }" "${@:2}"
+    fi
     if [ "$1" = outside_game ]; then
         [ -z "${3:-}" ] || cp "$3" "$(dirname "$3")/libboomerang_box2d.so.0"
         LD_LIBRARY_PATH=${3:+$(dirname "$3")} within "$outside_game"
@@ -41,7 +48,12 @@ hashes() {
     fi
     if [[ ${1%% *} = *_game ]]; then
         # (In a shell of its own, which says nothing where the game crashes.)
-        (BOOMERANG=on LD_PRELOAD=${3:-} MALLOC_PERTURB_=165 within "$games"/$1) 2>/dev/null | cksum
+        (BOOMERANG=on LD_PRELOAD=${3:-} MALLOC_PERTURB_=165 within "$games"/${1//:/@}) 2>/dev/null | cksum
+        return
+    fi
+    if [ "${1%% *}" = differential ]; then
+        (BOOMERANG=on LD_PRELOAD=${3:-} MALLOC_PERTURB_=165 within "$(dirname "$program")/differential_stock" "${1#* }" 1 "$2") 2>/dev/null |
+            cksum
         return
     fi
     BOOMERANG=on LD_PRELOAD=${3:-} within "$program" "$1" --steps "$2" 2>/dev/null | grep '^step' | cksum
@@ -78,7 +90,7 @@ control() {
 
 passed=0 failed=0
 # With nothing taken out: the library works when it is made in this way.
-if mutate "$room/whole" plugin/interpose/pair_finding.cpp plugin/interpose/pair_finding.cpp "" >"$room/err" 2>&1 &&
+if mutate "$room/whole" plugin/hooks/pair_finding.cpp plugin/hooks/pair_finding.cpp "" >"$room/err" 2>&1 &&
     [ "$(hashes churn 100 "$room/whole/libmutant.so")" = "$(stock churn 100)" ] &&
     [ "$(hashes outside_game 0 "$room/whole/libmutant.so")" = passed ]; then
     echo "passed: the whole library gives stock's hashes"
@@ -95,7 +107,7 @@ while IFS='@' read -r name file unit substitution scene steps; do
     number=$((number + 1))
     control "$number" "$name" "$file" "$unit" "$substitution" "$scene" "$steps" &
     while [ "$(jobs -rp | wc -l)" -ge "${BMR_JOBS:-$(nproc)}" ]; do wait -n; done
-done <"$root/tests/hooks/mutants.txt"
+done < <(cat "$root/tests/hooks/mutants.txt" ${BMR_LONG_CONTROLS:+"$root/tests/hooks/mutants_long.txt"})
 wait
 for i in $(seq "$number"); do
     cat "$room/$i"

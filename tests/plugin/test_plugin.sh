@@ -65,12 +65,12 @@ test_exported_symbols_are_the_listed_ones() {
     # (Versions have symbols of their own, which are absolute.)
     nm -D --defined-only "$plugin" | awk '$(NF - 1) != "A" { print $NF }' | LC_ALL=C sort >"$room/versioned"
     sed 's/@.*//' "$room/versioned" >"$room/exported"
-    sed -n 's/^ \{4\}\([A-Za-z0-9_]*\);.*/\1/p' "$source/exports.map" | LC_ALL=C sort >"$room/listed"
+    sed -n 's/^ \{4\}\([A-Za-z0-9_]*\);.*/\1/p' "$source/reach/exports.map" | LC_ALL=C sort >"$room/listed"
     diff "$room/listed" "$room/exported" >"$room/err" || fail "exported symbols differ from exports.map (< listed, > exported)"
     # All but the API stand in front of functions that Box2D really has, and no hook is hidden.
     nm -D --defined-only "$box2d" | awk '{ print $NF }' | LC_ALL=C sort >"$room/box2d"
     grep -v '3bmr\|^bmr_' "$room/exported" | LC_ALL=C comm -23 - "$room/box2d" | grep . >"$room/err" && fail "in front of nothing"
-    sed -n 's/.*BMR_STANDS_FOR("\([^"]*\)").*/\1/p' "$source"/interpose/*.cpp | LC_ALL=C sort -u >"$room/hooks"
+    sed -n 's/.*BMR_STANDS_FOR("\([^"]*\)").*/\1/p' "$source"/hooks/*.cpp | LC_ALL=C sort -u >"$room/hooks"
     [ -s "$room/hooks" ] || fail "no hooks found"
     LC_ALL=C comm -23 "$room/hooks" "$room/exported" | grep . >"$room/err" && fail "hooks that nobody can see"
     # Loaders find them all, linkers none.
@@ -91,7 +91,7 @@ test_references_to_box2d_are_weak_and_listed() {
     LC_ALL=C join "$room/undefined" "$room/box2d" >"$room/references"
     [ -s "$room/references" ] || fail "no references found"
     grep ' U$' "$room/references" >"$room/err" && fail "strong references to Box2D: add them to box2d_symbols.inc"
-    sed -n 's/^BMR_[A-Z]*(\([A-Za-z0-9_]*\).*/\1/p' "$source/box2d_symbols.inc" | LC_ALL=C sort >"$room/known"
+    sed -n 's/^BMR_[A-Z]*(\([A-Za-z0-9_]*\).*/\1/p' "$source/reach/box2d_symbols.inc" | LC_ALL=C sort >"$room/known"
     LC_ALL=C comm -23 "$room/known" "$room/box2d" | grep . >"$room/err" && fail "listed, but Box2D has no such symbol"
 }
 
@@ -154,17 +154,17 @@ test_verify_compares_and_finds_nothing() {
 }
 
 test_what_is_announced_is_what_is_reached() {
-    local all='"time-of-impact", "test-overlap", "solve-toi", "contact-loop", "pair-finding", "profile-clock", "touching-manifold", "fixture-boxes"'
+    local all='"time-of-impact", "test-overlap", "solve-toi", "contact-loop", "pair-finding", "profile-clock", "touching-manifold", "fixture-boxes", "tree-updates", "ledger"'
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1
     same_output "announced"
-    one_line "announced" 'hooks: time-of-impact test-overlap solve-toi contact-loop pair-finding profile-clock touching-manifold fixture-boxes$'
+    one_line "announced" 'hooks: time-of-impact test-overlap solve-toi contact-loop pair-finding profile-clock touching-manifold fixture-boxes tree-updates ledger$'
     grep -q "\"hooks\": \[$all\]" "$room/json" || fail "in front: hooks that are reached are not listed"
     grep -q '"hooks_not_reached": \[\]' "$room/json" || fail "in front: hooks are not reached"
     [ "$(number steps)" -eq 240 ] || fail "in front: the step that finds out was counted"
     # Behind, only Box2D's register leads here.
     game late_game BOOMERANG=on BOOMERANG_VERBOSE=1
     same_output "announced, behind"
-    one_line "announced, behind" "hooks: touching-manifold; not reached by this Box2D's calls: time-of-impact .* profile-clock fixture-boxes\$"
+    one_line "announced, behind" "hooks: touching-manifold; not reached by this Box2D's calls: time-of-impact .* profile-clock fixture-boxes tree-updates ledger\$"
     grep -q '"hooks": \["touching-manifold"\]' "$room/json" || fail "behind: hooks are listed that are not reached"
     game late_game BOOMERANG=on BOOMERANG_HOOKS=none,+solve-toi BOOMERANG_VERBOSE=1
     one_line "announced, behind, one hook" "hooks: none; not reached by this Box2D's calls: solve-toi\$"
@@ -317,6 +317,21 @@ test_polygons_may_be_changed_in_place() {
 
 test_bodies_may_be_nowhere() {
     plays_as_stock numberless_game
+}
+
+test_trees_are_the_same_to_the_bit() {
+    plays_as_stock tree_game
+    # Control: all of a tree is looked at. The first operation more or less is another tree.
+    game "tree_game 4999" LD_PRELOAD="$plugin"
+    cmp -s "$room/out" "$room/stock_of_it" && fail "control: one operation less is not seen"
+}
+
+test_sleepers_are_woken_by_whatever_wakes_them() {
+    local what
+    for what in hit joint flags first last; do
+        plays_as_stock "waking_game $what"
+        plays_as_stock "waking_game $what" BOOMERANG_EVERYWHERE=on
+    done
 }
 
 test_filters_and_listeners_may_change_the_listener() {

@@ -13,15 +13,15 @@
 #include <box2d/b2_time_of_impact.h>
 #include <box2d/box2d.h>
 
-#include "../../box2d_glue/body_pair.h"
-#include "../../box2d_glue/face_gap.h"
-#include "../../box2d_glue/overlap.h"
-#include "../../box2d_glue/settings.h"
-#include "../../box2d_glue/sweep_apart.h"
-#include "../../box2d_glue/thresholds.h"
 #include "boomerang/box2d_glue.h"
 #include "box2d_shapes.h"
 #include "exact_polygons.h"
+#include "proofs/body_pair.h"
+#include "proofs/face_gap.h"
+#include "proofs/overlap.h"
+#include "proofs/sweep_apart.h"
+#include "proofs/thresholds.h"
+#include "start/settings.h"
 #include "test_scale.h"
 
 namespace {

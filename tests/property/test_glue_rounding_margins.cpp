@@ -11,11 +11,11 @@
 #include <box2d/b2_distance.h>
 #include <box2d/b2_time_of_impact.h>
 
-#include "../../box2d_glue/overlap.h"
-#include "../../box2d_glue/sweep_apart.h"
-#include "../../box2d_glue/thresholds.h"
 #include "box2d_shapes.h"
 #include "exact_polygons.h"
+#include "proofs/overlap.h"
+#include "proofs/sweep_apart.h"
+#include "proofs/thresholds.h"
 #include "test_scale.h"
 
 extern B2_API int32 b2_gjkMaxIters;

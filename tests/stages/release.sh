@@ -16,13 +16,14 @@ check_random_worlds() {
 }
 
 stage_release() {
-    local scale=1 less=()
+    local scale=1 less=() surprises=2000 controls=all
     if [ "$long" = no ]; then
-        scale=0.1
+        scale=0.1 surprises=10 controls=
         # What is taken out of the library for the tests of threads is left to the thread sanitizer's tree.
         less=(--exclude-regex '^threads_controls$')
     fi
     build_release || return 1
-    BMR_TEST_SCALE=${BMR_TEST_SCALE:-$scale} run_tests "tests (release)" "${less[@]}"
+    BMR_TEST_SCALE=${BMR_TEST_SCALE:-$scale} BMR_SURPRISES_SEEDS=${BMR_SURPRISES_SEEDS:-$surprises} \
+        BMR_LONG_CONTROLS=${BMR_LONG_CONTROLS:-$controls} run_tests "tests (release)" "${less[@]}"
     [ "$long" = no ] || check "5,000 random worlds from seed $seed on" check_random_worlds
 }

@@ -8,11 +8,11 @@
 #include <thread>
 #include <vector>
 
-#include "../../box2d_glue/recognise.h"
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
 #include "convex_ground.h"
 #include "forked_world.h"
+#include "start/recognise.h"
 
 using bmr::ConvexShape;
 using forked::CheckSameAsStock; // what is the same here is what it is without Install

@@ -8,8 +8,8 @@
 
 #include <box2d/b2_time_of_impact.h>
 
-#include "../../box2d_glue/convex_distance.h"
 #include "boomerang/convex_shape.h"
+#include "proofs/convex_distance.h"
 
 namespace {
 

@@ -19,11 +19,11 @@
 
 #include <box2d/box2d.h>
 
-#include "../../box2d_glue/convex_geometry.h"
-#include "../../box2d_glue/convex_registry.h"
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
 #include "idle_draw.h"
+#include "shapes/convex_geometry.h"
+#include "shapes/convex_registry.h"
 
 #include "test_scale.h"
 

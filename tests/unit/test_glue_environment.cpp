@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "../../box2d_glue/environment.h"
+#include "start/environment.h"
 #include "stderr_text.h"
 
 namespace {
@@ -84,7 +84,7 @@ TEST_CASE("a value that is not understood changes nothing, and is named once wit
          "boomerang: BOOMERANG_HOOKS=none,-everything is not understood, so it does nothing; known: all, "
          "none, and + "
          "or - before time-of-impact test-overlap solve-toi contact-loop pair-finding profile-clock "
-         "touching-manifold fixture-boxes\n"},
+         "touching-manifold fixture-boxes tree-updates ledger\n"},
         {"BOOMERANG_PREFILTER", "yes",
          "boomerang: BOOMERANG_PREFILTER=yes is not understood, so it does nothing; known: off, on\n"},
         {"BOOMERANG_VERBOSE", "very",

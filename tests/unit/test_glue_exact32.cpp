@@ -8,9 +8,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "../../box2d_glue/rounding_probe.h"
 #include "boomerang/exact32.h"
 #include "box2d_shapes.h"
+#include "start/rounding_probe.h"
 #include "test_scale.h"
 
 namespace {

@@ -8,12 +8,12 @@
 
 #include <sys/wait.h>
 
-#include "../../box2d_glue/environment.h"
-#include "../../box2d_glue/recognise.h"
-#include "../../box2d_glue/statistics_file.h"
-#include "../../box2d_glue/this_process.h"
 #include "forked_world.h"
+#include "start/environment.h"
+#include "start/recognise.h"
+#include "start/this_process.h"
 #include "stderr_text.h"
+#include "tell/statistics_file.h"
 
 using forked::Run;
 
@@ -183,8 +183,9 @@ TEST_CASE("the statistics are one JSON object of the options and all counts") {
           "\"evaluations\":0,\"edge_checks\":0,\"edge_searches\":0,\"verdicts_reused\":0,\"proved_apart\":0,"
           "\"handed_over\":0,\"handed_over_touching\":0,\"touching_answered\":0,\"toi_queries\":0,\"toi_"
           "answered\":0,"
-          "\"overlap_queries\":0,\"overlaps_answered\":0,\"verified\":0,\"differences\":0,\"pairs\":0,"
-          "\"hulls\":0,"
+          "\"overlap_queries\":0,\"overlaps_answered\":0,\"pairs_watched\":0,\"looks\":0,\"renewals\":"
+          "0,"
+          "\"verified\":0,\"differences\":0,\"pairs\":0,\"hulls\":0,"
           "\"checks\":0,\"levels\":0,\"events\":{\"start\":0,\"push\":0,\"stab\":0,\"roll\":0,\"coarsen\":0,"
           "\"contact\":0,\"leave\":0}}");
 }

@@ -10,8 +10,8 @@
 #include <functional>
 #include <limits>
 
-#include "../../box2d_glue/shapes32.h"
 #include "box2d_shapes.h"
+#include "shapes/shapes32.h"
 #include "test_scale.h"
 
 namespace {

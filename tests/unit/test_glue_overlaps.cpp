@@ -15,9 +15,9 @@
 #include <box2d/b2_distance.h>
 #include <box2d/b2_edge_shape.h>
 
-#include "../../box2d_glue/overlap.h"
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
+#include "proofs/overlap.h"
 #include "test_scale.h"
 
 extern B2_API int32 b2_gjkMaxIters;

@@ -12,8 +12,8 @@
 #include <box2d/box2d.h>
 #include <dlfcn.h>
 
-#include "../../box2d_glue/recognise.h"
-#include "../../box2d_glue/rounding_probe.h"
+#include "start/recognise.h"
+#include "start/rounding_probe.h"
 
 namespace {
 

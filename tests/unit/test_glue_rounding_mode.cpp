@@ -9,12 +9,12 @@
 #include <cstdio>
 #include <string>
 
-#include "../../box2d_glue/body_pair.h"
-#include "../../box2d_glue/hull.h"
-#include "../../box2d_glue/rounding_mode.h"
-#include "../../box2d_glue/solid_contact.h"
 #include "boomerang/convex_shape.h"
+#include "contacts/solid_contact.h"
 #include "forked_world.h"
+#include "proofs/body_pair.h"
+#include "proofs/hull.h"
+#include "start/rounding_mode.h"
 
 namespace {
 

@@ -3,9 +3,9 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
-#include "../../box2d_glue/thresholds.h"
 #include "box2d_shapes.h"
 #include "forked_world.h"
+#include "proofs/thresholds.h"
 #include "test_scale.h"
 
 using forked::CheckSameAsStock;

@@ -11,9 +11,9 @@
 #include <box2d/b2_distance.h>
 #include <box2d/b2_time_of_impact.h>
 
-#include "../../box2d_glue/sweep_apart.h"
-#include "../../box2d_glue/thresholds.h"
 #include "box2d_shapes.h"
+#include "proofs/sweep_apart.h"
+#include "proofs/thresholds.h"
 #include "test_scale.h"
 
 extern B2_API int32 b2_gjkMaxIters;

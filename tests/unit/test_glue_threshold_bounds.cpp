@@ -11,8 +11,8 @@
 
 #include <cmath>
 
-#include "../../box2d_glue/thresholds.h"
 #include "interval.h"
+#include "proofs/thresholds.h"
 
 namespace {
 

@@ -9,10 +9,10 @@
 #include <box2d/b2_block_allocator.h>
 #include <box2d/box2d.h>
 
-#include "../../box2d_glue/body_pair.h"
-#include "../../box2d_glue/settings.h"
-#include "../../box2d_glue/thresholds.h"
 #include "box2d_shapes.h"
+#include "proofs/body_pair.h"
+#include "proofs/thresholds.h"
+#include "start/settings.h"
 #include "test_scale.h"
 
 namespace {

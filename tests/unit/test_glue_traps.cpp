@@ -9,9 +9,9 @@
 #include <cmath>
 #include <limits>
 
-#include "../../box2d_glue/current_step.h"
 #include "boomerang/inspect.h"
 #include "forked_world.h"
+#include "start/current_step.h"
 
 using forked::CheckSameAsStock;
 using forked::Game;

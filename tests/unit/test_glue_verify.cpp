@@ -9,9 +9,9 @@
 
 #include <box2d/b2_time_of_impact.h>
 
-#include "../../box2d_glue/verify.h"
 #include "forked_world.h"
 #include "stderr_text.h"
+#include "tell/verify.h"
 
 namespace {
 

@@ -12,8 +12,8 @@
 #if defined(BOOMERANG_FUZZ_OTHER)
 #    include <boomerang/box2d.h>
 
-#    include "current_step.h"
-#    include "interpose/real.h"
+#    include "hooks/stepping.h"
+#    include "start/current_step.h"
 #endif
 
 #define FUZZ_SHOWN __attribute__((visibility("default")))
@@ -93,7 +93,7 @@ extern "C" void fuzz_glue_run(const fuzz::RunRequest *request, fuzz::RunResult *
         std::snprintf(result->assertion, sizeof result->assertion, "%s", assertion);
 #if defined(BOOMERANG_FUZZ_OTHER)
         // No step has ended, and what the thread keeps for one lies in frames that are gone.
-        bmr::interpose::stepping = {};
+        bmr::hooks::stepping = {};
         bmr::CurrentStep() = 0;
 #endif
         while (heap.next != &heap)

@@ -210,7 +210,7 @@ void World::ActOn(b2Contact *contact, uint32_t reaction, uint32_t mixed) {
         for (const b2Contact *c = m_world.GetContactList(); c != nullptr; c = c->GetNext()) {
             m_probes.Field("a", NumberOf(*c->GetFixtureA()));
             m_probes.Field("b", NumberOf(*c->GetFixtureB()));
-            m_probes.Field("flags", ContactMembers::Flags(*c));
+            m_probes.Field("flags", ContactMembers::FlagsThatLast(*c));
         }
         break;
     case 20: // a listener steps another world

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_APART_LINE_H
+#define BOOMERANG_GLUE_APART_LINE_H
+
+#include <cstdint>
+
+namespace bmr {
+
+class Ledger;
+class SolidContact;
+
+/// A contact of ours was looked at, and its two polygons do not touch: gives its record in the ledger the
+/// budget that their distance allows, along the direction that is known already (the remembered edge's, that
+/// of the bodies' kinetic pair, that of a big polygon's memory), or along one that is found from there in a
+/// step. Leaves the record due where that is no more than the margins.
+///
+/// What is proved is a distance of the vertices as they are, computed in double, so that it does not matter
+/// where the direction came from.
+void ProveApart(Ledger *ledger, uint32_t record, const SolidContact &contact);
+
+/// The same for a sensor's contact whose two polygons overlap: the budget that the depth of a vertex in the
+/// other polygon allows. There is no line to renew it.
+void ProveOverlap(Ledger *ledger, uint32_t record, const SolidContact &contact);
+
+/// How far apart two polygons must be for b2CollidePolygons to give no points, b2TestOverlap to say no, and
+/// (where their sides are long enough) b2TimeOfImpact to find them apart.
+double ApartThreshold(const Ledger &ledger, uint32_t record);
+
+} // namespace bmr
+
+#endif

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "contacts/convex_contact.h"
+
+#include <new>
+#include <utility>
+
+#include <box2d/b2_block_allocator.h>
+#include <box2d/b2_chain_shape.h>
+#include <box2d/b2_circle_shape.h>
+#include <box2d/b2_edge_shape.h>
+#include <box2d/b2_polygon_shape.h>
+
+#include "boomerang/convex32_distance.h"
+#include "contacts/pair_registry.h"
+#include "proofs/polygon_view.h"
+#include "proofs/thresholds.h"
+#include "start/rounding_mode.h"
+#include "start/settings.h"
+#include "tell/verify.h"
+
+namespace bmr {
+
+namespace {
+
+/// Box2D's: the second polygon's face must be better by this to be the reference.
+constexpr float kTolerance = 0.1f * b2_linearSlop;
+
+/// A point that the last manifold did not have goes on with the impulse of the nearest one it had, however
+/// far: that of a polygon that rolls over a corner is two edges off, and a pile whose contacts begin anew
+/// with every edge sinks into itself.
+constexpr float kFeatureDistance = 1e9f; // beyond every polygon
+
+const b2PolygonShape &PolygonOf(const b2Fixture *fixture) {
+    return *static_cast<const b2PolygonShape *>(fixture->GetShape());
+}
+
+bmr_edge32 Edge32(const b2EdgeShape &edge) {
+    return {*Vectors32(&edge.m_vertex0), *Vectors32(&edge.m_vertex1), *Vectors32(&edge.m_vertex2),
+            *Vectors32(&edge.m_vertex3), edge.m_oneSided};
+}
+
+/// Of an edge, or of a link of a chain.
+bmr_edge32 EdgeOf(const b2Fixture *fixture, int32 child) {
+    if (fixture->GetType() == b2Shape::e_edge)
+        return Edge32(*static_cast<const b2EdgeShape *>(fixture->GetShape()));
+    b2EdgeShape link;
+    static_cast<const b2ChainShape *>(fixture->GetShape())->GetChildEdge(&link, child);
+    return Edge32(link);
+}
+
+/// No vertex of the polygon is farther from the body's origin.
+double ReachOf(const b2Fixture *fixture) {
+    const b2Shape &shape = *fixture->GetShape();
+    if (const bmr_convex32_block *big = BigPolygonOf(shape))
+        return static_cast<double>(big->reach);
+    const auto &small = static_cast<const b2PolygonShape &>(shape);
+    return static_cast<double>(
+        bmr_proxy32_points(Vectors32(small.m_vertices), static_cast<uint32_t>(small.m_count), 0.0f).reach);
+}
+
+/// Are the disks around the bodies' origins that hold the two polygons farther apart than this? Coins are
+/// known apart by that nearly always, and it is a tenth of the look's work.
+bool DisksSayApart(const b2Fixture *fixtureA, const b2Transform &xfA, const b2Fixture *fixtureB,
+                   const b2Transform &xfB, float margin) {
+    const bmr_convex32_block *a = BigPolygonOf(*fixtureA->GetShape()),
+                             *b = BigPolygonOf(*fixtureB->GetShape());
+    if (a == nullptr || b == nullptr)
+        return false;
+    constexpr auto kFar = static_cast<float>(kReach); // the margin holds what rounding takes up to there
+    const b2Vec2 between = xfB.p - xfA.p, sum = b2Abs(xfA.p) + b2Abs(xfB.p);
+    const float least = a->reach + b->reach + margin;
+    return b2Dot(between, between) > least * least && sum.x + sum.y + least < kFar;
+}
+
+/// Puts the deeper of two points first. Of two points that are near each other (a fortieth of a disc's
+/// radius) b2ContactSolver takes the first alone: were that always the one behind, a wheel would roll by
+/// itself.
+void PutDeeperFirst(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
+    if (manifold->pointCount < 2)
+        return;
+    const bool faceOfA = manifold->type == b2Manifold::e_faceA;
+    const b2Rot &reference = faceOfA ? xfA.q : xfB.q, &incident = faceOfA ? xfB.q : xfA.q;
+    b2ManifoldPoint *const points = manifold->points;
+    const b2Vec2 between = b2Mul(incident, points[1].localPoint - points[0].localPoint);
+    if (b2Dot(b2Mul(reference, manifold->localNormal), between) < 0.0f)
+        std::swap(points[0], points[1]);
+}
+
+} // namespace
+
+bool ConvexContact::Serves(const b2Shape &a, const b2Shape &b) {
+    return BigPolygonOf(a) != nullptr || BigPolygonOf(b) != nullptr;
+}
+
+b2Contact *ConvexContact::Make(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB,
+                               b2BlockAllocator *allocator) {
+    void *memory = allocator->Allocate(sizeof(ConvexContact));
+    ConvexContact *contact = new (memory) ConvexContact(fixtureA, indexA, fixtureB, indexB);
+    if (contact->IsOfPolygons() && GetSettings().made)
+        AttachPair(contact, allocator);
+    return contact;
+}
+
+void ConvexContact::Unmake(ConvexContact *contact, b2BlockAllocator *allocator) {
+    DetachPair(contact, allocator);
+    contact->~ConvexContact();
+    allocator->Free(contact, sizeof(ConvexContact));
+}
+
+void ConvexContact::LearnVtable() {
+    const ConvexContact ours;
+    convexVtable.store(VtableOf(ours), std::memory_order_relaxed);
+}
+
+void ConvexContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
+    IsLookedAtByOthers();
+    const b2Manifold old = m_manifold; // most likely the one that is written
+    const Answer answer = RoundsToNearest() ? Ask(xfA, xfB) : Answer::HandedOver;
+    FillManifold(answer, manifold, xfA, xfB, old);
+    if (Verifying() && answer < Answer::HandedOver) {
+        // There is nobody but ourselves to compare with: what was proved apart has no points.
+        b2Manifold made = old;
+        bmr_convex32_memory nothing = {};
+        Collide(&made, xfA, xfB, &nothing);
+        VerifyManifold(m_fixtureA, m_fixtureB, *manifold, made);
+    }
+}
+
+/// What is shared by a pair leaves room for less.
+inline bmr_convex32_memory ConvexContact::Recall() const {
+    if (state.pair == nullptr)
+        return state.closest;
+    return {state.link.byVertices.a, state.link.byVertices.b, 0, 0};
+}
+
+bmr_vec2 ConvexContact::LookDirection() const {
+    const bmr_convex32_memory memory = Recall();
+    return {static_cast<double>(memory.axis_x), static_cast<double>(memory.axis_y)};
+}
+
+inline void ConvexContact::Keep(const bmr_convex32_memory &memory) {
+    if (state.pair == nullptr)
+        state.closest = memory;
+    else
+        state.link.byVertices = {memory.support_a, memory.support_b};
+}
+
+void ConvexContact::UpdateSolid(b2ContactListener *listener) {
+    SolidContact::UpdateSolid(this, listener);
+}
+
+inline Answer ConvexContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
+    // As PolygonContact has it: what touched most likely does still.
+    if (m_manifold.pointCount > 0)
+        return Answer::Touching;
+    if (!IsOfPolygons()) // there the search for the manifold begins with the look
+        return Answer::HandedOver;
+    // One answer of the pair serves many contacts; the look is this one's own.
+    if (state.pair != nullptr && PairSaysApart(xfA, xfB))
+        return Answer::ApartByPair;
+    return LookSaysApart(xfA, xfB) ? Answer::ApartByEdge : Answer::HandedOver;
+}
+
+inline bool ConvexContact::LookSaysApart(const b2Transform &xfA, const b2Transform &xfB) {
+    const auto margin = static_cast<float>(ContactMargin(static_cast<double>(RadiusSum())));
+    if (DisksSayApart(m_fixtureA, xfA, m_fixtureB, xfB, margin))
+        return true;
+    if (!WithinReach(xfA, ReachOf(m_fixtureA)) || !WithinReach(xfB, ReachOf(m_fixtureB)))
+        return false;
+    const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
+    bmr_convex32_memory memory = Recall();
+    const bool apart = bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), margin, &memory);
+    Keep(memory);
+    return apart;
+}
+
+inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
+                                        const b2Transform &xfB, const b2Manifold &old) {
+    if (answer < Answer::HandedOver) {
+        manifold->pointCount = 0;
+    } else {
+        bmr_convex32_memory memory = Recall();
+        Collide(manifold, xfA, xfB, &memory);
+        Keep(memory);
+        PutDeeperFirst(manifold, xfA, xfB);
+        if (manifold->pointCount > 0)
+            bmr_convex32_keep_features(Manifold32(manifold), Manifold32(&old), kFeatureDistance);
+    }
+    if (GetSettings().options.statistics)
+        CountAnswer(answer);
+}
+
+/// Which it is is decided by what the fixtures are, and by no more: their shapes may be changed in place.
+void ConvexContact::Collide(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
+                            bmr_convex32_memory *memory) const {
+    bmr_manifold32 *const made = Manifold32(manifold);
+    if (m_fixtureB->GetType() == b2Shape::e_circle) {
+        const bmr_convex32 polygon = RealPolygon(*m_fixtureA);
+        const auto *circle = static_cast<const b2CircleShape *>(m_fixtureB->GetShape());
+        bmr_convex32_collide_circle(made, &polygon, Transform32(xfA), *Vectors32(&circle->m_p),
+                                    Transform32(xfB), RadiusSum(), memory);
+    } else if (m_fixtureA->GetType() != b2Shape::e_polygon) {
+        const bmr_convex32 polygon = RealPolygon(*m_fixtureB);
+        const bmr_edge32 edge = EdgeOf(m_fixtureA, m_indexA);
+        bmr_convex32_collide_edge(made, &edge, Transform32(xfA), &polygon,
+                                  *Vectors32(&PolygonOf(m_fixtureB).m_centroid), Transform32(xfB),
+                                  RadiusSum(), memory);
+    } else {
+        const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
+        bmr_convex32_collide(made, &a, Transform32(xfA), &b, Transform32(xfB), RadiusSum(), kTolerance,
+                             memory);
+    }
+}
+
+void ConvexContact::CountAnswer(Answer answer) const {
+    Count(&Counts::evaluations);
+    Count(answer < Answer::HandedOver ? &Counts::provedApart : &Counts::handedOver);
+    if (answer >= Answer::HandedOver)
+        Count(&Counts::touchingAnswered);
+    if (answer == Answer::Touching)
+        Count(&Counts::handedOverTouching);
+    const Options &options = GetSettings().options;
+    if (options.onAnswer != nullptr)
+        options.onAnswer(options.eventContext, *this, answer);
+}
+
+} // namespace bmr

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_CONVEX_CONTACT_H
+#define BOOMERANG_GLUE_CONVEX_CONTACT_H
+
+#include "contacts/solid_contact.h"
+
+namespace bmr {
+
+/// A contact of a big ConvexShape with another polygon of any size, a circle, an edge or a link of a chain:
+/// the manifold of Box2D's algorithm run on all vertices.
+class ConvexContact final : public SolidContact {
+public:
+    // For the contact register. `fixtureA` is the polygon against a circle, the edge or the chain against a
+    // polygon.
+    static bool Serves(const b2Shape &a, const b2Shape &b);
+    static b2Contact *Make(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB,
+                           b2BlockAllocator *allocator);
+    static void Unmake(ConvexContact *contact, b2BlockAllocator *allocator);
+    /// Before the first is made.
+    static void LearnVtable();
+
+    /// `contact` as one of these, or nullptr.
+    static ConvexContact *AsOurs(b2Contact *contact) {
+        return VtableOf(*contact) == convexVtable.load(std::memory_order_relaxed)
+                   ? static_cast<ConvexContact *>(contact)
+                   : nullptr;
+    }
+
+    void Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) override;
+
+    /// See SolidContact::UpdateSolid.
+    void UpdateSolid(b2ContactListener *listener);
+
+    /// See SolidContact::GuessDirection: that of the last look.
+    bmr_vec2 LookDirection() const;
+
+private:
+    friend class SolidContact;
+
+    ConvexContact() = default;
+    using SolidContact::SolidContact;
+
+    Answer Ask(const b2Transform &xfA, const b2Transform &xfB);
+    bool LookSaysApart(const b2Transform &xfA, const b2Transform &xfB);
+    void FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
+                      const b2Manifold &old);
+    void Collide(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
+                 bmr_convex32_memory *memory) const;
+    bmr_convex32_memory Recall() const;
+    void Keep(const bmr_convex32_memory &memory);
+    void CountAnswer(Answer answer) const;
+};
+
+static_assert(sizeof(ConvexContact) <= 224, "must stay in the block class of a stock contact");
+
+} // namespace bmr
+
+#endif

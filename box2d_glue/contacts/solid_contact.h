@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_SOLID_CONTACT_H
+#define BOOMERANG_GLUE_SOLID_CONTACT_H
+
+#include <atomic>
+#include <cstdint>
+#include <cstring>
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_world_callbacks.h>
+
+#include "boomerang/box2d_glue.h"
+#include "boomerang/convex32_collide.h"
+
+namespace bmr {
+
+struct BodyPair;
+struct PairMemory;
+
+/// What two polygons of Box2D's own size remember of each other.
+struct EdgeMemory {
+    uint8_t edge;         ///< remembered separating edge, kNoEdge where none is
+    uint8_t edgeOfB : 1;  ///< whose edge it is
+    uint8_t patience : 4; ///< log2 of how many evaluations go by after the next search in vain
+    uint8_t unasked;      ///< evaluations that still go to Box2D before the next search for an edge
+};
+
+constexpr uint8_t kNoEdge = 0xff;
+
+/// Part of a bmr_convex32_memory.
+struct VertexMemory {
+    uint16_t a, b;
+};
+
+constexpr uint32_t kStampMask = 0x7fffffff;
+
+/// What a contact has to know to share a structure, and what it may remember besides.
+struct PairLink {
+    uint32_t stamp : 31;   ///< the pair's stamp when the hulls were last seen to hold this contact's fixtures
+    uint32_t excluded : 1; ///< at this stamp the hulls do not hold this contact's fixtures
+    union {
+        EdgeMemory byEdge;       ///< of a PolygonContact
+        VertexMemory byVertices; ///< of a ConvexContact
+    };
+};
+
+/// What a contact of ours knows besides what Box2D keeps: 16 bytes, for which Box2D's 224-byte block has
+/// room.
+struct ContactState {
+    BodyPair *pair; ///< the structure it shares with the other contacts of its two bodies, or nullptr
+    union {
+        PairLink link;               ///< of a PolygonContact, and wherever there is a pair
+        bmr_convex32_memory closest; ///< of a ConvexContact without a pair
+    };
+};
+static_assert(sizeof(ContactState) == 16);
+
+/// What all contacts of ours have in common: PolygonContact and ConvexContact. Manifolds are made without
+/// Box2D where no fixture is a sensor.
+class SolidContact : public b2Contact {
+public:
+    /// `contact` as one of ours, or nullptr: contacts that were born before the register knew us, and other
+    /// shapes', are not.
+    static SolidContact *AsOurs(b2Contact *contact) {
+        const void *vtable = VtableOf(*contact);
+        return vtable == polygonVtable.load(std::memory_order_relaxed) ||
+                       vtable == convexVtable.load(std::memory_order_relaxed)
+                   ? static_cast<SolidContact *>(contact)
+                   : nullptr;
+    }
+
+    // What b2ContactManager may do with any contact, and its stand-in otherwise could not.
+    static void UpdateByBox2D(b2Contact *contact, b2ContactListener *listener);
+    static bool WantsFiltering(const b2Contact &contact) { return (FlagsOf(contact) & e_filterFlag) != 0; }
+    static void FilteringIsDone(b2Contact *contact) {
+        contact->*(&SolidContact::m_flags) &= ~uint32{e_filterFlag};
+    }
+
+    /// Are both shapes polygons, of any size? Such contacts may share the structure of their bodies.
+    bool IsOfPolygons() const {
+        return m_fixtureA->GetType() == b2Shape::e_polygon && m_fixtureB->GetType() == b2Shape::e_polygon;
+    }
+
+    /// A direction, in the world, from A to B, that most likely keeps the two apart: what was remembered of
+    /// them at the last look. Zero where nothing is. For polygons alone.
+    bmr_vec2 GuessDirection() const;
+
+    /// Of a sensor's contact of two polygons that overlap: the number of a vertex, with kVertexOfB where it
+    /// is B's, that most likely lies in the other one.
+    int32 GuessVertex() const;
+
+    /// Ahead of the first pair: what is remembered of vertices gives way to the link.
+    void MakeRoomForPair() {
+        if (state.pair == nullptr && VtableOf(*this) == convexVtable.load(std::memory_order_relaxed))
+            state.link = {};
+    }
+
+    ContactState state;
+
+protected:
+    SolidContact() : state() {}
+    SolidContact(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB)
+        : b2Contact(fixtureA, indexA, fixtureB, indexB), state() {}
+
+    /// An object's table of virtual functions, which tells contacts apart. Games build Box2D without run-time
+    /// type information too, where typeid has nothing to look at; but the table is always an object's first
+    /// word, on every ABI that Box2D runs on.
+    static const void *VtableOf(const b2Contact &contact) {
+        const void *vtable;
+        std::memcpy(&vtable, static_cast<const void *>(&contact), sizeof vtable);
+        return vtable;
+    }
+    /// Of the two classes, from before the first contact of each is made; nullptr until then.
+    static std::atomic<const void *> polygonVtable, convexVtable;
+
+    /// What b2Contact::Update does, for a contact of which neither fixture is a sensor: the same manifold,
+    /// flags, waking and calls of the listener in the same order. Nothing is copied where the two stay apart.
+    /// `Ours` has Ask(xfA, xfB) and FillManifold(answer, manifold, xfA, xfB, old).
+    template <typename Ours> static void UpdateSolid(Ours *contact, b2ContactListener *listener);
+
+    /// To be called where Box2D evaluates the contact itself, in the middle of a step: its record in the
+    /// ledger is due.
+    void IsLookedAtByOthers() const;
+
+    float RadiusSum() const { return m_fixtureA->GetShape()->m_radius + m_fixtureB->GetShape()->m_radius; }
+    /// Does the structure that the contact shares, if any, prove the two apart? To be asked where state.pair
+    /// is not nullptr.
+    bool PairSaysApart(const b2Transform &xfA, const b2Transform &xfB);
+
+private:
+    static uint32 FlagsOf(const b2Contact &contact) { return contact.*(&SolidContact::m_flags); }
+
+    /// The manifold is new: impulses, flags, waking, the listener.
+    void Finish(bool wasTouching, const b2Manifold &old, b2ContactListener *listener);
+    const PairMemory *MemoryOfOverlap() const;
+    void KeepImpulses(const b2Manifold &old);
+};
+
+static_assert(sizeof(SolidContact) <= 224, "must stay in the block class of a stock contact");
+
+template <typename Ours> inline void SolidContact::UpdateSolid(Ours *contact, b2ContactListener *listener) {
+    SolidContact *const self = contact;
+    const b2Transform &xfA = self->m_fixtureA->GetBody()->GetTransform();
+    const b2Transform &xfB = self->m_fixtureB->GetBody()->GetTransform();
+    const bool wasTouching = (self->m_flags & e_touchingFlag) != 0;
+    self->m_flags |= e_enabledFlag;
+    const Answer answer = contact->Ask(xfA, xfB);
+    if (answer < Answer::HandedOver && !wasTouching) { // nothing has happened that anybody is to be told
+        contact->FillManifold(answer, &self->m_manifold, xfA, xfB, self->m_manifold);
+        return;
+    }
+    const b2Manifold old = self->m_manifold;
+    contact->FillManifold(answer, &self->m_manifold, xfA, xfB, old);
+    self->Finish(wasTouching, old, listener);
+}
+
+} // namespace bmr
+
+#endif

@@ -1,0 +1,518 @@
+// SPDX-License-Identifier: MIT
+#include "ledger/ledger.h"
+
+#include <cstring>
+#include <initializer_list>
+
+#include <box2d/b2_broad_phase.h>
+
+#include "ledger/private_members.h"
+#include "start/current_step.h"
+#include "start/settings.h"
+
+namespace bmr {
+
+namespace {
+
+// Half of the records may be of contacts that are gone before they are swept together.
+constexpr uint32_t kFewRecords = 64;
+
+char *RoomFor(const b2Contact *contact, const void *flags) {
+    return const_cast<char *>(static_cast<const char *>(static_cast<const void *>(contact))) +
+           (static_cast<const char *>(flags) -
+            static_cast<const char *>(static_cast<const void *>(contact))) +
+           4;
+}
+
+} // namespace
+
+uint32_t ContactNumber::Read(const b2Contact *contact) {
+    uint32_t number;
+    std::memcpy(&number, RoomFor(contact, &(contact->*(&ContactNumber::m_flags))), sizeof number);
+    return number;
+}
+
+void ContactNumber::Write(b2Contact *contact, uint32_t number) {
+    std::memcpy(RoomFor(contact, &(contact->*(&ContactNumber::m_flags))), &number, sizeof number);
+}
+
+bool Ledger::Reserve(uint32_t count) {
+    const uint32_t words = count / 64 + 1;
+    const uint32_t had = m_awakeWords;
+    if (!m_records.Reserve(count) || !m_lines.Reserve(count) || !m_contacts.Reserve(count) ||
+        !m_bits.Reserve(count) || !m_pairs.Reserve(count) || !m_patience.Reserve(count) ||
+        !m_awake.Reserve(words) || !m_looked.Reserve(words) || !m_asked.Reserve(words))
+        return false;
+    for (uint32_t word = had; word < words; ++word)
+        m_awake[word] = m_looked[word] = m_asked[word] = 0;
+    if (words > had)
+        m_awakeWords = words;
+    return true;
+}
+
+bool Ledger::Follow() {
+    TrimEnd();
+    if (m_passes > 0) // a step in the midst of one: it may go on here as it is, or not at all
+        return CatchUp();
+    const uint32_t live = static_cast<uint32_t>(m_live);
+    if (m_count > 2 * live + kFewRecords)
+        Compact();
+    if (!CatchUp() && !Begin())
+        return false;
+    if (m_interrupted || m_movers.AreSumsLost()) {
+        DropAllProofs();
+        m_touchesSure = false;
+    }
+    m_movers.ForgetSums();
+    m_interrupted = false;
+    return true;
+}
+
+bool Ledger::Pays() {
+    if (m_restingSteps == 0 || WorksEverywhere())
+        return true;
+    --m_restingSteps;
+    return m_passes > 0;
+}
+
+void Ledger::NoteLooks(uint32_t looks) {
+    constexpr uint32_t kPassesToTry = 32, kStepsToRest = 8 * kPassesToTry;
+    m_triedLooks += looks;
+    m_triedPairs += static_cast<uint64_t>(m_live); // Box2D passes over those that sleep, too
+    if (++m_triedPasses < kPassesToTry)
+        return;
+    if (2 * m_triedLooks > m_triedPairs)
+        m_restingSteps = kStepsToRest;
+    m_triedPasses = 0;
+    m_triedLooks = m_triedPairs = 0;
+}
+
+bool Ledger::CatchUp() {
+    if (IsWhole())
+        return true;
+    const int64_t more = int64_t{m_manager->m_contactCount} - m_live;
+    if (more <= 0 || more > 0x7fffffff - int64_t{m_count} || !Reserve(m_count + static_cast<uint32_t>(more)))
+        return false;
+    b2Contact *contact = m_manager->m_contactList;
+    if (!ContactNumber::HasRoom(contact))
+        return false;
+    const b2Contact *const newest = Newest();
+    for (int64_t k = more; k-- > 0; contact = ContactNumber::Next(contact)) {
+        if (contact == nullptr || contact == newest)
+            return false;
+        m_contacts[m_count + static_cast<uint32_t>(k)] = contact;
+    }
+    if (contact != newest)
+        return false;
+    for (int64_t k = 0; k < more; ++k)
+        if (!Put(m_count, m_contacts[m_count]))
+            return false;
+    return true;
+}
+
+/// Of all contacts of the world.
+bool Ledger::Begin() {
+    Empty();
+    return CatchUp();
+}
+
+void Ledger::Empty() {
+    m_movers.Clear();
+    for (uint32_t at = 0; at < m_tableSize; ++at)
+        m_table[at] = 0;
+    m_inTable = m_unknown = 0;
+    m_count = 0;
+    m_live = 0;
+    for (uint32_t word = 0; word < m_awakeWords; ++word)
+        m_awake[word] = 0;
+}
+
+/// The next record; counted where there is memory for its movers.
+bool Ledger::Put(uint32_t i, b2Contact *contact) {
+    Record &record = m_records[i];
+    record.a = m_movers.Acquire(contact->GetFixtureA(), m_manager->m_broadPhase, m_look);
+    if (record.a == Movers::kNone)
+        return false;
+    record.b = m_movers.Acquire(contact->GetFixtureB(), m_manager->m_broadPhase, m_look);
+    if (record.b == Movers::kNone) {
+        m_movers.Release(record.a);
+        return false;
+    }
+    if (!AddToTable(i, *contact)) {
+        m_movers.Release(record.a);
+        m_movers.Release(record.b);
+        return false;
+    }
+    ContactNumber::Write(contact, i);
+    m_contacts[i] = contact;
+    m_bits[i] = contact->IsTouching() ? kTouches : 0;
+    m_patience[i] = {};
+    ++m_count;
+    ++m_live;
+    Watch(i);
+    return true;
+}
+
+namespace {
+
+uint32_t StartOf(uint64_t pair, uint32_t size) {
+    return static_cast<uint32_t>((pair * 0x9e3779b97f4a7c15u) >> 32) & (size - 1);
+}
+
+uint64_t PairOf(int32 proxyA, int32 proxyB) {
+    return static_cast<uint64_t>(static_cast<uint32_t>(b2Min(proxyA, proxyB))) << 32 |
+           static_cast<uint32_t>(b2Max(proxyA, proxyB));
+}
+
+} // namespace
+
+/// Where the pair is in the table, or the free place that it would have.
+uint32_t Ledger::Place(uint64_t pair) const {
+    for (uint32_t at = StartOf(pair, m_tableSize);; at = (at + 1) & (m_tableSize - 1))
+        if (m_table[at] == 0 || m_pairs[m_table[at] - 1] == pair)
+            return at;
+}
+
+bool Ledger::GrowTable() {
+    const uint32_t size = m_tableSize == 0 ? 64 : 2 * m_tableSize;
+    if (!m_table.Reserve(size))
+        return false;
+    m_tableSize = size;
+    for (uint32_t at = 0; at < size; ++at)
+        m_table[at] = 0;
+    for (uint32_t i = 0; i < m_count; ++i)
+        if (m_contacts[i] != nullptr && m_pairs[i] != kUnknownPair)
+            m_table[Place(m_pairs[i])] = i + 1;
+    return true;
+}
+
+/// False without memory. A body that was put out of its world has no proxies; a contact of it may all the
+/// same be made in the midst of it, by a filter, and last until the body comes back with others.
+bool Ledger::AddToTable(uint32_t i, const b2Contact &contact) {
+    if (2 * (m_inTable + 1) > m_tableSize && !GrowTable())
+        return false;
+    const int32 a = FixtureAccess::ProxyOf(contact.GetFixtureA(), contact.GetChildIndexA());
+    const int32 b = FixtureAccess::ProxyOf(contact.GetFixtureB(), contact.GetChildIndexB());
+    m_pairs[i] = PairOf(a, b);
+    const uint32_t at =
+        a == b2BroadPhase::e_nullProxy || b == b2BroadPhase::e_nullProxy ? kNone : Place(m_pairs[i]);
+    if (at == kNone || m_table[at] != 0) {
+        m_pairs[i] = kUnknownPair;
+        ++m_unknown;
+        return true;
+    }
+    m_table[at] = i + 1;
+    ++m_inTable;
+    return true;
+}
+
+void Ledger::TakeFromTable(uint32_t i) {
+    if (m_pairs[i] == kUnknownPair) {
+        --m_unknown;
+        return;
+    }
+    uint32_t at = Place(m_pairs[i]);
+    m_table[at] = 0;
+    --m_inTable;
+    // Entries behind it are moved up to where they are looked for.
+    for (at = (at + 1) & (m_tableSize - 1); m_table[at] != 0; at = (at + 1) & (m_tableSize - 1)) {
+        const uint32_t entry = m_table[at];
+        m_table[at] = 0;
+        m_table[Place(m_pairs[entry - 1])] = entry;
+    }
+}
+
+bool Ledger::Exists(int32 proxyA, int32 proxyB) const {
+    return m_tableSize != 0 && m_table[Place(PairOf(proxyA, proxyB))] != 0;
+}
+
+void Ledger::TakeRestingOutOfIslands() {
+    for (uint32_t i = NextTouching(m_count); i != kNone; i = NextTouching(i))
+        if (IsResting(i))
+            ContactNumber::TakeOutOfIsland(m_contacts[i]);
+}
+
+void Ledger::MakeTouchesSure() {
+    if (m_touchesSure)
+        return;
+    for (uint32_t i = 0; i < m_count; ++i)
+        if (m_contacts[i] != nullptr && IsResting(i))
+            Touches(i, m_contacts[i]->IsTouching());
+    m_touchesSure = true;
+}
+
+uint32_t Ledger::NextTouching(uint32_t end) const {
+    constexpr uint32_t kWord = sizeof(uint64_t);
+    constexpr uint64_t kAny = 0x0101010101010101u * kTouches;
+    while (end > 0) {
+        uint64_t word = kAny;
+        if (end % kWord == 0)
+            std::memcpy(&word, &m_bits[end - kWord], kWord);
+        if ((word & kAny) == 0) {
+            end -= kWord;
+            continue;
+        }
+        --end;
+        if ((m_bits[end] & kTouches) != 0 && m_contacts[end] != nullptr)
+            return end;
+    }
+    return kNone;
+}
+
+void Ledger::Take(uint32_t i) {
+    DropLine(i);
+    if (!IsResting(i))
+        Unwatch(i);
+    TakeFromTable(i);
+    m_movers.Release(m_records[i].a);
+    m_movers.Release(m_records[i].b);
+    m_contacts[i] = nullptr;
+    --m_live;
+    TrimEnd();
+}
+
+/// Numbers below a pass's own are not to be given to newer contacts while it goes on.
+void Ledger::TrimEnd() {
+    while (m_passes == 0 && m_count > 0 && m_contacts[m_count - 1] == nullptr)
+        --m_count;
+}
+
+const b2Contact *Ledger::Newest() const {
+    for (uint32_t i = m_count; i-- > 0;)
+        if (m_contacts[i] != nullptr)
+            return m_contacts[i];
+    return nullptr;
+}
+
+uint32_t Ledger::FindNumber(const b2Contact *contact) {
+    if (m_manager->m_contactList != Newest())
+        CatchUp();
+    return NumberOf(contact);
+}
+
+void Ledger::Resync() {
+    // Borrows the bits of who was looked at: all of these are due.
+    for (uint32_t word = 0; word < m_awakeWords; ++word)
+        m_looked[word] = 0;
+    for (const b2Contact *contact = m_manager->m_contactList; contact != nullptr;
+         contact = ContactNumber::Next(contact)) {
+        const uint32_t i = NumberOf(contact);
+        if (i != kNone)
+            IsLookedAt(i);
+    }
+    for (uint32_t i = 0; i < m_count; ++i)
+        if (m_contacts[i] != nullptr && (m_looked[i / 64] >> (i % 64) & 1) == 0)
+            Take(i);
+}
+
+void Ledger::OweEnabling(uint32_t below) {
+    m_owed = below;
+    for (uint32_t word = 0; word < m_awakeWords; ++word)
+        m_looked[word] = 0;
+}
+
+void Ledger::Compact() {
+    uint32_t to = 0;
+    for (uint32_t from = 0; from < m_count; ++from) {
+        if (m_contacts[from] == nullptr)
+            continue;
+        const uint64_t awake = IsResting(from) ? 0 : 1;
+        m_contacts[to] = m_contacts[from];
+        m_records[to] = m_records[from];
+        m_lines[to] = m_lines[from];
+        m_bits[to] = m_bits[from];
+        m_pairs[to] = m_pairs[from];
+        if (m_pairs[to] != kUnknownPair)
+            m_table[Place(m_pairs[to])] = to + 1;
+        m_patience[to] = m_patience[from];
+        m_awake[from / 64] &= ~(uint64_t{1} << (from % 64));
+        m_awake[to / 64] = (m_awake[to / 64] & ~(uint64_t{1} << (to % 64))) | awake << (to % 64);
+        ContactNumber::Write(m_contacts[to], to);
+        ++to;
+    }
+    m_count = to;
+    m_owed = 0;
+}
+
+void Ledger::DropAllProofs() {
+    for (uint32_t i = 0; i < m_count; ++i)
+        if (m_contacts[i] != nullptr && !IsResting(i))
+            SetDue(i);
+}
+
+/// From here on its movers are looked at in every step. It is due: nobody knows what they did meanwhile.
+void Ledger::Watch(uint32_t i) {
+    const Record &record = m_records[i];
+    for (const uint32_t row : {record.a, record.b})
+        ++m_movers[row].watched;
+    m_awake[i / 64] |= uint64_t{1} << (i % 64);
+    Touches(i, m_contacts[i]->IsTouching()); // an impact may have changed it while nobody watched
+    SetDue(i);
+}
+
+void Ledger::Unwatch(uint32_t i) {
+    --m_movers[m_records[i].a].watched;
+    --m_movers[m_records[i].b].watched;
+    m_awake[i / 64] &= ~(uint64_t{1} << (i % 64));
+}
+
+void Ledger::Rest(uint32_t i) {
+    DropLine(i);
+    Unwatch(i);
+}
+
+void Ledger::Flag(const b2Contact *contact, uint8_t bits) {
+    const uint32_t i = NumberOf(contact);
+    if (i == kNone)
+        return;
+    if (IsResting(i))
+        Watch(i);
+    SetDue(i);
+    m_bits[i] |= bits;
+}
+
+void Ledger::Wake(const b2Body *body) {
+    for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
+        const uint32_t i = NumberOf(edge->contact);
+        if (i == kNone)
+            continue;
+        if (IsResting(i))
+            Watch(i);
+        const Record &record = m_records[i];
+        const uint32_t row = m_movers[record.a].body == body ? record.a : record.b;
+        m_movers.SetBits(row, m_movers.Bits(row) | kActive);
+    }
+}
+
+void Ledger::WakeRow(uint32_t row) {
+    Wake(m_movers[row].body);
+}
+
+void Ledger::LookAtMovers() {
+    constexpr uint32_t kAhead = 6;
+    ++m_look;
+    ++m_passNumber;
+    m_passLook = m_look;
+    m_step = CurrentStep();
+    const uint32_t count = m_movers.Count();
+    for (uint32_t row = 0; row < count; ++row) {
+        m_movers.Prefetch(row + kAhead);
+        const Mover &mover = m_movers[row];
+        if (mover.records == 0)
+            continue;
+        if (mover.proved > 0) // else each of its pairs is due, and looks at it then
+            m_movers.Look(row, m_manager->m_broadPhase, m_look, false);
+        if (mover.watched < mover.records && m_movers.IsActiveNow(row))
+            WakeRow(row);
+    }
+}
+
+uint64_t Ledger::DueOf(uint32_t word) const {
+    if (word >= m_awakeWords || m_awake[word] == 0)
+        return 0;
+    const uint32_t first = word * 64, end = m_count < first + 64 ? m_count : first + 64;
+    uint64_t due = 0;
+    for (uint32_t i = first; i < end; ++i)
+        due |= static_cast<uint64_t>(IsDue(i)) << (i - first);
+    return due & m_awake[word];
+}
+
+uint32_t Ledger::NextDue(uint32_t end) {
+    while (end-- > 0) {
+        if (m_contacts[end] == nullptr || !IsWatchedByNow(end))
+            continue;
+        if ((m_bits[end] & kHasLine) == 0)
+            return end; // due, whatever its movers did
+        LookAgain(end);
+        if (m_movers.AreSumsLost() || IsDue(end))
+            return end;
+    }
+    return kNone;
+}
+
+bool Ledger::Renew(uint32_t i, double threshold) {
+    const Record &record = m_records[i];
+    if ((m_bits[i] & kHasLine) == 0 ||
+        ((m_movers.Bits(record.a) | m_movers.Bits(record.b)) & (kChanged | kPlain)) != 0)
+        return false;
+    const bmr_mover &a = m_movers[record.a].motion, &b = m_movers[record.b].motion;
+    const double slack = bmr_budget_line_gap(&m_lines[i], &a, &b, kUnits) - threshold;
+    const uint32_t deadline = bmr_budget_deadline(slack, a.moved, b.moved, kUnits);
+    if (bmr_budget_is_due(deadline, a.moved, b.moved))
+        return false;
+    m_records[i].deadline = deadline;
+    return true;
+}
+
+bool Ledger::WaitsForProof(uint32_t i) {
+    Patience &patience = m_patience[i];
+    if ((m_bits[i] & kHasLine) != 0) {
+        // It was made, and is used up. Did it spare a look?
+        if (static_cast<uint8_t>(m_passNumber - patience.provedAt) > 1)
+            patience = {patience.provedAt, 0, 0};
+        else
+            ProvedInVain(i);
+    }
+    if (patience.waits == 0)
+        return false;
+    --patience.waits;
+    return true;
+}
+
+void Ledger::ProvedInVain(uint32_t i) {
+    constexpr uint8_t kMostDoublings = 3;
+    Patience &patience = m_patience[i];
+    if (patience.doublings < kMostDoublings)
+        ++patience.doublings;
+    patience.waits = static_cast<uint8_t>((1u << patience.doublings) - 1u);
+}
+
+bool Ledger::BeginProof(uint32_t i) {
+    DropLine(i);
+    const Record &record = m_records[i];
+    m_movers.AddProof(record.a, m_manager->m_broadPhase, m_look);
+    m_movers.AddProof(record.b, m_manager->m_broadPhase, m_look);
+    m_bits[i] |= kHasLine;
+    return ((m_movers.Bits(record.a) | m_movers.Bits(record.b)) & kPlain) == 0;
+}
+
+void Ledger::Prove(uint32_t i, bmr_vec2 d, double gap, double threshold, bool forImpactsToo) {
+    const Record &record = m_records[i];
+    const bmr_mover &a = m_movers[record.a].motion, &b = m_movers[record.b].motion;
+    m_records[i].deadline = bmr_budget_deadline(gap - threshold, a.moved, b.moved, kUnits);
+    m_lines[i] = bmr_budget_line_make(d, gap, &a, &b, kUnits);
+    m_bits[i] = static_cast<uint8_t>((m_bits[i] & ~kNoImpactProof) | (forImpactsToo ? 0 : kNoImpactProof));
+    m_patience[i].provedAt = static_cast<uint8_t>(m_passNumber);
+}
+
+void Ledger::ProveUntil(uint32_t i, double measure, double threshold) {
+    const Record &record = m_records[i];
+    const bmr_mover &a = m_movers[record.a].motion, &b = m_movers[record.b].motion;
+    m_records[i].deadline = bmr_budget_deadline(measure - threshold, a.moved, b.moved, kUnits);
+    m_lines[i] = {};
+    m_bits[i] |= kNoImpactProof;
+    m_patience[i].provedAt = static_cast<uint8_t>(m_passNumber);
+}
+
+void Ledger::EnableDownTo(uint32_t down) {
+    constexpr uint32_t kAhead = 8;
+    if (m_owed > m_count)
+        m_owed = m_count;
+    while (m_owed > down) {
+        if (m_owed > kAhead && m_contacts[m_owed - kAhead] != nullptr)
+            __builtin_prefetch(m_contacts[m_owed - kAhead]);
+        const uint32_t i = m_owed - 1;
+        if (m_contacts[i] != nullptr)
+            EnableIfOwed(i);
+        --m_owed;
+    }
+}
+
+void Ledger::BeginSearch(bool careful) {
+    ++m_look; // and the sweeps of no mover are looked at
+    m_sweepsCarefully = careful;
+    for (uint32_t word = 0; word < m_awakeWords; ++word)
+        m_asked[word] = 0;
+}
+
+} // namespace bmr

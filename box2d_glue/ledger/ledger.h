@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_LEDGER_H
+#define BOOMERANG_GLUE_LEDGER_H
+
+#include <cstdint>
+
+#include <box2d/b2_contact.h>
+#include <box2d/b2_contact_manager.h>
+
+#include "boomerang/budget.h"
+#include "ledger/bodies.h"
+#include "ledger/column.h"
+#include "ledger/movers.h"
+
+namespace bmr {
+
+/// A contact's number in the ledger, kept in the four bytes behind its flags that no member uses: in contacts
+/// of every kind, ours and Box2D's.
+struct ContactNumber : b2Contact {
+    /// Are there such bytes? (Where pointers have eight.)
+    static bool HasRoom(const b2Contact *contact) {
+        return reinterpret_cast<const char *>(&(contact->*(&ContactNumber::m_prev))) -
+                   reinterpret_cast<const char *>(&(contact->*(&ContactNumber::m_flags))) ==
+               8;
+    }
+    static uint32_t Read(const b2Contact *contact);
+    static void Write(b2Contact *contact, uint32_t number);
+
+    // What Box2D shows its own loops over contacts alone.
+    static b2Contact *Next(const b2Contact *contact) { return contact->*(&ContactNumber::m_next); }
+    static uint32 &Flags(b2Contact *contact) { return contact->*(&ContactNumber::m_flags); }
+    static void Enable(b2Contact *contact) { Flags(contact) |= e_enabledFlag; }
+    static void TakeOutOfIsland(b2Contact *contact) { Flags(contact) &= ~static_cast<uint32>(e_islandFlag); }
+    /// As b2World::SolveTOI begins: no impact is known or counted.
+    static void ForgetImpact(b2Contact *contact) {
+        Flags(contact) &= ~static_cast<uint32>(e_toiFlag | e_islandFlag);
+        contact->*(&ContactNumber::m_toiCount) = 0;
+        contact->*(&ContactNumber::m_toi) = 1.0f;
+    }
+    static void HasNoImpact(b2Contact *contact) { Flags(contact) |= e_toiFlag; }
+};
+
+/// What is said of a pair in one byte.
+enum RecordBit : uint8_t {
+    kHasLine = 1,       ///< its line renews the deadline
+    kToBeFiltered = 2,  ///< Box2D has flagged it for filtering
+    kTouches = 8,       ///< touching, at the last look
+    kNoImpactProof = 4, ///< its budget says nothing of impacts
+};
+
+/// All that is remembered of a world's pairs: one record for each contact, the oldest first. Box2D puts new
+/// contacts at the head of its lists, so that the world's list and every body's are in descending order here.
+///
+/// A pair that was proved apart has a deadline in the sums of its two movers (core/budget). Until then nobody
+/// looks at it. The same deadline answers the search for impacts, with the sums that a sweep may reach.
+///
+/// One thread at a time uses it, the one that its world is used by. It allocates where contacts begin, never
+/// on the way of a pair that stays apart.
+class Ledger {
+public:
+    explicit Ledger(b2ContactManager *manager) : m_manager(manager) {}
+    Ledger(const Ledger &) = delete;
+    Ledger &operator=(const Ledger &) = delete;
+
+    /// At the start of a step: does every contact of the world have its record here, in the world's order?
+    /// Begins anew where one does not. False where it cannot be, for now: the world is to be stepped by its
+    /// list.
+    bool Follow();
+    /// Is the next pass to be made, or left out because too many pairs are looked at in every one? To be
+    /// asked once a step, ahead of Follow. A world whose pairs nearly all touch, or move too fast for a
+    /// budget, is stepped by its list for a while, and tried again.
+    bool Pays();
+    /// A step of the world went by without a pass: every pair is due in the next one.
+    void Interrupt() { m_interrupted = true; }
+    /// So many pairs were looked at in a pass.
+    void NoteLooks(uint32_t looks);
+    /// Takes in contacts that were made since. False if they do not fit what is here.
+    bool CatchUp();
+    /// The number of a contact that is about to end (it may have been made since), kNone where it has none.
+    uint32_t FindNumber(const b2Contact *contact);
+    /// It has ended. (The pointer is compared, no more.)
+    void Remove(uint32_t number, const b2Contact *ended) {
+        if (number != kNone && number < m_count && m_contacts[number] == ended)
+            Take(number);
+    }
+    /// Contacts may have ended without a word: takes those out that are in the world's list no more.
+    void Resync();
+    /// Are all contacts here, as far as can be told at once?
+    bool IsWhole() const {
+        return m_live == m_manager->m_contactCount && Newest() == m_manager->m_contactList;
+    }
+
+    /// Box2D's searches for new contacts come by here.
+    void NoteSearch() { m_searchesSeen = true; }
+    bool AreSearchesSeen() const { return m_searchesSeen; }
+    /// The same of its searches for impacts: where they do not, nobody would enable contacts for them.
+    void NoteSearchForImpacts() { m_impactSearchesSeen = true; }
+    bool AreSearchesForImpactsSeen() const { return m_impactSearchesSeen; }
+
+    /// The contact was flagged for filtering, or looked at by somebody else: its record is due.
+    void Flag(const b2Contact *contact, uint8_t bits);
+
+    static constexpr uint32_t kNone = 0xffffffffu;
+    uint32_t NumberOf(const b2Contact *contact) const {
+        const uint32_t number = ContactNumber::Read(contact);
+        return number < m_count && m_contacts[number] == contact ? number : kNone;
+    }
+
+    /// Is there a contact of these two proxies? (Proxies are b2BroadPhase's.) To be asked where IsWhole.
+    bool Exists(int32 proxyA, int32 proxyB) const;
+    /// Of some contact nobody knows the proxies: Exists would not find it.
+    bool HasUnknownProxies() const { return m_unknown > 0; }
+
+    // A pass over all pairs, newest first.
+
+    /// Looks at all movers; wakes the pairs of those that woke.
+    void LookAtMovers();
+    /// Of the 64 pairs of this word, a bit each for those that are to be looked at. Good until code of the
+    /// game runs, or a body wakes.
+    uint64_t DueOf(uint32_t word) const;
+    /// The newest pair below `end` that is to be looked at, kNone where there is none, after code of the game
+    /// ran: each pair's own two movers are compared once more.
+    uint32_t NextDue(uint32_t end);
+    /// Code of the game ran: what was read before may be another by now.
+    void Distrust() {
+        ++m_look;
+        if (m_live != m_manager->m_contactCount)
+            Resync();
+    }
+    bool IsDue(uint32_t i) const {
+        const Record &record = m_records[i];
+        return bmr_budget_is_due(record.deadline, m_movers.Moved(record.a), m_movers.Moved(record.b));
+    }
+    void Touches(uint32_t i, bool touches) {
+        m_bits[i] = static_cast<uint8_t>((m_bits[i] & ~kTouches) | (touches ? kTouches : 0));
+    }
+    /// An impact may have updated contacts that nobody watches: who touches is to be read again.
+    void SetTouchesSure(bool sure) { m_touchesSure = sure; }
+    void MakeTouchesSure();
+    /// Contacts that rest may still say that they are in an island of an earlier step.
+    void TakeRestingOutOfIslands();
+    /// The newest contact below `end` that touched when it was looked at, asleep or not; kNone where there is
+    /// none.
+    uint32_t NextTouching(uint32_t end) const;
+    /// The newest pair from i down that is watched; kNone where there is none.
+    uint32_t SkipResting(uint32_t i) const {
+        for (;; --i) {
+            if (m_awake[i / 64] == 0)
+                i -= i % 64; // the word's first
+            if (!IsResting(i))
+                return i;
+            if (i == 0)
+                return kNone;
+        }
+    }
+    /// Is the contact's pair watched: awake when the pass came by, or since?
+    bool IsWatched(const b2Contact *contact) const {
+        const uint32_t i = NumberOf(contact);
+        return i != kNone && !IsResting(i);
+    }
+    uint32_t CountWatched() const {
+        uint32_t count = 0;
+        for (uint32_t word = 0; word < m_awakeWords; ++word)
+            count += static_cast<uint32_t>(__builtin_popcountll(m_awake[word]));
+        return count;
+    }
+    /// Is one of its bodies awake, or was it when the pass began? Watched from here on where one has woken
+    /// since.
+    bool IsWatchedByNow(uint32_t i) {
+        const Record record = m_records[i];
+        if (IsResting(i) && (m_movers.IsActiveNow(record.a) || m_movers.IsActiveNow(record.b)))
+            Watch(i);
+        return !IsResting(i);
+    }
+    uint32_t CurrentLook() const { return m_look; }
+    /// Compares the two movers of a pair with what they are by now, where that is not known.
+    void LookAgain(uint32_t i) {
+        const Record record = m_records[i];
+        if (m_movers[record.a].lookedAt != m_look)
+            m_movers.Look(record.a, m_manager->m_broadPhase, m_look, true);
+        if (m_movers[record.b].lookedAt != m_look)
+            m_movers.Look(record.b, m_manager->m_broadPhase, m_look, true);
+    }
+
+    /// A pair that is due: looked at, and to be again next time.
+    void SetDue(uint32_t i) {
+        Record &record = m_records[i];
+        record.deadline = m_movers.Moved(record.a) + m_movers.Moved(record.b);
+        DropLine(i);
+    }
+    /// Neither of its bodies is awake: out of sight until one is.
+    void Rest(uint32_t i);
+    /// Renews a pair by its own line; false where that proves nothing.
+    bool Renew(uint32_t i, double threshold);
+    /// Was the last proof too short-lived to be worth another one so soon? To be asked once a look.
+    bool WaitsForProof(uint32_t i);
+    /// It is not to be had, or did not last.
+    void ProvedInVain(uint32_t i);
+    /// Reads all that a proof of the two goes by; false where they are to have none. To be followed by Prove
+    /// or SetDue.
+    bool BeginProof(uint32_t i);
+    /// The two are apart: <d, b - a> >= gap for all their points.
+    void Prove(uint32_t i, bmr_vec2 d, double gap, double threshold, bool forImpactsToo);
+    /// What is so stays so until the two have moved by what `measure` is more than `threshold`.
+    void ProveUntil(uint32_t i, double measure, double threshold);
+    /// A body woke in the middle of a pass: its pairs are due.
+    void Wake(const b2Body *body);
+
+    bool BoxesOverlap(uint32_t i) const {
+        const Record &record = m_records[i];
+        return b2TestOverlap(m_movers[record.a].box, m_movers[record.b].box);
+    }
+
+    /// Stock has enabled every active contact that its loop has passed; here that is done for those that
+    /// nobody looked at, from the newest that is still owed it down to `down`.
+    void EnableDownTo(uint32_t down);
+    /// Somebody did it all.
+    void OweNothing() { m_owed = 0; }
+    void OweEnabling(uint32_t below);
+    uint32_t PassNumber() const { return m_passNumber; }
+    /// The contact is looked at: what its flags say from here on is so.
+    void IsLookedAt(uint32_t i) { m_looked[i / 64] |= uint64_t{1} << (i % 64); }
+    void EnableIfOwed(uint32_t i) {
+        if (i < m_owed && !IsResting(i) && (m_looked[i / 64] >> (i % 64) & 1) == 0 &&
+            (m_movers.IsActive(m_records[i].a) || m_movers.IsActive(m_records[i].b)))
+            ContactNumber::Enable(m_contacts[i]);
+    }
+
+    // Impacts.
+
+    /// `careful`: code of the game may have run since the look at the movers.
+    void BeginSearch(bool careful);
+    /// May Box2D look for an impact of the two at all: one moves, and one of them is not to be tunnelled
+    /// through?
+    bool MayImpact(uint32_t i) {
+        const Record record = m_records[i];
+        m_movers.LookAtSweep(record.a, m_look);
+        m_movers.LookAtSweep(record.b, m_look);
+        const uint8_t both = m_movers.SweepBits(record.a) | m_movers.SweepBits(record.b);
+        return (both & (kActive | kStops | kIsSensor)) == (kActive | kStops);
+    }
+    /// Box2D is to be asked whether the two meet in this step.
+    void IsAsked(uint32_t i) { m_asked[i / 64] |= uint64_t{1} << (i % 64); }
+    bool WasAsked(uint32_t i) const { return (m_asked[i / 64] >> (i % 64) & 1) != 0; }
+    bool IsLookedAtIn(uint64_t step) const { return step != 0 && m_step == step; }
+    /// The two could not impact when the last pass came by them; without code of the game they cannot now.
+    /// (What else decides of it is looked at where this says nothing.)
+    bool MayNotImpact(uint32_t i) const {
+        const Record &record = m_records[i];
+        return !m_sweepsCarefully && m_movers[record.a].lookedAt >= m_passLook &&
+               m_movers[record.b].lookedAt >= m_passLook &&
+               ((m_movers.Bits(record.a) | m_movers.Bits(record.b)) & kStops) == 0;
+    }
+    /// Does the budget outlast the step's sweeps?
+    bool OutlastsSweeps(uint32_t i) {
+        if ((m_bits[i] & (kHasLine | kNoImpactProof)) != kHasLine)
+            return false;
+        const Record record = m_records[i];
+        m_movers.LookAtEnd(record.a, m_sweepsCarefully, m_look);
+        m_movers.LookAtEnd(record.b, m_sweepsCarefully, m_look);
+        return !bmr_budget_is_due(record.deadline, m_movers.End(record.a), m_movers.End(record.b));
+    }
+    /// Did the last search find an impact? Then the next one most likely does, too.
+    bool FoundImpact() const { return m_foundImpact; }
+    void SetFoundImpact(bool found) { m_foundImpact = found; }
+
+    // Rows of the table.
+
+    struct Record {
+        uint32_t deadline, a, b; ///< a, b: movers of the contact's fixtures A and B
+    };
+    uint32_t Count() const { return m_count; }
+    b2Contact *Contact(uint32_t i) const { return m_contacts[i]; } ///< nullptr where it is gone
+    const Record &At(uint32_t i) const { return m_records[i]; }
+    uint8_t Bits(uint32_t i) const { return m_bits[i]; }
+    void SetBit(uint32_t i, uint8_t bit) { m_bits[i] |= bit; }
+    void ClearBit(uint32_t i, uint8_t bit) { m_bits[i] &= static_cast<uint8_t>(~bit); }
+    Bodies &GetBodies() { return m_bodies; }
+    /// In this step the islands hold none but the bodies that GetBodies() knows to be awake; 0: nobody knows.
+    void SetAwakeAlone(uint64_t step) { m_awakeAloneIn = step; }
+    bool IsAwakeAlone(uint64_t step) const { return step != 0 && m_awakeAloneIn == step; }
+    /// No body is displaced in its sweep, for there was no impact in the last step.
+    void SetAlphasClear(bool clear) { m_alphasClear = clear; }
+    bool AreAlphasClear() const { return m_alphasClear; }
+    Movers &GetMovers() { return m_movers; }
+    const Movers &GetMovers() const { return m_movers; }
+    b2ContactManager *Manager() const { return m_manager; }
+
+    /// How often proofs of a pair were in vain.
+    struct Patience {
+        uint8_t provedAt;  ///< number of the pass in which the line was made, modulo 256
+        uint8_t doublings; ///< proofs in a row that did not outlast the next pass
+        uint8_t waits;     ///< looks that still go by without one
+    };
+
+    /// A pass is under way: numbers stay what they are. What ends before its time, by an exception of a
+    /// listener's, leaves every pair due.
+    class Pass {
+    public:
+        explicit Pass(Ledger *ledger) : m_ledger(ledger) { ++ledger->m_passes; }
+        ~Pass() {
+            --m_ledger->m_passes;
+            m_ledger->m_interrupted = m_ledger->m_interrupted || !m_done;
+        }
+        Pass(const Pass &) = delete;
+        Pass &operator=(const Pass &) = delete;
+        void IsDone() { m_done = true; }
+
+    private:
+        Ledger *m_ledger;
+        bool m_done = false;
+    };
+
+private:
+    const b2Contact *Newest() const;
+    void TrimEnd();
+    bool IsResting(uint32_t i) const { return (m_awake[i / 64] >> (i % 64) & 1) == 0; }
+    bool Begin();
+    bool Reserve(uint32_t count);
+    bool Put(uint32_t i, b2Contact *contact);
+    static constexpr uint64_t kUnknownPair = ~uint64_t{0};
+    uint32_t Place(uint64_t pair) const;
+    bool GrowTable();
+    bool AddToTable(uint32_t i, const b2Contact &contact);
+    void TakeFromTable(uint32_t i);
+    void Take(uint32_t i);
+    void Compact();
+    void Empty();
+    void Watch(uint32_t i);
+    void Unwatch(uint32_t i);
+    void WakeRow(uint32_t row);
+    void DropLine(uint32_t i) {
+        if ((m_bits[i] & kHasLine) == 0)
+            return;
+        m_bits[i] &= static_cast<uint8_t>(~kHasLine);
+        m_movers.DropProof(m_records[i].a);
+        m_movers.DropProof(m_records[i].b);
+    }
+    void DropAllProofs();
+
+    b2ContactManager *m_manager;
+    Bodies m_bodies;
+    Movers m_movers;
+    Column<Record> m_records;
+    Column<bmr_budget_line> m_lines;
+    Column<uint64_t> m_pairs; ///< the two proxies, the smaller one first; kUnknownPair where nobody knows
+    Column<uint32_t> m_table; ///< number of a record + 1 by pair; open addressing
+    Column<b2Contact *> m_contacts;
+    Column<uint8_t> m_bits;
+    Column<Patience> m_patience;
+    Column<uint64_t> m_awake;  ///< one bit a record: alive, and one of its bodies was awake
+    Column<uint64_t> m_asked;  ///< one bit a record: in the last search for impacts
+    Column<uint64_t> m_looked; ///< one bit a record: looked at in the last pass
+    uint32_t m_tableSize = 0, m_inTable = 0, m_unknown = 0;
+    uint32_t m_awakeWords = 0;
+    uint32_t m_count = 0; ///< records, the dead ones among them
+    int32 m_live = 0;
+    uint64_t m_step = 0;     ///< CurrentStep() of the last look at all movers
+    uint32_t m_passLook = 1; ///< the look that the last pass began with
+    uint32_t m_look = 1;     ///< goes up whenever what was read may be old
+    uint32_t m_owed = 0;     ///< contacts below this, if active, are still to be enabled
+    uint32_t m_passNumber = 0;
+    uint32_t m_passes = 0; ///< under way
+    bool m_interrupted = false;
+    bool m_sweepsCarefully = false;
+    bool m_searchesSeen = false;
+    bool m_impactSearchesSeen = false;
+    bool m_foundImpact = false;
+    bool m_touchesSure = false;
+    bool m_alphasClear = false;
+    uint64_t m_awakeAloneIn = 0;
+    uint32_t m_triedPasses = 0, m_restingSteps = 0; ///< see Pays
+    uint64_t m_triedLooks = 0, m_triedPairs = 0;
+};
+
+} // namespace bmr
+
+#endif

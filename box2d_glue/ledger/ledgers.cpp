@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "ledger/ledgers.h"
+
+#include <atomic>
+#include <mutex>
+#include <new>
+
+#include "ledger/ledger.h"
+#include "start/process_locks.h"
+
+namespace bmr {
+
+namespace {
+
+struct Entry {
+    explicit Entry(b2ContactManager *manager) : ledger(manager) {}
+    Ledger ledger;
+    Entry *next = nullptr;
+};
+
+// Chains of worlds, by address. Programs have a few; some have thousands.
+constexpr uint32_t kChainBits = 10;
+Entry *chains[1u << kChainBits];
+
+/// Goes up whenever a ledger comes or goes: what a thread remembers is good until then. 0: no ledger at all.
+std::atomic<uint64_t> changes{0};
+
+struct Remembered {
+    const b2ContactManager *manager;
+    Ledger *ledger;
+    uint64_t changes;
+};
+thread_local Remembered remembered = {nullptr, nullptr, 0};
+
+Entry **ChainOf(const b2ContactManager *manager) {
+    const uint64_t mixed = static_cast<uint64_t>(reinterpret_cast<uintptr_t>(manager)) * 0x9e3779b97f4a7c15u;
+    return &chains[mixed >> (64u - kChainBits)];
+}
+
+/// The link that leads to it, or the chain's last. Locked.
+Entry **LinkTo(const b2ContactManager *manager) {
+    Entry **link = ChainOf(manager);
+    while (*link != nullptr && (*link)->ledger.Manager() != manager)
+        link = &(*link)->next;
+    return link;
+}
+
+} // namespace
+
+Ledger *FindLedger(const b2ContactManager *manager) {
+    const uint64_t now = changes.load(std::memory_order_acquire);
+    if (now == 0)
+        return nullptr;
+    if (remembered.manager == manager && remembered.changes == now)
+        return remembered.ledger;
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
+    const Entry *entry = *LinkTo(manager);
+    remembered = {manager, entry != nullptr ? const_cast<Ledger *>(&entry->ledger) : nullptr, now};
+    return remembered.ledger;
+}
+
+Ledger *MakeLedger(b2ContactManager *manager) {
+    if (Ledger *ledger = FindLedger(manager))
+        return ledger;
+    Entry *made = new (std::nothrow) Entry(manager);
+    if (made == nullptr)
+        return nullptr;
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
+    *LinkTo(manager) = made;
+    changes.fetch_add(1, std::memory_order_release);
+    return &made->ledger;
+}
+
+void DropLedger(const b2ContactManager *manager) {
+    if (FindLedger(manager) == nullptr)
+        return;
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
+    Entry **link = LinkTo(manager);
+    Entry *ended = *link;
+    *link = ended->next;
+    changes.fetch_add(1, std::memory_order_release);
+    delete ended;
+}
+
+} // namespace bmr

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_LEDGERS_H
+#define BOOMERANG_GLUE_LEDGERS_H
+
+#include <cstdint>
+
+#include "start/settings.h"
+
+class b2ContactManager;
+
+namespace bmr {
+
+class Ledger;
+
+/// @file
+/// Which world has which ledger. Worlds have no room for one, so that it is found by the address of their
+/// contact manager. A world gets one when it has contacts enough, and loses it when it ends.
+
+/// So many contacts are worth a ledger where few of them touch.
+constexpr int kWorthALedger = 8;
+/// So many are in any case: in worlds of fewer, looking at what touches costs less than the ledger does.
+/// Where the plugin is to work everywhere it is not asked what anything costs.
+inline int WorthALedgerAnyway() {
+    return WorksEverywhere() ? kWorthALedger : 48;
+}
+
+/// nullptr where it has none. Two loads for the world that the thread asked for last.
+Ledger *FindLedger(const b2ContactManager *manager);
+/// Makes it if need be; nullptr without memory.
+Ledger *MakeLedger(b2ContactManager *manager);
+/// The world ends.
+void DropLedger(const b2ContactManager *manager);
+
+} // namespace bmr
+
+#endif

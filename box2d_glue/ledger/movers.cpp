@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+#include "ledger/movers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <box2d/b2_polygon_shape.h>
+
+#include "ledger/private_members.h"
+#include "shapes/convex_geometry.h"
+#include "shapes/side_normals.h"
+
+namespace bmr {
+
+namespace {
+
+bmr_pose PoseOf(const b2Body &body) {
+    const b2Transform &xf = body.GetTransform();
+    return {{static_cast<double>(xf.p.x), static_cast<double>(xf.p.y)},
+            static_cast<double>(xf.q.c),
+            static_cast<double>(xf.q.s)};
+}
+
+bmr_vec2 Double(const b2Vec2 &v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
+
+uint64_t WordOf(const b2Vec2 &v) {
+    uint64_t word;
+    std::memcpy(&word, &v, sizeof word);
+    return word;
+}
+
+/// All that contacts of a polygon go by, in one number: skin, vertices and normals, or which big one it is.
+/// Two different ones have the same with a probability of 2^-64. Two sums, so that neither waits for the
+/// other.
+uint64_t DigestOf(const b2PolygonShape &polygon) {
+    constexpr uint64_t kFirst = 0x9e3779b97f4a7c15u, kSecond = 0xc2b2ae3d27d4eb4fu;
+    const uint64_t start = WordOf(b2Vec2(polygon.m_radius, static_cast<float>(polygon.m_count)));
+    uint64_t first = start, second = AnyBigPolygon() ? NumberOfBigPolygon(polygon) : 0;
+    const int32 count = std::clamp<int32>(polygon.m_count, 0, b2_maxPolygonVertices);
+    for (int32 i = 0; i < count; ++i) {
+        first = (first ^ WordOf(polygon.m_vertices[i])) * kFirst;
+        first ^= first >> 32;
+        second = (second ^ WordOf(polygon.m_normals[i])) * kSecond;
+        second ^= second >> 32;
+    }
+    return first * kSecond ^ second;
+}
+
+/// Of a small polygon.
+struct Sides {
+    double reach = 0.0; ///< from the pivot
+    float shortest;
+};
+Sides MeasureSides(const b2PolygonShape &polygon, bmr_vec2 pivot) {
+    Sides sides;
+    sides.shortest = b2_maxFloat;
+    for (int32 i = 0; i < polygon.m_count; ++i) {
+        const b2Vec2 &v = polygon.m_vertices[i], &w = polygon.m_vertices[i + 1 < polygon.m_count ? i + 1 : 0];
+        const bmr_vec2 arm = bmr_sub(Double(v), pivot);
+        sides.reach = std::max(sides.reach, std::sqrt(bmr_dot(arm, arm)));
+        sides.shortest = std::min(sides.shortest, (w - v).Length());
+    }
+    return sides;
+}
+
+const b2PolygonShape *PolygonOf(const b2Fixture &fixture) {
+    return fixture.GetType() == b2Shape::e_polygon ? static_cast<const b2PolygonShape *>(fixture.GetShape())
+                                                   : nullptr;
+}
+
+// Two rows may have gone on by so much, one look and one mark more, and what comes with the next pass, before
+// the difference to a deadline wraps.
+constexpr uint32_t kMostLate = 1u << 29;
+
+/// kActive, kStops and kIsSensor as they are now.
+uint8_t FlagsOf(const Mover &mover) {
+    const b2Body &body = *mover.body;
+    uint8_t bits = 0;
+    if (body.IsAwake() && body.GetType() != b2_staticBody)
+        bits |= kActive;
+    if (body.IsBullet() || body.GetType() != b2_dynamicBody)
+        bits |= kStops;
+    if (mover.fixture->IsSensor())
+        bits |= kIsSensor;
+    return bits;
+}
+
+bool SamePlace(const b2Transform &a, const b2Transform &b) {
+    return a.p.x == b.p.x && a.p.y == b.p.y && a.q.s == b.q.s && a.q.c == b.q.c;
+}
+
+constexpr double kReachRoundedUp = 1.0 + 0x1p-40;
+
+} // namespace
+
+/// What depends on the shape alone. False where a pair of it is to have no budget.
+static bool Measure(Mover *mover, const b2PolygonShape &polygon) {
+    mover->radius = polygon.m_radius;
+    mover->shortest = 0.0f;
+    const bmr_vec2 pivot = mover->motion.pivot;
+    if (const bmr_convex32_block *big = AnyBigPolygon() ? BigPolygonOf(polygon) : nullptr) {
+        mover->motion.reach =
+            (static_cast<double>(big->reach) + std::sqrt(bmr_dot(pivot, pivot))) * kReachRoundedUp;
+        return polygon.m_radius >= 0.0f;
+    }
+    mover->motion.reach = 0.0;
+    if (polygon.m_count < 3 || polygon.m_count > b2_maxPolygonVertices || !VerticesTellAll(polygon) ||
+        !TurnsOnce(polygon) || !(polygon.m_radius >= 0.0f))
+        return false;
+    const Sides sides = MeasureSides(polygon, pivot);
+    mover->motion.reach = sides.reach * kReachRoundedUp;
+    mover->shortest = sides.shortest;
+    return true;
+}
+
+uint32_t *Movers::Place(const b2Fixture *fixture) {
+    const uint64_t mixed = static_cast<uint64_t>(reinterpret_cast<uintptr_t>(fixture)) * 0x9e3779b97f4a7c15u;
+    for (auto at = static_cast<uint32_t>(mixed >> 32) & (m_tableSize - 1);;
+         at = (at + 1) & (m_tableSize - 1)) {
+        uint32_t &entry = m_table[at];
+        if (entry == 0 || m_rows[entry - 1].fixture == fixture)
+            return &entry;
+    }
+}
+
+bool Movers::GrowTable() {
+    const uint32_t size = m_tableSize == 0 ? 64 : 2 * m_tableSize;
+    if (!m_table.Reserve(size))
+        return false;
+    m_tableSize = size;
+    for (uint32_t i = 0; i < size; ++i)
+        m_table[i] = 0;
+    for (uint32_t row = 0; row < m_count; ++row)
+        if (m_rows[row].records > 0)
+            *Place(m_rows[row].fixture) = row + 1;
+    return true;
+}
+
+uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhase, uint32_t look) {
+    if (2 * (m_used + 1) > m_tableSize && !GrowTable())
+        return kNone;
+    uint32_t *place = Place(fixture);
+    if (*place != 0) {
+        ++m_rows[*place - 1].records;
+        return *place - 1;
+    }
+    uint32_t row = m_free;
+    if (row == kNone) {
+        row = m_count;
+        if (!m_rows.Reserve(row + 1) || !m_moved.Reserve(row + 1) || !m_ends.Reserve(row + 1) ||
+            !m_bits.Reserve(row + 1) || !m_sweepBits.Reserve(row + 1))
+            return kNone;
+        ++m_count;
+    } else {
+        m_free = m_rows[row].watched;
+    }
+    ++m_used;
+    *place = row + 1;
+    Mover &mover = m_rows[row];
+    mover = {};
+    mover.fixture = fixture;
+    mover.body = fixture->GetBody();
+    mover.records = 1;
+    mover.proxy = FixtureAccess::ProxyCount(fixture) == 1 ? FixtureAccess::ProxyOf(fixture, 0)
+                                                          : int32{b2BroadPhase::e_nullProxy};
+    m_ends[row] = 0;
+    m_sweepBits[row] = 0;
+    m_moved[row] = 0;
+    m_bits[row] = 0;
+    Look(row, broadPhase, look, false);
+    return row;
+}
+
+void Movers::Release(uint32_t row) {
+    if (--m_rows[row].records > 0)
+        return;
+    // Entries behind the one that goes are moved up to where they are looked for.
+    uint32_t *gap = Place(m_rows[row].fixture);
+    auto at = static_cast<uint32_t>(gap - &m_table[0]);
+    m_table[at] = 0;
+    for (at = (at + 1) & (m_tableSize - 1); m_table[at] != 0; at = (at + 1) & (m_tableSize - 1)) {
+        const uint32_t entry = m_table[at];
+        m_table[at] = 0;
+        *Place(m_rows[entry - 1].fixture) = entry;
+    }
+    --m_used;
+    m_bits[row] = 0;
+    m_rows[row].watched = m_free; // the next free row
+    m_free = row;
+}
+
+void Movers::Clear() {
+    m_rows.Clear();
+    m_moved.Clear();
+    m_ends.Clear();
+    m_bits.Clear();
+    m_sweepBits.Clear();
+    m_table.Clear();
+    m_count = m_used = m_tableSize = 0;
+    m_free = kNone;
+}
+
+void Movers::Mark(uint32_t row) {
+    bmr_mover_mark(&m_rows[row].motion);
+}
+
+/// Is the shape another one than at the last look? Measures it anew then. About 10 ns where it is the same.
+bool Movers::LookAtShape(Mover *mover, uint8_t *bits) const {
+    const b2PolygonShape *polygon = PolygonOf(*mover->fixture);
+    if (polygon == nullptr) {
+        *bits |= kPlain;
+        return false;
+    }
+    const uint64_t digest = DigestOf(*polygon);
+    const bool changed = digest != mover->shape;
+    if (changed) {
+        mover->shape = digest;
+        mover->sound = Measure(mover, *polygon);
+    }
+    if (!mover->sound)
+        *bits |= kPlain;
+    return changed;
+}
+
+void Movers::Begin(uint32_t row, const b2BroadPhase &broadPhase, uint32_t look) {
+    Mover &mover = m_rows[row];
+    const uint32_t moved = mover.motion.moved, turned = mover.motion.turned;
+    const bmr_pose pose = PoseOf(*mover.body);
+    const double reach = mover.motion.reach;
+    // The pivot stays, or is another one at the look that follows; with it goes the reach.
+    bmr_mover_start(&mover.motion, &pose, mover.motion.pivot, reach, kUnits);
+    mover.place = mover.body->GetTransform();
+    mover.motion.moved = moved;
+    mover.motion.turned = turned;
+    mover.proved = 1; // for this look
+    Look(row, broadPhase, look, false);
+    mover.proved = 0;
+    // No pair goes by the row yet: its beginning is no mark.
+    mover.motion.moved = m_moved[row] = moved;
+    m_bits[row] &= static_cast<uint8_t>(~(kChanged | kChangedLate));
+}
+
+void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint32_t look, bool late) {
+    Mover &mover = m_rows[row];
+    const b2Body &body = *mover.body;
+    const uint8_t before = m_bits[row];
+    uint8_t bits = FlagsOf(mover);
+    mover.lookedAt = look;
+    if (mover.proved == 0) {
+        m_bits[row] = bits;
+        return;
+    }
+
+    const b2Transform &xf = body.GetTransform();
+    const bool stays = SamePlace(xf, mover.place);
+    const bmr_pose pose = PoseOf(body);
+    if (!stays) {
+        bmr_mover_look(&mover.motion, &pose, kUnits);
+        mover.place = xf;
+    }
+    mover.angle = body.GetAngle();
+    bool changed = ((bits ^ before) & kIsSensor) != 0 || (!late && (before & kChangedLate) != 0);
+    const bmr_vec2 pivot = Double(body.GetLocalCenter());
+    if (pivot.x != mover.motion.pivot.x || pivot.y != mover.motion.pivot.y) {
+        // The sums so far are those of the fixture's points, whatever they turned about.
+        mover.motion.pivot = pivot;
+        mover.motion.center = bmr_mover_place(&pose, pivot, kUnits);
+        mover.shape = 0; // its reach is another one
+        changed = true;
+    }
+    changed = LookAtShape(&mover, &bits) || changed;
+    const b2Vec2 place = b2Abs(xf.p);
+    const double reach = mover.motion.reach + std::fabs(pivot.x) + std::fabs(pivot.y);
+    // (A number that is none is far.)
+    if (!(static_cast<double>(b2Max(place.x, place.y)) + 1.5 * reach <= static_cast<double>(kBudgetReach)))
+        bits |= kPlain;
+    changed = changed || ((bits ^ before) & kPlain) != 0;
+    // Its pairs with others that sleep are to be put out of sight.
+    const bool fellAsleep = (before & kActive) != 0 && (bits & kActive) == 0;
+    bool mark = changed || fellAsleep;
+    if (mover.proxy != b2BroadPhase::e_nullProxy) {
+        const b2AABB &box = broadPhase.GetFatAABB(mover.proxy);
+        // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bits, of what is no number, too
+        if (std::memcmp(&box, &mover.box, sizeof box) != 0) {
+            mover.box = box;
+            mark = true;
+        }
+    }
+    if (changed)
+        bits |= late ? kChanged | kChangedLate : kChanged;
+    else if (late)
+        bits |= before & (kChanged | kChangedLate);
+    if (mark)
+        Mark(row);
+    mover.late = late ? mover.late + (mover.motion.moved - m_moved[row]) : 0;
+    m_sumsLost = m_sumsLost || mover.late > kMostLate;
+    m_bits[row] = bits;
+    m_moved[row] = mover.motion.moved;
+}
+
+void Movers::FindSweepBits(uint32_t row, uint32_t look) {
+    m_rows[row].sweptAt = look;
+    m_sweepBits[row] = FlagsOf(m_rows[row]);
+}
+
+void Movers::FindEnd(uint32_t row, bool careful, uint32_t look) {
+    Mover &mover = m_rows[row];
+    const b2Body &body = *mover.body;
+    const b2Sweep &sweep = SweepOf(body);
+    mover.endedAt = look;
+    const double a = static_cast<double>(sweep.a), a0 = static_cast<double>(sweep.a0);
+    double turn = std::fabs(a - a0);
+    if (sweep.a0 != mover.angle) {
+        // The sweep does not begin at the rotation of the last look. It ends at the body's own, which is so
+        // far from that one.
+        const b2Rot &end = body.GetTransform().q;
+        turn += std::hypot(static_cast<double>(end.c) - mover.motion.c,
+                           static_cast<double>(end.s) - mover.motion.s);
+    }
+    const b2Vec2 from = b2Abs(sweep.c0), to = b2Abs(sweep.c);
+    const double farthest = static_cast<double>(b2Max(b2Max(from.x, from.y), b2Max(to.x, to.y)));
+    const b2PolygonShape *polygon = careful ? PolygonOf(*mover.fixture) : nullptr;
+    const bool known = (polygon == nullptr || DigestOf(*polygon) == mover.shape) &&
+                       farthest + mover.motion.reach <= static_cast<double>(kImpactReach) &&
+                       std::fabs(a) <= static_cast<double>(kImpactAngle) &&
+                       std::fabs(a0) <= static_cast<double>(kImpactAngle) &&
+                       Double(sweep.localCenter).x == mover.motion.pivot.x &&
+                       Double(sweep.localCenter).y == mover.motion.pivot.y;
+    m_ends[row] = mover.motion.moved +
+                  (known ? bmr_mover_sweep(&mover.motion, Double(sweep.c0), Double(sweep.c), turn, kUnits)
+                         : BMR_BUDGET_MARK);
+}
+
+} // namespace bmr

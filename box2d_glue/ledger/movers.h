@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_MOVERS_H
+#define BOOMERANG_GLUE_MOVERS_H
+
+#include <cstdint>
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_broad_phase.h>
+#include <box2d/b2_fixture.h>
+
+#include "boomerang/budget.h"
+#include "ledger/column.h"
+
+namespace bmr {
+
+/// Within this distance of the origin all that the margins hold of rounding is known (proofs/thresholds.h).
+/// Beyond, pairs have no budget, and are looked at in every step.
+constexpr float kBudgetReach = 480.0f * b2_lengthUnitsPerMeter;
+/// The same for the sweeps of times of impact, with angles up to kImpactAngle.
+constexpr float kImpactReach = 256.0f * b2_lengthUnitsPerMeter, kImpactAngle = 500.0f;
+
+/// Budgets count in these (core/budget): 2^-16 of a metre.
+constexpr double kUnits = 65536.0 / static_cast<double>(b2_lengthUnitsPerMeter);
+
+/// What a fixture is and how far it has moved, for all contacts of it. One row a fixture that has contacts.
+/// What costs more than a look at its body's flags is read as long as a contact of it has a proof that it may
+/// end.
+///
+/// Nobody tells of most of what a game may do: bodies are moved, woken and made bullets by inline functions,
+/// vertices and radii are written to in place. So nothing is to be told here: a row holds what was read at
+/// the last look, and a look compares.
+struct Mover {
+    bmr_mover motion;
+    b2Transform place; ///< of the body, at the last look
+    const b2Fixture *fixture;
+    const b2Body *body;
+    uint64_t shape;    ///< a digest of all that contacts go by; see LookAtShape
+    b2AABB box;        ///< the fat one of its proxy
+    int32 proxy;       ///< b2BroadPhase::e_nullProxy where it has none or several: then there is no box here
+    float radius;      ///< skin
+    float angle;       ///< of the body, at the last look
+    float shortest;    ///< length of the shortest side; 0 where it is none to be told
+    uint32_t records;  ///< contacts of it
+    uint32_t proved;   ///< contacts that have a line
+    uint32_t watched;  ///< of these, the ones of which one body at least is awake
+    bool sound;        ///< a polygon as Box2D makes them: its vertices tell all
+    uint32_t late;     ///< units that were added in the middle of the present pass
+    uint32_t sweptAt;  ///< the same for its sweep
+    uint32_t endedAt;  ///< the same for how far that may come
+    uint32_t lookedAt; ///< the ledger's count of looks when this row had its last one
+};
+
+/// What the loop over pairs asks of a row, in one byte.
+enum MoverBit : uint8_t {
+    kActive = 1,   ///< its body is awake, and not static
+    kStops = 2,    ///< its body is a bullet, or not dynamic: nothing is to tunnel through it
+    kIsSensor = 4, ///< as the fixture says
+    kPlain = 8,    ///< no budget for its contacts: no polygon, a broken one, or too far away for the margins
+    kChanged = 16, ///< another shape than at the look before: lines of its pairs prove nothing
+    kChangedLate = 32 ///< the same, seen in the middle of a pass: to be said again in the next one
+};
+
+/// The rows of one world. Rows are numbered; a number is used again when the last contact of a fixture is
+/// gone.
+class Movers {
+public:
+    /// The row of this fixture, made if there is none; kNone without memory. Counts one contact more.
+    uint32_t Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhase, uint32_t look);
+    /// One contact less; the last one frees the row.
+    void Release(uint32_t row);
+    void Clear();
+
+    /// Compares the row with what its fixture and body are now: sums, bits, box. Marks it where its contacts
+    /// are to be looked at whatever their budgets say.
+    void Look(uint32_t row, const b2BroadPhase &broadPhase, uint32_t look, bool late);
+    /// A contact of the row gets a line. The first one: what was not read until now is, and is no motion.
+    void AddProof(uint32_t row, const b2BroadPhase &broadPhase, uint32_t look) {
+        if (m_rows[row].proved == 0)
+            Begin(row, broadPhase, look);
+        ++m_rows[row].proved;
+    }
+    void DropProof(uint32_t row) { --m_rows[row].proved; }
+    /// Sets SweepBits.
+    void LookAtSweep(uint32_t row, uint32_t look) {
+        if (m_rows[row].sweptAt != look)
+            FindSweepBits(row, look);
+    }
+    /// Sets End: how far the row can come in the sweep of its body. `careful`: compares the shape, too.
+    void LookAtEnd(uint32_t row, bool careful, uint32_t look) {
+        if (m_rows[row].endedAt != look)
+            FindEnd(row, careful, look);
+    }
+
+    /// Code of the game moved or changed a row so often in the middle of a pass that sums may wrap before all
+    /// pairs were asked: every pair is due.
+    bool AreSumsLost() const { return m_sumsLost; }
+    void ForgetSums() { m_sumsLost = false; }
+
+    static constexpr uint32_t kNone = 0xffffffffu;
+    /// Rows are numbered below this; some may be free (records == 0).
+    uint32_t Count() const { return m_count; }
+    uint32_t Bytes() const;
+
+    Mover &operator[](uint32_t row) { return m_rows[row]; }
+    const Mover &operator[](uint32_t row) const { return m_rows[row]; }
+    uint32_t Moved(uint32_t row) const { return m_moved[row]; }
+    /// kActive, kStops and kIsSensor when its sweep was looked at.
+    uint8_t SweepBits(uint32_t row) const { return m_sweepBits[row]; }
+    /// Moved, and what the sweep may add.
+    uint32_t End(uint32_t row) const { return m_ends[row]; }
+    uint8_t Bits(uint32_t row) const { return m_bits[row]; }
+    void SetBits(uint32_t row, uint8_t bits) { m_bits[row] = bits; }
+    bool IsActive(uint32_t row) const { return (m_bits[row] & kActive) != 0; }
+    /// Is its body awake by now? (A step's own code and listeners wake bodies.)
+    bool IsActiveNow(uint32_t row) const {
+        const b2Body *body = m_rows[row].body;
+        return body->IsAwake() && body->GetType() != b2_staticBody;
+    }
+    void Prefetch(uint32_t row) const {
+        if (row >= m_count || m_rows[row].records == 0)
+            return;
+        __builtin_prefetch(m_rows[row].body);
+        __builtin_prefetch(m_rows[row].fixture);
+    }
+
+private:
+    void FindSweepBits(uint32_t row, uint32_t look);
+    void FindEnd(uint32_t row, bool careful, uint32_t look);
+    void Begin(uint32_t row, const b2BroadPhase &broadPhase, uint32_t look);
+    uint32_t *Place(const b2Fixture *fixture);
+    bool GrowTable();
+    bool LookAtShape(Mover *mover, uint8_t *bits) const;
+    void Mark(uint32_t row);
+
+    Column<Mover> m_rows;
+    Column<uint32_t> m_moved, m_ends;
+    Column<uint8_t> m_bits, m_sweepBits;
+    Column<uint32_t> m_table; ///< number of a row + 1 by fixture; open addressing
+    bool m_sumsLost = false;
+    uint32_t m_count = 0, m_used = 0, m_tableSize = 0, m_free = kNone;
+};
+
+} // namespace bmr
+
+#endif

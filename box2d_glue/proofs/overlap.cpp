@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "proofs/overlap.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <box2d/b2_distance.h>
+
+#include "boomerang/swept32.h"
+#include "ledger/pair_memory.h"
+#include "proofs/convex_distance.h"
+#include "proofs/thresholds.h"
+#include "shapes/shapes32.h"
+
+namespace bmr {
+
+namespace {
+
+/// b2Distance ends when a support is one that it has seen, and then its distance is right; or when three
+/// points surround the origin, and it is 0. So it is off by no more than its arithmetic, and two shapes that
+/// overlap by more than that have no support to repeat: they surround the origin. (test_glue_overlaps counts
+/// its iterations.)
+struct Question {
+    b2DistanceProxy a, b;
+    const b2Transform &xfA, &xfB;
+
+    float Radius() const { return a.m_radius + b.m_radius; }
+};
+
+float LargestCoordinate(const b2Vec2 &p) {
+    return std::max(std::fabs(p.x), std::fabs(p.y));
+}
+
+/// What Box2D's arithmetic may be off by; `reach` is the largest coordinate of a point in its shape's frame.
+float Rounding(const Question &q, float reach) {
+    constexpr float kDiagonal = 1.41422f;
+    const float x = std::max(LargestCoordinate(q.xfA.p), LargestCoordinate(q.xfB.p)) + kDiagonal * reach;
+    if (!(x <= kSweepReach))
+        return INFINITY;
+    return 2.0f * kUnit * (kErrorPerCoordinate * x + kErrorPerReach * kDiagonal * reach);
+}
+
+/// b2TestOverlap's threshold is 10 epsilon beyond the radii. Radii below zero take nothing off a distance of
+/// the shapes themselves, which is 0 as soon as they overlap: they count as 0. (A NaN stays one.)
+float ApartBeyond(const Question &q, float rounding) {
+    return std::max(q.Radius(), 0.0f) * (1.0f + kUnit * kErrorPerDistance) + 10.0f * b2_epsilon + rounding;
+}
+
+/// Do these turn only, and not scale too? What b2Rot makes does, to 2.4 units of its square's length and 2 of
+/// the sum here; a caller may bring any numbers.
+bool IsRotation(const b2Rot &q) {
+    constexpr float kMost = 8.0f * kUnit;
+    return std::fabs(q.s * q.s + q.c * q.c - 1.0f) <= kMost;
+}
+
+/// A normal's length may be off by 6 units; so that of a direction that is as long as it should be.
+bool IsDirection(bmr_vec32 n) {
+    constexpr float kMost = 12.0f * kUnit;
+    return std::fabs(n.x * n.x + n.y * n.y - 1.0f) <= kMost;
+}
+
+/// How far apart the two are along a direction.
+float Gap(const Question &q, bmr_vec32 direction, float *reach) {
+    return bmr_posed32_gap(Vectors32(q.a.m_vertices), q.a.m_count, Transform32(q.xfA),
+                           Vectors32(q.b.m_vertices), q.b.m_count, Transform32(q.xfB), direction, reach);
+}
+
+bool KeepsApart(const Question &q, bmr_vec32 direction) {
+    float reach;
+    const float gap = Gap(q, direction, &reach);
+    return gap > ApartBeyond(q, Rounding(q, reach));
+}
+
+/// Of a shape that rests in its pose.
+bmr_swept32 Still(const b2DistanceProxy &proxy, const b2Transform &xf) {
+    const bmr_motion32 rest = {{0.0f, 0.0f}, *Vectors32(&xf.p), *Vectors32(&xf.p), xf.q.s, xf.q.c, 0.0f};
+    bmr_swept32 shape;
+    bmr_swept32_make(&shape, Vectors32(proxy.m_vertices), proxy.m_count, &rest);
+    return shape;
+}
+
+Overlap Search(const Question &q, bmr_vec32 *direction) {
+    const bmr_swept32 a = Still(q.a, q.xfA), b = Still(q.b, q.xfB);
+    const float rounding = Rounding(q, std::max(a.radius, b.radius));
+    switch (bmr_swept32_compare(&a, &b, ApartBeyond(q, rounding),
+                                q.Radius() * (1.0f - kUnit * kErrorPerDistance) - rounding, direction)) {
+    case BMR_SWEPT32_APART:
+        return Overlap::kApart;
+    case BMR_SWEPT32_NEAR:
+        return Overlap::kOverlapping;
+    case BMR_SWEPT32_UNKNOWN:
+        break;
+    }
+    return Overlap::kUnknown;
+}
+
+/// (Three vertices: b2PolygonShape::Set makes no fewer.)
+bool IsPlainPolygon(const b2Shape &shape, const b2DistanceProxy &proxy) {
+    return shape.GetType() == b2Shape::e_polygon && proxy.m_count >= 3 &&
+           proxy.m_vertices == static_cast<const b2PolygonShape &>(shape).m_vertices;
+}
+
+/// Two polygons, asked by their sides. b2Distance looks at vertices alone, and so does whatever is proved
+/// here: normals may have been left as they were when the vertices were edited in place.
+class Polygons {
+public:
+    Polygons(const Question &q, const b2Shape &a, const b2Shape &b)
+        : m_q(q), m_a(Polygon32(static_cast<const b2PolygonShape &>(a))),
+          m_b(Polygon32(static_cast<const b2PolygonShape &>(b))) {}
+
+    /// Is this vertex deep inside the other polygon?
+    bool Holds(uint8_t vertex) const {
+        const bool ofB = (vertex & kVertexOfB) != 0;
+        const int32 number = vertex & ~kVertexOfB;
+        if (number >= Owner(ofB).count)
+            return false;
+        const b2Vec2 p = b2Mul(Pose(ofB), VertexOf(Owner(ofB), number));
+        float reach = bmr_points32_reach(Owner(ofB).vertices, Owner(ofB).count);
+        const float depth = bmr_posed32_depth(&Owner(!ofB), Transform32(Pose(!ofB)), *Vectors32(&p), &reach);
+        return depth > Rounding(m_q, reach);
+    }
+
+    /// The vertex of each that is nearest to the middle of the other, most likely.
+    bool FindVertex(uint8_t *vertex) const {
+        const b2Vec2 between = b2Mul(m_q.xfB, Middle(m_b)) - b2Mul(m_q.xfA, Middle(m_a));
+        for (const bool ofB : {false, true}) {
+            const b2Vec2 towards = b2MulT(Pose(ofB).q, ofB ? -between : between);
+            int32 best = 0;
+            for (int32 i = 1; i < Owner(ofB).count; ++i) {
+                if (b2Dot(VertexOf(Owner(ofB), i), towards) > b2Dot(VertexOf(Owner(ofB), best), towards))
+                    best = i;
+            }
+            const auto found = static_cast<uint8_t>(best | (ofB ? kVertexOfB : 0));
+            if (Holds(found)) {
+                *vertex = found;
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// All sides of both: one that keeps them apart, or none that the two do not overlap along. (Which side
+    /// to ask is what normals are read for; that there is no other only where they are those of the sides.)
+    Overlap AskSides(bmr_vec32 *direction) const {
+        bool deep = true;
+        for (const bool ofB : {false, true}) {
+            const bmr_transform32 frame =
+                bmr_exact32_relative(Transform32(Pose(!ofB)), Transform32(Pose(ofB)));
+            int32_t side = 0;
+            const float separation = bmr_exact32_max_separation(&Owner(ofB), &Owner(!ofB), &frame, &side);
+            const b2Vec2 normal = b2Mul(Pose(ofB).q, NormalOf(Owner(ofB), side));
+            const bmr_vec32 fromA = {ofB ? -normal.x : normal.x, ofB ? -normal.y : normal.y};
+            if (!IsDirection(fromA))
+                return Overlap::kUnknown;
+            // Asked again along it, for what minima do not see: numbers that are none.
+            float reach;
+            const float gap = Gap(m_q, fromA, &reach);
+            const float rounding = Rounding(m_q, reach);
+            if (gap > ApartBeyond(m_q, rounding)) {
+                *direction = fromA;
+                return Overlap::kApart;
+            }
+            deep = deep && separation < -rounding && gap < -rounding;
+        }
+        return deep && HasOwnNormals(m_a) && HasOwnNormals(m_b) ? Overlap::kOverlapping : Overlap::kUnknown;
+    }
+
+private:
+    const bmr_polygon32 &Owner(bool ofB) const { return ofB ? m_b : m_a; }
+    const b2Transform &Pose(bool ofB) const { return ofB ? m_q.xfB : m_q.xfA; }
+    static b2Vec2 VertexOf(const bmr_polygon32 &polygon, int32 i) {
+        return b2Vec2(polygon.vertices[i].x, polygon.vertices[i].y);
+    }
+    static b2Vec2 NormalOf(const bmr_polygon32 &polygon, int32 i) {
+        return b2Vec2(polygon.normals[i].x, polygon.normals[i].y);
+    }
+    /// Are its normals those of its sides, outwards, and do they turn to the left, once around?
+    static bool HasOwnNormals(const bmr_polygon32 &polygon) {
+        constexpr float kTilt = 8.0f * kUnit;
+        int32 turns = 0;
+        for (int32 i = 0; i < polygon.count; ++i) {
+            const int32 next = i + 1 < polygon.count ? i + 1 : 0;
+            const b2Vec2 n = NormalOf(polygon, i), m = NormalOf(polygon, next);
+            const b2Vec2 side = VertexOf(polygon, next) - VertexOf(polygon, i);
+            if (!IsDirection({n.x, n.y}) || !(b2Cross(n, side) > 0.0f) || !(b2Cross(n, m) > 0.0f) ||
+                !(std::fabs(b2Dot(n, side)) <= kTilt * (std::fabs(side.x) + std::fabs(side.y))))
+                return false;
+            turns += n.y < 0.0f && m.y >= 0.0f;
+        }
+        return turns == 1;
+    }
+    static b2Vec2 Middle(const bmr_polygon32 &polygon) {
+        return 0.5f * (VertexOf(polygon, 0) + VertexOf(polygon, polygon.count / 2));
+    }
+
+    const Question &m_q;
+    bmr_polygon32 m_a, m_b;
+};
+
+Overlap AskPolygons(const Question &q, const b2Shape &shapeA, const b2Shape &shapeB, bool wasApart,
+                    PairMemory *memory) {
+    const Polygons polygons(q, shapeA, shapeB);
+    if ((!wasApart && polygons.Holds(memory->vertex)) || polygons.FindVertex(&memory->vertex))
+        return Overlap::kOverlapping;
+    return polygons.AskSides(&memory->direction);
+}
+
+bool IsSmall(const b2DistanceProxy &proxy) {
+    return proxy.m_count >= 1 && proxy.m_count <= BMR_SWEPT32_MOST;
+}
+
+} // namespace
+
+Overlap CertainOverlap(const b2Shape &shapeA, int32 childA, const b2Shape &shapeB, int32 childB,
+                       const b2Transform &xfA, const b2Transform &xfB) {
+    if (!IsRotation(xfA.q) || !IsRotation(xfB.q))
+        return Overlap::kUnknown;
+    Question q = {b2DistanceProxy(), b2DistanceProxy(), xfA, xfB};
+    SetProxy(&q.a, shapeA, childA);
+    SetProxy(&q.b, shapeB, childB);
+    PairMemory *memory = Remember(KeyOf(&shapeA) + static_cast<uint64_t>(childA),
+                                  KeyOf(&shapeB) + static_cast<uint64_t>(childB));
+    if (memory == nullptr)
+        return Overlap::kUnknown;
+    if (!IsSmall(q.a) || !IsSmall(q.b))
+        return BigOverlap(q.a, xfA, q.b, xfB, &memory->direction);
+    const bool wasApart = memory->direction.x != 0.0f || memory->direction.y != 0.0f;
+    if (wasApart && KeepsApart(q, memory->direction))
+        return Overlap::kApart;
+    Overlap answer = Overlap::kUnknown;
+    if (IsPlainPolygon(shapeA, q.a) && IsPlainPolygon(shapeB, q.b))
+        answer = AskPolygons(q, shapeA, shapeB, wasApart, memory);
+    if (answer == Overlap::kUnknown)
+        answer = Search(q, &memory->direction);
+    if (answer == Overlap::kOverlapping)
+        memory->direction = {0.0f, 0.0f}; // the vertex first, next time
+    return answer;
+}
+
+} // namespace bmr

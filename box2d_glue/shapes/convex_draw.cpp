@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "shapes/convex_draw.h"
+
+#include <cstdlib>
+#include <utility>
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_draw.h>
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_world.h>
+
+#include "boomerang/convex_shape.h"
+#include "shapes/convex_access.h"
+#include "shapes/convex_geometry.h"
+
+namespace bmr {
+
+namespace {
+
+/// What b2World::DebugDraw has drawn last on this thread.
+struct Drawn {
+    const b2World *world;
+    const b2Draw *draw;
+};
+thread_local Drawn drawnByBox2D = {nullptr, nullptr};
+
+/// What b2World::DebugDraw shows of a body by its colour.
+b2Color ColorOf(const b2Body &body) {
+    if (body.GetType() == b2_dynamicBody && body.GetMass() == 0.0f)
+        return b2Color(1.0f, 0.0f, 0.0f);
+    if (!body.IsEnabled())
+        return b2Color(0.5f, 0.5f, 0.3f);
+    if (body.GetType() == b2_staticBody)
+        return b2Color(0.5f, 0.9f, 0.5f);
+    if (body.GetType() == b2_kinematicBody)
+        return b2Color(0.5f, 0.5f, 0.9f);
+    return body.IsAwake() ? b2Color(0.9f, 0.7f, 0.7f) : b2Color(0.6f, 0.6f, 0.6f);
+}
+
+b2Vec2 Posed(const bmr_convex32 &polygon, uint32_t i, const b2Transform &xf) {
+    return b2Mul(xf, b2Vec2(polygon.vertices[i].x, polygon.vertices[i].y));
+}
+
+/// A fan: each piece begins with vertex 0, and goes on from where the one before ended.
+void DrawPieces(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color &color, b2Draw &draw) {
+    b2Vec2 piece[b2_maxPolygonVertices];
+    piece[0] = Posed(polygon, 0, xf);
+    for (uint32_t i = 1; i + 1 < polygon.count;) {
+        int32 count = 1;
+        piece[count++] = Posed(polygon, i, xf);
+        while (count < b2_maxPolygonVertices && i + 1 < polygon.count)
+            piece[count++] = Posed(polygon, ++i, xf);
+        draw.DrawSolidPolygon(piece, count, color);
+    }
+}
+
+bool DrawWhole(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color &color, b2Draw &draw) {
+    auto *outline = static_cast<b2Vec2 *>(std::malloc(polygon.count * sizeof(b2Vec2)));
+    if (outline == nullptr)
+        return false;
+    for (uint32_t i = 0; i < polygon.count; ++i)
+        outline[i] = Posed(polygon, i, xf);
+    draw.DrawSolidPolygon(outline, static_cast<int32>(polygon.count), color);
+    std::free(outline);
+    return true;
+}
+
+} // namespace
+
+void DrawOutline(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color &color, Outlines outlines,
+                 b2Draw &draw) {
+    if (outlines != Outlines::Whole || !DrawWhole(polygon, xf, color, draw))
+        DrawPieces(polygon, xf, color, draw);
+}
+
+void NoteDrawnByBox2D(const b2World *world, const b2Draw *draw) {
+    drawnByBox2D = {world, draw};
+}
+
+void DrawConvexShapes(const b2World &world, b2Draw &draw, Outlines outlines) {
+    const Drawn drawn = std::exchange(drawnByBox2D, {nullptr, nullptr});
+    if (drawn.world == &world && drawn.draw == &draw)
+        return;
+    for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+        for (const b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext())
+            if (const bmr_convex32_block *block = BigPolygonOf(*f->GetShape()))
+                DrawOutline(block->polygon, body->GetTransform(), ColorOf(*body), outlines, draw);
+}
+
+} // namespace bmr

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "shapes/convex_registry.h"
+
+#include <cstdlib>
+#include <mutex>
+#include <new>
+
+#include "shapes/convex_geometry.h"
+#include "start/process_locks.h"
+
+namespace bmr {
+
+std::atomic<bool> internal::anyBigPolygon{false};
+
+namespace registry {
+
+std::atomic<Entry *> internal::chunks[kMostChunks] = {};
+
+namespace {
+
+constexpr uint32_t kChunkSize = 1u << kChunkBits;
+/// Odd, so that no two serial numbers of the 2^40 give one product: a number is unlike what stands in memory
+/// by chance.
+constexpr uint64_t kScatter = 0x9e3779b97f4a7c15u;
+
+// Guarded by ProcessLock::Polygons.
+Handle firstFree = 0;
+Handle firstUnused = 1;
+uint64_t made = 0;
+size_t count = 0;
+const bmr_allocator *allocator = nullptr;
+
+void *Allocate(size_t size) {
+    return allocator != nullptr ? allocator->allocate(allocator->context, size) : std::malloc(size);
+}
+
+/// A handle that nobody has; 0 without memory.
+Handle TakeHandle() {
+    if (firstFree != 0) {
+        const Handle handle = firstFree;
+        firstFree = Find(handle).nextFree;
+        return handle;
+    }
+    const uint32_t chunk = firstUnused >> kChunkBits;
+    if (chunk == kMostChunks)
+        return 0;
+    if (internal::chunks[chunk].load(std::memory_order_relaxed) == nullptr) {
+        void *memory = Allocate(kChunkSize * sizeof(Entry));
+        if (memory == nullptr)
+            return 0;
+        auto *entries = static_cast<Entry *>(memory);
+        for (uint32_t i = 0; i < kChunkSize; ++i)
+            new (entries + i) Entry{};
+        internal::chunks[chunk].store(entries, std::memory_order_release);
+    }
+    return firstUnused++;
+}
+
+} // namespace
+
+Handle Add(bmr_convex32_block *block) {
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
+    const Handle handle = TakeHandle();
+    if (handle == 0)
+        return 0;
+    Entry &entry = Find(handle);
+    entry.references.store(1, std::memory_order_relaxed);
+    entry.block.store(block, std::memory_order_relaxed);
+    entry.number.store((++made * kScatter) << kHandleBits | handle, std::memory_order_release);
+    ++count;
+    bmr::internal::anyBigPolygon.store(true, std::memory_order_relaxed);
+    return handle;
+}
+
+void Release(Handle handle) {
+    if (handle == 0)
+        return;
+    Entry &entry = Find(handle);
+    // What others did with the polygon comes before its end.
+    if (entry.references.fetch_sub(1, std::memory_order_acq_rel) != 1)
+        return;
+    entry.number.store(0, std::memory_order_relaxed);
+    bmr_convex32_destroy(entry.block.load(std::memory_order_relaxed), GetAllocator());
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
+    entry.nextFree = firstFree;
+    firstFree = handle;
+    --count;
+}
+
+void SetAllocator(const bmr_allocator *newAllocator) {
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
+    allocator = newAllocator;
+}
+
+const bmr_allocator *GetAllocator() {
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
+    return allocator;
+}
+
+size_t Count() {
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
+    return count;
+}
+
+} // namespace registry
+} // namespace bmr

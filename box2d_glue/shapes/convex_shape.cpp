@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+#include "boomerang/convex_shape.h"
+
+#include <cmath>
+#include <cstring>
+#include <new>
+
+#include <box2d/b2_block_allocator.h>
+#include <box2d/b2_collision.h>
+
+#include "contacts/contact_register.h"
+#include "shapes/convex_access.h"
+#include "shapes/convex_geometry.h"
+#include "shapes/convex_registry.h"
+#include "shapes/shapes32.h"
+#include "shapes/stock_polygon.h"
+#include "start/rounding_mode.h"
+
+namespace bmr {
+
+static_assert(sizeof(ConvexShape) == sizeof(b2PolygonShape), "Box2D frees sizeof(b2PolygonShape) bytes");
+static_assert(ConvexShape::kMostVertices == BMR_CONVEX32_MOST);
+
+std::atomic<const void *> internal::convexShapeTable{nullptr};
+
+namespace {
+
+#if defined(BMR_CONVEX_HANDLE_IN_PADDING)
+constexpr uint32_t kInnerVertices = b2_maxPolygonVertices;
+#else
+constexpr uint32_t kInnerVertices = b2_maxPolygonVertices - 1;
+#endif
+
+const bmr_convex32_block *Block(uint32_t handle) {
+    return registry::Find(handle).block.load(std::memory_order_relaxed);
+}
+
+const b2Vec2 *Vectors(const bmr_vec32 *vectors) {
+    return reinterpret_cast<const b2Vec2 *>(vectors);
+}
+
+} // namespace
+
+const bmr_convex32_block *BigPolygonOf(const b2Shape &shape) {
+    const uint32_t handle = internal::ConvexShapeAccess::HandleOf(shape);
+    return handle != 0 ? Block(handle) : nullptr;
+}
+
+uint64_t NumberOfBigPolygon(const b2Shape &shape) {
+    const uint32_t handle = internal::ConvexShapeAccess::HandleOf(shape);
+    return handle != 0 ? registry::Find(handle).number.load(std::memory_order_relaxed) : 0;
+}
+
+const bmr_convex32_block *BigPolygonOfNumber(uint64_t number) {
+    const registry::Entry *entry = registry::FindNumber(number);
+    return entry != nullptr ? entry->block.load(std::memory_order_relaxed) : nullptr;
+}
+
+#if defined(BMR_CONVEX_HANDLE_IN_PADDING)
+uint32_t ConvexShape::GetHandle() const {
+    return m_handle;
+}
+
+void ConvexShape::SetHandle(uint32_t handle) {
+    m_handle = handle;
+}
+#else
+uint32_t ConvexShape::GetHandle() const {
+    if (m_count != static_cast<int32>(kInnerVertices))
+        return 0;
+    uint32_t handle;
+    std::memcpy(&handle, &m_normals[kInnerVertices], sizeof handle);
+    return handle;
+}
+
+void ConvexShape::SetHandle(uint32_t handle) {
+    if (m_count <= static_cast<int32>(kInnerVertices)) // a stock octagon has a normal there
+        std::memcpy(static_cast<void *>(&m_normals[kInnerVertices]), &handle, sizeof handle);
+}
+#endif
+
+ConvexShape::ConvexShape() noexcept {
+    SetHandle(0);
+    if (internal::convexShapeTable.load(std::memory_order_relaxed) == nullptr)
+        internal::convexShapeTable.store(internal::TableOf(*this), std::memory_order_relaxed);
+}
+
+ConvexShape::ConvexShape(const ConvexShape &other) noexcept : b2PolygonShape(other) {
+    SetHandle(other.GetHandle());
+    registry::AddReference(GetHandle());
+}
+
+ConvexShape &ConvexShape::operator=(const ConvexShape &other) noexcept {
+    const uint32_t old = GetHandle(), handle = other.GetHandle();
+    registry::AddReference(handle); // first: it may be the same
+    b2PolygonShape::operator=(other);
+    SetHandle(handle);
+    registry::Release(old);
+    return *this;
+}
+
+ConvexShape::~ConvexShape() {
+    registry::Release(GetHandle());
+}
+
+void ConvexShape::Adopt(uint32_t handle) {
+    const uint32_t old = GetHandle();
+    const bmr_convex32_block &block = *Block(handle);
+    uint32_t inner[kInnerVertices];
+    bmr_convex32_inner(&block.polygon, inner, kInnerVertices);
+    for (uint32_t i = 0; i < kInnerVertices; ++i)
+        m_vertices[i] = Vectors(block.polygon.vertices)[inner[i]];
+    for (uint32_t i = 0; i < kInnerVertices; ++i) {
+        const b2Vec2 &from = m_vertices[i], &to = m_vertices[(i + 1) % kInnerVertices];
+        const double x = static_cast<double>(to.x) - static_cast<double>(from.x),
+                     y = static_cast<double>(to.y) - static_cast<double>(from.y),
+                     length = std::sqrt(x * x + y * y);
+        m_normals[i].Set(static_cast<float>(y / length), static_cast<float>(-x / length));
+    }
+    m_count = static_cast<int32>(kInnerVertices);
+    m_centroid.Set(block.mass.centroid.x, block.mass.centroid.y);
+    SetHandle(handle);
+    registry::Release(old);
+}
+
+bmr_error ConvexShape::AdoptBlock(bmr_convex32_block *block) {
+    bmr_error error = block->mass.area > b2_epsilon ? RegisterConvexContacts() : BMR_ERROR_OUT_OF_RANGE;
+    const uint32_t handle = error == BMR_OK ? registry::Add(block) : 0;
+    if (handle != 0) {
+        Adopt(handle);
+        return BMR_OK;
+    }
+    bmr_convex32_destroy(block, registry::GetAllocator());
+    return error != BMR_OK ? error : BMR_ERROR_NO_MEMORY;
+}
+
+bmr_error ConvexShape::Set(const b2Vec2 *points, int32 count) {
+    if (points == nullptr)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (count < 3)
+        return BMR_ERROR_TOO_FEW_POINTS;
+    bmr_convex32_block *block = nullptr;
+    if (count > b2_maxPolygonVertices) {
+        const NearestRounding nearest; // shapes outlast the mode that they are made in
+        const bmr_error error = bmr_convex32_create(Vectors32(points), static_cast<size_t>(count),
+                                                    registry::GetAllocator(), &block);
+        if (error != BMR_OK)
+            return error;
+        if (block->polygon.count > b2_maxPolygonVertices)
+            return AdoptBlock(block);
+        points = Vectors(block->polygon.vertices);
+        count = static_cast<int32>(block->polygon.count);
+    }
+    const uint32_t old = GetHandle();
+    const bmr_error error = SetStockPolygon(this, points, count);
+    if (error == BMR_OK) {
+        SetHandle(0);
+        registry::Release(old);
+    }
+    bmr_convex32_destroy(block, registry::GetAllocator());
+    return error;
+}
+
+bmr_error ConvexShape::SetRaw(const b2Vec2 *vertices, int32 count) {
+    if (vertices == nullptr)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (count < 3)
+        return BMR_ERROR_TOO_FEW_POINTS;
+    if (count > b2_maxPolygonVertices) {
+        const NearestRounding nearest;
+        bmr_convex32_block *block = nullptr;
+        const bmr_error error = bmr_convex32_create_raw(Vectors32(vertices), static_cast<size_t>(count),
+                                                        registry::GetAllocator(), &block);
+        return error != BMR_OK ? error : AdoptBlock(block);
+    }
+    const uint32_t old = GetHandle();
+    const bmr_error error = SetStockPolygonRaw(this, vertices, count);
+    if (error == BMR_OK) {
+        SetHandle(0);
+        registry::Release(old);
+    }
+    return error;
+}
+
+bmr_error ConvexShape::SetAsBox(float halfWidth, float halfHeight) {
+    if (!std::isfinite(halfWidth) || !std::isfinite(halfHeight))
+        return BMR_ERROR_NOT_FINITE;
+    if (!(halfWidth > 0.0f && halfHeight > 0.0f))
+        return BMR_ERROR_OUT_OF_RANGE;
+    const uint32_t old = GetHandle();
+    b2PolygonShape::SetAsBox(halfWidth, halfHeight);
+    SetHandle(0);
+    registry::Release(old);
+    return BMR_OK;
+}
+
+bmr_error ConvexShape::SetAsBox(float halfWidth, float halfHeight, const b2Vec2 &center, float angle) {
+    if (!center.IsValid() || !std::isfinite(angle))
+        return BMR_ERROR_NOT_FINITE;
+    const bmr_error error = SetAsBox(halfWidth, halfHeight);
+    if (error == BMR_OK)
+        b2PolygonShape::SetAsBox(halfWidth, halfHeight, center, angle);
+    return error;
+}
+
+int32 ConvexShape::GetVertexCount() const {
+    const uint32_t handle = GetHandle();
+    return handle != 0 ? static_cast<int32>(Block(handle)->polygon.count) : m_count;
+}
+
+const b2Vec2 *ConvexShape::GetVertices() const {
+    const uint32_t handle = GetHandle();
+    return handle != 0 ? Vectors(Block(handle)->polygon.vertices) : m_vertices;
+}
+
+const b2Vec2 &ConvexShape::GetVertex(int32 index) const {
+    return GetVertices()[index];
+}
+
+const b2Vec2 &ConvexShape::GetNormal(int32 index) const {
+    const uint32_t handle = GetHandle();
+    return (handle != 0 ? Vectors(Block(handle)->polygon.normals) : m_normals)[index];
+}
+
+const ConvexShape *ConvexShape::From(const b2Shape *shape) {
+    return shape != nullptr && internal::IsConvexShape(*shape) ? static_cast<const ConvexShape *>(shape)
+                                                               : nullptr;
+}
+
+b2Shape *ConvexShape::Clone(b2BlockAllocator *allocator) const {
+    return new (allocator->Allocate(sizeof(ConvexShape))) ConvexShape(*this);
+}
+
+bool ConvexShape::TestPoint(const b2Transform &xf, const b2Vec2 &p) const {
+    const uint32_t handle = GetHandle();
+    if (handle == 0)
+        return b2PolygonShape::TestPoint(xf, p);
+    const b2Vec2 local = b2MulT(xf.q, p - xf.p);
+    return bmr_convex32_contains(&Block(handle)->polygon, *Vectors32(&local));
+}
+
+bool ConvexShape::RayCast(b2RayCastOutput *output, const b2RayCastInput &input, const b2Transform &xf,
+                          int32 childIndex) const {
+    const uint32_t handle = GetHandle();
+    if (handle == 0)
+        return b2PolygonShape::RayCast(output, input, xf, childIndex);
+    const b2Vec2 p1 = b2MulT(xf.q, input.p1 - xf.p), p2 = b2MulT(xf.q, input.p2 - xf.p);
+    const bmr_convex32 &polygon = Block(handle)->polygon;
+    float fraction;
+    uint32_t edge;
+    if (!bmr_convex32_ray(&polygon, *Vectors32(&p1), *Vectors32(&p2), input.maxFraction, &fraction, &edge))
+        return false;
+    output->fraction = fraction;
+    output->normal = b2Mul(xf.q, Vectors(polygon.normals)[edge]);
+    return true;
+}
+
+void ConvexShape::ComputeAABB(b2AABB *aabb, const b2Transform &xf, int32 childIndex) const {
+    const uint32_t handle = GetHandle();
+    if (handle == 0)
+        return b2PolygonShape::ComputeAABB(aabb, xf, childIndex);
+    bmr_vec32 lower, upper;
+    bmr_convex32_box(&Block(handle)->polygon, Transform32(xf), &lower, &upper);
+    const b2Vec2 skin(m_radius, m_radius);
+    aabb->lowerBound = b2Vec2(lower.x, lower.y) - skin;
+    aabb->upperBound = b2Vec2(upper.x, upper.y) + skin;
+}
+
+void ConvexShape::ComputeMass(b2MassData *massData, float density) const {
+    const uint32_t handle = GetHandle();
+    if (handle == 0)
+        return b2PolygonShape::ComputeMass(massData, density);
+    const bmr_mass32 &mass = Block(handle)->mass;
+    massData->mass = density * mass.area;
+    massData->center.Set(mass.centroid.x, mass.centroid.y);
+    massData->I = density * mass.inertia;
+}
+
+} // namespace bmr

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "shapes/stock_polygon.h"
+
+namespace bmr {
+
+namespace {
+
+/// The hull as Set finds it: by gift wrapping, in its arithmetic.
+struct Wrapping {
+    const b2Vec2 *points;
+    int32 count;
+    int32 hull[b2_maxPolygonVertices];
+    int32 hullCount = 0;
+
+    int32 Rightmost() const {
+        int32 best = 0;
+        for (int32 i = 1; i < count; ++i)
+            if (points[i].x > points[best].x ||
+                (points[i].x == points[best].x && points[i].y < points[best].y))
+                best = i;
+        return best;
+    }
+
+    /// The point that has all others on its left, seen from point `from`; of those on a line the farthest.
+    int32 Next(int32 from) const {
+        int32 next = 0;
+        for (int32 i = 1; i < count; ++i) {
+            if (next == from) {
+                next = i;
+                continue;
+            }
+            const b2Vec2 best = points[next] - points[from], other = points[i] - points[from];
+            const float turn = b2Cross(best, other);
+            if (turn < 0.0f || (turn == 0.0f && other.LengthSquared() > best.LengthSquared()))
+                next = i;
+        }
+        return next;
+    }
+
+    /// False where the hull does not close.
+    bool Wrap() {
+        const int32 first = Rightmost();
+        int32 vertex = first;
+        do {
+            if (hullCount == b2_maxPolygonVertices)
+                return false;
+            hull[hullCount++] = vertex;
+            vertex = Next(vertex);
+        } while (vertex != first);
+        return true;
+    }
+
+    b2Vec2 Vertex(int32 i) const { return points[hull[i < hullCount ? i : 0]]; }
+
+    /// The sum that Set divides by.
+    float Area() const {
+        float area = 0.0f;
+        for (int32 i = 0; i < hullCount; ++i) {
+            const b2Vec2 origin = Vertex(0);
+            area += 0.5f * b2Cross(Vertex(i) - origin, Vertex(i + 1) - origin);
+        }
+        return area;
+    }
+};
+
+bmr_error CheckPoints(const b2Vec2 *points, int32 count) {
+    for (int32 i = 0; i < count; ++i)
+        if (!points[i].IsValid())
+            return BMR_ERROR_NOT_FINITE;
+    constexpr float kWeld = 0.5f * b2_linearSlop;
+    for (int32 i = 0; i < count; ++i)
+        for (int32 j = 0; j < i; ++j)
+            if (b2DistanceSquared(points[i], points[j]) < kWeld * kWeld)
+                return BMR_ERROR_TOO_CLOSE;
+    Wrapping wrapping = {points, count, {}};
+    if (!wrapping.Wrap())
+        return BMR_ERROR_NOT_CONVEX;
+    if (wrapping.hullCount < 3)
+        return BMR_ERROR_TOO_FEW_POINTS;
+    for (int32 i = 0; i < wrapping.hullCount; ++i)
+        if (!((wrapping.Vertex(i + 1) - wrapping.Vertex(i)).LengthSquared() > b2_epsilon * b2_epsilon))
+            return BMR_ERROR_TOO_CLOSE;
+    return wrapping.Area() > b2_epsilon ? BMR_OK : BMR_ERROR_OUT_OF_RANGE;
+}
+
+bool IsFinite(const b2PolygonShape &shape) {
+    for (int32 i = 0; i < shape.m_count; ++i)
+        // A normal whose length overflowed is zero.
+        if (!shape.m_normals[i].IsValid() || !(shape.m_normals[i].LengthSquared() > 0.5f))
+            return false;
+    return shape.m_centroid.IsValid();
+}
+
+/// Set's polygon with vertex `first` as the first.
+void Take(b2PolygonShape *shape, const b2PolygonShape &set, int32 first) {
+    for (int32 i = 0; i < set.m_count; ++i) {
+        const int32 from = (first + i) % set.m_count;
+        shape->m_vertices[i] = set.m_vertices[from];
+        shape->m_normals[i] = set.m_normals[from];
+    }
+    shape->m_count = set.m_count;
+    shape->m_centroid = set.m_centroid;
+}
+
+bmr_error MakeStockPolygon(b2PolygonShape *set, const b2Vec2 *points, int32 count) {
+    const bmr_error error = CheckPoints(points, count);
+    if (error != BMR_OK)
+        return error;
+    set->Set(points, count);
+    return IsFinite(*set) ? BMR_OK : BMR_ERROR_OUT_OF_RANGE;
+}
+
+} // namespace
+
+bmr_error SetStockPolygon(b2PolygonShape *shape, const b2Vec2 *points, int32 count) {
+    b2PolygonShape set;
+    const bmr_error error = MakeStockPolygon(&set, points, count);
+    if (error == BMR_OK)
+        Take(shape, set, 0);
+    return error;
+}
+
+bmr_error SetStockPolygonRaw(b2PolygonShape *shape, const b2Vec2 *vertices, int32 count) {
+    b2PolygonShape set;
+    const bmr_error error = MakeStockPolygon(&set, vertices, count);
+    if (error != BMR_OK)
+        return error;
+    if (set.m_count != count)
+        return BMR_ERROR_NOT_CONVEX;
+    int32 first = 0; // which of Set's vertices is the caller's first
+    while (!(set.m_vertices[first] == vertices[0]))
+        ++first;
+    for (int32 i = 0; i < count; ++i)
+        if (!(set.m_vertices[(first + i) % count] == vertices[i]))
+            return BMR_ERROR_NOT_CONVEX;
+    Take(shape, set, first);
+    return BMR_OK;
+}
+
+} // namespace bmr

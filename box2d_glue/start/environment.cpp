@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "start/environment.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace bmr {
+
+namespace {
+
+constexpr const char *kHookNames[] = {"time-of-impact", "test-overlap",  "solve-toi",         "contact-loop",
+                                      "pair-finding",   "profile-clock", "touching-manifold", "fixture-boxes",
+                                      "tree-updates",   "ledger"};
+constexpr int kHookCount = sizeof kHookNames / sizeof *kHookNames;
+static_assert(kAllHooks == (1u << kHookCount) - 1, "one name for each hook");
+
+/// Variables that have been complained about, a bit each.
+enum Variable : unsigned {
+    kMode = 1,
+    kStructure = 2,
+    kHooks = 4,
+    kVerbose = 8,
+    kPrefilter = 16,
+    kEverywhere = 32
+};
+
+thread_local bool complaintsHeld = false;
+
+std::string_view Read(const char *name) {
+#if defined(__GLIBC__)
+    const char *value = secure_getenv(name);
+#else
+    const char *value = std::getenv(name);
+#endif
+    return value != nullptr ? value : "";
+}
+
+/// One line, made of pieces as it is said: no memory is asked for, and none can be missing, in the middle of
+/// a game's step.
+class Complaint {
+public:
+    Complaint(Variable variable, const char *name, std::string_view value)
+        : m_said(!complaintsHeld && (complained.fetch_or(variable) & variable) == 0) {
+        if (m_said)
+            Add("boomerang: %s=%.*s is not understood, so it does nothing; known: ", name,
+                static_cast<int>(value.size()), value.data());
+    }
+    ~Complaint() {
+        if (m_said)
+            std::fprintf(stderr, "%s\n", m_line);
+    }
+    Complaint(const Complaint &) = delete;
+    Complaint &operator=(const Complaint &) = delete;
+
+    Complaint &Word(const char *before, const char *word) {
+        if (m_said)
+            Add("%s%s", before, word);
+        return *this;
+    }
+
+private:
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    void
+    Add(const char *format, ...) {
+        va_list arguments;
+        va_start(arguments, format);
+        // NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized): va_start is one line above
+        const int added = std::vsnprintf(m_line + m_length, sizeof m_line - m_length, format, arguments);
+        va_end(arguments);
+        m_length = std::min(m_length + static_cast<size_t>(std::max(added, 0)), sizeof m_line - 1);
+    }
+
+    static std::atomic<unsigned> complained;
+    bool m_said;
+    char m_line[1024] = ""; ///< a value that is longer is cut
+    size_t m_length = 0;
+};
+std::atomic<unsigned> Complaint::complained{0};
+
+std::optional<uint32_t> BitOfHook(std::string_view name) {
+    for (int i = 0; i < kHookCount; ++i)
+        if (name == kHookNames[i])
+            return 1u << i;
+    return std::nullopt;
+}
+
+/// "all", "none", "+NAME", "-NAME"; nothing where the word is none of these.
+std::optional<uint32_t> ApplyWord(uint32_t hooks, std::string_view word) {
+    if (word == "all")
+        return kAllHooks;
+    if (word == "none")
+        return kNoHooks;
+    const std::optional<uint32_t> bit =
+        word.empty() || (word[0] != '+' && word[0] != '-') ? std::nullopt : BitOfHook(word.substr(1));
+    if (!bit)
+        return std::nullopt;
+    return word[0] == '+' ? hooks | *bit : hooks & ~*bit;
+}
+
+uint32_t HooksOfEnvironment(uint32_t hooks) {
+    const std::string_view value = Read("BOOMERANG_HOOKS");
+    if (value.empty())
+        return hooks;
+    uint32_t made = hooks;
+    for (size_t start = 0; start <= value.size();) {
+        const size_t end = std::min(value.find(',', start), value.size());
+        const std::optional<uint32_t> next = ApplyWord(made, value.substr(start, end - start));
+        if (!next) {
+            Complaint complaint(kHooks, "BOOMERANG_HOOKS", value);
+            complaint.Word("", "all, none, and + or - before");
+            for (const char *name : kHookNames)
+                complaint.Word(" ", name);
+            return hooks;
+        }
+        made = *next;
+        start = end + 1;
+    }
+    return made;
+}
+
+bmr_structure StructureOfEnvironment(bmr_structure structure) {
+    const std::string_view value = Read("BOOMERANG_STRUCTURE");
+    if (value.empty())
+        return structure;
+    for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
+        if (value == bmr_structure_name(static_cast<bmr_structure>(i)))
+            return static_cast<bmr_structure>(i);
+    Complaint complaint(kStructure, "BOOMERANG_STRUCTURE", value);
+    for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
+        complaint.Word(i == 0 ? "" : ", ", bmr_structure_name(static_cast<bmr_structure>(i)));
+    return structure;
+}
+
+/// The place of the value among two words, or nothing where it is neither.
+std::optional<bool> ChoiceOfEnvironment(Variable variable, const char *name, const char *no,
+                                        const char *yes) {
+    const std::string_view value = Read(name);
+    if (value.empty())
+        return std::nullopt;
+    if (value == no || value == yes)
+        return value == yes;
+    Complaint(variable, name, value).Word("", no).Word(", ", yes);
+    return std::nullopt;
+}
+
+} // namespace
+
+HeldComplaints::HeldComplaints() {
+    complaintsHeld = true;
+}
+
+HeldComplaints::~HeldComplaints() {
+    complaintsHeld = false;
+}
+
+const char *NameOf(Mode mode) {
+    switch (mode) {
+    case Mode::Off:
+        return "off";
+    case Mode::Verify:
+        return "verify";
+    case Mode::On:
+        break;
+    }
+    return "on";
+}
+
+const char *NameOfHook(int index) {
+    return index >= 0 && index < kHookCount ? kHookNames[index] : nullptr;
+}
+
+std::optional<Mode> ModeOfEnvironment() {
+    const std::string_view value = Read("BOOMERANG");
+    if (value.empty())
+        return std::nullopt;
+    for (const Mode mode : {Mode::On, Mode::Off, Mode::Verify})
+        if (value == NameOf(mode))
+            return mode;
+    Complaint(kMode, "BOOMERANG", value).Word("", "on, off, verify");
+    return std::nullopt;
+}
+
+Options WithEnvironment(const Options &options) {
+    Options made = options;
+    made.mode = ModeOfEnvironment().value_or(options.mode);
+    made.structure = StructureOfEnvironment(options.structure);
+    made.hooks = HooksOfEnvironment(options.hooks);
+    made.everywhere =
+        ChoiceOfEnvironment(kEverywhere, "BOOMERANG_EVERYWHERE", "off", "on").value_or(options.everywhere);
+    made.prefilter =
+        ChoiceOfEnvironment(kPrefilter, "BOOMERANG_PREFILTER", "off", "on").value_or(options.prefilter);
+    if (const auto verbose = ChoiceOfEnvironment(kVerbose, "BOOMERANG_VERBOSE", "0", "1"))
+        made.verbosity = *verbose;
+    const std::string_view file = Read("BOOMERANG_STATISTICS");
+    if (!file.empty())
+        made.statisticsFile = file.data();
+    return made;
+}
+
+} // namespace bmr

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <mutex>
+
+#include "boomerang/box2d_glue.h"
+#include "contacts/contact_register.h"
+#include "start/environment.h"
+#include "start/process_locks.h"
+#include "start/reach.h"
+#include "start/rounding_mode.h"
+#include "start/settings.h"
+#include "start/this_process.h"
+#include "tell/statistics_file.h"
+#include "tell/verify.h"
+
+namespace bmr {
+
+namespace {
+
+bool installed = false;
+bool refused = false;
+
+/// One line, once: nothing else of a refusal is ever seen, nor is anything said of hooks that nobody comes
+/// by.
+bool Refuse(const char *why) {
+    refused = true;
+    ClaimAnnouncement();
+    std::fprintf(stderr, "boomerang: not at work, Box2D runs as it is: %s\n", why);
+    return false;
+}
+
+void ListHooks(const char *before, uint32_t hooks) {
+    std::fputs(before, stderr);
+    for (int i = 0; NameOfHook(i) != nullptr; ++i)
+        if (hooks & (1u << i))
+            std::fprintf(stderr, " %s", NameOfHook(i));
+}
+
+void Announce(const Options &options) {
+    const uint32_t reached = options.hooks & GetSettings().reached, off = HooksOffForRounding();
+    const uint32_t atWork = reached & ~off;
+    std::fprintf(stderr, "boomerang: %s, %s; rounds %s Box2D", NameOf(options.mode),
+                 bmr_structure_name(options.structure), GetSettings().sameRounding ? "as" : "otherwise than");
+    ListHooks(atWork == kNoHooks ? "; hooks: none" : "; hooks:", atWork);
+    if (off != kNoHooks)
+        ListHooks("; off, for it rounds otherwise:", off);
+    if (reached != options.hooks)
+        ListHooks("; not reached by this Box2D's calls:", options.hooks & ~reached);
+    std::fputc('\n', stderr);
+}
+
+} // namespace
+
+bool Install(const Options &given) {
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Installing));
+    if (installed || refused)
+        return false;
+    const NearestRounding nearest; // whoever is tried out here is tried out as he will be asked
+    const Options options = WithEnvironment(given);
+    if (options.mode == Mode::Off || bmr_structure_name(options.structure) == nullptr)
+        return false;
+    if (const char *why = WhyThisBox2DIsUnknown())
+        return Refuse(why);
+    const bool anybodyIsTold = options.verbosity > 0 || options.statisticsFile != nullptr;
+    if (!MakeSettings(options, anybodyIsTold ? FindReachedHooks() : kAllHooks))
+        return Refuse("there is no memory");
+    RegisterPolygonContacts();
+    ActivateHooks();
+    installed = true;
+    if (options.mode == Mode::Verify)
+        SayVerifiedAtExit();
+    if (options.statisticsFile != nullptr && !WriteStatisticsAtExit(options.statisticsFile))
+        std::fprintf(stderr, "boomerang: the statistics will not be written to %s\n", options.statisticsFile);
+    if (options.verbosity > 0 && ClaimAnnouncement())
+        Announce(options);
+    return true;
+}
+
+bool IsInstalled() {
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Installing));
+    return installed;
+}
+
+} // namespace bmr

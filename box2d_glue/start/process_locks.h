@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_PROCESS_LOCKS_H
+#define BOOMERANG_GLUE_PROCESS_LOCKS_H
+
+#include <mutex>
+
+namespace bmr {
+
+/// @file
+/// What is the process's, not a world's, and its locks. A fork finds all of them free: it waits for whoever
+/// holds one on another thread, so that the child, which has that thread no more, finds nothing half done and
+/// nothing locked for ever.
+
+/// In the order in which they are taken: who holds one takes later ones alone.
+enum class ProcessLock {
+    Starting,    ///< the library, at the first step
+    Installing,  ///< the plugin
+    Recognising, ///< which Box2D this is
+    Registering, ///< contacts
+    Clock,       ///< how long a tick takes
+    Polygons,    ///< the register of big polygons
+    Ledgers,     ///< which world has which
+    Count
+};
+
+/// Initialised at compile time, never destroyed.
+std::mutex &LockOf(ProcessLock which);
+
+} // namespace bmr
+
+#endif

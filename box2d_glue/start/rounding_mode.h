@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_ROUNDING_MODE_H
+#define BOOMERANG_GLUE_ROUNDING_MODE_H
+
+#if defined(__SSE2__)
+#    include <xmmintrin.h>
+#else
+#    include <cfenv>
+#endif
+
+/// @file
+/// The direction in which this thread rounds. Programs change it (libraries for intervals do, and some leave
+/// it so). Every margin and every claim of equal bits is made for rounding to nearest: in any other mode
+/// Box2D answers.
+
+namespace bmr {
+
+#if defined(__SSE2__)
+
+// (std::fegetround asks the other unit, which nothing here computes with.)
+using RoundingMode = unsigned;
+constexpr RoundingMode kToNearest = _MM_ROUND_NEAREST;
+inline RoundingMode CurrentRounding() {
+    return _mm_getcsr() & _MM_ROUND_MASK;
+}
+inline void RoundBy(RoundingMode mode) {
+    _mm_setcsr((_mm_getcsr() & ~static_cast<unsigned>(_MM_ROUND_MASK)) | mode);
+}
+
+#else
+
+using RoundingMode = int;
+constexpr RoundingMode kToNearest = FE_TONEAREST;
+inline RoundingMode CurrentRounding() {
+    return std::fegetround();
+}
+inline void RoundBy(RoundingMode mode) {
+    std::fesetround(mode);
+}
+
+#endif
+
+/// Does this thread's step round to nearest from its begin to its end? It does where it began so and no code
+/// of the game's runs in it, which could change the mode. False outside of steps, and where nobody tells of
+/// them.
+inline bool &StepIsToNearest() {
+    static thread_local bool nearest = false;
+    return nearest;
+}
+
+/// (Reading the mode takes as long as a third of what is done for a fixture.)
+inline bool RoundsToNearest() {
+    return StepIsToNearest() || CurrentRounding() == kToNearest;
+}
+
+/// Rounds to nearest as long as it lives: for what is made in one mode and used in another.
+class NearestRounding {
+public:
+    NearestRounding() : m_before(CurrentRounding()) {
+        if (m_before != kToNearest)
+            RoundBy(kToNearest);
+    }
+    ~NearestRounding() {
+        if (m_before != kToNearest)
+            RoundBy(m_before);
+    }
+    NearestRounding(const NearestRounding &) = delete;
+    NearestRounding &operator=(const NearestRounding &) = delete;
+
+private:
+    RoundingMode m_before;
+};
+
+} // namespace bmr
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "start/settings.h"
+
+#include "proofs/hull.h"
+#include "proofs/thresholds.h"
+#include "start/rounding_probe.h"
+
+namespace bmr {
+
+Settings internal::settings;
+std::atomic<uint32_t> internal::activeHooks{kNoHooks};
+
+namespace {
+Counts counts;
+} // namespace
+
+Counts &GetCounts() {
+    return counts;
+}
+
+bool MakeSettings(const Options &options, uint32_t reached) {
+    Settings made;
+    made.made = true;
+    made.options = options;
+    made.reached = reached;
+    made.options.statistics = options.statistics || options.onEvent != nullptr ||
+                              options.onAnswer != nullptr || options.statisticsFile != nullptr;
+    made.options.statisticsFile = nullptr; // the caller's; the exit handler has a copy
+    made.pairDef = bmr_default_pair_def();
+    made.pairDef.structure = options.structure;
+    made.pairDef.hysteresis = kHysteresis;
+    made.compass = nullptr;
+    if (options.structure == BMR_LAZY_COMPASS) {
+        bmr_compass *compass = nullptr;
+        if (bmr_compass_create(kMostHullVertices, nullptr, &compass) != BMR_OK)
+            return false;
+        made.compass = compass; // for as long as the process lives: hulls of every world point to it
+    }
+    made.sameRounding = Box2DRoundsAsExact32();
+    internal::settings = made;
+    return true;
+}
+
+void ActivateHooks() {
+    const Options &options = GetSettings().options;
+    internal::activeHooks = options.mode == Mode::Off ? kNoHooks : options.hooks | internal::kInstalled;
+}
+
+} // namespace bmr

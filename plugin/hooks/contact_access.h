@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_HOOKS_CONTACT_ACCESS_H
+#define BOOMERANG_HOOKS_CONTACT_ACCESS_H
+
+#include <cstring>
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_contact_manager.h>
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_world_callbacks.h>
+
+#include "ledger/private_members.h"
+#include "start/recognise.h"
+
+/// @file
+/// What the loops of Box2D's contact manager ask of a game.
+
+namespace bmr::hooks {
+
+/// Is it a listener or a filter of the game's own? Those that worlds begin with are Box2D's, and run nobody's
+/// code.
+inline bool IsOfGame(const b2ContactListener *listener) {
+    return listener != nullptr && listener != ListenerOfNewWorlds();
+}
+inline bool IsOfGame(const b2ContactFilter *filter) {
+    return filter != nullptr && filter != FilterOfNewWorlds();
+}
+
+/// Does a listener's class have a PreSolve of its own? Most games listen to BeginContact and EndContact
+/// alone, and inherit one that does nothing. Told by the tables of virtual functions, which hold two
+/// destructors and then, in their order, BeginContact, EndContact, PreSolve and PostSolve; yes wherever that
+/// is not certain.
+inline bool HasOwnPreSolve(const b2ContactListener &listener) {
+    constexpr int kSlot = 4;
+    const b2ContactListener *const empty = ListenerOfNewWorlds();
+    if (empty == nullptr)
+        return true;
+    void *const *table, *const *emptyTable;
+    std::memcpy(&table, static_cast<const void *>(&listener), sizeof table);
+    std::memcpy(&emptyTable, static_cast<const void *>(empty), sizeof emptyTable);
+    return table[kSlot] != emptyTable[kSlot];
+}
+
+/// Do bodies, joints and the game's filter let the two collide?
+inline bool PassesFilters(const b2ContactManager *manager, b2Fixture *fixtureA, b2Fixture *fixtureB) {
+    const b2Body *bodyA = fixtureA->GetBody(), *bodyB = fixtureB->GetBody();
+    return (bodyB->*Named(ShouldCollide()))(bodyA) &&
+           (manager->m_contactFilter == nullptr ||
+            manager->m_contactFilter->ShouldCollide(fixtureA, fixtureB));
+}
+
+} // namespace bmr::hooks
+
+#endif

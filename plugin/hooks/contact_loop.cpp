@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: MIT
+// b2ContactManager::Collide: the loop over a world's contacts at the start of a step. The same contacts in
+// the same order, each filtered, destroyed or updated when Box2D would.
+//
+// A world with a ledger (ledger/ledger.h) does not look at contacts whose budget of motion is not used up.
+// What Box2D's loop would leave behind at these is what is there already: no points, not touching, enabled.
+// The last is not quite so: a game may have disabled a contact that nobody looked at, and Box2D would enable
+// it in passing. That is made good before anybody can see it: ahead of every call of the game's code, for the
+// contacts that the loop has passed, and at the end of the loop where code of the game may still run in this
+// step. (Where none may, it is b2World::SolveTOI alone that asks; see solve_toi.cpp.)
+//
+// Worlds of few contacts, and those whose ledger has no memory, are stepped by Box2D's list.
+#include <cstdint>
+#include <initializer_list>
+
+#include "contacts/apart_line.h"
+#include "contacts/convex_contact.h"
+#include "contacts/polygon_contact.h"
+#include "hooks/contact_access.h"
+#include "hooks/short_list.h"
+#include "ledger/ledger.h"
+#include "ledger/ledgers.h"
+#include "reach/real.h"
+#include "start/rounding_mode.h"
+#include "start/settings.h"
+#include "tell/verify.h"
+
+namespace bmr::hooks {
+
+namespace {
+
+Real<void(b2ContactManager *)> realCollide("_ZN16b2ContactManager7CollideEv");
+
+bool IsActive(const b2Body *body) {
+    return body->IsAwake() && body->GetType() != b2_staticBody;
+}
+
+bool BoxesOverlap(const b2ContactManager *manager, const b2Contact *contact) {
+    return manager->m_broadPhase.TestOverlap(
+        FixtureAccess::ProxyOf(contact->GetFixtureA(), contact->GetChildIndexA()),
+        FixtureAccess::ProxyOf(contact->GetFixtureB(), contact->GetChildIndexB()));
+}
+
+/// A contact takes four cache lines; what follows in the list need not follow in memory. At the list's end
+/// there is none, which does no harm: addresses are numbers here, for no pointer may be moved from nullptr.
+void Prefetch(const b2Contact *contact) {
+    constexpr uintptr_t kLine = 64;
+    const uintptr_t first = reinterpret_cast<uintptr_t>(contact);
+    for (uintptr_t line = 0; line < 4; ++line)
+        __builtin_prefetch(
+            reinterpret_cast<const void *>(first + line * kLine)); // NOLINT(performance-no-int-to-ptr)
+}
+
+void Update(b2Contact *contact, b2ContactListener *listener) {
+    const bool sensor = contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor();
+    const bool here = !sensor && !Verifying() && RoundsToNearest(); // by now: a listener may change it
+    PolygonContact *ofSmall = here ? PolygonContact::AsOurs(contact) : nullptr;
+    if (ofSmall != nullptr)
+        ofSmall->UpdateSolid(listener);
+    else if (ConvexContact *ofBig = here ? ConvexContact::AsOurs(contact) : nullptr)
+        ofBig->UpdateSolid(listener);
+    else
+        SolidContact::UpdateByBox2D(contact, listener);
+}
+
+/// Brings one contact up to date; false where it is to be destroyed.
+inline bool Persists(b2ContactManager *manager, b2Contact *contact) {
+    b2Fixture *fixtureA = contact->GetFixtureA(), *fixtureB = contact->GetFixtureB();
+    if (SolidContact::WantsFiltering(*contact)) {
+        if (!PassesFilters(manager, fixtureA, fixtureB))
+            return false;
+        SolidContact::FilteringIsDone(contact);
+    }
+    if (!IsActive(fixtureA->GetBody()) && !IsActive(fixtureB->GetBody()))
+        return true;
+    if (!BoxesOverlap(manager, contact))
+        return false;
+    Update(contact, manager->m_contactListener);
+    return true;
+}
+
+/// The world's list, contact by contact.
+void CollideByList(b2ContactManager *manager) {
+    b2Contact *contact = manager->m_contactList;
+    while (contact != nullptr) {
+        Prefetch(contact->GetNext());
+        if (Persists(manager, contact)) {
+            contact = contact->GetNext();
+        } else {
+            b2Contact *parted = contact;
+            contact = contact->GetNext();
+            manager->Destroy(parted);
+        }
+    }
+}
+
+/// A pass over the ledger. The listener that contacts are handed is this one, where the world has one of the
+/// game's: whatever the game's code does, the pass knows that it ran.
+class LedgerPass final : private b2ContactListener {
+public:
+    // cppcheck-suppress uninitMemberVar ; m_ahead is written before it is read
+    LedgerPass(Ledger *ledger, b2ContactManager *manager)
+        : m_ledger(ledger), m_manager(manager), m_pass(ledger) {}
+
+    void Run();
+
+private:
+    // Ahead of game code and behind it.
+    class Game;
+
+    void BeginContact(b2Contact *contact) override;
+    void EndContact(b2Contact *contact) override;
+    void PreSolve(b2Contact *contact, const b2Manifold *old) override;
+    void PostSolve(b2Contact *, const b2ContactImpulse *) override {}
+
+    b2ContactListener *Listener() {
+        b2ContactListener *const ofWorld = m_manager->m_contactListener;
+        if (!IsOfGame(ofWorld))
+            return ofWorld;
+        m_preSolves = HasOwnPreSolve(*ofWorld);
+        return this;
+    }
+    uint32_t Next();
+    uint32_t TakeNewest(uint64_t *left) const;
+    void Visit(uint32_t i);
+    bool PassesFilter(uint32_t i, b2Contact *contact);
+    void Destroy(uint32_t i, b2Contact *contact);
+    void Wake(const b2Body *body, uint32_t i);
+    void Look(uint32_t i, b2Contact *contact);
+    void Verify(uint32_t i);
+
+    Ledger *m_ledger;
+    b2ContactManager *m_manager;
+    Ledger::Pass m_pass;
+    bool m_preSolves = true; ///< the listener's PreSolve is not the empty one of b2ContactListener
+    uint32_t m_looks = 0;
+    uint32_t m_at = 0;   ///< records from here on are passed; the one that is visited is the last of them
+    uint32_t m_seen = 0; ///< the look that the pass goes by, as long as no code of the game ran
+    uint64_t m_due =
+        0; ///< of the word of 64 records that the pass is in, those that are due and still to come
+    uint32_t m_word = 0; ///< its number; words from it on were looked at
+};
+
+class LedgerPass::Game {
+public:
+    explicit Game(LedgerPass *pass) : m_pass(pass), m_passNumber(pass->m_ledger->PassNumber()) {
+        pass->m_ledger->EnableDownTo(pass->m_at + 1);
+    }
+    ~Game() {
+        m_pass->m_ledger->Distrust();
+        if (m_pass->m_ledger->PassNumber() != m_passNumber)
+            m_pass->m_ledger->OweEnabling(m_pass->m_at); // another pass ran, and this one goes on
+    }
+    Game(const Game &) = delete;
+    Game &operator=(const Game &) = delete;
+
+private:
+    LedgerPass *m_pass;
+    uint32_t m_passNumber;
+};
+
+void LedgerPass::BeginContact(b2Contact *contact) {
+    const Game game(this);
+    m_manager->m_contactListener->BeginContact(contact);
+}
+
+void LedgerPass::EndContact(b2Contact *contact) {
+    const Game game(this);
+    m_manager->m_contactListener->EndContact(contact);
+}
+
+void LedgerPass::PreSolve(b2Contact *contact, const b2Manifold *old) {
+    if (!m_preSolves)
+        return;
+    const Game game(this);
+    m_manager->m_contactListener->PreSolve(contact, old);
+}
+
+/// The next record that is due. Found for 64 records at a time; contacts are asked for from memory some
+/// visits ahead.
+uint32_t LedgerPass::Next() {
+    constexpr int kAhead = 3;
+    if (m_ledger->CurrentLook() != m_seen)
+        return m_ledger->NextDue(m_at);
+    while (m_due == 0) {
+        if (m_word == 0)
+            return Ledger::kNone;
+        m_due = m_ledger->DueOf(--m_word);
+        for (uint64_t left = m_due, ahead = kAhead; left != 0 && ahead > 0; --ahead)
+            Prefetch(m_ledger->Contact(TakeNewest(&left)));
+    }
+    const uint32_t next = TakeNewest(&m_due);
+    uint64_t left = m_due;
+    for (int ahead = 1; left != 0 && ahead < kAhead; ++ahead)
+        TakeNewest(&left);
+    if (left != 0)
+        Prefetch(m_ledger->Contact(TakeNewest(&left)));
+    return next;
+}
+
+/// The number of the last of the word's records that are left.
+uint32_t LedgerPass::TakeNewest(uint64_t *left) const {
+    const auto bit = static_cast<uint32_t>(63 - __builtin_clzll(*left));
+    *left &= ~(uint64_t{1} << bit);
+    return m_word * 64 + bit;
+}
+
+bool LedgerPass::PassesFilter(uint32_t i, b2Contact *contact) {
+    bool passes;
+    if (IsOfGame(m_manager->m_contactFilter)) {
+        const Game game(this);
+        passes = PassesFilters(m_manager, contact->GetFixtureA(), contact->GetFixtureB());
+    } else {
+        passes = PassesFilters(m_manager, contact->GetFixtureA(), contact->GetFixtureB());
+    }
+    if (passes) {
+        SolidContact::FilteringIsDone(contact);
+        m_ledger->ClearBit(i, kToBeFiltered);
+    }
+    return passes;
+}
+
+void LedgerPass::Destroy(uint32_t i, b2Contact *contact) {
+    if (contact->IsTouching() && IsOfGame(m_manager->m_contactListener)) {
+        const Game game(this);
+        m_manager->Destroy(contact);
+        m_ledger->Remove(i, contact); // where Destroy did not come by our hook
+        return;
+    }
+    b2Body *const bodies[2] = {contact->GetFixtureA()->GetBody(), contact->GetFixtureB()->GetBody()};
+    const bool slept[2] = {!IsActive(bodies[0]), !IsActive(bodies[1])};
+    m_manager->Destroy(contact);
+    m_ledger->Remove(i, contact);
+    for (int side = 0; side < 2; ++side) // the end of a contact that touched wakes its bodies
+        if (slept[side] && IsActive(bodies[side]))
+            Wake(bodies[side], i);
+}
+
+/// A body woke in the midst of the pass: its pairs that are still to come are due by now.
+void LedgerPass::Wake(const b2Body *body, uint32_t i) {
+    m_ledger->Wake(body);
+    if (m_word == i / 64)
+        m_due = m_ledger->DueOf(m_word) & ~(~uint64_t{0} << (i % 64));
+}
+
+/// As Box2D looks at a contact. What is apart afterwards gets a budget.
+void LedgerPass::Look(uint32_t i, b2Contact *contact) {
+    Movers &movers = m_ledger->GetMovers();
+    const Ledger::Record record = m_ledger->At(i);
+    Count(&Counts::looks);
+    ++m_looks;
+    m_ledger->IsLookedAt(i);
+    Update(contact, Listener());
+    if (m_ledger->Contact(i) != contact)
+        return; // the game ended it
+    for (const uint32_t row : {record.a, record.b}) {
+        if (movers.IsActive(row) || !movers.IsActiveNow(row))
+            continue;
+        Wake(movers[row].body, i);
+    }
+    m_ledger->Touches(i, contact->IsTouching());
+    const SolidContact *ours = SolidContact::AsOurs(contact);
+    // (A listener may have flagged this very contact: Box2D filters it in the next step.)
+    const bool canProve = ours != nullptr && ours->IsOfPolygons() &&
+                          contact->GetManifold()->pointCount == 0 && !SolidContact::WantsFiltering(*contact);
+    if (canProve && !contact->IsTouching())
+        ProveApart(m_ledger, i, *ours);
+    else if (canProve) // a sensor's
+        ProveOverlap(m_ledger, i, *ours);
+    else
+        m_ledger->SetDue(i);
+}
+
+void LedgerPass::Visit(uint32_t i) {
+    Movers &movers = m_ledger->GetMovers();
+    const Ledger::Record record = m_ledger->At(i);
+    b2Contact *const contact = m_ledger->Contact(i);
+    const bool hasLine = (m_ledger->Bits(i) & kHasLine) != 0;
+    if (!hasLine)
+        m_ledger->LookAgain(i);
+    // Without a line the contact is read anyway.
+    // (A step by the list may have filtered it since it was flagged.)
+    if (((m_ledger->Bits(i) & kToBeFiltered) != 0 || !hasLine) && SolidContact::WantsFiltering(*contact)) {
+        if (!PassesFilter(i, contact)) {
+            if (m_ledger->Contact(i) == contact)
+                Destroy(i, contact);
+            return;
+        }
+        m_ledger->LookAgain(i);
+    }
+    if (!movers.IsActiveNow(record.a) && !movers.IsActiveNow(record.b)) {
+        m_ledger->Touches(i, contact->IsTouching()); // an impact may have changed it
+        m_ledger->Rest(i);
+        return;
+    }
+    if (!(hasLine ? m_ledger->BoxesOverlap(i) : BoxesOverlap(m_manager, contact))) {
+        Destroy(i, contact);
+        return;
+    }
+    if (!Verifying() && m_ledger->Renew(i, ApartThreshold(*m_ledger, i))) {
+        Count(&Counts::renewals);
+        return;
+    }
+    Look(i, contact);
+}
+
+/// Mode::Verify: every pair is looked at; one that has a budget must be found apart.
+void LedgerPass::Verify(uint32_t i) {
+    if (m_ledger->CurrentLook() != m_seen)
+        m_ledger->LookAgain(i); // as NextDue would
+    const bool due = m_ledger->IsDue(i) || m_ledger->GetMovers().AreSumsLost();
+    const bool touches = (m_ledger->Bits(i) & kTouches) != 0;
+    b2Contact *const contact = m_ledger->Contact(i);
+    const b2Fixture *const a = contact->GetFixtureA(), *const b = contact->GetFixtureB();
+    Visit(i);
+    if (due)
+        return;
+    CountVerified();
+    if (m_ledger->Contact(i) != contact || contact->IsTouching() != touches)
+        ReportDifference("budget", a, b, "the contact begins or ends to touch, or is gone");
+}
+
+void LedgerPass::Run() {
+    m_ledger->LookAtMovers();
+    if (GetSettings().options.statistics)
+        GetCounts().pairsWatched.fetch_add(m_ledger->CountWatched(), std::memory_order_relaxed);
+    m_ledger->OweEnabling(m_ledger->Count());
+    m_seen = m_ledger->CurrentLook();
+    m_at = m_ledger->Count();
+    m_word = m_at / 64 + 1;
+    if (Verifying()) {
+        while (m_at-- > 0)
+            if (m_ledger->Contact(m_at) != nullptr && m_ledger->IsWatchedByNow(m_at))
+                Verify(m_at);
+        m_at = 0;
+    } else {
+        for (uint32_t i = Next(); i != Ledger::kNone; i = Next()) {
+            m_at = i;
+            Visit(i);
+        }
+    }
+    m_pass.IsDone();
+    m_ledger->NoteLooks(m_looks);
+    if (IsOfGame(m_manager->m_contactListener) || IsOfGame(m_manager->m_contactFilter) ||
+        !m_ledger->AreSearchesForImpactsSeen())
+        m_ledger->EnableDownTo(0);
+}
+
+/// What a small world was found like at its last steps; of the thread's last one alone.
+struct Drifting {
+    const b2ContactManager *manager;
+    int steps; ///< in a row in which few of its contacts touched
+};
+__thread Drifting drifting = {nullptr, 0};
+
+/// Does this world, which has no ledger, get one? Not for a few contacts, of which it costs more than it
+/// saves: unless few of them touch, and have not for a while.
+bool IsWorthALedger(const b2ContactManager *manager) {
+    constexpr int kMostTouchingOf = 4, kStepsToDrift = 64;
+    const int count = manager->m_contactCount;
+    if (count < kWorthALedger)
+        return false;
+    if (count >= WorthALedgerAnyway())
+        return true;
+    int touching = 0;
+    for (const b2Contact *contact = manager->m_contactList; contact != nullptr; contact = contact->GetNext())
+        touching += contact->IsTouching() ? 1 : 0;
+    if (kMostTouchingOf * touching > count) {
+        drifting.manager = nullptr;
+        return false;
+    }
+    if (drifting.manager != manager)
+        drifting = {manager, 0};
+    return ++drifting.steps > kStepsToDrift;
+}
+
+__attribute__((noinline)) void CollideHere(b2ContactManager *manager) {
+    const ShortList::Whole whole(manager);
+    if (!HookIsOn(Hook::ContactLoop)) {
+        realCollide(manager);
+        return;
+    }
+    Ledger *ledger = nullptr;
+    if (HookIsOn(Hook::Ledger) && RoundsToNearest()) {
+        ledger = FindLedger(manager);
+        if (ledger == nullptr && IsWorthALedger(manager))
+            ledger = MakeLedger(manager);
+    }
+    if (ledger != nullptr && ledger->Pays() && ledger->Follow()) {
+        LedgerPass(ledger, manager).Run();
+        return;
+    }
+    // What contacts do meanwhile the ledger does not see: nothing that it knows holds when it is asked again.
+    if (Ledger *passedOver = FindLedger(manager))
+        passedOver->Interrupt();
+    CollideByList(manager);
+}
+
+} // namespace
+
+void Collide(b2ContactManager *manager) BMR_STANDS_FOR("_ZN16b2ContactManager7CollideEv");
+
+void Collide(b2ContactManager *manager) {
+    if (NothingIsInstalled())
+        realCollide(manager);
+    else
+        CollideHere(manager);
+}
+
+} // namespace bmr::hooks

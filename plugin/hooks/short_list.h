@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_HOOKS_SHORT_LIST_H
+#define BOOMERANG_HOOKS_SHORT_LIST_H
+
+#include <box2d/b2_world_callbacks.h>
+
+#include "hooks/stepping.h"
+
+class b2ContactManager;
+
+namespace bmr {
+class Ledger;
+}
+
+namespace bmr::hooks {
+
+/// A world's list of contacts while b2World::SolveTOI is at work, without those that are known to have no
+/// impact left. After each event Box2D goes through the list anew; it would pass over those that are missing,
+/// and leave them as they are. What is left is in its order, and nobody else sees it: the list is whole while
+/// a listener is called or new contacts are looked for.
+///
+/// `Kept` stores each remaining contact's original link. Opening the list writes these links back; the links
+/// of contacts that are left out are never written. The pointers are good as long as no contact comes or
+/// goes: after each call of game code, which may destroy contacts, the list is chosen anew if their number
+/// has changed, or if FindNewContacts ran. The thread has room for one list's (on the heap: stacks may be
+/// small); a list that begins in the midst of another one stays whole, as does one of which too many are
+/// left.
+class ShortList final : private b2ContactListener {
+public:
+    /// From here on; the times of impact that are known are marked. To be called in the middle of a step.
+    explicit ShortList(b2ContactManager *manager);
+    /// The same in a world with a ledger: those are kept that its search for impacts asked for. Times of
+    /// impact that are known are marked when the first impact is found.
+    ShortList(b2ContactManager *manager, const Ledger &ledger);
+    bool IsShort() const { return m_count > 0; }
+    /// For this thread's list of that world, if there is one: contacts say by now what is known of them, and
+    /// those are kept that may still have an impact. May be called while Box2D is at a contact that is kept.
+    static void ChooseAgain(const b2ContactManager *manager);
+    /// Whole again, with the listener that the world has by now.
+    ~ShortList() override;
+    ShortList(const ShortList &) = delete;
+    ShortList &operator=(const ShortList &) = delete;
+
+    /// For as long as this lives, this thread's list for `manager`, if there is one, is whole. Contacts may
+    /// be added to it and known times forgotten.
+    class Whole {
+    public:
+        explicit Whole(const b2ContactManager *manager) : m_list(Of(manager)) {
+            if (m_list != nullptr)
+                m_list->Suspend();
+        }
+        ~Whole() {
+            if (m_list != nullptr) {
+                m_list->m_changed = true;
+                m_list->Resume();
+            }
+        }
+        Whole(const Whole &) = delete;
+        Whole &operator=(const Whole &) = delete;
+
+    private:
+        ShortList *m_list;
+    };
+
+private:
+    class Pause;
+
+    /// The newest for this manager, or nullptr.
+    static ShortList *Of(const b2ContactManager *manager) {
+        ShortList *list = stepping.shortList;
+        while (list != nullptr && list->m_manager != manager)
+            list = list->m_older;
+        return list;
+    }
+
+    void BeginContact(b2Contact *contact) override;
+    void EndContact(b2Contact *contact) override;
+    void PreSolve(b2Contact *contact, const b2Manifold *old) override;
+    void PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) override;
+
+    struct Unchosen {};
+    ShortList(b2ContactManager *manager, Unchosen);
+    void Choose();
+    void ChooseAsked(const Ledger &ledger);
+    bool Keep(b2Contact *contact);
+    void Suspend();
+    void Resume();
+    void Open();
+    void Close();
+
+    struct Kept {
+        b2Contact *contact, *next;
+    };
+    // Planks that 300 hexagons lie on keep some 50.
+    static constexpr int32 kMost = 512;
+    /// 8 KB a thread that steps worlds.
+    struct Room {
+        bool taken;
+        Kept kept[kMost];
+    };
+
+    b2ContactManager *m_manager;
+    b2ContactListener *m_listener;          ///< the world's, at first
+    bool m_listens;                         ///< whether it is called through this
+    bool m_staysWhole = false;              ///< a listener or a filter put another one in its place
+    bool m_changed = false;                 ///< contacts may have come and gone since they were chosen
+    int32 m_suspensions = 0;                ///< that have not ended; the list is whole while there are any
+    ShortList *m_older, *m_newer = nullptr; ///< of this thread's that are alive
+    b2Contact *m_first = nullptr;           ///< of the whole list
+    int32 m_contactCount = 0;               ///< of the whole list, when it was chosen from
+    int32 m_count = 0;                      ///< of those that are kept; 0 where the list stays whole
+    Room *m_room;                           ///< nullptr: none is left, and the list stays whole
+};
+
+} // namespace bmr::hooks
+
+#endif

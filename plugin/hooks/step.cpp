@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// b2World::Step: starts the library where nobody called bmr::Install, and marks the thread as stepping this
+// world; the step itself is Box2D's.
+#include <box2d/b2_contact_manager.h>
+#include <box2d/b2_world.h>
+
+#include "hooks/contact_access.h"
+#include "hooks/stepping.h"
+#include "reach/real.h"
+#include "shapes/convex_draw.h"
+#include "shapes/convex_geometry.h"
+#include "start.h"
+#include "start/current_step.h"
+#include "start/rounding_mode.h"
+#include "start/settings.h"
+
+namespace bmr::hooks {
+
+__thread Stepping stepping = {nullptr, nullptr, 0, nullptr, nullptr, nullptr, nullptr};
+
+namespace {
+
+/// May a listener or a filter of the game's run in a step of this world? Of a Box2D that is another one
+/// nothing is looked at.
+bool GameMayRunIn(const b2World &world) {
+    if (!AnyHookIsOn())
+        return true;
+    const b2ContactManager &manager = world.GetContactManager();
+    return IsOfGame(manager.m_contactListener) || IsOfGame(manager.m_contactFilter);
+}
+
+} // namespace
+
+/// Ends with the step, also by an exception of a listener's. The number of the thread's step, and whether the
+/// game may run in it, are always those of the newest mark.
+class StepMark {
+public:
+    explicit StepMark(const b2World &world)
+        : m_step(NextStep()), m_gameMayRun(GameMayRunIn(world)), m_older(stepping.mark) {
+        if (m_older != nullptr)
+            m_older->m_newer = this;
+        stepping.mark = this;
+        CurrentStep() = m_step;
+        GameMayRun() = m_gameMayRun;
+        StepIsToNearest() = false;
+        StepIsToNearest() = !m_gameMayRun && RoundsToNearest();
+    }
+    ~StepMark() {
+        if (m_older != nullptr)
+            m_older->m_newer = m_newer;
+        if (m_newer != nullptr) {
+            m_newer->m_older = m_older;
+            return;
+        }
+        StepIsToNearest() = false; // an older step goes on in code of the game's
+        stepping.mark = m_older;
+        CurrentStep() = m_older != nullptr ? m_older->m_step : 0;
+        GameMayRun() = m_older == nullptr || m_older->m_gameMayRun;
+    }
+    StepMark(const StepMark &) = delete;
+    StepMark &operator=(const StepMark &) = delete;
+
+private:
+    uint64_t m_step;
+    bool m_gameMayRun;
+    StepMark *m_older, *m_newer = nullptr;
+};
+
+namespace {
+
+Real<void(b2World *, float, int32, int32)> realStep("_ZN7b2World4StepEfii");
+
+__attribute__((noinline)) void StepHere(b2World *world, float timeStep, int32 velocityIterations,
+                                        int32 positionIterations) {
+    const StepMark mark(*world);
+    CurrentTimeStep() = timeStep;
+    CountStep();
+    if (AnyBigPolygon())
+        NoteDrawnByBox2D(nullptr, nullptr); // what was drawn before a step is drawn anew after it
+    realStep(world, timeStep, velocityIterations, positionIterations);
+}
+
+} // namespace
+
+void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations)
+    BMR_STANDS_FOR("_ZN7b2World4StepEfii");
+
+void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
+    StartAtFirstStep();
+    if (NothingIsInstalled() && !AnyBigPolygon())
+        realStep(world, timeStep, velocityIterations, positionIterations);
+    else
+        StepHere(world, timeStep, velocityIterations, positionIterations);
+}
+
+} // namespace bmr::hooks

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_HOOKS_STEPPING_H
+#define BOOMERANG_HOOKS_STEPPING_H
+
+#include <cstdint>
+
+#include "start/rounding_mode.h"
+
+class b2ContactManager;
+struct b2TOIInput;
+struct b2TOIOutput;
+
+/// @file
+/// What the hooks share: whether a world is being stepped on this thread, and by whom.
+
+namespace bmr::hooks {
+
+class ShortList;
+class StepMark;
+class TouchingList;
+class UntoldImpacts;
+
+/// What the hooks keep on a thread while it steps worlds, and no longer. A listener may step another world,
+/// or its own; and steps of two worlds may be interleaved on one thread, where each runs on a stack of its
+/// own and a listener leaves one for the other: the later one need not end first. So marks and lists take
+/// themselves out of their chain wherever they are in it, and a list is looked up by the world it is of.
+struct Stepping {
+    StepMark *mark;        ///< the newest of the steps that have not ended; nullptr outside of steps
+    ShortList *shortList;  ///< the newest that is alive
+    uint32_t knownImpacts; ///< so many questions are left that KnownImpacts sends to Box2D
+    bool *stepComplete;    ///< while there are any: what KnownImpacts sets to true
+    /// Whose new contacts were looked for last, if that came by here.
+    const b2ContactManager *searched;
+    TouchingList *touchingList; ///< the newest that is alive
+    UntoldImpacts *untold;      ///< of the newest search for impacts that has not ended
+};
+
+/// This thread's. One load: the library is there when the program starts.
+extern __thread Stepping stepping __attribute__((tls_model("initial-exec")));
+
+/// Only in a step, and rounding to nearest, are questions answered here; whoever else calls these functions
+/// gets Box2D's own.
+inline bool InStep() {
+    return stepping.mark != nullptr && RoundsToNearest();
+}
+
+/// Box2D's own b2TimeOfImpact, or what stands for it where a polygon is too big for that.
+void RealTimeOfImpact(b2TOIOutput *output, const b2TOIInput *input);
+
+/// As long as it lives, so many of this thread's next questions to b2TimeOfImpact go to Box2D at once: a
+/// proof was sought for them already, in vain. They are the first thing that b2World::SolveTOI does, before
+/// it calls anybody. Once it asks it has read `stepComplete`, which was false for it alone, and nobody else
+/// is to see that.
+class KnownImpacts {
+public:
+    KnownImpacts(uint32_t count, bool *stepComplete) {
+        *stepComplete = false;
+        stepping.knownImpacts = count;
+        stepping.stepComplete = stepComplete;
+    }
+    ~KnownImpacts() { stepping.knownImpacts = 0; }
+    KnownImpacts(const KnownImpacts &) = delete;
+    KnownImpacts &operator=(const KnownImpacts &) = delete;
+
+    static bool Take() {
+        if (stepping.knownImpacts == 0)
+            return false;
+        --stepping.knownImpacts;
+        *stepping.stepComplete = true;
+        return true;
+    }
+};
+
+} // namespace bmr::hooks
+
+#endif

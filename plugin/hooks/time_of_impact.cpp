@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// b2TimeOfImpact: in a step, a pair that is proved apart over its whole motion is separated without a search.
+// b2World::SolveTOI looks at whether the answer is e_touching, and at the time only then; the counters
+// b2_toi* and b2_gjk* stand still where Box2D is not asked. Of big polygons Box2D is never asked: its search
+// knows no more than 256 vertices.
+#include <box2d/b2_time_of_impact.h>
+
+#include "hooks/stepping.h"
+#include "hooks/untold_impacts.h"
+#include "proofs/convex_distance.h"
+#include "proofs/sweep_apart.h"
+#include "reach/real.h"
+#include "start/settings.h"
+#include "tell/verify.h"
+
+namespace bmr::hooks {
+
+namespace {
+
+Real<void(b2TOIOutput *, const b2TOIInput *)>
+    realTimeOfImpact("_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput");
+
+} // namespace
+
+void RealTimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
+    if (AnyBigPolygon() && BigImpact(output, *input))
+        return;
+    realTimeOfImpact.Get()(output, input);
+}
+
+void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input)
+    BMR_STANDS_FOR("_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput");
+
+void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
+    if (NothingIsInstalled() && !AnyBigPolygon())
+        return realTimeOfImpact(output, input);
+    if (KnownImpacts::Take()) { // counted by who sought
+        RealTimeOfImpact(output, input);
+        NoteTimeOfImpactIsReached();
+        if (output->state == b2TOIOutput::e_touching && stepping.untold != nullptr)
+            stepping.untold->FoundImpact();
+        return;
+    }
+    if (AnyBigPolygon() && BigImpact(output, *input))
+        return;
+    if (!HookIsOn(Hook::TimeOfImpact) || !InStep()) {
+        realTimeOfImpact.Get()(output, input);
+        return;
+    }
+    Count(&Counts::toiQueries);
+    if (!NeverTouchUnlessResting(*input)) {
+        realTimeOfImpact.Get()(output, input);
+        return;
+    }
+    Count(&Counts::toiAnswered);
+    output->state = b2TOIOutput::e_separated;
+    output->t = input->tMax;
+    if (Verifying()) {
+        const b2TOIOutput ours = *output;
+        realTimeOfImpact.Get()(output, input);
+        VerifyImpact(nullptr, nullptr, ours, *output);
+    }
+}
+
+} // namespace bmr::hooks

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_HOOKS_UNTOLD_IMPACTS_H
+#define BOOMERANG_HOOKS_UNTOLD_IMPACTS_H
+
+#include "hooks/stepping.h"
+
+namespace bmr {
+class Ledger;
+}
+
+namespace bmr::hooks {
+
+/// What b2World::SolveTOI would know of the contacts that the ledger kept out of its first search: that no
+/// impact is counted for them, and for those that may meet at all that they do not. Nobody asks for it until
+/// there is an impact: then Box2D looks at other contacts of the two bodies, and forgets what it knew of
+/// them. Code of the game is called after that alone. So where steps are interleaved on one thread
+/// (stepping.h) all but the running one are told already.
+class UntoldImpacts {
+public:
+    explicit UntoldImpacts(Ledger *ledger) : m_ledger(ledger), m_older(stepping.untold) {
+        if (m_older != nullptr)
+            m_older->m_newer = this;
+        stepping.untold = this;
+    }
+    ~UntoldImpacts() {
+        if (m_older != nullptr)
+            m_older->m_newer = m_newer;
+        if (m_newer != nullptr)
+            m_newer->m_older = m_older;
+        else
+            stepping.untold = m_older;
+    }
+    UntoldImpacts(const UntoldImpacts &) = delete;
+    UntoldImpacts &operator=(const UntoldImpacts &) = delete;
+
+    /// Writes it into the contacts, once.
+    void Tell();
+    /// They say it already.
+    void AreTold();
+    /// Box2D's search has found the first impact.
+    void FoundImpact();
+
+private:
+    Ledger *m_ledger;
+    bool m_told = false;
+    UntoldImpacts *m_older, *m_newer = nullptr; ///< of this thread's that are alive
+};
+
+/// Have questions of Box2D's search for impacts come by our b2TimeOfImpact? Until then nobody can be relied
+/// on to say that an impact was found.
+bool TimeOfImpactIsReached();
+void NoteTimeOfImpactIsReached();
+
+} // namespace bmr::hooks
+
+#endif

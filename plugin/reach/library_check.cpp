@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "reach/library_check.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdio>
+
+#include <box2d/b2_contact.h>
+#include <dlfcn.h>
+#include <link.h>
+
+#include "boomerang/box2d.h"
+#include "reach/loaded_file.h"
+
+namespace bmr {
+
+/// One of this library's own references to Box2D: at no address where no Box2D was in search order when it
+/// was loaded.
+extern const char boundReference[] asm("_ZN9b2Contact11s_registersE") __attribute__((weak));
+/// What the loader gives to whoever asks for b2World::Step by name: this library's where it is ahead.
+extern const char boundStep[] asm("_ZN7b2World4StepEfii") __attribute__((weak));
+
+namespace {
+
+enum class Kind { kFunction, kLeaf, kData };
+
+struct Symbol {
+    const char *name;
+    Kind kind;
+    size_t size; ///< of data
+};
+
+/// Of a table of so many virtual functions: before them the Itanium ABI has an offset and a type.
+constexpr size_t TableSize(size_t functions) {
+    return (2 + functions) * sizeof(void *);
+}
+
+constexpr Symbol kSymbols[] = {
+#define BMR_FUNCTION(name) {#name, Kind::kFunction, 0},
+#define BMR_LEAF(name) {#name, Kind::kLeaf, 0},
+#define BMR_DATA(name, bytes) {#name, Kind::kData, bytes},
+#define BMR_SIGN(name) BMR_FUNCTION(name)
+#include "reach/box2d_symbols.inc"
+#undef BMR_FUNCTION
+#undef BMR_LEAF
+#undef BMR_DATA
+#undef BMR_SIGN
+};
+
+/// A program that includes our header calls another Box2D than this library. (Initialised at compile time.)
+std::atomic<bool> programHasItsOwn{false};
+
+constexpr char kStep[] = "_ZN7b2World4StepEfii";
+constexpr char kInside[] =
+    "the program has a Box2D of its own inside (boomerang::box2d_static is the library for that)";
+
+const void *OurFile() {
+    static const void *const file = FileOf(reinterpret_cast<const void *>(&StepsComeByHere));
+    return file;
+}
+
+/// Box2D's own definition: the first, or the next one where the first is ours. (It is where this was not made
+/// as a shared library: dlsym passes its hooks over.)
+void *Find(const char *name) {
+    void *first = dlsym(RTLD_DEFAULT, name);
+    return first != nullptr && FileOf(first) == OurFile() ? dlsym(RTLD_NEXT, name) : first;
+}
+
+/// Is this in the program itself, and not in a library that it loads?
+bool IsInProgram(const void *address) {
+    Dl_info info;
+    void *file = nullptr;
+    return dladdr1(address, &info, &file, RTLD_DL_LINKMAP) != 0 && file != nullptr &&
+           static_cast<const link_map *>(file)->l_name[0] == '\0';
+}
+
+size_t SizeOf(const void *address) {
+    Dl_info info;
+    void *symbol = nullptr;
+    if (dladdr1(address, &info, &symbol, RTLD_DL_SYMENT) == 0 || symbol == nullptr)
+        return 0;
+    return static_cast<const ElfW(Sym) *>(symbol)->st_size;
+}
+
+} // namespace
+
+bool StepsComeByHere() {
+    return FileOf(boundStep) == OurFile();
+}
+
+bool AnyBox2DBehind() {
+    return dlsym(RTLD_NEXT, kStep) != nullptr;
+}
+
+bool InitialiseBox2D() {
+    Dl_info info;
+    const void *step = Find(kStep);
+    // What is opened is initialised when dlopen returns. (It is not closed: it is the program's.) The program
+    // itself is initialised after all that it loads.
+    return step != nullptr && !IsInProgram(step) && dladdr(step, &info) != 0 &&
+           dlopen(info.dli_fname, RTLD_NOW | RTLD_NOLOAD) != nullptr;
+}
+
+bool internal::MeetBox2D(const void *function) {
+    const bool same = function == reinterpret_cast<const void *>(&b2CollidePolygons);
+    if (!same)
+        programHasItsOwn = true;
+    return same;
+}
+
+const char *WhyLibraryIsUnknown() {
+    static char why[200];
+    if (programHasItsOwn)
+        return kInside;
+    const void *library = nullptr;
+    for (const Symbol &symbol : kSymbols) {
+        const void *found = Find(symbol.name);
+        const char *what = nullptr;
+        if (found == nullptr) {
+            if (IsInProgram(Find(kStep)))
+                return kInside; // the linker shows as much of it as libraries ask for
+            what = "lacks";
+        } else if (symbol.kind == Kind::kFunction) {
+            // (Data may have been copied into the program: any file will do for that.)
+            const void *file = FileOf(found);
+            if (library != nullptr && file != library)
+                what = "is two libraries that share";
+            library = file;
+        } else if (symbol.kind == Kind::kData && SizeOf(found) != symbol.size) {
+            what = "has another size of";
+        }
+        if (what != nullptr) {
+            std::snprintf(why, sizeof why, "the Box2D of this process %s %s", what, symbol.name);
+            return why;
+        }
+    }
+    if (boundReference == nullptr)
+        return "the Box2D of this process was loaded after this library";
+    return nullptr;
+}
+
+} // namespace bmr

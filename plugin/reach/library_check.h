@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_REACH_LIBRARY_CHECK_H
+#define BOOMERANG_REACH_LIBRARY_CHECK_H
+
+namespace bmr {
+
+/// Whether a b2World::Step of this process is this library's, as far as dynamic linking goes.
+bool StepsComeByHere();
+
+/// Whether there is a Box2D behind this library in search order. There is none where a module opened its own
+/// (dlopen with RTLD_LOCAL), and its calls come by here all the same.
+bool AnyBox2DBehind();
+
+/// Runs the initialisers of the libbox2d in search order, if they are still to run: it was loaded with the
+/// program, but this library, which does not ask for it, may be initialised first. False where there is none,
+/// or where it is inside the program, whose initialisers nobody else can run.
+bool InitialiseBox2D();
+
+/// Why the libbox2d that was loaded must be left alone, or nullptr: the program calls another one, a symbol
+/// of box2d_symbols.inc is not there, or not all are in one and the same library (some are the program's own,
+/// or another version's), or data has another size, or it was loaded when this library's own references had
+/// been settled. Calls nothing of Box2D's. The answer lives until the next call.
+const char *WhyLibraryIsUnknown();
+
+} // namespace bmr
+
+#endif
