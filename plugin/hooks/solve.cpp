@@ -52,6 +52,6 @@ void b2World::Solve(const b2TimeStep &step) {
         realSolve.Get()(this, step);
         return;
     }
-    const TouchingList list(&m_contactManager, &m_bodyList, ledger);
+    const TouchingList list(&m_contactManager, &m_bodyList, m_bodyCount, ledger);
     realSolve.Get()(this, step);
 }

@@ -7,7 +7,6 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_contact_manager.h>
 #include <box2d/b2_joint.h>
-#include <box2d/b2_world.h>
 
 #include "hooks/contact_access.h"
 #include "ledger/ledger.h"
@@ -36,7 +35,7 @@ b2ContactEdge *&ListOf(b2Body *body) {
 
 } // namespace
 
-TouchingList::TouchingList(b2ContactManager *manager, b2Body **bodyList, Ledger *ledger)
+TouchingList::TouchingList(b2ContactManager *manager, b2Body **bodyList, int32 bodyCount, Ledger *ledger)
     : m_manager(manager), m_bodyList(bodyList), m_ledger(ledger), m_listener(manager->m_contactListener),
       m_older(stepping.touchingList) {
     if (m_older != nullptr)
@@ -47,7 +46,7 @@ TouchingList::TouchingList(b2ContactManager *manager, b2Body **bodyList, Ledger 
         m_room = nullptr;
         return;
     }
-    m_awakeAlone = FindAwake();
+    m_awakeAlone = FindAwake(bodyCount);
     if (!FillContacts() || (m_awakeAlone && !FillBodies())) {
         m_room = nullptr;
         return;
@@ -82,9 +81,9 @@ uint32_t TouchingList::NextAwake(uint32_t end) const {
 }
 
 /// Are nearly all bodies asleep, and will they be after Box2D has built its islands?
-bool TouchingList::FindAwake() {
+bool TouchingList::FindAwake(int32 bodyCount) {
     Bodies &bodies = m_ledger->GetBodies();
-    if (!bodies.Follow(*m_bodyList, (*m_bodyList)->GetWorld()->GetBodyCount()) || !bodies.FindAwake())
+    if (!bodies.Follow(*m_bodyList, bodyCount) || !bodies.FindAwake())
         return false;
     const auto sleeps = [](const b2Body *body) {
         return body->GetType() != b2_staticBody && !body->IsAwake();

@@ -23,7 +23,7 @@ namespace bmr::hooks {
 class TouchingList final : private b2ContactListener {
 public:
     /// Makes the lists short where that pays: where few enough of the contacts touch.
-    TouchingList(b2ContactManager *manager, b2Body **bodyList, Ledger *ledger);
+    TouchingList(b2ContactManager *manager, b2Body **bodyList, int32 bodyCount, Ledger *ledger);
     ~TouchingList() override;
     TouchingList(const TouchingList &) = delete;
     TouchingList &operator=(const TouchingList &) = delete;
@@ -54,7 +54,7 @@ private:
     void PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) override;
 
     uint32_t NextAwake(uint32_t end) const;
-    bool FindAwake();
+    bool FindAwake(int32 bodyCount);
     bool FillContacts();
     bool FillBodies();
     void ShortenContacts();

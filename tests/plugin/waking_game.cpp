@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-//   waking_game hit|joint|flags|first|last
+//   waking_game hit|joint|flags|first|last|empty
 //
 // Worlds in which hundreds of bodies sleep, and some are woken by what is easily overlooked. Prints a line
 // for each step: how many bodies are awake, how many contacts touch, and a hash of all bodies and contacts. A
 // plain program of Box2D's: with the plugin preloaded it prints the same.
 //
-//   hit     the top of a stack is taken away in the step in which it wakes: the end of its contact wakes the
-//   rest, in
-//           the midst of the loop over contacts
+//   hit     the top of a stack is taken away in the step in which it wakes: the end of its contact
+//           wakes the rest, in the midst of the loop over contacts
 //   joint   a sleeper is made a bullet, and is woken by a joint while islands are built
 //   flags   PostSolve wakes pairs that had been in an island when they fell asleep
-//   first   BeginContact and PreSolve of the newest contact wake pairs that are older: the loop is still to
-//   come by last    those of the oldest contact do: the loop has come by
+//   first   BeginContact and PreSolve of the newest contact wake pairs that are older: the loop is
+//           still to come by
+//   last    those of the oldest contact do: the loop has come by
+//   empty   the world loses its contacts, its moving bodies, all of its bodies; and gets others
 #include <cinttypes>
 #include <cstdint>
 #include <cstdio>
@@ -189,6 +190,57 @@ void WakePairs(bool driversFirst, bool again, bool inLoop) {
     }
 }
 
+/// A field of boxes of which every other pair touches.
+void AddField(b2World *world, int count) {
+    for (int i = 0; i < count; ++i)
+        AddBox(world, 1.8f * static_cast<float>(i) - (i % 4 == 1 ? 0.85f : 0.0f), 0.0f);
+}
+
+void DestroyBodies(b2World *world, bool staticToo) {
+    for (b2Body *body = world->GetBodyList(); body != nullptr;) {
+        b2Body *const next = body->GetNext();
+        if (staticToo || body->GetType() != b2_staticBody)
+            world->DestroyBody(body);
+        body = next;
+    }
+}
+
+void Empty() {
+    b2World world(b2Vec2(0.0f, -10.0f));
+    for (const int count : {40, 300, 40}) {
+        AddBox(&world, b2_staticBody, 0.0f, -1.0f, 900.0f, 0.5f);
+        AddField(&world, count);
+        Run(&world, 100);
+        for (b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+            if (body->GetType() != b2_staticBody) // out of reach of each other
+                body->SetTransform(b2Vec2(3.0f * body->GetPosition().x, 50.0f), 0.0f);
+        Run(&world, 3);
+        DestroyBodies(&world, false);
+        Run(&world, 2);
+        AddField(&world, count);
+        Run(&world, 20);
+        DestroyBodies(&world, true);
+        Run(&world, 3);
+    }
+    // Ended in the midst of a step: one of no time unlocks the world for a listener.
+    Listener listener;
+    world.SetContactListener(&listener);
+    for (const bool inLoop : {false, true}) {
+        AddBox(&world, b2_staticBody, 0.0f, -1.0f, 900.0f, 0.5f);
+        AddField(&world, 300);
+        Run(&world, 60);
+        int calls = 0;
+        (inLoop ? listener.inLoop : listener.afterIslands) = [&world, &calls] {
+            if (++calls == 1)
+                world.Step(0.0f, 0, 0);
+        };
+        Run(&world, 2);
+        listener.inLoop = listener.afterIslands = nullptr;
+        DestroyBodies(&world, true);
+        Run(&world, 3);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -203,8 +255,10 @@ int main(int argc, char **argv) {
         WakePairs(false, false, true);
     } else if (what == "last") {
         WakePairs(true, false, true);
+    } else if (what == "empty") {
+        Empty();
     } else {
-        std::fputs("usage: waking_game hit|joint|flags|first|last\n", stderr);
+        std::fputs("usage: waking_game hit|joint|flags|first|last|empty\n", stderr);
         return 2;
     }
     return 0;
