@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <type_traits>
+#include <utility>
 
 namespace bmr {
 
@@ -38,6 +39,11 @@ public:
         std::free(m_data);
         m_data = nullptr;
         m_capacity = 0;
+    }
+
+    void Swap(Column *other) {
+        std::swap(m_data, other->m_data);
+        std::swap(m_capacity, other->m_capacity);
     }
 
     T &operator[](uint32_t i) { return m_data[i]; }

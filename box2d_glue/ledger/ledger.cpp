@@ -4,9 +4,6 @@
 #include <cstring>
 #include <initializer_list>
 
-#include <box2d/b2_broad_phase.h>
-
-#include "ledger/private_members.h"
 #include "start/current_step.h"
 #include "start/settings.h"
 
@@ -40,8 +37,8 @@ bool Ledger::Reserve(uint32_t count) {
     const uint32_t words = count / 64 + 1;
     const uint32_t had = m_awakeWords;
     if (!m_records.Reserve(count) || !m_lines.Reserve(count) || !m_contacts.Reserve(count) ||
-        !m_bits.Reserve(count) || !m_pairs.Reserve(count) || !m_patience.Reserve(count) ||
-        !m_awake.Reserve(words) || !m_looked.Reserve(words) || !m_asked.Reserve(words))
+        !m_bits.Reserve(count) || !m_patience.Reserve(count) || !m_awake.Reserve(words) ||
+        !m_looked.Reserve(words) || !m_asked.Reserve(words))
         return false;
     for (uint32_t word = had; word < words; ++word)
         m_awake[word] = m_looked[word] = m_asked[word] = 0;
@@ -118,9 +115,7 @@ bool Ledger::Begin() {
 
 void Ledger::Empty() {
     m_movers.Clear();
-    for (uint32_t at = 0; at < m_tableSize; ++at)
-        m_table[at] = 0;
-    m_inTable = m_unknown = 0;
+    m_proxyPairs.Empty();
     m_count = 0;
     m_live = 0;
     for (uint32_t word = 0; word < m_awakeWords; ++word)
@@ -138,11 +133,12 @@ bool Ledger::Put(uint32_t i, b2Contact *contact) {
         m_movers.Release(record.a);
         return false;
     }
-    if (!AddToTable(i, *contact)) {
+    if (!m_proxyPairs.Reserve(i + 1)) {
         m_movers.Release(record.a);
         m_movers.Release(record.b);
         return false;
     }
+    m_proxyPairs.Add(i, *contact);
     ContactNumber::Write(contact, i);
     m_contacts[i] = contact;
     m_bits[i] = contact->IsTouching() ? kTouches : 0;
@@ -151,79 +147,6 @@ bool Ledger::Put(uint32_t i, b2Contact *contact) {
     ++m_live;
     Watch(i);
     return true;
-}
-
-namespace {
-
-uint32_t StartOf(uint64_t pair, uint32_t size) {
-    return static_cast<uint32_t>((pair * 0x9e3779b97f4a7c15u) >> 32) & (size - 1);
-}
-
-uint64_t PairOf(int32 proxyA, int32 proxyB) {
-    return static_cast<uint64_t>(static_cast<uint32_t>(b2Min(proxyA, proxyB))) << 32 |
-           static_cast<uint32_t>(b2Max(proxyA, proxyB));
-}
-
-} // namespace
-
-/// Where the pair is in the table, or the free place that it would have.
-uint32_t Ledger::Place(uint64_t pair) const {
-    for (uint32_t at = StartOf(pair, m_tableSize);; at = (at + 1) & (m_tableSize - 1))
-        if (m_table[at] == 0 || m_pairs[m_table[at] - 1] == pair)
-            return at;
-}
-
-bool Ledger::GrowTable() {
-    const uint32_t size = m_tableSize == 0 ? 64 : 2 * m_tableSize;
-    if (!m_table.Reserve(size))
-        return false;
-    m_tableSize = size;
-    for (uint32_t at = 0; at < size; ++at)
-        m_table[at] = 0;
-    for (uint32_t i = 0; i < m_count; ++i)
-        if (m_contacts[i] != nullptr && m_pairs[i] != kUnknownPair)
-            m_table[Place(m_pairs[i])] = i + 1;
-    return true;
-}
-
-/// False without memory. A body that was put out of its world has no proxies; a contact of it may all the
-/// same be made in the midst of it, by a filter, and last until the body comes back with others.
-bool Ledger::AddToTable(uint32_t i, const b2Contact &contact) {
-    if (2 * (m_inTable + 1) > m_tableSize && !GrowTable())
-        return false;
-    const int32 a = FixtureAccess::ProxyOf(contact.GetFixtureA(), contact.GetChildIndexA());
-    const int32 b = FixtureAccess::ProxyOf(contact.GetFixtureB(), contact.GetChildIndexB());
-    m_pairs[i] = PairOf(a, b);
-    const uint32_t at =
-        a == b2BroadPhase::e_nullProxy || b == b2BroadPhase::e_nullProxy ? kNone : Place(m_pairs[i]);
-    if (at == kNone || m_table[at] != 0) {
-        m_pairs[i] = kUnknownPair;
-        ++m_unknown;
-        return true;
-    }
-    m_table[at] = i + 1;
-    ++m_inTable;
-    return true;
-}
-
-void Ledger::TakeFromTable(uint32_t i) {
-    if (m_pairs[i] == kUnknownPair) {
-        --m_unknown;
-        return;
-    }
-    uint32_t at = Place(m_pairs[i]);
-    m_table[at] = 0;
-    --m_inTable;
-    // Entries behind it are moved up to where they are looked for.
-    for (at = (at + 1) & (m_tableSize - 1); m_table[at] != 0; at = (at + 1) & (m_tableSize - 1)) {
-        const uint32_t entry = m_table[at];
-        m_table[at] = 0;
-        m_table[Place(m_pairs[entry - 1])] = entry;
-    }
-}
-
-bool Ledger::Exists(int32 proxyA, int32 proxyB) const {
-    return m_tableSize != 0 && m_table[Place(PairOf(proxyA, proxyB))] != 0;
 }
 
 void Ledger::TakeRestingOutOfIslands() {
@@ -263,7 +186,7 @@ void Ledger::Take(uint32_t i) {
     DropLine(i);
     if (!IsResting(i))
         Unwatch(i);
-    TakeFromTable(i);
+    m_proxyPairs.Remove(i);
     m_movers.Release(m_records[i].a);
     m_movers.Release(m_records[i].b);
     m_contacts[i] = nullptr;
@@ -298,10 +221,10 @@ void Ledger::Resync() {
          contact = ContactNumber::Next(contact)) {
         const uint32_t i = NumberOf(contact);
         if (i != kNone)
-            IsLookedAt(i);
+            NoteLookedAt(i);
     }
     for (uint32_t i = 0; i < m_count; ++i)
-        if (m_contacts[i] != nullptr && (m_looked[i / 64] >> (i % 64) & 1) == 0)
+        if (m_contacts[i] != nullptr && !WasLookedAt(i))
             Take(i);
 }
 
@@ -321,9 +244,7 @@ void Ledger::Compact() {
         m_records[to] = m_records[from];
         m_lines[to] = m_lines[from];
         m_bits[to] = m_bits[from];
-        m_pairs[to] = m_pairs[from];
-        if (m_pairs[to] != kUnknownPair)
-            m_table[Place(m_pairs[to])] = to + 1;
+        m_proxyPairs.Renumber(from, to);
         m_patience[to] = m_patience[from];
         m_awake[from / 64] &= ~(uint64_t{1} << (from % 64));
         m_awake[to / 64] = (m_awake[to / 64] & ~(uint64_t{1} << (to % 64))) | awake << (to % 64);

@@ -11,6 +11,7 @@
 #include "ledger/bodies.h"
 #include "ledger/column.h"
 #include "ledger/movers.h"
+#include "ledger/proxy_pairs.h"
 
 namespace bmr {
 
@@ -106,10 +107,8 @@ public:
         return number < m_count && m_contacts[number] == contact ? number : kNone;
     }
 
-    /// Is there a contact of these two proxies? (Proxies are b2BroadPhase's.) To be asked where IsWhole.
-    bool Exists(int32 proxyA, int32 proxyB) const;
-    /// Of some contact nobody knows the proxies: Exists would not find it.
-    bool HasUnknownProxies() const { return m_unknown > 0; }
+    /// Good where IsWhole.
+    const ProxyPairs &GetProxyPairs() const { return m_proxyPairs; }
 
     // A pass over all pairs, newest first.
 
@@ -172,7 +171,7 @@ public:
             Watch(i);
         return !IsResting(i);
     }
-    uint32_t CurrentLook() const { return m_look; }
+    uint64_t CurrentLook() const { return m_look; }
     /// Compares the two movers of a pair with what they are by now, where that is not known.
     void LookAgain(uint32_t i) {
         const Record record = m_records[i];
@@ -214,14 +213,15 @@ public:
     /// Stock has enabled every active contact that its loop has passed; here that is done for those that
     /// nobody looked at, from the newest that is still owed it down to `down`.
     void EnableDownTo(uint32_t down);
-    /// Somebody did it all.
-    void OweNothing() { m_owed = 0; }
+    /// Somebody else enabled them all.
+    void ForgetOwed() { m_owed = 0; }
     void OweEnabling(uint32_t below);
     uint32_t PassNumber() const { return m_passNumber; }
     /// The contact is looked at: what its flags say from here on is so.
-    void IsLookedAt(uint32_t i) { m_looked[i / 64] |= uint64_t{1} << (i % 64); }
+    void NoteLookedAt(uint32_t i) { m_looked[i / 64] |= uint64_t{1} << (i % 64); }
+    bool WasLookedAt(uint32_t i) const { return (m_looked[i / 64] >> (i % 64) & 1) != 0; }
     void EnableIfOwed(uint32_t i) {
-        if (i < m_owed && !IsResting(i) && (m_looked[i / 64] >> (i % 64) & 1) == 0 &&
+        if (i < m_owed && !IsResting(i) && !WasLookedAt(i) &&
             (m_movers.IsActive(m_records[i].a) || m_movers.IsActive(m_records[i].b)))
             ContactNumber::Enable(m_contacts[i]);
     }
@@ -240,7 +240,7 @@ public:
         return (both & (kActive | kStops | kIsSensor)) == (kActive | kStops);
     }
     /// Box2D is to be asked whether the two meet in this step.
-    void IsAsked(uint32_t i) { m_asked[i / 64] |= uint64_t{1} << (i % 64); }
+    void NoteAsked(uint32_t i) { m_asked[i / 64] |= uint64_t{1} << (i % 64); }
     bool WasAsked(uint32_t i) const { return (m_asked[i / 64] >> (i % 64) & 1) != 0; }
     bool IsLookedAtIn(uint64_t step) const { return step != 0 && m_step == step; }
     /// The two could not impact when the last pass came by them; without code of the game they cannot now.
@@ -273,7 +273,6 @@ public:
     b2Contact *Contact(uint32_t i) const { return m_contacts[i]; } ///< nullptr where it is gone
     const Record &At(uint32_t i) const { return m_records[i]; }
     uint8_t Bits(uint32_t i) const { return m_bits[i]; }
-    void SetBit(uint32_t i, uint8_t bit) { m_bits[i] |= bit; }
     void ClearBit(uint32_t i, uint8_t bit) { m_bits[i] &= static_cast<uint8_t>(~bit); }
     Bodies &GetBodies() { return m_bodies; }
     /// In this step the islands hold none but the bodies that GetBodies() knows to be awake; 0: nobody knows.
@@ -300,15 +299,15 @@ public:
         explicit Pass(Ledger *ledger) : m_ledger(ledger) { ++ledger->m_passes; }
         ~Pass() {
             --m_ledger->m_passes;
-            m_ledger->m_interrupted = m_ledger->m_interrupted || !m_done;
+            m_ledger->m_interrupted = m_ledger->m_interrupted || !m_complete;
         }
         Pass(const Pass &) = delete;
         Pass &operator=(const Pass &) = delete;
-        void IsDone() { m_done = true; }
+        void Complete() { m_complete = true; }
 
     private:
         Ledger *m_ledger;
-        bool m_done = false;
+        bool m_complete = false;
     };
 
 private:
@@ -318,11 +317,6 @@ private:
     bool Begin();
     bool Reserve(uint32_t count);
     bool Put(uint32_t i, b2Contact *contact);
-    static constexpr uint64_t kUnknownPair = ~uint64_t{0};
-    uint32_t Place(uint64_t pair) const;
-    bool GrowTable();
-    bool AddToTable(uint32_t i, const b2Contact &contact);
-    void TakeFromTable(uint32_t i);
     void Take(uint32_t i);
     void Compact();
     void Empty();
@@ -343,21 +337,19 @@ private:
     Movers m_movers;
     Column<Record> m_records;
     Column<bmr_budget_line> m_lines;
-    Column<uint64_t> m_pairs; ///< the two proxies, the smaller one first; kUnknownPair where nobody knows
-    Column<uint32_t> m_table; ///< number of a record + 1 by pair; open addressing
+    ProxyPairs m_proxyPairs;
     Column<b2Contact *> m_contacts;
     Column<uint8_t> m_bits;
     Column<Patience> m_patience;
     Column<uint64_t> m_awake;  ///< one bit a record: alive, and one of its bodies was awake
     Column<uint64_t> m_asked;  ///< one bit a record: in the last search for impacts
     Column<uint64_t> m_looked; ///< one bit a record: looked at in the last pass
-    uint32_t m_tableSize = 0, m_inTable = 0, m_unknown = 0;
     uint32_t m_awakeWords = 0;
     uint32_t m_count = 0; ///< records, the dead ones among them
     int32 m_live = 0;
     uint64_t m_step = 0;     ///< CurrentStep() of the last look at all movers
-    uint32_t m_passLook = 1; ///< the look that the last pass began with
-    uint32_t m_look = 1;     ///< goes up whenever what was read may be old
+    uint64_t m_passLook = 1; ///< the look that the last pass began with
+    uint64_t m_look = 1;     ///< goes up whenever what was read may be old
     uint32_t m_owed = 0;     ///< contacts below this, if active, are still to be enabled
     uint32_t m_passNumber = 0;
     uint32_t m_passes = 0; ///< under way

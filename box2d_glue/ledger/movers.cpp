@@ -49,6 +49,10 @@ uint64_t DigestOf(const b2PolygonShape &polygon) {
     return first * kSecond ^ second;
 }
 
+uint64_t KeyOf(const b2Fixture *fixture) {
+    return static_cast<uint64_t>(reinterpret_cast<uintptr_t>(fixture));
+}
+
 /// Of a small polygon.
 struct Sides {
     double reach = 0.0; ///< from the pivot
@@ -116,38 +120,16 @@ static bool Measure(Mover *mover, const b2PolygonShape &polygon) {
     return true;
 }
 
-uint32_t *Movers::Place(const b2Fixture *fixture) {
-    const uint64_t mixed = static_cast<uint64_t>(reinterpret_cast<uintptr_t>(fixture)) * 0x9e3779b97f4a7c15u;
-    for (auto at = static_cast<uint32_t>(mixed >> 32) & (m_tableSize - 1);;
-         at = (at + 1) & (m_tableSize - 1)) {
-        uint32_t &entry = m_table[at];
-        if (entry == 0 || m_rows[entry - 1].fixture == fixture)
-            return &entry;
+uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhase, uint64_t look) {
+    const auto keyOf = [this](uint32_t row) { return KeyOf(m_rows[row].fixture); };
+    uint32_t row = m_byFixture.Find(KeyOf(fixture), keyOf);
+    if (row != kNone) {
+        ++m_rows[row].records;
+        return row;
     }
-}
-
-bool Movers::GrowTable() {
-    const uint32_t size = m_tableSize == 0 ? 64 : 2 * m_tableSize;
-    if (!m_table.Reserve(size))
-        return false;
-    m_tableSize = size;
-    for (uint32_t i = 0; i < size; ++i)
-        m_table[i] = 0;
-    for (uint32_t row = 0; row < m_count; ++row)
-        if (m_rows[row].records > 0)
-            *Place(m_rows[row].fixture) = row + 1;
-    return true;
-}
-
-uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhase, uint32_t look) {
-    if (2 * (m_used + 1) > m_tableSize && !GrowTable())
+    if (!m_byFixture.MakeRoom(keyOf))
         return kNone;
-    uint32_t *place = Place(fixture);
-    if (*place != 0) {
-        ++m_rows[*place - 1].records;
-        return *place - 1;
-    }
-    uint32_t row = m_free;
+    row = m_free;
     if (row == kNone) {
         row = m_count;
         if (!m_rows.Reserve(row + 1) || !m_moved.Reserve(row + 1) || !m_ends.Reserve(row + 1) ||
@@ -157,11 +139,10 @@ uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhas
     } else {
         m_free = m_rows[row].watched;
     }
-    ++m_used;
-    *place = row + 1;
     Mover &mover = m_rows[row];
     mover = {};
     mover.fixture = fixture;
+    m_byFixture.Add(row, keyOf);
     mover.body = fixture->GetBody();
     mover.records = 1;
     mover.proxy = FixtureAccess::ProxyCount(fixture) == 1 ? FixtureAccess::ProxyOf(fixture, 0)
@@ -177,16 +158,7 @@ uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhas
 void Movers::Release(uint32_t row) {
     if (--m_rows[row].records > 0)
         return;
-    // Entries behind the one that goes are moved up to where they are looked for.
-    uint32_t *gap = Place(m_rows[row].fixture);
-    auto at = static_cast<uint32_t>(gap - &m_table[0]);
-    m_table[at] = 0;
-    for (at = (at + 1) & (m_tableSize - 1); m_table[at] != 0; at = (at + 1) & (m_tableSize - 1)) {
-        const uint32_t entry = m_table[at];
-        m_table[at] = 0;
-        *Place(m_rows[entry - 1].fixture) = entry;
-    }
-    --m_used;
+    m_byFixture.Remove(row, [this](uint32_t other) { return KeyOf(m_rows[other].fixture); });
     m_bits[row] = 0;
     m_rows[row].watched = m_free; // the next free row
     m_free = row;
@@ -198,8 +170,8 @@ void Movers::Clear() {
     m_ends.Clear();
     m_bits.Clear();
     m_sweepBits.Clear();
-    m_table.Clear();
-    m_count = m_used = m_tableSize = 0;
+    m_byFixture.Clear();
+    m_count = 0;
     m_free = kNone;
 }
 
@@ -225,7 +197,7 @@ bool Movers::LookAtShape(Mover *mover, uint8_t *bits) const {
     return changed;
 }
 
-void Movers::Begin(uint32_t row, const b2BroadPhase &broadPhase, uint32_t look) {
+void Movers::Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look) {
     Mover &mover = m_rows[row];
     const uint32_t moved = mover.motion.moved, turned = mover.motion.turned;
     const bmr_pose pose = PoseOf(*mover.body);
@@ -243,7 +215,7 @@ void Movers::Begin(uint32_t row, const b2BroadPhase &broadPhase, uint32_t look) 
     m_bits[row] &= static_cast<uint8_t>(~(kChanged | kChangedLate));
 }
 
-void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint32_t look, bool late) {
+void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, bool late) {
     Mover &mover = m_rows[row];
     const b2Body &body = *mover.body;
     const uint8_t before = m_bits[row];
@@ -301,12 +273,12 @@ void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint32_t look, b
     m_moved[row] = mover.motion.moved;
 }
 
-void Movers::FindSweepBits(uint32_t row, uint32_t look) {
+void Movers::FindSweepBits(uint32_t row, uint64_t look) {
     m_rows[row].sweptAt = look;
     m_sweepBits[row] = FlagsOf(m_rows[row]);
 }
 
-void Movers::FindEnd(uint32_t row, bool careful, uint32_t look) {
+void Movers::FindEnd(uint32_t row, bool careful, uint64_t look) {
     Mover &mover = m_rows[row];
     const b2Body &body = *mover.body;
     const b2Sweep &sweep = SweepOf(body);

@@ -10,6 +10,7 @@
 
 #include "boomerang/budget.h"
 #include "ledger/column.h"
+#include "ledger/key_table.h"
 
 namespace bmr {
 
@@ -45,9 +46,9 @@ struct Mover {
     uint32_t watched;  ///< of these, the ones of which one body at least is awake
     bool sound;        ///< a polygon as Box2D makes them: its vertices tell all
     uint32_t late;     ///< units that were added in the middle of the present pass
-    uint32_t sweptAt;  ///< the same for its sweep
-    uint32_t endedAt;  ///< the same for how far that may come
-    uint32_t lookedAt; ///< the ledger's count of looks when this row had its last one
+    uint64_t lookedAt; ///< the ledger's count of looks when this row had its last one
+    uint64_t sweptAt;  ///< the same for its sweep
+    uint64_t endedAt;  ///< the same for how far that may come
 };
 
 /// What the loop over pairs asks of a row, in one byte.
@@ -65,28 +66,28 @@ enum MoverBit : uint8_t {
 class Movers {
 public:
     /// The row of this fixture, made if there is none; kNone without memory. Counts one contact more.
-    uint32_t Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhase, uint32_t look);
+    uint32_t Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhase, uint64_t look);
     /// One contact less; the last one frees the row.
     void Release(uint32_t row);
     void Clear();
 
     /// Compares the row with what its fixture and body are now: sums, bits, box. Marks it where its contacts
     /// are to be looked at whatever their budgets say.
-    void Look(uint32_t row, const b2BroadPhase &broadPhase, uint32_t look, bool late);
+    void Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, bool late);
     /// A contact of the row gets a line. The first one: what was not read until now is, and is no motion.
-    void AddProof(uint32_t row, const b2BroadPhase &broadPhase, uint32_t look) {
+    void AddProof(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look) {
         if (m_rows[row].proved == 0)
             Begin(row, broadPhase, look);
         ++m_rows[row].proved;
     }
     void DropProof(uint32_t row) { --m_rows[row].proved; }
     /// Sets SweepBits.
-    void LookAtSweep(uint32_t row, uint32_t look) {
+    void LookAtSweep(uint32_t row, uint64_t look) {
         if (m_rows[row].sweptAt != look)
             FindSweepBits(row, look);
     }
     /// Sets End: how far the row can come in the sweep of its body. `careful`: compares the shape, too.
-    void LookAtEnd(uint32_t row, bool careful, uint32_t look) {
+    void LookAtEnd(uint32_t row, bool careful, uint64_t look) {
         if (m_rows[row].endedAt != look)
             FindEnd(row, careful, look);
     }
@@ -99,7 +100,6 @@ public:
     static constexpr uint32_t kNone = 0xffffffffu;
     /// Rows are numbered below this; some may be free (records == 0).
     uint32_t Count() const { return m_count; }
-    uint32_t Bytes() const;
 
     Mover &operator[](uint32_t row) { return m_rows[row]; }
     const Mover &operator[](uint32_t row) const { return m_rows[row]; }
@@ -124,20 +124,18 @@ public:
     }
 
 private:
-    void FindSweepBits(uint32_t row, uint32_t look);
-    void FindEnd(uint32_t row, bool careful, uint32_t look);
-    void Begin(uint32_t row, const b2BroadPhase &broadPhase, uint32_t look);
-    uint32_t *Place(const b2Fixture *fixture);
-    bool GrowTable();
+    void FindSweepBits(uint32_t row, uint64_t look);
+    void FindEnd(uint32_t row, bool careful, uint64_t look);
+    void Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look);
     bool LookAtShape(Mover *mover, uint8_t *bits) const;
     void Mark(uint32_t row);
 
     Column<Mover> m_rows;
     Column<uint32_t> m_moved, m_ends;
     Column<uint8_t> m_bits, m_sweepBits;
-    Column<uint32_t> m_table; ///< number of a row + 1 by fixture; open addressing
+    KeyTable m_byFixture;
     bool m_sumsLost = false;
-    uint32_t m_count = 0, m_used = 0, m_tableSize = 0, m_free = kNone;
+    uint32_t m_count = 0, m_free = kNone;
 };
 
 } // namespace bmr

@@ -20,7 +20,7 @@ inline bool &GameMayRun() {
     return mayRun;
 }
 
-/// Its length in time; 0 outside of steps. For guesses of how far bodies will move.
+/// The length in time of the step that began last on this thread. For guesses of how far bodies will move.
 inline float &CurrentTimeStep() {
     static thread_local float seconds = 0.0f;
     return seconds;

@@ -25,7 +25,7 @@ void b2World::ClearForces() {
     Ledger *ledger = HookIsOn(Hook::Ledger) ? FindLedger(&m_contactManager) : nullptr;
     // Code of the game may have woken bodies, and have pushed them, since the list was made.
     if (ledger == nullptr || !ledger->IsAwakeAlone(CurrentStep()) || GameMayRun()) {
-        realClearForces.Get()(this);
+        realClearForces(this);
         return;
     }
     const Bodies &bodies = ledger->GetBodies();

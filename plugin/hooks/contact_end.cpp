@@ -56,21 +56,21 @@ void Destroy(b2ContactManager *manager, b2Contact *contact) {
     HookIsOn(Hook::Ledger); // reached
     Ledger *ledger = FindLedger(manager);
     if (ledger == nullptr) {
-        realDestroy.Get()(manager, contact);
+        realDestroy(manager, contact);
         return;
     }
     // The listener that is told of its end may step the world, or end other contacts: numbers stay.
     Ledger::Pass pass(ledger);
     const uint32_t number = ledger->FindNumber(contact);
-    realDestroy.Get()(manager, contact);
+    realDestroy(manager, contact);
     ledger->Remove(number, contact);
-    pass.IsDone();
+    pass.Complete();
 }
 
 void Refilter(b2Fixture *fixture) BMR_STANDS_FOR("_ZN9b2Fixture8RefilterEv");
 
 void Refilter(b2Fixture *fixture) {
-    realRefilter.Get()(fixture);
+    realRefilter(fixture);
     NoteFiltering(fixture->GetBody());
 }
 
@@ -78,7 +78,7 @@ void SetFilterData(b2Fixture *fixture, const b2Filter &filter)
     BMR_STANDS_FOR("_ZN9b2Fixture13SetFilterDataERK8b2Filter");
 
 void SetFilterData(b2Fixture *fixture, const b2Filter &filter) {
-    realSetFilterData.Get()(fixture, filter);
+    realSetFilterData(fixture, filter);
     NoteFiltering(fixture->GetBody());
 }
 
@@ -86,7 +86,7 @@ b2Joint *CreateJoint(b2World *world, const b2JointDef *def)
     BMR_STANDS_FOR("_ZN7b2World11CreateJointEPK10b2JointDef");
 
 b2Joint *CreateJoint(b2World *world, const b2JointDef *def) {
-    b2Joint *joint = realCreateJoint.Get()(world, def);
+    b2Joint *joint = realCreateJoint(world, def);
     if (joint != nullptr)
         NoteFiltering(joint->GetBodyB());
     return joint;
@@ -96,7 +96,7 @@ void DestroyJoint(b2World *world, b2Joint *joint) BMR_STANDS_FOR("_ZN7b2World12D
 
 void DestroyJoint(b2World *world, b2Joint *joint) {
     b2Body *const body = joint != nullptr ? joint->GetBodyB() : nullptr;
-    realDestroyJoint.Get()(world, joint);
+    realDestroyJoint(world, joint);
     NoteFiltering(body);
 }
 
@@ -107,21 +107,21 @@ void DestroyBody(b2World *world, b2Body *body) {
         ledger->GetBodies().Forget();
         ledger->SetAwakeAlone(0);
     }
-    realDestroyBody.Get()(world, body);
+    realDestroyBody(world, body);
 }
 
 void EndWorld(b2World *world) BMR_STANDS_FOR("_ZN7b2WorldD1Ev");
 
 void EndWorld(b2World *world) {
     DropLedger(&world->GetContactManager());
-    realEndWorld.Get()(world);
+    realEndWorld(world);
 }
 
 void EndBaseWorld(b2World *world) BMR_STANDS_FOR("_ZN7b2WorldD2Ev");
 
 void EndBaseWorld(b2World *world) {
     DropLedger(&world->GetContactManager());
-    realEndBaseWorld.Get()(world);
+    realEndBaseWorld(world);
 }
 
 } // namespace bmr::hooks

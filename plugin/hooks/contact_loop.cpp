@@ -12,6 +12,7 @@
 // Worlds of few contacts, and those whose ledger has no memory, are stepped by Box2D's list.
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 
 #include "contacts/apart_line.h"
 #include "contacts/convex_contact.h"
@@ -98,7 +99,6 @@ void CollideByList(b2ContactManager *manager) {
 /// game's: whatever the game's code does, the pass knows that it ran.
 class LedgerPass final : private b2ContactListener {
 public:
-    // cppcheck-suppress uninitMemberVar ; m_ahead is written before it is read
     LedgerPass(Ledger *ledger, b2ContactManager *manager)
         : m_ledger(ledger), m_manager(manager), m_pass(ledger) {}
 
@@ -135,7 +135,7 @@ private:
     bool m_preSolves = true; ///< the listener's PreSolve is not the empty one of b2ContactListener
     uint32_t m_looks = 0;
     uint32_t m_at = 0;   ///< records from here on are passed; the one that is visited is the last of them
-    uint32_t m_seen = 0; ///< the look that the pass goes by, as long as no code of the game ran
+    uint64_t m_seen = 0; ///< the look that the pass goes by, as long as no code of the game ran
     uint64_t m_due =
         0; ///< of the word of 64 records that the pass is in, those that are due and still to come
     uint32_t m_word = 0; ///< its number; words from it on were looked at
@@ -206,13 +206,11 @@ uint32_t LedgerPass::TakeNewest(uint64_t *left) const {
 }
 
 bool LedgerPass::PassesFilter(uint32_t i, b2Contact *contact) {
-    bool passes;
-    if (IsOfGame(m_manager->m_contactFilter)) {
-        const Game game(this);
-        passes = PassesFilters(m_manager, contact->GetFixtureA(), contact->GetFixtureB());
-    } else {
-        passes = PassesFilters(m_manager, contact->GetFixtureA(), contact->GetFixtureB());
-    }
+    std::optional<Game> game;
+    if (IsOfGame(m_manager->m_contactFilter))
+        game.emplace(this);
+    const bool passes = PassesFilters(m_manager, contact->GetFixtureA(), contact->GetFixtureB());
+    game.reset();
     if (passes) {
         SolidContact::FilteringIsDone(contact);
         m_ledger->ClearBit(i, kToBeFiltered);
@@ -249,7 +247,7 @@ void LedgerPass::Look(uint32_t i, b2Contact *contact) {
     const Ledger::Record record = m_ledger->At(i);
     Count(&Counts::looks);
     ++m_looks;
-    m_ledger->IsLookedAt(i);
+    m_ledger->NoteLookedAt(i);
     Update(contact, Listener());
     if (m_ledger->Contact(i) != contact)
         return; // the game ended it
@@ -339,7 +337,7 @@ void LedgerPass::Run() {
             Visit(i);
         }
     }
-    m_pass.IsDone();
+    m_pass.Complete();
     m_ledger->NoteLooks(m_looks);
     if (IsOfGame(m_manager->m_contactListener) || IsOfGame(m_manager->m_contactFilter) ||
         !m_ledger->AreSearchesForImpactsSeen())

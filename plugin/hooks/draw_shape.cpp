@@ -24,7 +24,7 @@ BMR_FOR_LOADERS("_ZN7b2World9DrawShapeEP9b2FixtureRK11b2TransformRK7b2Color");
 void b2World::DrawShape(b2Fixture *fixture, const b2Transform &xf, const b2Color &color) {
     const bmr_convex32_block *block = AnyBigPolygon() ? BigPolygonOf(*fixture->GetShape()) : nullptr;
     if (block == nullptr) {
-        realDrawShape.Get()(this, fixture, xf, color);
+        realDrawShape(this, fixture, xf, color);
         return;
     }
     NoteDrawnByBox2D(this, m_debugDraw);

@@ -78,7 +78,7 @@ bool MoveProxy(b2DynamicTree *tree, int32 id, const b2AABB &aabb, const b2Vec2 &
     BMR_STANDS_FOR("_ZN13b2DynamicTree9MoveProxyEiRK6b2AABBRK6b2Vec2");
 
 int32 CreateProxy(b2DynamicTree *tree, const b2AABB &aabb, void *userData) {
-    const auto box2d = [=, &aabb] { return realCreateProxy.Get()(tree, aabb, userData); };
+    const auto box2d = [=, &aabb] { return realCreateProxy(tree, aabb, userData); };
     const auto ours = [=, &aabb](auto *log, int32 *id) { return CreateHere(*tree, aabb, userData, log, id); };
     if (!IsOurs())
         return box2d();
@@ -91,7 +91,7 @@ int32 CreateProxy(b2DynamicTree *tree, const b2AABB &aabb, void *userData) {
 
 void DestroyProxy(b2DynamicTree *tree, int32 id) {
     const auto box2d = [=] {
-        realDestroyProxy.Get()(tree, id);
+        realDestroyProxy(tree, id);
         return true;
     };
     const auto ours = [=](auto *log, bool *done) { return *done = DestroyHere(*tree, id, log); };

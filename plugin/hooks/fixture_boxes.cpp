@@ -134,7 +134,7 @@ bool SameBits(Box a, Box b) {
 void CompareWithBox2D(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
                       const b2Transform &xf2, const b2FixtureProxy &proxy, Box ours) {
     const Box leaf = BoxOf(broadPhase->GetFatAABB(proxy.proxyId));
-    realSynchronize.Get()(fixture, broadPhase, xf1, xf2);
+    realSynchronize(fixture, broadPhase, xf1, xf2);
     CountVerified();
     if (!SameBits(BoxOf(proxy.aabb), ours))
         ReportDifference("fixture boxes", fixture, nullptr, "another box");

@@ -173,9 +173,9 @@ private:
 
     bool Exists(const b2FixtureProxy &a, const b2FixtureProxy &b) const {
         // A filter may have made or ended contacts, where the world is not locked.
-        if (m_ledger == nullptr || m_ledger->HasUnknownProxies() || !m_ledger->IsWhole())
+        if (m_ledger == nullptr || m_ledger->GetProxyPairs().HasUnknown() || !m_ledger->IsWhole())
             return ExistsInList(a, b);
-        return m_ledger->Exists(a.proxyId, b.proxyId);
+        return m_ledger->GetProxyPairs().Exists(a.proxyId, b.proxyId);
     }
 
     /// By a walk over the body's list, as Box2D does it.
@@ -350,7 +350,7 @@ void FindNewContacts(b2ContactManager *manager) {
         manager->m_broadPhase.UpdatePairs(&finder);
     }
     if (!ours || Verifying())
-        realFindNewContacts.Get()(manager);
+        realFindNewContacts(manager);
     stepping.searched = manager;
     if (Ledger *ledger = FindLedger(manager)) {
         ledger->CatchUp();

@@ -21,7 +21,7 @@ bool ShapeCast(b2ShapeCastOutput *output, const b2ShapeCastInput *input) {
     bool hit;
     if (AnyBigPolygon() && BigCast(output, *input, &hit))
         return hit;
-    return realShapeCast.Get()(output, input);
+    return realShapeCast(output, input);
 }
 
 } // namespace bmr::hooks

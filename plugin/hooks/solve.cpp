@@ -43,15 +43,15 @@ void b2World::Solve(const b2TimeStep &step) {
     // Where Box2D's search for new contacts does not come by ours, nobody would open the lists for it.
     if (ledger == nullptr || !ledger->IsLookedAtIn(CurrentStep()) || !ledger->IsWhole() ||
         !ledger->AreSearchesSeen()) {
-        realSolve.Get()(this, step);
+        realSolve(this, step);
         return;
     }
     ledger->MakeTouchesSure();
     if (Verifying()) {
         CompareTouching(*ledger);
-        realSolve.Get()(this, step);
+        realSolve(this, step);
         return;
     }
     const TouchingList list(&m_contactManager, &m_bodyList, m_bodyCount, ledger);
-    realSolve.Get()(this, step);
+    realSolve(this, step);
 }

@@ -86,12 +86,12 @@ void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, L
         if (outlasts) {
             ContactNumber::HasNoImpact(contact);
         } else if (!isDone(contact)) {
-            ledger->IsAsked(i);
+            ledger->NoteAsked(i);
             ++unproved;
         }
     }
     if (eager)
-        ledger->OweNothing();
+        ledger->ForgetOwed();
     if (unproved == 0) {
         ledger->SetTouchesSure(true);
         ledger->SetAlphasClear(true);
@@ -100,11 +100,11 @@ void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, L
     UntoldImpacts untold(ledger);
     const ShortList list(manager, *ledger);
     if (eager)
-        untold.AreTold();
+        untold.NoteTold();
     else if (!list.IsShort() || !TimeOfImpactIsReached())
         untold.Tell();                                // Box2D is about to look at all
     const KnownImpacts known(unproved, stepComplete); // Box2D asks for the very same ones first
-    realSolveToi.Get()(world, step);
+    realSolveToi(world, step);
     const bool none = !ledger->FoundImpact() && TimeOfImpactIsReached();
     ledger->SetTouchesSure(none);
     ledger->SetAlphasClear(none);
@@ -119,13 +119,13 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     if (NothingIsInstalled())
         return realSolveToi(this, step);
     Ledger *ledger = FindLedger(&m_contactManager);
+    bool alphasClear = false;
     if (ledger != nullptr) {
+        alphasClear = ledger->AreAlphasClear();
+        ledger->SetAlphasClear(false);
         ledger->SetTouchesSure(false);
         ledger->NoteSearchForImpacts();
     }
-    const bool alphasClear = ledger != nullptr && ledger->AreAlphasClear();
-    if (ledger != nullptr)
-        ledger->SetAlphasClear(false);
     // b2World::Solve, which ran just before, has looked for new contacts. Where that did not come by our
     // FindNewContacts (a Box2D whose inner calls are bound in part), neither would it after an impact, and
     // nobody would tell the short list of contacts that were made.
@@ -139,7 +139,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     if (isLookedAt && !byLedger)
         ledger->EnableDownTo(0); // all contacts are about to be asked
     if (scan == nullptr) {
-        realSolveToi.Get()(this, step);
+        realSolveToi(this, step);
         return;
     }
     const auto begin = [](b2Body *body) {
@@ -185,7 +185,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
         unproved += isDone(contact) ? 0 : 1;
     }
     if (Verifying()) {
-        realSolveToi.Get()(this, step);
+        realSolveToi(this, step);
         return;
     }
     if (unproved == 0)
@@ -193,5 +193,5 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     // In the middle of a step Box2D keeps what is known; when it is done it says that the step is complete.
     const ShortList list(&m_contactManager);
     const KnownImpacts known(unproved, &m_stepComplete); // Box2D asks for the very same ones first
-    realSolveToi.Get()(this, step);
+    realSolveToi(this, step);
 }

@@ -26,16 +26,16 @@ bool TestOverlap(const b2Shape *shapeA, int32 indexA, const b2Shape *shapeB, int
     if (NothingIsInstalled())
         return realTestOverlap(shapeA, indexA, shapeB, indexB, xfA, xfB);
     if (!HookIsOn(Hook::TestOverlap) || !InStep())
-        return realTestOverlap.Get()(shapeA, indexA, shapeB, indexB, xfA, xfB);
+        return realTestOverlap(shapeA, indexA, shapeB, indexB, xfA, xfB);
     Count(&Counts::overlapQueries);
     const Overlap answer = CertainOverlap(*shapeA, indexA, *shapeB, indexB, xfA, xfB);
     if (answer == Overlap::kUnknown)
-        return realTestOverlap.Get()(shapeA, indexA, shapeB, indexB, xfA, xfB);
+        return realTestOverlap(shapeA, indexA, shapeB, indexB, xfA, xfB);
     Count(&Counts::overlapsAnswered);
     const bool overlap = answer == Overlap::kOverlapping;
     if (!Verifying())
         return overlap;
-    const bool box2d = realTestOverlap.Get()(shapeA, indexA, shapeB, indexB, xfA, xfB);
+    const bool box2d = realTestOverlap(shapeA, indexA, shapeB, indexB, xfA, xfB);
     VerifyOverlap(nullptr, nullptr, overlap, box2d);
     return box2d;
 }

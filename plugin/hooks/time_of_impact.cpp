@@ -25,7 +25,7 @@ Real<void(b2TOIOutput *, const b2TOIInput *)>
 void RealTimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
     if (AnyBigPolygon() && BigImpact(output, *input))
         return;
-    realTimeOfImpact.Get()(output, input);
+    realTimeOfImpact(output, input);
 }
 
 void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input)
@@ -44,12 +44,12 @@ void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
     if (AnyBigPolygon() && BigImpact(output, *input))
         return;
     if (!HookIsOn(Hook::TimeOfImpact) || !InStep()) {
-        realTimeOfImpact.Get()(output, input);
+        realTimeOfImpact(output, input);
         return;
     }
     Count(&Counts::toiQueries);
     if (!NeverTouchUnlessResting(*input)) {
-        realTimeOfImpact.Get()(output, input);
+        realTimeOfImpact(output, input);
         return;
     }
     Count(&Counts::toiAnswered);
@@ -57,7 +57,7 @@ void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
     output->t = input->tMax;
     if (Verifying()) {
         const b2TOIOutput ours = *output;
-        realTimeOfImpact.Get()(output, input);
+        realTimeOfImpact(output, input);
         VerifyImpact(nullptr, nullptr, ours, *output);
     }
 }

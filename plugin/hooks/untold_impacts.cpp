@@ -22,7 +22,7 @@ void NoteTimeOfImpactIsReached() {
     reached.store(true, std::memory_order_relaxed);
 }
 
-void UntoldImpacts::AreTold() {
+void UntoldImpacts::NoteTold() {
     m_told = true;
     ShortList::ChooseAgain(m_ledger->Manager());
 }
@@ -42,7 +42,7 @@ void UntoldImpacts::Tell() {
     }
     // Pairs that could not impact when the search began may be able to after the first one, which wakes
     // bodies.
-    AreTold();
+    NoteTold();
 }
 
 void UntoldImpacts::FoundImpact() {

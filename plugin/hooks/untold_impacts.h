@@ -35,8 +35,8 @@ public:
 
     /// Writes it into the contacts, once.
     void Tell();
-    /// They say it already.
-    void AreTold();
+    /// The contacts say it already.
+    void NoteTold();
     /// Box2D's search has found the first impact.
     void FoundImpact();
 

@@ -59,11 +59,6 @@ public:
         return __builtin_expect(function != nullptr, 1) ? function(arguments...) : FindAndCall(arguments...);
     }
 
-    Function *Get() {
-        Function *function = m_function.load(std::memory_order_relaxed);
-        return function != nullptr ? function : Find();
-    }
-
 private:
     __attribute__((noinline, cold)) Result FindAndCall(Arguments... arguments) {
         return Find()(arguments...);

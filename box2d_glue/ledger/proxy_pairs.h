@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_PROXY_PAIRS_H
+#define BOOMERANG_GLUE_PROXY_PAIRS_H
+
+#include <cstdint>
+
+#include "ledger/column.h"
+#include "ledger/key_table.h"
+
+class b2Contact;
+
+namespace bmr {
+
+/// Which pairs of proxies of the broad phase have a contact, and by which number: what Box2D finds out by
+/// walking over a body's contacts, for every pair of boxes that begin to overlap.
+class ProxyPairs {
+public:
+    /// Room for contacts of numbers below this, and for one more than there are. False without memory.
+    bool Reserve(uint32_t count);
+    /// For a contact that there is room for. A body that was put out of its world has no proxies; a contact
+    /// of it may all the same be made in the midst of it, by a filter, and last until the body comes back
+    /// with others: its pair is unknown.
+    void Add(uint32_t i, const b2Contact &contact);
+    void Remove(uint32_t i);
+    /// The contact of this number has another one from here on.
+    void Renumber(uint32_t from, uint32_t to);
+    void Empty();
+
+    /// Is there a contact of these two proxies?
+    bool Exists(int32_t proxyA, int32_t proxyB) const;
+    /// Of some contact nobody knows the proxies: Exists would not find it.
+    bool HasUnknown() const { return m_unknown > 0; }
+
+private:
+    static constexpr uint64_t kUnknown = ~uint64_t{0};
+    uint32_t Find(uint64_t pair) const {
+        return m_table.Find(pair, [this](uint32_t i) { return m_pairs[i]; });
+    }
+
+    Column<uint64_t> m_pairs; ///< the two proxies, the smaller one first; kUnknown where nobody knows
+    KeyTable m_table;
+    uint32_t m_unknown = 0;
+};
+
+} // namespace bmr
+
+#endif
