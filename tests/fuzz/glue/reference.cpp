@@ -13,6 +13,7 @@
 #    include <boomerang/box2d.h>
 
 #    include "hooks/stepping.h"
+#    include "ledger/ledgers.h"
 #    include "start/current_step.h"
 #endif
 
@@ -95,6 +96,8 @@ extern "C" void fuzz_glue_run(const fuzz::RunRequest *request, fuzz::RunResult *
         // No step has ended, and what the thread keeps for one lies in frames that are gone.
         bmr::hooks::stepping = {};
         bmr::CurrentStep() = 0;
+        // Nobody ends the worlds, and the next ones are made in their place, and out of the same memory.
+        script->VisitWorlds([](b2World &world) { bmr::DropLedger(&world.GetContactManager()); });
 #endif
         while (heap.next != &heap)
             FreeBlock(heap.next);

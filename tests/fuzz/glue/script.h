@@ -26,6 +26,13 @@ public:
     /// Does the script ask for polygons of any size? Stock Box2D has none.
     static bool AsksForAnySize(const uint8_t *data, size_t size) { return size > 0 && data[0] / 32 == 1; }
 
+    /// Those that there are, also where an assertion ended the run.
+    template <typename Visit> void VisitWorlds(const Visit &visit) {
+        for (std::optional<World> &world : m_worlds)
+            if (world)
+                visit(world->Box2D());
+    }
+
 private:
     static constexpr uint8_t kFirstStep = 160;
     static constexpr int kMostActions = 400, kMostBodies = 24, kMostFixtures = 12, kMostJoints = 10;
