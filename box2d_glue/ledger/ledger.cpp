@@ -313,7 +313,6 @@ void Ledger::LookAtMovers() {
     constexpr uint32_t kAhead = 6;
     ++m_look;
     ++m_passNumber;
-    m_passLook = m_look;
     m_step = CurrentStep();
     const uint32_t count = m_movers.Count();
     for (uint32_t row = 0; row < count; ++row) {
@@ -321,8 +320,10 @@ void Ledger::LookAtMovers() {
         const Mover &mover = m_movers[row];
         if (mover.records == 0)
             continue;
-        if (mover.proved > 0) // else each of its pairs is due, and looks at it then
+        if (mover.proved > 0)
             m_movers.Look(row, m_manager->m_broadPhase, m_look, false);
+        else // each of its pairs is due, and looks at it then
+            m_movers.PassOver(row);
         if (mover.watched < mover.records && m_movers.IsActiveNow(row))
             WakeRow(row);
     }

@@ -246,10 +246,8 @@ public:
     /// The two could not impact when the last pass came by them; without code of the game they cannot now.
     /// (What else decides of it is looked at where this says nothing.)
     bool MayNotImpact(uint32_t i) const {
-        const Record &record = m_records[i];
-        return !m_sweepsCarefully && m_movers[record.a].lookedAt >= m_passLook &&
-               m_movers[record.b].lookedAt >= m_passLook &&
-               ((m_movers.Bits(record.a) | m_movers.Bits(record.b)) & kStops) == 0;
+        const uint8_t a = m_movers.Bits(m_records[i].a), b = m_movers.Bits(m_records[i].b);
+        return !m_sweepsCarefully && (a & b & kLookedAt) != 0 && ((a | b) & kStops) == 0;
     }
     /// Does the budget outlast the step's sweeps?
     bool OutlastsSweeps(uint32_t i) {
@@ -347,10 +345,9 @@ private:
     uint32_t m_awakeWords = 0;
     uint32_t m_count = 0; ///< records, the dead ones among them
     int32 m_live = 0;
-    uint64_t m_step = 0;     ///< CurrentStep() of the last look at all movers
-    uint64_t m_passLook = 1; ///< the look that the last pass began with
-    uint64_t m_look = 1;     ///< goes up whenever what was read may be old
-    uint32_t m_owed = 0;     ///< contacts below this, if active, are still to be enabled
+    uint64_t m_step = 0; ///< CurrentStep() of the last look at all movers
+    uint64_t m_look = 1; ///< goes up whenever what was read may be old
+    uint32_t m_owed = 0; ///< contacts below this, if active, are still to be enabled
     uint32_t m_passNumber = 0;
     uint32_t m_passes = 0; ///< under way
     bool m_interrupted = false;

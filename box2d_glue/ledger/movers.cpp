@@ -219,7 +219,7 @@ void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, b
     Mover &mover = m_rows[row];
     const b2Body &body = *mover.body;
     const uint8_t before = m_bits[row];
-    uint8_t bits = FlagsOf(mover);
+    uint8_t bits = FlagsOf(mover) | kLookedAt;
     mover.lookedAt = look;
     if (mover.proved == 0) {
         m_bits[row] = bits;

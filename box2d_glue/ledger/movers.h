@@ -2,6 +2,7 @@
 #ifndef BOOMERANG_GLUE_MOVERS_H
 #define BOOMERANG_GLUE_MOVERS_H
 
+#include <cstddef>
 #include <cstdint>
 
 #include <box2d/b2_body.h>
@@ -30,26 +31,30 @@ constexpr double kUnits = 65536.0 / static_cast<double>(b2_lengthUnitsPerMeter);
 /// Nobody tells of most of what a game may do: bodies are moved, woken and made bullets by inline functions,
 /// vertices and radii are written to in place. So nothing is to be told here: a row holds what was read at
 /// the last look, and a look compares.
-struct Mover {
+struct alignas(64) Mover {
+    // What a renewal asks for: two cache lines.
     bmr_mover motion;
-    b2Transform place; ///< of the body, at the last look
-    const b2Fixture *fixture;
-    const b2Body *body;
-    uint64_t shape;    ///< a digest of all that contacts go by; see LookAtShape
     b2AABB box;        ///< the fat one of its proxy
-    int32 proxy;       ///< b2BroadPhase::e_nullProxy where it has none or several: then there is no box here
     float radius;      ///< skin
-    float angle;       ///< of the body, at the last look
     float shortest;    ///< length of the shortest side; 0 where it is none to be told
-    uint32_t records;  ///< contacts of it
-    uint32_t proved;   ///< contacts that have a line
-    uint32_t watched;  ///< of these, the ones of which one body at least is awake
+    uint64_t lookedAt; ///< the ledger's count of looks when this row had its last one
+    const b2Body *body;
+    const b2Fixture *fixture;
+    uint32_t records; ///< contacts of it
+    uint32_t proved;  ///< contacts that have a line
+    uint32_t watched; ///< of these, the ones of which one body at least is awake
+
+    // What a look compares and writes besides.
+    int32 proxy;       ///< b2BroadPhase::e_nullProxy where it has none or several: then there is no box here
+    b2Transform place; ///< of the body, at the last look
+    uint64_t shape;    ///< a digest of all that contacts go by; see LookAtShape
+    float angle;       ///< of the body, at the last look
     bool sound;        ///< a polygon as Box2D makes them: its vertices tell all
     uint32_t late;     ///< units that were added in the middle of the present pass
-    uint64_t lookedAt; ///< the ledger's count of looks when this row had its last one
-    uint64_t sweptAt;  ///< the same for its sweep
+    uint64_t sweptAt;  ///< as lookedAt, for its sweep
     uint64_t endedAt;  ///< the same for how far that may come
 };
+static_assert(offsetof(Mover, place) == 128 && sizeof(Mover) == 192, "three cache lines");
 
 /// What the loop over pairs asks of a row, in one byte.
 enum MoverBit : uint8_t {
@@ -58,7 +63,8 @@ enum MoverBit : uint8_t {
     kIsSensor = 4, ///< as the fixture says
     kPlain = 8,    ///< no budget for its contacts: no polygon, a broken one, or too far away for the margins
     kChanged = 16, ///< another shape than at the look before: lines of its pairs prove nothing
-    kChangedLate = 32 ///< the same, seen in the middle of a pass: to be said again in the next one
+    kChangedLate = 32, ///< the same, seen in the middle of a pass: to be said again in the next one
+    kLookedAt = 64     ///< since the last pass over pairs began
 };
 
 /// The rows of one world. Rows are numbered; a number is used again when the last contact of a fixture is
@@ -110,6 +116,8 @@ public:
     uint32_t End(uint32_t row) const { return m_ends[row]; }
     uint8_t Bits(uint32_t row) const { return m_bits[row]; }
     void SetBits(uint32_t row, uint8_t bits) { m_bits[row] = bits; }
+    /// A pass begins that does not look at this row.
+    void PassOver(uint32_t row) { m_bits[row] &= static_cast<uint8_t>(~kLookedAt); }
     bool IsActive(uint32_t row) const { return (m_bits[row] & kActive) != 0; }
     /// Is its body awake by now? (A step's own code and listeners wake bodies.)
     bool IsActiveNow(uint32_t row) const {

@@ -286,7 +286,7 @@ void LedgerPass::Visit(uint32_t i) {
         }
         m_ledger->LookAgain(i);
     }
-    if (!movers.IsActiveNow(record.a) && !movers.IsActiveNow(record.b)) {
+    if (!movers.IsActive(record.a) && !movers.IsActive(record.b)) { // whoever woke since is known to have
         m_ledger->Touches(i, contact->IsTouching()); // an impact may have changed it
         m_ledger->Rest(i);
         return;
