@@ -141,7 +141,7 @@ bool Ledger::Put(uint32_t i, b2Contact *contact) {
     m_proxyPairs.Add(i, *contact);
     ContactNumber::Write(contact, i);
     m_contacts[i] = contact;
-    m_bits[i] = contact->IsTouching() ? kTouches : 0;
+    m_bits[i] = static_cast<uint8_t>(kImpactNoted | (contact->IsTouching() ? kTouches : 0));
     m_patience[i] = {};
     ++m_count;
     ++m_live;
@@ -428,6 +428,11 @@ void Ledger::EnableDownTo(uint32_t down) {
             EnableIfOwed(i);
         --m_owed;
     }
+}
+
+void Ledger::NoteAllMayImpact() {
+    for (uint32_t i = 0; i < m_count; ++i)
+        NoteMayImpact(i);
 }
 
 void Ledger::BeginSearch(bool careful) {

@@ -47,6 +47,7 @@ enum RecordBit : uint8_t {
     kToBeFiltered = 2,  ///< Box2D has flagged it for filtering
     kTouches = 8,       ///< touching, at the last look
     kNoImpactProof = 4, ///< its budget says nothing of impacts
+    kImpactNoted = 16,  ///< Box2D may have written down an impact of it, in this step or an earlier one
 };
 
 /// All that is remembered of a world's pairs: one record for each contact, the oldest first. Box2D puts new
@@ -248,6 +249,18 @@ public:
     bool MayNotImpact(uint32_t i) const {
         const uint8_t a = m_movers.Bits(m_records[i].a), b = m_movers.Bits(m_records[i].b);
         return !m_sweepsCarefully && (a & b & kLookedAt) != 0 && ((a | b) & kStops) == 0;
+    }
+    /// Box2D may look for an impact of the two, and note at the contact what it finds.
+    void NoteMayImpact(uint32_t i) { m_bits[i] |= kImpactNoted; }
+    /// The same of all contacts.
+    void NoteAllMayImpact();
+    /// For a pair that may not impact: forgets what Box2D noted when it might. In most steps there is nothing
+    /// to forget, and the contact is not touched.
+    void ForgetOldImpact(uint32_t i) {
+        if ((m_bits[i] & kImpactNoted) == 0)
+            return;
+        ContactNumber::ForgetImpact(m_contacts[i]);
+        m_bits[i] &= static_cast<uint8_t>(~kImpactNoted);
     }
     /// Does the budget outlast the step's sweeps?
     bool OutlastsSweeps(uint32_t i) {

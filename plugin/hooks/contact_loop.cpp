@@ -287,7 +287,7 @@ void LedgerPass::Visit(uint32_t i) {
         m_ledger->LookAgain(i);
     }
     if (!movers.IsActive(record.a) && !movers.IsActive(record.b)) { // whoever woke since is known to have
-        m_ledger->Touches(i, contact->IsTouching()); // an impact may have changed it
+        m_ledger->Touches(i, contact->IsTouching());                // an impact may have changed it
         m_ledger->Rest(i);
         return;
     }

@@ -34,9 +34,9 @@ private:
     ShortList *m_list;
 };
 
-ShortList::ShortList(b2ContactManager *manager, Unchosen)
-    : m_manager(manager), m_listener(manager->m_contactListener), m_listens(IsOfGame(m_listener)),
-      m_older(stepping.shortList), m_room(PerThread<Room>()) {
+ShortList::ShortList(b2ContactManager *manager, Ledger *ledger, Unchosen)
+    : m_manager(manager), m_ledger(ledger), m_listener(manager->m_contactListener),
+      m_listens(IsOfGame(m_listener)), m_older(stepping.shortList), m_room(PerThread<Room>()) {
     if (m_room != nullptr && m_room->taken)
         m_room = nullptr;
     if (m_room != nullptr)
@@ -46,13 +46,13 @@ ShortList::ShortList(b2ContactManager *manager, Unchosen)
     stepping.shortList = this;
 }
 
-ShortList::ShortList(b2ContactManager *manager) : ShortList(manager, Unchosen()) {
+ShortList::ShortList(b2ContactManager *manager) : ShortList(manager, nullptr, Unchosen()) {
     Choose();
     Close();
 }
 
-ShortList::ShortList(b2ContactManager *manager, const Ledger &ledger) : ShortList(manager, Unchosen()) {
-    ChooseAsked(ledger);
+ShortList::ShortList(b2ContactManager *manager, Ledger *ledger) : ShortList(manager, ledger, Unchosen()) {
+    ChooseAsked();
     Close();
 }
 
@@ -78,14 +78,24 @@ inline bool ShortList::Keep(b2Contact *contact) {
     return true;
 }
 
-void ShortList::ChooseAsked(const Ledger &ledger) {
+void ShortList::ChooseAsked() {
     m_first = m_manager->m_contactList;
     m_contactCount = m_manager->m_contactCount;
     if (m_room == nullptr)
         return;
-    for (uint32_t i = ledger.Count(); i-- > 0;)
-        if (ledger.WasAsked(i) && !Keep(ledger.Contact(i)))
+    for (uint32_t i = m_ledger->Count(); i-- > 0;)
+        if (m_ledger->WasAsked(i) && !Keep(m_ledger->Contact(i)))
             return;
+}
+
+/// As Choose. Pairs that may not impact in this step, nearly all in a pile, are not even read.
+void ShortList::ChooseByLedger() {
+    for (uint32_t i = m_ledger->Count(); i-- > 0;) {
+        b2Contact *const contact = m_ledger->Contact(i);
+        if (contact != nullptr && !m_ledger->MayNotImpact(i) && !Links::HasNoImpact(contact) &&
+            !Keep(contact))
+            return;
+    }
 }
 
 /// Which are kept. The list is whole.
@@ -96,6 +106,10 @@ void ShortList::Choose() {
     m_changed = false;
     if (m_room == nullptr)
         return;
+    if (m_ledger != nullptr && m_ledger->CatchUp()) {
+        ChooseByLedger();
+        return;
+    }
     for (b2Contact *contact = m_first; contact != nullptr; contact = Links::Next(contact))
         if (!Links::HasNoImpact(contact) && !Keep(contact))
             return;

@@ -31,7 +31,7 @@ public:
     explicit ShortList(b2ContactManager *manager);
     /// The same in a world with a ledger: those are kept that its search for impacts asked for. Times of
     /// impact that are known are marked when the first impact is found.
-    ShortList(b2ContactManager *manager, const Ledger &ledger);
+    ShortList(b2ContactManager *manager, Ledger *ledger);
     bool IsShort() const { return m_count > 0; }
     /// For this thread's list of that world, if there is one: contacts say by now what is known of them, and
     /// those are kept that may still have an impact. May be called while Box2D is at a contact that is kept.
@@ -79,9 +79,10 @@ private:
     void PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) override;
 
     struct Unchosen {};
-    ShortList(b2ContactManager *manager, Unchosen);
+    ShortList(b2ContactManager *manager, Ledger *ledger, Unchosen);
     void Choose();
-    void ChooseAsked(const Ledger &ledger);
+    void ChooseAsked();
+    void ChooseByLedger();
     bool Keep(b2Contact *contact);
     void Suspend();
     void Resume();
@@ -100,6 +101,7 @@ private:
     };
 
     b2ContactManager *m_manager;
+    Ledger *m_ledger;                       ///< nullptr: the world has none, or it is not asked
     b2ContactListener *m_listener;          ///< the world's, at first
     bool m_listens;                         ///< whether it is called through this
     bool m_staysWhole = false;              ///< a listener or a filter put another one in its place

@@ -75,7 +75,13 @@ void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, L
         b2Contact *const contact = ledger->Contact(i);
         if (contact == nullptr)
             continue;
-        const bool may = !ledger->MayNotImpact(i) && ledger->MayImpact(i);
+        if (ledger->MayNotImpact(i)) {
+            if (eager)
+                ledger->ForgetOldImpact(i);
+            continue;
+        }
+        ledger->NoteMayImpact(i);
+        const bool may = ledger->MayImpact(i);
         const bool outlasts = may && ledger->OutlastsSweeps(i);
         if (!eager && (!may || outlasts))
             continue;
@@ -98,7 +104,7 @@ void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, L
         return;
     }
     UntoldImpacts untold(ledger);
-    const ShortList list(manager, *ledger);
+    const ShortList list(manager, ledger);
     if (eager)
         untold.NoteTold();
     else if (!list.IsShort() || !TimeOfImpactIsReached())
@@ -136,8 +142,11 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     const bool isLookedAt = ledger != nullptr && ledger->IsLookedAtIn(CurrentStep());
     const bool byLedger =
         scan != nullptr && HookIsOn(Hook::Ledger) && !Verifying() && isLookedAt && ledger->IsWhole();
-    if (isLookedAt && !byLedger)
-        ledger->EnableDownTo(0); // all contacts are about to be asked
+    if (ledger != nullptr && !byLedger) { // all contacts are about to be asked
+        ledger->NoteAllMayImpact();
+        if (isLookedAt)
+            ledger->EnableDownTo(0);
+    }
     if (scan == nullptr) {
         realSolveToi(this, step);
         return;

@@ -31,15 +31,20 @@ void UntoldImpacts::Tell() {
     if (m_told)
         return;
     Ledger &ledger = *m_ledger;
-    ledger.EnableDownTo(0);
     for (uint32_t i = ledger.Count(); i-- > 0;) {
         b2Contact *const contact = ledger.Contact(i);
         if (contact == nullptr || ledger.WasAsked(i))
             continue; // these Box2D asks for itself
+        if (ledger.MayNotImpact(i)) {
+            ledger.ForgetOldImpact(i);
+            continue;
+        }
+        ledger.EnableIfOwed(i);
         ContactNumber::ForgetImpact(contact);
-        if (contact->IsEnabled() && !ledger.MayNotImpact(i) && ledger.MayImpact(i))
+        if (contact->IsEnabled() && ledger.MayImpact(i))
             ContactNumber::HasNoImpact(contact);
     }
+    ledger.ForgetOwed();
     // Pairs that could not impact when the search began may be able to after the first one, which wakes
     // bodies.
     NoteTold();

@@ -309,6 +309,12 @@ test_worlds_are_stepped_to_the_very_end() {
     cmp -s "$room/out" "$room/stock_of_it" || fail "ending_game: other output under valgrind"
 }
 
+test_worlds_that_nobody_listens_to() {
+    plays_as_stock "unheard_game 1 60"
+    plays_as_stock "unheard_game 61 60" BOOMERANG_EVERYWHERE=on
+    plays_as_stock "unheard_game thrown" BOOMERANG_EVERYWHERE=on
+}
+
 test_polygons_may_be_changed_in_place() {
     plays_as_stock changing_game
     plays_as_stock changing_game BOOMERANG_PREFILTER=off

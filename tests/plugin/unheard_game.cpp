@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+//
+//   unheard_game FIRST COUNT
+//   unheard_game thrown
+//
+// Random worlds without a listener or a filter of the game's own, where most may be left out: one for each
+// seed. Between steps bodies become bullets, cease to be, change their types, sleep, are woken, moved,
+// thrown, put out of the world, ended and made; impacts are had with all of them. Prints a line for each
+// seed.
+//
+// `thrown`: a listener throws as the first of many impacts of a step is told. What Box2D had found out of the
+// others is to be forgotten, also where their bodies are no bullets any more and nobody listens.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+#include <vector>
+
+#include <box2d/box2d.h>
+
+#include "small_world.h"
+
+namespace {
+
+class Crowd {
+public:
+    explicit Crowd(uint32_t seed) : m_random(seed), m_world(b2Vec2(0.0f, seed % 3 == 0 ? 0.0f : -10.0f)) {
+        m_world.SetContinuousPhysics(seed % 11 != 0);
+        m_world.SetSubStepping(seed % 17 == 0);
+        AddBox(m_world, b2_staticBody, {0.0f, -1.0f}, {40.0f, 0.3f}, 0.02f);
+        AddBox(m_world, b2_kinematicBody, {5.0f, 3.0f}, {4.0f, 0.05f}, 0.3f)->SetAngularVelocity(0.5f);
+        const int count = 40 + Below(120);
+        for (int i = 0; i < count; ++i)
+            Add();
+    }
+
+    void Play(int steps, Hash *hash) {
+        for (int i = 0; i < steps; ++i) {
+            for (int changes = Below(4); changes-- > 0;)
+                Change();
+            m_world.Step(Below(30) == 0 ? 0.0f : 1.0f / 60.0f, 8, 3);
+            hash->Add(m_world);
+        }
+    }
+
+private:
+    int Below(int n) { return static_cast<int>(m_random() % static_cast<uint32_t>(n)); }
+    float Between(float low, float high) {
+        return low + (high - low) * static_cast<float>(Below(4096)) / 4096.0f;
+    }
+
+    void Add() {
+        const b2Vec2 at(Between(-9.0f, 9.0f), Between(0.0f, 9.0f));
+        if (Below(8) == 0) {
+            m_bodies.push_back(AddWheel(m_world, at, 3 + Below(6), Between(0.2f, 0.5f)));
+            return;
+        }
+        const b2Vec2 half(Between(0.02f, 0.5f), Between(0.02f, 0.4f));
+        m_bodies.push_back(AddBox(m_world, b2_dynamicBody, at, half, Between(0.0f, 3.0f), Below(12) == 0));
+    }
+
+    void Throw(b2Body *body) {
+        body->SetLinearVelocity({Between(-90.0f, 90.0f), Between(-60.0f, 60.0f)});
+        body->SetAngularVelocity(Between(-9.0f, 9.0f));
+    }
+
+    void Change() {
+        if (m_bodies.empty()) {
+            Add();
+            return;
+        }
+        b2Body *&some = m_bodies[static_cast<size_t>(Below(static_cast<int>(m_bodies.size())))];
+        switch (Below(12)) {
+        case 0:
+        case 1:
+            some->SetBullet(!some->IsBullet());
+            break;
+        case 2:
+            some->SetBullet(true);
+            Throw(some);
+            break;
+        case 3:
+            Throw(some);
+            break;
+        case 4:
+            some->SetType(some->GetType() == b2_dynamicBody ? b2_staticBody : b2_dynamicBody);
+            break;
+        case 5:
+            some->SetType(b2_kinematicBody);
+            Throw(some);
+            break;
+        case 6:
+            some->SetAwake(Below(2) == 0);
+            break;
+        case 7:
+            some->SetTransform({Between(-9.0f, 9.0f), Between(0.0f, 9.0f)}, Between(0.0f, 6.0f));
+            break;
+        case 8:
+            some->SetEnabled(!some->IsEnabled());
+            break;
+        case 9:
+            m_world.DestroyBody(some);
+            some = m_bodies.back();
+            m_bodies.pop_back();
+            break;
+        case 10:
+            Add();
+            break;
+        default: {
+            int which = Below(40);
+            for (b2Contact *contact = m_world.GetContactList(); contact != nullptr;
+                 contact = contact->GetNext())
+                if (which-- == 0)
+                    contact->SetEnabled(false);
+        }
+        }
+    }
+
+    std::minstd_rand m_random;
+    b2World m_world;
+    std::vector<b2Body *> m_bodies;
+};
+
+struct Told {};
+
+class Throwing final : public b2ContactListener {
+public:
+    bool armed = false;
+    void BeginContact(b2Contact *) override {
+        if (armed)
+            throw Told();
+    }
+};
+
+void PlayThrown() {
+    constexpr int kResting = 700, kShots = 40; // more at rest than a short list has room for
+    b2World world(b2Vec2(0.0f, -10.0f));
+    AddBox(world, b2_staticBody, {0.0f, -0.5f}, {400.0f, 0.5f}, 0.0f);
+    for (int i = 0; i < kResting; ++i)
+        AddBox(world, b2_dynamicBody, {-350.0f + static_cast<float>(i), 0.25f}, {0.25f, 0.25f}, 0.0f)
+            ->SetSleepingAllowed(false);
+    std::vector<b2Body *> bullets;
+    for (int i = 0; i < kShots; ++i) {
+        const float x = 6.0f * static_cast<float>(i - kShots / 2);
+        AddBox(world, b2_dynamicBody, {x, 20.0f}, {0.01f, 0.5f}, 0.0f)->SetGravityScale(0.0f);
+        bullets.push_back(AddBox(world, b2_dynamicBody, {x - 0.2f, 20.0f}, {0.03f, 0.03f}, 0.0f));
+        bullets.back()->SetGravityScale(0.0f);
+    }
+    Hash hash;
+    Step(world, 60, &hash);
+    Throwing listener;
+    listener.armed = true;
+    world.SetContactListener(&listener);
+    for (b2Body *bullet : bullets) {
+        bullet->SetBullet(true);
+        bullet->SetLinearVelocity({30.0f, 0.0f});
+    }
+    try {
+        world.Step(1.0f / 60.0f, 8, 3);
+        Print("nothing was thrown", hash);
+    } catch (const Told &) {
+        Print("thrown", hash);
+    }
+    world.SetContactListener(nullptr);
+    for (b2Body *bullet : bullets) {
+        bullet->SetBullet(false);
+        bullet->SetLinearVelocity({0.0f, 0.0f});
+    }
+    Step(world, 3, &hash);
+    Print("three steps on", hash);
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    if (argc == 2 && std::strcmp(argv[1], "thrown") == 0) {
+        PlayThrown();
+        return 0;
+    }
+    if (argc != 3) {
+        std::fputs("usage: unheard_game FIRST COUNT | thrown\n", stderr);
+        return 2;
+    }
+    const auto first = static_cast<uint32_t>(std::atoi(argv[1])),
+               count = static_cast<uint32_t>(std::atoi(argv[2]));
+    for (uint32_t seed = first; seed != first + count; ++seed) {
+        Hash hash;
+        Crowd(seed).Play(90, &hash);
+        std::printf("seed %u ", seed);
+        Print("ends with", hash);
+    }
+    return 0;
+}
