@@ -26,19 +26,24 @@ inline bool IsOfGame(const b2ContactFilter *filter) {
     return filter != nullptr && filter != FilterOfNewWorlds();
 }
 
-/// Does a listener's class have a PreSolve of its own? Most games listen to BeginContact and EndContact
-/// alone, and inherit one that does nothing. Told by the tables of virtual functions, which hold two
-/// destructors and then, in their order, BeginContact, EndContact, PreSolve and PostSolve; yes wherever that
-/// is not certain.
-inline bool HasOwnPreSolve(const b2ContactListener &listener) {
-    constexpr int kSlot = 4;
+/// Does a listener's class have a PreSolve of its own (or a PostSolve, below)? Most games listen to
+/// BeginContact and EndContact alone, and inherit the others, which do nothing. Told by the tables of virtual
+/// functions, which hold two destructors and then, in their order, BeginContact, EndContact, PreSolve and
+/// PostSolve; yes wherever that is not certain.
+inline bool HasOwn(const b2ContactListener &listener, int slot) {
     const b2ContactListener *const empty = ListenerOfNewWorlds();
     if (empty == nullptr)
         return true;
     void *const *table, *const *emptyTable;
     std::memcpy(&table, static_cast<const void *>(&listener), sizeof table);
     std::memcpy(&emptyTable, static_cast<const void *>(empty), sizeof emptyTable);
-    return table[kSlot] != emptyTable[kSlot];
+    return table[slot] != emptyTable[slot];
+}
+inline bool HasOwnPreSolve(const b2ContactListener &listener) {
+    return HasOwn(listener, 4);
+}
+inline bool HasOwnPostSolve(const b2ContactListener &listener) {
+    return HasOwn(listener, 5);
 }
 
 /// Do bodies, joints and the game's filter let the two collide?

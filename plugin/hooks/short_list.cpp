@@ -183,11 +183,15 @@ void ShortList::EndContact(b2Contact *contact) {
 }
 
 void ShortList::PreSolve(b2Contact *contact, const b2Manifold *old) {
+    if (!HasOwnPreSolve(*m_listener))
+        return;
     const Pause pause(this);
     m_listener->PreSolve(contact, old);
 }
 
 void ShortList::PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) {
+    if (!HasOwnPostSolve(*m_listener))
+        return;
     const Pause pause(this);
     m_listener->PostSolve(contact, impulse);
 }

@@ -232,11 +232,15 @@ void TouchingList::EndContact(b2Contact *contact) {
 }
 
 void TouchingList::PreSolve(b2Contact *contact, const b2Manifold *old) {
+    if (!HasOwnPreSolve(*m_listener))
+        return;
     OpenForGame();
     m_listener->PreSolve(contact, old);
 }
 
 void TouchingList::PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) {
+    if (!HasOwnPostSolve(*m_listener))
+        return;
     OpenForGame();
     m_listener->PostSolve(contact, impulse);
 }
