@@ -339,6 +339,41 @@ TEST_CASE("contacts that were disabled between steps are enabled where impacts a
     });
 }
 
+TEST_CASE("a loop over contacts that a listener's exception ends is none") {
+    struct Thrown {};
+    struct Throwing final : b2ContactListener {
+        void BeginContact(b2Contact *) override { throw Thrown(); }
+    };
+    CheckSameAsStock([](Run &run) {
+        Needles world(run);
+        Game &game = world.game;
+        // Two that meet, and whose contact is the newest: the loop begins with it.
+        b2Body *const left = game.Body(b2_dynamicBody, {30.0f, 0.0f}), *const right = game.Body(
+                                                                           b2_dynamicBody, {31.05f, 0.0f});
+        for (b2Body *body : {left, right})
+            game.Box(body, 0.5f, 0.5f);
+        game.Step(40);
+        game.Stage(game.Touching() == 0, "all apart");
+        right->SetTransform({30.95f, 0.0f}, 0.0f);
+        // In the same step an older pair is to be looked at because of its shape; and nobody comes to it.
+        auto &thin = static_cast<b2PolygonShape &>(*world.needles[3]->GetFixtureList()->GetShape());
+        thin.SetAsBox(3.0f, 0.3f);
+        Edited(run, world.needles[3]);
+        Throwing listener;
+        game.world.SetContactListener(&listener);
+        bool thrown = false;
+        try {
+            game.world.Step(1.0f / 60.0f, 8, 3);
+        } catch (const Thrown &) {
+            thrown = true;
+        }
+        game.world.SetContactListener(nullptr);
+        game.Stage(thrown && game.Touching() <= 1, "the loop ends with the first contact");
+        game.Step(3);
+        game.Stage(game.Touching() > 1, "needles touch");
+    });
+}
+
 TEST_CASE("more than 65,536 fixtures, each with a pair of its own") {
     const forked::Scenario couples = [](Run &run) {
         constexpr int kCouples = 33000;
