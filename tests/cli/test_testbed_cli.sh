@@ -123,10 +123,11 @@ test_compare_reports_identical_scenes() {
         json_number "$scratch/report.json" scenes 1 figures "$side" step_us_per_step
         json_number "$scratch/report.json" scenes 1 figures "$side" narrow_phase_us_per_step
     done
-    for event in start stab push roll coarsen hand_over; do
+    for event in start stab push roll coarsen contact leave all hand_over; do
         json_number "$scratch/report.json" scenes 1 figures events "${event}_per_step"
     done
     json_number "$scratch/report.json" scenes 1 figures checks all_per_step
+    json_number "$scratch/report.json" scenes 1 figures events all_percent
     json_number "$scratch/report.json" scenes 1 figures ratio step
 
     local way
