@@ -199,12 +199,15 @@ test_numbers_out_of_range_are_explained_with_the_range() {
     err_has 'not in range 1 to 100000000'
 }
 
-test_an_empty_trace_says_how_to_get_events() {
+test_every_pair_has_events_and_an_empty_trace_says_why_it_is() {
     expect 0 run "$hard" --steps "$steps" --trace "$scratch/trace"
-    err_has '--prefilter off'
-    expect 0 run "$hard" --steps "$steps" --prefilter off --trace "$scratch/trace"
     err_empty
     grep -q ' start ' "$scratch/trace" || fail 'no event in the trace'
+    expect 0 run "$hard" --steps "$steps" --prefilter off --trace "$scratch/trace"
+    err_empty
+    grep -q ' start ' "$scratch/trace" || fail 'no event in the trace of hulls'
+    expect 0 run car --steps 1 --trace "$scratch/trace"
+    err_has 'no two polygons came near'
 }
 
 test_worker_failures_exit_with_3() {
