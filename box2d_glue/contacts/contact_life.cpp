@@ -51,8 +51,12 @@ bmr_pose PoseOf(const b2Transform &xf) {
             static_cast<double>(xf.q.s)};
 }
 
+bmr_vec2 VectorOf(const bmr_vec32 &v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
+
 bmr_vec2 Vertex(const bmr_convex32 &polygon, uint32_t at) {
-    return {static_cast<double>(polygon.vertices[at].x), static_cast<double>(polygon.vertices[at].y)};
+    return VectorOf(polygon.vertices[at]);
 }
 
 /// Every vertex is tried: only who listens pays for it.
@@ -139,7 +143,7 @@ bmr_pair PairOf(const SolidContact &contact, Held held, const b2Transform &xfA, 
         const EdgeMemory &memory = contact.state.link.byEdge;
         const int owner = memory.edgeOfB ? 1 : 0;
         FillLine(&pair, polygons[owner], polygons[1 - owner], owner,
-                 NormalOfSide(polygons[owner], memory.edge),
+                 UnitOf(VectorOf(polygons[owner].normals[memory.edge])),
                  bmr_pose_relative(&poses[owner], &poses[1 - owner]));
     } else {
         const bmr_vec2 d =
@@ -150,17 +154,26 @@ bmr_pair PairOf(const SolidContact &contact, Held held, const b2Transform &xfA, 
     return pair;
 }
 
+bmr_pose Relative(const b2Transform &xfA, const b2Transform &xfB) {
+    const bmr_pose a = PoseOf(xfA), b = PoseOf(xfB);
+    return bmr_pose_relative(&a, &b);
+}
+
+/// What the pair's certificate proves; 0: nothing.
+double GapOf(const bmr_pair &pair, const bmr_pose &b_in_a) {
+    double gap = 0.0;
+    if (!bmr_pair_check(&pair, &b_in_a, 0.0, &gap))
+        return 0.0;
+    // Of disks the look says no more than that they are apart.
+    return pair.level == BMR_LEVEL_DISKS ? GapOfDisks(pair.certificate, b_in_a) : gap;
+}
+
 /// With the pose, and what is certified there.
 void TellOf(Turn turn, const bmr_pair &pair, const b2Body *bodyA, const b2Body *bodyB, const b2Transform &xfA,
             const b2Transform &xfB) {
-    const bmr_pose a = PoseOf(xfA), b = PoseOf(xfB);
-    const bmr_pose relative = bmr_pose_relative(&a, &b);
-    double gap = 0.0;
-    if (!bmr_pair_check(&pair, &relative, 0.0, &gap))
-        gap = 0.0;
-    else if (pair.level == BMR_LEVEL_DISKS) // of which the look says no more than that they are apart
-        gap = GapOfDisks(pair.certificate, relative);
-    TellOfEvent(bodyA, bodyB, {turn.event, turn.levelBefore, turn.levelAfter, &pair, &relative, gap});
+    const bmr_pose relative = Relative(xfA, xfB);
+    TellOfEvent(bodyA, bodyB,
+                {turn.event, turn.levelBefore, turn.levelAfter, &pair, &relative, GapOf(pair, relative)});
 }
 
 } // namespace
@@ -203,11 +216,16 @@ void SolidContact::LeaveAlong(bmr_vec2 d) {
 void SolidContact::LiveAsSensor(bmr_vec2 before) {
     const b2Transform &xfA = m_fixtureA->GetBody()->GetTransform(),
                       &xfB = m_fixtureB->GetBody()->GetTransform();
-    const bmr_vec2 now = GuessDirection();
-    if (IsTouching())
+    if (IsTouching()) {
         Live(Held::Nothing, xfA, xfB);
-    else if (now.x != 0.0 || now.y != 0.0) // else it was Box2D that found them apart
-        Live(now.x == before.x && now.y == before.y ? Held::Remembered : Held::Another, xfA, xfB, &now);
+        return;
+    }
+    const bmr_vec2 now = GuessDirection();
+    const Held held = now.x == before.x && now.y == before.y ? Held::Remembered : Held::Another;
+    // Where Box2D found the two apart, the direction is another time's, or none.
+    if ((now.x != 0.0 || now.y != 0.0) &&
+        GapOf(PairOf(*this, held, xfA, xfB, &now), Relative(xfA, xfB)) > 0.0)
+        Live(held, xfA, xfB, &now);
 }
 
 } // namespace bmr

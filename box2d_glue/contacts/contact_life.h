@@ -34,7 +34,9 @@ namespace bmr {
 ///
 /// No event: a look at which the certificate holds; a budget that is renewed by its line; a contact that its
 /// bodies' hulls answer for; the end of a contact. Where the two bodies meet again, the new contact starts
-/// anew. So its events are (start (push | stab | coarsen)*)? (contact leave (push | stab | coarsen)*)*, cut
+/// anew. (What was handed over may leave by the line that its record in the ledger then gets.)
+///
+/// So its events are (start (push | stab | coarsen)*)? (contact leave (push | stab | coarsen)*)*, cut
 /// off anywhere.
 
 /// What keeps a contact's polygons apart, as far as its events are concerned.

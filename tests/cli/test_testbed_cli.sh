@@ -206,7 +206,7 @@ test_every_pair_has_events_and_an_empty_trace_says_why_it_is() {
     expect 0 run "$hard" --steps "$steps" --prefilter off --trace "$scratch/trace"
     err_empty
     grep -q ' start ' "$scratch/trace" || fail 'no event in the trace of hulls'
-    expect 0 run car --steps 1 --trace "$scratch/trace"
+    expect 0 run coins-gas --steps 1 --trace "$scratch/trace"
     err_has 'no two polygons came near'
 }
 

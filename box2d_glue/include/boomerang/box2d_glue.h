@@ -101,8 +101,10 @@ struct Options {
     /// look at which the certificate holds, and a budget of motion that is renewed, are no events. Neither is
     /// the end of a contact: where the two meet again, another life begins.
     ///
-    /// `event.pair` of a contact is made for the event, and gone when onEvent returns; its stamp is 0, which
-    /// a hulls' is not. Its certificate holds at `event.pose`, of the two bodies as they are given.
+    /// `event.pair` of a contact is made for the event, and gone when onEvent returns. Its stamp is 0; that
+    /// of a pair of hulls is not. Its certificate holds at `event.pose`, of the two bodies as they are given.
+    /// (Box2D's test goes by the normals that a polygon has. Where these are not those of its sides, nothing
+    /// is certified, and `event.gap` is 0.)
     void (*onEvent)(void *context, const b2Body *bodyA, const b2Body *bodyB,
                     const bmr_event &event) = nullptr;
     void *eventContext = nullptr;
