@@ -14,6 +14,7 @@
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"
 #include "start/current_step.h"
+#include "start/settings.h"
 
 namespace bmr {
 
@@ -202,7 +203,7 @@ void ProveOverlap(Ledger *ledger, uint32_t record, const SolidContact &contact) 
         NoProof(ledger, record);
 }
 
-void ProveApart(Ledger *ledger, uint32_t record, const SolidContact &contact) {
+void ProveApart(Ledger *ledger, uint32_t record, SolidContact *contact) {
     double soon;
     if (!BeginProof(ledger, record, &soon))
         return;
@@ -210,7 +211,7 @@ void ProveApart(Ledger *ledger, uint32_t record, const SolidContact &contact) {
                 &moverB = ledger->GetMovers()[ledger->At(record).b];
     const Placed a(moverA), b(moverB);
     const double threshold = ApartThreshold(*ledger, record);
-    bmr_vec2 d = contact.GuessDirection();
+    bmr_vec2 d = contact->GuessDirection();
     if (!Normalize(&d)) {
         d = bmr_sub(moverB.motion.center, moverA.motion.center);
         if (!Normalize(&d)) {
@@ -227,10 +228,13 @@ void ProveApart(Ledger *ledger, uint32_t record, const SolidContact &contact) {
         if (other.gap > best.gap)
             best = other;
     }
-    if (best.gap > threshold + soon)
-        ledger->Prove(record, best.d, best.gap, threshold, KeepsFromImpact(moverA, moverB, threshold));
-    else
+    if (!(best.gap > threshold + soon)) {
         NoProof(ledger, record);
+        return;
+    }
+    ledger->Prove(record, best.d, best.gap, threshold, KeepsFromImpact(moverA, moverB, threshold));
+    if (GetSettings().options.statistics)
+        contact->LeaveAlong(best.d);
 }
 
 } // namespace bmr

@@ -16,7 +16,7 @@ class SolidContact;
 ///
 /// What is proved is a distance of the vertices as they are, computed in double, so that it does not matter
 /// where the direction came from.
-void ProveApart(Ledger *ledger, uint32_t record, const SolidContact &contact);
+void ProveApart(Ledger *ledger, uint32_t record, SolidContact *contact);
 
 /// The same for a sensor's contact whose two polygons overlap: the budget that the depth of a vertex in the
 /// other polygon allows. There is no line to renew it.

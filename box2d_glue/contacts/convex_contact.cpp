@@ -158,20 +158,60 @@ inline Answer ConvexContact::Ask(const b2Transform &xfA, const b2Transform &xfB)
     // One answer of the pair serves many contacts; the look is this one's own.
     if (state.pair != nullptr && PairSaysApart(xfA, xfB))
         return Answer::ApartByPair;
-    return LookSaysApart(xfA, xfB) ? Answer::ApartByEdge : Answer::HandedOver;
+    return Look(xfA, xfB);
 }
 
-inline bool ConvexContact::LookSaysApart(const b2Transform &xfA, const b2Transform &xfB) {
-    const auto margin = static_cast<float>(ContactMargin(static_cast<double>(RadiusSum())));
+inline float ConvexContact::Margin() const {
+    return static_cast<float>(ContactMargin(static_cast<double>(RadiusSum())));
+}
+
+inline Answer ConvexContact::Look(const b2Transform &xfA, const b2Transform &xfB) {
+    const float margin = Margin();
     if (DisksSayApart(m_fixtureA, xfA, m_fixtureB, xfB, margin))
-        return true;
+        return Answer::ApartByEdge;
     if (!WithinReach(xfA, ReachOf(m_fixtureA)) || !WithinReach(xfB, ReachOf(m_fixtureB)))
-        return false;
+        return Answer::HandedOver;
     const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
-    bmr_convex32_memory memory = Recall();
+    const bmr_convex32_memory before = Recall();
+    bmr_convex32_memory memory = before;
     const bool apart = bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), margin, &memory);
     Keep(memory);
-    return apart;
+    if (!apart)
+        return Answer::HandedOver;
+    return IsSameProof(before, memory) ? Answer::ApartByEdge : Answer::ApartBySearch;
+}
+
+/// Is what a look ended with what it began with? Beside a pair vertices alone are kept.
+inline bool ConvexContact::IsSameProof(const bmr_convex32_memory &before,
+                                       const bmr_convex32_memory &after) const {
+    return state.pair == nullptr ? before.axis_x == after.axis_x && before.axis_y == after.axis_y
+                                 : before.support_a == after.support_a && before.support_b == after.support_b;
+}
+
+bmr_vec2 ConvexContact::ProvedDirection(const b2Transform &xfA, const b2Transform &xfB) const {
+    const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
+    bmr_convex32_memory memory = Recall();
+    if (!bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), Margin(), &memory))
+        return {0.0, 0.0};
+    return {static_cast<double>(memory.axis_x), static_cast<double>(memory.axis_y)};
+}
+
+/// For the life of the contact alone: what is asked here changes no memory.
+Held ConvexContact::HeldBy(Answer answer, bool points, const b2Transform &xfA, const b2Transform &xfB) const {
+    if (answer == Answer::ApartByPair)
+        return Held::ByBodies;
+    if (answer == Answer::ApartBySearch)
+        return Held::Another;
+    if (answer == Answer::HandedOver || points)
+        return Held::Nothing;
+    if (DisksSayApart(m_fixtureA, xfA, m_fixtureB, xfB, Margin()))
+        return Held::ByDisks;
+    if (answer == Answer::ApartByEdge)
+        return Held::Remembered;
+    // The two were taken for touching, and do not touch: nobody has looked.
+    const bmr_vec2 d = ProvedDirection(xfA, xfB);
+    const bool within = WithinReach(xfA, ReachOf(m_fixtureA)) && WithinReach(xfB, ReachOf(m_fixtureB));
+    return within && (d.x != 0.0 || d.y != 0.0) ? Held::Another : Held::Nothing;
 }
 
 inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
@@ -186,8 +226,11 @@ inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, con
         if (manifold->pointCount > 0)
             bmr_convex32_keep_features(Manifold32(manifold), Manifold32(&old), kFeatureDistance);
     }
-    if (GetSettings().options.statistics)
+    if (GetSettings().options.statistics) {
+        if (IsOfPolygons())
+            Live(HeldBy(answer, manifold->pointCount > 0, xfA, xfB), xfA, xfB);
         CountAnswer(answer);
+    }
 }
 
 /// Which it is is decided by what the fixtures are, and by no more: their shapes may be changed in place.

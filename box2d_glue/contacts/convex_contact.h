@@ -33,6 +33,9 @@ public:
 
     /// See SolidContact::GuessDirection: that of the last look.
     bmr_vec2 LookDirection() const;
+    /// The one along which a look at these poses finds the two apart: in the world, from A to B, of any
+    /// length. Zero where it does not.
+    bmr_vec2 ProvedDirection(const b2Transform &xfA, const b2Transform &xfB) const;
 
 private:
     friend class SolidContact;
@@ -41,7 +44,10 @@ private:
     using SolidContact::SolidContact;
 
     Answer Ask(const b2Transform &xfA, const b2Transform &xfB);
-    bool LookSaysApart(const b2Transform &xfA, const b2Transform &xfB);
+    Answer Look(const b2Transform &xfA, const b2Transform &xfB);
+    float Margin() const;
+    bool IsSameProof(const bmr_convex32_memory &before, const bmr_convex32_memory &after) const;
+    Held HeldBy(Answer answer, bool points, const b2Transform &xfA, const b2Transform &xfB) const;
     void FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
                       const b2Manifold &old);
     void Collide(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,

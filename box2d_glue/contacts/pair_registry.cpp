@@ -102,7 +102,7 @@ template <typename Visit> void VisitHulls(const b2Body *body, int mostContacts, 
     for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr && mostContacts > 0;
          edge = edge->next, --mostContacts) {
         SolidContact *ours = SolidContact::AsOurs(edge->contact);
-        for (BodyPair *pair = ours != nullptr ? ours->state.pair : nullptr; pair != nullptr;
+        for (BodyPair *pair = ours != nullptr ? ours->state.pair.Get() : nullptr; pair != nullptr;
              pair = pair->parent) {
             if (visit(pair->a, pair) || visit(pair->b, pair))
                 return;

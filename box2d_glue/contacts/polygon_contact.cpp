@@ -29,6 +29,16 @@ const b2PolygonShape &ShapeOf(const b2Fixture *fixture) {
     return *static_cast<const b2PolygonShape *>(fixture->GetShape());
 }
 
+/// `edgeFound`: an edge was searched, and separates the two. (So it may in the end of two that were taken for
+/// touching.)
+Held HeldBy(Answer answer, bool edgeFound) {
+    if (edgeFound)
+        return Held::Another;
+    return answer == Answer::ApartByPair   ? Held::ByBodies
+           : answer == Answer::ApartByEdge ? Held::Remembered
+                                           : Held::Nothing;
+}
+
 } // namespace
 
 bool PolygonContact::Serves(const b2Shape &a, const b2Shape &b) {
@@ -64,6 +74,8 @@ void PolygonContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, cons
     if (!RoundsToNearest()) {
         Count(&Counts::evaluations);
         Count(&Counts::handedOver);
+        if (GetSettings().options.statistics && EdgesAreOn())
+            Live(Held::Nothing, xfA, xfB);
         b2CollidePolygons(manifold, &ShapeOf(m_fixtureA), xfA, &ShapeOf(m_fixtureB), xfB);
         return;
     }
@@ -85,14 +97,20 @@ inline void PolygonContact::EvaluateHere(b2Manifold *manifold, const b2Transform
 /// The manifold, once it has been asked whether the two are apart.
 inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
                                          const b2Transform &xfB, const b2Manifold & /*old*/) {
+    bool edgeFound = answer == Answer::ApartBySearch;
     if (answer < Answer::HandedOver)
         manifold->pointCount = 0;
     else if (!ManifoldIsMadeHere())
         b2CollidePolygons(manifold, &ShapeOf(m_fixtureA), xfA, &ShapeOf(m_fixtureB), xfB);
-    else if (CollideHere(manifold, xfA, xfB) && answer == Answer::HandedOver)
+    else
+        edgeFound = CollideHere(manifold, xfA, xfB);
+    if (edgeFound && answer == Answer::HandedOver)
         answer = Answer::ApartBySearch;
-    if (GetSettings().options.statistics)
+    if (GetSettings().options.statistics) {
+        if (EdgesAreOn()) // else a structure of the two fixtures lives for them
+            Live(HeldBy(answer, edgeFound), xfA, xfB);
         CountAnswer(answer);
+    }
 }
 
 void PolygonContact::UpdateSolid(b2ContactListener *listener) {

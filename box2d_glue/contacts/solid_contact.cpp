@@ -14,6 +14,8 @@
 
 namespace bmr {
 
+static_assert(alignof(BodyPair) > PairAndLife::kLife, "the two lowest bits of its address are zero");
+
 std::atomic<const void *> SolidContact::polygonVtable{nullptr}, SolidContact::convexVtable{nullptr};
 
 void SolidContact::UpdateByBox2D(b2Contact *contact, b2ContactListener *listener) {

@@ -13,6 +13,7 @@
 
 #include "boomerang/box2d_glue.h"
 #include "boomerang/convex32_collide.h"
+#include "contacts/contact_life.h"
 
 namespace bmr {
 
@@ -46,10 +47,34 @@ struct PairLink {
     };
 };
 
+/// A pointer to a BodyPair, or nullptr. In the two lowest bits, which are zero in the address of one, is the
+/// contact's life.
+class PairAndLife {
+public:
+    PairAndLife() = default;
+    PairAndLife &operator=(BodyPair *pair) {
+        m_bits = reinterpret_cast<uintptr_t>(pair) | (m_bits & kLife);
+        return *this;
+    }
+    BodyPair *Get() const {
+        return reinterpret_cast<BodyPair *>(m_bits & ~kLife); // NOLINT(performance-no-int-to-ptr)
+    }
+    operator BodyPair *() const { return Get(); } // NOLINT(google-explicit-constructor)
+    BodyPair *operator->() const { return Get(); }
+
+    Life GetLife() const { return static_cast<Life>(m_bits & kLife); }
+    void SetLife(Life life) { m_bits = (m_bits & ~kLife) | static_cast<uintptr_t>(life); }
+
+    static constexpr uintptr_t kLife = 3;
+
+private:
+    uintptr_t m_bits = 0;
+};
+
 /// What a contact of ours knows besides what Box2D keeps: 16 bytes, for which Box2D's 224-byte block has
 /// room.
 struct ContactState {
-    BodyPair *pair; ///< the structure it shares with the other contacts of its two bodies, or nullptr
+    PairAndLife pair; ///< the structure it shares with the other contacts of its two bodies
     union {
         PairLink link;               ///< of a PolygonContact, and wherever there is a pair
         bmr_convex32_memory closest; ///< of a ConvexContact without a pair
@@ -86,6 +111,17 @@ public:
     /// A direction, in the world, from A to B, that most likely keeps the two apart: what was remembered of
     /// them at the last look. Zero where nothing is. For polygons alone.
     bmr_vec2 GuessDirection() const;
+
+    /// What was found of the two at these poses is the next turn of the contact's life: tells of the event,
+    /// if it is one. To be called where Options::statistics is on, of a contact of polygons. `along`: the
+    /// direction, in the world, from A to B, where the contact does not know it.
+    void Live(Held held, const b2Transform &xfA, const b2Transform &xfB, const bmr_vec2 *along = nullptr);
+
+    /// The same of a contact that was handed over, and of which the ledger now has a line.
+    void LeaveAlong(bmr_vec2 d);
+    /// The same of a sensor's contact, behind its update by Box2D. `before`: GuessDirection() from ahead of
+    /// it.
+    void LiveAsSensor(bmr_vec2 before);
 
     /// Of a sensor's contact of two polygons that overlap: the number of a vertex, with kVertexOfB where it
     /// is B's, that most likely lies in the other one.

@@ -11,6 +11,7 @@
 
 #include "proofs/thresholds.h"
 #include "start/settings.h"
+#include "tell/event.h"
 
 namespace bmr {
 
@@ -42,12 +43,9 @@ bool SamePose(const b2Transform &a, const b2Transform &b) {
     return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
 }
 
-void TellOfEvent(void *context, const bmr_event *event) {
+void OnEvent(void *context, const bmr_event *event) {
     const auto *pair = static_cast<const BodyPair *>(context);
-    const Options &options = GetSettings().options;
-    GetCounts().kineticEvents[event->kind].fetch_add(1, std::memory_order_relaxed);
-    if (options.onEvent != nullptr)
-        options.onEvent(options.eventContext, pair->a->body, pair->b->body, *event);
+    TellOfEvent(pair->a->body, pair->b->body, *event);
 }
 
 bmr_pair_def DefOf(const BodyPair &pair) {
@@ -68,7 +66,7 @@ bmr_answer Advance(BodyPair *pair, const bmr_pose &pose) {
                                 nullptr);
     }
     bmr_counters counters = {};
-    const bmr_observer observer = {&counters, TellOfEvent, pair};
+    const bmr_observer observer = {&counters, OnEvent, pair};
     const bmr_answer answer =
         bmr_pair_advance(&pair->kinetic, &def, &pair->a->shape, &pair->b->shape, &pose, &observer, nullptr);
     GetCounts().kineticChecks.fetch_add(counters.checks, std::memory_order_relaxed);

@@ -64,6 +64,15 @@ void Update(b2Contact *contact, b2ContactListener *listener) {
         SolidContact::UpdateByBox2D(contact, listener);
 }
 
+/// The contact of a sensor whose life is told: of two polygons. Else nullptr.
+SolidContact *SensorThatLives(b2Contact *contact) {
+    if (!GetSettings().options.statistics ||
+        !(contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor()))
+        return nullptr;
+    SolidContact *ours = SolidContact::AsOurs(contact);
+    return ours != nullptr && ours->IsOfPolygons() ? ours : nullptr;
+}
+
 /// Brings one contact up to date; false where it is to be destroyed.
 inline bool Persists(b2ContactManager *manager, b2Contact *contact) {
     b2Fixture *fixtureA = contact->GetFixtureA(), *fixtureB = contact->GetFixtureB();
@@ -248,21 +257,25 @@ void LedgerPass::Look(uint32_t i, b2Contact *contact) {
     Count(&Counts::looks);
     ++m_looks;
     m_ledger->NoteLookedAt(i);
+    SolidContact *const sensor = SensorThatLives(contact);
+    const bmr_vec2 before = sensor != nullptr ? sensor->GuessDirection() : bmr_vec2{0.0, 0.0};
     Update(contact, Listener());
     if (m_ledger->Contact(i) != contact)
         return; // the game ended it
+    if (sensor != nullptr)
+        sensor->LiveAsSensor(before);
     for (const uint32_t row : {record.a, record.b}) {
         if (movers.IsActive(row) || !movers.IsActiveNow(row))
             continue;
         Wake(movers[row].body, i);
     }
     m_ledger->Touches(i, contact->IsTouching());
-    const SolidContact *ours = SolidContact::AsOurs(contact);
+    SolidContact *ours = SolidContact::AsOurs(contact);
     // (A listener may have flagged this very contact: Box2D filters it in the next step.)
     const bool canProve = ours != nullptr && ours->IsOfPolygons() &&
                           contact->GetManifold()->pointCount == 0 && !SolidContact::WantsFiltering(*contact);
     if (canProve && !contact->IsTouching())
-        ProveApart(m_ledger, i, *ours);
+        ProveApart(m_ledger, i, ours);
     else if (canProve) // a sensor's
         ProveOverlap(m_ledger, i, *ours);
     else

@@ -21,7 +21,7 @@ struct Box2DCalls {
 struct Box2DCourse {
     Box2DCalls stock, plugin;
     double pluginEvents =
-        0.0; ///< of the kinetic structure of the pair: pushes, stabs, rolls, contacts, leaves
+        0.0; ///< of the two hulls' structure and of contacts: pushes, stabs, rolls, contacts, leaves
 };
 
 /// Runs a course in Box2D: the polygons as bodies of fixtures of at most 8 vertices, one step for each tenth

@@ -16,6 +16,11 @@
 namespace testbed {
 namespace {
 
+/// `events`: a count for each kind.
+bool HasNoEvents(const nlohmann::json &events) {
+    return std::all_of(events.begin(), events.end(), [](const nlohmann::json &count) { return count == 0; });
+}
+
 void PrintNumbers(std::ostream &out, const nlohmann::json &json, const std::string &prefix) {
     constexpr int kNameWidth = 28;
     for (const auto &[key, value] : json.items()) {
@@ -136,10 +141,8 @@ int Execute(const RunCommand &command, const Workers &workers) {
         std::cout << summary.dump(2) << '\n';
     else
         PrintNumbers(std::cout, summary, "");
-    if (!command.trace.empty() && summary.contains("plugin") && summary["plugin"]["pairs"] == 0)
-        std::cerr
-            << "note: the trace is empty: one remembered edge a contact answered everything; --prefilter off "
-               "leaves it to the kinetic structures\n";
+    if (!command.trace.empty() && summary.contains("plugin") && HasNoEvents(summary["plugin"]["events"]))
+        std::cerr << "note: the trace is empty: no two polygons came near each other\n";
     return kExitOk;
 }
 

@@ -118,8 +118,15 @@ void Figures::AddEvents(const SceneResult &result) {
     add("plugin.edge_searches_per_step", "edge_searches");
     add("plugin.verdicts_reused_per_step", "verdicts_reused");
     add("plugin.proved_apart_per_step", "proved_apart");
-    for (const char *event : {"start", "stab", "push", "roll", "coarsen", "contact", "leave"})
-        add(std::string("events.") + event + "_per_step", std::string("events/") + event);
+    std::optional<double> all = 0.0;
+    for (const char *event : {"start", "stab", "push", "roll", "coarsen", "contact", "leave"}) {
+        const std::optional<double> count =
+            NumberAt(result.pluginCount, std::string("/plugin/events/") + event);
+        Add(std::string("events.") + event + "_per_step", Scaled(count, perStep));
+        all = all && count ? *all + *count : std::optional<double>();
+    }
+    Add("events.all_per_step", Scaled(all, perStep));
+    Add("events.all_percent", all && pairs ? Quotient(100.0 * *all, pairs) : std::optional<double>());
     add("events.hand_over_per_step", "handed_over");
     add("events.hand_over_touching_per_step", "handed_over_touching");
     add("plugin.toi_queries_per_step", "toi_queries");

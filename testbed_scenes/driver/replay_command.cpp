@@ -21,8 +21,8 @@ constexpr int64_t kMostSteps = 20000;
 
 constexpr char kNotes[] =
     "The page holds its data, style and script: it opens from a file, without a network, in any browser of "
-    "2023 or later.\nMost pairs are proved apart by one remembered edge; with --prefilter off the kinetic "
-    "structures do it, and their events fill the time lines.";
+    "2023 or later.\nEach contact of two polygons has its events, and so have the hulls of bodies with many; "
+    "with --prefilter off hulls alone.";
 
 std::string Megabytes(size_t bytes) {
     char text[32];

@@ -187,13 +187,11 @@ struct Pair {
 /// Something that happened to a pair, since the frame before.
 struct Event {
     int64_t step = 0;
-    /// start, push, stab, roll, coarsen, contact, leave: a kinetic structure's (boomerang/pair.h).
-    /// search: an edge was sought and found for a contact. hand-over: an evaluation needed a manifold, and
-    /// the one before it (if any) did not; take-back: the other way round. begin, end: Box2D's own
-    /// BeginContact and EndContact.
+    /// start, push, stab, roll, coarsen, contact, leave: of the structure of two hulls, or of a contact
+    /// (Options::onEvent in boomerang/box2d_glue.h). begin, end: Box2D's own BeginContact and EndContact.
     std::string kind;
     int a = 0, b = 0;
-    int level_before = 0, level_after = 0; ///< of the kinetic structure's
+    int level_before = 0, level_after = 0; ///< of the structure's
     float gap = 0.0f;                      ///< certified after the event
 };
 

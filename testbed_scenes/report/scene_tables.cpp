@@ -36,12 +36,15 @@ const SceneTable &BudgetTable() {
             {"budgets of motion", "renewed", "ledger.renewals_per_step", 1},
             {"budgets of motion", "looks", "ledger.looks_per_step", 1},
             {"budgets of motion", "% looks", "ledger.looks_percent", 1},
+            {"of certificates", "events", "events.all_per_step", 2},
+            {"of certificates", "% events", "events.all_percent", 2},
         },
         {
             "pairs: contacts of bodies that are awake; renewed: by their own line, whose shapes and contact "
             "nobody "
             "read",
             "looks: whose contact or shapes were read; of all others nothing but a deadline was",
+            "events: certificates made, replaced and given up, the hulls' among them; %: of the pairs",
         }};
     return table;
 }
@@ -58,19 +61,20 @@ const SceneTable &EventTable() {
             {"events", "push", "events.push_per_step", 2},
             {"events", "roll", "events.roll_per_step", 2},
             {"events", "coarsen", "events.coarsen_per_step", 2},
-            {"events", "hand-over", "events.hand_over_per_step", 2},
-            {"answers", "proved apart", "plugin.proved_apart_per_step", 1},
+            {"events", "contact", "events.contact_per_step", 2},
+            {"events", "leave", "events.leave_per_step", 2},
+            {"answers", "apart", "plugin.proved_apart_per_step", 1},
             {"answers", "reused", "plugin.verdicts_reused_per_step", 1},
+            {"answers", "hand-over", "events.hand_over_per_step", 1},
         },
         {
             "edge: one remembered edge asked again; search: all edges, when it failed; kinetic: a body "
             "pair's "
             "certificate asked again",
-            "start, stab, push, roll, coarsen: the life of a certificate; hand-over: its end, the polygons "
-            "are "
-            "searched",
-            "proved apart: answered without Box2D; reused: of those, by what was found at the same poses "
-            "before",
+            "start, stab, push, roll, coarsen: the life of a certificate; contact: its end, the exact test "
+            "is asked; leave: a new one",
+            "apart: proved, without Box2D; reused: of those, by what was found at the same poses before; "
+            "hand-over: the exact test",
         }};
     return table;
 }

@@ -35,10 +35,10 @@ void AddPluginOptions(CLI::App &app, PluginOptions &options);
 class PluginObserver {
 public:
     virtual ~PluginObserver() = default;
-    /// An event of a kinetic structure; `event` lacks its step and its bodies.
+    /// An event of a structure of hulls or of a contact; `event` lacks its step and its bodies.
     virtual void OnKineticEvent(const b2Body &bodyA, const b2Body &bodyB, recording::Event event) = 0;
-    /// An evaluation of two polygons. `searched`: an edge was looked for, and proves them apart.
-    virtual void OnAnswer(const b2Contact &contact, bool handedOver, bool searched) = 0;
+    /// An evaluation of two polygons.
+    virtual void OnAnswer(const b2Contact &contact, bool handedOver) = 0;
 };
 
 /// Before the first world. Throws if the plugin will not install, or the trace cannot be written. The

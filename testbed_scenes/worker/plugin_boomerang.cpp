@@ -42,7 +42,7 @@ void OnEvent(void *, const b2Body *bodyA, const b2Body *bodyB, const bmr_event &
 }
 
 void OnAnswer(void *, const b2Contact &contact, bmr::Answer answer) {
-    observer->OnAnswer(contact, answer >= bmr::Answer::HandedOver, answer == bmr::Answer::ApartBySearch);
+    observer->OnAnswer(contact, answer >= bmr::Answer::HandedOver);
 }
 
 void OpenTrace(const std::string &name) {

@@ -31,12 +31,6 @@ std::pair<int, int> BodiesOf(const b2Contact &contact) {
     return Sorted(Number(*contact.GetFixtureA()->GetBody()), Number(*contact.GetFixtureB()->GetBody()));
 }
 
-std::array<int, 4> FixturesOf(const b2Contact &contact) {
-    const b2Fixture &a = *contact.GetFixtureA(), &b = *contact.GetFixtureB();
-    return {Number(*a.GetBody()), static_cast<int>(NumberOf(a)), Number(*b.GetBody()),
-            static_cast<int>(NumberOf(b))};
-}
-
 bool IsSolid(const b2Contact &contact) {
     return !contact.GetFixtureA()->IsSensor() && !contact.GetFixtureB()->IsSensor();
 }
@@ -133,7 +127,7 @@ void Recorder::OnKineticEvent(const b2Body &bodyA, const b2Body &bodyB, recordin
     AddEvent(std::move(event), Sorted(Number(bodyA), Number(bodyB)));
 }
 
-void Recorder::OnAnswer(const b2Contact &contact, bool handedOver, bool searched) {
+void Recorder::OnAnswer(const b2Contact &contact, bool handedOver) {
     const Bodies bodies = BodiesOf(contact);
     Counters &recent = m_recent[bodies];
     std::map<std::string, int64_t> &totals = m_totals[bodies];
@@ -141,17 +135,6 @@ void Recorder::OnAnswer(const b2Contact &contact, bool handedOver, bool searched
     ++totals["asked"];
     recent.handedOver += handedOver ? 1 : 0;
     totals["handed_over"] += handedOver ? 1 : 0;
-    recording::Event event;
-    if (searched) {
-        event.kind = "search";
-        AddEvent(event, bodies);
-    }
-    bool &before = m_handedOver[FixturesOf(contact)];
-    if (before != handedOver) {
-        event.kind = handedOver ? "hand-over" : "take-back";
-        AddEvent(event, bodies);
-    }
-    before = handedOver;
 }
 
 void Recorder::OnBegin(const b2Contact &contact) {

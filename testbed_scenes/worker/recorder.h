@@ -45,7 +45,7 @@ private:
     };
 
     void OnKineticEvent(const b2Body &bodyA, const b2Body &bodyB, recording::Event event) override;
-    void OnAnswer(const b2Contact &contact, bool handedOver, bool searched) override;
+    void OnAnswer(const b2Contact &contact, bool handedOver) override;
     void OnBegin(const b2Contact &contact) override;
     void OnEnd(const b2Contact &contact) override;
     void OnPreSolve(const b2Contact &, const b2Manifold &) override {}
@@ -68,8 +68,7 @@ private:
     std::map<std::pair<int, int>, recording::Fixture>
         m_sent; ///< as the reader knows them, by body and number
     std::map<std::pair<int, std::vector<float>>, int> m_outlines; ///< ids, by body and coordinates
-    std::unordered_map<const void *, int> m_bodyOf;  ///< by the address of a shape's first vertex
-    std::map<std::array<int, 4>, bool> m_handedOver; ///< by body, fixture, body, fixture: its last answer
+    std::unordered_map<const void *, int> m_bodyOf; ///< by the address of a shape's first vertex
     std::map<Bodies, std::map<std::string, int64_t>> m_totals;
     // Since the last frame.
     std::map<Bodies, Counters> m_recent;

@@ -230,7 +230,7 @@ class ReplayPage(unittest.TestCase):
                          self.recordings[name]["plugin"].events(a, b))
 
     def test_a_pairs_time_line_is_that_of_the_recording(self):
-        for name, kind in (("planks", None), ("planks", "hand-over"), ("churn", "push"), ("churn", "stab")):
+        for name, kind in (("planks", None), ("planks", "contact"), ("churn", "push"), ("churn", "stab")):
             with self.subTest(scene=name, kind=kind):
                 self.show(name)
                 a, b = self.busiest(name, kind)

@@ -123,10 +123,11 @@ test_compare_reports_identical_scenes() {
         json_number "$scratch/report.json" scenes 1 figures "$side" step_us_per_step
         json_number "$scratch/report.json" scenes 1 figures "$side" narrow_phase_us_per_step
     done
-    for event in start stab push roll coarsen hand_over; do
+    for event in start stab push roll coarsen contact leave all hand_over; do
         json_number "$scratch/report.json" scenes 1 figures events "${event}_per_step"
     done
     json_number "$scratch/report.json" scenes 1 figures checks all_per_step
+    json_number "$scratch/report.json" scenes 1 figures events all_percent
     json_number "$scratch/report.json" scenes 1 figures ratio step
 
     local way
@@ -198,12 +199,15 @@ test_numbers_out_of_range_are_explained_with_the_range() {
     err_has 'not in range 1 to 100000000'
 }
 
-test_an_empty_trace_says_how_to_get_events() {
+test_every_pair_has_events_and_an_empty_trace_says_why_it_is() {
     expect 0 run "$hard" --steps "$steps" --trace "$scratch/trace"
-    err_has '--prefilter off'
-    expect 0 run "$hard" --steps "$steps" --prefilter off --trace "$scratch/trace"
     err_empty
     grep -q ' start ' "$scratch/trace" || fail 'no event in the trace'
+    expect 0 run "$hard" --steps "$steps" --prefilter off --trace "$scratch/trace"
+    err_empty
+    grep -q ' start ' "$scratch/trace" || fail 'no event in the trace of hulls'
+    expect 0 run coins-gas --steps 1 --trace "$scratch/trace"
+    err_has 'no two polygons came near'
 }
 
 test_worker_failures_exit_with_3() {

@@ -70,11 +70,14 @@ fi
 
 for structure in $structures; do
     # One process per core would do; two prefilters, two processes.
-    for prefilter in on off; do
+    # With one of them somebody listens to all events, besides, and nothing else may be otherwise for it.
+    ways="on off"
+    [ "$structure" != free-direction ] || ways="on off told"
+    for prefilter in $ways; do
         run "$room/$structure-$prefilter" "$first" "$seeds" "$plugin" "$structure" $prefilter &
     done
     wait
-    for prefilter in on off; do
+    for prefilter in $ways; do
         name=$structure-$prefilter
         if [ -s "$room/$name.lost" ]; then
             fails "$structure, prefilter $prefilter: with the plugin the program does not end well: $(head -n 1 "$room/$name.lost")"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 //   differential_stock  FIRST COUNT STEPS [dump SEED STEP | perturb SEED STEP | end SEED STEP]
-//   differential_plugin FIRST COUNT STEPS STRUCTURE on|off [dump SEED STEP]
+//   differential_plugin FIRST COUNT STEPS STRUCTURE on|off|told [dump SEED STEP]
 //
 // Runs the random worlds of COUNT seeds, from FIRST on, and prints a line for every step: seed, step, and for
 // each of the seed's worlds (every other seed has two at once) the hashes of bodies, contacts, events and
@@ -103,7 +103,7 @@ void RunSeed(const Request &request, long seed, differential::Meddling *meddling
 
 int Usage() {
     std::fprintf(stderr, "usage: FIRST COUNT STEPS%s [dump SEED STEP | perturb SEED STEP | end SEED STEP]\n",
-                 std::strcmp(differential::Kind(), "stock") == 0 ? "" : " STRUCTURE on|off");
+                 std::strcmp(differential::Kind(), "stock") == 0 ? "" : " STRUCTURE on|off|told");
     return 2;
 }
 
@@ -118,7 +118,9 @@ int main(int argc, char **argv) {
     request.count = std::atol(argv[2]);
     request.steps = std::atol(argv[3]);
     if (std::strcmp(differential::Kind(), "plugin") == 0) {
-        if (argc < at + 2 || !differential::InstallPlugin(argv[at], std::strcmp(argv[at + 1], "on") == 0))
+        const bool off = argc > at + 1 && std::strcmp(argv[at + 1], "off") == 0,
+                   told = argc > at + 1 && std::strcmp(argv[at + 1], "told") == 0;
+        if (argc < at + 2 || !differential::InstallPlugin(argv[at], !off, told))
             return Usage();
         at += 2;
     }

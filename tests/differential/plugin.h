@@ -11,8 +11,9 @@ namespace differential {
 
 /// "stock" or "plugin".
 const char *Kind();
-/// False where there is no such structure, or where this program is not the plugin's.
-bool InstallPlugin(const std::string &structure, bool prefilter);
+/// `told`: somebody listens to its events. False where there is no such structure, or where this program is
+/// not the plugin's.
+bool InstallPlugin(const std::string &structure, bool prefilter, bool told);
 
 } // namespace differential
 

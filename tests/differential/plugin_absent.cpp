@@ -7,7 +7,7 @@ const char *Kind() {
     return "stock";
 }
 
-bool InstallPlugin(const std::string &, bool) {
+bool InstallPlugin(const std::string &, bool, bool) {
     return false;
 }
 

@@ -55,7 +55,7 @@ constexpr uint32_t kAllHooks = (Bit(Hook::Ledger) << 1) - 1;
 enum class Answer : int32_t {
     ApartByPair,   ///< the kinetic structure of their bodies (or of the two) proves them apart
     ApartByEdge,   ///< the edge that their contact remembers does; of a big ConvexShape its vertices
-    ApartBySearch, ///< an edge was looked for, and is remembered from now on
+    ApartBySearch, ///< an edge, or the direction of a big one, was found, and is remembered from now on
     HandedOver,    ///< not known to be apart: a manifold was needed
     Touching       ///< the same, nothing asked: they touched at the last look
 };
@@ -83,6 +83,28 @@ struct Options {
     bool statistics = false;
     /// Told of every event of every pair (implies statistics). Called from inside b2World::Step, from the
     /// thread that steps: it must not touch the world.
+    ///
+    /// There are two kinds of structures, and each tells of its own life. One is that of two hulls: of bodies
+    /// that have many contacts with each other, and of all fixtures where the prefilter is off. Its events
+    /// are core's (boomerang/pair.h). The other is each contact of two polygons, which keeps an edge, or a
+    /// direction where one is big. Its certificate is of level 0, the polygons themselves; level -1 is what
+    /// is coarser, the disks around big polygons or the bodies' hulls:
+    ///
+    ///   START    the first certificate is made
+    ///   PUSH     it failed, and another edge or direction separates the two
+    ///   STAB     what is coarser failed, and an edge or a direction separates them
+    ///   COARSEN  disks are apart, where an edge or a direction was needed before
+    ///   CONTACT  they are handed over: nothing is known to separate them
+    ///   LEAVE    they were handed over, and are known to be apart now
+    ///
+    /// (A look tries all vertices of the other polygon. There is no window to leave, so there is no ROLL.) A
+    /// look at which the certificate holds, and a budget of motion that is renewed, are no events. Neither is
+    /// the end of a contact: where the two meet again, another life begins.
+    ///
+    /// `event.pair` of a contact is made for the event, and gone when onEvent returns. Its stamp is 0; that
+    /// of a pair of hulls is not. Its certificate holds at `event.pose`, of the two bodies as they are given.
+    /// (Box2D's test goes by the normals that a polygon has. Where these are not those of its sides, nothing
+    /// is certified, and `event.gap` is 0.)
     void (*onEvent)(void *context, const b2Body *bodyA, const b2Body *bodyB,
                     const bmr_event &event) = nullptr;
     void *eventContext = nullptr;
@@ -137,7 +159,7 @@ struct Statistics {
     uint64_t differences = 0;  ///< of those, the ones that differed
     uint64_t pairs = 0;        ///< body pairs that got a kinetic structure
     uint64_t hulls = 0;        ///< hulls built
-    bmr_counters kinetic = {}; ///< checks and events of the kinetic structures
+    bmr_counters kinetic = {}; ///< events of all structures (Options::onEvent); checks of hulls alone
 };
 BMR_BOX2D_API Statistics GetStatistics();
 

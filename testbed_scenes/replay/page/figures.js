@@ -77,7 +77,7 @@ class Figures {
 
   drawBackdrop(g, width, height) {
     const colour = this.view.colour, bottom = height - 4;
-    const yOf = (calls) => bottom - (calls / this.highest) * (height - 18);
+    const yOf = (calls) => bottom - (calls / this.highest) * (height - 28); // below the number of the highest
     const trace = (means) => {
       g.beginPath();
       means.forEach((calls, i) => {

@@ -6,9 +6,9 @@ const EVENT_ROWS = [
   { kinds: ["stab"], name: "stab", glyph: "wedge" },
   { kinds: ["roll"], name: "roll", glyph: "ring" },
   { kinds: ["coarsen"], name: "coarsen", glyph: "diamond" },
-  { kinds: ["start", "search"], name: "start, search", glyph: "bar" },
-  { kinds: ["contact", "hand-over"], name: "manifold", glyph: "cross" },
-  { kinds: ["leave", "take-back"], name: "apart again", glyph: "plus" },
+  { kinds: ["start"], name: "start", glyph: "bar" },
+  { kinds: ["contact"], name: "contact", glyph: "cross" },
+  { kinds: ["leave"], name: "leave", glyph: "plus" },
 ];
 const SLACK_HEIGHT = 48, ROW_HEIGHT = 14, LABELS = 84;
 
@@ -26,9 +26,12 @@ function lengthText(value) {
   return String(Number(value >= 100 ? value.toFixed(0) : value >= 0.9995 ? value.toFixed(2) : value.toFixed(3)));
 }
 
+// A start has no level before it, and a contact none after it, whatever the numbers are.
 function levelText(event) {
   const level = (value) => (value < 0 ? "disks" : String(value));
-  return event.before === event.after ? "" : " " + level(event.before) + "→" + level(event.after);
+  if (event.kind === "start") return event.after < 0 ? " disks" : "";
+  if (event.kind === "contact" || event.before === event.after) return "";
+  return " " + level(event.before) + "→" + level(event.after);
 }
 
 class Timeline {

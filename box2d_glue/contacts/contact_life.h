@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_CONTACT_LIFE_H
+#define BOOMERANG_GLUE_CONTACT_LIFE_H
+
+#include <cstdint>
+
+#include "boomerang/pair.h"
+
+namespace bmr {
+
+/// @file
+/// A contact of two polygons is a kinetic structure of its own: it keeps a certificate from look to look.
+/// This is its life in the paper's words. (The hulls of two bodies, which many contacts share, live another
+/// one, in a BodyPair. It is told beside those of the contacts.)
+///
+/// A contact's structure has two levels.
+/// - Level 0 is the polygons themselves. Of two small ones the certificate is an edge of one, with all of the
+///   other beyond it. Where one is big, it is a direction, with the vertices that are farthest along it. Of a
+///   sensor's contact it is a direction, too.
+/// - Level -1 is what is coarser: the disks around two big polygons, or the hulls of the bodies.
+///
+/// | event | it is told when |
+/// | --- | --- |
+/// | start | the first certificate is made |
+/// | push | the certificate fails, and another edge or direction separates the two |
+/// | stab | what is coarser fails, and an edge or a direction separates the two |
+/// | coarsen | the disks are apart, where an edge or a direction was needed before |
+/// | contact | nothing separates the two that is looked for: they are handed over to the exact test |
+/// | leave | the two were handed over, and are known to be apart now |
+///
+/// There is no roll. All vertices of the other polygon are tried at a look, or the farthest is searched:
+/// there is no window that the direction could leave. For the same reason any other edge is a push, whichever
+/// of the two polygons it belongs to.
+///
+/// No event: a look at which the certificate holds; a budget that is renewed by its line; a contact that its
+/// bodies' hulls answer for; the end of a contact. Where the two bodies meet again, the new contact starts
+/// anew. (What was handed over may leave by the line that its record in the ledger then gets.)
+///
+/// So its events are (start (push | stab | coarsen)*)? (contact leave (push | stab | coarsen)*)*, cut
+/// off anywhere.
+
+/// What keeps a contact's polygons apart, as far as its events are concerned.
+enum class Life : uint8_t {
+    Unborn, ///< nothing was found yet, except by the hulls of the bodies
+    Coarse, ///< level -1
+    Apart,  ///< level 0
+    Contact ///< nothing: it is handed over
+};
+
+/// What a look at a contact found.
+enum class Held : uint8_t {
+    Nothing,    ///< not known to be apart
+    ByBodies,   ///< the structure of the bodies holds; the contact's own certificate was not looked at
+    ByDisks,    ///< the disks around the two polygons are apart
+    Remembered, ///< the certificate of the last look holds
+    Another     ///< another one was found
+};
+
+/// What a look makes of a life: the next one, and the event, BMR_EVENT_KIND_COUNT where there is none.
+struct Turn {
+    Life next;
+    bmr_event_kind event;
+    int8_t levelBefore, levelAfter;
+};
+Turn TurnOf(Life life, Held held);
+
+} // namespace bmr
+
+#endif

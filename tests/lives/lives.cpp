@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "lives.h"
+
+namespace lives {
+
+namespace {
+
+Listener *listening = nullptr; // Options are the process's, and so is who listens
+
+bool IsOfHulls(const bmr_event &event) {
+    return event.pair->stamp != 0;
+}
+
+const b2Fixture *OnlySensor(const b2Body *body) {
+    const b2Fixture *fixture = body->GetFixtureList();
+    return fixture->GetNext() == nullptr && fixture->IsSensor() ? fixture : nullptr;
+}
+
+bool IsSensors(const b2Contact &contact) {
+    return contact.GetFixtureA()->IsSensor() || contact.GetFixtureB()->IsSensor();
+}
+
+} // namespace
+
+void Listener::CheckCertificate(const bmr_event &event) {
+    double gap = 0.0;
+    if (event.kind == BMR_EVENT_CONTACT) {
+        m_run.Expect(event.pair->state == BMR_PAIR_CONTACT && event.gap == 0.0,
+                     "in contact nothing is proved");
+        return;
+    }
+    m_run.Expect(event.gap > 0.0, "something is proved");
+    m_run.Expect(bmr_pair_check(event.pair, event.pose, 0.0, &gap), "the certificate holds at the pose");
+    m_run.Expect(gap >= 0.0 && (event.pair->level == BMR_LEVEL_DISKS || gap == event.gap || IsOfHulls(event)),
+                 "it proves what is told");
+}
+
+void Listener::OnEvent(const b2Body *a, const b2Body *b, const bmr_event &event) {
+    ++m_counts[event.kind];
+    CheckCertificate(event);
+    const bool hulls = IsOfHulls(event);
+    if (m_prints)
+        m_run.Print("event %s %s %d %d", hulls ? "hulls" : "contact", bmr_event_name(event.kind),
+                    event.level_before, event.level_after);
+    if (hulls) {
+        ++m_ofHulls;
+        return;
+    }
+    // Nobody answers for a sensor; its body has no other fixture here, nor has the one that it meets.
+    if (OnlySensor(a) != nullptr || OnlySensor(b) != nullptr) {
+        ++m_ofSensors;
+        Turn(&m_states[KeyOf(a->GetFixtureList(), b->GetFixtureList())], event);
+        return;
+    }
+    m_pending.push_back(event);
+}
+
+/// By the words of boomerang/box2d_glue.h.
+void Listener::Turn(State *state, const bmr_event &event) {
+    const State before = *state;
+    const bool fits = event.kind == BMR_EVENT_START     ? before == State::Unborn
+                      : event.kind == BMR_EVENT_PUSH    ? before == State::Apart
+                      : event.kind == BMR_EVENT_STAB    ? before == State::Coarse
+                      : event.kind == BMR_EVENT_COARSEN ? before == State::Apart
+                      : event.kind == BMR_EVENT_CONTACT ? before != State::Contact
+                      : event.kind == BMR_EVENT_LEAVE   ? before == State::Contact
+                                                        : false;
+    m_run.Expect(fits, "an event follows from the one before");
+    const int level = before == State::Apart || before == State::Contact ? 0 : BMR_LEVEL_DISKS;
+    m_run.Expect(event.level_before == level, "levels follow from one another");
+    *state = event.kind == BMR_EVENT_CONTACT ? State::Contact
+             : event.level_after == 0        ? State::Apart
+                                             : State::Coarse;
+    if (event.kind == BMR_EVENT_PUSH || event.kind == BMR_EVENT_STAB)
+        m_run.Expect(event.level_after == 0, "a push and a stab end at the polygons");
+    if (event.kind == BMR_EVENT_COARSEN)
+        m_run.Expect(event.level_after == BMR_LEVEL_DISKS, "what is coarser are the disks");
+}
+
+/// The ledger finds lines of its own, where a look found none: such a LEAVE follows the answer.
+void Listener::TakeBelated(const b2Contact *next) {
+    if (m_pending.empty() || m_pending.front().kind != BMR_EVENT_LEAVE || m_answered == Key())
+        return;
+    State &state = m_states[m_answered];
+    const bool ofNext = next != nullptr && m_pending.size() == 1 && m_states[KeyOf(*next)] == State::Contact;
+    if (state != State::Contact || ofNext)
+        return;
+    Turn(&state, m_pending.front());
+    m_pending.erase(m_pending.begin());
+}
+
+void Listener::OnAnswer(const b2Contact &contact, bmr::Answer answer) {
+    TakeBelated(&contact);
+    const bool ofPolygons = contact.GetFixtureA()->GetType() == b2Shape::e_polygon &&
+                            contact.GetFixtureB()->GetType() == b2Shape::e_polygon;
+    m_run.Expect(m_pending.size() <= (ofPolygons ? 1u : 0u), "an evaluation has one event at most");
+    State &state = m_states[KeyOf(contact)];
+    const State before = state;
+    for (const bmr_event &event : m_pending)
+        Turn(&state, event);
+    if (ofPolygons && m_run.Prefilter()) {
+        if (answer == bmr::Answer::ApartBySearch)
+            m_run.Expect(m_pending.size() == 1, "what was searched and found is an event");
+        if (answer == bmr::Answer::ApartByPair)
+            m_run.Expect(state != State::Contact, "what hulls keep apart is not in contact");
+        if (answer == bmr::Answer::ApartByEdge || answer == bmr::Answer::ApartBySearch)
+            m_run.Expect(state == State::Apart || state == State::Coarse,
+                         "apart by a certificate of its own");
+        if (answer == bmr::Answer::HandedOver)
+            m_run.Expect(state == State::Contact, "handed over is in contact");
+        if (answer == bmr::Answer::Touching)
+            m_run.Expect(before == State::Contact &&
+                             (state == State::Contact || contact.GetManifold()->pointCount == 0),
+                         "what touched was in contact");
+    }
+    m_pending.clear();
+    m_answered = KeyOf(contact);
+}
+
+void Listener::CheckContacts(const b2World &world) {
+    TakeBelated(nullptr);
+    m_answered = Key();
+    m_run.Expect(m_pending.empty(), "each event of a contact has its answer");
+    if (!m_run.Prefilter())
+        return;
+    for (const b2Contact *contact = world.GetContactList(); contact != nullptr;
+         contact = contact->GetNext()) {
+        if (contact->GetFixtureA()->GetType() != b2Shape::e_polygon ||
+            contact->GetFixtureB()->GetType() != b2Shape::e_polygon)
+            continue;
+        const auto known = m_states.find(KeyOf(*contact));
+        if (contact->IsTouching() && !IsSensors(*contact))
+            m_run.Expect(known != m_states.end() && known->second == State::Contact,
+                         "what touches is in contact");
+    }
+}
+
+void Listener::CheckCounts() {
+    const bmr::Statistics s = bmr::GetStatistics();
+    for (int kind = 0; kind < BMR_EVENT_KIND_COUNT; ++kind)
+        m_run.Expect(m_counts[kind] == s.kinetic.events[kind], "every event is counted");
+}
+
+std::string Told(Play play, bmr::Options options) {
+    static Play chosen;
+    chosen = play;
+    options.onEvent = [](void *, const b2Body *a, const b2Body *b, const bmr_event &event) {
+        listening->OnEvent(a, b, event);
+    };
+    options.onAnswer = [](void *, const b2Contact &contact, bmr::Answer answer) {
+        listening->OnAnswer(contact, answer);
+    };
+    return forked::InChild(
+        [](forked::Run &run) {
+            Listener listener(run);
+            listening = &listener;
+            chosen(run, listener);
+            listener.CheckCounts();
+        },
+        &options, forked::When::kBefore);
+}
+
+} // namespace lives

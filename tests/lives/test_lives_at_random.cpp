@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Crowds of bodies that meet at random: whatever happens, each life is one that the header allows, and nobody
+// plays otherwise for being listened to.
+#include <cstdint>
+
+#include "lives.h"
+
+using forked::Game;
+using forked::Run;
+using lives::Listener;
+
+namespace {
+
+/// Numbers that are the same everywhere.
+class Random {
+public:
+    explicit Random(uint32_t seed) : m_state(0x9e3779b97f4a7c15u * (seed + 1)) {}
+    float Between(float low, float high) {
+        m_state = m_state * 6364136223846793005u + 1442695040888963407u;
+        return low + (high - low) * static_cast<float>(m_state >> 40) * 0x1p-24f;
+    }
+    int Below(int count) { return static_cast<int>(Between(0.0f, 0.999f) * static_cast<float>(count)); }
+
+private:
+    uint64_t m_state;
+};
+
+constexpr float kArena = 7.0f;
+constexpr uint16_t kWall = 1, kPiece = 2, kOfMany = 4, kSensor = 8;
+
+/// Sensors meet bodies of one fixture alone: of more, nobody could say whose event it is.
+void Sort(b2Fixture *fixture, uint16_t category, uint16_t mask) {
+    b2Filter filter;
+    filter.categoryBits = category;
+    filter.maskBits = mask;
+    fixture->SetFilterData(filter);
+}
+
+void AddWalls(Game &game) {
+    for (int side = 0; side < 4; ++side) {
+        const b2Rot turn(0.5f * b2_pi * static_cast<float>(side));
+        b2Body *wall = game.Body(b2_staticBody, b2Mul(turn, b2Vec2(0.0f, -kArena - 0.5f)),
+                                 0.5f * b2_pi * static_cast<float>(side));
+        Sort(game.Box(wall, kArena + 1.0f, 0.5f), kWall, kWall | kPiece | kOfMany);
+    }
+}
+
+/// A box, a triangle, a coin, a plank of ten boxes, or a sensor.
+void AddBody(Game &game, Random &random, bool big) {
+    b2Body *body = game.Body(b2_dynamicBody, {random.Between(-6.0f, 6.0f), random.Between(-6.0f, 6.0f)},
+                             random.Between(0.0f, 6.0f));
+    body->SetLinearVelocity({random.Between(-4.0f, 4.0f), random.Between(-4.0f, 4.0f)});
+    body->SetAngularVelocity(random.Between(-3.0f, 3.0f));
+    const int kind = random.Below(12);
+    if (kind == 0) {
+        game.Plank(body);
+        for (b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext())
+            Sort(f, kOfMany, kWall | kPiece | kOfMany);
+        return;
+    }
+    bmr::ConvexShape coin;
+    b2PolygonShape small;
+    const float half = random.Between(0.15f, 0.7f);
+    const b2Vec2 triangle[3] = {{-half, -half}, {half, -half}, {0.0f, half}};
+    if (kind < 8)
+        small.SetAsBox(half, random.Between(0.1f, 0.6f));
+    else
+        small.Set(triangle, 3);
+    const bool isCoin = big && kind > 4 && coin.SetEllipse(9 + random.Below(60), half, 0.4f * half) == BMR_OK;
+    const b2Shape &shape = isCoin ? static_cast<const b2Shape &>(coin) : small;
+    const bool sensor = kind == 1;
+    b2Fixture *fixture = game.Fixture(body, shape, sensor);
+    fixture->SetRestitution(0.9f);
+    if (sensor)
+        Sort(fixture, kSensor, kPiece);
+    else
+        Sort(fixture, kPiece, kWall | kPiece | kOfMany | kSensor);
+}
+
+uint32_t seed = 1;
+
+/// `listener` may be nullptr.
+void PlayCrowd(Run &run, Listener *listener, bool big) {
+    Random random(seed);
+    Game game(run, {0.0f, seed % 2 == 0 ? 0.0f : -10.0f});
+    if (listener != nullptr)
+        listener->Watch(&game.world);
+    AddWalls(game);
+    for (int i = 0; i < 45; ++i)
+        AddBody(game, random, big);
+    for (int i = 0; i < 150; ++i) {
+        game.Step();
+        if (listener != nullptr)
+            listener->CheckContacts(game.world);
+    }
+}
+
+void CheckThatItLived(Run &run, const Listener &listener) {
+    for (const bmr_event_kind kind : {BMR_EVENT_START, BMR_EVENT_PUSH, BMR_EVENT_CONTACT, BMR_EVENT_LEAVE})
+        run.Expect(listener.Count(kind) > 0, "there are events of every common kind");
+    run.Expect(listener.Count(BMR_EVENT_CONTACT) >= listener.Count(BMR_EVENT_LEAVE),
+               "who leaves was in contact");
+}
+
+void PlaySmall(Run &run, Listener &listener) {
+    PlayCrowd(run, &listener, false);
+    CheckThatItLived(run, listener);
+}
+
+void PlayBig(Run &run, Listener &listener) {
+    PlayCrowd(run, &listener, true);
+    CheckThatItLived(run, listener);
+    run.Expect(listener.Count(BMR_EVENT_STAB) > 0 && listener.Count(BMR_EVENT_COARSEN) > 0,
+               "disks come and go");
+}
+
+void PlaySmallUnheard(Run &run) {
+    PlayCrowd(run, nullptr, false);
+}
+void PlayBigUnheard(Run &run) {
+    PlayCrowd(run, nullptr, true);
+}
+
+/// With each structure, and with and without remembered edges.
+template <typename Check> void ForSettings(Check check) {
+    const uint32_t seeds = static_cast<uint32_t>(test_scaled(6));
+    for (seed = 1; seed <= seeds; ++seed) {
+        bmr::Options options;
+        options.prefilter = seed % 3 != 0;
+        options.structure = seed % 4 == 1 ? BMR_LAZY_COMPASS : BMR_FREE_DIRECTION;
+        CAPTURE(seed);
+        check(options);
+    }
+}
+
+} // namespace
+
+TEST_CASE("contacts of small polygons live as the header allows, and as if nobody listened") {
+    ForSettings([](const bmr::Options &options) {
+        const std::string stock = forked::InChild(PlaySmallUnheard, nullptr, forked::When::kBefore);
+        CHECK(forked::Difference(stock, lives::Told(PlaySmall, options)) == "");
+        CHECK(forked::Difference(stock, forked::InChild(PlaySmallUnheard, &options, forked::When::kBefore)) ==
+              "");
+    });
+}
+
+TEST_CASE("contacts of big polygons live as the header allows, and as if nobody listened") {
+    ForSettings([](const bmr::Options &options) {
+        const std::string quiet = forked::InChild(PlayBigUnheard, &options, forked::When::kBefore);
+        CHECK(forked::Difference(quiet, lives::Told(PlayBig, options)) == "");
+    });
+}
