@@ -8,7 +8,6 @@
 
 #include "contacts/solid_contact.h"
 #include "ledger/ledger.h"
-#include "ledger/pair_memory.h"
 #include "proofs/body_pair.h"
 #include "proofs/thresholds.h"
 #include "shapes/convex_geometry.h"
@@ -61,6 +60,13 @@ struct Placed {
             }
         }
         return bmr_transform(&pose, Vertex(vertices[best]));
+    }
+
+    /// Somewhere in the middle of a small one, in the world.
+    bmr_vec2 Middle() const {
+        const bmr_vec32 *const vertices = Vectors32(shape->m_vertices);
+        return bmr_transform(
+            &pose, bmr_scale(0.5, bmr_add(Vertex(vertices[0]), Vertex(vertices[shape->m_count / 2]))));
     }
 
 private:
@@ -164,13 +170,15 @@ void NoProof(Ledger *ledger, uint32_t record) {
     ledger->SetDue(record);
 }
 
-/// How deep a vertex of one lies in the other; both small. Less than 0 where it is outside.
-double DepthOf(const Placed &owner, int32 vertex, const Placed &other) {
+/// How deep the vertex of one that reaches farthest towards the other's middle lies in that; both small. Less
+/// than 0 where it is outside.
+double DepthOf(const Placed &owner, const Placed &other) {
     const auto vector = [](const b2Vec2 &v) {
         return bmr_vec2{static_cast<double>(v.x), static_cast<double>(v.y)};
     };
-    const bmr_vec2 inWorld = bmr_transform(&owner.pose, vector(owner.shape->m_vertices[vertex]));
-    const bmr_vec2 p = bmr_unrotate(&other.pose, bmr_sub(inWorld, other.pose.position));
+    double none = 0.0;
+    const bmr_vec2 vertex = owner.Farthest(bmr_sub(other.Middle(), owner.Middle()), &none);
+    const bmr_vec2 p = bmr_unrotate(&other.pose, bmr_sub(vertex, other.pose.position));
     double depth = static_cast<double>(b2_maxFloat);
     for (int32 i = 0, count = other.shape->m_count; i < count; ++i) {
         const bmr_vec2 start = vector(other.shape->m_vertices[i]),
@@ -185,18 +193,12 @@ double DepthOf(const Placed &owner, int32 vertex, const Placed &other) {
 
 } // namespace
 
-void ProveOverlap(Ledger *ledger, uint32_t record, const SolidContact &contact) {
+void ProveOverlap(Ledger *ledger, uint32_t record) {
     double soon;
     if (!BeginProof(ledger, record, &soon))
         return;
     const Placed a(ledger->GetMovers()[ledger->At(record).a]), b(ledger->GetMovers()[ledger->At(record).b]);
-    const int32 guess = contact.GuessVertex();
-    const bool ofB = (guess & kVertexOfB) != 0;
-    const int32 vertex = guess & ~int32{kVertexOfB};
-    const Placed &owner = ofB ? b : a, &other = ofB ? a : b;
-    const double depth = a.big != nullptr || b.big != nullptr || vertex >= owner.shape->m_count
-                             ? -1.0
-                             : DepthOf(owner, vertex, other);
+    const double depth = a.big != nullptr || b.big != nullptr ? -1.0 : std::max(DepthOf(a, b), DepthOf(b, a));
     if (depth > kRoundingMargin + soon)
         ledger->ProveUntil(record, depth, kRoundingMargin);
     else

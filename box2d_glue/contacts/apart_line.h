@@ -20,7 +20,7 @@ void ProveApart(Ledger *ledger, uint32_t record, SolidContact *contact);
 
 /// The same for a sensor's contact whose two polygons overlap: the budget that the depth of a vertex in the
 /// other polygon allows. There is no line to renew it.
-void ProveOverlap(Ledger *ledger, uint32_t record, const SolidContact &contact);
+void ProveOverlap(Ledger *ledger, uint32_t record);
 
 /// How far apart two polygons must be for b2CollidePolygons to give no points, b2TestOverlap to say no, and
 /// (where their sides are long enough) b2TimeOfImpact to find them apart.

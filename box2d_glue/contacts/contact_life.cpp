@@ -141,9 +141,9 @@ bmr_pair PairOf(const SolidContact &contact, Held held, const b2Transform &xfA, 
     const bmr_pose poses[2] = {PoseOf(xfA), PoseOf(xfB)};
     if (along == nullptr && PolygonContact::AsOurs(&contact) != nullptr) {
         const EdgeMemory &memory = contact.state.link.byEdge;
-        const int owner = memory.edgeOfB ? 1 : 0;
+        const int owner = memory.ofB ? 1 : 0;
         FillLine(&pair, polygons[owner], polygons[1 - owner], owner,
-                 UnitOf(VectorOf(polygons[owner].normals[memory.edge])),
+                 UnitOf(VectorOf(polygons[owner].normals[memory.number])),
                  bmr_pose_relative(&poses[owner], &poses[1 - owner]));
     } else {
         const bmr_vec2 d =

@@ -10,6 +10,7 @@
 
 #include "contacts/pair_registry.h"
 #include "proofs/body_pair.h"
+#include "proofs/overlap.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"
 #include "start/rounding_mode.h"
@@ -66,7 +67,7 @@ void PolygonContact::LearnVtable() {
 
 PolygonContact::PolygonContact(b2Fixture *fixtureA, b2Fixture *fixtureB)
     : SolidContact(fixtureA, 0, fixtureB, 0) {
-    state.link.byEdge.edge = kNoEdge;
+    state.link.byEdge.number = kNoEdge;
 }
 
 void PolygonContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
@@ -115,6 +116,27 @@ inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, co
 
 void PolygonContact::UpdateSolid(b2ContactListener *listener) {
     SolidContact::UpdateSolid(this, listener);
+}
+
+bool PolygonContact::UpdateSensor(b2ContactListener *listener) {
+    const Overlap answer =
+        CertainOverlap(ShapeOf(m_fixtureA), 0, ShapeOf(m_fixtureB), 0, m_fixtureA->GetBody()->GetTransform(),
+                       m_fixtureB->GetBody()->GetTransform(), &state.link.byEdge);
+    if (answer == Overlap::kUnknown)
+        return false;
+    Count(&Counts::overlapQueries);
+    Count(&Counts::overlapsAnswered);
+    const bool wasTouching = IsTouching(), touches = answer == Overlap::kOverlapping;
+    m_flags |= e_enabledFlag;
+    m_manifold.pointCount = 0;
+    if (touches == wasTouching)
+        return true;
+    m_flags ^= e_touchingFlag;
+    if (listener != nullptr && touches)
+        listener->BeginContact(this);
+    else if (listener != nullptr)
+        listener->EndContact(this);
+    return true;
 }
 
 inline Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
@@ -166,8 +188,8 @@ inline bool PolygonContact::CollideHere(b2Manifold *manifold, const b2Transform 
                                              RadiusSum(), kTolerance);
     if (!EdgesAreOn())
         return false;
-    state.link.byEdge.edgeOfB = edge >= BMR_EDGES_OF_B32;
-    state.link.byEdge.edge =
+    state.link.byEdge.ofB = edge >= BMR_EDGES_OF_B32;
+    state.link.byEdge.number =
         static_cast<uint8_t>(edge == BMR_NO_EDGE32 ? kNoEdge : edge & (BMR_EDGES_OF_B32 - 1));
     return edge != BMR_NO_EDGE32;
 }
@@ -177,13 +199,13 @@ inline bool PolygonContact::CollideHere(b2Manifold *manifold, const b2Transform 
 inline bool PolygonContact::EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) const {
     const b2PolygonShape &a = ShapeOf(m_fixtureA), &b = ShapeOf(m_fixtureB);
     const EdgeMemory &memory = state.link.byEdge;
-    const bool ofB = memory.edgeOfB;
+    const bool ofB = memory.ofB;
     const b2PolygonShape &owner = ofB ? b : a, &other = ofB ? a : b;
     // Also where no edge is remembered; and vertices may have been edited in place: the edge may be gone.
-    if (memory.edge >= owner.m_count)
+    if (memory.number >= owner.m_count)
         return false;
     const float separation = bmr_exact32_posed_separation(
-        Vectors32(owner.m_vertices) + memory.edge, Vectors32(owner.m_normals) + memory.edge,
+        Vectors32(owner.m_vertices) + memory.number, Vectors32(owner.m_normals) + memory.number,
         Transform32(ofB ? xfB : xfA), Vectors32(other.m_vertices), other.m_count,
         Transform32(ofB ? xfA : xfB));
     return separation > a.m_radius + b.m_radius;
@@ -191,11 +213,11 @@ inline bool PolygonContact::EdgeSaysApart(const b2Transform &xfA, const b2Transf
 
 bmr_vec2 PolygonContact::EdgeDirection() const {
     const EdgeMemory &memory = state.link.byEdge;
-    const bool ofB = memory.edgeOfB;
+    const bool ofB = memory.ofB;
     const b2Fixture *owner = ofB ? m_fixtureB : m_fixtureA;
-    if (memory.edge >= ShapeOf(owner).m_count)
+    if (memory.isVertex || memory.number >= ShapeOf(owner).m_count)
         return {0.0, 0.0};
-    const b2Vec2 normal = b2Mul(owner->GetBody()->GetTransform().q, ShapeOf(owner).m_normals[memory.edge]);
+    const b2Vec2 normal = b2Mul(owner->GetBody()->GetTransform().q, ShapeOf(owner).m_normals[memory.number]);
     const bmr_vec2 d = {static_cast<double>(normal.x), static_cast<double>(normal.y)};
     return ofB ? bmr_neg(d) : d;
 }
@@ -205,7 +227,7 @@ bool PolygonContact::FindEdge(const b2Transform &xfA, const b2Transform &xfB) {
     if (!EdgesAreOn())
         return false;
     EdgeMemory &memory = state.link.byEdge;
-    if (memory.edge == kNoEdge && memory.unasked > 0) {
+    if (memory.number == kNoEdge && memory.unasked > 0) {
         --memory.unasked;
         return false;
     }
@@ -219,13 +241,13 @@ bool PolygonContact::FindEdge(const b2Transform &xfA, const b2Transform &xfB) {
             bmr_exact32_relative(Transform32(ofB ? xfA : xfB), Transform32(ofB ? xfB : xfA));
         int32_t edge = 0;
         if (bmr_exact32_max_separation(&owner, &other, &frame, &edge) > radiusSum) {
-            memory.edge = static_cast<uint8_t>(edge);
-            memory.edgeOfB = ofB;
+            memory.number = static_cast<uint8_t>(edge);
+            memory.ofB = ofB;
             memory.patience = 0;
             return true;
         }
     }
-    memory.edge = kNoEdge;
+    memory.number = kNoEdge;
     memory.unasked = static_cast<uint8_t>((1u << memory.patience) - 1u);
     memory.patience = std::min<uint8_t>(static_cast<uint8_t>(memory.patience + 1), kMostPatience) & 0xfu;
     return false;

@@ -37,6 +37,10 @@ public:
     /// See SolidContact::UpdateSolid.
     void UpdateSolid(b2ContactListener *listener);
 
+    /// The same of a contact of which a fixture is a sensor. False, and nothing done, where it is not certain
+    /// what b2TestOverlap would say.
+    bool UpdateSensor(b2ContactListener *listener);
+
 private:
     friend class SolidContact;
 

@@ -8,7 +8,6 @@
 #include "contacts/polygon_contact.h"
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
-#include "ledger/pair_memory.h"
 #include "proofs/body_pair.h"
 #include "start/current_step.h"
 
@@ -74,24 +73,7 @@ bool IsZero(bmr_vec2 d) {
 
 } // namespace
 
-int32 SolidContact::GuessVertex() const {
-    const PairMemory *memory = MemoryOfOverlap();
-    return memory == nullptr ? 0 : memory->vertex;
-}
-
-/// What proofs/overlap.cpp remembers of the two.
-const PairMemory *SolidContact::MemoryOfOverlap() const {
-    return Remember(KeyOf(m_fixtureA->GetShape()) + static_cast<uint64_t>(m_indexA),
-                    KeyOf(m_fixtureB->GetShape()) + static_cast<uint64_t>(m_indexB));
-}
-
 bmr_vec2 SolidContact::GuessDirection() const {
-    if (m_fixtureA->IsSensor() || m_fixtureB->IsSensor()) {
-        const PairMemory *memory = MemoryOfOverlap();
-        return memory == nullptr ? bmr_vec2{0.0, 0.0}
-                                 : bmr_vec2{static_cast<double>(memory->direction.x),
-                                            static_cast<double>(memory->direction.y)};
-    }
     const PolygonContact *ofSmall = PolygonContact::AsOurs(this);
     const bmr_vec2 d = ofSmall != nullptr ? ofSmall->EdgeDirection()
                                           : static_cast<const ConvexContact *>(this)->LookDirection();
@@ -99,6 +81,26 @@ bmr_vec2 SolidContact::GuessDirection() const {
         return d;
     const bmr_vec2 ofHulls = DirectionOf(*state.pair);
     return state.pair->a->body == m_fixtureA->GetBody() ? ofHulls : bmr_neg(ofHulls);
+}
+
+bmr_vec32 GuessDirection(const b2Contact &contact) {
+    const b2Manifold &manifold = *contact.GetManifold();
+    b2Vec2 d(0.0f, 0.0f);
+    if (manifold.pointCount > 0) {
+        const b2Transform &xfA = contact.GetFixtureA()->GetBody()->GetTransform(),
+                          &xfB = contact.GetFixtureB()->GetBody()->GetTransform();
+        if (manifold.type == b2Manifold::e_faceA)
+            d = b2Mul(xfA.q, manifold.localNormal);
+        else if (manifold.type == b2Manifold::e_faceB)
+            d = -b2Mul(xfB.q, manifold.localNormal);
+        else
+            d = b2Mul(xfB, manifold.points[0].localPoint) - b2Mul(xfA, manifold.localPoint);
+    } else if (const SolidContact *ours = SolidContact::AsOurs(&contact)) {
+        const bmr_vec2 known = ours->IsOfPolygons() ? ours->GuessDirection() : bmr_vec2{0.0, 0.0};
+        d.Set(static_cast<float>(known.x), static_cast<float>(known.y));
+    }
+    // (Normals may be written to in place.)
+    return d.Normalize() > 0.0f ? bmr_vec32{d.x, d.y} : bmr_vec32{0.0f, 0.0f};
 }
 
 void SolidContact::IsLookedAtByOthers() const {

@@ -14,21 +14,11 @@
 #include "boomerang/box2d_glue.h"
 #include "boomerang/convex32_collide.h"
 #include "contacts/contact_life.h"
+#include "ledger/edge_memory.h"
 
 namespace bmr {
 
 struct BodyPair;
-struct PairMemory;
-
-/// What two polygons of Box2D's own size remember of each other.
-struct EdgeMemory {
-    uint8_t edge;         ///< remembered separating edge, kNoEdge where none is
-    uint8_t edgeOfB : 1;  ///< whose edge it is
-    uint8_t patience : 4; ///< log2 of how many evaluations go by after the next search in vain
-    uint8_t unasked;      ///< evaluations that still go to Box2D before the next search for an edge
-};
-
-constexpr uint8_t kNoEdge = 0xff;
 
 /// Part of a bmr_convex32_memory.
 struct VertexMemory {
@@ -96,6 +86,10 @@ public:
                    : nullptr;
     }
 
+    static const SolidContact *AsOurs(const b2Contact *contact) {
+        return AsOurs(const_cast<b2Contact *>(contact));
+    }
+
     // What b2ContactManager may do with any contact, and its stand-in otherwise could not.
     static void UpdateByBox2D(b2Contact *contact, b2ContactListener *listener);
     static bool WantsFiltering(const b2Contact &contact) { return (FlagsOf(contact) & e_filterFlag) != 0; }
@@ -122,10 +116,6 @@ public:
     /// The same of a sensor's contact, behind its update by Box2D. `before`: GuessDirection() from ahead of
     /// it.
     void LiveAsSensor(bmr_vec2 before);
-
-    /// Of a sensor's contact of two polygons that overlap: the number of a vertex, with kVertexOfB where it
-    /// is B's, that most likely lies in the other one.
-    int32 GuessVertex() const;
 
     /// Ahead of the first pair: what is remembered of vertices gives way to the link.
     void MakeRoomForPair() {
@@ -170,9 +160,12 @@ private:
 
     /// The manifold is new: impulses, flags, waking, the listener.
     void Finish(bool wasTouching, const b2Manifold &old, b2ContactListener *listener);
-    const PairMemory *MemoryOfOverlap() const;
     void KeepImpulses(const b2Manifold &old);
 };
+
+/// The same of any contact, for impacts: the normal that the two touch along, or what is remembered of two
+/// polygons. Of unit length, or zero.
+bmr_vec32 GuessDirection(const b2Contact &contact);
 
 static_assert(sizeof(SolidContact) <= 224, "must stay in the block class of a stock contact");
 

@@ -8,7 +8,6 @@
 #include <box2d/b2_time_of_impact.h>
 
 #include "boomerang/convex32_distance.h"
-#include "ledger/pair_memory.h"
 #include "shapes/shapes32.h"
 
 namespace bmr {
@@ -126,9 +125,9 @@ void TakeRadiiOff(b2DistanceOutput *output, float radiusA, float radiusB) {
     output->distance = 0.0f;
 }
 
-bmr_impact32 Impact(const b2TOIInput &input, const Two &two, bmr_vec32 *direction, float *t) {
+bmr_impact32 Impact(const b2TOIInput &input, const Two &two, bmr_vec32 guess, float *t) {
     return bmr_convex32_impact(&two.a, Sweep32(input.sweepA), &two.b, Sweep32(input.sweepB), input.tMax,
-                               b2_linearSlop, direction, t);
+                               b2_linearSlop, &guess, t);
 }
 
 b2TOIOutput::State StateOf(bmr_impact32 answer) {
@@ -143,10 +142,6 @@ b2TOIOutput::State StateOf(bmr_impact32 answer) {
         return b2TOIOutput::e_separated;
     }
     return b2TOIOutput::e_failed;
-}
-
-uint64_t KeyOfAny(const b2DistanceProxy &proxy) {
-    return IsBig(proxy) ? KeyOfBig(proxy) : KeyOf(proxy);
 }
 
 } // namespace
@@ -166,11 +161,6 @@ bool SetBigProxy(b2DistanceProxy *proxy, const b2Shape &shape) {
 
 bool IsBig(const b2DistanceProxy &proxy) {
     return BigOf(proxy) != nullptr;
-}
-
-uint64_t KeyOfBig(const b2DistanceProxy &proxy) {
-    const Mark mark = MarkOf(proxy);
-    return mark.polygon ^ (uint64_t{mark.shape} << 16);
 }
 
 bool BigDistance(b2DistanceOutput *output, b2SimplexCache *cache, const b2DistanceInput &input) {
@@ -208,13 +198,11 @@ bool BigImpact(b2TOIOutput *output, const b2TOIInput &input) {
     Two two;
     if (!Find(input.proxyA, input.proxyB, &two))
         return false;
-    bmr_vec32 none = {0.0f, 0.0f};
-    PairMemory *memory = Remember(KeyOfAny(input.proxyA), KeyOfAny(input.proxyB));
-    output->state = StateOf(Impact(input, two, memory != nullptr ? &memory->direction : &none, &output->t));
+    output->state = StateOf(Impact(input, two, {0.0f, 0.0f}, &output->t));
     return true;
 }
 
-bool BigNeverTouch(const Swept &a, const Swept &b, bmr_vec32 *direction, bool *never) {
+bool BigNeverTouch(const Swept &a, const Swept &b, bmr_vec32 guess, bool *never) {
     if (BigPolygonOf(a.shape) == nullptr && BigPolygonOf(b.shape) == nullptr)
         return false;
     b2TOIInput input;
@@ -225,27 +213,18 @@ bool BigNeverTouch(const Swept &a, const Swept &b, bmr_vec32 *direction, bool *n
     input.tMax = 1.0f;
     Two two;
     float t;
-    *never =
-        Find(input.proxyA, input.proxyB, &two) && Impact(input, two, direction, &t) != BMR_IMPACT_TOUCHING;
+    *never = Find(input.proxyA, input.proxyB, &two) && Impact(input, two, guess, &t) != BMR_IMPACT_TOUCHING;
     return true;
 }
 
 Overlap BigOverlap(const b2DistanceProxy &a, const b2Transform &xfA, const b2DistanceProxy &b,
-                   const b2Transform &xfB, bmr_vec32 *direction) {
+                   const b2Transform &xfB) {
     Two two;
     if (!Find(a, b, &two))
         return Overlap::kUnknown;
-    // What b2TestOverlap takes for none. (Shapes that overlap are at 0, also where radii are below that.)
-    const float least = std::max(two.a.radius + two.b.radius, 0.0f) + 10.0f * b2_epsilon;
-    if (bmr_convex32_apart_along(&two.a, Transform32(xfA), &two.b, Transform32(xfB), least, *direction))
-        return Overlap::kApart;
     bmr_closest32 closest = {0, 0};
     const bmr_distance32 found =
         bmr_convex32_distance(&two.a, Transform32(xfA), &two.b, Transform32(xfB), &closest);
-    const b2Vec2 between = Vector(found.point_b) - Vector(found.point_a);
-    const float length = between.Length();
-    if (length > 0.0f)
-        *direction = {between.x / length, between.y / length};
     const float gap = found.distance > two.a.radius + two.b.radius && found.distance > b2_epsilon
                           ? found.distance - (two.a.radius + two.b.radius)
                           : 0.0f;

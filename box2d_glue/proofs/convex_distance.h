@@ -56,10 +56,6 @@ inline void SetProxy(b2DistanceProxy *proxy, const b2Shape &shape, int32 child) 
 /// Is it marked, and does the mark count?
 bool IsBig(const b2DistanceProxy &proxy);
 
-/// A number that the same shape's proxy has again at the next step, most likely no other one. Of marked
-/// proxies: polygons are shared, so their vertices do not tell shapes apart.
-uint64_t KeyOfBig(const b2DistanceProxy &proxy);
-
 /// b2Distance where one of the two is big; false, and nothing done, of all others. The cache counts as warm
 /// only where its 8-bit numbers can be meant.
 bool BigDistance(b2DistanceOutput *output, b2SimplexCache *cache, const b2DistanceInput &input);
@@ -67,8 +63,7 @@ bool BigDistance(b2DistanceOutput *output, b2SimplexCache *cache, const b2Distan
 /// b2ShapeCast, likewise.
 bool BigCast(b2ShapeCastOutput *output, const b2ShapeCastInput &input, bool *hit);
 
-/// b2TimeOfImpact, likewise, for any tMax from 0 on; below 0 it looks at time 0 alone. Directions that kept
-/// two apart are remembered by the thread.
+/// b2TimeOfImpact, likewise, for any tMax from 0 on; below 0 it looks at time 0 alone.
 bool BigImpact(b2TOIOutput *output, const b2TOIInput &input);
 
 /// One shape of a body during a step.
@@ -79,12 +74,12 @@ struct Swept {
 };
 
 /// Is it certain that b2TimeOfImpact does not say e_touching of these two during the step? False, and nothing
-/// done, where neither is big. As for bmr_convex32_impact, `direction` is a guess and what was found.
-bool BigNeverTouch(const Swept &a, const Swept &b, bmr_vec32 *direction, bool *never);
+/// done, where neither is big. As for bmr_convex32_impact, `guess` is a direction that may keep them apart.
+bool BigNeverTouch(const Swept &a, const Swept &b, bmr_vec32 guess, bool *never);
 
-/// What b2TestOverlap says of two proxies, of which one is big. `direction` as above.
+/// What b2TestOverlap says of two proxies, of which one is big.
 Overlap BigOverlap(const b2DistanceProxy &a, const b2Transform &xfA, const b2DistanceProxy &b,
-                   const b2Transform &xfB, bmr_vec32 *direction);
+                   const b2Transform &xfB);
 
 } // namespace bmr
 

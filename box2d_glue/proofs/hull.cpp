@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <memory>
@@ -169,16 +168,16 @@ bool ReduceToEnvelope(std::vector<bmr_vec2> *points) {
     return done;
 }
 
-bmr_error BuildHierarchy(const bmr_polygon *polygon, const bmr_allocator *allocator,
-                         bmr_hierarchy **hierarchy) {
+/// What the chosen structure walks on; nullptr where it needs nothing.
+bmr_error BuildHierarchy(const bmr_polygon *polygon, bmr_hierarchy **hierarchy) {
     const Settings &settings = GetSettings();
     switch (settings.pairDef.structure) {
     case BMR_LAZY_COMPASS:
-        return bmr_hierarchy_build_compass(polygon, settings.compass, allocator, hierarchy);
+        return bmr_hierarchy_build_compass(polygon, settings.compass, nullptr, hierarchy);
     case BMR_LAZY_DUDLEY:
-        return bmr_hierarchy_build_dudley(polygon, allocator, hierarchy);
+        return bmr_hierarchy_build_dudley(polygon, nullptr, hierarchy);
     case BMR_LAZY_DOBKIN_KIRKPATRICK:
-        return bmr_hierarchy_build_dobkin_kirkpatrick(polygon, allocator, hierarchy);
+        return bmr_hierarchy_build_dobkin_kirkpatrick(polygon, nullptr, hierarchy);
     default:
         return BMR_OK; // the free direction needs none
     }
@@ -193,74 +192,18 @@ void Forget(Hull *hull) {
     hull->reach = 0.0;
 }
 
-/// Memory for a build: malloc for all but the block of one number, counted from 0, which comes out of a slab.
-/// The builders of core ask for scratch space from the same allocator as for their result.
-struct BuildMemory {
-    static constexpr int kMostBlocks = 8, kNone = -1;
-    Slab *slab;
-    int fromSlab;
-    int count;
-    void *blocks[kMostBlocks];
-};
-
-bmr_allocator BuildAllocator(BuildMemory *memory) {
-    bmr_allocator interface;
-    interface.allocate = [](void *context, size_t size) -> void * {
-        auto *to = static_cast<BuildMemory *>(context);
-        if (to->count == BuildMemory::kMostBlocks)
-            return nullptr;
-        void *block = to->count == to->fromSlab ? TakeFromSlab(to->slab, size) : std::malloc(size);
-        to->blocks[to->count++] = block;
-        return block;
-    };
-    interface.release = [](void *context, void *block, size_t) {
-        const auto *to = static_cast<BuildMemory *>(context);
-        if (to->fromSlab == BuildMemory::kNone || block != to->blocks[to->fromSlab])
-            std::free(block);
-    };
-    interface.context = memory;
-    return interface;
-}
-
-/// What is to be known of a hierarchy before it can be built in a slab. Found by building it elsewhere first:
-/// with its scratch space no slab would be long enough.
-struct HierarchyNeeds {
-    size_t bytes; ///< 0 where the structure needs none
-    int block;    ///< the number of its block
-};
-
-bool FindHierarchyNeeds(const bmr_polygon &polygon, HierarchyNeeds *needs) {
-    BuildMemory build = {nullptr, BuildMemory::kNone, 0, {}};
-    const bmr_allocator memory = BuildAllocator(&build);
-    bmr_hierarchy *hierarchy = nullptr;
-    *needs = {0, BuildMemory::kNone};
-    if (BuildHierarchy(&polygon, &memory, &hierarchy) != BMR_OK)
-        return false;
-    if (hierarchy == nullptr)
-        return true;
-    needs->bytes = bmr_hierarchy_bytes(hierarchy);
-    // The builders return the block itself.
-    needs->block = static_cast<int>(
-        std::find(build.blocks, build.blocks + build.count, static_cast<void *>(hierarchy)) - build.blocks);
-    const bool found = needs->block < build.count;
-    bmr_hierarchy_destroy(hierarchy, &memory);
-    return found;
-}
-
-/// Copies the polygon and builds its hierarchy in a slab; false if they do not fit, or if geometry says no.
-bool BuildInSlab(Hull *hull, const std::vector<HullMember> &members, const bmr_polygon &whole) {
-    HierarchyNeeds needs;
-    if (!FindHierarchyNeeds(whole, &needs))
-        return false;
-    hull->slab = AllocateSlab(hull->allocator, members.size() * sizeof(HullMember) +
-                                                   bmr_polygon_bytes(whole.count) + needs.bytes + kSlabSlack);
-    BuildMemory build = {&hull->slab, needs.block, 0, {}};
-    const bmr_allocator polygonMemory = SlabAllocator(&hull->slab), hierarchyMemory = BuildAllocator(&build);
+/// Puts copies of all that a hull is made of into one slab; false if they do not fit.
+bool KeepInSlab(Hull *hull, const std::vector<HullMember> &members, const bmr_polygon &whole,
+                const bmr_hierarchy *built) {
+    hull->slab =
+        AllocateSlab(hull->allocator, members.size() * sizeof(HullMember) + bmr_polygon_bytes(whole.count) +
+                                          (built != nullptr ? bmr_hierarchy_bytes(built) : 0) + kSlabSlack);
+    const bmr_allocator memory = SlabAllocator(&hull->slab);
     bmr_polygon *polygon = nullptr;
     bmr_hierarchy *hierarchy = nullptr;
     void *kept = TakeFromSlab(&hull->slab, members.size() * sizeof(HullMember));
-    if (kept == nullptr || bmr_polygon_copy(&whole, &polygonMemory, &polygon) != BMR_OK ||
-        BuildHierarchy(polygon, &hierarchyMemory, &hierarchy) != BMR_OK) {
+    if (kept == nullptr || bmr_polygon_copy(&whole, &memory, &polygon) != BMR_OK ||
+        (built != nullptr && bmr_hierarchy_copy(built, polygon, &memory, &hierarchy) != BMR_OK)) {
         Forget(hull);
         return false;
     }
@@ -282,7 +225,10 @@ void BuildShape(Hull *hull) {
     bmr_polygon *whole = nullptr;
     if (bmr_polygon_create(points.data(), points.size(), nullptr, &whole) != BMR_OK)
         return;
-    const bool built = BuildInSlab(hull, members, *whole);
+    bmr_hierarchy *hierarchy = nullptr;
+    const bool built =
+        BuildHierarchy(whole, &hierarchy) == BMR_OK && KeepInSlab(hull, members, *whole, hierarchy);
+    bmr_hierarchy_destroy(hierarchy, nullptr);
     bmr_polygon_destroy(whole, nullptr);
     if (!built)
         return;

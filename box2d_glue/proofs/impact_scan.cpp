@@ -6,7 +6,6 @@
 #include <box2d/b2_distance.h>
 #include <box2d/b2_fixture.h>
 
-#include "ledger/pair_memory.h"
 #include "ledger/per_thread.h"
 #include "proofs/convex_distance.h"
 #include "shapes/convex_geometry.h"
@@ -15,63 +14,34 @@ namespace bmr {
 
 ImpactScan *ImpactScan::Begin() {
     ImpactScan *scan = PerThread<ImpactScan>();
-    if (scan != nullptr &&
-        ++scan->m_scan == 0) { // four billion steps later no place may seem filled in this one
-        for (Place &place : scan->m_places)
-            place.scan = 0;
-        scan->m_scan = 1;
-    }
+    if (scan != nullptr)
+        ++scan->m_scan;
     return scan;
 }
 
-ImpactScan::Place &ImpactScan::PlaceOf(const Side &side) {
-    const uint64_t mixed = (KeyOf(side.fixture) + static_cast<uint64_t>(side.child)) * 0x9e3779b97f4a7c15u;
-    return m_places[mixed >> (64u - kPlaceBits)];
-}
-
-void ImpactScan::Fill(SweptShape *shape, const Side &side) {
-    b2DistanceProxy proxy;
-    SetProxy(&proxy, *side.fixture->GetShape(), side.child);
-    new (shape) SweptShape(Sweep(proxy, side.sweep, side.rotation)); // made in place, not copied there
-}
-
-inline const SweptShape &ImpactScan::Shape(Place &place, const Side &side) {
+inline const SweptShape &ImpactScan::Shape(Places &places, const Side &side) const {
+    const uint64_t mixed = (static_cast<uint64_t>(reinterpret_cast<uintptr_t>(side.fixture)) +
+                            static_cast<uint64_t>(side.child)) *
+                           0x9e3779b97f4a7c15u;
+    Place &place = places[mixed >> (64u - kPlaceBits)];
     if (place.fixture != side.fixture || place.child != side.child || place.scan != m_scan) {
         place.fixture = side.fixture;
         place.child = side.child;
         place.scan = m_scan;
-        Fill(&place.shape, side);
+        b2DistanceProxy proxy;
+        SetProxy(&proxy, *side.fixture->GetShape(), side.child);
+        new (&place.shape) SweptShape(Sweep(proxy, side.sweep, side.rotation)); // made in place
     }
     return place.shape;
 }
 
-bool ImpactScan::NeverTouchSpecial(const Side &a, const Side &b, bmr_vec32 *direction) {
+bool ImpactScan::NeverTouch(const Side &a, const Side &b, bmr_vec32 guess, bool touching) {
     bool never;
     if (AnyBigPolygon() && BigNeverTouch({*a.fixture->GetShape(), a.child, a.sweep},
-                                         {*b.fixture->GetShape(), b.child, b.sweep}, direction, &never))
+                                         {*b.fixture->GetShape(), b.child, b.sweep}, guess, &never))
         return never;
-    const SweptShape &shapeA = Shape(PlaceOf(a), a);
-    Place &placeB = PlaceOf(b);
-    if (&placeB != &PlaceOf(a))
-        return bmr::NeverTouch(shapeA, Shape(placeB, b), direction);
-    SweptShape shapeB;
-    Fill(&shapeB, b);
-    return bmr::NeverTouch(shapeA, shapeB, direction);
-}
-
-bool ImpactScan::NeverTouch(const b2Contact *contact, const Side &a, const Side &b) {
-    PairMemory *memory = Remember(KeyOf(contact), 0);
-    if (memory == nullptr)
-        return false;
-    // A pair that is asked for has Box2D look at all others, too: so none rests after a miss or two.
-    constexpr unsigned kMisses = 2;
-    return SeekUnlessResting(memory, kMisses, [this, &a, &b, memory] {
-        Place &placeA = PlaceOf(a), &placeB = PlaceOf(b);
-        if (&placeA == &placeB || AnyBigPolygon())
-            return NeverTouchSpecial(a, b, &memory->direction);
-        const SweptShape &shapeA = Shape(placeA, a);
-        return bmr::NeverTouch(shapeA, Shape(placeB, b), &memory->direction);
-    });
+    const SweptShape &shapeA = Shape(m_ofA, a), &shapeB = Shape(m_ofB, b);
+    return touching ? NeverTouchAlong(shapeA, shapeB, guess) : bmr::NeverTouch(shapeA, shapeB, &guess);
 }
 
 } // namespace bmr

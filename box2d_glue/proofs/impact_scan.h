@@ -6,7 +6,6 @@
 
 #include "proofs/sweep_apart.h"
 
-class b2Contact;
 class b2Fixture;
 
 namespace bmr {
@@ -27,27 +26,26 @@ public:
         const b2Rot &rotation; ///< of sweep.a
     };
 
-    /// Is it certain that b2TimeOfImpact would not say e_touching of them?
-    bool NeverTouch(const b2Contact *contact, const Side &a, const Side &b);
+    /// Is it certain that b2TimeOfImpact would not say e_touching of them? `guess`: a direction from a to b
+    /// that may keep them apart, or zero. Where `touching`, it is the normal that they touch along, and no
+    /// other one is looked for: most of those that are not kept apart by it meet.
+    bool NeverTouch(const Side &a, const Side &b, bmr_vec32 guess, bool touching);
 
 private:
     struct Place {
         const b2Fixture *fixture;
         int32 child;
-        uint32_t scan; ///< in which scan it was filled
+        uint64_t scan; ///< in which scan it was filled
         SweptShape shape;
     };
 
-    Place &PlaceOf(const Side &side);
-    static void Fill(SweptShape *shape, const Side &side);
-    const SweptShape &Shape(Place &place, const Side &side);
-    /// Of two shapes in one place, and wherever one may be too big for a place.
-    bool NeverTouchSpecial(const Side &a, const Side &b, bmr_vec32 *direction);
+    // 136 KB a thread that steps worlds. Two shapes that fall on one place take turns.
+    static constexpr unsigned kPlaceBits = 9;
+    using Places = Place[1u << kPlaceBits];
+    const SweptShape &Shape(Places &places, const Side &side) const;
 
-    // 144 KB a thread that steps worlds. Two shapes that fall on one place take turns.
-    static constexpr unsigned kPlaceBits = 10;
-    uint32_t m_scan;
-    Place m_places[1u << kPlaceBits];
+    uint64_t m_scan;
+    Places m_ofA, m_ofB;
 };
 
 } // namespace bmr

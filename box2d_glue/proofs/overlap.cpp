@@ -7,7 +7,6 @@
 #include <box2d/b2_distance.h>
 
 #include "boomerang/swept32.h"
-#include "ledger/pair_memory.h"
 #include "proofs/convex_distance.h"
 #include "proofs/thresholds.h"
 #include "shapes/shapes32.h"
@@ -65,12 +64,6 @@ float Gap(const Question &q, bmr_vec32 direction, float *reach) {
                            Vectors32(q.b.m_vertices), q.b.m_count, Transform32(q.xfB), direction, reach);
 }
 
-bool KeepsApart(const Question &q, bmr_vec32 direction) {
-    float reach;
-    const float gap = Gap(q, direction, &reach);
-    return gap > ApartBeyond(q, Rounding(q, reach));
-}
-
 /// Of a shape that rests in its pose.
 bmr_swept32 Still(const b2DistanceProxy &proxy, const b2Transform &xf) {
     const bmr_motion32 rest = {{0.0f, 0.0f}, *Vectors32(&xf.p), *Vectors32(&xf.p), xf.q.s, xf.q.c, 0.0f};
@@ -79,11 +72,12 @@ bmr_swept32 Still(const b2DistanceProxy &proxy, const b2Transform &xf) {
     return shape;
 }
 
-Overlap Search(const Question &q, bmr_vec32 *direction) {
+Overlap Search(const Question &q) {
+    bmr_vec32 direction = {0.0f, 0.0f};
     const bmr_swept32 a = Still(q.a, q.xfA), b = Still(q.b, q.xfB);
     const float rounding = Rounding(q, std::max(a.radius, b.radius));
     switch (bmr_swept32_compare(&a, &b, ApartBeyond(q, rounding),
-                                q.Radius() * (1.0f - kUnit * kErrorPerDistance) - rounding, direction)) {
+                                q.Radius() * (1.0f - kUnit * kErrorPerDistance) - rounding, &direction)) {
     case BMR_SWEPT32_APART:
         return Overlap::kApart;
     case BMR_SWEPT32_NEAR:
@@ -108,20 +102,26 @@ public:
         : m_q(q), m_a(Polygon32(static_cast<const b2PolygonShape &>(a))),
           m_b(Polygon32(static_cast<const b2PolygonShape &>(b))) {}
 
+    /// Does what was found the last time still say which it is?
+    Overlap AskAgain(const EdgeMemory &memory) const {
+        if (memory.number >= Owner(memory.ofB).count)
+            return Overlap::kUnknown;
+        if (memory.isVertex)
+            return Holds(memory.ofB, memory.number) ? Overlap::kOverlapping : Overlap::kUnknown;
+        const Side side = AskSide(memory.ofB, memory.number);
+        return side.gap > ApartBeyond(m_q, side.rounding) ? Overlap::kApart : Overlap::kUnknown;
+    }
+
     /// Is this vertex deep inside the other polygon?
-    bool Holds(uint8_t vertex) const {
-        const bool ofB = (vertex & kVertexOfB) != 0;
-        const int32 number = vertex & ~kVertexOfB;
-        if (number >= Owner(ofB).count)
-            return false;
+    bool Holds(bool ofB, int32 number) const {
         const b2Vec2 p = b2Mul(Pose(ofB), VertexOf(Owner(ofB), number));
         float reach = bmr_points32_reach(Owner(ofB).vertices, Owner(ofB).count);
         const float depth = bmr_posed32_depth(&Owner(!ofB), Transform32(Pose(!ofB)), *Vectors32(&p), &reach);
         return depth > Rounding(m_q, reach);
     }
 
-    /// The vertex of each that is nearest to the middle of the other, most likely.
-    bool FindVertex(uint8_t *vertex) const {
+    /// Does the one hold the vertex of the other that is nearest to its middle, most likely?
+    bool OneHoldsTheOther(EdgeMemory *memory) const {
         const b2Vec2 between = b2Mul(m_q.xfB, Middle(m_b)) - b2Mul(m_q.xfA, Middle(m_a));
         for (const bool ofB : {false, true}) {
             const b2Vec2 towards = b2MulT(Pose(ofB).q, ofB ? -between : between);
@@ -130,9 +130,8 @@ public:
                 if (b2Dot(VertexOf(Owner(ofB), i), towards) > b2Dot(VertexOf(Owner(ofB), best), towards))
                     best = i;
             }
-            const auto found = static_cast<uint8_t>(best | (ofB ? kVertexOfB : 0));
-            if (Holds(found)) {
-                *vertex = found;
+            if (Holds(ofB, best)) {
+                Keep(memory, best, ofB, true);
                 return true;
             }
         }
@@ -141,31 +140,43 @@ public:
 
     /// All sides of both: one that keeps them apart, or none that the two do not overlap along. (Which side
     /// to ask is what normals are read for; that there is no other only where they are those of the sides.)
-    Overlap AskSides(bmr_vec32 *direction) const {
+    Overlap AskSides(EdgeMemory *memory) const {
         bool deep = true;
         for (const bool ofB : {false, true}) {
             const bmr_transform32 frame =
                 bmr_exact32_relative(Transform32(Pose(!ofB)), Transform32(Pose(ofB)));
             int32_t side = 0;
             const float separation = bmr_exact32_max_separation(&Owner(ofB), &Owner(!ofB), &frame, &side);
-            const b2Vec2 normal = b2Mul(Pose(ofB).q, NormalOf(Owner(ofB), side));
-            const bmr_vec32 fromA = {ofB ? -normal.x : normal.x, ofB ? -normal.y : normal.y};
-            if (!IsDirection(fromA))
-                return Overlap::kUnknown;
             // Asked again along it, for what minima do not see: numbers that are none.
-            float reach;
-            const float gap = Gap(m_q, fromA, &reach);
-            const float rounding = Rounding(m_q, reach);
-            if (gap > ApartBeyond(m_q, rounding)) {
-                *direction = fromA;
+            const Side asked = AskSide(ofB, side);
+            if (asked.gap > ApartBeyond(m_q, asked.rounding)) {
+                Keep(memory, side, ofB, false);
                 return Overlap::kApart;
             }
-            deep = deep && separation < -rounding && gap < -rounding;
+            deep = deep && separation < -asked.rounding && asked.gap < -asked.rounding;
         }
         return deep && HasOwnNormals(m_a) && HasOwnNormals(m_b) ? Overlap::kOverlapping : Overlap::kUnknown;
     }
 
 private:
+    /// How far apart the two are along a side's normal, and what Box2D's arithmetic may be off by.
+    struct Side {
+        float gap, rounding; ///< rounding is infinite where the normal is no direction
+    };
+    Side AskSide(bool ofB, int32 number) const {
+        const b2Vec2 normal = b2Mul(Pose(ofB).q, NormalOf(Owner(ofB), number));
+        const bmr_vec32 fromA = {ofB ? -normal.x : normal.x, ofB ? -normal.y : normal.y};
+        if (!IsDirection(fromA))
+            return {0.0f, INFINITY};
+        float reach;
+        const float gap = Gap(m_q, fromA, &reach);
+        return {gap, Rounding(m_q, reach)};
+    }
+    static void Keep(EdgeMemory *memory, int32 number, bool ofB, bool isVertex) {
+        memory->number = static_cast<uint8_t>(number);
+        memory->ofB = ofB;
+        memory->isVertex = isVertex;
+    }
     const bmr_polygon32 &Owner(bool ofB) const { return ofB ? m_b : m_a; }
     const b2Transform &Pose(bool ofB) const { return ofB ? m_q.xfB : m_q.xfA; }
     static b2Vec2 VertexOf(const bmr_polygon32 &polygon, int32 i) {
@@ -197,14 +208,6 @@ private:
     bmr_polygon32 m_a, m_b;
 };
 
-Overlap AskPolygons(const Question &q, const b2Shape &shapeA, const b2Shape &shapeB, bool wasApart,
-                    PairMemory *memory) {
-    const Polygons polygons(q, shapeA, shapeB);
-    if ((!wasApart && polygons.Holds(memory->vertex)) || polygons.FindVertex(&memory->vertex))
-        return Overlap::kOverlapping;
-    return polygons.AskSides(&memory->direction);
-}
-
 bool IsSmall(const b2DistanceProxy &proxy) {
     return proxy.m_count >= 1 && proxy.m_count <= BMR_SWEPT32_MOST;
 }
@@ -212,29 +215,24 @@ bool IsSmall(const b2DistanceProxy &proxy) {
 } // namespace
 
 Overlap CertainOverlap(const b2Shape &shapeA, int32 childA, const b2Shape &shapeB, int32 childB,
-                       const b2Transform &xfA, const b2Transform &xfB) {
+                       const b2Transform &xfA, const b2Transform &xfB, EdgeMemory *memory) {
     if (!IsRotation(xfA.q) || !IsRotation(xfB.q))
         return Overlap::kUnknown;
     Question q = {b2DistanceProxy(), b2DistanceProxy(), xfA, xfB};
     SetProxy(&q.a, shapeA, childA);
     SetProxy(&q.b, shapeB, childB);
-    PairMemory *memory = Remember(KeyOf(&shapeA) + static_cast<uint64_t>(childA),
-                                  KeyOf(&shapeB) + static_cast<uint64_t>(childB));
-    if (memory == nullptr)
-        return Overlap::kUnknown;
     if (!IsSmall(q.a) || !IsSmall(q.b))
-        return BigOverlap(q.a, xfA, q.b, xfB, &memory->direction);
-    const bool wasApart = memory->direction.x != 0.0f || memory->direction.y != 0.0f;
-    if (wasApart && KeepsApart(q, memory->direction))
-        return Overlap::kApart;
+        return BigOverlap(q.a, xfA, q.b, xfB);
     Overlap answer = Overlap::kUnknown;
-    if (IsPlainPolygon(shapeA, q.a) && IsPlainPolygon(shapeB, q.b))
-        answer = AskPolygons(q, shapeA, shapeB, wasApart, memory);
-    if (answer == Overlap::kUnknown)
-        answer = Search(q, &memory->direction);
-    if (answer == Overlap::kOverlapping)
-        memory->direction = {0.0f, 0.0f}; // the vertex first, next time
-    return answer;
+    if (IsPlainPolygon(shapeA, q.a) && IsPlainPolygon(shapeB, q.b)) {
+        const Polygons polygons(q, shapeA, shapeB);
+        EdgeMemory nothing = {kNoEdge, 0, 0, 0, 0};
+        EdgeMemory *const known = memory != nullptr ? memory : &nothing;
+        answer = polygons.AskAgain(*known);
+        if (answer == Overlap::kUnknown)
+            answer = polygons.OneHoldsTheOther(known) ? Overlap::kOverlapping : polygons.AskSides(known);
+    }
+    return answer != Overlap::kUnknown ? answer : Search(q);
 }
 
 } // namespace bmr

@@ -4,6 +4,8 @@
 
 #include <box2d/b2_math.h>
 
+#include "ledger/edge_memory.h"
+
 class b2Shape;
 
 namespace bmr {
@@ -11,11 +13,11 @@ namespace bmr {
 /// What b2TestOverlap is certain to say of two shapes at two poses.
 enum class Overlap { kApart, kOverlapping, kUnknown };
 
-/// Of any shapes. Remembers, for the thread, the direction that kept the two apart, and tries it first.
-/// Whatever is within rounding of touching is unknown, as is what is not a number or out of reach
-/// (thresholds.h).
+/// Of any shapes. Whatever is within rounding of touching is unknown, as is what is not a number or out of
+/// reach (thresholds.h). `memory`, if there is one, is asked first of two polygons of Box2D's own size, and
+/// gets what was found.
 Overlap CertainOverlap(const b2Shape &shapeA, int32 childA, const b2Shape &shapeB, int32 childB,
-                       const b2Transform &xfA, const b2Transform &xfB);
+                       const b2Transform &xfA, const b2Transform &xfB, EdgeMemory *memory = nullptr);
 
 } // namespace bmr
 

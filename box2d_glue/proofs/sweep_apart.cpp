@@ -7,7 +7,6 @@
 #include <box2d/b2_distance.h>
 #include <box2d/b2_time_of_impact.h>
 
-#include "ledger/pair_memory.h"
 #include "proofs/thresholds.h"
 #include "shapes/shapes32.h"
 
@@ -49,40 +48,33 @@ SweptShape Sweep(const b2DistanceProxy &proxy, const b2Sweep &sweep, const b2Rot
     return swept;
 }
 
-bool NeverTouch(const SweptShape &a, const SweptShape &b, bmr_vec32 *direction) {
+namespace {
+
+/// So far apart along a fixed direction they are not found touching.
+float NeverTouchBeyond(const SweptShape &a, const SweptShape &b) {
     const float lever = 1.0f + std::max(a.points.width / b.points.edge, b.points.width / a.points.edge);
     const float impact = ImpactDistance(a.radius + b.radius);
     const float tilt = a.tilt + b.tilt + (kTiltAlways + kUnit * kTiltPerDistance * impact);
-    const float distance =
-        impact * (1.0f + kUnit * kErrorPerDistance) + (a.rounding + b.rounding) + tilt * lever;
-    return bmr_swept32_compare(&a.points, &b.points, distance, distance, direction) == BMR_SWEPT32_APART;
-}
-
-namespace {
-
-/// What is remembered of the two; nullptr without memory, and where more is asked for than the way from 0 to
-/// 1 that is proved: Box2D's sweeps go on at either end.
-PairMemory *MemoryOf(const b2TOIInput &input) {
-    return input.tMax >= 0.0f && input.tMax <= 1.0f ? Remember(KeyOf(input.proxyA), KeyOf(input.proxyB))
-                                                    : nullptr;
-}
-
-bool NeverTouch(const b2TOIInput &input, PairMemory *memory) {
-    return NeverTouch(Sweep(input.proxyA, input.sweepA, b2Rot(input.sweepA.a)),
-                      Sweep(input.proxyB, input.sweepB, b2Rot(input.sweepB.a)), &memory->direction);
+    return impact * (1.0f + kUnit * kErrorPerDistance) + (a.rounding + b.rounding) + tilt * lever;
 }
 
 } // namespace
 
-bool NeverTouch(const b2TOIInput &input) {
-    PairMemory *memory = MemoryOf(input);
-    return memory != nullptr && NeverTouch(input, memory);
+bool NeverTouch(const SweptShape &a, const SweptShape &b, bmr_vec32 *direction) {
+    const float distance = NeverTouchBeyond(a, b);
+    return bmr_swept32_compare(&a.points, &b.points, distance, distance, direction) == BMR_SWEPT32_APART;
 }
 
-bool NeverTouchUnlessResting(const b2TOIInput &input) {
-    PairMemory *memory = MemoryOf(input);
-    return memory != nullptr &&
-           SeekUnlessResting(memory, 0, [&input, memory] { return NeverTouch(input, memory); });
+bool NeverTouchAlong(const SweptShape &a, const SweptShape &b, bmr_vec32 direction) {
+    return bmr_swept32_apart_along(&a.points, &b.points, NeverTouchBeyond(a, b), direction);
+}
+
+bool NeverTouch(const b2TOIInput &input) {
+    bmr_vec32 direction = {0.0f, 0.0f};
+    // Beyond the way from 0 to 1 that is proved Box2D's sweeps go on, at either end.
+    return input.tMax >= 0.0f && input.tMax <= 1.0f &&
+           NeverTouch(Sweep(input.proxyA, input.sweepA, b2Rot(input.sweepA.a)),
+                      Sweep(input.proxyB, input.sweepB, b2Rot(input.sweepB.a)), &direction);
 }
 
 } // namespace bmr

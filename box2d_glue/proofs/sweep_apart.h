@@ -13,8 +13,7 @@ namespace bmr {
 
 /// @file
 /// Which pairs b2TimeOfImpact cannot find touching. One fixed direction proves it for the whole motion; what
-/// Box2D's arithmetic may be off by is left as a margin (thresholds.h). Nothing is remembered but the
-/// direction, which is tried again on whatever the shapes and sweeps are by then.
+/// Box2D's arithmetic may be off by is left as a margin (thresholds.h). Nothing is remembered.
 
 /// One shape of one body during what is left of a step.
 struct SweptShape {
@@ -31,12 +30,11 @@ SweptShape Sweep(const b2DistanceProxy &proxy, const b2Sweep &sweep, const b2Rot
 /// `direction` is a guess, of unit length or zero, and the one that was found.
 bool NeverTouch(const SweptShape &a, const SweptShape &b, bmr_vec32 *direction);
 
-/// The same of b2TimeOfImpact's own input, never where its tMax is another; directions are remembered by the
-/// thread.
+/// The same along this very direction, of unit length: without a search for another one.
+bool NeverTouchAlong(const SweptShape &a, const SweptShape &b, bmr_vec32 direction);
+
+/// The same of b2TimeOfImpact's own input, never where its tMax is another.
 bool NeverTouch(const b2TOIInput &input);
-/// The same for a caller that has Box2D's own answer to fall back on: a pair that has just met is most likely
-/// to meet again, so after a proof sought in vain none is sought for the next 1, 3, 7, 7, .. times.
-bool NeverTouchUnlessResting(const b2TOIInput &input);
 
 } // namespace bmr
 

@@ -154,12 +154,12 @@ bool AskEdge(const FaceGap &gap, const b2Fixture &owner, const b2Fixture &other,
 
 bool AskRememberedEdge(const PolygonContact &contact, Proof *proof) {
     const EdgeMemory &memory = contact.state.link.byEdge;
-    const bool ofB = memory.edgeOfB;
+    const bool ofB = memory.ofB;
     const b2Fixture &owner = ofB ? *contact.GetFixtureB() : *contact.GetFixtureA();
     const b2Fixture &other = ofB ? *contact.GetFixtureA() : *contact.GetFixtureB();
-    if (memory.edge >= ShapeOf(owner).m_count || IsBig(owner) || IsBig(other))
+    if (memory.number >= ShapeOf(owner).m_count || IsBig(owner) || IsBig(other))
         return false;
-    proof->remembered = AskEdge(FaceGapAlong(memory.edge, owner, other), owner, other, ofB, proof);
+    proof->remembered = AskEdge(FaceGapAlong(memory.number, owner, other), owner, other, ofB, proof);
     return proof->remembered;
 }
 

@@ -245,10 +245,6 @@ static float slide(const question *q, bmr_vec32 n) {
     return s > 0.0f ? 0.0f : s;
 }
 
-static float separation(const question *q, bmr_vec32 n) {
-    return dot(n, q->between) + gap(q->a, q->b, n) + slide(q, n);
-}
-
 /// The points at the start of the motion, by turning them back from the end.
 static void turn_back(const bmr_swept32 *shape, bmr_swept32 *start) {
     const float t = shape->turn, t2 = t * t;
@@ -262,18 +258,25 @@ static void turn_back(const bmr_swept32 *shape, bmr_swept32 *start) {
 
 /// Between two poses that are both looked at, a turning point comes closer than at both by no more than the
 /// height of its arc, radius times turn squared over eight: far less than by the turn itself.
-static bool apart_at_both_ends(const question *q, bmr_vec32 n) {
+static bool apart_at_both_ends(const question *q, bmr_vec32 n, float at_end) {
     const float ta = q->a->turn, tb = q->b->turn;
     if (!(fabsf(ta) <= most_turn) || !(fabsf(tb) <= most_turn))
         return false;
     const float needed = q->apart + 0.125f * (q->a->radius * ta * ta + q->b->radius * tb * tb);
-    const float at_end = dot(n, q->between) + gap(q->a, q->b, n);
     if (!(at_end > needed))
         return false;
     bmr_swept32 a, b;
     turn_back(q->a, &a);
     turn_back(q->b, &b);
     return dot(n, q->between) + dot(n, q->back) + gap(&a, &b, n) > needed;
+}
+
+/// Does the direction keep them apart during all of the motion? `found`: by how much it does if nothing
+/// turns.
+static inline bool keeps_apart(const question *q, bmr_vec32 n, float *found) {
+    const float at_end = dot(n, q->between) + gap(q->a, q->b, n);
+    *found = at_end + slide(q, n);
+    return *found - q->swing > q->apart || (q->swing > 0.0f && apart_at_both_ends(q, n, at_end));
 }
 
 /// The point of the segment from p to q that is closest to the origin.
@@ -312,8 +315,8 @@ static bmr_swept32_answer search(const question *q, bmr_vec32 n, bmr_vec32 *dire
             return BMR_SWEPT32_NEAR;
         n.x = closest.x / length;
         n.y = closest.y / length;
-        const float found = separation(q, n);
-        if (found - q->swing > q->apart || (q->swing > 0.0f && apart_at_both_ends(q, n))) {
+        float found;
+        if (keeps_apart(q, n, &found)) {
             *direction = n;
             return BMR_SWEPT32_APART;
         }
@@ -334,8 +337,17 @@ static bmr_swept32_answer search(const question *q, bmr_vec32 n, bmr_vec32 *dire
     return BMR_SWEPT32_UNKNOWN;
 }
 
-bmr_swept32_answer bmr_swept32_compare(const bmr_swept32 *a, const bmr_swept32 *b, float apart, float near,
-                                       bmr_vec32 *direction) {
+/// From somewhere within a to somewhere within b, at the end: the centres of motion may be far outside.
+static bmr_vec32 between_middles(const question *q) {
+    bmr_vec32 r = q->between;
+    for (int i = 0; i < 4; ++i) {
+        r.x += 0.25f * (q->b->x[i] - q->a->x[i]);
+        r.y += 0.25f * (q->b->y[i] - q->a->y[i]);
+    }
+    return r;
+}
+
+static question ask(const bmr_swept32 *a, const bmr_swept32 *b, float apart, float near) {
     question q;
     q.a = a;
     q.b = b;
@@ -344,10 +356,21 @@ bmr_swept32_answer bmr_swept32_compare(const bmr_swept32 *a, const bmr_swept32 *
     q.apart = apart;
     q.near = near;
     q.swing = a->radius * fabsf(a->turn) + b->radius * fabsf(b->turn);
+    return q;
+}
+
+bool bmr_swept32_apart_along(const bmr_swept32 *a, const bmr_swept32 *b, float apart, bmr_vec32 direction) {
+    const question q = ask(a, b, apart, 0.0f);
+    float found;
+    return keeps_apart(&q, direction, &found);
+}
+
+bmr_swept32_answer bmr_swept32_compare(const bmr_swept32 *a, const bmr_swept32 *b, float apart, float near,
+                                       bmr_vec32 *direction) {
+    const question q = ask(a, b, apart, near);
     const bmr_vec32 hint = *direction;
-    if (separation(&q, hint) - q.swing > apart)
-        return BMR_SWEPT32_APART;
-    if (q.swing > 0.0f && apart_at_both_ends(&q, hint))
-        return BMR_SWEPT32_APART;
-    return search(&q, dot(hint, hint) > 0.0f ? hint : q.between, direction);
+    if (!(dot(hint, hint) > 0.0f))
+        return search(&q, between_middles(&q), direction);
+    float found;
+    return keeps_apart(&q, hint, &found) ? BMR_SWEPT32_APART : search(&q, hint, direction);
 }

@@ -213,10 +213,15 @@ static size_t most_cuts(const bmr_build *build) {
     return most;
 }
 
+/// Where a tree without a compass keeps its directions.
+static bmr_vec2 *directions_of(bmr_hierarchy *h) {
+    return (bmr_vec2 *)(h->nodes + h->count);
+}
+
 /// The directions of a tree without a compass: the roots', then the degenerate edges' in the order of their
 /// ids.
 static void keep_directions(const work *w, bmr_hierarchy *h) {
-    bmr_vec2 *directions = (bmr_vec2 *)(h->nodes + h->count);
+    bmr_vec2 *directions = directions_of(h);
     for (uint32_t id = 0; id < h->count; ++id)
         if (!h->nodes[id].own)
             directions[h->nodes[id].direction] = w->normals[id];
@@ -258,6 +263,24 @@ bmr_error bmr_build_tree(const bmr_build *build, const bmr_allocator *allocator,
     const bmr_error error = keep_tree(&w, allocator, hierarchy);
     bmr_release(allocator, scratch, size);
     return error;
+}
+
+bmr_error bmr_hierarchy_copy(const bmr_hierarchy *hierarchy, const bmr_polygon *polygon,
+                             const bmr_allocator *allocator, bmr_hierarchy **copy) {
+    if (!hierarchy || !polygon || !copy)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (hierarchy->stamp != polygon->stamp)
+        return BMR_ERROR_WRONG_HIERARCHY;
+    const size_t size = bmr_hierarchy_bytes(hierarchy);
+    bmr_hierarchy *made = bmr_allocate(allocator, size);
+    if (!made)
+        return BMR_ERROR_NO_MEMORY;
+    memcpy(made, hierarchy, size);
+    made->polygon = polygon;
+    if (made->direction_count > 0) // else they are the compass's
+        made->directions = directions_of(made);
+    *copy = made;
+    return BMR_OK;
 }
 
 void bmr_hierarchy_destroy(bmr_hierarchy *hierarchy, const bmr_allocator *allocator) {

@@ -54,9 +54,12 @@ void Prefetch(const b2Contact *contact) {
 
 void Update(b2Contact *contact, b2ContactListener *listener) {
     const bool sensor = contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor();
-    const bool here = !sensor && !Verifying() && RoundsToNearest(); // by now: a listener may change it
+    const bool here = !Verifying() && RoundsToNearest(); // by now: a listener may change it
     PolygonContact *ofSmall = here ? PolygonContact::AsOurs(contact) : nullptr;
-    if (ofSmall != nullptr)
+    if (sensor) {
+        if (ofSmall == nullptr || !HookIsOn(Hook::TestOverlap) || !ofSmall->UpdateSensor(listener))
+            SolidContact::UpdateByBox2D(contact, listener);
+    } else if (ofSmall != nullptr)
         ofSmall->UpdateSolid(listener);
     else if (ConvexContact *ofBig = here ? ConvexContact::AsOurs(contact) : nullptr)
         ofBig->UpdateSolid(listener);
@@ -277,7 +280,7 @@ void LedgerPass::Look(uint32_t i, b2Contact *contact) {
     if (canProve && !contact->IsTouching())
         ProveApart(m_ledger, i, ours);
     else if (canProve) // a sensor's
-        ProveOverlap(m_ledger, i, *ours);
+        ProveOverlap(m_ledger, i);
     else
         m_ledger->SetDue(i);
 }

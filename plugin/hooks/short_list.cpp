@@ -35,15 +35,12 @@ private:
 };
 
 ShortList::ShortList(b2ContactManager *manager, Ledger *ledger, Unchosen)
-    : m_manager(manager), m_ledger(ledger), m_listener(manager->m_contactListener),
-      m_listens(IsOfGame(m_listener)), m_older(stepping.shortList), m_room(PerThread<Room>()) {
+    : InChain(&stepping.shortList), m_manager(manager), m_ledger(ledger),
+      m_listener(manager->m_contactListener), m_listens(IsOfGame(m_listener)), m_room(PerThread<Room>()) {
     if (m_room != nullptr && m_room->taken)
         m_room = nullptr;
     if (m_room != nullptr)
         m_room->taken = true;
-    if (m_older != nullptr)
-        m_older->m_newer = this;
-    stepping.shortList = this;
 }
 
 ShortList::ShortList(b2ContactManager *manager) : ShortList(manager, nullptr, Unchosen()) {
@@ -60,12 +57,6 @@ ShortList::~ShortList() {
     Open();
     if (m_room != nullptr)
         m_room->taken = false;
-    if (m_older != nullptr)
-        m_older->m_newer = m_newer;
-    if (m_newer != nullptr)
-        m_newer->m_older = m_older;
-    else
-        stepping.shortList = m_older;
 }
 
 /// False, and none is kept, where there are too many.

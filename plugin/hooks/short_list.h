@@ -25,7 +25,7 @@ namespace bmr::hooks {
 /// has changed, or if FindNewContacts ran. The thread has room for one list's (on the heap: stacks may be
 /// small); a list that begins in the midst of another one stays whole, as does one of which too many are
 /// left.
-class ShortList final : private b2ContactListener {
+class ShortList final : private b2ContactListener, public InChain<ShortList> {
 public:
     /// From here on; the times of impact that are known are marked. To be called in the middle of a step.
     explicit ShortList(b2ContactManager *manager);
@@ -38,8 +38,6 @@ public:
     static void ChooseAgain(const b2ContactManager *manager);
     /// Whole again, with the listener that the world has by now.
     ~ShortList() override;
-    ShortList(const ShortList &) = delete;
-    ShortList &operator=(const ShortList &) = delete;
 
     /// For as long as this lives, this thread's list for `manager`, if there is one, is whole. Contacts may
     /// be added to it and known times forgotten.
@@ -69,7 +67,7 @@ private:
     static ShortList *Of(const b2ContactManager *manager) {
         ShortList *list = stepping.shortList;
         while (list != nullptr && list->m_manager != manager)
-            list = list->m_older;
+            list = list->Older();
         return list;
     }
 
@@ -101,17 +99,16 @@ private:
     };
 
     b2ContactManager *m_manager;
-    Ledger *m_ledger;                       ///< nullptr: the world has none, or it is not asked
-    b2ContactListener *m_listener;          ///< the world's, at first
-    bool m_listens;                         ///< whether it is called through this
-    bool m_staysWhole = false;              ///< a listener or a filter put another one in its place
-    bool m_changed = false;                 ///< contacts may have come and gone since they were chosen
-    int32 m_suspensions = 0;                ///< that have not ended; the list is whole while there are any
-    ShortList *m_older, *m_newer = nullptr; ///< of this thread's that are alive
-    b2Contact *m_first = nullptr;           ///< of the whole list
-    int32 m_contactCount = 0;               ///< of the whole list, when it was chosen from
-    int32 m_count = 0;                      ///< of those that are kept; 0 where the list stays whole
-    Room *m_room;                           ///< nullptr: none is left, and the list stays whole
+    Ledger *m_ledger;              ///< nullptr: the world has none, or it is not asked
+    b2ContactListener *m_listener; ///< the world's, at first
+    bool m_listens;                ///< whether it is called through this
+    bool m_staysWhole = false;     ///< a listener or a filter put another one in its place
+    bool m_changed = false;        ///< contacts may have come and gone since they were chosen
+    int32 m_suspensions = 0;       ///< that have not ended; the list is whole while there are any
+    b2Contact *m_first = nullptr;  ///< of the whole list
+    int32 m_contactCount = 0;      ///< of the whole list, when it was chosen from
+    int32 m_count = 0;             ///< of those that are kept; 0 where the list stays whole
+    Room *m_room;                  ///< nullptr: none is left, and the list stays whole
 };
 
 } // namespace bmr::hooks

@@ -18,6 +18,7 @@
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
 
+#include "contacts/solid_contact.h"
 #include "hooks/short_list.h"
 #include "hooks/stepping.h"
 #include "hooks/untold_impacts.h"
@@ -169,7 +170,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
         const ImpactScan::Side a = {fixtureA, contact->m_indexA, bodyA->m_sweep, bodyA->m_xf.q};
         const ImpactScan::Side b = {fixtureB, contact->m_indexB, bodyB->m_sweep, bodyB->m_xf.q};
         Count(&Counts::toiQueries);
-        if (!scan->NeverTouch(contact, a, b))
+        if (!scan->NeverTouch(a, b, GuessDirection(*contact), contact->m_manifold.pointCount > 0))
             return false;
         Count(&Counts::toiAnswered);
         if (Verifying())

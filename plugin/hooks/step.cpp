@@ -33,37 +33,26 @@ bool GameMayRunIn(const b2World &world) {
 
 /// Ends with the step, also by an exception of a listener's. The number of the thread's step, and whether the
 /// game may run in it, are always those of the newest mark.
-class StepMark {
+class StepMark : public InChain<StepMark> {
 public:
     explicit StepMark(const b2World &world)
-        : m_step(NextStep()), m_gameMayRun(GameMayRunIn(world)), m_older(stepping.mark) {
-        if (m_older != nullptr)
-            m_older->m_newer = this;
-        stepping.mark = this;
+        : InChain(&stepping.mark), m_step(NextStep()), m_gameMayRun(GameMayRunIn(world)) {
         CurrentStep() = m_step;
         GameMayRun() = m_gameMayRun;
         StepIsToNearest() = false;
         StepIsToNearest() = !m_gameMayRun && RoundsToNearest();
     }
     ~StepMark() {
-        if (m_older != nullptr)
-            m_older->m_newer = m_newer;
-        if (m_newer != nullptr) {
-            m_newer->m_older = m_older;
+        if (!IsNewest())
             return;
-        }
         StepIsToNearest() = false; // an older step goes on in code of the game's
-        stepping.mark = m_older;
-        CurrentStep() = m_older != nullptr ? m_older->m_step : 0;
-        GameMayRun() = m_older == nullptr || m_older->m_gameMayRun;
+        CurrentStep() = Older() != nullptr ? Older()->m_step : 0;
+        GameMayRun() = Older() == nullptr || Older()->m_gameMayRun;
     }
-    StepMark(const StepMark &) = delete;
-    StepMark &operator=(const StepMark &) = delete;
 
 private:
     uint64_t m_step;
     bool m_gameMayRun;
-    StepMark *m_older, *m_newer = nullptr;
 };
 
 namespace {

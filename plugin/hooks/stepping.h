@@ -20,10 +20,8 @@ class StepMark;
 class TouchingList;
 class UntoldImpacts;
 
-/// What the hooks keep on a thread while it steps worlds, and no longer. A listener may step another world,
-/// or its own; and steps of two worlds may be interleaved on one thread, where each runs on a stack of its
-/// own and a listener leaves one for the other: the later one need not end first. So marks and lists take
-/// themselves out of their chain wherever they are in it, and a list is looked up by the world it is of.
+/// What the hooks keep on a thread while it steps worlds, and no longer. (Marks and lists are chained: see
+/// InChain. A list is looked up by the world it is of.)
 struct Stepping {
     StepMark *mark;        ///< the newest of the steps that have not ended; nullptr outside of steps
     ShortList *shortList;  ///< the newest that is alive
@@ -37,6 +35,40 @@ struct Stepping {
 
 /// This thread's. One load: the library is there when the program starts.
 extern __thread Stepping stepping __attribute__((tls_model("initial-exec")));
+
+/// An object that lives for as long as a call of Box2D's does, in the chain of all of its kind on this
+/// thread. A listener may step another world, or its own; and steps of two worlds may be interleaved on one
+/// thread, where each runs on a stack of its own and a listener leaves one for the other: the later one need
+/// not end first. So an object takes itself out wherever it is in its chain.
+template <typename T> class InChain {
+public:
+    InChain(const InChain &) = delete;
+    InChain &operator=(const InChain &) = delete;
+
+protected:
+    /// `newest`: the chain's beginning, in `stepping`.
+    explicit InChain(T **newest) : m_newest(newest), m_older(*newest) {
+        T *const self = static_cast<T *>(this);
+        if (m_older != nullptr)
+            m_older->m_newer = self;
+        *newest = self;
+    }
+    ~InChain() {
+        if (m_older != nullptr)
+            m_older->m_newer = m_newer;
+        if (m_newer != nullptr)
+            m_newer->m_older = m_older;
+        else
+            *m_newest = m_older;
+    }
+
+    T *Older() const { return m_older; } ///< nullptr: this is the oldest
+    bool IsNewest() const { return m_newer == nullptr; }
+
+private:
+    T **m_newest;
+    T *m_older, *m_newer = nullptr;
+};
 
 /// Only in a step, and rounding to nearest, are questions answered here; whoever else calls these functions
 /// gets Box2D's own.

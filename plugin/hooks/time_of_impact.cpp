@@ -48,7 +48,7 @@ void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
         return;
     }
     Count(&Counts::toiQueries);
-    if (!NeverTouchUnlessResting(*input)) {
+    if (!NeverTouch(*input)) {
         realTimeOfImpact(output, input);
         return;
     }

@@ -36,11 +36,8 @@ b2ContactEdge *&ListOf(b2Body *body) {
 } // namespace
 
 TouchingList::TouchingList(b2ContactManager *manager, b2Body **bodyList, int32 bodyCount, Ledger *ledger)
-    : m_manager(manager), m_bodyList(bodyList), m_ledger(ledger), m_listener(manager->m_contactListener),
-      m_older(stepping.touchingList) {
-    if (m_older != nullptr)
-        m_older->m_newer = this;
-    stepping.touchingList = this;
+    : InChain(&stepping.touchingList), m_manager(manager), m_bodyList(bodyList), m_ledger(ledger),
+      m_listener(manager->m_contactListener) {
     m_room = PerThread<Room>();
     if (m_room == nullptr || m_room->taken) {
         m_room = nullptr;
@@ -61,12 +58,6 @@ TouchingList::TouchingList(b2ContactManager *manager, b2Body **bodyList, int32 b
 
 TouchingList::~TouchingList() {
     OpenLists();
-    if (m_older != nullptr)
-        m_older->m_newer = m_newer;
-    if (m_newer != nullptr)
-        m_newer->m_older = m_older;
-    else
-        stepping.touchingList = m_older;
 }
 
 /// The newest contact below `end` that touches and has a body that is awake.
@@ -216,7 +207,7 @@ void TouchingList::OpenLists() {
 }
 
 void TouchingList::Open(const b2ContactManager *manager) {
-    for (TouchingList *list = stepping.touchingList; list != nullptr; list = list->m_older)
+    for (TouchingList *list = stepping.touchingList; list != nullptr; list = list->Older())
         if (list->m_manager == manager)
             list->OpenLists();
 }

@@ -20,13 +20,11 @@ namespace bmr::hooks {
 /// A world's list of contacts and the lists of its bodies while b2World::Solve is at work: only the contacts
 /// that touch, in their order. It would look at all others, at each twice, and pass over them. All lists are
 /// whole again from the first call of game code on, or when new contacts are looked for.
-class TouchingList final : private b2ContactListener {
+class TouchingList final : private b2ContactListener, public InChain<TouchingList> {
 public:
     /// Makes the lists short where that pays: where few enough of the contacts touch.
     TouchingList(b2ContactManager *manager, b2Body **bodyList, int32 bodyCount, Ledger *ledger);
     ~TouchingList() override;
-    TouchingList(const TouchingList &) = delete;
-    TouchingList &operator=(const TouchingList &) = delete;
 
     /// All lists of this world are whole from here on.
     static void Open(const b2ContactManager *manager);
@@ -70,8 +68,7 @@ private:
     Room *m_room = nullptr;        ///< nullptr: the lists are whole
     b2Body *m_firstBody = nullptr; ///< of the whole list; nullptr: it is whole
     uint32_t m_count = 0, m_headCount = 0;
-    bool m_awakeAlone = false;                 ///< no island comes to a body that is asleep
-    TouchingList *m_older, *m_newer = nullptr; ///< of this thread's that are alive
+    bool m_awakeAlone = false; ///< no island comes to a body that is asleep
 };
 
 } // namespace bmr::hooks

@@ -15,23 +15,9 @@ namespace bmr::hooks {
 /// there is an impact: then Box2D looks at other contacts of the two bodies, and forgets what it knew of
 /// them. Code of the game is called after that alone. So where steps are interleaved on one thread
 /// (stepping.h) all but the running one are told already.
-class UntoldImpacts {
+class UntoldImpacts : public InChain<UntoldImpacts> {
 public:
-    explicit UntoldImpacts(Ledger *ledger) : m_ledger(ledger), m_older(stepping.untold) {
-        if (m_older != nullptr)
-            m_older->m_newer = this;
-        stepping.untold = this;
-    }
-    ~UntoldImpacts() {
-        if (m_older != nullptr)
-            m_older->m_newer = m_newer;
-        if (m_newer != nullptr)
-            m_newer->m_older = m_older;
-        else
-            stepping.untold = m_older;
-    }
-    UntoldImpacts(const UntoldImpacts &) = delete;
-    UntoldImpacts &operator=(const UntoldImpacts &) = delete;
+    explicit UntoldImpacts(Ledger *ledger) : InChain(&stepping.untold), m_ledger(ledger) {}
 
     /// Writes it into the contacts, once.
     void Tell();
@@ -43,7 +29,6 @@ public:
 private:
     Ledger *m_ledger;
     bool m_told = false;
-    UntoldImpacts *m_older, *m_newer = nullptr; ///< of this thread's that are alive
 };
 
 /// Have questions of Box2D's search for impacts come by our b2TimeOfImpact? Until then nobody can be relied

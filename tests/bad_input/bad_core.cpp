@@ -221,6 +221,21 @@ std::vector<Argument> Arguments() {
              const World world;
              return Said(bmr_hierarchy_build_dobkin_kirkpatrick(world.square, nullptr, nullptr));
          }},
+        {"`bmr_hierarchy_copy`: no polygon",
+         [] {
+             const World world;
+             bmr_hierarchy *made = nullptr;
+             return Said(bmr_hierarchy_copy(world.hierarchies[0], nullptr, nullptr, &made));
+         }},
+        {"`bmr_hierarchy_copy`: over another polygon",
+         [] {
+             const World world;
+             bmr_polygon *other = Polygon(Circle(5, 1.0));
+             bmr_hierarchy *made = nullptr;
+             const bmr_error error = bmr_hierarchy_copy(world.hierarchies[0], other, nullptr, &made);
+             bmr_polygon_destroy(other, nullptr);
+             return Said(error);
+         }},
         {"`bmr_hierarchy_audit`: `NULL`", [] { return Said(bmr_hierarchy_audit(nullptr)); }},
         {"`bmr_hierarchy_extreme`: direction of NaN, level `UINT32_MAX`",
          [] {

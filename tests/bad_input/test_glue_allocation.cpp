@@ -9,7 +9,6 @@
 #include <thread>
 #include <vector>
 
-#include <box2d/b2_time_of_impact.h>
 #include <sys/mman.h>
 
 #include "boomerang/convex_shape.h"
@@ -18,8 +17,6 @@
 #include "forked_world.h"
 #include "idle_draw.h"
 #include "proofs/impact_scan.h"
-#include "proofs/overlap.h"
-#include "proofs/sweep_apart.h"
 #include "stderr_text.h"
 #include "test_scale.h"
 
@@ -250,51 +247,15 @@ TEST_CASE("what cannot be drawn whole for want of memory is drawn in pieces") {
     CHECK(less.polygons == 1 + 8); // 48 triangles, six to a piece
 }
 
-TEST_CASE("without memory to remember pairs nothing is certain, and nothing but that is lost") {
-    b2PolygonShape box;
-    box.SetAsBox(1.0f, 1.0f);
-    b2TOIInput far;
-    far.proxyA.Set(&box, 0);
-    far.proxyB.Set(&box, 0);
-    for (b2Sweep *sweep : {&far.sweepA, &far.sweepB}) {
-        sweep->localCenter.SetZero();
-        sweep->c0.SetZero();
-        sweep->c.SetZero();
-        sweep->a0 = sweep->a = sweep->alpha0 = 0.0f;
-    }
-    far.sweepB.c0.Set(9.0f, 0.0f);
-    far.sweepB.c.Set(9.0f, 0.0f);
-    far.tMax = 1.0f;
-    b2Transform here, there;
-    here.SetIdentity();
-    there.Set({9.0f, 0.0f}, 0.0f);
-    b2World world({0.0f, 0.0f});
-    b2BodyDef def;
-    const b2Fixture *a = world.CreateBody(&def)->CreateFixture(&box, 1.0f);
-    const bmr::ImpactScan::Side sides[] = {{a, 0, far.sweepA, here.q}, {a, 0, far.sweepB, here.q}};
-    // What is remembered is the thread's: each of these asks first on a thread of its own.
-    const auto ask = [&](int which, bool withMemory) {
-        bool known = false;
-        std::thread([&] {
-            bmr::ImpactScan *scan = which == 3 ? bmr::ImpactScan::Begin() : nullptr;
-            failing_malloc::FailAt(withMemory ? UINT64_MAX : 0);
-            if (which == 0)
-                known = bmr::CertainOverlap(box, 0, box, 0, here, there) != bmr::Overlap::kUnknown;
-            else if (which == 1)
-                known = bmr::NeverTouch(far);
-            else if (which == 2)
-                known = bmr::NeverTouchUnlessResting(far);
-            else
-                known = scan->NeverTouch(nullptr, sides[0], sides[1]);
-            failing_malloc::FailAt(UINT64_MAX);
-        }).join();
-        return known;
-    };
-    for (int which = 0; which < 4; ++which) {
-        CAPTURE(which);
-        CHECK(!ask(which, false));
-        CHECK(ask(which, true));
-    }
+TEST_CASE("without memory for its places there is no search for impacts but Box2D's") {
+    std::thread([] { // of its own: a thread keeps its places
+        failing_malloc::FailAt(0);
+        const bool without = bmr::ImpactScan::Begin() != nullptr;
+        failing_malloc::FailAt(kNoFailure);
+        CHECK(!without);
+        CHECK(bmr::ImpactScan::Begin() != nullptr);
+    })
+        .join();
 }
 
 TEST_CASE("Install without memory for its table is refused, and says so") {

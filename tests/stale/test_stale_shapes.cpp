@@ -126,8 +126,36 @@ TEST_CASE("edges and chains, their neighbours and their sides are changed in pla
     });
 }
 
-// Sensors' overlaps remember a vertex that was inside the other, or a direction that kept the two apart.
-TEST_CASE("a sensor's remembered vertex is gone, and its direction keeps nobody apart") {
+// Impacts are sought first along the normal that a contact knows.
+TEST_CASE("normals that are too long keep nobody from an impact") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        b2Body *wall = game.Body(b2_staticBody, {2.0f, 0.0f}),
+               *bullet = game.Body(b2_dynamicBody, {0.0f, 0.0f});
+        b2Fixture *side = game.Box(wall, 1.0f, 1.0f);
+        game.Box(bullet, 0.1f, 0.1f);
+        bullet->SetBullet(true);
+        bullet->SetSleepingAllowed(false);
+        for (b2Vec2 &normal : static_cast<b2PolygonShape *>(side->GetShape())->m_normals)
+            normal *= 3.0f;
+        if (run.HasPlugin())
+            bmr::Invalidate(wall);
+        int stopped = 0;
+        for (int round = 0; round < 40; ++round) {
+            // It would come to rest so far in front of the wall.
+            const float gap = 2e-4f * static_cast<float>(round), way = 0.05f;
+            bullet->SetTransform({0.9f - gap - way, 0.0f}, 0.0f);
+            bullet->SetLinearVelocity({60.0f * way, 0.0f});
+            bullet->SetAngularVelocity(0.0f);
+            game.Step();
+            stopped += bullet->GetPosition().x < 0.9f - gap - 1e-4f;
+        }
+        game.Stage(stopped > 5 && stopped < 35, "it is stopped, or not");
+    });
+}
+
+// A sensor's record has the depth of a vertex in the other shape, or a line that kept the two apart.
+TEST_CASE("a sensor's deepest vertex is gone, and its line keeps nobody apart") {
     CheckSameAsStock([](Run &run) {
         Game game(run);
         b2Body *eye = game.Body(b2_dynamicBody, {0.0f, 0.0f}),
@@ -146,6 +174,9 @@ TEST_CASE("a sensor's remembered vertex is gone, and its direction keeps nobody 
             Edited(run, eye);
             game.Step(2);
             ++both[game.world.GetContactList() != nullptr && game.world.GetContactList()->IsTouching()];
+            // From corner to corner, where their boxes overlap: the contact goes on.
+            seen->SetTransform({1.12f, 1.12f}, 0.0f);
+            game.Step();
         }
         game.Stage(both[0] > 3 && both[1] > 3, "they overlap, and do not");
     });

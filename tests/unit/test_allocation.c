@@ -172,6 +172,13 @@ static bmr_error run_hierarchy_build_dobkin_kirkpatrick(const bmr_allocator *all
     return made_hierarchy(error, made, allocator, bits);
 }
 
+static bmr_error run_hierarchy_copy(const bmr_allocator *allocator, uint64_t *bits) {
+    bmr_hierarchy *made = NULL;
+    const bmr_error error =
+        bmr_hierarchy_copy(shape.hierarchies[BMR_HIERARCHY_DUDLEY], polygon, allocator, &made);
+    return made_hierarchy(error, made, allocator, bits);
+}
+
 static bmr_error run_compass_create(const bmr_allocator *allocator, uint64_t *bits) {
     bmr_compass *made = NULL;
     const bmr_error error = bmr_compass_create(COUNT, allocator, &made);
@@ -232,6 +239,7 @@ static const test_attempt attempts[] = {
     {"bmr_hierarchy_build_compass", run_hierarchy_build_compass},
     {"bmr_hierarchy_build_dudley", run_hierarchy_build_dudley},
     {"bmr_hierarchy_build_dobkin_kirkpatrick", run_hierarchy_build_dobkin_kirkpatrick},
+    {"bmr_hierarchy_copy", run_hierarchy_copy},
     {"bmr_mixed_tiling_create", run_mixed_tiling_create},
     {"bmr_kds_create", run_kds_create},
 };

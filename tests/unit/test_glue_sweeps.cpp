@@ -275,7 +275,6 @@ TEST_CASE("a time beyond either end of the sweeps is left to Box2D, which goes o
         CAPTURE(tMax);
         in.tMax = tMax;
         CHECK(bmr::NeverTouch(in) == (tMax >= 0.0f && tMax <= 1.0f));
-        CHECK(bmr::NeverTouchUnlessResting(in) == (tMax >= 0.0f && tMax <= 1.0f));
     }
     in.tMax = 5.0f;
     CHECK(Touches(in));
@@ -320,7 +319,7 @@ TEST_CASE("what is not a number, not finite or out of reach is left to Box2D") {
     CHECK_FALSE(bmr::NeverTouch(none));
 }
 
-TEST_CASE("a remembered direction is only a guess: shapes that changed in place are seen as they are") {
+TEST_CASE("shapes that changed in place are seen as they are") {
     b2PolygonShape a, b;
     a.SetAsBox(0.5f, 0.5f);
     b2TOIInput in = TwoBoxes(&b, 1.0f);

@@ -116,6 +116,101 @@ static void every_failing_allocation_is_reported_and_nothing_leaks(void **state)
     bmr_polygon_destroy(p, NULL);
 }
 
+/// Takes one block of the size that was announced, and refuses more.
+typedef struct test_room {
+    void *block;
+    size_t size;
+    size_t asked;
+} test_room;
+
+static void *take_room(void *context, size_t size) {
+    test_room *room = context;
+    ++room->asked;
+    return size <= room->size ? room->block : NULL;
+}
+
+static void leave_room(void *context, void *block, size_t size) {
+    (void)context;
+    (void)block;
+    (void)size;
+}
+
+/// Does everything that can be asked of them get the same answer, to the bit?
+static bool answer_the_same(const bmr_hierarchy *a, const bmr_hierarchy *b) {
+    if (bmr_hierarchy_get_kind(a) != bmr_hierarchy_get_kind(b) ||
+        bmr_hierarchy_edge_count(a) != bmr_hierarchy_edge_count(b) ||
+        bmr_hierarchy_depth(a) != bmr_hierarchy_depth(b) || bmr_hierarchy_bytes(a) != bmr_hierarchy_bytes(b))
+        return false;
+    for (bmr_edge id = 0; id < bmr_hierarchy_edge_count(a); ++id) {
+        const bmr_line line_a = bmr_hierarchy_line(a, id), line_b = bmr_hierarchy_line(b, id);
+        const bmr_boomerang cut_a = bmr_hierarchy_boomerang(a, id), cut_b = bmr_hierarchy_boomerang(b, id);
+        const bmr_vec2 apex_a = bmr_hierarchy_apex(a, id), apex_b = bmr_hierarchy_apex(b, id);
+        const double height_a = bmr_hierarchy_height(a, id), height_b = bmr_hierarchy_height(b, id);
+        if (memcmp(&line_a, &line_b, sizeof line_a) != 0 || memcmp(&cut_a, &cut_b, sizeof cut_a) != 0 ||
+            memcmp(&apex_a, &apex_b, sizeof apex_a) != 0 ||
+            memcmp(&height_a, &height_b, sizeof height_a) != 0 ||
+            bmr_hierarchy_touch(a, id) != bmr_hierarchy_touch(b, id))
+            return false;
+    }
+    return true;
+}
+
+static void a_copy_answers_the_same_from_the_bytes_announced_and_outlives_the_original(void **state) {
+    (void)state;
+    const bmr_vec2 points[] = {{1, 2}, {3, -1}};
+    const size_t sizes[] = {1, 2, 3, 8, 37, 64, 150};
+    test_random random = {7};
+    for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
+        for (size_t i = 0; i < COUNT_OF(sizes); ++i)
+            for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+                bmr_polygon *p = sizes[i] < 3 ? polygon_of(points, sizes[i])
+                                              : test_polygon((test_family)family, sizes[i], &random);
+                bmr_polygon *q = NULL;
+                assert_int_equal(bmr_polygon_copy(p, NULL, &q), BMR_OK);
+                bmr_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p), *again = NULL;
+                assert_int_equal(build((bmr_hierarchy_kind)kind, q, NULL, &again), BMR_OK);
+                test_room room = {malloc(bmr_hierarchy_bytes(h)), bmr_hierarchy_bytes(h), 0};
+                assert_non_null(room.block);
+                const bmr_allocator allocator = {take_room, leave_room, &room};
+                bmr_hierarchy *copy = NULL;
+                assert_int_equal(bmr_hierarchy_copy(h, q, &allocator, &copy), BMR_OK);
+                assert_ptr_equal(copy, room.block);
+                assert_int_equal(room.asked, 1);
+                assert_ptr_equal(bmr_hierarchy_polygon(copy), q);
+                // Nothing of the original is left.
+                memset(h, 0xa5, bmr_hierarchy_bytes(copy));
+                free(h);
+                bmr_polygon_destroy(p, NULL);
+                assert_int_equal(bmr_hierarchy_audit(copy), BMR_OK);
+                assert_true(answer_the_same(copy, again));
+                bmr_hierarchy_destroy(copy, &allocator);
+                bmr_hierarchy_destroy(again, NULL);
+                bmr_polygon_destroy(q, NULL);
+                free(room.block);
+            }
+}
+
+static void a_copy_is_refused_over_other_vertices_and_without_memory(void **state) {
+    (void)state;
+    test_random random = {9};
+    bmr_polygon *p = test_polygon(TEST_CIRCLE, 40, &random), *other = test_polygon(TEST_CIRCLE, 40, &random);
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+        bmr_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p), *copy = UNTOUCHED;
+        assert_int_equal(bmr_hierarchy_copy(NULL, p, NULL, &copy), BMR_ERROR_NULL_ARGUMENT);
+        assert_int_equal(bmr_hierarchy_copy(h, NULL, NULL, &copy), BMR_ERROR_NULL_ARGUMENT);
+        assert_int_equal(bmr_hierarchy_copy(h, p, NULL, NULL), BMR_ERROR_NULL_ARGUMENT);
+        assert_int_equal(bmr_hierarchy_copy(h, other, NULL, &copy), BMR_ERROR_WRONG_HIERARCHY);
+        test_room room = {p, bmr_hierarchy_bytes(h) - 1, 0}; // a byte too small, and not written to
+        const bmr_allocator allocator = {take_room, leave_room, &room};
+        assert_int_equal(bmr_hierarchy_copy(h, p, &allocator, &copy), BMR_ERROR_NO_MEMORY);
+        assert_ptr_equal(copy, UNTOUCHED);
+        assert_int_equal(bmr_polygon_audit(p), BMR_OK);
+        bmr_hierarchy_destroy(h, NULL);
+    }
+    bmr_polygon_destroy(p, NULL);
+    bmr_polygon_destroy(other, NULL);
+}
+
 static void with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex(void **state) {
     (void)state;
     const size_t sizes[] = {64, 65, 1024, 1025, 4096}; // a power of two plus one has the most compass nodes
@@ -436,6 +531,8 @@ int main(void) {
         cmocka_unit_test(null_arguments_are_refused_and_leave_the_output_alone),
         cmocka_unit_test(a_compass_too_small_for_the_polygon_is_refused),
         cmocka_unit_test(every_failing_allocation_is_reported_and_nothing_leaks),
+        cmocka_unit_test(a_copy_answers_the_same_from_the_bytes_announced_and_outlives_the_original),
+        cmocka_unit_test(a_copy_is_refused_over_other_vertices_and_without_memory),
         cmocka_unit_test(with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex),
         cmocka_unit_test(the_compass_directions_are_exact_and_symmetric),
         cmocka_unit_test(a_point_has_four_edges_and_no_depth),

@@ -173,6 +173,14 @@ static tally hold_against_motion(size_t rounds, float way, float turn, double mo
             t.wrong += !(fabs(hypot((double)n.x, (double)n.y) - 1.0) < 1e-6);
             t.wrong += !(least > (double)asked - rounding);
             t.too_short += !(least > (double)asked + more);
+            // Along a direction beside the one that was found it holds as far as it is said to.
+            const float off = random_in(-0.3f, 0.3f);
+            const bmr_vec32 beside = {n.x - off * n.y, n.y + off * n.x};
+            const float length = sqrtf(1.0f + off * off);
+            const bmr_vec32 d = {beside.x / length, beside.y / length};
+            t.wrong += !bmr_swept32_apart_along(&sa, &sb, asked, n);
+            t.wrong += bmr_swept32_apart_along(&sa, &sb, asked, d) &&
+                       !(least_gap(&a, &b, d) > (double)asked - rounding);
             break;
         }
         case BMR_SWEPT32_NEAR:
@@ -432,6 +440,8 @@ static size_t compare_forms(size_t rounds, make_form *scalar_make) {
         different += bmr_swept32_compare(&sa, &sb, apart, 0.0f, &n) !=
                      test_scalar_swept32_compare(&sa, &sb, apart, 0.0f, &m);
         different += !same(n.x, m.x) || !same(n.y, m.y);
+        different += bmr_swept32_apart_along(&sa, &sb, apart, n) !=
+                     test_scalar_swept32_apart_along(&sa, &sb, apart, m);
 
         const bmr_transform32 xa = {a.motion.end, a.motion.s, a.motion.c},
                               xb = {b.motion.end, b.motion.s, b.motion.c};

@@ -73,6 +73,14 @@ bmr_error bmr_hierarchy_build_dudley(const bmr_polygon *polygon, const bmr_alloc
 /// ceil(log2 n), at most n + 4 edges.
 bmr_error bmr_hierarchy_build_dobkin_kirkpatrick(const bmr_polygon *polygon, const bmr_allocator *allocator,
                                                  bmr_hierarchy **hierarchy);
+/// The same hierarchy over `polygon`: the one that it was built over, or another one of the same vertices
+/// (bmr_polygon_copy), told by its stamp. In a block of bmr_hierarchy_bytes(hierarchy), aligned for any type;
+/// `allocator` is asked for this one block and nothing else, so that a block of known size can hold it.
+/// Answers are those of the original, which may be destroyed, its polygon too if it is another one; a compass
+/// table goes on to be shared. O(bytes), nothing is sorted. Errors: NULL_ARGUMENT, NO_MEMORY,
+/// WRONG_HIERARCHY where the polygon has other vertices; then *copy is untouched.
+bmr_error bmr_hierarchy_copy(const bmr_hierarchy *hierarchy, const bmr_polygon *polygon,
+                             const bmr_allocator *allocator, bmr_hierarchy **copy);
 /// NULL is no error.
 void bmr_hierarchy_destroy(bmr_hierarchy *hierarchy, const bmr_allocator *allocator);
 

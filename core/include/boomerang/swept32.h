@@ -58,6 +58,10 @@ typedef enum bmr_swept32_answer {
 bmr_swept32_answer bmr_swept32_compare(const bmr_swept32 *a, const bmr_swept32 *b, float apart, float near,
                                        bmr_vec32 *direction);
 
+/// Are the two farther apart than `apart` along this very direction, of unit length or zero, during all of
+/// the motion? True up to rounding; no search, some 50 instructions. Anything that is not a number: no.
+bool bmr_swept32_apart_along(const bmr_swept32 *a, const bmr_swept32 *b, float apart, bmr_vec32 direction);
+
 /// The same of a still pose in one go, where there is a direction to try: how far apart the hulls of `a` and
 /// `b` are along it, less than nothing where they overlap along it. `direction` in the world, from a to b.
 /// `reach` becomes the largest coordinate of all points in their own frames. Points as in bmr_swept32_make.
