@@ -316,7 +316,8 @@ void Ledger::LookAtMovers() {
     m_step = CurrentStep();
     const uint32_t count = m_movers.Count();
     for (uint32_t row = 0; row < count; ++row) {
-        m_movers.Prefetch(row + kAhead);
+        m_movers.Prefetch(row + 2 * kAhead);
+        m_movers.PrefetchShape(row + kAhead);
         const Mover &mover = m_movers[row];
         if (mover.records == 0)
             continue;

@@ -7,6 +7,7 @@
 #include "hooks/contact_access.h"
 #include "ledger/ledger.h"
 #include "ledger/per_thread.h"
+#include "start/current_step.h"
 
 namespace bmr::hooks {
 
@@ -97,7 +98,7 @@ void ShortList::Choose() {
     m_changed = false;
     if (m_room == nullptr)
         return;
-    if (m_ledger != nullptr && m_ledger->CatchUp()) {
+    if (m_ledger != nullptr && !GameMayRun() && m_ledger->CatchUp()) {
         ChooseByLedger();
         return;
     }
