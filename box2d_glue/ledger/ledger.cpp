@@ -38,7 +38,7 @@ bool Ledger::Reserve(uint32_t count) {
     const uint32_t had = m_awakeWords;
     if (!m_records.Reserve(count) || !m_lines.Reserve(count) || !m_contacts.Reserve(count) ||
         !m_bits.Reserve(count) || !m_patience.Reserve(count) || !m_awake.Reserve(words) ||
-        !m_looked.Reserve(words) || !m_asked.Reserve(words))
+        !m_looked.Reserve(words) || !m_asked.Reserve(words) || !m_listed.Reserve(words))
         return false;
     for (uint32_t word = had; word < words; ++word)
         m_awake[word] = m_looked[word] = m_asked[word] = 0;
@@ -214,17 +214,16 @@ uint32_t Ledger::FindNumber(const b2Contact *contact) {
 }
 
 void Ledger::Resync() {
-    // Borrows the bits of who was looked at: all of these are due.
     for (uint32_t word = 0; word < m_awakeWords; ++word)
-        m_looked[word] = 0;
+        m_listed[word] = 0;
     for (const b2Contact *contact = m_manager->m_contactList; contact != nullptr;
          contact = ContactNumber::Next(contact)) {
         const uint32_t i = NumberOf(contact);
         if (i != kNone)
-            NoteLookedAt(i);
+            m_listed[i / 64] |= uint64_t{1} << (i % 64);
     }
     for (uint32_t i = 0; i < m_count; ++i)
-        if (m_contacts[i] != nullptr && !WasLookedAt(i))
+        if (m_contacts[i] != nullptr && (m_listed[i / 64] >> (i % 64) & 1) == 0)
             Take(i);
 }
 

@@ -214,6 +214,9 @@ public:
     /// Stock has enabled every active contact that its loop has passed; here that is done for those that
     /// nobody looked at, from the newest that is still owed it down to `down`.
     void EnableDownTo(uint32_t down);
+    /// Had the world a listener or a filter of the game's in the last pass?
+    bool DidGameRun() const { return m_gameRan; }
+    void SetGameRan(bool ran) { m_gameRan = ran; }
     /// Somebody else enabled them all.
     void ForgetOwed() { m_owed = 0; }
     void OweEnabling(uint32_t below);
@@ -355,6 +358,7 @@ private:
     Column<uint64_t> m_awake;  ///< one bit a record: alive, and one of its bodies was awake
     Column<uint64_t> m_asked;  ///< one bit a record: in the last search for impacts
     Column<uint64_t> m_looked; ///< one bit a record: looked at in the last pass
+    Column<uint64_t> m_listed; ///< one bit a record: in the world's list, when Resync looked
     uint32_t m_awakeWords = 0;
     uint32_t m_count = 0; ///< records, the dead ones among them
     int32 m_live = 0;
@@ -368,6 +372,7 @@ private:
     bool m_searchesSeen = false;
     bool m_impactSearchesSeen = false;
     bool m_foundImpact = false;
+    bool m_gameRan = false;
     bool m_touchesSure = false;
     bool m_alphasClear = false;
     uint64_t m_awakeAloneIn = 0;

@@ -125,11 +125,13 @@ private:
     void PreSolve(b2Contact *contact, const b2Manifold *old) override;
     void PostSolve(b2Contact *, const b2ContactImpulse *) override {}
 
+    /// For one update of one contact: whoever listens as it begins is told all of it, though the game may put
+    /// another one into the world meanwhile.
     b2ContactListener *Listener() {
-        b2ContactListener *const ofWorld = m_manager->m_contactListener;
-        if (!IsOfGame(ofWorld))
-            return ofWorld;
-        m_preSolves = HasOwnPreSolve(*ofWorld);
+        m_listener = m_manager->m_contactListener;
+        if (!IsOfGame(m_listener))
+            return m_listener;
+        m_preSolves = HasOwnPreSolve(*m_listener);
         return this;
     }
     uint32_t Next();
@@ -144,6 +146,7 @@ private:
     Ledger *m_ledger;
     b2ContactManager *m_manager;
     Ledger::Pass m_pass;
+    b2ContactListener *m_listener = nullptr; ///< of the update that is under way
     bool m_preSolves = true; ///< the listener's PreSolve is not the empty one of b2ContactListener
     uint32_t m_looks = 0;
     uint32_t m_at = 0;   ///< records from here on are passed; the one that is visited is the last of them
@@ -173,19 +176,19 @@ private:
 
 void LedgerPass::BeginContact(b2Contact *contact) {
     const Game game(this);
-    m_manager->m_contactListener->BeginContact(contact);
+    m_listener->BeginContact(contact);
 }
 
 void LedgerPass::EndContact(b2Contact *contact) {
     const Game game(this);
-    m_manager->m_contactListener->EndContact(contact);
+    m_listener->EndContact(contact);
 }
 
 void LedgerPass::PreSolve(b2Contact *contact, const b2Manifold *old) {
     if (!m_preSolves)
         return;
     const Game game(this);
-    m_manager->m_contactListener->PreSolve(contact, old);
+    m_listener->PreSolve(contact, old);
 }
 
 /// The next record that is due. Found for 64 records at a time; contacts are asked for from memory some
@@ -355,9 +358,11 @@ void LedgerPass::Run() {
     }
     m_pass.Complete();
     m_ledger->NoteLooks(m_looks);
-    if (IsOfGame(m_manager->m_contactListener) || IsOfGame(m_manager->m_contactFilter) ||
-        !m_ledger->AreSearchesForImpactsSeen())
+    // Somebody may ask: in this step; or after it, whether what he disabled in the one before is enabled.
+    const bool gameMayRun = IsOfGame(m_manager->m_contactListener) || IsOfGame(m_manager->m_contactFilter);
+    if (gameMayRun || m_ledger->DidGameRun() || !m_ledger->AreSearchesForImpactsSeen())
         m_ledger->EnableDownTo(0);
+    m_ledger->SetGameRan(gameMayRun);
 }
 
 /// What a small world was found like at its last steps; of the thread's last one alone.

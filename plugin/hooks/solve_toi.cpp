@@ -107,7 +107,7 @@ void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, L
     UntoldImpacts untold(ledger);
     const ShortList list(manager, ledger);
     if (eager)
-        untold.NoteTold();
+        untold.Finish();
     else if (!list.IsShort() || !TimeOfImpactIsReached())
         untold.Tell();                                // Box2D is about to look at all
     const KnownImpacts known(unproved, stepComplete); // Box2D asks for the very same ones first

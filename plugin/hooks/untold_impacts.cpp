@@ -22,7 +22,7 @@ void NoteTimeOfImpactIsReached() {
     reached.store(true, std::memory_order_relaxed);
 }
 
-void UntoldImpacts::NoteTold() {
+void UntoldImpacts::Finish() {
     m_told = true;
     ShortList::ChooseAgain(m_ledger->Manager());
 }
@@ -47,7 +47,7 @@ void UntoldImpacts::Tell() {
     ledger.ForgetOwed();
     // Pairs that could not impact when the search began may be able to after the first one, which wakes
     // bodies.
-    NoteTold();
+    Finish();
 }
 
 void UntoldImpacts::FoundImpact() {

@@ -21,8 +21,8 @@ public:
 
     /// Writes it into the contacts, once.
     void Tell();
-    /// The contacts say it already.
-    void NoteTold();
+    /// The contacts say it by now: Box2D goes on with those that may still have an impact.
+    void Finish();
     /// Box2D's search has found the first impact.
     void FoundImpact();
 
