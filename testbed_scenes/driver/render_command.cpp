@@ -21,14 +21,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kHelp[] =
-    "With no layer named: certificates, slack, handed-over and contacts. With some named: those alone.\n\n"
+    "With no layer named: certificates, slack, handed-over, contacts and events. With some named: those "
+    "alone.\n\n"
     "Layers:\n"
     "  certificates  what proves a pair apart: the thick edge of one body and the vertex of the other that "
     "is "
     "nearest to its line;\n"
     "                or a direction (dashed); or two disks (dotted)\n"
     "  slack         how far apart that proves them, as colour\n"
-    "  handed-over   diamonds: pairs that needed a manifold in this step\n\n"
+    "  handed-over   diamonds: pairs that needed a manifold in this step\n"
+    "  events        rings: pairs whose certificate began, failed or was replaced in this step\n\n"
     "With --focus on a body, every pair of it is numbered, drawn in full and explained in words beside the "
     "picture.\n\n"
     "Examples:\n"
@@ -80,9 +82,9 @@ void ReadFocus(const std::string &text, PictureOptions *options) {
 Layers LayersOf(const RenderCommand &command) {
     const Layers &named = command.named;
     if (command.all)
-        return {true, true, true, true, true, true, true};
-    const bool any = named.certificates || named.slack || named.handedOver || named.contacts || named.hulls ||
-                     named.envelopes || named.boxes;
+        return {true, true, true, true, true, true, true, true};
+    const bool any = named.certificates || named.slack || named.handedOver || named.contacts ||
+                     named.events || named.hulls || named.envelopes || named.boxes;
     return any || command.bare ? named : Layers();
 }
 
@@ -164,6 +166,7 @@ CLI::App *AddRender(CLI::App &app, RenderCommand &command) {
     render->add_flag("--slack", named.slack, "Layer: how far apart, as colour");
     render->add_flag("--handed-over", named.handedOver, "Layer: pairs that needed a manifold");
     render->add_flag("--contacts", named.contacts, "Layer: contact points and normals");
+    render->add_flag("--events", named.events, "Layer: what happened to certificates in the step");
     render->add_flag("--hulls", named.hulls, "Layer: hulls of bodies");
     render->add_flag("--envelopes", named.envelopes, "Layer: envelopes at the level of the proof");
     render->add_flag("--aabbs", named.boxes, "Layer: boxes of the broad phase");

@@ -25,7 +25,7 @@ struct RenderCommand {
     int width = 1200;
     bool quiet = false;
     /// What to draw: none named means what Layers has by itself.
-    Layers named = {false, false, false, false, false, false, false};
+    Layers named = {false, false, false, false, false, false, false, false};
     bool all = false, bare = false;
     WorkerOptions worker;
 };

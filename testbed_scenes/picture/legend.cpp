@@ -153,6 +153,19 @@ void Legend::AddOthers(const WorldView &world) {
                                   bmr_vec2_make(at.x + half, at.y), bmr_vec2_make(at.x, at.y + half)},
                                  {}, {style::kHandedOver, 1.4 * m_unit, 1.0, {}});
             });
+    std::string events = "event of a certificate";
+    const std::map<std::string, std::size_t> kinds = EventsInFocus(world, m_options);
+    if (!all) {
+        events = "in this step:";
+        for (const char *kind : {"start", "push", "stab", "roll", "coarsen", "contact", "leave"})
+            if (const auto found = kinds.find(kind); found != kinds.end())
+                events += (events.back() == ':' ? " " : ", ") + std::to_string(found->second) + " " + kind;
+    }
+    if (m_options.layers.events && (!kinds.empty() || all))
+        Add(events, 13.0, [this](bmr_vec2 left) {
+            m_canvas.Circle(bmr_vec2_make(left.x + 6.5 * m_unit, left.y), 5.5 * m_unit, {},
+                            {style::kEvent, 1.6 * m_unit, 1.0, {}});
+        });
     if (m_options.layers.contacts && (points != 0 || all))
         Add(all ? "contact point and normal" : Counted(points, "contact point", "contact points"), 8.0,
             [this](bmr_vec2 left) {

@@ -110,6 +110,8 @@ private:
             DrawContacts(canvas, m_world, m_unit);
         if (layers.handedOver)
             DrawHandedOver(canvas, m_world, m_options, m_unit);
+        if (layers.events)
+            DrawEvents(canvas, m_world, m_options, m_unit);
     }
 
     std::vector<int> NamedBodies() const {

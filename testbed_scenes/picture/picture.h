@@ -17,6 +17,7 @@ struct Layers {
     bool slack = true;        ///< how far apart that proves them, as colour
     bool handedOver = true;   ///< pairs for which a manifold was needed
     bool contacts = true;     ///< points of the manifolds
+    bool events = true;       ///< pairs to whose certificate something happened in the step
     bool hulls = false, envelopes = false, boxes = false;
 };
 

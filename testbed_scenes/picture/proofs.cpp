@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "picture/slack_scale.h"
 #include "picture/style.h"
@@ -328,6 +329,38 @@ void DrawHandedOver(Canvas &canvas, const WorldView &world, const PictureOptions
                         bmr_vec2_make(at.x + half, at.y), bmr_vec2_make(at.x, at.y + half)},
                        {}, pen);
     }
+}
+
+namespace {
+
+/// Of the frame's own step, and no call of Box2D's.
+bool IsShown(const WorldView &world, const recording::Event &event) {
+    return event.step == world.Frame().step && event.kind != "begin" && event.kind != "end";
+}
+
+} // namespace
+
+void DrawEvents(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit) {
+    std::set<std::pair<int, int>> happened;
+    for (const recording::Event &event : world.Frame().events)
+        if (IsShown(world, event))
+            happened.insert(std::minmax(event.a, event.b));
+    for (const Pair &pair : world.Frame().pairs)
+        if (happened.count(std::minmax(pair.a, pair.b)) != 0 && IsInFocus(options, pair))
+            canvas.Circle(PlaceOf(world, pair), 7.0 * unit / canvas.Scale(), {},
+                          {style::kEvent, 1.6 * unit, 1.0, {}});
+}
+
+std::map<std::string, std::size_t> EventsInFocus(const WorldView &world, const PictureOptions &options) {
+    std::map<std::string, std::size_t> kinds;
+    for (const recording::Event &event : world.Frame().events) {
+        recording::Pair pair;
+        pair.a = event.a;
+        pair.b = event.b;
+        if (IsShown(world, event) && IsInFocus(options, pair))
+            kinds[event.kind] += 1;
+    }
+    return kinds;
 }
 
 } // namespace testbed

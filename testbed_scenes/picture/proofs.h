@@ -2,6 +2,7 @@
 #ifndef BOOMERANG_TESTBED_PICTURE_PROOFS_H
 #define BOOMERANG_TESTBED_PICTURE_PROOFS_H
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,10 @@ void DrawExplained(Canvas &canvas, const WorldView &world, const PictureOptions 
                    Explained *explained);
 /// A diamond at each pair that needed a manifold; a dashed stroke first, where it does not touch.
 void DrawHandedOver(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
+/// A ring at each pair to whose certificate something happened in the step.
+void DrawEvents(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
+/// What that was, by its name in the paper, and how often.
+std::map<std::string, std::size_t> EventsInFocus(const WorldView &world, const PictureOptions &options);
 
 /// Is the pair one of those that the bodies in focus are about? All are, without any.
 bool IsInFocus(const PictureOptions &options, const recording::Pair &pair);

@@ -62,7 +62,7 @@ test_pixels_are_the_golden_ones() {
 test_every_layer_draws_something_of_its_own() {
     local layer
     draw "$scratch/none.svg" coins-gas --size 60 --step 60 --width 500 --prefilter off --structure lazy-compass --bare
-    for layer in certificates slack handed-over contacts hulls envelopes aabbs; do
+    for layer in certificates slack handed-over contacts events hulls envelopes aabbs; do
         draw "$scratch/$layer.svg" coins-gas --size 60 --step 60 --width 500 --prefilter off --structure lazy-compass \
             "--$layer"
         ! same_svg "$scratch/none.svg" "$scratch/$layer.svg" || fail "--$layer draws nothing"
