@@ -65,7 +65,7 @@ private:
 
     /// The newest for this manager, or nullptr.
     static ShortList *Of(const b2ContactManager *manager) {
-        ShortList *list = stepping.shortList;
+        ShortList *list = stepping.shortList == nullptr ? nullptr : stepping.shortList->Object();
         while (list != nullptr && list->m_manager != manager)
             list = list->Older();
         return list;

@@ -20,22 +20,6 @@ class StepMark;
 class TouchingList;
 class UntoldImpacts;
 
-/// What the hooks keep on a thread while it steps worlds, and no longer. (Marks and lists are chained: see
-/// InChain. A list is looked up by the world it is of.)
-struct Stepping {
-    StepMark *mark;        ///< the newest of the steps that have not ended; nullptr outside of steps
-    ShortList *shortList;  ///< the newest that is alive
-    uint32_t knownImpacts; ///< so many questions are left that KnownImpacts sends to Box2D
-    bool *stepComplete;    ///< while there are any: what KnownImpacts sets to true
-    /// Whose new contacts were looked for last, if that came by here.
-    const b2ContactManager *searched;
-    TouchingList *touchingList; ///< the newest that is alive
-    UntoldImpacts *untold;      ///< of the newest search for impacts that has not ended
-};
-
-/// This thread's. One load: the library is there when the program starts.
-extern __thread Stepping stepping __attribute__((tls_model("initial-exec")));
-
 /// An object that lives for as long as a call of Box2D's does, in the chain of all of its kind on this
 /// thread. A listener may step another world, or its own; and steps of two worlds may be interleaved on one
 /// thread, where each runs on a stack of its own and a listener leaves one for the other: the later one need
@@ -45,13 +29,15 @@ public:
     InChain(const InChain &) = delete;
     InChain &operator=(const InChain &) = delete;
 
+    /// What this is a part of; once that is made.
+    T *Object() { return static_cast<T *>(this); }
+
 protected:
     /// `newest`: the chain's beginning, in `stepping`.
-    explicit InChain(T **newest) : m_newest(newest), m_older(*newest) {
-        T *const self = static_cast<T *>(this);
+    explicit InChain(InChain **newest) : m_newest(newest), m_older(*newest) {
         if (m_older != nullptr)
-            m_older->m_newer = self;
-        *newest = self;
+            m_older->m_newer = this;
+        *newest = this;
     }
     ~InChain() {
         if (m_older != nullptr)
@@ -62,13 +48,29 @@ protected:
             *m_newest = m_older;
     }
 
-    T *Older() const { return m_older; } ///< nullptr: this is the oldest
+    T *Older() const { return m_older == nullptr ? nullptr : m_older->Object(); } ///< nullptr: the oldest
     bool IsNewest() const { return m_newer == nullptr; }
 
 private:
-    T **m_newest;
-    T *m_older, *m_newer = nullptr;
+    InChain **m_newest;
+    InChain *m_older, *m_newer = nullptr;
 };
+
+/// What the hooks keep on a thread while it steps worlds, and no longer. (Marks and lists are chained: see
+/// InChain. A list is looked up by the world it is of.)
+struct Stepping {
+    InChain<StepMark> *mark;       ///< the newest of the steps that have not ended; nullptr outside of steps
+    InChain<ShortList> *shortList; ///< the newest that is alive
+    uint32_t knownImpacts;         ///< so many questions are left that KnownImpacts sends to Box2D
+    bool *stepComplete;            ///< while there are any: what KnownImpacts sets to true
+    /// Whose new contacts were looked for last, if that came by here.
+    const b2ContactManager *searched;
+    InChain<TouchingList> *touchingList; ///< the newest that is alive
+    InChain<UntoldImpacts> *untold;      ///< of the newest search for impacts that has not ended
+};
+
+/// This thread's. One load: the library is there when the program starts.
+extern __thread Stepping stepping __attribute__((tls_model("initial-exec")));
 
 /// Only in a step, and rounding to nearest, are questions answered here; whoever else calls these functions
 /// gets Box2D's own.

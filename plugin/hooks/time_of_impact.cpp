@@ -38,7 +38,7 @@ void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
         RealTimeOfImpact(output, input);
         NoteTimeOfImpactIsReached();
         if (output->state == b2TOIOutput::e_touching && stepping.untold != nullptr)
-            stepping.untold->FoundImpact();
+            stepping.untold->Object()->FoundImpact();
         return;
     }
     if (AnyBigPolygon() && BigImpact(output, *input))

@@ -207,7 +207,8 @@ void TouchingList::OpenLists() {
 }
 
 void TouchingList::Open(const b2ContactManager *manager) {
-    for (TouchingList *list = stepping.touchingList; list != nullptr; list = list->Older())
+    TouchingList *list = stepping.touchingList == nullptr ? nullptr : stepping.touchingList->Object();
+    for (; list != nullptr; list = list->Older())
         if (list->m_manager == manager)
             list->OpenLists();
 }
