@@ -100,9 +100,12 @@ SceneTable TimeTable(int repeat) {
                 {"whole step, us", "linked", "plugin.step_us_per_step", 1},
                 {kRatioGroup, "register", "ratio_register.step", 2},
                 {kRatioGroup, "linked", "ratio.step", 2},
+                {kRatioGroup, "from", "ratio.step_least", 2},
+                {kRatioGroup, "to", "ratio.step_greatest", 2},
             },
             {"time: median of " + std::to_string(repeat) +
-             " runs; ratio: stock / plugin, the median over pairs of runs; above 1 the plugin is faster"}};
+                 " runs; ratio: stock / plugin, the median over pairs of runs; above 1 the plugin is faster",
+             "from, to: the least and the greatest of the pairs, linked: a difference within them is noise"}};
 }
 
 const std::vector<std::string> &VerdictLegend() {

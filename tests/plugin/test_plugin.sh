@@ -310,8 +310,8 @@ test_worlds_are_stepped_to_the_very_end() {
 }
 
 test_worlds_that_nobody_listens_to() {
-    plays_as_stock "unheard_game 1 60"
-    plays_as_stock "unheard_game 61 60" BOOMERANG_EVERYWHERE=on
+    plays_as_stock "unheard_game 1 30"
+    plays_as_stock "unheard_game 61 30" BOOMERANG_EVERYWHERE=on
     plays_as_stock "unheard_game thrown" BOOMERANG_EVERYWHERE=on
 }
 
