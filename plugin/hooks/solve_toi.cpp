@@ -6,11 +6,13 @@
 //
 // Where the world has a ledger, contacts whose budget of motion outlasts the sweeps of the step are not even
 // looked at. What the search would have noted at them is told when the first impact of the step is found,
-// ahead of all that may ask for it (untold_impacts.h); a step without an impact needs none of it.
+// ahead of all that may ask for it (untold_impacts.h); a step without an impact needs none of it. Contacts of
+// which neither body stops the other are not touched at all: Box2D reads nothing of what it would have noted
+// there before it looks for impacts again.
 //
-// What a step of Box2D's without an impact leaves behind, and so this: bodies at the beginning of their sweep
-// and out of islands; contacts out of islands, with no impact counted, a time of impact of 1, and the flag
-// that it is known where it was asked for.
+// What a step of Box2D's without an impact leaves behind: bodies at the beginning of their sweep and out of
+// islands; contacts out of islands, with no impact counted, a time of impact of 1, and the flag that it is
+// known where it was asked for. So does this, at all that somebody may read.
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
