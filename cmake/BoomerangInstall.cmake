@@ -25,7 +25,7 @@ install(TARGETS ${boomerang_installed_targets} EXPORT boomerangTargets
 
 file(GLOB core_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/include/boomerang/*.h)
 if(NOT TARGET boomerang_kinetic)
-  list(FILTER core_headers EXCLUDE REGEX "/(kinetic|motion|failure|simulation|families|analysis)\\.h$")
+  list(FILTER core_headers EXCLUDE REGEX "/(kinetic|motion|time_of_contact|failure|simulation|families|analysis)\\.h$")
 endif()
 install(FILES ${core_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang)
 if(TARGET boomerang_box2d)

@@ -114,7 +114,7 @@ bmr_error RegisterConvexContacts() {
     if (convexContactsAreOurs.load(std::memory_order_acquire))
         return BMR_OK;
     if (const char *why = WhyThisBox2DIsUnknown())
-        return why == kNoMemoryToRecognise ? BMR_ERROR_NO_MEMORY : BMR_ERROR_UNKNOWN_ENGINE;
+        return why == kNoMemoryToRecognise ? BMR_ERROR_NO_MEMORY : BMR_ERROR_UNSUPPORTED;
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Registering));
     if (!convexContactsAreOurs.load(std::memory_order_relaxed)) {
         ConvexContact::LearnVtable();

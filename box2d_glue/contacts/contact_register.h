@@ -13,7 +13,7 @@ namespace bmr {
 
 /// Contacts of big ConvexShapes with polygons, circles, edges and chains are ours from here on. To be called
 /// before the first such shape is handed out; any number of times, from any thread. (A world that another
-/// thread steps meanwhile makes its contacts as before or as after.) BMR_ERROR_UNKNOWN_ENGINE where the Box2D
+/// thread steps meanwhile makes its contacts as before or as after.) BMR_ERROR_UNSUPPORTED where the Box2D
 /// of this process is none that the glue knows, now and ever after; BMR_ERROR_NO_MEMORY where there was none
 /// to find that out, this time.
 bmr_error RegisterConvexContacts();

@@ -207,7 +207,9 @@ bool KeepInSlab(Hull *hull, const std::vector<HullMember> &members, const bmr_po
         Forget(hull);
         return false;
     }
-    hull->shape = {polygon, hierarchy};
+    hull->shape = {polygon, {}};
+    if (hierarchy != nullptr)
+        hull->shape.hierarchies[bmr_hierarchy_get_kind(hierarchy)] = hierarchy;
     hull->members = static_cast<HullMember *>(kept);
     hull->memberCount = static_cast<int32_t>(members.size());
     std::uninitialized_copy(members.begin(), members.end(), hull->members);

@@ -41,6 +41,14 @@ constexpr uint32_t kMostHullVertices = 64;
 /// by rounding.
 constexpr double kHullTolerance = 1e-10;
 
+/// What the chosen structure walks on; NULL where it needs none.
+inline const bmr_hierarchy *HierarchyOf(const Hull &hull) {
+    for (const bmr_hierarchy *hierarchy : hull.shape.hierarchies)
+        if (hierarchy != nullptr)
+            return hierarchy;
+    return nullptr;
+}
+
 /// A hull with one reference, built from the fixtures as they are now. Never fails: where geometry or memory
 /// says no, its shape.polygon is NULL and pairs that use it answer nothing.
 Hull *CreateHull(const b2Body *body, const b2Fixture *fixture, b2BlockAllocator *allocator);

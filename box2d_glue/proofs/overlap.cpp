@@ -6,7 +6,7 @@
 
 #include <box2d/b2_distance.h>
 
-#include "boomerang/swept32.h"
+#include "exact32/swept32.h"
 #include "proofs/convex_distance.h"
 #include "proofs/thresholds.h"
 #include "shapes/shapes32.h"

@@ -4,7 +4,7 @@
 
 #include <box2d/b2_math.h>
 
-#include "boomerang/swept32.h"
+#include "exact32/swept32.h"
 
 struct b2DistanceProxy;
 struct b2TOIInput;

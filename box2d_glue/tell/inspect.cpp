@@ -104,11 +104,13 @@ bool FillFromPair(const BodyPair &pair, Proof *proof) {
     if (kinetic.level == BMR_LEVEL_DISKS) {
         FillDisks(pair, kinetic, sides[0], sides[1], proof);
     } else {
-        const bmr_shape &own = hulls[owner]->shape, &others = hulls[1 - owner]->shape;
-        if (own.hierarchy == nullptr || others.hierarchy == nullptr || kinetic.free != 0)
-            FillDirection(*own.polygon, *others.polygon, kinetic, sides[owner], sides[1 - owner], proof);
+        const Hull &own = *hulls[owner], &others = *hulls[1 - owner];
+        if (HierarchyOf(own) == nullptr || HierarchyOf(others) == nullptr || kinetic.free != 0)
+            FillDirection(*own.shape.polygon, *others.shape.polygon, kinetic, sides[owner], sides[1 - owner],
+                          proof);
         else
-            FillEdgeLine(*own.hierarchy, *others.hierarchy, kinetic, sides[owner], sides[1 - owner], proof);
+            FillEdgeLine(*HierarchyOf(own), *HierarchyOf(others), kinetic, sides[owner], sides[1 - owner],
+                         proof);
         proof->normal = FromCertificate(kinetic.certificate.normal);
         proof->ownerIsB = (owner == 1) != swapped;
     }
@@ -257,10 +259,11 @@ int32_t InspectHull(const Proof &proof, bool ofB, int32_t level, b2Vec2 *vertice
     if (pair == nullptr)
         return 0;
     const b2Body *body = ofB ? proof.b.body : proof.a.body;
-    const bmr_shape &shape = (pair->a->body == body ? pair->a : pair->b)->shape;
-    if (shape.hierarchy == nullptr || level == kHullLevel)
-        return CopyVertices(*shape.polygon, vertices, capacity);
-    return CopyEnvelope(*shape.hierarchy, LevelOf(*shape.hierarchy, level), vertices, capacity);
+    const Hull &hull = pair->a->body == body ? *pair->a : *pair->b;
+    const bmr_hierarchy *hierarchy = HierarchyOf(hull);
+    if (hierarchy == nullptr || level == kHullLevel)
+        return CopyVertices(*hull.shape.polygon, vertices, capacity);
+    return CopyEnvelope(*hierarchy, LevelOf(*hierarchy, level), vertices, capacity);
 }
 
 } // namespace bmr

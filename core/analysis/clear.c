@@ -71,6 +71,7 @@ static double step_end(const decomposition *d, double time, double reach) {
     return end;
 }
 
+/// Theorem 6.2: no more events than the least kappa-clear decomposition, kappa = 2 beta + 1.
 bmr_error bmr_clear_decomposition(const bmr_course *course, double kappa, double diameter, bmr_clear *clear) {
     if (!course || !clear || !course->polygons[0] || !course->polygons[1] || !course->motions[0] ||
         !course->motions[1])

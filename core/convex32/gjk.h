@@ -3,7 +3,7 @@
 #define BOOMERANG_CONVEX32_GJK_H
 
 #include "boomerang/convex32_distance.h"
-#include "boomerang/vector.h"
+#include "boomerang/pose.h"
 
 /// @file
 /// The search of Gilbert, Johnson and Keerthi for the closest points, which distance, cast and impact share.

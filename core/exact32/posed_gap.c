@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "boomerang/swept32.h"
+#include "exact32/swept32.h"
 
 #include <float.h>
 #include <math.h>

@@ -25,7 +25,7 @@ int main(void) {
                                    {{1.5, 0}, {0.5, 0.8}, {-0.5, 0.8}, {-1.5, 0}, {-0.5, -0.8}, {0.5, -0.8}}};
     bmr_polygon *polygons[2];
     bmr_hierarchy *hierarchies[2];
-    bmr_kds_shape shapes[2] = {{0}, {0}};
+    bmr_shape shapes[2] = {{0}, {0}};
     for (int i = 0; i < 2; ++i) {
         require(bmr_polygon_create(points[i], 6, NULL, &polygons[i]));
         require(bmr_hierarchy_build_dudley(polygons[i], NULL, &hierarchies[i]));
@@ -41,7 +41,7 @@ int main(void) {
         require(bmr_motion_create(&pieces[i], NULL, &motions[i]));
 
     bmr_simulation_def def = bmr_default_simulation_def();
-    def.structure = bmr_kds_find("lazy-dudley");
+    require(bmr_kds_find("lazy-dudley", &def.structure));
     bmr_simulation *simulation;
     require(bmr_simulation_create(&def, shapes, motions, 2, 0.0, print_event, NULL, NULL, &simulation));
     require(bmr_simulation_run(simulation, 4.0));

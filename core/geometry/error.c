@@ -35,14 +35,16 @@ const char *bmr_error_describe(bmr_error error) {
     case BMR_ERROR_STALLED:
         return "a pair has event after event while time stands still: give it a larger margin or hysteresis, "
                "or other motions";
-    case BMR_ERROR_UNKNOWN_ENGINE:
-        return "the Box2D of this process is none that this library knows: use 2.4.1, or at most 8 vertices";
+    case BMR_ERROR_UNSUPPORTED:
+        return "this process has a part or a version of it that the call cannot work with: its comment says "
+               "which it "
+               "can";
     case BMR_ERROR_TOO_FEW_POINTS:
         return "a polygon with an area needs at least three points that are not on one line: add one beside "
                "it";
     case BMR_ERROR_TOO_CLOSE:
-        return "two points are so close together that the physics engine would make one of them: leave one "
-               "out, or make the polygon larger";
+        return "two points are so close together that they would become one: leave one out, or make the "
+               "polygon larger";
     case BMR_ERROR_NEGATIVE:
         return "a tolerance is below 0: give 0 where nothing may change";
     case BMR_ERROR_CORNER_TOO_LARGE:
@@ -55,6 +57,9 @@ const char *bmr_error_describe(bmr_error error) {
         return "a hierarchy was built over another polygon than the one beside it, or is of another kind "
                "than "
                "its place says: build it over this polygon";
+    case BMR_ERROR_UNKNOWN_NAME:
+        return "nothing has that name: the call beside the one that looked for it lists the names that there "
+               "are";
     case BMR_ERROR_COUNT:
         break;
     }

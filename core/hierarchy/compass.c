@@ -61,6 +61,8 @@ void bmr_compass_destroy(bmr_compass *compass, const bmr_allocator *allocator) {
         bmr_release(allocator, compass, compass_bytes(compass->levels));
 }
 
+/// Lemma 3.3(a): a compass boomerang of level i is O(D/2^i) high.
+/// Lemma 3.3(b): O(sqrt(D/s) log(D/s)) compass boomerangs are at least s high.
 bmr_error bmr_hierarchy_build_compass(const bmr_polygon *polygon, const bmr_compass *compass,
                                       const bmr_allocator *allocator, bmr_hierarchy **hierarchy) {
     if (!polygon || !compass || !hierarchy)

@@ -132,6 +132,8 @@ static uint32_t collect_items(const bmr_polygon *p, const feature *features, bmr
     return c.count;
 }
 
+/// Lemma 3.4(a): a Dudley boomerang of level i is O(D/4^i) high.
+/// Lemma 3.4(b): O(sqrt(D/s)) Dudley boomerangs are at least s high.
 bmr_error bmr_hierarchy_build_dudley(const bmr_polygon *polygon, const bmr_allocator *allocator,
                                      bmr_hierarchy **hierarchy) {
     if (!polygon || !hierarchy)

@@ -3,6 +3,7 @@
 
 #include "hierarchy/tree.h"
 
+/// Section 6, tuning: with richer roots and slower offsets beta nears 1 and kappa nears 3.
 bmr_inflation bmr_inflation_make(double diameter, double alpha, double ratio, uint32_t root_level) {
     const bmr_inflation inflation = {alpha * diameter, ratio, root_level};
     return inflation;

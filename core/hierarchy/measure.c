@@ -44,6 +44,7 @@ bmr_vec2 bmr_hierarchy_apex(const bmr_hierarchy *hierarchy, bmr_edge edge) {
                          &hierarchy->nodes[node->outer_after]);
 }
 
+/// Lemma 3.1: in one level O(sqrt(D/s)) boomerangs are at least s high.
 double bmr_hierarchy_height(const bmr_hierarchy *hierarchy, bmr_edge edge) {
     if (edge < BMR_ROOTS)
         return 0.0;

@@ -106,6 +106,7 @@ static outer outer_of(const bmr_mixed *mixed, const bmr_mixed_cell *cell) {
     return o;
 }
 
+/// Lemma 4.2: a full turn of Q turns O(mn log m) pages.
 void bmr_mixed_orders(const bmr_mixed *mixed, const bmr_mixed_cell *cell, bmr_mixed_order orders[2]) {
     const uint8_t x = cell->owner, y = (uint8_t)(1 - x);
     if (cell->kind == BMR_MIXED_TRIANGLE || cell->kind == BMR_MIXED_OUTSIDE) {
@@ -398,6 +399,7 @@ bmr_mixed_cell bmr_mixed_down(const bmr_mixed *mixed, int body, bmr_edge g, cons
     return cell;
 }
 
+/// Lemma 4.3: the neighbour of a cell at a point of its border is found in O(log n).
 bmr_mixed_cell bmr_mixed_next(const bmr_mixed *mixed, const bmr_mixed_cell *cell, bmr_mixed_role role,
                               const bmr_mixed_ray *ray, unsigned *touched) {
     const int x = cell->owner, other = 1 - x;

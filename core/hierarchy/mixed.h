@@ -2,7 +2,7 @@
 #ifndef BMR_HIERARCHY_MIXED_H
 #define BMR_HIERARCHY_MIXED_H
 
-#include "boomerang/mixed.h"
+#include "hierarchy/mixed_cells.h"
 
 /// @file
 /// What the files of the mixed hierarchy share. Directions and points here are in A's frame; those of body 1

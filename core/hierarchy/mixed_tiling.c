@@ -178,6 +178,8 @@ void bmr_mixed_tiling_build(bmr_mixed_tiling *tiling, const bmr_mixed *mixed, si
     list_below(tiling);
 }
 
+/// Lemma 4.1: the mixed hierarchy has O((n + m) log m) cells.
+/// Lemma 4.4(a): O(sqrt(D/s) log(D/s)) and O(sqrt(D/s)) mixed cells are at least s high.
 bmr_error bmr_mixed_tiling_create(const bmr_mixed *mixed, const bmr_allocator *allocator,
                                   bmr_mixed_tiling **tiling) {
     if (!mixed || !tiling || !mixed->hierarchies[0] || !mixed->hierarchies[1])

@@ -2,7 +2,7 @@
 #ifndef BMR_HIERARCHY_MIXED_TILING_H
 #define BMR_HIERARCHY_MIXED_TILING_H
 
-#include "boomerang/mixed.h"
+#include "hierarchy/mixed_cells.h"
 
 /// @file
 /// A tiling in a block of the caller's.

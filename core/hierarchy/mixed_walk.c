@@ -77,6 +77,7 @@ static bool follow(const bmr_mixed *mixed, bmr_mixed_cell *cell, const bmr_mixed
     return false;
 }
 
+/// Lemma 4.4(b): a convex curve meets O(log(D/s)) and O(sqrt(D/s)) mixed triangles.
 bool bmr_mixed_walk(const bmr_mixed *mixed, bmr_mixed_cell *cell, bmr_vec2 from, bmr_vec2 to,
                     unsigned *touched) {
     const bmr_mixed_ray ray = {from, bmr_sub(to, from)};

@@ -88,6 +88,8 @@ bmr_corner bmr_hierarchy_refine(const bmr_hierarchy *hierarchy, bmr_corner corne
     return corner;
 }
 
+/// Lemma 3.3(d): at distance s, compass envelopes of O(log(D/s)) edges are disjoint.
+/// Lemma 3.4(d): at distance s, Dudley envelopes of O(log(D/s)) edges are disjoint.
 bmr_corner bmr_hierarchy_extreme(const bmr_hierarchy *hierarchy, bmr_vec2 direction, uint32_t level) {
     const bmr_edge root = bmr_tree_quadrant(direction);
     const bmr_corner top = {root, (root + 1) % BMR_ROOTS, bmr_tree_link(hierarchy->nodes[root].child_after)};

@@ -363,6 +363,8 @@ static bool leave_cell(bmr_kds *kds, const cell_state *left, const bmr_condition
     return !same_cell(left, s) || force_over(kds, failed, x, touched);
 }
 
+/// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
+/// Theorem 5.3: rigid motions: O(log min{n, D/s}) an event, O(mu^2) events.
 static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     cell_state *s = state_of(kds);
     bmr_condition held[BMR_KDS_MAX_CONDITIONS];
@@ -402,14 +404,14 @@ static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
     return is_its_tile ? bmr_held_audit(&s->held, b_in_a) : BMR_ERROR_INVALID_STRUCTURE;
 }
 
-static size_t tiling_bytes(const bmr_kds_shape *a, const bmr_kds_shape *b, int hierarchy) {
+static size_t tiling_bytes(const bmr_shape *a, const bmr_shape *b, int hierarchy) {
     return bmr_mixed_tiling_most_bytes(a->hierarchies[hierarchy], b->hierarchies[hierarchy]);
 }
-static size_t compass_tiling_bytes(const bmr_kds_shape *a, const bmr_kds_shape *b, const bmr_kds_def *def) {
+static size_t compass_tiling_bytes(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {
     (void)def;
     return tiling_bytes(a, b, BMR_HIERARCHY_COMPASS);
 }
-static size_t dudley_tiling_bytes(const bmr_kds_shape *a, const bmr_kds_shape *b, const bmr_kds_def *def) {
+static size_t dudley_tiling_bytes(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {
     (void)def;
     return tiling_bytes(a, b, BMR_HIERARCHY_DUDLEY);
 }
@@ -434,27 +436,27 @@ const bmr_kds_info bmr_kds_active_cell_compass = {"active-cell-compass",
                                                   "Active cell of the mixed hierarchy, compass",
                                                   "4, 5 (two polygons, rigid motion)",
                                                   BMR_KDS_RIGID,
-                                                  false,
+                                                  BMR_KDS_CONTROL,
                                                   BMR_HIERARCHY_COMPASS,
                                                   &implicit_cell};
 const bmr_kds_info bmr_kds_active_cell_dudley = {"active-cell-dudley",
                                                  "Active cell of the mixed hierarchy, Dudley",
                                                  "4, 5 (two polygons, rigid motion)",
                                                  BMR_KDS_RIGID,
-                                                 false,
+                                                 BMR_KDS_CONTROL,
                                                  BMR_HIERARCHY_DUDLEY,
                                                  &implicit_cell};
 const bmr_kds_info bmr_kds_tiling_compass = {"tiling-compass",
                                              "The whole mixed hierarchy as a tiling, compass",
                                              "4 (if we are willing to construct it)",
                                              BMR_KDS_TRANSLATION,
-                                             false,
+                                             BMR_KDS_CONTROL,
                                              BMR_HIERARCHY_COMPASS,
                                              &compass_tiling};
 const bmr_kds_info bmr_kds_tiling_dudley = {"tiling-dudley",
                                             "The whole mixed hierarchy as a tiling, Dudley",
                                             "4 (if we are willing to construct it)",
                                             BMR_KDS_TRANSLATION,
-                                            false,
+                                            BMR_KDS_CONTROL,
                                             BMR_HIERARCHY_DUDLEY,
                                             &dudley_tiling};

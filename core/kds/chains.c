@@ -6,12 +6,12 @@ static size_t bytes_for(const bmr_hierarchy *hierarchy) {
     return (4 * count + 2) * sizeof(uint32_t);
 }
 
-size_t bmr_kds_chains_bytes_compass(const bmr_kds_shape *a, const bmr_kds_shape *b, const bmr_kds_def *def) {
+size_t bmr_kds_chains_bytes_compass(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {
     (void)b, (void)def;
     return bytes_for(a->hierarchies[BMR_HIERARCHY_COMPASS]);
 }
 
-size_t bmr_kds_chains_bytes_dudley(const bmr_kds_shape *a, const bmr_kds_shape *b, const bmr_kds_def *def) {
+size_t bmr_kds_chains_bytes_dudley(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {
     (void)b, (void)def;
     return bytes_for(a->hierarchies[BMR_HIERARCHY_DUDLEY]);
 }
@@ -64,6 +64,7 @@ const bmr_kds_chains *bmr_kds_chains_of(const bmr_kds *kds) {
     return &((const bmr_chained_state *)(const void *)kds->state)->chains;
 }
 
+/// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
 bmr_edge bmr_kds_chains_search(const bmr_kds_chains *chains, const bmr_hierarchy *hierarchy, bmr_edge edge,
                                bmr_vec2 x, double need, unsigned *steps) {
     const int end = bmr_point_is_after(hierarchy, edge, x);

@@ -22,8 +22,8 @@ typedef struct bmr_chained_state {
     bmr_kds_chains chains; ///< the arrays follow
 } bmr_chained_state;
 
-size_t bmr_kds_chains_bytes_compass(const bmr_kds_shape *a, const bmr_kds_shape *b, const bmr_kds_def *def);
-size_t bmr_kds_chains_bytes_dudley(const bmr_kds_shape *a, const bmr_kds_shape *b, const bmr_kds_def *def);
+size_t bmr_kds_chains_bytes_compass(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def);
+size_t bmr_kds_chains_bytes_dudley(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def);
 /// As bmr_point_prepare, and fills the chains. O(n).
 bmr_error bmr_kds_chains_prepare(bmr_kds *kds);
 

@@ -67,6 +67,6 @@ const bmr_kds_info bmr_kds_closest_features = {.name = "closest-features",
                                                .title = "rival: closest pair of features",
                                                .section = "5, introduction",
                                                .domain = BMR_KDS_RIGID,
-                                               .rival = true,
+                                               .role = BMR_KDS_RIVAL,
                                                .hierarchy = -1,
                                                .implementation = &implementation};

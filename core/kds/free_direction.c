@@ -96,6 +96,7 @@ static bmr_vec2 leaning(const bmr_kds *kds, const bmr_pose *pose, bmr_vec2 close
     return bmr_rotate(&turn, closest);
 }
 
+/// Section 7, open question: hysteresis, path-sensitivity and all bounds, in one structure of linear size.
 /// A new line. `before` is the direction of the one that failed, or NULL.
 static bool select_line(bmr_kds *kds, const bmr_instant *now, const bmr_vec2 *before) {
     free_state *s = state_of(kds);
@@ -182,11 +183,18 @@ static const free_class fd1 = FREE_CLASS(1, 0.5, false), fd2 = FREE_CLASS(2, 0.3
                         fdx = FREE_CLASS(0, 0.0, false), fdxa = FREE_CLASS(0, 0.0, true);
 
 const bmr_kds_info bmr_kds_free_fd1 = {
-    "free-fd1", "Free direction, one corner", "6, the open question", BMR_KDS_RIGID, false, -1, &fd1};
-const bmr_kds_info bmr_kds_free_fd2 = {
-    "free-fd2", "Free direction, two corners", "6, the open question", BMR_KDS_RIGID, false, -1, &fd2};
+    "free-fd1", "Free direction, one corner", "6, the open question", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1,
+    &fd1};
+const bmr_kds_info bmr_kds_free_fd2 = {"free-fd2",    "Free direction, two corners", "6, the open question",
+                                       BMR_KDS_RIGID, BMR_KDS_RECOMMENDED,           -1,
+                                       &fd2};
 const bmr_kds_info bmr_kds_free_fdx = {
-    "free-fdx", "Free direction, exact support", "beyond the paper", BMR_KDS_RIGID, false, -1, &fdx};
-const bmr_kds_info bmr_kds_free_fdxa = {
-    "free-fdxa", "Free direction, exact support, leaning ahead", "beyond the paper", BMR_KDS_RIGID, false, -1,
-    &fdxa};
+    "free-fdx", "Free direction, exact support", "beyond the paper", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1,
+    &fdx};
+const bmr_kds_info bmr_kds_free_fdxa = {"free-fdxa",
+                                        "Free direction, exact support, leaning ahead",
+                                        "beyond the paper",
+                                        BMR_KDS_RIGID,
+                                        BMR_KDS_CONTROL,
+                                        -1,
+                                        &fdxa};

@@ -68,6 +68,7 @@ static bmr_vec2 normal_in(const bmr_mixed_figure *f, int body, bmr_edge edge) {
     return f->lines[of][i].normal;
 }
 
+/// Lemma 4.2: a full turn of Q turns O(mn log m) pages.
 /// -B's normals are those of B turned round.
 static bmr_condition condition_of_order(const bmr_held_cell *held, const bmr_mixed_figure *f,
                                         const bmr_mixed_order *order) {

@@ -2,7 +2,7 @@
 #ifndef BMR_KDS_HELD_CELL_H
 #define BMR_KDS_HELD_CELL_H
 
-#include "boomerang/mixed.h"
+#include "hierarchy/mixed_cells.h"
 #include "kds/structure.h"
 
 /// @file

@@ -54,6 +54,7 @@ static bmr_error prepare(bmr_kds *kds) {
     return BMR_OK;
 }
 
+/// Section 6, rotational hysteresis: after an event P moves Omega(d) or turns by Omega(d/D).
 /// The window around a corner of the other body's envelope.
 static void make_window(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *pose, bmr_corner corner,
                         int level) {
@@ -89,6 +90,8 @@ static void take_edge(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *
     make_window(w, kds, pose, best->corner[1 - owner], walk->level);
 }
 
+/// Lemma 6.1: after an event P moves d/beta before the next, beta = 2 (1 + sqrt 2).
+/// Section 6, two polygons: the new edge is of the inflated envelope that holds the vertex.
 /// The coarsest level at which an edge has a slack of eps_j, and the edge of most slack there. Where no level
 /// has: the best edge of the polygons themselves, without any promise; and where not even that one clears the
 /// margin, the closest direction, which does.
@@ -185,20 +188,20 @@ const bmr_kds_info bmr_kds_inflated_translation = {"inflated-translation",
                                                    "Inflated compass, translational hysteresis",
                                                    "6",
                                                    BMR_KDS_TRANSLATION,
-                                                   false,
+                                                   BMR_KDS_RECOMMENDED,
                                                    BMR_HIERARCHY_COMPASS,
                                                    &translation};
 const bmr_kds_info bmr_kds_inflated_window = {"inflated-window",
                                               "Inflated compass, three-vertex window",
                                               "6, rotational hysteresis",
                                               BMR_KDS_RIGID,
-                                              false,
+                                              BMR_KDS_RECOMMENDED,
                                               BMR_HIERARCHY_COMPASS,
                                               &window};
 const bmr_kds_info bmr_kds_inflated_nowindow = {"inflated-nowindow",
                                                 "Inflated compass, no window",
                                                 "the control of section 6's rotational hysteresis",
                                                 BMR_KDS_RIGID,
-                                                false,
+                                                BMR_KDS_CONTROL,
                                                 BMR_HIERARCHY_COMPASS,
                                                 &no_window};

@@ -306,6 +306,6 @@ const bmr_kds_info bmr_kds_inner_tangent = {.name = "inner-tangent",
                                             .title = "rival: inner common tangent",
                                             .section = "5, introduction",
                                             .domain = BMR_KDS_RIGID,
-                                            .rival = true,
+                                            .role = BMR_KDS_RIVAL,
                                             .hierarchy = -1,
                                             .implementation = &implementation};

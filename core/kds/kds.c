@@ -34,12 +34,12 @@ static bool def_makes_sense(const bmr_kds_def *def) {
 }
 
 /// Is the hierarchy that stands in this place of this kind, and built over this polygon?
-static bool is_of(const bmr_kds_shape *shape, int kind) {
+static bool is_of(const bmr_shape *shape, int kind) {
     return bmr_tree_is_of(shape->hierarchies[kind], kind, shape->polygon);
 }
 
-bmr_error bmr_kds_create(const bmr_kds_info *info, const bmr_kds_def *def, const bmr_kds_shape *a,
-                         const bmr_kds_shape *b, const bmr_allocator *allocator, bmr_kds **kds) {
+bmr_error bmr_kds_create(const bmr_kds_info *info, const bmr_kds_def *def, const bmr_shape *a,
+                         const bmr_shape *b, const bmr_allocator *allocator, bmr_kds **kds) {
     if (!info || !def || !a || !b || !kds || !a->polygon || !b->polygon)
         return BMR_ERROR_NULL_ARGUMENT;
     if (info->hierarchy >= 0 && (!a->hierarchies[info->hierarchy] || !b->hierarchies[info->hierarchy]))

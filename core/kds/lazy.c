@@ -244,6 +244,8 @@ static bool search(repair *r) {
     return true;
 }
 
+/// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
+/// Theorem 5.3: rigid motions: O(log min{n, D/s}) an event, O(mu^2) events.
 static bool repair_pair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     (void)failed;
     repair r = begin(kds, now, report);
@@ -302,20 +304,20 @@ const bmr_kds_info bmr_kds_lazy_compass = {"lazy-compass",
                                            "edge and corner of one level, compass",
                                            "5, two polygons (lazy)",
                                            BMR_KDS_RIGID,
-                                           false,
+                                           BMR_KDS_CONTROL,
                                            BMR_HIERARCHY_COMPASS,
                                            &lazy};
 const bmr_kds_info bmr_kds_lazy_dudley = {"lazy-dudley",
                                           "edge and corner of one level, Dudley",
                                           "5, two polygons (lazy)",
                                           BMR_KDS_RIGID,
-                                          false,
+                                          BMR_KDS_RECOMMENDED,
                                           BMR_HIERARCHY_DUDLEY,
                                           &lazy};
-const bmr_kds_info bmr_kds_lazy_dk = {"lazy-dk",
+const bmr_kds_info bmr_kds_lazy_dk = {"lazy-dobkin-kirkpatrick",
                                       "edge and corner of one level, Dobkin-Kirkpatrick",
                                       "5, two polygons (lazy)",
                                       BMR_KDS_RIGID,
-                                      false,
+                                      BMR_KDS_CONTROL,
                                       BMR_HIERARCHY_DOBKIN_KIRKPATRICK,
                                       &lazy};

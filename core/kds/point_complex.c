@@ -105,6 +105,6 @@ const bmr_kds_info bmr_kds_point_complex = {"point-complex",
                                             "point: inflated cell complex, compass",
                                             "6, complex of triangles and trapezoids",
                                             BMR_KDS_POINT,
-                                            false,
+                                            BMR_KDS_CONTROL,
                                             BMR_HIERARCHY_COMPASS,
                                             &by_cell};

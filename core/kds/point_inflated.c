@@ -41,6 +41,7 @@ double bmr_point_promised(const bmr_kds *kds, const bmr_inflation *inflation, ui
     return bmr_point_need(kds) - least + (offset > least ? offset : least);
 }
 
+/// Lemma 6.1: after an event P moves d/beta before the next, beta = 2 (1 + sqrt 2).
 bmr_level_choice bmr_point_most_slack(bmr_kds *kds, bmr_vec2 x, bmr_vec2 u, unsigned *touched) {
     const bmr_hierarchy *h = bmr_point_look(kds)->hierarchy;
     const bmr_inflation inflation = bmr_point_inflation(kds);
@@ -166,20 +167,20 @@ const bmr_kds_info bmr_kds_point_inflated_compass = {"point-inflated-compass",
                                                      "point: inflated, entry of the old line, compass",
                                                      "6, breakpoints on the fly",
                                                      BMR_KDS_POINT,
-                                                     false,
+                                                     BMR_KDS_CONTROL,
                                                      BMR_HIERARCHY_COMPASS,
                                                      &by_old_line};
 const bmr_kds_info bmr_kds_point_inflated_dudley = {"point-inflated-dudley",
                                                     "point: inflated, entry of the old line, Dudley",
                                                     "6, breakpoints on the fly",
                                                     BMR_KDS_POINT,
-                                                    false,
+                                                    BMR_KDS_CONTROL,
                                                     BMR_HIERARCHY_DUDLEY,
                                                     &by_old_line};
 const bmr_kds_info bmr_kds_point_inflated_slack = {"point-inflated-slack",
                                                    "point: inflated, most slack, compass",
                                                    "6, edge of most slack",
                                                    BMR_KDS_POINT,
-                                                   false,
+                                                   BMR_KDS_RECOMMENDED,
                                                    BMR_HIERARCHY_COMPASS,
                                                    &by_slack};

@@ -44,6 +44,7 @@ static bmr_edge push(const bmr_kds *kds, bmr_vec2 x) {
     return before > after ? b.outer_before : b.outer_after;
 }
 
+/// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
 bool bmr_point_lazy_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     (void)failed;
     bmr_point_state *state = bmr_point_get(kds);
@@ -81,20 +82,20 @@ const bmr_kds_info bmr_kds_point_lazy_compass = {"point-lazy-compass",
                                                  "point: separating edge, compass",
                                                  "5, one point, one polygon (lazy)",
                                                  BMR_KDS_POINT,
-                                                 false,
+                                                 BMR_KDS_CONTROL,
                                                  BMR_HIERARCHY_COMPASS,
                                                  &lazy};
 const bmr_kds_info bmr_kds_point_lazy_dudley = {"point-lazy-dudley",
                                                 "point: separating edge, Dudley",
                                                 "5, one point, one polygon (lazy)",
                                                 BMR_KDS_POINT,
-                                                false,
+                                                BMR_KDS_RECOMMENDED,
                                                 BMR_HIERARCHY_DUDLEY,
                                                 &lazy};
-const bmr_kds_info bmr_kds_point_lazy_dk = {"point-lazy-dk",
+const bmr_kds_info bmr_kds_point_lazy_dk = {"point-lazy-dobkin-kirkpatrick",
                                             "point: separating edge, Dobkin-Kirkpatrick",
                                             "5, one point, one polygon (lazy)",
                                             BMR_KDS_POINT,
-                                            false,
+                                            BMR_KDS_CONTROL,
                                             BMR_HIERARCHY_DOBKIN_KIRKPATRICK,
                                             &lazy};

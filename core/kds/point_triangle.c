@@ -98,6 +98,10 @@ bool bmr_triangle_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *re
     return apart;
 }
 
+/// Lemma 3.2: a convex curve beside P meets at most one triangle of a level.
+/// Lemma 3.3(c): a convex curve at distance s meets O(log(D/s)) compass triangles.
+/// Lemma 3.4(c): a convex curve at distance s meets O(log(D/s)) Dudley triangles.
+/// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
 bool bmr_triangle_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     (void)failed;
     bmr_point_state *state = bmr_point_get(kds);
@@ -178,27 +182,27 @@ const bmr_kds_info bmr_kds_triangle_levels_compass = {"triangle-levels-compass",
                                                       "point: active triangle, level by level, compass",
                                                       "5, one point, one polygon",
                                                       BMR_KDS_POINT,
-                                                      false,
+                                                      BMR_KDS_CONTROL,
                                                       BMR_HIERARCHY_COMPASS,
                                                       &by_levels};
 const bmr_kds_info bmr_kds_triangle_levels_dudley = {"triangle-levels-dudley",
                                                      "point: active triangle, level by level, Dudley",
                                                      "5, one point, one polygon",
                                                      BMR_KDS_POINT,
-                                                     false,
+                                                     BMR_KDS_CONTROL,
                                                      BMR_HIERARCHY_DUDLEY,
                                                      &by_levels};
 const bmr_kds_info bmr_kds_triangle_binary_compass = {"triangle-binary-compass",
                                                       "point: active triangle, binary search, compass",
                                                       "5, one point, one polygon",
                                                       BMR_KDS_POINT,
-                                                      false,
+                                                      BMR_KDS_CONTROL,
                                                       BMR_HIERARCHY_COMPASS,
                                                       &by_bisection_compass};
 const bmr_kds_info bmr_kds_triangle_binary_dudley = {"triangle-binary-dudley",
                                                      "point: active triangle, binary search, Dudley",
                                                      "5, one point, one polygon",
                                                      BMR_KDS_POINT,
-                                                     false,
+                                                     BMR_KDS_CONTROL,
                                                      BMR_HIERARCHY_DUDLEY,
                                                      &by_bisection_dudley};

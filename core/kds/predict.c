@@ -384,13 +384,15 @@ static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
 static const predict_class plain = PREDICT_CLASS(PLAIN_ACROSS, false),
                            adaptive = PREDICT_CLASS(ADAPTIVE_ACROSS, true);
 
-const bmr_kds_info bmr_kds_predict = {
-    "predict", "Free direction of the longest predicted life", "beyond the paper", BMR_KDS_RIGID, false, -1,
-    &plain};
-const bmr_kds_info bmr_kds_predict_adaptive = {"predict-adaptive",
-                                               "Free direction, prediction that learns to doubt",
-                                               "beyond the paper",
-                                               BMR_KDS_RIGID,
-                                               false,
-                                               -1,
-                                               &adaptive};
+const bmr_kds_info bmr_kds_predict = {"predict",
+                                      "Free direction of the longest predicted life",
+                                      "beyond the paper",
+                                      BMR_KDS_RIGID,
+                                      BMR_KDS_RECOMMENDED,
+                                      -1,
+                                      &plain};
+const bmr_kds_info bmr_kds_predict_adaptive = {
+    "predict-adaptive", "Free direction, prediction that learns to doubt",
+    "beyond the paper", BMR_KDS_RIGID,
+    BMR_KDS_CONTROL,    -1,
+    &adaptive};

@@ -2,6 +2,7 @@
 // The table of all structures, in the order of the paper.
 #include "kds/registry.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static const bmr_kds_info *const structures[] = {
@@ -32,9 +33,30 @@ const bmr_kds_info *bmr_kds_at(size_t index) {
     return index < bmr_kds_count() ? structures[index] : NULL;
 }
 
-const bmr_kds_info *bmr_kds_find(const char *name) {
-    for (size_t i = 0; name && i < bmr_kds_count(); i++)
-        if (strcmp(structures[i]->name, name) == 0)
-            return structures[i];
-    return NULL;
+bmr_error bmr_kds_find(const char *name, const bmr_kds_info **info) {
+    if (!name || !info)
+        return BMR_ERROR_NULL_ARGUMENT;
+    for (size_t i = 0; i < bmr_kds_count(); i++)
+        if (strcmp(structures[i]->name, name) == 0) {
+            *info = structures[i];
+            return BMR_OK;
+        }
+    return BMR_ERROR_UNKNOWN_NAME;
+}
+
+/// Appends to a text that is `length` bytes long; returns how long it would be with that. A text that is too
+/// long for `size` is cut, and what comes behind is counted all the same.
+static size_t append(char *text, size_t size, size_t length, const char *format, const char *word) {
+    const size_t left = length < size ? size - length : 0;
+    const int written = snprintf(left > 0 ? text + length : NULL, left, format, word);
+    return length + (written > 0 ? (size_t)written : 0);
+}
+
+size_t bmr_kds_describe_unknown(const char *name, char *text, size_t size) {
+    if (!text)
+        size = 0;
+    size_t length = append(text, size, 0, "there is no structure \"%.64s\"; there are ", name ? name : "");
+    for (size_t i = 0; i < bmr_kds_count(); ++i)
+        length = append(text, size, length, i + 1 < bmr_kds_count() ? "%s, " : "%s", structures[i]->name);
+    return length;
 }

@@ -296,7 +296,7 @@ const bmr_kds_info bmr_kds_separating_edge = {.name = "separating-edge",
                                                   "rival: separating edge of most slack, full resolution",
                                               .section = "5, introduction",
                                               .domain = BMR_KDS_RIGID,
-                                              .rival = true,
+                                              .role = BMR_KDS_RIVAL,
                                               .hierarchy = -1,
                                               .implementation = &implementation};
 
@@ -304,6 +304,6 @@ const bmr_kds_info bmr_kds_separating_edge_walk = {.name = "separating-edge-walk
                                                    .title = "rival: separating edge, full resolution",
                                                    .section = "5, introduction",
                                                    .domain = BMR_KDS_RIGID,
-                                                   .rival = true,
+                                                   .role = BMR_KDS_RIVAL,
                                                    .hierarchy = -1,
                                                    .implementation = &implementation};

@@ -12,7 +12,7 @@
 struct bmr_kds {
     const bmr_kds_info *info;
     bmr_kds_def def;
-    bmr_kds_shape shapes[2]; ///< A, B
+    bmr_shape shapes[2]; ///< A, B
     size_t bytes;
     bool contact, started;
     /// Set by the `prepare` of a rival whose line moves with the pose: the line there (`proof` of its class
@@ -25,7 +25,7 @@ struct bmr_kds {
 typedef struct bmr_kds_class {
     size_t state_bytes;
     /// More bytes than the state's for this pair (an explicit tiling); NULL: none.
-    size_t (*extra_bytes)(const bmr_kds_shape *a, const bmr_kds_shape *b, const bmr_kds_def *def);
+    size_t (*extra_bytes)(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def);
     /// Called once after creation, with the state zeroed; NULL: nothing to do. An error destroys the pair.
     bmr_error (*prepare)(bmr_kds *kds);
     /// True: a proof is in the state. False: the polygons are within the margin (kds.c verifies that by the

@@ -77,7 +77,7 @@ static size_t most_cuts(size_t items, uint32_t levels) {
     return most;
 }
 
-static size_t bytes_for(const bmr_kds_shape *a, const bmr_kds_shape *b, bmr_hierarchy_kind kind) {
+static size_t bytes_for(const bmr_shape *a, const bmr_shape *b, bmr_hierarchy_kind kind) {
     const size_t n = (size_t)a->polygon->count + b->polygon->count;
     if (n > BMR_MAX_VERTICES)
         return 0; // creation fails
@@ -93,11 +93,11 @@ static size_t bytes_for(const bmr_kds_shape *a, const bmr_kds_shape *b, bmr_hier
     return table + polygon + items + tree + (size_t)MOST_BLOCKS * ALIGNMENT;
 }
 
-static size_t bytes_compass(const bmr_kds_shape *a, const bmr_kds_shape *b, const bmr_kds_def *def) {
+static size_t bytes_compass(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {
     (void)def;
     return bytes_for(a, b, BMR_HIERARCHY_COMPASS);
 }
-static size_t bytes_dudley(const bmr_kds_shape *a, const bmr_kds_shape *b, const bmr_kds_def *def) {
+static size_t bytes_dudley(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {
     (void)def;
     return bytes_for(a, b, BMR_HIERARCHY_DUDLEY);
 }
@@ -204,34 +204,31 @@ const bmr_kds_info bmr_kds_sum_triangle_compass = {"sum-triangle-compass",
                                                    "explicit sum: active triangle, compass",
                                                    SECTION,
                                                    BMR_KDS_TRANSLATION,
-                                                   false,
+                                                   BMR_KDS_CONTROL,
                                                    NO_HIERARCHY,
                                                    &triangle_compass};
 const bmr_kds_info bmr_kds_sum_triangle_dudley = {"sum-triangle-dudley",
                                                   "explicit sum: active triangle, Dudley",
                                                   SECTION,
                                                   BMR_KDS_TRANSLATION,
-                                                  false,
+                                                  BMR_KDS_CONTROL,
                                                   NO_HIERARCHY,
                                                   &triangle_dudley};
 const bmr_kds_info bmr_kds_sum_lazy_compass = {"sum-lazy-compass",
                                                "explicit sum: separating edge, compass",
                                                SECTION,
                                                BMR_KDS_TRANSLATION,
-                                               false,
+                                               BMR_KDS_CONTROL,
                                                NO_HIERARCHY,
                                                &lazy_compass};
-const bmr_kds_info bmr_kds_sum_lazy_dudley = {"sum-lazy-dudley",
-                                              "explicit sum: separating edge, Dudley",
-                                              SECTION,
-                                              BMR_KDS_TRANSLATION,
-                                              false,
-                                              NO_HIERARCHY,
+const bmr_kds_info bmr_kds_sum_lazy_dudley = {"sum-lazy-dudley", "explicit sum: separating edge, Dudley",
+                                              SECTION,           BMR_KDS_TRANSLATION,
+                                              BMR_KDS_CONTROL,   NO_HIERARCHY,
                                               &lazy_dudley};
 const bmr_kds_info bmr_kds_sum_inflated_compass = {"sum-inflated-compass",
                                                    "explicit sum: inflated, entry of the old line",
                                                    SECTION,
                                                    BMR_KDS_TRANSLATION,
-                                                   false,
+                                                   BMR_KDS_CONTROL,
                                                    NO_HIERARCHY,
                                                    &inflated_compass};

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "boomerang/kinetic.h"
+#include "kinetic/first_root.h"
 
 /// Halvings of [0, 1] until neighbouring doubles below 1.
 #define MAX_DEPTH 53

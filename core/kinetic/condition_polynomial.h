@@ -3,6 +3,7 @@
 #define BMR_KINETIC_CONDITION_POLYNOMIAL_H
 
 #include "boomerang/condition.h"
+#include "kinetic/first_root.h"
 #include "kinetic/piece.h"
 
 /// A polynomial in u, from 0 to 1 over an interval of time, that has the sign of a condition there.

@@ -136,6 +136,7 @@ static bool condition_finite(const bmr_condition *k) {
            isfinite(k->point.y);
 }
 
+/// Section 2, failure times: when a certificate fails is a root of a polynomial.
 bmr_error bmr_failure_time(const bmr_condition *condition, const bmr_motion *a, const bmr_motion *b,
                            double after, double until, const bmr_failure_options *options, double *time) {
     if (!condition || !a || !b || !options || !time)

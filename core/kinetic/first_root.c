@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "boomerang/kinetic.h"
+#include "kinetic/first_root.h"
 
 #include <float.h>
 #include <limits.h>

@@ -56,7 +56,7 @@ struct bmr_simulation {
     const bmr_allocator *allocator;
     bmr_simulation_def def;
     size_t bytes, body_count, pair_count;
-    bmr_kds_shape *shapes;
+    bmr_shape *shapes;
     const bmr_motion **motions;
     pair *pairs;
     bmr_event_queue queue;
@@ -321,9 +321,9 @@ bool bmr_simulation_lay_out(size_t bodies, size_t limit, bmr_simulation_layout *
         return false;
     const struct {
         size_t *begin, count, each;
-    } arrays[] = {{&l.shapes, bodies, sizeof(bmr_kds_shape)}, {&l.motions, bodies, sizeof(bmr_motion *)},
-                  {&l.pairs, l.pair_count, sizeof(pair)},     {&l.times, l.pair_count, sizeof(double)},
-                  {&l.order, l.pair_count, sizeof(size_t)},   {&l.place, l.pair_count, sizeof(size_t)}};
+    } arrays[] = {{&l.shapes, bodies, sizeof(bmr_shape)},   {&l.motions, bodies, sizeof(bmr_motion *)},
+                  {&l.pairs, l.pair_count, sizeof(pair)},   {&l.times, l.pair_count, sizeof(double)},
+                  {&l.order, l.pair_count, sizeof(size_t)}, {&l.place, l.pair_count, sizeof(size_t)}};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         if (!bmr_size_add(&l.bytes, arrays[i].count, arrays[i].each, _Alignof(max_align_t), limit,
                           arrays[i].begin))
@@ -373,7 +373,7 @@ static bmr_error make_pairs(bmr_simulation *s) {
     return BMR_OK;
 }
 
-bmr_error bmr_simulation_create(const bmr_simulation_def *def, const bmr_kds_shape *shapes,
+bmr_error bmr_simulation_create(const bmr_simulation_def *def, const bmr_shape *shapes,
                                 bmr_motion *const *motions, size_t count, double time,
                                 bmr_simulation_observer observer, void *context,
                                 const bmr_allocator *allocator, bmr_simulation **simulation) {

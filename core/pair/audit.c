@@ -41,7 +41,8 @@ static bool has_edge(const bmr_hierarchy *h, uint32_t edge, uint32_t level) {
 /// the corner is the one nearest to the edge's line.
 static bmr_error audit_lazy(const bmr_pair *pair, const bmr_shape *owner, const bmr_shape *other,
                             const bmr_pose *other_in_owner) {
-    const bmr_hierarchy *own = owner->hierarchy, *facing = other->hierarchy;
+    const bmr_hierarchy *own = owner->hierarchies[pair->structure],
+                        *facing = other->hierarchies[pair->structure];
     const uint32_t level = side_level(facing, pair);
     if (!has_edge(own, pair->edge, side_level(own, pair)) || !has_edge(facing, pair->other, level) ||
         !has_edge(facing, pair->other_after, level))

@@ -198,7 +198,8 @@ static bmr_answer leave(repair *r, double *gap) {
 bmr_answer bmr_lazy_repair(bmr_step *step, bmr_failure failure, double *gap) {
     bmr_pair *pair = step->pair;
     repair r = {step,
-                {{step->shapes[0]->hierarchy, step->shapes[1]->hierarchy},
+                {{step->shapes[0]->hierarchies[step->pair->structure],
+                  step->shapes[1]->hierarchies[step->pair->structure]},
                  step->pose,
                  0,
                  {0, 0},

@@ -114,7 +114,8 @@ _Static_assert(BMR_STRUCTURE_COUNT <= 4, "a pair has two bits for its structure"
 
 /// Has the shape a hierarchy that this structure can walk on?
 static bool walks(const bmr_shape *shape, bmr_structure structure) {
-    const bmr_hierarchy *h = shape->hierarchy;
+    const bmr_hierarchy *h =
+        (unsigned)structure < BMR_HIERARCHY_KIND_COUNT ? shape->hierarchies[structure] : NULL;
     return h && bmr_tree_is_of(h, (int)structure, shape->polygon);
 }
 
@@ -157,9 +158,10 @@ static bool remembers_what_is_there(const bmr_pair *pair, const bmr_shape *a, co
     const bmr_shape *owner = pair->owner == 0 ? a : b, *other = pair->owner == 0 ? b : a;
     if (pair->structure == BMR_FREE_DIRECTION || pair->free)
         return pair->edge < owner->polygon->count && pair->other < other->polygon->count;
-    const bmr_hierarchy *const hierarchies[2] = {owner->hierarchy, other->hierarchy};
-    const uint32_t count = bmr_hierarchy_edge_count(other->hierarchy);
-    return pair->edge < bmr_hierarchy_edge_count(owner->hierarchy) && pair->other < count &&
+    const bmr_hierarchy *const hierarchies[2] = {owner->hierarchies[pair->structure],
+                                                 other->hierarchies[pair->structure]};
+    const uint32_t count = bmr_hierarchy_edge_count(hierarchies[1]);
+    return pair->edge < bmr_hierarchy_edge_count(hierarchies[0]) && pair->other < count &&
            pair->other_after < count && pair->level >= 0 && pair->level <= bmr_walk_deepest(hierarchies);
 }
 
@@ -227,4 +229,24 @@ bmr_answer bmr_pair_advance(bmr_pair *pair, const bmr_pair_def *def, const bmr_s
             return BMR_APART;
     }
     return repair(pair, def, a, b, b_in_a, observer, check, gap);
+}
+
+bmr_error bmr_pairs_check(const bmr_pair *pairs, const bmr_pair_bodies *bodies, size_t count,
+                          const bmr_pose *poses, size_t pose_count, double margin, size_t *failed,
+                          size_t *failed_count) {
+    if (!pairs || !bodies || !poses || !failed || !failed_count)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (!(margin >= 0.0))
+        return BMR_ERROR_OUT_OF_RANGE;
+    size_t number = 0;
+    for (size_t i = 0; i < count; ++i) {
+        if (bodies[i].a >= pose_count || bodies[i].b >= pose_count)
+            return BMR_ERROR_OUT_OF_RANGE;
+        const bmr_pose b_in_a = bmr_pose_relative(&poses[bodies[i].a], &poses[bodies[i].b]);
+        double gap;
+        if (!bmr_pair_takes(&b_in_a) || !bmr_pair_check(&pairs[i], &b_in_a, margin, &gap))
+            failed[number++] = i;
+    }
+    *failed_count = number;
+    return BMR_OK;
 }

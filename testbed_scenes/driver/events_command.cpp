@@ -46,16 +46,18 @@ std::vector<const bmr_kds_info *> StructuresFor(const std::string &word) {
     std::vector<const bmr_kds_info *> found;
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
         const bmr_kds_info *info = bmr_kds_at(i);
-        const bool rival = info->rival, point = info->domain == BMR_KDS_POINT;
+        const bool rival = info->role == BMR_KDS_RIVAL, point = info->domain == BMR_KDS_POINT;
         if (word == info->name || word == "all" || (word == "rivals" && rival) ||
-            (word == "points" && point && !rival) ||
+            (word == "recommended" && info->role == BMR_KDS_RECOMMENDED) ||
+            (word == "controls" && info->role == BMR_KDS_CONTROL) || (word == "points" && point && !rival) ||
             (word == "translation" && info->domain == BMR_KDS_TRANSLATION) ||
             (word == "rigid" && info->domain == BMR_KDS_RIGID && !rival))
             found.push_back(info);
     }
     if (found.empty()) {
         std::vector<std::string> names = StructureNames();
-        names.insert(names.end(), {"all", "rivals", "points", "translation", "rigid"});
+        names.insert(names.end(),
+                     {"all", "recommended", "controls", "rivals", "points", "translation", "rigid"});
         FailUnknown("structure", word, names);
     }
     return found;
@@ -163,9 +165,13 @@ void List() {
         line.resize(std::max<size_t>(28, line.size() + 1), ' ');
         line += domain;
         line.resize(std::max<size_t>(41, line.size() + 1), ' ');
+        line += info->role == BMR_KDS_RECOMMENDED ? "recommended"
+                : info->role == BMR_KDS_RIVAL     ? "rival"
+                                                  : "control";
+        line.resize(std::max<size_t>(54, line.size() + 1), ' ');
         std::cout << line << info->title << " (" << info->section << ")\n";
     }
-    std::cout << "groups\n  all, points, translation, rigid, rivals\nmotions\n ";
+    std::cout << "groups\n  all, recommended, controls, rivals, points, translation, rigid\nmotions\n ";
     for (int i = 0; i < BMR_FAMILY_COUNT; ++i)
         std::cout << ' ' << bmr_family_name(static_cast<bmr_family>(i));
     std::cout << "\nshapes\n ";

@@ -28,8 +28,8 @@ Body::Body(const std::vector<bmr_vec2> &points) {
     m_hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK].reset(hierarchy);
 }
 
-bmr_kds_shape Body::Shape() const {
-    bmr_kds_shape shape = {m_polygon.get(), {}};
+bmr_shape Body::Shape() const {
+    bmr_shape shape = {m_polygon.get(), {}};
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind)
         shape.hierarchies[kind] = m_hierarchies[kind].get();
     return shape;

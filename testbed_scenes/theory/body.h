@@ -22,7 +22,7 @@ public:
 
     const bmr_polygon *Polygon() const { return m_polygon.get(); }
     const bmr_hierarchy *Hierarchy(bmr_hierarchy_kind kind) const { return m_hierarchies[kind].get(); }
-    bmr_kds_shape Shape() const;
+    bmr_shape Shape() const;
     std::vector<bmr_vec2> Vertices() const;
     /// The largest distance of two vertices.
     double Diameter() const;

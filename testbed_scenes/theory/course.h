@@ -61,6 +61,9 @@ Outcome Follow(const Course &course, const bmr_kds_info &structure, const bmr_kd
 /// Does the structure take this course? (A translating one does not take a rotation, a point's no polygon.)
 bool Takes(const bmr_kds_info &structure, const Course &course);
 
+/// The structure of a name. Throws std::runtime_error with the name and all names there are.
+const bmr_kds_info *StructureNamed(const char *name);
+
 } // namespace testbed
 
 #endif

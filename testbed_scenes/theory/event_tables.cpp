@@ -113,7 +113,7 @@ std::optional<double> OverOptimum(const std::vector<Run> &runs, const bmr_kds_in
 }
 
 Bound BoundFor(const bmr_kds_info &structure, bool rigid, bool convex) {
-    if (structure.rival)
+    if (structure.role == BMR_KDS_RIVAL)
         return Bound::None;
     const bool compass = structure.hierarchy == BMR_HIERARCHY_COMPASS,
                point = structure.domain == BMR_KDS_POINT;
@@ -299,9 +299,11 @@ double FiniteOr(const nlohmann::json &value) {
 Run RunFromJson(const nlohmann::json &entry) {
     Run run;
     const std::string structure = entry.at("structure");
-    run.structure = bmr_kds_find(structure.c_str());
-    if (run.structure == nullptr)
-        throw FileError("there is no structure \"" + structure + "\"");
+    try {
+        run.structure = StructureNamed(structure.c_str());
+    } catch (const std::runtime_error &unknown) {
+        throw FileError(unknown.what());
+    }
     run.motion = entry.at("motion");
     run.n = entry.at("n");
     run.ratio = FiniteOr(entry.at("ratio"));

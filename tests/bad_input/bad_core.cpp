@@ -6,13 +6,15 @@
 #include "boomerang/convex32_collide.h"
 #include "boomerang/convex32_distance.h"
 #include "boomerang/convex32_envelope.h"
+#include "boomerang/distance.h"
 #include "boomerang/inflated.h"
 #include "boomerang/kds.h"
 #include "boomerang/minkowski.h"
-#include "boomerang/mixed.h"
 #include "boomerang/pair.h"
-#include "boomerang/swept32.h"
+#include "exact32/swept32.h"
+#include "hierarchy/mixed_cells.h"
 #include "points.h"
+#include "structure_named.h"
 
 using namespace bad_input;
 
@@ -56,19 +58,50 @@ struct World {
         bmr_polygon_destroy(round, nullptr);
         bmr_convex32_destroy(convex, nullptr);
     }
-    bmr_kds_shape Shape() const { return {square, {hierarchies[0], hierarchies[1], hierarchies[2]}}; }
+    bmr_shape Shape() const { return {square, {hierarchies[0], hierarchies[1], hierarchies[2]}}; }
 };
 
-std::string CreateKds(const char *name, void (*spoil)(bmr_kds_def *, bmr_kds_shape *)) {
+std::string CreateKds(const char *name, void (*spoil)(bmr_kds_def *, bmr_shape *)) {
     const World world;
     bmr_kds_def def = bmr_default_kds_def();
-    bmr_kds_shape shape = world.Shape();
+    bmr_shape shape = world.Shape();
     if (spoil != nullptr)
         spoil(&def, &shape);
+    const bmr_kds_info *info = nullptr;
+    bmr_kds_find(name, &info);
     bmr_kds *kds = nullptr;
-    const bmr_error error = bmr_kds_create(bmr_kds_find(name), &def, &shape, &shape, nullptr, &kds);
+    const bmr_error error = bmr_kds_create(info, &def, &shape, &shape, nullptr, &kds);
     bmr_kds_destroy(kds, nullptr);
     return Said(error);
+}
+
+/// Both queries of two squares, one of them at this pose: each must refuse it the same way, and write
+/// nothing.
+std::string Asked(const bmr_pose &pose) {
+    const World world;
+    std::string answers[4];
+    for (int i = 0; i < 4; ++i) {
+        const bmr_pose *a = i % 2 == 0 ? &pose : nullptr, *b = i % 2 == 0 ? nullptr : &pose;
+        bmr_closest_points closest = {-77.0, {}, {}, {}};
+        bmr_overlap overlap = {-77.0, {}, {}, {}};
+        const bmr_error error = i < 2 ? bmr_distance(world.square, a, world.square, b, &closest)
+                                      : bmr_penetration(world.square, a, world.square, b, &overlap);
+        const bool written = closest.distance != -77.0 || overlap.depth != -77.0;
+        answers[i] = Said(error) + (written ? ", and the answer is written" : "");
+        if (answers[i] != answers[0])
+            return answers[0] + " and " + answers[i];
+    }
+    return answers[0];
+}
+
+std::string PairsCheck(uint32_t body, double margin) {
+    bmr_pair pair;
+    bmr_pair_init(&pair);
+    const bmr_pair_bodies bodies = {0, body};
+    const bmr_pose poses[2] = {bmr_pose_identity(), bmr_pose_identity()};
+    size_t failed = 0, count = 77;
+    const bmr_error error = bmr_pairs_check(&pair, &bodies, 1, poses, 2, margin, &failed, &count);
+    return Said(error) + (error != BMR_OK && count != 77 ? ", and the count is written" : "");
 }
 
 std::string Minkowski(bmr_vec2 rotation, size_t a, size_t b, double size) {
@@ -268,64 +301,112 @@ std::vector<Argument> Arguments() {
                         ? "`NULL`"
                         : "a name";
          }},
+        {"`bmr_distance`, `bmr_penetration`: `NULL`",
+         [] {
+             const World world;
+             bmr_closest_points closest;
+             bmr_overlap overlap;
+             const bmr_error errors[] = {
+                 bmr_distance(nullptr, nullptr, world.square, nullptr, &closest),
+                 bmr_distance(world.square, nullptr, nullptr, nullptr, &closest),
+                 bmr_distance(world.square, nullptr, world.square, nullptr, nullptr),
+                 bmr_penetration(nullptr, nullptr, world.square, nullptr, &overlap),
+                 bmr_penetration(world.square, nullptr, nullptr, nullptr, &overlap),
+                 bmr_penetration(world.square, nullptr, world.square, nullptr, nullptr)};
+             for (const bmr_error error : errors)
+                 if (error != errors[0])
+                     return std::string("two answers");
+             return Said(errors[0]);
+         }},
+        {"`bmr_distance`, `bmr_penetration`: a pose at NaN",
+         [] {
+             return Asked({{kNone, 0}, 1, 0});
+         }},
+        {"`bmr_distance`, `bmr_penetration`: a pose at infinity",
+         [] {
+             return Asked({{0, -kInfinite}, 1, 0});
+         }},
+        {"`bmr_distance`, `bmr_penetration`: a pose turned by NaN",
+         [] {
+             return Asked(bmr_pose_from_angle({0, 0}, kNone));
+         }},
+        {"`bmr_distance`, `bmr_penetration`: a pose turned by infinity",
+         [] {
+             return Asked(bmr_pose_from_angle({0, 0}, kInfinite));
+         }},
+        {"`bmr_distance`, `bmr_penetration`: a pose at 2e9",
+         [] {
+             return Asked({{2e9, 0}, 1, 0});
+         }},
+        {"`bmr_distance`, `bmr_penetration`: a pose that doubles",
+         [] {
+             return Asked({{0, 0}, 2, 0});
+         }},
+        {"`bmr_distance`, `bmr_penetration`: a pose of zeros",
+         [] {
+             return Asked({{0, 0}, 0, 0});
+         }},
+        {"`bmr_pairs_check`: a body that is not there", [] { return PairsCheck(2, 0.0); }},
+        {"`bmr_pairs_check`: a margin of NaN", [] { return PairsCheck(1, kNone); }},
+        {"`bmr_pairs_check`: a margin below 0", [] { return PairsCheck(1, -1.0); }},
         {"`bmr_kds_find`: no such name",
-         [] { return bmr_kds_find("") == nullptr ? "`NULL`" : "a structure"; }},
+         [] {
+             const bmr_kds_info *info = nullptr;
+             return Said(bmr_kds_find("", &info));
+         }},
+        {"`bmr_kds_find`: a `NULL` name, or none for the answer",
+         [] {
+             const bmr_kds_info *info = nullptr;
+             const bmr_error name = bmr_kds_find(nullptr, &info), answer = bmr_kds_find("predict", nullptr);
+             return name == answer ? Said(name) : "two answers";
+         }},
         {"`bmr_kds_create`: no structure", [] { return CreateKds("none of that name", nullptr); }},
         {"`bmr_kds_create`: no polygon",
-         [] {
-             return CreateKds("lazy-compass", [](bmr_kds_def *, bmr_kds_shape *s) { s->polygon = nullptr; });
-         }},
+         [] { return CreateKds("lazy-compass", [](bmr_kds_def *, bmr_shape *s) { s->polygon = nullptr; }); }},
         {"`bmr_kds_create`: not the hierarchy that it needs",
          [] {
-             return CreateKds("lazy-dudley", [](bmr_kds_def *, bmr_kds_shape *s) {
+             return CreateKds("lazy-dudley", [](bmr_kds_def *, bmr_shape *s) {
                  s->hierarchies[BMR_HIERARCHY_DUDLEY] = nullptr;
              });
          }},
         {"`bmr_kds_create`: a hierarchy of another polygon",
          [] {
              static const World other; // its square has the same vertices, and other owners
-             return CreateKds("lazy-dudley",
-                              [](bmr_kds_def *, bmr_kds_shape *s) { s->polygon = other.square; });
+             return CreateKds("lazy-dudley", [](bmr_kds_def *, bmr_shape *s) { s->polygon = other.square; });
          }},
         {"`bmr_kds_create`: a hierarchy of another kind",
          [] {
-             return CreateKds("lazy-dudley", [](bmr_kds_def *, bmr_kds_shape *s) {
+             return CreateKds("lazy-dudley", [](bmr_kds_def *, bmr_shape *s) {
                  s->hierarchies[BMR_HIERARCHY_DUDLEY] = s->hierarchies[BMR_HIERARCHY_COMPASS];
              });
          }},
         {"`bmr_kds_create`: a margin of 0",
-         [] { return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->margin = 0.0; }); }},
+         [] { return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_shape *) { d->margin = 0.0; }); }},
         {"`bmr_kds_create`: a margin of NaN",
-         [] {
-             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->margin = kNone; });
-         }},
+         [] { return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_shape *) { d->margin = kNone; }); }},
         {"`bmr_kds_create`: an infinite margin",
          [] {
-             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->margin = kInfinite; });
+             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_shape *) { d->margin = kInfinite; });
          }},
         {"`bmr_kds_create`: a hysteresis below 0",
          [] {
-             return CreateKds("lazy-compass",
-                              [](bmr_kds_def *d, bmr_kds_shape *) { d->hysteresis = -1e-38; });
+             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_shape *) { d->hysteresis = -1e-38; });
          }},
         {"`bmr_kds_create`: a hysteresis of NaN",
          [] {
-             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->hysteresis = kNone; });
+             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_shape *) { d->hysteresis = kNone; });
          }},
         {"`bmr_kds_create`: an alpha of NaN",
-         [] { return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->alpha = kNone; }); }},
+         [] { return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_shape *) { d->alpha = kNone; }); }},
         {"`bmr_kds_create`: an offset ratio of 1",
          [] {
-             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->offset_ratio = 1.0; });
+             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_shape *) { d->offset_ratio = 1.0; });
          }},
         {"`bmr_kds_create`: a window part of 1",
-         [] {
-             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_kds_shape *) { d->window_part = 1.0; });
-         }},
+         [] { return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_shape *) { d->window_part = 1.0; }); }},
         {"`bmr_kds_create`: a window part of NaN",
          [] {
-             return CreateKds("lazy-compass",
-                              [](bmr_kds_def *d, bmr_kds_shape *) { d->window_part = kNone; });
+             return CreateKds("lazy-compass", [](bmr_kds_def *d, bmr_shape *) { d->window_part = kNone; });
          }},
         {"`bmr_kds_create`: a point's structure for two squares",
          [] { return CreateKds("point-lazy-compass", nullptr); }},
@@ -403,8 +484,7 @@ std::string AdvancePair(const bmr_pose &pose, bmr_structure structure, bool chec
     const World world;
     bmr_pair_def def = bmr_default_pair_def();
     def.structure = structure;
-    const bmr_shape shape = {world.square,
-                             structure == BMR_FREE_DIRECTION ? nullptr : world.hierarchies[structure]};
+    const bmr_shape shape = world.Shape();
     bmr_pair pair;
     bmr_pair_init(&pair);
     if (check) {                                  // the certificate of a good pose, looked at
@@ -422,9 +502,9 @@ std::string AdvancePair(const bmr_pose &pose, bmr_structure structure, bool chec
 std::string StartKds(const bmr_pose &pose, const char *name) {
     const World world;
     const bmr_kds_def def = bmr_default_kds_def();
-    const bmr_kds_shape shape = world.Shape();
+    const bmr_shape shape = world.Shape();
     bmr_kds *kds = nullptr;
-    if (bmr_kds_create(bmr_kds_find(name), &def, &shape, &shape, nullptr, &kds) != BMR_OK)
+    if (bmr_kds_create(test_structure(name), &def, &shape, &shape, nullptr, &kds) != BMR_OK)
         return "not made";
     const bmr_instant now = {pose, {0, 0}, 0};
     bmr_kds_report report;

@@ -6,7 +6,10 @@
 #include "boomerang/analysis.h"
 #include "boomerang/families.h"
 #include "boomerang/simulation.h"
+#include "boomerang/time_of_contact.h"
+#include "kinetic/first_root.h"
 #include "points.h"
+#include "structure_named.h"
 
 using namespace bad_input;
 
@@ -108,10 +111,10 @@ using SpoilDef = void (*)(bmr_simulation_def *);
 
 bmr_error Simulation(const Pair &pair, size_t count, double time, SpoilDef spoil, bmr_simulation **made) {
     bmr_simulation_def def = bmr_default_simulation_def();
-    def.structure = bmr_kds_find("free-fd1");
+    def.structure = test_structure("free-fd1");
     if (spoil != nullptr)
         spoil(&def);
-    const bmr_kds_shape shapes[] = {{pair.polygon, {}}, {pair.polygon, {}}};
+    const bmr_shape shapes[] = {{pair.polygon, {}}, {pair.polygon, {}}};
     bmr_motion *const motions[] = {pair.rest, pair.comes};
     return bmr_simulation_create(&def, shapes, motions, count, time, nullptr, nullptr, nullptr, made);
 }
@@ -122,6 +125,15 @@ std::string Create(size_t count, double time, SpoilDef spoil = nullptr) {
     const bmr_error error = Simulation(pair, count, time, spoil, &simulation);
     bmr_simulation_destroy(simulation);
     return Said(error);
+}
+
+std::string TimeOfContact(double from, double until, double margin, bool shapes = true) {
+    const Pair pair;
+    const bmr_shape shape = {shapes ? pair.polygon : nullptr, {}};
+    double time = -77.0;
+    const bmr_error error =
+        bmr_time_of_contact(&shape, pair.rest, &shape, pair.comes, from, until, margin, nullptr, &time);
+    return Said(error) + (error != BMR_OK && time != -77.0 ? ", and the time is written" : "");
 }
 
 template <typename Ask> std::string Running(const Ask &ask) {
@@ -285,6 +297,12 @@ std::vector<Argument> OfMotions() {
              const bmr_screw_motion motion = {kHere, {1, 0}, 1.0};
              return Said(bmr_screw_motion_pose(&motion, kInfinite).c);
          }},
+        {"`bmr_time_of_contact`: no polygon", [] { return TimeOfContact(0, 1, 0.01, false); }},
+        {"`bmr_time_of_contact`: from NaN", [] { return TimeOfContact(kNone, 1, 0.01); }},
+        {"`bmr_time_of_contact`: until infinity", [] { return TimeOfContact(0, kInfinite, 0.01); }},
+        {"`bmr_time_of_contact`: from after until", [] { return TimeOfContact(2, 1, 0.01); }},
+        {"`bmr_time_of_contact`: a margin of 0", [] { return TimeOfContact(0, 1, 0.0); }},
+        {"`bmr_time_of_contact`: a margin of NaN", [] { return TimeOfContact(0, 1, kNone); }},
         {"`bmr_polynomial_first_root`: a coefficient of NaN",
          [] {
              return FirstRoot({1, kNone}, 0, 1);

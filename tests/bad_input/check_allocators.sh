@@ -17,7 +17,7 @@ functions() {
         /^[[:space:]]*\/\/\// { comment = comment " " $0; next }
         /^[[:space:]]*$/ || /^#/ { if (!open) comment = ""; next }
         { text = text " " $0; open = 1 }
-        /[;{}][[:space:]]*(\/\/.*)?$/ { print text " @" comment; text = ""; comment = ""; open = 0 }' "$1"/boomerang/*.h
+        /[;{}][[:space:]]*(\/\/.*)?$/ { print text " @" comment; text = ""; comment = ""; open = 0 }' "$1"/boomerang/*.h "$1"/../hierarchy/mixed_cells.h
 }
 
 # Those that give back have nothing to fail.

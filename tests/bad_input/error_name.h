@@ -22,13 +22,14 @@ inline std::string NameOf(bmr_error error) {
                                         "INVALID_STRUCTURE",
                                         "FALSE_CERTIFICATE",
                                         "STALLED",
-                                        "UNKNOWN_ENGINE",
+                                        "UNSUPPORTED",
                                         "TOO_FEW_POINTS",
                                         "TOO_CLOSE",
                                         "NEGATIVE",
                                         "CORNER_TOO_LARGE",
                                         "TOO_LARGE",
-                                        "WRONG_HIERARCHY"};
+                                        "WRONG_HIERARCHY",
+                                        "UNKNOWN_NAME"};
     static_assert(sizeof names / sizeof *names == BMR_ERROR_COUNT, "one name for each code");
     return error >= BMR_OK && error < BMR_ERROR_COUNT ? names[error] : "no code at all";
 }

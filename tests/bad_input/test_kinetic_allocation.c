@@ -14,7 +14,9 @@
 #include "boomerang/analysis.h"
 #include "boomerang/families.h"
 #include "boomerang/simulation.h"
+#include "boomerang/time_of_contact.h"
 #include "every_allocation.h"
+#include "structure_named.h"
 
 enum { COUNT = 12, SAMPLES = 5, CHANGES = 20 };
 static bmr_vec2 points[COUNT];
@@ -139,8 +141,8 @@ static bmr_error run_motion_change(const bmr_allocator *allocator, uint64_t *bit
 
 static bmr_error run_simulation_create(const bmr_allocator *allocator, uint64_t *bits) {
     bmr_simulation_def def = bmr_default_simulation_def();
-    def.structure = bmr_kds_find("free-fd1");
-    bmr_kds_shape shapes[3];
+    def.structure = test_structure("free-fd1");
+    bmr_shape shapes[3];
     memset(shapes, 0, sizeof shapes);
     for (int i = 0; i < 3; ++i)
         shapes[i].polygon = polygon;
@@ -157,10 +159,23 @@ static bmr_error run_simulation_create(const bmr_allocator *allocator, uint64_t 
     return BMR_OK;
 }
 
+static bmr_error run_time_of_contact(const bmr_allocator *allocator, uint64_t *bits) {
+    bmr_shape shape;
+    memset(&shape, 0, sizeof shape);
+    shape.polygon = polygon;
+    double time = -1.0;
+    const bmr_error error =
+        bmr_time_of_contact(&shape, motions[0], &shape, motions[1], 0.0, 20.0, 1e-6, allocator, &time);
+    if (error != BMR_OK)
+        return time == -1.0 ? error : BMR_ERROR_COUNT;
+    test_hash(bits, &time, sizeof time);
+    return BMR_OK;
+}
+
 static bmr_error run_run_course(const bmr_allocator *allocator, uint64_t *bits) {
     bmr_run_def def;
     memset(&def, 0, sizeof def);
-    def.structure = bmr_kds_find("free-fd1");
+    def.structure = test_structure("free-fd1");
     def.shapes[0].polygon = def.shapes[1].polygon = polygon;
     def.simulation = bmr_default_simulation_def();
     const bmr_course course = {{polygon, polygon}, {motions[0], motions[1]}, 0.0, 5.0};
@@ -229,10 +244,11 @@ static bmr_error run_outline_points(const bmr_allocator *allocator, uint64_t *bi
 }
 
 static const test_attempt attempts[] = {
-    {"bmr_motion_create", run_motion_create}, {"bmr_motion_create_sampled", run_motion_create_sampled},
-    {"bmr_motion_change", run_motion_change}, {"bmr_simulation_create", run_simulation_create},
-    {"bmr_run_course", run_run_course},       {"bmr_adversary_create", run_adversary_create},
-    {"bmr_family_create", run_family_create}, {"bmr_outline_points", run_outline_points},
+    {"bmr_motion_create", run_motion_create},       {"bmr_motion_create_sampled", run_motion_create_sampled},
+    {"bmr_motion_change", run_motion_change},       {"bmr_simulation_create", run_simulation_create},
+    {"bmr_time_of_contact", run_time_of_contact},   {"bmr_run_course", run_run_course},
+    {"bmr_adversary_create", run_adversary_create}, {"bmr_family_create", run_family_create},
+    {"bmr_outline_points", run_outline_points},
 };
 #define ATTEMPTS (sizeof attempts / sizeof *attempts)
 

@@ -47,7 +47,7 @@ using Kds = std::unique_ptr<bmr_kds, KdsDeleter>;
 struct Body {
     std::unique_ptr<bmr_polygon, PolygonDeleter> polygon;
     std::unique_ptr<bmr_hierarchy, HierarchyDeleter> hierarchies[BMR_HIERARCHY_KIND_COUNT];
-    bmr_kds_shape shape = {};
+    bmr_shape shape = {};
 
     Body(const std::vector<bmr_vec2> &points, const bmr_compass *compass) {
         bmr_polygon *p = nullptr;

@@ -15,6 +15,7 @@
 #include <benchmark/benchmark.h>
 
 #include "boomerang/simulation.h"
+#include "structure_named.h"
 
 namespace {
 
@@ -125,7 +126,7 @@ void Events(benchmark::State &state, const char *structure, int n, int bodies) {
     bmr_polygon *polygon = nullptr;
     if (bmr_polygon_create(points.data(), points.size(), nullptr, &polygon) != BMR_OK)
         std::abort();
-    std::vector<bmr_kds_shape> shapes(static_cast<size_t>(bodies), bmr_kds_shape{polygon, {}});
+    std::vector<bmr_shape> shapes(static_cast<size_t>(bodies), bmr_shape{polygon, {}});
     std::vector<bmr_motion *> motions;
     for (int i = 0; i < bodies; ++i) {
         const int column = i % 4, row = i / 4;
@@ -136,7 +137,7 @@ void Events(benchmark::State &state, const char *structure, int n, int bodies) {
             std::abort();
     }
     bmr_simulation_def def = bmr_default_simulation_def();
-    def.structure = bmr_kds_find(structure);
+    def.structure = test_structure(structure);
     size_t events = 0, searches = 0;
     for ([[maybe_unused]] auto _ : state) {
         bmr_simulation *simulation = nullptr;
@@ -171,7 +172,7 @@ void RegisterAll() {
                 });
     for (const char *structure : {"free-fd1", "free-fdx", "inflated-window"})
         for (const int n : {8, 64})
-            if (bmr_kds_find(structure) && bmr_kds_find(structure)->hierarchy < 0)
+            if (test_structure(structure)->hierarchy < 0)
                 benchmark::RegisterBenchmark(
                     ("events/" + std::string(structure) + "/" + std::to_string(n)).c_str(),
                     [=](benchmark::State &s) { Events(s, structure, n, 8); });

@@ -18,7 +18,7 @@ shift
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 # Optimised as little as can be: what is measured is whether the test fails.
-flags="-std=c++17 -O1 -fPIC -ffp-contract=off -w -I$root/core/include -I$root/box2d_glue/include"
+flags="-std=c++17 -O1 -fPIC -ffp-contract=off -w -I$root/core/include -I$root/core -I$root/box2d_glue/include"
 
 # A test case takes a second at most. What takes so many seconds of the processor, however busy the machine is, goes round for ever.
 patience=120

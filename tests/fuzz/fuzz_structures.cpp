@@ -110,7 +110,7 @@ void Run(World *world, fuzz_bytes *bytes) {
     def.structure = world->info;
     def.kds = world->def;
     def.contact_step = 0.01;
-    const bmr_kds_shape shapes[2] = {world->bodies[0].shape, world->bodies[1].shape};
+    const bmr_shape shapes[2] = {world->bodies[0].shape, world->bodies[1].shape};
     const bmr_error made = bmr_simulation_create(&def, shapes, world->motions, 2, 0.0, nullptr, nullptr,
                                                  nullptr, &world->simulation);
     FUZZ_CHECK(made == BMR_OK, "%s: error %d", world->info->name, made);

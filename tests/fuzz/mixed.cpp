@@ -4,10 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include "boomerang/mixed.h"
 #include "fuzz_hierarchy.h"
 #include "harness.h"
 #include "hierarchies.h"
+#include "hierarchy/mixed_cells.h"
 #include "motions.h" // test_distance
 #include "points.h"
 

@@ -16,5 +16,5 @@ int main() {
     bmr::ConvexShape coin;
     const bmr_error error = coin.SetRegular(64, 1.0f);
     std::printf("installed %d, %s\n", installed, bmr_error_describe(error));
-    return !installed && !bmr::IsInstalled() && error == BMR_ERROR_UNKNOWN_ENGINE ? 0 : 1;
+    return !installed && !bmr::IsInstalled() && error == BMR_ERROR_UNSUPPORTED ? 0 : 1;
 }

@@ -12,6 +12,7 @@
 
 #include "kds_driver.h"
 #include "motions.h"
+#include "structure_named.h"
 #include "test_scale.h"
 
 /// @file
@@ -27,7 +28,7 @@ static bmr_kds *made(const char *name, const test_kds_body *a, const test_kds_bo
     bmr_kds_def def = bmr_default_kds_def();
     def.margin = margin;
     def.hysteresis = hysteresis;
-    const bmr_kds_info *info = bmr_kds_find(name);
+    const bmr_kds_info *info = test_structure(name);
     assert_non_null(info);
     bmr_kds *kds = NULL;
     assert_int_equal(bmr_kds_create(info, &def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
@@ -100,7 +101,7 @@ static void drive_one(const char *name, bool rotates, test_random *random, total
 static void drive_all(bool rotates, size_t rounds, uint64_t seed) {
     test_random random = {seed};
     for (size_t k = 0; k < COUNT_OF(names); ++k) {
-        if (rotates && bmr_kds_find(names[k])->domain == BMR_KDS_TRANSLATION)
+        if (rotates && test_structure(names[k])->domain == BMR_KDS_TRANSLATION)
             continue;
         totals t;
         memset(&t, 0, sizeof t);
@@ -370,6 +371,7 @@ static test_kds_body regular_body(size_t n, double phase) {
     return test_kds_body_make(polygon);
 }
 
+/// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
 /// Bytes: the implicit structures' do not depend on n. The tilings' do (the control).
 static void the_active_cell_takes_constant_space(void **state) {
     (void)state;
@@ -407,6 +409,7 @@ static test_drive_result drive_regular(const char *name, size_t n, test_path_kin
     return result;
 }
 
+/// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
 /// Lemma mixed2 and theorem transpoly: O(log) events of a line (3 log2(D/sigma) + 2 cells on the compass, and
 /// the outside before and after), O(sqrt(D/sigma)) of an orbit (15 sqrt(D/sigma), the notes' measure).
 static void events_grow_as_the_theorem_says(void **state) {

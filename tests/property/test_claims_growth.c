@@ -12,6 +12,7 @@
 
 #include "kds_driver.h"
 #include "motions.h"
+#include "structure_named.h"
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 #define VERTICES 512
@@ -33,8 +34,7 @@ static double mean_events(const char *name, test_path_kind kind, bool rotates, i
         const test_path path = test_path_make(kind, a.polygon, b.polygon, gap, rotates, &random);
         const test_drive how = {.path = &path, .audit_every = 1000, .margin = def.margin};
         bmr_kds *kds = NULL;
-        assert_non_null(bmr_kds_find(name));
-        assert_int_equal(bmr_kds_create(bmr_kds_find(name), &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
+        assert_int_equal(bmr_kds_create(test_structure(name), &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
         const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
         assert_true(test_drive_is_sound(&r));
         events += (double)test_drive_events(&r) / seeds;
@@ -55,6 +55,7 @@ static bool is_logarithmic(double far, double near) {
     return near - far <= MOST_A_DECADE * (NEAR - FAR);
 }
 
+/// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
 static void translations_cost_what_the_table_says(void **state) {
     (void)state;
     const char *const names[] = {"sum-triangle-compass",
@@ -89,6 +90,7 @@ static void translations_cost_what_the_table_says(void **state) {
                 MOST_ROOTS * pow(10.0, 0.5 * FAR));
 }
 
+/// Lemma 4.4(b): a convex curve meets O(log(D/s)) and O(sqrt(D/s)) mixed triangles.
 /// Lemma mixed2 (b) and Table 1: a line may cost the mixed Dudley hierarchy the square root. Measured: x 3.8.
 static void a_line_costs_the_mixed_dudley_hierarchy_no_more_than_the_square_root(void **state) {
     (void)state;
@@ -118,6 +120,7 @@ static void weigh(void *context, const test_drive_event *event) {
     e->passed += levels > 0;
 }
 
+/// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
 /// Theorems transpoly and rigidpoly: the time of a repair is that of the levels it passes. Beside those it
 /// looks at its own level, and at the one where coarsening ends.
 static void a_lazy_repair_looks_at_the_levels_it_passes_and_two_more(void **state) {
@@ -134,7 +137,7 @@ static void a_lazy_repair_looks_at_the_levels_it_passes_and_two_more(void **stat
             const test_drive how = {.path = &path, .audit_every = 1000, .on_event = weigh, .context = &e};
             const bmr_kds_def def = bmr_default_kds_def();
             bmr_kds *kds = NULL;
-            assert_int_equal(bmr_kds_create(bmr_kds_find(names[i]), &def, &a.shape, &b.shape, NULL, &kds),
+            assert_int_equal(bmr_kds_create(test_structure(names[i]), &def, &a.shape, &b.shape, NULL, &kds),
                              BMR_OK);
             const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
             assert_true(test_drive_is_sound(&r));
@@ -150,6 +153,7 @@ static void a_lazy_repair_looks_at_the_levels_it_passes_and_two_more(void **stat
     }
 }
 
+/// Theorem 5.3: rigid motions: O(log min{n, D/s}) an event, O(mu^2) events.
 /// The bound for rigid motion is linear in D / sigma: a factor of 100 here. Measured: 1.6 to 2.0, and 6.6
 /// with the three-vertex window.
 static void a_tumbling_pass_costs_far_less_than_the_linear_bound(void **state) {

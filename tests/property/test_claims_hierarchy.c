@@ -61,6 +61,8 @@ static void visit(const bmr_hierarchy *h, test_family family, test_random *rando
     }
 }
 
+/// Lemma 3.3(b): O(sqrt(D/s) log(D/s)) compass boomerangs are at least s high.
+/// Lemma 3.4(b): O(sqrt(D/s)) Dudley boomerangs are at least s high.
 static void few_boomerangs_of_a_hierarchy_are_tall(void **state) {
     (void)state;
     static const size_t sizes[] = {4, 13, 64, 257, 1000, 4096};

@@ -108,6 +108,9 @@ static void visit_bounds(const bmr_hierarchy *h, test_family family, test_random
     }
 }
 
+/// Lemma 3.1: in one level O(sqrt(D/s)) boomerangs are at least s high.
+/// Lemma 3.3(a): a compass boomerang of level i is O(D/2^i) high.
+/// Lemma 3.4(a): a Dudley boomerang of level i is O(D/4^i) high.
 static void heights_depths_and_sizes_keep_the_constants_of_the_lemmas(void **state) {
     (void)state;
     bounds b = {0};
@@ -119,6 +122,7 @@ static void heights_depths_and_sizes_keep_the_constants_of_the_lemmas(void **sta
     assert_true(b.few_tall_failed > 0 && b.small_failed > 0);
 }
 
+/// Lemma 3.3(a): a compass boomerang of level i is O(D/2^i) high.
 /// Below level ceil(log2 n) the height of a compass hierarchy stops halving: a cone of the last compass level
 /// holds n - 3 tiny edges, then a long one. The median always leaves the long one whole.
 static void the_compass_lemma_fails_in_the_median_tail_and_holds_with_the_capped_level(void **state) {
@@ -205,6 +209,8 @@ static void visit_pair(const bmr_hierarchy *h, test_family family, test_random *
     }
 }
 
+/// Lemma 3.3(d): at distance s, compass envelopes of O(log(D/s)) edges are disjoint.
+/// Lemma 3.4(d): at distance s, Dudley envelopes of O(log(D/s)) edges are disjoint.
 static void polygons_at_distance_s_have_disjoint_approximations_of_few_edges(void **state) {
     (void)state;
     approximations a = {0, 0};

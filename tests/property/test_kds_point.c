@@ -23,7 +23,7 @@ static bmr_kds *made(const bmr_kds_info *info, const bmr_kds_def *def, const tes
 }
 
 static bool is_for_points(const bmr_kds_info *info) {
-    return info->domain == BMR_KDS_POINT && !info->rival;
+    return info->domain == BMR_KDS_POINT && info->role != BMR_KDS_RIVAL;
 }
 
 /// Random polygon, point, motion, margin.

@@ -13,6 +13,7 @@
 #include "kds/point_inflated.h"
 #include "kds_driver.h"
 #include "motions.h"
+#include "structure_named.h"
 #include "test_scale.h"
 
 #define LEVELS 40
@@ -26,8 +27,7 @@ static uint64_t seeds(size_t count) {
 static bmr_kds *made(const char *name, const bmr_kds_def *def, const test_kds_body *a,
                      const test_kds_body *b) {
     bmr_kds *kds = NULL;
-    assert_non_null(bmr_kds_find(name));
-    assert_int_equal(bmr_kds_create(bmr_kds_find(name), def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
+    assert_int_equal(bmr_kds_create(test_structure(name), def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
     return kds;
 }
 
@@ -102,6 +102,7 @@ static size_t most_on_a_level(test_path_kind kind, const char *name, uint64_t se
     return most;
 }
 
+/// Lemma 3.2: a convex curve beside P meets at most one triangle of a level.
 static void a_convex_path_meets_at_most_one_triangle_of_a_level(void **state) {
     (void)state;
     const char *const names[] = {"triangle-levels-compass", "triangle-levels-dudley"};
@@ -165,6 +166,7 @@ static void compare_with_all_triangles(void *context, const test_drive_event *ev
     ++*compared;
 }
 
+/// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
 static void the_active_triangle_is_the_one_of_brute_force(void **state) {
     (void)state;
     const char *const names[] = {"triangle-levels-compass", "triangle-levels-dudley",
@@ -194,6 +196,7 @@ static void write_down(void *context, const test_drive_event *event) {
         r->edges[r->count++] = bmr_point_look(event->kds)->edge;
 }
 
+/// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
 static void both_searches_find_the_same_triangles(void **state) {
     (void)state;
     static record levels, binary;
@@ -285,6 +288,8 @@ static hysteresis measured(const char *name, const bmr_kds_def *def, const test_
     return m;
 }
 
+/// Lemma 6.1: after an event P moves d/beta before the next, beta = 2 (1 + sqrt 2).
+/// Section 6, tuning: with richer roots and slower offsets beta nears 1 and kappa nears 3.
 /// Lemma hysteresis. The paper's beta is 2 (1 + sqrt 2), but the edge that is chosen does better than the
 /// lemma. The worst place is a corner of Q'_0, where the slack is eps_0 and the distance may be height + sqrt
 /// 2 eps_0, that is (1 + sqrt 2) eps_0 (a segment along the rectangle's diagonal; a disk: 1.83 eps_0). No
@@ -457,13 +462,16 @@ static double mean_events(const char *name, test_path_kind kind, int decade) {
     return events;
 }
 
+/// Lemma 3.3(c): a convex curve at distance s meets O(log(D/s)) compass triangles.
+/// Lemma 3.4(c): a convex curve at distance s meets O(log(D/s)) Dudley triangles.
+/// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
 /// Theorem ptpoly. Measured: 1 to 2 events for each decade of D / sigma on convex paths, and an exponent of
 /// 0.5 on orbits.
 static void events_grow_logarithmically_on_convex_paths_and_with_the_square_root_on_orbits(void **state) {
     (void)state;
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
         const bmr_kds_info *info = bmr_kds_at(i);
-        if (info->domain != BMR_KDS_POINT || info->rival)
+        if (info->domain != BMR_KDS_POINT || info->role == BMR_KDS_RIVAL)
             continue;
         const double line =
             mean_events(info->name, TEST_PATH_LINE, 4) - mean_events(info->name, TEST_PATH_LINE, 1);

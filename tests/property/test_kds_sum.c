@@ -13,6 +13,7 @@
 #include "failing_allocator.h"
 #include "kds/point.h"
 #include "kds_driver.h"
+#include "structure_named.h"
 #include "test_scale.h"
 
 static const char *const names[] = {"sum-triangle-compass", "sum-triangle-dudley", "sum-lazy-compass",
@@ -22,8 +23,7 @@ static const char *const names[] = {"sum-triangle-compass", "sum-triangle-dudley
 static bmr_kds *made(const char *name, const bmr_kds_def *def, const test_kds_body *a,
                      const test_kds_body *b) {
     bmr_kds *kds = NULL;
-    assert_non_null(bmr_kds_find(name));
-    assert_int_equal(bmr_kds_create(bmr_kds_find(name), def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
+    assert_int_equal(bmr_kds_create(test_structure(name), def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
     return kds;
 }
 
@@ -146,7 +146,7 @@ static void creation_asks_for_one_block_and_may_fail(void **state) {
             test_heap_init(&heap, fail_at);
             bmr_kds *kds = NULL;
             const bmr_error error =
-                bmr_kds_create(bmr_kds_find(names[i]), &def, &a.shape, &b.shape, &heap.allocator, &kds);
+                bmr_kds_create(test_structure(names[i]), &def, &a.shape, &b.shape, &heap.allocator, &kds);
             assert_int_equal(error, fail_at == 0 ? BMR_ERROR_NO_MEMORY : BMR_OK);
             bmr_instant now = {{{9.0, 0.0}, 1.0, 0.0}, {0.0, 0.0}, 0.0};
             bmr_kds_report report;

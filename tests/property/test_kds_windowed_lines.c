@@ -14,6 +14,7 @@
 #include "kds/windowed_line.h"
 #include "kds_driver.h"
 #include "motions.h"
+#include "structure_named.h"
 #include "test_scale.h"
 
 static const char *const names[] = {
@@ -24,8 +25,7 @@ static const char *const names[] = {
 static bmr_kds *made(const char *name, const test_kds_body *a, const test_kds_body *b) {
     const bmr_kds_def def = bmr_default_kds_def();
     bmr_kds *kds = NULL;
-    assert_non_null(bmr_kds_find(name));
-    assert_int_equal(bmr_kds_create(bmr_kds_find(name), &def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
+    assert_int_equal(bmr_kds_create(test_structure(name), &def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
     return kds;
 }
 
@@ -57,7 +57,7 @@ static void they_are_sound_on_random_motions(void **state) {
             const test_path path =
                 test_path_make((test_path_kind)kind, a.polygon, b.polygon, gap, rotates, &random);
             for (size_t k = 0; k < NAMES; ++k) {
-                if (rotates && bmr_kds_find(names[k])->domain == BMR_KDS_TRANSLATION)
+                if (rotates && test_structure(names[k])->domain == BMR_KDS_TRANSLATION)
                     continue;
                 bmr_kds *kds = made(names[k], &a, &b);
                 const test_drive drive = {&path, 0.0, 8, 0.0, false, NULL, NULL};
@@ -237,7 +237,7 @@ static void contact_is_left_beyond_the_hysteresis(void **state) {
         def.margin = 0.01;
         def.hysteresis = 0.02;
         bmr_kds *kds = NULL;
-        assert_int_equal(bmr_kds_create(bmr_kds_find(names[k]), &def, &a.shape, &b.shape, NULL, &kds),
+        assert_int_equal(bmr_kds_create(test_structure(names[k]), &def, &a.shape, &b.shape, NULL, &kds),
                          BMR_OK);
         const double gaps[] = {0.005, 0.025, 0.035, 0.025, 0.009};
         const bmr_kds_event_kind kinds[] = {BMR_KDS_CONTACT, BMR_KDS_CONTACT, BMR_KDS_LEAVE, BMR_KDS_START,

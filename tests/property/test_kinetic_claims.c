@@ -66,6 +66,7 @@ static uint64_t events(const stage *s, const bmr_kds_info *structure) {
     return run.events;
 }
 
+/// Section 6, rotational hysteresis: after an event P moves Omega(d) or turns by Omega(d/D).
 static void events_of_rigid_motions_are_no_more_than_a_clear_decomposition(void **state) {
     (void)state;
     static const bmr_family families[] = {BMR_FAMILY_SPIN, BMR_FAMILY_RIGID_ALGEBRAIC, BMR_FAMILY_TUMBLE,

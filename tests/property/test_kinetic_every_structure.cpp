@@ -118,7 +118,7 @@ void RunOne(const bmr_kds_info &info, uint64_t seed, Tally &tally) {
         info.domain == BMR_KDS_POINT ? test_kds_point_make(0.1, -0.2) : test_kds_body_make(any());
     const bool rotates = info.domain != BMR_KDS_TRANSLATION;
     bmr_motion *motions[2] = {RandomMotion(&random, rotates, false), RandomMotion(&random, rotates, true)};
-    const bmr_kds_shape shapes[2] = {a.shape, b.shape};
+    const bmr_shape shapes[2] = {a.shape, b.shape};
     bmr_simulation_def def = bmr_default_simulation_def();
     def.structure = &info;
     def.kds.margin = kMargin;

@@ -170,6 +170,7 @@ static bool starts_positive(const trial *r, double after) {
     return value > 1e-6L * size;
 }
 
+/// Section 2, failure times: when a certificate fails is a root of a polynomial.
 static void no_failure_is_late_and_none_early(void **state) {
     (void)state;
     test_random random = {20261121};

@@ -101,6 +101,7 @@ static const bmr_family translations[] = {BMR_FAMILY_LINE, BMR_FAMILY_ORBIT, BMR
 static const bmr_family rotations[] = {BMR_FAMILY_SPIN, BMR_FAMILY_TUMBLE, BMR_FAMILY_RIGID_WANDER};
 #define COUNT(list) (sizeof(list) / sizeof *(list))
 
+/// Section 6, two polygons: the new edge is of the inflated envelope that holds the vertex.
 static void the_slack_after_a_selection_is_at_least_the_offset(void **state) {
     (void)state;
     double doubled = INFINITY;
@@ -121,6 +122,7 @@ static void the_slack_after_a_selection_is_at_least_the_offset(void **state) {
 /// beta of the paper's Lemma hysteresis, and kappa of its Theorem clear.
 static const double beta = 4.82842712474619, kappa = 10.65685424949238;
 
+/// Lemma 6.1: after an event P moves d/beta before the next, beta = 2 (1 + sqrt 2).
 static void events_are_as_far_apart_as_the_lemma_says(void **state) {
     (void)state;
     for (size_t f = 0; f < COUNT(translations); ++f) {
@@ -136,6 +138,7 @@ static void events_are_as_far_apart_as_the_lemma_says(void **state) {
     }
 }
 
+/// Theorem 6.2: no more events than the least kappa-clear decomposition, kappa = 2 beta + 1.
 static void events_are_no_more_than_a_clear_decomposition(void **state) {
     (void)state;
     for (size_t f = 0; f < COUNT(translations); ++f) {
@@ -155,6 +158,7 @@ static void events_are_no_more_than_a_clear_decomposition(void **state) {
 /// and its cone has a margin of (pi / 2) / 2^j, with d < 2.42 eps_(j-1): 0.85 was measured.
 #define LEAST_RHO 0.2
 
+/// Section 6, rotational hysteresis: after an event P moves Omega(d) or turns by Omega(d/D).
 static void events_are_apart_in_position_or_rotation(void **state) {
     (void)state;
     double without = INFINITY;

@@ -10,6 +10,7 @@
 
 #include "boomerang/analysis.h"
 #include "kds_driver.h"
+#include "structure_named.h"
 #include "test_scale.h"
 
 static test_kds_body body(bmr_outline kind, size_t n, uint64_t seed) {
@@ -85,6 +86,7 @@ static void test_every_structure_is_right_on_every_family(void **state) {
         }
 }
 
+/// Theorem 6.2: no more events than the least kappa-clear decomposition, kappa = 2 beta + 1.
 /// Section 6: no more events than any clear decomposition has segments, kappa = 2 beta + 1.
 static void test_inflated_structures_keep_to_the_clear_decomposition(void **state) {
     (void)state;
@@ -94,17 +96,17 @@ static void test_inflated_structures_keep_to_the_clear_decomposition(void **stat
         bmr_clear clear;
         assert_int_equal(bmr_clear_decomposition(&s.course, kappa, 0.0, &clear), BMR_OK);
         assert_true(clear.least <= clear.found);
-        assert_true(run(&s, bmr_kds_find("inflated-translation")).events <= clear.least);
+        assert_true(run(&s, test_structure("inflated-translation")).events <= clear.least);
         // The control: the closest features know no such bound.
         if (family == BMR_FAMILY_BROWNIAN)
-            assert_true(2 * run(&s, bmr_kds_find("closest-features")).events > clear.least);
+            assert_true(2 * run(&s, test_structure("closest-features")).events > clear.least);
         strike(&s);
     }
 }
 
 static double orbit_events(const char *name, size_t n, double ratio) {
     stage s = set(BMR_FAMILY_ORBIT, ratio, n, 2);
-    const bmr_run r = run(&s, bmr_kds_find(name));
+    const bmr_run r = run(&s, test_structure(name));
     assert_int_equal(r.audit, BMR_OK);
     strike(&s);
     return (double)r.events;

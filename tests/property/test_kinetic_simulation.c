@@ -17,6 +17,7 @@
 #include "kds/structure.h"
 #include "kds_driver.h"
 #include "motions.h"
+#include "structure_named.h"
 #include "test_scale.h"
 
 #define PI 3.14159265358979323846
@@ -27,7 +28,7 @@
 typedef struct scene {
     size_t count;
     test_kds_body bodies[MOST_BODIES];
-    bmr_kds_shape shapes[MOST_BODIES];
+    bmr_shape shapes[MOST_BODIES];
     bmr_motion *motions[MOST_BODIES];
 } scene;
 
@@ -277,7 +278,7 @@ static void exact_ties_stop_nothing(void **state) {
 /// Some that can do anything.
 static const bmr_kds_info *some_structure(size_t index) {
     static const char *const names[] = {"free-fd1", "lazy-dudley", "inflated-window"};
-    const bmr_kds_info *info = bmr_kds_find(names[index % (sizeof names / sizeof *names)]);
+    const bmr_kds_info *info = test_structure(names[index % (sizeof names / sizeof *names)]);
     assert_non_null(info);
     return info;
 }
@@ -424,7 +425,7 @@ static void every_allocation_may_fail(void **state) {
     test_random random = {8};
     scene s = make_scene(&random, 4, 10);
     bmr_simulation_def def = bmr_default_simulation_def();
-    def.structure = bmr_kds_find("free-fd1");
+    def.structure = test_structure("free-fd1");
     const size_t blocks = 1 + 6;
     for (size_t fail_at = 0; fail_at <= blocks; fail_at++) {
         test_heap heap;
@@ -450,7 +451,7 @@ static void bad_arguments_are_refused(void **state) {
     // No structure is named yet.
     assert_int_equal(bmr_simulation_create(&def, s.shapes, s.motions, 3, 0.0, NULL, NULL, NULL, &m),
                      BMR_ERROR_NULL_ARGUMENT);
-    def.structure = bmr_kds_find("free-fd1");
+    def.structure = test_structure("free-fd1");
     assert_int_equal(bmr_simulation_create(&def, s.shapes, s.motions, 1, 0.0, NULL, NULL, NULL, &m),
                      BMR_ERROR_OUT_OF_RANGE);
     assert_int_equal(bmr_simulation_create(&def, s.shapes, s.motions, 3, (double)NAN, NULL, NULL, NULL, &m),

@@ -11,6 +11,7 @@
 
 #include "boomerang/analysis.h"
 #include "kds_driver.h"
+#include "structure_named.h"
 
 static test_kds_body body(bmr_outline kind, size_t n, uint64_t seed) {
     bmr_vec2 *points = malloc(n * sizeof *points);
@@ -68,7 +69,7 @@ static void follow(const stall *s) {
     bmr_family_motion motion;
     assert_int_equal(bmr_family_create(&family, a.polygon, b.polygon, NULL, &motion), BMR_OK);
     watch w = {0, 0, 0};
-    bmr_run_def def = {.structure = bmr_kds_find(s->structure),
+    bmr_run_def def = {.structure = test_structure(s->structure),
                        .shapes = {a.shape, b.shape},
                        .simulation = bmr_default_simulation_def(),
                        .audit = true,

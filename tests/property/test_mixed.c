@@ -9,9 +9,9 @@
 #include <cmocka.h>
 #include <math.h>
 
-#include "boomerang/mixed.h"
 #include "compass_fixture.h"
 #include "hierarchies.h"
+#include "hierarchy/mixed_cells.h"
 #include "motions.h"
 #include "test_scale.h"
 
@@ -264,6 +264,7 @@ static void each_point_is_in_one_tile_and_the_implicit_cell_is_that_tile(void **
 
 // --- neighbours ---
 
+/// Lemma 4.3: the neighbour of a cell at a point of its border is found in O(log n).
 static void across_each_side_lies_the_tile_that_brute_force_finds(void **state) {
     (void)state;
     test_random random = {405};
@@ -342,6 +343,7 @@ static double cells_per_vertex(bmr_hierarchy_kind kind, test_family family, size
     return ratio;
 }
 
+/// Lemma 4.1: the mixed hierarchy has O((n + m) log m) cells.
 static void the_tiling_is_of_linear_size(void **state) {
     (void)state;
     static const test_family families[] = {TEST_REGULAR, TEST_CIRCLE, TEST_ELLIPSE, TEST_LENS};
@@ -443,6 +445,7 @@ static bool is_full_turn(const changes *c, size_t na, size_t nb) {
     return c->page_turns == expected && c->collapses == expected && c->expansions == expected;
 }
 
+/// Lemma 4.2: a full turn of Q turns O(mn log m) pages.
 static void a_full_turn_has_one_page_turn_collapse_and_expansion_for_each_pair_of_edges(void **state) {
     (void)state;
     static const test_family families[] = {TEST_CIRCLE, TEST_ELLIPSE, TEST_LENS, TEST_CLUSTER};
@@ -503,6 +506,8 @@ static met met_by_line(const scene *s, bmr_vec2 x, bmr_vec2 along) {
     return m;
 }
 
+/// Lemma 4.4(a): O(sqrt(D/s) log(D/s)) and O(sqrt(D/s)) mixed cells are at least s high.
+/// Lemma 4.4(b): a convex curve meets O(log(D/s)) and O(sqrt(D/s)) mixed triangles.
 static void tall_cells_are_few_and_a_line_meets_few_cells(void **state) {
     (void)state;
     static const test_family families[] = {TEST_REGULAR, TEST_CIRCLE, TEST_ELLIPSE};

@@ -283,7 +283,7 @@ static void the_audit_rejects_a_tampered_pair(void **state) {
                     p.edge = own->count;
                     REJECTED(5);
                 } else { // any other edge whose line is not the same in floats
-                    const bmr_hierarchy *h = t.shape[p.owner].hierarchy;
+                    const bmr_hierarchy *h = t.shape[p.owner].hierarchies[p.structure];
                     p.edge = test_random_below(&random, bmr_hierarchy_edge_count(h));
                     const bmr_vec2 from = bmr_hierarchy_line(h, honest.edge).normal;
                     const bmr_vec2 to = bmr_hierarchy_line(h, p.edge).normal;

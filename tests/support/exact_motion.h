@@ -7,7 +7,7 @@
 
 #include <gmpxx.h>
 
-#include "boomerang/vector.h"
+#include "boomerang/pose.h"
 
 /// @file
 /// Points of moving bodies in rational arithmetic: where a pose's matrix puts them as it stands, and how far

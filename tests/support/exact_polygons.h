@@ -11,7 +11,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include "boomerang/polygon.h"
-#include "boomerang/vector.h"
+#include "boomerang/pose.h"
 
 /// @file
 /// Convex polygons in rational arithmetic: where a pose's matrix puts them as it stands, unit length or not,

@@ -17,7 +17,7 @@ extern "C" {
 typedef struct test_kds_body {
     bmr_polygon *polygon;
     bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT];
-    bmr_kds_shape shape;
+    bmr_shape shape;
 } test_kds_body;
 /// Takes the polygon over.
 test_kds_body test_kds_body_make(bmr_polygon *polygon);

@@ -184,6 +184,8 @@ void test_body_destroy(test_body *body) {
 }
 
 bmr_shape test_body_shape(const test_body *body) {
-    const bmr_shape shape = {body->polygon, body->hierarchy};
+    bmr_shape shape = {body->polygon, {NULL}};
+    if (body->hierarchy)
+        shape.hierarchies[bmr_hierarchy_get_kind(body->hierarchy)] = body->hierarchy;
     return shape;
 }

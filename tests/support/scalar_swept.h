@@ -2,7 +2,7 @@
 #ifndef BMR_TEST_SCALAR_SWEPT_H
 #define BMR_TEST_SCALAR_SWEPT_H
 
-#include "boomerang/swept32.h"
+#include "exact32/swept32.h"
 
 /// @file
 /// The functions of swept32.h as they are on machines without SSE2.

@@ -13,15 +13,15 @@
 #include "boomerang/convex32.h"
 #include "boomerang/kds.h"
 #include "boomerang/minkowski.h"
-#include "boomerang/mixed.h"
 #include "every_allocation.h"
+#include "hierarchy/mixed_cells.h"
 
 enum { COUNT = 60 };
 static bmr_vec2 points[COUNT];
 static bmr_vec32 points32[COUNT];
 static bmr_polygon *polygon, *point;
 static bmr_compass *compass;
-static bmr_kds_shape shape, point_shape;
+static bmr_shape shape, point_shape;
 static bmr_convex32_block *convex;
 static bmr_mixed mixed;
 
@@ -40,7 +40,7 @@ static int prepare(void **state) {
     if (errors != 0)
         return errors;
     for (int k = 0; k < 2; ++k) {
-        bmr_kds_shape *s = k == 0 ? &shape : &point_shape;
+        bmr_shape *s = k == 0 ? &shape : &point_shape;
         s->polygon = k == 0 ? polygon : point;
         errors |= (int)bmr_hierarchy_build_compass(s->polygon, compass, NULL, &made[BMR_HIERARCHY_COMPASS]) |
                   (int)bmr_hierarchy_build_dudley(s->polygon, NULL, &made[BMR_HIERARCHY_DUDLEY]) |

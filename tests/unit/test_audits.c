@@ -15,6 +15,7 @@
 #include "kds/windowed_line.h"
 #include "kds_driver.h"
 #include "motions.h"
+#include "structure_named.h"
 
 static test_kds_body regular(size_t n) {
     test_random random = {n};
@@ -31,7 +32,7 @@ typedef struct stage {
 static stage stage_of(const char *name, test_kds_body a, test_kds_body b, double gap) {
     stage s = {a, b, {test_pose_at(a.polygon, b.polygon, 0.3, 0.5, gap), {0.0, 0.0}, 0.0}, NULL};
     const bmr_kds_def def = bmr_default_kds_def();
-    const bmr_kds_info *info = bmr_kds_find(name);
+    const bmr_kds_info *info = test_structure(name);
     assert_non_null(info);
     assert_int_equal(bmr_kds_create(info, &def, &s.a.shape, &s.b.shape, NULL, &s.kds), BMR_OK);
     assert_ptr_equal(bmr_kds_get_info(s.kds), info);
@@ -90,7 +91,7 @@ static void an_inflation_may_begin_below_both_hierarchies(void **state) {
     def.root_level = 50;
     bmr_kds *kds = NULL;
     assert_int_equal(
-        bmr_kds_create(bmr_kds_find("inflated-translation"), &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
+        bmr_kds_create(test_structure("inflated-translation"), &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
     const bmr_instant now = {test_pose_at(a.polygon, b.polygon, 0.3, 0.5, 0.2), {0.0, 0.0}, 0.0};
     bmr_kds_report report;
     bmr_kds_start(kds, &now, &report);
@@ -173,14 +174,14 @@ static void a_window_bounds_in_the_middle_of_its_bracket_too(void **state) {
 static void sums_that_are_too_large_are_refused(void **state) {
     (void)state;
     const bmr_kds_def def = bmr_default_kds_def();
-    const bmr_kds_info *info = bmr_kds_find("sum-triangle-dudley");
+    const bmr_kds_info *info = test_structure("sum-triangle-dudley");
     test_random random = {1};
     bmr_polygon *many = test_polygon(TEST_REGULAR, BMR_MAX_VERTICES / 2 + 1, &random);
     const bmr_vec2 far[] = {{0.75 * BMR_MAX_COORDINATE, 0.0}, {0.0, 0.75 * BMR_MAX_COORDINATE}, {0.0, 0.0}};
     bmr_polygon *large = NULL;
     assert_int_equal(bmr_polygon_create(far, 3, NULL, &large), BMR_OK);
     for (int k = 0; k < 2; ++k) {
-        bmr_kds_shape shape;
+        bmr_shape shape;
         memset(&shape, 0, sizeof shape);
         shape.polygon = k == 0 ? many : large;
         bmr_kds *kds = NULL;
@@ -243,11 +244,12 @@ static void a_pair_is_audited_field_by_field(void **state) {
         pair = right;
         if (structure != BMR_FREE_DIRECTION) {
             bmr_shape bare = shape_a;
-            bare.hierarchy = NULL; // as for another structure, which its next repair will make of it
+            bare.hierarchies[structure] =
+                NULL; // as for another structure, which its next repair will make of it
             assert_int_equal(bmr_pair_audit(&pair, &def, &bare, &shape_b, &near),
                              BMR_ERROR_INVALID_STRUCTURE);
             bare = shape_b;
-            bare.hierarchy = shape_a.hierarchy; // of another polygon
+            bare.hierarchies[structure] = shape_a.hierarchies[structure]; // of another polygon
             assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &bare, &near),
                              BMR_ERROR_INVALID_STRUCTURE);
         }
@@ -262,7 +264,8 @@ static void a_lazy_pair_without_hierarchies_is_audited_as_a_free_direction(void 
     test_random random = {3};
     test_body a = test_body_make(test_polygon(TEST_ELLIPSE, 40, &random), BMR_FREE_DIRECTION);
     const bmr_shape shape = test_body_shape(&a);
-    assert_null(shape.hierarchy);
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind)
+        assert_null(shape.hierarchies[kind]);
     bmr_pair_def def = bmr_default_pair_def();
     def.structure = BMR_LAZY_DUDLEY;
     const bmr_pose near = test_pose_at(a.polygon, a.polygon, 0.3, 0.5, 0.01);

@@ -459,7 +459,7 @@ TEST_CASE("where Box2D is unknown a big shape is refused and stays what it was, 
                   bmr::SetLibraryCheck([] { return "a test says so"; });
                   ConvexShape shape;
                   const bmr_error small = shape.SetRegular(6, 1.0f), big = shape.SetRegular(64, 1.0f);
-                  run.Print("%d %d %d", small == BMR_OK, big == BMR_ERROR_UNKNOWN_ENGINE,
+                  run.Print("%d %d %d", small == BMR_OK, big == BMR_ERROR_UNSUPPORTED,
                             shape.GetVertexCount());
               },
               nullptr, forked::When::kBefore) == "1 1 6\n");

@@ -11,6 +11,7 @@
 
 #include "kds/structure.h"
 #include "kds_driver.h"
+#include "structure_named.h"
 
 /// A structure of one line, in the closest direction.
 static bool line_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
@@ -163,11 +164,11 @@ static void leave_place(void *context, void *block, size_t size) {
     (void)context, (void)block, (void)size;
 }
 
-static bmr_kds_shape triangle_in_place(double width, const bmr_allocator *allocator) {
+static bmr_shape triangle_in_place(double width, const bmr_allocator *allocator) {
     const bmr_vec2 vertices[] = {{0.0, 0.0}, {width, 0.0}, {0.0, 1.0}};
     bmr_polygon *made = NULL;
     assert_int_equal(bmr_polygon_create_raw(vertices, 3, allocator, &made), BMR_OK);
-    const bmr_kds_shape shape = {made, {NULL, NULL, NULL}};
+    const bmr_shape shape = {made, {NULL, NULL, NULL}};
     return shape;
 }
 
@@ -175,9 +176,9 @@ static bmr_kds_shape triangle_in_place(double width, const bmr_allocator *alloca
 static void a_hierarchy_of_a_polygon_that_is_no_more_is_refused(void **state) {
     (void)state;
     const bmr_allocator one_place = {take_place, leave_place, NULL};
-    const bmr_kds_info *info = bmr_kds_find("lazy-dk");
+    const bmr_kds_info *info = test_structure("lazy-dobkin-kirkpatrick");
     const bmr_kds_def def = bmr_default_kds_def();
-    bmr_kds_shape a = triangle_in_place(1.0, NULL), b = triangle_in_place(1.0, &one_place);
+    bmr_shape a = triangle_in_place(1.0, NULL), b = triangle_in_place(1.0, &one_place);
     bmr_hierarchy *of_a = NULL, *of_b = NULL;
     assert_int_equal(bmr_hierarchy_build_dobkin_kirkpatrick(a.polygon, NULL, &of_a), BMR_OK);
     assert_int_equal(bmr_hierarchy_build_dobkin_kirkpatrick(b.polygon, NULL, &of_b), BMR_OK);

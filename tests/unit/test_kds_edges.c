@@ -12,30 +12,20 @@
 
 #include "kds_driver.h"
 #include "motions.h"
+#include "structure_named.h"
 
-static const char *const names[] = {"triangle-levels-compass",
-                                    "triangle-levels-dudley",
-                                    "triangle-binary-compass",
-                                    "triangle-binary-dudley",
-                                    "point-lazy-compass",
-                                    "point-lazy-dudley",
-                                    "point-lazy-dk",
-                                    "point-inflated-compass",
-                                    "point-inflated-dudley",
-                                    "point-inflated-slack",
-                                    "point-complex",
-                                    "sum-triangle-compass",
-                                    "sum-triangle-dudley",
-                                    "sum-lazy-compass",
-                                    "sum-lazy-dudley",
-                                    "sum-inflated-compass",
-                                    "lazy-compass",
-                                    "lazy-dudley",
-                                    "lazy-dk"};
+static const char *const names[] = {
+    "triangle-levels-compass",       "triangle-levels-dudley", "triangle-binary-compass",
+    "triangle-binary-dudley",        "point-lazy-compass",     "point-lazy-dudley",
+    "point-lazy-dobkin-kirkpatrick", "point-inflated-compass", "point-inflated-dudley",
+    "point-inflated-slack",          "point-complex",          "sum-triangle-compass",
+    "sum-triangle-dudley",           "sum-lazy-compass",       "sum-lazy-dudley",
+    "sum-inflated-compass",          "lazy-compass",           "lazy-dudley",
+    "lazy-dobkin-kirkpatrick"};
 #define NAMES (sizeof names / sizeof *names)
 
 static const bmr_kds_info *info_of(size_t i) {
-    const bmr_kds_info *info = bmr_kds_find(names[i]);
+    const bmr_kds_info *info = test_structure(names[i]);
     assert_non_null(info);
     return info;
 }
@@ -218,7 +208,7 @@ static void no_pose_is_contact_and_no_point_is_an_error(void **state) {
         if (info_of(i)->domain == BMR_KDS_POINT)
             assert_int_equal(bmr_kds_create(info_of(i), &def, &a.shape, &b.shape, NULL, &kds),
                              BMR_ERROR_OUT_OF_RANGE);
-        bmr_kds_shape bare = {a.polygon, {NULL, NULL, NULL}};
+        bmr_shape bare = {a.polygon, {NULL, NULL, NULL}};
         if (info_of(i)->hierarchy >= 0)
             assert_int_equal(bmr_kds_create(info_of(i), &def, &bare, &point.shape, NULL, &kds),
                              BMR_ERROR_NULL_ARGUMENT);

@@ -13,7 +13,8 @@
 #include <gsl/gsl_rng.h>
 #include <pthread.h>
 
-#include "boomerang/kinetic.h"
+#include "boomerang/motion.h"
+#include "kinetic/first_root.h"
 #include "test_scale.h"
 
 #define ROOT_TOLERANCE 1e-9

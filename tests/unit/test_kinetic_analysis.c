@@ -13,6 +13,7 @@
 #include "failing_allocator.h"
 #include "kds/structure.h"
 #include "polygons.h"
+#include "structure_named.h"
 #include "test_scale.h"
 
 #define PI 3.14159265358979323846
@@ -314,7 +315,7 @@ static void test_fits_find_power_and_logarithm(void **state) {
 
 static bmr_run run_structure(const char *name, const bmr_course *course, double diameter) {
     bmr_run_def def = {
-        .structure = bmr_kds_find(name), .simulation = bmr_default_simulation_def(), .audit = true};
+        .structure = test_structure(name), .simulation = bmr_default_simulation_def(), .audit = true};
     assert_non_null(def.structure);
     assert_int_equal(def.structure->hierarchy, -1);
     for (int k = 0; k < 2; k++)
@@ -384,7 +385,7 @@ static bmr_error audit_with_errors(const bmr_kds *kds, const bmr_pose *b_in_a) {
 static void test_a_run_keeps_the_first_error_of_its_audits(void **state) {
     (void)state;
     // (Classes of some other structures are the beginning of something larger.)
-    bmr_kds_info info = *bmr_kds_find("closest-features");
+    bmr_kds_info info = *test_structure("closest-features");
     bmr_kds_class class = *(const bmr_kds_class *)info.implementation;
     class.audit = audit_with_errors;
     info.implementation = &class;

@@ -16,6 +16,8 @@
 #include "kds_driver.h"
 #include "kinetic/bernstein.h"
 #include "kinetic/event_queue.h"
+#include "kinetic/first_root.h"
+#include "structure_named.h"
 
 /// In GSL's place: what the solver says here.
 static int solver_status = GSL_SUCCESS;
@@ -143,7 +145,7 @@ static void a_run_into_contact_has_a_distance_of_zero_there(void **state) {
                                1.0};
     bmr_run_def def;
     memset(&def, 0, sizeof def);
-    def.structure = bmr_kds_find("lazy-dudley");
+    def.structure = test_structure("lazy-dudley");
     def.shapes[0] = a.shape;
     def.shapes[1] = b.shape;
     def.simulation = bmr_default_simulation_def();
@@ -200,9 +202,9 @@ static void what_makes_no_sense_is_refused(void **state) {
     assert_int_equal(bmr_simulation_replan(NULL, 0), BMR_ERROR_NULL_ARGUMENT);
 
     bmr_simulation_def def = bmr_default_simulation_def();
-    def.structure = bmr_kds_find("lazy-dudley");
+    def.structure = test_structure("lazy-dudley");
     test_kds_body body = test_kds_body_make(polygon_of(square, 4));
-    const bmr_kds_shape shapes[] = {body.shape, body.shape};
+    const bmr_shape shapes[] = {body.shape, body.shape};
     bmr_motion *const motions[] = {motion, NULL};
     bmr_simulation *simulation = NULL;
     assert_int_equal(bmr_simulation_create(&def, shapes, motions, 2, 0.0, NULL, NULL, NULL, &simulation),

@@ -71,7 +71,7 @@ typedef struct contact_case {
 static void check_contact(const contact_case *c) {
     static const bmr_vec2 box[] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
     test_kds_body body[2];
-    bmr_kds_shape shapes[2];
+    bmr_shape shapes[2];
     for (int side = 0; side < 2; side++) {
         bmr_polygon *polygon = NULL;
         assert_int_equal(bmr_polygon_create(box, 4, NULL, &polygon), BMR_OK);

@@ -104,7 +104,7 @@ static void run(const pair *p, bmr_motion_piece piece, uint64_t contacts) {
     bmr_motion *motions[2] = {NULL, NULL};
     assert_int_equal(bmr_motion_create(&rest, NULL, &motions[0]), BMR_OK);
     assert_int_equal(bmr_motion_create(&piece, NULL, &motions[1]), BMR_OK);
-    const bmr_kds_shape shapes[2] = {p->body[0].shape, p->body[1].shape};
+    const bmr_shape shapes[2] = {p->body[0].shape, p->body[1].shape};
     bmr_simulation_def def = bmr_default_simulation_def();
     def.structure = p->info;
     bmr_simulation *simulation = NULL;

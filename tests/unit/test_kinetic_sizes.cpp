@@ -11,8 +11,8 @@
 #include "boomerang/convex32.h"
 #include "boomerang/kds.h"
 #include "boomerang/minkowski.h"
-#include "boomerang/mixed.h"
 #include "boomerang/simulation.h"
+#include "hierarchy/mixed_cells.h"
 
 extern "C" {
 #include "convex32/scratch.h"
@@ -81,7 +81,7 @@ TEST_CASE("the pairs of a simulation take what they take, or are refused") {
         CHECK(layout.pair_count == pairs);
         CHECK(layout.bytes <= k32);
         // Every array behind the one before, with room for its elements.
-        CHECK(layout.motions >= layout.shapes + bodies * sizeof(bmr_kds_shape));
+        CHECK(layout.motions >= layout.shapes + bodies * sizeof(bmr_shape));
         CHECK(layout.pairs >= layout.motions + bodies * sizeof(void *));
         CHECK(layout.times >= layout.pairs + pairs * 64);
         CHECK(layout.order >= layout.times + pairs * sizeof(double));
@@ -165,7 +165,7 @@ TEST_CASE("all that is made of the largest polygons fits 32 bits") {
         REQUIRE(bmr_hierarchy_build_dudley(polygon, memory, &made[BMR_HIERARCHY_DUDLEY]) == BMR_OK);
         REQUIRE(bmr_hierarchy_build_dobkin_kirkpatrick(polygon, memory,
                                                        &made[BMR_HIERARCHY_DOBKIN_KIRKPATRICK]) == BMR_OK);
-        const bmr_kds_shape shape = {polygon, {made[0], made[1], made[2]}};
+        const bmr_shape shape = {polygon, {made[0], made[1], made[2]}};
         bmr_polygon *difference = nullptr;
         if (bmr_minkowski_difference(polygon, polygon, {1.0, 0.0}, memory, &difference) == BMR_OK)
             bmr_polygon_destroy(difference, memory);

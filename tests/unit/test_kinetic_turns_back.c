@@ -67,7 +67,7 @@ static bmr_error run(const scene *s, double turn, double end, event_times *times
     }
     bmr_simulation_def def = bmr_default_simulation_def();
     def.structure = s->info;
-    const bmr_kds_shape shapes[2] = {s->a.shape, s->b.shape};
+    const bmr_shape shapes[2] = {s->a.shape, s->b.shape};
     bmr_simulation *simulation;
     assert_int_equal(
         bmr_simulation_create(&def, shapes, motions, 2, 0.0, times ? note : NULL, times, NULL, &simulation),

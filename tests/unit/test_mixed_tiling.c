@@ -8,11 +8,11 @@
 #include <cmocka.h>
 #include <math.h>
 
-#include "boomerang/mixed.h"
 #include "compass_fixture.h"
 #include "failing_allocator.h"
 #include "hierarchies.h"
 #include "hierarchy/mixed.h"
+#include "hierarchy/mixed_cells.h"
 
 /// @file
 /// The mixed hierarchy of a diamond and a square, whose cells can be written down by hand.

@@ -50,7 +50,10 @@ struct Body {
     }
     /// What the structure names; nothing for the free direction.
     bmr_shape Shape(int structure) const {
-        return {polygon, structure == BMR_FREE_DIRECTION ? nullptr : hierarchies[structure]};
+        bmr_shape shape = {polygon, {}};
+        if (structure != BMR_FREE_DIRECTION)
+            shape.hierarchies[structure] = hierarchies[structure];
+        return shape;
     }
 };
 
@@ -90,10 +93,14 @@ double Distance(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose &pose
 
 /// What is to keep such a pair.
 bmr_structure Structure(const bmr_pair_def &def, const bmr_shape &a, const bmr_shape &b) {
-    for (const bmr_shape *shape : {&a, &b})
-        if (shape->hierarchy == nullptr || bmr_hierarchy_polygon(shape->hierarchy) != shape->polygon ||
-            static_cast<int>(bmr_hierarchy_get_kind(shape->hierarchy)) != static_cast<int>(def.structure))
+    for (const bmr_shape *shape : {&a, &b}) {
+        if (static_cast<int>(def.structure) >= BMR_HIERARCHY_KIND_COUNT)
             return BMR_FREE_DIRECTION;
+        const bmr_hierarchy *hierarchy = shape->hierarchies[def.structure];
+        if (hierarchy == nullptr || bmr_hierarchy_polygon(hierarchy) != shape->polygon ||
+            static_cast<int>(bmr_hierarchy_get_kind(hierarchy)) != static_cast<int>(def.structure))
+            return BMR_FREE_DIRECTION;
+    }
     return def.structure;
 }
 
@@ -274,9 +281,10 @@ TEST_CASE("polygons of other vertices have another stamp, and one that was writt
 TEST_CASE("every structure answers with whatever hierarchies there are") {
     const Body one(Regular(24, 1.0, 0.2)), two(Box(1.0, 0.5));
     const auto choices = [](const Body &body, const Body &another) {
-        std::vector<bmr_shape> shapes = {{body.polygon, nullptr}, {body.polygon, another.hierarchies[0]}};
-        for (const bmr_hierarchy *hierarchy : body.hierarchies)
-            shapes.push_back({body.polygon, hierarchy});
+        const bmr_hierarchy *others = another.hierarchies[0];
+        std::vector<bmr_shape> shapes = {{body.polygon, {}}, {body.polygon, {others, others, others}}};
+        for (const bmr_hierarchy *hierarchy : body.hierarchies) // in its own place and in those of others
+            shapes.push_back({body.polygon, {hierarchy, hierarchy, hierarchy}});
         return shapes;
     };
     for (int structure = 0; structure <= BMR_STRUCTURE_COUNT; ++structure) // the last is none
@@ -299,7 +307,7 @@ TEST_CASE("every structure answers with whatever hierarchies there are") {
 TEST_CASE("the default definition needs no hierarchy") {
     const Body box(Box(1.0, 1.0));
     const bmr_pair_def def = bmr_default_pair_def();
-    const bmr_shape bare = {box.polygon, nullptr};
+    const bmr_shape bare = {box.polygon, {}};
     bmr_pair pair = NewPair();
     CHECK(Advance(&pair, def, bare, bare, At(100.0, 0.0, 0.0)) == BMR_APART);
     CHECK(Advance(&pair, def, bare, bare, At(2.1, 0.5, 0.0)) == BMR_APART);

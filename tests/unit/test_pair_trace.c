@@ -53,9 +53,9 @@ static double distance_on_level(const trace *t, int level, const bmr_pose *q) {
         const bmr_vec2 way = bmr_sub(bmr_transform(q, b->center), a->center);
         return fmax(0.0, hypot(way.x, way.y) - a->radius - b->radius);
     }
-    if (!t->a.hierarchy)
+    if (!t->body[0].hierarchy)
         return test_distance(t->a.polygon, t->b.polygon, q);
-    bmr_polygon *a = envelope(t->a.hierarchy, level), *b = envelope(t->b.hierarchy, level);
+    bmr_polygon *a = envelope(t->body[0].hierarchy, level), *b = envelope(t->body[1].hierarchy, level);
     const double distance = test_distance(a, b, q);
     bmr_polygon_destroy(a, NULL);
     bmr_polygon_destroy(b, NULL);

@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "boomerang/swept32.h"
+#include "exact32/swept32.h"
 #include "scalar_swept.h"
 #include "test_scale.h"
 

@@ -69,7 +69,7 @@ public:
     /// coordinate beyond 1e9 where there are more than 8 points, a product that overflows, an area of at most
     /// b2_epsilon), BMR_ERROR_TOO_CLOSE (of at most 8 vertices two are within half of b2_linearSlop),
     /// BMR_ERROR_NOT_CONVEX (of at most 8 points Set's rounding finds no hull), BMR_ERROR_NO_MEMORY,
-    /// BMR_ERROR_UNKNOWN_ENGINE (more than 8 vertices need a Box2D that the glue knows). O(n log n).
+    /// BMR_ERROR_UNSUPPORTED (more than 8 vertices need a Box2D that the glue knows). O(n log n).
     bmr_error Set(const b2Vec2 *points, int32 count);
     /// The same of vertices that are such a hull, counter-clockwise from any one: kept as they are and where
     /// they are. BMR_ERROR_NOT_CONVEX where they are not. O(n).

@@ -92,7 +92,7 @@ void bmr_hysteresis_add(bmr_hysteresis *hysteresis, const bmr_polygon *a, const 
 
 typedef struct bmr_run_def {
     const bmr_kds_info *structure;
-    bmr_kds_shape shapes[2];       ///< their polygons are the course's
+    bmr_shape shapes[2];           ///< their polygons are the course's
     bmr_simulation_def simulation; ///< its `structure` is ignored
     bool audit;                    ///< re-prove everything at every event
     bmr_simulation_observer observer;

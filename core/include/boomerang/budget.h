@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "boomerang/vector.h"
+#include "boomerang/pose.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 #include "boomerang/error.h"
-#include "boomerang/vector.h"
+#include "boomerang/pose.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -22,13 +22,14 @@ typedef enum bmr_error {
     BMR_ERROR_INVALID_STRUCTURE, ///< an audit found a structure that contradicts itself
     BMR_ERROR_FALSE_CERTIFICATE, ///< an audit found a certificate that does not prove what it claims
     BMR_ERROR_STALLED,           ///< a simulation's pair has event after event and time stands still
-    BMR_ERROR_UNKNOWN_ENGINE,    ///< the physics engine of this process is none that the glue knows
+    BMR_ERROR_UNSUPPORTED,       ///< what this process is made of is none that the call can work with
     BMR_ERROR_TOO_FEW_POINTS,    ///< fewer than three points, or all on one line as far as floats can tell
-    BMR_ERROR_TOO_CLOSE,         ///< points so close together that the engine would make one of them
+    BMR_ERROR_TOO_CLOSE,         ///< points so close together that they would become one
     BMR_ERROR_NEGATIVE,          ///< a tolerance below zero
     BMR_ERROR_CORNER_TOO_LARGE,  ///< a corner's radius above half of a side
     BMR_ERROR_TOO_LARGE,         ///< more bytes than this machine has addresses for
     BMR_ERROR_WRONG_HIERARCHY,   ///< a hierarchy of another polygon or of another kind
+    BMR_ERROR_UNKNOWN_NAME,      ///< nothing has that name
     BMR_ERROR_COUNT              ///< number of codes; not an error
 } bmr_error;
 

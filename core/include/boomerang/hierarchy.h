@@ -130,6 +130,15 @@ bmr_corner bmr_hierarchy_refine(const bmr_hierarchy *hierarchy, bmr_corner corne
 /// From a corner of P_level to the corner of P_(level-1) that swallowed it (level >= 1). O(1).
 bmr_corner bmr_hierarchy_coarsen(const bmr_hierarchy *hierarchy, bmr_corner corner, uint32_t level);
 
+/// One body of a pair: what is prepared once for a polygon and shared by all pairs that it is in. Plain data;
+/// the polygon and the hierarchies belong to the caller.
+typedef struct bmr_shape {
+    const bmr_polygon *polygon; ///< never NULL
+    /// Built over `polygon` itself, each in the place of its bmr_hierarchy_kind. Those that no structure in
+    /// use walks on may be NULL.
+    const bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT];
+} bmr_shape;
+
 /// Re-checks everything this header promises against the polygon by brute force, O(n * depth). Tests and
 /// audits.
 bmr_error bmr_hierarchy_audit(const bmr_hierarchy *hierarchy);

@@ -20,13 +20,6 @@ extern "C" {
 ///
 /// All of it is in double precision. Poses are of B's frame in A's frame throughout.
 
-/// What is prepared once per polygon, shared by all pairs it is in: the polygon and its hierarchies, each in
-/// the place of its kind. A hierarchy that no structure in use needs may be NULL.
-typedef struct bmr_kds_shape {
-    const bmr_polygon *polygon;
-    const bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT];
-} bmr_kds_shape;
-
 /// Which pairs and motions a structure is made for.
 typedef enum bmr_kds_domain {
     BMR_KDS_POINT,       ///< B is a point (a polygon of one vertex); any motion
@@ -34,13 +27,26 @@ typedef enum bmr_kds_domain {
     BMR_KDS_RIGID        ///< two polygons, any motion
 } bmr_kds_domain;
 
+/// What a structure is here for.
+typedef enum bmr_kds_role {
+    /// Take one of these. For a point: point-lazy-dudley, and point-inflated-slack where events are to be far
+    /// apart. For two polygons: lazy-dudley, the paper's own; free-fd2, which needs no hierarchy; predict,
+    /// which has the fewest lines where the rates are known. With hysteresis: inflated-translation,
+    /// inflated-window.
+    BMR_KDS_RECOMMENDED,
+    /// As right as those, but another one does the same for less: here to be compared with. What the paper
+    /// goes through on its way, and variants with one thing changed.
+    BMR_KDS_CONTROL,
+    BMR_KDS_RIVAL ///< one of those that the paper compares with
+} bmr_kds_role;
+
 /// The outside of one structure. Constant; there is one for each.
 typedef struct bmr_kds_info {
     const char *name;    ///< for command lines: "active-cell-compass"
     const char *title;   ///< one line for tables and help
     const char *section; ///< where it is in the paper, or what it answers
     bmr_kds_domain domain;
-    bool rival;                 ///< one of those that the paper compares with
+    bmr_kds_role role;
     int hierarchy;              ///< the bmr_hierarchy_kind it needs of each shape, or -1
     const void *implementation; ///< core's own
 } bmr_kds_info;
@@ -48,8 +54,13 @@ typedef struct bmr_kds_info {
 /// All structures, in the order of the paper. O(1).
 size_t bmr_kds_count(void);
 const bmr_kds_info *bmr_kds_at(size_t index);
-/// NULL if there is none of that name.
-const bmr_kds_info *bmr_kds_find(const char *name);
+/// The structure of a name. Errors: NULL_ARGUMENT; UNKNOWN_NAME: there is none of that name, and
+/// bmr_kds_describe_unknown says which there are. Then *info is untouched. O(their number).
+bmr_error bmr_kds_find(const char *name, const bmr_kds_info **info);
+/// The sentence for a name that bmr_kds_find did not know: the name (its first 64 bytes; NULL: none) and all
+/// names there are. Writes at most `size` bytes into `text`, with a 0 at the end where size > 0, and returns
+/// how many it would have written without that limit, as snprintf does: 1024 are enough.
+size_t bmr_kds_describe_unknown(const char *name, char *text, size_t size);
 
 /// How a structure is to behave. Start from bmr_default_kds_def().
 typedef struct bmr_kds_def {
@@ -59,7 +70,7 @@ typedef struct bmr_kds_def {
     double margin;
     /// Contact is left when they are margin + hysteresis apart; >= 0.
     double hysteresis;
-    /// Inflated structures: eps_j = alpha * (D_A + D_B) * kappa_ratio^j. The paper's: 1/2 and 1/2; a ratio
+    /// Inflated structures: eps_j = alpha * (D_A + D_B) * offset_ratio^j. The paper's: 1/2 and 1/2; a ratio
     /// nearer to 1 takes beta towards 1 and kappa towards 3, where the root polygon is richer too.
     double alpha, offset_ratio;
     /// Inflated structures: levels of the hierarchy that the root polygon already has; 0: the rectangle.
@@ -126,8 +137,8 @@ typedef struct bmr_kds bmr_kds;
 /// outlive it, unchanged: it is bound to them, and no later call takes others. Errors: NULL_ARGUMENT (also a
 /// hierarchy that `info` needs), WRONG_HIERARCHY (it is of another polygon or kind), OUT_OF_RANGE (a def that
 /// makes no sense; a POINT structure for a B of several vertices), NO_MEMORY.
-bmr_error bmr_kds_create(const bmr_kds_info *info, const bmr_kds_def *def, const bmr_kds_shape *a,
-                         const bmr_kds_shape *b, const bmr_allocator *allocator, bmr_kds **kds);
+bmr_error bmr_kds_create(const bmr_kds_info *info, const bmr_kds_def *def, const bmr_shape *a,
+                         const bmr_shape *b, const bmr_allocator *allocator, bmr_kds **kds);
 void bmr_kds_destroy(bmr_kds *kds, const bmr_allocator *allocator);
 const bmr_kds_info *bmr_kds_get_info(const bmr_kds *kds);
 /// Bytes of the pair's own state.

@@ -5,7 +5,8 @@
 #include <stddef.h>
 
 #include "boomerang/allocator.h"
-#include "boomerang/kinetic.h"
+#include "boomerang/error.h"
+#include "boomerang/pose.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -17,6 +18,19 @@ extern "C" {
 /// A motion is a sequence of pieces, each with a time from which it holds; the first holds from -INFINITY. A
 /// change of flight plan replaces what comes after a time. Each motion is two blocks of its allocator:
 /// itself, and its pieces, whose block is doubled when it is full.
+
+/// A body whose frame's origin moves along a straight line while the body turns about that origin at a
+/// constant rate: what a body without forces does when the origin is its centre of mass. Spin 0 is a
+/// translation.
+typedef struct bmr_screw_motion {
+    bmr_pose start;    ///< the pose at time 0
+    bmr_vec2 velocity; ///< of the origin, length units per unit of time
+    double spin;       ///< counter-clockwise, radians per unit of time
+} bmr_screw_motion;
+
+/// The pose at `time`, which may be negative. (c, s) is as far from unit length as the start's, up to two
+/// roundings; the angle turned is spin * time, rounded once. A NaN or an infinity comes out as NaN. O(1).
+bmr_pose bmr_screw_motion_pose(const bmr_screw_motion *motion, double time);
 
 /// The highest degree of a coordinate polynomial of an algebraic piece, and of each of the two polynomials
 /// that its rational rotation is made of.

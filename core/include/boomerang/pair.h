@@ -25,6 +25,11 @@ extern "C" {
 /// starts the pair anew, as bmr_pair_init would have: a polygon may be replaced, also by one at the same
 /// address, and nobody need tell the pair. A copy of a polygon is the same polygon. A polygon that was
 /// written to in place keeps its stamp, which is why nobody may (bmr_polygon_audit finds it).
+///
+/// A lazy structure walks on the hierarchy that lies in its kind's place of a bmr_shape. NULL, one of another
+/// kind and one of another polygon are no hierarchy. A hierarchy knows its polygon by its address and its
+/// stamp together: kept while its polygon was freed, it is none of a polygon of other vertices that was made
+/// at the same address. Polygons and hierarchies need only live during each call.
 
 /// Which kinetic structure.
 typedef enum bmr_structure {
@@ -40,16 +45,6 @@ typedef enum bmr_structure {
 
 /// "lazy-compass", "lazy-dudley", "lazy-dobkin-kirkpatrick", "free-direction"; NULL for anything else.
 const char *bmr_structure_name(bmr_structure structure);
-
-/// One body of a pair. `hierarchy` is what the lazy structures walk on: of the kind that the structure names,
-/// built over `polygon` itself. NULL, one of another kind and one of another polygon are no hierarchy. A
-/// hierarchy knows its polygon by its address and its stamp together: kept while its polygon was freed, it is
-/// none of a polygon of other vertices that was made at the same address. Both need only live during each
-/// call.
-typedef struct bmr_shape {
-    const bmr_polygon *polygon;     ///< never NULL
-    const bmr_hierarchy *hierarchy; ///< may be NULL
-} bmr_shape;
 
 /// How a structure is to behave: constant, shared by many pairs.
 typedef struct bmr_pair_def {
@@ -182,6 +177,21 @@ static inline bool bmr_pair_check(const bmr_pair *pair, const bmr_pose *b_in_a, 
 /// change) expected, O(log n) for a start.
 bmr_answer bmr_pair_advance(bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a, const bmr_shape *b,
                             const bmr_pose *b_in_a, const bmr_observer *observer, double *gap);
+
+/// Which two bodies of a world a pair is of: indices into the array of its poses.
+typedef struct bmr_pair_bodies {
+    uint32_t a, b;
+} bmr_pair_bodies;
+
+/// bmr_pair_check for many pairs at once: pairs[i] is of the bodies bodies[i], whose poses (in the world) are
+/// in `poses`. `failed`, which has room for `count`, gets the indices of those that do not hold by more than
+/// `margin`, in ascending order, and *failed_count their number: these are to be advanced, all others are
+/// apart. A pair whose relative pose bmr_pair_takes does not take fails. O(count), nothing is allocated.
+/// Errors: NULL_ARGUMENT; OUT_OF_RANGE (a body that is not less than `pose_count`, a margin that is negative
+/// or NaN). Then *failed_count is untouched, and `failed` holds nothing of use.
+bmr_error bmr_pairs_check(const bmr_pair *pairs, const bmr_pair_bodies *bodies, size_t count,
+                          const bmr_pose *poses, size_t pose_count, double margin, size_t *failed,
+                          size_t *failed_count);
 
 /// Re-proves the pair's state from scratch at a pose where it was just advanced to (brute force over all
 /// vertices, and for the lazy structures: the edge is on its level, the corner is the extreme one of its

@@ -7,7 +7,7 @@
 
 #include "boomerang/allocator.h"
 #include "boomerang/error.h"
-#include "boomerang/vector.h"
+#include "boomerang/pose.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -12,10 +12,7 @@ namespace testbed {
 namespace {
 
 const bmr_kds_info &Structure(const char *name) {
-    const bmr_kds_info *info = bmr_kds_find(name);
-    if (!info)
-        throw std::runtime_error(std::string("there is no structure ") + name);
-    return *info;
+    return *StructureNamed(name);
 }
 
 /// A screw motion of B from one place to another in the time 0 to 1, A at rest.

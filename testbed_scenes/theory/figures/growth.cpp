@@ -27,7 +27,7 @@ Plot PlotOf(bmr_family family, const std::string &title, bool logarithmic) {
     experiment.motions = {family};
     experiment.n = kVertices;
     for (const Wanted &wanted : kStructures)
-        experiment.structures.push_back(bmr_kds_find(wanted.structure));
+        experiment.structures.push_back(StructureNamed(wanted.structure));
     for (double ratio = 4.0; ratio <= 4096.0; ratio *= 4.0)
         experiment.ratios.push_back(ratio);
     for (unsigned seed = 1; seed <= kSeeds; ++seed)
@@ -42,13 +42,13 @@ Plot PlotOf(bmr_family family, const std::string &title, bool logarithmic) {
     size_t index = 0;
     for (const Wanted &wanted : kStructures) {
         // The rivals would squeeze everything else where the scale is linear.
-        const bmr_kds_info *info = bmr_kds_find(wanted.structure);
+        const bmr_kds_info *info = StructureNamed(wanted.structure);
         PlotSeries series = {wanted.label, {}, ink::Series(index++)};
         for (size_t i = 0; i < experiment.ratios.size(); ++i)
             if (const std::optional<double> mean =
                     MeanOver(runs, bmr_family_name(family), info, i, Quantity::Events))
                 series.points.push_back({experiment.ratios[i], *mean});
-        if (!(logarithmic && info->rival))
+        if (!(logarithmic && info->role == BMR_KDS_RIVAL))
             plot.series.push_back(std::move(series));
     }
     PlotSeries optimum = {"offline optimum", {}, ink::kBlack};

@@ -8,7 +8,7 @@
 #include <set>
 #include <tuple>
 
-#include "boomerang/mixed.h"
+#include "hierarchy/mixed_cells.h"
 #include "theory/figure.h"
 
 namespace testbed {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_SWEPT32_H
-#define BOOMERANG_SWEPT32_H
+#ifndef BMR_EXACT32_SWEPT32_H
+#define BMR_EXACT32_SWEPT32_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_MIXED_H
-#define BOOMERANG_MIXED_H
+#ifndef BMR_HIERARCHY_MIXED_CELLS_H
+#define BMR_HIERARCHY_MIXED_CELLS_H
 
 #include "boomerang/hierarchy.h"
 

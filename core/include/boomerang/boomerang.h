@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_BOOMERANG_H
+#define BOOMERANG_BOOMERANG_H
+
+/// @file
+/// All of boomerang::core, in the order in which it is best read. Each line needs only those above it.
+
+// A convex polygon, and where it is: everything begins here.
+#include "boomerang/polygon.h"
+#include "boomerang/pose.h"
+
+// How far apart are two of them, or how deep in each other? Asked once, nothing remembered.
+#include "boomerang/distance.h"
+
+// Asked step by step: 64 bytes remember a proof that the two are apart, and look whether it still holds.
+#include "boomerang/pair.h"
+
+// Asked of a whole world: how far may two bodies move before their proof has to be looked at?
+#include "boomerang/budget.h"
+
+// What makes a proof coarse where there is room: approximations of a polygon from outside (section 3).
+#include "boomerang/hierarchy.h"
+#include "boomerang/inflated.h"
+#include "boomerang/minkowski.h"
+
+// Every structure of the paper, for motions that are known: the conditions that it waits for, and its repairs
+// (sections 4 to 6). Who finds out when a condition fails is in boomerang/kinetic.h.
+#include "boomerang/condition.h"
+#include "boomerang/kds.h"
+
+#endif

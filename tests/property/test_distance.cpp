@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+// Distance, closest points and penetration against all vertices and edges in long double; and for polygons of
+// many vertices against the certificate that an answer is: two points, and a line between the polygons.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "boomerang/distance.h"
+#include "geometry/posed_polygons.h"
+#include "polygon_distance.h"
+#include "polygons.h"
+#include "test_scale.h"
+
+namespace {
+
+using distance::Points;
+
+struct PolygonDeleter {
+    void operator()(bmr_polygon *p) const { bmr_polygon_destroy(p, nullptr); }
+};
+using Polygon = std::unique_ptr<bmr_polygon, PolygonDeleter>;
+
+Polygon Hull(const std::vector<bmr_vec2> &points) {
+    bmr_polygon *polygon = nullptr;
+    REQUIRE(bmr_polygon_create(points.data(), points.size(), nullptr, &polygon) == BMR_OK);
+    return Polygon(polygon);
+}
+
+/// A polygon of any family, or a segment, or a point; some of them of another size.
+Polygon Random(size_t n, test_random *random) {
+    const uint32_t family = test_random_below(random, TEST_FAMILY_COUNT + 2);
+    std::vector<bmr_vec2> points(n + 12);
+    if (family < TEST_FAMILY_COUNT)
+        points.resize(test_points(static_cast<test_family>(family), n, random, points.data()));
+    else
+        points = {{0.3, 0.2}, {1.0, -0.4}};
+    if (family == TEST_FAMILY_COUNT + 1)
+        points.resize(1);
+    const double size =
+        test_random_below(random, 4) == 0 ? std::exp2(test_random_uniform(random, -12, 12)) : 1.0;
+    for (bmr_vec2 &p : points)
+        p = bmr_scale(size, p);
+    return Hull(points);
+}
+
+/// Both in the world, and what lengths there may be off by.
+struct Scene {
+    const bmr_polygon *a, *b;
+    bmr_pose pose_a, pose_b;
+    Points points_a, points_b;
+    double tolerance;
+};
+
+Scene SceneOf(const bmr_polygon *a, const bmr_pose &pose_a, const bmr_polygon *b, const bmr_pose &pose_b) {
+    const auto size = [](bmr_vec2 v) { return std::fmax(std::fabs(v.x), std::fabs(v.y)); };
+    const double scale = a->extent + b->extent + size(pose_a.position) + size(pose_b.position);
+    return {a,
+            b,
+            pose_a,
+            pose_b,
+            distance::Transformed(a, pose_a),
+            distance::Transformed(b, pose_b),
+            BMR_DISTANCE_ROUNDING * scale};
+}
+
+/// A is anywhere; B beside it, with its supports `gap` apart in some direction.
+Scene Beside(const bmr_polygon *a, const bmr_polygon *b, double gap, test_random *random) {
+    const double way = test_random_uniform(random, -4, 4);
+    const bmr_vec2 u = {std::cos(way), std::sin(way)};
+    const bool axes = test_random_below(random, 4) == 0; // sides that are exactly parallel
+    const bmr_pose turned = bmr_pose_from_angle({0, 0}, axes ? 0.0 : test_random_uniform(random, -4, 4));
+    const bmr_vec2 pa = a->vertices[bmr_polygon_support(a, u)];
+    const bmr_vec2 pb =
+        bmr_rotate(&turned, b->vertices[bmr_polygon_support(b, bmr_unrotate(&turned, bmr_neg(u)))]);
+    const double slide = test_random_uniform(random, -0.3, 0.3) * std::fmin(a->extent, b->extent);
+    bmr_pose b_in_a = turned;
+    b_in_a.position = bmr_add(bmr_sub(pa, pb), bmr_add(bmr_scale(gap, u), bmr_scale(slide, bmr_left(u))));
+    const bmr_pose pose_a =
+        bmr_pose_from_angle({test_random_uniform(random, -5, 5), test_random_uniform(random, -5, 5)},
+                            axes ? 0.0 : test_random_uniform(random, -4, 4));
+    bmr_pose pose_b = bmr_pose_from_angle(bmr_transform(&pose_a, b_in_a.position), 0.0);
+    pose_b.c = pose_a.c * turned.c - pose_a.s * turned.s;
+    pose_b.s = pose_a.s * turned.c + pose_a.c * turned.s;
+    return SceneOf(a, pose_a, b, pose_b);
+}
+
+/// Are these two points of the polygons, that far apart, with the polygons on either side of the gap? Such an
+/// answer is right whatever it was computed by: no two points are nearer.
+bool ProvesItself(const Scene &s, const bmr_closest_points &answer) {
+    const bmr_vec2 way = bmr_sub(answer.point_b, answer.point_a);
+    const distance::Point a = {answer.point_a.x, answer.point_a.y}, b = {answer.point_b.x, answer.point_b.y};
+    const auto behind = [&](const Points &points, const distance::Point &p) {
+        if (points.size() == 1)
+            return std::hypot(points[0].x - p.x, points[0].y - p.y) <= s.tolerance;
+        if (points.size() == 2) {
+            const distance::Point w = distance::ToSegment(p, points[0], points[1]);
+            return std::hypot(w.x, w.y) <= s.tolerance;
+        }
+        for (size_t i = 0; i < points.size(); ++i) {
+            const distance::Point &q = points[i], &r = points[(i + 1) % points.size()];
+            const long double ex = r.x - q.x, ey = r.y - q.y;
+            if (ex * (p.y - q.y) - ey * (p.x - q.x) < -s.tolerance * std::hypot(ex, ey))
+                return false;
+        }
+        return true;
+    };
+    return std::fabs(std::hypot(way.x, way.y) - answer.distance) <= s.tolerance &&
+           std::fabs(std::hypot(answer.normal.x, answer.normal.y) - 1.0) <= 1e-14 &&
+           distance::SeparationAlong(s.points_a, s.points_b, answer.normal.x, answer.normal.y) >=
+               answer.distance - s.tolerance &&
+           behind(s.points_a, a) && behind(s.points_b, b);
+}
+
+bmr_closest_points Closest(const Scene &s) {
+    bmr_closest_points answer = {-1.0, {9, 9}, {9, 9}, {9, 9}};
+    REQUIRE(bmr_distance(s.a, &s.pose_a, s.b, &s.pose_b, &answer) == BMR_OK);
+    return answer;
+}
+
+bmr_overlap Overlap(const Scene &s) {
+    bmr_overlap answer = {-1.0, {9, 9}, {9, 9}, {9, 9}};
+    REQUIRE(bmr_penetration(s.a, &s.pose_a, s.b, &s.pose_b, &answer) == BMR_OK);
+    return answer;
+}
+
+/// Does the overlap agree with a depth that is known?
+bool Agrees(const Scene &s, const bmr_overlap &answer, long double depth) {
+    const bmr_vec2 way = bmr_sub(answer.point_a, answer.point_b);
+    const bmr_vec2 meant = bmr_scale(answer.depth, answer.normal);
+    const long double along =
+        distance::SeparationAlong(s.points_a, s.points_b, answer.normal.x, answer.normal.y);
+    return std::fabs(answer.depth - depth) <= s.tolerance && std::fabs(along + depth) <= s.tolerance &&
+           std::hypot(way.x - meant.x, way.y - meant.y) <= s.tolerance;
+}
+
+/// Least steps that are enough for chains of n and m vertices, by halves, and some for what is around the
+/// end.
+unsigned EnoughSteps(const Scene &s) {
+    return static_cast<unsigned>(std::ceil(std::log2(s.a->count)) + std::ceil(std::log2(s.b->count))) + 8;
+}
+
+unsigned StepsOf(const Scene &s) {
+    bmr_posed_polygons posed;
+    REQUIRE(bmr_posed_polygons_make(s.a, &s.pose_a, s.b, &s.pose_b, &posed) == BMR_OK);
+    unsigned steps = 0;
+    bmr_closest_points answer;
+    bmr_posed_polygons_closest(&posed, &steps, &answer);
+    return steps;
+}
+
+} // namespace
+
+TEST_CASE("distances and depths are those of brute force, for all families and gaps") {
+    test_random random = {171};
+    size_t apart = 0, overlapping = 0, longest = 0;
+    for (size_t round = 0; round < test_scaled(4000); ++round) {
+        CAPTURE(round);
+        const Polygon a = Random(3 + test_random_below(&random, 24), &random),
+                      b = Random(3 + test_random_below(&random, 24), &random);
+        const double size = std::fmin(a->extent, b->extent);
+        const double gaps[] = {2.0, 0.1, 1e-3, 1e-7, 1e-12, 0.0, -1e-12, -1e-6, -0.05, -0.7};
+        const Scene s = Beside(a.get(), b.get(), size * gaps[test_random_below(&random, 10)], &random);
+        const bool points = a->count == 1 && b->count == 1;
+        const long double truth =
+            points ? std::hypot(s.points_a[0].x - s.points_b[0].x, s.points_a[0].y - s.points_b[0].y)
+                   : distance::SignedDistance(s.points_a, s.points_b);
+        const bmr_closest_points closest = Closest(s);
+        const bmr_overlap overlap = Overlap(s);
+        CHECK(std::fabs(closest.distance - std::fmax(0.0L, truth)) <= s.tolerance);
+        longest = std::max<size_t>(longest, StepsOf(s));
+        if (closest.distance > 0.0) {
+            CHECK(ProvesItself(s, closest));
+            CHECK(overlap.depth == 0.0);
+            CHECK(overlap.normal.x == 0.0);
+            ++apart;
+        } else {
+            CHECK(closest.normal.x == 0.0);
+            CHECK((points || Agrees(s, overlap, std::fmax(0.0L, -truth))));
+            ++overlapping;
+        }
+        // The other way round.
+        const Scene t = {s.b, s.a, s.pose_b, s.pose_a, s.points_b, s.points_a, s.tolerance};
+        CHECK(std::fabs(Closest(t).distance - closest.distance) <= s.tolerance);
+        CHECK(std::fabs(Overlap(t).depth - overlap.depth) <= s.tolerance);
+    }
+    CHECK(apart > 0);
+    CHECK(overlapping > 0);
+    MESSAGE("apart " << apart << ", overlapping " << overlapping << ", steps at most " << longest);
+}
+
+TEST_CASE("an answer that is a little wrong is noticed") {
+    test_random random = {5};
+    const Polygon a = Polygon(test_polygon(TEST_REGULAR, 9, &random)),
+                  b = Polygon(test_polygon(TEST_ELLIPSE, 12, &random));
+    const Scene s = Beside(a.get(), b.get(), 0.3, &random);
+    const bmr_closest_points right = Closest(s);
+    REQUIRE(ProvesItself(s, right));
+    bmr_closest_points wrong = right;
+    wrong.distance *= 1.0 + 1e-11;
+    CHECK_FALSE(ProvesItself(s, wrong));
+    wrong = right;
+    wrong.normal = bmr_neg(right.normal);
+    CHECK_FALSE(ProvesItself(s, wrong));
+    wrong = right;
+    wrong.point_a = bmr_add(right.point_a, bmr_scale(1e-10, right.normal)); // off A by that
+    CHECK_FALSE(ProvesItself(s, wrong));
+    const Scene deep = Beside(a.get(), b.get(), -0.3, &random);
+    const long double depth = -distance::SignedDistance(deep.points_a, deep.points_b);
+    bmr_overlap overlap = Overlap(deep);
+    REQUIRE(Agrees(deep, overlap, depth));
+    overlap.normal = bmr_neg(overlap.normal);
+    CHECK_FALSE(Agrees(deep, overlap, depth));
+    overlap = Overlap(deep);
+    overlap.depth *= 1.0 + 1e-11;
+    CHECK_FALSE(Agrees(deep, overlap, depth));
+}
+
+TEST_CASE("a distance takes a logarithmic number of steps") {
+    test_random random = {77};
+    unsigned most = 0, most_small = 0;
+    for (const size_t n : {16, 256, 4096, 60000})
+        for (size_t round = 0; round < test_scaled(60); ++round) {
+            CAPTURE(n);
+            CAPTURE(round);
+            const test_family families[] = {TEST_REGULAR, TEST_ELLIPSE, TEST_NEEDLE, TEST_LENS, TEST_CLUSTER};
+            const Polygon a(test_polygon(families[round % 5], n, &random)),
+                b(test_polygon(families[test_random_below(&random, 5)], round % 2 ? n : 8, &random));
+            const double gaps[] = {3.0, 0.2, 1e-2, 1e-4, 1e-8};
+            const Scene s = Beside(a.get(), b.get(), gaps[test_random_below(&random, 5)], &random);
+            const bmr_closest_points closest = Closest(s);
+            if (closest.distance > 0.0)
+                CHECK(ProvesItself(s, closest));
+            const unsigned steps = StepsOf(s);
+            CHECK(steps <= EnoughSteps(s));
+            (n == 16 ? most_small : most) = std::max(n == 16 ? most_small : most, steps);
+        }
+    MESSAGE("steps at most " << most_small << " for 16 vertices, " << most << " for up to 60000");
+    CHECK(most > most_small); // a count that does not grow would be no count
+}
+
+TEST_CASE("vertices that close in on a corner cost no more") {
+    // (2^-k, 4^-k): each edge is half as steep and a quarter as long as the one before.
+    std::vector<bmr_vec2> points = {{-1.0, 1.0}};
+    for (int k = 0; k < 26; ++k)
+        points.push_back({std::exp2(-k), std::exp2(-2 * k)});
+    const Polygon a = Hull(points);
+    for (bmr_vec2 &p : points)
+        p.y = -p.y;
+    const Polygon b = Hull(points);
+    for (const double gap : {1.0, 1e-3, 1e-6, 1e-10}) {
+        const Scene s = SceneOf(a.get(), bmr_pose_identity(), b.get(), bmr_pose_from_angle({0.0, -gap}, 0.0));
+        const bmr_closest_points closest = Closest(s);
+        CHECK(closest.distance > 0.0);
+        CHECK(ProvesItself(s, closest));
+        CHECK(StepsOf(s) <= EnoughSteps(s));
+    }
+}
+
+TEST_CASE("a pose without an angle stands at the origin") {
+    const Polygon box = Hull({{1, 1}, {-1, 1}, {-1, -1}, {1, -1}});
+    const bmr_pose right = bmr_pose_from_angle({5.0, 0.5}, 0.0);
+    bmr_closest_points closest;
+    REQUIRE(bmr_distance(box.get(), nullptr, box.get(), &right, &closest) == BMR_OK);
+    CHECK(closest.distance == 3.0);
+    CHECK(closest.normal.x == 1.0);
+    CHECK(closest.normal.y == 0.0);
+    const bmr_pose quarter = bmr_pose_from_angle({3.0, 0.0}, std::acos(-1.0) / 4.0);
+    REQUIRE(bmr_distance(box.get(), nullptr, box.get(), &quarter, &closest) == BMR_OK);
+    CHECK(closest.distance == doctest::Approx(2.0 - std::sqrt(2.0)));
+    bmr_overlap overlap;
+    REQUIRE(bmr_penetration(box.get(), &right, box.get(), nullptr, &overlap) == BMR_OK);
+    CHECK(overlap.depth == 0.0);
+    const bmr_pose over = bmr_pose_from_angle({1.5, 0.25}, 0.0);
+    REQUIRE(bmr_penetration(box.get(), nullptr, box.get(), &over, &overlap) == BMR_OK);
+    CHECK(overlap.depth == 0.5);
+    CHECK(overlap.normal.x == 1.0);
+    CHECK(overlap.point_a.x == 1.0);
+    CHECK(overlap.point_b.x == 0.5);
+}

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <string.h>
+
+#include "boomerang/kds.h"
+
+static void every_structure_is_found_by_its_name_alone(void **state) {
+    (void)state;
+    for (size_t i = 0; i < bmr_kds_count(); ++i) {
+        const bmr_kds_info *info = NULL;
+        assert_int_equal(bmr_kds_find(bmr_kds_at(i)->name, &info), BMR_OK);
+        assert_ptr_equal(info, bmr_kds_at(i));
+        for (size_t j = 0; j < i; ++j)
+            assert_string_not_equal(bmr_kds_at(j)->name, bmr_kds_at(i)->name);
+    }
+    assert_null(bmr_kds_at(bmr_kds_count()));
+}
+
+static void a_wrong_name_is_told_with_the_names_there_are(void **state) {
+    (void)state;
+    static const char *const wrong[] = {"", "lazy", "lazy-dk", "Lazy-Dudley", "lazy-dudley ", "predict-"};
+    const bmr_kds_info *const untouched = bmr_kds_at(3);
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
+        const bmr_kds_info *info = untouched;
+        assert_int_equal(bmr_kds_find(wrong[i], &info), BMR_ERROR_UNKNOWN_NAME);
+        assert_ptr_equal(info, untouched);
+        char text[1024];
+        assert_true(bmr_kds_describe_unknown(wrong[i], text, sizeof text) < sizeof text);
+        char quoted[32] = "\"";
+        strcat(strcat(quoted, wrong[i]), "\"");
+        assert_non_null(strstr(text, quoted));
+        for (size_t k = 0; k < bmr_kds_count(); ++k)
+            assert_non_null(strstr(text, bmr_kds_at(k)->name));
+    }
+    const bmr_kds_info *info = untouched;
+    assert_int_equal(bmr_kds_find(NULL, &info), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_kds_find("predict", NULL), BMR_ERROR_NULL_ARGUMENT);
+    assert_ptr_equal(info, untouched);
+}
+
+static void the_sentence_fits_what_it_is_given(void **state) {
+    (void)state;
+    char whole[1024], part[64];
+    const size_t length = bmr_kds_describe_unknown("x", whole, sizeof whole);
+    assert_int_equal(length, strlen(whole));
+    assert_int_equal(bmr_kds_describe_unknown("x", NULL, 0), length);
+    assert_int_equal(bmr_kds_describe_unknown("x", NULL, 64), length);
+    for (size_t size = 0; size <= sizeof part; ++size) {
+        memset(part, '#', sizeof part);
+        assert_int_equal(bmr_kds_describe_unknown("x", part, size), length);
+        if (size > 0) {
+            assert_memory_equal(part, whole, size - 1);
+            assert_int_equal(part[size - 1], 0);
+        }
+        for (size_t i = size; i < sizeof part; ++i)
+            assert_int_equal(part[i], '#');
+    }
+    char longer[200];
+    memset(longer, 'y', sizeof longer - 1);
+    longer[sizeof longer - 1] = 0;
+    assert_int_equal(bmr_kds_describe_unknown(longer, NULL, 0), length + 63); // 64 bytes of it, in place of 1
+    assert_true(bmr_kds_describe_unknown(NULL, whole, sizeof whole) == length - 1);
+}
+
+/// The header tells which to take, by name: those and no others are recommended.
+static void the_recommended_are_those_that_the_header_names(void **state) {
+    (void)state;
+    static const char *const named[] = {
+        "point-lazy-dudley", "point-inflated-slack", "lazy-dudley",    "free-fd2",
+        "predict",           "inflated-translation", "inflated-window"};
+    static const char *const rivals[] = {"closest-features", "inner-tangent", "separating-edge",
+                                         "separating-edge-walk"};
+    size_t recommended = 0, rival = 0;
+    for (size_t i = 0; i < bmr_kds_count(); ++i) {
+        const bmr_kds_role role = bmr_kds_at(i)->role;
+        recommended += role == BMR_KDS_RECOMMENDED;
+        rival += role == BMR_KDS_RIVAL;
+        assert_true(role == BMR_KDS_RECOMMENDED || role == BMR_KDS_CONTROL || role == BMR_KDS_RIVAL);
+    }
+    assert_int_equal(recommended, sizeof named / sizeof *named);
+    assert_int_equal(rival, sizeof rivals / sizeof *rivals);
+    for (size_t i = 0; i < sizeof named / sizeof *named; ++i) {
+        const bmr_kds_info *info = NULL;
+        assert_int_equal(bmr_kds_find(named[i], &info), BMR_OK);
+        assert_int_equal(info->role, BMR_KDS_RECOMMENDED);
+    }
+    for (size_t i = 0; i < sizeof rivals / sizeof *rivals; ++i) {
+        const bmr_kds_info *info = NULL;
+        assert_int_equal(bmr_kds_find(rivals[i], &info), BMR_OK);
+        assert_int_equal(info->role, BMR_KDS_RIVAL);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_structure_is_found_by_its_name_alone),
+        cmocka_unit_test(a_wrong_name_is_told_with_the_names_there_are),
+        cmocka_unit_test(the_sentence_fits_what_it_is_given),
+        cmocka_unit_test(the_recommended_are_those_that_the_header_names),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
