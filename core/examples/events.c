@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "boomerang/simulation.h"
+#include "boomerang/kinetic.h"
 
 static void require(bmr_error error) {
     if (error == BMR_OK)

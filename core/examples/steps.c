@@ -3,7 +3,7 @@
 // boomerang::core alone.
 #include <stdio.h>
 
-#include "boomerang/pair.h"
+#include "boomerang/boomerang.h"
 
 int main(void) {
     const bmr_vec2 rhomb[4] = {{2, 0}, {0, 1}, {-2, 0}, {0, -1}},

@@ -8,7 +8,7 @@
 #   add_subdirectory   builds them together with the sources, and runs them
 #   static_box2d       builds a program with Box2D inside: what CMake says of it, and that it runs
 #   uninstall          takes the installation away and checks that no file is left
-# Environment: SOURCE, BUILD (the tree to install from), WORK (a directory of our own), WITH_BOX2D (ON or OFF), CC, CXX.
+# Environment: SOURCE, BUILD (the tree to install from), WORK (a directory of our own), WITH_BOX2D, WITH_KINETIC (ON or OFF), CC, CXX.
 set -euo pipefail
 step=$1
 consumer=$SOURCE/tests/consumer
@@ -24,12 +24,13 @@ fail() {
 build_with_cmake() {
     rm -rf "$out"
     cmake -S "$consumer/$step" -B "$out" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-        -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" -DCONSUME_BOX2D="$WITH_BOX2D" "$@"
+        -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" -DCONSUME_BOX2D="$WITH_BOX2D" -DCONSUME_KINETIC="$WITH_KINETIC" "$@"
     cmake --build "$out"
 }
 
 run_programs() {
     "$out/bin/consume_core"
+    [ ! -x "$out/bin/consume_kinetic" ] || "$out/bin/consume_kinetic"
     if [ "$WITH_BOX2D" = ON ]; then
         "$out/bin/consume_box2d"
         [ ! -x "$out/bin/game_loop" ] || "$out/bin/game_loop"
@@ -88,6 +89,10 @@ pkg_config)
     export PKG_CONFIG_PATH=$directory
     read -ra flags < <(pkg-config --cflags --libs boomerang-core)
     "$CC" -std=c11 "$consumer/consume_core.c" -o "$out/bin/consume_core" "${flags[@]}"
+    if [ "$WITH_KINETIC" = ON ]; then
+        read -ra flags < <(pkg-config --cflags --libs boomerang-kinetic)
+        "$CC" -std=c11 "$consumer/consume_kinetic.c" -o "$out/bin/consume_kinetic" "${flags[@]}"
+    fi
     if [ "$WITH_BOX2D" = ON ]; then
         read -ra flags < <(pkg-config --cflags --libs boomerang-box2d)
         "$CXX" -std=c++17 "$consumer/consume_box2d.cpp" -o "$out/bin/consume_box2d" "${flags[@]}"

@@ -3,7 +3,9 @@
 #define BOOMERANG_BOOMERANG_H
 
 /// @file
-/// All of boomerang::core, in the order in which it is best read. Each line needs only those above it.
+/// boomerang::core in double precision, in the order in which it is best read: each part needs only those
+/// above it. It needs nothing but libm. (Not here: convex32.h with its companions and exact32.h, tests in
+/// float for engines that ask for a given order of operations.)
 
 // A convex polygon, and where it is: everything begins here.
 #include "boomerang/polygon.h"
