@@ -6,15 +6,16 @@
 
 namespace bmr {
 
-/// The number of the step of a world that this thread is in; 0 outside of steps, and where nobody tells of
-/// them (the shared library does, in b2World::Step). No two steps of a process have the same.
+/// The number of the step that this thread is in. The shared library sets it in b2World::Step. 0 between
+/// steps, and in programs without the shared library. No two steps of a process have the same number.
 inline uint64_t &CurrentStep() {
     static thread_local uint64_t step = 0;
     return step;
 }
 
-/// May code of the game's own run in the middle of this thread's step? Not where the world's listener and
-/// filter are the ones that Box2D begins with. True outside of steps that are announced.
+/// True if code of the game may run in the middle of this thread's step: a listener or a filter of its own.
+/// False while a world steps whose listener and filter are those that Box2D installs by itself. True, too,
+/// when no step was announced on this thread.
 inline bool &GameMayRun() {
     static thread_local bool mayRun = true;
     return mayRun;

@@ -64,8 +64,11 @@ static inline uint32_t steps32(uint32_t from, uint32_t to, uint32_t count) {
     return to >= from ? to - from : to + count - from;
 }
 
-/// The same where the hint is not it; and where it is not near either.
+/// Called by farthest32 when the vertex at `start` is not the farthest along u: climbs from there for a few
+/// steps. Where these are not enough, it calls the next one.
 uint32_t bmr_convex32_walk_farthest(const bmr_convex32 *polygon, bmr_vec32 u, uint32_t start);
+/// The vertex farthest along u from scratch: climbs from the one that the polygon's table of directions has
+/// for u. A polygon without a table is climbed from `start`.
 uint32_t bmr_convex32_find_farthest(const bmr_convex32 *polygon, bmr_vec32 u, uint32_t start);
 
 /// The vertex farthest along u. Edges are judged by their own vectors, which hardly round, where products

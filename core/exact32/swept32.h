@@ -62,15 +62,15 @@ bmr_swept32_answer bmr_swept32_compare(const bmr_swept32 *a, const bmr_swept32 *
 /// the motion? True up to rounding; no search, some 50 instructions. Anything that is not a number: no.
 bool bmr_swept32_apart_along(const bmr_swept32 *a, const bmr_swept32 *b, float apart, bmr_vec32 direction);
 
-/// The same of a still pose in one go, where there is a direction to try: how far apart the hulls of `a` and
-/// `b` are along it, less than nothing where they overlap along it. `direction` in the world, from a to b.
-/// `reach` becomes the largest coordinate of all points in their own frames. Points as in bmr_swept32_make.
-/// Anything that is not a number may be missed: to be asked of `reach`, which is infinite then.
+/// How far apart the hulls of the points `a` and `b` are along one direction, at two poses; negative where
+/// they overlap along it. `direction` is in the world, from a to b. `reach` becomes the largest coordinate of
+/// all points in their own frames. Points as in bmr_swept32_make. A coordinate that is no number does not
+/// show in the answer: `reach` is infinite then, and the caller is to look at it.
 float bmr_posed32_gap(const bmr_vec32 *a, int32_t count_a, const bmr_transform32 *at_a, const bmr_vec32 *b,
                       int32_t count_b, const bmr_transform32 *at_b, bmr_vec32 direction, float *reach);
 
-/// How deep a point of the world lies inside a posed polygon: its least distance from a side's line, less
-/// than nothing outside. Of the vertices alone, normals may be anything; whatever their order is, a point
+/// How deep a point of the world lies inside a posed polygon: its least distance from a side's line, negative
+/// outside. Of the vertices alone, normals may be anything; whatever their order is, a point
 /// that has a depth lies so deep inside their convex hull. A side without length has no inside. `reach` as
 /// above; NaN where a number is not finite.
 float bmr_posed32_depth(const bmr_polygon32 *polygon, const bmr_transform32 *at, bmr_vec32 point,

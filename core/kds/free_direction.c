@@ -4,11 +4,10 @@
 // the two sorted polygons and nothing more.
 //
 //   FD1, FD2  the closest direction; one or two corners of tangents, in a bracket as wide as a part of the
-//   gap pays
-//             for. Four or five conditions and never more: the structure that takes up the open question.
+//             gap pays for. Four or five conditions and never more: the structure that takes up the open
+//             question.
 //   FDx       the closest direction; the other body's own vertices. The line outlives the window: where only
-//   that is
-//             left behind, the event is a roll.
+//             the window is left behind, the event is a roll.
 //   FDxa      the same, but leaning ahead after two failures on the same side.
 #include <math.h>
 

@@ -3,9 +3,8 @@
 // event-driven: an edge of one envelope separates it from the other envelope of the same level, whose nearest
 // corner is watched. What the paper leaves open is settled like this:
 //
-// - Push, stab, roll and coarsening are one climb (certificate/walk.h) on one level or on one after the
-// other:
-//   the local neighbourhoods that the paper relies on do not always hold the new edge.
+// - Push, stab, roll and coarsening are one climb (certificate/walk.h), on one level or on one level after
+//   the other: the local neighbourhoods that the paper relies on do not always hold the new edge.
 // - A line is taken from one tolerance beyond the margin on and fails at the margin; a corner's cone is
 //   widened by an angle on either side, and the loss that this may mean is added to the line's offset. So
 //   nothing fails where it was made, parallel edges that never turn included.

@@ -5,10 +5,10 @@
 // and only failures of the line count: the window rolls along without touching it.
 //
 //   predict           always believes the rates of the instant
-//   predict-adaptive  measures how well it foresaw the last events. It finds out which of the bodies turns,
-//   and
-//                     doubts what it sees: doubt is a distance that grows with the path. In full doubt the
-//                     best line is the one of most slack, and a drift over several events is leant into.
+//   predict-adaptive  measures how well it foresaw the last events, and doubts what it sees: doubt is a
+//                     distance that grows with the path. In full doubt the best line is the one of most
+//                     slack. It finds out which of the bodies turns, and leans into a drift over several
+//                     events.
 //
 // For a random walk across the arc of directions that a line tolerates, nothing online gets below twice the
 // optimum: the middle of an arc is left after A^2 steps on average, and a range as wide as the arc (2 A) is

@@ -8,13 +8,13 @@
 #include "kinetic/failure_start.h"
 #include "kinetic/safe_steps.h"
 
-/// Three digits above the rounding of the time.
+/// A double tells times near 1 apart by 2e-16: this leaves more than three digits of room.
 #define DEFAULT_TOLERANCE 1e-12
 
-/// Whoever does not leave zero in this time (times max(1, |time|)) is flat.
+/// A condition is called flat when it stays at zero for so long, times max(1, |time|).
 #define LONG_TIME 1024.0
 
-/// Not even a rounding error of a whole interval: leading terms below this part of the noise are dropped.
+/// A leading term is dropped when over the whole interval it adds less than this part of the rounding error.
 #define NEGLIGIBLE_PART 0x1p-10
 
 bmr_failure_options bmr_default_failure_options(void) {

@@ -17,9 +17,8 @@ extern "C" {
 /// The first root in [from, to] of the polynomial sum of coefficients[k] t^k, k = 0 .. degree (so
 /// `coefficients` has degree + 1 entries; leading zeros are allowed). *root becomes
 ///   - the least t of the interval at which the polynomial is zero as far as double tells: |p(t)| is within
-///   the rounding
-///     error of evaluating it there. A polynomial that only touches zero counts, one that is zero all over
-///     gives `from`;
+///     the rounding error of evaluating it there. A polynomial that only touches zero counts, one that is
+///     zero all over gives `from`;
 ///   - INFINITY when there is none: it never happens.
 /// Where p has different signs at `from` and `to`, some root is always found. Two roots nearer to each other
 /// than the square root of double's precision (relative to max(|from|, |to|)) may come out as one. Put the

@@ -2,16 +2,13 @@
 // The lazy structure of the paper's section 5: an edge of one envelope separates it from the other envelope
 // of the same level, whose nearest corner is watched. What the paper leaves open is settled like this:
 //
-// - All walking, pushing, stabbing and coarsening is one climb (walk.h) on one level or on one after the
-// other: the local
-//   neighbourhood that the paper relies on does not always hold the new edge.
-// - Above level 0 are two disks, below the deepest level the closest direction: between two corners no edge's
-// line
-//   separates by more than the distance over sqrt(2), so that near the margin lines alone would not be
-//   enough.
-// - A climb can end on a false top when a pose has jumped through a body; so no pair is handed over before
-// the distance
-//   query agrees.
+// - Walking, pushing, stabbing and coarsening are all one climb (walk.h), on one level or on one level after
+//   the other: the local neighbourhood that the paper relies on does not always hold the new edge.
+// - Above level 0 are two disks. Below the deepest level is the closest direction: between two corners no
+//   edge's line separates by more than the distance over sqrt(2), so near the margin lines alone would not
+//   be enough.
+// - A climb can end on a false top when a pose has jumped through a body. So no pair is handed over before
+//   the distance query agrees.
 #include "certificate/walk.h"
 #include "pair/step.h"
 

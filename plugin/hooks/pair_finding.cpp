@@ -10,8 +10,7 @@
 //     where the world has a filter of the game's own, which may step this world in the midst of it. Box2D
 //     then goes on in the newer pairs, at the place that it had come to in the older ones.
 //   - Existing contacts are found in the ledger's table of pairs, where AddPair would walk over the body's
-//   list.
-//     Worlds of few contacts have no ledger, and short lists.
+//     list. Worlds of few contacts have no ledger, and short lists.
 #include <box2d/b2_broad_phase.h>
 #include <box2d/b2_contact.h>
 

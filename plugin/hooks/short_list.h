@@ -14,10 +14,10 @@ class Ledger;
 
 namespace bmr::hooks {
 
-/// A world's list of contacts while b2World::SolveTOI is at work, without those that are known to have no
-/// impact left. After each event Box2D goes through the list anew; it would pass over those that are missing,
-/// and leave them as they are. What is left is in its order, and nobody else sees it: the list is whole while
-/// a listener is called or new contacts are looked for.
+/// A world's list of contacts while b2World::SolveTOI is at work, without the contacts that are known to have
+/// no impact left. Box2D goes through the whole list after each impact. It would skip the contacts that are
+/// left out here, and change nothing in them. The contacts that are kept stay in Box2D's order. Nobody else
+/// sees the short list: it is made whole before a listener is called and before new contacts are looked for.
 ///
 /// `Kept` stores each remaining contact's original link. Opening the list writes these links back; the links
 /// of contacts that are left out are never written. The pointers are good as long as no contact comes or

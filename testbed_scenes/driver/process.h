@@ -26,8 +26,7 @@ public:
     using LineHandler = std::function<void(const std::string &line)>;
 
     /// Starts arguments[0] (a path: PATH is not searched) with this process's environment and the given
-    /// additions
-    /// ("NAME=value", replacing what is there). Throws WorkerError if it cannot be started.
+    /// additions ("NAME=value", replacing what is there). Throws WorkerError if it cannot be started.
     Process(std::vector<std::string> arguments, const std::vector<std::string> &environment,
             LineHandler onLine);
     /// Kills a process that still runs, and waits for it.

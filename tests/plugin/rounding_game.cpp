@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A game that rounds in another direction than to the nearest, as libraries for intervals leave a thread.
 //
-//   rounding_game MODE WHEN        MODE: upward, downward, toward-zero; WHEN: before (the first step), later,
-//   in-turn (every
-//                                  third step), listening (a listener changes it, and it stays)
+//   rounding_game MODE WHEN
+//
+// MODE is upward, downward or toward-zero. WHEN is before (the first step), later, in-turn (every third step)
+// or listening (a listener changes it, and it stays).
 #include <cfenv>
 #include <string>
 

@@ -4,9 +4,8 @@
 //   stepping_game own      a listener steps its own world, which Box2D does not forbid
 //   stepping_game round    a listener steps another world, whose listener steps the first one
 //   stepping_game pairs    a listener has new contacts looked for
-//   stepping_game fibers   two worlds on two stacks of one thread: a listener leaves one step for the other,
-//   and the later
-//                          one need not end first
+//   stepping_game fibers   two worlds on two stacks of one thread: a listener leaves one step for the
+//                          other, and the later one need not end first
 //   stepping_game small    on a thread with a stack of 16 KiB
 //   stepping_game filters  a filter steps its own world in the midst of the search for new contacts
 //   stepping_game ending   a filter ends contacts of bodies that have many

@@ -16,8 +16,7 @@
 //   half          as at-once; every other thread installs the plugin, the others step at the same moment (for
 //                 a plugin that starts by itself)
 //   beside        as at-once; every other thread moves bodies of a world that nobody steps at first, while
-//   the
-//                 others begin
+//                 the others begin
 //
 // On stderr: how many calls installed the plugin. Exit status 1: a claim does not hold, which is said.
 #include <atomic>

@@ -37,10 +37,10 @@ struct ConvexShapeAccess;
 
 /// Box2D knows polygons of at most 8 vertices. This is one (and Box2D's own code, to the bit) up to 8; above,
 /// it holds the real polygon besides, and shows Box2D's own code an octagon of eight of its vertices (a
-/// heptagon where the compiler is not of the Itanium C++ ABI). Masses,
-/// boxes, rays, points and contacts with every kind of shape are the real polygon's, on every platform; time
-/// of impact, sensors, b2Distance and b2ShapeCast are where the shared library stands in front of Box2D, and
-/// the octagon's elsewhere (docs/any-size-polygons.md: nothing tunnels).
+/// heptagon where the compiler is not of the Itanium C++ ABI). Masses, boxes, rays, points and contacts with
+/// every kind of shape are the real polygon's, on every platform. Time of impact, sensors, b2Distance and
+/// b2ShapeCast are the real polygon's where the shared library stands in front of Box2D, and the octagon's
+/// elsewhere (docs/any-size-polygons.md: nothing tunnels).
 ///
 /// Copies and clones share the polygon; it is freed with the last of them. Shapes may be made, copied and
 /// destroyed on any thread. What Box2D inherits is as it is: m_radius may be changed as ever, but m_vertices,

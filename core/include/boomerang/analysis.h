@@ -146,9 +146,8 @@ bmr_error bmr_fit_growth(const double *x, const double *y, size_t count, bmr_gro
 // ---- Adversaries (section 5, introduction) ----
 
 typedef enum bmr_adversary_kind {
-    /// Two regular n-gons pass each other on a long straight line: all features on one side take part,
-    /// Theta(n)
-    /// events of closest features and inner tangents.
+    /// Two regular n-gons pass each other on a long straight line. All features on one side take part:
+    /// Theta(n) events of closest features and inner tangents.
     BMR_ADVERSARY_PASS,
     /// A regular n-gon turns once in place before a nearly flat chain of n vertices as long as one of its
     /// edges: each corner sweeps over the whole chain, Theta(n^2) events of closest features.

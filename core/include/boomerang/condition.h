@@ -22,8 +22,7 @@ typedef enum bmr_condition_kind {
     /// <normal, x> - offset > 0, x the point: a point of the other body lies beyond a line of the owner.
     BMR_CONDITION_BEYOND,
     /// cross(normal, x) > 0, x the point as a direction: a direction of the other body is counter-clockwise
-    /// of
-    /// one of the owner, by less than 180 degrees.
+    /// of one of the owner, by less than 180 degrees.
     BMR_CONDITION_TURN,
     /// |x - normal| - offset > 0: the centre of the other's bounding disk (`point`) is farther from that of
     /// the owner (`normal`) than the sum of the radii.

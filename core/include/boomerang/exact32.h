@@ -13,8 +13,8 @@ extern "C" {
 /// Separation of two small convex polygons along one edge normal, and how they touch, in float, on plain
 /// arrays. The ORDER of the float operations is the contract: it is that of Box2D 2.4.x's polygon narrow
 /// phase, so the numbers have the same bits as Box2D's own when it was compiled without fused multiply-add.
-/// The scalar and the SSE2 form give the same bits; of separations the sign of a zero aside (which no
-/// comparison sees), of manifolds all, but for which NaN a NaN is.
+/// The scalar and the SSE2 form give the same bits, with two exceptions. A separation of zero may have
+/// another sign, which no comparison sees. A NaN in a manifold may have another payload.
 
 typedef struct bmr_vec32 {
     float x, y;

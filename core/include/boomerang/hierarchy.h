@@ -12,14 +12,12 @@ extern "C" {
 /// Outer approximations of a convex polygon P (section 3 of the paper). One tree type for all three: compass,
 /// Dudley, Dobkin-Kirkpatrick.
 ///
-/// The envelope P_0 is a bounding rectangle with the edges E, N, W, S (edge ids 0, 1, 2, 3 = outer normals
-/// (1,0), (0,1),
-/// (-1,0), (0,-1)). Every further edge cuts one corner of the envelope before it: the boomerang between its
-/// two outer edges, whose apex is the corner cut. A node of the tree IS such an edge and IS that boomerang;
-/// every edge is a support line of P itself (possibly touching in one vertex only: a degenerate edge). P_i is
-/// the polygon of all edges of level
-/// <= i; P_0 contains P_1 contains ... contains P_depth = P (up to edges merged because their directions
-/// agree within 1e-11).
+/// The envelope P_0 is a bounding rectangle. Its edges E, N, W, S have the ids 0, 1, 2, 3 and the outer
+/// normals (1,0), (0,1), (-1,0), (0,-1). Every further edge cuts one corner of the envelope before it: the
+/// boomerang between its two outer edges, whose apex is the corner cut. A node of the tree IS such an edge
+/// and IS that boomerang. Every edge is a support line of P itself (possibly touching in one vertex only: a
+/// degenerate edge). P_i is the polygon of all edges of level i or less. P_0 contains P_1 contains ...
+/// contains P_depth = P (up to edges merged because their directions agree within 1e-11).
 
 typedef uint32_t bmr_edge;
 #define BMR_NO_EDGE UINT32_MAX

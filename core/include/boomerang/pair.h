@@ -34,8 +34,7 @@ extern "C" {
 /// Which kinetic structure.
 typedef enum bmr_structure {
     /// Edge of one envelope, corner of the other, on compass hierarchies. (At the polygons themselves, where
-    /// the gap is
-    /// within a factor of sqrt(2) of the margin, the closest direction stands in for an edge.)
+    /// the gap is within a factor of sqrt(2) of the margin, the closest direction stands in for an edge.)
     BMR_LAZY_COMPASS,
     BMR_LAZY_DUDLEY, ///< the same on Dudley hierarchies
     BMR_LAZY_DOBKIN_KIRKPATRICK,

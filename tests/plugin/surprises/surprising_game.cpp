@@ -2,11 +2,10 @@
 // A game that does to pairs that have long been apart what changes the answer they are known to have: see
 // changes.cpp for what, and watching.h for where in a step.
 //
-//   surprising_game list                 the names of all scenarios: change@place, or
-//   change@place@how-far-out surprising_game all                  plays them; a line for each: bodies and
-//   events, hashed surprising_game power                plays them with the change and without: a line for
-//   each tells the step
-//                                        of the change and the first one in which events differ
+//   surprising_game list                 the names of all scenarios: change@place, change@place@how-far-out
+//   surprising_game all                  plays them; a line for each: bodies and events, hashed
+//   surprising_game power                plays them with the change and without; a line for each tells the
+//                                        step of the change and the first one in which events differ
 //   surprising_game NAME [steps|tell]    one of them: hashes of each step, or every callback
 //   surprising_game random SEED COUNT    worlds in which changes come one after the other at random places
 #include <cstdlib>
