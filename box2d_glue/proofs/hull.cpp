@@ -121,7 +121,8 @@ bool LooksLike(const HullMember &member, const b2PolygonShape &polygon) {
     return SameTwo(member.vertices + count - 2, polygon.m_vertices + count - 2);
 }
 
-/// What was built from the fixture of this address; the end where there was none. They are sorted by address.
+/// The member that was built from the fixture of this address; the end of the members if there is none. They
+/// are sorted by address.
 const HullMember *FindMember(const Hull &hull, const b2Fixture &fixture) {
     const HullMember *const begin = hull.members, *const end = begin + hull.memberCount;
     const HullMember *const member = std::lower_bound(begin, end, &fixture, ComesBefore);

@@ -10,12 +10,12 @@ class b2Fixture;
 
 namespace bmr {
 
-/// What b2World::SolveTOI asks first in a step, of all its pairs at once: which can touch? Nobody but the
-/// scan runs meanwhile, so a shape is placed once however many pairs it is in.
+/// The first question of b2World::SolveTOI in a step, answered for all pairs at once: which of them can
+/// touch? Nothing moves while the scan runs. So each shape is placed once, however many pairs it is in.
 class ImpactScan {
 public:
-    /// This thread's, with nothing known; nullptr without memory, and when the thread ends. Good until the
-    /// thread begins another.
+    /// Begins a scan in this thread's memory, and forgets the one before. nullptr without memory, and while
+    /// the thread ends. Good until the thread begins the next one.
     static ImpactScan *Begin();
 
     /// One side of a contact. (Box2D keeps the sweep to itself and its friends.)
@@ -27,8 +27,8 @@ public:
     };
 
     /// Is it certain that b2TimeOfImpact would not say e_touching of them? `guess`: a direction from a to b
-    /// that may keep them apart, or zero. Where `touching`, it is the normal that they touch along, and no
-    /// other one is looked for: most of those that are not kept apart by it meet.
+    /// that may keep them apart, or zero. If `touching`, the guess is the normal along which they touch, and
+    /// no other direction is tried: most pairs that this one does not keep apart do meet.
     bool NeverTouch(const Side &a, const Side &b, bmr_vec32 guess, bool touching);
 
 private:

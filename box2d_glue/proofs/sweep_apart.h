@@ -27,13 +27,13 @@ struct SweptShape {
 SweptShape Sweep(const b2DistanceProxy &proxy, const b2Sweep &sweep, const b2Rot &rotation);
 
 /// Is it certain that b2TimeOfImpact does not say e_touching of these two, for any tMax from 0 to 1?
-/// `direction` is a guess, of unit length or zero, and the one that was found.
+/// `direction` is a guess, of unit length or zero; it becomes the direction that proves it, if one was found.
 bool NeverTouch(const SweptShape &a, const SweptShape &b, bmr_vec32 *direction);
 
-/// The same along this very direction, of unit length: without a search for another one.
+/// Does this very direction, of unit length, prove NeverTouch? No other one is looked for.
 bool NeverTouchAlong(const SweptShape &a, const SweptShape &b, bmr_vec32 direction);
 
-/// The same of b2TimeOfImpact's own input, never where its tMax is another.
+/// NeverTouch for an input of b2TimeOfImpact. False where its tMax is not from 0 to 1.
 bool NeverTouch(const b2TOIInput &input);
 
 } // namespace bmr

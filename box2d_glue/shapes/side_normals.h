@@ -9,12 +9,12 @@ namespace bmr {
 /// @file
 /// What may be believed of a polygon of Box2D's own size, whose vertices and normals anybody may write to.
 
-/// Is a hull of this small polygon's vertices all that b2CollidePolygons goes by? To be asked as often as
-/// vertices are believed: when a hull is built of them, and when one that stands is to hold them.
+/// Does b2CollidePolygons see nothing of this small polygon but its vertices' hull? Ask each time before the
+/// vertices are relied on: when a hull is built of them, and when an existing hull is checked against them.
 bool VerticesTellAll(const b2PolygonShape &polygon);
 
-/// Do its normals turn to the left, once around? Of a polygon that does not, Box2D may find that it touches
-/// what is far from it. To be asked where VerticesTellAll says yes.
+/// Do its normals turn to the left, once around? If they do not, Box2D may report contacts with shapes that
+/// are far away. Ask only where VerticesTellAll is true.
 bool TurnsOnce(const b2PolygonShape &polygon);
 
 } // namespace bmr

@@ -7,7 +7,7 @@
 #include "boomerang/box2d_glue.h"
 
 /// @file
-/// What whoever starts a program may say, without rebuilding it:
+/// The environment variables that set the plugin without rebuilding the program:
 ///
 ///     BOOMERANG=on|off|verify
 ///     BOOMERANG_STRUCTURE=free-direction|...       a name of bmr_structure_name
@@ -16,8 +16,8 @@
 ///     BOOMERANG_STATISTICS=FILE                    written when the process ends, as JSON
 ///     BOOMERANG_VERBOSE=0|1
 ///
-/// It outweighs what the program says. A value that is not understood gets one line on stderr, once for a
-/// process, and counts as not there. Nothing is read in programs that run with somebody else's rights
+/// They win over the options that the program passes. A value that is not understood is ignored, and one line
+/// on stderr says so, once for a process. Nothing is read in programs that run with somebody else's rights
 /// (setuid).
 
 namespace bmr {

@@ -40,7 +40,7 @@ void Fill(b2World *world) {
 } // namespace
 
 void internal::NoteReached(Hook hook) {
-    // These two answer in the steps that they are told of alone.
+    // These two hooks answer only inside steps that were announced.
     const bool inStepsAlone = hook == Hook::TimeOfImpact || hook == Hook::TestOverlap;
     if (finding && (!inStepsAlone || CurrentStep() != 0))
         noted.fetch_or(Bit(hook), std::memory_order_relaxed);

@@ -18,7 +18,7 @@ static double known_reach(const bmr_mover *mover, double units) {
     return reach >= 0.0 && reach < BMR_BUDGET_FARTHEST ? reach : (double)NAN;
 }
 
-/// The same in the world: a rotation that is not of unit length scales the body.
+/// A body's reach in the world: a rotation that is not of unit length scales the body.
 static double posed_reach(const bmr_mover *mover, double units) {
     const double reach = known_reach(mover, units) * length_of(mover->c, mover->s);
     return reach < BMR_BUDGET_FARTHEST ? reach : (double)NAN;

@@ -24,7 +24,7 @@ typedef struct bmr_window {
 void bmr_window_make(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t support, double limit, int lean,
                      bmr_window *window);
 
-/// The same with one point only: where the tangents at the two ends of the bracket meet, within `limit` of
+/// A window of one point only: where the tangents at the two ends of the bracket meet, within `limit` of
 /// the polygon. Up to the limit may be lost at `direction` already: on a smooth shape 3/8 of it where the
 /// bracket leans. `lean` 0: the bracket reaches as far to both sides. Both corners of the window are that
 /// point.

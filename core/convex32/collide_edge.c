@@ -13,7 +13,7 @@ typedef struct axis32 {
     bool of_polygon;
 } axis32;
 
-/// Where the polygon's vertices are least along an axis, as they are rounded in the edge's frame.
+/// The least value of the polygon's vertices along an axis, with the rounding of the edge's frame.
 static float least_along(const bmr_convex32 *polygon, const bmr_transform32 *frame, bmr_vec32 axis,
                          bmr_vec32 origin, uint32_t *vertex) {
     const uint32_t start = farthest32(polygon, turn_back(frame, negative(axis)), *vertex);
@@ -74,7 +74,8 @@ static float region_of(const bmr_convex32 *polygon, const axis32 *primary) {
     return fminf(turns, region_tolerance);
 }
 
-/// What a one-sided edge's neighbours leave it: false where the direction is theirs.
+/// May a one-sided edge answer along this axis? False where the direction belongs to one of its neighbours.
+/// Otherwise `primary` becomes the axis that is left to it.
 static bool admit(const bmr_edge32 *edge, bmr_vec32 along, const bmr_convex32 *polygon, const axis32 *of_edge,
                   axis32 *primary) {
     const bool at_first = dot(primary->normal, along) <= 0.0f;

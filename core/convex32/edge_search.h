@@ -10,8 +10,8 @@
 /// The search for the edge of largest separation, and what collide.c and its neighbours share with it.
 ///
 /// Box2D looks at all edges and takes the first whose separation, in float, is the largest. So does the
-/// search, though it looks at few: what it leaves out is certainly less, rounding included, whatever the hint
-/// was. The answer has the bits of the full loops, and does not hang on what is remembered.
+/// search, though it looks at few edges: those that it leaves out separate by less for certain, rounding
+/// included. The answer has the bits of the full loops, whatever the hint was.
 
 /// One edge of the reference as the other polygon sees it: all in the other's frame.
 typedef struct edge_view {
@@ -29,18 +29,18 @@ typedef struct edge_search {
     const bmr_convex32 *reference, *other;
     bmr_transform32 frame; ///< of the reference in the other's
     float frame_size;      ///< |x| + |y| of its place
-    float tolerance;       ///< 0: the rest is not wanted
+    float tolerance;       ///< 0: the caller does not want edge_found.rest
 } edge_search;
 
 typedef struct edge_found {
     edge_view best;
-    /// Where it is wanted: no edge of the other separates by more than the larger of this and
-    /// best.separation.
+    /// No edge of the other polygon separates by more than the larger of this and best.separation. Computed
+    /// only where the tolerance is above 0.
     float rest;
 } edge_found;
 
-/// The first edge of largest separation. Where that is less than `floor` it may be any edge that separates by
-/// less, found sooner. Hints are any numbers.
+/// The first edge of largest separation. If the largest separation is less than `floor`, the search may stop
+/// early, at any edge that separates by less than `floor`. Hints may be any numbers.
 void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t vertex_hint, float floor,
                        edge_found *found);
 

@@ -324,8 +324,8 @@ static void search_arcs(const edge_search *search, const edge_view *low, const e
         split(&b);
 }
 
-/// What is beyond an edge, by the vertex that is closest to it and the end that it shares with the next: more
-/// than the next separates, and more than any direction in between.
+/// Two upper bounds that follow from one edge, the other polygon's vertex closest to it, and the end that the
+/// edge shares with the next one: of the next edge's separation, and of that along any direction in between.
 typedef struct beyond {
     float next, between;
 } beyond;

@@ -148,7 +148,8 @@ static void add_near(const bmr_convex32 *p, const ray_part *part, double at, edg
     add_piece(list, range);
 }
 
-/// Those that the segment leaves count where the part ends, and those that it enters where it begins.
+/// Adds the edges that may cut the segment: those that it enters near the beginning of its part, and those
+/// that it leaves near the end.
 static void add_ends(const bmr_convex32 *p, const ray_part *part, bmr_vec32 d, range_list *list) {
     const float clearly = CLEARLY * convex32_size(d), along[2] = {d.x, d.y};
     for (uint32_t k = 0; k < CONVEX32_SECTORS; ++k) {
@@ -163,7 +164,7 @@ static void add_ends(const bmr_convex32 *p, const ray_part *part, bmr_vec32 d, r
     }
 }
 
-/// Each edge once, in order.
+/// Clips the segment by each edge of the list once, in ascending order: ranges of the list may overlap.
 static bool clip_by_list(const bmr_convex32 *p, const range_list *list, ray_state *ray) {
     uint32_t done = 0; // all edges before this one
     for (uint32_t k = 0; k < list->count; ++k) {
@@ -179,7 +180,7 @@ static bool clip_by_list(const bmr_convex32 *p, const range_list *list, ray_stat
     return true;
 }
 
-/// Where the direction leaves the polygon, exactly.
+/// The vertex at which a line along `d` leaves the polygon, in exact arithmetic.
 static uint32_t leaving_vertex(const bmr_convex32 *p, bmr_vec32 d) {
     uint32_t vertex = convex32_near_leaving(p, d, convex32_size(d));
     while (convex32_turn(p->normals[vertex], d) >= 0.0)

@@ -23,10 +23,14 @@
 // With beta first, the roles are exchanged. When one chain is a single vertex, the other is searched for the
 // point nearest to it.
 //
-// Third, the closest points are looked for in the edges around the two vertices found. Where rounding decided
-// between two edges that are all but parallel, the nearest point is at the far end of an edge, and the search
-// goes on from there. The least distance of two neighbourhoods is that of the polygons: they are convex. So
-// rounding in the first two stages can make the third one longer, and never the answer wrong.
+// Third, the closest points are looked for in the edges around the two vertices found. If neither polygon
+// goes beyond them there, it goes nowhere beyond them: polygons are convex. Where rounding decided between
+// two edges that are all but parallel, the nearest point is at the far end of an edge, and the search goes on
+// from there for a few steps.
+//
+// Fourth, where that comes to no end: of vertices that lie together, and of polygons no thicker than
+// rounding, neighbours tell nothing. The arc is halved again, as in the first part, until its ends are the
+// same double. So what doubles cannot tell makes an answer slower by a constant, and never wrong.
 #include <math.h>
 
 #include "boomerang/distance.h"
@@ -34,6 +38,13 @@
 
 /// How far, as a part of the scale, rounding may put the end of an edge beyond the line that it is behind.
 #define ROUNDING 4e-15
+
+/// Steps of the third part, before the fourth takes over: without vertices that lie together it takes one or
+/// two.
+#define SETTLING_STEPS 8
+
+/// From 45 degrees to less than the rounding of a unit vector.
+#define HALVINGS 53
 
 /// Part of a chain of vertices: `first`, and the `edges` that follow it.
 typedef struct chain {
@@ -168,12 +179,22 @@ static bool prune(chain *a, chain *b, unsigned *steps) {
 /// A vertex and its two neighbours, in A's frame; of a point all three are one, of a segment two.
 typedef struct star {
     bmr_vec2 point[3]; ///< before, itself, after
+    bmr_vec2 edge[2];  ///< to itself, and from itself to the one after
 } star;
 
 static star star_at(const chain *c, uint32_t i) {
     const uint32_t n = c->polygon->count;
     const chain around = {c->polygon, c->pose, i + n - 1, 2};
-    const star s = {{vertex(&around, 0), vertex(&around, 1), vertex(&around, 2)}};
+    const star s = {{vertex(&around, 0), vertex(&around, 1), vertex(&around, 2)},
+                    {edge_to(&around, 1), edge_to(&around, 2)}};
+    return s;
+}
+
+/// A vertex and one other, which need not be its neighbour.
+static star star_between(const chain *c, uint32_t i, uint32_t k) {
+    const chain first = {c->polygon, c->pose, i, 0}, second = {c->polygon, c->pose, k, 0};
+    const bmr_vec2 p = vertex(&first, 0), r = vertex(&second, 0);
+    const star s = {{p, p, r}, {{0.0, 0.0}, bmr_sub(r, p)}};
     return s;
 }
 
@@ -185,9 +206,11 @@ typedef struct nearest {
     int edge_a, edge_b; ///< the edge that it is within: 0 before, 1 after the vertex; -1: none
 } nearest;
 
-/// From `from` to the segment p q: the way to the nearest point of it. *where: 0 is p, 1 is q, 2 between.
-static bmr_vec2 way_to_segment(bmr_vec2 from, bmr_vec2 p, bmr_vec2 q, int *where) {
-    const bmr_vec2 e = bmr_sub(q, p), to_p = bmr_sub(p, from), to_q = bmr_sub(q, from);
+/// From `from` to an edge of a star: the way to the nearest point of it. *where: 0 is the edge's first end, 1
+/// its second one, 2 between.
+static bmr_vec2 way_to_edge(bmr_vec2 from, const star *s, int edge, int *where) {
+    const bmr_vec2 e = s->edge[edge], to_p = bmr_sub(s->point[edge], from),
+                   to_q = bmr_sub(s->point[edge + 1], from);
     const double length = bmr_dot(e, e);
     *where = !(bmr_dot(to_p, e) < 0.0) ? 0 : !(bmr_dot(to_q, e) > 0.0) ? 1 : 2;
     if (*where != 2)
@@ -212,12 +235,12 @@ static nearest between(const star *a, const star *b) {
         for (int edge = 0; edge < 2; ++edge) {
             const int i = order[k];
             int where;
-            const bmr_vec2 to_b = way_to_segment(a->point[i], b->point[edge], b->point[edge + 1], &where);
+            const bmr_vec2 to_b = way_to_edge(a->point[i], b, edge, &where);
             const nearest from_a = {
                 bmr_dot(to_b, to_b),           a->point[i], bmr_add(a->point[i], to_b), to_b, i,
                 where == 2 ? 3 : edge + where, -1,          where == 2 ? edge : -1};
             take_nearer(&best, &from_a);
-            const bmr_vec2 to_a = way_to_segment(b->point[i], a->point[edge], a->point[edge + 1], &where);
+            const bmr_vec2 to_a = way_to_edge(b->point[i], a, edge, &where);
             const nearest from_b = {bmr_dot(to_a, to_a),
                                     bmr_add(b->point[i], to_a),
                                     b->point[i],
@@ -235,15 +258,12 @@ static nearest between(const star *a, const star *b) {
 /// `slack`: how far rounding may put a neighbour before it.
 static bool is_behind(const star *s, int at, int edge, bmr_vec2 way, double slack, uint32_t count) {
     if (edge >= 0) // on an edge: the way must lead out. A segment has no inside
-        return count == 2 || bmr_cross(way, bmr_sub(s->point[edge + 1], s->point[edge])) > 0.0;
+        return count == 2 || bmr_cross(way, s->edge[edge]) > 0.0;
     if (at != 1)
         return count == 1;
-    for (int k = 0; k < 3; k += 2) {
-        const bmr_vec2 e = bmr_sub(s->point[k], s->point[1]);
-        if (bmr_dot(e, way) > slack * hypot(e.x, e.y))
-            return false;
-    }
-    return true;
+    const bmr_vec2 back = s->edge[0], on = s->edge[1];
+    return bmr_dot(back, way) >= -slack * hypot(back.x, back.y) &&
+           bmr_dot(on, way) <= slack * hypot(on.x, on.y);
 }
 
 /// The vertex that a point of the star at vertex i is.
@@ -252,12 +272,13 @@ static uint32_t neighbour(uint32_t i, int at, uint32_t n) {
 }
 
 /// The closest points around two vertices, and around those that they lead to, each pair nearer than the one
-/// before. False: overlap.
+/// before. False: they are not found, which is so where the polygons overlap.
 static bool settle(const bmr_posed_polygons *q, const chain *a, const chain *b, unsigned *steps,
                    nearest *found) {
     const double rounding = ROUNDING * q->scale;
     uint32_t i = a->first, j = b->first;
-    for (double square = INFINITY;; ++*steps) {
+    double square = INFINITY;
+    for (int step = 0; step < SETTLING_STEPS; ++step, ++*steps) {
         const star sa = star_at(a, i), sb = star_at(b, j);
         *found = between(&sa, &sb);
         const uint32_t next_i = neighbour(i, found->at_a, q->a->count),
@@ -269,6 +290,28 @@ static bool settle(const bmr_posed_polygons *q, const chain *a, const chain *b, 
         i = next_i;
         j = next_j;
     }
+    return false;
+}
+
+// ---- fourth: by halves of the arc ----
+
+/// The closest points in the vertices farthest at both ends of an arc that is halved until nothing is left of
+/// it. False: no direction met on the way separates the polygons.
+static bool halve(const bmr_posed_polygons *q, arc directions, const chain *a, const chain *b,
+                  unsigned *steps, nearest *found) {
+    bool apart = false;
+    for (int halving = 0; halving < HALVINGS; ++halving, ++*steps) {
+        const bmr_vec2 middle = unit(bmr_add(directions.low, directions.high)), w = difference(q, middle);
+        apart = apart || bmr_dot(middle, w) > 0.0;
+        if (bmr_dot(bmr_left(middle), w) > 0.0)
+            directions.low = middle;
+        else
+            directions.high = middle;
+    }
+    const star sa = star_between(a, support_a(q, directions.low), support_a(q, directions.high)),
+               sb = star_between(b, support_b(q, directions.low), support_b(q, directions.high));
+    *found = between(&sa, &sb);
+    return apart;
 }
 
 /// From the farthest vertex in the arc's low end to that in its high end. `high`: the latter direction.
@@ -289,7 +332,11 @@ bool bmr_posed_polygons_closest(const bmr_posed_polygons *q, unsigned *steps, bm
           b = chain_between(q->b, &q->b_in_a, support_b(q, directions.low), support_b(q, directions.high),
                             bmr_neg(directions.high));
     nearest found;
-    if (!prune(&a, &b, steps) || !settle(q, &a, &b, steps, &found) || !(found.square > 0.0))
+    if (!prune(&a, &b, steps))
+        return false;
+    if (!settle(q, &a, &b, steps, &found) && !halve(q, directions, &a, &b, steps, &found))
+        return false;
+    if (!(found.square > 0.0))
         return false;
     closest->distance = sqrt(found.square);
     closest->point_a = bmr_transform(&q->pose_a, found.a);

@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "boomerang/distance.h"
-#include "geometry/distance.h"
 #include "geometry/posed_polygons.h"
 
 /// The best edge so far.
@@ -20,7 +19,7 @@ static side best_side(const bmr_polygon *own, const bmr_polygon *other, const bm
     uint32_t deepest = 0;
     for (uint32_t i = 0; own->count > 1 && i < own->count; ++i) {
         const bmr_vec2 normal = bmr_polygon_normal(own, i);
-        deepest = bmr_support_near(other, bmr_unrotate(other_in_own, bmr_neg(normal)), deepest);
+        deepest = bmr_polygon_support_from(other, bmr_unrotate(other_in_own, bmr_neg(normal)), deepest);
         const bmr_vec2 nearest = bmr_transform(other_in_own, other->vertices[deepest]);
         const double separation = bmr_dot(normal, bmr_sub(nearest, own->vertices[i]));
         if (separation > best.separation) {

@@ -11,7 +11,8 @@
 #define BMR_TINY 1e-140
 #define BMR_TINY_SCALE 0x1p600
 
-/// The same direction, long enough for products. Scaling by a power of two is exact and changes no sign.
+/// A vector of the same direction that is long enough for products. Scaling by a power of two is exact and
+/// changes no sign.
 static inline bmr_vec2 bmr_scale_up_if_tiny(bmr_vec2 d) {
     return fabs(d.x) < BMR_TINY && fabs(d.y) < BMR_TINY ? bmr_scale(BMR_TINY_SCALE, d) : d;
 }

@@ -313,10 +313,10 @@ const bmr_kds_info bmr_kds_lazy_dudley = {"lazy-dudley",
                                           BMR_KDS_RECOMMENDED,
                                           BMR_HIERARCHY_DUDLEY,
                                           &lazy};
-const bmr_kds_info bmr_kds_lazy_dk = {"lazy-dobkin-kirkpatrick",
-                                      "edge and corner of one level, Dobkin-Kirkpatrick",
-                                      "5, two polygons (lazy)",
-                                      BMR_KDS_RIGID,
-                                      BMR_KDS_CONTROL,
-                                      BMR_HIERARCHY_DOBKIN_KIRKPATRICK,
-                                      &lazy};
+const bmr_kds_info bmr_kds_lazy_dobkin_kirkpatrick = {"lazy-dobkin-kirkpatrick",
+                                                      "edge and corner of one level, Dobkin-Kirkpatrick",
+                                                      "5, two polygons (lazy)",
+                                                      BMR_KDS_RIGID,
+                                                      BMR_KDS_CONTROL,
+                                                      BMR_HIERARCHY_DOBKIN_KIRKPATRICK,
+                                                      &lazy};

@@ -92,10 +92,10 @@ const bmr_kds_info bmr_kds_point_lazy_dudley = {"point-lazy-dudley",
                                                 BMR_KDS_RECOMMENDED,
                                                 BMR_HIERARCHY_DUDLEY,
                                                 &lazy};
-const bmr_kds_info bmr_kds_point_lazy_dk = {"point-lazy-dobkin-kirkpatrick",
-                                            "point: separating edge, Dobkin-Kirkpatrick",
-                                            "5, one point, one polygon (lazy)",
-                                            BMR_KDS_POINT,
-                                            BMR_KDS_CONTROL,
-                                            BMR_HIERARCHY_DOBKIN_KIRKPATRICK,
-                                            &lazy};
+const bmr_kds_info bmr_kds_point_lazy_dobkin_kirkpatrick = {"point-lazy-dobkin-kirkpatrick",
+                                                            "point: separating edge, Dobkin-Kirkpatrick",
+                                                            "5, one point, one polygon (lazy)",
+                                                            BMR_KDS_POINT,
+                                                            BMR_KDS_CONTROL,
+                                                            BMR_HIERARCHY_DOBKIN_KIRKPATRICK,
+                                                            &lazy};

@@ -9,12 +9,12 @@ static const bmr_kds_info *const structures[] = {
     // One point, one polygon (section 5)
     &bmr_kds_triangle_levels_compass, &bmr_kds_triangle_levels_dudley, &bmr_kds_triangle_binary_compass,
     &bmr_kds_triangle_binary_dudley, &bmr_kds_point_lazy_compass, &bmr_kds_point_lazy_dudley,
-    &bmr_kds_point_lazy_dk,
+    &bmr_kds_point_lazy_dobkin_kirkpatrick,
     // Two polygons, translating or rigid (section 5)
     &bmr_kds_active_cell_compass, &bmr_kds_active_cell_dudley, &bmr_kds_tiling_compass,
     &bmr_kds_tiling_dudley, &bmr_kds_sum_triangle_compass, &bmr_kds_sum_triangle_dudley,
     &bmr_kds_sum_lazy_compass, &bmr_kds_sum_lazy_dudley, &bmr_kds_sum_inflated_compass, &bmr_kds_lazy_compass,
-    &bmr_kds_lazy_dudley, &bmr_kds_lazy_dk,
+    &bmr_kds_lazy_dudley, &bmr_kds_lazy_dobkin_kirkpatrick,
     // Inflation and hysteresis (section 6)
     &bmr_kds_point_inflated_compass, &bmr_kds_point_inflated_dudley, &bmr_kds_point_inflated_slack,
     &bmr_kds_point_complex, &bmr_kds_inflated_translation, &bmr_kds_inflated_window,

@@ -18,7 +18,8 @@ extern const bmr_kds_info bmr_kds_predict, bmr_kds_predict_adaptive;
 extern const bmr_kds_info bmr_kds_free_fd1, bmr_kds_free_fd2, bmr_kds_free_fdx, bmr_kds_free_fdxa;
 
 // point_lazy.c
-extern const bmr_kds_info bmr_kds_point_lazy_compass, bmr_kds_point_lazy_dudley, bmr_kds_point_lazy_dk;
+extern const bmr_kds_info bmr_kds_point_lazy_compass, bmr_kds_point_lazy_dudley,
+    bmr_kds_point_lazy_dobkin_kirkpatrick;
 
 // point_triangle.c
 extern const bmr_kds_info bmr_kds_triangle_levels_compass, bmr_kds_triangle_levels_dudley;
@@ -33,7 +34,7 @@ extern const bmr_kds_info bmr_kds_point_inflated_compass, bmr_kds_point_inflated
 extern const bmr_kds_info bmr_kds_point_inflated_slack, bmr_kds_point_complex;
 
 // lazy.c
-extern const bmr_kds_info bmr_kds_lazy_compass, bmr_kds_lazy_dudley, bmr_kds_lazy_dk;
+extern const bmr_kds_info bmr_kds_lazy_compass, bmr_kds_lazy_dudley, bmr_kds_lazy_dobkin_kirkpatrick;
 
 // sum.c
 extern const bmr_kds_info bmr_kds_sum_triangle_compass, bmr_kds_sum_triangle_dudley;

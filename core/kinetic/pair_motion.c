@@ -104,7 +104,8 @@ static double body_speed(const bmr_motion *motion, const bmr_polygon *shape, dou
     return most;
 }
 
-/// Where between two times, at the first not above `level` and at the second above it.
+/// A time between `low` and `high` at which the separation rises above `level`: at `low` it is not above it,
+/// at `high` it is.
 static double rises(const bmr_pair_motion *pair, double low, double high, double level, double tolerance) {
     while (high - low > fmax(tolerance, 2.0 * DBL_EPSILON * fabs(high))) {
         const double middle = low + 0.5 * (high - low);

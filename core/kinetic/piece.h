@@ -15,7 +15,7 @@ bmr_error bmr_piece_check(const bmr_motion_piece *piece);
 bmr_instant bmr_piece_instant(const bmr_motion_piece *piece, double time);
 /// Is the relative motion of this piece and another one of this kind a matter of polynomials?
 bool bmr_piece_is_algebraic(const bmr_motion_piece *piece);
-/// The same algebraic piece (also a screw without spin) in powers of t - time.
+/// An algebraic piece, or a screw without spin, written in powers of t - time.
 bmr_algebraic_piece bmr_piece_expand(const bmr_motion_piece *piece, double time);
 
 /// p(u) becomes p(u + by). O(degree^2).

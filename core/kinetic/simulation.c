@@ -19,7 +19,8 @@
 
 /// The first search of a pair goes over this part of the run.
 #define FIRST_PART 0x1p-4
-/// And any search over at least this one, so that a burst of events does not cost long rows of doublings.
+/// No search goes over less than this part of the run: after a burst of events, a window that began as small
+/// as the burst would have to be doubled too often.
 #define LEAST_PART 0x1p-16
 
 /// A condition that is still positive where it was to fail is followed for so many doublings of the

@@ -27,16 +27,18 @@ namespace bmr::hooks {
 /// left.
 class ShortList final : private b2ContactListener, public InChain<ShortList> {
 public:
-    /// From here on; the times of impact that are known are marked. To be called in the middle of a step.
+    /// Makes the list short, and writes the times of impact that are known into the contacts. Called in the
+    /// middle of a step.
     explicit ShortList(b2ContactManager *manager);
-    /// The same in a world with a ledger: those are kept that its search for impacts asked for. Times of
-    /// impact that are known are marked when the first impact is found.
+    /// In a world with a ledger: keeps the contacts that the ledger's search for impacts asked for. The times
+    /// of impact that are known are written into the contacts when the first impact is found.
     ShortList(b2ContactManager *manager, Ledger *ledger);
     bool IsShort() const { return m_count > 0; }
-    /// For this thread's list of that world, if there is one: contacts say by now what is known of them, and
-    /// those are kept that may still have an impact. May be called while Box2D is at a contact that is kept.
+    /// Chooses the contacts of this thread's list for `manager` anew, if there is such a list: by now the
+    /// contacts themselves say what is known, and those are kept that may still have an impact. May be called
+    /// while Box2D is at a contact that is kept.
     static void ChooseAgain(const b2ContactManager *manager);
-    /// Whole again, with the listener that the world has by now.
+    /// Makes the list whole again, and gives the world back the listener that it has by now.
     ~ShortList() override;
 
     /// For as long as this lives, this thread's list for `manager`, if there is one, is whole. Contacts may

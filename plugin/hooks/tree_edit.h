@@ -37,7 +37,7 @@ inline TreeMembers MembersOf(const b2DynamicTree &tree) {
     return members;
 }
 
-/// Who wants to know nothing of what is written.
+/// A log that records nothing.
 struct NoLog {
     void Before(int32, const b2TreeNode &) {}
 };

@@ -29,7 +29,7 @@ class TreeLog {
 public:
     explicit TreeLog(const b2DynamicTree &tree) : m_tree(tree), m_before(MembersOf(tree)) {}
 
-    /// TreeEdit's. Throws std::bad_alloc, before anything is written; then Undo() all the same.
+    /// Called by TreeEdit before it writes a node. May throw std::bad_alloc; then call Undo() all the same.
     void Before(int32 id, const b2TreeNode &node) { m_written.push_back({id, node}); }
 
     /// Keeps what the edit made of the tree, and of the nodes around those that it has written: as they are,
@@ -46,7 +46,7 @@ public:
         }
     }
 
-    /// The tree is as it was. The log is as long as it was, too.
+    /// Writes back all that the edit changed. The log keeps its entries.
     void Undo() {
         for (size_t i = m_written.size(); i-- > 0;)
             m_before.nodes[m_written[i].id] = m_written[i].node;
@@ -56,8 +56,8 @@ public:
         *m_before.insertionCount = m_start.insertionCount;
     }
 
-    /// Of a tree that Box2D has done the same to: a node that is another than was kept; the null node where
-    /// the tree's own members are others; below that where all is the same.
+    /// Compares what was kept with a tree on which Box2D did the same. Returns a node that differs, the null
+    /// node where the tree's own members differ, and less than that where all is the same.
     int32 Difference() const {
         const TreeMembers now = MembersOf(m_tree);
         if (now.nodes != m_before.nodes || now.capacity != m_before.capacity || !(Scalars(now) == m_after))

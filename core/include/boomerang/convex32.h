@@ -35,8 +35,8 @@ typedef struct bmr_convex32 {
     bmr_vec32 extent; ///< the largest |x| and |y| of a vertex; used with a table alone
 } bmr_convex32;
 
-/// What bodies are made of, at a density of one: within 1e-7, however thin the polygon, where floating point
-/// rounds to nearest.
+/// Area, centroid and inertia of a polygon at a density of one. Right to 1e-7, however thin the polygon, on a
+/// thread that rounds to nearest.
 typedef struct bmr_mass32 {
     float area;
     bmr_vec32 centroid;
@@ -61,9 +61,9 @@ typedef struct bmr_convex32_block {
 /// time of the call have no addresses), BMR_ERROR_NO_MEMORY. O(n log n).
 bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_allocator *allocator,
                               bmr_convex32_block **block);
-/// The same of vertices that are such a hull, counter-clockwise from any one: kept to the bit. Others are
-/// BMR_ERROR_NOT_CONVEX: exactly so, or because the normals of two edges round to the same, or to opposites
-/// (a needle). O(n).
+/// The polygon of vertices that are a hull already, counter-clockwise from any one: they are kept to the bit.
+/// BMR_ERROR_NOT_CONVEX where they are not convex in exact arithmetic, and where the normals of two edges
+/// round to the same or to opposite vectors (a needle). O(n).
 bmr_error bmr_convex32_create_raw(const bmr_vec32 *vertices, size_t count, const bmr_allocator *allocator,
                                   bmr_convex32_block **block);
 void bmr_convex32_destroy(bmr_convex32_block *block, const bmr_allocator *allocator);
@@ -87,8 +87,9 @@ static inline bmr_convex32 bmr_convex32_small(const bmr_polygon32 *polygon) {
 /// number. O(log n), O(1) where the edges are of about one length; besides, it looks at all vertices whose
 /// products are too close to tell apart, and at every vertex where products overflow.
 uint32_t bmr_convex32_support(const bmr_convex32 *polygon, bmr_vec32 direction);
-/// The same, walking from a vertex that was it not long ago: O(steps), and no more than a few above the time
-/// without. Any hint is allowed.
+/// The same vertex as bmr_convex32_support finds, by a walk from `hint`: best a vertex that was the answer
+/// not long ago. O(steps) where the answer is near, else a few steps more than bmr_convex32_support. Any hint
+/// is allowed.
 uint32_t bmr_convex32_support_from(const bmr_convex32 *polygon, bmr_vec32 direction, uint32_t hint);
 
 /// Is the point (in the polygon's frame) inside or on it, in Box2D's sense: outside no edge's line?

@@ -19,7 +19,8 @@ extern "C" {
 ///
 /// What rounding costs: every length in an answer is right up to BMR_DISTANCE_ROUNDING times the sum of both
 /// extents and of the magnitudes of both positions. Polygons that are nearer to touching than that may be
-/// called apart or overlapping.
+/// called apart or overlapping. A normal between closest points is off by an angle of at most twice that over
+/// the distance.
 ///
 /// Errors of both functions: NULL_ARGUMENT; NOT_FINITE (a pose with a NaN or an infinity); OUT_OF_RANGE (a
 /// position beyond BMR_MAX_COORDINATE, a (c, s) whose square is off 1 by more than BMR_DISTANCE_UNIT). Then
@@ -38,7 +39,8 @@ typedef struct bmr_closest_points {
 
 /// The distance of two polygons and a pair of closest points. Of many such pairs (two parallel sides) it is
 /// any one. O(log n + log m) time for n and m vertices, with no hierarchy: each step leaves out half of what
-/// is left of one of the two polygons.
+/// is left of one of the two polygons. (Of vertices that lie together as far as doubles tell, some fifty
+/// times as much: one search for each bit of a direction.)
 bmr_error bmr_distance(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
                        const bmr_pose *pose_b, bmr_closest_points *closest);
 

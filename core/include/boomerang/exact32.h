@@ -41,13 +41,13 @@ bmr_transform32 bmr_exact32_relative(const bmr_transform32 *other, const bmr_tra
 /// frame.
 float bmr_exact32_edge_separation(const bmr_polygon32 *reference, int32_t edge, const bmr_polygon32 *other,
                                   const bmr_transform32 *frame);
-/// The same in plain C, on every machine: what the SSE2 form is tested against.
+/// bmr_exact32_edge_separation in plain C, on every machine: the SSE2 form is tested against it.
 float bmr_exact32_edge_separation_scalar(const bmr_polygon32 *reference, int32_t edge,
                                          const bmr_polygon32 *other, const bmr_transform32 *frame);
 
-/// The same in one go, for the check that is made most: `vertex` and `normal` of one edge of a polygon posed
-/// at `reference`, against the `count` (1 to 8, in an array of 8) `points` of a polygon posed at `other`. The
-/// bits of bmr_exact32_relative followed by bmr_exact32_edge_separation.
+/// bmr_exact32_relative and bmr_exact32_edge_separation in one call, with the same bits: the check that is
+/// made most. `vertex` and `normal` are one edge of a polygon posed at `reference`; `points` are `count` (1
+/// to 8, in an array of 8) of a polygon posed at `other`.
 float bmr_exact32_posed_separation(const bmr_vec32 *vertex, const bmr_vec32 *normal,
                                    const bmr_transform32 *reference, const bmr_vec32 *points, int32_t count,
                                    const bmr_transform32 *other);
@@ -55,7 +55,7 @@ float bmr_exact32_posed_separation(const bmr_vec32 *vertex, const bmr_vec32 *nor
 /// The largest edge separation over all edges of `reference` and the first edge that has it.
 float bmr_exact32_max_separation(const bmr_polygon32 *reference, const bmr_polygon32 *other,
                                  const bmr_transform32 *frame, int32_t *edge);
-/// The same in plain C.
+/// bmr_exact32_max_separation in plain C.
 float bmr_exact32_max_separation_scalar(const bmr_polygon32 *reference, const bmr_polygon32 *other,
                                         const bmr_transform32 *frame, int32_t *edge);
 
@@ -84,21 +84,22 @@ enum { BMR_MANIFOLD_FACE_A = 1, BMR_MANIFOLD_FACE_B = 2 };
 
 enum { BMR_NO_EDGE32 = -1, BMR_EDGES_OF_B32 = 8 };
 
-/// How two polygons of 3 to 8 vertices touch: the manifold of Box2D's b2CollidePolygons, to the bit. Only
-/// what that writes is written: always `count`; `type` where no face separates; `normal` and `plane_point`
-/// where clipping leaves two points; of each of the `count` points where it is and its feature, never its
-/// impulses.
+/// How two polygons of 3 to 8 vertices touch: the manifold of Box2D's b2CollidePolygons, to the bit. It
+/// writes the fields that b2CollidePolygons writes, and no others: `count` always; `type` where no face
+/// separates; `normal` and `plane_point` where clipping leaves two points; the place and the feature of each
+/// of the `count` points. It never writes impulses.
 ///
 /// `radius_sum` is the sum of the skins. B's face is the reference where it separates by more than
 /// `tolerance` (Box2D: a tenth of its slop) more than A's does.
 ///
-/// Gives back the edge of largest separation of the first polygon that has one that separates by more than
-/// the skins (A's edge, or BMR_EDGES_OF_B32 plus B's): to be remembered, for as long as it does so the count
-/// is 0. BMR_NO_EDGE32 where no edge does, points or not.
+/// Returns an edge that separates the two by more than their skins, if there is one: A's edge of largest
+/// separation, or BMR_EDGES_OF_B32 plus B's where none of A's does. Remember it: for as long as this edge
+/// separates them, the count is 0. BMR_NO_EDGE32 where no edge separates them, whether there are points or
+/// not.
 int32_t bmr_exact32_collide(bmr_manifold32 *manifold, const bmr_polygon32 *a, const bmr_transform32 *pose_a,
                             const bmr_polygon32 *b, const bmr_transform32 *pose_b, float radius_sum,
                             float tolerance);
-/// The same in plain C.
+/// bmr_exact32_collide in plain C.
 int32_t bmr_exact32_collide_scalar(bmr_manifold32 *manifold, const bmr_polygon32 *a,
                                    const bmr_transform32 *pose_a, const bmr_polygon32 *b,
                                    const bmr_transform32 *pose_b, float radius_sum, float tolerance);
