@@ -36,7 +36,7 @@
 #include "boomerang/distance.h"
 #include "geometry/posed_polygons.h"
 
-/// How far, as a part of the scale, rounding may put the end of an edge beyond the line that it is behind.
+/// The sine of an angle by which rounding may turn the end of an edge beyond the line that it is behind.
 #define ROUNDING 4e-15
 
 /// Steps of the third part, before the fourth takes over: without vertices that lie together it takes one or
@@ -254,14 +254,14 @@ static nearest between(const star *a, const star *b) {
     return best;
 }
 
-/// Has the polygon all of itself behind a line at right angles to `way` through a point of the star?
-/// `slack`: how far rounding may put a neighbour before it.
-static bool is_behind(const star *s, int at, int edge, bmr_vec2 way, double slack, uint32_t count) {
+/// Is all of the polygon behind a line at right angles to `way` through a point of the star?
+static bool is_behind(const star *s, int at, int edge, bmr_vec2 way, uint32_t count) {
     if (edge >= 0) // on an edge: the way must lead out. A segment has no inside
         return count == 2 || bmr_cross(way, s->edge[edge]) > 0.0;
     if (at != 1)
         return count == 1;
     const bmr_vec2 back = s->edge[0], on = s->edge[1];
+    const double slack = ROUNDING * hypot(way.x, way.y);
     return bmr_dot(back, way) >= -slack * hypot(back.x, back.y) &&
            bmr_dot(on, way) <= slack * hypot(on.x, on.y);
 }
@@ -275,7 +275,6 @@ static uint32_t neighbour(uint32_t i, int at, uint32_t n) {
 /// before. False: they are not found, which is so where the polygons overlap.
 static bool settle(const bmr_posed_polygons *q, const chain *a, const chain *b, unsigned *steps,
                    nearest *found) {
-    const double rounding = ROUNDING * q->scale;
     uint32_t i = a->first, j = b->first;
     double square = INFINITY;
     for (int step = 0; step < SETTLING_STEPS; ++step, ++*steps) {
@@ -284,8 +283,8 @@ static bool settle(const bmr_posed_polygons *q, const chain *a, const chain *b, 
         const uint32_t next_i = neighbour(i, found->at_a, q->a->count),
                        next_j = neighbour(j, found->at_b, q->b->count);
         if ((next_i == i && next_j == j) || !(found->square < square))
-            return is_behind(&sa, found->at_a, found->edge_a, found->way, rounding, q->a->count) &&
-                   is_behind(&sb, found->at_b, found->edge_b, bmr_neg(found->way), rounding, q->b->count);
+            return is_behind(&sa, found->at_a, found->edge_a, found->way, q->a->count) &&
+                   is_behind(&sb, found->at_b, found->edge_b, bmr_neg(found->way), q->b->count);
         square = found->square;
         i = next_i;
         j = next_j;

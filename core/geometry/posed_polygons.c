@@ -18,10 +18,6 @@ static bmr_error unit_pose(const bmr_pose *pose, bmr_pose *unit) {
     return BMR_OK;
 }
 
-static double size_of(bmr_vec2 v) {
-    return fmax(fabs(v.x), fabs(v.y));
-}
-
 bmr_error bmr_posed_polygons_make(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
                                   const bmr_pose *pose_b, bmr_posed_polygons *posed) {
     if (!a || !b || !posed)
@@ -32,8 +28,7 @@ bmr_error bmr_posed_polygons_make(const bmr_polygon *a, const bmr_pose *pose_a, 
         error = unit_pose(pose_b, &unit_b);
     if (error != BMR_OK)
         return error;
-    const double scale = a->extent + b->extent + size_of(unit_a.position) + size_of(unit_b.position);
-    const bmr_posed_polygons made = {a, b, unit_a, bmr_pose_relative(&unit_a, &unit_b), scale};
+    const bmr_posed_polygons made = {a, b, unit_a, bmr_pose_relative(&unit_a, &unit_b)};
     *posed = made;
     return BMR_OK;
 }

@@ -14,8 +14,6 @@ typedef struct bmr_posed_polygons {
     const bmr_polygon *a, *b;
     bmr_pose pose_a; ///< with (c, s) of unit length
     bmr_pose b_in_a;
-    /// The sum of both extents and of both positions' magnitudes: what rounding errors scale with.
-    double scale;
 } bmr_posed_polygons;
 
 /// Checks the arguments of both functions. An error leaves *posed untouched.

@@ -225,7 +225,7 @@ TEST_CASE("an answer that is a little wrong is noticed") {
 TEST_CASE("a distance takes a logarithmic number of steps") {
     test_random random = {77};
     unsigned most = 0, most_small = 0;
-    for (const size_t n : {16, 256, 4096, 60000})
+    for (const size_t n : {size_t{16}, size_t{256}, size_t{4096}, size_t{60000}})
         for (size_t round = 0; round < test_scaled(60); ++round) {
             CAPTURE(n);
             CAPTURE(round);
@@ -261,6 +261,29 @@ TEST_CASE("vertices that close in on a corner cost no more") {
         CHECK(ProvesItself(s, closest));
         CHECK(StepsOf(s) <= EnoughSteps(s));
     }
+}
+
+TEST_CASE("a small polygon deep in a large one, far from the origin, is not called apart") {
+    // Found by the first test: an angle that was allowed to be off by the rounding of the places in the
+    // world.
+    const Polygon a = Hull({{7.3242187499999997e-05, 4.8828125000000003e-05},
+                            {0.00012207031250000038, 0.00012207031250000033},
+                            {-4.019299523606901e-05, 0.00019114864444852192},
+                            {-3.9127174143160158e-05, 0.0001898114207766129},
+                            {-1.2348771397571428e-05, 0.00015621411792198371},
+                            {6.0635171416422775e-05, 6.4645414084685813e-05}});
+    const Polygon b = Hull({{-0.02813783983886553, -0.046896399731442551},
+                            {0.02813783983886553, -0.046896399731442551},
+                            {0.02813783983886553, 0.02813783983886553},
+                            {-0.0093792799462885101, 0.02813783983886553},
+                            {-0.046896399731442551, 0.0093792799462885101}});
+    const Scene s = SceneOf(
+        a.get(), {{47801116.269814961, -11471115.056382688}, 0.20440300167520839, -0.97888682333871713},
+        b.get(), {{47801116.24920857, -11471115.013335792}, -0.60058233583423326, 0.79956291677634495});
+    const long double truth = distance::SignedDistance(s.points_a, s.points_b);
+    CHECK(truth < -9e-6L);
+    CHECK(Closest(s).distance == 0.0);
+    CHECK(Agrees(s, Overlap(s), -truth));
 }
 
 TEST_CASE("a pose without an angle stands at the origin") {
