@@ -26,7 +26,7 @@ static bool certainly_farthest(const bmr_convex32 *polygon, uint32_t at, bmr_vec
     return dot(u, next) < -noise * convex32_size(next) && dot(u, last) < -noise * convex32_size(last);
 }
 
-/// An upper bound of |x| + |y| over all vertices.
+/// No |x| + |y| of a vertex is larger.
 static float size_of(const bmr_convex32 *polygon) {
     if (polygon->buckets)
         return convex32_size(polygon->extent);
@@ -38,11 +38,10 @@ static float size_of(const bmr_convex32 *polygon) {
     return most;
 }
 
-/// Called where the vertex `*at` is not for certain the farthest along u: moves it to the farthest. Returns
-/// by how much the size that the noise is computed from grows. An edge that lies across u to rounding may
-/// hide where the polygon goes on, or that this is its other end: then the largest product of all is taken.
-/// Two products are off by 2^-24 four times each, the direction included, so by no more than the noise of
-/// twice the polygon's size.
+/// Moves the vertex to the farthest along u, from where it certainly is not; and how much more size goes into
+/// the noise by that. An edge that lies across u to rounding may hide where the polygon goes on, or that this
+/// is its other end: then the largest product of all is taken. Two products are off by 2^-24 four times each,
+/// the direction included, so by no more than the noise of twice the polygon's size.
 static float find_end(const bmr_convex32 *polygon, bmr_vec32 u, uint32_t *at) {
     *at = bmr_convex32_find_farthest(polygon, u, *at);
     if (certainly_farthest(polygon, *at, u))
@@ -63,8 +62,7 @@ static inline float sum_of(__m128 v) {
     return _mm_cvtss_f32(_mm_add_ss(halves, SPLAT(halves, 1)));
 }
 
-/// The vertex at which the polygon ends along u: a few steps from the hint, and find_end where these are not
-/// enough. Both halves of the register hold u.
+/// Where the polygon ends along u, which is in both halves: some steps from the hint, or see find_end.
 static inline uint32_t end_along(const bmr_convex32 *polygon, __m128 u, uint32_t hint, float *unsure) {
     enum { NEAR_STEPS = 2 };
     const bmr_vec32 *const v = polygon->vertices;

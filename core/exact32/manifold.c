@@ -25,7 +25,7 @@ static inline int32_t find_incident_edge(const bmr_polygon32 *incident, __m128 n
     m = _mm_min_ps(m, _mm_movehl_ps(m, m));
     m = _mm_min_ss(m, SPLAT(m, 1));
     const __m128 all = SPLAT(m, 0);
-    // If no separation is less than FLT_MAX, all lanes are equal and the first one is taken, as in Box2D.
+    // Where nothing is less than FLT_MAX, all lanes hit, and the first is what stays.
     const int hits =
         _mm_movemask_ps(_mm_cmpeq_ps(least[0], all)) | _mm_movemask_ps(_mm_cmpeq_ps(least[1], all)) << 4;
     return __builtin_ctz((unsigned)hits);
