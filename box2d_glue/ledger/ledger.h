@@ -221,6 +221,12 @@ public:
     /// A body woke in the middle of a pass: its pairs are due.
     void Wake(const b2Body *body);
 
+    /// Have the two's boxes been looked at, in this pass? Where one of them has no pair with a proof, not.
+    bool KnowsBoxes(uint32_t i) const {
+        const Mover &a = m_movers[m_records[i].a], &b = m_movers[m_records[i].b];
+        return a.proved > 0 && b.proved > 0 && a.proxy != b2BroadPhase::e_nullProxy &&
+               b.proxy != b2BroadPhase::e_nullProxy;
+    }
     bool BoxesOverlap(uint32_t i) const {
         const Record &record = m_records[i];
         return b2TestOverlap(m_movers[record.a].box, m_movers[record.b].box);

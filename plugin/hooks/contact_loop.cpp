@@ -311,7 +311,7 @@ void LedgerPass::Visit(uint32_t i) {
         m_ledger->Rest(i);
         return;
     }
-    if (!(hasLine ? m_ledger->BoxesOverlap(i) : BoxesOverlap(m_manager, contact))) {
+    if (!(m_ledger->KnowsBoxes(i) ? m_ledger->BoxesOverlap(i) : BoxesOverlap(m_manager, contact))) {
         Destroy(i, contact);
         return;
     }
