@@ -5,7 +5,7 @@
 #include "boomerang/swept32.h"
 
 /// @file
-/// The functions of swept32.h as they are on machines without SSE2.
+/// The functions of swept32.h as they are on machines without lanes.
 
 void test_scalar_swept32_make(bmr_swept32 *shape, const bmr_vec32 *points, int32_t count,
                               const bmr_motion32 *motion);
