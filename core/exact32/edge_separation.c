@@ -59,20 +59,70 @@ static inline float4 lower(float4 least, const bmr_vec32 *points, int32_t count,
     return min4(select4(mask, s, all4(FLT_MAX)), least);
 }
 
-float bmr_exact32_posed_separation(const bmr_vec32 *vertex, const bmr_vec32 *normal,
-                                   const bmr_transform32 *reference, const bmr_vec32 *points, int32_t count,
-                                   const bmr_transform32 *other) {
-    // Each line is two or four of the scalar formulas side by side.
-    const float4 f = relative(load4(&other->p.x), load4(&reference->p.x)); // px, py, s, c
-    const float4 s = splat4(f, 2), c = splat4(f, 3);
-    const float4 a = load_pairs4(&normal->x, &vertex->x);
-    const float4 n = add4(mul4(c, a), mul4(s, quarter_left(a))); // nx, ny, and v before it is moved
-    const float4 v = add4(n, lows4(f, f));                       // (unused), vx, vy
-    const float4 nx = splat4(n, 0), ny = splat4(n, 1), vx = splat4(v, 2), vy = splat4(v, 3);
+/// One edge in the frame of the other polygon: each line is two or four of the scalar formulas side by side.
+typedef struct posed_edge {
+    float4 d; ///< dx, dy, s, c of what the frame is made of
+    float4 a; ///< normal and vertex in their own frame
+    float4 n; ///< the normal, and the vertex before it is moved
+    float4 v; ///< (unused, unused), vertex
+    float4 at_other;
+} posed_edge;
+
+static inline posed_edge pose_edge(const bmr_vec32 *vertex, const bmr_vec32 *normal,
+                                   const bmr_transform32 *reference, const bmr_transform32 *other) {
+    posed_edge e;
+    e.at_other = load4(&other->p.x);
+    const float4 at_reference = load4(&reference->p.x);
+    e.d = low_high4(sub4(at_reference, e.at_other), at_reference);
+    const float4 f = relative_of(e.at_other, e.d); // px, py, s, c
+    e.a = load_pairs4(&normal->x, &vertex->x);
+    e.n = add4(mul4(splat4(f, 3), e.a), mul4(splat4(f, 2), quarter_left(e.a)));
+    e.v = add4(e.n, lows4(f, f));
+    return e;
+}
+
+static inline float least_separation(const posed_edge *e, const bmr_vec32 *points, int32_t count) {
+    const float4 nx = splat4(e->n, 0), ny = splat4(e->n, 1), vx = splat4(e->v, 2), vy = splat4(e->v, 3);
     float4 least = lower(all4(FLT_MAX), points, count, nx, ny, vx, vy);
     if (count > 4)
         least = lower(least, points + 4, count - 4, nx, ny, vx, vy);
     return least_of4(least);
+}
+
+float bmr_exact32_posed_separation(const bmr_vec32 *vertex, const bmr_vec32 *normal,
+                                   const bmr_transform32 *reference, const bmr_vec32 *points, int32_t count,
+                                   const bmr_transform32 *other) {
+    const posed_edge e = pose_edge(vertex, normal, reference, other);
+    return least_separation(&e, points, count);
+}
+
+/// The largest |x| and |y| of the points: x, y, x, y. A coordinate that is a NaN counts as nothing: no
+/// evaluation makes a number of it.
+static inline float4 largest_coordinates(const bmr_vec32 *points, int32_t count) {
+    float4 largest = zero4();
+    for (int32_t i = 0; i + 1 < count; i += 2)
+        largest = max4(abs4(load4(&points[i].x)), largest);
+    const bmr_vec32 *last = points + count - 1;
+    largest = max4(abs4(load_pairs4(&last->x, &last->x)), largest);
+    return max4(largest, exchange4(largest));
+}
+
+bool bmr_exact32_separates_contracted(const bmr_vec32 *vertex, const bmr_vec32 *normal,
+                                      const bmr_transform32 *reference, const bmr_vec32 *points,
+                                      int32_t count, const bmr_transform32 *other, float beyond) {
+    const posed_edge e = pose_edge(vertex, normal, reference, other);
+    const float least = least_separation(&e, points, count);
+    if (!(least > beyond))
+        return false;
+    // The same of magnitudes, with sums for differences: no term of the formulas is larger than its own here.
+    const float4 turned = abs4(e.at_other), d = abs4(e.d), a = abs4(e.a);
+    const float4 f = add4(mul4(splat4(turned, 3), d), mul4(splat4(turned, 2), swap4(d)));
+    const float4 n = add4(mul4(splat4(f, 3), a), mul4(splat4(f, 2), swap4(a))), v = add4(n, lows4(f, f));
+    const float4 apart = add4(highs4(v, v), largest_coordinates(points, count));
+    const float size = sum_of_first4(mul4(n, apart));
+    // Ours and the other evaluation: each rounds no term more than 12 times. 2^-24 of it each time.
+    const float rounding = 32.0f * 0x1p-24f;
+    return least - rounding * size > beyond;
 }
 
 float bmr_exact32_max_separation(const bmr_polygon32 *reference, const bmr_polygon32 *other,

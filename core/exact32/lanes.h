@@ -25,11 +25,13 @@ static inline float4 quarter_left(float4 vectors) {
     return flip_even4(swap4(vectors));
 }
 
-/// bmr_exact32_relative on transforms in a register: px, py, s, c.
-static inline float4 relative(float4 other, float4 reference) {
-    const float4 d = low_high4(sub4(reference, other), reference);
-    const float4 e = flip_inner4(swap4(d)); // dx, dy, rs, rc beside dy, -dx, -rc, rs
+/// bmr_exact32_relative on transforms in a register: px, py, s, c. `d`: dx, dy, and the reference's s, c.
+static inline float4 relative_of(float4 other, float4 d) {
+    const float4 e = flip_inner4(swap4(d)); // d beside dy, -dx, -rc, rs
     return add4(mul4(splat4(other, 3), d), mul4(splat4(other, 2), e));
+}
+static inline float4 relative(float4 other, float4 reference) {
+    return relative_of(other, low_high4(sub4(reference, other), reference));
 }
 
 /// Four points, x and y apart.

@@ -29,7 +29,7 @@
     X(all, all4(first[2]))                                                                                   \
     X(of, of4(first[3], second[0], first[1], second[2]))                                                     \
     X(zero, zero4())                                                                                         \
-    X(first, all4(first_of4(a)))                                                                             \
+    X(first, all4(first_of4(b)))                                                                             \
     X(load_pairs, load_pairs4(first + 1, second + 2))                                                        \
     X(splat_0, splat4(a, 0))                                                                                 \
     X(splat_1, splat4(a, 1))                                                                                 \
