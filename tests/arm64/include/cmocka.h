@@ -7,8 +7,8 @@
 #include <string.h>
 
 /// @file
-/// What the tests that run here use of cmocka, of which there is no build for another processor on most machines. A test that fails
-/// ends the program.
+/// What the tests that run here use of cmocka, of which there is no build for another processor on most
+/// machines. A test that fails ends the program.
 
 struct CMUnitTest {
     const char *name;
@@ -28,7 +28,8 @@ static inline int run_group_(const struct CMUnitTest *tests, size_t count) {
 }
 
 #define print_message(...) fprintf(stderr, __VA_ARGS__)
-#define fail_msg(...) (fprintf(stderr, __VA_ARGS__), fprintf(stderr, "\n%s:%d: failed\n", __FILE__, __LINE__), exit(1))
+#define fail_msg(...)                                                                                        \
+    (fprintf(stderr, __VA_ARGS__), fprintf(stderr, "\n%s:%d: failed\n", __FILE__, __LINE__), exit(1))
 #define assert_true(condition) ((condition) ? (void)0 : fail_msg("not so: %s", #condition))
 #define assert_false(condition) assert_true(!(condition))
 #define assert_int_equal(a, b) assert_true((long long)(a) == (long long)(b))

@@ -5,8 +5,9 @@
 #include <random>
 
 /// @file
-/// What the games use of the GNU Scientific Library, of which there is no build for another processor on most machines. Other
-/// numbers than its own, so other games than elsewhere; each is held against stock on the same numbers.
+/// What the games use of the GNU Scientific Library, of which there is no build for another processor on most
+/// machines. Other numbers than its own, so other games than elsewhere; each is held against stock on the
+/// same numbers.
 
 struct gsl_rng {
     std::mt19937_64 generator;
