@@ -203,17 +203,17 @@ inline bool PolygonContact::EdgeSeparates(uint8_t number, bool ofB, const b2Tran
     // Also where no edge is remembered; and vertices may have been edited in place: the edge may be gone.
     if (number >= owner.m_count)
         return false;
-    const bmr_vec32 *const vertex = Vectors32(owner.m_vertices) + number, *const normal =
-                                                                              Vectors32(owner.m_normals) +
-                                                                              number;
-    const bmr_transform32 *const ofOwner = Transform32(ofB ? xfB : xfA), *const ofOther =
-                                                                             Transform32(ofB ? xfA : xfB);
-    const bmr_vec32 *const points = Vectors32(other.m_vertices);
-    const float radiusSum = a.m_radius + b.m_radius;
-    if (!GetSettings().sameRounding)
-        return other.m_count > 0 && bmr_exact32_separates_contracted(vertex, normal, ofOwner, points,
-                                                                     other.m_count, ofOther, radiusSum);
-    return bmr_exact32_posed_separation(vertex, normal, ofOwner, points, other.m_count, ofOther) > radiusSum;
+    if (GetSettings().sameRounding) {
+        const float separation = bmr_exact32_posed_separation(
+            Vectors32(owner.m_vertices) + number, Vectors32(owner.m_normals) + number,
+            Transform32(ofB ? xfB : xfA), Vectors32(other.m_vertices), other.m_count,
+            Transform32(ofB ? xfA : xfB));
+        return separation > a.m_radius + b.m_radius;
+    }
+    return other.m_count > 0 && bmr_exact32_separates_contracted(
+                                    Vectors32(owner.m_vertices) + number, Vectors32(owner.m_normals) + number,
+                                    Transform32(ofB ? xfB : xfA), Vectors32(other.m_vertices), other.m_count,
+                                    Transform32(ofB ? xfA : xfB), a.m_radius + b.m_radius);
 }
 
 inline bool PolygonContact::EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) const {

@@ -408,10 +408,15 @@ FLOAT4_INLINE float4 of4(float a, float b, float c, float d) {
     return r;
 }
 FLOAT4_INLINE float4 load4(const float *four) {
-    return of4(four[0], four[1], four[2], four[3]);
+    float4 r;
+    memcpy(r.lane, four, sizeof r.lane);
+    return r;
 }
 FLOAT4_INLINE float4 load_pairs4(const float *low, const float *high) {
-    return of4(low[0], low[1], high[0], high[1]);
+    float4 r;
+    memcpy(r.lane, low, sizeof r.lane / 2);
+    memcpy(r.lane + 2, high, sizeof r.lane / 2);
+    return r;
 }
 FLOAT4_INLINE void store4(float *four, float4 v) {
     memcpy(four, v.lane, sizeof v.lane);
