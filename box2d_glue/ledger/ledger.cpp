@@ -444,8 +444,11 @@ void Ledger::EnableDownTo(uint32_t down) {
 }
 
 void Ledger::NoteAllMayImpact() {
+    if (m_allNoted)
+        return;
     for (uint32_t i = 0; i < m_count; ++i)
         NoteMayImpact(i);
+    m_allNoted = true;
 }
 
 void Ledger::BeginSearch(bool careful, bool mayLeaveOut) {

@@ -300,6 +300,7 @@ public:
             return;
         ContactNumber::ForgetImpact(m_contacts[i]);
         m_bits[i] &= static_cast<uint8_t>(~kImpactNoted);
+        m_allNoted = false;
     }
     /// Does the budget outlast the step's sweeps?
     bool OutlastsSweeps(uint32_t i) {
@@ -430,6 +431,7 @@ private:
     bool m_searchesSeen = false;
     bool m_impactSearchesSeen = false;
     bool m_foundImpact = false;
+    bool m_allNoted = false; ///< every record has kImpactNoted, as new ones have
     bool m_gameRan = false;
     bool m_touchesSure = false;
     bool m_alphasClear = false;
