@@ -73,7 +73,9 @@ double LargestCoordinate(const bmr_convex32 &polygon) {
     double most = 0.0;
     for (uint32_t i = 0; i < polygon.count; ++i) {
         const bmr_vec2 v = Vertex(polygon, i);
-        most = std::fmax(most, std::fmax(std::fabs(v.x), std::fabs(v.y)));
+        const double larger = std::fmax(std::fabs(v.x), std::fabs(v.y));
+        if (larger > most) // not fmax: of that gcc 12 dies where it compiles for ARM64
+            most = larger;
     }
     return most;
 }

@@ -194,21 +194,30 @@ inline bool PolygonContact::CollideHere(b2Manifold *manifold, const b2Transform 
     return edge != BMR_NO_EDGE32;
 }
 
-/// Box2D's own test on the remembered edge alone: where that edge's separation is larger than the radii, so
-/// is the largest.
-inline bool PolygonContact::EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) const {
+/// Box2D's own test on one edge alone: where that edge's separation is larger than the radii, so is the
+/// largest. Where Box2D rounds otherwise the edge must separate by more than that can change.
+inline bool PolygonContact::EdgeSeparates(uint8_t number, bool ofB, const b2Transform &xfA,
+                                          const b2Transform &xfB) const {
     const b2PolygonShape &a = ShapeOf(m_fixtureA), &b = ShapeOf(m_fixtureB);
-    const EdgeMemory &memory = state.link.byEdge;
-    const bool ofB = memory.ofB;
     const b2PolygonShape &owner = ofB ? b : a, &other = ofB ? a : b;
     // Also where no edge is remembered; and vertices may have been edited in place: the edge may be gone.
-    if (memory.number >= owner.m_count)
+    if (number >= owner.m_count)
         return false;
-    const float separation = bmr_exact32_posed_separation(
-        Vectors32(owner.m_vertices) + memory.number, Vectors32(owner.m_normals) + memory.number,
-        Transform32(ofB ? xfB : xfA), Vectors32(other.m_vertices), other.m_count,
-        Transform32(ofB ? xfA : xfB));
-    return separation > a.m_radius + b.m_radius;
+    if (GetSettings().sameRounding) {
+        const float separation = bmr_exact32_posed_separation(
+            Vectors32(owner.m_vertices) + number, Vectors32(owner.m_normals) + number,
+            Transform32(ofB ? xfB : xfA), Vectors32(other.m_vertices), other.m_count,
+            Transform32(ofB ? xfA : xfB));
+        return separation > a.m_radius + b.m_radius;
+    }
+    return other.m_count > 0 && bmr_exact32_separates_contracted(
+                                    Vectors32(owner.m_vertices) + number, Vectors32(owner.m_normals) + number,
+                                    Transform32(ofB ? xfB : xfA), Vectors32(other.m_vertices), other.m_count,
+                                    Transform32(ofB ? xfA : xfB), a.m_radius + b.m_radius);
+}
+
+inline bool PolygonContact::EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) const {
+    return EdgeSeparates(state.link.byEdge.number, state.link.byEdge.ofB, xfA, xfB);
 }
 
 bmr_vec2 PolygonContact::EdgeDirection() const {
@@ -240,7 +249,8 @@ bool PolygonContact::FindEdge(const b2Transform &xfA, const b2Transform &xfB) {
         const bmr_transform32 frame =
             bmr_exact32_relative(Transform32(ofB ? xfA : xfB), Transform32(ofB ? xfB : xfA));
         int32_t edge = 0;
-        if (bmr_exact32_max_separation(&owner, &other, &frame, &edge) > radiusSum) {
+        if (bmr_exact32_max_separation(&owner, &other, &frame, &edge) > radiusSum &&
+            (GetSettings().sameRounding || EdgeSeparates(static_cast<uint8_t>(edge), ofB, xfA, xfB))) {
             memory.number = static_cast<uint8_t>(edge);
             memory.ofB = ofB;
             memory.patience = 0;

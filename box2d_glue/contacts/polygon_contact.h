@@ -52,6 +52,7 @@ private:
                       const b2Manifold &old);
     Answer Ask(const b2Transform &xfA, const b2Transform &xfB);
     void CountAnswer(Answer answer) const;
+    bool EdgeSeparates(uint8_t number, bool ofB, const b2Transform &xfA, const b2Transform &xfB) const;
     bool EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) const;
     bool FindEdge(const b2Transform &xfA, const b2Transform &xfB);
     bool ManifoldIsMadeHere() const;

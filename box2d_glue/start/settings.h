@@ -20,7 +20,7 @@ struct Settings {
     const bmr_compass *compass = nullptr;
     /// The hooks that Box2D's calls come by, where anybody is told of them; all where nobody is.
     uint32_t reached = kAllHooks;
-    bool sameRounding = false; ///< Box2D here rounds as core/exact32 does: remembered edges need no margin
+    bool sameRounding = false; ///< Box2D here rounds as core/exact32 does: its bits can be computed here
 };
 
 namespace internal {
@@ -86,7 +86,7 @@ inline bool WorksEverywhere() {
 
 /// Do contacts remember edges?
 inline bool EdgesAreOn() {
-    return GetSettings().options.prefilter && GetSettings().sameRounding;
+    return GetSettings().options.prefilter;
 }
 
 /// Takes the options over; called once, by Install. False without memory for the compass table.

@@ -132,9 +132,21 @@ const b2PolygonShape &ShapeOf(const b2Fixture &fixture) {
     return static_cast<const b2PolygonShape &>(*fixture.GetShape());
 }
 
-/// If the edge separates the two in Box2D's sense, it is the proof.
+/// In Box2D's sense, however it rounds.
+bool Separates(const FaceGap &gap, const b2Fixture &owner, const b2Fixture &other) {
+    const float radiusSum = ShapeOf(owner).m_radius + ShapeOf(other).m_radius;
+    if (GetSettings().sameRounding || IsBig(owner) || IsBig(other))
+        return gap.separation > radiusSum;
+    const b2PolygonShape &own = ShapeOf(owner), &others = ShapeOf(other);
+    return bmr_exact32_separates_contracted(
+        Vectors32(own.m_vertices) + gap.edge, Vectors32(own.m_normals) + gap.edge,
+        Transform32(owner.GetBody()->GetTransform()), Vectors32(others.m_vertices), others.m_count,
+        Transform32(other.GetBody()->GetTransform()), radiusSum);
+}
+
+/// If the edge separates the two, it is the proof.
 bool AskEdge(const FaceGap &gap, const b2Fixture &owner, const b2Fixture &other, bool ofB, Proof *proof) {
-    if (!(gap.separation > ShapeOf(owner).m_radius + ShapeOf(other).m_radius))
+    if (!Separates(gap, owner, other))
         return false;
     const bmr_convex32 own = RealPolygon(owner), others = RealPolygon(other);
     const auto first = static_cast<uint32_t>(gap.edge), second = first + 1 == own.count ? 0 : first + 1;

@@ -50,87 +50,48 @@ static float find_end(const bmr_convex32 *polygon, bmr_vec32 u, uint32_t *at) {
     return 2.0f * size_of(polygon);
 }
 
-#if defined(__SSE2__)
-
-static inline __m128 magnitude_lanes(void) {
-    return _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));
-}
-
-/// In lane 0: the sum of all four, the outer pairs first.
-static inline float sum_of(__m128 v) {
-    const __m128 halves = _mm_add_ps(v, _mm_movehl_ps(v, v));
-    return _mm_cvtss_f32(_mm_add_ss(halves, SPLAT(halves, 1)));
-}
-
 /// Where the polygon ends along u, which is in both halves: some steps from the hint, or see find_end.
-static inline uint32_t end_along(const bmr_convex32 *polygon, __m128 u, uint32_t hint, float *unsure) {
+static inline uint32_t end_along(const bmr_convex32 *polygon, float4 u, uint32_t hint, float *unsure) {
     enum { NEAR_STEPS = 2 };
     const bmr_vec32 *const v = polygon->vertices;
     uint32_t at = hint < polygon->count ? hint : 0;
     for (int steps = 0; steps < NEAR_STEPS; ++steps) {
         const uint32_t next = convex32_next(polygon, at), last = convex32_previous(polygon, at);
-        const __m128 ways = _mm_sub_ps(load_two(v + next, v + last), load_two(v + at, v + at));
-        const __m128 slopes = dots(u, ways), sizes = _mm_and_ps(ways, magnitude_lanes());
-        const __m128 size = _mm_add_ps(sizes, _mm_shuffle_ps(sizes, sizes, _MM_SHUFFLE(2, 3, 0, 1)));
-        if (_mm_movemask_ps(_mm_cmplt_ps(slopes, _mm_mul_ps(_mm_set1_ps(-noise), size))) == 15)
+        const float4 ways = sub4(load_two(v + next, v + last), load_two(v + at, v + at));
+        const float4 slopes = dots(u, ways), sizes = abs4(ways);
+        const float4 size = add4(sizes, swap4(sizes));
+        if (every4(less4(slopes, mul4(all4(-noise), size))))
             return at;
-        const int ascends = _mm_movemask_ps(_mm_cmpgt_ps(slopes, _mm_setzero_ps()));
-        if (ascends == 0)
+        const unsigned ascends = bits4(less4(zero4(), slopes));
+        if (ascends == 0u)
             break;
-        at = (ascends & 1) != 0 ? next : last;
+        at = (ascends & 1u) != 0u ? next : last;
     }
-    const bmr_vec32 direction_of_u = {_mm_cvtss_f32(u), _mm_cvtss_f32(SPLAT(u, 1))};
+    const bmr_vec32 direction_of_u = {first_of4(u), first_of4(splat4(u, 1))};
     *unsure += find_end(polygon, direction_of_u, &at);
     return at;
 }
 
 static inline gap gap_along(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
                             const bmr_transform32 *pose_b, bmr_vec32 axis, uint32_t hint_a, uint32_t hint_b) {
-    const __m128 at_a = _mm_loadu_ps(&pose_a->p.x), at_b = _mm_loadu_ps(&pose_b->p.x);
-    const __m128 both = _mm_setr_ps(axis.x, axis.y, -axis.x, -axis.y);
-    const __m128 right = _mm_setr_ps(axis.y, -axis.x, -axis.y, axis.x);
-    const __m128 s = _mm_shuffle_ps(at_a, at_b, _MM_SHUFFLE(2, 2, 2, 2));
-    const __m128 c = _mm_shuffle_ps(at_a, at_b, _MM_SHUFFLE(3, 3, 3, 3));
+    const float4 at_a = load4(&pose_a->p.x), at_b = load4(&pose_b->p.x);
+    const float4 both = of4(axis.x, axis.y, -axis.x, -axis.y);
+    const float4 right = of4(axis.y, -axis.x, -axis.y, axis.x);
+    const float4 s = splat_two4(at_a, at_b, 2);
+    const float4 c = splat_two4(at_a, at_b, 3);
     // The axis in a's frame, and backwards in b's.
-    const __m128 local = _mm_add_ps(_mm_mul_ps(c, both), _mm_mul_ps(s, right));
+    const float4 local = add4(mul4(c, both), mul4(s, right));
     gap g;
     float unsure = 0.0f;
-    g.vertex_a = end_along(a, _mm_movelh_ps(local, local), hint_a, &unsure);
-    g.vertex_b = end_along(b, _mm_movehl_ps(local, local), hint_b, &unsure);
-    const __m128 magnitude = magnitude_lanes();
-    const __m128 points = load_two(a->vertices + g.vertex_a, b->vertices + g.vertex_b);
-    const __m128 way = _mm_movelh_ps(_mm_sub_ps(at_b, at_a), _mm_setzero_ps());
-    const float size = sum_of(_mm_add_ps(_mm_and_ps(points, magnitude), _mm_and_ps(way, magnitude)));
-    const float most = sum_of(_mm_sub_ps(_mm_mul_ps(both, way), _mm_mul_ps(local, points)));
+    g.vertex_a = end_along(a, lows4(local, local), hint_a, &unsure);
+    g.vertex_b = end_along(b, highs4(local, local), hint_b, &unsure);
+    const float4 points = load_two(a->vertices + g.vertex_a, b->vertices + g.vertex_b);
+    const float4 way = lows4(sub4(at_b, at_a), zero4());
+    const float size = sum_of4(add4(abs4(points), abs4(way)));
+    const float most = sum_of4(sub4(mul4(both, way), mul4(local, points)));
     g.certain = most - noise * (size + unsure);
     return g;
 }
-
-#else
-
-/// Along a direction of about LONGEST_AXIS, in the world. The sums are those of the lanes above.
-static inline gap gap_along(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
-                            const bmr_transform32 *pose_b, bmr_vec32 axis, uint32_t hint_a, uint32_t hint_b) {
-    const bmr_vec32 in_a = turn_back(pose_a, axis), in_b = turn_back(pose_b, negative(axis));
-    gap g;
-    g.vertex_a = hint_a < a->count ? hint_a : 0;
-    g.vertex_b = hint_b < b->count ? hint_b : 0;
-    float unsure = 0.0f;
-    if (!certainly_farthest(a, g.vertex_a, in_a))
-        unsure = find_end(a, in_a, &g.vertex_a);
-    if (!certainly_farthest(b, g.vertex_b, in_b))
-        unsure += find_end(b, in_b, &g.vertex_b);
-    const bmr_vec32 p = a->vertices[g.vertex_a], q = b->vertices[g.vertex_b];
-    const bmr_vec32 way = minus(pose_b->p, pose_a->p);
-    const float size =
-        ((fabsf(p.x) + fabsf(way.x)) + fabsf(q.x)) + ((fabsf(p.y) + fabsf(way.y)) + fabsf(q.y));
-    const float most =
-        ((axis.x * way.x - in_a.x * p.x) - in_b.x * q.x) + ((axis.y * way.y - in_a.y * p.y) - in_b.y * q.y);
-    g.certain = most - noise * (size + unsure);
-    return g;
-}
-
-#endif
 
 /// For directions no longer than LONGEST_AXIS. What overflowed says nothing.
 static inline bool exceeds(const gap *g, float reach) {

@@ -45,12 +45,8 @@ static void make_points(bmr_manifold32 *manifold, const bmr_convex32 *reference,
     const uint32_t next = convex32_next(incident, facing);
     const edge_ends face = edge_ends_of(reference, edge, second),
                     facing_ends = edge_ends_of(incident, facing, next);
-#if defined(__SSE2__)
-    clip_edges(manifold, face, _mm_loadu_ps(&pose->p.x), facing_ends, _mm_loadu_ps(&incident_pose->p.x),
-               radius_sum, reference_is_b);
-#else
-    clip_edges_scalar(manifold, face, pose, facing_ends, incident_pose, radius_sum, reference_is_b);
-#endif
+    clip_edges(manifold, face, load4(&pose->p.x), facing_ends, load4(&incident_pose->p.x), radius_sum,
+               reference_is_b);
 }
 
 /// `axis` points from a to b, in the world.

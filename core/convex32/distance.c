@@ -21,7 +21,9 @@ bmr_proxy32 bmr_proxy32_points(const bmr_vec32 *points, uint32_t count, float ra
     double reach2 = 0.0;
     for (uint32_t i = 0; i < count; ++i) {
         const bmr_vec2 p = bmr_widen(points[i]);
-        reach2 = fmax(reach2, bmr_dot(p, p));
+        const double square = bmr_dot(p, p);
+        if (square > reach2) // not fmax: of that gcc 12 dies where it compiles for ARM64
+            reach2 = square;
     }
     // Rounded up: twice the unit of a float.
     bmr_proxy32 proxy = {.polygon = {.vertices = points, .count = count}, .radius = radius};

@@ -29,89 +29,108 @@ float bmr_exact32_edge_separation_scalar(const bmr_polygon32 *reference, int32_t
     return least;
 }
 
-#if defined(__SSE2__)
-
 float bmr_exact32_edge_separation(const bmr_polygon32 *reference, int32_t edge, const bmr_polygon32 *other,
                                   const bmr_transform32 *frame) {
     const bmr_vec32 n = turn(frame, reference->normals[edge]);
     const bmr_vec32 v = move(frame, reference->vertices[edge]);
-    const __m128 nx = _mm_set1_ps(n.x), ny = _mm_set1_ps(n.y), vx = _mm_set1_ps(v.x), vy = _mm_set1_ps(v.y);
-    const __m128 far_away = _mm_set1_ps(FLT_MAX);
-    __m128 least = far_away;
+    const float4 nx = all4(n.x), ny = all4(n.y), vx = all4(v.x), vy = all4(v.y);
+    const float4 far_away = all4(FLT_MAX);
+    float4 least = far_away;
     for (int32_t group = 0; 4 * group < other->count; ++group) {
-        const __m128 mask = lanes(other->count, group);
+        const mask4 mask = first_lanes4(other->count, group);
         const quad q = load_quad(other->vertices + 4 * group, mask);
-        const __m128 s = _mm_add_ps(_mm_mul_ps(nx, _mm_sub_ps(q.x, vx)), _mm_mul_ps(ny, _mm_sub_ps(q.y, vy)));
-        least = _mm_min_ps(blend(mask, s, far_away), least); // a NaN in s gives `least` back
+        const float4 s = add4(mul4(nx, sub4(q.x, vx)), mul4(ny, sub4(q.y, vy)));
+        least = min4(select4(mask, s, far_away), least); // a NaN in s gives `least` back
     }
-    least = _mm_min_ps(least, _mm_movehl_ps(least, least));
-    least = _mm_min_ss(least, _mm_shuffle_ps(least, least, 1));
-    return _mm_cvtss_f32(least);
+    return least_of4(least);
 }
 
 /// The first four points' minimum into `least`, lanes past `count` left out.
-static inline __m128 lower(__m128 least, const bmr_vec32 *points, int32_t count, __m128 nx, __m128 ny,
-                           __m128 vx, __m128 vy) {
+static inline float4 lower(float4 least, const bmr_vec32 *points, int32_t count, float4 nx, float4 ny,
+                           float4 vx, float4 vy) {
     if (count >= 4) { // no lane to leave out: the common case of boxes and octagons
         const quad q = load_four(points);
-        const __m128 s = _mm_add_ps(_mm_mul_ps(nx, _mm_sub_ps(q.x, vx)), _mm_mul_ps(ny, _mm_sub_ps(q.y, vy)));
-        return _mm_min_ps(s, least);
+        const float4 s = add4(mul4(nx, sub4(q.x, vx)), mul4(ny, sub4(q.y, vy)));
+        return min4(s, least);
     }
-    const __m128 mask = lanes(count, 0);
+    const mask4 mask = first_lanes4(count, 0);
     const quad q = load_quad(points, mask);
-    const __m128 s = _mm_add_ps(_mm_mul_ps(nx, _mm_sub_ps(q.x, vx)), _mm_mul_ps(ny, _mm_sub_ps(q.y, vy)));
-    return _mm_min_ps(blend(mask, s, _mm_set1_ps(FLT_MAX)), least);
+    const float4 s = add4(mul4(nx, sub4(q.x, vx)), mul4(ny, sub4(q.y, vy)));
+    return min4(select4(mask, s, all4(FLT_MAX)), least);
+}
+
+/// One edge in the frame of the other polygon: each line is two or four of the scalar formulas side by side.
+typedef struct posed_edge {
+    float4 d; ///< dx, dy, s, c of what the frame is made of
+    float4 a; ///< normal and vertex in their own frame
+    float4 n; ///< the normal, and the vertex before it is moved
+    float4 v; ///< (unused, unused), vertex
+    float4 at_other;
+} posed_edge;
+
+static inline posed_edge pose_edge(const bmr_vec32 *vertex, const bmr_vec32 *normal,
+                                   const bmr_transform32 *reference, const bmr_transform32 *other) {
+    posed_edge e;
+    e.at_other = load4(&other->p.x);
+    const float4 at_reference = load4(&reference->p.x);
+    e.d = low_high4(sub4(at_reference, e.at_other), at_reference);
+    const float4 f = relative_of(e.at_other, e.d); // px, py, s, c
+    e.a = load_pairs4(&normal->x, &vertex->x);
+    e.n = add4(mul4(splat4(f, 3), e.a), mul4(splat4(f, 2), quarter_left(e.a)));
+    e.v = add4(e.n, lows4(f, f));
+    return e;
+}
+
+static inline float least_separation(const posed_edge *e, const bmr_vec32 *points, int32_t count) {
+    const float4 nx = splat4(e->n, 0), ny = splat4(e->n, 1), vx = splat4(e->v, 2), vy = splat4(e->v, 3);
+    float4 least = lower(all4(FLT_MAX), points, count, nx, ny, vx, vy);
+    if (count > 4)
+        least = lower(least, points + 4, count - 4, nx, ny, vx, vy);
+    return least_of4(least);
 }
 
 float bmr_exact32_posed_separation(const bmr_vec32 *vertex, const bmr_vec32 *normal,
                                    const bmr_transform32 *reference, const bmr_vec32 *points, int32_t count,
                                    const bmr_transform32 *other) {
-    // Each line is two or four of the scalar formulas side by side.
-    const __m128 f = relative(_mm_loadu_ps(&other->p.x), _mm_loadu_ps(&reference->p.x)); // px, py, s, c
-    const __m128 s = SPLAT(f, 2), c = SPLAT(f, 3);
-    const __m128 zero = _mm_setzero_ps();
-    const __m128 a = _mm_loadh_pi(_mm_loadl_pi(zero, (const __m64 *)(const void *)normal),
-                                  (const __m64 *)(const void *)vertex);
-    const __m128 n =
-        _mm_add_ps(_mm_mul_ps(c, a), _mm_mul_ps(s, quarter_left(a))); // nx, ny, and v before it is moved
-    const __m128 v = _mm_add_ps(n, _mm_movelh_ps(f, f));              // (unused), vx, vy
-    const __m128 nx = SPLAT(n, 0), ny = SPLAT(n, 1), vx = SPLAT(v, 2), vy = SPLAT(v, 3);
-    __m128 least = lower(_mm_set1_ps(FLT_MAX), points, count, nx, ny, vx, vy);
-    if (count > 4)
-        least = lower(least, points + 4, count - 4, nx, ny, vx, vy);
-    least = _mm_min_ps(least, _mm_movehl_ps(least, least));
-    least = _mm_min_ss(least, _mm_shuffle_ps(least, least, 1));
-    return _mm_cvtss_f32(least);
+    const posed_edge e = pose_edge(vertex, normal, reference, other);
+    return least_separation(&e, points, count);
+}
+
+/// The largest |x| and |y| of the points: x, y, x, y. A coordinate that is a NaN counts as nothing: no
+/// evaluation makes a number of it.
+static inline float4 largest_coordinates(const bmr_vec32 *points, int32_t count) {
+    float4 largest = zero4();
+    for (int32_t i = 0; i + 1 < count; i += 2)
+        largest = max4(abs4(load4(&points[i].x)), largest);
+    const bmr_vec32 *last = points + count - 1;
+    largest = max4(abs4(load_pairs4(&last->x, &last->x)), largest);
+    return max4(largest, exchange4(largest));
+}
+
+bool bmr_exact32_separates_contracted(const bmr_vec32 *vertex, const bmr_vec32 *normal,
+                                      const bmr_transform32 *reference, const bmr_vec32 *points,
+                                      int32_t count, const bmr_transform32 *other, float beyond) {
+    const posed_edge e = pose_edge(vertex, normal, reference, other);
+    const float least = least_separation(&e, points, count);
+    if (!(least > beyond))
+        return false;
+    // The same of magnitudes, with sums for differences: no term of the formulas is larger than its own here.
+    const float4 turned = abs4(e.at_other), d = abs4(e.d), a = abs4(e.a);
+    const float4 f = add4(mul4(splat4(turned, 3), d), mul4(splat4(turned, 2), swap4(d)));
+    const float4 n = add4(mul4(splat4(f, 3), a), mul4(splat4(f, 2), swap4(a))), v = add4(n, lows4(f, f));
+    const float4 apart = add4(highs4(v, v), largest_coordinates(points, count));
+    const float size = sum_of_first4(mul4(n, apart));
+    // Ours and the other evaluation: each rounds no term more than 12 times. 2^-24 of it each time.
+    const float rounding = 32.0f * 0x1p-24f;
+    return least - rounding * size > beyond;
 }
 
 float bmr_exact32_max_separation(const bmr_polygon32 *reference, const bmr_polygon32 *other,
                                  const bmr_transform32 *frame, int32_t *edge) {
-    const max_edge found = find_max_edge(reference, other, _mm_loadu_ps(&frame->p.x));
+    const max_edge found = find_max_edge(reference, other, load4(&frame->p.x));
     *edge = found.edge;
     return found.separation;
 }
-
-#else
-
-float bmr_exact32_edge_separation(const bmr_polygon32 *reference, int32_t edge, const bmr_polygon32 *other,
-                                  const bmr_transform32 *frame) {
-    return bmr_exact32_edge_separation_scalar(reference, edge, other, frame);
-}
-
-float bmr_exact32_posed_separation(const bmr_vec32 *vertex, const bmr_vec32 *normal,
-                                   const bmr_transform32 *reference, const bmr_vec32 *points, int32_t count,
-                                   const bmr_transform32 *other) {
-    const bmr_polygon32 edge = {vertex, normal, 1}, rest = {points, points, count};
-    const bmr_transform32 frame = bmr_exact32_relative(other, reference);
-    return bmr_exact32_edge_separation_scalar(&edge, 0, &rest, &frame);
-}
-
-float bmr_exact32_max_separation(const bmr_polygon32 *reference, const bmr_polygon32 *other,
-                                 const bmr_transform32 *frame, int32_t *edge) {
-    return bmr_exact32_max_separation_scalar(reference, other, frame, edge);
-}
-
-#endif
 
 float bmr_exact32_max_separation_scalar(const bmr_polygon32 *reference, const bmr_polygon32 *other,
                                         const bmr_transform32 *frame, int32_t *edge) {

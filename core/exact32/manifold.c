@@ -6,34 +6,28 @@
 #include "clip_lanes.h"
 #include "max_edge.h"
 
-#if defined(__SSE2__)
-
 /// The edge of `incident` that faces `normal` (in its own frame, in both halves) most: the first of the least
 /// products.
-static inline int32_t find_incident_edge(const bmr_polygon32 *incident, __m128 normal) {
-    const __m128 none = _mm_set1_ps(FLT_MAX), x = SPLAT(normal, 0), y = SPLAT(normal, 1);
+static inline int32_t find_incident_edge(const bmr_polygon32 *incident, float4 normal) {
+    const float4 none = all4(FLT_MAX), x = splat4(normal, 0), y = splat4(normal, 1);
     const int32_t count = incident->count;
-    __m128 least[2] = {none, none};
+    float4 least[2] = {none, none};
     for (int32_t group = 0; 4 * group < count; ++group) {
         const int32_t left = count - 4 * group;
-        const __m128 mask = lanes(left < 4 ? left : 4, 0);
+        const mask4 mask = first_lanes4(left < 4 ? left : 4, 0);
         const quad n = load_quad(incident->normals + 4 * group, mask);
-        const __m128 d = _mm_add_ps(_mm_mul_ps(x, n.x), _mm_mul_ps(y, n.y));
-        least[group] = _mm_min_ps(blend(mask, d, none), none); // a NaN becomes "none"
+        const float4 d = add4(mul4(x, n.x), mul4(y, n.y));
+        least[group] = min4(select4(mask, d, none), none); // a NaN becomes "none"
     }
-    __m128 m = _mm_min_ps(least[0], least[1]);
-    m = _mm_min_ps(m, _mm_movehl_ps(m, m));
-    m = _mm_min_ss(m, SPLAT(m, 1));
-    const __m128 all = SPLAT(m, 0);
+    const float4 all = all4(least_of4(min4(least[0], least[1])));
     // Where nothing is less than FLT_MAX, all lanes hit, and the first is what stays.
-    const int hits =
-        _mm_movemask_ps(_mm_cmpeq_ps(least[0], all)) | _mm_movemask_ps(_mm_cmpeq_ps(least[1], all)) << 4;
-    return __builtin_ctz((unsigned)hits);
+    const unsigned hits = bits4(equal4(least[0], all)) | bits4(equal4(least[1], all)) << 4;
+    return lowest_bit(hits);
 }
 
 /// The part of the manifold that hangs on which polygon is the reference.
-static inline void make_points(bmr_manifold32 *manifold, const bmr_polygon32 *reference, __m128 pose,
-                               int32_t edge, const bmr_polygon32 *incident, __m128 incident_pose,
+static inline void make_points(bmr_manifold32 *manifold, const bmr_polygon32 *reference, float4 pose,
+                               int32_t edge, const bmr_polygon32 *incident, float4 incident_pose,
                                float radius_sum, bool reference_is_b) {
     manifold->type = reference_is_b ? BMR_MANIFOLD_FACE_B : BMR_MANIFOLD_FACE_A;
 
@@ -52,7 +46,7 @@ int32_t bmr_exact32_collide(bmr_manifold32 *manifold, const bmr_polygon32 *a, co
                             const bmr_polygon32 *b, const bmr_transform32 *pose_b, float radius_sum,
                             float tolerance) {
     manifold->count = 0;
-    const __m128 at_a = _mm_loadu_ps(&pose_a->p.x), at_b = _mm_loadu_ps(&pose_b->p.x);
+    const float4 at_a = load4(&pose_a->p.x), at_b = load4(&pose_b->p.x);
     const max_edge of_a = find_max_edge(a, b, relative(at_b, at_a));
     if (of_a.separation > radius_sum)
         return of_a.edge;
@@ -65,13 +59,3 @@ int32_t bmr_exact32_collide(bmr_manifold32 *manifold, const bmr_polygon32 *a, co
         make_points(manifold, a, at_a, of_a.edge, b, at_b, radius_sum, false);
     return BMR_NO_EDGE32;
 }
-
-#else
-
-int32_t bmr_exact32_collide(bmr_manifold32 *manifold, const bmr_polygon32 *a, const bmr_transform32 *pose_a,
-                            const bmr_polygon32 *b, const bmr_transform32 *pose_b, float radius_sum,
-                            float tolerance) {
-    return bmr_exact32_collide_scalar(manifold, a, pose_a, b, pose_b, radius_sum, tolerance);
-}
-
-#endif

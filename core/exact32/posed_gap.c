@@ -4,9 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-#if defined(__SSE2__)
-#    include <emmintrin.h>
-#endif
+#include "float4.h"
 
 static float larger(float a, float b) {
     return a > b ? a : b;
@@ -26,45 +24,29 @@ static float most_of_few(const bmr_vec32 *points, int32_t count, bmr_vec32 n, fl
     return most;
 }
 
-#if defined(__SSE2__)
-
 /// Four points along n.
-static __m128 four_along(const bmr_vec32 *first, const bmr_vec32 *third, __m128 nx, __m128 ny, __m128 *far) {
-    const __m128 p = _mm_loadu_ps(&first->x), q = _mm_loadu_ps(&third->x);
-    const __m128 magnitude = _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));
-    *far = _mm_max_ps(*far, _mm_max_ps(_mm_and_ps(p, magnitude), _mm_and_ps(q, magnitude)));
-    return _mm_add_ps(_mm_mul_ps(nx, _mm_shuffle_ps(p, q, _MM_SHUFFLE(2, 0, 2, 0))),
-                      _mm_mul_ps(ny, _mm_shuffle_ps(p, q, _MM_SHUFFLE(3, 1, 3, 1))));
+static float4 four_along(const bmr_vec32 *first, const bmr_vec32 *third, float4 nx, float4 ny, float4 *far) {
+    const float4 p = load4(&first->x), q = load4(&third->x);
+    *far = max4(*far, max4(abs4(p), abs4(q)));
+    return add4(mul4(nx, evens4(p, q)), mul4(ny, odds4(p, q)));
 }
 
 /// Three points or more. The last four are taken together, whether some of them were among the first four or
 /// not.
 static float most_of_many(const bmr_vec32 *points, int32_t count, bmr_vec32 n, float *reach) {
-    const __m128 nx = _mm_set1_ps(n.x), ny = _mm_set1_ps(n.y);
+    const float4 nx = all4(n.x), ny = all4(n.y);
     const bmr_vec32 *last = points + count - 2;
-    __m128 far = _mm_setzero_ps();
-    __m128 most = four_along(points, count > 4 ? points + 2 : last, nx, ny, &far);
-    __m128 unordered = _mm_cmpunord_ps(most, most);
+    float4 far = zero4();
+    float4 most = four_along(points, count > 4 ? points + 2 : last, nx, ny, &far);
+    mask4 unordered = unordered4(most, most);
     if (count > 4) {
-        const __m128 rest = four_along(last - 2, last, nx, ny, &far);
-        unordered = _mm_cmpunord_ps(most, rest);
-        most = _mm_max_ps(most, rest);
+        const float4 rest = four_along(last - 2, last, nx, ny, &far);
+        unordered = unordered4(most, rest);
+        most = max4(most, rest);
     }
-    most = _mm_max_ps(most, _mm_movehl_ps(most, most));
-    most = _mm_max_ss(most, _mm_shuffle_ps(most, most, 1));
-    far = _mm_max_ps(far, _mm_movehl_ps(far, far));
-    far = _mm_max_ss(far, _mm_shuffle_ps(far, far, 1));
-    *reach = _mm_movemask_ps(unordered) != 0 ? INFINITY : larger(*reach, _mm_cvtss_f32(far));
-    return _mm_cvtss_f32(most);
+    *reach = any4(unordered) ? INFINITY : larger(*reach, most_of4(far));
+    return most_of4(most);
 }
-
-#else
-
-static float most_of_many(const bmr_vec32 *points, int32_t count, bmr_vec32 n, float *reach) {
-    return most_of_few(points, count, n, reach);
-}
-
-#endif
 
 static float most_along(const bmr_vec32 *points, int32_t count, const bmr_transform32 *at, bmr_vec32 n,
                         float *reach) {

@@ -5,9 +5,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__SSE2__)
-#    include <emmintrin.h>
-#endif
+#include "float4.h"
 
 // A search that has not found its direction after so many steps is left: the hulls have at most 8 vertices
 // each, and nearly all searches end after three.
@@ -28,198 +26,106 @@ static bmr_vec32 minus(bmr_vec32 a, bmr_vec32 b) {
     return r;
 }
 
-#if defined(__SSE2__)
-
-static __m128 rotate_left(__m128 low, __m128 high) { // low[1], low[2], low[3], high[0]
-    const __m128 t = _mm_move_ss(low, high);
-    return _mm_shuffle_ps(t, t, _MM_SHUFFLE(0, 3, 2, 1));
-}
-
-static __m128 blend(__m128 mask, __m128 inside, __m128 outside) {
-    return _mm_or_ps(_mm_and_ps(mask, inside), _mm_andnot_ps(mask, outside));
-}
-
-static __m128 length2(__m128 x, __m128 y) {
-    return _mm_add_ps(_mm_mul_ps(x, x), _mm_mul_ps(y, y));
-}
-
-static float least_of(__m128 v) {
-    v = _mm_min_ps(v, _mm_movehl_ps(v, v));
-    return _mm_cvtss_f32(_mm_min_ss(v, _mm_shuffle_ps(v, v, 1)));
-}
-
-static float most_of(__m128 v) {
-    v = _mm_max_ps(v, _mm_movehl_ps(v, v));
-    return _mm_cvtss_f32(_mm_max_ss(v, _mm_shuffle_ps(v, v, 1)));
-}
-
-static float root(float v) {
-    return _mm_cvtss_f32(_mm_sqrt_ss(_mm_set_ss(v)));
+static float4 length2(float4 x, float4 y) {
+    return add4(mul4(x, x), mul4(y, y));
 }
 
 /// The points, x and y apart; the lanes of `inside` hold one each, the others repeat the first.
 typedef struct lanes8 {
-    __m128 x[2], y[2], inside[2];
+    float4 x[2], y[2];
+    mask4 inside[2];
 } lanes8;
 
 static lanes8 load(const bmr_vec32 *points, int32_t count) {
     lanes8 l;
-    const __m128i n = _mm_set1_epi32(count);
-    l.inside[0] = _mm_castsi128_ps(_mm_cmpgt_epi32(n, _mm_set_epi32(3, 2, 1, 0)));
-    l.inside[1] = _mm_castsi128_ps(_mm_cmpgt_epi32(n, _mm_set_epi32(7, 6, 5, 4)));
-    const __m128 x0 = _mm_set1_ps(points[0].x), y0 = _mm_set1_ps(points[0].y);
+    l.inside[0] = first_lanes4(count, 0);
+    l.inside[1] = first_lanes4(count, 1);
+    const float4 x0 = all4(points[0].x), y0 = all4(points[0].y);
     if (count < 3) { // not in an array of 8
         const bmr_vec32 *second = points + (count - 1);
-        l.x[0] = _mm_movelh_ps(_mm_unpacklo_ps(x0, _mm_set1_ps(second->x)), x0);
-        l.y[0] = _mm_movelh_ps(_mm_unpacklo_ps(y0, _mm_set1_ps(second->y)), y0);
+        l.x[0] = lows4(zip_low4(x0, all4(second->x)), x0);
+        l.y[0] = lows4(zip_low4(y0, all4(second->y)), y0);
         l.x[1] = x0;
         l.y[1] = y0;
         return l;
     }
     for (int g = 0; g < 2; ++g) {
-        const __m128 p = _mm_loadu_ps(&points[4 * g].x), q = _mm_loadu_ps(&points[4 * g + 2].x);
-        l.x[g] = blend(l.inside[g], _mm_shuffle_ps(p, q, _MM_SHUFFLE(2, 0, 2, 0)), x0);
-        l.y[g] = blend(l.inside[g], _mm_shuffle_ps(p, q, _MM_SHUFFLE(3, 1, 3, 1)), y0);
+        const float4 p = load4(&points[4 * g].x), q = load4(&points[4 * g + 2].x);
+        l.x[g] = select4(l.inside[g], evens4(p, q), x0);
+        l.y[g] = select4(l.inside[g], odds4(p, q), y0);
     }
     return l;
 }
 
 /// radius, width and edge of the placed points.
 static void measure(bmr_swept32 *shape, const lanes8 *l, int32_t count) {
-    const __m128 r0 = length2(l->x[0], l->y[0]), r1 = length2(l->x[1], l->y[1]);
+    const float4 r0 = length2(l->x[0], l->y[0]), r1 = length2(l->x[1], l->y[1]);
     // A NaN would slip through the maxima below.
-    const int broken = _mm_movemask_ps(_mm_cmpunord_ps(r0, r1));
-    shape->radius = broken ? INFINITY : root(most_of(_mm_max_ps(r0, r1)));
+    const int broken = any4(unordered4(r0, r1));
+    shape->radius = broken ? INFINITY : root_of4(most_of4(max4(r0, r1)));
     if (count < 2) {
         shape->width = 0.0f;
         shape->edge = FLT_MAX;
         return;
     }
-    const float dx = most_of(_mm_max_ps(l->x[0], l->x[1])) - least_of(_mm_min_ps(l->x[0], l->x[1]));
-    const float dy = most_of(_mm_max_ps(l->y[0], l->y[1])) - least_of(_mm_min_ps(l->y[0], l->y[1]));
-    shape->width = root(dx * dx + dy * dy);
+    const float dx = most_of4(max4(l->x[0], l->x[1])) - least_of4(min4(l->x[0], l->x[1]));
+    const float dy = most_of4(max4(l->y[0], l->y[1])) - least_of4(min4(l->y[0], l->y[1]));
+    shape->width = root_of4(dx * dx + dy * dy);
     // The side after the last point ends in a lane that repeats the first.
-    const __m128 e0 = length2(_mm_sub_ps(rotate_left(l->x[0], l->x[1]), l->x[0]),
-                              _mm_sub_ps(rotate_left(l->y[0], l->y[1]), l->y[0]));
-    const __m128 e1 = length2(_mm_sub_ps(rotate_left(l->x[1], l->x[0]), l->x[1]),
-                              _mm_sub_ps(rotate_left(l->y[1], l->y[0]), l->y[1]));
-    const __m128 far_away = _mm_set1_ps(FLT_MAX);
+    const float4 e0 =
+        length2(sub4(slide4(l->x[0], l->x[1]), l->x[0]), sub4(slide4(l->y[0], l->y[1]), l->y[0]));
+    const float4 e1 =
+        length2(sub4(slide4(l->x[1], l->x[0]), l->x[1]), sub4(slide4(l->y[1], l->y[0]), l->y[1]));
+    const float4 far_away = all4(FLT_MAX);
     shape->edge =
-        root(least_of(_mm_min_ps(blend(l->inside[0], e0, far_away), blend(l->inside[1], e1, far_away))));
+        root_of4(least_of4(min4(select4(l->inside[0], e0, far_away), select4(l->inside[1], e1, far_away))));
 }
 
 static void place(bmr_swept32 *shape, const bmr_vec32 *points, int32_t count, const bmr_motion32 *motion) {
     lanes8 l = load(points, count);
-    const __m128 s = _mm_set1_ps(motion->s), c = _mm_set1_ps(motion->c);
-    const __m128 cx = _mm_set1_ps(motion->center.x), cy = _mm_set1_ps(motion->center.y);
+    const float4 s = all4(motion->s), c = all4(motion->c);
+    const float4 cx = all4(motion->center.x), cy = all4(motion->center.y);
     for (int g = 0; g < 2; ++g) {
-        const __m128 x = _mm_sub_ps(l.x[g], cx), y = _mm_sub_ps(l.y[g], cy);
-        l.x[g] = _mm_sub_ps(_mm_mul_ps(c, x), _mm_mul_ps(s, y));
-        l.y[g] = _mm_add_ps(_mm_mul_ps(s, x), _mm_mul_ps(c, y));
-        _mm_storeu_ps(shape->x + 4 * g, l.x[g]);
-        _mm_storeu_ps(shape->y + 4 * g, l.y[g]);
+        const float4 x = sub4(l.x[g], cx), y = sub4(l.y[g], cy);
+        l.x[g] = sub4(mul4(c, x), mul4(s, y));
+        l.y[g] = add4(mul4(s, x), mul4(c, y));
+        store4(shape->x + 4 * g, l.x[g]);
+        store4(shape->y + 4 * g, l.y[g]);
     }
     measure(shape, &l, count);
 }
 
 typedef struct along8 {
-    __m128 v[2];
+    float4 v[2];
 } along8;
 
 static along8 along(const float *x, const float *y, bmr_vec32 n) {
-    const __m128 nx = _mm_set1_ps(n.x), ny = _mm_set1_ps(n.y);
+    const float4 nx = all4(n.x), ny = all4(n.y);
     along8 r;
     for (int g = 0; g < 2; ++g)
-        r.v[g] = _mm_add_ps(_mm_mul_ps(nx, _mm_loadu_ps(x + 4 * g)), _mm_mul_ps(ny, _mm_loadu_ps(y + 4 * g)));
+        r.v[g] = add4(mul4(nx, load4(x + 4 * g)), mul4(ny, load4(y + 4 * g)));
     return r;
 }
 
 /// Least of b's points along n less the most of a's.
 static inline float gap(const bmr_swept32 *a, const bmr_swept32 *b, bmr_vec32 n) {
     const along8 pa = along(a->x, a->y, n), pb = along(b->x, b->y, n);
-    const __m128 most = _mm_max_ps(pa.v[0], pa.v[1]), least = _mm_min_ps(pb.v[0], pb.v[1]);
-    const __m128 minus_most = _mm_sub_ps(_mm_setzero_ps(), most);
-    __m128 both = _mm_min_ps(_mm_unpacklo_ps(least, minus_most), _mm_unpackhi_ps(least, minus_most));
-    both = _mm_min_ps(both, _mm_movehl_ps(both, both));
-    return _mm_cvtss_f32(_mm_add_ss(both, _mm_shuffle_ps(both, both, 1)));
-}
-
-static int first_lane(int mask) {
-    return __builtin_ctz((unsigned)mask | 0x80u);
+    const float4 most = max4(pa.v[0], pa.v[1]), least = min4(pb.v[0], pb.v[1]);
+    const float4 minus_most = sub4(zero4(), most);
+    float4 both = min4(zip_low4(least, minus_most), zip_high4(least, minus_most));
+    both = min4(both, highs4(both, both));
+    return sum_of_first4(both);
 }
 
 /// Which point of the shape is farthest along n.
 static bmr_vec32 farthest(const bmr_swept32 *shape, bmr_vec32 n) {
     const along8 p = along(shape->x, shape->y, n);
-    const __m128 most = _mm_set1_ps(most_of(_mm_max_ps(p.v[0], p.v[1])));
-    const int i = first_lane(_mm_movemask_ps(_mm_cmpeq_ps(p.v[0], most)) |
-                             _mm_movemask_ps(_mm_cmpeq_ps(p.v[1], most)) << 4);
+    const float4 most = all4(most_of4(max4(p.v[0], p.v[1])));
+    // (The last, where no product is a number.)
+    const int i = lowest_bit(bits4(equal4(p.v[0], most)) | bits4(equal4(p.v[1], most)) << 4 | 0x80u);
     const bmr_vec32 r = {shape->x[i], shape->y[i]};
     return r;
 }
-
-#else
-
-static float root(float v) {
-    return sqrtf(v);
-}
-
-static void measure(bmr_swept32 *shape, int32_t count) {
-    float radius2 = 0.0f, edge2 = FLT_MAX, low_x = FLT_MAX, low_y = FLT_MAX, high_x = -FLT_MAX,
-          high_y = -FLT_MAX;
-    bool broken = false;
-    for (int32_t i = 0; i < count; ++i) {
-        const float x = shape->x[i], y = shape->y[i], r2 = x * x + y * y;
-        const int32_t j = i + 1 < count ? i + 1 : 0;
-        const float ex = shape->x[j] - x, ey = shape->y[j] - y;
-        broken = broken || !(r2 <= FLT_MAX);
-        radius2 = fmaxf(radius2, r2);
-        edge2 = count > 1 ? fminf(edge2, ex * ex + ey * ey) : edge2;
-        low_x = fminf(low_x, x);
-        low_y = fminf(low_y, y);
-        high_x = fmaxf(high_x, x);
-        high_y = fmaxf(high_y, y);
-    }
-    const float dx = high_x - low_x, dy = high_y - low_y;
-    shape->radius = broken ? INFINITY : root(radius2);
-    shape->width = root(dx * dx + dy * dy);
-    shape->edge = count > 1 ? root(edge2) : FLT_MAX;
-}
-
-static void place(bmr_swept32 *shape, const bmr_vec32 *points, int32_t count, const bmr_motion32 *motion) {
-    for (int32_t i = 0; i < BMR_SWEPT32_MOST; ++i) {
-        const bmr_vec32 p = minus(points[i < count ? i : 0], motion->center);
-        shape->x[i] = motion->c * p.x - motion->s * p.y;
-        shape->y[i] = motion->s * p.x + motion->c * p.y;
-    }
-    measure(shape, count);
-}
-
-static int farthest_lane(const bmr_swept32 *shape, bmr_vec32 n) {
-    int best = 0;
-    float most = n.x * shape->x[0] + n.y * shape->y[0];
-    for (int i = 1; i < BMR_SWEPT32_MOST; ++i) {
-        const float p = n.x * shape->x[i] + n.y * shape->y[i];
-        if (p > most) {
-            best = i;
-            most = p;
-        }
-    }
-    return best;
-}
-
-static bmr_vec32 farthest(const bmr_swept32 *shape, bmr_vec32 n) {
-    const int i = farthest_lane(shape, n);
-    const bmr_vec32 r = {shape->x[i], shape->y[i]};
-    return r;
-}
-
-static float gap(const bmr_swept32 *a, const bmr_swept32 *b, bmr_vec32 n) {
-    const bmr_vec32 back = {-n.x, -n.y};
-    return dot(n, farthest(b, back)) - dot(n, farthest(a, n));
-}
-
-#endif
 
 void bmr_swept32_make(bmr_swept32 *shape, const bmr_vec32 *points, int32_t count,
                       const bmr_motion32 *motion) {
@@ -310,7 +216,7 @@ static bmr_swept32_answer search(const question *q, bmr_vec32 n, bmr_vec32 *dire
     bmr_vec32 kept = support(q, n), other = kept, closest = kept;
     bool segment = false;
     for (int step = 0; step < MOST_STEPS; ++step) {
-        const float length = root(dot(closest, closest));
+        const float length = root_of4(dot(closest, closest));
         if (length <= q->near) // and no direction does better than the closest points known
             return BMR_SWEPT32_NEAR;
         n.x = closest.x / length;

@@ -4,6 +4,8 @@
 // registers, in the order of b2PolygonShape::ComputeAABB, and for big ConvexShapes as in theirs; and most
 // leaves, which stay, are recognised here. Leaves that move are b2BroadPhase::MoveProxy's. Other shapes go to
 // Box2D.
+#include <cstring>
+
 #include <box2d/b2_body.h>
 #include <box2d/b2_broad_phase.h>
 #include <box2d/b2_circle_shape.h>
@@ -26,7 +28,7 @@ namespace {
 Real<void(b2Fixture *, b2BroadPhase *, const b2Transform &, const b2Transform &)>
     realSynchronize("_ZN9b2Fixture11SynchronizeEP12b2BroadPhaseRK11b2TransformS4_");
 
-#if defined(__SSE2__)
+#if BMR_FLOAT4_NATIVE
 
 /// Names protected members of b2Fixture's.
 struct ProxyAccess : b2Fixture {
@@ -59,49 +61,44 @@ Corners CornersOf(const b2Shape &shape) {
 /// The box of a fixture that moves, and how far its middle does.
 struct Swept {
     Box around;
-    __m128 displacement; ///< in the lower half
+    float4 displacement; ///< in the lower half
 };
 
-__m128 Low(__m128 a, __m128 b) {
-    return _mm_movelh_ps(a, b);
-}
-__m128 High(__m128 a) {
-    return _mm_movehl_ps(a, a);
+float4 High(float4 a) {
+    return highs4(a, a);
 }
 
 // Lanes: x and y at the first pose, x and y at the second.
 
-Swept WithSkin(__m128 lower, __m128 upper, float skin) {
-    const __m128 radius = _mm_set1_ps(skin);
-    lower = _mm_sub_ps(lower, radius);
-    upper = _mm_add_ps(upper, radius);
-    const __m128 middle = _mm_mul_ps(_mm_set1_ps(0.5f), _mm_add_ps(lower, upper));
-    return {Low(_mm_min_ps(lower, High(lower)), _mm_max_ps(upper, High(upper))),
-            _mm_sub_ps(High(middle), middle)};
+Swept WithSkin(float4 lower, float4 upper, float skin) {
+    const float4 radius = all4(skin);
+    lower = sub4(lower, radius);
+    upper = add4(upper, radius);
+    const float4 middle = mul4(all4(0.5f), add4(lower, upper));
+    return {lows4(min4(lower, High(lower)), max4(upper, High(upper))), sub4(High(middle), middle)};
 }
 
 Swept SweepBig(const bmr_convex32 &polygon, float skin, const b2Transform &xf1, const b2Transform &xf2) {
     bmr_vec32 lower[2], upper[2];
     bmr_convex32_box(&polygon, Transform32(xf1), &lower[0], &upper[0]);
     bmr_convex32_box(&polygon, Transform32(xf2), &lower[1], &upper[1]);
-    return WithSkin(_mm_loadu_ps(&lower[0].x), _mm_loadu_ps(&upper[0].x), skin);
+    return WithSkin(load4(&lower[0].x), load4(&upper[0].x), skin);
 }
 
 Swept Sweep(const Corners &corners, float skin, const b2Transform &xf1, const b2Transform &xf2) {
-    const __m128 first = _mm_loadu_ps(&xf1.p.x), second = _mm_loadu_ps(&xf2.p.x);
-    const __m128 odd = _mm_castsi128_ps(_mm_set_epi32(0, INT32_MIN, 0, INT32_MIN));
-    const __m128 place = Low(first, second);
-    const __m128 ofX = _mm_shuffle_ps(first, second, _MM_SHUFFLE(2, 3, 2, 3)); // cosine, sine
-    const __m128 ofY = _mm_xor_ps(_mm_shuffle_ps(first, second, _MM_SHUFFLE(3, 2, 3, 2)), odd);
+    const float4 first = load4(&xf1.p.x), second = load4(&xf2.p.x);
+    const float4 place = lows4(first, second), turns = highs4(first, second);
+    const float4 ofX = swap4(turns); // cosine, sine
+    const float4 ofY = flip_even4(turns);
     const auto posed = [&](const b2Vec2 &v) {
-        const __m128 x = _mm_set1_ps(v.x), y = _mm_set1_ps(v.y);
-        return _mm_add_ps(_mm_add_ps(_mm_mul_ps(ofX, x), _mm_mul_ps(ofY, y)), place);
+        const float4 x = all4(v.x), y = all4(v.y);
+        return add4(add4(mul4(ofX, x), mul4(ofY, y)), place);
     };
-    __m128 lower = posed(corners.points[0]), upper = lower;
+    float4 lower = posed(corners.points[0]), upper = lower;
     for (int32 i = 1; i < corners.count; ++i) {
-        const __m128 v = posed(corners.points[i]);
-        lower = _mm_min_ps(lower, v);
-        upper = _mm_max_ps(upper, v);
+        const float4 v = posed(corners.points[i]);
+        lower = min4(lower, v);
+        upper = max4(upper, v);
     }
     return WithSkin(lower, upper, skin);
 }
@@ -110,25 +107,25 @@ Swept Sweep(const Corners &corners, float skin, const b2Transform &xf1, const b2
 /// this one made larger by one extension, what the displacement foretells, and four more. Without the
 /// displacement that is smaller, also once it is rounded: so a yes is right.
 bool Stays(Box leaf, Box box) {
-    const __m128 lowerSigns = _mm_castsi128_ps(_mm_set_epi32(0, 0, INT32_MIN, INT32_MIN));
-    const __m128 once = _mm_xor_ps(_mm_set1_ps(b2_aabbExtension), lowerSigns);
-    const __m128 more = _mm_xor_ps(_mm_set1_ps(4.0f * b2_aabbExtension), lowerSigns);
-    const __m128 huge = _mm_add_ps(_mm_add_ps(box, once), more);
+    const float4 once = flip_low4(all4(b2_aabbExtension)), more = flip_low4(all4(4.0f * b2_aabbExtension));
+    const float4 huge = add4(add4(box, once), more);
     const auto holds = [](Box outer, Box inner) {
-        return _mm_cmple_ps(_mm_shuffle_ps(outer, inner, _MM_SHUFFLE(3, 2, 1, 0)),
-                            _mm_shuffle_ps(inner, outer, _MM_SHUFFLE(3, 2, 1, 0)));
+        return at_most4(low_high4(outer, inner), low_high4(inner, outer));
     };
-    return _mm_movemask_ps(_mm_and_ps(holds(leaf, box), holds(huge, leaf))) == 0xf;
+    return every4(both4(holds(leaf, box), holds(huge, leaf)));
 }
 
 /// Is all of it finite? (An infinity less itself is no number; the displacement's upper half is the second
 /// middle less itself.)
 bool IsFinite(const Swept &swept) {
-    return HasNumbers(_mm_sub_ps(swept.around, swept.around)) && HasNumbers(swept.displacement);
+    return HasNumbers(sub4(swept.around, swept.around)) && HasNumbers(swept.displacement);
 }
 
 bool SameBits(Box a, Box b) {
-    return _mm_movemask_epi8(_mm_cmpeq_epi32(_mm_castps_si128(a), _mm_castps_si128(b))) == 0xffff;
+    float first[4], second[4];
+    store4(first, a);
+    store4(second, b);
+    return std::memcmp(first, second, sizeof first) == 0;
 }
 
 void CompareWithBox2D(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
@@ -159,10 +156,10 @@ bool SynchronizeHere(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Trans
         CompareWithBox2D(fixture, broadPhase, xf1, xf2, *proxy, swept.around);
         return true;
     }
-    _mm_storeu_ps(&proxy->aabb.lowerBound.x, swept.around);
+    store4(&proxy->aabb.lowerBound.x, swept.around);
     if (!Stays(BoxOf(broadPhase->GetFatAABB(proxy->proxyId)), swept.around)) {
         b2Vec2 displacement;
-        _mm_storel_pi(reinterpret_cast<__m64 *>(&displacement), swept.displacement);
+        store_low4(&displacement.x, swept.displacement);
         broadPhase->MoveProxy(proxy->proxyId, proxy->aabb, displacement);
     }
     return true;

@@ -38,6 +38,8 @@ public:
     /// contacts themselves say what is known, and those are kept that may still have an impact. May be called
     /// while Box2D is at a contact that is kept.
     static void ChooseAgain(const b2ContactManager *manager);
+    /// A listener or a filter steps the world whose search for impacts called it.
+    static void BeginNestedStep(const b2ContactManager *manager);
     /// Makes the list whole again, and gives the world back the listener that it has by now.
     ~ShortList() override;
 
@@ -84,6 +86,7 @@ private:
     void ChooseAsked();
     void ChooseByLedger();
     bool Keep(b2Contact *contact);
+    void LeaveNothingOut();
     void Suspend();
     void Resume();
     void Open();

@@ -4,36 +4,34 @@
 
 #include <box2d/b2_dynamic_tree.h>
 
-#if defined(__SSE2__)
-#    include <emmintrin.h>
-#endif
+#include "exact32/float4.h"
 
 /// @file
 /// A descent of Box2D's tree of boxes with the boxes in registers, in the order of b2DynamicTree::Query.
 
 namespace bmr::hooks {
 
-#if defined(__SSE2__)
+#if BMR_FLOAT4_NATIVE
 
 /// Lower x, lower y, upper x, upper y.
-using Box = __m128;
+using Box = float4;
 
 inline Box BoxOf(const b2AABB &aabb) {
-    return _mm_loadu_ps(&aabb.lowerBound.x);
+    return load4(&aabb.lowerBound.x);
 }
 
 /// b2TestOverlap, by the same differences.
 inline bool Overlap(Box a, Box b) {
-    const __m128 lower = _mm_movelh_ps(b, a), upper = _mm_movehl_ps(b, a); // of b and a; of a and b
-    return _mm_movemask_ps(_mm_cmpgt_ps(_mm_sub_ps(lower, upper), _mm_setzero_ps())) == 0;
+    const float4 lower = lows4(b, a), upper = highs4(a, b); // of b and a; of a and b
+    return !any4(less4(zero4(), sub4(lower, upper)));
 }
 
 inline Box Around(Box a, Box b) {
-    return _mm_shuffle_ps(_mm_min_ps(a, b), _mm_max_ps(a, b), _MM_SHUFFLE(3, 2, 1, 0));
+    return low_high4(min4(a, b), max4(a, b));
 }
 
 inline bool HasNumbers(Box a) {
-    return _mm_movemask_ps(_mm_cmpunord_ps(a, a)) == 0;
+    return !any4(unordered4(a, a));
 }
 
 #else

@@ -16,31 +16,30 @@ struct Perimeters {
     float first, second, aroundFirst, aroundSecond;
 };
 
-#if defined(__SSE2__)
+#if BMR_FLOAT4_NATIVE
 
 inline void StoreBox(b2AABB *aabb, Box box) {
-    _mm_storeu_ps(&aabb->lowerBound.x, box);
+    store4(&aabb->lowerBound.x, box);
 }
 
 /// A leaf's box, held against others.
 class LeafBox {
 public:
-    explicit LeafBox(Box box) : m_lower(_mm_movelh_ps(box, box)), m_upper(_mm_movehl_ps(box, box)) {}
+    explicit LeafBox(Box box) : m_lower(lows4(box, box)), m_upper(highs4(box, box)) {}
 
     /// Of the boxes that b2AABB::Combine(leaf, box) makes, by b2AABB::GetPerimeter.
     Perimeters With(Box first, Box second) const {
-        const __m128 lower = _mm_movelh_ps(first, second), upper = _mm_movehl_ps(second, first);
-        const __m128 sizes = _mm_sub_ps(upper, lower);
-        const __m128 around = _mm_sub_ps(_mm_max_ps(m_upper, upper), _mm_min_ps(m_lower, lower));
-        const __m128 half = _mm_add_ps(_mm_shuffle_ps(sizes, around, _MM_SHUFFLE(2, 0, 2, 0)),
-                                       _mm_shuffle_ps(sizes, around, _MM_SHUFFLE(3, 1, 3, 1)));
+        const float4 lower = lows4(first, second), upper = highs4(first, second);
+        const float4 sizes = sub4(upper, lower);
+        const float4 around = sub4(max4(m_upper, upper), min4(m_lower, lower));
+        const float4 half = add4(evens4(sizes, around), odds4(sizes, around));
         float perimeters[4];
-        _mm_storeu_ps(perimeters, _mm_add_ps(half, half));
+        store4(perimeters, add4(half, half));
         return {perimeters[0], perimeters[1], perimeters[2], perimeters[3]};
     }
 
 private:
-    __m128 m_lower, m_upper; ///< x, y, x, y
+    float4 m_lower, m_upper; ///< x, y, x, y
 };
 
 #else

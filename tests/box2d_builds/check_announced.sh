@@ -65,9 +65,9 @@ for variant in debian ndebug allocator lto onefile; do
     says "$variant" ahead "$all" steps evaluations edge_checks touching_answered
     says "$variant" behind "$behind" evaluations edge_checks touching_answered
 done
-says fma preloaded "$fused" steps evaluations
-says fma ahead "$fused" steps evaluations
-says fma behind "$fused_behind" evaluations
+says fma preloaded "$fused" steps evaluations edge_checks
+says fma ahead "$fused" steps evaluations edge_checks
+says fma behind "$fused_behind" evaluations edge_checks
 for way in preloaded ahead behind; do says units10 "$way" "$units"; done
 for variant in static hidden; do
     says "$variant" preloaded "$nobody"

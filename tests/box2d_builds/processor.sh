@@ -16,8 +16,13 @@ lacks_fma() {
 
 # processor_for VARIANT: sets the arrays runner, what a program is started with, and set_variable, how the runner is told of a
 # variable of the program's. Says what is missing where it cannot. BOX2D_BUILDS_PROCESSOR: a processor of qemu's to be used in any
-# case, e.g. Haswell-noTSX.
+# case, e.g. Haswell-noTSX. BOX2D_BUILDS_EMULATOR: the command that runs programs of another processor, all variants (tests/arm64).
 processor_for() {
+    if [ -n "${BOX2D_BUILDS_EMULATOR:-}" ]; then
+        read -ra runner <<<"env $BOX2D_BUILDS_EMULATOR -E BOOMERANG=on"
+        set_variable=(-E)
+        return
+    fi
     runner=(env BOOMERANG=on) set_variable=()
     if [ "$1" != fma ] || ! lacks_fma; then return; fi
     if ! command -v qemu-x86_64 >/dev/null; then

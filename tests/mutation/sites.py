@@ -46,12 +46,12 @@ BOUNDS = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "=="}
 SIGNS = {"+": "-", "-": "+", "+=": "-=", "-=": "+="}
 STEPS = {"++": "--", "--": "++"}
 ASSIGNING = {"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="}
-EXTREMES = [("fmin", "fmax"), ("fminf", "fmaxf"), ("b2Min", "b2Max"), ("min", "max"), ("_mm_min_ps", "_mm_max_ps"),
-            ("_mm_min_ss", "_mm_max_ss"), ("_mm_min_pd", "_mm_max_pd"), ("_mm_min_sd", "_mm_max_sd")]
+EXTREMES = [("fmin", "fmax"), ("fminf", "fmaxf"), ("b2Min", "b2Max"), ("min", "max"), ("min4", "max4"), ("least_of4", "most_of4"),
+            ("_mm_min_pd", "_mm_max_pd"), ("_mm_min_sd", "_mm_max_sd")]
 EXTREME = {**dict(EXTREMES), **{b: a for a, b in EXTREMES}}
 
 # Calls that mean the same with their arguments in the other order.
-COMMUTING = re.compile(r"f?(min|max)f?|b2(Min|Max)|(\w*_)?dot|b2Dot|_mm_(add|mul|and|or|xor|cmpeq)_\w+")
+COMMUTING = re.compile(r"f?(min|max)f?|b2(Min|Max)|(\w*_)?dot|b2Dot|_mm_(add|mul|and|or|xor|cmpeq)_\w+|(add|mul|equal|unordered|both|either)4")
 
 
 def tokens_of(text):

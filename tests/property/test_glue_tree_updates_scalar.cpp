@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The same for processors without SSE2's lanes: the code that is compiled there, on this one.
+// The same for processors without lanes: the code that is compiled there, on this one.
 #include <box2d/b2_dynamic_tree.h>
 
-#undef __SSE2__
+#define BMR_FLOAT4_PLAIN
 #include "test_glue_tree_updates.cpp" // NOLINT(bugprone-suspicious-include): the tests are the same

@@ -116,7 +116,8 @@ static double most_along(const bmr_convex32 *p, const bmr_transform32 *pose, poi
     double most = -1e300;
     for (uint32_t i = 0; i < p->count; ++i) {
         const point v = placed(pose, p->vertices[i]);
-        most = fmax(most, u.x * v.x + u.y * v.y);
+        const double along = u.x * v.x + u.y * v.y;
+        most = along > most ? along : most; // not fmax: of that gcc 12 dies where it compiles for ARM64
     }
     return most;
 }

@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "exact32/swept32.h"
-#include "scalar_swept.h"
+#include "plain_lanes.h"
 #include "test_scale.h"
 
 enum { MOST = BMR_SWEPT32_MOST };
@@ -438,28 +438,28 @@ static size_t compare_forms(size_t rounds, make_form *scalar_make) {
         const float apart = random_in(0.0f, 0.5f);
         bmr_vec32 n = {0.0f, 0.0f}, m = n;
         different += bmr_swept32_compare(&sa, &sb, apart, 0.0f, &n) !=
-                     test_scalar_swept32_compare(&sa, &sb, apart, 0.0f, &m);
+                     test_plain_swept32_compare(&sa, &sb, apart, 0.0f, &m);
         different += !same(n.x, m.x) || !same(n.y, m.y);
-        different += bmr_swept32_apart_along(&sa, &sb, apart, n) !=
-                     test_scalar_swept32_apart_along(&sa, &sb, apart, m);
+        different +=
+            bmr_swept32_apart_along(&sa, &sb, apart, n) != test_plain_swept32_apart_along(&sa, &sb, apart, m);
 
         const bmr_transform32 xa = {a.motion.end, a.motion.s, a.motion.c},
                               xb = {b.motion.end, b.motion.s, b.motion.c};
         float reach, scalar_reach;
         const float gap = bmr_posed32_gap(a.shape.points, a.shape.count, &xa, b.shape.points, b.shape.count,
                                           &xb, n, &reach);
-        different += !same(gap, test_scalar_posed32_gap(a.shape.points, a.shape.count, &xa, b.shape.points,
-                                                        b.shape.count, &xb, m, &scalar_reach));
+        different += !same(gap, test_plain_posed32_gap(a.shape.points, a.shape.count, &xa, b.shape.points,
+                                                       b.shape.count, &xb, m, &scalar_reach));
         different += reach != scalar_reach;
         if (a.shape.count < 3 || b.shape.count < a.shape.count)
             continue;
         const bmr_polygon32 polygon = {a.shape.points, b.shape.points, a.shape.count};
         reach = scalar_reach = random_in(0.0f, 2.0f);
         different += !same(bmr_posed32_depth(&polygon, &xa, xb.p, &reach),
-                           test_scalar_posed32_depth(&polygon, &xa, xb.p, &scalar_reach));
+                           test_plain_posed32_depth(&polygon, &xa, xb.p, &scalar_reach));
         different += reach != scalar_reach;
         different += bmr_points32_reach(a.shape.points, a.shape.count) !=
-                     test_scalar_points32_reach(a.shape.points, a.shape.count);
+                     test_plain_points32_reach(a.shape.points, a.shape.count);
     }
     return different;
 }
@@ -467,17 +467,17 @@ static size_t compare_forms(size_t rounds, make_form *scalar_make) {
 /// With its last side left out.
 static void make_open(bmr_swept32 *shape, const bmr_vec32 *points, int32_t count,
                       const bmr_motion32 *motion) {
-    test_scalar_swept32_make(shape, points, count, motion);
+    test_plain_swept32_make(shape, points, count, motion);
     if (count > 2) {
         bmr_swept32 open;
-        test_scalar_swept32_make(&open, points, count - 1, motion);
+        test_plain_swept32_make(&open, points, count - 1, motion);
         shape->edge = open.edge;
     }
 }
 
 static void both_forms_give_the_same(void **unused) {
     (void)unused;
-    assert_int_equal(compare_forms(test_scaled(100000), test_scalar_swept32_make), 0);
+    assert_int_equal(compare_forms(test_scaled(100000), test_plain_swept32_make), 0);
     assert_true(compare_forms(1000, make_open) > 100); // the control
 }
 
@@ -493,25 +493,25 @@ static void both_forms_notice_what_is_no_number(void **unused) {
         *(random_below(2) ? &a.shape.points[k].x : &a.shape.points[k].y) = bad[random_below(4)];
         const bmr_swept32 sa = swept(&a), sb = swept(&b);
         bmr_swept32 other;
-        test_scalar_swept32_make(&other, a.shape.points, a.shape.count, &a.motion);
+        test_plain_swept32_make(&other, a.shape.points, a.shape.count, &a.motion);
         assert_true(same(sa.radius, other.radius));
         bmr_vec32 n = {0.0f, 0.0f}, m = n;
         assert_int_equal(bmr_swept32_compare(&sa, &sb, 0.1f, 0.1f, &n),
-                         test_scalar_swept32_compare(&other, &sb, 0.1f, 0.1f, &m));
+                         test_plain_swept32_compare(&other, &sb, 0.1f, 0.1f, &m));
         float reach, scalar_reach;
         const bmr_vec32 right = {1.0f, 0.0f};
         bmr_posed32_gap(a.shape.points, a.shape.count, &still, b.shape.points, b.shape.count, &still, right,
                         &reach);
-        test_scalar_posed32_gap(a.shape.points, a.shape.count, &still, b.shape.points, b.shape.count, &still,
-                                right, &scalar_reach);
+        test_plain_posed32_gap(a.shape.points, a.shape.count, &still, b.shape.points, b.shape.count, &still,
+                               right, &scalar_reach);
         assert_true(reach == scalar_reach);
         if (a.shape.count < 3 || b.shape.count < a.shape.count)
             continue;
         const bmr_polygon32 polygon = {a.shape.points, b.shape.points, a.shape.count};
         assert_true(same(bmr_posed32_depth(&polygon, &still, right, &reach),
-                         test_scalar_posed32_depth(&polygon, &still, right, &scalar_reach)));
+                         test_plain_posed32_depth(&polygon, &still, right, &scalar_reach)));
         assert_true(bmr_points32_reach(a.shape.points, a.shape.count) ==
-                    test_scalar_points32_reach(a.shape.points, a.shape.count));
+                    test_plain_points32_reach(a.shape.points, a.shape.count));
     }
 }
 

@@ -13,8 +13,8 @@ extern "C" {
 /// Separation of two small convex polygons along one edge normal, and how they touch, in float, on plain
 /// arrays. The ORDER of the float operations is the contract: it is that of Box2D 2.4.x's polygon narrow
 /// phase, so the numbers have the same bits as Box2D's own when it was compiled without fused multiply-add.
-/// The scalar and the SSE2 form give the same bits, with two exceptions. A separation of zero may have
-/// another sign, which no comparison sees. A NaN in a manifold may have another payload.
+/// The scalar form and that in lanes (SSE2, NEON) give the same bits, with two exceptions. A separation of
+/// zero may have another sign, which no comparison sees. A NaN in a manifold may have another payload.
 
 typedef struct bmr_vec32 {
     float x, y;
@@ -41,7 +41,7 @@ bmr_transform32 bmr_exact32_relative(const bmr_transform32 *other, const bmr_tra
 /// frame.
 float bmr_exact32_edge_separation(const bmr_polygon32 *reference, int32_t edge, const bmr_polygon32 *other,
                                   const bmr_transform32 *frame);
-/// bmr_exact32_edge_separation in plain C, on every machine: the SSE2 form is tested against it.
+/// bmr_exact32_edge_separation, one float after the other: the form in lanes is tested against it.
 float bmr_exact32_edge_separation_scalar(const bmr_polygon32 *reference, int32_t edge,
                                          const bmr_polygon32 *other, const bmr_transform32 *frame);
 
@@ -51,6 +51,16 @@ float bmr_exact32_edge_separation_scalar(const bmr_polygon32 *reference, int32_t
 float bmr_exact32_posed_separation(const bmr_vec32 *vertex, const bmr_vec32 *normal,
                                    const bmr_transform32 *reference, const bmr_vec32 *points, int32_t count,
                                    const bmr_transform32 *other);
+
+/// Is it more than `beyond` however the same formulas are rounded? A compiler may fuse any product with the
+/// sum that it goes into (fused multiply-add), so that each operation rounds or does not. True is certain,
+/// for any numbers in the arrays and wherever they are: what rounding may change is bounded by the same
+/// formulas of the magnitudes (docs/thresholds.md). False where it is too close to call, and where anything
+/// overflows. About half again the cost of bmr_exact32_posed_separation where that exceeds `beyond`, else the
+/// same.
+bool bmr_exact32_separates_contracted(const bmr_vec32 *vertex, const bmr_vec32 *normal,
+                                      const bmr_transform32 *reference, const bmr_vec32 *points,
+                                      int32_t count, const bmr_transform32 *other, float beyond);
 
 /// The largest edge separation over all edges of `reference` and the first edge that has it.
 float bmr_exact32_max_separation(const bmr_polygon32 *reference, const bmr_polygon32 *other,

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+#   check_announced.sh BUILD PLUGIN
+#
+# Does the plugin say that it is at work on both Box2Ds, and how they round? A plugin that did nothing would play every game as stock
+# does. Do both Box2Ds, and the lanes, differ as they are said to?
+set -uo pipefail
+build=${1:?} plugin=${2:?}
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+passed=0 failed=0
+unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+# shellcheck source=tests/box2d_builds/processor.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../box2d_builds/processor.sh"
+processor_for fused || exit 1
+
+holds() {
+    local name=$1
+    shift
+    if "$@"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        printf 'FAILED: %s\n' "$name"
+    fi
+}
+
+# says VARIANT LINE: its one line begins so, steps were counted, and edges asked.
+says() {
+    rm -f "$room/json"
+    "${runner[@]}" -E "LD_PRELOAD=$plugin" -E BOOMERANG_VERBOSE=1 -E "BOOMERANG_STATISTICS=$room/json" \
+        "$build/$1/games_$1" heap >/dev/null 2>"$room/err"
+    grep -q "^boomerang: $2" "$room/err" && grep -qE '"steps": [1-9]' "$room/json" && grep -qE '"edge_checks": [1-9]' "$room/json"
+}
+says_not() { ! says "$@"; }
+as='on, .*; rounds as Box2D; hooks: .* touching-manifold fixture-boxes tree-updates ledger'
+otherwise='on, .*; rounds otherwise than Box2D; .*; off, for it rounds otherwise: touching-manifold fixture-boxes tree-updates'
+holds "unfused: at work" says unfused "$as"
+holds "fused: at work" says fused "$otherwise"
+holds "control: what is said of one is not said of the other" says_not fused "$as"
+
+has_fused() { "${OBJDUMP:-aarch64-linux-gnu-objdump}" -d --no-show-raw-insn "$build/$1/libbox2d.so.2" | grep -cE '[[:space:]]fn?m(add|sub|la|ls)[[:space:]]' >/dev/null; }
+has_not_fused() { ! has_fused "$1"; }
+holds "fused: fuses" has_fused fused
+holds "unfused: does not" has_not_fused unfused
+has_lanes() { "${OBJDUMP:-aarch64-linux-gnu-objdump}" -d --no-show-raw-insn "$plugin" | grep -cE "[[:space:]]f$1[[:space:]]+v[0-9]+\\.4s" >/dev/null; }
+holds "the plugin is in lanes" has_lanes 'mul|add|sub'
+lanes_are_unfused() { ! has_lanes 'ml[as]'; }
+holds "and none of them is fused" lanes_are_unfused
+printf '%d passed, %d failed\n' "$passed" "$failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+#define BMR_FLOAT4_PLAIN
+#include "plain_lanes.h"
+
+#define bmr_swept32_make test_plain_swept32_make
+#define bmr_swept32_apart_along test_plain_swept32_apart_along
+#define bmr_swept32_compare test_plain_swept32_compare
+#include "exact32/swept.c" // NOLINT(bugprone-suspicious-include): its plain form

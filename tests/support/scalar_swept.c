@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: MIT
-// The file chooses its form by this macro.
-#undef __SSE2__
-#include "scalar_swept.h"
-
-#define bmr_swept32_make test_scalar_swept32_make
-#define bmr_swept32_apart_along test_scalar_swept32_apart_along
-#define bmr_swept32_compare test_scalar_swept32_compare
-#include "exact32/swept.c" // NOLINT(bugprone-suspicious-include): its other form
