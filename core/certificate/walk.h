@@ -23,6 +23,7 @@ typedef struct bmr_walk {
     int level;
     bmr_vec2 direction;   ///< not zero
     bmr_corner corner[2]; ///< of A's envelope, extreme in the direction; of B's, extreme against it
+    unsigned steps;       ///< so far: nodes of the hierarchies and candidates looked at
 } bmr_walk;
 
 /// A candidate line and what it proves.
@@ -49,6 +50,8 @@ void bmr_walk_coarsen(bmr_walk *walk, const bmr_candidate *candidate);
 /// walk; else no direction within a right angle of the walk's new place separates the two envelopes by more
 /// than sqrt(2) times the candidate's gap. O(steps), at most BMR_WALK_STEPS.
 bool bmr_walk_climb(bmr_walk *walk, bmr_candidate *best);
+/// The same, but ends at the first candidate of a larger gap than `enough`.
+bool bmr_walk_climb_until(bmr_walk *walk, double enough, bmr_candidate *best);
 
 /// More steps than this cost more than a start from the closest direction does. Between two looks of a motion
 /// that is sampled finely, a walk has one or two.

@@ -104,4 +104,14 @@ static inline bmr_edge bmr_tree_quadrant(bmr_vec2 d) {
 /// error is relative to the distance of the two touch vertices however nearly parallel the lines are.
 bmr_vec2 bmr_tree_meet(const bmr_hierarchy *h, const bmr_node *a, const bmr_node *b);
 
+/// The queries of boomerang/hierarchy.h of the same names; `steps` is increased by the nodes looked at.
+bmr_corner bmr_tree_corner_after(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level,
+                                 unsigned *steps);
+bmr_corner bmr_tree_corner_before(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level,
+                                  unsigned *steps);
+bmr_corner bmr_tree_refine(const bmr_hierarchy *hierarchy, bmr_corner corner, bmr_vec2 direction,
+                           uint32_t to_level, unsigned *steps);
+bmr_corner bmr_tree_extreme(const bmr_hierarchy *hierarchy, bmr_vec2 direction, uint32_t level,
+                            unsigned *steps);
+
 #endif

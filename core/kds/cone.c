@@ -15,21 +15,26 @@ bmr_vec2 bmr_cone_end(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 insid
     // the support vertices. So the end lies before the direction where <y, w> = least: from there take the
     // new support vertices, and so on, always beyond the end or on it.
     const bmr_polygon *a = kds->shapes[0].polygon, *b = kds->shapes[1].polygon;
-    uint32_t i = bmr_support_near(a, inside, support[0] % a->count);
-    uint32_t j = bmr_support_near(b, bmr_unrotate(b_in_a, bmr_neg(inside)), support[1] % b->count);
+    unsigned steps = 0;
+    bmr_vec2 answer = inside;
+    uint32_t i = bmr_support_near(a, inside, support[0] % a->count, &steps);
+    uint32_t j = bmr_support_near(b, bmr_unrotate(b_in_a, bmr_neg(inside)), support[1] % b->count, &steps);
     for (int step = 0; step < CONE_STEPS; ++step) {
         const bmr_vec2 w = bmr_sub(bmr_transform(b_in_a, b->vertices[j]), a->vertices[i]);
         const double square = bmr_dot(w, w), across = square - least * least;
         if (!(across > 0.0))
-            return inside;
+            break;
         const bmr_vec2 turned = bmr_scale(side * sqrt(across), bmr_left(w));
         const bmr_vec2 end = bmr_scale(1.0 / square, bmr_add(bmr_scale(least, w), turned));
-        const uint32_t next_i = bmr_support_near(a, end, i);
-        const uint32_t next_j = bmr_support_near(b, bmr_unrotate(b_in_a, bmr_neg(end)), j);
-        if (next_i == i && next_j == j)
-            return end;
+        const uint32_t next_i = bmr_support_near(a, end, i, &steps);
+        const uint32_t next_j = bmr_support_near(b, bmr_unrotate(b_in_a, bmr_neg(end)), j, &steps);
+        if (next_i == i && next_j == j) {
+            answer = end;
+            break;
+        }
         i = next_i;
         j = next_j;
     }
-    return inside;
+    bmr_kds_tally(kds, steps);
+    return answer;
 }

@@ -126,7 +126,7 @@ static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) 
     s->spin = (int8_t)sign(now->spin);
     s->side = 0;
     s->row = 0;
-    report->touched = 1;
+    (void)report;
     return select_line(kds, now, NULL);
 }
 
@@ -137,7 +137,6 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     const bmr_windowed_failure failure = bmr_windowed_fails(&old, kds, now);
     if (!failure.crossed && failure.rolled == 0)
         return true; // NONE
-    report->touched = 1;
     if (now->spin != 0.0)
         s->spin = (int8_t)sign(now->spin);
     else if (failure.rolled != 0)

@@ -5,6 +5,7 @@
 // nor a small rotation leaves the window: rotational hysteresis, which the paper announces and omits.
 #include "boomerang/inflated.h"
 #include "certificate/walk.h"
+#include "hierarchy/tree.h"
 #include "kds/registry.h"
 #include "kds/windowed_line.h"
 
@@ -64,8 +65,10 @@ static void make_window(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose
     w->count = 1;
     bmr_edge low = corner.before, high = corner.after;
     if (window_of(kds) == WINDOW_THREE) {
-        const bmr_corner before = bmr_hierarchy_corner_before(h, low, side_level),
-                         after = bmr_hierarchy_corner_after(h, high, side_level);
+        unsigned steps = 0;
+        const bmr_corner before = bmr_tree_corner_before(h, low, side_level, &steps),
+                         after = bmr_tree_corner_after(h, high, side_level, &steps);
+        bmr_kds_tally(kds, steps);
         w->point[1] = bmr_hierarchy_corner_point(h, before);
         w->point[2] = bmr_hierarchy_corner_point(h, after);
         w->count = 3;
@@ -92,7 +95,7 @@ static void take_edge(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *
 /// The coarsest level at which an edge has a slack of eps_j, and the edge of most slack there. Where no level
 /// has: the best edge of the polygons themselves, without any promise; and where not even that one clears the
 /// margin, the closest direction, which does.
-static bool select_line(bmr_kds *kds, const bmr_pose *pose, unsigned *levels) {
+static bool select_line(bmr_kds *kds, const bmr_pose *pose) {
     inflated_state *s = state_of(kds);
     bmr_windowed_line w = s->now;
     bmr_vec2 u;
@@ -100,7 +103,7 @@ static bool select_line(bmr_kds *kds, const bmr_pose *pose, unsigned *levels) {
     if (!bmr_windowed_closest(kds, pose, w.support, &u, &distance))
         return false;
     const bmr_hierarchy *const both[2] = {hierarchy_of(kds, 0), hierarchy_of(kds, 1)};
-    bmr_walk walk = {{both[0], both[1]}, pose, 0, {0.0, 0.0}, {{0, 0, 0}, {0, 0, 0}}};
+    bmr_walk walk = {.hierarchies = {both[0], both[1]}, .pose = pose};
     const int deepest = bmr_walk_deepest(both);
     int root = (int)s->inflation.root_level;
     if (root > deepest)
@@ -109,7 +112,6 @@ static bool select_line(bmr_kds *kds, const bmr_pose *pose, unsigned *levels) {
     bmr_candidate best = {0};
     for (int level = root;; ++level) {
         const bool climbed = bmr_walk_climb(&walk, &best);
-        ++*levels;
         walk.level = level;
         const bool found =
             climbed && best.gap >= bmr_inflation_offset(&s->inflation, (uint32_t)(level - root));
@@ -120,6 +122,7 @@ static bool select_line(bmr_kds *kds, const bmr_pose *pose, unsigned *levels) {
         else
             bmr_walk_start(&walk, u, level + 1);
     }
+    bmr_kds_tally(kds, walk.steps);
     if (best.gap > kds->def.margin + EDGE_PART * (distance - kds->def.margin)) {
         take_edge(&w, kds, pose, &walk, &best);
     } else {
@@ -134,7 +137,7 @@ static bool select_line(bmr_kds *kds, const bmr_pose *pose, unsigned *levels) {
 }
 
 static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
-    const bool apart = select_line(kds, &now->pose, &report->touched);
+    const bool apart = select_line(kds, &now->pose);
     report->level_before = report->level_after = state_of(kds)->now.level;
     return apart;
 }
@@ -147,7 +150,7 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     if (!failure.crossed && failure.rolled == 0)
         return true; // NONE
     report->level_before = report->level_after = old.level;
-    if (!select_line(kds, &now->pose, &report->touched))
+    if (!select_line(kds, &now->pose))
         return false;
     report->level_after = s->now.level;
     report->line_changed = !bmr_windowed_same_line(&old, &s->now);

@@ -20,6 +20,8 @@
 #include <math.h>
 
 #include "certificate/walk.h"
+#include "geometry/distance.h"
+#include "hierarchy/tree.h"
 #include "kds/registry.h"
 #include "kds/structure.h"
 
@@ -116,15 +118,11 @@ static bool cone_holds(const bmr_kds *kds, const bmr_pose *b_in_a) {
 /// A repair at work.
 typedef struct repair {
     bmr_kds *kds;
-    bmr_kds_report *report;
     bmr_walk walk;
 } repair;
 
-static repair begin(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
-    const repair r = {
-        kds,
-        report,
-        {{hierarchy_of(kds, 0), hierarchy_of(kds, 1)}, &now->pose, 0, {0.0, 0.0}, {{0, 0, 0}, {0, 0, 0}}}};
+static repair begin(bmr_kds *kds, const bmr_instant *now) {
+    const repair r = {kds, {.hierarchies = {hierarchy_of(kds, 0), hierarchy_of(kds, 1)}, .pose = &now->pose}};
     return r;
 }
 
@@ -148,7 +146,6 @@ static void coarsen(repair *r, bmr_candidate candidate) {
     while (r->walk.level > 0) {
         bmr_candidate coarser;
         bmr_walk_coarsen(&r->walk, &candidate);
-        ++r->report->touched;
         bmr_walk_climb(&r->walk, &coarser);
         if (!(coarser.gap > least + COARSEN_PART * (candidate.gap - least)) ||
             !certify(r, &coarser, r->walk.level))
@@ -161,7 +158,6 @@ static void coarsen(repair *r, bmr_candidate candidate) {
 static bool descend(repair *r, bmr_candidate *found) {
     const int deepest = bmr_walk_deepest(r->walk.hierarchies);
     for (;;) {
-        ++r->report->touched;
         const bool top = bmr_walk_climb(&r->walk, found);
         if (certify(r, found, r->walk.level))
             return true;
@@ -180,9 +176,10 @@ static bool take_free(repair *r, bmr_vec2 direction) {
     state->owner = 0;
     state->edge = BMR_NO_EDGE;
     state->free_line.normal = direction;
-    state->free_line.offset = bmr_dot(direction, a->vertices[bmr_polygon_support(a, direction)]);
+    state->free_line.offset =
+        bmr_dot(direction, a->vertices[bmr_support_counted(a, direction, &r->walk.steps)]);
     state->level = bmr_walk_deepest(r->walk.hierarchies);
-    state->corner = bmr_hierarchy_extreme(b, against, bmr_hierarchy_depth(b));
+    state->corner = bmr_tree_extreme(b, against, bmr_hierarchy_depth(b), &r->walk.steps);
     return line_holds(r->kds, r->walk.pose);
 }
 
@@ -202,8 +199,9 @@ static bool from_closest(repair *r) {
 }
 
 static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
-    repair r = begin(kds, now, report);
+    repair r = begin(kds, now);
     const bool apart = from_closest(&r);
+    bmr_kds_tally(kds, r.walk.steps);
     report->level_after = apart ? look(kds)->level : 0;
     return apart;
 }
@@ -246,14 +244,16 @@ static bool search(repair *r) {
 
 static bool repair_pair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     (void)failed;
-    repair r = begin(kds, now, report);
+    repair r = begin(kds, now);
     const lazy_state before = *look(kds);
     report->level_before = report->level_after = before.level;
     const bool turned = !cone_holds(kds, &now->pose);
     if (!turned && line_holds(kds, &now->pose))
         return true;
     const bool rolled = turned && roll(&r);
-    if (!rolled && !search(&r))
+    const bool apart = rolled || search(&r);
+    bmr_kds_tally(kds, r.walk.steps);
+    if (!apart)
         return false;
     const lazy_state *state = look(kds);
     report->level_after = state->level;

@@ -29,6 +29,7 @@
 
 #include <math.h>
 
+#include "hierarchy/tree.h"
 #include "kds/registry.h"
 
 bmr_inflation bmr_point_inflation(const bmr_kds *kds) {
@@ -46,9 +47,9 @@ bmr_level_choice bmr_point_most_slack(bmr_kds *kds, bmr_vec2 x, bmr_vec2 u, unsi
     const bmr_inflation inflation = bmr_point_inflation(kds);
     const uint32_t last = bmr_inflation_last(&inflation, h);
     bmr_level_choice choice = {BMR_NO_EDGE, 0, -INFINITY};
-    bmr_corner corner = bmr_hierarchy_extreme(h, u, bmr_inflation_level(&inflation, h, 0));
+    bmr_corner corner = bmr_tree_extreme(h, u, bmr_inflation_level(&inflation, h, 0), touched);
     for (uint32_t j = 0; j <= last; ++j) {
-        corner = bmr_hierarchy_refine(h, corner, u, bmr_inflation_level(&inflation, h, j));
+        corner = bmr_tree_refine(h, corner, u, bmr_inflation_level(&inflation, h, j), touched);
         ++*touched;
         choice.edge = bmr_corner_widest_edge(h, corner, x, &choice.slack);
         choice.j = j;

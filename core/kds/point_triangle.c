@@ -9,6 +9,7 @@
 // never between cells and never thrown back.
 #include <math.h>
 
+#include "hierarchy/tree.h"
 #include "kds/chains.h"
 #include "kds/point.h"
 #include "kds/registry.h"
@@ -75,7 +76,7 @@ static bool locate(bmr_kds *kds, const bmr_pose *b_in_a, unsigned *touched) {
         return false;
     const bmr_vec2 x = bmr_point_at(kds, b_in_a);
     const double need = bmr_point_need(kds);
-    const bmr_corner top = bmr_hierarchy_extreme(h, u, 0);
+    const bmr_corner top = bmr_tree_extreme(h, u, 0, touched);
     double slack;
     bmr_edge edge = bmr_corner_widest_edge(h, top, x, &slack);
     bmr_edge cut = top.cut;

@@ -207,8 +207,10 @@ static void foresee(forecast *f, const bmr_kds *kds, const bmr_instant *now, pre
 static double gap_at(const bmr_kds *kds, const forecast *f, const candidate *c, int i, uint32_t support[2]) {
     const bmr_polygon *a = kds->shapes[0].polygon, *b = kds->shapes[1].polygon;
     const bmr_vec2 d = c->owner == 0 ? c->direction : bmr_rotate(&f->turn[i], c->direction);
-    support[0] = bmr_support_near(a, d, support[0]);
-    support[1] = bmr_support_near(b, bmr_unrotate(&f->pose[i], bmr_neg(d)), support[1]);
+    unsigned steps = 0;
+    support[0] = bmr_support_near(a, d, support[0], &steps);
+    support[1] = bmr_support_near(b, bmr_unrotate(&f->pose[i], bmr_neg(d)), support[1], &steps);
+    bmr_kds_tally(kds, steps);
     const bmr_vec2 p = a->vertices[support[0]], q = bmr_transform(&f->pose[i], b->vertices[support[1]]);
     return bmr_dot(d, bmr_sub(q, p)) - kds->def.margin - f->loss[i];
 }
@@ -293,7 +295,7 @@ static void note_side(predict_state *s, const bmr_pose *pose, bmr_vec2 closest) 
     s->side = (int8_t)side;
 }
 
-static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh, bmr_kds_report *report) {
+static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh) {
     predict_state *s = state_of(kds);
     uint32_t support[2] = {s->now.support[0], s->now.support[1]};
     bmr_vec2 closest;
@@ -325,7 +327,6 @@ static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh, bmr_kds_rep
     for (int owner = 0; owner < (f.turns ? 2 : 1); ++owner)
         for (int i = 0; i < count; ++i) {
             candidate c = {tried[i], owner, 0.0, 0.0};
-            ++report->touched;
             if (outlives(kds, &f, support, &c, &best))
                 best = c;
         }
@@ -335,7 +336,8 @@ static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh, bmr_kds_rep
 }
 
 static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
-    return choose(kds, now, true, report);
+    (void)report;
+    return choose(kds, now, true);
 }
 
 static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
@@ -347,13 +349,12 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
         return true; // NONE
     if (!failure.crossed) {
         report->kind = BMR_KDS_ROLL;
-        report->touched = 1;
         bmr_windowed_exact(&s->now, kds, &now->pose, bmr_windowed_sense(old.owner, sign(now->spin)));
         if (!bmr_windowed_fails(&s->now, kds, now).crossed)
             return true;
     }
     report->kind = BMR_KDS_PUSH;
-    if (!choose(kds, now, false, report))
+    if (!choose(kds, now, false))
         return false;
     report->line_changed = !bmr_windowed_same_line(&old, &s->now);
     return true;

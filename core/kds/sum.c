@@ -138,6 +138,7 @@ static bool turn(bmr_kds *kds, const bmr_pose *b_in_a) {
     }
     if (error != BMR_OK)
         return false;
+    bmr_kds_tally(kds, sum->count + bmr_hierarchy_edge_count(hierarchy));
     state->point.hierarchy = hierarchy;
     state->point.edge = BMR_NO_EDGE;
     state->point.turned = *b_in_a;

@@ -105,7 +105,9 @@ typedef struct bmr_kds_report {
     /// be the same may count as another.
     bool line_changed;
     int level_before, level_after; ///< of the hierarchy; 0 for a structure that has none
-    unsigned touched;              ///< cells, levels or candidate features looked at
+    /// Elementary steps: 1 for the proof that failed, and 1 for every vertex, edge, normal, node of a
+    /// hierarchy or cell that was looked at. The time of a start or repair is at most a constant times this.
+    unsigned touched;
 } bmr_kds_report;
 
 /// The most conditions any structure waits for.
