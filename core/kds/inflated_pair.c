@@ -14,6 +14,9 @@
 /// margin that is as large as they are, and points have no edges.
 #define EDGE_PART 0.125
 
+/// Near the margin, where a level's promise is no more than this many of it, the distance itself is asked.
+#define MARGINS 4.0
+
 /// What a proof has of the other envelope.
 typedef enum inflated_window {
     WINDOW_FIXED,  ///< the nearest corner; the direction never turns
@@ -82,19 +85,68 @@ static void make_window(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose
         bmr_windowed_exact(w, kds, pose, 0);
 }
 
-static void take_edge(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *pose, const bmr_walk *walk,
+static void take_edge(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *pose, int level,
                       const bmr_candidate *best) {
-    const int owner = best->owner;
+    const int owner = best->owner, other = 1 - owner;
     w->owner = (uint8_t)owner;
     w->line = bmr_hierarchy_line(hierarchy_of(kds, owner), best->edge);
-    w->level = walk->level;
+    w->level = level;
     w->support[owner] = bmr_hierarchy_touch(hierarchy_of(kds, owner), best->edge);
-    make_window(w, kds, pose, best->corner[1 - owner], walk->level);
+    w->support[other] = bmr_hierarchy_touch(hierarchy_of(kds, other), best->corner[other].before);
+    make_window(w, kds, pose, best->corner[other], level);
 }
 
-/// The coarsest level at which an edge has a slack of eps_j, and the edge of most slack there. Where no level
-/// has: the best edge of the polygons themselves, without any promise; and where not even that one clears the
-/// margin, the closest direction, which does.
+/// From level to level, the edge of most slack on each, to the coarsest at which it has the slack eps_j that
+/// the level promises. `from` is within a right angle of where the slack is largest, on the side `side` of it
+/// (0: on either); a climb that leaves that right angle, which it may where the envelopes of its level
+/// overlap, is done again from there on the next level. True: there is such a level. False: `best` is that of
+/// the deepest. One climb on each level passed.
+static bool descend(const bmr_kds *kds, bmr_walk *walk, bmr_vec2 from, int side, bmr_candidate *best) {
+    const bmr_inflation *inflation = &constant_state_of(kds)->inflation;
+    const int deepest = bmr_walk_deepest(walk->hierarchies);
+    const int root = (int)inflation->root_level < deepest ? (int)inflation->root_level : deepest;
+    bmr_walk_start(walk, from, root);
+    for (int level = root;; ++level) {
+        const bool climbed = bmr_walk_climb(walk, best);
+        if (climbed && best->gap >= bmr_inflation_offset(inflation, (uint32_t)(level - root)))
+            return true;
+        if (level == deepest)
+            return false;
+        const bool strayed =
+            bmr_dot(from, walk->direction) < 0.0 || side * bmr_cross(from, walk->direction) < 0.0;
+        if (climbed && !strayed)
+            bmr_walk_refine(walk);
+        else
+            bmr_walk_start(walk, from, level + 1);
+    }
+}
+
+static bmr_walk walk_of(const bmr_kds *kds, const bmr_pose *pose) {
+    const bmr_walk walk = {.hierarchies = {hierarchy_of(kds, 0), hierarchy_of(kds, 1)}, .pose = pose};
+    return walk;
+}
+
+/// From the line that failed, which separates up to the margin: so the closest direction is within a right
+/// angle of it, on the side to which it leads uphill. False: no level has the slack that it promises, or it
+/// is so little that the margin matters. O(level).
+static bool select_near(bmr_kds *kds, const bmr_pose *pose) {
+    inflated_state *s = state_of(kds);
+    bmr_walk walk = walk_of(kds, pose);
+    const bmr_vec2 from = bmr_windowed_direction(&s->now, pose);
+    bmr_walk_start(&walk, from, s->now.level);
+    const bmr_vec2 p = bmr_walk_point(&walk, 0, walk.corner[0]), q = bmr_walk_point(&walk, 1, walk.corner[1]);
+    bmr_candidate best;
+    const bool found = descend(kds, &walk, from, bmr_cross(from, bmr_sub(q, p)) > 0.0 ? 1 : -1, &best) &&
+                       best.gap > MARGINS * kds->def.margin;
+    bmr_kds_tally(kds, walk.steps);
+    if (found)
+        take_edge(&s->now, kds, pose, walk.level, &best);
+    return found;
+}
+
+/// From the closest direction. Where no level has the slack: the best edge of the polygons themselves,
+/// without any promise; and where not even that one clears the margin, the closest direction, which does.
+/// O(log n).
 static bool select_line(bmr_kds *kds, const bmr_pose *pose) {
     inflated_state *s = state_of(kds);
     bmr_windowed_line w = s->now;
@@ -102,33 +154,16 @@ static bool select_line(bmr_kds *kds, const bmr_pose *pose) {
     double distance;
     if (!bmr_windowed_closest(kds, pose, w.support, &u, &distance))
         return false;
-    const bmr_hierarchy *const both[2] = {hierarchy_of(kds, 0), hierarchy_of(kds, 1)};
-    bmr_walk walk = {.hierarchies = {both[0], both[1]}, .pose = pose};
-    const int deepest = bmr_walk_deepest(both);
-    int root = (int)s->inflation.root_level;
-    if (root > deepest)
-        root = deepest;
-    bmr_walk_start(&walk, u, root);
-    bmr_candidate best = {0};
-    for (int level = root;; ++level) {
-        const bool climbed = bmr_walk_climb(&walk, &best);
-        walk.level = level;
-        const bool found =
-            climbed && best.gap >= bmr_inflation_offset(&s->inflation, (uint32_t)(level - root));
-        if (found || level == deepest)
-            break;
-        if (climbed)
-            bmr_walk_refine(&walk);
-        else
-            bmr_walk_start(&walk, u, level + 1);
-    }
+    bmr_walk walk = walk_of(kds, pose);
+    bmr_candidate best;
+    descend(kds, &walk, u, 0, &best);
     bmr_kds_tally(kds, walk.steps);
     if (best.gap > kds->def.margin + EDGE_PART * (distance - kds->def.margin)) {
-        take_edge(&w, kds, pose, &walk, &best);
+        take_edge(&w, kds, pose, walk.level, &best);
     } else {
         bmr_windowed_line_set(&w, kds, pose, 0, u, w.support);
         bmr_windowed_exact(&w, kds, pose, 0);
-        w.level = deepest;
+        w.level = bmr_walk_deepest(walk.hierarchies);
         if (window_of(kds) == WINDOW_FIXED)
             bmr_windowed_fix(&w);
     }
@@ -150,7 +185,7 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     if (!failure.crossed && failure.rolled == 0)
         return true; // NONE
     report->level_before = report->level_after = old.level;
-    if (!select_line(kds, &now->pose))
+    if (!select_near(kds, &now->pose) && !select_line(kds, &now->pose))
         return false;
     report->level_after = s->now.level;
     report->line_changed = !bmr_windowed_same_line(&old, &s->now);

@@ -3,7 +3,7 @@
 // by eps_j or more, j the least level whose inflated envelope has the point outside. Three ways to choose it:
 //
 // - the paper's: the edge of Q_j whose inflated copy the old line enters Q'_j through; each breakpoint is
-//   computed when it is needed, in O(j), and a binary search finds j;
+//   computed when it is needed, in O(j), and j is searched from the old edge's level outwards;
 // - the edge of most slack on the level, found on the way down along the closest direction;
 // - the cell that the point is in, in the complex of triangles and trapezoids between the inflated envelopes
 //   (point_complex.c).
@@ -97,12 +97,33 @@ static bool choose_by_old_line(bmr_kds *kds, bmr_vec2 x, unsigned *touched) {
     const bool after = bmr_point_is_after(h, state->edge, x);
     const bmr_vec2 direction = after ? bmr_neg(along) : along;
     const bmr_inflation inflation = bmr_point_inflation(kds);
-    // The inflated envelopes are nested: outside one is outside all that follow.
-    const uint32_t last = bmr_inflation_last(&inflation, h);
+    // The inflated envelopes are nested: outside one is outside all that follow. From the level of the old
+    // edge outwards, in steps that double, and then by halves: O(log(levels passed + 1)) breakpoints.
+    const uint32_t last = bmr_inflation_last(&inflation, h), level = bmr_hierarchy_level(h, state->edge),
+                   old = level > inflation.root_level ? level - inflation.root_level : 0,
+                   from = old < last ? old : last;
     bmr_edge found = BMR_NO_EDGE;
-    if (!enters(kds, last, x, direction, &found, touched))
-        return false;
-    uint32_t low = 0, high = last;
+    uint32_t low = 0, high = from; // the answer is in [low, high], and `found` that of high
+    if (enters(kds, from, x, direction, &found, touched)) {
+        for (uint32_t step = 1; low < high; step *= 2) {
+            const uint32_t probe = high - low > step ? high - step : low;
+            if (!enters(kds, probe, x, direction, &found, touched)) {
+                low = probe + 1;
+                break;
+            }
+            high = probe;
+        }
+    } else {
+        low = from + 1;
+        for (uint32_t step = 1;; step *= 2) {
+            if (low > last)
+                return false;
+            high = last - low > step - 1 ? low + (step - 1) : last;
+            if (enters(kds, high, x, direction, &found, touched))
+                break;
+            low = high + 1;
+        }
+    }
     while (low < high) {
         const uint32_t middle = low + (high - low) / 2;
         if (enters(kds, middle, x, direction, &found, touched))
