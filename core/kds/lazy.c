@@ -140,9 +140,9 @@ static bool certify(repair *r, const bmr_candidate *candidate, int level) {
     return false;
 }
 
-/// From a candidate of the walk's level, which the state holds, to coarser levels. On the way up any line that
-/// is good enough will do: between two neighbouring edges of one body may lie any number of the other's, and a
-/// climb to the best line would pass them all. The best one is looked for where the way ends.
+/// From a candidate of the walk's level, which the state holds, to coarser levels. On the way up any line
+/// that is good enough will do: between two neighbouring edges of one body may lie any number of the other's,
+/// and a climb to the best line would pass them all. The best one is looked for where the way ends.
 static void coarsen(repair *r, bmr_candidate candidate) {
     const double least = need(r->kds);
     const int from = r->walk.level;

@@ -55,10 +55,9 @@ static bool settle(bmr_kds *kds, bmr_vec2 x, unsigned *touched) {
         }
         if (bmr_edge_slack(state->hierarchy, state->edge, x) > need)
             return true;
-        const bmr_kds_chains *chains = bmr_kds_chains_of(kds);
-        const bmr_edge inner =
-            chains ? bmr_kds_chains_search(chains, state->hierarchy, state->edge, x, need, touched)
-                   : bmr_point_descend(state->hierarchy, state->edge, x, need, touched);
+        const bmr_chains *chains = bmr_kds_chains_of(kds);
+        const bmr_edge inner = chains ? bmr_kds_chains_search(chains, state->edge, x, need, touched)
+                                      : bmr_point_descend(state->hierarchy, state->edge, x, need, touched);
         if (inner == BMR_NO_EDGE)
             return false;
         state->edge = inner;
@@ -157,7 +156,7 @@ static const bmr_kds_class by_levels = {.state_bytes = sizeof(bmr_point_state),
                                         .repair = bmr_triangle_repair,
                                         .proof = bmr_point_proof,
                                         .audit = bmr_triangle_audit};
-/// The chains lie behind the state.
+/// The chains lie behind the state, unless the shape has them.
 static const bmr_kds_class by_bisection_compass = {.state_bytes = sizeof(bmr_chained_state),
                                                    .extra_bytes = bmr_kds_chains_bytes_compass,
                                                    .prepare = bmr_kds_chains_prepare,

@@ -56,7 +56,7 @@ struct World {
         bmr_polygon_destroy(round, nullptr);
         bmr_convex32_destroy(convex, nullptr);
     }
-    bmr_kds_shape Shape() const { return {square, {hierarchies[0], hierarchies[1], hierarchies[2]}}; }
+    bmr_kds_shape Shape() const { return {square, {hierarchies[0], hierarchies[1], hierarchies[2]}, {}}; }
 };
 
 std::string CreateKds(const char *name, void (*spoil)(bmr_kds_def *, bmr_kds_shape *)) {

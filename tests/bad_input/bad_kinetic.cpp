@@ -111,7 +111,7 @@ bmr_error Simulation(const Pair &pair, size_t count, double time, SpoilDef spoil
     def.structure = bmr_kds_find("free-fd1");
     if (spoil != nullptr)
         spoil(&def);
-    const bmr_kds_shape shapes[] = {{pair.polygon, {}}, {pair.polygon, {}}};
+    const bmr_kds_shape shapes[] = {{pair.polygon, {}, {}}, {pair.polygon, {}, {}}};
     bmr_motion *const motions[] = {pair.rest, pair.comes};
     return bmr_simulation_create(&def, shapes, motions, count, time, nullptr, nullptr, nullptr, made);
 }

@@ -20,11 +20,27 @@ extern "C" {
 ///
 /// All of it is in double precision. Poses are of B's frame in A's frame throughout.
 
+/// The chains of a hierarchy as arrays, for the search of the active triangle by halves (section 5: O(log(log
+/// n
+/// - i)) time with O(n) more space): 16 bytes an edge of the hierarchy. Made once for a polygon, constant,
+/// shared by any number of pairs and threads.
+typedef struct bmr_chains bmr_chains;
+/// Of a hierarchy, which must outlive them. O(n). Errors: NULL_ARGUMENT, NO_MEMORY; then *chains is
+/// untouched.
+bmr_error bmr_chains_create(const bmr_hierarchy *hierarchy, const bmr_allocator *allocator,
+                            bmr_chains **chains);
+/// NULL is no error.
+void bmr_chains_destroy(bmr_chains *chains, const bmr_allocator *allocator);
+size_t bmr_chains_bytes(const bmr_chains *chains);
+
 /// What is prepared once per polygon, shared by all pairs it is in: the polygon and its hierarchies, each in
 /// the place of its kind. A hierarchy that no structure in use needs may be NULL.
 typedef struct bmr_kds_shape {
     const bmr_polygon *polygon;
     const bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT];
+    /// Of those hierarchies, for the structures that search chains ("triangle-binary-.."). NULL: a pair that
+    /// needs them makes its own, in its own block.
+    const bmr_chains *chains[BMR_HIERARCHY_KIND_COUNT];
 } bmr_kds_shape;
 
 /// Which pairs and motions a structure is made for.
