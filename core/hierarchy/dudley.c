@@ -148,7 +148,7 @@ bmr_error bmr_hierarchy_build_dudley(const bmr_polygon *polygon, const bmr_alloc
         count = collect_items(polygon, features, items);
         bmr_items_start_at_east(items, count);
     }
-    const bmr_build build = {polygon, BMR_HIERARCHY_DUDLEY, items, count, NULL, 0};
+    const bmr_build build = {polygon, BMR_HIERARCHY_DUDLEY, items, count, NULL, 0, 0};
     const bmr_error error = bmr_build_tree(&build, allocator, hierarchy);
     bmr_release(allocator, items, size);
     return error;

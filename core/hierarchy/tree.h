@@ -44,7 +44,8 @@ struct bmr_hierarchy {
     uint32_t count;
     uint32_t direction_count; ///< how many are in this block
     uint16_t depth;
-    uint16_t kind;
+    uint8_t kind;
+    uint8_t corner_levels; ///< how many levels cut vertices, too
     uint32_t stamp; ///< the polygon's when this was built: another may lie at its address by now
     bmr_node nodes[];
 };

@@ -24,6 +24,8 @@
 #define DUDLEY_SCRATCH (2 * sizeof(bmr_item) + sizeof(uint32_t))
 /// Every block is aligned to this and begins at a multiple of it.
 #define ALIGNMENT 16
+/// A root polygon of more directions than this (4 * 2^12) is like one with so many.
+#define MOST_CORNER_LEVELS 12u
 /// More blocks than the builders ask for.
 #define MOST_BLOCKS 16
 
@@ -67,39 +69,40 @@ static void give_back(void *context, void *block, size_t size) {
         memory->used -= aligned(size);
 }
 
-/// Cuts of a tree over `items` edges, `levels` of them bisected: as builder.c counts them.
-static size_t most_cuts(size_t items, uint32_t levels) {
-    size_t most = items;
-    for (uint32_t level = 1; level <= levels; ++level) {
-        const size_t all = (size_t)BMR_ROOTS << (level - 1);
-        most += all < items ? all : items;
-    }
-    return most;
+/// Levels of the sum's compass hierarchy that cut its vertices: those of section 6's root polygon.
+static uint32_t corner_levels(const bmr_kds_def *def) {
+    return def->root_level < MOST_CORNER_LEVELS ? def->root_level : MOST_CORNER_LEVELS;
 }
 
-static size_t bytes_for(const bmr_kds_shape *a, const bmr_kds_shape *b, bmr_hierarchy_kind kind) {
+/// Directions that the table of a compass is made for.
+static size_t table_size(size_t vertices, uint32_t corners) {
+    const size_t most = (size_t)1 << corners;
+    return vertices > most ? vertices : most;
+}
+
+static size_t bytes_for(const bmr_kds_shape *a, const bmr_kds_shape *b, bmr_hierarchy_kind kind,
+                        uint32_t corners) {
     const size_t n = (size_t)a->polygon->count + b->polygon->count;
     if (n > BMR_MAX_VERTICES)
         return 0; // creation fails
-    const uint32_t levels = bmr_ceil_log2((uint32_t)n);
+    const uint32_t levels = bmr_ceil_log2((uint32_t)table_size(n, corners));
     const bool compass = kind == BMR_HIERARCHY_COMPASS;
     // The merged list and its hull, twice where rounding asks for another hull, and the polygon.
     const size_t polygon = 2 * (2 * n + 1) * sizeof(bmr_vec2) + bmr_polygon_bytes(n);
     const size_t table = compass ? sizeof(bmr_compass) + ((size_t)BMR_ROOTS << levels) * sizeof(bmr_vec2) : 0;
     const size_t items = n * (compass ? sizeof(bmr_item) : DUDLEY_SCRATCH);
-    const size_t cuts = compass ? most_cuts(n, levels) : most_cuts(2 * n, 0);
+    const size_t cuts = compass ? bmr_most_cuts(n, levels, corners) : bmr_most_cuts(2 * n, 0, 0);
     const size_t node = sizeof(bmr_node) + sizeof(bmr_vec2);
     const size_t tree = (BMR_ROOTS + cuts) * (2 * node + QUEUED_BYTES) + sizeof(bmr_hierarchy);
     return table + polygon + items + tree + (size_t)MOST_BLOCKS * ALIGNMENT;
 }
 
 static size_t bytes_compass(const bmr_kds_shape *a, const bmr_kds_shape *b, const bmr_kds_def *def) {
-    (void)def;
-    return bytes_for(a, b, BMR_HIERARCHY_COMPASS);
+    return bytes_for(a, b, BMR_HIERARCHY_COMPASS, corner_levels(def));
 }
 static size_t bytes_dudley(const bmr_kds_shape *a, const bmr_kds_shape *b, const bmr_kds_def *def) {
     (void)def;
-    return bytes_for(a, b, BMR_HIERARCHY_DUDLEY);
+    return bytes_for(a, b, BMR_HIERARCHY_DUDLEY, 0);
 }
 
 static bmr_error prepare(bmr_kds *kds) {
@@ -130,9 +133,10 @@ static bool turn(bmr_kds *kds, const bmr_pose *b_in_a) {
     bmr_error error =
         bmr_minkowski_difference(kds->shapes[0].polygon, kds->shapes[1].polygon, rotation, &allocator, &sum);
     if (error == BMR_OK && ((const sum_class *)kds->info->implementation)->kind == BMR_HIERARCHY_COMPASS) {
-        error = bmr_compass_create(sum->count, &allocator, &compass);
+        const uint32_t corners = corner_levels(&kds->def);
+        error = bmr_compass_create(table_size(sum->count, corners), &allocator, &compass);
         if (error == BMR_OK)
-            error = bmr_hierarchy_build_compass(sum, compass, &allocator, &hierarchy);
+            error = bmr_hierarchy_build_compass_with_corners(sum, compass, corners, &allocator, &hierarchy);
     } else if (error == BMR_OK) {
         error = bmr_hierarchy_build_dudley(sum, &allocator, &hierarchy);
     }

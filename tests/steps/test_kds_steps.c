@@ -17,6 +17,8 @@
 /// Blocks for each step reported, at most. Measured: 8 to 20 on average, 141 at most (a rival's walk by one
 /// feature, which looks at some ten conditions); other compilers cut blocks otherwise.
 #define MOST_BLOCKS 256.0
+/// Of the blocks a vertex, from 512 vertices to 32768.
+#define MOST_GROWTH 1.2
 
 static uint64_t blocks;
 
@@ -107,9 +109,62 @@ static void no_repair_runs_more_than_a_constant_for_each_step_that_it_reports(vo
     assert_true(busiest > 2.0 * MOST_BLOCKS); // control: that a repair is one step would be found out
 }
 
+/// Blocks that `build` takes for each vertex of polygons of n vertices.
+static double blocks_a_vertex(test_family family, size_t n, bmr_hierarchy_kind kind,
+                              const bmr_compass *compass) {
+    test_random random = {n};
+    bmr_polygon *polygon = test_polygon(family, n, &random);
+    assert_non_null(polygon);
+    bmr_hierarchy *made = NULL;
+    const uint64_t before = blocks;
+    if (kind == BMR_HIERARCHY_COMPASS)
+        assert_int_equal(bmr_hierarchy_build_compass(polygon, compass, NULL, &made), BMR_OK);
+    else if (kind == BMR_HIERARCHY_DUDLEY)
+        assert_int_equal(bmr_hierarchy_build_dudley(polygon, NULL, &made), BMR_OK);
+    else
+        assert_int_equal(bmr_hierarchy_build_dobkin_kirkpatrick(polygon, NULL, &made), BMR_OK);
+    const double each = (double)(blocks - before) / polygon->count;
+    bmr_hierarchy_destroy(made, NULL);
+    bmr_polygon_destroy(polygon, NULL);
+    return each;
+}
+
+/// The same of a search by halves for each vertex.
+static double blocks_a_search(size_t n) {
+    test_random random = {n};
+    bmr_polygon *polygon = test_polygon(TEST_REGULAR, n, &random);
+    const uint64_t before = blocks;
+    for (uint32_t i = 0; i < polygon->count; ++i)
+        bmr_polygon_support(polygon, bmr_polygon_normal(polygon, i));
+    const double each = (double)(blocks - before) / polygon->count;
+    bmr_polygon_destroy(polygon, NULL);
+    return each;
+}
+
+/// O(n) preprocessing: a vertex costs no more in a large polygon than in a small one. From 512 vertices to
+/// 32768 the logarithm grows by two thirds.
+static void a_hierarchy_is_built_in_linear_time(void **state) {
+    (void)state;
+    const test_family families[] = {TEST_CIRCLE, TEST_ELLIPSE, TEST_LENS};
+    const size_t small = 512, large = 32768;
+    bmr_compass *compass = NULL;
+    assert_int_equal(bmr_compass_create(large, NULL, &compass), BMR_OK);
+    for (size_t f = 0; f < sizeof families / sizeof *families; ++f)
+        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+            const double few = blocks_a_vertex(families[f], small, (bmr_hierarchy_kind)kind, compass),
+                         many = blocks_a_vertex(families[f], large, (bmr_hierarchy_kind)kind, compass);
+            print_message("%s, hierarchy %d: %.1f blocks a vertex of %zu, %.1f of %zu\n",
+                          test_family_name(families[f]), kind, few, small, many, large);
+            assert_true(many <= MOST_GROWTH * few);
+        }
+    assert_true(blocks_a_search(large) > MOST_GROWTH * blocks_a_search(small)); // control: n log n
+    bmr_compass_destroy(compass, NULL);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_repair_runs_more_than_a_constant_for_each_step_that_it_reports),
+        cmocka_unit_test(a_hierarchy_is_built_in_linear_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -57,13 +57,22 @@ bmr_error bmr_compass_create(size_t max_vertices, const bmr_allocator *allocator
 /// NULL is no error.
 void bmr_compass_destroy(bmr_compass *compass, const bmr_allocator *allocator);
 
-/// Builds a hierarchy over `polygon`, which must outlive it. Points and segments have one too. O(n log n)
-/// time, one block. With the polygon at most 160 bytes a vertex for n >= 64. Compass: the top ceil(log2 n)
+/// Builds a hierarchy over `polygon`, which must outlive it. Points and segments have one too. O(n)
+/// time, for the polygon's edges are in order already; one block. With the polygon at most 160 bytes a vertex for n >= 64. Compass: the top ceil(log2 n)
 /// levels bisect the angle, below them the median edge; depth <= 2 ceil(log2 n), at most 5 n edges. Errors of
 /// all builders, which leave *hierarchy untouched: NULL_ARGUMENT, NO_MEMORY; of this one also
 /// TABLE_TOO_SMALL.
 bmr_error bmr_hierarchy_build_compass(const bmr_polygon *polygon, const bmr_compass *compass,
                                       const bmr_allocator *allocator, bmr_hierarchy **hierarchy);
+/// The same, but its first `corner_levels` levels also cut corners that are vertices of the polygon already:
+/// by edges of length zero, so that no two neighbouring edges of level i <= corner_levels, or of any below,
+/// are more than 90 / 2^i degrees apart. Section 6's tuning lives on them: at a sharp corner without such
+/// edges no line of any level is as far from a point as the polygon is, and beta stays at sqrt 2. At most 4 *
+/// 2^corner_levels edges more; depth at least corner_levels. TABLE_TOO_SMALL also where the table has fewer
+/// levels than that (ceil(log2 max_vertices)).
+bmr_error bmr_hierarchy_build_compass_with_corners(const bmr_polygon *polygon, const bmr_compass *compass,
+                                                   uint32_t corner_levels, const bmr_allocator *allocator,
+                                                   bmr_hierarchy **hierarchy);
 /// Dudley: degenerate edges and vertices from n regular points on a circle of radius 2D (normals outward:
 /// erratum 1), each boomerang cut by its median edge, split vertices counted; depth <= ceil(log2 2n), at most
 /// 2 n + 4 edges.

@@ -78,7 +78,10 @@ typedef struct bmr_kds_def {
     /// Inflated structures: eps_j = alpha * (D_A + D_B) * kappa_ratio^j. The paper's: 1/2 and 1/2; a ratio
     /// nearer to 1 takes beta towards 1 and kappa towards 3, where the root polygon is richer too.
     double alpha, offset_ratio;
-    /// Inflated structures: levels of the hierarchy that the root polygon already has; 0: the rectangle.
+    /// Inflated structures: levels of the hierarchy that the root polygon already has; 0: the rectangle. For
+    /// polygons with sharp corners give the shapes hierarchies of bmr_hierarchy_build_compass_with_corners,
+    /// of at least so many levels (an explicit sum makes its own): else no level is beyond the corners'
+    /// angle.
     unsigned root_level;
     /// Free directions: the part of the gap that a window may cost (gamma), in (0, 1).
     double window_part;

@@ -50,7 +50,7 @@ typedef struct bmr_simulation_counts {
     uint64_t replanned;       ///< of those, because a flight plan changed
     uint64_t external;        ///< contacts begun and ended since the start: what any method must process
     size_t pairs, conditions; ///< at this moment
-    size_t pair_bytes;        ///< of all pairs
+    size_t pair_bytes;        ///< of all pairs: structures, and what the simulation keeps of each
     size_t queue_bytes;
 } bmr_simulation_counts;
 
