@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "geometry/tiny.h"
+#include "geometry/vertex.h"
 
 /// No tangent is turned farther than this (75 degrees) in one go, so that any bracket stays well below 180.
 #define WIDEST_COSINE 0.25881904510252074
@@ -47,9 +48,7 @@ typedef struct turning {
 } turning;
 
 static inline uint32_t next_vertex(const bmr_polygon *p, uint32_t i, int sense) {
-    if (sense > 0)
-        return i + 1 < p->count ? i + 1 : 0;
-    return i > 0 ? i - 1 : p->count - 1;
+    return sense > 0 ? bmr_vertex_after(p, i) : bmr_vertex_before(p, i);
 }
 
 /// The vertex `steps` (< count) after the start.

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "geometry/memory.h"
+#include "geometry/vertex.h"
 
 uint32_t bmr_ceil_log2(uint32_t n) {
     uint32_t k = 0;
@@ -66,13 +67,9 @@ typedef struct work {
     uint32_t degenerate; ///< nodes that are neither roots nor own edges
 } work;
 
-static uint32_t next_vertex(const bmr_polygon *p, uint32_t i) {
-    return i + 1 < p->count ? i + 1 : 0;
-}
-
 static uint32_t last_touch(const work *w, uint32_t id) {
     const bmr_node *node = &w->nodes[id];
-    return node->wide ? next_vertex(w->build->polygon, (uint32_t)node->touch) : (uint32_t)node->touch;
+    return node->wide ? bmr_vertex_after(w->build->polygon, (uint32_t)node->touch) : (uint32_t)node->touch;
 }
 
 static uint64_t level_of_cut(const work *w, const pending *boomerang) {
@@ -123,7 +120,7 @@ static uint32_t cut_by_compass(work *w, const pending *b, bmr_node *node, bmr_ve
     *normal = build->compass->directions[direction];
     const uint32_t split = first_item_after(items, b->low, b->high, *normal);
     uint32_t touch = split < b->high  ? items[split].touch
-                     : split > b->low ? next_vertex(build->polygon, items[split - 1].touch)
+                     : split > b->low ? bmr_vertex_after(build->polygon, items[split - 1].touch)
                                       : last_touch(w, b->before); // a vertex: no items
     bool wide = false;
     if (split > b->low && agree(items[split - 1].normal, *normal, BMR_SAME_ANGLE)) {

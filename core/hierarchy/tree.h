@@ -46,7 +46,7 @@ struct bmr_hierarchy {
     uint16_t depth;
     uint8_t kind;
     uint8_t corner_levels; ///< how many levels cut vertices, too
-    uint32_t stamp; ///< the polygon's when this was built: another may lie at its address by now
+    uint32_t stamp;        ///< the polygon's when this was built: another may lie at its address by now
     bmr_node nodes[];
 };
 

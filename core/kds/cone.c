@@ -9,6 +9,10 @@
 /// vertices, and any bound does, for the answer is checked.
 #define CONE_STEPS 24
 
+/// How far towards the end of the cone a leaning line may go: there it separates by this part of the
+/// distance.
+#define LEAN_LEAST_PART 0.25
+
 bmr_vec2 bmr_cone_end(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 inside, double least, int side,
                       const uint32_t support[2]) {
     // The separation along y is at most <y, w> for the vector w between any two vertices, and equal to it for
@@ -37,4 +41,22 @@ bmr_vec2 bmr_cone_end(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 insid
     }
     bmr_kds_tally(kds, steps);
     return answer;
+}
+
+void bmr_lean_note(bmr_lean *lean, bmr_vec2 line, bmr_vec2 closest) {
+    const double turned = bmr_cross(line, closest);
+    const int side = (turned > 0.0) - (turned < 0.0);
+    lean->row =
+        side != lean->side ? 1 : (uint8_t)(lean->row < BMR_LEAN_AFTER ? lean->row + 1 : BMR_LEAN_AFTER);
+    lean->side = (int8_t)side;
+}
+
+bmr_vec2 bmr_lean_direction(const bmr_lean *lean, const bmr_kds *kds, const bmr_pose *b_in_a, double part,
+                            bmr_vec2 closest, double distance, const uint32_t support[2]) {
+    const double margin = kds->def.margin;
+    const double least = margin + LEAN_LEAST_PART * (distance - margin);
+    const bmr_vec2 end = bmr_cone_end(kds, b_in_a, closest, least, lean->side, support);
+    const double angle = part * atan2(bmr_cross(closest, end), bmr_dot(closest, end));
+    const bmr_pose turn = {{0.0, 0.0}, cos(angle), sin(angle)};
+    return bmr_rotate(&turn, closest);
 }

@@ -46,10 +46,6 @@ static const inflated_state *constant_state_of(const bmr_kds *kds) {
     return (const inflated_state *)(const void *)kds->state;
 }
 
-static const bmr_hierarchy *hierarchy_of(const bmr_kds *kds, int side) {
-    return kds->shapes[side].hierarchies[BMR_HIERARCHY_COMPASS];
-}
-
 static bmr_error prepare(bmr_kds *kds) {
     const double diameter =
         bmr_inflation_diameter(kds->shapes[0].polygon) + bmr_inflation_diameter(kds->shapes[1].polygon);
@@ -62,7 +58,7 @@ static bmr_error prepare(bmr_kds *kds) {
 static void make_window(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *pose, bmr_corner corner,
                         int level) {
     const int other = 1 - w->owner;
-    const bmr_hierarchy *h = hierarchy_of(kds, other);
+    const bmr_hierarchy *h = bmr_kds_hierarchy(kds, other);
     const uint32_t side_level = bmr_walk_side_level(h, level);
     w->point[0] = bmr_hierarchy_corner_point(h, corner);
     w->count = 1;
@@ -89,10 +85,10 @@ static void take_edge(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *
                       const bmr_candidate *best) {
     const int owner = best->owner, other = 1 - owner;
     w->owner = (uint8_t)owner;
-    w->line = bmr_hierarchy_line(hierarchy_of(kds, owner), best->edge);
+    w->line = bmr_hierarchy_line(bmr_kds_hierarchy(kds, owner), best->edge);
     w->level = level;
-    w->support[owner] = bmr_hierarchy_touch(hierarchy_of(kds, owner), best->edge);
-    w->support[other] = bmr_hierarchy_touch(hierarchy_of(kds, other), best->corner[other].before);
+    w->support[owner] = bmr_hierarchy_touch(bmr_kds_hierarchy(kds, owner), best->edge);
+    w->support[other] = bmr_hierarchy_touch(bmr_kds_hierarchy(kds, other), best->corner[other].before);
     make_window(w, kds, pose, best->corner[other], level);
 }
 
@@ -122,7 +118,8 @@ static bool descend(const bmr_kds *kds, bmr_walk *walk, bmr_vec2 from, int side,
 }
 
 static bmr_walk walk_of(const bmr_kds *kds, const bmr_pose *pose) {
-    const bmr_walk walk = {.hierarchies = {hierarchy_of(kds, 0), hierarchy_of(kds, 1)}, .pose = pose};
+    const bmr_walk walk = {.hierarchies = {bmr_kds_hierarchy(kds, 0), bmr_kds_hierarchy(kds, 1)},
+                           .pose = pose};
     return walk;
 }
 

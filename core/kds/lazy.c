@@ -35,11 +35,6 @@ enum { LINE, CONE_BEFORE, CONE_AFTER, CONDITIONS };
 /// Beyond an edge's line by that angle, an envelope is nearer by at most that times its length: four radii
 /// are more than the diagonal of any bounding rectangle.
 #define CONE_RADII 4.0
-/// A coarser line must prove at least this part of the finer one's gap. Measured against 0, the paper's: 1 to
-/// 8 % fewer events on orbits and 1 to 2 % on wanders, as many on all other paths (1/2: 3 to 11 % and 3 to 5
-/// %).
-#define COARSEN_PART 0.25
-
 typedef struct lazy_state {
     bmr_corner corner;       ///< of the other body's envelope, the nearest
     bmr_edge edge;           ///< the owner's; BMR_NO_EDGE: the free line
@@ -54,10 +49,6 @@ static lazy_state *get(bmr_kds *kds) {
 }
 static const lazy_state *look(const bmr_kds *kds) {
     return (const lazy_state *)(const void *)kds->state;
-}
-
-static const bmr_hierarchy *hierarchy_of(const bmr_kds *kds, int side) {
-    return kds->shapes[side].hierarchies[kds->info->hierarchy];
 }
 
 static double tolerance(const bmr_kds *kds) {
@@ -79,7 +70,7 @@ static double need(const bmr_kds *kds) {
 static bmr_line line_of(const bmr_kds *kds) {
     const lazy_state *state = look(kds);
     return state->edge == BMR_NO_EDGE ? state->free_line
-                                      : bmr_hierarchy_line(hierarchy_of(kds, state->owner), state->edge);
+                                      : bmr_hierarchy_line(bmr_kds_hierarchy(kds, state->owner), state->edge);
 }
 
 static bmr_vec2 turned_by_slack(bmr_vec2 normal, double slack) {
@@ -88,7 +79,7 @@ static bmr_vec2 turned_by_slack(bmr_vec2 normal, double slack) {
 
 static size_t conditions(const bmr_kds *kds, bmr_condition *k) {
     const lazy_state *state = look(kds);
-    const bmr_hierarchy *other = hierarchy_of(kds, 1 - state->owner);
+    const bmr_hierarchy *other = bmr_kds_hierarchy(kds, 1 - state->owner);
     const bmr_line line = line_of(kds);
     const bmr_vec2 before = bmr_hierarchy_line(other, state->corner.before).normal;
     const bmr_vec2 after = bmr_hierarchy_line(other, state->corner.after).normal;
@@ -122,7 +113,8 @@ typedef struct repair {
 } repair;
 
 static repair begin(bmr_kds *kds, const bmr_instant *now) {
-    const repair r = {kds, {.hierarchies = {hierarchy_of(kds, 0), hierarchy_of(kds, 1)}, .pose = &now->pose}};
+    const repair r = {
+        kds, {.hierarchies = {bmr_kds_hierarchy(kds, 0), bmr_kds_hierarchy(kds, 1)}, .pose = &now->pose}};
     return r;
 }
 
@@ -150,7 +142,7 @@ static void coarsen(repair *r, bmr_candidate candidate) {
     while (level > 0) {
         bmr_candidate coarser;
         bmr_walk_coarsen(&r->walk, &candidate);
-        const double enough = least + COARSEN_PART * (candidate.gap - least);
+        const double enough = least + BMR_COARSEN_PART * (candidate.gap - least);
         bmr_walk_climb_until(&r->walk, enough, &coarser);
         if (!(coarser.gap > enough) || !certify(r, &coarser, level - 1))
             break;
@@ -279,14 +271,15 @@ static void proof(const bmr_kds *kds, bmr_kds_proof *proof) {
     const lazy_state *state = look(kds);
     proof->owner = state->owner;
     proof->line = line_of(kds);
-    proof->nearest = bmr_hierarchy_corner_point(hierarchy_of(kds, 1 - state->owner), state->corner);
+    proof->nearest = bmr_hierarchy_corner_point(bmr_kds_hierarchy(kds, 1 - state->owner), state->corner);
     proof->level = state->level;
 }
 
 /// The edge and the corner are on the level, and the corner is the extreme one there.
 static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
     const lazy_state *state = look(kds);
-    const bmr_hierarchy *own = hierarchy_of(kds, state->owner), *other = hierarchy_of(kds, 1 - state->owner);
+    const bmr_hierarchy *own = bmr_kds_hierarchy(kds, state->owner),
+                        *other = bmr_kds_hierarchy(kds, 1 - state->owner);
     const uint32_t level = bmr_walk_side_level(other, state->level);
     if (state->edge != BMR_NO_EDGE && (state->edge >= bmr_hierarchy_edge_count(own) ||
                                        (int)bmr_hierarchy_level(own, state->edge) > state->level))

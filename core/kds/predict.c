@@ -49,11 +49,9 @@
 /// A model that is quite wrong is wrong by no more than there and back.
 #define DOUBT_MOST 2.0
 
-/// In doubt, under translation (rotation decides by the owner, not by leaning): leans this part of the way to
-/// where this part of the distance is left, after so many failures on the same side.
+/// In doubt, under translation (rotation decides by the owner, not by leaning): how far it leans
+/// (bmr_lean_direction), and from which doubt on.
 #define LEAN_PART 0.4
-#define LEAN_LEAST_PART 0.25
-#define LEAN_AFTER 2
 #define LEAN_DOUBT 0.5
 
 /// How the pair moves on. Only the relative motion is told, so that it is not known which body turns.
@@ -73,8 +71,7 @@ typedef struct predict_state {
     bmr_windowed_line now;
     bmr_instant last;          ///< of the last choice
     double wrong[MODEL_COUNT]; ///< mean error of each model, as part of the path
-    int8_t side; ///< of the last failure: the way the closest direction had turned from the line's
-    uint8_t row; ///< failures on that side, one after the other
+    bmr_lean lean;
 } predict_state;
 
 /// The motion as foreseen, at times from now on.
@@ -167,8 +164,7 @@ static void forget(predict_state *s, const bmr_instant *now) {
     const bool a_moves = length(other.velocity) < length(now->velocity);
     s->wrong[MODEL_B_STRAIGHT] = a_moves ? DOUBT_OTHER : DOUBT_START;
     s->wrong[MODEL_A_STRAIGHT] = a_moves ? DOUBT_START : DOUBT_OTHER;
-    s->side = 0;
-    s->row = 0;
+    s->lean = (bmr_lean){0, 0};
 }
 
 static double doubt_of(double wrong) {
@@ -277,24 +273,6 @@ static int directions(const bmr_kds *kds, const bmr_instant *now, predict_model 
     return count;
 }
 
-/// Towards the side on which the last lines failed.
-static bmr_vec2 leaning(const bmr_kds *kds, const bmr_pose *pose, bmr_vec2 closest, double distance, int side,
-                        const uint32_t support[2]) {
-    const double margin = kds->def.margin;
-    const double least = margin + LEAN_LEAST_PART * (distance - margin);
-    const bmr_vec2 end = bmr_cone_end(kds, pose, closest, least, side, support);
-    const double angle = LEAN_PART * atan2(bmr_cross(closest, end), bmr_dot(closest, end));
-    const bmr_pose turn = {{0.0, 0.0}, cos(angle), sin(angle)};
-    return bmr_rotate(&turn, closest);
-}
-
-/// The side of the failure, and how often it was that.
-static void note_side(predict_state *s, const bmr_pose *pose, bmr_vec2 closest) {
-    const int side = sign(bmr_cross(bmr_windowed_direction(&s->now, pose), closest));
-    s->row = side != s->side ? 1 : (uint8_t)(s->row < LEAN_AFTER ? s->row + 1 : LEAN_AFTER);
-    s->side = (int8_t)side;
-}
-
 static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh) {
     predict_state *s = state_of(kds);
     uint32_t support[2] = {s->now.support[0], s->now.support[1]};
@@ -306,7 +284,7 @@ static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh) {
         forget(s, now);
     else {
         learn(s, kds, now);
-        note_side(s, &now->pose, closest);
+        bmr_lean_note(&s->lean, bmr_windowed_direction(&s->now, &now->pose), closest);
     }
     s->last = *now;
     const bool adaptive = class_of(kds)->adaptive;
@@ -317,8 +295,8 @@ static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh) {
     const double doubt = adaptive ? doubt_of(s->wrong[model]) : 0.0;
     bmr_vec2 tried[MOST_CANDIDATES] = {{0.0, 0.0}};
     int count = 1;
-    if (doubt > LEAN_DOUBT && now->spin == 0.0 && s->row >= LEAN_AFTER && s->side != 0)
-        tried[0] = leaning(kds, &now->pose, closest, distance, s->side, support);
+    if (doubt > LEAN_DOUBT && now->spin == 0.0 && bmr_lean_is_due(&s->lean))
+        tried[0] = bmr_lean_direction(&s->lean, kds, &now->pose, LEAN_PART, closest, distance, support);
     else
         count = directions(kds, now, model, closest, distance, support, tried);
     forecast f;

@@ -40,6 +40,11 @@ typedef struct bmr_kds_class {
     bmr_error (*audit)(const bmr_kds *kds, const bmr_pose *b_in_a);
 } bmr_kds_class;
 
+/// A body's hierarchy of the kind that the structure needs.
+static inline const bmr_hierarchy *bmr_kds_hierarchy(const bmr_kds *kds, int body) {
+    return kds->shapes[body].hierarchies[kds->info->hierarchy];
+}
+
 /// Counts elementary steps (bmr_kds_report.touched).
 static inline void bmr_kds_tally(const bmr_kds *kds, unsigned steps) {
     if (kds->steps)

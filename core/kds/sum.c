@@ -160,83 +160,43 @@ static bool inflated_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report 
     return turn(kds, &now->pose) && bmr_point_inflated_start(kds, now, report);
 }
 
-static const sum_class triangle_compass = {{.state_bytes = sizeof(sum_state),
-                                            .extra_bytes = bytes_compass,
-                                            .prepare = prepare,
-                                            .start = triangle_start,
-                                            .conditions = bmr_triangle_conditions,
-                                            .repair = bmr_triangle_repair,
-                                            .proof = bmr_point_proof,
-                                            .audit = bmr_triangle_audit},
-                                           BMR_HIERARCHY_COMPASS};
-static const sum_class triangle_dudley = {{.state_bytes = sizeof(sum_state),
-                                           .extra_bytes = bytes_dudley,
-                                           .prepare = prepare,
-                                           .start = triangle_start,
-                                           .conditions = bmr_triangle_conditions,
-                                           .repair = bmr_triangle_repair,
-                                           .proof = bmr_point_proof,
-                                           .audit = bmr_triangle_audit},
-                                          BMR_HIERARCHY_DUDLEY};
-static const sum_class lazy_compass = {{.state_bytes = sizeof(sum_state),
-                                        .extra_bytes = bytes_compass,
-                                        .prepare = prepare,
-                                        .start = lazy_start,
-                                        .conditions = bmr_point_conditions,
-                                        .repair = bmr_point_lazy_repair,
-                                        .proof = bmr_point_proof},
-                                       BMR_HIERARCHY_COMPASS};
-static const sum_class lazy_dudley = {{.state_bytes = sizeof(sum_state),
-                                       .extra_bytes = bytes_dudley,
-                                       .prepare = prepare,
-                                       .start = lazy_start,
-                                       .conditions = bmr_point_conditions,
-                                       .repair = bmr_point_lazy_repair,
-                                       .proof = bmr_point_proof},
-                                      BMR_HIERARCHY_DUDLEY};
-static const sum_class inflated_compass = {{.state_bytes = sizeof(sum_state),
-                                            .extra_bytes = bytes_compass,
-                                            .prepare = prepare,
-                                            .start = inflated_start,
-                                            .conditions = bmr_point_conditions,
-                                            .repair = bmr_point_inflated_repair,
-                                            .proof = bmr_point_proof},
-                                           BMR_HIERARCHY_COMPASS};
+#define SUM_CLASS(extra, begin, waits, mend, check, of_kind)                                                 \
+    {                                                                                                        \
+        {.state_bytes = sizeof(sum_state),                                                                   \
+         .extra_bytes = (extra),                                                                             \
+         .prepare = prepare,                                                                                 \
+         .start = (begin),                                                                                   \
+         .conditions = (waits),                                                                              \
+         .repair = (mend),                                                                                   \
+         .proof = bmr_point_proof,                                                                           \
+         .audit = (check)},                                                                                  \
+            of_kind                                                                                          \
+    }
+#define TRIANGLE_CLASS(extra, of_kind)                                                                       \
+    SUM_CLASS(extra, triangle_start, bmr_triangle_conditions, bmr_triangle_repair, bmr_triangle_audit,       \
+              of_kind)
+#define LAZY_CLASS(extra, of_kind)                                                                           \
+    SUM_CLASS(extra, lazy_start, bmr_point_conditions, bmr_point_lazy_repair, NULL, of_kind)
+static const sum_class triangle_compass = TRIANGLE_CLASS(bytes_compass, BMR_HIERARCHY_COMPASS),
+                       triangle_dudley = TRIANGLE_CLASS(bytes_dudley, BMR_HIERARCHY_DUDLEY),
+                       lazy_compass = LAZY_CLASS(bytes_compass, BMR_HIERARCHY_COMPASS),
+                       lazy_dudley = LAZY_CLASS(bytes_dudley, BMR_HIERARCHY_DUDLEY),
+                       inflated_compass = SUM_CLASS(bytes_compass, inflated_start, bmr_point_conditions,
+                                                    bmr_point_inflated_repair, NULL, BMR_HIERARCHY_COMPASS);
 
-#define SECTION "5, two translating polygons, on the explicit sum"
 #define NO_HIERARCHY (-1) // of the shapes' own
-const bmr_kds_info bmr_kds_sum_triangle_compass = {"sum-triangle-compass",
-                                                   "explicit sum: active triangle, compass",
-                                                   SECTION,
-                                                   BMR_KDS_TRANSLATION,
-                                                   false,
-                                                   NO_HIERARCHY,
-                                                   &triangle_compass};
-const bmr_kds_info bmr_kds_sum_triangle_dudley = {"sum-triangle-dudley",
-                                                  "explicit sum: active triangle, Dudley",
-                                                  SECTION,
-                                                  BMR_KDS_TRANSLATION,
-                                                  false,
-                                                  NO_HIERARCHY,
-                                                  &triangle_dudley};
-const bmr_kds_info bmr_kds_sum_lazy_compass = {"sum-lazy-compass",
-                                               "explicit sum: separating edge, compass",
-                                               SECTION,
-                                               BMR_KDS_TRANSLATION,
-                                               false,
-                                               NO_HIERARCHY,
-                                               &lazy_compass};
-const bmr_kds_info bmr_kds_sum_lazy_dudley = {"sum-lazy-dudley",
-                                              "explicit sum: separating edge, Dudley",
-                                              SECTION,
-                                              BMR_KDS_TRANSLATION,
-                                              false,
-                                              NO_HIERARCHY,
-                                              &lazy_dudley};
-const bmr_kds_info bmr_kds_sum_inflated_compass = {"sum-inflated-compass",
-                                                   "explicit sum: inflated, entry of the old line",
-                                                   SECTION,
-                                                   BMR_KDS_TRANSLATION,
-                                                   false,
-                                                   NO_HIERARCHY,
-                                                   &inflated_compass};
+#define SUM_INFO(name, title, class)                                                                         \
+    {                                                                                                        \
+        name, title, "5, two translating polygons, on the explicit sum", BMR_KDS_TRANSLATION, false,         \
+            NO_HIERARCHY, class                                                                              \
+    }
+const bmr_kds_info bmr_kds_sum_triangle_compass =
+    SUM_INFO("sum-triangle-compass", "explicit sum: active triangle, compass", &triangle_compass);
+const bmr_kds_info bmr_kds_sum_triangle_dudley =
+    SUM_INFO("sum-triangle-dudley", "explicit sum: active triangle, Dudley", &triangle_dudley);
+const bmr_kds_info bmr_kds_sum_lazy_compass =
+    SUM_INFO("sum-lazy-compass", "explicit sum: separating edge, compass", &lazy_compass);
+const bmr_kds_info bmr_kds_sum_lazy_dudley =
+    SUM_INFO("sum-lazy-dudley", "explicit sum: separating edge, Dudley", &lazy_dudley);
+const bmr_kds_info bmr_kds_sum_inflated_compass =
+    SUM_INFO("sum-inflated-compass", "explicit sum: inflated, entry of the old line", &inflated_compass);
