@@ -124,6 +124,13 @@ static bmr_vec2 look(search *s, bmr_vec2 direction, uint32_t at[2]) {
     return bmr_sub(bmr_transform(c[1].pose, q), p);
 }
 
+/// The same from nowhere near.
+static void look_afar(search *s, bmr_vec2 direction, uint32_t at[2]) {
+    const chain *c = s->chains;
+    at[0] = bmr_support_counted(c[0].polygon, direction, &s->steps);
+    at[1] = bmr_support_counted(c[1].polygon, bmr_unrotate(c[1].pose, bmr_neg(direction)), &s->steps);
+}
+
 /// Puts the chains on the arc between the directions that have these support vertices.
 static void set_arc(search *s, const uint32_t low[2], const uint32_t high[2]) {
     for (int i = 0; i < 2; ++i) {
@@ -144,7 +151,7 @@ static void arc_from(search *s, bmr_vec2 y, bmr_vec2 w, const uint32_t at[2]) {
         end = bmr_scale(sense, bmr_left(y));
     uint32_t other[2] = {at[0], at[1]};
     if (sense * bmr_cross(y, end) > LEAST_ARC)
-        look(s, end, other);
+        look_afar(s, end, other);
     set_arc(s, sense > 0 ? at : other, sense > 0 ? other : at);
 }
 
@@ -173,8 +180,8 @@ static bool find_arc(search *s, bmr_vec2 y, uint32_t at[2]) {
         return false;
     const bmr_vec2 far = bmr_scale(sense, bmr_left(ahead)), near = bmr_scale(-sense / length, bmr_left(w));
     uint32_t low[2] = {at[0], at[1]}, high[2] = {at[0], at[1]};
-    look(s, sense > 0 ? near : far, low);
-    look(s, sense > 0 ? far : near, high);
+    look_afar(s, sense > 0 ? near : far, low);
+    look_afar(s, sense > 0 ? far : near, high);
     set_arc(s, low, high);
     return true;
 }
