@@ -372,7 +372,8 @@ static void a_point_moves_by_its_distance_over_beta_between_events(void **state)
 
 /// The remark that an inflated Dudley hierarchy doubles beta: its offsets must shrink as its heights do, by a
 /// quarter a level in place of a half, and beta is their quotient times 1 + sqrt 2. Measured, the least slack
-/// over the distance after an event, where it is promised: 0.82 and 0.45, 0.71 and 0.40 with five times the seeds.
+/// over the distance after an event, where it is promised: 0.82 and 0.45, 0.71 and 0.40 with five times the
+/// seeds.
 static void an_inflated_dudley_hierarchy_doubles_beta(void **state) {
     (void)state;
     const test_family round[] = {TEST_REGULAR, TEST_CIRCLE, TEST_ELLIPSE};

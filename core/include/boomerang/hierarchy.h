@@ -58,10 +58,10 @@ bmr_error bmr_compass_create(size_t max_vertices, const bmr_allocator *allocator
 void bmr_compass_destroy(bmr_compass *compass, const bmr_allocator *allocator);
 
 /// Builds a hierarchy over `polygon`, which must outlive it. Points and segments have one too. O(n)
-/// time, for the polygon's edges are in order already; one block. With the polygon at most 160 bytes a vertex for n >= 64. Compass: the top ceil(log2 n)
-/// levels bisect the angle, below them the median edge; depth <= 2 ceil(log2 n), at most 5 n edges. Errors of
-/// all builders, which leave *hierarchy untouched: NULL_ARGUMENT, NO_MEMORY; of this one also
-/// TABLE_TOO_SMALL.
+/// time, for the polygon's edges are in order already; one block. With the polygon at most 160 bytes a vertex
+/// for n >= 64. Compass: the top ceil(log2 n) levels bisect the angle, below them the median edge; depth <= 2
+/// ceil(log2 n), at most 5 n edges. Errors of all builders, which leave *hierarchy untouched: NULL_ARGUMENT,
+/// NO_MEMORY; of this one also TABLE_TOO_SMALL.
 bmr_error bmr_hierarchy_build_compass(const bmr_polygon *polygon, const bmr_compass *compass,
                                       const bmr_allocator *allocator, bmr_hierarchy **hierarchy);
 /// The same, but its first `corner_levels` levels also cut corners that are vertices of the polygon already:
