@@ -221,6 +221,25 @@ std::vector<Argument> Arguments() {
              const World world;
              return Said(bmr_hierarchy_build_dobkin_kirkpatrick(world.square, nullptr, nullptr));
          }},
+        {"`bmr_hierarchy_build_compass_with_corners`: a compass of 6 levels for 7",
+         [] {
+             const World world;
+             bmr_hierarchy *made = nullptr;
+             return Said(
+                 bmr_hierarchy_build_compass_with_corners(world.square, world.compass, 7, nullptr, &made));
+         }},
+        {"`bmr_hierarchy_build_compass_with_corners`: for `UINT32_MAX` levels",
+         [] {
+             const World world;
+             bmr_hierarchy *made = nullptr;
+             return Said(bmr_hierarchy_build_compass_with_corners(world.square, world.compass, UINT32_MAX,
+                                                                  nullptr, &made));
+         }},
+        {"`bmr_chains_create`: no hierarchy",
+         [] {
+             bmr_chains *made = nullptr;
+             return Said(bmr_chains_create(nullptr, nullptr, &made));
+         }},
         {"`bmr_hierarchy_copy`: no polygon",
          [] {
              const World world;

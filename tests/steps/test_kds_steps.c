@@ -14,7 +14,7 @@
 #include "kds_driver.h"
 #include "test_scale.h"
 
-/// Blocks for each step reported, at most. Measured: 8 to 20 on average, 141 at most (a rival's walk by one
+/// Blocks for each step reported, at most. Measured: 8 to 42 on average, 141 at most (a rival's walk by one
 /// feature, which looks at some ten conditions); other compilers cut blocks otherwise.
 #define MOST_BLOCKS 256.0
 /// Of the blocks a vertex, from 512 vertices to 32768.
