@@ -186,7 +186,7 @@ bmr_error BuildHierarchy(const bmr_polygon *polygon, bmr_hierarchy **hierarchy) 
 
 void Forget(Hull *hull) {
     FreeSlab(hull->allocator, &hull->slab);
-    hull->shape = {nullptr, nullptr};
+    hull->shape = {};
     hull->members = nullptr;
     hull->memberCount = 0;
     hull->radius = 0.0f;
@@ -208,7 +208,7 @@ bool KeepInSlab(Hull *hull, const std::vector<HullMember> &members, const bmr_po
         Forget(hull);
         return false;
     }
-    hull->shape = {polygon, {}};
+    hull->shape = {polygon, {}, {}};
     if (hierarchy != nullptr)
         hull->shape.hierarchies[bmr_hierarchy_get_kind(hierarchy)] = hierarchy;
     hull->members = static_cast<HullMember *>(kept);

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "hierarchy/tree.h"
+
 uint32_t bmr_walk_side_level(const bmr_hierarchy *hierarchy, int level) {
     const uint32_t depth = bmr_hierarchy_depth(hierarchy);
     return (uint32_t)level < depth ? (uint32_t)level : depth;
@@ -33,7 +35,8 @@ void bmr_walk_start(bmr_walk *walk, bmr_vec2 direction, int level) {
     walk->level = level;
     for (int side = 0; side < 2; ++side) {
         const bmr_hierarchy *h = walk->hierarchies[side];
-        walk->corner[side] = bmr_hierarchy_extreme(h, outward(walk, side), bmr_walk_side_level(h, level));
+        walk->corner[side] =
+            bmr_tree_extreme(h, outward(walk, side), bmr_walk_side_level(h, level), &walk->steps);
     }
 }
 
@@ -41,15 +44,15 @@ void bmr_walk_resume(bmr_walk *walk, int owner, bmr_edge edge, bmr_corner other,
     const bmr_hierarchy *h = walk->hierarchies[owner];
     walk->direction = bmr_walk_normal(walk, owner, edge);
     walk->level = level;
-    walk->corner[owner] = bmr_hierarchy_corner_after(h, edge, bmr_walk_side_level(h, level));
+    walk->corner[owner] = bmr_tree_corner_after(h, edge, bmr_walk_side_level(h, level), &walk->steps);
     walk->corner[1 - owner] = other;
 }
 
 void bmr_walk_refine(bmr_walk *walk) {
     ++walk->level;
     for (int side = 0; side < 2; ++side)
-        walk->corner[side] = bmr_hierarchy_refine(walk->hierarchies[side], walk->corner[side],
-                                                  outward(walk, side), (uint32_t)walk->level);
+        walk->corner[side] = bmr_tree_refine(walk->hierarchies[side], walk->corner[side], outward(walk, side),
+                                             (uint32_t)walk->level, &walk->steps);
 }
 
 void bmr_walk_coarsen(bmr_walk *walk, const bmr_candidate *candidate) {
@@ -57,6 +60,7 @@ void bmr_walk_coarsen(bmr_walk *walk, const bmr_candidate *candidate) {
     for (int side = 0; side < 2; ++side) {
         const bmr_hierarchy *h = walk->hierarchies[side];
         walk->corner[side] = candidate->corner[side];
+        ++walk->steps;
         if ((uint32_t)walk->level <= bmr_hierarchy_depth(h))
             walk->corner[side] = bmr_hierarchy_coarsen(h, walk->corner[side], (uint32_t)walk->level);
     }
@@ -98,8 +102,8 @@ static bmr_candidate next_candidate(const bmr_walk *walk, const outlook *o, int 
 static void pass(bmr_walk *walk, outlook *o, int side, int sense) {
     const bmr_hierarchy *h = walk->hierarchies[side];
     const uint32_t level = bmr_walk_side_level(h, walk->level);
-    walk->corner[side] = sense > 0 ? bmr_hierarchy_corner_after(h, o->edge[side], level)
-                                   : bmr_hierarchy_corner_before(h, o->edge[side], level);
+    walk->corner[side] = sense > 0 ? bmr_tree_corner_after(h, o->edge[side], level, &walk->steps)
+                                   : bmr_tree_corner_before(h, o->edge[side], level, &walk->steps);
     walk->direction = o->normal[side];
     o->point[side] = bmr_walk_point(walk, side, walk->corner[side]);
 }
@@ -112,7 +116,7 @@ static bmr_candidate behind(bmr_walk start, const outlook *first, int sense) {
     return next_candidate(&start, &o, -sense);
 }
 
-bool bmr_walk_climb(bmr_walk *walk, bmr_candidate *best) {
+bool bmr_walk_climb_until(bmr_walk *walk, double enough, bmr_candidate *best) {
     const bmr_walk start = *walk;
     outlook o;
     for (int side = 0; side < 2; ++side)
@@ -125,6 +129,9 @@ bool bmr_walk_climb(bmr_walk *walk, bmr_candidate *best) {
         const bmr_candidate ahead = next_candidate(walk, &o, sense);
         if (i == 0 || ahead.gap > best->gap)
             *best = ahead;
+        ++walk->steps;
+        if (best->gap > enough)
+            return true;
         pass(walk, &o, ahead.owner, sense);
         if (!(bmr_cross(walk->direction, apart(&o)) * sense > 0.0)) { // downhill from here
             // Then the top may be on the first stretch, and the better of its ends the one behind.
@@ -136,4 +143,8 @@ bool bmr_walk_climb(bmr_walk *walk, bmr_candidate *best) {
         look_ahead(walk, &o, ahead.owner, sense);
     }
     return false;
+}
+
+bool bmr_walk_climb(bmr_walk *walk, bmr_candidate *best) {
+    return bmr_walk_climb_until(walk, INFINITY, best);
 }

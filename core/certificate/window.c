@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "geometry/tiny.h"
+#include "geometry/vertex.h"
 
 /// No tangent is turned farther than this (75 degrees) in one go, so that any bracket stays well below 180.
 #define WIDEST_COSINE 0.25881904510252074
@@ -43,12 +44,11 @@ typedef struct turning {
     bmr_vec2 along; ///< the way on the tangent towards the vertices that come next
     bmr_vec2 start; ///< the last vertex on the tangent in that sense
     double limit, cosine;
+    unsigned *steps; ///< counts the edges looked at
 } turning;
 
 static inline uint32_t next_vertex(const bmr_polygon *p, uint32_t i, int sense) {
-    if (sense > 0)
-        return i + 1 < p->count ? i + 1 : 0;
-    return i > 0 ? i - 1 : p->count - 1;
+    return sense > 0 ? bmr_vertex_after(p, i) : bmr_vertex_before(p, i);
 }
 
 /// The vertex `steps` (< count) after the start.
@@ -84,6 +84,7 @@ typedef struct cost {
 /// The cost of turning the tangent until it lies on the edge after `steps` vertices: the height of the two
 /// tangents' meeting point above the chord between their vertices. Infinite where that is too far to turn.
 static cost cost_of(const turning *t, uint32_t steps) {
+    ++*t->steps;
     bmr_vec2 vertex;
     const bmr_vec2 normal = normal_after(t, steps, &vertex);
     cost c = {1.0, 0.0};
@@ -163,11 +164,12 @@ static bmr_vec2 turn_about(const turning *t, uint32_t passed, bmr_vec2 chord) {
 
 /// Turns a tangent as far as the limit and the widest angle allow. *corner: where the two tangents meet.
 static tangent turn(const bmr_polygon *polygon, tangent from, int sense, double limit, double cosine,
-                    bmr_vec2 *corner) {
-    turning t = {polygon, sense, from, bmr_left(from.direction), from.direction, limit, cosine};
+                    bmr_vec2 *corner, unsigned *steps) {
+    turning t = {polygon, sense, from, bmr_left(from.direction), from.direction, limit, cosine, steps};
     if (sense < 0)
         t.along = bmr_neg(t.along);
-    for (uint32_t i = 0; i < polygon->count; ++i) { // a tangent along an edge: go to that edge's far end
+    for (uint32_t i = 0; i < polygon->count;
+         ++i, ++*steps) { // a tangent along an edge: go to that edge's far end
         const uint32_t next = next_vertex(polygon, t.from.vertex, sense);
         const bmr_vec2 e =
             bmr_scale_up_if_tiny(bmr_sub(polygon->vertices[next], polygon->vertices[t.from.vertex]));
@@ -205,22 +207,26 @@ static void make_everywhere(const bmr_polygon *polygon, bmr_window *window) {
 
 void bmr_window_make(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t support, double limit, int lean,
                      bmr_window *window) {
+    window->steps = 1;
     if (polygon->count <= 2) {
         make_everywhere(polygon, window);
         return;
     }
     const tangent middle = {direction, support};
     if (lean == 0) {
-        window->low = turn(polygon, middle, -1, limit, WIDEST_COSINE, &window->corner[0]).direction;
-        window->high = turn(polygon, middle, 1, limit, WIDEST_COSINE, &window->corner[1]).direction;
+        window->low =
+            turn(polygon, middle, -1, limit, WIDEST_COSINE, &window->corner[0], &window->steps).direction;
+        window->high =
+            turn(polygon, middle, 1, limit, WIDEST_COSINE, &window->corner[1], &window->steps).direction;
         const double back = bmr_dot(direction, window->low), on = bmr_dot(direction, window->high);
         window->life = back > on ? back : on;
         return;
     }
     bmr_vec2 unused;
-    const tangent back = turn(polygon, middle, -lean, BACKWARD_PART * limit, BACKWARD_COSINE, &unused);
-    const tangent next = turn(polygon, back, lean, limit, WIDEST_COSINE, &window->corner[0]);
-    const tangent far = turn(polygon, next, lean, limit, WIDEST_COSINE, &window->corner[1]);
+    const tangent back =
+        turn(polygon, middle, -lean, BACKWARD_PART * limit, BACKWARD_COSINE, &unused, &window->steps);
+    const tangent next = turn(polygon, back, lean, limit, WIDEST_COSINE, &window->corner[0], &window->steps);
+    const tangent far = turn(polygon, next, lean, limit, WIDEST_COSINE, &window->corner[1], &window->steps);
     window->low = lean > 0 ? back.direction : far.direction;
     window->high = lean > 0 ? far.direction : back.direction;
     window->life = bmr_dot(direction, far.direction);
@@ -232,6 +238,7 @@ void bmr_window_make(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t su
 
 void bmr_window_make_one(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t support, double limit,
                          int lean, bmr_window *window) {
+    window->steps = 1;
     if (polygon->count <= 2) {
         make_everywhere(polygon, window);
         return;
@@ -239,10 +246,11 @@ void bmr_window_make_one(const bmr_polygon *polygon, bmr_vec2 direction, uint32_
     const int sense = lean < 0 ? -1 : 1;
     bmr_vec2 unused;
     const tangent middle = {direction, support};
-    const tangent back = lean == 0
-                             ? turn(polygon, middle, -sense, HALF_PART * limit, WIDEST_COSINE, &unused)
-                             : turn(polygon, middle, -sense, BACKWARD_PART * limit, BACKWARD_COSINE, &unused);
-    const tangent far = turn(polygon, back, sense, limit, WIDEST_COSINE, &window->corner[0]);
+    const tangent back =
+        lean == 0
+            ? turn(polygon, middle, -sense, HALF_PART * limit, WIDEST_COSINE, &unused, &window->steps)
+            : turn(polygon, middle, -sense, BACKWARD_PART * limit, BACKWARD_COSINE, &unused, &window->steps);
+    const tangent far = turn(polygon, back, sense, limit, WIDEST_COSINE, &window->corner[0], &window->steps);
     window->corner[1] = window->corner[0];
     window->low = sense > 0 ? back.direction : far.direction;
     window->high = sense > 0 ? far.direction : back.direction;

@@ -12,6 +12,7 @@ typedef struct bmr_window {
     /// Cosine of the angle by which the direction may turn before it leaves the bracket; less is better, -2
     /// if it never does.
     double life;
+    unsigned steps; ///< edges that were looked at for it
 } bmr_window;
 
 /// A window of `polygon` around `direction` (unit length), whose support vertex is `support`: the two points

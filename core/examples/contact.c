@@ -6,7 +6,7 @@
 
 int main(void) {
     const bmr_vec2 points[4] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
-    bmr_shape box = {NULL, {NULL}};
+    bmr_shape box = {.polygon = NULL};
     bmr_polygon *polygon = NULL;
     bmr_motion *rests = NULL, *comes = NULL;
     const bmr_motion_piece rest = bmr_piece_rest(bmr_pose_identity());

@@ -42,7 +42,7 @@ int main(void) {
         bodies[i].a = i;
         bodies[i].b = i + 1;
     }
-    const bmr_shape shape = {polygon, {NULL}};
+    const bmr_shape shape = {.polygon = polygon};
     bmr_pair_def def = bmr_default_pair_def();
     def.structure = BMR_FREE_DIRECTION;
     for (int step = 0; step < 4; ++step) {

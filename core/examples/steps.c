@@ -12,7 +12,8 @@ int main(void) {
     if (bmr_polygon_create(rhomb, 4, NULL, &polygons[0]) != BMR_OK ||
         bmr_polygon_create(box, 4, NULL, &polygons[1]) != BMR_OK)
         return 1;
-    const bmr_shape a = {polygons[0], {NULL}}, b = {polygons[1], {NULL}}; // free directions need no hierarchy
+    const bmr_shape a = {.polygon = polygons[0]},
+                    b = {.polygon = polygons[1]}; // free directions need no hierarchy
     bmr_pair_def def = bmr_default_pair_def();
     def.structure = BMR_FREE_DIRECTION;
     def.margin = 0.01;

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "boomerang/polygon.h"
+#include "geometry/distance.h"
 #include "geometry/predicates.h"
 #include "geometry/tiny.h"
 
@@ -27,7 +28,7 @@ bmr_vec2 bmr_polygon_normal(const bmr_polygon *polygon, uint32_t edge) {
     return bmr_vec2_make(e.y / length, -e.x / length);
 }
 
-uint32_t bmr_polygon_support(const bmr_polygon *polygon, bmr_vec2 direction) {
+uint32_t bmr_support_counted(const bmr_polygon *polygon, bmr_vec2 direction, unsigned *steps) {
     const bmr_vec2 d = bmr_scale_up_if_tiny(direction);
     // Along the right chain, lowest to highest, the angles of the edges rise through [0, 180) degrees; along
     // the left one through [180, 360). The chain that holds the angle of `direction` + 90 degrees holds the
@@ -39,6 +40,7 @@ uint32_t bmr_polygon_support(const bmr_polygon *polygon, bmr_vec2 direction) {
     const uint32_t last = right ? polygon->highest : polygon->lowest;
     uint32_t low = 0, high = last >= first ? last - first : last + n - first;
     while (low < high) {
+        ++*steps;
         const uint32_t middle = low + (high - low) / 2;
         const uint32_t i = first + middle;
         if (ascends(polygon, i < n ? i : i - n, d))
@@ -50,6 +52,11 @@ uint32_t bmr_polygon_support(const bmr_polygon *polygon, bmr_vec2 direction) {
     return answer < n ? answer : answer - n;
 }
 
+uint32_t bmr_polygon_support(const bmr_polygon *polygon, bmr_vec2 direction) {
+    unsigned unused = 0;
+    return bmr_support_counted(polygon, direction, &unused);
+}
+
 /// Is the vertex surely on the upper side? The centre of the disk is inside the polygon up to rounding. (A
 /// climb can stop at the bottom when both edges there are level up to rounding, and must not be believed.)
 static inline bool surely_upper(const bmr_polygon *p, uint32_t i, bmr_vec2 d) {
@@ -57,26 +64,33 @@ static inline bool surely_upper(const bmr_polygon *p, uint32_t i, bmr_vec2 d) {
     return rise > SUPPORT_ROUNDING * p->extent * (fabs(d.x) + fabs(d.y));
 }
 
-uint32_t bmr_polygon_support_from(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t hint) {
+uint32_t bmr_support_from_counted(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t hint,
+                                  unsigned *steps) {
     const uint32_t n = polygon->count;
     uint32_t i = hint < n ? hint : hint % n;
     const bmr_vec2 d = bmr_scale_up_if_tiny(direction);
     if (!(d.x != 0.0 || d.y != 0.0) || d.x != d.x || d.y != d.y)
         return i;
     if (n <= 2) // both edges of a segment may be level: nothing to climb
-        return bmr_polygon_support(polygon, d);
+        return bmr_support_counted(polygon, d, steps);
+    ++*steps;
     if (ascends(polygon, i, d)) {
-        for (uint32_t step = 0; step < n && ascends(polygon, i, d); ++step)
+        for (uint32_t step = 0; step < n && ascends(polygon, i, d); ++step, ++*steps)
             i = i + 1 < n ? i + 1 : 0;
     } else {
-        for (uint32_t step = 0; step < n; ++step) {
+        for (uint32_t step = 0; step < n; ++step, ++*steps) {
             const uint32_t before = i > 0 ? i - 1 : n - 1;
             if (ascends(polygon, before, d))
                 break;
             i = before;
         }
     }
-    return surely_upper(polygon, i, d) ? i : bmr_polygon_support(polygon, d);
+    return surely_upper(polygon, i, d) ? i : bmr_support_counted(polygon, d, steps);
+}
+
+uint32_t bmr_polygon_support_from(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t hint) {
+    unsigned unused = 0;
+    return bmr_support_from_counted(polygon, direction, hint, &unused);
 }
 
 /// At most `tolerance` beyond every edge's line; of a segment also beyond its ends.

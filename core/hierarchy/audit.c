@@ -61,11 +61,16 @@ static bool is_support_line(const audit *a, bmr_edge id) {
            bmr_dot(line.normal, p->vertices[after]) - line.offset <= a->rounding;
 }
 
+/// How many levels of a compass are cut by direction.
+static uint32_t compass_levels(const bmr_hierarchy *h) {
+    const uint32_t log = bmr_ceil_log2(h->polygon->count);
+    return log > h->corner_levels ? log : h->corner_levels;
+}
+
 /// An edge of the upper levels of a compass is the bisector of its outer edges.
 static bool is_bisector(const bmr_hierarchy *h, bmr_edge id) {
     const bmr_node *node = &h->nodes[id];
-    if (h->kind != BMR_HIERARCHY_COMPASS || node->level == 0 ||
-        node->level > bmr_ceil_log2(h->polygon->count))
+    if (h->kind != BMR_HIERARCHY_COMPASS || node->level == 0 || node->level > compass_levels(h))
         return true;
     const bmr_vec2 n = bmr_hierarchy_line(h, id).normal;
     const bmr_vec2 before = bmr_hierarchy_line(h, (bmr_edge)node->outer_before).normal;
@@ -152,7 +157,7 @@ static bool is_envelope(const audit *a, uint32_t level) {
 /// than these.
 static bool is_shallow(const bmr_hierarchy *h) {
     const uint32_t log = bmr_ceil_log2(h->polygon->count);
-    const uint32_t most[BMR_HIERARCHY_KIND_COUNT] = {2 * log, log + 1, log};
+    const uint32_t most[BMR_HIERARCHY_KIND_COUNT] = {compass_levels(h) + log, log + 1, log};
     return h->depth <= most[h->kind];
 }
 

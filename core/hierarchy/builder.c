@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "geometry/memory.h"
+#include "geometry/vertex.h"
 
 uint32_t bmr_ceil_log2(uint32_t n) {
     uint32_t k = 0;
@@ -66,22 +67,28 @@ typedef struct work {
     uint32_t degenerate; ///< nodes that are neither roots nor own edges
 } work;
 
-static uint32_t next_vertex(const bmr_polygon *p, uint32_t i) {
-    return i + 1 < p->count ? i + 1 : 0;
-}
-
 static uint32_t last_touch(const work *w, uint32_t id) {
     const bmr_node *node = &w->nodes[id];
-    return node->wide ? next_vertex(w->build->polygon, (uint32_t)node->touch) : (uint32_t)node->touch;
+    return node->wide ? bmr_vertex_after(w->build->polygon, (uint32_t)node->touch) : (uint32_t)node->touch;
+}
+
+static uint64_t level_of_cut(const work *w, const pending *boomerang) {
+    const uint64_t before = w->nodes[boomerang->before].level, after = w->nodes[boomerang->after].level;
+    return (before > after ? before : after) + 1;
 }
 
 /// Queues a boomerang for its cut and returns the id of the node to be, or BMR_NO_CHILD if there is nothing
-/// to cut: the two outer edges touch the same vertex (height 0), or every edge between them agrees with one
-/// of them.
+/// to cut: the two outer edges touch the same vertex (height 0) below the levels that cut these, too, or
+/// every edge between them agrees with one of them.
 static uint32_t enqueue(work *w, pending boomerang) {
     const bmr_item *items = w->build->items;
-    if (last_touch(w, boomerang.before) == w->nodes[boomerang.after].touch)
-        return BMR_NO_CHILD;
+    if (last_touch(w, boomerang.before) == w->nodes[boomerang.after].touch) {
+        if (level_of_cut(w, &boomerang) > w->build->corner_levels)
+            return BMR_NO_CHILD;
+        boomerang.high = boomerang.low; // what is left agrees with one of the outer edges
+        w->queue[w->queued] = boomerang;
+        return BMR_ROOTS + w->queued++;
+    }
     const bmr_vec2 before = w->normals[boomerang.before], after = w->normals[boomerang.after];
     while (boomerang.low < boomerang.high && agree(before, items[boomerang.low].normal, BMR_MERGE_ANGLE))
         ++boomerang.low;
@@ -112,8 +119,9 @@ static uint32_t cut_by_compass(work *w, const pending *b, bmr_node *node, bmr_ve
     const uint32_t direction = (BMR_ROOTS << (node->level - 1)) + b->position;
     *normal = build->compass->directions[direction];
     const uint32_t split = first_item_after(items, b->low, b->high, *normal);
-    uint32_t touch =
-        split < b->high ? items[split].touch : next_vertex(build->polygon, items[split - 1].touch);
+    uint32_t touch = split < b->high  ? items[split].touch
+                     : split > b->low ? bmr_vertex_after(build->polygon, items[split - 1].touch)
+                                      : last_touch(w, b->before); // a vertex: no items
     bool wide = false;
     if (split > b->low && agree(items[split - 1].normal, *normal, BMR_SAME_ANGLE)) {
         touch = items[split - 1].touch;
@@ -139,12 +147,11 @@ static void cut_by_item(work *w, const bmr_item *item, bmr_node *node, bmr_vec2 
 static void cut(work *w, uint32_t index) {
     const pending b = w->queue[index];
     const uint32_t id = BMR_ROOTS + index;
-    const uint64_t level_before = w->nodes[b.before].level, level_after = w->nodes[b.after].level;
     bmr_node *node = &w->nodes[id];
     memset(node, 0, sizeof *node);
     node->outer_before = ID(b.before);
     node->outer_after = ID(b.after);
-    node->level = ((level_before > level_after ? level_before : level_after) + 1) & 63u;
+    node->level = level_of_cut(w, &b) & 63u;
     uint32_t low_end, high_begin;
     if (node->level <= w->build->compass_levels) {
         low_end = high_begin = cut_by_compass(w, &b, node, &w->normals[id]);
@@ -202,13 +209,12 @@ static void make_tree(work *w) {
         cut(w, i);
 }
 
-/// An upper bound for the number of cuts. On each compass level the boomerangs that are cut hold different
-/// edges.
-static size_t most_cuts(const bmr_build *build) {
-    size_t most = build->item_count;
-    for (uint32_t level = 1; level <= build->compass_levels; ++level) {
+/// On each compass level the boomerangs that are cut hold different edges, where vertices are not cut.
+size_t bmr_most_cuts(size_t items, uint32_t compass_levels, uint32_t corner_levels) {
+    size_t most = items;
+    for (uint32_t level = 1; level <= compass_levels; ++level) {
         const size_t all = (size_t)BMR_ROOTS << (level - 1);
-        most += all < build->item_count ? all : build->item_count;
+        most += level <= corner_levels || all < items ? all : items;
     }
     return most;
 }
@@ -232,7 +238,8 @@ static bmr_error keep_tree(const work *w, const bmr_allocator *allocator, bmr_hi
     bmr_hierarchy head = {0};
     head.polygon = w->build->polygon;
     head.stamp = w->build->polygon->stamp;
-    head.kind = (uint16_t)w->build->kind;
+    head.kind = (uint8_t)w->build->kind;
+    head.corner_levels = (uint8_t)w->build->corner_levels;
     head.count = BMR_ROOTS + w->queued;
     head.direction_count = w->build->compass ? 0 : BMR_ROOTS + w->degenerate;
     head.depth = (uint16_t)w->nodes[head.count - 1].level; // breadth-first: the last is a deepest
@@ -250,7 +257,8 @@ static bmr_error keep_tree(const work *w, const bmr_allocator *allocator, bmr_hi
 }
 
 bmr_error bmr_build_tree(const bmr_build *build, const bmr_allocator *allocator, bmr_hierarchy **hierarchy) {
-    const size_t cuts = most_cuts(build), nodes = BMR_ROOTS + cuts;
+    const size_t cuts = bmr_most_cuts(build->item_count, build->compass_levels, build->corner_levels),
+                 nodes = BMR_ROOTS + cuts;
     const size_t size = nodes * (sizeof(bmr_node) + sizeof(bmr_vec2)) + cuts * sizeof(pending);
     char *scratch = bmr_allocate(allocator, size);
     if (!scratch)

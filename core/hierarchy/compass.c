@@ -65,9 +65,17 @@ void bmr_compass_destroy(bmr_compass *compass, const bmr_allocator *allocator) {
 /// Lemma 3.3(b): O(sqrt(D/s) log(D/s)) compass boomerangs are at least s high.
 bmr_error bmr_hierarchy_build_compass(const bmr_polygon *polygon, const bmr_compass *compass,
                                       const bmr_allocator *allocator, bmr_hierarchy **hierarchy) {
+    return bmr_hierarchy_build_compass_with_corners(polygon, compass, 0, allocator, hierarchy);
+}
+
+/// Section 6, tuning: with richer roots and slower offsets beta nears 1 and kappa nears 3.
+bmr_error bmr_hierarchy_build_compass_with_corners(const bmr_polygon *polygon, const bmr_compass *compass,
+                                                   uint32_t corner_levels, const bmr_allocator *allocator,
+                                                   bmr_hierarchy **hierarchy) {
     if (!polygon || !compass || !hierarchy)
         return BMR_ERROR_NULL_ARGUMENT;
-    const uint32_t levels = bmr_ceil_log2(polygon->count);
+    const uint32_t needed = bmr_ceil_log2(polygon->count),
+                   levels = needed > corner_levels ? needed : corner_levels;
     if (compass->levels < levels)
         return BMR_ERROR_TABLE_TOO_SMALL;
     const size_t size = polygon->count * sizeof(bmr_item);
@@ -76,7 +84,7 @@ bmr_error bmr_hierarchy_build_compass(const bmr_polygon *polygon, const bmr_comp
         return BMR_ERROR_NO_MEMORY;
     const uint32_t count = bmr_items_of_edges(polygon, items);
     bmr_items_start_at_east(items, count);
-    const bmr_build build = {polygon, BMR_HIERARCHY_COMPASS, items, count, compass, levels};
+    const bmr_build build = {polygon, BMR_HIERARCHY_COMPASS, items, count, compass, levels, corner_levels};
     const bmr_error error = bmr_build_tree(&build, allocator, hierarchy);
     bmr_release(allocator, items, size);
     return error;

@@ -3,6 +3,7 @@
 #include <stdbool.h>
 
 #include "geometry/memory.h"
+#include "geometry/vertex.h"
 #include "hierarchy/builder.h"
 
 #define FULL_TURN 6.28318530717958647693
@@ -22,10 +23,6 @@ static bmr_vec2 sample_point(const bmr_polygon *p, uint32_t j) {
     return bmr_vec2_make(p->center.x + radius * cos(angle), p->center.y + radius * sin(angle));
 }
 
-static uint32_t next_vertex(const bmr_polygon *p, uint32_t i) {
-    return i + 1 < p->count ? i + 1 : 0;
-}
-
 static feature nearest_by_search(const bmr_polygon *p, bmr_vec2 x) {
     feature nearest = 0;
     double least = INFINITY;
@@ -36,7 +33,8 @@ static feature nearest_by_search(const bmr_polygon *p, bmr_vec2 x) {
             least = to_vertex;
             nearest = 2 * i;
         }
-        if (!bmr_tree_beyond(p, i, r) || bmr_tree_beyond(p, i, bmr_sub(x, p->vertices[next_vertex(p, i)])))
+        if (!bmr_tree_beyond(p, i, r) ||
+            bmr_tree_beyond(p, i, bmr_sub(x, p->vertices[bmr_vertex_after(p, i)])))
             continue;
         const double to_line = bmr_dot(r, bmr_polygon_normal(p, i));
         if (to_line > 0.0 && to_line < least) {
@@ -52,7 +50,7 @@ static feature nearest_by_search(const bmr_polygon *p, bmr_vec2 x) {
 static feature nearest_by_walk(const bmr_polygon *p, bmr_vec2 x, feature at) {
     for (uint32_t step = 0; step < 2 * p->count; ++step) {
         const uint32_t i = at / 2;
-        const uint32_t corner = at % 2 ? next_vertex(p, i) : i;
+        const uint32_t corner = at % 2 ? bmr_vertex_after(p, i) : i;
         // The border between a vertex and an edge is the ray from the vertex along the edge's normal.
         if (!bmr_tree_beyond(p, i, bmr_sub(x, p->vertices[corner])))
             break;
@@ -150,7 +148,7 @@ bmr_error bmr_hierarchy_build_dudley(const bmr_polygon *polygon, const bmr_alloc
         count = collect_items(polygon, features, items);
         bmr_items_start_at_east(items, count);
     }
-    const bmr_build build = {polygon, BMR_HIERARCHY_DUDLEY, items, count, NULL, 0};
+    const bmr_build build = {polygon, BMR_HIERARCHY_DUDLEY, items, count, NULL, 0, 0};
     const bmr_error error = bmr_build_tree(&build, allocator, hierarchy);
     bmr_release(allocator, items, size);
     return error;

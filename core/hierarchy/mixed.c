@@ -7,7 +7,7 @@
 #include "hierarchy/tree.h"
 
 bmr_mixed bmr_mixed_make(const bmr_hierarchy *a, const bmr_hierarchy *b, double c, double s, double offset) {
-    const bmr_mixed mixed = {{a, b}, c, s, offset};
+    const bmr_mixed mixed = {{a, b}, c, s, offset, NULL};
     return mixed;
 }
 
@@ -82,8 +82,10 @@ bmr_corner bmr_mixed_around(const bmr_mixed *mixed, int body, bmr_edge edge, uin
                                      bmr_mixed_precedes(mixed, 1 - body, edge, root + 1)))
         ++root;
     bmr_corner corner = bmr_hierarchy_corner(h, root, (root + 1) % BMR_ROOTS);
+    bmr_mixed_count(mixed, 1);
     while (corner.cut != BMR_NO_EDGE && h->nodes[corner.cut].level <= level) {
         const bmr_node *node = &h->nodes[corner.cut];
+        bmr_mixed_count(mixed, 1);
         if (bmr_mixed_precedes(mixed, body, corner.cut, edge)) {
             corner.before = corner.cut;
             corner.cut = bmr_tree_link(node->child_after);
@@ -106,6 +108,7 @@ static outer outer_of(const bmr_mixed *mixed, const bmr_mixed_cell *cell) {
     return o;
 }
 
+/// Section 5, collapse events: the point has left a cell before it collapses.
 /// Lemma 4.2: a full turn of Q turns O(mn log m) pages.
 void bmr_mixed_orders(const bmr_mixed *mixed, const bmr_mixed_cell *cell, bmr_mixed_order orders[2]) {
     const uint8_t x = cell->owner, y = (uint8_t)(1 - x);
@@ -136,8 +139,10 @@ static void chain_corners(const bmr_mixed *mixed, const bmr_mixed_cell *cell, bm
                           bmr_edge *after) {
     const int y = 1 - cell->owner;
     const uint32_t level = bmr_mixed_level(y, bmr_mixed_stage(mixed, cell));
-    *before = bmr_hierarchy_corner_before(mixed->hierarchies[y], cell->other[0], level).before;
-    *after = bmr_hierarchy_corner_after(mixed->hierarchies[y], cell->other[0], level).after;
+    unsigned steps = 0;
+    *before = bmr_tree_corner_before(mixed->hierarchies[y], cell->other[0], level, &steps).before;
+    *after = bmr_tree_corner_after(mixed->hierarchies[y], cell->other[0], level, &steps).after;
+    bmr_mixed_count(mixed, steps);
 }
 
 /// Names for the places in a figure.
@@ -196,6 +201,7 @@ static bmr_vec2 figure_corner(const bmr_mixed *mixed, const bmr_mixed_figure *f,
 }
 
 void bmr_mixed_draw(const bmr_mixed *mixed, const bmr_mixed_cell *cell, bmr_mixed_figure *f) {
+    bmr_mixed_count(mixed, 1);
     f->parts = parts[cell->kind];
     f->sides = part_counts[cell->kind];
     f->owner = cell->owner;
@@ -381,13 +387,15 @@ bmr_mixed_cell bmr_mixed_down(const bmr_mixed *mixed, int body, bmr_edge g, cons
                               int32_t stage, const bmr_mixed_ray *ray, unsigned *touched) {
     const bmr_hierarchy *h = mixed->hierarchies[body];
     const uint32_t level = bmr_mixed_level(body, stage);
+    unsigned steps = 0;
     descent d = {mixed,
                  ray,
                  body,
                  g,
-                 bmr_hierarchy_corner_before(h, g, level),
-                 bmr_hierarchy_corner_after(h, g, level),
+                 bmr_tree_corner_before(h, g, level, &steps),
+                 bmr_tree_corner_after(h, g, level, &steps),
                  bmr_hierarchy_corner(mixed->hierarchies[1 - body], w[0], w[1])};
+    bmr_mixed_count(mixed, steps);
     bmr_mixed_cell cell = bmr_mixed_cell_make(BMR_MIXED_INSIDE, 0, BMR_NO_EDGE, BMR_NO_EDGE, BMR_NO_EDGE);
     for (; d.before.cut != BMR_NO_EDGE || d.after.cut != BMR_NO_EDGE || d.w.cut != BMR_NO_EDGE; ++stage) {
         if (touched)

@@ -23,6 +23,11 @@ static inline bmr_vec2 bmr_mixed_into_a(const bmr_mixed *mixed, int body, bmr_ve
     return bmr_vec2_make(mixed->s * v.y - mixed->c * v.x, -(mixed->s * v.x + mixed->c * v.y));
 }
 
+static inline void bmr_mixed_count(const bmr_mixed *mixed, unsigned steps) {
+    if (mixed->steps)
+        *mixed->steps += steps;
+}
+
 /// The level of a body in M_s.
 static inline uint32_t bmr_mixed_level(int body, int32_t stage) {
     return (uint32_t)(stage + 1 - body) / 2u;

@@ -32,6 +32,8 @@ typedef struct bmr_mixed {
     /// of two larger polygons, each corner out by at most sqrt(2) times as much, and to be outside proves the
     /// pair twice the offset apart.
     double offset;
+    /// Increased by the nodes of the hierarchies and the cells that all queries look at; NULL: not counted.
+    unsigned *steps;
 } bmr_mixed;
 bmr_mixed bmr_mixed_make(const bmr_hierarchy *a, const bmr_hierarchy *b, double c, double s, double offset);
 

@@ -167,6 +167,7 @@ static void list_below(bmr_mixed_tiling *tiling) {
 void bmr_mixed_tiling_build(bmr_mixed_tiling *tiling, const bmr_mixed *mixed, size_t bytes) {
     memset(tiling, 0, sizeof *tiling);
     tiling->mixed = *mixed;
+    tiling->mixed.steps = NULL;
     tiling->bytes = bytes;
     tiling->edges[0] = mixed->hierarchies[0]->count;
     tiling->edges[1] = mixed->hierarchies[1]->count;
@@ -257,15 +258,15 @@ const uint32_t *bmr_mixed_tiling_below(const bmr_mixed_tiling *tiling, uint32_t 
 // --- walks ---
 
 /// The tile of those below another through whose side on it the ray comes in.
-static uint32_t enter_below(const bmr_mixed_tiling *tiling, uint32_t upper, const bmr_mixed_ray *ray,
-                            unsigned *touched) {
+static uint32_t enter_below(const bmr_mixed_tiling *tiling, const bmr_mixed *mixed, uint32_t upper,
+                            const bmr_mixed_ray *ray, unsigned *touched) {
     uint32_t count;
     const uint32_t *list = bmr_mixed_tiling_below(tiling, upper, &count);
     for (uint32_t k = 0; k < count; ++k) {
         bmr_mixed_figure figure;
         bmr_vec2 corners[BMR_MIXED_MAX_SIDES];
-        bmr_mixed_draw(&tiling->mixed, &tiling->cells[list[k]], &figure);
-        bmr_mixed_figure_polygon(&tiling->mixed, &tiling->cells[list[k]], &figure, corners);
+        bmr_mixed_draw(mixed, &tiling->cells[list[k]], &figure);
+        bmr_mixed_figure_polygon(mixed, &tiling->cells[list[k]], &figure, corners);
         const size_t n = figure.sides;
         if (touched)
             ++*touched;
@@ -281,10 +282,12 @@ static uint32_t enter_below(const bmr_mixed_tiling *tiling, uint32_t upper, cons
 
 bool bmr_mixed_tiling_walk(const bmr_mixed_tiling *tiling, uint32_t *tile, bmr_mixed_kind *kind,
                            bmr_vec2 from, bmr_vec2 to, unsigned *touched) {
-    const bmr_mixed *mixed = &tiling->mixed;
+    bmr_mixed counted = tiling->mixed;
+    counted.steps = touched;
+    const bmr_mixed *mixed = &counted;
     const bmr_mixed_ray ray = {from, bmr_sub(to, from)};
     if (*tile == BMR_MIXED_NO_TILE) {
-        *tile = enter_below(tiling, BMR_MIXED_NO_TILE, &ray, touched);
+        *tile = enter_below(tiling, mixed, BMR_MIXED_NO_TILE, &ray, touched);
         if (*tile == BMR_MIXED_NO_TILE) {
             const bmr_mixed_cell met = bmr_mixed_enter(mixed, &ray, NULL);
             *kind = met.kind == BMR_MIXED_OUTSIDE ? BMR_MIXED_OUTSIDE : BMR_MIXED_INSIDE;
@@ -304,7 +307,7 @@ bool bmr_mixed_tiling_walk(const bmr_mixed_tiling *tiling, uint32_t *tile, bmr_m
             ++*touched;
         const bmr_mixed_role role = (bmr_mixed_role)figure.parts[exit].role;
         *kind = role == BMR_MIXED_INNER ? BMR_MIXED_INSIDE : BMR_MIXED_OUTSIDE;
-        *tile = role == BMR_MIXED_INNER ? enter_below(tiling, *tile, &ray, touched)
+        *tile = role == BMR_MIXED_INNER ? enter_below(tiling, mixed, *tile, &ray, touched)
                                         : bmr_mixed_tiling_across(tiling, *tile, role);
     }
     return true;

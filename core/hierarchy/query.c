@@ -48,10 +48,13 @@ bmr_corner bmr_hierarchy_corner(const bmr_hierarchy *hierarchy, bmr_edge before,
     return corner;
 }
 
-bmr_corner bmr_hierarchy_corner_after(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level) {
+bmr_corner bmr_tree_corner_after(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level,
+                                 unsigned *steps) {
     const bmr_node *nodes = hierarchy->nodes;
     uint64_t after = nodes[edge].outer_after, cut = nodes[edge].child_after;
+    ++*steps;
     while (cut != BMR_NO_CHILD && nodes[cut].level <= level) {
+        ++*steps;
         after = cut;
         cut = nodes[cut].child_before;
     }
@@ -59,10 +62,13 @@ bmr_corner bmr_hierarchy_corner_after(const bmr_hierarchy *hierarchy, bmr_edge e
     return corner;
 }
 
-bmr_corner bmr_hierarchy_corner_before(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level) {
+bmr_corner bmr_tree_corner_before(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level,
+                                  unsigned *steps) {
     const bmr_node *nodes = hierarchy->nodes;
     uint64_t before = nodes[edge].outer_before, cut = nodes[edge].child_before;
+    ++*steps;
     while (cut != BMR_NO_CHILD && nodes[cut].level <= level) {
+        ++*steps;
         before = cut;
         cut = nodes[cut].child_after;
     }
@@ -70,12 +76,14 @@ bmr_corner bmr_hierarchy_corner_before(const bmr_hierarchy *hierarchy, bmr_edge 
     return corner;
 }
 
-bmr_corner bmr_hierarchy_refine(const bmr_hierarchy *hierarchy, bmr_corner corner, bmr_vec2 direction,
-                                uint32_t to_level) {
+bmr_corner bmr_tree_refine(const bmr_hierarchy *hierarchy, bmr_corner corner, bmr_vec2 direction,
+                           uint32_t to_level, unsigned *steps) {
+    ++*steps;
     while (corner.cut != BMR_NO_EDGE) {
         const bmr_node *node = &hierarchy->nodes[corner.cut];
         if (node->level > to_level)
             break;
+        ++*steps;
         // A tie goes to the corner after the cut, which has the tied edge as its `before`.
         if (bmr_cross(bmr_tree_normal(hierarchy, node), direction) >= 0.0) {
             corner.before = corner.cut;
@@ -88,12 +96,34 @@ bmr_corner bmr_hierarchy_refine(const bmr_hierarchy *hierarchy, bmr_corner corne
     return corner;
 }
 
+bmr_corner bmr_tree_extreme(const bmr_hierarchy *hierarchy, bmr_vec2 direction, uint32_t level,
+                            unsigned *steps) {
+    const bmr_edge root = bmr_tree_quadrant(direction);
+    const bmr_corner top = {root, (root + 1) % BMR_ROOTS, bmr_tree_link(hierarchy->nodes[root].child_after)};
+    return bmr_tree_refine(hierarchy, top, direction, level, steps);
+}
+
+bmr_corner bmr_hierarchy_corner_after(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level) {
+    unsigned unused = 0;
+    return bmr_tree_corner_after(hierarchy, edge, level, &unused);
+}
+
+bmr_corner bmr_hierarchy_corner_before(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level) {
+    unsigned unused = 0;
+    return bmr_tree_corner_before(hierarchy, edge, level, &unused);
+}
+
+bmr_corner bmr_hierarchy_refine(const bmr_hierarchy *hierarchy, bmr_corner corner, bmr_vec2 direction,
+                                uint32_t to_level) {
+    unsigned unused = 0;
+    return bmr_tree_refine(hierarchy, corner, direction, to_level, &unused);
+}
+
 /// Lemma 3.3(d): at distance s, compass envelopes of O(log(D/s)) edges are disjoint.
 /// Lemma 3.4(d): at distance s, Dudley envelopes of O(log(D/s)) edges are disjoint.
 bmr_corner bmr_hierarchy_extreme(const bmr_hierarchy *hierarchy, bmr_vec2 direction, uint32_t level) {
-    const bmr_edge root = bmr_tree_quadrant(direction);
-    const bmr_corner top = {root, (root + 1) % BMR_ROOTS, bmr_tree_link(hierarchy->nodes[root].child_after)};
-    return bmr_hierarchy_refine(hierarchy, top, direction, level);
+    unsigned unused = 0;
+    return bmr_tree_extreme(hierarchy, direction, level, &unused);
 }
 
 bmr_corner bmr_hierarchy_coarsen(const bmr_hierarchy *hierarchy, bmr_corner corner, uint32_t level) {

@@ -44,8 +44,9 @@ struct bmr_hierarchy {
     uint32_t count;
     uint32_t direction_count; ///< how many are in this block
     uint16_t depth;
-    uint16_t kind;
-    uint32_t stamp; ///< the polygon's when this was built: another may lie at its address by now
+    uint8_t kind;
+    uint8_t corner_levels; ///< how many levels cut vertices, too
+    uint32_t stamp;        ///< the polygon's when this was built: another may lie at its address by now
     bmr_node nodes[];
 };
 
@@ -103,5 +104,15 @@ static inline bmr_edge bmr_tree_quadrant(bmr_vec2 d) {
 /// Where the lines of two adjacent edges meet: from p = the last touch of `a` along a's line, so that the
 /// error is relative to the distance of the two touch vertices however nearly parallel the lines are.
 bmr_vec2 bmr_tree_meet(const bmr_hierarchy *h, const bmr_node *a, const bmr_node *b);
+
+/// The queries of boomerang/hierarchy.h of the same names; `steps` is increased by the nodes looked at.
+bmr_corner bmr_tree_corner_after(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level,
+                                 unsigned *steps);
+bmr_corner bmr_tree_corner_before(const bmr_hierarchy *hierarchy, bmr_edge edge, uint32_t level,
+                                  unsigned *steps);
+bmr_corner bmr_tree_refine(const bmr_hierarchy *hierarchy, bmr_corner corner, bmr_vec2 direction,
+                           uint32_t to_level, unsigned *steps);
+bmr_corner bmr_tree_extreme(const bmr_hierarchy *hierarchy, bmr_vec2 direction, uint32_t level,
+                            unsigned *steps);
 
 #endif

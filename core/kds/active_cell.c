@@ -305,10 +305,11 @@ static void set_rotation(bmr_kds *kds, const bmr_pose *ahead) {
         return;
     s->tiling = (bmr_mixed_tiling *)(void *)s->block;
     bmr_mixed_tiling_build(s->tiling, &s->held.mixed, kds->bytes - sizeof(bmr_kds) - sizeof *s);
+    bmr_kds_tally(kds, bmr_mixed_tiling_count(s->tiling));
     s->tile = bmr_mixed_tiling_find(s->tiling, &s->held.cell);
 }
 
-static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+static bool find(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
     cell_state *s = state_of(kds);
     const bmr_pose ahead = look_ahead(s, now, NULL), q = bmr_held_displaced(&s->held, &ahead);
     set_rotation(kds, &q);
@@ -316,6 +317,13 @@ static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) 
         return false;
     report->level_after = level_of(s);
     return true;
+}
+
+static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+    state_of(kds)->held.mixed.steps = kds->steps;
+    const bool apart = find(kds, now, report);
+    state_of(kds)->held.mixed.steps = NULL;
+    return apart;
 }
 
 /// What the failure of a condition is called.
@@ -363,9 +371,7 @@ static bool leave_cell(bmr_kds *kds, const cell_state *left, const bmr_condition
     return !same_cell(left, s) || force_over(kds, failed, x, touched);
 }
 
-/// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
-/// Theorem 5.3: rigid motions: O(log min{n, D/s}) an event, O(mu^2) events.
-static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+static bool mend(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     cell_state *s = state_of(kds);
     bmr_condition held[BMR_KDS_MAX_CONDITIONS];
     const size_t count = conditions(kds, held);
@@ -393,6 +399,15 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     report->level_after = level_of(s);
     report->line_changed = !same_line(&before, s);
     return true;
+}
+
+/// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
+/// Theorem 5.3: rigid motions: O(log min{n, D/s}) an event, O(mu^2) events.
+static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+    state_of(kds)->held.mixed.steps = kds->steps;
+    const bool apart = mend(kds, now, failed, report);
+    state_of(kds)->held.mixed.steps = NULL;
+    return apart;
 }
 
 static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {

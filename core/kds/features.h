@@ -2,6 +2,7 @@
 #ifndef BMR_KDS_FEATURES_H
 #define BMR_KDS_FEATURES_H
 
+#include "geometry/vertex.h"
 #include "kds/structure.h"
 #include "kds/windowed_line.h"
 
@@ -61,12 +62,6 @@ double bmr_cone_overlap(const bmr_polygon *p, uint32_t i);
 
 static inline bmr_vec2 bmr_turned_slightly(bmr_vec2 v, double angle) {
     return bmr_add(v, bmr_scale(angle, bmr_left(v)));
-}
-static inline uint32_t bmr_vertex_after(const bmr_polygon *p, uint32_t i) {
-    return i + 1 < p->count ? i + 1 : 0;
-}
-static inline uint32_t bmr_vertex_before(const bmr_polygon *p, uint32_t i) {
-    return i > 0 ? i - 1 : p->count - 1;
 }
 
 #endif

@@ -15,12 +15,8 @@
 #include "kds/registry.h"
 #include "kds/windowed_line.h"
 
-/// Where FDxa leans to: this part of the way from the closest direction to the last one that still separates
-/// by this part of the distance.
+/// How far FDxa leans (bmr_lean_direction).
 #define LEAN_PART 0.6
-#define LEAN_LEAST_PART 0.25
-/// ... after so many failures on the same side.
-#define LEAN_AFTER 2
 
 /// FDx has no windows of its own: this part of the gap is what its choice of the owner reckons with.
 #define OWNER_PART 0.5
@@ -35,8 +31,7 @@ typedef struct free_class {
 typedef struct free_state {
     bmr_windowed_line now;
     int8_t spin; ///< the way B turns in A's frame, as far as known
-    int8_t side; ///< of the last failure: the way the closest direction had turned from the line's
-    uint8_t row; ///< failures on that side, one after the other
+    bmr_lean lean;
 } free_state;
 
 static const free_class *class_of(const bmr_kds *kds) {
@@ -85,16 +80,6 @@ static int better_owner(const bmr_kds *kds, const bmr_instant *now, const bmr_wi
     return life[1] < life[0] ? 1 : 0;
 }
 
-static bmr_vec2 leaning(const bmr_kds *kds, const bmr_pose *pose, bmr_vec2 closest, double distance, int side,
-                        const uint32_t support[2]) {
-    const double margin = kds->def.margin;
-    const double least = margin + LEAN_LEAST_PART * (distance - margin);
-    const bmr_vec2 end = bmr_cone_end(kds, pose, closest, least, side, support);
-    const double angle = LEAN_PART * atan2(bmr_cross(closest, end), bmr_dot(closest, end));
-    const bmr_pose turn = {{0.0, 0.0}, cos(angle), sin(angle)};
-    return bmr_rotate(&turn, closest);
-}
-
 /// Section 7, open question: hysteresis, path-sensitivity and all bounds, in one structure of linear size.
 /// A new line. `before` is the direction of the one that failed, or NULL.
 static bool select_line(bmr_kds *kds, const bmr_instant *now, const bmr_vec2 *before) {
@@ -104,13 +89,10 @@ static bool select_line(bmr_kds *kds, const bmr_instant *now, const bmr_vec2 *be
     double distance;
     if (!bmr_windowed_closest(kds, &now->pose, support, &u, &distance))
         return false;
-    if (before) {
-        const int side = sign(bmr_cross(*before, u));
-        s->row = side != s->side ? 1 : (uint8_t)(s->row < LEAN_AFTER ? s->row + 1 : LEAN_AFTER);
-        s->side = (int8_t)side;
-    }
-    if (class_of(kds)->leans && before && s->row >= LEAN_AFTER && s->side != 0)
-        u = leaning(kds, &now->pose, u, distance, s->side, support);
+    if (before)
+        bmr_lean_note(&s->lean, *before, u);
+    if (class_of(kds)->leans && before && bmr_lean_is_due(&s->lean))
+        u = bmr_lean_direction(&s->lean, kds, &now->pose, LEAN_PART, u, distance, support);
     const double gap = distance - kds->def.margin;
     bmr_windowed_line made[2];
     for (int owner = 0; owner < 2; ++owner) {
@@ -124,9 +106,8 @@ static bool select_line(bmr_kds *kds, const bmr_instant *now, const bmr_vec2 *be
 static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
     free_state *s = state_of(kds);
     s->spin = (int8_t)sign(now->spin);
-    s->side = 0;
-    s->row = 0;
-    report->touched = 1;
+    s->lean = (bmr_lean){0, 0};
+    (void)report;
     return select_line(kds, now, NULL);
 }
 
@@ -137,7 +118,6 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     const bmr_windowed_failure failure = bmr_windowed_fails(&old, kds, now);
     if (!failure.crossed && failure.rolled == 0)
         return true; // NONE
-    report->touched = 1;
     if (now->spin != 0.0)
         s->spin = (int8_t)sign(now->spin);
     else if (failure.rolled != 0)

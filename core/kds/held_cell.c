@@ -12,10 +12,6 @@
 #define DISPLACEMENT_X 0.8191
 #define DISPLACEMENT_Y 0.5737
 
-static const bmr_hierarchy *hierarchy_of(const bmr_kds *kds, int body) {
-    return kds->shapes[body].hierarchies[kds->info->hierarchy];
-}
-
 bmr_held_cell bmr_held_make(const bmr_kds *kds) {
     bmr_held_cell held = {.displacement = {.c = cos(DISPLACEMENT), .s = sin(DISPLACEMENT)}};
     const double extent_b = kds->shapes[1].polygon->extent;
@@ -24,7 +20,7 @@ bmr_held_cell bmr_held_make(const bmr_kds *kds) {
     held.displacement.position = bmr_vec2_make(way * DISPLACEMENT_X, way * DISPLACEMENT_Y);
     held.room = way + DISPLACEMENT * 1.5 * extent_b; // a corner of the square is sqrt(2) extents away
     const double apart = kds->def.margin + 2.0 * held.room + 2.0 * BMR_HELD_SLACK * held.scale;
-    held.mixed = bmr_mixed_make(hierarchy_of(kds, 0), hierarchy_of(kds, 1), 1.0, 0.0, 0.5 * apart);
+    held.mixed = bmr_mixed_make(bmr_kds_hierarchy(kds, 0), bmr_kds_hierarchy(kds, 1), 1.0, 0.0, 0.5 * apart);
     return held;
 }
 

@@ -5,6 +5,7 @@
 // nor a small rotation leaves the window: rotational hysteresis, which the paper announces and omits.
 #include "boomerang/inflated.h"
 #include "certificate/walk.h"
+#include "hierarchy/tree.h"
 #include "kds/registry.h"
 #include "kds/windowed_line.h"
 
@@ -12,6 +13,9 @@
 /// more, 1 / (2 + 2 sqrt 2), and so is the best edge of the polygons themselves, sqrt(1/2); but not beyond a
 /// margin that is as large as they are, and points have no edges.
 #define EDGE_PART 0.125
+
+/// Near the margin, where a level's promise is no more than this many of it, the distance itself is asked.
+#define MARGINS 4.0
 
 /// What a proof has of the other envelope.
 typedef enum inflated_window {
@@ -42,10 +46,6 @@ static const inflated_state *constant_state_of(const bmr_kds *kds) {
     return (const inflated_state *)(const void *)kds->state;
 }
 
-static const bmr_hierarchy *hierarchy_of(const bmr_kds *kds, int side) {
-    return kds->shapes[side].hierarchies[BMR_HIERARCHY_COMPASS];
-}
-
 static bmr_error prepare(bmr_kds *kds) {
     const double diameter =
         bmr_inflation_diameter(kds->shapes[0].polygon) + bmr_inflation_diameter(kds->shapes[1].polygon);
@@ -59,14 +59,16 @@ static bmr_error prepare(bmr_kds *kds) {
 static void make_window(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *pose, bmr_corner corner,
                         int level) {
     const int other = 1 - w->owner;
-    const bmr_hierarchy *h = hierarchy_of(kds, other);
+    const bmr_hierarchy *h = bmr_kds_hierarchy(kds, other);
     const uint32_t side_level = bmr_walk_side_level(h, level);
     w->point[0] = bmr_hierarchy_corner_point(h, corner);
     w->count = 1;
     bmr_edge low = corner.before, high = corner.after;
     if (window_of(kds) == WINDOW_THREE) {
-        const bmr_corner before = bmr_hierarchy_corner_before(h, low, side_level),
-                         after = bmr_hierarchy_corner_after(h, high, side_level);
+        unsigned steps = 0;
+        const bmr_corner before = bmr_tree_corner_before(h, low, side_level, &steps),
+                         after = bmr_tree_corner_after(h, high, side_level, &steps);
+        bmr_kds_tally(kds, steps);
         w->point[1] = bmr_hierarchy_corner_point(h, before);
         w->point[2] = bmr_hierarchy_corner_point(h, after);
         w->count = 3;
@@ -80,55 +82,88 @@ static void make_window(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose
         bmr_windowed_exact(w, kds, pose, 0);
 }
 
-static void take_edge(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *pose, const bmr_walk *walk,
+static void take_edge(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *pose, int level,
                       const bmr_candidate *best) {
-    const int owner = best->owner;
+    const int owner = best->owner, other = 1 - owner;
     w->owner = (uint8_t)owner;
-    w->line = bmr_hierarchy_line(hierarchy_of(kds, owner), best->edge);
-    w->level = walk->level;
-    w->support[owner] = bmr_hierarchy_touch(hierarchy_of(kds, owner), best->edge);
-    make_window(w, kds, pose, best->corner[1 - owner], walk->level);
+    w->line = bmr_hierarchy_line(bmr_kds_hierarchy(kds, owner), best->edge);
+    w->level = level;
+    w->support[owner] = bmr_hierarchy_touch(bmr_kds_hierarchy(kds, owner), best->edge);
+    w->support[other] = bmr_hierarchy_touch(bmr_kds_hierarchy(kds, other), best->corner[other].before);
+    make_window(w, kds, pose, best->corner[other], level);
+}
+
+/// From level to level, the edge of most slack on each, to the coarsest at which it has the slack eps_j that
+/// the level promises. `from` is within a right angle of where the slack is largest, on the side `side` of it
+/// (0: on either); a climb that leaves that right angle, which it may where the envelopes of its level
+/// overlap, is done again from there on the next level. True: there is such a level. False: `best` is that of
+/// the deepest. One climb on each level passed.
+static bool descend(const bmr_kds *kds, bmr_walk *walk, bmr_vec2 from, int side, bmr_candidate *best) {
+    const bmr_inflation *inflation = &constant_state_of(kds)->inflation;
+    const int deepest = bmr_walk_deepest(walk->hierarchies);
+    const int root = (int)inflation->root_level < deepest ? (int)inflation->root_level : deepest;
+    bmr_walk_start(walk, from, root);
+    for (int level = root;; ++level) {
+        const bool climbed = bmr_walk_climb(walk, best);
+        if (climbed && best->gap >= bmr_inflation_offset(inflation, (uint32_t)(level - root)))
+            return true;
+        if (level == deepest)
+            return false;
+        const bool strayed =
+            bmr_dot(from, walk->direction) < 0.0 || side * bmr_cross(from, walk->direction) < 0.0;
+        if (climbed && !strayed)
+            bmr_walk_refine(walk);
+        else
+            bmr_walk_start(walk, from, level + 1);
+    }
+}
+
+static bmr_walk walk_of(const bmr_kds *kds, const bmr_pose *pose) {
+    const bmr_walk walk = {.hierarchies = {bmr_kds_hierarchy(kds, 0), bmr_kds_hierarchy(kds, 1)},
+                           .pose = pose};
+    return walk;
+}
+
+/// From the line that failed, which separates up to the margin: so the closest direction is within a right
+/// angle of it, on the side to which it leads uphill. False: no level has the slack that it promises, or it
+/// is so little that the margin matters. O(level).
+static bool select_near(bmr_kds *kds, const bmr_pose *pose) {
+    inflated_state *s = state_of(kds);
+    bmr_walk walk = walk_of(kds, pose);
+    const bmr_vec2 from = bmr_windowed_direction(&s->now, pose);
+    bmr_walk_start(&walk, from, s->now.level);
+    const bmr_vec2 p = bmr_walk_point(&walk, 0, walk.corner[0]), q = bmr_walk_point(&walk, 1, walk.corner[1]);
+    bmr_candidate best;
+    const bool found = descend(kds, &walk, from, bmr_cross(from, bmr_sub(q, p)) > 0.0 ? 1 : -1, &best) &&
+                       best.gap > MARGINS * kds->def.margin;
+    bmr_kds_tally(kds, walk.steps);
+    if (found)
+        take_edge(&s->now, kds, pose, walk.level, &best);
+    return found;
 }
 
 /// Lemma 6.1: after an event P moves d/beta before the next, beta = 2 (1 + sqrt 2).
 /// Section 6, two polygons: the new edge is of the inflated envelope that holds the vertex.
-/// The coarsest level at which an edge has a slack of eps_j, and the edge of most slack there. Where no level
-/// has: the best edge of the polygons themselves, without any promise; and where not even that one clears the
-/// margin, the closest direction, which does.
-static bool select_line(bmr_kds *kds, const bmr_pose *pose, unsigned *levels) {
+/// From the closest direction. Where no level has the slack: the best edge of the polygons themselves,
+/// without any promise; and where not even that one clears the margin, the closest direction, which does.
+/// O(log n).
+static bool select_line(bmr_kds *kds, const bmr_pose *pose) {
     inflated_state *s = state_of(kds);
     bmr_windowed_line w = s->now;
     bmr_vec2 u;
     double distance;
     if (!bmr_windowed_closest(kds, pose, w.support, &u, &distance))
         return false;
-    const bmr_hierarchy *const both[2] = {hierarchy_of(kds, 0), hierarchy_of(kds, 1)};
-    bmr_walk walk = {{both[0], both[1]}, pose, 0, {0.0, 0.0}, {{0, 0, 0}, {0, 0, 0}}};
-    const int deepest = bmr_walk_deepest(both);
-    int root = (int)s->inflation.root_level;
-    if (root > deepest)
-        root = deepest;
-    bmr_walk_start(&walk, u, root);
-    bmr_candidate best = {0};
-    for (int level = root;; ++level) {
-        const bool climbed = bmr_walk_climb(&walk, &best);
-        ++*levels;
-        walk.level = level;
-        const bool found =
-            climbed && best.gap >= bmr_inflation_offset(&s->inflation, (uint32_t)(level - root));
-        if (found || level == deepest)
-            break;
-        if (climbed)
-            bmr_walk_refine(&walk);
-        else
-            bmr_walk_start(&walk, u, level + 1);
-    }
+    bmr_walk walk = walk_of(kds, pose);
+    bmr_candidate best;
+    descend(kds, &walk, u, 0, &best);
+    bmr_kds_tally(kds, walk.steps);
     if (best.gap > kds->def.margin + EDGE_PART * (distance - kds->def.margin)) {
-        take_edge(&w, kds, pose, &walk, &best);
+        take_edge(&w, kds, pose, walk.level, &best);
     } else {
         bmr_windowed_line_set(&w, kds, pose, 0, u, w.support);
         bmr_windowed_exact(&w, kds, pose, 0);
-        w.level = deepest;
+        w.level = bmr_walk_deepest(walk.hierarchies);
         if (window_of(kds) == WINDOW_FIXED)
             bmr_windowed_fix(&w);
     }
@@ -137,11 +172,12 @@ static bool select_line(bmr_kds *kds, const bmr_pose *pose, unsigned *levels) {
 }
 
 static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
-    const bool apart = select_line(kds, &now->pose, &report->touched);
+    const bool apart = select_line(kds, &now->pose);
     report->level_before = report->level_after = state_of(kds)->now.level;
     return apart;
 }
 
+/// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
 static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     (void)failed; // others may have failed at the same time
     inflated_state *s = state_of(kds);
@@ -150,7 +186,7 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     if (!failure.crossed && failure.rolled == 0)
         return true; // NONE
     report->level_before = report->level_after = old.level;
-    if (!select_line(kds, &now->pose, &report->touched))
+    if (!select_near(kds, &now->pose) && !select_line(kds, &now->pose))
         return false;
     report->level_after = s->now.level;
     report->line_changed = !bmr_windowed_same_line(&old, &s->now);

@@ -10,6 +10,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "geometry/distance.h"
 #include "kds/features.h"
 #include "kds/registry.h"
 
@@ -151,6 +152,7 @@ static int polish(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t vertex[2]
     int last = -1;
     uint32_t next[2] = {vertex[0], vertex[1]};
     for (int k = 0; k < POLISH_STEPS; k++) {
+        bmr_kds_tally(kds, 1);
         bmr_condition c[BMR_KDS_MAX_CONDITIONS];
         const size_t count = tangent_conditions(kds, next, 0.0, c);
         double value;
@@ -179,9 +181,9 @@ static bool find_tangent(const bmr_kds *kds, const bmr_instant *now, uint32_t ve
     const bmr_pose *b_in_a = &now->pose;
     for (int k = 0; k < SEARCH_STEPS; k++) {
         const bmr_vec2 d = across(kds, b_in_a, vertex), n = {d.y, -d.x};
-        const uint32_t i = bmr_polygon_support_from(kds->shapes[0].polygon, n, vertex[0]);
-        const uint32_t j =
-            bmr_polygon_support_from(kds->shapes[1].polygon, bmr_neg(bmr_unrotate(b_in_a, n)), vertex[1]);
+        const uint32_t i = bmr_support_from_counted(kds->shapes[0].polygon, n, vertex[0], touched);
+        const uint32_t j = bmr_support_from_counted(kds->shapes[1].polygon, bmr_neg(bmr_unrotate(b_in_a, n)),
+                                                    vertex[1], touched);
         ++*touched;
         if (i == vertex[0] && j == vertex[1])
             break;

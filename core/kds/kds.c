@@ -94,7 +94,10 @@ void bmr_kds_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report)
     memset(report, 0, sizeof *report);
     const bool leaves = kds->started && kds->contact;
     kds->started = true;
+    kds->steps = &report->touched;
+    report->touched = 1;
     report->apart = is_motion(&now->pose) && class_of(kds->info)->start(kds, now, report);
+    kds->steps = NULL;
     kds->contact = !report->apart;
     report->line_changed = report->apart;
     report->kind = !report->apart ? BMR_KDS_CONTACT : leaves ? BMR_KDS_LEAVE : BMR_KDS_START;
@@ -109,7 +112,10 @@ void bmr_kds_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds
     report->kind = BMR_KDS_NONE;
     if (kds->contact || !kds->started)
         return;
+    kds->steps = &report->touched;
+    report->touched = 1;
     report->apart = is_motion(&now->pose) && class_of(kds->info)->repair(kds, now, failed, report);
+    kds->steps = NULL;
     kds->contact = !report->apart;
     if (!report->apart)
         report->kind = BMR_KDS_CONTACT;
@@ -125,17 +131,22 @@ bool bmr_kds_get_proof(const bmr_kds *kds, bmr_kds_proof *proof) {
 double bmr_kds_separation(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 direction) {
     const bmr_polygon *a = kds->shapes[0].polygon, *b = kds->shapes[1].polygon;
     const bmr_vec2 against = bmr_neg(bmr_unrotate(b_in_a, direction));
-    const bmr_vec2 p = a->vertices[bmr_polygon_support(a, direction)];
-    const bmr_vec2 q = b->vertices[bmr_polygon_support(b, against)];
+    unsigned steps = 0;
+    const bmr_vec2 p = a->vertices[bmr_support_counted(a, direction, &steps)];
+    const bmr_vec2 q = b->vertices[bmr_support_counted(b, against, &steps)];
+    bmr_kds_tally(kds, steps);
     return bmr_dot(direction, bmr_sub(bmr_transform(b_in_a, q), p));
 }
 
 bool bmr_kds_closest(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t *a, uint32_t *b,
                      bmr_vec2 *direction, double *distance) {
     const bmr_polygon *p = kds->shapes[0].polygon, *q = kds->shapes[1].polygon;
-    bmr_simplex simplex = bmr_simplex_make(*a % p->count, *b % q->count);
+    const bmr_simplex near = bmr_simplex_make(*a % p->count, *b % q->count);
+    bmr_simplex simplex = bmr_closest_start(p, q, b_in_a, &near);
     bmr_closest closest;
-    if (!bmr_closest_direction(p, q, b_in_a, kds->def.margin, 0.0, &simplex, &closest))
+    const bool apart = bmr_closest_direction(p, q, b_in_a, kds->def.margin, 0.0, &simplex, &closest);
+    bmr_kds_tally(kds, simplex.steps);
+    if (!apart)
         return false;
     *a = closest.a;
     *b = closest.b;

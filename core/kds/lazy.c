@@ -19,6 +19,8 @@
 #include <math.h>
 
 #include "certificate/walk.h"
+#include "geometry/distance.h"
+#include "hierarchy/tree.h"
 #include "kds/registry.h"
 #include "kds/structure.h"
 
@@ -32,11 +34,6 @@ enum { LINE, CONE_BEFORE, CONE_AFTER, CONDITIONS };
 /// Beyond an edge's line by that angle, an envelope is nearer by at most that times its length: four radii
 /// are more than the diagonal of any bounding rectangle.
 #define CONE_RADII 4.0
-/// A coarser line must prove at least this part of the finer one's gap. Measured against 0, the paper's: 1 to
-/// 8 % fewer events on orbits and 1 to 2 % on wanders, as many on all other paths (1/2: 3 to 11 % and 3 to 5
-/// %).
-#define COARSEN_PART 0.25
-
 typedef struct lazy_state {
     bmr_corner corner;       ///< of the other body's envelope, the nearest
     bmr_edge edge;           ///< the owner's; BMR_NO_EDGE: the free line
@@ -51,10 +48,6 @@ static lazy_state *get(bmr_kds *kds) {
 }
 static const lazy_state *look(const bmr_kds *kds) {
     return (const lazy_state *)(const void *)kds->state;
-}
-
-static const bmr_hierarchy *hierarchy_of(const bmr_kds *kds, int side) {
-    return kds->shapes[side].hierarchies[kds->info->hierarchy];
 }
 
 static double tolerance(const bmr_kds *kds) {
@@ -76,7 +69,7 @@ static double need(const bmr_kds *kds) {
 static bmr_line line_of(const bmr_kds *kds) {
     const lazy_state *state = look(kds);
     return state->edge == BMR_NO_EDGE ? state->free_line
-                                      : bmr_hierarchy_line(hierarchy_of(kds, state->owner), state->edge);
+                                      : bmr_hierarchy_line(bmr_kds_hierarchy(kds, state->owner), state->edge);
 }
 
 static bmr_vec2 turned_by_slack(bmr_vec2 normal, double slack) {
@@ -85,7 +78,7 @@ static bmr_vec2 turned_by_slack(bmr_vec2 normal, double slack) {
 
 static size_t conditions(const bmr_kds *kds, bmr_condition *k) {
     const lazy_state *state = look(kds);
-    const bmr_hierarchy *other = hierarchy_of(kds, 1 - state->owner);
+    const bmr_hierarchy *other = bmr_kds_hierarchy(kds, 1 - state->owner);
     const bmr_line line = line_of(kds);
     const bmr_vec2 before = bmr_hierarchy_line(other, state->corner.before).normal;
     const bmr_vec2 after = bmr_hierarchy_line(other, state->corner.after).normal;
@@ -115,15 +108,12 @@ static bool cone_holds(const bmr_kds *kds, const bmr_pose *b_in_a) {
 /// A repair at work.
 typedef struct repair {
     bmr_kds *kds;
-    bmr_kds_report *report;
     bmr_walk walk;
 } repair;
 
-static repair begin(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+static repair begin(bmr_kds *kds, const bmr_instant *now) {
     const repair r = {
-        kds,
-        report,
-        {{hierarchy_of(kds, 0), hierarchy_of(kds, 1)}, &now->pose, 0, {0.0, 0.0}, {{0, 0, 0}, {0, 0, 0}}}};
+        kds, {.hierarchies = {bmr_kds_hierarchy(kds, 0), bmr_kds_hierarchy(kds, 1)}, .pose = &now->pose}};
     return r;
 }
 
@@ -141,26 +131,36 @@ static bool certify(repair *r, const bmr_candidate *candidate, int level) {
     return false;
 }
 
-/// From a candidate of the walk's level, which the state holds, to coarser levels.
+/// From a candidate of the walk's level, which the state holds, to coarser levels. On the way up any line
+/// that is good enough will do: between two neighbouring edges of one body may lie any number of the other's,
+/// and a climb to the best line would pass them all. The best one is looked for where the way ends.
 static void coarsen(repair *r, bmr_candidate candidate) {
     const double least = need(r->kds);
-    while (r->walk.level > 0) {
+    const int from = r->walk.level;
+    int level = from;
+    while (level > 0) {
         bmr_candidate coarser;
         bmr_walk_coarsen(&r->walk, &candidate);
-        ++r->report->touched;
-        bmr_walk_climb(&r->walk, &coarser);
-        if (!(coarser.gap > least + COARSEN_PART * (candidate.gap - least)) ||
-            !certify(r, &coarser, r->walk.level))
-            return;
+        const double enough = least + BMR_COARSEN_PART * (candidate.gap - least);
+        bmr_walk_climb_until(&r->walk, enough, &coarser);
+        if (!(coarser.gap > enough) || !certify(r, &coarser, level - 1))
+            break;
         candidate = coarser;
+        --level;
     }
+    if (level == from)
+        return;
+    bmr_walk_resume(&r->walk, candidate.owner, candidate.edge, candidate.corner[1 - candidate.owner], level);
+    bmr_candidate best;
+    bmr_walk_climb(&r->walk, &best);
+    if (best.gap > candidate.gap)
+        certify(r, &best, level);
 }
 
 /// Climbs the walk's level, and on to deeper ones until one separates.
 static bool descend(repair *r, bmr_candidate *found) {
     const int deepest = bmr_walk_deepest(r->walk.hierarchies);
     for (;;) {
-        ++r->report->touched;
         const bool top = bmr_walk_climb(&r->walk, found);
         if (certify(r, found, r->walk.level))
             return true;
@@ -179,9 +179,10 @@ static bool take_free(repair *r, bmr_vec2 direction) {
     state->owner = 0;
     state->edge = BMR_NO_EDGE;
     state->free_line.normal = direction;
-    state->free_line.offset = bmr_dot(direction, a->vertices[bmr_polygon_support(a, direction)]);
+    state->free_line.offset =
+        bmr_dot(direction, a->vertices[bmr_support_counted(a, direction, &r->walk.steps)]);
     state->level = bmr_walk_deepest(r->walk.hierarchies);
-    state->corner = bmr_hierarchy_extreme(b, against, bmr_hierarchy_depth(b));
+    state->corner = bmr_tree_extreme(b, against, bmr_hierarchy_depth(b), &r->walk.steps);
     return line_holds(r->kds, r->walk.pose);
 }
 
@@ -201,8 +202,9 @@ static bool from_closest(repair *r) {
 }
 
 static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
-    repair r = begin(kds, now, report);
+    repair r = begin(kds, now);
     const bool apart = from_closest(&r);
+    bmr_kds_tally(kds, r.walk.steps);
     report->level_after = apart ? look(kds)->level : 0;
     return apart;
 }
@@ -247,14 +249,16 @@ static bool search(repair *r) {
 /// Theorem 5.3: rigid motions: O(log min{n, D/s}) an event, O(mu^2) events.
 static bool repair_pair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     (void)failed;
-    repair r = begin(kds, now, report);
+    repair r = begin(kds, now);
     const lazy_state before = *look(kds);
     report->level_before = report->level_after = before.level;
     const bool turned = !cone_holds(kds, &now->pose);
     if (!turned && line_holds(kds, &now->pose))
         return true;
     const bool rolled = turned && roll(&r);
-    if (!rolled && !search(&r))
+    const bool apart = rolled || search(&r);
+    bmr_kds_tally(kds, r.walk.steps);
+    if (!apart)
         return false;
     const lazy_state *state = look(kds);
     report->level_after = state->level;
@@ -268,14 +272,15 @@ static void proof(const bmr_kds *kds, bmr_kds_proof *proof) {
     const lazy_state *state = look(kds);
     proof->owner = state->owner;
     proof->line = line_of(kds);
-    proof->nearest = bmr_hierarchy_corner_point(hierarchy_of(kds, 1 - state->owner), state->corner);
+    proof->nearest = bmr_hierarchy_corner_point(bmr_kds_hierarchy(kds, 1 - state->owner), state->corner);
     proof->level = state->level;
 }
 
 /// The edge and the corner are on the level, and the corner is the extreme one there.
 static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
     const lazy_state *state = look(kds);
-    const bmr_hierarchy *own = hierarchy_of(kds, state->owner), *other = hierarchy_of(kds, 1 - state->owner);
+    const bmr_hierarchy *own = bmr_kds_hierarchy(kds, state->owner),
+                        *other = bmr_kds_hierarchy(kds, 1 - state->owner);
     const uint32_t level = bmr_walk_side_level(other, state->level);
     if (state->edge != BMR_NO_EDGE && (state->edge >= bmr_hierarchy_edge_count(own) ||
                                        (int)bmr_hierarchy_level(own, state->edge) > state->level))

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "geometry/distance.h"
+
 /// Of the sum of the extents: 2^-37. The slack of a point that is some hundred extents away is off by less,
 /// and it is a hundredth of what a contact may be early by.
 #define TOLERANCE 7.2759576141834259e-12
@@ -44,7 +46,9 @@ bool bmr_point_take_free(bmr_kds *kds, const bmr_pose *b_in_a) {
     if (!bmr_point_closest(kds, b_in_a, &direction))
         return false;
     const bmr_polygon *polygon = bmr_hierarchy_polygon(state->hierarchy);
-    const bmr_vec2 support = polygon->vertices[bmr_polygon_support(polygon, direction)];
+    unsigned steps = 0;
+    const bmr_vec2 support = polygon->vertices[bmr_support_counted(polygon, direction, &steps)];
+    bmr_kds_tally(kds, steps);
     state->edge = BMR_NO_EDGE;
     state->free_line.normal = direction;
     state->free_line.offset = bmr_dot(direction, support);

@@ -4,6 +4,7 @@
 // triangle with its apex on the corner of Q'_(j-1) that it cut if it is new. The last layer is between the
 // last inflated envelope and the polygon itself. Cells are not stored: a cell is an edge and a j, and its
 // sides connect a corner with the corner it came from.
+#include "hierarchy/tree.h"
 #include "kds/point_inflated.h"
 #include "kds/registry.h"
 
@@ -48,8 +49,8 @@ bmr_edge bmr_point_complex_cell(const bmr_kds *kds, bmr_edge from, uint32_t j, b
     int sense = 0; // never back
     for (int cells = 0; cells < MOST_CELLS; ++cells) {
         ++*touched;
-        const bmr_corner after = bmr_hierarchy_corner_after(h, edge, level);
-        const bmr_corner before = bmr_hierarchy_corner_before(h, edge, level);
+        const bmr_corner after = bmr_tree_corner_after(h, edge, level, touched);
+        const bmr_corner before = bmr_tree_corner_before(h, edge, level, touched);
         const bmr_connector left = bmr_point_complex_connector(kds, after, j),
                             right = bmr_point_complex_connector(kds, before, j);
         bool on = sense >= 0 && side(left, x) > 0.0;

@@ -3,7 +3,7 @@
 // by eps_j or more, j the least level whose inflated envelope has the point outside. Three ways to choose it:
 //
 // - the paper's: the edge of Q_j whose inflated copy the old line enters Q'_j through; each breakpoint is
-//   computed when it is needed, in O(j), and a binary search finds j;
+//   computed when it is needed, in O(j), and j is searched from the old edge's level outwards;
 // - the edge of most slack on the level, found on the way down along the closest direction;
 // - the cell that the point is in, in the complex of triangles and trapezoids between the inflated envelopes
 //   (point_complex.c).
@@ -29,6 +29,7 @@
 
 #include <math.h>
 
+#include "hierarchy/tree.h"
 #include "kds/registry.h"
 
 bmr_inflation bmr_point_inflation(const bmr_kds *kds) {
@@ -41,15 +42,16 @@ double bmr_point_promised(const bmr_kds *kds, const bmr_inflation *inflation, ui
     return bmr_point_need(kds) - least + (offset > least ? offset : least);
 }
 
+/// Section 6, Dudley: an inflated Dudley hierarchy doubles beta.
 /// Lemma 6.1: after an event P moves d/beta before the next, beta = 2 (1 + sqrt 2).
 bmr_level_choice bmr_point_most_slack(bmr_kds *kds, bmr_vec2 x, bmr_vec2 u, unsigned *touched) {
     const bmr_hierarchy *h = bmr_point_look(kds)->hierarchy;
     const bmr_inflation inflation = bmr_point_inflation(kds);
     const uint32_t last = bmr_inflation_last(&inflation, h);
     bmr_level_choice choice = {BMR_NO_EDGE, 0, -INFINITY};
-    bmr_corner corner = bmr_hierarchy_extreme(h, u, bmr_inflation_level(&inflation, h, 0));
+    bmr_corner corner = bmr_tree_extreme(h, u, bmr_inflation_level(&inflation, h, 0), touched);
     for (uint32_t j = 0; j <= last; ++j) {
-        corner = bmr_hierarchy_refine(h, corner, u, bmr_inflation_level(&inflation, h, j));
+        corner = bmr_tree_refine(h, corner, u, bmr_inflation_level(&inflation, h, j), touched);
         ++*touched;
         choice.edge = bmr_corner_widest_edge(h, corner, x, &choice.slack);
         choice.j = j;
@@ -97,12 +99,33 @@ static bool choose_by_old_line(bmr_kds *kds, bmr_vec2 x, unsigned *touched) {
     const bool after = bmr_point_is_after(h, state->edge, x);
     const bmr_vec2 direction = after ? bmr_neg(along) : along;
     const bmr_inflation inflation = bmr_point_inflation(kds);
-    // The inflated envelopes are nested: outside one is outside all that follow.
-    const uint32_t last = bmr_inflation_last(&inflation, h);
+    // The inflated envelopes are nested: outside one is outside all that follow. From the level of the old
+    // edge outwards, in steps that double, and then by halves: O(log(levels passed + 1)) breakpoints.
+    const uint32_t last = bmr_inflation_last(&inflation, h), level = bmr_hierarchy_level(h, state->edge),
+                   old = level > inflation.root_level ? level - inflation.root_level : 0,
+                   from = old < last ? old : last;
     bmr_edge found = BMR_NO_EDGE;
-    if (!enters(kds, last, x, direction, &found, touched))
-        return false;
-    uint32_t low = 0, high = last;
+    uint32_t low = 0, high = from; // the answer is in [low, high], and `found` that of high
+    if (enters(kds, from, x, direction, &found, touched)) {
+        for (uint32_t step = 1; low < high; step *= 2) {
+            const uint32_t probe = high - low > step ? high - step : low;
+            if (!enters(kds, probe, x, direction, &found, touched)) {
+                low = probe + 1;
+                break;
+            }
+            high = probe;
+        }
+    } else {
+        low = from + 1;
+        for (uint32_t step = 1;; step *= 2) {
+            if (low > last)
+                return false;
+            high = last - low > step - 1 ? low + (step - 1) : last;
+            if (enters(kds, high, x, direction, &found, touched))
+                break;
+            low = high + 1;
+        }
+    }
     while (low < high) {
         const uint32_t middle = low + (high - low) / 2;
         if (enters(kds, middle, x, direction, &found, touched))

@@ -2,6 +2,7 @@
 // The lazy structure for a point (section 5): one separating edge, replaced only when the point crosses its
 // line. A push goes to the outer edge that the point is beyond, a stab to the first of the edges that cut
 // this one.
+#include "hierarchy/tree.h"
 #include "kds/point.h"
 #include "kds/registry.h"
 
@@ -13,9 +14,9 @@ static bool from_closest(bmr_kds *kds, const bmr_pose *b_in_a, unsigned *touched
     if (!bmr_point_closest(kds, b_in_a, &u))
         return false;
     const bmr_vec2 x = bmr_point_at(kds, b_in_a);
-    bmr_corner corner = bmr_hierarchy_extreme(h, u, 0);
+    bmr_corner corner = bmr_tree_extreme(h, u, 0, touched);
     for (uint32_t level = 0; level <= bmr_hierarchy_depth(h); ++level) {
-        corner = bmr_hierarchy_refine(h, corner, u, level);
+        corner = bmr_tree_refine(h, corner, u, level, touched);
         ++*touched;
         double slack;
         const bmr_edge edge = bmr_corner_widest_edge(h, corner, x, &slack);

@@ -9,6 +9,7 @@
 // never between cells and never thrown back.
 #include <math.h>
 
+#include "hierarchy/tree.h"
 #include "kds/chains.h"
 #include "kds/point.h"
 #include "kds/registry.h"
@@ -54,10 +55,9 @@ static bool settle(bmr_kds *kds, bmr_vec2 x, unsigned *touched) {
         }
         if (bmr_edge_slack(state->hierarchy, state->edge, x) > need)
             return true;
-        const bmr_kds_chains *chains = bmr_kds_chains_of(kds);
-        const bmr_edge inner =
-            chains ? bmr_kds_chains_search(chains, state->hierarchy, state->edge, x, need, touched)
-                   : bmr_point_descend(state->hierarchy, state->edge, x, need, touched);
+        const bmr_chains *chains = bmr_kds_chains_of(kds);
+        const bmr_edge inner = chains ? bmr_kds_chains_search(chains, state->edge, x, need, touched)
+                                      : bmr_point_descend(state->hierarchy, state->edge, x, need, touched);
         if (inner == BMR_NO_EDGE)
             return false;
         state->edge = inner;
@@ -75,7 +75,7 @@ static bool locate(bmr_kds *kds, const bmr_pose *b_in_a, unsigned *touched) {
         return false;
     const bmr_vec2 x = bmr_point_at(kds, b_in_a);
     const double need = bmr_point_need(kds);
-    const bmr_corner top = bmr_hierarchy_extreme(h, u, 0);
+    const bmr_corner top = bmr_tree_extreme(h, u, 0, touched);
     double slack;
     bmr_edge edge = bmr_corner_widest_edge(h, top, x, &slack);
     bmr_edge cut = top.cut;
@@ -160,7 +160,7 @@ static const bmr_kds_class by_levels = {.state_bytes = sizeof(bmr_point_state),
                                         .repair = bmr_triangle_repair,
                                         .proof = bmr_point_proof,
                                         .audit = bmr_triangle_audit};
-/// The chains lie behind the state.
+/// The chains lie behind the state, unless the shape has them.
 static const bmr_kds_class by_bisection_compass = {.state_bytes = sizeof(bmr_chained_state),
                                                    .extra_bytes = bmr_kds_chains_bytes_compass,
                                                    .prepare = bmr_kds_chains_prepare,

@@ -49,11 +49,9 @@
 /// A model that is quite wrong is wrong by no more than there and back.
 #define DOUBT_MOST 2.0
 
-/// In doubt, under translation (rotation decides by the owner, not by leaning): leans this part of the way to
-/// where this part of the distance is left, after so many failures on the same side.
+/// In doubt, under translation (rotation decides by the owner, not by leaning): how far it leans
+/// (bmr_lean_direction), and from which doubt on.
 #define LEAN_PART 0.4
-#define LEAN_LEAST_PART 0.25
-#define LEAN_AFTER 2
 #define LEAN_DOUBT 0.5
 
 /// How the pair moves on. Only the relative motion is told, so that it is not known which body turns.
@@ -73,8 +71,7 @@ typedef struct predict_state {
     bmr_windowed_line now;
     bmr_instant last;          ///< of the last choice
     double wrong[MODEL_COUNT]; ///< mean error of each model, as part of the path
-    int8_t side; ///< of the last failure: the way the closest direction had turned from the line's
-    uint8_t row; ///< failures on that side, one after the other
+    bmr_lean lean;
 } predict_state;
 
 /// The motion as foreseen, at times from now on.
@@ -167,8 +164,7 @@ static void forget(predict_state *s, const bmr_instant *now) {
     const bool a_moves = length(other.velocity) < length(now->velocity);
     s->wrong[MODEL_B_STRAIGHT] = a_moves ? DOUBT_OTHER : DOUBT_START;
     s->wrong[MODEL_A_STRAIGHT] = a_moves ? DOUBT_START : DOUBT_OTHER;
-    s->side = 0;
-    s->row = 0;
+    s->lean = (bmr_lean){0, 0};
 }
 
 static double doubt_of(double wrong) {
@@ -207,8 +203,10 @@ static void foresee(forecast *f, const bmr_kds *kds, const bmr_instant *now, pre
 static double gap_at(const bmr_kds *kds, const forecast *f, const candidate *c, int i, uint32_t support[2]) {
     const bmr_polygon *a = kds->shapes[0].polygon, *b = kds->shapes[1].polygon;
     const bmr_vec2 d = c->owner == 0 ? c->direction : bmr_rotate(&f->turn[i], c->direction);
-    support[0] = bmr_support_near(a, d, support[0]);
-    support[1] = bmr_support_near(b, bmr_unrotate(&f->pose[i], bmr_neg(d)), support[1]);
+    unsigned steps = 0;
+    support[0] = bmr_support_near(a, d, support[0], &steps);
+    support[1] = bmr_support_near(b, bmr_unrotate(&f->pose[i], bmr_neg(d)), support[1], &steps);
+    bmr_kds_tally(kds, steps);
     const bmr_vec2 p = a->vertices[support[0]], q = bmr_transform(&f->pose[i], b->vertices[support[1]]);
     return bmr_dot(d, bmr_sub(q, p)) - kds->def.margin - f->loss[i];
 }
@@ -275,25 +273,7 @@ static int directions(const bmr_kds *kds, const bmr_instant *now, predict_model 
     return count;
 }
 
-/// Towards the side on which the last lines failed.
-static bmr_vec2 leaning(const bmr_kds *kds, const bmr_pose *pose, bmr_vec2 closest, double distance, int side,
-                        const uint32_t support[2]) {
-    const double margin = kds->def.margin;
-    const double least = margin + LEAN_LEAST_PART * (distance - margin);
-    const bmr_vec2 end = bmr_cone_end(kds, pose, closest, least, side, support);
-    const double angle = LEAN_PART * atan2(bmr_cross(closest, end), bmr_dot(closest, end));
-    const bmr_pose turn = {{0.0, 0.0}, cos(angle), sin(angle)};
-    return bmr_rotate(&turn, closest);
-}
-
-/// The side of the failure, and how often it was that.
-static void note_side(predict_state *s, const bmr_pose *pose, bmr_vec2 closest) {
-    const int side = sign(bmr_cross(bmr_windowed_direction(&s->now, pose), closest));
-    s->row = side != s->side ? 1 : (uint8_t)(s->row < LEAN_AFTER ? s->row + 1 : LEAN_AFTER);
-    s->side = (int8_t)side;
-}
-
-static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh, bmr_kds_report *report) {
+static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh) {
     predict_state *s = state_of(kds);
     uint32_t support[2] = {s->now.support[0], s->now.support[1]};
     bmr_vec2 closest;
@@ -304,7 +284,7 @@ static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh, bmr_kds_rep
         forget(s, now);
     else {
         learn(s, kds, now);
-        note_side(s, &now->pose, closest);
+        bmr_lean_note(&s->lean, bmr_windowed_direction(&s->now, &now->pose), closest);
     }
     s->last = *now;
     const bool adaptive = class_of(kds)->adaptive;
@@ -315,8 +295,8 @@ static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh, bmr_kds_rep
     const double doubt = adaptive ? doubt_of(s->wrong[model]) : 0.0;
     bmr_vec2 tried[MOST_CANDIDATES] = {{0.0, 0.0}};
     int count = 1;
-    if (doubt > LEAN_DOUBT && now->spin == 0.0 && s->row >= LEAN_AFTER && s->side != 0)
-        tried[0] = leaning(kds, &now->pose, closest, distance, s->side, support);
+    if (doubt > LEAN_DOUBT && now->spin == 0.0 && bmr_lean_is_due(&s->lean))
+        tried[0] = bmr_lean_direction(&s->lean, kds, &now->pose, LEAN_PART, closest, distance, support);
     else
         count = directions(kds, now, model, closest, distance, support, tried);
     forecast f;
@@ -325,7 +305,6 @@ static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh, bmr_kds_rep
     for (int owner = 0; owner < (f.turns ? 2 : 1); ++owner)
         for (int i = 0; i < count; ++i) {
             candidate c = {tried[i], owner, 0.0, 0.0};
-            ++report->touched;
             if (outlives(kds, &f, support, &c, &best))
                 best = c;
         }
@@ -335,7 +314,8 @@ static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh, bmr_kds_rep
 }
 
 static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
-    return choose(kds, now, true, report);
+    (void)report;
+    return choose(kds, now, true);
 }
 
 static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
@@ -347,13 +327,12 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
         return true; // NONE
     if (!failure.crossed) {
         report->kind = BMR_KDS_ROLL;
-        report->touched = 1;
         bmr_windowed_exact(&s->now, kds, &now->pose, bmr_windowed_sense(old.owner, sign(now->spin)));
         if (!bmr_windowed_fails(&s->now, kds, now).crossed)
             return true;
     }
     report->kind = BMR_KDS_PUSH;
-    if (!choose(kds, now, false, report))
+    if (!choose(kds, now, false))
         return false;
     report->line_changed = !bmr_windowed_same_line(&old, &s->now);
     return true;

@@ -4,6 +4,7 @@
 // Theta(n^2) under rotation, however far the polygons are apart.
 #include <math.h>
 
+#include "geometry/distance.h"
 #include "kds/features.h"
 #include "kds/registry.h"
 
@@ -40,7 +41,11 @@ static bmr_vec2 in_a(int owner, const bmr_pose *b_in_a, bmr_vec2 normal) {
 static uint32_t nearest_vertex(const bmr_kds *kds, const bmr_pose *b_in_a, int owner, bmr_vec2 normal,
                                uint32_t hint) {
     const bmr_vec2 n = owner == 0 ? bmr_unrotate(b_in_a, normal) : bmr_rotate(b_in_a, normal);
-    return bmr_polygon_support_from(kds->shapes[1 - owner].polygon, bmr_neg(n), hint);
+    unsigned steps = 0;
+    const uint32_t nearest =
+        bmr_support_from_counted(kds->shapes[1 - owner].polygon, bmr_neg(n), hint, &steps);
+    bmr_kds_tally(kds, steps);
+    return nearest;
 }
 
 /// Is the other body a segment up to the overlap, as its nearest vertex sees it? Cones of half a turn cannot

@@ -15,6 +15,7 @@ struct bmr_kds {
     bmr_shape shapes[2]; ///< A, B
     size_t bytes;
     bool contact, started;
+    unsigned *steps; ///< of the report, during start and repair; else NULL
     /// Set by the `prepare` of a rival whose line moves with the pose: the line there (`proof` of its class
     /// gives that of the last event). NULL: the line is fixed.
     void (*proof_at)(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_kds_proof *proof);
@@ -39,11 +40,23 @@ typedef struct bmr_kds_class {
     bmr_error (*audit)(const bmr_kds *kds, const bmr_pose *b_in_a);
 } bmr_kds_class;
 
+/// A body's hierarchy of the kind that the structure needs.
+static inline const bmr_hierarchy *bmr_kds_hierarchy(const bmr_kds *kds, int body) {
+    return kds->shapes[body].hierarchies[kds->info->hierarchy];
+}
+
+/// Counts elementary steps (bmr_kds_report.touched).
+static inline void bmr_kds_tally(const bmr_kds *kds, unsigned steps) {
+    if (kds->steps)
+        *kds->steps += steps;
+}
+
 /// The signed separation of the two polygons along a direction of A's frame (unit length): min over B - max
 /// over A. O(log n).
 double bmr_kds_separation(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 direction);
 /// The direction of the closest points and the exact distance, from vertices `*a`, `*b` as hints (any value),
-/// which become the support vertices in it. False: the distance is at most the margin.
+/// which become the support vertices in it. False: the distance is at most the margin. O(log n), O(log k) for
+/// an answer k edges from the hints.
 bool bmr_kds_closest(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t *a, uint32_t *b,
                      bmr_vec2 *direction, double *distance);
 

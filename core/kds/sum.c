@@ -24,6 +24,8 @@
 #define DUDLEY_SCRATCH (2 * sizeof(bmr_item) + sizeof(uint32_t))
 /// Every block is aligned to this and begins at a multiple of it.
 #define ALIGNMENT 16
+/// A root polygon of more directions than this (4 * 2^12) is like one with so many.
+#define MOST_CORNER_LEVELS 12u
 /// More blocks than the builders ask for.
 #define MOST_BLOCKS 16
 
@@ -67,39 +69,39 @@ static void give_back(void *context, void *block, size_t size) {
         memory->used -= aligned(size);
 }
 
-/// Cuts of a tree over `items` edges, `levels` of them bisected: as builder.c counts them.
-static size_t most_cuts(size_t items, uint32_t levels) {
-    size_t most = items;
-    for (uint32_t level = 1; level <= levels; ++level) {
-        const size_t all = (size_t)BMR_ROOTS << (level - 1);
-        most += all < items ? all : items;
-    }
-    return most;
+/// Levels of the sum's compass hierarchy that cut its vertices: those of section 6's root polygon.
+static uint32_t corner_levels(const bmr_kds_def *def) {
+    return def->root_level < MOST_CORNER_LEVELS ? def->root_level : MOST_CORNER_LEVELS;
 }
 
-static size_t bytes_for(const bmr_shape *a, const bmr_shape *b, bmr_hierarchy_kind kind) {
+/// Directions that the table of a compass is made for.
+static size_t table_size(size_t vertices, uint32_t corners) {
+    const size_t most = (size_t)1 << corners;
+    return vertices > most ? vertices : most;
+}
+
+static size_t bytes_for(const bmr_shape *a, const bmr_shape *b, bmr_hierarchy_kind kind, uint32_t corners) {
     const size_t n = (size_t)a->polygon->count + b->polygon->count;
     if (n > BMR_MAX_VERTICES)
         return 0; // creation fails
-    const uint32_t levels = bmr_ceil_log2((uint32_t)n);
+    const uint32_t levels = bmr_ceil_log2((uint32_t)table_size(n, corners));
     const bool compass = kind == BMR_HIERARCHY_COMPASS;
     // The merged list and its hull, twice where rounding asks for another hull, and the polygon.
     const size_t polygon = 2 * (2 * n + 1) * sizeof(bmr_vec2) + bmr_polygon_bytes(n);
     const size_t table = compass ? sizeof(bmr_compass) + ((size_t)BMR_ROOTS << levels) * sizeof(bmr_vec2) : 0;
     const size_t items = n * (compass ? sizeof(bmr_item) : DUDLEY_SCRATCH);
-    const size_t cuts = compass ? most_cuts(n, levels) : most_cuts(2 * n, 0);
+    const size_t cuts = compass ? bmr_most_cuts(n, levels, corners) : bmr_most_cuts(2 * n, 0, 0);
     const size_t node = sizeof(bmr_node) + sizeof(bmr_vec2);
     const size_t tree = (BMR_ROOTS + cuts) * (2 * node + QUEUED_BYTES) + sizeof(bmr_hierarchy);
     return table + polygon + items + tree + (size_t)MOST_BLOCKS * ALIGNMENT;
 }
 
 static size_t bytes_compass(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {
-    (void)def;
-    return bytes_for(a, b, BMR_HIERARCHY_COMPASS);
+    return bytes_for(a, b, BMR_HIERARCHY_COMPASS, corner_levels(def));
 }
 static size_t bytes_dudley(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {
     (void)def;
-    return bytes_for(a, b, BMR_HIERARCHY_DUDLEY);
+    return bytes_for(a, b, BMR_HIERARCHY_DUDLEY, 0);
 }
 
 static bmr_error prepare(bmr_kds *kds) {
@@ -130,14 +132,16 @@ static bool turn(bmr_kds *kds, const bmr_pose *b_in_a) {
     bmr_error error =
         bmr_minkowski_difference(kds->shapes[0].polygon, kds->shapes[1].polygon, rotation, &allocator, &sum);
     if (error == BMR_OK && ((const sum_class *)kds->info->implementation)->kind == BMR_HIERARCHY_COMPASS) {
-        error = bmr_compass_create(sum->count, &allocator, &compass);
+        const uint32_t corners = corner_levels(&kds->def);
+        error = bmr_compass_create(table_size(sum->count, corners), &allocator, &compass);
         if (error == BMR_OK)
-            error = bmr_hierarchy_build_compass(sum, compass, &allocator, &hierarchy);
+            error = bmr_hierarchy_build_compass_with_corners(sum, compass, corners, &allocator, &hierarchy);
     } else if (error == BMR_OK) {
         error = bmr_hierarchy_build_dudley(sum, &allocator, &hierarchy);
     }
     if (error != BMR_OK)
         return false;
+    bmr_kds_tally(kds, sum->count + bmr_hierarchy_edge_count(hierarchy));
     state->point.hierarchy = hierarchy;
     state->point.edge = BMR_NO_EDGE;
     state->point.turned = *b_in_a;
@@ -155,80 +159,43 @@ static bool inflated_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report 
     return turn(kds, &now->pose) && bmr_point_inflated_start(kds, now, report);
 }
 
-static const sum_class triangle_compass = {{.state_bytes = sizeof(sum_state),
-                                            .extra_bytes = bytes_compass,
-                                            .prepare = prepare,
-                                            .start = triangle_start,
-                                            .conditions = bmr_triangle_conditions,
-                                            .repair = bmr_triangle_repair,
-                                            .proof = bmr_point_proof,
-                                            .audit = bmr_triangle_audit},
-                                           BMR_HIERARCHY_COMPASS};
-static const sum_class triangle_dudley = {{.state_bytes = sizeof(sum_state),
-                                           .extra_bytes = bytes_dudley,
-                                           .prepare = prepare,
-                                           .start = triangle_start,
-                                           .conditions = bmr_triangle_conditions,
-                                           .repair = bmr_triangle_repair,
-                                           .proof = bmr_point_proof,
-                                           .audit = bmr_triangle_audit},
-                                          BMR_HIERARCHY_DUDLEY};
-static const sum_class lazy_compass = {{.state_bytes = sizeof(sum_state),
-                                        .extra_bytes = bytes_compass,
-                                        .prepare = prepare,
-                                        .start = lazy_start,
-                                        .conditions = bmr_point_conditions,
-                                        .repair = bmr_point_lazy_repair,
-                                        .proof = bmr_point_proof},
-                                       BMR_HIERARCHY_COMPASS};
-static const sum_class lazy_dudley = {{.state_bytes = sizeof(sum_state),
-                                       .extra_bytes = bytes_dudley,
-                                       .prepare = prepare,
-                                       .start = lazy_start,
-                                       .conditions = bmr_point_conditions,
-                                       .repair = bmr_point_lazy_repair,
-                                       .proof = bmr_point_proof},
-                                      BMR_HIERARCHY_DUDLEY};
-static const sum_class inflated_compass = {{.state_bytes = sizeof(sum_state),
-                                            .extra_bytes = bytes_compass,
-                                            .prepare = prepare,
-                                            .start = inflated_start,
-                                            .conditions = bmr_point_conditions,
-                                            .repair = bmr_point_inflated_repair,
-                                            .proof = bmr_point_proof},
-                                           BMR_HIERARCHY_COMPASS};
+#define SUM_CLASS(extra, begin, waits, mend, check, of_kind)                                                 \
+    {                                                                                                        \
+        {.state_bytes = sizeof(sum_state),                                                                   \
+         .extra_bytes = (extra),                                                                             \
+         .prepare = prepare,                                                                                 \
+         .start = (begin),                                                                                   \
+         .conditions = (waits),                                                                              \
+         .repair = (mend),                                                                                   \
+         .proof = bmr_point_proof,                                                                           \
+         .audit = (check)},                                                                                  \
+            of_kind                                                                                          \
+    }
+#define TRIANGLE_CLASS(extra, of_kind)                                                                       \
+    SUM_CLASS(extra, triangle_start, bmr_triangle_conditions, bmr_triangle_repair, bmr_triangle_audit,       \
+              of_kind)
+#define LAZY_CLASS(extra, of_kind)                                                                           \
+    SUM_CLASS(extra, lazy_start, bmr_point_conditions, bmr_point_lazy_repair, NULL, of_kind)
+static const sum_class triangle_compass = TRIANGLE_CLASS(bytes_compass, BMR_HIERARCHY_COMPASS),
+                       triangle_dudley = TRIANGLE_CLASS(bytes_dudley, BMR_HIERARCHY_DUDLEY),
+                       lazy_compass = LAZY_CLASS(bytes_compass, BMR_HIERARCHY_COMPASS),
+                       lazy_dudley = LAZY_CLASS(bytes_dudley, BMR_HIERARCHY_DUDLEY),
+                       inflated_compass = SUM_CLASS(bytes_compass, inflated_start, bmr_point_conditions,
+                                                    bmr_point_inflated_repair, NULL, BMR_HIERARCHY_COMPASS);
 
-#define SECTION "5, two translating polygons, on the explicit sum"
 #define NO_HIERARCHY (-1) // of the shapes' own
-const bmr_kds_info bmr_kds_sum_triangle_compass = {"sum-triangle-compass",
-                                                   "explicit sum: active triangle, compass",
-                                                   SECTION,
-                                                   BMR_KDS_TRANSLATION,
-                                                   BMR_KDS_CONTROL,
-                                                   NO_HIERARCHY,
-                                                   &triangle_compass};
-const bmr_kds_info bmr_kds_sum_triangle_dudley = {"sum-triangle-dudley",
-                                                  "explicit sum: active triangle, Dudley",
-                                                  SECTION,
-                                                  BMR_KDS_TRANSLATION,
-                                                  BMR_KDS_CONTROL,
-                                                  NO_HIERARCHY,
-                                                  &triangle_dudley};
-const bmr_kds_info bmr_kds_sum_lazy_compass = {"sum-lazy-compass",
-                                               "explicit sum: separating edge, compass",
-                                               SECTION,
-                                               BMR_KDS_TRANSLATION,
-                                               BMR_KDS_CONTROL,
-                                               NO_HIERARCHY,
-                                               &lazy_compass};
-const bmr_kds_info bmr_kds_sum_lazy_dudley = {"sum-lazy-dudley", "explicit sum: separating edge, Dudley",
-                                              SECTION,           BMR_KDS_TRANSLATION,
-                                              BMR_KDS_CONTROL,   NO_HIERARCHY,
-                                              &lazy_dudley};
-const bmr_kds_info bmr_kds_sum_inflated_compass = {"sum-inflated-compass",
-                                                   "explicit sum: inflated, entry of the old line",
-                                                   SECTION,
-                                                   BMR_KDS_TRANSLATION,
-                                                   BMR_KDS_CONTROL,
-                                                   NO_HIERARCHY,
-                                                   &inflated_compass};
+#define SUM_INFO(name, title, class)                                                                         \
+    {                                                                                                        \
+        name, title, "5, two translating polygons, on the explicit sum", BMR_KDS_TRANSLATION,                \
+            BMR_KDS_CONTROL, NO_HIERARCHY, class                                                             \
+    }
+const bmr_kds_info bmr_kds_sum_triangle_compass =
+    SUM_INFO("sum-triangle-compass", "explicit sum: active triangle, compass", &triangle_compass);
+const bmr_kds_info bmr_kds_sum_triangle_dudley =
+    SUM_INFO("sum-triangle-dudley", "explicit sum: active triangle, Dudley", &triangle_dudley);
+const bmr_kds_info bmr_kds_sum_lazy_compass =
+    SUM_INFO("sum-lazy-compass", "explicit sum: separating edge, compass", &lazy_compass);
+const bmr_kds_info bmr_kds_sum_lazy_dudley =
+    SUM_INFO("sum-lazy-dudley", "explicit sum: separating edge, Dudley", &lazy_dudley);
+const bmr_kds_info bmr_kds_sum_inflated_compass =
+    SUM_INFO("sum-inflated-compass", "explicit sum: inflated, entry of the old line", &inflated_compass);

@@ -88,8 +88,10 @@ void bmr_windowed_line_set(bmr_windowed_line *w, const bmr_kds *kds, const bmr_p
                            bmr_vec2 direction, const uint32_t support[2]) {
     const bmr_polygon *a = kds->shapes[0].polygon, *b = kds->shapes[1].polygon;
     const bmr_vec2 back = bmr_unrotate(b_in_a, bmr_neg(direction));
-    w->support[0] = bmr_support_near(a, direction, support[0] % a->count);
-    w->support[1] = bmr_support_near(b, back, support[1] % b->count);
+    unsigned steps = 0;
+    w->support[0] = bmr_support_near(a, direction, support[0] % a->count, &steps);
+    w->support[1] = bmr_support_near(b, back, support[1] % b->count, &steps);
+    bmr_kds_tally(kds, steps);
     w->owner = (uint8_t)owner;
     w->level = 0;
     w->line.normal = owner == 0 ? direction : back;
@@ -159,7 +161,9 @@ void bmr_windowed_exact(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose
     const int other = 1 - w->owner;
     const bmr_polygon *p = kds->shapes[other].polygon;
     const bmr_vec2 d = facing(w, b_in_a);
-    const uint32_t n = p->count, v = bmr_support_near(p, d, w->support[other] % n);
+    unsigned steps = 1 + BMR_WINDOWED_POINTS; // at most so many of its vertices stand for it
+    const uint32_t n = p->count, v = bmr_support_near(p, d, w->support[other] % n, &steps);
+    bmr_kds_tally(kds, steps);
     w->support[other] = v;
     w->low = w->high = bmr_vec2_make(0.0, 0.0);
     w->point[0] = p->vertices[v];
@@ -192,6 +196,7 @@ void bmr_windowed_exact(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose
     // More edges than that are one up to rounding. Two corners stand for them.
     bmr_window window;
     bmr_window_make(p, d, v, FLAT_PART * p->extent, 0, &window);
+    bmr_kds_tally(kds, window.steps);
     take_window(w, &window, 2);
 }
 
@@ -228,6 +233,7 @@ void bmr_windowed_corners(bmr_windowed_line *w, const bmr_kds *kds, const bmr_po
         bmr_window_make_one(p, d, w->support[other], limit, sense, &window);
     else
         bmr_window_make(p, d, w->support[other], limit, sense, &window);
+    bmr_kds_tally(kds, window.steps);
     const double exact = bmr_windowed_life(w, b_in_a, sense);
     // A body that turns back must not leave the exact window sooner than this one.
     const bool steady = sense == 0 || bmr_windowed_life(w, b_in_a, -sense) <=

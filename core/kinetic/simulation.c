@@ -452,7 +452,7 @@ bmr_simulation_counts bmr_simulation_get_counts(const bmr_simulation *s) {
     for (size_t i = 0; i < s->pair_count; i++) {
         bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
         counts.conditions += bmr_kds_conditions(s->pairs[i].kds, conditions);
-        counts.pair_bytes += bmr_kds_bytes(s->pairs[i].kds);
+        counts.pair_bytes += sizeof s->pairs[i] + bmr_kds_bytes(s->pairs[i].kds);
     }
     return counts;
 }

@@ -195,12 +195,9 @@ static bmr_answer leave(repair *r, double *gap) {
 bmr_answer bmr_lazy_repair(bmr_step *step, bmr_failure failure, double *gap) {
     bmr_pair *pair = step->pair;
     repair r = {step,
-                {{step->shapes[0]->hierarchies[step->pair->structure],
-                  step->shapes[1]->hierarchies[step->pair->structure]},
-                 step->pose,
-                 0,
-                 {0, 0},
-                 {{0, 0, 0}, {0, 0, 0}}},
+                {.hierarchies = {step->shapes[0]->hierarchies[step->pair->structure],
+                                 step->shapes[1]->hierarchies[step->pair->structure]},
+                 .pose = step->pose},
                 failure,
                 failure == BMR_FAILURE_NEW ? BMR_LEVEL_DISKS : pair->level,
                 0};

@@ -3,6 +3,7 @@
 #define BMR_PAIR_STEP_H
 
 #include "boomerang/pair.h"
+#include "certificate/walk.h"
 #include "geometry/distance.h"
 
 /// @file
@@ -30,13 +31,6 @@ typedef enum bmr_failure {
     BMR_FAILURE_ROLLED,  ///< the direction left the bracket
     BMR_FAILURE_CONTACT  ///< was in contact at the last advance
 } bmr_failure;
-
-/// A coarser proof (disks instead of a line, a coarser envelope) replaces a finer one only if its gap beyond
-/// the need is at least this part of the finer one's. With 0, as in the paper, a level that is apart by
-/// nearly nothing is taken and may fail at the next step: roll, coarsen, stab, and again. With this, a stab
-/// after a coarsening has cost a motion of this part of the gap. Events hardly depend on it: some percent
-/// fewer on orbits with 1/4 than with 0, and no fewer with 1/2.
-#define BMR_COARSEN_PART 0.25
 
 /// Makes the certificate of two bounding disks, with its level, if they prove more than `need`. *gap: what
 /// they prove.

@@ -421,8 +421,8 @@ CLI::App *AddEvents(CLI::App &app, EventsCommand &command) {
     events
         ->add_option(
             "--count", command.count,
-            "events (certificates that failed), lines (separating lines replaced), touched (cells and "
-            "levels looked at) or work (failure times computed)")
+            "events (certificates that failed), lines (separating lines replaced), touched (elementary "
+            "steps of repairs) or work (failure times computed)")
         ->check(CLI::IsMember({"events", "lines", "touched", "work"}))
         ->capture_default_str();
     events->add_option("--alpha", command.def.alpha, "Inflated: offset of the first level over the diameter")

@@ -29,7 +29,7 @@ Body::Body(const std::vector<bmr_vec2> &points) {
 }
 
 bmr_shape Body::Shape() const {
-    bmr_shape shape = {m_polygon.get(), {}};
+    bmr_shape shape = {m_polygon.get(), {}, {}};
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind)
         shape.hierarchies[kind] = m_hierarchies[kind].get();
     return shape;

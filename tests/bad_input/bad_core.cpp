@@ -58,7 +58,7 @@ struct World {
         bmr_polygon_destroy(round, nullptr);
         bmr_convex32_destroy(convex, nullptr);
     }
-    bmr_shape Shape() const { return {square, {hierarchies[0], hierarchies[1], hierarchies[2]}}; }
+    bmr_shape Shape() const { return {square, {hierarchies[0], hierarchies[1], hierarchies[2]}, {}}; }
 };
 
 std::string CreateKds(const char *name, void (*spoil)(bmr_kds_def *, bmr_shape *)) {
@@ -253,6 +253,25 @@ std::vector<Argument> Arguments() {
          [] {
              const World world;
              return Said(bmr_hierarchy_build_dobkin_kirkpatrick(world.square, nullptr, nullptr));
+         }},
+        {"`bmr_hierarchy_build_compass_with_corners`: a compass of 6 levels for 7",
+         [] {
+             const World world;
+             bmr_hierarchy *made = nullptr;
+             return Said(
+                 bmr_hierarchy_build_compass_with_corners(world.square, world.compass, 7, nullptr, &made));
+         }},
+        {"`bmr_hierarchy_build_compass_with_corners`: for `UINT32_MAX` levels",
+         [] {
+             const World world;
+             bmr_hierarchy *made = nullptr;
+             return Said(bmr_hierarchy_build_compass_with_corners(world.square, world.compass, UINT32_MAX,
+                                                                  nullptr, &made));
+         }},
+        {"`bmr_chains_create`: no hierarchy",
+         [] {
+             bmr_chains *made = nullptr;
+             return Said(bmr_chains_create(nullptr, nullptr, &made));
          }},
         {"`bmr_hierarchy_copy`: no polygon",
          [] {

@@ -114,7 +114,7 @@ bmr_error Simulation(const Pair &pair, size_t count, double time, SpoilDef spoil
     def.structure = test_structure("free-fd1");
     if (spoil != nullptr)
         spoil(&def);
-    const bmr_shape shapes[] = {{pair.polygon, {}}, {pair.polygon, {}}};
+    const bmr_shape shapes[] = {{pair.polygon, {}, {}}, {pair.polygon, {}, {}}};
     bmr_motion *const motions[] = {pair.rest, pair.comes};
     return bmr_simulation_create(&def, shapes, motions, count, time, nullptr, nullptr, nullptr, made);
 }
@@ -129,7 +129,7 @@ std::string Create(size_t count, double time, SpoilDef spoil = nullptr) {
 
 std::string TimeOfContact(double from, double until, double margin, bool shapes = true) {
     const Pair pair;
-    const bmr_shape shape = {shapes ? pair.polygon : nullptr, {}};
+    const bmr_shape shape = {shapes ? pair.polygon : nullptr, {}, {}};
     double time = -77.0;
     const bmr_error error =
         bmr_time_of_contact(&shape, pair.rest, &shape, pair.comes, from, until, margin, nullptr, &time);

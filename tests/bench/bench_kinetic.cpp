@@ -126,7 +126,7 @@ void Events(benchmark::State &state, const char *structure, int n, int bodies) {
     bmr_polygon *polygon = nullptr;
     if (bmr_polygon_create(points.data(), points.size(), nullptr, &polygon) != BMR_OK)
         std::abort();
-    std::vector<bmr_shape> shapes(static_cast<size_t>(bodies), bmr_shape{polygon, {}});
+    std::vector<bmr_shape> shapes(static_cast<size_t>(bodies), bmr_shape{polygon, {}, {}});
     std::vector<bmr_motion *> motions;
     for (int i = 0; i < bodies; ++i) {
         const int column = i % 4, row = i / 4;

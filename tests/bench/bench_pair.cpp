@@ -110,7 +110,7 @@ void Structure(benchmark::State &state, bmr_structure structure, int n, Motion m
     const Setting setting(n, motion);
     bmr_pair_def def = bmr_default_pair_def();
     def.structure = structure;
-    bmr_shape shape = {setting.polygon.get(), {}};
+    bmr_shape shape = {setting.polygon.get(), {}, {}};
     if (setting.hierarchy != nullptr)
         shape.hierarchies[bmr_hierarchy_get_kind(setting.hierarchy.get())] = setting.hierarchy.get();
     alignas(64) bmr_pair pair;

@@ -71,7 +71,37 @@ long double Separation(const Points &a, const Points &b, bmr_vec2 direction) {
 
 struct Tally {
     size_t queries = 0, near = 0, tooLittle = 0, tooMuch = 0, notSeparated = 0;
+    size_t starts = 0, startedAfar = 0, tooManySteps = 0; ///< of bmr_closest_start
 };
+
+/// Elementary steps that bmr_closest_start may take: up to four looks at the support vertices of both, each a
+/// climb of 12 that is given up and a binary search, and then every look halves one of two chains.
+unsigned MostSteps(const bmr_polygon *a, const bmr_polygon *b) {
+    unsigned levels = 0;
+    while ((size_t{1} << levels) < size_t{a->count} + b->count)
+        ++levels;
+    return 4 * 2 * (13 + levels) + 2 * 2 * (levels + 1);
+}
+
+/// The start that is found, and how far its vertices or its edge and vertex are from being the closest.
+bmr_simplex Start(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose &pose, const bmr_simplex &near,
+                  Tally &tally) {
+    bmr_simplex start = bmr_closest_start(a, b, &pose, &near);
+    const Points p = Transformed(a, {{0.0, 0.0}, 1.0, 0.0}), q = Transformed(b, pose);
+    const auto apart = [&](uint32_t i) {
+        return Point{q[start.b[i]].x - p[start.a[i]].x, q[start.b[i]].y - p[start.a[i]].y};
+    };
+    const Point first = apart(0), last = apart(start.count - 1);
+    const long double of = SegmentDistance({0.0L, 0.0L}, first, last), distance = Distance(p, q);
+    const long double scale = a->extent + b->extent + std::hypot(pose.position.x, pose.position.y);
+    ++tally.starts;
+    // An angle is known to the rounding over the distance, and what it costs is its square.
+    const long double angle = kRounding * scale / distance;
+    tally.startedAfar += of > distance * (1.0L + BMR_DISTANCE_TOLERANCE) + 4.0L * kRounding * scale +
+                                  scale * std::min(1.0L, 64.0L * angle * angle);
+    tally.tooManySteps += start.steps > MostSteps(a, b);
+    return start;
+}
 
 void Judge(const Points &a, const Points &b, const bmr_closest &closest, long double scale, Tally &tally) {
     const long double distance = Distance(a, b), slop = kRounding * scale;
@@ -109,8 +139,12 @@ void RunOne(uint64_t seed, Tally &tally) {
                 pose.position =
                     bmr_sub(pose.position, bmr_scale(closest.separation - wanted, closest.direction));
         }
-        if (test_random_below(&random, 2) == 0)
-            simplex = from(); // else from where it ended
+        // From anywhere, from where the search for a start leads from anywhere, or from where it ended.
+        const uint32_t way = test_random_below(&random, 3);
+        if (way < 2)
+            simplex = from();
+        if (way == 1 && apart)
+            simplex = Start(a, b, pose, simplex, tally);
         if (bmr_closest_direction(a, b, &pose, 0.0, 0.0, &simplex, &closest))
             Judge(Transformed(a, {{0.0, 0.0}, 1.0, 0.0}), Transformed(b, pose), closest,
                   a->extent + b->extent + std::hypot(pose.position.x, pose.position.y), tally);
@@ -136,6 +170,69 @@ TEST_CASE("the closest direction separates by the distance") {
     CHECK(tally.notSeparated == 0);
     const bool enoughNear = tally.near > tally.queries / 10;
     CHECK(enoughNear); // a test without near pairs shows little
+    MESSAGE(tally.starts << " starts, " << tally.startedAfar << " not at the closest points");
+    CHECK(tally.startedAfar == 0);
+    CHECK(tally.tooManySteps == 0);
+    const bool enoughStarts = tally.starts > tally.queries / 4;
+    CHECK(enoughStarts);
+}
+
+TEST_CASE("the search for a start takes logarithmically many steps, where vertices crowd too") {
+    // On a parabola each vertex half as far from the lowest one as the one before: iterations that go from
+    // vertex to vertex pass all of them.
+    std::vector<bmr_vec2> points, turned;
+    for (int k = 0; k < 24; ++k)
+        points.push_back(bmr_vec2_make(std::pow(2.0, -k), std::pow(4.0, -k)));
+    for (const bmr_vec2 &p : points)
+        turned.push_back(bmr_vec2_make(p.x, -1e-10 - p.y));
+    bmr_polygon *a = nullptr, *b = nullptr;
+    REQUIRE(bmr_polygon_create(turned.data(), turned.size(), nullptr, &a) == BMR_OK);
+    REQUIRE(bmr_polygon_create(points.data(), points.size(), nullptr, &b) == BMR_OK);
+    const bmr_pose pose = bmr_pose_identity();
+    unsigned most = 0, mostAfter = 0, mostWithout = 0;
+    for (uint32_t i = 0; i < a->count; ++i)
+        for (uint32_t j = 0; j < b->count; ++j) {
+            const bmr_simplex near = bmr_simplex_make(i, j);
+            bmr_simplex start = bmr_closest_start(a, b, &pose, &near), without = near;
+            most = std::max(most, start.steps);
+            bmr_closest closest;
+            const unsigned before = start.steps;
+            REQUIRE(bmr_closest_direction(a, b, &pose, 0.0, 0.0, &start, &closest));
+            mostAfter = std::max(mostAfter, start.steps - before);
+            REQUIRE(bmr_closest_direction(a, b, &pose, 0.0, 0.0, &without, &closest));
+            mostWithout = std::max(mostWithout, without.steps);
+        }
+    MESSAGE("crowded vertices: " << most << " steps, then " << mostAfter << "; iterating alone "
+                                 << mostWithout);
+    CHECK(most <= MostSteps(a, b));
+    CHECK(mostAfter <= 16);
+    CHECK(mostWithout > mostAfter); // control
+    std::free(a);
+    std::free(b);
+    for (size_t n = 64; n <= 32768; n *= 8) {
+        test_random random = {n};
+        Tally tally;
+        bmr_polygon *p = test_polygon(TEST_ELLIPSE, n, &random), *q = test_polygon(TEST_CIRCLE, n, &random);
+        unsigned mostHere = 0;
+        for (int k = 0; k < 400; ++k) {
+            const double side = test_random_uniform(&random, -3.2, 3.2),
+                         turn = test_random_uniform(&random, -3.2, 3.2);
+            const bmr_pose there = {bmr_vec2_make(5.0 * std::cos(side), 5.0 * std::sin(side)), std::cos(turn),
+                                    std::sin(turn)};
+            const bmr_simplex near =
+                bmr_simplex_make(test_random_below(&random, p->count), test_random_below(&random, q->count));
+            bmr_simplex start = bmr_closest_start(p, q, &there, &near);
+            mostHere = std::max(mostHere, start.steps);
+            bmr_closest closest;
+            const unsigned before = start.steps;
+            REQUIRE(bmr_closest_direction(p, q, &there, 0.0, 0.0, &start, &closest));
+            CHECK(start.steps - before <= 16);
+        }
+        MESSAGE(n << " vertices: at most " << mostHere << " steps");
+        CHECK(mostHere <= MostSteps(p, q));
+        std::free(p);
+        std::free(q);
+    }
 }
 
 TEST_CASE("control: a separation that is little off, or of another direction, is noticed") {

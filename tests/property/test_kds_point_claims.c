@@ -31,6 +31,9 @@ static bmr_kds *made(const char *name, const bmr_kds_def *def, const test_kds_bo
     return kds;
 }
 
+/// A pair's own memory where the polygon's chains are shared.
+#define MOST_PAIR_BYTES 512
+
 /// Drives a structure past a polygon of the family along a path of the kind that comes as near as gap *
 /// diameter; the polygon and the path depend on the seed alone.
 typedef struct pass {
@@ -42,6 +45,7 @@ typedef struct pass {
     bmr_kds_def def;
     void (*on_event)(void *context, const test_drive_event *event);
     void *context;
+    bool shares_chains; ///< those of the polygon
 } pass;
 
 static test_drive_result drive(const char *name, const pass *p) {
@@ -56,17 +60,26 @@ static test_drive_result drive(const char *name, const pass *p) {
                             .margin = p->def.margin,
                             .on_event = p->on_event,
                             .context = p->context};
+    const int kind = test_structure(name)->hierarchy;
+    bmr_chains *chains = NULL;
+    if (p->shares_chains) {
+        assert_int_equal(bmr_chains_create(a.hierarchies[kind], NULL, &chains), BMR_OK);
+        a.shape.chains[kind] = chains;
+    }
     bmr_kds *kds = made(name, &p->def, &a, &b);
+    if (p->shares_chains)
+        assert_true(bmr_kds_bytes(kds) <= MOST_PAIR_BYTES && bmr_chains_bytes(chains) > MOST_PAIR_BYTES);
     const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
     assert_true(test_drive_is_sound(&r));
     bmr_kds_destroy(kds, NULL);
+    bmr_chains_destroy(chains, NULL);
     test_kds_body_destroy(&a);
     test_kds_body_destroy(&b);
     return r;
 }
 
 static pass pass_make(test_family family, size_t n, test_path_kind kind, double gap, uint64_t seed) {
-    const pass p = {family, n, kind, gap, seed, bmr_default_kds_def(), NULL, NULL};
+    const pass p = {family, n, kind, gap, seed, bmr_default_kds_def(), NULL, NULL, false};
     return p;
 }
 
@@ -129,12 +142,14 @@ static void is_on_a_line(const test_drive_event *event) {
     assert_true(nearest <= 8.0 * bmr_point_tolerance(event->kds));
 }
 
-/// The paper's cost of a stab: a step for each level, or for each halving of at most 32 of them; and a look
-/// at the old cell and at the new one.
+/// The cost of a stab: a step for each level passed, or (galloping) two for each doubling of them, which is
+/// no more than the paper's O(log log n) nor its O(log D/s); and a look at the certificate, at the old cell
+/// and at the new one.
 static void took_few_steps(const test_drive_event *event) {
     const bool binary = strstr(bmr_kds_get_info(event->kds)->name, "-binary-") != NULL;
     const int levels = event->report.level_after - event->report.level_before;
-    assert_true(event->report.touched <= 2u + (binary ? 5u : (unsigned)levels));
+    const unsigned doublings = (unsigned)floor(log2((double)levels));
+    assert_true(event->report.touched <= 3u + (binary ? 1u + 2u * doublings : (unsigned)levels));
 }
 
 /// Brute force: every node whose triangle holds the point, tolerances left out.
@@ -188,12 +203,15 @@ static void the_active_triangle_is_the_one_of_brute_force(void **state) {
 typedef struct record {
     bmr_edge edges[4096];
     size_t count;
+    unsigned most_steps; ///< of a stab
 } record;
 
 static void write_down(void *context, const test_drive_event *event) {
     record *r = context;
     if (r->count < sizeof r->edges / sizeof *r->edges)
         r->edges[r->count++] = bmr_point_look(event->kds)->edge;
+    if (event->report.kind == BMR_KDS_STAB && event->report.touched > r->most_steps)
+        r->most_steps = event->report.touched;
 }
 
 /// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
@@ -203,6 +221,7 @@ static void both_searches_find_the_same_triangles(void **state) {
     const char *const names[2][2] = {{"triangle-levels-compass", "triangle-binary-compass"},
                                      {"triangle-levels-dudley", "triangle-binary-dudley"}};
     bool dudley_differs = false;
+    levels.most_steps = binary.most_steps = 0;
     for (uint64_t seed = 1; seed <= seeds(20); ++seed)
         for (int i = 0; i < 2; ++i) {
             pass p = pass_make(TEST_ELLIPSE, 200, TEST_PATH_WANDER, 1e-3, seed);
@@ -211,12 +230,15 @@ static void both_searches_find_the_same_triangles(void **state) {
             p.context = &levels;
             drive(names[i][0], &p);
             p.context = &binary;
-            const test_drive_result r = drive(names[i][1], &p);
+            drive(names[i][1], &p);
             assert_int_equal(levels.count, binary.count);
             assert_memory_equal(levels.edges, binary.edges, levels.count * sizeof *levels.edges);
-            // A chain has at most depth <= 2 ceil(log2 200) = 16 nodes: 5 steps, and one for each cell; a
-            // start walks down the levels, and a move across an apex makes another cell or two.
-            assert_true(r.touched <= 16 * 3 + 9 * (test_drive_events(&r) + 2));
+            binary.count = 0;
+            p.shares_chains = true;
+            drive(names[i][1], &p);
+            p.shares_chains = false;
+            assert_int_equal(levels.count, binary.count);
+            assert_memory_equal(levels.edges, binary.edges, levels.count * sizeof *levels.edges);
             // The control: another hierarchy's triangles are others.
             p.context = &binary;
             binary.count = 0;
@@ -224,6 +246,35 @@ static void both_searches_find_the_same_triangles(void **state) {
             dudley_differs = dudley_differs || levels.count != binary.count;
         }
     assert_true(dudley_differs);
+    print_message("a stab: at most %u steps level by level, %u galloping\n", levels.most_steps,
+                  binary.most_steps);
+    assert_true(binary.most_steps <= levels.most_steps + 1);
+}
+
+/// Chains are of one hierarchy.
+static void chains_of_another_hierarchy_are_refused(void **state) {
+    (void)state;
+    test_random random = {7};
+    test_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 60, &random));
+    test_kds_body c = test_kds_body_make(test_polygon(TEST_ELLIPSE, 60, &random));
+    test_kds_body b = test_kds_point_make(0.0, 0.0);
+    bmr_chains *chains = NULL;
+    bmr_kds *kds = NULL;
+    const bmr_kds_def def = bmr_default_kds_def();
+    const bmr_kds_info *info = test_structure("triangle-binary-dudley");
+    assert_int_equal(bmr_chains_create(NULL, NULL, &chains), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_chains_create(c.hierarchies[BMR_HIERARCHY_DUDLEY], NULL, NULL),
+                     BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_chains_create(c.hierarchies[BMR_HIERARCHY_DUDLEY], NULL, &chains), BMR_OK);
+    a.shape.chains[BMR_HIERARCHY_DUDLEY] = chains;
+    assert_int_equal(bmr_kds_create(info, &def, &a.shape, &b.shape, NULL, &kds), BMR_ERROR_WRONG_HIERARCHY);
+    c.shape.chains[BMR_HIERARCHY_DUDLEY] = chains; // control
+    assert_int_equal(bmr_kds_create(info, &def, &c.shape, &b.shape, NULL, &kds), BMR_OK);
+    bmr_kds_destroy(kds, NULL);
+    bmr_chains_destroy(chains, NULL);
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+    test_kds_body_destroy(&c);
 }
 
 /// How far a point moves between events, over its distance at the first of them, where slack is promised:
@@ -273,6 +324,9 @@ static void measure(void *context, const test_drive_event *event) {
     m->least_promise = fmin(m->least_promise, bmr_point_value(kds, x) / offset);
 }
 
+/// Offsets that begin at the diameter: what decides is then how they shrink, not the heights.
+#define DUDLEY_ALPHA 1.0
+
 static hysteresis measured(const char *name, const bmr_kds_def *def, const test_family *families,
                            size_t family_count) {
     hysteresis m = {INFINITY, INFINITY, INFINITY, 0, false, {0, 0}, 0};
@@ -319,6 +373,30 @@ static void a_point_moves_by_its_distance_over_beta_between_events(void **state)
     // The control: the lazy structure has no hysteresis.
     const hysteresis lazy = measured("point-lazy-compass", &plain, round, 3);
     assert_true(lazy.least_move < 0.1 && lazy.least_promise < 0.1);
+}
+
+/// Section 6, Dudley: an inflated Dudley hierarchy doubles beta.
+/// The remark that an inflated Dudley hierarchy doubles beta: its offsets must shrink as its heights do, by a
+/// quarter a level in place of a half, and beta is their quotient times 1 + sqrt 2. Measured, the least slack
+/// over the distance after an event, where it is promised: 0.82 and 0.45, 0.71 and 0.40 with five times the
+/// seeds.
+static void an_inflated_dudley_hierarchy_doubles_beta(void **state) {
+    (void)state;
+    const test_family round[] = {TEST_REGULAR, TEST_CIRCLE, TEST_ELLIPSE};
+    bmr_kds_def halves = bmr_default_kds_def(), quarters = halves;
+    halves.alpha = quarters.alpha = DUDLEY_ALPHA;
+    quarters.offset_ratio = 0.25;
+    const hysteresis compass = measured("point-inflated-compass", &halves, round, 3),
+                     dudley = measured("point-inflated-dudley", &quarters, round, 3);
+    const double beta = 2.0 * (1.0 + sqrt(2.0));
+    print_message("slack / distance: compass %.3f (1 / beta = %.3f), Dudley %.3f (1 / (2 beta) = %.3f); "
+                  "moves %.3f, %.3f\n",
+                  compass.least_slack, 1.0 / beta, dudley.least_slack, 0.5 / beta, compass.least_move,
+                  dudley.least_move);
+    assert_true(compass.events > 2 * seeds(18) && dudley.events > 2 * seeds(18));
+    assert_true(compass.least_slack >= 1.0 / beta && dudley.least_slack >= 0.5 / beta);
+    const double times = compass.least_slack / dudley.least_slack;
+    assert_true(seeds(18) < 18 || (times > 1.5 && times < 2.5)); // too few seeds do not meet the worst
 }
 
 static double area(const bmr_vec2 *points, size_t count) {
@@ -492,7 +570,9 @@ int main(void) {
         cmocka_unit_test(a_convex_path_meets_at_most_one_triangle_of_a_level),
         cmocka_unit_test(the_active_triangle_is_the_one_of_brute_force),
         cmocka_unit_test(both_searches_find_the_same_triangles),
+        cmocka_unit_test(chains_of_another_hierarchy_are_refused),
         cmocka_unit_test(a_point_moves_by_its_distance_over_beta_between_events),
+        cmocka_unit_test(an_inflated_dudley_hierarchy_doubles_beta),
         cmocka_unit_test(the_inflated_complex_tiles_what_is_between_its_outermost_polygon_and_the_innermost),
         cmocka_unit_test(events_grow_logarithmically_on_convex_paths_and_with_the_square_root_on_orbits),
     };

@@ -104,7 +104,7 @@ static void a_head_on_contact_is_when_arithmetic_says(void **state) {
     const bmr_vec2 square[4] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
     bmr_polygon *polygon = NULL;
     assert_int_equal(bmr_polygon_create(square, 4, NULL, &polygon), BMR_OK);
-    const bmr_shape shape = {polygon, {NULL}};
+    const bmr_shape shape = {.polygon = polygon};
     const bmr_vec2 none = {0, 0}, from = {10, 0.5}, velocity = {-4, 0};
     bmr_motion *rest = screw(none, 0.0, none, 0.0), *comes = screw(from, 0.0, velocity, 0.0);
     double time = -1.0;

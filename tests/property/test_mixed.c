@@ -369,6 +369,64 @@ static void the_tiling_is_of_linear_size(void **state) {
     assert_true(too_many > 0);
 }
 
+// --- Collapses ---
+
+/// Section 5, collapse events: the point has left a cell before it collapses.
+/// "We do not have to worry about collapse events, since the configuration point will be squeezed out of the
+/// cell": two opposite sides of a parallelogram lie on the two ends of its edge y along the line that y
+/// becomes parallel to, so that how far any point is inside the one and inside the other adds up to |y|
+/// sin(y, line). At a collapse that is 0: one of the two conditions has failed by then, whatever the motion.
+static void a_cell_that_collapses_has_let_go_of_its_point_before(void **state) {
+    (void)state;
+    test_random random = {411};
+    size_t cells = 0;
+    double widest = 0.0;
+    for (size_t round = 0; round < test_scaled(40); ++round) {
+        scene s = random_scene(kinds[round % 2], 12, 12, &random);
+        const double size = size_of(&s);
+        for (uint32_t i = 0; i < bmr_mixed_tiling_count(s.tiling); ++i) {
+            const bmr_mixed_cell *cell = bmr_mixed_tiling_cell(s.tiling, i);
+            if (cell->kind != BMR_MIXED_BEFORE && cell->kind != BMR_MIXED_AFTER)
+                continue;
+            bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
+            bmr_vec2 corners[BMR_MIXED_MAX_SIDES];
+            bmr_mixed_order orders[2];
+            const size_t count = bmr_mixed_sides(&s.mixed, cell, sides);
+            bmr_mixed_polygon(&s.mixed, cell, corners);
+            bmr_mixed_orders(&s.mixed, cell, orders);
+            const bmr_mixed_order *collapse = &orders[orders[0].page_turn ? 1 : 0];
+            assert_false(collapse->page_turn);
+            const bmr_pose back = {{0.0, 0.0}, -s.mixed.c, -s.mixed.s}; // -B in A's frame
+            bmr_vec2 n[2];
+            for (int k = 0; k < 2; ++k) {
+                const int owner = k ? 1 - collapse->owner : collapse->owner;
+                n[k] =
+                    bmr_hierarchy_line(s.hierarchies[owner], k ? collapse->second : collapse->first).normal;
+                n[k] = owner ? bmr_rotate(&back, n[k]) : n[k];
+            }
+            // y is the side on the line of OUTER: from its corner to the next.
+            size_t outer = 0;
+            while (outer < count && sides[outer].role != BMR_MIXED_OUTER)
+                ++outer;
+            const bmr_vec2 y = bmr_sub(corners[outer + 1], corners[outer]);
+            const double width = hypot(y.x, y.y) * bmr_cross(n[0], n[1]);
+            const bmr_vec2 x = {test_random_uniform(&random, -size, size),
+                                test_random_uniform(&random, -size, size)};
+            double sum = 0.0;
+            for (size_t k = 0; k < count; ++k)
+                if (sides[k].role == BMR_MIXED_LOW || sides[k].role == BMR_MIXED_HIGH)
+                    sum += bmr_mixed_side_value(&s.mixed, &sides[k], x);
+            assert_true(fabs(sum - width) <= 1e-9 * size);
+            widest = fmax(widest, width / size);
+            ++cells;
+        }
+        scene_destroy(&s);
+    }
+    print_message("%zu parallelograms, the widest %.2f of the radii\n", cells, widest);
+    assert_true(cells > 10 * test_scaled(40));
+    assert_true(widest > 0.1); // control: the sum is not always nothing
+}
+
 // --- Lemma mixed-rotation ---
 
 static int compare_doubles(const void *a, const void *b) {
@@ -560,6 +618,7 @@ int main(void) {
         cmocka_unit_test(each_point_is_in_one_tile_and_the_implicit_cell_is_that_tile),
         cmocka_unit_test(across_each_side_lies_the_tile_that_brute_force_finds),
         cmocka_unit_test(the_tiling_is_of_linear_size),
+        cmocka_unit_test(a_cell_that_collapses_has_let_go_of_its_point_before),
         cmocka_unit_test(a_full_turn_has_one_page_turn_collapse_and_expansion_for_each_pair_of_edges),
         cmocka_unit_test(tall_cells_are_few_and_a_line_meets_few_cells),
     };

@@ -23,7 +23,7 @@ static const bmr_compass *shared_compass(void) {
 }
 
 test_kds_body test_kds_body_make(bmr_polygon *polygon) {
-    test_kds_body body = {polygon, {NULL, NULL, NULL}, {polygon, {NULL, NULL, NULL}}};
+    test_kds_body body = {polygon, {NULL, NULL, NULL}, {.polygon = polygon}};
     if (!polygon ||
         bmr_hierarchy_build_compass(polygon, shared_compass(), NULL, &body.hierarchies[0]) != BMR_OK ||
         bmr_hierarchy_build_dudley(polygon, NULL, &body.hierarchies[1]) != BMR_OK ||

@@ -184,7 +184,7 @@ void test_body_destroy(test_body *body) {
 }
 
 bmr_shape test_body_shape(const test_body *body) {
-    bmr_shape shape = {body->polygon, {NULL}};
+    bmr_shape shape = {.polygon = body->polygon};
     if (body->hierarchy)
         shape.hierarchies[bmr_hierarchy_get_kind(body->hierarchy)] = body->hierarchy;
     return shape;

@@ -179,6 +179,23 @@ static bmr_error run_hierarchy_copy(const bmr_allocator *allocator, uint64_t *bi
     return made_hierarchy(error, made, allocator, bits);
 }
 
+static bmr_error run_hierarchy_build_compass_with_corners(const bmr_allocator *allocator, uint64_t *bits) {
+    bmr_hierarchy *made = NULL;
+    const bmr_error error = bmr_hierarchy_build_compass_with_corners(polygon, compass, 2, allocator, &made);
+    return made_hierarchy(error, made, allocator, bits);
+}
+
+static bmr_error run_chains_create(const bmr_allocator *allocator, uint64_t *bits) {
+    bmr_chains *made = NULL;
+    const bmr_error error = bmr_chains_create(shape.hierarchies[BMR_HIERARCHY_DUDLEY], allocator, &made);
+    if (error != BMR_OK)
+        return made == NULL ? error : BMR_ERROR_COUNT;
+    const size_t bytes = bmr_chains_bytes(made);
+    test_hash(bits, &bytes, sizeof bytes);
+    bmr_chains_destroy(made, allocator);
+    return BMR_OK;
+}
+
 static bmr_error run_compass_create(const bmr_allocator *allocator, uint64_t *bits) {
     bmr_compass *made = NULL;
     const bmr_error error = bmr_compass_create(COUNT, allocator, &made);
@@ -237,6 +254,8 @@ static const test_attempt attempts[] = {
     {"bmr_convex32_simplify", run_convex32_simplify},
     {"bmr_compass_create", run_compass_create},
     {"bmr_hierarchy_build_compass", run_hierarchy_build_compass},
+    {"bmr_hierarchy_build_compass_with_corners", run_hierarchy_build_compass_with_corners},
+    {"bmr_chains_create", run_chains_create},
     {"bmr_hierarchy_build_dudley", run_hierarchy_build_dudley},
     {"bmr_hierarchy_build_dobkin_kirkpatrick", run_hierarchy_build_dobkin_kirkpatrick},
     {"bmr_hierarchy_copy", run_hierarchy_copy},

@@ -168,7 +168,7 @@ static bmr_shape triangle_in_place(double width, const bmr_allocator *allocator)
     const bmr_vec2 vertices[] = {{0.0, 0.0}, {width, 0.0}, {0.0, 1.0}};
     bmr_polygon *made = NULL;
     assert_int_equal(bmr_polygon_create_raw(vertices, 3, allocator, &made), BMR_OK);
-    const bmr_shape shape = {made, {NULL, NULL, NULL}};
+    const bmr_shape shape = {.polygon = made};
     return shape;
 }
 

@@ -208,7 +208,7 @@ static void no_pose_is_contact_and_no_point_is_an_error(void **state) {
         if (info_of(i)->domain == BMR_KDS_POINT)
             assert_int_equal(bmr_kds_create(info_of(i), &def, &a.shape, &b.shape, NULL, &kds),
                              BMR_ERROR_OUT_OF_RANGE);
-        bmr_shape bare = {a.polygon, {NULL, NULL, NULL}};
+        bmr_shape bare = {.polygon = a.polygon};
         if (info_of(i)->hierarchy >= 0)
             assert_int_equal(bmr_kds_create(info_of(i), &def, &bare, &point.shape, NULL, &kds),
                              BMR_ERROR_NULL_ARGUMENT);

@@ -165,7 +165,7 @@ TEST_CASE("all that is made of the largest polygons fits 32 bits") {
         REQUIRE(bmr_hierarchy_build_dudley(polygon, memory, &made[BMR_HIERARCHY_DUDLEY]) == BMR_OK);
         REQUIRE(bmr_hierarchy_build_dobkin_kirkpatrick(polygon, memory,
                                                        &made[BMR_HIERARCHY_DOBKIN_KIRKPATRICK]) == BMR_OK);
-        const bmr_shape shape = {polygon, {made[0], made[1], made[2]}};
+        const bmr_shape shape = {polygon, {made[0], made[1], made[2]}, {}};
         bmr_polygon *difference = nullptr;
         if (bmr_minkowski_difference(polygon, polygon, {1.0, 0.0}, memory, &difference) == BMR_OK)
             bmr_polygon_destroy(difference, memory);

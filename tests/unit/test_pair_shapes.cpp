@@ -50,7 +50,7 @@ struct Body {
     }
     /// What the structure names; nothing for the free direction.
     bmr_shape Shape(int structure) const {
-        bmr_shape shape = {polygon, {}};
+        bmr_shape shape = {polygon, {}, {}};
         if (structure != BMR_FREE_DIRECTION)
             shape.hierarchies[structure] = hierarchies[structure];
         return shape;
@@ -307,7 +307,7 @@ TEST_CASE("every structure answers with whatever hierarchies there are") {
 TEST_CASE("the default definition needs no hierarchy") {
     const Body box(Box(1.0, 1.0));
     const bmr_pair_def def = bmr_default_pair_def();
-    const bmr_shape bare = {box.polygon, {}};
+    const bmr_shape bare = {box.polygon, {}, {}};
     bmr_pair pair = NewPair();
     CHECK(Advance(&pair, def, bare, bare, At(100.0, 0.0, 0.0)) == BMR_APART);
     CHECK(Advance(&pair, def, bare, bare, At(2.1, 0.5, 0.0)) == BMR_APART);

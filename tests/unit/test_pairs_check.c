@@ -25,7 +25,7 @@ typedef struct world {
 
 static void world_make(world *w, test_random *random) {
     w->polygon = test_polygon(TEST_ELLIPSE, 12, random);
-    const bmr_shape shape = {w->polygon, {NULL}};
+    const bmr_shape shape = {.polygon = w->polygon};
     w->shape = shape;
     size_t pair = 0;
     for (uint32_t a = 0; a < BODIES; ++a) {

@@ -128,8 +128,10 @@ static void edges_of_denormal_length_hide_no_vertex_behind_them(void **state) {
             const bmr_vec2 d = bmr_vec2_make(cos(0.017453 * i), sin(0.017453 * i));
             assert_true(is_support(p, d, bmr_polygon_support(p, d)));
             for (uint32_t hint = 0; hint < p->count; ++hint) {
+                unsigned steps = 0;
                 assert_true(is_support(p, d, bmr_polygon_support_from(p, d, hint)));
-                assert_true(is_support(p, d, bmr_support_near(p, d, hint)));
+                assert_true(is_support(p, d, bmr_support_near(p, d, hint, &steps)));
+                assert_true(steps > 0);
             }
         }
         bmr_polygon_destroy(p, NULL);

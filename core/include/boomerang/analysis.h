@@ -103,7 +103,7 @@ typedef struct bmr_run_def {
 typedef struct bmr_qualities {
     double conditions;   ///< compact: certificates waited for at a time, the most at any event
     double bytes;        ///< compact: of the pair's state
-    double touched;      ///< responsive: cells, levels or features looked at in a repair, mean ..
+    double touched;      ///< responsive: elementary steps of a repair (bmr_kds_report), mean ..
     double touched_most; ///< .. and most
     double replanned;    ///< local: certificates whose failure times a change of plan makes anew
     double efficiency;   ///< efficient: events over external events (contacts begun and ended), 0 external

@@ -55,13 +55,22 @@ bmr_error bmr_compass_create(size_t max_vertices, const bmr_allocator *allocator
 /// NULL is no error.
 void bmr_compass_destroy(bmr_compass *compass, const bmr_allocator *allocator);
 
-/// Builds a hierarchy over `polygon`, which must outlive it. Points and segments have one too. O(n log n)
-/// time, one block. With the polygon at most 160 bytes a vertex for n >= 64. Compass: the top ceil(log2 n)
-/// levels bisect the angle, below them the median edge; depth <= 2 ceil(log2 n), at most 5 n edges. Errors of
-/// all builders, which leave *hierarchy untouched: NULL_ARGUMENT, NO_MEMORY; of this one also
-/// TABLE_TOO_SMALL.
+/// Builds a hierarchy over `polygon`, which must outlive it. Points and segments have one too. O(n)
+/// time, for the polygon's edges are in order already; one block. With the polygon at most 160 bytes a vertex
+/// for n >= 64. Compass: the top ceil(log2 n) levels bisect the angle, below them the median edge; depth <= 2
+/// ceil(log2 n), at most 5 n edges. Errors of all builders, which leave *hierarchy untouched: NULL_ARGUMENT,
+/// NO_MEMORY; of this one also TABLE_TOO_SMALL.
 bmr_error bmr_hierarchy_build_compass(const bmr_polygon *polygon, const bmr_compass *compass,
                                       const bmr_allocator *allocator, bmr_hierarchy **hierarchy);
+/// The same, but its first `corner_levels` levels also cut corners that are vertices of the polygon already:
+/// by edges of length zero, so that no two neighbouring edges of level i <= corner_levels, or of any below,
+/// are more than 90 / 2^i degrees apart. Section 6's tuning lives on them: at a sharp corner without such
+/// edges no line of any level is as far from a point as the polygon is, and beta stays at sqrt 2. At most 4 *
+/// 2^corner_levels edges more; depth at least corner_levels. TABLE_TOO_SMALL also where the table has fewer
+/// levels than that (ceil(log2 max_vertices)).
+bmr_error bmr_hierarchy_build_compass_with_corners(const bmr_polygon *polygon, const bmr_compass *compass,
+                                                   uint32_t corner_levels, const bmr_allocator *allocator,
+                                                   bmr_hierarchy **hierarchy);
 /// Dudley: degenerate edges and vertices from n regular points on a circle of radius 2D (normals outward:
 /// erratum 1), each boomerang cut by its median edge, split vertices counted; depth <= ceil(log2 2n), at most
 /// 2 n + 4 edges.
@@ -128,6 +137,9 @@ bmr_corner bmr_hierarchy_refine(const bmr_hierarchy *hierarchy, bmr_corner corne
 /// From a corner of P_level to the corner of P_(level-1) that swallowed it (level >= 1). O(1).
 bmr_corner bmr_hierarchy_coarsen(const bmr_hierarchy *hierarchy, bmr_corner corner, uint32_t level);
 
+/// A hierarchy's chains as arrays: bmr_chains_create in kds.h.
+typedef struct bmr_chains bmr_chains;
+
 /// One body of a pair: what is prepared once for a polygon and shared by all pairs that it is in. Plain data;
 /// the polygon and the hierarchies belong to the caller.
 typedef struct bmr_shape {
@@ -135,6 +147,9 @@ typedef struct bmr_shape {
     /// Built over `polygon` itself, each in the place of its bmr_hierarchy_kind. Those that no structure in
     /// use walks on may be NULL.
     const bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT];
+    /// Of those hierarchies (kds.h), for the structures that search chains ("triangle-binary-.."). NULL: a
+    /// pair that needs them makes its own, in its own block.
+    const bmr_chains *chains[BMR_HIERARCHY_KIND_COUNT];
 } bmr_shape;
 
 /// Re-checks everything this header promises against the polygon by brute force, O(n * depth). Tests and

@@ -20,6 +20,16 @@ extern "C" {
 ///
 /// All of it is in double precision. Poses are of B's frame in A's frame throughout.
 
+/// The chains of a hierarchy as arrays (bmr_chains), for the search of the active triangle by halves: section
+/// 5's O(log(log n - i)) time with O(n) more space, 16 bytes an edge of the hierarchy. Made once for a
+/// polygon, constant, shared by any number of pairs and threads. The hierarchy must outlive them. O(n).
+/// Errors: NULL_ARGUMENT, NO_MEMORY; then *chains is untouched.
+bmr_error bmr_chains_create(const bmr_hierarchy *hierarchy, const bmr_allocator *allocator,
+                            bmr_chains **chains);
+/// NULL is no error.
+void bmr_chains_destroy(bmr_chains *chains, const bmr_allocator *allocator);
+size_t bmr_chains_bytes(const bmr_chains *chains);
+
 /// Which pairs and motions a structure is made for.
 typedef enum bmr_kds_domain {
     BMR_KDS_POINT,       ///< B is a point (a polygon of one vertex); any motion
@@ -73,7 +83,10 @@ typedef struct bmr_kds_def {
     /// Inflated structures: eps_j = alpha * (D_A + D_B) * offset_ratio^j. The paper's: 1/2 and 1/2; a ratio
     /// nearer to 1 takes beta towards 1 and kappa towards 3, where the root polygon is richer too.
     double alpha, offset_ratio;
-    /// Inflated structures: levels of the hierarchy that the root polygon already has; 0: the rectangle.
+    /// Inflated structures: levels of the hierarchy that the root polygon already has; 0: the rectangle. For
+    /// polygons with sharp corners give the shapes hierarchies of bmr_hierarchy_build_compass_with_corners,
+    /// of at least so many levels (an explicit sum makes its own): else no level is beyond the corners'
+    /// angle.
     unsigned root_level;
     /// Free directions: the part of the gap that a window may cost (gamma), in (0, 1).
     double window_part;
@@ -116,7 +129,9 @@ typedef struct bmr_kds_report {
     /// be the same may count as another.
     bool line_changed;
     int level_before, level_after; ///< of the hierarchy; 0 for a structure that has none
-    unsigned touched;              ///< cells, levels or candidate features looked at
+    /// Elementary steps: 1 for the proof that failed, and 1 for every vertex, edge, normal, node of a
+    /// hierarchy or cell that was looked at. The time of a start or repair is at most a constant times this.
+    unsigned touched;
 } bmr_kds_report;
 
 /// The most conditions any structure waits for.

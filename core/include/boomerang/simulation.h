@@ -45,12 +45,12 @@ typedef void (*bmr_simulation_observer)(void *context, const bmr_simulation_even
 typedef struct bmr_simulation_counts {
     uint64_t events[BMR_KDS_EVENT_KIND_COUNT];
     uint64_t lines;           ///< times that a separating line was replaced by another, starts not counted
-    uint64_t touched;         ///< cells, levels or features that repairs looked at
+    uint64_t touched;         ///< elementary steps of starts and repairs
     uint64_t failure_times;   ///< conditions whose failure time was computed
     uint64_t replanned;       ///< of those, because a flight plan changed
     uint64_t external;        ///< contacts begun and ended since the start: what any method must process
     size_t pairs, conditions; ///< at this moment
-    size_t pair_bytes;        ///< of all pairs
+    size_t pair_bytes;        ///< of all pairs: structures, and what the simulation keeps of each
     size_t queue_bytes;
 } bmr_simulation_counts;
 

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// The steps that a start or repair reports are what it costs: core is compiled once more with a call at every
+// basic block, and the blocks that were run are at most a constant times the steps, for every structure,
+// every single repair, and polygons of any size.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "kds_driver.h"
+#include "test_scale.h"
+
+/// Blocks for each step reported, at most. Measured: 8 to 42 on average, 141 at most (a rival's walk by one
+/// feature, which looks at some ten conditions); other compilers cut blocks otherwise.
+#define MOST_BLOCKS 256.0
+/// Of the blocks a vertex, from 512 vertices to 32768.
+#define MOST_GROWTH 1.2
+
+static uint64_t blocks;
+
+/// Called by the traced core at every basic block.
+void __sanitizer_cov_trace_pc(void);
+void __sanitizer_cov_trace_pc(void) {
+    ++blocks;
+}
+
+/// Of one structure on polygons of one size.
+typedef struct tally {
+    double worst;   ///< the most blocks for a step in one start or repair
+    double busiest; ///< the most blocks of one, whatever it reports
+    double blocks, steps;
+    size_t repairs;
+} tally;
+static tally now_at;
+
+static void note(uint64_t before, const bmr_kds_report *report) {
+    const double ran = (double)(blocks - before);
+    now_at.worst = fmax(now_at.worst, ran / report->touched);
+    now_at.busiest = fmax(now_at.busiest, ran);
+    now_at.blocks += ran;
+    now_at.steps += report->touched;
+    ++now_at.repairs;
+}
+
+void __real_bmr_kds_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report);
+void __wrap_bmr_kds_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report);
+void __wrap_bmr_kds_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+    const uint64_t before = blocks;
+    __real_bmr_kds_start(kds, now, report);
+    note(before, report);
+}
+
+void __real_bmr_kds_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report);
+void __wrap_bmr_kds_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report);
+void __wrap_bmr_kds_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+    const uint64_t before = blocks;
+    __real_bmr_kds_repair(kds, now, failed, report);
+    note(before, report);
+}
+
+static const size_t sizes[] = {12, 128, 2048};
+#define SIZES (sizeof sizes / sizeof *sizes)
+
+static void drive(const bmr_kds_info *info, size_t n, uint64_t seed) {
+    test_random random = {seed};
+    const test_family family = seed % 2 ? TEST_ELLIPSE : TEST_LENS;
+    test_kds_body a = test_kds_body_make(test_polygon(family, n, &random));
+    test_kds_body b = info->domain == BMR_KDS_POINT
+                          ? test_kds_point_make(0.1, 0.2)
+                          : test_kds_body_make(test_polygon(TEST_REGULAR, n, &random));
+    const test_path_kind kind = info->role == BMR_KDS_RIVAL ? TEST_PATH_LINE
+                                : seed % 3                  ? TEST_PATH_WANDER
+                                                            : TEST_PATH_ORBIT;
+    const bool turns = info->domain == BMR_KDS_RIGID && info->role != BMR_KDS_RIVAL;
+    const test_path path = test_path_make(kind, a.polygon, b.polygon, 1e-3, turns, &random);
+    const test_drive how = {.path = &path, .audit_every = 100000};
+    const bmr_kds_def def = bmr_default_kds_def();
+    bmr_kds *kds = NULL;
+    assert_int_equal(bmr_kds_create(info, &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
+    const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
+    assert_true(test_drive_is_sound(&r));
+    bmr_kds_destroy(kds, NULL);
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+}
+
+static void no_repair_runs_more_than_a_constant_for_each_step_that_it_reports(void **state) {
+    (void)state;
+    double worst = 0.0, busiest = 0.0;
+    for (size_t i = 0; i < bmr_kds_count(); ++i) {
+        for (size_t k = 0; k < SIZES; ++k) {
+            now_at = (tally){0};
+            const size_t seeds = test_scaled(2);
+            for (size_t seed = 1; seed <= seeds; ++seed)
+                drive(bmr_kds_at(i), sizes[k], seed);
+            print_message("%s, n = %zu: %zu repairs, %.1f steps each, %.1f blocks a step, at most %.1f\n",
+                          bmr_kds_at(i)->name, sizes[k], now_at.repairs,
+                          now_at.steps / (double)now_at.repairs, now_at.blocks / now_at.steps, now_at.worst);
+            assert_true(now_at.repairs > 1);
+            assert_true(now_at.steps <= now_at.blocks); // no step without anything done
+            worst = fmax(worst, now_at.worst);
+            busiest = fmax(busiest, now_at.busiest);
+        }
+    }
+    print_message("at most %.1f blocks a step; at most %.0f in a repair\n", worst, busiest);
+    assert_true(worst <= MOST_BLOCKS);
+    assert_true(busiest > 2.0 * MOST_BLOCKS); // control: that a repair is one step would be found out
+}
+
+/// Blocks that `build` takes for each vertex of polygons of n vertices.
+static double blocks_a_vertex(test_family family, size_t n, bmr_hierarchy_kind kind,
+                              const bmr_compass *compass) {
+    test_random random = {n};
+    bmr_polygon *polygon = test_polygon(family, n, &random);
+    assert_non_null(polygon);
+    bmr_hierarchy *made = NULL;
+    const uint64_t before = blocks;
+    if (kind == BMR_HIERARCHY_COMPASS)
+        assert_int_equal(bmr_hierarchy_build_compass(polygon, compass, NULL, &made), BMR_OK);
+    else if (kind == BMR_HIERARCHY_DUDLEY)
+        assert_int_equal(bmr_hierarchy_build_dudley(polygon, NULL, &made), BMR_OK);
+    else
+        assert_int_equal(bmr_hierarchy_build_dobkin_kirkpatrick(polygon, NULL, &made), BMR_OK);
+    const double each = (double)(blocks - before) / polygon->count;
+    bmr_hierarchy_destroy(made, NULL);
+    bmr_polygon_destroy(polygon, NULL);
+    return each;
+}
+
+/// The same of a search by halves for each vertex.
+static double blocks_a_search(size_t n) {
+    test_random random = {n};
+    bmr_polygon *polygon = test_polygon(TEST_REGULAR, n, &random);
+    const uint64_t before = blocks;
+    for (uint32_t i = 0; i < polygon->count; ++i)
+        bmr_polygon_support(polygon, bmr_polygon_normal(polygon, i));
+    const double each = (double)(blocks - before) / polygon->count;
+    bmr_polygon_destroy(polygon, NULL);
+    return each;
+}
+
+/// O(n) preprocessing: a vertex costs no more in a large polygon than in a small one. From 512 vertices to
+/// 32768 the logarithm grows by two thirds.
+static void a_hierarchy_is_built_in_linear_time(void **state) {
+    (void)state;
+    const test_family families[] = {TEST_CIRCLE, TEST_ELLIPSE, TEST_LENS};
+    const size_t small = 512, large = 32768;
+    bmr_compass *compass = NULL;
+    assert_int_equal(bmr_compass_create(large, NULL, &compass), BMR_OK);
+    for (size_t f = 0; f < sizeof families / sizeof *families; ++f)
+        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+            const double few = blocks_a_vertex(families[f], small, (bmr_hierarchy_kind)kind, compass),
+                         many = blocks_a_vertex(families[f], large, (bmr_hierarchy_kind)kind, compass);
+            print_message("%s, hierarchy %d: %.1f blocks a vertex of %zu, %.1f of %zu\n",
+                          test_family_name(families[f]), kind, few, small, many, large);
+            assert_true(many <= MOST_GROWTH * few);
+        }
+    assert_true(blocks_a_search(large) > MOST_GROWTH * blocks_a_search(small)); // control: n log n
+    bmr_compass_destroy(compass, NULL);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_repair_runs_more_than_a_constant_for_each_step_that_it_reports),
+        cmocka_unit_test(a_hierarchy_is_built_in_linear_time),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
