@@ -399,6 +399,47 @@ static void an_inflated_dudley_hierarchy_doubles_beta(void **state) {
     assert_true(seeds(18) < 18 || (times > 1.5 && times < 2.5)); // too few seeds do not meet the worst
 }
 
+/// Steps of the repairs that found another line.
+typedef struct looks {
+    double steps;
+    size_t repairs;
+} looks;
+
+static void count_looks(void *context, const test_drive_event *event) {
+    looks *l = context;
+    if (event->report.kind != BMR_KDS_PUSH && event->report.kind != BMR_KDS_STAB)
+        return;
+    l->steps += event->report.touched;
+    ++l->repairs;
+}
+
+static double looks_a_repair(const char *name, size_t n) {
+    looks l = {0.0, 0};
+    for (uint64_t seed = 1; seed <= 3; ++seed)
+        for (int kind = TEST_PATH_LINE; kind <= TEST_PATH_ORBIT; ++kind) {
+            pass p = pass_make(TEST_ELLIPSE, n, (test_path_kind)kind, 0.02, seed);
+            p.on_event = count_looks;
+            p.context = &l;
+            drive(name, &p);
+        }
+    assert_true(l.repairs >= 20);
+    return l.steps / (double)l.repairs;
+}
+
+/// The level of the new line is looked for from the old one's outwards: at equal separation a repair costs
+/// the same however many levels there are. Control: a search over all levels grows with them.
+static void a_repair_looks_at_no_more_levels_of_a_larger_polygon(void **state) {
+    (void)state;
+    const double few = looks_a_repair("point-inflated-compass", 64),
+                 many = looks_a_repair("point-inflated-compass", 4096),
+                 few_from_top = looks_a_repair("point-inflated-slack", 64),
+                 many_from_top = looks_a_repair("point-inflated-slack", 4096);
+    print_message("steps a repair, n = 64 and 4096: outwards %.1f and %.1f, over all levels %.1f and %.1f\n",
+                  few, many, few_from_top, many_from_top);
+    assert_true(many <= 1.2 * few);
+    assert_true(many_from_top > 1.2 * few_from_top);
+}
+
 static double area(const bmr_vec2 *points, size_t count) {
     double twice = 0.0;
     for (size_t i = 0; i < count; ++i)
@@ -573,6 +614,7 @@ int main(void) {
         cmocka_unit_test(chains_of_another_hierarchy_are_refused),
         cmocka_unit_test(a_point_moves_by_its_distance_over_beta_between_events),
         cmocka_unit_test(an_inflated_dudley_hierarchy_doubles_beta),
+        cmocka_unit_test(a_repair_looks_at_no_more_levels_of_a_larger_polygon),
         cmocka_unit_test(the_inflated_complex_tiles_what_is_between_its_outermost_polygon_and_the_innermost),
         cmocka_unit_test(events_grow_logarithmically_on_convex_paths_and_with_the_square_root_on_orbits),
     };
