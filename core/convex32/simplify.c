@@ -5,6 +5,7 @@
 #include "boomerang/convex32.h"
 #include "boomerang/hierarchy.h"
 #include "geometry/memory.h"
+#include "geometry/vertex.h"
 
 /// @file
 /// The edges of a Dobkin-Kirkpatrick hierarchy by levels are ever better choices of the polygon's own edges;
@@ -17,10 +18,6 @@ typedef struct choice {
     bool *kept;
 } choice;
 
-static uint32_t next_vertex(const bmr_polygon *p, uint32_t i) {
-    return i + 1 < p->count ? i + 1 : 0;
-}
-
 static double distance_to_segment(bmr_vec2 p, bmr_vec2 a, bmr_vec2 b) {
     const bmr_vec2 along = bmr_sub(b, a), to = bmr_sub(p, a);
     const double length = bmr_dot(along, along);
@@ -31,7 +28,7 @@ static double distance_to_segment(bmr_vec2 p, bmr_vec2 a, bmr_vec2 b) {
 /// Are all vertices between two within the tolerance of the chord? Then so is the chain: distance is convex.
 static bool chord_will_do(const choice *c, uint32_t from, uint32_t to) {
     const bmr_vec2 *v = c->polygon->vertices;
-    for (uint32_t i = next_vertex(c->polygon, from); i != to; i = next_vertex(c->polygon, i))
+    for (uint32_t i = bmr_vertex_after(c->polygon, from); i != to; i = bmr_vertex_after(c->polygon, i))
         if (!(distance_to_segment(v[i], v[from], v[to]) <= c->tolerance))
             return false;
     return true;
@@ -45,7 +42,7 @@ static void open_boomerang(const choice *c, bmr_edge before, bmr_edge after) {
         return;
     const bmr_edge cut = bmr_hierarchy_corner(c->hierarchy, before, after).cut;
     if (cut == BMR_NO_EDGE) { // no edge is left between the two, so next to no vertex
-        for (uint32_t i = next_vertex(c->polygon, from); i != to; i = next_vertex(c->polygon, i))
+        for (uint32_t i = bmr_vertex_after(c->polygon, from); i != to; i = bmr_vertex_after(c->polygon, i))
             c->kept[i] = true;
         return;
     }
@@ -57,7 +54,7 @@ static void open_boomerang(const choice *c, bmr_edge before, bmr_edge after) {
 /// The kept vertex behind `i`; itself where there is no other.
 static uint32_t next_kept(const choice *c, uint32_t i) {
     do
-        i = next_vertex(c->polygon, i);
+        i = bmr_vertex_after(c->polygon, i);
     while (!c->kept[i]);
     return i;
 }
