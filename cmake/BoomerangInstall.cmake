@@ -13,9 +13,6 @@ if(TARGET boomerang_box2d)
   list(APPEND boomerang_installed_targets boomerang_box2d_glue boomerang_box2d)
   list(APPEND boomerang_components box2d)
 endif()
-if(TARGET boomerang_box2d_static)
-  list(APPEND boomerang_installed_targets boomerang_box2d_static)
-endif()
 
 install(TARGETS ${boomerang_installed_targets} EXPORT boomerangTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

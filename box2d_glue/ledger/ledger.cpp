@@ -422,7 +422,7 @@ void Ledger::EnableDownTo(uint32_t down) {
         m_owed = m_count;
     while (m_owed > down) {
         if (m_owed > kAhead && m_contacts[m_owed - kAhead] != nullptr)
-            __builtin_prefetch(m_contacts[m_owed - kAhead]);
+            BMR_PREFETCH(m_contacts[m_owed - kAhead]);
         const uint32_t i = m_owed - 1;
         if (m_contacts[i] != nullptr)
             EnableIfOwed(i);

@@ -161,7 +161,7 @@ public:
     uint32_t CountWatched() const {
         uint32_t count = 0;
         for (uint32_t word = 0; word < m_awakeWords; ++word)
-            count += static_cast<uint32_t>(__builtin_popcountll(m_awake[word]));
+            count += CountBits(m_awake[word]);
         return count;
     }
     /// Is one of its bodies awake, or was it when the pass began? Watched from here on where one has woken

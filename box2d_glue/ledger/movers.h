@@ -12,6 +12,7 @@
 #include "boomerang/budget.h"
 #include "ledger/column.h"
 #include "ledger/key_table.h"
+#include "start/compiler.h"
 
 namespace bmr {
 
@@ -129,8 +130,8 @@ public:
     void Prefetch(uint32_t row) const {
         if (row >= m_count || m_rows[row].records == 0)
             return;
-        __builtin_prefetch(m_rows[row].body);
-        __builtin_prefetch(m_rows[row].fixture);
+        BMR_PREFETCH(m_rows[row].body);
+        BMR_PREFETCH(m_rows[row].fixture);
     }
     void PrefetchShape(uint32_t row) const {
         constexpr uintptr_t kLine = 64;
@@ -138,7 +139,7 @@ public:
             return;
         const uintptr_t shape = reinterpret_cast<uintptr_t>(m_rows[row].fixture->GetShape());
         for (uintptr_t line = 0; line < 3; ++line)
-            __builtin_prefetch(
+            BMR_PREFETCH(
                 reinterpret_cast<const void *>(shape + line * kLine)); // NOLINT(performance-no-int-to-ptr)
     }
 

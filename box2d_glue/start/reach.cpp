@@ -19,6 +19,7 @@ namespace {
 
 std::atomic<uint32_t> noted{kNoHooks};
 thread_local bool finding = false;
+std::atomic<const char *> way{"contacts alone"};
 
 /// A box that falls on another one, and overlaps a sensor.
 void Fill(b2World *world) {
@@ -44,6 +45,14 @@ void internal::NoteReached(Hook hook) {
     const bool inStepsAlone = hook == Hook::TimeOfImpact || hook == Hook::TestOverlap;
     if (finding && (!inStepsAlone || CurrentStep() != 0))
         noted.fetch_or(Bit(hook), std::memory_order_relaxed);
+}
+
+void SetWayOfHooks(const char *words) {
+    way.store(words, std::memory_order_relaxed);
+}
+
+const char *WayOfHooks() {
+    return way.load(std::memory_order_relaxed);
 }
 
 bool IsFindingReachedHooks() {

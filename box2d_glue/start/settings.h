@@ -7,6 +7,7 @@
 
 #include "boomerang/box2d_glue.h"
 #include "boomerang/pair.h"
+#include "start/compiler.h"
 
 namespace bmr {
 
@@ -59,7 +60,7 @@ inline bool AnyHookIsOn() {
 /// test: the first line of hooks that are called many times a step. So it is until the library has started,
 /// and in Mode::Off.
 inline bool NothingIsInstalled() {
-    return __builtin_expect(internal::activeHooks.load(std::memory_order_acquire) == 0, 0);
+    return BMR_RARELY(internal::activeHooks.load(std::memory_order_acquire) == 0);
 }
 
 /// The hooks that answer nothing where Box2D rounds otherwise than core/exact32: theirs are the bits of its

@@ -19,7 +19,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/processor.sh"
 loops='time-of-impact test-overlap solve-toi contact-loop pair-finding profile-clock'
 all="on, .*rounds as Box2D; hooks: $loops touching-manifold fixture-boxes tree-updates ledger\$"
 behind="on, .*rounds as Box2D; hooks: touching-manifold; not reached by this Box2D's calls: $loops fixture-boxes tree-updates ledger\$"
-inside='not at work, .*: the program has a Box2D of its own inside (boomerang::box2d_static is the library for that)$'
+inside='not at work, .*: the program has a Box2D of its own inside (boomerang_accelerate is for that)$'
 nobody='never at work: no b2World::Step came by (has the program its own Box2D inside?)$'
 units='not at work, .*: b2_lengthUnitsPerMeter is 10 here, 1 in the Box2D this was built for$'
 fused="on, .*rounds otherwise than Box2D; hooks: $loops ledger; off, for it rounds otherwise: touching-manifold fixture-boxes tree-updates\$"

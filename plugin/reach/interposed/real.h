@@ -1,39 +1,27 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_REACH_REAL_H
-#define BOOMERANG_REACH_REAL_H
+#ifndef BOOMERANG_REACH_INTERPOSED_REAL_H
+#define BOOMERANG_REACH_INTERPOSED_REAL_H
 
 #include <atomic>
 
+#include "start/compiler.h"
+
 /// @file
-/// How a call to Box2D gets to a hook, and a hook to the function of Box2D's that it stands in front of. ELF
-/// only.
+/// How a call to Box2D gets to a hook, and a hook to the function of Box2D's that it stands in front of, where
+/// Box2D is a shared library (ELF).
 ///
-/// A hook is a function of ours under the mangled name of Box2D's:
-///
-///     void Hook(b2TOIOutput *output, const b2TOIInput *input) BMR_STANDS_FOR("_Z14b2TimeOf...");
-///
-/// In the shared library loaders find it, linkers do not. The name has the version BOOMERANG_HOOKS, which is
+/// Loaders find a hook by its mangled name, linkers do not. The name has the version BOOMERANG_HOOKS, which is
 /// not its default. A loader that looks for a name without a version takes it from a library's first version,
 /// default or not; a linker takes the default alone. So calls to a Box2D that is loaded come here. A program
 /// that has Box2D inside keeps all of that: if the linker saw the hooks, it would take them for the functions
 /// that the program needs and leave Box2D's own out, which then is nowhere. (dlsym does not find hooks
 /// either: what it finds is Box2D's.) With BMR_HOOKS_FOR_LINKERS linkers find them, too: for builds with
 /// sanitizers or counts of lines, which are never linked ahead of an archive.
-///
-/// With BMR_STATIC_WRAP (a static link with -Wl,--wrap=NAME for each) the same source makes __wrap_NAME, and
-/// Box2D's own function is __real_NAME.
 
-#define BMR_EXPORTED __attribute__((visibility("default")))
-#if defined(BMR_STATIC_WRAP)
-#    define BMR_STANDS_FOR(name) asm("__wrap_" name) BMR_EXPORTED
-#elif defined(BMR_SHARED_LIBRARY) && !defined(BMR_HOOKS_FOR_LINKERS)
+#if defined(BMR_SHARED_LIBRARY) && !defined(BMR_HOOKS_FOR_LINKERS)
 #    define BMR_FOR_LOADERS(name) __asm__(".symver " name ", " name "@BOOMERANG_HOOKS, remove")
-#    define BMR_STANDS_FOR(name)                                                                             \
-        asm(name) BMR_EXPORTED;                                                                              \
-        BMR_FOR_LOADERS(name)
 #else
 #    define BMR_FOR_LOADERS(name) static_assert(true)
-#    define BMR_STANDS_FOR(name) asm(name) BMR_EXPORTED
 #endif
 
 namespace bmr {
@@ -56,14 +44,14 @@ public:
     /// of its own, so that the hook needs no room on the stack.)
     Result operator()(Arguments... arguments) {
         Function *function = m_function.load(std::memory_order_relaxed);
-        return __builtin_expect(function != nullptr, 1) ? function(arguments...) : FindAndCall(arguments...);
+        return BMR_RARELY(function == nullptr) ? FindAndCall(arguments...) : function(arguments...);
     }
 
 private:
-    __attribute__((noinline, cold)) Result FindAndCall(Arguments... arguments) {
+    BMR_COLD Result FindAndCall(Arguments... arguments) {
         return Find()(arguments...);
     }
-    __attribute__((noinline, cold)) Function *Find() {
+    BMR_COLD Function *Find() {
         Function *function = reinterpret_cast<Function *>(FindReal(m_name));
         m_function.store(function, std::memory_order_relaxed);
         return function;
