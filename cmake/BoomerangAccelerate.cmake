@@ -10,7 +10,11 @@
 # they are. Core, the glue and the hooks are compiled besides, with flags of their own, and become part of the target. Who
 # links it finds <boomerang/box2d.h>. The plugin is at work from the first b2World::Step on; BOOMERANG=off in the environment, or
 # bmr::Install with other options before that, says otherwise.
-set(BOOMERANG_ACCELERATE_SOURCE "${CMAKE_CURRENT_LIST_DIR}/.." CACHE INTERNAL "Where boomerang_accelerate finds core, box2d_glue and plugin")
+get_filename_component(BOOMERANG_ACCELERATE_SOURCE "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
+if(NOT EXISTS "${BOOMERANG_ACCELERATE_SOURCE}/core") # the installed package: boomerangConfig.cmake
+  set(BOOMERANG_ACCELERATE_SOURCE "${boomerang_SOURCE}")
+endif()
+set(BOOMERANG_ACCELERATE_SOURCE "${BOOMERANG_ACCELERATE_SOURCE}" CACHE INTERNAL "Where boomerang_accelerate finds core, box2d_glue and plugin")
 
 # What is renamed: Box2D's file, and what must stand in it for this to be a Box2D that is known.
 set(_boomerang_renamed
@@ -91,11 +95,10 @@ function(boomerang_accelerate target)
   if(NOT path)
     _boomerang_accelerate_refuses(${target} "the target does not compile b2_world.cpp; name the one that does")
   endif()
-  get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
-  if(NOT "C" IN_LIST languages)
-    _boomerang_accelerate_refuses(${target} "the project needs the language C, too: project(... LANGUAGES C CXX)")
+  get_target_property(sources ${target} SOURCES)
+  if(sources MATCHES "(^|[/;])b2_rope_joint\\.cpp(;|$)")
+    _boomerang_accelerate_refuses(${target} "this is Box2D 2.4.0, which has b2_rope_joint.cpp; 2.4.1 and 2.4.2 are known")
   endif()
-  set_property(TARGET ${target} PROPERTY BOOMERANG_ACCELERATED TRUE)
 
   set(root "${BOOMERANG_ACCELERATE_SOURCE}")
   set(renamed "${root}/plugin/reach/renamed")
@@ -105,7 +108,6 @@ function(boomerang_accelerate target)
   if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_SIZEOF_VOID_P EQUAL 8)
     list(APPEND renamings "b2_timer.cpp@b2Timer::b2Timer()@m_start_usec") # reach/stock.h: BMR_TIMERS_ARE_REACHED
   endif()
-  get_target_property(sources ${target} SOURCES)
   foreach(renaming IN LISTS renamings)
     string(REPLACE "@" ";" signs "${renaming}")
     list(POP_FRONT signs name)
@@ -130,6 +132,11 @@ function(boomerang_accelerate target)
       endif()
     endforeach()
   endforeach()
+  get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
+  if(NOT "C" IN_LIST languages)
+    _boomerang_accelerate_refuses(${target} "the project needs the language C, too: project(... LANGUAGES C CXX)")
+  endif()
+  set_property(TARGET ${target} PROPERTY BOOMERANG_ACCELERATED TRUE)
   set_property(TARGET ${target} PROPERTY SOURCES "${sources}")
 
   # All of ours, once, as objects.
@@ -162,6 +169,9 @@ function(boomerang_accelerate target)
       string(MAKE_C_IDENTIFIER "${target}_EXPORTS" symbol)
     endif()
     target_compile_definitions(${ours} PRIVATE ${symbol})
+    if(WIN32)
+      target_compile_definitions(${ours} PRIVATE "BMR_API=__declspec(dllexport)")
+    endif()
   else()
     set_property(TARGET ${ours} PROPERTY POSITION_INDEPENDENT_CODE "$<BOOL:$<TARGET_PROPERTY:${target},POSITION_INDEPENDENT_CODE>>")
   endif()

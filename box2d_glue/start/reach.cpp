@@ -73,7 +73,7 @@ uint32_t FindReachedHooks() {
     finding = false;
     world->~b2World();
     std::free(room);
-    return noted | Bit(Hook::TouchingManifold);
+    return (noted & ~kHooksWithoutRoom) | Bit(Hook::TouchingManifold);
 }
 
 } // namespace bmr

@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-#   check_announced.sh BUILD PLUGIN
+#   check_announced.sh BUILD PLUGIN [ACCELERATED-VARIANT...]
 #
 # Is the plugin at work on each Box2D of the shelf as far as it is to be, and does it say so? A plugin that did nothing would play every
 # game as stock does. The line that BOOMERANG_VERBOSE asks for is held against the table below, and the counts of the JSON file
 # against the line: what is at work has answered, what is not has not.
 set -uo pipefail
 build=${1:?} plugin=${2:?}
+shift 2
+accelerated=("$@")
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 passed=0 failed=0
@@ -73,6 +75,11 @@ for variant in static hidden; do
     says "$variant" preloaded "$nobody"
     says "$variant" ahead "$inside"
     says "$variant" behind "$inside"
+done
+for variant in "${accelerated[@]}"; do
+    line=$all
+    [ "$variant" != fma ] || line=$fused
+    says "$variant" accelerated "${line/on, /on, .*; compiled with Box2D 2.4.1; }" steps evaluations looks
 done
 # Control: what is said of one Box2D is not said of another.
 before=$failed
