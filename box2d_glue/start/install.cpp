@@ -57,6 +57,10 @@ void Announce(const Options &options) {
 } // namespace
 
 bool Install(const Options &given) {
+    return InstallHere(given);
+}
+
+bool InstallHere(const Options &given) {
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Installing));
     called = true;
     if (installed || refused)

@@ -11,8 +11,8 @@
 #   lto         link-time optimisation, shared                 calls between its files may be inlined
 #   onefile     all of it one source, everything visible       calls between its files may be inlined
 #   hidden      an archive, compiled with -fvisibility=hidden  as static, and nothing of it is seen from outside
-#   lean        an archive: C++20, precompiled headers,        as static, and nothing of it knows of types or exceptions
-#               -fno-rtti -fno-exceptions
+#   lean        an archive: C++20, precompiled headers,        as static, and nothing of it knows of types
+#               -fno-rtti
 #
 # `lean` is there with BOX2D_BUILDS_LONG alone. Those in ${BOX2D_ACCELERATED} are built a second time, from the same sources by the
 # same flags, with boomerang_accelerate: box2d_VARIANT_accelerated, in <build>/VARIANT/accelerated/. (Where the first is of one
@@ -134,6 +134,6 @@ macro(box2d_shelf source)
   box2d_variant(onefile FLAGS -fPIC -O2)
   box2d_variant(hidden ARCHIVE FLAGS -O2 -fvisibility=hidden -fvisibility-inlines-hidden)
   if(lean IN_LIST BOX2D_SHELF)
-    box2d_variant(lean ARCHIVE FILE_BY_FILE FLAGS -O2 -fno-rtti -fno-exceptions HEADER ${source}/include/box2d/box2d.h)
+    box2d_variant(lean ARCHIVE FILE_BY_FILE FLAGS -O2 GAME -fno-rtti HEADER ${source}/include/box2d/box2d.h)
   endif()
 endmacro()

@@ -51,8 +51,7 @@ constexpr Symbol kSymbols[] = {
 std::atomic<bool> programHasItsOwn{false};
 
 constexpr char kStep[] = "_ZN7b2World4StepEfii";
-constexpr char kInside[] =
-    "the program has a Box2D of its own inside (boomerang_accelerate is for that)";
+constexpr char kInside[] = "the program has a Box2D of its own inside (boomerang_accelerate is for that)";
 
 const void *OurFile() {
     static const void *const file = FileOf(reinterpret_cast<const void *>(&StepsComeByHere));
@@ -112,6 +111,9 @@ const char *WhyLibraryIsUnknown() {
     static char why[200];
     if (programHasItsOwn)
         return kInside;
+    if (const void *other = Find("_ZN3bmr7InstallERKNS_7OptionsE");
+        other != nullptr && FileOf(other) != OurFile())
+        return "the Box2D of this process is compiled with Boomerang already";
     const void *library = nullptr;
     for (const Symbol &symbol : kSymbols) {
         const void *found = Find(symbol.name);

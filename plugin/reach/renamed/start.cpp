@@ -23,7 +23,7 @@ void internal::StartNow() {
         return;
     hooks::StartProfileClock();
     if (!InstallWasCalled())
-        Install();
+        InstallHere(Options());
     startsByItself.store(false, std::memory_order_release);
 }
 
