@@ -9,8 +9,8 @@
 #endif
 
 /// @file
-/// What C++17 has no words for, in those of GNU's compilers (clang's too) and of Microsoft's. The glue and the
-/// plugin use what is here and no extension else; what only ELF has stands in plugin/reach/interposed.
+/// What C++17 has no words for, in those of GNU's compilers (clang's too) and of Microsoft's. The glue and
+/// the plugin use what is here and no extension else; what only ELF has stands in plugin/reach/interposed.
 
 #if defined(__GNUC__)
 #    define BMR_NOINLINE __attribute__((noinline))

@@ -7,16 +7,16 @@
 #include "start/compiler.h"
 
 /// @file
-/// How a call to Box2D gets to a hook, and a hook to the function of Box2D's that it stands in front of, where
-/// Box2D is a shared library (ELF).
+/// How a call to Box2D gets to a hook, and a hook to the function of Box2D's that it stands in front of,
+/// where Box2D is a shared library (ELF).
 ///
-/// Loaders find a hook by its mangled name, linkers do not. The name has the version BOOMERANG_HOOKS, which is
-/// not its default. A loader that looks for a name without a version takes it from a library's first version,
-/// default or not; a linker takes the default alone. So calls to a Box2D that is loaded come here. A program
-/// that has Box2D inside keeps all of that: if the linker saw the hooks, it would take them for the functions
-/// that the program needs and leave Box2D's own out, which then is nowhere. (dlsym does not find hooks
-/// either: what it finds is Box2D's.) With BMR_HOOKS_FOR_LINKERS linkers find them, too: for builds with
-/// sanitizers or counts of lines, which are never linked ahead of an archive.
+/// Loaders find a hook by its mangled name, linkers do not. The name has the version BOOMERANG_HOOKS, which
+/// is not its default. A loader that looks for a name without a version takes it from a library's first
+/// version, default or not; a linker takes the default alone. So calls to a Box2D that is loaded come here. A
+/// program that has Box2D inside keeps all of that: if the linker saw the hooks, it would take them for the
+/// functions that the program needs and leave Box2D's own out, which then is nowhere. (dlsym does not find
+/// hooks either: what it finds is Box2D's.) With BMR_HOOKS_FOR_LINKERS linkers find them, too: for builds
+/// with sanitizers or counts of lines, which are never linked ahead of an archive.
 
 #if defined(BMR_SHARED_LIBRARY) && !defined(BMR_HOOKS_FOR_LINKERS)
 #    define BMR_FOR_LOADERS(name) __asm__(".symver " name ", " name "@BOOMERANG_HOOKS, remove")
@@ -48,9 +48,7 @@ public:
     }
 
 private:
-    BMR_COLD Result FindAndCall(Arguments... arguments) {
-        return Find()(arguments...);
-    }
+    BMR_COLD Result FindAndCall(Arguments... arguments) { return Find()(arguments...); }
     BMR_COLD Function *Find() {
         Function *function = reinterpret_cast<Function *>(FindReal(m_name));
         m_function.store(function, std::memory_order_relaxed);

@@ -11,7 +11,8 @@ namespace stock {
 
 void Refilter(b2Fixture *fixture);
 void SetFilterData(b2Fixture *fixture, const b2Filter &filter);
-void Synchronize(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1, const b2Transform &xf2);
+void Synchronize(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
+                 const b2Transform &xf2);
 
 } // namespace stock
 } // namespace bmr

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The plugin starts at the first b2World::Step, unless the program has said by then what is to be, or BOOMERANG is
-// off.
+// The plugin starts at the first b2World::Step, unless the program has said by then what is to be, or
+// BOOMERANG is off.
 #include "start.h"
 
 #include <mutex>
