@@ -15,7 +15,9 @@ stage_platforms() {
     platform wasm "$source" emscripten nodejs -- .js 'profile-clock ledger' \
         -DCMAKE_TOOLCHAIN_FILE=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake || true
     platform ms-compatibility "$source" clang -- '' '' -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
-        -DCMAKE_CXX_FLAGS=-fms-compatibility || true
+        '-DCMAKE_CXX_FLAGS=-fms-compatibility -fms-extensions -fms-compatibility-version=19.30 -fgnuc-version=4.2.1' || true
+    # Box2D 2.4.2 is in no package: where its sources are is said.
+    [ -z "${BMR_BOX2D_242:-}" ] || platform box2d-2.4.2 "$BMR_BOX2D_242" -- '' '' || true
 }
 
 mingw=(-DCMAKE_SYSTEM_NAME=Windows -DCMAKE_C_COMPILER=x86_64-w64-mingw32-gcc-posix

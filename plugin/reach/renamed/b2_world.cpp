@@ -3,13 +3,12 @@
 //
 //   DestroyJoint, SolveTOI, DrawShape   told apart by the first word
 //   the constructor, the destructor     likewise: the destructor has none, and becomes two functions
-//   Solve                               Step has a b2TimeStep that may be changed; the definition takes one
-//   that
-//                                       may not. (The word of b2Island::Solve, `&profile`, makes no name.)
-//   ClearForces                         calls and the definition have no word. Both get `Called()`: between
-//   the
-//                                       parentheses of a call that is an object, of a definition it is the
-//                                       type of a function.
+//   Solve                               Step has a b2TimeStep that may be changed; the definition takes
+//                                       one that may not. (`&profile`, the word of b2Island::Solve,
+//                                       makes no name.)
+//   ClearForces                         calls and the definition have no word. Both get `Called()`. In the
+//                                       parentheses of a call that is an object; in those of a definition
+//                                       it is the type of a function.
 #include BMR_BOX2D_CONTACT_SOLVER
 #include "box2d/b2_block_allocator.h"
 #include "box2d/b2_body.h"

@@ -15,13 +15,12 @@
 /// source calls, too, keep their name in calls and get another one where they are defined. Two ways tell
 /// calls from definitions:
 ///
-///   - By the first word in parentheses. `#define Destroy(...) BMR_DESTROY_##__VA_ARGS__)` makes one name of
-///   it and
-///     of the word: the definition's is a type, a call's a variable. For each word that is known there is a
-///     definition of that name; a source with another word does not compile.
-///   - By overloading, where the first word will not do. The definition and the call have the new name; what
-///   the
-///     call passes is not what the definition takes, and fits an overload better that calls the hook.
+///   - By the first word in parentheses. `#define Destroy(...) BMR_DESTROY_##__VA_ARGS__)` makes one name
+///     of it and of the word: the definition's is a type, a call's a variable. For each word that is known
+///     there is a definition of that name; a source with another word does not compile.
+///   - By overloading, where the first word will not do. The definition and the call have the new name;
+///     what the call passes is not what the definition takes, and fits an overload better that calls the
+///     hook.
 ///
 /// All is C++11, and compiled as the rest of Box2D is.
 
