@@ -50,27 +50,23 @@ public:
     const T &operator[](uint32_t i) const { return m_data[i]; }
 
 private:
+    /// By realloc, which for big blocks moves pages and no bytes.
     bool Grow(uint64_t bytes) {
-        if constexpr (alignof(T) <= alignof(std::max_align_t)) {
-            void *block = std::realloc(m_block, bytes);
-            if (block == nullptr)
-                return false;
-            m_block = block;
-            m_data = static_cast<T *>(block);
-        } else { // realloc would move what is aligned
-            void *block = std::malloc(bytes + alignof(T));
-            if (block == nullptr)
-                return false;
-            const uintptr_t past = reinterpret_cast<uintptr_t>(block) % alignof(T);
-            void *data = static_cast<char *>(block) + (alignof(T) - past);
-            if (m_data != nullptr)
-                std::memcpy(data, m_data, m_capacity * sizeof(T));
-            std::free(m_block);
-            m_block = block;
-            m_data = static_cast<T *>(data);
-        }
+        constexpr std::size_t kAlign = alignof(T) <= alignof(std::max_align_t) ? 0 : alignof(T);
+        const std::ptrdiff_t before = m_block == nullptr ? 0 : AsBytes(m_data) - AsBytes(m_block);
+        void *const block = std::realloc(m_block, bytes + kAlign);
+        if (block == nullptr)
+            return false;
+        std::size_t past = 0;
+        if constexpr (kAlign != 0)
+            past = kAlign - reinterpret_cast<uintptr_t>(block) % kAlign;
+        if (static_cast<std::size_t>(before) != past && m_capacity > 0)
+            std::memmove(AsBytes(block) + past, AsBytes(block) + before, m_capacity * sizeof(T));
+        m_block = block;
+        m_data = static_cast<T *>(static_cast<void *>(AsBytes(block) + past));
         return true;
     }
+    static char *AsBytes(void *memory) { return static_cast<char *>(memory); }
 
     void *m_block = nullptr; ///< from malloc; m_data is at its beginning, or where it is aligned
     T *m_data = nullptr;

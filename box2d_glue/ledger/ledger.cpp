@@ -160,7 +160,7 @@ void Ledger::MakeTouchesSure() {
         return;
     for (uint32_t i = 0; i < m_count; ++i)
         if (m_contacts[i] != nullptr && IsResting(i))
-            Touches(i, m_contacts[i]->IsTouching());
+            SetTouches(i, m_contacts[i]->IsTouching());
     m_touchesSure = true;
 }
 
@@ -266,7 +266,7 @@ void Ledger::Watch(uint32_t i) {
     for (const uint32_t row : {record.a, record.b})
         ++m_movers[row].watched;
     m_awake[i / 64] |= uint64_t{1} << (i % 64);
-    Touches(i, m_contacts[i]->IsTouching()); // an impact may have changed it while nobody watched
+    SetTouches(i, m_contacts[i]->IsTouching()); // an impact may have changed it while nobody watched
     SetDue(i);
 }
 
@@ -313,6 +313,7 @@ void Ledger::LookAtMovers() {
     ++m_look;
     ++m_passNumber;
     m_step = CurrentStep();
+    m_locked = true;
     const uint32_t count = m_movers.Count();
     for (uint32_t row = 0; row < count; ++row) {
         m_movers.Prefetch(row + 2 * kAhead);
@@ -340,7 +341,13 @@ uint64_t Ledger::DueOf(uint32_t word) const {
 }
 
 uint32_t Ledger::NextDue(uint32_t end) {
+    constexpr uint32_t kAhead = 8;
     while (end-- > 0) {
+        if (end >= 2 * kAhead) {
+            PrefetchLookAgain(end - 2 * kAhead, end - kAhead);
+            if (!IsResting(end - kAhead) && IsDue(end - kAhead))
+                ContactNumber::Prefetch(m_contacts[end - kAhead]);
+        }
         if (m_contacts[end] == nullptr || !IsWatchedByNow(end))
             continue;
         if ((m_bits[end] & kHasLine) == 0)
@@ -417,16 +424,22 @@ void Ledger::ProveUntil(uint32_t i, double measure, double threshold) {
 }
 
 void Ledger::EnableDownTo(uint32_t down) {
-    constexpr uint32_t kAhead = 8;
     if (m_owed > m_count)
         m_owed = m_count;
     while (m_owed > down) {
-        if (m_owed > kAhead && m_contacts[m_owed - kAhead] != nullptr)
-            BMR_PREFETCH(m_contacts[m_owed - kAhead]);
-        const uint32_t i = m_owed - 1;
-        if (m_contacts[i] != nullptr)
-            EnableIfOwed(i);
-        --m_owed;
+        // Those of one word that are owed it, the newest first.
+        const uint32_t word = (m_owed - 1) / 64, first = word * 64 > down ? word * 64 : down;
+        uint64_t owed = m_awake[word] & ~m_looked[word] & ~uint64_t{0} << (first % 64);
+        if (m_owed % 64 != 0)
+            owed &= ~(~uint64_t{0} << (m_owed % 64));
+        for (uint64_t left = owed; left != 0; left &= left - 1)
+            BMR_PREFETCH(m_contacts[word * 64 + LowestBit(left)]);
+        for (; owed != 0; owed &= owed - 1) {
+            const uint32_t i = word * 64 + LowestBit(owed);
+            if (IsActive(i))
+                ContactNumber::Enable(m_contacts[i]);
+        }
+        m_owed = first;
     }
 }
 
@@ -435,11 +448,32 @@ void Ledger::NoteAllMayImpact() {
         NoteMayImpact(i);
 }
 
-void Ledger::BeginSearch(bool careful) {
+void Ledger::BeginSearch(bool careful, bool mayLeaveOut) {
     ++m_look; // and the sweeps of no mover are looked at
     m_sweepsCarefully = careful;
+    // Each call of the game's then costs a look at every body: does that pay?
+    m_leavesOut = careful && mayLeaveOut && m_leftOut > 2 * m_movers.Count();
+    m_leftOut = 0;
+    if (careful && mayLeaveOut)
+        m_movers.LookAtAllSweeps(m_look);
     for (uint32_t word = 0; word < m_awakeWords; ++word)
         m_asked[word] = 0;
+}
+
+void Ledger::LookAtLeftOut() {
+    if (LeavesOutCarefully() && m_movers.DoMoreStop())
+        LeaveNothingOut();
+}
+
+void Ledger::LeaveNothingOut() {
+    if (!LeavesOutCarefully())
+        return;
+    for (uint32_t i = 0; i < m_count; ++i)
+        if (m_contacts[i] != nullptr && MayNotImpact(i)) {
+            ContactNumber::ForgetImpact(m_contacts[i]);
+            NoteMayImpact(i);
+        }
+    m_leavesOut = false;
 }
 
 } // namespace bmr

@@ -3,6 +3,7 @@
 #define BOOMERANG_GLUE_LEDGER_H
 
 #include <cstdint>
+#include <initializer_list>
 
 #include <box2d/b2_contact.h>
 #include <box2d/b2_contact_manager.h>
@@ -12,6 +13,7 @@
 #include "ledger/column.h"
 #include "ledger/movers.h"
 #include "ledger/proxy_pairs.h"
+#include "start/compiler.h"
 
 namespace bmr {
 
@@ -30,7 +32,21 @@ struct ContactNumber : b2Contact {
     // What Box2D shows its own loops over contacts alone.
     static b2Contact *Next(const b2Contact *contact) { return contact->*(&ContactNumber::m_next); }
     static uint32 &Flags(b2Contact *contact) { return contact->*(&ContactNumber::m_flags); }
-    static void Enable(b2Contact *contact) { Flags(contact) |= e_enabledFlag; }
+    /// Most are enabled: what is not written need not go back to memory.
+    static void Enable(b2Contact *contact) {
+        if ((Flags(contact) & e_enabledFlag) == 0)
+            Flags(contact) |= e_enabledFlag;
+    }
+    /// A contact takes four cache lines; what follows in a list need not follow in memory. At the list's end
+    /// there is none, which does no harm: addresses are numbers here, for no pointer may be moved from
+    /// nullptr.
+    static void Prefetch(const b2Contact *contact) {
+        constexpr uintptr_t kLine = 64;
+        const uintptr_t first = reinterpret_cast<uintptr_t>(contact);
+        for (uintptr_t line = 0; line < 4; ++line)
+            BMR_PREFETCH(
+                reinterpret_cast<const void *>(first + line * kLine)); // NOLINT(performance-no-int-to-ptr)
+    }
     static void TakeOutOfIsland(b2Contact *contact) { Flags(contact) &= ~static_cast<uint32>(e_islandFlag); }
     /// As b2World::SolveTOI begins: no impact is known or counted.
     static void ForgetImpact(b2Contact *contact) {
@@ -121,9 +137,11 @@ public:
     /// The newest pair below `end` that is to be looked at, kNone where there is none, after code of the game
     /// ran: each pair's own two movers are compared once more.
     uint32_t NextDue(uint32_t end);
-    /// Code of the game ran: what was read before may be another by now.
-    void Distrust() {
+    /// Code of the game ran: what was read before may be another by now. `locked`: the world was, all the
+    /// while.
+    void Distrust(bool locked) {
         ++m_look;
+        m_locked = m_locked && locked;
         if (m_live != m_manager->m_contactCount)
             Resync();
     }
@@ -131,7 +149,7 @@ public:
         const Record &record = m_records[i];
         return bmr_budget_is_due(record.deadline, m_movers.Moved(record.a), m_movers.Moved(record.b));
     }
-    void Touches(uint32_t i, bool touches) {
+    void SetTouches(uint32_t i, bool touches) {
         m_bits[i] = static_cast<uint8_t>((m_bits[i] & ~kTouches) | (touches ? kTouches : 0));
     }
     /// An impact may have updated contacts that nobody watches: who touches is to be read again.
@@ -176,10 +194,8 @@ public:
     /// Compares the two movers of a pair with what they are by now, where that is not known.
     void LookAgain(uint32_t i) {
         const Record record = m_records[i];
-        if (m_movers[record.a].lookedAt != m_look)
-            m_movers.Look(record.a, m_manager->m_broadPhase, m_look, true);
-        if (m_movers[record.b].lookedAt != m_look)
-            m_movers.Look(record.b, m_manager->m_broadPhase, m_look, true);
+        LookAgainAt(record.a);
+        LookAgainAt(record.b);
     }
 
     /// A pair that is due: looked at, and to be again next time.
@@ -225,15 +241,15 @@ public:
     void NoteLookedAt(uint32_t i) { m_looked[i / 64] |= uint64_t{1} << (i % 64); }
     bool WasLookedAt(uint32_t i) const { return (m_looked[i / 64] >> (i % 64) & 1) != 0; }
     void EnableIfOwed(uint32_t i) {
-        if (i < m_owed && !IsResting(i) && !WasLookedAt(i) &&
-            (m_movers.IsActive(m_records[i].a) || m_movers.IsActive(m_records[i].b)))
+        if (i < m_owed && !IsResting(i) && !WasLookedAt(i) && IsActive(i))
             ContactNumber::Enable(m_contacts[i]);
     }
 
     // Impacts.
 
-    /// `careful`: code of the game may have run since the look at the movers.
-    void BeginSearch(bool careful);
+    /// `careful`: code of the game may have run since the look at the movers. `mayLeaveOut`: nothing runs but
+    /// this search until it is over, save code of the game that is told of here (LookAtLeftOut).
+    void BeginSearch(bool careful, bool mayLeaveOut);
     /// May Box2D look for an impact of the two at all: one moves, and one of them is not to be tunnelled
     /// through?
     bool MayImpact(uint32_t i) {
@@ -247,12 +263,27 @@ public:
     void NoteAsked(uint32_t i) { m_asked[i / 64] |= uint64_t{1} << (i % 64); }
     bool WasAsked(uint32_t i) const { return (m_asked[i / 64] >> (i % 64) & 1) != 0; }
     bool IsLookedAtIn(uint64_t step) const { return step != 0 && m_step == step; }
-    /// The two could not impact when the last pass came by them; without code of the game they cannot now.
-    /// (What else decides of it is looked at where this says nothing.)
+    /// The two could not impact when they were last looked at: by the pass or, where code of the game may
+    /// have run since, by the search. Without such code they cannot now. (What else decides of it is looked
+    /// at where this says nothing.)
     bool MayNotImpact(uint32_t i) const {
+        if (m_sweepsCarefully)
+            return m_leavesOut && !StopsInSweeps(i);
         const uint8_t a = m_movers.Bits(m_records[i].a), b = m_movers.Bits(m_records[i].b);
-        return !m_sweepsCarefully && (a & b & kLookedAt) != 0 && ((a | b) & kStops) == 0;
+        return (a & b & kLookedAt) != 0 && ((a | b) & kStops) == 0;
     }
+    /// MayNotImpact, asked by the search for each pair.
+    bool LeavesOut(uint32_t i) {
+        m_leftOut += m_sweepsCarefully && !StopsInSweeps(i) ? 1 : 0;
+        return MayNotImpact(i);
+    }
+    /// Where code of the game may run: is MayNotImpact good for anything in this search?
+    bool LeavesOutCarefully() const { return m_sweepsCarefully && m_leavesOut; }
+    /// Code of the game ran in the search: could what that left out impact by now? Reads the flags of each
+    /// body. If so, nothing is left out from here on.
+    void LookAtLeftOut();
+    /// From here on nothing is left out: contacts that were say what Box2D would have noted when it began.
+    void LeaveNothingOut();
     /// Box2D may look for an impact of the two, and note at the contact what it finds.
     void NoteMayImpact(uint32_t i) { m_bits[i] |= kImpactNoted; }
     /// The same of all contacts.
@@ -327,6 +358,26 @@ public:
 private:
     const b2Contact *Newest() const;
     void TrimEnd();
+    /// Ahead of LookAgain: asks memory for what it compares, for the second pair once that came for the
+    /// first.
+    void PrefetchLookAgain(uint32_t rows, uint32_t shapes) const {
+        for (const uint32_t row : {m_records[rows].a, m_records[rows].b})
+            if (m_movers.LookedAt(row) != m_look)
+                m_movers.Prefetch(row);
+        for (const uint32_t row : {m_records[shapes].a, m_records[shapes].b})
+            if (m_movers.LookedAt(row) != m_look)
+                m_movers.PrefetchShape(row);
+    }
+    void LookAgainAt(uint32_t row) {
+        if (m_movers.LookedAt(row) != m_look && !(m_locked && m_movers.IsAsBefore(row, m_look)))
+            m_movers.Look(row, m_manager->m_broadPhase, m_look, true);
+    }
+    bool IsActive(uint32_t i) const {
+        return m_movers.IsActive(m_records[i].a) || m_movers.IsActive(m_records[i].b);
+    }
+    bool StopsInSweeps(uint32_t i) const {
+        return ((m_movers.SweepBits(m_records[i].a) | m_movers.SweepBits(m_records[i].b)) & kStops) != 0;
+    }
     bool IsResting(uint32_t i) const { return (m_awake[i / 64] >> (i % 64) & 1) == 0; }
     bool Begin();
     bool Reserve(uint32_t count);
@@ -368,7 +419,9 @@ private:
     uint32_t m_passNumber = 0;
     uint32_t m_passes = 0; ///< under way
     bool m_interrupted = false;
-    bool m_sweepsCarefully = false;
+    bool m_locked = false;                               ///< the world was, since the last look at all movers
+    bool m_sweepsCarefully = false, m_leavesOut = false; ///< see BeginSearch, MayNotImpact
+    uint32_t m_leftOut = 0; ///< by the last search, where code of the game might run; or would have been
     bool m_searchesSeen = false;
     bool m_impactSearchesSeen = false;
     bool m_foundImpact = false;

@@ -96,6 +96,8 @@ bool SamePlace(const b2Transform &a, const b2Transform &b) {
     return a.p.x == b.p.x && a.p.y == b.p.y && a.q.s == b.q.s && a.q.c == b.q.c;
 }
 
+constexpr uint32_t kBodiesAhead = 8;
+
 constexpr double kReachRoundedUp = 1.0 + 0x1p-40;
 
 } // namespace
@@ -133,7 +135,7 @@ uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhas
     if (row == kNone) {
         row = m_count;
         if (!m_rows.Reserve(row + 1) || !m_moved.Reserve(row + 1) || !m_ends.Reserve(row + 1) ||
-            !m_bits.Reserve(row + 1) || !m_sweepBits.Reserve(row + 1))
+            !m_lookedAt.Reserve(row + 1) || !m_bits.Reserve(row + 1) || !m_sweepBits.Reserve(row + 1))
             return kNone;
         ++m_count;
     } else {
@@ -148,7 +150,7 @@ uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhas
     mover.proxy = FixtureAccess::ProxyCount(fixture) == 1 ? FixtureAccess::ProxyOf(fixture, 0)
                                                           : int32{b2BroadPhase::e_nullProxy};
     m_ends[row] = 0;
-    m_sweepBits[row] = 0;
+    m_sweepBits[row] = kStops; // as far as anybody knows
     m_moved[row] = 0;
     m_bits[row] = 0;
     Look(row, broadPhase, look, false);
@@ -168,6 +170,7 @@ void Movers::Clear() {
     m_rows.Clear();
     m_moved.Clear();
     m_ends.Clear();
+    m_lookedAt.Clear();
     m_bits.Clear();
     m_sweepBits.Clear();
     m_byFixture.Clear();
@@ -220,7 +223,7 @@ void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, b
     const b2Body &body = *mover.body;
     const uint8_t before = m_bits[row];
     uint8_t bits = FlagsOf(mover) | kLookedAt;
-    mover.lookedAt = look;
+    m_lookedAt[row] = look;
     if (mover.proved == 0) {
         m_bits[row] = bits;
         return;
@@ -273,9 +276,39 @@ void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, b
     m_moved[row] = mover.motion.moved;
 }
 
+bool Movers::IsAsBefore(uint32_t row, uint64_t look) {
+    constexpr uint8_t kFlags = kActive | kStops | kIsSensor;
+    const Mover &mover = m_rows[row];
+    if (mover.proved == 0 || (m_bits[row] & kLookedAt) == 0 || (FlagsOf(mover) ^ m_bits[row]) & kFlags)
+        return false;
+    const b2PolygonShape *polygon = PolygonOf(*mover.fixture);
+    if (polygon != nullptr && DigestOf(*polygon) != mover.shape)
+        return false;
+    m_lookedAt[row] = look;
+    return true;
+}
+
 void Movers::FindSweepBits(uint32_t row, uint64_t look) {
     m_rows[row].sweptAt = look;
     m_sweepBits[row] = FlagsOf(m_rows[row]);
+}
+
+void Movers::LookAtAllSweeps(uint64_t look) {
+    for (uint32_t row = 0; row < m_count; ++row) {
+        PrefetchBody(row + kBodiesAhead);
+        if (m_rows[row].records > 0)
+            FindSweepBits(row, look);
+    }
+}
+
+bool Movers::DoMoreStop() const {
+    for (uint32_t row = 0; row < m_count; ++row) {
+        PrefetchBody(row + kBodiesAhead);
+        if (m_rows[row].records > 0 && (m_sweepBits[row] & kStops) == 0 &&
+            (FlagsOf(m_rows[row]) & kStops) != 0)
+            return true;
+    }
+    return false;
 }
 
 void Movers::FindEnd(uint32_t row, bool careful, uint64_t look) {

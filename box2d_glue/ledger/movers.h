@@ -33,12 +33,12 @@ constexpr double kUnits = 65536.0 / static_cast<double>(b2_lengthUnitsPerMeter);
 /// vertices and radii are written to in place. So nothing is to be told here: a row holds what was read at
 /// the last look, and a look compares.
 struct alignas(64) Mover {
-    // What a renewal asks for: two cache lines.
+    // What a renewal asks for: two cache lines. The second one has what is compared in the midst of a pass.
     bmr_mover motion;
-    b2AABB box;        ///< the fat one of its proxy
-    float radius;      ///< skin
-    float shortest;    ///< length of the shortest side; 0 where it is none to be told
-    uint64_t lookedAt; ///< the ledger's count of looks when this row had its last one
+    b2AABB box;     ///< the fat one of its proxy
+    float radius;   ///< skin
+    float shortest; ///< length of the shortest side; 0 where it is none to be told
+    uint64_t shape; ///< a digest of all that contacts go by; see LookAtShape
     const b2Body *body;
     const b2Fixture *fixture;
     uint32_t records; ///< contacts of it
@@ -48,11 +48,10 @@ struct alignas(64) Mover {
     // What a look compares and writes besides.
     int32 proxy;       ///< b2BroadPhase::e_nullProxy where it has none or several: then there is no box here
     b2Transform place; ///< of the body, at the last look
-    uint64_t shape;    ///< a digest of all that contacts go by; see LookAtShape
     float angle;       ///< of the body, at the last look
     bool sound;        ///< a polygon as Box2D makes them: its vertices tell all
     uint32_t late;     ///< units that were added in the middle of the present pass
-    uint64_t sweptAt;  ///< as lookedAt, for its sweep
+    uint64_t sweptAt;  ///< the ledger's count of looks when its sweep had its last one
     uint64_t endedAt;  ///< the same for how far that may come
 };
 static_assert(sizeof(void *) < 8 || (offsetof(Mover, place) == 128 && sizeof(Mover) == 192),
@@ -82,6 +81,10 @@ public:
     /// Compares the row with what its fixture and body are now: sums, bits, box. Marks it where its contacts
     /// are to be looked at whatever their budgets say.
     void Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, bool late);
+    /// The same for a row that was looked at in this pass, of a world that was locked ever since: Box2D then
+    /// refuses to move bodies, and nothing changes their boxes. What a game still can change is compared, a
+    /// third of a look. False where that is another: to be looked at.
+    bool IsAsBefore(uint32_t row, uint64_t look);
     /// A contact of the row gets a line. The first one: what was not read until now is, and is no motion.
     void AddProof(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look) {
         if (m_rows[row].proved == 0)
@@ -94,6 +97,9 @@ public:
         if (m_rows[row].sweptAt != look)
             FindSweepBits(row, look);
     }
+    void LookAtAllSweeps(uint64_t look);
+    /// Is there by now a bullet, or a body that is not dynamic, that was none when its sweep was looked at?
+    bool DoMoreStop() const;
     /// Sets End: how far the row can come in the sweep of its body. `careful`: compares the shape, too.
     void LookAtEnd(uint32_t row, bool careful, uint64_t look) {
         if (m_rows[row].endedAt != look)
@@ -116,6 +122,8 @@ public:
     uint8_t SweepBits(uint32_t row) const { return m_sweepBits[row]; }
     /// Moved, and what the sweep may add.
     uint32_t End(uint32_t row) const { return m_ends[row]; }
+    /// The ledger's count of looks when this row had its last one.
+    uint64_t LookedAt(uint32_t row) const { return m_lookedAt[row]; }
     uint8_t Bits(uint32_t row) const { return m_bits[row]; }
     void SetBits(uint32_t row, uint8_t bits) { m_bits[row] = bits; }
     /// A pass begins that does not look at this row.
@@ -133,6 +141,10 @@ public:
             return;
         BMR_PREFETCH(m_rows[row].body);
         BMR_PREFETCH(m_rows[row].fixture);
+    }
+    void PrefetchBody(uint32_t row) const {
+        if (row < m_count)
+            BMR_PREFETCH(m_rows[row].body);
     }
     void PrefetchShape(uint32_t row) const {
         constexpr uintptr_t kLine = 64;
@@ -153,6 +165,7 @@ private:
 
     Column<Mover> m_rows;
     Column<uint32_t> m_moved, m_ends;
+    Column<uint64_t> m_lookedAt;
     Column<uint8_t> m_bits, m_sweepBits;
     KeyTable m_byFixture;
     bool m_sumsLost = false;

@@ -46,6 +46,15 @@ inline uint32_t HighestBit(uint64_t bits) {
 #endif
 }
 
+/// Likewise the lowest.
+inline uint32_t LowestBit(uint64_t bits) {
+#if defined(__GNUC__)
+    return static_cast<uint32_t>(__builtin_ctzll(bits));
+#else
+    return HighestBit(bits & (~bits + 1));
+#endif
+}
+
 inline uint32_t CountBits(uint64_t bits) {
 #if defined(__GNUC__)
     return static_cast<uint32_t>(__builtin_popcountll(bits));

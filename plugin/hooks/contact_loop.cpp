@@ -14,6 +14,8 @@
 #include <initializer_list>
 #include <optional>
 
+#include <box2d/b2_world.h>
+
 #include "contacts/apart_line.h"
 #include "contacts/convex_contact.h"
 #include "contacts/polygon_contact.h"
@@ -39,16 +41,6 @@ bool BoxesOverlap(const b2ContactManager *manager, const b2Contact *contact) {
     return manager->m_broadPhase.TestOverlap(
         FixtureAccess::ProxyOf(contact->GetFixtureA(), contact->GetChildIndexA()),
         FixtureAccess::ProxyOf(contact->GetFixtureB(), contact->GetChildIndexB()));
-}
-
-/// A contact takes four cache lines; what follows in the list need not follow in memory. At the list's end
-/// there is none, which does no harm: addresses are numbers here, for no pointer may be moved from nullptr.
-void Prefetch(const b2Contact *contact) {
-    constexpr uintptr_t kLine = 64;
-    const uintptr_t first = reinterpret_cast<uintptr_t>(contact);
-    for (uintptr_t line = 0; line < 4; ++line)
-        BMR_PREFETCH(
-            reinterpret_cast<const void *>(first + line * kLine)); // NOLINT(performance-no-int-to-ptr)
 }
 
 void Update(b2Contact *contact, b2ContactListener *listener) {
@@ -95,7 +87,7 @@ inline bool Persists(b2ContactManager *manager, b2Contact *contact) {
 void CollideByList(b2ContactManager *manager) {
     b2Contact *contact = manager->m_contactList;
     while (contact != nullptr) {
-        Prefetch(contact->GetNext());
+        ContactNumber::Prefetch(contact->GetNext());
         if (Persists(manager, contact)) {
             contact = contact->GetNext();
         } else {
@@ -106,12 +98,18 @@ void CollideByList(b2ContactManager *manager) {
     }
 }
 
+/// nullptr where it has no contacts.
+const b2World *WorldOf(const b2ContactManager &manager) {
+    const b2Contact *const contact = manager.m_contactList;
+    return contact == nullptr ? nullptr : contact->GetFixtureA()->GetBody()->GetWorld();
+}
+
 /// A pass over the ledger. The listener that contacts are handed is this one, where the world has one of the
 /// game's: whatever the game's code does, the pass knows that it ran.
 class LedgerPass final : private b2ContactListener {
 public:
     LedgerPass(Ledger *ledger, b2ContactManager *manager)
-        : m_ledger(ledger), m_manager(manager), m_pass(ledger) {}
+        : m_ledger(ledger), m_manager(manager), m_world(WorldOf(*manager)), m_pass(ledger) {}
 
     void Run();
 
@@ -144,6 +142,7 @@ private:
 
     Ledger *m_ledger;
     b2ContactManager *m_manager;
+    const b2World *m_world;
     Ledger::Pass m_pass;
     b2ContactListener *m_listener = nullptr; ///< of the update that is under way
     bool m_preSolves = true; ///< the listener's PreSolve is not the empty one of b2ContactListener
@@ -161,9 +160,11 @@ public:
         pass->m_ledger->EnableDownTo(pass->m_at + 1);
     }
     ~Game() {
-        m_pass->m_ledger->Distrust();
-        if (m_pass->m_ledger->PassNumber() != m_passNumber)
-            m_pass->m_ledger->OweEnabling(m_pass->m_at); // another pass ran, and this one goes on
+        // A step that a listener makes unlocks the world when it is done.
+        const bool otherPass = m_pass->m_ledger->PassNumber() != m_passNumber;
+        m_pass->m_ledger->Distrust(!otherPass && m_pass->m_world->IsLocked());
+        if (otherPass)
+            m_pass->m_ledger->OweEnabling(m_pass->m_at); // and this one goes on
     }
     Game(const Game &) = delete;
     Game &operator=(const Game &) = delete;
@@ -201,14 +202,14 @@ uint32_t LedgerPass::Next() {
             return Ledger::kNone;
         m_due = m_ledger->DueOf(--m_word);
         for (uint64_t left = m_due, ahead = kAhead; left != 0 && ahead > 0; --ahead)
-            Prefetch(m_ledger->Contact(TakeNewest(&left)));
+            ContactNumber::Prefetch(m_ledger->Contact(TakeNewest(&left)));
     }
     const uint32_t next = TakeNewest(&m_due);
     uint64_t left = m_due;
     for (int ahead = 1; left != 0 && ahead < kAhead; ++ahead)
         TakeNewest(&left);
     if (left != 0)
-        Prefetch(m_ledger->Contact(TakeNewest(&left)));
+        ContactNumber::Prefetch(m_ledger->Contact(TakeNewest(&left)));
     return next;
 }
 
@@ -274,7 +275,7 @@ void LedgerPass::Look(uint32_t i, b2Contact *contact) {
             continue;
         Wake(movers[row].body, i);
     }
-    m_ledger->Touches(i, contact->IsTouching());
+    m_ledger->SetTouches(i, contact->IsTouching());
     SolidContact *ours = SolidContact::AsOurs(contact);
     // (A listener may have flagged this very contact: Box2D filters it in the next step.)
     const bool canProve = ours != nullptr && ours->IsOfPolygons() &&
@@ -305,7 +306,7 @@ void LedgerPass::Visit(uint32_t i) {
         m_ledger->LookAgain(i);
     }
     if (!movers.IsActive(record.a) && !movers.IsActive(record.b)) { // whoever woke since is known to have
-        m_ledger->Touches(i, contact->IsTouching());                // an impact may have changed it
+        m_ledger->SetTouches(i, contact->IsTouching());             // an impact may have changed it
         m_ledger->Rest(i);
         return;
     }
@@ -393,6 +394,7 @@ bool IsWorthALedger(const b2ContactManager *manager) {
 }
 
 BMR_NOINLINE void CollideHere(b2ContactManager *manager) {
+    ShortList::BeginNestedStep(manager);
     const ShortList::Whole whole(manager);
     if (!HookIsOn(Hook::ContactLoop)) {
         stock::Collide(manager);

@@ -98,7 +98,7 @@ void ShortList::Choose() {
     m_changed = false;
     if (m_room == nullptr)
         return;
-    if (m_ledger != nullptr && !GameMayRun() && m_ledger->CatchUp()) {
+    if (m_ledger != nullptr && (!GameMayRun() || m_ledger->LeavesOutCarefully()) && m_ledger->CatchUp()) {
         ChooseByLedger();
         return;
     }
@@ -129,8 +129,13 @@ void ShortList::Resume() {
     if (m_manager->m_contactListener != m_listener) {
         // Box2D hands another listener all but what it is in the middle of: nobody would open the list for
         // it.
+        LeaveNothingOut();
         m_staysWhole = true;
         return;
+    }
+    if (m_ledger != nullptr && m_ledger->LeavesOutCarefully()) {
+        m_ledger->LookAtLeftOut();
+        m_changed = m_changed || !m_ledger->LeavesOutCarefully();
     }
     // Contacts are made in FindNewContacts alone, which says so. Where none was made, their number tells
     // whether any ended: a listener may put bodies out of the world (b2Body::SetEnabled), and the contacts of
@@ -138,6 +143,16 @@ void ShortList::Resume() {
     if (m_changed || m_manager->m_contactCount != m_contactCount)
         Choose();
     Close();
+}
+
+void ShortList::LeaveNothingOut() {
+    if (m_ledger != nullptr)
+        m_ledger->LeaveNothingOut();
+}
+
+void ShortList::BeginNestedStep(const b2ContactManager *manager) {
+    if (ShortList *const list = Of(manager))
+        list->LeaveNothingOut();
 }
 
 void ShortList::Open() {

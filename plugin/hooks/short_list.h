@@ -36,6 +36,8 @@ public:
     /// For this thread's list of that world, if there is one: contacts say by now what is known of them, and
     /// those are kept that may still have an impact. May be called while Box2D is at a contact that is kept.
     static void ChooseAgain(const b2ContactManager *manager);
+    /// A listener or a filter steps the world whose search for impacts called it.
+    static void BeginNestedStep(const b2ContactManager *manager);
     /// Whole again, with the listener that the world has by now.
     ~ShortList() override;
 
@@ -82,6 +84,7 @@ private:
     void ChooseAsked();
     void ChooseByLedger();
     bool Keep(b2Contact *contact);
+    void LeaveNothingOut();
     void Suspend();
     void Resume();
     void Open();

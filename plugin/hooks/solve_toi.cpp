@@ -63,10 +63,12 @@ void CompareWithBox2D(const ImpactScan::Side &a, const ImpactScan::Side &b) {
 template <typename IsDone>
 void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, Ledger *ledger,
                    b2ContactManager *manager, const IsDone &isDone) {
-    ledger->BeginSearch(GameMayRun());
+    // In the midst of another search, by a listener's step, all is told that this one finds.
+    const bool nested = stepping.shortList != nullptr;
+    ledger->BeginSearch(GameMayRun(), !nested);
     // Where there was an impact in the last step, everything is told at once: one pass over the contacts, not
     // two.
-    const bool eager = ledger->FoundImpact();
+    const bool eager = nested || ledger->FoundImpact();
     ledger->SetFoundImpact(false);
     uint32_t unproved = 0;
     const bool awakeAlone = !eager && !GameMayRun() && ledger->IsAwakeAlone(CurrentStep());
@@ -76,7 +78,7 @@ void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, L
         b2Contact *const contact = ledger->Contact(i);
         if (contact == nullptr)
             continue;
-        if (ledger->MayNotImpact(i)) {
+        if (ledger->LeavesOut(i)) {
             if (eager)
                 ledger->ForgetOldImpact(i);
             continue;

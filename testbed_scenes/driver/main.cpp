@@ -110,6 +110,10 @@ CLI::App *AddCompare(CLI::App &app, CommandLine &line) {
     compare->add_option("--json", command.json, "Write everything into this file, as JSON");
     compare->add_option("--csv", command.csv, "Write everything into this file, one row a scene");
     compare->add_flag("--quiet", command.quiet, "Only differences and the closing line");
+    compare->add_flag(
+        "--heard", command.options.worker.heard,
+        "Time and count worlds that a listener hears, of begins and ends of contacts, as in most "
+        "games (default: nobody listens, except in scenes that do)");
     AddPluginOptions(*compare, command.options.worker);
     AddSceneOptions(*compare, command.options.worker);
     compare

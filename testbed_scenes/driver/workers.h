@@ -35,6 +35,8 @@ struct WorkerOptions {
     /// For the plugin's worker alone; empty means its own default.
     std::string structure;
     std::string prefilter;
+    /// In worlds that are timed or counted a listener of begins and ends of contacts listens.
+    bool heard = false;
 };
 
 /// One run of a worker.

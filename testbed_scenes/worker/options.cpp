@@ -111,6 +111,10 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
                    "stop")
         ->option_text("STEP")
         ->check(CLI::Range(0, 100000000).description(""));
+    app.add_flag(
+        "--heard", options.heard,
+        "A listener counts begins and ends of contacts, as most games have one; a scene that listens "
+        "itself keeps its own");
     bool boxes = false;
     CLI::Option *record =
         app.add_option_function<std::string>(

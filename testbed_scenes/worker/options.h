@@ -26,6 +26,7 @@ struct Options {
     std::optional<BodyKind> bodies;
     std::optional<int> dump, perturb;
     std::optional<RecordRange> record;
+    bool heard = false;
     PluginOptions plugin;
 };
 

@@ -52,6 +52,20 @@ void Shake(Stage &stage) {
     }
 }
 
+/// What most games have: a listener that is told of begins and ends, and of no more.
+class Heard final : public b2ContactListener {
+public:
+    void BeginContact(b2Contact *) override { ++m_begins; }
+    void EndContact(b2Contact *) override { ++m_ends; }
+    void AddTo(nlohmann::json *json) const {
+        (*json)["begins"] = m_begins;
+        (*json)["ends"] = m_ends;
+    }
+
+private:
+    long m_begins = 0, m_ends = 0;
+};
+
 long TimeStep(const SceneInfo &info, b2World &world) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
@@ -81,11 +95,17 @@ void RunScene(const SceneInfo &info, const Options &options) {
                                     : options.mode == Mode::Hash ? &recorder
                                                                  : nullptr;
     const std::unique_ptr<Scene> scene = info.create();
-    // Nobody listens to a world that is timed or counted and not recorded, except a scene that would.
+    // Nobody listens to a world that is timed or counted and not recorded, except a scene that would, or
+    // where
+    // --heard asks for it.
+    Heard heard;
     const unsigned long seed = options.seed.value_or(info.seed);
     Stage stage(*scene, seed, observer);
     stage.SetPolygons(PolygonsOf(info, options));
     b2World &world = stage.World();
+    const bool listens = options.heard && observer == nullptr && !scene->Listens();
+    if (listens)
+        world.SetContactListener(&heard);
     const int steps = options.steps.value_or(info.steps);
     Summary summary(info, options, steps);
 
@@ -125,7 +145,10 @@ void RunScene(const SceneInfo &info, const Options &options) {
         }
     }
     FinishTrace();
-    std::printf("summary %s\n", summary.ToJson(world).dump().c_str());
+    nlohmann::json json = summary.ToJson(world);
+    if (listens)
+        heard.AddTo(&json);
+    std::printf("summary %s\n", json.dump().c_str());
     if (std::fflush(stdout) != 0)
         throw std::runtime_error("the output could not be written");
 }

@@ -310,9 +310,11 @@ test_worlds_are_stepped_to_the_very_end() {
 }
 
 test_worlds_that_nobody_listens_to() {
-    plays_as_stock "unheard_game 1 30"
-    plays_as_stock "unheard_game 61 30" BOOMERANG_EVERYWHERE=on
-    plays_as_stock "unheard_game thrown" BOOMERANG_EVERYWHERE=on
+    plays_as_stock "bullet_game unheard 1 20"
+    plays_as_stock "bullet_game unheard 61 20" BOOMERANG_EVERYWHERE=on
+    plays_as_stock "bullet_game heard 1 8"
+    plays_as_stock "bullet_game heard 61 8" BOOMERANG_EVERYWHERE=on
+    plays_as_stock "bullet_game thrown" BOOMERANG_EVERYWHERE=on
 }
 
 test_polygons_may_be_changed_in_place() {

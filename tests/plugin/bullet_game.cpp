@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-//   unheard_game FIRST COUNT
-//   unheard_game thrown
+//   bullet_game unheard FIRST COUNT
+//   bullet_game heard FIRST COUNT
+//   bullet_game thrown
 //
-// Random worlds without a listener or a filter of the game's own, where most may be left out: one for each
-// seed. Between steps bodies become bullets, cease to be, change their types, sleep, are woken, moved,
-// thrown, put out of the world, ended and made; impacts are had with all of them. Prints a line for each
-// seed.
+// Random worlds, one for each seed, where bodies become bullets, cease to be, change their types, sleep, are
+// woken, moved, thrown, put out of the world, ended and made; impacts are had with all of them. Prints a line
+// for each seed.
+//
+// `unheard`: nobody listens or filters, so that most pairs may be left out. `heard`: crowded, and a listener
+// is told of begins and ends, as in most games; one call in a few it makes bullets, wakes, edits, disables;
+// and a filter does, in every other world.
 //
 // `thrown`: a listener throws as the first of many impacts of a step is told. What Box2D had found out of the
 // others is to be forgotten, also where their bodies are no bullets any more and nobody listens.
@@ -23,14 +27,20 @@
 
 namespace {
 
-class Crowd {
+class Crowd : private b2ContactListener, private b2ContactFilter {
 public:
-    explicit Crowd(uint32_t seed) : m_random(seed), m_world(b2Vec2(0.0f, seed % 3 == 0 ? 0.0f : -10.0f)) {
+    Crowd(uint32_t seed, bool heard)
+        : m_random(seed), m_world(b2Vec2(0.0f, seed % 3 == 0 ? 0.0f : -10.0f)), m_heard(heard) {
+        if (heard) {
+            m_world.SetContactListener(this);
+            if (seed % 2 == 0)
+                m_world.SetContactFilter(this);
+        }
         m_world.SetContinuousPhysics(seed % 11 != 0);
         m_world.SetSubStepping(seed % 17 == 0);
         AddBox(m_world, b2_staticBody, {0.0f, -1.0f}, {40.0f, 0.3f}, 0.02f);
         AddBox(m_world, b2_kinematicBody, {5.0f, 3.0f}, {4.0f, 0.05f}, 0.3f)->SetAngularVelocity(0.5f);
-        const int count = 40 + Below(120);
+        const int count = 40 + Below(120) + (heard ? 60 : 0);
         for (int i = 0; i < count; ++i)
             Add();
     }
@@ -42,16 +52,74 @@ public:
             m_world.Step(Below(30) == 0 ? 0.0f : 1.0f / 60.0f, 8, 3);
             hash->Add(m_world);
         }
+        hash->Add(m_told);
     }
 
 private:
+    void BeginContact(b2Contact *contact) override { Hear(contact->GetFixtureA(), contact->GetFixtureB()); }
+    void EndContact(b2Contact *contact) override { Hear(contact->GetFixtureB(), contact->GetFixtureA()); }
+    bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
+        Hear(a, b);
+        return b2ContactFilter::ShouldCollide(a, b);
+    }
+
+    /// Code of the game that runs in a step: what Box2D bears there. (It does not bear sensors that are made
+    /// then.)
+    void Hear(b2Fixture *fixture, b2Fixture *other) {
+        ++m_told;
+        if (Below(9) != 0 || m_bodies.empty())
+            return;
+        b2Body *some = m_bodies[static_cast<size_t>(Below(static_cast<int>(m_bodies.size())))];
+        switch (Below(9)) {
+        case 0:
+        case 1:
+            some->SetBullet(!some->IsBullet());
+            break;
+        case 2:
+            fixture->GetBody()->SetBullet(true);
+            Throw(fixture->GetBody());
+            break;
+        case 3:
+            some->SetAwake(Below(2) == 0);
+            break;
+        case 4:
+            some->SetLinearVelocity({Between(-20.0f, 20.0f), 0.0f});
+            break;
+        case 5: { // a little smaller
+            b2Shape *const shape = some->GetFixtureList()->GetShape();
+            for (b2Vec2 &v : static_cast<b2PolygonShape *>(shape)->m_vertices)
+                v *= 0.9375f;
+            break;
+        }
+        case 6:
+            some->ResetMassData();
+            some->SetFixedRotation(!some->IsFixedRotation());
+            break;
+        case 7: {
+            b2Filter filter = other->GetFilterData();
+            filter.groupIndex = static_cast<int16>(Below(3) - 1);
+            other->SetFilterData(filter);
+            break;
+        }
+        default:
+            DisableOne();
+        }
+    }
+    void DisableOne() {
+        int which = Below(40);
+        for (b2Contact *contact = m_world.GetContactList(); contact != nullptr; contact = contact->GetNext())
+            if (which-- == 0)
+                contact->SetEnabled(false);
+    }
+
     int Below(int n) { return static_cast<int>(m_random() % static_cast<uint32_t>(n)); }
     float Between(float low, float high) {
         return low + (high - low) * static_cast<float>(Below(4096)) / 4096.0f;
     }
 
     void Add() {
-        const b2Vec2 at(Between(-9.0f, 9.0f), Between(0.0f, 9.0f));
+        const float wide = m_heard ? 6.0f : 9.0f;
+        const b2Vec2 at(Between(-wide, wide), Between(0.0f, wide));
         if (Below(8) == 0) {
             m_bodies.push_back(AddWheel(m_world, at, 3 + Below(6), Between(0.2f, 0.5f)));
             return;
@@ -107,18 +175,15 @@ private:
         case 10:
             Add();
             break;
-        default: {
-            int which = Below(40);
-            for (b2Contact *contact = m_world.GetContactList(); contact != nullptr;
-                 contact = contact->GetNext())
-                if (which-- == 0)
-                    contact->SetEnabled(false);
-        }
+        default:
+            DisableOne();
         }
     }
 
     std::minstd_rand m_random;
     b2World m_world;
+    bool m_heard;
+    uint32_t m_told = 0;
     std::vector<b2Body *> m_bodies;
 };
 
@@ -178,15 +243,16 @@ int main(int argc, char **argv) {
         PlayThrown();
         return 0;
     }
-    if (argc != 3) {
-        std::fputs("usage: unheard_game FIRST COUNT | thrown\n", stderr);
+    const bool heard = argc == 4 && std::strcmp(argv[1], "heard") == 0;
+    if (argc != 4 || (!heard && std::strcmp(argv[1], "unheard") != 0)) {
+        std::fputs("usage: bullet_game unheard|heard FIRST COUNT | thrown\n", stderr);
         return 2;
     }
-    const auto first = static_cast<uint32_t>(std::atoi(argv[1])),
-               count = static_cast<uint32_t>(std::atoi(argv[2]));
+    const auto first = static_cast<uint32_t>(std::atoi(argv[2])),
+               count = static_cast<uint32_t>(std::atoi(argv[3]));
     for (uint32_t seed = first; seed != first + count; ++seed) {
         Hash hash;
-        Crowd(seed).Play(90, &hash);
+        Crowd(seed, heard).Play(90, &hash);
         std::printf("seed %u ", seed);
         Print("ends with", hash);
     }
