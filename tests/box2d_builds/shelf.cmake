@@ -16,7 +16,7 @@
 #
 # `lean` is there with BOX2D_BUILDS_LONG alone. Those in ${BOX2D_ACCELERATED} are built a second time, from the same sources by the
 # same flags, with boomerang_accelerate: box2d_VARIANT_accelerated, in <build>/VARIANT/accelerated/. (Where the first is of one
-# source, this is of CMake's unity.)
+# source, this is of CMake's unity; without BOX2D_BUILDS_LONG always.)
 #
 # After box2d_shelf(SOURCE), for each VARIANT of ${BOX2D_SHELF}:
 #
@@ -82,7 +82,7 @@ function(box2d_variant name)
   if(name IN_LIST BOX2D_ACCELERATED)
     list(APPEND targets box2d_${name}_accelerated)
     add_library(box2d_${name}_accelerated ${type} ${box2d_sources} ${more})
-    if(NOT with_FILE_BY_FILE)
+    if(NOT with_FILE_BY_FILE OR NOT BOX2D_BUILDS_LONG)
       set_target_properties(box2d_${name}_accelerated PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
     endif()
   endif()
