@@ -19,7 +19,7 @@ namespace {
 
 std::atomic<uint32_t> noted{kNoHooks};
 thread_local bool finding = false;
-std::atomic<const char *> way{"contacts alone"};
+std::atomic<const char *> way{"contacts alone of Box2D"};
 
 /// A box that falls on another one, and overlaps a sensor.
 void Fill(b2World *world) {

@@ -37,12 +37,10 @@ struct b2TOIOutput;
 /// `manager->Collide()` would be without us. A hook is an ordinary definition of Box2D's function, in hooks/.
 /// How calls get to it, and how a hook gets to what it stands in front of, is one of two ways:
 ///
-///   interposed   Box2D is a shared library, and this one stands ahead of it for the loader. What is asked
-///   for
-///                here is looked up by name behind this library.
-///   renamed      Box2D's sources are compiled with the plugin (boomerang_accelerate), and define all of this
-///                under other names; BMR_RENAMED is defined. What is asked for here is defined in
-///                renamed/.
+/// - interposed: Box2D is a shared library, and this one stands ahead of it for the loader. What is asked for
+///   here is looked up by name behind this library.
+/// - renamed: boomerang_accelerate compiles Box2D's sources with the plugin, and they define all of this
+///   under other names. BMR_RENAMED is defined. What is asked for here is defined in renamed/.
 ///
 /// BMR_FOR_LOADERS(name), ahead of a hook's definition, says by which name loaders ask for it; it means
 /// something in the first way alone.
