@@ -13,9 +13,6 @@ if(TARGET boomerang_box2d)
   list(APPEND boomerang_installed_targets boomerang_box2d_glue boomerang_box2d)
   list(APPEND boomerang_components box2d)
 endif()
-if(TARGET boomerang_box2d_static)
-  list(APPEND boomerang_installed_targets boomerang_box2d_static)
-endif()
 
 install(TARGETS ${boomerang_installed_targets} EXPORT boomerangTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -64,13 +61,24 @@ if(BOOMERANG_INSTALL_TESTBED AND TARGET boomerang-testbed)
   endif()
 endif()
 
+# The sources that boomerang_accelerate compiles with a project's Box2D.
+set(boomerang_source_dir ${CMAKE_INSTALL_DATADIR}/boomerang/source)
+foreach(folder core/include core/geometry core/hierarchy core/certificate core/pair core/kds core/budget core/exact32 core/convex32
+    box2d_glue plugin/hooks plugin/include plugin/reach/renamed)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${boomerang_source_dir}/${folder}
+    FILES_MATCHING PATTERN "*.c" PATTERN "*.cpp" PATTERN "*.h")
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/plugin/start.h DESTINATION ${boomerang_source_dir}/plugin)
+install(FILES ${PROJECT_SOURCE_DIR}/plugin/reach/stock.h DESTINATION ${boomerang_source_dir}/plugin/reach)
+
 set(boomerang_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/boomerang)
 install(EXPORT boomerangTargets NAMESPACE boomerang:: DESTINATION ${boomerang_package_dir})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/boomerangConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/boomerangConfig.cmake INSTALL_DESTINATION ${boomerang_package_dir})
+  ${PROJECT_BINARY_DIR}/boomerangConfig.cmake INSTALL_DESTINATION ${boomerang_package_dir}
+  PATH_VARS boomerang_source_dir)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/boomerangConfig.cmake ${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/BoomerangLinks.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/BoomerangAccelerate.cmake ${CMAKE_CURRENT_LIST_DIR}/BoomerangLinks.cmake
   DESTINATION ${boomerang_package_dir})
 
 # The pkg-config files name their prefix relative to themselves, so that `cmake --install --prefix` may choose it late.

@@ -80,13 +80,9 @@ function(_boomerang_check_target target)
   endwhile()
   if(ours AND inside)
     list(GET inside 0 box2d)
-    set(how "")
-    if(NOT TARGET boomerang::box2d_static)
-      set(how " (configure Boomerang with -DBOOMERANG_STATIC_WRAP=ON for it)")
-    endif()
     message(WARNING "${target} links boomerang::box2d, which answers for a shared Box2D, and has Box2D inside (${box2d}). "
-      "It will run as it is, without Boomerang. Link boomerang::box2d_static instead${how}, or build Box2D as a shared library "
-      "(-DBUILD_SHARED_LIBS=ON).")
+      "It will run as it is, without Boomerang. Call boomerang_accelerate(${box2d}) instead, where the project compiles it, or "
+      "build Box2D as a shared library (-DBUILD_SHARED_LIBS=ON).")
   endif()
 endfunction()
 

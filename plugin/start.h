@@ -5,13 +5,15 @@
 #include <atomic>
 
 /// @file
-/// How the library starts where the program does not call bmr::Install: it was preloaded, or BOOMERANG is on
-/// or verify. When it is loaded it only looks; it installs itself at the program's first b2World::Step.
+/// How the plugin starts where the program does not call bmr::Install: at the program's first b2World::Step.
+/// As a shared library it does so where it was preloaded, or where BOOMERANG is on or verify; compiled with
+/// Box2D's sources it always does, unless BOOMERANG is off. (What is here is defined in reach/interposed and
+/// in reach/renamed.)
 
 namespace bmr {
 
 namespace internal {
-/// Set when the library is loaded, cleared when it has started.
+/// Set ahead of the first step, cleared when it has started.
 extern std::atomic<bool> startsByItself;
 void StartNow();
 } // namespace internal
@@ -21,10 +23,6 @@ inline void StartAtFirstStep() {
     if (internal::startsByItself.load(std::memory_order_acquire))
         internal::StartNow();
 }
-
-/// Is this library here because somebody preloaded it? It is if LD_PRELOAD names it, or if it was loaded with
-/// the program although nothing that was loaded asks for it (/etc/ld.so.preload).
-bool IsPreloaded();
 
 } // namespace bmr
 

@@ -61,8 +61,8 @@ private:
     uintptr_t m_bits = 0;
 };
 
-/// What a contact of ours knows besides what Box2D keeps: 16 bytes, for which Box2D's 224-byte block has
-/// room.
+/// What a contact of ours knows besides what Box2D keeps: 16 bytes at most, for which Box2D's 224-byte block
+/// has room.
 struct ContactState {
     PairAndLife pair; ///< the structure it shares with the other contacts of its two bodies
     union {
@@ -70,7 +70,7 @@ struct ContactState {
         bmr_convex32_memory closest; ///< of a ConvexContact without a pair
     };
 };
-static_assert(sizeof(ContactState) == 16);
+static_assert(sizeof(ContactState) <= 16);
 
 /// What all contacts of ours have in common: PolygonContact and ConvexContact. Manifolds are made without
 /// Box2D where no fixture is a sensor.

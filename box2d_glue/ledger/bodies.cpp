@@ -2,6 +2,7 @@
 #include "ledger/bodies.h"
 
 #include "ledger/private_members.h"
+#include "start/compiler.h"
 
 namespace bmr {
 
@@ -57,7 +58,7 @@ bool Bodies::FindAwake() {
         return false;
     for (uint32_t i = m_count; i-- > 0;) {
         if (i >= kAhead)
-            __builtin_prefetch(m_bodies[i - kAhead]);
+            BMR_PREFETCH(m_bodies[i - kAhead]);
         b2Body *const body = m_bodies[i];
         uint16 &flags = body->*Named(BodyFlags());
         if ((flags & Island::kFlag) != 0)

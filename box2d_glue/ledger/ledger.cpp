@@ -433,9 +433,9 @@ void Ledger::EnableDownTo(uint32_t down) {
         if (m_owed % 64 != 0)
             owed &= ~(~uint64_t{0} << (m_owed % 64));
         for (uint64_t left = owed; left != 0; left &= left - 1)
-            __builtin_prefetch(m_contacts[word * 64 + static_cast<uint32_t>(__builtin_ctzll(left))]);
+            BMR_PREFETCH(m_contacts[word * 64 + LowestBit(left)]);
         for (; owed != 0; owed &= owed - 1) {
-            const uint32_t i = word * 64 + static_cast<uint32_t>(__builtin_ctzll(owed));
+            const uint32_t i = word * 64 + LowestBit(owed);
             if (IsActive(i))
                 ContactNumber::Enable(m_contacts[i]);
         }

@@ -13,6 +13,7 @@
 #include "ledger/column.h"
 #include "ledger/movers.h"
 #include "ledger/proxy_pairs.h"
+#include "start/compiler.h"
 
 namespace bmr {
 
@@ -43,7 +44,7 @@ struct ContactNumber : b2Contact {
         constexpr uintptr_t kLine = 64;
         const uintptr_t first = reinterpret_cast<uintptr_t>(contact);
         for (uintptr_t line = 0; line < 4; ++line)
-            __builtin_prefetch(
+            BMR_PREFETCH(
                 reinterpret_cast<const void *>(first + line * kLine)); // NOLINT(performance-no-int-to-ptr)
     }
     static void TakeOutOfIsland(b2Contact *contact) { Flags(contact) &= ~static_cast<uint32>(e_islandFlag); }
@@ -178,7 +179,7 @@ public:
     uint32_t CountWatched() const {
         uint32_t count = 0;
         for (uint32_t word = 0; word < m_awakeWords; ++word)
-            count += static_cast<uint32_t>(__builtin_popcountll(m_awake[word]));
+            count += CountBits(m_awake[word]);
         return count;
     }
     /// Is one of its bodies awake, or was it when the pass began? Watched from here on where one has woken

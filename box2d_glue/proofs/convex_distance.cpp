@@ -9,6 +9,7 @@
 
 #include "boomerang/convex32_distance.h"
 #include "shapes/shapes32.h"
+#include "start/recognise.h"
 
 namespace bmr {
 
@@ -111,8 +112,17 @@ void WriteCache(b2SimplexCache *cache, const Two &two, const b2DistanceInput &in
                                        : b2Cross(w[1] - w[0], w[2] - w[0]);
 }
 
-/// Takes the skins off: the points go to the surfaces, or both between them where the skins overlap.
+/// Takes the skins off: the points go to the surfaces, or both between them where the skins overlap. (In
+/// Box2D 2.4.2 they go to the surfaces unless the polygons themselves meet.)
 void TakeRadiiOff(b2DistanceOutput *output, float radiusA, float radiusB) {
+    if (IsBox2D242() && !(output->distance < b2_epsilon)) {
+        b2Vec2 normal = output->pointB - output->pointA;
+        normal.Normalize();
+        output->distance = b2Max(0.0f, output->distance - radiusA - radiusB);
+        output->pointA += radiusA * normal;
+        output->pointB -= radiusB * normal;
+        return;
+    }
     if (output->distance > radiusA + radiusB && output->distance > b2_epsilon) {
         output->distance -= radiusA + radiusB;
         b2Vec2 normal = output->pointB - output->pointA;

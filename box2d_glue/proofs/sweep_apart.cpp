@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "proofs/sweep_apart.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

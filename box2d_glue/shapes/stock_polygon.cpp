@@ -107,6 +107,9 @@ bmr_error MakeStockPolygon(b2PolygonShape *set, const b2Vec2 *points, int32 coun
     if (error != BMR_OK)
         return error;
     set->Set(points, count);
+    if (set->m_count < 3)
+        return BMR_ERROR_TOO_CLOSE; // Box2D 2.4.2 welds over longer ways, and leaves out what is nearly on a
+                                    // line
     return IsFinite(*set) ? BMR_OK : BMR_ERROR_OUT_OF_RANGE;
 }
 

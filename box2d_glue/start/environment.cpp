@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "start/compiler.h"
+
 namespace bmr {
 
 namespace {
@@ -63,11 +65,7 @@ public:
     }
 
 private:
-#if defined(__GNUC__)
-    __attribute__((format(printf, 2, 3)))
-#endif
-    void
-    Add(const char *format, ...) {
+    BMR_FORMAT(2, 3) void Add(const char *format, ...) {
         va_list arguments;
         va_start(arguments, format);
         // NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized): va_start is one line above

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "start/install.h"
+
 #include <cstdio>
 #include <mutex>
 
@@ -7,6 +9,7 @@
 #include "start/environment.h"
 #include "start/process_locks.h"
 #include "start/reach.h"
+#include "start/recognise.h"
 #include "start/rounding_mode.h"
 #include "start/settings.h"
 #include "start/this_process.h"
@@ -17,6 +20,7 @@ namespace bmr {
 
 namespace {
 
+bool called = false;
 bool installed = false;
 bool refused = false;
 
@@ -39,8 +43,9 @@ void ListHooks(const char *before, uint32_t hooks) {
 void Announce(const Options &options) {
     const uint32_t reached = options.hooks & GetSettings().reached, off = HooksOffForRounding();
     const uint32_t atWork = reached & ~off;
-    std::fprintf(stderr, "boomerang: %s, %s; rounds %s Box2D", NameOf(options.mode),
-                 bmr_structure_name(options.structure), GetSettings().sameRounding ? "as" : "otherwise than");
+    std::fprintf(stderr, "boomerang: %s, %s; %s %s; rounds %s Box2D", NameOf(options.mode),
+                 bmr_structure_name(options.structure), WayOfHooks(), VersionOfBox2D(),
+                 GetSettings().sameRounding ? "as" : "otherwise than");
     ListHooks(atWork == kNoHooks ? "; hooks: none" : "; hooks:", atWork);
     if (off != kNoHooks)
         ListHooks("; off, for it rounds otherwise:", off);
@@ -52,7 +57,12 @@ void Announce(const Options &options) {
 } // namespace
 
 bool Install(const Options &given) {
+    return InstallHere(given);
+}
+
+bool InstallHere(const Options &given) {
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Installing));
+    called = true;
     if (installed || refused)
         return false;
     const NearestRounding nearest; // whoever is tried out here is tried out as he will be asked
@@ -74,6 +84,11 @@ bool Install(const Options &given) {
     if (options.verbosity > 0 && ClaimAnnouncement())
         Announce(options);
     return true;
+}
+
+bool InstallWasCalled() {
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Installing));
+    return called;
 }
 
 bool IsInstalled() {

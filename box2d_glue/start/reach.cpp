@@ -19,6 +19,7 @@ namespace {
 
 std::atomic<uint32_t> noted{kNoHooks};
 thread_local bool finding = false;
+std::atomic<const char *> way{"contacts alone of Box2D"};
 
 /// A box that falls on another one, and overlaps a sensor.
 void Fill(b2World *world) {
@@ -46,6 +47,14 @@ void internal::NoteReached(Hook hook) {
         noted.fetch_or(Bit(hook), std::memory_order_relaxed);
 }
 
+void SetWayOfHooks(const char *words) {
+    way.store(words, std::memory_order_relaxed);
+}
+
+const char *WayOfHooks() {
+    return way.load(std::memory_order_relaxed);
+}
+
 bool IsFindingReachedHooks() {
     return finding;
 }
@@ -64,7 +73,7 @@ uint32_t FindReachedHooks() {
     finding = false;
     world->~b2World();
     std::free(room);
-    return noted | Bit(Hook::TouchingManifold);
+    return (noted & ~kHooksWithoutRoom) | Bit(Hook::TouchingManifold);
 }
 
 } // namespace bmr

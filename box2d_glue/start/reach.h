@@ -14,6 +14,11 @@ namespace bmr {
 /// reported where there is no memory to find out.
 uint32_t FindReachedHooks();
 
+/// How Box2D's calls come by the hooks, in a few words, for whoever is told what is at work. Not copied;
+/// until it is set there are no hooks, and contacts alone are ours.
+void SetWayOfHooks(const char *way);
+const char *WayOfHooks();
+
 /// Is this thread stepping that world?
 bool IsFindingReachedHooks();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "start/recognise.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -16,6 +17,7 @@
 #include <box2d/b2_polygon_shape.h>
 #include <box2d/b2_world.h>
 
+#include "start/compiler.h"
 #include "start/recognise_constants.h"
 
 namespace bmr {
@@ -142,12 +144,8 @@ public:
     }
 
     /// Was it `object` that got the block, and did nobody write behind a T there?
-#if defined(__GNUC__)
-    // Reads to the end of the block; the address sanitizer would allow no more than the bytes of a T.
-    __attribute__((no_sanitize("address")))
-#endif
-    bool
-    HoldsNoMoreThan(const T *object) const {
+    /// (Reads to the end of the block; the address sanitizer would allow no more than the bytes of a T.)
+    BMR_NOT_FOR_ADDRESS_SANITIZER bool HoldsNoMoreThan(const T *object) const {
         constexpr unsigned char kFreedForDebugging = 0xfd; // what Free writes with _DEBUG
         if (object != m_block)
             return false;
@@ -271,6 +269,31 @@ const char kNoMemoryToRecognise[] = "there is no memory to find out which Box2D 
 
 void SetLibraryCheck(const char *(*check)()) {
     libraryCheck = check;
+}
+
+bool IsBox2D242() {
+    static std::atomic<int> known{-1};
+    int answer = known.load(std::memory_order_relaxed);
+    if (answer < 0) {
+        // Two disks of radius 1 whose middles are 1 apart: 2.4.1 puts both points between them, 2.4.2 on the
+        // far sides.
+        const b2Vec2 origin(0.0f, 0.0f);
+        b2DistanceInput input;
+        input.proxyA.m_vertices = input.proxyB.m_vertices = &origin;
+        input.proxyA.m_count = input.proxyB.m_count = 1;
+        input.proxyA.m_radius = input.proxyB.m_radius = 1.0f;
+        input.transformA.SetIdentity();
+        input.transformB.SetIdentity();
+        input.transformB.p.Set(1.0f, 0.0f);
+        input.useRadii = true;
+        b2SimplexCache cache;
+        cache.count = 0;
+        b2DistanceOutput output;
+        b2Distance(&output, &cache, &input);
+        answer = output.pointA.x > 0.75f ? 1 : 0;
+        known.store(answer, std::memory_order_relaxed);
+    }
+    return answer == 1;
 }
 
 const b2ContactListener *ListenerOfNewWorlds() {

@@ -17,6 +17,13 @@ const char *WhyBox2DIsUnknown();
 /// The one answer that may be another the next time.
 extern const char kNoMemoryToRecognise[];
 
+/// Which of the versions that are known it is, "2.4.1" or "2.4.2": found out by what b2Distance does to the
+/// points of shapes whose skins overlap. For a Box2D that is known.
+bool IsBox2D242();
+inline const char *VersionOfBox2D() {
+    return IsBox2D242() ? "2.4.2" : "2.4.1";
+}
+
 /// What b2World begins with for a contact listener, as far as WhyBox2DIsUnknown has seen one begin: Box2D's
 /// own, which does nothing.
 const b2ContactListener *ListenerOfNewWorlds();

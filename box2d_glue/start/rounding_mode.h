@@ -2,7 +2,8 @@
 #ifndef BOOMERANG_GLUE_ROUNDING_MODE_H
 #define BOOMERANG_GLUE_ROUNDING_MODE_H
 
-#if defined(__SSE2__)
+#if defined(__SSE2__) && !defined(__EMSCRIPTEN__) // which has lanes, and one mode
+#    define BMR_MODE_OF_SSE
 #    include <xmmintrin.h>
 #else
 #    include <cfenv>
@@ -15,7 +16,7 @@
 
 namespace bmr {
 
-#if defined(__SSE2__)
+#if defined(BMR_MODE_OF_SSE)
 
 // (std::fegetround asks the other unit, which nothing here computes with.)
 using RoundingMode = unsigned;

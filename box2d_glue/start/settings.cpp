@@ -43,7 +43,8 @@ bool MakeSettings(const Options &options, uint32_t reached) {
 
 void ActivateHooks() {
     const Options &options = GetSettings().options;
-    internal::activeHooks = options.mode == Mode::Off ? kNoHooks : options.hooks | internal::kInstalled;
+    internal::activeHooks =
+        options.mode == Mode::Off ? kNoHooks : (options.hooks & ~kHooksWithoutRoom) | internal::kInstalled;
 }
 
 } // namespace bmr

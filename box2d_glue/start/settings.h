@@ -7,6 +7,7 @@
 
 #include "boomerang/box2d_glue.h"
 #include "boomerang/pair.h"
+#include "start/compiler.h"
 
 namespace bmr {
 
@@ -38,6 +39,10 @@ inline const Settings &GetSettings() {
     return internal::settings;
 }
 
+/// The ledger has its numbers in the four bytes behind a contact's flags, which are there where pointers have
+/// eight.
+constexpr uint32_t kHooksWithoutRoom = sizeof(void *) < 8 ? Bit(Hook::Ledger) : kNoHooks;
+
 /// Is this function answered here? A load and a test, for the first line of a hook. Where it is, the settings
 /// are all there, also on a thread that steps nothing and calls Box2D while another one starts the library.
 inline bool HookIsOn(Hook hook) {
@@ -59,7 +64,7 @@ inline bool AnyHookIsOn() {
 /// test: the first line of hooks that are called many times a step. So it is until the library has started,
 /// and in Mode::Off.
 inline bool NothingIsInstalled() {
-    return __builtin_expect(internal::activeHooks.load(std::memory_order_acquire) == 0, 0);
+    return BMR_RARELY(internal::activeHooks.load(std::memory_order_acquire) == 0);
 }
 
 /// The hooks that answer nothing where Box2D rounds otherwise than core/exact32: theirs are the bits of its

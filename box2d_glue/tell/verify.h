@@ -2,6 +2,8 @@
 #ifndef BOOMERANG_GLUE_VERIFY_H
 #define BOOMERANG_GLUE_VERIFY_H
 
+#include "start/compiler.h"
+
 struct b2Manifold;
 struct b2TOIOutput;
 class b2Fixture;
@@ -28,9 +30,7 @@ void VerifyOverlap(const b2Fixture *fixtureA, const b2Fixture *fixtureB, bool ou
 
 /// For everything else: `door` is what was answered ("pair finding"), `format` says what differs, as printf
 /// does. Not called where the two agree: CountVerified() alone then.
-#if defined(__GNUC__)
-__attribute__((format(printf, 4, 5)))
-#endif
+BMR_FORMAT(4, 5)
 void ReportDifference(const char *door, const b2Fixture *fixtureA, const b2Fixture *fixtureB,
                       const char *format, ...);
 void CountVerified();

@@ -7,74 +7,44 @@
 #include <box2d/b2_world.h>
 
 #include "proofs/convex_distance.h"
-#include "reach/real.h"
+#include "reach/stock.h"
 #include "shapes/convex_draw.h"
 #include "shapes/convex_geometry.h"
 #include "start/settings.h"
 
-namespace bmr::hooks {
+using namespace bmr;
 
-namespace {
+BMR_FOR_LOADERS("_ZN15b2DistanceProxy3SetEPK7b2Shapei");
+BMR_FOR_LOADERS("_Z10b2DistanceP16b2DistanceOutputP14b2SimplexCachePK15b2DistanceInput");
+BMR_FOR_LOADERS("_Z11b2ShapeCastP17b2ShapeCastOutputPK16b2ShapeCastInput");
+BMR_FOR_LOADERS("_ZN7b2World9DrawShapeEP9b2FixtureRK11b2TransformRK7b2Color");
 
-Real<void(b2DistanceProxy *, const b2Shape *, int32)> realSet("_ZN15b2DistanceProxy3SetEPK7b2Shapei");
-Real<void(b2DistanceOutput *, b2SimplexCache *, const b2DistanceInput *)>
-    realDistance("_Z10b2DistanceP16b2DistanceOutputP14b2SimplexCachePK15b2DistanceInput");
-Real<bool(b2ShapeCastOutput *, const b2ShapeCastInput *)>
-    realShapeCast("_Z11b2ShapeCastP17b2ShapeCastOutputPK16b2ShapeCastInput");
-
-} // namespace
-
-void SetProxy(b2DistanceProxy *proxy, const b2Shape *shape, int32 child)
-    BMR_STANDS_FOR("_ZN15b2DistanceProxy3SetEPK7b2Shapei");
-void Distance(b2DistanceOutput *output, b2SimplexCache *cache, const b2DistanceInput *input)
-    BMR_STANDS_FOR("_Z10b2DistanceP16b2DistanceOutputP14b2SimplexCachePK15b2DistanceInput");
-bool ShapeCast(b2ShapeCastOutput *output, const b2ShapeCastInput *input)
-    BMR_STANDS_FOR("_Z11b2ShapeCastP17b2ShapeCastOutputPK16b2ShapeCastInput");
-
-void SetProxy(b2DistanceProxy *proxy, const b2Shape *shape, int32 child) {
+void b2DistanceProxy::Set(const b2Shape *shape, int32 child) {
     // (Shapes of a Box2D that is none we know are not ours to read.)
-    if (!(AnyHookIsOn() || AnyBigPolygon()) || !SetCommonProxy(proxy, *shape))
-        realSet(proxy, shape, child);
+    if (!(AnyHookIsOn() || AnyBigPolygon()) || !SetCommonProxy(this, *shape))
+        stock::SetProxy(this, shape, child);
 }
 
-void Distance(b2DistanceOutput *output, b2SimplexCache *cache, const b2DistanceInput *input) {
-    if (__builtin_expect(AnyBigPolygon(), 0) && BigDistance(output, cache, *input))
+void b2Distance(b2DistanceOutput *output, b2SimplexCache *cache, const b2DistanceInput *input) {
+    if (BMR_RARELY(AnyBigPolygon()) && BigDistance(output, cache, *input))
         return;
-    realDistance(output, cache, input);
+    stock::Distance(output, cache, input);
 }
 
-bool ShapeCast(b2ShapeCastOutput *output, const b2ShapeCastInput *input) {
+bool b2ShapeCast(b2ShapeCastOutput *output, const b2ShapeCastInput *input) {
     bool hit;
     if (AnyBigPolygon() && BigCast(output, *input, &hit))
         return hit;
-    return realShapeCast(output, input);
+    return stock::ShapeCast(output, input);
 }
-
-} // namespace bmr::hooks
-
-#if !defined(BMR_STATIC_WRAP) // there b2World::DebugDraw calls DrawShape within its own, and nobody sees it
-
-using namespace bmr;
-
-namespace {
-
-Real<void(b2World *, b2Fixture *, const b2Transform &, const b2Color &)>
-    realDrawShape("_ZN7b2World9DrawShapeEP9b2FixtureRK11b2TransformRK7b2Color");
-
-} // namespace
-
-// Box2D's own header declares b2World::DrawShape, so BMR_STANDS_FOR cannot be put on its declaration.
-BMR_FOR_LOADERS("_ZN7b2World9DrawShapeEP9b2FixtureRK11b2TransformRK7b2Color");
 
 /// The real outline, in pieces that every b2Draw has room for unless Options::outlines asks for it whole.
 void b2World::DrawShape(b2Fixture *fixture, const b2Transform &xf, const b2Color &color) {
     const bmr_convex32_block *block = AnyBigPolygon() ? BigPolygonOf(*fixture->GetShape()) : nullptr;
     if (block == nullptr) {
-        realDrawShape(this, fixture, xf, color);
+        stock::DrawShape(this, fixture, xf, color);
         return;
     }
     NoteDrawnByBox2D(this, m_debugDraw);
     DrawOutline(block->polygon, xf, color, GetSettings().options.outlines, *m_debugDraw);
 }
-
-#endif

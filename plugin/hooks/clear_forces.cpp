@@ -6,26 +6,19 @@
 
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
-#include "reach/real.h"
+#include "reach/stock.h"
 #include "start/current_step.h"
 #include "start/settings.h"
 
 using namespace bmr;
 
-namespace {
-
-Real<void(b2World *)> realClearForces("_ZN7b2World11ClearForcesEv");
-
-} // namespace
-
-// Box2D's own header declares b2World::ClearForces, so BMR_STANDS_FOR cannot be put on its declaration.
 BMR_FOR_LOADERS("_ZN7b2World11ClearForcesEv");
 
 void b2World::ClearForces() {
     Ledger *ledger = HookIsOn(Hook::Ledger) ? FindLedger(&m_contactManager) : nullptr;
     // Code of the game may have woken bodies, and have pushed them, since the list was made.
     if (ledger == nullptr || !ledger->IsAwakeAlone(CurrentStep()) || GameMayRun()) {
-        realClearForces(this);
+        stock::ClearForces(this);
         return;
     }
     const Bodies &bodies = ledger->GetBodies();

@@ -18,21 +18,12 @@
 #include "contacts/solid_contact.h"
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
-#include "reach/real.h"
+#include "reach/stock.h"
 #include "start/settings.h"
 
 namespace bmr::hooks {
 
 namespace {
-
-Real<void(b2ContactManager *, b2Contact *)> realDestroy("_ZN16b2ContactManager7DestroyEP9b2Contact");
-Real<void(b2Fixture *)> realRefilter("_ZN9b2Fixture8RefilterEv");
-Real<void(b2Fixture *, const b2Filter &)> realSetFilterData("_ZN9b2Fixture13SetFilterDataERK8b2Filter");
-Real<b2Joint *(b2World *, const b2JointDef *)> realCreateJoint("_ZN7b2World11CreateJointEPK10b2JointDef");
-Real<void(b2World *, b2Joint *)> realDestroyJoint("_ZN7b2World12DestroyJointEP7b2Joint");
-Real<void(b2World *, b2Body *)> realDestroyBody("_ZN7b2World11DestroyBodyEP6b2Body");
-Real<void(b2World *)> realEndWorld("_ZN7b2WorldD1Ev");
-Real<void(b2World *)> realEndBaseWorld("_ZN7b2WorldD2Ev");
 
 void NoteFiltering(const b2Body *body) {
     if (body == nullptr || body->GetWorld() == nullptr)
@@ -47,81 +38,66 @@ void NoteFiltering(const b2Body *body) {
 
 } // namespace
 
-void Destroy(b2ContactManager *manager, b2Contact *contact)
-    BMR_STANDS_FOR("_ZN16b2ContactManager7DestroyEP9b2Contact");
+void NoteWorldEnds(b2World *world) {
+    DropLedger(&world->GetContactManager());
+}
 
-void Destroy(b2ContactManager *manager, b2Contact *contact) {
+} // namespace bmr::hooks
+
+using namespace bmr;
+using namespace bmr::hooks;
+
+BMR_FOR_LOADERS("_ZN16b2ContactManager7DestroyEP9b2Contact");
+BMR_FOR_LOADERS("_ZN9b2Fixture8RefilterEv");
+BMR_FOR_LOADERS("_ZN9b2Fixture13SetFilterDataERK8b2Filter");
+BMR_FOR_LOADERS("_ZN7b2World11CreateJointEPK10b2JointDef");
+BMR_FOR_LOADERS("_ZN7b2World12DestroyJointEP7b2Joint");
+BMR_FOR_LOADERS("_ZN7b2World11DestroyBodyEP6b2Body");
+
+void b2ContactManager::Destroy(b2Contact *contact) {
     if (NothingIsInstalled())
-        return realDestroy(manager, contact);
+        return stock::Destroy(this, contact);
     HookIsOn(Hook::Ledger); // reached
-    Ledger *ledger = FindLedger(manager);
+    Ledger *ledger = FindLedger(this);
     if (ledger == nullptr) {
-        realDestroy(manager, contact);
+        stock::Destroy(this, contact);
         return;
     }
     // The listener that is told of its end may step the world, or end other contacts: numbers stay.
     Ledger::Pass pass(ledger);
     const uint32_t number = ledger->FindNumber(contact);
-    realDestroy(manager, contact);
+    stock::Destroy(this, contact);
     ledger->Remove(number, contact);
     pass.Complete();
 }
 
-void Refilter(b2Fixture *fixture) BMR_STANDS_FOR("_ZN9b2Fixture8RefilterEv");
-
-void Refilter(b2Fixture *fixture) {
-    realRefilter(fixture);
-    NoteFiltering(fixture->GetBody());
+void b2Fixture::Refilter() {
+    stock::Refilter(this);
+    NoteFiltering(GetBody());
 }
 
-void SetFilterData(b2Fixture *fixture, const b2Filter &filter)
-    BMR_STANDS_FOR("_ZN9b2Fixture13SetFilterDataERK8b2Filter");
-
-void SetFilterData(b2Fixture *fixture, const b2Filter &filter) {
-    realSetFilterData(fixture, filter);
-    NoteFiltering(fixture->GetBody());
+void b2Fixture::SetFilterData(const b2Filter &filter) {
+    stock::SetFilterData(this, filter);
+    NoteFiltering(GetBody());
 }
 
-b2Joint *CreateJoint(b2World *world, const b2JointDef *def)
-    BMR_STANDS_FOR("_ZN7b2World11CreateJointEPK10b2JointDef");
-
-b2Joint *CreateJoint(b2World *world, const b2JointDef *def) {
-    b2Joint *joint = realCreateJoint(world, def);
+b2Joint *b2World::CreateJoint(const b2JointDef *def) {
+    b2Joint *joint = stock::CreateJoint(this, def);
     if (joint != nullptr)
         NoteFiltering(joint->GetBodyB());
     return joint;
 }
 
-void DestroyJoint(b2World *world, b2Joint *joint) BMR_STANDS_FOR("_ZN7b2World12DestroyJointEP7b2Joint");
-
-void DestroyJoint(b2World *world, b2Joint *joint) {
+void b2World::DestroyJoint(b2Joint *joint) {
     b2Body *const body = joint != nullptr ? joint->GetBodyB() : nullptr;
-    realDestroyJoint(world, joint);
+    stock::DestroyJoint(this, joint);
     NoteFiltering(body);
 }
 
-void DestroyBody(b2World *world, b2Body *body) BMR_STANDS_FOR("_ZN7b2World11DestroyBodyEP6b2Body");
-
-void DestroyBody(b2World *world, b2Body *body) {
-    if (Ledger *ledger = FindLedger(&world->GetContactManager())) {
+void b2World::DestroyBody(b2Body *body) {
+    if (Ledger *ledger = FindLedger(&m_contactManager)) {
         ledger->GetBodies().Forget();
         ledger->SetAwakeAlone(0);
     }
-    realDestroyBody(world, body);
+    stock::DestroyBody(this, body);
 }
-
-void EndWorld(b2World *world) BMR_STANDS_FOR("_ZN7b2WorldD1Ev");
-
-void EndWorld(b2World *world) {
-    DropLedger(&world->GetContactManager());
-    realEndWorld(world);
-}
-
-void EndBaseWorld(b2World *world) BMR_STANDS_FOR("_ZN7b2WorldD2Ev");
-
-void EndBaseWorld(b2World *world) {
-    DropLedger(&world->GetContactManager());
-    realEndBaseWorld(world);
-}
-
-} // namespace bmr::hooks

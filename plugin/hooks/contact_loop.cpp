@@ -23,7 +23,8 @@
 #include "hooks/short_list.h"
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
-#include "reach/real.h"
+#include "reach/stock.h"
+#include "start/compiler.h"
 #include "start/rounding_mode.h"
 #include "start/settings.h"
 #include "tell/verify.h"
@@ -31,8 +32,6 @@
 namespace bmr::hooks {
 
 namespace {
-
-Real<void(b2ContactManager *)> realCollide("_ZN16b2ContactManager7CollideEv");
 
 bool IsActive(const b2Body *body) {
     return body->IsAwake() && body->GetType() != b2_staticBody;
@@ -216,7 +215,7 @@ uint32_t LedgerPass::Next() {
 
 /// The number of the last of the word's records that are left.
 uint32_t LedgerPass::TakeNewest(uint64_t *left) const {
-    const auto bit = static_cast<uint32_t>(63 - __builtin_clzll(*left));
+    const uint32_t bit = HighestBit(*left);
     *left &= ~(uint64_t{1} << bit);
     return m_word * 64 + bit;
 }
@@ -371,7 +370,7 @@ struct Drifting {
     const b2ContactManager *manager;
     int steps; ///< in a row in which few of its contacts touched
 };
-__thread Drifting drifting = {nullptr, 0};
+BMR_THREAD Drifting drifting = {nullptr, 0};
 
 /// Does this world, which has no ledger, get one? Not for a few contacts, of which it costs more than it
 /// saves: unless few of them touch, and have not for a while.
@@ -394,11 +393,11 @@ bool IsWorthALedger(const b2ContactManager *manager) {
     return ++drifting.steps > kStepsToDrift;
 }
 
-__attribute__((noinline)) void CollideHere(b2ContactManager *manager) {
+BMR_NOINLINE void CollideHere(b2ContactManager *manager) {
     ShortList::BeginNestedStep(manager);
     const ShortList::Whole whole(manager);
     if (!HookIsOn(Hook::ContactLoop)) {
-        realCollide(manager);
+        stock::Collide(manager);
         return;
     }
     Ledger *ledger = nullptr;
@@ -419,13 +418,16 @@ __attribute__((noinline)) void CollideHere(b2ContactManager *manager) {
 
 } // namespace
 
-void Collide(b2ContactManager *manager) BMR_STANDS_FOR("_ZN16b2ContactManager7CollideEv");
-
-void Collide(b2ContactManager *manager) {
-    if (NothingIsInstalled())
-        realCollide(manager);
-    else
-        CollideHere(manager);
-}
-
 } // namespace bmr::hooks
+
+using namespace bmr;
+using namespace bmr::hooks;
+
+BMR_FOR_LOADERS("_ZN16b2ContactManager7CollideEv");
+
+void b2ContactManager::Collide() {
+    if (NothingIsInstalled())
+        stock::Collide(this);
+    else
+        CollideHere(this);
+}

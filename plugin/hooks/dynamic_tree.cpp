@@ -6,7 +6,7 @@
 
 #include "hooks/tree_log.h"
 #include "hooks/tree_proxies.h"
-#include "reach/real.h"
+#include "reach/stock.h"
 #include "start/rounding_mode.h"
 #include "start/settings.h"
 #include "tell/verify.h"
@@ -14,12 +14,6 @@
 namespace bmr::hooks {
 
 namespace {
-
-Real<int32(b2DynamicTree *, const b2AABB &, void *)>
-    realCreateProxy("_ZN13b2DynamicTree11CreateProxyERK6b2AABBPv");
-Real<void(b2DynamicTree *, int32)> realDestroyProxy("_ZN13b2DynamicTree12DestroyProxyEi");
-Real<bool(b2DynamicTree *, int32, const b2AABB &, const b2Vec2 &)>
-    realMoveProxy("_ZN13b2DynamicTree9MoveProxyEiRK6b2AABBRK6b2Vec2");
 
 bool IsOurs() {
     return HookIsOn(Hook::TreeUpdates) && RoundsToNearest() && GetSettings().sameRounding;
@@ -49,36 +43,39 @@ auto Compare(b2DynamicTree *tree, const Ours &ours, const Box2D &box2d) {
     return expected;
 }
 
-__attribute__((noinline)) bool CompareMove(b2DynamicTree *tree, int32 id, const b2AABB &aabb,
-                                           const b2Vec2 &displacement) {
+BMR_NOINLINE bool CompareMove(b2DynamicTree *tree, int32 id, const b2AABB &aabb, const b2Vec2 &displacement) {
     return Compare(
         tree, [&](auto *log, bool *moved) { return MoveHere(*tree, id, aabb, displacement, log, moved); },
-        [&] { return realMoveProxy(tree, id, aabb, displacement); });
+        [&] { return stock::MoveProxy(tree, id, aabb, displacement); });
 }
 
-__attribute__((noinline)) bool MoveInstalled(b2DynamicTree *tree, int32 id, const b2AABB &aabb,
-                                             const b2Vec2 &displacement) {
+BMR_NOINLINE bool MoveInstalled(b2DynamicTree *tree, int32 id, const b2AABB &aabb,
+                                const b2Vec2 &displacement) {
     if (!IsOurs())
-        return realMoveProxy(tree, id, aabb, displacement);
+        return stock::MoveProxy(tree, id, aabb, displacement);
     if (Verifying())
         return CompareMove(tree, id, aabb, displacement);
     NoLog log;
     bool moved;
     return MoveHere(*tree, id, aabb, displacement, &log, &moved)
                ? moved
-               : realMoveProxy(tree, id, aabb, displacement);
+               : stock::MoveProxy(tree, id, aabb, displacement);
 }
 
 } // namespace
 
-int32 CreateProxy(b2DynamicTree *tree, const b2AABB &aabb, void *userData)
-    BMR_STANDS_FOR("_ZN13b2DynamicTree11CreateProxyERK6b2AABBPv");
-void DestroyProxy(b2DynamicTree *tree, int32 id) BMR_STANDS_FOR("_ZN13b2DynamicTree12DestroyProxyEi");
-bool MoveProxy(b2DynamicTree *tree, int32 id, const b2AABB &aabb, const b2Vec2 &displacement)
-    BMR_STANDS_FOR("_ZN13b2DynamicTree9MoveProxyEiRK6b2AABBRK6b2Vec2");
+} // namespace bmr::hooks
 
-int32 CreateProxy(b2DynamicTree *tree, const b2AABB &aabb, void *userData) {
-    const auto box2d = [=, &aabb] { return realCreateProxy(tree, aabb, userData); };
+using namespace bmr;
+using namespace bmr::hooks;
+
+BMR_FOR_LOADERS("_ZN13b2DynamicTree11CreateProxyERK6b2AABBPv");
+BMR_FOR_LOADERS("_ZN13b2DynamicTree12DestroyProxyEi");
+BMR_FOR_LOADERS("_ZN13b2DynamicTree9MoveProxyEiRK6b2AABBRK6b2Vec2");
+
+int32 b2DynamicTree::CreateProxy(const b2AABB &aabb, void *userData) {
+    b2DynamicTree *const tree = this;
+    const auto box2d = [=, &aabb] { return stock::CreateProxy(tree, aabb, userData); };
     const auto ours = [=, &aabb](auto *log, int32 *id) { return CreateHere(*tree, aabb, userData, log, id); };
     if (!IsOurs())
         return box2d();
@@ -89,9 +86,10 @@ int32 CreateProxy(b2DynamicTree *tree, const b2AABB &aabb, void *userData) {
     return ours(&log, &id) ? id : box2d();
 }
 
-void DestroyProxy(b2DynamicTree *tree, int32 id) {
+void b2DynamicTree::DestroyProxy(int32 id) {
+    b2DynamicTree *const tree = this;
     const auto box2d = [=] {
-        realDestroyProxy(tree, id);
+        stock::DestroyProxy(tree, id);
         return true;
     };
     const auto ours = [=](auto *log, bool *done) { return *done = DestroyHere(*tree, id, log); };
@@ -103,9 +101,7 @@ void DestroyProxy(b2DynamicTree *tree, int32 id) {
         box2d();
 }
 
-bool MoveProxy(b2DynamicTree *tree, int32 id, const b2AABB &aabb, const b2Vec2 &displacement) {
-    return NothingIsInstalled() ? realMoveProxy(tree, id, aabb, displacement)
-                                : MoveInstalled(tree, id, aabb, displacement);
+bool b2DynamicTree::MoveProxy(int32 id, const b2AABB &aabb, const b2Vec2 &displacement) {
+    return NothingIsInstalled() ? stock::MoveProxy(this, id, aabb, displacement)
+                                : MoveInstalled(this, id, aabb, displacement);
 }
-
-} // namespace bmr::hooks

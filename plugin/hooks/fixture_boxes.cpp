@@ -13,7 +13,7 @@
 #include <box2d/b2_polygon_shape.h>
 
 #include "hooks/tree_descent.h"
-#include "reach/real.h"
+#include "reach/stock.h"
 #include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"
@@ -24,9 +24,6 @@
 namespace bmr::hooks {
 
 namespace {
-
-Real<void(b2Fixture *, b2BroadPhase *, const b2Transform &, const b2Transform &)>
-    realSynchronize("_ZN9b2Fixture11SynchronizeEP12b2BroadPhaseRK11b2TransformS4_");
 
 #if BMR_FLOAT4_NATIVE
 
@@ -131,7 +128,7 @@ bool SameBits(Box a, Box b) {
 void CompareWithBox2D(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
                       const b2Transform &xf2, const b2FixtureProxy &proxy, Box ours) {
     const Box leaf = BoxOf(broadPhase->GetFatAABB(proxy.proxyId));
-    realSynchronize(fixture, broadPhase, xf1, xf2);
+    stock::Synchronize(fixture, broadPhase, xf1, xf2);
     CountVerified();
     if (!SameBits(BoxOf(proxy.aabb), ours))
         ReportDifference("fixture boxes", fixture, nullptr, "another box");
@@ -173,24 +170,25 @@ bool SynchronizeHere(b2Fixture *, b2BroadPhase *, const b2Transform &, const b2T
 
 #endif
 
-__attribute__((noinline)) void SynchronizeInstalled(b2Fixture *fixture, b2BroadPhase *broadPhase,
-                                                    const b2Transform &xf1, const b2Transform &xf2) {
+BMR_NOINLINE void SynchronizeInstalled(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
+                                       const b2Transform &xf2) {
     if (!HookIsOn(Hook::FixtureBoxes) || !RoundsToNearest() ||
         !SynchronizeHere(fixture, broadPhase, xf1, xf2))
-        realSynchronize(fixture, broadPhase, xf1, xf2);
+        stock::Synchronize(fixture, broadPhase, xf1, xf2);
 }
 
 } // namespace
 
-void Synchronize(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1, const b2Transform &xf2)
-    BMR_STANDS_FOR("_ZN9b2Fixture11SynchronizeEP12b2BroadPhaseRK11b2TransformS4_");
-
-void Synchronize(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
-                 const b2Transform &xf2) {
-    if (NothingIsInstalled())
-        realSynchronize(fixture, broadPhase, xf1, xf2);
-    else
-        SynchronizeInstalled(fixture, broadPhase, xf1, xf2);
-}
-
 } // namespace bmr::hooks
+
+using namespace bmr;
+using namespace bmr::hooks;
+
+BMR_FOR_LOADERS("_ZN9b2Fixture11SynchronizeEP12b2BroadPhaseRK11b2TransformS4_");
+
+void b2Fixture::Synchronize(b2BroadPhase *broadPhase, const b2Transform &xf1, const b2Transform &xf2) {
+    if (NothingIsInstalled())
+        stock::Synchronize(this, broadPhase, xf1, xf2);
+    else
+        SynchronizeInstalled(this, broadPhase, xf1, xf2);
+}

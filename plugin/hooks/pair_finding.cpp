@@ -21,15 +21,13 @@
 #include "hooks/tree_descent.h"
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
-#include "reach/real.h"
+#include "reach/stock.h"
 #include "start/settings.h"
 #include "tell/verify.h"
 
 namespace bmr::hooks {
 
 namespace {
-
-Real<void(b2ContactManager *)> realFindNewContacts("_ZN16b2ContactManager15FindNewContactsEv");
 
 const b2Body *BodyOf(const void *proxy) {
     return static_cast<const b2FixtureProxy *>(proxy)->fixture->GetBody();
@@ -334,27 +332,26 @@ template <> void b2BroadPhase::UpdatePairs(bmr::hooks::PairFinder *finder) {
     m_moveCount = 0;
 }
 
-namespace bmr::hooks {
+using namespace bmr;
+using namespace bmr::hooks;
 
-void FindNewContacts(b2ContactManager *manager) BMR_STANDS_FOR("_ZN16b2ContactManager15FindNewContactsEv");
+BMR_FOR_LOADERS("_ZN16b2ContactManager15FindNewContactsEv");
 
-void FindNewContacts(b2ContactManager *manager) {
+void b2ContactManager::FindNewContacts() {
     if (NothingIsInstalled())
-        return realFindNewContacts(manager);
-    const ShortList::Whole whole(manager);
-    TouchingList::Open(manager);
+        return stock::FindNewContacts(this);
+    const ShortList::Whole whole(this);
+    TouchingList::Open(this);
     const bool ours = HookIsOn(Hook::PairFinding);
     if (ours) {
-        PairFinder finder(manager);
-        manager->m_broadPhase.UpdatePairs(&finder);
+        PairFinder finder(this);
+        m_broadPhase.UpdatePairs(&finder);
     }
     if (!ours || Verifying())
-        realFindNewContacts(manager);
-    stepping.searched = manager;
-    if (Ledger *ledger = FindLedger(manager)) {
+        stock::FindNewContacts(this);
+    stepping.searched = this;
+    if (Ledger *ledger = FindLedger(this)) {
         ledger->CatchUp();
         ledger->NoteSearch();
     }
 }
-
-} // namespace bmr::hooks

@@ -2,24 +2,32 @@
 // b2Timer: Box2D reads the time of day several times in each island and each phase of a step, to fill
 // b2Profile. Here the processor's time stamp is read instead where it counts at a constant rate, at about a
 // third of the cost; its rate is measured against the monotonic clock. A timer that was started by Box2D's
-// own clock is read by it.
+// own clock is read by it. (Other platforms' timers hold other things, and are left alone.)
+#include "hooks/profile_clock.h"
+
 #include <atomic>
 #include <cstdint>
+#include <cstring>
 #include <ctime>
 #include <mutex>
 
 #include <box2d/b2_timer.h>
 
-#include "hooks/profile_clock.h"
-#include "reach/real.h"
+#include "reach/stock.h"
+#include "start/compiler.h"
 #include "start/process_locks.h"
 #include "start/settings.h"
 
-#if defined(__x86_64__)
-#    include <cpuid.h>
-#endif
+#if defined(BMR_TIMERS_ARE_REACHED)
+
+#    if defined(__x86_64__)
+#        include <cpuid.h>
+#        include <x86intrin.h>
+#    endif
 
 namespace bmr::hooks {
+
+namespace {
 
 /// b2Timer's two words. Box2D keeps seconds and microseconds there.
 struct TimerWords {
@@ -27,19 +35,12 @@ struct TimerWords {
 };
 static_assert(sizeof(TimerWords) == sizeof(b2Timer));
 
-namespace {
-
 // No count of microseconds within a second.
 constexpr unsigned long long kOurs = ~0ull;
 
-Real<void(TimerWords *)> realConstruct("_ZN7b2TimerC1Ev");
-Real<void(TimerWords *)> realConstructBase("_ZN7b2TimerC2Ev");
-Real<void(TimerWords *)> realReset("_ZN7b2Timer5ResetEv");
-Real<float(const TimerWords *)> realGetMilliseconds("_ZNK7b2Timer15GetMillisecondsEv");
-
-#if defined(__x86_64__)
+#    if defined(__x86_64__)
 uint64_t Ticks() {
-    return __builtin_ia32_rdtsc();
+    return __rdtsc();
 }
 
 bool TicksAreSteady() {
@@ -47,7 +48,7 @@ bool TicksAreSteady() {
     unsigned a = 0, b = 0, c = 0, d = 0;
     return __get_cpuid(kPowerLeaf, &a, &b, &c, &d) != 0 && (d & kInvariantTimeStamp) != 0;
 }
-#else
+#    else
 uint64_t Ticks() {
     return 0;
 }
@@ -55,7 +56,7 @@ uint64_t Ticks() {
 bool TicksAreSteady() {
     return false;
 }
-#endif
+#    endif
 
 /// The two clocks at one moment.
 struct Moment {
@@ -93,7 +94,7 @@ public:
         return m_rate.load(std::memory_order_relaxed);
     }
 
-    __attribute__((noinline, cold)) void Measure() {
+    BMR_COLD void Measure() {
         const std::unique_lock<std::mutex> lock(LockOf(ProcessLock::Clock), std::try_to_lock);
         if (!lock.owns_lock())
             return; // another thread is at it
@@ -131,20 +132,26 @@ private:
 Rate rate; // initialised at compile time: timers may be older than this library's constructors
 
 /// With the hook on. `real`: what Box2D does here.
-__attribute__((noinline)) void Start(TimerWords *timer, Real<void(TimerWords *)> *real) {
+template <typename Real> BMR_NOINLINE void Start(b2Timer *timer, Real &real) {
     const uint64_t now = HookIsOn(Hook::ProfileClock) ? Ticks() : 0;
-    if (now == 0 || rate.MillisecondsPerTick(now) <= 0.0)
-        (*real)(timer);
-    else
-        *timer = {now, kOurs};
+    if (now == 0 || rate.MillisecondsPerTick(now) <= 0.0) {
+        real(timer);
+        return;
+    }
+    const TimerWords words = {now, kOurs};
+    std::memcpy(static_cast<void *>(timer), &words, sizeof words);
 }
 
-__attribute__((noinline)) float Read(const TimerWords *timer) {
+BMR_NOINLINE float Read(const b2Timer *timer) {
     // (Another Box2D's timer may be smaller: with the hook off nothing is read of it.)
-    if (!HookIsOn(Hook::ProfileClock) || timer->mark != kOurs)
-        return realGetMilliseconds(timer);
+    if (!HookIsOn(Hook::ProfileClock))
+        return stock::GetMilliseconds(timer);
+    TimerWords words;
+    std::memcpy(&words, static_cast<const void *>(timer), sizeof words);
+    if (words.mark != kOurs)
+        return stock::GetMilliseconds(timer);
     const uint64_t now = Ticks();
-    const auto ticks = static_cast<int64_t>(now - timer->ticks);
+    const auto ticks = static_cast<int64_t>(now - words.ticks);
     // Another core's stamp may be a few ticks behind.
     return ticks > 0 ? static_cast<float>(static_cast<double>(ticks) * rate.MillisecondsPerTick(now)) : 0.0f;
 }
@@ -155,31 +162,37 @@ void StartProfileClock() {
     rate.Measure();
 }
 
-void Construct(TimerWords *timer) BMR_STANDS_FOR("_ZN7b2TimerC1Ev");
-void ConstructBase(TimerWords *timer) BMR_STANDS_FOR("_ZN7b2TimerC2Ev");
-void Reset(TimerWords *timer) BMR_STANDS_FOR("_ZN7b2Timer5ResetEv");
-float GetMilliseconds(const TimerWords *timer) BMR_STANDS_FOR("_ZNK7b2Timer15GetMillisecondsEv");
-
-void Construct(TimerWords *timer) {
-    if (NothingIsInstalled())
-        return realConstruct(timer);
-    Start(timer, &realConstruct);
-}
-
-void ConstructBase(TimerWords *timer) {
-    if (NothingIsInstalled())
-        return realConstructBase(timer);
-    Start(timer, &realConstructBase);
-}
-
-void Reset(TimerWords *timer) {
-    if (NothingIsInstalled())
-        return realReset(timer);
-    Start(timer, &realReset);
-}
-
-float GetMilliseconds(const TimerWords *timer) {
-    return NothingIsInstalled() ? realGetMilliseconds(timer) : Read(timer);
-}
-
 } // namespace bmr::hooks
+
+using namespace bmr;
+using namespace bmr::hooks;
+
+BMR_FOR_LOADERS("_ZN7b2TimerC1Ev");
+BMR_FOR_LOADERS("_ZN7b2TimerC2Ev");
+BMR_FOR_LOADERS("_ZN7b2Timer5ResetEv");
+BMR_FOR_LOADERS("_ZNK7b2Timer15GetMillisecondsEv");
+
+// cppcheck-suppress uninitMemberVar ; what it holds is Box2D's to know
+b2Timer::b2Timer() {
+    if (NothingIsInstalled())
+        stock::ConstructTimer(this);
+    else
+        Start(this, stock::ConstructTimer);
+}
+
+void b2Timer::Reset() {
+    if (NothingIsInstalled())
+        stock::ResetTimer(this);
+    else
+        Start(this, stock::ResetTimer);
+}
+
+float b2Timer::GetMilliseconds() const {
+    return NothingIsInstalled() ? stock::GetMilliseconds(this) : Read(this);
+}
+
+#else
+
+void bmr::hooks::StartProfileClock() {}
+
+#endif

@@ -8,7 +8,7 @@
 #include "hooks/touching_list.h"
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
-#include "reach/real.h"
+#include "reach/stock.h"
 #include "start/current_step.h"
 #include "start/settings.h"
 #include "tell/verify.h"
@@ -17,8 +17,6 @@ using namespace bmr;
 using namespace bmr::hooks;
 
 namespace {
-
-Real<void(b2World *, const b2TimeStep &)> realSolve("_ZN7b2World5SolveERK10b2TimeStep");
 
 /// Mode::Verify: is every contact that touches known to?
 void CompareTouching(const Ledger &ledger) {
@@ -33,25 +31,24 @@ void CompareTouching(const Ledger &ledger) {
 
 } // namespace
 
-// Box2D's own header declares b2World::Solve, so BMR_STANDS_FOR cannot be put on its declaration.
 BMR_FOR_LOADERS("_ZN7b2World5SolveERK10b2TimeStep");
 
 void b2World::Solve(const b2TimeStep &step) {
     if (NothingIsInstalled())
-        return realSolve(this, step);
+        return stock::Solve(this, step);
     Ledger *ledger = HookIsOn(Hook::Ledger) ? FindLedger(&m_contactManager) : nullptr;
     // Where Box2D's search for new contacts does not come by ours, nobody would open the lists for it.
     if (ledger == nullptr || !ledger->IsLookedAtIn(CurrentStep()) || !ledger->IsWhole() ||
         !ledger->AreSearchesSeen()) {
-        realSolve(this, step);
+        stock::Solve(this, step);
         return;
     }
     ledger->MakeTouchesSure();
     if (Verifying()) {
         CompareTouching(*ledger);
-        realSolve(this, step);
+        stock::Solve(this, step);
         return;
     }
     const TouchingList list(&m_contactManager, &m_bodyList, m_bodyCount, ledger);
-    realSolve(this, step);
+    stock::Solve(this, step);
 }

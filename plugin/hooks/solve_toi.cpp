@@ -27,7 +27,7 @@
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
 #include "proofs/impact_scan.h"
-#include "reach/real.h"
+#include "reach/stock.h"
 #include "start/current_step.h"
 #include "start/settings.h"
 #include "tell/verify.h"
@@ -36,8 +36,6 @@ using namespace bmr;
 using namespace bmr::hooks;
 
 namespace {
-
-Real<void(b2World *, const b2TimeStep &)> realSolveToi("_ZN7b2World8SolveTOIERK10b2TimeStep");
 
 /// Impacts are looked for where one of the two moves and one of the two may not be tunnelled through.
 bool MayImpact(bool awakeA, b2BodyType typeA, bool bulletA, bool awakeB, b2BodyType typeB, bool bulletB) {
@@ -115,7 +113,7 @@ void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, L
     else if (!list.IsShort() || !TimeOfImpactIsReached())
         untold.Tell();                                // Box2D is about to look at all
     const KnownImpacts known(unproved, stepComplete); // Box2D asks for the very same ones first
-    realSolveToi(world, step);
+    stock::SolveToi(world, step);
     const bool none = !ledger->FoundImpact() && TimeOfImpactIsReached();
     ledger->SetTouchesSure(none);
     ledger->SetAlphasClear(none);
@@ -123,12 +121,11 @@ void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, L
 
 } // namespace
 
-// Box2D's own header declares b2World::SolveTOI, so BMR_STANDS_FOR cannot be put on its declaration.
 BMR_FOR_LOADERS("_ZN7b2World8SolveTOIERK10b2TimeStep");
 
 void b2World::SolveTOI(const b2TimeStep &step) {
     if (NothingIsInstalled())
-        return realSolveToi(this, step);
+        return stock::SolveToi(this, step);
     Ledger *ledger = FindLedger(&m_contactManager);
     bool alphasClear = false;
     if (ledger != nullptr) {
@@ -153,7 +150,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
             ledger->EnableDownTo(0);
     }
     if (scan == nullptr) {
-        realSolveToi(this, step);
+        stock::SolveToi(this, step);
         return;
     }
     const auto begin = [](b2Body *body) {
@@ -199,7 +196,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
         unproved += isDone(contact) ? 0 : 1;
     }
     if (Verifying()) {
-        realSolveToi(this, step);
+        stock::SolveToi(this, step);
         return;
     }
     if (unproved == 0)
@@ -207,5 +204,5 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     // In the middle of a step Box2D keeps what is known; when it is done it says that the step is complete.
     const ShortList list(&m_contactManager);
     const KnownImpacts known(unproved, &m_stepComplete); // Box2D asks for the very same ones first
-    realSolveToi(this, step);
+    stock::SolveToi(this, step);
 }

@@ -6,7 +6,7 @@
 
 #include "hooks/contact_access.h"
 #include "hooks/stepping.h"
-#include "reach/real.h"
+#include "reach/stock.h"
 #include "shapes/convex_draw.h"
 #include "shapes/convex_geometry.h"
 #include "start.h"
@@ -16,7 +16,7 @@
 
 namespace bmr::hooks {
 
-__thread Stepping stepping = {nullptr, nullptr, 0, nullptr, nullptr, nullptr, nullptr};
+BMR_THREAD Stepping stepping = {nullptr, nullptr, 0, nullptr, nullptr, nullptr, nullptr};
 
 namespace {
 
@@ -57,29 +57,29 @@ private:
 
 namespace {
 
-Real<void(b2World *, float, int32, int32)> realStep("_ZN7b2World4StepEfii");
-
-__attribute__((noinline)) void StepHere(b2World *world, float timeStep, int32 velocityIterations,
-                                        int32 positionIterations) {
+BMR_NOINLINE void StepHere(b2World *world, float timeStep, int32 velocityIterations,
+                           int32 positionIterations) {
     const StepMark mark(*world);
     CurrentTimeStep() = timeStep;
     CountStep();
     if (AnyBigPolygon())
         NoteDrawnByBox2D(nullptr, nullptr); // what was drawn before a step is drawn anew after it
-    realStep(world, timeStep, velocityIterations, positionIterations);
+    stock::Step(world, timeStep, velocityIterations, positionIterations);
 }
 
 } // namespace
 
-void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations)
-    BMR_STANDS_FOR("_ZN7b2World4StepEfii");
+} // namespace bmr::hooks
 
-void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
+using namespace bmr;
+using namespace bmr::hooks;
+
+BMR_FOR_LOADERS("_ZN7b2World4StepEfii");
+
+void b2World::Step(float timeStep, int32 velocityIterations, int32 positionIterations) {
     StartAtFirstStep();
     if (NothingIsInstalled() && !AnyBigPolygon())
-        realStep(world, timeStep, velocityIterations, positionIterations);
+        stock::Step(this, timeStep, velocityIterations, positionIterations);
     else
-        StepHere(world, timeStep, velocityIterations, positionIterations);
+        StepHere(this, timeStep, velocityIterations, positionIterations);
 }
-
-} // namespace bmr::hooks

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "start/compiler.h"
 #include "start/rounding_mode.h"
 
 class b2ContactManager;
@@ -69,8 +70,8 @@ struct Stepping {
     InChain<UntoldImpacts> *untold;      ///< of the newest search for impacts that has not ended
 };
 
-/// This thread's. One load: the library is there when the program starts.
-extern __thread Stepping stepping __attribute__((tls_model("initial-exec")));
+/// This thread's.
+extern BMR_THREAD Stepping stepping;
 
 /// Only in a step, and rounding to nearest, are questions answered here; whoever else calls these functions
 /// gets Box2D's own.

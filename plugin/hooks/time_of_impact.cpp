@@ -9,31 +9,28 @@
 #include "hooks/untold_impacts.h"
 #include "proofs/convex_distance.h"
 #include "proofs/sweep_apart.h"
-#include "reach/real.h"
+#include "reach/stock.h"
 #include "start/settings.h"
 #include "tell/verify.h"
 
 namespace bmr::hooks {
 
-namespace {
-
-Real<void(b2TOIOutput *, const b2TOIInput *)>
-    realTimeOfImpact("_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput");
-
-} // namespace
-
 void RealTimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
     if (AnyBigPolygon() && BigImpact(output, *input))
         return;
-    realTimeOfImpact(output, input);
+    stock::TimeOfImpact(output, input);
 }
 
-void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input)
-    BMR_STANDS_FOR("_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput");
+} // namespace bmr::hooks
 
-void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
+using namespace bmr;
+using namespace bmr::hooks;
+
+BMR_FOR_LOADERS("_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput");
+
+void b2TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
     if (NothingIsInstalled() && !AnyBigPolygon())
-        return realTimeOfImpact(output, input);
+        return stock::TimeOfImpact(output, input);
     if (KnownImpacts::Take()) { // counted by who sought
         RealTimeOfImpact(output, input);
         NoteTimeOfImpactIsReached();
@@ -44,12 +41,12 @@ void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
     if (AnyBigPolygon() && BigImpact(output, *input))
         return;
     if (!HookIsOn(Hook::TimeOfImpact) || !InStep()) {
-        realTimeOfImpact(output, input);
+        stock::TimeOfImpact(output, input);
         return;
     }
     Count(&Counts::toiQueries);
     if (!NeverTouch(*input)) {
-        realTimeOfImpact(output, input);
+        stock::TimeOfImpact(output, input);
         return;
     }
     Count(&Counts::toiAnswered);
@@ -57,9 +54,7 @@ void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
     output->t = input->tMax;
     if (Verifying()) {
         const b2TOIOutput ours = *output;
-        realTimeOfImpact(output, input);
+        stock::TimeOfImpact(output, input);
         VerifyImpact(nullptr, nullptr, ours, *output);
     }
 }
-
-} // namespace bmr::hooks

@@ -3,6 +3,7 @@
 #define BOOMERANG_HOOKS_TREE_LANES_H
 
 #include "hooks/tree_descent.h"
+#include "start/compiler.h"
 
 /// @file
 /// What b2DynamicTree::InsertLeaf computes of boxes, with two boxes in registers at once. Operations and
@@ -68,7 +69,7 @@ private:
 
 /// Asks for a node's memory ahead of its use. There need be no such node: then for the first.
 inline void PrefetchNode(const b2TreeNode *nodes, int32 id) {
-    __builtin_prefetch(nodes + b2Max(id, 0));
+    BMR_PREFETCH(nodes + b2Max(id, 0));
 }
 
 } // namespace bmr::hooks

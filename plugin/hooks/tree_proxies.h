@@ -65,7 +65,7 @@ template <typename Log> bool DestroyHere(const b2DynamicTree &tree, int32 id, Lo
 }
 
 template <typename Log>
-__attribute__((noinline)) void MoveLeaf(const b2DynamicTree &tree, int32 id, const b2AABB &fat, Log *log) {
+BMR_NOINLINE void MoveLeaf(const b2DynamicTree &tree, int32 id, const b2AABB &fat, Log *log) {
     TreeEdit<Log>(MembersOf(tree), log).Move(id, fat);
 }
 

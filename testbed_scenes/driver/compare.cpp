@@ -201,8 +201,9 @@ private:
 void CompareHashes(const Workers &workers, const CompareOptions &options, SceneResult &result,
                    Progress &progress) {
     const std::string what = result.scene.name + ": comparing";
-    for (const Side side : {Side::Register, Side::Plugin, Side::Preloaded})
-        if (side != Side::Preloaded || (workers.CanPreload() && !result.scene.NeedsPlugin()))
+    for (const Side side : {Side::Register, Side::Plugin, Side::Preloaded, Side::Accelerated})
+        if ((side != Side::Preloaded || (workers.CanPreload() && !result.scene.NeedsPlugin())) &&
+            (side != Side::Accelerated || workers.CanAccelerate()))
             result.variants.push_back({side, Verdict::Failed});
     HashComparison comparison(workers, options, result);
     comparison.Run([&](int64_t matched) {

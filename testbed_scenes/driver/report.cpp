@@ -32,22 +32,27 @@ void PrintTable(std::ostream &out, const std::vector<SceneResult> &results, cons
     table.Print(out, colour);
 }
 
-/// A column for each way to have the plugin at work, and one for all of them.
+/// A column for each way to have the plugin at work, and one for all of them. (The accelerated Box2D's where
+/// there is one.)
 void PrintVerdicts(std::ostream &out, const std::vector<SceneResult> &results, bool colour) {
-    constexpr Side kSides[] = {Side::Register, Side::Plugin, Side::Preloaded};
+    std::vector<Side> sides = {Side::Register, Side::Plugin, Side::Preloaded};
+    if (std::any_of(results.begin(), results.end(), [](const SceneResult &result) {
+            return FindVariant(result, Side::Accelerated) != nullptr;
+        }))
+        sides.push_back(Side::Accelerated);
     auto cell = [](Verdict verdict) {
         return Table::Cell{NameOf(verdict), verdict == Verdict::Identical ? Style::Good : Style::Bad};
     };
     Table table;
     table.AddColumn("", "scene");
     table.AddColumn("", "steps");
-    for (const Side side : kSides)
+    for (const Side side : sides)
         table.AddColumn("bits, against stock's", NameOf(side));
     table.AddColumn("", "all");
     for (const SceneResult &result : results) {
         std::vector<Table::Cell> row = {{result.scene.name, Style::Plain},
                                         {std::to_string(result.steps), Style::Plain}};
-        for (const Side side : kSides) {
+        for (const Side side : sides) {
             const Variant *variant = FindVariant(result, side);
             row.push_back(variant != nullptr ? cell(variant->verdict) : Table::Cell{"-", Style::Faint});
         }

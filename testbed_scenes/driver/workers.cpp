@@ -28,6 +28,8 @@ const char *NameOf(Side side) {
         return "linked";
     case Side::Preloaded:
         return "preloaded";
+    case Side::Accelerated:
+        return "accelerated";
     case Side::Off:
         return "off";
     case Side::Verify:
@@ -65,7 +67,14 @@ fs::path Workers::FindLibrary(const char *name) const {
     return {};
 }
 
+bool Workers::CanAccelerate() const {
+    std::error_code ignored;
+    return fs::exists(ProgramOf(Side::Accelerated), ignored);
+}
+
 fs::path Workers::ProgramOf(Side side) const {
+    if (side == Side::Accelerated)
+        return m_directory / "boomerang-scene-accelerated";
     const bool stock = side == Side::Stock || side == Side::Preloaded;
     return m_directory / (stock ? "boomerang-scene" : "boomerang-scene-plugin");
 }

@@ -18,9 +18,10 @@ namespace testbed {
 
 /// Stock Box2D, or Box2D with the plugin: never in one process. Register, Plugin: the program that was linked
 /// with it, with the contacts alone or with all hooks. Preloaded: stock's program, with the plugin in
-/// LD_PRELOAD. Verify: as Plugin, but everything is computed twice. Off: as Plugin, but told to be off, which
+/// LD_PRELOAD. Accelerated: a program with a Box2D inside that boomerang_accelerate was called for, where one
+/// was built. Verify: as Plugin, but everything is computed twice. Off: as Plugin, but told to be off, which
 /// leaves polygons of any size and nothing else.
-enum class Side { Stock, Register, Plugin, Preloaded, Verify, Off };
+enum class Side { Stock, Register, Plugin, Preloaded, Accelerated, Verify, Off };
 
 const char *NameOf(Side side);
 /// The side that the plugin's is held against: stock, or the plugin told to be off where stock Box2D does not
@@ -63,6 +64,8 @@ public:
     bool CanCount() const { return !m_countLibrary.empty(); }
     /// Whether there is a plugin to preload.
     bool CanPreload() const { return !m_plugin.empty(); }
+    /// Whether there is a worker with an accelerated Box2D inside (BOOMERANG_BOX2D_SOURCE).
+    bool CanAccelerate() const;
 
     std::unique_ptr<Process> Start(const WorkerRequest &request, const WorkerOptions &options,
                                    Process::LineHandler onLine) const;

@@ -112,6 +112,7 @@ const std::vector<std::string> &VerdictLegend() {
     static const std::vector<std::string> legend = {
         "register: linked, contacts alone, no hooks; linked: all hooks; preloaded: stock's program, plugin "
         "in LD_PRELOAD",
+        "accelerated: Box2D compiled with the plugin, where this was built with Box2D's sources",
         "bits: every body, contact, impulse and listener event of every step, hashed and compared",
         "any-...: stock Box2D does not have these polygons; its place has the plugin told to be off "
         "(BOOMERANG=off)"};

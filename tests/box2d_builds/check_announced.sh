@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-#   check_announced.sh BUILD PLUGIN
+#   check_announced.sh BUILD PLUGIN [ACCELERATED-VARIANT...]
 #
 # Is the plugin at work on each Box2D of the shelf as far as it is to be, and does it say so? A plugin that did nothing would play every
 # game as stock does. The line that BOOMERANG_VERBOSE asks for is held against the table below, and the counts of the JSON file
 # against the line: what is at work has answered, what is not has not.
 set -uo pipefail
 build=${1:?} plugin=${2:?}
+shift 2
+accelerated=("$@")
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 passed=0 failed=0
@@ -19,7 +21,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/processor.sh"
 loops='time-of-impact test-overlap solve-toi contact-loop pair-finding profile-clock'
 all="on, .*rounds as Box2D; hooks: $loops touching-manifold fixture-boxes tree-updates ledger\$"
 behind="on, .*rounds as Box2D; hooks: touching-manifold; not reached by this Box2D's calls: $loops fixture-boxes tree-updates ledger\$"
-inside='not at work, .*: the program has a Box2D of its own inside (boomerang::box2d_static is the library for that)$'
+inside='not at work, .*: the program has a Box2D of its own inside (boomerang_accelerate is for that)$'
 nobody='never at work: no b2World::Step came by (has the program its own Box2D inside?)$'
 units='not at work, .*: b2_lengthUnitsPerMeter is 10 here, 1 in the Box2D this was built for$'
 fused="on, .*rounds otherwise than Box2D; hooks: $loops ledger; off, for it rounds otherwise: touching-manifold fixture-boxes tree-updates\$"
@@ -73,6 +75,11 @@ for variant in static hidden; do
     says "$variant" preloaded "$nobody"
     says "$variant" ahead "$inside"
     says "$variant" behind "$inside"
+done
+for variant in "${accelerated[@]}"; do
+    line=$all
+    [ "$variant" != fma ] || line=$fused
+    says "$variant" accelerated "${line/on, /on, .*; compiled with Box2D 2.4.1; }" steps evaluations looks
 done
 # Control: what is said of one Box2D is not said of another.
 before=$failed

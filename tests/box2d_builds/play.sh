@@ -6,7 +6,7 @@
 #   play.sh BUILD VARIANT PLUGIN only GAME...
 #
 # Plays all named games, the random ones of these seeds, or these games, on one Box2D of the shelf: without the plugin, with it
-# preloaded, linked ahead and linked behind. Exit status and every line must be those without it. A game that stock does not end
+# preloaded, linked ahead, linked behind, and (where BOX2D_BUILDS_WAYS says so) compiled with it. Exit status and every line must be those without it. A game that stock does not end
 # well is a failure, too: of the game. BUILD: where the shelf was built.
 #
 # Environment: BOX2D_BUILDS_WAYS   the ways of the plugin (default: preloaded ahead behind)

@@ -11,6 +11,12 @@
 #   lto         link-time optimisation, shared                 calls between its files may be inlined
 #   onefile     all of it one source, everything visible       calls between its files may be inlined
 #   hidden      an archive, compiled with -fvisibility=hidden  as static, and nothing of it is seen from outside
+#   lean        an archive: C++20, precompiled headers,        as static, and nothing of it knows of types
+#               -fno-rtti
+#
+# `lean` is there with BOX2D_BUILDS_LONG alone. Those in ${BOX2D_ACCELERATED} are built a second time, from the same sources by the
+# same flags, with boomerang_accelerate: box2d_VARIANT_accelerated, in <build>/VARIANT/accelerated/. (Where the first is of one
+# source, this is of CMake's unity; without BOX2D_BUILDS_LONG always.)
 #
 # After box2d_shelf(SOURCE), for each VARIANT of ${BOX2D_SHELF}:
 #
@@ -23,6 +29,12 @@
 # that can be seen from outside is called by its name, also within one source.)
 set(BOX2D_SHELF debian ndebug allocator units10 fma static lto onefile hidden)
 set(BOX2D_SHELF_STATIC static hidden)
+set(BOX2D_ACCELERATED static)
+if(BOX2D_BUILDS_LONG)
+  list(APPEND BOX2D_SHELF lean)
+  list(APPEND BOX2D_SHELF_STATIC lean)
+  set(BOX2D_ACCELERATED static ndebug allocator units10 fma lto hidden lean)
+endif()
 
 execute_process(COMMAND dpkg-buildflags --get CPPFLAGS OUTPUT_VARIABLE debian_preprocessor OUTPUT_STRIP_TRAILING_WHITESPACE
   COMMAND_ERROR_IS_FATAL ANY)
@@ -42,10 +54,12 @@ else()
   set(fused -ffp-contract=fast) # processors that all have it, where a compiler may be told not to use it
 endif()
 
-# box2d_variant(<variant> [ARCHIVE] [FILE_BY_FILE] [FLAGS <flag>...] [LINK <flag>...] [GAME <flag>...] [SETTINGS <directory>])
-#   FLAGS: of the library; GAME: of the library and the game; SETTINGS: where its b2_user_settings.h is
+# box2d_variant(<variant> [ARCHIVE] [FILE_BY_FILE] [FLAGS <flag>...] [LINK <flag>...] [GAME <flag>...] [SETTINGS <directory>]
+#   [HEADER <header>] [OURS <flag>...])
+#   FLAGS: of the library; GAME: of the library and the game; SETTINGS: where its b2_user_settings.h is; HEADER: to be
+#   precompiled; OURS: of what is ours in the accelerated one
 function(box2d_variant name)
-  cmake_parse_arguments(PARSE_ARGV 1 with "ARCHIVE;FILE_BY_FILE" "SETTINGS" "FLAGS;LINK;GAME")
+  cmake_parse_arguments(PARSE_ARGV 1 with "ARCHIVE;FILE_BY_FILE" "SETTINGS;HEADER" "FLAGS;LINK;GAME;OURS")
   set(sources ${box2d_one_source})
   if(with_FILE_BY_FILE)
     set(sources ${box2d_sources})
@@ -58,18 +72,46 @@ function(box2d_variant name)
     file(GLOB more ${with_SETTINGS}/*.cpp)
     list(APPEND sources ${more})
   endif()
-  if(with_ARCHIVE)
-    add_library(box2d_${name} STATIC ${sources})
-  else()
-    add_library(box2d_${name} SHARED ${sources})
+  set(type STATIC)
+  if(NOT with_ARCHIVE)
+    set(type SHARED)
     list(APPEND game -DB2_SHARED)
   endif()
-  set_target_properties(box2d_${name} PROPERTIES OUTPUT_NAME box2d SOVERSION 2 CXX_STANDARD 11 CXX_EXTENSIONS OFF
-    POSITION_INDEPENDENT_CODE ON DEFINE_SYMBOL box2d_EXPORTS
-    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${name} ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${name})
-  target_include_directories(box2d_${name} SYSTEM INTERFACE ${headers} PRIVATE ${headers} ${BOX2D_SOURCE}/src)
-  target_compile_options(box2d_${name} PRIVATE ${with_FLAGS} ${game} -w)
-  target_link_options(box2d_${name} PRIVATE ${with_LINK})
+  set(targets box2d_${name})
+  add_library(box2d_${name} ${type} ${sources})
+  if(name IN_LIST BOX2D_ACCELERATED)
+    list(APPEND targets box2d_${name}_accelerated)
+    add_library(box2d_${name}_accelerated ${type} ${box2d_sources} ${more})
+    if(NOT with_FILE_BY_FILE OR NOT BOX2D_BUILDS_LONG)
+      set_target_properties(box2d_${name}_accelerated PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+    endif()
+  endif()
+  foreach(target IN LISTS targets)
+    set(place ${PROJECT_BINARY_DIR}/${name})
+    if(target MATCHES "_accelerated$")
+      string(APPEND place /accelerated)
+    endif()
+    set_target_properties(${target} PROPERTIES OUTPUT_NAME box2d SOVERSION 2 CXX_STANDARD 11 CXX_EXTENSIONS OFF
+      POSITION_INDEPENDENT_CODE ON DEFINE_SYMBOL box2d_EXPORTS
+      LIBRARY_OUTPUT_DIRECTORY ${place} ARCHIVE_OUTPUT_DIRECTORY ${place})
+    target_include_directories(${target} SYSTEM INTERFACE ${headers} PRIVATE ${headers} ${BOX2D_SOURCE}/src)
+    target_compile_options(${target} PRIVATE ${with_FLAGS} ${game} -w)
+    target_link_options(${target} PRIVATE ${with_LINK})
+    if(with_HEADER)
+      target_precompile_headers(${target} PRIVATE ${with_HEADER})
+      set_target_properties(${target} PROPERTIES CXX_STANDARD 20)
+    endif()
+    # What else a game's settings say are definitions that its own sources see, too.
+    foreach(flag IN LISTS game)
+      if(flag MATCHES "^-D(B2_.*)")
+        target_compile_definitions(${target} PRIVATE ${CMAKE_MATCH_1})
+      endif()
+    endforeach()
+    if(target MATCHES "_accelerated$")
+      boomerang_accelerate(${target})
+      target_compile_options(${target}_boomerang PRIVATE ${BOX2D_BUILDS_OURS} ${with_OURS})
+    endif()
+  endforeach()
   set(BOX2D_${name}_GAME ${game} PARENT_SCOPE)
   set(BOX2D_${name}_HEADERS ${headers} PARENT_SCOPE)
 endfunction()
@@ -88,7 +130,10 @@ macro(box2d_shelf source)
   box2d_variant(units10 FLAGS ${shared_flags} -O2 SETTINGS ${CMAKE_CURRENT_LIST_DIR}/settings/units10)
   box2d_variant(fma FLAGS ${shared_flags} -O3 GAME ${fused})
   box2d_variant(static ARCHIVE FILE_BY_FILE FLAGS -O2)
-  box2d_variant(lto FILE_BY_FILE FLAGS ${shared_flags} -O2 -flto LINK -O2 -flto=auto)
+  box2d_variant(lto FILE_BY_FILE FLAGS ${shared_flags} -O2 -flto LINK -O2 -flto=auto OURS -O2 -flto)
   box2d_variant(onefile FLAGS -fPIC -O2)
   box2d_variant(hidden ARCHIVE FLAGS -O2 -fvisibility=hidden -fvisibility-inlines-hidden)
+  if(lean IN_LIST BOX2D_SHELF)
+    box2d_variant(lean ARCHIVE FILE_BY_FILE FLAGS -O2 GAME -fno-rtti HEADER ${source}/include/box2d/box2d.h)
+  endif()
 endmacro()

@@ -65,12 +65,12 @@ test_exported_symbols_are_the_listed_ones() {
     # (Versions have symbols of their own, which are absolute.)
     nm -D --defined-only "$plugin" | awk '$(NF - 1) != "A" { print $NF }' | LC_ALL=C sort >"$room/versioned"
     sed 's/@.*//' "$room/versioned" >"$room/exported"
-    sed -n 's/^ \{4\}\([A-Za-z0-9_]*\);.*/\1/p' "$source/reach/exports.map" | LC_ALL=C sort >"$room/listed"
+    sed -n 's/^ \{4\}\([A-Za-z0-9_]*\);.*/\1/p' "$source/reach/interposed/exports.map" | LC_ALL=C sort >"$room/listed"
     diff "$room/listed" "$room/exported" >"$room/err" || fail "exported symbols differ from exports.map (< listed, > exported)"
     # All but the API stand in front of functions that Box2D really has, and no hook is hidden.
     nm -D --defined-only "$box2d" | awk '{ print $NF }' | LC_ALL=C sort >"$room/box2d"
     grep -v '3bmr\|^bmr_' "$room/exported" | LC_ALL=C comm -23 - "$room/box2d" | grep . >"$room/err" && fail "in front of nothing"
-    sed -n 's/.*BMR_STANDS_FOR("\([^"]*\)").*/\1/p' "$source"/hooks/*.cpp | LC_ALL=C sort -u >"$room/hooks"
+    sed -n 's/.*BMR_FOR_LOADERS("\([^"]*\)").*/\1/p' "$source"/hooks/*.cpp | LC_ALL=C sort -u >"$room/hooks"
     [ -s "$room/hooks" ] || fail "no hooks found"
     LC_ALL=C comm -23 "$room/hooks" "$room/exported" | grep . >"$room/err" && fail "hooks that nobody can see"
     # Loaders find them all, linkers none.
@@ -91,7 +91,7 @@ test_references_to_box2d_are_weak_and_listed() {
     LC_ALL=C join "$room/undefined" "$room/box2d" >"$room/references"
     [ -s "$room/references" ] || fail "no references found"
     grep ' U$' "$room/references" >"$room/err" && fail "strong references to Box2D: add them to box2d_symbols.inc"
-    sed -n 's/^BMR_[A-Z]*(\([A-Za-z0-9_]*\).*/\1/p' "$source/reach/box2d_symbols.inc" | LC_ALL=C sort >"$room/known"
+    sed -n 's/^BMR_[A-Z]*(\([A-Za-z0-9_]*\).*/\1/p' "$source/reach/interposed/box2d_symbols.inc" | LC_ALL=C sort >"$room/known"
     LC_ALL=C comm -23 "$room/known" "$room/box2d" | grep . >"$room/err" && fail "listed, but Box2D has no such symbol"
 }
 
@@ -253,7 +253,7 @@ test_programs_keep_the_box2d_inside_them() {
     # Control: a library whose functions a linker sees has them taken for Box2D's.
     "$bin/inside_game_taken" >"$room/out" 2>"$room/err" && fail "control: nothing was taken"
     game inside_game || fail "its own Box2D inside, the system's besides: at work"
-    one_line "its own Box2D inside, the system's besides" 'not at work, .* of its own inside (boomerang::box2d_static '
+    one_line "its own Box2D inside, the system's besides" 'not at work, .* of its own inside (boomerang_accelerate '
 }
 
 test_no_box2d_need_be_there() {

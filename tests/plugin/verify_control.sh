@@ -28,10 +28,10 @@ file=$room/box2d_glue/contacts/polygon_contact.cpp
 perl -0pi -e 's/return separation > a\.m_radius \+ b\.m_radius;/return separation > 0.25f * (a.m_radius + b.m_radius);/' "$file"
 cmp -s "$file" "$root/box2d_glue/contacts/polygon_contact.cpp" && fail "the substitution finds nothing"
 "$compiler" -std=c++17 -O1 -fPIC -fvisibility=hidden -ffp-contract=off -w -DB2_SHARED -I"$root/core/include" -I"$root/core" \
-    -I"$root/box2d_glue/include" -I"$room/box2d_glue" -I"$root/plugin" -include "$root/plugin/reach/weak_box2d.h" -c "$file" \
+    -I"$root/box2d_glue/include" -I"$room/box2d_glue" -I"$root/plugin" -include "$root/plugin/reach/interposed/weak_box2d.h" -c "$file" \
     -o "$room/widened.o" || fail "does not compile"
 "$compiler" -shared -o "$room/libwidened.so" "$room/widened.o" "${objects[@]}" "$@" \
-    -Wl,--version-script="$root/plugin/reach/exports.map" || fail "does not link"
+    -Wl,--version-script="$root/plugin/reach/interposed/exports.map" || fail "does not link"
 
 wanted=$("$game") || fail "the game does not run"
 got=$(BOOMERANG=verify LD_PRELOAD=$room/libwidened.so "$game" 2>"$room/err") || fail "the game failed"

@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: MIT
 # games on Box2D built as games build it, in nine ways: with the plugin they do what they do without
 
-# With --long a hundred random games on each, and those games in stock alone under the address sanitizer: what differs must be
-# the plugin's doing.
+# With --long most are accelerated, and not one; a hundred random games on each, and those games in stock alone under the address
+# sanitizer: what differs must be the plugin's doing; and all scenes of the testbed on an accelerated Box2D, with their instructions.
 stage_builds() {
-    local plugin seeds=3 program
+    local plugin seeds=3 program ours=-O0
+    [ "${long:-no}" = no ] || ours=-O2 # the bits are the same by any of them, and -O0 is built in half the time
     build_release || return 1
     plugin=$BMR_BUILD_DIR/lib/libboomerang_box2d.so
     in_tree builds
@@ -14,7 +15,8 @@ stage_builds() {
     ! lacks_fma || bmr_need_packages qemu-user || return 1
     bmr_say "configuring $BMR_BUILD_DIR, with Box2D's source"
     bmr_quietly "$BMR_BUILD_DIR/boomerang-configure.log" cmake -S "$root/tests/box2d_builds" -B "$BMR_BUILD_DIR" -G Ninja \
-        "-DBOX2D_BUILDS_PLUGIN=$plugin" -DBOOMERANG_WARNINGS_AS_ERRORS=ON || return 1
+        "-DBOX2D_BUILDS_PLUGIN=$plugin" -DBOOMERANG_WARNINGS_AS_ERRORS=ON "-DBOX2D_BUILDS_OURS=$ours" \
+        "-DBOX2D_BUILDS_LONG=$([ "${long:-no}" = yes ] && echo ON || echo OFF)" || return 1
     BMR_JOBS=$jobs bmr_build || return 1
     if [ "${long:-no}" = yes ]; then
         seeds=100
@@ -26,4 +28,13 @@ stage_builds() {
         done
     fi
     BOX2D_BUILDS_SEEDS=$seeds run_tests "games on each Box2D"
+    [ "${long:-no}" = no ] || scenes_accelerated "$BMR_BUILD_DIR/source"
+}
+
+scenes_accelerated() {
+    build_tree accelerated release "-DBOOMERANG_BOX2D_SOURCE=$1" -- boomerang-testbed boomerang-scene boomerang-scene-plugin \
+        boomerang-scene-accelerated boomerang-count || return 1
+    check "scenes on an accelerated Box2D" bmr_quietly "$BMR_BUILD_DIR/compare.log" "$BMR_BUILD_DIR/bin/boomerang-testbed" compare --no-time || true
+    check "the column is there" grep -q 'accelerated' "$BMR_BUILD_DIR/compare.log" || true
+    check "what it costs" "$root/tests/box2d_builds/check_instructions.sh" "$BMR_BUILD_DIR" || true
 }

@@ -19,7 +19,7 @@ mutate() {
         case $object in */"$unit".o | */"$(basename "$unit")".o) ;; *) others+=("$object") ;; esac
     done
     $compiler $flags -I"$place/core/include" -I"$place/core" -I"$place/box2d_glue" -I"$place/box2d_glue/include" -I"$place/plugin" \
-        -I"$place/plugin/include" -include "$place/plugin/reach/weak_box2d.h" -c "$place/$unit" -o "$place/mutant.o" &&
+        -I"$place/plugin/include" -include "$place/plugin/reach/interposed/weak_box2d.h" -c "$place/$unit" -o "$place/mutant.o" &&
         $compiler -shared ${linked:-} -o "$place/libmutant.so" "$place/mutant.o" "${others[@]}" "${link[@]}" \
-            -Wl,--version-script="$place/plugin/reach/exports.map"
+            -Wl,--version-script="$place/plugin/reach/interposed/exports.map"
 }

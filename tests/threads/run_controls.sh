@@ -68,7 +68,7 @@ verdict() { # NAME STATUS WHY
     fi
 }
 
-mutate "$room/whole" plugin/start.cpp plugin/start.cpp "" >"$room/err" 2>&1
+mutate "$room/whole" plugin/reach/interposed/start.cpp plugin/reach/interposed/start.cpp "" >"$room/err" 2>&1
 verdict "the whole library builds" $? "$(head -n 5 "$room/err")"
 number=0
 tried=

@@ -4,16 +4,23 @@
 
 #include <cstdint>
 
-#include "boomerang/pair.h"
+#include <box2d/b2_api.h>
 
-class b2Body;
-class b2Contact;
-
-#if defined(__GNUC__)
+#if defined(_WIN32) // part of the DLL that Box2D is
+#    define BMR_BOX2D_API B2_API
+#    if !defined(BMR_API)
+#        define BMR_API B2_API
+#    endif
+#elif defined(__GNUC__)
 #    define BMR_BOX2D_API __attribute__((visibility("default")))
 #else
 #    define BMR_BOX2D_API
 #endif
+
+#include "boomerang/pair.h"
+
+class b2Body;
+class b2Contact;
 
 /// @file
 /// Boomerang as Box2D's polygon narrow phase. Games include boomerang/box2d.h.

@@ -16,7 +16,8 @@ struct bmr_convex32_block;
 // The handle of the real polygon must not make the shape larger than a b2PolygonShape. The Itanium C++ ABI
 // puts it into that one's padding. Others do not: there the polygon inside has 7 vertices, and the handle
 // lies in the eighth normal.
-#if defined(__GNUC__) && !defined(_MSC_VER) && !defined(BMR_CONVEX_HANDLE_IN_NORMALS)
+#if defined(__GNUC__) && !defined(_MSC_VER) && UINTPTR_MAX > UINT32_MAX &&                                   \
+    !defined(BMR_CONVEX_HANDLE_IN_NORMALS)
 #    define BMR_CONVEX_HANDLE_IN_PADDING 1
 #endif
 

@@ -2,6 +2,15 @@
 #ifndef BOOMERANG_ERROR_H
 #define BOOMERANG_ERROR_H
 
+// Seen from outside of a shared library; whoever makes a DLL of it says how.
+#if !defined(BMR_API)
+#    if defined(__GNUC__) && !defined(_WIN32)
+#        define BMR_API __attribute__((visibility("default")))
+#    else
+#        define BMR_API
+#    endif
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -35,7 +44,7 @@ typedef enum bmr_error {
 
 /// One English sentence for `error`, without a full stop: what is wrong and what to do about it. Each code
 /// has its own; never NULL, also for values that are no bmr_error.
-const char *bmr_error_describe(bmr_error error);
+BMR_API const char *bmr_error_describe(bmr_error error);
 
 #ifdef __cplusplus
 }

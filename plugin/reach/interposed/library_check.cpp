@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reach/library_check.h"
+#include "reach/interposed/library_check.h"
 
 #include <atomic>
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include <link.h>
 
 #include "boomerang/box2d.h"
-#include "reach/loaded_file.h"
+#include "reach/interposed/loaded_file.h"
 
 namespace bmr {
 
@@ -40,7 +40,7 @@ constexpr Symbol kSymbols[] = {
 #define BMR_LEAF(name) {#name, Kind::kLeaf, 0},
 #define BMR_DATA(name, bytes) {#name, Kind::kData, bytes},
 #define BMR_SIGN(name) BMR_FUNCTION(name)
-#include "reach/box2d_symbols.inc"
+#include "reach/interposed/box2d_symbols.inc"
 #undef BMR_FUNCTION
 #undef BMR_LEAF
 #undef BMR_DATA
@@ -51,8 +51,7 @@ constexpr Symbol kSymbols[] = {
 std::atomic<bool> programHasItsOwn{false};
 
 constexpr char kStep[] = "_ZN7b2World4StepEfii";
-constexpr char kInside[] =
-    "the program has a Box2D of its own inside (boomerang::box2d_static is the library for that)";
+constexpr char kInside[] = "the program has a Box2D of its own inside (boomerang_accelerate is for that)";
 
 const void *OurFile() {
     static const void *const file = FileOf(reinterpret_cast<const void *>(&StepsComeByHere));
@@ -112,6 +111,9 @@ const char *WhyLibraryIsUnknown() {
     static char why[200];
     if (programHasItsOwn)
         return kInside;
+    if (const void *other = Find("_ZN3bmr7InstallERKNS_7OptionsE");
+        other != nullptr && FileOf(other) != OurFile())
+        return "the Box2D of this process is compiled with Boomerang already";
     const void *library = nullptr;
     for (const Symbol &symbol : kSymbols) {
         const void *found = Find(symbol.name);

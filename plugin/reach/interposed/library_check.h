@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_REACH_LIBRARY_CHECK_H
-#define BOOMERANG_REACH_LIBRARY_CHECK_H
+#ifndef BOOMERANG_REACH_INTERPOSED_LIBRARY_CHECK_H
+#define BOOMERANG_REACH_INTERPOSED_LIBRARY_CHECK_H
 
 namespace bmr {
 
@@ -21,6 +21,10 @@ bool InitialiseBox2D();
 /// or another version's), or data has another size, or it was loaded when this library's own references had
 /// been settled. Calls nothing of Box2D's. The answer lives until the next call.
 const char *WhyLibraryIsUnknown();
+
+/// Is this library here because somebody preloaded it? It is if LD_PRELOAD names it, or if it was loaded with
+/// the program although nothing that was loaded asks for it (/etc/ld.so.preload).
+bool IsPreloaded();
 
 } // namespace bmr
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reach/real.h"
+#include "reach/interposed/real.h"
 
 #include <climits>
 #include <cstdint>

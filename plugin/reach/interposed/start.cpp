@@ -7,7 +7,7 @@
 
 #include "boomerang/box2d.h"
 #include "hooks/profile_clock.h"
-#include "reach/library_check.h"
+#include "reach/interposed/library_check.h"
 #include "start/environment.h"
 #include "start/process_locks.h"
 #include "start/reach.h"
@@ -55,6 +55,7 @@ void SayAtExitIfNobodyComes() {
 /// looks at the environment and at what else is loaded.
 __attribute__((constructor)) void Loaded() {
     SetLibraryCheck(WhyLibraryIsUnknown);
+    SetWayOfHooks(StepsComeByHere() ? "ahead of Box2D" : "behind Box2D");
     const std::optional<Mode> asked = ModeWithoutComplaint();
     if (asked == Mode::Off)
         return;

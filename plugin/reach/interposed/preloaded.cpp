@@ -6,8 +6,7 @@
 #include <dlfcn.h>
 #include <link.h>
 
-#include "reach/library_check.h"
-#include "start.h"
+#include "reach/interposed/library_check.h"
 
 namespace bmr {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reach/loaded_file.h"
+#include "reach/interposed/loaded_file.h"
 
 #include <cstddef>
 #include <cstdint>

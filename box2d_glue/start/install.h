@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_INSTALL_H
+#define BOOMERANG_GLUE_INSTALL_H
+
+#include "boomerang/box2d_glue.h"
+
+namespace bmr {
+
+/// Install, by a name that no other library's can take: where this is in a shared Box2D, and
+/// libboomerang_box2d.so is preloaded all the same, `Install` is the latter's.
+bool InstallHere(const Options &options);
+
+/// Has anybody called Install, whatever came of it? Then whoever starts by himself leaves it at that.
+bool InstallWasCalled();
+
+} // namespace bmr
+
+#endif

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: MIT
+# boomerang_accelerate(<target>): the Box2D that <target> compiles gets all of Boomerang's hooks, wherever it is built for. To be
+# called once for a program, after the target is there:
+#
+#   add_subdirectory(box2d)            # or FetchContent_MakeAvailable(box2d)
+#   boomerang_accelerate(box2d)
+#
+# <target> is the library or program that compiles b2_world.cpp. Of its sources those that define what hooks stand in
+# front of are compiled through plugin/reach/renamed, which gives these functions other names; the sources themselves stay as
+# they are. Core, the glue and the hooks are compiled besides, with flags of their own, and become part of the target. Who
+# links it finds <boomerang/box2d.h>. The plugin is at work from the first b2World::Step on; BOOMERANG=off in the environment, or
+# bmr::Install with other options before that, says otherwise.
+get_filename_component(BOOMERANG_ACCELERATE_SOURCE "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
+if(NOT EXISTS "${BOOMERANG_ACCELERATE_SOURCE}/core") # the installed package: boomerangConfig.cmake
+  set(BOOMERANG_ACCELERATE_SOURCE "${boomerang_SOURCE}")
+endif()
+set(BOOMERANG_ACCELERATE_SOURCE "${BOOMERANG_ACCELERATE_SOURCE}" CACHE INTERNAL "Where boomerang_accelerate finds core, box2d_glue and plugin")
+
+# What is renamed: Box2D's file, and what must stand in it for this to be a Box2D that is known.
+set(_boomerang_renamed
+  "b2_collision.cpp@bool b2TestOverlap("
+  "b2_contact_manager.cpp@void b2ContactManager::Collide()@void b2ContactManager::Destroy(b2Contact@Destroy(cNuke)"
+  "b2_distance.cpp@void b2DistanceProxy::Set(const b2Shape@void b2Distance(b2DistanceOutput@bool b2ShapeCast("
+  "b2_dynamic_tree.cpp@int32 b2DynamicTree::CreateProxy(@void b2DynamicTree::DestroyProxy(int32@bool b2DynamicTree::MoveProxy(int32"
+  "b2_fixture.cpp@void b2Fixture::Synchronize(b2BroadPhase@void b2Fixture::Refilter()"
+  "b2_time_of_impact.cpp@void b2TimeOfImpact(b2TOIOutput"
+  "b2_world.cpp@void b2World::Step(float@void b2World::Solve(const b2TimeStep@void b2World::SolveTOI(const b2TimeStep@ b2TimeStep step@SolveTOI(step)@Solve(step)@island.SolveTOI(subStep@DestroyJoint(je0@b2World::~b2World()"
+  CACHE INTERNAL "")
+
+function(_boomerang_accelerate_refuses target why)
+  message(FATAL_ERROR "boomerang_accelerate(${target}): ${why}")
+endfunction()
+
+# The target's own source of this name, as it is listed and as a path; neither where there is none.
+function(_boomerang_find_source target name listed_out path_out)
+  get_target_property(sources ${target} SOURCES)
+  get_target_property(directory ${target} SOURCE_DIR)
+  get_target_property(binary ${target} BINARY_DIR)
+  set(${listed_out} "" PARENT_SCOPE)
+  set(${path_out} "" PARENT_SCOPE)
+  foreach(listed IN LISTS sources)
+    if(NOT listed MATCHES "(^|/|:)${name}>*$")
+      continue()
+    endif()
+    if(listed MATCHES "^\\$<")
+      _boomerang_accelerate_refuses(${target} "${name} is listed by a generator expression (${listed}); list the file itself")
+    endif()
+    foreach(path "${listed}" "${directory}/${listed}" "${binary}/${listed}")
+      if(IS_ABSOLUTE "${path}" AND EXISTS "${path}")
+        set(${listed_out} "${listed}" PARENT_SCOPE)
+        set(${path_out} "${path}" PARENT_SCOPE)
+        return()
+      endif()
+    endforeach()
+    _boomerang_accelerate_refuses(${target} "its source ${listed} is not there")
+  endforeach()
+endfunction()
+
+# Is this source what the renaming was made for? Blanks may be other ones.
+function(_boomerang_check_source target path signs)
+  file(READ "${path}" text)
+  string(REGEX REPLACE "[ \t\r\n]+" " " text "${text}")
+  foreach(sign IN LISTS signs)
+    string(STRIP "${sign}" sign)
+    string(FIND "${text}" "${sign}" place)
+    if(place LESS 0)
+      string(REPLACE "( " "(" tight "${text}")
+      string(FIND "${tight}" "${sign}" place)
+    endif()
+    if(place LESS 0)
+      get_filename_component(name "${path}" NAME)
+      _boomerang_accelerate_refuses(${target} "this is not Box2D 2.4.1 or 2.4.2: ${name} has no \"${sign}\"")
+    endif()
+  endforeach()
+endfunction()
+
+function(boomerang_accelerate target)
+  if(NOT TARGET ${target})
+    _boomerang_accelerate_refuses(${target} "there is no such target (yet: call it after the one that makes the target)")
+  endif()
+  get_target_property(aliased ${target} ALIASED_TARGET)
+  if(aliased)
+    set(target ${aliased})
+  endif()
+  get_target_property(imported ${target} IMPORTED)
+  get_target_property(type ${target} TYPE)
+  if(imported OR type STREQUAL "INTERFACE_LIBRARY")
+    _boomerang_accelerate_refuses(${target} "nothing is compiled for this target; a Box2D that is built already is for boomerang::box2d, where it is a shared library")
+  endif()
+  get_target_property(again ${target} BOOMERANG_ACCELERATED)
+  if(again)
+    _boomerang_accelerate_refuses(${target} "it was called for this target before")
+  endif()
+  _boomerang_find_source(${target} b2_world.cpp listed path)
+  if(NOT path)
+    _boomerang_accelerate_refuses(${target} "the target does not compile b2_world.cpp; name the one that does")
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  if(sources MATCHES "(^|[/;])b2_rope_joint\\.cpp(;|$)")
+    _boomerang_accelerate_refuses(${target} "this is Box2D 2.4.0, which has b2_rope_joint.cpp; 2.4.1 and 2.4.2 are known")
+  endif()
+
+  set(root "${BOOMERANG_ACCELERATE_SOURCE}")
+  set(renamed "${root}/plugin/reach/renamed")
+  set(room "${CMAKE_CURRENT_BINARY_DIR}/boomerang_${target}")
+  get_filename_component(dynamics "${path}" DIRECTORY)
+  set(renamings ${_boomerang_renamed})
+  if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_SIZEOF_VOID_P EQUAL 8)
+    list(APPEND renamings "b2_timer.cpp@b2Timer::b2Timer()@m_start_usec") # reach/stock.h: BMR_TIMERS_ARE_REACHED
+  endif()
+  foreach(renaming IN LISTS renamings)
+    string(REPLACE "@" ";" signs "${renaming}")
+    list(POP_FRONT signs name)
+    _boomerang_find_source(${target} ${name} listed path)
+    if(NOT path)
+      _boomerang_accelerate_refuses(${target} "this is not Box2D 2.4.1 or 2.4.2: the target does not compile ${name}")
+    endif()
+    _boomerang_check_source(${target} "${path}" "${signs}")
+    file(CONFIGURE OUTPUT "${room}/${name}" @ONLY CONTENT [[
+#define BMR_BOX2D_SOURCE "@path@"
+#define BMR_BOX2D_ISLAND "@dynamics@/b2_island.h"
+#define BMR_BOX2D_CONTACT_SOLVER "@dynamics@/b2_contact_solver.h"
+#include "@renamed@/@name@"
+]])
+    list(TRANSFORM sources REPLACE "^.+$" "${room}/${name}" REGEX "^(.*/)?${name}$")
+    set_source_files_properties("${room}/${name}" TARGET_DIRECTORY ${target} PROPERTIES
+      SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON OBJECT_DEPENDS "${path};${renamed}/${name}")
+    foreach(property COMPILE_OPTIONS COMPILE_FLAGS COMPILE_DEFINITIONS INCLUDE_DIRECTORIES)
+      get_property(value SOURCE "${path}" TARGET_DIRECTORY ${target} PROPERTY ${property})
+      if(value)
+        set_property(SOURCE "${room}/${name}" TARGET_DIRECTORY ${target} PROPERTY ${property} "${value}")
+      endif()
+    endforeach()
+  endforeach()
+  get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
+  if(NOT "C" IN_LIST languages)
+    _boomerang_accelerate_refuses(${target} "the project needs the language C, too: project(... LANGUAGES C CXX)")
+  endif()
+  set_property(TARGET ${target} PROPERTY BOOMERANG_ACCELERATED TRUE)
+  set_property(TARGET ${target} PROPERTY SOURCES "${sources}")
+
+  # All of ours, once, as objects.
+  set(ours ${target}_boomerang)
+  file(GLOB core "${root}/core/geometry/*.c" "${root}/core/hierarchy/*.c" "${root}/core/certificate/*.c" "${root}/core/pair/*.c"
+    "${root}/core/kds/*.c" "${root}/core/budget/*.c" "${root}/core/exact32/*.c" "${root}/core/convex32/*.c")
+  file(GLOB glue "${root}/box2d_glue/*/*.cpp" "${root}/plugin/hooks/*.cpp" "${renamed}/start.cpp")
+  add_library(${ours} OBJECT ${core} ${glue})
+  set_target_properties(${ours} PROPERTIES C_STANDARD 11 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF CXX_STANDARD 17
+    CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF C_VISIBILITY_PRESET hidden CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON UNITY_BUILD OFF)
+  target_include_directories(${ours} PRIVATE "${root}/core" "${root}/core/include" "${root}/box2d_glue"
+    "${root}/box2d_glue/include" "${root}/plugin" "${root}/plugin/include")
+  target_include_directories(${ours} SYSTEM PRIVATE "$<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>")
+  target_compile_definitions(${ours} PRIVATE BMR_RENAMED "$<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>")
+  if(MSVC)
+    target_compile_options(${ours} PRIVATE /fp:precise)
+  else()
+    # Floating point means what it says, whatever the project's flags are; and memory may be missing (hull.cpp).
+    target_compile_options(${ours} PRIVATE -fno-fast-math -ffp-contract=off
+      "$<$<AND:$<COMPILE_LANGUAGE:CXX>,$<IN_LIST:-fno-rtti,$<TARGET_PROPERTY:${target},COMPILE_OPTIONS>>>:-fno-rtti>")
+    if(NOT EMSCRIPTEN)
+      target_compile_options(${ours} PRIVATE "$<$<COMPILE_LANGUAGE:CXX>:-fexceptions>")
+    endif()
+  endif()
+  if(type MATCHES "^(SHARED|MODULE)_LIBRARY$")
+    set_target_properties(${ours} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    get_target_property(symbol ${target} DEFINE_SYMBOL)
+    if(NOT symbol)
+      string(MAKE_C_IDENTIFIER "${target}_EXPORTS" symbol)
+    endif()
+    target_compile_definitions(${ours} PRIVATE ${symbol})
+    if(WIN32)
+      target_compile_definitions(${ours} PRIVATE "BMR_API=__declspec(dllexport)")
+    endif()
+  else()
+    set_property(TARGET ${ours} PROPERTY POSITION_INDEPENDENT_CODE "$<BOOL:$<TARGET_PROPERTY:${target},POSITION_INDEPENDENT_CODE>>")
+  endif()
+  if(UNIX AND NOT APPLE AND NOT EMSCRIPTEN AND NOT type STREQUAL "MODULE_LIBRARY")
+    target_compile_options(${ours} PRIVATE -ftls-model=initial-exec) # it is loaded with the program
+  endif()
+  get_target_property(interprocedural ${target} INTERPROCEDURAL_OPTIMIZATION)
+  if(interprocedural)
+    set_property(TARGET ${ours} PROPERTY INTERPROCEDURAL_OPTIMIZATION ${interprocedural})
+  endif()
+
+  set_property(TARGET ${target} APPEND PROPERTY SOURCES $<TARGET_OBJECTS:${ours}>)
+  if(type STREQUAL "OBJECT_LIBRARY") # objects in it are not part of it for those who link it
+    set_property(TARGET ${target} APPEND PROPERTY INTERFACE_SOURCES $<BUILD_INTERFACE:$<TARGET_OBJECTS:${ours}>>)
+  endif()
+  foreach(headers core/include box2d_glue/include plugin/include)
+    set_property(TARGET ${target} APPEND PROPERTY INTERFACE_INCLUDE_DIRECTORIES "$<BUILD_INTERFACE:${root}/${headers}>")
+  endforeach()
+  if(UNIX AND NOT EMSCRIPTEN)
+    find_package(Threads QUIET)
+    if(CMAKE_THREAD_LIBS_INIT)
+      set_property(TARGET ${target} APPEND PROPERTY LINK_LIBRARIES ${CMAKE_THREAD_LIBS_INIT})
+      set_property(TARGET ${target} APPEND PROPERTY INTERFACE_LINK_LIBRARIES ${CMAKE_THREAD_LIBS_INIT})
+    endif()
+  endif()
+endfunction()

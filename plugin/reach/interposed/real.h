@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_REACH_INTERPOSED_REAL_H
+#define BOOMERANG_REACH_INTERPOSED_REAL_H
+
+#include <atomic>
+
+#include "start/compiler.h"
+
+/// @file
+/// How a call to Box2D gets to a hook, and a hook to the function of Box2D's that it stands in front of,
+/// where Box2D is a shared library (ELF).
+///
+/// Loaders find a hook by its mangled name, linkers do not. The name has the version BOOMERANG_HOOKS, which
+/// is not its default. A loader that looks for a name without a version takes it from a library's first
+/// version, default or not; a linker takes the default alone. So calls to a Box2D that is loaded come here. A
+/// program that has Box2D inside keeps all of that: if the linker saw the hooks, it would take them for the
+/// functions that the program needs and leave Box2D's own out, which then is nowhere. (dlsym does not find
+/// hooks either: what it finds is Box2D's.) With BMR_HOOKS_FOR_LINKERS linkers find them, too: for builds
+/// with sanitizers or counts of lines, which are never linked ahead of an archive.
+
+#if defined(BMR_SHARED_LIBRARY) && !defined(BMR_HOOKS_FOR_LINKERS)
+#    define BMR_FOR_LOADERS(name) __asm__(".symver " name ", " name "@BOOMERANG_HOOKS, remove")
+#else
+#    define BMR_FOR_LOADERS(name) static_assert(true)
+#endif
+
+namespace bmr {
+
+/// The next definition of this name after this library's; where there is none, that of a module which was
+/// opened for itself (dlopen with RTLD_LOCAL) and which then stays loaded: of several, the one that was
+/// loaded first. Ends the program where nobody has it: it is called, so somebody must.
+void *FindReal(const char *mangled);
+
+/// A function of Box2D's, looked up once. Any thread may be the first; initialised at compile time, since
+/// Box2D may be called before this library's constructors ran.
+template <typename Function> class Real;
+template <typename Result, typename... Arguments> class Real<Result(Arguments...)> {
+    using Function = Result(Arguments...);
+
+public:
+    explicit constexpr Real(const char *name) : m_name(name) {}
+
+    /// As the last thing that a hook does: a load, a test and a jump. (What looks the function up is a call
+    /// of its own, so that the hook needs no room on the stack.)
+    Result operator()(Arguments... arguments) {
+        Function *function = m_function.load(std::memory_order_relaxed);
+        return BMR_RARELY(function == nullptr) ? FindAndCall(arguments...) : function(arguments...);
+    }
+
+private:
+    BMR_COLD Result FindAndCall(Arguments... arguments) { return Find()(arguments...); }
+    BMR_COLD Function *Find() {
+        Function *function = reinterpret_cast<Function *>(FindReal(m_name));
+        m_function.store(function, std::memory_order_relaxed);
+        return function;
+    }
+
+    std::atomic<Function *> m_function{nullptr};
+    const char *m_name;
+};
+
+} // namespace bmr
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// See names.h.
+#include "box2d/b2_body.h"
+#include "box2d/b2_broad_phase.h"
+#include "box2d/b2_contact.h"
+#include "box2d/b2_fixture.h"
+#include "box2d/b2_world_callbacks.h"
+
+#define Collide BmrStockCollide
+#define FindNewContacts BmrStockFindNewContacts
+#define Destroy(parameter)                                                                                   \
+    Destroy(parameter);                                                                                      \
+    void BmrStockDestroy(parameter)
+#include "box2d/b2_contact_manager.h"
+#undef Destroy
+
+// b2ContactManager::Destroy is called by Collide; b2Contact::Destroy(c, allocator) by it.
+#define Destroy(...) BMR_DESTROY_##__VA_ARGS__)
+#define BMR_DESTROY_b2Contact BmrStockDestroy(b2Contact
+#define BMR_DESTROY_cNuke Destroy(cNuke
+#define BMR_DESTROY_c Destroy(c
+#include BMR_BOX2D_SOURCE
+#undef Collide
+#undef FindNewContacts
+#undef Destroy
+
+namespace bmr {
+namespace stock {
+
+void Collide(b2ContactManager *manager);
+void FindNewContacts(b2ContactManager *manager);
+void Destroy(b2ContactManager *manager, b2Contact *contact);
+
+void Collide(b2ContactManager *manager) {
+    manager->BmrStockCollide();
+}
+
+void FindNewContacts(b2ContactManager *manager) {
+    manager->BmrStockFindNewContacts();
+}
+
+void Destroy(b2ContactManager *manager, b2Contact *contact) {
+    manager->BmrStockDestroy(contact);
+}
+
+} // namespace stock
+} // namespace bmr

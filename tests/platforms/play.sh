@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+#   play.sh BUILD SUFFIX NOT-REACHED [RUNNER...]
+#
+# The games of one platform: BUILD/bin/game prints what game_stock prints, without a word in the environment, on, off and under verify;
+# it says that Box2D was compiled with the plugin, and names as not reached what is to be (NOT-REACHED: names with blanks between,
+# may be empty); every answer that verify compares is Box2D's. The interface can be called. SUFFIX: of programs (.exe);
+# RUNNER: what starts them.
+set -uo pipefail
+build=${1:?} suffix=${2?} not_reached=${3?}
+shift 3
+runner=("$@")
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+passed=0 failed=0
+# What goes round for ever ends: many hundred times what a game needs of a processor, however busy the machine is.
+ulimit -t 120
+unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+
+# (Programs of Windows end their lines with two characters.)
+play() {
+    local name=$1
+    shift
+    (cd "$build/bin" && env "$@" "${runner[@]}" "./$name$suffix") 2>"$room/err" | tr -d '\r' >"$room/out"
+    local status=${PIPESTATUS[0]}
+    tr -d '\r' <"$room/err" >"$room/said"
+    return "$status"
+}
+holds() {
+    local name=$1
+    shift
+    if "$@"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $name: $(head -c 600 "$room/said")"
+    fi
+}
+same() { play "$@" && cmp -s "$room/out" "$room/stock"; }
+says() { grep -q "^boomerang: $1" "$room/said"; }
+
+holds "stock runs" play game_stock
+cp "$room/out" "$room/stock"
+holds "stock prints something" grep -q 'begun [1-9]' "$room/stock"
+holds "the same bits" same game
+holds "off" same game BOOMERANG=off
+holds "on" same game BOOMERANG=on BOOMERANG_VERBOSE=1
+hooks=''
+for hook in time-of-impact test-overlap solve-toi contact-loop pair-finding profile-clock touching-manifold fixture-boxes tree-updates ledger; do
+    [[ " $not_reached " == *" $hook "* ]] || hooks+=" $hook"
+done
+tail=''
+[ -z "$not_reached" ] || tail="; not reached by this Box2D's calls: $not_reached"
+holds "all hooks but what is not there are reached" \
+    says "on, .*; compiled with Box2D 2\.4\.[12]; rounds as Box2D; hooks:$hooks$tail\$"
+holds "verify" same game BOOMERANG=verify
+holds "verify compares, and nothing differs" says 'verified [1-9][0-9,]* answers, 0 differ$'
+holds "the interface" play consume_box2d
+# Control: stock says nothing of the kind.
+play game_stock BOOMERANG=on BOOMERANG_VERBOSE=1
+holds "control: a game without the plugin is noticed" test ! -s "$room/said"
+printf '%s: %d passed, %d failed\n' "$build" "$passed" "$failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
