@@ -56,7 +56,7 @@ static void the_first_contact_of_random_motions_is_found(void **state) {
     for (size_t round = 0; round < test_scaled(60); ++round) {
         bmr_polygon *polygons[2];
         bmr_hierarchy *hierarchies[2] = {NULL, NULL};
-        scene s = {{NULL, {NULL}}, {NULL, {NULL}}, {NULL, NULL}};
+        scene s = {.a = {.polygon = NULL}};
         bmr_shape *shapes[2] = {&s.a, &s.b};
         const bool lazy = test_random_below(&random, 2) == 0;
         for (int i = 0; i < 2; ++i) {

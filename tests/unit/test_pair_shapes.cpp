@@ -214,7 +214,7 @@ TEST_CASE("a polygon that was made where another was freed is another") {
                         REQUIRE(test_build_hierarchy(static_cast<bmr_hierarchy_kind>(structure), made,
                                                      Compass(), nullptr, &kept) == BMR_OK);
                     bmr_pair pair = NewPair();
-                    Advance(&pair, def, {made, kept}, box.Shape(structure), pose);
+                    Advance(&pair, def, {made, {kept}, {}}, box.Shape(structure), pose);
                     bmr_polygon_destroy(made, &place.allocator);
                     bmr_polygon *again = nullptr;
                     REQUIRE(bmr_polygon_create_raw(after.data(), after.size(), &place.allocator, &again) ==
@@ -223,10 +223,10 @@ TEST_CASE("a polygon that was made where another was freed is another") {
                     // Made of the same vertices it is the same polygon, and the hierarchy is its own.
                     const bmr_structure keeper = &before == &after ? def.structure : BMR_FREE_DIRECTION;
                     for (const bmr_pose &next : {pose, At(1.5, 0.2, 0.2), At(4.2, 0.3, 0.1)})
-                        AdvanceKeptBy(keeper, &pair, def, {again, kept}, box.Shape(structure), next);
+                        AdvanceKeptBy(keeper, &pair, def, {again, {kept}, {}}, box.Shape(structure), next);
                     bmr_pair fresh = NewPair(); // knows neither of them
                     for (const bmr_pose &next : {At(1.5, 0.2, 0.2), line, contact, disks})
-                        AdvanceKeptBy(keeper, &fresh, def, {again, kept}, box.Shape(structure), next);
+                        AdvanceKeptBy(keeper, &fresh, def, {again, {kept}, {}}, box.Shape(structure), next);
                     bmr_hierarchy_destroy(kept, nullptr);
                     bmr_polygon_destroy(again, &place.allocator);
                 }
@@ -246,7 +246,7 @@ TEST_CASE("a copy of a polygon is the same polygon: nothing starts anew") {
     for (int i = 0; i < 300; ++i) {
         const bmr_polygon *const which[] = {one.polygon, copy, rebuilt};
         const bmr_pose pose = At(1.9 * std::cos(0.02 * i), 1.9 * std::sin(0.02 * i), 0.05 * i);
-        Advance(&pair, def, {which[i % 3], nullptr}, {other.polygon, nullptr}, pose, &observer);
+        Advance(&pair, def, {which[i % 3], {}, {}}, {other.polygon, {}, {}}, pose, &observer);
     }
     CHECK(Starts(counters) == 1);
     CHECK(counters.checks == 300);
@@ -282,9 +282,10 @@ TEST_CASE("every structure answers with whatever hierarchies there are") {
     const Body one(Regular(24, 1.0, 0.2)), two(Box(1.0, 0.5));
     const auto choices = [](const Body &body, const Body &another) {
         const bmr_hierarchy *others = another.hierarchies[0];
-        std::vector<bmr_shape> shapes = {{body.polygon, {}}, {body.polygon, {others, others, others}}};
+        std::vector<bmr_shape> shapes = {{body.polygon, {}, {}},
+                                         {body.polygon, {others, others, others}, {}}};
         for (const bmr_hierarchy *hierarchy : body.hierarchies) // in its own place and in those of others
-            shapes.push_back({body.polygon, {hierarchy, hierarchy, hierarchy}});
+            shapes.push_back({body.polygon, {hierarchy, hierarchy, hierarchy}, {}});
         return shapes;
     };
     for (int structure = 0; structure <= BMR_STRUCTURE_COUNT; ++structure) // the last is none
