@@ -60,8 +60,9 @@ private:
         std::size_t past = 0;
         if constexpr (kAlign != 0)
             past = kAlign - reinterpret_cast<uintptr_t>(block) % kAlign;
+        constexpr std::size_t kSize = sizeof(T); // NOLINT(bugprone-sizeof-expression): of pointers, too
         if (static_cast<std::size_t>(before) != past && m_capacity > 0)
-            std::memmove(AsBytes(block) + past, AsBytes(block) + before, m_capacity * sizeof(T));
+            std::memmove(AsBytes(block) + past, AsBytes(block) + before, m_capacity * kSize);
         m_block = block;
         m_data = static_cast<T *>(static_cast<void *>(AsBytes(block) + past));
         return true;

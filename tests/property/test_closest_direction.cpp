@@ -211,7 +211,6 @@ TEST_CASE("the search for a start takes logarithmically many steps, where vertic
     std::free(b);
     for (size_t n = 64; n <= 32768; n *= 8) {
         test_random random = {n};
-        Tally tally;
         bmr_polygon *p = test_polygon(TEST_ELLIPSE, n, &random), *q = test_polygon(TEST_CIRCLE, n, &random);
         unsigned mostHere = 0;
         for (int k = 0; k < 400; ++k) {
