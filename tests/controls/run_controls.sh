@@ -58,9 +58,9 @@ number=0 taken=0
 # NAME, FILE, SUBSTITUTION (perl), TEST, CASE
 while IFS='@' read -r name file substitution test case; do
     case $name in '' | \#*) continue ;; esac
-    # Every other one, unless all are asked for (BMR_LONG_CONTROLS).
+    # Every third one, unless all are asked for (BMR_LONG_CONTROLS).
     taken=$((taken + 1))
-    [ -n "${BMR_LONG_CONTROLS:-}" ] || [ $((taken % 2)) -eq 1 ] || continue
+    [ -n "${BMR_LONG_CONTROLS:-}" ] || [ $((taken % 3)) -eq 1 ] || continue
     number=$((number + 1))
     control "$number" "$name" "$file" "$substitution" "$test" "$case" &
     while [ "$(jobs -rp | wc -l)" -ge "$jobs_at_once" ]; do wait -n; done

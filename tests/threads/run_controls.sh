@@ -75,9 +75,9 @@ tried=
 while IFS='@' read -r name file unit substitution by command; do
     case $name in '' | \#*) continue ;; esac
     [ "$by" = any ] || [ "$by" = "$sanitizer" ] || continue
-    # Every other one, unless all are asked for (BMR_LONG_CONTROLS).
+    # Every third one, unless all are asked for (BMR_LONG_CONTROLS).
     taken=$((taken + 1))
-    [ -n "${BMR_LONG_CONTROLS:-}" ] || [ $((taken % 2)) -eq 1 ] || continue
+    [ -n "${BMR_LONG_CONTROLS:-}" ] || [ $((taken % 3)) -eq 1 ] || continue
     number=$((number + 1))
     case "$tried" in *"@$command@"*) ;; *)
         tried="$tried@$command@"
