@@ -17,9 +17,9 @@
 
 namespace bmr {
 
-static_assert(static_cast<double>(kBudgetReach) <= kReach && kBudgetReach <= kSweepReach &&
-                  kImpactReach <= kSweepReach && kImpactAngle <= kSweepAngle,
-              "the margins hold wherever a pair has a budget");
+static_assert(static_cast<double>(kBandReach) <= kReach && kImpactReach <= kSweepReach &&
+                  kImpactAngle <= kSweepAngle,
+              "the margins hold wherever a pair of band 0 has a budget");
 
 namespace {
 
@@ -83,7 +83,7 @@ struct Gap {
 };
 
 Gap GapAlong(const Placed &a, const Placed &b, bmr_vec2 d) {
-    // Coordinates are at most kBudgetReach: what double arithmetic is off by is far below this.
+    // Coordinates are those of the last band at most: what double arithmetic is off by is far below this.
     constexpr double kRounding = 1e-9 * static_cast<double>(b2_lengthUnitsPerMeter);
     double slack = kRounding;
     const bmr_vec2 from = a.Farthest(d, &slack), to = b.Farthest(bmr_neg(d), &slack);
@@ -100,34 +100,37 @@ bool Normalize(bmr_vec2 *d) {
     return true;
 }
 
-/// What b2TimeOfImpact's arithmetic may be off by, for one of the two and for coordinates up to kImpactReach
-/// (proofs/sweep_apart.cpp has the same for the coordinates of a step).
-double ImpactRounding(const Mover &mover) {
-    const double reach =
-        mover.motion.reach + std::fabs(mover.motion.pivot.x) + std::fabs(mover.motion.pivot.y);
-    return static_cast<double>(kUnit) *
-           (static_cast<double>(kErrorPerCoordinate * kImpactReach) +
-            static_cast<double>(kErrorPerReach) * reach +
-            static_cast<double>(kErrorPerAngle * kImpactAngle) * mover.motion.reach);
-}
-double ImpactTilt(const Mover &mover) {
-    const double reach =
-        mover.motion.reach + std::fabs(mover.motion.pivot.x) + std::fabs(mover.motion.pivot.y);
-    return static_cast<double>(kUnit) * (static_cast<double>(kTiltPerCoordinate * kImpactReach) +
-                                         static_cast<double>(kTiltPerReach) * reach);
+/// How far a vertex may be from its body's origin.
+double ReachOf(const Mover &mover) {
+    return mover.motion.reach + std::fabs(mover.motion.pivot.x) + std::fabs(mover.motion.pivot.y);
 }
 
-/// Does a distance of `threshold` keep b2TimeOfImpact from finding the two touching?
-bool KeepsFromImpact(const Mover &a, const Mover &b, double threshold) {
+/// What b2TimeOfImpact's arithmetic may be off by, for one of the two and for coordinates up to `farthest`
+/// (proofs/sweep_apart.cpp has the same for the coordinates of a step).
+double ImpactRounding(const Mover &mover, double farthest) {
+    return static_cast<double>(kUnit) *
+           (static_cast<double>(kErrorPerCoordinate) * farthest +
+            static_cast<double>(kErrorPerReach) * ReachOf(mover) +
+            static_cast<double>(kErrorPerAngle * kImpactAngle) * mover.motion.reach);
+}
+double ImpactTilt(const Mover &mover, double farthest) {
+    return static_cast<double>(kUnit) * (static_cast<double>(kTiltPerCoordinate) * farthest +
+                                         static_cast<double>(kTiltPerReach) * ReachOf(mover));
+}
+
+/// Does a distance of `threshold` keep b2TimeOfImpact from finding the two touching, as far out as
+/// kImpactReach of `band`?
+bool KeepsFromImpact(const Mover &a, const Mover &b, int band, double threshold) {
+    const double farthest = std::ldexp(static_cast<double>(kImpactReach), band);
     if (!(a.shortest >= kShortestSide && b.shortest >= kShortestSide))
         return false; // and of big polygons, whose sides nobody measured
     const double lever = 1.0 + 2.0 * std::max(a.motion.reach / static_cast<double>(b.shortest),
                                               b.motion.reach / static_cast<double>(a.shortest));
     const auto impact = static_cast<double>(ImpactDistance(a.radius + b.radius));
-    const double tilt = ImpactTilt(a) + ImpactTilt(b) + static_cast<double>(kTiltAlways) +
+    const double tilt = ImpactTilt(a, farthest) + ImpactTilt(b, farthest) + static_cast<double>(kTiltAlways) +
                         static_cast<double>(kUnit * kTiltPerDistance) * impact;
-    return impact * (1.0 + static_cast<double>(kUnit * kErrorPerDistance)) + ImpactRounding(a) +
-               ImpactRounding(b) + tilt * lever <
+    return impact * (1.0 + static_cast<double>(kUnit * kErrorPerDistance)) + ImpactRounding(a, farthest) +
+               ImpactRounding(b, farthest) + tilt * lever <
            threshold;
 }
 
@@ -136,7 +139,8 @@ bool KeepsFromImpact(const Mover &a, const Mover &b, double threshold) {
 double ApartThreshold(const Ledger &ledger, uint32_t record) {
     const Ledger::Record &at = ledger.At(record);
     const Movers &movers = ledger.GetMovers();
-    return ContactMargin(static_cast<double>(movers[at.a].radius + movers[at.b].radius));
+    return ContactMargin(static_cast<double>(movers[at.a].radius + movers[at.b].radius),
+                         movers.RoundingMargin(at.a, at.b));
 }
 
 /// How far a fixture's body most likely carries its points in a step of this length.
@@ -158,8 +162,11 @@ bool BeginProof(Ledger *ledger, uint32_t record, double *soon) {
     if (!ledger->WaitsForProof(record)) {
         *soon = 2.0 * (ExpectedMotion(ledger->GetMovers()[ledger->At(record).a]) +
                        ExpectedMotion(ledger->GetMovers()[ledger->At(record).b]));
-        if (*soon <= kFatBoxes && ledger->BeginProof(record))
-            return true;
+        if (*soon <= kFatBoxes) {
+            if (ledger->BeginProof(record))
+                return true;
+            ledger->ProvedInVain(record); // a pair that may have no budget: not asked again at once
+        }
     }
     ledger->SetDue(record);
     return false;
@@ -199,8 +206,13 @@ void ProveOverlap(Ledger *ledger, uint32_t record) {
         return;
     const Placed a(ledger->GetMovers()[ledger->At(record).a]), b(ledger->GetMovers()[ledger->At(record).b]);
     const double depth = a.big != nullptr || b.big != nullptr ? -1.0 : std::max(DepthOf(a, b), DepthOf(b, a));
-    if (depth > kRoundingMargin + soon)
-        ledger->ProveUntil(record, depth, kRoundingMargin);
+    const Movers &movers = ledger->GetMovers();
+    const Ledger::Record &at = ledger->At(record);
+    const double margin =
+        movers.RoundingMargin(at.a, at.b) +
+        static_cast<double>(2.0f * kUnit * kErrorPerReach) * (ReachOf(movers[at.a]) + ReachOf(movers[at.b]));
+    if (depth > margin + soon)
+        ledger->ProveUntil(record, depth, margin);
     else
         NoProof(ledger, record);
 }
@@ -234,7 +246,8 @@ void ProveApart(Ledger *ledger, uint32_t record, SolidContact *contact) {
         NoProof(ledger, record);
         return;
     }
-    ledger->Prove(record, best.d, best.gap, threshold, KeepsFromImpact(moverA, moverB, threshold));
+    const int band = ledger->GetMovers().Band(ledger->At(record).a, ledger->At(record).b);
+    ledger->Prove(record, best.d, best.gap, threshold, KeepsFromImpact(moverA, moverB, band, threshold));
     if (GetSettings().options.statistics)
         contact->LeaveAlong(best.d);
 }

@@ -200,6 +200,31 @@ bool Movers::LookAtShape(Mover *mover, uint8_t *bits) const {
     return changed;
 }
 
+/// Finds the row's band. True where it is a farther one than before, and the margins of its pairs are too
+/// small; a nearer one it is only when well within that, or a body that trembles about the border would be
+/// looked at anew each time.
+bool Movers::GoesFartherOut(Mover *mover, uint8_t *bits) {
+    constexpr double kReach0 = static_cast<double>(kBandReach), kWellWithin = 0.75;
+    const b2Vec2 place = b2Abs(mover->place.p);
+    const double reach =
+        static_cast<double>(kBandReachOfExtent) *
+        (mover->motion.reach + std::fabs(mover->motion.pivot.x) + std::fabs(mover->motion.pivot.y));
+    const double farthest = static_cast<double>(b2Max(place.x, place.y)) + reach;
+    if (farthest <= kReach0 && mover->band == 0) // nearly all
+        return false;
+    // (A number that is none is far.)
+    if (!(reach <= kReach0 && farthest <= std::ldexp(kReach0, kBands - 1))) {
+        *bits |= kPlain;
+        return false;
+    }
+    const uint8_t before = mover->band;
+    while (mover->band > 0 && farthest <= kWellWithin * std::ldexp(kReach0, mover->band - 1))
+        --mover->band;
+    while (farthest > std::ldexp(kReach0, mover->band))
+        ++mover->band;
+    return mover->band > before;
+}
+
 void Movers::Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look) {
     Mover &mover = m_rows[row];
     const uint32_t moved = mover.motion.moved, turned = mover.motion.turned;
@@ -247,11 +272,7 @@ void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, b
         changed = true;
     }
     changed = LookAtShape(&mover, &bits) || changed;
-    const b2Vec2 place = b2Abs(xf.p);
-    const double reach = mover.motion.reach + std::fabs(pivot.x) + std::fabs(pivot.y);
-    // (A number that is none is far.)
-    if (!(static_cast<double>(b2Max(place.x, place.y)) + 1.5 * reach <= static_cast<double>(kBudgetReach)))
-        bits |= kPlain;
+    changed = GoesFartherOut(&mover, &bits) || changed;
     changed = changed || ((bits ^ before) & kPlain) != 0;
     // Its pairs with others that sleep are to be put out of sight.
     const bool fellAsleep = (before & kActive) != 0 && (bits & kActive) == 0;
@@ -328,8 +349,9 @@ void Movers::FindEnd(uint32_t row, bool careful, uint64_t look) {
     const b2Vec2 from = b2Abs(sweep.c0), to = b2Abs(sweep.c);
     const double farthest = static_cast<double>(b2Max(b2Max(from.x, from.y), b2Max(to.x, to.y)));
     const b2PolygonShape *polygon = careful ? PolygonOf(*mover.fixture) : nullptr;
+    const double reach = std::ldexp(static_cast<double>(kImpactReach), mover.band);
     const bool known = (polygon == nullptr || DigestOf(*polygon) == mover.shape) &&
-                       farthest + mover.motion.reach <= static_cast<double>(kImpactReach) &&
+                       farthest + mover.motion.reach <= reach &&
                        std::fabs(a) <= static_cast<double>(kImpactAngle) &&
                        std::fabs(a0) <= static_cast<double>(kImpactAngle) &&
                        Double(sweep.localCenter).x == mover.motion.pivot.x &&

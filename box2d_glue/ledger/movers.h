@@ -12,14 +12,13 @@
 #include "boomerang/budget.h"
 #include "ledger/column.h"
 #include "ledger/key_table.h"
+#include "proofs/thresholds.h"
 #include "start/compiler.h"
 
 namespace bmr {
 
-/// Within this distance of the origin all that the margins hold of rounding is known (proofs/thresholds.h).
-/// Beyond, pairs have no budget, and are looked at in every step.
-constexpr float kBudgetReach = 480.0f * b2_lengthUnitsPerMeter;
-/// The same for the sweeps of times of impact, with angles up to kImpactAngle.
+/// Sweeps of times of impact have budgets within this distance of the origin, in band 0 (kBandReach): in band
+/// k within 2^k times as much. And up to kImpactAngle.
 constexpr float kImpactReach = 256.0f * b2_lengthUnitsPerMeter, kImpactAngle = 500.0f;
 
 /// Budgets count in these (core/budget): 2^-16 of a metre.
@@ -50,6 +49,7 @@ struct alignas(64) Mover {
     b2Transform place; ///< of the body, at the last look
     float angle;       ///< of the body, at the last look
     bool sound;        ///< a polygon as Box2D makes them: its vertices tell all
+    uint8_t band;      ///< how far out it is (proofs/thresholds.h): as far as this, or less
     uint32_t late;     ///< units that were added in the middle of the present pass
     uint64_t sweptAt;  ///< the ledger's count of looks when its sweep had its last one
     uint64_t endedAt;  ///< the same for how far that may come
@@ -62,8 +62,9 @@ enum MoverBit : uint8_t {
     kActive = 1,   ///< its body is awake, and not static
     kStops = 2,    ///< its body is a bullet, or not dynamic: nothing is to tunnel through it
     kIsSensor = 4, ///< as the fixture says
-    kPlain = 8,    ///< no budget for its contacts: no polygon, a broken one, or too far away for the margins
-    kChanged = 16, ///< another shape than at the look before: lines of its pairs prove nothing
+    kPlain = 8,    ///< no budget for its contacts: no polygon, a broken one, or farther out than all bands
+    kChanged =
+        16, ///< another shape than at the look before, or farther out: lines of its pairs prove nothing
     kChangedLate = 32, ///< the same, seen in the middle of a pass: to be said again in the next one
     kLookedAt = 64     ///< since the last pass over pairs began
 };
@@ -110,6 +111,11 @@ public:
     /// pairs were asked: every pair is due.
     bool AreSumsLost() const { return m_sumsLost; }
     void ForgetSums() { m_sumsLost = false; }
+
+    /// What rounding may be off by for a pair of these two rows, as far out as they are.
+    double RoundingMargin(uint32_t a, uint32_t b) const { return BandMargin(Band(a, b)); }
+    /// The farther one's.
+    int Band(uint32_t a, uint32_t b) const { return b2Max(m_rows[a].band, m_rows[b].band); }
 
     static constexpr uint32_t kNone = 0xffffffffu;
     /// Rows are numbered below this; some may be free (records == 0).
@@ -161,6 +167,7 @@ private:
     void FindEnd(uint32_t row, bool careful, uint64_t look);
     void Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look);
     bool LookAtShape(Mover *mover, uint8_t *bits) const;
+    static bool GoesFartherOut(Mover *mover, uint8_t *bits);
     void Mark(uint32_t row);
 
     Column<Mover> m_rows;

@@ -22,6 +22,21 @@ constexpr double kReach = kRoundingMargin / (16.0 * FLT_EPSILON);
 /// What is turned is off by more than what is moved: a body's extent counts so much more than its place.
 constexpr double kReachOfExtent = 1.5;
 
+/// How far out a polygon is, for a pair's budget of motion: band k reaches 2^k times as far as band 0, and
+/// its roundings are as much larger. A polygon's extent is held to that of band 0 in all of them
+/// (kReachOfExtent times sqrt(2), for what counts there is the largest coordinate), for what is off by parts
+/// of the extent alone, as the separation of a face, is not to grow. Beyond the last band a pair has no
+/// budget.
+constexpr float kBandReach = 480.0f * b2_lengthUnitsPerMeter;
+constexpr int kBands = 5;
+constexpr float kBandReachOfExtent = 2.1214f;
+
+/// kRoundingMargin for polygons of this band. Farther bands leave twice as much as their reach asks for: what
+/// b2TestOverlap may be off by is then less than this alone.
+constexpr double BandMargin(int band) {
+    return band == 0 ? kRoundingMargin : static_cast<double>(2 << band) * kRoundingMargin;
+}
+
 /// Is a body, whose vertices are no farther from its origin than `reach`, where ContactMargin holds all of
 /// the rounding? No for what is not a number.
 inline bool WithinReach(const b2Transform &xf, double reach) {
@@ -34,9 +49,9 @@ inline bool WithinReach(const b2Transform &xf, double reach) {
 /// the diagonal, which is rounded up for what the radii's own rounding adds. Where the face is not the best
 /// one (by Box2D's tolerance, and by the rounding of both separations) points may also lie behind it by less
 /// than a slop: smaller radii count as that.
-inline double ContactMargin(double radiusSum) {
+inline double ContactMargin(double radiusSum, double roundingMargin = kRoundingMargin) {
     constexpr double kDiagonal = 1.41422, kDeepest = b2_linearSlop;
-    return kDiagonal * (radiusSum > kDeepest ? radiusSum : kDeepest) + kRoundingMargin;
+    return kDiagonal * (radiusSum > kDeepest ? radiusSum : kDeepest) + roundingMargin;
 }
 
 /// b2TimeOfImpact says "touching" where its distance of the core polygons, or the separation of two of their

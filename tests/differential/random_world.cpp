@@ -111,8 +111,9 @@ void RandomWorld::Destroy(b2World &world, b2Body *body) {
 
 void RandomWorld::BuildLevel(Stage &stage) {
     Random &random = stage.Rng();
-    // Near the origin, about where certificates are no longer trusted, and beyond.
-    constexpr float kPlaces[] = {0.0f, 0.0f, 0.0f, 0.0f, 60.0f, 300.0f, 505.0f, 517.0f, 3000.0f, -10000.0f};
+    // Near the origin; about where certificates are no longer trusted, and where the bands of budgets end
+    // (proofs/thresholds.h); beyond.
+    constexpr float kPlaces[] = {0.0f, 0.0f, 0.0f, 0.0f, 60.0f, 478.0f, 505.0f, 1917.0f, 3000.0f, -10000.0f};
     const float place = kMeter * kPlaces[random.Index(10)];
     m_arena = AddArena(stage, {place, random.OnceIn(2) ? place : 0.0f}, kHalfWidth, kHalfHeight, 0.3f);
     if (random.OnceIn(2)) {

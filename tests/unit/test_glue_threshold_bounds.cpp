@@ -337,6 +337,37 @@ TEST_CASE("kRoundingMargin holds what clipping is off by, up to kReach") {
     CHECK(WorstClipping(4.0 * bmr::kReach) > bmr::kRoundingMargin);
 }
 
+TEST_CASE("BandMargin holds what clipping and b2TestOverlap are off by, as far as each band reaches") {
+    constexpr double kBand0 = static_cast<double>(bmr::kBandReach),
+                     kFarthest = kBand0 / static_cast<double>(bmr::kBandReachOfExtent);
+    // The ledger goes by the farthest vertex where the hulls go by the largest coordinate.
+    CHECK(static_cast<double>(bmr::kBandReachOfExtent) >= bmr::kReachOfExtent / kFarOfReach);
+    for (int band = 0; band < bmr::kBands; ++band) {
+        const double reach = std::ldexp(kBand0, band);
+        // Corners of place + kBandReachOfExtent * far <= reach, far <= that of band 0.
+        const Size corners[] = {{reach, 0.0}, {reach - kBand0, kFarthest}, {0.0, kFarthest}};
+        double clipping = 0.0;
+        for (const Size &a : corners) {
+            for (const Size &b : corners) {
+                const Clipping off = ClippingError(a, b);
+                clipping = std::max(clipping, Up(Up(std::hypot(off.side, off.front)) + PoseError(a, b)));
+            }
+        }
+        const double overlap = 2.0 * (PlaceError(reach, 0.0) + MeanError(reach, 0.0) + OwnCentreError(reach));
+        MESSAGE("band ", band, ", of the margin: ", clipping / bmr::BandMargin(band), ", ",
+                overlap / bmr::BandMargin(band));
+        CHECK(clipping <= bmr::BandMargin(band));
+        // Controls: a fifth of the margin; for overlaps half of it. (Near the origin they need the radii.)
+        CHECK(clipping > 0.2 * bmr::BandMargin(band));
+        if (band > 0) {
+            CHECK(overlap <= bmr::BandMargin(band));
+            CHECK(overlap > 0.5 * bmr::BandMargin(band));
+        }
+    }
+    // What is off by parts of the extent alone is no more than anywhere near the origin.
+    CHECK(SeparationError(2.0 * kFarthest, kFarthest, kFarthest) <= WorstDepth(bmr::kReach));
+}
+
 TEST_CASE("ContactMargin holds however small the radii are, and however large") {
     // A face that is worse than the best one by Box2D's tolerance may be the reference; of two separations.
     const double depth = 0.1 * b2_linearSlop + 2.0 * WorstDepth(bmr::kReach);

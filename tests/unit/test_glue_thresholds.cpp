@@ -144,9 +144,19 @@ constexpr double kInner = bmr::kReach - 200.0;
 
 TEST_CASE("just beyond ContactMargin and within kReach Box2D gives no points") {
     for (const double range : {1.0, kInner}) {
-        const Tally t = Try(test_scaled(150000), 0.0, range, bmr::ContactMargin);
+        const Tally t = Try(test_scaled(150000), 0.0, range, [](double r) { return bmr::ContactMargin(r); });
         CHECK(t.placed > test_scaled(150000) * 9 / 10);
         CHECK(t.cornersOnly > t.placed / 3);
+        CHECK(t.points == 0);
+    }
+}
+
+TEST_CASE("nor farther out, beyond the margin of the band") {
+    for (int band = 1; band < bmr::kBands; ++band) {
+        const double reach = std::ldexp(static_cast<double>(bmr::kBandReach), band);
+        const Tally t = Try(test_scaled(30000), 0.5 * reach, reach - 200.0,
+                            [band](double r) { return bmr::ContactMargin(r, bmr::BandMargin(band)); });
+        CHECK(t.placed > test_scaled(30000) * 9 / 10);
         CHECK(t.points == 0);
     }
 }
