@@ -23,7 +23,7 @@ link=("$@")
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 # B2_SHARED as in the library's own build: Box2D's functions that are defined here must be seen.
-flags="-std=c++17 -O1 -fPIC -fvisibility=hidden -ftls-model=initial-exec -ffp-contract=off -w -DB2_SHARED"
+flags="-std=c++17 -O0 -fPIC -fvisibility=hidden -ftls-model=initial-exec -ffp-contract=off -w -DB2_SHARED"
 # shellcheck source=tests/support/mutant_library.sh
 source "$root/tests/support/mutant_library.sh"
 

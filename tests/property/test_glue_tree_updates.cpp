@@ -123,7 +123,7 @@ template <typename Play> void EachRound(const Play &play) {
             for (uint32_t seed = 1; seed <= test_scaled(3); ++seed) {
                 INFO("boxes ", static_cast<int>(boxes), ", leaves ", round.mostLeaves, ", seed ", seed);
                 Round scaled = round;
-                scaled.operations = std::max(round.operations / 3, test_scaled(round.operations));
+                scaled.operations = std::max(round.operations / 6, test_scaled(round.operations));
                 play(scaled, seed);
             }
         }
