@@ -200,10 +200,11 @@ bool Movers::LookAtShape(Mover *mover, uint8_t *bits) const {
     return changed;
 }
 
-/// Finds the row's band. True where it is a farther one than before, and the margins of its pairs are too
-/// small; a nearer one it is only when well within that, or a body that trembles about the border would be
-/// looked at anew each time.
-bool Movers::GoesFartherOut(Mover *mover, uint8_t *bits) {
+/// Finds the row's band. True where it is another one than before: in a farther one its pairs' margins are
+/// too small; in a nearer one they become smaller, and what was proved of impacts went by the larger. A
+/// nearer one it is only when well within that, or a body that trembles about the border would be looked at
+/// anew each time.
+bool Movers::ChangesBand(Mover *mover, uint8_t *bits) {
     constexpr double kReach0 = static_cast<double>(kBandReach), kWellWithin = 0.75;
     const b2Vec2 place = b2Abs(mover->place.p);
     const double reach =
@@ -222,7 +223,7 @@ bool Movers::GoesFartherOut(Mover *mover, uint8_t *bits) {
         --mover->band;
     while (farthest > std::ldexp(kReach0, mover->band))
         ++mover->band;
-    return mover->band > before;
+    return mover->band != before;
 }
 
 void Movers::Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look) {
@@ -272,7 +273,7 @@ void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, b
         changed = true;
     }
     changed = LookAtShape(&mover, &bits) || changed;
-    changed = GoesFartherOut(&mover, &bits) || changed;
+    changed = ChangesBand(&mover, &bits) || changed;
     changed = changed || ((bits ^ before) & kPlain) != 0;
     // Its pairs with others that sleep are to be put out of sight.
     const bool fellAsleep = (before & kActive) != 0 && (bits & kActive) == 0;

@@ -64,7 +64,7 @@ enum MoverBit : uint8_t {
     kIsSensor = 4, ///< as the fixture says
     kPlain = 8,    ///< no budget for its contacts: no polygon, a broken one, or farther out than all bands
     kChanged =
-        16, ///< another shape than at the look before, or farther out: lines of its pairs prove nothing
+        16, ///< another shape than at the look before, or another band: lines of its pairs prove nothing
     kChangedLate = 32, ///< the same, seen in the middle of a pass: to be said again in the next one
     kLookedAt = 64     ///< since the last pass over pairs began
 };
@@ -167,7 +167,7 @@ private:
     void FindEnd(uint32_t row, bool careful, uint64_t look);
     void Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look);
     bool LookAtShape(Mover *mover, uint8_t *bits) const;
-    static bool GoesFartherOut(Mover *mover, uint8_t *bits);
+    static bool ChangesBand(Mover *mover, uint8_t *bits);
     void Mark(uint32_t row);
 
     Column<Mover> m_rows;
