@@ -427,7 +427,7 @@ void Ledger::EnableDownTo(uint32_t down) {
     if (m_owed > m_count)
         m_owed = m_count;
     while (m_owed > down) {
-        // Those of one word that are owed it, the newest first.
+        // Those of one word that are owed it, in any order: nobody looks in between.
         const uint32_t word = (m_owed - 1) / 64, first = word * 64 > down ? word * 64 : down;
         uint64_t owed = m_awake[word] & ~m_looked[word] & ~uint64_t{0} << (first % 64);
         if (m_owed % 64 != 0)
