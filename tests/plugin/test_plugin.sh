@@ -344,6 +344,14 @@ test_sleepers_are_woken_by_whatever_wakes_them() {
     done
 }
 
+test_no_pair_is_lost() {
+    local what
+    for what in sums thrown numbers returning proxies twice rounded filters; do
+        plays_as_stock "losing_game $what"
+        plays_as_stock "losing_game $what" BOOMERANG_EVERYWHERE=on
+    done
+}
+
 test_filters_and_listeners_may_change_the_listener() {
     plays_as_stock listening_game
     grep -Eq ', [1-9][0-9]* switches' "$room/out" || fail "no listener was changed"
