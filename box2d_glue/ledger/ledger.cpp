@@ -4,6 +4,7 @@
 #include <cstring>
 #include <initializer_list>
 
+#include "ledger/private_members.h"
 #include "start/current_step.h"
 #include "start/settings.h"
 
@@ -49,13 +50,18 @@ bool Ledger::Reserve(uint32_t count) {
 
 bool Ledger::Follow() {
     TrimEnd();
-    if (m_passes > 0) // a step in the midst of one: it may go on here as it is, or not at all
-        return CatchUp();
-    const uint32_t live = static_cast<uint32_t>(m_live);
-    if (m_count > 2 * live + kFewRecords)
-        Compact();
-    if (!CatchUp() && !Begin())
-        return false;
+    if (m_passes > 0) { // a step in the midst of one: it may go on here as it is, or not at all
+        if (!CatchUp())
+            return false;
+    } else {
+        const uint32_t live = static_cast<uint32_t>(m_live);
+        if (m_count > 2 * live + kFewRecords)
+            Compact();
+        if (!CatchUp() && !Begin())
+            return false;
+    }
+    // (Also where the interrupted pass was another one in the midst of the present one: each adds to the
+    // sums, and none of them asks all.)
     if (m_interrupted || m_movers.AreSumsLost()) {
         DropAllProofs();
         m_touchesSure = false;
@@ -211,6 +217,21 @@ uint32_t Ledger::FindNumber(const b2Contact *contact) {
     if (m_manager->m_contactList != Newest())
         CatchUp();
     return NumberOf(contact);
+}
+
+void Ledger::NoteLostProxies(uint32_t number, const b2Contact &ending) {
+    if (number == kNone || !m_proxyPairs.IsKnown(number))
+        return; // as is each of them after the first
+    for (const b2Fixture *fixture : {ending.GetFixtureA(), ending.GetFixtureB()}) {
+        if (FixtureAccess::ProxyCount(fixture) > 0)
+            continue;
+        for (const b2ContactEdge *edge = fixture->GetBody()->GetContactList(); edge != nullptr;
+             edge = edge->next) {
+            const uint32_t i = NumberOf(edge->contact);
+            if (i != kNone && m_proxyPairs.IsKnown(i))
+                m_proxyPairs.Forget(i);
+        }
+    }
 }
 
 void Ledger::Resync() {
@@ -427,7 +448,7 @@ void Ledger::EnableDownTo(uint32_t down) {
     if (m_owed > m_count)
         m_owed = m_count;
     while (m_owed > down) {
-        // Those of one word that are owed it, the newest first.
+        // Those of one word that are owed it, in any order: nobody looks in between.
         const uint32_t word = (m_owed - 1) / 64, first = word * 64 > down ? word * 64 : down;
         uint64_t owed = m_awake[word] & ~m_looked[word] & ~uint64_t{0} << (first % 64);
         if (m_owed % 64 != 0)

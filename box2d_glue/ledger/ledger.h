@@ -88,8 +88,12 @@ public:
     /// asked once a step, ahead of Follow. A world whose pairs nearly all touch, or move too fast for a
     /// budget, is stepped by its list for a while, and tried again.
     bool Pays();
-    /// A step of the world went by without a pass: every pair is due in the next one.
-    void Interrupt() { m_interrupted = true; }
+    /// A step of the world went by without a pass: every pair is due in the next one. If that was in the
+    /// midst of a step that has one, nobody knows who touches in what is left of it.
+    void Interrupt() {
+        m_interrupted = true;
+        m_step = 0;
+    }
     /// So many pairs were looked at in a pass.
     void NoteLooks(uint32_t looks);
     /// Takes in contacts that were made since. False if they do not fit what is here.
@@ -101,6 +105,9 @@ public:
         if (number != kNone && number < m_count && m_contacts[number] == ended)
             Take(number);
     }
+    /// The contact of this number is about to end. Has its body been put out of the world, so that it has no
+    /// proxies? Then none of its contacts has.
+    void NoteLostProxies(uint32_t number, const b2Contact &ending);
     /// Contacts may have ended without a word: takes those out that are in the world's list no more.
     void Resync();
     /// Are all contacts here, as far as can be told at once?

@@ -79,6 +79,12 @@ const b2PolygonShape *PolygonOf(const b2Fixture &fixture) {
 // the difference to a deadline wraps.
 constexpr uint32_t kMostLate = 1u << 29;
 
+/// Where it has one and no more.
+int32 ProxyOf(const b2Fixture *fixture) {
+    return FixtureAccess::ProxyCount(fixture) == 1 ? FixtureAccess::ProxyOf(fixture, 0)
+                                                   : int32{b2BroadPhase::e_nullProxy};
+}
+
 /// kActive, kStops and kIsSensor as they are now.
 uint8_t FlagsOf(const Mover &mover) {
     const b2Body &body = *mover.body;
@@ -147,8 +153,7 @@ uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhas
     m_byFixture.Add(row, keyOf);
     mover.body = fixture->GetBody();
     mover.records = 1;
-    mover.proxy = FixtureAccess::ProxyCount(fixture) == 1 ? FixtureAccess::ProxyOf(fixture, 0)
-                                                          : int32{b2BroadPhase::e_nullProxy};
+    mover.proxy = ProxyOf(fixture);
     m_ends[row] = 0;
     m_sweepBits[row] = kStops; // as far as anybody knows
     m_moved[row] = 0;
@@ -278,6 +283,8 @@ void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, b
     // Its pairs with others that sleep are to be put out of sight.
     const bool fellAsleep = (before & kActive) != 0 && (bits & kActive) == 0;
     bool mark = changed || fellAsleep;
+    if (mover.proxy == b2BroadPhase::e_nullProxy) // by now, if its body is in the world again
+        mover.proxy = ProxyOf(mover.fixture);
     if (mover.proxy != b2BroadPhase::e_nullProxy) {
         const b2AABB &box = broadPhase.GetFatAABB(mover.proxy);
         // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bits, of what is no number, too

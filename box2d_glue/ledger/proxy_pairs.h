@@ -22,6 +22,14 @@ public:
     /// with others: its pair is unknown.
     void Add(uint32_t i, const b2Contact &contact);
     void Remove(uint32_t i);
+    /// The contact of this number is still there, but one of its proxies is not, and may be another fixture's
+    /// by now.
+    void Forget(uint32_t i) {
+        Remove(i);
+        m_pairs[i] = kUnknown;
+        ++m_unknown;
+    }
+    bool IsKnown(uint32_t i) const { return m_pairs[i] != kUnknown; }
     /// The contact of this number has another one from here on.
     void Renumber(uint32_t from, uint32_t to);
     void Empty();

@@ -63,9 +63,11 @@ void b2ContactManager::Destroy(b2Contact *contact) {
         stock::Destroy(this, contact);
         return;
     }
-    // The listener that is told of its end may step the world, or end other contacts: numbers stay.
+    // The listener that is told of its end may step the world, or end other contacts: numbers stay. And it
+    // may make others, which get the proxies of a body that is being put out of the world.
     Ledger::Pass pass(ledger);
     const uint32_t number = ledger->FindNumber(contact);
+    ledger->NoteLostProxies(number, *contact);
     stock::Destroy(this, contact);
     ledger->Remove(number, contact);
     pass.Complete();

@@ -2,6 +2,7 @@
 //
 //   bullet_game unheard FIRST COUNT
 //   bullet_game heard FIRST COUNT
+//   bullet_game swapped FIRST COUNT
 //   bullet_game thrown
 //
 // Random worlds, one for each seed, where bodies become bullets, cease to be, change their types, sleep, are
@@ -11,6 +12,10 @@
 // `unheard`: nobody listens or filters, so that most pairs may be left out. `heard`: crowded, and a listener
 // is told of begins and ends, as in most games; one call in a few it makes bullets, wakes, edits, disables;
 // and a filter does, in every other world.
+//
+// `swapped`: as heard. But who listens and who filters is another one or nobody from time to time, changed
+// between steps and in the midst of them, by listeners and filters themselves; and the world loses all of its
+// bodies, and gets others.
 //
 // `thrown`: a listener throws as the first of many impacts of a step is told. What Box2D had found out of the
 // others is to be forgotten, also where their bodies are no bullets any more and nobody listens.
@@ -29,8 +34,9 @@ namespace {
 
 class Crowd : private b2ContactListener, private b2ContactFilter {
 public:
-    Crowd(uint32_t seed, bool heard)
-        : m_random(seed), m_world(b2Vec2(0.0f, seed % 3 == 0 ? 0.0f : -10.0f)), m_heard(heard) {
+    Crowd(uint32_t seed, bool heard, bool swapped)
+        : m_random(seed), m_world(b2Vec2(0.0f, seed % 3 == 0 ? 0.0f : -10.0f)), m_heard(heard),
+          m_swapped(swapped) {
         if (heard) {
             m_world.SetContactListener(this);
             if (seed % 2 == 0)
@@ -38,17 +44,17 @@ public:
         }
         m_world.SetContinuousPhysics(seed % 11 != 0);
         m_world.SetSubStepping(seed % 17 == 0);
-        AddBox(m_world, b2_staticBody, {0.0f, -1.0f}, {40.0f, 0.3f}, 0.02f);
-        AddBox(m_world, b2_kinematicBody, {5.0f, 3.0f}, {4.0f, 0.05f}, 0.3f)->SetAngularVelocity(0.5f);
-        const int count = 40 + Below(120) + (heard ? 60 : 0);
-        for (int i = 0; i < count; ++i)
-            Add();
+        Fill();
     }
 
     void Play(int steps, Hash *hash) {
         for (int i = 0; i < steps; ++i) {
             for (int changes = Below(4); changes-- > 0;)
                 Change();
+            if (m_swapped && Below(4) == 0)
+                Swap();
+            if (m_swapped && Below(40) == 0)
+                FillAgain();
             m_world.Step(Below(30) == 0 ? 0.0f : 1.0f / 60.0f, 8, 3);
             hash->Add(m_world);
         }
@@ -56,6 +62,22 @@ public:
     }
 
 private:
+    /// The other listener and filter. Of a class without a PreSolve, which is seen by who calls it.
+    class Other final : public b2ContactListener, public b2ContactFilter {
+    public:
+        explicit Other(Crowd *crowd) : m_crowd(crowd) {}
+        void BeginContact(b2Contact *contact) override { m_crowd->EndContact(contact); }
+        void EndContact(b2Contact *contact) override { m_crowd->BeginContact(contact); }
+        bool ShouldCollide(b2Fixture *a, b2Fixture *b) override { return m_crowd->ShouldCollide(b, a); }
+
+    private:
+        Crowd *m_crowd;
+    };
+
+    void PreSolve(b2Contact *contact, const b2Manifold *) override {
+        if (m_swapped && Below(9) == 0)
+            contact->SetEnabled(false);
+    }
     void BeginContact(b2Contact *contact) override { Hear(contact->GetFixtureA(), contact->GetFixtureB()); }
     void EndContact(b2Contact *contact) override { Hear(contact->GetFixtureB(), contact->GetFixtureA()); }
     bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
@@ -67,6 +89,8 @@ private:
     /// then.)
     void Hear(b2Fixture *fixture, b2Fixture *other) {
         ++m_told;
+        if (m_swapped && Below(6) == 0)
+            Swap();
         if (Below(9) != 0 || m_bodies.empty())
             return;
         b2Body *some = m_bodies[static_cast<size_t>(Below(static_cast<int>(m_bodies.size())))];
@@ -110,6 +134,33 @@ private:
         for (b2Contact *contact = m_world.GetContactList(); contact != nullptr; contact = contact->GetNext())
             if (which-- == 0)
                 contact->SetEnabled(false);
+    }
+
+    /// Of listeners and filters each kind, and nobody.
+    void Swap() {
+        b2ContactListener *const listeners[] = {this, &m_other, nullptr};
+        b2ContactFilter *const filters[] = {this, &m_other, nullptr};
+        m_world.SetContactListener(listeners[Below(3)]);
+        if (Below(3) == 0)
+            m_world.SetContactFilter(filters[Below(3)]);
+    }
+
+    void Fill() {
+        AddBox(m_world, b2_staticBody, {0.0f, -1.0f}, {40.0f, 0.3f}, 0.02f);
+        AddBox(m_world, b2_kinematicBody, {5.0f, 3.0f}, {4.0f, 0.05f}, 0.3f)->SetAngularVelocity(0.5f);
+        const int count = 40 + Below(120) + (m_heard ? 60 : 0);
+        for (int i = 0; i < count; ++i)
+            Add();
+    }
+
+    /// Stays empty for as many steps as may be, none among them.
+    void FillAgain() {
+        m_bodies.clear(); // whoever hears of their ends changes none of them
+        while (b2Body *body = m_world.GetBodyList())
+            m_world.DestroyBody(body);
+        for (int steps = Below(3); steps-- > 0;)
+            m_world.Step(1.0f / 60.0f, 8, 3);
+        Fill();
     }
 
     int Below(int n) { return static_cast<int>(m_random() % static_cast<uint32_t>(n)); }
@@ -182,7 +233,8 @@ private:
 
     std::minstd_rand m_random;
     b2World m_world;
-    bool m_heard;
+    bool m_heard, m_swapped;
+    Other m_other{this};
     uint32_t m_told = 0;
     std::vector<b2Body *> m_bodies;
 };
@@ -243,16 +295,17 @@ int main(int argc, char **argv) {
         PlayThrown();
         return 0;
     }
-    const bool heard = argc == 4 && std::strcmp(argv[1], "heard") == 0;
+    const bool swapped = argc == 4 && std::strcmp(argv[1], "swapped") == 0;
+    const bool heard = swapped || (argc == 4 && std::strcmp(argv[1], "heard") == 0);
     if (argc != 4 || (!heard && std::strcmp(argv[1], "unheard") != 0)) {
-        std::fputs("usage: bullet_game unheard|heard FIRST COUNT | thrown\n", stderr);
+        std::fputs("usage: bullet_game unheard|heard|swapped FIRST COUNT | thrown\n", stderr);
         return 2;
     }
     const auto first = static_cast<uint32_t>(std::atoi(argv[2])),
                count = static_cast<uint32_t>(std::atoi(argv[3]));
     for (uint32_t seed = first; seed != first + count; ++seed) {
         Hash hash;
-        Crowd(seed, heard).Play(90, &hash);
+        Crowd(seed, heard, swapped).Play(90, &hash);
         std::printf("seed %u ", seed);
         Print("ends with", hash);
     }

@@ -319,6 +319,17 @@ test_worlds_that_nobody_listens_to() {
     plays_as_stock "bullet_game thrown" BOOMERANG_EVERYWHERE=on
 }
 
+test_whoever_listens_and_filters_may_change_at_any_time() {
+    plays_as_stock "bullet_game swapped 1 ${BMR_LONG_CONTROLS:+2}4"
+    plays_as_stock "bullet_game swapped 61 ${BMR_LONG_CONTROLS:+2}4" BOOMERANG_EVERYWHERE=on
+}
+
+test_crowds_may_be_as_far_out_as_they_like() {
+    plays_as_stock "straying_game crossing 1 ${BMR_LONG_CONTROLS:+10}5"
+    plays_as_stock "straying_game crossing 16 ${BMR_LONG_CONTROLS:+10}5" BOOMERANG_EVERYWHERE=on
+    plays_as_stock "straying_game corners" BOOMERANG_EVERYWHERE=on
+}
+
 test_polygons_may_be_changed_in_place() {
     plays_as_stock changing_game
     plays_as_stock changing_game BOOMERANG_PREFILTER=off
@@ -341,6 +352,14 @@ test_sleepers_are_woken_by_whatever_wakes_them() {
     for what in hit joint flags first last empty; do
         plays_as_stock "waking_game $what"
         plays_as_stock "waking_game $what" BOOMERANG_EVERYWHERE=on
+    done
+}
+
+test_no_pair_is_lost() {
+    local what
+    for what in sums thrown numbers returning proxies twice rounded filters; do
+        plays_as_stock "losing_game $what"
+        plays_as_stock "losing_game $what" BOOMERANG_EVERYWHERE=on
     done
 }
 

@@ -34,6 +34,8 @@ const Script::Action Script::kActions[] = {
     &Script::LookAround,
 };
 const int Script::kActionCount = sizeof kActions / sizeof *kActions;
+const Script::Action Script::kLaterActions[] = {&Script::EmptyWorld, &Script::Crowd, &Script::ChangeHands};
+const int Script::kLaterActionCount = sizeof kLaterActions / sizeof *kLaterActions;
 
 Script::Script(const RunRequest &request)
     : m_bytes(fuzz_bytes_make(request.data, request.size)), m_request(request) {
@@ -149,6 +151,11 @@ b2Contact *Script::SomeContact() {
     return contact;
 }
 
+Script::Action Script::ActionOf(uint8_t code) const {
+    const int later = code - (kFirstStep - kLaterActionCount);
+    return later >= 0 ? kLaterActions[later] : kActions[code % kActionCount];
+}
+
 RunResult Script::Run() {
     int actions = 0;
     while (!fuzz_done(&m_bytes) && actions < kMostActions && m_result.records < kMostRecords - 1) {
@@ -163,7 +170,7 @@ RunResult Script::Run() {
                 return m_result;
         } else {
             ++actions;
-            (this->*kActions[code % kActionCount])();
+            (this->*ActionOf(code))();
         }
     }
     m_result.ending = Ending::Done;

@@ -16,7 +16,7 @@ namespace fuzz {
 /// Header: a byte of flags (without gravity, sub-stepping, in a bin; the upper three bits: of any size), a
 /// byte that says how far from the origin it plays and how far things are apart. Then operations, a byte each
 /// and what it reads: from kFirstStep on steps (every fourth value one step more, up to four), below one of
-/// the actions of script.cpp's table.
+/// the actions of script.cpp's tables.
 class Script {
 public:
     explicit Script(const RunRequest &request);
@@ -118,10 +118,17 @@ private:
     void MoveElsewhere();
     void WakeAll();
     void LookAround();
+    void EmptyWorld();
+    void Crowd();
+    void ChangeHands();
 
     using Action = void (Script::*)();
     static const Action kActions[];
     static const int kActionCount;
+    /// The last codes below kFirstStep: what came later, so that older scripts go on to mean what they meant.
+    static const Action kLaterActions[];
+    static const int kLaterActionCount;
+    Action ActionOf(uint8_t code) const;
 
     fuzz_bytes m_bytes;
     RunRequest m_request;

@@ -166,4 +166,36 @@ void Script::LookAround() {
     Look(Box2D());
 }
 
+/// Of all bodies.
+void Script::EmptyWorld() {
+    DestroyGears();
+    while (b2Body *body = Box2D().GetBodyList())
+        Box2D().DestroyBody(body);
+}
+
+/// As many small bodies as there is room for, in rows: near enough for contacts, far enough for budgets.
+void Script::Crowd() {
+    const int how = Byte();
+    const float size = 0.1f + 0.01f * static_cast<float>(how % 16);
+    const float pitch = 2.0f * size + 0.02f * static_cast<float>(how / 16);
+    const b2Vec2 first = Place();
+    b2PolygonShape box;
+    box.SetAsBox(size, size);
+    b2FixtureDef fixture;
+    fixture.density = 1.0f;
+    fixture.isSensor = how == 255;
+    for (int i = 0; Box2D().GetBodyCount() < kMostBodies; ++i) {
+        b2BodyDef def;
+        def.type = b2_dynamicBody;
+        def.bullet = i % 5 == 0;
+        def.position = first + pitch * b2Vec2(static_cast<float>(i % 5), static_cast<float>(i / 5));
+        m_world->Create(m_world->Create(def), fixture, box);
+    }
+}
+
+void Script::ChangeHands() {
+    m_world->ChangeHands(Byte());
+    m_world->filterReacts = Byte() % 2 != 0;
+}
+
 } // namespace fuzz

@@ -3,7 +3,8 @@
 """Writes first scripts for fuzz_glue: seeds.py DIRECTORY [COUNT [FIRST]]
 
 A header, a few bodies, then steps with actions between them (script.h): what chance finds only after long. In every
-eighth, bodies of many fixtures beside each other, whose vertices are pulled about within them. The same files every time.
+eighth, bodies of many fixtures beside each other, whose vertices are pulled about within them; in another one, worlds that are
+emptied, crowded and listened to by others. The same files every time.
 """
 import pathlib
 import random
@@ -11,6 +12,7 @@ import sys
 
 FIRST_STEP = 160
 ACTIONS = 47
+LATER = [157, 158, 159]  # emptying, a crowd, other listeners (script.cpp: kLaterActions)
 CREATING = [0, 1, 2, 3, 4]
 
 
@@ -49,7 +51,7 @@ def seed(number: int) -> bytes:
     for _ in range(rng.randrange(4, 14)):
         script.append(rng.randrange(FIRST_STEP, 256))
         for _ in range(rng.randrange(0, 4)):
-            script.append(rng.randrange(ACTIONS))
+            script.append(rng.choice(LATER) if number % 8 == 6 and rng.randrange(4) == 0 else rng.randrange(ACTIONS))
             script += [rng.randrange(256) for _ in range(rng.randrange(1, 5))]
     return bytes(script)
 

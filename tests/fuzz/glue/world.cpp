@@ -78,6 +78,9 @@ b2Joint *World::Create(b2JointDef &def) {
 
 void World::Step(float timeStep, int32 velocityIterations, int32 positionIterations) {
     ++m_steps;
+    if (m_handsChanged)
+        ChangeHands(0);
+    m_handsChanged = false;
     m_world.Step(timeStep, velocityIterations, positionIterations);
 }
 
@@ -92,6 +95,13 @@ bool World::IsFinite() const {
 void World::StartRecord(bool inWords) {
     m_recorder.StartStep(inWords);
     m_probes = testbed::HashSink();
+}
+
+void World::ChangeHands(uint32_t how) {
+    b2ContactListener *const listeners[] = {this, &m_other, nullptr, this};
+    b2ContactFilter *const filters[] = {this, &m_other, nullptr, this};
+    m_world.SetContactListener(listeners[how % 4]);
+    m_world.SetContactFilter(filters[how / 4 % 4]);
 }
 
 void World::BeginContact(b2Contact *contact) {
@@ -125,6 +135,8 @@ void World::SayGoodbye(b2Fixture *fixture) {
 
 bool World::ShouldCollide(b2Fixture *a, b2Fixture *b) {
     // The same for a pair whichever of the two comes first.
+    if (filterReacts)
+        ReactAsFilter(a, b);
     const uint32_t pair = (NumberOf(*a) + 1) * (NumberOf(*b) + 1);
     return (refused >> (pair % 8) & 1) == 0 && b2ContactFilter::ShouldCollide(a, b);
 }
@@ -135,6 +147,39 @@ void World::React(b2Contact *contact, uint32_t occasion) {
     const uint32_t reaction = reactions[mixed % kReactions];
     if (reaction != 0)
         ActOn(contact, reaction, mixed / kReactions);
+}
+
+/// What can be done without a contact.
+void World::ReactAsFilter(b2Fixture *a, b2Fixture *b) {
+    const uint32_t mixed = Mix(NumberOf(*a), NumberOf(*b), m_steps, 4);
+    b2Body *third = SomeBody(mixed / 8);
+    switch (mixed % 32) {
+    case 0:
+        m_handsChanged = true;
+        ChangeHands(mixed / 32);
+        break;
+    case 1:
+        a->GetBody()->SetBullet(!a->GetBody()->IsBullet());
+        break;
+    case 2:
+        third->SetAwake(!third->IsAwake());
+        break;
+    case 3:
+        b->GetBody()->SetAwake(false);
+        break;
+    case 4:
+        third->SetLinearVelocity({0.25f * static_cast<float>(mixed / 64 % 64) - 8.0f, 1.0f});
+        break;
+    case 5:
+        b->GetShape()->m_radius = static_cast<float>(mixed / 64 % 8) * b2_polygonRadius;
+        break;
+    case 6:
+        if (!m_world.IsLocked())
+            third->SetTransform(third->GetPosition() + b2Vec2(0.0f, 0.125f), third->GetAngle());
+        break;
+    default:
+        break;
+    }
 }
 
 b2Body *World::SomeBody(uint32_t mixed) {
@@ -224,6 +269,10 @@ void World::ActOn(b2Contact *contact, uint32_t reaction, uint32_t mixed) {
         fixture->SetFriction(amount);
         contact->ResetFriction();
         contact->ResetRestitution();
+        break;
+    case 23: // another listener, filter or none, in the midst of a step
+        m_handsChanged = true;
+        ChangeHands(mixed / 64);
         break;
     default:
         break;

@@ -29,11 +29,14 @@ public:
     testbed::HashSink &Probes() { return m_probes; }
     /// What was recorded is forgotten.
     void StartRecord(bool inWords);
+    /// Another listener and another filter, of the same mind; or none.
+    void ChangeHands(uint32_t how);
     std::string Describe() const { return testbed::DescribeState(m_world, m_recorder); }
 
     static constexpr int kReactions = 8;
     uint8_t reactions[kReactions] = {}; ///< what listeners do
     uint8_t refused = 0;                ///< which pairs the filter refuses
+    bool filterReacts = false;          ///< it does what listeners do, as far as it may
     World *other = nullptr;             ///< a listener may step it
 
 private:
@@ -45,12 +48,27 @@ private:
     void SayGoodbye(b2Fixture *fixture) override;
     bool ShouldCollide(b2Fixture *a, b2Fixture *b) override;
 
+    /// The other listener and filter.
+    class Other final : public b2ContactListener, public b2ContactFilter {
+    public:
+        explicit Other(World *world) : m_to(world) {}
+        void BeginContact(b2Contact *contact) override { m_to->BeginContact(contact); }
+        void EndContact(b2Contact *contact) override { m_to->EndContact(contact); }
+        bool ShouldCollide(b2Fixture *a, b2Fixture *b) override { return m_to->ShouldCollide(a, b); }
+
+    private:
+        World *m_to;
+    };
+
     void React(b2Contact *contact, uint32_t occasion);
+    void ReactAsFilter(b2Fixture *a, b2Fixture *b);
     void ActOn(b2Contact *contact, uint32_t reaction, uint32_t mixed);
     void ProbeContact(b2Contact *contact);
     b2Body *SomeBody(uint32_t mixed);
 
     b2World m_world;
+    Other m_other{this};
+    bool m_handsChanged = false; ///< by a listener or the filter: until the next step
     testbed::EventRecorder m_recorder;
     testbed::HashSink m_probes;
     uintptr_t m_bodiesMade = 0, m_fixturesMade = 0, m_jointsMade = 0;
