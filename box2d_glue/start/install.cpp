@@ -41,7 +41,7 @@ void ListHooks(const char *before, uint32_t hooks) {
 }
 
 void Announce(const Options &options) {
-    const uint32_t reached = options.hooks & GetSettings().reached, off = HooksOffForRounding();
+    const uint32_t reached = options.hooks & GetSettings().reached, off = HooksOffForRounding(GetSettings());
     const uint32_t atWork = reached & ~off;
     std::fprintf(stderr, "boomerang: %s, %s; %s %s; rounds %s Box2D", NameOf(options.mode),
                  bmr_structure_name(options.structure), WayOfHooks(), VersionOfBox2D(),

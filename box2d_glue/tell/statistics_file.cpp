@@ -98,9 +98,9 @@ void WriteStatistics(std::FILE *stream) {
     members.Word("mode", NameOf(options.mode));
     members.Word("structure", bmr_structure_name(options.structure));
     members.Name("hooks");
-    WriteHooks(stream, options.hooks & GetSettings().reached & ~HooksOffForRounding());
+    WriteHooks(stream, options.hooks & GetSettings().reached & ~HooksOffForRounding(GetSettings()));
     members.Name("hooks_off_for_rounding");
-    WriteHooks(stream, HooksOffForRounding());
+    WriteHooks(stream, HooksOffForRounding(GetSettings()));
     members.Name("hooks_not_reached");
     WriteHooks(stream, options.hooks & ~GetSettings().reached);
     members.Number("steps", s.steps);
