@@ -183,7 +183,7 @@ inline bool PolygonContact::ManifoldIsMadeHere() const {
 /// b2CollidePolygons where Box2D rounds otherwise: what it goes by is found here, where that is certain, and
 /// its own source makes the points. Returns the edge that separates the two, as bmr_exact32_collide does.
 inline int32_t PolygonContact::CollideByKnownFace(b2Manifold *manifold, const b2Transform &xfA,
-                                           const b2Transform &xfB, float tolerance) const {
+                                                  const b2Transform &xfB, float tolerance) const {
     const b2PolygonShape &shapeA = ShapeOf(m_fixtureA), &shapeB = ShapeOf(m_fixtureB);
     const bmr_polygon32 a = Polygon32(shapeA), b = Polygon32(shapeB);
     const int32_t face = bmr_exact32_face_contracted(&a, Transform32(xfA), &b, Transform32(xfB),
