@@ -63,7 +63,10 @@ holds "static: of Box2D's many files; hidden: of one" but has_many_files static 
 holds "lto: optimised at link time" but was_optimised_at_link_time lto debian
 holds "onefile: everything is seen" but shows_island onefile debian
 holds "hidden: nothing is seen" but is_hidden hidden static
-for variant in ndebug lto onefile static hidden; do
+# `lean` is there with --long alone.
+knows_types() { nm -C "$(library "$1")" | grep -c 'typeinfo for b2' >/dev/null; }
+[ ! -e "$build/lean" ] || holds "static: knows of types; lean: does not" but knows_types static lean
+for variant in ndebug lto onefile static hidden $([ ! -e "$build/lean" ] || echo lean); do
     play "$variant" heap >"$room/$variant"
     holds "$variant: Debian's bits" cmp -s "$room/$variant" "$room/debian"
 done
