@@ -27,6 +27,11 @@ set(_boomerang_renamed
   "b2_world.cpp@void b2World::Step(float@void b2World::Solve(const b2TimeStep@void b2World::SolveTOI(const b2TimeStep@ b2TimeStep step@SolveTOI(step)@Solve(step)@island.SolveTOI(subStep@DestroyJoint(je0@b2World::~b2World()"
   CACHE INTERNAL "")
 
+# What is compiled a second time, into a function of another name (plugin/reach/renamed/collide_by_face.cpp).
+set(_boomerang_compiled_twice
+  "b2_collide_polygon.cpp@static float b2FindMaxSeparation(int32* edgeIndex, const b2PolygonShape* poly1@b2FindMaxSeparation(&edgeA, polyA@b2FindMaxSeparation(&edgeB, polyB@static void b2FindIncidentEdge(@void b2CollidePolygons(b2Manifold* manifold, const b2PolygonShape* polyA"
+  CACHE INTERNAL "")
+
 function(_boomerang_accelerate_refuses target why)
   message(FATAL_ERROR "boomerang_accelerate(${target}): ${why}")
 endfunction()
@@ -74,6 +79,38 @@ function(_boomerang_check_source target path signs)
   endforeach()
 endfunction()
 
+# The file that compiles one of Box2D's through ours: the one of the same name, or `ours`.
+function(_boomerang_wrap_source target renaming ours name_out wrapper_out)
+  string(REPLACE "@" ";" signs "${renaming}")
+  list(POP_FRONT signs name)
+  _boomerang_find_source(${target} ${name} listed path)
+  if(NOT path)
+    _boomerang_accelerate_refuses(${target} "this is not Box2D 2.4.1 or 2.4.2: the target does not compile ${name}")
+  endif()
+  _boomerang_check_source(${target} "${path}" "${signs}")
+  if(NOT ours)
+    set(ours ${name})
+  endif()
+  set(wrapper "${CMAKE_CURRENT_BINARY_DIR}/boomerang_${target}/${ours}")
+  set(renamed "${BOOMERANG_ACCELERATE_SOURCE}/plugin/reach/renamed/${ours}")
+  file(CONFIGURE OUTPUT "${wrapper}" @ONLY CONTENT [[
+#define BMR_BOX2D_SOURCE "@path@"
+#define BMR_BOX2D_ISLAND "@dynamics@/b2_island.h"
+#define BMR_BOX2D_CONTACT_SOLVER "@dynamics@/b2_contact_solver.h"
+#include "@renamed@"
+]])
+  set_source_files_properties("${wrapper}" TARGET_DIRECTORY ${target} PROPERTIES
+    SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON OBJECT_DEPENDS "${path};${renamed}")
+  foreach(property COMPILE_OPTIONS COMPILE_FLAGS COMPILE_DEFINITIONS INCLUDE_DIRECTORIES)
+    get_property(value SOURCE "${path}" TARGET_DIRECTORY ${target} PROPERTY ${property})
+    if(value)
+      set_property(SOURCE "${wrapper}" TARGET_DIRECTORY ${target} PROPERTY ${property} "${value}")
+    endif()
+  endforeach()
+  set(${name_out} ${name} PARENT_SCOPE)
+  set(${wrapper_out} "${wrapper}" PARENT_SCOPE)
+endfunction()
+
 function(boomerang_accelerate)
   if(NOT ARGC EQUAL 1)
     _boomerang_accelerate_refuses("${ARGN}" "it takes one argument, the target that compiles b2_world.cpp")
@@ -106,36 +143,17 @@ function(boomerang_accelerate)
 
   set(root "${BOOMERANG_ACCELERATE_SOURCE}")
   set(renamed "${root}/plugin/reach/renamed")
-  set(room "${CMAKE_CURRENT_BINARY_DIR}/boomerang_${target}")
   get_filename_component(dynamics "${path}" DIRECTORY)
   set(renamings ${_boomerang_renamed})
   if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_SIZEOF_VOID_P EQUAL 8)
     list(APPEND renamings "b2_timer.cpp@b2Timer::b2Timer()@m_start_usec") # reach/stock.h: BMR_TIMERS_ARE_REACHED
   endif()
   foreach(renaming IN LISTS renamings)
-    string(REPLACE "@" ";" signs "${renaming}")
-    list(POP_FRONT signs name)
-    _boomerang_find_source(${target} ${name} listed path)
-    if(NOT path)
-      _boomerang_accelerate_refuses(${target} "this is not Box2D 2.4.1 or 2.4.2: the target does not compile ${name}")
-    endif()
-    _boomerang_check_source(${target} "${path}" "${signs}")
-    file(CONFIGURE OUTPUT "${room}/${name}" @ONLY CONTENT [[
-#define BMR_BOX2D_SOURCE "@path@"
-#define BMR_BOX2D_ISLAND "@dynamics@/b2_island.h"
-#define BMR_BOX2D_CONTACT_SOLVER "@dynamics@/b2_contact_solver.h"
-#include "@renamed@/@name@"
-]])
-    list(TRANSFORM sources REPLACE "^.+$" "${room}/${name}" REGEX "^(.*/)?${name}$")
-    set_source_files_properties("${room}/${name}" TARGET_DIRECTORY ${target} PROPERTIES
-      SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON OBJECT_DEPENDS "${path};${renamed}/${name}")
-    foreach(property COMPILE_OPTIONS COMPILE_FLAGS COMPILE_DEFINITIONS INCLUDE_DIRECTORIES)
-      get_property(value SOURCE "${path}" TARGET_DIRECTORY ${target} PROPERTY ${property})
-      if(value)
-        set_property(SOURCE "${room}/${name}" TARGET_DIRECTORY ${target} PROPERTY ${property} "${value}")
-      endif()
-    endforeach()
+    _boomerang_wrap_source(${target} "${renaming}" "" listed wrapper)
+    list(TRANSFORM sources REPLACE "^.+$" "${wrapper}" REGEX "^(.*/)?${listed}$")
   endforeach()
+  _boomerang_wrap_source(${target} "${_boomerang_compiled_twice}" collide_by_face.cpp listed wrapper)
+  list(APPEND sources "${wrapper}")
   get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
   if(NOT "C" IN_LIST languages)
     _boomerang_accelerate_refuses(${target} "the project needs the language C, too: project(... LANGUAGES C CXX), or enable_language(C) ahead of the call")

@@ -3,6 +3,10 @@
 #define BOOMERANG_PLUGIN_START_H
 
 #include <atomic>
+#include <mutex>
+
+#include "start/process_locks.h"
+#include "start/reach.h"
 
 /// @file
 /// How the plugin starts where the program does not call bmr::Install: at the program's first b2World::Step.
@@ -16,6 +20,17 @@ namespace internal {
 /// Set ahead of the first step, cleared when it has started.
 extern std::atomic<bool> startsByItself;
 void StartNow();
+
+/// Of StartNow: `start()`, once, whoever else comes meanwhile.
+template <typename Start> void StartOnce(const Start &start) {
+    if (IsFindingReachedHooks()) // Install does, on this thread
+        return;
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Starting));
+    if (!startsByItself.load(std::memory_order_relaxed))
+        return;
+    start();
+    startsByItself.store(false, std::memory_order_release);
+}
 } // namespace internal
 
 /// The first line of b2World::Step. Whoever comes while another thread is starting waits for it.

@@ -175,8 +175,28 @@ void PolygonContact::CountAnswer(Answer answer) const {
 /// polygon that was never Set has none.)
 inline bool PolygonContact::ManifoldIsMadeHere() const {
     const auto known = [](const b2PolygonShape &shape) { return shape.m_count >= 3 && shape.m_count <= 8; };
-    return HookIsOn(Hook::TouchingManifold) && GetSettings().sameRounding && known(ShapeOf(m_fixtureA)) &&
-           known(ShapeOf(m_fixtureB));
+    return HookIsOn(Hook::TouchingManifold) &&
+           (GetSettings().sameRounding || GetSettings().collideByFace != nullptr) &&
+           known(ShapeOf(m_fixtureA)) && known(ShapeOf(m_fixtureB));
+}
+
+/// b2CollidePolygons where Box2D rounds otherwise: what it goes by is found here, where that is certain, and
+/// its own source makes the points. Returns the edge that separates the two, as bmr_exact32_collide does.
+inline int32_t PolygonContact::CollideByKnownFace(b2Manifold *manifold, const b2Transform &xfA,
+                                                  const b2Transform &xfB, float tolerance) const {
+    const b2PolygonShape &shapeA = ShapeOf(m_fixtureA), &shapeB = ShapeOf(m_fixtureB);
+    const bmr_polygon32 a = Polygon32(shapeA), b = Polygon32(shapeB);
+    const int32_t face = bmr_exact32_face_contracted(&a, Transform32(xfA), &b, Transform32(xfB),
+                                                     shapeA.m_radius + shapeB.m_radius, tolerance);
+    if (face >= BMR_SEPARATES32) {
+        manifold->pointCount = 0;
+        return face - BMR_SEPARATES32;
+    }
+    if (face == BMR_NO_EDGE32)
+        b2CollidePolygons(manifold, &shapeA, xfA, &shapeB, xfB);
+    else
+        GetSettings().collideByFace(manifold, &shapeA, xfA, &shapeB, xfB, face);
+    return BMR_NO_EDGE32;
 }
 
 /// b2CollidePolygons; where a face separates the two, remembers it and returns true.
@@ -184,8 +204,10 @@ inline bool PolygonContact::CollideHere(b2Manifold *manifold, const b2Transform 
                                         const b2Transform &xfB) {
     constexpr float kTolerance = 0.1f * b2_linearSlop; // Box2D's: B's face must be better by this
     const bmr_polygon32 a = Polygon32(ShapeOf(m_fixtureA)), b = Polygon32(ShapeOf(m_fixtureB));
-    const int32_t edge = bmr_exact32_collide(Manifold32(manifold), &a, Transform32(xfA), &b, Transform32(xfB),
-                                             RadiusSum(), kTolerance);
+    const int32_t edge = GetSettings().sameRounding
+                             ? bmr_exact32_collide(Manifold32(manifold), &a, Transform32(xfA), &b,
+                                                   Transform32(xfB), RadiusSum(), kTolerance)
+                             : CollideByKnownFace(manifold, xfA, xfB, kTolerance);
     if (!EdgesAreOn())
         return false;
     state.link.byEdge.ofB = edge >= BMR_EDGES_OF_B32;

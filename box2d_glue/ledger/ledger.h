@@ -12,6 +12,7 @@
 #include "ledger/bodies.h"
 #include "ledger/column.h"
 #include "ledger/movers.h"
+#include "ledger/proof_rest.h"
 #include "ledger/proxy_pairs.h"
 #include "start/compiler.h"
 
@@ -94,8 +95,11 @@ public:
         m_interrupted = true;
         m_step = 0;
     }
-    /// So many pairs were looked at in a pass.
-    void NoteLooks(uint32_t looks);
+    /// So many pairs were looked at in a pass; of those, so many because they touch.
+    void NoteLooks(uint32_t looks, uint32_t touching);
+    /// In a step by the world's list so many of the pairs that are awake touched. Where most do the ledger
+    /// is not tried again soon: pairs that touch are looked at in every pass.
+    void NoteTouchingInList(uint32_t touching);
     /// Takes in contacts that were made since. False if they do not fit what is here.
     bool CatchUp();
     /// The number of a contact that is about to end (it may have been made since), kNone where it has none.
@@ -319,6 +323,8 @@ public:
         m_movers.LookAtEnd(record.b, m_sweepsCarefully, m_look);
         return !bmr_budget_is_due(record.deadline, m_movers.End(record.a), m_movers.End(record.b));
     }
+    /// Of proofs ahead of Box2D's search for impacts, in steps by the world's list.
+    ProofRest &RestOfSearches() { return m_restOfSearches; }
     /// Did the last search find an impact? Then the next one most likely does, too.
     bool FoundImpact() const { return m_foundImpact; }
     void SetFoundImpact(bool found) { m_foundImpact = found; }
@@ -444,7 +450,10 @@ private:
     bool m_touchesSure = false;
     bool m_alphasClear = false;
     uint64_t m_awakeAloneIn = 0;
+    bool MostOf(uint64_t pairs) const { return 2 * pairs > static_cast<uint64_t>(m_live); }
+
     uint32_t m_triedPasses = 0, m_restingSteps = 0; ///< see Pays
+    ProofRest m_restOfSearches;
     uint64_t m_triedLooks = 0, m_triedPairs = 0;
 };
 

@@ -41,11 +41,12 @@ void ListHooks(const char *before, uint32_t hooks) {
 }
 
 void Announce(const Options &options) {
-    const uint32_t reached = options.hooks & GetSettings().reached, off = HooksOffForRounding();
+    const uint32_t reached = options.hooks & GetSettings().reached, off = HooksOffForRounding(GetSettings());
     const uint32_t atWork = reached & ~off;
+    const Presence presence = GetPresence();
     std::fprintf(stderr, "boomerang: %s, %s; %s %s; rounds %s Box2D", NameOf(options.mode),
-                 bmr_structure_name(options.structure), WayOfHooks(), VersionOfBox2D(),
-                 GetSettings().sameRounding ? "as" : "otherwise than");
+                 bmr_structure_name(options.structure), presence.way, presence.box2d,
+                 presence.roundsAsBox2D ? "as" : "otherwise than");
     ListHooks(atWork == kNoHooks ? "; hooks: none" : "; hooks:", atWork);
     if (off != kNoHooks)
         ListHooks("; off, for it rounds otherwise:", off);

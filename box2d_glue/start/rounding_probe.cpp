@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "start/rounding_probe.h"
 
+#include <atomic>
 #include <cfloat>
 #include <cmath>
+#include <cstring>
 
 #include <box2d/b2_collision.h>
 #include <box2d/b2_polygon_shape.h>
@@ -46,7 +48,68 @@ bool AgreesAt(float angle, float tilt, float distance) {
     return LeavesEarly(a, xfA, b, xfB);
 }
 
+std::atomic<CollideByFace> collideByFace{nullptr};
+
+/// Two polygons that overlap, in the i-th of many ways.
+struct Overlapping {
+    b2PolygonShape a, b;
+    b2Transform xfA, xfB;
+
+    explicit Overlapping(int i) {
+        const float x = static_cast<float>(i), around = 0.61f * x;
+        b2Vec2 corners[b2_maxPolygonVertices];
+        const int32 count = 3 + i % (b2_maxPolygonVertices - 2);
+        for (int32 k = 0; k < count; ++k) {
+            const float angle =
+                (static_cast<float>(k) + 0.013f * x) * 2.0f * b2_pi / static_cast<float>(count);
+            corners[k] = kSize * b2Vec2(0.83f * std::cos(angle), 0.59f * std::sin(angle));
+        }
+        a.SetAsBox(2.3f * kSize, 0.77f * kSize);
+        b.Set(corners, count);
+        xfA.Set(kSize * b2Vec2(1.3f + 0.7f * x, -0.7f), 0.37f * x);
+        xfB.Set(xfA.p + b2Mul(xfA.q, kSize * b2Vec2(2.6f * std::cos(around), 1.1f * std::sin(around))),
+                0.37f * x + 0.41f * std::sin(1.7f * x));
+    }
+
+    static constexpr float kSize = b2_lengthUnitsPerMeter;
+};
+
+/// 1: the two give the same bits; 0: they do not; -1: this pair does not tell.
+int AgreesOf(CollideByFace byFace, const Overlapping &pair) {
+    const bmr_polygon32 a = Polygon32(pair.a), b = Polygon32(pair.b);
+    const int32_t face = bmr_exact32_face_contracted(&a, Transform32(pair.xfA), &b, Transform32(pair.xfB),
+                                                     pair.a.m_radius + pair.b.m_radius, 0.1f * b2_linearSlop);
+    b2Manifold whole, known;
+    std::memset(static_cast<void *>(&whole), 0, sizeof whole);
+    std::memset(static_cast<void *>(&known), 0, sizeof known);
+    b2CollidePolygons(&whole, &pair.a, pair.xfA, &pair.b, pair.xfB);
+    if (face < 0 || face >= BMR_SEPARATES32 || whole.pointCount == 0)
+        return -1;
+    byFace(&known, &pair.a, pair.xfA, &pair.b, pair.xfB, face);
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bits, and all of them were written
+    return std::memcmp(&whole, &known, sizeof whole) == 0 ? 1 : 0;
+}
+
 } // namespace
+
+void SetCollideByFace(CollideByFace function) {
+    collideByFace.store(function, std::memory_order_relaxed);
+}
+
+CollideByFace FindCollideByFace() {
+    constexpr int kPairs = 96, kLeast = 32;
+    const CollideByFace byFace = collideByFace.load(std::memory_order_relaxed);
+    if (byFace == nullptr)
+        return nullptr;
+    int told = 0;
+    for (int i = 0; i < kPairs; ++i) {
+        const int agrees = AgreesOf(byFace, Overlapping(i));
+        if (agrees == 0)
+            return nullptr;
+        told += agrees > 0 ? 1 : 0;
+    }
+    return told >= kLeast ? byFace : nullptr;
+}
 
 bool Box2DRoundsAsExact32() {
     constexpr int kProbes = 32; // a contracted build disagrees in about half of them

@@ -37,14 +37,15 @@ bool MakeSettings(const Options &options, uint32_t reached) {
         made.compass = compass; // for as long as the process lives: hulls of every world point to it
     }
     made.sameRounding = Box2DRoundsAsExact32();
+    made.collideByFace = made.sameRounding ? nullptr : FindCollideByFace();
     internal::settings = made;
     return true;
 }
 
 void ActivateHooks() {
-    const Options &options = GetSettings().options;
-    internal::activeHooks =
-        options.mode == Mode::Off ? kNoHooks : (options.hooks & ~kHooksWithoutRoom) | internal::kInstalled;
+    const Settings &settings = GetSettings();
+    const uint32_t answer = settings.options.hooks & ~kHooksWithoutRoom & ~HooksOffForRounding(settings);
+    internal::activeHooks = settings.options.mode == Mode::Off ? kNoHooks : answer | internal::kInstalled;
 }
 
 } // namespace bmr

@@ -8,6 +8,7 @@
 #include "boomerang/box2d_glue.h"
 #include "boomerang/pair.h"
 #include "start/compiler.h"
+#include "start/rounding_probe.h"
 
 namespace bmr {
 
@@ -22,6 +23,7 @@ struct Settings {
     /// The hooks that Box2D's calls come by, where anybody is told of them; all where nobody is.
     uint32_t reached = kAllHooks;
     bool sameRounding = false; ///< Box2D here rounds as core/exact32 does: its bits can be computed here
+    CollideByFace collideByFace = nullptr; ///< where it does not: Box2D's own points of a known face
 };
 
 namespace internal {
@@ -68,13 +70,15 @@ inline bool NothingIsInstalled() {
 }
 
 /// The hooks that answer nothing where Box2D rounds otherwise than core/exact32: theirs are the bits of its
-/// operations.
+/// operations. (But for manifolds, where Box2D's own source makes their points.)
 constexpr uint32_t kHooksOfSameRounding =
     Bit(Hook::TouchingManifold) | Bit(Hook::FixtureBoxes) | Bit(Hook::TreeUpdates);
-inline uint32_t HooksOffForRounding() {
-    const Settings &settings = GetSettings();
-    return settings.sameRounding ? kNoHooks
-                                 : settings.options.hooks & settings.reached & kHooksOfSameRounding;
+inline uint32_t HooksOffForRounding(const Settings &settings) {
+    const uint32_t off = settings.sameRounding ? kNoHooks
+                         : settings.collideByFace != nullptr
+                             ? kHooksOfSameRounding & ~Bit(Hook::TouchingManifold)
+                             : kHooksOfSameRounding;
+    return settings.options.hooks & settings.reached & off;
 }
 
 /// Is every answer to be compared with Box2D's?

@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: MIT
+#include "start/reach.h"
+#include "start/recognise.h"
 #include "start/settings.h"
 
 namespace bmr {
+
+Presence GetPresence() {
+    Presence presence;
+    presence.way = WayOfHooks();
+    presence.box2d = VersionOfBox2D();
+    presence.roundsAsBox2D = GetSettings().sameRounding;
+    return presence;
+}
 
 Statistics GetStatistics() {
     const Counts &counts = GetCounts();

@@ -97,10 +97,15 @@ void WriteStatistics(std::FILE *stream) {
     Members members(stream, "  ");
     members.Word("mode", NameOf(options.mode));
     members.Word("structure", bmr_structure_name(options.structure));
+    const Presence presence = GetPresence();
+    members.Word("way", presence.way);
+    members.Word("box2d", presence.box2d);
+    members.Name("rounds_as_box2d");
+    std::fputs(presence.roundsAsBox2D ? "true" : "false", stream);
     members.Name("hooks");
-    WriteHooks(stream, options.hooks & GetSettings().reached & ~HooksOffForRounding());
+    WriteHooks(stream, options.hooks & GetSettings().reached & ~HooksOffForRounding(GetSettings()));
     members.Name("hooks_off_for_rounding");
-    WriteHooks(stream, HooksOffForRounding());
+    WriteHooks(stream, HooksOffForRounding(GetSettings()));
     members.Name("hooks_not_reached");
     WriteHooks(stream, options.hooks & ~GetSettings().reached);
     members.Number("steps", s.steps);

@@ -72,28 +72,42 @@ static inline float4 only_below(int32_t count, float4 separations) {
     return count < 4 ? select4(first_lanes4(count, 0), separations, all4(-FLT_MAX)) : separations;
 }
 
-/// The largest separation and the first edge that has it, as a plain loop from -FLT_MAX on would find them.
+/// Of all edges; -FLT_MAX past the count.
+typedef struct separations {
+    float4 low, high;
+} separations;
+
 /// `frame` as bmr_exact32_max_separation's, in a register.
-static inline max_edge find_max_edge(const bmr_polygon32 *reference, const bmr_polygon32 *other,
-                                     float4 frame) {
+static inline separations separate_all(const bmr_polygon32 *reference, const bmr_polygon32 *other,
+                                       float4 frame) {
     const int32_t count = reference->count;
     const four_edges low = pose_edges(reference->normals, reference->vertices, count, frame);
-    const float4 lows = only_below(count, separate_four(&low, other));
-    float4 highs = all4(-FLT_MAX);
+    separations s = {only_below(count, separate_four(&low, other)), all4(-FLT_MAX)};
     if (count > 4) {
         const four_edges high = pose_edges(reference->normals + 4, reference->vertices + 4, count - 4, frame);
-        highs = only_below(count - 4, separate_four(&high, other));
+        s.high = only_below(count - 4, separate_four(&high, other));
     }
+    return s;
+}
+
+/// The largest separation and the first edge that has it, as a plain loop from -FLT_MAX on would find them.
+static inline max_edge largest_of(const separations *s) {
     max_edge found;
-    found.separation = most_of4(max4(lows, highs));
+    found.separation = most_of4(max4(s->low, s->high));
     const float4 all = all4(found.separation);
-    const unsigned hits = bits4(equal4(lows, all)) | bits4(equal4(highs, all)) << 4;
+    const unsigned hits = bits4(equal4(s->low, all)) | bits4(equal4(s->high, all)) << 4;
     found.edge = lowest_bit(hits);
     if (!(found.separation > -FLT_MAX)) { // nothing beats what the loop began with
         found.separation = -FLT_MAX;
         found.edge = 0;
     }
     return found;
+}
+
+static inline max_edge find_max_edge(const bmr_polygon32 *reference, const bmr_polygon32 *other,
+                                     float4 frame) {
+    const separations s = separate_all(reference, other, frame);
+    return largest_of(&s);
 }
 
 #endif

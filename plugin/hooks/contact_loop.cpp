@@ -21,6 +21,7 @@
 #include "contacts/polygon_contact.h"
 #include "hooks/contact_access.h"
 #include "hooks/short_list.h"
+#include "hooks/tree_descent.h"
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
 #include "reach/stock.h"
@@ -37,10 +38,12 @@ bool IsActive(const b2Body *body) {
     return body->IsAwake() && body->GetType() != b2_staticBody;
 }
 
-bool BoxesOverlap(const b2ContactManager *manager, const b2Contact *contact) {
-    return manager->m_broadPhase.TestOverlap(
-        FixtureAccess::ProxyOf(contact->GetFixtureA(), contact->GetChildIndexA()),
-        FixtureAccess::ProxyOf(contact->GetFixtureB(), contact->GetChildIndexB()));
+inline bool BoxesOverlap(const b2ContactManager *manager, const b2Contact *contact) {
+    const auto box = [manager](const b2Fixture *fixture, int32 child) {
+        return BoxOf(manager->m_broadPhase.GetFatAABB(FixtureAccess::ProxyOf(fixture, child)));
+    };
+    return Overlap(box(contact->GetFixtureA(), contact->GetChildIndexA()),
+                   box(contact->GetFixtureB(), contact->GetChildIndexB()));
 }
 
 void Update(b2Contact *contact, b2ContactListener *listener) {
@@ -67,8 +70,8 @@ SolidContact *SensorThatLives(b2Contact *contact) {
     return ours != nullptr && ours->IsOfPolygons() ? ours : nullptr;
 }
 
-/// Brings one contact up to date; false where it is to be destroyed.
-inline bool Persists(b2ContactManager *manager, b2Contact *contact) {
+/// Brings one contact up to date; false where it is to be destroyed. Counts those that are awake and touch.
+inline bool Persists(b2ContactManager *manager, b2Contact *contact, uint32_t *touching) {
     b2Fixture *fixtureA = contact->GetFixtureA(), *fixtureB = contact->GetFixtureB();
     if (SolidContact::WantsFiltering(*contact)) {
         if (!PassesFilters(manager, fixtureA, fixtureB))
@@ -80,15 +83,17 @@ inline bool Persists(b2ContactManager *manager, b2Contact *contact) {
     if (!BoxesOverlap(manager, contact))
         return false;
     Update(contact, manager->m_contactListener);
+    *touching += contact->IsTouching() ? 1 : 0;
     return true;
 }
 
-/// The world's list, contact by contact.
-void CollideByList(b2ContactManager *manager) {
+/// The world's list, contact by contact. How many of those that are awake touch.
+uint32_t CollideByList(b2ContactManager *manager) {
+    uint32_t touching = 0;
     b2Contact *contact = manager->m_contactList;
     while (contact != nullptr) {
         ContactNumber::Prefetch(contact->GetNext());
-        if (Persists(manager, contact)) {
+        if (Persists(manager, contact, &touching)) {
             contact = contact->GetNext();
         } else {
             b2Contact *parted = contact;
@@ -96,6 +101,7 @@ void CollideByList(b2ContactManager *manager) {
             manager->Destroy(parted);
         }
     }
+    return touching;
 }
 
 /// nullptr where it has no contacts.
@@ -146,7 +152,7 @@ private:
     Ledger::Pass m_pass;
     b2ContactListener *m_listener = nullptr; ///< of the update that is under way
     bool m_preSolves = true; ///< the listener's PreSolve is not the empty one of b2ContactListener
-    uint32_t m_looks = 0;
+    uint32_t m_looks = 0, m_touching = 0; ///< in this pass; of them, those that touch and are due again
     uint32_t m_at = 0;   ///< records from here on are passed; the one that is visited is the last of them
     uint64_t m_seen = 0; ///< the look that the pass goes by, as long as no code of the game ran
     uint64_t m_due =
@@ -284,8 +290,10 @@ void LedgerPass::Look(uint32_t i, b2Contact *contact) {
         ProveApart(m_ledger, i, ours);
     else if (canProve) // a sensor's
         ProveOverlap(m_ledger, i);
-    else
+    else {
         m_ledger->SetDue(i);
+        m_touching += contact->IsTouching() ? 1 : 0;
+    }
 }
 
 void LedgerPass::Visit(uint32_t i) {
@@ -357,7 +365,7 @@ void LedgerPass::Run() {
         }
     }
     m_pass.Complete();
-    m_ledger->NoteLooks(m_looks);
+    m_ledger->NoteLooks(m_looks, m_touching);
     // Somebody may ask: in this step; or after it, whether what he disabled in the one before is enabled.
     const bool gameMayRun = IsOfGame(m_manager->m_contactListener) || IsOfGame(m_manager->m_contactFilter);
     if (gameMayRun || m_ledger->DidGameRun() || !m_ledger->AreSearchesForImpactsSeen())
@@ -413,7 +421,9 @@ BMR_NOINLINE void CollideHere(b2ContactManager *manager) {
     // What contacts do meanwhile the ledger does not see: nothing that it knows holds when it is asked again.
     if (Ledger *passedOver = FindLedger(manager))
         passedOver->Interrupt();
-    CollideByList(manager);
+    const uint32_t touching = CollideByList(manager);
+    if (Ledger *passedOver = FindLedger(manager))
+        passedOver->NoteTouchingInList(touching);
 }
 
 } // namespace

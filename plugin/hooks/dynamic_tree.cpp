@@ -16,7 +16,7 @@ namespace bmr::hooks {
 namespace {
 
 bool IsOurs() {
-    return HookIsOn(Hook::TreeUpdates) && RoundsToNearest() && GetSettings().sameRounding;
+    return HookIsOn(Hook::TreeUpdates) && RoundsToNearest();
 }
 
 /// Does what `ours(log)` does, which says whether it did it and gives its result, undoes it and has Box2D do

@@ -143,7 +143,7 @@ bool SynchronizeHere(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Trans
     const b2Shape &shape = *fixture->GetShape();
     const Corners corners = CornersOf(shape);
     b2FixtureProxy *proxy = ProxyAccess::OnlyProxyOf(fixture);
-    if (corners.count == 0 || proxy == nullptr || !GetSettings().sameRounding)
+    if (corners.count == 0 || proxy == nullptr)
         return false;
     const Swept swept = corners.big != nullptr ? SweepBig(corners.big->polygon, shape.m_radius, xf1, xf2)
                                                : Sweep(corners, shape.m_radius, xf1, xf2);
@@ -173,8 +173,7 @@ bool SynchronizeHere(b2Fixture *, b2BroadPhase *, const b2Transform &, const b2T
 
 BMR_NOINLINE void SynchronizeInstalled(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
                                        const b2Transform &xf2) {
-    if (!HookIsOn(Hook::FixtureBoxes) || !RoundsToNearest() ||
-        !SynchronizeHere(fixture, broadPhase, xf1, xf2))
+    if (!RoundsToNearest() || !SynchronizeHere(fixture, broadPhase, xf1, xf2))
         stock::Synchronize(fixture, broadPhase, xf1, xf2);
 }
 
@@ -188,8 +187,8 @@ using namespace bmr::hooks;
 BMR_FOR_LOADERS("_ZN9b2Fixture11SynchronizeEP12b2BroadPhaseRK11b2TransformS4_");
 
 void b2Fixture::Synchronize(b2BroadPhase *broadPhase, const b2Transform &xf1, const b2Transform &xf2) {
-    if (NothingIsInstalled())
-        stock::Synchronize(this, broadPhase, xf1, xf2);
-    else
+    if (HookIsOn(Hook::FixtureBoxes))
         SynchronizeInstalled(this, broadPhase, xf1, xf2);
+    else
+        stock::Synchronize(this, broadPhase, xf1, xf2);
 }

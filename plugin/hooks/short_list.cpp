@@ -62,8 +62,10 @@ ShortList::~ShortList() {
 
 /// False, and none is kept, where there are too many.
 inline bool ShortList::Keep(b2Contact *contact) {
+    constexpr uint32_t kChoicesToRest = 16;
     if (m_count == kMost) {
         m_count = 0;
+        m_choicesToRest = kChoicesToRest;
         return false;
     }
     m_room->kept[m_count++] = {contact, Links::Next(contact)};
@@ -98,6 +100,10 @@ void ShortList::Choose() {
     m_changed = false;
     if (m_room == nullptr)
         return;
+    if (m_choicesToRest > 0) {
+        --m_choicesToRest;
+        return;
+    }
     if (m_ledger != nullptr && (!GameMayRun() || m_ledger->LeavesOutCarefully()) && m_ledger->CatchUp()) {
         ChooseByLedger();
         return;

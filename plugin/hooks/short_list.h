@@ -112,6 +112,7 @@ private:
     int32 m_suspensions = 0;       ///< that have not ended; the list is whole while there are any
     b2Contact *m_first = nullptr;  ///< of the whole list
     int32 m_contactCount = 0;      ///< of the whole list, when it was chosen from
+    uint32_t m_choicesToRest = 0;  ///< the list stays whole so many times: too many were kept the last time
     int32 m_count = 0;             ///< of those that are kept; 0 where the list stays whole
     Room *m_room;                  ///< nullptr: none is left, and the list stays whole
 };

@@ -37,6 +37,8 @@ using namespace bmr::hooks;
 
 namespace {
 
+constexpr uint32_t kSearchesToRest = 32;
+
 /// Impacts are looked for where one of the two moves and one of the two may not be tunnelled through.
 bool MayImpact(bool awakeA, b2BodyType typeA, bool bulletA, bool awakeB, b2BodyType typeB, bool bulletB) {
     const bool moves = (awakeA && typeA != b2_staticBody) || (awakeB && typeB != b2_staticBody);
@@ -153,6 +155,12 @@ void b2World::SolveTOI(const b2TimeStep &step) {
         stock::SolveToi(this, step);
         return;
     }
+    ProofRest &rest = ledger != nullptr ? ledger->RestOfSearches() : stepping.restOfSearches;
+    if (!byLedger && !rest.IsOver()) {
+        const ImpactsAreBox2Ds left;
+        stock::SolveToi(this, step);
+        return;
+    }
     const auto begin = [](b2Body *body) {
         body->m_flags &= static_cast<uint16>(~b2Body::e_islandFlag);
         body->m_sweep.alpha0 = 0.0f;
@@ -184,7 +192,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
         SolveByLedger(this, step, &m_stepComplete, ledger, &m_contactManager, isDone);
         return;
     }
-    uint32_t unproved = 0;
+    uint32_t asked = 0, unproved = 0;
     for (b2Contact *contact = m_contactManager.m_contactList; contact != nullptr; contact = contact->m_next) {
         ContactNumber::ForgetImpact(contact);
         const b2Fixture *fixtureA = contact->m_fixtureA, *fixtureB = contact->m_fixtureB;
@@ -193,8 +201,10 @@ void b2World::SolveTOI(const b2TimeStep &step) {
             !MayImpact(bodyA->IsAwake(), bodyA->m_type, bodyA->IsBullet(), bodyB->IsAwake(), bodyB->m_type,
                        bodyB->IsBullet()))
             continue;
+        ++asked;
         unproved += isDone(contact) ? 0 : 1;
     }
+    rest.Note(asked, unproved, kSearchesToRest);
     if (Verifying()) {
         stock::SolveToi(this, step);
         return;

@@ -16,7 +16,7 @@
 
 namespace bmr::hooks {
 
-BMR_THREAD Stepping stepping = {nullptr, nullptr, 0, nullptr, nullptr, nullptr, nullptr};
+BMR_THREAD Stepping stepping = {};
 
 namespace {
 

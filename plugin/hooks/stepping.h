@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "ledger/proof_rest.h"
 #include "start/compiler.h"
 #include "start/rounding_mode.h"
 
@@ -64,6 +65,9 @@ struct Stepping {
     InChain<ShortList> *shortList; ///< the newest that is alive
     uint32_t knownImpacts;         ///< so many questions are left that KnownImpacts sends to Box2D
     bool *stepComplete;            ///< while there are any: what KnownImpacts sets to true
+    ProofRest restOfSearches; ///< of proofs ahead of Box2D's search for impacts, in worlds without a ledger
+    ProofRest restOfImpacts;  ///< of proofs when it asks once more
+    bool impactsAreBox2Ds;    ///< nothing is to be proved in the search that is under way: it would not pay
     /// Whose new contacts were looked for last, if that came by here.
     const b2ContactManager *searched;
     InChain<TouchingList> *touchingList; ///< the newest that is alive
@@ -81,6 +85,18 @@ inline bool InStep() {
 
 /// Box2D's own b2TimeOfImpact, or what stands for it where a polygon is too big for that.
 void RealTimeOfImpact(b2TOIOutput *output, const b2TOIInput *input);
+
+/// As long as it lives this thread's questions to b2TimeOfImpact go to Box2D.
+class ImpactsAreBox2Ds {
+public:
+    ImpactsAreBox2Ds() { stepping.impactsAreBox2Ds = true; }
+    ~ImpactsAreBox2Ds() { stepping.impactsAreBox2Ds = m_before; }
+    ImpactsAreBox2Ds(const ImpactsAreBox2Ds &) = delete;
+    ImpactsAreBox2Ds &operator=(const ImpactsAreBox2Ds &) = delete;
+
+private:
+    bool m_before = stepping.impactsAreBox2Ds;
+};
 
 /// As long as it lives, so many of this thread's next questions to b2TimeOfImpact go to Box2D at once: a
 /// proof was sought for them already, in vain. They are the first thing that b2World::SolveTOI does, before

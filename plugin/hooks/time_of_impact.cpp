@@ -15,6 +15,10 @@
 
 namespace bmr::hooks {
 
+namespace {
+constexpr uint32_t kImpactsToRest = 256;
+} // namespace
+
 void RealTimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
     if (AnyBigPolygon() && BigImpact(output, *input))
         return;
@@ -40,12 +44,15 @@ void b2TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
     }
     if (AnyBigPolygon() && BigImpact(output, *input))
         return;
-    if (!HookIsOn(Hook::TimeOfImpact) || !InStep()) {
+    if (!HookIsOn(Hook::TimeOfImpact) || stepping.impactsAreBox2Ds || !InStep() ||
+        !stepping.restOfImpacts.IsOver()) {
         stock::TimeOfImpact(output, input);
         return;
     }
     Count(&Counts::toiQueries);
-    if (!NeverTouch(*input)) {
+    const bool never = NeverTouch(*input);
+    stepping.restOfImpacts.Note(1, never ? 0 : 1, kImpactsToRest);
+    if (!never) {
         stock::TimeOfImpact(output, input);
         return;
     }

@@ -15,6 +15,7 @@ class b2ContactManager;
 class b2DynamicTree;
 class b2Fixture;
 class b2Joint;
+class b2PolygonShape;
 class b2Shape;
 class b2Timer;
 class b2World;
@@ -25,6 +26,7 @@ struct b2DistanceOutput;
 struct b2DistanceProxy;
 struct b2Filter;
 struct b2JointDef;
+struct b2Manifold;
 struct b2ShapeCastInput;
 struct b2ShapeCastOutput;
 struct b2SimplexCache;
@@ -79,6 +81,13 @@ BMR_STOCK(Synchronize, "_ZN9b2Fixture11SynchronizeEP12b2BroadPhaseRK11b2Transfor
           void(b2Fixture *, b2BroadPhase *, const b2Transform &, const b2Transform &));
 BMR_STOCK(Refilter, "_ZN9b2Fixture8RefilterEv", void(b2Fixture *));
 BMR_STOCK(SetFilterData, "_ZN9b2Fixture13SetFilterDataERK8b2Filter", void(b2Fixture *, const b2Filter &));
+
+#if defined(BMR_RENAMED)
+/// b2CollidePolygons of a reference face that is known: start/rounding_probe.h. Nothing of Box2D's has a name
+/// for it.
+void CollideByFace(b2Manifold *manifold, const b2PolygonShape *polyA, const b2Transform &xfA,
+                   const b2PolygonShape *polyB, const b2Transform &xfB, int32 face);
+#endif
 
 BMR_STOCK(CreateProxy, "_ZN13b2DynamicTree11CreateProxyERK6b2AABBPv",
           int32(b2DynamicTree *, const b2AABB &, void *));

@@ -165,7 +165,7 @@ int Execute(const CompareCommand &command, const Workers &workers) {
     CheckPerturb(scenes, command.options);
     OutputFile json(command.json), csv(command.csv);
     const bool colour = WantsColour(STDOUT_FILENO);
-    const int runsPerScene = RunsPerScene(command.options);
+    const int runsPerScene = RunsPerScene(workers, command.options);
 
     if (!workers.CanCount() && !command.quiet)
         std::cerr << "note: libboomerang-count.so is not built: calls of Box2D stay uncounted\n";

@@ -237,6 +237,11 @@ void CompareAnswers(const Workers &workers, const CompareOptions &options, Scene
     result.verdict = *differences == 0.0 ? Verdict::Identical : Verdict::Different;
 }
 
+/// Stock, contacts alone, all hooks; and the accelerated Box2D where there is one.
+int TimedSides(const Workers &workers) {
+    return workers.CanAccelerate() ? 4 : 3;
+}
+
 void Measure(const Workers &workers, const CompareOptions &options, SceneResult &result, Progress &progress) {
     progress.Show(result.scene.name + ": counting", 0.0);
     auto tick = [&progress] { progress.Tick(); };
@@ -251,12 +256,12 @@ void Measure(const Workers &workers, const CompareOptions &options, SceneResult 
     for (int i = 0; i < options.repeat; ++i) {
         progress.Show(result.scene.name + ": timing", 0.0);
         // Taking turns at who goes first, so that a machine that warms up or slows down favours nobody.
-        constexpr Side kSides[] = {Side::Stock, Side::Register, Side::Plugin};
-        constexpr int kSideCount = 3;
+        constexpr Side kSides[] = {Side::Stock, Side::Register, Side::Plugin, Side::Accelerated};
         std::vector<nlohmann::json> *const times[] = {&result.stockTimes, &result.registerTimes,
-                                                      &result.pluginTimes};
-        for (int turn = 0; turn < kSideCount; ++turn) {
-            const int side = (turn + i) % kSideCount;
+                                                      &result.pluginTimes, &result.acceleratedTimes};
+        const int sides = TimedSides(workers);
+        for (int turn = 0; turn < sides; ++turn) {
+            const int side = (turn + i) % sides;
             times[side]->push_back(
                 workers.Summarise(RequestFor(kSides[side], result, options, "time"), options.worker, tick));
             progress.Finish();
@@ -278,12 +283,12 @@ const char *NameOf(Verdict verdict) {
     return "failed";
 }
 
-int RunsPerScene(const CompareOptions &options) {
+int RunsPerScene(const Workers &workers, const CompareOptions &options) {
     if (options.verify)
         return 1;
     constexpr int kHashing = 1; // all sides run at once
     constexpr int kCounting = 2;
-    return kHashing + kCounting + (options.time ? 3 * options.repeat : 0);
+    return kHashing + kCounting + (options.time ? TimedSides(workers) * options.repeat : 0);
 }
 
 const Variant *FindVariant(const SceneResult &result, Side side) {

@@ -64,12 +64,12 @@ struct SceneResult {
     nlohmann::json verifyCount;             ///< summary of the verifying run; null where there was none
     std::string verifyWords;                ///< what the plugin said of the first difference
     nlohmann::json stockCount, pluginCount; ///< summaries of the counting runs; null where there were none
-    /// Summaries of the timed runs, paired by index.
-    std::vector<nlohmann::json> stockTimes, registerTimes, pluginTimes;
+    /// Summaries of the timed runs, paired by index. (The accelerated Box2D's: where there is one.)
+    std::vector<nlohmann::json> stockTimes, registerTimes, pluginTimes, acceleratedTimes;
 };
 
 /// Worker runs that comparing one scene takes: the unit of the progress bar.
-int RunsPerScene(const CompareOptions &options);
+int RunsPerScene(const Workers &workers, const CompareOptions &options);
 
 /// The variant of that side, or nullptr where it was not run.
 const Variant *FindVariant(const SceneResult &result, Side side);

@@ -160,6 +160,9 @@ void Figures::AddTimes(const SceneResult &result) {
         Add("plugin." + name + "_us_per_step", Scaled(Median(plugin), factor));
         Add("register." + name + "_us_per_step", Scaled(Median(contacts), factor));
         Add("ratio_register." + name, Median(PairedRatios(stock, contacts)));
+        const std::vector<double> accelerated = Column(result.acceleratedTimes, time.pointer);
+        Add("accelerated." + name + "_us_per_step", Scaled(Median(accelerated), factor));
+        Add("ratio_accelerated." + name, Median(PairedRatios(stock, accelerated)));
         const std::vector<double> ratios = PairedRatios(stock, plugin);
         Add("ratio." + name, Median(ratios));
         Add("ratio." + name + "_least",

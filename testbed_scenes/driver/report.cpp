@@ -32,13 +32,17 @@ void PrintTable(std::ostream &out, const std::vector<SceneResult> &results, cons
     table.Print(out, colour);
 }
 
+bool AnyIsAccelerated(const std::vector<SceneResult> &results) {
+    return std::any_of(results.begin(), results.end(), [](const SceneResult &result) {
+        return FindVariant(result, Side::Accelerated) != nullptr;
+    });
+}
+
 /// A column for each way to have the plugin at work, and one for all of them. (The accelerated Box2D's where
 /// there is one.)
 void PrintVerdicts(std::ostream &out, const std::vector<SceneResult> &results, bool colour) {
     std::vector<Side> sides = {Side::Register, Side::Plugin, Side::Preloaded};
-    if (std::any_of(results.begin(), results.end(), [](const SceneResult &result) {
-            return FindVariant(result, Side::Accelerated) != nullptr;
-        }))
+    if (AnyIsAccelerated(results))
         sides.push_back(Side::Accelerated);
     auto cell = [](Verdict verdict) {
         return Table::Cell{NameOf(verdict), verdict == Verdict::Identical ? Style::Good : Style::Bad};
@@ -108,7 +112,8 @@ nlohmann::json ToJson(const SceneResult &result) {
     json["summaries"] = {{"stock", {{"count", result.stockCount}, {"time", result.stockTimes}}},
                          {"register", {{"time", result.registerTimes}}},
                          {"verify", {{"count", result.verifyCount}, {"words", result.verifyWords}}},
-                         {"plugin", {{"count", result.pluginCount}, {"time", result.pluginTimes}}}};
+                         {"plugin", {{"count", result.pluginCount}, {"time", result.pluginTimes}}},
+                         {"accelerated", {{"time", result.acceleratedTimes}}}};
     return json;
 }
 
@@ -127,7 +132,7 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
     print(TestTable());
     print(BudgetTable());
     print(EventTable());
-    const SceneTable times = TimeTable(options.repeat);
+    const SceneTable times = TimeTable(options.repeat, AnyIsAccelerated(results));
     if (options.time)
         print(times);
     out << '\n' << Styled("Whether the bits agree", Style::Strong, colour) << '\n';

@@ -53,7 +53,7 @@ public:
           m_bodies(Wants(command, "bodies")), m_events(Wants(command, "events")), m_steps(command.steps) {
         m_options.repeat = command.repeat;
         const size_t compared = m_scenes.size() + (m_bodies ? std::size(kGrowingSizes) : 0);
-        m_progress.emplace(RunsPerScene(m_options) * static_cast<int>(compared) +
+        m_progress.emplace(RunsPerScene(m_workers, m_options) * static_cast<int>(compared) +
                                (m_events ? kEventUnits * static_cast<int>(1 + std::size(kOtherVertices)) : 0),
                            command.quiet);
     }
@@ -79,7 +79,7 @@ public:
 private:
     SceneResult Compare(const SceneInfo &scene) {
         SceneResult result = CompareScene(m_workers, scene, m_options, *m_progress);
-        Advance(RunsPerScene(m_options));
+        Advance(RunsPerScene(m_workers, m_options));
         return result;
     }
 

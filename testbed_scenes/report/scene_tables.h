@@ -25,7 +25,8 @@ const SceneTable &BudgetTable(); ///< which pairs were looked at
 const SceneTable &EventTable();  ///< what the plugin did instead
 const SceneTable &VerifyTable(); ///< every answer held beside Box2D's
 /// Times; medians of so many runs.
-SceneTable TimeTable(int repeat);
+/// `accelerated`: with columns of a Box2D that was compiled with the plugin.
+SceneTable TimeTable(int repeat, bool accelerated = false);
 
 /// What the ways to have the plugin at work are called, and what "bits" are: for times and verdicts.
 const std::vector<std::string> &VerdictLegend();

@@ -10,6 +10,9 @@ void FinishTrace() {}
 const char *PluginName() {
     return "stock";
 }
+nlohmann::json PluginPresence() {
+    return nullptr;
+}
 nlohmann::json PluginStatistics() {
     return nullptr;
 }

@@ -127,6 +127,11 @@ const char *PluginName() {
     return IsToldToBeOff() ? "off" : "plugin";
 }
 
+nlohmann::json PluginPresence() {
+    const bmr::Presence presence = bmr::GetPresence();
+    return {{"way", presence.way}, {"box2d", presence.box2d}, {"rounds_as_box2d", presence.roundsAsBox2D}};
+}
+
 nlohmann::json PluginStatistics() {
     const bmr::Statistics counted = bmr::GetStatistics();
     nlohmann::json events;

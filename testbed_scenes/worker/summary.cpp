@@ -107,6 +107,7 @@ nlohmann::json Summary::ToJson(const b2World &world) const {
     const double steps = static_cast<double>(std::max(m_steps, 1L));
     nlohmann::json json = {{"scene", m_info.name},
                            {"program", PluginName()},
+                           {"presence", PluginPresence()},
                            {"mode", NameOf(m_options.mode)},
                            {"size", m_options.size.value_or(m_info.size)},
                            {"seed", m_options.seed.value_or(m_info.seed)},

@@ -25,6 +25,8 @@ inside='not at work, .*: the program has a Box2D of its own inside (boomerang_ac
 nobody='never at work: no b2World::Step came by (has the program its own Box2D inside?)$'
 units='not at work, .*: b2_lengthUnitsPerMeter is 10 here, 1 in the Box2D this was built for$'
 fused="on, .*rounds otherwise than Box2D; hooks: $loops ledger; off, for it rounds otherwise: touching-manifold fixture-boxes tree-updates\$"
+# Compiled with Box2D, the points of a manifold are made by its own source.
+fused_inside="on, .*rounds otherwise than Box2D; hooks: $loops touching-manifold ledger; off, for it rounds otherwise: fixture-boxes tree-updates\$"
 fused_behind="on, .*rounds otherwise than Box2D; hooks: none; off, for it rounds otherwise: touching-manifold; not reached by this Box2D's calls: $loops fixture-boxes tree-updates ledger\$"
 
 fails() {
@@ -34,6 +36,9 @@ fails() {
 
 # number NAME: of the JSON file
 number() { sed -nE "s/^ *\"$1\": ([0-9]+),?\$/\\1/p" "$room/json"; }
+
+# word NAME: the same
+word() { sed -nE "s/^ *\"$1\": \"(.*)\",?\$/\\1/p" "$room/json"; }
 
 # says VARIANT WAY LINE [COUNT...]: with the plugin in this way, the game's one line is this; these counts are above zero, or, where
 # none is named, there are none at all.
@@ -51,6 +56,12 @@ says() {
     fi
     if [ $# -eq 0 ] && [ -e "$room/json" ]; then
         fails "$variant, $way: counts something"
+        return
+    fi
+    # The file says the same of the way and the rounding as the line.
+    if [ $# -gt 0 ] && { ! grep -qF "; $(word way) $(word box2d); rounds " "$room/err" ||
+        [ "$(grep -c '"rounds_as_box2d": true' "$room/json")" -ne "$(grep -c 'rounds as Box2D' "$room/err")" ]; }; then
+        fails "$variant, $way: the JSON file has another way or rounding than \"$(cat "$room/err")\""
         return
     fi
     for name; do
@@ -78,7 +89,7 @@ for variant in static hidden; do
 done
 for variant in "${accelerated[@]}"; do
     line=$all
-    [ "$variant" != fma ] || line=$fused
+    [ "$variant" != fma ] || line=$fused_inside
     says "$variant" accelerated "${line/on, /on, .*; compiled with Box2D 2.4.1; }" steps evaluations looks
 done
 # Control: what is said of one Box2D is not said of another.

@@ -144,6 +144,21 @@ test_compare_reports_identical_scenes() {
         fail "CSV rows of different lengths"
 }
 
+# Where there is a worker whose Box2D was compiled with the plugin it has its columns; nobody else speaks of it. (Which worker it
+# is tests nothing here: the linked one stands in.)
+test_an_accelerated_worker_has_its_columns() {
+    mkdir -p "$scratch/accelerated"
+    ln -sf "$bin/boomerang-scene" "$bin/boomerang-scene-plugin" "$scratch/accelerated"
+    expect 0 --workers "$scratch/accelerated" compare "$classic" --steps "$steps" --repeat 1 --quiet --json "$scratch/report.json"
+    ! grep -q '"accelerated": "identical"' "$scratch/report.json" || fail "a worker that is not there was run"
+    ln -sf "$bin/boomerang-scene-plugin" "$scratch/accelerated/boomerang-scene-accelerated"
+    expect 0 --workers "$scratch/accelerated" compare "$classic" --steps "$steps" --repeat 1 --json "$scratch/report.json"
+    out_has 'register +linked +from +to +accelerated$'
+    json_is "$scratch/report.json" identical scenes 0 variants accelerated
+    json_number "$scratch/report.json" scenes 0 figures accelerated step_us_per_step
+    json_number "$scratch/report.json" scenes 0 figures ratio_accelerated step
+}
+
 # Whatever the caller has in the environment is not what the workers get.
 test_compare_ignores_the_callers_plugin_settings() {
     BOOMERANG=off BOOMERANG_HOOKS=none BOOMERANG_VERBOSE=1 expect 0 compare "$hard" --steps "$steps" --no-time --quiet

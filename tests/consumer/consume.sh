@@ -7,6 +7,8 @@
 #   pkg_config         the same with nothing but the compiler and pkg-config
 #   add_subdirectory   builds them together with the sources, and runs them
 #   static_box2d       builds a program with Box2D inside: what CMake says of it, and that it runs
+#   accelerated        a game with a Box2D of its own, of the sources BOX2D_SOURCE, accelerated by what is installed (for whoever has
+#                      such sources: tests/stages/builds.sh)
 #   uninstall          takes the installation away and checks that no file is left
 # Environment: SOURCE, BUILD (the tree to install from), WORK (a directory of our own), WITH_BOX2D, WITH_KINETIC (ON or OFF), CC, CXX.
 set -euo pipefail
@@ -144,6 +146,18 @@ static_box2d)
     for setting in '' on verify; do
         [ "$(BOOMERANG=$setting "$out/bin/game" 2>&1)" = 'time 1 radius 1.5' ] || fail "BOOMERANG=$setting: a game with Box2D inside does not run"
     done
+    ;;
+accelerated)
+    build_with_cmake -DCMAKE_PREFIX_PATH="$prefix" -DBOX2D_SOURCE="${BOX2D_SOURCE:?}"
+    grep -q "^boomerang_DIR:PATH=$prefix/" "$out/CMakeCache.txt" ||
+        fail "this was another Boomerang than the one that this test installed"
+    "$out/bin/consume_box2d"
+    "$out/bin/game_stock" >"$WORK/stock.txt" 2>"$WORK/said.txt"
+    [ ! -s "$WORK/said.txt" ] || fail "stock says something: $(cat "$WORK/said.txt")"
+    BOOMERANG_VERBOSE=1 "$out/bin/game" >"$WORK/game.txt" 2>"$WORK/said.txt"
+    cmp "$WORK/stock.txt" "$WORK/game.txt" || fail "the accelerated game has other bits"
+    grep -q '^boomerang: on, .*; compiled with Box2D 2\.4\.1; .*; hooks: .* ledger$' "$WORK/said.txt" ||
+        fail "the installed package does not accelerate: $(cat "$WORK/said.txt")"
     ;;
 uninstall)
     [ -n "$(find "$prefix" -type f)" ] || fail "nothing was installed"

@@ -12,8 +12,10 @@ build=${1:?} suffix=${2?} not_reached=${3?}
 shift 3
 runner=("$@")
 room=$(mktemp -d)
+holds_shows=$room/said
 trap 'rm -rf "$room"' EXIT
-passed=0 failed=0
+# shellcheck source=tests/support/holds.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/holds.sh"
 # What goes round for ever ends: many hundred times what a game needs of a processor, however busy the machine is.
 ulimit -t 120
 unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
@@ -26,16 +28,6 @@ play() {
     local status=${PIPESTATUS[0]}
     tr -d '\r' <"$room/err" >"$room/said"
     return "$status"
-}
-holds() {
-    local name=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $name: $(head -c 600 "$room/said")"
-    fi
 }
 same() { play "$@" && cmp -s "$room/out" "$room/stock"; }
 says() { grep -q "^boomerang: $1" "$room/said"; }
@@ -60,5 +52,4 @@ holds "the interface" play consume_box2d
 # Control: stock says nothing of the kind.
 play game_stock BOOMERANG=on BOOMERANG_VERBOSE=1
 holds "control: a game without the plugin is noticed" test ! -s "$room/said"
-printf '%s: %d passed, %d failed\n' "$build" "$passed" "$failed"
-[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
+all_hold "$build: "

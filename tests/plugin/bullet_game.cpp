@@ -97,14 +97,13 @@ private:
         switch (Below(9)) {
         case 0:
         case 1:
-            some->SetBullet(!some->IsBullet());
+            SwitchBullet(some);
             break;
         case 2:
-            fixture->GetBody()->SetBullet(true);
-            Throw(fixture->GetBody());
+            ThrowAsBullet(fixture->GetBody());
             break;
         case 3:
-            some->SetAwake(Below(2) == 0);
+            WakeOrNot(some);
             break;
         case 4:
             some->SetLinearVelocity({Between(-20.0f, 20.0f), 0.0f});
@@ -184,6 +183,13 @@ private:
         body->SetAngularVelocity(Between(-9.0f, 9.0f));
     }
 
+    void ThrowAsBullet(b2Body *body) {
+        body->SetBullet(true);
+        Throw(body);
+    }
+    static void SwitchBullet(b2Body *body) { body->SetBullet(!body->IsBullet()); }
+    void WakeOrNot(b2Body *body) { body->SetAwake(Below(2) == 0); }
+
     void Change() {
         if (m_bodies.empty()) {
             Add();
@@ -193,11 +199,10 @@ private:
         switch (Below(12)) {
         case 0:
         case 1:
-            some->SetBullet(!some->IsBullet());
+            SwitchBullet(some);
             break;
         case 2:
-            some->SetBullet(true);
-            Throw(some);
+            ThrowAsBullet(some);
             break;
         case 3:
             Throw(some);
@@ -210,7 +215,7 @@ private:
             Throw(some);
             break;
         case 6:
-            some->SetAwake(Below(2) == 0);
+            WakeOrNot(some);
             break;
         case 7:
             some->SetTransform({Between(-9.0f, 9.0f), Between(0.0f, 9.0f)}, Between(0.0f, 6.0f));

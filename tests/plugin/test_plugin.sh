@@ -161,12 +161,16 @@ test_what_is_announced_is_what_is_reached() {
     one_line "announced" 'hooks: time-of-impact test-overlap solve-toi contact-loop pair-finding profile-clock touching-manifold fixture-boxes tree-updates ledger$'
     grep -q "\"hooks\": \[$all\]" "$room/json" || fail "in front: hooks that are reached are not listed"
     grep -q '"hooks_not_reached": \[\]' "$room/json" || fail "in front: hooks are not reached"
+    grep -q '"way": "ahead of Box2D"' "$room/json" || fail "in front: the way is another"
+    grep -q '"box2d": "2.4.1"' "$room/json" || fail "another version of Box2D is named"
+    grep -q '"rounds_as_box2d": true' "$room/json" || fail "Debian's Box2D rounds otherwise"
     [ "$(number steps)" -eq 240 ] || fail "in front: the step that finds out was counted"
     # Behind, only Box2D's register leads here.
     game late_game BOOMERANG=on BOOMERANG_VERBOSE=1
     same_output "announced, behind"
     one_line "announced, behind" "hooks: touching-manifold; not reached by this Box2D's calls: time-of-impact .* profile-clock fixture-boxes tree-updates ledger\$"
     grep -q '"hooks": \["touching-manifold"\]' "$room/json" || fail "behind: hooks are listed that are not reached"
+    grep -q '"way": "behind Box2D"' "$room/json" || fail "behind: the way is another"
     game late_game BOOMERANG=on BOOMERANG_HOOKS=none,+solve-toi BOOMERANG_VERBOSE=1
     one_line "announced, behind, one hook" "hooks: none; not reached by this Box2D's calls: solve-toi\$"
     grep -q '"hooks_not_reached": \["solve-toi"\]' "$room/json" || fail "behind: one hook is not listed as out of reach"

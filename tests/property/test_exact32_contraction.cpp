@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// bmr_exact32_separates_contracted against every way to fuse the products and sums of a separation, and
-// against rational arithmetic.
+// bmr_exact32_separates_contracted and bmr_exact32_face_contracted against every way to fuse the products and
+// sums of a separation, and against rational arithmetic.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
@@ -207,6 +207,111 @@ Case Worsened(dice *d, Case at, Contraction *how, int steps) {
     return at;
 }
 
+/// Two polygons, most of them with a face of one towards a face of the other, as they lie on each other.
+struct Lying {
+    bmr_vec32 vertices[2][8], normals[2][8];
+    int32_t count[2];
+    bmr_transform32 pose[2];
+    float radiusSum, tolerance;
+
+    bmr_polygon32 Polygon(int side) const { return {vertices[side], normals[side], count[side]}; }
+};
+
+/// Of so many vertices, around the origin; not regular.
+void MakeConvex(dice *d, Lying *lying, int side, double width, double height) {
+    const auto count = static_cast<int32_t>(3 + dice_below(d, 6));
+    lying->count[side] = count;
+    bmr_vec32 *const v = lying->vertices[side];
+    const double first = dice_in(d, 0.0, 6.3);
+    for (int32_t i = 0; i < 8; ++i) { // past the count is nothing that counts
+        const double turn = first + (i + dice_in(d, -0.2, 0.2)) * 6.283185307 / count;
+        v[i] = {static_cast<float>(width * std::cos(turn)), static_cast<float>(height * std::sin(turn))};
+    }
+    if (count == 4) {
+        const auto w = static_cast<float>(width), h = static_cast<float>(height);
+        v[0] = {-w, -h}, v[1] = {w, -h}, v[2] = {w, h}, v[3] = {-w, h};
+    }
+    for (int32_t i = 0; i < 8; ++i) {
+        const bmr_vec32 from = v[i], to = v[i + 1 < count ? i + 1 : 0];
+        const double x = static_cast<double>(to.x - from.x), y = static_cast<double>(to.y - from.y);
+        const double length = std::max(std::hypot(x, y), 1e-30);
+        lying->normals[side][i] = {static_cast<float>(y / length), static_cast<float>(-x / length)};
+    }
+}
+
+Lying RandomLying(dice *d) {
+    Lying lying = {};
+    const bool ground = dice_below(d, 4) == 0;
+    const double size = std::pow(10.0, dice_in(d, -1.0, 0.5));
+    MakeConvex(d, &lying, 0, ground ? 40.0 : size, size * dice_in(d, 0.3, 1.0));
+    MakeConvex(d, &lying, 1, size, size * dice_in(d, 0.3, 1.0));
+    lying.radiusSum = 0.02f;
+    lying.tolerance = 0.0005f;
+    lying.pose[0] = random_pose32(d, dice_below(d, 3) == 0 ? 1e4 : 10.0);
+    if (dice_below(d, 2) == 0)
+        lying.pose[0].s = 0.0f, lying.pose[0].c = 1.0f;
+    // A face of B against one of A, nearly parallel, some way along it.
+    const auto i = dice_below(d, static_cast<uint32_t>(lying.count[0])),
+               j = dice_below(d, static_cast<uint32_t>(lying.count[1]));
+    const bmr_vec32 n = lying.normals[0][i], m = lying.normals[1][j];
+    const auto angle = [](bmr_vec32 v) {
+        return std::atan2(static_cast<double>(v.y), static_cast<double>(v.x));
+    };
+    const double tilt = std::pow(10.0, dice_in(d, -8.0, -0.3)) * (dice_below(d, 2) == 0 ? 1.0 : -1.0);
+    const bmr_transform32 &at = lying.pose[0];
+    const double turnA = std::atan2(static_cast<double>(at.s), static_cast<double>(at.c));
+    const double turnB = turnA + angle(n) + 3.14159265358979 - angle(m) + tilt;
+    lying.pose[1].s = static_cast<float>(std::sin(turnB));
+    lying.pose[1].c = static_cast<float>(std::cos(turnB));
+    const auto placed = [](const bmr_transform32 &t, bmr_vec32 v, double *x, double *y) {
+        *x = static_cast<double>(t.c * v.x - t.s * v.y), *y = static_cast<double>(t.s * v.x + t.c * v.y);
+    };
+    double ax, ay, bx, by, nx, ny;
+    placed(at, lying.vertices[0][i], &ax, &ay);
+    placed(lying.pose[1], lying.vertices[1][j], &bx, &by);
+    placed(at, n, &nx, &ny);
+    const double gap = dice_in(d, -0.03, 0.03), along = dice_in(d, -size, 2.0 * size);
+    lying.pose[1].p = {at.p.x + static_cast<float>(ax - bx + nx * gap - ny * along),
+                       at.p.y + static_cast<float>(ay - by + ny * gap + nx * along)};
+    return lying;
+}
+
+/// b2FindMaxSeparation of this side's edges.
+float MostOf(const Lying &lying, int side, Contraction how, int32_t *edge) {
+    float most = -FLT_MAX;
+    *edge = 0;
+    Case at = {};
+    at.count = lying.count[1 - side];
+    std::copy_n(lying.vertices[1 - side], 8, at.points);
+    at.reference = lying.pose[side];
+    at.other = lying.pose[1 - side];
+    for (int32_t i = 0; i < lying.count[side]; ++i) {
+        at.vertex = lying.vertices[side][i];
+        at.normal = lying.normals[side][i];
+        const float separation = Evaluate(at, how);
+        if (separation > most) {
+            most = separation;
+            *edge = i;
+        }
+    }
+    return most;
+}
+
+/// What b2CollidePolygons goes by: a face, or BMR_SEPARATES32.
+int32_t FaceOf(const Lying &lying, Contraction ofA, Contraction ofB) {
+    int32_t edgeA, edgeB;
+    const float a = MostOf(lying, 0, ofA, &edgeA), b = MostOf(lying, 1, ofB, &edgeB);
+    if (a > lying.radiusSum || b > lying.radiusSum)
+        return BMR_SEPARATES32;
+    return b > a + lying.tolerance ? BMR_EDGES_OF_B32 + edgeB : edgeA;
+}
+
+int32_t ClaimedFace(const Lying &lying) {
+    const bmr_polygon32 a = lying.Polygon(0), b = lying.Polygon(1);
+    return bmr_exact32_face_contracted(&a, &lying.pose[0], &b, &lying.pose[1], lying.radiusSum,
+                                       lying.tolerance);
+}
+
 } // namespace
 
 TEST_CASE("no way to fuse gives less than what is claimed, in any range") {
@@ -300,5 +405,73 @@ TEST_CASE("what lies past the count changes no claim") {
         const float beyond =
             Evaluate(at, {Bits(&d)}) - static_cast<float>(dice_in(&d, 0.0, 64.0) * kUnit * SizeOf(at));
         CHECK(Claims(at, beyond) == Claims(other, beyond));
+    }
+}
+
+TEST_CASE("no way to fuse makes another face the reference than the one that is claimed") {
+    dice d = {11};
+    size_t pairs = 0, ofA = 0, ofB = 0, apart = 0, denied = 0, deniedPlain = 0;
+    for (size_t i = 0; i < test_scaled(100000); ++i) {
+        Lying lying = RandomLying(&d);
+        // Some of which one way of rounding, and not another, is just at what is compared with.
+        int32_t edge;
+        const float a = MostOf(lying, 0, kNone, &edge), b = MostOf(lying, 1, kNone, &edge);
+        if (i % 16 == 0)
+            lying.radiusSum = a;
+        else if (i % 16 == 1)
+            lying.tolerance = b - a;
+        const int32_t claimed = ClaimedFace(lying), plain = FaceOf(lying, kNone, kNone);
+        ++pairs;
+        ofA += claimed >= 0 && claimed < BMR_EDGES_OF_B32;
+        ofB += claimed >= BMR_EDGES_OF_B32 && claimed < BMR_SEPARATES32;
+        apart += claimed >= BMR_SEPARATES32;
+        for (int ways = 0; ways < 4; ++ways) {
+            const int32_t found = FaceOf(lying, {Bits(&d)}, {Bits(&d)});
+            deniedPlain += found != plain;
+            if (claimed != BMR_NO_EDGE32)
+                denied += found != std::min<int32_t>(claimed, BMR_SEPARATES32);
+        }
+    }
+    std::printf("of %zu pairs %zu faces of A, %zu of B, %zu apart\n", pairs, ofA, ofB, apart);
+    CHECK(denied == 0);
+    // It is claimed of most, of each kind: else nothing claimed would pass, too.
+    CHECK(4 * (ofA + ofB + apart) > 3 * pairs);
+    CHECK(20 * std::min({ofA, ofB, apart}) > pairs);
+    // Control: the face that one way of rounding takes is not that of all.
+    CHECK(deniedPlain > 0);
+}
+
+TEST_CASE("of numbers that are none no face is claimed but where Box2D takes it") {
+    dice d = {13};
+    constexpr float kInfinity = std::numeric_limits<float>::infinity(),
+                    kNan = std::numeric_limits<float>::quiet_NaN();
+    size_t left = 0;
+    for (size_t i = 0; i < test_scaled(20000); ++i) {
+        Lying lying = RandomLying(&d);
+        const auto side = dice_below(&d, 2), which = dice_below(&d, 6);
+        const auto of = dice_below(&d, static_cast<uint32_t>(lying.count[side]));
+        float *const numbers[] = {
+            &lying.vertices[side][of].x, &lying.normals[side][of].y, &lying.pose[side].p.x,
+            &lying.pose[side].s,         &lying.radiusSum,           &lying.tolerance};
+        const float bad[] = {kNan, kInfinity, -kInfinity, 3e38f, -3e38f};
+        *numbers[which] = bad[dice_below(&d, 5)];
+        const int32_t claimed = ClaimedFace(lying);
+        left += claimed == BMR_NO_EDGE32;
+        if (claimed != BMR_NO_EDGE32)
+            CHECK(FaceOf(lying, {Bits(&d)}, {Bits(&d)}) == std::min<int32_t>(claimed, BMR_SEPARATES32));
+    }
+    CHECK(left > 0);
+}
+
+TEST_CASE("what lies past the count changes no face") {
+    dice d = {15};
+    for (size_t i = 0; i < test_scaled(20000); ++i) {
+        const Lying lying = RandomLying(&d);
+        Lying other = lying;
+        for (int side = 0; side < 2; ++side)
+            for (int32_t past = lying.count[side]; past < 8; ++past)
+                other.vertices[side][past] =
+                    other.normals[side][past] = {1e30f, std::numeric_limits<float>::quiet_NaN()};
+        CHECK(ClaimedFace(lying) == ClaimedFace(other));
     }
 }

@@ -5,7 +5,7 @@
 # With --long most are accelerated, and not one; a hundred random games on each, and those games in stock alone under the address
 # sanitizer: what differs must be the plugin's doing; and all scenes of the testbed on an accelerated Box2D, with their instructions.
 stage_builds() {
-    local plugin seeds=3 program ours=-O0
+    local plugin seeds=3 program source ours=-O0
     [ "${long:-no}" = no ] || ours=-O2 # the bits are the same by any of them, and -O0 is built in half the time
     build_release || return 1
     plugin=$BMR_BUILD_DIR/lib/libboomerang_box2d.so
@@ -28,13 +28,32 @@ stage_builds() {
         done
     fi
     BOX2D_BUILDS_SEEDS=$seeds run_tests "games on each Box2D"
-    [ "${long:-no}" = no ] || scenes_accelerated "$BMR_BUILD_DIR/source"
+    [ "${long:-no}" = yes ] || return 0
+    source=$BMR_BUILD_DIR/source
+    check "an installed package accelerates a game's own Box2D" bmr_quietly "$BMR_BUILD_DIR/installed.log" installed_accelerates "$source" || true
+    scenes_accelerated "$source"
+}
+
+# An installed package is all that a project needs to accelerate a Box2D of its own.
+installed_accelerates() {
+    local step
+    in_tree release
+    for step in install accelerated; do
+        env SOURCE="$root" BUILD="$BMR_BUILD_DIR" WORK="$BMR_BUILD_DIR-installed" WITH_BOX2D=ON WITH_KINETIC=ON CC=gcc CXX=g++ \
+            BOX2D_SOURCE="$1" bash "$root/tests/consumer/consume.sh" "$step" || return 1
+    done
 }
 
 scenes_accelerated() {
     build_tree accelerated release "-DBOOMERANG_BOX2D_SOURCE=$1" -- boomerang-testbed boomerang-scene boomerang-scene-plugin \
-        boomerang-scene-accelerated boomerang-count || return 1
+        boomerang-scene-vendored boomerang-scene-accelerated boomerang-count || return 1
     check "scenes on an accelerated Box2D" bmr_quietly "$BMR_BUILD_DIR/compare.log" "$BMR_BUILD_DIR/bin/boomerang-testbed" compare --no-time || true
     check "the column is there" grep -q 'accelerated' "$BMR_BUILD_DIR/compare.log" || true
-    check "what it costs" "$root/tests/box2d_builds/check_instructions.sh" "$BMR_BUILD_DIR" || true
+    check "what it costs" "$root/tests/box2d_builds/check_instructions.sh" "$BMR_BUILD_DIR" preloaded || true
+    # Where it fuses products; the scenes that have least to gain among them.
+    ! lacks_fma || return 0 # (callgrind runs what the processor has)
+    build_tree accelerated-fma release "-DBOOMERANG_BOX2D_SOURCE=$1" '-DBOOMERANG_BOX2D_FLAGS=-O3;-march=haswell' -- \
+        boomerang-scene-vendored boomerang-scene-accelerated || return 1
+    check "what it costs, products fused" "$root/tests/box2d_builds/check_instructions.sh" "$BMR_BUILD_DIR" alone planks needles sensors \
+        bullets coins-pile star-pile pyramid tiles tumbler dominos terrain gears churn || true
 }

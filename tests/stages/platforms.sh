@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154
 # SPDX-License-Identifier: MIT
-# with --long alone: an accelerated Box2D on Windows (by wine), in WebAssembly (by node), on 32 bits, by clang as Microsoft's compiler
+# with --long alone: an accelerated Box2D on Windows (by wine), in WebAssembly (by node), on 32 bits, by clang as Microsoft's compiler, with its address sanitizer
 
 stage_platforms() {
     local source
@@ -16,6 +16,9 @@ stage_platforms() {
         -DCMAKE_TOOLCHAIN_FILE=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake || true
     platform ms-compatibility "$source" clang -- '' '' -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
         '-DCMAKE_CXX_FLAGS=-fms-compatibility -fms-extensions -fms-compatibility-version=19.30 -fgnuc-version=4.2.1' || true
+    # No platform of its own, but as little a Box2D that anybody ships: what is used when it is gone is seen, and what is left behind.
+    platform address-sanitizer "$source" clang -- '' '' -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+        '-DCMAKE_C_FLAGS=-fsanitize=address -fno-omit-frame-pointer' '-DCMAKE_CXX_FLAGS=-fsanitize=address -fno-omit-frame-pointer' || true
     # Box2D 2.4.2 is in no package: where its sources are is said.
     [ -z "${BMR_BOX2D_242:-}" ] || platform box2d-2.4.2 "$BMR_BOX2D_242" -- '' '' || true
 }

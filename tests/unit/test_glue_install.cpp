@@ -178,7 +178,9 @@ TEST_CASE("the statistics are one JSON object of the options and all counts") {
         if (c != '\n')
             line += c;
     CHECK(line ==
-          "{\"mode\":\"on\",\"structure\":\"lazy-dudley\",\"hooks\":[\"test-overlap\",\"solve-toi\"],"
+          "{\"mode\":\"on\",\"structure\":\"lazy-dudley\","
+          "\"way\":\"contactsaloneofBox2D\",\"box2d\":\"2.4.1\",\"rounds_as_box2d\":true,"
+          "\"hooks\":[\"test-overlap\",\"solve-toi\"],"
           "\"hooks_off_for_rounding\":[],\"hooks_not_reached\":[],"
           "\"steps\":0,"
           "\"evaluations\":0,\"edge_checks\":0,\"edge_searches\":0,\"verdicts_reused\":0,\"proved_apart\":0,"

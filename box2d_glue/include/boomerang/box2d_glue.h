@@ -125,10 +125,10 @@ struct Options {
     /// find out (about 0.1 ms, here and for statisticsFile alone).
     int32_t verbosity = 0;
     /// Where the statistics go when the process ends, as JSON (implies statistics); nullptr: nowhere. Copied.
-    /// "hooks" are those that are at work, "hooks_not_reached" and "hooks_off_for_rounding" (Box2D was built
-    /// with another rounding, fused multiply-add say) those that are on in vain.
-    /// Of a program that forks, the process that installed writes it; with "%p" in the name, which stands for
-    /// the number of the process, each writes its own.
+    /// "way", "box2d" and "rounds_as_box2d" are of Presence. "hooks" are those that are at work,
+    /// "hooks_not_reached" and "hooks_off_for_rounding" (Box2D was built with another rounding, fused
+    /// multiply-add say) those that are on in vain. Of a program that forks, the process that installed
+    /// writes it; with "%p" in the name, which stands for the number of the process, each writes its own.
     const char *statisticsFile = nullptr;
     /// How b2World::DebugDraw draws a ConvexShape, where the shared library stands in front of Box2D.
     Outlines outlines = Outlines::Pieces;
@@ -142,6 +142,17 @@ struct Options {
 /// so, once). Not to be raced against a running b2World::Step of another thread.
 BMR_BOX2D_API bool Install(const Options &options = Options());
 BMR_BOX2D_API bool IsInstalled();
+
+/// How the plugin stands with the Box2D of this process. (BOOMERANG_VERBOSE and the JSON file say the same.)
+struct Presence {
+    /// How calls reach the hooks: "ahead of Box2D" (for the loader), "compiled with Box2D"
+    /// (boomerang_accelerate), "behind Box2D" or "contacts alone of Box2D", where only the register leads
+    /// here.
+    const char *way = "";
+    const char *box2d = "";     ///< "2.4.1" or "2.4.2"
+    bool roundsAsBox2D = false; ///< false also until Install has found it out
+};
+BMR_BOX2D_API Presence GetPresence();
 
 /// What has been done since the process began, summed over all worlds and threads.
 struct Statistics {

@@ -92,7 +92,7 @@ typedef struct bmr_manifold32 {
 } bmr_manifold32;
 enum { BMR_MANIFOLD_FACE_A = 1, BMR_MANIFOLD_FACE_B = 2 };
 
-enum { BMR_NO_EDGE32 = -1, BMR_EDGES_OF_B32 = 8 };
+enum { BMR_NO_EDGE32 = -1, BMR_EDGES_OF_B32 = 8, BMR_SEPARATES32 = 16 };
 
 /// How two polygons of 3 to 8 vertices touch: the manifold of Box2D's b2CollidePolygons, to the bit. It
 /// writes the fields that b2CollidePolygons writes, and no others: `count` always; `type` where no face
@@ -109,6 +109,14 @@ enum { BMR_NO_EDGE32 = -1, BMR_EDGES_OF_B32 = 8 };
 int32_t bmr_exact32_collide(bmr_manifold32 *manifold, const bmr_polygon32 *a, const bmr_transform32 *pose_a,
                             const bmr_polygon32 *b, const bmr_transform32 *pose_b, float radius_sum,
                             float tolerance);
+/// The face that b2CollidePolygons takes for the reference of two polygons of 3 to 8 vertices, however its
+/// formulas are rounded (see bmr_exact32_separates_contracted): an edge of A, or BMR_EDGES_OF_B32 plus one of
+/// B. Where a face separates the two by more than their skins for certain, so that there are no points,
+/// BMR_SEPARATES32 more than that. BMR_NO_EDGE32 where it is too close to call, and where anything overflows.
+/// About a third more than the search for a face that bmr_exact32_collide begins with.
+int32_t bmr_exact32_face_contracted(const bmr_polygon32 *a, const bmr_transform32 *pose_a,
+                                    const bmr_polygon32 *b, const bmr_transform32 *pose_b, float radius_sum,
+                                    float tolerance);
 /// bmr_exact32_collide in plain C.
 int32_t bmr_exact32_collide_scalar(bmr_manifold32 *manifold, const bmr_polygon32 *a,
                                    const bmr_transform32 *pose_a, const bmr_polygon32 *b,

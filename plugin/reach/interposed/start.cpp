@@ -3,13 +3,11 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <mutex>
 
 #include "boomerang/box2d.h"
 #include "hooks/profile_clock.h"
 #include "reach/interposed/library_check.h"
 #include "start/environment.h"
-#include "start/process_locks.h"
 #include "start/reach.h"
 #include "start/recognise.h"
 #include "start/this_process.h"
@@ -79,17 +77,13 @@ __attribute__((constructor)) void Loaded() {
 } // namespace
 
 void internal::StartNow() {
-    if (IsFindingReachedHooks()) // Install does, on this thread
-        return;
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Starting));
-    if (!startsByItself.load(std::memory_order_relaxed))
-        return;
-    if (AnyBox2DBehind())
-        Install(); // says itself why not; false where the program has called it before
-    else if (WithEnvironment(Options()).verbosity > 0 && ClaimAnnouncement())
-        std::fputs("boomerang: never at work: the Box2D of this process is a module's own (dlopen)\n",
-                   stderr);
-    startsByItself.store(false, std::memory_order_release);
+    StartOnce([] {
+        if (AnyBox2DBehind())
+            Install(); // says itself why not; false where the program has called it before
+        else if (WithEnvironment(Options()).verbosity > 0 && ClaimAnnouncement())
+            std::fputs("boomerang: never at work: the Box2D of this process is a module's own (dlopen)\n",
+                       stderr);
+    });
 }
 
 } // namespace bmr

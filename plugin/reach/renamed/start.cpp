@@ -3,28 +3,23 @@
 // BOOMERANG is off.
 #include "start.h"
 
-#include <mutex>
-
 #include "boomerang/box2d.h"
 #include "hooks/profile_clock.h"
+#include "reach/stock.h"
 #include "start/install.h"
-#include "start/process_locks.h"
 #include "start/reach.h"
+#include "start/rounding_probe.h"
 
 namespace bmr {
 
 std::atomic<bool> internal::startsByItself{true};
 
 void internal::StartNow() {
-    if (IsFindingReachedHooks()) // Install does, on this thread
-        return;
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Starting));
-    if (!startsByItself.load(std::memory_order_relaxed))
-        return;
-    hooks::StartProfileClock();
-    if (!InstallWasCalled())
-        InstallHere(Options());
-    startsByItself.store(false, std::memory_order_release);
+    StartOnce([] {
+        hooks::StartProfileClock();
+        if (!InstallWasCalled())
+            InstallHere(Options());
+    });
 }
 
 /// There is one Box2D in what was compiled together.
@@ -35,7 +30,8 @@ bool internal::MeetBox2D(const void *) {
 namespace {
 
 // (Install may be called before the first step.)
-[[maybe_unused]] const bool told = (SetWayOfHooks("compiled with Box2D"), true);
+[[maybe_unused]] const bool told =
+    (SetWayOfHooks("compiled with Box2D"), SetCollideByFace(stock::CollideByFace), true);
 
 } // namespace
 
