@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "boomerang/convex32_collide.h"
+#include "convex32/convex32_collide.h"
 
 static bool same(bmr_feature32 a, bmr_feature32 b) {
     return a.index_a == b.index_a && a.index_b == b.index_b && a.type_a == b.type_a && a.type_b == b.type_b;

@@ -3,14 +3,14 @@
 #include <cstring>
 
 #include "arguments.h"
-#include "boomerang/convex32_collide.h"
-#include "boomerang/convex32_distance.h"
-#include "boomerang/convex32_envelope.h"
 #include "boomerang/distance.h"
 #include "boomerang/inflated.h"
 #include "boomerang/kds.h"
 #include "boomerang/minkowski.h"
 #include "boomerang/pair.h"
+#include "convex32/convex32_collide.h"
+#include "convex32/convex32_distance.h"
+#include "convex32/convex32_envelope.h"
 #include "exact32/swept32.h"
 #include "hierarchy/mixed_cells.h"
 #include "points.h"
