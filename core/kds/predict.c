@@ -17,6 +17,7 @@
 #include <math.h>
 
 #include "geometry/distance.h"
+#include "geometry/length.h"
 #include "kds/cone.h"
 #include "kds/registry.h"
 #include "kds/windowed_line.h"
@@ -102,10 +103,6 @@ static const predict_state *constant_state_of(const bmr_kds *kds) {
     return (const predict_state *)(const void *)kds->state;
 }
 
-static double length(bmr_vec2 v) {
-    return sqrt(bmr_dot(v, v));
-}
-
 static int sign(double x) {
     return (x > 0.0) - (x < 0.0);
 }
@@ -124,7 +121,7 @@ static bmr_instant seen(const bmr_instant *now, predict_model model) {
 /// How far the points of the body that moves are from its frame's origin.
 static double arm_of(const bmr_kds *kds, predict_model model) {
     const bmr_polygon *p = kds->shapes[model == MODEL_B_STRAIGHT ? 1 : 0].polygon;
-    return p->radius + length(p->center);
+    return p->radius + bmr_length(p->center);
 }
 
 static bmr_pose straight_on(const bmr_instant *from, double time) {
@@ -144,15 +141,15 @@ static void learn(predict_state *s, const bmr_kds *kds, const bmr_instant *now) 
     for (int model = 0; model < MODEL_COUNT; ++model) {
         const bmr_instant old = seen(&s->last, (predict_model)model), here = seen(now, (predict_model)model);
         const double arm = arm_of(kds, (predict_model)model);
-        const double speed = length(old.velocity) + arm * fabs(old.spin);
-        const double way = length(bmr_sub(here.pose.position, old.pose.position)) +
+        const double speed = bmr_length(old.velocity) + arm * fabs(old.spin);
+        const double way = bmr_length(bmr_sub(here.pose.position, old.pose.position)) +
                            arm * fabs(angle_between(&old.pose, &here.pose));
         if (!(way > 0.0) || !(speed > 0.0))
             continue;
         // The time is not told: where would it be after the same way?
         const bmr_pose q = straight_on(&old, way / speed);
         const double off =
-            length(bmr_sub(q.position, here.pose.position)) + arm * fabs(angle_between(&q, &here.pose));
+            bmr_length(bmr_sub(q.position, here.pose.position)) + arm * fabs(angle_between(&q, &here.pose));
         s->wrong[model] = DOUBT_DECAY * s->wrong[model] + (1.0 - DOUBT_DECAY) * fmin(off / way, DOUBT_MOST);
     }
 }
@@ -161,7 +158,7 @@ static void learn(predict_state *s, const bmr_kds *kds, const bmr_instant *now) 
 /// slower of the two motions is likelier.
 static void forget(predict_state *s, const bmr_instant *now) {
     const bmr_instant other = seen(now, MODEL_A_STRAIGHT);
-    const bool a_moves = length(other.velocity) < length(now->velocity);
+    const bool a_moves = bmr_length(other.velocity) < bmr_length(now->velocity);
     s->wrong[MODEL_B_STRAIGHT] = a_moves ? DOUBT_OTHER : DOUBT_START;
     s->wrong[MODEL_A_STRAIGHT] = a_moves ? DOUBT_START : DOUBT_OTHER;
     s->lean = (bmr_lean){0, 0};
@@ -174,7 +171,7 @@ static double doubt_of(double wrong) {
 static void foresee(forecast *f, const bmr_kds *kds, const bmr_instant *now, predict_model model,
                     double doubt, double distance) {
     const bmr_instant from = seen(now, model);
-    const double speed = length(from.velocity) + arm_of(kds, model) * fabs(from.spin);
+    const double speed = bmr_length(from.velocity) + arm_of(kds, model) * fabs(from.spin);
     const double size = kds->shapes[0].polygon->radius + kds->shapes[1].polygon->radius;
     f->turns = now->spin != 0.0;
     f->count = 1;
@@ -241,7 +238,7 @@ static bool outlives(const bmr_kds *kds, const forecast *f, const uint32_t suppo
 
 static bmr_vec2 between(bmr_vec2 a, bmr_vec2 b) {
     const bmr_vec2 sum = bmr_add(a, b);
-    const double size = length(sum);
+    const double size = bmr_length(sum);
     return size > DBL_EPSILON ? bmr_scale(1.0 / size, sum) : bmr_left(a);
 }
 
@@ -262,7 +259,7 @@ static int directions(const bmr_kds *kds, const bmr_instant *now, predict_model 
     bmr_vec2 velocity = seen(now, model).velocity;
     if (model == MODEL_A_STRAIGHT)
         velocity = bmr_rotate(&now->pose, velocity);
-    const double speed = length(velocity);
+    const double speed = bmr_length(velocity);
     if (speed > 0.0) {
         bmr_vec2 n = bmr_scale(1.0 / speed, bmr_left(velocity));
         if (bmr_dot(n, closest) < 0.0)

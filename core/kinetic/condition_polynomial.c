@@ -95,7 +95,7 @@ static double size_of(double x, double y) {
     return fabs(x) + fabs(y);
 }
 
-static double length(bmr_vec2 v) {
+static double most_length(bmr_vec2 v) {
     return size_of(v.x, v.y);
 }
 
@@ -194,7 +194,8 @@ static double position_size(const bmr_motion_piece *given, const bmr_algebraic_p
     for (size_t k = 0; k <= now->degree; k++)
         size += size_of(now->x[k], now->y[k]) * (1.0 + (double)k * rounding);
     if (given->kind != BMR_PIECE_ALGEBRAIC)
-        return size + length(given->as.screw.start.position) + by * length(given->as.screw.velocity);
+        return size + most_length(given->as.screw.start.position) +
+               by * most_length(given->as.screw.velocity);
     double power = 1.0;
     for (size_t k = 0; k <= now->degree; k++, power *= by)
         size += size_of(given->as.algebraic.x[k], given->as.algebraic.y[k]) * power;
@@ -231,8 +232,8 @@ static polynomial expand_beyond(const scene *s, double *size) {
     add_product(&f, 1.0, along.c, along.degree, s->other.denominator.c, s->other.denominator.degree);
     const polynomial both = times(&s->own.denominator, &s->other.denominator);
     add_product(&f, -k->offset, both.c, both.degree, s->own.denominator.c, 0);
-    *size = length(k->normal) *
-                (s->way_size * s->own_error + length(k->point) * (s->own_error + s->other_error)) +
+    *size = most_length(k->normal) *
+                (s->way_size * s->own_error + most_length(k->point) * (s->own_error + s->other_error)) +
             fabs(k->offset);
     return f;
 }
@@ -240,7 +241,7 @@ static polynomial expand_beyond(const scene *s, double *size) {
 static polynomial expand_turn(const scene *s, double *size) {
     const bmr_condition *k = s->condition;
     const path normal = turned(&s->own, k->normal), direction = turned(&s->other, k->point);
-    *size = length(k->normal) * length(k->point) * (s->own_error + s->other_error);
+    *size = most_length(k->normal) * most_length(k->point) * (s->own_error + s->other_error);
     return cross(&normal, &direction);
 }
 
@@ -278,8 +279,8 @@ static polynomial expand_disks(const scene *s, double *size) {
     }
     if (own_turns && other_turns)
         add_dot(&f, -2.0, &own, &other);
-    const double sum =
-        s->way_size + length(k->normal) * s->own_error + length(k->point) * s->other_error + k->offset;
+    const double sum = s->way_size + most_length(k->normal) * s->own_error +
+                       most_length(k->point) * s->other_error + k->offset;
     *size = sum * sum;
     return f;
 }
@@ -289,8 +290,8 @@ static double choose_width(const bmr_condition *k, const bmr_algebraic_piece *ow
                            const bmr_algebraic_piece *other, const path *way, double clock, double longest) {
     double width = longest;
     if (k->kind != BMR_CONDITION_TURN) {
-        const double normal = k->kind == BMR_CONDITION_BEYOND ? length(k->normal) : 1.0;
-        const double lengths = size_of(way->x[0], way->y[0]) + length(k->point) +
+        const double normal = k->kind == BMR_CONDITION_BEYOND ? most_length(k->normal) : 1.0;
+        const double lengths = size_of(way->x[0], way->y[0]) + most_length(k->point) +
                                (normal > 0.0 ? fabs(k->offset) / normal : 0.0);
         if (lengths > 0.0)
             width = limit_growth(way->x, way->y, way->degree,

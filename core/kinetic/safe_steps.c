@@ -10,6 +10,7 @@
 #include <gsl/gsl_roots.h>
 
 #include "boomerang/failure.h"
+#include "geometry/length.h"
 #include "kinetic/failure_start.h"
 #include "kinetic/gsl_guard.h"
 
@@ -50,10 +51,6 @@ typedef struct bounds {
     double dip;  ///< positive at both ends of a step h, f >= -dip h^2 / 8 between them
 } bounds;
 
-static double length(bmr_vec2 v) {
-    return hypot(v.x, v.y);
-}
-
 /// Velocity of a point of a body, given as an offset from its origin in the outer frame.
 static bmr_vec2 velocity_of(const bmr_instant *body, bmr_vec2 offset) {
     return bmr_add(body->velocity, bmr_scale(body->spin, bmr_left(offset)));
@@ -65,7 +62,7 @@ static look look_at(const search *s, double time) {
     const bmr_vec2 way = bmr_sub(other.pose.position, own.pose.position);
     const bmr_vec2 normal = bmr_rotate(&own.pose, k->normal), point = bmr_rotate(&other.pose, k->point);
     const double clock = fabs(time) + fabs(time - s->owner->origin) + fabs(time - s->other->origin);
-    const double reach = length(k->normal), arm = length(k->point);
+    const double reach = bmr_length(k->normal), arm = bmr_length(k->point);
     look at = {time, 0.0, 0.0, 0.0};
     double size, rate; // lengths involved, and how fast a rounding of the time moves them
     if (k->kind == BMR_CONDITION_TURN) {
@@ -76,17 +73,17 @@ static look look_at(const search *s, double time) {
     } else {
         const bmr_vec2 to = bmr_add(point, way); // from the owner's origin
         const bmr_vec2 motion = bmr_sub(velocity_of(&other, point), own.velocity);
-        const double places = length(own.pose.position) + length(other.pose.position) + arm;
-        const double speed = length(own.velocity) + length(other.velocity) + fabs(other.spin) * arm;
+        const double places = bmr_length(own.pose.position) + bmr_length(other.pose.position) + arm;
+        const double speed = bmr_length(own.velocity) + bmr_length(other.velocity) + fabs(other.spin) * arm;
         if (k->kind == BMR_CONDITION_BEYOND) {
             at.value = bmr_dot(normal, to) - k->offset;
             at.slope = own.spin * bmr_dot(bmr_left(normal), to) + bmr_dot(normal, motion);
             size = reach * places + fabs(k->offset);
-            rate = reach * (speed + fabs(own.spin) * length(to));
+            rate = reach * (speed + fabs(own.spin) * bmr_length(to));
         } else {
             const bmr_vec2 apart = bmr_sub(to, normal);
             const bmr_vec2 change = bmr_sub(motion, bmr_scale(own.spin, bmr_left(normal)));
-            const double distance = length(apart);
+            const double distance = bmr_length(apart);
             at.value = distance - k->offset;
             at.slope = distance > 0.0 ? bmr_dot(apart, change) / distance : 0.0;
             size = reach + places + fabs(k->offset);
@@ -106,7 +103,7 @@ static bounds bound_over(search *s, double time, double width) {
     const double turn = fmax(other.spin_high - own.spin_low, own.spin_high - other.spin_low);
     const double spin = bmr_rates_spin(&own), other_spin = bmr_rates_spin(&other);
     const double turn_change = own.spin_change + other.spin_change;
-    const double reach = length(k->normal), arm = length(k->point);
+    const double reach = bmr_length(k->normal), arm = bmr_length(k->point);
     bounds b;
     if (k->kind == BMR_CONDITION_TURN) {
         b.bend = b.dip = reach * arm * (turn * turn + turn_change);
@@ -115,7 +112,7 @@ static bounds bound_over(search *s, double time, double width) {
     const bmr_instant o = bmr_piece_instant(s->owner, time), x = bmr_piece_instant(s->other, time);
     const double speed = own.speed + other.speed, push = own.acceleration + other.acceleration;
     if (k->kind == BMR_CONDITION_BEYOND) {
-        const double way = length(bmr_sub(x.pose.position, o.pose.position)) + speed * width;
+        const double way = bmr_length(bmr_sub(x.pose.position, o.pose.position)) + speed * width;
         double bend = push;
         if (arm > 0.0)
             bend += arm * (turn * turn + turn_change);

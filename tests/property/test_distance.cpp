@@ -140,17 +140,19 @@ bool Agrees(const Scene &s, const bmr_overlap &answer, long double depth) {
            std::hypot(way.x - meant.x, way.y - meant.y) <= s.tolerance;
 }
 
-/// Least steps that are enough for chains of n and m vertices, by halves, and some for what is around the
-/// end.
+/// Elementary steps that are enough: up to four looks at the support vertices of both, each a climb of 12
+/// that is given up and a binary search; two for each look that halves one of two chains; and some for what
+/// is around the end.
 unsigned EnoughSteps(const Scene &s) {
-    return static_cast<unsigned>(std::ceil(std::log2(s.a->count)) + std::ceil(std::log2(s.b->count))) + 8;
+    const double a = std::ceil(std::log2(s.a->count)), b = std::ceil(std::log2(s.b->count));
+    return static_cast<unsigned>(4.0 * (2.0 * 13.0 + a + b) + 2.0 * (a + b + 2.0)) + 8;
 }
 
 unsigned StepsOf(const Scene &s) {
     bmr_posed_polygons posed;
-    REQUIRE(bmr_posed_polygons_make(s.a, &s.pose_a, s.b, &s.pose_b, &posed) == BMR_OK);
-    unsigned steps = 0;
     bmr_closest_points answer;
+    REQUIRE(bmr_posed_polygons_make(s.a, &s.pose_a, s.b, &s.pose_b, &answer, &posed) == BMR_OK);
+    unsigned steps = 0;
     bmr_posed_polygons_closest(&posed, &steps, &answer);
     return steps;
 }

@@ -39,8 +39,8 @@ typedef struct bmr_closest_points {
 
 /// The distance of two polygons and a pair of closest points. Of many such pairs (two parallel sides) it is
 /// any one. O(log n + log m) time for n and m vertices, with no hierarchy: each step leaves out half of what
-/// is left of one of the two polygons. (Of vertices that lie together as far as doubles tell, some fifty
-/// times as much: one search for each bit of a direction.)
+/// is left of one of the two polygons. (Of vertices that lie together as far as doubles tell, and of polygons
+/// that all but touch, up to some fifty times as much: one search for each bit of a direction.)
 bmr_error bmr_distance(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
                        const bmr_pose *pose_b, bmr_closest_points *closest);
 
@@ -56,7 +56,10 @@ typedef struct bmr_overlap {
 } bmr_overlap;
 
 /// The penetration depth of two polygons: least over the normals of all edges of both. O((n + m) log) time at
-/// worst, and a few steps an edge where the other polygon's edges are spread alike.
+/// worst, and a few steps an edge where the other polygon's edges are spread alike. Not logarithmic as
+/// bmr_distance is, nor would it be with a hierarchy: a depth may have as many local minima as there are
+/// edges (a regular polygon about a point at its centre has n that are equal), so that no part of the edges
+/// can be left out unseen. Polygons that are apart are told so in O(log n + log m).
 bmr_error bmr_penetration(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
                           const bmr_pose *pose_b, bmr_overlap *overlap);
 
