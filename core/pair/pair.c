@@ -71,11 +71,6 @@ void bmr_step_tell(const bmr_step *step, bmr_event_kind kind, int level_before, 
     }
 }
 
-void bmr_step_count_levels(const bmr_step *step, int levels) {
-    if (step->observer && step->observer->counters)
-        step->observer->counters->levels += (uint64_t)levels;
-}
-
 bmr_simplex bmr_contact_simplex(const bmr_pair *pair) {
     const uint32_t packed[3] = {pair->edge, pair->other, pair->other_after};
     bmr_simplex simplex = bmr_simplex_make(0, 0);
@@ -123,9 +118,12 @@ bmr_structure bmr_pair_structure(const bmr_pair_def *def, const bmr_shape *a, co
     return walks(a, def->structure) && walks(b, def->structure) ? def->structure : BMR_FREE_DIRECTION;
 }
 
-bool bmr_step_closest(const bmr_step *step, bmr_simplex *simplex, bmr_closest *closest) {
-    return bmr_closest_direction(step->shapes[0]->polygon, step->shapes[1]->polygon, step->pose, step->reach,
-                                 BMR_CLOSEST_SLACK, simplex, closest);
+bool bmr_step_closest(bmr_step *step, bmr_simplex *simplex, bmr_closest *closest) {
+    const bool apart = bmr_closest_direction(step->shapes[0]->polygon, step->shapes[1]->polygon, step->pose,
+                                             step->reach, BMR_CLOSEST_SLACK, simplex, closest);
+    step->steps += simplex->steps;
+    simplex->steps = 0;
+    return apart;
 }
 
 static bmr_check look(const bmr_pair *pair, const bmr_pose *b_in_a, double margin, double *gap) {
@@ -191,7 +189,7 @@ static bmr_answer repair(bmr_pair *pair, const bmr_pair_def *def, const bmr_shap
                          const bmr_pose *b_in_a, const bmr_observer *observer, bmr_check check, double *gap) {
     const bmr_structure structure = bmr_pair_structure(def, a, b);
     take_up(pair, structure, a, b);
-    bmr_step step = {pair, def, {a, b}, b_in_a, observer, def->margin, 0.0};
+    bmr_step step = {pair, def, {a, b}, b_in_a, observer, def->margin, 0.0, 1};
     if (pair->state == BMR_PAIR_CONTACT)
         step.need += def->hysteresis;
     step.reach =
@@ -202,6 +200,8 @@ static bmr_answer repair(bmr_pair *pair, const bmr_pair_def *def, const bmr_shap
                                                               : bmr_lazy_repair(&step, failure, gap);
     if (answer != BMR_APART)
         *gap = 0.0;
+    if (observer && observer->counters)
+        observer->counters->steps += step.steps;
     return answer;
 }
 
