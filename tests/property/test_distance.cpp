@@ -10,13 +10,16 @@
 
 #include "boomerang/distance.h"
 #include "geometry/posed_polygons.h"
-#include "polygon_distance.h"
 #include "polygons.h"
+#include "query_oracle.h"
 #include "test_scale.h"
 
 namespace {
 
-using distance::Points;
+using query::Agrees;
+using query::ProvesItself;
+using query::Scene;
+using query::SceneOf;
 
 struct PolygonDeleter {
     void operator()(bmr_polygon *p) const { bmr_polygon_destroy(p, nullptr); }
@@ -52,26 +55,6 @@ Polygon Random(size_t n, test_random *random) {
     return Hull(points);
 }
 
-/// Both in the world, and what lengths there may be off by.
-struct Scene {
-    const bmr_polygon *a, *b;
-    bmr_pose pose_a, pose_b;
-    Points points_a, points_b;
-    double tolerance;
-};
-
-Scene SceneOf(const bmr_polygon *a, const bmr_pose &pose_a, const bmr_polygon *b, const bmr_pose &pose_b) {
-    const auto size = [](bmr_vec2 v) { return std::fmax(std::fabs(v.x), std::fabs(v.y)); };
-    const double scale = a->extent + b->extent + size(pose_a.position) + size(pose_b.position);
-    return {a,
-            b,
-            pose_a,
-            pose_b,
-            distance::Transformed(a, pose_a),
-            distance::Transformed(b, pose_b),
-            BMR_DISTANCE_ROUNDING * scale};
-}
-
 /// A is anywhere; B beside it, with its supports `gap` apart in some direction.
 Scene Beside(const bmr_polygon *a, const bmr_polygon *b, double gap, test_random *random) {
     const double way = test_random_uniform(random, -4, 4);
@@ -94,30 +77,6 @@ Scene Beside(const bmr_polygon *a, const bmr_polygon *b, double gap, test_random
     return SceneOf(a, pose_a, b, pose_b);
 }
 
-/// Are these two points of the polygons, that far apart, with the polygons on either side of the gap? Such an
-/// answer is right whatever it was computed by: no two points are nearer.
-bool ProvesItself(const Scene &s, const bmr_closest_points &answer) {
-    const bmr_vec2 way = bmr_sub(answer.point_b, answer.point_a);
-    const distance::Point a = {answer.point_a.x, answer.point_a.y}, b = {answer.point_b.x, answer.point_b.y};
-    // Closest points lie on the border. (Whether a point is inside is no question for edges of some ulps.)
-    const auto on_border = [&](const Points &points, const distance::Point &p) {
-        long double least = INFINITY;
-        for (size_t i = 0; i < points.size(); ++i) {
-            const distance::Point w = distance::ToSegment(p, points[i], points[(i + 1) % points.size()]);
-            least = std::min(least, std::hypot(w.x, w.y));
-        }
-        return least <= s.tolerance;
-    };
-    // Two points that are off by the tolerance turn the normal by so much; the polygons are no longer than
-    // twice their extents.
-    const double turned = 2.0 * std::fmin(1.0, s.tolerance / answer.distance);
-    return std::fabs(std::hypot(way.x, way.y) - answer.distance) <= s.tolerance &&
-           std::fabs(std::hypot(answer.normal.x, answer.normal.y) - 1.0) <= 1e-14 &&
-           distance::SeparationAlong(s.points_a, s.points_b, answer.normal.x, answer.normal.y) >=
-               answer.distance - s.tolerance - turned * (s.a->extent + s.b->extent) &&
-           on_border(s.points_a, a) && on_border(s.points_b, b);
-}
-
 bmr_closest_points Closest(const Scene &s) {
     bmr_closest_points answer = {-1.0, {9, 9}, {9, 9}, {9, 9}};
     REQUIRE(bmr_distance(s.a, &s.pose_a, s.b, &s.pose_b, &answer) == BMR_OK);
@@ -128,16 +87,6 @@ bmr_overlap Overlap(const Scene &s) {
     bmr_overlap answer = {-1.0, {9, 9}, {9, 9}, {9, 9}};
     REQUIRE(bmr_penetration(s.a, &s.pose_a, s.b, &s.pose_b, &answer) == BMR_OK);
     return answer;
-}
-
-/// Does the overlap agree with a depth that is known?
-bool Agrees(const Scene &s, const bmr_overlap &answer, long double depth) {
-    const bmr_vec2 way = bmr_sub(answer.point_a, answer.point_b);
-    const bmr_vec2 meant = bmr_scale(answer.depth, answer.normal);
-    const long double along =
-        distance::SeparationAlong(s.points_a, s.points_b, answer.normal.x, answer.normal.y);
-    return std::fabs(answer.depth - depth) <= s.tolerance && std::fabs(along + depth) <= s.tolerance &&
-           std::hypot(way.x - meant.x, way.y - meant.y) <= s.tolerance;
 }
 
 /// Elementary steps that are enough: up to four looks at the support vertices of both, each a climb of 12
