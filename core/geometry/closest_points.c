@@ -235,6 +235,10 @@ static bool halve(const bmr_posed_polygons *q, unsigned *steps, nearest *found) 
         else
             directions.high = middle;
     }
+    // An edge at right angles to what is left of the arc, to rounding, may have one end found from both ends
+    // of it: beyond that rounding its two ends are found.
+    directions.low = bmr_sub(directions.low, bmr_scale(ROUNDING, bmr_left(directions.low)));
+    directions.high = bmr_add(directions.high, bmr_scale(ROUNDING, bmr_left(directions.high)));
     const star sa = star_between(&a, support_a(q, directions.low, steps),
                                  support_a(q, directions.high, steps)),
                sb = star_between(&b, support_b(q, directions.low, steps),

@@ -237,6 +237,22 @@ TEST_CASE("a small polygon deep in a large one, far from the origin, is not call
     CHECK(Agrees(s, Overlap(s), -truth));
 }
 
+TEST_CASE("a vertex that lies on the middle of an edge is not far from it") {
+    // Found by fuzz_queries: no direction told the two ends of the edge apart, and the distance was that of
+    // one of them, 1.
+    const Polygon a = Hull({{-0.65293827693672313, -0.75741112119568399},
+                            {0.75741112119568399, -0.65293827693672313},
+                            {0.65293827693672324, 0.75741112119568388}});
+    const Polygon b = Hull({{-0.97616540779736016, -0.89837491416800186},
+                            {0, 0},
+                            {0, 11},
+                            {-1172.559637859219, 0.50143672824218088}});
+    const bmr_pose here = bmr_pose_identity();
+    const Scene s = SceneOf(a.get(), here, b.get(), here);
+    CHECK(Closest(s).distance <= s.tolerance);
+    CHECK(Overlap(s).depth <= s.tolerance);
+}
+
 TEST_CASE("a pose without an angle stands at the origin") {
     const Polygon box = Hull({{1, 1}, {-1, 1}, {-1, -1}, {1, -1}});
     const bmr_pose right = bmr_pose_from_angle({5.0, 0.5}, 0.0);
