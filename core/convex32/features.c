@@ -35,7 +35,8 @@ void bmr_convex32_keep_features(bmr_manifold32 *manifold, const bmr_manifold32 *
             used[nearest] = true;
         }
     }
-    // A point's own new feature may be the one that the other has taken over. Any other number will do.
+    // The one point may have taken over the feature that the other point has by itself. Any other number will
+    // do for the other.
     if (count == 2 && same(manifold->points[0].feature, manifold->points[1].feature))
         manifold->points[kept[0] ? 1 : 0].feature.index_b ^= 0x80u;
 }

@@ -22,36 +22,37 @@
 #include "kds/registry.h"
 #include "kds/windowed_line.h"
 
-/// Lines are tried in directions that separate by this part of the distance or more ..
+/// Lines are tried in directions that separate by at least this part of the distance.
 #define LEAST_PART 0.1
-/// .. but the one along which the present velocity changes nothing needs only this.
+/// The direction at a right angle to the present velocity, along which nothing changes, needs to separate
+/// only by this part.
 #define NORMAL_LEAST_PART 1e-3
-/// Directions across the cone, both ends and the middle among them: 2^k + 1.
+/// How many directions across the cone are tried: 2^k + 1, so that both ends and the middle are among them.
 #define ADAPTIVE_ACROSS 9
 #define PLAIN_ACROSS 3
 #define MOST_CANDIDATES (ADAPTIVE_ACROSS + 2)
 
-/// The motion is foreseen until the path is so many times the size of the bodies and their distance, at times
-/// that grow geometrically from the one at which this part of the gap is gone at the earliest.
+/// The motion is foreseen at TIMES times that grow geometrically. At the first, the bodies have moved by
+/// FIRST_PART of the gap; at the last, by HORIZON times their size and distance.
 #define HORIZON 3.0
 #define FIRST_PART 1.0
 #define TIMES 16
 
-/// How far the other body was from where it was foreseen, as part of its path: below the first nothing is
-/// doubted, above the second everything is.
+/// A model's error is how far the other body was from where the model saw it, as a part of the path. Below
+/// DOUBT_NONE the model is believed, above DOUBT_ALL it is not believed at all.
 #define DOUBT_NONE 0.3
 #define DOUBT_ALL 0.6
-/// What is believed at the start, when nothing has been learnt, of the model that is preferred and of the
-/// other.
+/// The errors that are supposed at the start, when nothing has been learnt: of the model that is preferred,
+/// and of the other one.
 #define DOUBT_START 0.25
 #define DOUBT_OTHER 0.3
 /// The part of the old doubt that remains after an event.
 #define DOUBT_DECAY 0.5
-/// A model that is quite wrong is wrong by no more than there and back.
+/// The largest error that counts: a body that went the opposite way is off by twice the path.
 #define DOUBT_MOST 2.0
 
-/// In doubt, under translation (rotation decides by the owner, not by leaning): how far it leans
-/// (bmr_lean_direction), and from which doubt on.
+/// From the doubt LEAN_DOUBT on, the line leans by LEAN_PART (bmr_lean_direction). Under translation only:
+/// where the bodies turn, the choice of the owner matters more.
 #define LEAN_PART 0.4
 #define LEAN_DOUBT 0.5
 
@@ -146,7 +147,7 @@ static void learn(predict_state *s, const bmr_kds *kds, const bmr_instant *now) 
                            arm * fabs(angle_between(&old.pose, &here.pose));
         if (!(way > 0.0) || !(speed > 0.0))
             continue;
-        // The time is not told: where would it be after the same way?
+        // The time since then is not known: the model is asked for the pose after a path of the same length.
         const bmr_pose q = straight_on(&old, way / speed);
         const double off =
             bmr_length(bmr_sub(q.position, here.pose.position)) + arm * fabs(angle_between(&q, &here.pose));
@@ -154,8 +155,9 @@ static void learn(predict_state *s, const bmr_kds *kds, const bmr_instant *now) 
     }
 }
 
-/// Nothing is known yet: a body that turns far from the middle of the turn would be a coincidence, so the
-/// slower of the two motions is likelier.
+/// Starts anew, with nothing learnt. Of the two models the one in which the other body moves more slowly is
+/// preferred: seen from a body that turns, the other one sweeps around it, and it would be a coincidence if
+/// it really did.
 static void forget(predict_state *s, const bmr_instant *now) {
     const bmr_instant other = seen(now, MODEL_A_STRAIGHT);
     const bool a_moves = bmr_length(other.velocity) < bmr_length(now->velocity);

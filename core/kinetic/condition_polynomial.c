@@ -5,21 +5,21 @@
 #include <math.h>
 #include <string.h>
 
-/// Over one interval the terms of a position together grow to at most this many times the lengths at its
-/// beginning. (With sixteen times for each term of a path of degree 8, squared in DISKS, a root came out
-/// 1e-10 late.)
+/// An interval ends before the terms of a position, added up, have grown to more than this many times the
+/// lengths at its beginning. (When each term of a path of degree 8 was allowed sixteen times, a root of
+/// DISKS, where the path is squared, came out 1e-10 late.)
 #define GROWTH 4.0
 
 /// Over one interval |a + i b| changes by at most this part of itself, so that the denominators stay within
 /// (1/2)^2 and (3/2)^2 of what they are at its beginning.
 #define ROTATION_CHANGE 0.5
 
-/// The shortest interval, in roundings of the time: near a common root of a and b, where no width is small
-/// enough.
+/// No interval is shorter than this many roundings of the time. Near a common root of a and b no width would
+/// be small enough.
 #define LEAST_ROUNDINGS 4.0
 
-/// Lengths that happen to be tiny shorten an interval no further than this part of the time from the origins
-/// of time: on a shorter one, a slope could not be told from the rounding of the time.
+/// Nor is it shorter than this part of the time since the pieces' origins, however small the lengths at its
+/// beginning happen to be: on a shorter interval a slope could not be told from the rounding of the time.
 #define LEAST_PART 0x1p-26
 
 #define MAX_DEGREE BMR_POLYNOMIAL_MAX_DEGREE
@@ -185,8 +185,9 @@ static path relative_position(const bmr_algebraic_piece *owner, const bmr_algebr
     return p;
 }
 
-/// The length that the rounding errors of a position scale with: that of its terms as they were given, as
-/// they are now, and its change during a rounding of the time. `now` is stretched.
+/// The length of which the rounding errors of a position are a part. It adds up the lengths of the terms as
+/// they were given, of the terms as they are now, and of the way during one rounding of the time. `now` is in
+/// units of the interval's width.
 static double position_size(const bmr_motion_piece *given, const bmr_algebraic_piece *now, double from,
                             double width) {
     const double by = fabs(from - given->origin), rounding = (by + fabs(from)) / width;
@@ -202,7 +203,8 @@ static double position_size(const bmr_motion_piece *given, const bmr_algebraic_p
     return size;
 }
 
-/// How much a rounding of the time turns the rotation, in roundings.
+/// By how many roundings of a unit vector the rotation is off: one, and what it turns during a rounding of
+/// the time.
 static double rotation_error(const bmr_motion_piece *given, const bmr_algebraic_piece *now, double from,
                              double width) {
     const double by = fabs(from - given->origin), rounding = (by + fabs(from)) / width;

@@ -14,20 +14,21 @@
 #include "kinetic/failure_start.h"
 #include "kinetic/gsl_guard.h"
 
-/// Roundings in a condition's value: two products of rotations, one of a point, sums; each of the lengths
-/// involved.
+/// How many roundings a condition's value may be off by, each of the lengths that it is computed from: two
+/// products of rotations, one with a point, and the sums.
 #define VALUE_ROUNDINGS 16.0
 
-/// Looks at a condition that is zero up to rounding before it is taken to stay so.
+/// A condition that is zero up to rounding at this many looks is taken to stay zero.
 #define FLAT_LOOKS 256
 
-/// Two are looked at for a step's bounds; thousands where a rotation is near its pole all the way.
+/// The most intervals that are looked at for bounds. A step needs two; thousands, where a rotation is near a
+/// pole all the way.
 #define MOST_INTERVALS (4 * BMR_FAILURE_MAX_STEPS)
 
 /// Time is resolved to this many of its own roundings.
 #define TIME_ROUNDINGS 4.0
 
-/// Of the solver's; bisection alone ends in 64 from any bracket that a step leaves.
+/// The most steps of GSL's solver. Bisection alone would end in 64, from any bracket that a step leaves.
 #define SOLVER_STEPS 200
 
 /// Room for the state of gsl_root_fsolver_brent (eleven doubles in GSL 2): on the stack nothing can fail.
@@ -189,8 +190,8 @@ static double narrow(const search *s, double low, double high) {
 
 // ---- the walk ----
 
-/// A condition that is not positive at the beginning: *at becomes a look from which it can be walked on, and
-/// false is returned, or it fails there and then.
+/// Judges a condition that is not positive at the beginning. True: it fails there and then. False: *at is a
+/// look, there or a little later, from which the walk can go on.
 static bool fails_at_start(search *s, double to, bool fresh, look *at) {
     if (at->value > 0.0)
         return false;
@@ -212,7 +213,8 @@ static bool fails_at_start(search *s, double to, bool fresh, look *at) {
         double step = fmin(blind_step(at, &b), room);
         b = bound_over(s, at->time, step);
         step = fmin(blind_step(at, &b), room);
-        // Over a blind step the bend takes four noises at most: a slope of this size decides.
+        // Over this step the curvature changes the value by four noises at most, so that a larger slope
+        // decides.
         const double growth = at->slope * step;
         if (growth < -2.0 * BMR_START_NOISES * at->noise)
             return true;

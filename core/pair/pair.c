@@ -7,8 +7,8 @@
 #include "hierarchy/tree.h"
 #include "pair/step.h"
 
-/// Of the need, what a certificate's own relative rounding and the distance query's tolerance may hide: 2^-22
-/// and 2e-8, and room for the squares of these.
+/// The part of a gap that rounding to floats (2^-22) and the tolerance of the distance query (2e-8) may hide,
+/// with room for their squares. A pair must be apart by this much more than it needs.
 #define NEED_LOSS 4e-7
 
 const char *bmr_structure_name(bmr_structure structure) {
@@ -146,8 +146,9 @@ static bool simplex_fits(const bmr_pair *pair, uint32_t count_a, uint32_t count_
     return simplex.count > 0;
 }
 
-/// Does all that the pair remembers lie within these shapes? It does where the stamp and the structure are
-/// right and the pair was left by an advance. Asked for the one polygon in 2^32 whose stamp is another's.
+/// Do all the indices that the pair remembers exist in these shapes? They do if the pair was left by an
+/// advance with these polygons and this structure. It is asked because one polygon in 2^32 has the stamp of
+/// another.
 static bool remembers_what_is_there(const bmr_pair *pair, const bmr_shape *a, const bmr_shape *b) {
     if (pair->state == BMR_PAIR_CONTACT)
         return simplex_fits(pair, a->polygon->count, b->polygon->count);
@@ -163,7 +164,7 @@ static bool remembers_what_is_there(const bmr_pair *pair, const bmr_shape *a, co
            pair->other_after < count && pair->level >= 0 && pair->level <= bmr_walk_deepest(hierarchies);
 }
 
-/// Forgets what is of another structure, or of other shapes after all.
+/// Starts the pair anew if its state is of another structure, or of other shapes though the stamp agrees.
 static void take_up(bmr_pair *pair, bmr_structure structure, const bmr_shape *a, const bmr_shape *b) {
     const bool known = pair->state == BMR_PAIR_APART || pair->state == BMR_PAIR_CONTACT;
     if (!known || pair->owner > 1 || pair->structure != structure || !remembers_what_is_there(pair, a, b)) {
