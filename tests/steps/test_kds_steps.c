@@ -114,40 +114,57 @@ static void no_repair_runs_more_than_a_constant_for_each_step_that_it_reports(vo
 
 /// What the repairs of sampled pairs ran and reported.
 typedef struct pair_tally {
-    double worst;      ///< the most blocks for a step in one repair
-    double most_steps; ///< of one repair
+    double worst;   ///< the most blocks for a step in one repair
+    double busiest; ///< the most blocks of one, whatever it reports
     double blocks, steps;
     size_t repairs;
 } pair_tally;
 
+/// An ellipse and a regular polygon, for a pair of them.
+typedef struct couple {
+    test_random random;
+    test_body a, b;
+    bmr_shape shape_a, shape_b;
+    bmr_pair_def def;
+} couple;
+
+static couple couple_make(bmr_structure structure, size_t n, size_t m, uint64_t seed) {
+    couple c = {.random = {seed}, .def = bmr_default_pair_def()};
+    c.def.structure = structure;
+    c.a = test_body_make(test_polygon(TEST_ELLIPSE, n, &c.random), structure);
+    c.b = test_body_make(test_polygon(TEST_REGULAR, m, &c.random), structure);
+    c.shape_a = test_body_shape(&c.a);
+    c.shape_b = test_body_shape(&c.b);
+    return c;
+}
+
+static void couple_destroy(couple *c) {
+    test_body_destroy(&c->a);
+    test_body_destroy(&c->b);
+}
+
 static void step_pair(test_motion_kind kind, bmr_structure structure, size_t n, size_t m, uint64_t seed,
                       pair_tally *t) {
-    test_random random = {seed};
-    test_body a = test_body_make(test_polygon(TEST_ELLIPSE, n, &random), structure),
-              b = test_body_make(test_polygon(TEST_REGULAR, m, &random), structure);
-    const bmr_shape shape_a = test_body_shape(&a), shape_b = test_body_shape(&b);
-    bmr_pair_def def = bmr_default_pair_def();
-    def.structure = structure;
+    couple c = couple_make(structure, n, m, seed);
     bmr_pair pair;
     bmr_pair_init(&pair);
-    test_motion motion = test_motion_make(kind, a.polygon, b.polygon, &random);
+    test_motion motion = test_motion_make(kind, c.a.polygon, c.b.polygon, &c.random);
     for (int i = 0; i < 2000; ++i) {
-        const bmr_pose q = test_motion_next(&motion, &random);
+        const bmr_pose q = test_motion_next(&motion, &c.random);
         bmr_counters counters = {0};
         const bmr_observer observer = {&counters, NULL, NULL};
         const uint64_t before = blocks;
-        bmr_pair_advance(&pair, &def, &shape_a, &shape_b, &q, &observer, NULL);
+        bmr_pair_advance(&pair, &c.def, &c.shape_a, &c.shape_b, &q, &observer, NULL);
         const double ran = (double)(blocks - before), steps = (double)counters.steps;
         if (counters.steps == 0)
             continue; // the old proof held
         t->worst = fmax(t->worst, ran / steps);
-        t->most_steps = fmax(t->most_steps, steps);
+        t->busiest = fmax(t->busiest, ran);
         t->blocks += ran;
         t->steps += steps;
         ++t->repairs;
     }
-    test_body_destroy(&a);
-    test_body_destroy(&b);
+    couple_destroy(&c);
 }
 
 static void no_step_of_a_pair_runs_more_than_a_constant_for_each_that_it_counts(void **state) {
@@ -163,7 +180,7 @@ static void no_step_of_a_pair_runs_more_than_a_constant_for_each_that_it_counts(
         assert_true(t.repairs > 1000);
         assert_true(t.steps <= t.blocks);
         assert_true(t.worst <= MOST_BLOCKS);
-        assert_true(t.most_steps * MOST_BLOCKS > t.blocks / (double)t.repairs); // control: steps differ
+        assert_true(t.busiest > MOST_BLOCKS); // control: that a repair is one step would be found out
     }
 }
 
@@ -173,30 +190,25 @@ static double steps_of_coarsening(bmr_structure structure, size_t n, size_t m) {
     double steps = 0.0;
     size_t repairs = 0;
     for (uint64_t seed = 1; seed <= 10; ++seed) {
-        test_random random = {seed};
-        test_body a = test_body_make(test_polygon(TEST_ELLIPSE, n, &random), structure),
-                  b = test_body_make(test_polygon(TEST_REGULAR, m, &random), structure);
-        const bmr_shape shape_a = test_body_shape(&a), shape_b = test_body_shape(&b);
-        bmr_pair_def def = bmr_default_pair_def();
-        def.structure = structure;
-        const double direction = test_random_uniform(&random, 0.0, 6.28),
-                     angle = test_random_uniform(&random, 0.0, 6.28);
+        couple c = couple_make(structure, n, m, seed);
+        const bmr_polygon *a = c.a.polygon, *b = c.b.polygon;
+        const double direction = test_random_uniform(&c.random, 0.0, 6.28),
+                     angle = test_random_uniform(&c.random, 0.0, 6.28);
         for (int k = 0; k < 30; ++k) {
-            const bmr_pose near = test_pose_at(a.polygon, b.polygon, direction, angle, 1e-5),
-                           far = test_pose_at(a.polygon, b.polygon, direction + 0.05 + 0.1 * k, angle, 0.2);
+            const bmr_pose near = test_pose_at(a, b, direction, angle, 1e-5),
+                           far = test_pose_at(a, b, direction + 0.05 + 0.1 * k, angle, 0.2);
             bmr_pair pair;
             bmr_pair_init(&pair);
-            bmr_pair_advance(&pair, &def, &shape_a, &shape_b, &near, NULL, NULL);
+            bmr_pair_advance(&pair, &c.def, &c.shape_a, &c.shape_b, &near, NULL, NULL);
             bmr_counters counters = {0};
             const bmr_observer observer = {&counters, NULL, NULL};
-            bmr_pair_advance(&pair, &def, &shape_a, &shape_b, &far, &observer, NULL);
+            bmr_pair_advance(&pair, &c.def, &c.shape_a, &c.shape_b, &far, &observer, NULL);
             if (counters.events[BMR_EVENT_COARSEN] < 3)
                 continue;
             steps += (double)counters.steps;
             ++repairs;
         }
-        test_body_destroy(&a);
-        test_body_destroy(&b);
+        couple_destroy(&c);
     }
     assert_true(repairs > 50);
     return steps / (double)repairs;
