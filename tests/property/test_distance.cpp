@@ -253,6 +253,32 @@ TEST_CASE("a vertex that lies on the middle of an edge is not far from it") {
     CHECK(Overlap(s).depth <= s.tolerance);
 }
 
+TEST_CASE("vertices that lie together are no way around a polygon") {
+    // Of two such vertices the searches at both ends of an arc found the other one each. The last pair has a
+    // direction that separates only at the second look.
+    const uint64_t states[] = {340848928178076474u,  3519922534721490492u, 7694584163053262375u,
+                               5479711179065206770u, 2373509614993089665u, 6808758188017056697u};
+    for (size_t i = 0; i < 6; ++i) {
+        CAPTURE(i);
+        test_random random = {states[i]};
+        std::vector<bmr_vec2> points[2] = {std::vector<bmr_vec2>(64), std::vector<bmr_vec2>(64)};
+        for (std::vector<bmr_vec2> &of : points)
+            of.resize(test_hard_points(&random, of.data()));
+        const Polygon a = Hull(points[0]), b = Hull(points[1]);
+        const double way = test_random_uniform(&random, -4, 4);
+        const bmr_vec2 u = {std::cos(way), std::sin(way)};
+        bmr_pose pose = bmr_pose_from_angle({0, 0}, i < 5 ? test_random_uniform(&random, -4, 4) : 0.0);
+        const bmr_vec2 pa = a->vertices[bmr_polygon_support(a.get(), u)],
+                       pb = bmr_rotate(
+                           &pose, b->vertices[bmr_polygon_support(b.get(), bmr_unrotate(&pose, bmr_neg(u)))]);
+        const double gap = std::pow(10, test_random_uniform(&random, -12, 1));
+        pose.position = bmr_add(bmr_sub(pa, pb), bmr_scale(gap, u));
+        const Scene s = SceneOf(a.get(), bmr_pose_identity(), b.get(), pose);
+        const long double truth = distance::SignedDistance(s.points_a, s.points_b);
+        CHECK(std::fabs(Closest(s).distance - std::fmax(0.0L, truth)) <= s.tolerance);
+    }
+}
+
 TEST_CASE("a pose without an angle stands at the origin") {
     const Polygon box = Hull({{1, 1}, {-1, 1}, {-1, -1}, {1, -1}});
     const bmr_pose right = bmr_pose_from_angle({5.0, 0.5}, 0.0);
