@@ -10,8 +10,8 @@
 #include <box2d/b2_edge_shape.h>
 #include <box2d/b2_polygon_shape.h>
 
-#include "boomerang/convex32_distance.h"
 #include "contacts/pair_registry.h"
+#include "convex32/convex32_distance.h"
 #include "proofs/polygon_view.h"
 #include "proofs/thresholds.h"
 #include "start/rounding_mode.h"

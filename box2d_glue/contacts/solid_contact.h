@@ -12,8 +12,8 @@
 #include <box2d/b2_world_callbacks.h>
 
 #include "boomerang/box2d_glue.h"
-#include "boomerang/convex32_collide.h"
 #include "contacts/contact_life.h"
+#include "convex32/convex32_collide.h"
 #include "ledger/edge_memory.h"
 
 namespace bmr {

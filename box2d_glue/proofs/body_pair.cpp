@@ -70,7 +70,7 @@ bmr_answer Advance(BodyPair *pair, const bmr_pose &pose) {
     const bmr_answer answer =
         bmr_pair_advance(&pair->kinetic, &def, &pair->a->shape, &pair->b->shape, &pose, &observer, nullptr);
     GetCounts().kineticChecks.fetch_add(counters.checks, std::memory_order_relaxed);
-    GetCounts().kineticLevels.fetch_add(counters.levels, std::memory_order_relaxed);
+    GetCounts().kineticSteps.fetch_add(counters.steps, std::memory_order_relaxed);
     return answer;
 }
 

@@ -7,7 +7,7 @@
 
 #include <box2d/b2_time_of_impact.h>
 
-#include "boomerang/convex32_distance.h"
+#include "convex32/convex32_distance.h"
 #include "shapes/shapes32.h"
 #include "start/recognise.h"
 

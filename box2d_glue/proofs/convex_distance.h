@@ -8,7 +8,7 @@
 #include <box2d/b2_distance.h>
 #include <box2d/b2_polygon_shape.h>
 
-#include "boomerang/exact32.h"
+#include "exact32/exact32.h"
 #include "proofs/overlap.h"
 #include "shapes/convex_geometry.h"
 

@@ -7,7 +7,7 @@
 #include <box2d/b2_body.h>
 #include <box2d/b2_fixture.h>
 
-#include "boomerang/convex32_collide.h"
+#include "convex32/convex32_collide.h"
 #include "proofs/polygon_view.h"
 #include "proofs/thresholds.h"
 

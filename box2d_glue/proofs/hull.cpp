@@ -14,7 +14,7 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_polygon_shape.h>
 
-#include "boomerang/convex32_envelope.h"
+#include "convex32/convex32_envelope.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/side_normals.h"
 #include "start/current_step.h"

@@ -5,7 +5,7 @@
 #include <box2d/b2_math.h>
 
 #include "boomerang/box2d_glue.h"
-#include "boomerang/convex32.h"
+#include "convex32/convex32.h"
 
 class b2Draw;
 class b2World;

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "boomerang/convex32.h"
+#include "convex32/convex32.h"
 
 class b2Shape;
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "boomerang/allocator.h"
-#include "boomerang/convex32.h"
+#include "convex32/convex32.h"
 
 /// @file
 /// The big polygons of the process, by handle. A shape has 4 bytes to spare, too few for a pointer.

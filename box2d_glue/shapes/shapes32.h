@@ -7,7 +7,7 @@
 #include <box2d/b2_collision.h>
 #include <box2d/b2_polygon_shape.h>
 
-#include "boomerang/exact32.h"
+#include "exact32/exact32.h"
 
 namespace bmr {
 

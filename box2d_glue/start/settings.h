@@ -109,7 +109,7 @@ struct Counts {
     std::atomic<uint64_t> evaluations{0}, edgeChecks{0}, edgeSearches{0}, verdictsReused{0}, provedApart{0},
         handedOver{0}, handedOverTouching{0}, touchingAnswered{0}, toiQueries{0}, toiAnswered{0},
         overlapQueries{0}, overlapsAnswered{0}, verified{0}, differences{0}, steps{0}, pairs{0}, hulls{0},
-        kineticChecks{0}, kineticLevels{0}, pairsWatched{0}, looks{0}, renewals{0};
+        kineticChecks{0}, kineticSteps{0}, pairsWatched{0}, looks{0}, renewals{0};
     std::atomic<uint64_t> kineticEvents[BMR_EVENT_KIND_COUNT] = {};
 };
 Counts &GetCounts();

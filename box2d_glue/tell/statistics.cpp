@@ -37,7 +37,7 @@ Statistics GetStatistics() {
     s.pairs = counts.pairs;
     s.hulls = counts.hulls;
     s.kinetic.checks = counts.kineticChecks;
-    s.kinetic.levels = counts.kineticLevels;
+    s.kinetic.steps = counts.kineticSteps;
     for (int kind = 0; kind < BMR_EVENT_KIND_COUNT; ++kind)
         s.kinetic.events[kind] = counts.kineticEvents[kind];
     return s;

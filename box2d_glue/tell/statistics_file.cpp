@@ -129,7 +129,7 @@ void WriteStatistics(std::FILE *stream) {
     members.Number("pairs", s.pairs);
     members.Number("hulls", s.hulls);
     members.Number("checks", s.kinetic.checks);
-    members.Number("levels", s.kinetic.levels);
+    members.Number("steps", s.kinetic.steps);
     members.Name("events");
     std::fputc('{', stream);
     Members events(stream, "    ");

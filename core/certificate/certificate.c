@@ -13,8 +13,8 @@
 /// `low` or `high` to float turns it by at most sqrt(2) * 2^-25. Together less than 2^-20 + 2^-23.
 #define BRACKET_ERROR (BMR_ROLL_TOLERANCE + 1.1920928955078125e-7)
 
-/// What evaluating a check in double can lose, and what a pose off unit length by 2^-50 can, beside the part
-/// that the check itself covers: a few dozen roundings of 2^-53 of values not above 4 extents. Where the
+/// What a check may be off by, in parts of the extents, beside what it allows for itself: a few dozen
+/// roundings of 2^-53, of values of at most 4 extents, and a pose that is off unit length by 2^-50. Where the
 /// position is larger than that, the bodies are apart by more than any error.
 #define EVALUATION_ERROR 1.4210854715202004e-14 /* 2^-46 */
 

@@ -148,3 +148,26 @@ bool bmr_walk_climb_until(bmr_walk *walk, double enough, bmr_candidate *best) {
 bool bmr_walk_climb(bmr_walk *walk, bmr_candidate *best) {
     return bmr_walk_climb_until(walk, INFINITY, best);
 }
+
+void bmr_walk_ascend(bmr_walk *walk, bmr_candidate candidate, double need, double reach, bmr_walk_take *take,
+                     void *context) {
+    const int from = walk->level;
+    int level = from;
+    while (level > 0) {
+        bmr_candidate coarser;
+        bmr_walk_coarsen(walk, &candidate);
+        const double enough = fmax(reach, need + BMR_COARSEN_PART * (candidate.gap - need));
+        bmr_walk_climb_until(walk, enough, &coarser);
+        if (!(coarser.gap > enough) || !take(context, &coarser, level - 1))
+            break;
+        candidate = coarser;
+        --level;
+    }
+    if (level == from)
+        return;
+    bmr_walk_resume(walk, candidate.owner, candidate.edge, candidate.corner[1 - candidate.owner], level);
+    bmr_candidate best;
+    bmr_walk_climb(walk, &best);
+    if (best.gap > candidate.gap)
+        take(context, &best, level);
+}

@@ -64,6 +64,18 @@ bool bmr_walk_climb_until(bmr_walk *walk, double enough, bmr_candidate *best);
 /// fewer on orbits with 1/4 than with 0, and no fewer with 1/2.
 #define BMR_COARSEN_PART 0.25
 
+/// Makes the caller's proof of a candidate on a level. False: it proves too little, and nothing is changed.
+typedef bool bmr_walk_take(void *context, const bmr_candidate *candidate, int level);
+
+/// From a candidate of the walk's level, which is the caller's proof, to coarser levels, one after the other,
+/// while a line there proves BMR_COARSEN_PART of the finer one's gap beyond `need`, and more than `reach` (>=
+/// need). Each is offered to `take`. On the way up the first line that is good enough is taken: between two
+/// neighbouring edges of one body may lie any number of the other's, and a climb to the best line would pass
+/// them all. The best one is looked for on the last level, and offered again where it is better.
+/// O(levels gained) expected, and one climb.
+void bmr_walk_ascend(bmr_walk *walk, bmr_candidate candidate, double need, double reach, bmr_walk_take *take,
+                     void *context);
+
 /// The line of an edge, and the point of a corner, in A's frame.
 bmr_vec2 bmr_walk_normal(const bmr_walk *walk, int side, bmr_edge edge);
 bmr_vec2 bmr_walk_point(const bmr_walk *walk, int side, bmr_corner corner);

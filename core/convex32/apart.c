@@ -2,14 +2,15 @@
 #include "edge_search.h"
 #include "exact32/clip_lanes.h"
 
-/// More than the length of a remembered direction, whose coordinates were rounded.
+/// No remembered direction is longer: its length was 32767 before its coordinates were rounded.
 #define LONGEST_AXIS 32768.0f
 
-/// Of the sum of all coordinates that go in, which are rounded six times at most on the way (in the turned
-/// direction twice), and the sum once more where it is compared: 2^-24 each.
+/// What a gap along a remembered direction may be off by, as a part of the sum of all coordinates that go
+/// into it: each is rounded at most six times on the way (twice in the turned direction), and the sum once
+/// more where it is compared, by 2^-24 each time.
 ///
-/// The same part of an edge's |x| + |y| is more than what a product of the turned direction with it is off
-/// by: 2^-24 twice for the direction and three times for the difference, the product and the sum.
+/// The product of the turned direction with an edge is off by less than the same part of the edge's |x| +
+/// |y|: by 2^-24 twice for the direction, and three times for the difference, the product and the sum.
 static const float noise = 0x1p-21f * LONGEST_AXIS;
 
 typedef struct gap {
@@ -17,8 +18,8 @@ typedef struct gap {
     uint32_t vertex_a, vertex_b;
 } gap;
 
-/// The same as in the lanes below: does the polygon certainly end at this vertex along u? Both its edges
-/// descend, rounding included, and so does all that lies between them.
+/// Is the vertex certainly the farthest along u, rounding included? It is if both its edges descend: the
+/// polygon is convex. The same formulas as in the lanes below.
 static bool certainly_farthest(const bmr_convex32 *polygon, uint32_t at, bmr_vec32 u) {
     const bmr_vec32 here = polygon->vertices[at];
     const bmr_vec32 next = minus(polygon->vertices[convex32_next(polygon, at)], here),
@@ -26,7 +27,7 @@ static bool certainly_farthest(const bmr_convex32 *polygon, uint32_t at, bmr_vec
     return dot(u, next) < -noise * convex32_size(next) && dot(u, last) < -noise * convex32_size(last);
 }
 
-/// No |x| + |y| of a vertex is larger.
+/// At least the largest |x| + |y| of a vertex.
 static float size_of(const bmr_convex32 *polygon) {
     if (polygon->buckets)
         return convex32_size(polygon->extent);
@@ -38,10 +39,11 @@ static float size_of(const bmr_convex32 *polygon) {
     return most;
 }
 
-/// Moves the vertex to the farthest along u, from where it certainly is not; and how much more size goes into
-/// the noise by that. An edge that lies across u to rounding may hide where the polygon goes on, or that this
-/// is its other end: then the largest product of all is taken. Two products are off by 2^-24 four times each,
-/// the direction included, so by no more than the noise of twice the polygon's size.
+/// Finds the vertex that is farthest along u, starting from *at. Returns the size that is to be added to
+/// those whose rounding is allowed for: 0 where the vertex is certainly the farthest. Where an edge lies
+/// across u up to rounding, the vertex may be its other end, or the polygon may go on behind it. Then the
+/// vertex of the largest product of all is taken. Two products are off by 2^-24 four times each, the
+/// direction included, which is no more than the noise of twice the polygon's size.
 static float find_end(const bmr_convex32 *polygon, bmr_vec32 u, uint32_t *at) {
     *at = bmr_convex32_find_farthest(polygon, u, *at);
     if (certainly_farthest(polygon, *at, u))
@@ -50,7 +52,8 @@ static float find_end(const bmr_convex32 *polygon, bmr_vec32 u, uint32_t *at) {
     return 2.0f * size_of(polygon);
 }
 
-/// Where the polygon ends along u, which is in both halves: some steps from the hint, or see find_end.
+/// The vertex that is farthest along u (which is in both halves of the register): some steps from the hint,
+/// and where these are not enough, find_end.
 static inline uint32_t end_along(const bmr_convex32 *polygon, float4 u, uint32_t hint, float *unsure) {
     enum { NEAR_STEPS = 2 };
     const bmr_vec32 *const v = polygon->vertices;

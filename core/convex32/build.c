@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "boomerang/convex32.h"
 #include "boomerang/polygon.h"
+#include "convex32/convex32.h"
 #include "convex32/directions.h"
 #include "convex32/mass.h"
 #include "convex32/scratch.h"

@@ -2,8 +2,8 @@
 #include "edge_search.h"
 #include "exact32/clip_lanes.h"
 
-/// Two products of a unit normal with unit normals that differ by less than this may come in any order; each
-/// is off by 4 times 2^-24 at most, the turning included.
+/// The products of one unit normal with two others may come out in the wrong order if they differ by less
+/// than this: each is off by at most 4 times 2^-24, the turning included.
 static const float noise_of_cosine = 0x1p-21f;
 
 uint32_t bmr_convex32_edge_against(const bmr_convex32 *polygon, const bmr_transform32 *turned,
@@ -79,8 +79,9 @@ void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const
     if (!(best_a->separation <= radius_sum))
         return;
 
-    // B's edges count where one separates by more than the skins, or by `tolerance` more than A's. One may
-    // lie along A's best, and may separate by as much, to rounding.
+    // B's edges matter only if one separates by more than the skins, or by `tolerance` more than A's best. An
+    // edge of B that lies along A's best one separates by as much, up to rounding (`along`); of the others
+    // `rest` is a bound.
     const float enough = best_a->separation + tolerance;
     const float floor = enough < radius_sum ? enough : radius_sum;
     const edge_view *const best_b = &of_b.best;
@@ -99,7 +100,8 @@ void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const
     }
     make_points(manifold, a, pose_a, best_a, b, pose_b, radius_sum, false);
 
-    // The short edge of B that faces A's may lie beyond A's corner, where B's own face would have found it.
+    // No points: the short edge of B that faces A's face may lie beyond A's corner. With B's face as the
+    // reference there are some.
     if (manifold->count == 0 && (a->count > 8 || b->count > 8)) {
         seek_of_b(a, pose_a, b, pose_b, best_a, -FLT_MAX, &of_b);
         make_points(manifold, b, pose_b, best_b, a, pose_a, radius_sum, true);

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "boomerang/convex32.h"
+#include "convex32/convex32.h"
 
 /// @file
 /// Directions, their buckets, and how far floats can be trusted: what this room's files share.

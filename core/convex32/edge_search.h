@@ -2,7 +2,7 @@
 #ifndef BOOMERANG_CONVEX32_EDGE_SEARCH_H
 #define BOOMERANG_CONVEX32_EDGE_SEARCH_H
 
-#include "boomerang/convex32_collide.h"
+#include "convex32/convex32_collide.h"
 #include "convex32/directions.h"
 #include "exact32/clip.h"
 

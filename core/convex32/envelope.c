@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "boomerang/convex32_envelope.h"
+#include "convex32/convex32_envelope.h"
 
 #include <math.h>
 

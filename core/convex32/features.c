@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "boomerang/convex32_collide.h"
+#include "convex32/convex32_collide.h"
 
 static bool same(bmr_feature32 a, bmr_feature32 b) {
     return a.index_a == b.index_a && a.index_b == b.index_b && a.type_a == b.type_a && a.type_b == b.type_b;
@@ -35,7 +35,8 @@ void bmr_convex32_keep_features(bmr_manifold32 *manifold, const bmr_manifold32 *
             used[nearest] = true;
         }
     }
-    // A point's own new feature may be the one that the other has taken over. Any other number will do.
+    // The one point may have taken over the feature that the other point has by itself. Any other number will
+    // do for the other.
     if (count == 2 && same(manifold->points[0].feature, manifold->points[1].feature))
         manifold->points[kept[0] ? 1 : 0].feature.index_b ^= 0x80u;
 }

@@ -2,8 +2,8 @@
 #ifndef BOOMERANG_CONVEX32_GJK_H
 #define BOOMERANG_CONVEX32_GJK_H
 
-#include "boomerang/convex32_distance.h"
 #include "boomerang/pose.h"
+#include "convex32/convex32_distance.h"
 
 /// @file
 /// The search of Gilbert, Johnson and Keerthi for the closest points, which distance, cast and impact share.

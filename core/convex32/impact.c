@@ -3,9 +3,10 @@
 
 #include "convex32/gjk.h"
 
-// A direction is asked at so many times at most before the closest points are looked for again, and so often
-// are they looked for. Box2D's own search has 20 directions; this one takes three, but for sides that turn by
-// radians next to each other: after a few directions that stand still it tries some that turn, too.
+// At most so many times one direction is asked before the closest points are looked for again, and at most so
+// many directions there are. Box2D's own search has 20; this one usually takes three. Sides that turn by
+// radians next to each other need more: after FEW_DIRECTIONS that stand still, directions that turn are
+// tried, too.
 enum { MOST_TIMES = 12, FEW_DIRECTIONS = 32, MOST_DIRECTIONS = 400 };
 
 /// A shape on its way.
@@ -60,15 +61,16 @@ static bmr_posed32 at(const moving *m, double t) {
     return shape;
 }
 
-/// A shape's part of the bend: how far it reaches along a direction is a function of the angle between them
-/// whose second derivative is at least -lever (a vertex' is its negative; where one takes over from another
-/// the slope jumps up).
+/// What a shape adds to the bend. How far the shape reaches along a direction is a function of the angle
+/// between the two, and its second derivative is at least -lever: that of a single vertex is the negative of
+/// how far it reaches, and where another vertex becomes the farthest the slope jumps up.
 static double bend_of(const moving *m, double turn) {
     const double relative = m->turn - turn;
     return m->lever * relative * relative;
 }
 
-/// Centres, D + t V apart, move evenly along a direction that stands still. Along one that turns by w the
+/// A direction n at a time, with the bend of what lies between the shapes along it. The centres are D + t V
+/// apart. Along a direction that stands still that adds no bend. Along one that turns at the rate w the
 /// second derivative of n (D + t V) is -w^2 n (D + t V) + 2 w V n', n' a quarter turn from n.
 static axis axis_at(const question *q, bmr_vec2 n, double since, double turn) {
     const double centers = turn != 0.0 ? turn * turn * q->far + 2.0 * fabs(turn) * q->speed : 0.0;

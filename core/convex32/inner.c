@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "boomerang/convex32.h"
+#include "convex32/convex32.h"
 #include "convex32/directions.h"
 #include "convex32/triangle.h"
 

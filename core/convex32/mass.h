@@ -2,7 +2,7 @@
 #ifndef BMR_CONVEX32_MASS_H
 #define BMR_CONVEX32_MASS_H
 
-#include "boomerang/convex32.h"
+#include "convex32/convex32.h"
 
 /// Mass of a convex polygon, however thin, and how far its vertices reach, in double, rounded once. Outputs
 /// are written only without error: BMR_ERROR_OUT_OF_RANGE where the area or the inertia is no normal float.

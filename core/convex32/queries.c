@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "boomerang/convex32.h"
+#include "convex32/convex32.h"
 #include "convex32/near_edges.h"
 
 /// A size that leaves room for every product.

@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "boomerang/convex32.h"
 #include "boomerang/hierarchy.h"
+#include "convex32/convex32.h"
 #include "geometry/memory.h"
 #include "geometry/vertex.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "boomerang/convex32.h"
+#include "convex32/convex32.h"
 #include "convex32/directions.h"
 
 /// Steps from a hint after which the table is asked: about what it costs.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "boomerang/exact32.h"
+#include "exact32/exact32.h"
 
 #include "max_edge.h"
 
@@ -114,13 +114,14 @@ bool bmr_exact32_separates_contracted(const bmr_vec32 *vertex, const bmr_vec32 *
     const float least = least_separation(&e, points, count);
     if (!(least > beyond))
         return false;
-    // The same of magnitudes, with sums for differences: no term of the formulas is larger than its own here.
+    // The same formulas of the numbers' magnitudes, with a sum for each difference: each term here is at
+    // least as large as the term of the formula that it stands for.
     const float4 turned = abs4(e.at_other), d = abs4(e.d), a = abs4(e.a);
     const float4 f = add4(mul4(splat4(turned, 3), d), mul4(splat4(turned, 2), swap4(d)));
     const float4 n = add4(mul4(splat4(f, 3), a), mul4(splat4(f, 2), swap4(a))), v = add4(n, lows4(f, f));
     const float4 apart = add4(highs4(v, v), largest_coordinates(points, count));
     const float size = sum_of_first4(mul4(n, apart));
-    // Ours and the other evaluation: each rounds no term more than 12 times. 2^-24 of it each time.
+    // Our evaluation and the other one each round a term at most 12 times, by 2^-24 of it each time.
     const float rounding = 32.0f * 0x1p-24f;
     return least - rounding * size > beyond;
 }

@@ -8,15 +8,15 @@
 /// @file
 /// Four floats side by side: in SSE2, in NEON on ARM64, or in plain C. No other file knows which.
 ///
-/// Every operation rounds each lane once and gives the same bits in all three forms, but for which NaN a NaN
-/// is: tests/unit/test_float4.c compares them. So code that is written with these has the same order of
-/// operations, and the same bits, on every processor. (Compile it with -ffp-contract=off: compilers take
-/// NEON's product and sum for a * b + c, and would fuse them.)
+/// Every operation rounds each lane once and gives the same bits in all three forms, except that a NaN may
+/// have another payload. tests/unit/test_float4.c compares them. So code that is written with these has the
+/// same order of operations, and the same bits, on every processor. (Compile it with -ffp-contract=off:
+/// compilers take NEON's product and sum for a * b + c, and would fuse them.)
 ///
 /// Lanes are numbered from 0, the first in memory. Comparisons give a mask: all bits of a lane, or none.
 ///
-/// BMR_FLOAT4_PLAIN chooses plain C anywhere. Where there is nothing else BMR_FLOAT4_NATIVE is 0, and code
-/// that has a form of its own for one float after the other uses that.
+/// Who defines BMR_FLOAT4_PLAIN gets plain C on any processor. Where plain C is in use, BMR_FLOAT4_NATIVE is
+/// 0; some code is then faster one float after the other, and does that instead.
 
 #if defined(BMR_FLOAT4_PLAIN)
 #    define BMR_FLOAT4_NATIVE 0
@@ -32,8 +32,8 @@
 #    define BMR_FLOAT4_NATIVE 0
 #endif
 
-/// (Where gcc is left to choose, registers are copied that need not be: three instructions more a remembered
-/// edge.)
+/// Inlined always: where gcc is left to choose, it copies registers without need, three instructions for each
+/// remembered edge that is checked.
 #if defined(__GNUC__)
 #    define FLOAT4_INLINE static inline __attribute__((always_inline))
 #elif defined(_MSC_VER)

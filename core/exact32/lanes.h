@@ -2,7 +2,7 @@
 #ifndef BOOMERANG_EXACT32_LANES_H
 #define BOOMERANG_EXACT32_LANES_H
 
-#include "boomerang/exact32.h"
+#include "exact32/exact32.h"
 
 #include "float4.h"
 

@@ -11,7 +11,7 @@
 // each, and nearly all searches end after three.
 enum { MOST_STEPS = 8 };
 
-// A step that gains less than this part of the distance has arrived.
+// The search ends at a step that comes nearer by less than this part of the distance.
 static const float least_gain = 1e-3f;
 
 // The series of sine and cosine in turn_back are good to the last bit of a float up to this angle.
@@ -144,8 +144,8 @@ typedef struct question {
     float swing;       ///< how far turning may bring points closer, at most
 } question;
 
-/// How much the motion of the centres alone brings b closer to a than at the end; not above zero. (A NaN
-/// stays one.)
+/// By how much b was closer to a along n at the start than at the end, as far as the centres' motion goes, as
+/// a negative number; 0 if it was not. A NaN stays a NaN.
 static float slide(const question *q, bmr_vec32 n) {
     const float s = dot(n, q->back);
     return s > 0.0f ? 0.0f : s;
@@ -162,8 +162,9 @@ static void turn_back(const bmr_swept32 *shape, bmr_swept32 *start) {
     }
 }
 
-/// Between two poses that are both looked at, a turning point comes closer than at both by no more than the
-/// height of its arc, radius times turn squared over eight: far less than by the turn itself.
+/// Does the direction separate by more than is needed at both ends of the motion? A point that turns lies at
+/// most the height of its arc nearer in between than at both ends, radius times the square of the turn over
+/// eight. That is far less than the length of the arc.
 static bool apart_at_both_ends(const question *q, bmr_vec32 n, float at_end) {
     const float ta = q->a->turn, tb = q->b->turn;
     if (!(fabsf(ta) <= most_turn) || !(fabsf(tb) <= most_turn))
@@ -177,8 +178,8 @@ static bool apart_at_both_ends(const question *q, bmr_vec32 n, float at_end) {
     return dot(n, q->between) + dot(n, q->back) + gap(&a, &b, n) > needed;
 }
 
-/// Does the direction keep them apart during all of the motion? `found`: by how much it does if nothing
-/// turns.
+/// Does the direction keep the two apart during all of the motion? *found: how far apart they would stay
+/// along it if nothing turned.
 static inline bool keeps_apart(const question *q, bmr_vec32 n, float *found) {
     const float at_end = dot(n, q->between) + gap(q->a, q->b, n);
     *found = at_end + slide(q, n);
@@ -208,8 +209,8 @@ static bmr_vec32 support(const question *q, bmr_vec32 n) {
     return w;
 }
 
-/// The search: the distance of the origin from the swept difference, left as soon as a direction does or
-/// cannot do.
+/// Searches for the point of the swept difference b - a that is nearest to the origin. Ends as soon as a
+/// direction keeps the two apart, or two of their points are so near that none can.
 static bmr_swept32_answer search(const question *q, bmr_vec32 n, bmr_vec32 *direction) {
     if (!(q->swing <= FLT_MAX)) // a radius is infinite; the supports below would pass a NaN over
         return BMR_SWEPT32_UNKNOWN;

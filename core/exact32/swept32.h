@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "boomerang/exact32.h"
+#include "exact32/exact32.h"
 
 #ifdef __cplusplus
 extern "C" {

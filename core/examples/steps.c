@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The same as a game sees it, step by step: a pair of 64 bytes is taken from pose to pose. Links
-// boomerang::core alone.
+// The same with poses that come step by step, without a known motion: a pair of 64 bytes is taken from pose
+// to pose. Links boomerang::core alone.
 #include <stdio.h>
 
 #include "boomerang/boomerang.h"

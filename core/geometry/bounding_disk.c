@@ -4,12 +4,14 @@
 #include <math.h>
 #include <stdbool.h>
 
-/// The farthest point is pivoted into the basis until it is outside by less than this relative amount.
+/// The farthest point is added to the points that span the disk, until it is outside of the disk by less than
+/// this part of the radius.
 #define PIVOT_TOLERANCE 1e-13
 /// Each pivot enlarges the disk, so that the loop ends; 5 to 10 passes are usual. The cap guards against
 /// rounding, and costs nothing but a slightly larger disk.
 #define MAX_PIVOTS 64
-/// Two differences, two squares, a sum, a root and the product itself: less than 8 half-ulps.
+/// The radius is rounded up by this: two differences, two squares, a sum, a root and this product are off by
+/// less than 8 halves of an ulp.
 #define ROUND_UP (1.0 + 8.0 * 2.220446049250313e-16)
 
 /// Without hypot's care for overflow: coordinates are at most BMR_MAX_COORDINATE. What underflows is nothing

@@ -131,12 +131,18 @@ static void look_afar(search *s, bmr_vec2 direction, uint32_t at[2]) {
     at[1] = bmr_support_counted(c[1].polygon, bmr_unrotate(c[1].pose, bmr_neg(direction)), &s->steps);
 }
 
-/// Puts the chains on the arc between the directions that have these support vertices.
-static void set_arc(search *s, const uint32_t low[2], const uint32_t high[2]) {
+/// Puts the chains on the arc up to the direction `end`, counter-clockwise, from the support vertices at its
+/// beginning to those in `end`.
+static void set_arc(search *s, const uint32_t low[2], const uint32_t high[2], bmr_vec2 end) {
     for (int i = 0; i < 2; ++i) {
-        const uint32_t n = s->chains[i].polygon->count;
-        s->chains[i].first = low[i];
-        s->chains[i].edges = high[i] >= low[i] ? high[i] - low[i] : high[i] + n - low[i];
+        chain *c = &s->chains[i];
+        const uint32_t n = c->polygon->count;
+        c->first = low[i];
+        c->edges = high[i] >= low[i] ? high[i] - low[i] : high[i] + n - low[i];
+        // Of two vertices that lie together as far as doubles tell, either search may have found the other
+        // one. Then the chain would go once around the polygon, and its first edge away from `end`.
+        if (c->edges > 0 && bmr_dot(end, edge(c, 0)) < 0.0)
+            c->edges = 0;
     }
 }
 
@@ -152,7 +158,7 @@ static void arc_from(search *s, bmr_vec2 y, bmr_vec2 w, const uint32_t at[2]) {
     uint32_t other[2] = {at[0], at[1]};
     if (sense * bmr_cross(y, end) > LEAST_ARC)
         look_afar(s, end, other);
-    set_arc(s, sense > 0 ? at : other, sense > 0 ? other : at);
+    set_arc(s, sense > 0 ? at : other, sense > 0 ? other : at, sense > 0 ? end : y);
 }
 
 /// The arc that holds u, if the polygons are apart.
@@ -182,7 +188,7 @@ static bool find_arc(search *s, bmr_vec2 y, uint32_t at[2]) {
     uint32_t low[2] = {at[0], at[1]}, high[2] = {at[0], at[1]};
     look_afar(s, sense > 0 ? near : far, low);
     look_afar(s, sense > 0 ? far : near, high);
-    set_arc(s, low, high);
+    set_arc(s, low, high, sense > 0 ? far : near);
     return true;
 }
 
@@ -205,8 +211,8 @@ static void add_edge(search *s, bmr_simplex *simplex) {
         simplex->b[1] = end;
 }
 
-bmr_simplex bmr_closest_start(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a,
-                              const bmr_simplex *near) {
+bool bmr_closest_start(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a,
+                       const bmr_simplex *near, bmr_simplex *start) {
     uint32_t at[2] = {near->a[0] % a->count, near->b[0] % b->count};
     search s = {.chains = {{a, NULL, at[0], 0}, {b, b_in_a, at[1], 0}},
                 .low = {-1, {0.0, 0.0}},
@@ -217,9 +223,9 @@ bmr_simplex bmr_closest_start(const bmr_polygon *a, const bmr_polygon *b, const 
     bool apart = length > 0.0 && find_arc(&s, bmr_scale(1.0 / length, y), at);
     while (apart && s.chains[0].edges + s.chains[1].edges > 0)
         apart = halve(&s);
-    bmr_simplex simplex = bmr_simplex_make(s.chains[0].first, s.chains[1].first);
+    *start = bmr_simplex_make(s.chains[0].first, s.chains[1].first);
     if (apart)
-        add_edge(&s, &simplex);
-    simplex.steps = s.steps;
-    return simplex;
+        add_edge(&s, start);
+    start->steps = s.steps;
+    return apart;
 }

@@ -8,6 +8,10 @@
 /// Steps of a climb before it gives way to the binary search, which costs about as much as this many.
 #define CLIMB_STEPS 12
 
+/// Iterations before the search over two chains is asked where to go on. From the last closest points most
+/// queries take one to four.
+#define ITERATIONS_BEFORE_SEARCH 8
+
 /// From the last closest points random and hard motions take 12 at most, vertices that crowd 24 and more.
 /// Each iteration adds a vertex pair that no iteration before had, so that the loop ends without a cap too:
 /// this one is for what rounding might think of.
@@ -140,6 +144,20 @@ static bmr_vec2 direction_of(const search *s) {
     return bmr_scale(1.0 / sqrt(bmr_dot(u, u)), u);
 }
 
+/// Replaces the simplex by the one that the search over two chains finds, where that is nearer.
+static void go_on_from_search(search *s, const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a) {
+    bmr_simplex start;
+    const bool apart = bmr_closest_start(a, b, b_in_a, &s->simplex, &start);
+    s->simplex.steps = start.steps;
+    if (!apart)
+        return;
+    search found = {.simplex = {.count = 0, .steps = start.steps}};
+    for (uint32_t i = 0; i < start.count; ++i)
+        add(&found, a, b, b_in_a, start.a[i], start.b[i]);
+    if (reduce(&found) && found.square < s->square)
+        *s = found;
+}
+
 bool bmr_closest_direction(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a, double reach,
                            double slack, bmr_simplex *simplex, bmr_closest *closest) {
     // No simplex at all is as good a start as any vertices.
@@ -150,6 +168,8 @@ bool bmr_closest_direction(const bmr_polygon *a, const bmr_polygon *b, const bmr
     bool outside = reduce(&s);
     bmr_closest best = {{1.0, 0.0}, -1.0, 0, 0};
     for (int iteration = 0; outside && iteration < MAX_ITERATIONS; ++iteration) {
+        if (iteration == ITERATIONS_BEFORE_SEARCH)
+            go_on_from_search(&s, a, b, b_in_a);
         if (s.square <= reach * reach)
             break; // two points of the polygons are that near
         const bmr_vec2 u = direction_of(&s);

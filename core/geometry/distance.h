@@ -43,16 +43,19 @@ typedef struct bmr_closest {
 /// the closest points). False: the distance is at most `reach`, up to rounding and BMR_DISTANCE_TOLERANCE,
 /// and *closest is untouched. `simplex` says where to start and gets where to start next time; the pose must
 /// be finite. Gilbert, Johnson and Keerthi's algorithm in the plane, with support vertices from
-/// bmr_support_near: O(1) where it starts near the closest points. How often it iterates from afar is not
-/// bounded by the logarithm: vertices (2^-k, 4^-k) at a distance of 1e-10 take 24. bmr_closest_start is.
+/// bmr_support_near: O(1) where it starts near the closest points. How often it would iterate from afar is
+/// not bounded by the logarithm (vertices (2^-k, 4^-k) at a distance of 1e-10 take 24): so after a few
+/// iterations of polygons that are apart it goes on from where bmr_closest_start leads, which makes it
+/// O(log n).
 bool bmr_closest_direction(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a, double reach,
                            double slack, bmr_simplex *simplex, bmr_closest *closest);
 
-/// The vertices or the edge and the vertex that are closest, for bmr_closest_direction to start (and, up to
-/// rounding, to end) at: O(log n) whatever the polygons look like, O(log k) where the answer is k edges from
-/// the vertices of `near`. Edelsbrunner's search over two chains: each look at the middle edges of both
-/// discards half of one. Polygons that overlap get vertices anywhere. The pose must be finite.
-bmr_simplex bmr_closest_start(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a,
-                              const bmr_simplex *near);
+/// Finds the vertices, or the edge and the vertex, that are closest, for bmr_closest_direction to start (and,
+/// up to rounding, to end) at. False: the polygons overlap or touch, up to rounding, and *start is vertices
+/// anywhere. Edelsbrunner's search over two chains: each look at the middle edges of both discards half of
+/// one. O(log n) whatever the polygons look like, O(log k) where the answer is k edges from the vertices of
+/// `near`, whose steps *start takes over. The pose must be finite.
+bool bmr_closest_start(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a,
+                       const bmr_simplex *near, bmr_simplex *start);
 
 #endif

@@ -45,8 +45,9 @@ static double box_side(const bmr_vec2 *vertices, size_t count) {
     return fmax(high.x - low.x, high.y - low.y);
 }
 
-/// Each step mixes 64 bits in by a multiplication that every one of them passes upwards, and by a shift that
-/// brings them down again. (The multiplier is Steele and Vigna's for such a mixer.)
+/// Mixes 64 bits into a hash. The multiplication carries each bit into all those above it, and the shift
+/// takes the upper half down again, so that every bit of the vertices can change every bit of the stamp. (The
+/// multiplier is one of Steele and Vigna's.)
 static uint64_t mix(uint64_t hash, uint64_t bits) {
     hash = (hash ^ bits) * UINT64_C(0xd1342543de82ef95);
     return hash ^ hash >> 32;

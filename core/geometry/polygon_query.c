@@ -57,8 +57,9 @@ uint32_t bmr_polygon_support(const bmr_polygon *polygon, bmr_vec2 direction) {
     return bmr_support_counted(polygon, direction, &unused);
 }
 
-/// Is the vertex surely on the upper side? The centre of the disk is inside the polygon up to rounding. (A
-/// climb can stop at the bottom when both edges there are level up to rounding, and must not be believed.)
+/// Does the vertex lie farther in the direction than the centre of the bounding disk, by more than rounding?
+/// A climb that ended at a vertex that does not is not believed: it may have stopped at the lowest vertex,
+/// where both edges were level up to rounding.
 static inline bool surely_upper(const bmr_polygon *p, uint32_t i, bmr_vec2 d) {
     const double rise = bmr_dot(d, bmr_sub(p->vertices[i], p->center));
     return rise > SUPPORT_ROUNDING * p->extent * (fabs(d.x) + fabs(d.y));

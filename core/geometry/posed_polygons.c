@@ -19,8 +19,8 @@ static bmr_error unit_pose(const bmr_pose *pose, bmr_pose *unit) {
 }
 
 bmr_error bmr_posed_polygons_make(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
-                                  const bmr_pose *pose_b, bmr_posed_polygons *posed) {
-    if (!a || !b || !posed)
+                                  const bmr_pose *pose_b, const void *answer, bmr_posed_polygons *posed) {
+    if (!a || !b || !answer)
         return BMR_ERROR_NULL_ARGUMENT;
     bmr_pose unit_a, unit_b;
     bmr_error error = unit_pose(pose_a, &unit_a);

@@ -16,12 +16,13 @@ typedef struct bmr_posed_polygons {
     bmr_pose b_in_a;
 } bmr_posed_polygons;
 
-/// Checks the arguments of both functions. An error leaves *posed untouched.
+/// Checks the arguments of both functions, of the pointer to the answer only that there is one. An error
+/// leaves *posed untouched.
 bmr_error bmr_posed_polygons_make(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
-                                  const bmr_pose *pose_b, bmr_posed_polygons *posed);
+                                  const bmr_pose *pose_b, const void *answer, bmr_posed_polygons *posed);
 
 /// The closest points. False: the polygons overlap or touch, and *closest is untouched. *steps grows by the
-/// steps that were taken after the eight supports at the beginning.
+/// elementary steps taken (geometry/distance.h).
 bool bmr_posed_polygons_closest(const bmr_posed_polygons *posed, unsigned *steps,
                                 bmr_closest_points *closest);
 

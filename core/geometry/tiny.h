@@ -7,7 +7,8 @@
 
 #include "boomerang/vector.h"
 
-/// Below this, products with it may lose bits to underflow, of two even their sign.
+/// Components of a vector below this are too small for products: these may lose bits to underflow, and the
+/// product of two such numbers even its sign.
 #define BMR_TINY 1e-140
 #define BMR_TINY_SCALE 0x1p600
 
@@ -17,8 +18,8 @@ static inline bmr_vec2 bmr_scale_up_if_tiny(bmr_vec2 d) {
     return fabs(d.x) < BMR_TINY && fabs(d.y) < BMR_TINY ? bmr_scale(BMR_TINY_SCALE, d) : d;
 }
 
-/// Below this, rises are those of edges so short that products underflow: a climb would stop at them, or go
-/// back.
+/// A rise below this comes of an edge so short that its products underflow. A climb that went by it would
+/// stop there, or go back.
 #define BMR_LEAST_RISE 1e-300
 
 /// Does an edge lead farther in a direction that is not tiny? The difference of two doubles has a relative

@@ -6,7 +6,8 @@
 /// What rounding may do to a support value or a meeting point, as a multiple of the largest coordinate: some
 /// ten roundings of 1.1e-16 each, and the same again.
 #define AUDIT_ROUNDING 4e-15
-/// Agreement was decided on normals rounded to 1e-16 each.
+/// The builder merged directions that agree within BMR_MERGE_ANGLE. It compared normals that are each rounded
+/// to 1e-16, and so do the checks here.
 #define AUDIT_MERGE_ANGLE (BMR_MERGE_ANGLE + 4e-16)
 
 /// One audit: the tree and the length that counts as rounding.
@@ -92,8 +93,9 @@ static bool is_on(const audit *a, bmr_edge edge, bmr_vec2 point) {
     return fabs(bmr_dot(line.normal, point) - line.offset) <= a->rounding;
 }
 
-/// One corner of one envelope: seen alike from both its edges, convex, on both lines, extreme in its own
-/// directions, and inside the envelope before.
+/// Checks one corner of one envelope: both its edges lead to it, it is convex, its point is on both lines,
+/// the search for the extreme corner finds it in its own directions, and it lies inside of the envelope of
+/// the level above.
 static bool is_corner(const audit *a, bmr_corner corner, uint32_t level) {
     const bmr_hierarchy *h = a->h;
     if (!same_corner(corner, bmr_hierarchy_corner_before(h, corner.after, level)) ||
@@ -118,8 +120,9 @@ static bool is_corner(const audit *a, bmr_corner corner, uint32_t level) {
            is_within(a, coarse.before, point) && is_within(a, coarse.after, point);
 }
 
-/// At the deepest level a corner is a vertex of the polygon, or what lies between agrees with one of its
-/// edges.
+/// Checks a corner of the deepest level: nothing is left to cut. Either the corner is a vertex of the
+/// polygon, or each of the polygon's edges between its two lines has the direction of one of them, up to
+/// merging.
 static bool is_finished(const bmr_hierarchy *h, bmr_corner corner) {
     const bmr_polygon *p = h->polygon;
     const bmr_vec2 before = bmr_hierarchy_line(h, corner.before).normal;

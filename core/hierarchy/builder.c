@@ -43,7 +43,8 @@ void bmr_items_start_at_east(bmr_item *items, uint32_t count) {
     reverse(items, 0, count);
 }
 
-/// Says to the compiler that an id fits its bit-field (see BMR_ID_BITS).
+/// Masks an id to the width of its bit-field (BMR_ID_BITS). Ids always fit; the mask lets the compiler see
+/// it.
 #define ID(id) ((id) & ((1u << BMR_ID_BITS) - 1u))
 
 static bool agree(bmr_vec2 a, bmr_vec2 b, double angle) {

@@ -54,8 +54,9 @@ bmr_edge bmr_corner_widest_edge(const bmr_hierarchy *hierarchy, bmr_corner corne
     return before >= after ? corner.before : corner.after;
 }
 
-/// Of a line through a convex polygon the entry is the last of all lines that it crosses inwards. -INFINITY:
-/// it does not cross this one inwards.
+/// The parameter at which the line from `start` along `direction` crosses the inflated edge's line inwards;
+/// -INFINITY where it does not. A line enters a convex polygon at the last of all edges' lines that it
+/// crosses inwards.
 static double crossing(const bmr_hierarchy *h, bmr_edge edge, double offset, bmr_vec2 start,
                        bmr_vec2 direction) {
     const bmr_line line = bmr_hierarchy_line(h, edge);

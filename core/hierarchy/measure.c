@@ -8,7 +8,7 @@ bmr_line bmr_hierarchy_line(const bmr_hierarchy *hierarchy, bmr_edge edge) {
     line.normal =
         node->own ? bmr_polygon_normal(p, (uint32_t)node->touch) : hierarchy->directions[node->direction];
     line.offset = bmr_dot(line.normal, p->vertices[node->touch]);
-    if (node->wide) // rounding tilts the line: take the end that sticks out
+    if (node->wide) // its normal is rounded: of the edge's two ends the one that lies farther out
         line.offset =
             fmax(line.offset, bmr_dot(line.normal, p->vertices[bmr_tree_last_touch(hierarchy, node)]));
     return line;

@@ -63,7 +63,8 @@ bmr_vec2 bmr_mixed_sum(const bmr_mixed *mixed, int body, bmr_edge before, bmr_ed
                        bmr_edge other_before, bmr_edge other_after) {
     const bmr_vec2 p = bmr_mixed_corner(mixed, body, before, after);
     const bmr_vec2 q = bmr_mixed_corner(mixed, 1 - body, other_before, other_after);
-    // Addition commutes, so that either body may ask.
+    // The sum of two doubles does not depend on their order: the bits are the same whichever body comes
+    // first.
     return bmr_add(bmr_mixed_into_a(mixed, body, p), bmr_mixed_into_a(mixed, 1 - body, q));
 }
 
@@ -320,8 +321,9 @@ bmr_mixed_cell bmr_mixed_triangle(const bmr_mixed *mixed, int owner, bmr_edge ed
 
 // --- across a side ---
 
-/// The cell outside of an edge g of `body` with the other's corner w: made by whichever of the three came
-/// last.
+/// The cell on the outer side of edge g of `body`, at the other body's corner between `before` and `after`.
+/// Of these three edges the one that was inserted last made the cell: g a triangle, either of the others a
+/// parallelogram.
 static bmr_mixed_cell go_up(const bmr_mixed *mixed, int body, bmr_edge g, bmr_edge before, bmr_edge after) {
     const int other = 1 - body;
     const int32_t of_g = stage_of(mixed, body, g), of_before = stage_of(mixed, other, before),
@@ -335,7 +337,7 @@ static bmr_mixed_cell go_up(const bmr_mixed *mixed, int body, bmr_edge g, bmr_ed
     return bmr_mixed_cell_make(BMR_MIXED_BEFORE, other, after, g, BMR_NO_EDGE);
 }
 
-/// Going down at one stage.
+/// A step inwards across edge g, while the edges of one stage are inserted.
 typedef struct descent {
     const bmr_mixed *mixed;
     const bmr_mixed_ray *ray;
@@ -344,7 +346,8 @@ typedef struct descent {
     bmr_corner before, after, w; ///< the ends of g, and the other body's corner
 } descent;
 
-/// An edge of g's own body is inserted next to g: does it cut off the part of g that is crossed?
+/// If an edge of g's own body is inserted at one of g's ends on this level, does it cut off the place where
+/// the ray crosses g? True: *cell is the cell that it made there. False: g's ends are those that are left.
 static bool cuts_own(descent *d, uint32_t level, bmr_mixed_cell *cell) {
     const bmr_mixed *m = d->mixed;
     const bmr_node *nodes = m->hierarchies[d->body]->nodes;
@@ -372,7 +375,8 @@ static bool cuts_own(descent *d, uint32_t level, bmr_mixed_cell *cell) {
     return false;
 }
 
-/// An edge of the other body cuts its corner w: g moves inwards, and leaves a parallelogram.
+/// If an edge of the other body cuts the corner w on this level, g is pushed inwards and leaves a
+/// parallelogram, which becomes *cell.
 static bool cuts_other(const descent *d, uint32_t level, bmr_mixed_cell *cell) {
     const bmr_edge e = d->w.cut;
     const int other = 1 - d->body;

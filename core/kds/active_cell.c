@@ -26,14 +26,16 @@
 #include "kds/registry.h"
 #include "kds/windowed_line.h"
 
-/// A repair looks this far ahead, as a part of the extents, to where it is plain which way things go: far
-/// above rounding (1e-15), far below what the offset allows (BMR_HELD_SLACK, as far as it looks at most, to a
-/// failure that was found early).
+/// A repair does not look at the pose of the event, where the failed condition is zero up to rounding, but at
+/// one a little later: the bodies have moved on by this part of the extents. That is far above rounding
+/// (1e-15), and far below what the offset of the lines allows (BMR_HELD_SLACK). Where the failure was found
+/// early, it looks on to the failure itself, but never farther than BMR_HELD_SLACK.
 #define AHEAD 1e-12
-/// ... but at least by this angle, if anything turns.
+/// If the pair turns at all, it has turned by this angle (radians) at least.
 #define AHEAD_ANGLE 1e-14
-/// Within this of zero, as a part of the extents (radians: as it is), a condition's value has no sign: eight
-/// roundings. (A search for failures takes more than this for zero, so that it goes by the rates too.)
+/// A condition's value nearer to zero than this has no sign that means anything: it is eight roundings, of
+/// the extents for a length, of 1 for the sine of an angle. (A search for failures takes even larger values
+/// for zero, and then goes by the rates.)
 #define NO_SIGN (4.0 * DBL_EPSILON)
 
 /// Where there is no cell, the part of the gap that a window may cost: free-fd2's.
@@ -95,7 +97,7 @@ static bool same_line(const cell_state *a, const cell_state *b) {
 
 // --- a little ahead ---
 
-/// Where a pair of unknown rates is supposed to go: on through the condition that failed.
+/// Where the rates are unknown, supposes that the pair moves straight on through the condition that failed.
 static void suppose_rates(bmr_instant *now, const bmr_condition *failed) {
     const bool of_a = failed->owner == 0;
     if (failed->kind == BMR_CONDITION_TURN)
@@ -104,7 +106,8 @@ static void suppose_rates(bmr_instant *now, const bmr_condition *failed) {
         now->velocity = of_a ? bmr_neg(failed->normal) : bmr_rotate(&now->pose, failed->normal);
 }
 
-/// The displaced B's pose a little after `now`: past the failure of a condition that falls, if that is near.
+/// B's pose a little after `now`. If the failed condition is still positive and falls, that is after it has
+/// come to zero, where this is near enough.
 static bmr_pose look_ahead(const cell_state *s, const bmr_instant *now, const bmr_condition *failed) {
     bmr_instant then = *now;
     double speed = hypot(now->velocity.x, now->velocity.y) + fabs(now->spin) * s->held.scale;
@@ -149,8 +152,8 @@ static bool hold_outside(cell_state *s, bmr_vec2 x) {
     return true;
 }
 
-/// By stored neighbours, from a point of the tile; from outside, `from` is far off. False: lost, or in the
-/// way of the sum.
+/// Walks from `from`, a point of the present tile, or far off if the pair is outside, to x by the tiles'
+/// stored neighbours. False: rounding lost the way, or the way met the sum.
 static bool walk_tiles(cell_state *s, bmr_vec2 from, bmr_vec2 x, unsigned *touched) {
     bmr_mixed_kind kind;
     uint32_t tile = s->tile;
@@ -163,8 +166,8 @@ static bool walk_tiles(cell_state *s, bmr_vec2 from, bmr_vec2 x, unsigned *touch
     return true;
 }
 
-/// The cell across the side that failed where x crosses it, or the one that took the page's place. Not
-/// outside of M_0.
+/// The cell on the other side of the failed side, where x crosses it. If an order of edges failed (a page was
+/// turned), the triangle that takes the cell's place. To be called in a cell only, not outside of M_0.
 static bmr_mixed_cell across(const cell_state *s, const bmr_condition *failed, bmr_vec2 x,
                              unsigned *touched) {
     const bmr_mixed *mixed = &s->held.mixed;
@@ -179,8 +182,8 @@ static bmr_mixed_cell across(const cell_state *s, const bmr_condition *failed, b
                           touched);
 }
 
-/// The usual case: the cell across holds x. The tiled walk by their neighbours. False: it does not, and
-/// nothing has changed.
+/// The usual case: the cell on the other side holds x and becomes the active one. False, and nothing has
+/// changed: it does not hold x, or the structure is tiled, which walks by stored neighbours instead.
 static bool step_over(bmr_kds *kds, const bmr_condition *failed, bmr_vec2 x, unsigned *touched) {
     cell_state *s = state_of(kds);
     if (class_of(kds)->tiled || s->close || !bmr_held_is_cell(&s->held))
@@ -192,10 +195,10 @@ static bool step_over(bmr_kds *kds, const bmr_condition *failed, bmr_vec2 x, uns
     return true;
 }
 
-/// Where x is on the side that failed up to rounding, and the condition and the walk, which compute the side
-/// from different corners, do not agree where: the condition is right, for it is what the caller goes by. In
-/// the cell across, the opposite condition is zero up to rounding, and grows. False: there is no such cell,
-/// and nothing has changed.
+/// Takes the cell on the other side without asking whether it holds x. For an x that is on the failed side up
+/// to rounding: the condition and the walk compute that side from different corners, and may not agree on
+/// which side x is. The condition decides, for it is what the caller goes by; in the new cell the opposite
+/// condition is zero up to rounding, and grows. False, and nothing has changed: there is no such cell.
 static bool force_over(bmr_kds *kds, const bmr_condition *failed, bmr_vec2 x, unsigned *touched) {
     cell_state *s = state_of(kds);
     if (s->close || !bmr_held_is_cell(&s->held))
@@ -208,7 +211,8 @@ static bool force_over(bmr_kds *kds, const bmr_condition *failed, bmr_vec2 x, un
     return true;
 }
 
-/// From outside, against `direction`.
+/// Finds the cell that holds x by a walk that comes from far outside, against `direction`. False: contact, or
+/// lost.
 static bool find_from_outside(bmr_kds *kds, bmr_vec2 x, bmr_vec2 direction, unsigned *touched) {
     cell_state *s = state_of(kds);
     if (class_of(kds)->tiled) {
@@ -227,7 +231,7 @@ static bool find_from_outside(bmr_kds *kds, bmr_vec2 x, bmr_vec2 direction, unsi
     return true;
 }
 
-/// From the last cell to x.
+/// Finds the cell that holds x by a walk from the last active cell. False: lost, or the way met the sum.
 static bool find_from_cell(bmr_kds *kds, bmr_vec2 x, unsigned *touched) {
     cell_state *s = state_of(kds);
     bmr_mixed_cell cell = s->held.cell;
@@ -271,13 +275,14 @@ static void hold_direction(bmr_kds *kds, const bmr_instant *now, bmr_vec2 u, dou
     s->line.level = (int)(a > b ? a : b) + 1;
 }
 
-/// In one and the same cell, or at the same edge of M_0?
+/// Do both states hold the same cell, or outside of M_0 the same edge of it?
 static bool same_cell(const cell_state *a, const cell_state *b) {
     return !a->close && !b->close && bmr_mixed_same(&a->held.cell, &b->held.cell);
 }
 
-/// By the closest direction: the cell that it leads to. Within the mitres, and where rounding has lost the
-/// way or leads back to what failed (NULL: nothing), that direction itself. False: contact.
+/// Asks for the closest direction, and takes the cell that it leads to. The direction itself becomes the
+/// proof where no cell does: within the mitres, where rounding loses the way, and where the way leads back to
+/// the cell of `left`, of which a condition has failed (NULL: there is none). False: contact.
 static bool find_by_closest(bmr_kds *kds, const cell_state *left, const bmr_instant *now, bmr_vec2 x,
                             unsigned *touched) {
     cell_state *s = state_of(kds);
@@ -338,8 +343,8 @@ static bmr_kds_event_kind kind_of(const cell_state *s, const bmr_condition *fail
                                                                                           : BMR_KDS_CROSS;
 }
 
-/// Has a condition failed though it is positive a little ahead? It has unless it is positive now, or zero
-/// and about to grow: so clearly that no rounding feigns it.
+/// For a condition that is positive a little ahead: has it failed all the same? It has, unless it is positive
+/// now, or zero up to rounding and growing by more than rounding.
 static bool fails_now(const cell_state *s, const bmr_condition *condition, const bmr_instant *now,
                       const bmr_pose *ahead) {
     const double value = bmr_condition_value(condition, &now->pose);
@@ -349,8 +354,8 @@ static bool fails_now(const cell_state *s, const bmr_condition *condition, const
     return !(value > 0.0) && !(value >= -no_sign && grows);
 }
 
-/// Does any condition of the new cell fail where the old one's did? Where three cells meet in less than is
-/// looked ahead, one may be forced that x does not come to.
+/// After force_over: does any condition of the new cell fail at this instant? Where three cells meet within
+/// the way that is looked ahead, x may never come to the one that was taken.
 static bool fails_at_once(const bmr_kds *kds, const bmr_instant *now, const bmr_pose *ahead) {
     bmr_condition held[BMR_KDS_MAX_CONDITIONS];
     const size_t count = conditions(kds, held);
@@ -360,7 +365,8 @@ static bool fails_at_once(const bmr_kds *kds, const bmr_instant *now, const bmr_
     return false;
 }
 
-/// To the cell that holds x, and never back into the one of which a condition failed.
+/// Goes to the cell that holds x. Where that is the cell of which a condition just failed, takes the cell on
+/// the other side of the failed side instead.
 static bool leave_cell(bmr_kds *kds, const cell_state *left, const bmr_condition *failed, bmr_vec2 x,
                        unsigned *touched) {
     cell_state *s = state_of(kds);
@@ -378,8 +384,9 @@ static bool mend(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_re
     if (!(failed < count))
         failed = 0;
     const bmr_pose ahead = look_ahead(s, now, &held[failed]);
-    // Another may have failed at the same time; where none has by then, this was called early, or the failure
-    // lasts for less than that.
+    // If the condition named is positive a little ahead, another one may have failed at the same time. If
+    // none is negative there, the repair was called too early, or the failure lasts for less than the look
+    // ahead.
     for (size_t i = 0; i < count && bmr_condition_value(&held[failed], &ahead) > 0.0; ++i)
         if (!(bmr_condition_value(&held[i], &ahead) > 0.0))
             failed = i;

@@ -5,12 +5,11 @@
 
 #include "geometry/distance.h"
 
-/// Newton's method on a concave function of few pieces: more steps than this were never needed for 4096
-/// vertices, and any bound does, for the answer is checked.
+/// The most steps of Newton's method. The function is concave and of few pieces; with 4096 vertices it never
+/// took more. The answer is checked, so that any bound will do.
 #define CONE_STEPS 24
 
-/// How far towards the end of the cone a leaning line may go: there it separates by this part of the
-/// distance.
+/// A leaning line may turn towards the end of the cone until it separates by only this part of the distance.
 #define LEAN_LEAST_PART 0.25
 
 bmr_vec2 bmr_cone_end(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 inside, double least, int side,

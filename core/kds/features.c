@@ -6,26 +6,31 @@
 #include "geometry/tiny.h"
 #include "kds/failing.h"
 
-/// How far a Voronoi region reaches over its border, relative to the extents: a few thousand roundings, far
-/// below the margin, far above noise.
+/// Each Voronoi region is taken to be this much wider than it is, in parts of the extents: a few thousand
+/// roundings, and far below any margin.
 #define OVERLAP 1e-12
-/// Farther apart than the margin by more than this, relative to the extents, is no contact (kds.h).
+/// Polygons whose distance exceeds the margin by more than this part of the extents are not in contact
+/// (kds.h).
 #define CONTACT_ROUNDING 1e-9
-/// A sine of unit vectors above this is above zero however it is computed, and well within the overlap.
+/// The sine of an angle between unit vectors that is larger than this is positive however it is computed; and
+/// it is well within the overlap of two cones.
 #define SINE_ROUNDING (0.25 * BMR_CONE_OVERLAP)
-/// A cone widened on both sides must stay below half a turn, and its ends are rounded.
+/// A vertex whose cone of normals is within this sine of half a turn is treated as a segment's end: a cone
+/// that is widened on both sides must stay below half a turn, and its ends are rounded.
 #define HALF_TURN_SINE (2.5 * BMR_CONE_OVERLAP)
 /// Steps of a walk before it begins anew from the exact distance. A walk takes one step, two past a short
 /// edge; only jumps take more.
 #define WALK_STEPS 64
-/// Of distances, relative: the overlap's width turns the line across two near points.
+/// What the audit grants a distance, relatively: the line across two near points may be turned by the width
+/// of the overlap.
 #define AUDIT_TOLERANCE 1e-9
 
 double bmr_features_overlap(const bmr_kds *kds) {
     return OVERLAP * (kds->shapes[0].polygon->extent + kds->shapes[1].polygon->extent);
 }
 
-/// What a value is computed from: lengths, or the sine of an angle.
+/// How near to zero a condition's value counts as zero: a part of 1 where it is the sine of an angle, else
+/// the same part of the lengths that it is computed from.
 static double tolerance(const bmr_kds *kds, const bmr_condition *condition, const bmr_pose *pose) {
     const double extent = kds->shapes[0].polygon->extent + kds->shapes[1].polygon->extent;
     const bool angle = condition->kind == BMR_CONDITION_TURN;
@@ -123,7 +128,8 @@ static bmr_vec2 other_vertex(const bmr_kds *kds, const bmr_feature_pair *pair, i
     return bmr_transform(&q, kds->shapes[1 - owner].polygon->vertices[pair->vertex[1 - owner]]);
 }
 
-/// Two vertices, and one of them comes out of the other's region towards the edge on one side of it.
+/// The closest features were two vertices, and one left the region of the other (`label` says whose, and on
+/// which side): the edge on that side takes the place of the vertex.
 static void step_to_edge(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_feature_pair *pair, int label) {
     const int body = (label - 1) / 2;
     const bmr_polygon *p = kds->shapes[body].polygon;
@@ -137,8 +143,8 @@ static void step_to_edge(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_feature
     pair->edge_owner = body;
 }
 
-/// The edge and one of the vertex's own have become parallel: the closest points run along them to where one
-/// of the two ends.
+/// The edge and an edge at the vertex have become parallel. The closest points now lie anywhere along the
+/// two; from here on they are where the first of the two edges ends.
 static void step_over_parallel(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_feature_pair *pair,
                                bool after) {
     const int owner = pair->edge_owner;

@@ -42,20 +42,21 @@ bmr_error bmr_features_audit(const bmr_kds *kds, const bmr_feature_pair *pair, c
 double bmr_features_overlap(const bmr_kds *kds);
 /// Has the condition failed, found a little early or not? For the one that a repair is called for.
 bool bmr_features_failed(const bmr_kds *kds, const bmr_condition *condition, const bmr_instant *now);
-/// Must a walk go on past the condition of a distance? It is below zero by more than rounding, or not above
-/// and not growing.
+/// Is the condition of a distance violated, so that a walk must go on? It is if it is below zero by more than
+/// rounding, or if it is not positive and does not grow.
 bool bmr_features_violated(const bmr_kds *kds, const bmr_condition *condition, const bmr_instant *now);
-/// Must a walk go on past the condition of a region, a side or a cone? It is not above zero by more than the
-/// rounding of a sine. Growing is not enough: one that grows slowly has failed for whoever looks for
-/// failures, and a neighbour that overlaps is there to go to.
+/// Is the condition of a region, a side or a cone violated, so that a walk must go on? It is unless it is
+/// above zero by more than the rounding of a sine. That it grows is not enough: the search for failures takes
+/// one that grows slowly for failed. And a neighbour that overlaps can always be gone to.
 bool bmr_features_outside(const bmr_condition *condition, const bmr_pose *b_in_a);
 
 /// The angle by which the cone of a vertex's normals is widened: so little that its vertex is the support up
 /// to rounding.
 #define BMR_CONE_OVERLAP 1e-13
 
-/// Is the cone of a vertex's normals half a turn but for about what it would be widened by? Two conditions
-/// cannot say a cone of more. The polygon is then a segment up to that angle.
+/// Is the cone of a vertex's normals half a turn wide, up to about the angle by which it would be widened?
+/// Two conditions cannot describe a cone of more than half a turn. Up to that angle the polygon is then a
+/// segment.
 bool bmr_cone_is_half_turn(const bmr_polygon *p, uint32_t i);
 /// What the cone of that vertex's normals is widened by: nothing where it is half a turn.
 double bmr_cone_overlap(const bmr_polygon *p, uint32_t i);

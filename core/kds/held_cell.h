@@ -13,7 +13,8 @@
 /// fixed tiny rigid motion: by design nothing is aligned with A then. All lines are moved outwards by as
 /// much, and by half the margin each: what is proved holds for B itself, with the margin.
 
-/// How far ahead or behind the event a cell may be taken for, as a part of the extents and in radians.
+/// The pose for which a cell is chosen may differ from that of the event by this part of the extents, and by
+/// as many radians.
 #define BMR_HELD_SLACK 1e-9
 /// Level of what is outside of M_0.
 #define BMR_HELD_OUTSIDE_LEVEL (-1)

@@ -9,12 +9,14 @@
 #include "kds/registry.h"
 #include "kds/windowed_line.h"
 
-/// An edge's line is taken if it has this part of the distance beyond the margin. What a level promises is
-/// more, 1 / (2 + 2 sqrt 2), and so is the best edge of the polygons themselves, sqrt(1/2); but not beyond a
-/// margin that is as large as they are, and points have no edges.
+/// An edge's line is taken if it proves at least this part of the distance beyond the margin. A level that
+/// keeps its promise has more, 1 / (2 + 2 sqrt 2), and the best edge of the polygons themselves has
+/// sqrt(1/2). Less than this is possible only with a margin as large as the polygons, and for points, which
+/// have no edges.
 #define EDGE_PART 0.125
 
-/// Near the margin, where a level's promise is no more than this many of it, the distance itself is asked.
+/// Where a level promises no more than this many margins, its line is not taken: the distance itself is asked
+/// for.
 #define MARGINS 4.0
 
 /// What a proof has of the other envelope.

@@ -14,19 +14,21 @@
 #include "kds/features.h"
 #include "kds/registry.h"
 
-/// The least distance of the two points of tangency, relative to the extents: a tangent through points nearer
-/// to each other turns too far with the overlap of its conditions.
+/// The two points of tangency are at least this far apart, in parts of the extents. Through nearer points the
+/// overlap of the conditions would let the tangent turn too far.
 #define LEAST_LENGTH 1e-4
-/// A corner of the thick body may stand out by this part of the extents; with a sharper corner the body
-/// cannot be the thick one.
+/// Moving the edges of the thick body out moves its corners out farther, the sharper they are: by no more
+/// than this part of the extents. A body with a sharper corner cannot be the thick one.
 #define MOST_MITRE 1e-2
-/// What the sum of two unit normals may be wrong by: each of them by five halves (of the edge, its length and
-/// the division), and a half of the sum's own.
+/// What the sum of two unit normals may be off by. Each normal is off by five halves of an ulp (from the
+/// edge, its length and the division), and the sum by another half.
 #define SUM_ROUNDING (6.0 * DBL_EPSILON)
-/// Steps to a tangent: from nothing (a Newton iteration, some five in practice), from the last one.
+/// The most steps of the search for a tangent from nothing (Newton's iteration, which takes some five), and
+/// of the walk from the last tangent.
 #define SEARCH_STEPS 64
 #define WALK_STEPS 64
-/// Steps that put right what the overlap lets through, for the proof's line.
+/// The most steps by which the line of a proof is corrected: the overlap lets the held tangent be off by a
+/// vertex.
 #define POLISH_STEPS 8
 
 /// Labels: 2 * body + (backward ? 1 : 0) for the vertices' sides, and the length.
@@ -69,8 +71,9 @@ static double extents(const bmr_kds *kds) {
     return kds->shapes[0].polygon->extent + kds->shapes[1].polygon->extent;
 }
 
-/// Are all corners blunt enough, and are they known to the width of the conditions' overlap? (Of normals that
-/// are opposite but for rounding, the sum is nothing but that.)
+/// Can the body be the thick one? All its corners must be blunt enough, and rounding must move them by less
+/// than the conditions overlap. (The sum of two normals that are opposite up to rounding is nothing but
+/// rounding.)
 static bool can_be_thick(const bmr_kds *kds, int body) {
     const bmr_polygon *p = kds->shapes[body].polygon;
     for (uint32_t i = 0; i < p->count && p->count > 2; i++) {
@@ -114,7 +117,8 @@ static void step(const bmr_kds *kds, uint32_t vertex[2], int label) {
     vertex[body] = label % 2 == 0 ? bmr_vertex_after(p, vertex[body]) : bmr_vertex_before(p, vertex[body]);
 }
 
-/// The side that is violated by the most; -1: none. `touching`: is one at zero violated?
+/// The side whose condition is violated by the most; -1: none is. `touching`: a condition at zero counts as
+/// violated, too.
 static int worst_side(const bmr_condition *c, size_t count, const bmr_pose *b_in_a, bool touching,
                       double *value) {
     int worst = -1;
@@ -131,7 +135,7 @@ static int worst_side(const bmr_condition *c, size_t count, const bmr_pose *b_in
     return worst;
 }
 
-/// Steps while a side is violated. True: none is, and the points are not too near.
+/// Steps until no side is violated. True: none is, and the two points of tangency are far enough apart.
 static bool walk(const bmr_kds *kds, const bmr_instant *now, uint32_t vertex[2], unsigned *touched) {
     for (int k = 0; k <= WALK_STEPS; k++, ++*touched) {
         bmr_condition c[BMR_KDS_MAX_CONDITIONS];
@@ -145,8 +149,9 @@ static bool walk(const bmr_kds *kds, const bmr_instant *now, uint32_t vertex[2],
     return false;
 }
 
-/// Steps, the overlap left out, as long as that makes the worst violation less; the side that stays violated,
-/// or -1. (Where a corner meets the inside of a thick edge, one does: no tangent is left.)
+/// Steps by the conditions without their overlap, as long as that makes the worst violation smaller. Returns
+/// the side that stays violated, or -1. (One does where a corner meets the inside of a thick edge: there is
+/// no tangent any more.)
 static int polish(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t vertex[2]) {
     double before = -INFINITY;
     int last = -1;

@@ -142,8 +142,9 @@ bool bmr_kds_closest(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t *a, ui
                      bmr_vec2 *direction, double *distance) {
     const bmr_polygon *p = kds->shapes[0].polygon, *q = kds->shapes[1].polygon;
     const bmr_simplex near = bmr_simplex_make(*a % p->count, *b % q->count);
-    bmr_simplex simplex = bmr_closest_start(p, q, b_in_a, &near);
+    bmr_simplex simplex;
     bmr_closest closest;
+    bmr_closest_start(p, q, b_in_a, &near, &simplex);
     const bool apart = bmr_closest_direction(p, q, b_in_a, kds->def.margin, 0.0, &simplex, &closest);
     bmr_kds_tally(kds, simplex.steps);
     if (!apart)

@@ -131,30 +131,14 @@ static bool certify(repair *r, const bmr_candidate *candidate, int level) {
     return false;
 }
 
-/// From a candidate of the walk's level, which the state holds, to coarser levels. On the way up any line
-/// that is good enough will do: between two neighbouring edges of one body may lie any number of the other's,
-/// and a climb to the best line would pass them all. The best one is looked for where the way ends.
+static bool take(void *context, const bmr_candidate *candidate, int level) {
+    return certify(context, candidate, level);
+}
+
+/// From a candidate of the walk's level, which the state holds, to coarser levels.
 static void coarsen(repair *r, bmr_candidate candidate) {
     const double least = need(r->kds);
-    const int from = r->walk.level;
-    int level = from;
-    while (level > 0) {
-        bmr_candidate coarser;
-        bmr_walk_coarsen(&r->walk, &candidate);
-        const double enough = least + BMR_COARSEN_PART * (candidate.gap - least);
-        bmr_walk_climb_until(&r->walk, enough, &coarser);
-        if (!(coarser.gap > enough) || !certify(r, &coarser, level - 1))
-            break;
-        candidate = coarser;
-        --level;
-    }
-    if (level == from)
-        return;
-    bmr_walk_resume(&r->walk, candidate.owner, candidate.edge, candidate.corner[1 - candidate.owner], level);
-    bmr_candidate best;
-    bmr_walk_climb(&r->walk, &best);
-    if (best.gap > candidate.gap)
-        certify(r, &best, level);
+    bmr_walk_ascend(&r->walk, candidate, least, least, take, r);
 }
 
 /// Climbs the walk's level, and on to deeper ones until one separates.

@@ -17,40 +17,42 @@
 #include <math.h>
 
 #include "geometry/distance.h"
+#include "geometry/length.h"
 #include "kds/cone.h"
 #include "kds/registry.h"
 #include "kds/windowed_line.h"
 
-/// Lines are tried in directions that separate by this part of the distance or more ..
+/// Lines are tried in directions that separate by at least this part of the distance.
 #define LEAST_PART 0.1
-/// .. but the one along which the present velocity changes nothing needs only this.
+/// The direction at a right angle to the present velocity, along which nothing changes, needs to separate
+/// only by this part.
 #define NORMAL_LEAST_PART 1e-3
-/// Directions across the cone, both ends and the middle among them: 2^k + 1.
+/// How many directions across the cone are tried: 2^k + 1, so that both ends and the middle are among them.
 #define ADAPTIVE_ACROSS 9
 #define PLAIN_ACROSS 3
 #define MOST_CANDIDATES (ADAPTIVE_ACROSS + 2)
 
-/// The motion is foreseen until the path is so many times the size of the bodies and their distance, at times
-/// that grow geometrically from the one at which this part of the gap is gone at the earliest.
+/// The motion is foreseen at TIMES times that grow geometrically. At the first, the bodies have moved by
+/// FIRST_PART of the gap; at the last, by HORIZON times their size and distance.
 #define HORIZON 3.0
 #define FIRST_PART 1.0
 #define TIMES 16
 
-/// How far the other body was from where it was foreseen, as part of its path: below the first nothing is
-/// doubted, above the second everything is.
+/// A model's error is how far the other body was from where the model saw it, as a part of the path. Below
+/// DOUBT_NONE the model is believed, above DOUBT_ALL it is not believed at all.
 #define DOUBT_NONE 0.3
 #define DOUBT_ALL 0.6
-/// What is believed at the start, when nothing has been learnt, of the model that is preferred and of the
-/// other.
+/// The errors that are supposed at the start, when nothing has been learnt: of the model that is preferred,
+/// and of the other one.
 #define DOUBT_START 0.25
 #define DOUBT_OTHER 0.3
 /// The part of the old doubt that remains after an event.
 #define DOUBT_DECAY 0.5
-/// A model that is quite wrong is wrong by no more than there and back.
+/// The largest error that counts: a body that went the opposite way is off by twice the path.
 #define DOUBT_MOST 2.0
 
-/// In doubt, under translation (rotation decides by the owner, not by leaning): how far it leans
-/// (bmr_lean_direction), and from which doubt on.
+/// From the doubt LEAN_DOUBT on, the line leans by LEAN_PART (bmr_lean_direction). Under translation only:
+/// where the bodies turn, the choice of the owner matters more.
 #define LEAN_PART 0.4
 #define LEAN_DOUBT 0.5
 
@@ -102,10 +104,6 @@ static const predict_state *constant_state_of(const bmr_kds *kds) {
     return (const predict_state *)(const void *)kds->state;
 }
 
-static double length(bmr_vec2 v) {
-    return sqrt(bmr_dot(v, v));
-}
-
 static int sign(double x) {
     return (x > 0.0) - (x < 0.0);
 }
@@ -124,7 +122,7 @@ static bmr_instant seen(const bmr_instant *now, predict_model model) {
 /// How far the points of the body that moves are from its frame's origin.
 static double arm_of(const bmr_kds *kds, predict_model model) {
     const bmr_polygon *p = kds->shapes[model == MODEL_B_STRAIGHT ? 1 : 0].polygon;
-    return p->radius + length(p->center);
+    return p->radius + bmr_length(p->center);
 }
 
 static bmr_pose straight_on(const bmr_instant *from, double time) {
@@ -144,24 +142,25 @@ static void learn(predict_state *s, const bmr_kds *kds, const bmr_instant *now) 
     for (int model = 0; model < MODEL_COUNT; ++model) {
         const bmr_instant old = seen(&s->last, (predict_model)model), here = seen(now, (predict_model)model);
         const double arm = arm_of(kds, (predict_model)model);
-        const double speed = length(old.velocity) + arm * fabs(old.spin);
-        const double way = length(bmr_sub(here.pose.position, old.pose.position)) +
+        const double speed = bmr_length(old.velocity) + arm * fabs(old.spin);
+        const double way = bmr_length(bmr_sub(here.pose.position, old.pose.position)) +
                            arm * fabs(angle_between(&old.pose, &here.pose));
         if (!(way > 0.0) || !(speed > 0.0))
             continue;
-        // The time is not told: where would it be after the same way?
+        // The time since then is not known: the model is asked for the pose after a path of the same length.
         const bmr_pose q = straight_on(&old, way / speed);
         const double off =
-            length(bmr_sub(q.position, here.pose.position)) + arm * fabs(angle_between(&q, &here.pose));
+            bmr_length(bmr_sub(q.position, here.pose.position)) + arm * fabs(angle_between(&q, &here.pose));
         s->wrong[model] = DOUBT_DECAY * s->wrong[model] + (1.0 - DOUBT_DECAY) * fmin(off / way, DOUBT_MOST);
     }
 }
 
-/// Nothing is known yet: a body that turns far from the middle of the turn would be a coincidence, so the
-/// slower of the two motions is likelier.
+/// Starts anew, with nothing learnt. Of the two models the one in which the other body moves more slowly is
+/// preferred: seen from a body that turns, the other one sweeps around it, and it would be a coincidence if
+/// it really did.
 static void forget(predict_state *s, const bmr_instant *now) {
     const bmr_instant other = seen(now, MODEL_A_STRAIGHT);
-    const bool a_moves = length(other.velocity) < length(now->velocity);
+    const bool a_moves = bmr_length(other.velocity) < bmr_length(now->velocity);
     s->wrong[MODEL_B_STRAIGHT] = a_moves ? DOUBT_OTHER : DOUBT_START;
     s->wrong[MODEL_A_STRAIGHT] = a_moves ? DOUBT_START : DOUBT_OTHER;
     s->lean = (bmr_lean){0, 0};
@@ -174,7 +173,7 @@ static double doubt_of(double wrong) {
 static void foresee(forecast *f, const bmr_kds *kds, const bmr_instant *now, predict_model model,
                     double doubt, double distance) {
     const bmr_instant from = seen(now, model);
-    const double speed = length(from.velocity) + arm_of(kds, model) * fabs(from.spin);
+    const double speed = bmr_length(from.velocity) + arm_of(kds, model) * fabs(from.spin);
     const double size = kds->shapes[0].polygon->radius + kds->shapes[1].polygon->radius;
     f->turns = now->spin != 0.0;
     f->count = 1;
@@ -241,7 +240,7 @@ static bool outlives(const bmr_kds *kds, const forecast *f, const uint32_t suppo
 
 static bmr_vec2 between(bmr_vec2 a, bmr_vec2 b) {
     const bmr_vec2 sum = bmr_add(a, b);
-    const double size = length(sum);
+    const double size = bmr_length(sum);
     return size > DBL_EPSILON ? bmr_scale(1.0 / size, sum) : bmr_left(a);
 }
 
@@ -262,7 +261,7 @@ static int directions(const bmr_kds *kds, const bmr_instant *now, predict_model 
     bmr_vec2 velocity = seen(now, model).velocity;
     if (model == MODEL_A_STRAIGHT)
         velocity = bmr_rotate(&now->pose, velocity);
-    const double speed = length(velocity);
+    const double speed = bmr_length(velocity);
     if (speed > 0.0) {
         bmr_vec2 n = bmr_scale(1.0 / speed, bmr_left(velocity));
         if (bmr_dot(n, closest) < 0.0)

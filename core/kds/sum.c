@@ -15,10 +15,12 @@
 #include "kds/point.h"
 #include "kds/registry.h"
 
-/// Rotations that differ by less (sine) are one: the sum is then off by less than the tolerance of lines.
+/// Rotations whose difference has a smaller sine than this count as the same: the sum is off by less than the
+/// tolerance of lines.
 #define SAME_ROTATION 1e-12
 
-/// Upper bounds of what the builders ask for a cut, beside the node and its normal: a queued boomerang.
+/// Bytes that a builder needs for each cut beside the node and its normal, at most: for a boomerang in its
+/// queue.
 #define QUEUED_BYTES 32
 /// Dudley's builder lists two items and one feature a vertex.
 #define DUDLEY_SCRATCH (2 * sizeof(bmr_item) + sizeof(uint32_t))

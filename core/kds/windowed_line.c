@@ -7,8 +7,9 @@
 #include "geometry/tiny.h"
 #include "kds/failing.h"
 
-/// A direction is inside a bracket when it is this far (a sine) from both ends: well above the rounding of a
-/// unit vector and of the poses, far below the angles of any polygon one would call smooth.
+/// A direction counts as inside of a bracket when the sines of its angles to both ends are larger than this.
+/// It is well above the rounding of unit vectors and poses, and far below the angles between the edges of any
+/// smooth polygon.
 #define INSIDE 1e-9
 
 /// Edges whose directions agree up to rounding rise above one another by less than this part of the extent.
@@ -99,8 +100,9 @@ void bmr_windowed_line_set(bmr_windowed_line *w, const bmr_kds *kds, const bmr_p
     w->line.offset = bmr_dot(w->line.normal, touch);
 }
 
-/// An end of a bracket may be no farther from the direction than a right angle: the two conditions would
-/// hold elsewhere too. (An end of which this is true may lie three right angles on and look near.)
+/// Moves an end of a bracket to a right angle from the direction if it is farther away: for a wider bracket
+/// the two conditions would hold in other directions, too. (An end three right angles away would pass for one
+/// that is a right angle away on the other side, hence the second test.)
 static bmr_vec2 within_right_angle(bmr_vec2 end, bmr_vec2 direction, int side) {
     if (bmr_dot(end, direction) > 0.0 && side * bmr_cross(direction, end) > -INSIDE)
         return end;
@@ -235,7 +237,8 @@ void bmr_windowed_corners(bmr_windowed_line *w, const bmr_kds *kds, const bmr_po
         bmr_window_make(p, d, w->support[other], limit, sense, &window);
     bmr_kds_tally(kds, window.steps);
     const double exact = bmr_windowed_life(w, b_in_a, sense);
-    // A body that turns back must not leave the exact window sooner than this one.
+    // The exact window is kept only if it is also at least as wide against the sense of turning: the body may
+    // turn back.
     const bool steady = sense == 0 || bmr_windowed_life(w, b_in_a, -sense) <=
                                           bmr_dot(sense > 0 ? window.low : window.high, d);
     if ((!(window.life < exact) && steady) || !(bmr_cross(window.low, d) > INSIDE) ||

@@ -7,10 +7,11 @@
 
 #include "kinetic/first_root.h"
 
-/// Halvings of [0, 1] until neighbouring doubles below 1.
+/// The most halvings of [0, 1]: after so many, both ends of a part near 1 are neighbouring doubles.
 #define MAX_DEPTH 53
 
-/// Newton's method safeguarded by bisection ends long before.
+/// The most steps towards one root. Newton's method, with bisection where it would leave the bracket, ends
+/// long before.
 #define NEWTON_STEPS 200
 
 typedef struct part {
@@ -18,7 +19,7 @@ typedef struct part {
     double b[BMR_POLYNOMIAL_MAX_DEGREE + 1];
 } part;
 
-/// The least width worth telling apart at u.
+/// Two arguments near u that differ by less than this count as one.
 static double resolution(double u, double tolerance) {
     return fmax(tolerance, 4.0 * DBL_EPSILON * u);
 }

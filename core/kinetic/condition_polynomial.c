@@ -5,21 +5,21 @@
 #include <math.h>
 #include <string.h>
 
-/// Over one interval the terms of a position together grow to at most this many times the lengths at its
-/// beginning. (With sixteen times for each term of a path of degree 8, squared in DISKS, a root came out
-/// 1e-10 late.)
+/// An interval ends before the terms of a position, added up, have grown to more than this many times the
+/// lengths at its beginning. (When each term of a path of degree 8 was allowed sixteen times, a root of
+/// DISKS, where the path is squared, came out 1e-10 late.)
 #define GROWTH 4.0
 
 /// Over one interval |a + i b| changes by at most this part of itself, so that the denominators stay within
 /// (1/2)^2 and (3/2)^2 of what they are at its beginning.
 #define ROTATION_CHANGE 0.5
 
-/// The shortest interval, in roundings of the time: near a common root of a and b, where no width is small
-/// enough.
+/// No interval is shorter than this many roundings of the time. Near a common root of a and b no width would
+/// be small enough.
 #define LEAST_ROUNDINGS 4.0
 
-/// Lengths that happen to be tiny shorten an interval no further than this part of the time from the origins
-/// of time: on a shorter one, a slope could not be told from the rounding of the time.
+/// Nor is it shorter than this part of the time since the pieces' origins, however small the lengths at its
+/// beginning happen to be: on a shorter interval a slope could not be told from the rounding of the time.
 #define LEAST_PART 0x1p-26
 
 #define MAX_DEGREE BMR_POLYNOMIAL_MAX_DEGREE
@@ -95,7 +95,7 @@ static double size_of(double x, double y) {
     return fabs(x) + fabs(y);
 }
 
-static double length(bmr_vec2 v) {
+static double most_length(bmr_vec2 v) {
     return size_of(v.x, v.y);
 }
 
@@ -185,8 +185,9 @@ static path relative_position(const bmr_algebraic_piece *owner, const bmr_algebr
     return p;
 }
 
-/// The length that the rounding errors of a position scale with: that of its terms as they were given, as
-/// they are now, and its change during a rounding of the time. `now` is stretched.
+/// The length of which the rounding errors of a position are a part. It adds up the lengths of the terms as
+/// they were given, of the terms as they are now, and of the way during one rounding of the time. `now` is in
+/// units of the interval's width.
 static double position_size(const bmr_motion_piece *given, const bmr_algebraic_piece *now, double from,
                             double width) {
     const double by = fabs(from - given->origin), rounding = (by + fabs(from)) / width;
@@ -194,14 +195,16 @@ static double position_size(const bmr_motion_piece *given, const bmr_algebraic_p
     for (size_t k = 0; k <= now->degree; k++)
         size += size_of(now->x[k], now->y[k]) * (1.0 + (double)k * rounding);
     if (given->kind != BMR_PIECE_ALGEBRAIC)
-        return size + length(given->as.screw.start.position) + by * length(given->as.screw.velocity);
+        return size + most_length(given->as.screw.start.position) +
+               by * most_length(given->as.screw.velocity);
     double power = 1.0;
     for (size_t k = 0; k <= now->degree; k++, power *= by)
         size += size_of(given->as.algebraic.x[k], given->as.algebraic.y[k]) * power;
     return size;
 }
 
-/// How much a rounding of the time turns the rotation, in roundings.
+/// By how many roundings of a unit vector the rotation is off: one, and what it turns during a rounding of
+/// the time.
 static double rotation_error(const bmr_motion_piece *given, const bmr_algebraic_piece *now, double from,
                              double width) {
     const double by = fabs(from - given->origin), rounding = (by + fabs(from)) / width;
@@ -231,8 +234,8 @@ static polynomial expand_beyond(const scene *s, double *size) {
     add_product(&f, 1.0, along.c, along.degree, s->other.denominator.c, s->other.denominator.degree);
     const polynomial both = times(&s->own.denominator, &s->other.denominator);
     add_product(&f, -k->offset, both.c, both.degree, s->own.denominator.c, 0);
-    *size = length(k->normal) *
-                (s->way_size * s->own_error + length(k->point) * (s->own_error + s->other_error)) +
+    *size = most_length(k->normal) *
+                (s->way_size * s->own_error + most_length(k->point) * (s->own_error + s->other_error)) +
             fabs(k->offset);
     return f;
 }
@@ -240,7 +243,7 @@ static polynomial expand_beyond(const scene *s, double *size) {
 static polynomial expand_turn(const scene *s, double *size) {
     const bmr_condition *k = s->condition;
     const path normal = turned(&s->own, k->normal), direction = turned(&s->other, k->point);
-    *size = length(k->normal) * length(k->point) * (s->own_error + s->other_error);
+    *size = most_length(k->normal) * most_length(k->point) * (s->own_error + s->other_error);
     return cross(&normal, &direction);
 }
 
@@ -278,8 +281,8 @@ static polynomial expand_disks(const scene *s, double *size) {
     }
     if (own_turns && other_turns)
         add_dot(&f, -2.0, &own, &other);
-    const double sum =
-        s->way_size + length(k->normal) * s->own_error + length(k->point) * s->other_error + k->offset;
+    const double sum = s->way_size + most_length(k->normal) * s->own_error +
+                       most_length(k->point) * s->other_error + k->offset;
     *size = sum * sum;
     return f;
 }
@@ -289,8 +292,8 @@ static double choose_width(const bmr_condition *k, const bmr_algebraic_piece *ow
                            const bmr_algebraic_piece *other, const path *way, double clock, double longest) {
     double width = longest;
     if (k->kind != BMR_CONDITION_TURN) {
-        const double normal = k->kind == BMR_CONDITION_BEYOND ? length(k->normal) : 1.0;
-        const double lengths = size_of(way->x[0], way->y[0]) + length(k->point) +
+        const double normal = k->kind == BMR_CONDITION_BEYOND ? most_length(k->normal) : 1.0;
+        const double lengths = size_of(way->x[0], way->y[0]) + most_length(k->point) +
                                (normal > 0.0 ? fabs(k->offset) / normal : 0.0);
         if (lengths > 0.0)
             width = limit_growth(way->x, way->y, way->degree,

@@ -8,10 +8,10 @@
 #include "kinetic/failure_start.h"
 #include "kinetic/safe_steps.h"
 
-/// A double tells times near 1 apart by 2e-16: this leaves more than three digits of room.
+/// Doubles near 1 are 2e-16 apart, so that this leaves more than three digits of room.
 #define DEFAULT_TOLERANCE 1e-12
 
-/// A condition is called flat when it stays at zero for so long, times max(1, |time|).
+/// A condition that stays at zero for this long, times max(1, |time|), has failed: it is called flat.
 #define LONG_TIME 1024.0
 
 /// A leading term is dropped when over the whole interval it adds less than this part of the rounding error.
@@ -50,7 +50,8 @@ static beginning begin(const bmr_condition_polynomial *p, size_t *zeros) {
     return p->c[0] > 0.0 ? POSITIVE : FLAT;
 }
 
-/// Does a condition that is flat over an interval that was cut short stay so, or fall?
+/// For a condition that is flat over an interval: is it flat, or does it fall, over a much longer one, too?
+/// (An interval may have been cut short for the sake of other terms.)
 static bool stays_flat(const bmr_condition *condition, const bmr_motion_piece *owner,
                        const bmr_motion_piece *other, double from) {
     bmr_condition_polynomial p;

@@ -10,23 +10,25 @@
 #include <gsl/gsl_roots.h>
 
 #include "boomerang/failure.h"
+#include "geometry/length.h"
 #include "kinetic/failure_start.h"
 #include "kinetic/gsl_guard.h"
 
-/// Roundings in a condition's value: two products of rotations, one of a point, sums; each of the lengths
-/// involved.
+/// How many roundings a condition's value may be off by, each of the lengths that it is computed from: two
+/// products of rotations, one with a point, and the sums.
 #define VALUE_ROUNDINGS 16.0
 
-/// Looks at a condition that is zero up to rounding before it is taken to stay so.
+/// A condition that is zero up to rounding at this many looks is taken to stay zero.
 #define FLAT_LOOKS 256
 
-/// Two are looked at for a step's bounds; thousands where a rotation is near its pole all the way.
+/// The most intervals that are looked at for bounds. A step needs two; thousands, where a rotation is near a
+/// pole all the way.
 #define MOST_INTERVALS (4 * BMR_FAILURE_MAX_STEPS)
 
 /// Time is resolved to this many of its own roundings.
 #define TIME_ROUNDINGS 4.0
 
-/// Of the solver's; bisection alone ends in 64 from any bracket that a step leaves.
+/// The most steps of GSL's solver. Bisection alone would end in 64, from any bracket that a step leaves.
 #define SOLVER_STEPS 200
 
 /// Room for the state of gsl_root_fsolver_brent (eleven doubles in GSL 2): on the stack nothing can fail.
@@ -50,10 +52,6 @@ typedef struct bounds {
     double dip;  ///< positive at both ends of a step h, f >= -dip h^2 / 8 between them
 } bounds;
 
-static double length(bmr_vec2 v) {
-    return hypot(v.x, v.y);
-}
-
 /// Velocity of a point of a body, given as an offset from its origin in the outer frame.
 static bmr_vec2 velocity_of(const bmr_instant *body, bmr_vec2 offset) {
     return bmr_add(body->velocity, bmr_scale(body->spin, bmr_left(offset)));
@@ -65,7 +63,7 @@ static look look_at(const search *s, double time) {
     const bmr_vec2 way = bmr_sub(other.pose.position, own.pose.position);
     const bmr_vec2 normal = bmr_rotate(&own.pose, k->normal), point = bmr_rotate(&other.pose, k->point);
     const double clock = fabs(time) + fabs(time - s->owner->origin) + fabs(time - s->other->origin);
-    const double reach = length(k->normal), arm = length(k->point);
+    const double reach = bmr_length(k->normal), arm = bmr_length(k->point);
     look at = {time, 0.0, 0.0, 0.0};
     double size, rate; // lengths involved, and how fast a rounding of the time moves them
     if (k->kind == BMR_CONDITION_TURN) {
@@ -76,17 +74,17 @@ static look look_at(const search *s, double time) {
     } else {
         const bmr_vec2 to = bmr_add(point, way); // from the owner's origin
         const bmr_vec2 motion = bmr_sub(velocity_of(&other, point), own.velocity);
-        const double places = length(own.pose.position) + length(other.pose.position) + arm;
-        const double speed = length(own.velocity) + length(other.velocity) + fabs(other.spin) * arm;
+        const double places = bmr_length(own.pose.position) + bmr_length(other.pose.position) + arm;
+        const double speed = bmr_length(own.velocity) + bmr_length(other.velocity) + fabs(other.spin) * arm;
         if (k->kind == BMR_CONDITION_BEYOND) {
             at.value = bmr_dot(normal, to) - k->offset;
             at.slope = own.spin * bmr_dot(bmr_left(normal), to) + bmr_dot(normal, motion);
             size = reach * places + fabs(k->offset);
-            rate = reach * (speed + fabs(own.spin) * length(to));
+            rate = reach * (speed + fabs(own.spin) * bmr_length(to));
         } else {
             const bmr_vec2 apart = bmr_sub(to, normal);
             const bmr_vec2 change = bmr_sub(motion, bmr_scale(own.spin, bmr_left(normal)));
-            const double distance = length(apart);
+            const double distance = bmr_length(apart);
             at.value = distance - k->offset;
             at.slope = distance > 0.0 ? bmr_dot(apart, change) / distance : 0.0;
             size = reach + places + fabs(k->offset);
@@ -106,7 +104,7 @@ static bounds bound_over(search *s, double time, double width) {
     const double turn = fmax(other.spin_high - own.spin_low, own.spin_high - other.spin_low);
     const double spin = bmr_rates_spin(&own), other_spin = bmr_rates_spin(&other);
     const double turn_change = own.spin_change + other.spin_change;
-    const double reach = length(k->normal), arm = length(k->point);
+    const double reach = bmr_length(k->normal), arm = bmr_length(k->point);
     bounds b;
     if (k->kind == BMR_CONDITION_TURN) {
         b.bend = b.dip = reach * arm * (turn * turn + turn_change);
@@ -115,7 +113,7 @@ static bounds bound_over(search *s, double time, double width) {
     const bmr_instant o = bmr_piece_instant(s->owner, time), x = bmr_piece_instant(s->other, time);
     const double speed = own.speed + other.speed, push = own.acceleration + other.acceleration;
     if (k->kind == BMR_CONDITION_BEYOND) {
-        const double way = length(bmr_sub(x.pose.position, o.pose.position)) + speed * width;
+        const double way = bmr_length(bmr_sub(x.pose.position, o.pose.position)) + speed * width;
         double bend = push;
         if (arm > 0.0)
             bend += arm * (turn * turn + turn_change);
@@ -192,8 +190,8 @@ static double narrow(const search *s, double low, double high) {
 
 // ---- the walk ----
 
-/// A condition that is not positive at the beginning: *at becomes a look from which it can be walked on, and
-/// false is returned, or it fails there and then.
+/// Judges a condition that is not positive at the beginning. True: it fails there and then. False: *at is a
+/// look, there or a little later, from which the walk can go on.
 static bool fails_at_start(search *s, double to, bool fresh, look *at) {
     if (at->value > 0.0)
         return false;
@@ -215,7 +213,8 @@ static bool fails_at_start(search *s, double to, bool fresh, look *at) {
         double step = fmin(blind_step(at, &b), room);
         b = bound_over(s, at->time, step);
         step = fmin(blind_step(at, &b), room);
-        // Over a blind step the bend takes four noises at most: a slope of this size decides.
+        // Over this step the curvature changes the value by four noises at most, so that a larger slope
+        // decides.
         const double growth = at->slope * step;
         if (growth < -2.0 * BMR_START_NOISES * at->noise)
             return true;

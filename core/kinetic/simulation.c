@@ -12,23 +12,23 @@
 #include "kinetic/pair_motion.h"
 #include "kinetic/simulation_layout.h"
 
-/// A pair is searched ahead for so many times the time between its last events, then for twice that, and so
-/// on: long enough that most searches find the next event at once, and short enough that little is searched
-/// in vain.
+/// The search for a pair's next event goes ahead by this many times the time between its last events, then by
+/// twice that, and so on. So most searches find the event at once, and few look far beyond it in vain.
 #define AHEAD 4.0
 
-/// The first search of a pair goes over this part of the run.
+/// The first search of a pair, which has had no events yet, goes over this part of the run.
 #define FIRST_PART 0x1p-4
-/// No search goes over less than this part of the run: after a burst of events, a window that began as small
-/// as the burst would have to be doubled too often.
+/// No search goes over less than this part of the run. After a burst of events the time between them is so
+/// short that it would have to be doubled too often.
 #define LEAST_PART 0x1p-16
 
-/// A condition that is still positive where it was to fail is followed for so many doublings of the
-/// tolerance: 2^10 tolerances is more than the rounding of any value lasts.
+/// Where a condition is still positive at its failure time, the repair is put off by one tolerance, two,
+/// four, and so on, so many times. No value is off by rounding for as long as 2^10 tolerances.
 #define NUDGES 10
 
-/// A structure may want the polygons a little farther apart than the distance by which a contact ends. It is
-/// asked again so many times, after a tolerance, two, four, and so on: up to a millionth at the default.
+/// A structure may still report contact where the distance has just risen above the one that ends it. It is
+/// asked again after a tolerance, two, four, and so on, so many times: by default up to a millionth of a unit
+/// of time later.
 #define LEAVE_RETRIES 20
 
 /// What the queue has a pair for.
@@ -185,8 +185,9 @@ static void start(bmr_simulation *s, pair *p, double time, bool first) {
         observe(s, p, &event);
 }
 
-/// From where the failing condition is no longer positive: its failure is reported up to a tolerance early,
-/// and structures take a positive condition for a call that comes too early.
+/// The time at which to repair: the first of some times from `time` on at which the failing condition is no
+/// longer positive. Its failure is reported up to a tolerance early, and a structure that finds the condition
+/// positive does nothing.
 static double repair_time(const bmr_simulation *s, const pair *p, const bmr_pair_motion *motion,
                           double time) {
     double later = time, step = fmax(tolerance_at(s, time), DBL_EPSILON * fabs(time));
@@ -224,8 +225,8 @@ static bool repair(bmr_simulation *s, pair *p, double time) {
     return true;
 }
 
-/// The pair is far enough apart, and its structure takes it for touching still: true if it is to be asked
-/// again soon, instead of waiting for the next time that the pair comes apart.
+/// For a pair that is far enough apart, but whose structure still reports contact. True: it was scheduled to
+/// be asked again soon. False: it waits for the next time that the pair comes apart.
 static bool leave_later(bmr_simulation *s, pair *p, double time) {
     const bmr_pair_motion motion = motion_of(s, p);
     const double later = time + ldexp(tolerance_at(s, time), (int)p->retries);
@@ -237,7 +238,7 @@ static bool leave_later(bmr_simulation *s, pair *p, double time) {
     return true;
 }
 
-/// Too many events of one pair in no time.
+/// Counts an event of the pair. True: there were too many within one tolerance.
 static bool is_burst(const bmr_simulation *s, pair *p, double time) {
     if (!(time - p->burst_start <= tolerance_at(s, time))) {
         p->burst_start = time;

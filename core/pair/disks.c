@@ -5,11 +5,12 @@
 
 #include "pair/step.h"
 
-/// Evaluating a disk check in double: some roundings of 2^-53 of values not above 4 extents; positions larger
-/// than that are covered by the check itself, relatively.
+/// What evaluating the check of two disks in double may be off by, in parts of the extents: some roundings of
+/// 2^-53, of values of at most 4 extents. For larger positions the check allows for rounding itself.
 #define EVALUATION_ERROR 1.4210854715202004e-14 /* 2^-46 */
 
-/// A square root of what overflowed is no lower bound, but this is one: near the root of the largest double.
+/// Distances above this count as this: their squares overflow, and the root of infinity would be no lower
+/// bound of a distance. It is near the root of the largest double.
 #define LARGEST_DISTANCE 1e154
 
 static double round_center(bmr_vec2 center, float rounded[2]) {

@@ -57,6 +57,7 @@ bool bmr_free_certify(bmr_step *step, const bmr_closest *closest, double *gap) {
     // Always the wider of the two brackets: to keep the last owner where the line was crossed saves half of
     // this work, and costs twice the events on a tumbling orbit.
     const int owner = of_a.life < of_b.life ? 1 : 0;
+    step->steps += of_a.steps + of_b.steps;
     return certify_with(step, closest, owner, owner == 0 ? &of_b : &of_a, gap);
 }
 

@@ -18,7 +18,6 @@ typedef struct repair {
     bmr_walk walk;
     bmr_failure failure;
     int level_before;
-    int levels; ///< climbed
 } repair;
 
 static bmr_event_kind kind_of(const repair *r, int level_after) {
@@ -52,40 +51,63 @@ static bool certify(repair *r, const bmr_candidate *candidate, int level, double
     return bmr_step_holds(r->step, r->step->need, gap);
 }
 
-/// What a coarser proof must prove to replace one of this gap.
+/// What the disks must prove to replace a line of this gap.
 static double worth_it(const bmr_step *step, double gap) {
     return step->need + BMR_COARSEN_PART * (gap - step->need);
 }
 
-/// From a candidate on the walk's level, which the pair holds, to coarser levels as long as that is worth it.
-static void coarsen(repair *r, bmr_candidate candidate, double *gap) {
-    while (r->walk.level > 0) {
-        const int level = r->walk.level;
-        bmr_candidate coarser;
-        bmr_walk_coarsen(&r->walk, &candidate);
-        ++r->levels;
-        bmr_walk_climb(&r->walk, &coarser);
-        if (!(coarser.gap > r->step->reach) || !(coarser.gap > worth_it(r->step, candidate.gap)))
-            return;
-        const bmr_pair finer = *r->step->pair;
-        const double finer_gap = *gap;
-        if (!certify(r, &coarser, level - 1, gap)) {
-            *r->step->pair = finer;
-            *gap = finer_gap;
-            return;
-        }
-        bmr_step_tell(r->step, BMR_EVENT_COARSEN, level, level - 1, *gap);
-        candidate = coarser;
+/// A coarsening that the observer has not been told of yet: its line may still be replaced by a better one of
+/// the same level.
+typedef struct coarsening {
+    repair *repair;
+    double *gap;
+    int told; ///< the level of the last event
+} coarsening;
+
+/// Tells of the level that the pair has gained, if it is one more than was told of.
+static void tell_gain(coarsening *c) {
+    const int level = c->repair->step->pair->level;
+    if (level < c->told)
+        bmr_step_tell(c->repair->step, BMR_EVENT_COARSEN, c->told, level, *c->gap);
+    c->told = level;
+}
+
+static bool take(void *context, const bmr_candidate *candidate, int level) {
+    coarsening *c = context;
+    bmr_pair *pair = c->repair->step->pair;
+    const bmr_pair finer = *pair;
+    const double finer_gap = *c->gap;
+    double coarser_gap;
+    if (!certify(c->repair, candidate, level, &coarser_gap)) {
+        *pair = finer;
+        return false;
     }
-    if (bmr_disks_certify(r->step, worth_it(r->step, *gap), gap))
-        bmr_step_tell(r->step, BMR_EVENT_COARSEN, 0, BMR_LEVEL_DISKS, *gap);
+    // The finer line stands: what comes next is of another level.
+    if (level < finer.level && c->repair->step->observer) {
+        const bmr_pair coarser = *pair;
+        *pair = finer;
+        *c->gap = finer_gap;
+        tell_gain(c);
+        *pair = coarser;
+    }
+    *c->gap = coarser_gap;
+    return true;
+}
+
+/// From a candidate on the walk's level, which the pair holds, to coarser levels, and to the disks.
+static void coarsen(repair *r, bmr_candidate candidate, double *gap) {
+    bmr_step *step = r->step;
+    coarsening c = {r, gap, step->pair->level};
+    bmr_walk_ascend(&r->walk, candidate, step->need, step->reach, take, &c);
+    tell_gain(&c);
+    if (step->pair->level == 0 && bmr_disks_certify(step, worth_it(step, *gap), gap))
+        tell_gain(&c);
 }
 
 /// Climbs the walk's level, and on to deeper ones until one separates.
 static bool descend(repair *r, bmr_candidate *found) {
     const int deepest = bmr_walk_deepest(r->walk.hierarchies);
     for (;;) {
-        ++r->levels;
         const bool top = bmr_walk_climb(&r->walk, found);
         if (found->gap > r->step->reach)
             return true;
@@ -104,7 +126,6 @@ static bmr_answer from_closest(repair *r, const bmr_closest *closest, const bmr_
     const bmr_event_kind kind = r->failure == BMR_FAILURE_ROLLED ? BMR_EVENT_ROLL : kind_of(r, deepest);
     bmr_candidate found;
     bmr_walk_start(&r->walk, closest->direction, deepest);
-    ++r->levels;
     bmr_walk_climb(&r->walk, &found);
     if (found.gap > step->reach && certify(r, &found, deepest, gap)) {
         bmr_step_tell(step, kind, r->level_before, deepest, *gap);
@@ -199,8 +220,7 @@ bmr_answer bmr_lazy_repair(bmr_step *step, bmr_failure failure, double *gap) {
                                  step->shapes[1]->hierarchies[step->pair->structure]},
                  .pose = step->pose},
                 failure,
-                failure == BMR_FAILURE_NEW ? BMR_LEVEL_DISKS : pair->level,
-                0};
+                failure == BMR_FAILURE_NEW ? BMR_LEVEL_DISKS : pair->level};
     bmr_answer answer;
     if (failure == BMR_FAILURE_NEW || failure == BMR_FAILURE_DISKS)
         answer = start(&r, between_centers(step), gap);
@@ -217,6 +237,6 @@ bmr_answer bmr_lazy_repair(bmr_step *step, bmr_failure failure, double *gap) {
                         bmr_hierarchy_corner(other, pair->other, pair->other_after), pair->level);
         answer = search(&r, gap);
     }
-    bmr_step_count_levels(step, r.levels);
+    step->steps += r.walk.steps;
     return answer;
 }

@@ -7,8 +7,8 @@
 #include "hierarchy/tree.h"
 #include "pair/step.h"
 
-/// Of the need, what a certificate's own relative rounding and the distance query's tolerance may hide: 2^-22
-/// and 2e-8, and room for the squares of these.
+/// The part of a gap that rounding to floats (2^-22) and the tolerance of the distance query (2e-8) may hide,
+/// with room for their squares. A pair must be apart by this much more than it needs.
 #define NEED_LOSS 4e-7
 
 const char *bmr_structure_name(bmr_structure structure) {
@@ -71,11 +71,6 @@ void bmr_step_tell(const bmr_step *step, bmr_event_kind kind, int level_before, 
     }
 }
 
-void bmr_step_count_levels(const bmr_step *step, int levels) {
-    if (step->observer && step->observer->counters)
-        step->observer->counters->levels += (uint64_t)levels;
-}
-
 bmr_simplex bmr_contact_simplex(const bmr_pair *pair) {
     const uint32_t packed[3] = {pair->edge, pair->other, pair->other_after};
     bmr_simplex simplex = bmr_simplex_make(0, 0);
@@ -123,9 +118,12 @@ bmr_structure bmr_pair_structure(const bmr_pair_def *def, const bmr_shape *a, co
     return walks(a, def->structure) && walks(b, def->structure) ? def->structure : BMR_FREE_DIRECTION;
 }
 
-bool bmr_step_closest(const bmr_step *step, bmr_simplex *simplex, bmr_closest *closest) {
-    return bmr_closest_direction(step->shapes[0]->polygon, step->shapes[1]->polygon, step->pose, step->reach,
-                                 BMR_CLOSEST_SLACK, simplex, closest);
+bool bmr_step_closest(bmr_step *step, bmr_simplex *simplex, bmr_closest *closest) {
+    const bool apart = bmr_closest_direction(step->shapes[0]->polygon, step->shapes[1]->polygon, step->pose,
+                                             step->reach, BMR_CLOSEST_SLACK, simplex, closest);
+    step->steps += simplex->steps;
+    simplex->steps = 0;
+    return apart;
 }
 
 static bmr_check look(const bmr_pair *pair, const bmr_pose *b_in_a, double margin, double *gap) {
@@ -148,8 +146,9 @@ static bool simplex_fits(const bmr_pair *pair, uint32_t count_a, uint32_t count_
     return simplex.count > 0;
 }
 
-/// Does all that the pair remembers lie within these shapes? It does where the stamp and the structure are
-/// right and the pair was left by an advance. Asked for the one polygon in 2^32 whose stamp is another's.
+/// Do all the indices that the pair remembers exist in these shapes? They do if the pair was left by an
+/// advance with these polygons and this structure. It is asked because one polygon in 2^32 has the stamp of
+/// another.
 static bool remembers_what_is_there(const bmr_pair *pair, const bmr_shape *a, const bmr_shape *b) {
     if (pair->state == BMR_PAIR_CONTACT)
         return simplex_fits(pair, a->polygon->count, b->polygon->count);
@@ -165,7 +164,7 @@ static bool remembers_what_is_there(const bmr_pair *pair, const bmr_shape *a, co
            pair->other_after < count && pair->level >= 0 && pair->level <= bmr_walk_deepest(hierarchies);
 }
 
-/// Forgets what is of another structure, or of other shapes after all.
+/// Starts the pair anew if its state is of another structure, or of other shapes though the stamp agrees.
 static void take_up(bmr_pair *pair, bmr_structure structure, const bmr_shape *a, const bmr_shape *b) {
     const bool known = pair->state == BMR_PAIR_APART || pair->state == BMR_PAIR_CONTACT;
     if (!known || pair->owner > 1 || pair->structure != structure || !remembers_what_is_there(pair, a, b)) {
@@ -191,7 +190,7 @@ static bmr_answer repair(bmr_pair *pair, const bmr_pair_def *def, const bmr_shap
                          const bmr_pose *b_in_a, const bmr_observer *observer, bmr_check check, double *gap) {
     const bmr_structure structure = bmr_pair_structure(def, a, b);
     take_up(pair, structure, a, b);
-    bmr_step step = {pair, def, {a, b}, b_in_a, observer, def->margin, 0.0};
+    bmr_step step = {pair, def, {a, b}, b_in_a, observer, def->margin, 0.0, 1};
     if (pair->state == BMR_PAIR_CONTACT)
         step.need += def->hysteresis;
     step.reach =
@@ -202,6 +201,8 @@ static bmr_answer repair(bmr_pair *pair, const bmr_pair_def *def, const bmr_shap
                                                               : bmr_lazy_repair(&step, failure, gap);
     if (answer != BMR_APART)
         *gap = 0.0;
+    if (observer && observer->counters)
+        observer->counters->steps += step.steps;
     return answer;
 }
 

@@ -18,9 +18,10 @@ typedef struct bmr_step {
     const bmr_shape *shapes[2]; ///< A, B
     const bmr_pose *pose;       ///< of B in A's frame
     const bmr_observer *observer;
-    double need;  ///< the gap that a certificate must prove: margin, and hysteresis for a pair in contact
-    double reach; ///< need, and all that a certificate may lose by rounding: apart by more than this can be
-                  ///< certified
+    double need;    ///< the gap that a certificate must prove: margin, and hysteresis for a pair in contact
+    double reach;   ///< need, and all that a certificate may lose by rounding: apart by more than this can be
+                    ///< certified
+    unsigned steps; ///< elementary steps so far (geometry/distance.h)
 } bmr_step;
 
 /// Why a repair is called for.
@@ -57,7 +58,7 @@ static inline uint32_t bmr_pair_stamp(const bmr_polygon *a, const bmr_polygon *b
 bmr_structure bmr_pair_structure(const bmr_pair_def *def, const bmr_shape *a, const bmr_shape *b);
 
 /// The distance query of a step, from the vertices given; true: apart by more than step->reach.
-bool bmr_step_closest(const bmr_step *step, bmr_simplex *simplex, bmr_closest *closest);
+bool bmr_step_closest(bmr_step *step, bmr_simplex *simplex, bmr_closest *closest);
 /// The simplex that a pair in contact remembers.
 bmr_simplex bmr_contact_simplex(const bmr_pair *pair);
 /// Puts the pair in contact, remembering the simplex; an event unless it was in contact before.
@@ -65,7 +66,6 @@ bmr_answer bmr_contact_enter(bmr_step *step, const bmr_simplex *simplex, int lev
 
 /// Counts an event and hands it to the observer.
 void bmr_step_tell(const bmr_step *step, bmr_event_kind kind, int level_before, int level_after, double gap);
-void bmr_step_count_levels(const bmr_step *step, int levels);
 /// Looks at the pair's certificate at the step's pose: does it prove more than `need`? *gap: what it proves.
 bool bmr_step_holds(const bmr_step *step, double need, double *gap);
 

@@ -26,12 +26,19 @@ Body::Body(const std::vector<bmr_vec2> &points) {
     Require(bmr_hierarchy_build_dobkin_kirkpatrick(polygon, nullptr, &hierarchy),
             "the Dobkin-Kirkpatrick hierarchy");
     m_hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK].reset(hierarchy);
+    for (const bmr_hierarchy_kind kind : {BMR_HIERARCHY_COMPASS, BMR_HIERARCHY_DUDLEY}) {
+        bmr_chains *chains = nullptr;
+        Require(bmr_chains_create(m_hierarchies[kind].get(), nullptr, &chains), "the chains");
+        m_chains[kind].reset(chains);
+    }
 }
 
 bmr_shape Body::Shape() const {
     bmr_shape shape = {m_polygon.get(), {}, {}};
-    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind)
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
         shape.hierarchies[kind] = m_hierarchies[kind].get();
+        shape.chains[kind] = m_chains[kind].get();
+    }
     return shape;
 }
 

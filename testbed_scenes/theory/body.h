@@ -14,7 +14,8 @@ namespace testbed {
 /// Throws what an error code of core means, as a sentence about `what`.
 void Require(bmr_error error, const std::string &what);
 
-/// A convex polygon with all three hierarchies.
+/// A convex polygon with all three hierarchies, and the chains of those two whose chains are searched: all
+/// that its pairs share.
 class Body {
 public:
     /// The hull of the points. Throws std::runtime_error.
@@ -32,10 +33,12 @@ private:
         void operator()(bmr_polygon *polygon) const { bmr_polygon_destroy(polygon, nullptr); }
         void operator()(bmr_compass *compass) const { bmr_compass_destroy(compass, nullptr); }
         void operator()(bmr_hierarchy *hierarchy) const { bmr_hierarchy_destroy(hierarchy, nullptr); }
+        void operator()(bmr_chains *chains) const { bmr_chains_destroy(chains, nullptr); }
     };
     std::unique_ptr<bmr_polygon, Deleter> m_polygon;
     std::unique_ptr<bmr_compass, Deleter> m_compass;
     std::unique_ptr<bmr_hierarchy, Deleter> m_hierarchies[BMR_HIERARCHY_KIND_COUNT];
+    std::unique_ptr<bmr_chains, Deleter> m_chains[BMR_HIERARCHY_KIND_COUNT];
 };
 
 } // namespace testbed

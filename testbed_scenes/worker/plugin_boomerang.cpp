@@ -157,7 +157,7 @@ nlohmann::json PluginStatistics() {
             {"pairs", counted.pairs},
             {"hulls", counted.hulls},
             {"checks", counted.kinetic.checks},
-            {"levels", counted.kinetic.levels},
+            {"steps", counted.kinetic.steps},
             {"events", events}};
 }
 

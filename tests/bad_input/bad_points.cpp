@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What core's makers of polygons say to bad points.
-#include "boomerang/convex32.h"
 #include "boomerang/polygon.h"
+#include "convex32/convex32.h"
 #include "error_name.h"
 #include "points.h"
 #include "table.h"

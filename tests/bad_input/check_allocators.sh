@@ -3,8 +3,8 @@
 #
 #   check_allocators.sh HEADERS PROGRAM...
 #
-# Is every public function that takes an allocator, or says NO_MEMORY, among those whose allocations are made to fail? The
-# programs list theirs (--list).
+# Is every function that takes an allocator, or says NO_MEMORY, among those whose allocations are made to fail? Of the public
+# headers, and of those beside core's sources that the plugin or the tests use. The programs list theirs (--list).
 set -uo pipefail
 headers=${1:?}
 shift
@@ -17,7 +17,8 @@ functions() {
         /^[[:space:]]*\/\/\// { comment = comment " " $0; next }
         /^[[:space:]]*$/ || /^#/ { if (!open) comment = ""; next }
         { text = text " " $0; open = 1 }
-        /[;{}][[:space:]]*(\/\/.*)?$/ { print text " @" comment; text = ""; comment = ""; open = 0 }' "$1"/boomerang/*.h "$1"/../hierarchy/mixed_cells.h
+        /[;{}][[:space:]]*(\/\/.*)?$/ { print text " @" comment; text = ""; comment = ""; open = 0 }' "$1"/boomerang/*.h \
+        "$1"/../hierarchy/mixed_cells.h "$1"/../convex32/convex32*.h
 }
 
 # Those that give back have nothing to fail.

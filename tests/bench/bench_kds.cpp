@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What a repair of each kinetic structure costs, by the number of vertices: every event of an orbit, found
 // beforehand, is repaired again and again. Times alone mean nothing on a shared machine; the table at the end
-// gives ratios of this run. To count instructions instead (of the repairs alone):
+// gives ratios of this run.
 //
-//   valgrind --tool=callgrind --collect-atstart=no --toggle-collect=bmr_kds_repair
-//       bench_kds --benchmark_filter='^free-fd2/64$' --benchmark_min_time=0.001
+//   bench_kds --once NAME VERTICES    one orbit of one structure: prints how many repairs it took
+//   bench_kds --list                  the structures' names
 //
-// and divide by the number of calls of bmr_kds_repair.
+// are for measure_repairs.sh, which counts the instructions of those repairs.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -144,30 +144,46 @@ Kds Make(const bmr_kds_info *info, const Body &a, const Body &b) {
     return Kds(kds);
 }
 
+/// The bodies of a benchmark: their structure, and the events of the orbit.
+struct Orbit {
+    std::unique_ptr<bmr_compass, CompassDeleter> compass;
+    bool turns;
+    Body a, b;
+    Kds kds;
+    std::vector<Event> events;
+
+    Orbit(const bmr_kds_info *info, int n)
+        : compass(CompassFor(n)), turns(info->domain == BMR_KDS_RIGID),
+          a(Ellipse(n, 1.0, 0.5), compass.get()),
+          b(info->domain == BMR_KDS_POINT ? std::vector<bmr_vec2>{{0.0, 0.0}} : Ellipse(n, 0.4, 0.1),
+            compass.get()),
+          kds(Make(info, a, b)), events(EventsOf(kds.get(), turns)) {}
+
+    static bmr_compass *CompassFor(int n) {
+        bmr_compass *table = nullptr;
+        if (bmr_compass_create(static_cast<size_t>(n), nullptr, &table) != BMR_OK)
+            std::abort();
+        return table;
+    }
+};
+
 void Repair(benchmark::State &state, const bmr_kds_info *info, int n) {
-    bmr_compass *table = nullptr;
-    if (bmr_compass_create(static_cast<size_t>(n), nullptr, &table) != BMR_OK)
-        std::abort();
-    const std::unique_ptr<bmr_compass, CompassDeleter> compass(table);
-    const bool point = info->domain == BMR_KDS_POINT, turns = info->domain == BMR_KDS_RIGID;
-    const Body a(Ellipse(n, 1.0, 0.5), table);
-    const Body b(point ? std::vector<bmr_vec2>{{0.0, 0.0}} : Ellipse(n, 0.4, 0.1), table);
-    const Kds kds = Make(info, a, b);
-    const std::vector<Event> events = EventsOf(kds.get(), turns);
+    const Orbit orbit(info, n);
+    const std::vector<Event> &events = orbit.events;
     if (events.empty()) {
         state.SkipWithError("no events on this orbit");
         return;
     }
-    const bmr_instant begin = OrbitAt(0.0, turns);
+    const bmr_instant begin = OrbitAt(0.0, orbit.turns);
     bmr_kds_report report;
     size_t next = events.size();
     uint64_t touched = 0;
     for (auto _ : state) {
         if (next == events.size()) { // some thousandth of the time: the orbit begins anew
-            bmr_kds_start(kds.get(), &begin, &report);
+            bmr_kds_start(orbit.kds.get(), &begin, &report);
             next = 0;
         }
-        bmr_kds_repair(kds.get(), &events[next].now, events[next].failed, &report);
+        bmr_kds_repair(orbit.kds.get(), &events[next].now, events[next].failed, &report);
         touched += report.touched;
         ++next;
     }
@@ -225,6 +241,21 @@ void PrintRatios(const Keeper &keeper) {
 } // namespace
 
 int main(int argc, char **argv) {
+    const std::string mode = argc > 1 ? argv[1] : "";
+    if (mode == "--list") {
+        for (size_t i = 0; i < bmr_kds_count(); ++i)
+            std::printf("%s\n", bmr_kds_at(i)->name);
+        return 0;
+    }
+    if (mode == "--once") {
+        const int n = argc > 3 ? std::atoi(argv[3]) : 0;
+        for (size_t i = 0; n >= 3 && i < bmr_kds_count(); ++i)
+            if (bmr_kds_at(i)->name == std::string(argv[2])) {
+                std::printf("%zu\n", Orbit(bmr_kds_at(i), n).events.size());
+                return 0;
+            }
+        return 2;
+    }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 2;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "boomerang/convex32_collide.h"
-#include "boomerang/convex32_distance.h"
-#include "boomerang/convex32_envelope.h"
+#include "convex32/convex32_collide.h"
+#include "convex32/convex32_distance.h"
+#include "convex32/convex32_envelope.h"
 #include "convex32_poses.h"
 #include "convex32_reference.h"
 #include "harness.h"

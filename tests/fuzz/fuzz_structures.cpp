@@ -19,28 +19,6 @@ constexpr double kEnd = 2.0;
 /// being some units.
 constexpr long double kSlop = 1e-9L;
 
-/// A polygon of an extent from 1/4 to 4, and at least `least` vertices; NULL where the bytes make none.
-bmr_polygon *ReadPolygon(fuzz_bytes *bytes, uint32_t least) {
-    const int size = static_cast<int>(fuzz_below(bytes, 4)) - 1;
-    bmr_polygon *polygon = fuzz_polygon(bytes, kMost), *scaled = nullptr;
-    if (polygon == nullptr || polygon->count < least) {
-        bmr_polygon_destroy(polygon, nullptr);
-        return nullptr;
-    }
-    int exponent;
-    std::frexp(polygon->extent, &exponent);
-    bmr_vec2 points[kMost + 12];
-    for (uint32_t i = 0; i < polygon->count; ++i)
-        points[i] = bmr_scale(std::ldexp(1.0, size - exponent), polygon->vertices[i]);
-    const bmr_error error = bmr_polygon_create(points, polygon->count, nullptr, &scaled);
-    const uint32_t before = polygon->count;
-    bmr_polygon_destroy(polygon, nullptr);
-    if (error == BMR_OK && scaled->count >= std::min(before, least))
-        return scaled;
-    bmr_polygon_destroy(error == BMR_OK ? scaled : nullptr, nullptr);
-    return nullptr;
-}
-
 bmr_kds_def ReadDef(fuzz_bytes *bytes) {
     bmr_kds_def def = bmr_default_kds_def();
     const uint8_t how = fuzz_u8(bytes);
@@ -137,8 +115,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     world.info = bmr_kds_at(fuzz_u8(&bytes) % bmr_kds_count());
     world.def = ReadDef(&bytes);
     const bool point = world.info->domain == BMR_KDS_POINT;
-    bmr_polygon *a = ReadPolygon(&bytes, 3);
-    bmr_polygon *b = a == nullptr || point ? nullptr : ReadPolygon(&bytes, 2);
+    bmr_polygon *a = fuzz_polygon_of_size(&bytes, kMost, 3);
+    bmr_polygon *b = a == nullptr || point ? nullptr : fuzz_polygon_of_size(&bytes, kMost, 2);
     if (a == nullptr || (b == nullptr && !point)) {
         bmr_polygon_destroy(a, nullptr);
         return 0;

@@ -136,6 +136,31 @@ static inline bmr_polygon *fuzz_polygon(fuzz_bytes *bytes, size_t most) {
     return polygon;
 }
 
+/// The same of an extent from 1/4 to 4, and at least `least` vertices; NULL where the bytes make none.
+static inline bmr_polygon *fuzz_polygon_of_size(fuzz_bytes *bytes, size_t most, uint32_t least) {
+    const int size = (int)fuzz_below(bytes, 4) - 1;
+    bmr_polygon *polygon = fuzz_polygon(bytes, most), *scaled = NULL;
+    if (!polygon || polygon->count < least) {
+        bmr_polygon_destroy(polygon, NULL);
+        return NULL;
+    }
+    int exponent;
+    (void)frexp(polygon->extent, &exponent);
+    const uint32_t count = polygon->count;
+    bmr_vec2 *points = (bmr_vec2 *)malloc(count * sizeof *points);
+    if (!points)
+        abort();
+    for (uint32_t i = 0; i < count; ++i)
+        points[i] = bmr_scale(ldexp(1.0, size - exponent), polygon->vertices[i]);
+    bmr_polygon_destroy(polygon, NULL);
+    const bmr_error error = bmr_polygon_create(points, count, NULL, &scaled);
+    free(points);
+    if (error == BMR_OK && scaled->count >= (count < least ? count : least))
+        return scaled;
+    bmr_polygon_destroy(error == BMR_OK ? scaled : NULL, NULL);
+    return NULL;
+}
+
 #ifdef __cplusplus
 }
 #endif

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "boomerang/convex32.h"
+#include "convex32/convex32.h"
 #include "convex32_loops.h"
 #include "exact.h"
 #include "fuzz_polygon.h"

@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "boomerang/convex32_collide.h"
+#include "convex32/convex32_collide.h"
 #include "convex32_poses.h"
 #include "convex32_reference.h"
 #include "test_scale.h"

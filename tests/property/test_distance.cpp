@@ -10,13 +10,16 @@
 
 #include "boomerang/distance.h"
 #include "geometry/posed_polygons.h"
-#include "polygon_distance.h"
 #include "polygons.h"
+#include "query_oracle.h"
 #include "test_scale.h"
 
 namespace {
 
-using distance::Points;
+using query::Agrees;
+using query::ProvesItself;
+using query::Scene;
+using query::SceneOf;
 
 struct PolygonDeleter {
     void operator()(bmr_polygon *p) const { bmr_polygon_destroy(p, nullptr); }
@@ -52,26 +55,6 @@ Polygon Random(size_t n, test_random *random) {
     return Hull(points);
 }
 
-/// Both in the world, and what lengths there may be off by.
-struct Scene {
-    const bmr_polygon *a, *b;
-    bmr_pose pose_a, pose_b;
-    Points points_a, points_b;
-    double tolerance;
-};
-
-Scene SceneOf(const bmr_polygon *a, const bmr_pose &pose_a, const bmr_polygon *b, const bmr_pose &pose_b) {
-    const auto size = [](bmr_vec2 v) { return std::fmax(std::fabs(v.x), std::fabs(v.y)); };
-    const double scale = a->extent + b->extent + size(pose_a.position) + size(pose_b.position);
-    return {a,
-            b,
-            pose_a,
-            pose_b,
-            distance::Transformed(a, pose_a),
-            distance::Transformed(b, pose_b),
-            BMR_DISTANCE_ROUNDING * scale};
-}
-
 /// A is anywhere; B beside it, with its supports `gap` apart in some direction.
 Scene Beside(const bmr_polygon *a, const bmr_polygon *b, double gap, test_random *random) {
     const double way = test_random_uniform(random, -4, 4);
@@ -94,30 +77,6 @@ Scene Beside(const bmr_polygon *a, const bmr_polygon *b, double gap, test_random
     return SceneOf(a, pose_a, b, pose_b);
 }
 
-/// Are these two points of the polygons, that far apart, with the polygons on either side of the gap? Such an
-/// answer is right whatever it was computed by: no two points are nearer.
-bool ProvesItself(const Scene &s, const bmr_closest_points &answer) {
-    const bmr_vec2 way = bmr_sub(answer.point_b, answer.point_a);
-    const distance::Point a = {answer.point_a.x, answer.point_a.y}, b = {answer.point_b.x, answer.point_b.y};
-    // Closest points lie on the border. (Whether a point is inside is no question for edges of some ulps.)
-    const auto on_border = [&](const Points &points, const distance::Point &p) {
-        long double least = INFINITY;
-        for (size_t i = 0; i < points.size(); ++i) {
-            const distance::Point w = distance::ToSegment(p, points[i], points[(i + 1) % points.size()]);
-            least = std::min(least, std::hypot(w.x, w.y));
-        }
-        return least <= s.tolerance;
-    };
-    // Two points that are off by the tolerance turn the normal by so much; the polygons are no longer than
-    // twice their extents.
-    const double turned = 2.0 * std::fmin(1.0, s.tolerance / answer.distance);
-    return std::fabs(std::hypot(way.x, way.y) - answer.distance) <= s.tolerance &&
-           std::fabs(std::hypot(answer.normal.x, answer.normal.y) - 1.0) <= 1e-14 &&
-           distance::SeparationAlong(s.points_a, s.points_b, answer.normal.x, answer.normal.y) >=
-               answer.distance - s.tolerance - turned * (s.a->extent + s.b->extent) &&
-           on_border(s.points_a, a) && on_border(s.points_b, b);
-}
-
 bmr_closest_points Closest(const Scene &s) {
     bmr_closest_points answer = {-1.0, {9, 9}, {9, 9}, {9, 9}};
     REQUIRE(bmr_distance(s.a, &s.pose_a, s.b, &s.pose_b, &answer) == BMR_OK);
@@ -130,27 +89,19 @@ bmr_overlap Overlap(const Scene &s) {
     return answer;
 }
 
-/// Does the overlap agree with a depth that is known?
-bool Agrees(const Scene &s, const bmr_overlap &answer, long double depth) {
-    const bmr_vec2 way = bmr_sub(answer.point_a, answer.point_b);
-    const bmr_vec2 meant = bmr_scale(answer.depth, answer.normal);
-    const long double along =
-        distance::SeparationAlong(s.points_a, s.points_b, answer.normal.x, answer.normal.y);
-    return std::fabs(answer.depth - depth) <= s.tolerance && std::fabs(along + depth) <= s.tolerance &&
-           std::hypot(way.x - meant.x, way.y - meant.y) <= s.tolerance;
-}
-
-/// Least steps that are enough for chains of n and m vertices, by halves, and some for what is around the
-/// end.
+/// Elementary steps that are enough: up to four looks at the support vertices of both, each a climb of 12
+/// that is given up and a binary search; two for each look that halves one of two chains; and some for what
+/// is around the end.
 unsigned EnoughSteps(const Scene &s) {
-    return static_cast<unsigned>(std::ceil(std::log2(s.a->count)) + std::ceil(std::log2(s.b->count))) + 8;
+    const double a = std::ceil(std::log2(s.a->count)), b = std::ceil(std::log2(s.b->count));
+    return static_cast<unsigned>(4.0 * (2.0 * 13.0 + a + b) + 2.0 * (a + b + 2.0)) + 8;
 }
 
 unsigned StepsOf(const Scene &s) {
     bmr_posed_polygons posed;
-    REQUIRE(bmr_posed_polygons_make(s.a, &s.pose_a, s.b, &s.pose_b, &posed) == BMR_OK);
-    unsigned steps = 0;
     bmr_closest_points answer;
+    REQUIRE(bmr_posed_polygons_make(s.a, &s.pose_a, s.b, &s.pose_b, &answer, &posed) == BMR_OK);
+    unsigned steps = 0;
     bmr_posed_polygons_closest(&posed, &steps, &answer);
     return steps;
 }
@@ -284,6 +235,48 @@ TEST_CASE("a small polygon deep in a large one, far from the origin, is not call
     CHECK(truth < -9e-6L);
     CHECK(Closest(s).distance == 0.0);
     CHECK(Agrees(s, Overlap(s), -truth));
+}
+
+TEST_CASE("a vertex that lies on the middle of an edge is not far from it") {
+    // Found by fuzz_queries: no direction told the two ends of the edge apart, and the distance was that of
+    // one of them, 1.
+    const Polygon a = Hull({{-0.65293827693672313, -0.75741112119568399},
+                            {0.75741112119568399, -0.65293827693672313},
+                            {0.65293827693672324, 0.75741112119568388}});
+    const Polygon b = Hull({{-0.97616540779736016, -0.89837491416800186},
+                            {0, 0},
+                            {0, 11},
+                            {-1172.559637859219, 0.50143672824218088}});
+    const bmr_pose here = bmr_pose_identity();
+    const Scene s = SceneOf(a.get(), here, b.get(), here);
+    CHECK(Closest(s).distance <= s.tolerance);
+    CHECK(Overlap(s).depth <= s.tolerance);
+}
+
+TEST_CASE("vertices that lie together are no way around a polygon") {
+    // Of two such vertices the searches at both ends of an arc found the other one each. The last pair has a
+    // direction that separates only at the second look.
+    const uint64_t states[] = {340848928178076474u,  3519922534721490492u, 7694584163053262375u,
+                               5479711179065206770u, 2373509614993089665u, 6808758188017056697u};
+    for (size_t i = 0; i < 6; ++i) {
+        CAPTURE(i);
+        test_random random = {states[i]};
+        std::vector<bmr_vec2> points[2] = {std::vector<bmr_vec2>(64), std::vector<bmr_vec2>(64)};
+        for (std::vector<bmr_vec2> &of : points)
+            of.resize(test_hard_points(&random, of.data()));
+        const Polygon a = Hull(points[0]), b = Hull(points[1]);
+        const double way = test_random_uniform(&random, -4, 4);
+        const bmr_vec2 u = {std::cos(way), std::sin(way)};
+        bmr_pose pose = bmr_pose_from_angle({0, 0}, i < 5 ? test_random_uniform(&random, -4, 4) : 0.0);
+        const bmr_vec2 pa = a->vertices[bmr_polygon_support(a.get(), u)],
+                       pb = bmr_rotate(
+                           &pose, b->vertices[bmr_polygon_support(b.get(), bmr_unrotate(&pose, bmr_neg(u)))]);
+        const double gap = std::pow(10, test_random_uniform(&random, -12, 1));
+        pose.position = bmr_add(bmr_sub(pa, pb), bmr_scale(gap, u));
+        const Scene s = SceneOf(a.get(), bmr_pose_identity(), b.get(), pose);
+        const long double truth = distance::SignedDistance(s.points_a, s.points_b);
+        CHECK(std::fabs(Closest(s).distance - std::fmax(0.0L, truth)) <= s.tolerance);
+    }
 }
 
 TEST_CASE("a pose without an angle stands at the origin") {

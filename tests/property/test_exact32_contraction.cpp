@@ -13,8 +13,8 @@
 
 #include <CGAL/Gmpq.h>
 
-#include "boomerang/exact32.h"
 #include "convex32_poses.h"
+#include "exact32/exact32.h"
 #include "test_scale.h"
 
 namespace {

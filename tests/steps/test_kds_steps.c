@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "kds_driver.h"
+#include "motions.h"
 #include "test_scale.h"
 
 /// Blocks for each step reported, at most. Measured: 8 to 42 on average, 141 at most (a rival's walk by one
@@ -111,6 +112,118 @@ static void no_repair_runs_more_than_a_constant_for_each_step_that_it_reports(vo
     assert_true(busiest > 2.0 * MOST_BLOCKS); // control: that a repair is one step would be found out
 }
 
+/// What the repairs of sampled pairs ran and reported.
+typedef struct pair_tally {
+    double worst;   ///< the most blocks for a step in one repair
+    double busiest; ///< the most blocks of one, whatever it reports
+    double blocks, steps;
+    size_t repairs;
+} pair_tally;
+
+/// An ellipse and a regular polygon, for a pair of them.
+typedef struct couple {
+    test_random random;
+    test_body a, b;
+    bmr_shape shape_a, shape_b;
+    bmr_pair_def def;
+} couple;
+
+static couple couple_make(bmr_structure structure, size_t n, size_t m, uint64_t seed) {
+    couple c = {.random = {seed}, .def = bmr_default_pair_def()};
+    c.def.structure = structure;
+    c.a = test_body_make(test_polygon(TEST_ELLIPSE, n, &c.random), structure);
+    c.b = test_body_make(test_polygon(TEST_REGULAR, m, &c.random), structure);
+    c.shape_a = test_body_shape(&c.a);
+    c.shape_b = test_body_shape(&c.b);
+    return c;
+}
+
+static void couple_destroy(couple *c) {
+    test_body_destroy(&c->a);
+    test_body_destroy(&c->b);
+}
+
+static void step_pair(test_motion_kind kind, bmr_structure structure, size_t n, size_t m, uint64_t seed,
+                      pair_tally *t) {
+    couple c = couple_make(structure, n, m, seed);
+    bmr_pair pair;
+    bmr_pair_init(&pair);
+    test_motion motion = test_motion_make(kind, c.a.polygon, c.b.polygon, &c.random);
+    for (int i = 0; i < 2000; ++i) {
+        const bmr_pose q = test_motion_next(&motion, &c.random);
+        bmr_counters counters = {0};
+        const bmr_observer observer = {&counters, NULL, NULL};
+        const uint64_t before = blocks;
+        bmr_pair_advance(&pair, &c.def, &c.shape_a, &c.shape_b, &q, &observer, NULL);
+        const double ran = (double)(blocks - before), steps = (double)counters.steps;
+        if (counters.steps == 0)
+            continue; // the old proof held
+        t->worst = fmax(t->worst, ran / steps);
+        t->busiest = fmax(t->busiest, ran);
+        t->blocks += ran;
+        t->steps += steps;
+        ++t->repairs;
+    }
+    couple_destroy(&c);
+}
+
+static void no_step_of_a_pair_runs_more_than_a_constant_for_each_that_it_counts(void **state) {
+    (void)state;
+    for (int s = 0; s < BMR_STRUCTURE_COUNT; ++s) {
+        pair_tally t = {0};
+        for (size_t k = 0; k < SIZES; ++k)
+            for (int kind = 0; kind < TEST_MOTION_KIND_COUNT; ++kind)
+                step_pair((test_motion_kind)kind, (bmr_structure)s, sizes[k], sizes[k], 1 + k, &t);
+        print_message("%s: %zu repairs, %.1f steps each, %.1f blocks a step, at most %.1f\n",
+                      bmr_structure_name((bmr_structure)s), t.repairs, t.steps / (double)t.repairs,
+                      t.blocks / t.steps, t.worst);
+        assert_true(t.repairs > 1000);
+        assert_true(t.steps <= t.blocks);
+        assert_true(t.worst <= MOST_BLOCKS);
+        assert_true(t.busiest > MOST_BLOCKS); // control: that a repair is one step would be found out
+    }
+}
+
+/// Mean steps of a repair in which a pair, nearly touching, jumps to a place where it gains three levels or
+/// more.
+static double steps_of_coarsening(bmr_structure structure, size_t n, size_t m) {
+    double steps = 0.0;
+    size_t repairs = 0;
+    for (uint64_t seed = 1; seed <= 10; ++seed) {
+        couple c = couple_make(structure, n, m, seed);
+        const bmr_polygon *a = c.a.polygon, *b = c.b.polygon;
+        const double direction = test_random_uniform(&c.random, 0.0, 6.28),
+                     angle = test_random_uniform(&c.random, 0.0, 6.28);
+        for (int k = 0; k < 30; ++k) {
+            const bmr_pose near = test_pose_at(a, b, direction, angle, 1e-5),
+                           far = test_pose_at(a, b, direction + 0.05 + 0.1 * k, angle, 0.2);
+            bmr_pair pair;
+            bmr_pair_init(&pair);
+            bmr_pair_advance(&pair, &c.def, &c.shape_a, &c.shape_b, &near, NULL, NULL);
+            bmr_counters counters = {0};
+            const bmr_observer observer = {&counters, NULL, NULL};
+            bmr_pair_advance(&pair, &c.def, &c.shape_a, &c.shape_b, &far, &observer, NULL);
+            if (counters.events[BMR_EVENT_COARSEN] < 3)
+                continue;
+            steps += (double)counters.steps;
+            ++repairs;
+        }
+        couple_destroy(&c);
+    }
+    assert_true(repairs > 50);
+    return steps / (double)repairs;
+}
+
+/// Between two neighbouring edges of a 5-gon lie any number of an 8192-gon's. A pair that climbed to the best
+/// line of each level on its way up passed them all: 544 steps a repair. It takes the first line that is good
+/// enough, and 357 steps: what the way down costs, and one climb.
+static void a_coarsening_pair_does_not_climb_to_the_best_line_of_each_level(void **state) {
+    (void)state;
+    const double steps = steps_of_coarsening(BMR_LAZY_COMPASS, 5, 8192);
+    print_message("a 5-gon and an 8192-gon: %.1f steps a coarsening\n", steps);
+    assert_true(steps <= 450.0);
+}
+
 /// Blocks that `build` takes for each vertex of polygons of n vertices.
 static double blocks_a_vertex(test_family family, size_t n, bmr_hierarchy_kind kind,
                               const bmr_compass *compass) {
@@ -166,6 +279,8 @@ static void a_hierarchy_is_built_in_linear_time(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_repair_runs_more_than_a_constant_for_each_step_that_it_reports),
+        cmocka_unit_test(no_step_of_a_pair_runs_more_than_a_constant_for_each_that_it_counts),
+        cmocka_unit_test(a_coarsening_pair_does_not_climb_to_the_best_line_of_each_level),
         cmocka_unit_test(a_hierarchy_is_built_in_linear_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -2,7 +2,7 @@
 #ifndef BOOMERANG_TEST_CONVEX32_LOOPS_H
 #define BOOMERANG_TEST_CONVEX32_LOOPS_H
 
-#include "boomerang/convex32.h"
+#include "convex32/convex32.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "boomerang/convex32.h"
+#include "convex32/convex32.h"
 #include "polygons.h"
 
 /// @file

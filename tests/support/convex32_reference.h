@@ -2,7 +2,7 @@
 #ifndef BOOMERANG_TEST_CONVEX32_REFERENCE_H
 #define BOOMERANG_TEST_CONVEX32_REFERENCE_H
 
-#include "boomerang/convex32_collide.h"
+#include "convex32/convex32_collide.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -10,8 +10,8 @@
 #include <box2d/b2_distance.h>
 #include <box2d/b2_time_of_impact.h>
 
-#include "boomerang/convex32_distance.h"
 #include "box2d_shapes.h"
+#include "convex32/convex32_distance.h"
 
 /// @file
 /// Convex polygons of any size for tests, and what is true of them by looking at all vertices, in double.

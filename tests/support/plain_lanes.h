@@ -2,8 +2,8 @@
 #ifndef BMR_TEST_PLAIN_LANES_H
 #define BMR_TEST_PLAIN_LANES_H
 
-#include "boomerang/convex32_collide.h"
-#include "boomerang/exact32.h"
+#include "convex32/convex32_collide.h"
+#include "exact32/exact32.h"
 #include "exact32/swept32.h"
 
 /// @file

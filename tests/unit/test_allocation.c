@@ -10,9 +10,9 @@
 
 #include <cmocka.h>
 
-#include "boomerang/convex32.h"
 #include "boomerang/kds.h"
 #include "boomerang/minkowski.h"
+#include "convex32/convex32.h"
 #include "every_allocation.h"
 #include "hierarchy/mixed_cells.h"
 

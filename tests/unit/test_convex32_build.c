@@ -10,7 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "boomerang/convex32.h"
+#include "convex32/convex32.h"
 #include "convex32/directions.h"
 #include "convex32_loops.h"
 #include "convex32_random.h"

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "boomerang/convex32_distance.h"
+#include "convex32/convex32_distance.h"
 
 static const float slop = 0.005f; // skins of 2 slops: looked for are 2, reached at 2.5
 static const bmr_vec32 down = {0.0f, -1.0f}, up = {0.0f, 1.0f}, along = {1.0f, 0.0f};

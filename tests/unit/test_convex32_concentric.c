@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "boomerang/convex32_distance.h"
+#include "convex32/convex32_distance.h"
 
 enum { MOST = 40 };
 static const float slop = 0.005f;

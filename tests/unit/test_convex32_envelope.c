@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "boomerang/convex32_envelope.h"
+#include "convex32/convex32_envelope.h"
 
 #define MOST 3000u
 #define EDGES 64u

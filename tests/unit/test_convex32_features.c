@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-#include "boomerang/convex32_collide.h"
+#include "convex32/convex32_collide.h"
 
 static bmr_manifold32 two_points(float x0, uint8_t first, float x1, uint8_t second) {
     bmr_manifold32 m;

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "boomerang/convex32_distance.h"
+#include "convex32/convex32_distance.h"
 
 static const float slop = 0.005f;
 static const float tolerance = 0.25f * 0.005f;

@@ -10,7 +10,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "boomerang/convex32.h"
+#include "convex32/convex32.h"
 #include "convex32/directions.h"
 #include "convex32_loops.h"
 #include "convex32_random.h"

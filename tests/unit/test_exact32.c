@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "boomerang/exact32.h"
+#include "exact32/exact32.h"
 #include "test_scale.h"
 
 enum { MOST = 8 };

@@ -12,7 +12,7 @@
 #include <box2d/b2_edge_shape.h>
 #include <box2d/b2_polygon_shape.h>
 
-#include "boomerang/convex32_collide.h"
+#include "convex32/convex32_collide.h"
 #include "convex32_poses.h"
 #include "convex32_reference.h"
 #include "test_scale.h"

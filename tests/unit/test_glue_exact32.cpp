@@ -8,8 +8,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "boomerang/exact32.h"
 #include "box2d_shapes.h"
+#include "exact32/exact32.h"
 #include "start/rounding_probe.h"
 #include "test_scale.h"
 

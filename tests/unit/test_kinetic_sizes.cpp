@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <vector>
 
-#include "boomerang/convex32.h"
 #include "boomerang/kds.h"
 #include "boomerang/minkowski.h"
 #include "boomerang/simulation.h"
+#include "convex32/convex32.h"
 #include "hierarchy/mixed_cells.h"
 
 extern "C" {

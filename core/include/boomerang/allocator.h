@@ -9,7 +9,7 @@ extern "C" {
 #endif
 
 /// Where core takes its memory from. Each object (polygon, hierarchy, compass table) is ONE block, so that a
-/// game can put it where its own memory lives. A NULL `const bmr_allocator *` means malloc and free.
+/// program can put it where its own memory lives. A NULL `const bmr_allocator *` means malloc and free.
 typedef struct bmr_allocator {
     /// `size` bytes aligned for any type, or NULL. `size` is never 0.
     void *(*allocate)(void *context, size_t size);

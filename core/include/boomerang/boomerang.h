@@ -4,8 +4,7 @@
 
 /// @file
 /// boomerang::core in double precision, in the order in which it is best read: each part needs only those
-/// above it. It needs nothing but libm. (Not here: convex32.h with its companions and exact32.h, tests in
-/// float for engines that ask for a given order of operations.)
+/// above it. It needs nothing but libm.
 
 // A convex polygon, and where it is: everything begins here.
 #include "boomerang/polygon.h"

@@ -164,7 +164,7 @@ static inline uint32_t bmr_budget_deadline(double slack, uint32_t moved_a, uint3
     return moved_a + moved_b + whole;
 }
 
-/// May the slack be used up?
+/// True as soon as the slack may be used up: then the pair is to be looked at.
 static inline bool bmr_budget_is_due(uint32_t deadline, uint32_t moved_a, uint32_t moved_b) {
     const uint32_t left = deadline - moved_a - moved_b;
     return left - 1u >= 0x7fffffffu; // 0, or negative as a signed number

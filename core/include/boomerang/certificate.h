@@ -28,9 +28,10 @@ typedef struct bmr_certificate {
     float high[2]; ///< of directions -normal for which the window holds. low = high = 0: every direction.
 } bmr_certificate;
 
-/// How far (radians) a direction may leave the bracket unnoticed: flat on flat, the direction sits ON the
-/// bracket's end and float rounding must not make it roll for ever. Its price, BMR_ROLL_TOLERANCE times the
-/// other body's diameter, is in `offset`.
+/// A direction that is outside of the bracket by no more than this (radians) still counts as inside. Where a
+/// flat side slides on a flat side, the direction is exactly the bracket's end, and without this the rounding
+/// of floats would make the pair roll at every step. What it costs, BMR_ROLL_TOLERANCE times the other body's
+/// diameter, is in `offset`.
 #define BMR_ROLL_TOLERANCE 9.5367431640625e-7 /* 2^-20 */
 
 /// What a look at a certificate says.
@@ -44,9 +45,10 @@ typedef enum bmr_check {
 /// `*gap` gets a lower bound of the distance between the two bodies, valid when the result is HOLDS or
 /// CROSSED. O(1), touches the certificate alone. A NaN anywhere never gives HOLDS.
 ///
-/// With u the normal as the other body sees it, and q its counterpart in the frame that the position is given
-/// in (n itself, or -u where the roles are turned), the gap is min <u, window> + <q, position> - offset, less
-/// 2^-49 of the position, which covers the rounding of this very expression. No pose is ever inverted.
+/// The gap is min <u, window> + <q, position> - offset. Here u is the normal turned into the other body's
+/// frame, and q the same direction in A's frame, in which the position is given: the normal itself if A owns
+/// the line, and -u if B does. So no pose is ever inverted. From the gap 2^-49 of the position is taken off,
+/// which covers the rounding of this expression.
 static inline bmr_check bmr_certificate_check_pair(const bmr_certificate *k, const bmr_pose *b_in_a,
                                                    int owner, double margin, double *gap);
 

@@ -18,9 +18,9 @@ extern "C" {
 /// or segments.
 ///
 /// What rounding costs: every length in an answer is right up to BMR_DISTANCE_ROUNDING times the sum of both
-/// extents and of the magnitudes of both positions. Polygons that are nearer to touching than that may be
-/// called apart or overlapping. A normal between closest points is off by an angle of at most twice that over
-/// the distance.
+/// extents and of the magnitudes of both positions (and up to 1e-150, where squares underflow: two points
+/// that near have distance 0). Polygons that are nearer to touching than that may be called apart or
+/// overlapping. A normal between closest points is off by an angle of at most twice that over the distance.
 ///
 /// Errors of both functions: NULL_ARGUMENT; NOT_FINITE (a pose with a NaN or an infinity); OUT_OF_RANGE (a
 /// position beyond BMR_MAX_COORDINATE, a (c, s) whose square is off 1 by more than BMR_DISTANCE_UNIT). Then
@@ -39,8 +39,8 @@ typedef struct bmr_closest_points {
 
 /// The distance of two polygons and a pair of closest points. Of many such pairs (two parallel sides) it is
 /// any one. O(log n + log m) time for n and m vertices, with no hierarchy: each step leaves out half of what
-/// is left of one of the two polygons. (Of vertices that lie together as far as doubles tell, some fifty
-/// times as much: one search for each bit of a direction.)
+/// is left of one of the two polygons. (Of vertices that lie together as far as doubles tell, and of polygons
+/// that all but touch, up to some fifty times as much: one search for each bit of a direction.)
 bmr_error bmr_distance(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
                        const bmr_pose *pose_b, bmr_closest_points *closest);
 
@@ -56,7 +56,10 @@ typedef struct bmr_overlap {
 } bmr_overlap;
 
 /// The penetration depth of two polygons: least over the normals of all edges of both. O((n + m) log) time at
-/// worst, and a few steps an edge where the other polygon's edges are spread alike.
+/// worst, and a few steps an edge where the other polygon's edges are spread alike. Not logarithmic as
+/// bmr_distance is, nor would it be with a hierarchy: a depth may have as many local minima as there are
+/// edges (a regular polygon about a point at its centre has n that are equal), so that no part of the edges
+/// can be left out unseen. Polygons that are apart are told so in O(log n + log m).
 bmr_error bmr_penetration(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
                           const bmr_pose *pose_b, bmr_overlap *overlap);
 

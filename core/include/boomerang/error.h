@@ -31,7 +31,7 @@ typedef enum bmr_error {
     BMR_ERROR_INVALID_STRUCTURE, ///< an audit found a structure that contradicts itself
     BMR_ERROR_FALSE_CERTIFICATE, ///< an audit found a certificate that does not prove what it claims
     BMR_ERROR_STALLED,           ///< a simulation's pair has event after event and time stands still
-    BMR_ERROR_UNSUPPORTED,       ///< what this process is made of is none that the call can work with
+    BMR_ERROR_UNSUPPORTED,       ///< another library of this process is of no version that the call knows
     BMR_ERROR_TOO_FEW_POINTS,    ///< fewer than three points, or all on one line as far as floats can tell
     BMR_ERROR_TOO_CLOSE,         ///< points so close together that they would become one
     BMR_ERROR_NEGATIVE,          ///< a tolerance below zero

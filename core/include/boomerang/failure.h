@@ -30,7 +30,7 @@ typedef struct bmr_failure_options {
     /// than that, and a touch, may be passed over or reported.
     double tolerance;
 } bmr_failure_options;
-/// Bernstein, 1e-12.
+/// BMR_ROOT_BERNSTEIN, and a tolerance of 1e-12.
 bmr_failure_options bmr_default_failure_options(void);
 
 /// The first time in (after, until] at which the condition is no longer positive, A and B moving as given;
@@ -50,11 +50,12 @@ bmr_failure_options bmr_default_failure_options(void);
 /// ask for a shorter time). Then *time is untouched.
 bmr_error bmr_failure_time(const bmr_condition *condition, const bmr_motion *a, const bmr_motion *b,
                            double after, double until, const bmr_failure_options *options, double *time);
-/// With a spin: steps over two pieces at most, which is some 50,000 turns and a few hundredths of a second;
-/// or a second, where a and b of the other's rotation have a common root (motion.h) and time is spent around
-/// it. (Each look at the bounds of a motion's rates around such a root counts, too: a quarter of a step.)
+/// The most steps that a search takes over two pieces of which one spins: enough for some 50,000 turns, which
+/// takes a few hundredths of a second. Where the other piece is algebraic and its a and b have a common root
+/// (motion.h), the search spends its steps around that root, and takes up to a second. (There each look at
+/// the bounds of the rates counts as a quarter of a step.)
 #define BMR_FAILURE_MAX_STEPS ((size_t)1 << 18)
-/// Under two algebraic pieces: intervals at most; as long, at some microseconds for each.
+/// The most intervals that a search goes through under two algebraic pieces, at some microseconds for each.
 #define BMR_FAILURE_MAX_INTERVALS ((size_t)1 << 14)
 
 #ifdef __cplusplus

@@ -5,7 +5,7 @@
 /// @file
 /// All of boomerang::kinetic, in the order in which it is best read. It needs boomerang::core, and links the
 /// GNU Scientific Library: a program distributed with it inside is under the GPL-3. Nothing in
-/// boomerang::core or boomerang::box2d needs it.
+/// boomerang::core needs it.
 ///
 /// Threads: GSL has one error handler for the whole process, and its default aborts. Failure times switch it
 /// off while a call that needs the solver runs, and the last such call to end puts it back; such calls may

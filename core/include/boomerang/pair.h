@@ -122,7 +122,9 @@ typedef struct bmr_event {
 typedef struct bmr_counters {
     uint64_t checks;
     uint64_t events[BMR_EVENT_KIND_COUNT];
-    uint64_t levels; ///< levels walked by all repairs
+    /// Elementary steps of all repairs: 1 for the proof that failed, and 1 for every vertex, edge or node of
+    /// a hierarchy that was looked at. The time of a repair is at most a constant times its own.
+    uint64_t steps;
 } bmr_counters;
 
 /// Who is told. NULL members are skipped; a NULL observer costs nothing.

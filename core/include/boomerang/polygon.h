@@ -33,8 +33,9 @@ typedef struct bmr_polygon {
     double radius;    ///< its radius, not smaller than the distance of any vertex from `center`
     double extent;    ///< largest |coordinate|: what rounding errors scale with
     /// Made of the vertices' bits, in order: polygons of the same vertices have the same stamp, wherever they
-    /// lie, and two others have it with a probability of 2^-32. By it a bmr_pair knows its polygons again,
-    /// and a bmr_hierarchy its own.
+    /// lie, and two others have it with a probability of 2^-32. A bmr_pair compares it to see whether it is
+    /// still asked about the same polygons, and a bmr_hierarchy whether a polygon is the one that it was
+    /// built over.
     uint32_t stamp;
 } bmr_polygon;
 
@@ -73,8 +74,9 @@ bmr_vec2 bmr_polygon_normal(const bmr_polygon *polygon, uint32_t edge);
 
 /// Index of a vertex farthest in `direction` (of two, the counter-clockwise first). Climbs from `hint` (any
 /// value; taken modulo count): O(1) when the answer is near, O(n) at worst. A zero or NaN direction gives the
-/// hint back. Rounding: never nearer than the true farthest by more than 1e-15 * extent * |direction|, for
-/// directions of length 1e-290 to 1e290; of others, whose products underflow or overflow, some vertex.
+/// hint back. Rounding: the vertex lies less far in `direction` than the farthest one by at most 1e-15 *
+/// extent * |direction|. That holds for directions of length 1e-290 to 1e290; for others, whose products
+/// underflow or overflow, it is some vertex.
 uint32_t bmr_polygon_support_from(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t hint);
 
 /// The same from scratch in O(log n), by bisection of the two chains between the lowest and the highest

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_CONVEX32_DISTANCE_H
-#define BOOMERANG_CONVEX32_DISTANCE_H
+#ifndef BMR_CONVEX32_CONVEX32_DISTANCE_H
+#define BMR_CONVEX32_CONVEX32_DISTANCE_H
 
-#include "boomerang/convex32.h"
+#include "convex32/convex32.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_EXACT32_H
-#define BOOMERANG_EXACT32_H
+#ifndef BMR_EXACT32_EXACT32_H
+#define BMR_EXACT32_EXACT32_H
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -10,6 +10,8 @@ extern "C" {
 #endif
 
 /// @file
+/// For the Box2D plugin alone; not a public header.
+///
 /// Separation of two small convex polygons along one edge normal, and how they touch, in float, on plain
 /// arrays. The ORDER of the float operations is the contract: it is that of Box2D 2.4.x's polygon narrow
 /// phase, so the numbers have the same bits as Box2D's own when it was compiled without fused multiply-add.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_CONVEX32_ENVELOPE_H
-#define BOOMERANG_CONVEX32_ENVELOPE_H
+#ifndef BMR_CONVEX32_CONVEX32_ENVELOPE_H
+#define BMR_CONVEX32_CONVEX32_ENVELOPE_H
 
-#include "boomerang/convex32.h"
 #include "boomerang/polygon.h"
+#include "convex32/convex32.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_CONVEX32_H
-#define BOOMERANG_CONVEX32_H
+#ifndef BMR_CONVEX32_CONVEX32_H
+#define BMR_CONVEX32_CONVEX32_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -8,13 +8,15 @@
 
 #include "boomerang/allocator.h"
 #include "boomerang/error.h"
-#include "boomerang/exact32.h"
+#include "exact32/exact32.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 /// @file
+/// For the Box2D plugin alone; not a public header.
+///
 /// Convex polygons of any size in float, as a game engine keeps its shapes: what exact32.h is for 8 vertices,
 /// in time that hardly grows with their number. How two of them touch: convex32_collide.h; how far apart they
 /// are, and when they meet: convex32_distance.h.

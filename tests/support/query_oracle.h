@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#ifndef BMR_TEST_QUERY_ORACLE_H
+#define BMR_TEST_QUERY_ORACLE_H
+
+#include "boomerang/distance.h"
+#include "polygon_distance.h"
+
+/// @file
+/// What an answer of boomerang/distance.h must be, without any of core: two points and a line that prove each
+/// other, and a depth that is known.
+
+namespace query {
+
+/// Both in the world, and what lengths there may be off by.
+struct Scene {
+    const bmr_polygon *a, *b;
+    bmr_pose pose_a, pose_b;
+    distance::Points points_a, points_b;
+    double tolerance;
+};
+
+inline Scene SceneOf(const bmr_polygon *a, const bmr_pose &pose_a, const bmr_polygon *b,
+                     const bmr_pose &pose_b) {
+    const auto size = [](bmr_vec2 v) { return std::fmax(std::fabs(v.x), std::fabs(v.y)); };
+    const double scale = a->extent + b->extent + size(pose_a.position) + size(pose_b.position);
+    return {a,
+            b,
+            pose_a,
+            pose_b,
+            distance::Transformed(a, pose_a),
+            distance::Transformed(b, pose_b),
+            BMR_DISTANCE_ROUNDING * scale + 1e-150};
+}
+
+/// Are these two points of the polygons, that far apart, with the polygons on either side of the gap? Such an
+/// answer is right whatever it was computed by: no two points are nearer.
+inline bool ProvesItself(const Scene &s, const bmr_closest_points &answer) {
+    const bmr_vec2 way = bmr_sub(answer.point_b, answer.point_a);
+    const distance::Point a = {answer.point_a.x, answer.point_a.y}, b = {answer.point_b.x, answer.point_b.y};
+    // Closest points lie on the border. (Whether a point is inside is no question for edges of some ulps.)
+    const auto on_border = [&](const distance::Points &points, const distance::Point &p) {
+        long double least = INFINITY;
+        for (size_t i = 0; i < points.size(); ++i) {
+            const distance::Point w = distance::ToSegment(p, points[i], points[(i + 1) % points.size()]);
+            least = std::min(least, std::hypot(w.x, w.y));
+        }
+        return least <= s.tolerance;
+    };
+    // Two points that are off by the tolerance turn the normal by so much; the polygons are no longer than
+    // twice their extents.
+    const double turned = 2.0 * std::fmin(1.0, s.tolerance / answer.distance);
+    return std::fabs(std::hypot(way.x, way.y) - answer.distance) <= s.tolerance &&
+           std::fabs(std::hypot(answer.normal.x, answer.normal.y) - 1.0) <= 1e-14 &&
+           distance::SeparationAlong(s.points_a, s.points_b, answer.normal.x, answer.normal.y) >=
+               answer.distance - s.tolerance - turned * (s.a->extent + s.b->extent) &&
+           on_border(s.points_a, a) && on_border(s.points_b, b);
+}
+
+/// Does the overlap agree with a depth that is known?
+inline bool Agrees(const Scene &s, const bmr_overlap &answer, long double depth) {
+    const bmr_vec2 way = bmr_sub(answer.point_a, answer.point_b);
+    const bmr_vec2 meant = bmr_scale(answer.depth, answer.normal);
+    const long double along =
+        distance::SeparationAlong(s.points_a, s.points_b, answer.normal.x, answer.normal.y);
+    return std::fabs(answer.depth - depth) <= s.tolerance && std::fabs(along + depth) <= s.tolerance &&
+           std::hypot(way.x - meant.x, way.y - meant.y) <= s.tolerance;
+}
+
+} // namespace query
+
+#endif
