@@ -9,6 +9,7 @@
 
 // A convex polygon, and where it is: everything begins here.
 #include "boomerang/polygon.h"
+#include "boomerang/mass.h"
 #include "boomerang/pose.h"
 
 // How far apart are two of them, or how deep in each other? Asked once, nothing remembered.
