@@ -4,6 +4,7 @@
 
 #include "boomerang/failure.h"
 #include "boomerang/kds.h"
+#include "boomerang/mass.h"
 
 #ifdef __cplusplus
 extern "C" {
