@@ -18,6 +18,8 @@
 #define FIRST_PART 0x1p-3
 /// Windows that one search goes through before the couple is put back into the queue.
 #define WINDOWS 6
+/// A pair that passes is looked at step by step: so many steps ahead, for most pairs are soon sent elsewhere.
+#define PASSING_STEPS 8.0
 /// The margin is halved at most so often: 2^-20 of it is below what structures can tell.
 #define MOST_RUNGS 20
 /// A structure may want a pair a little farther apart than the distance at which a contact ends. It is asked
@@ -222,14 +224,17 @@ static bmr_error search_near(bmr_world *w, bmr_couple *c) {
     }
     const double pieces = fmin(c->side[0]->until, c->side[1]->until);
     const double horizon = fmin(n->part, fmin(n->rise, pieces));
-    for (int i = 0; i < WINDOWS && n->from < horizon; i++, n->window *= 2.0) {
+    const bool passing = c->watch == BMR_WATCH_PASSING;
+    if (passing)
+        n->window = PASSING_STEPS * w->def.contact_step;
+    for (int i = 0; i < (passing ? 1 : WINDOWS) && n->from < horizon; i++, n->window *= 2.0) {
         const double to = fmin(horizon, fmax(n->from + n->window, nextafter(n->from, INFINITY)));
         double time;
         const bmr_error failed = find_event(w, c, n->from, to, &time);
         if (failed != BMR_OK)
             return failed;
         if (time < INFINITY) {
-            schedule(w, c, c->watch == BMR_WATCH_PASSING ? BMR_COUPLE_LEAVE : BMR_COUPLE_FAIL, time);
+            schedule(w, c, passing ? BMR_COUPLE_LEAVE : BMR_COUPLE_FAIL, time);
             return BMR_OK;
         }
         n->from = to;

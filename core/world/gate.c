@@ -82,20 +82,11 @@ static bmr_motion_piece path_of(const bmr_motion_piece *piece, bmr_vec2 shift) {
     return path;
 }
 
-/// The shortest time in which one term of a path, in powers of the time from `from`, grows to `length`.
-static double time_for(const bmr_algebraic_piece *a, const bmr_algebraic_piece *b, double length) {
+/// The shortest time in which one term of a path, in powers of that time, grows to `length`.
+static double time_for(const bmr_algebraic_piece *path, double length) {
     double least = INFINITY;
-    for (size_t k = 1; k <= BMR_MOTION_MAX_DEGREE; k++) {
-        double x = 0.0, y = 0.0;
-        if (k <= a->degree) {
-            x += a->x[k];
-            y += a->y[k];
-        }
-        if (b && k <= b->degree) {
-            x -= b->x[k];
-            y -= b->y[k];
-        }
-        const double size = hypot(x, y);
+    for (size_t k = 1; k <= path->degree; k++) {
+        const double size = hypot(path->x[k], path->y[k]);
         if (size > 0.0)
             least = fmin(least, pow(length / size, 1.0 / (double)k));
     }
@@ -198,8 +189,10 @@ static interval straight_within(const bmr_world *w, const bmr_couple *c, double 
 
 // ---- curved paths ----
 
+/// The way from one disk's centre to the other's (or from a wall's line to the centre), in powers of the time
+/// from the epoch: far from the world's origin its digits are those of the way, not of the places.
 typedef struct curve {
-    bmr_motion_piece a, b; ///< paths without rotations; of a wall: at rest
+    bmr_motion_piece rest, way;
     double epoch, window, tolerance;
 } curve;
 
@@ -207,53 +200,63 @@ static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
     curve k;
     k.epoch = epoch_of(c);
     k.tolerance = w->def.failure.tolerance;
-    k.a = path_of(&c->side[0]->now.piece, bmr_vec2_make(0.0, 0.0));
-    const bmr_algebraic_piece own = bmr_piece_expand(&k.a, k.epoch);
-    double time;
+    k.rest = bmr_piece_rest(bmr_pose_identity());
+    memset(&k.way, 0, sizeof k.way);
+    k.way.kind = BMR_PIECE_ALGEBRAIC;
+    k.way.origin = k.epoch;
+    const bmr_motion_piece own_path = path_of(&c->side[0]->now.piece, bmr_vec2_make(0.0, 0.0));
+    const bmr_algebraic_piece own = bmr_piece_expand(&own_path, k.epoch);
+    bmr_algebraic_piece *const way = &k.way.as.algebraic;
     if (bmr_resident_is_wall(c->side[1])) {
-        k.b = bmr_piece_rest(bmr_pose_identity());
-        time = time_for(&own, NULL, reach);
+        const bmr_line line = wall_line(w, c);
+        *way = own;
+        way->x[0] -= line.offset * line.normal.x;
+        way->y[0] -= line.offset * line.normal.y;
     } else {
-        k.b = path_of(&c->side[1]->now.piece, bmr_couple_shift(w, c));
-        const bmr_algebraic_piece other = bmr_piece_expand(&k.b, k.epoch);
-        time = time_for(&own, &other, reach);
+        const bmr_motion_piece path = path_of(&c->side[1]->now.piece, bmr_couple_shift(w, c));
+        const bmr_algebraic_piece other = bmr_piece_expand(&path, k.epoch);
+        way->degree = own.degree > other.degree ? own.degree : other.degree;
+        way->a[0] = way->start_c = 1.0;
+        for (size_t i = 0; i <= way->degree; i++) {
+            way->x[i] = (i <= other.degree ? other.x[i] : 0.0) - (i <= own.degree ? own.x[i] : 0.0);
+            way->y[i] = (i <= other.degree ? other.y[i] : 0.0) - (i <= own.degree ? own.y[i] : 0.0);
+        }
     }
-    k.window = fmax(WINDOW * time, LEAST_WINDOW * fmax(1.0, fabs(k.epoch)));
+    k.window = fmax(WINDOW * time_for(way, reach), LEAST_WINDOW * fmax(1.0, fabs(k.epoch)));
     return k;
 }
 
-/// Apart by more than `reach`, as a condition: of A's and B's paths, or with the wall as A.
+/// Apart by more than `reach`, as a condition of the curve.
 static bmr_condition apart_by(const bmr_world *w, const bmr_couple *c, double reach) {
     const bmr_vec2 origin = bmr_vec2_make(0.0, 0.0);
-    if (!bmr_resident_is_wall(c->side[1]))
-        return bmr_condition_disks(origin, origin, reach, 0);
-    const bmr_line line = wall_line(w, c);
-    return bmr_condition_beyond(1, line.normal, line.offset + reach, origin, 0);
+    return bmr_resident_is_wall(c->side[1])
+               ? bmr_condition_beyond(0, wall_line(w, c).normal, reach, origin, 0)
+               : bmr_condition_disks(origin, origin, reach, 0);
 }
 
 /// The first time in [from, to] at which the condition is no longer positive (with `against`: its opposite);
-/// INFINITY: none. One that is not positive at `from` is none from there.
+/// INFINITY: none. What is too close to call at the beginning is taken to be near: a structure that stands in
+/// vain is no harm.
 static bmr_error first_change(const curve *k, const bmr_condition *condition, bool against, double from,
                               double to, double *time) {
-    const bmr_motion_piece *owner = condition->owner == 0 ? &k->a : &k->b;
-    const bmr_motion_piece *other = condition->owner == 0 ? &k->b : &k->a;
     *time = INFINITY;
     for (size_t steps = 0; from < to; steps++) {
         bmr_condition_polynomial p;
-        bmr_condition_expand(condition, owner, other, from, to - from, &p);
+        bmr_condition_expand(condition, &k->rest, &k->way, from, to - from, &p);
         if (!isfinite(p.noise))
             return BMR_ERROR_NOT_FINITE;
         if (steps == BMR_FAILURE_MAX_INTERVALS)
             return BMR_ERROR_OUT_OF_RANGE;
         for (size_t i = 0; against && i <= p.degree; i++)
             p.c[i] = -p.c[i];
-        double u;
-        if (!(p.c[0] > p.noise)) {
+        const bool positive = p.c[0] > p.noise;
+        if (!positive && (!against || p.c[0] < -p.noise)) {
             *time = from;
             return BMR_OK;
         }
+        double u;
         const double tolerance = k->tolerance * fmax(1.0, fabs(from)) / p.width;
-        if (bmr_bernstein_first_root(p.c, p.degree, p.noise, tolerance, &u) && u <= 1.0) {
+        if (positive && bmr_bernstein_first_root(p.c, p.degree, p.noise, tolerance, &u) && u <= 1.0) {
             *time = fmin(to, from + u * p.width);
             return BMR_OK;
         }
@@ -378,16 +381,16 @@ bmr_error bmr_gate_crosses(const bmr_world *w, const bmr_resident *r, double aft
     }
     const bmr_motion_piece path = path_of(piece, bmr_vec2_make(0.0, 0.0));
     const bmr_algebraic_piece here = bmr_piece_expand(&path, after);
-    const double length = fmin(width, height), span = WINDOW * time_for(&here, NULL, length);
+    const double length = fmin(width, height), span = WINDOW * time_for(&here, length);
     *time = INFINITY;
     if (!(span < INFINITY))
         return BMR_OK;
     const bmr_vec2 origin = bmr_vec2_make(0.0, 0.0);
-    const bmr_condition sides[] = {bmr_condition_beyond(1, bmr_vec2_make(1.0, 0.0), low.x, origin, 0),
-                                   bmr_condition_beyond(1, bmr_vec2_make(-1.0, 0.0), -high.x, origin, 0),
-                                   bmr_condition_beyond(1, bmr_vec2_make(0.0, 1.0), low.y, origin, 0),
-                                   bmr_condition_beyond(1, bmr_vec2_make(0.0, -1.0), -high.y, origin, 0)};
-    const curve k = {path, bmr_piece_rest(bmr_pose_identity()), after, span, w->def.failure.tolerance};
+    const bmr_condition sides[] = {bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), low.x, origin, 0),
+                                   bmr_condition_beyond(0, bmr_vec2_make(-1.0, 0.0), -high.x, origin, 0),
+                                   bmr_condition_beyond(0, bmr_vec2_make(0.0, 1.0), low.y, origin, 0),
+                                   bmr_condition_beyond(0, bmr_vec2_make(0.0, -1.0), -high.y, origin, 0)};
+    const curve k = {bmr_piece_rest(bmr_pose_identity()), path, after, span, w->def.failure.tolerance};
     const double to = fmax(after + span, nextafter(after, INFINITY));
     if (!isfinite(to))
         return BMR_ERROR_NOT_FINITE;
