@@ -89,11 +89,7 @@ static outcome run(const play_shapes *shapes, uint64_t seed, size_t bodies, bool
     p->contacts = contacts;
     play_begin(p, shapes, seed, bodies, all_pairs, NULL);
     assert_non_null(p->world);
-    // The def again, as play_begin draws it.
-    test_random random = {seed};
-    test_random_below(&random, 4);
-    test_random_below(&random, 3);
-    const bool periodic = test_random_below(&random, 3) == BMR_PERIODIC;
+    const bool periodic = p->boundary == BMR_PERIODIC;
     const bmr_vec2 size = {2.0 * p->size, 2.4 * p->size};
     const double room = 1e-9 + 1e-14 * fabs(p->place.x);
     for (int step = 1; step <= STEPS && o.audit == BMR_OK; step++) {
@@ -127,7 +123,8 @@ static void the_contacts_are_those_of_all_pairs_bit_for_bit(void **state) {
     for (size_t i = 0; i < worlds; i++) {
         const uint64_t seed = test_random_next(&random);
         const size_t bodies = 4 + test_random_below(&random, 30);
-        if (getenv("PLAY_SEEDS")) fprintf(stderr, "%llu %zu\n", (unsigned long long)seed, bodies);
+        if (getenv("PLAY_SEEDS"))
+            fprintf(stderr, "%llu %zu\n", (unsigned long long)seed, bodies);
         const outcome grid = run(&shapes, seed, bodies, false, true, contacts[0]);
         const outcome all = run(&shapes, seed, bodies, true, false, contacts[1]);
         if (grid.audit != BMR_OK || grid.played.error != BMR_OK || all.played.error != BMR_OK)
