@@ -151,7 +151,7 @@ static inline void play_add(play *p, test_random *random) {
     bmr_motion *motion = play_motion(p, random, bmr_world_time(p->world), play_place(p, random));
     bmr_body_def def = bmr_default_body_def(&p->shapes->shapes[shape], motion);
     if (test_random_below(random, 10) == 0)
-        def.mass = INFINITY;
+        def.mass = def.inertia = INFINITY;
     bmr_body body;
     const bmr_error error = bmr_world_add(p->world, &def, &body);
     if (error != BMR_ERROR_OUT_OF_RANGE || p->boundary != BMR_PERIODIC) // too large for the box

@@ -15,7 +15,7 @@
 #include "boomerang/world.h"
 #include "failing_allocator.h"
 #include "polygons.h"
-#include "structure_named.h"
+#include "test_scale.h"
 
 #define MARGIN 1e-6
 #define MOST 4096
@@ -505,6 +505,81 @@ static void memory_is_linear_and_given_back(void **state) {
     bmr_polygon_destroy(huge, NULL);
 }
 
+/// Sixty bodies come, meet, jump and go; whatever has no memory is done again. Its contacts, hashed.
+static uint64_t lack_of_memory(size_t fail_at, size_t *asked, size_t *failures) {
+    test_heap heap;
+    test_heap_init(&heap, fail_at);
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    bmr_error error = bmr_world_create(&s->def, 0.0, &heap.allocator, &s->world);
+    if (error == BMR_ERROR_NO_MEMORY)
+        error = bmr_world_create(&s->def, 0.0, &heap.allocator, &s->world);
+    assert_int_equal(error, BMR_OK);
+    bmr_polygon *b = box(0.5), *big = box(3.0);
+    test_random random = {4};
+    for (int i = 0; i < 60; i++) {
+        const bmr_motion_piece piece =
+            flight(0.0, 2.0 * (i % 8), 2.0 * (i / 8), test_random_uniform(&random, -1.0, 1.0),
+                   test_random_uniform(&random, -1.0, 1.0), test_random_uniform(&random, -1.0, 1.0));
+        bmr_motion *motion;
+        assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+        const bmr_shape shape = {.polygon = i % 20 == 19 ? big : b};
+        const bmr_body_def def = bmr_default_body_def(&shape, motion);
+        bmr_body body = BMR_NO_BODY;
+        error = bmr_world_add(s->world, &def, &body);
+        if (error == BMR_ERROR_NO_MEMORY) {
+            ++*failures;
+            assert_true(body == BMR_NO_BODY);
+            error = bmr_world_add(s->world, &def, &body);
+        }
+        assert_int_equal(error, BMR_OK);
+        bmr_motion_destroy(motion);
+    }
+    for (int i = 0; i < 60; i++) {
+        error = bmr_world_advance(s->world, 0.05 * (i + 1));
+        if (error == BMR_ERROR_NO_MEMORY) {
+            ++*failures;
+            assert_int_equal(bmr_world_audit(s->world), BMR_OK);
+            error = bmr_world_advance(s->world, 0.05 * (i + 1));
+        }
+        assert_int_equal(error, BMR_OK);
+        const bmr_body body = (bmr_body)(59 - i);
+        const bmr_motion_piece away = flight(0.0, 100.0 + i, 0.0, 0.0, 0.1, 0.0);
+        error = i % 3 ? bmr_world_remove(s->world, body) : bmr_world_set_piece(s->world, body, &away);
+        if (error == BMR_ERROR_NO_MEMORY) {
+            ++*failures;
+            error = bmr_world_set_piece(s->world, body, &away);
+        }
+        assert_int_equal(error, BMR_OK);
+    }
+    uint64_t hash = s->count;
+    for (size_t i = 0; i < s->count; i++) {
+        uint64_t bits;
+        memcpy(&bits, &s->contacts[i].time, sizeof bits);
+        hash = (hash ^ bits) * UINT64_C(1099511628211);
+    }
+    *asked = heap.asked;
+    bmr_world_destroy(s->world);
+    assert_int_equal(heap.blocks, 0);
+    assert_int_equal(heap.wrong_sizes, 0);
+    bmr_polygon_destroy(b, NULL);
+    bmr_polygon_destroy(big, NULL);
+    free(s);
+    return hash;
+}
+
+static void every_allocation_may_fail_once(void **state) {
+    (void)state;
+    size_t asked = 0, failures = 0, ignored;
+    const uint64_t expected = lack_of_memory(SIZE_MAX, &asked, &failures);
+    assert_true(asked > 500 && failures == 0);
+    const size_t step = 1 + asked / test_scaled(300);
+    size_t tried = 0;
+    for (size_t i = 0; i < asked; i += step, tried++)
+        assert_true(lack_of_memory(i, &ignored, &failures) == expected);
+    // (A table that cannot be made smaller stays.)
+    assert_true(failures > tried / 2);
+}
+
 static void walls_work_with_every_structure(void **state) {
     (void)state;
     bmr_polygon *b = box(1.0);
@@ -588,6 +663,7 @@ int main(void) {
         cmocka_unit_test(how_far_a_call_advances_changes_nothing),
         cmocka_unit_test(ids_are_never_those_of_another_body),
         cmocka_unit_test(memory_is_linear_and_given_back),
+        cmocka_unit_test(every_allocation_may_fail_once),
         cmocka_unit_test(walls_work_with_every_structure),
         cmocka_unit_test(the_mass_of_a_polygon_is_that_of_its_parts),
     };
