@@ -33,6 +33,9 @@
 #define WINDOWS 8
 /// The shortest window, in parts of the epoch: below, its ends could not be told apart.
 #define LEAST_WINDOW 0x1p-40
+/// Windows that are left out at once, at most; and how far from the reach they must stay.
+#define MOST_CLEAR 0x1p40
+#define CLEAR_PART 1.125
 /// Sign changes in one window; two paths of degree 8 have 16 at most.
 #define MOST_CHANGES 64
 
@@ -285,6 +288,20 @@ static bmr_error in_window(const bmr_world *w, const bmr_couple *c, const curve 
     return BMR_OK;
 }
 
+/// So many windows from `from` on, as a power of 2 or 0, have no meeting: in them the centres cannot come
+/// from `distance` to the reach. (To look into them would find the same.)
+static double clear_windows(const curve *k, double distance, double reach, double from) {
+    double clear = 0.0;
+    for (double count = 1.0; count <= MOST_CLEAR; count *= 2.0) {
+        const double time = count * k->window;
+        const double speed = bmr_motion_piece_speed(&k->way, from, from + time, 0.0);
+        if (!(distance - speed * time > CLEAR_PART * reach))
+            break;
+        clear = count;
+    }
+    return clear;
+}
+
 static bmr_error curved(const bmr_world *w, const bmr_couple *c, double reach, bool meets, double after,
                         double *time, bool *look) {
     const curve k = make_curve(w, c, reach);
@@ -315,6 +332,8 @@ static bmr_error curved(const bmr_world *w, const bmr_couple *c, double reach, b
         const bmr_error error = in_window(w, c, &k, reach, meets, inside, from, to, past, time);
         if (error != BMR_OK || *time < INFINITY)
             return error;
+        if (meets && !inside)
+            window += clear_windows(&k, bmr_gate_distance(w, c, to), reach, to);
     }
     *look = true;
     *time = k.epoch + window * k.window;

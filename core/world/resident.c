@@ -8,9 +8,10 @@
 #include "geometry/size.h"
 #include "kinetic/piece.h"
 
-/// A body with fewer candidates than this lives one level higher from its next crossing on, and one with more
-/// than that one level lower, as low as its size allows: where there is nobody, cells are large and crossings
-/// rare. A cell of the next level has room for four times as many.
+/// A body lives one level higher from its next crossing on where it has fewer candidates than this of its own
+/// level and below, and one level lower, as low as its size allows, where it has more than that: where there
+/// is nobody, cells are large and crossings rare. A cell of the next level has room for four times as many.
+/// (Larger bodies are candidates wherever it lives.)
 #define FEW_CANDIDATES 2
 #define MANY_CANDIDATES 16
 
@@ -175,7 +176,8 @@ static void search_own_later(bmr_world *w, bmr_resident *r) {
 static size_t candidates_of(const bmr_resident *r) {
     size_t count = 0;
     for (const bmr_couple *c = r->first; c; c = c->after[bmr_couple_side(c, r)])
-        count += c->neighbours && !bmr_resident_is_wall(c->side[1]);
+        if (c->neighbours && !bmr_resident_is_wall(c->side[1]))
+            count += c->side[1 - bmr_couple_side(c, r)]->cell->level <= r->cell->level;
     return count;
 }
 
