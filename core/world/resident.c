@@ -147,13 +147,13 @@ static bmr_error settle(bmr_world *w, bmr_resident *r, int level, int64_t column
 
 // ---- its own certificate ----
 
-/// The way out of its cell, or its motion's next piece.
-static bmr_error search_own(bmr_world *w, bmr_resident *r) {
+/// The way out of its cell after `after`, or its motion's next piece.
+static bmr_error search_own(bmr_world *w, bmr_resident *r, double after) {
     double time = INFINITY;
     r->look = false;
     if (r->cell) {
         w->counts.disk_times++;
-        const bmr_error error = bmr_gate_crosses(w, r, w->time, &time, &r->look);
+        const bmr_error error = bmr_gate_crosses(w, r, after, &time, &r->look);
         if (error != BMR_OK)
             return error;
     }
@@ -166,8 +166,8 @@ static bmr_error search_own(bmr_world *w, bmr_resident *r) {
 }
 
 /// As search_own; what cannot be done is tried again in the next advance.
-static void search_own_later(bmr_world *w, bmr_resident *r) {
-    if (search_own(w, r) == BMR_OK)
+static void search_own_later(bmr_world *w, bmr_resident *r, double after) {
+    if (search_own(w, r, after) == BMR_OK)
         return;
     r->look = true;
     bmr_agenda_set(&w->agenda, &r->item, w->time);
@@ -221,11 +221,13 @@ static bmr_error cross(bmr_world *w, bmr_resident *r) {
         column = column_at(r->column, column, at.x / bmr_cell_width(w, level));
         row = column_at(r->row, row, at.y / bmr_cell_height(w, level));
     }
+    // So fast that a rounding of the time is a way through the hysteresis: on to the next time that there is.
+    const bool stays = level == r->cell->level && column == r->column && row == r->row;
     const bmr_body id = r->id;
     const bmr_error settled = settle(w, r, level, column, row);
     if (settled != BMR_OK)
         return settled;
-    search_own_later(w, r);
+    search_own_later(w, r, stays ? nextafter(w->time, INFINITY) : w->time);
     bmr_world_observe(w, BMR_WORLD_CROSS, w->time, id, BMR_NO_BODY, NULL);
     return BMR_OK;
 }
@@ -299,7 +301,7 @@ static bmr_error jump(bmr_world *w, bmr_resident *r, const bmr_motion_piece *pie
     r->row = row;
     take_piece(w, r, piece, until, plan);
     begin_couples(w, made);
-    search_own_later(w, r);
+    search_own_later(w, r, w->time);
     return BMR_OK;
 }
 
@@ -309,7 +311,7 @@ bmr_error bmr_resident_move(bmr_world *w, bmr_resident *r, const bmr_motion_piec
     if (jumps(&r->now.piece, piece, w->time))
         return jump(w, r, piece, until, plan);
     take_piece(w, r, piece, until, plan);
-    search_own_later(w, r);
+    search_own_later(w, r, w->time);
     w->counts.replanned++;
     for (bmr_couple *c = r->first; c; c = c->after[bmr_couple_side(c, r)]) {
         if (c == w->busy)
@@ -337,7 +339,7 @@ bmr_error bmr_resident_event(bmr_world *w, bmr_resident *r) {
         return next_piece(w, r);
     if (r->look) {
         w->counts.looks++;
-        return search_own(w, r);
+        return search_own(w, r, w->time);
     }
     return cross(w, r);
 }
@@ -473,7 +475,7 @@ bmr_error bmr_world_add(bmr_world *w, const bmr_body_def *def, bmr_body *body) {
         w->places++;
     w->residents[place] = r;
     w->counts.bodies++;
-    search_own_later(w, r);
+    search_own_later(w, r, w->time);
     *body = r->id;
     return BMR_OK;
 }

@@ -177,7 +177,7 @@ static bmr_response tell(void *context, bmr_world *world, const bmr_contact *c) 
 /// A world that has too many events is emptied, from inside of one.
 static void count_events(void *context, bmr_world *world, const bmr_world_event *event) {
     script *s = context;
-    if (event->kind == BMR_WORLD_CROSS || ++s->events < MOST_EVENTS)
+    if ((event->kind == BMR_WORLD_CROSS && !s->wild) || ++s->events < MOST_EVENTS)
         return;
     size_t place = 0;
     for (bmr_body body; (body = bmr_world_next_body(world, &place)) != BMR_NO_BODY;)
