@@ -112,7 +112,7 @@ static outcome run(const play_shapes *shapes, uint64_t seed, size_t bodies, bool
 
 static void the_contacts_are_those_of_all_pairs_bit_for_bit(void **state) {
     (void)state;
-    const size_t worlds = test_scaled(60);
+    const size_t worlds = test_scaled(150);
     play_contact *contacts[2];
     for (int i = 0; i < 2; i++)
         assert_non_null(contacts[i] = calloc(PLAY_MOST_CONTACTS, sizeof *contacts[i]));
@@ -183,7 +183,7 @@ static bmr_response note_first(void *context, bmr_world *world, const bmr_contac
 
 static void first_contacts_are_those_of_two_bodies_alone(void **state) {
     (void)state;
-    const size_t worlds = test_scaled(20);
+    const size_t worlds = test_scaled(40);
     test_random random = {77};
     play_shapes shapes;
     play_make_shapes(&shapes, &random);

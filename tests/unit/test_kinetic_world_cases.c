@@ -171,6 +171,9 @@ static void a_ball_in_a_box_is_reflected_by_its_walls(void **state) {
     for (size_t i = 0; i < s->count; i++) {
         assert_int_equal(s->contacts[i].a, ball);
         assert_true(bmr_is_wall(s->contacts[i].b));
+        // It came apart in between, from this wall too: at the whole margin, and not again.
+        assert_near(s->contacts[i].distance, MARGIN, 1e-9);
+        assert_int_equal(s->contacts[i].again, 0);
         hits[s->contacts[i].b - BMR_WALL(0)]++;
     }
     assert_int_equal(hits[0], 6);
@@ -349,6 +352,45 @@ static void a_body_on_a_line_of_the_grid_does_not_ring(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
+static void count_strangers(void *context, const bmr_world_pair *pair) {
+    size_t *strangers = context;
+    *strangers += pair->watch == BMR_WATCH_STRUCTURE && !pair->neighbours;
+}
+
+/// Two bodies part slowly enough for their cells to be no neighbours before their disks have parted: the
+/// structure stays, as it does of all pairs.
+static void a_structure_outlives_its_neighbourhood(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    const double h = 2.5 * sqrt(2.0) + 32.0 * MARGIN; // a cell of the first body's level
+    const bmr_body left = add_piece(s, b, flight(0.0, 0.5 * h, 0.0, 0.55 * h, 0.0, 0.0), 0.0);
+    const bmr_body right = add_piece(s, b, flight(0.0, 1.3 * h, 0.0, 0.765 * h, 0.0, 0.0), 0.0);
+    // So that it has enough candidates to stay on its level.
+    add_piece(s, b, flight(0.0, 2.2 * h, 1.3 * h, 0.0, 0.0, 0.0), 0.0);
+    add_piece(s, b, flight(0.0, 2.2 * h, -1.3 * h, 0.0, 0.0, 0.0), 0.0);
+    advance(s, 0.99);
+    size_t strangers = 0;
+    bmr_world_each_pair(s->world, count_strangers, &strangers);
+    assert_int_equal(strangers, 0);
+    advance(s, 1.0);
+    bmr_world_each_pair(s->world, count_strangers, &strangers);
+    assert_int_equal(strangers, 1);
+    for (int i = 0; i < 2; i++) {
+        const bmr_body body = i == 0 ? left : right;
+        const bmr_motion_piece piece =
+            bmr_piece_screw(1.0, state_of(s, body).pose, bmr_vec2_make(i == 0 ? 0.0 : -1.0, 0.0), 0.0);
+        assert_int_equal(bmr_world_set_piece(s->world, body, &piece), BMR_OK);
+    }
+    advance(s, 4.0);
+    assert_int_equal(s->count, 1);
+    assert_int_equal(s->events[BMR_WORLD_NEAR], 1);
+    assert_int_equal(s->events[BMR_WORLD_PART], 0);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
 static void one_fast_body_hits_every_one_in_its_way(void **state) {
     (void)state;
     for (int grid = 0; grid < 2; grid++) {
@@ -365,6 +407,39 @@ static void one_fast_body_hits_every_one_in_its_way(void **state) {
         close_stage(s);
         bmr_polygon_destroy(b, NULL);
         bmr_polygon_destroy(needle, NULL);
+    }
+}
+
+/// Along a parabola, asked for long before: what is known to be empty is left out, and no target with it.
+static void a_thrown_body_hits_every_target_on_its_way(void **state) {
+    (void)state;
+    for (int grid = 0; grid < 2; grid++) {
+        stage *s = make_stage(BMR_OPEN, 0.0);
+        s->response.kind = BMR_RESPONSE_PASS;
+        s->def.all_pairs = !grid;
+        open_stage(s);
+        bmr_polygon *b = box(0.01);
+        enum { TARGETS = 20 };
+        for (int i = 1; i <= TARGETS; i++)
+            add_piece(s, b, flight(0.0, 5.0 * i, 0.02 * (5.0 * i - 50.0) * (5.0 * i - 50.0), 0.0, 0.0, 0.0),
+                      0.0);
+        bmr_motion_piece thrown;
+        memset(&thrown, 0, sizeof thrown);
+        thrown.kind = BMR_PIECE_ALGEBRAIC;
+        thrown.as.algebraic.degree = 2;
+        thrown.as.algebraic.x[1] = 1.0;
+        thrown.as.algebraic.y[0] = 50.0;
+        thrown.as.algebraic.y[1] = -2.0;
+        thrown.as.algebraic.y[2] = 0.02;
+        thrown.as.algebraic.a[0] = thrown.as.algebraic.start_c = 1.0;
+        add_piece(s, b, thrown, 0.0);
+        advance(s, 200.0);
+        assert_int_equal(s->count, TARGETS);
+        for (size_t i = 0; i < s->count; i++)
+            assert_near(s->contacts[i].time, 5.0 * (double)(i + 1), 0.03);
+        assert_true(bmr_world_get_counts(s->world).looks < 2000);
+        close_stage(s);
+        bmr_polygon_destroy(b, NULL);
     }
 }
 
@@ -658,7 +733,9 @@ int main(void) {
         cmocka_unit_test(a_big_body_finds_the_small_ones_that_rest),
         cmocka_unit_test(a_body_that_flies_away_needs_ever_fewer_cells_and_meets_what_is_there),
         cmocka_unit_test(a_body_on_a_line_of_the_grid_does_not_ring),
+        cmocka_unit_test(a_structure_outlives_its_neighbourhood),
         cmocka_unit_test(one_fast_body_hits_every_one_in_its_way),
+        cmocka_unit_test(a_thrown_body_hits_every_target_on_its_way),
         cmocka_unit_test(a_change_of_plan_touches_one_body_only),
         cmocka_unit_test(how_far_a_call_advances_changes_nothing),
         cmocka_unit_test(ids_are_never_those_of_another_body),
