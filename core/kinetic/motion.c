@@ -6,21 +6,11 @@
 
 #include "geometry/memory.h"
 #include "geometry/size.h"
+#include "kinetic/motion_layout.h"
 #include "kinetic/piece.h"
 
 /// Room for pieces is doubled from here.
 #define FIRST_CAPACITY 2
-
-typedef struct timed_piece {
-    double from;
-    bmr_motion_piece piece;
-} timed_piece;
-
-struct bmr_motion {
-    const bmr_allocator *allocator;
-    size_t count, capacity;
-    timed_piece *pieces; ///< ascending; the first is from -INFINITY
-};
 
 bmr_pose bmr_screw_motion_pose(const bmr_screw_motion *motion, double time) {
     const double angle = motion->spin * time;
@@ -49,10 +39,10 @@ bmr_motion_piece bmr_piece_screw(double origin, bmr_pose pose, bmr_vec2 velocity
 
 static bmr_error make_motion(size_t capacity, const bmr_allocator *allocator, bmr_motion **motion) {
     size_t bytes;
-    if (!bmr_size_product(capacity, sizeof(timed_piece), SIZE_MAX, &bytes))
+    if (!bmr_size_product(capacity, sizeof(bmr_timed_piece), SIZE_MAX, &bytes))
         return BMR_ERROR_TOO_LARGE;
     bmr_motion *made = bmr_allocate(allocator, sizeof *made);
-    timed_piece *pieces = made ? bmr_allocate(allocator, bytes) : NULL;
+    bmr_timed_piece *pieces = made ? bmr_allocate(allocator, bytes) : NULL;
     if (!pieces) {
         if (made)
             bmr_release(allocator, made, sizeof *made);
@@ -72,14 +62,17 @@ static void normalize(double *c, double *s) {
     *s /= length;
 }
 
-static void append(bmr_motion *motion, double from, const bmr_motion_piece *piece) {
-    timed_piece *last = &motion->pieces[motion->count++];
-    last->from = from;
-    last->piece = *piece;
+void bmr_timed_piece_set(bmr_timed_piece *timed, double from, const bmr_motion_piece *piece) {
+    timed->from = from;
+    timed->piece = *piece;
     if (piece->kind == BMR_PIECE_ALGEBRAIC)
-        normalize(&last->piece.as.algebraic.start_c, &last->piece.as.algebraic.start_s);
+        normalize(&timed->piece.as.algebraic.start_c, &timed->piece.as.algebraic.start_s);
     else
-        normalize(&last->piece.as.screw.start.c, &last->piece.as.screw.start.s);
+        normalize(&timed->piece.as.screw.start.c, &timed->piece.as.screw.start.s);
+}
+
+static void append(bmr_motion *motion, double from, const bmr_motion_piece *piece) {
+    bmr_timed_piece_set(&motion->pieces[motion->count++], from, piece);
 }
 
 bmr_error bmr_motion_create(const bmr_motion_piece *piece, const bmr_allocator *allocator,
@@ -171,7 +164,7 @@ static bmr_error grow(bmr_motion *motion) {
     if (!bmr_size_product(motion->capacity, 2 * size, SIZE_MAX, &bytes))
         return BMR_ERROR_TOO_LARGE;
     const size_t capacity = 2 * motion->capacity;
-    timed_piece *pieces = bmr_allocate(motion->allocator, bytes);
+    bmr_timed_piece *pieces = bmr_allocate(motion->allocator, bytes);
     if (!pieces)
         return BMR_ERROR_NO_MEMORY;
     memcpy(pieces, motion->pieces, motion->count * size);
@@ -198,6 +191,20 @@ bmr_error bmr_motion_change(bmr_motion *motion, double time, const bmr_motion_pi
         append(motion, time, piece);
     }
     return error;
+}
+
+bmr_error bmr_motion_copy_from(const bmr_motion *motion, double time, const bmr_allocator *allocator,
+                               bmr_motion **copy) {
+    const size_t first = find(motion, time), count = motion->count - first;
+    bmr_motion *made;
+    const bmr_error error = make_motion(count, allocator, &made);
+    if (error != BMR_OK)
+        return error;
+    memcpy(made->pieces, motion->pieces + first, count * sizeof *made->pieces);
+    made->pieces[0].from = -INFINITY;
+    made->count = count;
+    *copy = made;
+    return BMR_OK;
 }
 
 const bmr_motion_piece *bmr_motion_piece_at(const bmr_motion *motion, double time, double *end) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "boomerang/simulation.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
@@ -9,6 +8,7 @@
 #include "geometry/memory.h"
 #include "geometry/size.h"
 #include "kinetic/event_queue.h"
+#include "kinetic/first_failure.h"
 #include "kinetic/pair_motion.h"
 #include "kinetic/simulation_layout.h"
 
@@ -21,10 +21,6 @@
 /// No search goes over less than this part of the run. After a burst of events the time between them is so
 /// short that it would have to be doubled too often.
 #define LEAST_PART 0x1p-16
-
-/// Where a condition is still positive at its failure time, the repair is put off by one tolerance, two,
-/// four, and so on, so many times. No value is off by rounding for as long as 2^10 tolerances.
-#define NUDGES 10
 
 /// A structure may still report contact where the distance has just risen above the one that ends it. It is
 /// asked again after a tolerance, two, four, and so on, so many times: by default up to a millionth of a unit
@@ -91,20 +87,11 @@ static void schedule(bmr_simulation *s, const pair *p, double time) {
 /// The first failure of any condition in (from, to]; INFINITY: none.
 static bmr_error first_failure(const bmr_simulation *s, pair *p, const bmr_condition *conditions,
                                size_t count, double from, double to, double *time) {
-    *time = INFINITY;
-    for (size_t i = 0; i<count && * time> from; i++) {
-        double failure;
-        const bmr_error error = bmr_failure_time(&conditions[i], s->motions[p->a], s->motions[p->b], from,
-                                                 fmin(to, *time), &s->def.failure, &failure);
-        if (error != BMR_OK)
-            return error;
-        if (failure < *time) {
-            *time = failure;
-            p->failing = i;
-            p->condition = conditions[i];
-        }
-    }
-    return BMR_OK;
+    const bmr_error error = bmr_first_failure(conditions, count, s->motions[p->a], s->motions[p->b], from, to,
+                                              &s->def.failure, time, &p->failing);
+    if (error == BMR_OK && *time < INFINITY)
+        p->condition = conditions[p->failing];
+    return error;
 }
 
 /// Finds the pair's next event in (p->from, to] and puts it in the queue; if there is none, the pair is to be
@@ -185,25 +172,10 @@ static void start(bmr_simulation *s, pair *p, double time, bool first) {
         observe(s, p, &event);
 }
 
-/// The time at which to repair: the first of some times from `time` on at which the failing condition is no
-/// longer positive. Its failure is reported up to a tolerance early, and a structure that finds the condition
-/// positive does nothing.
-static double repair_time(const bmr_simulation *s, const pair *p, const bmr_pair_motion *motion,
-                          double time) {
-    double later = time, step = fmax(tolerance_at(s, time), DBL_EPSILON * fabs(time));
-    for (int i = 0; i <= NUDGES; i++, step *= 2.0) {
-        const bmr_pose pose = bmr_pair_instant(motion, later).pose;
-        if (!(bmr_condition_value(&p->condition, &pose) > 0.0))
-            return later;
-        later = time + step;
-    }
-    return later;
-}
-
 /// False: the pair jumps before it could be repaired, which is its next event.
 static bool repair(bmr_simulation *s, pair *p, double time) {
     const bmr_pair_motion motion = motion_of(s, p);
-    const double later = repair_time(s, p, &motion, time);
+    const double later = bmr_repair_time(&motion, &p->condition, time, tolerance_at(s, time));
     const double jump = bmr_pair_next_jump(&motion, time, later);
     if (jump <= later) {
         p->next = JUMP;

@@ -10,6 +10,9 @@
 #include "boomerang/polygon.h"
 #include "boomerang/pose.h"
 
+// What it weighs.
+#include "boomerang/mass.h"
+
 // How far apart are two of them, or how deep in each other? Asked once, nothing remembered.
 #include "boomerang/distance.h"
 

@@ -24,6 +24,9 @@
 #include "boomerang/failure.h"
 #include "boomerang/simulation.h"
 
+// Thousands of bodies, whose contacts are answered.
+#include "boomerang/world.h"
+
 // Experiments: families of motions, and what any method would need on them.
 #include "boomerang/analysis.h"
 #include "boomerang/families.h"

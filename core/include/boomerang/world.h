@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_WORLD_H
+#define BOOMERANG_WORLD_H
+
+#include "boomerang/failure.h"
+#include "boomerang/kds.h"
+#include "boomerang/mass.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// @file
+/// A kinetic world of many convex polygons: the broad phase that the paper's last section asks for, the
+/// structures of sections 5 and 6 for the pairs that it leaves, and answers to their contacts. In
+/// boomerang::kinetic. (All pairs of a few bodies, every event of every proof: boomerang/simulation.h.)
+///
+/// Everything is a certificate with a time of failure in one queue:
+///   - a body's: "the centre of my bounding disk is in my cell". Cells are those of nested grids, each twice
+///     as fine as the next; a body lives on one on which its disk fits into a cell. Bodies in neighbouring
+///     cells (on the coarser one's grid) are candidates.
+///   - a candidate's: "our bounding disks are apart".
+///   - a near pair's, whose disks are not: the conditions of its structure.
+/// The disks are about the origins of the bodies' frames, whose paths are polynomials. So put a body's origin
+/// at the middle of it (for the ready answers: at its centre of mass).
+///
+/// When a pair begins to be near, when it parts and when it touches are functions of the two motions alone,
+/// bit for bit: not of when the two became candidates, of how far a call advanced, or of other bodies.
+/// Events of equal times come in the order of their kinds and of the bodies' births.
+
+typedef struct bmr_world bmr_world;
+
+/// A body, or a wall. Of a body: never that of another one, also after it was removed. (The first bodies of a
+/// world are 0, 1, 2, ..)
+typedef uint64_t bmr_body;
+#define BMR_NO_BODY UINT64_MAX
+/// The walls of a world that has them: left, right, bottom, top.
+#define BMR_WALL(side) (UINT64_MAX - 4u + (bmr_body)(side))
+#define BMR_WALLS 4
+static inline bool bmr_is_wall(bmr_body body) {
+    return body >= BMR_WALL(0) && body != BMR_NO_BODY;
+}
+
+// ---- contacts and answers ----
+
+/// A contact: two polygons are within the margin of each other. B may be a wall.
+typedef struct bmr_contact {
+    double time;
+    bmr_body a, b; ///< a was born first
+    /// One point, or the two ends of a stretch where two sides face each other: world frame, beside A. The
+    /// nearest point of B is `distance` * `normal` from it.
+    bmr_vec2 points[2];
+    size_t count;
+    bmr_vec2 normal; ///< from A to B, unit length, world frame: what an impulse acts along
+    double distance; ///< of the polygons; 0 where they overlap
+    /// Velocity of B less that of A at each point; and that along the normal: < 0: they approach.
+    bmr_vec2 velocity[2];
+    double approach[2];
+    /// Added to B's position, the image of it that A meets; (0, 0) but in a periodic box.
+    bmr_vec2 image;
+    /// They are so near although nothing brought them there: a body was put there, or its motion jumped.
+    bool placed;
+    /// Contacts of this pair before this one since it was last apart by the margin and the hysteresis.
+    unsigned again;
+} bmr_contact;
+
+typedef enum bmr_response_kind {
+    /// The contact is told and no more. The next one of this pair comes after it has been apart by the margin
+    /// and the hysteresis.
+    BMR_RESPONSE_PASS,
+    /// Impulses along the normal with this restitution, so that no point approaches any more: at the point,
+    /// or at both ends of a stretch at once, or in turn where one of them would have to pull. Bodies that do
+    /// not approach keep their motions. Both go on in screw motions from where they are. Two bodies that
+    /// nothing moves pass.
+    BMR_RESPONSE_IMPULSE,
+    /// Both go on with the velocity of their common centre of mass and without spin: momentum stays, energy
+    /// and angular momentum go. (Two bodies that turn about a common centre are no screw motion of either.)
+    BMR_RESPONSE_STICK,
+    /// The callback has set what motions it wants (bmr_world_set_motion); the pair is to be watched on. Where
+    /// they still approach, the same contact comes again, at half the distance.
+    BMR_RESPONSE_MINE,
+    BMR_RESPONSE_KIND_COUNT
+} bmr_response_kind;
+
+typedef struct bmr_response {
+    bmr_response_kind kind;
+    double restitution; ///< of IMPULSE; 1: elastic; in [0, 1]
+} bmr_response;
+
+/// What is to be done. May add and remove bodies (these two as well) and set motions; where one of the two
+/// was removed the answer is ignored. May not advance or destroy the world.
+typedef bmr_response (*bmr_world_contact)(void *context, bmr_world *world, const bmr_contact *contact);
+
+/// What becomes of infinitely many contacts in finite time (inelastic collapse: with restitution below 1,
+/// three bodies in a row are enough) and of contacts that no answer ends.
+typedef enum bmr_zeno_policy {
+    /// bmr_world_advance ends with STALLED when a pair has contacts nearer and nearer without coming apart.
+    BMR_ZENO_ERROR,
+    /// An impulse on points that approach by less than `zeno_speed` has restitution 1 (McNamara and Luding's
+    /// remedy), and is counted. STALLED where that does not help.
+    BMR_ZENO_ELASTIC
+} bmr_zeno_policy;
+
+// ---- events ----
+
+typedef enum bmr_world_event_kind {
+    BMR_WORLD_PLAN,    ///< a body's motion went on to its next piece
+    BMR_WORLD_CROSS,   ///< a body came into another cell
+    BMR_WORLD_NEAR,    ///< two disks met: a structure began
+    BMR_WORLD_REPAIR,  ///< a structure's proof failed and was repaired
+    BMR_WORLD_PART,    ///< two disks have parted: the structure is gone
+    BMR_WORLD_CONTACT, ///< after the answer
+    BMR_WORLD_LEAVE,   ///< a pair that passed through each other is apart again
+    BMR_WORLD_EVENT_KIND_COUNT
+} bmr_world_event_kind;
+/// "plan", "cross", "near", "repair", "part", "contact", "leave"; NULL for anything else.
+const char *bmr_world_event_name(bmr_world_event_kind kind);
+
+typedef struct bmr_world_event {
+    bmr_world_event_kind kind;
+    double time;
+    bmr_body a, b;         ///< b: BMR_NO_BODY for PLAN and CROSS
+    bmr_kds_report report; ///< of NEAR and REPAIR; else zero
+} bmr_world_event;
+/// Is told each event when all is done. May do what a bmr_world_contact may.
+typedef void (*bmr_world_observer)(void *context, bmr_world *world, const bmr_world_event *event);
+
+// ---- the world ----
+
+typedef enum bmr_boundary {
+    BMR_OPEN,    ///< nothing: bodies go where they like
+    BMR_WALLED,  ///< four walls: segments along the sides of the box, and a part beyond its corners
+    BMR_PERIODIC ///< what goes out on one side comes in on the other; positions go on counting
+} bmr_boundary;
+
+typedef struct bmr_world_def {
+    const bmr_kds_info *structure; ///< of every near pair
+    /// kds.margin: in contact when the polygons are this near. kds.hysteresis: how much farther apart a pair
+    /// must have been for its next contact to count as a new one.
+    bmr_kds_def kds;
+    bmr_failure_options failure;
+    bmr_boundary boundary;
+    bmr_vec2 low, high;    ///< the box's corners; of WALLED and PERIODIC
+    bmr_response response; ///< to a contact, where there is no callback
+    bmr_zeno_policy zeno;
+    double zeno_speed; ///< of ZENO_ELASTIC; > 0
+    /// No grid: every two bodies are candidates. For comparison; O(bodies^2).
+    bool all_pairs;
+    /// Between looks at a pair that passes through each other, at most: see bmr_simulation_def.contact_step.
+    double contact_step;
+    bmr_world_contact contact;   ///< NULL: `response`
+    bmr_world_observer observer; ///< NULL: none
+    void *context;               ///< of both
+} bmr_world_def;
+/// "free-fd2", which needs no hierarchies; the defaults of its parts, hysteresis 1e-6; open; elastic
+/// impulses; ZENO_ERROR with a speed of 1e-3; no callbacks; contact_step 0.1.
+bmr_world_def bmr_default_world_def(void);
+
+/// An empty world at `time`. The allocator (NULL: malloc) must outlive it. Errors: NULL_ARGUMENT (also a
+/// structure that is NULL), NOT_FINITE, OUT_OF_RANGE (a def that makes no sense, a structure for points or
+/// translations alone, a box without area), NO_MEMORY.
+bmr_error bmr_world_create(const bmr_world_def *def, double time, const bmr_allocator *allocator,
+                           bmr_world **world);
+/// NULL is no error; neither is a call out of a callback, which is ignored.
+void bmr_world_destroy(bmr_world *world);
+
+typedef struct bmr_body_def {
+    const bmr_shape *shape; ///< copied; its polygon and hierarchies must outlive the body
+    /// Copied from the present time on, all pieces of it.
+    const bmr_motion *motion;
+    /// For the ready answers; INFINITY: nothing moves it. Both > 0. `inertia` is about the frame's origin,
+    /// which is taken for the centre of mass.
+    double mass, inertia;
+    void *user;
+} bmr_body_def;
+/// A body of density 1 that moves as given: mass and inertia are the polygon's (bmr_polygon_mass), the latter
+/// about its frame's origin; INFINITY for a polygon that has none.
+bmr_body_def bmr_default_body_def(const bmr_shape *shape, const bmr_motion *motion);
+
+/// Adds a body at the present time, also out of a callback. A few blocks of the allocator: O(1) bytes, the
+/// motion's pieces, and O(1) for each candidate. Bodies that are in contact where they begin have a contact
+/// at the present time, which the next advance tells (`placed`). Errors: NULL_ARGUMENT, NOT_FINITE,
+/// OUT_OF_RANGE (mass or inertia not positive; a body too large for a periodic box: its diameter must be
+/// below a quarter of the shorter side), NO_MEMORY, TOO_LARGE, those of bmr_kds_create (the structure's
+/// hierarchies), and those of bmr_failure_time; then the world is as it was.
+bmr_error bmr_world_add(bmr_world *world, const bmr_body_def *def, bmr_body *body);
+/// Removes it and its certificates, also out of a callback. Errors: NULL_ARGUMENT, OUT_OF_RANGE (no such
+/// body).
+bmr_error bmr_world_remove(bmr_world *world, bmr_body body);
+/// From the present time on the body moves so (its pieces from then on are copied), also out of a callback.
+/// Only this body's certificates are computed anew, and found again if its pose jumps. Errors: NULL_ARGUMENT,
+/// OUT_OF_RANGE (no such body), NOT_FINITE, NO_MEMORY, TOO_LARGE; then the motion is as it was. Those of
+/// bmr_failure_time: then the motion is set, and the next advance ends with that error.
+bmr_error bmr_world_set_motion(bmr_world *world, bmr_body body, const bmr_motion *motion);
+/// The same with a motion of one piece. No memory is asked for unless the pose jumps.
+bmr_error bmr_world_set_piece(bmr_world *world, bmr_body body, const bmr_motion_piece *piece);
+
+/// Processes every event up to and including `until`, in order of time. After an error the world stands at
+/// the event that could not be done; where the cause is gone (NO_MEMORY), a further call goes on. Errors:
+/// NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (`until` is past, a call out of a callback, a restitution outside
+/// of [0, 1], a search that takes too many steps), STALLED (see bmr_zeno_policy; or a pair has more than
+/// BMR_WORLD_BURST events within failure.tolerance of one another), NO_MEMORY, those of bmr_failure_time.
+bmr_error bmr_world_advance(bmr_world *world, double until);
+#define BMR_WORLD_BURST 1000
+double bmr_world_time(const bmr_world *world);
+/// Nothing happens before this time; INFINITY: never anything.
+double bmr_world_next(const bmr_world *world);
+
+// ---- questions ----
+
+typedef struct bmr_body_state {
+    bmr_pose pose; ///< in a periodic box: not taken back into it
+    bmr_vec2 velocity;
+    double spin;
+    const bmr_shape *shape;
+    bmr_motion_piece piece; ///< that it moves on
+    double mass, inertia;
+    void *user;
+    double radius; ///< of the disk around its origin
+    /// The cell that it is in (its sides, without the hysteresis of 1/16 on each); `level`: its grid's; cells
+    /// of the next level are twice as wide. All zero with all_pairs in an open world.
+    bmr_vec2 cell_low, cell_high;
+    int level;
+    size_t pairs; ///< that it is in
+} bmr_body_state;
+/// At the present time. Errors: NULL_ARGUMENT, OUT_OF_RANGE (no such body). O(1).
+bmr_error bmr_world_get(const bmr_world *world, bmr_body body, bmr_body_state *state);
+size_t bmr_world_body_count(const bmr_world *world);
+/// Bodies in the order of their ids' lower halves: the first whose place is at or after *place, and *place
+/// becomes the next; BMR_NO_BODY at the end. Begin with 0.
+bmr_body bmr_world_next_body(const bmr_world *world, size_t *place);
+
+typedef enum bmr_watch {
+    BMR_WATCH_DISKS,     ///< candidates: the disks' certificate
+    BMR_WATCH_STRUCTURE, ///< a structure stands
+    BMR_WATCH_PASSING    ///< in contact, or overlapping: a contact was answered with PASS
+} bmr_watch;
+typedef struct bmr_world_pair {
+    bmr_body a, b;
+    bmr_watch watch;
+    bmr_vec2 image;     ///< as in bmr_contact
+    double reach;       ///< the sum of the disks' radii at which a structure begins
+    double next;        ///< nothing happens to this pair before this time
+    bool neighbours;    ///< their cells are; false: kept for its structure alone
+    const bmr_kds *kds; ///< of STRUCTURE and PASSING
+} bmr_world_pair;
+typedef struct bmr_world_cell {
+    int level;
+    bmr_vec2 low, high; ///< without the hysteresis; in a periodic box: inside of it
+    size_t bodies;      ///< that live in it on its own level
+} bmr_world_cell;
+/// Calls `visit` for each pair (each cell that has bodies of its own level); the world must not be changed in
+/// it. The order is the same in equal runs.
+void bmr_world_each_pair(const bmr_world *world, void (*visit)(void *context, const bmr_world_pair *pair),
+                         void *context);
+void bmr_world_each_cell(const bmr_world *world, void (*visit)(void *context, const bmr_world_cell *cell),
+                         void *context);
+
+typedef struct bmr_world_counts {
+    uint64_t events[BMR_WORLD_EVENT_KIND_COUNT];
+    uint64_t kds_events[BMR_KDS_EVENT_KIND_COUNT]; ///< of the structures
+    uint64_t responses[BMR_RESPONSE_KIND_COUNT];
+    uint64_t impulses;      ///< of all IMPULSE responses, walls included
+    uint64_t softened;      ///< of those, made elastic by ZENO_ELASTIC
+    uint64_t looks;         ///< searches that ended without an event and went on later
+    uint64_t disk_times;    ///< times computed of bodies' cells, and of disks that meet or part
+    uint64_t failure_times; ///< of structures' conditions
+    uint64_t replans;       ///< motions set, at answers and changes of plan too
+    uint64_t replanned;     ///< certificates (bodies' and pairs') computed anew for them
+    uint64_t candidates;    ///< pairs that were ever made
+    uint64_t touched;       ///< elementary steps of structures
+    // At this moment:
+    size_t bodies, cells, pairs, near, passing, queued;
+    int levels; ///< from the finest grid in use to the coarsest
+    /// Of the world and all that it holds (the allocator's own costs left out); the most that it ever was.
+    size_t bytes, most_bytes;
+} bmr_world_counts;
+bmr_world_counts bmr_world_get_counts(const bmr_world *world);
+
+/// Sums over the bodies of finite mass (and, of a spin, of finite inertia).
+typedef struct bmr_world_totals {
+    double energy;
+    bmr_vec2 momentum;
+    double angular; ///< momentum, about the world's origin
+} bmr_world_totals;
+bmr_world_totals bmr_world_get_totals(const bmr_world *world);
+
+/// Proves at the present time from scratch: each body is in its cell; each two whose cells are neighbours, or
+/// whose disks meet, are a pair; the disks of DISKS are apart; each structure passes bmr_kds_audit;
+/// all lists and the queue agree. O(bodies^2 + sizes of the near pairs' polygons). Not in a callback. Errors:
+/// NULL_ARGUMENT, INVALID_STRUCTURE, FALSE_CERTIFICATE.
+bmr_error bmr_world_audit(const bmr_world *world);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Answers to contacts: impulses, with restitution or without, and sticking together.
+#include <math.h>
+
+#include "world/parts.h"
+
+/// Impulses in one answer. Where those at both ends of a stretch at once would have to pull, one is made at
+/// one end, and then perhaps at the other: a few are enough with restitution 1; with less, what is left
+/// shrinks each time.
+#define MOST_IMPULSES 64
+/// Approaches below this part of the first one are none.
+#define NO_APPROACH 0x1p-46
+
+/// Below this part of its terms a determinant is rounding.
+#define LEAST_DETERMINANT 0x1p-40
+
+/// Both bodies' velocities, which an answer changes.
+typedef struct momentum {
+    bmr_pose pose[2];
+    bmr_vec2 velocity[2];
+    double spin[2];
+} momentum;
+
+static momentum momentum_of(const bmr_world *w, const bmr_couple *c) {
+    momentum m;
+    for (int i = 0; i < 2; i++) {
+        const bmr_motion motion = bmr_motion_of_piece(&c->side[i]->now);
+        m.pose[i] = bmr_motion_pose(&motion, w->time, &m.velocity[i], &m.spin[i]);
+    }
+    return m;
+}
+
+/// The point that approaches fastest.
+static size_t fastest(const bmr_contact *contact) {
+    return contact->count == 2 && contact->approach[1] < contact->approach[0] ? 1 : 0;
+}
+
+/// How much the approach at point i changes by a unit of impulse along the normal at point k.
+static double ease(const bmr_couple *c, const bmr_touch *touch, size_t i, size_t k) {
+    double sum = 0.0;
+    for (int body = 0; body < 2; body++) {
+        const double turn = bmr_cross(touch->arm[body][i], touch->contact.normal);
+        const double other = bmr_cross(touch->arm[body][k], touch->contact.normal);
+        sum += 1.0 / c->side[body]->mass + turn * other / c->side[body]->inertia;
+    }
+    return sum;
+}
+
+static void push(const bmr_couple *c, const bmr_touch *touch, size_t k, double impulse, momentum *m) {
+    const bmr_vec2 normal = touch->contact.normal;
+    for (int body = 0; body < 2; body++) {
+        const double own = body == 0 ? -impulse : impulse;
+        m->velocity[body] = bmr_add(m->velocity[body], bmr_scale(own / c->side[body]->mass, normal));
+        m->spin[body] += own * bmr_cross(touch->arm[body][k], normal) / c->side[body]->inertia;
+    }
+}
+
+/// The two impulses that turn both approaches round at once, where neither of them pulls: two sides that meet
+/// flat part flat. With restitution 1 the energy stays, as it does with one impulse: it changes by half of
+/// the sum of each impulse times the approaches before and after.
+static bool two_impulses(const bmr_couple *c, const bmr_touch *touch, double restitution, double impulse[2]) {
+    const double *approach = touch->contact.approach;
+    if (touch->contact.count < 2 || !(approach[0] < 0.0) || !(approach[1] < 0.0))
+        return false;
+    const double k00 = ease(c, touch, 0, 0), k01 = ease(c, touch, 0, 1), k11 = ease(c, touch, 1, 1);
+    const double determinant = k00 * k11 - k01 * k01;
+    if (!(determinant > LEAST_DETERMINANT * k00 * k11)) // bodies that nothing turns
+        return false;
+    const double want[2] = {-(1.0 + restitution) * approach[0], -(1.0 + restitution) * approach[1]};
+    impulse[0] = (k11 * want[0] - k01 * want[1]) / determinant;
+    impulse[1] = (k00 * want[1] - k01 * want[0]) / determinant;
+    return impulse[0] >= 0.0 && impulse[1] >= 0.0;
+}
+
+/// False: the two cannot be moved.
+static bool collide(bmr_world *w, const bmr_couple *c, double restitution, bmr_touch *touch, momentum *m,
+                    bool *changed) {
+    const double first = touch->contact.approach[fastest(&touch->contact)];
+    *changed = false;
+    for (int i = 0; i < MOST_IMPULSES; i++) {
+        const size_t k = fastest(&touch->contact);
+        const double approach = touch->contact.approach[k];
+        if (!(approach < 0.0) || (i > 0 && approach > NO_APPROACH * first))
+            break;
+        const bool soft = w->def.zeno == BMR_ZENO_ELASTIC && -approach < w->def.zeno_speed;
+        const double bounce = soft ? 1.0 : restitution;
+        double impulse[2] = {0.0, 0.0};
+        if (!two_impulses(c, touch, bounce, impulse)) {
+            impulse[k] = -(1.0 + bounce) * approach / ease(c, touch, k, k);
+            impulse[1 - k] = 0.0;
+        }
+        if (!isfinite(impulse[0]) || !isfinite(impulse[1])) // nothing moves either
+            return false;
+        push(c, touch, 0, impulse[0], m);
+        if (touch->contact.count == 2)
+            push(c, touch, 1, impulse[1], m);
+        bmr_touch_move(touch, m->velocity, m->spin);
+        w->counts.impulses++;
+        w->counts.softened += soft && restitution < 1.0;
+        *changed = true;
+    }
+    return true;
+}
+
+/// The common velocity; false: neither can be moved.
+static bool stick(const bmr_couple *c, momentum *m) {
+    const double a = c->side[0]->mass, b = c->side[1]->mass;
+    if (isinf(a) && isinf(b))
+        return false;
+    const double part = isinf(b) ? 1.0 : isinf(a) ? 0.0 : b / (a + b); // of b's velocity
+    const bmr_vec2 common = bmr_add(bmr_scale(1.0 - part, m->velocity[0]), bmr_scale(part, m->velocity[1]));
+    for (int i = 0; i < 2; i++) {
+        m->velocity[i] = common;
+        m->spin[i] = 0.0;
+    }
+    return true;
+}
+
+/// Both bodies go on from where they are.
+static bmr_error set_momentum(bmr_world *w, bmr_couple *c, const momentum *m) {
+    for (int i = 0; i < 2; i++) {
+        bmr_resident *const r = c->side[i];
+        if (isinf(r->mass) && isinf(r->inertia))
+            continue;
+        const bmr_motion_piece piece = bmr_piece_screw(w->time, m->pose[i], m->velocity[i], m->spin[i]);
+        const bmr_error error = bmr_resident_move(w, r, &piece, INFINITY, NULL);
+        if (error != BMR_OK)
+            return error;
+    }
+    return BMR_OK;
+}
+
+static bool makes_sense(const bmr_response *response) {
+    return (unsigned)response->kind < BMR_RESPONSE_KIND_COUNT &&
+           (response->kind != BMR_RESPONSE_IMPULSE ||
+            (response->restitution >= 0.0 && response->restitution <= 1.0));
+}
+
+static bmr_error answer(bmr_world *w, bmr_couple *c, const bmr_response *response, bmr_touch *touch) {
+    momentum m = momentum_of(w, c);
+    bmr_touch_move(touch, m.velocity, m.spin); // a callback may have changed them
+    bool can = response->kind != BMR_RESPONSE_PASS, changed = false;
+    if (response->kind == BMR_RESPONSE_IMPULSE)
+        can = collide(w, c, response->restitution, touch, &m, &changed);
+    else if (response->kind == BMR_RESPONSE_STICK)
+        can = changed = stick(c, &m);
+    if (!can)
+        return bmr_couple_pass(w, c);
+    if (changed) {
+        const bmr_error error = set_momentum(w, c, &m);
+        if (!w->busy) // a pose that is none: the pair was given up
+            return error;
+        if (error != BMR_OK) {
+            bmr_couple_pass(w, c);
+            return error;
+        }
+        bmr_touch_move(touch, m.velocity, m.spin);
+    }
+    const bmr_contact *contact = &touch->contact;
+    return bmr_couple_resume(w, c, contact->placed, contact->approach[fastest(contact)]);
+}
+
+bmr_error bmr_contact_tell(bmr_world *w, bmr_couple *c, bool placed) {
+    bmr_touch touch;
+    bmr_touch_describe(w, c, placed, &touch);
+    // While it is told nothing is due of this couple, and it is as one that passes.
+    bmr_couple_hold(w, c);
+    bmr_response response = w->def.response;
+    if (w->def.contact) {
+        w->busy = c;
+        const bmr_contact told = touch.contact;
+        response = w->def.contact(w->def.context, w, &told);
+        c = w->busy; // NULL: it is gone
+        w->busy = NULL;
+    }
+    bmr_error error = BMR_OK;
+    if (c && !makes_sense(&response)) {
+        bmr_couple_pass(w, c);
+        error = BMR_ERROR_OUT_OF_RANGE;
+    } else if (c) {
+        w->counts.responses[response.kind]++;
+        w->busy = c; // the answer changes motions; this couple's own turn comes after
+        error = answer(w, c, &response, &touch);
+        w->busy = NULL;
+    }
+    bmr_world_observe(w, BMR_WORLD_CONTACT, touch.contact.time, touch.contact.a, touch.contact.b, NULL);
+    return error;
+}

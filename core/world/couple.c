@@ -1,0 +1,478 @@
+// SPDX-License-Identifier: MIT
+// The life of a pair: disks that are apart, a structure, contacts, and disks again.
+//
+// All of it is a function of the two motions and of what was answered: no time here depends on how far the
+// world is to advance, or on when the two became neighbours. So a couple that a grid finds late has the same
+// contacts, to the bit, as one that was watched all along.
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "kds/structure.h"
+#include "kinetic/first_failure.h"
+#include "world/parts.h"
+
+/// The next failure is looked for in so many times the time between the last two, then in twice that.
+#define AHEAD 4.0
+/// .. and in this part of the time in which the two can move by their reach, before there were two.
+#define FIRST_PART 0x1p-3
+/// Windows that one search goes through before the couple is put back into the queue.
+#define WINDOWS 6
+/// A pair that passes is looked at step by step: so many steps ahead, for most pairs are soon sent elsewhere.
+#define PASSING_STEPS 8.0
+/// The margin is halved at most so often: 2^-20 of it is below what structures can tell.
+#define MOST_RUNGS 20
+/// A structure may want a pair a little farther apart than the distance at which a contact ends. It is asked
+/// again after a tolerance, two, four, and so on, so many times.
+#define LEAVE_RETRIES 30
+
+// ---- making ----
+
+bmr_error bmr_couple_make(bmr_world *w, bmr_resident *a, bmr_resident *b, const int32_t image_of_b[2],
+                          bmr_couple **couple) {
+    bmr_couple *c = bmr_world_take(w, sizeof *c);
+    if (!c)
+        return BMR_ERROR_NO_MEMORY;
+    const bmr_error error = bmr_agenda_promise(&w->agenda, &w->counted);
+    if (error != BMR_OK) {
+        bmr_world_give(w, c, sizeof *c);
+        return error;
+    }
+    memset(c, 0, sizeof *c);
+    const int sign = a->birth < b->birth ? 1 : -1; // walls were born last
+    c->item.place = BMR_NOT_QUEUED;
+    c->item.is_couple = true;
+    c->side[0] = sign > 0 ? a : b;
+    c->side[1] = sign > 0 ? b : a;
+    c->image[0] = sign * image_of_b[0];
+    c->image[1] = sign * image_of_b[1];
+    c->watch = BMR_WATCH_DISKS;
+    c->neighbours = true;
+    *couple = c;
+    return BMR_OK;
+}
+
+void bmr_couple_link(bmr_world *w, bmr_couple *c) {
+    for (int i = 0; i < 2; i++) {
+        bmr_resident *const r = c->side[i];
+        c->after[i] = r->first;
+        if (r->first)
+            r->first->before[bmr_couple_side(r->first, r)] = c;
+        r->first = c;
+        r->couples++;
+    }
+    c->linked = true;
+    w->counts.pairs++;
+    w->counts.candidates++;
+}
+
+static void unlink_couple(bmr_world *w, bmr_couple *c) {
+    for (int i = 0; i < 2; i++) {
+        bmr_resident *const r = c->side[i];
+        if (c->before[i])
+            c->before[i]->after[bmr_couple_side(c->before[i], r)] = c->after[i];
+        else
+            r->first = c->after[i];
+        if (c->after[i])
+            c->after[i]->before[bmr_couple_side(c->after[i], r)] = c->before[i];
+        r->couples--;
+    }
+    w->counts.pairs--;
+}
+
+static void set_watch(bmr_world *w, bmr_couple *c, bmr_watch watch) {
+    w->counts.near -= c->watch == BMR_WATCH_STRUCTURE;
+    w->counts.passing -= c->watch == BMR_WATCH_PASSING;
+    w->counts.near += watch == BMR_WATCH_STRUCTURE;
+    w->counts.passing += watch == BMR_WATCH_PASSING;
+    c->watch = (uint8_t)watch;
+}
+
+static void end_structure(bmr_world *w, bmr_couple *c) {
+    if (!c->near)
+        return;
+    bmr_kds_destroy(c->near->kds, &w->counted);
+    bmr_world_give(w, c->near, sizeof *c->near);
+    c->near = NULL;
+}
+
+void bmr_couple_destroy(bmr_world *w, bmr_couple *c) {
+    if (w->busy == c)
+        w->busy = NULL;
+    if (c->linked)
+        unlink_couple(w, c);
+    set_watch(w, c, BMR_WATCH_DISKS);
+    end_structure(w, c);
+    bmr_agenda_set(&w->agenda, &c->item, INFINITY);
+    bmr_agenda_release(&w->agenda, &w->counted);
+    bmr_world_give(w, c, sizeof *c);
+}
+
+bool bmr_item_before(const bmr_agenda_item *a, const bmr_agenda_item *b) {
+    if (a->is_couple != b->is_couple)
+        return b->is_couple;
+    if (!a->is_couple) {
+        const bmr_resident *p = (const void *)a, *q = (const void *)b;
+        return p->birth < q->birth;
+    }
+    const bmr_couple *p = (const void *)a, *q = (const void *)b;
+    for (int i = 0; i < 2; i++)
+        if (p->side[i]->birth != q->side[i]->birth)
+            return p->side[i]->birth < q->side[i]->birth;
+    return p->image[0] != q->image[0] ? p->image[0] < q->image[0] : p->image[1] < q->image[1];
+}
+
+// ---- motion ----
+
+bmr_vec2 bmr_couple_shift(const bmr_world *w, const bmr_couple *c) {
+    return bmr_vec2_make(c->image[0] ? c->image[0] * (w->def.high.x - w->def.low.x) : 0.0,
+                         c->image[1] ? c->image[1] * (w->def.high.y - w->def.low.y) : 0.0);
+}
+
+bmr_pair_motion bmr_couple_motion(const bmr_world *w, const bmr_couple *c, bmr_couple_view *view) {
+    bmr_timed_piece *second = &c->side[1]->now;
+    if (c->image[0] || c->image[1]) {
+        const bmr_vec2 shift = bmr_couple_shift(w, c);
+        view->shifted = c->side[1]->now;
+        second = &view->shifted;
+        if (second->piece.kind == BMR_PIECE_SCREW) {
+            bmr_vec2 *const position = &second->piece.as.screw.start.position;
+            *position = bmr_add(*position, shift);
+        } else {
+            second->piece.as.algebraic.x[0] += shift.x;
+            second->piece.as.algebraic.y[0] += shift.y;
+        }
+    }
+    view->motions[0] = bmr_motion_of_piece(&c->side[0]->now);
+    view->motions[1] = bmr_motion_of_piece(second);
+    const bmr_pair_motion motion = {&view->motions[0], &view->motions[1], c->side[0]->shape.polygon,
+                                    c->side[1]->shape.polygon};
+    return motion;
+}
+
+/// The time in which the two can move by their reach, at the speeds they have.
+static double natural_time(const bmr_world *w, const bmr_couple *c, const bmr_pair_motion *motion,
+                           double time) {
+    const bmr_instant now = bmr_pair_instant(motion, time);
+    const bool wall = bmr_resident_is_wall(c->side[1]);
+    const double speed = hypot(now.velocity.x, now.velocity.y) +
+                         fabs(now.spin) * (c->side[0]->radius + (wall ? 0.0 : c->side[1]->radius));
+    const double scale = bmr_gate_reach(w, c) / speed;
+    return scale > 0.0 && scale < INFINITY ? scale : fmax(1.0, fabs(time));
+}
+
+// ---- searching ----
+
+static void schedule(bmr_world *w, bmr_couple *c, bmr_couple_event event, double time) {
+    c->event = (uint8_t)event;
+    bmr_agenda_set(&w->agenda, &c->item, time < INFINITY ? fmax(time, w->time) : time);
+}
+
+static bmr_error search_disks(bmr_world *w, bmr_couple *c) {
+    double time;
+    bool look;
+    w->counts.disk_times++;
+    const bmr_error error = bmr_gate_meets(w, c, w->time, &time, &look);
+    if (error == BMR_OK)
+        schedule(w, c, look ? BMR_COUPLE_LOOK : BMR_COUPLE_MEET, time);
+    return error;
+}
+
+/// When the structure is not needed any more; part_known: not before `part`, where it is to be asked again.
+static bmr_error find_part(bmr_world *w, bmr_couple *c) {
+    bmr_near *const n = c->near;
+    if (!isnan(n->part) && (n->part_known || n->part > n->from))
+        return BMR_OK;
+    w->counts.disk_times++;
+    bool look;
+    const bmr_error error = bmr_gate_parts(w, c, fmax(w->time, n->from), &n->part, &look);
+    n->part_known = error == BMR_OK && !look;
+    if (error != BMR_OK)
+        n->part = NAN;
+    return error;
+}
+
+/// The first failure of the structure's conditions, or the end of a contact that was passed, in (from, to].
+static bmr_error find_event(bmr_world *w, bmr_couple *c, double from, double to, double *time) {
+    bmr_near *const n = c->near;
+    bmr_couple_view view;
+    const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
+    if (c->watch == BMR_WATCH_PASSING) {
+        const double target = w->def.kds.margin + w->def.kds.hysteresis;
+        *time = bmr_pair_leaves(&motion, from, to, target, w->def.contact_step, bmr_world_tolerance(w, from));
+        return isnan(*time) ? BMR_ERROR_OUT_OF_RANGE : BMR_OK;
+    }
+    bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
+    const size_t count = bmr_kds_conditions(n->kds, conditions);
+    w->counts.failure_times += count;
+    const bmr_error error = bmr_first_failure(conditions, count, motion.a, motion.b, from, to,
+                                              &w->def.failure, time, &n->failing);
+    if (error == BMR_OK && *time < INFINITY)
+        n->condition = conditions[n->failing];
+    return error;
+}
+
+static bmr_error search_near(bmr_world *w, bmr_couple *c) {
+    bmr_near *const n = c->near;
+    const bmr_error error = find_part(w, c);
+    if (error != BMR_OK)
+        return error;
+    if (!(n->window > 0.0)) {
+        bmr_couple_view view;
+        const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
+        n->window = FIRST_PART * natural_time(w, c, &motion, n->from);
+    }
+    const double pieces = fmin(c->side[0]->until, c->side[1]->until);
+    const double horizon = fmin(n->part, fmin(n->rise, pieces));
+    const bool passing = c->watch == BMR_WATCH_PASSING;
+    if (passing)
+        n->window = PASSING_STEPS * w->def.contact_step;
+    for (int i = 0; i < (passing ? 1 : WINDOWS) && n->from < horizon; i++, n->window *= 2.0) {
+        const double to = fmin(horizon, fmax(n->from + n->window, nextafter(n->from, INFINITY)));
+        double time;
+        const bmr_error failed = find_event(w, c, n->from, to, &time);
+        if (failed != BMR_OK)
+            return failed;
+        if (time < INFINITY) {
+            schedule(w, c, passing ? BMR_COUPLE_LEAVE : BMR_COUPLE_FAIL, time);
+            return BMR_OK;
+        }
+        n->from = to;
+    }
+    if (n->from < horizon)
+        schedule(w, c, BMR_COUPLE_LOOK, n->from);
+    else if (horizon == n->part)
+        schedule(w, c, n->part_known ? BMR_COUPLE_PART : BMR_COUPLE_LOOK, n->part);
+    else if (horizon == n->rise)
+        schedule(w, c, BMR_COUPLE_RISE, n->rise);
+    else // the next piece is an event of its body, and comes first
+        schedule(w, c, BMR_COUPLE_LOOK, pieces);
+    return BMR_OK;
+}
+
+bmr_error bmr_couple_search(bmr_world *w, bmr_couple *c) {
+    return c->watch == BMR_WATCH_DISKS ? search_disks(w, c) : search_near(w, c);
+}
+
+void bmr_couple_search_later(bmr_world *w, bmr_couple *c, bool replan) {
+    if (replan && c->near) {
+        bmr_near *const n = c->near;
+        n->from = fmax(n->repaired, w->time);
+        n->part = NAN;
+        n->window = AHEAD * n->rhythm;
+    }
+    if (bmr_couple_search(w, c) != BMR_OK)
+        schedule(w, c, BMR_COUPLE_LOOK, w->time);
+}
+
+// ---- events ----
+
+static bool is_burst(const bmr_world *w, bmr_near *n, double time) {
+    if (!(time - n->burst_start <= bmr_world_tolerance(w, time))) {
+        n->burst_start = time;
+        n->burst = 0;
+    }
+    return ++n->burst > BMR_WORLD_BURST;
+}
+
+static void count(bmr_world *w, const bmr_kds_report *report) {
+    w->counts.kds_events[report->kind]++;
+    w->counts.touched += report->touched;
+}
+
+static void observe(bmr_world *w, const bmr_couple *c, bmr_world_event_kind kind,
+                    const bmr_kds_report *report) {
+    bmr_world_observe(w, kind, w->time, c->side[0]->id, c->side[1]->id, report);
+}
+
+/// A proof from nothing with the margin of the couple's rung; false: contact.
+static bool start(bmr_world *w, bmr_couple *c, double time, bmr_kds_report *report) {
+    bmr_near *const n = c->near;
+    bmr_couple_view view;
+    const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
+    const bmr_instant now = bmr_pair_instant(&motion, time);
+    n->kds->def.hysteresis = 0.0; // the world's own: see rise
+    n->kds->def.margin = ldexp(w->def.kds.margin, -(int)n->rung);
+    bmr_kds_start(n->kds, &now, report);
+    n->from = n->repaired = time;
+    return report->apart;
+}
+
+static double separation(const bmr_world *w, const bmr_couple *c, double time) {
+    bmr_couple_view view;
+    const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
+    return bmr_pair_separation(&motion, time);
+}
+
+/// The disks have met: a structure begins.
+static bmr_error meet(bmr_world *w, bmr_couple *c) {
+    bmr_near *const n = bmr_world_take(w, sizeof *n);
+    if (!n)
+        return BMR_ERROR_NO_MEMORY;
+    memset(n, 0, sizeof *n);
+    const bmr_error error = bmr_kds_create(w->def.structure, &w->def.kds, &c->side[0]->shape,
+                                           &c->side[1]->shape, &w->counted, &n->kds);
+    if (error != BMR_OK) {
+        bmr_world_give(w, n, sizeof *n);
+        return error;
+    }
+    n->burst_start = -INFINITY;
+    n->rise = INFINITY;
+    n->part = NAN;
+    c->near = n;
+    set_watch(w, c, BMR_WATCH_STRUCTURE);
+    bmr_kds_report report;
+    const bool apart = start(w, c, w->time, &report);
+    count(w, &report);
+    if (!apart)
+        return bmr_contact_tell(w, c, true);
+    bmr_couple_search_later(w, c, false);
+    observe(w, c, BMR_WORLD_NEAR, &report);
+    return BMR_OK;
+}
+
+static bmr_error part(bmr_world *w, bmr_couple *c) {
+    end_structure(w, c);
+    set_watch(w, c, BMR_WATCH_DISKS);
+    const bmr_body a = c->side[0]->id, b = c->side[1]->id;
+    if (c->neighbours)
+        bmr_couple_search_later(w, c, false);
+    else
+        bmr_couple_destroy(w, c);
+    bmr_world_observe(w, BMR_WORLD_PART, w->time, a, b, NULL);
+    return BMR_OK;
+}
+
+static bmr_error fail(bmr_world *w, bmr_couple *c) {
+    bmr_near *const n = c->near;
+    if (is_burst(w, n, w->time))
+        return BMR_ERROR_STALLED;
+    bmr_couple_view view;
+    const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
+    const double later = bmr_repair_time(&motion, &n->condition, w->time, bmr_world_tolerance(w, w->time));
+    const bmr_instant now = bmr_pair_instant(&motion, later);
+    bmr_kds_report report;
+    bmr_kds_repair(n->kds, &now, n->failing, &report);
+    count(w, &report);
+    n->rhythm = fmax(later - n->repaired, 0.5 * n->rhythm);
+    n->from = n->repaired = later;
+    n->window = AHEAD * n->rhythm;
+    if (report.kind == BMR_KDS_CONTACT)
+        return bmr_contact_tell(w, c, false);
+    bmr_couple_search_later(w, c, false);
+    observe(w, c, BMR_WORLD_REPAIR, &report);
+    return BMR_OK;
+}
+
+/// Is a pair that was in contact apart by the margin and the hysteresis? Then the next contact is a new one,
+/// at the margin; else it is asked again, each time after twice as long.
+static bmr_error rise(bmr_world *w, bmr_couple *c) {
+    bmr_near *const n = c->near;
+    w->counts.looks++;
+    n->rise_step = fmax(2.0 * n->rise_step, 2.0 * bmr_world_tolerance(w, w->time));
+    n->rise = fmax(w->time + n->rise_step, nextafter(w->time, INFINITY));
+    if (separation(w, c, w->time) > w->def.kds.margin + w->def.kds.hysteresis) {
+        const unsigned rung = n->rung;
+        bmr_kds_report report;
+        n->rung = 0;
+        if (start(w, c, w->time, &report)) {
+            n->rise = INFINITY;
+            n->again = 0;
+        } else {
+            n->rung = rung;
+            if (!start(w, c, w->time, &report))
+                return BMR_ERROR_STALLED; // apart, and no proof of it
+        }
+        count(w, &report);
+    }
+    bmr_couple_search_later(w, c, false);
+    return BMR_OK;
+}
+
+/// A pair that passed is apart.
+static bmr_error leave(bmr_world *w, bmr_couple *c) {
+    bmr_near *const n = c->near;
+    bmr_kds_report report;
+    n->rung = 0;
+    const double target = w->def.kds.margin + w->def.kds.hysteresis;
+    if (separation(w, c, w->time) > target && start(w, c, w->time, &report)) {
+        count(w, &report);
+        n->again = n->retries = 0;
+        n->rise = INFINITY;
+        set_watch(w, c, BMR_WATCH_STRUCTURE);
+        bmr_couple_search_later(w, c, false);
+        observe(w, c, BMR_WORLD_LEAVE, &report);
+        return BMR_OK;
+    }
+    n->from = w->time;
+    if (n->retries++ < LEAVE_RETRIES) {
+        schedule(w, c, BMR_COUPLE_LEAVE, w->time + ldexp(bmr_world_tolerance(w, w->time), (int)n->retries));
+        return BMR_OK;
+    }
+    n->retries = 0;
+    return bmr_couple_search(w, c);
+}
+
+bmr_error bmr_couple_event_due(bmr_world *w, bmr_couple *c) {
+    switch ((bmr_couple_event)c->event) {
+    case BMR_COUPLE_MEET:
+        return meet(w, c);
+    case BMR_COUPLE_FAIL:
+        return fail(w, c);
+    case BMR_COUPLE_PART:
+        return part(w, c);
+    case BMR_COUPLE_RISE:
+        return rise(w, c);
+    case BMR_COUPLE_LEAVE:
+        return leave(w, c);
+    case BMR_COUPLE_LOOK:
+        break;
+    }
+    w->counts.looks++;
+    return bmr_couple_search(w, c);
+}
+
+// ---- after a contact ----
+
+void bmr_couple_hold(bmr_world *w, bmr_couple *c) {
+    set_watch(w, c, BMR_WATCH_PASSING);
+    bmr_agenda_set(&w->agenda, &c->item, INFINITY);
+}
+
+bmr_error bmr_couple_pass(bmr_world *w, bmr_couple *c) {
+    bmr_near *const n = c->near;
+    set_watch(w, c, BMR_WATCH_PASSING);
+    n->from = n->repaired = w->time;
+    n->part = NAN;
+    n->rise = INFINITY;
+    n->retries = 0;
+    bmr_couple_search_later(w, c, false);
+    return BMR_OK;
+}
+
+bmr_error bmr_couple_resume(bmr_world *w, bmr_couple *c, bool placed, double receding) {
+    bmr_near *const n = c->near;
+    bmr_kds_report report;
+    n->again++;
+    for (n->rung++; n->rung <= MOST_RUNGS; n->rung++) {
+        const bool apart = start(w, c, w->time, &report);
+        count(w, &report);
+        if (!apart)
+            continue;
+        const double room = 2.0 * (w->def.kds.margin + w->def.kds.hysteresis);
+        bmr_couple_view view;
+        const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
+        const double most = natural_time(w, c, &motion, w->time);
+        n->part = NAN;
+        n->window = 0.0;
+        n->rhythm = 0.0;
+        n->rise_step = receding * most > room ? room / receding : most;
+        n->rise = w->time + fmax(n->rise_step, 2.0 * bmr_world_tolerance(w, w->time));
+        set_watch(w, c, BMR_WATCH_STRUCTURE);
+        bmr_couple_search_later(w, c, false);
+        return BMR_OK;
+    }
+    // Overlapping bodies were put there: they pass, until they are apart.
+    const bmr_error error = bmr_couple_pass(w, c);
+    return placed ? error : BMR_ERROR_STALLED;
+}

@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: MIT
+// When two disks meet and part: a function of the two motions alone.
+//
+// A couple's time begins at its epoch, when the later of the two pieces that hold now was set. From there on
+// its disks meet when their centres come within the *reach*, part when they are farther than PARTED times
+// that, meet again, and so on: one list of times. Whoever asks for the next one gets the next one of that
+// list, whenever he asks. Where both paths are straight lines the list has one entry of each kind, in closed
+// form. Else time is cut into windows, counted from the epoch, and each window is searched from its
+// beginning.
+//
+// The reach is larger than the sum of the radii and the margin by a 64th, and by the rounding of places at
+// the epoch; so rounding of any of this never makes the disks meet too late.
+#include <math.h>
+#include <string.h>
+
+#include "kinetic/bernstein.h"
+#include "kinetic/condition_polynomial.h"
+#include "kinetic/piece.h"
+#include "world/parts.h"
+
+/// What the reach has more than it needs.
+#define REACH_PART (1.0 + 0x1p-6)
+/// Of places, in parts of their coordinates: 256 roundings.
+#define PLACE_ROUNDING 0x1p-44
+/// Disks part at so many reaches: hysteresis, and at density 0.3 a structure lives about as long as its
+/// bodies pass each other.
+#define PARTED 1.25
+
+/// A window is so many times as long as the path needs for one reach, by the first of its powers to get
+/// there.
+#define WINDOW 16.0
+/// Windows that one question looks at.
+#define WINDOWS 8
+/// The shortest window, in parts of the epoch: below, its ends could not be told apart.
+#define LEAST_WINDOW 0x1p-40
+/// Windows that are left out at once, at most, as a power of 2; and how far from the reach they must stay.
+#define MOST_DOUBLINGS 40
+#define CLEAR_PART 1.125
+/// Sign changes in one window; two paths of degree 8 have 16 at most.
+#define MOST_CHANGES 64
+
+typedef struct interval {
+    double from, to; ///< from > to: empty
+} interval;
+
+// ---- paths ----
+
+static bool is_straight(const bmr_motion_piece *piece) {
+    return piece->kind == BMR_PIECE_SCREW || piece->as.algebraic.degree <= 1;
+}
+
+/// Of the frame's origin, whatever the body's rotation does: for a straight path its velocity too.
+static bmr_vec2 straight(const bmr_motion_piece *piece, double time, bmr_vec2 *velocity) {
+    bmr_vec2 start;
+    if (piece->kind == BMR_PIECE_SCREW) {
+        start = piece->as.screw.start.position;
+        *velocity = piece->as.screw.velocity;
+    } else {
+        const bmr_algebraic_piece *p = &piece->as.algebraic;
+        start = bmr_vec2_make(p->x[0], p->y[0]);
+        *velocity = p->degree > 0 ? bmr_vec2_make(p->x[1], p->y[1]) : bmr_vec2_make(0.0, 0.0);
+    }
+    return bmr_add(start, bmr_scale(time - piece->origin, *velocity));
+}
+
+bmr_vec2 bmr_path_position(const bmr_motion_piece *piece, double time) {
+    bmr_vec2 velocity;
+    return is_straight(piece) ? straight(piece, time, &velocity)
+                              : bmr_piece_instant(piece, time).pose.position;
+}
+
+/// The same path without a rotation: the origin's alone.
+static bmr_motion_piece path_of(const bmr_motion_piece *piece, bmr_vec2 shift) {
+    bmr_motion_piece path = *piece;
+    if (path.kind == BMR_PIECE_SCREW) {
+        path.as.screw.spin = 0.0;
+        path.as.screw.start.position = bmr_add(path.as.screw.start.position, shift);
+    } else {
+        path.as.algebraic.rotation_degree = 0;
+        path.as.algebraic.a[0] = 1.0;
+        path.as.algebraic.b[0] = 0.0;
+        path.as.algebraic.x[0] += shift.x;
+        path.as.algebraic.y[0] += shift.y;
+    }
+    return path;
+}
+
+/// The shortest time in which one term of a path, in powers of that time, grows to `length`.
+static double time_for(const bmr_algebraic_piece *path, double length) {
+    double least = INFINITY;
+    for (size_t k = 1; k <= path->degree; k++) {
+        const double size = hypot(path->x[k], path->y[k]);
+        if (size > 0.0)
+            least = fmin(least, pow(length / size, 1.0 / (double)k));
+    }
+    return least;
+}
+
+// ---- the two of a couple ----
+
+/// A wall's line: the box is on its left, where <normal, x> > offset.
+static bmr_line wall_line(const bmr_world *w, const bmr_couple *c) {
+    static const bmr_vec2 inwards[BMR_WALLS] = {{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}};
+    const size_t side = (size_t)(c->side[1]->id - BMR_WALL(0));
+    const bmr_vec2 corner = side % 2 == 0 ? w->def.low : w->def.high;
+    const bmr_line line = {inwards[side], bmr_dot(inwards[side], corner)};
+    return line;
+}
+
+static double epoch_of(const bmr_couple *c) {
+    return fmax(c->side[0]->since, c->side[1]->since);
+}
+
+/// From the first's centre to the second's image.
+static bmr_vec2 way_at(const bmr_world *w, const bmr_couple *c, double time) {
+    const bmr_vec2 a = bmr_path_position(&c->side[0]->now.piece, time);
+    const bmr_vec2 b = bmr_path_position(&c->side[1]->now.piece, time);
+    return bmr_sub(bmr_add(b, bmr_couple_shift(w, c)), a);
+}
+
+double bmr_gate_distance(const bmr_world *w, const bmr_couple *c, double time) {
+    if (bmr_resident_is_wall(c->side[1])) {
+        const bmr_line line = wall_line(w, c);
+        return bmr_dot(line.normal, bmr_path_position(&c->side[0]->now.piece, time)) - line.offset;
+    }
+    const bmr_vec2 way = way_at(w, c, time);
+    return hypot(way.x, way.y);
+}
+
+double bmr_gate_reach(const bmr_world *w, const bmr_couple *c) {
+    const double epoch = epoch_of(c);
+    const bool wall = bmr_resident_is_wall(c->side[1]);
+    const bmr_vec2 a = bmr_path_position(&c->side[0]->now.piece, epoch);
+    const bmr_vec2 b = wall ? w->def.high : bmr_path_position(&c->side[1]->now.piece, epoch);
+    const bmr_vec2 shift = bmr_couple_shift(w, c);
+    const double places = fabs(a.x) + fabs(a.y) + fabs(b.x) + fabs(b.y) + fabs(shift.x) + fabs(shift.y);
+    const double sum = c->side[0]->radius + (wall ? 0.0 : c->side[1]->radius) + w->def.kds.margin;
+    return REACH_PART * sum + PLACE_ROUNDING * places;
+}
+
+double bmr_gate_parted(double reach) {
+    return PARTED * reach;
+}
+
+// ---- straight paths ----
+
+/// Time from the epoch, in which the way from `way` on is within the reach of the origin.
+static interval within(bmr_vec2 way, bmr_vec2 velocity, double reach) {
+    const double square = bmr_dot(velocity, velocity), speed = sqrt(square);
+    const interval none = {INFINITY, -INFINITY}, always = {-INFINITY, INFINITY}, unknown = {NAN, NAN};
+    if (!isfinite(square) || !isfinite(bmr_dot(way, way)))
+        return unknown;
+    if (!(square > 0.0))
+        return bmr_dot(way, way) <= reach * reach ? always : none;
+    // How far they pass each other: its rounding is that of the way, however long that is.
+    const double miss = fabs(bmr_cross(way, velocity)) / speed;
+    if (!(miss < reach))
+        return none;
+    const double nearest = -bmr_dot(way, velocity) / square;
+    const double half = sqrt((reach - miss) * (reach + miss)) / speed;
+    const interval inside = {nearest - half, nearest + half};
+    return inside;
+}
+
+/// The same of a height above a wall.
+static interval below(double height, double rate, double reach) {
+    interval inside = {-INFINITY, INFINITY};
+    if (rate < 0.0)
+        inside.from = (height - reach) / -rate;
+    else if (rate > 0.0)
+        inside.to = (reach - height) / rate;
+    else if (height > reach)
+        inside.from = INFINITY, inside.to = -INFINITY;
+    return inside;
+}
+
+static bool both_straight(const bmr_couple *c) {
+    return is_straight(&c->side[0]->now.piece) && is_straight(&c->side[1]->now.piece);
+}
+
+static interval straight_within(const bmr_world *w, const bmr_couple *c, double epoch, double reach) {
+    bmr_vec2 velocity_a, velocity_b;
+    const bmr_vec2 a = straight(&c->side[0]->now.piece, epoch, &velocity_a);
+    if (bmr_resident_is_wall(c->side[1])) {
+        const bmr_line line = wall_line(w, c);
+        return below(bmr_dot(line.normal, a) - line.offset, bmr_dot(line.normal, velocity_a), reach);
+    }
+    const bmr_vec2 b = straight(&c->side[1]->now.piece, epoch, &velocity_b);
+    const bmr_vec2 way = bmr_sub(bmr_add(b, bmr_couple_shift(w, c)), a);
+    return within(way, bmr_sub(velocity_b, velocity_a), reach);
+}
+
+// ---- curved paths ----
+
+/// The way from one disk's centre to the other's (or from a wall's line to the centre), in powers of the time
+/// from the epoch: far from the world's origin its digits are those of the way, not of the places.
+typedef struct curve {
+    bmr_motion_piece rest, way;
+    double epoch, window, tolerance;
+} curve;
+
+/// A time that is early by this is early by next to nothing of a window, and of a cell, however fast they
+/// are.
+static double tolerance_of(const bmr_world *w, double window) {
+    return fmin(w->def.failure.tolerance, 0x1p-40 * window);
+}
+
+static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
+    curve k;
+    k.epoch = epoch_of(c);
+    k.rest = bmr_piece_rest(bmr_pose_identity());
+    memset(&k.way, 0, sizeof k.way);
+    k.way.kind = BMR_PIECE_ALGEBRAIC;
+    k.way.origin = k.epoch;
+    const bmr_motion_piece own_path = path_of(&c->side[0]->now.piece, bmr_vec2_make(0.0, 0.0));
+    const bmr_algebraic_piece own = bmr_piece_expand(&own_path, k.epoch);
+    bmr_algebraic_piece *const way = &k.way.as.algebraic;
+    if (bmr_resident_is_wall(c->side[1])) {
+        const bmr_line line = wall_line(w, c);
+        *way = own;
+        way->x[0] -= line.offset * line.normal.x;
+        way->y[0] -= line.offset * line.normal.y;
+    } else {
+        const bmr_motion_piece path = path_of(&c->side[1]->now.piece, bmr_couple_shift(w, c));
+        const bmr_algebraic_piece other = bmr_piece_expand(&path, k.epoch);
+        way->degree = own.degree > other.degree ? own.degree : other.degree;
+        way->a[0] = way->start_c = 1.0;
+        for (size_t i = 0; i <= way->degree; i++) {
+            way->x[i] = (i <= other.degree ? other.x[i] : 0.0) - (i <= own.degree ? own.x[i] : 0.0);
+            way->y[i] = (i <= other.degree ? other.y[i] : 0.0) - (i <= own.degree ? own.y[i] : 0.0);
+        }
+    }
+    k.window = fmax(WINDOW * time_for(way, reach), LEAST_WINDOW * fmax(1.0, fabs(k.epoch)));
+    k.tolerance = tolerance_of(w, k.window);
+    return k;
+}
+
+/// Apart by more than `reach`, as a condition of the curve.
+static bmr_condition apart_by(const bmr_world *w, const bmr_couple *c, double reach) {
+    const bmr_vec2 origin = bmr_vec2_make(0.0, 0.0);
+    return bmr_resident_is_wall(c->side[1])
+               ? bmr_condition_beyond(0, wall_line(w, c).normal, reach, origin, 0)
+               : bmr_condition_disks(origin, origin, reach, 0);
+}
+
+/// The first time in [from, to] at which the condition is no longer positive (with `against`: its opposite);
+/// INFINITY: none. What is too close to call at the beginning is taken to be near: a structure that stands in
+/// vain is no harm.
+static bmr_error first_change(const curve *k, const bmr_condition *condition, bool against, double from,
+                              double to, double *time) {
+    *time = INFINITY;
+    for (size_t steps = 0; from < to; steps++) {
+        bmr_condition_polynomial p;
+        bmr_condition_expand(condition, &k->rest, &k->way, from, to - from, &p);
+        if (!isfinite(p.noise))
+            return BMR_ERROR_NOT_FINITE;
+        if (steps == BMR_FAILURE_MAX_INTERVALS)
+            return BMR_ERROR_OUT_OF_RANGE;
+        for (size_t i = 0; against && i <= p.degree; i++)
+            p.c[i] = -p.c[i];
+        const bool positive = p.c[0] > p.noise;
+        if (!positive && (!against || p.c[0] < -p.noise)) {
+            *time = from;
+            return BMR_OK;
+        }
+        double u;
+        const double tolerance = k->tolerance * fmax(1.0, fabs(from)) / p.width;
+        if (positive && bmr_bernstein_first_root(p.c, p.degree, p.noise, tolerance, &u) && u <= 1.0) {
+            *time = fmin(to, from + u * p.width);
+            return BMR_OK;
+        }
+        const double next = p.width < to - from ? from + p.width : to;
+        from = next > from ? next : nextafter(from, INFINITY);
+    }
+    return BMR_OK;
+}
+
+/// The first meeting (or parting) after `after` in the window [from, to], which begins at `from` with the
+/// disks as `inside` says; INFINITY: none.
+static bmr_error in_window(const bmr_world *w, const bmr_couple *c, const curve *k, double reach, bool meets,
+                           bool inside, double from, double to, double after, double *time) {
+    const bmr_condition near = apart_by(w, c, reach), far = apart_by(w, c, bmr_gate_parted(reach));
+    for (int changes = 0; changes < MOST_CHANGES; changes++, inside = !inside) {
+        double change;
+        const bmr_error error = first_change(k, inside ? &far : &near, inside, from, to, &change);
+        if (error != BMR_OK)
+            return error;
+        *time = change;
+        if (change == INFINITY || (inside != meets && change > after))
+            return BMR_OK;
+        from = change;
+    }
+    *time = INFINITY;
+    return BMR_OK;
+}
+
+/// So many windows from `from` on, as a power of 2 or 0, have no change: in them the centres cannot come from
+/// `distance` to the reach (or, `inside`, to where they have parted). To look into them would find the same.
+static double clear_windows(const curve *k, double distance, bool inside, double reach, double from) {
+    double clear = 0.0;
+    for (int doublings = 0; doublings <= MOST_DOUBLINGS; doublings++) {
+        const double count = ldexp(1.0, doublings), time = count * k->window;
+        const double way = bmr_motion_piece_speed(&k->way, from, from + time, 0.0) * time;
+        if (inside ? !(CLEAR_PART * (distance + way) < bmr_gate_parted(reach))
+                   : !(distance - way > CLEAR_PART * reach))
+            break;
+        clear = count;
+    }
+    return clear;
+}
+
+static bmr_error curved(const bmr_world *w, const bmr_couple *c, double reach, bool meets, double after,
+                        double *time, bool *look) {
+    const curve k = make_curve(w, c, reach);
+    *look = false;
+    *time = INFINITY;
+    if (!(k.window < INFINITY)) { // both rest, or go together
+        const double distance = bmr_gate_distance(w, c, k.epoch);
+        if (meets ? distance <= reach : distance >= bmr_gate_parted(reach))
+            *time = after;
+        return isfinite(distance) ? BMR_OK : BMR_ERROR_NOT_FINITE;
+    }
+    double window = fmax(0.0, floor((after - k.epoch) / k.window));
+    if (k.epoch + window * k.window > after && window > 0.0)
+        window--;
+    for (int i = 0; i < WINDOWS; i++, window++) {
+        const double from = k.epoch + window * k.window, to = k.epoch + (window + 1.0) * k.window;
+        const double distance = bmr_gate_distance(w, c, from);
+        if (!isfinite(distance) || !(to > from))
+            return BMR_ERROR_NOT_FINITE;
+        // Whoever asks for a meeting knows the disks to be apart until `after`, and the other way round.
+        const bool inside = meets ? distance <= reach : distance < bmr_gate_parted(reach);
+        if (inside == meets && from >= after) {
+            *time = from;
+            return BMR_OK;
+        }
+        // What changes at the very beginning of a window is new, unless that is past.
+        const double past = from < after ? after : -INFINITY;
+        const bmr_error error = in_window(w, c, &k, reach, meets, inside, from, to, past, time);
+        if (error != BMR_OK || *time < INFINITY)
+            return error;
+        if (inside != meets)
+            window += clear_windows(&k, bmr_gate_distance(w, c, to), inside, reach, to);
+    }
+    *look = true;
+    *time = k.epoch + window * k.window;
+    return BMR_OK;
+}
+
+// ---- both ----
+
+bmr_error bmr_gate_meets(const bmr_world *w, const bmr_couple *c, double after, double *time, bool *look) {
+    const double reach = bmr_gate_reach(w, c), epoch = epoch_of(c);
+    if (!isfinite(reach))
+        return BMR_ERROR_NOT_FINITE;
+    if (!both_straight(c))
+        return curved(w, c, reach, true, after, time, look);
+    const interval inside = straight_within(w, c, epoch, reach);
+    if (isnan(inside.from))
+        return BMR_ERROR_NOT_FINITE;
+    *look = false;
+    *time =
+        epoch + inside.to > after && inside.from <= inside.to ? fmax(after, epoch + inside.from) : INFINITY;
+    return BMR_OK;
+}
+
+bmr_error bmr_gate_parts(const bmr_world *w, const bmr_couple *c, double after, double *time, bool *look) {
+    const double reach = bmr_gate_reach(w, c), epoch = epoch_of(c);
+    if (!isfinite(reach))
+        return BMR_ERROR_NOT_FINITE;
+    if (!both_straight(c))
+        return curved(w, c, reach, false, after, time, look);
+    const interval inside = straight_within(w, c, epoch, bmr_gate_parted(reach));
+    if (isnan(inside.from))
+        return BMR_ERROR_NOT_FINITE;
+    *look = false;
+    *time = inside.from <= inside.to ? fmax(after, epoch + inside.to) : after;
+    return BMR_OK;
+}
+
+// ---- cells ----
+
+/// When x + v (t - origin) leaves [low, high], not before `after`.
+static double leaves(double x, double velocity, double origin, double low, double high, double after) {
+    if (velocity == 0.0)
+        return INFINITY;
+    return fmax(after, origin + ((velocity > 0.0 ? high : low) - x) / velocity);
+}
+
+bmr_error bmr_gate_crosses(const bmr_world *w, const bmr_resident *r, double after, double *time,
+                           bool *look) {
+    const int level = r->cell->level;
+    const double width = bmr_cell_width(w, level), height = bmr_cell_height(w, level);
+    const bmr_vec2 base = w->def.boundary == BMR_PERIODIC ? w->def.low : bmr_vec2_make(0.0, 0.0);
+    const bmr_vec2 low = bmr_vec2_make(base.x + ((double)r->column - BMR_CELL_HYSTERESIS) * width,
+                                       base.y + ((double)r->row - BMR_CELL_HYSTERESIS) * height);
+    const bmr_vec2 high = bmr_vec2_make(base.x + ((double)r->column + 1.0 + BMR_CELL_HYSTERESIS) * width,
+                                        base.y + ((double)r->row + 1.0 + BMR_CELL_HYSTERESIS) * height);
+    const bmr_motion_piece *piece = &r->now.piece;
+    *look = false;
+    if (is_straight(piece)) {
+        bmr_vec2 velocity;
+        const bmr_vec2 at = straight(piece, piece->origin, &velocity);
+        *time = fmin(leaves(at.x, velocity.x, piece->origin, low.x, high.x, after),
+                     leaves(at.y, velocity.y, piece->origin, low.y, high.y, after));
+        return isnan(*time) ? BMR_ERROR_NOT_FINITE : BMR_OK;
+    }
+    const bmr_motion_piece path = path_of(piece, bmr_vec2_make(0.0, 0.0));
+    const bmr_algebraic_piece here = bmr_piece_expand(&path, after);
+    const double length = fmin(width, height), span = WINDOW * time_for(&here, length);
+    *time = INFINITY;
+    if (!(span < INFINITY))
+        return BMR_OK;
+    const bmr_vec2 origin = bmr_vec2_make(0.0, 0.0);
+    const bmr_condition sides[] = {bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), low.x, origin, 0),
+                                   bmr_condition_beyond(0, bmr_vec2_make(-1.0, 0.0), -high.x, origin, 0),
+                                   bmr_condition_beyond(0, bmr_vec2_make(0.0, 1.0), low.y, origin, 0),
+                                   bmr_condition_beyond(0, bmr_vec2_make(0.0, -1.0), -high.y, origin, 0)};
+    const curve k = {bmr_piece_rest(bmr_pose_identity()), path, after, span, tolerance_of(w, span)};
+    const double to = fmax(after + span, nextafter(after, INFINITY));
+    if (!isfinite(to))
+        return BMR_ERROR_NOT_FINITE;
+    for (size_t i = 0; i < sizeof sides / sizeof *sides; i++) {
+        double leaves_side;
+        const bmr_error error = first_change(&k, &sides[i], false, after, fmin(to, *time), &leaves_side);
+        if (error != BMR_OK)
+            return error;
+        *time = fmin(*time, leaves_side);
+    }
+    if (*time == INFINITY) {
+        *time = to;
+        *look = true;
+    }
+    return BMR_OK;
+}

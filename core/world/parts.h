@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#ifndef BMR_WORLD_PARTS_H
+#define BMR_WORLD_PARTS_H
+
+#include "boomerang/world.h"
+#include "kinetic/motion_layout.h"
+#include "kinetic/pair_motion.h"
+#include "world/agenda.h"
+
+/// @file
+/// What a world is made of. A *resident* is a body (or a wall), a *couple* a pair of residents that is
+/// watched, a *cell* a square of one of the nested grids.
+
+typedef struct bmr_cell bmr_cell;
+typedef struct bmr_couple bmr_couple;
+typedef struct bmr_resident bmr_resident;
+
+/// Levels of the grids: cells of level 0 are world.unit wide, those of level l 2^l times that.
+#define BMR_LEAST_LEVEL (-64)
+#define BMR_MOST_LEVEL 191
+#define BMR_LEVELS (BMR_MOST_LEVEL - BMR_LEAST_LEVEL + 1)
+
+/// A square of a grid. It exists while a body lives in it or in a cell below it.
+struct bmr_cell {
+    int level;
+    int64_t column, row;              ///< in a periodic box: inside of it
+    bmr_cell *next;                   ///< of the same place in the table
+    bmr_cell *parent;                 ///< NULL on the top level
+    bmr_cell *child, *after, *before; ///< the first cell below; neighbours in the parent's list
+    bmr_resident *first;              ///< bodies that live here
+    size_t bodies;
+};
+
+struct bmr_resident {
+    bmr_agenda_item item; ///< its next event: the motion's next piece, or the way out of its cell
+    bmr_body id;
+    uint64_t birth;
+    bmr_shape shape;
+    double radius; ///< of the disk around the origin
+    double mass, inertia;
+    void *user;
+
+    bmr_timed_piece now; ///< what it moves on, as a motion of one piece
+    double since, until; ///< when that began to hold, and ends
+    bmr_motion *plan;    ///< the pieces, where there are more; else NULL
+
+    bmr_cell *cell;               ///< NULL: a wall, or a world without a grid
+    bmr_resident *after, *before; ///< in its cell's list
+    int64_t column, row;          ///< of the cell; in a periodic box: counted on, as positions are
+    bool look;                    ///< nothing is known after the event's time
+
+    bmr_couple *first; ///< of its couples
+    size_t couples;
+    bmr_couple *found; ///< scratch: the couple that a search has in hand
+};
+
+/// What the agenda has a couple for.
+typedef enum bmr_couple_event {
+    BMR_COUPLE_LOOK, ///< to be searched further
+    BMR_COUPLE_MEET, ///< the disks meet
+    BMR_COUPLE_FAIL, ///< a condition of the structure fails
+    BMR_COUPLE_PART, ///< the disks part
+    BMR_COUPLE_RISE, ///< a pair that was in contact may be apart by the margin again
+    BMR_COUPLE_LEAVE ///< a pair that passes is apart
+} bmr_couple_event;
+
+/// What is kept of a couple whose disks have met.
+typedef struct bmr_near {
+    bmr_kds *kds;
+    double from;     ///< nothing fails before; where the next search begins
+    double repaired; ///< when it was last started or repaired
+    double rhythm;   ///< about the time between its last events
+    double window;   ///< how far the next search goes
+    double part;     ///< when the disks part; NAN: not known
+    bool part_known; ///< false: not before `part`
+    size_t failing;
+    bmr_condition condition; ///< FAIL: what fails
+    double burst_start;
+    unsigned burst;
+    /// Contacts since the pair was apart by the margin: the structure's margin is halved so often. A pair
+    /// that was just in contact is within the margin; with half of it, it has a proof with slack again.
+    unsigned rung, again;   ///< `again`: as in bmr_contact
+    double rise, rise_step; ///< when to look whether it is apart again; INFINITY: never
+    unsigned retries;       ///< LEAVE: of the structure's start
+} bmr_near;
+
+struct bmr_couple {
+    bmr_agenda_item item;
+    bmr_resident *side[2];            ///< the first was born first; the second may be a wall
+    bmr_couple *after[2], *before[2]; ///< in the lists of both
+    bmr_couple *same;                 ///< scratch: another couple of the same two
+    int32_t image[2];                 ///< so many boxes are added to the second's position
+    uint8_t event;                    ///< bmr_couple_event
+    uint8_t watch;                    ///< bmr_watch
+    bool linked, neighbours, kept;    ///< cells are; scratch
+    bmr_near *near;                   ///< NULL with WATCH_DISKS
+};
+
+struct bmr_world {
+    bmr_allocator counted; ///< through which all memory goes
+    const bmr_allocator *allocator;
+    bmr_world_def def;
+    double time;
+    bool inside;      ///< a callback is running
+    bmr_couple *busy; ///< whose contact is being told
+    bmr_agenda agenda;
+    bmr_world_counts counts;
+
+    bmr_resident **residents; ///< by place: the lower half of an id
+    uint32_t *generations;    ///< the upper half of the next id of each place
+    size_t places, capacity;
+    size_t free_place; ///< the first that may be free
+    uint64_t births;
+
+    double unit_x, unit_y;      ///< a cell of level 0; 0: not yet known
+    int64_t around_x, around_y; ///< cells of level 0 around a periodic box; else 0
+    bmr_cell **table;
+    size_t table_size, cell_count; ///< the former a power of 2, or 0
+    int top;                       ///< the coarsest level that has cells
+    size_t idle_top;               ///< moves since it had a body of its own
+    size_t level_bodies[BMR_LEVELS];
+
+    struct bmr_candidate *candidates; ///< scratch
+    size_t candidate_count, candidate_capacity;
+
+    bmr_resident walls[BMR_WALLS];
+    bmr_polygon *wall_polygons[BMR_WALLS];
+    bmr_hierarchy *wall_hierarchies[BMR_WALLS];
+    bmr_compass *compass; ///< of the walls' hierarchies
+};
+
+/// Of the table of ids, for each place: the resident, and the generation of the next one there.
+#define BMR_PLACE_BYTES (sizeof(bmr_resident *) + sizeof(uint32_t))
+
+/// A resident near a place, and which image of it.
+typedef struct bmr_candidate {
+    bmr_resident *resident;
+    int32_t image[2]; ///< of the resident as seen from the place
+} bmr_candidate;
+
+static inline bool bmr_resident_is_wall(const bmr_resident *r) {
+    return bmr_is_wall(r->id);
+}
+static inline double bmr_world_tolerance(const bmr_world *w, double time) {
+    return w->def.failure.tolerance * fmax(1.0, fabs(time));
+}
+static inline bmr_agenda_item *bmr_first_item(const bmr_world *w) {
+    return w->agenda.heap[0].item;
+}
+
+// memory.c
+void *bmr_world_take(bmr_world *w, size_t bytes);
+void bmr_world_give(bmr_world *w, void *block, size_t bytes);
+/// The same two, for whom wants an allocator.
+bmr_allocator bmr_world_allocator(bmr_world *w);
+
+// cells.c: the nested grids.
+
+/// How wide a cell must be at least for a body of this radius.
+double bmr_grid_need(const bmr_world *w, double radius);
+/// The level that a body of this radius at this place lives on at least. OUT_OF_RANGE, NOT_FINITE.
+bmr_error bmr_grid_level(const bmr_world *w, double radius, bmr_vec2 position, int *level);
+/// Columns and rows, counted on, of the cell that holds a place.
+void bmr_grid_place(const bmr_world *w, int level, bmr_vec2 position, int64_t *column, int64_t *row);
+/// The cell, made where there is none, with all above it. NO_MEMORY: as it was.
+bmr_error bmr_grid_cell(bmr_world *w, int level, int64_t column, int64_t row, bmr_cell **cell);
+/// Gives a cell back if nothing lives in it or below it, and so on upwards.
+void bmr_grid_prune(bmr_world *w, bmr_cell *cell);
+void bmr_cell_enter(bmr_world *w, bmr_cell *cell, bmr_resident *r);
+void bmr_cell_leave(bmr_world *w, bmr_resident *r);
+/// Gives the top levels back that no body has needed for long.
+void bmr_grid_lower(bmr_world *w);
+double bmr_cell_width(const bmr_world *w, int level);
+double bmr_cell_height(const bmr_world *w, int level);
+/// Fills world.candidates with the bodies whose cells are neighbours of this one, `r` itself left out.
+bmr_error bmr_grid_candidates(bmr_world *w, const bmr_resident *r, int level, int64_t column, int64_t row);
+/// Part of a cell's side that is added on each of its sides before a body leaves it.
+#define BMR_CELL_HYSTERESIS 0x1p-4
+
+/// The column (or row) so many levels up; rounded down, also where it is below zero.
+static inline int64_t bmr_place_above(int64_t place, int levels) {
+    return place >> (levels < 63 ? levels : 63);
+}
+
+// gate.c: when disks meet and part, and when they leave their cells.
+
+/// Disks this near have met; this far, they have parted.
+double bmr_gate_reach(const bmr_world *w, const bmr_couple *c);
+double bmr_gate_parted(double reach);
+/// The distance of the disks' centres, or of the disk's centre from the wall's line.
+double bmr_gate_distance(const bmr_world *w, const bmr_couple *c, double time);
+/// The first time after `after` at which the disks meet (part); *look: not before that time, at which to ask
+/// again. A function of the two motions alone. Errors: NOT_FINITE.
+bmr_error bmr_gate_meets(const bmr_world *w, const bmr_couple *c, double after, double *time, bool *look);
+bmr_error bmr_gate_parts(const bmr_world *w, const bmr_couple *c, double after, double *time, bool *look);
+/// When the resident leaves its cell with the hysteresis, after `after`. Errors: those of bmr_failure_time.
+bmr_error bmr_gate_crosses(const bmr_world *w, const bmr_resident *r, double after, double *time, bool *look);
+bmr_vec2 bmr_path_position(const bmr_motion_piece *piece, double time);
+
+// resident.c: bodies, their cells and their motions.
+
+bmr_resident *bmr_world_find(const bmr_world *w, bmr_body id);
+/// Takes the resident's next event.
+bmr_error bmr_resident_event(bmr_world *w, bmr_resident *r);
+/// From the present time on it moves so; `plan` NULL or its own from now on. Searches of its certificates
+/// that cannot be done are left to the next advance. Errors: NO_MEMORY: as it was (where the pose jumps).
+bmr_error bmr_resident_move(bmr_world *w, bmr_resident *r, const bmr_motion_piece *piece, double until,
+                            bmr_motion *plan);
+void bmr_resident_destroy(bmr_world *w, bmr_resident *r);
+
+// couple.c: the life of a pair.
+
+bmr_error bmr_couple_make(bmr_world *w, bmr_resident *a, bmr_resident *b, const int32_t image_of_b[2],
+                          bmr_couple **couple);
+void bmr_couple_link(bmr_world *w, bmr_couple *c);
+void bmr_couple_destroy(bmr_world *w, bmr_couple *c);
+static inline int bmr_couple_side(const bmr_couple *c, const bmr_resident *r) {
+    return c->side[0] == r ? 0 : 1;
+}
+/// Both motions as the couple sees them, the second's image shifted; `view` holds what they are made of.
+typedef struct bmr_couple_view {
+    bmr_timed_piece shifted;
+    bmr_motion motions[2];
+} bmr_couple_view;
+bmr_pair_motion bmr_couple_motion(const bmr_world *w, const bmr_couple *c, bmr_couple_view *view);
+bmr_vec2 bmr_couple_shift(const bmr_world *w, const bmr_couple *c);
+/// Finds its next event after the present time.
+bmr_error bmr_couple_search(bmr_world *w, bmr_couple *c);
+/// The same, with `replan` after a motion changed; where it cannot be done, the couple has an event now, at
+/// which it is tried again.
+void bmr_couple_search_later(bmr_world *w, bmr_couple *c, bool replan);
+/// Takes the couple's next event.
+bmr_error bmr_couple_event_due(bmr_world *w, bmr_couple *c);
+/// After an answer: a structure with half the margin, or a quarter, and so on. STALLED.
+bmr_error bmr_couple_resume(bmr_world *w, bmr_couple *c, bool placed, double receding);
+/// While its contact is told: nothing is due.
+void bmr_couple_hold(bmr_world *w, bmr_couple *c);
+/// After PASS.
+bmr_error bmr_couple_pass(bmr_world *w, bmr_couple *c);
+bool bmr_item_before(const bmr_agenda_item *a, const bmr_agenda_item *b);
+
+// contact.c, answer.c: what a contact is, and what becomes of it.
+
+/// A contact with the arms from both centres to its points.
+typedef struct bmr_touch {
+    bmr_contact contact;
+    bmr_vec2 arm[2][2]; ///< of the point [1] from the origin of body [0]
+} bmr_touch;
+void bmr_touch_describe(const bmr_world *w, const bmr_couple *c, bool placed, bmr_touch *touch);
+/// Fills in velocities and approaches: of these of A and B.
+void bmr_touch_move(bmr_touch *touch, const bmr_vec2 velocity[2], const double spin[2]);
+/// Tells the contact, and does what is answered. After an error other than NO_MEMORY the pair passes.
+bmr_error bmr_contact_tell(bmr_world *w, bmr_couple *c, bool placed);
+
+// world.c
+void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, double time, bmr_body a, bmr_body b,
+                       const bmr_kds_report *report);
+
+#endif

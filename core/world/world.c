@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "boomerang/world.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "geometry/memory.h"
+#include "world/parts.h"
+
+/// Walls reach this part of a side beyond its ends.
+#define WALL_PART 0.5
+/// Cells of the coarsest grid of a periodic box along its shorter side: with three, all nine cells around one
+/// are different ones.
+#define LEAST_AROUND 3.0
+/// .. and along its longer side, at most.
+#define MOST_AROUND 0x1p20
+
+bmr_world_def bmr_default_world_def(void) {
+    bmr_world_def def;
+    memset(&def, 0, sizeof def);
+    bmr_kds_find("free-fd2", &def.structure);
+    def.kds = bmr_default_kds_def();
+    def.kds.hysteresis = def.kds.margin;
+    def.failure = bmr_default_failure_options();
+    def.response.kind = BMR_RESPONSE_IMPULSE;
+    def.response.restitution = 1.0;
+    def.zeno_speed = 1e-3;
+    def.contact_step = 0.1;
+    return def;
+}
+
+bmr_body_def bmr_default_body_def(const bmr_shape *shape, const bmr_motion *motion) {
+    bmr_body_def def = {shape, motion, INFINITY, INFINITY, NULL};
+    bmr_mass mass;
+    if (shape && shape->polygon && bmr_polygon_mass(shape->polygon, &mass) == BMR_OK) {
+        def.mass = mass.area;
+        def.inertia = mass.inertia + mass.area * bmr_dot(mass.centroid, mass.centroid);
+    }
+    return def;
+}
+
+// ---- creation ----
+
+static bmr_error check_box(const bmr_world_def *def) {
+    if (def->boundary == BMR_OPEN)
+        return BMR_OK;
+    const double width = def->high.x - def->low.x, height = def->high.y - def->low.y;
+    if (!isfinite(width) || !isfinite(height) || !isfinite(def->low.x + def->low.y))
+        return BMR_ERROR_NOT_FINITE;
+    const double most =
+        fmax(fmax(fabs(def->low.x), fabs(def->high.x)), fmax(fabs(def->low.y), fabs(def->high.y)));
+    const bool fits = width > 0.0 && height > 0.0 && most <= BMR_MAX_COORDINATE / 4.0 &&
+                      fmin(width, height) >= 64.0 * BMR_MIN_EXTENT;
+    const double longer = fmax(width, height), shorter = fmin(width, height);
+    return fits && longer / shorter < MOST_AROUND ? BMR_OK : BMR_ERROR_OUT_OF_RANGE;
+}
+
+static bmr_error check_def(const bmr_world_def *def) {
+    const double numbers[] = {def->failure.tolerance,    def->contact_step, def->zeno_speed,
+                              def->response.restitution, def->kds.margin,   def->kds.hysteresis};
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        if (!isfinite(numbers[i]))
+            return BMR_ERROR_NOT_FINITE;
+    const bool makes_sense =
+        def->failure.tolerance > 0.0 && (unsigned)def->failure.method <= BMR_ROOT_GSL &&
+        def->contact_step > 0.0 && def->zeno_speed > 0.0 && def->response.restitution >= 0.0 &&
+        def->response.restitution <= 1.0 && (unsigned)def->response.kind < BMR_RESPONSE_KIND_COUNT &&
+        (unsigned)def->zeno <= BMR_ZENO_ELASTIC && (unsigned)def->boundary <= BMR_PERIODIC &&
+        def->kds.margin > 0.0 && def->kds.hysteresis >= 0.0 && def->structure->domain == BMR_KDS_RIGID;
+    return makes_sense ? check_box(def) : BMR_ERROR_OUT_OF_RANGE;
+}
+
+static bmr_error build_wall_hierarchy(bmr_world *w, const bmr_polygon *polygon, bmr_hierarchy **hierarchy) {
+    switch (w->def.structure->hierarchy) {
+    case BMR_HIERARCHY_COMPASS: {
+        const bmr_error error = w->compass ? BMR_OK : bmr_compass_create(2, &w->counted, &w->compass);
+        return error == BMR_OK ? bmr_hierarchy_build_compass(polygon, w->compass, &w->counted, hierarchy)
+                               : error;
+    }
+    case BMR_HIERARCHY_DUDLEY:
+        return bmr_hierarchy_build_dudley(polygon, &w->counted, hierarchy);
+    case BMR_HIERARCHY_DOBKIN_KIRKPATRICK:
+        return bmr_hierarchy_build_dobkin_kirkpatrick(polygon, &w->counted, hierarchy);
+    default:
+        return BMR_OK;
+    }
+}
+
+/// A segment in the middle of its side of the box, which rests.
+static bmr_error make_wall(bmr_world *w, int side) {
+    const bool upright = side < 2;
+    const bmr_vec2 size = bmr_sub(w->def.high, w->def.low);
+    const bmr_vec2 corner = side % 2 == 0 ? w->def.low : w->def.high;
+    const bmr_vec2 middle = bmr_add(w->def.low, bmr_scale(0.5, size));
+    const double half = (0.5 + WALL_PART) * (upright ? size.y : size.x);
+    const bmr_vec2 end = upright ? bmr_vec2_make(0.0, half) : bmr_vec2_make(half, 0.0);
+    const bmr_vec2 ends[2] = {bmr_neg(end), end};
+    bmr_resident *const wall = &w->walls[side];
+    bmr_error error = bmr_polygon_create(ends, 2, &w->counted, &w->wall_polygons[side]);
+    if (error == BMR_OK)
+        error = build_wall_hierarchy(w, w->wall_polygons[side], &w->wall_hierarchies[side]);
+    if (error != BMR_OK)
+        return error;
+    bmr_pose pose = bmr_pose_identity();
+    pose.position = upright ? bmr_vec2_make(corner.x, middle.y) : bmr_vec2_make(middle.x, corner.y);
+    const bmr_motion_piece rest = bmr_piece_rest(pose);
+    bmr_timed_piece_set(&wall->now, -INFINITY, &rest);
+    wall->item.place = BMR_NOT_QUEUED;
+    wall->id = BMR_WALL(side);
+    wall->birth = UINT64_MAX - BMR_WALLS + (uint64_t)side;
+    wall->shape.polygon = w->wall_polygons[side];
+    if (w->def.structure->hierarchy >= 0)
+        wall->shape.hierarchies[w->def.structure->hierarchy] = w->wall_hierarchies[side];
+    wall->radius = half;
+    wall->mass = wall->inertia = INFINITY;
+    wall->since = -INFINITY;
+    wall->until = INFINITY;
+    return BMR_OK;
+}
+
+/// Cells around a periodic box: as near to squares as whole numbers allow.
+static void lay_grid(bmr_world *w) {
+    const double width = w->def.high.x - w->def.low.x, height = w->def.high.y - w->def.low.y;
+    const double size = fmin(width, height) / LEAST_AROUND;
+    w->around_x = (int64_t)fmax(LEAST_AROUND, floor(width / size));
+    w->around_y = (int64_t)fmax(LEAST_AROUND, floor(height / size));
+    w->unit_x = width / (double)w->around_x;
+    w->unit_y = height / (double)w->around_y;
+}
+
+bmr_error bmr_world_create(const bmr_world_def *def, double time, const bmr_allocator *allocator,
+                           bmr_world **world) {
+    if (!def || !def->structure || !world)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (!isfinite(time))
+        return BMR_ERROR_NOT_FINITE;
+    bmr_error error = check_def(def);
+    if (error != BMR_OK)
+        return error;
+    bmr_world *w = bmr_allocate(allocator, sizeof *w);
+    if (!w)
+        return BMR_ERROR_NO_MEMORY;
+    memset(w, 0, sizeof *w);
+    w->allocator = allocator;
+    w->counted = bmr_world_allocator(w);
+    w->counts.bytes = w->counts.most_bytes = sizeof *w;
+    w->def = *def;
+    w->time = time;
+    w->agenda.before = bmr_item_before;
+    if (def->boundary == BMR_PERIODIC)
+        lay_grid(w);
+    for (int side = 0; side < BMR_WALLS && def->boundary == BMR_WALLED && error == BMR_OK; side++)
+        error = make_wall(w, side);
+    if (error != BMR_OK) {
+        bmr_world_destroy(w);
+        return error;
+    }
+    *world = w;
+    return BMR_OK;
+}
+
+void bmr_world_destroy(bmr_world *w) {
+    if (!w || w->inside)
+        return;
+    for (size_t i = 0; i < w->places; i++)
+        if (w->residents[i])
+            bmr_resident_destroy(w, w->residents[i]);
+    for (int side = 0; side < BMR_WALLS; side++) {
+        bmr_hierarchy_destroy(w->wall_hierarchies[side], &w->counted);
+        bmr_polygon_destroy(w->wall_polygons[side], &w->counted);
+    }
+    bmr_compass_destroy(w->compass, &w->counted);
+    if (w->residents)
+        bmr_world_give(w, w->residents, w->capacity * BMR_PLACE_BYTES);
+    if (w->candidates)
+        bmr_world_give(w, w->candidates, w->candidate_capacity * sizeof *w->candidates);
+    if (w->table)
+        bmr_world_give(w, w->table, w->table_size * sizeof(bmr_cell *));
+    if (w->agenda.heap)
+        bmr_world_give(w, w->agenda.heap, w->agenda.capacity * sizeof *w->agenda.heap);
+    bmr_release(w->allocator, w, sizeof *w);
+}
+
+// ---- running ----
+
+void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, double time, bmr_body a, bmr_body b,
+                       const bmr_kds_report *report) {
+    w->counts.events[kind]++;
+    if (!w->def.observer)
+        return;
+    bmr_world_event event;
+    memset(&event, 0, sizeof event);
+    event.kind = kind;
+    event.time = time;
+    event.a = a;
+    event.b = b;
+    if (report)
+        event.report = *report;
+    w->def.observer(w->def.context, w, &event);
+}
+
+static bmr_error take_event(bmr_world *w) {
+    bmr_agenda_item *const item = w->agenda.heap[0].item;
+    w->time = fmax(w->time, w->agenda.heap[0].time);
+    return item->is_couple ? bmr_couple_event_due(w, (void *)item) : bmr_resident_event(w, (void *)item);
+}
+
+bmr_error bmr_world_advance(bmr_world *w, double until) {
+    if (!w)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (!isfinite(until))
+        return BMR_ERROR_NOT_FINITE;
+    if (w->inside || until < w->time)
+        return BMR_ERROR_OUT_OF_RANGE;
+    w->inside = true;
+    bmr_error error = BMR_OK;
+    while (error == BMR_OK && bmr_agenda_time(&w->agenda) <= until)
+        error = take_event(w);
+    if (error == BMR_OK)
+        w->time = until;
+    w->inside = false;
+    return error;
+}
+
+double bmr_world_time(const bmr_world *w) {
+    return w->time;
+}
+
+double bmr_world_next(const bmr_world *w) {
+    return bmr_agenda_time(&w->agenda);
+}

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+// Random kinetic worlds: their contacts are those of all pairs, bit for bit, and those that two bodies alone
+// would have; nothing ever overlaps that was not told; everything a world claims is true between its events;
+// energy and momentum stay.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "boomerang/time_of_contact.h"
+#include "failing_allocator.h"
+#include "test_scale.h"
+#include "world_play.h"
+
+#define SECONDS 4.0
+#define STEPS 8
+
+// ---- the oracle: each two of a world, by brute force ----
+
+typedef struct passing_list {
+    bmr_world_pair pairs[4096];
+    size_t count;
+} passing_list;
+
+static void note_passing(void *context, const bmr_world_pair *pair) {
+    passing_list *list = context;
+    if (pair->watch == BMR_WATCH_PASSING && list->count < 4096)
+        list->pairs[list->count++] = *pair;
+}
+
+static bool passes(const passing_list *list, bmr_body a, bmr_body b) {
+    for (size_t i = 0; i < list->count; i++)
+        if ((list->pairs[i].a == a && list->pairs[i].b == b) ||
+            (list->pairs[i].a == b && list->pairs[i].b == a))
+            return true;
+    return false;
+}
+
+/// Pairs that overlap, in any image, and are not told to be passing. `room`: places' rounding.
+static size_t overlaps(const bmr_world *world, bool periodic, bmr_vec2 size, double room,
+                       bool passing_counts) {
+    static passing_list list;
+    list.count = 0;
+    bmr_world_each_pair(world, note_passing, &list);
+    size_t found = 0, first = 0;
+    for (bmr_body a; (a = bmr_world_next_body(world, &first)) != BMR_NO_BODY;) {
+        size_t second = first;
+        bmr_body_state p, q;
+        assert_int_equal(bmr_world_get(world, a, &p), BMR_OK);
+        for (bmr_body b; (b = bmr_world_next_body(world, &second)) != BMR_NO_BODY;) {
+            assert_int_equal(bmr_world_get(world, b, &q), BMR_OK);
+            if (periodic) { // the nearest image: bodies are smaller than a quarter of the box
+                q.pose.position.x -= size.x * floor((q.pose.position.x - p.pose.position.x) / size.x + 0.5);
+                q.pose.position.y -= size.y * floor((q.pose.position.y - p.pose.position.y) / size.y + 0.5);
+            }
+            const bmr_pose relative = bmr_pose_relative(&p.pose, &q.pose);
+            if (hypot(relative.position.x, relative.position.y) > p.radius + q.radius)
+                continue;
+            bmr_overlap overlap;
+            if (bmr_penetration(p.shape->polygon, NULL, q.shape->polygon, &relative, &overlap) != BMR_OK)
+                continue;
+            found += overlap.depth > room && (passing_counts || !passes(&list, a, b));
+        }
+    }
+    return found;
+}
+
+// ---- random worlds ----
+
+typedef struct outcome {
+    play played;
+    bmr_error audit;
+    size_t overlaps, passing_overlaps;
+    bmr_world_counts counts;
+} outcome;
+
+static outcome run(const play_shapes *shapes, uint64_t seed, size_t bodies, bool all_pairs, bool look,
+                   play_contact *contacts) {
+    outcome o;
+    memset(&o, 0, sizeof o);
+    play *p = &o.played;
+    p->contacts = contacts;
+    play_begin(p, shapes, seed, bodies, all_pairs, NULL);
+    assert_non_null(p->world);
+    const bool periodic = p->boundary == BMR_PERIODIC;
+    const bmr_vec2 size = {2.0 * p->size, 2.4 * p->size};
+    const double room = 1e-9 + 1e-14 * fabs(p->place.x);
+    for (int step = 1; step <= STEPS && o.audit == BMR_OK; step++) {
+        if (play_advance(p, SECONDS * step / STEPS) != BMR_OK)
+            break;
+        play_change(p, &p->random);
+        o.audit = look ? bmr_world_audit(p->world) : BMR_OK;
+        // What was just put there is told by the next advance.
+        if (play_advance(p, bmr_world_time(p->world)) != BMR_OK)
+            break;
+        if (!look)
+            continue;
+        o.overlaps += overlaps(p->world, periodic, size, room, false);
+        o.passing_overlaps += overlaps(p->world, periodic, size, room, true);
+    }
+    o.counts = bmr_world_get_counts(p->world);
+    bmr_world_destroy(p->world);
+    return o;
+}
+
+static void the_contacts_are_those_of_all_pairs_bit_for_bit(void **state) {
+    (void)state;
+    const size_t worlds = test_scaled(150);
+    play_contact *contacts[2];
+    for (int i = 0; i < 2; i++)
+        assert_non_null(contacts[i] = calloc(PLAY_MOST_CONTACTS, sizeof *contacts[i]));
+    test_random random = {20261123};
+    play_shapes shapes;
+    play_make_shapes(&shapes, &random);
+    size_t total = 0, stalls = 0, passing_overlaps = 0, fewer = 0, others = 0;
+    for (size_t i = 0; i < worlds; i++) {
+        const uint64_t seed = test_random_next(&random);
+        const size_t bodies = 4 + test_random_below(&random, 30);
+        const outcome grid = run(&shapes, seed, bodies, false, true, contacts[0]);
+        const outcome all = run(&shapes, seed, bodies, true, false, contacts[1]);
+        if (grid.audit != BMR_OK || grid.played.error != BMR_OK || all.played.error != BMR_OK)
+            fail_msg("seed %llu: audit %s, errors %s, %s", (unsigned long long)seed,
+                     bmr_error_describe(grid.audit), bmr_error_describe(grid.played.error),
+                     bmr_error_describe(all.played.error));
+        if (grid.overlaps > 0)
+            fail_msg("seed %llu: %zu overlaps", (unsigned long long)seed, grid.overlaps);
+        if (grid.played.contact_count != all.played.contact_count)
+            fail_msg("seed %llu: %zu contacts, of all pairs %zu", (unsigned long long)seed,
+                     grid.played.contact_count, all.played.contact_count);
+        const size_t kept =
+            grid.played.contact_count < PLAY_MOST_CONTACTS ? grid.played.contact_count : PLAY_MOST_CONTACTS;
+        for (size_t k = 0; k < kept; k++)
+            if (memcmp(&contacts[0][k], &contacts[1][k], sizeof *contacts[0]) != 0)
+                fail_msg("seed %llu: contact %zu is another: %.17g and %.17g", (unsigned long long)seed, k,
+                         contacts[0][k].numbers[0], contacts[1][k].numbers[0]);
+        assert_int_equal(grid.played.stalls, all.played.stalls);
+        assert_int_equal(grid.played.out_of_order, 0);
+        total += kept;
+        stalls += grid.played.stalls;
+        passing_overlaps += grid.passing_overlaps;
+        fewer += grid.counts.candidates < all.counts.candidates;
+        // Control: another world has other contacts.
+        const outcome other = run(&shapes, seed + 1, bodies, false, false, contacts[1]);
+        others += kept == 0 || other.played.contact_count != kept ||
+                  memcmp(contacts[0], contacts[1], kept * sizeof *contacts[0]) != 0;
+    }
+    print_message("%zu worlds, %zu contacts, %zu stalls, %zu overlaps of pairs that pass; fewer candidates "
+                  "than all pairs in %zu\n",
+                  worlds, total, stalls, passing_overlaps, fewer);
+    assert_true(total > 10 * worlds);
+    assert_true(stalls < 1 + worlds / 10);
+    assert_int_equal(others, worlds);
+    assert_true(2 * fewer > worlds);
+    // Control: the oracle sees overlaps where there are any.
+    assert_true(worlds < 6 || passing_overlaps > 0);
+    play_drop_shapes(&shapes);
+    free(contacts[0]);
+    free(contacts[1]);
+}
+
+// ---- contacts of two alone ----
+
+#define CAST 16
+typedef struct first_contacts {
+    double time[CAST][CAST];
+} first_contacts;
+
+static bmr_response note_first(void *context, bmr_world *world, const bmr_contact *c) {
+    (void)world;
+    first_contacts *first = context;
+    if (first->time[c->a][c->b] == INFINITY)
+        first->time[c->a][c->b] = c->time;
+    const bmr_response pass = {BMR_RESPONSE_PASS, 1.0};
+    return pass;
+}
+
+static void first_contacts_are_those_of_two_bodies_alone(void **state) {
+    (void)state;
+    const size_t worlds = test_scaled(40);
+    test_random random = {77};
+    play_shapes shapes;
+    play_make_shapes(&shapes, &random);
+    size_t contacts = 0, none = 0;
+    for (size_t world = 0; world < worlds; world++) {
+        first_contacts first;
+        bmr_world_def def = bmr_default_world_def();
+        def.contact = note_first;
+        def.context = &first;
+        bmr_world *w;
+        assert_int_equal(bmr_world_create(&def, 0.0, NULL, &w), BMR_OK);
+        play p;
+        memset(&p, 0, sizeof p);
+        p.size = 5.0;
+        bmr_motion *motions[CAST];
+        bmr_shape own[CAST];
+        for (size_t i = 0; i < CAST; i++) {
+            own[i] = shapes.shapes[i % 9];
+            motions[i] = play_motion(&p, &random, 0.0, play_place(&p, &random));
+            const bmr_body_def body = bmr_default_body_def(&own[i], motions[i]);
+            bmr_body id;
+            assert_int_equal(bmr_world_add(w, &body, &id), BMR_OK);
+            assert_int_equal(id, i);
+            for (size_t k = 0; k < CAST; k++)
+                first.time[i][k] = INFINITY;
+        }
+        assert_int_equal(bmr_world_advance(w, SECONDS), BMR_OK);
+        bmr_world_destroy(w);
+        for (size_t a = 0; a < CAST; a++)
+            for (size_t b = a + 1; b < CAST; b++) {
+                double alone;
+                assert_int_equal(bmr_time_of_contact(&own[a], motions[a], &own[b], motions[b], 0.0, SECONDS,
+                                                     def.kds.margin, NULL, &alone),
+                                 BMR_OK);
+                const double here = first.time[a][b];
+                if (alone == INFINITY && here == INFINITY) {
+                    none++;
+                    continue;
+                }
+                contacts++;
+                // A pair that only grazes the margin may be taken either way.
+                if (!(fabs(alone - here) <= 1e-8))
+                    fail_msg("world %zu: %zu and %zu touch at %.12g, alone at %.12g", world, a, b, here,
+                             alone);
+            }
+        for (size_t i = 0; i < CAST; i++)
+            bmr_motion_destroy(motions[i]);
+    }
+    print_message("%zu pairs touch, %zu do not\n", contacts, none);
+    assert_true(contacts > worlds && none > worlds);
+    play_drop_shapes(&shapes);
+}
+
+// ---- conservation ----
+
+static void a_gas_keeps_its_energy_and_momentum(void **state) {
+    (void)state;
+    enum { SIDE = 12 };
+    const double size = 2.4 * SIDE, seconds = 4.0 * (double)test_scaled(10);
+    test_random random = {5};
+    play_shapes shapes;
+    play_make_shapes(&shapes, &random);
+    for (int boundary = 0; boundary < 3; boundary++) {
+        bmr_world_def def = bmr_default_world_def();
+        def.boundary = (bmr_boundary)boundary;
+        def.high = bmr_vec2_make(size, size);
+        bmr_world *w;
+        assert_int_equal(bmr_world_create(&def, 0.0, NULL, &w), BMR_OK);
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            const bmr_vec2 at = {2.4 * (i % SIDE + 0.5), 2.4 * (i / SIDE + 0.5)};
+            const bmr_vec2 velocity = {play_in(&random, -1.0, 1.0), play_in(&random, -1.0, 1.0)};
+            const bmr_motion_piece piece =
+                bmr_piece_screw(0.0, bmr_pose_from_angle(at, play_in(&random, -3.0, 3.0)), velocity,
+                                play_in(&random, -1.0, 1.0));
+            bmr_motion *motion;
+            assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+            const bmr_body_def body = bmr_default_body_def(&shapes.shapes[i % 3 == 0 ? 0 : 7], motion);
+            bmr_body id;
+            assert_int_equal(bmr_world_add(w, &body, &id), BMR_OK);
+            bmr_motion_destroy(motion);
+        }
+        const bmr_world_totals before = bmr_world_get_totals(w);
+        for (int step = 1; step <= 4; step++) {
+            assert_int_equal(bmr_world_advance(w, seconds * step / 4), BMR_OK);
+            assert_int_equal(overlaps(w, boundary == BMR_PERIODIC, def.high, 1e-9, true), 0);
+        }
+        const bmr_world_totals after = bmr_world_get_totals(w);
+        const bmr_world_counts counts = bmr_world_get_counts(w);
+        const double scale = sqrt(before.energy) * size * SIDE * SIDE;
+        const double energy = fabs(after.energy - before.energy) / before.energy;
+        const double momentum =
+            hypot(after.momentum.x - before.momentum.x, after.momentum.y - before.momentum.y);
+        const double angular = fabs(after.angular - before.angular);
+        print_message("%s: %llu impulses, energy %.1e, momentum %.1e, angular %.1e\n",
+                      boundary == 0   ? "open"
+                      : boundary == 1 ? "walls"
+                                      : "periodic",
+                      (unsigned long long)counts.impulses, energy, momentum, angular);
+        assert_true(counts.impulses > 50 && counts.softened == 0);
+        assert_true(energy < 1e-12);
+        // Controls: walls take momentum, and a box has no centre to turn about.
+        assert_true((momentum < 1e-12 * scale) == (boundary != BMR_WALLED));
+        assert_true((angular < 1e-12 * scale) == (boundary == BMR_OPEN));
+        bmr_world_destroy(w);
+    }
+    play_drop_shapes(&shapes);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_contacts_are_those_of_all_pairs_bit_for_bit),
+        cmocka_unit_test(first_contacts_are_those_of_two_bodies_alone),
+        cmocka_unit_test(a_gas_keeps_its_energy_and_momentum),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
