@@ -26,6 +26,11 @@ void RunRecorded(const Workers &workers, const RecordRequest &request,
                  const std::function<void(const recording::Head &, recording::Frame)> &onFrame,
                  const std::function<void()> &onTick = nullptr);
 
+/// Reads a recording from a file: each frame in order, with the head. Throws UsageError, which names the
+/// file, where it is none or ends too early; what onFrame throws ends it.
+void ReadRecorded(const std::string &path,
+                  const std::function<void(const recording::Head &, recording::Frame)> &onFrame);
+
 } // namespace testbed
 
 #endif

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boomerang/distance.h"
+
 namespace testbed {
 namespace {
 
@@ -116,6 +118,7 @@ void WorldRecorder::AddBodies(const WorldRun &run) {
             m_frame.boxes.push_back({body.number, 0, 0, low.x, low.y, high.x, high.y});
         if (m_step > 0)
             continue;
+        AddDisk(body.number, state.radius);
         recording::Fixture fixture;
         fixture.body = body.number;
         fixture.shape = "polygon";
@@ -126,51 +129,130 @@ void WorldRecorder::AddBodies(const WorldRun &run) {
     AddWalls();
 }
 
-recording::Proof WorldRecorder::ProofOf(const bmr_world_pair &pair, const WorldRun &run) const {
+/// Where a pair's other body is, beside A; a wall's frame is at the middle of its side.
+bmr_pose WorldRecorder::OtherPose(const bmr_world_pair &pair, const WorldRun &run) const {
+    bmr_pose pose = bmr_pose_identity();
+    if (!bmr_is_wall(pair.b)) {
+        pose = run.StateOf(pair.b).pose;
+        pose.position = bmr_add(pose.position, pair.image);
+        return pose;
+    }
+    const auto side = static_cast<unsigned>(pair.b - BMR_WALL(0));
+    const bmr_vec2 corner = side % 2 == 0 ? m_setup.low : m_setup.high,
+                   middle = bmr_scale(0.5, bmr_add(m_setup.low, m_setup.high));
+    pose.position = side < 2 ? bmr_vec2_make(corner.x, middle.y) : bmr_vec2_make(middle.x, corner.y);
+    return pose;
+}
+
+/// The point of a wall beside a place, in the wall's frame.
+bmr_vec2 WorldRecorder::FootOn(bmr_body wall, bmr_vec2 place) const {
+    const bmr_vec2 middle = bmr_scale(0.5, bmr_add(m_setup.low, m_setup.high)), way = bmr_sub(place, middle);
+    return wall < BMR_WALL(2) ? bmr_vec2_make(0.0, way.y) : bmr_vec2_make(way.x, 0.0);
+}
+
+recording::Proof WorldRecorder::DisksProof(const bmr_world_pair &pair, const WorldRun &run) const {
     recording::Proof proof;
     const bmr_body_state a = run.StateOf(pair.a);
-    bmr_pose pose = bmr_pose_identity(); // of b, its image that a is near to
-    const bmr_polygon *polygon = nullptr;
-    double radius = 0.0;
+    const bmr_pose pose = OtherPose(pair, run);
+    const int one = static_cast<int>(pair.a) + 1;
     if (!bmr_is_wall(pair.b)) {
-        const bmr_body_state b = run.StateOf(pair.b);
-        pose = b.pose;
-        polygon = b.shape->polygon;
-        radius = b.radius;
-    }
-    const bmr_vec2 image = bmr_sub(bmr_add(pose.position, pair.image), Wrapped(a.pose.position)),
-                   shown = bmr_sub(pose.position, Wrapped(pose.position)), off = bmr_sub(image, shown);
-    const double box = m_setup.high.x - m_setup.low.x;
-    if (std::hypot(off.x, off.y) > 0.5 * box)
-        return proof;
-    if (pair.watch == BMR_WATCH_DISKS) {
-        // Of a wall no disk can be drawn.
-        if (polygon == nullptr)
-            return proof;
-        const bmr_vec2 way = bmr_sub(bmr_add(pose.position, pair.image), a.pose.position);
+        const double radius = run.StateOf(pair.b).radius;
+        const bmr_vec2 way = bmr_sub(pose.position, a.pose.position);
         proof.kind = "disks";
         proof.radii = {static_cast<float>(a.radius), static_cast<float>(radius)};
         proof.slack = static_cast<float>(std::max(0.0, std::hypot(way.x, way.y) - a.radius - radius));
+        proof.hulls = {one, static_cast<int>(pair.b) + 1};
         return proof;
     }
-    bmr_kds_proof line;
-    if (pair.kds == nullptr || polygon == nullptr || !bmr_kds_get_proof(pair.kds, &line))
+    const bmr_vec2 foot = FootOn(pair.b, a.pose.position),
+                   up = bmr_sub(a.pose.position, bmr_add(pose.position, foot));
+    const double height = std::hypot(up.x, up.y);
+    if (!(height > 0.0))
         return proof;
-    bmr_pose b = pose;
-    b.position = bmr_add(b.position, pair.image);
+    const bmr_vec2 normal = bmr_scale(1.0 / height, up);
+    proof.kind = "direction";
+    proof.owner = 1;
+    proof.normal = ToVec(normal);
+    proof.supports = {ToVec(bmr_unrotate(&a.pose, bmr_scale(-a.radius, normal))), ToVec(foot)};
+    proof.slack = static_cast<float>(std::max(0.0, height - a.radius));
+    proof.hulls = {one, 0};
+    return proof;
+}
+
+recording::Proof WorldRecorder::LineProof(const bmr_world_pair &pair, const WorldRun &run) const {
+    recording::Proof proof;
+    bmr_kds_proof line;
+    if (pair.kds == nullptr || !bmr_kds_get_proof(pair.kds, &line))
+        return proof;
+    const bmr_body_state a = run.StateOf(pair.a);
+    const bmr_pose b = OtherPose(pair, run);
     // The body born first is the structure's A, and the pair's.
     const bmr_pose *own = line.owner == 0 ? &a.pose : &b, *other = line.owner == 0 ? &b : &a.pose;
-    const bmr_polygon *const owner = line.owner == 0 ? a.shape->polygon : polygon;
     const bmr_vec2 nearest = bmr_unrotate(own, bmr_sub(bmr_transform(other, line.nearest), own->position));
     const auto side = static_cast<size_t>(line.owner);
     proof.kind = "direction";
     proof.owner = line.owner;
     proof.level = line.level;
     proof.normal = ToVec(line.line.normal);
-    proof.supports[side] = Farthest(owner, line.line.normal);
+    if (line.owner == 1 && bmr_is_wall(pair.b))
+        proof.supports[side] = ToVec(FootOn(pair.b, bmr_transform(other, line.nearest)));
+    else
+        proof.supports[side] =
+            Farthest((line.owner == 0 ? a : run.StateOf(pair.b)).shape->polygon, line.line.normal);
     proof.supports[1 - side] = ToVec(line.nearest);
     proof.slack = static_cast<float>(std::max(0.0, bmr_dot(line.line.normal, nearest) - line.line.offset));
+    proof.hulls = {static_cast<int>(pair.a) + 1, bmr_is_wall(pair.b) ? 0 : static_cast<int>(pair.b) + 1};
     return proof;
+}
+
+/// None where the two are shown on different sides of a periodic box.
+recording::Proof WorldRecorder::ProofOf(const bmr_world_pair &pair, const WorldRun &run) const {
+    if (!bmr_is_wall(pair.b)) {
+        const bmr_vec2 a = Wrapped(run.StateOf(pair.a).pose.position),
+                       b = bmr_add(Wrapped(run.StateOf(pair.b).pose.position), pair.image),
+                       off = bmr_sub(b, a);
+        if (std::hypot(off.x, off.y) > 0.5 * (m_setup.high.x - m_setup.low.x))
+            return {};
+    }
+    return pair.watch == BMR_WATCH_DISKS ? DisksProof(pair, run) : LineProof(pair, run);
+}
+
+/// Disks as polygons, for what draws outlines.
+void WorldRecorder::AddDisk(int body, double radius) {
+    constexpr int kCorners = 48;
+    recording::Outline disk;
+    disk.id = body + 1;
+    disk.body = body;
+    for (int i = 0; i < kCorners; ++i) {
+        const double angle = 2.0 * 3.14159265358979323846 * i / kCorners;
+        disk.points.push_back(ToVec(bmr_vec2_make(radius * std::cos(angle), radius * std::sin(angle))));
+    }
+    m_frame.outlines.push_back(disk);
+}
+
+/// Where a pair is to be shown: between the two, or where the body is beside its wall.
+void WorldRecorder::SetClosest(const bmr_world_pair &pair, const WorldRun &run,
+                               recording::Pair *record) const {
+    const bmr_body_state a = run.StateOf(pair.a);
+    const bmr_vec2 shown = Wrapped(a.pose.position);
+    const bmr_pose b = OtherPose(pair, run);
+    bmr_closest_points closest = {};
+    if (bmr_is_wall(pair.b)) {
+        closest.point_b = bmr_add(b.position, FootOn(pair.b, a.pose.position));
+        const bmr_vec2 down = bmr_sub(closest.point_b, a.pose.position);
+        closest.point_a = bmr_transform(
+            &a.pose,
+            a.shape->polygon->vertices[bmr_polygon_support(a.shape->polygon, bmr_unrotate(&a.pose, down))]);
+        closest.distance =
+            bmr_dot(down, bmr_sub(closest.point_b, closest.point_a)) / std::hypot(down.x, down.y);
+    } else {
+        Require(bmr_distance(a.shape->polygon, &a.pose, run.StateOf(pair.b).shape->polygon, &b, &closest),
+                "a pair");
+        if (!(closest.distance > 0.0))
+            closest.point_a = closest.point_b = bmr_scale(0.5, bmr_add(a.pose.position, b.position));
+    }
+    record->closest = {ToVec(bmr_sub(closest.point_a, shown)), ToVec(bmr_sub(closest.point_b, shown))};
+    record->distance = static_cast<float>(std::max(0.0, closest.distance));
 }
 
 void WorldRecorder::AddPair(const bmr_world_pair &pair, const WorldRun &run) {
@@ -187,6 +269,7 @@ void WorldRecorder::AddPair(const bmr_world_pair &pair, const WorldRun &run) {
         record.touching = 1;
         record.handed_over = 1;
     }
+    SetClosest(pair, run, &record);
     const recording::Proof proof = ProofOf(pair, run);
     if (proof.kind != "none") {
         record.slack = proof.slack;

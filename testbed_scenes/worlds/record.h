@@ -12,6 +12,7 @@ namespace testbed {
 /// A kinetic world as a recording: one frame at each look. Of a frame
 ///   - bodies are the world's, and four static ones after them, the walls; in a periodic box they are taken
 ///     back into it;
+///   - the hulls that proofs name are the bodies' disks;
 ///   - boxes are the cells that bodies live in;
 ///   - pairs are those that the world watches. Those whose bodies are neighbours across a side of a periodic
 ///     box have no proof here, for nothing can be drawn between them;
@@ -35,6 +36,12 @@ private:
     void AddBodies(const WorldRun &run);
     void AddWalls();
     void AddPair(const bmr_world_pair &pair, const WorldRun &run);
+    void SetClosest(const bmr_world_pair &pair, const WorldRun &run, recording::Pair *record) const;
+    bmr_pose OtherPose(const bmr_world_pair &pair, const WorldRun &run) const;
+    bmr_vec2 FootOn(bmr_body wall, bmr_vec2 place) const;
+    recording::Proof DisksProof(const bmr_world_pair &pair, const WorldRun &run) const;
+    recording::Proof LineProof(const bmr_world_pair &pair, const WorldRun &run) const;
+    void AddDisk(int body, double radius);
     recording::Proof ProofOf(const bmr_world_pair &pair, const WorldRun &run) const;
 
     const WorldSetup &m_setup;
