@@ -4,11 +4,15 @@
 
 #include "world/parts.h"
 
-/// Impulses at the two ends of a stretch, in turn: with restitution 1 a few are enough; with less, what is
-/// left shrinks each time.
+/// Impulses in one answer. Where those at both ends of a stretch at once would have to pull, one is made at
+/// one end, and then perhaps at the other: a few are enough with restitution 1; with less, what is left
+/// shrinks each time.
 #define MOST_IMPULSES 64
 /// Approaches below this part of the first one are none.
 #define NO_APPROACH 0x1p-46
+
+/// Below this part of its terms a determinant is rounding.
+#define LEAST_DETERMINANT 0x1p-40
 
 /// Both bodies' velocities, which an answer changes.
 typedef struct momentum {
@@ -31,25 +35,41 @@ static size_t fastest(const bmr_contact *contact) {
     return contact->count == 2 && contact->approach[1] < contact->approach[0] ? 1 : 0;
 }
 
-/// An impulse along the normal at one point, of which the relative speed there becomes -restitution times
-/// what it is. False: neither body can be moved by it.
-static bool push(const bmr_couple *c, bmr_touch *touch, size_t k, double restitution, momentum *m) {
+/// How much the approach at point i changes by a unit of impulse along the normal at point k.
+static double ease(const bmr_couple *c, const bmr_touch *touch, size_t i, size_t k) {
+    double sum = 0.0;
+    for (int body = 0; body < 2; body++) {
+        const double turn = bmr_cross(touch->arm[body][i], touch->contact.normal);
+        const double other = bmr_cross(touch->arm[body][k], touch->contact.normal);
+        sum += 1.0 / c->side[body]->mass + turn * other / c->side[body]->inertia;
+    }
+    return sum;
+}
+
+static void push(const bmr_couple *c, const bmr_touch *touch, size_t k, double impulse, momentum *m) {
     const bmr_vec2 normal = touch->contact.normal;
-    double turns[2], ease = 0.0; // change of the approach by a unit of impulse
-    for (int i = 0; i < 2; i++) {
-        turns[i] = bmr_cross(touch->arm[i][k], normal);
-        ease += 1.0 / c->side[i]->mass + turns[i] * turns[i] / c->side[i]->inertia;
+    for (int body = 0; body < 2; body++) {
+        const double own = body == 0 ? -impulse : impulse;
+        m->velocity[body] = bmr_add(m->velocity[body], bmr_scale(own / c->side[body]->mass, normal));
+        m->spin[body] += own * bmr_cross(touch->arm[body][k], normal) / c->side[body]->inertia;
     }
-    const double impulse = -(1.0 + restitution) * touch->contact.approach[k] / ease;
-    if (!(ease > 0.0) || !isfinite(impulse))
+}
+
+/// The two impulses that turn both approaches round at once, where neither of them pulls: two sides that meet
+/// flat part flat. With restitution 1 the energy stays, as it does with one impulse: it changes by half of
+/// the sum of each impulse times the approaches before and after.
+static bool two_impulses(const bmr_couple *c, const bmr_touch *touch, double restitution, double impulse[2]) {
+    const double *approach = touch->contact.approach;
+    if (touch->contact.count < 2 || !(approach[0] < 0.0) || !(approach[1] < 0.0))
         return false;
-    for (int i = 0; i < 2; i++) {
-        const double signed_impulse = i == 0 ? -impulse : impulse;
-        m->velocity[i] = bmr_add(m->velocity[i], bmr_scale(signed_impulse / c->side[i]->mass, normal));
-        m->spin[i] += signed_impulse * turns[i] / c->side[i]->inertia;
-    }
-    bmr_touch_move(touch, m->velocity, m->spin);
-    return true;
+    const double k00 = ease(c, touch, 0, 0), k01 = ease(c, touch, 0, 1), k11 = ease(c, touch, 1, 1);
+    const double determinant = k00 * k11 - k01 * k01;
+    if (!(determinant > LEAST_DETERMINANT * k00 * k11)) // bodies that nothing turns
+        return false;
+    const double want[2] = {-(1.0 + restitution) * approach[0], -(1.0 + restitution) * approach[1]};
+    impulse[0] = (k11 * want[0] - k01 * want[1]) / determinant;
+    impulse[1] = (k00 * want[1] - k01 * want[0]) / determinant;
+    return impulse[0] >= 0.0 && impulse[1] >= 0.0;
 }
 
 /// False: the two cannot be moved.
@@ -63,8 +83,18 @@ static bool collide(bmr_world *w, const bmr_couple *c, double restitution, bmr_t
         if (!(approach < 0.0) || (i > 0 && approach > NO_APPROACH * first))
             break;
         const bool soft = w->def.zeno == BMR_ZENO_ELASTIC && -approach < w->def.zeno_speed;
-        if (!push(c, touch, k, soft ? 1.0 : restitution, m))
+        const double bounce = soft ? 1.0 : restitution;
+        double impulse[2] = {0.0, 0.0};
+        if (!two_impulses(c, touch, bounce, impulse)) {
+            impulse[k] = -(1.0 + bounce) * approach / ease(c, touch, k, k);
+            impulse[1 - k] = 0.0;
+        }
+        if (!isfinite(impulse[0]) || !isfinite(impulse[1])) // nothing moves either
             return false;
+        push(c, touch, 0, impulse[0], m);
+        if (touch->contact.count == 2)
+            push(c, touch, 1, impulse[1], m);
+        bmr_touch_move(touch, m->velocity, m->spin);
         w->counts.impulses++;
         w->counts.softened += soft && restitution < 1.0;
         *changed = true;

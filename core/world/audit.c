@@ -35,8 +35,9 @@ static bool are_neighbours(const bmr_world *w, const bmr_resident *a, const bmr_
     const int la = a->cell->level, lb = b->cell->level, level = la > lb ? la : lb;
     const int64_t x = w->around_x > 0 ? w->around_x << -level : 0;
     const int64_t y = w->around_y > 0 ? w->around_y << -level : 0;
-    return near_by(a->column >> (level - la), b->column >> (level - lb), x, &image[0]) &&
-           near_by(a->row >> (level - la), b->row >> (level - lb), y, &image[1]);
+    return near_by(bmr_place_above(a->column, level - la), bmr_place_above(b->column, level - lb), x,
+                   &image[0]) &&
+           near_by(bmr_place_above(a->row, level - la), bmr_place_above(b->row, level - lb), y, &image[1]);
 }
 
 static const bmr_couple *couple_of(const bmr_resident *a, const bmr_resident *b, const int64_t image[2]) {

@@ -322,7 +322,7 @@ static bmr_error add_cell(bmr_world *w, const bmr_resident *asks, const bmr_cell
         if (r == asks)
             continue;
         const int up = level - cell->level;
-        const int64_t x = column - (r->column >> up), y = row - (r->row >> up);
+        const int64_t x = column - bmr_place_above(r->column, up), y = row - bmr_place_above(r->row, up);
         const bmr_error error = add_candidate(w, r, size_x > 0 ? x / size_x : 0, size_y > 0 ? y / size_y : 0);
         if (error != BMR_OK)
             return error;
@@ -366,6 +366,7 @@ bmr_error bmr_grid_candidates(bmr_world *w, const bmr_resident *r, int level, in
     bmr_error error = add_around(w, r, level, column, row, true);
     for (int l = level + 1; l <= w->top && error == BMR_OK; l++)
         if (w->level_bodies[l - BMR_LEAST_LEVEL] > 0)
-            error = add_around(w, r, l, column >> (l - level), row >> (l - level), false);
+            error = add_around(w, r, l, bmr_place_above(column, l - level), bmr_place_above(row, l - level),
+                               false);
     return error;
 }

@@ -33,6 +33,9 @@
 #define WINDOWS 8
 /// The shortest window, in parts of the epoch: below, its ends could not be told apart.
 #define LEAST_WINDOW 0x1p-40
+/// Windows that are left out at once, at most; and how far from the reach they must stay.
+#define MOST_CLEAR 0x1p40
+#define CLEAR_PART 1.125
 /// Sign changes in one window; two paths of degree 8 have 16 at most.
 #define MOST_CHANGES 64
 
@@ -196,10 +199,15 @@ typedef struct curve {
     double epoch, window, tolerance;
 } curve;
 
+/// A time that is early by this is early by next to nothing of a window, and of a cell, however fast they
+/// are.
+static double tolerance_of(const bmr_world *w, double window) {
+    return fmin(w->def.failure.tolerance, 0x1p-40 * window);
+}
+
 static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
     curve k;
     k.epoch = epoch_of(c);
-    k.tolerance = w->def.failure.tolerance;
     k.rest = bmr_piece_rest(bmr_pose_identity());
     memset(&k.way, 0, sizeof k.way);
     k.way.kind = BMR_PIECE_ALGEBRAIC;
@@ -223,6 +231,7 @@ static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
         }
     }
     k.window = fmax(WINDOW * time_for(way, reach), LEAST_WINDOW * fmax(1.0, fabs(k.epoch)));
+    k.tolerance = tolerance_of(w, k.window);
     return k;
 }
 
@@ -285,6 +294,21 @@ static bmr_error in_window(const bmr_world *w, const bmr_couple *c, const curve 
     return BMR_OK;
 }
 
+/// So many windows from `from` on, as a power of 2 or 0, have no change: in them the centres cannot come from
+/// `distance` to the reach (or, `inside`, to where they have parted). To look into them would find the same.
+static double clear_windows(const curve *k, double distance, bool inside, double reach, double from) {
+    double clear = 0.0;
+    for (double count = 1.0; count <= MOST_CLEAR; count *= 2.0) {
+        const double time = count * k->window;
+        const double way = bmr_motion_piece_speed(&k->way, from, from + time, 0.0) * time;
+        if (inside ? !(CLEAR_PART * (distance + way) < bmr_gate_parted(reach))
+                   : !(distance - way > CLEAR_PART * reach))
+            break;
+        clear = count;
+    }
+    return clear;
+}
+
 static bmr_error curved(const bmr_world *w, const bmr_couple *c, double reach, bool meets, double after,
                         double *time, bool *look) {
     const curve k = make_curve(w, c, reach);
@@ -315,6 +339,8 @@ static bmr_error curved(const bmr_world *w, const bmr_couple *c, double reach, b
         const bmr_error error = in_window(w, c, &k, reach, meets, inside, from, to, past, time);
         if (error != BMR_OK || *time < INFINITY)
             return error;
+        if (inside != meets)
+            window += clear_windows(&k, bmr_gate_distance(w, c, to), inside, reach, to);
     }
     *look = true;
     *time = k.epoch + window * k.window;
@@ -390,7 +416,7 @@ bmr_error bmr_gate_crosses(const bmr_world *w, const bmr_resident *r, double aft
                                    bmr_condition_beyond(0, bmr_vec2_make(-1.0, 0.0), -high.x, origin, 0),
                                    bmr_condition_beyond(0, bmr_vec2_make(0.0, 1.0), low.y, origin, 0),
                                    bmr_condition_beyond(0, bmr_vec2_make(0.0, -1.0), -high.y, origin, 0)};
-    const curve k = {bmr_piece_rest(bmr_pose_identity()), path, after, span, w->def.failure.tolerance};
+    const curve k = {bmr_piece_rest(bmr_pose_identity()), path, after, span, tolerance_of(w, span)};
     const double to = fmax(after + span, nextafter(after, INFINITY));
     if (!isfinite(to))
         return BMR_ERROR_NOT_FINITE;

@@ -174,6 +174,11 @@ bmr_error bmr_grid_candidates(bmr_world *w, const bmr_resident *r, int level, in
 /// Part of a cell's side that is added on each of its sides before a body leaves it.
 #define BMR_CELL_HYSTERESIS 0x1p-4
 
+/// The column (or row) so many levels up; rounded down, also where it is below zero.
+static inline int64_t bmr_place_above(int64_t place, int levels) {
+    return place >> (levels < 63 ? levels : 63);
+}
+
 // gate.c: when disks meet and part, and when they leave their cells.
 
 /// Disks this near have met; this far, they have parted.

@@ -8,9 +8,10 @@
 #include "geometry/size.h"
 #include "kinetic/piece.h"
 
-/// A body with fewer candidates than this lives one level higher from its next crossing on, and one with more
-/// than that one level lower, as low as its size allows: where there is nobody, cells are large and crossings
-/// rare. A cell of the next level has room for four times as many.
+/// A body lives one level higher from its next crossing on where it has fewer candidates than this of its own
+/// level and below, and one level lower, as low as its size allows, where it has more than that: where there
+/// is nobody, cells are large and crossings rare. A cell of the next level has room for four times as many.
+/// (Larger bodies are candidates wherever it lives.)
 #define FEW_CANDIDATES 2
 #define MANY_CANDIDATES 16
 
@@ -146,13 +147,13 @@ static bmr_error settle(bmr_world *w, bmr_resident *r, int level, int64_t column
 
 // ---- its own certificate ----
 
-/// The way out of its cell, or its motion's next piece.
-static bmr_error search_own(bmr_world *w, bmr_resident *r) {
+/// The way out of its cell after `after`, or its motion's next piece.
+static bmr_error search_own(bmr_world *w, bmr_resident *r, double after) {
     double time = INFINITY;
     r->look = false;
     if (r->cell) {
         w->counts.disk_times++;
-        const bmr_error error = bmr_gate_crosses(w, r, w->time, &time, &r->look);
+        const bmr_error error = bmr_gate_crosses(w, r, after, &time, &r->look);
         if (error != BMR_OK)
             return error;
     }
@@ -165,8 +166,8 @@ static bmr_error search_own(bmr_world *w, bmr_resident *r) {
 }
 
 /// As search_own; what cannot be done is tried again in the next advance.
-static void search_own_later(bmr_world *w, bmr_resident *r) {
-    if (search_own(w, r) == BMR_OK)
+static void search_own_later(bmr_world *w, bmr_resident *r, double after) {
+    if (search_own(w, r, after) == BMR_OK)
         return;
     r->look = true;
     bmr_agenda_set(&w->agenda, &r->item, w->time);
@@ -175,7 +176,8 @@ static void search_own_later(bmr_world *w, bmr_resident *r) {
 static size_t candidates_of(const bmr_resident *r) {
     size_t count = 0;
     for (const bmr_couple *c = r->first; c; c = c->after[bmr_couple_side(c, r)])
-        count += c->neighbours && !bmr_resident_is_wall(c->side[1]);
+        if (c->neighbours && !bmr_resident_is_wall(c->side[1]))
+            count += c->side[1 - bmr_couple_side(c, r)]->cell->level <= r->cell->level;
     return count;
 }
 
@@ -219,11 +221,13 @@ static bmr_error cross(bmr_world *w, bmr_resident *r) {
         column = column_at(r->column, column, at.x / bmr_cell_width(w, level));
         row = column_at(r->row, row, at.y / bmr_cell_height(w, level));
     }
+    // So fast that a rounding of the time is a way through the hysteresis: on to the next time that there is.
+    const bool stays = level == r->cell->level && column == r->column && row == r->row;
     const bmr_body id = r->id;
     const bmr_error settled = settle(w, r, level, column, row);
     if (settled != BMR_OK)
         return settled;
-    search_own_later(w, r);
+    search_own_later(w, r, stays ? nextafter(w->time, INFINITY) : w->time);
     bmr_world_observe(w, BMR_WORLD_CROSS, w->time, id, BMR_NO_BODY, NULL);
     return BMR_OK;
 }
@@ -297,7 +301,7 @@ static bmr_error jump(bmr_world *w, bmr_resident *r, const bmr_motion_piece *pie
     r->row = row;
     take_piece(w, r, piece, until, plan);
     begin_couples(w, made);
-    search_own_later(w, r);
+    search_own_later(w, r, w->time);
     return BMR_OK;
 }
 
@@ -307,7 +311,7 @@ bmr_error bmr_resident_move(bmr_world *w, bmr_resident *r, const bmr_motion_piec
     if (jumps(&r->now.piece, piece, w->time))
         return jump(w, r, piece, until, plan);
     take_piece(w, r, piece, until, plan);
-    search_own_later(w, r);
+    search_own_later(w, r, w->time);
     w->counts.replanned++;
     for (bmr_couple *c = r->first; c; c = c->after[bmr_couple_side(c, r)]) {
         if (c == w->busy)
@@ -335,7 +339,7 @@ bmr_error bmr_resident_event(bmr_world *w, bmr_resident *r) {
         return next_piece(w, r);
     if (r->look) {
         w->counts.looks++;
-        return search_own(w, r);
+        return search_own(w, r, w->time);
     }
     return cross(w, r);
 }
@@ -471,7 +475,7 @@ bmr_error bmr_world_add(bmr_world *w, const bmr_body_def *def, bmr_body *body) {
         w->places++;
     w->residents[place] = r;
     w->counts.bodies++;
-    search_own_later(w, r);
+    search_own_later(w, r, w->time);
     *body = r->id;
     return BMR_OK;
 }

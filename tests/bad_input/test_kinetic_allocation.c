@@ -15,6 +15,7 @@
 #include "boomerang/families.h"
 #include "boomerang/simulation.h"
 #include "boomerang/time_of_contact.h"
+#include "boomerang/world.h"
 #include "every_allocation.h"
 #include "structure_named.h"
 
@@ -159,6 +160,99 @@ static bmr_error run_simulation_create(const bmr_allocator *allocator, uint64_t 
     return BMR_OK;
 }
 
+// --- worlds ---
+
+static bmr_error open_world(const bmr_allocator *allocator, bmr_world **made) {
+    bmr_world_def def = bmr_default_world_def();
+    def.structure = test_structure("free-fd1");
+    def.boundary = BMR_WALLED;
+    def.low = bmr_vec2_make(-30.0, -30.0);
+    def.high = bmr_vec2_make(30.0, 30.0);
+    return bmr_world_create(&def, 0.0, allocator, made);
+}
+
+/// Of the world: destroys it.
+static bmr_error close_world(bmr_world *world, bmr_error error, uint64_t *bits) {
+    const bmr_world_totals totals = bmr_world_get_totals(world);
+    const bmr_world_counts counts = bmr_world_get_counts(world);
+    test_hash(bits, &totals, sizeof totals);
+    test_hash(bits, counts.events, sizeof counts.events);
+    if (bmr_world_audit(world) != BMR_OK)
+        error = BMR_ERROR_COUNT;
+    bmr_world_destroy(world);
+    return error;
+}
+
+static bmr_error run_world_create(const bmr_allocator *allocator, uint64_t *bits) {
+    bmr_world *made = NULL;
+    const bmr_error error = open_world(allocator, &made);
+    if (error != BMR_OK)
+        return made == NULL ? error : BMR_ERROR_COUNT;
+    return close_world(made, BMR_OK, bits);
+}
+
+/// What had no memory changed nothing, and can be done once there is some.
+static bmr_error add_bodies(bmr_world *world, bmr_motion *const *moves, int count) {
+    bmr_shape shape = {.polygon = polygon};
+    bmr_error failed = BMR_OK;
+    for (int i = 0; i < count; ++i) {
+        const bmr_body_def def = bmr_default_body_def(&shape, moves[i]);
+        bmr_body body = 77;
+        const bmr_error error = bmr_world_add(world, &def, &body);
+        if (error == BMR_OK)
+            continue;
+        failed = error;
+        if (body != 77 || bmr_world_body_count(world) != (size_t)i || bmr_world_audit(world) != BMR_OK ||
+            bmr_world_add(world, &def, &body) != BMR_OK)
+            return BMR_ERROR_COUNT;
+    }
+    return failed;
+}
+
+static bmr_error run_world_add(const bmr_allocator *allocator, uint64_t *bits) {
+    bmr_world *made = NULL;
+    bmr_error error = open_world(allocator, &made);
+    if (error != BMR_OK)
+        return error;
+    error = add_bodies(made, motions, 3);
+    return close_world(made, error, bits);
+}
+
+static bmr_error run_world_set_motion(const bmr_allocator *allocator, uint64_t *bits) {
+    bmr_world *made = NULL;
+    bmr_error error = open_world(allocator, &made);
+    if (error != BMR_OK)
+        return error;
+    error = add_bodies(made, motions, 3);
+    bmr_motion *plan; // jumps at once, and again later
+    const bmr_motion_piece rest = bmr_piece_rest(pose_of(20.0)), more = bmr_piece_rest(pose_of(-20.0));
+    if (bmr_motion_create(&rest, NULL, &plan) != BMR_OK || bmr_motion_change(plan, 1.0, &more) != BMR_OK)
+        return BMR_ERROR_COUNT;
+    const bmr_error set = bmr_world_set_motion(made, 1, plan);
+    if (set != BMR_OK) {
+        bmr_body_state state;
+        error = set;
+        if (bmr_world_get(made, 1, &state) != BMR_OK || state.pose.position.x != -5.0 ||
+            bmr_world_set_motion(made, 1, plan) != BMR_OK)
+            error = BMR_ERROR_COUNT;
+    }
+    bmr_motion_destroy(plan);
+    return close_world(made, error, bits);
+}
+
+static bmr_error run_world_advance(const bmr_allocator *allocator, uint64_t *bits) {
+    bmr_world *made = NULL;
+    bmr_error error = open_world(allocator, &made);
+    if (error != BMR_OK)
+        return error;
+    error = add_bodies(made, motions, 3);
+    const bmr_error first = bmr_world_advance(made, 30.0);
+    if (first != BMR_OK)
+        error = bmr_world_audit(made) == BMR_OK && bmr_world_advance(made, 30.0) == BMR_OK ? first
+                                                                                           : BMR_ERROR_COUNT;
+    return close_world(made, error, bits);
+}
+
 static bmr_error run_time_of_contact(const bmr_allocator *allocator, uint64_t *bits) {
     bmr_shape shape;
     memset(&shape, 0, sizeof shape);
@@ -244,11 +338,19 @@ static bmr_error run_outline_points(const bmr_allocator *allocator, uint64_t *bi
 }
 
 static const test_attempt attempts[] = {
-    {"bmr_motion_create", run_motion_create},       {"bmr_motion_create_sampled", run_motion_create_sampled},
-    {"bmr_motion_change", run_motion_change},       {"bmr_simulation_create", run_simulation_create},
-    {"bmr_time_of_contact", run_time_of_contact},   {"bmr_run_course", run_run_course},
-    {"bmr_adversary_create", run_adversary_create}, {"bmr_family_create", run_family_create},
+    {"bmr_motion_create", run_motion_create},
+    {"bmr_motion_create_sampled", run_motion_create_sampled},
+    {"bmr_motion_change", run_motion_change},
+    {"bmr_simulation_create", run_simulation_create},
+    {"bmr_time_of_contact", run_time_of_contact},
+    {"bmr_run_course", run_run_course},
+    {"bmr_adversary_create", run_adversary_create},
+    {"bmr_family_create", run_family_create},
     {"bmr_outline_points", run_outline_points},
+    {"bmr_world_create", run_world_create},
+    {"bmr_world_add", run_world_add},
+    {"bmr_world_set_motion", run_world_set_motion},
+    {"bmr_world_advance", run_world_advance},
 };
 #define ATTEMPTS (sizeof attempts / sizeof *attempts)
 

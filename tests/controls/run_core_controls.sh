@@ -3,8 +3,8 @@
 #
 #   run_core_controls.sh MUTANTS ROOT C_COMPILER CXX_COMPILER LINK_ARGUMENTS...
 #
-# Makes one fault at a time in a copy of core, as the file MUTANTS says, compiles the room's sources with it (and the test,
-# where a header is what is faulty), and expects the test to fail. With no fault the tests must pass. A mutant that survives is an
+# Makes one fault at a time in a copy of core, as the file MUTANTS says, compiles the source with it (where a header is what is
+# faulty, the room's sources and the test), and expects the test to fail. With no fault the tests must pass. A mutant that survives is an
 # error of the test. MUTANTS: name @ file in core @ substitution (perl) @ test; the room is the file's folder, or the header's name.
 set -u
 mutants=$1 root=$2 cc=$3 cxx=$4
@@ -14,7 +14,7 @@ room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 flags=(-O1 -ffp-contract=off -w "-I$root/tests/support")
 # A test takes a second or two. What takes so many seconds of the processor goes round for ever.
-patience=120
+patience=${BMR_PATIENCE:-120}
 export BMR_TEST_SCALE=0.1
 
 # compile CORE SOURCE OBJECT: with the headers of a copy of core
@@ -39,7 +39,10 @@ program() {
         ;;
     esac
     mkdir "$place/room"
-    for source in "$place/core/$folder"/*.c; do
+    # A source stands in front of the library's own; a header is in all sources of the room.
+    local sources=("$place/core/$folder"/*.c)
+    case $2 in *.c) sources=("$place/core/$2") ;; esac
+    for source in "${sources[@]}"; do
         compile "$place/core" "$source" "$place/room/$(basename "$source").o" || return 1
     done
     $cxx "$object" "$place"/room/*.o "${link[@]}" -o "$place/test"

@@ -36,8 +36,8 @@ typedef struct play {
     test_random inner;  ///< of what contacts are answered with
     const play_shapes *shapes;
     bmr_world *world;
-    bool all_pass;  ///< every contact is answered with PASS, and nothing changes inside
-    bool no_stick;  ///< answers keep energy: elastic impulses alone
+    bool all_pass; ///< every contact is answered with PASS, and nothing changes inside
+    bmr_boundary boundary;
     double size;    ///< half the side of where bodies begin
     bmr_vec2 place; ///< .. and its middle
     size_t stalls;  ///< advances that ended with STALLED
@@ -151,9 +151,11 @@ static inline void play_add(play *p, test_random *random) {
     bmr_motion *motion = play_motion(p, random, bmr_world_time(p->world), play_place(p, random));
     bmr_body_def def = bmr_default_body_def(&p->shapes->shapes[shape], motion);
     if (test_random_below(random, 10) == 0)
-        def.mass = INFINITY;
+        def.mass = def.inertia = INFINITY;
     bmr_body body;
-    play_note(p, bmr_world_add(p->world, &def, &body));
+    const bmr_error error = bmr_world_add(p->world, &def, &body);
+    if (error != BMR_ERROR_OUT_OF_RANGE || p->boundary != BMR_PERIODIC) // too large for the box
+        play_note(p, error);
     bmr_motion_destroy(motion);
 }
 
@@ -232,8 +234,6 @@ static inline bmr_response play_answer(void *context, bmr_world *world, const bm
     if (p->all_pass)
         return response;
     response.kind = BMR_RESPONSE_IMPULSE;
-    if (p->no_stick)
-        return response;
     switch (test_random_below(&p->inner, 16)) {
     case 0:
     case 1:
@@ -274,7 +274,7 @@ static inline void play_begin(play *p, const play_shapes *shapes, uint64_t seed,
     static const char *const structures[] = {"free-fd2", "predict", "separating-edge"};
     if (bmr_kds_find(structures[test_random_below(&p->random, 3)], &def.structure) != BMR_OK)
         abort();
-    def.boundary = (bmr_boundary)test_random_below(&p->random, 3);
+    def.boundary = p->boundary = (bmr_boundary)test_random_below(&p->random, 3);
     const double reach = (def.boundary == BMR_PERIODIC ? 1.0 : 1.5) * p->size;
     def.low = bmr_vec2_make(p->place.x - reach, p->place.y - reach);
     def.high = bmr_vec2_make(p->place.x + reach, p->place.y + 1.4 * reach);
@@ -287,9 +287,6 @@ static inline void play_begin(play *p, const play_shapes *shapes, uint64_t seed,
     play_note(p, bmr_world_create(&def, 0.0, allocator, &p->world));
     for (size_t i = 0; i < bodies && p->world; i++)
         play_add(p, &p->random);
-    // A body may be too large for a periodic box.
-    if (p->error == BMR_ERROR_OUT_OF_RANGE && def.boundary == BMR_PERIODIC)
-        p->error = BMR_OK;
 }
 
 static inline bmr_error play_advance(play *p, double time) {

@@ -68,9 +68,10 @@ typedef enum bmr_response_kind {
     /// The contact is told and no more. The next one of this pair comes after it has been apart by the margin
     /// and the hysteresis.
     BMR_RESPONSE_PASS,
-    /// An impulse along the normal with the def's restitution, at the point that approaches fastest; at the
-    /// other end too, in turn, until neither approaches. Bodies that do not approach keep their motions. Both
-    /// go on in screw motions from where they are.
+    /// Impulses along the normal with this restitution, so that no point approaches any more: at the point,
+    /// or at both ends of a stretch at once, or in turn where one of them would have to pull. Bodies that do
+    /// not approach keep their motions. Both go on in screw motions from where they are. Two bodies that
+    /// nothing moves pass.
     BMR_RESPONSE_IMPULSE,
     /// Both go on with the velocity of their common centre of mass and without spin: momentum stays, energy
     /// and angular momentum go. (Two bodies that turn about a common centre are no screw motion of either.)

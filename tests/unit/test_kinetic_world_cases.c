@@ -1,0 +1,748 @@
+// SPDX-License-Identifier: MIT
+// Kinetic worlds, case by case: what is known beforehand of contacts and answers, of cells, of changes and of
+// memory.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "boomerang/world.h"
+#include "failing_allocator.h"
+#include "polygons.h"
+#include "test_scale.h"
+
+#define MARGIN 1e-6
+#define MOST 4096
+
+// ---- a stage ----
+
+typedef struct stage {
+    bmr_world *world;
+    bmr_world_def def;
+    bmr_response response;
+    size_t count;
+    bmr_contact contacts[MOST];
+    uint64_t events[BMR_WORLD_EVENT_KIND_COUNT];
+    bmr_body crossed[MOST]; ///< by CROSS events, in their order
+    void (*inside)(struct stage *stage, const bmr_contact *contact);
+} stage;
+
+static bmr_response tell(void *context, bmr_world *world, const bmr_contact *contact) {
+    stage *s = context;
+    (void)world;
+    if (s->count < MOST)
+        s->contacts[s->count] = *contact;
+    s->count++;
+    if (s->inside)
+        s->inside(s, contact);
+    return s->response;
+}
+
+static void observe(void *context, bmr_world *world, const bmr_world_event *event) {
+    stage *s = context;
+    (void)world;
+    if (event->kind == BMR_WORLD_CROSS && s->events[BMR_WORLD_CROSS] < MOST)
+        s->crossed[s->events[BMR_WORLD_CROSS]] = event->a;
+    s->events[event->kind]++;
+}
+
+static stage *make_stage(bmr_boundary boundary, double size) {
+    stage *s = calloc(1, sizeof *s);
+    assert_non_null(s);
+    s->def = bmr_default_world_def();
+    s->def.boundary = boundary;
+    s->def.low = bmr_vec2_make(-size, -size);
+    s->def.high = bmr_vec2_make(size, size);
+    s->def.contact = tell;
+    s->def.observer = observe;
+    s->def.context = s;
+    s->response.kind = BMR_RESPONSE_IMPULSE;
+    s->response.restitution = 1.0;
+    return s;
+}
+
+static void open_stage(stage *s) {
+    assert_int_equal(bmr_world_create(&s->def, 0.0, NULL, &s->world), BMR_OK);
+}
+
+static void close_stage(stage *s) {
+    bmr_world_destroy(s->world);
+    free(s);
+}
+
+static void advance(stage *s, double time) {
+    assert_int_equal(bmr_world_advance(s->world, time), BMR_OK);
+    assert_int_equal(bmr_world_audit(s->world), BMR_OK);
+}
+
+/// A box of half sides 1 at most, times `scale`.
+static bmr_polygon *box(double scale) {
+    const bmr_vec2 points[4] = {{-scale, -scale}, {scale, -scale}, {scale, scale}, {-scale, scale}};
+    bmr_polygon *polygon = NULL;
+    assert_int_equal(bmr_polygon_create(points, 4, NULL, &polygon), BMR_OK);
+    return polygon;
+}
+
+static bmr_motion_piece flight(double time, double x, double y, double vx, double vy, double spin) {
+    return bmr_piece_screw(time, bmr_pose_from_angle(bmr_vec2_make(x, y), 0.0), bmr_vec2_make(vx, vy), spin);
+}
+
+static bmr_body add_piece(stage *s, const bmr_polygon *polygon, bmr_motion_piece piece, double mass) {
+    bmr_motion *motion;
+    assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+    const bmr_shape shape = {.polygon = polygon};
+    bmr_body_def def = bmr_default_body_def(&shape, motion);
+    if (mass > 0.0)
+        def.mass = mass;
+    bmr_body body;
+    assert_int_equal(bmr_world_add(s->world, &def, &body), BMR_OK);
+    bmr_motion_destroy(motion);
+    return body;
+}
+
+static bmr_body_state state_of(const stage *s, bmr_body body) {
+    bmr_body_state state;
+    assert_int_equal(bmr_world_get(s->world, body, &state), BMR_OK);
+    return state;
+}
+
+static void assert_near(double value, double expected, double room) {
+    if (!(fabs(value - expected) <= room))
+        fail_msg("%.17g is not %.17g", value, expected);
+}
+
+// ---- contacts and answers ----
+
+static void equal_boxes_exchange_their_velocities(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    const bmr_body left = add_piece(s, b, flight(0.0, 0.0, 0.0, 1.0, 0.0, 0.0), 0.0);
+    const bmr_body right = add_piece(s, b, flight(0.0, 10.0, 0.5, -1.0, 0.0, 0.0), 0.0);
+    advance(s, 10.0);
+    assert_int_equal(s->count, 1);
+    const bmr_contact *c = &s->contacts[0];
+    assert_near(c->time, 4.0 - MARGIN / 2.0, 1e-11);
+    assert_int_equal(c->a, left);
+    assert_int_equal(c->b, right);
+    assert_near(c->normal.x, 1.0, 1e-12);
+    assert_near(c->distance, MARGIN, 1e-9);
+    // Two sides face each other from -0.5 to 1.
+    assert_int_equal(c->count, 2);
+    assert_near(fmin(c->points[0].y, c->points[1].y), -0.5, 1e-9);
+    assert_near(fmax(c->points[0].y, c->points[1].y), 1.0, 1e-9);
+    assert_near(c->approach[0], -2.0, 1e-12);
+    // Off the middle: they spin, and all that is conserved stays.
+    const bmr_world_totals totals = bmr_world_get_totals(s->world);
+    assert_near(totals.energy, 4.0, 1e-12);
+    assert_near(totals.momentum.x, 0.0, 1e-12);
+    assert_near(totals.angular, -4.0 * 0.5 * -1.0, 1e-10);
+    close_stage(s);
+
+    // Head on, they exchange velocities and do not spin.
+    s = make_stage(BMR_OPEN, 0.0);
+    open_stage(s);
+    add_piece(s, b, flight(0.0, 0.0, 0.0, 1.0, 0.25, 0.0), 0.0);
+    const bmr_body other = add_piece(s, b, flight(0.0, 10.0, 0.0, 0.0, 0.25, 0.0), 0.0);
+    advance(s, 20.0);
+    assert_int_equal(s->count, 1);
+    assert_near(state_of(s, other).velocity.x, 1.0, 1e-9);
+    assert_near(state_of(s, other).spin, 0.0, 1e-9);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+static void a_ball_in_a_box_is_reflected_by_its_walls(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_WALLED, 5.0);
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    const bmr_body ball = add_piece(s, b, flight(0.0, 0.0, 0.0, 1.0, 0.5, 0.0), 0.0);
+    advance(s, 100.0);
+    // The way is 8 wide, less two margins: one hit at 4, then every 8.
+    size_t hits[BMR_WALLS] = {0};
+    for (size_t i = 0; i < s->count; i++) {
+        assert_int_equal(s->contacts[i].a, ball);
+        assert_true(bmr_is_wall(s->contacts[i].b));
+        // It came apart in between, from this wall too: at the whole margin, and not again.
+        assert_near(s->contacts[i].distance, MARGIN, 1e-9);
+        assert_int_equal(s->contacts[i].again, 0);
+        hits[s->contacts[i].b - BMR_WALL(0)]++;
+    }
+    assert_int_equal(hits[0], 6);
+    assert_int_equal(hits[1], 7);
+    assert_int_equal(hits[2], 3);
+    assert_int_equal(hits[3], 3);
+    assert_near(fabs(state_of(s, ball).velocity.x), 1.0, 1e-12);
+    assert_near(fabs(state_of(s, ball).velocity.y), 0.5, 1e-12);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+static void a_box_that_is_passed_is_left(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    s->response.kind = BMR_RESPONSE_PASS;
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    const bmr_body moves = add_piece(s, b, flight(0.0, -5.0, 0.0, 1.0, 0.0, 0.3), 0.0);
+    add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    advance(s, 20.0);
+    assert_int_equal(s->count, 1);
+    assert_int_equal(s->events[BMR_WORLD_LEAVE], 1);
+    const bmr_motion_piece back =
+        bmr_piece_screw(20.0, state_of(s, moves).pose, bmr_vec2_make(-1.0, 0.0), 0.3);
+    assert_int_equal(bmr_world_set_piece(s->world, moves, &back), BMR_OK);
+    advance(s, 60.0);
+    assert_int_equal(s->count, 2); // and again on the way back
+    assert_int_equal(s->events[BMR_WORLD_LEAVE], 2);
+    // Put into each other, it is told, and that it was so.
+    add_piece(s, b, flight(60.0, 0.5, 0.2, 0.0, 0.0, 0.0), 0.0);
+    advance(s, 60.0);
+    assert_int_equal(s->count, 3);
+    assert_true(s->contacts[2].placed && s->contacts[2].distance == 0.0);
+    assert_false(s->contacts[1].placed);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+static void what_sticks_goes_on_together(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    s->response.kind = BMR_RESPONSE_STICK;
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    const bmr_body moves = add_piece(s, b, flight(0.0, -5.0, 0.0, 1.0, 0.0, 0.0), 3.0);
+    const bmr_body rests = add_piece(s, b, flight(0.0, 0.0, 0.5, 0.0, 0.0, 0.0), 1.0);
+    advance(s, 1000.0);
+    assert_int_equal(s->count, 1);
+    assert_near(state_of(s, moves).velocity.x, 0.75, 1e-15);
+    assert_near(state_of(s, rests).velocity.x, 0.75, 1e-15);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+/// Three in a row, the one in the middle never comes to rest: with a restitution below 7 - 4 sqrt 3 = 0.0718
+/// infinitely many contacts in finite time.
+static bmr_error collapse(double restitution, bmr_zeno_policy zeno, bmr_world_counts *counts) {
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    s->response.restitution = restitution;
+    s->def.zeno = zeno;
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    add_piece(s, b, flight(0.0, -5.0, 0.0, 1.0, 0.0, 0.0), 0.0);
+    add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    add_piece(s, b, flight(0.0, 5.0, 0.0, -1.0, 0.0, 0.0), 0.0);
+    const bmr_error error = bmr_world_advance(s->world, 100.0);
+    *counts = bmr_world_get_counts(s->world);
+    assert_int_equal(bmr_world_audit(s->world), BMR_OK);
+    if (error != BMR_OK) // the pair passes, and the world goes on
+        assert_int_not_equal(bmr_world_advance(s->world, 100.0), BMR_ERROR_OUT_OF_RANGE);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+    return error;
+}
+
+static void inelastic_collapse_is_an_error_or_the_policy(void **state) {
+    (void)state;
+    bmr_world_counts counts;
+    assert_int_equal(collapse(0.05, BMR_ZENO_ERROR, &counts), BMR_ERROR_STALLED);
+    assert_true(counts.events[BMR_WORLD_CONTACT] < 1000 && counts.softened == 0);
+    assert_int_equal(collapse(0.05, BMR_ZENO_ELASTIC, &counts), BMR_OK);
+    assert_true(counts.softened > 0);
+    // Control: above the bound nothing stalls.
+    assert_int_equal(collapse(0.5, BMR_ZENO_ERROR, &counts), BMR_OK);
+}
+
+/// A wall that comes nearer than anything can give way: contact after contact, each at half the distance.
+static void a_contact_that_no_answer_ends_is_an_error(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    s->response.kind = BMR_RESPONSE_MINE; // and nothing is done
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    add_piece(s, b, flight(0.0, -5.0, 0.0, 1.0, 0.0, 0.0), 0.0);
+    add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    assert_int_equal(bmr_world_advance(s->world, 10.0), BMR_ERROR_STALLED);
+    assert_true(s->count > 3 && s->count < 60);
+    for (size_t i = 0; i < s->count; i++) {
+        assert_int_equal(s->contacts[i].again, i);
+        assert_true(i == 0 || s->contacts[i].distance < 0.6 * s->contacts[i - 1].distance);
+    }
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+// ---- cells ----
+
+static void a_big_body_finds_the_small_ones_that_rest(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    s->response.kind = BMR_RESPONSE_PASS;
+    open_stage(s);
+    bmr_polygon *small = box(0.01), *big = box(10.0);
+    enum { SIDE = 20 };
+    for (int i = 0; i < SIDE * SIDE; i++)
+        add_piece(s, small, flight(0.0, 40.0 + 2.0 * (i % SIDE), 2.0 * (i / SIDE) - 20.0, 0.0, 0.0, 0.0),
+                  0.0);
+    advance(s, 1.0);
+    assert_int_equal(bmr_world_get_counts(s->world).levels, 1);
+    const bmr_body body = add_piece(s, big, flight(1.0, -200.0, 0.0, 10.0, 0.0, 0.0), 0.0);
+    assert_true(bmr_world_get_counts(s->world).levels > 5);
+    advance(s, 41.0);
+    // Those whose middle is less than 10.01 from its axis: from -10 to 10, eleven rows.
+    assert_int_equal(s->count, 11 * SIDE);
+    for (uint64_t i = 0; i < s->events[BMR_WORLD_CROSS]; i++)
+        assert_int_equal(s->crossed[i], body);
+    assert_true(s->events[BMR_WORLD_CROSS] > 3);
+    close_stage(s);
+    bmr_polygon_destroy(small, NULL);
+    bmr_polygon_destroy(big, NULL);
+}
+
+static void a_body_that_flies_away_needs_ever_fewer_cells_and_meets_what_is_there(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    open_stage(s);
+    bmr_polygon *b = box(0.01);
+    add_piece(s, b, flight(0.0, 0.0, 0.0, 1000.0, 0.0, 0.0), 0.0);
+    const bmr_body far = add_piece(s, b, flight(0.0, 1e6, 0.0, 0.0, 0.0, 0.0), 0.0);
+    const bmr_body farther = add_piece(s, b, flight(0.0, 1e9, 0.005, 0.0, 0.0, 0.0), 0.0);
+    advance(s, 0.5e3);
+    assert_int_equal(s->count, 0);
+    advance(s, 1e7);
+    assert_int_equal(s->count, 2);
+    assert_near(s->contacts[0].time, 1000.0 - 2e-5, 1e-7);
+    assert_int_equal(s->contacts[0].b, far);
+    assert_int_equal(s->contacts[1].b, farther);
+    assert_near(s->contacts[1].time, 1e6, 1e-3);
+    // A way of 1e9 through cells of 0.1 at first.
+    assert_true(s->events[BMR_WORLD_CROSS] < 400);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+/// Along a line of the grid, and trembling about it: the hysteresis keeps it from ringing.
+static void a_body_on_a_line_of_the_grid_does_not_ring(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_PERIODIC, 6.0);
+    open_stage(s);
+    bmr_polygon *b = box(0.5);
+    add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    const bmr_body body = add_piece(s, b, flight(0.0, -4.0, -4.0, 0.0, 0.0, 0.0), 0.0);
+    const bmr_body_state cell = state_of(s, body);
+    for (int i = 0; i < 1000; i++) {
+        const bmr_pose pose = state_of(s, body).pose;
+        const double to = cell.cell_low.x + (i % 2 ? 1e-3 : -1e-3);
+        const bmr_motion_piece piece =
+            bmr_piece_screw(i, pose, bmr_vec2_make(i == 0 ? 0.0 : to - pose.position.x, 0.0), 0.0);
+        assert_int_equal(bmr_world_set_piece(s->world, body, &piece), BMR_OK);
+        assert_int_equal(bmr_world_advance(s->world, i + 1.0), BMR_OK);
+    }
+    assert_true(s->events[BMR_WORLD_CROSS] <= 1);
+    assert_near(state_of(s, body).pose.position.x, cell.cell_low.x, 2e-3);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+static void count_strangers(void *context, const bmr_world_pair *pair) {
+    size_t *strangers = context;
+    *strangers += pair->watch == BMR_WATCH_STRUCTURE && !pair->neighbours;
+}
+
+/// Two bodies part slowly enough for their cells to be no neighbours before their disks have parted: the
+/// structure stays, as it does of all pairs.
+static void a_structure_outlives_its_neighbourhood(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    const double h = 2.5 * sqrt(2.0) + 32.0 * MARGIN; // a cell of the first body's level
+    const bmr_body left = add_piece(s, b, flight(0.0, 0.5 * h, 0.0, 0.55 * h, 0.0, 0.0), 0.0);
+    const bmr_body right = add_piece(s, b, flight(0.0, 1.3 * h, 0.0, 0.765 * h, 0.0, 0.0), 0.0);
+    // So that it has enough candidates to stay on its level.
+    add_piece(s, b, flight(0.0, 2.2 * h, 1.3 * h, 0.0, 0.0, 0.0), 0.0);
+    add_piece(s, b, flight(0.0, 2.2 * h, -1.3 * h, 0.0, 0.0, 0.0), 0.0);
+    advance(s, 0.99);
+    size_t strangers = 0;
+    bmr_world_each_pair(s->world, count_strangers, &strangers);
+    assert_int_equal(strangers, 0);
+    advance(s, 1.0);
+    bmr_world_each_pair(s->world, count_strangers, &strangers);
+    assert_int_equal(strangers, 1);
+    for (int i = 0; i < 2; i++) {
+        const bmr_body body = i == 0 ? left : right;
+        const bmr_motion_piece piece =
+            bmr_piece_screw(1.0, state_of(s, body).pose, bmr_vec2_make(i == 0 ? 0.0 : -1.0, 0.0), 0.0);
+        assert_int_equal(bmr_world_set_piece(s->world, body, &piece), BMR_OK);
+    }
+    advance(s, 4.0);
+    assert_int_equal(s->count, 1);
+    assert_int_equal(s->events[BMR_WORLD_NEAR], 1);
+    assert_int_equal(s->events[BMR_WORLD_PART], 0);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+static void one_fast_body_hits_every_one_in_its_way(void **state) {
+    (void)state;
+    for (int grid = 0; grid < 2; grid++) {
+        stage *s = make_stage(BMR_OPEN, 0.0);
+        s->response.kind = BMR_RESPONSE_PASS;
+        s->def.all_pairs = !grid;
+        open_stage(s);
+        bmr_polygon *b = box(0.1), *needle = box(1e-3);
+        for (int i = 0; i < 300; i++)
+            add_piece(s, b, flight(0.0, 3.0 * i, 0.05 * sin(i), 0.0, 0.0, 0.1 * i), 0.0);
+        add_piece(s, needle, flight(0.0, -5.0, 0.0, 1e8, 0.0, 50.0), 0.0);
+        advance(s, 1.0);
+        assert_int_equal(s->count, 300);
+        close_stage(s);
+        bmr_polygon_destroy(b, NULL);
+        bmr_polygon_destroy(needle, NULL);
+    }
+}
+
+/// Along a parabola, asked for long before: what is known to be empty is left out, and no target with it.
+static void a_thrown_body_hits_every_target_on_its_way(void **state) {
+    (void)state;
+    for (int grid = 0; grid < 2; grid++) {
+        stage *s = make_stage(BMR_OPEN, 0.0);
+        s->response.kind = BMR_RESPONSE_PASS;
+        s->def.all_pairs = !grid;
+        open_stage(s);
+        bmr_polygon *b = box(0.01);
+        enum { TARGETS = 20 };
+        for (int i = 1; i <= TARGETS; i++)
+            add_piece(s, b, flight(0.0, 5.0 * i, 0.02 * (5.0 * i - 50.0) * (5.0 * i - 50.0), 0.0, 0.0, 0.0),
+                      0.0);
+        bmr_motion_piece thrown;
+        memset(&thrown, 0, sizeof thrown);
+        thrown.kind = BMR_PIECE_ALGEBRAIC;
+        thrown.as.algebraic.degree = 2;
+        thrown.as.algebraic.x[1] = 1.0;
+        thrown.as.algebraic.y[0] = 50.0;
+        thrown.as.algebraic.y[1] = -2.0;
+        thrown.as.algebraic.y[2] = 0.02;
+        thrown.as.algebraic.a[0] = thrown.as.algebraic.start_c = 1.0;
+        add_piece(s, b, thrown, 0.0);
+        advance(s, 200.0);
+        assert_int_equal(s->count, TARGETS);
+        for (size_t i = 0; i < s->count; i++)
+            assert_near(s->contacts[i].time, 5.0 * (double)(i + 1), 0.03);
+        assert_true(bmr_world_get_counts(s->world).looks < 2000);
+        close_stage(s);
+        bmr_polygon_destroy(b, NULL);
+    }
+}
+
+// ---- changes ----
+
+static void a_change_of_plan_touches_one_body_only(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    open_stage(s);
+    bmr_polygon *b = box(0.5);
+    enum { SIDE = 30 };
+    bmr_body middle = BMR_NO_BODY;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        const bmr_body body =
+            add_piece(s, b, flight(0.0, 2.0 * (i % SIDE), 2.0 * (i / SIDE), 0.0, 0.0, 0.0), 0.0);
+        middle = i == SIDE * SIDE / 2 + SIDE / 2 ? body : middle;
+    }
+    const bmr_world_counts before = bmr_world_get_counts(s->world);
+    const bmr_motion_piece piece =
+        bmr_piece_screw(0.0, state_of(s, middle).pose, bmr_vec2_make(0.1, 0.0), 0.2);
+    assert_int_equal(bmr_world_set_piece(s->world, middle, &piece), BMR_OK);
+    const bmr_world_counts after = bmr_world_get_counts(s->world);
+    const size_t pairs = state_of(s, middle).pairs;
+    assert_in_range(pairs, 2, 30);
+    assert_int_equal(after.replanned - before.replanned, pairs + 1);
+    assert_in_range(after.disk_times - before.disk_times, 1, pairs + 1);
+    assert_int_equal(after.replans - before.replans, 1);
+    assert_int_equal(after.candidates, before.candidates);
+    // Control: of all pairs it touches all.
+    close_stage(s);
+    s = make_stage(BMR_OPEN, 0.0);
+    s->def.all_pairs = true;
+    open_stage(s);
+    for (int i = 0; i < 100; i++)
+        middle = add_piece(s, b, flight(0.0, 2.0 * i, 0.0, 0.0, 0.0, 0.0), 0.0);
+    const bmr_motion_piece other =
+        bmr_piece_screw(0.0, state_of(s, middle).pose, bmr_vec2_make(0.0, 0.1), 0.2);
+    assert_int_equal(bmr_world_set_piece(s->world, middle, &other), BMR_OK);
+    assert_int_equal(bmr_world_get_counts(s->world).replanned, 100);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+/// How the time is cut into advances changes no bit.
+static void how_far_a_call_advances_changes_nothing(void **state) {
+    (void)state;
+    bmr_polygon *b = box(0.5);
+    stage *runs[2];
+    for (int run = 0; run < 2; run++) {
+        stage *s = runs[run] = make_stage(BMR_WALLED, 8.0);
+        open_stage(s);
+        test_random random = {99};
+        for (int i = 0; i < 25; i++)
+            add_piece(s, b,
+                      flight(0.0, 3.0 * (i % 5) - 6.0, 3.0 * (i / 5) - 6.0,
+                             test_random_uniform(&random, -1.0, 1.0), test_random_uniform(&random, -1.0, 1.0),
+                             test_random_uniform(&random, -1.0, 1.0)),
+                      0.0);
+        for (int i = 1; i <= 200; i++)
+            if (run == 0 || i == 200)
+                assert_int_equal(bmr_world_advance(s->world, 0.1 * i), BMR_OK);
+    }
+    assert_true(runs[0]->count > 100);
+    assert_int_equal(runs[0]->count, runs[1]->count);
+    for (size_t i = 0; i < runs[0]->count; i++)
+        assert_memory_equal(&runs[0]->contacts[i].time, &runs[1]->contacts[i].time, sizeof(double));
+    close_stage(runs[0]);
+    close_stage(runs[1]);
+    bmr_polygon_destroy(b, NULL);
+}
+
+static void meddle(stage *s, const bmr_contact *contact) {
+    // The world may not be advanced or destroyed from inside.
+    assert_int_equal(bmr_world_advance(s->world, 1e3), BMR_ERROR_OUT_OF_RANGE);
+    bmr_world_destroy(s->world);
+    assert_int_equal(bmr_world_remove(s->world, contact->a), BMR_OK);
+    assert_int_equal(bmr_world_remove(s->world, contact->a), BMR_ERROR_OUT_OF_RANGE);
+}
+
+static void ids_are_never_those_of_another_body(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    s->inside = meddle;
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    const bmr_body first = add_piece(s, b, flight(0.0, 0.0, 0.0, 1.0, 0.0, 0.0), 0.0);
+    const bmr_body second = add_piece(s, b, flight(0.0, 10.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    advance(s, 20.0);
+    assert_int_equal(s->count, 1);
+    assert_int_equal(bmr_world_body_count(s->world), 1);
+    const bmr_body third = add_piece(s, b, flight(20.0, -10.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    assert_int_not_equal(third, first);
+    assert_int_equal(third & UINT32_MAX, first & UINT32_MAX); // its place is used again
+    bmr_body_state gone;
+    assert_int_equal(bmr_world_get(s->world, first, &gone), BMR_ERROR_OUT_OF_RANGE);
+    size_t place = 0;
+    assert_int_equal(bmr_world_next_body(s->world, &place), third);
+    assert_int_equal(bmr_world_next_body(s->world, &place), second);
+    assert_int_equal(bmr_world_next_body(s->world, &place), BMR_NO_BODY);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+// ---- memory ----
+
+static void memory_is_linear_and_given_back(void **state) {
+    (void)state;
+    bmr_polygon *b = box(0.5), *huge = box(300.0);
+    double each[2];
+    for (int i = 0; i < 2; i++) {
+        const int side = i == 0 ? 10 : 40;
+        test_heap heap;
+        test_heap_init(&heap, SIZE_MAX);
+        stage *s = make_stage(BMR_OPEN, 0.0);
+        assert_int_equal(bmr_world_create(&s->def, 0.0, &heap.allocator, &s->world), BMR_OK);
+        const size_t empty = heap.bytes;
+        assert_int_equal(bmr_world_get_counts(s->world).bytes, empty);
+        for (int k = 0; k < side * side; k++)
+            add_piece(s, b, flight(0.0, 2.0 * (k % side), 2.0 * (k / side), 0.0, 0.1 * (k % 3), 0.0), 0.0);
+        advance(s, 1.0);
+        const size_t full = heap.bytes;
+        assert_int_equal(bmr_world_get_counts(s->world).bytes, full);
+        each[i] = (double)(full - empty) / (side * side);
+        // A level far above comes and goes; its cells with it, after a while.
+        const bmr_body top = add_piece(s, huge, flight(1.0, 1e4, 0.0, 0.0, 0.0, 0.0), 0.0);
+        assert_int_equal(bmr_world_remove(s->world, top), BMR_OK);
+        for (int k = side * side - 1; k >= 0; k--)
+            assert_int_equal(bmr_world_remove(s->world, (bmr_body)k), BMR_OK);
+        // Tables keep a little.
+        assert_in_range(heap.bytes, empty, empty + 16 * 1024 + 96 * (size_t)(side * side));
+        assert_int_equal(heap.wrong_sizes, 0);
+        bmr_world_destroy(s->world);
+        assert_int_equal(heap.blocks, 0);
+        free(s);
+    }
+    assert_near(each[1] / each[0], 1.0, 0.3);
+    bmr_polygon_destroy(b, NULL);
+    bmr_polygon_destroy(huge, NULL);
+}
+
+/// Sixty bodies come, meet, jump and go; whatever has no memory is done again. Its contacts, hashed.
+static uint64_t lack_of_memory(size_t fail_at, size_t *asked, size_t *failures) {
+    test_heap heap;
+    test_heap_init(&heap, fail_at);
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    bmr_error error = bmr_world_create(&s->def, 0.0, &heap.allocator, &s->world);
+    if (error == BMR_ERROR_NO_MEMORY)
+        error = bmr_world_create(&s->def, 0.0, &heap.allocator, &s->world);
+    assert_int_equal(error, BMR_OK);
+    bmr_polygon *b = box(0.5), *big = box(3.0);
+    test_random random = {4};
+    for (int i = 0; i < 60; i++) {
+        const bmr_motion_piece piece =
+            flight(0.0, 2.0 * (i % 8), 2.0 * (i / 8), test_random_uniform(&random, -1.0, 1.0),
+                   test_random_uniform(&random, -1.0, 1.0), test_random_uniform(&random, -1.0, 1.0));
+        bmr_motion *motion;
+        assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+        const bmr_shape shape = {.polygon = i % 20 == 19 ? big : b};
+        const bmr_body_def def = bmr_default_body_def(&shape, motion);
+        bmr_body body = BMR_NO_BODY;
+        error = bmr_world_add(s->world, &def, &body);
+        if (error == BMR_ERROR_NO_MEMORY) {
+            ++*failures;
+            assert_true(body == BMR_NO_BODY);
+            error = bmr_world_add(s->world, &def, &body);
+        }
+        assert_int_equal(error, BMR_OK);
+        bmr_motion_destroy(motion);
+    }
+    for (int i = 0; i < 60; i++) {
+        error = bmr_world_advance(s->world, 0.05 * (i + 1));
+        if (error == BMR_ERROR_NO_MEMORY) {
+            ++*failures;
+            assert_int_equal(bmr_world_audit(s->world), BMR_OK);
+            error = bmr_world_advance(s->world, 0.05 * (i + 1));
+        }
+        assert_int_equal(error, BMR_OK);
+        const bmr_body body = (bmr_body)(59 - i);
+        const bmr_motion_piece away = flight(0.0, 100.0 + i, 0.0, 0.0, 0.1, 0.0);
+        error = i % 3 ? bmr_world_remove(s->world, body) : bmr_world_set_piece(s->world, body, &away);
+        if (error == BMR_ERROR_NO_MEMORY) {
+            ++*failures;
+            error = bmr_world_set_piece(s->world, body, &away);
+        }
+        assert_int_equal(error, BMR_OK);
+    }
+    uint64_t hash = s->count;
+    for (size_t i = 0; i < s->count; i++) {
+        uint64_t bits;
+        memcpy(&bits, &s->contacts[i].time, sizeof bits);
+        hash = (hash ^ bits) * UINT64_C(1099511628211);
+    }
+    *asked = heap.asked;
+    bmr_world_destroy(s->world);
+    assert_int_equal(heap.blocks, 0);
+    assert_int_equal(heap.wrong_sizes, 0);
+    bmr_polygon_destroy(b, NULL);
+    bmr_polygon_destroy(big, NULL);
+    free(s);
+    return hash;
+}
+
+static void every_allocation_may_fail_once(void **state) {
+    (void)state;
+    size_t asked = 0, failures = 0, ignored;
+    const uint64_t expected = lack_of_memory(SIZE_MAX, &asked, &failures);
+    assert_true(asked > 500 && failures == 0);
+    const size_t step = 1 + asked / test_scaled(300);
+    size_t tried = 0;
+    for (size_t i = 0; i < asked; i += step, tried++)
+        assert_true(lack_of_memory(i, &ignored, &failures) == expected);
+    // (A table that cannot be made smaller stays.)
+    assert_true(failures > tried / 2);
+}
+
+static void walls_work_with_every_structure(void **state) {
+    (void)state;
+    bmr_polygon *b = box(1.0);
+    bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT];
+    bmr_compass *compass;
+    assert_int_equal(bmr_compass_create(4, NULL, &compass), BMR_OK);
+    assert_int_equal(bmr_hierarchy_build_compass(b, compass, NULL, &hierarchies[BMR_HIERARCHY_COMPASS]),
+                     BMR_OK);
+    assert_int_equal(bmr_hierarchy_build_dudley(b, NULL, &hierarchies[BMR_HIERARCHY_DUDLEY]), BMR_OK);
+    assert_int_equal(
+        bmr_hierarchy_build_dobkin_kirkpatrick(b, NULL, &hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK]),
+        BMR_OK);
+    bmr_shape shape = {.polygon = b};
+    for (int k = 0; k < BMR_HIERARCHY_KIND_COUNT; k++)
+        shape.hierarchies[k] = hierarchies[k];
+    size_t tried = 0, refused = 0;
+    for (size_t i = 0; i < bmr_kds_count(); i++) {
+        stage *s = make_stage(BMR_WALLED, 6.0);
+        s->def.structure = bmr_kds_at(i);
+        if (s->def.structure->domain != BMR_KDS_RIGID) {
+            refused++;
+            assert_int_equal(bmr_world_create(&s->def, 0.0, NULL, &s->world), BMR_ERROR_OUT_OF_RANGE);
+            free(s);
+            continue;
+        }
+        tried++;
+        open_stage(s);
+        const bmr_motion_piece pieces[2] = {flight(0.0, -3.0, 0.3, 1.0, 0.4, 0.5),
+                                            flight(0.0, 3.0, 0.0, -1.0, 0.2, -0.7)};
+        for (int k = 0; k < 2; k++) {
+            bmr_motion *motion;
+            assert_int_equal(bmr_motion_create(&pieces[k], NULL, &motion), BMR_OK);
+            const bmr_body_def def = bmr_default_body_def(&shape, motion);
+            bmr_body body;
+            assert_int_equal(bmr_world_add(s->world, &def, &body), BMR_OK);
+            bmr_motion_destroy(motion);
+        }
+        advance(s, 12.0);
+        assert_true(s->count > 3);
+        close_stage(s);
+    }
+    assert_true(tried > 5 && refused > 5);
+    for (int k = 0; k < BMR_HIERARCHY_KIND_COUNT; k++)
+        bmr_hierarchy_destroy(hierarchies[k], NULL);
+    bmr_compass_destroy(compass, NULL);
+    bmr_polygon_destroy(b, NULL);
+}
+
+static void the_mass_of_a_polygon_is_that_of_its_parts(void **state) {
+    (void)state;
+    const bmr_vec2 points[4] = {{1e6, 2.0}, {1e6 + 3.0, 2.0}, {1e6 + 3.0, 4.0}, {1e6, 4.0}};
+    bmr_polygon *rectangle, *segment;
+    assert_int_equal(bmr_polygon_create(points, 4, NULL, &rectangle), BMR_OK);
+    assert_int_equal(bmr_polygon_create(points, 2, NULL, &segment), BMR_OK);
+    bmr_mass mass = {-7.0, {0.0, 0.0}, 0.0};
+    assert_int_equal(bmr_polygon_mass(segment, &mass), BMR_ERROR_OUT_OF_RANGE);
+    assert_true(mass.area == -7.0);
+    assert_int_equal(bmr_polygon_mass(NULL, &mass), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_polygon_mass(rectangle, &mass), BMR_OK);
+    assert_near(mass.area, 6.0, 1e-14);
+    assert_near(mass.centroid.x, 1e6 + 1.5, 1e-9);
+    assert_near(mass.centroid.y, 3.0, 1e-14);
+    assert_near(mass.inertia, 6.0 * (9.0 + 4.0) / 12.0, 1e-13);
+    bmr_polygon_destroy(rectangle, NULL);
+    bmr_polygon_destroy(segment, NULL);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(equal_boxes_exchange_their_velocities),
+        cmocka_unit_test(a_ball_in_a_box_is_reflected_by_its_walls),
+        cmocka_unit_test(a_box_that_is_passed_is_left),
+        cmocka_unit_test(what_sticks_goes_on_together),
+        cmocka_unit_test(inelastic_collapse_is_an_error_or_the_policy),
+        cmocka_unit_test(a_contact_that_no_answer_ends_is_an_error),
+        cmocka_unit_test(a_big_body_finds_the_small_ones_that_rest),
+        cmocka_unit_test(a_body_that_flies_away_needs_ever_fewer_cells_and_meets_what_is_there),
+        cmocka_unit_test(a_body_on_a_line_of_the_grid_does_not_ring),
+        cmocka_unit_test(a_structure_outlives_its_neighbourhood),
+        cmocka_unit_test(one_fast_body_hits_every_one_in_its_way),
+        cmocka_unit_test(a_thrown_body_hits_every_target_on_its_way),
+        cmocka_unit_test(a_change_of_plan_touches_one_body_only),
+        cmocka_unit_test(how_far_a_call_advances_changes_nothing),
+        cmocka_unit_test(ids_are_never_those_of_another_body),
+        cmocka_unit_test(memory_is_linear_and_given_back),
+        cmocka_unit_test(every_allocation_may_fail_once),
+        cmocka_unit_test(walls_work_with_every_structure),
+        cmocka_unit_test(the_mass_of_a_polygon_is_that_of_its_parts),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
