@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <stdexcept>
 
-#include <unistd.h>
+#include "temporary_file.h"
 
 namespace testbed {
 namespace {
@@ -21,30 +20,6 @@ constexpr int kMostSteps = 20000, kFewestSteps = 60;
 constexpr double kTimeStep = 1.0 / 60.0;
 /// Poses looked at to tell how long the way is.
 constexpr int kProbes = 4096;
-
-/// A file that goes away with its object.
-class TemporaryFile {
-public:
-    TemporaryFile() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "boomerang-XXXXXX").string();
-        const int descriptor = mkstemp(pattern.data());
-        if (descriptor < 0)
-            throw std::runtime_error("cannot make a temporary file in " +
-                                     std::filesystem::temp_directory_path().string());
-        close(descriptor);
-        m_path = pattern;
-    }
-    ~TemporaryFile() {
-        std::error_code ignored;
-        std::filesystem::remove(m_path, ignored);
-    }
-    TemporaryFile(const TemporaryFile &) = delete;
-    TemporaryFile &operator=(const TemporaryFile &) = delete;
-    const std::string &Path() const { return m_path; }
-
-private:
-    std::string m_path;
-};
 
 bmr_pose PoseOf(const Course &course, int body, double part) {
     return bmr_motion_pose(course.Motion(body), course.From() + part * (course.Until() - course.From()),

@@ -15,6 +15,7 @@
 #include "replay_command.h"
 #include "report_command.h"
 #include "shapes_command.h"
+#include "world_command.h"
 
 namespace testbed {
 namespace {
@@ -37,6 +38,7 @@ struct CommandLine {
     PlotCommand plot;
     ReportCommand report;
     ManualCommand manual;
+    WorldCommand world;
     bool noTime = false;
 };
 
@@ -191,6 +193,7 @@ int Answer(int argc, char **argv) {
     CLI::App *replay = AddReplay(app, line.replay);
     AddPluginOptions(*replay, line.replay.worker);
     AddSceneOptions(*replay, line.replay.worker);
+    const CLI::App *world = AddWorld(app, line.world);
     const CLI::App *plot = AddPlot(app, line);
     const CLI::App *report = AddReport(app, line.report);
     AddManual(app, line.manual);
@@ -218,6 +221,8 @@ int Answer(int argc, char **argv) {
         return Execute(line.plot);
     if (app.got_subcommand(report))
         return Execute(line.report, line.directory);
+    if (app.got_subcommand(world))
+        return Execute(line.world, line.directory);
     if (WantsManual(app))
         return Execute(line.manual, app, line.directory);
     const Workers workers(line.directory);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "recorded_run.h"
 
+#include <fstream>
 #include <optional>
+
+#include "commands.h"
 
 namespace testbed {
 
@@ -11,6 +14,7 @@ void RunRecorded(const Workers &workers, const RecordRequest &request,
     WorkerRequest work;
     work.side = request.side;
     work.scene = request.scene;
+    work.gas = request.gas;
     work.steps = request.last + 1;
     work.mode = request.calls ? "count" : "hash";
     work.extra = {"--record", std::to_string(request.first) + ":" + std::to_string(request.last) + ":" +
@@ -37,6 +41,27 @@ void RunRecorded(const Workers &workers, const RecordRequest &request,
         throw WorkerError(process->Describe());
     if (frames != (request.last - request.first) / request.every + 1)
         throw WorkerError(process->CommandLine() + ": ended after " + std::to_string(frames) + " frames");
+}
+
+void ReadRecorded(const std::string &path,
+                  const std::function<void(const recording::Head &, recording::Frame)> &onFrame) {
+    std::ifstream file(path);
+    std::string line;
+    const auto parsed = [&](auto parse) {
+        try {
+            return parse(line);
+        } catch (const std::runtime_error &error) {
+            throw UsageError(path + ": " + error.what());
+        }
+    };
+    if (!std::getline(file, line) || !recording::IsHead(line))
+        throw UsageError(path + " is no recording");
+    const recording::Head head = parsed(recording::ParseHead);
+    int64_t frames = 0;
+    for (; std::getline(file, line); ++frames)
+        onFrame(head, parsed(recording::ParseFrame));
+    if (head.every < 1 || frames != (head.last - head.first) / head.every + 1)
+        throw UsageError(path + " ends after " + std::to_string(frames) + " frames");
 }
 
 } // namespace testbed

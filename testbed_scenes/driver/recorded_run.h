@@ -13,6 +13,7 @@ namespace testbed {
 /// What to record.
 struct RecordRequest {
     std::string scene;
+    std::string gas; ///< a file that takes the scene's place
     Side side = Side::Plugin;
     int64_t first = 0, last = 0, every = 1;
     bool boxes = false; ///< with the boxes of the broad phase
@@ -25,6 +26,11 @@ struct RecordRequest {
 void RunRecorded(const Workers &workers, const RecordRequest &request,
                  const std::function<void(const recording::Head &, recording::Frame)> &onFrame,
                  const std::function<void()> &onTick = nullptr);
+
+/// Reads a recording from a file: each frame in order, with the head. Throws UsageError, which names the
+/// file, where it is none or ends too early; what onFrame throws ends it.
+void ReadRecorded(const std::string &path,
+                  const std::function<void(const recording::Head &, recording::Frame)> &onFrame);
 
 } // namespace testbed
 

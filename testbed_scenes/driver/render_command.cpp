@@ -36,6 +36,9 @@ constexpr char kHelp[] =
     "Examples:\n"
     "  boomerang-testbed render planks --step 150 -o planks.png\n"
     "  boomerang-testbed render planks --step 150 --focus 12 -o why.svg\n"
+    "  boomerang-testbed world gas --record gas.txt && boomerang-testbed render --recording gas.txt --step "
+    "90 --all "
+    "-o gas.png\n"
     "  boomerang-testbed render gears --frames 0:300:2 --all -o gears.png";
 
 /// Numbers between commas; empty if the text is anything else.
@@ -82,9 +85,9 @@ void ReadFocus(const std::string &text, PictureOptions *options) {
 Layers LayersOf(const RenderCommand &command) {
     const Layers &named = command.named;
     if (command.all)
-        return {true, true, true, true, true, true, true, true};
+        return {true, true, true, true, true, true, true, true, !command.recording.empty()};
     const bool any = named.certificates || named.slack || named.handedOver || named.contacts ||
-                     named.events || named.hulls || named.envelopes || named.boxes;
+                     named.events || named.hulls || named.envelopes || named.boxes || named.trails;
     return any || command.bare ? named : Layers();
 }
 
@@ -135,12 +138,71 @@ void CheckBodies(const PictureOptions &options, const recording::Frame &frame) {
     }
 }
 
+/// Draws those of the frames that come which are wanted.
+class Series {
+public:
+    Series(const RenderCommand &command, const PictureOptions &options, const RecordRequest &wanted)
+        : m_command(command), m_options(options), m_wanted(wanted) {}
+
+    void Add(const recording::Head &head, const recording::Frame &frame) {
+        m_gathered.Add(frame);
+        m_last = frame.step;
+        if (m_options.layers.trails)
+            AddTrails(frame);
+        if (frame.step < m_wanted.first || frame.step > m_wanted.last ||
+            (frame.step - m_wanted.first) % m_wanted.every != 0)
+            return;
+        CheckBodies(m_options, frame);
+        // A series holds still, or follows its bodies with a frame of one size.
+        const Rectangle region = RegionOf(frame, m_gathered, m_options);
+        if (!m_shape)
+            m_shape = region;
+        PictureOptions these = m_options;
+        const double x =
+            m_options.bodies.empty() ? m_shape->left : 0.5 * (region.left + region.right - m_shape->Width());
+        const double y = m_options.bodies.empty() ? m_shape->bottom
+                                                  : 0.5 * (region.bottom + region.top - m_shape->Height());
+        these.region = {x, y, x + m_shape->Width(), y + m_shape->Height()};
+        DrawPicture(head, frame, m_gathered, these,
+                    m_options.series ? NumberedPath(m_command.output, m_count) : m_command.output);
+        ++m_count;
+    }
+    /// Where the frames came from a file, which may have fewer than are wanted.
+    void CheckDone() const {
+        if (m_wanted.last > m_last)
+            throw UsageError("the last frame of " + m_wanted.scene + " is " + std::to_string(m_last) +
+                             ", not " + std::to_string(m_wanted.last));
+    }
+
+private:
+    void AddTrails(const recording::Frame &frame) {
+        constexpr size_t kPlaces = 60;
+        for (const recording::Body &body : frame.bodies) {
+            std::deque<bmr_vec2> &places = m_options.trails[body.number];
+            places.push_back(bmr_vec2_make(static_cast<double>(body.pose.position.x),
+                                           static_cast<double>(body.pose.position.y)));
+            if (places.size() > kPlaces)
+                places.pop_front();
+        }
+    }
+
+    const RenderCommand &m_command;
+    PictureOptions m_options;
+    const RecordRequest &m_wanted;
+    recording::Gathered m_gathered;
+    std::optional<Rectangle> m_shape;
+    int64_t m_count = 0, m_last = -1;
+};
+
 } // namespace
 
 CLI::App *AddRender(CLI::App &app, RenderCommand &command) {
     CLI::App *render =
         app.add_subcommand("render", "Draw a scene after a step, with what proves its bodies apart");
-    render->add_option("scene", command.scene, "A name that `list` shows")->required();
+    CLI::Option *scene = render->add_option("scene", command.scene, "A name that `list` shows");
+    render->add_option("--recording", command.recording, "Instead of a scene: what `world --record` wrote")
+        ->check(CLI::ExistingFile)
+        ->excludes(scene);
     CLI::Option *step = render->add_option("--step", command.step, "The step to draw; the first is 0")
                             ->check(CLI::Range(0, 100000000));
     CLI::Option *frames =
@@ -167,9 +229,12 @@ CLI::App *AddRender(CLI::App &app, RenderCommand &command) {
     render->add_flag("--handed-over", named.handedOver, "Layer: pairs that needed a manifold");
     render->add_flag("--contacts", named.contacts, "Layer: contact points and normals");
     render->add_flag("--events", named.events, "Layer: what happened to certificates in the step");
-    render->add_flag("--hulls", named.hulls, "Layer: hulls of bodies");
+    render->add_flag("--hulls", named.hulls, "Layer: hulls of bodies; of a kinetic world, their disks");
     render->add_flag("--envelopes", named.envelopes, "Layer: envelopes at the level of the proof");
-    render->add_flag("--aabbs", named.boxes, "Layer: boxes of the broad phase");
+    render->add_flag("--aabbs", named.boxes,
+                     "Layer: boxes of the broad phase; of a kinetic world, the cells of its bodies");
+    render->add_flag("--trails", named.trails,
+                     "Layer: where bodies were in the frames before (with --recording)");
     CLI::Option *all = render->add_flag("--all", command.all, "Every layer");
     render->add_flag("--bare", command.bare, "No layer: the bodies alone")->excludes(all);
     render->add_flag("--quiet", command.quiet, "No progress");
@@ -192,39 +257,32 @@ int Execute(const RenderCommand &command, const Workers &workers) {
     CheckOutput(command.output);
     RecordRequest request;
     ReadRange(command, &request);
-    const SceneInfo scene = FindScene(workers.List(), command.scene);
-    request.scene = scene.name;
-    request.side = command.plugin ? Side::Plugin : StockFor(scene);
-    request.boxes = options.layers.boxes;
-    request.worker = command.worker;
+    if (!command.recording.empty())
+        request.scene = command.recording;
+    else if (command.scene.empty())
+        throw UsageError("a scene is wanted, or --recording FILE");
+    else
+        request.scene = FindScene(workers.List(), command.scene).name;
+    if (options.layers.trails && command.recording.empty())
+        throw UsageError("--trails: with --recording alone");
 
     Progress progress(1, command.quiet);
     progress.Show(request.scene, 0.0);
-    recording::Gathered gathered;
-    int64_t count = 0;
-    std::optional<Rectangle> shape;
-    RunRecorded(
-        workers, request,
-        [&](const recording::Head &head, const recording::Frame &frame) {
-            gathered.Add(frame);
-            CheckBodies(options, frame);
-            // A series holds still, or follows its bodies with a frame of one size.
-            const Rectangle region = RegionOf(frame, gathered, options);
-            if (!shape)
-                shape = region;
-            PictureOptions these = options;
-            const double x =
-                options.bodies.empty() ? shape->left : 0.5 * (region.left + region.right - shape->Width());
-            const double y =
-                options.bodies.empty() ? shape->bottom : 0.5 * (region.bottom + region.top - shape->Height());
-            these.region = {x, y, x + shape->Width(), y + shape->Height()};
-            DrawPicture(head, frame, gathered, these,
-                        options.series ? NumberedPath(command.output, count) : command.output);
-            ++count;
-            progress.Show(request.scene, static_cast<double>(frame.step) /
-                                             static_cast<double>(std::max<int64_t>(request.last, 1)));
-        },
-        [&progress] { progress.Tick(); });
+    Series series(command, options, request);
+    const auto onFrame = [&](const recording::Head &head, const recording::Frame &frame) {
+        series.Add(head, frame);
+        progress.Show(request.scene, static_cast<double>(frame.step) /
+                                         static_cast<double>(std::max<int64_t>(request.last, 1)));
+    };
+    if (!command.recording.empty()) {
+        ReadRecorded(command.recording, onFrame);
+        series.CheckDone();
+    } else {
+        request.side = command.plugin ? Side::Plugin : StockFor(FindScene(workers.List(), command.scene));
+        request.boxes = options.layers.boxes;
+        request.worker = command.worker;
+        RunRecorded(workers, request, onFrame, [&progress] { progress.Tick(); });
+    }
     progress.Clear();
     return kExitOk;
 }

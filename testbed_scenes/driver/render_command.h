@@ -17,6 +17,7 @@ namespace testbed {
 
 struct RenderCommand {
     std::string scene;
+    std::string recording; ///< a file instead of a scene
     std::optional<int64_t> step;
     std::string frames; ///< FIRST:LAST[:EVERY] instead of a step
     bool plugin = true;
@@ -25,7 +26,7 @@ struct RenderCommand {
     int width = 1200;
     bool quiet = false;
     /// What to draw: none named means what Layers has by itself.
-    Layers named = {false, false, false, false, false, false, false, false};
+    Layers named = {false, false, false, false, false, false, false, false, false};
     bool all = false, bare = false;
     WorkerOptions worker;
 };

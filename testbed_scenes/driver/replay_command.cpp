@@ -59,6 +59,33 @@ replay::Collector Record(const RecordRequest &plugin, Side stockSide, const Work
     return collector;
 }
 
+/// The page of a recording that is here already, of one run.
+int ReplayRecording(const ReplayCommand &command, OutputFile *file) {
+    replay::Collector collector;
+    recording::Head head;
+    ReadRecorded(command.recording, [&](const recording::Head &its, const recording::Frame &frame) {
+        head = its;
+        collector.AddPlugin(frame);
+    });
+    replay::Replay replay = collector.Finish();
+    replay.pluginCalls.clear();
+    replay.about = {{"scene", head.scene},
+                    {"description", "a kinetic world, every event at its own time"},
+                    {"structure", head.structure},
+                    {"size", head.size},
+                    {"seed", head.seed},
+                    {"world", true},
+                    {"period", {head.period.x, head.period.y}},
+                    {"timeStep", static_cast<double>(head.time_step)}};
+    const std::string page = replay::PageOf(replay);
+    file->Stream() << page;
+    file->Close();
+    if (!command.quiet)
+        std::cout << command.output << ": " << head.scene << ", " << replay.stepCount << " frames, "
+                  << replay.bodies.size() << " bodies, " << Megabytes(page.size()) << '\n';
+    return kExitOk;
+}
+
 nlohmann::json About(const SceneInfo &scene, const recording::Head &head) {
     return {{"scene", scene.name},
             {"description", scene.description},
@@ -76,9 +103,14 @@ CLI::App *AddReplay(CLI::App &app, ReplayCommand &command) {
     CLI::App *replay = app.add_subcommand(
         "replay",
         "Write a page that plays a scene: what is proved, what happens to each pair, what stock does");
-    replay->add_option("scene", command.scene, "A name that `list` shows")->required();
-    replay->add_option("--steps", command.steps, "Steps to play (default: the scene's own)")
-        ->check(CLI::Range(static_cast<int64_t>(1), kMostSteps));
+    CLI::Option *scene = replay->add_option("scene", command.scene, "A name that `list` shows");
+    CLI::Option *steps =
+        replay->add_option("--steps", command.steps, "Steps to play (default: the scene's own)")
+            ->check(CLI::Range(static_cast<int64_t>(1), kMostSteps));
+    replay->add_option("--recording", command.recording, "Instead of a scene: what `world --record` wrote")
+        ->check(CLI::ExistingFile)
+        ->excludes(scene)
+        ->excludes(steps);
     replay->add_option("-o,--output", command.output, "The page: .html")->required();
     replay->add_flag("--quiet", command.quiet, "Say nothing but what is wrong");
     replay->footer(kNotes);
@@ -86,6 +118,12 @@ CLI::App *AddReplay(CLI::App &app, ReplayCommand &command) {
 }
 
 int Execute(const ReplayCommand &command, const Workers &workers) {
+    if (!command.recording.empty()) {
+        OutputFile file(command.output);
+        return ReplayRecording(command, &file);
+    }
+    if (command.scene.empty())
+        throw UsageError("a scene is wanted, or --recording FILE");
     const SceneInfo scene = FindScene(workers.List(), command.scene);
     OutputFile file(command.output);
     if (!workers.CanCount() && !command.quiet)

@@ -16,6 +16,7 @@ namespace testbed {
 
 struct ReplayCommand {
     std::string scene;
+    std::string recording; ///< a file instead of a scene
     std::optional<int64_t> steps;
     std::string output;
     bool quiet = false;

@@ -137,6 +137,18 @@ void DrawBoxes(Canvas &canvas, const WorldView &world, double unit) {
     }
 }
 
+void DrawTrails(Canvas &canvas, const std::map<int, std::deque<bmr_vec2>> &trails, double longest,
+                double unit) {
+    for (const auto &[body, places] : trails)
+        for (std::size_t i = 1; i < places.size(); ++i) {
+            const bmr_vec2 step = bmr_sub(places[i], places[i - 1]);
+            if (std::hypot(step.x, step.y) > longest)
+                continue;
+            const double age = static_cast<double>(i) / static_cast<double>(places.size());
+            canvas.Segment(places[i - 1], places[i], {style::kTrail, 1.3 * unit, age, {}});
+        }
+}
+
 void DrawContacts(Canvas &canvas, const WorldView &world, double unit) {
     constexpr double kShortest = 4.0, kLongest = 16.0;
     float most = 0.0f;

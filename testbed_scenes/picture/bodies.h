@@ -2,7 +2,9 @@
 #ifndef BOOMERANG_TESTBED_PICTURE_BODIES_H
 #define BOOMERANG_TESTBED_PICTURE_BODIES_H
 
+#include <deque>
 #include <functional>
+#include <map>
 #include <string>
 
 #include "picture/world_view.h"
@@ -20,6 +22,10 @@ Colour ColourOfState(const std::string &state);
 void DrawBodies(Canvas &canvas, const WorldView &world, double unit, const std::function<bool(int)> &isDim);
 void DrawJoints(Canvas &canvas, const WorldView &world, double unit);
 /// The boxes of the broad phase.
+/// Lines through the places of each body, older ones fainter. A step longer than `longest` (a periodic box
+/// has taken the body to its other side) is left out.
+void DrawTrails(Canvas &canvas, const std::map<int, std::deque<bmr_vec2>> &trails, double longest,
+                double unit);
 void DrawBoxes(Canvas &canvas, const WorldView &world, double unit);
 /// Points of contact, and the normal, longer for a larger impulse.
 void DrawContacts(Canvas &canvas, const WorldView &world, double unit);

@@ -24,8 +24,8 @@ std::string Counted(std::size_t count, const char *one, const char *many) {
 } // namespace
 
 Legend::Legend(Canvas &canvas, const WorldView &world, const PictureOptions &options, std::string title,
-               double width, double unit)
-    : m_canvas(canvas), m_options(options), m_unit(unit), m_title(std::move(title)) {
+               bool kinetic, double width, double unit)
+    : m_canvas(canvas), m_options(options), m_kinetic(kinetic), m_unit(unit), m_title(std::move(title)) {
     AddBodies(world);
     AddProofs(world);
     AddOthers(world);
@@ -70,7 +70,7 @@ void Legend::AddBodies(const WorldView &world) {
 }
 
 void Legend::AddScale() {
-    Add("slack, m", kScale, [this](bmr_vec2 left) {
+    Add(m_kinetic ? "slack" : "slack, m", kScale, [this](bmr_vec2 left) {
         constexpr int kSteps = 64;
         const double width = kScale * m_unit, bar = 5.0 * m_unit;
         for (int i = 0; i < kSteps; ++i) {
@@ -131,7 +131,8 @@ void Legend::AddProofs(const WorldView &world) {
     if (m_options.layers.slack && (!kinds.empty() || all))
         AddScale();
     if (m_options.layers.hulls)
-        AddLine("hull", {style::kHull, 1.2 * m_unit, 0.9, {6.0 * m_unit, 3.0 * m_unit}});
+        AddLine(m_kinetic ? "disk of a body" : "hull",
+                {style::kHull, 1.2 * m_unit, 0.9, {6.0 * m_unit, 3.0 * m_unit}});
     if (m_options.layers.envelopes)
         AddLine("envelope at the proof's level",
                 {style::kEnvelope, 1.6 * m_unit, 1.0, {1.5 * m_unit, 3.5 * m_unit}});
@@ -140,11 +141,12 @@ void Legend::AddProofs(const WorldView &world) {
 void Legend::AddOthers(const WorldView &world) {
     std::size_t handedOver = 0, points = 0;
     for (const recording::Pair &pair : world.Frame().pairs)
-        handedOver += pair.handed_over > 0 && pair.contacts > 0 && IsInFocus(m_options, pair) ? 1 : 0;
+        handedOver +=
+            !m_kinetic && pair.handed_over > 0 && pair.contacts > 0 && IsInFocus(m_options, pair) ? 1 : 0;
     for (const recording::Contact &contact : world.Frame().touching)
         points += contact.points.size();
     const bool all = m_options.series;
-    if (m_options.layers.handedOver && (handedOver != 0 || all))
+    if (m_options.layers.handedOver && (handedOver != 0 || (all && !m_kinetic)))
         Add(all ? "needed a manifold" : "needed a manifold: " + Counted(handedOver, "pair", "pairs"), 11.0,
             [this](bmr_vec2 left) {
                 const double half = 5.0 * m_unit;
@@ -157,7 +159,7 @@ void Legend::AddOthers(const WorldView &world) {
     const std::map<std::string, std::size_t> kinds = EventsInFocus(world, m_options);
     if (!all) {
         events = "in this step:";
-        for (const char *kind : {"start", "push", "stab", "roll", "coarsen", "contact", "leave"})
+        for (const char *kind : {"start", "push", "stab", "roll", "coarsen", "contact", "leave", "part"})
             if (const auto found = kinds.find(kind); found != kinds.end())
                 events += (events.back() == ':' ? " " : ", ") + std::to_string(found->second) + " " + kind;
     }
@@ -175,7 +177,10 @@ void Legend::AddOthers(const WorldView &world) {
                 m_canvas.Dot(at, 2.2 * m_unit, style::kContact);
             });
     if (m_options.layers.boxes)
-        AddLine("box of the broad phase", {style::kBox, 1.0 * m_unit, 0.9, {1.0 * m_unit, 3.0 * m_unit}});
+        AddLine(m_kinetic ? "cell of a body" : "box of the broad phase",
+                {style::kBox, 1.0 * m_unit, 0.9, {1.0 * m_unit, 3.0 * m_unit}});
+    if (m_options.layers.trails)
+        AddLine("trail", {style::kTrail, 1.3 * m_unit, 0.9, {}});
     if (!world.Frame().joints.empty())
         AddLine("joint", {style::kJoint, 1.4 * m_unit, 1.0, {}});
 }

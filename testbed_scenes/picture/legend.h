@@ -15,9 +15,9 @@ namespace testbed {
 class Legend {
 public:
     /// Lays the entries out in rows of this width (of the page). With `options.series` those of all that may
-    /// come are there.
+    /// come are there. `kinetic`: of a kinetic world, in whose words it is then.
     Legend(Canvas &canvas, const WorldView &world, const PictureOptions &options, std::string title,
-           double width, double unit);
+           bool kinetic, double width, double unit);
 
     double Height() const;
     /// Its upper left corner at `top`, on the page.
@@ -42,6 +42,7 @@ private:
 
     Canvas &m_canvas;
     const PictureOptions &m_options;
+    const bool m_kinetic;
     const double m_unit;
     const std::string m_title;
     std::vector<Entry> m_entries;

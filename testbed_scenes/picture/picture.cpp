@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "picture/bodies.h"
 #include "picture/labels.h"
@@ -23,6 +24,12 @@ constexpr double kLeastUnit = 0.7;
 
 std::string TitleOf(const recording::Head &head, const recording::Frame &frame) {
     const std::string title = head.scene + ", step " + std::to_string(frame.step);
+    if (head.program == "world") {
+        char time[32];
+        std::snprintf(time, sizeof time, "%.4g",
+                      static_cast<double>(frame.step) * static_cast<double>(head.time_step));
+        return head.scene + ", time " + time;
+    }
     if (head.program == "off")
         return title + ", plugin off";
     return head.program == "stock" ? title + ", stock Box2D" : title;
@@ -41,8 +48,8 @@ std::string SlackText(const Explained &one) {
 class Page {
 public:
     Page(const recording::Head &head, const WorldView &world, const PictureOptions &options)
-        : m_world(world), m_options(options), m_title(TitleOf(head, world.Frame())), m_width(options.width),
-          m_unit(std::max(options.width / 1200.0, kLeastUnit)) {}
+        : m_head(head), m_world(world), m_options(options), m_title(TitleOf(head, world.Frame())),
+          m_width(options.width), m_unit(std::max(options.width / 1200.0, kLeastUnit)) {}
 
     void Draw(const std::string &path) {
         const Rectangle region = RegionOf(m_world.Frame(), m_world.Gathered(), m_options);
@@ -53,7 +60,8 @@ public:
             // How high the legend is, and with it the page, a canvas must tell that knows the font. (A PNG
             // that is not written is no file.)
             Canvas measure("legend.png", 1.0, 1.0);
-            strip = Legend(measure, m_world, m_options, m_title, m_width, m_unit).Height();
+            strip = Legend(measure, m_world, m_options, m_title, m_head.program == "world", m_width, m_unit)
+                        .Height();
         }
         Explanation explanation = Explain(m_world, m_options, region, kMostExplained);
         m_explained = std::move(explanation.pairs);
@@ -73,7 +81,8 @@ public:
         DrawLabels(canvas, area, bar, names);
         if (list > 0.0)
             DrawList(canvas, {wide, strip, m_width, strip + high});
-        Legend(canvas, m_world, m_options, m_title, m_width, m_unit).Draw(bmr_vec2_make(0.0, strip));
+        Legend(canvas, m_world, m_options, m_title, m_head.program == "world", m_width, m_unit)
+            .Draw(bmr_vec2_make(0.0, strip));
         canvas.Write();
     }
 
@@ -98,6 +107,10 @@ private:
         DrawBodies(canvas, m_world, m_unit,
                    [this](int body) { return !m_options.bodies.empty() && !IsNamed(body); });
         DrawJoints(canvas, m_world, m_unit);
+        if (layers.trails)
+            DrawTrails(canvas, m_options.trails,
+                       m_head.period.x > 0.0f ? 0.5 * static_cast<double>(m_head.period.x) : HUGE_VAL,
+                       m_unit);
         if (layers.boxes)
             DrawBoxes(canvas, m_world, m_unit);
         DrawOutlines(canvas, m_world, m_options, m_unit);
@@ -215,6 +228,7 @@ private:
         return name;
     }
 
+    const recording::Head &m_head;
     const WorldView &m_world;
     const PictureOptions &m_options;
     const std::string m_title;

@@ -2,6 +2,8 @@
 #ifndef BOOMERANG_TESTBED_PICTURE_H
 #define BOOMERANG_TESTBED_PICTURE_H
 
+#include <deque>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +21,7 @@ struct Layers {
     bool contacts = true;     ///< points of the manifolds
     bool events = true;       ///< pairs to whose certificate something happened in the step
     bool hulls = false, envelopes = false, boxes = false;
+    bool trails = false; ///< where bodies were in the frames before
 };
 
 struct PictureOptions {
@@ -28,6 +31,8 @@ struct PictureOptions {
     /// None, or one body whose pairs are explained one by one, or two whose pair is.
     std::vector<int> bodies;
     int width = 1200;
+    /// Of the trails: where each body was, by its number, the latest last.
+    std::map<int, std::deque<bmr_vec2>> trails;
     /// One of a series: every picture has the same size, whatever there is to explain.
     bool series = false;
 };

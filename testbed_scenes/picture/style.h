@@ -27,6 +27,7 @@ constexpr Colour kEnvelope = {0.72, 0.6, 1.0};
 constexpr Colour kHandedOver = {1.0, 0.6, 0.15};
 constexpr Colour kEvent = {0.78, 1.0, 0.3};
 constexpr Colour kContact = {1.0, 0.35, 0.3};
+constexpr Colour kTrail = {0.95, 0.8, 0.45};
 constexpr Colour kText = {0.9, 0.9, 0.9};
 constexpr Colour kFaintText = {0.68, 0.68, 0.7};
 

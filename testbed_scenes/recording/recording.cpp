@@ -31,6 +31,7 @@ template <typename Visit> void Fields(const Head *, Visit visit) {
     visit("last", &Head::last);
     visit("every", &Head::every);
     visit("counts_calls", &Head::counts_calls);
+    visit("period", &Head::period);
 }
 
 template <typename Visit> void Fields(const Fixture *, Visit visit) {

@@ -47,15 +47,17 @@ Vec Rotate(const Pose &pose, const Vec &direction);
 struct Head {
     int version = 0; ///< kVersion; set by Print
     std::string scene;
-    std::string program;    ///< stock, plugin, or off: with the plugin told to be off
-    std::string structure;  ///< of the plugin: free-direction, lazy-compass, lazy-dudley
+    /// stock, plugin, or off: with the plugin told to be off; world: none of Box2D (worlds/record.h)
+    std::string program;
+    std::string structure;  ///< of the plugin: free-direction, lazy-compass, lazy-dudley; of a world: any
     bool prefilter = false; ///< the plugin asks remembered edges first
     int64_t size = 0;
     uint64_t seed = 0;
     float time_step = 0.0f;
     int64_t first = 0, last = 0, every = 1; ///< the steps with frames: first, first + every, ... <= last
     bool counts_calls =
-        false; ///< whether `calls` were counted (they are with the counting library preloaded)
+        false;  ///< whether `calls` were counted (they are with the counting library preloaded)
+    Vec period; ///< sides of a periodic box, whose bodies are taken back into it; else (0, 0)
 };
 
 /// A fixture as it was made. Sent when it first appears, and again when its shape or sensor flag changed.

@@ -11,10 +11,12 @@ void Require(bmr_error error, const std::string &what) {
         throw std::runtime_error(what + ": " + bmr_error_describe(error));
 }
 
-Body::Body(const std::vector<bmr_vec2> &points) {
+Body::Body(const std::vector<bmr_vec2> &points, Hierarchies hierarchies) {
     bmr_polygon *polygon = nullptr;
     Require(bmr_polygon_create(points.data(), points.size(), nullptr, &polygon), "the polygon");
     m_polygon.reset(polygon);
+    if (hierarchies == Hierarchies::None)
+        return;
     bmr_compass *compass = nullptr;
     Require(bmr_compass_create(polygon->count, nullptr, &compass), "the compass");
     m_compass.reset(compass);

@@ -15,11 +15,12 @@ namespace testbed {
 void Require(bmr_error error, const std::string &what);
 
 /// A convex polygon with all three hierarchies, and the chains of those two whose chains are searched: all
-/// that its pairs share.
+/// that its pairs share. Or with none of these.
 class Body {
 public:
+    enum class Hierarchies { All, None };
     /// The hull of the points. Throws std::runtime_error.
-    explicit Body(const std::vector<bmr_vec2> &points);
+    explicit Body(const std::vector<bmr_vec2> &points, Hierarchies hierarchies = Hierarchies::All);
 
     const bmr_polygon *Polygon() const { return m_polygon.get(); }
     const bmr_hierarchy *Hierarchy(bmr_hierarchy_kind kind) const { return m_hierarchies[kind].get(); }

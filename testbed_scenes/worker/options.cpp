@@ -43,10 +43,10 @@ std::string ListScenes() {
 }
 
 void CheckScene(const Options &options) {
-    if (options.listJson || !options.course.empty())
+    if (options.listJson || !options.course.empty() || !options.gas.empty())
         return;
     if (options.scene.empty())
-        throw CLI::RequiredError("a SCENE, --course or --list-json");
+        throw CLI::RequiredError("a SCENE, --course, --gas or --list-json");
     const SceneInfo *scene = FindScene(options.scene);
     if (scene == nullptr)
         throw CLI::ValidationError("there is no scene \"" + options.scene + "\"; did you mean \"" +
@@ -77,10 +77,16 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
     app.footer(ListScenes());
     app.add_flag("--list-json", options.listJson, "Print all scenes as JSON and exit");
     CLI::Option *scene = app.add_option("scene", options.scene, "The scene")->option_text("SCENE");
-    app.add_option("--course", options.course, "Instead of a scene: two bodies and their poses, from a file")
+    CLI::Option *course = app.add_option("--course", options.course,
+                                         "Instead of a scene: two bodies and their poses, from a file")
+                              ->option_text("FILE")
+                              ->check(CLI::ExistingFile.description(""))
+                              ->excludes(scene);
+    app.add_option("--gas", options.gas, "Instead of a scene: elastic bodies in a box, from a file")
         ->option_text("FILE")
         ->check(CLI::ExistingFile.description(""))
-        ->excludes(scene);
+        ->excludes(scene)
+        ->excludes(course);
     app.add_option(
            "--mode", options.mode,
            "hash: `step I BODIES CONTACTS EVENTS`, three hashes of the raw bits, after each step\n"

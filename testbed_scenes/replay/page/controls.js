@@ -10,6 +10,7 @@ const OVERLAYS = [
   { name: "boxes", text: "Boxes of the broad phase", on: false, sample: ["box", 1.2, "1 2"] },
   { name: "joints", text: "Joints", on: true, sample: ["joint", 1.6, ""] },
   { name: "numbers", text: "Body numbers", on: false, sample: ["ink", 0, "", "number"] },
+  { name: "trails", text: "Trails of two seconds", on: false, sample: ["trail", 1.4, ""] },
 ];
 
 const BODY_LINES = [["dynamic", ""], ["sleeping", "4 2"], ["static", ""], ["kinematic", "9 2 2 2"], ["sensor", "1 3"]];
@@ -20,6 +21,12 @@ const KEYS = [
   ["+ − 0", "zoom in, out, fit"], ["z", "zoom to the chosen pair"], ["Arrows", "move the view, when it has the focus"],
   ["p", "to the list of pairs; arrows and Enter choose"], ["Esc", "let the pair go"], ["?", "these keys"],
 ];
+
+// Of a kinetic world: there is no Box2D in it, and cells take the place of boxes.
+const WORLD_TEXTS = {
+  contacts: "Contacts since the frame before", certificates: "Certificates: lines, and disks (dashed)", boxes: "Cells of the bodies",
+  hulls: "Disks of the bodies", handed: null, envelopes: null, joints: null,
+};
 
 function svgSample([colour, width, dash, glyph]) {
   const stroke = "stroke=\"var(--" + colour + ")\"";
@@ -35,8 +42,10 @@ function buildSwitches(app) {
   const room = document.getElementById("switches");
   OVERLAYS.forEach((overlay, i) => {
     const label = document.createElement("label");
-    label.innerHTML = "<input type=checkbox>" + svgSample(overlay.sample) + "<span></span><kbd aria-hidden=true>" + (i + 1) + "</kbd>";
-    label.querySelector("span").textContent = overlay.text;
+    label.innerHTML = "<input type=checkbox>" + svgSample(overlay.sample) + "<span></span>" + (i < 9 ? "<kbd aria-hidden=true>" + (i + 1) + "</kbd>" : "");
+    const text = app.model.about.world && overlay.name in WORLD_TEXTS ? WORLD_TEXTS[overlay.name] : overlay.text;
+    label.querySelector("span").textContent = text;
+    label.hidden = text === null;
     const box = label.querySelector("input");
     box.id = "show-" + overlay.name;
     box.checked = app.options[overlay.name] = overlay.on;
@@ -48,7 +57,7 @@ function buildSwitches(app) {
 
 function buildLegend(app) {
   const entry = (sample, text) => "<span>" + svgSample(sample) + text + "</span>";
-  const bounds = app.view.slackBounds, parts = ["<p>Slack: certified distance, in metres</p>"];
+  const bounds = app.view.slackBounds, parts = ["<p>Slack: certified distance" + (app.model.about.world ? "" : ", in metres") + "</p>"];
   bounds.forEach((bound, i) => {
     const text = i + 1 < bounds.length ? "≤ " + lengthText(bound) : "more";
     parts.push(entry(["slack-" + i, SLACK_WIDTHS[i], ""], text));

@@ -16,6 +16,7 @@ class Figures {
     if (!this.hasStock) {
       note.textContent = "Calls were not counted in this run.";
       table.hidden = chart.hidden = true;
+      table.closest("details").hidden = model.about.world === true;
       return;
     }
     this.means = { stock: this.averages("stock"), plugin: this.averages("plugin") };

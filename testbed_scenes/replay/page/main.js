@@ -28,13 +28,15 @@ class App {
   nameIt(about) {
     document.title = about.scene + " – Boomerang replay";
     document.getElementById("title").textContent = about.scene;
-    const words = [about.description, this.model.stepCount + " steps", this.model.c["body.number"].length + " bodies",
+    const words = [about.description, this.model.stepCount + (about.world ? " frames" : " steps"), this.model.c["body.number"].length + " bodies",
       about.structure && "structure " + about.structure, about.prefilter && "prefilter " + about.prefilter];
     if (about.difference !== undefined) {
       const problem = document.getElementById("problem");
       problem.hidden = false;
       problem.textContent = "The runs with and without the plugin differ after step " + about.difference + ".";
     }
+    if (about.world)
+      for (const value of ["tests", "saved"]) document.querySelector("#pair-order option[value=" + value + "]").remove();
     if (this.model.stock === "off") {
       words.push("stock Box2D does not have these polygons: “off”, in its place, is the plugin told to be off (BOOMERANG=off)");
       for (const option of document.querySelectorAll("#pair-order option")) option.textContent = option.textContent.replace("in stock", "with it off");
@@ -76,7 +78,7 @@ class App {
     this.model.moveTo(this.step);
     let handed = 0;
     for (const pair of this.model.pairsHere) if (this.model.answerAt(this.model.rowOf(pair, this.step)) === HANDED_OVER) ++handed;
-    return "Step " + this.step + " of " + (this.model.stepCount - 1) + ": " + this.model.pairsHere.length + " pairs, " + handed + " handed to Box2D.";
+    return "Step " + this.step + " of " + (this.model.stepCount - 1) + ": " + this.model.pairsHere.length + " pairs" + (this.model.about.world ? "." : ", " + handed + " handed to Box2D.");
   }
 
   toggle() {

@@ -80,7 +80,7 @@ class Pairs {
     item.setAttribute("role", "option");
     item.setAttribute("aria-selected", group === this.chosen);
     const facts = document.createElement("span");
-    facts.textContent = group.events.length + " events, " + group.tests + " tests in " + this.model.stock;
+    facts.textContent = group.events.length + " events" + (this.model.about.world ? "" : ", " + group.tests + " tests in " + this.model.stock);
     item.append(group.a + " – " + group.b, facts);
     return item;
   }
@@ -136,20 +136,21 @@ class Pairs {
     const m = this.model, group = this.chosen, step = this.app.step;
     if (!group) return "Click a line between two bodies, or choose a pair in the list.";
     const pair = m.spanAt(group, step);
-    if (pair === undefined) return "No contact between them at this step: their boxes are apart.";
+    if (pair === undefined) return m.about.world ? "Nobody watches them at this step: their cells are no neighbours." : "No contact between them at this step: their boxes are apart.";
     const row = m.rowOf(pair, step), slack = m.slackAt(row), answer = m.answerAt(row);
+    if (m.about.world && answer === MANIFOLD) return "A contact since the frame before.";
     const words = [ANSWERS[answer][0].toUpperCase() + ANSWERS[answer].slice(1)];
     if (slack > 0) {
       const [from, until] = m.proofsAt(pair, step);
       const kinds = new Set();
       for (let i = from; i < until; ++i)
         kinds.add(PROOF_KINDS[m.c["proof.kind"][i]] + (m.c["proof.kind"][i] === 1 ? " of level " + m.c["proof.level"][i] : ""));
-      words.push("at least " + lengthText(slack) + " m apart" + (kinds.size ? " by " + [...kinds].join(", ") : ""));
+      words.push("at least " + lengthText(slack) + (m.about.world ? "" : " m") + " apart" + (kinds.size ? " by " + [...kinds].join(", ") : ""));
     } else if (m.isTouchingAt(row)) words.push("they touch");
     else if (slack === 0) words.push("nothing is proved");
     const tests = [[m.c["step.polygon"][row], "polygon test"], [m.c["step.toi"][row], "time of impact"], [m.c["step.overlap"][row], "overlap test"]]
       .filter(([count]) => count > 0).map(([count, name]) => count + " × " + name);
-    words.push(m.stock + ": " + (tests.join(", ") || "no test"));
+    if (!m.about.world) words.push(m.stock + ": " + (tests.join(", ") || "no test"));
     return words.join("; ") + ".";
   }
 

@@ -9,6 +9,7 @@ const EVENT_ROWS = [
   { kinds: ["start"], name: "start", glyph: "bar" },
   { kinds: ["contact"], name: "contact", glyph: "cross" },
   { kinds: ["leave"], name: "leave", glyph: "plus" },
+  { kinds: ["part"], name: "part", glyph: "bar" },
 ];
 const SLACK_HEIGHT = 48, ROW_HEIGHT = 14, LABELS = 84;
 
@@ -62,7 +63,7 @@ class Timeline {
       for (let row = this.model.stepStart[pair]; row < this.model.stepStart[pair + 1]; ++row)
         highest = Math.max(highest, this.model.c["step.slack"][row]);
     this.highest = Math.max(0.05, highest * this.model.about.quanta.slack);
-    this.canvas.style.height = SLACK_HEIGHT + 14 + (this.rows.length + 3) * ROW_HEIGHT + 18 + "px";
+    this.canvas.style.height = SLACK_HEIGHT + 14 + (this.rows.length + (this.model.about.world ? 0 : 3)) * ROW_HEIGHT + 18 + "px";
   }
 
   xOf(step) { return LABELS + (step / Math.max(1, this.model.stepCount - 1)) * (this.width - LABELS - 8); }
@@ -106,6 +107,7 @@ class Timeline {
       this.drawEvents(g, row, y + ROW_HEIGHT / 2);
       y += ROW_HEIGHT;
     }
+    if (this.model.about.world) { this.drawAxis(g, y); return; }
     label("call of Box2D", y);
     this.drawStrip(g, y, colour.handed, (row) => (this.model.answerAt(row) === HANDED_OVER ? 1 : 0));
     y += ROW_HEIGHT;
@@ -184,6 +186,6 @@ class Timeline {
     for (const event of this.events) counts[event.kind] = (counts[event.kind] || 0) + 1;
     const words = Object.entries(counts).map(([kind, count]) => count + " " + kind).join(", ");
     return "Time line of bodies " + this.group.a + " and " + this.group.b + ": " + (words || "no events") +
-      "; " + (this.model.stock === "off" ? "with the plugin off, Box2D" : "stock Box2D") + " tested the two " + this.group.tests + " times. The list of events below says the same.";
+      (this.model.about.world ? "" : "; " + (this.model.stock === "off" ? "with the plugin off, Box2D" : "stock Box2D") + " tested the two " + this.group.tests + " times") + ". The list of events below says the same.";
   }
 }

@@ -136,6 +136,7 @@ class View {
     g.lineJoin = "round";
     this.findSeen();
     if (shown.boxes) this.drawBoxes(step);
+    if (shown.trails) this.drawTrails(step);
     this.drawBodies();
     if (shown.hulls) this.drawProofOutlines("hull", this.colour.hull, [2, 3], m.pairsHere, step);
     if (shown.envelopes) this.drawProofOutlines("envelope", this.colour.envelope, [7, 3], m.pairsHere, step);
@@ -159,6 +160,22 @@ class View {
       const r = m.reach[body];
       this.seen[body] = m.present[body] && m.x[body] + r >= left && m.x[body] - r <= right && m.y[body] + r >= bottom && m.y[body] - r <= top ? 1 : 0;
     }
+  }
+
+  // Where the bodies that are seen were in the last two seconds. In a periodic box a line ends where it leaves.
+  drawTrails(step) {
+    const m = this.model, c = m.c, list = [], longest = (m.about.period?.[0] || Infinity) / 2;
+    const frames = Math.max(1, Math.round(2 / m.about.timeStep));
+    for (let body = 0; body < m.bodyCount; ++body) {
+      if (!this.seen[body]) continue;
+      const now = m.poseStart[body] + step - c["body.first"][body];
+      for (let pose = Math.max(m.poseStart[body] + 1, now - frames); pose <= now; ++pose) {
+        const x = c["pose.x"][pose] * m.unit, y = c["pose.y"][pose] * m.unit;
+        const fromX = c["pose.x"][pose - 1] * m.unit, fromY = c["pose.y"][pose - 1] * m.unit;
+        if (Math.hypot(x - fromX, y - fromY) < longest) list.push(fromX, fromY, x, y);
+      }
+    }
+    this.strokeSegments(list, this.colour.trail, 1.4);
   }
 
   styleOf(body) {

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "world_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <optional>
+
+#include <unistd.h>
+
+#include "commands.h"
+#include "output_file.h"
+#include "progress.h"
+#include "table.h"
+#include "worlds/record.h"
+
+namespace testbed {
+namespace {
+
+/// A recording of more would be gigabytes.
+constexpr double kMostFrames = 20000.0;
+/// Of the progress line.
+constexpr int kUnits = 1000;
+
+std::string Scientific(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1e", number);
+    return text;
+}
+
+std::string General(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", number);
+    return text;
+}
+
+/// Frames of a recording after the first.
+int FramesOf(const WorldCommand &command, const WorldChoice &choice) {
+    return std::max(1, static_cast<int>(std::lround(choice.seconds * command.rate)));
+}
+
+void List() {
+    for (const WorldScene &scene : WorldScenes()) {
+        std::string line = "  " + scene.choice.scene;
+        line.resize(14, ' ');
+        std::cout << line << scene.description << " (" << scene.choice.bodies << " bodies, "
+                  << NameOf(scene.choice.boundary) << ", " << NameOf(scene.choice.response) << ")\n";
+    }
+}
+
+void PrintHead(const WorldFigures &figures) {
+    const WorldChoice &choice = figures.choice;
+    std::cout << choice.scene << ": " << choice.bodies << " polygons of " << choice.fewestVertices;
+    if (choice.mostVertices > choice.fewestVertices)
+        std::cout << " to " << choice.mostVertices;
+    std::cout << " vertices (" << choice.shape << "), sizes 1 : " << General(choice.sizes) << ", density "
+              << General(choice.density) << ", " << NameOf(choice.boundary) << ", " << NameOf(choice.response)
+              << "\n"
+              << choice.structure << ", seed " << choice.seed << ", " << General(choice.seconds)
+              << " units of time, side of the box " << General(figures.side)
+              << (choice.allPairs ? ", all pairs" : "") << "\n\n";
+}
+
+void PrintEvents(const WorldFigures &figures, bool colour) {
+    Table table;
+    table.AddColumn("", "events");
+    table.AddColumn("", "in all");
+    table.AddColumn("for each body", "and unit of time");
+    const auto add = [&](const std::string &name, uint64_t events, Style style) {
+        table.AddRow(
+            {{name, style}, {std::to_string(events), style}, {Fixed(figures.Rate(events), 3), style}});
+    };
+    for (int kind = 0; kind < BMR_WORLD_EVENT_KIND_COUNT; ++kind)
+        add(bmr_world_event_name(static_cast<bmr_world_event_kind>(kind)), figures.counts.events[kind],
+            Style::Plain);
+    add("all", figures.Events(), Style::Strong);
+    table.Print(std::cout, colour);
+}
+
+void PrintConservation(const WorldFigures &figures) {
+    std::cout << "conserved:  ";
+    if (figures.energy)
+        std::cout << "energy to " << Scientific(*figures.energy) << " of it";
+    else
+        std::cout << "not the energy (" << Fixed(100.0 * figures.energyLeft, 2) << " % are left)";
+    if (figures.momentum)
+        std::cout << ", momentum to " << Scientific(*figures.momentum);
+    if (figures.angular)
+        std::cout << ", angular momentum to " << Scientific(*figures.angular);
+    std::cout << '\n';
+}
+
+void Print(const WorldFigures &figures, bool colour) {
+    const bmr_world_counts &counts = figures.counts;
+    const auto bodies = static_cast<double>(figures.choice.bodies);
+    PrintHead(figures);
+    PrintEvents(figures, colour);
+    std::cout << "\nwatched:    " << counts.pairs << " pairs ("
+              << Fixed(static_cast<double>(counts.pairs) / bodies, 2) << " a body), of which " << counts.near
+              << " have a structure; " << counts.candidates
+              << " were made in all\ncells:      " << counts.cells << " on " << counts.levels
+              << (counts.levels == 1 ? " grid" : " grids") << "\nmemory:     " << counts.most_bytes
+              << " bytes at most (" << Fixed(static_cast<double>(counts.most_bytes) / bodies, 0)
+              << " a body)\ncomputed:   " << counts.disk_times << " times of disks and cells, "
+              << counts.failure_times << " of structures' conditions, " << counts.looks
+              << " searches that went on later\nclock:      " << Fixed(figures.clock, 3) << " s, "
+              << Fixed(figures.MicrosecondsAnEvent(), 2) << " microseconds an event\n";
+    if (counts.softened > 0)
+        std::cout << "softened:   " << counts.softened << " of " << counts.impulses
+                  << " impulses, made elastic for slowness\n";
+    PrintConservation(figures);
+    if (figures.check)
+        std::cout << "check:      " << figures.check->pairs << " pairs of disks meet, "
+                  << figures.check->overlaps << " of them overlap by more than "
+                  << Scientific(kOverlapTolerance) << " (deepest: " << Scientific(figures.check->deepest)
+                  << ")\n";
+    if (figures.audits > 0)
+        std::cout << "audits:     " << figures.audits << " passed\n";
+}
+
+WorldFigures RunOne(const WorldCommand &command, const WorldSetup &setup) {
+    Progress progress(kUnits, command.quiet);
+    MeasureOptions options;
+    options.check = command.check;
+    options.audit = command.audit;
+    OutputFile file(command.record);
+    std::optional<WorldRecorder> recorder;
+    if (file.IsWanted()) {
+        options.slices = FramesOf(command, setup.choice);
+        recorder.emplace(setup, options.slices);
+        options.onContact = [&](const bmr_contact &contact) { recorder->Add(contact); };
+        options.onEvent = [&](const bmr_world_event &event) { recorder->Add(event); };
+        file.Stream() << recording::Print(recorder->Head()) << '\n';
+    }
+    options.onSlice = [&](const WorldRun &run, double part) {
+        if (recorder)
+            file.Stream() << recording::Print(recorder->Take(run)) << '\n';
+        progress.FinishUpTo(static_cast<int>(kUnits * part));
+        progress.Show(setup.choice.scene + ", time " + General(run.Time()), 0.0);
+    };
+    const WorldFigures figures = Measure(setup, options);
+    if (file.IsWanted())
+        file.Close();
+    return figures;
+}
+
+int Perform(const WorldCommand &command) {
+    OutputFile json(command.json), csv(command.csv);
+    std::vector<WorldFigures> runs;
+    if (!command.growth.empty()) {
+        runs = MeasureGrowth(command);
+    } else {
+        const WorldSetup setup = MakeWorld(ChoiceFor(command));
+        runs.push_back(RunOne(command, setup));
+        if (!command.quiet)
+            Print(runs.front(), WantsColour(STDOUT_FILENO));
+    }
+    if (csv.IsWanted()) {
+        WriteCsv(csv.Stream(), runs);
+        csv.Close();
+    }
+    if (json.IsWanted()) {
+        nlohmann::json list = nlohmann::json::array();
+        for (const WorldFigures &run : runs)
+            list.push_back(ToJson(run));
+        json.Stream() << list.dump(1) << '\n';
+        json.Close();
+    }
+    const bool overlap = std::any_of(runs.begin(), runs.end(), [](const WorldFigures &run) {
+        return run.check && run.check->overlaps > 0;
+    });
+    if (overlap)
+        std::cerr << "boomerang-testbed: bodies overlap\n";
+    return overlap ? kExitDifferent : kExitOk;
+}
+
+} // namespace
+
+int Execute(const WorldCommand &command, const std::string &directory) {
+    if (command.list) {
+        List();
+        return kExitOk;
+    }
+    const WorldChoice choice = ChoiceFor(command);
+    if (!command.record.empty()) {
+        if (!(command.rate > 0.0) || !(choice.seconds * command.rate < kMostFrames))
+            throw UsageError("--rate: it must be above 0, and the recording must have fewer than " +
+                             General(kMostFrames) + " frames");
+        OutputFile(command.record); // before the work: it must have a place
+    }
+    try {
+        if (!command.peers)
+            return Perform(command);
+        OutputFile json(command.json);
+        const nlohmann::json peers = MeasurePeers(command, Workers(directory));
+        if (json.IsWanted()) {
+            json.Stream() << peers.dump(1) << '\n';
+            json.Close();
+        }
+        return kExitOk;
+    } catch (const WorldChoiceError &error) {
+        throw UsageError(error.what());
+    }
+}
+
+} // namespace testbed

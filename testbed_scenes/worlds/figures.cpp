@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "worlds/figures.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace testbed {
+namespace {
+
+/// How often a run is audited.
+constexpr int kAudits = 4;
+
+uint64_t Sum(const bmr_world_counts &counts) {
+    uint64_t sum = 0;
+    for (const uint64_t events : counts.events)
+        sum += events;
+    return sum;
+}
+
+void SetDrifts(const WorldRun &run, const WorldSetup &setup, WorldFigures *figures) {
+    const WorldChoice &choice = setup.choice;
+    const bmr_world_totals from = run.TotalsAtStart(), to = run.Totals();
+    const bool planned = setup.planEvery > 0.0;
+    const bool elastic = choice.response.kind == BMR_RESPONSE_PASS ||
+                         (choice.response.kind == BMR_RESPONSE_IMPULSE && choice.response.restitution == 1.0);
+    if (from.energy > 0.0)
+        figures->energyLeft = to.energy / from.energy;
+    if (planned || !(from.energy > 0.0))
+        return;
+    if (elastic)
+        figures->energy = (to.energy - from.energy) / from.energy;
+    if (choice.boundary == BMR_WALLED)
+        return;
+    const bmr_vec2 change = bmr_sub(to.momentum, from.momentum);
+    figures->momentum = std::hypot(change.x, change.y) / run.MomentumScale();
+    if (choice.boundary == BMR_OPEN && choice.response.kind != BMR_RESPONSE_STICK)
+        figures->angular = (to.angular - from.angular) / (run.MomentumScale() * figures->side);
+}
+
+/// A number, or null.
+nlohmann::json Maybe(const std::optional<double> &number) {
+    return number ? nlohmann::json(*number) : nlohmann::json();
+}
+
+} // namespace
+
+uint64_t WorldFigures::Events() const {
+    return Sum(counts);
+}
+
+double WorldFigures::Rate(uint64_t events) const {
+    return static_cast<double>(events) / (static_cast<double>(choice.bodies) * choice.seconds);
+}
+
+double WorldFigures::MicrosecondsAnEvent() const {
+    return Events() > 0 ? 1e6 * clock / static_cast<double>(Events()) : 0.0;
+}
+
+WorldFigures Measure(const WorldSetup &setup, const MeasureOptions &options) {
+    using Clock = std::chrono::steady_clock;
+    WorldFigures figures;
+    figures.choice = setup.choice;
+    figures.side = setup.high.x - setup.low.x;
+    Clock::time_point start = Clock::now();
+    WorldRun run(setup, options.onContact, options.onEvent);
+    Clock::duration spent = Clock::now() - start;
+    if (options.onSlice)
+        options.onSlice(run, 0.0);
+    for (int slice = 1; slice <= options.slices; ++slice) {
+        const double part = static_cast<double>(slice) / options.slices;
+        start = Clock::now();
+        run.Advance(setup.choice.seconds * part);
+        spent += Clock::now() - start;
+        if (options.audit && slice * kAudits / options.slices > (slice - 1) * kAudits / options.slices) {
+            run.Audit();
+            ++figures.audits;
+        }
+        if (options.onSlice)
+            options.onSlice(run, part);
+    }
+    figures.clock = std::chrono::duration<double>(spent).count();
+    figures.counts = run.Counts();
+    SetDrifts(run, setup, &figures);
+    if (options.check)
+        figures.check = CheckOverlaps(run, setup);
+    return figures;
+}
+
+const char *NameOf(bmr_boundary boundary) {
+    return boundary == BMR_OPEN ? "open" : boundary == BMR_WALLED ? "walls" : "periodic";
+}
+
+std::string NameOf(const bmr_response &response) {
+    switch (response.kind) {
+    case BMR_RESPONSE_PASS:
+        return "pass";
+    case BMR_RESPONSE_STICK:
+        return "stick";
+    default:
+        break;
+    }
+    if (response.restitution == 1.0)
+        return "elastic";
+    char text[40];
+    std::snprintf(text, sizeof text, "restitution %.6g", response.restitution);
+    return text;
+}
+
+nlohmann::json ToJson(const WorldFigures &figures) {
+    const WorldChoice &choice = figures.choice;
+    const bmr_world_counts &counts = figures.counts;
+    nlohmann::json events, rates, structures;
+    for (int kind = 0; kind < BMR_WORLD_EVENT_KIND_COUNT; ++kind) {
+        const char *name = bmr_world_event_name(static_cast<bmr_world_event_kind>(kind));
+        events[name] = counts.events[kind];
+        rates[name] = figures.Rate(counts.events[kind]);
+    }
+    for (int kind = 0; kind < BMR_KDS_EVENT_KIND_COUNT; ++kind)
+        structures[bmr_kds_event_name(static_cast<bmr_kds_event_kind>(kind))] = counts.kds_events[kind];
+    nlohmann::json json = {{"scene", choice.scene},
+                           {"bodies", choice.bodies},
+                           {"shape", choice.shape},
+                           {"vertices", {choice.fewestVertices, choice.mostVertices}},
+                           {"sizes", choice.sizes},
+                           {"density", choice.density},
+                           {"speed", choice.speed},
+                           {"seconds", choice.seconds},
+                           {"structure", choice.structure},
+                           {"seed", choice.seed},
+                           {"boundary", NameOf(choice.boundary)},
+                           {"answer", NameOf(choice.response)},
+                           {"all_pairs", choice.allPairs},
+                           {"side", figures.side},
+                           {"events", events},
+                           {"events_all", figures.Events()},
+                           {"rates", rates},
+                           {"rate_all", figures.Rate(figures.Events())},
+                           {"structure_events", structures},
+                           {"impulses", counts.impulses},
+                           {"softened", counts.softened},
+                           {"looks", counts.looks},
+                           {"disk_times", counts.disk_times},
+                           {"failure_times", counts.failure_times},
+                           {"replanned", counts.replanned},
+                           {"candidates", counts.candidates},
+                           {"touched", counts.touched},
+                           {"pairs", counts.pairs},
+                           {"near", counts.near},
+                           {"passing", counts.passing},
+                           {"cells", counts.cells},
+                           {"levels", counts.levels},
+                           {"bytes", counts.bytes},
+                           {"most_bytes", counts.most_bytes},
+                           {"clock", figures.clock},
+                           {"microseconds_an_event", figures.MicrosecondsAnEvent()},
+                           {"energy_drift", Maybe(figures.energy)},
+                           {"momentum_drift", Maybe(figures.momentum)},
+                           {"angular_drift", Maybe(figures.angular)},
+                           {"energy_left", figures.energyLeft},
+                           {"audits", figures.audits}};
+    if (figures.check)
+        json["check"] = {{"pairs", figures.check->pairs},
+                         {"overlaps", figures.check->overlaps},
+                         {"deepest", figures.check->deepest}};
+    return json;
+}
+
+void WriteCsv(std::ostream &out, const std::vector<WorldFigures> &runs) {
+    out << "scene,bodies,seed,structure,all_pairs,seconds";
+    for (int kind = 0; kind < BMR_WORLD_EVENT_KIND_COUNT; ++kind)
+        out << ',' << bmr_world_event_name(static_cast<bmr_world_event_kind>(kind));
+    out << ",rate,pairs,near,most_bytes,clock,microseconds_an_event,energy_drift,momentum_drift\n";
+    const auto maybe = [&out](const std::optional<double> &number) {
+        out << ',';
+        if (number)
+            out << *number;
+    };
+    for (const WorldFigures &run : runs) {
+        const WorldChoice &choice = run.choice;
+        out << choice.scene << ',' << choice.bodies << ',' << choice.seed << ',' << choice.structure << ','
+            << (choice.allPairs ? 1 : 0) << ',' << choice.seconds;
+        for (const uint64_t events : run.counts.events)
+            out << ',' << events;
+        out << ',' << run.Rate(run.Events()) << ',' << run.counts.pairs << ',' << run.counts.near << ','
+            << run.counts.most_bytes << ',' << run.clock << ',' << run.MicrosecondsAnEvent();
+        maybe(run.energy);
+        maybe(run.momentum);
+        out << '\n';
+    }
+}
+
+} // namespace testbed

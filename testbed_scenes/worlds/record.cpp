@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#include "worlds/record.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "boomerang/distance.h"
+
+namespace testbed {
+namespace {
+
+using recording::Vec;
+
+Vec ToVec(bmr_vec2 v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y)};
+}
+
+/// The vertex of a body's polygon that is farthest in a direction of its frame.
+Vec Farthest(const bmr_polygon *polygon, bmr_vec2 direction) {
+    return ToVec(polygon->vertices[bmr_polygon_support(polygon, direction)]);
+}
+
+} // namespace
+
+WorldRecorder::WorldRecorder(const WorldSetup &setup, int64_t steps) : m_setup(setup), m_steps(steps) {}
+
+recording::Head WorldRecorder::Head() const {
+    recording::Head head;
+    head.scene = m_setup.choice.scene;
+    head.program = "world";
+    head.structure = m_setup.choice.structure;
+    head.size = static_cast<int64_t>(m_setup.bodies.size());
+    head.seed = m_setup.choice.seed;
+    head.time_step = static_cast<float>(m_setup.choice.seconds / static_cast<double>(m_steps));
+    head.last = m_steps;
+    if (m_setup.choice.boundary == BMR_PERIODIC)
+        head.period = ToVec(bmr_sub(m_setup.high, m_setup.low));
+    return head;
+}
+
+int WorldRecorder::NumberOf(bmr_body body) const {
+    return static_cast<int>(bmr_is_wall(body) ? m_setup.bodies.size() + (body - BMR_WALL(0)) : body);
+}
+
+bmr_vec2 WorldRecorder::Wrapped(bmr_vec2 position) const {
+    if (m_setup.choice.boundary != BMR_PERIODIC)
+        return bmr_vec2_make(0.0, 0.0);
+    const bmr_vec2 box = bmr_sub(m_setup.high, m_setup.low), at = bmr_sub(position, m_setup.low);
+    return bmr_vec2_make(box.x * std::floor(at.x / box.x), box.y * std::floor(at.y / box.y));
+}
+
+void WorldRecorder::Add(const bmr_contact &contact) {
+    recording::Contact record;
+    record.bodies = {NumberOf(contact.a), NumberOf(contact.b)};
+    record.normal = ToVec(contact.normal);
+    for (size_t i = 0; i < contact.count; ++i) {
+        recording::ContactPoint point;
+        point.at = ToVec(bmr_sub(contact.points[i], Wrapped(contact.points[i])));
+        point.separation = static_cast<float>(contact.distance);
+        record.points.push_back(point);
+    }
+    m_frame.touching.push_back(record);
+}
+
+void WorldRecorder::Add(const bmr_world_event &event) {
+    if (event.b == BMR_NO_BODY)
+        return;
+    recording::Event record;
+    record.step = m_step;
+    record.kind = event.kind == BMR_WORLD_NEAR || event.kind == BMR_WORLD_REPAIR
+                      ? bmr_kds_event_name(event.report.kind)
+                      : bmr_world_event_name(event.kind);
+    record.a = NumberOf(event.a);
+    record.b = NumberOf(event.b);
+    record.level_before = event.report.level_before;
+    record.level_after = event.report.level_after;
+    m_frame.events.push_back(record);
+}
+
+void WorldRecorder::AddWalls() {
+    if (m_setup.choice.boundary != BMR_WALLED)
+        return;
+    const Vec low = ToVec(m_setup.low), high = ToVec(m_setup.high);
+    const std::array<std::array<Vec, 2>, BMR_WALLS> sides = {{{{{low.x, low.y}, {low.x, high.y}}},
+                                                              {{{high.x, low.y}, {high.x, high.y}}},
+                                                              {{{low.x, low.y}, {high.x, low.y}}},
+                                                              {{{low.x, high.y}, {high.x, high.y}}}}};
+    for (unsigned side = 0; side < BMR_WALLS; ++side) {
+        recording::Body body;
+        body.number = NumberOf(BMR_WALL(side));
+        body.type = "static";
+        // The frame of core's wall: at the middle of its side.
+        body.pose.position = {0.5f * (sides[side][0].x + sides[side][1].x),
+                              0.5f * (sides[side][0].y + sides[side][1].y)};
+        m_frame.bodies.push_back(body);
+        if (m_step > 0)
+            continue;
+        recording::Fixture fixture;
+        fixture.body = body.number;
+        fixture.shape = "edge";
+        for (const Vec &end : sides[side])
+            fixture.points.push_back({end.x - body.pose.position.x, end.y - body.pose.position.y});
+        m_frame.fixtures.push_back(fixture);
+    }
+}
+
+void WorldRecorder::AddBodies(const WorldRun &run) {
+    for (size_t i = 0; i < m_setup.bodies.size(); ++i) {
+        const bmr_body_state state = run.StateOf(i);
+        recording::Body body;
+        body.number = static_cast<int>(i);
+        body.type = "dynamic";
+        body.pose = {ToVec(bmr_sub(state.pose.position, Wrapped(state.pose.position))),
+                     static_cast<float>(state.pose.c), static_cast<float>(state.pose.s)};
+        m_frame.bodies.push_back(body);
+        const Vec low = ToVec(state.cell_low), high = ToVec(state.cell_high);
+        if (low.x < high.x)
+            m_frame.boxes.push_back({body.number, 0, 0, low.x, low.y, high.x, high.y});
+        if (m_step > 0)
+            continue;
+        AddDisk(body.number, state.radius);
+        recording::Fixture fixture;
+        fixture.body = body.number;
+        fixture.shape = "polygon";
+        for (const bmr_vec2 &vertex : m_setup.bodies[i].polygon->Vertices())
+            fixture.points.push_back(ToVec(vertex));
+        m_frame.fixtures.push_back(fixture);
+    }
+    AddWalls();
+}
+
+/// Where a pair's other body is, beside A; a wall's frame is at the middle of its side.
+bmr_pose WorldRecorder::OtherPose(const bmr_world_pair &pair, const WorldRun &run) const {
+    bmr_pose pose = bmr_pose_identity();
+    if (!bmr_is_wall(pair.b)) {
+        pose = run.StateOf(pair.b).pose;
+        pose.position = bmr_add(pose.position, pair.image);
+        return pose;
+    }
+    const auto side = static_cast<unsigned>(pair.b - BMR_WALL(0));
+    const bmr_vec2 corner = side % 2 == 0 ? m_setup.low : m_setup.high,
+                   middle = bmr_scale(0.5, bmr_add(m_setup.low, m_setup.high));
+    pose.position = side < 2 ? bmr_vec2_make(corner.x, middle.y) : bmr_vec2_make(middle.x, corner.y);
+    return pose;
+}
+
+/// The point of a wall beside a place, in the wall's frame.
+bmr_vec2 WorldRecorder::FootOn(bmr_body wall, bmr_vec2 place) const {
+    const bmr_vec2 middle = bmr_scale(0.5, bmr_add(m_setup.low, m_setup.high)), way = bmr_sub(place, middle);
+    return wall < BMR_WALL(2) ? bmr_vec2_make(0.0, way.y) : bmr_vec2_make(way.x, 0.0);
+}
+
+recording::Proof WorldRecorder::DisksProof(const bmr_world_pair &pair, const WorldRun &run) const {
+    recording::Proof proof;
+    const bmr_body_state a = run.StateOf(pair.a);
+    const bmr_pose pose = OtherPose(pair, run);
+    const int one = static_cast<int>(pair.a) + 1;
+    if (!bmr_is_wall(pair.b)) {
+        const double radius = run.StateOf(pair.b).radius;
+        const bmr_vec2 way = bmr_sub(pose.position, a.pose.position);
+        proof.kind = "disks";
+        proof.radii = {static_cast<float>(a.radius), static_cast<float>(radius)};
+        proof.slack = static_cast<float>(std::max(0.0, std::hypot(way.x, way.y) - a.radius - radius));
+        proof.hulls = {one, static_cast<int>(pair.b) + 1};
+        return proof;
+    }
+    const bmr_vec2 foot = FootOn(pair.b, a.pose.position),
+                   up = bmr_sub(a.pose.position, bmr_add(pose.position, foot));
+    const double height = std::hypot(up.x, up.y);
+    if (!(height > 0.0))
+        return proof;
+    const bmr_vec2 normal = bmr_scale(1.0 / height, up);
+    proof.kind = "direction";
+    proof.owner = 1;
+    proof.normal = ToVec(normal);
+    proof.supports = {ToVec(bmr_unrotate(&a.pose, bmr_scale(-a.radius, normal))), ToVec(foot)};
+    proof.slack = static_cast<float>(std::max(0.0, height - a.radius));
+    proof.hulls = {one, 0};
+    return proof;
+}
+
+recording::Proof WorldRecorder::LineProof(const bmr_world_pair &pair, const WorldRun &run) const {
+    recording::Proof proof;
+    bmr_kds_proof line;
+    if (pair.kds == nullptr || !bmr_kds_get_proof(pair.kds, &line))
+        return proof;
+    const bmr_body_state a = run.StateOf(pair.a);
+    const bmr_pose b = OtherPose(pair, run);
+    // The body born first is the structure's A, and the pair's.
+    const bmr_pose *own = line.owner == 0 ? &a.pose : &b, *other = line.owner == 0 ? &b : &a.pose;
+    const bmr_vec2 nearest = bmr_unrotate(own, bmr_sub(bmr_transform(other, line.nearest), own->position));
+    const auto side = static_cast<size_t>(line.owner);
+    proof.kind = "direction";
+    proof.owner = line.owner;
+    proof.level = line.level;
+    proof.normal = ToVec(line.line.normal);
+    if (line.owner == 1 && bmr_is_wall(pair.b))
+        proof.supports[side] = ToVec(FootOn(pair.b, bmr_transform(other, line.nearest)));
+    else
+        proof.supports[side] =
+            Farthest((line.owner == 0 ? a : run.StateOf(pair.b)).shape->polygon, line.line.normal);
+    proof.supports[1 - side] = ToVec(line.nearest);
+    proof.slack = static_cast<float>(std::max(0.0, bmr_dot(line.line.normal, nearest) - line.line.offset));
+    proof.hulls = {static_cast<int>(pair.a) + 1, bmr_is_wall(pair.b) ? 0 : static_cast<int>(pair.b) + 1};
+    return proof;
+}
+
+/// None where the two are shown on different sides of a periodic box.
+recording::Proof WorldRecorder::ProofOf(const bmr_world_pair &pair, const WorldRun &run) const {
+    if (!bmr_is_wall(pair.b)) {
+        const bmr_vec2 a = Wrapped(run.StateOf(pair.a).pose.position),
+                       b = bmr_add(Wrapped(run.StateOf(pair.b).pose.position), pair.image),
+                       off = bmr_sub(b, a);
+        if (std::hypot(off.x, off.y) > 0.5 * (m_setup.high.x - m_setup.low.x))
+            return {};
+    }
+    return pair.watch == BMR_WATCH_DISKS ? DisksProof(pair, run) : LineProof(pair, run);
+}
+
+/// Disks as polygons, for what draws outlines.
+void WorldRecorder::AddDisk(int body, double radius) {
+    constexpr int kCorners = 48;
+    recording::Outline disk;
+    disk.id = body + 1;
+    disk.body = body;
+    for (int i = 0; i < kCorners; ++i) {
+        const double angle = 2.0 * 3.14159265358979323846 * i / kCorners;
+        disk.points.push_back(ToVec(bmr_vec2_make(radius * std::cos(angle), radius * std::sin(angle))));
+    }
+    m_frame.outlines.push_back(disk);
+}
+
+/// Where a pair is to be shown: between the two, or where the body is beside its wall.
+void WorldRecorder::SetClosest(const bmr_world_pair &pair, const WorldRun &run,
+                               recording::Pair *record) const {
+    const bmr_body_state a = run.StateOf(pair.a);
+    const bmr_vec2 shown = Wrapped(a.pose.position);
+    const bmr_pose b = OtherPose(pair, run);
+    bmr_closest_points closest = {};
+    if (bmr_is_wall(pair.b)) {
+        closest.point_b = bmr_add(b.position, FootOn(pair.b, a.pose.position));
+        const bmr_vec2 down = bmr_sub(closest.point_b, a.pose.position);
+        closest.point_a = bmr_transform(
+            &a.pose,
+            a.shape->polygon->vertices[bmr_polygon_support(a.shape->polygon, bmr_unrotate(&a.pose, down))]);
+        closest.distance =
+            bmr_dot(down, bmr_sub(closest.point_b, closest.point_a)) / std::hypot(down.x, down.y);
+    } else {
+        Require(bmr_distance(a.shape->polygon, &a.pose, run.StateOf(pair.b).shape->polygon, &b, &closest),
+                "a pair");
+        if (!(closest.distance > 0.0))
+            closest.point_a = closest.point_b = bmr_scale(0.5, bmr_add(a.pose.position, b.position));
+    }
+    record->closest = {ToVec(bmr_sub(closest.point_a, shown)), ToVec(bmr_sub(closest.point_b, shown))};
+    record->distance = static_cast<float>(std::max(0.0, closest.distance));
+}
+
+void WorldRecorder::AddPair(const bmr_world_pair &pair, const WorldRun &run) {
+    recording::Pair record;
+    record.a = NumberOf(pair.a);
+    record.b = NumberOf(pair.b);
+    record.contacts = record.polygon_contacts = 1;
+    record.asked = 1;
+    const auto touches = [&record](const recording::Contact &contact) {
+        return contact.bodies == std::array<int, 2>{record.a, record.b};
+    };
+    if (pair.watch == BMR_WATCH_PASSING ||
+        std::any_of(m_frame.touching.begin(), m_frame.touching.end(), touches)) {
+        record.touching = 1;
+        record.handed_over = 1;
+    }
+    SetClosest(pair, run, &record);
+    const recording::Proof proof = ProofOf(pair, run);
+    if (proof.kind != "none") {
+        record.slack = proof.slack;
+        record.proofs.push_back(proof);
+    }
+    m_frame.pairs.push_back(record);
+}
+
+recording::Frame WorldRecorder::Take(const WorldRun &run) {
+    AddBodies(run);
+    struct Visit {
+        WorldRecorder *recorder;
+        const WorldRun *run;
+    } visit = {this, &run};
+    bmr_world_each_pair(
+        run.World(),
+        [](void *context, const bmr_world_pair *pair) {
+            const auto *its = static_cast<const Visit *>(context);
+            its->recorder->AddPair(*pair, *its->run);
+        },
+        &visit);
+    std::sort(m_frame.pairs.begin(), m_frame.pairs.end(),
+              [](const recording::Pair &x, const recording::Pair &y) {
+                  return x.a != y.a ? x.a < y.a : x.b < y.b;
+              });
+    recording::Frame frame;
+    std::swap(frame, m_frame);
+    frame.step = m_step++;
+    return frame;
+}
+
+} // namespace testbed

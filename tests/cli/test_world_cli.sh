@@ -1,0 +1,173 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# boomerang-testbed world, and replay and render of what it records: exit codes, messages, files, and what the numbers must be.
+#
+#   test_world_cli.sh DIRECTORY-OF-THE-PROGRAMS
+set -uo pipefail
+
+# shellcheck source=support/cli.sh
+source "$(dirname "${BASH_SOURCE[0]}")/support/cli.sh"
+# A small gas, so that this test takes seconds.
+small=(gas --bodies 20 --seconds 3)
+
+# number FILE OPERATOR VALUE KEY…: compares a number of a JSON file.
+number() {
+    local file=$1 operator=$2 value=$3 got
+    shift 3
+    got=$(json_get "$file" "$@")
+    awk -v got="$got" -v value="$value" "BEGIN { exit !(got != \"\" && got + 0 $operator value + 0) }" || fail "$*: $got is not $operator $value"
+}
+
+# The columns of a CSV file without its times on the clock.
+counted() { cut -d, -f1-17,20- "$1"; }
+
+test_every_scene_runs_and_nothing_overlaps() {
+    expect 0 world --list
+    for scene in gas cooling swarm asteroids bullet; do
+        out_has "^  $scene "
+    done
+    for scene in gas cooling swarm asteroids bullet; do
+        expect 0 world "$scene" --bodies 20 --seconds 1 --check --audit
+        clean
+        err_empty
+        out_has '^contact +[0-9]'
+        out_has '^watched: +[0-9]+ pairs'
+        out_has '^memory: +[0-9]+ bytes'
+        out_has ' 0 of them overlap'
+        out_has '^audits: +4 passed'
+    done
+    # Control: bodies that pass through each other do overlap.
+    expect 1 world "${small[@]}" --answer pass --check --quiet
+    err_has 'bodies overlap'
+}
+
+test_runs_are_equal_and_conserve() {
+    expect 0 world "${small[@]}" --boundary open --quiet --csv "$scratch/a.csv" --json "$scratch/a.json"
+    [ ! -s "$scratch/out" ] || fail "--quiet prints"
+    expect 0 world "${small[@]}" --boundary open --quiet --csv "$scratch/b.csv"
+    [ "$(counted "$scratch/a.csv")" = "$(counted "$scratch/b.csv")" ] || fail "a second run counts otherwise"
+    # Control: another seed is another world.
+    expect 0 world "${small[@]}" --boundary open --quiet --seed 2 --csv "$scratch/c.csv"
+    [ "$(counted "$scratch/a.csv")" != "$(counted "$scratch/c.csv")" ] || fail "another seed counts the same"
+    number "$scratch/a.json" '>' 5 0 events contact
+    for drift in energy_drift momentum_drift angular_drift; do
+        number "$scratch/a.json" '<' 1e-12 0 "$drift"
+        number "$scratch/a.json" '>' -1e-12 0 "$drift"
+    done
+    # Control: inelastic bodies lose energy, and it is told.
+    expect 0 world "${small[@]}" --boundary open --answer 0.5 --zeno elastic --json "$scratch/d.json"
+    out_has 'not the energy'
+    number "$scratch/d.json" '<' 0.99 0 energy_left
+    number "$scratch/d.json" '<' 1e-12 0 momentum_drift
+}
+
+test_all_pairs_have_the_same_contacts() {
+    expect 0 world "${small[@]}" --quiet --json "$scratch/cells.json"
+    expect 0 world "${small[@]}" --quiet --all-pairs --json "$scratch/all.json"
+    [ "$(json_get "$scratch/cells.json" 0 events contact)" = "$(json_get "$scratch/all.json" 0 events contact)" ] ||
+        fail "all pairs have other contacts"
+    # Every two bodies, and each with every wall; cells watch fewer.
+    number "$scratch/all.json" '==' 270 0 pairs
+    number "$scratch/cells.json" '<' 270 0 pairs
+    number "$scratch/all.json" '==' 0 0 events cross
+    number "$scratch/cells.json" '>' 0 0 events cross
+}
+
+test_growth_is_a_table() {
+    expect 0 world gas --seconds 1 --growth 10,20 --csv "$scratch/growth.csv"
+    clean
+    out_has '^10 .*\(1.00\)'
+    out_has '^20 '
+    [ "$(wc -l <"$scratch/growth.csv")" -eq 3 ] || fail "the CSV file has not one row a run"
+    expect 2 world gas --growth 10,x
+    err_has '"x" is no number of bodies'
+}
+
+test_peers_are_held_against_it() {
+    expect 0 world gas --bodies 16 --seconds 4 --peers --json "$scratch/peers.json"
+    clean
+    out_has '^kinetic +[0-9.]+ +1.00'
+    out_has '^Box2D, bullets '
+    json_is "$scratch/peers.json" ON all_pairs same_contacts
+    number "$scratch/peers.json" '>' 0 box2d fresh
+    number "$scratch/peers.json" '>' 0 box2d begins
+    # The largest step that misses nothing misses nothing; one that may miss a tenth does miss some.
+    number "$scratch/peers.json" '==' 0 steps 3 missed
+    number "$scratch/peers.json" '>' 0 steps 0 missed
+    expect 2 world cooling --peers
+    err_has 'periodic'
+    expect 2 world gas --answer 0.5 --peers
+    expect 2 world swarm --peers
+}
+
+test_a_run_is_shown() {
+    expect 0 world gas --bodies 20 --seconds 1 --record "$scratch/run.txt" --rate 10 --quiet
+    # A head, and frames from time 0 to 1.
+    [ "$(wc -l <"$scratch/run.txt")" -eq 12 ] || fail "not 11 frames"
+    expect 0 replay --recording "$scratch/run.txt" -o "$scratch/run.html"
+    out_has '11 frames, 24 bodies'
+    grep -q '"world":true' "$scratch/run.html" || fail "the page does not know what it plays"
+    expect 0 render --recording "$scratch/run.txt" --step 10 --all -o "$scratch/run.svg"
+    grep -q '<svg' "$scratch/run.svg" || fail "no picture"
+    # Cells, disks and trails are layers: without them there is less to draw.
+    expect 0 render --recording "$scratch/run.txt" --step 10 --bare -o "$scratch/bare.svg"
+    [ "$(grep -c '<path' "$scratch/run.svg")" -gt "$(($(grep -c '<path' "$scratch/bare.svg") + 50))" ] || fail "--all draws no more than --bare"
+    expect 2 render --recording "$scratch/run.txt" --step 11 -o "$scratch/none.svg"
+    err_has 'the last frame .* is 10'
+    # Controls: a file that is none, and one that was cut short.
+    head -n 8 "$scratch/run.txt" >"$scratch/short.txt"
+    expect 2 replay --recording "$scratch/short.txt" -o "$scratch/short.html"
+    err_has 'ends after 7 frames'
+    sed 1d "$scratch/run.txt" >"$scratch/headless.txt"
+    expect 2 render --recording "$scratch/headless.txt" --step 1 -o "$scratch/none.svg"
+    err_has 'is no recording'
+    expect 2 render planks --step 1 --trails -o "$scratch/none.svg"
+    expect 2 replay -o "$scratch/none.html"
+    err_has 'a scene is wanted'
+}
+
+test_collapse_is_told() {
+    expect 3 world cooling --bodies 40 --density 0.3 --shape regular --answer 0.05 --zeno error --seconds 40 --quiet
+    err_has 'stopped at time .*--zeno elastic'
+    expect 0 world cooling --bodies 40 --density 0.3 --shape regular --answer 0.5 --zeno-speed 0.1 --seconds 10
+    out_has '^softened: +[0-9]'
+}
+
+test_nonsense_is_refused() {
+    while IFS='|' read -r words message; do
+        # shellcheck disable=SC2086 # words
+        expect 2 world $words
+        err_has "$message"
+    done <<'WORDS'
+gasp|nearest is "gas"
+gas --bodies 1|two at least
+gas --bodies 0|--bodies
+gas --density 0|--density: a number above 0
+gas --density nan|--density
+gas --density 0.9|no room
+gas --seconds -1|--seconds
+gas --seconds 0|--seconds
+gas --speed inf|--speed
+gas --sizes 0.5|--sizes
+gas --vertices 2|--vertices: N or FEWEST:MOST
+gas --vertices 9:8|--vertices
+gas --vertices 8:|--vertices
+gas --vertices -8|--vertices
+gas --answer 1.5|--answer
+gas --answer hard|"hard" is no number
+gas --structure lazy-dudly|nearest is "lazy-dudley"
+gas --structure point-lazy-dudley|for points
+gas --shape sphere|--shape
+gas --zeno-speed 1|without --zeno elastic
+gas --rate 10|record
+gas --growth 10 --peers|growth
+gas --record x.txt --growth 10|growth
+cooling --bodies 3|periodic box
+WORDS
+    expect 3 world gas --record "$scratch/none/run.txt"
+    expect 2 world gas --record "$scratch/run.txt" --rate 0
+    err_has 'above 0'
+}
+
+run_tests
