@@ -13,9 +13,9 @@
 //   numbers    a listener steps the world while a contact ends, when most contacts have ended before
 //   returning  a filter puts a body out of the world that is about to get contacts; it comes back with them
 //   proxies    a body is put out of the world; while its contacts end, another one gets its places in the
-//   tree twice      a filter steps the world while it is asked about a new pair, which so gets two contacts;
-//   one of
-//              them ends
+//              tree
+//   twice      a filter steps the world while it is asked about a new pair, which so gets two contacts; one
+//              of them ends
 //   rounded    a listener rounds otherwise for the steps that it makes in the midst of a step
 //   disabled   contacts are disabled whose bodies sleep, and are woken when the loop has passed the contacts
 //   filters    a filter puts to sleep, wakes, moves and changes those that it is asked about
