@@ -422,6 +422,24 @@ void PlayFilters(bool locked) {
     }
 }
 
+/// A contact is flagged for filtering while it is looked at, which finds it apart.
+void PlayFlagged() {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    Meddler filter;
+    Listener listener;
+    Hash hash;
+    for (int i = 0; i < 60; ++i)
+        AddNear(world, {3.0f * static_cast<float>(i), 0.0f}, i == 59 ? -0.005f : 0.1f);
+    b2Body *const one = world.GetBodyList();
+    world.SetContactFilter(&filter);
+    world.SetContactListener(&listener);
+    Step(world, 10, &hash);
+    listener.end = [one] { one->GetFixtureList()->Refilter(); };
+    filter.refuses = true;
+    one->SetTransform(one->GetPosition() + b2Vec2(0.12f, 0.0f), 0.0f);
+    PlayOn(world, 4, "flagged", &hash);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -446,6 +464,7 @@ int main(int argc, char **argv) {
     } else if (what == "filters") {
         PlayFilters(true);
         PlayFilters(false);
+        PlayFlagged();
     } else {
         std::fputs(
             "usage: losing_game sums|thrown|numbers|returning|proxies|twice|rounded|disabled|filters\n",
