@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "boomerang/exact32.h"
+#include "exact32/exact32.h"
 
 #include <float.h>
 #include <math.h>

@@ -255,8 +255,10 @@ void LedgerPass::Destroy(uint32_t i, b2Contact *contact) {
             Wake(bodies[side], i);
 }
 
-/// A body woke in the midst of the pass: its pairs that are still to come are due by now.
+/// A body woke in the midst of the pass: its pairs that are still to come are due by now. Those that the pass
+/// has come by slept then: they are not to be enabled as if they had not.
 void LedgerPass::Wake(const b2Body *body, uint32_t i) {
+    m_ledger->EnableDownTo(i + 1);
     m_ledger->Wake(body);
     if (m_word == i / 64)
         m_due = m_ledger->DueOf(m_word) & ~(~uint64_t{0} << (i % 64));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-//   losing_game sums|thrown|numbers|returning|proxies|twice|rounded|filters
+//   losing_game sums|thrown|numbers|returning|proxies|twice|rounded|disabled|filters
 //
 // Worlds in which whoever remembers pairs of fixtures may lose track of them. Prints a line for each step, or
 // for a few of them: a hash of all bodies and contacts. A plain program of Box2D's: with the plugin preloaded
@@ -13,10 +13,11 @@
 //   numbers    a listener steps the world while a contact ends, when most contacts have ended before
 //   returning  a filter puts a body out of the world that is about to get contacts; it comes back with them
 //   proxies    a body is put out of the world; while its contacts end, another one gets its places in the
-//   tree twice      a filter steps the world while it is asked about a new pair, which so gets two contacts;
-//   one of
-//              them ends
+//              tree
+//   twice      a filter steps the world while it is asked about a new pair, which so gets two contacts; one
+//              of them ends
 //   rounded    a listener rounds otherwise for the steps that it makes in the midst of a step
+//   disabled   contacts are disabled whose bodies sleep, and are woken when the loop has passed the contacts
 //   filters    a filter puts to sleep, wakes, moves and changes those that it is asked about
 #include <cfenv>
 #include <cstdlib>
@@ -184,23 +185,6 @@ void PlayNumbers() {
     PlayOn(world, 20, "numbers", &hash);
 }
 
-/// Puts a body out of the world as soon as it is asked about, asleep: Box2D makes its other contacts all the
-/// same.
-class PutsOut final : public b2ContactFilter {
-public:
-    b2Body *victim = nullptr;
-    bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
-        for (const b2Fixture *asked : {a, b}) {
-            if (victim != nullptr && asked->GetBody() == victim) {
-                victim->SetAwake(false);
-                victim->SetEnabled(false);
-                victim = nullptr;
-            }
-        }
-        return b2ContactFilter::ShouldCollide(a, b);
-    }
-};
-
 /// The floor is a long bar aslant. What comes lies in the corner of its box, metres away from the bar itself.
 void PlayReturning() {
     b2World world(b2Vec2(0.0f, 0.0f));
@@ -339,6 +323,37 @@ void PlayRounded() {
     }
 }
 
+/// Box2D enables what it updates, and that is nothing that sleeps when its turn comes. Nobody listens, but
+/// somebody filters.
+void PlayDisabled() {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    b2ContactFilter filter;
+    world.SetContactFilter(&filter);
+    Hash hash;
+    std::vector<b2Body *> sleepers;
+    for (int i = 0; i < 40; ++i) {
+        const b2Vec2 at(4.0f * static_cast<float>(i), 0.0f);
+        sleepers.push_back(AddBox(world, b2_dynamicBody, at, {0.5f, 0.5f}, 0.0f));
+        AddAwake(world, {at.x - 1.1f, 0.0f}, {0.5f, 0.5f})
+            ->SetLinearVelocity({0.3f + 0.05f * static_cast<float>(i), 0.0f});
+    }
+    Step(world, 1, &hash); // who comes has the older contact
+    for (int i = 0; i < 40; ++i)
+        sleepers.push_back(
+            AddBox(world, b2_dynamicBody, {4.0f * static_cast<float>(i) + 0.995f, 0.0f}, {0.5f, 0.5f}, 0.0f));
+    Step(world, 1, &hash);
+    for (b2Body *body : sleepers) {
+        body->SetLinearVelocity({0.0f, 0.0f});
+        body->SetAwake(false);
+    }
+    for (int step = 0; step < 20; ++step) {
+        for (b2Contact *contact = world.GetContactList(); contact != nullptr; contact = contact->GetNext())
+            if (contact->IsTouching())
+                contact->SetEnabled(false);
+        PlayOn(world, 1, "disabled", &hash);
+    }
+}
+
 /// `locked`: while the loop goes over contacts. Else a step of no time has unlocked the world.
 void PlayFilters(bool locked) {
     enum What { kSleep, kWake, kThrow, kGrow, kTurnSensor, kMoveOnto, kMoveAway, kCount };
@@ -407,6 +422,24 @@ void PlayFilters(bool locked) {
     }
 }
 
+/// A contact is flagged for filtering while it is looked at, which finds it apart.
+void PlayFlagged() {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    Meddler filter;
+    Listener listener;
+    Hash hash;
+    for (int i = 0; i < 60; ++i)
+        AddNear(world, {3.0f * static_cast<float>(i), 0.0f}, i == 59 ? -0.005f : 0.1f);
+    b2Body *const one = world.GetBodyList();
+    world.SetContactFilter(&filter);
+    world.SetContactListener(&listener);
+    Step(world, 10, &hash);
+    listener.end = [one] { one->GetFixtureList()->Refilter(); };
+    filter.refuses = true;
+    one->SetTransform(one->GetPosition() + b2Vec2(0.12f, 0.0f), 0.0f);
+    PlayOn(world, 4, "flagged", &hash);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -426,12 +459,16 @@ int main(int argc, char **argv) {
         PlayTwice(1);
     } else if (what == "rounded") {
         PlayRounded();
+    } else if (what == "disabled") {
+        PlayDisabled();
     } else if (what == "filters") {
         PlayFilters(true);
         PlayFilters(false);
+        PlayFlagged();
     } else {
-        std::fputs("usage: losing_game sums|thrown|numbers|returning|proxies|twice|rounded|filters\n",
-                   stderr);
+        std::fputs(
+            "usage: losing_game sums|thrown|numbers|returning|proxies|twice|rounded|disabled|filters\n",
+            stderr);
         return 2;
     }
     return 0;

@@ -225,23 +225,6 @@ void PlayEditing() {
     }
 }
 
-/// Puts a body out of the world as soon as it is asked about, asleep: Box2D makes its other contacts all the
-/// same.
-class PutsOut : public b2ContactFilter {
-public:
-    bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
-        for (const b2Fixture *asked : {a, b}) {
-            if (victim != nullptr && asked->GetBody() == victim) {
-                victim->SetAwake(false);
-                victim->SetEnabled(false);
-                victim = nullptr;
-            }
-        }
-        return b2ContactFilter::ShouldCollide(a, b);
-    }
-    b2Body *victim = nullptr;
-};
-
 void PlayProxies() {
     b2World world(b2Vec2(0.0f, 0.0f));
     PutsOut filter;

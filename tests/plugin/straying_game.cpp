@@ -7,8 +7,8 @@
 // A plain program of Box2D's: with the plugin preloaded it prints the same.
 //
 //   crossing  random crowds that fly out and in across 480, 960, 1920, 3840 and 7680 metres from the origin,
-//   past
-//             walls that move, bullets and sensors among them; origins are shifted, crowds carried elsewhere
+//             past walls that move, bullets and sensors among them; origins are shifted, crowds carried
+//             elsewhere
 //   corners   pairs of triangles whose tips come near each other, also where nothing is exact to a millimetre
 #include <cstdlib>
 #include <random>
