@@ -125,6 +125,7 @@ bool bmr_walk_climb_until(bmr_walk *walk, double enough, bmr_candidate *best) {
     for (int side = 0; side < 2; ++side)
         look_ahead(walk, &o, side, sense);
     const outlook first = o;
+    best->gap = -INFINITY;
     for (int i = 0; i < BMR_WALK_STEPS; ++i) {
         const bmr_candidate ahead = next_candidate(walk, &o, sense);
         if (i == 0 || ahead.gap > best->gap)
