@@ -129,7 +129,7 @@ void WriteStatistics(std::FILE *stream) {
     members.Number("pairs", s.pairs);
     members.Number("hulls", s.hulls);
     members.Number("checks", s.kinetic.checks);
-    members.Number("steps", s.kinetic.steps);
+    members.Number("kinetic_steps", s.kinetic.steps);
     members.Name("events");
     std::fputc('{', stream);
     Members events(stream, "    ");

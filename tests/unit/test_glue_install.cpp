@@ -189,7 +189,8 @@ TEST_CASE("the statistics are one JSON object of the options and all counts") {
           "\"overlap_queries\":0,\"overlaps_answered\":0,\"pairs_watched\":0,\"looks\":0,\"renewals\":"
           "0,"
           "\"verified\":0,\"differences\":0,\"pairs\":0,\"hulls\":0,"
-          "\"checks\":0,\"levels\":0,\"events\":{\"start\":0,\"push\":0,\"stab\":0,\"roll\":0,\"coarsen\":0,"
+          "\"checks\":0,\"kinetic_steps\":0,\"events\":{\"start\":0,\"push\":0,\"stab\":0,\"roll\":0,"
+          "\"coarsen\":0,"
           "\"contact\":0,\"leave\":0}}");
 }
 
