@@ -345,8 +345,10 @@ static bmr_error part(bmr_world *w, bmr_couple *c) {
 
 static bmr_error fail(bmr_world *w, bmr_couple *c) {
     bmr_near *const n = c->near;
-    if (is_burst(w, n, w->time))
+    if (is_burst(w, n, w->time)) {
+        bmr_couple_pass(w, c);
         return BMR_ERROR_STALLED;
+    }
     bmr_couple_view view;
     const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
     const double later = bmr_repair_time(&motion, &n->condition, w->time, bmr_world_tolerance(w, w->time));

@@ -196,7 +196,8 @@ bmr_error bmr_world_set_motion(bmr_world *world, bmr_body body, const bmr_motion
 bmr_error bmr_world_set_piece(bmr_world *world, bmr_body body, const bmr_motion_piece *piece);
 
 /// Processes every event up to and including `until`, in order of time. After an error the world stands at
-/// the event that could not be done; where the cause is gone (NO_MEMORY), a further call goes on. Errors:
+/// the event that could not be done; where the cause is gone (NO_MEMORY), a further call goes on. After
+/// STALLED it goes on too: the pair that stalled passes. Errors:
 /// NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (`until` is past, a call out of a callback, a restitution outside
 /// of [0, 1], a search that takes too many steps), STALLED (see bmr_zeno_policy; or a pair has more than
 /// BMR_WORLD_BURST events within failure.tolerance of one another), NO_MEMORY, those of bmr_failure_time.
