@@ -96,8 +96,10 @@ typedef bmr_response (*bmr_world_contact)(void *context, bmr_world *world, const
 typedef enum bmr_zeno_policy {
     /// bmr_world_advance ends with STALLED when a pair has contacts nearer and nearer without coming apart.
     BMR_ZENO_ERROR,
-    /// An impulse on points that approach by less than `zeno_speed` has restitution 1 (McNamara and Luding's
-    /// remedy), and is counted. STALLED where that does not help.
+    /// An impulse on points that approach by less than `zeno_speed`, or of a pair that touches at less than a
+    /// 32nd of the margin, has restitution 1 (McNamara and Luding's remedy), and is counted. STALLED where
+    /// that does not help: bodies that come to lie against each other want a margin of a thousandth of their
+    /// size, which can be halved more often before it is lost in rounding.
     BMR_ZENO_ELASTIC
 } bmr_zeno_policy;
 
