@@ -22,6 +22,8 @@
 #define PASSING_STEPS 8.0
 /// The margin is halved at most so often: 2^-20 of it is below what structures can tell.
 #define MOST_RUNGS 20
+/// Repairs this near to one another are a burst.
+#define BURST_TOLERANCES 4.0
 /// A structure may want a pair a little farther apart than the distance at which a contact ends. It is asked
 /// again after a tolerance, two, four, and so on, so many times.
 #define LEAVE_RETRIES 30
@@ -267,12 +269,11 @@ void bmr_couple_search_later(bmr_world *w, bmr_couple *c, bool replan) {
 
 // ---- events ----
 
+/// Too many repairs of one pair, each within next to no time of the one before.
 static bool is_burst(const bmr_world *w, bmr_near *n, double time) {
-    if (!(time - n->burst_start <= bmr_world_tolerance(w, time))) {
-        n->burst_start = time;
-        n->burst = 0;
-    }
-    return ++n->burst > BMR_WORLD_BURST;
+    n->burst = time - n->last_repair <= BURST_TOLERANCES * bmr_world_tolerance(w, time) ? n->burst + 1 : 0;
+    n->last_repair = time;
+    return n->burst > BMR_WORLD_BURST;
 }
 
 static void count(bmr_world *w, const bmr_kds_report *report) {
@@ -320,7 +321,7 @@ static bmr_error meet(bmr_world *w, bmr_couple *c) {
         bmr_world_give(w, n, sizeof *n);
         return error;
     }
-    n->burst_start = -INFINITY;
+    n->last_repair = -INFINITY;
     n->rise = INFINITY;
     n->part = NAN;
     c->near = n;

@@ -75,7 +75,7 @@ typedef struct bmr_near {
     bool part_known; ///< false: not before `part`
     size_t failing;
     bmr_condition condition; ///< FAIL: what fails
-    double burst_start;
+    double last_repair;
     unsigned burst;
     /// The structure's margin is halved so often. A pair that was just in contact is within its margin; with
     /// half of it, it has a proof with slack again. As it comes apart it gets its margin back.

@@ -201,10 +201,11 @@ bmr_error bmr_world_set_piece(bmr_world *world, bmr_body body, const bmr_motion_
 /// the event that could not be done; where the cause is gone (NO_MEMORY), a further call goes on. After
 /// STALLED it goes on too: the pair that stalled passes. Errors:
 /// NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (`until` is past, a call out of a callback, a restitution outside
-/// of [0, 1], a search that takes too many steps), STALLED (see bmr_zeno_policy; or a pair has more than
-/// BMR_WORLD_BURST events within failure.tolerance of one another), NO_MEMORY, those of bmr_failure_time.
+/// of [0, 1], a search that takes too many steps), STALLED (see bmr_zeno_policy; or a structure has more than
+/// BMR_WORLD_BURST repairs, each within four failure.tolerance of the one before), NO_MEMORY, those of
+/// bmr_failure_time.
 bmr_error bmr_world_advance(bmr_world *world, double until);
-#define BMR_WORLD_BURST 1000
+#define BMR_WORLD_BURST 200
 double bmr_world_time(const bmr_world *world);
 /// Nothing happens before this time; INFINITY: never anything.
 double bmr_world_next(const bmr_world *world);
