@@ -99,7 +99,7 @@ static bmr_cell *find(const bmr_world *w, int level, int64_t column, int64_t row
 /// A table of another size, if there is memory for one; any size is right.
 static bmr_error resize(bmr_world *w, size_t size) {
     size_t bytes;
-    if (!bmr_size_product(size, sizeof *w->table, SIZE_MAX, &bytes))
+    if (!bmr_size_product(size, sizeof(bmr_cell *), SIZE_MAX, &bytes))
         return BMR_ERROR_TOO_LARGE;
     bmr_cell **table = bmr_world_take(w, bytes);
     if (!table)
@@ -117,7 +117,7 @@ static bmr_error resize(bmr_world *w, size_t size) {
             *at = cell;
         }
     if (old)
-        bmr_world_give(w, old, old_size * sizeof *old);
+        bmr_world_give(w, old, old_size * sizeof(bmr_cell *));
     return BMR_OK;
 }
 

@@ -33,8 +33,8 @@
 #define WINDOWS 8
 /// The shortest window, in parts of the epoch: below, its ends could not be told apart.
 #define LEAST_WINDOW 0x1p-40
-/// Windows that are left out at once, at most; and how far from the reach they must stay.
-#define MOST_CLEAR 0x1p40
+/// Windows that are left out at once, at most, as a power of 2; and how far from the reach they must stay.
+#define MOST_DOUBLINGS 40
 #define CLEAR_PART 1.125
 /// Sign changes in one window; two paths of degree 8 have 16 at most.
 #define MOST_CHANGES 64
@@ -298,8 +298,8 @@ static bmr_error in_window(const bmr_world *w, const bmr_couple *c, const curve 
 /// `distance` to the reach (or, `inside`, to where they have parted). To look into them would find the same.
 static double clear_windows(const curve *k, double distance, bool inside, double reach, double from) {
     double clear = 0.0;
-    for (double count = 1.0; count <= MOST_CLEAR; count *= 2.0) {
-        const double time = count * k->window;
+    for (int doublings = 0; doublings <= MOST_DOUBLINGS; doublings++) {
+        const double count = ldexp(1.0, doublings), time = count * k->window;
         const double way = bmr_motion_piece_speed(&k->way, from, from + time, 0.0) * time;
         if (inside ? !(CLEAR_PART * (distance + way) < bmr_gate_parted(reach))
                    : !(distance - way > CLEAR_PART * reach))

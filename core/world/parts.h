@@ -129,6 +129,9 @@ struct bmr_world {
     bmr_compass *compass; ///< of the walls' hierarchies
 };
 
+/// Of the table of ids, for each place: the resident, and the generation of the next one there.
+#define BMR_PLACE_BYTES (sizeof(bmr_resident *) + sizeof(uint32_t))
+
 /// A resident near a place, and which image of it.
 typedef struct bmr_candidate {
     bmr_resident *resident;

@@ -356,8 +356,7 @@ static bmr_error find_place(bmr_world *w, size_t *place) {
     if (w->places == w->capacity) {
         const size_t capacity = w->capacity ? 2 * w->capacity : 16;
         size_t bytes;
-        if (w->capacity > UINT32_MAX / 4 ||
-            !bmr_size_product(capacity, sizeof *w->residents + sizeof *w->generations, SIZE_MAX, &bytes))
+        if (w->capacity > UINT32_MAX / 4 || !bmr_size_product(capacity, BMR_PLACE_BYTES, SIZE_MAX, &bytes))
             return BMR_ERROR_TOO_LARGE;
         bmr_resident **residents = bmr_world_take(w, bytes);
         if (!residents)
@@ -365,9 +364,9 @@ static bmr_error find_place(bmr_world *w, size_t *place) {
         uint32_t *generations = (uint32_t *)(void *)(residents + capacity);
         memset(residents, 0, bytes);
         if (w->residents) {
-            memcpy(residents, w->residents, w->places * sizeof *residents);
+            memcpy(residents, w->residents, w->places * sizeof(bmr_resident *));
             memcpy(generations, w->generations, w->places * sizeof *generations);
-            bmr_world_give(w, w->residents, w->capacity * (sizeof *w->residents + sizeof *w->generations));
+            bmr_world_give(w, w->residents, w->capacity * BMR_PLACE_BYTES);
         }
         w->residents = residents;
         w->generations = generations;

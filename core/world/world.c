@@ -171,11 +171,11 @@ void bmr_world_destroy(bmr_world *w) {
     }
     bmr_compass_destroy(w->compass, &w->counted);
     if (w->residents)
-        bmr_world_give(w, w->residents, w->capacity * (sizeof *w->residents + sizeof *w->generations));
+        bmr_world_give(w, w->residents, w->capacity * BMR_PLACE_BYTES);
     if (w->candidates)
         bmr_world_give(w, w->candidates, w->candidate_capacity * sizeof *w->candidates);
     if (w->table)
-        bmr_world_give(w, w->table, w->table_size * sizeof *w->table);
+        bmr_world_give(w, w->table, w->table_size * sizeof(bmr_cell *));
     if (w->agenda.heap)
         bmr_world_give(w, w->agenda.heap, w->agenda.capacity * sizeof *w->agenda.heap);
     bmr_release(w->allocator, w, sizeof *w);

@@ -9,8 +9,10 @@
 
 // A convex polygon, and where it is: everything begins here.
 #include "boomerang/polygon.h"
-#include "boomerang/mass.h"
 #include "boomerang/pose.h"
+
+// What it weighs.
+#include "boomerang/mass.h"
 
 // How far apart are two of them, or how deep in each other? Asked once, nothing remembered.
 #include "boomerang/distance.h"
