@@ -89,19 +89,7 @@ class Gas final : public Scene {
 
 SceneInfo GasScene(const std::string &file) {
     loaded = ReadGas(file);
-    SceneInfo info = {};
-    info.name = "gas";
-    info.description = "elastic bullets in a box";
-    info.group = "gas";
-    info.sizeMeaning = "-";
-    info.size = 1;
-    info.steps = loaded.steps;
-    info.create = CreateScene<Gas>;
-    info.seed = 1;
-    info.timeStep = loaded.timeStep;
-    info.velocityIterations = 8;
-    info.positionIterations = 3;
-    return info;
+    return SceneOfAFile("gas", "elastic bullets in a box", loaded.steps, loaded.timeStep, CreateScene<Gas>);
 }
 
 } // namespace testbed
