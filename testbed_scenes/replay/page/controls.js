@@ -46,7 +46,7 @@ function buildSwitches(app) {
     const label = document.createElement("label");
     label.innerHTML = "<input type=checkbox>" + svgSample(overlay.sample) + "<span></span>" + (i < 9 ? "<kbd aria-hidden=true>" + (i + 1) + "</kbd>" : "");
     const text = app.model.about.world && overlay.name in WORLD_TEXTS ? WORLD_TEXTS[overlay.name] : overlay.text;
-    label.querySelector("span").textContent = text;
+    label.querySelector("span").textContent = text ?? overlay.name;
     label.hidden = text === null;
     const box = label.querySelector("input");
     box.id = "show-" + overlay.name;
