@@ -22,6 +22,8 @@
 #define PASSING_STEPS 8.0
 /// The margin is halved at most so often: 2^-20 of it is below what structures can tell.
 #define MOST_RUNGS 20
+/// Repairs this near to one another are a burst.
+#define BURST_TOLERANCES 4.0
 /// A structure may want a pair a little farther apart than the distance at which a contact ends. It is asked
 /// again after a tolerance, two, four, and so on, so many times.
 #define LEAVE_RETRIES 30
@@ -267,12 +269,11 @@ void bmr_couple_search_later(bmr_world *w, bmr_couple *c, bool replan) {
 
 // ---- events ----
 
+/// Too many repairs of one pair, each within next to no time of the one before.
 static bool is_burst(const bmr_world *w, bmr_near *n, double time) {
-    if (!(time - n->burst_start <= bmr_world_tolerance(w, time))) {
-        n->burst_start = time;
-        n->burst = 0;
-    }
-    return ++n->burst > BMR_WORLD_BURST;
+    n->burst = time - n->last_repair <= BURST_TOLERANCES * bmr_world_tolerance(w, time) ? n->burst + 1 : 0;
+    n->last_repair = time;
+    return n->burst > BMR_WORLD_BURST;
 }
 
 static void count(bmr_world *w, const bmr_kds_report *report) {
@@ -285,6 +286,10 @@ static void observe(bmr_world *w, const bmr_couple *c, bmr_world_event_kind kind
     bmr_world_observe(w, kind, w->time, c->side[0]->id, c->side[1]->id, report);
 }
 
+static double margin_of(const bmr_world *w, unsigned rung) {
+    return ldexp(w->def.kds.margin, -(int)rung);
+}
+
 /// A proof from nothing with the margin of the couple's rung; false: contact.
 static bool start(bmr_world *w, bmr_couple *c, double time, bmr_kds_report *report) {
     bmr_near *const n = c->near;
@@ -292,7 +297,7 @@ static bool start(bmr_world *w, bmr_couple *c, double time, bmr_kds_report *repo
     const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
     const bmr_instant now = bmr_pair_instant(&motion, time);
     n->kds->def.hysteresis = 0.0; // the world's own: see rise
-    n->kds->def.margin = ldexp(w->def.kds.margin, -(int)n->rung);
+    n->kds->def.margin = margin_of(w, n->rung);
     bmr_kds_start(n->kds, &now, report);
     n->from = n->repaired = time;
     return report->apart;
@@ -316,7 +321,7 @@ static bmr_error meet(bmr_world *w, bmr_couple *c) {
         bmr_world_give(w, n, sizeof *n);
         return error;
     }
-    n->burst_start = -INFINITY;
+    n->last_repair = -INFINITY;
     n->rise = INFINITY;
     n->part = NAN;
     c->near = n;
@@ -345,8 +350,10 @@ static bmr_error part(bmr_world *w, bmr_couple *c) {
 
 static bmr_error fail(bmr_world *w, bmr_couple *c) {
     bmr_near *const n = c->near;
-    if (is_burst(w, n, w->time))
+    if (is_burst(w, n, w->time)) {
+        bmr_couple_pass(w, c);
         return BMR_ERROR_STALLED;
+    }
     bmr_couple_view view;
     const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
     const double later = bmr_repair_time(&motion, &n->condition, w->time, bmr_world_tolerance(w, w->time));
@@ -364,26 +371,40 @@ static bmr_error fail(bmr_world *w, bmr_couple *c) {
     return BMR_OK;
 }
 
-/// Is a pair that was in contact apart by the margin and the hysteresis? Then the next contact is a new one,
-/// at the margin; else it is asked again, each time after twice as long.
+/// The lowest rung whose margin a pair at this separation has twice; of the ground, all of the hysteresis.
+static unsigned rung_for(const bmr_world *w, double separation, unsigned rung) {
+    const double ground = w->def.kds.margin + fmax(w->def.kds.margin, w->def.kds.hysteresis);
+    unsigned lowest = 0;
+    while (lowest < rung && !(separation > (lowest == 0 ? ground : 2.0 * margin_of(w, lowest))))
+        lowest++;
+    return lowest;
+}
+
+/// A pair that was in contact gets its margin back, as much of it as it is apart by; until it has all of it
+/// it is asked again, each time after twice as long.
 static bmr_error rise(bmr_world *w, bmr_couple *c) {
     bmr_near *const n = c->near;
     w->counts.looks++;
     n->rise_step = fmax(2.0 * n->rise_step, 2.0 * bmr_world_tolerance(w, w->time));
     n->rise = fmax(w->time + n->rise_step, nextafter(w->time, INFINITY));
-    if (separation(w, c, w->time) > w->def.kds.margin + w->def.kds.hysteresis) {
-        const unsigned rung = n->rung;
+    const unsigned before = n->rung, lower = rung_for(w, separation(w, c, w->time), before);
+    if (lower < before) {
         bmr_kds_report report;
-        n->rung = 0;
-        if (start(w, c, w->time, &report)) {
-            n->rise = INFINITY;
-            n->again = 0;
-        } else {
-            n->rung = rung;
-            if (!start(w, c, w->time, &report))
-                return BMR_ERROR_STALLED; // apart, and no proof of it
+        n->rung = lower;
+        bool apart = start(w, c, w->time, &report);
+        if (!apart) {
+            n->rung = before;
+            apart = start(w, c, w->time, &report);
         }
         count(w, &report);
+        if (!apart) { // apart, and no proof of it
+            bmr_couple_pass(w, c);
+            return BMR_ERROR_STALLED;
+        }
+        if (n->rung == 0) {
+            n->rise = INFINITY;
+            n->again = 0;
+        }
     }
     bmr_couple_search_later(w, c, false);
     return BMR_OK;
@@ -459,7 +480,7 @@ bmr_error bmr_couple_resume(bmr_world *w, bmr_couple *c, bool placed, double rec
         count(w, &report);
         if (!apart)
             continue;
-        const double room = 2.0 * (w->def.kds.margin + w->def.kds.hysteresis);
+        const double room = 2.0 * margin_of(w, n->rung - 1);
         bmr_couple_view view;
         const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
         const double most = natural_time(w, c, &motion, w->time);

@@ -349,33 +349,31 @@ static bmr_error curved(const bmr_world *w, const bmr_couple *c, double reach, b
 
 // ---- both ----
 
-bmr_error bmr_gate_meets(const bmr_world *w, const bmr_couple *c, double after, double *time, bool *look) {
+static bmr_error next_change(const bmr_world *w, const bmr_couple *c, bool meets, double after, double *time,
+                             bool *look) {
     const double reach = bmr_gate_reach(w, c), epoch = epoch_of(c);
     if (!isfinite(reach))
         return BMR_ERROR_NOT_FINITE;
     if (!both_straight(c))
-        return curved(w, c, reach, true, after, time, look);
-    const interval inside = straight_within(w, c, epoch, reach);
+        return curved(w, c, reach, meets, after, time, look);
+    const interval inside = straight_within(w, c, epoch, meets ? reach : bmr_gate_parted(reach));
     if (isnan(inside.from))
         return BMR_ERROR_NOT_FINITE;
     *look = false;
-    *time =
-        epoch + inside.to > after && inside.from <= inside.to ? fmax(after, epoch + inside.from) : INFINITY;
+    const bool ever = inside.from <= inside.to;
+    if (meets)
+        *time = ever && epoch + inside.to > after ? fmax(after, epoch + inside.from) : INFINITY;
+    else
+        *time = ever ? fmax(after, epoch + inside.to) : after;
     return BMR_OK;
 }
 
+bmr_error bmr_gate_meets(const bmr_world *w, const bmr_couple *c, double after, double *time, bool *look) {
+    return next_change(w, c, true, after, time, look);
+}
+
 bmr_error bmr_gate_parts(const bmr_world *w, const bmr_couple *c, double after, double *time, bool *look) {
-    const double reach = bmr_gate_reach(w, c), epoch = epoch_of(c);
-    if (!isfinite(reach))
-        return BMR_ERROR_NOT_FINITE;
-    if (!both_straight(c))
-        return curved(w, c, reach, false, after, time, look);
-    const interval inside = straight_within(w, c, epoch, bmr_gate_parted(reach));
-    if (isnan(inside.from))
-        return BMR_ERROR_NOT_FINITE;
-    *look = false;
-    *time = inside.from <= inside.to ? fmax(after, epoch + inside.to) : after;
-    return BMR_OK;
+    return next_change(w, c, false, after, time, look);
 }
 
 // ---- cells ----

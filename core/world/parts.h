@@ -75,10 +75,10 @@ typedef struct bmr_near {
     bool part_known; ///< false: not before `part`
     size_t failing;
     bmr_condition condition; ///< FAIL: what fails
-    double burst_start;
+    double last_repair;
     unsigned burst;
-    /// Contacts since the pair was apart by the margin: the structure's margin is halved so often. A pair
-    /// that was just in contact is within the margin; with half of it, it has a proof with slack again.
+    /// The structure's margin is halved so often. A pair that was just in contact is within its margin; with
+    /// half of it, it has a proof with slack again. As it comes apart it gets its margin back.
     unsigned rung, again;   ///< `again`: as in bmr_contact
     double rise, rise_step; ///< when to look whether it is apart again; INFINITY: never
     unsigned retries;       ///< LEAVE: of the structure's start

@@ -7,6 +7,7 @@
 #include "boomerang/families.h"
 #include "boomerang/simulation.h"
 #include "boomerang/time_of_contact.h"
+#include "boomerang/world.h"
 #include "kinetic/first_root.h"
 #include "points.h"
 #include "structure_named.h"
@@ -149,6 +150,49 @@ template <typename Ask> std::string Running(const Ask &ask) {
         answer += ", and it runs no more";
     bmr_simulation_destroy(simulation);
     return answer;
+}
+
+using SpoilWorld = void (*)(bmr_world_def *);
+
+std::string World(SpoilWorld spoil, double time = 0.0) {
+    bmr_world_def def = bmr_default_world_def();
+    def.high = {10.0, 10.0};
+    spoil(&def);
+    bmr_world *world = nullptr;
+    const bmr_error error = bmr_world_create(&def, time, nullptr, &world);
+    std::string answer = Said(error);
+    if (error != BMR_OK && world != nullptr)
+        answer += ", and the world is written";
+    bmr_world_destroy(world);
+    return answer;
+}
+
+/// What a world of one body, id 0, says; and that it is as good as before.
+template <typename Ask> std::string InWorld(const Ask &ask) {
+    const Pair pair;
+    const bmr_shape shape = {pair.polygon, {}, {}};
+    bmr_world_def def = bmr_default_world_def();
+    bmr_world *world = nullptr;
+    bmr_body body = BMR_NO_BODY;
+    bmr_body_def good = bmr_default_body_def(&shape, pair.rest);
+    if (bmr_world_create(&def, 0.0, nullptr, &world) != BMR_OK ||
+        bmr_world_add(world, &good, &body) != BMR_OK || bmr_world_advance(world, 1.0) != BMR_OK)
+        return "does not run";
+    good.motion = pair.comes;
+    std::string answer = Said(ask(world, &good));
+    if (bmr_world_body_count(world) != 1 || bmr_world_advance(world, 2.0) != BMR_OK ||
+        bmr_world_audit(world) != BMR_OK)
+        answer += ", and it is not as before";
+    bmr_world_destroy(world);
+    return answer;
+}
+
+std::string Body(void (*spoil)(bmr_body_def *)) {
+    return InWorld([spoil](bmr_world *world, bmr_body_def *def) {
+        spoil(def);
+        bmr_body body;
+        return bmr_world_add(world, def, &body);
+    });
 }
 
 std::string Optimum(double margin, double resolution, double from, double to) {
@@ -394,6 +438,60 @@ std::vector<Argument> OfRuns() {
              bmr_simulation_destroy(nullptr);
              return std::string("nothing happens");
          }},
+        {"`bmr_world_create`: no structure",
+         [] { return World([](bmr_world_def *d) { d->structure = nullptr; }); }},
+        {"`bmr_world_create`: a structure for points",
+         [] { return World([](bmr_world_def *d) { d->structure = test_structure("point-lazy-dudley"); }); }},
+        {"`bmr_world_create`: at NaN", [] { return World([](bmr_world_def *) {}, kNone); }},
+        {"`bmr_world_create`: a margin of 0",
+         [] { return World([](bmr_world_def *d) { d->kds.margin = 0.0; }); }},
+        {"`bmr_world_create`: a margin of NaN",
+         [] { return World([](bmr_world_def *d) { d->kds.margin = kNone; }); }},
+        {"`bmr_world_create`: a restitution of 2",
+         [] { return World([](bmr_world_def *d) { d->response.restitution = 2.0; }); }},
+        {"`bmr_world_create`: walls without a box",
+         [] { return World([](bmr_world_def *d) { d->boundary = BMR_WALLED, d->high = d->low; }); }},
+        {"`bmr_world_create`: an infinite periodic box",
+         [] { return World([](bmr_world_def *d) { d->boundary = BMR_PERIODIC, d->high.x = kInfinite; }); }},
+        {"`bmr_world_add`: no motion", [] { return Body([](bmr_body_def *d) { d->motion = nullptr; }); }},
+        {"`bmr_world_add`: a mass of 0", [] { return Body([](bmr_body_def *d) { d->mass = 0.0; }); }},
+        {"`bmr_world_add`: a mass of NaN", [] { return Body([](bmr_body_def *d) { d->mass = kNone; }); }},
+        {"`bmr_world_add`: an inertia below 0",
+         [] { return Body([](bmr_body_def *d) { d->inertia = -1.0; }); }},
+        {"`bmr_world_remove`: no such body",
+         [] { return InWorld([](bmr_world *w, bmr_body_def *) { return bmr_world_remove(w, 1); }); }},
+        {"`bmr_world_remove`: a wall",
+         [] {
+             return InWorld([](bmr_world *w, bmr_body_def *) { return bmr_world_remove(w, BMR_WALL(0)); });
+         }},
+        {"`bmr_world_set_motion`: `NULL`",
+         [] {
+             return InWorld([](bmr_world *w, bmr_body_def *) { return bmr_world_set_motion(w, 0, nullptr); });
+         }},
+        {"`bmr_world_set_motion`: no such body",
+         [] {
+             return InWorld(
+                 [](bmr_world *w, bmr_body_def *d) { return bmr_world_set_motion(w, 7, d->motion); });
+         }},
+        {"`bmr_world_set_piece`: a place of NaN",
+         [] {
+             return InWorld([](bmr_world *w, bmr_body_def *) {
+                 const bmr_motion_piece piece = bmr_piece_rest({{kNone, 0}, 1, 0});
+                 return bmr_world_set_piece(w, 0, &piece);
+             });
+         }},
+        {"`bmr_world_advance`: until NaN",
+         [] { return InWorld([](bmr_world *w, bmr_body_def *) { return bmr_world_advance(w, kNone); }); }},
+        {"`bmr_world_advance`: until before now",
+         [] { return InWorld([](bmr_world *w, bmr_body_def *) { return bmr_world_advance(w, 0.5); }); }},
+        {"`bmr_world_get`: no such body",
+         [] {
+             return InWorld([](bmr_world *w, bmr_body_def *) {
+                 bmr_body_state state;
+                 return bmr_world_get(w, 3, &state);
+             });
+         }},
+        {"`bmr_world_audit`: `NULL`", [] { return Said(bmr_world_audit(nullptr)); }},
         {"`bmr_run_course`: `NULL`",
          [] {
              bmr_run run;

@@ -226,7 +226,7 @@ static void check_overlaps(const script *s) {
 
 static void advance(script *s, double until) {
     bmr_error error = bmr_world_advance(s->world, until);
-    for (int i = 0; i < 50 && error == BMR_ERROR_STALLED; i++)
+    for (int i = 0; i < (s->wild ? 1 : 50) && error == BMR_ERROR_STALLED; i++)
         error = bmr_world_advance(s->world, until);
     // Bodies that nothing stops against bodies that nothing moves can spin faster and faster.
     check_error(s, error == BMR_ERROR_STALLED ? BMR_OK : error, true);

@@ -239,48 +239,54 @@ static void first_contacts_are_those_of_two_bodies_alone(void **state) {
 
 // ---- conservation ----
 
+/// side * side polygons of radius 1 at random velocities, 2.4 apart, whose contacts are elastic.
+static bmr_world *make_gas(const play_shapes *shapes, int side, bmr_boundary boundary, bool all_pairs) {
+    test_random random = {5};
+    bmr_world_def def = bmr_default_world_def();
+    def.boundary = boundary;
+    def.high = bmr_vec2_make(2.4 * side, 2.4 * side);
+    def.all_pairs = all_pairs;
+    bmr_world *w;
+    assert_int_equal(bmr_world_create(&def, 0.0, NULL, &w), BMR_OK);
+    for (int i = 0; i < side * side; i++) {
+        const bmr_vec2 at = {2.4 * (i % side + 0.5), 2.4 * (i / side + 0.5)};
+        const bmr_vec2 velocity = {play_in(&random, -1.0, 1.0), play_in(&random, -1.0, 1.0)};
+        const bmr_motion_piece piece = bmr_piece_screw(
+            0.0, bmr_pose_from_angle(at, play_in(&random, -3.0, 3.0)), velocity, play_in(&random, -1.0, 1.0));
+        bmr_motion *motion;
+        assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+        const bmr_body_def body = bmr_default_body_def(&shapes->shapes[i % 3 == 0 ? 0 : 7], motion);
+        bmr_body id;
+        assert_int_equal(bmr_world_add(w, &body, &id), BMR_OK);
+        bmr_motion_destroy(motion);
+    }
+    return w;
+}
+
 static void a_gas_keeps_its_energy_and_momentum(void **state) {
     (void)state;
     enum { SIDE = 12 };
-    const double size = 2.4 * SIDE, seconds = 4.0 * (double)test_scaled(10);
+    const bmr_vec2 size = {2.4 * SIDE, 2.4 * SIDE};
+    const double seconds = 4.0 * (double)test_scaled(10);
     test_random random = {5};
     play_shapes shapes;
     play_make_shapes(&shapes, &random);
     for (int boundary = 0; boundary < 3; boundary++) {
-        bmr_world_def def = bmr_default_world_def();
-        def.boundary = (bmr_boundary)boundary;
-        def.high = bmr_vec2_make(size, size);
-        bmr_world *w;
-        assert_int_equal(bmr_world_create(&def, 0.0, NULL, &w), BMR_OK);
-        for (int i = 0; i < SIDE * SIDE; i++) {
-            const bmr_vec2 at = {2.4 * (i % SIDE + 0.5), 2.4 * (i / SIDE + 0.5)};
-            const bmr_vec2 velocity = {play_in(&random, -1.0, 1.0), play_in(&random, -1.0, 1.0)};
-            const bmr_motion_piece piece =
-                bmr_piece_screw(0.0, bmr_pose_from_angle(at, play_in(&random, -3.0, 3.0)), velocity,
-                                play_in(&random, -1.0, 1.0));
-            bmr_motion *motion;
-            assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
-            const bmr_body_def body = bmr_default_body_def(&shapes.shapes[i % 3 == 0 ? 0 : 7], motion);
-            bmr_body id;
-            assert_int_equal(bmr_world_add(w, &body, &id), BMR_OK);
-            bmr_motion_destroy(motion);
-        }
+        bmr_world *w = make_gas(&shapes, SIDE, (bmr_boundary)boundary, false);
         const bmr_world_totals before = bmr_world_get_totals(w);
         for (int step = 1; step <= 4; step++) {
             assert_int_equal(bmr_world_advance(w, seconds * step / 4), BMR_OK);
-            assert_int_equal(overlaps(w, boundary == BMR_PERIODIC, def.high, 1e-9, true), 0);
+            assert_int_equal(overlaps(w, boundary == BMR_PERIODIC, size, 1e-9, true), 0);
         }
         const bmr_world_totals after = bmr_world_get_totals(w);
         const bmr_world_counts counts = bmr_world_get_counts(w);
-        const double scale = sqrt(before.energy) * size * SIDE * SIDE;
+        const double scale = sqrt(before.energy) * size.x * SIDE * SIDE;
         const double energy = fabs(after.energy - before.energy) / before.energy;
         const double momentum =
             hypot(after.momentum.x - before.momentum.x, after.momentum.y - before.momentum.y);
         const double angular = fabs(after.angular - before.angular);
-        print_message("%s: %llu impulses, energy %.1e, momentum %.1e, angular %.1e\n",
-                      boundary == 0   ? "open"
-                      : boundary == 1 ? "walls"
-                                      : "periodic",
+        static const char *const names[] = {"open", "walls", "periodic"};
+        print_message("%s: %llu impulses, energy %.1e, momentum %.1e, angular %.1e\n", names[boundary],
                       (unsigned long long)counts.impulses, energy, momentum, angular);
         assert_true(counts.impulses > 50 && counts.softened == 0);
         assert_true(energy < 1e-12);
@@ -292,11 +298,47 @@ static void a_gas_keeps_its_energy_and_momentum(void **state) {
     play_drop_shapes(&shapes);
 }
 
+/// Events and candidates of a body in a unit of time; its memory.
+static void figures(const play_shapes *shapes, int side, bool all_pairs, double figure[3]) {
+    bmr_world *w = make_gas(shapes, side, BMR_PERIODIC, all_pairs);
+    assert_int_equal(bmr_world_advance(w, 2.0), BMR_OK);
+    const bmr_world_counts counts = bmr_world_get_counts(w);
+    uint64_t events = 0;
+    for (int i = 0; i < BMR_WORLD_EVENT_KIND_COUNT; i++)
+        events += counts.events[i];
+    const double bodies = side * side;
+    figure[0] = (double)events / (2.0 * bodies);
+    figure[1] = (double)counts.pairs / bodies;
+    figure[2] = (double)counts.most_bytes / bodies;
+    bmr_world_destroy(w);
+}
+
+static void what_a_body_costs_does_not_grow_with_the_world(void **state) {
+    (void)state;
+    test_random random = {5};
+    play_shapes shapes;
+    play_make_shapes(&shapes, &random);
+    double few[3], many[3], all_few[3], all_many[3];
+    figures(&shapes, 14, false, few);
+    figures(&shapes, 28, false, many);
+    print_message("events %.2f and %.2f, pairs %.2f and %.2f, bytes %.0f and %.0f\n", few[0], many[0], few[1],
+                  many[1], few[2], many[2]);
+    assert_true(fabs(many[0] / few[0] - 1.0) < 0.2);
+    assert_true(many[1] < 16.0 && few[1] < 16.0); // about one body a cell, each pair once
+    assert_true(many[2] / few[2] < 1.5);
+    // Control: of all pairs a body has as many as there are others.
+    figures(&shapes, 7, true, all_few);
+    figures(&shapes, 14, true, all_many);
+    assert_true(all_many[1] > 3.5 * all_few[1] && all_many[2] > 3.0 * all_few[2]);
+    play_drop_shapes(&shapes);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_contacts_are_those_of_all_pairs_bit_for_bit),
         cmocka_unit_test(first_contacts_are_those_of_two_bodies_alone),
         cmocka_unit_test(a_gas_keeps_its_energy_and_momentum),
+        cmocka_unit_test(what_a_body_costs_does_not_grow_with_the_world),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,121 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Kinetic worlds, case by case: what is known beforehand of contacts and answers, of cells, of changes and of
 // memory.
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "boomerang/world.h"
-#include "failing_allocator.h"
-#include "polygons.h"
-#include "test_scale.h"
-
-#define MARGIN 1e-6
-#define MOST 4096
-
-// ---- a stage ----
-
-typedef struct stage {
-    bmr_world *world;
-    bmr_world_def def;
-    bmr_response response;
-    size_t count;
-    bmr_contact contacts[MOST];
-    uint64_t events[BMR_WORLD_EVENT_KIND_COUNT];
-    bmr_body crossed[MOST]; ///< by CROSS events, in their order
-    void (*inside)(struct stage *stage, const bmr_contact *contact);
-} stage;
-
-static bmr_response tell(void *context, bmr_world *world, const bmr_contact *contact) {
-    stage *s = context;
-    (void)world;
-    if (s->count < MOST)
-        s->contacts[s->count] = *contact;
-    s->count++;
-    if (s->inside)
-        s->inside(s, contact);
-    return s->response;
-}
-
-static void observe(void *context, bmr_world *world, const bmr_world_event *event) {
-    stage *s = context;
-    (void)world;
-    if (event->kind == BMR_WORLD_CROSS && s->events[BMR_WORLD_CROSS] < MOST)
-        s->crossed[s->events[BMR_WORLD_CROSS]] = event->a;
-    s->events[event->kind]++;
-}
-
-static stage *make_stage(bmr_boundary boundary, double size) {
-    stage *s = calloc(1, sizeof *s);
-    assert_non_null(s);
-    s->def = bmr_default_world_def();
-    s->def.boundary = boundary;
-    s->def.low = bmr_vec2_make(-size, -size);
-    s->def.high = bmr_vec2_make(size, size);
-    s->def.contact = tell;
-    s->def.observer = observe;
-    s->def.context = s;
-    s->response.kind = BMR_RESPONSE_IMPULSE;
-    s->response.restitution = 1.0;
-    return s;
-}
-
-static void open_stage(stage *s) {
-    assert_int_equal(bmr_world_create(&s->def, 0.0, NULL, &s->world), BMR_OK);
-}
-
-static void close_stage(stage *s) {
-    bmr_world_destroy(s->world);
-    free(s);
-}
-
-static void advance(stage *s, double time) {
-    assert_int_equal(bmr_world_advance(s->world, time), BMR_OK);
-    assert_int_equal(bmr_world_audit(s->world), BMR_OK);
-}
-
-/// A box of half sides 1 at most, times `scale`.
-static bmr_polygon *box(double scale) {
-    const bmr_vec2 points[4] = {{-scale, -scale}, {scale, -scale}, {scale, scale}, {-scale, scale}};
-    bmr_polygon *polygon = NULL;
-    assert_int_equal(bmr_polygon_create(points, 4, NULL, &polygon), BMR_OK);
-    return polygon;
-}
-
-static bmr_motion_piece flight(double time, double x, double y, double vx, double vy, double spin) {
-    return bmr_piece_screw(time, bmr_pose_from_angle(bmr_vec2_make(x, y), 0.0), bmr_vec2_make(vx, vy), spin);
-}
-
-static bmr_body add_piece(stage *s, const bmr_polygon *polygon, bmr_motion_piece piece, double mass) {
-    bmr_motion *motion;
-    assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
-    const bmr_shape shape = {.polygon = polygon};
-    bmr_body_def def = bmr_default_body_def(&shape, motion);
-    if (mass > 0.0)
-        def.mass = mass;
-    bmr_body body;
-    assert_int_equal(bmr_world_add(s->world, &def, &body), BMR_OK);
-    bmr_motion_destroy(motion);
-    return body;
-}
-
-static bmr_body_state state_of(const stage *s, bmr_body body) {
-    bmr_body_state state;
-    assert_int_equal(bmr_world_get(s->world, body, &state), BMR_OK);
-    return state;
-}
-
-static void assert_near(double value, double expected, double room) {
-    if (!(fabs(value - expected) <= room))
-        fail_msg("%.17g is not %.17g", value, expected);
-}
+#include "world_stage.h"
 
 // ---- contacts and answers ----
 
@@ -269,6 +155,31 @@ static void inelastic_collapse_is_an_error_or_the_policy(void **state) {
     assert_true(counts.softened > 0);
     // Control: above the bound nothing stalls.
     assert_int_equal(collapse(0.5, BMR_ZENO_ERROR, &counts), BMR_OK);
+}
+
+/// Squares that lose energy at each contact until next to none is left: they come to lie against each other
+/// and the walls, and the world goes on.
+static void a_gas_that_cools_goes_on(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_WALLED, 9.0);
+    s->response.restitution = 0.3;
+    s->def.kds.margin = s->def.kds.hysteresis = 1e-3;
+    s->def.zeno = BMR_ZENO_ELASTIC;
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    test_random random = {12};
+    for (int i = 0; i < 36; i++)
+        add_piece(s, b,
+                  flight(0.0, 3.0 * (i % 6) - 7.5, 3.0 * (i / 6) - 7.5,
+                         test_random_uniform(&random, -1.0, 1.0), test_random_uniform(&random, -1.0, 1.0),
+                         test_random_uniform(&random, -1.0, 1.0)),
+                  0.0);
+    const double before = bmr_world_get_totals(s->world).energy;
+    advance(s, 100.0);
+    assert_true(bmr_world_get_totals(s->world).energy < 0.1 * before);
+    assert_true(bmr_world_get_counts(s->world).softened > 0);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
 }
 
 /// A wall that comes nearer than anything can give way: contact after contact, each at half the distance.
@@ -553,166 +464,6 @@ static void ids_are_never_those_of_another_body(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
-// ---- memory ----
-
-static void memory_is_linear_and_given_back(void **state) {
-    (void)state;
-    bmr_polygon *b = box(0.5), *huge = box(300.0);
-    double each[2];
-    for (int i = 0; i < 2; i++) {
-        const int side = i == 0 ? 10 : 40;
-        test_heap heap;
-        test_heap_init(&heap, SIZE_MAX);
-        stage *s = make_stage(BMR_OPEN, 0.0);
-        assert_int_equal(bmr_world_create(&s->def, 0.0, &heap.allocator, &s->world), BMR_OK);
-        const size_t empty = heap.bytes;
-        assert_int_equal(bmr_world_get_counts(s->world).bytes, empty);
-        for (int k = 0; k < side * side; k++)
-            add_piece(s, b, flight(0.0, 2.0 * (k % side), 2.0 * (k / side), 0.0, 0.1 * (k % 3), 0.0), 0.0);
-        advance(s, 1.0);
-        const size_t full = heap.bytes;
-        assert_int_equal(bmr_world_get_counts(s->world).bytes, full);
-        each[i] = (double)(full - empty) / (side * side);
-        // A level far above comes and goes; its cells with it, after a while.
-        const bmr_body top = add_piece(s, huge, flight(1.0, 1e4, 0.0, 0.0, 0.0, 0.0), 0.0);
-        assert_int_equal(bmr_world_remove(s->world, top), BMR_OK);
-        for (int k = side * side - 1; k >= 0; k--)
-            assert_int_equal(bmr_world_remove(s->world, (bmr_body)k), BMR_OK);
-        // Tables keep a little.
-        assert_in_range(heap.bytes, empty, empty + 16 * 1024 + 96 * (size_t)(side * side));
-        assert_int_equal(heap.wrong_sizes, 0);
-        bmr_world_destroy(s->world);
-        assert_int_equal(heap.blocks, 0);
-        free(s);
-    }
-    assert_near(each[1] / each[0], 1.0, 0.3);
-    bmr_polygon_destroy(b, NULL);
-    bmr_polygon_destroy(huge, NULL);
-}
-
-/// Sixty bodies come, meet, jump and go; whatever has no memory is done again. Its contacts, hashed.
-static uint64_t lack_of_memory(size_t fail_at, size_t *asked, size_t *failures) {
-    test_heap heap;
-    test_heap_init(&heap, fail_at);
-    stage *s = make_stage(BMR_OPEN, 0.0);
-    bmr_error error = bmr_world_create(&s->def, 0.0, &heap.allocator, &s->world);
-    if (error == BMR_ERROR_NO_MEMORY)
-        error = bmr_world_create(&s->def, 0.0, &heap.allocator, &s->world);
-    assert_int_equal(error, BMR_OK);
-    bmr_polygon *b = box(0.5), *big = box(3.0);
-    test_random random = {4};
-    for (int i = 0; i < 60; i++) {
-        const bmr_motion_piece piece =
-            flight(0.0, 2.0 * (i % 8), 2.0 * (i / 8), test_random_uniform(&random, -1.0, 1.0),
-                   test_random_uniform(&random, -1.0, 1.0), test_random_uniform(&random, -1.0, 1.0));
-        bmr_motion *motion;
-        assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
-        const bmr_shape shape = {.polygon = i % 20 == 19 ? big : b};
-        const bmr_body_def def = bmr_default_body_def(&shape, motion);
-        bmr_body body = BMR_NO_BODY;
-        error = bmr_world_add(s->world, &def, &body);
-        if (error == BMR_ERROR_NO_MEMORY) {
-            ++*failures;
-            assert_true(body == BMR_NO_BODY);
-            error = bmr_world_add(s->world, &def, &body);
-        }
-        assert_int_equal(error, BMR_OK);
-        bmr_motion_destroy(motion);
-    }
-    for (int i = 0; i < 60; i++) {
-        error = bmr_world_advance(s->world, 0.05 * (i + 1));
-        if (error == BMR_ERROR_NO_MEMORY) {
-            ++*failures;
-            assert_int_equal(bmr_world_audit(s->world), BMR_OK);
-            error = bmr_world_advance(s->world, 0.05 * (i + 1));
-        }
-        assert_int_equal(error, BMR_OK);
-        const bmr_body body = (bmr_body)(59 - i);
-        const bmr_motion_piece away = flight(0.0, 100.0 + i, 0.0, 0.0, 0.1, 0.0);
-        error = i % 3 ? bmr_world_remove(s->world, body) : bmr_world_set_piece(s->world, body, &away);
-        if (error == BMR_ERROR_NO_MEMORY) {
-            ++*failures;
-            error = bmr_world_set_piece(s->world, body, &away);
-        }
-        assert_int_equal(error, BMR_OK);
-    }
-    uint64_t hash = s->count;
-    for (size_t i = 0; i < s->count; i++) {
-        uint64_t bits;
-        memcpy(&bits, &s->contacts[i].time, sizeof bits);
-        hash = (hash ^ bits) * UINT64_C(1099511628211);
-    }
-    *asked = heap.asked;
-    bmr_world_destroy(s->world);
-    assert_int_equal(heap.blocks, 0);
-    assert_int_equal(heap.wrong_sizes, 0);
-    bmr_polygon_destroy(b, NULL);
-    bmr_polygon_destroy(big, NULL);
-    free(s);
-    return hash;
-}
-
-static void every_allocation_may_fail_once(void **state) {
-    (void)state;
-    size_t asked = 0, failures = 0, ignored;
-    const uint64_t expected = lack_of_memory(SIZE_MAX, &asked, &failures);
-    assert_true(asked > 500 && failures == 0);
-    const size_t step = 1 + asked / test_scaled(300);
-    size_t tried = 0;
-    for (size_t i = 0; i < asked; i += step, tried++)
-        assert_true(lack_of_memory(i, &ignored, &failures) == expected);
-    // (A table that cannot be made smaller stays.)
-    assert_true(failures > tried / 2);
-}
-
-static void walls_work_with_every_structure(void **state) {
-    (void)state;
-    bmr_polygon *b = box(1.0);
-    bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT];
-    bmr_compass *compass;
-    assert_int_equal(bmr_compass_create(4, NULL, &compass), BMR_OK);
-    assert_int_equal(bmr_hierarchy_build_compass(b, compass, NULL, &hierarchies[BMR_HIERARCHY_COMPASS]),
-                     BMR_OK);
-    assert_int_equal(bmr_hierarchy_build_dudley(b, NULL, &hierarchies[BMR_HIERARCHY_DUDLEY]), BMR_OK);
-    assert_int_equal(
-        bmr_hierarchy_build_dobkin_kirkpatrick(b, NULL, &hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK]),
-        BMR_OK);
-    bmr_shape shape = {.polygon = b};
-    for (int k = 0; k < BMR_HIERARCHY_KIND_COUNT; k++)
-        shape.hierarchies[k] = hierarchies[k];
-    size_t tried = 0, refused = 0;
-    for (size_t i = 0; i < bmr_kds_count(); i++) {
-        stage *s = make_stage(BMR_WALLED, 6.0);
-        s->def.structure = bmr_kds_at(i);
-        if (s->def.structure->domain != BMR_KDS_RIGID) {
-            refused++;
-            assert_int_equal(bmr_world_create(&s->def, 0.0, NULL, &s->world), BMR_ERROR_OUT_OF_RANGE);
-            free(s);
-            continue;
-        }
-        tried++;
-        open_stage(s);
-        const bmr_motion_piece pieces[2] = {flight(0.0, -3.0, 0.3, 1.0, 0.4, 0.5),
-                                            flight(0.0, 3.0, 0.0, -1.0, 0.2, -0.7)};
-        for (int k = 0; k < 2; k++) {
-            bmr_motion *motion;
-            assert_int_equal(bmr_motion_create(&pieces[k], NULL, &motion), BMR_OK);
-            const bmr_body_def def = bmr_default_body_def(&shape, motion);
-            bmr_body body;
-            assert_int_equal(bmr_world_add(s->world, &def, &body), BMR_OK);
-            bmr_motion_destroy(motion);
-        }
-        advance(s, 12.0);
-        assert_true(s->count > 3);
-        close_stage(s);
-    }
-    assert_true(tried > 5 && refused > 5);
-    for (int k = 0; k < BMR_HIERARCHY_KIND_COUNT; k++)
-        bmr_hierarchy_destroy(hierarchies[k], NULL);
-    bmr_compass_destroy(compass, NULL);
-    bmr_polygon_destroy(b, NULL);
-}
-
 static void the_mass_of_a_polygon_is_that_of_its_parts(void **state) {
     (void)state;
     const bmr_vec2 points[4] = {{1e6, 2.0}, {1e6 + 3.0, 2.0}, {1e6 + 3.0, 4.0}, {1e6, 4.0}};
@@ -739,6 +490,7 @@ int main(void) {
         cmocka_unit_test(a_box_that_is_passed_is_left),
         cmocka_unit_test(what_sticks_goes_on_together),
         cmocka_unit_test(inelastic_collapse_is_an_error_or_the_policy),
+        cmocka_unit_test(a_gas_that_cools_goes_on),
         cmocka_unit_test(a_contact_that_no_answer_ends_is_an_error),
         cmocka_unit_test(a_big_body_finds_the_small_ones_that_rest),
         cmocka_unit_test(a_body_that_flies_away_needs_ever_fewer_cells_and_meets_what_is_there),
@@ -749,9 +501,6 @@ int main(void) {
         cmocka_unit_test(a_change_of_plan_touches_one_body_only),
         cmocka_unit_test(how_far_a_call_advances_changes_nothing),
         cmocka_unit_test(ids_are_never_those_of_another_body),
-        cmocka_unit_test(memory_is_linear_and_given_back),
-        cmocka_unit_test(every_allocation_may_fail_once),
-        cmocka_unit_test(walls_work_with_every_structure),
         cmocka_unit_test(the_mass_of_a_polygon_is_that_of_its_parts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

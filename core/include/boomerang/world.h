@@ -96,8 +96,10 @@ typedef bmr_response (*bmr_world_contact)(void *context, bmr_world *world, const
 typedef enum bmr_zeno_policy {
     /// bmr_world_advance ends with STALLED when a pair has contacts nearer and nearer without coming apart.
     BMR_ZENO_ERROR,
-    /// An impulse on points that approach by less than `zeno_speed` has restitution 1 (McNamara and Luding's
-    /// remedy), and is counted. STALLED where that does not help.
+    /// An impulse on points that approach by less than `zeno_speed`, or of a pair that touches at less than a
+    /// 32nd of the margin, has restitution 1 (McNamara and Luding's remedy), and is counted. STALLED where
+    /// that does not help: bodies that come to lie against each other want a margin of a thousandth of their
+    /// size, which can be halved more often before it is lost in rounding.
     BMR_ZENO_ELASTIC
 } bmr_zeno_policy;
 
@@ -196,12 +198,14 @@ bmr_error bmr_world_set_motion(bmr_world *world, bmr_body body, const bmr_motion
 bmr_error bmr_world_set_piece(bmr_world *world, bmr_body body, const bmr_motion_piece *piece);
 
 /// Processes every event up to and including `until`, in order of time. After an error the world stands at
-/// the event that could not be done; where the cause is gone (NO_MEMORY), a further call goes on. Errors:
+/// the event that could not be done; where the cause is gone (NO_MEMORY), a further call goes on. After
+/// STALLED it goes on too: the pair that stalled passes. Errors:
 /// NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (`until` is past, a call out of a callback, a restitution outside
-/// of [0, 1], a search that takes too many steps), STALLED (see bmr_zeno_policy; or a pair has more than
-/// BMR_WORLD_BURST events within failure.tolerance of one another), NO_MEMORY, those of bmr_failure_time.
+/// of [0, 1], a search that takes too many steps), STALLED (see bmr_zeno_policy; or a structure has more than
+/// BMR_WORLD_BURST repairs, each within four failure.tolerance of the one before), NO_MEMORY, those of
+/// bmr_failure_time.
 bmr_error bmr_world_advance(bmr_world *world, double until);
-#define BMR_WORLD_BURST 1000
+#define BMR_WORLD_BURST 200
 double bmr_world_time(const bmr_world *world);
 /// Nothing happens before this time; INFINITY: never anything.
 double bmr_world_next(const bmr_world *world);

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#ifndef BMR_TEST_WORLD_STAGE_H
+#define BMR_TEST_WORLD_STAGE_H
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "boomerang/world.h"
+#include "polygons.h"
+
+/// @file
+/// A kinetic world whose contacts and events are written down, and bodies for it. In C, with cmocka.
+
+#define MARGIN 1e-6
+#define MOST 4096
+
+typedef struct stage {
+    bmr_world *world;
+    bmr_world_def def;
+    bmr_response response;
+    size_t count;
+    bmr_contact contacts[MOST];
+    uint64_t events[BMR_WORLD_EVENT_KIND_COUNT];
+    bmr_body crossed[MOST]; ///< by CROSS events, in their order
+    void (*inside)(struct stage *stage, const bmr_contact *contact);
+} stage;
+
+static inline bmr_response tell(void *context, bmr_world *world, const bmr_contact *contact) {
+    stage *s = context;
+    (void)world;
+    if (s->count < MOST)
+        s->contacts[s->count] = *contact;
+    s->count++;
+    if (s->inside)
+        s->inside(s, contact);
+    return s->response;
+}
+
+static inline void observe(void *context, bmr_world *world, const bmr_world_event *event) {
+    stage *s = context;
+    (void)world;
+    if (event->kind == BMR_WORLD_CROSS && s->events[BMR_WORLD_CROSS] < MOST)
+        s->crossed[s->events[BMR_WORLD_CROSS]] = event->a;
+    s->events[event->kind]++;
+}
+
+static inline stage *make_stage(bmr_boundary boundary, double size) {
+    stage *s = calloc(1, sizeof *s);
+    assert_non_null(s);
+    s->def = bmr_default_world_def();
+    s->def.boundary = boundary;
+    s->def.low = bmr_vec2_make(-size, -size);
+    s->def.high = bmr_vec2_make(size, size);
+    s->def.contact = tell;
+    s->def.observer = observe;
+    s->def.context = s;
+    s->response.kind = BMR_RESPONSE_IMPULSE;
+    s->response.restitution = 1.0;
+    return s;
+}
+
+static inline void open_stage(stage *s) {
+    assert_int_equal(bmr_world_create(&s->def, 0.0, NULL, &s->world), BMR_OK);
+}
+
+static inline void close_stage(stage *s) {
+    bmr_world_destroy(s->world);
+    free(s);
+}
+
+static inline void advance(stage *s, double time) {
+    assert_int_equal(bmr_world_advance(s->world, time), BMR_OK);
+    assert_int_equal(bmr_world_audit(s->world), BMR_OK);
+}
+
+/// A box of half sides 1 at most, times `scale`.
+static inline bmr_polygon *box(double scale) {
+    const bmr_vec2 points[4] = {{-scale, -scale}, {scale, -scale}, {scale, scale}, {-scale, scale}};
+    bmr_polygon *polygon = NULL;
+    assert_int_equal(bmr_polygon_create(points, 4, NULL, &polygon), BMR_OK);
+    return polygon;
+}
+
+static inline bmr_motion_piece flight(double time, double x, double y, double vx, double vy, double spin) {
+    return bmr_piece_screw(time, bmr_pose_from_angle(bmr_vec2_make(x, y), 0.0), bmr_vec2_make(vx, vy), spin);
+}
+
+static inline bmr_body add_piece(stage *s, const bmr_polygon *polygon, bmr_motion_piece piece, double mass) {
+    bmr_motion *motion;
+    assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+    const bmr_shape shape = {.polygon = polygon};
+    bmr_body_def def = bmr_default_body_def(&shape, motion);
+    if (mass > 0.0)
+        def.mass = mass;
+    bmr_body body;
+    assert_int_equal(bmr_world_add(s->world, &def, &body), BMR_OK);
+    bmr_motion_destroy(motion);
+    return body;
+}
+
+static inline bmr_body_state state_of(const stage *s, bmr_body body) {
+    bmr_body_state state;
+    assert_int_equal(bmr_world_get(s->world, body, &state), BMR_OK);
+    return state;
+}
+
+static inline void assert_near(double value, double expected, double room) {
+    if (!(fabs(value - expected) <= room))
+        fail_msg("%.17g is not %.17g", value, expected);
+}
+
+#endif

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// Kinetic worlds: their memory, what happens where there is none, and walls with every structure.
+#include "failing_allocator.h"
+#include "test_scale.h"
+#include "world_stage.h"
+
+static void memory_is_linear_and_given_back(void **state) {
+    (void)state;
+    bmr_polygon *b = box(0.5), *huge = box(300.0);
+    double each[2];
+    for (int i = 0; i < 2; i++) {
+        const int side = i == 0 ? 10 : 40;
+        test_heap heap;
+        test_heap_init(&heap, SIZE_MAX);
+        stage *s = make_stage(BMR_OPEN, 0.0);
+        assert_int_equal(bmr_world_create(&s->def, 0.0, &heap.allocator, &s->world), BMR_OK);
+        const size_t empty = heap.bytes;
+        assert_int_equal(bmr_world_get_counts(s->world).bytes, empty);
+        for (int k = 0; k < side * side; k++)
+            add_piece(s, b, flight(0.0, 2.0 * (k % side), 2.0 * (k / side), 0.0, 0.1 * (k % 3), 0.0), 0.0);
+        advance(s, 1.0);
+        const size_t full = heap.bytes;
+        assert_int_equal(bmr_world_get_counts(s->world).bytes, full);
+        each[i] = (double)(full - empty) / (side * side);
+        // A level far above comes and goes; its cells with it, after a while.
+        const bmr_body top = add_piece(s, huge, flight(1.0, 1e4, 0.0, 0.0, 0.0, 0.0), 0.0);
+        assert_int_equal(bmr_world_remove(s->world, top), BMR_OK);
+        for (int k = side * side - 1; k >= 0; k--)
+            assert_int_equal(bmr_world_remove(s->world, (bmr_body)k), BMR_OK);
+        // Tables keep a little.
+        assert_in_range(heap.bytes, empty, empty + 16 * 1024 + 96 * (size_t)(side * side));
+        assert_int_equal(heap.wrong_sizes, 0);
+        bmr_world_destroy(s->world);
+        assert_int_equal(heap.blocks, 0);
+        free(s);
+    }
+    assert_near(each[1] / each[0], 1.0, 0.3);
+    bmr_polygon_destroy(b, NULL);
+    bmr_polygon_destroy(huge, NULL);
+}
+
+/// Sixty bodies come, meet, jump and go; whatever has no memory is done again. Its contacts, hashed.
+static uint64_t lack_of_memory(size_t fail_at, size_t *asked, size_t *failures) {
+    test_heap heap;
+    test_heap_init(&heap, fail_at);
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    bmr_error error = bmr_world_create(&s->def, 0.0, &heap.allocator, &s->world);
+    if (error == BMR_ERROR_NO_MEMORY)
+        error = bmr_world_create(&s->def, 0.0, &heap.allocator, &s->world);
+    assert_int_equal(error, BMR_OK);
+    bmr_polygon *b = box(0.5), *big = box(3.0);
+    test_random random = {4};
+    for (int i = 0; i < 60; i++) {
+        const bmr_motion_piece piece =
+            flight(0.0, 2.0 * (i % 8), 2.0 * (i / 8), test_random_uniform(&random, -1.0, 1.0),
+                   test_random_uniform(&random, -1.0, 1.0), test_random_uniform(&random, -1.0, 1.0));
+        bmr_motion *motion;
+        assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+        const bmr_shape shape = {.polygon = i % 20 == 19 ? big : b};
+        const bmr_body_def def = bmr_default_body_def(&shape, motion);
+        bmr_body body = BMR_NO_BODY;
+        error = bmr_world_add(s->world, &def, &body);
+        if (error == BMR_ERROR_NO_MEMORY) {
+            ++*failures;
+            assert_true(body == BMR_NO_BODY);
+            error = bmr_world_add(s->world, &def, &body);
+        }
+        assert_int_equal(error, BMR_OK);
+        bmr_motion_destroy(motion);
+    }
+    for (int i = 0; i < 60; i++) {
+        error = bmr_world_advance(s->world, 0.05 * (i + 1));
+        if (error == BMR_ERROR_NO_MEMORY) {
+            ++*failures;
+            assert_int_equal(bmr_world_audit(s->world), BMR_OK);
+            error = bmr_world_advance(s->world, 0.05 * (i + 1));
+        }
+        assert_int_equal(error, BMR_OK);
+        const bmr_body body = (bmr_body)(59 - i);
+        const bmr_motion_piece away = flight(0.0, 100.0 + i, 0.0, 0.0, 0.1, 0.0);
+        error = i % 3 ? bmr_world_remove(s->world, body) : bmr_world_set_piece(s->world, body, &away);
+        if (error == BMR_ERROR_NO_MEMORY) {
+            ++*failures;
+            error = bmr_world_set_piece(s->world, body, &away);
+        }
+        assert_int_equal(error, BMR_OK);
+    }
+    uint64_t hash = s->count;
+    for (size_t i = 0; i < s->count; i++) {
+        uint64_t bits;
+        memcpy(&bits, &s->contacts[i].time, sizeof bits);
+        hash = (hash ^ bits) * UINT64_C(1099511628211);
+    }
+    *asked = heap.asked;
+    bmr_world_destroy(s->world);
+    assert_int_equal(heap.blocks, 0);
+    assert_int_equal(heap.wrong_sizes, 0);
+    bmr_polygon_destroy(b, NULL);
+    bmr_polygon_destroy(big, NULL);
+    free(s);
+    return hash;
+}
+
+static void every_allocation_may_fail_once(void **state) {
+    (void)state;
+    size_t asked = 0, failures = 0, ignored;
+    const uint64_t expected = lack_of_memory(SIZE_MAX, &asked, &failures);
+    assert_true(asked > 500 && failures == 0);
+    const size_t step = 1 + asked / test_scaled(300);
+    size_t tried = 0;
+    for (size_t i = 0; i < asked; i += step, tried++)
+        assert_true(lack_of_memory(i, &ignored, &failures) == expected);
+    // (A table that cannot be made smaller stays.)
+    assert_true(failures > tried / 2);
+}
+
+static void walls_work_with_every_structure(void **state) {
+    (void)state;
+    bmr_polygon *b = box(1.0);
+    bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT];
+    bmr_compass *compass;
+    assert_int_equal(bmr_compass_create(4, NULL, &compass), BMR_OK);
+    assert_int_equal(bmr_hierarchy_build_compass(b, compass, NULL, &hierarchies[BMR_HIERARCHY_COMPASS]),
+                     BMR_OK);
+    assert_int_equal(bmr_hierarchy_build_dudley(b, NULL, &hierarchies[BMR_HIERARCHY_DUDLEY]), BMR_OK);
+    assert_int_equal(
+        bmr_hierarchy_build_dobkin_kirkpatrick(b, NULL, &hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK]),
+        BMR_OK);
+    bmr_shape shape = {.polygon = b};
+    for (int k = 0; k < BMR_HIERARCHY_KIND_COUNT; k++)
+        shape.hierarchies[k] = hierarchies[k];
+    size_t tried = 0, refused = 0;
+    for (size_t i = 0; i < bmr_kds_count(); i++) {
+        stage *s = make_stage(BMR_WALLED, 6.0);
+        s->def.structure = bmr_kds_at(i);
+        if (s->def.structure->domain != BMR_KDS_RIGID) {
+            refused++;
+            assert_int_equal(bmr_world_create(&s->def, 0.0, NULL, &s->world), BMR_ERROR_OUT_OF_RANGE);
+            free(s);
+            continue;
+        }
+        tried++;
+        open_stage(s);
+        const bmr_motion_piece pieces[2] = {flight(0.0, -3.0, 0.3, 1.0, 0.4, 0.5),
+                                            flight(0.0, 3.0, 0.0, -1.0, 0.2, -0.7)};
+        for (int k = 0; k < 2; k++) {
+            bmr_motion *motion;
+            assert_int_equal(bmr_motion_create(&pieces[k], NULL, &motion), BMR_OK);
+            const bmr_body_def def = bmr_default_body_def(&shape, motion);
+            bmr_body body;
+            assert_int_equal(bmr_world_add(s->world, &def, &body), BMR_OK);
+            bmr_motion_destroy(motion);
+        }
+        advance(s, 12.0);
+        assert_true(s->count > 3);
+        close_stage(s);
+    }
+    assert_true(tried > 5 && refused > 5);
+    for (int k = 0; k < BMR_HIERARCHY_KIND_COUNT; k++)
+        bmr_hierarchy_destroy(hierarchies[k], NULL);
+    bmr_compass_destroy(compass, NULL);
+    bmr_polygon_destroy(b, NULL);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(memory_is_linear_and_given_back),
+        cmocka_unit_test(every_allocation_may_fail_once),
+        cmocka_unit_test(walls_work_with_every_structure),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
