@@ -21,7 +21,7 @@ constexpr double kTurning = 0.4;
     if (error == BMR_ERROR_STALLED)
         why += choice.zeno == BMR_ZENO_ERROR
                    ? " (--zeno elastic answers slow contacts elastically)"
-                   : " (--zeno-speed: these contacts are slower, or too slow to part at all)";
+                   : " (a larger --zeno-speed may end these contacts)";
     throw WorldStopped(why);
 }
 

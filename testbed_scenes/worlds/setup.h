@@ -39,10 +39,7 @@ struct WorldChoice {
     bmr_boundary boundary = BMR_WALLED;
     bmr_response response = {BMR_RESPONSE_IMPULSE, 1.0};
     bmr_zeno_policy zeno = BMR_ZENO_ERROR;
-    /// Two bodies that turn come back to each other as if they fell, by spin^2 times their size. A slow
-    /// contact ends where it is answered fast enough for them to part by the margin: at 1e-3 they often do
-    /// not.
-    double zenoSpeed = 1e-2;
+    double zenoSpeed = 1e-3;
     bool allPairs = false;
 };
 
