@@ -54,6 +54,10 @@ template <typename T> std::unique_ptr<Scene> CreateScene() {
     return std::make_unique<T>();
 }
 
+/// A scene that is in no list, because a file says what is in it.
+SceneInfo SceneOfAFile(const char *name, const char *description, int steps, float timeStep,
+                       std::unique_ptr<Scene> (*create)());
+
 /// All scenes: the classic ones, then the hard ones, then those of any size.
 const std::vector<SceneInfo> &AllScenes();
 /// Null if there is none of this name.

@@ -20,7 +20,7 @@ namespace {
 /// A recording of more would be gigabytes.
 constexpr double kMostFrames = 20000.0;
 /// Of the progress line.
-constexpr int kUnits = 1000;
+constexpr int kProgressUnits = 1000;
 
 std::string Scientific(double number) {
     char text[32];
@@ -119,7 +119,7 @@ void Print(const WorldFigures &figures, bool colour) {
 }
 
 WorldFigures RunOne(const WorldCommand &command, const WorldSetup &setup) {
-    Progress progress(kUnits, command.quiet);
+    Progress progress(kProgressUnits, command.quiet);
     MeasureOptions options;
     options.check = command.check;
     options.audit = command.audit;
@@ -135,7 +135,7 @@ WorldFigures RunOne(const WorldCommand &command, const WorldSetup &setup) {
     options.onSlice = [&](const WorldRun &run, double part) {
         if (recorder)
             file.Stream() << recording::Print(recorder->Take(run)) << '\n';
-        progress.FinishUpTo(static_cast<int>(kUnits * part));
+        progress.FinishUpTo(static_cast<int>(kProgressUnits * part));
         progress.Show(setup.choice.scene + ", time " + General(run.Time()), 0.0);
     };
     const WorldFigures figures = Measure(setup, options);

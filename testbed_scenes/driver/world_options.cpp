@@ -184,8 +184,6 @@ WorldChoice ChoiceFor(const WorldCommand &command) {
     choice.allPairs = command.allPairs;
     if (choice.bodies < 2)
         throw UsageError("--bodies: two at least");
-    if (choice.sizes > 1.0 && choice.shape == "regular" && choice.bodies < 2)
-        throw UsageError("--sizes: of one body there is one");
     return choice;
 }
 

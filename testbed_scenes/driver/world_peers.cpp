@@ -23,10 +23,10 @@
 namespace testbed {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Watch = std::chrono::steady_clock;
 
-double SecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
+double SecondsSince(Watch::time_point start) {
+    return std::chrono::duration<double>(Watch::now() - start).count();
 }
 
 /// Peers that cost the square of the bodies run for a part of the time, where there are more than these.
@@ -55,7 +55,7 @@ struct Reference {
 double TimeRun(const WorldSetup &setup) {
     double best = HUGE_VAL, all = 0.0;
     for (int i = 0; i < kMostTimes && all < kEnoughSeconds; ++i) {
-        const Clock::time_point start = Clock::now();
+        const Watch::time_point start = Watch::now();
         WorldRun run(setup);
         run.Advance(setup.choice.seconds);
         const double seconds = SecondsSince(start);
@@ -154,7 +154,7 @@ Row RunStructures(const WorldSetup &setup, nlohmann::json *json) {
             "the simulation");
     const std::unique_ptr<bmr_simulation, decltype(&bmr_simulation_destroy)> owner(simulation,
                                                                                    bmr_simulation_destroy);
-    const Clock::time_point start = Clock::now();
+    const Watch::time_point start = Watch::now();
     const bmr_error error = bmr_simulation_run(simulation, setup.choice.seconds * part);
     const double clock = SecondsSince(start) / part;
     (*json)["structures"] = {{"clock", clock}, {"part", part}};
@@ -191,7 +191,7 @@ Row RunSteps(const WorldSetup &setup, const Paths &paths, const Reference &refer
     const double steps = std::ceil(setup.choice.seconds / h);
     const int timed = static_cast<int>(std::min(steps, static_cast<double>(kTimedSteps)));
     Stepper stepper(setup, paths);
-    const Clock::time_point start = Clock::now();
+    const Watch::time_point start = Watch::now();
     for (int step = 1; step <= timed; ++step)
         stepper.StepTo(step * h);
     const double each = SecondsSince(start) / timed;

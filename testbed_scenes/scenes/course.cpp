@@ -89,19 +89,8 @@ class Course final : public Scene {
 
 SceneInfo CourseScene(const std::string &file) {
     loaded = ReadCourse(file);
-    SceneInfo info = {};
-    info.name = "course";
-    info.description = "two bodies led through given poses";
-    info.group = "course";
-    info.sizeMeaning = "-";
-    info.size = 1;
-    info.steps = loaded.steps;
-    info.create = CreateScene<Course>;
-    info.seed = 1;
-    info.timeStep = loaded.timeStep;
-    info.velocityIterations = 8;
-    info.positionIterations = 3;
-    return info;
+    return SceneOfAFile("course", "two bodies led through given poses", loaded.steps, loaded.timeStep,
+                        CreateScene<Course>);
 }
 
 } // namespace testbed

@@ -24,7 +24,7 @@ struct GasFile {
 };
 
 /// The scene is made by a function without arguments.
-GasFile loaded;
+GasFile loadedGas;
 
 std::istream &operator>>(std::istream &stream, b2Vec2 &v) {
     return stream >> v.x >> v.y;
@@ -64,7 +64,7 @@ GasFile ReadGas(const std::string &file) {
 class Gas final : public Scene {
     void Build(Stage &stage, int /*size*/) override {
         stage.World().SetGravity({0.0f, 0.0f});
-        for (const Molecule &body : loaded.bodies) {
+        for (const Molecule &body : loadedGas.bodies) {
             b2BodyDef def;
             def.type = b2_dynamicBody;
             def.bullet = true;
@@ -75,11 +75,13 @@ class Gas final : public Scene {
             def.angularVelocity = body.spin;
             AddConvex(stage, stage.AddBody(def), body.outline, Material(1.0f, 0.0f, 1.0f));
         }
-        if (!loaded.hasBox)
+        if (!loadedGas.hasBox)
             return;
         b2Body *box = stage.AddBody(b2_staticBody, {0.0f, 0.0f});
-        const b2Vec2 corners[] = {
-            loaded.low, {loaded.high.x, loaded.low.y}, loaded.high, {loaded.low.x, loaded.high.y}};
+        const b2Vec2 corners[] = {loadedGas.low,
+                                  {loadedGas.high.x, loadedGas.low.y},
+                                  loadedGas.high,
+                                  {loadedGas.low.x, loadedGas.high.y}};
         for (int i = 0; i < 4; ++i)
             stage.AddFixture(box, Material(0.0f, 0.0f, 1.0f), MakeEdge(corners[i], corners[(i + 1) % 4]));
     }
@@ -88,20 +90,9 @@ class Gas final : public Scene {
 } // namespace
 
 SceneInfo GasScene(const std::string &file) {
-    loaded = ReadGas(file);
-    SceneInfo info = {};
-    info.name = "gas";
-    info.description = "elastic bullets in a box";
-    info.group = "gas";
-    info.sizeMeaning = "-";
-    info.size = 1;
-    info.steps = loaded.steps;
-    info.create = CreateScene<Gas>;
-    info.seed = 1;
-    info.timeStep = loaded.timeStep;
-    info.velocityIterations = 8;
-    info.positionIterations = 3;
-    return info;
+    loadedGas = ReadGas(file);
+    return SceneOfAFile("gas", "elastic bullets in a box", loadedGas.steps, loadedGas.timeStep,
+                        CreateScene<Gas>);
 }
 
 } // namespace testbed

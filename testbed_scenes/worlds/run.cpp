@@ -14,13 +14,14 @@ namespace {
 /// A change of plan: this part of the time until the next is spent on the way to the new velocity.
 constexpr double kTurning = 0.4;
 
-[[noreturn]] void Stop(bmr_error error, double time) {
+[[noreturn]] void Stop(bmr_error error, double time, const WorldChoice &choice) {
     char text[64];
     std::snprintf(text, sizeof text, "the world stopped at time %.9g: ", time);
     std::string why = text + std::string(bmr_error_describe(error));
     if (error == BMR_ERROR_STALLED)
-        why += " (contacts of a pair follow each other without end; --zeno elastic answers slow ones "
-               "elastically)";
+        why += choice.zeno == BMR_ZENO_ERROR
+                   ? " (--zeno elastic answers slow contacts elastically)"
+                   : " (a larger --zeno-speed may end these contacts)";
     throw WorldStopped(why);
 }
 
@@ -80,7 +81,7 @@ void WorldRun::Observe(void *context, bmr_world * /*world*/, const bmr_world_eve
 void WorldRun::AdvancePlain(double until) {
     const bmr_error error = bmr_world_advance(m_world.get(), until);
     if (error != BMR_OK)
-        Stop(error, Time());
+        Stop(error, Time(), m_setup.choice);
 }
 
 void WorldRun::Advance(double until) {
@@ -123,7 +124,7 @@ void WorldRun::ChangePlan(bmr_body body) {
     Require(bmr_motion_change(made, time + turning, &coast), "a plan");
     const bmr_error error = bmr_world_set_motion(m_world.get(), body, made);
     if (error != BMR_OK)
-        Stop(error, time);
+        Stop(error, time, m_setup.choice);
 }
 
 bmr_body_state WorldRun::StateOf(bmr_body body) const {

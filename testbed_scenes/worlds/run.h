@@ -70,7 +70,7 @@ private:
 };
 
 /// The deepest overlap of any two bodies at the world's present time, by asking every two whose disks meet;
-/// and that of a body and a wall. `margin` lets bodies be in contact.
+/// and that of a body and a wall.
 struct OverlapCheck {
     size_t pairs = 0;    ///< whose disks meet
     size_t overlaps = 0; ///< deeper than the tolerance

@@ -75,8 +75,7 @@ bmr_outline OutlineOf(const WorldChoice &choice, size_t index) {
     return static_cast<bmr_outline>(index % BMR_OUTLINE_COUNT);
 }
 
-/// Radii of the disks: the largest first; evenly on the scale of logarithms where sizes are very unequal, for
-/// then each size has as many.
+/// The largest and the smallest first; the others evenly on the scale of logarithms.
 double RadiusOf(const WorldChoice &choice, Dice &dice, size_t index) {
     if (choice.sizes <= 1.0)
         return 1.0;

@@ -285,6 +285,28 @@ class ReplayPage(unittest.TestCase):
                 self.browser.settle()
                 self.assertFalse(self.browser.run(picture) == before, f"{name}: {overlay}")
 
+    def test_a_kinetic_world_is_shown_without_box2d(self):
+        run = pathlib.Path(self.scratch.name) / "run.txt"
+        self.pages["world"] = run.with_suffix(".html")
+        for arguments in (("world", "gas", "--bodies", "12", "--seconds", "2", "--quiet", "--record", run),
+                          ("replay", "--recording", run, "-o", self.pages["world"])):
+            self.assertEqual(testbed(*map(str, arguments)).returncode, 0)
+        hidden = "return document.getElementById('load').closest('details').hidden"
+        self.show("world")
+        self.assertTrue(self.browser.run(hidden))
+        self.seek(40)
+        frame = json.loads(run.read_text().splitlines()[41][len("frame "):])
+        self.assertEqual(len(self.browser.run("return replay.bodies()")), len(frame["bodies"]))
+        picture = "return document.getElementById('scene').toDataURL()"
+        self.assertTrue(self.browser.run(picture) == self.browser.run(picture), "control: nothing else does")
+        for overlay in ("slack", "certificates", "hulls", "boxes", "numbers", "trails"):
+            before = self.browser.run(picture)
+            self.browser.driver.find_element("id", f"show-{overlay}").click()
+            self.browser.settle()
+            self.assertFalse(self.browser.run(picture) == before, overlay)
+        self.show("planks")
+        self.assertFalse(self.browser.run(hidden), "control: with Box2D it is there")
+
     def test_a_click_chooses_the_pair_below_it(self):
         pairs = self.recordings["planks"]["plugin"].frames[60]["pairs"]
         # A short line, which crosses no other.

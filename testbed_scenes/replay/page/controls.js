@@ -10,7 +10,7 @@ const OVERLAYS = [
   { name: "boxes", text: "Boxes of the broad phase", on: false, sample: ["box", 1.2, "1 2"] },
   { name: "joints", text: "Joints", on: true, sample: ["joint", 1.6, ""] },
   { name: "numbers", text: "Body numbers", on: false, sample: ["ink", 0, "", "number"] },
-  { name: "trails", text: "Trails of two seconds", on: false, sample: ["trail", 1.4, ""] },
+  { name: "trails", text: null, on: false, sample: ["trail", 1.4, ""] },
 ];
 
 const BODY_LINES = [["dynamic", ""], ["sleeping", "4 2"], ["static", ""], ["kinematic", "9 2 2 2"], ["sensor", "1 3"]];
@@ -22,10 +22,12 @@ const KEYS = [
   ["p", "to the list of pairs; arrows and Enter choose"], ["Esc", "let the pair go"], ["?", "these keys"],
 ];
 
-// Of a kinetic world: there is no Box2D in it, and cells take the place of boxes.
+// Of a kinetic world, where they are not the same: there is no Box2D in it, and cells take the place of boxes.
+// What has no text has no switch.
 const WORLD_TEXTS = {
   contacts: "Contacts since the frame before", certificates: "Certificates: lines, and disks (dashed)", boxes: "Cells of the bodies",
   hulls: "Disks of the bodies", handed: null, envelopes: null, joints: null,
+  trails: "Trails of two units of time",
 };
 
 function svgSample([colour, width, dash, glyph]) {
@@ -44,7 +46,7 @@ function buildSwitches(app) {
     const label = document.createElement("label");
     label.innerHTML = "<input type=checkbox>" + svgSample(overlay.sample) + "<span></span>" + (i < 9 ? "<kbd aria-hidden=true>" + (i + 1) + "</kbd>" : "");
     const text = app.model.about.world && overlay.name in WORLD_TEXTS ? WORLD_TEXTS[overlay.name] : overlay.text;
-    label.querySelector("span").textContent = text;
+    label.querySelector("span").textContent = text ?? overlay.name;
     label.hidden = text === null;
     const box = label.querySelector("input");
     box.id = "show-" + overlay.name;
