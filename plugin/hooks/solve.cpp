@@ -39,7 +39,7 @@ void b2World::Solve(const b2TimeStep &step) {
     Ledger *ledger = HookIsOn(Hook::Ledger) ? FindLedger(&m_contactManager) : nullptr;
     // Where Box2D's search for new contacts does not come by ours, nobody would open the lists for it.
     if (ledger == nullptr || !ledger->IsLookedAtIn(CurrentStep()) || !ledger->IsWhole() ||
-        !ledger->AreSearchesSeen()) {
+        !ledger->AreSearchesSeen() || IsInOwnStep(this)) {
         stock::Solve(this, step);
         return;
     }

@@ -8,7 +8,9 @@
 // looked at. What the search would have noted at them is told when the first impact of the step is found,
 // ahead of all that may ask for it (untold_impacts.h); a step without an impact needs none of it. Contacts of
 // which neither body stops the other are not touched at all: Box2D reads nothing of what it would have noted
-// there before it looks for impacts again.
+// there before it looks for impacts again. That is not so of a world that a listener steps in the midst of
+// its own step: the outer one goes on to build islands, or to look for impacts, by what the inner one left at
+// all contacts. The inner search is Box2D's.
 //
 // What a step of Box2D's without an impact leaves behind: bodies at the beginning of their sweep and out of
 // islands; contacts out of islands, with no impact counted, a time of impact of 1, and the flag that it is
@@ -140,7 +142,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     // FindNewContacts (a Box2D whose inner calls are bound in part), neither would it after an impact, and
     // nobody would tell the short list of contacts that were made.
     ImpactScan *scan = HookIsOn(Hook::SolveToi) && m_stepComplete && !m_subStepping && RoundsToNearest() &&
-                               stepping.searched == &m_contactManager
+                               stepping.searched == &m_contactManager && !IsInOwnStep(this)
                            ? ImpactScan::Begin()
                            : nullptr;
     const bool isLookedAt = ledger != nullptr && ledger->IsLookedAtIn(CurrentStep());

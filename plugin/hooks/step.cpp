@@ -36,7 +36,7 @@ bool GameMayRunIn(const b2World &world) {
 class StepMark : public InChain<StepMark> {
 public:
     explicit StepMark(const b2World &world)
-        : InChain(&stepping.mark), m_step(NextStep()), m_gameMayRun(GameMayRunIn(world)) {
+        : InChain(&stepping.mark), m_world(&world), m_step(NextStep()), m_gameMayRun(GameMayRunIn(world)) {
         CurrentStep() = m_step;
         GameMayRun() = m_gameMayRun;
         StepIsToNearest() = false;
@@ -50,10 +50,23 @@ public:
         GameMayRun() = Older() == nullptr || Older()->m_gameMayRun;
     }
 
+    static bool IsTwiceOf(const b2World *world) {
+        int marks = 0;
+        for (const StepMark *mark = stepping.mark == nullptr ? nullptr : stepping.mark->Object();
+             mark != nullptr; mark = mark->Older())
+            marks += mark->m_world == world ? 1 : 0;
+        return marks > 1;
+    }
+
 private:
+    const b2World *m_world;
     uint64_t m_step;
     bool m_gameMayRun;
 };
+
+bool IsInOwnStep(const b2World *world) {
+    return StepMark::IsTwiceOf(world);
+}
 
 namespace {
 

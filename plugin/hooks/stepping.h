@@ -9,6 +9,7 @@
 #include "start/rounding_mode.h"
 
 class b2ContactManager;
+class b2World;
 struct b2TOIInput;
 struct b2TOIOutput;
 
@@ -76,6 +77,11 @@ struct Stepping {
 
 /// This thread's.
 extern BMR_THREAD Stepping stepping;
+
+/// Does this world step in the midst of its own step, by a listener or a filter? All flags and times of
+/// contacts and bodies are then left as Box2D leaves them, by Box2D: when the outer step goes on it reads
+/// them, be it building islands or looking for impacts.
+bool IsInOwnStep(const b2World *world);
 
 /// Only in a step, and rounding to nearest, are questions answered here; whoever else calls these functions
 /// gets Box2D's own.

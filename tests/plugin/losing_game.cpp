@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-//   losing_game sums|thrown|numbers|returning|proxies|twice|rounded|disabled|filters
+//   losing_game sums|thrown|numbers|returning|proxies|twice|rounded|disabled|filters|islands
 //
 // Worlds in which whoever remembers pairs of fixtures may lose track of them. Prints a line for each step, or
 // for a few of them: a hash of all bodies and contacts. A plain program of Box2D's: with the plugin preloaded
@@ -19,6 +19,7 @@
 //   rounded    a listener rounds otherwise for the steps that it makes in the midst of a step
 //   disabled   contacts are disabled whose bodies sleep, and are woken when the loop has passed the contacts
 //   filters    a filter puts to sleep, wakes, moves and changes those that it is asked about
+//   islands    a listener steps the world from PostSolve, while Box2D builds its islands
 #include <cfenv>
 #include <cstdlib>
 #include <functional>
@@ -32,8 +33,9 @@ namespace {
 /// What is to happen in a callback; never in one within it.
 class Listener final : public b2ContactListener {
 public:
-    std::function<void()> preSolve, end, inner;
+    std::function<void()> preSolve, postSolve, end, inner;
     void PreSolve(b2Contact *, const b2Manifold *) override { Call(preSolve); }
+    void PostSolve(b2Contact *, const b2ContactImpulse *) override { Call(postSolve); }
     void EndContact(b2Contact *) override { Call(end); }
 
 private:
@@ -422,6 +424,33 @@ void PlayFilters(bool locked) {
     }
 }
 
+/// The outer step goes on to build islands by the flags that the inner one left at contacts and bodies.
+void PlayIslands() {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    Listener listener;
+    Hash hash;
+    world.SetContactListener(&listener);
+    for (int i = 0; i < 90; ++i) // neighbours whose boxes overlap, and that do not touch
+        AddAwake(world, {1.08f * static_cast<float>(i % 10), 1.08f * static_cast<float>(i / 10)},
+                 {0.5f, 0.5f});
+    for (int i = 0; i < 30; ++i) { // pairs that lean on each other
+        b2Body *const body =
+            AddAwake(world, {40.0f + 0.99f * static_cast<float>(i % 2), 1.5f * static_cast<float>(i / 2)},
+                     {0.5f, 0.5f});
+        body->SetLinearVelocity({i % 2 == 0 ? 0.3f : -0.3f, 0.01f * static_cast<float>(i)});
+    }
+    for (int round = 0; round < 6; ++round) {
+        int solved = 0;
+        listener.postSolve = [&world, &solved] {
+            if (solved++ == 3)
+                world.Step(1.0f / 120.0f, 2, 1);
+        };
+        PlayOn(world, 1, "islands", &hash);
+        listener.postSolve = nullptr;
+        PlayOn(world, 15, "islands, on", &hash);
+    }
+}
+
 /// A contact is flagged for filtering while it is looked at, which finds it apart.
 void PlayFlagged() {
     b2World world(b2Vec2(0.0f, 0.0f));
@@ -465,10 +494,12 @@ int main(int argc, char **argv) {
         PlayFilters(true);
         PlayFilters(false);
         PlayFlagged();
+    } else if (what == "islands") {
+        PlayIslands();
     } else {
-        std::fputs(
-            "usage: losing_game sums|thrown|numbers|returning|proxies|twice|rounded|disabled|filters\n",
-            stderr);
+        std::fputs("usage: losing_game "
+                   "sums|thrown|numbers|returning|proxies|twice|rounded|disabled|filters|islands\n",
+                   stderr);
         return 2;
     }
     return 0;
