@@ -127,10 +127,15 @@ static bmr_error set_momentum(bmr_world *w, bmr_couple *c, const momentum *m) {
             continue;
         const bmr_motion_piece piece = bmr_piece_screw(w->time, m->pose[i], m->velocity[i], m->spin[i]);
         const bmr_error error = bmr_resident_move(w, r, &piece, INFINITY, NULL);
-        if (error != BMR_OK)
+        if (error != BMR_OK || !w->busy) // the latter: its pose jumped, and the couple is gone
             return error;
     }
     return BMR_OK;
+}
+
+/// A motion may lead to no pose at all: a rational rotation whose denominator vanishes.
+static bool is_pose(const bmr_pose *q) {
+    return isfinite(q->position.x) && isfinite(q->position.y) && isfinite(q->c) && isfinite(q->s);
 }
 
 static bool makes_sense(const bmr_response *response) {
@@ -142,7 +147,10 @@ static bool makes_sense(const bmr_response *response) {
 static bmr_error answer(bmr_world *w, bmr_couple *c, const bmr_response *response, bmr_touch *touch) {
     momentum m = momentum_of(w, c);
     bmr_touch_move(touch, m.velocity, m.spin); // a callback may have changed them
-    bool can = response->kind != BMR_RESPONSE_PASS, changed = false;
+    bool can = response->kind != BMR_RESPONSE_PASS && is_pose(&m.pose[0]) && is_pose(&m.pose[1]),
+         changed = false;
+    if (!can)
+        return bmr_couple_pass(w, c);
     if (response->kind == BMR_RESPONSE_IMPULSE)
         can = collide(w, c, response->restitution, touch, &m, &changed);
     else if (response->kind == BMR_RESPONSE_STICK)

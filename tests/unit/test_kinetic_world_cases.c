@@ -125,6 +125,34 @@ static void what_sticks_goes_on_together(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
+/// A rational rotation whose denominator vanishes where it begins leads to no pose: the pair is passed, and
+/// neither body keeps the other from being answered.
+static void who_is_nowhere_is_passed(void **state) {
+    (void)state;
+    for (int order = 0; order < 2; order++) {
+        for (bmr_response_kind kind = BMR_RESPONSE_PASS; kind < BMR_RESPONSE_KIND_COUNT; kind++) {
+            stage *s = make_stage(BMR_OPEN, 0.0);
+            s->response.kind = kind;
+            open_stage(s);
+            bmr_polygon *b = box(1.0);
+            bmr_motion_piece nowhere;
+            memset(&nowhere, 0, sizeof nowhere);
+            nowhere.kind = BMR_PIECE_ALGEBRAIC;
+            nowhere.as.algebraic.degree = nowhere.as.algebraic.rotation_degree = 1;
+            nowhere.as.algebraic.x[1] = 1.0;
+            nowhere.as.algebraic.a[1] = nowhere.as.algebraic.b[1] = nowhere.as.algebraic.start_c = 1.0;
+            const bmr_motion_piece here = flight(0.0, 0.5, 0.0, 0.0, 0.0, 0.0);
+            add_piece(s, b, order == 0 ? nowhere : here, 1.0);
+            add_piece(s, b, order == 0 ? here : nowhere, 1.0);
+            const bmr_error error = bmr_world_advance(s->world, 0.0);
+            assert_true(error == BMR_OK || error == BMR_ERROR_STALLED);
+            assert_true(s->count >= 1 && s->count < 100);
+            close_stage(s);
+            bmr_polygon_destroy(b, NULL);
+        }
+    }
+}
+
 /// Three in a row, the one in the middle never comes to rest: with a restitution below 7 - 4 sqrt 3 = 0.0718
 /// infinitely many contacts in finite time.
 static bmr_error collapse(double restitution, bmr_zeno_policy zeno, bmr_world_counts *counts) {
@@ -489,6 +517,7 @@ int main(void) {
         cmocka_unit_test(a_ball_in_a_box_is_reflected_by_its_walls),
         cmocka_unit_test(a_box_that_is_passed_is_left),
         cmocka_unit_test(what_sticks_goes_on_together),
+        cmocka_unit_test(who_is_nowhere_is_passed),
         cmocka_unit_test(inelastic_collapse_is_an_error_or_the_policy),
         cmocka_unit_test(a_gas_that_cools_goes_on),
         cmocka_unit_test(a_contact_that_no_answer_ends_is_an_error),

@@ -131,14 +131,16 @@ typedef void (*bmr_world_observer)(void *context, bmr_world *world, const bmr_wo
 
 typedef enum bmr_boundary {
     BMR_OPEN,    ///< nothing: bodies go where they like
-    BMR_WALLED,  ///< four walls: segments along the sides of the box, and a part beyond its corners
+    BMR_WALLED,  ///< four walls: segments along the sides of the box, and a part beyond its corners; see
+                 ///< kds.margin
     BMR_PERIODIC ///< what goes out on one side comes in on the other; positions go on counting
 } bmr_boundary;
 
 typedef struct bmr_world_def {
     const bmr_kds_info *structure; ///< of every near pair
-    /// kds.margin: in contact when the polygons are this near. kds.hysteresis: how much farther apart a pair
-    /// must have been for its next contact to count as a new one.
+    /// kds.margin: in contact when the polygons are this near; with walls more than 1e-9 of the box's sides.
+    /// kds.hysteresis: how much farther apart a pair must have been for its next contact to count as a new
+    /// one.
     bmr_kds_def kds;
     bmr_failure_options failure;
     bmr_boundary boundary;
@@ -146,7 +148,9 @@ typedef struct bmr_world_def {
     bmr_response response; ///< to a contact, where there is no callback
     bmr_zeno_policy zeno;
     double zeno_speed; ///< of ZENO_ELASTIC; > 0
-    /// No grid: every two bodies are candidates. For comparison; O(bodies^2).
+    /// Every two bodies are candidates: no grid, and in a periodic box one grid, whose cells are as large as
+    /// the box allows (at least three on each side; in a long box far bodies are no candidates). For
+    /// comparison; O(bodies^2).
     bool all_pairs;
     /// Between looks at a pair that passes through each other, at most: see bmr_simulation_def.contact_step.
     double contact_step;
