@@ -58,8 +58,9 @@ int main(void) {
     bmr_world *world;
     require(bmr_world_create(&def, 0.0, NULL, &world));
     for (int i = 0; i < BALLS; ++i) {
-        const bmr_vec2 place = i == 0 ? bmr_vec2_make(2.0, 2.9)
-                                      : bmr_vec2_make(6.0 + 1.2 * ((i - 1) / 3), 1.8 + 1.2 * ((i - 1) % 3));
+        const int column = (i - 1) / 3, row = (i - 1) % 3;
+        const bmr_vec2 place =
+            i == 0 ? bmr_vec2_make(2.0, 2.9) : bmr_vec2_make(6.0 + 1.2 * column, 1.8 + 1.2 * row);
         const bmr_motion_piece piece = bmr_piece_screw(0.0, bmr_pose_from_angle(place, 0.1 * i),
                                                        bmr_vec2_make(i == 0 ? 5.0 : 0.0, 0.0), 0.0);
         bmr_motion *motion;

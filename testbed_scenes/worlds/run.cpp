@@ -19,9 +19,8 @@ constexpr double kTurning = 0.4;
     std::snprintf(text, sizeof text, "the world stopped at time %.9g: ", time);
     std::string why = text + std::string(bmr_error_describe(error));
     if (error == BMR_ERROR_STALLED)
-        why += choice.zeno == BMR_ZENO_ERROR
-                   ? " (--zeno elastic answers slow contacts elastically)"
-                   : " (a larger --zeno-speed may end these contacts)";
+        why += choice.zeno == BMR_ZENO_ERROR ? " (--zeno elastic answers slow contacts elastically)"
+                                             : " (a larger --zeno-speed may end these contacts)";
     throw WorldStopped(why);
 }
 
