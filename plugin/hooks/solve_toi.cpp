@@ -67,7 +67,8 @@ void CompareWithBox2D(const ImpactScan::Side &a, const ImpactScan::Side &b) {
 template <typename IsDone>
 void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, Ledger *ledger,
                    b2ContactManager *manager, const IsDone &isDone) {
-    // In the midst of another search, by a listener's step, all is told that this one finds.
+    // In the midst of another world's search, whose listener steps this world, the thread has no room for a
+    // second short list: Box2D goes through the whole one, so all is told that this search finds.
     const bool nested = stepping.shortList != nullptr;
     ledger->BeginSearch(GameMayRun(), !nested);
     // Where there was an impact in the last step, everything is told at once: one pass over the contacts, not

@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154
 # SPDX-License-Identifier: MIT
-# which lines of core, the glue and the plugin those tests ran
+# which lines of core and the glue those tests ran, with --long of the plugin, too
 
 stage_coverage() {
     build_sanitizers || return 1

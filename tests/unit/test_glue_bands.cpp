@@ -4,7 +4,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
-#include <limits>
+#include <cmath>
 
 #include <box2d/box2d.h>
 
