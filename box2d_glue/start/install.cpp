@@ -50,8 +50,11 @@ void Announce(const Options &options) {
     ListHooks(atWork == kNoHooks ? "; hooks: none" : "; hooks:", atWork);
     if (off != kNoHooks)
         ListHooks("; off, for it rounds otherwise:", off);
-    if (reached != options.hooks)
-        ListHooks("; not reached by this Box2D's calls:", options.hooks & ~reached);
+    const uint32_t missing = options.hooks & ~reached;
+    if ((missing & ~kHooksWithoutRoom) != 0)
+        ListHooks("; not reached by this Box2D's calls:", missing & ~kHooksWithoutRoom);
+    if ((missing & kHooksWithoutRoom) != 0)
+        ListHooks("; no room in contacts of 32 bits for:", missing & kHooksWithoutRoom);
     std::fputc('\n', stderr);
 }
 

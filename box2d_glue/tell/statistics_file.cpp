@@ -107,7 +107,9 @@ void WriteStatistics(std::FILE *stream) {
     members.Name("hooks_off_for_rounding");
     WriteHooks(stream, HooksOffForRounding(GetSettings()));
     members.Name("hooks_not_reached");
-    WriteHooks(stream, options.hooks & ~GetSettings().reached);
+    WriteHooks(stream, options.hooks & ~GetSettings().reached & ~kHooksWithoutRoom);
+    members.Name("hooks_without_room");
+    WriteHooks(stream, options.hooks & kHooksWithoutRoom);
     members.Number("steps", s.steps);
     members.Number("evaluations", s.evaluations);
     members.Number("edge_checks", s.edgeChecks);

@@ -26,15 +26,15 @@ stage_platforms() {
 mingw=(-DCMAKE_SYSTEM_NAME=Windows -DCMAKE_C_COMPILER=x86_64-w64-mingw32-gcc-posix
     -DCMAKE_CXX_COMPILER=x86_64-w64-mingw32-g++-posix)
 
-# platform NAME SOURCE PACKAGE… -- SUFFIX NOT-REACHED CMAKE-ARGUMENT…
+# platform NAME SOURCE PACKAGE… -- SUFFIX NOT-THERE CMAKE-ARGUMENT…
 platform() {
-    local name=$1 source=$2 packages=() suffix not_reached runner=()
+    local name=$1 source=$2 packages=() suffix not_there runner=()
     shift 2
     while [ "$1" != -- ]; do
         packages+=("$1")
         shift
     done
-    suffix=$2 not_reached=$3
+    suffix=$2 not_there=$3
     shift 3
     bmr_need_packages "${packages[@]}" || return 1
     in_tree "platform-$name"
@@ -46,5 +46,5 @@ platform() {
     .exe) runner=(env WINEDEBUG=-all "WINEPREFIX=$build_base-wine" wine) ;;
     .js) runner=(node --no-experimental-fetch) ;;
     esac
-    check "platform $name" "$root/tests/platforms/play.sh" "$BMR_BUILD_DIR" "$suffix" "$not_reached" "${runner[@]}"
+    check "platform $name" "$root/tests/platforms/play.sh" "$BMR_BUILD_DIR" "$suffix" "$not_there" "${runner[@]}"
 }

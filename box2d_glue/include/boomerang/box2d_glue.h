@@ -126,8 +126,9 @@ struct Options {
     int32_t verbosity = 0;
     /// Where the statistics go when the process ends, as JSON (implies statistics); nullptr: nowhere. Copied.
     /// "way", "box2d" and "rounds_as_box2d" are of Presence. "hooks" are those that are at work,
-    /// "hooks_not_reached" and "hooks_off_for_rounding" (Box2D was built with another rounding, fused
-    /// multiply-add say) those that are on in vain. Of a program that forks, the process that installed
+    /// "hooks_not_reached", "hooks_without_room" (contacts of 32-bit platforms have none for the ledger) and
+    /// "hooks_off_for_rounding" (Box2D was built with another rounding, fused multiply-add say) those that
+    /// are on in vain. Of a program that forks, the process that installed
     /// writes it; with "%p" in the name, which stands for the number of the process, each writes its own.
     const char *statisticsFile = nullptr;
     /// How b2World::DebugDraw draws a ConvexShape, where the shared library stands in front of Box2D.
