@@ -40,6 +40,9 @@ foreach(examples core/examples plugin/examples)
     FILES_MATCHING PATTERN "*.c" PATTERN "*.cpp")
 endforeach()
 
+if(TARGET boomerang)
+  install(TARGETS boomerang RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
 if(BOOMERANG_INSTALL_TESTBED AND TARGET boomerang-testbed)
   # The workers lie beside the program, which looks for them there; what they load is found from wherever that is.
   file(RELATIVE_PATH boomerang_bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})

@@ -32,15 +32,6 @@ enum Variable : unsigned {
 
 thread_local bool complaintsHeld = false;
 
-std::string_view Read(const char *name) {
-#if defined(__GLIBC__)
-    const char *value = secure_getenv(name);
-#else
-    const char *value = std::getenv(name);
-#endif
-    return value != nullptr ? value : "";
-}
-
 /// One line, made of pieces as it is said: no memory is asked for, and none can be missing, in the middle of
 /// a game's step.
 class Complaint {
@@ -102,7 +93,7 @@ std::optional<uint32_t> ApplyWord(uint32_t hooks, std::string_view word) {
 }
 
 uint32_t HooksOfEnvironment(uint32_t hooks) {
-    const std::string_view value = Read("BOOMERANG_HOOKS");
+    const std::string_view value = ReadEnvironment("BOOMERANG_HOOKS");
     if (value.empty())
         return hooks;
     uint32_t made = hooks;
@@ -123,7 +114,7 @@ uint32_t HooksOfEnvironment(uint32_t hooks) {
 }
 
 bmr_structure StructureOfEnvironment(bmr_structure structure) {
-    const std::string_view value = Read("BOOMERANG_STRUCTURE");
+    const std::string_view value = ReadEnvironment("BOOMERANG_STRUCTURE");
     if (value.empty())
         return structure;
     for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
@@ -138,7 +129,7 @@ bmr_structure StructureOfEnvironment(bmr_structure structure) {
 /// The place of the value among two words, or nothing where it is neither.
 std::optional<bool> ChoiceOfEnvironment(Variable variable, const char *name, const char *no,
                                         const char *yes) {
-    const std::string_view value = Read(name);
+    const std::string_view value = ReadEnvironment(name);
     if (value.empty())
         return std::nullopt;
     if (value == no || value == yes)
@@ -148,6 +139,15 @@ std::optional<bool> ChoiceOfEnvironment(Variable variable, const char *name, con
 }
 
 } // namespace
+
+std::string_view ReadEnvironment(const char *name) {
+#if defined(__GLIBC__)
+    const char *value = secure_getenv(name);
+#else
+    const char *value = std::getenv(name);
+#endif
+    return value != nullptr ? value : "";
+}
 
 HeldComplaints::HeldComplaints() {
     complaintsHeld = true;
@@ -174,7 +174,7 @@ const char *NameOfHook(int index) {
 }
 
 std::optional<Mode> ModeOfEnvironment() {
-    const std::string_view value = Read("BOOMERANG");
+    const std::string_view value = ReadEnvironment("BOOMERANG");
     if (value.empty())
         return std::nullopt;
     for (const Mode mode : {Mode::On, Mode::Off, Mode::Verify})
@@ -195,7 +195,7 @@ Options WithEnvironment(const Options &options) {
         ChoiceOfEnvironment(kPrefilter, "BOOMERANG_PREFILTER", "off", "on").value_or(options.prefilter);
     if (const auto verbose = ChoiceOfEnvironment(kVerbose, "BOOMERANG_VERBOSE", "0", "1"))
         made.verbosity = *verbose;
-    const std::string_view file = Read("BOOMERANG_STATISTICS");
+    const std::string_view file = ReadEnvironment("BOOMERANG_STATISTICS");
     if (!file.empty())
         made.statisticsFile = file.data();
     return made;

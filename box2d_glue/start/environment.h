@@ -3,6 +3,7 @@
 #define BOOMERANG_GLUE_ENVIRONMENT_H
 
 #include <optional>
+#include <string_view>
 
 #include "boomerang/box2d_glue.h"
 
@@ -21,6 +22,10 @@
 /// (setuid).
 
 namespace bmr {
+
+/// The value, empty where there is none; it ends with a zero. Empty in programs that run with somebody else's
+/// rights.
+std::string_view ReadEnvironment(const char *name);
 
 /// The word of Options::mode.
 const char *NameOf(Mode mode);

@@ -22,12 +22,12 @@ namespace {
 
 bool called = false;
 bool installed = false;
-bool refused = false;
+const char *refusedWhy = nullptr;
 
 /// One line, once: nothing else of a refusal is ever seen, nor is anything said of hooks that nobody comes
 /// by.
 bool Refuse(const char *why) {
-    refused = true;
+    refusedWhy = why;
     ClaimAnnouncement();
     std::fprintf(stderr, "boomerang: not at work, Box2D runs as it is: %s\n", why);
     return false;
@@ -67,7 +67,7 @@ bool Install(const Options &given) {
 bool InstallHere(const Options &given) {
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Installing));
     called = true;
-    if (installed || refused)
+    if (installed || refusedWhy != nullptr)
         return false;
     const NearestRounding nearest; // whoever is tried out here is tried out as he will be asked
     const Options options = WithEnvironment(given);
@@ -88,6 +88,11 @@ bool InstallHere(const Options &given) {
     if (options.verbosity > 0 && ClaimAnnouncement())
         Announce(options);
     return true;
+}
+
+const char *WhyRefused() {
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Installing));
+    return refusedWhy;
 }
 
 bool InstallWasCalled() {

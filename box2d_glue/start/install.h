@@ -10,6 +10,9 @@ namespace bmr {
 /// libboomerang_box2d.so is preloaded all the same, `Install` is the latter's.
 bool InstallHere(const Options &options);
 
+/// Why this Box2D was left alone: what was said on stderr. nullptr where it was not.
+const char *WhyRefused();
+
 /// Has anybody called Install, whatever came of it? Then whoever starts by himself leaves it at that.
 bool InstallWasCalled();
 

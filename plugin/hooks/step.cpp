@@ -13,6 +13,7 @@
 #include "start/current_step.h"
 #include "start/rounding_mode.h"
 #include "start/settings.h"
+#include "tell/trial.h"
 
 namespace bmr::hooks {
 
@@ -80,6 +81,19 @@ BMR_NOINLINE void StepHere(b2World *world, float timeStep, int32 velocityIterati
     stock::Step(world, timeStep, velocityIterations, positionIterations);
 }
 
+void StepAsAsked(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
+    if (NothingIsInstalled() && !AnyBigPolygon())
+        stock::Step(world, timeStep, velocityIterations, positionIterations);
+    else
+        StepHere(world, timeStep, velocityIterations, positionIterations);
+}
+
+BMR_COLD void StepTried(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
+    TimedStep timed;
+    StepAsAsked(world, timeStep, velocityIterations, positionIterations);
+    timed.End();
+}
+
 } // namespace
 
 } // namespace bmr::hooks
@@ -91,8 +105,8 @@ BMR_FOR_LOADERS("_ZN7b2World4StepEfii");
 
 void b2World::Step(float timeStep, int32 velocityIterations, int32 positionIterations) {
     StartAtFirstStep();
-    if (NothingIsInstalled() && !AnyBigPolygon())
-        stock::Step(this, timeStep, velocityIterations, positionIterations);
+    if (IsTried())
+        StepTried(this, timeStep, velocityIterations, positionIterations);
     else
-        StepHere(this, timeStep, velocityIterations, positionIterations);
+        StepAsAsked(this, timeStep, velocityIterations, positionIterations);
 }

@@ -3,6 +3,8 @@
 #
 #   verify_control.sh ROOT COMPILER PLAIN_GAME OBJECTS... -- LINK_ARGUMENTS...
 #
+# BMR_TRY in the environment: the program `boomerang`, which must see it, too.
+#
 # The control of BOOMERANG=verify: a plugin whose remembered edges are trusted at a smaller distance than Box2D's is
 # preloaded into a plain game. It must say so, once, and the game must go on with Box2D's answers.
 set -u
@@ -42,4 +44,9 @@ grep -Eq 'step [1-9][0-9]*, polygon manifold: pointCount \(0 points here, [12] i
 grep -Eq '^boomerang: verified [1-9][0-9,]* answers, [1-9][0-9,]* differ$' "$room/err" || fail "the last line does not count the differences"
 # And without verify the difference is there to be seen: the control is one.
 [ "$(BOOMERANG=on LD_PRELOAD=$room/libwidened.so "$game" 2>"$room/err")" != "$wanted" ] || fail "nothing was widened"
+if [ -n "${BMR_TRY:-}" ]; then
+    "$BMR_TRY" try --quiet --rounds 1 --library "$room/libwidened.so" -- "$game" >"$room/err" 2>&1
+    [ $? -eq 1 ] || fail "boomerang try has another exit status than 1"
+    tr '\n' ' ' <"$room/err" | grep -qE '[1-9][0-9,]* differ\.' || fail "boomerang try does not say that answers differ"
+fi
 echo passed

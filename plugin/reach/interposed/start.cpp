@@ -11,6 +11,7 @@
 #include "start/reach.h"
 #include "start/recognise.h"
 #include "start/this_process.h"
+#include "tell/trial.h"
 
 namespace bmr {
 
@@ -52,6 +53,7 @@ void SayAtExitIfNobodyComes() {
 /// Runs when the library is loaded, possibly before other libraries' and the program's own constructors: it
 /// looks at the environment and at what else is loaded.
 __attribute__((constructor)) void Loaded() {
+    OpenTrial();
     SetLibraryCheck(WhyLibraryIsUnknown);
     SetWayOfHooks(StepsComeByHere() ? "ahead of Box2D" : "behind Box2D");
     const std::optional<Mode> asked = ModeWithoutComplaint();

@@ -9,6 +9,7 @@
 #include "start/install.h"
 #include "start/reach.h"
 #include "start/rounding_probe.h"
+#include "tell/trial.h"
 
 namespace bmr {
 
@@ -16,6 +17,7 @@ std::atomic<bool> internal::startsByItself{true};
 
 void internal::StartNow() {
     StartOnce([] {
+        OpenTrial();
         hooks::StartProfileClock();
         if (!InstallWasCalled())
             InstallHere(Options());

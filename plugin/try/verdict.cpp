@@ -1,0 +1,418 @@
+// SPDX-License-Identifier: MIT
+#include "try/verdict.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <numeric>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+#include "try/elf_file.h"
+
+namespace bmr::trial {
+
+namespace {
+
+constexpr const char *kShellsStatus = "exit status 127";
+
+double Mean(const std::vector<float> &numbers, size_t count) {
+    return std::accumulate(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count), 0.0) /
+           static_cast<double>(count);
+}
+
+double Median(std::vector<double> numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    const size_t half = numbers.size() / 2;
+    return numbers.size() % 2 == 1 ? numbers[half] : 0.5 * (numbers[half - 1] + numbers[half]);
+}
+
+std::string Format(const char *format, double number) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, number);
+    return text;
+}
+
+std::string Count(uint64_t number) {
+    std::string text = std::to_string(number);
+    for (size_t place = text.size(); place > 3;)
+        text.insert(place -= 3, ",");
+    return text;
+}
+
+std::string Time(double microseconds) {
+    return microseconds < 1000.0 ? Format("%.3g us", microseconds) : Format("%.3g ms", 1e-3 * microseconds);
+}
+
+std::string EndOf(const Run &run) {
+    if (!run.ended)
+        return "did not end";
+    if (WIFSIGNALED(run.status))
+        return "was ended by signal " + std::to_string(WTERMSIG(run.status)) + " (" +
+               strsignal(WTERMSIG(run.status)) + ")";
+    return "exit status " + std::to_string(WEXITSTATUS(run.status));
+}
+
+bool EndedBadly(const Run &run) {
+    return run.ended && run.status != 0;
+}
+
+/// A run that was ended since its time was over has no end to be compared.
+bool EndOtherwise(const Run &a, const Run &b) {
+    return a.ended && b.ended ? a.status != b.status : EndedBadly(a) || EndedBadly(b);
+}
+
+bool AnyEndsOtherwise(const Trial &trial) {
+    const auto otherwise = [&](const Run &run) { return EndOtherwise(trial.asItIs, run); };
+    return std::any_of(trial.off.begin(), trial.off.end(), otherwise) ||
+           std::any_of(trial.on.begin(), trial.on.end(), otherwise) ||
+           (trial.verify && otherwise(*trial.verify));
+}
+
+std::string LastWordsOf(const Run &run) {
+    if (run.lastWords.empty())
+        return "";
+    std::string text = " Its last words:\n";
+    for (const std::string &line : run.lastWords)
+        text += "    " + line + "\n";
+    return text;
+}
+
+/// Where Box2D is in this game, from the files that it had in memory.
+struct Place {
+    std::string shared; ///< libbox2d.so, where it is a library of its own
+    std::string inside; ///< another file with Box2D 2 in it
+    std::string version3;
+};
+
+Place PlaceOfBox2D(const Trial &trial) {
+    std::set<std::string> files = trial.asItIs.files;
+    for (const Run &run : trial.off)
+        files.insert(run.files.begin(), run.files.end());
+    files.insert(trial.program);
+    Place place;
+    for (const std::string &file : files) {
+        const std::string name = file.substr(file.rfind('/') + 1);
+        if (name.rfind("libboomerang", 0) == 0)
+            continue;
+        const ElfFile found = LookAtFile(file);
+        if (found.hasBox2D2 && name.rfind("libbox2d", 0) == 0)
+            place.shared = file;
+        else if (found.hasBox2D2 && file != trial.program)
+            place.inside = file;
+        else if (found.hasBox2D2 && place.shared.empty() && place.inside.empty())
+            place.inside = file;
+        if (found.hasBox2D3 && !found.hasBox2D2)
+            place.version3 = file;
+    }
+    // (A program that calls a shared Box2D has its names, too.)
+    if (!place.shared.empty() && place.inside == trial.program)
+        place.inside.clear();
+    return place;
+}
+
+std::string CommandOf(const Trial &trial) {
+    std::string text;
+    for (const std::string &word : trial.command)
+        text += (text.empty() ? "" : " ") + word;
+    return text;
+}
+
+std::string ExplainNotAtWork(const Trial &trial) {
+    const Run &off = trial.off.empty() ? trial.asItIs : trial.off.front();
+    const std::string whyNot = trial.on.empty() ? off.whyNot : trial.on.front().whyNot;
+    const ElfFile file = LookAtFile(trial.program);
+    const Place place = PlaceOfBox2D(trial);
+    if (!whyNot.empty())
+        return "Boomerang leaves this game's Box2D alone: " + whyNot + ".";
+    if (file.kind == ElfFile::Kind::kStatic)
+        return trial.program + " is linked statically, so that nothing can be preloaded into it." +
+               (file.hasBox2D2 ? " Box2D is inside." : "");
+    if (file.kind == ElfFile::Kind::kForeign)
+        return trial.program + " is a program for another processor than this Boomerang is built for.";
+    if (!off.loaded)
+        return "The library did not get into the game: it starts its programs with another environment (a "
+               "sandbox, sudo), or with rights of somebody else's. Name the program itself behind `--`.";
+    if (!place.inside.empty() && place.shared.empty())
+        return "This game has Box2D inside " + place.inside + ", where nothing that is preloaded reaches it.";
+    if (off.steps > 0 && !place.shared.empty())
+        return "This game steps a Box2D (" + place.shared +
+               ") that a module of its own has loaded (dlopen), where it "
+               "is out of the library's sight.";
+    if (!place.shared.empty() && off.ended)
+        return "This game uses Box2D (" + place.shared + "), but ended by itself after " +
+               Format("%.2g", off.seconds) + " seconds and took no step.";
+    if (!place.shared.empty())
+        return "This game uses Box2D (" + place.shared + "), but took no step in " +
+               Format("%.3g", off.seconds) +
+               " seconds. Does it wait for somebody in a menu? --seconds gives "
+               "it more time.";
+    if (!place.version3.empty())
+        return "This game has Box2D 3 or later (" + place.version3 +
+               "), which is written anew; Boomerang is for 2.4.1 and 2.4.2.";
+    std::string text = "No Box2D was found in this game: neither a shared one nor one inside a program or a "
+                       "library that it loads.";
+    if (EndedBadly(trial.asItIs))
+        text += " It did not get far, either: " + EndOf(trial.asItIs) + "." + LastWordsOf(trial.asItIs);
+    return text;
+}
+
+std::string NextWhereNotAtWork(const Trial &trial) {
+    const Place place = PlaceOfBox2D(trial);
+    const bool leftAlone = !trial.on.empty() && !trial.on.front().whyNot.empty();
+    if (!trial.off.empty() && trial.off.front().steps > 0 && !place.shared.empty() && !leftAlone)
+        return "It is in sight where it is preloaded, too:\n\n    LD_PRELOAD=" + place.shared +
+               " boomerang try -- " + CommandOf(trial);
+    if (place.shared.empty() && !place.inside.empty())
+        return "Who has its sources adds one line to its CMake: boomerang_accelerate(TARGET), where TARGET "
+               "is "
+               "what compiles Box2D (docs/is-it-for-my-game.md has recipes).";
+    return "";
+}
+
+std::string ExplainFailure(const Trial &trial) {
+    const Run &run = trial.asItIs;
+    const std::string words = LastWordsOf(run);
+    std::string text = trial.command[0] + " does not run well without Boomerang either";
+    if (words.find("error while loading shared libraries") != std::string::npos)
+        text += ": a library is missing";
+    else if (EndOf(run) == kShellsStatus)
+        text += ": it, or what it starts, could not be found";
+    return text + " (" + EndOf(run) + " after " + Format("%.2g s", run.seconds) + ")." + words;
+}
+
+std::string ExplainRatio(const Ratio &ratio) {
+    std::string text = "A step takes " + Time(ratio.stock) + " in stock Box2D and " + Time(ratio.boomerang) +
+                       " with Boomerang: ";
+    if (!ratio.Tells())
+        text += "no difference that could be measured";
+    else if (ratio.ratio > 1.0)
+        text += Format("%.3g times as fast", ratio.ratio);
+    else
+        text += Format("slower, %.3g of stock's speed", ratio.ratio);
+    return text + " (" + Format("%.3g", ratio.least) + " to " + Format("%.3g", ratio.greatest) +
+           " in rounds of " + Count(ratio.steps) + " steps).";
+}
+
+/// The share of the clock's time that is spent in steps.
+double ShareOf(const Run &run) {
+    const double inSteps = std::accumulate(run.microseconds.begin(), run.microseconds.end(), 0.0);
+    return run.seconds > 0.0 ? 1e-6 * inSteps / run.seconds : 0.0;
+}
+
+std::string ExplainWork(const Trial &trial) {
+    const Run &on = trial.on.front();
+    const Place place = PlaceOfBox2D(trial);
+    const Ratio ratio = RatioOf(trial);
+    std::string text = "Box2D is " +
+                       (place.shared.empty() ? "there" : "a shared library here, " + place.shared) +
+                       "; Boomerang is " + on.way + ". ";
+    if (on.notAtWork.empty())
+        text += "All its hooks are at work. ";
+    else
+        text += "At work are its hooks " + (on.atWork.empty() ? "none" : on.atWork) + "; not " +
+                on.notAtWork + ". ";
+    text += ratio.steps == 0 ? "No step was taken in all runs, so nothing is compared by the clock. "
+                             : ExplainRatio(ratio) + " ";
+    text += "In stock, steps are " + Format("%.2g %%", 100.0 * ShareOf(trial.off.front())) +
+            " of the time that the game runs. ";
+    if (!trial.verify)
+        return text;
+    text +=
+        "Under verify " + Count(trial.verify->verified) + " answers were compared with Box2D's: " +
+        (trial.verify->differences == 0 ? "none differs." : Count(trial.verify->differences) + " differ.");
+    return text;
+}
+
+std::string ExplainDifference(const Trial &trial) {
+    std::string text = trial.on.empty() ? "" : ExplainWork(trial);
+    if (!AnyEndsOtherwise(trial))
+        return text;
+    text += "\n\nThe game ends otherwise with the library: as it is, " + EndOf(trial.asItIs);
+    const Run *last = &trial.asItIs;
+    const auto add = [&](const char *name, const Run &run) {
+        if (!EndOtherwise(trial.asItIs, run))
+            return;
+        last = &run;
+        text += std::string("; ") + name + ", " + EndOf(run);
+    };
+    for (const Run &run : trial.off)
+        add("off", run);
+    for (const Run &run : trial.on)
+        add("on", run);
+    if (trial.verify)
+        add("verify", *trial.verify);
+    return text + "." + LastWordsOf(*last);
+}
+
+/// What begins with blanks stays as it is.
+std::string Wrap(const std::string &text, size_t columns) {
+    std::istringstream lines(text);
+    std::string wrapped;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.empty() && line[0] == ' ') {
+            wrapped += line + "\n";
+            continue;
+        }
+        std::istringstream words(line);
+        size_t at = 0;
+        for (std::string word; words >> word;) {
+            if (at > 0 && at + 1 + word.size() > columns) {
+                wrapped += "\n";
+                at = 0;
+            }
+            wrapped += (at == 0 ? "" : " ") + word;
+            at += (at == 0 ? 0 : 1) + word.size();
+        }
+        wrapped += "\n";
+    }
+    return wrapped;
+}
+
+std::string Next(const Trial &trial, Outcome outcome) {
+    switch (outcome) {
+    case Outcome::kNotAtWork:
+        return NextWhereNotAtWork(trial);
+    case Outcome::kFailsByItself:
+        return "Mend that first; then try again.";
+    case Outcome::kDifference:
+        return "This should not be: the bits of a simulation are to be Box2D's. Please report it, with the "
+               "line "
+               "that names the first difference (BOOMERANG=verify in the environment prints it).";
+    case Outcome::kAtWork:
+        break;
+    }
+    const Ratio ratio = RatioOf(trial);
+    if (ratio.steps > 0 && ratio.Tells() && ratio.ratio < 1.0)
+        return "It does not pay here: leave the game as it is.";
+    return "To play it so, without building anything:\n\n    LD_PRELOAD=" + trial.preload + " " +
+           CommandOf(trial) +
+           "\n\nTo build it in: link boomerang::box2d ahead of Box2D, and call bmr::Install() "
+           "before the first world.";
+}
+
+const char *NameOf(Outcome outcome) {
+    switch (outcome) {
+    case Outcome::kAtWork:
+        return "at work";
+    case Outcome::kDifference:
+        return "difference";
+    case Outcome::kNotAtWork:
+        return "not at work";
+    case Outcome::kFailsByItself:
+        break;
+    }
+    return "fails by itself";
+}
+
+nlohmann::ordered_json JsonOf(const Run &run) {
+    nlohmann::ordered_json json;
+    json["seconds"] = run.seconds;
+    json["end"] = EndOf(run);
+    json["steps"] = run.steps;
+    if (!run.microseconds.empty())
+        json["microseconds_a_step"] = Mean(run.microseconds, run.microseconds.size());
+    return json;
+}
+
+} // namespace
+
+Ratio RatioOf(const Trial &trial) {
+    Ratio ratio;
+    size_t steps = trial.off.empty() || trial.off.size() != trial.on.size() ? 0 : TrialPage::kMostSteps;
+    for (const std::vector<Run> *runs : {&trial.off, &trial.on})
+        for (const Run &run : *runs)
+            steps = std::min(steps, run.microseconds.size());
+    if (steps == 0)
+        return ratio;
+    std::vector<double> stock, boomerang, ratios;
+    for (size_t round = 0; round < trial.off.size(); ++round) {
+        stock.push_back(Mean(trial.off[round].microseconds, steps));
+        boomerang.push_back(Mean(trial.on[round].microseconds, steps));
+        if (boomerang.back() <= 0.0)
+            return ratio;
+        ratios.push_back(stock.back() / boomerang.back());
+    }
+    ratio.steps = steps;
+    ratio.stock = Median(stock);
+    ratio.boomerang = Median(boomerang);
+    ratio.ratio = ratio.stock / ratio.boomerang;
+    ratio.least = *std::min_element(ratios.begin(), ratios.end());
+    ratio.greatest = *std::max_element(ratios.begin(), ratios.end());
+    return ratio;
+}
+
+Outcome JudgeAsItIs(const Trial &trial) {
+    const bool crashed = trial.asItIs.ended && WIFSIGNALED(trial.asItIs.status);
+    const bool notFound = EndOf(trial.asItIs) == kShellsStatus;
+    return crashed || notFound ? Outcome::kFailsByItself : Outcome::kAtWork;
+}
+
+Outcome Judge(const Trial &trial) {
+    if (JudgeAsItIs(trial) != Outcome::kAtWork)
+        return Outcome::kFailsByItself;
+    if (AnyEndsOtherwise(trial) || (trial.verify && trial.verify->differences > 0))
+        return Outcome::kDifference;
+    if (trial.on.empty() || trial.on.front().way.empty()) {
+        // Without a step nobody knows; a game that complains of something has not come as far.
+        const bool noStep = trial.off.empty() || trial.off.front().steps == 0;
+        const bool hasBox2D = !PlaceOfBox2D(trial).shared.empty();
+        return noStep && EndedBadly(trial.asItIs) && hasBox2D ? Outcome::kFailsByItself : Outcome::kNotAtWork;
+    }
+    return Outcome::kAtWork;
+}
+
+std::string Explain(const Trial &trial, Outcome outcome, int columns) {
+    std::string text;
+    switch (outcome) {
+    case Outcome::kAtWork:
+        text = ExplainWork(trial);
+        break;
+    case Outcome::kDifference:
+        text = ExplainDifference(trial);
+        break;
+    case Outcome::kNotAtWork:
+        text = ExplainNotAtWork(trial);
+        break;
+    case Outcome::kFailsByItself:
+        text = ExplainFailure(trial);
+        break;
+    }
+    const std::string next = Next(trial, outcome);
+    return Wrap(text + (next.empty() ? "" : "\n\n" + next), static_cast<size_t>(columns));
+}
+
+std::string ExplainAsJson(const Trial &trial, Outcome outcome) {
+    nlohmann::ordered_json json;
+    json["outcome"] = NameOf(outcome);
+    json["command"] = trial.command;
+    json["as_it_is"] = JsonOf(trial.asItIs);
+    for (const Run &run : trial.off)
+        json["off"].push_back(JsonOf(run));
+    for (const Run &run : trial.on)
+        json["on"].push_back(JsonOf(run));
+    if (!trial.on.empty()) {
+        json["way"] = trial.on.front().way;
+        json["hooks_at_work"] = trial.on.front().atWork;
+        json["hooks_not_at_work"] = trial.on.front().notAtWork;
+        json["why_not"] = trial.on.front().whyNot;
+    }
+    if (trial.verify) {
+        json["verify"] = JsonOf(*trial.verify);
+        json["verify"]["verified"] = trial.verify->verified;
+        json["verify"]["differences"] = trial.verify->differences;
+    }
+    const Ratio ratio = RatioOf(trial);
+    if (ratio.steps > 0)
+        json["ratio"] = {{"steps", ratio.steps},
+                         {"stock_microseconds", ratio.stock},
+                         {"boomerang_microseconds", ratio.boomerang},
+                         {"ratio", ratio.ratio},
+                         {"least", ratio.least},
+                         {"greatest", ratio.greatest}};
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+} // namespace bmr::trial
