@@ -79,7 +79,7 @@ std::string FindProgram(const std::string &word) {
     const char *path = std::getenv("PATH");
     std::istringstream folders(path != nullptr ? path : "/usr/local/bin:/usr/bin:/bin");
     for (std::string folder; std::getline(folders, folder, ':');) {
-        const std::string candidate = (folder.empty() ? "." : folder) + "/" + word;
+        std::string candidate = (folder.empty() ? "." : folder) + "/" + word;
         if (IsExecutable(candidate))
             return candidate;
     }

@@ -216,17 +216,17 @@ int Main(int count, char **words) {
                   << " beside this program; --library says where\n";
         return kUsage;
     }
-    try {
-        return Try(options);
-    } catch (const CannotRun &error) {
-        std::cerr << "boomerang try: " << error.what() << "\n";
-        return kUsage;
-    }
+    return Try(options);
 }
 
 } // namespace
 } // namespace bmr::trial
 
 int main(int count, char **words) {
-    return bmr::trial::Main(count, words);
+    try {
+        return bmr::trial::Main(count, words);
+    } catch (const std::exception &error) { // no process, no memory
+        std::fprintf(stderr, "boomerang: %s\n", error.what());
+        return bmr::trial::kUsage;
+    }
 }

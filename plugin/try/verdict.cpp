@@ -100,9 +100,7 @@ Place PlaceOfBox2D(const Trial &trial) {
         const ElfFile found = LookAtFile(file);
         if (found.hasBox2D2 && name.rfind("libbox2d", 0) == 0)
             place.shared = file;
-        else if (found.hasBox2D2 && file != trial.program)
-            place.inside = file;
-        else if (found.hasBox2D2 && place.shared.empty() && place.inside.empty())
+        else if (found.hasBox2D2 && (file != trial.program || place.inside.empty()))
             place.inside = file;
         if (found.hasBox2D3 && !found.hasBox2D2)
             place.version3 = file;
