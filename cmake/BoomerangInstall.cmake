@@ -76,7 +76,7 @@ install(EXPORT boomerangTargets NAMESPACE boomerang:: DESTINATION ${boomerang_pa
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/boomerangConfig.cmake.in
   ${PROJECT_BINARY_DIR}/boomerangConfig.cmake INSTALL_DESTINATION ${boomerang_package_dir}
   PATH_VARS boomerang_source_dir)
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/boomerangConfig.cmake ${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake
   ${CMAKE_CURRENT_LIST_DIR}/BoomerangAccelerate.cmake ${CMAKE_CURRENT_LIST_DIR}/BoomerangLinks.cmake
   DESTINATION ${boomerang_package_dir})
