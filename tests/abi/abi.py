@@ -75,7 +75,7 @@ def declarations(root, language, source):
     functions, enums, records = {}, {}, set()
     for node in nodes:
         name = node.get("name", "")
-        if language == "c" and not name.lower().startswith("bmr_"):
+        if language == "c" and (not name.lower().startswith("bmr_") or name.endswith("_")):
             continue
         if node["kind"] == "FunctionDecl" and language == "c":
             functions[name] = ("inline" if node.get("inline") else "function", node["type"]["qualType"])

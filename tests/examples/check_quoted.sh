@@ -43,5 +43,6 @@ text=${text//the same bodies/other bodies}
 text=${text//of 9 pairs/of 8 pairs}
 text=${text//they touch at/they meet at}
 text=${text//of the energy left/of the energy lost}
+text=${text//audits: all true/audits: none}
 agrees <<<"$text" >/dev/null && fail "a wrong output was not noticed"
 echo "passed: $name"
