@@ -56,20 +56,13 @@ def name_in(cell):
     return re.search(r"`([^`]+)`", cell).group(1)
 
 
-def check_saturation(run):
-    head, *rows = table_after(*run.page(SATURATION))
+def check_lists(run, quote, structures_are_rows):
+    """A table of motions and structures whose cells list the events, ratio by ratio."""
+    head, *rows = table_after(*run.page(quote))
     events = Events(run.out / "events.csv")
-    for structure, *cells in rows:
-        for motion, cell in zip(head[1:], cells):
-            for ratio, text in zip(events.ratios, cell.split(",")):
-                run.result.number(f"{structure}, {motion}, {ratio:g}", text.strip(), events.mean(motion, name_in(structure), ratio))
-
-
-def check_rivals(run):
-    head, *rows = table_after(*run.page(RIVALS))
-    events = Events(run.out / "events.csv")
-    for motion, *cells in rows:
-        for structure, cell in zip(head[1:], cells):
+    for side, *cells in rows:
+        for top, cell in zip(head[1:], cells):
+            motion, structure = (top, side) if structures_are_rows else (side, top)
             for ratio, text in zip(events.ratios, cell.split(",")):
                 run.result.number(f"{motion}, {structure}, {ratio:g}", text.strip(), events.mean(motion, name_in(structure), ratio))
 
@@ -149,8 +142,14 @@ def check_scenes(run):
                 run.result.wrong.append(f"not printed: {line}")
 
 
-def check_costs(run):
-    rows_as_ratios(run.result, run.page_with("tests/bench/measure_costs.sh build calls fixtures bodies asleep scenes"), run.said[0])
+# Of each table of measure_costs.sh: which printed column names the page's row, and which columns are beside which there.
+COSTS = {
+    "calls": (0, lambda row: [(1, 2), (2, 3), (3, 4)]),
+    "bodies": (1, lambda row: [(2, 1), (3, 2), (4, 3)] if row[0].startswith("gas") else [(2, 4), (3, 5), (4, 6)]),
+    "fixtures": (1, lambda row: [(2, 1), (3, 2), (4, 3)]),
+    "asleep": (1, lambda row: [(2, 1), (3, 2), (4, 3)]),
+    "scenes": (0, lambda row: [(2, 1), (3, 2), (4, 3)]),
+}
 
 
 def picture(name, what, seconds, quotes, commands, makes):
@@ -162,11 +161,20 @@ def picture(name, what, seconds, quotes, commands, makes):
 
 
 def costs(table, seconds, makes=()):
-    quotes = [f"measure_costs.sh build {table}"] if table != "scenes" else ["tests/bench/measure_costs.sh --steps 150 build scenes"]
-    quotes += ["tests/bench/measure_costs.sh build calls fixtures bodies asleep scenes"] if table == "calls" else []
+    quote, more = f"measure_costs.sh build {table}", []
     steps = ["--steps", "150"] if table == "scenes" else []
-    return Experiment(f"cost-{table}", "ratios", f"instructions, by callgrind: {table}", seconds, quotes,
-                      [["{root}/tests/bench/measure_costs.sh", *steps, "{build}", table]], check_costs, makes)
+    if table == "scenes":
+        quote = "tests/bench/measure_costs.sh --steps 150 build scenes"
+    if table == "calls":
+        more = ["tests/bench/measure_costs.sh build calls fixtures bodies asleep scenes"]
+
+    def check(run):
+        # (The command that has all tables stands above the first of them.)
+        text, anchor = run.page(more[0] if more else quote)
+        rows_as_ratios(run.result, table_after(text, anchor), run.said[0], *COSTS[table])
+
+    return Experiment(f"cost-{table}", "ratios", f"instructions, by callgrind: {table}", seconds, [quote, *more],
+                      [["{root}/tests/bench/measure_costs.sh", *steps, "{build}", table]], check, makes)
 
 
 def shown(name, what, seconds, quotes, commands, makes=()):
@@ -189,8 +197,8 @@ EXPERIMENTS = [
     Experiment("growth", "counts", "Table 1 for two polygons: events against D/sigma", 12, [GROWTH],
                [words(GROWTH, "--quiet", "--csv", "{out}/events.csv")], lambda run: check_growth(run, POLYGON_ROWS, len(POINT_ROWS))),
     counted("spin", "the costliest rigid motion: a regular polygon spins", 7, SPIN, check_spin),
-    counted("saturation", "events once mu is n", 1, SATURATION, check_saturation),
-    counted("rivals", "rivals, far and near", 2, RIVALS, check_rivals),
+    counted("saturation", "events once mu is n", 1, SATURATION, lambda run: check_lists(run, SATURATION, True)),
+    counted("rivals", "rivals, far and near", 2, RIVALS, lambda run: check_lists(run, RIVALS, False)),
     counted("optimum", "events over the best that was possible", 4, OPTIMUM, check_optimum),
     Experiment("worlds", "counts", "what grows with the number of bodies of a kinetic world", 5, [WORLDS], [words(WORLDS)], check_worlds),
     Experiment("scenes", "counts", "separation tests, looks and events in every scene, plugin beside stock", 70, ["boomerang-testbed compare"],

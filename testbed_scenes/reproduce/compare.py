@@ -5,8 +5,6 @@ import csv
 import math
 import re
 
-NUMBER = re.compile(r"[-+]?\d[\d,]*\.?\d*")
-
 
 class Result:
     """What one experiment found. `cells`: how many figures were held against each other; `wrong`: a line for each that differs;
@@ -84,20 +82,20 @@ def same_file(result, made, committed):
         result.wrong.append(f"{committed.name}: differs from {made}")
 
 
-def rows_as_ratios(result, page, printed):
-    """Of the Markdown tables that a command printed, each row that a page has, too: by its first cell, number by number."""
-    def numbers(cells):
-        return [match.group() for cell in cells for match in NUMBER.finditer(cell)]
+def rows_as_ratios(result, page_rows, printed, key, columns):
+    """Of a Markdown table that a command printed, each row beside the page's of the same key, number by number, as ratios.
 
-    def rows(text):
-        lines = [line.strip().strip("|").split("|") for line in text.splitlines() if line.startswith("|")]
-        return {re.sub(r"\W+", " ", cells[0]).strip(): cells[1:] for cells in lines}
+    `key` is the printed column that names the page's row (its first cell); columns(row) gives pairs (printed column, page's column)."""
+    def plain(cell):
+        return cell.replace(",", "").strip()
 
-    ours = rows(page)
-    for label, cells in rows(printed).items():
-        measured, committed = numbers(cells), numbers(ours.get(label, []))
-        if label and len(measured) == len(committed):
-            for a, b in zip(committed, measured):
-                result.ratio(a, float(b.replace(",", "")))
-    if not result.ratios:
-        result.wrong.append("the page has none of the rows that were printed")
+    page = {plain(row[0]): row for row in page_rows}
+    rows = [[cell.strip() for cell in line.strip().strip("|").split("|")] for line in printed.splitlines() if line.startswith("|")]
+    for row in rows[2:]:
+        if plain(row[key]) not in page:
+            result.wrong.append(f"the page has no row {row[key]}")
+            continue
+        for ours, theirs in columns(row):
+            result.ratio(page[plain(row[key])][theirs], float(plain(row[ours])))
+    if not result.ratios and not result.wrong:
+        result.wrong.append("nothing was printed")

@@ -23,7 +23,7 @@ quietly() { "$@" >"$work/said" 2>&1 || fail "$*: $(tail -n 20 "$work/said")"; }
 rm -rf "$work"
 mkdir -p "$work"
 touch "$work/fakeroot"
-quietly cpack --config "$build/CPackConfig.cmake" -B "$debs" -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip
+quietly cpack --config "$build/CPackConfig.cmake" -B "$debs" -D CPACK_DEBIAN_COMPRESSION_TYPE=none
 names=(libboomerang-core libboomerang-kinetic libboomerang-box2d libboomerang-dev boomerang-testbed boomerang-doc python3-boomerang)
 for name in "${names[@]}"; do
     [ -f "$(echo "$debs/$name"_*.deb)" ] || fail "there is no package $name"
