@@ -203,7 +203,7 @@ EXPERIMENTS = [
     Experiment("worlds", "counts", "what grows with the number of bodies of a kinetic world", 5, [WORLDS], [words(WORLDS)], check_worlds),
     Experiment("scenes", "counts", "separation tests, looks and events in every scene, plugin beside stock", 70, ["boomerang-testbed compare"],
                [[TESTBED, "compare", "--no-time"]], check_scenes),
-    costs("calls", 60), costs("bodies", 300, ["docs/figures/cost-bodies.svg"]), costs("fixtures", 60, ["docs/figures/cost-fixtures.svg"]),
+    costs("calls", 40), costs("bodies", 300, ["docs/figures/cost-bodies.svg"]), costs("fixtures", 60, ["docs/figures/cost-fixtures.svg"]),
     costs("asleep", 60), costs("scenes", 900),
     shown("times", "times of every scene's step, stock over plugin", 400, ["boomerang-testbed compare --repeat 7"], [[TESTBED, "compare", "--repeat", "7"]]),
     shown("structures", "each structure in the place of the remembered edge", 200,
