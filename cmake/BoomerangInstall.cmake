@@ -1,44 +1,74 @@
 # SPDX-License-Identifier: MIT
 # What `cmake --install` puts where: libraries, headers, a CMake package and pkg-config files, all relocatable.
 # And a target `uninstall`, which takes away what the last installation from this build tree put there.
+#
+# Its parts, each to be had alone by `cmake --install build --component NAME`, and each a Debian package (BoomerangPackages.cmake):
+#
+#   runtime         the plugin, and what else a game is run with
+#   core, kinetic   the shared libraries of core, for programs in C and for Python
+#   development     headers, static libraries, the CMake package, pkg-config files, the sources that boomerang_accelerate compiles
+#   testbed         boomerang-testbed, its workers, its manual page
+#   documentation   README.md, docs/, and what these link to
+#   python          the Python module
+#
+# Whatever is installed without a COMPONENT belongs to the runtime.
 include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
 
-set(boomerang_installed_targets boomerang_core)
+# boomerang_install_library(<component of the shared library> <target>...)
+function(boomerang_install_library component)
+  install(TARGETS ${ARGN} EXPORT boomerangTargets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component} NAMELINK_COMPONENT development
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component}
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endfunction()
+
 set(boomerang_components core)
+boomerang_install_library(core boomerang_core)
+if(TARGET boomerang_core_shared)
+  boomerang_install_library(core boomerang_core_shared)
+endif()
 if(TARGET boomerang_kinetic)
-  list(APPEND boomerang_installed_targets boomerang_kinetic)
+  boomerang_install_library(kinetic boomerang_kinetic)
   list(APPEND boomerang_components kinetic)
 endif()
+if(TARGET boomerang_kinetic_shared)
+  boomerang_install_library(kinetic boomerang_kinetic_shared)
+endif()
 if(TARGET boomerang_box2d)
-  list(APPEND boomerang_installed_targets boomerang_box2d_glue boomerang_box2d)
+  boomerang_install_library(runtime boomerang_box2d_glue boomerang_box2d)
   list(APPEND boomerang_components box2d)
 endif()
 
-install(TARGETS ${boomerang_installed_targets} EXPORT boomerangTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
-  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-
+# Headers that kinetic.h has beside boomerang.h are kinetic's.
 file(GLOB core_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/include/boomerang/*.h)
 if(NOT TARGET boomerang_kinetic)
-  list(FILTER core_headers EXCLUDE REGEX "/(kinetic|motion|time_of_contact|failure|simulation|families|analysis)\\.h$")
+  file(STRINGS ${PROJECT_SOURCE_DIR}/core/include/boomerang/kinetic.h kinetic_headers REGEX "^#include \"boomerang/")
+  list(TRANSFORM kinetic_headers REPLACE "^#include \"boomerang/(.*)\"$" "\\1")
+  list(REMOVE_ITEM kinetic_headers boomerang.h)
+  foreach(header kinetic.h ${kinetic_headers})
+    list(REMOVE_ITEM core_headers ${PROJECT_SOURCE_DIR}/core/include/boomerang/${header})
+  endforeach()
 endif()
-install(FILES ${core_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang)
+install(FILES ${core_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang COMPONENT development)
 if(TARGET boomerang_box2d)
   file(GLOB box2d_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/plugin/include/boomerang/*.h
     ${PROJECT_SOURCE_DIR}/box2d_glue/include/boomerang/*.h)
-  install(FILES ${box2d_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang)
+  install(FILES ${box2d_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang COMPONENT development)
 endif()
+
 # The documentation as it lies in the sources, so that its links lead somewhere.
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
-  DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES ${PROJECT_SOURCE_DIR}/core/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/core)
-foreach(examples core/examples plugin/examples)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${examples}/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/${examples}
-    FILES_MATCHING PATTERN "*.c" PATTERN "*.cpp")
-endforeach()
+install(CODE "set(boomerang_root [[${PROJECT_SOURCE_DIR}]])
+  set(boomerang_pages [[${PROJECT_BINARY_DIR}/documentation]])
+  set(boomerang_destination [[${CMAKE_INSTALL_DOCDIR}]])" COMPONENT documentation)
+install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/BoomerangDocumentation.cmake COMPONENT documentation)
+
+set(BOOMERANG_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where the Python module goes")
+if(TARGET boomerang_core_shared)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/python/boomerang DESTINATION ${BOOMERANG_PYTHON_DIR} COMPONENT python
+    FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE)
+endif()
 
 if(TARGET boomerang)
   install(TARGETS boomerang RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
@@ -51,16 +81,16 @@ if(BOOMERANG_INSTALL_TESTBED AND TARGET boomerang-testbed)
     list(APPEND boomerang_programs boomerang-scene-plugin)
     set_target_properties(boomerang-scene-plugin PROPERTIES INSTALL_RPATH "$ORIGIN/${boomerang_bin_to_lib}")
   endif()
-  install(TARGETS ${boomerang_programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  install(TARGETS boomerang-count LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/boomerang)
+  install(TARGETS ${boomerang_programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT testbed)
+  install(TARGETS boomerang-count LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/boomerang COMPONENT testbed)
   if(TARGET boomerang-manual)
     set(boomerang_manual ${PROJECT_BINARY_DIR}/manual)
-    install(FILES ${boomerang_manual}/boomerang-testbed.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    install(FILES ${boomerang_manual}/boomerang-testbed.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT testbed)
     install(FILES ${boomerang_manual}/boomerang-testbed
-      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-    install(FILES ${boomerang_manual}/_boomerang-testbed DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT testbed)
+    install(FILES ${boomerang_manual}/_boomerang-testbed DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT testbed)
     install(FILES ${boomerang_manual}/boomerang-testbed.fish
-      DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT testbed)
   endif()
 endif()
 
@@ -68,21 +98,21 @@ endif()
 set(boomerang_source_dir ${CMAKE_INSTALL_DATADIR}/boomerang/source)
 foreach(folder core/include core/geometry core/hierarchy core/certificate core/pair core/kds core/budget core/exact32 core/convex32
     box2d_glue plugin/hooks plugin/include plugin/reach/renamed)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${boomerang_source_dir}/${folder}
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${boomerang_source_dir}/${folder} COMPONENT development
     FILES_MATCHING PATTERN "*.c" PATTERN "*.cpp" PATTERN "*.h")
 endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/plugin/start.h DESTINATION ${boomerang_source_dir}/plugin)
-install(FILES ${PROJECT_SOURCE_DIR}/plugin/reach/stock.h DESTINATION ${boomerang_source_dir}/plugin/reach)
+install(FILES ${PROJECT_SOURCE_DIR}/plugin/start.h DESTINATION ${boomerang_source_dir}/plugin COMPONENT development)
+install(FILES ${PROJECT_SOURCE_DIR}/plugin/reach/stock.h DESTINATION ${boomerang_source_dir}/plugin/reach COMPONENT development)
 
 set(boomerang_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/boomerang)
-install(EXPORT boomerangTargets NAMESPACE boomerang:: DESTINATION ${boomerang_package_dir})
+install(EXPORT boomerangTargets NAMESPACE boomerang:: DESTINATION ${boomerang_package_dir} COMPONENT development)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/boomerangConfig.cmake.in
   ${PROJECT_BINARY_DIR}/boomerangConfig.cmake INSTALL_DESTINATION ${boomerang_package_dir}
   PATH_VARS boomerang_source_dir)
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/boomerangConfig.cmake ${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake
   ${CMAKE_CURRENT_LIST_DIR}/BoomerangAccelerate.cmake ${CMAKE_CURRENT_LIST_DIR}/BoomerangLinks.cmake
-  DESTINATION ${boomerang_package_dir})
+  DESTINATION ${boomerang_package_dir} COMPONENT development)
 
 # The pkg-config files name their prefix relative to themselves, so that `cmake --install --prefix` may choose it late.
 set(boomerang_pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
@@ -91,7 +121,7 @@ string(REGEX REPLACE "/$" "" boomerang_pc_to_prefix "${boomerang_pc_to_prefix}")
 foreach(component IN LISTS boomerang_components)
   configure_file(${CMAKE_CURRENT_LIST_DIR}/boomerang-${component}.pc.in
     ${PROJECT_BINARY_DIR}/boomerang-${component}.pc @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/boomerang-${component}.pc DESTINATION ${boomerang_pc_dir})
+  install(FILES ${PROJECT_BINARY_DIR}/boomerang-${component}.pc DESTINATION ${boomerang_pc_dir} COMPONENT development)
 endforeach()
 
 if(PROJECT_IS_TOP_LEVEL)
@@ -99,4 +129,5 @@ if(PROJECT_IS_TOP_LEVEL)
     COMMAND ${CMAKE_COMMAND} -DMANIFEST=${PROJECT_BINARY_DIR}/install_manifest.txt
       -P ${CMAKE_CURRENT_LIST_DIR}/BoomerangUninstall.cmake
     COMMENT "Taking away what the last installation put there" VERBATIM)
+  include(${CMAKE_CURRENT_LIST_DIR}/BoomerangPackages.cmake)
 endif()

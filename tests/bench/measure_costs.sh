@@ -69,9 +69,10 @@ total() {
 }
 
 # Instructions of the functions whose names begin with $1 and of all that they call, whoever calls them but themselves:
-# a hook and the function of Box2D's behind it have one name.
+# a hook and the function of Box2D's behind it have one name. (A hook's has the version BOOMERANG_HOOKS, which keeps valgrind from
+# demangling it.)
 inclusive() {
-    awk -v name="$1" '
+    sed 's/@BOOMERANG_HOOKS$//' "$profile" | c++filt | awk -v name="$1" '
         function named(text, id) {
             match(text, /\([0-9]+\)/)
             id = substr(text, RSTART, RLENGTH)
@@ -87,7 +88,7 @@ inclusive() {
             if (index(callee, name) == 1 && index(caller, name) != 1)
                 sum += field[2]
         }
-        END { printf "%.0f\n", sum }' "$profile"
+        END { printf "%.0f\n", sum }'
 }
 
 # world SIDE WORLD COUNT STEPS [FIXTURES]

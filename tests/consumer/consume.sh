@@ -5,7 +5,7 @@
 #   install            installs the build tree into $WORK/prefix
 #   find_package       builds the programs with CMake on what is installed there, and runs them
 #   pkg_config         the same with nothing but the compiler and pkg-config
-#   add_subdirectory   builds them together with the sources, and runs them
+#   fetch_content      builds them together with the sources, which FetchContent adds, and runs them
 #   static_box2d       builds a program with Box2D inside: what CMake says of it, and that it runs
 #   accelerated        a game with a Box2D of its own, of the sources BOX2D_SOURCE, accelerated by what is installed (for whoever has
 #                      such sources: tests/stages/builds.sh)
@@ -72,10 +72,10 @@ install)
                 fail "the installed sources are others: $(head -n 1 "$WORK/sources.txt")"
         done
     fi
-    # What ships inside a game must not depend on GSL, which is GPL-3.
+    # What ships inside a game must not depend on GSL, which is GPL-3. (libboomerang_kinetic is what does.)
     while read -r library; do
         ! readelf --dynamic "$library" | grep NEEDED | grep -i gsl || fail "$library links GSL"
-    done < <(find "$prefix" -name '*.so')
+    done < <(find "$prefix" -name '*.so' ! -name libboomerang_kinetic.so)
     # The installed testbed finds its workers, the library that counts and the plugin to preload, from anywhere.
     if [ -x "$prefix/bin/boomerang-testbed" ]; then
         (cd / && "$prefix/bin/boomerang-testbed" compare needles --steps 5 --no-time) >"$WORK/compare.txt" 2>&1 ||
@@ -109,9 +109,13 @@ pkg_config)
     fi
     LD_LIBRARY_PATH=$(dirname "$directory") run_programs
     ;;
-add_subdirectory)
+fetch_content)
+    # The page has the lines of the project.
+    grep -A 2 '^include(FetchContent)$' "$consumer/$step/CMakeLists.txt" >"$WORK/lines.txt"
+    grep -F -A 2 'include(FetchContent)' "$SOURCE/docs/packages.md" | cmp - "$WORK/lines.txt" || fail "docs/packages.md has other lines"
     # (Debug, without what a debugger wants: all is compiled once more, and runs for a moment.)
-    build_with_cmake -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS_DEBUG=-O0 -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DBOOMERANG_SOURCE="$SOURCE"
+    build_with_cmake -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS_DEBUG=-O0 -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DBOOMERANG_REPOSITORY=none \
+        -DFETCHCONTENT_SOURCE_DIR_BOOMERANG="$SOURCE"
     run_programs
     ;;
 static_box2d)

@@ -42,7 +42,7 @@ hashes() {
         set -- "${1#listed }" "${@:2}"
     fi
     if [ "$1" = outside_game ]; then
-        [ -z "${3:-}" ] || cp "$3" "$(dirname "$3")/libboomerang_box2d.so.0"
+        [ -z "${3:-}" ] || cp "$3" "$(dirname "$3")/libboomerang_box2d.so.1"
         LD_LIBRARY_PATH=${3:+$(dirname "$3")} within "$outside_game"
         return
     fi

@@ -7,7 +7,7 @@
 # In the gate the corpora of the fuzzers are replayed under the sanitizers alone.
 build_release() {
     local rooms=''
-    [ "$long" = yes ] || rooms='gate;differential;hooks;consumer;controls;examples;plugin;browser;bad_input;threads;stale;lives;mutation;steps'
+    [ "$long" = yes ] || rooms='gate;differential;hooks;consumer;packages;python;abi;controls;examples;plugin;browser;bad_input;threads;stale;lives;mutation;steps'
     build_tree release release "-DBOOMERANG_TEST_ROOMS=$rooms" -DBOOMERANG_BUILD_TESTS=ON -DBOOMERANG_BUILD_BENCHMARKS=ON -DBOOMERANG_QUICK_BUILD=ON \
         -DBOOMERANG_WARNINGS_AS_ERRORS=ON
 }

@@ -42,7 +42,7 @@ passes() {
         local -x "${words[0]?}"
         words=("${words[@]:1}")
     done
-    cp "$1/libmutant.so" "$1/libboomerang_box2d.so.0"
+    cp "$1/libmutant.so" "$1/libboomerang_box2d.so.1"
     local status=0
     (LD_LIBRARY_PATH=$1 timeout "$patience" "$programs/${words[0]}" "${words[@]:1}") >"$1/output" 2>&1 || status=$?
     [ "$status" -ne 124 ] || echo "$2 has not ended after $patience s" | tee -a "$room/hung"

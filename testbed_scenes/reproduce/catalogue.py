@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: MIT
+"""Every figure and table of the pages: the command that makes it, as the page has it, and how the two are held against each other.
+
+`quotes` are commands as they stand in a page, blanks aside. tests/gate/test_reproduce.py looks that each command of the pages that makes a
+figure is in this list, and each picture. Kinds:
+
+    picture   the file is the committed one, byte for byte
+    counts    every number is the page's, as rounded there: counts do not depend on the machine
+    ratios    instructions or times: told as measured over committed, and never a difference
+    shown     made anew and shown; the page's words are its reader's to compare
+"""
+import math
+import re
+
+from compare import Events, block_with, exponent, rows_as_ratios, same_file, slope, table_after
+
+TESTBED = "{build}/bin/boomerang-testbed"
+
+
+class Experiment:
+    """`commands` are lists of words, with {build}, {root} and {out}, a directory of their own, to be filled in; `check(run)` returns
+    nothing and fills run.result. `seconds`: of one processor, of some machine."""
+
+    def __init__(self, name, kind, what, seconds, quotes, commands, check=None, makes=()):
+        self.name, self.kind, self.what, self.seconds = name, kind, what, seconds
+        self.quotes, self.commands, self.check, self.makes = quotes, commands, check, makes
+
+
+def words(command, *more):
+    """A command as the page has it, to be run: the program by its place, environment first."""
+    parts = command.replace("\\\n", " ").split()
+    parts[0:1] = [TESTBED] if parts[0] == "boomerang-testbed" else parts[0:1]
+    return parts + list(more)
+
+
+def counted(name, what, seconds, quote, check):
+    """An `events` command, whose runs are read as CSV."""
+    return Experiment(name, "counts", what, seconds, [quote], [words(quote, "--quiet", "--csv", "{out}/events.csv")], check)
+
+
+SATURATION = """boomerang-testbed events orbit spin tumble rigid-algebraic --n 12 --ratios 100,1000,10000,100000 --no-optimum \\
+  --structures lazy-compass lazy-dudley active-cell-dudley free-fd2 separating-edge"""
+RIVALS = "boomerang-testbed events line tumble --structures rivals lazy-dudley --n 1024 --ratios 2,1000 --no-optimum"
+OPTIMUM = "boomerang-testbed events --structures rigid translation rivals --n 64 --ratios 128 --seeds 3"
+SPIN = """boomerang-testbed events spin --shape regular --n 1024 --seeds 1 --ratios 8,32,128,512,2048,8192 --no-optimum \\
+  --structures lazy-compass lazy-dudley active-cell-compass inflated-window free-fd1 free-fd2"""
+GROWTH = """boomerang-testbed events line parabola algebraic orbit rigid-algebraic tumble spin --n 1024 --ratios 8:131072 --no-optimum \\
+  --structures active-cell-compass active-cell-dudley lazy-compass lazy-dudley inflated-window free-fd2"""
+GROWTH_OF_A_POINT = "boomerang-testbed events line parabola algebraic orbit --shape ellipse:point --structures points --n 1024 --ratios 8:131072 --no-optimum"
+WORLDS = ("boomerang-testbed world gas --boundary periodic --shape regular --vertices 8:64 --density 0.3 --sizes 1 --seconds 5 "
+          "--growth 100,300,1000,3000,10000")
+
+
+def name_in(cell):
+    """The name between back quotes."""
+    return re.search(r"`([^`]+)`", cell).group(1)
+
+
+def check_lists(run, quote, structures_are_rows):
+    """A table of motions and structures whose cells list the events, ratio by ratio."""
+    head, *rows = table_after(*run.page(quote))
+    events = Events(run.out / "events.csv")
+    for side, *cells in rows:
+        for top, cell in zip(head[1:], cells):
+            motion, structure = (top, side) if structures_are_rows else (side, top)
+            for ratio, text in zip(events.ratios, cell.split(",")):
+                run.result.number(f"{motion}, {structure}, {ratio:g}", text.strip(), events.mean(motion, name_in(structure), ratio))
+
+
+def check_optimum(run):
+    events = Events(run.out / "events.csv")
+    for index in range(3):
+        head, *rows = table_after(*run.page(OPTIMUM), index)
+        for motion, optimum, *cells in rows:
+            if motion.startswith("**"): # the geometric mean of what was replaced; see the page
+                motions = [row[0] for row in rows[:-1]]
+                for structure, cell in zip(head[2:], cells):
+                    shares = [events.mean(each, name_in(structure), 128, "lines") / max(1.0, events.mean(each, name_in(structure), 128, "optimum") - 1)
+                              for each in motions]
+                    run.result.number(f"{motion}, {structure}", cell.strip("*"), math.exp(sum(math.log(max(1.0, s)) for s in shares) / len(shares)))
+                continue
+            run.result.number(f"{motion}, optimum", optimum, events.mean(motion, "free-fd2", 128, "optimum"))
+            for structure, cell in zip(head[2:], cells):
+                run.result.number(f"{motion}, {structure}", cell, events.mean(motion, name_in(structure), 128))
+
+
+def check_spin(run):
+    _, *rows = table_after(*run.page(SPIN))
+    events = Events(run.out / "events.csv")
+    for structure, *cells in rows:
+        means = events.means("spin", name_in(structure))
+        for ratio, text, mean in zip(events.ratios, cells, means):
+            run.result.number(f"{structure}, {ratio:g}", text, mean)
+        run.result.number(f"{structure}, exponent", cells[-1], exponent(events.ratios, means))
+
+
+# The rows of the table of growth, in its order: motion, what the structures' names begin with.
+POINT_ROWS = [("line", "triangle-levels"), ("line", "point-lazy"), ("algebraic", "triangle-levels"), ("orbit", "triangle-levels"), ("orbit", "point-lazy")]
+POLYGON_ROWS = [(motion, structure) for motion in ("line", "parabola", "algebraic", "orbit", "rigid-algebraic", "tumble", "spin")
+                for structure in ("active-cell", "lazy")]
+
+
+def check_growth(run, rows, first):
+    events = Events(run.out / "events.csv")
+    table = table_after(*run.page(GROWTH))[1 + first:]
+    doublings = [math.log2(ratio) for ratio in events.ratios]
+    for (motion, structure), cells in zip(rows, table):
+        for hierarchy, cell in (("compass", cells[2]), ("dudley", cells[4])):
+            where, means = f"{motion}, {structure}-{hierarchy}", events.means(motion, f"{structure}-{hierarchy}")
+            for pattern, measured in ((r"e ([\d.]+)", exponent(events.ratios, means)), (r"\+([\d.]+)", slope(doublings, means)),
+                                      (r"([\d.]+) sqrt", max(mean / math.sqrt(ratio) for mean, ratio in zip(means, events.ratios))),
+                                      (r"\(([\d.]+)\)", means[-1])):
+                found = re.search(pattern, cell)
+                if found:
+                    run.result.number(where, found.group(1), measured)
+
+
+def check_worlds(run):
+    """Events, pairs and bytes are counts; the clock's column is told as a ratio."""
+    _, *rows = table_after(*run.page(WORLDS))
+    printed = [line.split() for line in run.said[0].splitlines() if re.match(r"\d+ ", line)]
+    for row, line in zip(rows, printed):
+        line = [word for word in line if not word.startswith("(")]
+        where = f"{row[0]} bodies"
+        run.result.number(where, re.sub(",", "", row[0]), float(line[0]))
+        run.result.number(f"{where}, events", row[1].split()[0], float(line[8]))
+        for kind, text, measured in zip(("cross", "near", "repair", "contact"), row[2].split(", "), (line[2], line[3], line[4], line[6])):
+            run.result.number(f"{where}, {kind}", text, float(measured))
+        run.result.number(f"{where}, pairs", row[3], float(line[9]))
+        run.result.number(f"{where}, bytes", row[4].split()[0], float(line[10]))
+        run.result.ratios.append(float(line[12]) / float(row[5].split()[0]))
+
+
+def check_scenes(run):
+    """The tables of counts, line by line; not what stands below `Time per step`."""
+    said = set(run.said[0].splitlines())
+    lines = block_with(run.page_with("Separation tests, calls per step"), "Separation tests, calls per step")
+    for line in lines[:lines.index("Time per step") if "Time per step" in lines else None]:
+        if re.search(r"\d", line):
+            run.result.cells += len(line.split()) - 1
+            if line not in said:
+                run.result.wrong.append(f"not printed: {line}")
+
+
+# Of each table of measure_costs.sh: which printed column names the page's row, and which columns are beside which there.
+COSTS = {
+    "calls": (0, lambda row: [(1, 2), (2, 3), (3, 4)]),
+    "bodies": (1, lambda row: [(2, 1), (3, 2), (4, 3)] if row[0].startswith("gas") else [(2, 4), (3, 5), (4, 6)]),
+    "fixtures": (1, lambda row: [(2, 1), (3, 2), (4, 3)]),
+    "asleep": (1, lambda row: [(2, 1), (3, 2), (4, 3)]),
+    "scenes": (0, lambda row: [(2, 1), (3, 2), (4, 3)]),
+}
+
+
+def picture(name, what, seconds, quotes, commands, makes):
+    def check(run):
+        for file in makes:
+            same_file(run.result, run.out / file.split("/")[-1], run.root / file)
+
+    return Experiment(name, "picture", what, seconds, quotes, commands, check, makes)
+
+
+def costs(table, seconds, makes=()):
+    quote, more = f"measure_costs.sh build {table}", []
+    steps = ["--steps", "150"] if table == "scenes" else []
+    if table == "scenes":
+        quote = "tests/bench/measure_costs.sh --steps 150 build scenes"
+    if table == "calls":
+        more = ["tests/bench/measure_costs.sh build calls fixtures bodies asleep scenes"]
+
+    def check(run):
+        # (The command that has all tables stands above the first of them.)
+        text, anchor = run.page(more[0] if more else quote)
+        rows_as_ratios(run.result, table_after(text, anchor), run.said[0], *COSTS[table])
+
+    return Experiment(f"cost-{table}", "ratios", f"instructions, by callgrind: {table}", seconds, [quote, *more],
+                      [["{root}/tests/bench/measure_costs.sh", *steps, "{build}", table]], check, makes)
+
+
+def shown(name, what, seconds, quotes, commands, makes=()):
+    return Experiment(name, "shown", what, seconds, quotes, commands, None, makes)
+
+
+FIGURES = ["boomerangs", "dudley", "growth", "inflated", "mixed-events", "mixed-full", "mixed-insertion", "pair-events", "point-events",
+           "time-line", "window"]
+
+EXPERIMENTS = [
+    picture("figures", "the figures of core/README.md, from the real structures", 3,
+            ["boomerang-testbed figures -o docs/figures", "boomerang-testbed figures growth -o docs/figures"],
+            [[TESTBED, "figures", "-o", "{out}"]], [f"docs/figures/{name}.svg" for name in FIGURES]),
+    picture("planks", "a scene with what proves its bodies apart", 1, ["boomerang-testbed render planks --step 150 --focus 100 -o docs/planks.png"],
+            [[TESTBED, "render", "planks", "--step", "150", "--focus", "100", "-o", "{out}/planks.png"]], ["docs/planks.png"]),
+    picture("any-size", "polygons of any size", 1, ["boomerang-testbed render any-bag --step 380 --bare -o docs/any-size.png"],
+            [[TESTBED, "render", "any-bag", "--step", "380", "--bare", "-o", "{out}/any-size.png"]], ["docs/any-size.png"]),
+    Experiment("growth-points", "counts", "Table 1 for a point: events against D/sigma", 4, [GROWTH_OF_A_POINT],
+               [words(GROWTH_OF_A_POINT, "--quiet", "--csv", "{out}/events.csv")], lambda run: check_growth(run, POINT_ROWS, 0)),
+    Experiment("growth", "counts", "Table 1 for two polygons: events against D/sigma", 12, [GROWTH],
+               [words(GROWTH, "--quiet", "--csv", "{out}/events.csv")], lambda run: check_growth(run, POLYGON_ROWS, len(POINT_ROWS))),
+    counted("spin", "the costliest rigid motion: a regular polygon spins", 7, SPIN, check_spin),
+    counted("saturation", "events once mu is n", 1, SATURATION, lambda run: check_lists(run, SATURATION, True)),
+    counted("rivals", "rivals, far and near", 2, RIVALS, lambda run: check_lists(run, RIVALS, False)),
+    counted("optimum", "events over the best that was possible", 4, OPTIMUM, check_optimum),
+    Experiment("worlds", "counts", "what grows with the number of bodies of a kinetic world", 5, [WORLDS], [words(WORLDS)], check_worlds),
+    Experiment("scenes", "counts", "separation tests, looks and events in every scene, plugin beside stock", 70, ["boomerang-testbed compare"],
+               [[TESTBED, "compare", "--no-time"]], check_scenes),
+    costs("calls", 40), costs("bodies", 300, ["docs/figures/cost-bodies.svg"]), costs("fixtures", 60, ["docs/figures/cost-fixtures.svg"]),
+    costs("asleep", 60), costs("scenes", 900),
+    shown("times", "times of every scene's step, stock over plugin", 400, ["boomerang-testbed compare --repeat 7"], [[TESTBED, "compare", "--repeat", "7"]]),
+    shown("structures", "each structure in the place of the remembered edge", 200,
+          ["boomerang-testbed compare needles plates planks coins-gas coins-pile gears bullets pyramid --structure ... --prefilter ..."],
+          [[TESTBED, "compare", "needles", "plates", "planks", "coins-gas", "coins-pile", "gears", "bullets", "pyramid", "--structure", structure,
+            "--prefilter", "off"] for structure in ("free-direction", "lazy-compass", "lazy-dudley")]),
+    shown("life", "what the pairs of two scenes go through", 10, ["boomerang-testbed compare --steps 200 --no-time needles coins-pile"],
+          [[TESTBED, "compare", "--steps", "200", "--no-time", "needles", "coins-pile"]]),
+    shown("any-size-worlds", "worlds of polygons of any size", 60, ["boomerang-testbed compare any-gas any-pile any-bag"],
+          [[TESTBED, "compare", "any-gas", "any-pile", "any-bag"]]),
+    shown("any-size-cost", "one fixture beside many, and its picture", 600,
+          ["boomerang-testbed compare-shapes gas --many-steps 300 --curve gas.csv",
+           'boomerang-testbed plot gas.csv -o docs/figures/any-size-cost.svg --title "A gas of 250 coins"'],
+          [[TESTBED, "compare-shapes", "gas", "--many-steps", "300", "--curve", "{out}/gas.csv"],
+           [TESTBED, "plot", "{out}/gas.csv", "-o", "{out}/any-size-cost.svg", "--title", "A gas of 250 coins"]], ["docs/figures/any-size-cost.svg"]),
+    shown("any-size-pile", "a pile, where nearly all pairs touch", 200, ["boomerang-testbed compare-shapes pile --repeat 2"],
+          [[TESTBED, "compare-shapes", "pile", "--repeat", "2"]]),
+    shown("world-peers", "a kinetic world beside others", 900, ["boomerang-testbed world gas --bodies 500 --seconds 20 --peers"],
+          [[TESTBED, "world", "gas", "--bodies", "500", "--seconds", "20", "--peers", *more]
+           for more in (["--shape", "regular", "--vertices", "8", "--density", "0.3", "--sizes", "1"], [])]),
+    shown("world-share", "where a world's instructions go", 200,
+          ["tests/bench/world_share.sh build gas --bodies 10000 --boundary periodic --shape regular --vertices 8:64 --sizes 1 --density 0.3 --seconds 1"],
+          [["{root}/tests/bench/world_share.sh", "{build}", "gas", "--bodies", "10000", "--boundary", "periodic", "--shape", "regular", "--vertices", "8:64",
+            "--sizes", "1", "--density", "0.3", "--seconds", "1"]]),
+    shown("repairs", "instructions and time of a repair", 300, ["tests/bench/measure_repairs.sh build/bin/bench_kds", "tests/bench/measure_repairs.sh"],
+          [["{root}/tests/bench/measure_repairs.sh", "{build}/bin/bench_kds"]]),
+    shown("fd2", "events of the structure with all bounds", 10,
+          ["boomerang-testbed events --structures free-fd2 --shape ellipse:disc --n 1024 --seeds 2 --ratios 8:8192 --no-optimum"],
+          [[TESTBED, "events", "--structures", "free-fd2", "--shape", "ellipse:disc", "--n", "1024", "--seeds", "2", "--ratios", "8:8192", "--no-optimum"]]),
+    shown("event-cost", "steps of an event", 60, ["build/bin/test_claims_time"], [["{build}/bin/test_claims_time"]]),
+]
+for test, scale, seconds in (("test_distance", 40, 60), ("test_kinetic_every_structure", 400, 3000), ("test_kinetic_world", 8, 300),
+                             ("test_kinetic_competitive", 5, 300), ("test_kinetic_rigid_search", 16, 600), ("test_glue_rounding_margins", 15, 900)):
+    EXPERIMENTS.append(shown(test.replace("test_", "").replace("_", "-"), f"{test} with {scale} times its iterations", seconds,
+                             [f"BMR_TEST_SCALE={scale} {test}"], [["env", f"BMR_TEST_SCALE={scale}", f"{{build}}/bin/{test}"]]))
+
+# Commands in the pages that are there to be used, and make no figure of theirs.
+USAGE = [
+    "boomerang-testbed events --list",
+    "boomerang-testbed events --polygon A.txt --polygon B.txt --motion M.txt --trace T.txt",
+    "boomerang-testbed events --structures NAME",
+    "boomerang-testbed plot",
+    "boomerang-testbed world",
+    "boomerang-testbed world --list",
+    "boomerang-testbed world gas --bodies 1000 --check --audit",
+    "boomerang-testbed world cooling --answer 0.8 --record run.txt",
+    "boomerang-testbed render --recording run.txt --step 300 --all -o run.png",
+]
+# Pictures that are drawn by hand.
+BY_HAND = ["docs/figures/pair-memory.svg"]

@@ -1,0 +1,39 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+#
+#   test_contributing.sh ROOT BUILD
+#
+# The commands of CONTRIBUTING.md are of this tree: the targets are built here, and the tests are there.
+set -u
+root=$1 build=$2
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+
+# wrong FILE: what a page's commands name that is not there, one a line
+wrong() {
+    local block targets names name
+    block=$(sed -n '/^## To a green test/,/^## /{/^```sh$/,/^```$/p}' "$1")
+    targets=$(sed -n 's/^cmake --build build --target \([^#]*\).*/\1/p' <<<"$block")
+    names=$(sed -n "s/^ctest --test-dir build -R '^(\([^)]*\))\$'.*/\1/p" <<<"$block")
+    [ -n "$targets" ] && [ -n "$names" ] || echo "the page has no commands"
+    for name in $targets; do
+        grep -q "^build $name: phony" "$build/build.ninja" || echo "no target $name"
+    done
+    for name in ${names//|/ }; do
+        grep -q "^ *Test *#[0-9]*: $name\$" "$room/tests" || echo "no test $name"
+    done
+    for name in $(sed -n 's/^\(\.[^ ]*\) .*/\1/p' <<<"$block"); do
+        [ -x "$root/$name" ] || echo "no command $name"
+    done
+}
+
+ctest --test-dir "$build" -N >"$room/tests"
+failed=0
+said=$(wrong "$root/CONTRIBUTING.md")
+[ -z "$said" ] || { echo "FAILED: CONTRIBUTING.md: $said"; failed=1; }
+# The control: a page that names others.
+sed -e 's/test_pair/test_pears/g' -e 's|^\./tests/run|./tests/walk|' "$root/CONTRIBUTING.md" >"$room/page.md"
+[ "$(wrong "$room/page.md" | paste -s -d ,)" = "no target test_pears,no test test_pears,no command ./tests/walk" ] ||
+    { echo "FAILED: the control: $(wrong "$room/page.md")"; failed=1; }
+[ "$failed" -eq 0 ] && echo passed
+exit "$failed"
