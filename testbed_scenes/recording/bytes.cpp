@@ -87,7 +87,8 @@ private:
     std::size_t m_at = 0;
 };
 
-/// How a value becomes bytes and comes back: an object with the fields of fields.h, unless it is one of those below.
+/// How a value becomes bytes and comes back: an object with the fields of fields.h, unless it is one of those
+/// below.
 template <typename Value, typename = void> struct Code {
     static bool Same(const Value &a, const Value &b) {
         bool same = true;
@@ -216,6 +217,10 @@ template <typename Element, std::size_t N> struct Code<std::array<Element, N>> {
 };
 
 } // namespace
+
+bool IsSame(const Proof &a, const Proof &b) {
+    return Code<Proof>::Same(a, b);
+}
 
 std::string Pack(const Frame &frame) {
     Writer writer;

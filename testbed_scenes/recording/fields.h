@@ -5,7 +5,8 @@
 #include "recording/recording.h"
 
 /// @file
-/// Each kind of object in a recording lists its fields once: for text and for bytes, for writing and for reading.
+/// Each kind of object in a recording lists its fields once: for text and for bytes, for writing and for
+/// reading.
 
 namespace testbed::recording {
 
@@ -107,6 +108,7 @@ template <typename Visit> void Fields(const Pair *, Visit visit) {
     visit("distance", &Pair::distance);
     visit("slack", &Pair::slack);
     visit("proofs", &Pair::proofs);
+    visit("proofs_kept", &Pair::proofs_kept);
     visit("asked", &Pair::asked);
     visit("handed_over", &Pair::handed_over);
     visit("calls", &Pair::calls);

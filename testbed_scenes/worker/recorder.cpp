@@ -7,6 +7,7 @@
 #include <box2d/b2_distance.h>
 #include <dlfcn.h>
 
+#include "recording/bytes.h"
 #include "worker/record_world.h"
 
 namespace testbed {
@@ -224,20 +225,37 @@ void Recorder::RecordPairs(const b2World &world, recording::Frame *frame) {
         pair.handed_over = recent.handedOver;
         pair.calls = recent.calls;
     }
-    frame->pairs.reserve(drafts.size());
-    for (Draft &draft : drafts) {
-        recording::Pair &pair = draft.pair;
-        if (const auto found = m_totals.find({pair.a, pair.b}); found != m_totals.end()) {
+    std::vector<std::pair<Bodies, std::size_t>> order(places.begin(), places.end());
+    std::sort(order.begin(), order.end());
+    frame->pairs.reserve(order.size());
+    for (const auto &[bodies, place] : order) {
+        recording::Pair &pair = drafts[place].pair;
+        if (const auto found = m_totals.find(bodies); found != m_totals.end()) {
             const Totals &totals = found->second;
             pair.counters = totals.events;
             if (totals.asked > 0)
                 pair.counters.insert({{"asked", totals.asked}, {"handed_over", totals.handedOver}});
         }
+        if (m_range.compact)
+            LeaveOutKept(&pair);
         frame->pairs.push_back(std::move(pair));
     }
-    std::sort(frame->pairs.begin(), frame->pairs.end(), [](const auto &one, const auto &other) {
-        return std::tie(one.a, one.b) < std::tie(other.a, other.b);
-    });
+}
+
+/// Most pairs have the proofs of the frame before.
+void Recorder::LeaveOutKept(recording::Pair *pair) {
+    for (recording::Proof &proof : pair->proofs)
+        proof.slack = 0.0f; // the pair's own is what a replay shows
+    const auto [known, isNew] = m_shown.try_emplace({pair->a, pair->b});
+    Shown &shown = known->second;
+    pair->proofs_kept =
+        !isNew && shown.step == m_step - m_range.every && pair->proofs.size() == shown.proofs.size() &&
+        std::equal(pair->proofs.begin(), pair->proofs.end(), shown.proofs.begin(), recording::IsSame);
+    shown.step = m_step;
+    if (pair->proofs_kept)
+        pair->proofs.clear();
+    else
+        shown.proofs = pair->proofs;
 }
 
 void Recorder::AddContact(const b2Contact &contact, recording::Frame *frame, Draft *draft) {

@@ -19,8 +19,8 @@ namespace testbed {
 struct RecordRange {
     int first = 0, last = 0, every = 1;
     bool boxes = false; ///< with the boxes of the broad phase
-    /// For a replay, as bytes (recording/bytes.h): no closest points, no counters since the first contact; and of a
-    /// run without the plugin bodies and calls alone.
+    /// For a replay, as bytes (recording/bytes.h): no closest points, no counters since the first contact;
+    /// and of a run without the plugin bodies and calls alone.
     bool compact = false;
 
     bool Has(int step) const { return step >= first && step <= last && (step - first) % every == 0; }
@@ -59,6 +59,10 @@ private:
         recording::Pair pair;
         std::vector<std::pair<const void *, std::size_t>> shared;
     };
+    struct Shown {
+        int step = 0;
+        std::vector<recording::Proof> proofs; ///< their slack is 0
+    };
 
     void OnKineticEvent(const b2Body &bodyA, const b2Body &bodyB, recording::Event event) override;
     void OnAnswer(const b2Contact &contact, bool handedOver) override;
@@ -76,6 +80,7 @@ private:
     void RecordPairs(const b2World &world, recording::Frame *frame);
     void AddContact(const b2Contact &contact, recording::Frame *frame, Draft *draft);
     void AddProof(const b2Contact &contact, bool swapped, recording::Frame *frame, Draft *draft);
+    void LeaveOutKept(recording::Pair *pair);
     void NameHulls(const b2Contact &contact, bool swapped, recording::Frame *frame, recording::Proof *proof);
     int NameOutline(int body, const std::vector<recording::Vec> &points, recording::Frame *frame);
 
@@ -85,7 +90,8 @@ private:
         m_sent; ///< as the reader knows them, by body and number
     std::map<std::pair<int, std::vector<float>>, int> m_outlines; ///< ids, by body and coordinates
     std::unordered_map<const void *, int> m_bodyOf; ///< by the address of a shape's first vertex
-    ByBodies<Totals> m_totals; ///< not where the recording is compact
+    ByBodies<Totals> m_totals;                      ///< not where the recording is compact
+    ByBodies<Shown> m_shown;                        ///< where it is: what the reader knows of a pair
     // Since the last frame.
     ByBodies<Counters> m_recent;
     std::vector<recording::Event> m_events;
