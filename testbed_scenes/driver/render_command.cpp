@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iostream>
 
 #include <CLI/CLI.hpp>
 
@@ -146,6 +147,7 @@ public:
 
     void Add(const recording::Head &head, const recording::Frame &frame) {
         m_gathered.Add(frame);
+        m_scene = head.scene;
         m_last = frame.step;
         if (m_options.layers.trails)
             AddTrails(frame);
@@ -166,6 +168,15 @@ public:
         DrawPicture(head, frame, m_gathered, these,
                     m_options.series ? NumberedPath(m_command.output, m_count) : m_command.output);
         ++m_count;
+    }
+    /// What was written, in a line.
+    std::string Said() const {
+        std::string text = m_options.series ? NumberedPath(m_command.output, 0) : m_command.output;
+        if (m_count > 1)
+            text += " to " + NumberedPath(m_command.output, m_count - 1) + ": " + std::to_string(m_count) +
+                    " pictures";
+        return text + ": " + m_scene + (m_count > 1 ? ", steps " : ", step ") +
+               std::to_string(m_wanted.first) + (m_count > 1 ? " to " + std::to_string(m_wanted.last) : "");
     }
     /// Where the frames came from a file, which may have fewer than are wanted.
     void CheckDone() const {
@@ -191,6 +202,7 @@ private:
     const RecordRequest &m_wanted;
     recording::Gathered m_gathered;
     std::optional<Rectangle> m_shape;
+    std::string m_scene;
     int64_t m_count = 0, m_last = -1;
 };
 
@@ -237,7 +249,7 @@ CLI::App *AddRender(CLI::App &app, RenderCommand &command) {
                      "Layer: where bodies were in the frames before (with --recording)");
     CLI::Option *all = render->add_flag("--all", command.all, "Every layer");
     render->add_flag("--bare", command.bare, "No layer: the bodies alone")->excludes(all);
-    render->add_flag("--quiet", command.quiet, "No progress");
+    render->add_flag("--quiet", command.quiet, "No progress, and no word of what was written");
     render->footer(kHelp);
     return render;
 }
@@ -284,6 +296,8 @@ int Execute(const RenderCommand &command, const Workers &workers) {
         RunRecorded(workers, request, onFrame, [&progress] { progress.Tick(); });
     }
     progress.Clear();
+    if (!command.quiet)
+        std::cout << series.Said() << '\n';
     return kExitOk;
 }
 
