@@ -56,7 +56,8 @@ public:
         : m_head(head), m_world(world), m_options(options), m_title(TitleOf(head, world.Frame())),
           m_width(options.width), m_unit(std::max(options.width / 1200.0, kLeastUnit)) {}
 
-    void Draw(const std::string &path) {
+    /// On the canvas that `make` makes of a width and a height.
+    template <class Make> void Draw(Make make) {
         const Rectangle region = RegionOf(m_world.Frame(), m_world.Gathered(), m_options);
         const double list = m_options.bodies.empty() ? 0.0 : std::round(kListWidth * m_unit);
         const double wide = m_width - list, high = std::round(wide * region.Height() / region.Width());
@@ -73,7 +74,7 @@ public:
         m_touching = std::move(explanation.touching);
         m_alone = std::move(explanation.alone);
         m_rest = explanation.rest;
-        Canvas canvas(path, m_width, high + strip);
+        Canvas canvas = make(m_width, high + strip);
         Paint(canvas, {0.0, 0.0, m_width, high + strip}, style::kStrip);
         const Rectangle area = {0.0, strip, wide, strip + high};
         Paint(canvas, area, style::kBackground);
@@ -272,7 +273,17 @@ void DrawPicture(const recording::Head &head, const recording::Frame &frame,
                  const recording::Gathered &gathered, const PictureOptions &options,
                  const std::string &path) {
     const WorldView world(frame, gathered);
-    Page(head, world, options).Draw(path);
+    Page(head, world, options).Draw([&path](double width, double height) {
+        return Canvas(path, width, height);
+    });
+}
+
+void DrawPicture(const recording::Head &head, const recording::Frame &frame,
+                 const recording::Gathered &gathered, const PictureOptions &options, Image *image) {
+    const WorldView world(frame, gathered);
+    Page(head, world, options).Draw([image](double width, double height) {
+        return Canvas(*image, width, height);
+    });
 }
 
 } // namespace testbed
