@@ -57,6 +57,8 @@ public:
     Canvas(const std::string &path, double width, double height);
     /// An SVG that goes into a stream, which must outlive the canvas.
     Canvas(std::ostream &svg, double width, double height);
+    /// Pixels in memory, which must outlive the canvas.
+    Canvas(Image &image, double width, double height);
 
     /// From now on world coordinates are those of `world`, shown in `page` (of the page's units) as large as
     /// fits, centred, undistorted; drawing is clipped to `page`.

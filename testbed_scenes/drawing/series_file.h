@@ -21,7 +21,8 @@ struct SeriesFile {
     std::vector<PlotSeries> series; ///< in the order of their first lines, with colours
 };
 
-/// Throws SeriesFileError with the line that is none.
+/// For logarithmic axes. Throws SeriesFileError, with the file and the line, on a line that is none of
+/// series,x,y, and on one whose x or y is not above 0: such an axis has no place for it.
 SeriesFile ReadSeriesFile(const std::string &path);
 
 } // namespace testbed

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "drawing/whole_file.h"
 
+#include <cerrno>
+#include <cstring>
 #include <stdexcept>
 
 #include <unistd.h>
@@ -32,6 +34,7 @@ WholeFile::WholeFile(const std::string &path) : m_target(path), m_writePath(path
         return;
     m_writePath = m_target;
     m_writePath += "." + std::to_string(getpid()) + ".part";
+    m_unfinished.emplace(m_writePath.string());
 }
 
 WholeFile::~WholeFile() {
@@ -40,13 +43,23 @@ WholeFile::~WholeFile() {
         fs::remove(m_writePath, ignored);
 }
 
+void FailToWrite(const std::string &path, int error) {
+    throw std::runtime_error("cannot write " + path +
+                             (error != 0 ? std::string(": ") + std::strerror(error) : ""));
+}
+
 void WholeFile::Check(const std::string &path) {
     std::error_code error;
     const fs::path directory = DirectoryOf(path);
-    const bool exists = fs::exists(path, error);
-    if (!fs::is_directory(directory, error) || fs::is_directory(path, error) ||
-        !IsWritable(exists ? fs::path(path) : directory))
-        throw std::runtime_error("cannot write " + path);
+    if (!fs::exists(directory, error))
+        throw std::runtime_error("cannot write " + path + ": there is no directory " + directory.string());
+    if (!fs::is_directory(directory, error))
+        FailToWrite(path, ENOTDIR);
+    if (fs::is_directory(path, error))
+        FailToWrite(path, EISDIR);
+    errno = 0;
+    if (!IsWritable(fs::exists(path, error) ? fs::path(path) : directory))
+        FailToWrite(path, errno);
 }
 
 void WholeFile::Finish() {
@@ -57,8 +70,9 @@ void WholeFile::Finish() {
         fs::permissions(m_writePath, fs::status(m_target, error).permissions(), error);
     fs::rename(m_writePath, m_target, error);
     if (error)
-        throw std::runtime_error("cannot write " + m_target.string() + ": " + error.message());
+        FailToWrite(m_target.string(), error.value());
     m_writePath = m_target;
+    m_unfinished.reset();
 }
 
 } // namespace testbed

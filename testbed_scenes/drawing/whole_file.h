@@ -3,13 +3,16 @@
 #define BOOMERANG_TESTBED_WHOLE_FILE_H
 
 #include <filesystem>
+#include <optional>
 #include <string>
+
+#include "drawing/unfinished.h"
 
 namespace testbed {
 
 /// A file that is there whole or as it was before: it is written beside its place, under another name, and
 /// takes its place when it is finished. What is no regular file (a device, a pipe) is written directly, and
-/// so is a file whose directory takes no other.
+/// so is a file whose directory takes no other. An interrupt leaves nothing unfinished behind (Unfinished).
 class WholeFile {
 public:
     /// Touches nothing yet.
@@ -19,7 +22,8 @@ public:
     WholeFile(const WholeFile &) = delete;
     WholeFile &operator=(const WholeFile &) = delete;
 
-    /// Throws std::runtime_error if the file cannot be written, as far as that can be known before.
+    /// Throws std::runtime_error, which says why, if the file cannot be written, as far as that can be known
+    /// before.
     static void Check(const std::string &path);
 
     /// Where to write meanwhile.
@@ -29,7 +33,11 @@ public:
 
 private:
     std::filesystem::path m_target, m_writePath;
+    std::optional<Unfinished> m_unfinished;
 };
+
+/// "cannot write PATH: Permission denied": what errno says, or the number given.
+[[noreturn]] void FailToWrite(const std::string &path, int error);
 
 } // namespace testbed
 

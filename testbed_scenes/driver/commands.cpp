@@ -74,8 +74,8 @@ const SceneInfo &FindScene(const std::vector<SceneInfo> &scenes, const std::stri
             return scene;
         names.push_back(scene.name);
     }
-    throw UsageError("there is no scene \"" + name + "\"; the nearest is \"" + Nearest(name, names) +
-                     "\" (boomerang-testbed list shows all)");
+    throw UsageError("there is no scene \"" + name + "\"" + NearestClause(name, names) +
+                     " (boomerang-testbed list shows all)");
 }
 
 int Execute(const ListCommand &command, const Workers &workers) {
@@ -116,8 +116,10 @@ int Execute(const RunCommand &command, const Workers &workers) {
     request.scene = scene.name;
     request.steps = command.steps.value_or(scene.steps);
     request.mode = command.hash ? "hash" : command.time ? "time" : "count";
-    if (!command.trace.empty())
+    if (!command.trace.empty()) {
+        WholeFile::Check(command.trace);
         request.extra = {"--trace", command.trace};
+    }
 
     nlohmann::json summary;
     const auto process = workers.Start(request, command.worker, [&](const std::string &line) {

@@ -30,8 +30,8 @@ constexpr size_t kNarrowColumns = 8, kWideColumns = 6;
 
 [[noreturn]] void FailUnknown(const std::string &what, const std::string &word,
                               const std::vector<std::string> &names) {
-    throw UsageError("there is no " + what + " \"" + word + "\"; the nearest is \"" + Nearest(word, names) +
-                     "\" (--list shows all)");
+    throw UsageError("there is no " + what + " \"" + word + "\"" + NearestClause(word, names) +
+                     " (--list shows all)");
 }
 
 std::vector<std::string> StructureNames() {
@@ -360,14 +360,32 @@ private:
     std::vector<Row> m_rows;
 };
 
+/// "D/sigma = 8", or where there is no least separation when they are in contact: "in contact from 0.333 to
+/// 0.750".
+std::string SeparationOf(const Run &run) {
+    constexpr size_t kMostSaid = 4;
+    std::ostringstream text;
+    if (run.contacts.empty()) {
+        text << "D/sigma = " << run.ratio;
+        return text.str();
+    }
+    text << "in contact";
+    for (size_t i = 0; i < std::min(kMostSaid, run.contacts.size()); ++i)
+        text << (i == 0 ? "" : ",") << " from " << Fixed(run.contacts[i].from, 3) << " to "
+             << Fixed(run.contacts[i].until, 3);
+    if (run.contacts.size() > kMostSaid)
+        text << " and " << run.contacts.size() - kMostSaid << " times more";
+    return text.str();
+}
+
 void PrintTables(const EventsCommand &command, const Experiment &experiment, const std::vector<Run> &runs,
                  const Box2DTable &box2d) {
     const bool colour = WantsColour(STDOUT_FILENO), own = !experiment.motionFile.empty();
     const Quantity quantity = QuantityNamed(command.count);
     const size_t motions = own ? 1 : experiment.seeds.size();
     std::cout << "Mean number of " << command.count << ", " << motions
-              << (motions == 1 ? " motion" : " motions of each kind") << ", n = " << runs.front().n
-              << ", D/sigma = " << runs.back().ratio << "\n\n";
+              << (motions == 1 ? " motion" : " motions of each kind") << ", n = " << runs.front().n << ", "
+              << SeparationOf(runs.back()) << "\n\n";
     PrintCounts(runs, own ? 0 : experiment.ratios.size() - 1, quantity, experiment.optimum, colour);
     if (!own && experiment.ratios.size() >= 3) {
         std::cout << "Growth of " << command.count << " with D/sigma = " << experiment.ratios.front()

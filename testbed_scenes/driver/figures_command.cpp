@@ -19,8 +19,8 @@ const FigureInfo &FindFigure(const std::string &name) {
     std::vector<std::string> names;
     for (const FigureInfo &figure : figures)
         names.emplace_back(figure.name);
-    throw UsageError("there is no figure \"" + name + "\"; the nearest is \"" + Nearest(name, names) +
-                     "\" (--list shows all)");
+    throw UsageError("there is no figure \"" + name + "\"" + NearestClause(name, names) +
+                     " (--list shows all)");
 }
 
 void ListFigures() {

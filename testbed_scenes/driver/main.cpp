@@ -7,14 +7,15 @@
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
+#include "drawing/unfinished.h"
 #include "events_command.h"
 #include "manual_command.h"
-#include "nearest.h"
 #include "plot_command.h"
 #include "render_command.h"
 #include "replay_command.h"
 #include "report_command.h"
 #include "shapes_command.h"
+#include "usage.h"
 #include "world_command.h"
 
 namespace testbed {
@@ -60,7 +61,8 @@ CLI::Range AtLeast(int least) {
 void AddSceneOptions(CLI::App &app, WorkerOptions &worker) {
     app.add_option("--size", worker.size, "How much of everything there is (default: the scene's own)")
         ->check(AtLeast(1));
-    app.add_option("--seed", worker.seed, "Seed of the scene's random numbers (default: the scene's own)");
+    app.add_option("--seed", worker.seed, "Seed of the scene's random numbers (default: the scene's own)")
+        ->check(CheckSeed);
 }
 
 void AddPluginSwitch(CLI::App &app, bool &plugin) {
@@ -152,23 +154,6 @@ CLI::App *AddPlot(CLI::App &app, CommandLine &line) {
     return plot;
 }
 
-/// What is wrong with the word that should be a command, if it is none: CLI11 alone would only miss one.
-std::string ExplainCommand(const CLI::App &app, int argc, char **argv) {
-    int first = 1;
-    while (first + 1 < argc && argv[first] == std::string("--workers"))
-        first += 2;
-    if (first >= argc || argv[first][0] == '-')
-        return "";
-    const std::string word = argv[first];
-    std::vector<std::string> names;
-    for (const CLI::App *subcommand : app.get_subcommands({})) {
-        if (subcommand->get_name() == word)
-            return "";
-        names.push_back(subcommand->get_name());
-    }
-    return "there is no command \"" + word + "\"; the nearest is \"" + Nearest(word, names) + "\"";
-}
-
 int Answer(int argc, char **argv) {
     CLI::App app("Scenes on stock Box2D and on Box2D with the Boomerang plugin, compared.",
                  "boomerang-testbed");
@@ -211,7 +196,9 @@ int Answer(int argc, char **argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError &error) {
-        return app.exit(error) == 0 ? kExitOk : kExitUsage;
+        if (error.get_exit_code() == 0)
+            return app.exit(error); // help, or the version
+        throw UsageError(ExplainUsage(app, error, argc, argv));
     }
     line.compare.options.time = !line.noTime;
 
@@ -248,6 +235,7 @@ int Answer(int argc, char **argv) {
 } // namespace testbed
 
 int main(int argc, char **argv) {
+    testbed::Unfinished::RemoveOnSignals();
     try {
         const int status = testbed::Answer(argc, argv);
         // What nobody could read was not done.

@@ -2,7 +2,6 @@
 #include "nearest.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace testbed {
 
@@ -26,10 +25,12 @@ int EditDistance(const std::string &a, const std::string &b) {
 }
 
 std::string Nearest(const std::string &word, const std::vector<std::string> &candidates) {
+    constexpr size_t kLeastPart = 3;
     std::string best;
-    int bestScore = std::numeric_limits<int>::max();
+    // One that is as far off as this is as good as none.
+    int bestScore = static_cast<int>(word.size() + 1) / 3 + 1;
     for (const std::string &candidate : candidates) {
-        const size_t position = word.empty() ? std::string::npos : candidate.find(word);
+        const size_t position = word.size() < kLeastPart ? std::string::npos : candidate.find(word);
         // "asteroid" means "asteroids" and "wall" means "bullets-wall", however many letters are missing.
         const int score = position == 0                   ? -2
                           : position != std::string::npos ? -1
@@ -40,6 +41,11 @@ std::string Nearest(const std::string &word, const std::vector<std::string> &can
         }
     }
     return best;
+}
+
+std::string NearestClause(const std::string &word, const std::vector<std::string> &candidates) {
+    const std::string nearest = Nearest(word, candidates);
+    return nearest.empty() ? "" : "; the nearest is \"" + nearest + "\"";
 }
 
 } // namespace testbed

@@ -2,8 +2,8 @@
 #ifndef BOOMERANG_TESTBED_OUTPUT_FILE_H
 #define BOOMERANG_TESTBED_OUTPUT_FILE_H
 
+#include <cerrno>
 #include <fstream>
-#include <stdexcept>
 #include <string>
 
 #include "commands.h"
@@ -25,16 +25,22 @@ public:
     bool IsWanted() const { return !m_path.empty(); }
     /// Opened when it is first asked for: an interrupt before leaves nothing behind.
     std::ostream &Stream() {
+        errno = 0;
         if (!m_stream.is_open())
             m_stream.open(m_file.WritePath());
         if (!m_stream)
-            throw std::runtime_error("cannot write " + m_path);
+            FailToWrite(m_path, errno);
         return m_stream;
     }
     void Close() {
+        m_stream.flush();
+        if (!m_stream) { // once more, for the reason of what failed may be forgotten
+            m_stream.clear();
+            errno = 0;
+            m_stream.put('\n').flush();
+            FailToWrite(m_path, errno);
+        }
         m_stream.close();
-        if (!m_stream)
-            throw std::runtime_error("writing " + m_path + " failed");
         m_file.Finish();
     }
 

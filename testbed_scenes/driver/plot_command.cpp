@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "drawing/series_file.h"
+#include "drawing/whole_file.h"
 
 namespace testbed {
 namespace {
@@ -27,6 +28,7 @@ SeriesFile Read(const std::string &path) {
 int Execute(const PlotCommand &command) {
     if (!IsPicturePath(command.output))
         throw UsageError("a picture ends in .svg, .png or .pdf, not so " + command.output);
+    WholeFile::Check(command.output);
     constexpr double kWidth = 520.0, kHeight = 380.0, kMargin = 4.0;
     Plot plot;
     plot.title = command.title;

@@ -21,6 +21,8 @@ void RunRecorded(const Workers &workers, const RecordRequest &request,
                                   std::to_string(request.every)};
     if (request.boxes)
         work.extra.emplace_back("--record-boxes");
+    if (request.compact)
+        work.extra.emplace_back("--record-compact");
 
     std::optional<recording::Head> head;
     int64_t frames = 0;

@@ -18,6 +18,8 @@ struct RecordRequest {
     int64_t first = 0, last = 0, every = 1;
     bool boxes = false; ///< with the boxes of the broad phase
     bool calls = false; ///< count the calls that reach Box2D
+    /// No more than a replay needs (Recorder's range says what that is), in a tenth of the time.
+    bool compact = false;
     WorkerOptions worker;
 };
 

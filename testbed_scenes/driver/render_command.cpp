@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iostream>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
+#include "drawing/moving_picture.h"
 #include "drawing/surface.h"
 #include "drawing/whole_file.h"
 #include "progress.h"
@@ -39,7 +42,8 @@ constexpr char kHelp[] =
     "  boomerang-testbed world gas --record gas.txt && boomerang-testbed render --recording gas.txt --step "
     "90 --all "
     "-o gas.png\n"
-    "  boomerang-testbed render gears --frames 0:300:2 --all -o gears.png";
+    "  boomerang-testbed render gears --frames 0:300:2 --all -o gears.png\n"
+    "  boomerang-testbed render planks --frames 0:240:2 --width 800 -o planks.gif";
 
 /// Numbers between commas; empty if the text is anything else.
 std::vector<double> ReadNumbers(const std::string &text) {
@@ -110,9 +114,13 @@ void ReadRange(const RenderCommand &command, RecordRequest *request) {
 }
 
 /// Before the work: the picture must have a place.
-void CheckOutput(const std::string &output) {
-    if (!IsPicturePath(output))
-        throw UsageError("\"" + output + "\" should end in .svg, .png or .pdf");
+void CheckOutput(const std::string &output, bool isSeries) {
+    const bool moves = MovingPicture::IsPath(output);
+    if (!moves && !IsPicturePath(output))
+        throw UsageError("\"" + output +
+                         "\" should end in .svg, .png or .pdf, or of a series in .gif or .webm");
+    if (moves && !isSeries)
+        throw UsageError("\"" + output + "\" moves: --frames FIRST:LAST:EVERY is wanted");
     WholeFile::Check(output);
 }
 
@@ -146,6 +154,7 @@ public:
 
     void Add(const recording::Head &head, const recording::Frame &frame) {
         m_gathered.Add(frame);
+        m_scene = head.scene;
         m_last = frame.step;
         if (m_options.layers.trails)
             AddTrails(frame);
@@ -163,9 +172,32 @@ public:
         const double y = m_options.bodies.empty() ? m_shape->bottom
                                                   : 0.5 * (region.bottom + region.top - m_shape->Height());
         these.region = {x, y, x + m_shape->Width(), y + m_shape->Height()};
-        DrawPicture(head, frame, m_gathered, these,
-                    m_options.series ? NumberedPath(m_command.output, m_count) : m_command.output);
         ++m_count;
+        if (MovingPicture::IsPath(m_command.output)) {
+            if (!m_moving)
+                m_moving = MovingPicture::Make(m_command.output);
+            Image image;
+            DrawPicture(head, frame, m_gathered, these, &image);
+            m_moving->Add(image, static_cast<double>(m_wanted.every) * static_cast<double>(head.time_step));
+            return;
+        }
+        DrawPicture(head, frame, m_gathered, these,
+                    m_options.series ? NumberedPath(m_command.output, m_count - 1) : m_command.output);
+    }
+    /// After the last frame.
+    void Finish() {
+        if (m_moving)
+            m_moving->Finish();
+    }
+    /// What was written, in a line.
+    std::string Said() const {
+        const bool numbered = m_options.series && !m_moving, many = m_count > 1;
+        std::string text = numbered ? NumberedPath(m_command.output, 0) : m_command.output;
+        if (numbered && many)
+            text += " to " + NumberedPath(m_command.output, m_count - 1);
+        text += many ? ": " + std::to_string(m_count) + " pictures of " : ": ";
+        return text + m_scene + (many ? ", steps " : ", step ") + std::to_string(m_wanted.first) +
+               (many ? " to " + std::to_string(m_wanted.last) : "");
     }
     /// Where the frames came from a file, which may have fewer than are wanted.
     void CheckDone() const {
@@ -191,6 +223,8 @@ private:
     const RecordRequest &m_wanted;
     recording::Gathered m_gathered;
     std::optional<Rectangle> m_shape;
+    std::string m_scene;
+    std::unique_ptr<MovingPicture> m_moving;
     int64_t m_count = 0, m_last = -1;
 };
 
@@ -205,13 +239,17 @@ CLI::App *AddRender(CLI::App &app, RenderCommand &command) {
         ->excludes(scene);
     CLI::Option *step = render->add_option("--step", command.step, "The step to draw; the first is 0")
                             ->check(CLI::Range(0, 100000000));
-    CLI::Option *frames =
-        render
-            ->add_option("--frames", command.frames,
-                         "FIRST:LAST:EVERY instead: a series; picture.png becomes picture-0000.png, ...")
-            ->excludes(step);
+    CLI::Option *frames = render
+                              ->add_option("--frames", command.frames,
+                                           "FIRST:LAST:EVERY instead: a series; picture.png becomes "
+                                           "picture-0000.png, ...; a .gif or .webm "
+                                           "moves")
+                              ->excludes(step);
     step->excludes(frames);
-    render->add_option("-o,--output", command.output, "The picture: .svg, .png or .pdf")->required();
+    render
+        ->add_option("-o,--output", command.output,
+                     "The picture: .svg, .png or .pdf; with --frames .gif or .webm, too")
+        ->required();
     render
         ->add_option("--focus", command.focus,
                      "BODY: it and its pairs; A,B: two bodies; or X,Y,WIDTH,HEIGHT, a rectangle of the "
@@ -237,7 +275,7 @@ CLI::App *AddRender(CLI::App &app, RenderCommand &command) {
                      "Layer: where bodies were in the frames before (with --recording)");
     CLI::Option *all = render->add_flag("--all", command.all, "Every layer");
     render->add_flag("--bare", command.bare, "No layer: the bodies alone")->excludes(all);
-    render->add_flag("--quiet", command.quiet, "No progress");
+    render->add_flag("--quiet", command.quiet, "No progress, and no word of what was written");
     render->footer(kHelp);
     return render;
 }
@@ -254,7 +292,7 @@ int Execute(const RenderCommand &command, const Workers &workers) {
     if (!options.bodies.empty() && options.width < kLeastWithBodies)
         throw UsageError("--width: with --focus on a body at least " + std::to_string(kLeastWithBodies));
     options.series = !command.frames.empty();
-    CheckOutput(command.output);
+    CheckOutput(command.output, options.series);
     RecordRequest request;
     ReadRange(command, &request);
     if (!command.recording.empty())
@@ -283,7 +321,10 @@ int Execute(const RenderCommand &command, const Workers &workers) {
         request.worker = command.worker;
         RunRecorded(workers, request, onFrame, [&progress] { progress.Tick(); });
     }
+    series.Finish();
     progress.Clear();
+    if (!command.quiet)
+        std::cout << series.Said() << '\n';
     return kExitOk;
 }
 

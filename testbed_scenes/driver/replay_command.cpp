@@ -133,6 +133,7 @@ int Execute(const ReplayCommand &command, const Workers &workers) {
     request.last = command.steps.value_or(scene.steps) - 1;
     request.boxes = true;
     request.calls = true;
+    request.compact = true;
     request.worker = command.worker;
 
     recording::Head head;

@@ -167,8 +167,8 @@ SceneInfo ChooseScene(const std::vector<SceneInfo> &scenes, const std::string &n
         choices += (choices.empty() ? "" : ", ") + scene.name;
         names.push_back(scene.name);
     }
-    throw UsageError("there is no scene \"" + name + "\" of polygons of any size; the nearest is \"" +
-                     Nearest("any-" + name, names) + "\" (all: " + choices + ")");
+    throw UsageError("there is no scene \"" + name + "\" of polygons of any size" +
+                     NearestClause("any-" + name, names) + " (all: " + choices + ")");
 }
 
 } // namespace

@@ -17,6 +17,7 @@ TemporaryFile::TemporaryFile() {
                                  std::filesystem::temp_directory_path().string());
     close(descriptor);
     m_path = pattern;
+    m_unfinished.emplace(m_path);
 }
 
 TemporaryFile::~TemporaryFile() {

@@ -2,11 +2,14 @@
 #ifndef BOOMERANG_TESTBED_TEMPORARY_FILE_H
 #define BOOMERANG_TESTBED_TEMPORARY_FILE_H
 
+#include <optional>
 #include <string>
+
+#include "drawing/unfinished.h"
 
 namespace testbed {
 
-/// A file that goes away with its object.
+/// A file that goes away with its object, or with an interrupt.
 class TemporaryFile {
 public:
     /// Makes it, empty. Throws std::runtime_error.
@@ -18,6 +21,7 @@ public:
 
 private:
     std::string m_path;
+    std::optional<Unfinished> m_unfinished;
 };
 
 } // namespace testbed

@@ -10,6 +10,7 @@
 #include "boomerang/families.h"
 #include "commands.h"
 #include "nearest.h"
+#include "usage.h"
 #include "world_command.h"
 
 namespace testbed {
@@ -75,8 +76,8 @@ void ReadStructure(const std::string &name, WorldChoice *choice) {
         for (size_t i = 0; i < bmr_kds_count(); ++i)
             if (bmr_kds_at(i)->domain == BMR_KDS_RIGID)
                 names.emplace_back(bmr_kds_at(i)->name);
-        throw UsageError("there is no structure \"" + name + "\"; the nearest is \"" + Nearest(name, names) +
-                         "\" (`events --list` shows all)");
+        throw UsageError("there is no structure \"" + name + "\"" + NearestClause(name, names) +
+                         " (`events --list` shows all)");
     }
     if (info->domain != BMR_KDS_RIGID)
         throw UsageError("--structure: " + name + " is for points or for bodies that do not turn");
@@ -90,8 +91,8 @@ const WorldScene &SceneNamed(const std::string &name) {
             return scene;
         names.push_back(scene.choice.scene);
     }
-    throw UsageError("there is no world \"" + name + "\"; the nearest is \"" + Nearest(name, names) +
-                     "\" (--list shows all)");
+    throw UsageError("there is no world \"" + name + "\"" + NearestClause(name, names) +
+                     " (--list shows all)");
 }
 
 std::vector<std::string> ShapeNames() {
@@ -127,7 +128,9 @@ CLI::App *AddWorld(CLI::App &app, WorldCommand &command) {
     world->add_option("--zeno", command.zeno, "error or elastic")->check(CLI::IsMember({"error", "elastic"}));
     world->add_option("--zeno-speed", command.zenoSpeed, "Of --zeno elastic: slower than this is slow");
     world->add_option("--structure", command.structure, "Of near pairs; `events --list` shows all");
-    world->add_option("--seed", command.seed, "Of all that is drawn")->capture_default_str();
+    world->add_option("--seed", command.seed, "Of all that is drawn")
+        ->check(CheckSeed)
+        ->capture_default_str();
     world->add_flag("--all-pairs", command.allPairs,
                     "No cells: every two bodies are watched, for comparison");
     world->add_flag("--check", command.check,

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+#include <set>
 
 #include "picture/bodies.h"
 #include "picture/labels.h"
 #include "picture/legend.h"
+#include "picture/names.h"
 #include "picture/proofs.h"
 #include "picture/slack_scale.h"
 #include "picture/style.h"
@@ -19,6 +22,8 @@ namespace {
 /// In points of a picture 1200 wide: the list that explains pairs.
 constexpr double kListWidth = 330.0, kListAround = 14.0, kListEntry = 44.0, kListTitle = 40.0;
 constexpr int kMostExplained = 9;
+/// So many of the bodies that it touches are named, in words and in the picture.
+constexpr std::size_t kMostNamed = 5;
 /// Smaller pictures keep their letters legible.
 constexpr double kLeastUnit = 0.7;
 
@@ -51,7 +56,8 @@ public:
         : m_head(head), m_world(world), m_options(options), m_title(TitleOf(head, world.Frame())),
           m_width(options.width), m_unit(std::max(options.width / 1200.0, kLeastUnit)) {}
 
-    void Draw(const std::string &path) {
+    /// On the canvas that `make` makes of a width and a height.
+    template <class Make> void Draw(Make make) {
         const Rectangle region = RegionOf(m_world.Frame(), m_world.Gathered(), m_options);
         const double list = m_options.bodies.empty() ? 0.0 : std::round(kListWidth * m_unit);
         const double wide = m_width - list, high = std::round(wide * region.Height() / region.Width());
@@ -68,14 +74,14 @@ public:
         m_touching = std::move(explanation.touching);
         m_alone = std::move(explanation.alone);
         m_rest = explanation.rest;
-        Canvas canvas(path, m_width, high + strip);
+        Canvas canvas = make(m_width, high + strip);
         Paint(canvas, {0.0, 0.0, m_width, high + strip}, style::kStrip);
         const Rectangle area = {0.0, strip, wide, strip + high};
         Paint(canvas, area, style::kBackground);
         canvas.SetPanel(area, region);
         const double pagePerWorld = canvas.Scale();
         DrawWorld(canvas);
-        const std::vector<bmr_vec2> names = PlacesOfNames(canvas);
+        const std::vector<Name> names = PlacesOfNames(canvas, area);
         canvas.ClearPanel();
         const Rectangle bar = DrawScaleBar(canvas, area, pagePerWorld, m_unit);
         DrawLabels(canvas, area, bar, names);
@@ -127,34 +133,55 @@ private:
             DrawEvents(canvas, m_world, m_options, m_unit);
     }
 
-    std::vector<int> NamedBodies() const {
-        std::vector<int> named;
-        for (const recording::Body &body : m_world.Frame().bodies)
-            if (!m_options.bodies.empty() && IsNamed(body.number))
-                named.push_back(body.number);
-        return named;
-    }
+    /// A body's number on the page. Of a body outside of the picture it stands where the way to it leaves the
+    /// picture.
+    struct Name {
+        int body;
+        bmr_vec2 at;
+        bool isOutside;
+    };
 
-    std::vector<bmr_vec2> PlacesOfNames(Canvas &canvas) const {
-        std::vector<bmr_vec2> places;
-        for (const int body : NamedBodies()) {
-            const Rectangle box = m_world.BoxOfBody(body);
-            places.push_back(
-                canvas.OnPage(bmr_vec2_make(0.5 * (box.left + box.right), 0.5 * (box.bottom + box.top))));
+    /// All bodies that the list beside the picture names.
+    std::vector<Name> PlacesOfNames(const Canvas &canvas, const Rectangle &area) const {
+        constexpr double kToBorder = 14.0;
+        std::vector<Name> names;
+        if (m_options.bodies.empty())
+            return names;
+        std::set<int> touching;
+        for (const auto *pairs : {&m_touching, &m_alone})
+            for (std::size_t i = 0; i < std::min(kMostNamed, pairs->size()); ++i)
+                touching.insert(OtherOf(*(*pairs)[i]));
+        for (const recording::Body &body : m_world.Frame().bodies) {
+            if (!IsNamed(body.number) && touching.count(body.number) == 0)
+                continue;
+            if (const auto middle = MiddleOfVisible(canvas, m_world, area, m_unit, body.number)) {
+                names.push_back({body.number, *middle, false});
+                continue;
+            }
+            for (const Explained &one : m_explained) {
+                const std::size_t side = one.pair->a == body.number ? 0 : 1;
+                if (OtherOf(*one.pair) == body.number)
+                    names.push_back(
+                        {body.number,
+                         WhereItLeaves(area, kToBorder * m_unit, one.ends[1 - side], one.ends[side]), true});
+            }
         }
-        return places;
+        return names;
     }
 
     void DrawLabels(Canvas &canvas, const Rectangle &area, const Rectangle &bar,
-                    const std::vector<bmr_vec2> &names) const {
+                    const std::vector<Name> &names) const {
         Labels labels(canvas, area, m_unit);
         labels.Block(bmr_vec2_make(0.5 * (bar.left + bar.right), 0.5 * (bar.bottom + bar.top)),
                      0.5 * std::max(bar.Width(), bar.Height()));
         for (const Explained &one : m_explained)
             labels.Block(one.place, 5.0 * m_unit);
-        const std::vector<int> named = NamedBodies();
-        for (std::size_t i = 0; i < named.size(); ++i)
-            labels.PlaceAt(names[i], std::to_string(named[i]), 15.0 * m_unit, style::kText);
+        for (const Name &name : names) {
+            if (name.isOutside)
+                labels.Place(name.at, 0, "to " + std::to_string(name.body), style::kFaintText);
+            else
+                labels.PlaceAt(name.at, std::to_string(name.body), 15.0 * m_unit, style::kText);
+        }
         if (!m_options.layers.certificates)
             return;
         for (const Explained &one : m_explained)
@@ -207,20 +234,21 @@ private:
         }
     }
 
+    int OtherOf(const recording::Pair &pair) const { return pair.a == m_options.bodies[0] ? pair.b : pair.a; }
+
     /// The other bodies of pairs: "39, 47, 58 and 10 more".
     std::string NamesOf(const std::vector<const recording::Pair *> &pairs) const {
-        constexpr std::size_t kMostNamed = 5;
         std::string text;
         for (std::size_t i = 0; i < std::min(kMostNamed, pairs.size()); ++i) {
             const recording::Pair &pair = *pairs[i];
-            text += (i == 0 ? "" : ", ") + std::to_string(pair.a == m_options.bodies[0] ? pair.b : pair.a);
+            text += (i == 0 ? "" : ", ") + std::to_string(OtherOf(pair));
         }
         const std::size_t more = pairs.size() - std::min(kMostNamed, pairs.size());
         return text + (more > 0 ? " and " + std::to_string(more) + " more" : "");
     }
 
     std::string NameOfPair(const Explained &one) const {
-        const int other = one.pair->a == m_options.bodies[0] ? one.pair->b : one.pair->a;
+        const int other = OtherOf(*one.pair);
         const std::size_t proofs = one.pair->proofs.size();
         std::string name = "body " + std::to_string(other);
         if (proofs > 1 && one.proof != nullptr)
@@ -245,7 +273,17 @@ void DrawPicture(const recording::Head &head, const recording::Frame &frame,
                  const recording::Gathered &gathered, const PictureOptions &options,
                  const std::string &path) {
     const WorldView world(frame, gathered);
-    Page(head, world, options).Draw(path);
+    Page(head, world, options).Draw([&path](double width, double height) {
+        return Canvas(path, width, height);
+    });
+}
+
+void DrawPicture(const recording::Head &head, const recording::Frame &frame,
+                 const recording::Gathered &gathered, const PictureOptions &options, Image *image) {
+    const WorldView world(frame, gathered);
+    Page(head, world, options).Draw([image](double width, double height) {
+        return Canvas(*image, width, height);
+    });
 }
 
 } // namespace testbed

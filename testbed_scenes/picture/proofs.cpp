@@ -285,6 +285,7 @@ void DrawExplained(Canvas &canvas, const WorldView &world, const PictureOptions 
     const Pair &pair = *explained->pair;
     if (explained->proof == nullptr) {
         explained->place = canvas.OnPage(PlaceOf(world, pair));
+        explained->ends = {explained->place, explained->place};
         return;
     }
     const Proof &proof = *explained->proof;
@@ -310,6 +311,9 @@ void DrawExplained(Canvas &canvas, const WorldView &world, const PictureOptions 
     }
     DrawGap(canvas, shown, colour, unit);
     explained->place = canvas.OnPage(Middle(shown.onOwner, shown.onOther));
+    explained->ends = {canvas.OnPage(shown.onOwner), canvas.OnPage(shown.onOther)};
+    if (proof.owner != 0)
+        std::swap(explained->ends[0], explained->ends[1]);
 }
 
 void DrawHandedOver(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit) {

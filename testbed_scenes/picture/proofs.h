@@ -2,6 +2,7 @@
 #ifndef BOOMERANG_TESTBED_PICTURE_PROOFS_H
 #define BOOMERANG_TESTBED_PICTURE_PROOFS_H
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct Explained {
     /// The least slack of its proofs; nullptr where nothing proves it apart.
     const recording::Proof *proof = nullptr;
     bmr_vec2 place = {0.0, 0.0};
+    std::array<bmr_vec2, 2> ends = {}; ///< of the gap, on the page: a's and b's
 };
 
 /// The proof that bounds a pair's slack; nullptr if one of its contacts has none, or with stock.
@@ -45,7 +47,7 @@ void DrawOutlines(Canvas &canvas, const WorldView &world, const PictureOptions &
 /// Every proof as a short stroke across its gap, with its edge; with bodies in focus those of pairs that
 /// touch elsewhere.
 void DrawProofs(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
-/// In full: the line with its edge and the vertex opposite, the direction, or the disks. Sets the place.
+/// In full: the line with its edge and the vertex opposite, the direction, or the disks. Sets place and ends.
 void DrawExplained(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit,
                    Explained *explained);
 /// A diamond at each pair that needed a manifold; a dashed stroke first, where it does not touch.

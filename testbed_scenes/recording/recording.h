@@ -179,9 +179,12 @@ struct Pair {
     /// The least slack of its proofs, 0 if one is missing; -1 with stock or without a polygon contact.
     float slack = -1.0f;
     std::vector<Proof> proofs; ///< one for each polygon contact, contacts with the same proof together
-    int64_t asked = 0;         ///< evaluations of its polygon contacts, of the frame
-    int64_t handed_over = 0;   ///< of those, not proved apart: a manifold was needed, of the frame
-    Calls calls;               ///< of the frame
+    /// In packed frames alone (bytes.h): `proofs` is empty, for they are those of the frame before, slack
+    /// aside.
+    bool proofs_kept = false;
+    int64_t asked = 0;       ///< evaluations of its polygon contacts, of the frame
+    int64_t handed_over = 0; ///< of those, not proved apart: a manifold was needed, of the frame
+    Calls calls;             ///< of the frame
     /// Since the pair's first contact in this run: asked, handed-over, and the kinds of events by name.
     std::map<std::string, int64_t> counters;
 };

@@ -198,7 +198,8 @@ void Collector::AddPairs(const recording::Frame &frame, int32_t step) {
         verdict.touching = pair.touching > 0;
         const bool isFirst = log.plugin.empty() || log.plugin.back().step != step - 1;
         log.plugin.push_back({step, verdict});
-        AddProofs(log, pair, step, isFirst);
+        if (!pair.proofs_kept)
+            AddProofs(log, pair, step, isFirst);
     }
 }
 

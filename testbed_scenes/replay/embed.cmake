@@ -4,7 +4,7 @@
 #   cmake -DOUTPUT=page_files.h -DPAGE=directory -P embed.cmake
 #
 # The scripts are joined in the order below: plain scripts that share one scope, as the page runs them.
-set(scripts decode model view strip timeline pairs figures controls main)
+set(scripts decode model view strip timeline pairs figures pick controls link main)
 set(delimiter "page") # )page" occurs in none of them
 set(literal_limit 60000) # characters: compilers promise 65536
 

@@ -54,7 +54,7 @@ std::vector<Column> ColumnsOf(const Replay &replay);
 /// The bytes described above. O(size).
 std::string Pack(const std::vector<Column> &columns);
 
-/// As zlib's compress at the level that saves most. Throws std::runtime_error where it fails.
+/// As zlib's compress, RFC 1950. Throws std::runtime_error where it fails.
 std::string Deflate(std::string_view bytes);
 
 /// RFC 4648, with padding.

@@ -41,6 +41,7 @@ struct Run {
     double wantedRatio = 0.0; ///< as asked for; 0: a motion of one's own
     size_t ratioIndex = 0;
     uint64_t seed = 0;
+    std::vector<Contact> contacts; ///< of the course, whatever its structure; then the ratio is INFINITY
     bool rigid = false, convex = false;
     std::shared_ptr<const Body> bodies[2];
     Outcome outcome;

@@ -121,7 +121,7 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
         "--heard", options.heard,
         "A listener counts begins and ends of contacts, as most games have one; a scene that listens "
         "itself keeps its own");
-    bool boxes = false;
+    bool boxes = false, compact = false;
     CLI::Option *record =
         app.add_option_function<std::string>(
                "--record", [&options](const std::string &text) { options.record = ParseRange(text); },
@@ -129,6 +129,11 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
                "stop after the last")
             ->option_text("FIRST[:LAST[:EVERY]]");
     app.add_flag("--record-boxes", boxes, "With the boxes of the broad phase")->needs(record);
+    app.add_flag(
+           "--record-compact", compact,
+           "As bytes, and no more than a replay needs: no closest points, no counters; without the plugin "
+           "bodies and calls alone")
+        ->needs(record);
     app.add_option("--perturb", options.perturb,
                    "After this step, nudge the velocity of one body by one ulp: the control for comparisons, "
                    "which must "
@@ -139,8 +144,10 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
     try {
         app.parse(argc, argv);
         CheckScene(options);
-        if (options.record)
+        if (options.record) {
             options.record->boxes = boxes;
+            options.record->compact = compact;
+        }
     } catch (const CLI::ParseError &error) {
         return app.exit(error) == 0 ? exitOk : exitUsage;
     }

@@ -2,11 +2,12 @@
 #include "worker/recorder.h"
 
 #include <algorithm>
-#include <set>
+#include <tuple>
 
 #include <box2d/b2_distance.h>
 #include <dlfcn.h>
 
+#include "recording/bytes.h"
 #include "worker/record_world.h"
 
 namespace testbed {
@@ -38,6 +39,12 @@ bool IsSolid(const b2Contact &contact) {
 bool IsOfPolygons(const b2Contact &contact) {
     return contact.GetFixtureA()->GetType() == b2Shape::e_polygon &&
            contact.GetFixtureB()->GetType() == b2Shape::e_polygon;
+}
+
+/// Whether the plugin is there, and at work.
+bool ShowsProofs() {
+    static const bool shows = PluginName() == std::string("plugin");
+    return shows;
 }
 
 void AddCall(boomerang_counted what, recording::Calls *calls) {
@@ -72,6 +79,11 @@ void Swap(recording::Proof *proof) {
 }
 
 } // namespace
+
+std::size_t Recorder::BodiesHash::operator()(const Bodies &bodies) const {
+    const auto a = static_cast<std::uint64_t>(bodies.first), b = static_cast<std::uint64_t>(bodies.second);
+    return static_cast<std::size_t>((a << 32 ^ b) * 0x9e3779b97f4a7c15U >> 16);
+}
 
 Recorder::~Recorder() {
     WatchCalls(false);
@@ -117,7 +129,8 @@ void Recorder::OnCall(void *context, boomerang_counted what, const void *a, cons
 }
 
 void Recorder::AddEvent(recording::Event event, const Bodies &bodies) {
-    ++m_totals[bodies][event.kind];
+    if (!m_range.compact)
+        ++m_totals[bodies].events[event.kind];
     event.step = m_step;
     std::tie(event.a, event.b) = bodies;
     m_events.push_back(std::move(event));
@@ -130,11 +143,13 @@ void Recorder::OnKineticEvent(const b2Body &bodyA, const b2Body &bodyB, recordin
 void Recorder::OnAnswer(const b2Contact &contact, bool handedOver) {
     const Bodies bodies = BodiesOf(contact);
     Counters &recent = m_recent[bodies];
-    std::map<std::string, int64_t> &totals = m_totals[bodies];
     ++recent.asked;
-    ++totals["asked"];
     recent.handedOver += handedOver ? 1 : 0;
-    totals["handed_over"] += handedOver ? 1 : 0;
+    if (m_range.compact)
+        return;
+    Totals &totals = m_totals[bodies];
+    ++totals.asked;
+    totals.handedOver += handedOver ? 1 : 0;
 }
 
 void Recorder::OnBegin(const b2Contact &contact) {
@@ -154,11 +169,13 @@ recording::Frame Recorder::Take(const b2World &world) {
     recording::Frame frame;
     frame.step = m_step;
     frame.bodies = RecordBodies(world);
-    RecordChanges(world, &frame);
-    if (m_range.boxes)
-        frame.boxes = RecordBoxes(world);
-    frame.joints = RecordJoints(world);
-    frame.touching = RecordTouching(world);
+    if (!m_range.compact || ShowsProofs()) {
+        RecordChanges(world, &frame);
+        if (m_range.boxes)
+            frame.boxes = RecordBoxes(world);
+        frame.joints = RecordJoints(world);
+        frame.touching = RecordTouching(world);
+    }
     RecordPairs(world, &frame);
     frame.events = std::move(m_events);
     frame.calls = m_calls;
@@ -186,61 +203,104 @@ void Recorder::RecordChanges(const b2World &world, recording::Frame *frame) {
 }
 
 void Recorder::RecordPairs(const b2World &world, recording::Frame *frame) {
-    std::map<Bodies, recording::Pair> pairs;
-    std::map<Bodies, std::map<const void *, std::size_t>> shared;
-    for (const b2Contact *contact = world.GetContactList(); contact != nullptr;
+    std::vector<Draft> drafts;
+    ByBodies<std::size_t> places;
+    const auto draftOf = [&](const Bodies &bodies) -> Draft & {
+        const auto [place, isNew] = places.try_emplace(bodies, drafts.size());
+        if (isNew) {
+            drafts.emplace_back();
+            std::tie(drafts.back().pair.a, drafts.back().pair.b) = bodies;
+        }
+        return drafts[place->second];
+    };
+    const bool contacts = !m_range.compact || ShowsProofs();
+    for (const b2Contact *contact = contacts ? world.GetContactList() : nullptr; contact != nullptr;
          contact = contact->GetNext()) {
-        const Bodies bodies = BodiesOf(*contact);
         if (IsSolid(*contact))
-            AddContact(*contact, frame, &pairs[bodies], &shared[bodies]);
+            AddContact(*contact, frame, &draftOf(BodiesOf(*contact)));
     }
     for (const auto &[bodies, recent] : m_recent) {
-        recording::Pair &pair = pairs[bodies];
+        recording::Pair &pair = draftOf(bodies).pair;
         pair.asked = recent.asked;
         pair.handed_over = recent.handedOver;
         pair.calls = recent.calls;
     }
-    for (auto &[bodies, pair] : pairs) {
-        std::tie(pair.a, pair.b) = bodies;
-        if (const auto totals = m_totals.find(bodies); totals != m_totals.end())
-            pair.counters = totals->second;
+    std::vector<std::pair<Bodies, std::size_t>> order(places.begin(), places.end());
+    std::sort(order.begin(), order.end());
+    frame->pairs.reserve(order.size());
+    for (const auto &[bodies, place] : order) {
+        recording::Pair &pair = drafts[place].pair;
+        if (const auto found = m_totals.find(bodies); found != m_totals.end()) {
+            const Totals &totals = found->second;
+            pair.counters = totals.events;
+            if (totals.asked > 0)
+                pair.counters.insert({{"asked", totals.asked}, {"handed_over", totals.handedOver}});
+        }
+        if (m_range.compact)
+            LeaveOutKept(&pair);
         frame->pairs.push_back(std::move(pair));
     }
 }
 
-void Recorder::AddContact(const b2Contact &contact, recording::Frame *frame, recording::Pair *pair,
-                          std::map<const void *, std::size_t> *shared) {
-    ++pair->contacts;
-    pair->touching += contact.IsTouching() ? 1 : 0;
+/// Most pairs have the proofs of the frame before.
+void Recorder::LeaveOutKept(recording::Pair *pair) {
+    for (recording::Proof &proof : pair->proofs)
+        proof.slack = 0.0f; // the pair's own is what a replay shows
+    const auto [known, isNew] = m_shown.try_emplace({pair->a, pair->b});
+    Shown &shown = known->second;
+    pair->proofs_kept =
+        !isNew && shown.step == m_step - m_range.every && pair->proofs.size() == shown.proofs.size() &&
+        std::equal(pair->proofs.begin(), pair->proofs.end(), shown.proofs.begin(), recording::IsSame);
+    shown.step = m_step;
+    if (pair->proofs_kept)
+        pair->proofs.clear();
+    else
+        shown.proofs = pair->proofs;
+}
+
+void Recorder::AddContact(const b2Contact &contact, recording::Frame *frame, Draft *draft) {
+    recording::Pair &pair = draft->pair;
+    ++pair.contacts;
+    pair.touching += contact.IsTouching() ? 1 : 0;
     if (!IsOfPolygons(contact))
         return;
     const b2Fixture *a = contact.GetFixtureA(), *b = contact.GetFixtureB();
     const bool swapped = Number(*a->GetBody()) > Number(*b->GetBody());
     if (swapped)
         std::swap(a, b);
-    const Closest closest = MeasureClosest(*a, *b);
-    if (pair->polygon_contacts++ == 0 || closest.distance < pair->distance) {
-        pair->distance = closest.distance;
-        pair->closest = {ToVec(closest.onA), ToVec(closest.onB)};
+    const bool isFirst = pair.polygon_contacts++ == 0;
+    if (!m_range.compact) {
+        const Closest closest = MeasureClosest(*a, *b);
+        if (isFirst || closest.distance < pair.distance) {
+            pair.distance = closest.distance;
+            pair.closest = {ToVec(closest.onA), ToVec(closest.onB)};
+        }
     }
-    if (PluginName() != std::string("plugin"))
-        return;
+    if (ShowsProofs())
+        AddProof(contact, swapped, frame, draft);
+}
+
+void Recorder::AddProof(const b2Contact &contact, bool swapped, recording::Frame *frame, Draft *draft) {
+    recording::Pair &pair = draft->pair;
     ShownProof shown = ShowProof(contact);
     recording::Proof &proof = shown.proof;
-    pair->slack = pair->proofs.empty() ? proof.slack : std::min(pair->slack, proof.slack);
+    pair.slack = pair.proofs.empty() ? proof.slack : std::min(pair.slack, proof.slack);
     // All that is unproved goes together, and so does what one structure proves.
     const bool alone = shown.structure == nullptr && proof.kind != "none";
-    if (const auto found = shared->find(shown.structure); !alone && found != shared->end()) {
-        ++pair->proofs[found->second].contacts;
-        return;
+    if (!alone) {
+        for (const auto &[structure, place] : draft->shared) {
+            if (structure == shown.structure) {
+                ++pair.proofs[place].contacts;
+                return;
+            }
+        }
+        draft->shared.emplace_back(shown.structure, pair.proofs.size());
     }
-    if (!alone)
-        shared->emplace(shown.structure, pair->proofs.size());
     if (swapped)
         Swap(&proof);
     if (shown.structure != nullptr)
         NameHulls(contact, swapped, frame, &proof);
-    pair->proofs.push_back(std::move(proof));
+    pair.proofs.push_back(std::move(proof));
 }
 
 void Recorder::NameHulls(const b2Contact &contact, bool swapped, recording::Frame *frame,

@@ -19,6 +19,9 @@ namespace testbed {
 struct RecordRange {
     int first = 0, last = 0, every = 1;
     bool boxes = false; ///< with the boxes of the broad phase
+    /// For a replay, as bytes (recording/bytes.h): no closest points, no counters since the first contact;
+    /// and of a run without the plugin bodies and calls alone.
+    bool compact = false;
 
     bool Has(int step) const { return step >= first && step <= last && (step - first) % every == 0; }
 };
@@ -39,9 +42,26 @@ public:
 
 private:
     using Bodies = std::pair<int, int>;
+    struct BodiesHash {
+        std::size_t operator()(const Bodies &bodies) const;
+    };
+    template <typename Value> using ByBodies = std::unordered_map<Bodies, Value, BodiesHash>;
     struct Counters {
         int64_t asked = 0, handedOver = 0;
         recording::Calls calls;
+    };
+    struct Totals {
+        int64_t asked = 0, handedOver = 0;
+        std::map<std::string, int64_t> events;
+    };
+    /// A pair of the frame in the making, and what its proofs stand on: one structure has one proof.
+    struct Draft {
+        recording::Pair pair;
+        std::vector<std::pair<const void *, std::size_t>> shared;
+    };
+    struct Shown {
+        int step = 0;
+        std::vector<recording::Proof> proofs; ///< their slack is 0
     };
 
     void OnKineticEvent(const b2Body &bodyA, const b2Body &bodyB, recording::Event event) override;
@@ -58,8 +78,9 @@ private:
     void WatchCalls(bool on);
     void RecordChanges(const b2World &world, recording::Frame *frame);
     void RecordPairs(const b2World &world, recording::Frame *frame);
-    void AddContact(const b2Contact &contact, recording::Frame *frame, recording::Pair *pair,
-                    std::map<const void *, std::size_t> *shared);
+    void AddContact(const b2Contact &contact, recording::Frame *frame, Draft *draft);
+    void AddProof(const b2Contact &contact, bool swapped, recording::Frame *frame, Draft *draft);
+    void LeaveOutKept(recording::Pair *pair);
     void NameHulls(const b2Contact &contact, bool swapped, recording::Frame *frame, recording::Proof *proof);
     int NameOutline(int body, const std::vector<recording::Vec> &points, recording::Frame *frame);
 
@@ -69,9 +90,10 @@ private:
         m_sent; ///< as the reader knows them, by body and number
     std::map<std::pair<int, std::vector<float>>, int> m_outlines; ///< ids, by body and coordinates
     std::unordered_map<const void *, int> m_bodyOf; ///< by the address of a shape's first vertex
-    std::map<Bodies, std::map<std::string, int64_t>> m_totals;
+    ByBodies<Totals> m_totals;                      ///< not where the recording is compact
+    ByBodies<Shown> m_shown;                        ///< where it is: what the reader knows of a pair
     // Since the last frame.
-    std::map<Bodies, Counters> m_recent;
+    ByBodies<Counters> m_recent;
     std::vector<recording::Event> m_events;
     recording::Calls m_calls;
 };

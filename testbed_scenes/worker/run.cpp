@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "recording/bytes.h"
 #include "state/snapshot.h"
 #include "worker/recorder.h"
 #include "worker/summary.h"
@@ -83,6 +84,11 @@ void PrintHead(const SceneInfo &info, const Options &options, const Recorder &re
     std::puts(Print(head).c_str());
 }
 
+void PrintFrame(const recording::Frame &frame, bool compact) {
+    const std::string line = (compact ? Pack(frame) : Print(frame)) + '\n';
+    std::fwrite(line.data(), 1, line.size(), stdout); // whether it could be written is asked at the end
+}
+
 } // namespace
 
 void RunScene(const SceneInfo &info, const Options &options) {
@@ -126,7 +132,7 @@ void RunScene(const SceneInfo &info, const Options &options) {
         summary.AddStep(world, nanoseconds);
         if (record) {
             if (record->Range().Has(step))
-                std::puts(Print(record->Take(world)).c_str());
+                PrintFrame(record->Take(world), options.record->compact);
             if (step == record->Range().last)
                 break;
             continue;

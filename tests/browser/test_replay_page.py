@@ -22,6 +22,7 @@ from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
 
 from browser import Browser
+from replay_by_hand import ByHand
 
 PROGRAMS = pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else pathlib.Path(".")
 POSITION_QUANTUM, ANGLE_QUANTUM, SLACK_QUANTUM = 1 / 4096, 1 / 16384, 1 / 1024
@@ -101,7 +102,7 @@ def farthest_off(shown, recorded):
     return worst
 
 
-class ReplayPage(unittest.TestCase):
+class ReplayPage(ByHand, unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.scratch = tempfile.TemporaryDirectory()
@@ -260,7 +261,7 @@ class ReplayPage(unittest.TestCase):
             self.assertGreater(totals["stock.polygon"], totals["plugin.polygon"], "control: the sides differ")
 
     def test_the_scene_and_the_time_line_are_not_blank(self):
-        self.browser.run("document.querySelector('.zoom').hidden = document.querySelector('.readout').hidden = true")
+        self.browser.run("for (const name of ['zoom', 'readout', 'save']) document.querySelector('.' + name).hidden = true")
         self.assertGreater(self.browser.colours("#scene"), 30)
         a, b = self.busiest("planks")
         self.browser.run("replay.choose(...arguments)", a, b)

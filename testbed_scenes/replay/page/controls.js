@@ -19,7 +19,7 @@ const KEYS = [
   ["Space", "play, pause"], [", .", "one step back, on"], ["Home End", "first, last step (outside of lists)"],
   ["[ ]", "the chosen pair's event before, after"], ["1 – 9", "overlays, in their order"],
   ["+ − 0", "zoom in, out, fit"], ["z", "zoom to the chosen pair"], ["Arrows", "move the view, when it has the focus"],
-  ["p", "to the list of pairs; arrows and Enter choose"], ["Esc", "let the pair go"], ["?", "these keys"],
+  ["p", "to the list of pairs; arrows and Enter choose"], ["Esc", "let the pair or body go"], ["s", "save the view as a PNG"], ["?", "these keys"],
 ];
 
 // Of a kinetic world, where they are not the same: there is no Box2D in it, and cells take the place of boxes.
@@ -83,10 +83,11 @@ function connectTransport(app) {
   speed.addEventListener("change", () => (app.speed = Number(speed.value)));
   on("zoom-in", () => { app.view.zoom(1.4); app.redraw(); });
   on("zoom-out", () => { app.view.zoom(1 / 1.4); app.redraw(); });
-  on("zoom-fit", () => { app.view.fit(); app.redraw(); });
+  on("zoom-fit", () => { app.view.fit(app.step); app.redraw(); });
+  on("save", () => savePng(app));
 }
 
-// Drag moves, wheel and pinch zoom, a tap chooses.
+// Drag moves, wheel and pinch zoom, a tap chooses: a body, or between bodies a pair.
 function connectPointer(app) {
   const canvas = app.view.canvas, pointers = new Map();
   let moved = 0;
@@ -118,12 +119,9 @@ function connectPointer(app) {
   });
   const lift = (event) => {
     if (!pointers.delete(event.pointerId) || event.type !== "pointerup" || moved > 6 || pointers.size > 0) return;
-    const [x, y] = at(event), group = app.view.pairAt(x, y, app.step);
-    if (group) { app.pairs.choose(group); return; }
-    const body = app.view.bodyAt(x, y);
-    app.pairs.filter.value = body ?? "";
-    app.pairs.refill();
-    app.say(body === null ? "No pair there." : "Pairs of body " + body + " listed.");
+    const [x, y] = at(event), found = whatIsAt(app.view, x, y, app.step);
+    app.pairs.choose(found);
+    if (!found) app.say("Nothing there: let go.");
   };
   canvas.addEventListener("pointerup", lift);
   canvas.addEventListener("pointercancel", lift);
@@ -165,9 +163,10 @@ function connectKeys(app) {
       Home: () => app.seek(0, true), End: () => app.seek(app.model.stepCount - 1, true),
       "[": () => app.pairs.goToEvent(-1), "]": () => app.pairs.goToEvent(1),
       "+": () => { app.view.zoom(1.25); app.redraw(); }, "=": () => { app.view.zoom(1.25); app.redraw(); },
-      "-": () => { app.view.zoom(0.8); app.redraw(); }, 0: () => { app.view.fit(); app.redraw(); },
+      "-": () => { app.view.zoom(0.8); app.redraw(); }, 0: () => { app.view.fit(app.step); app.redraw(); },
       z: () => app.zoomTo(app.pairs.chosen), p: () => app.pairs.list.focus(),
       Escape: () => app.pairs.chosen && app.pairs.choose(null), "?": () => help.showModal(),
+      s: () => savePng(app),
     }[event.key];
     if (!act) return;
     event.preventDefault();

@@ -62,6 +62,12 @@ class Figures {
     }
   }
 
+  textAt(x) {
+    if (!this.hasStock || !this.strip.width) return "";
+    const c = this.model.c, step = Math.min(this.model.stepCount - 1, Math.max(0, Math.round((x / this.strip.width) * (this.model.stepCount - 1))));
+    return "step " + step + ": polygon tests " + c["stock.polygon"][step] + " by " + this.model.stock + (this.hasPlugin ? ", " + c["plugin.polygon"][step] + " with the plugin" : "");
+  }
+
   draw(step) {
     if (!this.hasStock) return;
     const c = this.model.c;

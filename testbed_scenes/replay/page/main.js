@@ -18,9 +18,12 @@ class App {
     connectTransport(this);
     connectPointer(this);
     connectKeys(this);
+    connectHover(this);
     this.nameIt(about);
     this.view.resize();
-    this.view.fit();
+    this.view.fit(0);
+    this.link = new Link(this);
+    this.link.read();
     new ResizeObserver(() => this.resized()).observe(this.view.canvas);
     requestAnimationFrame((now) => this.tick(now));
   }
@@ -60,7 +63,10 @@ class App {
     this.redraw();
   }
 
-  redraw() { this.dirty = true; }
+  redraw() {
+    this.dirty = true;
+    this.link?.changed();
+  }
 
   say(text) { document.getElementById("status").textContent = text; }
 
@@ -97,10 +103,14 @@ class App {
     if (aloud) this.say("Paused. " + this.describe());
   }
 
-  markPlaying() { document.getElementById("play").textContent = this.playing ? "Pause" : "Play"; }
+  markPlaying() {
+    document.getElementById("play").textContent = this.playing ? "Pause" : "Play";
+    this.link?.changed();
+  }
 
   zoomTo(group) {
     if (!group) return;
+    if (group.body !== undefined) group = { a: group.body, b: group.body, spans: [] };
     const m = this.model, box = [Infinity, Infinity, -Infinity, -Infinity];
     m.moveTo(this.step);
     const pair = m.spanAt(group, this.step), links = this.view.links;
@@ -121,6 +131,7 @@ class App {
     }
     if (pair !== undefined && m.linkOf(pair, links)) { add(links[0], links[1]); add(links[2], links[3]); }
     this.view.frame(box, m.reach[small]);
+    this.view.moved = true;
     this.redraw();
   }
 
@@ -160,13 +171,16 @@ function exposeReplay(app) {
     get step() { return app.step; },
     get playing() { return app.playing; },
     get framesDrawn() { return app.view.framesDrawn; },
-    get chosen() { return app.pairs.chosen && [app.pairs.chosen.a, app.pairs.chosen.b]; },
+    get chosen() { const its = app.pairs.chosen; return its && (its.body === undefined ? [its.a, its.b] : its.body); },
     get camera() { return { ...app.view.camera }; },
     totals: app.figures.total,
     seek: (step) => app.seek(step, false),
     play: () => app.playing || app.toggle(),
     pause: () => app.pause(false),
     choose: (a, b) => app.pairs.choose(m.groupOf(a, b) ?? null),
+    chooseBody: (body) => app.pairs.choose({ body }),
+    // Where a body's middle is in the view.
+    placeOf: (body) => app.view.placeOfNumber(m.entryOf[body]),
     // What the last drawing showed.
     bodies: () => [...m.c["body.number"].keys()].filter((body) => m.present[body]).map((body) => ({
       number: m.c["body.number"][body], x: m.x[body], y: m.y[body], cos: m.cos[body], sin: m.sin[body],

@@ -174,6 +174,19 @@ class Model {
     out[1] = this.y[body] + s * bx + c * by;
   }
 
+  // Whether a point of the world lies in a body, or so near to it: in one of its polygons or circles, or on a chain.
+  isInside(body, x, y, near, out) {
+    this.nearestPoint(body, x, y, out);
+    if (Math.hypot(out[0] - x, out[1] - y) < near) return true;
+    const dx = x - this.x[body], dy = y - this.y[body], c = this.cos[body], s = this.sin[body];
+    for (let shape = this.shapeStart[body]; shape < this.shapeStart[body + 1]; ++shape) {
+      const k = this.shapePointStart[shape];
+      if (this.shapeKind(shape) === 1 && Math.hypot(c * dx + s * dy - this.px[k], c * dy - s * dx - this.py[k]) < this.c["shape.radius"][shape] * this.unit + near)
+        return true;
+    }
+    return false;
+  }
+
   // Nearest points of two bodies, near enough for a line on a screen: a few projections to and fro.
   linkOf(pair, out) {
     const a = this.entryOf[this.c["pair.a"][pair]], b = this.entryOf[this.c["pair.b"][pair]];

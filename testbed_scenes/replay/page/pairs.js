@@ -96,22 +96,39 @@ class Pairs {
     if (below > this.list.scrollTop) this.list.scrollTop = below;
   }
 
-  choose(group) {
-    this.chosen = group;
+  // A pair (a group of the model), a body ({ body: its number }), or null: nothing.
+  choose(what) {
+    const group = what?.body === undefined ? what : null;
+    this.chosen = what;
+    if (what?.body !== undefined || (!what && this.listsBody)) {
+      this.listsBody = what !== null;
+      this.filter.value = what ? what.body : "";
+      this.refill();
+    }
     [...this.list.children].forEach((item, row) => item.setAttribute("aria-selected", this.shown[row] === group));
     this.active = this.shown.indexOf(group);
     this.markActive(true);
-    this.timeline.choose(group);
-    for (const id of ["pair-buttons", "timeline", "pair-events"]) document.getElementById(id).hidden = !group;
-    document.getElementById("pair-title").textContent = group ? "Bodies " + group.a + " and " + group.b : "No pair chosen";
+    this.timeline.choose(group ?? this.sumOf(what));
+    for (const id of ["event-back", "event-on", "pair-events"]) document.getElementById(id).hidden = !group;
+    document.getElementById("timeline").hidden = this.timeline.events.length === 0;
+    document.getElementById("pair-buttons").hidden = !what;
+    document.getElementById("pair-zoom").textContent = group ? "Zoom to pair" : "Zoom to body";
+    document.getElementById("pair-title").textContent = group ? "Bodies " + group.a + " and " + group.b : what ? "Body " + what.body : "All pairs";
     document.getElementById("timeline").setAttribute("aria-label", this.timeline.describe());
     this.fillEvents();
-    this.app.resized();
+    this.app.redraw();
+    if (what && !group) this.app.say("Body " + what.body + " chosen; its pairs are listed.");
     if (group) this.app.say("Bodies " + group.a + " and " + group.b + " chosen, " + group.events.length + " events.");
   }
 
+  // The events of all pairs, or of a body's.
+  sumOf(what) {
+    const groups = this.model.groups.filter((group) => !what || group.a === what.body || group.b === what.body);
+    return { events: groups.flatMap((group) => group.events) };
+  }
+
   fillEvents() {
-    const events = this.timeline.events ?? [];
+    const events = this.timeline.isSum() ? [] : this.timeline.events;
     document.getElementById("event-summary").textContent = "Events (" + events.length + ")";
     document.getElementById("event-list").replaceChildren(...events.slice(0, 1000).map((event) => {
       const item = document.createElement("li"), button = document.createElement("button");
@@ -124,7 +141,7 @@ class Pairs {
   }
 
   goToEvent(direction) {
-    if (!this.chosen) return;
+    if (this.timeline.isSum()) return;
     const steps = this.timeline.events.map((event) => event.step);
     const next = direction > 0 ? steps.find((step) => step > this.app.step) : steps.reverse().find((step) => step < this.app.step);
     if (next === undefined) this.app.say(direction > 0 ? "No later event." : "No earlier event.");
@@ -134,7 +151,8 @@ class Pairs {
   // One sentence about the chosen pair at the present step.
   describeNow() {
     const m = this.model, group = this.chosen, step = this.app.step;
-    if (!group) return "Click a line between two bodies, or choose a pair in the list.";
+    if (!group) return "Events in each step. Click a body or a line between two bodies, or choose a pair in the list.";
+    if (group.body !== undefined) return describeBody(m, group.body, step) + ". Its pairs stand in the list.";
     const pair = m.spanAt(group, step);
     if (pair === undefined) return m.about.world ? "Nobody watches them at this step: their cells are no neighbours." : "No contact between them at this step: their boxes are apart.";
     const row = m.rowOf(pair, step), slack = m.slackAt(row), answer = m.answerAt(row);
@@ -158,7 +176,7 @@ class Pairs {
     const now = document.getElementById("pair-now"), text = this.describeNow();
     if (now.textContent !== text) now.textContent = text;
     const details = document.getElementById("pair-events");
-    if (!this.chosen || !details.open) return;
+    if (details.hidden || !details.open) return;
     for (const button of document.querySelectorAll("#event-list button"))
       if (Number(button.dataset.step) === this.app.step) button.setAttribute("aria-current", "step");
       else button.removeAttribute("aria-current");

@@ -11,7 +11,7 @@ const EVENT_ROWS = [
   { kinds: ["leave"], name: "leave", glyph: "plus" },
   { kinds: ["part"], name: "part", glyph: "bar" },
 ];
-const SLACK_HEIGHT = 48, ROW_HEIGHT = 14, LABELS = 84;
+const SLACK_HEIGHT = 48, ROW_HEIGHT = 14, SUM_HEIGHT = 24, LABELS = 84;
 
 function glyphPath(g, glyph, x, y, r) {
   if (glyph === "triangle") { g.moveTo(x - r, y + r); g.lineTo(x + r, y + r); g.lineTo(x, y - r); g.closePath(); }
@@ -42,22 +42,27 @@ class Timeline {
     this.view = view;
     this.strip = new Strip(canvas);
     this.group = null;
-    const seek = (event) => {
-      const x = event.clientX - canvas.getBoundingClientRect().left;
-      const share = (x - LABELS) / (canvas.clientWidth - LABELS - 8);
-      onSeek(Math.round(Math.min(1, Math.max(0, share)) * (model.stepCount - 1)));
-    };
+    const seek = (event) => onSeek(this.stepAt(event.clientX - canvas.getBoundingClientRect().left));
     canvas.addEventListener("pointerdown", (event) => { canvas.setPointerCapture(event.pointerId); seek(event); });
     canvas.addEventListener("pointermove", (event) => { if (event.buttons) seek(event); });
   }
 
+  stepAt(x) {
+    const share = (x - LABELS) / (this.canvas.clientWidth - LABELS - 8);
+    return Math.round(Math.min(1, Math.max(0, share)) * (this.model.stepCount - 1));
+  }
+
+  // A pair, or of all pairs (or those of a body) the sum: { events }.
   choose(group) {
     this.group = group;
-    this.events = group ? group.events.map((i) => this.model.event(i)) : [];
+    this.events = group.events.map((i) => this.model.event(i));
     this.strip.forget();
-    if (!group) return;
     const kinds = new Set(this.events.map((event) => event.kind));
     this.rows = EVENT_ROWS.filter((row) => row.kinds.some((kind) => kinds.has(kind)));
+    if (this.isSum()) {
+      this.canvas.style.height = 6 + this.rows.length * SUM_HEIGHT + 18 + "px";
+      return;
+    }
     let highest = 0;
     for (const pair of group.spans)
       for (let row = this.model.stepStart[pair]; row < this.model.stepStart[pair + 1]; ++row)
@@ -65,6 +70,9 @@ class Timeline {
     this.highest = Math.max(0.05, highest * this.model.about.quanta.slack);
     this.canvas.style.height = SLACK_HEIGHT + 14 + (this.rows.length + (this.model.about.world ? 0 : 3)) * ROW_HEIGHT + 18 + "px";
   }
+
+  // A group without two bodies of its own: of all pairs, or of all of one body.
+  isSum() { return this.group.a === undefined; }
 
   xOf(step) { return LABELS + (step / Math.max(1, this.model.stepCount - 1)) * (this.width - LABELS - 8); }
 
@@ -85,11 +93,33 @@ class Timeline {
     });
   }
 
+  // What the mark below a point is: an event of its row, or the step.
+  textAt(x, y) {
+    if (!this.group || x < LABELS) return "";
+    if (this.isSum()) {
+      const row = this.rows[Math.floor((y - 6) / SUM_HEIGHT)], step = this.stepAt(x);
+      return row ? "step " + step + ": " + row.name + " " + this.countsOf(row)[step] : "";
+    }
+    const row = this.rows[Math.floor((y - SLACK_HEIGHT - 14) / ROW_HEIGHT)], near = 5;
+    let found = null;
+    for (const event of row ? this.events : []) {
+      const away = Math.abs(this.xOf(event.step) - x);
+      if (row.kinds.includes(event.kind) && away < near && (!found || away < Math.abs(this.xOf(found.step) - x))) found = event;
+    }
+    if (found) return "step " + found.step + ": " + found.kind + levelText(found) + (found.gap > 0 ? ", then " + lengthText(found.gap) + " apart" : "");
+    const step = this.stepAt(x);
+    const pair = this.model.spanAt(this.group, step);
+    if (pair === undefined) return "step " + step + ": not watched";
+    const slack = this.model.slackAt(this.model.rowOf(pair, step));
+    return "step " + step + (slack > 0 ? ": slack " + lengthText(slack) : "");
+  }
+
   drawBackdrop(g) {
     const colour = this.view.colour;
     g.font = "11px system-ui, sans-serif";
     g.textBaseline = "middle";
     g.lineWidth = 1;
+    if (this.isSum()) { this.drawSums(g, colour); return; }
     this.drawSlack(g, colour);
     let y = SLACK_HEIGHT + 14;
     const label = (text, at) => {
@@ -118,6 +148,34 @@ class Timeline {
     this.drawStrip(g, y, colour.ink, (row) => this.model.c["step.toi"][row]);
     y += ROW_HEIGHT;
     this.drawAxis(g, y);
+  }
+
+  // Of each kind how many in each step: bars, the highest as high as the row.
+  drawSums(g, colour) {
+    this.rows.forEach((row, i) => {
+      const bottom = 6 + (i + 1) * SUM_HEIGHT - 3, counts = this.countsOf(row), most = Math.max(...counts);
+      g.fillStyle = colour.soft;
+      g.textAlign = "right";
+      g.fillText(row.name, LABELS - 8, bottom - 5);
+      g.fillStyle = row.glyph === "cross" ? colour.handed : colour.ink;
+      const width = Math.max(1, this.xOf(1) - this.xOf(0));
+      counts.forEach((count, step) => {
+        const height = Math.sqrt(count / most) * (SUM_HEIGHT - 5);
+        if (count > 0) g.fillRect(this.xOf(step) - width / 2, bottom - height, width, height);
+      });
+      g.strokeStyle = colour.grid;
+      g.beginPath();
+      g.moveTo(LABELS, bottom + 0.5);
+      g.lineTo(this.width - 8, bottom + 0.5);
+      g.stroke();
+    });
+    this.drawAxis(g, 6 + this.rows.length * SUM_HEIGHT);
+  }
+
+  countsOf(row) {
+    const counts = new Array(this.model.stepCount).fill(0);
+    for (const event of this.events) if (row.kinds.includes(event.kind)) ++counts[Math.max(0, event.step)];
+    return counts;
   }
 
   // A root scale: what is near matters more. Gaps are where there is no contact.
@@ -181,10 +239,10 @@ class Timeline {
   }
 
   describe() {
-    if (!this.group) return "";
     const counts = {};
     for (const event of this.events) counts[event.kind] = (counts[event.kind] || 0) + 1;
     const words = Object.entries(counts).map(([kind, count]) => count + " " + kind).join(", ");
+    if (this.isSum()) return "Events in each step: " + (words || "none") + ".";
     return "Time line of bodies " + this.group.a + " and " + this.group.b + ": " + (words || "no events") +
       (this.model.about.world ? "" : "; " + (this.model.stock === "off" ? "with the plugin off, Box2D" : "stock Box2D") + " tested the two " + this.group.tests + " times") + ". The list of events below says the same.";
   }

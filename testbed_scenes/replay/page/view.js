@@ -5,6 +5,8 @@ const SLACK_CLASSES = [0.01, 0.03, 0.1, 0.3, 0.6, Infinity];
 const SLACK_WIDTHS = [3.2, 2.4, 1.7, 1, 0.8, 0.6];
 // Lines up to a pixel wide are the cheap ones; rasterisers take long for one path of thousands of crossing parts, and long for thousands of paths.
 const PARTS_PER_PATH = 8;
+// Of the view's right side, in pixels: what stands there hides nothing that fits.
+const BUTTONS = 52;
 
 class View {
   constructor(canvas, model, options) {
@@ -55,35 +57,55 @@ class View {
     return [(x - this.width / 2) / this.camera.scale + this.camera.x, this.camera.y - (y - this.height / 2) / this.camera.scale];
   }
 
-  // Where the scene happens: the box of nearly all bodies in all steps, without runaways and without what is
-  // far larger than the moving ones' own box (a ground).
-  fit() {
-    const m = this.model, c = m.c, lows = [[], []], highs = [[], []];
-    const at = (list, share) => list[Math.min(list.length - 1, Math.floor(list.length * share))];
-    let largest = 0; // reach of a body that does not move
+  // All bodies of the step, whole, and where nearly all of the run happens. Of a body at rest that is far larger than what
+  // moves (a ground) the part near it is enough.
+  fit(step) {
+    const c = this.model.c, isMoving = (body) => (c["body.type"][body] & 3) !== 0, box = [Infinity, Infinity, -Infinity, -Infinity];
+    this.model.moveTo(step);
+    this.addCourse(box, isMoving);
+    const grow = ([left, bottom, right, top]) => {
+      box[0] = Math.min(box[0], left); box[1] = Math.min(box[1], bottom);
+      box[2] = Math.max(box[2], right); box[3] = Math.max(box[3], top);
+    };
     for (const moving of [true, false]) {
-      for (let body = 0; body < m.bodyCount; ++body) {
-        if (((c["body.type"][body] & 3) !== 0) !== moving || (!moving && m.reach[body] > largest)) continue;
-        const box = this.shapeBox(body);
-        const stride = Math.max(1, Math.floor(c["body.steps"][body] / 40));
-        for (let pose = m.poseStart[body]; pose < m.poseStart[body + 1]; pose += stride) {
-          const angle = c["pose.angle"][pose] * m.about.quanta.angle, cos = Math.cos(angle), sin = Math.sin(angle);
-          const at = [c["pose.x"][pose] * m.unit, c["pose.y"][pose] * m.unit];
-          // The turned box's own box; what has no end (a ground) counts as fifty lengths.
-          const middle = [cos * box.x - sin * box.y, sin * box.x + cos * box.y];
-          const half = [Math.abs(cos) * box.w + Math.abs(sin) * box.h, Math.abs(sin) * box.w + Math.abs(cos) * box.h];
-          for (const axis of [0, 1]) {
-            lows[axis].push(at[axis] + Math.max(-50, middle[axis] - half[axis]));
-            highs[axis].push(at[axis] + Math.min(50, middle[axis] + half[axis]));
-          }
-        }
+      const farLarger = 3, room = box[0] < box[2] ? farLarger * Math.max(box[2] - box[0], box[3] - box[1]) : Infinity;
+      const near = [box[0] - room, box[1] - room, box[2] + room, box[3] + room];
+      for (let body = 0; body < this.model.bodyCount; ++body) {
+        if (!this.model.present[body] || isMoving(body) !== moving) continue;
+        const [left, bottom, right, top] = this.boxAt(body, this.model.poseStart[body] + step - c["body.first"][body]);
+        if (moving || room === Infinity || Math.max(right - left, top - bottom) <= room) { grow([left, bottom, right, top]); continue; }
+        // Those of its sides that are near.
+        grow([left, bottom, right, top].map((side, i) => (side >= near[i % 2] && side <= near[i % 2 + 2] ? side : box[i])));
       }
-      for (const list of [...lows, ...highs]) list.sort((a, b) => a - b);
-      const spread = [0, 1].map((axis) => at(highs[axis], 0.99) - at(lows[axis], 0.01));
-      largest = lows[0].length ? Math.max(...spread) / 2 : Infinity;
     }
-    if (!lows[0].length) return;
-    this.frame([at(lows[0], 0.01), at(lows[1], 0.01), at(highs[0], 0.99), at(highs[1], 0.99)], 0);
+    if (box[0] <= box[2]) this.frame(box, 0, BUTTONS);
+    this.moved = false;
+  }
+
+  // The box of nearly all that moves in all steps: one runaway does not make the rest small.
+  addCourse(box, isMoving) {
+    const m = this.model, c = m.c, sides = [[], [], [], []];
+    for (let body = 0; body < m.bodyCount; ++body) {
+      if (!isMoving(body)) continue;
+      const stride = Math.max(1, Math.floor(c["body.steps"][body] / 40));
+      for (let pose = m.poseStart[body]; pose < m.poseStart[body + 1]; pose += stride)
+        this.boxAt(body, pose).forEach((value, side) => sides[side].push(value));
+    }
+    if (!sides[0].length) return;
+    sides.forEach((list, side) => {
+      list.sort((a, b) => a - b);
+      box[side] = list[Math.min(list.length - 1, Math.floor(list.length * (side < 2 ? 0.01 : 0.99)))];
+    });
+  }
+
+  // The box in the world of a body at a pose: left, bottom, right, top.
+  boxAt(body, pose) {
+    const m = this.model, c = m.c, box = (this.shapeBoxes ??= new Map()).get(body) ?? this.shapeBox(body);
+    this.shapeBoxes.set(body, box);
+    const angle = c["pose.angle"][pose] * m.about.quanta.angle, cos = Math.cos(angle), sin = Math.sin(angle);
+    const x = c["pose.x"][pose] * m.unit + cos * box.x - sin * box.y, y = c["pose.y"][pose] * m.unit + sin * box.x + cos * box.y;
+    const w = Math.abs(cos) * box.w + Math.abs(sin) * box.h, h = Math.abs(sin) * box.w + Math.abs(cos) * box.h;
+    return [x - w, y - h, x + w, y + h];
   }
 
   // The box of a body's shapes in its own frame: its middle and half its sides.
@@ -103,22 +125,30 @@ class View {
     return { x: (low[0] + high[0]) / 2, y: (low[1] + high[1]) / 2, w: (high[0] - low[0]) / 2, h: (high[1] - low[1]) / 2 };
   }
 
-  frame([left, bottom, right, top], room) {
+  // A box of the world in the middle of the view, `room` around it; so many pixels at the right side stay free.
+  frame([left, bottom, right, top], room, free = 0) {
     const width = right - left + room, height = top - bottom + room;
-    this.camera.x = (left + right) / 2;
+    this.camera.scale = Math.min(Math.max(this.width - free, 1) / width, this.height / height) * 0.94;
+    this.camera.x = (left + right) / 2 + free / 2 / this.camera.scale;
     this.camera.y = (bottom + top) / 2;
-    this.camera.scale = Math.min(this.width / width, this.height / height) * 0.94;
+  }
+
+  // By hand, and so worth a place in the address.
+  look(x, y, scale) {
+    Object.assign(this.camera, { x, y, scale: Math.min(20000, Math.max(0.05, scale)) });
+    this.moved = true;
   }
 
   zoom(factor, x = this.width / 2, y = this.height / 2) {
     const [wx, wy] = this.toWorld(x, y);
-    this.camera.scale = Math.min(20000, Math.max(0.05, this.camera.scale * factor));
+    this.look(this.camera.x, this.camera.y, this.camera.scale * factor);
     const [nx, ny] = this.toWorld(x, y);
     this.camera.x += wx - nx;
     this.camera.y += wy - ny;
   }
 
   pan(dx, dy) {
+    this.moved = true;
     this.camera.x -= dx / this.camera.scale;
     this.camera.y += dy / this.camera.scale;
   }
@@ -144,10 +174,18 @@ class View {
     if (shown.certificates) this.drawCertificates(m.pairsHere, step, 1);
     if (shown.joints) this.drawJoints(step);
     if (shown.contacts) this.drawContacts(step);
-    if (chosen) this.drawChosen(chosen, step);
     g.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
-    if (shown.numbers) this.drawNumbers();
-    if (chosen) this.drawNames(chosen, step);
+    const lit = this.litBodies(chosen);
+    if (shown.numbers) this.drawNumbers(lit);
+    if (chosen) {
+      this.dim();
+      g.setTransform(k, 0, 0, -k, this.canvas.width / 2 - this.camera.x * k, this.canvas.height / 2 + this.camera.y * k);
+      if (chosen.body === undefined) this.drawChosen(chosen, step);
+      else this.drawChosenBody(chosen.body, step);
+      g.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+      if (chosen.body === undefined) this.drawNames(chosen, step);
+      else this.drawNumbers([], lit);
+    }
     ++this.framesDrawn;
   }
 
@@ -241,10 +279,10 @@ class View {
   }
 
   // Lines between the nearest points of pairs: by slack where apart, crossed where Box2D tested.
-  drawLinks(step) {
+  drawLinks(step, pairs = this.model.pairsHere) {
     const g = this.context, m = this.model, shown = this.options, out = this.links;
     const classes = SLACK_CLASSES.map(() => []), unproved = [], handed = [];
-    for (const pair of m.pairsHere) {
+    for (const pair of pairs) {
       const row = m.rowOf(pair, step), answer = m.answerAt(row), slack = m.slackAt(row);
       let list = null;
       if (answer === HANDED_OVER) list = shown.handed ? handed : null;
@@ -430,27 +468,53 @@ class View {
     return [group.a, group.b].map((number) => this.model.entryOf[number] ?? -1);
   }
 
+  // Of what is chosen, a pair or a body: the bodies that stay lit.
+  litBodies(chosen) {
+    if (!chosen) return [];
+    const bodies = chosen.body === undefined ? this.bodiesOf(chosen) : [this.model.entryOf[chosen.body] ?? -1];
+    return bodies.filter((body) => body >= 0);
+  }
+
+  // Everything drawn so far steps back.
+  dim() {
+    const g = this.context;
+    g.globalAlpha = 0.62;
+    g.fillStyle = this.colour.scene;
+    g.fillRect(0, 0, this.width, this.height);
+    g.globalAlpha = 1;
+  }
+
+  lightBody(body) {
+    const g = this.context, m = this.model, name = { disabled: "sleeping" }[this.styleOf(body)] ?? this.styleOf(body);
+    g.beginPath();
+    this.traceBody(g, body, () => true);
+    this.stroke(this.colour.chosen, 5);
+    g.stroke();
+    // The inner half goes again: of a body of many fixtures the outline alone is marked.
+    g.beginPath();
+    this.traceBody(g, body, (shape) => !m.isSensor(shape) && m.shapeKind(shape) !== 2);
+    g.fillStyle = this.colour[name];
+    g.fill("nonzero");
+    this.stroke(this.colour[name + "-edge"], 0.8);
+    g.stroke();
+  }
+
   drawChosen(group, step) {
-    const g = this.context, pair = this.model.spanAt(group, step);
-    for (const body of this.bodiesOf(group)) {
-      if (body < 0) continue;
-      g.beginPath();
-      this.traceBody(g, body, () => true);
-      this.stroke(this.colour.chosen, 5);
-      g.stroke();
-      // The inner half goes again: of a body of many fixtures the outline alone is marked.
-      const m = this.model, name = { disabled: "sleeping" }[this.styleOf(body)] ?? this.styleOf(body);
-      g.beginPath();
-      this.traceBody(g, body, (shape) => !m.isSensor(shape) && m.shapeKind(shape) !== 2);
-      g.fillStyle = this.colour[name];
-      g.fill("nonzero");
-      this.stroke(this.colour[name + "-edge"], 0.8);
-      g.stroke();
-    }
+    const pair = this.model.spanAt(group, step);
+    for (const body of this.bodiesOf(group)) if (body >= 0) this.lightBody(body);
     if (pair === undefined) return;
+    if (this.options.slack || this.options.handed) this.drawLinks(step, [pair]);
     this.drawProofOutlines("hull", this.colour.hull, [2, 3], [pair], step);
     this.drawProofOutlines("envelope", this.colour.envelope, [7, 3], [pair], step);
     this.drawCertificates([pair], step, 1.4);
+  }
+
+  // A body with the lines of all its pairs.
+  drawChosenBody(number, step) {
+    const m = this.model, body = m.entryOf[number] ?? -1;
+    if (body >= 0) this.lightBody(body);
+    const own = m.pairsHere.filter((pair) => m.c["pair.a"][pair] === number || m.c["pair.b"][pair] === number);
+    if (this.options.slack || this.options.handed) this.drawLinks(step, own);
   }
 
   label(text, x, y, colour) {
@@ -463,13 +527,21 @@ class View {
     g.fillText(text, x, y);
   }
 
-  drawNumbers() {
+  // Of each body once: of those that are lit, their names are written later.
+  drawNumbers(without, bodies = this.model.c["body.number"].keys()) {
     const g = this.context, m = this.model;
     g.font = "11px system-ui, sans-serif";
     g.textAlign = "center";
     g.textBaseline = "middle";
-    for (let body = 0; body < m.bodyCount; ++body)
-      if (this.seen[body]) this.label(String(m.c["body.number"][body]), ...this.toScreen(m.x[body], m.y[body]), this.colour.ink);
+    for (const body of bodies)
+      if (this.seen[body] && !without.includes(body)) this.label(String(m.c["body.number"][body]), ...this.placeOfNumber(body), this.colour.ink);
+  }
+
+  // The middle of the shapes: of a ground the origin may be anywhere.
+  placeOfNumber(body) {
+    const box = (this.shapeBoxes ??= new Map()).get(body) ?? this.shapeBox(body);
+    this.shapeBoxes.set(body, box);
+    return this.toScreen(...this.place(body, box.x, box.y));
   }
 
   drawNames(group, step) {
@@ -493,32 +565,5 @@ class View {
       }
       this.label(String(i === 0 ? group.a : group.b), x, y, this.colour.chosen);
     });
-  }
-
-  // The pair whose line is nearest to a point of the screen, or that of the body below it; else null.
-  pairAt(x, y, step) {
-    const m = this.model, out = this.links;
-    m.moveTo(step);
-    let best = 12, found = null;
-    for (const pair of m.pairsHere) {
-      if (!m.linkOf(pair, out)) continue;
-      const [ax, ay] = this.toScreen(out[0], out[1]), [bx, by] = this.toScreen(out[2], out[3]);
-      const ex = bx - ax, ey = by - ay, length2 = ex * ex + ey * ey;
-      const t = length2 > 0 ? Math.min(1, Math.max(0, ((x - ax) * ex + (y - ay) * ey) / length2)) : 0;
-      const d = Math.hypot(x - ax - t * ex, y - ay - t * ey);
-      if (d < best) { best = d; found = pair; }
-    }
-    return found === null ? null : m.groupOfPair[found];
-  }
-
-  // The number of a body below a point of the screen, or null.
-  bodyAt(x, y) {
-    const m = this.model, [wx, wy] = this.toWorld(x, y), out = new Float64Array(2);
-    for (let body = m.bodyCount - 1; body >= 0; --body) {
-      if (!this.seen[body] || (m.c["body.type"][body] & 3) === 0) continue;
-      m.nearestPoint(body, wx, wy, out);
-      if (Math.hypot(out[0] - wx, out[1] - wy) < 2 * this.pixel) return m.c["body.number"][body];
-    }
-    return null;
   }
 }

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "usage.h"
+
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <regex>
+#include <sstream>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <sys/stat.h>
+
+#include "nearest.h"
+
+namespace testbed {
+namespace {
+
+constexpr char kProgram[] = "boomerang-testbed";
+
+/// The place in argv of the word that should be a command; argc if there is none.
+int CommandAt(int argc, char **argv) {
+    int first = 1;
+    while (first + 1 < argc && argv[first] == std::string("--workers"))
+        first += 2;
+    return first < argc && argv[first][0] != '-' ? first : argc;
+}
+
+/// A command with its options, and those of the program that may stand behind it.
+class Scope {
+public:
+    Scope(const CLI::App &app, int argc, char **argv) : m_app(app), m_command(&app) {
+        const int at = CommandAt(argc, argv);
+        for (const CLI::App *command : app.get_subcommands({}))
+            if (at < argc && command->get_name() == argv[at])
+                m_command = command;
+        m_words.assign(argv + std::min(argc, at == argc ? 1 : at + 1), argv + argc);
+    }
+
+    /// "render", or the program's own name where there is no command.
+    std::string Name() const { return m_command == &m_app ? kProgram : m_command->get_name(); }
+    std::string Help() const {
+        return std::string(" (") + kProgram + (m_command == &m_app ? "" : " " + m_command->get_name()) +
+               " --help shows all)";
+    }
+    bool HasCommand() const { return m_command != &m_app; }
+
+    const CLI::Option *Find(const std::string &name) const {
+        const CLI::Option *own = m_command->get_option_no_throw(name);
+        return own != nullptr ? own : m_app.get_option_no_throw(name);
+    }
+    /// The first word that looks like an option and is none; else empty.
+    std::string UnknownOption() const {
+        for (const std::string &word : m_words) {
+            if (word == "--")
+                break;
+            const bool isOption = word.size() > 1 && word[0] == '-' && word[1] != '.' &&
+                                  std::isdigit(static_cast<unsigned char>(word[1])) == 0;
+            const std::string name = word.substr(0, word.find('='));
+            // Of a short option the value may follow at once.
+            if (isOption && Find(name) == nullptr && (name[1] == '-' || Find(name.substr(0, 2)) == nullptr))
+                return name;
+        }
+        return "";
+    }
+    std::vector<std::string> OptionNames() const {
+        std::vector<std::string> names;
+        for (const CLI::App *app : {m_command, &m_app})
+            for (const CLI::Option *option : app->get_options())
+                for (const std::string &name : option->get_lnames())
+                    names.push_back("--" + name);
+        return names;
+    }
+
+private:
+    const CLI::App &m_app;
+    const CLI::App *m_command;
+    std::vector<std::string> m_words;
+};
+
+std::string NameOf(const CLI::Option *option, const std::string &otherwise) {
+    if (option == nullptr)
+        return otherwise;
+    return option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames().front();
+}
+
+/// "", or what the option is, on a line of its own.
+std::string Described(const CLI::Option *option) {
+    return option == nullptr || option->get_description().empty()
+               ? std::string()
+               : "\n    " + NameOf(option, "") + ": " + option->get_description();
+}
+
+/// What a check of CLI11's says about a value.
+std::string ExplainValue(const CLI::Option *option, const std::string &said) {
+    static const std::regex range("Value (.*) not in range (\\S+) to (\\S+)"),
+        words("(.*) not in \\{(.*)\\}"), missing("(File|Directory) does not exist: (.*)");
+    std::smatch found;
+    if (std::regex_match(said, found, range)) {
+        const bool whole = option != nullptr && option->get_type_name().find("INT") != std::string::npos;
+        return "\"" + found[1].str() + "\" is no " + (whole ? "whole " : "") + "number from " +
+               found[2].str() + " to " + found[3].str();
+    }
+    if (std::regex_match(said, found, words)) {
+        std::vector<std::string> names;
+        std::istringstream list(found[2].str());
+        std::string all;
+        for (std::string name; std::getline(list, name, ',');) {
+            all += (names.empty() ? "" : ", ") + name;
+            names.push_back(name);
+        }
+        return "\"" + found[1].str() + "\" is none of " + all + NearestClause(found[1].str(), names);
+    }
+    if (std::regex_match(said, found, missing)) {
+        struct stat ignored = {};
+        const int error = stat(found[2].str().c_str(), &ignored) != 0 ? errno : ENOENT;
+        return "cannot read " + found[2].str() + ": " + std::strerror(error);
+    }
+    return said;
+}
+
+} // namespace
+
+std::string ExplainCommand(const CLI::App &app, int argc, char **argv) {
+    const int at = CommandAt(argc, argv);
+    if (at == argc)
+        return "";
+    std::vector<std::string> names;
+    for (const CLI::App *command : app.get_subcommands({})) {
+        if (command->get_name() == argv[at])
+            return "";
+        names.push_back(command->get_name());
+    }
+    return std::string("there is no command \"") + argv[at] + "\"" + NearestClause(argv[at], names) + " (" +
+           kProgram + " --help shows all)";
+}
+
+std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error, int argc, char **argv) {
+    const Scope scope(app, argc, argv);
+    const std::string said = error.what();
+    const auto is = [&error](CLI::ExitCodes code) { return error.get_exit_code() == static_cast<int>(code); };
+    if (const std::string unknown = scope.UnknownOption(); !unknown.empty())
+        return (scope.HasCommand() ? scope.Name() + " has" : "there is") + " no option \"" + unknown + "\"" +
+               NearestClause(unknown, scope.OptionNames()) + scope.Help();
+    if (!scope.HasCommand()) {
+        std::string all;
+        for (const CLI::App *command : app.get_subcommands({}))
+            all += (all.empty() ? "" : ", ") + command->get_name();
+        return "a command is wanted: " + all + scope.Help();
+    }
+    if (is(CLI::ExitCodes::ExtrasError))
+        return scope.Name() + ": \"" + said.substr(said.find_last_of(" :") + 1) +
+               "\" is one argument too many";
+    if (is(CLI::ExitCodes::RequiredError)) {
+        const CLI::Option *option = scope.Find(said.substr(0, said.find(' ')));
+        if (option != nullptr)
+            return scope.Name() + " needs " + NameOf(option, "") + Described(option);
+    }
+    static const std::regex excludes("(\\S+) excludes (\\S+)");
+    std::smatch found;
+    if (std::regex_match(said, found, excludes))
+        return scope.Name() + ": " + found[1].str() + " and " + found[2].str() + " do not go together";
+    static const std::regex convert("Could not convert: (\\S+) = (.*)");
+    if (std::regex_match(said, found, convert)) {
+        const CLI::Option *option = scope.Find(found[1].str());
+        const bool whole = option != nullptr && option->get_type_name().find("INT") != std::string::npos;
+        return scope.Name() + ": " + NameOf(option, found[1].str()) + ": \"" + found[2].str() + "\" is no " +
+               (whole ? "whole " : "") + "number" + Described(option);
+    }
+    const size_t colon = said.find(": ");
+    const CLI::Option *option = colon != std::string::npos ? scope.Find(said.substr(0, colon)) : nullptr;
+    if (option == nullptr)
+        return scope.Name() + ": " + said + scope.Help();
+    const std::string what = is(CLI::ExitCodes::ArgumentMismatch)
+                                 ? "a value is missing"
+                                 : ExplainValue(option, said.substr(colon + 2));
+    return scope.Name() + ": " + NameOf(option, "") + ": " + what + Described(option);
+}
+
+std::string CheckSeed(const std::string &text) {
+    errno = 0;
+    char *end = nullptr;
+    std::strtoull(text.c_str(), &end, 10);
+    const bool isDigits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+    return isDigits && errno == 0 ? "" : "\"" + text + "\" is no whole number from 0 to 18446744073709551615";
+}
+
+} // namespace testbed
