@@ -50,15 +50,6 @@ static void hold(play_page *page, int body, const bmr_pose *pose) {
     assert_int_equal(play_hold(page, body, pose->position.x, pose->position.y, atan2(pose->s, pose->c)), 0);
 }
 
-/// Another way round, on which B turns its long side to A and never touches it. (When a contact is left is
-/// found by steps, which are others where a motion comes in pieces; what a structure does then depends on the
-/// last digits of that time.)
-static bmr_pose wide_pose(int i) {
-    const double around = 0.11 * i, far = 1.9 + 0.4 * sin(0.37 * i);
-    return bmr_pose_from_angle(bmr_vec2_make(far * cos(around), far * sin(around)),
-                               around + 0.2 + 0.35 * sin(0.9 * i));
-}
-
 // ---- the lesson ----
 
 static void the_lesson_begins_with_a_push_a_roll_and_a_stab(void **state) {
@@ -93,7 +84,7 @@ static void count_kind(void *context, const bmr_simulation_event *event) {
     ++((uint64_t *)context)[event->report.kind];
 }
 
-/// Events of a structure on the way of wide_pose, in one run of one simulation along one sampled motion.
+/// Events of a structure on the way of hand_pose, in one run of one simulation along one sampled motion.
 /// (From the same bodies as by_hand's.)
 static void count_at_once(const bmr_kds_info *info, int n, uint64_t counts[BMR_KDS_EVENT_KIND_COUNT]) {
     play_body *bodies[2];
@@ -103,7 +94,7 @@ static void count_at_once(const bmr_kds_info *info, int n, uint64_t counts[BMR_K
     bmr_pose poses[HOLDS + 1];
     for (int i = 0; i <= HOLDS; ++i) {
         times[i] = i;
-        poses[i] = i == 0 ? bmr_pose_from_angle(bmr_vec2_make(2.5, 0.5), 0.3) : wide_pose(i);
+        poses[i] = i == 0 ? bmr_pose_from_angle(bmr_vec2_make(2.5, 0.5), 0.3) : hand_pose(i);
     }
     const bmr_motion_piece home = bmr_piece_rest(bmr_pose_identity());
     bmr_motion *motions[2];
@@ -129,7 +120,7 @@ static void a_hand_s_counts_are_those_of_one_run_along_the_same_way(void **state
     for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
         play_page *page = by_hand(names[i], 14);
         for (int k = 1; k <= HOLDS; ++k) {
-            const bmr_pose pose = wide_pose(k);
+            const bmr_pose pose = hand_pose(k);
             hold(page, 1, &pose);
         }
         double repairs = 0.0;
@@ -141,7 +132,6 @@ static void a_hand_s_counts_are_those_of_one_run_along_the_same_way(void **state
                 repairs += play_counts(kind) ? (double)counts[kind] : 0.0;
             }
         }
-        assert_true(play_events(page, 0, BMR_KDS_CONTACT) == 0.0);
         assert_true(repairs > 100.0); // control: there was something to count
         play_close(page);
     }
