@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <math.h>
 
+#include "boomerang/distance.h"
 #include "draw.h"
 #include "words.h"
 
@@ -113,6 +114,20 @@ bool play_draw_event_at(play_display *display, const play_duel *duel, bmr_vec2 w
     return true;
 }
 
+/// Where an event happened: the corner that crossed, or the one that is the nearest now; of a contact where
+/// they touch.
+static bmr_vec2 place_of(const play_duel *duel, const play_event *event) {
+    const bmr_pose poses[2] = {play_duel_pose(duel, 0), play_duel_pose(duel, 1)};
+    bmr_closest_points closest;
+    if (event->report.kind == BMR_KDS_CONTACT &&
+        bmr_distance(duel->def.bodies[0]->polygon, &poses[0], duel->def.bodies[1]->polygon, &poses[1],
+                     &closest) == BMR_OK)
+        return closest.point_a;
+    const bool crossed = event->failed.kind == BMR_CONDITION_BEYOND && event->report.kind != BMR_KDS_LEAVE;
+    return crossed ? bmr_transform(&poses[1 - event->failed.owner], event->failed.point)
+                   : bmr_transform(&poses[1 - event->after.owner], event->after.nearest);
+}
+
 static void draw_event(play_display *display, const play_duel *duel, const play_frame *frame) {
     const play_event *event = play_duel_latest(duel);
     const double strength = strength_of(event);
@@ -121,12 +136,7 @@ static void draw_event(play_display *display, const play_duel *duel, const play_
     const bmr_kds_event_kind kind = event->report.kind;
     if (kind != BMR_KDS_LEAVE && event->report.line_changed)
         draw_line(display, duel, &event->before, PLAY_INK_OLD_LINE, strength, frame);
-    // Where it happened: the corner that crossed, or the one that is the nearest now.
-    const bool crossed = event->failed.kind == BMR_CONDITION_BEYOND && kind != BMR_KDS_LEAVE;
-    const int body = crossed ? 1 - event->failed.owner : 1 - event->after.owner;
-    const bmr_pose pose = play_duel_pose(duel, body);
-    const bmr_vec2 where = bmr_transform(&pose, crossed ? event->failed.point : event->after.nearest);
-    play_draw_event_at(display, duel, where);
+    play_draw_event_at(display, duel, place_of(duel, event));
 }
 
 void play_draw_duel(play_display *display, const play_duel *duel, play_shown_levels shown,

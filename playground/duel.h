@@ -92,7 +92,8 @@ void play_duel_destroy(play_duel *duel);
 /// Goes on to a time of the course, or back to it: then all begins anew and runs up to there. Nothing for
 /// BY_HAND. Errors: NOT_FINITE, NO_MEMORY.
 bmr_error play_duel_seek(play_duel *duel, double time);
-/// A time just after the chosen structure's next event (START left out); the course's end where there is none.
+/// A time just after the chosen structure's next event (START left out); the course's end where there is
+/// none.
 double play_duel_next_event(const play_duel *duel);
 /// BY_HAND: moves a body (0: A, 1: B) to a pose. A pose that is not finite moves nothing. Errors:
 /// OUT_OF_RANGE (another course), NO_MEMORY.

@@ -90,8 +90,8 @@ const char *play_outline_name(int outline) {
 const char *play_event_name(int kind) {
     return bmr_kds_event_name((bmr_kds_event_kind)kind);
 }
-const char *play_event_meaning(int kind) {
-    return play_explain((bmr_kds_event_kind)kind);
+const char *play_event_meaning(int kind, int cell) {
+    return play_explain((bmr_kds_event_kind)kind, cell != 0);
 }
 
 // ---- bodies ----
@@ -357,6 +357,20 @@ static bool has_picture(const play_page *page, int picture) {
                                                page->duel;
 }
 
+/// The corners, and what they would become.
+static void draw_sketch(play_page *page) {
+    play_display_add(&page->display, PLAY_DOT, PLAY_INK_SKETCH, 1.0, PLAY_NO_LABEL, page->sketch,
+                     page->sketched);
+    bmr_polygon *hull;
+    if (page->sketched < 2 || bmr_polygon_create(page->sketch, page->sketched, NULL, &hull) != BMR_OK)
+        return;
+    play_display_add(&page->display, PLAY_PATH, PLAY_INK_SKETCH, 1.0, PLAY_NO_LABEL, hull->vertices,
+                     hull->count);
+    const bmr_vec2 ends[2] = {hull->vertices[hull->count - 1], hull->vertices[0]};
+    play_display_add(&page->display, PLAY_PATH, PLAY_INK_SKETCH, 1.0, PLAY_NO_LABEL, ends, 2);
+    bmr_polygon_destroy(hull, NULL);
+}
+
 int play_draw(play_page *page, int picture, int option) {
     play_display_clear(&page->display);
     if (!has_picture(page, picture) || picture == PLAY_FRAME_NOW)
@@ -369,9 +383,7 @@ int play_draw(play_page *page, int picture, int option) {
     } else {
         const play_frame frame = play_frame_of_duel(page->duel, false);
         play_draw_duel(&page->display, page->duel, (play_shown_levels)option, &frame);
-        if (page->sketched > 0)
-            play_display_add(&page->display, PLAY_DOT, PLAY_INK_SKETCH, 1.0, PLAY_NO_LABEL, page->sketch,
-                             page->sketched);
+        draw_sketch(page);
     }
     return (int)page->display.count;
 }
@@ -402,7 +414,8 @@ const char *play_text(play_page *page, int which) {
         if (which == PLAY_TEXT_PROOF)
             play_describe_proof(page->duel, page->text, TEXT_ROOM);
         else if (which == PLAY_TEXT_EVENT)
-            play_describe_event(play_duel_latest(page->duel), page->text, TEXT_ROOM);
+            play_describe_event(play_duel_latest(page->duel), play_is_cell(page->duel->def.structure),
+                                page->text, TEXT_ROOM);
         else if (which == PLAY_TEXT_COUNTS)
             play_describe_counts(page->duel, page->text, TEXT_ROOM);
     }

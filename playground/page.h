@@ -33,7 +33,7 @@ int play_outline_count(void);
 const char *play_outline_name(int outline);
 /// Names and meanings of events: bmr_kds_event_name, and play_explain (words.h).
 const char *play_event_name(int kind);
-const char *play_event_meaning(int kind);
+const char *play_event_meaning(int kind, int cell);
 
 // ---- bodies: each call ends the duel that was ----
 

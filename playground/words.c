@@ -134,7 +134,7 @@ size_t play_describe_proof(const play_duel *duel, char *text, size_t size) {
 
 // ---- events ----
 
-const char *play_explain(bmr_kds_event_kind kind) {
+const char *play_explain(bmr_kds_event_kind kind, bool cell) {
     switch (kind) {
     case BMR_KDS_START:
         return "A proof was made from nothing.";
@@ -143,6 +143,9 @@ const char *play_explain(bmr_kds_event_kind kind) {
                "the "
                "same envelope separates.";
     case BMR_KDS_STAB:
+        if (cell)
+            return "x left its cell through the inner side: the line of the proof. The proof goes to a finer "
+                   "level.";
         return "The corner went through the edge itself: the envelopes of this level touch. The proof goes "
                "to "
                "a finer level.";
@@ -168,7 +171,7 @@ const char *play_explain(bmr_kds_event_kind kind) {
     }
 }
 
-size_t play_describe_event(const play_event *event, char *text, size_t size) {
+size_t play_describe_event(const play_event *event, bool cell, char *text, size_t size) {
     writer w = begin(text, size);
     if (!event) {
         say(&w, "No event yet: the first proof still stands.");
@@ -176,7 +179,7 @@ size_t play_describe_event(const play_event *event, char *text, size_t size) {
     }
     const bmr_kds_report *report = &event->report;
     const char *name = bmr_kds_event_name(report->kind);
-    say(&w, "%c%s. %s", name[0] - 'a' + 'A', name + 1, play_explain(report->kind));
+    say(&w, "%c%s. %s", name[0] - 'a' + 'A', name + 1, play_explain(report->kind, cell));
     if (!play_is_repair(report->kind))
         return w.length;
     if (report->level_after != report->level_before)

@@ -23,10 +23,11 @@ play_levels play_levels_of(const play_duel *duel);
 
 /// The certificate as it is now: whose line, which level, and what room each condition has left.
 size_t play_describe_proof(const play_duel *duel, char *text, size_t size);
-/// What an event was, in two or three sentences. NULL: that none has been yet.
-size_t play_describe_event(const play_event *event, char *text, size_t size);
-/// What a kind of event is, in one sentence; NULL for a number that is none.
-const char *play_explain(bmr_kds_event_kind kind);
+/// What an event was, in two or three sentences. NULL: that none has been yet. `cell`: of a structure that
+/// holds a cell.
+size_t play_describe_event(const play_event *event, bool cell, char *text, size_t size);
+/// What a kind of event is, in a sentence or two; NULL for a number that is none.
+const char *play_explain(bmr_kds_event_kind kind, bool cell);
 /// "12 events: 4 pushes, 3 stabs, 5 rolls. Rivals: closest-features 47, ..".
 size_t play_describe_counts(const play_duel *duel, char *text, size_t size);
 /// The same of a world: bodies, contacts, events a body and unit of time, energy kept.

@@ -36,7 +36,7 @@ class Core {
     this.outlines = names("outline_count", "outline_name");
     this.kinds = [];
     for (let kind = 0, name; (name = this.text(this.plain("event_name", kind))); kind++)
-      this.kinds.push({ kind, name, meaning: this.text(this.plain("event_meaning", kind)), counts: this.plain("counts", kind) === 1 });
+      this.kinds.push({ kind, name, meaning: this.text(this.plain("event_meaning", kind, 0)), counts: this.plain("counts", kind) === 1 });
   }
 
   /** A function that takes the page first. */

@@ -28,6 +28,7 @@ class Handles {
 
   /** To where the bodies are now; hidden where nothing may be moved. */
   update(shown) {
+    this.picture.knobs = [];
     for (const { button, body, kind } of this.all) {
       button.hidden = !shown;
       if (!shown) continue;
@@ -38,6 +39,7 @@ class Handles {
         x = Math.min(Math.max(x, 22), this.picture.width - 22);
         y = Math.min(Math.max(y, 22), this.picture.height - 22);
       }
+      if (kind === "turn") this.picture.knobs.push(this.picture.toWorld(x, y));
       if (kind === "turn") this.picture.stalk(this.picture.toScreen(at.x, at.y), [x, y], body);
       button.style.left = `${x}px`;
       button.style.top = `${y}px`;

@@ -71,9 +71,10 @@ class Playground {
     if (error !== 0) setText(byId("problem"), `That cannot be played with: ${this.core.errorText(error)}.`);
     this.playing = play && !this.mode.hand && error === 0;
     this.held = 0;
-    this.panels.begin(this.mode.badges);
+    this.panels.begin(this.mode.badges, Boolean(this.mode.mixed));
+    setText(byId("intro"), this.mode.intro);
     this.scene.frame = this.core.frame(this.mode.crowd ? PICTURES.crowd : this.mode.follows ? PICTURES.now : PICTURES.duel);
-    if (this.mode.hand) this.scene.frame = this.mode.mixed ? [-2.6, -3.1, 2.6, 1.9] : [-3, -2.6, 4.2, 3.2];
+    if (this.mode.hand) this.scene.frame = this.mode.mixed ? [-2.6, -3.1, 2.6, 1.9] : [-2.3, -2, 3.6, 2.6];
     if (this.mode.mixed) this.cells.frame = this.core.frame(PICTURES.mixed);
     if (this.mode.timeline) this.timeline.read();
     this.note();
@@ -94,9 +95,9 @@ class Playground {
 
   note() {
     const diameter = this.core.call("diameter"), distance = this.core.call("distance");
-    const ratio = distance > 0 ? (diameter / distance).toLocaleString("en", { maximumSignificantDigits: 3 }) : "∞";
+    const ratio = (diameter / distance).toLocaleString("en", { maximumSignificantDigits: 3 });
     setText(byId("rivals-note"), this.mode.course ? "“In all”: in the whole motion, from its start to its end."
-      : `D/σ is ${ratio} now: diameter over distance.`);
+      : distance > 0 ? `D/σ is ${ratio} now: diameter over distance.` : "A and B touch.");
   }
 
   // ---- time ----
@@ -143,13 +144,18 @@ class Playground {
     const stops = byId("stop-at-events").checked && next <= goal;
     core.call("seek", stops ? next : goal);
     if (stops && core.call("told") > told) this.held = HOLD_SECONDS;
-    if (core.call("time") >= until) this.playing = false;
+    if (core.call("time") >= until) {
+      this.playing = false;
+      setText(byId("intro"), this.mode.last || this.mode.intro);
+    }
   }
 
   // ---- hands ----
 
   hold(body, x, y, angle) {
+    const start = performance.now();
     this.core.call("hold", body, x, y, angle);
+    this.heldFor = (this.heldFor ?? 0) + performance.now() - start; // work of the frame that follows
     const key = this.mode.poses;
     if (key) this.place[key] = [0, 1].map((b) => { const at = this.core.place(b); return [at.x, at.y, at.angle]; });
     this.wordsDue = true;
@@ -164,8 +170,9 @@ class Playground {
     byId("main-view").classList.add("drawing");
     byId("drawing").hidden = false;
     setText(byId("drawing"), `Click corners of ${"AB"[body]}: none yet`);
-    for (const id of ["draw-done", "draw-cancel"]) byId(id).hidden = false;
+    document.querySelector(".draw-row").hidden = false;
     this.sketch = [];
+    byId("main-view").scrollIntoView({ block: "nearest" });
     this.wake();
   }
   stopSketch() {
@@ -173,7 +180,7 @@ class Playground {
     this.core.call("sketch_clear");
     byId("main-view").classList.remove("drawing");
     byId("drawing").hidden = true;
-    for (const id of ["draw-done", "draw-cancel"]) byId(id).hidden = true;
+    document.querySelector(".draw-row").hidden = true;
     this.wake();
   }
   useCorners(body, points) {
@@ -233,7 +240,8 @@ class Playground {
       this.write_words();
     }
     this.framesDrawn++;
-    this.costs.push(performance.now() - start);
+    this.costs.push(performance.now() - start + (this.heldFor ?? 0));
+    this.heldFor = 0;
     if (this.costs.length > 600) this.costs.shift();
     const moving = this.playing || this.fresh();
     this.before = moving ? now : undefined;

@@ -19,6 +19,7 @@ const MODES = {
   learn: {
     title: "Learn", course: true, rate: 1, stops: true, badges: LAZY_BADGES, legend: ["pair"],
     intro: "B passes A while it turns. The film stops at each event and says what it was: a push, a roll, a stab.",
+    last: "That was all of it. Take hold of B yourself in Hands on, or let the motions of the paper play in Motions.",
     use: (core, place) => core.call("use_lesson", core.structure(place.structure).index),
     fields: [structureField("structure", "Structure"), levelField],
   },
@@ -148,7 +149,7 @@ function rangeElement(field, place, changed) {
     : { type: "range", min: field.kind === "small" ? 3 : field.low, max: field.kind === "small" ? 12 : field.high, step: field.step || 1 });
   input.value = steps ? nearest(get()) : get();
   input.disabled = Boolean(shape && shape.points);
-  const shown = element("output"), text = () => (field.show ? field.show(get()) : String(get()));
+  const shown = element("span", { className: "value" }), text = () => (field.show ? field.show(get()) : String(get()));
   const show = () => {
     setText(shown, ` ${text()}`);
     input.setAttribute("aria-valuetext", text());

@@ -14,13 +14,13 @@ class Panels {
   }
 
   /** Which kinds of events have a badge: those of the paper's lazy structures, or those of cells. */
-  begin(kinds) {
+  begin(kinds, cells) {
     const list = byId("badges");
     list.replaceChildren();
     this.badges.clear();
     for (const name of kinds) {
       const kind = this.core.kinds.find((k) => k.name === name), count = element("b", { textContent: "0" });
-      const item = element("li", { title: kind.meaning }, element("span", { textContent: name }), count);
+      const item = element("li", { title: this.core.text(this.core.plain("event_meaning", kind.kind, cells ? 1 : 0)) }, element("span", { textContent: name }), count);
       item.dataset.kind = name;
       list.append(item);
       this.badges.set(kind.kind, { item, count });

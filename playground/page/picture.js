@@ -84,7 +84,7 @@ class Picture {
     g.fillRect(0, 0, this.width, this.height);
     g.lineJoin = g.lineCap = "round";
     this.watched = null;
-    this.taken = []; // where a label should not lie
+    this.taken = (this.knobs || []).slice(); // where a label should not lie
     for (let i = 0; i < numbers.length;) {
       const [mark, ink, strength, label, count] = numbers.subarray(i, i + 5);
       const points = numbers.subarray(i + 5, i + 5 + 2 * count);
@@ -129,6 +129,7 @@ class Picture {
     }
     for (let k = 0; k < points.length; k += 2) {
       const [x, y] = this.toScreen(points[k], points[k + 1]);
+      if (mark === MARKS.LABEL && (x < -30 || y < -30 || x > this.width + 30 || y > this.height + 30)) continue;
       if (mark === MARKS.LABEL) this.label(g, style, this.labelOf(label), x, y, INKS[ink][0]);
       else {
         g.beginPath();

@@ -10,7 +10,7 @@ function firstPlace() {
   return {
     mode: "learn", structure: "lazy-dudley", levels: "proof",
     shapes: [{ outline: "ellipse", n: 12, seed: 1 }, { outline: "random", n: 10, seed: 3 }],
-    poses: [[0, 0, 0], [2.4, 1.1, 0.6]],
+    poses: [[0, 0, 0], [2, 1, 0.6]],
     family: "tumble", ratio: 6, n: 32, outline: "ellipse", seed: 1,
     cells: "active-cell-dudley", small: [6, 5], mixedPoses: [[0, 0, 0], [-0.45, -1.35, 0.4]],
     bodies: 60, corners: 8, packing: 0.25, pairs: "free-fd2", shown: 4,

@@ -395,10 +395,10 @@ static void the_words_say_what_is(void **state) {
     play_close(page);
     // Each kind of event is explained, and a short text is cut and ended.
     for (int kind = 0; kind < BMR_KDS_EVENT_KIND_COUNT; ++kind)
-        assert_true(strlen(play_event_meaning(kind)) > 10 && play_label(kind) != NULL);
-    assert_null(play_event_meaning(-1));
+        assert_true(strlen(play_event_meaning(kind, 0)) > 10 && play_label(kind) != NULL);
+    assert_null(play_event_meaning(-1, 1));
     char text[8];
-    assert_int_equal(play_describe_event(NULL, text, sizeof text), sizeof text - 1);
+    assert_int_equal(play_describe_event(NULL, false, text, sizeof text), sizeof text - 1);
     assert_int_equal(strlen(text), sizeof text - 1);
 }
 
