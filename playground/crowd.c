@@ -34,8 +34,8 @@ static bmr_response collide(void *context, bmr_world *world, const bmr_contact *
 
 static bmr_error add_body(play_crowd *crowd, size_t index, size_t columns, uint64_t *dice) {
     const double cell = crowd->side / (double)columns;
-    const bmr_vec2 middle =
-        bmr_vec2_make(((double)(index % columns) + 0.5) * cell, ((double)(index / columns) + 0.5) * cell);
+    const size_t column = index % columns, row = index / columns;
+    const bmr_vec2 middle = bmr_vec2_make(((double)column + 0.5) * cell, ((double)row + 0.5) * cell);
     const double jitter = JITTER * (cell - 2.0 * RADIUS);
     const bmr_vec2 place = bmr_add(
         middle, bmr_vec2_make(random_between(dice, -jitter, jitter), random_between(dice, -jitter, jitter)));

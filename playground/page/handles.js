@@ -35,8 +35,8 @@ class Handles {
       const at = this.core.place(body), name = "AB"[body], degrees = Math.round((at.angle * 180) / Math.PI);
       const reach = kind === "turn" ? KNOB_AT * at.radius : 0;
       let [x, y] = this.picture.toScreen(at.x + reach * Math.cos(at.angle), at.y + reach * Math.sin(at.angle));
-      if (kind === "turn") { // always to be got hold of
-        x = Math.min(Math.max(x, 22), this.picture.width - 22);
+      if (kind === "turn") { // always to be got hold of, beside the buttons for zoom
+        x = Math.min(Math.max(x, 22), this.picture.width - (y < 120 ? 22 + this.picture.reserve : 22));
         y = Math.min(Math.max(y, 22), this.picture.height - 22);
       }
       if (kind === "turn") this.picture.knobs.push(this.picture.toWorld(x, y));

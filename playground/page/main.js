@@ -6,6 +6,7 @@ const HELD_AGEING = 0.1; // an event ages slower while it is looked at
 const TEXT_SECONDS = 0.12; // between new words, at least
 const CROWD_RATE = 0.6; // units of a world's time in a second
 const CAMERA_SECONDS = 0.35; // in which the camera makes up most of its way
+const ZOOM_COLUMN = 52; // dots that the buttons for zoom take
 const PICTURES = { duel: 0, mixed: 1, crowd: 2, now: 3 };
 
 class Playground {
@@ -14,7 +15,7 @@ class Playground {
     this.panels = new Panels(core);
     this.place = placeOf(location.hash, core);
     const labelOf = (label) => core.text(core.plain("label", label));
-    this.scene = new Picture(byId("scene"), labelOf);
+    this.scene = new Picture(byId("scene"), labelOf, ZOOM_COLUMN);
     this.cells = new Picture(byId("mixed"), labelOf);
     const hold = (...args) => this.hold(...args);
     this.handles = new Handles(byId("main-view"), this.scene, core, hold);

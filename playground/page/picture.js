@@ -42,7 +42,9 @@ function middleOf(points) {
 }
 
 class Picture {
-  constructor(canvas, labelOf) {
+  /** `reserve`: a column on the right, in dots, where other things stand. */
+  constructor(canvas, labelOf, reserve = 0) {
+    this.reserve = reserve;
     this.canvas = canvas;
     this.labelOf = labelOf;
     this.frame = [-1, -1, 1, 1];
@@ -68,10 +70,10 @@ class Picture {
     if (this.canvas.width !== w || this.canvas.height !== h) [this.canvas.width, this.canvas.height] = [w, h];
     this.dots = dots;
     const [lx, ly, hx, hy] = this.frame;
-    this.scale = this.zoom * Math.min(this.width / (hx - lx), this.height / (hy - ly));
+    this.scale = this.zoom * Math.min((this.width - this.reserve) / (hx - lx), this.height / (hy - ly));
     const middle = [(lx + hx) / 2, (ly + hy) / 2];
     const at = this.zoom > 1 && this.focus ? this.focus : middle;
-    this.origin = [this.width / 2 - at[0] * this.scale, this.height / 2 + at[1] * this.scale];
+    this.origin = [(this.width - this.reserve) / 2 - at[0] * this.scale, this.height / 2 + at[1] * this.scale];
   }
   toScreen(x, y) { return [this.origin[0] + x * this.scale, this.origin[1] - y * this.scale]; }
   toWorld(px, py) { return [(px - this.origin[0]) / this.scale, (this.origin[1] - py) / this.scale]; }

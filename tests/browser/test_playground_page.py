@@ -45,7 +45,7 @@ LAYOUT = """
 const found = [], shown = (n) => n.checkVisibility({ visibilityProperty: true });
 const open = document.querySelector("dialog[open]");
 const parts = [...(open || document).querySelectorAll("button, select, input, summary, .readout, .badges li, p, h1, h2, .ladder span, .legend li")]
-  .filter((n) => shown(n) && !n.closest(".unseen") && !n.matches(".handle, .skip, .unseen") && (open || !n.closest("dialog")));
+  .filter((n) => shown(n) && !n.closest(".unseen") && !n.matches(".handle.move, .skip, .unseen") && (open || !n.closest("dialog")));
 const boxes = parts.map((n) => n.getBoundingClientRect());
 const name = (n) => `${n.tagName}#${n.id}.${n.className} ${n.textContent.trim().slice(0, 20)}`;
 for (let i = 0; i < parts.length; i++) {
