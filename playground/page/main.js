@@ -46,6 +46,7 @@ class Playground {
     byId("transport").hidden = Boolean(mode.hand);
     for (const id of ["next-event", "stop-at-events"]) (id === "next-event" ? byId(id) : byId(id).parentElement).hidden = !mode.course;
     byId("scrub").parentElement.hidden = !mode.course;
+    byId("kick").hidden = !mode.crowd;
     byId("timeline-box").hidden = !mode.timeline;
     byId("drawer").hidden = !mode.draws;
     for (const id of ["certificate", "rivals"]) byId(id).hidden = Boolean(mode.crowd);
@@ -220,6 +221,11 @@ class Playground {
     this.wake();
   }
 
+  kickAny() {
+    const [lx, ly, hx, hy] = this.scene.frame;
+    this.kick(lx + Math.random() * (hx - lx), ly + Math.random() * (hy - ly));
+  }
+
   // ---- frames ----
 
   wake() {
@@ -325,6 +331,7 @@ class Playground {
     on("play", "click", () => this.togglePlay());
     on("next-event", "click", () => this.nextEvent());
     on("again", "click", () => this.begin(!this.calm.matches));
+    on("kick", "click", () => this.kickAny());
     on("scrub", "input", () => this.seek((byId("scrub").value / 1000) * this.core.call("until")));
     for (const [id, factor] of [["zoom-in", 2], ["zoom-out", 0.5]]) on(id, "click", () => {
       this.scene.zoom = Math.min(4096, Math.max(1, this.scene.zoom * factor));
@@ -356,7 +363,7 @@ class Playground {
     }
     for (const name of ["push", "stab", "roll"])
       byId("event-words").append(element("dt", { textContent: name }), element("dd", { textContent: this.core.kinds.find((k) => k.name === name).meaning }));
-    for (const [keys, what] of [["1 … 5", "the five ways to play"], ["P", "play and pause"], ["N", "to the next event"], ["+ −", "zoom"],
+    for (const [keys, what] of [["1 … 5", "the five ways to play"], ["P", "play and pause"], ["N", "to the next event"], ["K", "kick one of many bodies"], ["+ −", "zoom"],
       ["Tab", "to a body or its knob"], ["arrows", "move it (with Shift: farther), or turn it at its knob"], ["[ ]  Q E", "turn it"]])
       byId("keys").append(element("dt", {}, element("kbd", { textContent: keys })), element("dd", { textContent: what }));
   }
@@ -365,7 +372,7 @@ class Playground {
     if (event.ctrlKey || event.metaKey || event.altKey || document.querySelector("dialog[open]")) return;
     if (event.target.matches("input[type=text], select")) return;
     const actions = {
-      p: () => this.togglePlay(), n: () => this.mode.course && this.nextEvent(), "+": () => byId("zoom-in").click(), "-": () => byId("zoom-out").click(),
+      p: () => this.togglePlay(), n: () => this.mode.course && this.nextEvent(), k: () => this.mode.crowd && this.kickAny(), "+": () => byId("zoom-in").click(), "-": () => byId("zoom-out").click(),
       "?": () => byId("help-open").click(),
     };
     MODE_NAMES.forEach((name, i) => (actions[i + 1] = () => this.go(name)));

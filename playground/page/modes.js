@@ -61,12 +61,12 @@ const MODES = {
   },
   many: {
     title: "Many", more: " bodies", crowd: true, badges: [], legend: ["many"],
-    intro: "A world without time steps: each contact is met at its own time. Click near a body to kick it.",
+    intro: "A world without time steps: each contact is met at its own time. Click near a body, or press K, to kick one.",
     use: (core, place) => core.call("use_crowd", core.structure(place.pairs).index, place.bodies, place.corners, place.packing, place.seed),
     fields: [{ kind: "range", key: "bodies", label: "Bodies", low: 2, high: 400 }, cornersField("corners", "Corners of each", 64),
       { kind: "range", key: "packing", label: "Packing of disks", low: 0.02, high: 0.45, step: 0.01, show: (v) => (+v).toFixed(2) },
       { kind: "range", key: "seed", label: "Another one (seed)", low: 1, high: 50 }, structureField("pairs", "Structure of near pairs"),
-      ...[[4, "lines of proofs"], [2, "candidates"], [1, "cells of the grids"]].map(([bit, label]) => ({ kind: "bit", key: "shown", bit, label: `Show ${label}` }))],
+      ...[[4, "pairs with a proof"], [2, "candidates"], [1, "cells of the grids"]].map(([bit, label]) => ({ kind: "bit", key: "shown", bit, label: `Show ${label}` }))],
   },
 };
 

@@ -165,6 +165,16 @@ class PlaygroundPage(unittest.TestCase):
         self.browser.settle()
         self.assertEqual(self.events(), 1)
 
+    def test_a_body_is_kicked_by_a_click_and_by_a_key(self):
+        energy = "return playground.core.say(3).match(/Energy: ([0-9.]+)/)[1]"
+        self.show("mode=many")
+        self.assertEqual(self.browser.run(energy), "1.0000000000")
+        self.press("k")
+        kicked = self.browser.run(energy)
+        self.assertNotEqual(kicked, "1.0000000000")
+        ActionChains(self.browser.driver).move_to_element(self.element("scene")).click().perform()
+        self.assertNotEqual(self.browser.run(energy), kicked)
+
     def test_hands_move_and_turn(self):
         self.show()
         x, y, angle = self.at(1)
