@@ -79,6 +79,6 @@ holds "source: a second call needs no network" env PATH="$room/bin:$PATH" "$here
 if env PATH="$room/bin:$PATH" "$here/get_source.sh" "$room/nowhere" 2>"$room/err"; then
     holds "source: without a network it fails" false
 else
-    holds "source: without a network it says so" grep -q '^box2d_builds: apt-get source .* failed' "$room/err"
+    holds "source: without a network it says so" grep -q '^debian_source.sh: apt-get source .* failed' "$room/err"
 fi
 all_hold

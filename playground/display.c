@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "display.h"
+
+#include <stdlib.h>
+
+/// Of the first block, in numbers: a picture of two bodies of a hundred corners.
+#define FIRST_ROOM 4096u
+
+void play_display_clear(play_display *display) {
+    display->count = 0;
+    display->complete = true;
+}
+
+void play_display_free(play_display *display) {
+    free(display->numbers);
+    *display = (play_display){0};
+}
+
+static bool make_room(play_display *display, size_t more) {
+    size_t room = display->room > 0 ? display->room : FIRST_ROOM;
+    while (room - display->count < more)
+        room *= 2;
+    if (room == display->room)
+        return true;
+    float *numbers = realloc(display->numbers, room * sizeof *numbers);
+    if (!numbers)
+        return false;
+    display->numbers = numbers;
+    display->room = room;
+    return true;
+}
+
+void play_display_add(play_display *display, play_mark mark, play_ink ink, double strength, int label,
+                      const bmr_vec2 *points, size_t count) {
+    if (count == 0)
+        return;
+    if (!make_room(display, PLAY_ITEM_HEAD + 2 * count)) {
+        display->complete = false;
+        return;
+    }
+    float *out = display->numbers + display->count;
+    *out++ = (float)mark;
+    *out++ = (float)ink;
+    *out++ = (float)strength;
+    *out++ = (float)label;
+    *out++ = (float)count;
+    for (size_t i = 0; i < count; ++i) {
+        *out++ = (float)points[i].x;
+        *out++ = (float)points[i].y;
+    }
+    display->count += PLAY_ITEM_HEAD + 2 * count;
+}
+
+const float *play_display_next(const play_display *display, const float *at, size_t *points) {
+    const float *const end = display->numbers + display->count;
+    const float *const next =
+        at ? at + PLAY_ITEM_HEAD + 2 * (size_t)at[PLAY_ITEM_HEAD - 1] : display->numbers;
+    if (!next || next >= end)
+        return NULL;
+    *points = (size_t)next[PLAY_ITEM_HEAD - 1];
+    return next;
+}
