@@ -357,10 +357,13 @@ void Ledger::LookAtMovers() {
         const Mover &mover = m_movers[row];
         if (mover.records == 0)
             continue;
+        const uint8_t before = m_movers.Bits(row);
         if (mover.proved > 0)
             m_movers.Look(row, m_manager->m_broadPhase, m_look, false);
         else // each of its pairs is due, and looks at it then
             m_movers.PassOver(row);
+        if (m_passes > 1) // the pass that this one is in the midst of had not come by all of its pairs
+            m_movers.SetBits(row, m_movers.Bits(row) | (before & kChanged));
         if (mover.watched < mover.records && m_movers.IsActiveNow(row))
             WakeRow(row);
     }

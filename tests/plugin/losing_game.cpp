@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-//   losing_game sums|thrown|numbers|returning|proxies|twice|rounded|disabled|filters|islands
+//   losing_game sums|thrown|resumed|numbers|returning|proxies|twice|rounded|disabled|filters|islands
 //
 // Worlds in which whoever remembers pairs of fixtures may lose track of them. Prints a line for each step, or
 // for a few of them: a hash of all bodies and contacts. A plain program of Box2D's: with the plugin preloaded
@@ -10,6 +10,8 @@
 //              contacts, and then onto another one
 //   thrown     a listener changes one body's shape again and again, and each time begins a step that another
 //              listener's exception ends
+//   resumed    a shape is changed between steps; a listener steps the world when the loop over contacts has
+//              seen that, and has not come by its contacts
 //   numbers    a listener steps the world while a contact ends, when most contacts have ended before
 //   returning  a filter puts a body out of the world that is about to get contacts; it comes back with them
 //   proxies    a body is put out of the world; while its contacts end, another one gets its places in the
@@ -145,6 +147,19 @@ void PlayThrown() {
         game.listener.preSolve = nullptr;
         PlayOn(game.world, 2, "thrown", &game.hash);
     }
+}
+
+void PlayResumed() {
+    BarAndPairs game;
+    bool stepped = false;
+    game.listener.preSolve = [&game, &stepped] {
+        if (!stepped)
+            game.world.Step(0.0f, 1, 1);
+        stepped = true;
+    };
+    static_cast<b2PolygonShape *>(game.bar->GetFixtureList()->GetShape())
+        ->SetAsBox(40.0f, 0.1f + BarAndPairs::kGap);
+    PlayOn(game.world, 3, "resumed", &game.hash);
 }
 
 /// Two boxes near each other, but for `gap`.
@@ -477,6 +492,8 @@ int main(int argc, char **argv) {
         PlaySums();
     } else if (what == "thrown") {
         PlayThrown();
+    } else if (what == "resumed") {
+        PlayResumed();
     } else if (what == "numbers") {
         PlayNumbers();
     } else if (what == "returning") {
@@ -498,7 +515,7 @@ int main(int argc, char **argv) {
         PlayIslands();
     } else {
         std::fputs("usage: losing_game "
-                   "sums|thrown|numbers|returning|proxies|twice|rounded|disabled|filters|islands\n",
+                   "sums|thrown|resumed|numbers|returning|proxies|twice|rounded|disabled|filters|islands\n",
                    stderr);
         return 2;
     }

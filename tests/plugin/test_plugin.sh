@@ -361,7 +361,7 @@ test_sleepers_are_woken_by_whatever_wakes_them() {
 
 test_no_pair_is_lost() {
     local what
-    for what in sums thrown numbers returning proxies twice rounded disabled filters islands; do
+    for what in sums thrown resumed numbers returning proxies twice rounded disabled filters islands; do
         plays_as_stock "losing_game $what"
         plays_as_stock "losing_game $what" BOOMERANG_EVERYWHERE=on
     done
