@@ -218,12 +218,14 @@ bool Movers::ChangesBand(Mover *mover, uint8_t *bits) {
     const double farthest = static_cast<double>(b2Max(place.x, place.y)) + reach;
     if (farthest <= kReach0 && mover->band == 0) // nearly all
         return false;
+    const uint8_t before = mover->band;
     // (A number that is none is far.)
     if (!(reach <= kReach0 && farthest <= std::ldexp(kReach0, kBands - 1))) {
         *bits |= kPlain;
-        return false;
+        mover->band = kBands;
+        return mover->band != before;
     }
-    const uint8_t before = mover->band;
+    mover->band = std::min<uint8_t>(mover->band, kBands - 1);
     while (mover->band > 0 && farthest <= kWellWithin * std::ldexp(kReach0, mover->band - 1))
         --mover->band;
     while (farthest > std::ldexp(kReach0, mover->band))
@@ -279,7 +281,6 @@ void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, b
     }
     changed = LookAtShape(&mover, &bits) || changed;
     changed = ChangesBand(&mover, &bits) || changed;
-    changed = changed || ((bits ^ before) & kPlain) != 0;
     // Its pairs with others that sleep are to be put out of sight.
     const bool fellAsleep = (before & kActive) != 0 && (bits & kActive) == 0;
     bool mark = changed || fellAsleep;

@@ -49,7 +49,7 @@ struct alignas(64) Mover {
     b2Transform place; ///< of the body, at the last look
     float angle;       ///< of the body, at the last look
     bool sound;        ///< a polygon as Box2D makes them: its vertices tell all
-    uint8_t band;      ///< how far out it is (proofs/thresholds.h): as far as this, or less
+    uint8_t band;      ///< how far out it is (proofs/thresholds.h): as far as this, or less; kBands: beyond all
     uint32_t late;     ///< units that were added in the middle of the present pass
     uint64_t sweptAt;  ///< the ledger's count of looks when its sweep had its last one
     uint64_t endedAt;  ///< the same for how far that may come
