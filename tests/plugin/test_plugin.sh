@@ -321,6 +321,7 @@ test_worlds_that_nobody_listens_to() {
     plays_as_stock "bullet_game heard 1 ${worlds:-5}"
     plays_as_stock "bullet_game heard 61 ${worlds:-5}" BOOMERANG_EVERYWHERE=on
     plays_as_stock "bullet_game thrown" BOOMERANG_EVERYWHERE=on
+    plays_as_stock "bullet_game recentred" BOOMERANG_EVERYWHERE=on
 }
 
 test_whoever_listens_and_filters_may_change_at_any_time() {
