@@ -71,7 +71,9 @@ control() {
 control 'a line that was written otherwise' 'hooks/mutants_long.txt: nothing moves: finds nothing' box2d_glue/ledger/movers.cpp \
     's/bmr_mover_look\(&mover/bmr_mover_look(\& mover/'
 control 'a file that is elsewhere' 'no file box2d_glue/contacts/gone.cpp' tests/controls/mutants.txt 's/pair_registry.cpp/gone.cpp/'
+# shellcheck disable=SC2016 # Perl's
 control 'half a substitution' 'hooks/mutants.txt: .*not terminated' tests/hooks/mutants.txt 's/( HasNoImpact\(contact\);)\//$1/'
+# shellcheck disable=SC2016
 control 'a name that is there twice' 'core_mutants.txt: .*: there twice' tests/controls/core_mutants.txt 's/\n([a-z][^\n]*\n)/\n$1$1/'
 [ "$failed" -eq 0 ] && echo "passed"
 exit "$failed"
