@@ -490,13 +490,13 @@ void Ledger::NoteAllMayImpact() {
     m_allNoted = true;
 }
 
-void Ledger::BeginSearch(bool careful, bool mayLeaveOut) {
+void Ledger::BeginSearch(bool careful) {
     ++m_look; // and the sweeps of no mover are looked at
     m_sweepsCarefully = careful;
     // Each call of the game's then costs a look at every body: does that pay?
-    m_leavesOut = careful && mayLeaveOut && m_leftOut > 2 * m_movers.Count();
+    m_leavesOut = careful && m_leftOut > 2 * m_movers.Count();
     m_leftOut = 0;
-    if (careful && mayLeaveOut)
+    if (careful)
         m_movers.LookAtAllSweeps(m_look);
     for (uint32_t word = 0; word < m_awakeWords; ++word)
         m_asked[word] = 0;

@@ -264,9 +264,9 @@ public:
 
     // Impacts.
 
-    /// `careful`: code of the game may have run since the look at the movers. `mayLeaveOut`: nothing runs but
-    /// this search until it is over, save code of the game that is told of here (LookAtLeftOut).
-    void BeginSearch(bool careful, bool mayLeaveOut);
+    /// `careful`: code of the game may have run since the look at the movers, and may until the search is
+    /// over, where LookAtLeftOut is told of it.
+    void BeginSearch(bool careful);
     /// May Box2D look for an impact of the two at all: one moves, and one of them is not to be tunnelled
     /// through?
     bool MayImpact(uint32_t i) {
