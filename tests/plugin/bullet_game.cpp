@@ -21,6 +21,7 @@
 // others is to be forgotten, also where their bodies are no bullets any more and nobody listens.
 //
 // `recentred`: a listener gives bodies other centres of mass, and throws them, when they have been looked at.
+#include <cfenv>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -259,7 +260,9 @@ public:
     }
 };
 
-void PlayThrown() {
+/// `rounded`: the step that is thrown out of is rounded upward, and so was one before; between them an impact
+/// is had.
+void PlayThrown(bool rounded) {
     constexpr int kResting = 700, kShots = 40; // more at rest than a short list has room for
     b2World world(b2Vec2(0.0f, -10.0f));
     AddBox(world, b2_staticBody, {0.0f, -0.5f}, {400.0f, 0.5f}, 0.0f);
@@ -275,6 +278,18 @@ void PlayThrown() {
     }
     Hash hash;
     Step(world, 60, &hash);
+    if (rounded) {
+        std::fesetround(FE_UPWARD);
+        Step(world, 1, &hash);
+        std::fesetround(FE_TONEAREST);
+        bullets.back()->SetBullet(true);
+        bullets.back()->SetLinearVelocity({30.0f, 0.0f});
+        bullets.pop_back();
+        for (b2Body *bullet : bullets) // so that they are looked at
+            bullet->SetAwake(true);
+        Step(world, 1, &hash);
+        std::fesetround(FE_UPWARD);
+    }
     Throwing listener;
     listener.armed = true;
     world.SetContactListener(&listener);
@@ -288,6 +303,7 @@ void PlayThrown() {
     } catch (const Told &) {
         Print("thrown", hash);
     }
+    std::fesetround(FE_TONEAREST);
     world.SetContactListener(nullptr);
     for (b2Body *bullet : bullets) {
         bullet->SetBullet(false);
@@ -351,7 +367,8 @@ void PlayRecentred() {
 
 int main(int argc, char **argv) {
     if (argc == 2 && std::strcmp(argv[1], "thrown") == 0) {
-        PlayThrown();
+        PlayThrown(false);
+        PlayThrown(true);
         return 0;
     }
     if (argc == 2 && std::strcmp(argv[1], "recentred") == 0) {
