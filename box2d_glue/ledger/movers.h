@@ -48,10 +48,10 @@ struct alignas(64) Mover {
     int32 proxy;       ///< b2BroadPhase::e_nullProxy where it has none or several: then there is no box here
     b2Transform place; ///< of the body, at the last look
     bool sound;        ///< a polygon as Box2D makes them: its vertices tell all
-    uint8_t band;      ///< how far out it is (proofs/thresholds.h): as far as this, or less; kBands: beyond all
-    uint32_t late;     ///< units that were added in the middle of the present pass
-    uint64_t sweptAt;  ///< the ledger's count of looks when its sweep had its last one
-    uint64_t endedAt;  ///< the same for how far that may come
+    uint8_t band;  ///< how far out it is (proofs/thresholds.h): as far as this, or less; kBands: beyond all
+    uint32_t late; ///< units that were added in the middle of the present pass
+    uint64_t sweptAt; ///< the ledger's count of looks when its sweep had its last one
+    uint64_t endedAt; ///< the same for how far that may come
 };
 static_assert(sizeof(void *) < 8 || (offsetof(Mover, place) == 128 && sizeof(Mover) == 192),
               "three cache lines");

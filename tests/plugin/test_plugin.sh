@@ -375,7 +375,7 @@ test_filters_and_listeners_may_change_the_listener() {
 
 test_listeners_and_filters_may_change_the_world() {
     local what
-    for what in disabling turning editing proxies; do
+    for what in disabling turning editing proxies ends; do
         plays_as_stock "meddling_game $what"
         plays_as_stock "meddling_game $what" BOOMERANG_PREFILTER=off
         # Behind Box2D, where nobody tells of steps.
@@ -386,6 +386,16 @@ test_listeners_and_filters_may_change_the_world() {
     "$bin/changing_game" >"$room/stock_of_it"
     game changing_game LD_PRELOAD="$box2d:$plugin" BOOMERANG=on
     cmp -s "$room/out" "$room/stock_of_it" || fail "changing_game, behind Box2D: other output than stock's"
+}
+
+test_contacts_may_end_without_a_word() {
+    local what
+    for what in "losing_game numbers" "meddling_game ends"; do
+        "$bin"/$what >"$room/stock_of_it"
+        game "$what" LD_PRELOAD="$bin/libunheard_ends.so:$plugin" BOOMERANG=on BOOMERANG_EVERYWHERE=on
+        cmp -s "$room/out" "$room/stock_of_it" || fail "$what, unheard ends: other output than stock's"
+        at_work "$what, unheard ends"
+    done
 }
 
 test_any_direction_of_rounding_plays_as_stock() {
