@@ -357,10 +357,13 @@ void Ledger::LookAtMovers() {
         const Mover &mover = m_movers[row];
         if (mover.records == 0)
             continue;
+        const uint8_t before = m_movers.Bits(row);
         if (mover.proved > 0)
             m_movers.Look(row, m_manager->m_broadPhase, m_look, false);
         else // each of its pairs is due, and looks at it then
             m_movers.PassOver(row);
+        if (m_passes > 1) // the pass that this one is in the midst of had not come by all of its pairs
+            m_movers.SetBits(row, m_movers.Bits(row) | (before & kChanged));
         if (mover.watched < mover.records && m_movers.IsActiveNow(row))
             WakeRow(row);
     }
@@ -398,7 +401,7 @@ uint32_t Ledger::NextDue(uint32_t end) {
 bool Ledger::Renew(uint32_t i, double threshold) {
     const Record &record = m_records[i];
     if ((m_bits[i] & kHasLine) == 0 ||
-        ((m_movers.Bits(record.a) | m_movers.Bits(record.b)) & (kChanged | kPlain)) != 0)
+        ((m_movers.Bits(record.a) | m_movers.Bits(record.b)) & kChanged) != 0)
         return false;
     const bmr_mover &a = m_movers[record.a].motion, &b = m_movers[record.b].motion;
     const double slack = bmr_budget_line_gap(&m_lines[i], &a, &b, kUnits) - threshold;
@@ -487,13 +490,13 @@ void Ledger::NoteAllMayImpact() {
     m_allNoted = true;
 }
 
-void Ledger::BeginSearch(bool careful, bool mayLeaveOut) {
+void Ledger::BeginSearch(bool careful) {
     ++m_look; // and the sweeps of no mover are looked at
     m_sweepsCarefully = careful;
     // Each call of the game's then costs a look at every body: does that pay?
-    m_leavesOut = careful && mayLeaveOut && m_leftOut > 2 * m_movers.Count();
+    m_leavesOut = careful && m_leftOut > 2 * m_movers.Count();
     m_leftOut = 0;
-    if (careful && mayLeaveOut)
+    if (careful)
         m_movers.LookAtAllSweeps(m_look);
     for (uint32_t word = 0; word < m_awakeWords; ++word)
         m_asked[word] = 0;

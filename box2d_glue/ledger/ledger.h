@@ -48,6 +48,8 @@ struct ContactNumber : b2Contact {
             BMR_PREFETCH(
                 reinterpret_cast<const void *>(first + line * kLine)); // NOLINT(performance-no-int-to-ptr)
     }
+    /// What is in its place is what the last contact of this memory left.
+    static void HasNone(b2Contact *contact) { Write(contact, 0xffffffffu); }
     static void TakeOutOfIsland(b2Contact *contact) { Flags(contact) &= ~static_cast<uint32>(e_islandFlag); }
     /// As b2World::SolveTOI begins: no impact is known or counted.
     static void ForgetImpact(b2Contact *contact) {
@@ -114,9 +116,12 @@ public:
     void NoteLostProxies(uint32_t number, const b2Contact &ending);
     /// Contacts may have ended without a word: takes those out that are in the world's list no more.
     void Resync();
-    /// Are all contacts here, as far as can be told at once?
+    /// Are all contacts here? (One may have ended without a word, and the next one be at its place in memory:
+    /// that one has no number yet.)
     bool IsWhole() const {
-        return m_live == m_manager->m_contactCount && Newest() == m_manager->m_contactList;
+        const b2Contact *const newest = m_manager->m_contactList;
+        return m_live == m_manager->m_contactCount && Newest() == newest &&
+               (newest == nullptr || NumberOf(newest) != kNone);
     }
 
     /// Box2D's searches for new contacts come by here.
@@ -153,7 +158,7 @@ public:
     void Distrust(bool locked) {
         ++m_look;
         m_locked = m_locked && locked;
-        if (m_live != m_manager->m_contactCount)
+        if (!IsWhole())
             Resync();
     }
     bool IsDue(uint32_t i) const {
@@ -264,9 +269,9 @@ public:
 
     // Impacts.
 
-    /// `careful`: code of the game may have run since the look at the movers. `mayLeaveOut`: nothing runs but
-    /// this search until it is over, save code of the game that is told of here (LookAtLeftOut).
-    void BeginSearch(bool careful, bool mayLeaveOut);
+    /// `careful`: code of the game may have run since the look at the movers, and may until the search is
+    /// over, where LookAtLeftOut is told of it.
+    void BeginSearch(bool careful);
     /// May Box2D look for an impact of the two at all: one moves, and one of them is not to be tunnelled
     /// through?
     bool MayImpact(uint32_t i) {

@@ -218,12 +218,14 @@ bool Movers::ChangesBand(Mover *mover, uint8_t *bits) {
     const double farthest = static_cast<double>(b2Max(place.x, place.y)) + reach;
     if (farthest <= kReach0 && mover->band == 0) // nearly all
         return false;
+    const uint8_t before = mover->band;
     // (A number that is none is far.)
     if (!(reach <= kReach0 && farthest <= std::ldexp(kReach0, kBands - 1))) {
         *bits |= kPlain;
-        return false;
+        mover->band = kBands;
+        return mover->band != before;
     }
-    const uint8_t before = mover->band;
+    mover->band = std::min<uint8_t>(mover->band, kBands - 1);
     while (mover->band > 0 && farthest <= kWellWithin * std::ldexp(kReach0, mover->band - 1))
         --mover->band;
     while (farthest > std::ldexp(kReach0, mover->band))
@@ -267,7 +269,6 @@ void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, b
         bmr_mover_look(&mover.motion, &pose, kUnits);
         mover.place = xf;
     }
-    mover.angle = body.GetAngle();
     bool changed = ((bits ^ before) & kIsSensor) != 0 || (!late && (before & kChangedLate) != 0);
     const bmr_vec2 pivot = Double(body.GetLocalCenter());
     if (pivot.x != mover.motion.pivot.x || pivot.y != mover.motion.pivot.y) {
@@ -279,7 +280,6 @@ void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, b
     }
     changed = LookAtShape(&mover, &bits) || changed;
     changed = ChangesBand(&mover, &bits) || changed;
-    changed = changed || ((bits ^ before) & kPlain) != 0;
     // Its pairs with others that sleep are to be put out of sight.
     const bool fellAsleep = (before & kActive) != 0 && (bits & kActive) == 0;
     bool mark = changed || fellAsleep;
@@ -346,14 +346,9 @@ void Movers::FindEnd(uint32_t row, bool careful, uint64_t look) {
     const b2Sweep &sweep = SweepOf(body);
     mover.endedAt = look;
     const double a = static_cast<double>(sweep.a), a0 = static_cast<double>(sweep.a0);
-    double turn = std::fabs(a - a0);
-    if (sweep.a0 != mover.angle) {
-        // The sweep does not begin at the rotation of the last look. It ends at the body's own, which is so
-        // far from that one.
-        const b2Rot &end = body.GetTransform().q;
-        turn += std::hypot(static_cast<double>(end.c) - mover.motion.c,
-                           static_cast<double>(end.s) - mover.motion.s);
-    }
+    // The world was locked since the look. So the body turns from where it was then or, if it sleeps, has
+    // turned to there.
+    const double turn = std::fabs(a - a0);
     const b2Vec2 from = b2Abs(sweep.c0), to = b2Abs(sweep.c);
     const double farthest = static_cast<double>(b2Max(b2Max(from.x, from.y), b2Max(to.x, to.y)));
     const b2PolygonShape *polygon = careful ? PolygonOf(*mover.fixture) : nullptr;

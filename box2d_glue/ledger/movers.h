@@ -47,12 +47,11 @@ struct alignas(64) Mover {
     // What a look compares and writes besides.
     int32 proxy;       ///< b2BroadPhase::e_nullProxy where it has none or several: then there is no box here
     b2Transform place; ///< of the body, at the last look
-    float angle;       ///< of the body, at the last look
     bool sound;        ///< a polygon as Box2D makes them: its vertices tell all
-    uint8_t band;      ///< how far out it is (proofs/thresholds.h): as far as this, or less
-    uint32_t late;     ///< units that were added in the middle of the present pass
-    uint64_t sweptAt;  ///< the ledger's count of looks when its sweep had its last one
-    uint64_t endedAt;  ///< the same for how far that may come
+    uint8_t band;  ///< how far out it is (proofs/thresholds.h): as far as this, or less; kBands: beyond all
+    uint32_t late; ///< units that were added in the middle of the present pass
+    uint64_t sweptAt; ///< the ledger's count of looks when its sweep had its last one
+    uint64_t endedAt; ///< the same for how far that may come
 };
 static_assert(sizeof(void *) < 8 || (offsetof(Mover, place) == 128 && sizeof(Mover) == 192),
               "three cache lines");
@@ -101,7 +100,8 @@ public:
     void LookAtAllSweeps(uint64_t look);
     /// Is there by now a bullet, or a body that is not dynamic, that was none when its sweep was looked at?
     bool DoMoreStop() const;
-    /// Sets End: how far the row can come in the sweep of its body. `careful`: compares the shape, too.
+    /// Sets End: how far the row can come in the sweep of its body. The world is the one, and in the step, of
+    /// the last look, and was locked ever since. `careful`: code of the game ran, and the shape is compared.
     void LookAtEnd(uint32_t row, bool careful, uint64_t look) {
         if (m_rows[row].endedAt != look)
             FindEnd(row, careful, look);

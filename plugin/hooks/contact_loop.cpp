@@ -308,9 +308,12 @@ void LedgerPass::Visit(uint32_t i) {
     // Without a line the contact is read anyway.
     // (A step by the list may have filtered it since it was flagged.)
     if (((m_ledger->Bits(i) & kToBeFiltered) != 0 || !hasLine) && SolidContact::WantsFiltering(*contact)) {
-        if (!PassesFilter(i, contact)) {
-            if (m_ledger->Contact(i) == contact)
-                Destroy(i, contact);
+        const bool passes = PassesFilter(i, contact);
+        // The filter may have ended it. Box2D then goes by its memory, and survives that if nobody is active.
+        if (m_ledger->Contact(i) != contact)
+            return;
+        if (!passes) {
+            Destroy(i, contact);
             return;
         }
         m_ledger->LookAgain(i);

@@ -67,13 +67,10 @@ void CompareWithBox2D(const ImpactScan::Side &a, const ImpactScan::Side &b) {
 template <typename IsDone>
 void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, Ledger *ledger,
                    b2ContactManager *manager, const IsDone &isDone) {
-    // In the midst of another world's search, whose listener steps this world, the thread has no room for a
-    // second short list: Box2D goes through the whole one, so all is told that this search finds.
-    const bool nested = stepping.shortList != nullptr;
-    ledger->BeginSearch(GameMayRun(), !nested);
+    ledger->BeginSearch(GameMayRun());
     // Where there was an impact in the last step, everything is told at once: one pass over the contacts, not
     // two.
-    const bool eager = nested || ledger->FoundImpact();
+    const bool eager = ledger->FoundImpact();
     ledger->SetFoundImpact(false);
     uint32_t unproved = 0;
     const bool awakeAlone = !eager && !GameMayRun() && ledger->IsAwakeAlone(CurrentStep());
@@ -116,7 +113,9 @@ void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, L
     if (eager)
         untold.Finish();
     else if (!list.IsShort() || !TimeOfImpactIsReached())
-        untold.Tell();                                // Box2D is about to look at all
+        // Box2D is about to look at all: too many are kept or, in the midst of another world's search whose
+        // listener steps this world, the thread has no room for a second short list.
+        untold.Tell();
     const KnownImpacts known(unproved, stepComplete); // Box2D asks for the very same ones first
     stock::SolveToi(world, step);
     const bool none = !ledger->FoundImpact() && TimeOfImpactIsReached();

@@ -6,9 +6,9 @@
 # Takes one piece of a hook out of the shared library at a time, preloads the library into the plain program that runs
 # a scene, and expects its hashes to differ from stock's. With nothing taken out they must be stock's. Where the scene is
 # called outside_game that program is run instead, with the library for its own, and must fail; other names in _game
-# are programs in the directory GAMES, which arguments may follow (a colon for an @); "differential SEED" is a random world of
-# the program differential_stock beside SCENE_PROGRAM. OBJECTS: those of the shared library; LINK_ARGUMENTS:
-# what else it is linked from.
+# are programs in the directory GAMES, which arguments may follow (a colon for an @), and `unheard` be ahead of them: the ends of
+# contacts are then not heard of; "differential SEED" is a random world of the program differential_stock beside SCENE_PROGRAM.
+# OBJECTS: those of the shared library; LINK_ARGUMENTS: what else it is linked from.
 # BMR_LONG_CONTROLS in the environment: mutants_long.txt, too.
 set -u
 root=$1 compiler=$2 program=$3 outside_game=$4 games=$5
@@ -41,6 +41,11 @@ hashes() {
         BOOMERANG_HOOKS=all,-ledger
         set -- "${1#listed }" "${@:2}"
     fi
+    local ahead=
+    if [[ $1 = "unheard "* ]]; then
+        ahead=$games/libunheard_ends.so:
+        set -- "${1#unheard }" "${@:2}"
+    fi
     if [ "$1" = outside_game ]; then
         [ -z "${3:-}" ] || cp "$3" "$(dirname "$3")/libboomerang_box2d.so.1"
         LD_LIBRARY_PATH=${3:+$(dirname "$3")} within "$outside_game"
@@ -48,7 +53,7 @@ hashes() {
     fi
     if [[ ${1%% *} = *_game ]]; then
         # (In a shell of its own, which says nothing where the game crashes.)
-        (BOOMERANG=on LD_PRELOAD=${3:-} MALLOC_PERTURB_=165 within "$games"/${1//:/@}) 2>/dev/null | cksum
+        (BOOMERANG=on LD_PRELOAD=${3:+$ahead}${3:-} MALLOC_PERTURB_=165 within "$games"/${1//:/@}) 2>/dev/null | cksum
         return
     fi
     if [ "${1%% *}" = differential ]; then

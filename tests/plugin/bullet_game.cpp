@@ -3,7 +3,7 @@
 //   bullet_game unheard FIRST COUNT
 //   bullet_game heard FIRST COUNT
 //   bullet_game swapped FIRST COUNT
-//   bullet_game thrown
+//   bullet_game thrown|recentred
 //
 // Random worlds, one for each seed, where bodies become bullets, cease to be, change their types, sleep, are
 // woken, moved, thrown, put out of the world, ended and made; impacts are had with all of them. Prints a line
@@ -19,11 +19,16 @@
 //
 // `thrown`: a listener throws as the first of many impacts of a step is told. What Box2D had found out of the
 // others is to be forgotten, also where their bodies are no bullets any more and nobody listens.
+//
+// `recentred`: a listener gives bodies other centres of mass, and throws them, when they have been looked at.
+#include <cfenv>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <box2d/box2d.h>
@@ -255,7 +260,9 @@ public:
     }
 };
 
-void PlayThrown() {
+/// `rounded`: the step that is thrown out of is rounded upward, and so was one before; between them an impact
+/// is had.
+void PlayThrown(bool rounded) {
     constexpr int kResting = 700, kShots = 40; // more at rest than a short list has room for
     b2World world(b2Vec2(0.0f, -10.0f));
     AddBox(world, b2_staticBody, {0.0f, -0.5f}, {400.0f, 0.5f}, 0.0f);
@@ -271,6 +278,18 @@ void PlayThrown() {
     }
     Hash hash;
     Step(world, 60, &hash);
+    if (rounded) {
+        std::fesetround(FE_UPWARD);
+        Step(world, 1, &hash);
+        std::fesetround(FE_TONEAREST);
+        bullets.back()->SetBullet(true);
+        bullets.back()->SetLinearVelocity({30.0f, 0.0f});
+        bullets.pop_back();
+        for (b2Body *bullet : bullets) // so that they are looked at
+            bullet->SetAwake(true);
+        Step(world, 1, &hash);
+        std::fesetround(FE_UPWARD);
+    }
     Throwing listener;
     listener.armed = true;
     world.SetContactListener(&listener);
@@ -284,6 +303,7 @@ void PlayThrown() {
     } catch (const Told &) {
         Print("thrown", hash);
     }
+    std::fesetround(FE_TONEAREST);
     world.SetContactListener(nullptr);
     for (b2Body *bullet : bullets) {
         bullet->SetBullet(false);
@@ -293,17 +313,72 @@ void PlayThrown() {
     Print("three steps on", hash);
 }
 
+/// Does once, in a PreSolve, what is to be done.
+class Once final : public b2ContactListener {
+public:
+    std::function<void()> what;
+    void PreSolve(b2Contact *, const b2Manifold *) override {
+        if (what)
+            std::exchange(what, nullptr)();
+    }
+};
+
+/// Bars in front of plates that stand aslant. Each bar's centre of mass is near the plate, and then in
+/// its middle: it has moved towards the plate by less than the bar does.
+void PlayRecentred() {
+    constexpr int kPairs = 40;
+    const b2Rot aslant(0.25f * b2_pi);
+    b2World world(b2Vec2(0.0f, 0.0f));
+    Once listener;
+    Hash hash;
+    std::vector<b2Body *> bars;
+    for (int i = 0; i < kPairs; ++i) {
+        const b2Vec2 at(6.0f * static_cast<float>(i), 0.0f);
+        AddBox(world, b2_staticBody, at, {0.02f, 3.0f}, aslant.GetAngle());
+        bars.push_back(
+            AddBox(world, b2_dynamicBody, at + 0.79f * aslant.GetXAxis(), {0.4f, 0.1f}, aslant.GetAngle()));
+        bars.back()->SetSleepingAllowed(false);
+        b2MassData mass;
+        bars.back()->GetMassData(&mass);
+        mass.center.Set(-0.29f, 0.0f);
+        mass.I = 2.0f * mass.mass;
+        bars.back()->SetMassData(&mass);
+    }
+    for (const float x : {0.0f, 0.995f}) // who touch
+        AddBox(world, b2_dynamicBody, {x, 90.0f}, {0.5f, 0.5f}, 0.0f)->SetSleepingAllowed(false);
+    world.SetContactListener(&listener);
+    Step(world, 4, &hash);
+    Print("recentred", hash);
+    listener.what = [&] {
+        float speed = 20.0f;
+        for (b2Body *bar : bars) {
+            bar->ResetMassData();
+            bar->SetLinearVelocity(-speed * aslant.GetXAxis());
+            speed += 0.5f;
+        }
+    };
+    for (int i = 0; i < 3; ++i) {
+        Step(world, 1, &hash);
+        Print("recentred", hash);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
     if (argc == 2 && std::strcmp(argv[1], "thrown") == 0) {
-        PlayThrown();
+        PlayThrown(false);
+        PlayThrown(true);
+        return 0;
+    }
+    if (argc == 2 && std::strcmp(argv[1], "recentred") == 0) {
+        PlayRecentred();
         return 0;
     }
     const bool swapped = argc == 4 && std::strcmp(argv[1], "swapped") == 0;
     const bool heard = swapped || (argc == 4 && std::strcmp(argv[1], "heard") == 0);
     if (argc != 4 || (!heard && std::strcmp(argv[1], "unheard") != 0)) {
-        std::fputs("usage: bullet_game unheard|heard|swapped FIRST COUNT | thrown\n", stderr);
+        std::fputs("usage: bullet_game unheard|heard|swapped FIRST COUNT | thrown|recentred\n", stderr);
         return 2;
     }
     const auto first = static_cast<uint32_t>(std::atoi(argv[2])),

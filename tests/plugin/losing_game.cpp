@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-//   losing_game sums|thrown|numbers|returning|proxies|twice|rounded|disabled|filters|islands
+//   losing_game sums|thrown|resumed|numbers|returning|proxies|twice|rounded|disabled|filters|islands
 //
 // Worlds in which whoever remembers pairs of fixtures may lose track of them. Prints a line for each step, or
 // for a few of them: a hash of all bodies and contacts. A plain program of Box2D's: with the plugin preloaded
@@ -10,6 +10,8 @@
 //              contacts, and then onto another one
 //   thrown     a listener changes one body's shape again and again, and each time begins a step that another
 //              listener's exception ends
+//   resumed    a shape is changed between steps; a listener steps the world when the loop over contacts has
+//              seen that, and has not come by its contacts
 //   numbers    a listener steps the world while a contact ends, when most contacts have ended before
 //   returning  a filter puts a body out of the world that is about to get contacts; it comes back with them
 //   proxies    a body is put out of the world; while its contacts end, another one gets its places in the
@@ -145,6 +147,19 @@ void PlayThrown() {
         game.listener.preSolve = nullptr;
         PlayOn(game.world, 2, "thrown", &game.hash);
     }
+}
+
+void PlayResumed() {
+    BarAndPairs game;
+    bool stepped = false;
+    game.listener.preSolve = [&game, &stepped] {
+        if (!stepped)
+            game.world.Step(0.0f, 1, 1);
+        stepped = true;
+    };
+    static_cast<b2PolygonShape *>(game.bar->GetFixtureList()->GetShape())
+        ->SetAsBox(40.0f, 0.1f + BarAndPairs::kGap);
+    PlayOn(game.world, 3, "resumed", &game.hash);
 }
 
 /// Two boxes near each other, but for `gap`.
@@ -451,22 +466,71 @@ void PlayIslands() {
     }
 }
 
-/// A contact is flagged for filtering while it is looked at, which finds it apart.
-void PlayFlagged() {
+/// In the midst of a look at a contact, which finds it apart, it is flagged for filtering; or, when a step of
+/// no time has unlocked the world, it ends with its two bodies.
+void PlayParted(bool ends) {
     b2World world(b2Vec2(0.0f, 0.0f));
     Meddler filter;
     Listener listener;
     Hash hash;
     for (int i = 0; i < 60; ++i)
         AddNear(world, {3.0f * static_cast<float>(i), 0.0f}, i == 59 ? -0.005f : 0.1f);
-    b2Body *const one = world.GetBodyList();
+    b2Body *const one = world.GetBodyList(), *const other = one->GetNext();
     world.SetContactFilter(&filter);
     world.SetContactListener(&listener);
     Step(world, 10, &hash);
-    listener.end = [one] { one->GetFixtureList()->Refilter(); };
+    listener.end = [&world, one, other, ends] {
+        if (!ends) {
+            one->GetFixtureList()->Refilter();
+            return;
+        }
+        world.Step(0.0f, 1, 1);
+        world.DestroyBody(one);
+        world.DestroyBody(other);
+    };
     filter.refuses = true;
     one->SetTransform(one->GetPosition() + b2Vec2(0.12f, 0.0f), 0.0f);
-    PlayOn(world, 4, "flagged", &hash);
+    PlayOn(world, 4, "parted", &hash);
+}
+
+/// A filter makes the two static that it is asked about, which ends their contact, and lets them collide.
+/// Box2D goes on with the contact, whose memory is as it was, and finds that nobody moves.
+void PlayEnded() {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    Meddler filter;
+    Hash hash;
+    std::vector<b2Body *> ones;
+    for (int i = 0; i < 60; ++i) {
+        AddNear(world, {3.0f * static_cast<float>(i), 0.0f}, i % 5 == 0 ? -0.005f : 0.1f);
+        ones.push_back(world.GetBodyList());
+    }
+    world.SetContactFilter(&filter);
+    Step(world, 10, &hash);
+    int asked = 0;
+    filter.before = [&world, &ones, &asked](b2Body *a, b2Body *b) {
+        if (asked++ == 0) {
+            world.Step(0.0f, 1, 1); // unlocks it, and asks for all of them
+            for (b2Body *body : ones)
+                body->GetFixtureList()->Refilter();
+        }
+        if (asked % 3 != 0 || world.IsLocked())
+            return;
+        a->SetType(b2_staticBody);
+        b->SetType(b2_staticBody);
+    };
+    for (int step = 0; step < 4; ++step) {
+        for (size_t i = static_cast<size_t>(step) % 2; i < ones.size(); i += 2)
+            ones[i]->GetFixtureList()->Refilter();
+        asked = 0;
+        PlayOn(world, 2, "ended", &hash);
+    }
+    filter.before = nullptr;
+    for (int i = 0; i < 40; ++i) // others in their place
+        AddNear(world, {3.0f * static_cast<float>(i), 9.0f}, 0.1f);
+    Step(world, 2, &hash);
+    for (b2Body *body : ones)
+        body->SetLinearVelocity({-1.5f, 0.0f});
+    PlayOn(world, 10, "ended, on", &hash);
 }
 
 } // namespace
@@ -477,6 +541,8 @@ int main(int argc, char **argv) {
         PlaySums();
     } else if (what == "thrown") {
         PlayThrown();
+    } else if (what == "resumed") {
+        PlayResumed();
     } else if (what == "numbers") {
         PlayNumbers();
     } else if (what == "returning") {
@@ -493,12 +559,14 @@ int main(int argc, char **argv) {
     } else if (what == "filters") {
         PlayFilters(true);
         PlayFilters(false);
-        PlayFlagged();
+        PlayParted(false);
+        PlayParted(true);
+        PlayEnded();
     } else if (what == "islands") {
         PlayIslands();
     } else {
         std::fputs("usage: losing_game "
-                   "sums|thrown|numbers|returning|proxies|twice|rounded|disabled|filters|islands\n",
+                   "sums|thrown|resumed|numbers|returning|proxies|twice|rounded|disabled|filters|islands\n",
                    stderr);
         return 2;
     }

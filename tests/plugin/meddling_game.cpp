@@ -5,9 +5,13 @@
 //   meddling_game turning     a sensor whose vertices were changed turns solid in the middle of a step
 //   meddling_game editing     a listener changes vertices of bodies that were asked for in the same step
 //   meddling_game proxies     a filter puts a body out of the world that is about to get contacts
+//   meddling_game ends        a filter, and a listener, end contacts that are still to be come by
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "small_world.h"
 
@@ -257,6 +261,66 @@ void PlayProxies() {
     }
 }
 
+/// Does once, in a filter, which then refuses, or in a PreSolve, what is to be done.
+class Once final : public b2ContactFilter, public b2ContactListener {
+public:
+    std::function<void()> inFilter, inPreSolve;
+    bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
+        return !Call(&inFilter) && b2ContactFilter::ShouldCollide(a, b);
+    }
+    void PreSolve(b2Contact *, const b2Manifold *) override { Call(&inPreSolve); }
+
+private:
+    static bool Call(std::function<void()> *what) {
+        if (!*what)
+            return false;
+        std::exchange(*what, nullptr)();
+        return true;
+    }
+};
+
+/// Another type of body ends its contacts. Those whose boxes were found to overlap before are made anew.
+void PlayEnds() {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    Once once;
+    world.SetContactFilter(&once);
+    world.SetContactListener(&once);
+    Hash hash;
+    std::vector<b2Body *> ones;
+    for (int i = 0; i < 80; ++i)
+        for (const float y : {0.0f, i % 4 == 0 ? 0.79f : 0.9f}) {
+            ones.push_back(
+                AddBox(world, b2_dynamicBody, {3.0f * static_cast<float>(i), y}, {0.4f, 0.4f}, 0.0f));
+            ones.back()->SetSleepingAllowed(false);
+        }
+    Step(world, 4, &hash);
+    Print("ends", hash);
+    // The step begins with a search for new contacts, ahead of all that locks the world.
+    for (const float x : {0.0f, 0.9f})
+        AddBox(world, b2_dynamicBody, {x, 50.0f}, {0.4f, 0.4f}, 0.0f)->SetSleepingAllowed(false);
+    once.inFilter = [&ones] {
+        for (size_t i = 0; i < ones.size(); i += 8)
+            ones[i]->SetType(b2_kinematicBody);
+    };
+    for (size_t i = 0; i < ones.size(); i += 4)
+        ones[i]->SetTransform(ones[i]->GetPosition() + b2Vec2(0.4f, 0.0f), 0.0f);
+    Step(world, 3, &hash);
+    Print("ends", hash);
+    for (const bool again : {false, true}) { // as many as end are made, before the loop goes on
+        once.inPreSolve = [&world, &ones, again] {
+            world.Step(0.0f, 1, 1); // unlocks it
+            for (size_t i = again ? 42 : 2; i < (again ? 80 : 40); i += 2)
+                ones[i]->SetType(ones[i]->GetType() == b2_kinematicBody ? b2_dynamicBody : b2_kinematicBody);
+            if (again)
+                world.Step(1.0f / 240.0f, 1, 1);
+        };
+        for (int i = 0; i < 5; ++i) {
+            Step(world, 1, &hash);
+            Print("ends", hash);
+        }
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -270,6 +334,8 @@ int main(int argc, char **argv) {
         PlayEditing();
     else if (what == "proxies")
         PlayProxies();
+    else if (what == "ends")
+        PlayEnds();
     else
         return 2;
     return 0;

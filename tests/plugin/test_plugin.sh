@@ -321,6 +321,7 @@ test_worlds_that_nobody_listens_to() {
     plays_as_stock "bullet_game heard 1 ${worlds:-5}"
     plays_as_stock "bullet_game heard 61 ${worlds:-5}" BOOMERANG_EVERYWHERE=on
     plays_as_stock "bullet_game thrown" BOOMERANG_EVERYWHERE=on
+    plays_as_stock "bullet_game recentred" BOOMERANG_EVERYWHERE=on
 }
 
 test_whoever_listens_and_filters_may_change_at_any_time() {
@@ -353,7 +354,7 @@ test_trees_are_the_same_to_the_bit() {
 
 test_sleepers_are_woken_by_whatever_wakes_them() {
     local what
-    for what in hit joint flags first last empty; do
+    for what in hit joint flags first last empty driven displaced order lapsed; do
         plays_as_stock "waking_game $what"
         plays_as_stock "waking_game $what" BOOMERANG_EVERYWHERE=on
     done
@@ -361,7 +362,7 @@ test_sleepers_are_woken_by_whatever_wakes_them() {
 
 test_no_pair_is_lost() {
     local what
-    for what in sums thrown numbers returning proxies twice rounded disabled filters islands; do
+    for what in sums thrown resumed numbers returning proxies twice rounded disabled filters islands; do
         plays_as_stock "losing_game $what"
         plays_as_stock "losing_game $what" BOOMERANG_EVERYWHERE=on
     done
@@ -374,7 +375,7 @@ test_filters_and_listeners_may_change_the_listener() {
 
 test_listeners_and_filters_may_change_the_world() {
     local what
-    for what in disabling turning editing proxies; do
+    for what in disabling turning editing proxies ends; do
         plays_as_stock "meddling_game $what"
         plays_as_stock "meddling_game $what" BOOMERANG_PREFILTER=off
         # Behind Box2D, where nobody tells of steps.
@@ -385,6 +386,16 @@ test_listeners_and_filters_may_change_the_world() {
     "$bin/changing_game" >"$room/stock_of_it"
     game changing_game LD_PRELOAD="$box2d:$plugin" BOOMERANG=on
     cmp -s "$room/out" "$room/stock_of_it" || fail "changing_game, behind Box2D: other output than stock's"
+}
+
+test_contacts_may_end_without_a_word() {
+    local what
+    for what in "losing_game numbers" "meddling_game ends"; do
+        "$bin"/$what >"$room/stock_of_it"
+        game "$what" LD_PRELOAD="$bin/libunheard_ends.so:$plugin" BOOMERANG=on BOOMERANG_EVERYWHERE=on
+        cmp -s "$room/out" "$room/stock_of_it" || fail "$what, unheard ends: other output than stock's"
+        at_work "$what, unheard ends"
+    done
 }
 
 test_any_direction_of_rounding_plays_as_stock() {

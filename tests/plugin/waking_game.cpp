@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-//   waking_game hit|joint|flags|first|last|empty
+//   waking_game hit|joint|flags|first|last|empty|driven|displaced|order|lapsed
 //
 // Worlds in which hundreds of bodies sleep, and some are woken by what is easily overlooked. Prints a line
 // for each step: how many bodies are awake, how many contacts touch, and a hash of all bodies and contacts. A
@@ -14,6 +14,13 @@
 //           still to come by
 //   last    those of the oldest contact do: the loop has come by
 //   empty   the world loses its contacts, its moving bodies, all of its bodies; and gets others
+//   driven  sleepers are woken while islands are built, by a joint or by who touches them, and moved so far
+//           that they get contacts in that very step
+//   displaced  bullets hit a floor in one step after the other; all else sleeps
+//   lapsed  two that sleep come to touch when nobody looks, by an impact or in a step that is Box2D's alone;
+//           islands come to them by a joint
+//   order   bodies go, and as many come, at the places of those in memory: in another order
+#include <cfenv>
 #include <cinttypes>
 #include <cstdint>
 #include <cstdio>
@@ -47,6 +54,17 @@ b2Body *AddBox(b2World *world, b2BodyType type, float x, float y, float halfWidt
     b2Body *body = world->CreateBody(&def);
     b2PolygonShape shape;
     shape.SetAsBox(halfWidth, halfHeight);
+    body->CreateFixture(&shape, 1.0f);
+    return body;
+}
+
+b2Body *AddDisk(b2World *world, float x, float y) {
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    def.position.Set(x, y);
+    b2Body *body = world->CreateBody(&def);
+    b2CircleShape shape;
+    shape.m_radius = 0.5f;
     body->CreateFixture(&shape, 1.0f);
     return body;
 }
@@ -241,6 +259,149 @@ void Empty() {
     }
 }
 
+/// Far away: hundreds of boxes that sleep, and pairs that never do.
+void AddOthers(b2World *world) {
+    for (int i = 0; i < 600; ++i)
+        AddBox(world, 3.0f * static_cast<float>(i), 300.0f)->SetAwake(false);
+    for (int i = 0; i < 20; ++i)
+        for (const float y : {400.0f, 401.05f})
+            AddBox(world, 3.0f * static_cast<float>(i), y)->SetSleepingAllowed(false);
+}
+
+void Driven() {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    AddOthers(&world);
+    std::vector<b2Body *> drivers;
+    for (int i = 0; i < 12; ++i) {
+        const float y = 4.0f * static_cast<float>(i);
+        const bool joined = i % 2 == 0;
+        drivers.push_back(AddBox(&world, joined ? 8.0f : -0.99f, y));
+        b2Body *const driven = AddBox(&world, 0.0f, y);
+        AddBox(&world, b2_staticBody, 1.6f, y + 0.3f, 0.5f, 0.5f); // in its way
+        if (!joined)
+            continue;
+        b2DistanceJointDef joint;
+        joint.Initialize(drivers.back(), driven, drivers.back()->GetPosition(), driven->GetPosition());
+        world.CreateJoint(&joint);
+    }
+    Run(&world, 90);
+    for (b2Body *driver : drivers) {
+        driver->SetAwake(true);
+        driver->SetLinearVelocity(b2Vec2(60.0f, 0.0f));
+        Run(&world, 1);
+        for (b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+            if (body->IsSleepingAllowed())
+                body->SetAwake(false);
+    }
+}
+
+/// `upward`: some of the steps are rounded so, and are Box2D's alone.
+void Displaced(bool upward) {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    AddOthers(&world);
+    AddBox(&world, b2_staticBody, 0.0f, 0.0f, 60.0f, 0.02f);
+    for (int i = 0; i < 16; ++i) { // two hit in steps that follow each other, the second one earlier in its
+                                   // step; none in the next
+        const float hit = static_cast<float>(3 * (i / 2) + 4) + (i % 2 == 0 ? 0.6f : 1.3f);
+        b2Body *const bullet =
+            AddBox(&world, b2_dynamicBody, 3.0f * static_cast<float>(i - 8), 0.12f + hit, 0.1f, 0.1f);
+        bullet->SetBullet(true);
+        bullet->SetLinearVelocity(b2Vec2(0.0f, -60.0f));
+    }
+    for (int i = 0; i < 32; ++i) {
+        std::fesetround(upward && i % 3 == 1 ? FE_UPWARD : FE_TONEAREST);
+        Run(&world, 1);
+    }
+    std::fesetround(FE_TONEAREST);
+}
+
+void Order() {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    AddOthers(&world);
+    for (int i = 0; i < 8; ++i)
+        AddBox(&world, b2_staticBody, 4.0f * static_cast<float>(i), 0.0f, 0.5f, 0.5f);
+    Run(&world, 3);
+    for (int round = 0; round < 6; ++round) {
+        // Each comes near a wall in the same step: every other one touches it.
+        const auto add = [&world](int i) {
+            b2Body *const body =
+                AddBox(&world, 4.0f * static_cast<float>(i) + (i % 2 == 0 ? 0.0f : 0.9f), 1.5f);
+            body->SetLinearVelocity(b2Vec2(0.0f, i % 2 == 0 ? -30.0f : -24.0f));
+            return body;
+        };
+        std::vector<b2Body *> bodies;
+        for (int i = 0; i < 8; ++i)
+            bodies.push_back(add(i));
+        for (b2Body *body : bodies)
+            body->SetLinearVelocity(b2Vec2(0.0f, 0.0f));
+        Run(&world, 1);
+        for (const size_t i : {size_t{7}, size_t{2}})
+            world.DestroyBody(bodies[i]);
+        bodies[2] = add(2);
+        bodies[7] = add(7);
+        for (size_t i = 0; i < bodies.size(); ++i)
+            bodies[i]->SetLinearVelocity(b2Vec2(0.0f, i % 2 == 0 ? -30.0f : -24.0f));
+        Run(&world, 3);
+        for (b2Body *body : bodies)
+            world.DestroyBody(body);
+    }
+}
+
+enum class Lapse { kRounded, kImpact, kRoundedImpact };
+
+/// When nobody knows that the two touch, nobody takes their contact out of an island of an earlier step.
+void Lapsed(Lapse lapse) {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    world.SetContinuousPhysics(lapse != Lapse::kRounded);
+    AddOthers(&world);
+    b2Body *const bullet = AddBox(&world, b2_dynamicBody, -3.0f, 0.0f, 0.3f, 0.3f);
+    b2Body *const pulling = AddBox(&world, 0.0f, 5.0f);
+    b2Body *const one = AddDisk(&world, 0.0f, 0.0f), *const other = AddDisk(&world, 1.03f,
+                                                                            0.0f); // (of boxes we are told)
+    b2DistanceJointDef joint;
+    joint.Initialize(pulling, one, pulling->GetPosition(), one->GetPosition());
+    world.CreateJoint(&joint);
+    for (const float x : {0.0f, 0.99f}) // touch, so that a listener is called ahead of impacts
+        AddBox(&world, x, 200.0f)->SetSleepingAllowed(false);
+    Listener listener;
+    listener.afterIslands = [] { std::fesetround(FE_UPWARD); };
+    const auto sleep = [&] {
+        for (b2Body *body : {bullet, pulling, one, other})
+            body->SetAwake(false);
+    };
+    Run(&world, 1);
+    sleep();
+    Run(&world, 4);
+    if (lapse == Lapse::kRounded) {
+        std::fesetround(FE_UPWARD);
+        one->SetAwake(true);
+        one->SetLinearVelocity(b2Vec2(3.0f, 0.0f));
+        Run(&world, 4);
+        std::fesetround(FE_TONEAREST);
+    } else {
+        if (lapse == Lapse::kRoundedImpact)
+            world.SetContactListener(&listener);
+        one->SetBullet(true);
+        bullet->SetBullet(true);
+        bullet->SetLinearVelocity(b2Vec2(100.0f, 0.0f));
+        for (int i = 0; i < 2; ++i) {
+            Run(&world, 1);
+            std::fesetround(FE_TONEAREST);
+        }
+        world.SetContactListener(nullptr);
+        one->SetBullet(false);
+        bullet->SetTransform(b2Vec2(-50.0f, 0.0f), 0.0f);
+    }
+    for (int i = 0; i < 3; ++i) {
+        sleep();
+        if (lapse != Lapse::kRounded)
+            Run(&world, 1);
+        pulling->SetAwake(true);
+        pulling->SetLinearVelocity(b2Vec2(0.0f, 20.0f));
+        Run(&world, 1);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -257,8 +418,19 @@ int main(int argc, char **argv) {
         WakePairs(true, false, true);
     } else if (what == "empty") {
         Empty();
+    } else if (what == "driven") {
+        Driven();
+    } else if (what == "displaced") {
+        Displaced(false);
+        Displaced(true);
+    } else if (what == "lapsed") {
+        for (const Lapse lapse : {Lapse::kRounded, Lapse::kImpact, Lapse::kRoundedImpact})
+            Lapsed(lapse);
+    } else if (what == "order") {
+        Order();
     } else {
-        std::fputs("usage: waking_game hit|joint|flags|first|last|empty\n", stderr);
+        std::fputs("usage: waking_game hit|joint|flags|first|last|empty|driven|displaced|order|lapsed\n",
+                   stderr);
         return 2;
     }
     return 0;

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// How far a fixture's row can come in the sweep of its body (ledger/movers.h): what the budget of a pair is
+// held against, ahead of Box2D's search for impacts. Code of the game may have run since the row was looked
+// at: the body need not turn about what it turned about, nor be of the same shape.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include <box2d/box2d.h>
+
+#include "ledger/movers.h"
+#include "ledger/private_members.h"
+
+namespace {
+
+/// One triangle whose row has a proof, so that looks read it.
+struct Swept {
+    b2World world{b2Vec2(0.0f, 0.0f)};
+    b2Body *body;
+    b2PolygonShape *shape;
+    bmr::Movers movers;
+    uint32_t row;
+    uint64_t look = 0;
+
+    Swept() {
+        b2BodyDef def;
+        def.type = b2_dynamicBody;
+        body = world.CreateBody(&def);
+        const b2Vec2 corners[3] = {{-0.3f, -0.2f}, {0.9f, -0.1f}, {-0.2f, 0.8f}};
+        b2PolygonShape triangle;
+        triangle.Set(corners, 3);
+        b2Fixture *const fixture = body->CreateFixture(&triangle, 1.0f);
+        shape = static_cast<b2PolygonShape *>(fixture->GetShape());
+        row = movers.Acquire(fixture, BroadPhase(), ++look);
+        movers.AddProof(row, BroadPhase(), look);
+    }
+    const b2BroadPhase &BroadPhase() const { return world.GetContactManager().m_broadPhase; }
+    b2Sweep &Sweep() { return body->*Named(bmr::SweepMember()); }
+
+    void Look() { movers.Look(row, BroadPhase(), ++look, false); }
+    /// In units, from the last look on.
+    uint32_t End(bool careful = true) {
+        movers.LookAtEnd(row, careful, ++look);
+        return movers.End(row) - movers.Moved(row);
+    }
+    /// As Box2D's solver leaves it: from the body's place on.
+    void Move(b2Vec2 by, float turn) {
+        b2Sweep &sweep = Sweep();
+        sweep.c0 = sweep.c;
+        sweep.a0 = sweep.a;
+        sweep.c += by;
+        sweep.a += turn;
+        const_cast<b2Transform &>(body->GetTransform()).q.Set(sweep.a);
+        const_cast<b2Transform &>(body->GetTransform()).p =
+            sweep.c - b2Mul(body->GetTransform().q, sweep.localCenter);
+    }
+    void MoveCentre(b2Vec2 to) {
+        b2MassData mass;
+        body->GetMassData(&mass);
+        mass.center = to;
+        mass.I = mass.mass * (b2Dot(to, to) + 1.0f);
+        body->SetMassData(&mass);
+    }
+};
+
+bool IsNothingClaimed(uint32_t end) {
+    return end >= BMR_BUDGET_MARK;
+}
+
+} // namespace
+
+TEST_CASE("no point goes farther in a sweep than the row says") {
+    std::minstd_rand numbers(7);
+    const auto between = [&numbers](float low, float high) {
+        return low + (high - low) * static_cast<float>(numbers() % 4096) / 4096.0f;
+    };
+    int claimed = 0;
+    for (int round = 0; round < 3000; ++round) {
+        Swept one;
+        one.body->SetTransform({between(-9.0f, 9.0f), between(-9.0f, 9.0f)}, between(-7.0f, 7.0f));
+        if (round % 2 == 0)
+            one.MoveCentre({between(-0.5f, 0.5f), between(-0.5f, 0.5f)});
+        const auto move = [&] {
+            one.Move({between(-0.4f, 0.4f), between(-0.4f, 0.4f)},
+                     round % 4 == 0 ? 0.0f : between(-0.5f, 0.5f));
+        };
+        const bool sleeps = round % 3 == 0; // its sweep is that of an earlier step
+        if (sleeps)
+            move();
+        one.Look();
+        const b2Transform before = one.body->GetTransform();
+        // What a game may do that is told of contacts.
+        if (round % 5 == 0)
+            one.MoveCentre({between(-0.5f, 0.5f), between(-0.5f, 0.5f)});
+        if (round % 7 == 0)
+            for (b2Vec2 &v : one.shape->m_vertices)
+                v *= 1.5f;
+        if (!sleeps)
+            move();
+        const uint32_t end = one.End();
+        if (IsNothingClaimed(end))
+            continue;
+        ++claimed;
+        double farthest = 0.0;
+        for (int step = 0; step <= 16; ++step) {
+            b2Transform xf;
+            one.Sweep().GetTransform(&xf, static_cast<float>(step) / 16.0f);
+            for (int32 i = 0; i < one.shape->m_count; ++i) {
+                const b2Vec2 way =
+                    b2Mul(xf, one.shape->m_vertices[i]) - b2Mul(before, one.shape->m_vertices[i]);
+                farthest = std::fmax(farthest, static_cast<double>(way.Length()));
+            }
+        }
+        CAPTURE(round);
+        CHECK(farthest * bmr::kUnits <= static_cast<double>(end) + 1.0);
+    }
+    CHECK(claimed > 1500);
+}
+
+TEST_CASE("nothing is claimed of what turns about another point, or is another shape") {
+    for (const bool careful : {false, true}) {
+        Swept one;
+        one.Look();
+        one.Move({0.1f, 0.0f}, 0.1f);
+        CHECK(!IsNothingClaimed(one.End(careful)));
+        one.shape->m_radius *= 2.0f;
+        CHECK(IsNothingClaimed(one.End(careful)) == careful); // without a game nobody can have done that
+        const b2Vec2 centre = one.body->GetLocalCenter();
+        for (const b2Vec2 by : {b2Vec2(0.001f, 0.0f), b2Vec2(0.0f, 0.001f)}) {
+            one.MoveCentre(centre);
+            one.Look();
+            one.Move({0.1f, 0.0f}, 0.1f);
+            CHECK(!IsNothingClaimed(one.End(careful)));
+            one.MoveCentre(centre + by);
+            CHECK(IsNothingClaimed(one.End(careful)));
+        }
+    }
+}
+
+TEST_CASE("nothing is claimed beyond the reach and the angle that the margins of impacts are for") {
+    const auto endAt = [](float x, float angle, b2Vec2 by, float turn) {
+        Swept one;
+        one.body->SetTransform({x, 0.0f}, angle);
+        one.Look();
+        one.Move(by, turn);
+        return one.End();
+    };
+    const b2Vec2 little(0.01f, 0.0f), farther(4.0f, 0.0f);
+    for (const float side : {-1.0f, 1.0f}) {
+        const float near = side * (bmr::kImpactReach - 3.0f);
+        CHECK(!IsNothingClaimed(endAt(near, 0.0f, side * little, 0.0f)));
+        CHECK(IsNothingClaimed(endAt(near, 0.0f, side * farther, 0.0f)));                // in the end
+        CHECK(IsNothingClaimed(endAt(near + 4.0f * side, 0.0f, -side * farther, 0.0f))); // in the beginning
+        const float turned = side * (bmr::kImpactAngle - 0.5f);
+        CHECK(!IsNothingClaimed(endAt(0.0f, turned, little, 0.1f * side)));
+        CHECK(IsNothingClaimed(endAt(0.0f, turned, little, side)));
+        CHECK(IsNothingClaimed(endAt(0.0f, turned + side, little, -side)));
+    }
+    // In the next band twice as far.
+    CHECK(!IsNothingClaimed(endAt(2.0f * bmr::kImpactReach - 3.0f, 0.0f, little, 0.0f)));
+    CHECK(IsNothingClaimed(endAt(2.0f * bmr::kImpactReach - 3.0f, 0.0f, farther, 0.0f)));
+}
+
+TEST_CASE("who was not looked at in the sweeps may stop others") {
+    Swept one;
+    CHECK((one.movers.SweepBits(one.row) & bmr::kStops) != 0);
+}
