@@ -124,33 +124,7 @@ bool bmr_item_before(const bmr_agenda_item *a, const bmr_agenda_item *b) {
     return p->image[0] != q->image[0] ? p->image[0] < q->image[0] : p->image[1] < q->image[1];
 }
 
-// ---- motion ----
-
-bmr_vec2 bmr_couple_shift(const bmr_world *w, const bmr_couple *c) {
-    return bmr_vec2_make(c->image[0] ? c->image[0] * (w->def.high.x - w->def.low.x) : 0.0,
-                         c->image[1] ? c->image[1] * (w->def.high.y - w->def.low.y) : 0.0);
-}
-
-bmr_pair_motion bmr_couple_motion(const bmr_world *w, const bmr_couple *c, bmr_couple_view *view) {
-    bmr_timed_piece *second = &c->side[1]->now;
-    if (c->image[0] || c->image[1]) {
-        const bmr_vec2 shift = bmr_couple_shift(w, c);
-        view->shifted = c->side[1]->now;
-        second = &view->shifted;
-        if (second->piece.kind == BMR_PIECE_SCREW) {
-            bmr_vec2 *const position = &second->piece.as.screw.start.position;
-            *position = bmr_add(*position, shift);
-        } else {
-            second->piece.as.algebraic.x[0] += shift.x;
-            second->piece.as.algebraic.y[0] += shift.y;
-        }
-    }
-    view->motions[0] = bmr_motion_of_piece(&c->side[0]->now);
-    view->motions[1] = bmr_motion_of_piece(second);
-    const bmr_pair_motion motion = {&view->motions[0], &view->motions[1], c->side[0]->shape.polygon,
-                                    c->side[1]->shape.polygon};
-    return motion;
-}
+// ---- searching ----
 
 /// The time in which the two can move by their reach, at the speeds they have.
 static double natural_time(const bmr_world *w, const bmr_couple *c, const bmr_pair_motion *motion,
@@ -162,8 +136,6 @@ static double natural_time(const bmr_world *w, const bmr_couple *c, const bmr_pa
     const double scale = bmr_gate_reach(w, c) / speed;
     return scale > 0.0 && scale < INFINITY ? scale : fmax(1.0, fabs(time));
 }
-
-// ---- searching ----
 
 static void schedule(bmr_world *w, bmr_couple *c, bmr_couple_event event, double time) {
     c->event = (uint8_t)event;
@@ -315,8 +287,8 @@ static bmr_error meet(bmr_world *w, bmr_couple *c) {
     if (!n)
         return BMR_ERROR_NO_MEMORY;
     memset(n, 0, sizeof *n);
-    const bmr_error error = bmr_kds_create(w->def.structure, &w->def.kds, &c->side[0]->shape,
-                                           &c->side[1]->shape, &w->counted, &n->kds);
+    const bmr_error error = bmr_kds_create(w->def.structure, &w->def.kds, bmr_couple_shape(c, 0),
+                                           bmr_couple_shape(c, 1), &w->counted, &n->kds);
     if (error != BMR_OK) {
         bmr_world_give(w, n, sizeof *n);
         return error;

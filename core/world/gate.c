@@ -98,15 +98,6 @@ static double time_for(const bmr_algebraic_piece *path, double length) {
 
 // ---- the two of a couple ----
 
-/// A wall's line: the box is on its left, where <normal, x> > offset.
-static bmr_line wall_line(const bmr_world *w, const bmr_couple *c) {
-    static const bmr_vec2 inwards[BMR_WALLS] = {{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}};
-    const size_t side = (size_t)(c->side[1]->id - BMR_WALL(0));
-    const bmr_vec2 corner = side % 2 == 0 ? w->def.low : w->def.high;
-    const bmr_line line = {inwards[side], bmr_dot(inwards[side], corner)};
-    return line;
-}
-
 static double epoch_of(const bmr_couple *c) {
     return fmax(c->side[0]->since, c->side[1]->since);
 }
@@ -120,7 +111,7 @@ static bmr_vec2 way_at(const bmr_world *w, const bmr_couple *c, double time) {
 
 double bmr_gate_distance(const bmr_world *w, const bmr_couple *c, double time) {
     if (bmr_resident_is_wall(c->side[1])) {
-        const bmr_line line = wall_line(w, c);
+        const bmr_line line = bmr_wall_line(w, c->side[1]);
         return bmr_dot(line.normal, bmr_path_position(&c->side[0]->now.piece, time)) - line.offset;
     }
     const bmr_vec2 way = way_at(w, c, time);
@@ -182,7 +173,7 @@ static interval straight_within(const bmr_world *w, const bmr_couple *c, double 
     bmr_vec2 velocity_a, velocity_b;
     const bmr_vec2 a = straight(&c->side[0]->now.piece, epoch, &velocity_a);
     if (bmr_resident_is_wall(c->side[1])) {
-        const bmr_line line = wall_line(w, c);
+        const bmr_line line = bmr_wall_line(w, c->side[1]);
         return below(bmr_dot(line.normal, a) - line.offset, bmr_dot(line.normal, velocity_a), reach);
     }
     const bmr_vec2 b = straight(&c->side[1]->now.piece, epoch, &velocity_b);
@@ -216,7 +207,7 @@ static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
     const bmr_algebraic_piece own = bmr_piece_expand(&own_path, k.epoch);
     bmr_algebraic_piece *const way = &k.way.as.algebraic;
     if (bmr_resident_is_wall(c->side[1])) {
-        const bmr_line line = wall_line(w, c);
+        const bmr_line line = bmr_wall_line(w, c->side[1]);
         *way = own;
         way->x[0] -= line.offset * line.normal.x;
         way->y[0] -= line.offset * line.normal.y;
@@ -239,7 +230,7 @@ static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
 static bmr_condition apart_by(const bmr_world *w, const bmr_couple *c, double reach) {
     const bmr_vec2 origin = bmr_vec2_make(0.0, 0.0);
     return bmr_resident_is_wall(c->side[1])
-               ? bmr_condition_beyond(0, wall_line(w, c).normal, reach, origin, 0)
+               ? bmr_condition_beyond(0, bmr_wall_line(w, c->side[1]).normal, reach, origin, 0)
                : bmr_condition_disks(origin, origin, reach, 0);
 }
 

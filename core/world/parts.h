@@ -15,6 +15,15 @@ typedef struct bmr_cell bmr_cell;
 typedef struct bmr_couple bmr_couple;
 typedef struct bmr_resident bmr_resident;
 
+/// What bodies of about one size see of walls: a level segment and an upright one about their frame's origin.
+typedef struct bmr_beside {
+    int size;            ///< from -2^size to 2^size: more than such a body's grid cell is wide at least
+    bmr_shape shapes[2]; ///< of a level wall, and of an upright one
+    bmr_polygon *polygons[2];
+    bmr_hierarchy *hierarchies[2]; ///< NULL where the structure wants none
+    struct bmr_beside *next;
+} bmr_beside;
+
 /// Levels of the grids: cells of level 0 are world.unit wide, those of level l 2^l times that.
 #define BMR_LEAST_LEVEL (-64)
 #define BMR_MOST_LEVEL 191
@@ -36,7 +45,8 @@ struct bmr_resident {
     bmr_body id;
     uint64_t birth;
     bmr_shape shape;
-    double radius; ///< of the disk around the origin
+    const bmr_beside *beside; ///< what it sees of walls; NULL where there are none
+    double radius;            ///< of the disk around the origin
     double mass, inertia;
     void *user;
 
@@ -124,8 +134,7 @@ struct bmr_world {
     size_t candidate_count, candidate_capacity;
 
     bmr_resident walls[BMR_WALLS];
-    bmr_polygon *wall_polygons[BMR_WALLS];
-    bmr_hierarchy *wall_hierarchies[BMR_WALLS];
+    bmr_beside *beside;   ///< of each power of 2 that a body was as large as: kept until the end
     bmr_compass *compass; ///< of the walls' hierarchies
 };
 
@@ -140,6 +149,9 @@ typedef struct bmr_candidate {
 
 static inline bool bmr_resident_is_wall(const bmr_resident *r) {
     return bmr_is_wall(r->id);
+}
+static inline bool bmr_wall_is_upright(const bmr_resident *wall) {
+    return wall->id < BMR_WALL(2);
 }
 static inline double bmr_world_tolerance(const bmr_world *w, double time) {
     return w->def.failure.tolerance * fmax(1.0, fabs(time));
@@ -182,6 +194,30 @@ static inline int64_t bmr_place_above(int64_t place, int levels) {
     return place >> (levels < 63 ? levels : 63);
 }
 
+// walls.c
+
+void bmr_walls_make(bmr_world *w);
+void bmr_walls_destroy(bmr_world *w);
+/// The box is on its left, where <normal, x> > offset.
+bmr_line bmr_wall_line(const bmr_world *w, const bmr_resident *wall);
+/// What a body of this radius sees of walls, made where it is the first of its size. Errors: NO_MEMORY,
+/// OUT_OF_RANGE (a segment too long for a polygon); then nothing changed.
+bmr_error bmr_walls_beside(bmr_world *w, double radius, const bmr_beside **beside);
+
+// frame.c: where a couple looks at its motions from.
+
+/// Both motions in the couple's frame, in which each has its own rotation; `view` holds what they are made
+/// of. Only what lies between the two is that of the world.
+typedef struct bmr_couple_view {
+    bmr_timed_piece pieces[2];
+    bmr_motion motions[2];
+} bmr_couple_view;
+bmr_pair_motion bmr_couple_motion(const bmr_world *w, const bmr_couple *c, bmr_couple_view *view);
+/// Of a wall: the segment beside the body.
+const bmr_shape *bmr_couple_shape(const bmr_couple *c, int side);
+/// What is added to the second's position in the world.
+bmr_vec2 bmr_couple_shift(const bmr_world *w, const bmr_couple *c);
+
 // gate.c: when disks meet and part, and when they leave their cells.
 
 /// Disks this near have met; this far, they have parted.
@@ -217,13 +253,6 @@ void bmr_couple_destroy(bmr_world *w, bmr_couple *c);
 static inline int bmr_couple_side(const bmr_couple *c, const bmr_resident *r) {
     return c->side[0] == r ? 0 : 1;
 }
-/// Both motions as the couple sees them, the second's image shifted; `view` holds what they are made of.
-typedef struct bmr_couple_view {
-    bmr_timed_piece shifted;
-    bmr_motion motions[2];
-} bmr_couple_view;
-bmr_pair_motion bmr_couple_motion(const bmr_world *w, const bmr_couple *c, bmr_couple_view *view);
-bmr_vec2 bmr_couple_shift(const bmr_world *w, const bmr_couple *c);
 /// Finds its next event after the present time.
 bmr_error bmr_couple_search(bmr_world *w, bmr_couple *c);
 /// The same, with `replan` after a motion changed; where it cannot be done, the couple has an event now, at

@@ -399,7 +399,7 @@ static double radius_of(const bmr_polygon *polygon) {
 }
 
 /// Where it is to live, and a first look at its shape: what a structure would say of it.
-static bmr_error check_body(bmr_world *w, const bmr_body_def *def, const bmr_resident *r, int *level) {
+static bmr_error check_body(bmr_world *w, const bmr_body_def *def, bmr_resident *r, int *level) {
     if (!(def->mass > 0.0) || !(def->inertia > 0.0))
         return isnan(def->mass) || isnan(def->inertia) ? BMR_ERROR_NOT_FINITE : BMR_ERROR_OUT_OF_RANGE;
     bmr_kds *kds;
@@ -411,6 +411,8 @@ static bmr_error check_body(bmr_world *w, const bmr_body_def *def, const bmr_res
         w->unit_x = w->unit_y = bmr_grid_need(w, r->radius);
     const bmr_vec2 position = bmr_path_position(&r->now.piece, w->time);
     error = bmr_grid_level(w, r->radius, position, level);
+    if (error == BMR_OK && w->def.boundary == BMR_WALLED)
+        error = bmr_walls_beside(w, r->radius, &r->beside);
     if (error == BMR_OK && w->def.boundary == BMR_PERIODIC &&
         8.0 * r->radius >= fmin(w->def.high.x - w->def.low.x, w->def.high.y - w->def.low.y))
         error = BMR_ERROR_OUT_OF_RANGE;

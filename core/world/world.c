@@ -7,8 +7,6 @@
 #include "geometry/memory.h"
 #include "world/parts.h"
 
-/// Walls reach this part of a side beyond its ends.
-#define WALL_PART 0.5
 /// Cells of the coarsest grid of a periodic box along its shorter side: with three, all nine cells around one
 /// are different ones.
 #define LEAST_AROUND 3.0
@@ -70,60 +68,16 @@ static bmr_error check_def(const bmr_world_def *def) {
     return makes_sense ? check_box(def) : BMR_ERROR_OUT_OF_RANGE;
 }
 
-static bmr_error build_wall_hierarchy(bmr_world *w, const bmr_polygon *polygon, bmr_hierarchy **hierarchy) {
-    switch (w->def.structure->hierarchy) {
-    case BMR_HIERARCHY_COMPASS: {
-        const bmr_error error = w->compass ? BMR_OK : bmr_compass_create(2, &w->counted, &w->compass);
-        return error == BMR_OK ? bmr_hierarchy_build_compass(polygon, w->compass, &w->counted, hierarchy)
-                               : error;
-    }
-    case BMR_HIERARCHY_DUDLEY:
-        return bmr_hierarchy_build_dudley(polygon, &w->counted, hierarchy);
-    case BMR_HIERARCHY_DOBKIN_KIRKPATRICK:
-        return bmr_hierarchy_build_dobkin_kirkpatrick(polygon, &w->counted, hierarchy);
-    default:
-        return BMR_OK;
-    }
-}
-
-/// A segment in the middle of its side of the box, which rests.
-static bmr_error make_wall(bmr_world *w, int side) {
-    const bool upright = side < 2;
-    const bmr_vec2 size = bmr_sub(w->def.high, w->def.low);
-    const bmr_vec2 corner = side % 2 == 0 ? w->def.low : w->def.high;
-    const bmr_vec2 middle = bmr_add(w->def.low, bmr_scale(0.5, size));
-    const double half = (0.5 + WALL_PART) * (upright ? size.y : size.x);
-    const bmr_vec2 end = upright ? bmr_vec2_make(0.0, half) : bmr_vec2_make(half, 0.0);
-    const bmr_vec2 ends[2] = {bmr_neg(end), end};
-    bmr_resident *const wall = &w->walls[side];
-    bmr_error error = bmr_polygon_create(ends, 2, &w->counted, &w->wall_polygons[side]);
-    if (error == BMR_OK)
-        error = build_wall_hierarchy(w, w->wall_polygons[side], &w->wall_hierarchies[side]);
-    if (error != BMR_OK)
-        return error;
-    bmr_pose pose = bmr_pose_identity();
-    pose.position = upright ? bmr_vec2_make(corner.x, middle.y) : bmr_vec2_make(middle.x, corner.y);
-    const bmr_motion_piece rest = bmr_piece_rest(pose);
-    bmr_timed_piece_set(&wall->now, -INFINITY, &rest);
-    wall->item.place = BMR_NOT_QUEUED;
-    wall->id = BMR_WALL(side);
-    wall->birth = UINT64_MAX - BMR_WALLS + (uint64_t)side;
-    wall->shape.polygon = w->wall_polygons[side];
-    if (w->def.structure->hierarchy >= 0)
-        wall->shape.hierarchies[w->def.structure->hierarchy] = w->wall_hierarchies[side];
-    wall->radius = half;
-    wall->mass = wall->inertia = INFINITY;
-    wall->since = -INFINITY;
-    wall->until = INFINITY;
-    return BMR_OK;
-}
-
-/// Cells around a periodic box: as near to squares as whole numbers allow.
+/// Cells around a periodic box: as near to squares as whole numbers allow. With all pairs there are three by
+/// three, of which each is every other's neighbour: of each two bodies, whatever the box's shape, the images
+/// that can meet are a pair. (The others are more than a cell less its hysteresis apart, 7/24 of a side, and
+/// no reach is that long: bodies are smaller than a quarter of the shorter one.)
 static void lay_grid(bmr_world *w) {
     const double width = w->def.high.x - w->def.low.x, height = w->def.high.y - w->def.low.y;
     const double size = fmin(width, height) / LEAST_AROUND;
-    w->around_x = (int64_t)fmax(LEAST_AROUND, floor(width / size));
-    w->around_y = (int64_t)fmax(LEAST_AROUND, floor(height / size));
+    const bool all = w->def.all_pairs;
+    w->around_x = (int64_t)(all ? LEAST_AROUND : fmax(LEAST_AROUND, floor(width / size)));
+    w->around_y = (int64_t)(all ? LEAST_AROUND : fmax(LEAST_AROUND, floor(height / size)));
     w->unit_x = width / (double)w->around_x;
     w->unit_y = height / (double)w->around_y;
 }
@@ -134,7 +88,7 @@ bmr_error bmr_world_create(const bmr_world_def *def, double time, const bmr_allo
         return BMR_ERROR_NULL_ARGUMENT;
     if (!isfinite(time))
         return BMR_ERROR_NOT_FINITE;
-    bmr_error error = check_def(def);
+    const bmr_error error = check_def(def);
     if (error != BMR_OK)
         return error;
     bmr_world *w = bmr_allocate(allocator, sizeof *w);
@@ -149,12 +103,8 @@ bmr_error bmr_world_create(const bmr_world_def *def, double time, const bmr_allo
     w->agenda.before = bmr_item_before;
     if (def->boundary == BMR_PERIODIC)
         lay_grid(w);
-    for (int side = 0; side < BMR_WALLS && def->boundary == BMR_WALLED && error == BMR_OK; side++)
-        error = make_wall(w, side);
-    if (error != BMR_OK) {
-        bmr_world_destroy(w);
-        return error;
-    }
+    if (def->boundary == BMR_WALLED)
+        bmr_walls_make(w);
     *world = w;
     return BMR_OK;
 }
@@ -165,11 +115,7 @@ void bmr_world_destroy(bmr_world *w) {
     for (size_t i = 0; i < w->places; i++)
         if (w->residents[i])
             bmr_resident_destroy(w, w->residents[i]);
-    for (int side = 0; side < BMR_WALLS; side++) {
-        bmr_hierarchy_destroy(w->wall_hierarchies[side], &w->counted);
-        bmr_polygon_destroy(w->wall_polygons[side], &w->counted);
-    }
-    bmr_compass_destroy(w->compass, &w->counted);
+    bmr_walls_destroy(w);
     if (w->residents)
         bmr_world_give(w, w->residents, w->capacity * BMR_PLACE_BYTES);
     if (w->candidates)

@@ -131,14 +131,13 @@ typedef void (*bmr_world_observer)(void *context, bmr_world *world, const bmr_wo
 
 typedef enum bmr_boundary {
     BMR_OPEN,    ///< nothing: bodies go where they like
-    BMR_WALLED,  ///< four walls: segments along the sides of the box, and a part beyond its corners; see
-                 ///< kds.margin
+    BMR_WALLED,  ///< four walls: the lines along the sides of the box, all of them
     BMR_PERIODIC ///< what goes out on one side comes in on the other; positions go on counting
 } bmr_boundary;
 
 typedef struct bmr_world_def {
     const bmr_kds_info *structure; ///< of every near pair
-    /// kds.margin: in contact when the polygons are this near; with walls more than 1e-9 of the box's sides.
+    /// kds.margin: in contact when the polygons are this near. More than some 1e-8 of the largest body.
     /// kds.hysteresis: how much farther apart a pair must have been for its next contact to count as a new
     /// one.
     bmr_kds_def kds;
@@ -148,9 +147,9 @@ typedef struct bmr_world_def {
     bmr_response response; ///< to a contact, where there is no callback
     bmr_zeno_policy zeno;
     double zeno_speed; ///< of ZENO_ELASTIC; > 0
-    /// Every two bodies are candidates: no grid, and in a periodic box one grid, whose cells are as large as
-    /// the box allows (at least three on each side; in a long box far bodies are no candidates). For
-    /// comparison; O(bodies^2).
+    /// Every two bodies are candidates: no grid, and in a periodic box (of whatever shape) nine cells, each
+    /// every other's neighbour, which say the image in which the two can meet next. For comparison;
+    /// O(bodies^2).
     bool all_pairs;
     /// Between looks at a pair that passes through each other, at most: see bmr_simulation_def.contact_step.
     double contact_step;
@@ -246,11 +245,13 @@ typedef enum bmr_watch {
 typedef struct bmr_world_pair {
     bmr_body a, b;
     bmr_watch watch;
-    bmr_vec2 image;     ///< as in bmr_contact
-    double reach;       ///< the sum of the disks' radii at which a structure begins
-    double next;        ///< nothing happens to this pair before this time
-    bool neighbours;    ///< their cells are; false: kept for its structure alone
-    const bmr_kds *kds; ///< of STRUCTURE and PASSING
+    bmr_vec2 image;  ///< as in bmr_contact
+    double reach;    ///< the sum of the disks' radii at which a structure begins
+    double next;     ///< nothing happens to this pair before this time
+    bool neighbours; ///< their cells are; false: kept for its structure alone
+    /// Of STRUCTURE and PASSING. What it sees of a wall is a segment that goes along the wall with the body:
+    /// its frame is not turned, and its origin the point of the wall beside the body's origin.
+    const bmr_kds *kds;
 } bmr_world_pair;
 typedef struct bmr_world_cell {
     int level;
