@@ -5,8 +5,9 @@
 // Why neighbours are enough. Let a and b live on levels of cells h_a <= h_b, and call w = h/16 the
 // hysteresis. If the cells of both on b's level are no neighbours, there is a whole cell between them, and
 // the centres are more than h_b - w_a - w_b >= 7/8 h_b apart. Both radii are at most (h_b - 32 margin) / 2.5,
-// so the sum of both with the margin is below 0.8 h_b - 24 margin, and the reach at which disks meet, 65/64
-// of that and rounding (gate.c), below 0.82 h_b.
+// so the sum of both with two margins is below 0.8 h_b - 23 margin, and the reach at which disks meet, 65/64
+// of that and rounding (gate.c), below 0.82 h_b. (A body that is beyond its cell and the hysteresis by h/64,
+// because no time lies between, is an error: resident.c.)
 #include <math.h>
 #include <string.h>
 
@@ -44,7 +45,8 @@ double bmr_grid_need(const bmr_world *w, double radius) {
 bmr_error bmr_grid_level(const bmr_world *w, double radius, bmr_vec2 position, int *level) {
     const double place = CELL_PART * fmax(fabs(position.x), fabs(position.y));
     const double cells = fmax(bmr_grid_need(w, radius), place) / narrower(w);
-    if (!isfinite(cells))
+    // (fmax passes a NaN over, where it has another number.)
+    if (!isfinite(position.x) || !isfinite(position.y) || !isfinite(cells))
         return BMR_ERROR_NOT_FINITE;
     int exponent = BMR_LEAST_LEVEL;
     if (frexp(cells, &exponent) == 0.5)

@@ -24,6 +24,15 @@
 #define MOST_RUNGS 20
 /// Repairs this near to one another are a burst.
 #define BURST_TOLERANCES 4.0
+/// Times are found so exactly that meanwhile no point moves by more than this part of the margin, but no more
+/// exactly than to so many roundings of the clock. Two that fly through each other are within the margin for
+/// two margins' way, so where these roundings are a margin's way at most nobody is missed; where they are
+/// more, the pair is stopped.
+#define TOLERANCE_PART 0x1p-4
+#define CLOCK_ROUNDINGS 4.0
+/// A condition that failed, and is not yet seen to, is looked for over so many margins' way: as long as two
+/// that fly through each other are in contact.
+#define NUDGE_MARGINS 2.0
 /// A structure may want a pair a little farther apart than the distance at which a contact ends. It is asked
 /// again after a tolerance, two, four, and so on, so many times.
 #define LEAVE_RETRIES 30
@@ -166,21 +175,34 @@ static bmr_error find_part(bmr_world *w, bmr_couple *c) {
     return error;
 }
 
+/// How exactly the pair's times are to be found: as the def says, and the faster it is the more exactly, down
+/// to the clock's own rounding.
+static double tolerance_at(const bmr_world *w, const bmr_near *n, double time) {
+    const double fine = TOLERANCE_PART * w->def.kds.margin / n->speed;
+    return fmax(CLOCK_ROUNDINGS * DBL_EPSILON * fabs(time), fmin(bmr_world_tolerance(w, time), fine));
+}
+
+/// Until when (and since when) the clock can tell the times of a pair of such a speed apart.
+static double clock_end(const bmr_world *w, double speed) {
+    return w->def.kds.margin / (CLOCK_ROUNDINGS * DBL_EPSILON * speed);
+}
+
 /// The first failure of the structure's conditions, or the end of a contact that was passed, in (from, to].
-static bmr_error find_event(bmr_world *w, bmr_couple *c, double from, double to, double *time) {
+static bmr_error find_event(bmr_world *w, bmr_couple *c, const bmr_pair_motion *motion, double from,
+                            double to, double *time) {
     bmr_near *const n = c->near;
-    bmr_couple_view view;
-    const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
     if (c->watch == BMR_WATCH_PASSING) {
         const double target = w->def.kds.margin + w->def.kds.hysteresis;
-        *time = bmr_pair_leaves(&motion, from, to, target, w->def.contact_step, bmr_world_tolerance(w, from));
+        *time = bmr_pair_leaves(motion, from, to, target, w->def.contact_step, bmr_world_tolerance(w, from));
         return isnan(*time) ? BMR_ERROR_OUT_OF_RANGE : BMR_OK;
     }
     bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
     const size_t count = bmr_kds_conditions(n->kds, conditions);
     w->counts.failure_times += count;
-    const bmr_error error = bmr_first_failure(conditions, count, motion.a, motion.b, from, to,
-                                              &w->def.failure, time, &n->failing);
+    const bmr_failure_options options = {w->def.failure.method,
+                                         tolerance_at(w, n, from) / fmax(1.0, fabs(from))};
+    const bmr_error error =
+        bmr_first_failure(conditions, count, motion->a, motion->b, from, to, &options, time, &n->failing);
     if (error == BMR_OK && *time < INFINITY)
         n->condition = conditions[n->failing];
     return error;
@@ -191,20 +213,27 @@ static bmr_error search_near(bmr_world *w, bmr_couple *c) {
     const bmr_error error = find_part(w, c);
     if (error != BMR_OK)
         return error;
-    if (!(n->window > 0.0)) {
-        bmr_couple_view view;
-        const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
+    bmr_couple_view view;
+    const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
+    if (!(n->window > 0.0))
         n->window = FIRST_PART * natural_time(w, c, &motion, n->from);
-    }
     const double pieces = fmin(c->side[0]->until, c->side[1]->until);
     const double horizon = fmin(n->part, fmin(n->rise, pieces));
     const bool passing = c->watch == BMR_WATCH_PASSING;
     if (passing)
         n->window = PASSING_STEPS * w->def.contact_step;
     for (int i = 0; i < (passing ? 1 : WINDOWS) && n->from < horizon; i++, n->window *= 2.0) {
-        const double to = fmin(horizon, fmax(n->from + n->window, nextafter(n->from, INFINITY)));
+        const double ahead = fmin(fmax(n->from + n->window, nextafter(n->from, INFINITY)), DBL_MAX);
+        n->speed = bmr_pair_speed(&motion, n->from, fmin(horizon, ahead));
+        const double last = passing ? INFINITY : clock_end(w, n->speed);
+        if (!(fabs(n->from) < last)) {
+            if (n->from > w->time)
+                break;
+            return bmr_couple_stop(w, c, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_SPEED);
+        }
+        const double to = fmin(fmin(horizon, ahead), last);
         double time;
-        const bmr_error failed = find_event(w, c, n->from, to, &time);
+        const bmr_error failed = find_event(w, c, &motion, n->from, to, &time);
         if (failed != BMR_OK)
             return failed;
         if (time < INFINITY) {
@@ -243,7 +272,7 @@ void bmr_couple_search_later(bmr_world *w, bmr_couple *c, bool replan) {
 
 /// Too many repairs of one pair, each within next to no time of the one before.
 static bool is_burst(const bmr_world *w, bmr_near *n, double time) {
-    n->burst = time - n->last_repair <= BURST_TOLERANCES * bmr_world_tolerance(w, time) ? n->burst + 1 : 0;
+    n->burst = time - n->last_repair <= BURST_TOLERANCES * tolerance_at(w, n, time) ? n->burst + 1 : 0;
     n->last_repair = time;
     return n->burst > BMR_WORLD_BURST;
 }
@@ -324,11 +353,12 @@ static bmr_error fail(bmr_world *w, bmr_couple *c) {
     bmr_near *const n = c->near;
     if (is_burst(w, n, w->time)) {
         bmr_couple_pass(w, c);
-        return BMR_ERROR_STALLED;
+        return bmr_couple_stop(w, c, BMR_ERROR_STALLED, BMR_TROUBLE_REPAIRS);
     }
     bmr_couple_view view;
     const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
-    const double later = bmr_repair_time(&motion, &n->condition, w->time, bmr_world_tolerance(w, w->time));
+    const double later = bmr_repair_time(&motion, &n->condition, w->time, tolerance_at(w, n, w->time),
+                                         NUDGE_MARGINS * w->def.kds.margin / n->speed);
     const bmr_instant now = bmr_pair_instant(&motion, later);
     bmr_kds_report report;
     bmr_kds_repair(n->kds, &now, n->failing, &report);
@@ -371,7 +401,7 @@ static bmr_error rise(bmr_world *w, bmr_couple *c) {
         count(w, &report);
         if (!apart) { // apart, and no proof of it
             bmr_couple_pass(w, c);
-            return BMR_ERROR_STALLED;
+            return bmr_couple_stop(w, c, BMR_ERROR_STALLED, BMR_TROUBLE_PROOF);
         }
         if (n->rung == 0) {
             n->rise = INFINITY;
@@ -435,6 +465,7 @@ void bmr_couple_hold(bmr_world *w, bmr_couple *c) {
 bmr_error bmr_couple_pass(bmr_world *w, bmr_couple *c) {
     bmr_near *const n = c->near;
     set_watch(w, c, BMR_WATCH_PASSING);
+    c->stuck = false;
     n->from = n->repaired = w->time;
     n->part = NAN;
     n->rise = INFINITY;
@@ -467,5 +498,5 @@ bmr_error bmr_couple_resume(bmr_world *w, bmr_couple *c, bool placed, double rec
     }
     // Overlapping bodies were put there: they pass, until they are apart.
     const bmr_error error = bmr_couple_pass(w, c);
-    return placed ? error : BMR_ERROR_STALLED;
+    return placed ? error : bmr_couple_stop(w, c, BMR_ERROR_STALLED, BMR_TROUBLE_CONTACTS);
 }

@@ -8,8 +8,10 @@
 // form. Else time is cut into windows, counted from the epoch, and each window is searched from its
 // beginning.
 //
-// The reach is larger than the sum of the radii and the margin by a 64th, and by the rounding of places at
-// the epoch; so rounding of any of this never makes the disks meet too late.
+// The reach is larger than the sum of the radii and the margin by a margin, by a 64th, and by the rounding of
+// places at the epoch; so rounding of any of this never makes the disks meet too late. (Where a rounding of
+// the time is longer than a margin's way, the couple is stopped as soon as they meet: couple.c, clock_end.)
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -36,6 +38,8 @@
 /// Windows that are left out at once, at most, as a power of 2; and how far from the reach they must stay.
 #define MOST_DOUBLINGS 40
 #define CLEAR_PART 1.125
+/// Of times that are sums.
+#define CLOCK_ROUNDINGS 2.0
 /// Sign changes in one window; two paths of degree 8 have 16 at most.
 #define MOST_CHANGES 64
 
@@ -125,7 +129,7 @@ double bmr_gate_reach(const bmr_world *w, const bmr_couple *c) {
     const bmr_vec2 b = wall ? w->def.high : bmr_path_position(&c->side[1]->now.piece, epoch);
     const bmr_vec2 shift = bmr_couple_shift(w, c);
     const double places = fabs(a.x) + fabs(a.y) + fabs(b.x) + fabs(b.y) + fabs(shift.x) + fabs(shift.y);
-    const double sum = c->side[0]->radius + (wall ? 0.0 : c->side[1]->radius) + w->def.kds.margin;
+    const double sum = c->side[0]->radius + (wall ? 0.0 : c->side[1]->radius) + 2.0 * w->def.kds.margin;
     return REACH_PART * sum + PLACE_ROUNDING * places;
 }
 
@@ -352,8 +356,10 @@ static bmr_error next_change(const bmr_world *w, const bmr_couple *c, bool meets
         return BMR_ERROR_NOT_FINITE;
     *look = false;
     const bool ever = inside.from <= inside.to;
+    // What is over by no more than the clock's rounding is not over.
+    const double now = after - CLOCK_ROUNDINGS * DBL_EPSILON * (fabs(after) + fabs(epoch));
     if (meets)
-        *time = ever && epoch + inside.to > after ? fmax(after, epoch + inside.from) : INFINITY;
+        *time = ever && epoch + inside.to > now ? fmax(after, epoch + inside.from) : INFINITY;
     else
         *time = ever ? fmax(after, epoch + inside.to) : after;
     return BMR_OK;

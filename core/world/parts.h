@@ -61,7 +61,8 @@ struct bmr_resident {
 
     bmr_couple *first; ///< of its couples
     size_t couples;
-    bmr_couple *found; ///< scratch: the couple that a search has in hand
+    bmr_couple *found;      ///< scratch: the couple that a search has in hand
+    bmr_resident *gathered; ///< scratch: the next one that sticks together with it
 };
 
 /// What the agenda has a couple for.
@@ -81,6 +82,7 @@ typedef struct bmr_near {
     double repaired; ///< when it was last started or repaired
     double rhythm;   ///< about the time between its last events
     double window;   ///< how far the next search goes
+    double speed;    ///< bound of the two's against each other, where the last search looked
     double part;     ///< when the disks part; NAN: not known
     bool part_known; ///< false: not before `part`
     size_t failing;
@@ -103,6 +105,7 @@ struct bmr_couple {
     uint8_t event;                    ///< bmr_couple_event
     uint8_t watch;                    ///< bmr_watch
     bool linked, neighbours, kept;    ///< cells are; scratch
+    bool stuck;                       ///< to each other, while neither gets another motion
     bmr_near *near;                   ///< NULL with WATCH_DISKS
 };
 
@@ -111,7 +114,9 @@ struct bmr_world {
     const bmr_allocator *allocator;
     bmr_world_def def;
     double time;
-    bool inside;      ///< a callback is running
+    bool inside;   ///< a callback is running
+    bool sticking; ///< all that stick together are being moved
+    bmr_world_trouble trouble;
     bmr_couple *busy; ///< whose contact is being told
     bmr_agenda agenda;
     bmr_world_counts counts;
@@ -138,6 +143,8 @@ struct bmr_world {
     bmr_compass *compass; ///< of the walls' hierarchies
 };
 
+/// The generation of a place whose ids are used up: nobody lives there any more. (So no id is a wall's.)
+#define BMR_NO_GENERATION UINT32_MAX
 /// Of the table of ids, for each place: the resident, and the generation of the next one there.
 #define BMR_PLACE_BYTES (sizeof(bmr_resident *) + sizeof(uint32_t))
 
@@ -155,9 +162,6 @@ static inline bool bmr_wall_is_upright(const bmr_resident *wall) {
 }
 static inline double bmr_world_tolerance(const bmr_world *w, double time) {
     return w->def.failure.tolerance * fmax(1.0, fabs(time));
-}
-static inline bmr_agenda_item *bmr_first_item(const bmr_world *w) {
-    return w->agenda.heap[0].item;
 }
 
 // memory.c
@@ -280,6 +284,21 @@ void bmr_touch_describe(const bmr_world *w, const bmr_couple *c, bool placed, bm
 void bmr_touch_move(bmr_touch *touch, const bmr_vec2 velocity[2], const double spin[2]);
 /// Tells the contact, and does what is answered. After an error other than NO_MEMORY the pair passes.
 bmr_error bmr_contact_tell(bmr_world *w, bmr_couple *c, bool placed);
+
+// stick.c
+
+/// Gives both of the couple, and all that sticks to them, one velocity and no spin. False: they cannot be
+/// moved, or not to one velocity; nothing changed.
+bool bmr_stick(bmr_world *w, bmr_couple *c);
+
+// trouble.c
+
+/// Notes what is wrong, and returns the error. `b`: BMR_NO_BODY.
+bmr_error bmr_world_stop(bmr_world *w, bmr_error error, bmr_trouble kind, bmr_body a, bmr_body b);
+static inline bmr_error bmr_couple_stop(bmr_world *w, const bmr_couple *c, bmr_error error,
+                                        bmr_trouble kind) {
+    return bmr_world_stop(w, error, kind, c->side[0]->id, c->side[1]->id);
+}
 
 // world.c
 void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, double time, bmr_body a, bmr_body b,

@@ -101,6 +101,7 @@ bmr_error bmr_world_create(const bmr_world_def *def, double time, const bmr_allo
     w->def = *def;
     w->time = time;
     w->agenda.before = bmr_item_before;
+    w->trouble.a = w->trouble.b = BMR_NO_BODY;
     if (def->boundary == BMR_PERIODIC)
         lay_grid(w);
     if (def->boundary == BMR_WALLED)
@@ -145,10 +146,18 @@ void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, double time, bmr
     w->def.observer(w->def.context, w, &event);
 }
 
+/// Names who is concerned, where nobody else did.
 static bmr_error take_event(bmr_world *w) {
     bmr_agenda_item *const item = w->agenda.heap[0].item;
     w->time = fmax(w->time, w->agenda.heap[0].time);
-    return item->is_couple ? bmr_couple_event_due(w, (void *)item) : bmr_resident_event(w, (void *)item);
+    const bmr_couple *const couple = item->is_couple ? (void *)item : NULL;
+    const bmr_body a = couple ? couple->side[0]->id : ((bmr_resident *)(void *)item)->id;
+    const bmr_body b = couple ? couple->side[1]->id : BMR_NO_BODY;
+    const bmr_error error =
+        item->is_couple ? bmr_couple_event_due(w, (void *)item) : bmr_resident_event(w, (void *)item);
+    return error != BMR_OK && w->trouble.kind == BMR_TROUBLE_NONE
+               ? bmr_world_stop(w, error, BMR_TROUBLE_OTHER, a, b)
+               : error;
 }
 
 bmr_error bmr_world_advance(bmr_world *w, double until) {
@@ -159,9 +168,12 @@ bmr_error bmr_world_advance(bmr_world *w, double until) {
     if (w->inside || until < w->time)
         return BMR_ERROR_OUT_OF_RANGE;
     w->inside = true;
+    bmr_world_stop(w, BMR_OK, BMR_TROUBLE_NONE, BMR_NO_BODY, BMR_NO_BODY);
     bmr_error error = BMR_OK;
-    while (error == BMR_OK && bmr_agenda_time(&w->agenda) <= until)
-        error = take_event(w);
+    for (uint64_t events = 0; error == BMR_OK && bmr_agenda_time(&w->agenda) <= until; events++)
+        error = events < w->def.most_events || w->def.most_events == 0
+                    ? take_event(w)
+                    : bmr_world_stop(w, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_EVENTS, BMR_NO_BODY, BMR_NO_BODY);
     if (error == BMR_OK)
         w->time = until;
     w->inside = false;
