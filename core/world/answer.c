@@ -11,8 +11,9 @@
 /// Approaches below this part of the first one are none.
 #define NO_APPROACH 0x1p-46
 
-/// ZENO_ELASTIC takes a pair for collapsing, however fast it is, when its margin was halved so often.
-#define ELASTIC_RUNG 6
+/// ZENO_ELASTIC takes a pair for jammed, however fast it is, when its margin was halved so often. Early: the
+/// room that is left down to what structures can prove is what a pile has to come loose in.
+#define JAMMED_RUNG 3
 /// Below this part of its terms a determinant is rounding.
 #define LEAST_DETERMINANT 0x1p-40
 
@@ -85,7 +86,7 @@ static bool collide(bmr_world *w, const bmr_couple *c, double restitution, bmr_t
         if (!(approach < 0.0) || (i > 0 && approach > NO_APPROACH * first))
             break;
         const bool soft = w->def.zeno == BMR_ZENO_ELASTIC &&
-                          (-approach < w->def.zeno_speed || c->near->rung >= ELASTIC_RUNG);
+                          (-approach < w->def.zeno_speed || c->near->rung >= JAMMED_RUNG);
         const double bounce = soft ? 1.0 : restitution;
         double impulse[2] = {0.0, 0.0};
         if (!two_impulses(c, touch, bounce, impulse)) {

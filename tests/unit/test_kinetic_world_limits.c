@@ -55,6 +55,34 @@ static void a_ball_bounces_in_a_box_of_any_width(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
+/// So far from the origin that a rounding of a place is a 70th of the margin: contacts are as exact as near
+/// it.
+static void far_from_the_origin_contacts_are_as_exact(void **state) {
+    (void)state;
+    const double far = 1e8;
+    stage *s = make_stage(BMR_WALLED, 0.0);
+    s->def.low = bmr_vec2_make(far - 6.0, -far - 6.0);
+    s->def.high = bmr_vec2_make(far + 6.0, -far + 6.0);
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    test_random random = {8};
+    for (int i = 0; i < 9; i++)
+        add_piece(s, b,
+                  flight(0.0, far + 3.5 * (i % 3) - 3.5, 3.5 * (i / 3) - 3.5 - far,
+                         test_random_uniform(&random, -1.0, 1.0), test_random_uniform(&random, -1.0, 1.0),
+                         test_random_uniform(&random, -1.0, 1.0)),
+                  0.0);
+    const double before = bmr_world_get_totals(s->world).energy;
+    advance(s, 30.0);
+    assert_true(s->count > 100 && s->count < MOST);
+    for (size_t i = 0; i < s->count; i++)
+        if (s->contacts[i].again == 0)
+            assert_near(s->contacts[i].distance, MARGIN, 2e-9);
+    assert_near(bmr_world_get_totals(s->world).energy, before, 1e-12 * before);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
 /// Of each two bodies one image is a pair, in a box a hundred times as long as high, too.
 static void all_pairs_of_a_long_box_are_all(void **state) {
     (void)state;
@@ -327,6 +355,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_trouble_has_its_sentence),
         cmocka_unit_test(a_ball_bounces_in_a_box_of_any_width),
+        cmocka_unit_test(far_from_the_origin_contacts_are_as_exact),
         cmocka_unit_test(all_pairs_of_a_long_box_are_all),
         cmocka_unit_test(nobody_is_missed_who_is_faster_than_the_tolerance),
         cmocka_unit_test(who_is_faster_than_the_clock_is_an_error),

@@ -101,9 +101,11 @@ typedef enum bmr_zeno_policy {
     /// inelastic collapse, bodies that come to rest on each other, and what is pushed together faster than
     /// any answer can part it. It is the right end of these.
     BMR_ZENO_ERROR,
-    /// An impulse on points that approach by less than `zeno_speed`, or of a pair that touches at less than a
-    /// 32nd of the margin, has restitution 1 (McNamara and Luding's remedy), and is counted. STALLED where
-    /// that does not help: bodies that nothing moves push others together.
+    /// An impulse on points that approach by less than `zeno_speed` has restitution 1 (McNamara and Luding's
+    /// remedy), and so has one of a pair that is jammed: that touches at an eighth of the margin or less
+    /// without having come apart. Both are counted (`softened`). STALLED where that does not help: bodies
+    /// that
+    /// nothing moves push others together.
     BMR_ZENO_ELASTIC
 } bmr_zeno_policy;
 
