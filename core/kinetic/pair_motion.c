@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "geometry/distance.h"
+#include "geometry/length.h"
 #include "kinetic/piece.h"
 
 /// Two poses differ by a jump, not by rounding, when they are this far apart, in parts of 1 + |position|.
@@ -92,7 +93,7 @@ double bmr_pair_separation(const bmr_pair_motion *pair, double time) {
 
 /// Of any point of the body over an interval, pieces' ends included.
 static double body_speed(const bmr_motion *motion, const bmr_polygon *shape, double from, double to) {
-    const double radius = hypot(shape->center.x, shape->center.y) + shape->radius;
+    const double radius = bmr_length(shape->center) + shape->radius;
     double most = 0.0;
     while (from < to) {
         double end;

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "geometry/length.h"
 #include "kds/structure.h"
 #include "kinetic/first_failure.h"
 #include "world/parts.h"
@@ -140,8 +141,8 @@ static double natural_time(const bmr_world *w, const bmr_couple *c, const bmr_pa
                            double time) {
     const bmr_instant now = bmr_pair_instant(motion, time);
     const bool wall = bmr_resident_is_wall(c->side[1]);
-    const double speed = hypot(now.velocity.x, now.velocity.y) +
-                         fabs(now.spin) * (c->side[0]->radius + (wall ? 0.0 : c->side[1]->radius));
+    const double speed =
+        bmr_length(now.velocity) + fabs(now.spin) * (c->side[0]->radius + (wall ? 0.0 : c->side[1]->radius));
     const double scale = bmr_gate_reach(w, c) / speed;
     return scale > 0.0 && scale < INFINITY ? scale : fmax(1.0, fabs(time));
 }

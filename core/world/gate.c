@@ -15,6 +15,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "geometry/length.h"
 #include "kinetic/bernstein.h"
 #include "kinetic/condition_polynomial.h"
 #include "kinetic/piece.h"
@@ -93,7 +94,7 @@ static bmr_motion_piece path_of(const bmr_motion_piece *piece, bmr_vec2 shift) {
 static double time_for(const bmr_algebraic_piece *path, double length) {
     double least = INFINITY;
     for (size_t k = 1; k <= path->degree; k++) {
-        const double size = hypot(path->x[k], path->y[k]);
+        const double size = bmr_length(bmr_vec2_make(path->x[k], path->y[k]));
         if (size > 0.0)
             least = fmin(least, pow(length / size, 1.0 / (double)k));
     }
@@ -118,8 +119,7 @@ double bmr_gate_distance(const bmr_world *w, const bmr_couple *c, double time) {
         const bmr_line line = bmr_wall_line(w, c->side[1]);
         return bmr_dot(line.normal, bmr_path_position(&c->side[0]->now.piece, time)) - line.offset;
     }
-    const bmr_vec2 way = way_at(w, c, time);
-    return hypot(way.x, way.y);
+    return bmr_length(way_at(w, c, time));
 }
 
 double bmr_gate_reach(const bmr_world *w, const bmr_couple *c) {
