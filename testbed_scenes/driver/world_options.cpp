@@ -109,7 +109,7 @@ CLI::App *AddWorld(CLI::App &app, WorldCommand &command) {
     world->add_option("scene", command.scene, "A world that --list shows")->capture_default_str();
     world
         ->add_option("--bodies", command.bodies, "How many (default: the scene's own, as of all that follow)")
-        ->check(CLI::Range(1, 10000000));
+        ->check(CLI::Range(2, 10000000));
     world->add_option("--shape", command.shape, "Outline of the polygons; mixed: all in turn")
         ->check(CLI::IsMember(ShapeNames()));
     world->add_option("--vertices", command.vertices, "N, or FEWEST:MOST, from which each body draws");
@@ -127,7 +127,15 @@ CLI::App *AddWorld(CLI::App &app, WorldCommand &command) {
     world->add_option("--zeno", command.zeno, "error or elastic")->check(CLI::IsMember({"error", "elastic"}));
     world->add_option("--zeno-speed", command.zenoSpeed, "Of --zeno elastic: slower than this is slow");
     world->add_option("--structure", command.structure, "Of near pairs; `events --list` shows all");
-    world->add_option("--seed", command.seed, "Of all that is drawn")->capture_default_str();
+    world->add_option("--seed", command.seed, "Of all that is drawn: a whole number from 0 on")
+        ->check(CLI::Validator(
+            [](const std::string &text) {
+                return text.find_first_not_of("0123456789") == std::string::npos
+                           ? std::string()
+                           : "\"" + text + "\" is no whole number from 0 on";
+            },
+            "UINT"))
+        ->capture_default_str();
     world->add_flag("--all-pairs", command.allPairs,
                     "No cells: every two bodies are watched, for comparison");
     world->add_flag("--check", command.check,
@@ -182,8 +190,6 @@ WorldChoice ChoiceFor(const WorldCommand &command) {
         ReadStructure(*command.structure, &choice);
     choice.seed = command.seed;
     choice.allPairs = command.allPairs;
-    if (choice.bodies < 2)
-        throw UsageError("--bodies: two at least");
     return choice;
 }
 

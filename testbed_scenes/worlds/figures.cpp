@@ -81,6 +81,7 @@ WorldFigures Measure(const WorldSetup &setup, const MeasureOptions &options) {
     }
     figures.clock = std::chrono::duration<double>(spent).count();
     figures.counts = run.Counts();
+    figures.plans = run.Plans();
     SetDrifts(run, setup, &figures);
     if (options.check)
         figures.check = CheckOverlaps(run, setup);
@@ -137,6 +138,7 @@ nlohmann::json ToJson(const WorldFigures &figures) {
                            {"rates", rates},
                            {"rate_all", figures.Rate(figures.Events())},
                            {"structure_events", structures},
+                           {"plans", figures.plans},
                            {"impulses", counts.impulses},
                            {"softened", counts.softened},
                            {"looks", counts.looks},

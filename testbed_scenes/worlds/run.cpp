@@ -135,6 +135,7 @@ void WorldRun::ChangePlan(bmr_body body) {
     const bmr_error error = bmr_world_set_motion(m_world.get(), body, made);
     if (error != BMR_OK)
         Stop(error, World(), m_setup.choice);
+    ++m_given;
 }
 
 bmr_body_state WorldRun::StateOf(bmr_body body) const {
