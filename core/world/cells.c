@@ -22,6 +22,10 @@
 
 #define LEAST_TABLE 64
 
+/// Of a periodic box, which has less than 2^22 cells of level 0 around: below this level their number would
+/// be no int64_t.
+#define LEAST_AROUND_LEVEL (-40)
+
 static double narrower(const bmr_world *w) {
     return fmin(w->unit_x, w->unit_y);
 }
@@ -54,8 +58,9 @@ bmr_error bmr_grid_level(const bmr_world *w, double radius, bmr_vec2 position, i
     const bool periodic = w->def.boundary == BMR_PERIODIC;
     if (exponent > (periodic ? 0 : BMR_MOST_LEVEL))
         return BMR_ERROR_OUT_OF_RANGE;
-    if (exponent < BMR_LEAST_LEVEL)
-        exponent = BMR_LEAST_LEVEL;
+    const int least = periodic ? LEAST_AROUND_LEVEL : BMR_LEAST_LEVEL;
+    if (exponent < least)
+        exponent = least;
     *level = periodic && w->def.all_pairs ? 0 : exponent;
     return BMR_OK;
 }

@@ -183,6 +183,13 @@ static double tolerance_at(const bmr_world *w, const bmr_near *n, double time) {
     return fmax(CLOCK_ROUNDINGS * DBL_EPSILON * fabs(time), fmin(bmr_world_tolerance(w, time), fine));
 }
 
+/// Bound of the speed of any point of one as seen from the other. 0: none is known, near a pole of a rational
+/// rotation (motion.h), where the search's own limits are what there is.
+static double speed_over(const bmr_pair_motion *motion, double from, double to) {
+    const double speed = bmr_pair_speed(motion, from, to);
+    return isfinite(speed) ? speed : 0.0;
+}
+
 /// Until when (and since when) the clock can tell the times of a pair of such a speed apart.
 static double clock_end(const bmr_world *w, double speed) {
     return w->def.kds.margin / (CLOCK_ROUNDINGS * DBL_EPSILON * speed);
@@ -225,7 +232,7 @@ static bmr_error search_near(bmr_world *w, bmr_couple *c) {
         n->window = PASSING_STEPS * w->def.contact_step;
     for (int i = 0; i < (passing ? 1 : WINDOWS) && n->from < horizon; i++, n->window *= 2.0) {
         const double ahead = fmin(fmax(n->from + n->window, nextafter(n->from, INFINITY)), DBL_MAX);
-        n->speed = bmr_pair_speed(&motion, n->from, fmin(horizon, ahead));
+        n->speed = speed_over(&motion, n->from, fmin(horizon, ahead));
         const double last = passing ? INFINITY : clock_end(w, n->speed);
         if (!(fabs(n->from) < last)) {
             if (n->from > w->time)
@@ -311,8 +318,17 @@ static double separation(const bmr_world *w, const bmr_couple *c, double time) {
     return bmr_pair_separation(&motion, time);
 }
 
+static bool is_too_fast(const bmr_world *w, const bmr_couple *c) {
+    bmr_couple_view view;
+    const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
+    const double speed = speed_over(&motion, w->time, nextafter(w->time, INFINITY));
+    return !(fabs(w->time) < clock_end(w, speed));
+}
+
 /// The disks have met: a structure begins.
 static bmr_error meet(bmr_world *w, bmr_couple *c) {
+    if (is_too_fast(w, c))
+        return bmr_couple_stop(w, c, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_SPEED);
     bmr_near *const n = bmr_world_take(w, sizeof *n);
     if (!n)
         return BMR_ERROR_NO_MEMORY;

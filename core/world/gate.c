@@ -196,8 +196,8 @@ typedef struct curve {
 
 /// A time that is early by this is early by next to nothing of a window, and of a cell, however fast they
 /// are.
-static double tolerance_of(const bmr_world *w, double window) {
-    return fmin(w->def.failure.tolerance, 0x1p-40 * window);
+static double tolerance_of(const bmr_world *w, double time, double window) {
+    return fmin(bmr_world_tolerance(w, time), 0x1p-40 * window);
 }
 
 static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
@@ -226,7 +226,7 @@ static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
         }
     }
     k.window = fmax(WINDOW * time_for(way, reach), LEAST_WINDOW * fmax(1.0, fabs(k.epoch)));
-    k.tolerance = tolerance_of(w, k.window);
+    k.tolerance = tolerance_of(w, k.epoch, k.window);
     return k;
 }
 
@@ -259,8 +259,8 @@ static bmr_error first_change(const curve *k, const bmr_condition *condition, bo
             return BMR_OK;
         }
         double u;
-        const double tolerance = k->tolerance * fmax(1.0, fabs(from)) / p.width;
-        if (positive && bmr_bernstein_first_root(p.c, p.degree, p.noise, tolerance, &u) && u <= 1.0) {
+        if (positive && bmr_bernstein_first_root(p.c, p.degree, p.noise, k->tolerance / p.width, &u) &&
+            u <= 1.0) {
             *time = fmin(to, from + u * p.width);
             return BMR_OK;
         }
@@ -411,7 +411,7 @@ bmr_error bmr_gate_crosses(const bmr_world *w, const bmr_resident *r, double aft
                                    bmr_condition_beyond(0, bmr_vec2_make(-1.0, 0.0), -high.x, origin, 0),
                                    bmr_condition_beyond(0, bmr_vec2_make(0.0, 1.0), low.y, origin, 0),
                                    bmr_condition_beyond(0, bmr_vec2_make(0.0, -1.0), -high.y, origin, 0)};
-    const curve k = {bmr_piece_rest(bmr_pose_identity()), path, after, span, tolerance_of(w, span)};
+    const curve k = {bmr_piece_rest(bmr_pose_identity()), path, after, span, tolerance_of(w, after, span)};
     const double to = fmax(after + span, nextafter(after, INFINITY));
     if (!isfinite(to))
         return BMR_ERROR_NOT_FINITE;

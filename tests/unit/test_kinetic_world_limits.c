@@ -116,6 +116,30 @@ static void all_pairs_of_a_long_box_are_all(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
+/// A point in a box of 1e21 of its cells: none of their numbers overflows, and it meets what is there.
+static void a_point_in_a_huge_periodic_box_meets_what_is_there(void **state) {
+    (void)state;
+    const bmr_vec2 origin = {0.0, 0.0};
+    bmr_polygon *point = NULL, *b = box(1e-3);
+    assert_int_equal(bmr_polygon_create(&origin, 1, NULL, &point), BMR_OK);
+    for (int all = 0; all < 2; all++) {
+        stage *s = make_stage(BMR_PERIODIC, 2e8);
+        s->def.kds.margin = s->def.kds.hysteresis = 1e-11;
+        s->def.all_pairs = all;
+        open_stage(s);
+        for (int i = 0; i < 3; i++)
+            add_piece(s, point, flight(0.0, 1e-3 * (i + 2), 0.0, 0.0, 0.0, 0.0), 1.0);
+        add_piece(s, b, flight(0.0, -0.5, 0.0, 1.0, 0.0, 0.0), 1e6);
+        assert_int_equal(bmr_world_audit(s->world), BMR_OK);
+        assert_int_equal(bmr_world_advance(s->world, 1.0), BMR_OK);
+        assert_true(s->count >= 3);
+        assert_near(s->contacts[0].time, 0.501, 1e-9);
+        close_stage(s);
+    }
+    bmr_polygon_destroy(point, NULL);
+    bmr_polygon_destroy(b, NULL);
+}
+
 // ---- the clock ----
 
 static bmr_polygon *segment(double half) {
@@ -357,6 +381,7 @@ int main(void) {
         cmocka_unit_test(a_ball_bounces_in_a_box_of_any_width),
         cmocka_unit_test(far_from_the_origin_contacts_are_as_exact),
         cmocka_unit_test(all_pairs_of_a_long_box_are_all),
+        cmocka_unit_test(a_point_in_a_huge_periodic_box_meets_what_is_there),
         cmocka_unit_test(nobody_is_missed_who_is_faster_than_the_tolerance),
         cmocka_unit_test(who_is_faster_than_the_clock_is_an_error),
         cmocka_unit_test(who_flies_out_of_the_world_is_an_error),
