@@ -257,6 +257,21 @@ void bmr_couple_destroy(bmr_world *w, bmr_couple *c);
 static inline int bmr_couple_side(const bmr_couple *c, const bmr_resident *r) {
     return c->side[0] == r ? 0 : 1;
 }
+// search.c: when something happens to it next.
+
+/// The next failure is looked for in so many times the time between the last two, then in twice that.
+#define BMR_COUPLE_AHEAD 4.0
+
+/// The time in which the two can move by their reach, at the speeds they have.
+double bmr_couple_natural_time(const bmr_world *w, const bmr_couple *c, const bmr_pair_motion *motion,
+                               double time);
+/// How exactly the pair's times are to be found: as the def says, and the faster it is the more exactly, down
+/// to the clock's own rounding.
+double bmr_couple_tolerance(const bmr_world *w, const bmr_near *n, double time);
+/// Is the clock too coarse, at the present time, for the speeds of the two?
+bool bmr_couple_too_fast(const bmr_world *w, const bmr_couple *c);
+/// It has its next event then, not before the present time. INFINITY: never.
+void bmr_couple_schedule(bmr_world *w, bmr_couple *c, bmr_couple_event event, double time);
 /// Finds its next event after the present time.
 bmr_error bmr_couple_search(bmr_world *w, bmr_couple *c);
 /// The same, with `replan` after a motion changed; where it cannot be done, the couple has an event now, at
