@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "boomerang/condition.h"
 
-#include <math.h>
+#include "geometry/length.h"
 
 bmr_condition bmr_condition_beyond(int owner, bmr_vec2 normal, double offset, bmr_vec2 point, int label) {
     bmr_condition k = {normal, offset, point, BMR_CONDITION_BEYOND, (uint8_t)owner, (uint8_t)label, {0}};
@@ -28,7 +28,7 @@ double bmr_condition_value(const bmr_condition *condition, const bmr_pose *b_in_
         return bmr_cross(condition->normal, bmr_rotate(&other_in_owner, condition->point));
     default: {
         const bmr_vec2 d = bmr_sub(bmr_transform(&other_in_owner, condition->point), condition->normal);
-        return hypot(d.x, d.y) - condition->offset;
+        return bmr_length(d) - condition->offset;
     }
     }
 }

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "geometry/length.h"
 #include "geometry/tiny.h"
 #include "kds/failing.h"
 
@@ -34,7 +35,7 @@ double bmr_features_overlap(const bmr_kds *kds) {
 static double tolerance(const bmr_kds *kds, const bmr_condition *condition, const bmr_pose *pose) {
     const double extent = kds->shapes[0].polygon->extent + kds->shapes[1].polygon->extent;
     const bool angle = condition->kind == BMR_CONDITION_TURN;
-    return BMR_FAILING_PART * (angle ? 1.0 : extent + hypot(pose->position.x, pose->position.y));
+    return BMR_FAILING_PART * (angle ? 1.0 : extent + bmr_length(pose->position));
 }
 
 bool bmr_features_failed(const bmr_kds *kds, const bmr_condition *condition, const bmr_instant *now) {
@@ -63,7 +64,7 @@ double bmr_cone_overlap(const bmr_polygon *p, uint32_t i) {
 
 static bmr_vec2 unit(bmr_vec2 v) {
     const bmr_vec2 d = bmr_scale_up_if_tiny(v);
-    return bmr_scale(1.0 / hypot(d.x, d.y), d);
+    return bmr_scale(1.0 / bmr_length(d), d);
 }
 
 /// The unit vector from vertex i to the one after (before) it.

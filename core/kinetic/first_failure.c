@@ -28,12 +28,14 @@ bmr_error bmr_first_failure(const bmr_condition *conditions, size_t count, const
 }
 
 double bmr_repair_time(const bmr_pair_motion *motion, const bmr_condition *condition, double time,
-                       double tolerance) {
+                       double tolerance, double longest) {
     double later = time, step = fmax(tolerance, DBL_EPSILON * fabs(time));
     for (int i = 0; i <= NUDGES; i++, step *= 2.0) {
         const bmr_pose pose = bmr_pair_instant(motion, later).pose;
         if (!(bmr_condition_value(condition, &pose) > 0.0))
             return later;
+        if (i > 0 && step > longest)
+            break;
         later = time + step;
     }
     return later;

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "geometry/distance.h"
+#include "geometry/length.h"
 #include "kinetic/piece.h"
 
 /// Two poses differ by a jump, not by rounding, when they are this far apart, in parts of 1 + |position|.
@@ -92,7 +93,7 @@ double bmr_pair_separation(const bmr_pair_motion *pair, double time) {
 
 /// Of any point of the body over an interval, pieces' ends included.
 static double body_speed(const bmr_motion *motion, const bmr_polygon *shape, double from, double to) {
-    const double radius = hypot(shape->center.x, shape->center.y) + shape->radius;
+    const double radius = bmr_length(shape->center) + shape->radius;
     double most = 0.0;
     while (from < to) {
         double end;
@@ -125,7 +126,7 @@ static double pieces_end(const bmr_pair_motion *pair, double time, double to) {
     return fmin(to, fmin(a, b));
 }
 
-static double pair_speed(const bmr_pair_motion *pair, double from, double to) {
+double bmr_pair_speed(const bmr_pair_motion *pair, double from, double to) {
     return body_speed(pair->a, pair->shape_a, from, to) + body_speed(pair->b, pair->shape_b, from, to);
 }
 
@@ -141,9 +142,9 @@ double bmr_pair_leaves(const bmr_pair_motion *pair, double from, double to, doub
             return NAN;
         // Time is resolved to the tolerance: looks nearer to one another say nothing.
         double end = fmin(to, fmax(time + fmax(longest_step, tolerance), nextafter(time, INFINITY)));
-        const double speed = pair_speed(pair, time, end);
+        const double speed = bmr_pair_speed(pair, time, end);
         // A pair at rest stays where it is until a piece ends.
-        if (!(speed > 0.0) && pair_speed(pair, time, pieces_end(pair, time, to)) == 0.0)
+        if (!(speed > 0.0) && bmr_pair_speed(pair, time, pieces_end(pair, time, to)) == 0.0)
             end = fmax(end, pieces_end(pair, time, to));
         const double safe = speed > 0.0 ? (level - here) / speed : INFINITY;
         double next = fmin(end, time + fmax(safe, least_step));

@@ -22,6 +22,10 @@ double bmr_pair_next_jump(const bmr_pair_motion *pair, double from, double to);
 /// Does a piece begin at `time`, and with a jump?
 bool bmr_pair_jumps_at(const bmr_pair_motion *pair, double time);
 
+/// How fast any point of one can move as seen from any point of the other, at most, in [from, to]. O(pieces
+/// in between).
+double bmr_pair_speed(const bmr_pair_motion *pair, double from, double to);
+
 /// The polygons' distance; where they overlap, minus the depth over the normals of all edges. O(n + m).
 double bmr_pair_separation(const bmr_pair_motion *pair, double time);
 

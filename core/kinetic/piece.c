@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "geometry/length.h"
+
 /// How far a rotation given by the caller may be off unit length.
 #define UNIT_TOLERANCE 1e-9
 
@@ -85,7 +87,7 @@ static bmr_instant algebraic_instant(const bmr_algebraic_piece *p, double u) {
     double da, db;
     const double a = evaluate(p->a, p->rotation_degree, u, &da);
     const double b = evaluate(p->b, p->rotation_degree, u, &db);
-    const double length = hypot(a, b), ca = a / length, sa = b / length;
+    const double length = bmr_length(bmr_vec2_make(a, b)), ca = a / length, sa = b / length;
     const double c = ca * ca - sa * sa, s = 2.0 * ca * sa;
     now.pose.c = c * p->start_c - s * p->start_s;
     now.pose.s = s * p->start_c + c * p->start_s;
@@ -142,7 +144,7 @@ static void magnitudes(const double *x, const double *y, size_t degree, size_t f
     double power[3] = {1.0, 0.0, 0.0}; // h^k and its derivatives
     sums[0] = sums[1] = sums[2] = 0.0;
     for (size_t k = 0; k <= degree; k++) {
-        const double z = hypot(x[k], y[k]);
+        const double z = bmr_length(bmr_vec2_make(x[k], y[k]));
         for (int i = 0; i < 3 && k >= first; i++)
             sums[i] += z * power[i];
         power[2] = power[2] * h + 2.0 * power[1];
@@ -168,7 +170,7 @@ static bmr_piece_rates algebraic_bounds(const bmr_motion_piece *piece, double fr
     double path[3], turn[3];
     magnitudes(p.x, p.y, p.degree, 1, h, path);
     magnitudes(p.a, p.b, p.rotation_degree, 1, h, turn);
-    const double center = hypot(p.a[0], p.b[0]), least = center - turn[0];
+    const double center = bmr_length(bmr_vec2_make(p.a[0], p.b[0])), least = center - turn[0];
     if (!(least >= 0.5 * center && center > 0.0) && depth > 0)
         return join(algebraic_bounds(piece, from, middle, depth - 1, intervals),
                     algebraic_bounds(piece, middle, to, depth - 1, intervals));
@@ -191,8 +193,8 @@ bmr_piece_rates bmr_piece_bounds(const bmr_motion_piece *piece, double from, dou
         return algebraic_bounds(piece, from, to, POLE_DEPTH, intervals);
     ++*intervals;
     const bmr_screw_motion *screw = &piece->as.screw;
-    const bmr_piece_rates rates = {hypot(screw->velocity.x, screw->velocity.y) * BOUND_SLACK, 0.0,
-                                   screw->spin, screw->spin, 0.0};
+    const bmr_piece_rates rates = {bmr_length(screw->velocity) * BOUND_SLACK, 0.0, screw->spin, screw->spin,
+                                   0.0};
     return rates;
 }
 

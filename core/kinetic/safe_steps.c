@@ -38,7 +38,8 @@ typedef struct search {
     const bmr_condition *condition;
     const bmr_motion_piece *owner, *other;
     double tolerance;
-    size_t intervals; ///< looked at for bounds so far
+    double reach, arm; ///< lengths of the condition's normal and point
+    size_t intervals;  ///< looked at for bounds so far
 } search;
 
 typedef struct look {
@@ -63,7 +64,7 @@ static look look_at(const search *s, double time) {
     const bmr_vec2 way = bmr_sub(other.pose.position, own.pose.position);
     const bmr_vec2 normal = bmr_rotate(&own.pose, k->normal), point = bmr_rotate(&other.pose, k->point);
     const double clock = fabs(time) + fabs(time - s->owner->origin) + fabs(time - s->other->origin);
-    const double reach = bmr_length(k->normal), arm = bmr_length(k->point);
+    const double reach = s->reach, arm = s->arm;
     look at = {time, 0.0, 0.0, 0.0};
     double size, rate; // lengths involved, and how fast a rounding of the time moves them
     if (k->kind == BMR_CONDITION_TURN) {
@@ -104,7 +105,7 @@ static bounds bound_over(search *s, double time, double width) {
     const double turn = fmax(other.spin_high - own.spin_low, own.spin_high - other.spin_low);
     const double spin = bmr_rates_spin(&own), other_spin = bmr_rates_spin(&other);
     const double turn_change = own.spin_change + other.spin_change;
-    const double reach = bmr_length(k->normal), arm = bmr_length(k->point);
+    const double reach = s->reach, arm = s->arm;
     bounds b;
     if (k->kind == BMR_CONDITION_TURN) {
         b.bend = b.dip = reach * arm * (turn * turn + turn_change);
@@ -228,7 +229,8 @@ static bool fails_at_start(search *s, double to, bool fresh, look *at) {
 bmr_error bmr_safe_first_failure(const bmr_condition *condition, const bmr_motion_piece *owner,
                                  const bmr_motion_piece *other, double from, double to, bool fresh,
                                  double tolerance, double *time) {
-    search s = {condition, owner, other, tolerance, 0};
+    search s = {
+        condition, owner, other, tolerance, bmr_length(condition->normal), bmr_length(condition->point), 0};
     look at = look_at(&s, from);
     if (!isfinite(at.value))
         return BMR_ERROR_NOT_FINITE;

@@ -175,7 +175,7 @@ static void start(bmr_simulation *s, pair *p, double time, bool first) {
 /// False: the pair jumps before it could be repaired, which is its next event.
 static bool repair(bmr_simulation *s, pair *p, double time) {
     const bmr_pair_motion motion = motion_of(s, p);
-    const double later = bmr_repair_time(&motion, &p->condition, time, tolerance_at(s, time));
+    const double later = bmr_repair_time(&motion, &p->condition, time, tolerance_at(s, time), INFINITY);
     const double jump = bmr_pair_next_jump(&motion, time, later);
     if (jump <= later) {
         p->next = JUMP;

@@ -11,8 +11,9 @@
 /// Approaches below this part of the first one are none.
 #define NO_APPROACH 0x1p-46
 
-/// ZENO_ELASTIC takes a pair for collapsing, however fast it is, when its margin was halved so often.
-#define ELASTIC_RUNG 6
+/// ZENO_ELASTIC takes a pair for jammed, however fast it is, when its margin was halved so often. Early: the
+/// room that is left down to what structures can prove is what a pile has to come loose in.
+#define JAMMED_RUNG 3
 /// Below this part of its terms a determinant is rounding.
 #define LEAST_DETERMINANT 0x1p-40
 
@@ -85,7 +86,7 @@ static bool collide(bmr_world *w, const bmr_couple *c, double restitution, bmr_t
         if (!(approach < 0.0) || (i > 0 && approach > NO_APPROACH * first))
             break;
         const bool soft = w->def.zeno == BMR_ZENO_ELASTIC &&
-                          (-approach < w->def.zeno_speed || c->near->rung >= ELASTIC_RUNG);
+                          (-approach < w->def.zeno_speed || c->near->rung >= JAMMED_RUNG);
         const double bounce = soft ? 1.0 : restitution;
         double impulse[2] = {0.0, 0.0};
         if (!two_impulses(c, touch, bounce, impulse)) {
@@ -101,20 +102,6 @@ static bool collide(bmr_world *w, const bmr_couple *c, double restitution, bmr_t
         w->counts.impulses++;
         w->counts.softened += soft && restitution < 1.0;
         *changed = true;
-    }
-    return true;
-}
-
-/// The common velocity; false: neither can be moved.
-static bool stick(const bmr_couple *c, momentum *m) {
-    const double a = c->side[0]->mass, b = c->side[1]->mass;
-    if (isinf(a) && isinf(b))
-        return false;
-    const double part = isinf(b) ? 1.0 : isinf(a) ? 0.0 : b / (a + b); // of b's velocity
-    const bmr_vec2 common = bmr_add(bmr_scale(1.0 - part, m->velocity[0]), bmr_scale(part, m->velocity[1]));
-    for (int i = 0; i < 2; i++) {
-        m->velocity[i] = common;
-        m->spin[i] = 0.0;
     }
     return true;
 }
@@ -153,8 +140,11 @@ static bmr_error answer(bmr_world *w, bmr_couple *c, const bmr_response *respons
         return bmr_couple_pass(w, c);
     if (response->kind == BMR_RESPONSE_IMPULSE)
         can = collide(w, c, response->restitution, touch, &m, &changed);
-    else if (response->kind == BMR_RESPONSE_STICK)
-        can = changed = stick(c, &m);
+    else if (response->kind == BMR_RESPONSE_STICK) {
+        can = bmr_stick(w, c);
+        m = momentum_of(w, c);
+        bmr_touch_move(touch, m.velocity, m.spin);
+    }
     if (!can)
         return bmr_couple_pass(w, c);
     if (changed) {
@@ -187,7 +177,7 @@ bmr_error bmr_contact_tell(bmr_world *w, bmr_couple *c, bool placed) {
     bmr_error error = BMR_OK;
     if (c && !makes_sense(&response)) {
         bmr_couple_pass(w, c);
-        error = BMR_ERROR_OUT_OF_RANGE;
+        error = bmr_couple_stop(w, c, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_ANSWER);
     } else if (c) {
         w->counts.responses[response.kind]++;
         w->busy = c; // the answer changes motions; this couple's own turn comes after

@@ -5,8 +5,9 @@
 // Why neighbours are enough. Let a and b live on levels of cells h_a <= h_b, and call w = h/16 the
 // hysteresis. If the cells of both on b's level are no neighbours, there is a whole cell between them, and
 // the centres are more than h_b - w_a - w_b >= 7/8 h_b apart. Both radii are at most (h_b - 32 margin) / 2.5,
-// so the sum of both with the margin is below 0.8 h_b - 24 margin, and the reach at which disks meet, 65/64
-// of that and rounding (gate.c), below 0.82 h_b.
+// so the sum of both with two margins is below 0.8 h_b - 23 margin, and the reach at which disks meet, 65/64
+// of that and rounding (gate.c), below 0.82 h_b. (A body that is beyond its cell and the hysteresis by h/64,
+// because no time lies between, is an error: resident.c.)
 #include <math.h>
 #include <string.h>
 
@@ -20,6 +21,10 @@
 #define CELL_PART 0x1p-30
 
 #define LEAST_TABLE 64
+
+/// Of a periodic box, which has less than 2^22 cells of level 0 around: below this level their number would
+/// be no int64_t.
+#define LEAST_AROUND_LEVEL (-40)
 
 static double narrower(const bmr_world *w) {
     return fmin(w->unit_x, w->unit_y);
@@ -44,7 +49,8 @@ double bmr_grid_need(const bmr_world *w, double radius) {
 bmr_error bmr_grid_level(const bmr_world *w, double radius, bmr_vec2 position, int *level) {
     const double place = CELL_PART * fmax(fabs(position.x), fabs(position.y));
     const double cells = fmax(bmr_grid_need(w, radius), place) / narrower(w);
-    if (!isfinite(cells))
+    // (fmax passes a NaN over, where it has another number.)
+    if (!isfinite(position.x) || !isfinite(position.y) || !isfinite(cells))
         return BMR_ERROR_NOT_FINITE;
     int exponent = BMR_LEAST_LEVEL;
     if (frexp(cells, &exponent) == 0.5)
@@ -52,8 +58,9 @@ bmr_error bmr_grid_level(const bmr_world *w, double radius, bmr_vec2 position, i
     const bool periodic = w->def.boundary == BMR_PERIODIC;
     if (exponent > (periodic ? 0 : BMR_MOST_LEVEL))
         return BMR_ERROR_OUT_OF_RANGE;
-    if (exponent < BMR_LEAST_LEVEL)
-        exponent = BMR_LEAST_LEVEL;
+    const int least = periodic ? LEAST_AROUND_LEVEL : BMR_LEAST_LEVEL;
+    if (exponent < least)
+        exponent = least;
     *level = periodic && w->def.all_pairs ? 0 : exponent;
     return BMR_OK;
 }

@@ -73,11 +73,16 @@ void bmr_touch_describe(const bmr_world *w, const bmr_couple *c, bool placed, bm
     contact->count = 1;
     bmr_couple_view view;
     const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
+    const bmr_pose seen_a = bmr_motion_pose(motion.a, w->time, NULL, NULL);
+    const bmr_pose seen_b = bmr_motion_pose(motion.b, w->time, NULL, NULL);
+    const bmr_pose b_in_a = bmr_pose_relative(&seen_a, &seen_b);
     bmr_vec2 velocity[2];
     double spin[2];
-    const bmr_pose a = bmr_motion_pose(motion.a, w->time, &velocity[0], &spin[0]);
-    const bmr_pose b = bmr_motion_pose(motion.b, w->time, &velocity[1], &spin[1]);
-    const bmr_pose b_in_a = bmr_pose_relative(&a, &b);
+    bmr_pose poses[2]; // in the world
+    for (int i = 0; i < 2; i++) {
+        const bmr_motion own = bmr_motion_of_piece(&c->side[i]->now);
+        poses[i] = bmr_motion_pose(&own, w->time, &velocity[i], &spin[i]);
+    }
 
     bmr_closest_points closest;
     bmr_overlap overlap;
@@ -94,13 +99,14 @@ void bmr_touch_describe(const bmr_world *w, const bmr_couple *c, bool placed, bm
     const double room = FACING_PART * w->def.kds.margin;
     if (contact->distance > 0.0 && facing(motion.shape_a, motion.shape_b, &b_in_a, normal, room, points))
         contact->count = 2;
-    contact->normal = bmr_rotate(&a, normal);
-    // Arms from the difference of the places: two bodies far from the origin keep their digits.
-    const bmr_vec2 way = bmr_sub(b.position, a.position);
+    contact->normal = bmr_rotate(&poses[0], normal);
+    // Arms from what lies between the two: bodies far from the origin keep their digits. (A wall's arm is
+    // that of the segment beside the body; a wall does not turn.)
+    const bmr_vec2 way = bmr_sub(seen_b.position, seen_a.position);
     for (size_t k = 0; k < contact->count; k++) {
-        touch->arm[0][k] = bmr_rotate(&a, points[k]);
+        touch->arm[0][k] = bmr_rotate(&poses[0], points[k]);
         touch->arm[1][k] = bmr_sub(touch->arm[0][k], way);
-        contact->points[k] = bmr_add(a.position, touch->arm[0][k]);
+        contact->points[k] = bmr_add(poses[0].position, touch->arm[0][k]);
     }
     bmr_touch_move(touch, velocity, spin);
 }

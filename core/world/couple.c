@@ -4,7 +4,6 @@
 // All of it is a function of the two motions and of what was answered: no time here depends on how far the
 // world is to advance, or on when the two became neighbours. So a couple that a grid finds late has the same
 // contacts, to the bit, as one that was watched all along.
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -12,18 +11,13 @@
 #include "kinetic/first_failure.h"
 #include "world/parts.h"
 
-/// The next failure is looked for in so many times the time between the last two, then in twice that.
-#define AHEAD 4.0
-/// .. and in this part of the time in which the two can move by their reach, before there were two.
-#define FIRST_PART 0x1p-3
-/// Windows that one search goes through before the couple is put back into the queue.
-#define WINDOWS 6
-/// A pair that passes is looked at step by step: so many steps ahead, for most pairs are soon sent elsewhere.
-#define PASSING_STEPS 8.0
 /// The margin is halved at most so often: 2^-20 of it is below what structures can tell.
 #define MOST_RUNGS 20
 /// Repairs this near to one another are a burst.
 #define BURST_TOLERANCES 4.0
+/// A condition that failed, and is not yet seen to, is looked for over so many margins' way: as long as two
+/// that fly through each other are in contact.
+#define NUDGE_MARGINS 2.0
 /// A structure may want a pair a little farther apart than the distance at which a contact ends. It is asked
 /// again after a tolerance, two, four, and so on, so many times.
 #define LEAVE_RETRIES 30
@@ -124,154 +118,12 @@ bool bmr_item_before(const bmr_agenda_item *a, const bmr_agenda_item *b) {
     return p->image[0] != q->image[0] ? p->image[0] < q->image[0] : p->image[1] < q->image[1];
 }
 
-// ---- motion ----
-
-bmr_vec2 bmr_couple_shift(const bmr_world *w, const bmr_couple *c) {
-    return bmr_vec2_make(c->image[0] ? c->image[0] * (w->def.high.x - w->def.low.x) : 0.0,
-                         c->image[1] ? c->image[1] * (w->def.high.y - w->def.low.y) : 0.0);
-}
-
-bmr_pair_motion bmr_couple_motion(const bmr_world *w, const bmr_couple *c, bmr_couple_view *view) {
-    bmr_timed_piece *second = &c->side[1]->now;
-    if (c->image[0] || c->image[1]) {
-        const bmr_vec2 shift = bmr_couple_shift(w, c);
-        view->shifted = c->side[1]->now;
-        second = &view->shifted;
-        if (second->piece.kind == BMR_PIECE_SCREW) {
-            bmr_vec2 *const position = &second->piece.as.screw.start.position;
-            *position = bmr_add(*position, shift);
-        } else {
-            second->piece.as.algebraic.x[0] += shift.x;
-            second->piece.as.algebraic.y[0] += shift.y;
-        }
-    }
-    view->motions[0] = bmr_motion_of_piece(&c->side[0]->now);
-    view->motions[1] = bmr_motion_of_piece(second);
-    const bmr_pair_motion motion = {&view->motions[0], &view->motions[1], c->side[0]->shape.polygon,
-                                    c->side[1]->shape.polygon};
-    return motion;
-}
-
-/// The time in which the two can move by their reach, at the speeds they have.
-static double natural_time(const bmr_world *w, const bmr_couple *c, const bmr_pair_motion *motion,
-                           double time) {
-    const bmr_instant now = bmr_pair_instant(motion, time);
-    const bool wall = bmr_resident_is_wall(c->side[1]);
-    const double speed = hypot(now.velocity.x, now.velocity.y) +
-                         fabs(now.spin) * (c->side[0]->radius + (wall ? 0.0 : c->side[1]->radius));
-    const double scale = bmr_gate_reach(w, c) / speed;
-    return scale > 0.0 && scale < INFINITY ? scale : fmax(1.0, fabs(time));
-}
-
-// ---- searching ----
-
-static void schedule(bmr_world *w, bmr_couple *c, bmr_couple_event event, double time) {
-    c->event = (uint8_t)event;
-    bmr_agenda_set(&w->agenda, &c->item, time < INFINITY ? fmax(time, w->time) : time);
-}
-
-static bmr_error search_disks(bmr_world *w, bmr_couple *c) {
-    double time;
-    bool look;
-    w->counts.disk_times++;
-    const bmr_error error = bmr_gate_meets(w, c, w->time, &time, &look);
-    if (error == BMR_OK)
-        schedule(w, c, look ? BMR_COUPLE_LOOK : BMR_COUPLE_MEET, time);
-    return error;
-}
-
-/// When the structure is not needed any more; part_known: not before `part`, where it is to be asked again.
-static bmr_error find_part(bmr_world *w, bmr_couple *c) {
-    bmr_near *const n = c->near;
-    if (!isnan(n->part) && (n->part_known || n->part > n->from))
-        return BMR_OK;
-    w->counts.disk_times++;
-    bool look;
-    const bmr_error error = bmr_gate_parts(w, c, fmax(w->time, n->from), &n->part, &look);
-    n->part_known = error == BMR_OK && !look;
-    if (error != BMR_OK)
-        n->part = NAN;
-    return error;
-}
-
-/// The first failure of the structure's conditions, or the end of a contact that was passed, in (from, to].
-static bmr_error find_event(bmr_world *w, bmr_couple *c, double from, double to, double *time) {
-    bmr_near *const n = c->near;
-    bmr_couple_view view;
-    const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
-    if (c->watch == BMR_WATCH_PASSING) {
-        const double target = w->def.kds.margin + w->def.kds.hysteresis;
-        *time = bmr_pair_leaves(&motion, from, to, target, w->def.contact_step, bmr_world_tolerance(w, from));
-        return isnan(*time) ? BMR_ERROR_OUT_OF_RANGE : BMR_OK;
-    }
-    bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
-    const size_t count = bmr_kds_conditions(n->kds, conditions);
-    w->counts.failure_times += count;
-    const bmr_error error = bmr_first_failure(conditions, count, motion.a, motion.b, from, to,
-                                              &w->def.failure, time, &n->failing);
-    if (error == BMR_OK && *time < INFINITY)
-        n->condition = conditions[n->failing];
-    return error;
-}
-
-static bmr_error search_near(bmr_world *w, bmr_couple *c) {
-    bmr_near *const n = c->near;
-    const bmr_error error = find_part(w, c);
-    if (error != BMR_OK)
-        return error;
-    if (!(n->window > 0.0)) {
-        bmr_couple_view view;
-        const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
-        n->window = FIRST_PART * natural_time(w, c, &motion, n->from);
-    }
-    const double pieces = fmin(c->side[0]->until, c->side[1]->until);
-    const double horizon = fmin(n->part, fmin(n->rise, pieces));
-    const bool passing = c->watch == BMR_WATCH_PASSING;
-    if (passing)
-        n->window = PASSING_STEPS * w->def.contact_step;
-    for (int i = 0; i < (passing ? 1 : WINDOWS) && n->from < horizon; i++, n->window *= 2.0) {
-        const double to = fmin(horizon, fmax(n->from + n->window, nextafter(n->from, INFINITY)));
-        double time;
-        const bmr_error failed = find_event(w, c, n->from, to, &time);
-        if (failed != BMR_OK)
-            return failed;
-        if (time < INFINITY) {
-            schedule(w, c, passing ? BMR_COUPLE_LEAVE : BMR_COUPLE_FAIL, time);
-            return BMR_OK;
-        }
-        n->from = to;
-    }
-    if (n->from < horizon)
-        schedule(w, c, BMR_COUPLE_LOOK, n->from);
-    else if (horizon == n->part)
-        schedule(w, c, n->part_known ? BMR_COUPLE_PART : BMR_COUPLE_LOOK, n->part);
-    else if (horizon == n->rise)
-        schedule(w, c, BMR_COUPLE_RISE, n->rise);
-    else // the next piece is an event of its body, and comes first
-        schedule(w, c, BMR_COUPLE_LOOK, pieces);
-    return BMR_OK;
-}
-
-bmr_error bmr_couple_search(bmr_world *w, bmr_couple *c) {
-    return c->watch == BMR_WATCH_DISKS ? search_disks(w, c) : search_near(w, c);
-}
-
-void bmr_couple_search_later(bmr_world *w, bmr_couple *c, bool replan) {
-    if (replan && c->near) {
-        bmr_near *const n = c->near;
-        n->from = fmax(n->repaired, w->time);
-        n->part = NAN;
-        n->window = AHEAD * n->rhythm;
-    }
-    if (bmr_couple_search(w, c) != BMR_OK)
-        schedule(w, c, BMR_COUPLE_LOOK, w->time);
-}
-
 // ---- events ----
 
 /// Too many repairs of one pair, each within next to no time of the one before.
 static bool is_burst(const bmr_world *w, bmr_near *n, double time) {
-    n->burst = time - n->last_repair <= BURST_TOLERANCES * bmr_world_tolerance(w, time) ? n->burst + 1 : 0;
+    n->burst =
+        time - n->last_repair <= BURST_TOLERANCES * bmr_couple_tolerance(w, n, time) ? n->burst + 1 : 0;
     n->last_repair = time;
     return n->burst > BMR_WORLD_BURST;
 }
@@ -311,12 +163,14 @@ static double separation(const bmr_world *w, const bmr_couple *c, double time) {
 
 /// The disks have met: a structure begins.
 static bmr_error meet(bmr_world *w, bmr_couple *c) {
+    if (bmr_couple_too_fast(w, c))
+        return bmr_couple_stop(w, c, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_SPEED);
     bmr_near *const n = bmr_world_take(w, sizeof *n);
     if (!n)
         return BMR_ERROR_NO_MEMORY;
     memset(n, 0, sizeof *n);
-    const bmr_error error = bmr_kds_create(w->def.structure, &w->def.kds, &c->side[0]->shape,
-                                           &c->side[1]->shape, &w->counted, &n->kds);
+    const bmr_error error = bmr_kds_create(w->def.structure, &w->def.kds, bmr_couple_shape(c, 0),
+                                           bmr_couple_shape(c, 1), &w->counted, &n->kds);
     if (error != BMR_OK) {
         bmr_world_give(w, n, sizeof *n);
         return error;
@@ -352,18 +206,19 @@ static bmr_error fail(bmr_world *w, bmr_couple *c) {
     bmr_near *const n = c->near;
     if (is_burst(w, n, w->time)) {
         bmr_couple_pass(w, c);
-        return BMR_ERROR_STALLED;
+        return bmr_couple_stop(w, c, BMR_ERROR_STALLED, BMR_TROUBLE_REPAIRS);
     }
     bmr_couple_view view;
     const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
-    const double later = bmr_repair_time(&motion, &n->condition, w->time, bmr_world_tolerance(w, w->time));
+    const double later = bmr_repair_time(&motion, &n->condition, w->time, bmr_couple_tolerance(w, n, w->time),
+                                         NUDGE_MARGINS * w->def.kds.margin / n->speed);
     const bmr_instant now = bmr_pair_instant(&motion, later);
     bmr_kds_report report;
     bmr_kds_repair(n->kds, &now, n->failing, &report);
     count(w, &report);
     n->rhythm = fmax(later - n->repaired, 0.5 * n->rhythm);
     n->from = n->repaired = later;
-    n->window = AHEAD * n->rhythm;
+    n->window = BMR_COUPLE_AHEAD * n->rhythm;
     if (report.kind == BMR_KDS_CONTACT)
         return bmr_contact_tell(w, c, false);
     bmr_couple_search_later(w, c, false);
@@ -399,7 +254,7 @@ static bmr_error rise(bmr_world *w, bmr_couple *c) {
         count(w, &report);
         if (!apart) { // apart, and no proof of it
             bmr_couple_pass(w, c);
-            return BMR_ERROR_STALLED;
+            return bmr_couple_stop(w, c, BMR_ERROR_STALLED, BMR_TROUBLE_PROOF);
         }
         if (n->rung == 0) {
             n->rise = INFINITY;
@@ -427,7 +282,8 @@ static bmr_error leave(bmr_world *w, bmr_couple *c) {
     }
     n->from = w->time;
     if (n->retries++ < LEAVE_RETRIES) {
-        schedule(w, c, BMR_COUPLE_LEAVE, w->time + ldexp(bmr_world_tolerance(w, w->time), (int)n->retries));
+        bmr_couple_schedule(w, c, BMR_COUPLE_LEAVE,
+                            w->time + ldexp(bmr_world_tolerance(w, w->time), (int)n->retries));
         return BMR_OK;
     }
     n->retries = 0;
@@ -463,6 +319,7 @@ void bmr_couple_hold(bmr_world *w, bmr_couple *c) {
 bmr_error bmr_couple_pass(bmr_world *w, bmr_couple *c) {
     bmr_near *const n = c->near;
     set_watch(w, c, BMR_WATCH_PASSING);
+    c->stuck = false;
     n->from = n->repaired = w->time;
     n->part = NAN;
     n->rise = INFINITY;
@@ -483,7 +340,7 @@ bmr_error bmr_couple_resume(bmr_world *w, bmr_couple *c, bool placed, double rec
         const double room = 2.0 * margin_of(w, n->rung - 1);
         bmr_couple_view view;
         const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
-        const double most = natural_time(w, c, &motion, w->time);
+        const double most = bmr_couple_natural_time(w, c, &motion, w->time);
         n->part = NAN;
         n->window = 0.0;
         n->rhythm = 0.0;
@@ -495,5 +352,5 @@ bmr_error bmr_couple_resume(bmr_world *w, bmr_couple *c, bool placed, double rec
     }
     // Overlapping bodies were put there: they pass, until they are apart.
     const bmr_error error = bmr_couple_pass(w, c);
-    return placed ? error : BMR_ERROR_STALLED;
+    return placed ? error : bmr_couple_stop(w, c, BMR_ERROR_STALLED, BMR_TROUBLE_CONTACTS);
 }

@@ -8,11 +8,14 @@
 // form. Else time is cut into windows, counted from the epoch, and each window is searched from its
 // beginning.
 //
-// The reach is larger than the sum of the radii and the margin by a 64th, and by the rounding of places at
-// the epoch; so rounding of any of this never makes the disks meet too late.
+// The reach is larger than the sum of the radii and the margin by a margin, by a 64th, and by the rounding of
+// places at the epoch; so rounding of any of this never makes the disks meet too late. (Where a rounding of
+// the time is longer than a margin's way, the couple is stopped as soon as they meet: couple.c, clock_end.)
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
+#include "geometry/length.h"
 #include "kinetic/bernstein.h"
 #include "kinetic/condition_polynomial.h"
 #include "kinetic/piece.h"
@@ -36,6 +39,8 @@
 /// Windows that are left out at once, at most, as a power of 2; and how far from the reach they must stay.
 #define MOST_DOUBLINGS 40
 #define CLEAR_PART 1.125
+/// Of times that are sums.
+#define CLOCK_ROUNDINGS 2.0
 /// Sign changes in one window; two paths of degree 8 have 16 at most.
 #define MOST_CHANGES 64
 
@@ -89,7 +94,7 @@ static bmr_motion_piece path_of(const bmr_motion_piece *piece, bmr_vec2 shift) {
 static double time_for(const bmr_algebraic_piece *path, double length) {
     double least = INFINITY;
     for (size_t k = 1; k <= path->degree; k++) {
-        const double size = hypot(path->x[k], path->y[k]);
+        const double size = bmr_length(bmr_vec2_make(path->x[k], path->y[k]));
         if (size > 0.0)
             least = fmin(least, pow(length / size, 1.0 / (double)k));
     }
@@ -97,15 +102,6 @@ static double time_for(const bmr_algebraic_piece *path, double length) {
 }
 
 // ---- the two of a couple ----
-
-/// A wall's line: the box is on its left, where <normal, x> > offset.
-static bmr_line wall_line(const bmr_world *w, const bmr_couple *c) {
-    static const bmr_vec2 inwards[BMR_WALLS] = {{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}};
-    const size_t side = (size_t)(c->side[1]->id - BMR_WALL(0));
-    const bmr_vec2 corner = side % 2 == 0 ? w->def.low : w->def.high;
-    const bmr_line line = {inwards[side], bmr_dot(inwards[side], corner)};
-    return line;
-}
 
 static double epoch_of(const bmr_couple *c) {
     return fmax(c->side[0]->since, c->side[1]->since);
@@ -120,11 +116,10 @@ static bmr_vec2 way_at(const bmr_world *w, const bmr_couple *c, double time) {
 
 double bmr_gate_distance(const bmr_world *w, const bmr_couple *c, double time) {
     if (bmr_resident_is_wall(c->side[1])) {
-        const bmr_line line = wall_line(w, c);
+        const bmr_line line = bmr_wall_line(w, c->side[1]);
         return bmr_dot(line.normal, bmr_path_position(&c->side[0]->now.piece, time)) - line.offset;
     }
-    const bmr_vec2 way = way_at(w, c, time);
-    return hypot(way.x, way.y);
+    return bmr_length(way_at(w, c, time));
 }
 
 double bmr_gate_reach(const bmr_world *w, const bmr_couple *c) {
@@ -134,7 +129,7 @@ double bmr_gate_reach(const bmr_world *w, const bmr_couple *c) {
     const bmr_vec2 b = wall ? w->def.high : bmr_path_position(&c->side[1]->now.piece, epoch);
     const bmr_vec2 shift = bmr_couple_shift(w, c);
     const double places = fabs(a.x) + fabs(a.y) + fabs(b.x) + fabs(b.y) + fabs(shift.x) + fabs(shift.y);
-    const double sum = c->side[0]->radius + (wall ? 0.0 : c->side[1]->radius) + w->def.kds.margin;
+    const double sum = c->side[0]->radius + (wall ? 0.0 : c->side[1]->radius) + 2.0 * w->def.kds.margin;
     return REACH_PART * sum + PLACE_ROUNDING * places;
 }
 
@@ -182,7 +177,7 @@ static interval straight_within(const bmr_world *w, const bmr_couple *c, double 
     bmr_vec2 velocity_a, velocity_b;
     const bmr_vec2 a = straight(&c->side[0]->now.piece, epoch, &velocity_a);
     if (bmr_resident_is_wall(c->side[1])) {
-        const bmr_line line = wall_line(w, c);
+        const bmr_line line = bmr_wall_line(w, c->side[1]);
         return below(bmr_dot(line.normal, a) - line.offset, bmr_dot(line.normal, velocity_a), reach);
     }
     const bmr_vec2 b = straight(&c->side[1]->now.piece, epoch, &velocity_b);
@@ -201,8 +196,8 @@ typedef struct curve {
 
 /// A time that is early by this is early by next to nothing of a window, and of a cell, however fast they
 /// are.
-static double tolerance_of(const bmr_world *w, double window) {
-    return fmin(w->def.failure.tolerance, 0x1p-40 * window);
+static double tolerance_of(const bmr_world *w, double time, double window) {
+    return fmin(bmr_world_tolerance(w, time), 0x1p-40 * window);
 }
 
 static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
@@ -216,7 +211,7 @@ static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
     const bmr_algebraic_piece own = bmr_piece_expand(&own_path, k.epoch);
     bmr_algebraic_piece *const way = &k.way.as.algebraic;
     if (bmr_resident_is_wall(c->side[1])) {
-        const bmr_line line = wall_line(w, c);
+        const bmr_line line = bmr_wall_line(w, c->side[1]);
         *way = own;
         way->x[0] -= line.offset * line.normal.x;
         way->y[0] -= line.offset * line.normal.y;
@@ -231,7 +226,7 @@ static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
         }
     }
     k.window = fmax(WINDOW * time_for(way, reach), LEAST_WINDOW * fmax(1.0, fabs(k.epoch)));
-    k.tolerance = tolerance_of(w, k.window);
+    k.tolerance = tolerance_of(w, k.epoch, k.window);
     return k;
 }
 
@@ -239,7 +234,7 @@ static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
 static bmr_condition apart_by(const bmr_world *w, const bmr_couple *c, double reach) {
     const bmr_vec2 origin = bmr_vec2_make(0.0, 0.0);
     return bmr_resident_is_wall(c->side[1])
-               ? bmr_condition_beyond(0, wall_line(w, c).normal, reach, origin, 0)
+               ? bmr_condition_beyond(0, bmr_wall_line(w, c->side[1]).normal, reach, origin, 0)
                : bmr_condition_disks(origin, origin, reach, 0);
 }
 
@@ -264,8 +259,8 @@ static bmr_error first_change(const curve *k, const bmr_condition *condition, bo
             return BMR_OK;
         }
         double u;
-        const double tolerance = k->tolerance * fmax(1.0, fabs(from)) / p.width;
-        if (positive && bmr_bernstein_first_root(p.c, p.degree, p.noise, tolerance, &u) && u <= 1.0) {
+        if (positive && bmr_bernstein_first_root(p.c, p.degree, p.noise, k->tolerance / p.width, &u) &&
+            u <= 1.0) {
             *time = fmin(to, from + u * p.width);
             return BMR_OK;
         }
@@ -361,8 +356,10 @@ static bmr_error next_change(const bmr_world *w, const bmr_couple *c, bool meets
         return BMR_ERROR_NOT_FINITE;
     *look = false;
     const bool ever = inside.from <= inside.to;
+    // What is over by no more than the clock's rounding is not over.
+    const double now = after - CLOCK_ROUNDINGS * DBL_EPSILON * (fabs(after) + fabs(epoch));
     if (meets)
-        *time = ever && epoch + inside.to > after ? fmax(after, epoch + inside.from) : INFINITY;
+        *time = ever && epoch + inside.to > now ? fmax(after, epoch + inside.from) : INFINITY;
     else
         *time = ever ? fmax(after, epoch + inside.to) : after;
     return BMR_OK;
@@ -414,7 +411,7 @@ bmr_error bmr_gate_crosses(const bmr_world *w, const bmr_resident *r, double aft
                                    bmr_condition_beyond(0, bmr_vec2_make(-1.0, 0.0), -high.x, origin, 0),
                                    bmr_condition_beyond(0, bmr_vec2_make(0.0, 1.0), low.y, origin, 0),
                                    bmr_condition_beyond(0, bmr_vec2_make(0.0, -1.0), -high.y, origin, 0)};
-    const curve k = {bmr_piece_rest(bmr_pose_identity()), path, after, span, tolerance_of(w, span)};
+    const curve k = {bmr_piece_rest(bmr_pose_identity()), path, after, span, tolerance_of(w, after, span)};
     const double to = fmax(after + span, nextafter(after, INFINITY));
     if (!isfinite(to))
         return BMR_ERROR_NOT_FINITE;

@@ -15,6 +15,15 @@ typedef struct bmr_cell bmr_cell;
 typedef struct bmr_couple bmr_couple;
 typedef struct bmr_resident bmr_resident;
 
+/// What bodies of about one size see of walls: a level segment and an upright one about their frame's origin.
+typedef struct bmr_beside {
+    int size;            ///< from -2^size to 2^size: more than such a body's grid cell is wide at least
+    bmr_shape shapes[2]; ///< of a level wall, and of an upright one
+    bmr_polygon *polygons[2];
+    bmr_hierarchy *hierarchies[2]; ///< NULL where the structure wants none
+    struct bmr_beside *next;
+} bmr_beside;
+
 /// Levels of the grids: cells of level 0 are world.unit wide, those of level l 2^l times that.
 #define BMR_LEAST_LEVEL (-64)
 #define BMR_MOST_LEVEL 191
@@ -36,7 +45,8 @@ struct bmr_resident {
     bmr_body id;
     uint64_t birth;
     bmr_shape shape;
-    double radius; ///< of the disk around the origin
+    const bmr_beside *beside; ///< what it sees of walls; NULL where there are none
+    double radius;            ///< of the disk around the origin
     double mass, inertia;
     void *user;
 
@@ -51,7 +61,8 @@ struct bmr_resident {
 
     bmr_couple *first; ///< of its couples
     size_t couples;
-    bmr_couple *found; ///< scratch: the couple that a search has in hand
+    bmr_couple *found;      ///< scratch: the couple that a search has in hand
+    bmr_resident *gathered; ///< scratch: the next one that sticks together with it
 };
 
 /// What the agenda has a couple for.
@@ -71,6 +82,7 @@ typedef struct bmr_near {
     double repaired; ///< when it was last started or repaired
     double rhythm;   ///< about the time between its last events
     double window;   ///< how far the next search goes
+    double speed;    ///< bound of the two's against each other, where the last search looked
     double part;     ///< when the disks part; NAN: not known
     bool part_known; ///< false: not before `part`
     size_t failing;
@@ -93,6 +105,7 @@ struct bmr_couple {
     uint8_t event;                    ///< bmr_couple_event
     uint8_t watch;                    ///< bmr_watch
     bool linked, neighbours, kept;    ///< cells are; scratch
+    bool stuck;                       ///< to each other, while neither gets another motion
     bmr_near *near;                   ///< NULL with WATCH_DISKS
 };
 
@@ -101,7 +114,9 @@ struct bmr_world {
     const bmr_allocator *allocator;
     bmr_world_def def;
     double time;
-    bool inside;      ///< a callback is running
+    bool inside;   ///< a callback is running
+    bool sticking; ///< all that stick together are being moved
+    bmr_world_trouble trouble;
     bmr_couple *busy; ///< whose contact is being told
     bmr_agenda agenda;
     bmr_world_counts counts;
@@ -124,11 +139,12 @@ struct bmr_world {
     size_t candidate_count, candidate_capacity;
 
     bmr_resident walls[BMR_WALLS];
-    bmr_polygon *wall_polygons[BMR_WALLS];
-    bmr_hierarchy *wall_hierarchies[BMR_WALLS];
+    bmr_beside *beside;   ///< of each power of 2 that a body was as large as: kept until the end
     bmr_compass *compass; ///< of the walls' hierarchies
 };
 
+/// The generation of a place whose ids are used up: nobody lives there any more. (So no id is a wall's.)
+#define BMR_NO_GENERATION UINT32_MAX
 /// Of the table of ids, for each place: the resident, and the generation of the next one there.
 #define BMR_PLACE_BYTES (sizeof(bmr_resident *) + sizeof(uint32_t))
 
@@ -141,11 +157,11 @@ typedef struct bmr_candidate {
 static inline bool bmr_resident_is_wall(const bmr_resident *r) {
     return bmr_is_wall(r->id);
 }
+static inline bool bmr_wall_is_upright(const bmr_resident *wall) {
+    return wall->id < BMR_WALL(2);
+}
 static inline double bmr_world_tolerance(const bmr_world *w, double time) {
     return w->def.failure.tolerance * fmax(1.0, fabs(time));
-}
-static inline bmr_agenda_item *bmr_first_item(const bmr_world *w) {
-    return w->agenda.heap[0].item;
 }
 
 // memory.c
@@ -182,6 +198,30 @@ static inline int64_t bmr_place_above(int64_t place, int levels) {
     return place >> (levels < 63 ? levels : 63);
 }
 
+// walls.c
+
+void bmr_walls_make(bmr_world *w);
+void bmr_walls_destroy(bmr_world *w);
+/// The box is on its left, where <normal, x> > offset.
+bmr_line bmr_wall_line(const bmr_world *w, const bmr_resident *wall);
+/// What a body of this radius sees of walls, made where it is the first of its size. Errors: NO_MEMORY,
+/// OUT_OF_RANGE (a segment too long for a polygon); then nothing changed.
+bmr_error bmr_walls_beside(bmr_world *w, double radius, const bmr_beside **beside);
+
+// frame.c: where a couple looks at its motions from.
+
+/// Both motions in the couple's frame, in which each has its own rotation; `view` holds what they are made
+/// of. Only what lies between the two is that of the world.
+typedef struct bmr_couple_view {
+    bmr_timed_piece pieces[2];
+    bmr_motion motions[2];
+} bmr_couple_view;
+bmr_pair_motion bmr_couple_motion(const bmr_world *w, const bmr_couple *c, bmr_couple_view *view);
+/// Of a wall: the segment beside the body.
+const bmr_shape *bmr_couple_shape(const bmr_couple *c, int side);
+/// What is added to the second's position in the world.
+bmr_vec2 bmr_couple_shift(const bmr_world *w, const bmr_couple *c);
+
 // gate.c: when disks meet and part, and when they leave their cells.
 
 /// Disks this near have met; this far, they have parted.
@@ -217,13 +257,21 @@ void bmr_couple_destroy(bmr_world *w, bmr_couple *c);
 static inline int bmr_couple_side(const bmr_couple *c, const bmr_resident *r) {
     return c->side[0] == r ? 0 : 1;
 }
-/// Both motions as the couple sees them, the second's image shifted; `view` holds what they are made of.
-typedef struct bmr_couple_view {
-    bmr_timed_piece shifted;
-    bmr_motion motions[2];
-} bmr_couple_view;
-bmr_pair_motion bmr_couple_motion(const bmr_world *w, const bmr_couple *c, bmr_couple_view *view);
-bmr_vec2 bmr_couple_shift(const bmr_world *w, const bmr_couple *c);
+// search.c: when something happens to it next.
+
+/// The next failure is looked for in so many times the time between the last two, then in twice that.
+#define BMR_COUPLE_AHEAD 4.0
+
+/// The time in which the two can move by their reach, at the speeds they have.
+double bmr_couple_natural_time(const bmr_world *w, const bmr_couple *c, const bmr_pair_motion *motion,
+                               double time);
+/// How exactly the pair's times are to be found: as the def says, and the faster it is the more exactly, down
+/// to the clock's own rounding.
+double bmr_couple_tolerance(const bmr_world *w, const bmr_near *n, double time);
+/// Is the clock too coarse, at the present time, for the speeds of the two?
+bool bmr_couple_too_fast(const bmr_world *w, const bmr_couple *c);
+/// It has its next event then, not before the present time. INFINITY: never.
+void bmr_couple_schedule(bmr_world *w, bmr_couple *c, bmr_couple_event event, double time);
 /// Finds its next event after the present time.
 bmr_error bmr_couple_search(bmr_world *w, bmr_couple *c);
 /// The same, with `replan` after a motion changed; where it cannot be done, the couple has an event now, at
@@ -251,6 +299,21 @@ void bmr_touch_describe(const bmr_world *w, const bmr_couple *c, bool placed, bm
 void bmr_touch_move(bmr_touch *touch, const bmr_vec2 velocity[2], const double spin[2]);
 /// Tells the contact, and does what is answered. After an error other than NO_MEMORY the pair passes.
 bmr_error bmr_contact_tell(bmr_world *w, bmr_couple *c, bool placed);
+
+// stick.c
+
+/// Gives both of the couple, and all that sticks to them, one velocity and no spin. False: they cannot be
+/// moved, or not to one velocity; nothing changed.
+bool bmr_stick(bmr_world *w, bmr_couple *c);
+
+// trouble.c
+
+/// Notes what is wrong, and returns the error. `b`: BMR_NO_BODY.
+bmr_error bmr_world_stop(bmr_world *w, bmr_error error, bmr_trouble kind, bmr_body a, bmr_body b);
+static inline bmr_error bmr_couple_stop(bmr_world *w, const bmr_couple *c, bmr_error error,
+                                        bmr_trouble kind) {
+    return bmr_world_stop(w, error, kind, c->side[0]->id, c->side[1]->id);
+}
 
 // world.c
 void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, double time, bmr_body a, bmr_body b,

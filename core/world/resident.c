@@ -14,6 +14,9 @@
 /// (Larger bodies are candidates wherever it lives.)
 #define FEW_CANDIDATES 2
 #define MANY_CANDIDATES 16
+/// Part of a cell by which a body may be outside of it, and of the hysteresis, when it is found to be: see
+/// cells.c.
+#define CELL_OVERSHOOT 0x1p-6
 
 bmr_resident *bmr_world_find(const bmr_world *w, bmr_body id) {
     const size_t place = (size_t)(id & UINT32_MAX);
@@ -189,9 +192,12 @@ static bmr_error choose_level(const bmr_world *w, const bmr_resident *r, bmr_vec
     if (error != BMR_OK)
         return error;
     const size_t candidates = candidates_of(r);
-    const int most = w->def.boundary == BMR_PERIODIC ? 0 : BMR_MOST_LEVEL;
+    const bool open = w->def.boundary != BMR_PERIODIC;
     *level = r->cell->level;
-    if (candidates < FEW_CANDIDATES && *level < most)
+    // It would cross the largest cells for as long as there are digits.
+    if (open && *level == BMR_MOST_LEVEL)
+        return BMR_ERROR_OUT_OF_RANGE;
+    if (candidates < FEW_CANDIDATES && *level < (open ? BMR_MOST_LEVEL : 0))
         ++*level;
     else if (candidates > MANY_CANDIDATES)
         --*level;
@@ -207,12 +213,31 @@ static int64_t column_at(int64_t before, int64_t now, double place) {
     return place >= (double)before - room && place <= (double)before + 1.0 + room ? before : now;
 }
 
+/// By how much of a cell a place is outside of one.
+static double beyond(double cell, double place) {
+    return fmax(cell - place, place - (cell + 1.0));
+}
+
+/// It is farther out of its cell than rounding of its place allows: no time lies between.
+static bool has_left(const bmr_world *w, const bmr_resident *r, bmr_vec2 position) {
+    const bool periodic = w->def.boundary == BMR_PERIODIC;
+    const bmr_vec2 at = periodic ? bmr_sub(position, w->def.low) : position;
+    const int level = r->cell->level;
+    const double x = beyond((double)r->column, at.x / bmr_cell_width(w, level));
+    const double y = beyond((double)r->row, at.y / bmr_cell_height(w, level));
+    return !(fmax(x, y) <= BMR_CELL_HYSTERESIS + CELL_OVERSHOOT);
+}
+
 static bmr_error cross(bmr_world *w, bmr_resident *r) {
     const bmr_vec2 position = bmr_path_position(&r->now.piece, w->time);
     int level;
     const bmr_error error = choose_level(w, r, position, &level);
+    if (error == BMR_ERROR_OUT_OF_RANGE)
+        return bmr_world_stop(w, error, BMR_TROUBLE_PLACE, r->id, BMR_NO_BODY);
     if (error != BMR_OK)
         return error;
+    if (has_left(w, r, position))
+        return bmr_world_stop(w, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_SPEED, r->id, BMR_NO_BODY);
     int64_t column, row;
     bmr_grid_place(w, level, position, &column, &row);
     if (level == r->cell->level) {
@@ -314,6 +339,7 @@ bmr_error bmr_resident_move(bmr_world *w, bmr_resident *r, const bmr_motion_piec
     search_own_later(w, r, w->time);
     w->counts.replanned++;
     for (bmr_couple *c = r->first; c; c = c->after[bmr_couple_side(c, r)]) {
+        c->stuck = c->stuck && w->sticking;
         if (c == w->busy)
             continue;
         w->counts.replanned++;
@@ -346,9 +372,11 @@ bmr_error bmr_resident_event(bmr_world *w, bmr_resident *r) {
 
 // ---- adding and removing ----
 
-/// A place in the table of ids; the table grows by doubling, and is never given back before the world is.
+/// A place in the table of ids, whose ids are not used up; the table grows by doubling, and is never given
+/// back before the world is.
 static bmr_error find_place(bmr_world *w, size_t *place) {
-    while (w->free_place < w->places && w->residents[w->free_place])
+    while (w->free_place < w->places &&
+           (w->residents[w->free_place] || w->generations[w->free_place] == BMR_NO_GENERATION))
         w->free_place++;
     *place = w->free_place;
     if (w->free_place < w->places)
@@ -399,7 +427,7 @@ static double radius_of(const bmr_polygon *polygon) {
 }
 
 /// Where it is to live, and a first look at its shape: what a structure would say of it.
-static bmr_error check_body(bmr_world *w, const bmr_body_def *def, const bmr_resident *r, int *level) {
+static bmr_error check_body(bmr_world *w, const bmr_body_def *def, bmr_resident *r, int *level) {
     if (!(def->mass > 0.0) || !(def->inertia > 0.0))
         return isnan(def->mass) || isnan(def->inertia) ? BMR_ERROR_NOT_FINITE : BMR_ERROR_OUT_OF_RANGE;
     bmr_kds *kds;
@@ -411,6 +439,8 @@ static bmr_error check_body(bmr_world *w, const bmr_body_def *def, const bmr_res
         w->unit_x = w->unit_y = bmr_grid_need(w, r->radius);
     const bmr_vec2 position = bmr_path_position(&r->now.piece, w->time);
     error = bmr_grid_level(w, r->radius, position, level);
+    if (error == BMR_OK && w->def.boundary == BMR_WALLED)
+        error = bmr_walls_beside(w, r->radius, &r->beside);
     if (error == BMR_OK && w->def.boundary == BMR_PERIODIC &&
         8.0 * r->radius >= fmin(w->def.high.x - w->def.low.x, w->def.high.y - w->def.low.y))
         error = BMR_ERROR_OUT_OF_RANGE;

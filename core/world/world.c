@@ -7,8 +7,6 @@
 #include "geometry/memory.h"
 #include "world/parts.h"
 
-/// Walls reach this part of a side beyond its ends.
-#define WALL_PART 0.5
 /// Cells of the coarsest grid of a periodic box along its shorter side: with three, all nine cells around one
 /// are different ones.
 #define LEAST_AROUND 3.0
@@ -70,60 +68,16 @@ static bmr_error check_def(const bmr_world_def *def) {
     return makes_sense ? check_box(def) : BMR_ERROR_OUT_OF_RANGE;
 }
 
-static bmr_error build_wall_hierarchy(bmr_world *w, const bmr_polygon *polygon, bmr_hierarchy **hierarchy) {
-    switch (w->def.structure->hierarchy) {
-    case BMR_HIERARCHY_COMPASS: {
-        const bmr_error error = w->compass ? BMR_OK : bmr_compass_create(2, &w->counted, &w->compass);
-        return error == BMR_OK ? bmr_hierarchy_build_compass(polygon, w->compass, &w->counted, hierarchy)
-                               : error;
-    }
-    case BMR_HIERARCHY_DUDLEY:
-        return bmr_hierarchy_build_dudley(polygon, &w->counted, hierarchy);
-    case BMR_HIERARCHY_DOBKIN_KIRKPATRICK:
-        return bmr_hierarchy_build_dobkin_kirkpatrick(polygon, &w->counted, hierarchy);
-    default:
-        return BMR_OK;
-    }
-}
-
-/// A segment in the middle of its side of the box, which rests.
-static bmr_error make_wall(bmr_world *w, int side) {
-    const bool upright = side < 2;
-    const bmr_vec2 size = bmr_sub(w->def.high, w->def.low);
-    const bmr_vec2 corner = side % 2 == 0 ? w->def.low : w->def.high;
-    const bmr_vec2 middle = bmr_add(w->def.low, bmr_scale(0.5, size));
-    const double half = (0.5 + WALL_PART) * (upright ? size.y : size.x);
-    const bmr_vec2 end = upright ? bmr_vec2_make(0.0, half) : bmr_vec2_make(half, 0.0);
-    const bmr_vec2 ends[2] = {bmr_neg(end), end};
-    bmr_resident *const wall = &w->walls[side];
-    bmr_error error = bmr_polygon_create(ends, 2, &w->counted, &w->wall_polygons[side]);
-    if (error == BMR_OK)
-        error = build_wall_hierarchy(w, w->wall_polygons[side], &w->wall_hierarchies[side]);
-    if (error != BMR_OK)
-        return error;
-    bmr_pose pose = bmr_pose_identity();
-    pose.position = upright ? bmr_vec2_make(corner.x, middle.y) : bmr_vec2_make(middle.x, corner.y);
-    const bmr_motion_piece rest = bmr_piece_rest(pose);
-    bmr_timed_piece_set(&wall->now, -INFINITY, &rest);
-    wall->item.place = BMR_NOT_QUEUED;
-    wall->id = BMR_WALL(side);
-    wall->birth = UINT64_MAX - BMR_WALLS + (uint64_t)side;
-    wall->shape.polygon = w->wall_polygons[side];
-    if (w->def.structure->hierarchy >= 0)
-        wall->shape.hierarchies[w->def.structure->hierarchy] = w->wall_hierarchies[side];
-    wall->radius = half;
-    wall->mass = wall->inertia = INFINITY;
-    wall->since = -INFINITY;
-    wall->until = INFINITY;
-    return BMR_OK;
-}
-
-/// Cells around a periodic box: as near to squares as whole numbers allow.
+/// Cells around a periodic box: as near to squares as whole numbers allow. With all pairs there are three by
+/// three, of which each is every other's neighbour: of each two bodies, whatever the box's shape, the images
+/// that can meet are a pair. (The others are more than a cell less its hysteresis apart, 7/24 of a side, and
+/// no reach is that long: bodies are smaller than a quarter of the shorter one.)
 static void lay_grid(bmr_world *w) {
     const double width = w->def.high.x - w->def.low.x, height = w->def.high.y - w->def.low.y;
     const double size = fmin(width, height) / LEAST_AROUND;
-    w->around_x = (int64_t)fmax(LEAST_AROUND, floor(width / size));
-    w->around_y = (int64_t)fmax(LEAST_AROUND, floor(height / size));
+    const bool all = w->def.all_pairs;
+    w->around_x = (int64_t)(all ? LEAST_AROUND : fmax(LEAST_AROUND, floor(width / size)));
+    w->around_y = (int64_t)(all ? LEAST_AROUND : fmax(LEAST_AROUND, floor(height / size)));
     w->unit_x = width / (double)w->around_x;
     w->unit_y = height / (double)w->around_y;
 }
@@ -134,7 +88,7 @@ bmr_error bmr_world_create(const bmr_world_def *def, double time, const bmr_allo
         return BMR_ERROR_NULL_ARGUMENT;
     if (!isfinite(time))
         return BMR_ERROR_NOT_FINITE;
-    bmr_error error = check_def(def);
+    const bmr_error error = check_def(def);
     if (error != BMR_OK)
         return error;
     bmr_world *w = bmr_allocate(allocator, sizeof *w);
@@ -147,14 +101,11 @@ bmr_error bmr_world_create(const bmr_world_def *def, double time, const bmr_allo
     w->def = *def;
     w->time = time;
     w->agenda.before = bmr_item_before;
+    w->trouble.a = w->trouble.b = BMR_NO_BODY;
     if (def->boundary == BMR_PERIODIC)
         lay_grid(w);
-    for (int side = 0; side < BMR_WALLS && def->boundary == BMR_WALLED && error == BMR_OK; side++)
-        error = make_wall(w, side);
-    if (error != BMR_OK) {
-        bmr_world_destroy(w);
-        return error;
-    }
+    if (def->boundary == BMR_WALLED)
+        bmr_walls_make(w);
     *world = w;
     return BMR_OK;
 }
@@ -165,11 +116,7 @@ void bmr_world_destroy(bmr_world *w) {
     for (size_t i = 0; i < w->places; i++)
         if (w->residents[i])
             bmr_resident_destroy(w, w->residents[i]);
-    for (int side = 0; side < BMR_WALLS; side++) {
-        bmr_hierarchy_destroy(w->wall_hierarchies[side], &w->counted);
-        bmr_polygon_destroy(w->wall_polygons[side], &w->counted);
-    }
-    bmr_compass_destroy(w->compass, &w->counted);
+    bmr_walls_destroy(w);
     if (w->residents)
         bmr_world_give(w, w->residents, w->capacity * BMR_PLACE_BYTES);
     if (w->candidates)
@@ -199,10 +146,18 @@ void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, double time, bmr
     w->def.observer(w->def.context, w, &event);
 }
 
+/// Names who is concerned, where nobody else did.
 static bmr_error take_event(bmr_world *w) {
     bmr_agenda_item *const item = w->agenda.heap[0].item;
     w->time = fmax(w->time, w->agenda.heap[0].time);
-    return item->is_couple ? bmr_couple_event_due(w, (void *)item) : bmr_resident_event(w, (void *)item);
+    const bmr_couple *const couple = item->is_couple ? (void *)item : NULL;
+    const bmr_body a = couple ? couple->side[0]->id : ((bmr_resident *)(void *)item)->id;
+    const bmr_body b = couple ? couple->side[1]->id : BMR_NO_BODY;
+    const bmr_error error =
+        item->is_couple ? bmr_couple_event_due(w, (void *)item) : bmr_resident_event(w, (void *)item);
+    return error != BMR_OK && w->trouble.kind == BMR_TROUBLE_NONE
+               ? bmr_world_stop(w, error, BMR_TROUBLE_OTHER, a, b)
+               : error;
 }
 
 bmr_error bmr_world_advance(bmr_world *w, double until) {
@@ -213,9 +168,12 @@ bmr_error bmr_world_advance(bmr_world *w, double until) {
     if (w->inside || until < w->time)
         return BMR_ERROR_OUT_OF_RANGE;
     w->inside = true;
+    bmr_world_stop(w, BMR_OK, BMR_TROUBLE_NONE, BMR_NO_BODY, BMR_NO_BODY);
     bmr_error error = BMR_OK;
-    while (error == BMR_OK && bmr_agenda_time(&w->agenda) <= until)
-        error = take_event(w);
+    for (uint64_t events = 0; error == BMR_OK && bmr_agenda_time(&w->agenda) <= until; events++)
+        error = events < w->def.most_events || w->def.most_events == 0
+                    ? take_event(w)
+                    : bmr_world_stop(w, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_EVENTS, BMR_NO_BODY, BMR_NO_BODY);
     if (error == BMR_OK)
         w->time = until;
     w->inside = false;

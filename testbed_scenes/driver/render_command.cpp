@@ -15,6 +15,7 @@
 #include "drawing/moving_picture.h"
 #include "drawing/surface.h"
 #include "drawing/whole_file.h"
+#include "picture/world_view.h"
 #include "progress.h"
 #include "recorded_run.h"
 
@@ -23,6 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Room around a periodic box, in parts of it: bodies reach over its sides.
+constexpr double kAroundBox = 0.06;
 constexpr char kHelp[] =
     "With no layer named: certificates, slack, handed-over, contacts and events. With some named: those "
     "alone.\n\n"
@@ -163,7 +166,9 @@ public:
             return;
         CheckBodies(m_options, frame);
         // A series holds still, or follows its bodies with a frame of one size.
-        const Rectangle region = RegionOf(frame, m_gathered, m_options);
+        const std::optional<Rectangle> box = PeriodicBoxOf(head);
+        const bool whole = box && m_options.bodies.empty() && !m_options.region;
+        const Rectangle region = whole ? Widened(*box, kAroundBox) : RegionOf(frame, m_gathered, m_options);
         if (!m_shape)
             m_shape = region;
         PictureOptions these = m_options;

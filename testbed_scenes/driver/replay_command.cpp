@@ -82,7 +82,7 @@ int ReplayRecording(const ReplayCommand &command, OutputFile *file) {
     file->Close();
     if (!command.quiet)
         std::cout << command.output << ": " << head.scene << ", " << replay.stepCount << " frames, "
-                  << replay.bodies.size() << " bodies, " << Megabytes(page.size()) << '\n';
+                  << head.size << " bodies, " << Megabytes(page.size()) << '\n';
     return kExitOk;
 }
 

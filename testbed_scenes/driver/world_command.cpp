@@ -105,6 +105,10 @@ void Print(const WorldFigures &figures, bool colour) {
               << counts.failure_times << " of structures' conditions, " << counts.looks
               << " searches that went on later\nclock:      " << Fixed(figures.clock, 3) << " s, "
               << Fixed(figures.MicrosecondsAnEvent(), 2) << " microseconds an event\n";
+    if (figures.plans > 0)
+        std::cout << "plans:      " << figures.plans
+                  << " were given to bodies, a parabola and a straight line each; the event \"plan\" is the "
+                     "change from one to the other, where no contact came before it\n";
     if (counts.softened > 0)
         std::cout << "softened:   " << counts.softened << " of " << counts.impulses
                   << " impulses, made elastic for slowness\n";

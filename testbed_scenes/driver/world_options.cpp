@@ -110,7 +110,7 @@ CLI::App *AddWorld(CLI::App &app, WorldCommand &command) {
     world->add_option("scene", command.scene, "A world that --list shows")->capture_default_str();
     world
         ->add_option("--bodies", command.bodies, "How many (default: the scene's own, as of all that follow)")
-        ->check(CLI::Range(1, 10000000));
+        ->check(CLI::Range(2, 10000000));
     world->add_option("--shape", command.shape, "Outline of the polygons; mixed: all in turn")
         ->check(CLI::IsMember(ShapeNames()));
     world->add_option("--vertices", command.vertices, "N, or FEWEST:MOST, from which each body draws");
@@ -185,8 +185,6 @@ WorldChoice ChoiceFor(const WorldCommand &command) {
         ReadStructure(*command.structure, &choice);
     choice.seed = command.seed;
     choice.allPairs = command.allPairs;
-    if (choice.bodies < 2)
-        throw UsageError("--bodies: two at least");
     return choice;
 }
 

@@ -21,12 +21,14 @@ Colour ColourOfState(const std::string &state);
 /// All bodies, those that stand still first. Those that `isDim` are fainter.
 void DrawBodies(Canvas &canvas, const WorldView &world, double unit, const std::function<bool(int)> &isDim);
 void DrawJoints(Canvas &canvas, const WorldView &world, double unit);
-/// The boxes of the broad phase.
 /// Lines through the places of each body, older ones fainter. A step longer than `longest` (a periodic box
 /// has taken the body to its other side) is left out.
 void DrawTrails(Canvas &canvas, const std::map<int, std::deque<bmr_vec2>> &trails, double longest,
                 double unit);
+/// The boxes of the broad phase.
 void DrawBoxes(Canvas &canvas, const WorldView &world, double unit);
+/// Where what goes out on one side comes in on the other.
+void DrawPeriodicBox(Canvas &canvas, const Rectangle &box, double unit);
 /// Points of contact, and the normal, longer for a larger impulse.
 void DrawContacts(Canvas &canvas, const WorldView &world, double unit);
 

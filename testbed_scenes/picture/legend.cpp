@@ -24,9 +24,12 @@ std::string Counted(std::size_t count, const char *one, const char *many) {
 } // namespace
 
 Legend::Legend(Canvas &canvas, const WorldView &world, const PictureOptions &options, std::string title,
-               bool kinetic, double width, double unit)
-    : m_canvas(canvas), m_options(options), m_kinetic(kinetic), m_unit(unit), m_title(std::move(title)) {
+               const recording::Head &head, double width, double unit)
+    : m_canvas(canvas), m_options(options), m_kinetic(head.program == "world"), m_unit(unit),
+      m_title(std::move(title)) {
     AddBodies(world);
+    if (head.period.x > 0.0f)
+        AddLine("periodic box", {style::kText, 1.6 * m_unit, 0.8, {9.0 * m_unit, 5.0 * m_unit}});
     AddProofs(world);
     AddOthers(world);
     LayOut(width);
@@ -219,7 +222,8 @@ void Legend::Draw(bmr_vec2 top) const {
     }
 }
 
-Rectangle DrawScaleBar(Canvas &canvas, const Rectangle &area, double pagePerWorld, double unit) {
+Rectangle DrawScaleBar(Canvas &canvas, const Rectangle &area, double pagePerWorld, double unit,
+                       bool kinetic) {
     constexpr double kLongest = 150.0;
     double length = std::pow(10.0, std::floor(std::log10(kLongest * unit / pagePerWorld)));
     for (const double factor : {5.0, 2.0}) {
@@ -230,7 +234,7 @@ Rectangle DrawScaleBar(Canvas &canvas, const Rectangle &area, double pagePerWorl
     }
     const double x = area.left + 16.0 * unit, y = area.bottom + 16.0 * unit, width = length * pagePerWorld,
                  size = style::kTextSize * unit, tick = 4.0 * unit;
-    const std::string text = LengthText(length);
+    const std::string text = LengthText(length, kinetic);
     const Rectangle box = {x - 6.0 * unit, y - 8.0 * unit,
                            x + std::max(width, canvas.TextWidth(text, size)) + 6.0 * unit, y + 24.0 * unit};
     canvas.Polygon({bmr_vec2_make(box.left, box.bottom), bmr_vec2_make(box.right, box.bottom),

@@ -15,9 +15,9 @@ namespace testbed {
 class Legend {
 public:
     /// Lays the entries out in rows of this width (of the page). With `options.series` those of all that may
-    /// come are there. `kinetic`: of a kinetic world, in whose words it is then.
+    /// come are there. `head`: of a kinetic world it is in its words.
     Legend(Canvas &canvas, const WorldView &world, const PictureOptions &options, std::string title,
-           bool kinetic, double width, double unit);
+           const recording::Head &head, double width, double unit);
 
     double Height() const;
     /// Its upper left corner at `top`, on the page.
@@ -51,7 +51,7 @@ private:
 
 /// How long something is in the world: a bar of a round length in the lower left corner of the area. What it
 /// takes of the page.
-Rectangle DrawScaleBar(Canvas &canvas, const Rectangle &area, double pagePerWorld, double unit);
+Rectangle DrawScaleBar(Canvas &canvas, const Rectangle &area, double pagePerWorld, double unit, bool kinetic);
 
 } // namespace testbed
 

@@ -27,9 +27,13 @@ constexpr std::size_t kMostNamed = 5;
 /// Smaller pictures keep their letters legible.
 constexpr double kLeastUnit = 0.7;
 
+bool IsKinetic(const recording::Head &head) {
+    return head.program == "world";
+}
+
 std::string TitleOf(const recording::Head &head, const recording::Frame &frame) {
     const std::string title = head.scene + ", step " + std::to_string(frame.step);
-    if (head.program == "world") {
+    if (IsKinetic(head)) {
         char time[32];
         std::snprintf(time, sizeof time, "%.4g",
                       static_cast<double>(frame.step) * static_cast<double>(head.time_step));
@@ -46,8 +50,8 @@ Colour ColourOf(const PictureOptions &options, const Explained &one) {
     return options.layers.slack ? ColourOfSlack(static_cast<double>(one.proof->slack)) : style::kCertificate;
 }
 
-std::string SlackText(const Explained &one) {
-    return one.proof != nullptr ? LengthText(static_cast<double>(one.proof->slack)) : "";
+std::string SlackText(const Explained &one, bool kinetic) {
+    return one.proof != nullptr ? LengthText(static_cast<double>(one.proof->slack), kinetic) : "";
 }
 
 class Page {
@@ -66,8 +70,7 @@ public:
             // How high the legend is, and with it the page, a canvas must tell that knows the font. (A PNG
             // that is not written is no file.)
             Canvas measure("legend.png", 1.0, 1.0);
-            strip = Legend(measure, m_world, m_options, m_title, m_head.program == "world", m_width, m_unit)
-                        .Height();
+            strip = Legend(measure, m_world, m_options, m_title, m_head, m_width, m_unit).Height();
         }
         Explanation explanation = Explain(m_world, m_options, region, kMostExplained);
         m_explained = std::move(explanation.pairs);
@@ -83,12 +86,11 @@ public:
         DrawWorld(canvas);
         const std::vector<Name> names = PlacesOfNames(canvas, area);
         canvas.ClearPanel();
-        const Rectangle bar = DrawScaleBar(canvas, area, pagePerWorld, m_unit);
+        const Rectangle bar = DrawScaleBar(canvas, area, pagePerWorld, m_unit, IsKinetic(m_head));
         DrawLabels(canvas, area, bar, names);
         if (list > 0.0)
             DrawList(canvas, {wide, strip, m_width, strip + high});
-        Legend(canvas, m_world, m_options, m_title, m_head.program == "world", m_width, m_unit)
-            .Draw(bmr_vec2_make(0.0, strip));
+        Legend(canvas, m_world, m_options, m_title, m_head, m_width, m_unit).Draw(bmr_vec2_make(0.0, strip));
         canvas.Write();
     }
 
@@ -119,6 +121,8 @@ private:
                        m_unit);
         if (layers.boxes)
             DrawBoxes(canvas, m_world, m_unit);
+        if (const std::optional<Rectangle> box = PeriodicBoxOf(m_head))
+            DrawPeriodicBox(canvas, *box, m_unit);
         DrawOutlines(canvas, m_world, m_options, m_unit);
         if (layers.certificates || layers.slack)
             DrawProofs(canvas, m_world, m_options, m_unit);
@@ -185,7 +189,7 @@ private:
         if (!m_options.layers.certificates)
             return;
         for (const Explained &one : m_explained)
-            labels.Place(one.place, one.number, SlackText(one), ColourOf(m_options, one));
+            labels.Place(one.place, one.number, SlackText(one, IsKinetic(m_head)), ColourOf(m_options, one));
     }
 
     void DrawList(Canvas &canvas, const Rectangle &area) const {
@@ -215,7 +219,8 @@ private:
             DrawNumber(canvas, bmr_vec2_make(left + disc, y + 4.5 * m_unit), disc, one.number,
                        ColourOf(m_options, one));
             write(text, y, NameOfPair(one), style::kTextSize, true, style::kText, Align::Left);
-            write(right, y, SlackText(one), style::kTextSize, true, style::kText, Align::Right);
+            write(right, y, SlackText(one, IsKinetic(m_head)), style::kTextSize, true, style::kText,
+                  Align::Right);
             write(text, y - 17.0 * m_unit, ReasonOf(one), style::kSmallText - 0.5, false, style::kFaintText,
                   Align::Left);
             y -= kListEntry * m_unit;
@@ -268,6 +273,13 @@ private:
 };
 
 } // namespace
+
+std::optional<Rectangle> PeriodicBoxOf(const recording::Head &head) {
+    if (!(head.period.x > 0.0f))
+        return std::nullopt;
+    const double x = 0.5 * static_cast<double>(head.period.x), y = 0.5 * static_cast<double>(head.period.y);
+    return Rectangle{-x, -y, x, y};
+}
 
 void DrawPicture(const recording::Head &head, const recording::Frame &frame,
                  const recording::Gathered &gathered, const PictureOptions &options,

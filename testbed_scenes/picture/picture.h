@@ -37,6 +37,9 @@ struct PictureOptions {
     bool series = false;
 };
 
+/// The box of a world that has a periodic one.
+std::optional<Rectangle> PeriodicBoxOf(const recording::Head &head);
+
 /// The part of the world that a picture with these options shows of a frame: around the bodies without those
 /// that flew far away from the others, or around the bodies in focus.
 Rectangle RegionOf(const recording::Frame &frame, const recording::Gathered &gathered,

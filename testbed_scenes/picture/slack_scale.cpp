@@ -22,9 +22,9 @@ Colour ColourOfSlack(double slack) {
     return {mix(from.red, to.red), mix(from.green, to.green), mix(from.blue, to.blue)};
 }
 
-std::string LengthText(double length) {
+std::string LengthText(double length, bool kinetic) {
     char text[40];
-    std::snprintf(text, sizeof text, "%.3g m", length);
+    std::snprintf(text, sizeof text, kinetic ? "%.3g" : "%.3g m", length);
     return text;
 }
 

@@ -13,8 +13,8 @@ namespace testbed {
 constexpr double kLeastSlack = 0.01, kMostSlack = 10.0;
 /// Bright yellow for little, blue for much: told apart by brightness too, whatever one's sight.
 Colour ColourOfSlack(double slack);
-/// "0.124 m"
-std::string LengthText(double length);
+/// "0.124 m"; of a kinetic world, whose lengths have no unit, "0.124".
+std::string LengthText(double length, bool kinetic);
 
 } // namespace testbed
 

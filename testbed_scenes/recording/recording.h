@@ -56,8 +56,9 @@ struct Head {
     float time_step = 0.0f;
     int64_t first = 0, last = 0, every = 1; ///< the steps with frames: first, first + every, ... <= last
     bool counts_calls =
-        false;  ///< whether `calls` were counted (they are with the counting library preloaded)
-    Vec period; ///< sides of a periodic box, whose bodies are taken back into it; else (0, 0)
+        false; ///< whether `calls` were counted (they are with the counting library preloaded)
+    /// Sides of a periodic box about the origin, whose bodies are taken back into it; else (0, 0).
+    Vec period;
 };
 
 /// A fixture as it was made. Sent when it first appears, and again when its shape or sensor flag changed.

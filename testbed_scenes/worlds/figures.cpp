@@ -2,8 +2,8 @@
 #include "worlds/figures.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 namespace testbed {
 namespace {
@@ -58,20 +58,19 @@ double WorldFigures::MicrosecondsAnEvent() const {
 }
 
 WorldFigures Measure(const WorldSetup &setup, const MeasureOptions &options) {
-    using Clock = std::chrono::steady_clock;
     WorldFigures figures;
     figures.choice = setup.choice;
     figures.side = setup.high.x - setup.low.x;
-    Clock::time_point start = Clock::now();
+    std::clock_t start = std::clock(); // of the processor, not on the wall
     WorldRun run(setup, options.onContact, options.onEvent);
-    Clock::duration spent = Clock::now() - start;
+    std::clock_t spent = std::clock() - start;
     if (options.onSlice)
         options.onSlice(run, 0.0);
     for (int slice = 1; slice <= options.slices; ++slice) {
         const double part = static_cast<double>(slice) / options.slices;
-        start = Clock::now();
+        start = std::clock();
         run.Advance(setup.choice.seconds * part);
-        spent += Clock::now() - start;
+        spent += std::clock() - start;
         if (options.audit && slice * kAudits / options.slices > (slice - 1) * kAudits / options.slices) {
             run.Audit();
             ++figures.audits;
@@ -79,8 +78,9 @@ WorldFigures Measure(const WorldSetup &setup, const MeasureOptions &options) {
         if (options.onSlice)
             options.onSlice(run, part);
     }
-    figures.clock = std::chrono::duration<double>(spent).count();
+    figures.clock = static_cast<double>(spent) / CLOCKS_PER_SEC;
     figures.counts = run.Counts();
+    figures.plans = run.Plans();
     SetDrifts(run, setup, &figures);
     if (options.check)
         figures.check = CheckOverlaps(run, setup);
@@ -137,6 +137,7 @@ nlohmann::json ToJson(const WorldFigures &figures) {
                            {"rates", rates},
                            {"rate_all", figures.Rate(figures.Events())},
                            {"structure_events", structures},
+                           {"plans", figures.plans},
                            {"impulses", counts.impulses},
                            {"softened", counts.softened},
                            {"looks", counts.looks},

@@ -30,7 +30,8 @@ struct WorldFigures {
     WorldChoice choice;
     double side = 0.0; ///< of the box
     bmr_world_counts counts = {};
-    double clock = 0.0; ///< seconds on the clock, without making the bodies
+    uint64_t plans = 0; ///< that bodies got; beside the events, of which the plan's pieces are some
+    double clock = 0.0; ///< seconds of the processor, without making the bodies
     /// Changes since the start: of energy as a share of it; of momentum, as a share of the sum of mass *
     /// speed; of angular momentum, as a share of that times the box's side. None where something takes it
     /// from outside: a plan, a wall, an answer that is not elastic.

@@ -89,7 +89,7 @@ void WorldRecorder::AddWalls() {
         recording::Body body;
         body.number = NumberOf(BMR_WALL(side));
         body.type = "static";
-        // The frame of core's wall: at the middle of its side.
+        // Its frame is at the middle of its side.
         body.pose.position = {0.5f * (sides[side][0].x + sides[side][1].x),
                               0.5f * (sides[side][0].y + sides[side][1].y)};
         m_frame.bodies.push_back(body);
@@ -185,7 +185,10 @@ recording::Proof WorldRecorder::LineProof(const bmr_world_pair &pair, const Worl
     if (pair.kds == nullptr || !bmr_kds_get_proof(pair.kds, &line))
         return proof;
     const bmr_body_state a = run.StateOf(pair.a);
-    const bmr_pose b = OtherPose(pair, run);
+    bmr_pose b = OtherPose(pair, run);
+    // What a structure sees of a wall goes along it, beside the body.
+    const bmr_vec2 beside = bmr_is_wall(pair.b) ? FootOn(pair.b, a.pose.position) : bmr_vec2_make(0.0, 0.0);
+    b.position = bmr_add(b.position, beside);
     // The body born first is the structure's A, and the pair's.
     const bmr_pose *own = line.owner == 0 ? &a.pose : &b, *other = line.owner == 0 ? &b : &a.pose;
     const bmr_vec2 nearest = bmr_unrotate(own, bmr_sub(bmr_transform(other, line.nearest), own->position));
@@ -199,7 +202,7 @@ recording::Proof WorldRecorder::LineProof(const bmr_world_pair &pair, const Worl
     else
         proof.supports[side] =
             Farthest((line.owner == 0 ? a : run.StateOf(pair.b)).shape->polygon, line.line.normal);
-    proof.supports[1 - side] = ToVec(line.nearest);
+    proof.supports[1 - side] = ToVec(line.owner == 0 ? bmr_add(line.nearest, beside) : line.nearest);
     proof.slack = static_cast<float>(std::max(0.0, bmr_dot(line.line.normal, nearest) - line.line.offset));
     proof.hulls = {static_cast<int>(pair.a) + 1, bmr_is_wall(pair.b) ? 0 : static_cast<int>(pair.b) + 1};
     return proof;

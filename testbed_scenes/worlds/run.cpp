@@ -14,10 +14,21 @@ namespace {
 /// A change of plan: this part of the time until the next is spent on the way to the new velocity.
 constexpr double kTurning = 0.4;
 
-[[noreturn]] void Stop(bmr_error error, double time, const WorldChoice &choice) {
+std::string NameOf(bmr_body body) {
+    static const char *const walls[BMR_WALLS] = {"the left wall", "the right wall", "the bottom wall",
+                                                 "the top wall"};
+    return bmr_is_wall(body) ? walls[body - BMR_WALL(0)] : "body " + std::to_string(body);
+}
+
+[[noreturn]] void Stop(bmr_error error, const bmr_world *world, const WorldChoice &choice) {
+    const bmr_world_trouble trouble = bmr_world_get_trouble(world);
+    const bool told = trouble.error == error && trouble.kind != BMR_TROUBLE_OTHER;
     char text[64];
-    std::snprintf(text, sizeof text, "the world stopped at time %.9g: ", time);
-    std::string why = text + std::string(bmr_error_describe(error));
+    std::snprintf(text, sizeof text, "the world stopped at time %.9g: ", bmr_world_time(world));
+    std::string why = text;
+    if (trouble.error == error && trouble.a != BMR_NO_BODY)
+        why += NameOf(trouble.a) + (trouble.b != BMR_NO_BODY ? " and " + NameOf(trouble.b) : "") + ": ";
+    why += told ? bmr_trouble_describe(trouble.kind) : bmr_error_describe(error);
     if (error == BMR_ERROR_STALLED)
         why += choice.zeno == BMR_ZENO_ERROR ? " (--zeno elastic answers slow contacts elastically)"
                                              : " (a larger --zeno-speed may end these contacts)";
@@ -80,7 +91,7 @@ void WorldRun::Observe(void *context, bmr_world * /*world*/, const bmr_world_eve
 void WorldRun::AdvancePlain(double until) {
     const bmr_error error = bmr_world_advance(m_world.get(), until);
     if (error != BMR_OK)
-        Stop(error, Time(), m_setup.choice);
+        Stop(error, World(), m_setup.choice);
 }
 
 void WorldRun::Advance(double until) {
@@ -123,7 +134,8 @@ void WorldRun::ChangePlan(bmr_body body) {
     Require(bmr_motion_change(made, time + turning, &coast), "a plan");
     const bmr_error error = bmr_world_set_motion(m_world.get(), body, made);
     if (error != BMR_OK)
-        Stop(error, time, m_setup.choice);
+        Stop(error, World(), m_setup.choice);
+    ++m_given;
 }
 
 bmr_body_state WorldRun::StateOf(bmr_body body) const {

@@ -39,6 +39,8 @@ public:
     bmr_world_totals TotalsAtStart() const { return m_atStart; }
     /// Sum of mass * speed at the start: what a change of momentum is held against.
     double MomentumScale() const { return m_momentumScale; }
+    /// New plans that bodies got so far.
+    uint64_t Plans() const { return m_given; }
     /// bmr_world_audit; throws WorldStopped with what it says.
     void Audit() const;
 
@@ -64,6 +66,7 @@ private:
     EventHandler m_onEvent;
     std::unique_ptr<bmr_world, Deleter> m_world;
     std::priority_queue<Plan> m_plans;
+    uint64_t m_given = 0; ///< of them
     Dice m_dice;
     bmr_world_totals m_atStart = {};
     double m_momentumScale = 0.0;

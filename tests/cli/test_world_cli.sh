@@ -37,6 +37,10 @@ test_every_scene_runs_and_nothing_overlaps() {
         out_has ' 0 of them overlap'
         out_has '^audits: +4 passed'
     done
+    # Walls of any width, and plans that are counted.
+    expect 0 world asteroids --boundary walls --check --quiet
+    expect 0 world swarm --bodies 20 --seconds 5
+    out_has '^plans: +[1-9]'
     # Control: bodies that pass through each other do overlap.
     expect 1 world "${small[@]}" --answer pass --check --quiet
     err_has 'bodies overlap'
@@ -106,7 +110,7 @@ test_a_run_is_shown() {
     # A head, and frames from time 0 to 1.
     [ "$(wc -l <"$scratch/run.txt")" -eq 12 ] || fail "not 11 frames"
     expect 0 replay --recording "$scratch/run.txt" -o "$scratch/run.html"
-    out_has '11 frames, 24 bodies'
+    out_has '11 frames, 20 bodies'
     grep -q '"world":true' "$scratch/run.html" || fail "the page does not know what it plays"
     expect 0 render --recording "$scratch/run.txt" --step 10 --all -o "$scratch/run.svg"
     grep -q '<svg' "$scratch/run.svg" || fail "no picture"
@@ -115,6 +119,11 @@ test_a_run_is_shown() {
     [ "$(grep -c '<path' "$scratch/run.svg")" -gt "$(($(grep -c '<path' "$scratch/bare.svg") + 50))" ] || fail "--all draws no more than --bare"
     expect 2 render --recording "$scratch/run.txt" --step 11 -o "$scratch/none.svg"
     err_has 'the last frame .* is 10'
+    # A periodic box is drawn, by the only line of such dashes, and said in the legend.
+    expect 0 world gas --boundary periodic --bodies 20 --seconds 1 --record "$scratch/box.txt" --rate 10 --quiet
+    expect 0 render --recording "$scratch/box.txt" --step 10 -o "$scratch/box.svg"
+    [ "$(grep -c 'stroke-dasharray:9,5' "$scratch/box.svg")" -eq 2 ] || fail "no periodic box"
+    grep -q 'stroke-dasharray:9,5' "$scratch/run.svg" && fail "a periodic box without one"
     # Controls: a file that is none, and one that was cut short.
     head -n 8 "$scratch/run.txt" >"$scratch/short.txt"
     expect 2 replay --recording "$scratch/short.txt" -o "$scratch/short.html"
@@ -129,7 +138,7 @@ test_a_run_is_shown() {
 
 test_collapse_is_told() {
     expect 3 world cooling --bodies 40 --density 0.3 --shape regular --answer 0.05 --zeno error --seconds 40 --quiet
-    err_has 'stopped at time .*--zeno elastic'
+    err_has 'stopped at time .*body [0-9]* and .*contact after contact.*--zeno elastic'
     expect 0 world cooling --bodies 40 --density 0.3 --shape regular --answer 0.5 --zeno-speed 0.1 --seconds 10
     out_has '^softened: +[0-9]'
 }
@@ -141,8 +150,10 @@ test_nonsense_is_refused() {
         err_has "$message"
     done <<'WORDS'
 gasp|nearest is "gas"
-gas --bodies 1|two at least
+gas --bodies 1|--bodies: Value 1 not in range
 gas --bodies 0|--bodies
+gas --seed -1|--seed
+gas --seed 1.5|--seed
 gas --density 0|--density: a number above 0
 gas --density nan|--density
 gas --density 0.9|no room

@@ -282,8 +282,6 @@ static inline void play_begin(play *p, const play_shapes *shapes, uint64_t seed,
     def.all_pairs = all_pairs;
     def.contact = play_answer;
     def.context = p;
-    if (far > 0.0)
-        def.kds.margin = def.kds.hysteresis = 1e-5;
     play_note(p, bmr_world_create(&def, 0.0, allocator, &p->world));
     for (size_t i = 0; i < bodies && p->world; i++)
         play_add(p, &p->random);

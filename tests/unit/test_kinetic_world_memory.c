@@ -130,9 +130,11 @@ static void walls_work_with_every_structure(void **state) {
     for (int k = 0; k < BMR_HIERARCHY_KIND_COUNT; k++)
         shape.hierarchies[k] = hierarchies[k];
     size_t tried = 0, refused = 0;
-    for (size_t i = 0; i < bmr_kds_count(); i++) {
-        stage *s = make_stage(BMR_WALLED, 6.0);
-        s->def.structure = bmr_kds_at(i);
+    for (size_t i = 0; i < 2 * bmr_kds_count(); i++) {
+        // A hall, and in the corner of one that is wider than its walls' proofs could be good to.
+        const double size = i % 2 == 0 ? 6.0 : 2e8, off = size - 6.0;
+        stage *s = make_stage(BMR_WALLED, size);
+        s->def.structure = bmr_kds_at(i / 2);
         if (s->def.structure->domain != BMR_KDS_RIGID) {
             refused++;
             assert_int_equal(bmr_world_create(&s->def, 0.0, NULL, &s->world), BMR_ERROR_OUT_OF_RANGE);
@@ -141,8 +143,8 @@ static void walls_work_with_every_structure(void **state) {
         }
         tried++;
         open_stage(s);
-        const bmr_motion_piece pieces[2] = {flight(0.0, -3.0, 0.3, 1.0, 0.4, 0.5),
-                                            flight(0.0, 3.0, 0.0, -1.0, 0.2, -0.7)};
+        const bmr_motion_piece pieces[2] = {flight(0.0, off - 3.0, off + 0.3, 1.0, 0.4, 0.5),
+                                            flight(0.0, off + 3.0, off, -1.0, 0.2, -0.7)};
         for (int k = 0; k < 2; k++) {
             bmr_motion *motion;
             assert_int_equal(bmr_motion_create(&pieces[k], NULL, &motion), BMR_OK);

@@ -73,8 +73,11 @@ typedef enum bmr_response_kind {
     /// not approach keep their motions. Both go on in screw motions from where they are. Two bodies that
     /// nothing moves pass.
     BMR_RESPONSE_IMPULSE,
-    /// Both go on with the velocity of their common centre of mass and without spin: momentum stays, energy
-    /// and angular momentum go. (Two bodies that turn about a common centre are no screw motion of either.)
+    /// Both, and all that stuck to either before and got no other motion since, go on with the velocity of
+    /// their common centre of mass and without spin: momentum stays, energy and angular momentum go. (Bodies
+    /// that turn about a common centre are no screw motion of any of them.) One of infinite mass, or a wall,
+    /// keeps its velocity, which the others get; a pair that would stick two such of different velocities
+    /// together passes.
     BMR_RESPONSE_STICK,
     /// The callback has set what motions it wants (bmr_world_set_motion); the pair is to be watched on. Where
     /// they still approach, the same contact comes again, at half the distance.
@@ -94,12 +97,15 @@ typedef bmr_response (*bmr_world_contact)(void *context, bmr_world *world, const
 /// What becomes of infinitely many contacts in finite time (inelastic collapse: with restitution below 1,
 /// three bodies in a row are enough) and of contacts that no answer ends.
 typedef enum bmr_zeno_policy {
-    /// bmr_world_advance ends with STALLED when a pair has contacts nearer and nearer without coming apart.
+    /// bmr_world_advance ends with STALLED when a pair has contacts nearer and nearer without coming apart:
+    /// inelastic collapse, bodies that come to rest on each other, and what is pushed together faster than
+    /// any answer can part it. It is the right end of these.
     BMR_ZENO_ERROR,
-    /// An impulse on points that approach by less than `zeno_speed`, or of a pair that touches at less than a
-    /// 32nd of the margin, has restitution 1 (McNamara and Luding's remedy), and is counted. STALLED where
-    /// that does not help: bodies that come to lie against each other want a margin of a thousandth of their
-    /// size, which can be halved more often before it is lost in rounding.
+    /// An impulse on points that approach by less than `zeno_speed` has restitution 1 (McNamara and Luding's
+    /// remedy), and so has one of a pair that is jammed: that touches at an eighth of the margin or less
+    /// without having come apart. Both are counted (`softened`). STALLED where that does not help: bodies
+    /// that
+    /// nothing moves push others together.
     BMR_ZENO_ELASTIC
 } bmr_zeno_policy;
 
@@ -131,14 +137,13 @@ typedef void (*bmr_world_observer)(void *context, bmr_world *world, const bmr_wo
 
 typedef enum bmr_boundary {
     BMR_OPEN,    ///< nothing: bodies go where they like
-    BMR_WALLED,  ///< four walls: segments along the sides of the box, and a part beyond its corners; see
-                 ///< kds.margin
+    BMR_WALLED,  ///< four walls: the lines along the sides of the box, all of them
     BMR_PERIODIC ///< what goes out on one side comes in on the other; positions go on counting
 } bmr_boundary;
 
 typedef struct bmr_world_def {
     const bmr_kds_info *structure; ///< of every near pair
-    /// kds.margin: in contact when the polygons are this near; with walls more than 1e-9 of the box's sides.
+    /// kds.margin: in contact when the polygons are this near. More than some 1e-8 of the largest body.
     /// kds.hysteresis: how much farther apart a pair must have been for its next contact to count as a new
     /// one.
     bmr_kds_def kds;
@@ -148,9 +153,11 @@ typedef struct bmr_world_def {
     bmr_response response; ///< to a contact, where there is no callback
     bmr_zeno_policy zeno;
     double zeno_speed; ///< of ZENO_ELASTIC; > 0
-    /// Every two bodies are candidates: no grid, and in a periodic box one grid, whose cells are as large as
-    /// the box allows (at least three on each side; in a long box far bodies are no candidates). For
-    /// comparison; O(bodies^2).
+    /// Events (and searches that go on later) in one advance, at most; 0: as many as it takes.
+    uint64_t most_events;
+    /// Every two bodies are candidates: no grid, and in a periodic box (of whatever shape) nine cells, each
+    /// every other's neighbour, which say the image in which the two can meet next. For comparison;
+    /// O(bodies^2).
     bool all_pairs;
     /// Between looks at a pair that passes through each other, at most: see bmr_simulation_def.contact_step.
     double contact_step;
@@ -202,14 +209,48 @@ bmr_error bmr_world_set_motion(bmr_world *world, bmr_body body, const bmr_motion
 bmr_error bmr_world_set_piece(bmr_world *world, bmr_body body, const bmr_motion_piece *piece);
 
 /// Processes every event up to and including `until`, in order of time. After an error the world stands at
-/// the event that could not be done; where the cause is gone (NO_MEMORY), a further call goes on. After
-/// STALLED it goes on too: the pair that stalled passes. Errors:
-/// NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (`until` is past, a call out of a callback, a restitution outside
-/// of [0, 1], a search that takes too many steps), STALLED (see bmr_zeno_policy; or a structure has more than
-/// BMR_WORLD_BURST repairs, each within four failure.tolerance of the one before), NO_MEMORY, those of
-/// bmr_failure_time.
+/// the event that could not be done, and bmr_world_get_trouble says why and of whom; where the cause is gone,
+/// a further call goes on. After STALLED it goes on too: the pair that stalled passes. Errors: NULL_ARGUMENT,
+/// NOT_FINITE, OUT_OF_RANGE (`until` is past, a call out of a callback, a search that takes too many steps,
+/// and what bmr_trouble lists), STALLED (see bmr_trouble), NO_MEMORY, those of bmr_failure_time.
 bmr_error bmr_world_advance(bmr_world *world, double until);
 #define BMR_WORLD_BURST 200
+
+/// Why an advance ended with an error.
+typedef enum bmr_trouble {
+    BMR_TROUBLE_NONE,
+    /// STALLED: contact after contact of the two, each nearer than the last, and no answer took them apart
+    /// (see bmr_zeno_policy).
+    BMR_TROUBLE_CONTACTS,
+    /// STALLED: a structure had more than BMR_WORLD_BURST repairs, each in next to no time after the one
+    /// before.
+    BMR_TROUBLE_REPAIRS,
+    /// STALLED: the two are apart, but by less than their structure can prove.
+    BMR_TROUBLE_PROOF,
+    /// OUT_OF_RANGE: the two (or one, through cells) move so fast that the clock is too coarse: near each
+    /// other by more than the margin in four roundings of the time (nine parts in 1e16 of it). So nobody
+    /// flies through another one unseen.
+    BMR_TROUBLE_SPEED,
+    /// OUT_OF_RANGE: a body is so far away that there are no larger cells, or no digits left: in an open
+    /// world beyond 2^190 times the finest cell, in a periodic box after 2^30 cells.
+    BMR_TROUBLE_PLACE,
+    BMR_TROUBLE_ANSWER, ///< OUT_OF_RANGE: a response that makes no sense; the pair passes
+    BMR_TROUBLE_EVENTS, ///< OUT_OF_RANGE: more than most_events; the world is as it would be, and goes on
+    BMR_TROUBLE_OTHER,  ///< what the error says
+    BMR_TROUBLE_COUNT
+} bmr_trouble;
+/// One English sentence for it, without a full stop: what is wrong and what to do about it; never NULL.
+const char *bmr_trouble_describe(bmr_trouble trouble);
+
+typedef struct bmr_world_trouble {
+    bmr_error error;
+    bmr_trouble kind;
+    double time;
+    bmr_body a, b; ///< who is concerned; BMR_NO_BODY: nobody, or no second one
+} bmr_world_trouble;
+/// Of the last advance that was no misuse; NONE after one that did all it was asked for.
+bmr_world_trouble bmr_world_get_trouble(const bmr_world *world);
+
 double bmr_world_time(const bmr_world *world);
 /// Nothing happens before this time; INFINITY: never anything.
 double bmr_world_next(const bmr_world *world);
@@ -246,11 +287,13 @@ typedef enum bmr_watch {
 typedef struct bmr_world_pair {
     bmr_body a, b;
     bmr_watch watch;
-    bmr_vec2 image;     ///< as in bmr_contact
-    double reach;       ///< the sum of the disks' radii at which a structure begins
-    double next;        ///< nothing happens to this pair before this time
-    bool neighbours;    ///< their cells are; false: kept for its structure alone
-    const bmr_kds *kds; ///< of STRUCTURE and PASSING
+    bmr_vec2 image;  ///< as in bmr_contact
+    double reach;    ///< the sum of the disks' radii at which a structure begins
+    double next;     ///< nothing happens to this pair before this time
+    bool neighbours; ///< their cells are; false: kept for its structure alone
+    /// Of STRUCTURE and PASSING. What it sees of a wall is a segment that goes along the wall with the body:
+    /// its frame is not turned, and its origin the point of the wall beside the body's origin.
+    const bmr_kds *kds;
 } bmr_world_pair;
 typedef struct bmr_world_cell {
     int level;

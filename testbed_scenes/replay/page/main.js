@@ -31,7 +31,7 @@ class App {
   nameIt(about) {
     document.title = about.scene + " – Boomerang replay";
     document.getElementById("title").textContent = about.scene;
-    const words = [about.description, this.model.stepCount + (about.world ? " frames" : " steps"), this.model.c["body.number"].length + " bodies",
+    const words = [about.description, this.model.stepCount + (about.world ? " frames" : " steps"), (about.world ? about.size : this.model.c["body.number"].length) + " bodies",
       about.structure && "structure " + about.structure, about.prefilter && "prefilter " + about.prefilter];
     if (about.difference !== undefined) {
       const problem = document.getElementById("problem");

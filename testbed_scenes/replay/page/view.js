@@ -166,6 +166,7 @@ class View {
     g.lineJoin = "round";
     this.findSeen();
     if (shown.boxes) this.drawBoxes(step);
+    this.drawPeriodicBox();
     if (shown.trails) this.drawTrails(step);
     this.drawBodies();
     if (shown.hulls) this.drawProofOutlines("hull", this.colour.hull, [2, 3], m.pairsHere, step);
@@ -198,6 +199,18 @@ class View {
       const r = m.reach[body];
       this.seen[body] = m.present[body] && m.x[body] + r >= left && m.x[body] - r <= right && m.y[body] + r >= bottom && m.y[body] - r <= top ? 1 : 0;
     }
+  }
+
+  // Where what goes out on one side comes in on the other: about the origin.
+  drawPeriodicBox() {
+    const [width, height] = this.model.about.period || [0, 0];
+    if (!(width > 0)) return;
+    const g = this.context;
+    g.strokeStyle = this.colour.trail;
+    g.lineWidth = 1.6 * this.pixel;
+    g.setLineDash([9 * this.pixel, 5 * this.pixel]);
+    g.strokeRect(-width / 2, -height / 2, width, height);
+    g.setLineDash([]);
   }
 
   // Where the bodies that are seen were in the last two seconds. In a periodic box a line ends where it leaves.

@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: MIT
+// Where kinetic worlds come to their limits: each ends in what was right, or in an error that says what and
+// who, and none of them in a wrong answer or in a loop.
+#include "world/parts.h"
+#include "world_stage.h"
+
+static void assert_trouble(const stage *s, bmr_error error, bmr_trouble kind, bmr_body a, bmr_body b) {
+    const bmr_world_trouble trouble = bmr_world_get_trouble(s->world);
+    assert_int_equal(trouble.error, error);
+    assert_int_equal(trouble.kind, kind);
+    assert_int_equal(trouble.a, a);
+    assert_int_equal(trouble.b, b);
+    assert_true(error == BMR_OK || trouble.time == bmr_world_time(s->world));
+}
+
+static void every_trouble_has_its_sentence(void **state) {
+    (void)state;
+    for (int i = 0; i <= BMR_TROUBLE_COUNT; i++)
+        for (int k = 0; k < i; k++)
+            assert_string_not_equal(bmr_trouble_describe((bmr_trouble)i),
+                                    bmr_trouble_describe((bmr_trouble)k));
+}
+
+// ---- walls and boxes ----
+
+/// Only some thousand margins wide, as walls were once, and as wide as a box may be.
+static void a_ball_bounces_in_a_box_of_any_width(void **state) {
+    (void)state;
+    bmr_polygon *b = box(1.0);
+    const double sizes[] = {10.0, 1e4, 1e6, 2e8};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        stage *s = make_stage(BMR_WALLED, sizes[i]);
+        open_stage(s);
+        // In a corner, far from the middles of the walls that it meets.
+        const double x = sizes[i] - 3.0, y = 2.5 - sizes[i];
+        const bmr_body ball = add_piece(s, b, flight(0.0, x, y, 1.0, -0.5, 0.0), 0.0);
+        advance(s, 10.0);
+        assert_int_equal(s->count, 2);
+        assert_near(s->contacts[0].time, 2.0, 2.0 * MARGIN + 1e-15 * sizes[i]);
+        assert_near(s->contacts[1].time, 3.0, 4.0 * MARGIN + 1e-15 * sizes[i]);
+        for (size_t k = 0; k < 2; k++) {
+            assert_true(s->contacts[k].b == BMR_WALL(1) || s->contacts[k].b == BMR_WALL(2));
+            assert_near(s->contacts[k].distance, MARGIN, 1e-9);
+            // A wall rests, and what moves along it slides.
+            assert_near(s->contacts[k].velocity[0].x, k == 0 ? -1.0 : 1.0, 1e-12);
+            assert_near(s->contacts[k].velocity[0].y, 0.5, 1e-12);
+            const double wall =
+                s->contacts[k].b == BMR_WALL(1) ? s->contacts[k].points[0].x : -s->contacts[k].points[0].y;
+            assert_near(wall, sizes[i], 2.0 * MARGIN + 1e-15 * sizes[i]);
+        }
+        assert_near(state_of(s, ball).velocity.x, -1.0, 1e-9);
+        assert_near(state_of(s, ball).velocity.y, 0.5, 1e-9);
+        close_stage(s);
+    }
+    bmr_polygon_destroy(b, NULL);
+}
+
+/// So far from the origin that a rounding of a place is a 70th of the margin: contacts are as exact as near
+/// it.
+static void far_from_the_origin_contacts_are_as_exact(void **state) {
+    (void)state;
+    const double far = 1e8;
+    stage *s = make_stage(BMR_WALLED, 0.0);
+    s->def.low = bmr_vec2_make(far - 6.0, -far - 6.0);
+    s->def.high = bmr_vec2_make(far + 6.0, -far + 6.0);
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    test_random random = {8};
+    for (int i = 0; i < 9; i++)
+        add_piece(s, b,
+                  flight(0.0, far + 3.5 * (i % 3) - 3.5, 3.5 * (i / 3) - 3.5 - far,
+                         test_random_uniform(&random, -1.0, 1.0), test_random_uniform(&random, -1.0, 1.0),
+                         test_random_uniform(&random, -1.0, 1.0)),
+                  0.0);
+    const double before = bmr_world_get_totals(s->world).energy;
+    advance(s, 30.0);
+    assert_true(s->count > 100 && s->count < MOST);
+    for (size_t i = 0; i < s->count; i++)
+        if (s->contacts[i].again == 0)
+            assert_near(s->contacts[i].distance, MARGIN, 2e-9);
+    assert_near(bmr_world_get_totals(s->world).energy, before, 1e-12 * before);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+/// Of each two bodies one image is a pair, in a box a hundred times as long as high, too.
+static void all_pairs_of_a_long_box_are_all(void **state) {
+    (void)state;
+    enum { BODIES = 40 };
+    bmr_polygon *b = box(0.5);
+    stage *runs[2];
+    for (int all = 0; all < 2; all++) {
+        stage *s = runs[all] = make_stage(BMR_PERIODIC, 0.0);
+        s->def.low = bmr_vec2_make(-400.0, -4.0);
+        s->def.high = bmr_vec2_make(400.0, 4.0);
+        s->def.all_pairs = all;
+        open_stage(s);
+        test_random random = {3};
+        for (int i = 0; i < BODIES; i++)
+            add_piece(s, b,
+                      flight(0.0, 20.0 * i - 400.0, test_random_uniform(&random, -4.0, 4.0),
+                             test_random_uniform(&random, -9.0, 9.0), test_random_uniform(&random, -9.0, 9.0),
+                             test_random_uniform(&random, -1.0, 1.0)),
+                      0.0);
+        for (int i = 1; i <= 5; i++) {
+            advance(s, 10.0 * i);
+            if (all)
+                assert_int_equal(bmr_world_get_counts(s->world).pairs, BODIES * (BODIES - 1) / 2);
+        }
+    }
+    assert_true(runs[0]->count > 50 && runs[0]->count == runs[1]->count);
+    for (size_t i = 0; i < runs[0]->count; i++)
+        assert_memory_equal(&runs[0]->contacts[i].time, &runs[1]->contacts[i].time, sizeof(double));
+    close_stage(runs[0]);
+    close_stage(runs[1]);
+    bmr_polygon_destroy(b, NULL);
+}
+
+/// A point in a box of 1e21 of its cells: none of their numbers overflows, and it meets what is there.
+static void a_point_in_a_huge_periodic_box_meets_what_is_there(void **state) {
+    (void)state;
+    const bmr_vec2 origin = {0.0, 0.0};
+    bmr_polygon *point = NULL, *b = box(1e-3);
+    assert_int_equal(bmr_polygon_create(&origin, 1, NULL, &point), BMR_OK);
+    for (int all = 0; all < 2; all++) {
+        stage *s = make_stage(BMR_PERIODIC, 2e8);
+        s->def.kds.margin = s->def.kds.hysteresis = 1e-11;
+        s->def.all_pairs = all;
+        open_stage(s);
+        for (int i = 0; i < 3; i++)
+            add_piece(s, point, flight(0.0, 1e-3 * (i + 2), 0.0, 0.0, 0.0, 0.0), 1.0);
+        add_piece(s, b, flight(0.0, -0.5, 0.0, 1.0, 0.0, 0.0), 1e6);
+        assert_int_equal(bmr_world_audit(s->world), BMR_OK);
+        assert_int_equal(bmr_world_advance(s->world, 1.0), BMR_OK);
+        assert_true(s->count >= 3);
+        assert_near(s->contacts[0].time, 0.501, 1e-9);
+        close_stage(s);
+    }
+    bmr_polygon_destroy(point, NULL);
+    bmr_polygon_destroy(b, NULL);
+}
+
+// ---- the clock ----
+
+static bmr_polygon *segment(double half) {
+    const bmr_vec2 points[2] = {{0.0, -half}, {0.0, half}};
+    bmr_polygon *polygon = NULL;
+    assert_int_equal(bmr_polygon_create(points, 2, NULL, &polygon), BMR_OK);
+    return polygon;
+}
+
+/// What is as thin as the margin, at a speed at which failure.tolerance is hundreds of margins' way.
+static void nobody_is_missed_who_is_faster_than_the_tolerance(void **state) {
+    (void)state;
+    enum { PLATES = 200 };
+    bmr_polygon *plate = segment(1.0), *needle = segment(0.5);
+    for (int spins = 0; spins < 2; spins++) {
+        stage *s = make_stage(BMR_OPEN, 0.0);
+        s->response.kind = BMR_RESPONSE_PASS;
+        s->def.failure.tolerance = 1e-9;
+        open_stage(s);
+        for (int i = 0; i < PLATES; i++)
+            add_piece(s, plate, flight(0.0, 5.0 * i, 0.0, 0.0, 0.0, spins ? 1e-3 : 0.0), 1.0);
+        add_piece(s, needle, flight(0.0, -1e6, 0.1, 1e6, 0.0, 0.0), 1.0);
+        advance(s, 1.1);
+        assert_int_equal(s->count, PLATES);
+        close_stage(s);
+    }
+    bmr_polygon_destroy(plate, NULL);
+    bmr_polygon_destroy(needle, NULL);
+}
+
+/// Where no time lies between the two sides of a contact.
+static void who_is_faster_than_the_clock_is_an_error(void **state) {
+    (void)state;
+    bmr_polygon *b = box(0.5);
+    for (int grid = 0; grid < 2; grid++) {
+        stage *s = make_stage(BMR_OPEN, 0.0);
+        s->def.all_pairs = !grid;
+        assert_int_equal(bmr_world_create(&s->def, 1e6, NULL, &s->world), BMR_OK);
+        const bmr_body fast = add_piece(s, b, flight(1e6, -3e6, 0.0, 3e6, 0.0, 0.0), 0.0);
+        const bmr_body rests = add_piece(s, b, flight(1e6, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+        assert_int_equal(bmr_world_advance(s->world, 1e6 + 2.0), BMR_ERROR_OUT_OF_RANGE);
+        assert_trouble(s, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_SPEED, fast, rests);
+        assert_near(bmr_world_time(s->world), 1e6 + 1.0, 1e-5);
+        // It is so until one of them is gone, or slower.
+        assert_int_equal(bmr_world_advance(s->world, 1e6 + 2.0), BMR_ERROR_OUT_OF_RANGE);
+        const bmr_motion_piece slow =
+            bmr_piece_screw(1e6 + 1.0, state_of(s, fast).pose, bmr_vec2_make(10.0, 0.0), 0.0);
+        assert_int_equal(bmr_world_set_piece(s->world, fast, &slow), BMR_OK);
+        advance(s, 1e6 + 2.0);
+        assert_int_equal(s->count, 1);
+        assert_trouble(s, BMR_OK, BMR_TROUBLE_NONE, BMR_NO_BODY, BMR_NO_BODY);
+        close_stage(s);
+    }
+    // Control: the same at a time near 0.
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    open_stage(s);
+    add_piece(s, b, flight(0.0, -3e6, 0.0, 3e6, 0.0, 0.0), 0.0);
+    add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    advance(s, 2.0);
+    assert_int_equal(s->count, 1);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+/// Farther than there are cells: soon, however far a call is to advance.
+static void who_flies_out_of_the_world_is_an_error(void **state) {
+    (void)state;
+    bmr_polygon *b = box(1.0);
+    const double speeds[] = {1.0, 1e20, 1e96, 1e300};
+    for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++) {
+        stage *s = make_stage(BMR_OPEN, 0.0);
+        open_stage(s);
+        const bmr_body flies = add_piece(s, b, flight(0.0, 0.0, 0.0, speeds[i], 0.0, 0.0), 0.0);
+        assert_int_equal(bmr_world_advance(s->world, 1e300), BMR_ERROR_OUT_OF_RANGE);
+        assert_trouble(s, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_PLACE, flies, BMR_NO_BODY);
+        assert_true(s->events[BMR_WORLD_CROSS] < 300);
+        close_stage(s);
+    }
+    // Two at rest, near each other: nothing ever happens.
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    open_stage(s);
+    for (int i = 0; i < 2; i++)
+        add_piece(s, b, flight(0.0, 2.01 * i, 0.0, 0.0, 0.0, 0.0), 0.0);
+    advance(s, 1e300);
+    assert_int_equal(s->count, 0);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+static void a_call_has_as_many_events_as_it_may(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_WALLED, 1.2);
+    s->def.most_events = 10;
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    add_piece(s, b, flight(0.0, 0.0, 0.0, 1.0, 0.3, 0.0), 0.0);
+    size_t calls = 1;
+    for (; bmr_world_advance(s->world, 20.0) != BMR_OK; calls++) {
+        assert_trouble(s, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_EVENTS, BMR_NO_BODY, BMR_NO_BODY);
+        assert_int_equal(bmr_world_audit(s->world), BMR_OK);
+    }
+    // The same contacts as in one call.
+    stage *whole = make_stage(BMR_WALLED, 1.2);
+    open_stage(whole);
+    add_piece(whole, b, flight(0.0, 0.0, 0.0, 1.0, 0.3, 0.0), 0.0);
+    advance(whole, 20.0);
+    assert_true(calls > 5 && s->count == whole->count);
+    assert_true(s->contacts[s->count - 1].time == whole->contacts[s->count - 1].time);
+    close_stage(s);
+    close_stage(whole);
+    bmr_polygon_destroy(b, NULL);
+}
+
+// ---- contacts that nothing ends ----
+
+/// Bodies at one place each, one after the other pushed into the pile.
+static void all_that_sticks_goes_on_as_one(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_WALLED, 50.0);
+    s->response.kind = BMR_RESPONSE_STICK;
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    enum { PILE = 8 };
+    bmr_body pile[PILE];
+    double mass = 0.0, momentum = 0.0;
+    for (int i = 0; i < PILE; i++) {
+        const double own = 1.0 + i % 3, speed = i == 0 ? 0.0 : i % 2 ? 1.0 : -1.3;
+        const double x = i % 2 ? -4.0 * i : 4.0 * i;
+        pile[i] = add_piece(s, b, flight(0.0, x, 0.1 * (i % 5), speed, 0.0, 0.0), own);
+        mass += own;
+        momentum += own * speed;
+    }
+    advance(s, 40.0);
+    assert_int_equal(s->count, PILE - 1);
+    for (int i = 0; i < PILE; i++) {
+        assert_near(state_of(s, pile[i]).velocity.x, momentum / mass, 1e-15);
+        assert_near(state_of(s, pile[i]).velocity.y, 0.0, 0.0);
+    }
+    // At a wall all of it comes to rest, for good.
+    advance(s, 1e4);
+    assert_int_equal(s->count, PILE);
+    assert_near(bmr_world_get_totals(s->world).energy, 0.0, 0.0);
+    // Who is sent elsewhere sticks no more.
+    const bmr_motion_piece up = bmr_piece_screw(1e4, state_of(s, pile[3]).pose, bmr_vec2_make(0.0, 1.0), 0.0);
+    assert_int_equal(bmr_world_set_piece(s->world, pile[3], &up), BMR_OK);
+    advance(s, 1e4 + 10.0);
+    assert_near(state_of(s, pile[3]).velocity.y, 1.0, 0.0);
+    assert_near(state_of(s, pile[1]).velocity.y, 0.0, 0.0);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+/// Between two that nothing moves and that come together: no answer parts them, and who they are is said.
+static void what_is_pushed_together_for_good_is_an_error(void **state) {
+    (void)state;
+    for (bmr_zeno_policy zeno = BMR_ZENO_ERROR; zeno <= BMR_ZENO_ELASTIC; zeno++) {
+        stage *s = make_stage(BMR_OPEN, 0.0);
+        s->def.zeno = zeno;
+        open_stage(s);
+        bmr_polygon *b = box(1.0);
+        const bmr_body left = add_piece(s, b, flight(0.0, -5.0, 0.0, 1.0, 0.0, 0.0), INFINITY);
+        const bmr_body middle = add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 1.0);
+        const bmr_body right = add_piece(s, b, flight(0.0, 5.0, 0.0, -1.0, 0.0, 0.0), INFINITY);
+        assert_int_equal(bmr_world_advance(s->world, 10.0), BMR_ERROR_STALLED);
+        const bmr_world_trouble trouble = bmr_world_get_trouble(s->world);
+        assert_true(trouble.kind == BMR_TROUBLE_CONTACTS || trouble.kind == BMR_TROUBLE_REPAIRS);
+        assert_true(trouble.a == left || trouble.a == middle);
+        assert_true(trouble.b == middle || trouble.b == right);
+        assert_near(trouble.time, 3.0, 0.1);
+        close_stage(s);
+        bmr_polygon_destroy(b, NULL);
+    }
+}
+
+// ---- numbers ----
+
+static void a_place_that_is_no_number_is_an_error(void **state) {
+    (void)state;
+    for (int all = 0; all < 2; all++) {
+        stage *s = make_stage(BMR_OPEN, 0.0);
+        s->def.all_pairs = all;
+        open_stage(s);
+        bmr_polygon *b = box(1.0);
+        add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+        // At the world's time its terms are infinite, of different signs.
+        bmr_motion_piece nowhere = flight(0.0, 5.0, 0.0, 0.0, 0.0, 0.0);
+        memset(&nowhere.as, 0, sizeof nowhere.as);
+        nowhere.kind = BMR_PIECE_ALGEBRAIC;
+        nowhere.origin = -1e300;
+        nowhere.as.algebraic.degree = 2;
+        nowhere.as.algebraic.y[1] = -1e300;
+        nowhere.as.algebraic.y[2] = 1e300;
+        nowhere.as.algebraic.a[0] = nowhere.as.algebraic.start_c = 1.0;
+        bmr_motion *motion;
+        assert_int_equal(bmr_motion_create(&nowhere, NULL, &motion), BMR_OK);
+        const bmr_shape shape = {.polygon = b};
+        const bmr_body_def def = bmr_default_body_def(&shape, motion);
+        bmr_body body;
+        assert_int_equal(bmr_world_add(s->world, &def, &body), BMR_ERROR_NOT_FINITE);
+        int level = 7;
+        assert_int_equal(bmr_grid_level(s->world, 1.0, bmr_vec2_make(NAN, 0.0), &level),
+                         BMR_ERROR_NOT_FINITE);
+        assert_int_equal(bmr_grid_level(s->world, 1.0, bmr_vec2_make(0.0, NAN), &level),
+                         BMR_ERROR_NOT_FINITE);
+        assert_int_equal(level, 7);
+        bmr_motion_destroy(motion);
+        close_stage(s);
+        bmr_polygon_destroy(b, NULL);
+    }
+}
+
+/// After 2^32 bodies at one place there are no ids left for it.
+static void a_place_whose_ids_are_used_up_is_left_alone(void **state) {
+    (void)state;
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    open_stage(s);
+    bmr_polygon *b = box(1.0);
+    bmr_body body = add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    const bmr_body first = body;
+    assert_int_equal(bmr_world_remove(s->world, body), BMR_OK);
+    s->world->generations[0] = UINT32_MAX - 1; // as if there had been so many
+    body = add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    assert_int_equal(body, (uint64_t)(UINT32_MAX - 1) << 32);
+    assert_int_equal(bmr_world_remove(s->world, body), BMR_OK);
+    for (int i = 0; i < 3; i++) {
+        body = add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+        assert_int_equal(body & UINT32_MAX, 1);
+        assert_int_not_equal(body, first);
+        assert_int_equal(bmr_world_remove(s->world, body), BMR_OK);
+        assert_int_equal(bmr_world_body_count(s->world), 0);
+    }
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_trouble_has_its_sentence),
+        cmocka_unit_test(a_ball_bounces_in_a_box_of_any_width),
+        cmocka_unit_test(far_from_the_origin_contacts_are_as_exact),
+        cmocka_unit_test(all_pairs_of_a_long_box_are_all),
+        cmocka_unit_test(a_point_in_a_huge_periodic_box_meets_what_is_there),
+        cmocka_unit_test(nobody_is_missed_who_is_faster_than_the_tolerance),
+        cmocka_unit_test(who_is_faster_than_the_clock_is_an_error),
+        cmocka_unit_test(who_flies_out_of_the_world_is_an_error),
+        cmocka_unit_test(a_call_has_as_many_events_as_it_may),
+        cmocka_unit_test(all_that_sticks_goes_on_as_one),
+        cmocka_unit_test(what_is_pushed_together_for_good_is_an_error),
+        cmocka_unit_test(a_place_that_is_no_number_is_an_error),
+        cmocka_unit_test(a_place_whose_ids_are_used_up_is_left_alone),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
