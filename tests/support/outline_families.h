@@ -213,7 +213,8 @@ inline std::vector<bmr_vec2> Resampled(const std::vector<bmr_vec2> &ring, uint32
         whole += length(i);
     std::vector<bmr_vec2> samples;
     for (std::size_t i = 0; i < ring.size() && samples.size() < count; before += length(i++))
-        while (samples.size() < count && whole * static_cast<double>(samples.size()) / count < before + length(i)) {
+        while (samples.size() < count &&
+               whole * static_cast<double>(samples.size()) / count < before + length(i)) {
             const double part = (whole * static_cast<double>(samples.size()) / count - before) / length(i);
             const bmr_vec2 along = bmr_sub(ring[(i + 1) % ring.size()], ring[i]);
             samples.push_back(bmr_add(ring[i], bmr_scale(part, along)));
@@ -221,8 +222,8 @@ inline std::vector<bmr_vec2> Resampled(const std::vector<bmr_vec2> &ring, uint32
     return samples;
 }
 
-/// What a scanner makes of a body with bays and limbs: a grown region without its holes, its corners cut three
-/// times, in steps of equal length, with noise of a thousandth of a cell.
+/// What a scanner makes of a body with bays and limbs: a grown region without its holes, its corners cut
+/// three times, in steps of equal length, with noise of a thousandth of a cell.
 inline Outline Silhouette(test_random *random, uint32_t count) {
     const Outline region = Region(random, 6, 10 + test_random_below(random, 20), 0.4).Rings(true);
     std::vector<bmr_vec2> ring(region.points.begin(), region.points.begin() + region.counts[0]);
