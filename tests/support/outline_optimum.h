@@ -10,7 +10,8 @@
 
 /// @file
 /// The fewest convex pieces of a simple polygon, cut from corner to corner: every convex piece beside every
-/// segment is tried. Polynomial, and nothing of core's; slow.
+/// segment is tried. Polynomial, and nothing of core's; slow. (Cuts that end in no notch are left out: what
+/// they part is convex without them.)
 
 namespace outlines {
 
@@ -22,7 +23,7 @@ public:
           m_fewest(m_count * m_count, kUnknown) {
         for (size_t i = 0; i < m_count; ++i)
             for (size_t k = i + 1; k < m_count; ++k)
-                if (k == i + 1 || IsCut(i, k))
+                if (k == i + 1 || ((IsNotch(i) || IsNotch(k)) && IsCut(i, k)))
                     m_ahead[i].push_back(k);
     }
 
@@ -34,6 +35,8 @@ private:
     int Turn(size_t a, size_t b, size_t c) const {
         return exact::Orientation(m_corners[a], m_corners[b], m_corners[c]);
     }
+
+    bool IsNotch(size_t i) const { return Turn((i + m_count - 1) % m_count, i, (i + 1) % m_count) < 0; }
 
     /// Left, or straight on.
     bool IsConvex(size_t a, size_t b, size_t c) const {
