@@ -44,12 +44,12 @@ bmr_error bmr_outline_check(const bmr_rings *rings, const bmr_allocator *allocat
     return error;
 }
 
-typedef struct counts {
+typedef struct tally {
     uint32_t pieces, edges;
-} counts;
+} tally;
 
-static counts count_pieces(const bmr_mesh *m) {
-    counts n = {0, 0};
+static tally count_pieces(const bmr_mesh *m) {
+    tally n = {0, 0};
     for (uint32_t f = 0; f < m->face_count; ++f)
         n.pieces += m->faces[f] != NONE;
     for (uint32_t h = 0; h < m->half_count; ++h)
@@ -91,7 +91,7 @@ static uint32_t count_notches(const bmr_mesh *m) {
 /// One block of what the mesh has become. `corner` of each half becomes the number of its edge.
 static bmr_error write_pieces(bmr_mesh *m, const origin *from, const bmr_allocator *allocator,
                               bmr_outline_pieces **pieces) {
-    const counts n = count_pieces(m);
+    const tally n = count_pieces(m);
     layout at;
     if (!lay_out(from->given_count, n.pieces, n.edges, &at))
         return BMR_ERROR_NO_MEMORY;

@@ -36,8 +36,8 @@ void bmr_grid_make(bmr_grid *grid, const bmr_vec2 *points, uint32_t count, uint3
     for (uint32_t c = 0; c < side * side; ++c)
         first[c] = NONE;
     for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t cell = cell_of(points[i].y, low.y, size.y, side) * side +
-                              cell_of(points[i].x, low.x, size.x, side);
+        const uint32_t cell =
+            cell_of(points[i].y, low.y, size.y, side) * side + cell_of(points[i].x, low.x, size.x, side);
         next[i] = first[cell];
         first[cell] = i;
     }

@@ -58,21 +58,21 @@ static bool turns_back(const bmr_vec2 *p, uint32_t a, uint32_t b, uint32_t c) {
            bmr_sweep_compare(p[a], p[b]) != bmr_sweep_compare(p[b], p[c]);
 }
 
+/// Is a point on the straight way from the one before it to the one behind it?
 static bool is_flat(const simplifier *s, uint32_t i) {
     const bmr_vec2 *p = s->links->points;
-    return bmr_orientation(p[s->previous[i]], p[i], p[s->next[i]]) == 0;
+    const uint32_t a = s->previous[i], b = s->next[i];
+    return bmr_orientation(p[a], p[i], p[b]) == 0 &&
+           bmr_sweep_compare(p[a], p[i]) == bmr_sweep_compare(p[i], p[b]);
 }
 
-/// What it costs to take a point away; infinite where it has to stay.
+/// What it costs to take a point away; infinite where that is more than the tolerance.
 static double cost_of(const simplifier *s, uint32_t i) {
     const bmr_vec2 *p = s->links->points;
     const uint32_t a = s->previous[i], b = s->next[i];
-    if (s->left[s->links->ring[i]] <= 3)
-        return (double)INFINITY;
     if (is_flat(s, i))
         return 0.0;
-    if (s->tolerance == 0.0 || (s->touches[a] && s->touches[b]) || turns_back(p, a, b, s->next[b]) ||
-        turns_back(p, b, a, s->previous[a]))
+    if (s->tolerance == 0.0)
         return (double)INFINITY;
     double most = 0.0;
     for (uint32_t k = s->links->next[a]; k != b; k = s->links->next[k]) {
@@ -81,6 +81,18 @@ static double cost_of(const simplifier *s, uint32_t i) {
             return (double)INFINITY;
     }
     return most;
+}
+
+/// Would the outline be one without the point? What is asked here changes with points that are no neighbours:
+/// it cannot be a part of the cost.
+static bool may_go(const simplifier *s, uint32_t i) {
+    const bmr_vec2 *p = s->links->points;
+    const uint32_t a = s->previous[i], b = s->next[i];
+    if (s->left[s->links->ring[i]] <= 3)
+        return false;
+    return is_flat(s, i) ||
+           (!(s->touches[a] && s->touches[b]) && !turns_back(p, a, b, s->next[b]) &&
+            !turns_back(p, b, a, s->previous[a]) && !bmr_grid_blocks(&s->grid, s->removed, i, a, b));
 }
 
 static bool is_cheaper(const simplifier *s, uint32_t a, uint32_t b) {
@@ -138,8 +150,7 @@ static bool take_away(simplifier *s) {
     while (s->heap_count > 0) {
         const uint32_t i = s->heap[0], a = s->previous[i], b = s->next[i];
         take_out(s, i);
-        // The last of a ring's three stay, whatever they cost when they were put here.
-        if (s->left[s->links->ring[i]] <= 3 || (!is_flat(s, i) && bmr_grid_blocks(&s->grid, s->removed, i, a, b)))
+        if (!may_go(s, i))
             continue;
         s->removed[i] = any = true;
         s->next[a] = b;
@@ -197,11 +208,16 @@ static void run(simplifier *s, bmr_vec2 *scratch) {
 /// One block for all that a simplification needs. False where its size is no size_t.
 static bool lay_out(simplifier *s, char *block, size_t *bytes, bmr_vec2 **scratch) {
     const size_t n = s->links->count;
-    const size_t sizes[][2] = {{n, sizeof(double)},   {2 * n + 1, sizeof(bmr_vec2)},
-                               {n, sizeof(uint32_t)}, {n, sizeof(uint32_t)},
-                               {n, sizeof(uint32_t)}, {n, sizeof(uint32_t)},
-                               {n, sizeof(uint32_t)}, {bmr_grid_cells((uint32_t)n), sizeof(uint32_t)},
-                               {n, sizeof(bool)},     {n, sizeof(bool)},
+    const size_t sizes[][2] = {{n, sizeof(double)},
+                               {2 * n + 1, sizeof(bmr_vec2)},
+                               {n, sizeof(uint32_t)},
+                               {n, sizeof(uint32_t)},
+                               {n, sizeof(uint32_t)},
+                               {n, sizeof(uint32_t)},
+                               {n, sizeof(uint32_t)},
+                               {bmr_grid_cells((uint32_t)n), sizeof(uint32_t)},
+                               {n, sizeof(bool)},
+                               {n, sizeof(bool)},
                                {s->links->ring_count, sizeof(uint32_t)}};
     enum { PARTS = sizeof sizes / sizeof *sizes };
     size_t at[PARTS];

@@ -115,8 +115,8 @@ size_t OptimumOf(const Outline &outline) {
 } // namespace
 
 TEST_CASE("the pieces are convex, and their union is the solid, exactly") {
-    // 100,000 outlines; of a tenth, 1,000.
-    const size_t rounds = test_scaled(100) * test_scaled(100);
+    // 100,700 outlines; at a tenth, 530.
+    const size_t rounds = test_scaled(19) * test_scaled(530);
     for (size_t round = 0; round < rounds; ++round) {
         test_random random = {round};
         const auto size = static_cast<uint32_t>(round % 60);
@@ -294,7 +294,7 @@ bool IsSamePiece(const bmr_outline_pieces &a, const bmr_outline_pieces &b, uint3
 } // namespace
 
 TEST_CASE("simplified outlines are outlines, within the tolerance both ways") {
-    const size_t rounds = test_scaled(40);
+    const size_t rounds = test_scaled(120);
     for (size_t round = 0; round < rounds; ++round) {
         test_random random = {round};
         const auto size = static_cast<uint32_t>(round % 40);
@@ -308,6 +308,20 @@ TEST_CASE("simplified outlines are outlines, within the tolerance both ways") {
             CheckWithin(&random, Spiral(10 + 4 * size), 0.1 * tolerance);
         }
     }
+}
+
+TEST_CASE("where rings touch twice, no edge comes to lie on another") {
+    // The hole has an edge from one point of the outer ring to the next but one: these stay three.
+    Outline outline;
+    outline.Add({{0.0, 0.0}, {2.0, -0.1}, {4.0, 0.0}, {4.0, 4.0}, {0.0, 4.0}});
+    outline.Add({{0.0, 0.0}, {4.0, 0.0}, {2.0, 2.0}});
+    test_random random = {1};
+    CheckExact(outline);
+    CheckWithin(&random, outline, 0.5);
+    // The hole touches the outer ring in one point, which need not stay; then it is filled.
+    outline.points[5] = {1.0, 1.0};
+    CHECK(Simplified(outline, 0.2).outline.counts == std::vector<uint32_t>{4, 3});
+    CHECK(Simplified(outline, 1.5).outline.counts == std::vector<uint32_t>{4});
 }
 
 TEST_CASE("without a tolerance a simplified outline loses what is within straight stretches, and no more") {
@@ -353,7 +367,7 @@ TEST_CASE("silhouettes of 500 points become at most 12 pieces in the mean, those
 }
 
 TEST_CASE("an outline weighs what its pieces weigh") {
-    const size_t rounds = test_scaled(40);
+    const size_t rounds = test_scaled(200);
     for (size_t round = 0; round < rounds; ++round) {
         test_random random = {round};
         const Outline outline =

@@ -33,7 +33,8 @@ struct Outline {
 class Region {
 public:
     Region(test_random *random, uint32_t side, uint32_t triangles, double jitter)
-        : m_side(side), m_taken(2 * std::size_t{side} * side), m_rises(std::size_t{side} * side) {
+        : m_side(side), m_taken(2 * std::size_t{side} * side), m_banned(m_taken.size()),
+          m_rises(m_taken.size() / 2) {
         for (uint32_t y = 0; y <= side; ++y)
             for (uint32_t x = 0; x <= side; ++x)
                 m_points.push_back({x + test_random_uniform(random, -0.5, 0.5) * jitter,
@@ -102,7 +103,11 @@ private:
             const uint32_t triangle = open[at];
             open[at] = open.back();
             open.pop_back();
-            if (m_taken[triangle])
+            if (m_taken[triangle] || m_banned[triangle])
+                continue;
+            // Every tenth one stays out, and may become a hole.
+            m_banned[triangle] = count > 0 && test_random_below(random, 10) == 0;
+            if (m_banned[triangle])
                 continue;
             m_taken[triangle] = true;
             ++count;
@@ -134,7 +139,7 @@ private:
 
     uint32_t m_side;
     std::vector<bmr_vec2> m_points;
-    std::vector<bool> m_taken, m_rises;
+    std::vector<bool> m_taken, m_banned, m_rises;
 };
 
 /// Rings run either way and begin anywhere, and holes come in any order.
