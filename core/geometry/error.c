@@ -60,6 +60,17 @@ const char *bmr_error_describe(bmr_error error) {
     case BMR_ERROR_UNKNOWN_NAME:
         return "nothing has that name: the call beside the one that looked for it lists the names that there "
                "are";
+    case BMR_ERROR_REPEATED_POINT:
+        return "two points of a ring that follow each other are equal: leave one out, also where the last "
+               "repeats the first";
+    case BMR_ERROR_CROSSING_EDGES:
+        return "two edges of the outline cross: the fault beside the error names them, and where";
+    case BMR_ERROR_OVERLAPPING_EDGES:
+        return "two edges of the outline run along each other: remove the spike, or join the two rings; the "
+               "fault beside the error names them";
+    case BMR_ERROR_HOLE_OUTSIDE:
+        return "a hole is not inside the outline's outer ring, or is inside another hole: give the outer "
+               "ring first, and an island as an outline of its own";
     case BMR_ERROR_COUNT:
         break;
     }

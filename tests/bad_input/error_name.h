@@ -29,7 +29,11 @@ inline std::string NameOf(bmr_error error) {
                                         "CORNER_TOO_LARGE",
                                         "TOO_LARGE",
                                         "WRONG_HIERARCHY",
-                                        "UNKNOWN_NAME"};
+                                        "UNKNOWN_NAME",
+                                        "REPEATED_POINT",
+                                        "CROSSING_EDGES",
+                                        "OVERLAPPING_EDGES",
+                                        "HOLE_OUTSIDE"};
     static_assert(sizeof names / sizeof *names == BMR_ERROR_COUNT, "one name for each code");
     return error >= BMR_OK && error < BMR_ERROR_COUNT ? names[error] : "no code at all";
 }

@@ -13,6 +13,9 @@
 // What it weighs.
 #include "boomerang/mass.h"
 
+// A polygon that is not convex, with holes: a few convex ones.
+#include "boomerang/outline.h"
+
 // How far apart are two of them, or how deep in each other? Asked once, nothing remembered.
 #include "boomerang/distance.h"
 

@@ -39,7 +39,11 @@ typedef enum bmr_error {
     BMR_ERROR_TOO_LARGE,         ///< more bytes than this machine has addresses for
     BMR_ERROR_WRONG_HIERARCHY,   ///< a hierarchy of another polygon or of another kind
     BMR_ERROR_UNKNOWN_NAME,      ///< nothing has that name
-    BMR_ERROR_COUNT              ///< number of codes; not an error
+    BMR_ERROR_REPEATED_POINT,    ///< an outline's ring has two equal points behind each other
+    BMR_ERROR_CROSSING_EDGES,    ///< two edges of an outline cross
+    BMR_ERROR_OVERLAPPING_EDGES, ///< two edges of an outline have more than a point in common
+    BMR_ERROR_HOLE_OUTSIDE, ///< a hole of an outline is not inside its outer ring, or inside another hole
+    BMR_ERROR_COUNT         ///< number of codes; not an error
 } bmr_error;
 
 /// One English sentence for `error`, without a full stop: what is wrong and what to do about it. Each code

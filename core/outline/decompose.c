@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include <math.h>
+#include <string.h>
+
+#include "geometry/memory.h"
+#include "geometry/size.h"
+#include "outline/mesh.h"
+#include "outline/sweep.h"
+
+#define NONE BMR_OUTLINE_NONE
+
+/// What the outline that is cut has to do with the one that was given: its points there, by their indices
+/// here. NULL: it is the same.
+typedef struct origin {
+    const bmr_rings *given;
+    uint32_t given_count;
+    const uint32_t *kept;
+} origin;
+
+static bmr_error checked(const bmr_rings *rings, const bmr_allocator *allocator, bmr_outline_fault *fault,
+                         bmr_ring_links *links) {
+    uint32_t count;
+    bmr_error error = bmr_rings_check(rings, &count);
+    if (error == BMR_OK)
+        error = bmr_rings_find_short(rings, fault);
+    return error == BMR_OK ? bmr_ring_links_make(rings, count, allocator, links) : error;
+}
+
+bmr_error bmr_outline_check(const bmr_rings *rings, const bmr_allocator *allocator,
+                            bmr_outline_fault *fault) {
+    bmr_outline_fault found = {BMR_OK, {NONE, NONE}, {NONE, NONE}, {0.0, 0.0}};
+    bmr_ring_links links;
+    bmr_error error = checked(rings, allocator, &found, &links);
+    if (error == BMR_OK) {
+        error = bmr_sweep(&links, allocator, NULL, NULL, &found);
+        bmr_ring_links_free(&links, allocator);
+    }
+    if (fault && found.error == error)
+        *fault = found;
+    return error;
+}
+
+typedef struct counts {
+    uint32_t pieces, edges;
+} counts;
+
+static counts count_pieces(const bmr_mesh *m) {
+    counts n = {0, 0};
+    for (uint32_t f = 0; f < m->face_count; ++f)
+        n.pieces += m->faces[f] != NONE;
+    for (uint32_t h = 0; h < m->half_count; ++h)
+        n.edges += m->halves[h].face != NONE;
+    return n;
+}
+
+/// Where the parts of a block of pieces begin.
+typedef struct layout {
+    size_t points, first, edges, bytes;
+} layout;
+
+static bool lay_out(uint32_t points, uint32_t pieces, uint32_t edges, layout *at) {
+    at->bytes = sizeof(bmr_outline_pieces);
+    return bmr_size_add(&at->bytes, points, sizeof(bmr_vec2), sizeof(bmr_vec2), SIZE_MAX, &at->points) &&
+           bmr_size_add(&at->bytes, edges, sizeof(bmr_outline_edge), sizeof(uint32_t), SIZE_MAX,
+                        &at->edges) &&
+           bmr_size_add(&at->bytes, (size_t)pieces + 1, sizeof(uint32_t), sizeof(uint32_t), SIZE_MAX,
+                        &at->first);
+}
+
+/// Corners of the solid that take more than half a turn.
+static uint32_t count_notches(const bmr_mesh *m) {
+    uint32_t count = 0;
+    for (uint32_t h = 0; h < m->half_count; ++h) {
+        const bmr_half *half = &m->halves[h];
+        if (half->face == NONE || half->source == NONE)
+            continue;
+        // Around the corner, from the edge that leaves it to the one that comes in.
+        uint32_t last = h;
+        for (uint32_t t = bmr_mesh_turn_left(m, last); t != NONE; t = bmr_mesh_turn_left(m, last))
+            last = t;
+        count += bmr_orientation(bmr_mesh_point(m, m->halves[last].previous), m->points[half->origin],
+                                 bmr_mesh_point(m, half->next)) < 0;
+    }
+    return count;
+}
+
+/// One block of what the mesh has become. `corner` of each half becomes the number of its edge.
+static bmr_error write_pieces(bmr_mesh *m, const origin *from, const bmr_allocator *allocator,
+                              bmr_outline_pieces **pieces) {
+    const counts n = count_pieces(m);
+    layout at;
+    if (!lay_out(from->given_count, n.pieces, n.edges, &at))
+        return BMR_ERROR_NO_MEMORY;
+    char *block = bmr_allocate(allocator, at.bytes);
+    if (!block)
+        return BMR_ERROR_NO_MEMORY;
+    bmr_outline_pieces *made = (bmr_outline_pieces *)(void *)block;
+    bmr_vec2 *points = (bmr_vec2 *)(void *)(block + at.points);
+    uint32_t *first = (uint32_t *)(void *)(block + at.first);
+    bmr_outline_edge *edges = (bmr_outline_edge *)(void *)(block + at.edges);
+    memcpy(points, from->given->points, from->given_count * sizeof *points);
+    uint32_t edge = 0, piece = 0;
+    for (uint32_t f = 0; f < m->face_count; ++f) {
+        if (m->faces[f] == NONE)
+            continue;
+        first[piece] = edge;
+        uint32_t h = m->faces[f];
+        do {
+            m->halves[h].corner = edge;
+            edges[edge++] =
+                (bmr_outline_edge){m->halves[h].origin, m->halves[h].source, m->halves[h].twin, piece};
+            h = m->halves[h].next;
+        } while (h != m->faces[f]);
+        ++piece;
+    }
+    first[piece] = edge;
+    for (uint32_t e = 0; e < edge; ++e) {
+        bmr_outline_edge *it = &edges[e];
+        it->point = from->kept ? from->kept[it->point] : it->point;
+        it->outline = it->outline != NONE && from->kept ? from->kept[it->outline] : it->outline;
+        it->twin = it->twin != NONE ? m->halves[it->twin].corner : NONE;
+    }
+    *made = (bmr_outline_pieces){points, from->given_count, piece, first, edges, edge, count_notches(m), 0};
+    *pieces = made;
+    return BMR_OK;
+}
+
+bmr_error bmr_outline_decompose(const bmr_rings *rings, const bmr_outline_def *def,
+                                const bmr_allocator *allocator, bmr_outline_pieces **pieces,
+                                bmr_outline_fault *fault) {
+    const bmr_outline_def defaults = bmr_default_outline_def();
+    if (!def)
+        def = &defaults;
+    if (!pieces)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (!isfinite(def->tolerance))
+        return BMR_ERROR_NOT_FINITE;
+    if (def->tolerance < 0.0)
+        return BMR_ERROR_NEGATIVE;
+    bmr_outline_fault found = {BMR_OK, {NONE, NONE}, {NONE, NONE}, {0.0, 0.0}};
+    bmr_ring_links links;
+    bmr_mesh mesh;
+    bmr_error error = checked(rings, allocator, &found, &links);
+    if (error == BMR_OK) {
+        const origin from = {rings, links.count, NULL};
+        error = bmr_mesh_triangulate(&links, allocator, &mesh, &found);
+        bmr_ring_links_free(&links, allocator);
+        if (error == BMR_OK) {
+            bmr_mesh_unite_idle(&mesh);
+            error = write_pieces(&mesh, &from, allocator, pieces);
+            if (error == BMR_OK)
+                (*pieces)->hole_count = rings->ring_count - 1;
+            bmr_mesh_free(&mesh, allocator);
+        }
+    }
+    if (fault && found.error == error)
+        *fault = found;
+    return error;
+}
+
+void bmr_outline_pieces_destroy(bmr_outline_pieces *pieces, const bmr_allocator *allocator) {
+    layout at;
+    if (pieces && lay_out(pieces->point_count, pieces->piece_count, pieces->edge_count, &at))
+        bmr_release(allocator, pieces, at.bytes);
+}

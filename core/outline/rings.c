@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "outline/rings.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "boomerang/polygon.h"
+#include "geometry/memory.h"
+
+bmr_error bmr_rings_check(const bmr_rings *rings, uint32_t *count) {
+    if (!rings)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (rings->ring_count == 0)
+        return BMR_ERROR_NO_POINTS;
+    if (!rings->counts)
+        return BMR_ERROR_NULL_ARGUMENT;
+    // Every ring has a point at least, or is a fault: so there are not more of them than points.
+    uint32_t sum = 0;
+    for (uint32_t r = 0; r < rings->ring_count; ++r) {
+        if (rings->counts[r] > BMR_MAX_VERTICES - sum || r >= BMR_MAX_VERTICES)
+            return BMR_ERROR_TOO_MANY_POINTS;
+        sum += rings->counts[r];
+    }
+    if (!rings->points && sum > 0)
+        return BMR_ERROR_NULL_ARGUMENT;
+    for (uint32_t i = 0; i < sum; ++i)
+        if (!isfinite(rings->points[i].x) || !isfinite(rings->points[i].y))
+            return BMR_ERROR_NOT_FINITE;
+    *count = sum;
+    return BMR_OK;
+}
+
+bmr_error bmr_rings_find_short(const bmr_rings *rings, bmr_outline_fault *fault) {
+    const bmr_vec2 *p = rings->points;
+    uint32_t begin = 0;
+    for (uint32_t r = 0; r < rings->ring_count; ++r) {
+        const uint32_t count = rings->counts[r];
+        if (count < 3) {
+            const uint32_t edge = count > 0 ? begin : BMR_OUTLINE_NONE;
+            const bmr_vec2 where = count > 0 ? p[begin] : bmr_vec2_make(0.0, 0.0);
+            *fault = (bmr_outline_fault){BMR_ERROR_TOO_FEW_POINTS, {edge, edge}, {r, r}, where};
+            return fault->error;
+        }
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t here = begin + i, next = begin + (i + 1) % count;
+            if (bmr_sweep_compare(p[here], p[next]) == 0) {
+                *fault = (bmr_outline_fault){BMR_ERROR_REPEATED_POINT, {here, next}, {r, r}, p[here]};
+                return fault->error;
+            }
+        }
+        begin += count;
+    }
+    return BMR_OK;
+}
+
+bmr_error bmr_ring_links_make(const bmr_rings *rings, uint32_t count, const bmr_allocator *allocator,
+                              bmr_ring_links *links) {
+    const size_t bytes = (size_t)count * 3 * sizeof(uint32_t);
+    uint32_t *block = bmr_allocate(allocator, bytes);
+    if (!block)
+        return BMR_ERROR_NO_MEMORY;
+    *links = (bmr_ring_links){
+        rings->points, count, rings->ring_count, block, block + count, block + 2 * (size_t)count, bytes};
+    uint32_t begin = 0;
+    for (uint32_t r = 0; r < rings->ring_count; ++r) {
+        const uint32_t end = begin + rings->counts[r];
+        for (uint32_t i = begin; i < end; ++i) {
+            links->next[i] = i + 1 < end ? i + 1 : begin;
+            links->previous[i] = i > begin ? i - 1 : end - 1;
+            links->ring[i] = r;
+        }
+        begin = end;
+    }
+    return BMR_OK;
+}
+
+void bmr_ring_links_free(bmr_ring_links *links, const bmr_allocator *allocator) {
+    bmr_release(allocator, links->next, links->bytes);
+}
+
+static void merge_runs(const uint32_t *a, const uint32_t *a_end, const uint32_t *b, const uint32_t *b_end,
+                       uint32_t *merged, bmr_index_before *before, const void *context) {
+    while (a < a_end && b < b_end)
+        *merged++ = before(context, *b, *a) ? *b++ : *a++;
+    while (a < a_end)
+        *merged++ = *a++;
+    while (b < b_end)
+        *merged++ = *b++;
+}
+
+void bmr_sort_indices(uint32_t *items, uint32_t count, uint32_t *scratch, bmr_index_before *before,
+                      const void *context) {
+    uint32_t *from = items, *to = scratch;
+    for (uint32_t width = 1; width < count; width *= 2) {
+        for (uint32_t i = 0; i < count; i += 2 * width) {
+            const uint32_t middle = i + width < count ? i + width : count;
+            const uint32_t end = middle + width < count ? middle + width : count;
+            merge_runs(from + i, from + middle, from + middle, from + end, to + i, before, context);
+        }
+        uint32_t *swap = from;
+        from = to;
+        to = swap;
+    }
+    if (from != items)
+        memcpy(items, from, count * sizeof *items);
+}
