@@ -79,7 +79,8 @@ void bmr_convex32_collide_pieces(bmr_manifold32 *manifold, const bmr_convex32 *a
     candidate face_a = best_face(&of_a, &best_a.best, rounding_of_turn),
               face_b = best_face(&of_b, &best_b.best, rounding_of_turn);
     // Where two straight stretches with seams lie on each other, each says that the direction is the other's.
-    if (nearest > fmaxf(separation_of(&face_a), separation_of(&face_b)) + enough_deeper(radius_sum)) {
+    if (a->seams && b->seams &&
+        nearest > fmaxf(separation_of(&face_a), separation_of(&face_b)) + radius_sum) {
         face_a = best_face(&of_a, &best_a.best, nearly_straight);
         face_b = best_face(&of_b, &best_b.best, nearly_straight);
     }

@@ -6,6 +6,7 @@
 #include <boomerang/box2d.h>
 
 #include "any_size.h"
+#include "outlined.h"
 #include "program.h"
 
 namespace threads {
