@@ -4,6 +4,7 @@
 
 #include "geometry/memory.h"
 #include "geometry/size.h"
+#include "outline/improve.h"
 #include "outline/mesh.h"
 #include "outline/sweep.h"
 
@@ -147,7 +148,9 @@ bmr_error bmr_outline_decompose(const bmr_rings *rings, const bmr_outline_def *d
         bmr_ring_links_free(&links, allocator);
         if (error == BMR_OK) {
             bmr_mesh_unite_idle(&mesh);
-            error = write_pieces(&mesh, &from, allocator, pieces);
+            error = bmr_mesh_improve(&mesh, allocator);
+            if (error == BMR_OK)
+                error = write_pieces(&mesh, &from, allocator, pieces);
             if (error == BMR_OK)
                 (*pieces)->hole_count = rings->ring_count - 1;
             bmr_mesh_free(&mesh, allocator);

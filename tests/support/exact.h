@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BMR_FUZZ_EXACT_H
-#define BMR_FUZZ_EXACT_H
+#ifndef BMR_TEST_EXACT_H
+#define BMR_TEST_EXACT_H
 
 #include <cmath>
 #include <vector>
