@@ -85,8 +85,8 @@ void bmr_convex32_collide_pieces(bmr_manifold32 *manifold, const bmr_convex32 *a
         face_b = best_face(&of_b, &best_b.best, nearly_straight);
     }
     const float of_faces = fmaxf(separation_of(&face_a), separation_of(&face_b));
-    if ((!face_a.found && !face_b.found) || is_behind(a, &best_a.best, of_faces, radius_sum) ||
-        is_behind(b, &best_b.best, of_faces, radius_sum))
+    if ((!face_a.found && !face_b.found) || is_behind(&best_a.best, of_faces, radius_sum) ||
+        is_behind(&best_b.best, of_faces, radius_sum))
         return;
 
     const bool b_first = separation_of(&face_b) > separation_of(&face_a) + tolerance;

@@ -22,15 +22,12 @@ static inline float enough_deeper(float radius_sum) {
     return 0.25f * radius_sum;
 }
 
-/// `best` is the polygon's edge of largest separation, and `of_faces` what the faces separate that may
-/// answer. Is the answer another piece's? It is where `best` is a face that these do not include: the piece
-/// that admits its direction answers by it. So it is behind an inner edge that the other shape overlaps by
-/// no more than half of the skins. (Where it overlaps more, both pieces may be overlapped more by each
-/// other's side, and one has to answer.)
-static inline bool is_behind(const bmr_convex32 *polygon, const edge_view *best, float of_faces,
-                             float radius_sum) {
-    return best->separation > of_faces + enough_deeper(radius_sum) &&
-           (is_face(polygon, best->edge) || best->separation > -0.5f * radius_sum);
+/// `best` separates most of a polygon's edges, and `of_faces` is what the faces separate that may answer. Is
+/// the answer another piece's? It is where the two overlap along `best` by no more than half of the skins: by
+/// an inner edge the other shape is beside this piece, and of a face that is not admitted it is another piece
+/// that is nearest. (Where they overlap more, that may be said of each piece, and one has to answer.)
+static inline bool is_behind(const edge_view *best, float of_faces, float radius_sum) {
+    return best->separation > of_faces + enough_deeper(radius_sum) && best->separation > -0.5f * radius_sum;
 }
 
 /// `best` is the edge whose normal is most opposed to `normal` (the polygon's frame). Where it is an inner
