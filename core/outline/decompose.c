@@ -6,9 +6,12 @@
 #include "geometry/size.h"
 #include "outline/improve.h"
 #include "outline/mesh.h"
+#include "outline/simplify.h"
 #include "outline/sweep.h"
 
 #define NONE BMR_OUTLINE_NONE
+
+static const bmr_outline_fault NO_FAULT = {BMR_OK, {NONE, NONE}, {NONE, NONE}, {0.0, 0.0}};
 
 /// What the outline that is cut has to do with the one that was given: its points there, by their indices
 /// here. NULL: it is the same.
@@ -29,7 +32,7 @@ static bmr_error checked(const bmr_rings *rings, const bmr_allocator *allocator,
 
 bmr_error bmr_outline_check(const bmr_rings *rings, const bmr_allocator *allocator,
                             bmr_outline_fault *fault) {
-    bmr_outline_fault found = {BMR_OK, {NONE, NONE}, {NONE, NONE}, {0.0, 0.0}};
+    bmr_outline_fault found = NO_FAULT;
     bmr_ring_links links;
     bmr_error error = checked(rings, allocator, &found, &links);
     if (error == BMR_OK) {
@@ -126,6 +129,89 @@ static bmr_error write_pieces(bmr_mesh *m, const origin *from, const bmr_allocat
     return BMR_OK;
 }
 
+/// The pieces of exactly this outline.
+static bmr_error cut(const bmr_rings *rings, const origin *from, const bmr_allocator *allocator,
+                     bmr_outline_pieces **pieces, bmr_outline_fault *fault) {
+    bmr_ring_links links;
+    bmr_mesh mesh;
+    bmr_error error = checked(rings, allocator, fault, &links);
+    if (error != BMR_OK)
+        return error;
+    error = bmr_mesh_triangulate(&links, allocator, &mesh, fault);
+    bmr_ring_links_free(&links, allocator);
+    if (error != BMR_OK)
+        return error;
+    bmr_mesh_unite_idle(&mesh);
+    error = bmr_mesh_improve(&mesh, allocator);
+    if (error == BMR_OK)
+        error = write_pieces(&mesh, from, allocator, pieces);
+    if (error == BMR_OK)
+        (*pieces)->hole_count = rings->ring_count - 1;
+    bmr_mesh_free(&mesh, allocator);
+    return error;
+}
+
+/// What a simplification leaves, as rings of their own. One block.
+typedef struct simpler {
+    uint32_t *kept, *counts;
+    bmr_vec2 *points;
+    void *block;
+    size_t bytes;
+} simpler;
+
+static bool lay_out_simpler(uint32_t points, uint32_t rings, const bmr_allocator *allocator, simpler *s) {
+    size_t points_at, kept_at, counts_at;
+    s->bytes = 0;
+    if (!bmr_size_add(&s->bytes, points, sizeof(bmr_vec2), sizeof(bmr_vec2), SIZE_MAX, &points_at) ||
+        !bmr_size_add(&s->bytes, points, sizeof(uint32_t), sizeof(uint32_t), SIZE_MAX, &kept_at) ||
+        !bmr_size_add(&s->bytes, rings, sizeof(uint32_t), sizeof(uint32_t), SIZE_MAX, &counts_at))
+        return false;
+    char *block = bmr_allocate(allocator, s->bytes);
+    s->block = block;
+    if (!block)
+        return false;
+    s->points = (bmr_vec2 *)(void *)(block + points_at);
+    s->kept = (uint32_t *)(void *)(block + kept_at);
+    s->counts = (uint32_t *)(void *)(block + counts_at);
+    return true;
+}
+
+static bmr_error cut_simpler(const bmr_rings *rings, double tolerance, const bmr_allocator *allocator,
+                             bmr_outline_pieces **pieces, bmr_outline_fault *fault) {
+    bmr_ring_links links;
+    bmr_error error = checked(rings, allocator, fault, &links);
+    if (error != BMR_OK)
+        return error;
+    simpler s;
+    if (!lay_out_simpler(links.count, links.ring_count, allocator, &s)) {
+        bmr_ring_links_free(&links, allocator);
+        return BMR_ERROR_NO_MEMORY;
+    }
+    error = bmr_simplify(&links, tolerance, allocator, s.kept, s.counts, fault);
+    if (error == BMR_OK) {
+        uint32_t ring_count = 0, count = 0;
+        for (uint32_t r = 0; r < links.ring_count; ++r) {
+            count += s.counts[r];
+            if (s.counts[r] > 0)
+                s.counts[ring_count++] = s.counts[r];
+        }
+        for (uint32_t i = 0; i < count; ++i)
+            s.points[i] = rings->points[s.kept[i]];
+        const bmr_rings left = {s.points, s.counts, ring_count};
+        const origin from = {rings, links.count, s.kept};
+        error = cut(&left, &from, allocator, pieces, fault);
+    }
+    bmr_release(allocator, s.block, s.bytes);
+    bmr_ring_links_free(&links, allocator);
+    return error;
+}
+
+static bmr_error check_tolerance(double tolerance) {
+    if (!isfinite(tolerance))
+        return BMR_ERROR_NOT_FINITE;
+    return tolerance < 0.0 ? BMR_ERROR_NEGATIVE : BMR_OK;
+}
+
 bmr_error bmr_outline_decompose(const bmr_rings *rings, const bmr_outline_def *def,
                                 const bmr_allocator *allocator, bmr_outline_pieces **pieces,
                                 bmr_outline_fault *fault) {
@@ -134,27 +220,37 @@ bmr_error bmr_outline_decompose(const bmr_rings *rings, const bmr_outline_def *d
         def = &defaults;
     if (!pieces)
         return BMR_ERROR_NULL_ARGUMENT;
-    if (!isfinite(def->tolerance))
-        return BMR_ERROR_NOT_FINITE;
-    if (def->tolerance < 0.0)
-        return BMR_ERROR_NEGATIVE;
-    bmr_outline_fault found = {BMR_OK, {NONE, NONE}, {NONE, NONE}, {0.0, 0.0}};
+    bmr_error error = check_tolerance(def->tolerance);
+    if (error != BMR_OK)
+        return error;
+    bmr_outline_fault found = NO_FAULT;
+    if (def->tolerance > 0.0) {
+        error = cut_simpler(rings, def->tolerance, allocator, pieces, &found);
+    } else {
+        uint32_t count;
+        error = bmr_rings_check(rings, &count);
+        const origin from = {rings, count, NULL};
+        if (error == BMR_OK)
+            error = cut(rings, &from, allocator, pieces, &found);
+    }
+    if (fault && found.error == error)
+        *fault = found;
+    return error;
+}
+
+bmr_error bmr_outline_simplify(const bmr_rings *rings, double tolerance, const bmr_allocator *allocator,
+                               uint32_t *kept, uint32_t *counts, bmr_outline_fault *fault) {
+    if (!kept || !counts)
+        return BMR_ERROR_NULL_ARGUMENT;
+    bmr_error error = check_tolerance(tolerance);
+    if (error != BMR_OK)
+        return error;
+    bmr_outline_fault found = NO_FAULT;
     bmr_ring_links links;
-    bmr_mesh mesh;
-    bmr_error error = checked(rings, allocator, &found, &links);
+    error = checked(rings, allocator, &found, &links);
     if (error == BMR_OK) {
-        const origin from = {rings, links.count, NULL};
-        error = bmr_mesh_triangulate(&links, allocator, &mesh, &found);
+        error = bmr_simplify(&links, tolerance, allocator, kept, counts, &found);
         bmr_ring_links_free(&links, allocator);
-        if (error == BMR_OK) {
-            bmr_mesh_unite_idle(&mesh);
-            error = bmr_mesh_improve(&mesh, allocator);
-            if (error == BMR_OK)
-                error = write_pieces(&mesh, &from, allocator, pieces);
-            if (error == BMR_OK)
-                (*pieces)->hole_count = rings->ring_count - 1;
-            bmr_mesh_free(&mesh, allocator);
-        }
     }
     if (fault && found.error == error)
         *fault = found;

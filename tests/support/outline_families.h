@@ -202,26 +202,44 @@ inline Outline Spiral(uint32_t count) {
     return outline;
 }
 
-/// What a scanner makes of a body: a smooth outline of some waves, and noise of a hundredth of a hundredth of
-/// its size.
+/// `count` points along a ring, at equal distances.
+inline std::vector<bmr_vec2> Resampled(const std::vector<bmr_vec2> &ring, uint32_t count) {
+    const auto length = [&](std::size_t i) {
+        const bmr_vec2 along = bmr_sub(ring[(i + 1) % ring.size()], ring[i]);
+        return std::hypot(along.x, along.y);
+    };
+    double whole = 0.0, before = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        whole += length(i);
+    std::vector<bmr_vec2> samples;
+    for (std::size_t i = 0; i < ring.size() && samples.size() < count; before += length(i++))
+        while (samples.size() < count &&
+               whole * static_cast<double>(samples.size()) / count < before + length(i)) {
+            const double part = (whole * static_cast<double>(samples.size()) / count - before) / length(i);
+            const bmr_vec2 along = bmr_sub(ring[(i + 1) % ring.size()], ring[i]);
+            samples.push_back(bmr_add(ring[i], bmr_scale(part, along)));
+        }
+    return samples;
+}
+
+/// What a scanner makes of a body with bays and limbs: a grown region without its holes, its corners cut
+/// three times, in steps of equal length, with noise of a thousandth of a cell.
 inline Outline Silhouette(test_random *random, uint32_t count) {
-    double size[9], phase[9];
-    for (int k = 2; k < 9; ++k) {
-        size[k] = test_random_uniform(random, 0.0, 0.6) / k;
-        phase[k] = test_random_uniform(random, 0.0, 2.0 * M_PI);
-    }
-    const double width = test_random_uniform(random, 0.5, 1.0);
-    std::vector<bmr_vec2> ring;
-    for (uint32_t i = 0; i < count; ++i) {
-        const double angle = 2.0 * M_PI * i / count;
-        double radius = 1.0;
-        for (int k = 2; k < 9; ++k)
-            radius += size[k] * std::cos(k * angle + phase[k]) * 0.6;
-        radius = std::max(radius, 0.25) + test_random_uniform(random, -1e-4, 1e-4);
-        ring.push_back({radius * std::cos(angle), width * radius * std::sin(angle)});
+    const Outline region = Region(random, 6, 10 + test_random_below(random, 20), 0.4).Rings(true);
+    std::vector<bmr_vec2> ring(region.points.begin(), region.points.begin() + region.counts[0]);
+    for (int round = 0; round < 3; ++round) {
+        std::vector<bmr_vec2> cut;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const bmr_vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+            cut.push_back(bmr_add(bmr_scale(0.75, a), bmr_scale(0.25, b)));
+            cut.push_back(bmr_add(bmr_scale(0.25, a), bmr_scale(0.75, b)));
+        }
+        ring = cut;
     }
     Outline outline;
-    outline.Add(ring);
+    outline.Add(Resampled(ring, count));
+    for (bmr_vec2 &p : outline.points)
+        p = bmr_add(p, {test_random_uniform(random, -1e-3, 1e-3), test_random_uniform(random, -1e-3, 1e-3)});
     return outline;
 }
 

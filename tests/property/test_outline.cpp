@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: MIT
+// Outlines of all kinds: their pieces are the solid, exactly, and few; simplified ones stay within their
+// tolerance.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "boomerang/outline.h"
+#include "outline_families.h"
+#include "outline_optimum.h"
+#include "outline_oracle.h"
+#include "test_scale.h"
+
+using namespace outlines;
+
+namespace {
+
+struct Pieces {
+    bmr_outline_pieces *pieces = nullptr;
+    bmr_error error;
+    bmr_outline_fault fault = {};
+
+    explicit Pieces(const Outline &outline, double tolerance = 0.0) {
+        const bmr_rings rings = outline.Rings();
+        const bmr_outline_def def = {tolerance};
+        error = bmr_outline_decompose(&rings, &def, nullptr, &pieces, &fault);
+    }
+    Pieces(const Pieces &) = delete;
+    Pieces &operator=(const Pieces &) = delete;
+    ~Pieces() { bmr_outline_pieces_destroy(pieces, nullptr); }
+    const bmr_outline_pieces *operator->() const { return pieces; }
+};
+
+bool HasDistinctPoints(const Outline &outline) {
+    std::vector<bmr_vec2> points = outline.points;
+    std::sort(points.begin(), points.end(), Before);
+    return std::adjacent_find(points.begin(), points.end(), Same) == points.end();
+}
+
+/// Corners of the rings at which the solid takes more than half a turn.
+size_t Notches(const Outline &outline) {
+    size_t count = 0, begin = 0;
+    for (const uint32_t n : outline.counts) {
+        const std::vector<bmr_vec2> ring(&outline.points[begin], &outline.points[begin] + n);
+        const int sense = DirectionOf(ring) * (begin == 0 ? 1 : -1);
+        for (size_t i = 0; i < n; ++i)
+            count +=
+                exact::Orientation(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]) * sense < 0 ? 1 : 0;
+        begin += n;
+    }
+    return count;
+}
+
+/// Groups of pieces that hang together by edges.
+size_t Parts(const bmr_outline_pieces &o) {
+    std::vector<uint32_t> part(o.piece_count);
+    for (uint32_t p = 0; p < o.piece_count; ++p)
+        part[p] = p;
+    const auto root = [&](uint32_t p) {
+        while (part[p] != p)
+            p = part[p];
+        return p;
+    };
+    for (uint32_t e = 0; e < o.edge_count; ++e)
+        if (o.edges[e].twin != BMR_OUTLINE_NONE)
+            part[root(o.edges[e].piece)] = root(o.edges[o.edges[e].twin].piece);
+    size_t count = 0;
+    for (uint32_t p = 0; p < o.piece_count; ++p)
+        count += part[p] == p ? 1 : 0;
+    return count;
+}
+
+void CheckExact(const Outline &outline) {
+    const Pieces made(outline);
+    REQUIRE(made.error == BMR_OK);
+    CHECK(made.fault.error == BMR_OK);
+    CHECK(Complaint(outline.Rings(), *made.pieces) == "");
+    CHECK(bmr_outline_pieces_audit(made.pieces) == BMR_OK);
+    CHECK(made->piece_count <= 2 * made->notch_count + Parts(*made.pieces));
+    if (!HasDistinctPoints(outline) ||
+        made->edge_count - 2 * (made->piece_count + outline.counts.size() - 2) != outline.points.size())
+        return; // it touches itself
+    CHECK(made->notch_count == Notches(outline));
+    CHECK(made->hole_count + 1 == outline.counts.size());
+    CHECK(made->piece_count <= 2 * made->notch_count + 1 - made->hole_count);
+}
+
+/// Of outlines without holes and touches.
+bool IsSimple(const Outline &outline) {
+    const bmr_rings rings = outline.Rings();
+    bmr_outline_fault fault;
+    if (outline.counts.size() != 1 || !HasDistinctPoints(outline) ||
+        bmr_outline_check(&rings, nullptr, &fault) != BMR_OK)
+        return false;
+    for (size_t i = 0; i < outline.points.size(); ++i) // no point on an edge of others
+        for (size_t k = 0; k < outline.points.size(); ++k) {
+            const bmr_vec2 a = outline.points[i], b = outline.points[(i + 1) % outline.points.size()];
+            const bmr_vec2 p = outline.points[k];
+            if (exact::Orientation(a, b, p) == 0 && Before(a, p) == Before(p, b) && !Same(a, p) &&
+                !Same(b, p))
+                return false;
+        }
+    return true;
+}
+
+size_t OptimumOf(const Outline &outline) {
+    std::vector<bmr_vec2> ring = outline.points;
+    if (DirectionOf(ring) < 0)
+        std::reverse(ring.begin(), ring.end());
+    return Optimum(ring).Pieces();
+}
+
+} // namespace
+
+TEST_CASE("the pieces are convex, and their union is the solid, exactly") {
+    // 100,000 outlines; of a tenth, 1,000.
+    const size_t rounds = test_scaled(100) * test_scaled(100);
+    for (size_t round = 0; round < rounds; ++round) {
+        test_random random = {round};
+        const auto size = static_cast<uint32_t>(round % 60);
+        CAPTURE(round);
+        CheckExact(Shuffled(&random, Region(&random, 8, 20 + size, 0.4).Rings(true)));
+        CheckExact(Shuffled(&random, Region(&random, 8, 20 + size, 0.0).Rings(true)));
+        const Outline grid = Shuffled(&random, Region(&random, 10, 40 + 2 * size, 0.0).Rings(false));
+        CheckExact(grid);
+        // From denormals to the largest numbers, and both in one outline.
+        CheckExact(Scaled(grid, -1074, -1074));
+        CheckExact(Scaled(grid, 1019, round % 2 == 0 ? 1019 : -1074));
+        CheckExact(Scaled(Shuffled(&random, Star(&random, 10 + size)), round % 3 == 0 ? 498 : -498, -498));
+        CheckExact(Shuffled(&random, Comb(&random, 2 + size / 4)));
+        CheckExact(Shuffled(&random, Spiral(10 + 2 * size)));
+        CheckExact(Shuffled(&random, Silhouette(&random, 40 + size)));
+        CheckExact(Shuffled(&random, Fan(1 + size / 2)));
+    }
+}
+
+TEST_CASE("large outlines are cut exactly, too") {
+    // Nothing in here takes more than a second: what grew with the square of the points would.
+    test_random random = {7};
+    CheckExact(Fan(static_cast<uint32_t>(test_scaled(3000))));
+    CheckExact(Spiral(static_cast<uint32_t>(2 * test_scaled(5000))));
+    CheckExact(Region(&random, 100, static_cast<uint32_t>(test_scaled(9000)), 0.4).Rings(true));
+}
+
+TEST_CASE("small outlines without holes have the fewest pieces that there are") {
+    const size_t rounds = test_scaled(150);
+    for (size_t round = 0; round < rounds; ++round) {
+        test_random random = {round + 1000};
+        const auto size = static_cast<uint32_t>(round % 14);
+        for (const Outline &outline :
+             {Region(&random, 5, 4 + size, 0.4).Rings(true), Region(&random, 5, 4 + size, 0.0).Rings(true),
+              Region(&random, 5, 4 + 2 * size, 0.0).Rings(false), Star(&random, 6 + size),
+              Comb(&random, 1 + size / 4)}) {
+            if (!IsSimple(outline))
+                continue;
+            const Pieces made(Shuffled(&random, outline));
+            CAPTURE(round);
+            REQUIRE(made.error == BMR_OK);
+            CHECK(made->piece_count == OptimumOf(outline));
+        }
+    }
+}
+
+TEST_CASE("larger ones have at most 1.5 times as many, in the mean") {
+    const size_t rounds = test_scaled(1);
+    double sum = 0.0;
+    for (size_t round = 0; round < rounds; ++round) {
+        test_random random = {round};
+        for (const Outline &outline : {Star(&random, BMR_OUTLINE_OPTIMAL_POINTS + 2),
+                                       Silhouette(&random, BMR_OUTLINE_OPTIMAL_POINTS + 2)}) {
+            const Pieces made(outline);
+            REQUIRE(made.error == BMR_OK);
+            sum += static_cast<double>(made->piece_count) / static_cast<double>(OptimumOf(outline));
+        }
+    }
+    const double mean = sum / (2.0 * static_cast<double>(rounds));
+    MESSAGE("mean of pieces / optimum: ", mean);
+    CHECK(mean <= 1.5);
+    CHECK(mean >= 1.0);
+}
+
+namespace {
+
+double DistanceToSegment(bmr_vec2 p, bmr_vec2 a, bmr_vec2 b) {
+    const bmr_vec2 along = bmr_sub(b, a), to = bmr_sub(p, a);
+    const double part = std::min(std::max(bmr_dot(to, along) / bmr_dot(along, along), 0.0), 1.0);
+    return std::hypot(to.x - part * along.x, to.y - part * along.y);
+}
+
+double DistanceToRing(bmr_vec2 p, const std::vector<bmr_vec2> &ring) {
+    double least = INFINITY;
+    for (size_t i = 0; i < ring.size(); ++i)
+        least = std::min(least, DistanceToSegment(p, ring[i], ring[(i + 1) % ring.size()]));
+    return least;
+}
+
+std::vector<std::vector<bmr_vec2>> RingsOf(const Outline &outline) {
+    std::vector<std::vector<bmr_vec2>> rings;
+    size_t begin = 0;
+    for (const uint32_t count : outline.counts) {
+        rings.emplace_back(outline.points.begin() + static_cast<std::ptrdiff_t>(begin),
+                           outline.points.begin() + static_cast<std::ptrdiff_t>(begin + count));
+        begin += count;
+    }
+    return rings;
+}
+
+/// 0 inside and on the boundary.
+double DistanceToSolid(bmr_vec2 p, const std::vector<std::vector<bmr_vec2>> &rings) {
+    bool inside = false;
+    double least = INFINITY;
+    for (const auto &ring : rings) {
+        least = std::min(least, DistanceToRing(p, ring));
+        for (size_t i = 0; i < ring.size(); ++i) {
+            const bmr_vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+            if ((a.y <= p.y) != (b.y <= p.y) && exact::Orientation(a, b, p) * (a.y <= p.y ? 1 : -1) > 0)
+                inside = !inside;
+        }
+    }
+    return inside ? 0.0 : least;
+}
+
+/// The farthest that a point of some rings, sampled, is from others.
+double FarthestOf(const std::vector<bmr_vec2> &ring, const std::vector<bmr_vec2> &other) {
+    double most = 0.0;
+    for (size_t i = 0; i < ring.size(); ++i)
+        for (int k = 0; k < 4; ++k) {
+            const bmr_vec2 along = bmr_sub(ring[(i + 1) % ring.size()], ring[i]);
+            most = std::max(most, DistanceToRing(bmr_add(ring[i], bmr_scale(0.25 * k, along)), other));
+        }
+    return most;
+}
+
+struct Simplified {
+    Outline outline;
+    std::vector<uint32_t> counts; ///< of the rings that were given
+
+    Simplified(const Outline &given, double tolerance) : counts(given.counts.size()) {
+        std::vector<uint32_t> kept(given.points.size());
+        const bmr_rings rings = given.Rings();
+        REQUIRE(bmr_outline_simplify(&rings, tolerance, nullptr, kept.data(), counts.data(), nullptr) ==
+                BMR_OK);
+        size_t at = 0;
+        for (const uint32_t count : counts) {
+            for (uint32_t i = 0; i < count; ++i)
+                outline.points.push_back(given.points[kept[at++]]);
+            if (count > 0)
+                outline.counts.push_back(count);
+        }
+    }
+};
+
+/// What doubles make of a distance of this file, in outlines whose coordinates are at most 32.
+constexpr double kRounding = 1e-12;
+
+void CheckWithin(test_random *random, const Outline &given, double tolerance) {
+    const Simplified simple(given, tolerance);
+    const bmr_rings rings = simple.outline.Rings();
+    REQUIRE(bmr_outline_check(&rings, nullptr, nullptr) == BMR_OK);
+    const auto before = RingsOf(given), after = RingsOf(simple.outline);
+    size_t ring = 0;
+    for (size_t r = 0; r < before.size(); ++r) {
+        if (simple.counts[r] == 0) {
+            CHECK(r > 0);
+            continue;
+        }
+        CHECK(FarthestOf(before[r], after[ring]) <= tolerance + kRounding);
+        CHECK(FarthestOf(after[ring], before[r]) <= tolerance + kRounding);
+        ++ring;
+    }
+    for (int i = 0; i < 50; ++i) {
+        const bmr_vec2 near =
+            given.points[test_random_below(random, static_cast<uint32_t>(given.points.size()))];
+        const bmr_vec2 p = {near.x + test_random_uniform(random, -3.0, 3.0) * tolerance,
+                            near.y + test_random_uniform(random, -3.0, 3.0) * tolerance};
+        const double to_given = DistanceToSolid(p, before), to_simple = DistanceToSolid(p, after);
+        CHECK((to_given > 0.0 || to_simple <= tolerance + kRounding));
+        CHECK((to_simple > 0.0 || to_given <= tolerance + kRounding));
+    }
+}
+
+bool IsSamePiece(const bmr_outline_pieces &a, const bmr_outline_pieces &b, uint32_t piece) {
+    if (a.first[piece] != b.first[piece] || a.first[piece + 1] != b.first[piece + 1])
+        return false;
+    for (uint32_t e = a.first[piece]; e < a.first[piece + 1]; ++e)
+        if (!Same(a.points[a.edges[e].point], b.points[b.edges[e].point]) ||
+            a.edges[e].twin != b.edges[e].twin)
+            return false;
+    return true;
+}
+
+} // namespace
+
+TEST_CASE("simplified outlines are outlines, within the tolerance both ways") {
+    const size_t rounds = test_scaled(40);
+    for (size_t round = 0; round < rounds; ++round) {
+        test_random random = {round};
+        const auto size = static_cast<uint32_t>(round % 40);
+        CAPTURE(round);
+        for (const double tolerance : {1e-3, 0.1, 0.5, 2.0}) {
+            CheckWithin(&random, Shuffled(&random, Region(&random, 10, 30 + 3 * size, 0.4).Rings(true)),
+                        tolerance);
+            CheckWithin(&random, Shuffled(&random, Region(&random, 10, 30 + 3 * size, 0.0).Rings(true)),
+                        tolerance);
+            CheckWithin(&random, Silhouette(&random, 100 + size), tolerance);
+            CheckWithin(&random, Spiral(10 + 4 * size), 0.1 * tolerance);
+        }
+    }
+}
+
+TEST_CASE("without a tolerance a simplified outline loses what is within straight stretches, and no more") {
+    const size_t rounds = test_scaled(40);
+    for (size_t round = 0; round < rounds; ++round) {
+        test_random random = {round};
+        const Outline all = Region(&random, 8, 20 + static_cast<uint32_t>(round), 0.0).Rings(true);
+        random = {round};
+        const Outline without = Region(&random, 8, 20 + static_cast<uint32_t>(round), 0.0).Rings(false);
+        const Simplified simple(all, 0.0);
+        CHECK(simple.outline.counts == without.counts);
+        CHECK(std::equal(without.points.begin(), without.points.end(), simple.outline.points.begin(),
+                         simple.outline.points.end(), Same));
+    }
+}
+
+TEST_CASE("silhouettes of 500 points become at most 12 pieces in the mean, those of the simplified outline") {
+    const size_t rounds = test_scaled(20);
+    size_t pieces = 0;
+    for (size_t round = 0; round < rounds; ++round) {
+        test_random random = {round};
+        const Outline scanned = Silhouette(&random, 500);
+        const auto by_x = [](bmr_vec2 a, bmr_vec2 b) { return a.x < b.x; };
+        const auto by_y = [](bmr_vec2 a, bmr_vec2 b) { return a.y < b.y; };
+        const auto x = std::minmax_element(scanned.points.begin(), scanned.points.end(), by_x);
+        const auto y = std::minmax_element(scanned.points.begin(), scanned.points.end(), by_y);
+        const double tolerance = 0.01 * std::max(x.second->x - x.first->x, y.second->y - y.first->y);
+        const Pieces made(scanned, tolerance);
+        REQUIRE(made.error == BMR_OK);
+        pieces += made->piece_count;
+        // They are exactly the pieces of an outline that is within the tolerance.
+        CheckWithin(&random, scanned, tolerance);
+        const Simplified simple(scanned, tolerance);
+        const Pieces same(simple.outline);
+        REQUIRE(same.error == BMR_OK);
+        CHECK(Complaint(simple.outline.Rings(), *same.pieces) == "");
+        REQUIRE(made->piece_count == same->piece_count);
+        for (uint32_t p = 0; p < made->piece_count; ++p)
+            CHECK(IsSamePiece(*made.pieces, *same.pieces, p));
+    }
+    MESSAGE("pieces in the mean: ", static_cast<double>(pieces) / static_cast<double>(rounds));
+    CHECK(pieces <= 12 * rounds);
+}
+
+TEST_CASE("an outline weighs what its pieces weigh") {
+    const size_t rounds = test_scaled(40);
+    for (size_t round = 0; round < rounds; ++round) {
+        test_random random = {round};
+        const Outline outline =
+            Shuffled(&random, Region(&random, 8, 20 + static_cast<uint32_t>(round % 60), 0.4).Rings(true));
+        const bmr_rings rings = outline.Rings();
+        const Pieces made(outline);
+        REQUIRE(made.error == BMR_OK);
+        bmr_mass whole;
+        REQUIRE(bmr_outline_mass(&rings, &whole) == BMR_OK);
+        double area = 0.0, inertia = 0.0;
+        bmr_vec2 moment = {0.0, 0.0};
+        for (uint32_t p = 0; p < made->piece_count; ++p) {
+            std::vector<bmr_vec2> corners;
+            for (uint32_t e = made->first[p]; e < made->first[p + 1]; ++e)
+                corners.push_back(made->points[made->edges[e].point]);
+            bmr_polygon *polygon = nullptr;
+            bmr_mass mass;
+            REQUIRE(bmr_polygon_create(corners.data(), corners.size(), nullptr, &polygon) == BMR_OK);
+            REQUIRE(bmr_polygon_mass(polygon, &mass) == BMR_OK);
+            const bmr_vec2 arm = bmr_sub(mass.centroid, whole.centroid);
+            area += mass.area;
+            moment = bmr_add(moment, bmr_scale(mass.area, arm));
+            inertia += mass.inertia + mass.area * bmr_dot(arm, arm);
+            bmr_polygon_destroy(polygon, nullptr);
+        }
+        CHECK(whole.area == doctest::Approx(area).epsilon(1e-12));
+        CHECK(whole.inertia == doctest::Approx(inertia).epsilon(1e-12));
+        CHECK(std::hypot(moment.x, moment.y) <= 1e-10 * area);
+    }
+}
