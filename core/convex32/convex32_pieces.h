@@ -40,6 +40,7 @@ typedef struct bmr_piece_corner32 {
 
 /// A piece of these corners, counter-clockwise. Those that turn by no more than rounding are left out
 /// (bmr_convex32_create says how much that is); an edge that is then made of several is inner if all are.
+/// Without inner edges it is a polygon as any other, and has no seams.
 /// Errors as bmr_convex32_create_raw; a sliver without area as far as floats can tell is
 /// BMR_ERROR_TOO_FEW_POINTS. O(n).
 bmr_error bmr_convex32_create_piece(const bmr_piece_corner32 *corners, size_t count,

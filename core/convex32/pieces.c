@@ -88,13 +88,17 @@ static bmr_error make_piece(const draft *d, size_t count, bmr_vec32 *vertices, c
     const size_t used = (bmr_convex32_bytes(count) + sizeof(bmr_vec32) - 1) / sizeof(bmr_vec32);
     bmr_vec32 *const low = (bmr_vec32 *)(void *)made + used, *const high = low + count;
     uint8_t *const inner = (uint8_t *)(high + count);
+    bool has_inner = false;
     for (uint32_t i = 0; i < count; ++i) {
         write_turn(&made->polygon, d, i, low + i, high + i);
         inner[i] = !d[i].face;
+        has_inner = has_inner || inner[i];
     }
     const bmr_seams32 seams = {low, high, inner};
-    made->seams = seams;
-    made->polygon.seams = &made->seams;
+    if (has_inner) {
+        made->seams = seams;
+        made->polygon.seams = &made->seams;
+    }
     *block = made;
     return BMR_OK;
 }

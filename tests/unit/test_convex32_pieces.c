@@ -26,9 +26,10 @@ static bmr_transform32 at(float x, float y) {
 }
 
 /// The right one of two squares of a flat ground, or of one that goes on to the left at another height: its
-/// left side is inner, and the outline comes to its upper left corner from (-1, before).
+/// left side is inner. The outline goes on from its upper left corner to (-1, before), and comes to its lower
+/// one from as far the other way.
 static bmr_convex32_block *right_half(float before) {
-    const bmr_piece_corner32 corners[] = {corner(0.0f, -1.0f, false, -1.0f, -1.0f),
+    const bmr_piece_corner32 corners[] = {corner(0.0f, -1.0f, false, -1.0f, -1.0f - before),
                                           corner(1.0f, -1.0f, false, 0.0f, 0.0f),
                                           corner(1.0f, 0.0f, false, 0.0f, 0.0f),
                                           corner(0.0f, 0.0f, true, -1.0f, before)};
@@ -73,7 +74,8 @@ static bmr_manifold32 touch_circle(const bmr_convex32_block *piece, float x, flo
 
 static void corners_turn_as_the_outline_does(void **state) {
     (void)state;
-    const bmr_vec32 up = {0.0f, 1.0f}, left_up = {-0.6f, 0.8f}, left = {-1.0f, 0.0f};
+    const bmr_vec32 up = {0.0f, 1.0f}, left_up = {-0.6f, 0.8f}, left = {-1.0f, 0.0f}, down = {0.0f, -1.0f};
+    const bmr_vec32 left_down = {-0.6f, -0.8f};
     bmr_convex32_block *flat = right_half(0.0f), *falling = right_half(-2.0f), *rising = right_half(2.0f);
     for (int i = 0; i < 3; ++i) {
         const bmr_convex32_block *const block = i == 0 ? flat : i == 1 ? falling : rising;
@@ -81,6 +83,10 @@ static void corners_turn_as_the_outline_does(void **state) {
         assert_true(bmr_convex32_admits(&block->polygon, 3, up, 1e-3f));
         assert_int_equal(bmr_convex32_admits(&block->polygon, 3, left_up, 1e-3f), i == 1);
         assert_false(bmr_convex32_admits(&block->polygon, 3, left, 1e-3f));
+        assert_true(bmr_convex32_admits(&block->polygon, 0, down, 1e-3f));
+        assert_int_equal(bmr_convex32_admits(&block->polygon, 0, left_down, 1e-3f), i == 1);
+        const bmr_vec32 right_down = {0.6f, -0.8f};
+        assert_false(bmr_convex32_admits(&block->polygon, 0, right_down, 1e-3f));
         // The corner between two faces is as of any polygon; the inner edge is the last.
         const bmr_vec32 right_up = {0.6f, 0.8f};
         assert_true(bmr_convex32_admits(&block->polygon, 2, right_up, 1e-3f));
@@ -106,28 +112,30 @@ static void a_corner_between_inner_edges_admits_nothing(void **state) {
 
 static void straight_corners_are_left_out_and_faces_stay_faces(void **state) {
     (void)state;
-    // Below a face and an inner edge in one line; on the right two inner edges in one line.
+    // Below an inner edge and a face in one line, above a face and an inner edge; on the right two inner edges.
     const bmr_piece_corner32 corners[] = {
-        corner(0.0f, 0.0f, false, 0.0f, 0.0f), corner(1.0f, 0.0f, true, 2.0f, -1.0f),
-        corner(2.0f, 0.0f, true, 0.0f, 0.0f),  corner(2.0f, 1.0f, true, 0.0f, 0.0f),
-        corner(2.0f, 2.0f, false, 3.0f, 2.0f), corner(0.0f, 2.0f, false, 0.0f, 0.0f)};
+        corner(0.0f, 0.0f, true, 0.0f, -1.0f),  corner(1.0f, 0.0f, false, 1.0f, -1.0f),
+        corner(2.0f, 0.0f, true, 3.0f, 0.0f),   corner(2.0f, 1.0f, true, 0.0f, 0.0f),
+        corner(2.0f, 2.0f, false, 3.0f, 2.0f),  corner(1.0f, 2.0f, true, 1.0f, 3.0f),
+        corner(0.0f, 2.0f, false, -1.0f, 2.0f)};
     bmr_convex32_block *block = NULL;
-    assert_int_equal(bmr_convex32_create_piece(corners, 6, NULL, &block), BMR_OK);
+    assert_int_equal(bmr_convex32_create_piece(corners, 7, NULL, &block), BMR_OK);
     assert_int_equal(block->polygon.count, 4);
     assert_int_equal(bmr_convex32_audit(&block->polygon), BMR_OK);
     const uint8_t inner[] = {0, 1, 0, 0};
     assert_memory_equal(block->seams.inner, inner, 4);
     bmr_convex32_destroy(block, NULL);
     // Also where the list begins in the middle of a line.
-    bmr_piece_corner32 turned[6];
-    memcpy(turned, corners + 3, 3 * sizeof *turned);
-    memcpy(turned + 3, corners, 3 * sizeof *turned);
-    assert_int_equal(bmr_convex32_create_piece(turned, 6, NULL, &block), BMR_OK);
-    assert_int_equal(block->polygon.count, 4);
-    assert_int_equal(block->seams.inner[0] + block->seams.inner[1] + block->seams.inner[2] +
-                         block->seams.inner[3],
-                     1);
-    bmr_convex32_destroy(block, NULL);
+    for (size_t first = 1; first < 7; ++first) {
+        bmr_piece_corner32 turned[7];
+        memcpy(turned, corners + first, (7 - first) * sizeof *turned);
+        memcpy(turned + 7 - first, corners, first * sizeof *turned);
+        assert_int_equal(bmr_convex32_create_piece(turned, 7, NULL, &block), BMR_OK);
+        assert_int_equal(block->polygon.count, 4);
+        for (uint32_t i = 0; i < 4; ++i)
+            assert_int_equal(block->seams.inner[i], block->polygon.normals[i].x > 0.5f);
+        bmr_convex32_destroy(block, NULL);
+    }
 }
 
 static void what_is_no_piece_is_an_error(void **state) {
@@ -220,10 +228,10 @@ static void straight_stretches_with_seams_carry_each_other(void **state) {
     // Two such grounds lie on each other, the upper one a little askew: each piece's corner at its seam
     // belongs to a straight stretch.
     bmr_convex32_block *ground = right_half(0.0f);
-    const bmr_piece_corner32 corners[] = {corner(-0.5f, 0.0f, false, 0.0f, 0.0f),
-                                          corner(0.5f, 0.0f, true, 1.5f, 0.0f),
-                                          corner(0.5f, 1.0f, false, 1.5f, 1.0f),
-                                          corner(-0.5f, 1.0f, false, 0.0f, 0.0f)};
+    const bmr_piece_corner32 corners[] = {corner(-0.5f, 0.0f, false, -1.5f, 0.0f),
+                                          corner(0.5f, 0.0f, false, 0.0f, 0.0f),
+                                          corner(0.5f, 1.0f, false, 0.0f, 0.0f),
+                                          corner(-0.5f, 1.0f, true, -1.5f, 1.0f)};
     bmr_convex32_block *upper = NULL;
     assert_int_equal(bmr_convex32_create_piece(corners, 4, NULL, &upper), BMR_OK);
     for (int i = -4; i <= 4; ++i) {
@@ -281,9 +289,11 @@ static void a_ray_comes_in_by_faces_alone(void **state) {
     (void)state;
     bmr_convex32_block *piece = right_half(0.0f);
     const bmr_vec32 left = {-0.5f, -0.5f}, right = {0.5f, -0.5f}, above = {-0.5f, 0.499f};
-    const bmr_vec32 below = {0.5f, -0.501f};
+    const bmr_vec32 below = {0.5f, -0.501f}, lower = {0.5f, -0.6f}, out = {0.5f, 0.501f};
     uint32_t edge = 3;
     assert_false(bmr_convex32_enters_piece(&piece->polygon, left, right, 0.5f, 0.005f, &edge));
+    assert_false(bmr_convex32_enters_piece(&piece->polygon, left, lower, 0.5f, 0.005f, &edge));
+    assert_false(bmr_convex32_enters_piece(&piece->polygon, left, out, 0.5f, 0.005f, &edge));
     // Through the corner: rounding may say that it comes by the inner edge.
     assert_true(bmr_convex32_enters_piece(&piece->polygon, above, below, 0.5f, 0.005f, &edge));
     assert_int_equal(edge, 2);

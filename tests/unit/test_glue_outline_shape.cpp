@@ -10,7 +10,7 @@
 #include <box2d/box2d.h>
 
 #include "boomerang/outline_shape.h"
-#include "shapes/convex_registry.h"
+#include "shapes/outline_record.h"
 
 #include "failing_allocator.h"
 
@@ -303,27 +303,45 @@ TEST_CASE("without memory an outline stays as it was and nothing leaks") {
 }
 
 TEST_CASE("slivers that floats cannot tell from a line are left out, and their neighbours stand for them") {
-    // The middle of the top is a notch of a rounding's depth, beside a real one.
-    const float eps = 1e-7f;
-    const Ring ring = {{0, 0},  {2, 0},       {4, 0}, {4, 1},        {3.5f, 1.0f - 0.5f * eps},
-                       {3, 1},  {2, 0.5f},    {1, 1}, {0.5f, 1.0f - eps}, {0, 1}};
+    // A bump, on a side in the diagonal, that is lower than a normal's rounding can tell: one cut takes it off.
+    const Ring ring = {{2, 2}, {1, 1}, {-1e-9f, 1e-9f}, {-1, -1}, {-2, -2}, {2, -2}};
     OutlineShape outline;
     REQUIRE(outline.Set(ring.data(), Count(ring)) == BMR_OK);
+    CHECK(outline.GetPieceCount() == 1);
     b2World world(b2Vec2(0.0f, 0.0f));
     b2Body *body = AddBody(world);
     REQUIRE(outline.CreateFixtures(body, 1.0f) == BMR_OK);
-    CHECK(body->GetMass() == doctest::Approx(3.5f).epsilon(1e-6));
-    // What lies on it lies on faces.
+    CHECK(body->GetMass() == doctest::Approx(8.0f).epsilon(1e-6));
+    // What comes to that side comes to a face.
     const b2Transform here = body->GetTransform();
-    for (const float x : {0.2f, 0.5f, 0.8f, 3.2f, 3.5f, 3.8f}) {
-        b2RayCastInput down = {b2Vec2(x, 2.0f), b2Vec2(x, 0.5f), 1.0f};
-        bool hit = false;
-        outline.ForEachFixture(body, [&](b2Fixture &piece) {
-            b2RayCastOutput out;
-            hit = hit || (piece.GetShape()->RayCast(&out, down, here, 0) && out.normal.y > 0.9f);
-        });
-        CHECK(hit);
+    for (const float x : {-1.5f, -0.5f, 0.5f, 1.5f}) {
+        const b2RayCastInput down = {b2Vec2(x - 1.0f, x + 1.0f), b2Vec2(x + 1.0f, x - 1.0f), 1.0f};
+        b2RayCastOutput out = {};
+        CHECK(body->GetFixtureList()->GetShape()->RayCast(&out, down, here, 0));
+        CHECK(out.fraction == doctest::Approx(0.5f));
+        CHECK(out.normal.x < -0.7f);
     }
+}
+
+TEST_CASE("a sliver's faces become its neighbour's") {
+    // Pieces as nobody has to cut them: a sliver on the diagonal side of a triangle.
+    const bmr_vec2 points[] = {{1, 1}, {-1e-9, 1e-9}, {-1, -1}, {1, -1}};
+    const uint32_t first[] = {0, 3, 6}, none = BMR_OUTLINE_NONE;
+    const bmr_outline_edge edges[] = {{0, 0, none, 0}, {1, 1, none, 0}, {2, none, 5, 0},
+                                      {2, 2, none, 1}, {3, 3, none, 1}, {0, none, 2, 1}};
+    const bmr_outline_pieces pieces = {points, 4, 2, first, edges, 6, 0, 0};
+    REQUIRE(bmr_outline_pieces_audit(&pieces) == BMR_OK);
+    const bmr_mass mass = {2.0, {1.0 / 3.0, -1.0 / 3.0}, 4.0 / 9.0};
+    bmr::OutlineRecord *record = nullptr;
+    REQUIRE(bmr::MakeOutlineRecord(pieces, mass, &record) == BMR_OK);
+    CHECK(record->pieceCount == 1);
+    CHECK(bmr::registry::Find(record->pieces[0]).block.load()->polygon.seams == nullptr);
+    bmr::registry::ReleaseGroup(record);
+    // Nothing but slivers.
+    const bmr_outline_pieces thin = {points, 4, 1, first, edges, 3, 0, 0};
+    bmr::OutlineRecord *const before = record;
+    CHECK(bmr::MakeOutlineRecord(thin, mass, &record) == BMR_ERROR_TOO_FEW_POINTS);
+    CHECK(record == before);
 }
 
 TEST_CASE("rays come in by the outline alone") {
