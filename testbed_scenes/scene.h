@@ -35,10 +35,9 @@ public:
 struct SceneInfo {
     const char *name;
     const char *description;
-    const char
-        *group; ///< "classic": small and known from Box2D's testbed; "hard": many pairs that stay apart;
-                ///< "any-size": of polygons of any size, as the options `vertices` and `bodies` choose;
-                ///< "outlines": of concave bodies, likewise
+    const char *group; ///< "classic": small and known from Box2D's testbed; "hard": many pairs that stay
+                       ///< apart; "any-size": of polygons of any size, as the options `vertices` and `bodies`
+                       ///< choose; "outlines": of concave bodies, likewise
     const char *sizeMeaning;
     int size;
     int steps;

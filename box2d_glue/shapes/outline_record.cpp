@@ -221,8 +221,8 @@ bmr_error Builder::ShareMass(const OutlineRecord &record) {
             const double a = static_cast<double>(mass.area);
             const bmr_vec2 c = {static_cast<double>(mass.centroid.x), static_cast<double>(mass.centroid.y)},
                            moved = bmr_add(c, shift);
-            const double own = std::max(static_cast<double>(mass.inertia) - a * bmr_dot(c, c),
-                                        static_cast<double>(FLT_MIN));
+            const double own =
+                std::max(static_cast<double>(mass.inertia) - a * bmr_dot(c, c), static_cast<double>(FLT_MIN));
             if (!write) {
                 ofCentres += share * a * bmr_dot(moved, moved);
                 inertia += own;
@@ -274,9 +274,9 @@ bmr_error MakeOutlineRecord(const bmr_outline_pieces &pieces, const bmr_mass &ma
 
 OutlineRecord *OutlineRecordOf(const b2Shape &shape) {
     const uint32_t handle = internal::ConvexShapeAccess::HandleOf(shape);
-    return handle == 0 ? nullptr
-                       : static_cast<OutlineRecord *>(
-                             registry::Find(handle).group.load(std::memory_order_relaxed));
+    return handle == 0
+               ? nullptr
+               : static_cast<OutlineRecord *>(registry::Find(handle).group.load(std::memory_order_relaxed));
 }
 
 } // namespace bmr

@@ -134,7 +134,8 @@ bmr_error convex32_make(const bmr_vec32 *vertices, size_t count, size_t more, co
         extent.y = fmaxf(extent.y, fabsf(own[i].y));
     }
     const uint32_t bits = bits_for(count);
-    const bmr_convex32 polygon = {own, normals, bits > 0 ? buckets : NULL, (uint32_t)count, bits, extent, NULL};
+    const bmr_convex32 polygon = {own,    normals, bits > 0 ? buckets : NULL, (uint32_t)count, bits,
+                                  extent, NULL};
     bmr_error error = audit_shape(&polygon);
     if (error == BMR_OK)
         error = convex32_measure(&polygon, &made->mass, &made->reach);

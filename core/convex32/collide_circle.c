@@ -15,8 +15,7 @@ static void one_point(bmr_manifold32 *manifold, bmr_vec32 centre, bmr_vec32 norm
 static void point_at_vertex(bmr_manifold32 *manifold, bmr_vec32 centre, bmr_vec32 local,
                             const bmr_convex32 *polygon, uint32_t at, float radius_sum) {
     const bmr_vec32 vertex = polygon->vertices[at], d = minus(local, vertex), normal = direction(d);
-    if (!(dot(d, d) > radius_sum * radius_sum) &&
-        bmr_convex32_admits(polygon, at, normal, rounding_of_turn))
+    if (!(dot(d, d) > radius_sum * radius_sum) && bmr_convex32_admits(polygon, at, normal, rounding_of_turn))
         one_point(manifold, centre, normal, vertex);
 }
 
@@ -66,7 +65,8 @@ void bmr_convex32_collide_circle(bmr_manifold32 *manifold, const bmr_convex32 *p
         point_at_vertex(manifold, centre, local, polygon, edge, radius_sum);
     } else if (!inside && dot(minus(local, v2), minus(v1, v2)) <= 0.0f) {
         point_at_vertex(manifold, centre, local, polygon, second, radius_sum);
-    } else if (is_face(polygon, edge) && (inside || !(dot(minus(local, middle), polygon->normals[edge]) > radius_sum))) {
+    } else if (is_face(polygon, edge) &&
+               (inside || !(dot(minus(local, middle), polygon->normals[edge]) > radius_sum))) {
         one_point(manifold, centre, polygon->normals[edge], middle);
     }
 }

@@ -181,8 +181,8 @@ static void collide_piece(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr_
         polygon, vertex, negative(turn_back(&search->frame, of_edge->normal)), nearly_straight);
     edge_view view = *best;
     const bool has_face = is_face(polygon, best->edge) || best_face(search, &view);
-    const float of_faces = fmaxf(edge_is_admitted ? of_edge->separation : -FLT_MAX,
-                                 has_face ? view.separation : -FLT_MAX);
+    const float of_faces =
+        fmaxf(edge_is_admitted ? of_edge->separation : -FLT_MAX, has_face ? view.separation : -FLT_MAX);
     if ((!has_face && !edge_is_admitted) || is_behind(best, of_faces, radius_sum))
         return;
     const float enough = relative_tolerance * (of_edge->separation - radius_sum) + absolute_tolerance;

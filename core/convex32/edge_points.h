@@ -18,9 +18,9 @@ static inline edge_ends edge_ends_of(const bmr_convex32 *polygon, uint32_t first
 static inline uint32_t edge_facing(const bmr_convex32 *reference, const bmr_transform32 *pose,
                                    const edge_view *found, const bmr_convex32 *incident,
                                    const bmr_transform32 *incident_pose) {
-    return bmr_convex32_edge_against(
-        incident, &bmr_convex32_here,
-        turn_back(incident_pose, turn(pose, reference->normals[found->edge])), found->vertex);
+    return bmr_convex32_edge_against(incident, &bmr_convex32_here,
+                                     turn_back(incident_pose, turn(pose, reference->normals[found->edge])),
+                                     found->vertex);
 }
 
 static inline void points_between(bmr_manifold32 *manifold, const bmr_convex32 *reference,

@@ -48,8 +48,8 @@ static size_t drop_straight(draft *d, size_t count) {
 /// Does the outline turn to the left, from one edge's normal to the next's?
 static bool turns_left(bmr_vec32 before, bmr_vec32 after) {
     const double turn = convex32_turn(before, after);
-    return turn > 0.0 || (turn == 0.0 && (double)before.x * (double)after.x +
-                                                 (double)before.y * (double)after.y < 0.0);
+    return turn > 0.0 ||
+           (turn == 0.0 && (double)before.x * (double)after.x + (double)before.y * (double)after.y < 0.0);
 }
 
 /// What the piece admits at vertex i.

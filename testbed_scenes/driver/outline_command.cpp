@@ -19,9 +19,10 @@
 namespace testbed {
 namespace {
 
-constexpr char kHelp[] = "The file has a point `x y` (or `x,y`) a line, and an empty line between rings: first "
-                         "the outer ring, then the holes. What is behind a # is a remark.\n\n"
-                         "Example: boomerang-testbed outline rock.txt -o rock.svg --tolerance 0.01";
+constexpr char kHelp[] =
+    "The file has a point `x y` (or `x,y`) a line, and an empty line between rings: first "
+    "the outer ring, then the holes. What is behind a # is a remark.\n\n"
+    "Example: boomerang-testbed outline rock.txt -o rock.svg --tolerance 0.01";
 
 /// Rings, and the line of the file that each point is on.
 struct OutlineFile {
@@ -29,9 +30,7 @@ struct OutlineFile {
     std::vector<uint32_t> counts;
     std::vector<int> lines;
 
-    bmr_rings Rings() const {
-        return {points.data(), counts.data(), static_cast<uint32_t>(counts.size())};
-    }
+    bmr_rings Rings() const { return {points.data(), counts.data(), static_cast<uint32_t>(counts.size())}; }
 };
 
 OutlineFile ReadOutline(const std::string &path) {

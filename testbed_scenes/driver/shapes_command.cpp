@@ -49,8 +49,8 @@ const std::vector<Column> &Columns() {
          }},
         {"step", "x one", "times_one", 1,
          [](const ShapesResult &result, const ShapesRow &row) {
-             const bool many = row.bodies == "many" || row.bodies == "triangles" ||
-                               row.bodies == "stock triangles";
+             const bool many =
+                 row.bodies == "many" || row.bodies == "triangles" || row.bodies == "stock triangles";
              return many ? TimeRatio(row, FindRow(result, IsOfOutlines(result.scene) ? "outline" : "one",
                                                   row.vertices, row.steps))
                          : std::nullopt;
@@ -86,11 +86,10 @@ void PrintTable(std::ostream &out, const ShapesResult &result, int repeat, bool 
     for (const Column &column : Columns())
         table.AddColumn(column.group, column.name);
     for (const ShapesRow &row : result.rows) {
-        std::vector<Table::Cell> cells = {{row.bodies,
-                                           row.bodies == "one" || row.bodies == "outline" ? Style::Strong
-                                                                                          : Style::Plain},
-                                          {VerticesText(row), Style::Plain},
-                                          {std::to_string(row.steps), Style::Plain}};
+        std::vector<Table::Cell> cells = {
+            {row.bodies, row.bodies == "one" || row.bodies == "outline" ? Style::Strong : Style::Plain},
+            {VerticesText(row), Style::Plain},
+            {std::to_string(row.steps), Style::Plain}};
         for (const Column &column : Columns()) {
             const std::optional<double> number = column.number(result, row);
             cells.push_back({Fixed(number, column.decimals), number ? Style::Plain : Style::Faint});
@@ -186,7 +185,9 @@ CLI::App *AddCompareShapes(CLI::App &app, ShapesCommand &command) {
     CLI::App *shapes =
         app.add_subcommand("compare-shapes", "Compare polygons of any size as one fixture with many "
                                              "fixtures, circles and octagons: cost, behaviour");
-    shapes->add_option("scene", command.scene, "gas, pile, stack, wheels, ...: what `list` shows as any-..., or one of outlines")
+    shapes
+        ->add_option("scene", command.scene,
+                     "gas, pile, stack, wheels, ...: what `list` shows as any-..., or one of outlines")
         ->required();
     shapes->add_option("--vertices", options.vertices, "How many vertices, separated by commas")
         ->delimiter(',')

@@ -39,8 +39,11 @@ WorkerRequest RequestFor(const SceneInfo &scene, const ShapesRow &row, const cha
     request.scene = scene.name;
     request.steps = row.steps;
     request.mode = mode;
-    request.extra = {"--bodies", one ? "one" : row.bodies == "circle" ? "circle" : "many", "--vertices",
-                     std::to_string(row.vertices > 0 ? row.vertices : kOctagon)};
+    request.extra = {"--bodies",
+                     one                      ? "one"
+                     : row.bodies == "circle" ? "circle"
+                                              : "many",
+                     "--vertices", std::to_string(row.vertices > 0 ? row.vertices : kOctagon)};
     return request;
 }
 

@@ -76,7 +76,8 @@ class GearsOutline final : public Scene {
         stage.AddFixture(body, Material(1.0f, 0.5f), MakeRegular(8, stage.Rng().Uniform(0.2f, 0.35f)));
     }
 
-    /// Tooth by tooth: its right foot, its tip, which is round where there are points for that, its left foot.
+    /// Tooth by tooth: its right foot, its tip, which is round where there are points for that, its left
+    /// foot.
     static Outline GearOutline(int pointsOfTooth, float phase) {
         Outline outline;
         for (int tooth = 0; tooth < teeth; ++tooth) {

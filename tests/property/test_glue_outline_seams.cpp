@@ -254,11 +254,65 @@ TEST_CASE("over a hundred seams of hills nothing is lost beyond a chain's loss")
 
 TEST_CASE("a ring in pieces rolls as the whole it is") {
     for (const float speed : {5.0f, 10.0f}) {
-        const float outline = RollRing(Ground::Outline, speed), triangles = RollRing(Ground::Triangles, speed),
-                    pieces = RollRing(Ground::Pieces, speed);
+        const float outline = RollRing(Ground::Outline, speed),
+                    triangles = RollRing(Ground::Triangles, speed), pieces = RollRing(Ground::Pieces, speed);
         MESSAGE("from " << speed << " m/s: outline " << outline << ", triangles " << triangles
                         << ", pieces without seams " << pieces);
         CHECK(outline > 0.95f * speed);
         CHECK(triangles < 0.8f * speed);
     }
+}
+
+TEST_CASE("nothing that is shot at an outline goes through its seams") {
+    // A wall that winds its way up, a tenth of a metre thick: at each bend there is a notch, and a seam.
+    constexpr int bends = 20, shots = 150;
+    std::vector<b2Vec2> ring;
+    for (int i = 0; i <= bends; ++i)
+        ring.emplace_back(0.05f + 0.3f * static_cast<float>(i % 2), static_cast<float>(i));
+    for (int i = bends; i >= 0; --i)
+        ring.emplace_back(-0.05f + 0.3f * static_cast<float>(i % 2), static_cast<float>(i));
+    bmr::OutlineShape wall;
+    REQUIRE(wall.Set(ring.data(), static_cast<int32>(ring.size())) == BMR_OK);
+    REQUIRE(wall.GetPieceCount() >= bends / 2);
+    int arrived = 0;
+    for (const bool rightwards : {true, false}) {
+        for (int kind = 0; kind < 3; ++kind) {
+            b2World world(b2Vec2(0.0f, 0.0f));
+            const b2BodyDef still;
+            REQUIRE(wall.CreateFixtures(world.CreateBody(&still), 0.0f) == BMR_OK);
+            std::vector<const b2Body *> bullets;
+            for (int i = 0; i < shots; ++i) {
+                b2BodyDef def;
+                def.type = b2_dynamicBody;
+                def.bullet = true;
+                def.position.Set(rightwards ? -3.0f : 3.0f, 0.5f + 19.0f * static_cast<float>(i) / shots);
+                def.angle = 0.37f * static_cast<float>(i);
+                def.linearVelocity.Set((rightwards ? 1.0f : -1.0f) * (60.0f + static_cast<float>(i % 50)),
+                                       0.3f * static_cast<float>(i % 7 - 3));
+                b2Body *bullet = world.CreateBody(&def);
+                b2FixtureDef fixture;
+                fixture.density = 1.0f;
+                fixture.filter.groupIndex = -1;
+                b2CircleShape circle;
+                circle.m_radius = 0.05f;
+                b2PolygonShape box;
+                box.SetAsBox(0.05f, 0.03f);
+                bmr::ConvexShape coin;
+                REQUIRE(coin.SetRegular(40, 0.05f) == BMR_OK);
+                const b2Shape *const shapes[] = {&circle, &box, &coin};
+                fixture.shape = shapes[kind];
+                bullet->CreateFixture(&fixture);
+                bullets.push_back(bullet);
+            }
+            for (int i = 0; i < 20; ++i)
+                world.Step(1.0f / 60.0f, 8, 3);
+            for (const b2Body *bullet : bullets) {
+                const float x = bullet->GetPosition().x, y = bullet->GetPosition().y;
+                if (y > 0.0f && y < static_cast<float>(bends))
+                    CHECK((rightwards ? x < 0.35f : x > -0.05f));
+                arrived += std::abs(bullet->GetLinearVelocity().x) < 50.0f;
+            }
+        }
+    }
+    CHECK(arrived > shots); // they did meet it
 }

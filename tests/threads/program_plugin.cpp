@@ -13,10 +13,11 @@ namespace threads {
 
 const std::vector<Chosen> &ScenesOfThePlugin() {
     // Two of each: their polygons are the same, and shared.
-    static const std::vector<Chosen> scenes = {
-        {"any-gas", 12, 64},    {"any-gas", 12, 64},    {"any-bag", 20, 24},  {"any-bag", 20, 24},
-        {"any-bullets", 8, 20}, {"any-bullets", 8, 20}, {"any-wheels", 4, 9}, {"any-wheels", 4, 9},
-        {"asteroids-outline", 12, 24}, {"asteroids-outline", 12, 24}};
+    static const std::vector<Chosen> scenes = {{"any-gas", 12, 64},           {"any-gas", 12, 64},
+                                               {"any-bag", 20, 24},           {"any-bag", 20, 24},
+                                               {"any-bullets", 8, 20},        {"any-bullets", 8, 20},
+                                               {"any-wheels", 4, 9},          {"any-wheels", 4, 9},
+                                               {"asteroids-outline", 12, 24}, {"asteroids-outline", 12, 24}};
     return scenes;
 }
 

@@ -29,10 +29,9 @@ static bmr_transform32 at(float x, float y) {
 /// left side is inner. The outline goes on from its upper left corner to (-1, before), and comes to its lower
 /// one from as far the other way.
 static bmr_convex32_block *right_half(float before) {
-    const bmr_piece_corner32 corners[] = {corner(0.0f, -1.0f, false, -1.0f, -1.0f - before),
-                                          corner(1.0f, -1.0f, false, 0.0f, 0.0f),
-                                          corner(1.0f, 0.0f, false, 0.0f, 0.0f),
-                                          corner(0.0f, 0.0f, true, -1.0f, before)};
+    const bmr_piece_corner32 corners[] = {
+        corner(0.0f, -1.0f, false, -1.0f, -1.0f - before), corner(1.0f, -1.0f, false, 0.0f, 0.0f),
+        corner(1.0f, 0.0f, false, 0.0f, 0.0f), corner(0.0f, 0.0f, true, -1.0f, before)};
     bmr_convex32_block *block = NULL;
     assert_int_equal(bmr_convex32_create_piece(corners, 4, NULL, &block), BMR_OK);
     return block;
@@ -112,11 +111,12 @@ static void a_corner_between_inner_edges_admits_nothing(void **state) {
 
 static void straight_corners_are_left_out_and_faces_stay_faces(void **state) {
     (void)state;
-    // Below an inner edge and a face in one line, above a face and an inner edge; on the right two inner edges.
+    // Below an inner edge and a face in one line, above a face and an inner edge; on the right two inner
+    // edges.
     const bmr_piece_corner32 corners[] = {
-        corner(0.0f, 0.0f, true, 0.0f, -1.0f),  corner(1.0f, 0.0f, false, 1.0f, -1.0f),
-        corner(2.0f, 0.0f, true, 3.0f, 0.0f),   corner(2.0f, 1.0f, true, 0.0f, 0.0f),
-        corner(2.0f, 2.0f, false, 3.0f, 2.0f),  corner(1.0f, 2.0f, true, 1.0f, 3.0f),
+        corner(0.0f, 0.0f, true, 0.0f, -1.0f), corner(1.0f, 0.0f, false, 1.0f, -1.0f),
+        corner(2.0f, 0.0f, true, 3.0f, 0.0f),  corner(2.0f, 1.0f, true, 0.0f, 0.0f),
+        corner(2.0f, 2.0f, false, 3.0f, 2.0f), corner(1.0f, 2.0f, true, 1.0f, 3.0f),
         corner(0.0f, 2.0f, false, -1.0f, 2.0f)};
     bmr_convex32_block *block = NULL;
     assert_int_equal(bmr_convex32_create_piece(corners, 7, NULL, &block), BMR_OK);
@@ -228,10 +228,9 @@ static void straight_stretches_with_seams_carry_each_other(void **state) {
     // Two such grounds lie on each other, the upper one a little askew: each piece's corner at its seam
     // belongs to a straight stretch.
     bmr_convex32_block *ground = right_half(0.0f);
-    const bmr_piece_corner32 corners[] = {corner(-0.5f, 0.0f, false, -1.5f, 0.0f),
-                                          corner(0.5f, 0.0f, false, 0.0f, 0.0f),
-                                          corner(0.5f, 1.0f, false, 0.0f, 0.0f),
-                                          corner(-0.5f, 1.0f, true, -1.5f, 1.0f)};
+    const bmr_piece_corner32 corners[] = {
+        corner(-0.5f, 0.0f, false, -1.5f, 0.0f), corner(0.5f, 0.0f, false, 0.0f, 0.0f),
+        corner(0.5f, 1.0f, false, 0.0f, 0.0f), corner(-0.5f, 1.0f, true, -1.5f, 1.0f)};
     bmr_convex32_block *upper = NULL;
     assert_int_equal(bmr_convex32_create_piece(corners, 4, NULL, &upper), BMR_OK);
     for (int i = -4; i <= 4; ++i) {

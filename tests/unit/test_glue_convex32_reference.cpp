@@ -54,7 +54,7 @@ struct Small {
             centroid = block->mass.centroid;
             std::memcpy(vertices, block->polygon.vertices, block->polygon.count * sizeof *vertices);
             std::memcpy(normals, block->polygon.normals, block->polygon.count * sizeof *normals);
-            view = {vertices, normals, nullptr, block->polygon.count, 0, {0.0f, 0.0f}};
+            view = {vertices, normals, nullptr, block->polygon.count, 0, {0.0f, 0.0f}, nullptr};
             return;
         }
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// bmr::OutlineShape: what a body of an outline weighs, who owns what, what is refused, and who finds it again.
+// bmr::OutlineShape: what a body of an outline weighs, who owns what, what is refused, and who finds it
+// again.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
@@ -303,7 +304,8 @@ TEST_CASE("without memory an outline stays as it was and nothing leaks") {
 }
 
 TEST_CASE("slivers that floats cannot tell from a line are left out, and their neighbours stand for them") {
-    // A bump, on a side in the diagonal, that is lower than a normal's rounding can tell: one cut takes it off.
+    // A bump, on a side in the diagonal, that is lower than a normal's rounding can tell: one cut takes it
+    // off.
     const Ring ring = {{2, 2}, {1, 1}, {-1e-9f, 1e-9f}, {-1, -1}, {-2, -2}, {2, -2}};
     OutlineShape outline;
     REQUIRE(outline.Set(ring.data(), Count(ring)) == BMR_OK);
@@ -388,7 +390,8 @@ TEST_CASE("of all the contacts of two outlines one begins and one ends") {
     b2World world(b2Vec2(0.0f, -10.0f));
     world.SetContactListener(&listener);
     b2Body *ground = AddBody(world, b2_staticBody);
-    const Ring comb = {{-5, -2}, {-2, -1}, {0, -2}, {2, -1}, {5, -2}, {5, 0}, {2, 0}, {0, 0}, {-2, 0}, {-5, 0}};
+    const Ring comb = {{-5, -2}, {-2, -1}, {0, -2}, {2, -1}, {5, -2},
+                       {5, 0},   {2, 0},   {0, 0},  {-2, 0}, {-5, 0}};
     OutlineShape floor;
     REQUIRE(floor.Set(comb.data(), Count(comb)) == BMR_OK);
     REQUIRE(floor.GetPieceCount() > 1);

@@ -111,8 +111,7 @@ private:
 /// and the same in EndContact. O(contacts of the one of the two bodies that is dynamic).
 BMR_BOX2D_API bool TouchesAlone(const b2Contact &contact);
 
-template <typename Function>
-inline void OutlineShape::ForEachFixture(b2Body *body, Function function) const {
+template <typename Function> inline void OutlineShape::ForEachFixture(b2Body *body, Function function) const {
     for (b2Fixture *fixture = body->GetFixtureList(); fixture != nullptr;) {
         b2Fixture *const next = fixture->GetNext();
         if (Has(*fixture))
