@@ -19,8 +19,8 @@ namespace {
 template <typename T> class Room {
 public:
     Room(size_t count, const bmr_allocator *allocator)
-        : m_bytes(count * sizeof(T)), m_allocator(allocator),
-          m_objects(static_cast<T *>(bmr_allocate(allocator, m_bytes))) {
+        : m_bytes(count * sizeof(T)), // NOLINT(bugprone-sizeof-expression): pointers, too
+          m_allocator(allocator), m_objects(static_cast<T *>(bmr_allocate(allocator, m_bytes))) {
         for (size_t i = 0; m_objects != nullptr && i < count; ++i)
             new (m_objects + i) T();
     }
@@ -93,7 +93,7 @@ public:
         return count;
     }
 
-    bmr_error ShareMass(const OutlineRecord &record);
+    void ShareMass(const OutlineRecord &record);
 
     /// Hands the polygons over to the registry; false without memory, then some are still here.
     bool Register(OutlineRecord *record) {
@@ -197,7 +197,7 @@ private:
 /// The pieces' masses become shares of the outline's, so that their sum is right also where the pieces are
 /// not quite the outline: each by its area; the centres all moved alike; and the inertias about them all
 /// scaled alike.
-bmr_error Builder::ShareMass(const OutlineRecord &record) {
+void Builder::ShareMass(const OutlineRecord &record) {
     double area = 0.0, inertia = 0.0;
     bmr_vec2 moment = {0.0, 0.0};
     for (uint32_t p = 0; p < m_pieces.piece_count; ++p) {
@@ -233,7 +233,6 @@ bmr_error Builder::ShareMass(const OutlineRecord &record) {
             mass.inertia = static_cast<float>(share * a * bmr_dot(moved, moved) + left * (own / inertia));
         }
     }
-    return BMR_OK;
 }
 
 bool IsNormal(double value) {

@@ -2,6 +2,7 @@
 #include "boomerang/outline_shape.h"
 
 #include <cmath>
+#include <utility>
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_world.h>
@@ -119,12 +120,8 @@ OutlineShape::OutlineShape(const OutlineShape &other) noexcept : m_record(other.
 }
 
 OutlineShape &OutlineShape::operator=(const OutlineShape &other) noexcept {
-    OutlineRecord *const old = m_record;
-    m_record = other.m_record;
-    if (m_record != nullptr) // first: it may be the same
-        m_record->references.fetch_add(1, std::memory_order_relaxed);
-    if (old != nullptr)
-        registry::ReleaseGroup(old);
+    OutlineShape copy(other);
+    std::swap(m_record, copy.m_record);
     return *this;
 }
 
