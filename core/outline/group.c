@@ -9,19 +9,21 @@ static bool is_inside(const bmr_group *g, uint32_t half) {
     return half != NONE && g->member_of[g->mesh->halves[half].face] == g->number;
 }
 
-/// Would the group stay a polygon without holes with this face? It does where the two have one edge in
-/// common: a point between two such edges is on the outline, as all are, and so there is a hole in between.
-/// *corners becomes how many the group would have.
-static bool fits(const bmr_group *g, uint32_t face, uint32_t *corners) {
+/// Would the group stay a polygon without holes, and of at most `most` corners, with this face? It does where
+/// the two have one edge in common: a point between two such edges is on the outline, as all are, and so
+/// there is a hole in between. *corners becomes how many the group would have. O(most), however large the
+/// face is.
+static bool fits(const bmr_group *g, uint32_t face, uint32_t most, uint32_t *corners) {
     const bmr_mesh *m = g->mesh;
     uint32_t count = 0, common = 0, h = m->faces[face];
     do {
         common += is_inside(g, m->halves[h].twin);
-        ++count;
+        if (++count + g->corner_count > most + 2)
+            return false;
         h = m->halves[h].next;
     } while (h != m->faces[face]);
     *corners = g->corner_count + count - 2 * common;
-    return common <= 1;
+    return common <= 1 && *corners <= most;
 }
 
 /// The boundary, once around.
@@ -53,7 +55,7 @@ bool bmr_group_gather(bmr_group *group, uint32_t face, uint32_t most) {
     uint32_t corners;
     ++group->number;
     group->face_count = group->corner_count = 0;
-    if (!fits(group, face, &corners) || corners > most)
+    if (!fits(group, face, most, &corners))
         return false;
     group->corner_count = corners;
     group->member_of[face] = group->number;
@@ -63,8 +65,8 @@ bool bmr_group_gather(bmr_group *group, uint32_t face, uint32_t most) {
         uint32_t h = start;
         do {
             const uint32_t twin = m->halves[h].twin;
-            if (twin != NONE && !is_inside(group, twin) && fits(group, m->halves[twin].face, &corners) &&
-                corners <= most) {
+            if (twin != NONE && !is_inside(group, twin) &&
+                fits(group, m->halves[twin].face, most, &corners)) {
                 group->corner_count = corners;
                 group->member_of[m->halves[twin].face] = group->number;
                 group->faces[group->face_count++] = m->halves[twin].face;

@@ -9,7 +9,7 @@
 #define NONE BMR_OUTLINE_NONE
 /// The corners of a group that is a part of something larger. The programme's time grows with their third
 /// power.
-#define GROUP_CORNERS 40u
+#define GROUP_CORNERS 64u
 
 typedef struct work {
     bmr_group group;

@@ -38,6 +38,7 @@ agrees <<<"$text" >/dev/null && fail "a wrong quotation was not noticed"
 text=${good//level 0/level 7}
 text=${text//3 repairs/4 repairs}
 text=${text//the same bodies/other bodies}
+text=${text//piece 0/piece 7}
 text=${text//of 9 pairs/of 8 pairs}
 text=${text//they touch at/they meet at}
 text=${text//of the energy left/of the energy lost}

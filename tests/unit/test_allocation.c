@@ -12,6 +12,7 @@
 
 #include "boomerang/kds.h"
 #include "boomerang/minkowski.h"
+#include "boomerang/outline.h"
 #include "convex32/convex32.h"
 #include "every_allocation.h"
 #include "hierarchy/mixed_cells.h"
@@ -244,10 +245,70 @@ static bmr_error run_kds_create(const bmr_allocator *allocator, uint64_t *bits) 
     return BMR_OK;
 }
 
+// A star of many notches, and one with a hole.
+enum { STAR = BMR_OUTLINE_OPTIMAL_POINTS };
+static bmr_vec2 star_points[STAR + 4];
+static const uint32_t star_counts[] = {STAR, 4};
+
+static bmr_rings star_with(uint32_t holes) {
+    for (uint32_t i = 0; i < STAR; ++i) {
+        const double angle = 6.283185307179586 * i / STAR,
+                     radius = 1.0 + 0.5 * ((i * 7919 + 3) % 101) / 100.0;
+        star_points[i] = bmr_vec2_make(radius * cos(angle), radius * sin(angle));
+    }
+    for (uint32_t i = 0; i < 4; ++i)
+        star_points[STAR + i] = bmr_vec2_make(i % 2 * (i - 2.0) * 0.5, (1.0 - i % 2) * (i - 1.0) * 0.5);
+    return (bmr_rings){star_points, star_counts, 1 + holes};
+}
+
+static const bmr_outline_fault no_fault = {BMR_ERROR_COUNT, {0, 0}, {0, 0}, {0.0, 0.0}};
+
+static bmr_error run_outline_check(const bmr_allocator *allocator, uint64_t *bits) {
+    const bmr_rings rings = star_with(1);
+    bmr_outline_fault fault = no_fault;
+    const bmr_error error = bmr_outline_check(&rings, allocator, &fault);
+    if (error != BMR_OK)
+        return fault.error == BMR_ERROR_COUNT ? error : BMR_ERROR_COUNT;
+    test_hash(bits, &fault.error, sizeof fault.error);
+    return BMR_OK;
+}
+
+static bmr_error run_outline_simplify(const bmr_allocator *allocator, uint64_t *bits) {
+    const bmr_rings rings = star_with(1);
+    uint32_t kept[STAR + 4] = {77}, counts[2] = {77, 77};
+    bmr_outline_fault fault = no_fault;
+    const bmr_error error = bmr_outline_simplify(&rings, 0.1, allocator, kept, counts, &fault);
+    if (error != BMR_OK)
+        return kept[0] == 77 && counts[0] == 77 && fault.error == BMR_ERROR_COUNT ? error : BMR_ERROR_COUNT;
+    test_hash(bits, counts, sizeof counts);
+    test_hash(bits, kept, (counts[0] + counts[1]) * sizeof *kept);
+    return BMR_OK;
+}
+
+static bmr_error run_outline_decompose(const bmr_allocator *allocator, uint64_t *bits) {
+    static bmr_outline_pieces no_pieces;
+    for (uint32_t i = 0; i < 3; ++i) {
+        const bmr_rings rings = star_with(i % 2);
+        const bmr_outline_def def = {i == 2 ? 0.1 : 0.0};
+        bmr_outline_pieces *made = &no_pieces;
+        bmr_outline_fault fault = no_fault;
+        const bmr_error error = bmr_outline_decompose(&rings, &def, allocator, &made, &fault);
+        if (error != BMR_OK)
+            return made == &no_pieces && fault.error == BMR_ERROR_COUNT ? error : BMR_ERROR_COUNT;
+        test_hash(bits, made->edges, made->edge_count * sizeof *made->edges);
+        test_hash(bits, made->first, (made->piece_count + 1) * sizeof *made->first);
+        bmr_outline_pieces_destroy(made, allocator);
+    }
+    return BMR_OK;
+}
+
 static const test_attempt attempts[] = {
     {"bmr_polygon_create", run_polygon_create},
     {"bmr_polygon_create_raw", run_polygon_create_raw},
     {"bmr_polygon_copy", run_polygon_copy},
+    {"bmr_outline_check", run_outline_check},
+    {"bmr_outline_simplify", run_outline_simplify},
+    {"bmr_outline_decompose", run_outline_decompose},
     {"bmr_minkowski_difference", run_minkowski_difference},
     {"bmr_convex32_create", run_convex32_create},
     {"bmr_convex32_create_raw", run_convex32_create_raw},
