@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "markdown.h"
 #include "nearest.h"
 #include "output_file.h"
 #include "progress.h"
@@ -165,7 +166,7 @@ void CheckPerturb(const std::vector<SceneInfo> &scenes, const CompareOptions &op
 int Execute(const CompareCommand &command, const Workers &workers) {
     const std::vector<SceneInfo> scenes = SelectScenes(workers.List(), command.scenes);
     CheckPerturb(scenes, command.options);
-    OutputFile json(command.json), csv(command.csv);
+    OutputFile json(command.json), csv(command.csv), markdown(command.markdown);
     const bool colour = WantsColour(STDOUT_FILENO);
     const int runsPerScene = RunsPerScene(workers, command.options);
 
@@ -199,6 +200,10 @@ int Execute(const CompareCommand &command, const Workers &workers) {
     if (csv.IsWanted()) {
         WriteCsv(csv.Stream(), results);
         csv.Close();
+    }
+    if (markdown.IsWanted()) {
+        WriteMarkdown(markdown.Stream(), results, command.options);
+        markdown.Close();
     }
     return CompareExitCode(results);
 }

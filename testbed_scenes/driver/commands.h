@@ -38,7 +38,7 @@ struct RunCommand {
 struct CompareCommand {
     std::vector<std::string> scenes;
     CompareOptions options;
-    std::string json, csv;
+    std::string json, csv, markdown;
     bool quiet = false;
 };
 
