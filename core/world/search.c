@@ -167,7 +167,7 @@ static bmr_error search_near(bmr_world *w, bmr_couple *c) {
 }
 
 bmr_error bmr_couple_search(bmr_world *w, bmr_couple *c) {
-    return c->watch == BMR_WATCH_DISKS ? search_disks(w, c) : search_near(w, c);
+    return c->near ? search_near(w, c) : search_disks(w, c);
 }
 
 void bmr_couple_search_later(bmr_world *w, bmr_couple *c, bool replan) {

@@ -99,7 +99,7 @@ Box2DGas RunGas(const WorldSetup &setup, const GasMoment &from, double seconds, 
     result.mostGain = counted.at("energy_gain").get<double>() / start;
     result.deepest = counted.at("overlap_deepest").get<double>();
     request.mode = "time";
-    result.clock = 1e-9 * workers.Summarise(request, {}).at("step_ns_total").get<double>();
+    result.clock = workers.Summarise(request, {}).at("steps_processor_s").get<double>();
     result.begins = FindBegins(setup, from, seconds, workers);
     return result;
 }

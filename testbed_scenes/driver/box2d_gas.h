@@ -27,8 +27,8 @@ struct GasContact {
 /// What stock Box2D makes of the same bodies: elastic, no friction, all of them bullets, 60 steps a second.
 struct Box2DGas {
     int64_t steps = 0;
-    double timeStep = 0.0;                   ///< in the world's units of time
-    double clock = 0.0;                      ///< seconds in b2World::Step, of a run that is timed alone
+    double timeStep = 0.0; ///< in the world's units of time
+    double clock = 0.0;    ///< seconds of the processor for its steps, of a run that is timed alone
     double energyChange = 0.0, mostGain = 0; ///< as shares of the energy after the first step
     double deepest = 0.0;                    ///< overlap, in units of the world's length
     std::vector<GasContact> begins; ///< where Box2D says that a contact begins, at the end of the step

@@ -25,8 +25,9 @@ public:
 
     /// In every mode: scene, program, mode, size, seed, steps (done), bodies, contacts and polygon_contacts
     /// (means per step; in time mode contacts only). Hash: hash. Time: step_ns_total, step_ns_median,
-    /// collide_ms_total, solve_ms, broadphase_ms, solveTOI_ms. Count: see AddCalls in summary.cpp; plugin
-    /// (null for stock); what Behaviour says. Scenes with polygons to choose: vertices, kind.
+    /// collide_ms_total, solve_ms, broadphase_ms, solveTOI_ms. (Run adds steps_processor_s.) Count: see
+    /// AddCalls in summary.cpp; plugin (null for stock); what Behaviour says. Scenes with polygons to choose:
+    /// vertices, kind.
     nlohmann::json ToJson(const b2World &world) const;
 
 private:

@@ -103,9 +103,8 @@ typedef enum bmr_zeno_policy {
     BMR_ZENO_ERROR,
     /// An impulse on points that approach by less than `zeno_speed` has restitution 1 (McNamara and Luding's
     /// remedy), and so has one of a pair that is jammed: that touches at an eighth of the margin or less
-    /// without having come apart. Both are counted (`softened`). STALLED where that does not help: bodies
-    /// that
-    /// nothing moves push others together.
+    /// without having come apart. Both are counted (`softened`). STALLED where that does not help: where
+    /// bodies that nothing moves push others together.
     BMR_ZENO_ELASTIC
 } bmr_zeno_policy;
 
