@@ -335,6 +335,12 @@ test_crowds_may_be_as_far_out_as_they_like() {
     plays_as_stock "straying_game corners" BOOMERANG_EVERYWHERE=on
 }
 
+test_wild_worlds_play_as_stock() {
+    plays_as_stock "wild_game 31 1"
+    plays_as_stock "wild_game 5 3" BOOMERANG_EVERYWHERE=on
+    [ -z "${BMR_LONG_CONTROLS:-}" ] || plays_as_stock "wild_game 101 300" BOOMERANG_EVERYWHERE=on
+}
+
 test_polygons_may_be_changed_in_place() {
     plays_as_stock changing_game
     plays_as_stock changing_game BOOMERANG_PREFILTER=off
