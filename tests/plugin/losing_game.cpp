@@ -20,7 +20,7 @@
 //              of them ends
 //   rounded    a listener rounds otherwise for the steps that it makes in the midst of a step
 //   disabled   contacts are disabled whose bodies sleep, and are woken when the loop has passed the contacts
-//   filters    a filter puts to sleep, wakes, moves and changes those that it is asked about
+//   filters    a filter puts to sleep, wakes, moves, changes and ends those that it is asked about
 //   islands    a listener steps the world from PostSolve, while Box2D builds its islands
 #include <cfenv>
 #include <cstdlib>
