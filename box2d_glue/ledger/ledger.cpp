@@ -400,8 +400,7 @@ uint32_t Ledger::NextDue(uint32_t end) {
 
 bool Ledger::Renew(uint32_t i, double threshold) {
     const Record &record = m_records[i];
-    if ((m_bits[i] & kHasLine) == 0 ||
-        ((m_movers.Bits(record.a) | m_movers.Bits(record.b)) & kChanged) != 0)
+    if ((m_bits[i] & kHasLine) == 0 || ((m_movers.Bits(record.a) | m_movers.Bits(record.b)) & kChanged) != 0)
         return false;
     const bmr_mover &a = m_movers[record.a].motion, &b = m_movers[record.b].motion;
     const double slack = bmr_budget_line_gap(&m_lines[i], &a, &b, kUnits) - threshold;

@@ -334,19 +334,22 @@ void LedgerPass::Visit(uint32_t i) {
     Look(i, contact);
 }
 
-/// Mode::Verify: every pair is looked at; one that has a budget must be found apart.
+/// Mode::Verify: every pair is looked at. One that has a budget must be found as it was; and one whose budget
+/// its line would renew, if it is still there.
 void LedgerPass::Verify(uint32_t i) {
     if (m_ledger->CurrentLook() != m_seen)
         m_ledger->LookAgain(i); // as NextDue would
     const bool due = m_ledger->IsDue(i) || m_ledger->GetMovers().AreSumsLost();
+    const bool renewed = due && m_ledger->Renew(i, ApartThreshold(*m_ledger, i));
     const bool touches = (m_ledger->Bits(i) & kTouches) != 0;
     b2Contact *const contact = m_ledger->Contact(i);
     const b2Fixture *const a = contact->GetFixtureA(), *const b = contact->GetFixtureB();
     Visit(i);
-    if (due)
+    const bool gone = m_ledger->Contact(i) != contact;
+    if (due && (!renewed || gone))
         return;
     CountVerified();
-    if (m_ledger->Contact(i) != contact || contact->IsTouching() != touches)
+    if (gone || contact->IsTouching() != touches)
         ReportDifference("budget", a, b, "the contact begins or ends to touch, or is gone");
 }
 

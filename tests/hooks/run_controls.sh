@@ -6,8 +6,8 @@
 # Takes one piece of a hook out of the shared library at a time, preloads the library into the plain program that runs
 # a scene, and expects its hashes to differ from stock's. With nothing taken out they must be stock's. Where the scene is
 # called outside_game that program is run instead, with the library for its own, and must fail; other names in _game
-# are programs in the directory GAMES, which arguments may follow (a colon for an @), and `unheard` be ahead of them: the ends of
-# contacts are then not heard of; "differential SEED" is a random world of the program differential_stock beside SCENE_PROGRAM.
+# are programs in the directory GAMES, which arguments may follow (a colon for an @), and unheard-ends or unheard-pairs be ahead of
+# them: contacts then end, or are made, without a word; "differential SEED" is a random world of the program differential_stock beside SCENE_PROGRAM.
 # OBJECTS: those of the shared library; LINK_ARGUMENTS: what else it is linked from.
 # BMR_LONG_CONTROLS in the environment: mutants_long.txt, too.
 set -u
@@ -42,9 +42,10 @@ hashes() {
         set -- "${1#listed }" "${@:2}"
     fi
     local ahead=
-    if [[ $1 = "unheard "* ]]; then
-        ahead=$games/libunheard_ends.so:
-        set -- "${1#unheard }" "${@:2}"
+    if [[ $1 = unheard-* ]]; then
+        ahead=${1%% *}
+        ahead=$games/libunheard_${ahead#unheard-}.so:
+        set -- "${1#* }" "${@:2}"
     fi
     if [ "$1" = outside_game ]; then
         [ -z "${3:-}" ] || cp "$3" "$(dirname "$3")/libboomerang_box2d.so.1"

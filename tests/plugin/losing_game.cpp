@@ -20,7 +20,7 @@
 //              of them ends
 //   rounded    a listener rounds otherwise for the steps that it makes in the midst of a step
 //   disabled   contacts are disabled whose bodies sleep, and are woken when the loop has passed the contacts
-//   filters    a filter puts to sleep, wakes, moves and changes those that it is asked about
+//   filters    a filter puts to sleep, wakes, moves, changes and ends those that it is asked about
 //   islands    a listener steps the world from PostSolve, while Box2D builds its islands
 #include <cfenv>
 #include <cstdlib>
@@ -371,20 +371,32 @@ void PlayDisabled() {
     }
 }
 
-/// `locked`: while the loop goes over contacts. Else a step of no time has unlocked the world.
-void PlayFilters(bool locked) {
-    enum What { kSleep, kWake, kThrow, kGrow, kTurnSensor, kMoveOnto, kMoveAway, kCount };
-    for (int what = 0; what < (locked ? kMoveOnto : kCount); ++what) {
-        b2World world(b2Vec2(0.0f, 0.0f));
-        Meddler filter;
-        Hash hash;
-        std::vector<b2Body *> ones;
+/// Pairs of boxes, of which every fifth touches, and one box of each.
+struct FilteredPairs {
+    b2World world{b2Vec2(0.0f, 0.0f)};
+    Meddler filter;
+    Hash hash;
+    std::vector<b2Body *> ones;
+
+    FilteredPairs() {
         for (int i = 0; i < 60; ++i) {
             AddNear(world, {3.0f * static_cast<float>(i), 0.0f}, i % 5 == 0 ? -0.005f : 0.1f);
             ones.push_back(world.GetBodyList());
         }
         world.SetContactFilter(&filter);
         Step(world, 10, &hash);
+    }
+};
+
+/// `locked`: while the loop goes over contacts. Else a step of no time has unlocked the world.
+void PlayFilters(bool locked) {
+    enum What { kSleep, kWake, kThrow, kGrow, kTurnSensor, kMoveOnto, kMoveAway, kCount };
+    for (int what = 0; what < (locked ? kMoveOnto : kCount); ++what) {
+        FilteredPairs game;
+        b2World &world = game.world;
+        Meddler &filter = game.filter;
+        Hash &hash = game.hash;
+        const std::vector<b2Body *> &ones = game.ones;
         bool first = true;
         int times = 0;
         filter.before = [&](b2Body *a, b2Body *b) {
@@ -496,16 +508,11 @@ void PlayParted(bool ends) {
 /// A filter makes the two static that it is asked about, which ends their contact, and lets them collide.
 /// Box2D goes on with the contact, whose memory is as it was, and finds that nobody moves.
 void PlayEnded() {
-    b2World world(b2Vec2(0.0f, 0.0f));
-    Meddler filter;
-    Hash hash;
-    std::vector<b2Body *> ones;
-    for (int i = 0; i < 60; ++i) {
-        AddNear(world, {3.0f * static_cast<float>(i), 0.0f}, i % 5 == 0 ? -0.005f : 0.1f);
-        ones.push_back(world.GetBodyList());
-    }
-    world.SetContactFilter(&filter);
-    Step(world, 10, &hash);
+    FilteredPairs game;
+    b2World &world = game.world;
+    Meddler &filter = game.filter;
+    Hash &hash = game.hash;
+    const std::vector<b2Body *> &ones = game.ones;
     int asked = 0;
     filter.before = [&world, &ones, &asked](b2Body *a, b2Body *b) {
         if (asked++ == 0) {

@@ -6,6 +6,8 @@
 //   meddling_game editing     a listener changes vertices of bodies that were asked for in the same step
 //   meddling_game proxies     a filter puts a body out of the world that is about to get contacts
 //   meddling_game ends        a filter, and a listener, end contacts that are still to be come by
+//   meddling_game unknown     a listener steps the world while a contact ends that nobody was told of
+#include <cfenv>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -321,6 +323,50 @@ void PlayEnds() {
     }
 }
 
+/// Is told of an end.
+class AtEnd final : public b2ContactListener {
+public:
+    std::function<void()> what;
+    void EndContact(b2Contact *) override {
+        if (what)
+            std::exchange(what, nullptr)();
+    }
+};
+
+/// Two come to touch in a step that is rounded upward. Their contact, which was made in that step, ends by a
+/// change of type. The next contact gets its place in memory.
+void PlayUnknown() {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    AtEnd listener;
+    Hash hash;
+    const auto add = [&world](float x, float y) {
+        b2Body *const body = AddBox(world, b2_dynamicBody, {x, y}, {0.4f, 0.4f}, 0.0f);
+        body->SetSleepingAllowed(false);
+        return body;
+    };
+    for (int i = 0; i < 80; ++i)
+        add(3.0f * static_cast<float>(i / 2), 0.9f * static_cast<float>(i % 2));
+    Step(world, 3, &hash);
+    b2Body *const one = add(-50.0f, 0.0f);
+    add(-50.79f, 0.0f);
+    std::fesetround(FE_UPWARD);
+    world.Step(0.0f, 1, 1);
+    std::fesetround(FE_TONEAREST);
+    world.SetContactListener(&listener);
+    listener.what = [&world] { world.Step(0.0f, 1, 1); };
+    one->SetType(b2_kinematicBody);
+    one->SetTransform({-60.0f, 0.0f}, 0.0f);
+    add(-70.0f, 0.0f);
+    b2Body *const comes = add(-70.9f, 0.0f);
+    Step(world, 3, &hash);
+    Print("unknown", hash);
+    comes->SetLinearVelocity({1.5f, 0.0f});
+    for (int i = 0; i < 8; ++i) {
+        Step(world, 1, &hash);
+        Print("unknown", hash);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -336,6 +382,8 @@ int main(int argc, char **argv) {
         PlayProxies();
     else if (what == "ends")
         PlayEnds();
+    else if (what == "unknown")
+        PlayUnknown();
     else
         return 2;
     return 0;

@@ -335,6 +335,12 @@ test_crowds_may_be_as_far_out_as_they_like() {
     plays_as_stock "straying_game corners" BOOMERANG_EVERYWHERE=on
 }
 
+test_wild_worlds_play_as_stock() {
+    plays_as_stock "wild_game 31 1"
+    plays_as_stock "wild_game 5 3" BOOMERANG_EVERYWHERE=on
+    [ -z "${BMR_LONG_CONTROLS:-}" ] || plays_as_stock "wild_game 101 300" BOOMERANG_EVERYWHERE=on
+}
+
 test_polygons_may_be_changed_in_place() {
     plays_as_stock changing_game
     plays_as_stock changing_game BOOMERANG_PREFILTER=off
@@ -375,7 +381,7 @@ test_filters_and_listeners_may_change_the_listener() {
 
 test_listeners_and_filters_may_change_the_world() {
     local what
-    for what in disabling turning editing proxies ends; do
+    for what in disabling turning editing proxies ends unknown; do
         plays_as_stock "meddling_game $what"
         plays_as_stock "meddling_game $what" BOOMERANG_PREFILTER=off
         # Behind Box2D, where nobody tells of steps.
@@ -388,14 +394,18 @@ test_listeners_and_filters_may_change_the_world() {
     cmp -s "$room/out" "$room/stock_of_it" || fail "changing_game, behind Box2D: other output than stock's"
 }
 
-test_contacts_may_end_without_a_word() {
-    local what
-    for what in "losing_game numbers" "meddling_game ends"; do
-        "$bin"/$what >"$room/stock_of_it"
-        game "$what" LD_PRELOAD="$bin/libunheard_ends.so:$plugin" BOOMERANG=on BOOMERANG_EVERYWHERE=on
-        cmp -s "$room/out" "$room/stock_of_it" || fail "$what, unheard ends: other output than stock's"
-        at_work "$what, unheard ends"
-    done
+# unheard_plays_as_stock WHAT "PROGRAM [ARGUMENT]...": where contacts end, or are made, without a word
+unheard_plays_as_stock() {
+    "$bin"/$2 >"$room/stock_of_it"
+    game "$2" LD_PRELOAD="$bin/libunheard_$1.so:$plugin" BOOMERANG=on BOOMERANG_EVERYWHERE=on
+    cmp -s "$room/out" "$room/stock_of_it" || fail "$2, unheard $1: other output than stock's"
+    at_work "$2, unheard $1"
+}
+
+test_contacts_may_come_and_go_without_a_word() {
+    unheard_plays_as_stock ends "losing_game numbers"
+    unheard_plays_as_stock ends "meddling_game ends"
+    unheard_plays_as_stock pairs "meddling_game unknown"
 }
 
 test_any_direction_of_rounding_plays_as_stock() {

@@ -10,6 +10,7 @@
 
 #include <box2d/box2d.h>
 
+#include "ledger/ledger.h"
 #include "ledger/movers.h"
 #include "ledger/private_members.h"
 
@@ -166,4 +167,35 @@ TEST_CASE("nothing is claimed beyond the reach and the angle that the margins of
 TEST_CASE("who was not looked at in the sweeps may stop others") {
     Swept one;
     CHECK((one.movers.SweepBits(one.row) & bmr::kStops) != 0);
+}
+
+TEST_CASE("a budget outlasts sweeps if it was proved for impacts, too") {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    for (const float x : {0.0f, 1.05f}) {
+        b2BodyDef def;
+        def.type = b2_dynamicBody;
+        def.position.Set(x, 0.0f);
+        b2PolygonShape box;
+        box.SetAsBox(0.5f, 0.5f);
+        world.CreateBody(&def)->CreateFixture(&box, 1.0f);
+    }
+    world.Step(1.0f / 60.0f, 1, 1);
+    REQUIRE(world.GetContactCount() == 1);
+    bmr::Ledger ledger(const_cast<b2ContactManager *>(&world.GetContactManager()));
+    REQUIRE(ledger.Follow());
+    ledger.LookAtMovers();
+    const auto outlasts = [&ledger] {
+        ledger.BeginSearch(false);
+        return ledger.OutlastsSweeps(0);
+    };
+    const bmr_vec2 across = {1.0, 0.0};
+    CHECK(!outlasts()); // without a proof
+    for (const bool forImpactsToo : {true, false, true}) {
+        REQUIRE(ledger.BeginProof(0));
+        ledger.Prove(0, across, 0.05, 0.01, forImpactsToo);
+        CHECK(outlasts() == forImpactsToo);
+    }
+    REQUIRE(ledger.BeginProof(0));
+    ledger.ProveUntil(0, 0.05, 0.01); // as a sensor's overlap is
+    CHECK(!outlasts());
 }
