@@ -21,6 +21,7 @@ class Playground {
     this.handles = new Handles(byId("main-view"), this.scene, core, hold);
     this.point = new PointHandle(byId("mixed-view"), this.cells, core, hold);
     this.timeline = new Timeline(byId("timeline"), core, (part) => this.seek(part * core.call("until")));
+    this.growth = new Growth(core, byId("growth"));
     this.playing = false;
     this.held = 0;
     this.sketching = -1;
@@ -79,6 +80,9 @@ class Playground {
     if (this.mode.hand) this.scene.frame = this.mode.mixed ? [-2.6, -3.1, 2.6, 1.9] : [-2.3, -2, 3.6, 2.6];
     if (this.mode.mixed) this.cells.frame = this.core.frame(PICTURES.mixed);
     if (this.mode.timeline) this.timeline.read();
+    const motion = hashOf(this.place).replace(/&(ratio|levels)=[^&]*/g, "");
+    if (motion !== this.motionMeasured) this.growth.stop(); // another D/sigma is on the same curves
+    this.motionMeasured = motion;
     this.note();
     this.wordsDue = true;
     this.write();
@@ -331,6 +335,7 @@ class Playground {
     on("play", "click", () => this.togglePlay());
     on("next-event", "click", () => this.nextEvent());
     on("again", "click", () => this.begin(!this.calm.matches));
+    on("grow", "click", () => this.growth.start(this.place, (words) => setText(byId("growth-words"), words)));
     on("kick", "click", () => this.kickAny());
     on("scrub", "input", () => this.seek((byId("scrub").value / 1000) * this.core.call("until")));
     for (const [id, factor] of [["zoom-in", 2], ["zoom-out", 0.5]]) on(id, "click", () => {
@@ -348,7 +353,10 @@ class Playground {
     on("theme", "change", () => this.theme());
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.theme());
     this.theme();
-    new ResizeObserver(() => this.wake()).observe(byId("main-view"));
+    new ResizeObserver(() => {
+      this.growth.draw();
+      this.wake();
+    }).observe(byId("main-view"));
     window.addEventListener("hashchange", () => {
       this.place = placeOf(location.hash, this.core);
       this.enter();
@@ -387,6 +395,7 @@ class Playground {
     document.documentElement.dataset.theme = dark ? "dark" : "light";
     for (const picture of [this.scene, this.cells]) picture.readColours();
     this.timeline.back = null;
+    this.growth.draw();
     this.wake();
   }
 }

@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 # In the order in which the page runs them.
-SCRIPTS = ["core", "picture", "place", "timeline", "handles", "panels", "modes", "main"]
+SCRIPTS = ["core", "picture", "place", "timeline", "growth", "handles", "panels", "modes", "main"]
 # The page is for slow lines, too.
 MOST_BYTES = 700_000
 

@@ -256,6 +256,23 @@ class PlaygroundPage(unittest.TestCase):
         self.show("mode=nowhere&structure=nothing&n=-3&ratio=1e9&poses=a_b&a=p0_0~1&b=*&seed=<script>&shown=99")
         self.assertEqual(self.browser.run("return [playground.place.mode, playground.place.structure, playground.place.n]"), ["learn", "lazy-dudley", 32])
 
+    def test_events_are_counted_at_twenty_ratios_while_the_motion_plays_on(self):
+        self.show("mode=motions&family=orbit&n=64&ratio=7")
+        before = self.browser.run("return [0, 1, 2, 3].map((f) => playground.panels.sum(f, 'events_in_all'))")
+        self.element("grow").click()
+        self.assertTrue(self.browser.wait("playground.growth.counts.length === 20"))
+        counts = dict(self.browser.run("return playground.growth.counts"))
+        self.assertEqual(counts[7], before, "of the ratio that plays, the same")
+        self.assertEqual(self.browser.run("return [0, 1, 2, 3].map((f) => playground.panels.sum(f, 'events_in_all'))"), before)
+        self.assertGreater(counts[20][0], counts[1][0])
+        self.browser.run("document.getElementById('growth').scrollIntoView()")
+        self.browser.settle()
+        self.assertGreater(self.browser.colours("#growth"), 8)
+        self.assertTrue(self.browser.wait("/at 1,048,576/.test(document.getElementById('growth-words').textContent)"))
+        self.assertEqual(self.browser.run(LAYOUT), [])
+        self.browser.run("playground.place.family = 'spin'; playground.changed(true)")
+        self.assertEqual(self.browser.run("return playground.growth.counts.length"), 0)
+
     def test_every_motion_and_structure_plays(self):
         self.show("mode=motions&n=16")
         failed = self.browser.run("""
