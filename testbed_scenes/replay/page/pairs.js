@@ -70,7 +70,7 @@ class Pairs {
     const all = this.model.groups.length;
     document.getElementById("pair-count").textContent = groups.length === 0 ? "No such pair."
       : this.shown.length < groups.length ? "The first " + this.shown.length + " of " + groups.length.toLocaleString("en") + " pairs; a body's number narrows them."
-      : groups.length < all ? groups.length + " of " + all.toLocaleString("en") + " pairs." : all + " pairs.";
+      : groups.length < all ? groups.length + " of " + all.toLocaleString("en") + " pairs." : countText(all, "pair") + ".";
   }
 
   rowFor(group, row) {
