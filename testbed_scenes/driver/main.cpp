@@ -45,10 +45,12 @@ struct CommandLine {
     bool noTime = false;
 };
 
-void AddPluginOptions(CLI::App &app, WorkerOptions &worker) {
+void AddPluginOptions(CLI::App &app, WorkerOptions &worker,
+                      const std::vector<std::string> &structures = {"lazy-compass", "lazy-dudley",
+                                                                    "free-direction"}) {
     app.add_option("--structure", worker.structure,
                    "Kinetic structure of a body pair (default: the plugin's own)")
-        ->check(CLI::IsMember({"lazy-compass", "lazy-dudley", "free-direction"}));
+        ->check(CLI::IsMember(structures));
     app.add_option("--prefilter", worker.prefilter,
                    "Ask one remembered edge first (default: the plugin's own)")
         ->check(CLI::IsMember({"on", "off"}));
@@ -179,7 +181,7 @@ int Answer(int argc, char **argv) {
     const CLI::App *figures = AddFigures(app, line);
     const CLI::App *events = AddEvents(app, line.events);
     CLI::App *replay = AddReplay(app, line.replay);
-    AddPluginOptions(*replay, line.replay.worker);
+    AddPluginOptions(*replay, line.replay.worker, ReplayStructures());
     AddSceneOptions(*replay, line.replay.worker);
     const CLI::App *world = AddWorld(app, line.world);
     const CLI::App *outline = AddOutline(app, line.outline);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "replay_command.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +14,7 @@
 #include "recorded_run.h"
 #include "replay/collect.h"
 #include "replay/page.h"
+#include "theory/record_course.h"
 
 namespace testbed {
 namespace {
@@ -21,7 +24,8 @@ constexpr int64_t kMostSteps = 20000;
 
 constexpr char kNotes[] =
     "The page holds its data, style and script: it opens from a file, without a network, in any browser of "
-    "2023 or later.\nEach contact of two polygons has its events, and so have the hulls of bodies with many; "
+    "2023 or later; its address has the step, the choice and the view.\nEach contact of two polygons has its "
+    "events, and so have the hulls of bodies with many; "
     "with --prefilter off hulls alone.";
 
 std::string Megabytes(size_t bytes) {
@@ -59,31 +63,91 @@ replay::Collector Record(const RecordRequest &plugin, Side stockSide, const Work
     return collector;
 }
 
+/// Takes the frames of one run, and writes the page of a world without Box2D.
+class KineticPage {
+public:
+    void Add(const recording::Head &head, const recording::Frame &frame) {
+        m_head = head;
+        m_collector.AddPlugin(frame);
+    }
+    int Write(const ReplayCommand &command, OutputFile *file, const nlohmann::json &more) {
+        replay::Replay replay = m_collector.Finish();
+        replay.pluginCalls.clear();
+        replay.about = {{"scene", m_head.scene},
+                        {"description", "a kinetic world, every event at its own time"},
+                        {"structure", m_head.structure},
+                        {"size", m_head.size},
+                        {"seed", m_head.seed},
+                        {"world", true},
+                        {"period", {m_head.period.x, m_head.period.y}},
+                        {"timeStep", static_cast<double>(m_head.time_step)}};
+        replay.about.update(more);
+        const std::string page = replay::PageOf(replay);
+        file->Stream() << page;
+        file->Close();
+        if (!command.quiet)
+            std::cout << command.output << ": " << replay.about["scene"].get<std::string>() << ", "
+                      << replay.stepCount << " frames, " << m_head.size << " bodies, "
+                      << Megabytes(page.size()) << '\n';
+        return kExitOk;
+    }
+
+private:
+    replay::Collector m_collector;
+    recording::Head m_head;
+};
+
 /// The page of a recording that is here already, of one run.
 int ReplayRecording(const ReplayCommand &command, OutputFile *file) {
-    replay::Collector collector;
-    recording::Head head;
-    ReadRecorded(command.recording, [&](const recording::Head &its, const recording::Frame &frame) {
-        head = its;
-        collector.AddPlugin(frame);
+    KineticPage page;
+    ReadRecorded(command.recording, [&page](const recording::Head &head, const recording::Frame &frame) {
+        page.Add(head, frame);
     });
-    replay::Replay replay = collector.Finish();
-    replay.pluginCalls.clear();
-    replay.about = {{"scene", head.scene},
-                    {"description", "a kinetic world, every event at its own time"},
-                    {"structure", head.structure},
-                    {"size", head.size},
-                    {"seed", head.seed},
-                    {"world", true},
-                    {"period", {head.period.x, head.period.y}},
-                    {"timeStep", static_cast<double>(head.time_step)}};
-    const std::string page = replay::PageOf(replay);
-    file->Stream() << page;
-    file->Close();
-    if (!command.quiet)
-        std::cout << command.output << ": " << head.scene << ", " << replay.stepCount << " frames, "
-                  << head.size << " bodies, " << Megabytes(page.size()) << '\n';
-    return kExitOk;
+    return page.Write(command, file, nlohmann::json::object());
+}
+
+const bmr_kds_info &PairStructure(const std::string &name) {
+    const bmr_kds_info *found = nullptr;
+    if (bmr_kds_find(name.empty() ? "lazy-compass" : name.c_str(), &found) != BMR_OK)
+        throw UsageError("--structure: " + name +
+                         " is the plugin's; of a pair of one's own it is one of the paper's "
+                         "(events --list shows all)");
+    return *found;
+}
+
+/// One's own two polygons on one's own motion.
+int ReplayPair(const ReplayCommand &command) {
+    constexpr int64_t kSteps = 300;
+    if (command.polygons.empty() || command.polygons.size() > 2 || command.motion.empty())
+        throw UsageError(
+            "--polygon A --polygon B --motion M: a pair of one's own needs them all (one --polygon: both "
+            "alike)");
+    if (!command.scene.empty() || !command.recording.empty())
+        throw UsageError("a scene, --recording FILE or --polygon and --motion: one of the three");
+    if (command.worker.size || command.worker.seed || !command.worker.prefilter.empty())
+        throw UsageError("--size, --seed and --prefilter are a scene's");
+    const bmr_kds_info &structure = PairStructure(command.worker.structure);
+    OutputFile file(command.output);
+    KineticPage page;
+    try {
+        const auto a = std::make_shared<const Body>(ReadPolygonFile(command.polygons.front())),
+                   b = std::make_shared<const Body>(ReadPolygonFile(command.polygons.back()));
+        const MotionFile motion = ReadMotionFile(command.motion);
+        const Course course(a, b, motion);
+        if (!Takes(structure, course))
+            throw UsageError(std::string("--structure: ") + structure.name +
+                             " does not take two polygons that turn");
+        RecordCourse(
+            course, structure, command.steps.value_or(kSteps),
+            [&page](const recording::Head &head, const recording::Frame &frame) { page.Add(head, frame); });
+    } catch (const FileError &error) {
+        throw UsageError(error.what());
+    }
+    return page.Write(command, &file,
+                      {{"scene", std::filesystem::path(command.motion).filename().string()},
+                       {"description", "two polygons of one's own, every event at its own time"},
+                       {"boxes", false},
+                       {"pair", true}});
 }
 
 nlohmann::json About(const SceneInfo &scene, const recording::Head &head) {
@@ -111,19 +175,44 @@ CLI::App *AddReplay(CLI::App &app, ReplayCommand &command) {
         ->check(CLI::ExistingFile)
         ->excludes(scene)
         ->excludes(steps);
+    replay
+        ->add_option("--polygon", command.polygons,
+                     "Instead of a scene: a polygon of one's own, as for `events`; twice: A's and B's")
+        ->check(CLI::ExistingFile)
+        ->allow_extra_args(false);
+    replay
+        ->add_option("--motion", command.motion,
+                     "Their motion, in the statements that `events --help` explains")
+        ->check(CLI::ExistingFile);
     replay->add_option("-o,--output", command.output, "The page: .html")->required();
     replay->add_flag("--quiet", command.quiet, "Say nothing but what is wrong");
     replay->footer(kNotes);
     return replay;
 }
 
+std::vector<std::string> ReplayStructures() {
+    std::vector<std::string> names = {"lazy-compass", "lazy-dudley", "free-direction"};
+    for (size_t i = 0; i < bmr_kds_count(); ++i)
+        if (std::find(names.begin(), names.end(), bmr_kds_at(i)->name) == names.end())
+            names.emplace_back(bmr_kds_at(i)->name);
+    return names;
+}
+
 int Execute(const ReplayCommand &command, const Workers &workers) {
+    if (!command.polygons.empty() || !command.motion.empty())
+        return ReplayPair(command);
     if (!command.recording.empty()) {
         OutputFile file(command.output);
         return ReplayRecording(command, &file);
     }
     if (command.scene.empty())
-        throw UsageError("a scene is wanted, or --recording FILE");
+        throw UsageError("a scene is wanted, or --recording FILE, or --polygon A --polygon B --motion M");
+    const std::string &structure = command.worker.structure;
+    if (!structure.empty() && structure != "lazy-compass" && structure != "lazy-dudley" &&
+        structure != "free-direction")
+        throw UsageError("--structure: " + structure +
+                         " is for --polygon and --motion; of a scene it is lazy-compass, "
+                         "lazy-dudley or free-direction");
     const SceneInfo scene = FindScene(workers.List(), command.scene);
     OutputFile file(command.output);
     if (!workers.CanCount() && !command.quiet)

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::string_view kMagic = "BMRR";
 constexpr uint8_t kHighestOrder = 2;
-/// zlib's level. Its highest, 9, makes a page 3 % smaller and takes five times as long, a fifth of a replay's time.
+/// zlib's level. Its highest, 9, makes a page 3 % smaller and takes five times as long, a fifth of a replay's
+/// time.
 constexpr int kLevel = 7;
 
 void WriteNumber(std::string &out, uint32_t value) {

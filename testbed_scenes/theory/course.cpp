@@ -76,6 +76,13 @@ double EndOfContact(const bmr_course &course, double in, double out) {
 
 } // namespace
 
+bmr_kds_def DefFor(const Course &course, bmr_kds_def def) {
+    constexpr double kPartOfSeparation = 1e-3;
+    if (course.Separation() > 0.0)
+        def.margin = std::min(def.margin, kPartOfSeparation * course.Separation());
+    return def;
+}
+
 std::vector<Contact> ContactsOf(const Course &followed) {
     constexpr int kLooks = 1000;
     const bmr_course course = followed.AsCourse();

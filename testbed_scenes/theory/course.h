@@ -45,6 +45,9 @@ private:
     double m_from = 0.0, m_until = 1.0, m_diameter = 0.0, m_separation = 0.0;
 };
 
+/// With a margin far below the least separation, or the pair would be in contact where it only passes.
+bmr_kds_def DefFor(const Course &course, bmr_kds_def def);
+
 /// From when until when two bodies are in contact (their distance is 0).
 struct Contact {
     double from, until;

@@ -35,15 +35,6 @@ Bodies MakeBodies(const Experiment &experiment, uint64_t seed) {
     return bodies;
 }
 
-/// A margin far below the least separation, or the pair would be in contact where it only passes.
-bmr_kds_def DefFor(const Experiment &experiment, const Course &course) {
-    constexpr double kPartOfSeparation = 1e-3;
-    bmr_kds_def def = experiment.def;
-    if (course.Separation() > 0.0)
-        def.margin = std::min(def.margin, kPartOfSeparation * course.Separation());
-    return def;
-}
-
 /// Twice as fine changes the bounds by less than the seeds do.
 constexpr double kOptimumResolution = 0.02;
 
@@ -58,7 +49,7 @@ public:
         if (experiment.optimum) {
             const bmr_course followed = course.AsCourse();
             bmr_optimum optimum = {};
-            Require(bmr_offline_optimum(&followed, DefFor(experiment, course).margin, kOptimumResolution,
+            Require(bmr_offline_optimum(&followed, DefFor(course, experiment.def).margin, kOptimumResolution,
                                         nullptr, 0, &optimum),
                     "the offline optimum");
             m_common.optimum = optimum;
@@ -76,7 +67,7 @@ public:
         if (observer)
             perEvent = [&run, &observer](const bmr_simulation_event &event) { observer(run, event); };
         run.outcome =
-            Follow(m_course, structure, DefFor(m_experiment, m_course), m_experiment.audit, perEvent);
+            Follow(m_course, structure, DefFor(m_course, m_experiment.def), m_experiment.audit, perEvent);
         m_runs.push_back(std::move(run));
     }
 

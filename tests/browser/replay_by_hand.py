@@ -3,6 +3,7 @@
 
 import base64
 import json
+import pathlib
 
 from selenium.webdriver.common.action_chains import ActionChains
 
@@ -131,6 +132,31 @@ class ByHand:
         self.browser.run("location.hash = 'step=1e9&pair=x,&body=-4&view=1,2,no&show=,,&theme=pink'")
         self.browser.settle()
         self.assertEqual(self.browser.run("return [replay.step, replay.chosen]"), [89, None], "nonsense does no harm")
+
+    def test_ones_own_pair_is_shown_event_by_event(self):
+        folder = pathlib.Path(self.scratch.name)
+        square, motion, trace = folder / "square.txt", folder / "motion.txt", folder / "trace.txt"
+        square.write_text("1 1\n-1 1\n-1 -1\n1 -1\n0 1.4\n")
+        motion.write_text("time 0 2\nbody A\nscrew 0 0 0 0 0 0 2\nbody B\nscrew 0 -6 2.5 0 6 0 -3\n")
+        self.pages["pair"] = folder / "pair.html"
+        own = ("--polygon", str(square), "--motion", str(motion))
+        for arguments in (("replay", *own, "--structure", "lazy-dudley", "-o", str(self.pages["pair"])),
+                          ("events", *own, "--structures", "lazy-dudley", "--quiet", "--trace", str(trace))):
+            done = self.testbed(*arguments)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.show("pair")
+        self.assertEqual(self.browser.run("return replay.chosen"), [0, 1])
+        shown = [event["kind"] for event in self.browser.run("return replay.pair(0, 1).events")]
+        # motion structure D/sigma seed time kind …
+        counted = [line.split()[5] for line in trace.read_text().splitlines() if not line.startswith("#")]
+        self.assertEqual(shown, counted)
+        self.assertGreater(len(set(shown)), 2, "control: several kinds of events")
+        self.seek(150)
+        picture = "return document.getElementById('scene').toDataURL()"
+        before = self.browser.run(picture)
+        self.assertRegex(self.browser.run("return document.getElementById('pair-now').textContent"), "envelope of level|In contact")
+        self.seek(151)
+        self.assertFalse(self.browser.run(picture) == before, "it moves")
 
     def test_the_view_is_saved_as_a_png(self):
         name, picture = self.browser.driver.execute_async_script("""

@@ -103,6 +103,8 @@ def farthest_off(shown, recorded):
 
 
 class ReplayPage(ByHand, unittest.TestCase):
+    testbed = staticmethod(testbed)
+
     @classmethod
     def setUpClass(cls):
         cls.scratch = tempfile.TemporaryDirectory()

@@ -31,10 +31,16 @@ test_numbers_are_drawn() {
 
 test_what_is_no_number_is_refused() {
     local line
+    for line in a,0,1 a,1,0 a,-2,1; do
+        printf '%s\n' series,x,y a,1,1 "$line" >"$scratch/bad.csv"
+        expect 2 plot "$scratch/bad.csv" -o "$scratch/bad.svg"
+        err_has "bad\.csv, line 3: [xy] = .* has no place on a logarithmic axis: $line"
+        [ ! -e "$scratch/bad.svg" ] || fail "a picture all the same"
+    done
     for line in a a,1 a,1,b a,1,2x a,,1 a,1,inf ','; do
         printf '%s\n' series,x,y "$line" >"$scratch/bad.csv"
         expect 2 plot "$scratch/bad.csv" -o "$scratch/bad.svg"
-        err_has 'not a line of series,x,y'
+        err_has 'bad\.csv, line 2: not a line of series,x,y'
     done
     : >"$scratch/empty.csv"
     expect 2 plot "$scratch/empty.csv" -o "$scratch/bad.svg"

@@ -26,7 +26,10 @@ draw() {
     shift
     expect 0 render "$@" -o "$output"
     err_empty
-    [ ! -s "$scratch/out" ] || fail "stdout is not empty"
+    case " $* " in
+    *" --quiet "*) [ ! -s "$scratch/out" ] || fail "stdout is not empty" ;;
+    *) grep -qF -- "${output%.*}" "$scratch/out" || fail "it does not say what it wrote" ;;
+    esac
 }
 
 same_svg() { python3 "$golden/compare_svg.py" "$1" "$2" >"$scratch/out" 2>"$scratch/err"; }
@@ -141,19 +144,59 @@ test_a_series_is_numbered_and_of_one_size() {
     done
 }
 
+# What the list beside the picture names stands in the picture, too: the words are cut off by their place.
+test_bodies_that_are_named_are_numbered() {
+    local seen named name
+    draw "$scratch/why.pdf" planks --step 150 --focus 100
+    pdftotext -x 0 -y 0 -W 868 -H 960 "$scratch/why.pdf" "$scratch/seen.txt"
+    pdftotext -x 870 -y 0 -W 330 -H 960 "$scratch/why.pdf" "$scratch/named.txt"
+    seen=$(tr -cs '0-9.' '\n' <"$scratch/seen.txt")
+    named=$(grep -oE '^(body|It touches) [0-9]+' "$scratch/named.txt" | grep -oE '[0-9]+')
+    [ "$(wc -l <<<"$named")" -ge 4 ] || fail "control: the list names $named"
+    for name in $named; do grep -qx "$name" <<<"$seen" || fail "body $name is not numbered"; done
+    ! grep -qx 99 <<<"$seen" || fail "control: a body that nobody named is numbered"
+}
+
+test_moving_pictures() {
+    draw "$scratch/moves.gif" pyramid --size 4 --frames 0:8:2 --width 300
+    out_has 'moves\.gif: 5 pictures of pyramid, steps 0 to 8'
+    draw "$scratch/again.gif" pyramid --size 4 --frames 0:8:2 --width 300 --quiet
+    cmp -s "$scratch/moves.gif" "$scratch/again.gif" || fail "a second one is another"
+    python3 "$golden/check_gif.py" "$scratch/moves.gif" 5 300 2>"$scratch/err" || fail "it is not what it should be"
+    ! python3 "$golden/check_gif.py" "$scratch/moves.gif" 6 300 2>"$scratch/err" || fail "control: a picture less is not noticed"
+    expect 2 render pyramid --size 4 --step 3 -o "$scratch/still.gif"
+    err_has 'moves: --frames'
+    # Where there is no ffmpeg, and where there is something of that name.
+    mkdir -p "$scratch/path"
+    claim='render -o moves.webm without ffmpeg'
+    PATH=$scratch/path "$testbed" render pyramid --size 4 --frames 0:2 -o "$scratch/moves.webm" >"$scratch/out" 2>"$scratch/err" &&
+        fail "it succeeded"
+    err_has 'needs ffmpeg, which is not installed'
+    printf '#!/bin/sh\nfor last; do :; done\nexec /usr/bin/wc -c >"${last#file:}"\n' >"$scratch/path/ffmpeg"
+    chmod +x "$scratch/path/ffmpeg"
+    claim='render -o moves.webm'
+    PATH=$scratch/path:$PATH "$testbed" render pyramid --size 4 --frames 0:2 --width 300 -o "$scratch/moves.webm" \
+        >"$scratch/out" 2>"$scratch/err" || fail "it failed"
+    [ $(($(cat "$scratch/moves.webm") % (3 * 300 * 4))) -eq 0 ] || fail "ffmpeg did not get three pictures"
+    printf '#!/bin/sh\nexit 3\n' >"$scratch/path/ffmpeg"
+    PATH=$scratch/path:$PATH "$testbed" render pyramid --size 4 --frames 0:2 -o "$scratch/new.webm" >"$scratch/out" 2>"$scratch/err" &&
+        fail "an ffmpeg that fails is not noticed"
+    [ ! -e "$scratch/new.webm" ] && [ -z "$(find "$scratch" -name '*.part')" ] || fail "an unfinished picture is left"
+}
+
 test_requests_that_make_no_sense() {
     expect 2 render pyramid -o "$scratch/picture.svg"
     err_has 'which step'
     expect 2 render pyramid --step -1 -o "$scratch/picture.svg"
     expect 2 render pyramid --step 100000001 -o "$scratch/picture.svg"
-    err_has 'not in range'
+    err_has 'no whole number from 0 to 100000000'
     expect 2 render pyramid --step 1 --frames 1:2 -o "$scratch/picture.svg"
     expect 2 render pyramid --step 1
     expect 2 render pyramid --step 1 --all --bare -o "$scratch/picture.svg"
     expect 2 render pyramid --step 1 -o "$scratch/picture.jpeg"
     err_has 'should end in .svg, .png or .pdf'
     expect 3 render pyramid --step 1 -o "$scratch/no/such/directory.png"
-    err_has 'cannot write'
+    err_has 'cannot write .*no/such/directory.png: there is no directory .*/no/such$'
     expect 3 replay pyramid --steps 1 -o "$scratch/no/such/directory.html"
     err_has 'cannot write'
     local ending

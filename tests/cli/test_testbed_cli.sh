@@ -211,7 +211,7 @@ test_output_that_cannot_be_written_is_a_failure() {
 
 test_numbers_out_of_range_are_explained_with_the_range() {
     expect 2 run "$hard" --steps 0
-    err_has 'not in range 1 to 100000000'
+    err_has 'no whole number from 1 to 100000000'
 }
 
 test_every_pair_has_events_and_an_empty_trace_says_why_it_is() {

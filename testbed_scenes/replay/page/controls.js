@@ -30,6 +30,10 @@ const WORLD_TEXTS = {
   trails: "Trails of two units of time",
 };
 
+// Of one pair alone.
+const PAIR_TEXTS = { ...WORLD_TEXTS, contacts: null, certificates: "Certificate: line and gap", hulls: null, boxes: null };
+delete PAIR_TEXTS.envelopes;
+
 function svgSample([colour, width, dash, glyph]) {
   const stroke = "stroke=\"var(--" + colour + ")\"";
   const inner = {
@@ -45,7 +49,8 @@ function buildSwitches(app) {
   OVERLAYS.forEach((overlay, i) => {
     const label = document.createElement("label");
     label.innerHTML = "<input type=checkbox>" + svgSample(overlay.sample) + "<span></span>" + (i < 9 ? "<kbd aria-hidden=true>" + (i + 1) + "</kbd>" : "");
-    const text = app.model.about.world && overlay.name in WORLD_TEXTS ? WORLD_TEXTS[overlay.name] : overlay.text;
+    const texts = app.model.about.pair ? PAIR_TEXTS : app.model.about.world ? WORLD_TEXTS : {};
+    const text = overlay.name in texts ? texts[overlay.name] : overlay.text;
     label.querySelector("span").textContent = text ?? overlay.name;
     label.hidden = text === null;
     const box = label.querySelector("input");

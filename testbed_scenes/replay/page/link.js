@@ -50,6 +50,7 @@ class Link {
     theme.dispatchEvent(new Event("change"));
     if (words.has("step") && Number.isInteger(step)) app.seek(step, false);
     if (words.has("pair")) app.pairs.choose(m.groupOf(a, b) ?? null);
+    else if (m.about.pair && !words.has("body")) app.pairs.choose(m.groups[0] ?? null);
     else app.pairs.choose(words.has("body") && m.c["body.number"].includes(body) ? { body } : null);
     if (words.has("view") && [x, y].every(Number.isFinite) && scale > 0) app.view.look(x, y, scale);
     app.redraw();

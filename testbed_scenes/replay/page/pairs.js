@@ -70,7 +70,7 @@ class Pairs {
     const all = this.model.groups.length;
     document.getElementById("pair-count").textContent = groups.length === 0 ? "No such pair."
       : this.shown.length < groups.length ? "The first " + this.shown.length + " of " + groups.length.toLocaleString("en") + " pairs; a body's number narrows them."
-      : groups.length < all ? groups.length + " of " + all.toLocaleString("en") + " pairs." : all + " pairs.";
+      : groups.length < all ? groups.length + " of " + all.toLocaleString("en") + " pairs." : countText(all, "pair") + ".";
   }
 
   rowFor(group, row) {
@@ -156,6 +156,7 @@ class Pairs {
     const pair = m.spanAt(group, step);
     if (pair === undefined) return m.about.world ? "Nobody watches them at this step: their cells are no neighbours." : "No contact between them at this step: their boxes are apart.";
     const row = m.rowOf(pair, step), slack = m.slackAt(row), answer = m.answerAt(row);
+    if (m.about.pair && answer === MANIFOLD) return "In contact: nothing can prove them apart.";
     if (m.about.world && answer === MANIFOLD) return "A contact since the frame before.";
     const words = [ANSWERS[answer][0].toUpperCase() + ANSWERS[answer].slice(1)];
     if (slack > 0) {

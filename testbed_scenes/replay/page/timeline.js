@@ -235,7 +235,7 @@ class Timeline {
     const every = [0.1, 0.2, 0.5, 1].map((f) => Math.max(1, f * round)).find((f) => (last / f) * 44 < this.width - LABELS) ?? round * 2;
     g.fillStyle = this.view.colour.soft;
     g.textAlign = "center";
-    for (let step = 0; step <= last; step += every) g.fillText(String(step), this.xOf(step), y + 9);
+    for (let step = 0; step <= last; step += every) g.fillText(String(step), Math.min(this.xOf(step), this.width - 12), y + 9);
   }
 
   describe() {

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "theory/record_course.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "boomerang/distance.h"
+#include "theory/figure.h"
+
+namespace testbed {
+namespace {
+
+using recording::Vec;
+
+Vec ToVec(bmr_vec2 v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y)};
+}
+
+std::vector<Vec> ToVecs(const std::vector<bmr_vec2> &points) {
+    std::vector<Vec> list;
+    for (const bmr_vec2 &point : points)
+        list.push_back(ToVec(point));
+    return list;
+}
+
+class CourseRecorder {
+public:
+    CourseRecorder(const Course &course, const bmr_kds_info &structure, int64_t steps)
+        : m_course(course), m_structure(structure), m_steps(steps),
+          m_simulation(nullptr, bmr_simulation_destroy) {
+        bmr_simulation_def def = bmr_default_simulation_def();
+        def.structure = &structure;
+        def.kds = DefFor(course, def.kds);
+        const bmr_shape shapes[] = {course.BodyOf(0).Shape(), course.BodyOf(1).Shape()};
+        bmr_motion *const motions[] = {course.AsCourse().motions[0], course.AsCourse().motions[1]};
+        bmr_simulation *made = nullptr;
+        Require(bmr_simulation_create(&def, shapes, motions, 2, course.From(), OnEvent, this, nullptr, &made),
+                structure.name);
+        m_simulation.reset(made);
+    }
+
+    recording::Head Head() const {
+        recording::Head head;
+        head.program = "world";
+        head.structure = m_structure.name;
+        head.size = 2;
+        head.time_step =
+            static_cast<float>((m_course.Until() - m_course.From()) / static_cast<double>(m_steps));
+        head.last = m_steps;
+        return head;
+    }
+
+    /// The frames come in order, the first is 0.
+    recording::Frame Take(int64_t step) {
+        const double time = step == m_steps ? m_course.Until()
+                                            : m_course.From() + (m_course.Until() - m_course.From()) *
+                                                                    static_cast<double>(step) /
+                                                                    static_cast<double>(m_steps);
+        Require(bmr_simulation_run(m_simulation.get(), time), m_structure.name);
+        m_frame.step = step;
+        for (recording::Event &event : m_frame.events)
+            event.step = step;
+        for (int i = 0; i < 2; ++i)
+            AddBody(i, bmr_motion_pose(m_course.Motion(i), time, nullptr, nullptr));
+        AddPair();
+        recording::Frame taken;
+        std::swap(taken, m_frame);
+        return taken;
+    }
+
+private:
+    static void OnEvent(void *context, const bmr_simulation_event *event) {
+        recording::Event record;
+        record.kind = bmr_kds_event_name(event->report.kind);
+        record.b = 1;
+        record.level_before = event->report.level_before;
+        record.level_after = event->report.level_after;
+        static_cast<CourseRecorder *>(context)->m_frame.events.push_back(record);
+    }
+
+    void AddBody(int number, const bmr_pose &pose) {
+        m_poses[number] = pose;
+        recording::Body body;
+        body.number = number;
+        body.type = "dynamic";
+        const bmr_vec2 along = bmr_rotate(&pose, bmr_vec2_make(1.0, 0.0));
+        body.pose = {ToVec(pose.position), static_cast<float>(along.x), static_cast<float>(along.y)};
+        m_frame.bodies.push_back(body);
+        if (m_frame.step > 0)
+            return;
+        recording::Fixture fixture;
+        fixture.body = number;
+        fixture.shape = "polygon";
+        fixture.points = ToVecs(m_course.BodyOf(number).Vertices());
+        m_frame.fixtures.push_back(fixture);
+    }
+
+    void AddPair() {
+        recording::Pair pair;
+        pair.b = 1;
+        pair.contacts = pair.polygon_contacts = 1;
+        pair.asked = 1;
+        bmr_closest_points closest = {};
+        Require(bmr_distance(m_course.BodyOf(0).Polygon(), &m_poses[0], m_course.BodyOf(1).Polygon(),
+                             &m_poses[1], &closest),
+                "the distance");
+        pair.closest = {ToVec(closest.point_a), ToVec(closest.point_b)};
+        pair.distance = static_cast<float>(closest.distance);
+        bmr_kds_proof proof;
+        if (bmr_kds_get_proof(bmr_simulation_pair(m_simulation.get(), 0, nullptr, nullptr), &proof)) {
+            pair.proofs.push_back(Shown(proof));
+            pair.slack = pair.proofs.back().slack;
+        } else {
+            pair.slack = 0.0f;
+            pair.handed_over = 1;
+            pair.touching = closest.distance > 0.0 ? 0 : 1;
+        }
+        m_frame.pairs.push_back(pair);
+    }
+
+    recording::Proof Shown(const bmr_kds_proof &line) {
+        recording::Proof proof;
+        const auto own = static_cast<size_t>(line.owner), other = 1 - own;
+        const Body &owner = m_course.BodyOf(line.owner);
+        proof.kind = "direction";
+        proof.owner = line.owner;
+        proof.level = std::max(line.level, 0);
+        proof.normal = ToVec(line.line.normal);
+        proof.supports[own] =
+            ToVec(owner.Polygon()->vertices[bmr_polygon_support(owner.Polygon(), line.line.normal)]);
+        proof.supports[other] = ToVec(line.nearest);
+        const bmr_vec2 nearest = bmr_transform(&m_poses[other], line.nearest);
+        const bmr_vec2 seen = bmr_unrotate(&m_poses[own], bmr_sub(nearest, m_poses[own].position));
+        proof.slack = static_cast<float>(std::max(0.0, bmr_dot(line.line.normal, seen) - line.line.offset));
+        if (m_structure.hierarchy >= 0)
+            AddEnvelopes(line, &proof);
+        return proof;
+    }
+
+    /// The line of a structure with a hierarchy is one of an edge of its owner's envelope.
+    void AddEnvelopes(const bmr_kds_proof &line, recording::Proof *proof) {
+        for (int i = 0; i < 2; ++i)
+            proof->envelopes[static_cast<size_t>(i)] = NameEnvelope(i, proof->level);
+        const std::vector<bmr_vec2> &corners = m_corners.at({line.owner, LevelOf(line.owner, proof->level)});
+        const double near = 1e-9 * m_course.Diameter();
+        const auto isOnLine = [&](bmr_vec2 point) {
+            return std::fabs(bmr_dot(line.line.normal, point) - line.line.offset) <= near;
+        };
+        for (size_t i = 0; i < corners.size(); ++i) {
+            const bmr_vec2 a = corners[i], b = corners[(i + 1) % corners.size()];
+            if (!isOnLine(a) || !isOnLine(b))
+                continue;
+            proof->kind = "edge-line";
+            proof->edge = {ToVec(a), ToVec(b)};
+            proof->opposite = ToVec(line.nearest);
+            return;
+        }
+    }
+
+    const bmr_hierarchy *HierarchyOf(int body) const {
+        return m_course.BodyOf(body).Hierarchy(static_cast<bmr_hierarchy_kind>(m_structure.hierarchy));
+    }
+    int LevelOf(int body, int level) const {
+        return std::min(level, static_cast<int>(bmr_hierarchy_depth(HierarchyOf(body))));
+    }
+
+    int NameEnvelope(int body, int level) {
+        const std::pair<int, int> key = {body, LevelOf(body, level)};
+        const auto [place, isNew] = m_names.try_emplace(key, static_cast<int>(m_names.size()) + 1);
+        if (isNew) {
+            m_corners[key] = Envelope(HierarchyOf(body), static_cast<uint32_t>(key.second));
+            m_frame.outlines.push_back({place->second, body, ToVecs(m_corners[key])});
+        }
+        return place->second;
+    }
+
+    const Course &m_course;
+    const bmr_kds_info &m_structure;
+    const int64_t m_steps;
+    recording::Frame m_frame; ///< in the making; events come into it while the simulation runs
+    bmr_pose m_poses[2] = {};
+    std::map<std::pair<int, int>, int> m_names; ///< of envelopes, by body and level
+    std::map<std::pair<int, int>, std::vector<bmr_vec2>> m_corners;
+    std::unique_ptr<bmr_simulation, decltype(&bmr_simulation_destroy)> m_simulation;
+};
+
+} // namespace
+
+void RecordCourse(const Course &course, const bmr_kds_info &structure, int64_t steps,
+                  const std::function<void(const recording::Head &, const recording::Frame &)> &onFrame) {
+    CourseRecorder recorder(course, structure, steps);
+    const recording::Head head = recorder.Head();
+    for (int64_t step = 0; step <= steps; ++step)
+        onFrame(head, recorder.Take(step));
+}
+
+} // namespace testbed

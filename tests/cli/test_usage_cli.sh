@@ -1,0 +1,132 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# What is said of a command line that makes no sense, of an output that cannot be written, and what an interrupt leaves.
+#
+#   test_usage_cli.sh DIRECTORY-OF-THE-PROGRAMS
+set -uo pipefail
+
+# shellcheck source=support/cli.sh
+source "$(dirname "${BASH_SOURCE[0]}")/support/cli.sh"
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+
+# refused PATTERN ARGUMENT…: exit code 2, and a message that names program and command and has the pattern.
+refused() {
+    local pattern=$1
+    shift
+    expect 2 "$@"
+    err_has '^boomerang-testbed: '
+    err_has "$pattern"
+    clean
+}
+
+test_options_that_are_none() {
+    refused 'compare has no option "--stpes"; the nearest is "--steps" \(boomerang-testbed compare --help' compare --stpes 3
+    refused 'render has no option "--stepp"; the nearest is "--step"' render planks --stepp=4 -o x.png
+    refused 'render has no option "-q"' render planks --step 4 -q -o x.png
+    refused 'there is no option "--nope" \(' --nope
+    refused 'run: "tiles" is one argument too many' run planks tiles
+    refused 'a command is wanted: list, run, compare,'
+}
+
+# Names are offered where they are near, and not otherwise.
+test_near_names_only() {
+    refused 'no scene "plancks"; the nearest is "planks"' run plancks
+    refused 'no scene "asteroid"; the nearest is "asteroids"' run asteroid
+    refused 'no scene "xyzzy" \(boomerang-testbed list shows all\)' run xyzzy
+    refused 'no command "rendr"; the nearest is "render"' rendr
+    refused 'no command "foo" \(boomerang-testbed --help' foo
+    refused 'no motion "circle" \(--list' events circle
+    refused 'no option "--zzz" \(' compare --zzz
+}
+
+test_values() {
+    refused '^boomerang-testbed: render: --width: "100" is no whole number from 200 to 10000' render planks --step 1 --width 100 -o x.png
+    err_has '^    --width: Width in pixels'
+    refused '"3\.5" is no whole number from 1 to' run planks --size 3.5
+    refused '--seed: "-1" is no whole number from 0' run planks --seed -1
+    refused '--seed: "18446744073709551616" is no' run planks --seed 18446744073709551616
+    expect 0 run pyramid --size 3 --steps 1 --seed 18446744073709551615
+    refused '"lazy-compas" is none of lazy-compass, .*; the nearest is "lazy-compass"' run planks --structure lazy-compas
+    refused '"maybe" is none of on, off$' run planks --plugin maybe
+    refused 'render: --output: a value is missing' render planks --step 1 -o
+    refused 'render needs --output' render planks --step 1
+    err_has '^    --output: The picture'
+    refused '--repeat and --no-time do not go together' compare planks --repeat 2 --no-time
+    refused "cannot read $scratch/none.csv: No such file" plot "$scratch/none.csv" -o x.png
+    refused 'cannot read .*/none: No such file' --workers "$scratch/none" list
+}
+
+test_why_a_file_cannot_be_written() {
+    local to
+    : >"$scratch/file"
+    mkdir "$scratch/directory.csv"
+    for to in "no/x.csv:there is no directory .*/no" "file/x.csv:Not a directory" "directory.csv:Is a directory"; do
+        expect 3 compare pyramid --no-time --csv "$scratch/${to%%:*}"
+        err_has "cannot write $scratch/${to%%:*}: ${to#*:}$"
+    done
+    expect 3 run pyramid --size 3 --steps 1 --trace "$scratch/no/trace"
+    err_has 'cannot write .*/no/trace: there is no directory'
+    expect 3 compare pyramid --size 3 --steps 2 --no-time --quiet --csv /dev/full
+    err_has 'cannot write /dev/full: No space left on device'
+    expect 3 replay pyramid --size 3 --steps 2 -o /dev/full
+    err_has 'cannot write /dev/full: No space left on device'
+}
+
+# A trace is written while the events are counted: in the midst of that a signal comes.
+interrupted_by() {
+    local signal=$1 process
+    rm -f "$scratch"/trace*
+    claim="events … --trace, and then SIG$signal"
+    # A shell without job control has its background programs ignore interrupts.
+    env --default-signal=INT "$testbed" events --n 4096 --ratios 8:65536 --seeds 50 --trace "$scratch/trace" >"$scratch/out" 2>"$scratch/err" &
+    process=$!
+    until [ -n "$(find "$scratch" -name 'trace*.part')" ]; do
+        kill -0 $process 2>/dev/null || { fail "it ended by itself"; return; }
+        sleep 0.02
+    done
+    kill -s "$signal" $process
+    wait $process 2>/dev/null
+    [ $? -gt 128 ] || fail "it did not end by the signal"
+}
+
+test_an_interrupt_leaves_no_part_of_a_file() {
+    local signal
+    for signal in INT TERM HUP; do
+        interrupted_by $signal
+        [ -z "$(find "$scratch" -name 'trace*')" ] || fail "a part is left"
+    done
+    interrupted_by KILL
+    [ -n "$(find "$scratch" -name 'trace*.part')" ] || fail "control: there was no part"
+}
+
+test_help_builds_nothing() {
+    claim='./testbed_scenes/run --help'
+    : >"$scratch/err"
+    BMR_BUILD_DIR=$scratch/build "$root/testbed_scenes/run" --help >"$scratch/out" 2>&1 || fail "it failed"
+    out_has './testbed_scenes/run compare needles'
+    out_has 'The commands of boomerang-testbed: list, run'
+    [ ! -e "$scratch/build" ] || fail "it makes a directory to build in"
+    local command
+    "$testbed" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p' >"$scratch/commands"
+    [ "$(wc -l <"$scratch/commands")" -gt 10 ] || fail "control: no list of commands"
+    while read -r command; do out_has "(^|[ ,])$command[,.]"; done < <(grep . "$scratch/commands")
+}
+
+test_replay_of_ones_own_pair() {
+    printf '%s\n' '1 1' '-1 1' '-1 -1' '1 -1' >"$scratch/square.txt"
+    printf '%s\n' 'body B' 'screw 0 -6 2.5 0 12 0 0' >"$scratch/motion.txt"
+    local pair=(--polygon "$scratch/square.txt" --motion "$scratch/motion.txt")
+    expect 0 replay "${pair[@]}" --steps 40 -o "$scratch/pair.html"
+    out_has 'pair\.html: motion\.txt, 41 frames, 2 bodies'
+    grep -q '"structure":"lazy-compass"' "$scratch/pair.html" || fail "the page does not name its structure"
+    expect 0 replay "${pair[@]}" "${pair[@]:0:2}" --structure free-fd2 -o "$scratch/other.html"
+    grep -q '"structure":"free-fd2"' "$scratch/other.html" || fail "the page does not name its structure"
+    refused 'a pair of one.s own needs them all' replay "${pair[@]:0:2}" -o "$scratch/no.html"
+    refused 'one of the three' replay planks "${pair[@]}" -o "$scratch/no.html"
+    refused 'free-direction is the plugin' replay "${pair[@]}" --structure free-direction -o "$scratch/no.html"
+    refused 'free-fd2 is for --polygon' replay planks --structure free-fd2 -o "$scratch/no.html"
+    refused 'square.txt, line 1: "1" is none of' replay "${pair[@]:0:2}" --motion "$scratch/square.txt" -o "$scratch/no.html"
+}
+
+run_tests
