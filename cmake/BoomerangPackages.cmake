@@ -94,7 +94,11 @@ if(TARGET boomerang_kinetic_shared)
 endif()
 if(TARGET boomerang_box2d)
   boomerang_library_control(control ${PROJECT_SOURCE_DIR}/plugin/abi/libboomerang-box2d.symbols)
-  boomerang_package(runtime libboomerang-box2d "Boomerang as the polygon narrow phase of Box2D" CONTROL ${control} BINARIES boomerang_box2d
+  set(binaries boomerang_box2d)
+  if(TARGET boomerang) # the program that tries games
+    list(APPEND binaries boomerang)
+  endif()
+  boomerang_package(runtime libboomerang-box2d "Boomerang as the polygon narrow phase of Box2D" CONTROL ${control} BINARIES ${binaries}
     RECOMMENDS "libbox2d2 (>= 2.4.1)"
     DESCRIPTION "A library that a game links, or that is preloaded into one with a shared\nBox2D 2.4: the same bits, with far fewer separation tests.")
   list(APPEND boomerang_libraries "libboomerang-box2d ${boomerang_exact}")

@@ -47,6 +47,7 @@ SPIN = """boomerang-testbed events spin --shape regular --n 1024 --seeds 1 --rat
 GROWTH = """boomerang-testbed events line parabola algebraic orbit rigid-algebraic tumble spin --n 1024 --ratios 8:131072 --no-optimum \\
   --structures active-cell-compass active-cell-dudley lazy-compass lazy-dudley inflated-window free-fd2"""
 GROWTH_OF_A_POINT = "boomerang-testbed events line parabola algebraic orbit --shape ellipse:point --structures points --n 1024 --ratios 8:131072 --no-optimum"
+RIGID = "BMR_TEST_SCALE=16 test_kinetic_rigid_search"
 WORLDS = ("boomerang-testbed world gas --boundary periodic --shape regular --vertices 8:64 --density 0.3 --sizes 1 --seconds 5 "
           "--growth 100,300,1000,3000,10000")
 
@@ -113,6 +114,42 @@ def check_growth(run, rows, first):
                 found = re.search(pattern, cell)
                 if found:
                     run.result.number(where, found.group(1), measured)
+
+
+def check_event_cost(run):
+    """A line of fits for each structure, and below it three of means: n = 64, 2048, 32768 by D/s = 8 .. 2^15."""
+    fits = r"^(\S+): (\S+) \(log2 min\{n, D/s\}\)\^(\S+) steps an event, at most (\d+); x (\S+) from .*\n((?: .*\n){3})"
+    said = {match.group(1): match.groups()[1:] for match in re.finditer(fits, run.said[0], re.M)}
+    _, *rows = table_after(*run.page("build/bin/test_claims_time"))
+    for structure, *cells in rows:
+        factor, power, most, growth, means = said[name_in(structure)]
+        means = [line.split(",") for line in means.splitlines()]
+        for column, (text, measured) in enumerate(zip(cells, (factor, power, means[0][0], means[2][0], means[2][4], most, growth))):
+            run.result.number(f"{structure}, column {column + 2}", text, float(measured))
+
+
+def check_competitive(run):
+    """The means that the page has in brackets behind the command."""
+    text, quote = run.page("BMR_TEST_SCALE=5 test_kinetic_competitive")
+    committed = re.findall(r"\d\.\d\d", re.search(r"\(([^)]*)\)", text[text.index(quote):]).group(1))
+    measured = re.findall(r"^(\S+) (\d\.\d+)$", run.said[0], re.M)
+    for text, (structure, mean) in zip(committed, measured, strict=True):
+        run.result.number(structure, text, float(mean))
+
+
+def check_rigid(run):
+    """The motions by hand: events at three distances, and the exponents with their half widths."""
+    structures = ("lazy-compass", "lazy-dudley", "free-fd2")
+    for motion, distances, *columns, exponents in table_after(*run.page(RIGID))[1:]:
+        motion = name_in(motion)
+        for place, distance in enumerate(re.sub(",(?=\\d)", "", distances).split(", ")):
+            found = re.search(rf"^{motion} +D/sigma +{distance}: events +(\d+) +(\d+) +(\d+)$", run.said[0], re.M)
+            for structure, cell, measured in zip(structures, columns, found.groups() if found else ("nan",) * 3):
+                run.result.number(f"{motion}, {structure}, {distance}", cell.split(", ")[place], float(measured))
+        for structure, fit in zip(structures, exponents.split(", ")):
+            found = re.search(rf"^{motion} +{structure} +exponent (\S+) \+- (\S+)$", run.said[0], re.M)
+            for text, measured in zip(fit.split(" +- "), found.groups() if found else ("nan", "nan")):
+                run.result.number(f"{motion}, {structure}, exponent", text, float(measured))
 
 
 def check_worlds(run):
@@ -233,10 +270,14 @@ EXPERIMENTS = [
     shown("fd2", "events of the structure with all bounds", 10,
           ["boomerang-testbed events --structures free-fd2 --shape ellipse:disc --n 1024 --seeds 2 --ratios 8:8192 --no-optimum"],
           [[TESTBED, "events", "--structures", "free-fd2", "--shape", "ellipse:disc", "--n", "1024", "--seeds", "2", "--ratios", "8:8192", "--no-optimum"]]),
-    shown("event-cost", "steps of an event", 60, ["build/bin/test_claims_time"], [["{build}/bin/test_claims_time"]]),
+    Experiment("event-cost", "counts", "steps of an event", 4, ["build/bin/test_claims_time"], [["{build}/bin/test_claims_time"]], check_event_cost),
 ]
+EXPERIMENTS.append(Experiment("competitive", "counts", "lines over the optimum, policies that the library has", 3, ["BMR_TEST_SCALE=5 test_kinetic_competitive"],
+                              [["env", "BMR_TEST_SCALE=5", "{build}/bin/test_kinetic_competitive"]], check_competitive))
+EXPERIMENTS.append(Experiment("rigid", "counts", "rigid motions that were sought to be dear", 21, [RIGID], [["env", RIGID.split()[0], "{build}/bin/" + RIGID.split()[1]]],
+                              check_rigid))
 for test, scale, seconds in (("test_distance", 40, 60), ("test_kinetic_every_structure", 400, 3000), ("test_kinetic_world", 8, 300),
-                             ("test_kinetic_competitive", 5, 300), ("test_kinetic_rigid_search", 16, 600), ("test_glue_rounding_margins", 15, 900)):
+                             ("test_glue_rounding_margins", 15, 900)):
     EXPERIMENTS.append(shown(test.replace("test_", "").replace("_", "-"), f"{test} with {scale} times its iterations", seconds,
                              [f"BMR_TEST_SCALE={scale} {test}"], [["env", f"BMR_TEST_SCALE={scale}", f"{{build}}/bin/{test}"]]))
 

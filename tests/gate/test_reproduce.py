@@ -46,7 +46,7 @@ class Catalogue(unittest.TestCase):
         pages = " ".join(reproduce.normal(text) for text in reproduce.pages().values())
         for experiment in catalogue.EXPERIMENTS:
             for quote in experiment.quotes:
-                self.assertIn(reproduce.normal(quote), pages, experiment.name)
+                self.assertTrue(reproduce.normal(quote) in pages, f"no page has: {quote}; see testbed_scenes/reproduce/catalogue.py")
 
     def test_control_a_new_figure_is_missed(self):
         page = {"docs/new.md": "`boomerang-testbed events spin --n 7` and\n```sh\ntests/bench/measure_costs.sh build new  # words\n```\n![x](figures/new.svg)"}

@@ -103,6 +103,7 @@ done
 grep -q '^they touch at 2.7500$' "$work/said" || fail "the example in Python says: $(cat "$work/said")"
 (cd / && unset LD_LIBRARY_PATH && quietly "$there/usr/bin/boomerang-testbed" compare needles --steps 5 --no-time)
 grep -q '^needles .* identical *identical *identical *identical$' "$work/said" || fail "the testbed does not run all ways: $(cat "$work/said")"
+[ ! -e "$there/usr/bin/boomerang" ] || quietly "$there/usr/bin/boomerang" --help
 [ -s "$there/usr/share/man/man1/boomerang-testbed.1" ] || fail "no manual page"
 
 # No dead link; and the control, that one is found, of a file and of a heading.
