@@ -81,17 +81,17 @@ private:
         size_t fewest = kNever;
         for (const size_t first : m_ahead[i])
             if (first < k && IsConvex(k, i, first))
-                fewest = std::min(fewest, ByChain(i, first, k));
+                fewest = std::min(fewest, ByChain(i, first, k, fewest));
         return m_fewest[i * m_count + k] = fewest;
     }
 
     size_t Beside(size_t a, size_t b) { return b == a + 1 ? 0 : Fewest(a, b); }
 
-    size_t ByChain(size_t i, size_t first, size_t k) {
-        // cost[a][n]: the least of a chain whose last link is the n-th one that leads to a.
+    /// Of chains that begin with one link, the fewest, if that is less than `limit`.
+    size_t ByChain(size_t i, size_t first, size_t k, size_t limit) {
         std::vector<std::vector<std::pair<size_t, size_t>>> reached(m_count); // from where, at what cost
         reached[first].emplace_back(i, Beside(i, first));
-        size_t least = kNever;
+        size_t least = limit;
         for (size_t a = first; a < k; ++a) {
             if (reached[a].empty())
                 continue;
@@ -100,7 +100,7 @@ private:
                 for (const auto &[from, before] : reached[a])
                     if (before < cost && IsConvex(from, a, b))
                         cost = before;
-                if (b > k || cost == kNever || (b == k && !IsConvex(a, k, i)))
+                if (b > k || cost + 1 >= least || (b == k && !IsConvex(a, k, i)))
                     continue;
                 cost += Beside(a, b);
                 if (b == k)
