@@ -142,7 +142,8 @@ bmr_error ConvexShape::Simplify(float tolerance) {
                                   nullptr,
                                   static_cast<uint32_t>(count),
                                   0,
-                                  {0.0f, 0.0f}};
+                                  {0.0f, 0.0f},
+                                  nullptr};
     size_t left = 0;
     const bmr_error error = bmr_convex32_simplify(&polygon, tolerance, registry::GetAllocator(),
                                                   reinterpret_cast<bmr_vec32 *>(points.Get()), &left);

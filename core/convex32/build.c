@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "boomerang/polygon.h"
+#include "convex32/build.h"
 #include "convex32/convex32.h"
 #include "convex32/directions.h"
 #include "convex32/mass.h"
@@ -33,16 +34,7 @@ size_t bmr_convex32_bytes(size_t count) {
            (bits > 0 ? ((size_t)1 << bits) * sizeof(uint16_t) : 0);
 }
 
-/// The outward unit normal of the edge, rounded once. Rounding keeps the order of directions, and does not
-/// depend on where the edge lies.
-static bmr_vec32 edge_normal(bmr_vec32 from, bmr_vec32 to) {
-    const double x = (double)to.x - (double)from.x, y = (double)to.y - (double)from.y;
-    const double length = sqrt(x * x + y * y);
-    const bmr_vec32 normal = {(float)(y / length), (float)(-x / length)};
-    return normal;
-}
-
-static bmr_error check_points(const bmr_vec32 *points, size_t count) {
+bmr_error convex32_check_points(const bmr_vec32 *points, size_t count) {
     bmr_error error = BMR_OK;
     for (size_t i = 0; i < count; ++i) {
         if (!isfinite(points[i].x) || !isfinite(points[i].y))
@@ -53,8 +45,7 @@ static bmr_error check_points(const bmr_vec32 *points, size_t count) {
     return error;
 }
 
-/// The larger side of the bounding box.
-static double box_side(const bmr_vec32 *v, size_t count) {
+double convex32_box_side(const bmr_vec32 *v, size_t count) {
     bmr_vec32 low = v[0], high = v[0];
     for (size_t i = 1; i < count; ++i) {
         low.x = fminf(low.x, v[i].x);
@@ -65,28 +56,21 @@ static double box_side(const bmr_vec32 *v, size_t count) {
     return fmax((double)high.x - (double)low.x, (double)high.y - (double)low.y);
 }
 
-/// Opposite normals turn too, by half a turn to rounding: b is the tip of a needle.
-static bool turns(bmr_vec32 a, bmr_vec32 b, bmr_vec32 c) {
-    const bmr_vec32 before = edge_normal(a, b), after = edge_normal(b, c);
-    return convex32_turn(before, after) > 0.0 ||
-           (double)before.x * (double)after.x + (double)before.y * (double)after.y < 0.0;
-}
-
 /// Drops the vertices of a strictly convex polygon that turn by no more than rounding, in place. What is left
 /// may be fewer than three.
 static size_t drop_straight(bmr_vec32 *v, size_t count) {
     size_t size = 0;
     for (size_t i = 0; i < count; ++i) {
-        while (size >= 2 && !turns(v[size - 2], v[size - 1], v[i]))
+        while (size >= 2 && !convex32_turns(v[size - 2], v[size - 1], v[i]))
             --size;
         v[size++] = v[i];
     }
     size_t first = 0;
     for (bool changed = true; changed && size - first >= 3;) { // where the last meet the first
         changed = true;
-        if (!turns(v[size - 2], v[size - 1], v[first]))
+        if (!convex32_turns(v[size - 2], v[size - 1], v[first]))
             --size;
-        else if (!turns(v[size - 1], v[first], v[first + 1]))
+        else if (!convex32_turns(v[size - 1], v[first], v[first + 1]))
             ++first;
         else
             changed = false;
@@ -134,10 +118,9 @@ static bmr_error audit_shape(const bmr_convex32 *p) {
     return rounds == 1 ? BMR_OK : BMR_ERROR_NOT_CONVEX;
 }
 
-/// A block of these vertices, which are 3 or more, finite and within range; `*block` is written last.
-static bmr_error make(const bmr_vec32 *vertices, size_t count, const bmr_allocator *allocator,
-                      bmr_convex32_block **block) {
-    const size_t size = bmr_convex32_bytes(count);
+bmr_error convex32_make(const bmr_vec32 *vertices, size_t count, size_t more, const bmr_allocator *allocator,
+                        bmr_convex32_block **block) {
+    const size_t size = bmr_convex32_bytes(count) + more;
     bmr_convex32_block *made = bmr_allocate(allocator, size);
     if (!made)
         return BMR_ERROR_NO_MEMORY;
@@ -146,12 +129,13 @@ static bmr_error make(const bmr_vec32 *vertices, size_t count, const bmr_allocat
     memcpy(own, vertices, count * sizeof *own);
     bmr_vec32 extent = {0.0f, 0.0f};
     for (size_t i = 0; i < count; ++i) {
-        normals[i] = edge_normal(own[i], own[i + 1 < count ? i + 1 : 0]);
+        normals[i] = convex32_edge_normal(own[i], own[i + 1 < count ? i + 1 : 0]);
         extent.x = fmaxf(extent.x, fabsf(own[i].x));
         extent.y = fmaxf(extent.y, fabsf(own[i].y));
     }
     const uint32_t bits = bits_for(count);
-    const bmr_convex32 polygon = {own, normals, bits > 0 ? buckets : NULL, (uint32_t)count, bits, extent};
+    const bmr_convex32 polygon = {own,    normals, bits > 0 ? buckets : NULL, (uint32_t)count, bits,
+                                  extent, NULL};
     bmr_error error = audit_shape(&polygon);
     if (error == BMR_OK)
         error = convex32_measure(&polygon, &made->mass, &made->reach);
@@ -162,6 +146,8 @@ static bmr_error make(const bmr_vec32 *vertices, size_t count, const bmr_allocat
     if (bits > 0)
         fill_buckets(&polygon, buckets);
     made->polygon = polygon;
+    made->bytes = size;
+    memset(&made->seams, 0, sizeof made->seams);
     *block = made;
     return BMR_OK;
 }
@@ -175,7 +161,7 @@ bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_a
     size_t scratch_size;
     if (!bmr_convex32_scratch(count, SIZE_MAX, &scratch_size))
         return BMR_ERROR_TOO_MANY_POINTS;
-    bmr_error error = check_points(points, count);
+    bmr_error error = convex32_check_points(points, count);
     if (error != BMR_OK)
         return error;
     bmr_vec2 *sorted = bmr_allocate(allocator, scratch_size);
@@ -197,11 +183,11 @@ bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_a
         error = BMR_ERROR_TOO_FEW_POINTS;
     else if (kept > BMR_CONVEX32_MOST)
         error = BMR_ERROR_TOO_MANY_POINTS;
-    else if (box_side(vertices, kept) < BMR_MIN_EXTENT)
+    else if (convex32_box_side(vertices, kept) < BMR_MIN_EXTENT)
         error = BMR_ERROR_OUT_OF_RANGE;
     else {
         start_rightmost(vertices, kept, vertices + count);
-        error = make(vertices, kept, allocator, block);
+        error = convex32_make(vertices, kept, 0, allocator, block);
         if (error == BMR_ERROR_NOT_CONVEX) // a needle, whose long sides have one direction
             error = BMR_ERROR_TOO_FEW_POINTS;
     }
@@ -217,17 +203,17 @@ bmr_error bmr_convex32_create_raw(const bmr_vec32 *vertices, size_t count, const
         return BMR_ERROR_TOO_FEW_POINTS;
     if (count > BMR_CONVEX32_MOST)
         return BMR_ERROR_TOO_MANY_POINTS;
-    const bmr_error error = check_points(vertices, count);
+    const bmr_error error = convex32_check_points(vertices, count);
     if (error != BMR_OK)
         return error;
-    if (box_side(vertices, count) < BMR_MIN_EXTENT)
+    if (convex32_box_side(vertices, count) < BMR_MIN_EXTENT)
         return BMR_ERROR_OUT_OF_RANGE;
-    return make(vertices, count, allocator, block);
+    return convex32_make(vertices, count, 0, allocator, block);
 }
 
 void bmr_convex32_destroy(bmr_convex32_block *block, const bmr_allocator *allocator) {
     if (block)
-        bmr_release(allocator, block, bmr_convex32_bytes(block->polygon.count));
+        bmr_release(allocator, block, block->bytes);
 }
 
 bmr_error bmr_convex32_audit(const bmr_convex32 *polygon) {
@@ -237,7 +223,7 @@ bmr_error bmr_convex32_audit(const bmr_convex32 *polygon) {
         return BMR_ERROR_TOO_FEW_POINTS;
     if (polygon->count > BMR_CONVEX32_MOST)
         return BMR_ERROR_TOO_MANY_POINTS;
-    bmr_error error = check_points(polygon->vertices, polygon->count);
+    bmr_error error = convex32_check_points(polygon->vertices, polygon->count);
     if (error == BMR_OK)
         error = audit_shape(polygon);
     if (error != BMR_OK)
@@ -245,7 +231,7 @@ bmr_error bmr_convex32_audit(const bmr_convex32 *polygon) {
     bmr_vec32 extent = {0.0f, 0.0f};
     for (uint32_t i = 0; i < polygon->count; ++i) {
         const bmr_vec32 v = polygon->vertices[i];
-        const bmr_vec32 normal = edge_normal(v, polygon->vertices[convex32_next(polygon, i)]);
+        const bmr_vec32 normal = convex32_edge_normal(v, polygon->vertices[convex32_next(polygon, i)]);
         if (normal.x != polygon->normals[i].x || normal.y != polygon->normals[i].y)
             return BMR_ERROR_INVALID_STRUCTURE;
         extent.x = fmaxf(extent.x, fabsf(v.x));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "edge_search.h"
-#include "exact32/clip_lanes.h"
+#include "convex32_pieces.h"
+#include "edge_points.h"
 
 /// The products of one unit normal with two others may come out in the wrong order if they differ by less
 /// than this: each is off by at most 4 times 2^-24, the turning included.
@@ -27,33 +27,13 @@ uint32_t bmr_convex32_edge_against(const bmr_convex32 *polygon, const bmr_transf
     return found;
 }
 
-static edge_ends edge_ends_of(const bmr_convex32 *polygon, uint32_t first, uint32_t second) {
-    const edge_ends ends = {polygon->vertices + first, polygon->vertices + second, (int32_t)(first & 0xffu),
-                            (int32_t)(second & 0xffu)};
-    return ends;
-}
-
 /// `found` is an edge of the reference.
 static void make_points(bmr_manifold32 *manifold, const bmr_convex32 *reference, const bmr_transform32 *pose,
                         const edge_view *found, const bmr_convex32 *incident,
                         const bmr_transform32 *incident_pose, float radius_sum, bool reference_is_b) {
-    manifold->type = reference_is_b ? BMR_MANIFOLD_FACE_B : BMR_MANIFOLD_FACE_A;
-    const uint32_t edge = found->edge, second = convex32_next(reference, edge);
-    const uint32_t facing = bmr_convex32_edge_against(
-        incident, &bmr_convex32_here, turn_back(incident_pose, turn(pose, reference->normals[edge])),
-        found->vertex);
-    const uint32_t next = convex32_next(incident, facing);
-    const edge_ends face = edge_ends_of(reference, edge, second),
-                    facing_ends = edge_ends_of(incident, facing, next);
-    clip_edges(manifold, face, load4(&pose->p.x), facing_ends, load4(&incident_pose->p.x), radius_sum,
-               reference_is_b);
-}
-
-/// `axis` points from a to b, in the world.
-static void remember(bmr_convex32_memory *memory, uint32_t vertex_a, uint32_t vertex_b, bmr_vec32 axis) {
-    memory->support_a = (uint16_t)vertex_a;
-    memory->support_b = (uint16_t)vertex_b;
-    remember_axis(memory, axis);
+    const uint32_t facing = edge_facing(reference, pose, found, incident, incident_pose);
+    points_between(manifold, reference, pose, found->edge, incident, incident_pose, facing, radius_sum,
+                   reference_is_b);
 }
 
 /// B's edges, from where A's best one was found.
@@ -66,10 +46,12 @@ static void seek_of_b(const bmr_convex32 *a, const bmr_transform32 *pose_a, cons
 void bmr_convex32_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const bmr_transform32 *pose_a,
                           const bmr_convex32 *b, const bmr_transform32 *pose_b, float radius_sum,
                           float tolerance, bmr_convex32_memory *memory) {
+    if (a->seams || b->seams) {
+        bmr_convex32_collide_pieces(manifold, a, pose_a, b, pose_b, radius_sum, tolerance, memory);
+        return;
+    }
     manifold->count = 0;
-    const bmr_vec32 axis = remembers_axis(memory)
-                               ? remembered_axis(memory)
-                               : minus(move(pose_b, about_middle(b)), move(pose_a, about_middle(a)));
+    const bmr_vec32 axis = axis_to_begin(a, pose_a, b, pose_b, memory);
     edge_found of_a, of_b;
     const edge_search edges_of_a = edge_search_of(a, b, bmr_exact32_relative(pose_b, pose_a), tolerance);
     bmr_convex32_seek(&edges_of_a, edge_towards(a, turn_back(pose_a, axis), memory->support_a),

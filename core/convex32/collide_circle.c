@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edge_search.h"
+#include "piece_faces.h"
 
 static void one_point(bmr_manifold32 *manifold, bmr_vec32 centre, bmr_vec32 normal, bmr_vec32 plane_point) {
     static const bmr_feature32 none = {0, 0, 0, 0};
@@ -11,12 +11,28 @@ static void one_point(bmr_manifold32 *manifold, bmr_vec32 centre, bmr_vec32 norm
     manifold->points[0].feature = none;
 }
 
-/// Unless the centre is farther than the radius from the vertex.
-static void point_at_vertex(bmr_manifold32 *manifold, bmr_vec32 centre, bmr_vec32 local, bmr_vec32 vertex,
-                            float radius_sum) {
-    const bmr_vec32 d = minus(local, vertex);
-    if (!(dot(d, d) > radius_sum * radius_sum))
-        one_point(manifold, centre, direction(d), vertex);
+/// Unless the centre is farther than the radius from the vertex, or in a direction that is not the polygon's.
+static void point_at_vertex(bmr_manifold32 *manifold, bmr_vec32 centre, bmr_vec32 local,
+                            const bmr_convex32 *polygon, uint32_t at, float radius_sum) {
+    const bmr_vec32 vertex = polygon->vertices[at], d = minus(local, vertex), normal = direction(d);
+    if (!(dot(d, d) > radius_sum * radius_sum) && bmr_convex32_admits(polygon, at, normal, rounding_of_turn))
+        one_point(manifold, centre, normal, vertex);
+}
+
+/// The face of largest separation; polygon->count where there is none. O(n).
+static uint32_t face_around(const edge_search *search) {
+    uint32_t found = search->reference->count;
+    float separation = -FLT_MAX;
+    for (uint32_t i = 0; i < search->reference->count; ++i) {
+        if (!is_face(search->reference, i))
+            continue;
+        const edge_view view = bmr_convex32_look(search, i, 0);
+        if (view.separation > separation) {
+            separation = view.separation;
+            found = i;
+        }
+    }
+    return found;
 }
 
 void bmr_convex32_collide_circle(bmr_manifold32 *manifold, const bmr_convex32 *polygon,
@@ -27,24 +43,30 @@ void bmr_convex32_collide_circle(bmr_manifold32 *manifold, const bmr_convex32 *p
     const bmr_vec32 local = move_back(pose_polygon, move(pose_circle, centre));
     const bmr_vec32 towards = remembers_axis(memory) ? turn_back(pose_polygon, remembered_axis(memory))
                                                      : minus(local, about_middle(polygon));
-    const bmr_convex32 point = {&local, NULL, NULL, 1, 0, {0.0f, 0.0f}};
+    const bmr_convex32 point = {&local, NULL, NULL, 1, 0, {0.0f, 0.0f}, NULL};
     const edge_search search = edge_search_of(polygon, &point, bmr_convex32_here, 0.0f);
     edge_found found;
     bmr_convex32_seek(&search, edge_towards(polygon, towards, memory->support_a), 0, -FLT_MAX, &found);
-    const uint32_t edge = found.best.edge;
+    uint32_t edge = found.best.edge;
     memory->support_a = (uint16_t)edge;
     remember_axis(memory, turn(pose_polygon, polygon->normals[edge]));
     if (!(found.best.separation <= radius_sum))
         return;
 
-    const bmr_vec32 v1 = polygon->vertices[edge], v2 = polygon->vertices[convex32_next(polygon, edge)];
-    const bmr_vec32 middle = {0.5f * (v1.x + v2.x), 0.5f * (v1.y + v2.y)};
     const bool inside = found.best.separation < FLT_EPSILON;
+    if (inside && !is_face(polygon, edge))
+        edge = face_around(&search);
+    if (edge == polygon->count)
+        return;
+    const uint32_t second = convex32_next(polygon, edge);
+    const bmr_vec32 v1 = polygon->vertices[edge], v2 = polygon->vertices[second];
+    const bmr_vec32 middle = {0.5f * (v1.x + v2.x), 0.5f * (v1.y + v2.y)};
     if (!inside && dot(minus(local, v1), minus(v2, v1)) <= 0.0f) {
-        point_at_vertex(manifold, centre, local, v1, radius_sum);
+        point_at_vertex(manifold, centre, local, polygon, edge, radius_sum);
     } else if (!inside && dot(minus(local, v2), minus(v1, v2)) <= 0.0f) {
-        point_at_vertex(manifold, centre, local, v2, radius_sum);
-    } else if (inside || !(dot(minus(local, middle), polygon->normals[edge]) > radius_sum)) {
+        point_at_vertex(manifold, centre, local, polygon, second, radius_sum);
+    } else if (is_face(polygon, edge) &&
+               (inside || !(dot(minus(local, middle), polygon->normals[edge]) > radius_sum))) {
         one_point(manifold, centre, polygon->normals[edge], middle);
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edge_search.h"
+#include "piece_faces.h"
 
 // Box2D's own: a face of the polygon is the reference where it separates by this much more than the edge, and
 // one-sided edges leave directions to their neighbours that lie this far (a sine) beyond their normals.
@@ -105,7 +105,8 @@ static void points_on_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr
                            const axis32 *primary, const bmr_convex32 *polygon, const bmr_transform32 *frame,
                            float radius_sum, uint32_t hint) {
     manifold->type = BMR_MANIFOLD_FACE_A;
-    const uint32_t facing = bmr_convex32_edge_against(polygon, frame, primary->normal, hint);
+    const uint32_t best = bmr_convex32_edge_against(polygon, frame, primary->normal, hint);
+    const uint32_t facing = face_facing(polygon, best, hint, turn_back(frame, primary->normal));
     const uint32_t next = convex32_next(polygon, facing);
     corner corners[2] = {corner_of(move(frame, polygon->vertices[facing]), (int32_t)facing, 0),
                          corner_of(move(frame, polygon->vertices[next]), (int32_t)next, 0)};
@@ -156,6 +157,46 @@ static void points_on_polygon(bmr_manifold32 *manifold, const bmr_edge32 *edge, 
     }
 }
 
+/// The face of the piece that separates most; false where it has none. O(n).
+static bool best_face(const edge_search *search, edge_view *best) {
+    bool found = false;
+    for (uint32_t i = 0; i < search->reference->count; ++i) {
+        if (!is_face(search->reference, i))
+            continue;
+        const edge_view view = bmr_convex32_look(search, i, best->vertex);
+        if (!found || view.separation > best->separation)
+            *best = view;
+        found = true;
+    }
+    return found;
+}
+
+/// A piece instead: faces alone, and the edge alone where the piece admits it. `best` is the piece's edge of
+/// largest separation, `vertex` where it is least separated from the edge.
+static void collide_piece(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr_vec32 along,
+                          const axis32 *of_edge, uint32_t vertex, const edge_search *search,
+                          const edge_view *best, float radius_sum) {
+    const bmr_convex32 *const polygon = search->reference;
+    const bool edge_is_admitted = bmr_convex32_admits(
+        polygon, vertex, negative(turn_back(&search->frame, of_edge->normal)), nearly_straight);
+    edge_view view = *best;
+    const bool has_face = is_face(polygon, best->edge) || best_face(search, &view);
+    const float of_faces =
+        fmaxf(edge_is_admitted ? of_edge->separation : -FLT_MAX, has_face ? view.separation : -FLT_MAX);
+    if ((!has_face && !edge_is_admitted) || is_behind(best, of_faces, radius_sum))
+        return;
+    const float enough = relative_tolerance * (of_edge->separation - radius_sum) + absolute_tolerance;
+    axis32 primary = *of_edge;
+    if (has_face && (!edge_is_admitted || view.separation - radius_sum > enough))
+        primary = axis_of_polygon(&view);
+    if (edge->one_sided && !admit(edge, along, polygon, of_edge, &primary))
+        return;
+    if (primary.of_polygon)
+        points_on_polygon(manifold, edge, primary.edge, polygon, &search->frame, radius_sum);
+    else if (edge_is_admitted)
+        points_on_edge(manifold, edge, along, &primary, polygon, &search->frame, radius_sum, vertex);
+}
+
 void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
                                const bmr_transform32 *pose_edge, const bmr_convex32 *polygon,
                                bmr_vec32 centroid, const bmr_transform32 *pose_polygon, float radius_sum,
@@ -176,12 +217,17 @@ void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
     const float enough = relative_tolerance * (of_edge.separation - radius_sum) + absolute_tolerance;
     const float from = enough < 0.0f ? radius_sum + enough : radius_sum;
     const bmr_vec32 ends[2] = {edge->first, edge->second};
-    const bmr_convex32 segment = {ends, NULL, NULL, 2, 0, {0.0f, 0.0f}};
+    const bmr_convex32 segment = {ends, NULL, NULL, 2, 0, {0.0f, 0.0f}, NULL};
     const edge_search search = edge_search_of(polygon, &segment, frame, 0.0f);
     edge_found found;
-    bmr_convex32_seek(&search, vertex, 0, from - FLT_EPSILON * (fabsf(from) + radius_sum), &found);
+    const float floor = from - FLT_EPSILON * (fabsf(from) + radius_sum);
+    bmr_convex32_seek(&search, vertex, 0, polygon->seams ? -FLT_MAX : floor, &found);
     if (found.best.separation > radius_sum)
         return;
+    if (polygon->seams) {
+        collide_piece(manifold, edge, along, &of_edge, vertex, &search, &found.best, radius_sum);
+        return;
+    }
     axis32 primary = of_edge;
     if (found.best.separation - radius_sum > enough)
         primary = axis_of_polygon(&found.best);

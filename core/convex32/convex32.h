@@ -24,6 +24,13 @@ extern "C" {
 /// Most vertices of a polygon: their numbers fit 16 bits.
 #define BMR_CONVEX32_MOST 65535u
 
+/// What a piece of an outline knows of its neighbours: convex32_pieces.h.
+typedef struct bmr_seams32 {
+    const bmr_vec32 *low,
+        *high; ///< of each vertex: the outline turns there from `low`, counter-clockwise, to `high`
+    const uint8_t *inner; ///< of each edge: 1 where another piece goes on behind it, else 0
+} bmr_seams32;
+
 /// A convex polygon, counter-clockwise, and a table that starts the search for its extreme vertices. A view:
 /// it owns nothing and may be copied. Never written once made, so any number of threads may read it.
 typedef struct bmr_convex32 {
@@ -34,7 +41,8 @@ typedef struct bmr_convex32 {
     const uint16_t *buckets;
     uint32_t count; ///< 3 to BMR_CONVEX32_MOST
     uint32_t bucket_bits;
-    bmr_vec32 extent; ///< the largest |x| and |y| of a vertex; used with a table alone
+    bmr_vec32 extent;         ///< the largest |x| and |y| of a vertex; used with a table alone
+    const bmr_seams32 *seams; ///< of a piece of an outline; NULL of any other polygon
 } bmr_convex32;
 
 /// Area, centroid and inertia of a polygon at a density of one. Right to 1e-7, however thin the polygon, on a
@@ -49,7 +57,9 @@ typedef struct bmr_mass32 {
 typedef struct bmr_convex32_block {
     bmr_convex32 polygon;
     bmr_mass32 mass;
-    float reach; ///< no vertex is farther from the origin
+    float reach;       ///< no vertex is farther from the origin
+    size_t bytes;      ///< of the whole block
+    bmr_seams32 seams; ///< where polygon.seams points, if it does
 } bmr_convex32_block;
 
 /// The convex hull of `count` points, counter-clockwise from the rightmost one (of these the lowest). Dropped
@@ -79,8 +89,8 @@ bmr_error bmr_convex32_audit(const bmr_convex32 *polygon);
 
 /// A polygon of Box2D's own size, with its own arrays; no table, no audit.
 static inline bmr_convex32 bmr_convex32_small(const bmr_polygon32 *polygon) {
-    const bmr_convex32 view = {polygon->vertices, polygon->normals, NULL, (uint32_t)polygon->count, 0,
-                               {0.0f, 0.0f}};
+    const bmr_convex32 view = {
+        polygon->vertices, polygon->normals, NULL, (uint32_t)polygon->count, 0, {0.0f, 0.0f}, NULL};
     return view;
 }
 

@@ -412,6 +412,10 @@ void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t v
     search_arcs(search, &low, &high, floor, found);
 }
 
+edge_view bmr_convex32_look(const edge_search *search, uint32_t edge, uint32_t vertex_hint) {
+    return look(search, edge, vertex_hint);
+}
+
 float bmr_convex32_max_separation(const bmr_convex32 *reference, const bmr_convex32 *other,
                                   const bmr_transform32 *frame, uint32_t edge_hint, uint32_t *edge,
                                   uint32_t *other_vertex) {

@@ -215,7 +215,7 @@ static void circle_same_as_all_vertices(void **state) {
         for (int i = 0; i < POSES_A_PAIR; ++i, ++n) {
             const float radius = 0.01f + (float)dice_in(&d, 0.0, 0.5);
             const bmr_vec32 centre = {(float)dice_in(&d, -0.5, 0.5), (float)dice_in(&d, -0.5, 0.5)};
-            const bmr_convex32 point = {&centre, &centre, NULL, 1, 0, {0.0f, 0.0f}};
+            const bmr_convex32 point = {&centre, &centre, NULL, 1, 0, {0.0f, 0.0f}, NULL};
             const bmr_transform32 pose = random_pose32(&d, 10.0);
             const bmr_transform32 circle = pose_against(&d, polygon, &pose, &point, (double)radius);
             bmr_manifold32 expected, got;
@@ -256,7 +256,7 @@ static void edge_same_as_all_vertices(void **state) {
             edge.after.y = edge.second.y + (float)dice_in(&d, -0.5 * length, length);
             const bmr_vec32 ends[2] = {edge.first, edge.second};
             const bmr_vec32 normals[2] = {{1.0f, 0.0f}, {-1.0f, 0.0f}};
-            const bmr_convex32 segment = {ends, normals, NULL, 2, 0, {0.0f, 0.0f}};
+            const bmr_convex32 segment = {ends, normals, NULL, 2, 0, {0.0f, 0.0f}, NULL};
             const bmr_transform32 pose = random_pose32(&d, 10.0);
             const bmr_transform32 other = pose_against(&d, polygon, &pose, &segment, (double)skin);
             bmr_manifold32 expected, got;

@@ -54,7 +54,7 @@ struct Small {
             centroid = block->mass.centroid;
             std::memcpy(vertices, block->polygon.vertices, block->polygon.count * sizeof *vertices);
             std::memcpy(normals, block->polygon.normals, block->polygon.count * sizeof *normals);
-            view = {vertices, normals, nullptr, block->polygon.count, 0, {0.0f, 0.0f}};
+            view = {vertices, normals, nullptr, block->polygon.count, 0, {0.0f, 0.0f}, nullptr};
             return;
         }
     }
@@ -150,7 +150,7 @@ TEST_CASE("polygons of at most 8 vertices touch circles as in Box2D") {
         circle.m_p =
             b2Vec2(static_cast<float>(dice_in(d, -0.5, 0.5)), static_cast<float>(dice_in(d, -0.5, 0.5)));
         const bmr_vec32 centre = {circle.m_p.x, circle.m_p.y};
-        const bmr_convex32 point = {&centre, &centre, nullptr, 1, 0, {0.0f, 0.0f}};
+        const bmr_convex32 point = {&centre, &centre, nullptr, 1, 0, {0.0f, 0.0f}, nullptr};
         const float skin = polygon.box2d.m_radius + circle.m_radius;
         const bmr_transform32 at = pose_against(d, &polygon.view, &pose, &point, static_cast<double>(skin));
         b2Manifold expected = Blank();
@@ -185,7 +185,7 @@ TEST_CASE("polygons of at most 8 vertices touch edges as in Box2D") {
         const bmr_edge32 same = {ours(edge.m_vertex0), ours(edge.m_vertex1), ours(edge.m_vertex2),
                                  ours(edge.m_vertex3), edge.m_oneSided};
         const bmr_vec32 ends[2] = {same.first, same.second}, normals[2] = {{1.0f, 0.0f}, {-1.0f, 0.0f}};
-        const bmr_convex32 segment = {ends, normals, nullptr, 2, 0, {0.0f, 0.0f}};
+        const bmr_convex32 segment = {ends, normals, nullptr, 2, 0, {0.0f, 0.0f}, nullptr};
         const float skin = polygon.box2d.m_radius + edge.m_radius;
         const bmr_transform32 at = pose_against(d, &polygon.view, &pose, &segment, static_cast<double>(skin));
         b2Manifold expected = Blank();

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#ifndef BMR_CONVEX32_CONVEX32_PIECES_H
+#define BMR_CONVEX32_CONVEX32_PIECES_H
+
+#include "convex32/convex32_collide.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// @file
+/// Convex pieces of an outline, which know their seams. An edge between two pieces is an inner one: nothing
+/// is ever pushed along its normal. At an end of an inner edge the outline goes on along another piece, and
+/// the corner there turns as the outline does, not as the piece. (Box2D's one-sided edges know their
+/// neighbours by ghost vertices; this is the same of convex polygons.)
+///
+/// All functions of convex32_collide.h answer for pieces too, each as follows. Let a *face* be an edge that
+/// is not inner. A piece *admits* a direction at a vertex where the outline's outward normals turn past it
+/// there: between the normals of the outline's two edges, where the outline is convex and one of the two is
+/// the piece's; in no direction, where the outline is straight or a notch. Then
+///
+/// - only faces are references, and only faces are clipped against them;
+/// - a face is a reference only where the other polygon admits its direction, at its least separated vertex;
+///   what is left out has an answer by a face of the same two bodies that is nearer;
+/// - a circle touches a vertex in directions alone that the piece admits there;
+/// - where a piece is behind an inner edge as a whole, or overlaps it by no more than the skins, and no face
+///   separates the two about as much, there are no points: the piece behind that edge has them.
+///
+/// Every face belongs to one piece, and every direction of a convex corner is admitted by a piece that has
+/// one of its two edges: between all pieces nothing is lost.
+
+/// A corner of a piece as it is cut out of its outline.
+typedef struct bmr_piece_corner32 {
+    bmr_vec32 vertex;
+    /// Of a corner between a face and an inner edge: the other end of the outline's edge that meets the face
+    /// here. Not read elsewhere.
+    bmr_vec32 neighbour;
+    bool inner; ///< the edge that begins here
+} bmr_piece_corner32;
+
+/// A piece of these corners, counter-clockwise. Those that turn by no more than rounding are left out
+/// (bmr_convex32_create says how much that is); an edge that is then made of several is inner if all are.
+/// Without inner edges it is a polygon as any other, and has no seams.
+/// Errors as bmr_convex32_create_raw; a sliver without area as far as floats can tell is
+/// BMR_ERROR_TOO_FEW_POINTS. O(n).
+bmr_error bmr_convex32_create_piece(const bmr_piece_corner32 *corners, size_t count,
+                                    const bmr_allocator *allocator, bmr_convex32_block **block);
+
+/// Does the polygon admit this direction (outward, of unit length, in its own frame) at a vertex, to a turn
+/// whose sine is `tolerance`? True of polygons that are no pieces.
+bool bmr_convex32_admits(const bmr_convex32 *polygon, uint32_t vertex, bmr_vec32 direction, float tolerance);
+
+/// bmr_convex32_collide of two polygons at least one of which is a piece.
+void bmr_convex32_collide_pieces(bmr_manifold32 *manifold, const bmr_convex32 *a,
+                                 const bmr_transform32 *pose_a, const bmr_convex32 *b,
+                                 const bmr_transform32 *pose_b, float radius_sum, float tolerance,
+                                 bmr_convex32_memory *memory);
+
+/// A segment from p1 towards p2 comes into a piece at `fraction` of the way, by its edge `*edge`
+/// (bmr_convex32_ray). Does it come into the outline there? False of an inner edge, by which it comes from
+/// another piece; unless that is within `near` of a face that it runs against: then that is `*edge`.
+bool bmr_convex32_enters_piece(const bmr_convex32 *polygon, bmr_vec32 p1, bmr_vec32 p2, float fraction,
+                               float near, uint32_t *edge);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
