@@ -54,6 +54,14 @@ void DrawPieces(const bmr_convex32 &polygon, const b2Transform &xf, const b2Colo
     }
 }
 
+/// Of a piece: those of its edges that are the outline's.
+void DrawFaces(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color &color, b2Draw &draw) {
+    for (uint32_t i = 0; i < polygon.count; ++i)
+        if (polygon.seams->inner[i] == 0)
+            draw.DrawSegment(Posed(polygon, i, xf), Posed(polygon, i + 1 < polygon.count ? i + 1 : 0, xf),
+                             color);
+}
+
 bool DrawWhole(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color &color, b2Draw &draw) {
     auto *outline = static_cast<b2Vec2 *>(std::malloc(polygon.count * sizeof(b2Vec2)));
     if (outline == nullptr)
@@ -71,6 +79,8 @@ void DrawOutline(const bmr_convex32 &polygon, const b2Transform &xf, const b2Col
                  b2Draw &draw) {
     if (outlines != Outlines::Whole || !DrawWhole(polygon, xf, color, draw))
         DrawPieces(polygon, xf, color, draw);
+    if (polygon.seams != nullptr)
+        DrawFaces(polygon, xf, color, draw);
 }
 
 void NoteDrawnByBox2D(const b2World *world, const b2Draw *draw) {

@@ -15,7 +15,8 @@ namespace bmr {
 
 /// Hands a polygon at a pose to a game's b2Draw::DrawSolidPolygon: in pieces of at most b2_maxPolygonVertices
 /// vertices, which is all that a drawer of Box2D's polygons must have room for, or whole. Without memory for
-/// the whole outline, in pieces.
+/// the whole outline, in pieces. Of a piece of an outline the edges that are the outline's follow as
+/// segments.
 void DrawOutline(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color &color, Outlines outlines,
                  b2Draw &draw);
 

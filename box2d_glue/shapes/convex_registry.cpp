@@ -58,13 +58,14 @@ Handle TakeHandle() {
 
 } // namespace
 
-Handle Add(bmr_convex32_block *block) {
+Handle Add(bmr_convex32_block *block, Group *group) {
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
     const Handle handle = TakeHandle();
     if (handle == 0)
         return 0;
     Entry &entry = Find(handle);
-    entry.references.store(1, std::memory_order_relaxed);
+    entry.references.store(group == nullptr ? 1 : 0, std::memory_order_relaxed);
+    entry.group.store(group, std::memory_order_relaxed);
     entry.block.store(block, std::memory_order_relaxed);
     entry.number.store((++made * kScatter) << kHandleBits | handle, std::memory_order_release);
     ++count;
@@ -72,19 +73,30 @@ Handle Add(bmr_convex32_block *block) {
     return handle;
 }
 
-void Release(Handle handle) {
-    if (handle == 0)
-        return;
+void Remove(Handle handle) {
     Entry &entry = Find(handle);
-    // What others did with the polygon comes before its end.
-    if (entry.references.fetch_sub(1, std::memory_order_acq_rel) != 1)
-        return;
     entry.number.store(0, std::memory_order_relaxed);
     bmr_convex32_destroy(entry.block.load(std::memory_order_relaxed), GetAllocator());
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
     entry.nextFree = firstFree;
     firstFree = handle;
     --count;
+}
+
+void Release(Handle handle) {
+    if (handle == 0)
+        return;
+    Entry &entry = Find(handle);
+    if (Group *const group = entry.group.load(std::memory_order_relaxed))
+        return ReleaseGroup(group);
+    // What others did with the polygon comes before its end.
+    if (entry.references.fetch_sub(1, std::memory_order_acq_rel) == 1)
+        Remove(handle);
+}
+
+void ReleaseGroup(Group *group) {
+    if (group->references.fetch_sub(1, std::memory_order_acq_rel) == 1)
+        group->end(group);
 }
 
 void SetAllocator(const bmr_allocator *newAllocator) {

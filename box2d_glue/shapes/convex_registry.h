@@ -29,9 +29,19 @@ constexpr uint32_t kMostChunks = 4096;
 constexpr uint32_t kHandleBits = 24;
 static_assert(uint64_t{kMostChunks} << kChunkBits == uint64_t{1} << kHandleBits);
 
-struct Entry {
-    /// No more than there are shapes, and each has its own bytes: cannot overflow.
+/// Polygons that live and die together, as the pieces of an outline do: a reference to one of them is a
+/// reference to all.
+struct Group {
     std::atomic<size_t> references;
+    /// Called with the last reference: removes its polygons and itself.
+    void (*end)(Group *group);
+};
+
+struct Entry {
+    /// No more than there are shapes, and each has its own bytes: cannot overflow. Of a polygon in a group
+    /// the group counts instead.
+    std::atomic<size_t> references;
+    std::atomic<Group *> group; ///< nullptr: it lives by itself
     std::atomic<bmr_convex32_block *> block;
     /// 0 where the entry is free. In the low bits the handle.
     std::atomic<uint64_t> number;
@@ -58,17 +68,25 @@ inline Entry *FindNumber(uint64_t number) {
     return entry.number.load(std::memory_order_acquire) == number ? &entry : nullptr;
 }
 
-/// Takes the block over, with one reference. 0 without memory; then the block is still the caller's.
-Handle Add(bmr_convex32_block *block);
+/// Takes the block over, with one reference; in a group with none, for the group counts. 0 without memory;
+/// then the block is still the caller's.
+Handle Add(bmr_convex32_block *block, Group *group = nullptr);
+/// Frees the polygon, whoever refers to it. For the end of a group alone.
+void Remove(Handle handle);
 
 /// One reference more, of a handle that a reference is held to, or of 0.
 inline void AddReference(Handle handle) {
-    if (handle != 0)
-        Find(handle).references.fetch_add(1, std::memory_order_relaxed);
+    if (handle == 0)
+        return;
+    Entry &entry = Find(handle);
+    Group *const group = entry.group.load(std::memory_order_relaxed);
+    (group != nullptr ? group->references : entry.references).fetch_add(1, std::memory_order_relaxed);
 }
 
-/// One reference less; the last frees the block. 0 is allowed.
+/// One reference less; the last frees the block, or ends the group. 0 is allowed.
 void Release(Handle handle);
+/// The same of a group.
+void ReleaseGroup(Group *group);
 
 /// Where polygons and chunks come from; nullptr: malloc. Changed by tests alone, while there is no polygon.
 void SetAllocator(const bmr_allocator *allocator);

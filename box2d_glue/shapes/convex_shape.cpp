@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "boomerang/convex_shape.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <new>
@@ -9,6 +10,7 @@
 #include <box2d/b2_collision.h>
 
 #include "contacts/contact_register.h"
+#include "convex32/convex32_pieces.h"
 #include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/convex_registry.h"
@@ -66,7 +68,7 @@ void ConvexShape::SetHandle(uint32_t handle) {
 }
 #else
 uint32_t ConvexShape::GetHandle() const {
-    if (m_count != static_cast<int32>(kInnerVertices))
+    if (m_count > static_cast<int32>(kInnerVertices))
         return 0;
     uint32_t handle;
     std::memcpy(&handle, &m_normals[kInnerVertices], sizeof handle);
@@ -106,18 +108,20 @@ ConvexShape::~ConvexShape() {
 void ConvexShape::Adopt(uint32_t handle) {
     const uint32_t old = GetHandle();
     const bmr_convex32_block &block = *Block(handle);
+    // (A piece of an outline may have less.)
+    const uint32_t count = std::min(kInnerVertices, block.polygon.count);
     uint32_t inner[kInnerVertices];
-    bmr_convex32_inner(&block.polygon, inner, kInnerVertices);
-    for (uint32_t i = 0; i < kInnerVertices; ++i)
+    bmr_convex32_inner(&block.polygon, inner, count);
+    for (uint32_t i = 0; i < count; ++i)
         m_vertices[i] = Vectors(block.polygon.vertices)[inner[i]];
-    for (uint32_t i = 0; i < kInnerVertices; ++i) {
-        const b2Vec2 &from = m_vertices[i], &to = m_vertices[(i + 1) % kInnerVertices];
+    for (uint32_t i = 0; i < count; ++i) {
+        const b2Vec2 &from = m_vertices[i], &to = m_vertices[(i + 1) % count];
         const double x = static_cast<double>(to.x) - static_cast<double>(from.x),
                      y = static_cast<double>(to.y) - static_cast<double>(from.y),
                      length = std::sqrt(x * x + y * y);
         m_normals[i].Set(static_cast<float>(y / length), static_cast<float>(-x / length));
     }
-    m_count = static_cast<int32>(kInnerVertices);
+    m_count = static_cast<int32>(count);
     m_centroid.Set(block.mass.centroid.x, block.mass.centroid.y);
     SetHandle(handle);
     registry::Release(old);
@@ -249,6 +253,9 @@ bool ConvexShape::RayCast(b2RayCastOutput *output, const b2RayCastInput &input, 
     float fraction;
     uint32_t edge;
     if (!bmr_convex32_ray(&polygon, *Vectors32(&p1), *Vectors32(&p2), input.maxFraction, &fraction, &edge))
+        return false;
+    if (polygon.seams != nullptr && !bmr_convex32_enters_piece(&polygon, *Vectors32(&p1), *Vectors32(&p2),
+                                                               fraction, b2_linearSlop, &edge))
         return false;
     output->fraction = fraction;
     output->normal = b2Mul(xf.q, Vectors(polygon.normals)[edge]);

@@ -71,6 +71,8 @@ const char *bmr_error_describe(bmr_error error) {
     case BMR_ERROR_HOLE_OUTSIDE:
         return "a hole is not inside the outline's outer ring, or is inside another hole: give the outer "
                "ring first, and an island as an outline of its own";
+    case BMR_ERROR_WORLD_LOCKED:
+        return "the body's world is in the middle of a step: change its fixtures before or after it";
     case BMR_ERROR_COUNT:
         break;
     }

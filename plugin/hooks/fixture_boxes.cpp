@@ -42,6 +42,9 @@ struct Corners {
     const bmr_convex32_block *big = nullptr;
 };
 
+/// Up to so many vertices a look at each of them costs less than a search for the outermost ones.
+constexpr uint32_t kMostOneByOne = 24;
+
 /// Of Box2D's own polygons and circles, and of ConvexShapes; of nothing that a game has derived from them. (A
 /// circle's box is by b2CircleShape::ComputeAABB what a polygon's of its middle alone would be, to the bit.)
 Corners CornersOf(const b2Shape &shape) {
@@ -52,7 +55,14 @@ Corners CornersOf(const b2Shape &shape) {
     if (internal::TableOf(shape) != internal::TableOf(polygonModel) && !internal::IsConvexShape(shape))
         return {nullptr, 0};
     const auto &polygon = static_cast<const b2PolygonShape &>(shape);
-    return {polygon.m_vertices, polygon.m_count, BigPolygonOf(polygon)};
+    // What has more vertices than there is room for shows 7 or 8 of them. Of less, all are there: also where
+    // the polygon is a piece of an outline.
+    if (polygon.m_count < b2_maxPolygonVertices - 1)
+        return {polygon.m_vertices, polygon.m_count};
+    const bmr_convex32_block *big = BigPolygonOf(polygon);
+    if (big == nullptr || big->polygon.count > kMostOneByOne)
+        return {polygon.m_vertices, polygon.m_count, big};
+    return {reinterpret_cast<const b2Vec2 *>(big->polygon.vertices), static_cast<int32>(big->polygon.count)};
 }
 
 /// The box of a fixture that moves, and how far its middle does.

@@ -33,7 +33,8 @@ inline std::string NameOf(bmr_error error) {
                                         "REPEATED_POINT",
                                         "CROSSING_EDGES",
                                         "OVERLAPPING_EDGES",
-                                        "HOLE_OUTSIDE"};
+                                        "HOLE_OUTSIDE",
+                                        "WORLD_LOCKED"};
     static_assert(sizeof names / sizeof *names == BMR_ERROR_COUNT, "one name for each code");
     return error >= BMR_OK && error < BMR_ERROR_COUNT ? names[error] : "no code at all";
 }

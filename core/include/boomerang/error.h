@@ -43,6 +43,7 @@ typedef enum bmr_error {
     BMR_ERROR_CROSSING_EDGES,    ///< two edges of an outline cross
     BMR_ERROR_OVERLAPPING_EDGES, ///< two edges of an outline have more than a point in common
     BMR_ERROR_HOLE_OUTSIDE, ///< a hole of an outline is not inside its outer ring, or inside another hole
+    BMR_ERROR_WORLD_LOCKED, ///< a body is to be changed while its world is stepped
     BMR_ERROR_COUNT         ///< number of codes; not an error
 } bmr_error;
 

@@ -10,13 +10,15 @@
 ///     bmr::Install();
 ///
 /// Every simulation computes the bits that it computed before. bmr::ConvexShape is there besides: a convex
-/// polygon of any number of vertices; bmr_error_describe tells what is wrong with points that make none.
+/// polygon of any number of vertices. So is bmr::OutlineShape: any outline, as a few of these.
+/// bmr_error_describe tells what is wrong with points that make none.
 
 #include <box2d/b2_collision.h>
 
 #include "boomerang/box2d_glue.h"
 #include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
+#include "boomerang/outline_shape.h"
 
 namespace bmr::internal {
 

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_OUTLINE_SHAPE_H
+#define BOOMERANG_OUTLINE_SHAPE_H
+
+#include <cstdint>
+
+#include <box2d/b2_fixture.h>
+
+#include "boomerang/convex_shape.h"
+
+class b2Body;
+class b2Contact;
+
+/// @file
+/// A body of any outline: concave, with holes. Games include boomerang/box2d.h.
+///
+///     bmr::OutlineShape rock;
+///     if (rock.Set(points, count) == BMR_OK)
+///         rock.CreateFixtures(body, 1.0f);
+///
+/// The outline is cut into few convex pieces (boomerang/outline.h), each of which is one fixture. The pieces
+/// know where they meet: what slides or rolls along the outline feels no seam (docs/outlines.md).
+
+namespace bmr {
+
+struct OutlineRecord;
+
+/// A hole of an outline: a ring of points, in either direction, without its first point at the end again.
+struct OutlineHole {
+    const b2Vec2 *points;
+    int32 count;
+};
+
+/// Where an outline is wrong (bmr_outline_fault, boomerang/outline.h, says which edges these are of which
+/// error). Edges are numbered from 0, those of the outer ring first, then hole after hole; edge i begins at
+/// point i. -1: there is none.
+struct OutlineFault {
+    int32 edge[2];
+    int32 ring[2]; ///< 0 is the outer ring, 1 the first hole
+    b2Vec2 where;
+};
+
+/// What an outline is made of, cut once and shared by all bodies that have it: copies are cheap, and the
+/// last of the copies and of the fixtures frees it. Outlines may be made, copied and destroyed on any thread.
+class BMR_BOX2D_API OutlineShape {
+public:
+    OutlineShape() noexcept = default; ///< of no points
+    OutlineShape(const OutlineShape &other) noexcept;
+    OutlineShape &operator=(const OutlineShape &other) noexcept;
+    ~OutlineShape();
+
+    /// The outline of a ring of points, in either direction, less its holes. With tolerance 0 the pieces are
+    /// exactly that, but for slivers thinner than floats can tell (1e-7 of their length). With a tolerance,
+    /// in length units, no point of one is farther from the other than that, and the pieces are fewer.
+    ///
+    /// Errors leave the outline as it was: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_TOO_FEW_POINTS (of a ring; or
+    /// no piece has an area, as far as floats can tell), BMR_ERROR_TOO_MANY_POINTS, BMR_ERROR_NOT_FINITE,
+    /// BMR_ERROR_NEGATIVE (a count or the tolerance), BMR_ERROR_OUT_OF_RANGE (a coordinate beyond 1e9, an
+    /// area that is no normal float), BMR_ERROR_REPEATED_POINT, BMR_ERROR_CROSSING_EDGES,
+    /// BMR_ERROR_OVERLAPPING_EDGES, BMR_ERROR_HOLE_OUTSIDE (these, and rings of too few points, say in
+    /// `*fault` where), BMR_ERROR_NO_MEMORY, BMR_ERROR_UNSUPPORTED (a Box2D that the glue does not know).
+    /// About O(n log n).
+    bmr_error Set(const b2Vec2 *points, int32 count, const OutlineHole *holes = nullptr, int32 holeCount = 0,
+                  float tolerance = 0.0f, OutlineFault *fault = nullptr);
+
+    /// A fixture of each piece on the body, all with what `def` says of fixtures; def.shape is not read. The
+    /// body's mass, centre and inertia then include those of the outline, also where pieces stand for it only
+    /// within a tolerance. Not during a step of the world.
+    ///
+    /// Errors leave the body as it was: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_NO_POINTS (of no outline),
+    /// BMR_ERROR_NOT_FINITE and BMR_ERROR_NEGATIVE (density, friction; restitution not finite),
+    /// BMR_ERROR_WORLD_LOCKED.
+    bmr_error CreateFixtures(b2Body *body, const b2FixtureDef &def) const;
+    bmr_error CreateFixtures(b2Body *body, float density) const;
+    /// Destroys all fixtures of this outline that the body has. BMR_ERROR_NULL_ARGUMENT,
+    /// BMR_ERROR_WORLD_LOCKED.
+    bmr_error DestroyFixtures(b2Body *body) const;
+    /// Calls function(b2Fixture &) with each fixture of this outline that the body has, which it may destroy:
+    ///
+    ///     outline.ForEachFixture(body, [](b2Fixture &piece) { piece.SetFriction(0.2f); });
+    template <typename Function> void ForEachFixture(b2Body *body, Function function) const;
+
+    /// The outline that a fixture is a piece of; one without points where it is none. O(1).
+    static OutlineShape From(const b2Fixture *fixture);
+    /// Is this fixture a piece of this outline? O(1).
+    bool Has(const b2Fixture &fixture) const;
+    /// Are the two the same outline, made by one Set?
+    bool operator==(const OutlineShape &other) const { return m_record == other.m_record; }
+    bool operator!=(const OutlineShape &other) const { return m_record != other.m_record; }
+
+    int32 GetPieceCount() const;
+    /// Piece `index` as a shape of its own.
+    ConvexShape GetPiece(int32 index) const;
+    /// Does another piece go on behind the edge of this piece from vertex `edge` to the next?
+    bool IsInnerEdge(int32 index, int32 edge) const;
+    /// Of the outline, at this density; inertia about the origin, as b2Shape::ComputeMass has it.
+    void ComputeMass(b2MassData *massData, float density) const;
+
+private:
+    OutlineRecord *m_record = nullptr;
+};
+
+/// Is this the only contact that touches between its two bodies, or the outlines of theirs? (A fixture that
+/// is no piece of an outline is one by itself.) Box2D tells of each pair of fixtures; this makes one begin
+/// and one end of all pairs of two outlines:
+///
+///     void BeginContact(b2Contact *contact) override {
+///         if (bmr::TouchesAlone(*contact))
+///             ... the two outlines begin to touch
+///
+/// and the same in EndContact. O(contacts of the one of the two bodies that is dynamic).
+BMR_BOX2D_API bool TouchesAlone(const b2Contact &contact);
+
+template <typename Function> inline void OutlineShape::ForEachFixture(b2Body *body, Function function) const {
+    for (b2Fixture *fixture = body->GetFixtureList(); fixture != nullptr;) {
+        b2Fixture *const next = fixture->GetNext();
+        if (Has(*fixture))
+            function(*fixture);
+        fixture = next;
+    }
+}
+
+} // namespace bmr
+
+#endif

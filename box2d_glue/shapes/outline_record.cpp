@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+#include "shapes/outline_record.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <cstddef>
+#include <new>
+
+#include "convex32/convex32_pieces.h"
+#include "geometry/memory.h"
+#include "shapes/convex_access.h"
+
+namespace bmr {
+
+namespace {
+
+/// `count` objects in memory of an allocator of core's, all zero.
+template <typename T> class Room {
+public:
+    Room(size_t count, const bmr_allocator *allocator)
+        : m_bytes(count * sizeof(T)), // NOLINT(bugprone-sizeof-expression): pointers, too
+          m_allocator(allocator), m_objects(static_cast<T *>(bmr_allocate(allocator, m_bytes))) {
+        for (size_t i = 0; m_objects != nullptr && i < count; ++i)
+            new (m_objects + i) T();
+    }
+    ~Room() {
+        if (m_objects != nullptr)
+            bmr_release(m_allocator, m_objects, m_bytes);
+    }
+    Room(const Room &) = delete;
+    Room &operator=(const Room &) = delete;
+
+    /// nullptr without memory.
+    T *Get() { return m_objects; }
+    T &operator[](size_t i) { return m_objects[i]; }
+
+private:
+    size_t m_bytes;
+    const bmr_allocator *m_allocator;
+    T *m_objects;
+};
+
+size_t BytesOf(uint32_t pieceCount) {
+    return sizeof(OutlineRecord) + (pieceCount - 1) * sizeof(registry::Handle);
+}
+
+void End(registry::Group *group) {
+    auto *record = static_cast<OutlineRecord *>(group);
+    const bmr_allocator *allocator = registry::GetAllocator();
+    for (uint32_t i = 0; i < record->pieceCount; ++i)
+        if (record->pieces[i] != 0)
+            registry::Remove(record->pieces[i]);
+    const size_t bytes = BytesOf(record->pieceCount);
+    record->~OutlineRecord();
+    bmr_release(allocator, record, bytes);
+}
+
+/// From pieces as they were cut to polygons of floats.
+class Builder {
+public:
+    Builder(const bmr_outline_pieces &pieces, const bmr_allocator *allocator)
+        : m_pieces(pieces), m_allocator(allocator), m_blocks(pieces.piece_count, allocator),
+          m_slivers(pieces.piece_count, allocator), m_corners(MostCorners(pieces), allocator) {}
+    ~Builder() { Drop(); }
+    Builder(const Builder &) = delete;
+    Builder &operator=(const Builder &) = delete;
+
+    bmr_error Build() {
+        if (m_blocks.Get() == nullptr || m_slivers.Get() == nullptr || m_corners.Get() == nullptr)
+            return BMR_ERROR_NO_MEMORY;
+        // Where a piece turns out to be a sliver, edges of its neighbours become faces: all is made anew.
+        for (bool again = true; again;) {
+            again = false;
+            Drop();
+            for (uint32_t p = 0; p < m_pieces.piece_count; ++p) {
+                if (m_slivers[p])
+                    continue;
+                const bmr_error error = MakePiece(p);
+                if (error != BMR_OK && error != BMR_ERROR_TOO_FEW_POINTS)
+                    return error;
+                m_slivers[p] = error != BMR_OK;
+                again = again || error != BMR_OK;
+            }
+        }
+        return Count() > 0 ? BMR_OK : BMR_ERROR_TOO_FEW_POINTS;
+    }
+
+    uint32_t Count() {
+        uint32_t count = 0;
+        for (uint32_t p = 0; p < m_pieces.piece_count; ++p)
+            count += m_blocks[p] != nullptr;
+        return count;
+    }
+
+    void ShareMass(const OutlineRecord &record);
+
+    /// Hands the polygons over to the registry; false without memory, then some are still here.
+    bool Register(OutlineRecord *record) {
+        uint32_t count = 0;
+        for (uint32_t p = 0; p < m_pieces.piece_count; ++p) {
+            if (m_blocks[p] == nullptr)
+                continue;
+            record->pieces[count] = registry::Add(m_blocks[p], record);
+            if (record->pieces[count++] == 0)
+                return false;
+            m_blocks[p] = nullptr;
+        }
+        return true;
+    }
+
+private:
+    static uint32_t MostCorners(const bmr_outline_pieces &pieces) {
+        uint32_t most = 1;
+        for (uint32_t p = 0; p < pieces.piece_count; ++p)
+            most = std::max(most, pieces.first[p + 1] - pieces.first[p]);
+        return most;
+    }
+
+    const bmr_outline_edge &Edge(uint32_t edge) const { return m_pieces.edges[edge]; }
+    uint32_t Next(uint32_t edge) const {
+        const uint32_t piece = Edge(edge).piece;
+        return edge + 1 < m_pieces.first[piece + 1] ? edge + 1 : m_pieces.first[piece];
+    }
+    uint32_t Previous(uint32_t edge) const {
+        const uint32_t piece = Edge(edge).piece;
+        return (edge > m_pieces.first[piece] ? edge : m_pieces.first[piece + 1]) - 1;
+    }
+    bmr_vec32 Begin(uint32_t edge) const {
+        const bmr_vec2 point = m_pieces.points[Edge(edge).point];
+        return {static_cast<float>(point.x), static_cast<float>(point.y)};
+    }
+    bool IsOutline(uint32_t edge) const { return Edge(edge).twin == BMR_OUTLINE_NONE; }
+
+    /// Does the sliver have a part of the outline? Then its neighbours stand for it.
+    bool HasOutline(uint32_t piece) const {
+        for (uint32_t e = m_pieces.first[piece]; e < m_pieces.first[piece + 1]; ++e)
+            if (IsOutline(e))
+                return true;
+        return false;
+    }
+    bool IsInner(uint32_t edge) {
+        if (IsOutline(edge))
+            return false;
+        const uint32_t behind = Edge(Edge(edge).twin).piece;
+        return !(m_slivers[behind] && HasOutline(behind));
+    }
+
+    /// Where the outline comes from that ends at the beginning of `edge`, the edge ahead of which is inner;
+    /// where it goes to that begins at the beginning of `edge`, which is inner itself. Around the corner,
+    /// from piece to piece: the first edge that has no other piece behind it.
+    bmr_vec32 ComesFrom(uint32_t edge) const {
+        uint32_t around = Previous(edge);
+        while (!IsOutline(around))
+            around = Previous(Edge(around).twin);
+        return Begin(around);
+    }
+    bmr_vec32 GoesTo(uint32_t edge) const {
+        uint32_t around = edge;
+        while (!IsOutline(around))
+            around = Next(Edge(around).twin);
+        return Begin(Next(around));
+    }
+
+    bmr_error MakePiece(uint32_t piece) {
+        const uint32_t first = m_pieces.first[piece], count = m_pieces.first[piece + 1] - first;
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t edge = first + i;
+            bmr_piece_corner32 &corner = m_corners[i];
+            corner.vertex = corner.neighbour = Begin(edge);
+            corner.inner = IsInner(edge);
+            const bool innerBefore = IsInner(Previous(edge));
+            if (corner.inner && !innerBefore)
+                corner.neighbour = GoesTo(edge);
+            else if (!corner.inner && innerBefore)
+                corner.neighbour = ComesFrom(edge);
+        }
+        return bmr_convex32_create_piece(m_corners.Get(), count, m_allocator, &m_blocks[piece]);
+    }
+
+    void Drop() {
+        if (m_blocks.Get() == nullptr)
+            return;
+        for (uint32_t p = 0; p < m_pieces.piece_count; ++p) {
+            bmr_convex32_destroy(m_blocks[p], m_allocator);
+            m_blocks[p] = nullptr;
+        }
+    }
+
+    const bmr_outline_pieces &m_pieces;
+    const bmr_allocator *m_allocator;
+    Room<bmr_convex32_block *> m_blocks;
+    Room<bool> m_slivers;
+    Room<bmr_piece_corner32> m_corners;
+};
+
+/// The pieces' masses become shares of the outline's, so that their sum is right also where the pieces are
+/// not quite the outline: each by its area; the centres all moved alike; and the inertias about them all
+/// scaled alike.
+void Builder::ShareMass(const OutlineRecord &record) {
+    double area = 0.0, inertia = 0.0;
+    bmr_vec2 moment = {0.0, 0.0};
+    for (uint32_t p = 0; p < m_pieces.piece_count; ++p) {
+        if (m_blocks[p] == nullptr)
+            continue;
+        const bmr_mass32 &mass = m_blocks[p]->mass;
+        const double a = static_cast<double>(mass.area);
+        const bmr_vec2 c = {static_cast<double>(mass.centroid.x), static_cast<double>(mass.centroid.y)};
+        area += a;
+        moment = bmr_add(moment, bmr_scale(a, c));
+    }
+    const bmr_vec2 shift = bmr_sub(record.centroid, bmr_scale(1.0 / area, moment));
+    const double share = record.area / area;
+    double ofCentres = 0.0;
+    for (const bool write : {false, true}) {
+        const double left = record.inertia - ofCentres;
+        for (uint32_t p = 0; p < m_pieces.piece_count; ++p) {
+            if (m_blocks[p] == nullptr)
+                continue;
+            bmr_mass32 &mass = m_blocks[p]->mass;
+            const double a = static_cast<double>(mass.area);
+            const bmr_vec2 c = {static_cast<double>(mass.centroid.x), static_cast<double>(mass.centroid.y)},
+                           moved = bmr_add(c, shift);
+            const double own =
+                std::max(static_cast<double>(mass.inertia) - a * bmr_dot(c, c), static_cast<double>(FLT_MIN));
+            if (!write) {
+                ofCentres += share * a * bmr_dot(moved, moved);
+                inertia += own;
+                continue;
+            }
+            mass.area = static_cast<float>(share * a);
+            mass.centroid = {static_cast<float>(moved.x), static_cast<float>(moved.y)};
+            mass.inertia = static_cast<float>(share * a * bmr_dot(moved, moved) + left * (own / inertia));
+        }
+    }
+}
+
+bool IsNormal(double value) {
+    return value >= static_cast<double>(FLT_MIN) && value <= static_cast<double>(FLT_MAX);
+}
+
+} // namespace
+
+bmr_error MakeOutlineRecord(const bmr_outline_pieces &pieces, const bmr_mass &mass, OutlineRecord **record) {
+    const bmr_allocator *allocator = registry::GetAllocator();
+    const double inertia = mass.inertia + mass.area * bmr_dot(mass.centroid, mass.centroid);
+    if (!IsNormal(mass.area) || !IsNormal(mass.inertia) || !IsNormal(inertia))
+        return BMR_ERROR_OUT_OF_RANGE;
+    Builder builder(pieces, allocator);
+    const bmr_error error = builder.Build();
+    if (error != BMR_OK)
+        return error;
+    const uint32_t count = builder.Count();
+    void *memory = bmr_allocate(allocator, BytesOf(count));
+    if (memory == nullptr)
+        return BMR_ERROR_NO_MEMORY;
+    auto *made = new (memory) OutlineRecord();
+    made->references.store(1, std::memory_order_relaxed);
+    made->end = End;
+    made->area = mass.area;
+    made->centroid = mass.centroid;
+    made->inertia = inertia;
+    made->pieceCount = count;
+    std::fill_n(made->pieces, count, registry::Handle{0});
+    builder.ShareMass(*made);
+    if (!builder.Register(made)) {
+        End(made);
+        return BMR_ERROR_NO_MEMORY;
+    }
+    *record = made;
+    return BMR_OK;
+}
+
+OutlineRecord *OutlineRecordOf(const b2Shape &shape) {
+    const uint32_t handle = internal::ConvexShapeAccess::HandleOf(shape);
+    return handle == 0
+               ? nullptr
+               : static_cast<OutlineRecord *>(registry::Find(handle).group.load(std::memory_order_relaxed));
+}
+
+} // namespace bmr

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_OUTLINE_RECORD_H
+#define BOOMERANG_GLUE_OUTLINE_RECORD_H
+
+#include "boomerang/outline.h"
+#include "shapes/convex_registry.h"
+
+class b2Shape;
+
+namespace bmr {
+
+/// What copies of an OutlineShape and their fixtures share: its pieces, which are big polygons of the
+/// registry whatever the number of their vertices. One block of memory; the pieces' are besides.
+struct OutlineRecord : registry::Group {
+    double area;
+    bmr_vec2 centroid;
+    double inertia; ///< about the origin
+    uint32_t pieceCount;
+    registry::Handle pieces[1]; ///< as many as there are pieces
+};
+
+/// The record of an outline that was cut into these pieces, with one reference. `mass` is the outline's; the
+/// pieces are given masses whose sum it is. BMR_ERROR_TOO_FEW_POINTS where no piece has an area as far as
+/// floats can tell, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_NO_MEMORY; then `*record` is untouched.
+bmr_error MakeOutlineRecord(const bmr_outline_pieces &pieces, const bmr_mass &mass, OutlineRecord **record);
+
+/// The record that a shape is a piece of; nullptr where it is none. A few loads.
+OutlineRecord *OutlineRecordOf(const b2Shape &shape);
+
+} // namespace bmr
+
+#endif

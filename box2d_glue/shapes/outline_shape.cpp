@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "boomerang/outline_shape.h"
+
+#include <cmath>
+#include <utility>
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_world.h>
+
+#include "contacts/contact_register.h"
+#include "geometry/memory.h"
+#include "shapes/convex_access.h"
+#include "shapes/convex_geometry.h"
+#include "shapes/outline_record.h"
+#include "start/rounding_mode.h"
+
+namespace bmr {
+
+namespace {
+
+/// Rings as core takes them, in one block of memory.
+class Rings {
+public:
+    explicit Rings(const bmr_allocator *allocator) : m_allocator(allocator) {}
+    ~Rings() {
+        if (m_memory != nullptr)
+            bmr_release(m_allocator, m_memory, m_bytes);
+    }
+    Rings(const Rings &) = delete;
+    Rings &operator=(const Rings &) = delete;
+
+    bmr_error Fill(const b2Vec2 *points, int32 count, const OutlineHole *holes, int32 holeCount) {
+        if (points == nullptr || (holes == nullptr && holeCount > 0))
+            return BMR_ERROR_NULL_ARGUMENT;
+        if (count < 0 || holeCount < 0)
+            return BMR_ERROR_NEGATIVE;
+        size_t all = static_cast<size_t>(count);
+        for (int32 h = 0; h < holeCount; ++h) {
+            if (holes[h].points == nullptr)
+                return BMR_ERROR_NULL_ARGUMENT;
+            if (holes[h].count < 0)
+                return BMR_ERROR_NEGATIVE;
+            all += static_cast<size_t>(holes[h].count);
+        }
+        const size_t ringCount = static_cast<size_t>(holeCount) + 1;
+        m_bytes = all * sizeof(bmr_vec2) + ringCount * sizeof(uint32_t);
+        m_memory = bmr_allocate(m_allocator, m_bytes);
+        if (m_memory == nullptr)
+            return BMR_ERROR_NO_MEMORY;
+        m_points = static_cast<bmr_vec2 *>(m_memory);
+        auto *counts = reinterpret_cast<uint32_t *>(m_points + all);
+        m_rings = {m_points, counts, static_cast<uint32_t>(ringCount)};
+        bmr_error error = Add(points, count, counts);
+        for (int32 h = 0; h < holeCount && error == BMR_OK; ++h)
+            error = Add(holes[h].points, holes[h].count, counts + 1 + h);
+        return error;
+    }
+
+    const bmr_rings *Get() const { return &m_rings; }
+
+private:
+    bmr_error Add(const b2Vec2 *points, int32 count, uint32_t *counted) {
+        *counted = static_cast<uint32_t>(count);
+        for (int32 i = 0; i < count; ++i) {
+            const double x = static_cast<double>(points[i].x), y = static_cast<double>(points[i].y);
+            if (!std::isfinite(x) || !std::isfinite(y))
+                return BMR_ERROR_NOT_FINITE;
+            if (std::fabs(x) > BMR_MAX_COORDINATE || std::fabs(y) > BMR_MAX_COORDINATE)
+                return BMR_ERROR_OUT_OF_RANGE;
+            *m_points++ = {x, y};
+        }
+        return BMR_OK;
+    }
+
+    const bmr_allocator *m_allocator;
+    size_t m_bytes = 0;
+    void *m_memory = nullptr;
+    bmr_vec2 *m_points = nullptr; ///< where the next one goes
+    bmr_rings m_rings = {};
+};
+
+void Tell(const bmr_outline_fault &fault, OutlineFault *told) {
+    const auto number = [](uint32_t n) { return n == BMR_OUTLINE_NONE ? -1 : static_cast<int32>(n); };
+    if (told == nullptr)
+        return;
+    for (int i = 0; i < 2; ++i) {
+        told->edge[i] = number(fault.edge[i]);
+        told->ring[i] = number(fault.ring[i]);
+    }
+    told->where.Set(static_cast<float>(fault.where.x), static_cast<float>(fault.where.y));
+}
+
+bmr_error MakeRecord(const bmr_rings *rings, float tolerance, const bmr_allocator *allocator,
+                     bmr_outline_fault *fault, OutlineRecord **record) {
+    bmr_outline_def def = bmr_default_outline_def();
+    def.tolerance = static_cast<double>(tolerance);
+    bmr_outline_pieces *pieces = nullptr;
+    bmr_error error = bmr_outline_decompose(rings, &def, allocator, &pieces, fault);
+    if (error != BMR_OK)
+        return error;
+    bmr_mass mass;
+    error = bmr_outline_mass(rings, &mass);
+    if (error == BMR_OK)
+        error = MakeOutlineRecord(*pieces, mass, record);
+    bmr_outline_pieces_destroy(pieces, allocator);
+    return error;
+}
+
+bmr_error CheckDef(const b2FixtureDef &def) {
+    if (!std::isfinite(def.density) || !std::isfinite(def.friction) || !std::isfinite(def.restitution))
+        return BMR_ERROR_NOT_FINITE;
+    return def.density < 0.0f || def.friction < 0.0f ? BMR_ERROR_NEGATIVE : BMR_OK;
+}
+
+} // namespace
+
+OutlineShape::OutlineShape(const OutlineShape &other) noexcept : m_record(other.m_record) {
+    if (m_record != nullptr)
+        m_record->references.fetch_add(1, std::memory_order_relaxed);
+}
+
+OutlineShape &OutlineShape::operator=(const OutlineShape &other) noexcept {
+    OutlineShape copy(other);
+    std::swap(m_record, copy.m_record);
+    return *this;
+}
+
+OutlineShape::~OutlineShape() {
+    if (m_record != nullptr)
+        registry::ReleaseGroup(m_record);
+}
+
+bmr_error OutlineShape::Set(const b2Vec2 *points, int32 count, const OutlineHole *holes, int32 holeCount,
+                            float tolerance, OutlineFault *fault) {
+    const NearestRounding nearest; // outlines outlast the mode that they are made in
+    const bmr_allocator *allocator = registry::GetAllocator();
+    Rings rings(allocator);
+    bmr_error error = rings.Fill(points, count, holes, holeCount);
+    if (error == BMR_OK)
+        error = RegisterConvexContacts();
+    if (error != BMR_OK)
+        return error;
+    bmr_outline_fault found = {};
+    OutlineRecord *made = nullptr;
+    error = MakeRecord(rings.Get(), tolerance, allocator, &found, &made);
+    if (found.error != BMR_OK)
+        Tell(found, fault);
+    if (error != BMR_OK)
+        return error;
+    if (m_record != nullptr)
+        registry::ReleaseGroup(m_record);
+    m_record = made;
+    return BMR_OK;
+}
+
+bmr_error OutlineShape::CreateFixtures(b2Body *body, const b2FixtureDef &def) const {
+    if (body == nullptr)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (m_record == nullptr)
+        return BMR_ERROR_NO_POINTS;
+    const bmr_error error = CheckDef(def);
+    if (error != BMR_OK)
+        return error;
+    if (body->GetWorld()->IsLocked())
+        return BMR_ERROR_WORLD_LOCKED;
+    // The body's mass is set once: with the fixtures' densities it would be with every one of them.
+    b2FixtureDef each = def;
+    each.density = 0.0f;
+    for (int32 i = 0; i < GetPieceCount(); ++i) {
+        const ConvexShape piece = GetPiece(i);
+        each.shape = &piece;
+        body->CreateFixture(&each)->SetDensity(def.density);
+    }
+    if (def.density > 0.0f)
+        body->ResetMassData();
+    return BMR_OK;
+}
+
+bmr_error OutlineShape::CreateFixtures(b2Body *body, float density) const {
+    b2FixtureDef def;
+    def.density = density;
+    return CreateFixtures(body, def);
+}
+
+bmr_error OutlineShape::DestroyFixtures(b2Body *body) const {
+    if (body == nullptr)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (body->GetWorld()->IsLocked())
+        return BMR_ERROR_WORLD_LOCKED;
+    ForEachFixture(body, [body](b2Fixture &piece) { body->DestroyFixture(&piece); });
+    return BMR_OK;
+}
+
+OutlineShape OutlineShape::From(const b2Fixture *fixture) {
+    OutlineShape outline;
+    outline.m_record = fixture != nullptr ? OutlineRecordOf(*fixture->GetShape()) : nullptr;
+    if (outline.m_record != nullptr)
+        outline.m_record->references.fetch_add(1, std::memory_order_relaxed);
+    return outline;
+}
+
+bool OutlineShape::Has(const b2Fixture &fixture) const {
+    return m_record != nullptr && OutlineRecordOf(*fixture.GetShape()) == m_record;
+}
+
+int32 OutlineShape::GetPieceCount() const {
+    return m_record != nullptr ? static_cast<int32>(m_record->pieceCount) : 0;
+}
+
+ConvexShape OutlineShape::GetPiece(int32 index) const {
+    ConvexShape piece;
+    registry::AddReference(m_record->pieces[index]);
+    internal::ConvexShapeAccess::Adopt(&piece, m_record->pieces[index]);
+    return piece;
+}
+
+bool OutlineShape::IsInnerEdge(int32 index, int32 edge) const {
+    const bmr_convex32_block &block =
+        *registry::Find(m_record->pieces[index]).block.load(std::memory_order_relaxed);
+    return block.polygon.seams != nullptr && block.seams.inner[edge] != 0;
+}
+
+void OutlineShape::ComputeMass(b2MassData *massData, float density) const {
+    if (m_record == nullptr) {
+        *massData = {0.0f, b2Vec2(0.0f, 0.0f), 0.0f};
+        return;
+    }
+    const double d = static_cast<double>(density);
+    massData->mass = static_cast<float>(d * m_record->area);
+    massData->center.Set(static_cast<float>(m_record->centroid.x), static_cast<float>(m_record->centroid.y));
+    massData->I = static_cast<float>(d * m_record->inertia);
+}
+
+} // namespace bmr

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+// Over the seams of an outline's pieces things roll and slide as over one line: wheels and boxes on a ground
+// that was cut in a hundred places, beside a chain with the same surface and beside triangles.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <box2d/box2d.h>
+
+#include "boomerang/outline_shape.h"
+
+namespace {
+
+constexpr int kSeams = 100;
+constexpr float kRadius = 0.5f;
+
+enum class Ground { Chain, Outline, Triangles, Pieces };
+
+/// The height of the ground's surface above x.
+using Surface = std::function<float(float)>;
+
+/// A surface from x = -5 to kSeams + 5, with a point at each whole number, and below it a comb: each of its
+/// notches takes a cut up to the surface.
+struct Terrain {
+    std::vector<b2Vec2> surface; ///< from left to right
+    std::vector<b2Vec2> outline; ///< counter-clockwise
+
+    explicit Terrain(const Surface &height) {
+        for (int i = -5; i <= kSeams + 5; ++i)
+            surface.emplace_back(static_cast<float>(i), height(static_cast<float>(i)));
+        const size_t last = surface.size() - 1;
+        for (size_t i = 0; i < last; ++i) {
+            const float depth = i % 2 == 0 ? -3.0f : -2.0f;
+            outline.emplace_back(surface[i].x, depth);
+        }
+        outline.emplace_back(surface[last].x, -3.0f);
+        outline.insert(outline.end(), surface.rbegin(), surface.rend());
+    }
+};
+
+void AddTriangle(b2Body *body, const b2FixtureDef &def, b2Vec2 a, b2Vec2 b, b2Vec2 c) {
+    const b2Vec2 corners[] = {a, b, c};
+    b2PolygonShape triangle;
+    triangle.Set(corners, 3);
+    b2FixtureDef piece = def;
+    piece.shape = &triangle;
+    body->CreateFixture(&piece);
+}
+
+/// The pieces as polygons that know of nothing.
+void AddWithoutSeams(b2Body *body, const b2FixtureDef &def, const bmr::OutlineShape &outline) {
+    for (int32 i = 0; i < outline.GetPieceCount(); ++i) {
+        const bmr::ConvexShape piece = outline.GetPiece(i);
+        bmr::ConvexShape plain;
+        REQUIRE(plain.SetRaw(piece.GetVertices(), piece.GetVertexCount()) == BMR_OK);
+        b2FixtureDef fixture = def;
+        fixture.shape = &plain;
+        body->CreateFixture(&fixture);
+    }
+}
+
+/// Returns how many seams there are on the surface.
+int AddGround(b2World &world, const Terrain &terrain, Ground kind, float friction) {
+    const b2BodyDef still;
+    b2Body *body = world.CreateBody(&still);
+    b2FixtureDef def;
+    def.friction = friction;
+    const std::vector<b2Vec2> &top = terrain.surface;
+    if (kind == Ground::Outline || kind == Ground::Pieces) {
+        bmr::OutlineShape outline;
+        REQUIRE(outline.Set(terrain.outline.data(), static_cast<int32>(terrain.outline.size())) == BMR_OK);
+        if (kind == Ground::Outline)
+            REQUIRE(outline.CreateFixtures(body, def) == BMR_OK);
+        else
+            AddWithoutSeams(body, def, outline);
+        return outline.GetPieceCount() - 1;
+    }
+    if (kind == Ground::Triangles) {
+        for (size_t i = 0; i + 1 < top.size(); ++i) {
+            const b2Vec2 left(top[i].x, -3.0f), right(top[i + 1].x, -3.0f);
+            AddTriangle(body, def, left, right, top[i + 1]);
+            AddTriangle(body, def, left, top[i + 1], top[i]);
+        }
+        return static_cast<int>(top.size()) - 2;
+    }
+    const std::vector<b2Vec2> line(top.rbegin(), top.rend());
+    b2ChainShape chain;
+    chain.CreateChain(line.data(), static_cast<int32>(line.size()), line.front() + b2Vec2(1.0f, 0.0f),
+                      line.back() - b2Vec2(1.0f, 0.0f));
+    def.shape = &chain;
+    body->CreateFixture(&def);
+    return static_cast<int>(top.size()) - 2;
+}
+
+struct Mover {
+    std::string name;
+    std::unique_ptr<b2Shape> shape;
+    float friction; ///< of the ground; the mover's is 1
+    float bottom;   ///< its middle is so high above the ground
+    bool rolls;
+};
+
+std::unique_ptr<b2Shape> Wheel(int vertices) {
+    if (vertices == 0) {
+        auto circle = std::make_unique<b2CircleShape>();
+        circle->m_radius = kRadius;
+        return circle;
+    }
+    auto wheel = std::make_unique<bmr::ConvexShape>();
+    REQUIRE(wheel->SetRegular(vertices, kRadius) == BMR_OK);
+    return wheel;
+}
+
+std::vector<Mover> Movers() {
+    std::vector<Mover> movers;
+    movers.push_back({"circle", Wheel(0), 1.0f, kRadius + b2_polygonRadius, true});
+    movers.push_back({"wheel of 1024", Wheel(1024), 1.0f, kRadius + b2_polygonRadius, true});
+    auto box = std::make_unique<b2PolygonShape>();
+    box->SetAsBox(0.4f, 0.4f);
+    movers.push_back({"box", std::move(box), 0.0f, 0.4f + 2.0f * b2_polygonRadius, false});
+    return movers;
+}
+
+struct Ride {
+    float speed;                          ///< at the end
+    float lowest = 1e9f, highest = -1e9f; ///< above the surface
+};
+
+Ride RideOver(const Surface &height, Ground kind, const Mover &mover, float speed) {
+    b2World world(b2Vec2(0.0f, -10.0f));
+    const Terrain terrain(height);
+    CHECK(AddGround(world, terrain, kind, mover.friction) >= kSeams / 2);
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    def.position.Set(0.25f, height(0.25f) + mover.bottom);
+    def.linearVelocity.Set(speed, 0.0f);
+    def.angularVelocity = mover.rolls ? -speed / (kRadius + b2_polygonRadius) : 0.0f;
+    b2Body *body = world.CreateBody(&def);
+    b2FixtureDef fixture;
+    fixture.shape = mover.shape.get();
+    fixture.density = 1.0f;
+    fixture.friction = 1.0f;
+    body->CreateFixture(&fixture);
+    Ride ride;
+    int steps = 0;
+    for (; body->GetPosition().x < static_cast<float>(kSeams) && steps < 1500; ++steps) {
+        world.Step(1.0f / 60.0f, 8, 3);
+        if (steps < 20)
+            continue;
+        const float above = body->GetPosition().y - height(body->GetPosition().x);
+        ride.lowest = std::min(ride.lowest, above);
+        ride.highest = std::max(ride.highest, above);
+    }
+    ride.speed = body->GetLinearVelocity().x;
+    return ride;
+}
+
+/// Of four rides at other speeds: what is lost, and how far the height over the surface changes in each.
+struct Rides {
+    float lost = 0.0f, heights = 0.0f;
+};
+
+Rides RideAll(const Surface &height, Ground kind, const Mover &mover) {
+    Rides all;
+    for (const float speed : {7.0f, 8.5f, 10.0f, 11.5f}) {
+        const Ride ride = RideOver(height, kind, mover, speed);
+        all.lost += speed - ride.speed;
+        all.heights += 0.25f * (ride.highest - ride.lowest);
+    }
+    return all;
+}
+
+void CheckRides(const Surface &height) {
+    float lostOnPieces = 0.0f, lostOnTriangles = 0.0f;
+    for (const Mover &mover : Movers()) {
+        CAPTURE(mover.name);
+        const Rides chain = RideAll(height, Ground::Chain, mover),
+                    outline = RideAll(height, Ground::Outline, mover),
+                    triangles = RideAll(height, Ground::Triangles, mover),
+                    pieces = RideAll(height, Ground::Pieces, mover);
+        MESSAGE(mover.name << ": lost, in m/s: chain " << chain.lost << ", outline " << outline.lost
+                           << ", triangles " << triangles.lost << ", pieces without seams " << pieces.lost
+                           << "; heights, in m: " << chain.heights << ", " << outline.heights << ", "
+                           << triangles.heights << ", " << pieces.heights);
+        CHECK(outline.lost - chain.lost <= 0.01f * triangles.lost);
+        CHECK(outline.heights < chain.heights + 2.0f * b2_linearSlop);
+        lostOnPieces += pieces.lost - chain.lost;
+        lostOnTriangles += triangles.lost;
+    }
+    // The control: it is what the pieces know, not that they are few.
+    CHECK(lostOnPieces > 0.05f * lostOnTriangles);
+}
+
+/// A ring rolls over a box, cut in an outline's pieces or in triangles. Its speed at the end.
+float RollRing(Ground kind, float speed) {
+    constexpr int points = 512, steps = 400;
+    constexpr float inner = 0.6f;
+    b2World world(b2Vec2(0.0f, -10.0f));
+    const b2BodyDef still;
+    b2PolygonShape floor;
+    floor.SetAsBox(200.0f, 1.0f, b2Vec2(0.0f, -1.0f), 0.0f);
+    world.CreateBody(&still)->CreateFixture(&floor, 0.0f)->SetFriction(1.0f);
+    std::vector<b2Vec2> rim, hole;
+    for (int i = 0; i < points; ++i) {
+        const float angle = 2.0f * b2_pi * static_cast<float>(i) / points;
+        rim.emplace_back(kRadius * std::cos(angle), kRadius * std::sin(angle));
+        if (i % 16 == 0)
+            hole.push_back(inner * rim.back());
+    }
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    def.position.Set(-30.0f, kRadius + b2_polygonRadius);
+    def.linearVelocity.Set(speed, 0.0f);
+    def.angularVelocity = -speed / (kRadius + b2_polygonRadius);
+    b2Body *ring = world.CreateBody(&def);
+    b2FixtureDef fixture;
+    fixture.density = 1.0f;
+    fixture.friction = 1.0f;
+    if (kind == Ground::Triangles) {
+        for (size_t i = 0; i < rim.size(); ++i) {
+            const size_t next = (i + 1) % rim.size();
+            AddTriangle(ring, fixture, inner * rim[i], rim[i], rim[next]);
+        }
+    } else {
+        const bmr::OutlineHole holes[] = {{hole.data(), static_cast<int32>(hole.size())}};
+        bmr::OutlineShape outline;
+        REQUIRE(outline.Set(rim.data(), points, holes, 1) == BMR_OK);
+        REQUIRE(outline.GetPieceCount() > 10);
+        if (kind == Ground::Outline)
+            REQUIRE(outline.CreateFixtures(ring, fixture) == BMR_OK);
+        else
+            AddWithoutSeams(ring, fixture, outline);
+    }
+    for (int i = 0; i < steps; ++i)
+        world.Step(1.0f / 60.0f, 8, 3);
+    return ring->GetLinearVelocity().x;
+}
+
+} // namespace
+
+TEST_CASE("over a hundred flat seams nothing is lost beyond a chain's loss") {
+    CheckRides([](float) { return 0.0f; });
+}
+
+TEST_CASE("over a hundred seams of hills nothing is lost beyond a chain's loss") {
+    CheckRides([](float x) { return 0.5f * std::sin(0.2f * x); });
+}
+
+TEST_CASE("a ring in pieces rolls as the whole it is") {
+    for (const float speed : {5.0f, 10.0f}) {
+        const float outline = RollRing(Ground::Outline, speed),
+                    triangles = RollRing(Ground::Triangles, speed), pieces = RollRing(Ground::Pieces, speed);
+        MESSAGE("from " << speed << " m/s: outline " << outline << ", triangles " << triangles
+                        << ", pieces without seams " << pieces);
+        CHECK(outline > 0.95f * speed);
+        CHECK(triangles < 0.8f * speed);
+    }
+}
+
+TEST_CASE("nothing that is shot at an outline goes through its seams") {
+    // A wall that winds its way up, a tenth of a metre thick: at each bend there is a notch, and a seam.
+    constexpr int bends = 20, shots = 150;
+    std::vector<b2Vec2> ring;
+    for (int i = 0; i <= bends; ++i)
+        ring.emplace_back(0.05f + 0.3f * static_cast<float>(i % 2), static_cast<float>(i));
+    for (int i = bends; i >= 0; --i)
+        ring.emplace_back(-0.05f + 0.3f * static_cast<float>(i % 2), static_cast<float>(i));
+    bmr::OutlineShape wall;
+    REQUIRE(wall.Set(ring.data(), static_cast<int32>(ring.size())) == BMR_OK);
+    REQUIRE(wall.GetPieceCount() >= bends / 2);
+    int arrived = 0;
+    for (const bool rightwards : {true, false}) {
+        for (int kind = 0; kind < 3; ++kind) {
+            b2World world(b2Vec2(0.0f, 0.0f));
+            const b2BodyDef still;
+            REQUIRE(wall.CreateFixtures(world.CreateBody(&still), 0.0f) == BMR_OK);
+            std::vector<const b2Body *> bullets;
+            for (int i = 0; i < shots; ++i) {
+                b2BodyDef def;
+                def.type = b2_dynamicBody;
+                def.bullet = true;
+                def.position.Set(rightwards ? -3.0f : 3.0f, 0.5f + 19.0f * static_cast<float>(i) / shots);
+                def.angle = 0.37f * static_cast<float>(i);
+                def.linearVelocity.Set((rightwards ? 1.0f : -1.0f) * (60.0f + static_cast<float>(i % 50)),
+                                       0.3f * static_cast<float>(i % 7 - 3));
+                b2Body *bullet = world.CreateBody(&def);
+                b2FixtureDef fixture;
+                fixture.density = 1.0f;
+                fixture.filter.groupIndex = -1;
+                b2CircleShape circle;
+                circle.m_radius = 0.05f;
+                b2PolygonShape box;
+                box.SetAsBox(0.05f, 0.03f);
+                bmr::ConvexShape coin;
+                REQUIRE(coin.SetRegular(40, 0.05f) == BMR_OK);
+                const b2Shape *const shapes[] = {&circle, &box, &coin};
+                fixture.shape = shapes[kind];
+                bullet->CreateFixture(&fixture);
+                bullets.push_back(bullet);
+            }
+            for (int i = 0; i < 20; ++i)
+                world.Step(1.0f / 60.0f, 8, 3);
+            for (const b2Body *bullet : bullets) {
+                const float x = bullet->GetPosition().x, y = bullet->GetPosition().y;
+                if (y > 0.0f && y < static_cast<float>(bends))
+                    CHECK((rightwards ? x < 0.35f : x > -0.05f));
+                arrived += std::abs(bullet->GetLinearVelocity().x) < 50.0f;
+            }
+        }
+    }
+    CHECK(arrived > shots); // they did meet it
+}
