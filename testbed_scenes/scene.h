@@ -35,9 +35,9 @@ public:
 struct SceneInfo {
     const char *name;
     const char *description;
-    const char
-        *group; ///< "classic": small and known from Box2D's testbed; "hard": many pairs that stay apart;
-                ///< "any-size": of polygons of any size, as the options `vertices` and `bodies` choose
+    const char *group; ///< "classic": small and known from Box2D's testbed; "hard": many pairs that stay
+                       ///< apart; "any-size": of polygons of any size, as the options `vertices` and `bodies`
+                       ///< choose; "outlines": of concave bodies, likewise
     const char *sizeMeaning;
     int size;
     int steps;
@@ -58,7 +58,7 @@ template <typename T> std::unique_ptr<Scene> CreateScene() {
 SceneInfo SceneOfAFile(const char *name, const char *description, int steps, float timeStep,
                        std::unique_ptr<Scene> (*create)());
 
-/// All scenes: the classic ones, then the hard ones, then those of any size.
+/// All scenes: the classic ones, then the hard ones, then those of any size, then outlines.
 const std::vector<SceneInfo> &AllScenes();
 /// Null if there is none of this name.
 const SceneInfo *FindScene(std::string_view name);
@@ -82,6 +82,7 @@ void AddChurn(std::vector<SceneInfo> &scenes);
 void AddAnySizeCoins(std::vector<SceneInfo> &scenes);
 void AddAnySizeBodies(std::vector<SceneInfo> &scenes);
 void AddAnySizeWorlds(std::vector<SceneInfo> &scenes);
+void AddOutlines(std::vector<SceneInfo> &scenes);
 
 } // namespace testbed
 

@@ -31,7 +31,7 @@ const std::vector<SceneInfo> &AllScenes() {
         for (const auto add :
              {AddClassicStacks, AddClassicMotion, AddClassicJoints, AddClassicExamples, AddTerrain,
               AddLongThings, AddCoins, AddAsteroids, AddGears, AddBullets, AddSensors, AddSleepers, AddChurn,
-              AddAnySizeCoins, AddAnySizeBodies, AddAnySizeWorlds})
+              AddAnySizeCoins, AddAnySizeBodies, AddAnySizeWorlds, AddOutlines})
             add(all);
         return all;
     }();

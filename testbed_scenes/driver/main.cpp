@@ -10,6 +10,7 @@
 #include "events_command.h"
 #include "manual_command.h"
 #include "nearest.h"
+#include "outline_command.h"
 #include "plot_command.h"
 #include "render_command.h"
 #include "replay_command.h"
@@ -35,6 +36,7 @@ struct CommandLine {
     ReplayCommand replay;
     FiguresCommand figures;
     EventsCommand events;
+    OutlineCommand outline;
     PlotCommand plot;
     ReportCommand report;
     ManualCommand manual;
@@ -194,6 +196,7 @@ int Answer(int argc, char **argv) {
     AddPluginOptions(*replay, line.replay.worker);
     AddSceneOptions(*replay, line.replay.worker);
     const CLI::App *world = AddWorld(app, line.world);
+    const CLI::App *outline = AddOutline(app, line.outline);
     const CLI::App *plot = AddPlot(app, line);
     const CLI::App *report = AddReport(app, line.report);
     AddManual(app, line.manual);
@@ -217,6 +220,8 @@ int Answer(int argc, char **argv) {
 
     if (app.got_subcommand(figures))
         return Execute(line.figures);
+    if (app.got_subcommand(outline))
+        return Execute(line.outline);
     if (app.got_subcommand(plot))
         return Execute(line.plot);
     if (app.got_subcommand(report))

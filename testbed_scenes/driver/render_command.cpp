@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kHelp[] =
+constexpr char kRenderHelp[] =
     "With no layer named: certificates, slack, handed-over, contacts and events. With some named: those "
     "alone.\n\n"
     "Layers:\n"
@@ -238,7 +238,7 @@ CLI::App *AddRender(CLI::App &app, RenderCommand &command) {
     CLI::Option *all = render->add_flag("--all", command.all, "Every layer");
     render->add_flag("--bare", command.bare, "No layer: the bodies alone")->excludes(all);
     render->add_flag("--quiet", command.quiet, "No progress");
-    render->footer(kHelp);
+    render->footer(kRenderHelp);
     return render;
 }
 

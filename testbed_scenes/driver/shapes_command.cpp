@@ -16,7 +16,7 @@
 namespace testbed {
 namespace {
 
-constexpr char kHelp[] =
+constexpr char kShapesHelp[] =
     "Example: boomerang-testbed compare-shapes gas --vertices 64,256,4096 --curve gas.csv\n"
     "         boomerang-testbed plot gas.csv -o gas.svg\n\n"
     "One fixture runs with the plugin, all others on stock Box2D. A step of bodies of many fixtures takes "
@@ -49,8 +49,11 @@ const std::vector<Column> &Columns() {
          }},
         {"step", "x one", "times_one", 1,
          [](const ShapesResult &result, const ShapesRow &row) {
-             return row.bodies == "many" ? TimeRatio(row, FindRow(result, "one", row.vertices, row.steps))
-                                         : std::nullopt;
+             const bool many =
+                 row.bodies == "many" || row.bodies == "triangles" || row.bodies == "stock triangles";
+             return many ? TimeRatio(row, FindRow(result, IsOfOutlines(result.scene) ? "outline" : "one",
+                                                  row.vertices, row.steps))
+                         : std::nullopt;
          }},
         {"at the end", "awake", "awake", 0,
          [](const ShapesResult &, const ShapesRow &row) { return NumberAt(row.count, "/behaviour/awake"); }},
@@ -83,9 +86,10 @@ void PrintTable(std::ostream &out, const ShapesResult &result, int repeat, bool 
     for (const Column &column : Columns())
         table.AddColumn(column.group, column.name);
     for (const ShapesRow &row : result.rows) {
-        std::vector<Table::Cell> cells = {{row.bodies, row.bodies == "one" ? Style::Strong : Style::Plain},
-                                          {VerticesText(row), Style::Plain},
-                                          {std::to_string(row.steps), Style::Plain}};
+        std::vector<Table::Cell> cells = {
+            {row.bodies, row.bodies == "one" || row.bodies == "outline" ? Style::Strong : Style::Plain},
+            {VerticesText(row), Style::Plain},
+            {std::to_string(row.steps), Style::Plain}};
         for (const Column &column : Columns()) {
             const std::optional<double> number = column.number(result, row);
             cells.push_back({Fixed(number, column.decimals), number ? Style::Plain : Style::Faint});
@@ -95,11 +99,14 @@ void PrintTable(std::ostream &out, const ShapesResult &result, int repeat, bool 
     table.Print(out, colour);
     const std::string time = "step: median of " + std::to_string(repeat) +
                              " runs that take turns; x octagon, x one: how many times as long as a step of "
-                             "stock octagons, of one fixture";
+                             "stock octagons, of one fixture (or outlines)";
+    const std::string what =
+        IsOfOutlines(result.scene)
+            ? "outline: few convex pieces, with the plugin; triangles: with the plugin, too, and on stock"
+            : "one: one fixture a body, with the plugin; many: stock fixtures of at most 8 vertices; "
+              "octagon, circle: stock";
     for (const std::string &line :
-         {std::string("one: one fixture a body, with the plugin; many: stock fixtures of at most 8 vertices; "
-                      "octagon, circle: stock"),
-          time,
+         {what, time,
           std::string("overlap: the deepest, Box2D leaves 5 mm; gained: energy above that of the first step; "
                       "moved: mean distance from the first step's place")})
         out << Styled(line, Style::Faint, colour) << '\n';
@@ -162,7 +169,7 @@ SceneInfo ChooseScene(const std::vector<SceneInfo> &scenes, const std::string &n
     for (const SceneInfo &scene : scenes) {
         if (scene.bodies != "one" || scene.vertices == 0)
             continue;
-        if (scene.name == name || scene.name == "any-" + name)
+        if (scene.name == name || scene.name == "any-" + name || scene.name == name + "-outline")
             return scene;
         choices += (choices.empty() ? "" : ", ") + scene.name;
         names.push_back(scene.name);
@@ -178,7 +185,9 @@ CLI::App *AddCompareShapes(CLI::App &app, ShapesCommand &command) {
     CLI::App *shapes =
         app.add_subcommand("compare-shapes", "Compare polygons of any size as one fixture with many "
                                              "fixtures, circles and octagons: cost, behaviour");
-    shapes->add_option("scene", command.scene, "gas, pile, stack, wheels, ...: what `list` shows as any-...")
+    shapes
+        ->add_option("scene", command.scene,
+                     "gas, pile, stack, wheels, ...: what `list` shows as any-..., or one of outlines")
         ->required();
     shapes->add_option("--vertices", options.vertices, "How many vertices, separated by commas")
         ->delimiter(',')
@@ -204,7 +213,7 @@ CLI::App *AddCompareShapes(CLI::App &app, ShapesCommand &command) {
     shapes->add_option("--curve", command.curve,
                        "Write the cost of a step by vertices into this file, for `plot`");
     shapes->add_flag("--quiet", command.quiet, "No table and no progress: the files alone");
-    shapes->footer(kHelp);
+    shapes->footer(kShapesHelp);
     return shapes;
 }
 
@@ -215,6 +224,8 @@ int Execute(ShapesCommand command, const Workers &workers) {
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     if (!command.curve.empty() && command.options.repeat == 0)
         throw UsageError("--curve needs timed runs: not --repeat 0");
+    if (!command.curve.empty() && IsOfOutlines(scene))
+        throw UsageError("--curve is of polygons whose vertices are chosen: not of outlines");
     if (command.quiet && command.json.empty() && command.csv.empty() && command.curve.empty())
         throw UsageError("--quiet prints nothing: give --json, --csv or --curve a file");
     OutputFile json(command.json), csv(command.csv), curve(command.curve);

@@ -12,6 +12,10 @@ constexpr int64_t kOctagon = 8;
 
 std::vector<ShapesRow> RowsOf(const SceneInfo &scene, const ShapesOptions &options) {
     const int64_t steps = options.steps.value_or(scene.steps);
+    if (IsOfOutlines(scene))
+        return {{"outline", scene.vertices, steps, {}, {}},
+                {"triangles", scene.vertices, steps, {}, {}},
+                {"stock triangles", scene.vertices, steps, {}, {}}};
     const int64_t few = std::min(steps, options.manySteps);
     std::vector<ShapesRow> rows = {{"octagon", kOctagon, steps, {}, {}}};
     if (options.circles)
@@ -29,14 +33,17 @@ std::vector<ShapesRow> RowsOf(const SceneInfo &scene, const ShapesOptions &optio
 }
 
 WorkerRequest RequestFor(const SceneInfo &scene, const ShapesRow &row, const char *mode) {
-    const bool one = row.bodies == "one";
+    const bool one = row.bodies == "one" || row.bodies == "outline";
     WorkerRequest request;
-    request.side = one ? Side::Plugin : Side::Stock;
+    request.side = one || row.bodies == "triangles" ? Side::Plugin : Side::Stock;
     request.scene = scene.name;
     request.steps = row.steps;
     request.mode = mode;
-    request.extra = {"--bodies", row.bodies == "octagon" ? "many" : row.bodies, "--vertices",
-                     std::to_string(row.vertices > 0 ? row.vertices : kOctagon)};
+    request.extra = {"--bodies",
+                     one                      ? "one"
+                     : row.bodies == "circle" ? "circle"
+                                              : "many",
+                     "--vertices", std::to_string(row.vertices > 0 ? row.vertices : kOctagon)};
     return request;
 }
 

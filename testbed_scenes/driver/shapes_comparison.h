@@ -19,7 +19,7 @@ namespace testbed {
 
 struct ShapesOptions {
     WorkerOptions worker;
-    std::vector<int64_t> vertices = {16, 64, 256, 1024, 4096}; ///< ascending
+    std::vector<int64_t> vertices = {16, 64, 256, 1024, 4096}; ///< ascending; of outlines the scene's own
     bool many = true, circles = true;
     int64_t manyUpTo = 256;  ///< bodies of more fixtures than these vertices need are left out
     int64_t manySteps = 100; ///< of those that take long: of more vertices than kManyAtLength
@@ -27,12 +27,18 @@ struct ShapesOptions {
     int repeat = 3;
 };
 
+/// Is the scene one of concave bodies? These are compared as outlines with the plugin, as triangles with it,
+/// and as triangles on stock Box2D.
+inline bool IsOfOutlines(const SceneInfo &scene) {
+    return scene.group == "outlines";
+}
+
 /// Bodies of many fixtures run all steps up to here.
 constexpr int64_t kManyAtLength = 64;
 
 /// One world.
 struct ShapesRow {
-    std::string bodies;   ///< octagon, circle, one, many
+    std::string bodies;   ///< octagon, circle, one, many; of outlines: outline, triangles, stock triangles
     int64_t vertices = 0; ///< 0 of a circle
     int64_t steps = 0;
     nlohmann::json count;              ///< summary of the counting run

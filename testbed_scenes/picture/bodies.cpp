@@ -54,6 +54,19 @@ private:
             Mixed(ColourOf(*fixtures[0]), style::kBackground, style::kFillOpacity * m_opacity);
         for (const Fixture *fixture : fixtures)
             m_canvas.Polygon(PointsOf(*fixture), {inside, 1.0}, {inside, 0.0, 1.0, {}});
+        for (const Fixture *fixture : fixtures)
+            DrawSeams(*fixture, edge);
+    }
+
+    /// Where pieces of an outline meet.
+    void DrawSeams(const Fixture &fixture, const Colour &colour) const {
+        const std::vector<bmr_vec2> points = PointsOf(fixture);
+        const Pen pen = {colour, 0.5 * kEdgeWidth * m_unit, 0.5, {2.0 * m_unit, 2.0 * m_unit}};
+        for (const int edge : fixture.inner) {
+            const auto from = static_cast<std::size_t>(edge);
+            if (from < points.size())
+                m_canvas.Segment(points[from], points[(from + 1) % points.size()], pen);
+        }
     }
 
     void DrawFixture(const Fixture &fixture) const {

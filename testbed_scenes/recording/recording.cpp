@@ -40,6 +40,7 @@ template <typename Visit> void Fields(const Fixture *, Visit visit) {
     visit("shape", &Fixture::shape);
     visit("points", &Fixture::points);
     visit("radius", &Fixture::radius);
+    visit("inner", &Fixture::inner);
     visit("sensor", &Fixture::sensor);
 }
 

@@ -69,6 +69,9 @@ struct Fixture {
     std::vector<Vec> points;
     float radius = 0.0f; ///< a circle's; of the others, the skin around them
     bool sensor = false;
+    /// Of a piece of an outline: the edges, by the index of the point where they begin, behind which another
+    /// piece goes on.
+    std::vector<int> inner;
 };
 
 /// A body after the step.

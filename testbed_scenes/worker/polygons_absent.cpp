@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "any_size.h"
+#include "outlined.h"
 
 namespace testbed {
 
@@ -17,6 +18,14 @@ std::unique_ptr<b2Shape> MakeOnePolygon(const Outline &outline) {
 
 Outline VerticesOf(const b2PolygonShape &polygon) {
     return Outline(polygon.m_vertices, polygon.m_vertices + polygon.m_count);
+}
+
+std::vector<std::unique_ptr<b2Shape>> MakeOutlinePieces(const Concave &, float) {
+    throw std::runtime_error("stock Box2D has no outlines (--bodies many, or the worker with the plugin)");
+}
+
+std::vector<int> InnerEdgesOf(const b2Fixture &) {
+    return {};
 }
 
 } // namespace testbed

@@ -4,6 +4,7 @@
 #include <box2d/b2_distance.h>
 
 #include "any_size.h"
+#include "outlined.h"
 #include "stage.h"
 
 namespace testbed {
@@ -98,6 +99,7 @@ recording::Fixture RecordFixture(const b2Fixture &fixture) {
     default:
         record.shape = "polygon";
         record.points = OutlineOf(static_cast<const b2PolygonShape &>(shape));
+        record.inner = InnerEdgesOf(fixture);
         break;
     }
     return record;

@@ -6,15 +6,18 @@
 #include <boomerang/box2d.h>
 
 #include "any_size.h"
+#include "outlined.h"
 #include "program.h"
 
 namespace threads {
 
 const std::vector<Chosen> &ScenesOfThePlugin() {
     // Two of each: their polygons are the same, and shared.
-    static const std::vector<Chosen> scenes = {
-        {"any-gas", 12, 64},    {"any-gas", 12, 64},    {"any-bag", 20, 24},  {"any-bag", 20, 24},
-        {"any-bullets", 8, 20}, {"any-bullets", 8, 20}, {"any-wheels", 4, 9}, {"any-wheels", 4, 9}};
+    static const std::vector<Chosen> scenes = {{"any-gas", 12, 64},           {"any-gas", 12, 64},
+                                               {"any-bag", 20, 24},           {"any-bag", 20, 24},
+                                               {"any-bullets", 8, 20},        {"any-bullets", 8, 20},
+                                               {"any-wheels", 4, 9},          {"any-wheels", 4, 9},
+                                               {"asteroids-outline", 12, 24}, {"asteroids-outline", 12, 24}};
     return scenes;
 }
 
@@ -68,6 +71,21 @@ Outline VerticesOf(const b2PolygonShape &polygon) {
     if (shape == nullptr)
         return Outline(polygon.m_vertices, polygon.m_vertices + polygon.m_count);
     return Outline(shape->GetVertices(), shape->GetVertices() + shape->GetVertexCount());
+}
+
+std::vector<std::unique_ptr<b2Shape>> MakeOutlinePieces(const Concave &concave, float tolerance) {
+    bmr::OutlineShape outline;
+    if (outline.Set(concave.ring.data(), static_cast<int32>(concave.ring.size()), nullptr, 0, tolerance) !=
+        BMR_OK)
+        throw std::runtime_error("no outline of these points");
+    std::vector<std::unique_ptr<b2Shape>> pieces;
+    for (int32 i = 0; i < outline.GetPieceCount(); ++i)
+        pieces.push_back(std::make_unique<bmr::ConvexShape>(outline.GetPiece(i)));
+    return pieces;
+}
+
+std::vector<int> InnerEdgesOf(const b2Fixture &) {
+    return {};
 }
 
 } // namespace testbed
