@@ -164,7 +164,8 @@ function(boomerang_accelerate)
   # All of ours, once, as objects.
   set(ours ${target}_boomerang)
   file(GLOB core "${root}/core/geometry/*.c" "${root}/core/hierarchy/*.c" "${root}/core/certificate/*.c" "${root}/core/pair/*.c"
-    "${root}/core/kds/*.c" "${root}/core/budget/*.c" "${root}/core/exact32/*.c" "${root}/core/convex32/*.c")
+    "${root}/core/kds/*.c" "${root}/core/budget/*.c" "${root}/core/exact32/*.c" "${root}/core/convex32/*.c"
+    "${root}/core/outline/*.c")
   file(GLOB glue "${root}/box2d_glue/*/*.cpp" "${root}/plugin/hooks/*.cpp" "${renamed}/start.cpp")
   add_library(${ours} OBJECT ${core} ${glue})
   set_target_properties(${ours} PROPERTIES C_STANDARD 11 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF CXX_STANDARD 17

@@ -19,7 +19,7 @@
 namespace testbed {
 namespace {
 
-constexpr char kHelp[] =
+constexpr char kOutlineHelp[] =
     "The file has a point `x y` (or `x,y`) a line, and an empty line between rings: first "
     "the outer ring, then the holes. What is behind a # is a remark.\n\n"
     "Example: boomerang-testbed outline rock.txt -o rock.svg --tolerance 0.01";
@@ -179,7 +179,7 @@ CLI::App *AddOutline(CLI::App &app, OutlineCommand &command) {
         ->check(CLI::Range(0.0, 1e9))
         ->capture_default_str();
     outline->add_flag("--quiet", command.quiet, "Print nothing: the files alone");
-    outline->footer(kHelp);
+    outline->footer(kOutlineHelp);
     return outline;
 }
 

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 /// Room around a periodic box, in parts of it: bodies reach over its sides.
 constexpr double kAroundBox = 0.06;
-constexpr char kHelp[] =
+constexpr char kRenderHelp[] =
     "With no layer named: certificates, slack, handed-over, contacts and events. With some named: those "
     "alone.\n\n"
     "Layers:\n"
@@ -281,7 +281,7 @@ CLI::App *AddRender(CLI::App &app, RenderCommand &command) {
     CLI::Option *all = render->add_flag("--all", command.all, "Every layer");
     render->add_flag("--bare", command.bare, "No layer: the bodies alone")->excludes(all);
     render->add_flag("--quiet", command.quiet, "No progress, and no word of what was written");
-    render->footer(kHelp);
+    render->footer(kRenderHelp);
     return render;
 }
 

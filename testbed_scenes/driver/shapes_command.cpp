@@ -16,7 +16,7 @@
 namespace testbed {
 namespace {
 
-constexpr char kHelp[] =
+constexpr char kShapesHelp[] =
     "Example: boomerang-testbed compare-shapes gas --vertices 64,256,4096 --curve gas.csv\n"
     "         boomerang-testbed plot gas.csv -o gas.svg\n\n"
     "One fixture runs with the plugin, all others on stock Box2D. A step of bodies of many fixtures takes "
@@ -213,7 +213,7 @@ CLI::App *AddCompareShapes(CLI::App &app, ShapesCommand &command) {
     shapes->add_option("--curve", command.curve,
                        "Write the cost of a step by vertices into this file, for `plot`");
     shapes->add_flag("--quiet", command.quiet, "No table and no progress: the files alone");
-    shapes->footer(kHelp);
+    shapes->footer(kShapesHelp);
     return shapes;
 }
 

@@ -23,6 +23,13 @@ int main() {
     if (error != BMR_ERROR_TOO_FEW_POINTS ||
         std::strcmp(bmr_error_describe(error), bmr_error_describe(BMR_OK)) == 0)
         return 1;
+    // An outline, which core cuts.
+    const b2Vec2 elbow[] = {{0.0f, 0.0f}, {2.0f, 0.0f}, {2.0f, 1.0f},
+                            {1.0f, 1.0f}, {1.0f, 2.0f}, {0.0f, 2.0f}};
+    bmr::OutlineShape outline;
+    if (outline.Set(elbow, 6) != BMR_OK || outline.CreateFixtures(world.CreateBody(&body), 1.0f) != BMR_OK ||
+        !outline.Has(*world.GetBodyList()->GetFixtureList()))
+        return 1;
     // Installed, and ahead of Box2D: the step came by.
     return bmr::IsInstalled() && bmr::GetStatistics().steps == 1 ? 0 : 1;
 }

@@ -340,7 +340,8 @@ TEST_CASE("a sliver's faces become its neighbour's") {
     CHECK(bmr::registry::Find(record->pieces[0]).block.load()->polygon.seams == nullptr);
     bmr::registry::ReleaseGroup(record);
     // Nothing but slivers.
-    const bmr_outline_pieces thin = {points, 4, 1, first, edges, 3, 0, 0};
+    const bmr_outline_edge alone[] = {{0, 0, none, 0}, {1, 1, none, 0}, {2, 2, none, 0}};
+    const bmr_outline_pieces thin = {points, 4, 1, first, alone, 3, 0, 0};
     bmr::OutlineRecord *const before = record;
     CHECK(bmr::MakeOutlineRecord(thin, mass, &record) == BMR_ERROR_TOO_FEW_POINTS);
     CHECK(record == before);

@@ -10,7 +10,8 @@
 ///     bmr::Install();
 ///
 /// Every simulation computes the bits that it computed before. bmr::ConvexShape is there besides: a convex
-/// polygon of any number of vertices; bmr_error_describe tells what is wrong with points that make none.
+/// polygon of any number of vertices. So is bmr::OutlineShape: any outline, as a few of these.
+/// bmr_error_describe tells what is wrong with points that make none.
 
 #include <box2d/b2_collision.h>
 
