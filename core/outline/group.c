@@ -118,25 +118,28 @@ static void look_through(const view *v, uint32_t half, bmr_vec2 right, bmr_vec2 
     }
 }
 
+/// Do two points lie on one ray from the eye?
+static bool on_one_ray(const view *v, bmr_vec2 p, bmr_vec2 q) {
+    return side(v, p, q) == 0 && bmr_sweep_compare(v->at, p) == bmr_sweep_compare(v->at, q);
+}
+
 /// The faces around the notch, and through their edges.
 static void look_around(const view *v) {
     const bmr_mesh *m = v->group->mesh;
     uint32_t h = v->group->corners[v->eye];
     do {
         // Along the two sides of the face that meet at the notch, its nearest corners hide those behind.
-        const uint32_t last = m->halves[h].previous;
-        for (uint32_t e = m->halves[h].next; e != h; e = m->halves[e].next) {
-            const uint32_t before = m->halves[e].previous, next = m->halves[e].next;
-            const bool hidden_right =
-                before != h && side(v, bmr_mesh_point(m, before), bmr_mesh_point(m, e)) == 0;
-            const bool hidden_left = e != last && side(v, bmr_mesh_point(m, e), bmr_mesh_point(m, next)) == 0;
-            const bool on_left = side(v, bmr_mesh_point(m, e), bmr_mesh_point(m, last)) == 0;
-            if (!(hidden_right && !on_left) && !(hidden_left && on_left))
-                see(v, e);
-            else
+        const uint32_t first = m->halves[h].next, last = m->halves[h].previous;
+        for (uint32_t e = first; e != h; e = m->halves[e].next) {
+            const bmr_vec2 here = bmr_mesh_point(m, e), next = bmr_mesh_point(m, m->halves[e].next);
+            const bool hidden = (e != first && on_one_ray(v, bmr_mesh_point(m, first), here)) ||
+                                (e != last && on_one_ray(v, bmr_mesh_point(m, last), here));
+            if (hidden)
                 v->loop->has_line[v->eye] = true;
-            if (e != last && is_inside(v->group, m->halves[e].twin) && !hidden_left)
-                look_through(v, m->halves[e].twin, bmr_mesh_point(m, e), bmr_mesh_point(m, next));
+            else
+                see(v, e);
+            if (e != last && is_inside(v->group, m->halves[e].twin) && side(v, here, next) != 0)
+                look_through(v, m->halves[e].twin, here, next);
         }
         h = bmr_mesh_turn_left(m, h);
     } while (is_inside(v->group, h));

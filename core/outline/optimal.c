@@ -176,22 +176,39 @@ static void try_fan_around_last(bmr_optimal *o, uint32_t i, uint32_t j, uint32_t
     add_base(o, &o->parts[i][k], cuts, added);
 }
 
-/// Corners that a notch has behind others on the same ray: `x` is one of these, which it sees or has behind
-/// others itself. Each is reached from the one before it: no deeper than the loop has corners.
-static void find_behind(bmr_optimal *o, uint32_t eye, uint32_t x, part_kind kind) {
+/// Corners on one ray from a notch, the farthest first.
+typedef struct ray {
+    const struct ray *nearer;
+    uint32_t corner;
+} ray;
+
+/// LINKED, BEHIND, or UNSEEN where corners from both sides are on the segment.
+static part_kind kind_of(const ray *between, uint32_t first, uint32_t last) {
+    uint32_t inside = 0, count = 0;
+    for (const ray *r = between; r; r = r->nearer) {
+        inside += first < r->corner && r->corner < last;
+        ++count;
+    }
+    return inside == count ? LINKED : inside == 0 ? BEHIND : UNSEEN;
+}
+
+/// Corners that a notch has behind those of a ray. Each is reached once: no deeper than the loop has corners.
+static void find_behind(bmr_optimal *o, uint32_t eye, const ray *before, bool reached[BMR_LOOP_MOST]) {
     const bmr_loop *l = o->loop;
+    const uint32_t x = before->corner;
     for (uint32_t y = 0; y < l->count; ++y) {
-        const uint32_t first = eye < y ? eye : y, last = eye < y ? y : eye;
-        if (y == eye || y == x || !is_side(&o->parts[x < y ? x : y][x < y ? y : x]) ||
+        if (y == eye || y == x || reached[y] || !is_side(&o->parts[x < y ? x : y][x < y ? y : x]) ||
             !is_between(l->corners[eye], l->corners[x], l->corners[y]))
             continue;
-        const part_kind own = first < x && x < last ? LINKED : BEHIND;
+        reached[y] = true;
+        const uint32_t first = eye < y ? eye : y, last = eye < y ? y : eye;
         part *p = &o->parts[first][last];
-        if (p->kind != UNSEEN || (kind != UNSEEN && kind != own))
-            continue;
-        p->kind = (uint8_t)own;
-        p->link = (uint16_t)x;
-        find_behind(o, eye, y, own);
+        if (p->kind == UNSEEN) {
+            p->kind = (uint8_t)kind_of(before, first, last);
+            p->link = (uint16_t)x;
+        }
+        const ray here = {before, y};
+        find_behind(o, eye, &here, reached);
     }
 }
 
@@ -205,10 +222,16 @@ static void set_kinds(bmr_optimal *o) {
             const bool cut = l->sees[i][k] || (i == 0 && k == n - 1);
             o->parts[i][k] = k == i + 1 ? edge : (part){0, 0, NO_CUTS, 0, (uint8_t)(cut ? CUT : UNSEEN)};
         }
-    for (uint32_t i = 0; i < n; ++i)
-        for (uint32_t x = 0; x < n && l->has_line[i]; ++x)
+    for (uint32_t i = 0; i < n; ++i) {
+        if (!l->has_line[i])
+            continue;
+        bool reached[BMR_LOOP_MOST] = {false};
+        for (uint32_t x = 0; x < n; ++x) {
+            const ray nearest = {NULL, x};
             if (x != i && is_side(&o->parts[x < i ? x : i][x < i ? i : x]))
-                find_behind(o, i, x, UNSEEN);
+                find_behind(o, i, &nearest, reached);
+        }
+    }
 }
 
 /// A segment through further corners: the parts of its links.

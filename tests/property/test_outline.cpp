@@ -145,7 +145,7 @@ TEST_CASE("large outlines are cut exactly, too") {
 }
 
 TEST_CASE("small outlines without holes have the fewest pieces that there are") {
-    const size_t rounds = test_scaled(150);
+    const size_t rounds = test_scaled(1000);
     for (size_t round = 0; round < rounds; ++round) {
         test_random random = {round + 1000};
         const auto size = static_cast<uint32_t>(round % 14);
@@ -307,6 +307,22 @@ TEST_CASE("simplified outlines are outlines, within the tolerance both ways") {
             CheckWithin(&random, Spiral(10 + 4 * size), 0.1 * tolerance);
         }
     }
+}
+
+TEST_CASE("what is in the way of a point keeps it, and a hole wider than twice the tolerance stays") {
+    // Without the bump at (5, 10.4) the outer ring would cross the hole.
+    Outline bump;
+    bump.Add({{0.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}, {5.0, 10.4}, {0.0, 10.0}});
+    bump.Add({{4.0, 8.0}, {6.0, 8.0}, {5.0, 10.2}});
+    CHECK(Simplified(bump, 0.5).outline.counts == std::vector<uint32_t>{5, 3});
+    bump.points[7] = {5.0, 9.8};
+    CHECK(Simplified(bump, 0.5).outline.counts == std::vector<uint32_t>{4, 3});
+
+    Outline window;
+    window.Add({{0.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}, {0.0, 10.0}});
+    window.Add({{4.0, 4.0}, {5.0, 4.0}, {5.0, 5.0}, {4.0, 5.0}});
+    CHECK(Simplified(window, 0.49).outline.counts == std::vector<uint32_t>{4, 4});
+    CHECK(Simplified(window, 0.51).outline.counts == std::vector<uint32_t>{4});
 }
 
 TEST_CASE("where rings touch twice, no edge comes to lie on another") {

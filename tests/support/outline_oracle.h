@@ -78,6 +78,19 @@ inline bool IsTiled(bmr_vec2 from, bmr_vec2 to, std::vector<std::pair<bmr_vec2, 
     return Same(at, to);
 }
 
+/// Is a point of the outline inside of an inner edge? Each is to be a corner of the pieces that it touches.
+inline bool IsOnInnerEdge(const bmr_outline_pieces &o, bmr_vec2 begin, bmr_vec2 end) {
+    const bmr_vec2 low = Before(begin, end) ? begin : end, high = Before(begin, end) ? end : begin;
+    for (uint32_t i = 0; i < o.point_count; ++i)
+        if (Before(low, o.points[i]) && Before(o.points[i], high) &&
+            exact::Orientation(begin, end, o.points[i]) == 0)
+            return true;
+    return false;
+}
+
+/// Beyond so many points it would take too long to look at them all for each edge.
+constexpr uint32_t kMostForAllPairs = 256;
+
 /// What is wrong with the pieces of an outline without faults; empty: nothing.
 inline std::string Complaint(const bmr_rings &rings, const bmr_outline_pieces &o) {
     const uint32_t none = BMR_OUTLINE_NONE;
@@ -116,6 +129,8 @@ inline std::string Complaint(const bmr_rings &rings, const bmr_outline_pieces &o
         } else if (edge.twin >= o.edge_count || o.edges[edge.twin].twin != e ||
                    !Same(begin[edge.twin], end[e]) || !Same(end[edge.twin], begin[e]))
             return "a twin";
+        else if (o.point_count <= kMostForAllPairs && IsOnInnerEdge(o, begin[e], end[e]))
+            return "a point inside of an inner edge";
     }
     for (uint32_t r = 0; r < rings.ring_count; ++r) {
         const uint32_t first = ring_begin[r], count = rings.counts[r];
