@@ -142,7 +142,7 @@ class ByHand:
         own = ("--polygon", str(square), "--motion", str(motion))
         for arguments in (("replay", *own, "--structure", "lazy-dudley", "-o", str(self.pages["pair"])),
                           ("events", *own, "--structures", "lazy-dudley", "--quiet", "--trace", str(trace))):
-            done = self.testbed(*arguments)
+            done = self.run_testbed(*arguments)
             self.assertEqual(done.returncode, 0, done.stderr)
         self.show("pair")
         self.assertEqual(self.browser.run("return replay.chosen"), [0, 1])

@@ -103,7 +103,7 @@ def farthest_off(shown, recorded):
 
 
 class ReplayPage(ByHand, unittest.TestCase):
-    testbed = staticmethod(testbed)
+    run_testbed = staticmethod(testbed)
 
     @classmethod
     def setUpClass(cls):
@@ -278,6 +278,8 @@ class ReplayPage(ByHand, unittest.TestCase):
             self.show(name)
             frames = self.recordings[name]["plugin"].frames
             self.seek(max(range(len(frames)), key=lambda step: len(frames[step].get("touching", []))))
+            self.browser.driver.find_element("id", "zoom-fit").click()
+            self.browser.settle()
             picture = "return document.getElementById('scene').toDataURL()"
             self.assertTrue(self.browser.run(picture) == self.browser.run(picture), "control: nothing else does")
             overlays = {"planks": ("slack", "contacts", "certificates", "boxes", "numbers"),

@@ -17,6 +17,7 @@ allowed='
 tests/bad_input/process.cpp: ends what hangs
 tests/bad_input/table.cpp: ends what hangs
 tests/browser/browser.py: polls a page; ends what hangs
+tests/cli/test_usage_cli.sh: polls for a file
 tests/controls/run_controls.sh: how many at once
 tests/controls/run_core_controls.sh: how many at once
 tests/determinism/run: how many at once

@@ -21,7 +21,7 @@ class App {
     connectHover(this);
     this.nameIt(about);
     this.view.resize();
-    this.view.fit(0);
+    this.view.fit(0, true);
     this.link = new Link(this);
     this.link.read();
     new ResizeObserver(() => this.resized()).observe(this.view.canvas);

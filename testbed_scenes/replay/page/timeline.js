@@ -161,7 +161,8 @@ class Timeline {
       const width = Math.max(1, this.xOf(1) - this.xOf(0));
       counts.forEach((count, step) => {
         const height = Math.sqrt(count / most) * (SUM_HEIGHT - 5);
-        if (count > 0) g.fillRect(this.xOf(step) - width / 2, bottom - height, width, height);
+        const left = Math.max(LABELS, this.xOf(step) - width / 2), right = Math.min(this.width - 8, this.xOf(step) + width / 2);
+        if (count > 0) g.fillRect(left, bottom - height, right - left, height);
       });
       g.strokeStyle = colour.grid;
       g.beginPath();

@@ -57,33 +57,30 @@ class View {
     return [(x - this.width / 2) / this.camera.scale + this.camera.x, this.camera.y - (y - this.height / 2) / this.camera.scale];
   }
 
-  // All bodies of the step, whole, and where nearly all of the run happens. Of a body at rest that is far larger than what
-  // moves (a ground) the part near it is enough.
-  fit(step) {
-    const c = this.model.c, isMoving = (body) => (c["body.type"][body] & 3) !== 0, box = [Infinity, Infinity, -Infinity, -Infinity];
-    this.model.moveTo(step);
-    this.addCourse(box, isMoving);
-    const grow = ([left, bottom, right, top]) => {
-      box[0] = Math.min(box[0], left); box[1] = Math.min(box[1], bottom);
-      box[2] = Math.max(box[2], right); box[3] = Math.max(box[3], top);
-    };
+  // All bodies of the step, whole. Of a body at rest that is far larger than what moves (a ground) the part near that is
+  // enough. With the whole run, where nearly all of it happens, too, if that is not far larger.
+  fit(step, wholeRun = false) {
+    const m = this.model, c = m.c, isMoving = (body) => (c["body.type"][body] & 3) !== 0, box = [Infinity, Infinity, -Infinity, -Infinity];
+    const size = (of) => Math.max(of[2] - of[0], of[3] - of[1]);
+    const grow = (other) => other.forEach((side, i) => (box[i] = i < 2 ? Math.min(box[i], side) : Math.max(box[i], side)));
+    m.moveTo(step);
     for (const moving of [true, false]) {
-      const farLarger = 3, room = box[0] < box[2] ? farLarger * Math.max(box[2] - box[0], box[3] - box[1]) : Infinity;
-      const near = [box[0] - room, box[1] - room, box[2] + room, box[3] + room];
-      for (let body = 0; body < this.model.bodyCount; ++body) {
-        if (!this.model.present[body] || isMoving(body) !== moving) continue;
-        const [left, bottom, right, top] = this.boxAt(body, this.model.poseStart[body] + step - c["body.first"][body]);
-        if (moving || room === Infinity || Math.max(right - left, top - bottom) <= room) { grow([left, bottom, right, top]); continue; }
-        // Those of its sides that are near.
-        grow([left, bottom, right, top].map((side, i) => (side >= near[i % 2] && side <= near[i % 2 + 2] ? side : box[i])));
+      const farLarger = 3, room = box[0] < box[2] ? farLarger * size(box) : Infinity, seen = [...box];
+      const isNear = (side, i) => side >= seen[i % 2] - room && side <= seen[i % 2 + 2] + room;
+      for (let body = 0; body < m.bodyCount; ++body) {
+        if (!m.present[body] || isMoving(body) !== moving) continue;
+        const its = this.boxAt(body, m.poseStart[body] + step - c["body.first"][body]);
+        grow(moving || size(its) <= room ? its : its.map((side, i) => (isNear(side, i) ? side : seen[i])));
       }
     }
+    const course = wholeRun && this.boxOfCourse(isMoving);
+    if (course && size(course) <= 2 * size(box)) grow(course);
     if (box[0] <= box[2]) this.frame(box, 0, BUTTONS);
     this.moved = false;
   }
 
-  // The box of nearly all that moves in all steps: one runaway does not make the rest small.
-  addCourse(box, isMoving) {
+  // The box of nearly all that moves in all steps: one runaway does not make the rest small. Null where nothing moves.
+  boxOfCourse(isMoving) {
     const m = this.model, c = m.c, sides = [[], [], [], []];
     for (let body = 0; body < m.bodyCount; ++body) {
       if (!isMoving(body)) continue;
@@ -91,10 +88,9 @@ class View {
       for (let pose = m.poseStart[body]; pose < m.poseStart[body + 1]; pose += stride)
         this.boxAt(body, pose).forEach((value, side) => sides[side].push(value));
     }
-    if (!sides[0].length) return;
-    sides.forEach((list, side) => {
+    return sides[0].length === 0 ? null : sides.map((list, side) => {
       list.sort((a, b) => a - b);
-      box[side] = list[Math.min(list.length - 1, Math.floor(list.length * (side < 2 ? 0.01 : 0.99)))];
+      return list[Math.min(list.length - 1, Math.floor(list.length * (side < 2 ? 0.01 : 0.99)))];
     });
   }
 
