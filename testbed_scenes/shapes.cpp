@@ -123,6 +123,16 @@ b2Vec2 Grid::Place(int index) const {
             m_spacing * (0.5f + static_cast<float>(row)) - halfHeight};
 }
 
+b2BodyDef Drifting(Random &random, b2Vec2 place, float slowest, float fastest, float spin) {
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    def.position = place;
+    def.angle = random.Uniform(-b2_pi, b2_pi);
+    def.linearVelocity = random.Direction(slowest, fastest);
+    def.angularVelocity = random.Uniform(-spin, spin);
+    return def;
+}
+
 b2FixtureDef Material(float density, float friction, float restitution) {
     b2FixtureDef def;
     def.density = density;

@@ -52,6 +52,10 @@ private:
     float m_spacing;
 };
 
+/// A dynamic body at a place, at any angle, that drifts at a speed in [slowest, fastest) and turns at less
+/// than `spin`.
+b2BodyDef Drifting(Random &random, b2Vec2 place, float slowest, float fastest, float spin);
+
 /// A fixture definition whose shape is still to be set.
 b2FixtureDef Material(float density, float friction = 0.2f, float restitution = 0.0f);
 

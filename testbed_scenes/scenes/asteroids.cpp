@@ -13,12 +13,7 @@ class Asteroids final : public Scene {
         const Grid grid(size, 15, 4.9f);
         AddArena(stage, {0.0f, 0.0f}, grid.halfWidth, grid.halfHeight, 1.0f);
         for (int i = 0; i < size; ++i) {
-            b2BodyDef def;
-            def.type = b2_dynamicBody;
-            def.position = grid.Place(i);
-            def.angle = stage.Rng().Uniform(-b2_pi, b2_pi);
-            def.linearVelocity = stage.Rng().Direction(0.5f, 3.0f);
-            def.angularVelocity = stage.Rng().Uniform(-1.0f, 1.0f);
+            const b2BodyDef def = Drifting(stage.Rng(), grid.Place(i), 0.5f, 3.0f, 1.0f);
             const int triangles = 10 + stage.Rng().Index(54);
             const Outline outline = RoughOutline(stage.Rng(), triangles, 1.0f, 1.8f);
             AddFan(stage, stage.AddBody(def), outline, Material(1.0f, 0.1f, 1.0f));

@@ -19,12 +19,7 @@ class AsteroidsOutline final : public Scene {
         const Grid grid(size, 15, 4.9f);
         AddArena(stage, {0.0f, 0.0f}, grid.halfWidth, grid.halfHeight, 1.0f);
         for (int i = 0; i < size; ++i) {
-            b2BodyDef def;
-            def.type = b2_dynamicBody;
-            def.position = grid.Place(i);
-            def.angle = stage.Rng().Uniform(-b2_pi, b2_pi);
-            def.linearVelocity = stage.Rng().Direction(0.5f, 3.0f);
-            def.angularVelocity = stage.Rng().Uniform(-1.0f, 1.0f);
+            const b2BodyDef def = Drifting(stage.Rng(), grid.Place(i), 0.5f, 3.0f, 1.0f);
             const int points = fewest + stage.Rng().Index(std::max(choice.vertices - fewest, 0) + 1);
             const Concave rock = StarShaped(RoughOutline(stage.Rng(), points, 1.0f, 1.8f));
             OutlinedBody(choice.bodies, rock).AddTo(stage, stage.AddBody(def), Material(1.0f, 0.1f, 1.0f));

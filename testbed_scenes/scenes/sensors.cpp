@@ -38,12 +38,7 @@ class Sensors final : public Scene {
         eye.isSensor = true;
         eye.filter.maskBits = static_cast<uint16>(0xffff & ~walls);
         for (int i = 0; i < size; ++i) {
-            b2BodyDef def;
-            def.type = b2_dynamicBody;
-            def.position = grid.Place(i);
-            def.angle = stage.Rng().Uniform(-b2_pi, b2_pi);
-            def.linearVelocity = stage.Rng().Direction(0.5f, 3.0f);
-            def.angularVelocity = stage.Rng().Uniform(-1.5f, 1.5f);
+            const b2BodyDef def = Drifting(stage.Rng(), grid.Place(i), 0.5f, 3.0f, 1.5f);
             b2Body *body = stage.AddBody(def);
             AddConvex(stage, body, RegularOutline(32, 0.5f), Material(1.0f, 0.1f, 1.0f));
             stage.AddFixture(body, eye, MakeFan(reach, halfAngle));
