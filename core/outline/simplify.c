@@ -96,7 +96,7 @@ static bool may_go(const simplifier *s, uint32_t i) {
 }
 
 static bool is_cheaper(const simplifier *s, uint32_t a, uint32_t b) {
-    return s->cost[a] < s->cost[b] || (s->cost[a] == s->cost[b] && a < b);
+    return s->cost[a] < s->cost[b] || (a < b && s->cost[a] == s->cost[b]);
 }
 
 static void put(simplifier *s, uint32_t at, uint32_t point) {

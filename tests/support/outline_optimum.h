@@ -98,7 +98,7 @@ private:
             for (const size_t b : m_ahead[a]) {
                 size_t cost = kNever;
                 for (const auto &[from, before] : reached[a])
-                    if (before < cost && IsConvex(from, a, b))
+                    if (before < cost && before + 1 < least && IsConvex(from, a, b))
                         cost = before;
                 if (b > k || cost + 1 >= least || (b == k && !IsConvex(a, k, i)))
                     continue;
