@@ -117,7 +117,8 @@ CLI::App *AddCompare(CLI::App &app, CommandLine &line) {
         ->check(CLI::IsMember({"bits", "verify"}));
     compare->add_option("--json", command.json, "Write everything into this file, as JSON");
     compare->add_option("--csv", command.csv, "Write everything into this file, one row a scene");
-    compare->add_option("--markdown", command.markdown, "Write the tables into this file, as pages have them");
+    compare->add_option("--markdown", command.markdown,
+                        "Write the tables into this file, as pages have them");
     compare->add_flag("--quiet", command.quiet, "Only differences and the closing line");
     compare->add_flag(
         "--heard", command.options.worker.heard,

@@ -150,7 +150,7 @@ test_nonsense_is_refused() {
         err_has "$message"
     done <<'WORDS'
 gasp|nearest is "gas"
-gas --bodies 1|--bodies: Value 1 not in range
+gas --bodies 1|--bodies: "1" is no whole number from 2 to
 gas --bodies 0|--bodies
 gas --seed -1|--seed
 gas --seed 1.5|--seed

@@ -14,6 +14,7 @@
 #include "boomerang/minkowski.h"
 #include "boomerang/outline.h"
 #include "convex32/convex32.h"
+#include "convex32/convex32_pieces.h"
 #include "every_allocation.h"
 #include "hierarchy/mixed_cells.h"
 
@@ -128,6 +129,19 @@ static bmr_error run_convex32_create_raw(const bmr_allocator *allocator, uint64_
     bmr_convex32_block *made = &no_convex;
     const bmr_error error =
         bmr_convex32_create_raw(convex->polygon.vertices, convex->polygon.count, allocator, &made);
+    return made_convex(error, made, allocator, bits);
+}
+
+/// Every other edge is an inner one.
+static bmr_error run_convex32_create_piece(const bmr_allocator *allocator, uint64_t *bits) {
+    const bmr_convex32 *polygon = &convex->polygon;
+    bmr_piece_corner32 corners[COUNT];
+    bmr_convex32_block *made = &no_convex;
+    for (uint32_t i = 0; i < polygon->count; ++i) {
+        const uint32_t next = i + 1 < polygon->count ? i + 1 : 0;
+        corners[i] = (bmr_piece_corner32){polygon->vertices[i], polygon->vertices[next], i % 2 == 0};
+    }
+    const bmr_error error = bmr_convex32_create_piece(corners, polygon->count, allocator, &made);
     return made_convex(error, made, allocator, bits);
 }
 
@@ -312,6 +326,7 @@ static const test_attempt attempts[] = {
     {"bmr_minkowski_difference", run_minkowski_difference},
     {"bmr_convex32_create", run_convex32_create},
     {"bmr_convex32_create_raw", run_convex32_create_raw},
+    {"bmr_convex32_create_piece", run_convex32_create_piece},
     {"bmr_convex32_simplify", run_convex32_simplify},
     {"bmr_compass_create", run_compass_create},
     {"bmr_hierarchy_build_compass", run_hierarchy_build_compass},
