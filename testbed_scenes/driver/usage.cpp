@@ -79,7 +79,7 @@ private:
     std::vector<std::string> m_words;
 };
 
-std::string NameOf(const CLI::Option *option, const std::string &otherwise) {
+std::string OptionName(const CLI::Option *option, const std::string &otherwise) {
     if (option == nullptr)
         return otherwise;
     return option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames().front();
@@ -89,7 +89,7 @@ std::string NameOf(const CLI::Option *option, const std::string &otherwise) {
 std::string Described(const CLI::Option *option) {
     return option == nullptr || option->get_description().empty()
                ? std::string()
-               : "\n    " + NameOf(option, "") + ": " + option->get_description();
+               : "\n    " + OptionName(option, "") + ": " + option->get_description();
 }
 
 /// What a check of CLI11's says about a value.
@@ -155,7 +155,7 @@ std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error, int 
     if (is(CLI::ExitCodes::RequiredError)) {
         const CLI::Option *option = scope.Find(said.substr(0, said.find(' ')));
         if (option != nullptr)
-            return scope.Name() + " needs " + NameOf(option, "") + Described(option);
+            return scope.Name() + " needs " + OptionName(option, "") + Described(option);
     }
     static const std::regex excludes("(\\S+) excludes (\\S+)");
     std::smatch found;
@@ -165,8 +165,8 @@ std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error, int 
     if (std::regex_match(said, found, convert)) {
         const CLI::Option *option = scope.Find(found[1].str());
         const bool whole = option != nullptr && option->get_type_name().find("INT") != std::string::npos;
-        return scope.Name() + ": " + NameOf(option, found[1].str()) + ": \"" + found[2].str() + "\" is no " +
-               (whole ? "whole " : "") + "number" + Described(option);
+        return scope.Name() + ": " + OptionName(option, found[1].str()) + ": \"" + found[2].str() +
+               "\" is no " + (whole ? "whole " : "") + "number" + Described(option);
     }
     const size_t colon = said.find(": ");
     const CLI::Option *option = colon != std::string::npos ? scope.Find(said.substr(0, colon)) : nullptr;
@@ -175,7 +175,7 @@ std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error, int 
     const std::string what = is(CLI::ExitCodes::ArgumentMismatch)
                                  ? "a value is missing"
                                  : ExplainValue(option, said.substr(colon + 2));
-    return scope.Name() + ": " + NameOf(option, "") + ": " + what + Described(option);
+    return scope.Name() + ": " + OptionName(option, "") + ": " + what + Described(option);
 }
 
 std::string CheckSeed(const std::string &text) {

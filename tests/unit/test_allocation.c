@@ -134,14 +134,14 @@ static bmr_error run_convex32_create_raw(const bmr_allocator *allocator, uint64_
 
 /// Every other edge is an inner one.
 static bmr_error run_convex32_create_piece(const bmr_allocator *allocator, uint64_t *bits) {
-    const bmr_convex32 *polygon = &convex->polygon;
+    const bmr_convex32 *hull = &convex->polygon;
     bmr_piece_corner32 corners[COUNT];
     bmr_convex32_block *made = &no_convex;
-    for (uint32_t i = 0; i < polygon->count; ++i) {
-        const uint32_t next = i + 1 < polygon->count ? i + 1 : 0;
-        corners[i] = (bmr_piece_corner32){polygon->vertices[i], polygon->vertices[next], i % 2 == 0};
+    for (uint32_t i = 0; i < hull->count; ++i) {
+        const uint32_t next = i + 1 < hull->count ? i + 1 : 0;
+        corners[i] = (bmr_piece_corner32){hull->vertices[i], hull->vertices[next], i % 2 == 0};
     }
-    const bmr_error error = bmr_convex32_create_piece(corners, polygon->count, allocator, &made);
+    const bmr_error error = bmr_convex32_create_piece(corners, hull->count, allocator, &made);
     return made_convex(error, made, allocator, bits);
 }
 
