@@ -73,9 +73,8 @@ public:
     /// BMR_ERROR_WORLD_LOCKED.
     bmr_error CreateFixtures(b2Body *body, const b2FixtureDef &def) const;
     bmr_error CreateFixtures(b2Body *body, float density) const;
-    /// Destroys all fixtures of this outline that the body has, after their densities have become 0: the body
-    /// is weighed once. BMR_ERROR_NULL_ARGUMENT,
-    /// BMR_ERROR_WORLD_LOCKED.
+    /// Destroys all fixtures of this outline that the body has. Their densities are 0 before that: the body
+    /// is weighed once. BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_WORLD_LOCKED.
     bmr_error DestroyFixtures(b2Body *body) const;
     /// Calls function(b2Fixture &) with each fixture of this outline that the body has, which it may destroy:
     ///
