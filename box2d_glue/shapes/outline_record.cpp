@@ -56,6 +56,21 @@ void End(registry::Group *group) {
     bmr_release(allocator, record, bytes);
 }
 
+/// Of a product of floats with another, each rounded a few times.
+constexpr double kRounding = 0x1p-20;
+
+bmr_vec2 CentreOf(const bmr_mass32 &mass) {
+    return {static_cast<double>(mass.centroid.x), static_cast<double>(mass.centroid.y)};
+}
+
+/// About its own centre.
+double OwnInertia(const bmr_mass32 &mass) {
+    const bmr_vec2 centre = CentreOf(mass);
+    return std::max(static_cast<double>(mass.inertia) -
+                        static_cast<double>(mass.area) * bmr_dot(centre, centre),
+                    static_cast<double>(FLT_MIN));
+}
+
 /// From pieces as they were cut to polygons of floats.
 class Builder {
 public:
@@ -195,43 +210,44 @@ private:
 };
 
 /// The pieces' masses become shares of the outline's, so that their sum is right also where the pieces are
-/// not quite the outline: each by its area; the centres all moved alike; and the inertias about them all
-/// scaled alike.
+/// not quite the outline: each by its area; and all of them are moved to the outline's centre, and scaled
+/// about it until the inertia is right. So each share is a mass that there can be.
 void Builder::ShareMass(const OutlineRecord &record) {
-    double area = 0.0, inertia = 0.0;
+    double area = 0.0;
     bmr_vec2 moment = {0.0, 0.0};
     for (uint32_t p = 0; p < m_pieces.piece_count; ++p) {
         if (m_blocks[p] == nullptr)
             continue;
         const bmr_mass32 &mass = m_blocks[p]->mass;
         const double a = static_cast<double>(mass.area);
-        const bmr_vec2 c = {static_cast<double>(mass.centroid.x), static_cast<double>(mass.centroid.y)};
         area += a;
-        moment = bmr_add(moment, bmr_scale(a, c));
+        moment = bmr_add(moment, bmr_scale(a, CentreOf(mass)));
     }
-    const bmr_vec2 shift = bmr_sub(record.centroid, bmr_scale(1.0 / area, moment));
+    const bmr_vec2 centre = bmr_scale(1.0 / area, moment);
     const double share = record.area / area;
-    double ofCentres = 0.0;
-    for (const bool write : {false, true}) {
-        const double left = record.inertia - ofCentres;
-        for (uint32_t p = 0; p < m_pieces.piece_count; ++p) {
-            if (m_blocks[p] == nullptr)
-                continue;
-            bmr_mass32 &mass = m_blocks[p]->mass;
-            const double a = static_cast<double>(mass.area);
-            const bmr_vec2 c = {static_cast<double>(mass.centroid.x), static_cast<double>(mass.centroid.y)},
-                           moved = bmr_add(c, shift);
-            const double own =
-                std::max(static_cast<double>(mass.inertia) - a * bmr_dot(c, c), static_cast<double>(FLT_MIN));
-            if (!write) {
-                ofCentres += share * a * bmr_dot(moved, moved);
-                inertia += own;
-                continue;
-            }
-            mass.area = static_cast<float>(share * a);
-            mass.centroid = {static_cast<float>(moved.x), static_cast<float>(moved.y)};
-            mass.inertia = static_cast<float>(share * a * bmr_dot(moved, moved) + left * (own / inertia));
-        }
+    double inertia = 0.0; // of the shares about the centre, as long as they are not scaled
+    for (uint32_t p = 0; p < m_pieces.piece_count; ++p) {
+        if (m_blocks[p] == nullptr)
+            continue;
+        const bmr_mass32 &mass = m_blocks[p]->mass;
+        const bmr_vec2 away = bmr_sub(CentreOf(mass), centre);
+        inertia += share * (static_cast<double>(mass.area) * bmr_dot(away, away) + OwnInertia(mass));
+    }
+    const double square =
+        (record.inertia - record.area * bmr_dot(record.centroid, record.centroid)) / inertia;
+    const double scale = std::sqrt(square);
+    for (uint32_t p = 0; p < m_pieces.piece_count; ++p) {
+        if (m_blocks[p] == nullptr)
+            continue;
+        bmr_mass32 &mass = m_blocks[p]->mass;
+        const bmr_vec2 moved = bmr_add(record.centroid, bmr_scale(scale, bmr_sub(CentreOf(mass), centre)));
+        const double own = square * share * OwnInertia(mass);
+        mass.area = static_cast<float>(share * static_cast<double>(mass.area));
+        mass.centroid = {static_cast<float>(moved.x), static_cast<float>(moved.y)};
+        // What Box2D takes off it again, rounded to floats, is less.
+        const bmr_vec2 rounded = CentreOf(mass);
+        const double ofCentre = static_cast<double>(mass.area) * bmr_dot(rounded, rounded);
+        mass.inertia = static_cast<float>(ofCentre + std::max(own, kRounding * ofCentre));
     }
 }
 

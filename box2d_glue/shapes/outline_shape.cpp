@@ -30,13 +30,13 @@ public:
     Rings &operator=(const Rings &) = delete;
 
     bmr_error Fill(const b2Vec2 *points, int32 count, const OutlineHole *holes, int32 holeCount) {
-        if (points == nullptr || (holes == nullptr && holeCount > 0))
+        if ((points == nullptr && count > 0) || (holes == nullptr && holeCount > 0))
             return BMR_ERROR_NULL_ARGUMENT;
         if (count < 0 || holeCount < 0)
             return BMR_ERROR_NEGATIVE;
         size_t all = static_cast<size_t>(count);
         for (int32 h = 0; h < holeCount; ++h) {
-            if (holes[h].points == nullptr)
+            if (holes[h].points == nullptr && holes[h].count > 0)
                 return BMR_ERROR_NULL_ARGUMENT;
             if (holes[h].count < 0)
                 return BMR_ERROR_NEGATIVE;
@@ -107,8 +107,9 @@ bmr_error MakeRecord(const bmr_rings *rings, float tolerance, const bmr_allocato
 }
 
 bmr_error CheckDef(const b2FixtureDef &def) {
-    if (!std::isfinite(def.density) || !std::isfinite(def.friction) || !std::isfinite(def.restitution))
-        return BMR_ERROR_NOT_FINITE;
+    for (const float value : {def.density, def.friction, def.restitution, def.restitutionThreshold})
+        if (!std::isfinite(value))
+            return BMR_ERROR_NOT_FINITE;
     return def.density < 0.0f || def.friction < 0.0f ? BMR_ERROR_NEGATIVE : BMR_OK;
 }
 
@@ -161,6 +162,11 @@ bmr_error OutlineShape::CreateFixtures(b2Body *body, const b2FixtureDef &def) co
     const bmr_error error = CheckDef(def);
     if (error != BMR_OK)
         return error;
+    b2MassData mass;
+    ComputeMass(&mass, def.density);
+    const float all = body->GetMass() + mass.mass, inertia = body->GetInertia() + mass.I;
+    if (!std::isfinite(all) || !std::isfinite(inertia) || !std::isfinite(all * mass.center.LengthSquared()))
+        return BMR_ERROR_OUT_OF_RANGE;
     if (body->GetWorld()->IsLocked())
         return BMR_ERROR_WORLD_LOCKED;
     // The body's mass is set once: with the fixtures' densities it would be with every one of them.
@@ -187,6 +193,8 @@ bmr_error OutlineShape::DestroyFixtures(b2Body *body) const {
         return BMR_ERROR_NULL_ARGUMENT;
     if (body->GetWorld()->IsLocked())
         return BMR_ERROR_WORLD_LOCKED;
+    // Box2D weighs the body anew with every fixture that goes: not what is left of the outline then.
+    ForEachFixture(body, [](b2Fixture &piece) { piece.SetDensity(0.0f); });
     ForEachFixture(body, [body](b2Fixture &piece) { body->DestroyFixture(&piece); });
     return BMR_OK;
 }

@@ -19,8 +19,9 @@ static void point_at_vertex(bmr_manifold32 *manifold, bmr_vec32 centre, bmr_vec3
         one_point(manifold, centre, normal, vertex);
 }
 
-/// The face of largest separation; polygon->count where there is none. O(n).
-static uint32_t face_around(const edge_search *search) {
+/// The centre is inside, nearest to the inner edge `inner`: the face of largest separation, unless it is
+/// deeper by more than the radii; then the inner edge. polygon->count where there is no face. O(n).
+static uint32_t edge_around(const edge_search *search, const edge_view *inner, float radius_sum) {
     uint32_t found = search->reference->count;
     float separation = -FLT_MAX;
     for (uint32_t i = 0; i < search->reference->count; ++i) {
@@ -32,7 +33,8 @@ static uint32_t face_around(const edge_search *search) {
             found = i;
         }
     }
-    return found;
+    const bool far = inner->separation > separation + radius_sum;
+    return far && found < search->reference->count ? inner->edge : found;
 }
 
 void bmr_convex32_collide_circle(bmr_manifold32 *manifold, const bmr_convex32 *polygon,
@@ -55,7 +57,7 @@ void bmr_convex32_collide_circle(bmr_manifold32 *manifold, const bmr_convex32 *p
 
     const bool inside = found.best.separation < FLT_EPSILON;
     if (inside && !is_face(polygon, edge))
-        edge = face_around(&search);
+        edge = edge_around(&search, &found.best, radius_sum);
     if (edge == polygon->count)
         return;
     const uint32_t second = convex32_next(polygon, edge);
@@ -65,8 +67,8 @@ void bmr_convex32_collide_circle(bmr_manifold32 *manifold, const bmr_convex32 *p
         point_at_vertex(manifold, centre, local, polygon, edge, radius_sum);
     } else if (!inside && dot(minus(local, v2), minus(v1, v2)) <= 0.0f) {
         point_at_vertex(manifold, centre, local, polygon, second, radius_sum);
-    } else if (is_face(polygon, edge) &&
-               (inside || !(dot(minus(local, middle), polygon->normals[edge]) > radius_sum))) {
+    } else if (inside || (is_face(polygon, edge) &&
+                          !(dot(minus(local, middle), polygon->normals[edge]) > radius_sum))) {
         one_point(manifold, centre, polygon->normals[edge], middle);
     }
 }

@@ -100,13 +100,14 @@ static bool admit(const bmr_edge32 *edge, bmr_vec32 along, const bmr_convex32 *p
     return true;
 }
 
-/// The polygon's edge, cut at the ends of the edge.
+/// The polygon's edge, or its face where `faces_alone`, cut at the ends of the edge.
 static void points_on_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr_vec32 along,
                            const axis32 *primary, const bmr_convex32 *polygon, const bmr_transform32 *frame,
-                           float radius_sum, uint32_t hint) {
+                           float radius_sum, uint32_t hint, bool faces_alone) {
     manifold->type = BMR_MANIFOLD_FACE_A;
     const uint32_t best = bmr_convex32_edge_against(polygon, frame, primary->normal, hint);
-    const uint32_t facing = face_facing(polygon, best, hint, turn_back(frame, primary->normal));
+    const uint32_t facing =
+        faces_alone ? face_facing(polygon, best, hint, turn_back(frame, primary->normal)) : best;
     const uint32_t next = convex32_next(polygon, facing);
     corner corners[2] = {corner_of(move(frame, polygon->vertices[facing]), (int32_t)facing, 0),
                          corner_of(move(frame, polygon->vertices[next]), (int32_t)next, 0)};
@@ -172,8 +173,8 @@ static bool best_face(const edge_search *search, edge_view *best) {
 }
 
 /// A piece instead: faces alone, and the edge alone where the piece admits it. `best` is the piece's edge of
-/// largest separation, `vertex` where it is least separated from the edge.
-static void collide_piece(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr_vec32 along,
+/// largest separation, `vertex` where it is least separated from the edge. False: as of any polygon.
+static bool collide_piece(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr_vec32 along,
                           const axis32 *of_edge, uint32_t vertex, const edge_search *search,
                           const edge_view *best, float radius_sum) {
     const bmr_convex32 *const polygon = search->reference;
@@ -183,18 +184,25 @@ static void collide_piece(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr_
     const bool has_face = is_face(polygon, best->edge) || best_face(search, &view);
     const float of_faces =
         fmaxf(edge_is_admitted ? of_edge->separation : -FLT_MAX, has_face ? view.separation : -FLT_MAX);
-    if ((!has_face && !edge_is_admitted) || is_behind(best, of_faces, radius_sum))
-        return;
+    const float nearest = fmaxf(of_edge->separation, best->separation);
+    const piece_answer answer = answer_of(nearest, of_faces, radius_sum);
+    if (answer == AS_ANY_POLYGON)
+        return !has_face;
+    if (answer == BY_OTHER_PIECE)
+        return true;
     const float enough = relative_tolerance * (of_edge->separation - radius_sum) + absolute_tolerance;
     axis32 primary = *of_edge;
     if (has_face && (!edge_is_admitted || view.separation - radius_sum > enough))
         primary = axis_of_polygon(&view);
     if (edge->one_sided && !admit(edge, along, polygon, of_edge, &primary))
-        return;
+        return true;
+    if (primary.separation < nearest - radius_sum) // at a notch of a chain
+        return false;
     if (primary.of_polygon)
         points_on_polygon(manifold, edge, primary.edge, polygon, &search->frame, radius_sum);
     else if (edge_is_admitted)
-        points_on_edge(manifold, edge, along, &primary, polygon, &search->frame, radius_sum, vertex);
+        points_on_edge(manifold, edge, along, &primary, polygon, &search->frame, radius_sum, vertex, true);
+    return true;
 }
 
 void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
@@ -224,10 +232,9 @@ void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
     bmr_convex32_seek(&search, vertex, 0, polygon->seams ? -FLT_MAX : floor, &found);
     if (found.best.separation > radius_sum)
         return;
-    if (polygon->seams) {
-        collide_piece(manifold, edge, along, &of_edge, vertex, &search, &found.best, radius_sum);
+    if (polygon->seams &&
+        collide_piece(manifold, edge, along, &of_edge, vertex, &search, &found.best, radius_sum))
         return;
-    }
     axis32 primary = of_edge;
     if (found.best.separation - radius_sum > enough)
         primary = axis_of_polygon(&found.best);
@@ -237,7 +244,7 @@ void bmr_convex32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
         points_on_polygon(manifold, edge, primary.edge, polygon, &frame, radius_sum);
         return;
     }
-    points_on_edge(manifold, edge, along, &primary, polygon, &frame, radius_sum, vertex);
+    points_on_edge(manifold, edge, along, &primary, polygon, &frame, radius_sum, vertex, false);
 
     // The short face that faces the edge may lie beyond its end, where the face at the end would have found
     // it.

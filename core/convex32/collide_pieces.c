@@ -85,9 +85,14 @@ void bmr_convex32_collide_pieces(bmr_manifold32 *manifold, const bmr_convex32 *a
         face_b = best_face(&of_b, &best_b.best, nearly_straight);
     }
     const float of_faces = fmaxf(separation_of(&face_a), separation_of(&face_b));
-    if ((!face_a.found && !face_b.found) || is_behind(&best_a.best, of_faces, radius_sum) ||
-        is_behind(&best_b.best, of_faces, radius_sum))
+    const piece_answer answer = answer_of(nearest, of_faces, radius_sum);
+    if (answer == BY_OTHER_PIECE || (answer == AS_ANY_POLYGON && !(has_faces(a) && has_faces(b))))
         return;
+    if (answer == AS_ANY_POLYGON) {
+        const candidate any_a = {best_a.best, true}, any_b = {best_b.best, true};
+        face_a = any_a;
+        face_b = any_b;
+    }
 
     const bool b_first = separation_of(&face_b) > separation_of(&face_a) + tolerance;
     const side sides[2] = {{a, pose_a, false}, {b, pose_b, true}};
@@ -95,7 +100,7 @@ void bmr_convex32_collide_pieces(bmr_manifold32 *manifold, const bmr_convex32 *a
     // No points: the short edge that faces the first face may lie beyond its end.
     for (int pass = 0; pass < 2 && manifold->count == 0; ++pass) {
         const int reference = (pass == 0) == b_first ? 1 : 0;
-        if (candidates[reference]->found)
+        if (!(separation_of(candidates[reference]) < nearest - radius_sum))
             make_points(manifold, &sides[reference], &candidates[reference]->view, &sides[1 - reference],
                         radius_sum);
     }

@@ -23,8 +23,13 @@ extern "C" {
 /// - a face is a reference only where the other polygon admits its direction, at its least separated vertex;
 ///   what is left out has an answer by a face of the same two bodies that is nearer;
 /// - a circle touches a vertex in directions alone that the piece admits there;
-/// - where a piece is behind an inner edge as a whole, or overlaps it by no more than the skins, and no face
-///   separates the two about as much, there are no points: the piece behind that edge has them.
+/// - where the least overlap is along an axis that may not answer, and no more than half of the skins, there
+///   are no points: the piece behind that edge, or beside that corner, has them;
+/// - where it is more, a face is the reference that is not deeper than that by more than the skins (by a
+///   circle's radii); where there is none, the answer is the plain polygon's.
+///
+/// So what overlaps a piece is never pushed out of it by a far side. Pieces without any face touch
+/// nothing.
 ///
 /// Every face belongs to one piece, and every direction of a convex corner is admitted by a piece that has
 /// one of its two edges: between all pieces nothing is lost.

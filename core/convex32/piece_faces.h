@@ -17,17 +17,32 @@ static inline bool is_face(const bmr_convex32 *polygon, uint32_t edge) {
     return !polygon->seams || !polygon->seams->inner[edge];
 }
 
-/// A quarter of the skins: a face that is deeper by this than another edge is not the one that is touched.
-static inline float enough_deeper(float radius_sum) {
-    return 0.25f * radius_sum;
+/// Whose answer it is where a piece and another shape overlap.
+typedef enum piece_answer {
+    BY_FACES,       ///< the face that separates most of those that may answer
+    BY_OTHER_PIECE, ///< there are no points
+    AS_ANY_POLYGON  ///< the axis along which they overlap least, whatever is there
+} piece_answer;
+
+/// `nearest` is the separation along the axis along which the two overlap least, and `of_faces` what the
+/// faces separate that may answer. A face that is deeper by a quarter of the skins is not the one that is
+/// touched. Where the two overlap by no more than half of the skins another piece has the answer: by an inner
+/// edge the other shape is beside this piece, and of a face that is not admitted it is another piece that is
+/// nearest. Where they overlap more, that may be said of each piece, and one has to answer: by a face, but by
+/// none that is deeper by more than the skins, for that would throw the two out of each other by a far side.
+static inline piece_answer answer_of(float nearest, float of_faces, float radius_sum) {
+    if (!(nearest > of_faces + 0.25f * radius_sum))
+        return BY_FACES;
+    if (nearest > -0.5f * radius_sum)
+        return BY_OTHER_PIECE;
+    return nearest > of_faces + radius_sum ? AS_ANY_POLYGON : BY_FACES;
 }
 
-/// `best` separates most of a polygon's edges, and `of_faces` is what the faces separate that may answer. Is
-/// the answer another piece's? It is where the two overlap along `best` by no more than half of the skins: by
-/// an inner edge the other shape is beside this piece, and of a face that is not admitted it is another piece
-/// that is nearest. (Where they overlap more, that may be said of each piece, and one has to answer.)
-static inline bool is_behind(const edge_view *best, float of_faces, float radius_sum) {
-    return best->separation > of_faces + enough_deeper(radius_sum) && best->separation > -0.5f * radius_sum;
+static inline bool has_faces(const bmr_convex32 *polygon) {
+    for (uint32_t i = 0; i < polygon->count; ++i)
+        if (is_face(polygon, i))
+            return true;
+    return false;
 }
 
 /// `best` is the edge whose normal is most opposed to `normal` (the polygon's frame). Where it is an inner

@@ -46,7 +46,7 @@ const char *bmr_error_describe(bmr_error error) {
         return "two points are so close together that they would become one: leave one out, or make the "
                "polygon larger";
     case BMR_ERROR_NEGATIVE:
-        return "a tolerance is below 0: give 0 where nothing may change";
+        return "a count, a tolerance, a density or a friction is below 0: give 0 or more";
     case BMR_ERROR_CORNER_TOO_LARGE:
         return "the corner's radius is more than half of a side: make it at most the half width and the half "
                "height";

@@ -268,6 +268,63 @@ TEST_CASE("a ring in pieces rolls as the whole it is") {
     }
 }
 
+TEST_CASE("outlines that fall on a box, an edge or a chain stay on it, and none is thrown") {
+    constexpr float thrown = 0.12f;
+    const int worlds = static_cast<int>(std::min(test_scaled(8), size_t{40}));
+    for (int kind = 0; kind < 3; ++kind) {
+        for (int n = 0; n < worlds; ++n) {
+            CAPTURE(kind);
+            CAPTURE(n);
+            b2World world(b2Vec2(0.0f, -10.0f));
+            const b2BodyDef still;
+            b2PolygonShape box;
+            box.SetAsBox(9.0f, 1.0f, b2Vec2(0.0f, -1.0f), 0.0f);
+            b2EdgeShape edge;
+            edge.SetTwoSided(b2Vec2(-9.0f, 0.0f), b2Vec2(9.0f, 0.0f));
+            const b2Vec2 line[] = {{9.0f, 0.0f}, {3.0f, 0.0f}, {-4.0f, 0.0f}, {-9.0f, 0.0f}};
+            b2ChainShape chain;
+            chain.CreateChain(line, 4, b2Vec2(10.0f, 0.0f), b2Vec2(-10.0f, 0.0f));
+            const b2Shape *const grounds[] = {&box, &edge, &chain};
+            world.CreateBody(&still)->CreateFixture(grounds[kind], 0.0f);
+            std::vector<b2Body *> bodies;
+            for (int i = 0; i < 5; ++i) {
+                // Gears, stars and rings.
+                const int points = 10 + 2 * ((n + 3 * i) % 6);
+                std::vector<b2Vec2> rim, hole;
+                for (int p = 0; p < points; ++p) {
+                    const float angle = 2.0f * b2_pi * static_cast<float>(p) / static_cast<float>(points);
+                    const b2Vec2 out(std::cos(angle), std::sin(angle));
+                    rim.push_back((i % 3 == 0 || p % 2 == 0 ? 0.6f : i % 3 == 1 ? 0.42f : 0.25f) * out);
+                    hole.push_back(0.3f * out);
+                }
+                const bmr::OutlineHole holes[] = {{hole.data(), points}};
+                bmr::OutlineShape outline;
+                REQUIRE(outline.Set(rim.data(), points, holes, i % 3 == 0 ? 1 : 0) == BMR_OK);
+                b2BodyDef def;
+                def.type = b2_dynamicBody;
+                def.position.Set(0.3f * static_cast<float>(i % 2), 1.0f + 1.6f * static_cast<float>(i));
+                def.angle = static_cast<float>(n + 5 * i);
+                def.angularVelocity = static_cast<float>((n + i) % 9 - 4);
+                bodies.push_back(world.CreateBody(&def));
+                REQUIRE(outline.CreateFixtures(bodies.back(), 1.0f) == BMR_OK);
+            }
+            float farthest = 0.0f;
+            for (int step = 0; step < 250; ++step) {
+                std::vector<b2Vec2> before;
+                for (const b2Body *body : bodies)
+                    before.push_back(body->GetWorldCenter());
+                world.Step(1.0f / 60.0f, 8, 3);
+                for (size_t i = 0; i < bodies.size(); ++i)
+                    farthest = std::max(farthest, (bodies[i]->GetWorldCenter() - before[i]).Length() -
+                                                      bodies[i]->GetLinearVelocity().Length() / 60.0f);
+            }
+            CHECK(farthest < thrown);
+            for (const b2Body *body : bodies)
+                CHECK((body->GetPosition().y > 0.0f || std::abs(body->GetPosition().x) > 8.5f));
+        }
+    }
+}
+
 TEST_CASE("nothing that is shot at an outline goes through its seams") {
     // A wall that winds its way up, a tenth of a metre thick: at each bend there is a notch, and a seam.
     constexpr int bends = 20;

@@ -216,9 +216,12 @@ static void what_is_behind_an_inner_edge_is_left_to_the_piece_there(void **state
         const float gap = 0.01f - 0.002f * (float)i;
         assert_int_equal(collide(piece, box, at(-half - gap, -0.5f), &normal).count, 0);
     }
-    // In the ground as deep as it is wide, and over both pieces: one of them has to answer.
-    assert_true(collide(piece, box, at(-0.05f, -0.16f), &normal).count > 0);
+    // In the ground, and over both pieces: one of them has to answer; by its surface, if that is as near as
+    // the skins are thick. From far below it nothing is thrown up to there.
+    assert_true(collide(piece, box, at(-0.05f, half - 0.1f), &normal).count > 0);
     assert_true(normal.y > 0.99f);
+    assert_true(collide(piece, box, at(-0.05f, -0.16f), &normal).count > 0);
+    assert_true(normal.x < -0.99f);
     bmr_convex32_destroy(box, NULL);
     bmr_convex32_destroy(piece, NULL);
 }
@@ -257,6 +260,10 @@ static void a_circle_is_pushed_by_faces_and_corners_of_the_outline(void **state)
     const bmr_manifold32 inside = touch_circle(flat, 0.02f, -0.1f, 0.3f);
     assert_int_equal(inside.count, 1);
     assert_true(inside.normal.y > 0.99f);
+    // But what is far below the surface is not thrown up to it.
+    const bmr_manifold32 far_below = touch_circle(flat, 0.02f, -0.45f, 0.3f);
+    assert_int_equal(far_below.count, 1);
+    assert_true(far_below.normal.x < -0.99f);
     bmr_convex32_destroy(falling, NULL);
     bmr_convex32_destroy(flat, NULL);
 }
@@ -282,6 +289,152 @@ static void an_edge_is_touched_by_faces_alone(void **state) {
     bmr_convex32_collide_edge(&m, &wall, &here, &plain.polygon, middle, &upside_down, skins, &memory);
     assert_true(m.count > 0);
     bmr_convex32_destroy(piece, NULL);
+}
+
+static double random_between(uint32_t *state, double low, double high) {
+    *state = *state * 1664525u + 1013904223u;
+    return low + (high - low) * (double)(*state >> 8) / 16777216.0;
+}
+
+/// Of 3 to 12 vertices on a circle around the origin, of which each edge is inner as often as not.
+static bmr_convex32_block *random_piece(uint32_t *state) {
+    bmr_piece_corner32 corners[12];
+    const uint32_t count = 3 + (uint32_t)random_between(state, 0.0, 9.99);
+    for (uint32_t i = 0; i < count; ++i) {
+        const double angle =
+            6.283185307179586 * ((double)i + random_between(state, 0.0, 0.7)) / (double)count;
+        const float x = (float)cos(angle), y = (float)sin(angle);
+        const float beside = (float)random_between(state, -2.0, 2.0),
+                    out = (float)random_between(state, 0.5, 2.0);
+        corners[i] =
+            corner(x, y, random_between(state, 0.0, 1.0) < 0.5, out * x - beside * y, out * y + beside * x);
+    }
+    bmr_convex32_block *block = NULL;
+    assert_int_equal(bmr_convex32_create_piece(corners, count, NULL, &block), BMR_OK);
+    return block;
+}
+
+static bmr_vec32 moved(const bmr_transform32 *pose, bmr_vec32 v) {
+    const bmr_vec32 m = {pose->c * v.x - pose->s * v.y + pose->p.x,
+                         pose->s * v.x + pose->c * v.y + pose->p.y};
+    return m;
+}
+
+/// Along the normal, of the least separated of these points, from the plane through `origin`.
+static float separation_along(const bmr_vec32 *points, uint32_t count, const bmr_transform32 *pose,
+                              bmr_vec32 normal, bmr_vec32 origin) {
+    float least = INFINITY;
+    for (uint32_t i = 0; i < count; ++i) {
+        const bmr_vec32 v = moved(pose, points[i]);
+        least = fminf(least, normal.x * (v.x - origin.x) + normal.y * (v.y - origin.y));
+    }
+    return least;
+}
+
+/// The largest separation along a polygon's normals: by every edge and every vertex.
+static float largest_separation(const bmr_convex32 *polygon, const bmr_transform32 *pose,
+                                const bmr_vec32 *points, uint32_t count, const bmr_transform32 *pose_points) {
+    float largest = -INFINITY;
+    const bmr_transform32 turned = {{0.0f, 0.0f}, pose->s, pose->c};
+    for (uint32_t i = 0; i < polygon->count; ++i)
+        largest =
+            fmaxf(largest, separation_along(points, count, pose_points, moved(&turned, polygon->normals[i]),
+                                            moved(pose, polygon->vertices[i])));
+    return largest;
+}
+
+/// The separation of a manifold's deepest point; infinite without points.
+static float deepest(const bmr_manifold32 *m, const bmr_transform32 *pose_a, const bmr_transform32 *pose_b) {
+    const bool of_a = m->type == BMR_MANIFOLD_FACE_A;
+    const bmr_transform32 *const face = of_a ? pose_a : pose_b, *const other = of_a ? pose_b : pose_a;
+    const bmr_transform32 turned = {{0.0f, 0.0f}, face->s, face->c};
+    float least = INFINITY;
+    for (uint32_t i = 0; i < (uint32_t)m->count; ++i)
+        least = fminf(least, separation_along(&m->points[i].point, 1, other, moved(&turned, m->normal),
+                                              moved(face, m->plane_point)));
+    return least;
+}
+
+enum { AGAINST_POLYGON, AGAINST_PIECE, AGAINST_EDGE, AGAINST_CHAIN, AGAINST_CIRCLE, AGAINST_ALL };
+
+/// What overlaps a piece is not pushed a longer way than out of the plain polygon, but for a skin: at any
+/// pose, whatever its seams are. As a control the piece's nearest face is often farther away than that.
+static void no_manifold_is_deeper_than_the_plain_polygons(void **unused) {
+    (void)unused;
+    uint32_t state = 7;
+    bmr_convex32_block *box = polygon_of(4, 0.6f);
+    const bmr_vec32 middle = {0.0f, 0.0f};
+    for (int kind = 0; kind < AGAINST_ALL; ++kind) {
+        int touching = 0, far_faces = 0;
+        for (int trial = 0; trial < 1500; ++trial) {
+            bmr_convex32_block *piece = random_piece(&state), *other = random_piece(&state);
+            const double angle = random_between(&state, 0.0, 6.283), way = random_between(&state, 0.0, 1.7);
+            const double to = random_between(&state, 0.0, 6.283);
+            const bmr_transform32 pose = {
+                {(float)(way * cos(to)), (float)(way * sin(to))}, (float)sin(angle), (float)cos(angle)};
+            const bmr_convex32 *const second = kind == AGAINST_PIECE ? &other->polygon : &box->polygon;
+            const bmr_edge32 edge = {{-1.6f, (float)random_between(&state, -1.0, 1.0)},
+                                     {-0.8f, 0.0f},
+                                     {0.8f, 0.0f},
+                                     {1.6f, (float)random_between(&state, -1.0, 1.0)},
+                                     kind == AGAINST_CHAIN};
+            const bmr_vec32 ends[2] = {edge.first, edge.second}, up = {0.0f, 1.0f}, down = {0.0f, -1.0f};
+            const float radii = kind == AGAINST_CIRCLE ? 0.21f : skins;
+            bmr_manifold32 m, plain;
+            memset(&m, 0, sizeof m);
+            memset(&plain, 0, sizeof plain);
+            float nearest, slack = 0.0f;
+            for (int seams = 1; seams >= 0; --seams) {
+                bmr_convex32 polygon = piece->polygon, against = *second;
+                if (seams == 0)
+                    polygon.seams = against.seams = NULL;
+                bmr_manifold32 *const to_fill = seams ? &m : &plain;
+                bmr_convex32_memory memory = {0, 0, 0, 0};
+                if (kind == AGAINST_POLYGON || kind == AGAINST_PIECE)
+                    bmr_convex32_collide(to_fill, &polygon, &here, &against, &pose, radii, tolerance,
+                                         &memory);
+                else if (kind == AGAINST_CIRCLE)
+                    bmr_convex32_collide_circle(to_fill, &polygon, &here, middle, &pose, radii, &memory);
+                else
+                    bmr_convex32_collide_edge(to_fill, &edge, &here, &polygon, middle, &pose, radii, &memory);
+            }
+            const bmr_convex32 *const p = &piece->polygon;
+            const bool by_edge = kind == AGAINST_EDGE || kind == AGAINST_CHAIN;
+            const bmr_vec32 *const points = by_edge                  ? ends
+                                            : kind == AGAINST_CIRCLE ? &middle
+                                                                     : second->vertices;
+            const uint32_t count = by_edge ? 2 : kind == AGAINST_CIRCLE ? 1 : second->count;
+            const bmr_transform32 *const pose_p = by_edge ? &pose : &here, *const pose_o =
+                                                                               by_edge ? &here : &pose;
+            nearest = largest_separation(p, pose_p, points, count, pose_o);
+            if (kind == AGAINST_POLYGON || kind == AGAINST_PIECE)
+                nearest = fmaxf(nearest, largest_separation(second, pose_o, p->vertices, p->count, pose_p));
+            if (by_edge) {
+                nearest = fmaxf(nearest, separation_along(p->vertices, p->count, pose_p, up, edge.first));
+                nearest = fmaxf(nearest, separation_along(p->vertices, p->count, pose_p, down, edge.first));
+                slack = 0.001f + 0.021f * (skins - nearest); // Box2D's own of edges
+            }
+            // Between an edge's neighbours a plain polygon may be deeper itself.
+            const float of_plain = deepest(&plain, &here, &pose), of_piece = deepest(&m, &here, &pose);
+            assert_true(of_piece >= fminf(nearest, of_plain) - radii - slack - 2.0f * tolerance);
+            touching += m.count > 0;
+            float of_faces = -INFINITY;
+            for (uint32_t i = 0; i < p->count; ++i)
+                if (!p->seams || !p->seams->inner[i])
+                    of_faces =
+                        fmaxf(of_faces,
+                              separation_along(points, count, pose_o,
+                                               moved(&(bmr_transform32){{0.0f, 0.0f}, pose_p->s, pose_p->c},
+                                                     p->normals[i]),
+                                               moved(pose_p, p->vertices[i])));
+            far_faces += m.count > 0 && of_faces < nearest - radii - slack - 2.0f * tolerance;
+            bmr_convex32_destroy(piece, NULL);
+            bmr_convex32_destroy(other, NULL);
+        }
+        assert_true(touching > 300);
+        assert_true(far_faces > 30);
+    }
+    bmr_convex32_destroy(box, NULL);
 }
 
 static void a_ray_comes_in_by_faces_alone(void **state) {
@@ -312,6 +465,7 @@ int main(void) {
         cmocka_unit_test(straight_stretches_with_seams_carry_each_other),
         cmocka_unit_test(a_circle_is_pushed_by_faces_and_corners_of_the_outline),
         cmocka_unit_test(an_edge_is_touched_by_faces_alone),
+        cmocka_unit_test(no_manifold_is_deeper_than_the_plain_polygons),
         cmocka_unit_test(a_ray_comes_in_by_faces_alone),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

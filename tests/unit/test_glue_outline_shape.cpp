@@ -262,6 +262,12 @@ TEST_CASE("each fault has its error and its place, and leaves outline and body a
     CHECK(outline.DestroyFixtures(nullptr) == BMR_ERROR_NULL_ARGUMENT);
     CHECK(outline.CreateFixtures(body, inf) == BMR_ERROR_NOT_FINITE);
     CHECK(outline.CreateFixtures(body, -1.0f) == BMR_ERROR_NEGATIVE);
+    CHECK(outline.CreateFixtures(body, 3e38f) == BMR_ERROR_OUT_OF_RANGE);
+    b2FixtureDef threshold;
+    threshold.restitutionThreshold = std::numeric_limits<float>::quiet_NaN();
+    CHECK(outline.CreateFixtures(body, threshold) == BMR_ERROR_NOT_FINITE);
+    OutlineShape nothing;
+    CHECK(nothing.Set(Ring().data(), 0) == BMR_ERROR_TOO_FEW_POINTS);
     def.friction = inf;
     CHECK(outline.CreateFixtures(body, def) == BMR_ERROR_NOT_FINITE);
     def.friction = -1.0f;
@@ -411,6 +417,50 @@ TEST_CASE("of all the contacts of two outlines one begins and one ends") {
     CHECK(listener.begins == listener.ends);
     CHECK(listener.alone == listener.aloneAtEnd);
     CHECK(listener.alone >= 1);
+}
+
+TEST_CASE("each piece has a mass that there can be, whatever the tolerance fills") {
+    // A heavy disc, and far from it two combs, which the tolerance fills: the pieces there weigh too much.
+    Ring ring;
+    for (const float side : {1.0f, -1.0f}) {
+        Ring half = {{0.0f, -1.0f}, {0.7f, -0.7f}, {0.95f, -0.1f}};
+        for (int i = 0; i < 16; ++i) {
+            const float below = i < 8 ? -1.0f : 1.0f;
+            const float x = 9.0f + 0.15f * static_cast<float>(i < 8 ? i : 15 - i);
+            const float first = i < 8 ? x : x + 0.05f, second = i < 8 ? x + 0.05f : x;
+            for (const b2Vec2 point : {b2Vec2(first, 0.1f * below), b2Vec2(first, 1.2f * below),
+                                       b2Vec2(second, 1.2f * below), b2Vec2(second, 0.1f * below)})
+                half.push_back(point);
+        }
+        half.emplace_back(0.95f, 0.1f);
+        half.emplace_back(0.7f, 0.7f);
+        for (const b2Vec2 point : half)
+            ring.push_back(side * point);
+    }
+    for (const float tolerance : {0.0f, 0.06f, 0.1f}) {
+        CAPTURE(tolerance);
+        OutlineShape outline;
+        REQUIRE(outline.Set(ring.data(), Count(ring), nullptr, 0, tolerance) == BMR_OK);
+        b2MassData whole;
+        outline.ComputeMass(&whole, 1.0f);
+        for (int32 i = 0; i < outline.GetPieceCount(); ++i) {
+            b2MassData piece;
+            outline.GetPiece(i).ComputeMass(&piece, 1.0f);
+            CHECK(piece.mass > 0.0f);
+            CHECK(piece.I - piece.mass * piece.center.LengthSquared() > 0.0f);
+        }
+        b2World world(b2Vec2(0.0f, 0.0f));
+        b2Body *body = AddBody(world);
+        REQUIRE(outline.CreateFixtures(body, 1.0f) == BMR_OK);
+        CheckMass(*body, whole.mass, whole.center, whole.I);
+        // One by one, as a game may, and all at once.
+        for (int32 left = outline.GetPieceCount(); left > 3; --left) {
+            body->DestroyFixture(body->GetFixtureList());
+            CHECK(body->GetInertia() > 0.0f);
+        }
+        REQUIRE(outline.DestroyFixtures(body) == BMR_OK);
+        CHECK(body->GetFixtureList() == nullptr);
+    }
 }
 
 TEST_CASE("drawn are the pieces, and of the outline each edge once") {

@@ -68,12 +68,13 @@ public:
     /// within a tolerance. Not during a step of the world.
     ///
     /// Errors leave the body as it was: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_NO_POINTS (of no outline),
-    /// BMR_ERROR_NOT_FINITE and BMR_ERROR_NEGATIVE (density, friction; restitution not finite),
+    /// BMR_ERROR_NOT_FINITE and BMR_ERROR_NEGATIVE (density, friction; restitution and its threshold not
+    /// finite), BMR_ERROR_OUT_OF_RANGE (a density with which the body's mass or inertia is beyond floats),
     /// BMR_ERROR_WORLD_LOCKED.
     bmr_error CreateFixtures(b2Body *body, const b2FixtureDef &def) const;
     bmr_error CreateFixtures(b2Body *body, float density) const;
-    /// Destroys all fixtures of this outline that the body has. BMR_ERROR_NULL_ARGUMENT,
-    /// BMR_ERROR_WORLD_LOCKED.
+    /// Destroys all fixtures of this outline that the body has. Their densities are 0 before that: the body
+    /// is weighed once. BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_WORLD_LOCKED.
     bmr_error DestroyFixtures(b2Body *body) const;
     /// Calls function(b2Fixture &) with each fixture of this outline that the body has, which it may destroy:
     ///

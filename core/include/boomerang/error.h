@@ -34,7 +34,7 @@ typedef enum bmr_error {
     BMR_ERROR_UNSUPPORTED,       ///< another library of this process is of no version that the call knows
     BMR_ERROR_TOO_FEW_POINTS,    ///< fewer than three points, or all on one line as far as floats can tell
     BMR_ERROR_TOO_CLOSE,         ///< points so close together that they would become one
-    BMR_ERROR_NEGATIVE,          ///< a tolerance below zero
+    BMR_ERROR_NEGATIVE,          ///< a count, tolerance, density or friction below zero
     BMR_ERROR_CORNER_TOO_LARGE,  ///< a corner's radius above half of a side
     BMR_ERROR_TOO_LARGE,         ///< more bytes than this machine has addresses for
     BMR_ERROR_WRONG_HIERARCHY,   ///< a hierarchy of another polygon or of another kind
