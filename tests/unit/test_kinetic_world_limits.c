@@ -292,6 +292,76 @@ static void all_that_sticks_goes_on_as_one(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
+/// The velocity of all 16, which fly to one middle and stick there, is the same to the bit with cells as
+/// with all pairs: their momenta are summed in one order, whoever found whom first.
+static void a_pile_with_cells_is_that_of_all_pairs(void **state) {
+    (void)state;
+    enum { PILE = 16, PILES = 40 };
+    bmr_polygon *b = box(0.5);
+    size_t stuck = 0, others = 0;
+    for (int k = 0; k < PILES; k++) {
+        bmr_vec2 velocity[3][PILE];
+        for (int run = 0; run < 3; run++) { // control: another pile has other velocities
+            stage *s = make_stage(BMR_OPEN, 0.0);
+            s->response.kind = BMR_RESPONSE_STICK;
+            s->def.all_pairs = run == 1;
+            open_stage(s);
+            for (int i = 0; i < PILE; i++) {
+                const double x = 3.0 * (i % 4) - 4.5 + 0.3 * sin(k + i), y = 3.0 * (i / 4) - 4.5;
+                const double aside = 0.1 * sin((k + (run == 2)) * i + 1.0);
+                add_piece(s, b, flight(0.0, x, y + 0.3 * cos(k * i), -0.5 * x + aside, -0.5 * y, 0.0),
+                          1.0 + 0.1 * i);
+            }
+            advance(s, 20.0);
+            for (int i = 0; i < PILE; i++)
+                velocity[run][i] = state_of(s, (bmr_body)i).velocity;
+            stuck += s->count >= 4;
+            close_stage(s);
+        }
+        assert_memory_equal(velocity[0], velocity[1], sizeof velocity[0]);
+        others += memcmp(velocity[0], velocity[2], sizeof velocity[0]) != 0;
+    }
+    assert_int_equal(stuck, 3 * PILES);
+    assert_int_equal(others, PILES);
+    bmr_polygon_destroy(b, NULL);
+}
+
+// ---- short stretches ----
+
+/// Two boxes that meet flat on a stretch from a tenth down to 1e-9: what elastic impulses keep stays, to
+/// rounding.
+static void an_impulse_on_a_short_stretch_keeps_the_energy(void **state) {
+    (void)state;
+    bmr_polygon *b = box(0.5);
+    size_t flat = 0;
+    for (double stretch = 0.1; stretch > 1e-9; stretch *= 0.1)
+        for (int turn = 0; turn < 30; turn++) {
+            stage *s = make_stage(BMR_OPEN, 0.0);
+            open_stage(s);
+            const bmr_pose first = bmr_pose_from_angle(bmr_vec2_make(0.0, 0.0), 0.37 * turn);
+            const bmr_vec2 at = {2.0 * first.c - (1.0 - stretch) * first.s,
+                                 2.0 * first.s + (1.0 - stretch) * first.c};
+            bmr_pose second = first;
+            second.position = at;
+            add_piece(s, b, bmr_piece_screw(0.0, first, bmr_vec2_make(0.0, 0.0), 0.0), 0.0);
+            add_piece(s, b, bmr_piece_screw(0.0, second, bmr_vec2_make(-first.c, -first.s), 0.0), 0.0);
+            const bmr_world_totals before = bmr_world_get_totals(s->world);
+            assert_int_equal(bmr_world_advance(s->world, 1.5), BMR_OK);
+            const bmr_world_totals after = bmr_world_get_totals(s->world);
+            assert_true(s->count >= 1);
+            flat += s->contacts[0].count == 2;
+            assert_near(after.energy, before.energy, 1e-14);
+            assert_near(after.momentum.x, before.momentum.x, 1e-14);
+            assert_near(after.momentum.y, before.momentum.y, 1e-14);
+            assert_near(after.angular, before.angular, 1e-14);
+            // Control: something happened.
+            assert_true(fabs(state_of(s, 0).spin) > 0.1);
+            close_stage(s);
+        }
+    assert_true(flat > 60);
+    bmr_polygon_destroy(b, NULL);
+}
+
 /// Between two that nothing moves and that come together: no answer parts them, and who they are is said.
 static void what_is_pushed_together_for_good_is_an_error(void **state) {
     (void)state;
@@ -387,6 +457,8 @@ int main(void) {
         cmocka_unit_test(who_flies_out_of_the_world_is_an_error),
         cmocka_unit_test(a_call_has_as_many_events_as_it_may),
         cmocka_unit_test(all_that_sticks_goes_on_as_one),
+        cmocka_unit_test(a_pile_with_cells_is_that_of_all_pairs),
+        cmocka_unit_test(an_impulse_on_a_short_stretch_keeps_the_energy),
         cmocka_unit_test(what_is_pushed_together_for_good_is_an_error),
         cmocka_unit_test(a_place_that_is_no_number_is_an_error),
         cmocka_unit_test(a_place_whose_ids_are_used_up_is_left_alone),
