@@ -264,6 +264,28 @@ static bmr_condition apart_by(const bmr_world *w, const bmr_couple *c, double re
                : bmr_condition_disks(origin, origin, reach, 0);
 }
 
+/// The condition from `here` on, over `longest` or less: over so little that rounding is a part of the reach,
+/// for what comes from afar and is soon gone again could drown in the rounding of how far it came. True: over
+/// this time it is too far away anyway.
+static bool expand(const curve *k, const bmr_condition *condition, bool against, const bmr_motion_piece *here,
+                   double longest, bmr_condition_polynomial *p) {
+    const bmr_algebraic_piece *const way = &here->as.algebraic;
+    const double reach = condition->offset, distance = bmr_length(bmr_vec2_make(way->x[0], way->y[0]));
+    for (;; longest = 0.5 * p->width) {
+        bmr_condition_expand(condition, &k->rest, here, 0.0, longest, p);
+        if (condition->kind != BMR_CONDITION_DISKS || !(p->noise > EXACT_PART * reach * reach) ||
+            !(p->width > 0.0))
+            return false;
+        double growth = 0.0, power = 1.0;
+        for (size_t i = 1; i <= way->degree; i++) {
+            power *= p->width;
+            growth += bmr_length(bmr_vec2_make(way->x[i], way->y[i])) * power;
+        }
+        if (!against && distance - growth > CLEAR_PART * reach)
+            return true;
+    }
+}
+
 /// The first time in [from, to] at which the condition is no longer positive (with `against`: its opposite);
 /// INFINITY: none. What is too close to call at the beginning is taken to be near: a structure that stands in
 /// vain is no harm.
@@ -279,7 +301,7 @@ static bmr_error first_change(const curve *k, const bmr_condition *condition, bo
         here.as.algebraic = bmr_piece_expand(&k->way, from - k->epoch);
         here.origin = 0.0;
         bmr_condition_polynomial p;
-        bmr_condition_expand(condition, &k->rest, &here, 0.0, to - from, &p);
+        const bool clear = expand(k, condition, against, &here, to - from, &p);
         if (!isfinite(p.noise))
             return BMR_ERROR_NOT_FINITE;
         if (steps == BMR_FAILURE_MAX_INTERVALS)
@@ -287,13 +309,13 @@ static bmr_error first_change(const curve *k, const bmr_condition *condition, bo
         for (size_t i = 0; against && i <= p.degree; i++)
             p.c[i] = -p.c[i];
         const bool positive = p.c[0] > p.noise;
-        if (!positive && (!against || p.c[0] < -p.noise)) {
+        if (!clear && !positive && (!against || p.c[0] < -p.noise)) {
             *time = from;
             return BMR_OK;
         }
         double u;
-        if (positive && bmr_bernstein_first_root(p.c, p.degree, p.noise, k->tolerance / p.width, &u) &&
-            u <= 1.0) {
+        if (positive && !clear &&
+            bmr_bernstein_first_root(p.c, p.degree, p.noise, k->tolerance / p.width, &u) && u <= 1.0) {
             *time = fmin(to, from + u * p.width);
             return BMR_OK;
         }
