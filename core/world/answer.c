@@ -14,8 +14,6 @@
 /// ZENO_ELASTIC takes a pair for jammed, however fast it is, when its margin was halved so often. Early: the
 /// room that is left down to what structures can prove is what a pile has to come loose in.
 #define JAMMED_RUNG 3
-/// Below this part of its terms a determinant is rounding.
-#define LEAST_DETERMINANT 0x1p-40
 
 /// Both bodies' velocities, which an answer changes.
 typedef struct momentum {
@@ -38,13 +36,12 @@ static size_t fastest(const bmr_contact *contact) {
     return contact->count == 2 && contact->approach[1] < contact->approach[0] ? 1 : 0;
 }
 
-/// How much the approach at point i changes by a unit of impulse along the normal at point k.
-static double ease(const bmr_couple *c, const bmr_touch *touch, size_t i, size_t k) {
+/// How much the approach at point k changes by a unit of impulse along the normal there.
+static double ease(const bmr_couple *c, const bmr_touch *touch, size_t k) {
     double sum = 0.0;
     for (int body = 0; body < 2; body++) {
-        const double turn = bmr_cross(touch->arm[body][i], touch->contact.normal);
-        const double other = bmr_cross(touch->arm[body][k], touch->contact.normal);
-        sum += 1.0 / c->side[body]->mass + turn * other / c->side[body]->inertia;
+        const double turn = bmr_cross(touch->arm[body][k], touch->contact.normal);
+        sum += 1.0 / c->side[body]->mass + turn * turn / c->side[body]->inertia;
     }
     return sum;
 }
@@ -61,17 +58,36 @@ static void push(const bmr_couple *c, const bmr_touch *touch, size_t k, double i
 /// The two impulses that turn both approaches round at once, where neither of them pulls: two sides that meet
 /// flat part flat. With restitution 1 the energy stays, as it does with one impulse: it changes by half of
 /// the sum of each impulse times the approaches before and after.
+///
+/// They are found as their sum, and half their difference, from the approach at the stretch's middle and the
+/// difference of those at its ends. So what is left of the approaches is rounding, however short the stretch
+/// is: the equations of its two ends become one and the same as it shrinks.
 static bool two_impulses(const bmr_couple *c, const bmr_touch *touch, double restitution, double impulse[2]) {
     const double *approach = touch->contact.approach;
     if (touch->contact.count < 2 || !(approach[0] < 0.0) || !(approach[1] < 0.0))
         return false;
-    const double k00 = ease(c, touch, 0, 0), k01 = ease(c, touch, 0, 1), k11 = ease(c, touch, 1, 1);
-    const double determinant = k00 * k11 - k01 * k01;
-    if (!(determinant > LEAST_DETERMINANT * k00 * k11)) // bodies that nothing turns
+    double mass = 0.0, middle[2], along[2], inverse[2]; // turns about both, at the middle and to the ends
+    for (int body = 0; body < 2; body++) {
+        const double turn[2] = {bmr_cross(touch->arm[body][0], touch->contact.normal),
+                                bmr_cross(touch->arm[body][1], touch->contact.normal)};
+        mass += 1.0 / c->side[body]->mass;
+        inverse[body] = 1.0 / c->side[body]->inertia;
+        middle[body] = 0.5 * (turn[0] + turn[1]);
+        along[body] = turn[1] - turn[0];
+    }
+    const double mm = mass + middle[0] * middle[0] * inverse[0] + middle[1] * middle[1] * inverse[1];
+    const double ma = middle[0] * along[0] * inverse[0] + middle[1] * along[1] * inverse[1];
+    const double aa = along[0] * along[0] * inverse[0] + along[1] * along[1] * inverse[1];
+    const double area = middle[0] * along[1] - middle[1] * along[0];
+    const double determinant = mass * aa + area * area * inverse[0] * inverse[1]; // mm * aa - ma * ma
+    if (!(determinant > 0.0))                                                     // bodies that nothing turns
         return false;
-    const double want[2] = {-(1.0 + restitution) * approach[0], -(1.0 + restitution) * approach[1]};
-    impulse[0] = (k11 * want[0] - k01 * want[1]) / determinant;
-    impulse[1] = (k00 * want[1] - k01 * want[0]) / determinant;
+    const double want = -(1.0 + restitution) * 0.5 * (approach[0] + approach[1]);
+    const double want_along = -(1.0 + restitution) * (approach[1] - approach[0]);
+    const double sum = (aa * want - ma * want_along) / determinant;
+    const double half = (mm * want_along - ma * want) / determinant;
+    impulse[0] = 0.5 * sum - half;
+    impulse[1] = 0.5 * sum + half;
     return impulse[0] >= 0.0 && impulse[1] >= 0.0;
 }
 
@@ -90,7 +106,7 @@ static bool collide(bmr_world *w, const bmr_couple *c, double restitution, bmr_t
         const double bounce = soft ? 1.0 : restitution;
         double impulse[2] = {0.0, 0.0};
         if (!two_impulses(c, touch, bounce, impulse)) {
-            impulse[k] = -(1.0 + bounce) * approach / ease(c, touch, k, k);
+            impulse[k] = -(1.0 + bounce) * approach / ease(c, touch, k);
             impulse[1 - k] = 0.0;
         }
         if (!isfinite(impulse[0]) || !isfinite(impulse[1])) // nothing moves either

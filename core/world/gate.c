@@ -41,6 +41,8 @@
 #define CLEAR_PART 1.125
 /// Of times that are sums.
 #define CLOCK_ROUNDINGS 2.0
+/// A place is known when it is to this part of the reach: an eighth of what lies between to meet and to part.
+#define EXACT_PART 0x1p-5
 /// Sign changes in one window; two paths of degree 8 have 16 at most.
 #define MOST_CHANGES 64
 
@@ -190,8 +192,9 @@ static interval straight_within(const bmr_world *w, const bmr_couple *c, double 
 /// The way from one disk's centre to the other's (or from a wall's line to the centre), in powers of the time
 /// from the epoch: far from the world's origin its digits are those of the way, not of the places.
 typedef struct curve {
-    bmr_motion_piece rest, way;
+    bmr_motion_piece rest, way; ///< the latter's time is 0 at the epoch
     double epoch, window, tolerance;
+    double size[BMR_MOTION_MAX_DEGREE + 1]; ///< of each power: of what it is the difference of
 } curve;
 
 /// A time that is early by this is early by next to nothing of a window, and of a cell, however fast they
@@ -200,13 +203,33 @@ static double tolerance_of(const bmr_world *w, double time, double window) {
     return fmin(bmr_world_tolerance(w, time), 0x1p-40 * window);
 }
 
+static void add_sizes(const bmr_algebraic_piece *path, double *sizes) {
+    for (size_t i = 1; i <= path->degree; i++)
+        sizes[i] += bmr_length(bmr_vec2_make(path->x[i], path->y[i]));
+}
+
+/// Is the place so long after the epoch known to a part of the reach? Its terms are as long as the ways of
+/// the two since then, and during a rounding of the clock it changes by their speeds. Where it is not, a
+/// meeting could be taken for none.
+static bool is_exact(const curve *k, double reach, double from, double to) {
+    const double clock = CLOCK_ROUNDINGS * DBL_EPSILON * (fabs(k->epoch) + fabs(from) + fabs(to));
+    const double elapsed = to - k->epoch;
+    double way = 0.0, speed = 0.0, power = 1.0;
+    for (size_t i = 1; i <= BMR_MOTION_MAX_DEGREE; i++) {
+        speed += (double)i * k->size[i] * power;
+        power *= elapsed;
+        way += k->size[i] * power;
+    }
+    return PLACE_ROUNDING * way + clock * speed < EXACT_PART * reach;
+}
+
 static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
     curve k;
     k.epoch = epoch_of(c);
     k.rest = bmr_piece_rest(bmr_pose_identity());
     memset(&k.way, 0, sizeof k.way);
+    memset(k.size, 0, sizeof k.size);
     k.way.kind = BMR_PIECE_ALGEBRAIC;
-    k.way.origin = k.epoch;
     const bmr_motion_piece own_path = path_of(&c->side[0]->now.piece, bmr_vec2_make(0.0, 0.0));
     const bmr_algebraic_piece own = bmr_piece_expand(&own_path, k.epoch);
     bmr_algebraic_piece *const way = &k.way.as.algebraic;
@@ -215,6 +238,7 @@ static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
         *way = own;
         way->x[0] -= line.offset * line.normal.x;
         way->y[0] -= line.offset * line.normal.y;
+        add_sizes(&own, k.size);
     } else {
         const bmr_motion_piece path = path_of(&c->side[1]->now.piece, bmr_couple_shift(w, c));
         const bmr_algebraic_piece other = bmr_piece_expand(&path, k.epoch);
@@ -224,6 +248,8 @@ static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
             way->x[i] = (i <= other.degree ? other.x[i] : 0.0) - (i <= own.degree ? own.x[i] : 0.0);
             way->y[i] = (i <= other.degree ? other.y[i] : 0.0) - (i <= own.degree ? own.y[i] : 0.0);
         }
+        add_sizes(&own, k.size);
+        add_sizes(&other, k.size);
     }
     k.window = fmax(WINDOW * time_for(way, reach), LEAST_WINDOW * fmax(1.0, fabs(k.epoch)));
     k.tolerance = tolerance_of(w, k.epoch, k.window);
@@ -238,15 +264,44 @@ static bmr_condition apart_by(const bmr_world *w, const bmr_couple *c, double re
                : bmr_condition_disks(origin, origin, reach, 0);
 }
 
+/// The condition from `here` on, over `longest` or less: over so little that rounding is a part of the reach,
+/// for what comes from afar and is soon gone again could drown in the rounding of how far it came. True: over
+/// this time it is too far away anyway.
+static bool expand(const curve *k, const bmr_condition *condition, bool against, const bmr_motion_piece *here,
+                   double longest, bmr_condition_polynomial *p) {
+    const bmr_algebraic_piece *const way = &here->as.algebraic;
+    const double reach = condition->offset, distance = bmr_length(bmr_vec2_make(way->x[0], way->y[0]));
+    for (;; longest = 0.5 * p->width) {
+        bmr_condition_expand(condition, &k->rest, here, 0.0, longest, p);
+        if (condition->kind != BMR_CONDITION_DISKS || !(p->noise > EXACT_PART * reach * reach) ||
+            !(p->width > 0.0))
+            return false;
+        double growth = 0.0, power = 1.0;
+        for (size_t i = 1; i <= way->degree; i++) {
+            power *= p->width;
+            growth += bmr_length(bmr_vec2_make(way->x[i], way->y[i])) * power;
+        }
+        if (!against && distance - growth > CLEAR_PART * reach)
+            return true;
+    }
+}
+
 /// The first time in [from, to] at which the condition is no longer positive (with `against`: its opposite);
 /// INFINITY: none. What is too close to call at the beginning is taken to be near: a structure that stands in
 /// vain is no harm.
+///
+/// Each step expands the way about its own beginning, and takes that for the origin of time: what is too
+/// close to call is then a rounding of the distance there, not of the world's time nor of the way since the
+/// epoch.
 static bmr_error first_change(const curve *k, const bmr_condition *condition, bool against, double from,
                               double to, double *time) {
     *time = INFINITY;
     for (size_t steps = 0; from < to; steps++) {
+        bmr_motion_piece here = k->way;
+        here.as.algebraic = bmr_piece_expand(&k->way, from - k->epoch);
+        here.origin = 0.0;
         bmr_condition_polynomial p;
-        bmr_condition_expand(condition, &k->rest, &k->way, from, to - from, &p);
+        const bool clear = expand(k, condition, against, &here, to - from, &p);
         if (!isfinite(p.noise))
             return BMR_ERROR_NOT_FINITE;
         if (steps == BMR_FAILURE_MAX_INTERVALS)
@@ -254,13 +309,13 @@ static bmr_error first_change(const curve *k, const bmr_condition *condition, bo
         for (size_t i = 0; against && i <= p.degree; i++)
             p.c[i] = -p.c[i];
         const bool positive = p.c[0] > p.noise;
-        if (!positive && (!against || p.c[0] < -p.noise)) {
+        if (!clear && !positive && (!against || p.c[0] < -p.noise)) {
             *time = from;
             return BMR_OK;
         }
         double u;
-        if (positive && bmr_bernstein_first_root(p.c, p.degree, p.noise, k->tolerance / p.width, &u) &&
-            u <= 1.0) {
+        if (positive && !clear &&
+            bmr_bernstein_first_root(p.c, p.degree, p.noise, k->tolerance / p.width, &u) && u <= 1.0) {
             *time = fmin(to, from + u * p.width);
             return BMR_OK;
         }
@@ -289,15 +344,22 @@ static bmr_error in_window(const bmr_world *w, const bmr_couple *c, const curve 
     return BMR_OK;
 }
 
-/// So many windows from `from` on, as a power of 2 or 0, have no change: in them the centres cannot come from
-/// `distance` to the reach (or, `inside`, to where they have parted). To look into them would find the same.
+/// In so much time from `from` on the centres cannot come from `distance` to the reach (or, `inside`, to
+/// where they have parted).
+static bool is_clear(const curve *k, double distance, bool inside, double reach, double from, double time) {
+    const double since = from - k->epoch;
+    const double way = bmr_motion_piece_speed(&k->way, since, since + time, 0.0) * time;
+    return inside ? CLEAR_PART * (distance + way) < bmr_gate_parted(reach)
+                  : distance - way > CLEAR_PART * reach;
+}
+
+/// So many windows from `from` on, as a power of 2 or 0, have no change: to look into them would find the
+/// same.
 static double clear_windows(const curve *k, double distance, bool inside, double reach, double from) {
     double clear = 0.0;
     for (int doublings = 0; doublings <= MOST_DOUBLINGS; doublings++) {
-        const double count = ldexp(1.0, doublings), time = count * k->window;
-        const double way = bmr_motion_piece_speed(&k->way, from, from + time, 0.0) * time;
-        if (inside ? !(CLEAR_PART * (distance + way) < bmr_gate_parted(reach))
-                   : !(distance - way > CLEAR_PART * reach))
+        const double count = ldexp(1.0, doublings);
+        if (!is_clear(k, distance, inside, reach, from, count * k->window))
             break;
         clear = count;
     }
@@ -323,6 +385,8 @@ static bmr_error curved(const bmr_world *w, const bmr_couple *c, double reach, b
         const double distance = bmr_gate_distance(w, c, from);
         if (!isfinite(distance) || !(to > from))
             return BMR_ERROR_NOT_FINITE;
+        if (!is_clear(&k, distance, false, reach, from, to - from) && !is_exact(&k, reach, from, to))
+            return BMR_ERROR_OUT_OF_RANGE;
         // Whoever asks for a meeting knows the disks to be apart until `after`, and the other way round.
         const bool inside = meets ? distance <= reach : distance < bmr_gate_parted(reach);
         if (inside == meets && from >= after) {
@@ -411,7 +475,11 @@ bmr_error bmr_gate_crosses(const bmr_world *w, const bmr_resident *r, double aft
                                    bmr_condition_beyond(0, bmr_vec2_make(-1.0, 0.0), -high.x, origin, 0),
                                    bmr_condition_beyond(0, bmr_vec2_make(0.0, 1.0), low.y, origin, 0),
                                    bmr_condition_beyond(0, bmr_vec2_make(0.0, -1.0), -high.y, origin, 0)};
-    const curve k = {bmr_piece_rest(bmr_pose_identity()), path, after, span, tolerance_of(w, after, span)};
+    const curve k = {.rest = bmr_piece_rest(bmr_pose_identity()),
+                     .way = {.kind = BMR_PIECE_ALGEBRAIC, .as.algebraic = here},
+                     .epoch = after,
+                     .window = span,
+                     .tolerance = tolerance_of(w, after, span)};
     const double to = fmax(after + span, nextafter(after, INFINITY));
     if (!isfinite(to))
         return BMR_ERROR_NOT_FINITE;

@@ -39,6 +39,12 @@ void bmr_couple_schedule(bmr_world *w, bmr_couple *c, bmr_couple_event event, do
     bmr_agenda_set(&w->agenda, &c->item, time < INFINITY ? fmax(time, w->time) : time);
 }
 
+/// OUT_OF_RANGE of a question about the disks: so fast, or so long after their epoch, that they cannot be
+/// told apart from disks that meet.
+static bmr_error disks_error(bmr_world *w, const bmr_couple *c, bmr_error error) {
+    return error == BMR_ERROR_OUT_OF_RANGE ? bmr_couple_stop(w, c, error, BMR_TROUBLE_SPEED) : error;
+}
+
 static bmr_error search_disks(bmr_world *w, bmr_couple *c) {
     double time;
     bool look;
@@ -46,7 +52,7 @@ static bmr_error search_disks(bmr_world *w, bmr_couple *c) {
     const bmr_error error = bmr_gate_meets(w, c, w->time, &time, &look);
     if (error == BMR_OK)
         bmr_couple_schedule(w, c, look ? BMR_COUPLE_LOOK : BMR_COUPLE_MEET, time);
-    return error;
+    return disks_error(w, c, error);
 }
 
 /// When the structure is not needed any more; part_known: not before `part`, where it is to be asked again.
@@ -56,11 +62,16 @@ static bmr_error find_part(bmr_world *w, bmr_couple *c) {
         return BMR_OK;
     w->counts.disk_times++;
     bool look;
-    const bmr_error error = bmr_gate_parts(w, c, fmax(w->time, n->from), &n->part, &look);
+    const double after = fmax(w->time, n->from);
+    bmr_error error = bmr_gate_parts(w, c, after, &n->part, &look);
+    // Who parts as soon as they meet would meet again, and so on: a loop, or a contact that nobody saw.
+    if (error == BMR_OK && !look && n->part <= after &&
+        bmr_gate_distance(w, c, after) <= bmr_gate_reach(w, c))
+        error = BMR_ERROR_OUT_OF_RANGE;
     n->part_known = error == BMR_OK && !look;
     if (error != BMR_OK)
         n->part = NAN;
-    return error;
+    return disks_error(w, c, error);
 }
 
 double bmr_couple_tolerance(const bmr_world *w, const bmr_near *n, double time) {

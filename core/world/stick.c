@@ -32,6 +32,42 @@ static bmr_resident *next(const bmr_resident *r) {
     return r->gathered == r ? NULL : r->gathered;
 }
 
+/// Two lists, each by birth, in one. Either may be empty.
+static bmr_resident *merge(bmr_resident *a, bmr_resident *b) {
+    bmr_resident *first = NULL, *last = NULL;
+    while (a || b) {
+        bmr_resident **const from = !b || (a && a->birth < b->birth) ? &a : &b;
+        bmr_resident *const r = *from;
+        *from = next(r);
+        if (last)
+            last->gathered = r;
+        else
+            first = r;
+        last = r;
+        r->gathered = r;
+    }
+    return first;
+}
+
+/// The list by birth. The order in which couples were linked depends on who found whom when: a sum of
+/// momenta in that order would have other roundings in a world without cells.
+static bmr_resident *by_birth(bmr_resident *list) {
+    bmr_resident *runs[8 * sizeof(size_t)] = {NULL}; // runs[i]: empty, or 2^i long
+    for (bmr_resident *r = list, *after; r; r = after) {
+        after = next(r);
+        r->gathered = r;
+        bmr_resident *run = r;
+        size_t i = 0;
+        for (; runs[i]; runs[i++] = NULL)
+            run = merge(runs[i], run);
+        runs[i] = run;
+    }
+    bmr_resident *sorted = NULL;
+    for (size_t i = 0; i < sizeof runs / sizeof *runs; i++)
+        sorted = merge(runs[i], sorted);
+    return sorted;
+}
+
 static bmr_pose pose_of(const bmr_world *w, bmr_resident *r, bmr_vec2 *velocity) {
     const bmr_motion motion = bmr_motion_of_piece(&r->now);
     return bmr_motion_pose(&motion, w->time, velocity, NULL);
@@ -64,7 +100,7 @@ static bool common_velocity(const bmr_world *w, bmr_resident *first, bmr_vec2 *v
 }
 
 bool bmr_stick(bmr_world *w, bmr_couple *c) {
-    bmr_resident *const first = gather(c);
+    bmr_resident *const first = by_birth(gather(c));
     bmr_vec2 velocity;
     const bool can = common_velocity(w, first, &velocity);
     w->sticking = true;

@@ -174,8 +174,10 @@ bmr_error bmr_world_advance(bmr_world *w, double until) {
         error = events < w->def.most_events || w->def.most_events == 0
                     ? take_event(w)
                     : bmr_world_stop(w, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_EVENTS, BMR_NO_BODY, BMR_NO_BODY);
-    if (error == BMR_OK)
+    if (error == BMR_OK) {
         w->time = until;
+        bmr_world_stop(w, BMR_OK, BMR_TROUBLE_NONE, BMR_NO_BODY, BMR_NO_BODY); // what was wrong is gone
+    }
     w->inside = false;
     return error;
 }

@@ -2,7 +2,6 @@
 #include "world_command.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <optional>
 
@@ -79,7 +78,9 @@ void PrintEvents(const WorldFigures &figures, bool colour) {
 
 void PrintConservation(const WorldFigures &figures) {
     std::cout << "conserved:  ";
-    if (figures.energy)
+    if (figures.choice.speed == 0.0)
+        std::cout << "nothing, for nobody began to move";
+    else if (figures.energy)
         std::cout << "energy to " << Scientific(*figures.energy) << " of it";
     else
         std::cout << "not the energy (" << Fixed(100.0 * figures.energyLeft, 2) << " % are left)";
@@ -171,7 +172,7 @@ int Perform(const WorldCommand &command) {
         json.Close();
     }
     const bool overlap = std::any_of(runs.begin(), runs.end(), [](const WorldFigures &run) {
-        return run.check && run.check->overlaps > 0;
+        return run.choice.response.kind != BMR_RESPONSE_PASS && run.check && run.check->overlaps > 0;
     });
     if (overlap)
         std::cerr << "boomerang-testbed: bodies overlap\n";

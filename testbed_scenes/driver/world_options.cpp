@@ -114,7 +114,9 @@ CLI::App *AddWorld(CLI::App &app, WorldCommand &command) {
     world->add_option("--shape", command.shape, "Outline of the polygons; mixed: all in turn")
         ->check(CLI::IsMember(ShapeNames()));
     world->add_option("--vertices", command.vertices, "N, or FEWEST:MOST, from which each body draws");
-    world->add_option("--sizes", command.sizes, "Radius of the largest over that of the smallest");
+    world->add_option("--sizes", command.sizes,
+                      "Radius of the largest over that of the smallest, from 1 to 1000 (beyond, a contact's "
+                      "margin, 1e-6 of the smallest, is too little for proofs about the largest)");
     world->add_option("--density", command.density, "The polygons' area over the box's");
     world->add_option(
         "--speed", command.speed,
@@ -139,6 +141,11 @@ CLI::App *AddWorld(CLI::App &app, WorldCommand &command) {
     CLI::Option *growth = world->add_option(
         "--growth", command.growth,
         "Instead of one run: these numbers of bodies N1,N2,.. at the same density, as a table");
+    growth->check(CLI::Validator(
+        [](const std::string &text) {
+            return text.empty() ? std::string("N1,N2,.. is wanted") : std::string();
+        },
+        "N1,N2,.."));
     CLI::Option *peers = world->add_flag(
         "--peers", command.peers,
         "Instead of one run: all pairs, time stepping and Box2D on the same bodies, as a table");
@@ -161,11 +168,13 @@ CLI::App *AddWorld(CLI::App &app, WorldCommand &command) {
 WorldChoice ChoiceFor(const WorldCommand &command) {
     WorldChoice choice = SceneNamed(command.scene).choice;
     constexpr double kMost = 1e6;
+    // A contact's margin is 1e-6 of the smallest radius: of larger ones it would be too little for proofs.
+    constexpr double kMostSizes = 1e3;
     choice.bodies = command.bodies.value_or(choice.bodies);
     choice.shape = command.shape.value_or(choice.shape);
     if (command.vertices)
         ReadVertices(*command.vertices, &choice);
-    choice.sizes = Checked("--sizes", command.sizes.value_or(choice.sizes), 1.0, kMost);
+    choice.sizes = Checked("--sizes", command.sizes.value_or(choice.sizes), 1.0, kMostSizes);
     choice.density = Checked("--density", command.density.value_or(choice.density), 0.0, 1.0, true);
     choice.speed = Checked("--speed", command.speed.value_or(choice.speed), 0.0, kMost);
     choice.seconds = Checked("--seconds", command.seconds.value_or(choice.seconds), 0.0, kMost, true);

@@ -161,6 +161,7 @@ gas --seconds -1|--seconds
 gas --seconds 0|--seconds
 gas --speed inf|--speed
 gas --sizes 0.5|--sizes
+gas --sizes 1e4|--sizes
 gas --vertices 2|--vertices: N or FEWEST:MOST
 gas --vertices 9:8|--vertices
 gas --vertices 8:|--vertices

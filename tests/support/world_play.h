@@ -243,6 +243,8 @@ static inline bmr_response play_answer(void *context, bmr_world *world, const bm
         response.kind = BMR_RESPONSE_PASS;
         break;
     case 3:
+    case 7:
+    case 8:
         response.kind = BMR_RESPONSE_STICK;
         break;
     case 4:

@@ -204,6 +204,71 @@ static void who_is_faster_than_the_clock_is_an_error(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
+static bmr_motion_piece curve(double time, bmr_vec2 quadratic, double cubic) {
+    bmr_motion_piece piece;
+    memset(&piece, 0, sizeof piece);
+    piece.kind = BMR_PIECE_ALGEBRAIC;
+    piece.origin = time;
+    bmr_algebraic_piece *const a = &piece.as.algebraic;
+    a->degree = cubic != 0.0 ? 3 : 2;
+    a->x[2] = quadratic.x;
+    a->y[2] = quadratic.y;
+    a->x[3] = cubic;
+    a->a[0] = a->start_c = 1.0;
+    return piece;
+}
+
+/// Beside a body that accelerates gently, at times and speeds whose product is up to 1e10: once the rounding
+/// of the disks' times was that of the product, and the disks met and parted in turn for ever.
+static void who_flies_past_a_curve_is_met_once(void **state) {
+    (void)state;
+    bmr_polygon *b = box(0.2);
+    for (double time = 1e3; time < 1e6; time *= 10.0)
+        for (double speed = 10.0; speed < 2e4; speed *= 10.0) {
+            stage *s = make_stage(BMR_OPEN, 0.0);
+            s->response.kind = BMR_RESPONSE_PASS;
+            s->def.kds.margin = 1e-4;
+            s->def.most_events = 1000;
+            assert_int_equal(bmr_world_create(&s->def, time, NULL, &s->world), BMR_OK);
+            add_piece(s, b, curve(time, bmr_vec2_make(0.0, 0.5), 0.0), 0.0);
+            add_piece(s, b, flight(time, -speed, 0.5, speed, 0.0, 0.0), 0.0);
+            advance(s, time + 2.0);
+            assert_int_equal(s->count, 1);
+            assert_int_equal(s->events[BMR_WORLD_NEAR], 1);
+            assert_near(s->contacts[0].time, time + 1.0, 0.41 / speed);
+            close_stage(s);
+        }
+    bmr_polygon_destroy(b, NULL);
+}
+
+/// A cube of time is so long after its epoch, and so fast then, that it passes in a part of 1e7 of the time
+/// that one step of the search takes: it is met, or the clock is said to be too coarse.
+static void who_comes_from_afar_on_a_curve_is_not_missed(void **state) {
+    (void)state;
+    bmr_polygon *b = box(30.0);
+    size_t met = 0, errors = 0;
+    for (double after = 100.0; after < 2e5; after *= 1.7) {
+        stage *s = make_stage(BMR_OPEN, 0.0);
+        s->response.kind = BMR_RESPONSE_PASS;
+        s->def.most_events = 1000;
+        open_stage(s);
+        const bmr_body cubic = add_piece(s, b, curve(0.0, bmr_vec2_make(0.0, 0.0), 1.0), 0.0);
+        const bmr_body target = add_piece(s, b, flight(0.0, after * after * after, 0.0, 0.0, 0.0, 0.0), 0.0);
+        const bmr_error error = bmr_world_advance(s->world, 1.001 * after);
+        if (error == BMR_OK) {
+            assert_int_equal(s->count, 1);
+            assert_near(s->contacts[0].time, after, 62.0 / (3.0 * after * after) + 1e-15 * after);
+            met++;
+        } else {
+            assert_trouble(s, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_SPEED, cubic, target);
+            errors++;
+        }
+        close_stage(s);
+    }
+    assert_true(met > 0 && errors > 0);
+    bmr_polygon_destroy(b, NULL);
+}
+
 /// Farther than there are cells: soon, however far a call is to advance.
 static void who_flies_out_of_the_world_is_an_error(void **state) {
     (void)state;
@@ -289,6 +354,76 @@ static void all_that_sticks_goes_on_as_one(void **state) {
     assert_near(state_of(s, pile[3]).velocity.y, 1.0, 0.0);
     assert_near(state_of(s, pile[1]).velocity.y, 0.0, 0.0);
     close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
+/// The velocity of all 16, which fly to one middle and stick there, is the same to the bit with cells as
+/// with all pairs: their momenta are summed in one order, whoever found whom first.
+static void a_pile_with_cells_is_that_of_all_pairs(void **state) {
+    (void)state;
+    enum { PILE = 16, PILES = 40 };
+    bmr_polygon *b = box(0.5);
+    size_t stuck = 0, others = 0;
+    for (int k = 0; k < PILES; k++) {
+        bmr_vec2 velocity[3][PILE];
+        for (int run = 0; run < 3; run++) { // control: another pile has other velocities
+            stage *s = make_stage(BMR_OPEN, 0.0);
+            s->response.kind = BMR_RESPONSE_STICK;
+            s->def.all_pairs = run == 1;
+            open_stage(s);
+            for (int i = 0; i < PILE; i++) {
+                const double x = 3.0 * (i % 4) - 4.5 + 0.3 * sin(k + i), y = 3.0 * (i / 4) - 4.5;
+                const double aside = 0.1 * sin((k + (run == 2)) * i + 1.0);
+                add_piece(s, b, flight(0.0, x, y + 0.3 * cos(k * i), -0.5 * x + aside, -0.5 * y, 0.0),
+                          1.0 + 0.1 * i);
+            }
+            advance(s, 20.0);
+            for (int i = 0; i < PILE; i++)
+                velocity[run][i] = state_of(s, (bmr_body)i).velocity;
+            stuck += s->count >= 4;
+            close_stage(s);
+        }
+        assert_memory_equal(velocity[0], velocity[1], sizeof velocity[0]);
+        others += memcmp(velocity[0], velocity[2], sizeof velocity[0]) != 0;
+    }
+    assert_int_equal(stuck, 3 * PILES);
+    assert_int_equal(others, PILES);
+    bmr_polygon_destroy(b, NULL);
+}
+
+// ---- short stretches ----
+
+/// Two boxes that meet flat on a stretch from a tenth down to 1e-9: what elastic impulses keep stays, to
+/// rounding.
+static void an_impulse_on_a_short_stretch_keeps_the_energy(void **state) {
+    (void)state;
+    bmr_polygon *b = box(0.5);
+    size_t flat = 0;
+    for (double stretch = 0.1; stretch > 1e-9; stretch *= 0.1)
+        for (int turn = 0; turn < 30; turn++) {
+            stage *s = make_stage(BMR_OPEN, 0.0);
+            open_stage(s);
+            const bmr_pose first = bmr_pose_from_angle(bmr_vec2_make(0.0, 0.0), 0.37 * turn);
+            const bmr_vec2 at = {2.0 * first.c - (1.0 - stretch) * first.s,
+                                 2.0 * first.s + (1.0 - stretch) * first.c};
+            bmr_pose second = first;
+            second.position = at;
+            add_piece(s, b, bmr_piece_screw(0.0, first, bmr_vec2_make(0.0, 0.0), 0.0), 0.0);
+            add_piece(s, b, bmr_piece_screw(0.0, second, bmr_vec2_make(-first.c, -first.s), 0.0), 0.0);
+            const bmr_world_totals before = bmr_world_get_totals(s->world);
+            assert_int_equal(bmr_world_advance(s->world, 1.5), BMR_OK);
+            const bmr_world_totals after = bmr_world_get_totals(s->world);
+            assert_true(s->count >= 1);
+            flat += s->contacts[0].count == 2;
+            assert_near(after.energy, before.energy, 1e-14);
+            assert_near(after.momentum.x, before.momentum.x, 1e-14);
+            assert_near(after.momentum.y, before.momentum.y, 1e-14);
+            assert_near(after.angular, before.angular, 1e-14);
+            // Control: something happened.
+            assert_true(fabs(state_of(s, 0).spin) > 0.1);
+            close_stage(s);
+        }
+    assert_true(flat > 60);
     bmr_polygon_destroy(b, NULL);
 }
 
@@ -384,9 +519,13 @@ int main(void) {
         cmocka_unit_test(a_point_in_a_huge_periodic_box_meets_what_is_there),
         cmocka_unit_test(nobody_is_missed_who_is_faster_than_the_tolerance),
         cmocka_unit_test(who_is_faster_than_the_clock_is_an_error),
+        cmocka_unit_test(who_flies_past_a_curve_is_met_once),
+        cmocka_unit_test(who_comes_from_afar_on_a_curve_is_not_missed),
         cmocka_unit_test(who_flies_out_of_the_world_is_an_error),
         cmocka_unit_test(a_call_has_as_many_events_as_it_may),
         cmocka_unit_test(all_that_sticks_goes_on_as_one),
+        cmocka_unit_test(a_pile_with_cells_is_that_of_all_pairs),
+        cmocka_unit_test(an_impulse_on_a_short_stretch_keeps_the_energy),
         cmocka_unit_test(what_is_pushed_together_for_good_is_an_error),
         cmocka_unit_test(a_place_that_is_no_number_is_an_error),
         cmocka_unit_test(a_place_whose_ids_are_used_up_is_left_alone),

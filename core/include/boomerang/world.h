@@ -148,7 +148,9 @@ typedef struct bmr_world_def {
     bmr_kds_def kds;
     bmr_failure_options failure;
     bmr_boundary boundary;
-    bmr_vec2 low, high;    ///< the box's corners; of WALLED and PERIODIC
+    /// The box's corners; of WALLED and PERIODIC. bmr_world_create refuses coordinates beyond a quarter of
+    /// BMR_MAX_COORDINATE (2.5e8), and sides of 1 : 2^20 or more.
+    bmr_vec2 low, high;
     bmr_response response; ///< to a contact, where there is no callback
     bmr_zeno_policy zeno;
     double zeno_speed; ///< of ZENO_ELASTIC; > 0
@@ -227,8 +229,9 @@ typedef enum bmr_trouble {
     /// STALLED: the two are apart, but by less than their structure can prove.
     BMR_TROUBLE_PROOF,
     /// OUT_OF_RANGE: the two (or one, through cells) move so fast that the clock is too coarse: near each
-    /// other by more than the margin in four roundings of the time (nine parts in 1e16 of it). So nobody
-    /// flies through another one unseen.
+    /// other by more than the margin in four roundings of the time (nine parts in 1e16 of it). Or a curved
+    /// path is so long, or so fast, since its motion began that its place is no longer known to a 32nd of the
+    /// disks' reach. So nobody flies through another one unseen.
     BMR_TROUBLE_SPEED,
     /// OUT_OF_RANGE: a body is so far away that there are no larger cells, or no digits left: in an open
     /// world beyond 2^190 times the finest cell, in a periodic box after 2^30 cells.
