@@ -28,8 +28,13 @@ Frame RandomFrame(std::mt19937 &random) {
     for (int i = whole(20); i > 0; --i) {
         frame.bodies.push_back(
             {whole(20), whole(2) == 0 ? "static" : "dynamic", {vec(), real(), real()}, whole(2) == 0});
-        frame.fixtures.push_back(
-            {whole(20), whole(20), "polygon", {vec(), vec(), vec()}, real(), whole(2) == 0, {}});
+        frame.fixtures.push_back({whole(20),
+                                  whole(20),
+                                  "polygon",
+                                  {vec(), vec(), vec()},
+                                  real(),
+                                  whole(2) == 0,
+                                  std::vector<int>(static_cast<size_t>(whole(3)), whole(3))});
         frame.gone.push_back({whole(20), whole(20)});
         frame.boxes.push_back({whole(20), whole(20), whole(20), real(), real(), real(), real()});
         frame.joints.push_back({whole(20), "rope", {whole(20), whole(20)}, {vec(), vec()}, {{vec(), vec()}}});
