@@ -251,7 +251,11 @@ static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
         add_sizes(&own, k.size);
         add_sizes(&other, k.size);
     }
-    k.window = fmax(WINDOW * time_for(way, reach), LEAST_WINDOW * fmax(1.0, fabs(k.epoch)));
+    const double least = LEAST_WINDOW * fmax(1.0, fabs(k.epoch));
+    k.window = fmax(WINDOW * time_for(way, reach), least);
+    // Two that go nearly the same way have long windows: not so long that their places drown in rounding.
+    while (k.window < INFINITY && k.window > least && !is_exact(&k, reach, k.epoch, k.epoch + k.window))
+        k.window *= 0.5;
     k.tolerance = tolerance_of(w, k.epoch, k.window);
     return k;
 }
@@ -271,8 +275,8 @@ static bool expand(const curve *k, const bmr_condition *condition, bool against,
                    double longest, bmr_condition_polynomial *p) {
     const bmr_algebraic_piece *const way = &here->as.algebraic;
     const double reach = condition->offset, distance = bmr_length(bmr_vec2_make(way->x[0], way->y[0]));
-    for (;; longest = 0.5 * p->width) {
-        bmr_condition_expand(condition, &k->rest, here, 0.0, longest, p);
+    for (double most = longest;; most = 0.5 * p->width) {
+        bmr_condition_expand(condition, &k->rest, here, 0.0, most, p);
         if (condition->kind != BMR_CONDITION_DISKS || !(p->noise > EXACT_PART * reach * reach) ||
             !(p->width > 0.0))
             return false;
@@ -385,8 +389,11 @@ static bmr_error curved(const bmr_world *w, const bmr_couple *c, double reach, b
         const double distance = bmr_gate_distance(w, c, from);
         if (!isfinite(distance) || !(to > from))
             return BMR_ERROR_NOT_FINITE;
-        if (!is_clear(&k, distance, false, reach, from, to - from) && !is_exact(&k, reach, from, to))
-            return BMR_ERROR_OUT_OF_RANGE;
+        if (!is_clear(&k, distance, false, reach, from, to - from) && !is_exact(&k, reach, from, to)) {
+            if (from <= after)
+                return BMR_ERROR_OUT_OF_RANGE;
+            break; // who knows whether the world comes there
+        }
         // Whoever asks for a meeting knows the disks to be apart until `after`, and the other way round.
         const bool inside = meets ? distance <= reach : distance < bmr_gate_parted(reach);
         if (inside == meets && from >= after) {

@@ -63,7 +63,7 @@ static bmr_resident *by_birth(bmr_resident *list) {
         runs[i] = run;
     }
     bmr_resident *sorted = NULL;
-    for (size_t i = 0; i < sizeof runs / sizeof *runs; i++)
+    for (size_t i = 0; i < 8 * sizeof(size_t); i++)
         sorted = merge(runs[i], sorted);
     return sorted;
 }
