@@ -224,11 +224,8 @@ static bool is_exact(const curve *k, double reach, double from, double to) {
 }
 
 static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
-    curve k;
-    k.epoch = epoch_of(c);
+    curve k = {.epoch = epoch_of(c)};
     k.rest = bmr_piece_rest(bmr_pose_identity());
-    memset(&k.way, 0, sizeof k.way);
-    memset(k.size, 0, sizeof k.size);
     k.way.kind = BMR_PIECE_ALGEBRAIC;
     const bmr_motion_piece own_path = path_of(&c->side[0]->now.piece, bmr_vec2_make(0.0, 0.0));
     const bmr_algebraic_piece own = bmr_piece_expand(&own_path, k.epoch);
@@ -304,7 +301,7 @@ static bmr_error first_change(const curve *k, const bmr_condition *condition, bo
         bmr_motion_piece here = k->way;
         here.as.algebraic = bmr_piece_expand(&k->way, from - k->epoch);
         here.origin = 0.0;
-        bmr_condition_polynomial p;
+        bmr_condition_polynomial p = {.width = to - from};
         const bool clear = expand(k, condition, against, &here, to - from, &p);
         if (!isfinite(p.noise))
             return BMR_ERROR_NOT_FINITE;
