@@ -269,6 +269,54 @@ static void who_comes_from_afar_on_a_curve_is_not_missed(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
+/// Two that go nearly the same way, which is long: what they differ by in so much time as they need to meet
+/// is known, and what they differ by in the far future is not asked for.
+static void who_goes_nearly_the_same_way_is_met_in_time(void **state) {
+    (void)state;
+    bmr_polygon *b = box(0.2);
+    for (double common = 1.0; common < 200.0; common *= 10.0)
+        for (double apart = 1e-8; apart < 1e-3; apart *= 10.0) {
+            stage *s = make_stage(BMR_OPEN, 0.0);
+            s->response.kind = BMR_RESPONSE_PASS;
+            s->def.kds.margin = 1e-4;
+            s->def.most_events = 1000;
+            open_stage(s);
+            add_piece(s, b, curve(0.0, bmr_vec2_make(0.0, common), 0.0), 0.0);
+            bmr_motion_piece other = curve(0.0, bmr_vec2_make(-apart, common), 0.0);
+            other.as.algebraic.x[0] = 0.8;
+            add_piece(s, b, other, 0.0);
+            const double time = sqrt(0.4 / apart);
+            advance(s, 1.01 * time);
+            assert_int_equal(s->count, 1);
+            assert_near(s->contacts[0].time, time, 0.01 * time);
+            close_stage(s);
+        }
+    bmr_polygon_destroy(b, NULL);
+}
+
+/// Who would meet when both are too far away to tell is an error when the world comes there, and no sooner:
+/// it may never come there.
+static void what_the_far_future_does_not_tell_is_no_error_today(void **state) {
+    (void)state;
+    bmr_polygon *b = box(0.2);
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    s->response.kind = BMR_RESPONSE_PASS;
+    s->def.kds.margin = 1e-4;
+    s->def.all_pairs = true;
+    open_stage(s);
+    const bmr_body first = add_piece(s, b, curve(0.0, bmr_vec2_make(0.0, 100.0), 0.0), 0.0);
+    bmr_motion_piece other = curve(0.0, bmr_vec2_make(0.0, 100.0), 0.0);
+    other.as.algebraic.x[0] = 1000.0;
+    other.as.algebraic.x[1] = -0.01;
+    const bmr_body second = add_piece(s, b, other, 0.0);
+    advance(s, 10.0);
+    assert_int_equal(bmr_world_advance(s->world, 1.01e5), BMR_ERROR_OUT_OF_RANGE);
+    assert_trouble(s, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_SPEED, first, second);
+    assert_true(bmr_world_time(s->world) > 5e4);
+    close_stage(s);
+    bmr_polygon_destroy(b, NULL);
+}
+
 /// Farther than there are cells: soon, however far a call is to advance.
 static void who_flies_out_of_the_world_is_an_error(void **state) {
     (void)state;
@@ -521,6 +569,8 @@ int main(void) {
         cmocka_unit_test(who_is_faster_than_the_clock_is_an_error),
         cmocka_unit_test(who_flies_past_a_curve_is_met_once),
         cmocka_unit_test(who_comes_from_afar_on_a_curve_is_not_missed),
+        cmocka_unit_test(who_goes_nearly_the_same_way_is_met_in_time),
+        cmocka_unit_test(what_the_far_future_does_not_tell_is_no_error_today),
         cmocka_unit_test(who_flies_out_of_the_world_is_an_error),
         cmocka_unit_test(a_call_has_as_many_events_as_it_may),
         cmocka_unit_test(all_that_sticks_goes_on_as_one),
