@@ -217,12 +217,16 @@ int32 OutlineShape::GetPieceCount() const {
 
 ConvexShape OutlineShape::GetPiece(int32 index) const {
     ConvexShape piece;
+    if (index < 0 || index >= GetPieceCount())
+        return piece;
     registry::AddReference(m_record->pieces[index]);
     internal::ConvexShapeAccess::Adopt(&piece, m_record->pieces[index]);
     return piece;
 }
 
 bool OutlineShape::IsInnerEdge(int32 index, int32 edge) const {
+    if (edge < 0 || edge >= GetPiece(index).GetVertexCount())
+        return false;
     const bmr_convex32_block &block =
         *registry::Find(m_record->pieces[index]).block.load(std::memory_order_relaxed);
     return block.polygon.seams != nullptr && block.seams.inner[edge] != 0;

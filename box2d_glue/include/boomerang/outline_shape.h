@@ -90,9 +90,10 @@ public:
     bool operator!=(const OutlineShape &other) const { return m_record != other.m_record; }
 
     int32 GetPieceCount() const;
-    /// Piece `index` as a shape of its own.
+    /// Piece `index` as a shape of its own; one without vertices where there is none.
     ConvexShape GetPiece(int32 index) const;
-    /// Does another piece go on behind the edge of this piece from vertex `edge` to the next?
+    /// Does another piece go on behind the edge of this piece from vertex `edge` to the next? No where there
+    /// is no such edge.
     bool IsInnerEdge(int32 index, int32 edge) const;
     /// Of the outline, at this density; inertia about the origin, as b2Shape::ComputeMass has it.
     void ComputeMass(b2MassData *massData, float density) const;
