@@ -224,6 +224,10 @@ bmr_vec2 bmr_couple_shift(const bmr_world *w, const bmr_couple *c);
 
 // gate.c: when disks meet and part, and when they leave their cells.
 
+/// Of places, in parts of their coordinates: 256 roundings.
+#define BMR_PLACE_ROUNDING 0x1p-44
+/// Of times that are sums.
+#define BMR_CLOCK_ROUNDINGS 2.0
 /// Disks this near have met; this far, they have parted.
 double bmr_gate_reach(const bmr_world *w, const bmr_couple *c);
 double bmr_gate_parted(double reach);
@@ -236,6 +240,15 @@ bmr_error bmr_gate_parts(const bmr_world *w, const bmr_couple *c, double after, 
 /// When the resident leaves its cell with the hysteresis, after `after`. Errors: those of bmr_failure_time.
 bmr_error bmr_gate_crosses(const bmr_world *w, const bmr_resident *r, double after, double *time, bool *look);
 bmr_vec2 bmr_path_position(const bmr_motion_piece *piece, double time);
+
+// curve.c: the same for those whose paths are not both straight.
+
+/// The next meeting (or parting) of the two whose reach this is.
+bmr_error bmr_curve_next(const bmr_world *w, const bmr_couple *c, double reach, bool meets, double after,
+                         double *time, bool *look);
+/// When the path leaves the rectangle, of a cell whose shorter side is `size`.
+bmr_error bmr_curve_leaves(const bmr_world *w, const bmr_motion_piece *piece, bmr_vec2 low, bmr_vec2 high,
+                           double size, double after, double *time, bool *look);
 
 // resident.c: bodies, their cells and their motions.
 
@@ -254,6 +267,10 @@ bmr_error bmr_couple_make(bmr_world *w, bmr_resident *a, bmr_resident *b, const 
                           bmr_couple **couple);
 void bmr_couple_link(bmr_world *w, bmr_couple *c);
 void bmr_couple_destroy(bmr_world *w, bmr_couple *c);
+/// When the later of the two began to move as it does now.
+static inline double bmr_couple_epoch(const bmr_couple *c) {
+    return c->side[0]->since > c->side[1]->since ? c->side[0]->since : c->side[1]->since;
+}
 static inline int bmr_couple_side(const bmr_couple *c, const bmr_resident *r) {
     return c->side[0] == r ? 0 : 1;
 }
