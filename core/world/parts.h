@@ -250,15 +250,26 @@ bmr_error bmr_curve_next(const bmr_world *w, const bmr_couple *c, double reach, 
 bmr_error bmr_curve_leaves(const bmr_world *w, const bmr_motion_piece *piece, bmr_vec2 low, bmr_vec2 high,
                            double size, double after, double *time, bool *look);
 
-// resident.c: bodies, their cells and their motions.
+// bodies.c: bodies by their ids.
 
+/// NULL: there is none.
 bmr_resident *bmr_world_find(const bmr_world *w, bmr_body id);
+
+// resident.c: their cells and their motions.
+
 /// Takes the resident's next event.
 bmr_error bmr_resident_event(bmr_world *w, bmr_resident *r);
 /// From the present time on it moves so; `plan` NULL or its own from now on. Searches of its certificates
 /// that cannot be done are left to the next advance. Errors: NO_MEMORY: as it was (where the pose jumps).
 bmr_error bmr_resident_move(bmr_world *w, bmr_resident *r, const bmr_motion_piece *piece, double until,
                             bmr_motion *plan);
+/// From the present time on it moves so; its certificates are as they were.
+void bmr_resident_take(bmr_world *w, bmr_resident *r, const bmr_motion_piece *piece, double until,
+                       bmr_motion *plan);
+/// Takes the body to a cell, with all that follows from that. NO_MEMORY: it stays.
+bmr_error bmr_resident_settle(bmr_world *w, bmr_resident *r, int level, int64_t column, int64_t row);
+/// Searches its own certificate; what cannot be done is tried again in the next advance.
+void bmr_resident_search_later(bmr_world *w, bmr_resident *r, double after);
 void bmr_resident_destroy(bmr_world *w, bmr_resident *r);
 
 // couple.c: the life of a pair.

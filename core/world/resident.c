@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Bodies: where they live, who is near them, and what they move on.
+// Residents: where they live, who is near them, and what they move on.
 #include "world/parts.h"
 
 #include <math.h>
-#include <string.h>
-
-#include "geometry/size.h"
-#include "kinetic/piece.h"
 
 /// A body lives one level higher from its next crossing on where it has fewer candidates than this of its own
 /// level and below, and one level lower, as low as its size allows, where it has more than that: where there
@@ -17,13 +13,6 @@
 /// Part of a cell by which a body may be outside of it, and of the hysteresis, when it is found to be: see
 /// cells.c.
 #define CELL_OVERSHOOT 0x1p-6
-
-bmr_resident *bmr_world_find(const bmr_world *w, bmr_body id) {
-    const size_t place = (size_t)(id & UINT32_MAX);
-    if (place >= w->places || !w->residents[place] || w->residents[place]->id != id)
-        return NULL;
-    return w->residents[place];
-}
 
 // ---- neighbours ----
 
@@ -120,8 +109,7 @@ static void begin_couples(bmr_world *w, bmr_couple *made) {
     }
 }
 
-/// Takes the body to a cell, with all that follows from that. NO_MEMORY: it stays.
-static bmr_error settle(bmr_world *w, bmr_resident *r, int level, int64_t column, int64_t row) {
+bmr_error bmr_resident_settle(bmr_world *w, bmr_resident *r, int level, int64_t column, int64_t row) {
     const bool grid = !w->def.all_pairs || w->def.boundary == BMR_PERIODIC;
     bmr_cell *cell = NULL;
     bmr_couple *made;
@@ -168,8 +156,7 @@ static bmr_error search_own(bmr_world *w, bmr_resident *r, double after) {
     return BMR_OK;
 }
 
-/// As search_own; what cannot be done is tried again in the next advance.
-static void search_own_later(bmr_world *w, bmr_resident *r, double after) {
+void bmr_resident_search_later(bmr_world *w, bmr_resident *r, double after) {
     if (search_own(w, r, after) == BMR_OK)
         return;
     r->look = true;
@@ -249,10 +236,10 @@ static bmr_error cross(bmr_world *w, bmr_resident *r) {
     // So fast that a rounding of the time is a way through the hysteresis: on to the next time that there is.
     const bool stays = level == r->cell->level && column == r->column && row == r->row;
     const bmr_body id = r->id;
-    const bmr_error settled = settle(w, r, level, column, row);
+    const bmr_error settled = bmr_resident_settle(w, r, level, column, row);
     if (settled != BMR_OK)
         return settled;
-    search_own_later(w, r, stays ? nextafter(w->time, INFINITY) : w->time);
+    bmr_resident_search_later(w, r, stays ? nextafter(w->time, INFINITY) : w->time);
     bmr_world_observe(w, BMR_WORLD_CROSS, w->time, id, BMR_NO_BODY, NULL);
     return BMR_OK;
 }
@@ -278,7 +265,7 @@ static void drop_plan(bmr_resident *r) {
     r->plan = NULL;
 }
 
-static void take_piece(bmr_world *w, bmr_resident *r, const bmr_motion_piece *piece, double until,
+void bmr_resident_take(bmr_world *w, bmr_resident *r, const bmr_motion_piece *piece, double until,
                        bmr_motion *plan) {
     if (plan != r->plan)
         drop_plan(r);
@@ -324,9 +311,9 @@ static bmr_error jump(bmr_world *w, bmr_resident *r, const bmr_motion_piece *pie
     }
     r->column = column;
     r->row = row;
-    take_piece(w, r, piece, until, plan);
+    bmr_resident_take(w, r, piece, until, plan);
     begin_couples(w, made);
-    search_own_later(w, r, w->time);
+    bmr_resident_search_later(w, r, w->time);
     return BMR_OK;
 }
 
@@ -335,8 +322,8 @@ bmr_error bmr_resident_move(bmr_world *w, bmr_resident *r, const bmr_motion_piec
     w->counts.replans++;
     if (jumps(&r->now.piece, piece, w->time))
         return jump(w, r, piece, until, plan);
-    take_piece(w, r, piece, until, plan);
-    search_own_later(w, r, w->time);
+    bmr_resident_take(w, r, piece, until, plan);
+    bmr_resident_search_later(w, r, w->time);
     w->counts.replanned++;
     for (bmr_couple *c = r->first; c; c = c->after[bmr_couple_side(c, r)]) {
         c->stuck = c->stuck && w->sticking;
@@ -370,39 +357,6 @@ bmr_error bmr_resident_event(bmr_world *w, bmr_resident *r) {
     return cross(w, r);
 }
 
-// ---- adding and removing ----
-
-/// A place in the table of ids, whose ids are not used up; the table grows by doubling, and is never given
-/// back before the world is.
-static bmr_error find_place(bmr_world *w, size_t *place) {
-    while (w->free_place < w->places &&
-           (w->residents[w->free_place] || w->generations[w->free_place] == BMR_NO_GENERATION))
-        w->free_place++;
-    *place = w->free_place;
-    if (w->free_place < w->places)
-        return BMR_OK;
-    if (w->places == w->capacity) {
-        const size_t capacity = w->capacity ? 2 * w->capacity : 16;
-        size_t bytes;
-        if (w->capacity > UINT32_MAX / 4 || !bmr_size_product(capacity, BMR_PLACE_BYTES, SIZE_MAX, &bytes))
-            return BMR_ERROR_TOO_LARGE;
-        bmr_resident **residents = bmr_world_take(w, bytes);
-        if (!residents)
-            return BMR_ERROR_NO_MEMORY;
-        uint32_t *generations = (uint32_t *)(void *)(residents + capacity);
-        memset(residents, 0, bytes);
-        if (w->residents) {
-            memcpy(residents, w->residents, w->places * sizeof(bmr_resident *));
-            memcpy(generations, w->generations, w->places * sizeof *generations);
-            bmr_world_give(w, w->residents, w->capacity * BMR_PLACE_BYTES);
-        }
-        w->residents = residents;
-        w->generations = generations;
-        w->capacity = capacity;
-    }
-    return BMR_OK;
-}
-
 void bmr_resident_destroy(bmr_world *w, bmr_resident *r) {
     forget_couples(w, r);
     bmr_agenda_set(&w->agenda, &r->item, INFINITY);
@@ -410,145 +364,4 @@ void bmr_resident_destroy(bmr_world *w, bmr_resident *r) {
     bmr_cell_leave(w, r);
     drop_plan(r);
     bmr_world_give(w, r, sizeof *r);
-}
-
-static bmr_error plan_of(bmr_world *w, const bmr_motion *motion, bmr_motion_piece *piece, double *until,
-                         bmr_motion **plan) {
-    *piece = *bmr_motion_piece_at(motion, w->time, until);
-    *plan = NULL;
-    return *until < INFINITY ? bmr_motion_copy_from(motion, w->time, &w->counted, plan) : BMR_OK;
-}
-
-static double radius_of(const bmr_polygon *polygon) {
-    double most = 0.0;
-    for (uint32_t i = 0; i < polygon->count; i++)
-        most = fmax(most, hypot(polygon->vertices[i].x, polygon->vertices[i].y));
-    return most * (1.0 + 0x1p-50);
-}
-
-/// Where it is to live, and a first look at its shape: what a structure would say of it.
-static bmr_error check_body(bmr_world *w, const bmr_body_def *def, bmr_resident *r, int *level) {
-    if (!(def->mass > 0.0) || !(def->inertia > 0.0))
-        return isnan(def->mass) || isnan(def->inertia) ? BMR_ERROR_NOT_FINITE : BMR_ERROR_OUT_OF_RANGE;
-    bmr_kds *kds;
-    bmr_error error = bmr_kds_create(w->def.structure, &w->def.kds, &r->shape, &r->shape, &w->counted, &kds);
-    if (error != BMR_OK)
-        return error;
-    bmr_kds_destroy(kds, &w->counted);
-    if (w->unit_x == 0.0)
-        w->unit_x = w->unit_y = bmr_grid_need(w, r->radius);
-    const bmr_vec2 position = bmr_path_position(&r->now.piece, w->time);
-    error = bmr_grid_level(w, r->radius, position, level);
-    if (error == BMR_OK && w->def.boundary == BMR_WALLED)
-        error = bmr_walls_beside(w, r->radius, &r->beside);
-    if (error == BMR_OK && w->def.boundary == BMR_PERIODIC &&
-        8.0 * r->radius >= fmin(w->def.high.x - w->def.low.x, w->def.high.y - w->def.low.y))
-        error = BMR_ERROR_OUT_OF_RANGE;
-    return error;
-}
-
-static bmr_error make_resident(bmr_world *w, const bmr_body_def *def, bmr_resident **resident) {
-    bmr_motion_piece piece;
-    bmr_motion *plan;
-    double until;
-    bmr_error error = plan_of(w, def->motion, &piece, &until, &plan);
-    if (error != BMR_OK)
-        return error;
-    bmr_resident *r = bmr_world_take(w, sizeof *r);
-    error = r ? bmr_agenda_promise(&w->agenda, &w->counted) : BMR_ERROR_NO_MEMORY;
-    if (error != BMR_OK) {
-        if (r)
-            bmr_world_give(w, r, sizeof *r);
-        bmr_motion_destroy(plan);
-        return error;
-    }
-    memset(r, 0, sizeof *r);
-    r->item.place = BMR_NOT_QUEUED;
-    r->shape = *def->shape;
-    r->radius = radius_of(def->shape->polygon);
-    r->mass = def->mass;
-    r->inertia = def->inertia;
-    r->user = def->user;
-    take_piece(w, r, &piece, until, plan);
-    *resident = r;
-    return BMR_OK;
-}
-
-bmr_error bmr_world_add(bmr_world *w, const bmr_body_def *def, bmr_body *body) {
-    if (!w || !def || !body || !def->shape || !def->shape->polygon || !def->motion)
-        return BMR_ERROR_NULL_ARGUMENT;
-    size_t place;
-    bmr_resident *r;
-    bmr_error error = find_place(w, &place);
-    if (error == BMR_OK)
-        error = make_resident(w, def, &r);
-    if (error != BMR_OK)
-        return error;
-    int level;
-    error = check_body(w, def, r, &level);
-    r->id = place | (bmr_body)(place < w->places ? w->generations[place] : 0) << 32;
-    r->birth = w->births;
-    if (error == BMR_OK) {
-        int64_t column, row;
-        bmr_grid_place(w, level, bmr_path_position(&r->now.piece, w->time), &column, &row);
-        error = settle(w, r, level, column, row);
-    }
-    if (error != BMR_OK) {
-        bmr_resident_destroy(w, r);
-        if (w->births == 0 && w->def.boundary != BMR_PERIODIC)
-            w->unit_x = w->unit_y = 0.0;
-        return error;
-    }
-    w->births++;
-    if (place == w->places)
-        w->places++;
-    w->residents[place] = r;
-    w->counts.bodies++;
-    search_own_later(w, r, w->time);
-    *body = r->id;
-    return BMR_OK;
-}
-
-bmr_error bmr_world_remove(bmr_world *w, bmr_body body) {
-    if (!w)
-        return BMR_ERROR_NULL_ARGUMENT;
-    bmr_resident *const r = bmr_world_find(w, body);
-    if (!r)
-        return BMR_ERROR_OUT_OF_RANGE;
-    const size_t place = (size_t)(body & UINT32_MAX);
-    w->residents[place] = NULL;
-    w->generations[place]++;
-    if (place < w->free_place)
-        w->free_place = place;
-    w->counts.bodies--;
-    bmr_resident_destroy(w, r);
-    return BMR_OK;
-}
-
-bmr_error bmr_world_set_motion(bmr_world *w, bmr_body body, const bmr_motion *motion) {
-    if (!w || !motion)
-        return BMR_ERROR_NULL_ARGUMENT;
-    bmr_resident *const r = bmr_world_find(w, body);
-    if (!r)
-        return BMR_ERROR_OUT_OF_RANGE;
-    bmr_motion_piece piece;
-    bmr_motion *plan;
-    double until;
-    bmr_error error = plan_of(w, motion, &piece, &until, &plan);
-    if (error != BMR_OK)
-        return error;
-    error = bmr_resident_move(w, r, &piece, until, plan);
-    if (error != BMR_OK)
-        bmr_motion_destroy(plan);
-    return error;
-}
-
-bmr_error bmr_world_set_piece(bmr_world *w, bmr_body body, const bmr_motion_piece *piece) {
-    if (!w || !piece)
-        return BMR_ERROR_NULL_ARGUMENT;
-    const bmr_error error = bmr_piece_check(piece);
-    if (error != BMR_OK)
-        return error;
-    bmr_resident *const r = bmr_world_find(w, body);
-    return r ? bmr_resident_move(w, r, piece, INFINITY, NULL) : BMR_ERROR_OUT_OF_RANGE;
 }
