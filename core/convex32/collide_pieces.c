@@ -39,8 +39,26 @@ static candidate best_face(const edge_search *search, const edge_view *best, flo
     return c;
 }
 
+/// Is the other polygon's vertex that is deepest below this face within the piece, as far as its inner edges
+/// tell? Then no piece behind one of them has the answer.
+static bool is_in_this_piece(const edge_search *search, const candidate *c) {
+    const bmr_convex32 *const piece = search->reference;
+    if (!c->found || !piece->seams)
+        return false;
+    const bmr_vec32 deepest = move_back(&search->frame, c->view.nearest);
+    for (uint32_t i = 0; i < piece->count; ++i)
+        if (!is_face(piece, i) && dot(piece->normals[i], minus(deepest, piece->vertices[i])) > 0.0f)
+            return false;
+    return true;
+}
+
 static float separation_of(const candidate *c) {
     return c->found ? c->view.separation : -FLT_MAX;
+}
+
+/// Whose face is the reference: a's, unless b's separates more.
+static int first_of(const candidate *faces, float tolerance) {
+    return separation_of(&faces[1]) > separation_of(&faces[0]) + tolerance ? 1 : 0;
 }
 
 static void make_points(bmr_manifold32 *manifold, const side *reference, const edge_view *found,
@@ -76,32 +94,36 @@ void bmr_convex32_collide_pieces(bmr_manifold32 *manifold, const bmr_convex32 *a
     }
 
     const float nearest = fmaxf(best_a.best.separation, best_b.best.separation);
-    candidate face_a = best_face(&of_a, &best_a.best, rounding_of_turn),
-              face_b = best_face(&of_b, &best_b.best, rounding_of_turn);
+    candidate faces[2] = {best_face(&of_a, &best_a.best, rounding_of_turn),
+                          best_face(&of_b, &best_b.best, rounding_of_turn)};
     // Where two straight stretches with seams lie on each other, each says that the direction is the other's.
     if (a->seams && b->seams &&
-        nearest > fmaxf(separation_of(&face_a), separation_of(&face_b)) + radius_sum) {
-        face_a = best_face(&of_a, &best_a.best, nearly_straight);
-        face_b = best_face(&of_b, &best_b.best, nearly_straight);
+        nearest > fmaxf(separation_of(&faces[0]), separation_of(&faces[1])) + radius_sum) {
+        faces[0] = best_face(&of_a, &best_a.best, nearly_straight);
+        faces[1] = best_face(&of_b, &best_b.best, nearly_straight);
     }
-    const float of_faces = fmaxf(separation_of(&face_a), separation_of(&face_b));
+    const float of_faces = fmaxf(separation_of(&faces[0]), separation_of(&faces[1]));
     const piece_answer answer = answer_of(nearest, of_faces, radius_sum);
-    if (answer == BY_OTHER_PIECE || (answer == AS_ANY_POLYGON && !(has_faces(a) && has_faces(b))))
+    int first = first_of(faces, tolerance);
+    // A tip between two pieces is beside each of them by less than the skins, however deep it is: each would
+    // leave it to the other.
+    const bool tip = answer != BY_FACES && !(nearest > of_faces + deepest_tip * radius_sum) &&
+                     is_in_this_piece(first == 0 ? &of_a : &of_b, &faces[first]);
+    if (!tip && answer == BY_OTHER_PIECE)
         return;
-    if (answer == AS_ANY_POLYGON) {
+    if (!tip && answer == AS_ANY_POLYGON) {
+        if (!(has_faces(a) && has_faces(b)))
+            return;
         const candidate any_a = {best_a.best, true}, any_b = {best_b.best, true};
-        face_a = any_a;
-        face_b = any_b;
+        faces[0] = any_a;
+        faces[1] = any_b;
+        first = first_of(faces, tolerance);
     }
 
-    const bool b_first = separation_of(&face_b) > separation_of(&face_a) + tolerance;
     const side sides[2] = {{a, pose_a, false}, {b, pose_b, true}};
-    const candidate *const candidates[2] = {&face_a, &face_b};
+    if (tip || !(separation_of(&faces[first]) < nearest - radius_sum))
+        make_points(manifold, &sides[first], &faces[first].view, &sides[1 - first], radius_sum);
     // No points: the short edge that faces the first face may lie beyond its end.
-    for (int pass = 0; pass < 2 && manifold->count == 0; ++pass) {
-        const int reference = (pass == 0) == b_first ? 1 : 0;
-        if (!(separation_of(candidates[reference]) < nearest - radius_sum))
-            make_points(manifold, &sides[reference], &candidates[reference]->view, &sides[1 - reference],
-                        radius_sum);
-    }
+    if (manifold->count == 0 && !tip && !(separation_of(&faces[1 - first]) < nearest - radius_sum))
+        make_points(manifold, &sides[1 - first], &faces[1 - first].view, &sides[first], radius_sum);
 }

@@ -23,8 +23,11 @@ extern "C" {
 /// - a face is a reference only where the other polygon admits its direction, at its least separated vertex;
 ///   what is left out has an answer by a face of the same two bodies that is nearer;
 /// - a circle touches a vertex in directions alone that the piece admits there;
-/// - where the least overlap is along an axis that may not answer, and no more than half of the skins, there
-///   are no points: the piece behind that edge, or beside that corner, has them;
+/// - where the least overlap of two polygons is along an axis that may not answer, and the vertex that lies
+///   deepest below a face ends in that face's own piece, beyond none of its inner edges, the face is the
+///   reference, up to ten skins deep: so a tip between two pieces is pushed out by one of them;
+/// - else, where it is no more than half of the skins, there are no points: the piece behind that edge, or
+///   beside that corner, has them;
 /// - where it is more, a face is the reference that is not deeper than that by more than the skins (by a
 ///   circle's radii); where there is none, the answer is the plain polygon's.
 ///

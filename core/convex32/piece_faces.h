@@ -13,6 +13,9 @@
 /// for edges with neighbours).
 static const float rounding_of_turn = 1e-3f, nearly_straight = 0.1f;
 
+/// So many skins deeper than along the nearest axis a tip may be below a face that is to push it out.
+static const float deepest_tip = 10.0f;
+
 static inline bool is_face(const bmr_convex32 *polygon, uint32_t edge) {
     return !polygon->seams || !polygon->seams->inner[edge];
 }

@@ -247,6 +247,43 @@ float RollRing(Ground kind, float speed) {
     return ring->GetLinearVelocity().x;
 }
 
+/// How deep a dart of this width gets into a slab with a seam at x = 0; or into one box.
+float DeepestDart(bool whole, float half, float x, float speed) {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    b2Body *const slab = world.CreateBody(&def);
+    b2FixtureDef fixture;
+    fixture.density = 1.0f;
+    if (whole) {
+        b2PolygonShape box;
+        box.SetAsBox(4.0f, 1.0f, b2Vec2(0.0f, -1.0f), 0.0f);
+        fixture.shape = &box;
+        slab->CreateFixture(&fixture);
+    } else {
+        const b2Vec2 points[] = {{-4, 0}, {-4, -2}, {-2, -2}, {0, -1}, {2, -2}, {4, -2}, {4, 0}, {0, 0}};
+        bmr::OutlineShape outline;
+        REQUIRE(outline.Set(points, 8) == BMR_OK);
+        REQUIRE(outline.GetPieceCount() == 2);
+        REQUIRE(outline.CreateFixtures(slab, fixture) == BMR_OK);
+    }
+    def.position.Set(x, 0.05f);
+    def.linearVelocity.Set(0.0f, -speed);
+    b2Body *const dart = world.CreateBody(&def);
+    const b2Vec2 points[] = {{0.0f, 0.0f}, {half, 0.4f}, {-half, 0.4f}};
+    bmr::ConvexShape tip;
+    REQUIRE(tip.SetRaw(points, 3) == BMR_OK);
+    fixture.shape = &tip;
+    fixture.density = 20.0f;
+    dart->CreateFixture(&fixture);
+    float deepest = 0.0f;
+    for (int i = 0; i < 120; ++i) {
+        world.Step(1.0f / 60.0f, 8, 3);
+        deepest = std::max(deepest, -slab->GetLocalPoint(dart->GetPosition()).y);
+    }
+    return deepest;
+}
+
 } // namespace
 
 TEST_CASE("over a hundred flat seams nothing is lost beyond a chain's loss") {
@@ -379,4 +416,20 @@ TEST_CASE("nothing that is shot at an outline goes through its seams") {
         }
     }
     CHECK(arrived > shots); // they did meet it
+}
+
+TEST_CASE("a dart that meets a seam goes no deeper than into one box") {
+    int darts = 0;
+    for (const float half : {0.005f, 0.01f, 0.02f, 0.1f})
+        for (float x = -0.01f; x < 0.0101f; x += 0.0025f)
+            for (const float speed : {0.5f, 3.0f, 8.0f}) {
+                const float into = DeepestDart(false, half, x, speed),
+                            box = DeepestDart(true, half, x, speed);
+                CAPTURE(half);
+                CAPTURE(x);
+                CAPTURE(speed);
+                CHECK(into <= box + 0.01f);
+                darts += box > 0.005f;
+            }
+    CHECK(darts > 30); // as many did meet it
 }

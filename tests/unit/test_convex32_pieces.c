@@ -226,6 +226,47 @@ static void what_is_behind_an_inner_edge_is_left_to_the_piece_there(void **state
     bmr_convex32_destroy(piece, NULL);
 }
 
+/// The left one of the two squares.
+static bmr_convex32_block *left_half(void) {
+    const bmr_piece_corner32 corners[] = {
+        corner(-1.0f, -1.0f, false, 0.0f, 0.0f), corner(0.0f, -1.0f, true, 1.0f, -1.0f),
+        corner(0.0f, 0.0f, false, 1.0f, 0.0f), corner(-1.0f, 0.0f, false, 0.0f, 0.0f)};
+    bmr_convex32_block *block = NULL;
+    assert_int_equal(bmr_convex32_create_piece(corners, 4, NULL, &block), BMR_OK);
+    return block;
+}
+
+/// Narrower than the skins, or soon so: each of the two squares would leave it to the other.
+static void a_tip_between_two_pieces_is_pushed_out(void **state) {
+    (void)state;
+    bmr_convex32_block *halves[2] = {left_half(), right_half(0.0f)};
+    int tips = 0, sideways = 0;
+    for (float half = 0.004f; half < 0.15f; half *= 1.5f) {
+        const bmr_vec32 v[] = {{0.0f, 0.0f}, {half, 0.5f}, {-half, 0.5f}};
+        bmr_convex32_block *tip = NULL;
+        assert_int_equal(bmr_convex32_create(v, 3, NULL, &tip), BMR_OK);
+        for (int i = -8; i <= 8; ++i)
+            for (float deep = 0.006f; deep < 0.19f; deep *= 1.4f) {
+                int up = 0;
+                for (int k = 0; k < 2; ++k) {
+                    bmr_vec32 normal;
+                    const bmr_transform32 pose = at(0.0025f * (float)i, -deep);
+                    const bmr_manifold32 m = collide(halves[k], tip, pose, &normal);
+                    up += m.count > 0 && normal.y > 0.999f;
+                    bmr_convex32_block plain = *halves[k];
+                    plain.polygon.seams = NULL; // the control
+                    sideways += collide(&plain, tip, pose, &normal).count > 0 && normal.y < 0.9f;
+                }
+                assert_true(up > 0);
+                ++tips;
+            }
+        bmr_convex32_destroy(tip, NULL);
+    }
+    assert_true(sideways > tips / 2);
+    bmr_convex32_destroy(halves[0], NULL);
+    bmr_convex32_destroy(halves[1], NULL);
+}
+
 static void straight_stretches_with_seams_carry_each_other(void **state) {
     (void)state;
     // Two such grounds lie on each other, the upper one a little askew: each piece's corner at its seam
@@ -355,17 +396,46 @@ static float deepest(const bmr_manifold32 *m, const bmr_transform32 *pose_a, con
     return least;
 }
 
+/// Is the vertex of the other that is deepest below the manifold's face in the piece that has the face, as
+/// far as its inner edges tell?
+static bool is_of_a_tip(const bmr_manifold32 *m, const bmr_convex32 *a, const bmr_transform32 *pose_a,
+                        const bmr_convex32 *b, const bmr_transform32 *pose_b) {
+    const bool of_a = m->type == BMR_MANIFOLD_FACE_A;
+    const bmr_convex32 *const piece = of_a ? a : b, *const other = of_a ? b : a;
+    const bmr_transform32 *const pose = of_a ? pose_a : pose_b, *const pose_other = of_a ? pose_b : pose_a;
+    const bmr_transform32 turned = {{0.0f, 0.0f}, pose->s, pose->c};
+    const bmr_vec32 down = moved(&turned, m->normal);
+    bmr_vec32 deepest_vertex = {0.0f, 0.0f};
+    float least = INFINITY;
+    for (uint32_t i = 0; i < other->count; ++i) {
+        const bmr_vec32 v = moved(pose_other, other->vertices[i]);
+        if (down.x * v.x + down.y * v.y < least) {
+            least = down.x * v.x + down.y * v.y;
+            deepest_vertex = v;
+        }
+    }
+    if (!piece->seams)
+        return false;
+    for (uint32_t i = 0; i < piece->count; ++i) {
+        const bmr_vec32 n = moved(&turned, piece->normals[i]), v = moved(pose, piece->vertices[i]);
+        if (piece->seams->inner[i] && n.x * (deepest_vertex.x - v.x) + n.y * (deepest_vertex.y - v.y) > 1e-6f)
+            return false;
+    }
+    return true;
+}
+
 enum { AGAINST_POLYGON, AGAINST_PIECE, AGAINST_EDGE, AGAINST_CHAIN, AGAINST_CIRCLE, AGAINST_ALL };
 
-/// What overlaps a piece is not pushed a longer way than out of the plain polygon, but for a skin: at any
-/// pose, whatever its seams are. As a control the piece's nearest face is often farther away than that.
+/// What overlaps a piece is not pushed a longer way than out of the plain polygon, but for a skin, and a tip
+/// that ends in the piece by no more than ten: at any pose, whatever its seams are. As a control the piece's
+/// nearest face is often farther away than that.
 static void no_manifold_is_deeper_than_the_plain_polygons(void **unused) {
     (void)unused;
     uint32_t state = 7;
     bmr_convex32_block *box = polygon_of(4, 0.6f);
     const bmr_vec32 middle = {0.0f, 0.0f};
     for (int kind = 0; kind < AGAINST_ALL; ++kind) {
-        int touching = 0, far_faces = 0;
+        int touching = 0, far_faces = 0, tips = 0;
         for (int trial = 0; trial < 1500; ++trial) {
             bmr_convex32_block *piece = random_piece(&state), *other = random_piece(&state);
             const double angle = random_between(&state, 0.0, 6.283), way = random_between(&state, 0.0, 1.7);
@@ -416,7 +486,13 @@ static void no_manifold_is_deeper_than_the_plain_polygons(void **unused) {
             }
             // Between an edge's neighbours a plain polygon may be deeper itself.
             const float of_plain = deepest(&plain, &here, &pose), of_piece = deepest(&m, &here, &pose);
-            assert_true(of_piece >= fminf(nearest, of_plain) - radii - slack - 2.0f * tolerance);
+            const float beyond_plain = fminf(nearest, of_plain) - slack - 2.0f * tolerance - of_piece;
+            if (beyond_plain > radii) {
+                assert_true(kind == AGAINST_POLYGON || kind == AGAINST_PIECE);
+                assert_true(beyond_plain <= 10.0f * radii);
+                assert_true(is_of_a_tip(&m, p, &here, second, &pose));
+                ++tips;
+            }
             touching += m.count > 0;
             float of_faces = -INFINITY;
             for (uint32_t i = 0; i < p->count; ++i)
@@ -433,6 +509,7 @@ static void no_manifold_is_deeper_than_the_plain_polygons(void **unused) {
         }
         assert_true(touching > 300);
         assert_true(far_faces > 30);
+        assert_true((tips > 0) == (kind == AGAINST_POLYGON || kind == AGAINST_PIECE));
     }
     bmr_convex32_destroy(box, NULL);
 }
@@ -462,6 +539,7 @@ int main(void) {
         cmocka_unit_test(without_memory_nothing_is_made),
         cmocka_unit_test(a_polygon_is_pushed_by_faces_alone),
         cmocka_unit_test(what_is_behind_an_inner_edge_is_left_to_the_piece_there),
+        cmocka_unit_test(a_tip_between_two_pieces_is_pushed_out),
         cmocka_unit_test(straight_stretches_with_seams_carry_each_other),
         cmocka_unit_test(a_circle_is_pushed_by_faces_and_corners_of_the_outline),
         cmocka_unit_test(an_edge_is_touched_by_faces_alone),
