@@ -50,6 +50,8 @@ version=$(dpkg-query -W -f='${source:Version}' "$package" 2>/dev/null) || fail "
 [ "$(cat "$place/source/.version" 2>/dev/null)" != "$version" ] || exit 0
 
 mkdir -p "$place"
+place=$(cd "$place" && pwd) # what follows changes directories
+log=$place/get-source.log
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 mkdir -p "$room/parts" "$room/lists/partial" "$room/cache/archives/partial" "$room/out"
