@@ -97,11 +97,19 @@ std::string OptionName(const CLI::Option *option, const std::string &otherwise) 
     return option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames().front();
 }
 
-/// "", or what the option is, on a line of its own.
+/// "", or what the option is, on lines of its own.
 std::string Described(const CLI::Option *option) {
-    return option == nullptr || option->get_description().empty()
-               ? std::string()
-               : "\n    " + OptionName(option, "") + ": " + option->get_description();
+    if (option == nullptr || option->get_description().empty())
+        return "";
+    static const std::regex newLine("\n");
+    return "\n    " + OptionName(option, "") + ": " +
+           std::regex_replace(option->get_description(), newLine, "\n        ");
+}
+
+/// Without the zeros that end a fraction.
+std::string Shortened(const std::string &number) {
+    static const std::regex zeros("\\.?0+$");
+    return number.find('.') == std::string::npos ? number : std::regex_replace(number, zeros, "");
 }
 
 /// What a check of CLI11's says about a value.
@@ -113,7 +121,7 @@ std::string ExplainValue(const CLI::Option *option, const std::string &said) {
     if (std::regex_match(said, found, range)) {
         const bool whole = option != nullptr && option->get_type_name().find("INT") != std::string::npos;
         return "\"" + found[1].str() + "\" is no " + (whole ? "whole " : "") + "number from " +
-               found[2].str() + " to " + found[3].str();
+               Shortened(found[2].str()) + " to " + Shortened(found[3].str());
     }
     if (std::regex_match(said, found, words) || std::regex_match(said, found, mapped)) {
         std::vector<std::string> names;
