@@ -30,7 +30,7 @@ test_a_report_shows_everything_that_it_was_given() {
     clean
     page_has '2 of 2</dd>'
     page_has '<th scope="row">needles</th>'
-    page_has '<caption[^>]*>Time per step'
+    page_has '<caption[^>]*><span>Time per step'
     page_has 'Plot: orbit, n = 16\.'
     page_has '<th scope="row">closest-features</th>'
     page_has 'Plot: instructions a step against bodies\.'
