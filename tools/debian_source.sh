@@ -10,6 +10,11 @@
 # Few machines have deb-src entries. So one is made, in a directory of its own, from each of the machine's own entries for
 # Debian's main component; the machine's configuration and package lists stay as they are.
 set -euo pipefail
+if [ $# -ne 4 ] || [ "$1" = --help ]; then
+    sed -n '4,12s/^# \{0,1\}//p' "$0"
+    [ "${1:-}" = --help ] || exit 2
+    exit 0
+fi
 package=${1:?} name=${2:?} file_in_it=${3:?} place=${4:?}
 log=$place/get-source.log
 
