@@ -62,8 +62,6 @@ SceneInfo SceneOfAFile(const char *name, const char *description, int steps, flo
 const std::vector<SceneInfo> &AllScenes();
 /// Null if there is none of this name.
 const SceneInfo *FindScene(std::string_view name);
-/// The scene whose name is the fewest edits (insert, delete, replace) away.
-const SceneInfo &NearestScene(std::string_view name);
 
 /// Each file of scenes/ adds its own; called by AllScenes in this order.
 void AddClassicStacks(std::vector<SceneInfo> &scenes);

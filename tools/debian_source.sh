@@ -10,6 +10,11 @@
 # Few machines have deb-src entries. So one is made, in a directory of its own, from each of the machine's own entries for
 # Debian's main component; the machine's configuration and package lists stay as they are.
 set -euo pipefail
+if [ $# -ne 4 ] || [ "$1" = --help ]; then
+    sed -n '4,12s/^# \{0,1\}//p' "$0"
+    [ "${1:-}" = --help ] || exit 2
+    exit 0
+fi
 package=${1:?} name=${2:?} file_in_it=${3:?} place=${4:?}
 log=$place/get-source.log
 
@@ -50,6 +55,8 @@ version=$(dpkg-query -W -f='${source:Version}' "$package" 2>/dev/null) || fail "
 [ "$(cat "$place/source/.version" 2>/dev/null)" != "$version" ] || exit 0
 
 mkdir -p "$place"
+place=$(cd "$place" && pwd) # what follows changes directories
+log=$place/get-source.log
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 mkdir -p "$room/parts" "$room/lists/partial" "$room/cache/archives/partial" "$room/out"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "try/elf_file.h"
 
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -62,11 +63,14 @@ ElfFile LookAtFile(const std::string &path) {
     // Types of classes with virtual functions are named also in a program without symbols.
     file.hasBox2D2 = Has(bytes, "14b2PolygonShape") || Has(bytes, "_ZN7b2World4Step");
     file.hasBox2D3 = Has(bytes, "b2World_Step") || Has(bytes, "b2CreateWorld");
+    file.callsInstall = Has(bytes, "_ZN3bmr7Install");
     ElfW(Ehdr) header = {};
     if (bytes.size() < sizeof header || bytes.compare(0, SELFMAG, ELFMAG) != 0)
         return file;
     std::memcpy(&header, bytes.data(), sizeof header);
-    if (header.e_ident[EI_CLASS] != kClass || header.e_machine != OwnMachine())
+    if (header.e_ident[EI_CLASS] != kClass)
+        file.kind = ElfFile::Kind::kOtherWidth;
+    else if (header.e_machine != OwnMachine())
         file.kind = ElfFile::Kind::kForeign;
     else
         file.kind = IsLoadable(bytes, header) ? ElfFile::Kind::kLoadable : ElfFile::Kind::kStatic;
@@ -84,6 +88,20 @@ std::string FindProgram(const std::string &word) {
             return candidate;
     }
     return "";
+}
+
+std::string WhyNoProgram(const std::string &word) {
+    struct stat status = {};
+    if (word.find('/') == std::string::npos) {
+        const std::string here = "./" + word;
+        const bool isHere = IsExecutable(here);
+        return "no folder of PATH has a program of this name" + (isHere ? "; here is one: " + here : "");
+    }
+    if (stat(word.c_str(), &status) != 0)
+        return std::strerror(errno);
+    if (S_ISDIR(status.st_mode))
+        return "it is a folder";
+    return S_ISREG(status.st_mode) ? "it may not be executed (chmod +x?)" : "it is no file";
 }
 
 } // namespace bmr::trial

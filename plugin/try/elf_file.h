@@ -10,14 +10,16 @@ namespace bmr::trial {
 struct ElfFile {
     enum class Kind {
         kUnreadable,
-        kOther,   ///< a script, say
-        kStatic,  ///< a program that no loader is asked for: nothing can be preloaded
-        kForeign, ///< for another processor than this program
+        kOther,      ///< a script, say
+        kStatic,     ///< a program that no loader is asked for: nothing can be preloaded
+        kOtherWidth, ///< for 32 bits where this program is for 64, or the other way round
+        kForeign,    ///< for another processor than this program
         kLoadable
     };
     Kind kind = Kind::kUnreadable;
-    bool hasBox2D2 = false; ///< names of Box2D 2's classes are in it, be they symbols or types
-    bool hasBox2D3 = false; ///< names of Box2D 3's functions
+    bool hasBox2D2 = false;    ///< names of Box2D 2's classes are in it, be they symbols or types
+    bool hasBox2D3 = false;    ///< names of Box2D 3's functions
+    bool callsInstall = false; ///< the name of bmr::Install
 };
 
 /// Reads the whole file once.
@@ -25,6 +27,8 @@ ElfFile LookAtFile(const std::string &path);
 
 /// The path of the file that a shell would start for this word, or empty. A word with a slash is a path.
 std::string FindProgram(const std::string &word);
+/// Of a word for which there is none: why.
+std::string WhyNoProgram(const std::string &word);
 
 } // namespace bmr::trial
 

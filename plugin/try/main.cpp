@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <unistd.h>
 
+#include "command_line/usage.h"
 #include "try/elf_file.h"
 #include "try/run.h"
 #include "try/verdict.h"
@@ -97,10 +98,10 @@ private:
     const char *m_name = "";
 };
 
-/// What a user may have in LD_PRELOAD stays behind the library.
-std::string PreloadOf(const std::string &library) {
+/// What this process has there.
+std::string PreloadedBefore() {
     const char *before = std::getenv("LD_PRELOAD");
-    return library + (before != nullptr && *before != '\0' ? std::string(":") + before : "");
+    return before != nullptr ? before : "";
 }
 
 Outcome RunAll(const Options &options, Trial *trial) {
@@ -135,11 +136,14 @@ Outcome RunAll(const Options &options, Trial *trial) {
 int Try(const Options &options) {
     Trial trial;
     trial.command = options.command;
-    trial.preload = PreloadOf(options.library);
+    // What a user may have in LD_PRELOAD stays behind the library.
+    const std::string before = PreloadedBefore();
+    trial.preload = options.library + (before.empty() ? "" : ":" + before);
+    trial.preloadedAsItIs = before.find("libboomerang_box2d") != std::string::npos;
     trial.program = FindProgram(options.command[0]);
     if (trial.program.empty()) {
-        std::cerr << "boomerang try: there is no program " << options.command[0]
-                  << " that can be started (behind -- stands the game's own command line)\n";
+        std::cerr << "boomerang try: cannot start " << options.command[0] << ": "
+                  << WhyNoProgram(options.command[0]) << " (behind -- stands the game's own command line)\n";
         return kUsage;
     }
     WatchForInterrupts();
@@ -196,12 +200,17 @@ int Main(int count, char **words) {
                      std::find_if(words, end, [](const char *word) { return std::strcmp(word, "--") == 0; });
     if (dashes != end)
         options.command.assign(dashes + 1, end);
+    const int own = static_cast<int>(dashes - words);
+    if (const std::string unknown = command_line::ExplainCommand(app, own, words); !unknown.empty()) {
+        std::cerr << "boomerang: " << unknown << '\n';
+        return kUsage;
+    }
     try {
-        app.parse(static_cast<int>(dashes - words), words);
+        app.parse(own, words);
     } catch (const CLI::Success &asked) { // help, the version
         return app.exit(asked);
     } catch (const CLI::ParseError &error) {
-        std::cerr << "boomerang: " << error.what() << " (boomerang try --help lists what is understood)\n";
+        std::cerr << "boomerang: " << command_line::ExplainUsage(app, error, own, words) << '\n';
         return kUsage;
     }
     if (options.command.empty()) {
@@ -214,6 +223,11 @@ int Main(int count, char **words) {
     if (options.library.empty()) {
         std::cerr << "boomerang try: there is no " << kLibrary
                   << " beside this program; --library says where\n";
+        return kUsage;
+    }
+    if (const ElfFile::Kind kind = LookAtFile(options.library).kind;
+        kind == ElfFile::Kind::kOther || kind == ElfFile::Kind::kUnreadable) {
+        std::cerr << "boomerang try: --library: " << options.library << " is no library\n";
         return kUsage;
     }
     return Try(options);

@@ -2,6 +2,7 @@
 #include "try/verdict.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstring>
 #include <numeric>
@@ -29,6 +30,9 @@ double Median(std::vector<double> numbers) {
     return numbers.size() % 2 == 1 ? numbers[half] : 0.5 * (numbers[half - 1] + numbers[half]);
 }
 
+/// A blank where no line may end.
+constexpr char kFirmBlank = '\x1f';
+
 std::string Format(const char *format, double number) {
     char text[64];
     std::snprintf(text, sizeof text, format, number);
@@ -43,7 +47,12 @@ std::string Count(uint64_t number) {
 }
 
 std::string Time(double microseconds) {
-    return microseconds < 1000.0 ? Format("%.3g us", microseconds) : Format("%.3g ms", 1e-3 * microseconds);
+    return microseconds < 1000.0 ? Format("%.3g\x1f"
+                                          "us",
+                                          microseconds)
+                                 : Format("%.3g\x1f"
+                                          "ms",
+                                          1e-3 * microseconds);
 }
 
 std::string EndOf(const Run &run) {
@@ -85,6 +94,8 @@ struct Place {
     std::string shared; ///< libbox2d.so, where it is a library of its own
     std::string inside; ///< another file with Box2D 2 in it
     std::string version3;
+    std::string boomerang; ///< our own library, where the game has it as it is
+    bool callsInstall = false;
 };
 
 Place PlaceOfBox2D(const Trial &trial) {
@@ -95,9 +106,13 @@ Place PlaceOfBox2D(const Trial &trial) {
     Place place;
     for (const std::string &file : files) {
         const std::string name = file.substr(file.rfind('/') + 1);
-        if (name.rfind("libboomerang", 0) == 0)
+        if (name.rfind("libboomerang", 0) == 0) {
+            if (name.rfind("libboomerang_box2d", 0) == 0 && trial.asItIs.files.count(file) != 0)
+                place.boomerang = file;
             continue;
+        }
         const ElfFile found = LookAtFile(file);
+        place.callsInstall = place.callsInstall || found.callsInstall;
         if (found.hasBox2D2 && name.rfind("libbox2d", 0) == 0)
             place.shared = file;
         else if (found.hasBox2D2 && (file != trial.program || place.inside.empty()))
@@ -111,11 +126,37 @@ Place PlaceOfBox2D(const Trial &trial) {
     return place;
 }
 
+/// As a shell wants it.
+std::string Quoted(const std::string &word) {
+    const auto isPlain = [](unsigned char c) {
+        return std::isalnum(c) != 0 || std::strchr("_-./:=,+%@", c) != nullptr;
+    };
+    if (!word.empty() && std::all_of(word.begin(), word.end(), isPlain))
+        return word;
+    std::string quoted = "'";
+    for (const char c : word)
+        quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    return quoted + "'";
+}
+
 std::string CommandOf(const Trial &trial) {
     std::string text;
     for (const std::string &word : trial.command)
-        text += (text.empty() ? "" : " ") + word;
+        text += (text.empty() ? "" : " ") + Quoted(word);
     return text;
+}
+
+/// How a game has Boomerang as it is.
+enum class Already { kNot, kCompiled, kPreloaded, kInstalled, kLinked };
+
+Already AlreadyIn(const Trial &trial, const Place &place) {
+    if (!trial.on.empty() && trial.on.front().way.rfind("compiled with", 0) == 0)
+        return Already::kCompiled;
+    if (place.boomerang.empty())
+        return Already::kNot;
+    if (trial.preloadedAsItIs)
+        return Already::kPreloaded;
+    return place.callsInstall ? Already::kInstalled : Already::kLinked;
 }
 
 std::string ExplainNotAtWork(const Trial &trial) {
@@ -128,6 +169,9 @@ std::string ExplainNotAtWork(const Trial &trial) {
     if (file.kind == ElfFile::Kind::kStatic)
         return trial.program + " is linked statically, so that nothing can be preloaded into it." +
                (file.hasBox2D2 ? " Box2D is inside." : "");
+    if (file.kind == ElfFile::Kind::kOtherWidth)
+        return trial.program + " is a program for " + (sizeof(void *) == 8 ? "32" : "64") +
+               " bits, and this Boomerang is built for " + (sizeof(void *) == 8 ? "64." : "32.");
     if (file.kind == ElfFile::Kind::kForeign)
         return trial.program + " is a program for another processor than this Boomerang is built for.";
     if (!off.loaded)
@@ -141,7 +185,7 @@ std::string ExplainNotAtWork(const Trial &trial) {
                "is out of the library's sight.";
     if (!place.shared.empty() && off.ended)
         return "This game uses Box2D (" + place.shared + "), but ended by itself after " +
-               Format("%.2g", off.seconds) + " seconds and took no step.";
+               Format("%.3g", off.seconds) + " seconds and took no step." + LastWordsOf(trial.asItIs);
     if (!place.shared.empty())
         return "This game uses Box2D (" + place.shared + "), but took no step in " +
                Format("%.3g", off.seconds) +
@@ -161,7 +205,7 @@ std::string NextWhereNotAtWork(const Trial &trial) {
     const Place place = PlaceOfBox2D(trial);
     const bool leftAlone = !trial.on.empty() && !trial.on.front().whyNot.empty();
     if (!trial.off.empty() && trial.off.front().steps > 0 && !place.shared.empty() && !leftAlone)
-        return "It is in sight where it is preloaded, too:\n\n    LD_PRELOAD=" + place.shared +
+        return "It is in sight where it is preloaded, too:\n\n    LD_PRELOAD=" + Quoted(place.shared) +
                " boomerang try -- " + CommandOf(trial);
     if (place.shared.empty() && !place.inside.empty())
         return "Who has its sources adds one line to its CMake: boomerang_accelerate(TARGET), where TARGET "
@@ -178,7 +222,7 @@ std::string ExplainFailure(const Trial &trial) {
         text += ": a library is missing";
     else if (EndOf(run) == kShellsStatus)
         text += ": it, or what it starts, could not be found";
-    return text + " (" + EndOf(run) + " after " + Format("%.2g s", run.seconds) + ")." + words;
+    return text + " (" + EndOf(run) + " after " + Format("%.3g s", run.seconds) + ")." + words;
 }
 
 std::string ExplainRatio(const Ratio &ratio) {
@@ -190,8 +234,11 @@ std::string ExplainRatio(const Ratio &ratio) {
         text += Format("%.3g times as fast", ratio.ratio);
     else
         text += Format("slower, %.3g of stock's speed", ratio.ratio);
+    const std::string steps = Count(ratio.steps) + kFirmBlank + "steps).";
+    if (ratio.rounds == 1)
+        return text + " (one round of " + steps + " (More rounds would tell how sure that is: --rounds.)";
     return text + " (" + Format("%.3g", ratio.least) + " to " + Format("%.3g", ratio.greatest) +
-           " in rounds of " + Count(ratio.steps) + " steps).";
+           " in rounds of " + steps;
 }
 
 /// The share of the clock's time that is spent in steps.
@@ -204,9 +251,23 @@ std::string ExplainWork(const Trial &trial) {
     const Run &on = trial.on.front();
     const Place place = PlaceOfBox2D(trial);
     const Ratio ratio = RatioOf(trial);
-    std::string text = "Box2D is " +
-                       (place.shared.empty() ? "there" : "a shared library here, " + place.shared) +
-                       "; Boomerang is " + on.way + ". ";
+    std::string text;
+    switch (AlreadyIn(trial, place)) {
+    case Already::kCompiled:
+        text = "This game has Boomerang in it already, " + on.way + ". ";
+        break;
+    case Already::kNot:
+        text = "Box2D is " + (place.shared.empty() ? "there" : "a shared library here, " + place.shared) +
+               "; Boomerang is " + on.way + ". ";
+        break;
+    case Already::kPreloaded:
+        text = "Boomerang is preloaded already (LD_PRELOAD), " + on.way + ". ";
+        break;
+    case Already::kInstalled:
+    case Already::kLinked:
+        text = "This game is linked with Boomerang already (" + place.boomerang + "), " + on.way + ". ";
+        break;
+    }
     if (on.notAtWork.empty())
         text += "All its hooks are at work. ";
     else
@@ -214,7 +275,8 @@ std::string ExplainWork(const Trial &trial) {
                 on.notAtWork + ". ";
     text += ratio.steps == 0 ? "No step was taken in all runs, so nothing is compared by the clock. "
                              : ExplainRatio(ratio) + " ";
-    text += "In stock, steps are " + Format("%.2g %%", 100.0 * ShareOf(trial.off.front())) +
+    const double share = 100.0 * ShareOf(trial.off.front());
+    text += "In stock, steps are " + Format(share < 9.95 ? "%.2g\x1f%%" : "%.0f\x1f%%", share) +
             " of the time that the game runs. ";
     if (!trial.verify)
         return text;
@@ -266,7 +328,19 @@ std::string Wrap(const std::string &text, size_t columns) {
         }
         wrapped += "\n";
     }
+    std::replace(wrapped.begin(), wrapped.end(), kFirmBlank, ' ');
     return wrapped;
+}
+
+std::string NextWhereAlready(const Trial &trial, Already already, bool slower) {
+    if (already == Already::kLinked)
+        return "But nothing in it calls bmr::Install(), so that as it is the library does nothing. " +
+               (slower ? std::string("It would not pay here: leave the game as it is.")
+                       : "Call it before the first world; or play the game so:\n\n    BOOMERANG=on " +
+                             CommandOf(trial));
+    const std::string off = "BOOMERANG=off in its environment turns Boomerang off.";
+    return slower ? "It does not pay here: " + off
+                  : "Nothing is left to do: the game as it is plays with Boomerang. " + off;
 }
 
 std::string Next(const Trial &trial, Outcome outcome) {
@@ -283,9 +357,19 @@ std::string Next(const Trial &trial, Outcome outcome) {
         break;
     }
     const Ratio ratio = RatioOf(trial);
-    if (ratio.steps > 0 && ratio.Tells() && ratio.ratio < 1.0)
+    const bool slower = ratio.steps > 0 && ratio.Tells() && ratio.ratio < 1.0;
+    const Already already = AlreadyIn(trial, PlaceOfBox2D(trial));
+    if (already != Already::kNot)
+        return NextWhereAlready(trial, already, slower);
+    if (slower)
         return "It does not pay here: leave the game as it is.";
-    return "To play it so, without building anything:\n\n    LD_PRELOAD=" + trial.preload + " " +
+    // Who plays cannot tell a frame from one that is shorter by a fiftieth.
+    constexpr double kLittle = 0.02;
+    if (ShareOf(trial.off.front()) < kLittle)
+        return "Steps take so little of this game's time that nobody will notice: leave the game as it is, "
+               "unless other "
+               "levels have more bodies.";
+    return "To play it so, without building anything:\n\n    LD_PRELOAD=" + Quoted(trial.preload) + " " +
            CommandOf(trial) +
            "\n\nTo build it in: link boomerang::box2d ahead of Box2D, and call bmr::Install() "
            "before the first world.";
@@ -334,6 +418,7 @@ Ratio RatioOf(const Trial &trial) {
         ratios.push_back(stock.back() / boomerang.back());
     }
     ratio.steps = steps;
+    ratio.rounds = ratios.size();
     ratio.stock = Median(stock);
     ratio.boomerang = Median(boomerang);
     ratio.ratio = ratio.stock / ratio.boomerang;

@@ -13,8 +13,9 @@ namespace bmr::trial {
 /// All runs of one game.
 struct Trial {
     std::vector<std::string> command;
-    std::string program; ///< the file that was started
-    std::string preload; ///< LD_PRELOAD: the library, and what this process has there
+    std::string program;          ///< the file that was started
+    std::string preload;          ///< LD_PRELOAD: the library, and what this process has there
+    bool preloadedAsItIs = false; ///< what this process has there is the library, too
     Run asItIs;
     std::vector<Run> off, on;  ///< in turns: off[0], on[0], off[1], ...
     std::optional<Run> verify; ///< where the library is at work
@@ -26,6 +27,7 @@ struct Ratio {
     double stock = 0.0, boomerang = 0.0; ///< microseconds a step: the median of the rounds' means
     double ratio = 0.0;                  ///< of these two
     double least = 0.0, greatest = 0.0;  ///< of the rounds
+    size_t rounds = 0;
     /// Is every round on the same side of 1?
     bool Tells() const { return least > 1.0 || greatest < 1.0; }
 };

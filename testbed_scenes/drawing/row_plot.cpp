@@ -77,9 +77,14 @@ void DrawSeries(Canvas &canvas, const Rows &frame, const RowPlot &plot, size_t i
         kApart * (0.5 * static_cast<double>(plot.series.size() - 1) - static_cast<double>(index));
     for (size_t row = 0; row < plot.rows.size(); ++row) {
         const double y = frame.YOf(row) + shift;
-        if (row < series.ranges.size() && series.ranges[row])
-            canvas.Segment(bmr_vec2_make(frame.XOf(series.ranges[row]->first), y),
-                           bmr_vec2_make(frame.XOf(series.ranges[row]->second), y), {series.colour, 1.6});
+        if (row < series.ranges.size() && series.ranges[row]) {
+            // What the axis cannot show (a logarithm of 0) is at its end, not on the names of the rows.
+            const auto [least, greatest] = *series.ranges[row];
+            const double from = frame.x.Shows(least) ? frame.XOf(least) : frame.page.left;
+            if (frame.x.Shows(greatest))
+                canvas.Segment(bmr_vec2_make(from, y), bmr_vec2_make(frame.XOf(greatest), y),
+                               {series.colour, 1.6});
+        }
         if (row < series.values.size() && series.values[row] && frame.x.Shows(*series.values[row]))
             DrawMark(canvas, bmr_vec2_make(frame.XOf(*series.values[row]), y), index, series.colour);
     }

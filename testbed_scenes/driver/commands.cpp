@@ -7,8 +7,8 @@
 
 #include <unistd.h>
 
+#include "command_line/nearest.h"
 #include "markdown.h"
-#include "nearest.h"
 #include "output_file.h"
 #include "progress.h"
 #include "report.h"
@@ -75,7 +75,7 @@ const SceneInfo &FindScene(const std::vector<SceneInfo> &scenes, const std::stri
             return scene;
         names.push_back(scene.name);
     }
-    throw UsageError("there is no scene \"" + name + "\"" + NearestClause(name, names) +
+    throw UsageError("there is no scene \"" + name + "\"" + command_line::NearestClause(name, names) +
                      " (boomerang-testbed list shows all)");
 }
 

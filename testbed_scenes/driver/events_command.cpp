@@ -13,8 +13,8 @@
 #include <CLI/CLI.hpp>
 
 #include "box2d_course.h"
+#include "command_line/nearest.h"
 #include "commands.h"
-#include "nearest.h"
 #include "output_file.h"
 #include "progress.h"
 #include "table.h"
@@ -30,7 +30,7 @@ constexpr size_t kNarrowColumns = 8, kWideColumns = 6;
 
 [[noreturn]] void FailUnknown(const std::string &what, const std::string &word,
                               const std::vector<std::string> &names) {
-    throw UsageError("there is no " + what + " \"" + word + "\"" + NearestClause(word, names) +
+    throw UsageError("there is no " + what + " \"" + word + "\"" + command_line::NearestClause(word, names) +
                      " (--list shows all)");
 }
 

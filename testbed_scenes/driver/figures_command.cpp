@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <iostream>
 
+#include "command_line/nearest.h"
 #include "commands.h"
-#include "nearest.h"
 #include "theory/figure.h"
 
 namespace testbed {
@@ -19,7 +19,7 @@ const FigureInfo &FindFigure(const std::string &name) {
     std::vector<std::string> names;
     for (const FigureInfo &figure : figures)
         names.emplace_back(figure.name);
-    throw UsageError("there is no figure \"" + name + "\"" + NearestClause(name, names) +
+    throw UsageError("there is no figure \"" + name + "\"" + command_line::NearestClause(name, names) +
                      " (--list shows all)");
 }
 

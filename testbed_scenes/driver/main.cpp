@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "command_line/usage.h"
 #include "commands.h"
 #include "drawing/unfinished.h"
 #include "events_command.h"
@@ -16,7 +17,6 @@
 #include "replay_command.h"
 #include "report_command.h"
 #include "shapes_command.h"
-#include "usage.h"
 #include "world_command.h"
 
 namespace testbed {
@@ -66,7 +66,7 @@ void AddSceneOptions(CLI::App &app, WorkerOptions &worker) {
     app.add_option("--size", worker.size, "How much of everything there is (default: the scene's own)")
         ->check(AtLeast(1));
     app.add_option("--seed", worker.seed, "Seed of the scene's random numbers (default: the scene's own)")
-        ->check(CheckSeed);
+        ->check(command_line::CheckSeed);
 }
 
 void AddPluginSwitch(CLI::App &app, bool &plugin) {
@@ -197,7 +197,7 @@ int Answer(int argc, char **argv) {
 
     app.footer(kExitCodes); // not before: commands would inherit it, and have it twice
 
-    const std::string unknown = ExplainCommand(app, argc, argv);
+    const std::string unknown = command_line::ExplainCommand(app, argc, argv);
     if (!unknown.empty())
         throw UsageError(unknown);
     try {
@@ -205,7 +205,7 @@ int Answer(int argc, char **argv) {
     } catch (const CLI::ParseError &error) {
         if (error.get_exit_code() == 0)
             return app.exit(error); // help, or the version
-        throw UsageError(ExplainUsage(app, error, argc, argv));
+        throw UsageError(command_line::ExplainUsage(app, error, argc, argv));
     }
     line.compare.options.time = !line.noTime;
 

@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <unistd.h>
 
+#include "command_line/nearest.h"
 #include "commands.h"
-#include "nearest.h"
 #include "output_file.h"
 #include "table.h"
 
@@ -175,7 +175,7 @@ SceneInfo ChooseScene(const std::vector<SceneInfo> &scenes, const std::string &n
         names.push_back(scene.name);
     }
     throw UsageError("there is no scene \"" + name + "\" of polygons of any size" +
-                     NearestClause("any-" + name, names) + " (all: " + choices + ")");
+                     command_line::NearestClause("any-" + name, names) + " (all: " + choices + ")");
 }
 
 } // namespace

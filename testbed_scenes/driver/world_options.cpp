@@ -8,9 +8,9 @@
 #include <CLI/CLI.hpp>
 
 #include "boomerang/families.h"
+#include "command_line/nearest.h"
+#include "command_line/usage.h"
 #include "commands.h"
-#include "nearest.h"
-#include "usage.h"
 #include "world_command.h"
 
 namespace testbed {
@@ -76,7 +76,7 @@ void ReadStructure(const std::string &name, WorldChoice *choice) {
         for (size_t i = 0; i < bmr_kds_count(); ++i)
             if (bmr_kds_at(i)->domain == BMR_KDS_RIGID)
                 names.emplace_back(bmr_kds_at(i)->name);
-        throw UsageError("there is no structure \"" + name + "\"" + NearestClause(name, names) +
+        throw UsageError("there is no structure \"" + name + "\"" + command_line::NearestClause(name, names) +
                          " (`events --list` shows all)");
     }
     if (info->domain != BMR_KDS_RIGID)
@@ -91,7 +91,7 @@ const WorldScene &SceneNamed(const std::string &name) {
             return scene;
         names.push_back(scene.choice.scene);
     }
-    throw UsageError("there is no world \"" + name + "\"" + NearestClause(name, names) +
+    throw UsageError("there is no world \"" + name + "\"" + command_line::NearestClause(name, names) +
                      " (--list shows all)");
 }
 
@@ -131,7 +131,7 @@ CLI::App *AddWorld(CLI::App &app, WorldCommand &command) {
     world->add_option("--zeno-speed", command.zenoSpeed, "Of --zeno elastic: slower than this is slow");
     world->add_option("--structure", command.structure, "Of near pairs; `events --list` shows all");
     world->add_option("--seed", command.seed, "Of all that is drawn")
-        ->check(CheckSeed)
+        ->check(command_line::CheckSeed)
         ->capture_default_str();
     world->add_flag("--all-pairs", command.allPairs,
                     "No cells: every two bodies are watched, for comparison");

@@ -76,7 +76,7 @@ void WriteHead(std::ostream &out, const HtmlTable &table) {
 
 void HtmlTable::Write(std::ostream &out, const std::string &id) const {
     out << "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-labelledby=\"" << id << "\">\n<table>\n"
-        << "<caption id=\"" << id << "\">" << Escaped(caption) << "</caption>\n";
+        << "<caption id=\"" << id << "\"><span>" << Escaped(caption) << "</span></caption>\n";
     WriteHead(out, *this);
     out << "<tbody>\n";
     for (const std::vector<Cell> &row : rows) {

@@ -167,6 +167,21 @@ private:
         Put(table, VerdictLegend());
     }
 
+    static constexpr char kSlowerWord[] = " slower";
+
+    /// What stands behind a ratio. One whose pairs of runs lie on both sides of 1 is no difference.
+    static const char *Judged(const SceneNumbers &scene, const SceneColumn &column) {
+        const std::string name = column.figure;
+        const std::optional<double> least = scene["ratio.step_least"],
+                                    greatest = scene["ratio.step_greatest"];
+        if (column.group != std::string(kRatioGroup) || name == "ratio.step_least" ||
+            name == "ratio.step_greatest")
+            return "";
+        if (name == "ratio.step" && least && greatest && *least <= 1.0 && *greatest >= 1.0)
+            return " no difference";
+        return *scene[column.figure] < kSlower ? kSlowerWord : "";
+    }
+
     void Layout(const SceneTable &layout) {
         if (!Has(m_numbers.scenes, layout))
             return;
@@ -179,11 +194,11 @@ private:
             std::vector<HtmlTable::Cell> row = {{scene.name}};
             for (const SceneColumn &column : layout.columns) {
                 const std::optional<double> figure = scene[column.figure];
-                const bool slower = figure && column.group == std::string(kRatioGroup) && *figure < kSlower;
-                row.push_back({figure ? Fixed(figure, column.decimals) + (slower ? " slower" : "") : "–",
-                               !figure  ? "none"
-                               : slower ? "bad"
-                                        : ""});
+                const char *judged = figure ? Judged(scene, column) : "";
+                row.push_back({figure ? Fixed(figure, column.decimals) + judged : "–",
+                               !figure                              ? "none"
+                               : std::string(judged) == kSlowerWord ? "bad"
+                                                                    : ""});
             }
             table.rows.push_back(std::move(row));
         }

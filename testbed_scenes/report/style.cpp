@@ -45,9 +45,10 @@ figure { margin: 0; min-width: 0; }
 figure svg { display: block; width: 100%; min-width: 30rem; height: auto; }
 figcaption { font-size: 0.85rem; color: var(--soft); margin-top: 0.3rem; }
 .table { margin: 2rem 0 0; }
-.scroll { overflow-x: auto; }
+.scroll { overflow-x: auto; padding-bottom: 0.4rem; }
 table { border-collapse: collapse; font-size: 0.85rem; font-variant-numeric: tabular-nums; white-space: nowrap; }
 caption { text-align: left; font-weight: 650; font-size: 1rem; padding-bottom: 0.4rem; }
+caption span { display: inline-block; position: sticky; left: 0; max-width: calc(100vw - 2.5rem); white-space: normal; }
 th, td { padding: 0.2rem 0.6rem; text-align: right; }
 th { font-weight: 600; vertical-align: bottom; }
 th[scope="row"], thead tr:first-child th:first-child { text-align: left; position: sticky; left: 0; background: var(--paper); }

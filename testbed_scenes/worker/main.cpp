@@ -5,6 +5,7 @@
 // never one process.
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 
 #include <nlohmann/json.hpp>
 
@@ -58,7 +59,7 @@ int main(int argc, char **argv) {
         return testbed::Run(argc, argv);
     } catch (const std::exception &error) {
         std::fflush(stdout);
-        std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
+        std::fprintf(stderr, "%s: %s\n", std::filesystem::path(argv[0]).filename().c_str(), error.what());
         return testbed::exitInternal;
     }
 }

@@ -2,10 +2,13 @@
 #include "worker/options.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <map>
 
 #include <CLI/CLI.hpp>
 
+#include "command_line/nearest.h"
+#include "command_line/usage.h"
 #include "scene.h"
 
 namespace testbed {
@@ -46,11 +49,15 @@ void CheckScene(const Options &options) {
     if (options.listJson || !options.course.empty() || !options.gas.empty())
         return;
     if (options.scene.empty())
-        throw CLI::RequiredError("a SCENE, --course, --gas or --list-json");
+        throw CLI::ValidationError("a SCENE, --course, --gas or --list-json is wanted");
     const SceneInfo *scene = FindScene(options.scene);
-    if (scene == nullptr)
-        throw CLI::ValidationError("there is no scene \"" + options.scene + "\"; did you mean \"" +
-                                   NearestScene(options.scene).name + "\"?");
+    if (scene == nullptr) {
+        std::vector<std::string> names;
+        for (const SceneInfo &known : AllScenes())
+            names.emplace_back(known.name);
+        throw CLI::ValidationError("there is no scene \"" + options.scene + "\"" +
+                                   command_line::NearestClause(options.scene, names));
+    }
     if ((options.vertices || options.bodies) && scene->polygons.vertices == 0)
         throw CLI::ValidationError("the polygons of " + options.scene +
                                    " are what they are: --vertices and --bodies are for coins and any-...");
@@ -73,7 +80,8 @@ PolygonChoice PolygonsOf(const SceneInfo &scene, const Options &options) {
 std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
     CLI::App app("Runs one scene of Box2D and prints what happened: a line of hashes for each step, and at "
                  "the end one "
-                 "line\n`summary {json}`.");
+                 "line\n`summary {json}`.",
+                 argc > 0 ? std::filesystem::path(argv[0]).filename() : "boomerang-scene");
     app.footer(ListScenes());
     app.add_flag("--list-json", options.listJson, "Print all scenes as JSON and exit");
     CLI::Option *scene = app.add_option("scene", options.scene, "The scene")->option_text("SCENE");
@@ -100,7 +108,9 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
     app.add_option("--size", options.size, "How large the scene is; each scene has its default")
         ->option_text("K")
         ->check(CLI::Range(1, 1000000).description(""));
-    app.add_option("--seed", options.seed, "Seed of the scene's random numbers [1]")->option_text("S");
+    app.add_option("--seed", options.seed, "Seed of the scene's random numbers [1]")
+        ->option_text("S")
+        ->check(command_line::CheckSeed);
     app.add_option("--vertices", options.vertices,
                    "Vertices of the polygons; for scenes that have this to choose, each with its default")
         ->option_text("N")
@@ -149,7 +159,11 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
             options.record->compact = compact;
         }
     } catch (const CLI::ParseError &error) {
-        return app.exit(error) == 0 ? exitOk : exitUsage;
+        if (error.get_exit_code() == 0)
+            return app.exit(error); // help
+        std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(),
+                     command_line::ExplainUsage(app, error, argc, argv).c_str());
+        return exitUsage;
     }
     return std::nullopt;
 }

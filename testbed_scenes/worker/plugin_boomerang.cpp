@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "worker/plugin.h"
 
+#include <cerrno>
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
@@ -48,7 +49,7 @@ void OnAnswer(void *, const b2Contact &contact, bmr::Answer answer) {
 void OpenTrace(const std::string &name) {
     trace.file = std::fopen(name.c_str(), "w");
     if (trace.file == nullptr)
-        throw std::runtime_error("cannot write " + name);
+        throw std::runtime_error("cannot write " + name + ": " + std::strerror(errno));
     std::fputs("# step bodyA bodyB kind level_before level_after owner(0=A,1=B) gap\n", trace.file);
 }
 

@@ -98,6 +98,19 @@ void AddPairs(b2World &world, int count, const Pairs &pairs) {
     }
 }
 
+/// Bodies in chains far from each other chain, as many as AddPairs makes of `count`. Along a chain each is
+/// `offset` further; so one body is in several pairs.
+void AddChains(b2World &world, int count, const b2Shape &shape, b2Vec2 offset, float angle) {
+    constexpr int kLinks = 16, kColumns = 10;
+    constexpr float kSpacing = 20.0f;
+    for (int i = 0; i < 2 * count; ++i) {
+        const b2Vec2 place = Place(i / kLinks, kColumns, kSpacing);
+        AddFixture(AddBody(world, b2_dynamicBody, place + static_cast<float>(i % kLinks) * offset, angle,
+                           {kCreep, 0.5f * kCreep}),
+                   shape);
+    }
+}
+
 /// A convex body of 6 * fixtures + 2 corners, cut into octagons that share a corner.
 void AddCoin(b2Body *body, int fixtures, float radius) {
     const int corners = 6 * fixtures + 2;
@@ -173,6 +186,8 @@ bool Build(b2World &world, const char *name, int count, int fixtures) {
 
     if (is("apart-box"))
         pairs({plank, plank, aside, kSlant});
+    else if (is("apart-chain"))
+        AddChains(world, count, plank, aside, kSlant);
     else if (is("apart-octagon") || is("new-pairs"))
         pairs({octagon, octagon, diagonal});
     else if (is("touching-box"))

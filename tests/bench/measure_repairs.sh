@@ -7,12 +7,14 @@
 # time, the median of five runs of the benchmark by the processor's clock. BENCH is a bench_kds; with OTHER, that of
 # another revision, its figures stand beside, and the quotients. Instructions are the same on a busy machine; times are not.
 set -euo pipefail
+usage() { sed -n '4,8s/^# \{0,1\}//p' "$0"; }
+[ "${1:-}" != --help ] || { usage; exit 0; }
 vertices=64
 if [ "${1:-}" = --vertices ]; then
     vertices=${2:?}
     shift 2
 fi
-[ $# -ge 1 ] || { sed -n '4,10s/^# \{0,1\}//p' "$0"; exit 2; }
+[ $# -ge 1 ] && [ -x "$1" ] && [ -x "${2:-$1}" ] || { usage >&2; exit 2; }
 
 # instructions BENCH NAME: of one repair, and how many repairs there were.
 instructions() {

@@ -17,7 +17,8 @@ Exit codes: 0 done; 2 wrong usage; 3 a program failed.
 TEXT
 }
 
-[[ $# -ge 1 && $1 != --help && -x $1/bin/boomerang-testbed ]] || { usage; exit 2; }
+[[ ${1:-} != --help ]] || { usage; exit 0; }
+[[ $# -ge 1 && -x $1/bin/boomerang-testbed ]] || { usage >&2; exit 2; }
 build=$1
 shift
 scratch=$(mktemp -d)

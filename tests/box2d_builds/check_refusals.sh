@@ -37,6 +37,7 @@ refuses other_collide "$other: b2_contact_manager.cpp has no \"void b2ContactMan
 refuses generator 'b2_world.cpp is listed by a generator expression'
 # To the right sources nothing is missing but the language; and what was done once is not done again.
 refuses none 'the project needs the language C, too'
+refuses below 'the project needs the language C, too'
 refuses twice 'it was called for this target before'
 printf '%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -30,11 +30,37 @@ test_a_report_shows_everything_that_it_was_given() {
     clean
     page_has '2 of 2</dd>'
     page_has '<th scope="row">needles</th>'
-    page_has '<caption[^>]*>Time per step'
+    page_has '<caption[^>]*><span>Time per step'
     page_has 'Plot: orbit, n = 16\.'
     page_has '<th scope="row">closest-features</th>'
     page_has 'Plot: instructions a step against bodies\.'
     [ "$(grep -c '<section ' "$scratch/page.html")" -eq 3 ] || fail "not three sections"
+}
+
+# with_ratios LEAST MEDIAN GREATEST: the page of a comparison whose steps took so much.
+with_ratios() {
+    python3 - "$scratch/compare.json" "$scratch/ratios.json" "$@" <<'PYTHON'
+import json, sys
+told = json.load(open(sys.argv[1]))
+for scene in told["scenes"]:
+    figures = scene["figures"]
+    figures["ratio"].update(zip(("step_least", "step", "step_greatest"), map(float, sys.argv[3:])))
+    figures["ratio_register"]["step"] = 1.5
+json.dump(told, open(sys.argv[2], "w"))
+PYTHON
+    expect 0 report --json "$scratch/ratios.json" -o "$scratch/page.html"
+}
+
+test_a_ratio_whose_runs_lie_on_both_sides_of_1_is_no_difference() {
+    with_ratios 0.81 0.92 1.13
+    page_has '>0\.92 no difference<'
+    page_lacks 'slower<'
+    with_ratios 0.81 0.92 0.93
+    page_has '>0\.92 slower<'
+    page_lacks 'no difference<'
+    with_ratios 1.11 1.22 1.33
+    page_has '>1\.22<'
+    page_lacks 'no difference<|slower<'
 }
 
 # What was not given is not there: the control of the test above.

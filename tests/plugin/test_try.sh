@@ -5,7 +5,7 @@
 #
 #   test_try.sh BOOMERANG DIRECTORY-OF-THE-PROGRAMS
 set -uo pipefail
-boomerang=${1:?} bin=${2:?}
+boomerang=$(realpath "${1:?}") bin=${2:?}
 room=$(mktemp -d)
 holds_shows=$room/said
 trap 'rm -rf "$room"' EXIT
@@ -15,23 +15,30 @@ unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERAN
 
 # tries STATUS ARGUMENT...: it ends with that; what it says, in one line, is in $room/said. (A run ends with its game; the limit is
 # for what would never end.)
+rounds=1
 tries() {
     local status=$1 got
     shift
-    "$boomerang" try --quiet --seconds 60 --rounds 1 "$@" >"$room/out" 2>&1
+    "$boomerang" try --quiet --seconds 60 --rounds "$rounds" "$@" >"$room/out" 2>&1
     got=$?
     tr '\n' ' ' <"$room/out" >"$room/said"
     [ "$got" -eq "$status" ]
 }
 says() { grep -qE -- "$1" "$room/said"; }
+misses() { ! says "$1"; }
 number() { sed -nE "s/^ *\"$1\": ([0-9.]+),?\$/\\1/p" "$room/out" | head -n 1; }
 
 holds "a game with a shared Box2D profits or not, and nothing differs" tries 0 -- "$bin/plain_game"
 holds "it says where Box2D is" says 'Box2D is a shared library here, /.*/libbox2d\.so'
 holds "it says what is at work" says 'ahead of Box2D 2\.4\.1; rounds as Box2D\. All its hooks are at work'
-holds "it says what a step takes" says 'A step takes [0-9.]+ [mu]s in stock Box2D and [0-9.]+ [mu]s with Boomerang: .* \([0-9.]+ to [0-9.]+ in rounds of 240 steps\)'
+holds "it says what a step takes" says 'A step takes [0-9.]+ [mu]s in stock Box2D and [0-9.]+ [mu]s with Boomerang: .* \(one round of 240 steps\)'
 holds "it says what was compared" says 'Under verify [1-9][0-9,]+ answers were compared with Box2D.s: none differs'
 holds "it says how to go on, or that it does not pay" says 'LD_PRELOAD=/.*/libboomerang_box2d.* .*/plain_game|does not pay'
+rounds=2
+holds "in two rounds" tries 0 -- "$bin/plain_game"
+rounds=1
+holds "it says how far apart they are" says '\([0-9.]+ to [0-9.]+ in rounds of 240 steps\)'
+holds "it gives numbers that a reader reads" says 'steps are ([1-9][0-9]?|100|[0-9]\.[0-9]+) % of the time'
 holds "through a launcher that goes before its game" tries 0 -- sh -c "$bin/plain_game &"
 holds "a number of steps" tries 0 --steps 50 --json -- "$bin/plain_game"
 holds "no more steps are compared than were taken" test "$(number steps)" -ge 0
@@ -41,6 +48,18 @@ told = json.load(open(sys.argv[1]))
 assert told["outcome"] == "at work" and told["verify"]["verified"] > 0 and told["verify"]["differences"] == 0, told
 assert told["off"][0]["steps"] >= 50 and told["on"][0]["steps"] >= 50 and 0 < told["ratio"]["steps"] <= 240, told
 PYTHON
+
+# Games that have Boomerang as they are.
+holds "a game that calls bmr::Install" tries 0 -- "${boomerang%/*}/game_loop"
+holds "says so, and no LD_PRELOAD" says 'is linked with Boomerang already \(/.*libboomerang_box2d.*BOOMERANG=off in its environment turns'
+holds "nothing is to be preloaded" misses LD_PRELOAD
+g++ -O1 "$(dirname "${BASH_SOURCE[0]}")/plain_game.cpp" -o "$room/linked game" -Wl,--no-as-needed "${boomerang%/bin/*}/lib/libboomerang_box2d.so" \
+    -lbox2d -Wl,-rpath,"$(realpath "${boomerang%/bin/*}/lib")"
+holds "a game that is linked with the library, and never calls it" tries 0 -- "$room/linked game"
+holds "says so, and a line that a shell takes" says "nothing in it calls bmr::Install.*(BOOMERANG=on '/.*/linked game'|would not pay)"
+preloaded() { LD_PRELOAD=${boomerang%/bin/*}/lib/libboomerang_box2d.so tries "$@"; }
+holds "the library is preloaded already" preloaded 0 -- "$bin/plain_game"
+holds "says so" says 'is preloaded already \(LD_PRELOAD\), ahead of Box2D 2'
 
 holds "Box2D inside the program" tries 3 -- "$bin/vendored_game"
 holds "says so, and what to do" says 'has Box2D inside .*/vendored_game, where .*boomerang_accelerate\(TARGET\)'
@@ -56,6 +75,10 @@ holds "no Box2D at all" tries 3 -- "$bin/no_game"
 holds "says so, and how it ended" says 'No Box2D was found in this game.*exit status 7.*no game'
 printf 'int main(void) { return 0; }\n' >"$room/still.c"
 gcc -static "$room/still.c" -o "$room/still"
+if gcc -m32 "$room/still.c" -o "$room/narrow" 2>/dev/null || clang -m32 -nostdlib -Wl,-e,main "$room/still.c" -o "$room/narrow" 2>/dev/null; then
+    holds "a program for 32 bits" tries 3 -- "$room/narrow"
+    holds "is named as such" says 'narrow is a program for 32 bits, and this Boomerang is built for 64'
+fi
 holds "a static program" tries 3 -- "$room/still"
 holds "says so" says 'is linked statically'
 
@@ -67,9 +90,32 @@ rm "$room/libmissing.so"
 holds "a game that lacks a library" tries 4 -- "$room/lacking"
 holds "says which" says 'a library is missing .*libmissing\.so'
 holds "no such game" tries 2 -- "$room/none"
+holds "says why" says 'cannot start .*/none: No such file or directory'
+holds "a folder" tries 2 -- "$room"
+holds "is no game" says 'it is a folder'
+holds "a file that may not be executed" tries 2 -- "$room/still.c"
+holds "is called that" says 'it may not be executed'
+cp "$bin/plain_game" "$room/here"
+starts_here() { (cd "$room" && tries 2 -- here); }
+holds "a name without a path" starts_here
+holds "is looked for in PATH, and seen here" says 'no folder of PATH has a program of this name; here is one: \./here'
+printf '#!/no/such/shell\n' >"$room/script"
+chmod +x "$room/script"
+holds "a script without its interpreter" tries 4 -- "$room/script"
+holds "could not be found" says 'could not be found \(exit status 127'
 holds "no game named" tries 2
 holds "an unknown option" tries 2 --stepps 3 -- "$bin/plain_game"
 holds "is named" says '--stepps'
+holds "is said what is near" says 'try has no option "--stepps"; the nearest is "--steps"'
+misspelt() {
+    "$boomerang" tyr >"$room/out" 2>&1
+    [ $? -eq 2 ] && cp "$room/out" "$room/said"
+}
+holds "an unknown command" misspelt
+holds "is said what is near" says 'there is no command "tyr"; the nearest is "try"'
+holds "a value that is none" tries 2 --seconds soon -- "$bin/plain_game"
+holds "is told the unit" says '--seconds: "soon" is no number from 0\.1.* Each run is ended after so many seconds'
+holds "a library that is none" tries 2 --library "$room/still.c" -- "$bin/plain_game"
 holds "no such library" tries 2 --library "$room/none.so" -- "$bin/plain_game"
 
 # Controls: a library that crashes is noticed, as is one that changes how a game ends.

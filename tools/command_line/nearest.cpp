@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "nearest.h"
+#include "command_line/nearest.h"
 
 #include <algorithm>
 
-namespace testbed {
+namespace command_line {
 
 int EditDistance(const std::string &a, const std::string &b) {
     // Three rows of the table: a swap of neighbours looks two rows back.
@@ -48,4 +48,4 @@ std::string NearestClause(const std::string &word, const std::vector<std::string
     return nearest.empty() ? "" : "; the nearest is \"" + nearest + "\"";
 }
 
-} // namespace testbed
+} // namespace command_line

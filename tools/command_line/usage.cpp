@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "usage.h"
+#include "command_line/usage.h"
 
 #include <cctype>
 #include <cerrno>
@@ -12,17 +12,22 @@
 #include <CLI/CLI.hpp>
 #include <sys/stat.h>
 
-#include "nearest.h"
+#include "command_line/nearest.h"
 
-namespace testbed {
+namespace command_line {
 namespace {
 
-constexpr char kProgram[] = "boomerang-testbed";
-
 /// The place in argv of the word that should be a command; argc if there is none.
-int CommandAt(int argc, char **argv) {
+int CommandAt(const CLI::App &app, int argc, char **argv) {
+    if (app.get_subcommands({}).empty())
+        return argc;
+    // Options of the program itself may stand ahead, each with its value.
+    const auto takesValue = [&app](const char *word) {
+        const CLI::Option *option = app.get_option_no_throw(word);
+        return option != nullptr && option->get_expected_min() > 0;
+    };
     int first = 1;
-    while (first + 1 < argc && argv[first] == std::string("--workers"))
+    while (first + 1 < argc && takesValue(argv[first]))
         first += 2;
     return first < argc && argv[first][0] != '-' ? first : argc;
 }
@@ -31,20 +36,27 @@ int CommandAt(int argc, char **argv) {
 class Scope {
 public:
     Scope(const CLI::App &app, int argc, char **argv) : m_app(app), m_command(&app) {
-        const int at = CommandAt(argc, argv);
+        const int at = CommandAt(app, argc, argv);
         for (const CLI::App *command : app.get_subcommands({}))
             if (at < argc && command->get_name() == argv[at])
                 m_command = command;
         m_words.assign(argv + std::min(argc, at == argc ? 1 : at + 1), argv + argc);
     }
 
-    /// "render", or the program's own name where there is no command.
-    std::string Name() const { return m_command == &m_app ? kProgram : m_command->get_name(); }
+    bool HasCommand() const { return m_command != &m_app; }
+    bool LacksCommand() const { return !HasCommand() && !m_app.get_subcommands({}).empty(); }
+    /// "render: ", or nothing where there is no command.
+    std::string Ahead() const { return HasCommand() ? m_command->get_name() + ": " : ""; }
+    /// "render has", or "there is" where there is no command.
+    std::string Has() const { return HasCommand() ? m_command->get_name() + " has" : "there is"; }
+    /// "render needs ", or words for where there is no command.
+    std::string Needs() const {
+        return HasCommand() ? m_command->get_name() + " needs " : "what is missing is ";
+    }
     std::string Help() const {
-        return std::string(" (") + kProgram + (m_command == &m_app ? "" : " " + m_command->get_name()) +
+        return " (" + m_app.get_name() + (HasCommand() ? " " + m_command->get_name() : "") +
                " --help shows all)";
     }
-    bool HasCommand() const { return m_command != &m_app; }
 
     const CLI::Option *Find(const std::string &name) const {
         const CLI::Option *own = m_command->get_option_no_throw(name);
@@ -85,28 +97,38 @@ std::string OptionName(const CLI::Option *option, const std::string &otherwise) 
     return option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames().front();
 }
 
-/// "", or what the option is, on a line of its own.
+/// "", or what the option is, on lines of its own.
 std::string Described(const CLI::Option *option) {
-    return option == nullptr || option->get_description().empty()
-               ? std::string()
-               : "\n    " + OptionName(option, "") + ": " + option->get_description();
+    if (option == nullptr || option->get_description().empty())
+        return "";
+    static const std::regex newLine("\n");
+    return "\n    " + OptionName(option, "") + ": " +
+           std::regex_replace(option->get_description(), newLine, "\n        ");
+}
+
+/// Without the zeros that end a fraction.
+std::string Shortened(const std::string &number) {
+    static const std::regex zeros("\\.?0+$");
+    return number.find('.') == std::string::npos ? number : std::regex_replace(number, zeros, "");
 }
 
 /// What a check of CLI11's says about a value.
 std::string ExplainValue(const CLI::Option *option, const std::string &said) {
     static const std::regex range("Value (.*) not in range (\\S+) to (\\S+)"),
-        words("(.*) not in \\{(.*)\\}"), missing("(File|Directory) does not exist: (.*)");
+        words("(.*) not in \\{(.*)\\}"), mapped("Check (.*) value in \\{(.*?)\\} OR .*"),
+        missing("(File|Directory) does not exist: (.*)");
     std::smatch found;
     if (std::regex_match(said, found, range)) {
         const bool whole = option != nullptr && option->get_type_name().find("INT") != std::string::npos;
         return "\"" + found[1].str() + "\" is no " + (whole ? "whole " : "") + "number from " +
-               found[2].str() + " to " + found[3].str();
+               Shortened(found[2].str()) + " to " + Shortened(found[3].str());
     }
-    if (std::regex_match(said, found, words)) {
+    if (std::regex_match(said, found, words) || std::regex_match(said, found, mapped)) {
         std::vector<std::string> names;
         std::istringstream list(found[2].str());
         std::string all;
         for (std::string name; std::getline(list, name, ',');) {
+            name.erase(std::min(name.find("->"), name.size())); // what a name stands for
             all += (names.empty() ? "" : ", ") + name;
             names.push_back(name);
         }
@@ -123,7 +145,7 @@ std::string ExplainValue(const CLI::Option *option, const std::string &said) {
 } // namespace
 
 std::string ExplainCommand(const CLI::App &app, int argc, char **argv) {
-    const int at = CommandAt(argc, argv);
+    const int at = CommandAt(app, argc, argv);
     if (at == argc)
         return "";
     std::vector<std::string> names;
@@ -133,7 +155,7 @@ std::string ExplainCommand(const CLI::App &app, int argc, char **argv) {
         names.push_back(command->get_name());
     }
     return std::string("there is no command \"") + argv[at] + "\"" + NearestClause(argv[at], names) + " (" +
-           kProgram + " --help shows all)";
+           app.get_name() + " --help shows all)";
 }
 
 std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error, int argc, char **argv) {
@@ -141,41 +163,43 @@ std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error, int 
     const std::string said = error.what();
     const auto is = [&error](CLI::ExitCodes code) { return error.get_exit_code() == static_cast<int>(code); };
     if (const std::string unknown = scope.UnknownOption(); !unknown.empty())
-        return (scope.HasCommand() ? scope.Name() + " has" : "there is") + " no option \"" + unknown + "\"" +
-               NearestClause(unknown, scope.OptionNames()) + scope.Help();
-    if (!scope.HasCommand()) {
+        return scope.Has() + " no option \"" + unknown + "\"" + NearestClause(unknown, scope.OptionNames()) +
+               scope.Help();
+    if (scope.LacksCommand()) {
         std::string all;
         for (const CLI::App *command : app.get_subcommands({}))
             all += (all.empty() ? "" : ", ") + command->get_name();
         return "a command is wanted: " + all + scope.Help();
     }
     if (is(CLI::ExitCodes::ExtrasError))
-        return scope.Name() + ": \"" + said.substr(said.find_last_of(" :") + 1) +
+        return scope.Ahead() + "\"" + said.substr(said.find_last_of(" :") + 1) +
                "\" is one argument too many";
     if (is(CLI::ExitCodes::RequiredError)) {
         const CLI::Option *option = scope.Find(said.substr(0, said.find(' ')));
         if (option != nullptr)
-            return scope.Name() + " needs " + OptionName(option, "") + Described(option);
+            return scope.Needs() + OptionName(option, "") + Described(option);
     }
-    static const std::regex excludes("(\\S+) excludes (\\S+)");
+    static const std::regex excludes("(\\S+) excludes (\\S+)"), needs("(\\S+) requires (\\S+)");
     std::smatch found;
     if (std::regex_match(said, found, excludes))
-        return scope.Name() + ": " + found[1].str() + " and " + found[2].str() + " do not go together";
+        return scope.Ahead() + found[1].str() + " and " + found[2].str() + " do not go together";
+    if (std::regex_match(said, found, needs))
+        return scope.Ahead() + found[1].str() + " is nothing without " + found[2].str();
     static const std::regex convert("Could not convert: (\\S+) = (.*)");
     if (std::regex_match(said, found, convert)) {
         const CLI::Option *option = scope.Find(found[1].str());
         const bool whole = option != nullptr && option->get_type_name().find("INT") != std::string::npos;
-        return scope.Name() + ": " + OptionName(option, found[1].str()) + ": \"" + found[2].str() +
-               "\" is no " + (whole ? "whole " : "") + "number" + Described(option);
+        return scope.Ahead() + OptionName(option, found[1].str()) + ": \"" + found[2].str() + "\" is no " +
+               (whole ? "whole " : "") + "number" + Described(option);
     }
     const size_t colon = said.find(": ");
     const CLI::Option *option = colon != std::string::npos ? scope.Find(said.substr(0, colon)) : nullptr;
     if (option == nullptr)
-        return scope.Name() + ": " + said + scope.Help();
+        return scope.Ahead() + said + scope.Help();
     const std::string what = is(CLI::ExitCodes::ArgumentMismatch)
                                  ? "a value is missing"
                                  : ExplainValue(option, said.substr(colon + 2));
-    return scope.Name() + ": " + OptionName(option, "") + ": " + what + Described(option);
+    return scope.Ahead() + OptionName(option, "") + ": " + what + Described(option);
 }
 
 std::string CheckSeed(const std::string &text) {
@@ -186,4 +210,4 @@ std::string CheckSeed(const std::string &text) {
     return isDigits && errno == 0 ? "" : "\"" + text + "\" is no whole number from 0 to 18446744073709551615";
 }
 
-} // namespace testbed
+} // namespace command_line

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_TESTBED_NEAREST_H
-#define BOOMERANG_TESTBED_NEAREST_H
+#ifndef BOOMERANG_COMMAND_LINE_NEAREST_H
+#define BOOMERANG_COMMAND_LINE_NEAREST_H
 
 #include <string>
 #include <vector>
 
-namespace testbed {
+namespace command_line {
 
 /// The fewest insertions, deletions, replacements and swaps of neighbours that turn one word into the other
 /// (optimal string alignment). O(|a| |b|).
@@ -19,6 +19,6 @@ std::string Nearest(const std::string &word, const std::vector<std::string> &can
 /// "; the nearest is "planks"", or nothing where none is near.
 std::string NearestClause(const std::string &word, const std::vector<std::string> &candidates);
 
-} // namespace testbed
+} // namespace command_line
 
 #endif

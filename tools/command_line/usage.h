@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_TESTBED_USAGE_H
-#define BOOMERANG_TESTBED_USAGE_H
+#ifndef BOOMERANG_COMMAND_LINE_USAGE_H
+#define BOOMERANG_COMMAND_LINE_USAGE_H
 
 #include <string>
 
@@ -9,19 +9,20 @@ class App;
 class ParseError;
 } // namespace CLI
 
-namespace testbed {
+namespace command_line {
 
-/// What is wrong with the word that should be a command, if it is none; else empty. (CLI11 alone would only
-/// miss one.)
+/// For a program with commands: what is wrong with the word that should be one, if it is none; else empty.
+/// (CLI11 alone would only miss one.)
 std::string ExplainCommand(const CLI::App &app, int argc, char **argv);
 
 /// What is wrong with a command line that CLI11 would not take, in words like those of our own errors: which
-/// command, which option, what it takes, and the nearest name where one is near.
+/// command (if the program has some), which option, what it takes, and the nearest name where one is near.
+/// The program's name, which stands ahead of that, is the caller's to print. `app` has a name.
 std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error, int argc, char **argv);
 
 /// For options that are seeds (CLI11 reads -1 as the largest number there is): what is wrong, or nothing.
 std::string CheckSeed(const std::string &text);
 
-} // namespace testbed
+} // namespace command_line
 
 #endif
