@@ -347,7 +347,9 @@ public:
     Bodies &GetBodies() { return m_bodies; }
     /// In this step the islands hold none but the bodies that GetBodies() knows to be awake; 0: nobody knows.
     void SetAwakeAlone(uint64_t step) { m_awakeAloneIn = step; }
-    bool IsAwakeAlone(uint64_t step) const { return step != 0 && m_awakeAloneIn == step; }
+    /// No more once a step was made in the midst of this one: it has islands of its own, and unlocks the
+    /// world, so that bodies may go.
+    bool IsAwakeAlone(uint64_t step) const { return IsLookedAtIn(step) && m_awakeAloneIn == step; }
     /// No body is displaced in its sweep, for there was no impact in the last step.
     void SetAlphasClear(bool clear) { m_alphasClear = clear; }
     bool AreAlphasClear() const { return m_alphasClear; }

@@ -118,6 +118,8 @@ void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, L
         untold.Tell();
     const KnownImpacts known(unproved, stepComplete); // Box2D asks for the very same ones first
     stock::SolveToi(world, step);
+    if (!*stepComplete) // a listener turned sub-stepping on: the next step goes on by what contacts say
+        ledger->LeaveNothingOut();
     const bool none = !ledger->FoundImpact() && TimeOfImpactIsReached();
     ledger->SetTouchesSure(none);
     ledger->SetAlphasClear(none);

@@ -374,6 +374,14 @@ test_no_pair_is_lost() {
     done
 }
 
+test_worlds_may_be_set_otherwise_in_the_midst_of_a_step() {
+    local what
+    for what in made settled replaced halved woken; do
+        plays_as_stock "setting_game $what"
+        plays_as_stock "setting_game $what" BOOMERANG_EVERYWHERE=on
+    done
+}
+
 test_filters_and_listeners_may_change_the_listener() {
     plays_as_stock listening_game
     grep -Eq ', [1-9][0-9]* switches' "$room/out" || fail "no listener was changed"
