@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: MIT
 //
-//   setting_game made|settled|replaced|halved|woken
+//   setting_game made|passed|pending|settled|replaced|halved|woken
 //
-// Games that change what a world is set to in the midst of its own step. Prints a line for each step: how
-// often the listeners were told of something, and a hash of all bodies and contacts. A plain program of
-// Box2D's: with the plugin preloaded it prints the same.
+// Games that change what a world is set to, or who listens, in the midst of its own step. Prints a line for
+// each step: how often the listeners were told of something, and a hash of all bodies and contacts. A plain
+// program of Box2D's: with the plugin preloaded it prints the same.
 //
-// In all of them a bullet hits a body that leans on another one. Box2D moves the other one, too, if one of
-// the two is a bullet by then, and if neither it nor their contact is in an island by what the flags say. In
-// the first four it becomes a bullet when the search for impacts has begun, which left the two out.
+// Shots hit bodies that lean on others. Whether Box2D looks for these impacts, and whether it moves the other
+// bodies, too, is a matter of who is a bullet by then, and of the islands that contacts and bodies say they
+// are in. Most become bullets when the search for impacts has begun, which left them out.
 //
-//   made      a listener makes it a bullet, no more
-//   settled   the listener steps the world, which is not to look for impacts in that step
-//   replaced  the listener puts another one in its place
-//   halved    the listener has the step end with the first impact (sub-stepping); between steps it is over
+//   made      a listener makes bullets of those that lean
+//   passed    a listener makes bullets of the shots, and disables the contact that it is told of: Box2D goes
+//             on at once
+//   pending   a listener disables contacts whose impacts Box2D has found and not come to; their shots are
+//             bullets no more when the world is stepped in the midst of another world's search
+//   settled   a listener steps the world, which is not to look for impacts in that step
+//   replaced  a listener puts another one in its place
+//   halved    a listener has the step end with the first impact (sub-stepping); between steps it is over
 //   woken     hundreds of bodies sleep. A filter wakes those that lean on each other, and steps the world,
 //             which is not to look for impacts in that step
 #include <cstdlib>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "small_world.h"
@@ -28,14 +33,11 @@ namespace {
 /// Does what is to be done at the first begin; counts all that it is told.
 class Listener final : public b2ContactListener {
 public:
-    std::function<void()> begin;
-    void BeginContact(b2Contact *) override {
+    std::function<void(b2Contact *)> begin;
+    void BeginContact(b2Contact *contact) override {
         ++told;
-        if (!begin)
-            return;
-        const std::function<void()> what = begin;
-        begin = nullptr;
-        what();
+        if (begin)
+            std::exchange(begin, nullptr)(contact);
     }
     void PreSolve(b2Contact *, const b2Manifold *) override { ++told; }
     void PostSolve(b2Contact *, const b2ContactImpulse *) override { ++told; }
@@ -65,7 +67,7 @@ struct Range {
             shots.push_back(Add({-2.5f, y}, {0.1f, 0.1f}));
         }
         AddBox(world, b2_staticBody, {0.0f, -30.0f}, {0.05f, 1.0f}, 0.0f);
-        first = Add({-2.5f, -30.0f}, {0.1f, 0.1f});
+        first = Add({-2.0f, -30.0f}, {0.1f, 0.1f});
         world.SetContactListener(&listener);
         Play(2);
         // From the first impact on nobody has anything to forget of those that are left out.
@@ -77,15 +79,17 @@ struct Range {
         body->SetSleepingAllowed(false);
         return body;
     }
-    void Shoot(float at, float at_post) {
+    void Throw(float at, float at_post) {
         first->SetLinearVelocity({at_post, 0.0f});
-        for (b2Body *shot : shots) {
-            shot->SetBullet(true);
+        for (b2Body *shot : shots)
             shot->SetLinearVelocity({at, 0.0f});
-        }
     }
-    void MakeBullets() {
-        for (b2Body *body : leaning)
+    void Shoot(float at, float at_post) {
+        MakeBullets(shots);
+        Throw(at, at_post);
+    }
+    static void MakeBullets(const std::vector<b2Body *> &bodies) {
+        for (b2Body *body : bodies)
             body->SetBullet(true);
     }
     void Play(int steps) {
@@ -100,15 +104,62 @@ struct Range {
 void PlayMade() {
     Range range;
     range.Shoot(180.0f, 240.0f);
-    range.listener.begin = [&range] { range.MakeBullets(); };
+    range.listener.begin = [&range](b2Contact *) { Range::MakeBullets(range.leaning); };
     range.Play(4);
+}
+
+void PlayPassed() {
+    Range range;
+    range.Throw(180.0f, 240.0f);
+    range.listener.begin = [&range](b2Contact *contact) {
+        contact->SetEnabled(false);
+        Range::MakeBullets(range.shots);
+    };
+    range.Play(4);
+}
+
+void PlayPending() {
+    Range range;
+    range.Throw(180.0f, 240.0f);
+    range.listener.begin = [&range](b2Contact *) {
+        Range::MakeBullets(range.shots);
+        range.listener.begin = [&range](b2Contact *hit) {
+            for (b2Body *body : range.leaning)
+                for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
+                    if (edge->contact != hit && edge->other->IsBullet())
+                        edge->contact->SetEnabled(false);
+        };
+    };
+    range.Play(1);
+    for (b2Body *shot : range.shots) {
+        shot->SetBullet(false);
+        shot->SetLinearVelocity({0.0f, 0.0f});
+        shot->SetTransform({-0.75f, shot->GetPosition().y}, 0.0f);
+    }
+    // In the midst of another world's search.
+    b2World world(b2Vec2(0.0f, 0.0f));
+    Listener listener;
+    for (int i = 0; i < 60; ++i)
+        AddBox(world, b2_dynamicBody, {1.05f * static_cast<float>(i), 10.0f}, kHalf, 0.0f);
+    AddBox(world, b2_staticBody, {0.0f, 0.0f}, {0.05f, 1.0f}, 0.0f);
+    b2Body *const bullet = AddBox(world, b2_dynamicBody, {-2.0f, 0.0f}, {0.1f, 0.1f}, 0.0f);
+    Step(world, 4, &range.hash);
+    bullet->SetLinearVelocity({240.0f, 0.0f});
+    world.SetContactListener(&listener);
+    listener.begin = [&range](b2Contact *) {
+        range.first->SetTransform({-2.0f, -30.0f}, 0.0f);
+        range.Throw(30.0f, 240.0f);
+        range.Play(1);
+    };
+    Step(world, 1, &range.hash);
+    range.Play(2);
 }
 
 void PlaySettled() {
     Range range;
     range.Shoot(0.0f, 240.0f);
-    range.listener.begin = [&range] {
-        range.MakeBullets();
+    range.listener.begin = [&range](b2Contact *) {
+        Range::MakeBullets(range.leaning);
         range.Shoot(240.0f, 0.0f);
         range.world.SetContinuousPhysics(false);
         range.world.Step(1.0f / 60.0f, 8, 3);
@@ -120,18 +171,18 @@ void PlaySettled() {
 void PlayReplaced() {
     Range range;
     range.Shoot(180.0f, 240.0f);
-    range.listener.begin = [&range] { range.world.SetContactListener(&range.other); };
-    range.other.begin = [&range] { range.MakeBullets(); };
+    range.listener.begin = [&range](b2Contact *) { range.world.SetContactListener(&range.other); };
+    range.other.begin = [&range](b2Contact *) { Range::MakeBullets(range.leaning); };
     range.Play(4);
 }
 
 void PlayHalved() {
     Range range;
     range.Shoot(180.0f, 240.0f);
-    range.listener.begin = [&range] { range.world.SetSubStepping(true); };
+    range.listener.begin = [&range](b2Contact *) { range.world.SetSubStepping(true); };
     range.Play(1);
     range.world.SetSubStepping(false);
-    range.MakeBullets();
+    Range::MakeBullets(range.leaning);
     range.Play(4);
 }
 
@@ -140,11 +191,8 @@ class Filter final : public b2ContactFilter {
 public:
     std::function<void()> asked;
     bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
-        if (asked) {
-            const std::function<void()> what = asked;
-            asked = nullptr;
-            what();
-        }
+        if (asked)
+            std::exchange(asked, nullptr)();
         return b2ContactFilter::ShouldCollide(a, b);
     }
 };
@@ -204,6 +252,10 @@ int main(int argc, char **argv) {
     const std::string what = argc == 2 ? argv[1] : "";
     if (what == "made") {
         PlayMade();
+    } else if (what == "passed") {
+        PlayPassed();
+    } else if (what == "pending") {
+        PlayPending();
     } else if (what == "woken") {
         PlayWoken();
     } else if (what == "settled") {
@@ -213,7 +265,7 @@ int main(int argc, char **argv) {
     } else if (what == "halved") {
         PlayHalved();
     } else {
-        std::fputs("usage: setting_game made|settled|replaced|halved|woken\n", stderr);
+        std::fputs("usage: setting_game made|passed|pending|settled|replaced|halved|woken\n", stderr);
         return 2;
     }
     return 0;
