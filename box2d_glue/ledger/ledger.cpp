@@ -481,6 +481,14 @@ void Ledger::EnableDownTo(uint32_t down) {
     }
 }
 
+void Ledger::EnableOfSleeper(const b2Body *body) {
+    for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
+        const uint32_t i = NumberOf(edge->contact);
+        if (i != kNone)
+            EnableIfOwed(i);
+    }
+}
+
 void Ledger::NoteAllMayImpact() {
     if (m_allNoted)
         return;

@@ -267,6 +267,10 @@ public:
             ContactNumber::Enable(m_contacts[i]);
     }
 
+    /// The body fell asleep after the pass: its contacts stay as they are until it wakes, be it in the midst
+    /// of a step.
+    void EnableOfSleeper(const b2Body *body);
+
     // Impacts.
 
     /// `careful`: code of the game may have run since the look at the movers, and may until the search is

@@ -165,7 +165,9 @@ void b2World::SolveTOI(const b2TimeStep &step) {
         stock::SolveToi(this, step);
         return;
     }
-    const auto begin = [](b2Body *body) {
+    const auto begin = [ledger, byLedger](b2Body *body) {
+        if (byLedger && (body->m_flags & b2Body::e_islandFlag) != 0 && !body->IsAwake())
+            ledger->EnableOfSleeper(body);
         body->m_flags &= static_cast<uint16>(~b2Body::e_islandFlag);
         body->m_sweep.alpha0 = 0.0f;
     };

@@ -360,7 +360,7 @@ test_trees_are_the_same_to_the_bit() {
 
 test_sleepers_are_woken_by_whatever_wakes_them() {
     local what
-    for what in hit joint flags first last empty driven displaced order lapsed; do
+    for what in hit joint flags first last empty driven slept displaced order lapsed; do
         plays_as_stock "waking_game $what"
         plays_as_stock "waking_game $what" BOOMERANG_EVERYWHERE=on
     done
