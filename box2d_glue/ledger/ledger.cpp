@@ -176,6 +176,12 @@ void Ledger::TakeRestingOutOfIslands() {
             ContactNumber::TakeOutOfIsland(m_contacts[i]);
 }
 
+void Ledger::TakeApartOutOfIslands() {
+    for (uint32_t i = 0; i < m_count; ++i)
+        if (m_contacts[i] != nullptr && (m_bits[i] & kTouches) == 0)
+            ContactNumber::TakeOutOfIsland(m_contacts[i]);
+}
+
 void Ledger::MakeTouchesSure() {
     if (m_touchesSure)
         return;

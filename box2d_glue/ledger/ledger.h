@@ -173,6 +173,8 @@ public:
     void MakeTouchesSure();
     /// Contacts that rest may still say that they are in an island of an earlier step.
     void TakeRestingOutOfIslands();
+    /// So may those that did not touch when they were looked at.
+    void TakeApartOutOfIslands();
     /// The newest contact below `end` that touched when it was looked at, asleep or not; kNone where there is
     /// none.
     uint32_t NextTouching(uint32_t end) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-//   setting_game made|passed|pending|settled|replaced|halved|woken
+//   setting_game made|passed|pending|settled|met|replaced|halved|woken
 //
 // Games that change what a world is set to, or who listens, in the midst of its own step. Prints a line for
 // each step: how often the listeners were told of something, and a hash of all bodies and contacts. A plain
@@ -16,6 +16,8 @@
 //   pending   a listener disables contacts whose impacts Box2D has found and not come to; their shots are
 //             bullets no more when the world is stepped in the midst of another world's search
 //   settled   a listener steps the world, which is not to look for impacts in that step
+//   met       a listener has bodies meet in a step of no time, which lean on each other when their islands
+//             are built
 //   replaced  a listener puts another one in its place
 //   halved    a listener has the step end with the first impact (sub-stepping); between steps it is over
 //   woken     hundreds of bodies sleep. A filter wakes those that lean on each other, and steps the world,
@@ -40,7 +42,12 @@ public:
             std::exchange(begin, nullptr)(contact);
     }
     void PreSolve(b2Contact *, const b2Manifold *) override { ++told; }
-    void PostSolve(b2Contact *, const b2ContactImpulse *) override { ++told; }
+    std::function<void()> solved;
+    void PostSolve(b2Contact *, const b2ContactImpulse *) override {
+        ++told;
+        if (solved)
+            std::exchange(solved, nullptr)();
+    }
     void EndContact(b2Contact *) override { ++told; }
     int told = 0;
 };
@@ -168,6 +175,24 @@ void PlaySettled() {
     range.Play(4);
 }
 
+void PlayMet() {
+    Range range;
+    for (const float x : {60.0f, 60.995f}) // the newest: their island is the first
+        range.Add({x, 0.0f}, kHalf);
+    range.Play(1);
+    for (b2Body *body : range.leaning)
+        body->SetTransform({-0.05f, body->GetPosition().y}, 0.0f);
+    range.listener.solved = [&range] {
+        range.world.Step(0.0f, 1, 1); // unlocks it
+        for (b2Body *body : range.leaning) {
+            body->SetTransform({0.0f, body->GetPosition().y}, 0.0f);
+            body->SetLinearVelocity({1.0f, 0.0f});
+        }
+        range.world.Step(0.0f, 1, 1);
+    };
+    range.Play(3);
+}
+
 void PlayReplaced() {
     Range range;
     range.Shoot(180.0f, 240.0f);
@@ -260,12 +285,14 @@ int main(int argc, char **argv) {
         PlayWoken();
     } else if (what == "settled") {
         PlaySettled();
+    } else if (what == "met") {
+        PlayMet();
     } else if (what == "replaced") {
         PlayReplaced();
     } else if (what == "halved") {
         PlayHalved();
     } else {
-        std::fputs("usage: setting_game made|passed|pending|settled|replaced|halved|woken\n", stderr);
+        std::fputs("usage: setting_game made|passed|pending|settled|met|replaced|halved|woken\n", stderr);
         return 2;
     }
     return 0;
