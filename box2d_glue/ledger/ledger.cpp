@@ -176,6 +176,12 @@ void Ledger::TakeRestingOutOfIslands() {
             ContactNumber::TakeOutOfIsland(m_contacts[i]);
 }
 
+void Ledger::TakeApartOutOfIslands() {
+    for (uint32_t i = 0; i < m_count; ++i)
+        if (m_contacts[i] != nullptr && (m_bits[i] & kTouches) == 0)
+            ContactNumber::TakeOutOfIsland(m_contacts[i]);
+}
+
 void Ledger::MakeTouchesSure() {
     if (m_touchesSure)
         return;
@@ -478,6 +484,14 @@ void Ledger::EnableDownTo(uint32_t down) {
                 ContactNumber::Enable(m_contacts[i]);
         }
         m_owed = first;
+    }
+}
+
+void Ledger::EnableOfSleeper(const b2Body *body) {
+    for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
+        const uint32_t i = NumberOf(edge->contact);
+        if (i != kNone)
+            EnableIfOwed(i);
     }
 }
 

@@ -173,6 +173,8 @@ public:
     void MakeTouchesSure();
     /// Contacts that rest may still say that they are in an island of an earlier step.
     void TakeRestingOutOfIslands();
+    /// So may those that did not touch when they were looked at.
+    void TakeApartOutOfIslands();
     /// The newest contact below `end` that touched when it was looked at, asleep or not; kNone where there is
     /// none.
     uint32_t NextTouching(uint32_t end) const;
@@ -267,6 +269,10 @@ public:
             ContactNumber::Enable(m_contacts[i]);
     }
 
+    /// The body fell asleep after the pass: its contacts stay as they are until it wakes, be it in the midst
+    /// of a step.
+    void EnableOfSleeper(const b2Body *body);
+
     // Impacts.
 
     /// `careful`: code of the game may have run since the look at the movers, and may until the search is
@@ -347,7 +353,9 @@ public:
     Bodies &GetBodies() { return m_bodies; }
     /// In this step the islands hold none but the bodies that GetBodies() knows to be awake; 0: nobody knows.
     void SetAwakeAlone(uint64_t step) { m_awakeAloneIn = step; }
-    bool IsAwakeAlone(uint64_t step) const { return step != 0 && m_awakeAloneIn == step; }
+    /// No more once a step was made in the midst of this one: it has islands of its own, and unlocks the
+    /// world, so that bodies may go.
+    bool IsAwakeAlone(uint64_t step) const { return IsLookedAtIn(step) && m_awakeAloneIn == step; }
     /// No body is displaced in its sweep, for there was no impact in the last step.
     void SetAlphasClear(bool clear) { m_alphasClear = clear; }
     bool AreAlphasClear() const { return m_alphasClear; }

@@ -97,9 +97,7 @@ void b2World::DestroyJoint(b2Joint *joint) {
 }
 
 void b2World::DestroyBody(b2Body *body) {
-    if (Ledger *ledger = FindLedger(&m_contactManager)) {
+    if (Ledger *ledger = FindLedger(&m_contactManager))
         ledger->GetBodies().Forget();
-        ledger->SetAwakeAlone(0);
-    }
     stock::DestroyBody(this, body);
 }

@@ -21,6 +21,7 @@
 #include "contacts/polygon_contact.h"
 #include "hooks/contact_access.h"
 #include "hooks/short_list.h"
+#include "hooks/touching_list.h"
 #include "hooks/tree_descent.h"
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
@@ -411,6 +412,7 @@ bool IsWorthALedger(const b2ContactManager *manager) {
 
 BMR_NOINLINE void CollideHere(b2ContactManager *manager) {
     ShortList::BeginNestedStep(manager);
+    TouchingList::BeginNestedStep(manager);
     const ShortList::Whole whole(manager);
     if (!HookIsOn(Hook::ContactLoop)) {
         stock::Collide(manager);

@@ -49,6 +49,13 @@ void b2World::Solve(const b2TimeStep &step) {
         stock::Solve(this, step);
         return;
     }
-    const TouchingList list(&m_contactManager, &m_bodyList, m_bodyCount, ledger);
-    stock::Solve(this, step);
+    {
+        const TouchingList list(&m_contactManager, &m_bodyList, m_bodyCount, ledger);
+        stock::Solve(this, step);
+    }
+    if (m_continuousPhysics)
+        return; // b2World::SolveTOI sees who fell asleep
+    for (const b2Body *body = m_bodyList; body != nullptr; body = body->m_next)
+        if ((body->m_flags & b2Body::e_islandFlag) != 0 && !body->IsAwake())
+            ledger->EnableOfSleeper(body);
 }

@@ -118,6 +118,8 @@ void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, L
         untold.Tell();
     const KnownImpacts known(unproved, stepComplete); // Box2D asks for the very same ones first
     stock::SolveToi(world, step);
+    if (!*stepComplete) // a listener turned sub-stepping on: the next step goes on by what contacts say
+        ledger->LeaveNothingOut();
     const bool none = !ledger->FoundImpact() && TimeOfImpactIsReached();
     ledger->SetTouchesSure(none);
     ledger->SetAlphasClear(none);
@@ -163,7 +165,9 @@ void b2World::SolveTOI(const b2TimeStep &step) {
         stock::SolveToi(this, step);
         return;
     }
-    const auto begin = [](b2Body *body) {
+    const auto begin = [ledger, byLedger](b2Body *body) {
+        if (byLedger && (body->m_flags & b2Body::e_islandFlag) != 0 && !body->IsAwake())
+            ledger->EnableOfSleeper(body);
         body->m_flags &= static_cast<uint16>(~b2Body::e_islandFlag);
         body->m_sweep.alpha0 = 0.0f;
     };

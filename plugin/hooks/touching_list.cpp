@@ -49,6 +49,7 @@ TouchingList::TouchingList(b2ContactManager *manager, b2Body **bodyList, int32 b
         return;
     }
     m_room->taken = true;
+    m_leftOut = true;
     ShortenContacts();
     if (m_awakeAlone)
         ShortenBodies();
@@ -211,6 +212,16 @@ void TouchingList::Open(const b2ContactManager *manager) {
     for (; list != nullptr; list = list->Older())
         if (list->m_manager == manager)
             list->OpenLists();
+}
+
+void TouchingList::BeginNestedStep(const b2ContactManager *manager) {
+    TouchingList *list = stepping.touchingList == nullptr ? nullptr : stepping.touchingList->Object();
+    for (; list != nullptr; list = list->Older()) {
+        if (list->m_manager != manager || !list->m_leftOut)
+            continue;
+        list->m_leftOut = false;
+        list->m_ledger->TakeApartOutOfIslands();
+    }
 }
 
 void TouchingList::BeginContact(b2Contact *contact) {

@@ -28,6 +28,9 @@ public:
 
     /// All lists of this world are whole from here on.
     static void Open(const b2ContactManager *manager);
+    /// A listener steps the world whose islands are being built. Contacts that come to touch in that step may
+    /// be in islands yet to be built, whatever island of an earlier step they say they are in.
+    static void BeginNestedStep(const b2ContactManager *manager);
 
 private:
     struct Kept {
@@ -69,6 +72,7 @@ private:
     b2Body *m_firstBody = nullptr; ///< of the whole list; nullptr: it is whole
     uint32_t m_count = 0, m_headCount = 0;
     bool m_awakeAlone = false; ///< no island comes to a body that is asleep
+    bool m_leftOut = false;    ///< those that do not touch, which may still be in islands of an earlier step
 };
 
 } // namespace bmr::hooks

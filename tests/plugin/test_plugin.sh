@@ -360,7 +360,7 @@ test_trees_are_the_same_to_the_bit() {
 
 test_sleepers_are_woken_by_whatever_wakes_them() {
     local what
-    for what in hit joint flags first last empty driven displaced order lapsed; do
+    for what in hit joint flags first last empty driven slept displaced order lapsed; do
         plays_as_stock "waking_game $what"
         plays_as_stock "waking_game $what" BOOMERANG_EVERYWHERE=on
     done
@@ -371,6 +371,14 @@ test_no_pair_is_lost() {
     for what in sums thrown resumed numbers returning proxies twice rounded disabled filters islands; do
         plays_as_stock "losing_game $what"
         plays_as_stock "losing_game $what" BOOMERANG_EVERYWHERE=on
+    done
+}
+
+test_worlds_may_be_set_otherwise_in_the_midst_of_a_step() {
+    local what
+    for what in made passed pending settled met replaced halved woken; do
+        plays_as_stock "setting_game $what"
+        plays_as_stock "setting_game $what" BOOMERANG_EVERYWHERE=on
     done
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-//   waking_game hit|joint|flags|first|last|empty|driven|displaced|order|lapsed
+//   waking_game hit|joint|flags|first|last|empty|driven|slept|displaced|order|lapsed
 //
 // Worlds in which hundreds of bodies sleep, and some are woken by what is easily overlooked. Prints a line
 // for each step: how many bodies are awake, how many contacts touch, and a hash of all bodies and contacts. A
@@ -16,6 +16,7 @@
 //   empty   the world loses its contacts, its moving bodies, all of its bodies; and gets others
 //   driven  sleepers are woken while islands are built, by a joint or by who touches them, and moved so far
 //           that they get contacts in that very step
+//   slept   contacts are disabled until their bodies fall asleep; these are then driven at walls
 //   displaced  bullets hit a floor in one step after the other; all else sleeps
 //   lapsed  two that sleep come to touch when nobody looks, by an impact or in a step that is Box2D's alone;
 //           islands come to them by a joint
@@ -295,6 +296,38 @@ void Driven() {
     }
 }
 
+/// Box2D enables contacts of bodies that are awake, also in the step in which they fall asleep. Their joints
+/// pull them at thin walls when they are woken.
+void Slept(bool continuous) {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    AddOthers(&world);
+    std::vector<b2Body *> drivers, driven;
+    for (int i = 0; i < 12; ++i) {
+        const float y = 4.0f * static_cast<float>(i);
+        drivers.push_back(AddBox(&world, 8.0f, y));
+        driven.push_back(AddBox(&world, 0.0f, y));
+        AddBox(&world, b2_staticBody, 0.6f, y, 0.02f, 1.0f);
+        b2DistanceJointDef joint;
+        joint.Initialize(drivers.back(), driven.back(), drivers.back()->GetPosition(),
+                         driven.back()->GetPosition());
+        world.CreateJoint(&joint);
+    }
+    Run(&world, 3);
+    world.SetContinuousPhysics(continuous);
+    while (driven.front()->IsAwake()) {
+        for (b2Body *body : driven)
+            for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
+                edge->contact->SetEnabled(false);
+        Run(&world, 1);
+    }
+    world.SetContinuousPhysics(true);
+    for (b2Body *driver : drivers) {
+        driver->SetAwake(true);
+        driver->SetLinearVelocity(b2Vec2(60.0f, 0.0f));
+        Run(&world, 1);
+    }
+}
+
 /// `upward`: some of the steps are rounded so, and are Box2D's alone.
 void Displaced(bool upward) {
     b2World world(b2Vec2(0.0f, 0.0f));
@@ -420,6 +453,9 @@ int main(int argc, char **argv) {
         Empty();
     } else if (what == "driven") {
         Driven();
+    } else if (what == "slept") {
+        Slept(true);
+        Slept(false);
     } else if (what == "displaced") {
         Displaced(false);
         Displaced(true);
@@ -429,8 +465,9 @@ int main(int argc, char **argv) {
     } else if (what == "order") {
         Order();
     } else {
-        std::fputs("usage: waking_game hit|joint|flags|first|last|empty|driven|displaced|order|lapsed\n",
-                   stderr);
+        std::fputs(
+            "usage: waking_game hit|joint|flags|first|last|empty|driven|slept|displaced|order|lapsed\n",
+            stderr);
         return 2;
     }
     return 0;
