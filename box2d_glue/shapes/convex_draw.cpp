@@ -37,29 +37,40 @@ b2Color ColorOf(const b2Body &body) {
     return body.IsAwake() ? b2Color(0.9f, 0.7f, 0.7f) : b2Color(0.6f, 0.6f, 0.6f);
 }
 
-b2Vec2 Posed(const bmr_convex32 &polygon, uint32_t i, const b2Transform &xf) {
-    return b2Mul(xf, b2Vec2(polygon.vertices[i].x, polygon.vertices[i].y));
+b2Vec2 Posed(bmr_vec32 vertex, const b2Transform &xf) {
+    return b2Mul(xf, b2Vec2(vertex.x, vertex.y));
 }
 
 /// A fan: each piece begins with vertex 0, and goes on from where the one before ended.
 void DrawPieces(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color &color, b2Draw &draw) {
     b2Vec2 piece[b2_maxPolygonVertices];
-    piece[0] = Posed(polygon, 0, xf);
+    piece[0] = Posed(polygon.vertices[0], xf);
     for (uint32_t i = 1; i + 1 < polygon.count;) {
         int32 count = 1;
-        piece[count++] = Posed(polygon, i, xf);
+        piece[count++] = Posed(polygon.vertices[i], xf);
         while (count < b2_maxPolygonVertices && i + 1 < polygon.count)
-            piece[count++] = Posed(polygon, ++i, xf);
+            piece[count++] = Posed(polygon.vertices[++i], xf);
         draw.DrawSolidPolygon(piece, count, color);
     }
 }
 
-/// Of a piece: those of its edges that are the outline's.
-void DrawFaces(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color &color, b2Draw &draw) {
-    for (uint32_t i = 0; i < polygon.count; ++i)
-        if (polygon.seams->inner[i] == 0)
-            draw.DrawSegment(Posed(polygon, i, xf), Posed(polygon, i + 1 < polygon.count ? i + 1 : 0, xf),
-                             color);
+/// Of a piece: those of its edges, and parts of edges, that are the outline's.
+void DrawFaces(const bmr_convex32_block &block, const b2Transform &xf, const b2Color &color, b2Draw &draw) {
+    const bmr_convex32 &polygon = block.polygon;
+    const bmr_seams32 &seams = block.seams;
+    uint32_t part = 0;
+    for (uint32_t i = 0; i < polygon.count; ++i) {
+        const bmr_vec32 end = polygon.vertices[i + 1 < polygon.count ? i + 1 : 0];
+        const bool mixed = part < seams.part_count && seams.parts[part].edge == i;
+        if (!mixed && seams.inner[i] == 0)
+            draw.DrawSegment(Posed(polygon.vertices[i], xf), Posed(end, xf), color);
+        for (; part < seams.part_count && seams.parts[part].edge == i; ++part) {
+            const bool last = part + 1 == seams.part_count || seams.parts[part + 1].edge != i;
+            if (!seams.parts[part].inner)
+                draw.DrawSegment(Posed(seams.parts[part].from, xf),
+                                 Posed(last ? end : seams.parts[part + 1].from, xf), color);
+        }
+    }
 }
 
 bool DrawWhole(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color &color, b2Draw &draw) {
@@ -67,7 +78,7 @@ bool DrawWhole(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color
     if (outline == nullptr)
         return false;
     for (uint32_t i = 0; i < polygon.count; ++i)
-        outline[i] = Posed(polygon, i, xf);
+        outline[i] = Posed(polygon.vertices[i], xf);
     draw.DrawSolidPolygon(outline, static_cast<int32>(polygon.count), color);
     std::free(outline);
     return true;
@@ -75,12 +86,12 @@ bool DrawWhole(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color
 
 } // namespace
 
-void DrawOutline(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color &color, Outlines outlines,
-                 b2Draw &draw) {
-    if (outlines != Outlines::Whole || !DrawWhole(polygon, xf, color, draw))
-        DrawPieces(polygon, xf, color, draw);
-    if (polygon.seams != nullptr)
-        DrawFaces(polygon, xf, color, draw);
+void DrawOutline(const bmr_convex32_block &block, const b2Transform &xf, const b2Color &color,
+                 Outlines outlines, b2Draw &draw) {
+    if (outlines != Outlines::Whole || !DrawWhole(block.polygon, xf, color, draw))
+        DrawPieces(block.polygon, xf, color, draw);
+    if (block.polygon.seams != nullptr || block.seams.part_count > 0)
+        DrawFaces(block, xf, color, draw);
 }
 
 void NoteDrawnByBox2D(const b2World *world, const b2Draw *draw) {
@@ -94,7 +105,7 @@ void DrawConvexShapes(const b2World &world, b2Draw &draw, Outlines outlines) {
     for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext())
         for (const b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext())
             if (const bmr_convex32_block *block = BigPolygonOf(*f->GetShape()))
-                DrawOutline(block->polygon, body->GetTransform(), ColorOf(*body), outlines, draw);
+                DrawOutline(*block, body->GetTransform(), ColorOf(*body), outlines, draw);
 }
 
 } // namespace bmr

@@ -10,10 +10,10 @@
 #include <box2d/b2_collision.h>
 
 #include "contacts/contact_register.h"
-#include "convex32/convex32_pieces.h"
 #include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/convex_registry.h"
+#include "shapes/outline_ray.h"
 #include "shapes/shapes32.h"
 #include "shapes/stock_polygon.h"
 #include "start/rounding_mode.h"
@@ -249,16 +249,18 @@ bool ConvexShape::RayCast(b2RayCastOutput *output, const b2RayCastInput &input, 
     if (handle == 0)
         return b2PolygonShape::RayCast(output, input, xf, childIndex);
     const b2Vec2 p1 = b2MulT(xf.q, input.p1 - xf.p), p2 = b2MulT(xf.q, input.p2 - xf.p);
-    const bmr_convex32 &polygon = Block(handle)->polygon;
+    const bmr_convex32_block &block = *Block(handle);
     float fraction;
     uint32_t edge;
-    if (!bmr_convex32_ray(&polygon, *Vectors32(&p1), *Vectors32(&p2), input.maxFraction, &fraction, &edge))
+    if (!bmr_convex32_ray(&block.polygon, *Vectors32(&p1), *Vectors32(&p2), input.maxFraction, &fraction,
+                          &edge))
         return false;
-    if (polygon.seams != nullptr && !bmr_convex32_enters_piece(&polygon, *Vectors32(&p1), *Vectors32(&p2),
-                                                               fraction, b2_linearSlop, &edge))
+    bmr_vec32 normal = block.polygon.normals[edge];
+    if (block.seams.inner != nullptr &&
+        !EntersOutline(handle, *Vectors32(&p1), *Vectors32(&p2), edge, &fraction, &normal))
         return false;
     output->fraction = fraction;
-    output->normal = b2Mul(xf.q, Vectors(polygon.normals)[edge]);
+    output->normal = b2Mul(xf.q, *Vectors(&normal));
     return true;
 }
 

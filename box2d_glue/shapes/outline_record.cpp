@@ -108,6 +108,13 @@ public:
         return count;
     }
 
+    float Reach() {
+        float reach = 0.0f;
+        for (uint32_t p = 0; p < m_pieces.piece_count; ++p)
+            reach = m_blocks[p] != nullptr ? std::max(reach, m_blocks[p]->reach) : reach;
+        return reach;
+    }
+
     void ShareMass(const OutlineRecord &record);
 
     /// Hands the polygons over to the registry; false without memory, then some are still here.
@@ -276,6 +283,7 @@ bmr_error MakeOutlineRecord(const bmr_outline_pieces &pieces, const bmr_mass &ma
     made->area = mass.area;
     made->centroid = mass.centroid;
     made->inertia = inertia;
+    made->reach = builder.Reach();
     made->pieceCount = count;
     std::fill_n(made->pieces, count, registry::Handle{0});
     builder.ShareMass(*made);

@@ -15,6 +15,7 @@ struct OutlineRecord : registry::Group {
     double area;
     bmr_vec2 centroid;
     double inertia; ///< about the origin
+    float reach;    ///< no vertex of a piece is farther from the origin
     uint32_t pieceCount;
     registry::Handle pieces[1]; ///< as many as there are pieces
 };

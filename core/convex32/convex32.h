@@ -24,11 +24,21 @@ extern "C" {
 /// Most vertices of a polygon: their numbers fit 16 bits.
 #define BMR_CONVEX32_MOST 65535u
 
+/// A part of an edge of a piece: behind it one other piece goes on (`inner`), or none. It ends where the next
+/// one of the edge begins, and the last one where the edge does.
+typedef struct bmr_edge_part32 {
+    bmr_vec32 from;
+    uint32_t edge;
+    bool inner;
+} bmr_edge_part32;
+
 /// What a piece of an outline knows of its neighbours: convex32_pieces.h.
 typedef struct bmr_seams32 {
     const bmr_vec32 *low,
         *high; ///< of each vertex: the outline turns there from `low`, counter-clockwise, to `high`
-    const uint8_t *inner; ///< of each edge: 1 where another piece goes on behind it, else 0
+    const uint8_t *inner;         ///< of each edge: 1 where another piece goes on behind all of it, else 0
+    const bmr_edge_part32 *parts; ///< of the edges that have several, at least one of them inner; in order
+    uint32_t part_count;
 } bmr_seams32;
 
 /// A convex polygon, counter-clockwise, and a table that starts the search for its extreme vertices. A view:
@@ -42,7 +52,7 @@ typedef struct bmr_convex32 {
     uint32_t count; ///< 3 to BMR_CONVEX32_MOST
     uint32_t bucket_bits;
     bmr_vec32 extent;         ///< the largest |x| and |y| of a vertex; used with a table alone
-    const bmr_seams32 *seams; ///< of a piece of an outline; NULL of any other polygon
+    const bmr_seams32 *seams; ///< of a piece of an outline that has inner edges; else NULL
 } bmr_convex32;
 
 /// Area, centroid and inertia of a polygon at a density of one. Right to 1e-7, however thin the polygon, on a
@@ -53,13 +63,14 @@ typedef struct bmr_mass32 {
     float inertia; ///< about the origin
 } bmr_mass32;
 
-/// A polygon with the memory it lives in: one block, at most 40 bytes a vertex.
+/// A polygon with the memory it lives in: one block, at most 40 bytes a vertex; of a piece of
+/// an outline at most 60, and 16 for each part of an edge.
 typedef struct bmr_convex32_block {
     bmr_convex32 polygon;
     bmr_mass32 mass;
     float reach;       ///< no vertex is farther from the origin
     size_t bytes;      ///< of the whole block
-    bmr_seams32 seams; ///< where polygon.seams points, if it does
+    bmr_seams32 seams; ///< of a piece of an outline; all zero of any other polygon
 } bmr_convex32_block;
 
 /// The convex hull of `count` points, counter-clockwise from the rightmost one (of these the lowest). Dropped

@@ -47,8 +47,10 @@ typedef struct bmr_piece_corner32 {
 } bmr_piece_corner32;
 
 /// A piece of these corners, counter-clockwise. Those that turn by no more than rounding are left out
-/// (bmr_convex32_create says how much that is); an edge that is then made of several is inner if all are.
-/// Without inner edges it is a polygon as any other, and has no seams.
+/// (bmr_convex32_create says how much that is). An edge that is then made of several is inner if all are.
+/// One that is made of both kinds is *mixed*: a face for all that touches, and seams.parts says where
+/// another piece goes on behind it. Without inner edges the polygon is one as any other: polygon.seams is
+/// NULL (block.seams is not).
 /// Errors as bmr_convex32_create_raw; a sliver without area as far as floats can tell is
 /// BMR_ERROR_TOO_FEW_POINTS. O(n).
 bmr_error bmr_convex32_create_piece(const bmr_piece_corner32 *corners, size_t count,
@@ -64,11 +66,41 @@ void bmr_convex32_collide_pieces(bmr_manifold32 *manifold, const bmr_convex32 *a
                                  const bmr_transform32 *pose_b, float radius_sum, float tolerance,
                                  bmr_convex32_memory *memory);
 
-/// A segment from p1 towards p2 comes into a piece at `fraction` of the way, by its edge `*edge`
-/// (bmr_convex32_ray). Does it come into the outline there? False of an inner edge, by which it comes from
-/// another piece; unless that is within `near` of a face that it runs against: then that is `*edge`.
-bool bmr_convex32_enters_piece(const bmr_convex32 *polygon, bmr_vec32 p1, bmr_vec32 p2, float fraction,
-                               float near, uint32_t *edge);
+/// A ray from p1 towards p2 in the frame of an outline, no vertex of which is farther from the origin than
+/// `reach`. At a corner of the outline where several pieces meet, each of those that have a face there may
+/// say, by rounding, that the ray passes it by. Two facts find such a ray: it passes the corner within
+/// `noise`, and it then enters a piece behind the corner by an inner edge that ends there. (Lost is one that
+/// passes by that piece, too: along a seam, to rounding. So is it between plain polygons.)
+typedef struct bmr_piece_ray32 {
+    double x, y, dx, dy; ///< p1, and from there to p2
+    double length;
+    double noise; ///< bmr_convex32_ray decides rightly of what is farther from the ray than this
+} bmr_piece_ray32;
+bmr_piece_ray32 bmr_convex32_piece_ray(bmr_vec32 p1, bmr_vec32 p2, float reach);
+
+typedef enum bmr_entry32 {
+    BMR_ENTRY_FACE,  ///< from outside
+    BMR_ENTRY_INNER, ///< from another piece
+    BMR_ENTRY_CORNER ///< by an inner edge, beside an end of it: the outline's pieces have to be asked
+} bmr_entry32;
+
+/// How does the ray come into the piece that it hits at `*fraction` by this edge (bmr_convex32_ray)? Where it
+/// is BMR_ENTRY_CORNER writes the end of the inner edge, and the fraction at which the ray comes to it, if
+/// that is less. O(1), but for the parts of this edge.
+bmr_entry32 bmr_convex32_entry(const bmr_convex32_block *piece, const bmr_piece_ray32 *ray, uint32_t edge,
+                               double *fraction, bmr_vec32 *corner);
+
+/// Does the ray come through this piece to a corner that it passes at `fraction`? Said of the place on the
+/// ray that is a little before it. What is outside of an inner edge by no more than the noise is inside;
+/// what is inside of a face by no more is not: along a face the ray comes from outside. O(n),
+/// and the parts.
+bool bmr_convex32_comes_through(const bmr_convex32_block *piece, const bmr_piece_ray32 *ray, double fraction);
+
+/// Of the piece's faces that meet the corner, and in front of which the ray begins, the one that it runs
+/// against most: where `*against`, the product of its normal with the ray's direction, is more, writes both.
+/// O(n), and the parts.
+void bmr_convex32_face_against(const bmr_convex32_block *piece, const bmr_piece_ray32 *ray, bmr_vec32 corner,
+                               double *against, bmr_vec32 *normal);
 
 #ifdef __cplusplus
 }

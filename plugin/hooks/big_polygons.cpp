@@ -46,5 +46,5 @@ void b2World::DrawShape(b2Fixture *fixture, const b2Transform &xf, const b2Color
         return;
     }
     NoteDrawnByBox2D(this, m_debugDraw);
-    DrawOutline(block->polygon, xf, color, GetSettings().options.outlines, *m_debugDraw);
+    DrawOutline(*block, xf, color, GetSettings().options.outlines, *m_debugDraw);
 }

@@ -93,7 +93,7 @@ public:
     /// Piece `index` as a shape of its own; one without vertices where there is none.
     ConvexShape GetPiece(int32 index) const;
     /// Does another piece go on behind the edge of this piece from vertex `edge` to the next? No where there
-    /// is no such edge.
+    /// is no such edge, and where another piece goes on behind a part of it alone.
     bool IsInnerEdge(int32 index, int32 edge) const;
     /// Of the outline, at this density; inertia about the origin, as b2Shape::ComputeMass has it.
     void ComputeMass(b2MassData *massData, float density) const;
