@@ -74,7 +74,6 @@ int main(void) {
     require(bmr_world_advance(world, 2.0));
     printf("%d collisions, %.9f of the energy left\n", collisions,
            bmr_world_get_totals(world).energy / before);
-
     bmr_world_destroy(world);
     bmr_polygon_destroy(polygon, NULL);
     return 0;

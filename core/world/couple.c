@@ -18,6 +18,9 @@
 /// A condition that failed, and is not yet seen to, is looked for over so many margins' way: as long as two
 /// that fly through each other are in contact.
 #define NUDGE_MARGINS 2.0
+/// A search takes what is too close to call where it begins for a failure there. By so many margins' way, and
+/// no more, may a failure be told too early.
+#define EARLY_MARGINS 0.125
 /// A structure may want a pair a little farther apart than the distance at which a contact ends. It is asked
 /// again after a tolerance, two, four, and so on, so many times.
 #define LEAVE_RETRIES 30
@@ -202,17 +205,35 @@ static bmr_error part(bmr_world *w, bmr_couple *c) {
     return BMR_OK;
 }
 
+/// When the condition fails, where that is known better than by the search: at `later` it does.
+static double failure_between(const bmr_world *w, const bmr_near *n, const bmr_pair_motion *motion,
+                              double later) {
+    double sooner = w->time;
+    while (later - sooner > bmr_couple_tolerance(w, n, later)) {
+        const double middle = sooner + 0.5 * (later - sooner);
+        const bmr_pose pose = bmr_pair_instant(motion, middle).pose;
+        *(bmr_condition_value(&n->condition, &pose) > 0.0 ? &sooner : &later) = middle;
+    }
+    return later;
+}
+
 static bmr_error fail(bmr_world *w, bmr_couple *c) {
     bmr_near *const n = c->near;
-    if (is_burst(w, n, w->time)) {
-        bmr_couple_pass(w, c);
-        return bmr_couple_stop(w, c, BMR_ERROR_STALLED, BMR_TROUBLE_REPAIRS);
-    }
     bmr_couple_view view;
     const bmr_pair_motion motion = bmr_couple_motion(w, c, &view);
     const double later = bmr_repair_time(&motion, &n->condition, w->time, bmr_couple_tolerance(w, n, w->time),
                                          NUDGE_MARGINS * w->def.kds.margin / n->speed);
     const bmr_instant now = bmr_pair_instant(&motion, later);
+    if ((later - w->time) * n->speed > EARLY_MARGINS * w->def.kds.margin &&
+        !(bmr_condition_value(&n->condition, &now.pose) > 0.0)) {
+        w->counts.looks++;
+        bmr_couple_schedule(w, c, BMR_COUPLE_FAIL, failure_between(w, n, &motion, later));
+        return BMR_OK;
+    }
+    if (is_burst(w, n, w->time)) {
+        bmr_couple_pass(w, c);
+        return bmr_couple_stop(w, c, BMR_ERROR_STALLED, BMR_TROUBLE_REPAIRS);
+    }
     bmr_kds_report report;
     bmr_kds_repair(n->kds, &now, n->failing, &report);
     count(w, &report);

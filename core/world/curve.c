@@ -59,6 +59,7 @@ static double time_for(const bmr_algebraic_piece *path, double length) {
 typedef struct curve {
     bmr_motion_piece rest, way; ///< the latter's time is 0 at the epoch
     double epoch, window, tolerance;
+    double parted;                          ///< at this distance the disks have
     double size[BMR_MOTION_MAX_DEGREE + 1]; ///< of each power: of what it is the difference of
 } curve;
 
@@ -89,7 +90,7 @@ static bool is_exact(const curve *k, double reach, double from, double to) {
 }
 
 static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
-    curve k = {.epoch = bmr_couple_epoch(c)};
+    curve k = {.epoch = bmr_couple_epoch(c), .parted = bmr_gate_parted(w, reach)};
     k.rest = bmr_piece_rest(bmr_pose_identity());
     k.way.kind = BMR_PIECE_ALGEBRAIC;
     const bmr_motion_piece own_path = path_of(&c->side[0]->now.piece, bmr_vec2_make(0.0, 0.0));
@@ -195,7 +196,7 @@ static bmr_error first_change(const curve *k, const bmr_condition *condition, bo
 /// disks as `inside` says; INFINITY: none.
 static bmr_error in_window(const bmr_world *w, const bmr_couple *c, const curve *k, double reach, bool meets,
                            bool inside, double from, double to, double after, double *time) {
-    const bmr_condition near = apart_by(w, c, reach), far = apart_by(w, c, bmr_gate_parted(reach));
+    const bmr_condition near = apart_by(w, c, reach), far = apart_by(w, c, k->parted);
     for (int changes = 0; changes < MOST_CHANGES; changes++, inside = !inside) {
         double change;
         const bmr_error error = first_change(k, inside ? &far : &near, inside, from, to, &change);
@@ -215,8 +216,7 @@ static bmr_error in_window(const bmr_world *w, const bmr_couple *c, const curve 
 static bool is_clear(const curve *k, double distance, bool inside, double reach, double from, double time) {
     const double since = from - k->epoch;
     const double way = bmr_motion_piece_speed(&k->way, since, since + time, 0.0) * time;
-    return inside ? CLEAR_PART * (distance + way) < bmr_gate_parted(reach)
-                  : distance - way > CLEAR_PART * reach;
+    return inside ? CLEAR_PART * (distance + way) < k->parted : distance - way > CLEAR_PART * reach;
 }
 
 /// So many windows from `from` on, as a power of 2 or 0, have no change: to look into them would find the
@@ -239,7 +239,7 @@ bmr_error bmr_curve_next(const bmr_world *w, const bmr_couple *c, double reach, 
     *time = INFINITY;
     if (!(k.window < INFINITY)) { // both rest, or go together
         const double distance = bmr_gate_distance(w, c, k.epoch);
-        if (meets ? distance <= reach : distance >= bmr_gate_parted(reach))
+        if (meets ? distance <= reach : distance >= k.parted)
             *time = after;
         return isfinite(distance) ? BMR_OK : BMR_ERROR_NOT_FINITE;
     }
@@ -257,7 +257,7 @@ bmr_error bmr_curve_next(const bmr_world *w, const bmr_couple *c, double reach, 
             break; // who knows whether the world comes there
         }
         // Whoever asks for a meeting knows the disks to be apart until `after`, and the other way round.
-        const bool inside = meets ? distance <= reach : distance < bmr_gate_parted(reach);
+        const bool inside = meets ? distance <= reach : distance < k.parted;
         if (inside == meets && from >= after) {
             *time = from;
             return BMR_OK;

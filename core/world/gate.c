@@ -2,8 +2,8 @@
 // When two disks meet and part: a function of the two motions alone.
 //
 // A couple's time begins at its epoch, when the later of the two pieces that hold now was set. From there on
-// its disks meet when their centres come within the *reach*, part when they are farther than PARTED times
-// that, meet again, and so on: one list of times. Whoever asks for the next one gets the next one of that
+// its disks meet when their centres come within the *reach*, part when they are farther than bmr_gate_parted
+// of that, meet again, and so on: one list of times. Whoever asks for the next one gets the next one of that
 // list, whenever he asks. Where both paths are straight lines the list has one entry of each kind, in closed
 // form. Else each is searched for: curve.c.
 //
@@ -19,8 +19,8 @@
 
 /// What the reach has more than it needs.
 #define REACH_PART (1.0 + 0x1p-6)
-/// Disks part at so many reaches: hysteresis, and at density 0.3 a structure lives about as long as its
-/// bodies pass each other.
+/// Disks part at so many reaches, or a hysteresis farther, so that a pair lives until it is apart by that: at
+/// density 0.3 a structure lives about as long as its bodies pass each other.
 #define PARTED 1.25
 
 typedef struct interval {
@@ -81,8 +81,8 @@ double bmr_gate_reach(const bmr_world *w, const bmr_couple *c) {
     return REACH_PART * sum + BMR_PLACE_ROUNDING * places;
 }
 
-double bmr_gate_parted(double reach) {
-    return PARTED * reach;
+double bmr_gate_parted(const bmr_world *w, double reach) {
+    return fmax(PARTED * reach, reach + w->def.kds.hysteresis);
 }
 
 // ---- straight paths ----
@@ -142,7 +142,7 @@ static bmr_error next_change(const bmr_world *w, const bmr_couple *c, bool meets
         return BMR_ERROR_NOT_FINITE;
     if (!both_straight(c))
         return bmr_curve_next(w, c, reach, meets, after, time, look);
-    const interval inside = straight_within(w, c, epoch, meets ? reach : bmr_gate_parted(reach));
+    const interval inside = straight_within(w, c, epoch, meets ? reach : bmr_gate_parted(w, reach));
     if (isnan(inside.from))
         return BMR_ERROR_NOT_FINITE;
     *look = false;
@@ -184,6 +184,12 @@ bmr_error bmr_gate_crosses(const bmr_world *w, const bmr_resident *r, double aft
                                         base.y + ((double)r->row + 1.0 + BMR_CELL_HYSTERESIS) * height);
     const bmr_motion_piece *piece = &r->now.piece;
     *look = false;
+    // Motions that go on from each other up to rounding may add that up.
+    const bmr_vec2 now = bmr_path_position(piece, after);
+    if (now.x < low.x || now.x > high.x || now.y < low.y || now.y > high.y) {
+        *time = after;
+        return BMR_OK;
+    }
     if (is_straight(piece)) {
         bmr_vec2 velocity;
         const bmr_vec2 at = straight(piece, piece->origin, &velocity);

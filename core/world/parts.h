@@ -230,7 +230,7 @@ bmr_vec2 bmr_couple_shift(const bmr_world *w, const bmr_couple *c);
 #define BMR_CLOCK_ROUNDINGS 2.0
 /// Disks this near have met; this far, they have parted.
 double bmr_gate_reach(const bmr_world *w, const bmr_couple *c);
-double bmr_gate_parted(double reach);
+double bmr_gate_parted(const bmr_world *w, double reach);
 /// The distance of the disks' centres, or of the disk's centre from the wall's line.
 double bmr_gate_distance(const bmr_world *w, const bmr_couple *c, double time);
 /// The first time after `after` at which the disks meet (part); *look: not before that time, at which to ask
@@ -254,6 +254,11 @@ bmr_error bmr_curve_leaves(const bmr_world *w, const bmr_motion_piece *piece, bm
 
 /// NULL: there is none.
 bmr_resident *bmr_world_find(const bmr_world *w, bmr_body id);
+
+// jump.c
+
+/// Is the piece a jump from where the resident is now, by more than rounding?
+bool bmr_resident_jumps(const bmr_world *w, const bmr_resident *r, const bmr_motion_piece *piece);
 
 // resident.c: their cells and their motions.
 

@@ -205,7 +205,8 @@ static double beyond(double cell, double place) {
     return fmax(cell - place, place - (cell + 1.0));
 }
 
-/// It is farther out of its cell than rounding of its place allows: no time lies between.
+/// It is farther out of its cell than rounding of its place allows: no time lies between. (A motion that
+/// begins now may begin there.)
 static bool has_left(const bmr_world *w, const bmr_resident *r, bmr_vec2 position) {
     const bool periodic = w->def.boundary == BMR_PERIODIC;
     const bmr_vec2 at = periodic ? bmr_sub(position, w->def.low) : position;
@@ -223,7 +224,7 @@ static bmr_error cross(bmr_world *w, bmr_resident *r) {
         return bmr_world_stop(w, error, BMR_TROUBLE_PLACE, r->id, BMR_NO_BODY);
     if (error != BMR_OK)
         return error;
-    if (has_left(w, r, position))
+    if (r->since < w->time && has_left(w, r, position))
         return bmr_world_stop(w, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_SPEED, r->id, BMR_NO_BODY);
     int64_t column, row;
     bmr_grid_place(w, level, position, &column, &row);
@@ -245,13 +246,6 @@ static bmr_error cross(bmr_world *w, bmr_resident *r) {
 }
 
 // ---- motions ----
-
-static bool jumps(const bmr_motion_piece *before, const bmr_motion_piece *after, double time) {
-    bmr_timed_piece pieces[2] = {{-INFINITY, *before}, {time, *after}};
-    const bmr_motion both = {NULL, 2, 2, pieces};
-    const bmr_pair_motion motion = {&both, &both, NULL, NULL};
-    return bmr_pair_jumps_at(&motion, time);
-}
 
 /// Gives up all couples: after a jump nothing that was known is true. The one whose contact is being told
 /// goes with them.
@@ -320,7 +314,7 @@ static bmr_error jump(bmr_world *w, bmr_resident *r, const bmr_motion_piece *pie
 bmr_error bmr_resident_move(bmr_world *w, bmr_resident *r, const bmr_motion_piece *piece, double until,
                             bmr_motion *plan) {
     w->counts.replans++;
-    if (jumps(&r->now.piece, piece, w->time))
+    if (bmr_resident_jumps(w, r, piece))
         return jump(w, r, piece, until, plan);
     bmr_resident_take(w, r, piece, until, plan);
     bmr_resident_search_later(w, r, w->time);

@@ -148,7 +148,7 @@ static bmr_error search_near(bmr_world *w, bmr_couple *c) {
     const double horizon = fmin(n->part, fmin(n->rise, pieces));
     const bool passing = c->watch == BMR_WATCH_PASSING;
     if (passing)
-        n->window = PASSING_STEPS * w->def.contact_step;
+        n->window = PASSING_STEPS * fmax(w->def.contact_step, bmr_world_tolerance(w, n->from));
     for (int i = 0; i < (passing ? 1 : WINDOWS) && n->from < horizon; i++, n->window *= 2.0) {
         double to = fmin(horizon, fmin(DBL_MAX, fmax(n->from + n->window, nextafter(n->from, INFINITY))));
         if (!passing && !is_slow_enough(w, n, &motion, &to)) {

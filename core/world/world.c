@@ -53,6 +53,10 @@ static bmr_error check_box(const bmr_world_def *def) {
     return fits && longer / shorter < MOST_AROUND ? BMR_OK : BMR_ERROR_OUT_OF_RANGE;
 }
 
+/// The shortest steps of a look at a pair that passes are this part of contact_step (pair_motion.c); steps
+/// below the tolerance, with which times are found, say nothing, and are without end.
+#define LEAST_STEP_PART 1e-3
+
 static bmr_error check_def(const bmr_world_def *def) {
     const double numbers[] = {def->failure.tolerance,    def->contact_step, def->zeno_speed,
                               def->response.restitution, def->kds.margin,   def->kds.hysteresis};
@@ -61,10 +65,11 @@ static bmr_error check_def(const bmr_world_def *def) {
             return BMR_ERROR_NOT_FINITE;
     const bool makes_sense =
         def->failure.tolerance > 0.0 && (unsigned)def->failure.method <= BMR_ROOT_GSL &&
-        def->contact_step > 0.0 && def->zeno_speed > 0.0 && def->response.restitution >= 0.0 &&
-        def->response.restitution <= 1.0 && (unsigned)def->response.kind < BMR_RESPONSE_KIND_COUNT &&
-        (unsigned)def->zeno <= BMR_ZENO_ELASTIC && (unsigned)def->boundary <= BMR_PERIODIC &&
-        def->kds.margin > 0.0 && def->kds.hysteresis >= 0.0 && def->structure->domain == BMR_KDS_RIGID;
+        LEAST_STEP_PART * def->contact_step >= def->failure.tolerance && def->zeno_speed > 0.0 &&
+        def->response.restitution >= 0.0 && def->response.restitution <= 1.0 &&
+        (unsigned)def->response.kind < BMR_RESPONSE_KIND_COUNT && (unsigned)def->zeno <= BMR_ZENO_ELASTIC &&
+        (unsigned)def->boundary <= BMR_PERIODIC && def->kds.margin > 0.0 && def->kds.hysteresis >= 0.0 &&
+        def->structure->domain == BMR_KDS_RIGID;
     return makes_sense ? check_box(def) : BMR_ERROR_OUT_OF_RANGE;
 }
 

@@ -35,14 +35,6 @@ double Checked(const char *option, double value, double least, double most, bool
     throw UsageError(text);
 }
 
-double NumberIn(const char *option, const std::string &text) {
-    char *end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (end == text.c_str() || *end != '\0')
-        throw UsageError(std::string(option) + ": \"" + text + "\" is no number");
-    return value;
-}
-
 /// "12" or "8:64".
 void ReadVertices(const std::string &text, WorldChoice *choice) {
     unsigned long fewest = 0, most = 0;
@@ -65,8 +57,14 @@ void ReadAnswer(const std::string &text, WorldChoice *choice) {
         choice->response = {BMR_RESPONSE_STICK, 0.0};
     else if (text == "pass")
         choice->response = {BMR_RESPONSE_PASS, 0.0};
-    else
-        choice->response = {BMR_RESPONSE_IMPULSE, Checked("--answer", NumberIn("--answer", text), 0.0, 1.0)};
+    else {
+        char *end = nullptr;
+        const double restitution = std::strtod(text.c_str(), &end);
+        if (end == text.c_str() || *end != '\0')
+            throw UsageError("--answer: elastic, stick, pass or a restitution is wanted, not \"" + text +
+                             "\"" + NearestClause(text, {"elastic", "stick", "pass"}));
+        choice->response = {BMR_RESPONSE_IMPULSE, Checked("--answer", restitution, 0.0, 1.0)};
+    }
 }
 
 void ReadStructure(const std::string &name, WorldChoice *choice) {

@@ -167,7 +167,8 @@ gas --vertices 9:8|--vertices
 gas --vertices 8:|--vertices
 gas --vertices -8|--vertices
 gas --answer 1.5|--answer
-gas --answer hard|"hard" is no number
+gas --answer hard|elastic, stick, pass or a restitution is wanted, not "hard"
+gas --answer elastik|nearest is "elastic"
 gas --structure lazy-dudly|nearest is "lazy-dudley"
 gas --structure point-lazy-dudley|for points
 gas --shape sphere|--shape

@@ -43,7 +43,9 @@ static inline bool bmr_is_wall(bmr_body body) {
 
 // ---- contacts and answers ----
 
-/// A contact: two polygons are within the margin of each other. B may be a wall.
+/// A contact: two polygons are within the margin of each other, and what the times of fast ones are not known
+/// to: a few 16ths of the margin, or the way in a few roundings of the time where that is more. B may be a
+/// wall.
 typedef struct bmr_contact {
     double time;
     bmr_body a, b; ///< a was born first
@@ -58,7 +60,8 @@ typedef struct bmr_contact {
     double approach[2];
     /// Added to B's position, the image of it that A meets; (0, 0) but in a periodic box.
     bmr_vec2 image;
-    /// They are so near although nothing brought them there: a body was put there, or its motion jumped.
+    /// They are so near although nothing brought them there: a body was put there, or its motion jumped: by
+    /// more than rounding (16 of all that its pose is a sum of; 2 of the clock).
     bool placed;
     /// Contacts of this pair before this one since it was last apart by the margin and the hysteresis.
     unsigned again;
@@ -144,7 +147,7 @@ typedef struct bmr_world_def {
     const bmr_kds_info *structure; ///< of every near pair
     /// kds.margin: in contact when the polygons are this near. More than some 1e-8 of the largest body.
     /// kds.hysteresis: how much farther apart a pair must have been for its next contact to count as a new
-    /// one.
+    /// one. However much that is, it is kept: until then the pair's structure stands.
     bmr_kds_def kds;
     bmr_failure_options failure;
     bmr_boundary boundary;
@@ -161,6 +164,7 @@ typedef struct bmr_world_def {
     /// O(bodies^2).
     bool all_pairs;
     /// Between looks at a pair that passes through each other, at most: see bmr_simulation_def.contact_step.
+    /// At least 1000 failure.tolerance.
     double contact_step;
     bmr_world_contact contact;   ///< NULL: `response`
     bmr_world_observer observer; ///< NULL: none

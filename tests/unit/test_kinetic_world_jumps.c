@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+// Bodies in kinetic worlds that are set elsewhere: what is a jump and what goes on, near the world's origin
+// and far from it; and what a pair remembers, and is told when, that is near.
+#include "world_stage.h"
+
+#define FAR 1e6
+
+/// A grid and all pairs, to be treated alike.
+typedef struct twins {
+    stage *of[2];
+    bmr_polygon *polygon;
+} twins;
+
+static twins make_twins(double scale) {
+    twins t = {.polygon = box(scale)};
+    for (int all = 0; all < 2; all++) {
+        t.of[all] = make_stage(BMR_OPEN, 0.0);
+        t.of[all]->def.all_pairs = all;
+        t.of[all]->response.kind = BMR_RESPONSE_PASS;
+        open_stage(t.of[all]);
+    }
+    return t;
+}
+
+static bmr_body add_both(twins *t, bmr_motion_piece piece) {
+    const bmr_body body = add_piece(t->of[0], t->polygon, piece, 0.0);
+    assert_int_equal(add_piece(t->of[1], t->polygon, piece, 0.0), body);
+    return body;
+}
+
+static void advance_both(twins *t, double time) {
+    advance(t->of[0], time);
+    advance(t->of[1], time);
+}
+
+/// As many contacts as expected, the same in both.
+static void close_twins(twins *t, size_t contacts) {
+    assert_int_equal(t->of[0]->count, contacts);
+    assert_int_equal(t->of[1]->count, contacts);
+    for (size_t i = 0; i < contacts; i++)
+        assert_memory_equal(&t->of[0]->contacts[i], &t->of[1]->contacts[i], sizeof(bmr_contact));
+    close_stage(t->of[0]);
+    close_stage(t->of[1]);
+    bmr_polygon_destroy(t->polygon, NULL);
+}
+
+/// Who comes down on the body, when it is asked where that is.
+static void drop_one_on(twins *t, bmr_body body, double height) {
+    const bmr_body_state state = state_of(t->of[0], body);
+    const double now = bmr_world_time(t->of[0]->world);
+    add_both(t, flight(now, state.pose.position.x, state.pose.position.y + height, 0.0, -height, 0.0));
+    advance_both(t, now + 2.0);
+}
+
+/// Set aside by a little, again and again: by a jump each time, or by roundings, of which many are a cell.
+static void who_creeps_is_in_its_cell(void **state) {
+    (void)state;
+    static const struct {
+        double scale, step;
+        int steps;
+        bool jumps;
+    } cases[] = {{0.07, 1e-3, 300, true},
+                 {7e-3, -1e-3, 300, true},
+                 {7e-6, 1.9e-3, 2, true},
+                 {1e-4, -0.9e-8, 20000, false},
+                 {1e-4, 0.9e-8, 20000, false}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        twins t = make_twins(cases[k].scale);
+        bmr_body body = add_both(&t, flight(0.0, FAR, FAR, 0.0, 0.0, 0.0));
+        // From a side of its cell.
+        const bmr_body_state first = state_of(t.of[0], body);
+        const double x = cases[k].step > 0.0 ? first.cell_high.x - 2e-8 : first.cell_low.x + 2e-8;
+        for (int all = 0; all < 2; all++) {
+            stage *s = t.of[all];
+            const uint64_t before = bmr_world_get_counts(s->world).replanned;
+            for (int i = 1; i <= cases[k].steps; i++) {
+                const bmr_motion_piece rest = flight(0.0, x + i * cases[k].step, FAR, 0.0, 0.0, 0.0);
+                assert_int_equal(bmr_world_set_piece(s->world, body, &rest), BMR_OK);
+                if (i % 100 == 0)
+                    advance(s, 1e-4 * i);
+            }
+            const uint64_t replanned = bmr_world_get_counts(s->world).replanned - before;
+            assert_int_equal(replanned, cases[k].jumps ? 0 : cases[k].steps - 1);
+        }
+        if (!cases[k].jumps)
+            assert_true(t.of[0]->events[BMR_WORLD_CROSS] > 0);
+        advance_both(&t, 3.0);
+        drop_one_on(&t, body, 50.0 * cases[k].scale);
+        assert_true(t.of[0]->count == 0 || !t.of[0]->contacts[0].placed);
+        close_twins(&t, 1);
+    }
+}
+
+/// A rounding of a long way is more than a cell of a small body.
+static void a_rounding_may_lead_beyond_the_hysteresis(void **state) {
+    (void)state;
+    twins t = make_twins(1e-6);
+    bmr_motion_piece bend;
+    memset(&bend, 0, sizeof bend);
+    bend.kind = BMR_PIECE_ALGEBRAIC;
+    bend.origin = -1.0;
+    bend.as.algebraic.a[0] = bend.as.algebraic.start_c = 1.0;
+    bend.as.algebraic.degree = 2; // it comes from 1e9, turns at time 0, and goes there again
+    bend.as.algebraic.x[0] = 1e9;
+    bend.as.algebraic.x[1] = -2e9;
+    bend.as.algebraic.x[2] = 1e9;
+    const bmr_body body = add_both(&t, bend);
+    const bmr_motion_piece rest = flight(0.0, -1e-5, 0.0, 0.0, 0.0, 0.0);
+    for (int all = 0; all < 2; all++) {
+        const uint64_t before = bmr_world_get_counts(t.of[all]->world).replanned;
+        assert_int_equal(bmr_world_set_piece(t.of[all]->world, body, &rest), BMR_OK);
+        assert_int_equal(bmr_world_get_counts(t.of[all]->world).replanned - before, 1);
+    }
+    advance_both(&t, 1.0);
+    const bmr_body_state after = state_of(t.of[0], body);
+    assert_true(after.cell_low.x <= -1e-5 && after.cell_high.x >= -1e-5);
+    drop_one_on(&t, body, 1e-4);
+    close_twins(&t, 1);
+}
+
+/// The way of a plan whose pieces do not quite meet, past bodies that rest.
+static void a_plan_may_have_gaps(void **state) {
+    (void)state;
+    enum { PIECES = 60, RESTING = 6 };
+    const double gaps[] = {1e-3, 1e-5, 1e-8};
+    for (size_t k = 0; k < sizeof gaps / sizeof *gaps; k++) {
+        twins t = make_twins(5e-3);
+        for (int i = 0; i < RESTING; i++)
+            add_both(&t, flight(0.0, FAR + 0.1 * (i + 1) - 0.004, FAR + 0.009, 0.0, 0.0, 0.0));
+        bmr_motion_piece piece = flight(0.0, FAR, FAR, 0.1, 0.0, 0.0);
+        bmr_motion *motion;
+        assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+        for (int i = 1; i < PIECES; i++) {
+            piece = flight(0.1 * i, FAR + 0.01 * i, FAR + (i % 2 ? gaps[k] : 0.0), 0.1, 0.0, 0.0);
+            assert_int_equal(bmr_motion_change(motion, 0.1 * i, &piece), BMR_OK);
+        }
+        const bmr_shape shape = {.polygon = t.polygon};
+        const bmr_body_def def = bmr_default_body_def(&shape, motion);
+        bmr_body body;
+        for (int all = 0; all < 2; all++)
+            assert_int_equal(bmr_world_add(t.of[all]->world, &def, &body), BMR_OK);
+        bmr_motion_destroy(motion);
+        for (int i = 1; i <= 70; i++)
+            advance_both(&t, 0.1 * i);
+        assert_true(t.of[0]->count >= RESTING);
+        close_twins(&t, t.of[0]->count);
+    }
+}
+
+/// Into another one by a thousandth: put there, wherever that is.
+static void who_is_put_into_another_is_placed(void **state) {
+    (void)state;
+    const double places[] = {0.0, FAR};
+    for (int i = 0; i < 2; i++) {
+        twins t = make_twins(1.0);
+        for (int all = 0; all < 2; all++)
+            t.of[all]->response.kind = BMR_RESPONSE_IMPULSE;
+        add_both(&t, flight(0.0, places[i], 0.0, 0.0, 0.0, 0.0));
+        const bmr_body body = add_both(&t, flight(0.0, places[i] + 2.0005, 0.0, 0.0, 0.0, 0.0));
+        advance_both(&t, 1.0);
+        const bmr_motion_piece inside = flight(1.0, places[i] + 1.9995, 0.0, 0.0, 0.0, 0.0);
+        for (int all = 0; all < 2; all++)
+            assert_int_equal(bmr_world_set_piece(t.of[all]->world, body, &inside), BMR_OK);
+        advance_both(&t, 2.0);
+        assert_true(t.of[0]->count == 1 && t.of[0]->contacts[0].placed);
+        close_twins(&t, 1);
+    }
+}
+
+/// Answers go on from where the two are, turned as they are, far away and long after they began.
+static void an_answer_is_no_jump(void **state) {
+    (void)state;
+    const double places[] = {0.0, FAR, 1e8};
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        twins t = make_twins(1.0);
+        bmr_motion_piece turning;
+        memset(&turning, 0, sizeof turning);
+        turning.kind = BMR_PIECE_ALGEBRAIC;
+        turning.origin = -50.0;
+        bmr_algebraic_piece *p = &turning.as.algebraic;
+        p->degree = 3;
+        p->rotation_degree = 2;
+        p->a[0] = p->start_c = 1.0;
+        p->b[1] = 0.03;
+        p->a[2] = 0.01;
+        p->x[0] = places[i] - 5.0 * 50.0 - 4.0;
+        p->x[1] = 5.0;
+        p->y[0] = places[i];
+        p->y[3] = 1e-7;
+        for (int all = 0; all < 2; all++)
+            t.of[all]->response = (bmr_response){BMR_RESPONSE_IMPULSE, 1.0};
+        add_both(&t, turning);
+        add_both(&t, flight(-70.0, places[i], places[i] - 70.0 * 0.01, 0.0, 0.01, 0.7));
+        advance_both(&t, 3.0);
+        assert_true(t.of[0]->count >= 1 && !t.of[0]->contacts[0].placed);
+        assert_int_equal(bmr_world_get_counts(t.of[1]->world).candidates, 1);
+        close_twins(&t, t.of[0]->count);
+    }
+}
+
+/// A hysteresis longer than disks overlap: the pair remembers its contact until it was apart by that.
+static void a_long_hysteresis_is_kept(void **state) {
+    (void)state;
+    for (int k = 0; k < 8; k++) {
+        const bool kept = k & 1, pass = k & 2, curved = k & 4;
+        bmr_polygon *b = box(1.0);
+        stage *s = make_stage(BMR_OPEN, 0.0);
+        s->def.kds.hysteresis = kept ? 5.0 : 1.0;
+        s->response.kind = pass ? BMR_RESPONSE_PASS : BMR_RESPONSE_MINE;
+        open_stage(s);
+        add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+        // Inwards to where they touch, out to 2.5 apart, and back.
+        bmr_motion_piece piece = flight(0.0, 3.0, 0.0, -1.0, 0.0, 0.0);
+        bmr_motion *motion;
+        assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+        const double turn = 1.0 - 0.75 * MARGIN, place = 3.0 - turn;
+        piece = flight(turn, place, 0.0, 1.0, 0.0, 0.0);
+        if (curved) {
+            memset(&piece, 0, sizeof piece);
+            piece.kind = BMR_PIECE_ALGEBRAIC;
+            piece.origin = turn;
+            piece.as.algebraic.degree = 2;
+            piece.as.algebraic.a[0] = piece.as.algebraic.start_c = 1.0;
+            piece.as.algebraic.x[0] = place;
+            piece.as.algebraic.x[1] = 2.0;
+            piece.as.algebraic.x[2] = -0.4;
+        }
+        assert_int_equal(bmr_motion_change(motion, turn, &piece), BMR_OK);
+        if (!curved) {
+            piece = flight(turn + 2.5, place + 2.5, 0.0, -1.0, 0.0, 0.0);
+            assert_int_equal(bmr_motion_change(motion, turn + 2.5, &piece), BMR_OK);
+        }
+        const bmr_shape shape = {.polygon = b};
+        const bmr_body_def def = bmr_default_body_def(&shape, motion);
+        bmr_body body;
+        assert_int_equal(bmr_world_add(s->world, &def, &body), BMR_OK);
+        bmr_motion_destroy(motion);
+        advance(s, turn + 5.0 + (curved ? 0.2 : 0.4) * MARGIN); // the curve comes back at -2
+        assert_int_equal(s->events[BMR_WORLD_LEAVE], pass && !kept ? 1 : 0);
+        if (pass)
+            assert_int_equal(s->count, kept ? 1 : 2);
+        if (!pass || !kept)
+            assert_int_equal(s->contacts[1].again, kept ? 1 : 0);
+        close_stage(s);
+        bmr_polygon_destroy(b, NULL);
+    }
+}
+
+/// A motion that begins a few margins before its contact, so fast that this is little beside the rounding of
+/// a polynomial: the contact is told within the margin all the same.
+static void a_fast_contact_is_not_told_early(void **state) {
+    (void)state;
+    const double margin = 1.5e-5, now = 458.25, speed = 4.2e5;
+    for (int k = 0; k <= 40; k++) {
+        bmr_polygon *b = box(10.0);
+        stage *s = make_stage(BMR_OPEN, 0.0);
+        s->def.kds.margin = s->def.kds.hysteresis = margin;
+        s->response.kind = BMR_RESPONSE_PASS;
+        assert_int_equal(bmr_world_create(&s->def, now, NULL, &s->world), BMR_OK);
+        bmr_motion_piece turning;
+        memset(&turning, 0, sizeof turning);
+        turning.kind = BMR_PIECE_ALGEBRAIC;
+        turning.origin = now;
+        bmr_algebraic_piece *p = &turning.as.algebraic;
+        p->rotation_degree = 4;
+        p->a[0] = p->start_c = 1.0;
+        p->b[1] = 0.17;
+        p->b[4] = 1.0;
+        add_piece(s, b, turning, 0.0);
+        p->degree = 1;
+        p->x[0] = 20.0 + margin * (1.0 + 0.05 * k);
+        p->x[1] = -speed;
+        add_piece(s, b, turning, 0.0);
+        assert_int_equal(bmr_world_advance(s->world, now + 1e-8), BMR_OK);
+        assert_int_equal(s->count, 1);
+        assert_true(s->contacts[0].distance < 1.25 * margin && s->contacts[0].distance > 0.5 * margin);
+        close_stage(s);
+        bmr_polygon_destroy(b, NULL);
+    }
+}
+
+/// Steps of a look at a pair that passes are no shorter than what times are known to.
+static void a_contact_step_has_a_least(void **state) {
+    (void)state;
+    bmr_world *world;
+    bmr_world_def def = bmr_default_world_def();
+    def.contact_step = 1000.0 * def.failure.tolerance;
+    assert_int_equal(bmr_world_create(&def, 0.0, NULL, &world), BMR_OK);
+    bmr_world_destroy(world);
+    def.contact_step = 999.0 * def.failure.tolerance;
+    assert_int_equal(bmr_world_create(&def, 0.0, NULL, &world), BMR_ERROR_OUT_OF_RANGE);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(who_creeps_is_in_its_cell),
+        cmocka_unit_test(a_rounding_may_lead_beyond_the_hysteresis),
+        cmocka_unit_test(a_plan_may_have_gaps),
+        cmocka_unit_test(who_is_put_into_another_is_placed),
+        cmocka_unit_test(an_answer_is_no_jump),
+        cmocka_unit_test(a_long_hysteresis_is_kept),
+        cmocka_unit_test(a_fast_contact_is_not_told_early),
+        cmocka_unit_test(a_contact_step_has_a_least),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
