@@ -62,7 +62,7 @@ void ReadAnswer(const std::string &text, WorldChoice *choice) {
         const double restitution = std::strtod(text.c_str(), &end);
         if (end == text.c_str() || *end != '\0')
             throw UsageError("--answer: elastic, stick, pass or a restitution is wanted, not \"" + text +
-                             "\"" + NearestClause(text, {"elastic", "stick", "pass"}));
+                             "\"" + command_line::NearestClause(text, {"elastic", "stick", "pass"}));
         choice->response = {BMR_RESPONSE_IMPULSE, Checked("--answer", restitution, 0.0, 1.0)};
     }
 }
