@@ -43,9 +43,9 @@ static inline bool bmr_is_wall(bmr_body body) {
 
 // ---- contacts and answers ----
 
-/// A contact: two polygons are within the margin of each other, and what the times of fast ones are not known
-/// to: a few 16ths of the margin, or the way in a few roundings of the time where that is more. B may be a
-/// wall.
+/// A contact: two polygons have come within the margin of each other. It may be told while they are still a
+/// few 16ths of the margin farther apart; or, where that is more, farther by their way in a few roundings of
+/// the time. B may be a wall.
 typedef struct bmr_contact {
     double time;
     bmr_body a, b; ///< a was born first
