@@ -160,6 +160,10 @@ const char *play_explain(bmr_kds_event_kind kind, bool cell) {
         return "Two edges became parallel: a parallelogram got thin and vanished.";
     case BMR_KDS_FEATURE:
         return "The features that are watched changed.";
+    case BMR_KDS_HANDOVER:
+        return "The line failed. The second line, which was made together with it, still separates and is "
+               "watched "
+               "from here on.";
     case BMR_KDS_CONTACT:
         return "A and B touch: no line separates them.";
     case BMR_KDS_LEAVE:

@@ -5,41 +5,86 @@
 
 #include "geometry/distance.h"
 
-/// The most steps of Newton's method. The function is concave and of few pieces; with 4096 vertices it never
-/// took more. The answer is checked, so that any bound will do.
-#define CONE_STEPS 24
+/// An edge this nearly across the direction that the search begins with counts as across it: its sine.
+#define LEVEL 1e-12
 
 /// A leaning line may turn towards the end of the cone until it separates by only this part of the distance.
 #define LEAN_LEAST_PART 0.25
 
+/// The vertices of one body from its support vertex in the first direction on, in the sense in which the
+/// support moves when the direction turns. The support at the end is among `low` to `high`.
+typedef struct chain {
+    const bmr_polygon *polygon;
+    const bmr_pose *pose; ///< of B; NULL: this is A
+    uint32_t first, low, high;
+    int side;
+} chain;
+
+static bmr_vec2 chain_vertex(const chain *c, uint32_t k) {
+    const uint32_t n = c->polygon->count, i = c->side > 0 ? c->first + k : c->first + n - k;
+    return c->polygon->vertices[i < n ? i : i - n];
+}
+
+static bmr_vec2 chain_point(const chain *c, uint32_t k) {
+    const bmr_vec2 v = chain_vertex(c, k);
+    return c->pose ? bmr_transform(c->pose, v) : v;
+}
+
+/// Does the support leave the middle vertex before the direction has turned to `end`? It does at the normal
+/// of the next edge, which is `*edge` of the difference A - B. Edges of the far half, which lead back towards
+/// `inside`, come after every end; up to rounding the first ones may seem to.
+static bool leaves(const chain *c, bmr_vec2 inside, bmr_vec2 end, bmr_vec2 *edge) {
+    const uint32_t n = c->polygon->count, k = c->low + (c->high - c->low) / 2;
+    if (c->low == c->high)
+        return false;
+    const bmr_vec2 e = bmr_sub(chain_vertex(c, k + 1 < n ? k + 1 : 0), chain_vertex(c, k));
+    *edge = c->pose ? bmr_neg(bmr_rotate(c->pose, e)) : e;
+    const double level = LEVEL * (fabs(e.x) + fabs(e.y));
+    return bmr_dot(*edge, end) > 0.0 && bmr_dot(*edge, inside) <= (2 * k > n ? -level : level);
+}
+
+/// The direction in which two points are `least` apart, `side` of the one between them.
+static bmr_vec2 tilted(bmr_vec2 between, double least, int side) {
+    const double square = bmr_dot(between, between), across = square - least * least;
+    const bmr_vec2 turned = bmr_scale(side * sqrt(across > 0.0 ? across : 0.0), bmr_left(between));
+    return bmr_scale(1.0 / square, bmr_add(bmr_scale(least, between), turned));
+}
+
+/// An inner common tangent, by halving the two chains (Overmars and van Leeuwen's way). Let p and q be their
+/// middle vertices and w the direction in which these are `least` apart. The bodies are no farther apart
+/// there: the end comes before w, or is w. So a body whose support stays at its middle vertex until w has its
+/// support at the end there, or before. Where the support of both moves on before w, let alpha be the
+/// direction in which it does so first, say A's. Then the end is beyond alpha: alpha = l inside + m beta with
+/// l, m >= 0, l + m >= 1, beta being B's. For every point z of B <inside, z - p> > least, and <beta, z - p>
+/// >= <beta, q - p> > least. So <alpha, z - p> > least. And if only A's does, and q is known to be B's
+/// support at the end, it is beyond alpha for the same reason. Each step halves a chain.
 bmr_vec2 bmr_cone_end(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 inside, double least, int side,
                       const uint32_t support[2]) {
-    // The separation along y is at most <y, w> for the vector w between any two vertices, and equal to it for
-    // the support vertices. So the end lies before the direction where <y, w> = least: from there take the
-    // new support vertices, and so on, always beyond the end or on it.
     const bmr_polygon *a = kds->shapes[0].polygon, *b = kds->shapes[1].polygon;
     unsigned steps = 0;
-    bmr_vec2 answer = inside;
-    uint32_t i = bmr_support_near(a, inside, support[0] % a->count, &steps);
-    uint32_t j = bmr_support_near(b, bmr_unrotate(b_in_a, bmr_neg(inside)), support[1] % b->count, &steps);
-    for (int step = 0; step < CONE_STEPS; ++step) {
-        const bmr_vec2 w = bmr_sub(bmr_transform(b_in_a, b->vertices[j]), a->vertices[i]);
-        const double square = bmr_dot(w, w), across = square - least * least;
-        if (!(across > 0.0))
-            break;
-        const bmr_vec2 turned = bmr_scale(side * sqrt(across), bmr_left(w));
-        const bmr_vec2 end = bmr_scale(1.0 / square, bmr_add(bmr_scale(least, w), turned));
-        const uint32_t next_i = bmr_support_near(a, end, i, &steps);
-        const uint32_t next_j = bmr_support_near(b, bmr_unrotate(b_in_a, bmr_neg(end)), j, &steps);
-        if (next_i == i && next_j == j) {
-            answer = end;
-            break;
-        }
-        i = next_i;
-        j = next_j;
+    chain c = {a, NULL, bmr_support_near(a, inside, support[0] % a->count, &steps), 0, a->count - 1, side};
+    const bmr_vec2 back = bmr_unrotate(b_in_a, bmr_neg(inside));
+    chain d = {b, b_in_a, bmr_support_near(b, back, support[1] % b->count, &steps), 0, b->count - 1, side};
+    while (c.low < c.high || d.low < d.high) {
+        const uint32_t i = c.low + (c.high - c.low) / 2, j = d.low + (d.high - d.low) / 2;
+        const bmr_vec2 w = tilted(bmr_sub(chain_point(&d, j), chain_point(&c, i)), least, side);
+        bmr_vec2 edge_c = {0.0, 0.0}, edge_d = {0.0, 0.0};
+        const bool on_c = leaves(&c, inside, w, &edge_c), on_d = leaves(&d, inside, w, &edge_d);
+        const bool c_first = side * bmr_cross(edge_c, edge_d) >= 0.0;
+        const bool past_c = on_c && (on_d ? c_first : d.low == d.high),
+                   past_d = on_d && (on_c ? !c_first : c.low == c.high);
+        ++steps;
+        if (past_c)
+            c.low = i + 1;
+        else if (!on_c)
+            c.high = i;
+        if (past_d)
+            d.low = j + 1;
+        else if (!on_d)
+            d.high = j;
     }
     bmr_kds_tally(kds, steps);
-    return answer;
+    return tilted(bmr_sub(chain_point(&d, d.low), chain_point(&c, c.low)), least, side);
 }
 
 void bmr_lean_note(bmr_lean *lean, bmr_vec2 line, bmr_vec2 closest) {

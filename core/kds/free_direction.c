@@ -4,16 +4,16 @@
 // the two sorted polygons and nothing more.
 //
 //   FD1, FD2  the closest direction; one or two corners of tangents, in a bracket as wide as a part of the
-//             gap pays for. Four or five conditions and never more: the structure that takes up the open
-//             question.
+//             gap pays for. Four or five conditions and never more: half of the structures that answer the
+//             open question (two_lines.c).
 //   FDx       the closest direction; the other body's own vertices. The line outlives the window: where only
 //             the window is left behind, the event is a roll.
 //   FDxa      the same, but leaning ahead after two failures on the same side.
 #include <math.h>
 
 #include "kds/cone.h"
+#include "kds/free_direction.h"
 #include "kds/registry.h"
-#include "kds/windowed_line.h"
 
 /// How far FDxa leans (bmr_lean_direction).
 #define LEAN_PART 0.6
@@ -51,9 +51,8 @@ static int sign(double x) {
 }
 
 /// A window for the line as it stands.
-static void make_window(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *pose, int spin,
-                        double gap) {
-    const free_class *class = class_of(kds);
+static void make_window(bmr_windowed_line *w, const free_class *class, const bmr_kds *kds,
+                        const bmr_pose *pose, int spin, double gap) {
     const int sense = bmr_windowed_sense(w->owner, spin);
     const double part = kds->def.window_part > 0.0 ? kds->def.window_part : class->window_part;
     // One corner costs part of the gap at once; where nothing is known to turn, there is no need to pay.
@@ -65,12 +64,12 @@ static void make_window(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose
 
 /// Which of two bodies' lines is better to have: the one that lasts longer at the rates of this instant;
 /// where these are unknown or tell nothing, the one whose window has the wider bracket.
-static int better_owner(const bmr_kds *kds, const bmr_instant *now, const bmr_windowed_line made[2], int spin,
-                        double gap) {
+static int better_owner(const free_class *class, const bmr_kds *kds, const bmr_instant *now,
+                        const bmr_windowed_line made[2], int spin, double gap) {
     double time[2], life[2];
     for (int owner = 0; owner < 2; ++owner) {
         bmr_windowed_line reckoned = made[owner];
-        if (class_of(kds)->corners == 0)
+        if (class->corners == 0)
             bmr_windowed_corners(&reckoned, kds, &now->pose, 2, OWNER_PART * gap, 0);
         time[owner] = bmr_windowed_time(&reckoned, kds, now);
         life[owner] = bmr_windowed_life(&reckoned, &now->pose, bmr_windowed_sense(owner, spin));
@@ -80,7 +79,17 @@ static int better_owner(const bmr_kds *kds, const bmr_instant *now, const bmr_wi
     return life[1] < life[0] ? 1 : 0;
 }
 
-/// Section 7, open question: hysteresis, path-sensitivity and all bounds, in one structure of linear size.
+/// The line across a direction, of the body that is better to have, with its window.
+static void lay(const free_class *class, const bmr_kds *kds, const bmr_instant *now, bmr_vec2 direction,
+                double gap, int spin, const uint32_t support[2], bmr_windowed_line *line) {
+    bmr_windowed_line made[2];
+    for (int owner = 0; owner < 2; ++owner) {
+        bmr_windowed_line_set(&made[owner], kds, &now->pose, owner, direction, support);
+        make_window(&made[owner], class, kds, &now->pose, spin, gap);
+    }
+    *line = made[better_owner(class, kds, now, made, spin, gap)];
+}
+
 /// A new line. `before` is the direction of the one that failed, or NULL.
 static bool select_line(bmr_kds *kds, const bmr_instant *now, const bmr_vec2 *before) {
     free_state *s = state_of(kds);
@@ -93,13 +102,7 @@ static bool select_line(bmr_kds *kds, const bmr_instant *now, const bmr_vec2 *be
         bmr_lean_note(&s->lean, *before, u);
     if (class_of(kds)->leans && before && bmr_lean_is_due(&s->lean))
         u = bmr_lean_direction(&s->lean, kds, &now->pose, LEAN_PART, u, distance, support);
-    const double gap = distance - kds->def.margin;
-    bmr_windowed_line made[2];
-    for (int owner = 0; owner < 2; ++owner) {
-        bmr_windowed_line_set(&made[owner], kds, &now->pose, owner, u, support);
-        make_window(&made[owner], kds, &now->pose, s->spin, gap);
-    }
-    s->now = made[better_owner(kds, now, made, s->spin, gap)];
+    lay(class_of(kds), kds, now, u, distance - kds->def.margin, s->spin, support, &s->now);
     return true;
 }
 
@@ -161,12 +164,17 @@ static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
 static const free_class fd1 = FREE_CLASS(1, 0.5, false), fd2 = FREE_CLASS(2, 0.3, false),
                         fdx = FREE_CLASS(0, 0.0, false), fdxa = FREE_CLASS(0, 0.0, true);
 
+void bmr_free_direction_lay(const bmr_kds *kds, const bmr_instant *now, bmr_vec2 direction, double gap,
+                            int spin, const uint32_t support[2], bmr_windowed_line *line) {
+    lay(&fd2, kds, now, direction, gap, spin, support, line);
+}
+
 const bmr_kds_info bmr_kds_free_fd1 = {
     "free-fd1", "Free direction, one corner", "6, the open question", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1,
     &fd1};
-const bmr_kds_info bmr_kds_free_fd2 = {"free-fd2",    "Free direction, two corners", "6, the open question",
-                                       BMR_KDS_RIGID, BMR_KDS_RECOMMENDED,           -1,
-                                       &fd2};
+const bmr_kds_info bmr_kds_free_fd2 = {
+    "free-fd2", "Free direction, two corners", "6, the open question", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1,
+    &fd2};
 const bmr_kds_info bmr_kds_free_fdx = {
     "free-fdx", "Free direction, exact support", "beyond the paper", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1,
     &fdx};

@@ -17,9 +17,9 @@ bmr_kds_def bmr_default_kds_def(void) {
 }
 
 const char *bmr_kds_event_name(bmr_kds_event_kind kind) {
-    static const char *const names[BMR_KDS_EVENT_KIND_COUNT] = {"start",   "push",      "stab",     "roll",
-                                                                "cross",   "page-turn", "collapse", "feature",
-                                                                "contact", "leave",     "none"};
+    static const char *const names[BMR_KDS_EVENT_KIND_COUNT] = {
+        "start",    "push",    "stab",     "roll",    "cross", "page-turn",
+        "collapse", "feature", "handover", "contact", "leave", "none"};
     return (unsigned)kind < BMR_KDS_EVENT_KIND_COUNT ? names[kind] : NULL;
 }
 

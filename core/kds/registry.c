@@ -18,9 +18,9 @@ static const bmr_kds_info *const structures[] = {
     // Inflation and hysteresis (section 6)
     &bmr_kds_point_inflated_compass, &bmr_kds_point_inflated_dudley, &bmr_kds_point_inflated_slack,
     &bmr_kds_point_complex, &bmr_kds_inflated_translation, &bmr_kds_inflated_window,
-    // The open question (section 6), and beyond
-    &bmr_kds_free_fd1, &bmr_kds_free_fd2, &bmr_kds_free_fdx, &bmr_kds_free_fdxa, &bmr_kds_predict,
-    &bmr_kds_predict_adaptive,
+    // The open question (section 7), and beyond
+    &bmr_kds_hybrid, &bmr_kds_two_lines, &bmr_kds_coarse, &bmr_kds_free_fd1, &bmr_kds_free_fd2,
+    &bmr_kds_free_fdx, &bmr_kds_free_fdxa, &bmr_kds_predict, &bmr_kds_predict_adaptive,
     // Rivals (the introduction of section 5)
     &bmr_kds_closest_features, &bmr_kds_inner_tangent, &bmr_kds_separating_edge,
     &bmr_kds_separating_edge_walk, NULL};

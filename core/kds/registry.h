@@ -17,6 +17,9 @@ extern const bmr_kds_info bmr_kds_predict, bmr_kds_predict_adaptive;
 // free_direction.c
 extern const bmr_kds_info bmr_kds_free_fd1, bmr_kds_free_fd2, bmr_kds_free_fdx, bmr_kds_free_fdxa;
 
+// two_lines.c
+extern const bmr_kds_info bmr_kds_hybrid, bmr_kds_two_lines, bmr_kds_coarse;
+
 // point_lazy.c
 extern const bmr_kds_info bmr_kds_point_lazy_compass, bmr_kds_point_lazy_dudley,
     bmr_kds_point_lazy_dobkin_kirkpatrick;

@@ -247,11 +247,15 @@ void bmr_windowed_corners(bmr_windowed_line *w, const bmr_kds *kds, const bmr_po
     take_window(w, &window, corners);
 }
 
+double bmr_windowed_least(const bmr_kds *kds) {
+    const double reach = kds->def.margin + (kds->contact ? kds->def.hysteresis : 0.0);
+    return reach + CONTACT_PART * extents(kds);
+}
+
 bool bmr_windowed_closest(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t support[2],
                           bmr_vec2 *direction, double *distance) {
-    const double reach = kds->def.margin + (kds->contact ? kds->def.hysteresis : 0.0);
     return bmr_kds_closest(kds, b_in_a, &support[0], &support[1], direction, distance) &&
-           *distance > reach + CONTACT_PART * extents(kds);
+           *distance > bmr_windowed_least(kds);
 }
 
 /// Does some point of the window reach as far as every vertex of the polygon in direction `d`?

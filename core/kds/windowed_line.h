@@ -85,8 +85,11 @@ static inline int bmr_windowed_sense(int owner, int spin) {
     return owner == 0 ? -spin : spin;
 }
 
-/// The distance and its direction, as bmr_kds_closest, with what contact needs beside the margin: the
-/// hysteresis for a pair in contact, and the rounding that separates a gap from none. False: contact.
+/// A line is taken only where it separates by more than this: the margin, the hysteresis for a pair in
+/// contact, and the rounding that separates a gap from none.
+double bmr_windowed_least(const bmr_kds *kds);
+/// The distance and its direction, as bmr_kds_closest. False: contact, the distance is at most
+/// bmr_windowed_least.
 bool bmr_windowed_closest(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t support[2],
                           bmr_vec2 *direction, double *distance);
 

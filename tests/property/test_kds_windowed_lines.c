@@ -17,9 +17,17 @@
 #include "structure_named.h"
 #include "test_scale.h"
 
-static const char *const names[] = {
-    "inflated-translation", "inflated-window", "free-fd1", "free-fd2", "free-fdx", "free-fdxa", "predict",
-    "predict-adaptive"};
+static const char *const names[] = {"inflated-translation",
+                                    "inflated-window",
+                                    "hybrid",
+                                    "two-lines",
+                                    "coarse",
+                                    "free-fd1",
+                                    "free-fd2",
+                                    "free-fdx",
+                                    "free-fdxa",
+                                    "predict",
+                                    "predict-adaptive"};
 #define NAMES (sizeof names / sizeof *names)
 
 static bmr_kds *made(const char *name, const test_kds_body *a, const test_kds_body *b) {
@@ -194,13 +202,15 @@ static double life_of_start(const char *name, const test_kds_body *a, const test
     return gap < 100.0 * closing ? gap / closing : 100.0;
 }
 
-/// No sense of turning is preferred, and no end of the cone of the directions that separate.
+/// No sense of turning is preferred, and no end of the cone of the directions that separate. (The coarse line
+/// is left out: of an even number of edges one of two middle ones is the first, and turning round makes it
+/// the other.)
 static void the_mirror_image_of_a_way_finds_a_line_that_lasts_as_long(void **state) {
     (void)state;
     test_random random = {13};
     size_t ending = 0;
     for (size_t k = 0; k < NAMES; ++k)
-        for (size_t i = 0; i < 50; ++i) {
+        for (size_t i = 0; i < 50 && strcmp(names[k], "coarse") != 0; ++i) {
             test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 20, &random));
             test_kds_body b = test_kds_body_make(test_polygon(TEST_ELLIPSE, 20, &random));
             test_kds_body image_a = mirrored(a.polygon), image_b = mirrored(b.polygon);

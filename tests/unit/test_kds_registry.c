@@ -71,7 +71,7 @@ static void the_sentence_fits_what_it_is_given(void **state) {
 static void the_recommended_are_those_that_the_header_names(void **state) {
     (void)state;
     static const char *const named[] = {
-        "point-lazy-dudley", "point-inflated-slack", "lazy-dudley",    "free-fd2",
+        "point-lazy-dudley", "point-inflated-slack", "lazy-dudley",    "hybrid",
         "predict",           "inflated-translation", "inflated-window"};
     static const char *const rivals[] = {"closest-features", "inner-tangent", "separating-edge",
                                          "separating-edge-walk"};

@@ -40,9 +40,9 @@ typedef enum bmr_kds_domain {
 /// What a structure is here for.
 typedef enum bmr_kds_role {
     /// Take one of these. For a point: point-lazy-dudley, and point-inflated-slack where events are to be far
-    /// apart. For two polygons: lazy-dudley, the paper's own; free-fd2, which needs no hierarchy; predict,
-    /// which has the fewest lines where the rates are known. With hysteresis: inflated-translation,
-    /// inflated-window.
+    /// apart. For two polygons: lazy-dudley, the paper's own; hybrid, which needs no hierarchy and has
+    /// hysteresis; predict, which has the fewest lines where the rates are known. With hysteresis, on
+    /// hierarchies: inflated-translation, inflated-window.
     BMR_KDS_RECOMMENDED,
     /// As right as those, but another one does the same for less: here to be compared with. What the paper
     /// goes through on its way, and variants with one thing changed.
@@ -113,13 +113,14 @@ typedef enum bmr_kds_event_kind {
     BMR_KDS_PAGE_TURN, ///< mixed hierarchy: a triangle and a parallelogram changed places
     BMR_KDS_COLLAPSE,  ///< mixed hierarchy: a parallelogram vanished
     BMR_KDS_FEATURE,   ///< a rival: the features or the tangent changed
+    BMR_KDS_HANDOVER,  ///< the line failed, and the spare one that was made with it took its place
     BMR_KDS_CONTACT,   ///< the polygons are within the margin
     BMR_KDS_LEAVE,     ///< contact was left, a proof was made
     BMR_KDS_NONE,      ///< called too early: every condition still held
     BMR_KDS_EVENT_KIND_COUNT
 } bmr_kds_event_kind;
-/// "start", "push", "stab", "roll", "cross", "page-turn", "collapse", "feature", "contact", "leave", "none";
-/// NULL for anything else.
+/// "start", "push", "stab", "roll", "cross", "page-turn", "collapse", "feature", "handover",
+/// "contact", "leave", "none"; NULL for anything else.
 const char *bmr_kds_event_name(bmr_kds_event_kind kind);
 
 typedef struct bmr_kds_report {

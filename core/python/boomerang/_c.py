@@ -62,7 +62,7 @@ simulation_event = record("simulation_event", ("time", c_double), ("pair", c_siz
                           ("report", kds_report), ("failed", condition), ("before", kds_proof), ("after", kds_proof), ("pose", pose),
                           ("kds", c_void_p))
 ON_SIMULATION_EVENT = CFUNCTYPE(None, c_void_p, POINTER(simulation_event))
-simulation_counts = record("simulation_counts", ("events", c_uint64 * 11), ("lines", c_uint64), ("touched", c_uint64),
+simulation_counts = record("simulation_counts", ("events", c_uint64 * 12), ("lines", c_uint64), ("touched", c_uint64),
                            ("failure_times", c_uint64), ("replanned", c_uint64), ("external", c_uint64), ("pairs", c_size_t),
                            ("conditions", c_size_t), ("pair_bytes", c_size_t), ("queue_bytes", c_size_t))
 screw_motion = record("screw_motion", ("start", pose), ("velocity", vec2), ("spin", c_double))

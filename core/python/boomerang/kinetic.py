@@ -13,7 +13,7 @@ from .shapes import Pose, pose
 
 library = _c.Library("libboomerang_kinetic.so.1", _c.KINETIC)
 _ALGEBRAIC, _SCREW = 0, 1
-_EVENT_NAMES = tuple(_c.core.bmr_kds_event_name(kind).decode() for kind in range(11))
+_EVENT_NAMES = tuple(_c.core.bmr_kds_event_name(kind).decode() for kind in range(12))
 
 
 class Structure(NamedTuple):

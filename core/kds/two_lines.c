@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// The structures that answer the open question of section 7 (docs/open-question.md has theorem and proofs).
+// The line across the closest points fails only after the pair has moved as far as it was apart, and the
+// coarse line fails only a logarithm of times on a convex path, however near the path comes. No single line
+// has both. None of these needs a hierarchy: two sorted polygons, and O(1) words a pair.
+//
+//   hybrid     one line: the free direction; nearer than D/N^2 the coarse line. What it is to be is decided
+//              at events only, so that crossing that distance is none.
+//   two-lines  both lines are made at a repair. The free direction is watched. When it fails and the coarse
+//              line stands, that is watched (a handover); when that fails, or did not stand, comes the next
+//              repair. As one certificate it is "one line or the other".
+//   coarse     the coarse line alone: the control, which has no hysteresis.
+#include "kds/coarse_line.h"
+#include "kds/free_direction.h"
+#include "kds/registry.h"
+
+typedef enum line_rule { RULE_HYBRID, RULE_TWO_LINES, RULE_COARSE } line_rule;
+
+typedef struct line_class {
+    bmr_kds_class class; ///< first: an info's implementation is a pointer to it
+    line_rule rule;
+} line_class;
+
+typedef struct line_state {
+    bmr_windowed_line now;
+    bmr_windowed_line spare; ///< two-lines, while `now` is the free direction: the coarse line
+    bool has_spare;
+    int8_t spin; ///< the way B turns in A's frame, as far as known
+} line_state;
+
+static line_rule rule_of(const bmr_kds *kds) {
+    return ((const line_class *)kds->info->implementation)->rule;
+}
+
+static line_state *state_of(bmr_kds *kds) {
+    return (line_state *)(void *)kds->state;
+}
+
+static const line_state *constant_state_of(const bmr_kds *kds) {
+    return (const line_state *)(const void *)kds->state;
+}
+
+static int sign(double x) {
+    return (x > 0.0) - (x < 0.0);
+}
+
+/// The gap below which `hybrid` takes the coarse line: D/N^2.
+static double threshold(const bmr_kds *kds) {
+    const bmr_polygon *a = kds->shapes[0].polygon, *b = kds->shapes[1].polygon;
+    const double n = (double)a->count + b->count;
+    return 2.0 * (a->radius + b->radius + kds->def.margin) / (n * n);
+}
+
+/// Section 7, open question: hysteresis, path-sensitivity and all bounds, in one structure of linear size.
+/// New lines. Where no edge separates, which takes a gap of less than half a margin, the free direction
+/// does. False: contact.
+static bool select_lines(bmr_kds *kds, const bmr_instant *now) {
+    line_state *s = state_of(kds);
+    const line_rule rule = rule_of(kds);
+    uint32_t support[2] = {s->now.support[0], s->now.support[1]};
+    bmr_vec2 u;
+    double distance;
+    if (!bmr_windowed_closest(kds, &now->pose, support, &u, &distance))
+        return false;
+    const double gap = distance - kds->def.margin;
+    s->has_spare = false;
+    if (rule == RULE_COARSE || (rule == RULE_HYBRID && gap < threshold(kds)))
+        if (bmr_coarse_line(kds, &now->pose, u, support, &s->now))
+            return true;
+    bmr_free_direction_lay(kds, now, u, gap, s->spin, support, &s->now);
+    if (rule == RULE_TWO_LINES)
+        s->has_spare = bmr_coarse_line(kds, &now->pose, u, support, &s->spare);
+    return true;
+}
+
+static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+    state_of(kds)->spin = (int8_t)sign(now->spin);
+    (void)report;
+    return select_lines(kds, now);
+}
+
+/// Does the line fail at this instant?
+static bool fails(const bmr_windowed_line *line, const bmr_kds *kds, const bmr_instant *now) {
+    const bmr_windowed_failure failure = bmr_windowed_fails(line, kds, now);
+    return failure.crossed || failure.rolled != 0;
+}
+
+static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+    (void)failed; // others may have failed at the same time
+    line_state *s = state_of(kds);
+    const bmr_windowed_line old = s->now;
+    const bmr_windowed_failure failure = bmr_windowed_fails(&old, kds, now);
+    if (!failure.crossed && failure.rolled == 0)
+        return true; // NONE
+    if (now->spin != 0.0)
+        s->spin = (int8_t)sign(now->spin);
+    else if (failure.rolled != 0)
+        s->spin = (int8_t)(old.owner == 0 ? -failure.rolled : failure.rolled);
+    if (s->has_spare && !fails(&s->spare, kds, now)) {
+        s->now = s->spare;
+        s->has_spare = false;
+        report->kind = BMR_KDS_HANDOVER;
+    } else {
+        report->kind = failure.crossed ? BMR_KDS_PUSH : BMR_KDS_ROLL;
+        if (!select_lines(kds, now))
+            return false;
+    }
+    report->line_changed = !bmr_windowed_same_line(&old, &s->now);
+    return true;
+}
+
+static size_t conditions(const bmr_kds *kds, bmr_condition *out) {
+    return bmr_windowed_conditions(&constant_state_of(kds)->now, kds->def.margin, out);
+}
+
+static void proof(const bmr_kds *kds, bmr_kds_proof *out) {
+    bmr_windowed_proof(&constant_state_of(kds)->now, out);
+}
+
+static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
+    return bmr_windowed_audit(&constant_state_of(kds)->now, kds, b_in_a);
+}
+
+#define LINE_CLASS(rule)                                                                                     \
+    {                                                                                                        \
+        {.state_bytes = sizeof(line_state),                                                                  \
+         .start = start,                                                                                     \
+         .conditions = conditions,                                                                           \
+         .repair = repair,                                                                                   \
+         .proof = proof,                                                                                     \
+         .audit = audit},                                                                                    \
+            rule                                                                                             \
+    }
+static const line_class hybrid = LINE_CLASS(RULE_HYBRID), two_lines = LINE_CLASS(RULE_TWO_LINES),
+                        coarse = LINE_CLASS(RULE_COARSE);
+
+const bmr_kds_info bmr_kds_hybrid = {"hybrid",
+                                     "Free direction; very near, the coarse line",
+                                     "7, the open question",
+                                     BMR_KDS_RIGID,
+                                     BMR_KDS_RECOMMENDED,
+                                     -1,
+                                     &hybrid};
+const bmr_kds_info bmr_kds_two_lines = {"two-lines",
+                                        "Free direction, then the coarse line",
+                                        "7, the open question",
+                                        BMR_KDS_RIGID,
+                                        BMR_KDS_CONTROL,
+                                        -1,
+                                        &two_lines};
+const bmr_kds_info bmr_kds_coarse = {
+    "coarse", "The coarse line alone", "7, the open question", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1, &coarse};
