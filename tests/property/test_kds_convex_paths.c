@@ -101,7 +101,8 @@ static test_chain_def any_chain(test_random *random) {
     return def;
 }
 
-/// Section 7, open question: on convex paths no structure has more events than is proved of it.
+/// Section 7, open question: hysteresis, path-sensitivity and all bounds, in one structure of linear size.
+/// None has more events than is proved of it.
 static void no_convex_path_is_above_its_bound(void **state) {
     (void)state;
     test_random random = {34};

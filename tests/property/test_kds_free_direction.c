@@ -136,7 +136,7 @@ static approach drive(const char *name, test_path_kind kind, size_t rounds, uint
     return p;
 }
 
-/// Section 7, open question: hysteresis, path-sensitivity and all bounds, in one structure of linear size.
+/// So the free direction has at most log2(D/sigma) + 6.3 events there.
 static void distance_times_slope_drops_to_a_quarter_on_convex_paths(void **state) {
     (void)state;
     const test_path_kind convex[] = {TEST_PATH_LINE, TEST_PATH_PARABOLA};
