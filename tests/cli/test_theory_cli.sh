@@ -34,7 +34,7 @@ test_events_files_agree() {
     json_number "$scratch/e.json" 0 optimum least
     # The trace has one line for each event and one for each start; the CSV file counts the same.
     local counted traced
-    counted=$(awk -F, 'NR > 1 { n += $6 + $17 + $25 + $26 } END { print n }' "$scratch/e.csv")
+    counted=$(awk -F, 'NR > 1 { n += $6 + $17 + $26 + $27 } END { print n }' "$scratch/e.csv")
     traced=$(grep -vc '^#' "$scratch/e.txt")
     [ "$counted" = "$traced" ] || fail "the trace has $traced events, the CSV file $counted"
     # A line proves something at every event of a course without contact.
