@@ -77,18 +77,21 @@ typedef struct bmr_mover {
     uint32_t turned; ///< sum of the turning alone; modular
 } bmr_mover;
 
+/// 2^-48, what this header's arithmetic is rounded by at most. (C++ before 17 has no hexadecimal floats.)
+#define BMR_BUDGET_ROUNDING (1.0 / 281474976710656.0)
+
 /// A length (>= 0) in units, rounded up: more than the length, also where the caller's own arithmetic had it
 /// too small by 2^-50 of itself. BMR_BUDGET_MARK where it is larger or no number.
 static inline uint32_t bmr_budget_motion(double length, double units) {
     // The two products here are off by 2^-52 together. One more unit is more than what the conversion cuts
     // off.
-    const double motion = length * units * (1.0 + 0x1p-48) + 1.0;
+    const double motion = length * units * (1.0 + BMR_BUDGET_ROUNDING) + 1.0;
     return motion >= 1.0 && motion < (double)BMR_BUDGET_MARK ? (uint32_t)motion : BMR_BUDGET_MARK;
 }
 
 /// Coordinates are known to a fraction of a unit as long as all that goes into them is less than 2^46 units.
 /// Beyond that the place of a body is not known at all (NaN), and neither is its motion.
-#define BMR_BUDGET_FARTHEST 0x1p46
+#define BMR_BUDGET_FARTHEST 70368744177664.0
 
 /// Where a pivot is at a pose. Three roundings, each at most 2^-53 of less than 2^46 units: off by less than
 /// 1/32 of a unit. NaN where it is too far.
@@ -158,7 +161,7 @@ uint32_t bmr_mover_sweep(const bmr_mover *mover, bmr_vec2 from, bmr_vec2 to, dou
 /// The deadline of a pair that is apart by `slack` more than it has to be, at the poses of the last looks. No
 /// slack, or none that is a number: due at once. At most BMR_BUDGET_MOST units count.
 static inline uint32_t bmr_budget_deadline(double slack, uint32_t moved_a, uint32_t moved_b, double units) {
-    const double budget = slack * units * (1.0 - 0x1p-48);
+    const double budget = slack * units * (1.0 - BMR_BUDGET_ROUNDING);
     const uint32_t most = BMR_BUDGET_MOST;
     const uint32_t whole = budget >= (double)most ? most : budget >= 1.0 ? (uint32_t)budget : 0u;
     return moved_a + moved_b + whole;

@@ -3,7 +3,7 @@
 #define BOOMERANG_BOX2D_H
 
 /// @file
-/// What a game includes. One call before the first world, and nothing else changes:
+/// What a game includes, in C++11 or later. One call before the first world, and nothing else changes:
 ///
 ///     #include <box2d/box2d.h>
 ///     #include <boomerang/box2d.h>
@@ -20,16 +20,24 @@
 #include "boomerang/inspect.h"
 #include "boomerang/outline_shape.h"
 
-namespace bmr::internal {
+namespace bmr {
+namespace internal {
 
 /// Tells the library which Box2D this program calls, by the address of one of its functions. Where the
 /// library finds another one by that name, or none, the program has Box2D inside: then Install and
 /// ConvexShape refuse.
 BMR_BOX2D_API bool MeetBox2D(const void *function);
 
-/// Before main, once for a program.
-inline const bool metBox2D = MeetBox2D(reinterpret_cast<const void *>(&b2CollidePolygons));
+namespace {
 
-} // namespace bmr::internal
+/// Before main, for each source that includes this.
+const struct Meeting {
+    Meeting() { MeetBox2D(reinterpret_cast<const void *>(&b2CollidePolygons)); }
+} meeting;
+
+} // namespace
+
+} // namespace internal
+} // namespace bmr
 
 #endif
