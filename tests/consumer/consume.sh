@@ -14,7 +14,8 @@
 set -euo pipefail
 step=$1
 consumer=$SOURCE/tests/consumer
-prefix=$WORK/prefix
+# Its path has a folder of our name, which is the user's.
+prefix=$WORK/boomerang/prefix
 out=$WORK/$step
 manifest=$BUILD/install_manifest.txt
 
@@ -34,7 +35,8 @@ run_programs() {
     "$out/bin/consume_core"
     [ ! -x "$out/bin/consume_kinetic" ] || "$out/bin/consume_kinetic"
     if [ "$WITH_BOX2D" = ON ]; then
-        "$out/bin/consume_box2d"
+        local program
+        for program in "$out"/bin/consume*box2d; do "$program"; done
         [ ! -x "$out/bin/game_loop" ] || "$out/bin/game_loop"
     fi
 }
@@ -105,7 +107,8 @@ pkg_config)
     fi
     if [ "$WITH_BOX2D" = ON ]; then
         read -ra flags < <(pkg-config --cflags --libs boomerang-box2d)
-        "$CXX" -std=c++17 "$consumer/consume_box2d.cpp" -o "$out/bin/consume_box2d" "${flags[@]}"
+        # What a game includes is C++11, and without a warning.
+        "$CXX" -std=c++11 -Wall -Wextra -pedantic -Werror "$consumer/consume_box2d.cpp" -o "$out/bin/consume_box2d" "${flags[@]}"
     fi
     LD_LIBRARY_PATH=$(dirname "$directory") run_programs
     ;;
@@ -166,6 +169,8 @@ accelerated)
 uninstall)
     [ -n "$(find "$prefix" -type f)" ] || fail "nothing was installed"
     with_own_manifest uninstall_from_list
+    # (What is not ours stays, empty or not.)
+    [ -d "$prefix/include" ] || fail "uninstall took the prefix, which is not ours"
     left=$(find "$prefix" ! -type d)
     [ -z "$left" ] || fail "uninstall left: $left"
     left=$(find "$prefix" -type d -name boomerang)
