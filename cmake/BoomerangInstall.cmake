@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # What `cmake --install` puts where: libraries, headers, a CMake package and pkg-config files, all relocatable.
-# And a target `uninstall`, which takes away what the last installation from this build tree put there.
+# And a target `uninstall`, which takes away what the last installation from this build tree put there; `installable` builds what is
+# installed, and no more.
 #
 # Its parts, each to be had alone by `cmake --install build --component NAME`, and each a Debian package (BoomerangPackages.cmake):
 #
@@ -104,6 +105,8 @@ endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/plugin/start.h DESTINATION ${boomerang_source_dir}/plugin COMPONENT development)
 install(FILES ${PROJECT_SOURCE_DIR}/plugin/reach/stock.h DESTINATION ${boomerang_source_dir}/plugin/reach COMPONENT development)
 
+list(JOIN boomerang_components "|" boomerang_components_alternatives)
+list(JOIN boomerang_components ", " boomerang_components_listed)
 set(boomerang_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/boomerang)
 install(EXPORT boomerangTargets NAMESPACE boomerang:: DESTINATION ${boomerang_package_dir} COMPONENT development)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/boomerangConfig.cmake.in
@@ -125,6 +128,13 @@ foreach(component IN LISTS boomerang_components)
 endforeach()
 
 if(PROJECT_IS_TOP_LEVEL)
+  add_custom_target(installable)
+  foreach(target boomerang_core boomerang_core_shared boomerang_kinetic boomerang_kinetic_shared boomerang_box2d_glue boomerang_box2d boomerang
+      ${boomerang_programs} boomerang-count boomerang-manual)
+    if(TARGET ${target})
+      add_dependencies(installable ${target})
+    endif()
+  endforeach()
   add_custom_target(uninstall
     COMMAND ${CMAKE_COMMAND} -DMANIFEST=${PROJECT_BINARY_DIR}/install_manifest.txt
       -P ${CMAKE_CURRENT_LIST_DIR}/BoomerangUninstall.cmake

@@ -38,11 +38,21 @@ function(boomerang_target target)
   endif()
 endfunction()
 
-# boomerang_find(<target> <package> [<arguments of find_package>...]): a package whose target is seen everywhere, also by
-# a project that adds this one as a subdirectory and links a target of ours.
-macro(boomerang_find target)
-  if(NOT TARGET ${target})
-    find_package(${ARGN} REQUIRED)
-    set_target_properties(${target} PROPERTIES IMPORTED_GLOBAL TRUE)
+# boomerang_find(<option> <what> <Debian package> <target> <package> [<arguments of find_package>...]): what this option builds needs a
+# package. Its target is then seen everywhere, also by a project that adds this one as a subdirectory and links a target of ours. Where it
+# is not found, an option that is AUTO becomes OFF.
+macro(boomerang_find option what debian target package)
+  if(${option} AND NOT TARGET ${target})
+    if("${${option}}" STREQUAL AUTO)
+      find_package(${package} ${ARGN} QUIET)
+    else()
+      find_package(${package} ${ARGN} REQUIRED)
+    endif()
+    if(TARGET ${target})
+      set_target_properties(${target} PROPERTIES IMPORTED_GLOBAL TRUE)
+    else()
+      message(STATUS "Boomerang: ${what} is left out, for there is no ${package} (Debian: ${debian}); -D${option}=OFF says that this is meant")
+      set(${option} OFF)
+    endif()
   endif()
 endmacro()

@@ -96,7 +96,7 @@ class Workshop:
         launchers = [f"-DCMAKE_{language}_COMPILER_LAUNCHER=ccache" for language in ("C", "CXX") if shutil.which("ccache")]
         code, output, _ = run(
             ["cmake", "-S", self.source, "-B", self.tree, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-             "-DBOOMERANG_BUILD_TESTS=ON", "-DBOOMERANG_BUILD_BENCHMARKS=OFF", "-DBOOMERANG_BUILD_TESTBED=OFF",
+             "-DBOOMERANG_BUILD_TESTS=ON", "-DBOOMERANG_BUILD_PLAYGROUND=ON",
              "-DBOOMERANG_WARNINGS_AS_ERRORS=OFF",
              f"-DCMAKE_C_FLAGS={C_FLAGS}", "-DCMAKE_EXE_LINKER_FLAGS=-Wl,-Map=%.map",
              "-DCMAKE_SHARED_LINKER_FLAGS=-Wl,-Map=%.map", *launchers, *self.arguments], "/")
