@@ -196,7 +196,9 @@ function(boomerang_accelerate)
       target_compile_definitions(${ours} PRIVATE "BMR_API=__declspec(dllexport)")
     endif()
   else()
-    set_property(TARGET ${ours} PROPERTY POSITION_INDEPENDENT_CODE "$<BOOL:$<TARGET_PROPERTY:${target},POSITION_INDEPENDENT_CODE>>")
+    # (As an option, for the property may be set later on, and takes no generator expression.)
+    target_compile_options(${ours} PRIVATE
+      "$<$<BOOL:$<TARGET_PROPERTY:${target},POSITION_INDEPENDENT_CODE>>:${CMAKE_CXX_COMPILE_OPTIONS_PIC}>")
   endif()
   if(UNIX AND NOT APPLE AND NOT EMSCRIPTEN AND NOT type STREQUAL "MODULE_LIBRARY")
     target_compile_options(${ours} PRIVATE -ftls-model=initial-exec) # it is loaded with the program

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # boomerang::box2d stands in front of a Box2D that is loaded as a shared library. A program that has Box2D inside never
-# calls it. That is said when such a project is configured, with what to link instead.
+# calls it, and one whose Box2D is accelerated has Boomerang already. That is said when such a project is configured, with what to
+# link instead.
 #   boomerang_name_box2d()    box2d::box2d is the box2d that the build makes itself, where there is no other of that name
 #   boomerang_check_links()   looks at all targets of the build, once they are there
 
@@ -9,6 +10,9 @@ macro(boomerang_name_box2d)
     add_library(box2d::box2d ALIAS box2d)
   endif()
 endmacro()
+
+# boomerang::box2d in a list of libraries.
+set(_boomerang_ours "boomerang(_|::)box2d([;>]|$)" CACHE INTERNAL "")
 
 # What stands in a list of libraries, without the generator expressions around it.
 function(_boomerang_plain_item item out)
@@ -48,10 +52,44 @@ function(_boomerang_is_box2d_inside item out)
   endif()
 endfunction()
 
+# Is this a shared Box2D that is linked by its name or path: `box2d`, `-lbox2d`, `/usr/lib/libbox2d.so`? Of targets CMake knows that
+# boomerang::box2d needs box2d::box2d behind it; such a one stays where it is, and ahead of boomerang::box2d it would answer first.
+function(_boomerang_is_named_box2d item out)
+  set(${out} FALSE PARENT_SCOPE)
+  if(NOT TARGET "${item}" AND item MATCHES "^(-l)?box2d$|(^|/)libbox2d\\.so[.0-9]*$")
+    set(${out} TRUE PARENT_SCOPE)
+  endif()
+endfunction()
+
+# It goes behind all else where boomerang::box2d is listed, too.
+function(_boomerang_put_box2d_last target property)
+  get_target_property(items "${target}" ${property})
+  if(NOT items MATCHES "${_boomerang_ours}")
+    return()
+  endif()
+  set(first "")
+  set(last "")
+  foreach(item IN LISTS items)
+    _boomerang_plain_item("${item}" plain)
+    _boomerang_is_named_box2d("${plain}" is_named)
+    if(is_named)
+      list(APPEND last "${item}")
+    else()
+      list(APPEND first "${item}")
+    endif()
+  endforeach()
+  if(last)
+    set_property(TARGET "${target}" PROPERTY ${property} "${first};${last}")
+  endif()
+endfunction()
+
 function(_boomerang_check_target target)
   set(left "${target}")
   set(seen "")
   set(inside "")
+  set(accelerated "")
+  set(unordered "") # what stands in lists without boomerang::box2d
+  set(first FALSE)  # the target names it itself: then it comes ahead of what else it links brings
   set(ours FALSE)
   while(left)
     list(POP_FRONT left item)
@@ -68,6 +106,10 @@ function(_boomerang_check_target target)
       list(APPEND inside "${item}")
     endif()
     if(TARGET "${item}")
+      get_target_property(is_accelerated "${item}" BOOMERANG_ACCELERATED)
+      if(is_accelerated)
+        list(APPEND accelerated "${item}")
+      endif()
       set(property INTERFACE_LINK_LIBRARIES)
       if(item STREQUAL target)
         set(property LINK_LIBRARIES)
@@ -75,14 +117,31 @@ function(_boomerang_check_target target)
       get_target_property(next "${item}" ${property})
       if(next)
         list(APPEND left ${next})
+        if(NOT next MATCHES "${_boomerang_ours}")
+          list(APPEND unordered ${next})
+        elseif(item STREQUAL target)
+          set(first TRUE)
+        endif()
       endif()
     endif()
   endwhile()
-  if(ours AND inside)
+  if(ours AND accelerated)
+    list(GET accelerated 0 box2d)
+    message(FATAL_ERROR "${target} links boomerang::box2d, and boomerang_accelerate(${box2d}) has compiled Boomerang with its Box2D already: "
+      "take boomerang::box2d out of target_link_libraries, for <boomerang/box2d.h> comes with ${box2d}.")
+  elseif(ours AND inside)
     list(GET inside 0 box2d)
     message(WARNING "${target} links boomerang::box2d, which answers for a shared Box2D, and has Box2D inside (${box2d}). "
       "It will run as it is, without Boomerang. Call boomerang_accelerate(${box2d}) instead, where the project compiles it, or "
       "build Box2D as a shared library (-DBUILD_SHARED_LIBS=ON).")
+  elseif(ours AND NOT first)
+    foreach(item IN LISTS unordered)
+      _boomerang_is_named_box2d("${item}" is_named)
+      if(is_named)
+        message(WARNING "${target} links ${item} ahead of boomerang::box2d, which then answers for contacts alone: link the target box2d::box2d "
+          "instead of ${item}.")
+      endif()
+    endforeach()
   endif()
 endfunction()
 
@@ -92,6 +151,10 @@ function(_boomerang_check_directory directory)
     get_target_property(type "${target}" TYPE)
     if(type MATCHES "^(EXECUTABLE|SHARED_LIBRARY|MODULE_LIBRARY)$")
       _boomerang_check_target("${target}")
+    endif()
+    if(NOT type STREQUAL "UTILITY")
+      _boomerang_put_box2d_last("${target}" LINK_LIBRARIES)
+      _boomerang_put_box2d_last("${target}" INTERFACE_LINK_LIBRARIES)
     endif()
   endforeach()
   get_property(directories DIRECTORY "${directory}" PROPERTY SUBDIRECTORIES)

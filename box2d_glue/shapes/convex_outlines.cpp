@@ -7,6 +7,7 @@
 #include "boomerang/convex_shape.h"
 #include "shapes/convex_registry.h"
 #include "shapes/shapes32.h"
+#include "start/reach.h"
 
 namespace bmr {
 
@@ -151,5 +152,7 @@ bmr_error ConvexShape::Simplify(float tolerance) {
         return error;
     return Set(points.Get(), static_cast<int32>(left));
 }
+
+void internal::LinkOfConvexOutlines() {}
 
 } // namespace bmr

@@ -12,6 +12,7 @@
 #include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/outline_record.h"
+#include "start/reach.h"
 #include "start/rounding_mode.h"
 
 namespace bmr {
@@ -242,5 +243,7 @@ void OutlineShape::ComputeMass(b2MassData *massData, float density) const {
     massData->center.Set(static_cast<float>(m_record->centroid.x), static_cast<float>(m_record->centroid.y));
     massData->I = static_cast<float>(d * m_record->inertia);
 }
+
+void internal::LinkOfOutlineShape() {}
 
 } // namespace bmr

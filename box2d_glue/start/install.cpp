@@ -55,6 +55,8 @@ void Announce(const Options &options) {
         ListHooks("; not reached by this Box2D's calls:", missing & ~kHooksWithoutRoom);
     if ((missing & kHooksWithoutRoom) != 0)
         ListHooks("; no room in contacts of 32 bits for:", missing & kHooksWithoutRoom);
+    if (const char *why = WhyNotAllHooks())
+        std::fprintf(stderr, "; %s", why);
     std::fputc('\n', stderr);
 }
 

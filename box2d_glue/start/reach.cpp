@@ -19,7 +19,8 @@ namespace {
 
 std::atomic<uint32_t> noted{kNoHooks};
 thread_local bool finding = false;
-std::atomic<const char *> way{"contacts alone of Box2D"};
+std::atomic<const char *> way{"contacts alone of Box2D"}, whyNotAll{nullptr};
+std::atomic<uint32_t> hooksOfWay{kAllHooks};
 
 /// A box that falls on another one, and overlaps a sensor.
 void Fill(b2World *world) {
@@ -47,12 +48,22 @@ void internal::NoteReached(Hook hook) {
         noted.fetch_or(Bit(hook), std::memory_order_relaxed);
 }
 
-void SetWayOfHooks(const char *words) {
+void SetWayOfHooks(const char *words, uint32_t hooks, const char *why) {
     way.store(words, std::memory_order_relaxed);
+    hooksOfWay.store(hooks, std::memory_order_relaxed);
+    whyNotAll.store(why, std::memory_order_relaxed);
 }
 
 const char *WayOfHooks() {
     return way.load(std::memory_order_relaxed);
+}
+
+uint32_t HooksOfWay() {
+    return hooksOfWay.load(std::memory_order_relaxed);
+}
+
+const char *WhyNotAllHooks() {
+    return whyNotAll.load(std::memory_order_relaxed);
 }
 
 bool IsFindingReachedHooks() {
@@ -73,7 +84,7 @@ uint32_t FindReachedHooks() {
     finding = false;
     world->~b2World();
     std::free(room);
-    return (noted & ~kHooksWithoutRoom) | Bit(Hook::TouchingManifold);
+    return (noted & ~kHooksWithoutRoom & HooksOfWay()) | Bit(Hook::TouchingManifold);
 }
 
 } // namespace bmr

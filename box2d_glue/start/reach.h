@@ -14,10 +14,26 @@ namespace bmr {
 /// reported where there is no memory to find out.
 uint32_t FindReachedHooks();
 
-/// How Box2D's calls come by the hooks, in a few words, for whoever is told what is at work. Not copied;
-/// until it is set there are no hooks, and contacts alone are ours.
-void SetWayOfHooks(const char *way);
+/// How Box2D's calls come by the hooks, in a few words; which hooks may answer there; and, where these are
+/// not all, why, for whoever is told what is at work. Not copied; until it is set there are no hooks, and
+/// contacts alone are ours.
+void SetWayOfHooks(const char *way, uint32_t hooks, const char *whyNotAll);
 const char *WayOfHooks();
+uint32_t HooksOfWay();
+const char *WhyNotAllHooks();
+
+namespace internal {
+
+/// Does nothing, and is defined where a part of the interface is that nothing else asks for by a name of its
+/// own. Where an archive with all of this (boomerang_accelerate) is linked behind libboomerang_box2d.so,
+/// which has the interface, too, a linker would leave that part out, and its calls would go to the library.
+void LinkOfConvexOutlines();
+void LinkOfInspect();
+void LinkOfOutlineShape();
+void LinkOfSlack();
+void LinkOfStatistics();
+
+} // namespace internal
 
 /// Is this thread stepping that world?
 bool IsFindingReachedHooks();

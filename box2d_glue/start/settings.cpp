@@ -3,6 +3,7 @@
 
 #include "proofs/hull.h"
 #include "proofs/thresholds.h"
+#include "start/reach.h"
 #include "start/rounding_probe.h"
 
 namespace bmr {
@@ -44,7 +45,8 @@ bool MakeSettings(const Options &options, uint32_t reached) {
 
 void ActivateHooks() {
     const Settings &settings = GetSettings();
-    const uint32_t answer = settings.options.hooks & ~kHooksWithoutRoom & ~HooksOffForRounding(settings);
+    const uint32_t answer =
+        settings.options.hooks & HooksOfWay() & ~kHooksWithoutRoom & ~HooksOffForRounding(settings);
     internal::activeHooks = settings.options.mode == Mode::Off ? kNoHooks : answer | internal::kInstalled;
 }
 

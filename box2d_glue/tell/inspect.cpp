@@ -15,6 +15,7 @@
 #include "proofs/body_pair.h"
 #include "proofs/face_gap.h"
 #include "proofs/polygon_view.h"
+#include "start/reach.h"
 #include "start/settings.h"
 
 namespace bmr {
@@ -277,5 +278,7 @@ int32_t InspectHull(const Proof &proof, bool ofB, int32_t level, b2Vec2 *vertice
         return CopyVertices(*hull.shape.polygon, vertices, capacity);
     return CopyEnvelope(*hierarchy, LevelOf(*hierarchy, level), vertices, capacity);
 }
+
+void internal::LinkOfInspect() {}
 
 } // namespace bmr

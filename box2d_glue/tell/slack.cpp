@@ -14,6 +14,7 @@
 #include "proofs/body_pair.h"
 #include "proofs/face_gap.h"
 #include "proofs/polygon_view.h"
+#include "start/reach.h"
 
 namespace bmr {
 
@@ -105,5 +106,7 @@ void Invalidate(b2Body *body) {
     if (body != nullptr)
         InvalidateBody(body);
 }
+
+void internal::LinkOfSlack() {}
 
 } // namespace bmr

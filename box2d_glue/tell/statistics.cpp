@@ -43,4 +43,6 @@ Statistics GetStatistics() {
     return s;
 }
 
+void internal::LinkOfStatistics() {}
+
 } // namespace bmr

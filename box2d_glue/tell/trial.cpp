@@ -143,6 +143,11 @@ void OpenTrial() {
     std::atexit(TellAtExit);
 }
 
+void TellTrial(const char *whyNoStep) {
+    if (internal::trial != nullptr)
+        Copy(internal::trial->noStep, whyNoStep);
+}
+
 TimedStep::TimedStep() : m_begin(Now()), m_outermost(!internal::inTimedStep) {
     internal::inTimedStep = true;
 }
@@ -170,6 +175,7 @@ TimedStep::~TimedStep() {
 #else
 
 void OpenTrial() {}
+void TellTrial(const char *) {}
 TimedStep::TimedStep() : m_begin(0), m_outermost(false) {}
 void TimedStep::End() {}
 TimedStep::~TimedStep() = default;

@@ -26,6 +26,9 @@ inline bool IsTried() {
 /// Maps the file that the environment names, once; says on stderr if it cannot.
 void OpenTrial();
 
+/// Tells whoever tries this game why no step of it will be seen.
+void TellTrial(const char *whyNoStep);
+
 /// Lives as long as a step of a game that is tried, and tells how long it took, unless it is part of another
 /// step of this thread or ends by an exception.
 class TimedStep {

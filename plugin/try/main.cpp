@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// boomerang: what the plugin's package has for the command line. `boomerang try -- ./game` says whether a
+// boomerang: what the plugin's package has for the command line. `boomerang try ./game` says whether a
 // game profits from Boomerang, without building anything.
 #include <algorithm>
 #include <cmath>
@@ -25,6 +25,7 @@ constexpr const char *kLibrary = "libboomerang_box2d.so";
 struct Options {
     std::vector<std::string> command;
     std::string library;
+    bool isLibraryOfOurs = false; ///< and not --library's
     Limits limits;
     int rounds = 3;
     bool json = false, shown = false, quiet = false;
@@ -120,6 +121,9 @@ Outcome RunAll(const Options &options, Trial *trial) {
     trial->asItIs = run("as it is", nullptr);
     if (JudgeAsItIs(*trial) != Outcome::kAtWork || IsInterrupted())
         return Outcome::kFailsByItself;
+    // A game that is linked with the library is tried as it was built.
+    if (options.isLibraryOfOurs && HasBoomerang(trial->asItIs))
+        trial->preload = PreloadedBefore();
     for (int round = 0; round < options.rounds && !IsInterrupted(); ++round) {
         trial->off.push_back(run("off", "off"));
         if (trial->off.front().steps == 0 || IsInterrupted())
@@ -143,7 +147,7 @@ int Try(const Options &options) {
     trial.program = FindProgram(options.command[0]);
     if (trial.program.empty()) {
         std::cerr << "boomerang try: cannot start " << options.command[0] << ": "
-                  << WhyNoProgram(options.command[0]) << " (behind -- stands the game's own command line)\n";
+                  << WhyNoProgram(options.command[0]) << '\n';
         return kUsage;
     }
     WatchForInterrupts();
@@ -159,6 +163,28 @@ int Try(const Options &options) {
         return kUsage;
     }
     return ExitOf(outcome);
+}
+
+/// Where the game's command line begins: at `--`, or at the first word that is neither an option of `command`
+/// nor the value of one.
+char **FindGame(const CLI::App &command, char **words, char **end) {
+    bool isValue = false, isOurs = true; // the program's own name, and the command's
+    for (char **word = words; word != end; ++word) {
+        const std::string text = *word;
+        if (text == "--")
+            return word;
+        if (isOurs) {
+            isOurs = text != command.get_name();
+        } else if (isValue) {
+            isValue = false;
+        } else if (text.empty() || text[0] != '-') {
+            return word;
+        } else {
+            const CLI::Option *option = command.get_option_no_throw(text);
+            isValue = option != nullptr && option->get_items_expected_max() > 0;
+        }
+    }
+    return end;
 }
 
 int Main(int count, char **words) {
@@ -187,20 +213,20 @@ int Main(int count, char **words) {
     command->add_flag("--show-output", options.shown, "Let the game write to this terminal");
     command->add_flag("--quiet", options.quiet, "No progress on stderr");
     command->footer(
-        "Behind -- stands the game's own command line.\n\n"
+        "The first word that is no option is the game; what follows is the game's own (-- may stand "
+        "between).\n\n"
         "Plays the game as it is; preloaded but off, which tells stock's time for a step; on; and in mode\n"
         "verify, which compares each answer with Box2D's. Nothing is built, and nothing is changed.\n\n"
         "Exit status: 0, at work and nothing differs; 1, an answer differs, or the game ends otherwise;\n"
         "2, wrong usage; 3, Boomerang does nothing for this game as it is built; 4, the game fails by\n"
         "itself.\n\n"
-        "  boomerang try --seconds 10 -- ./game --level 3");
-    // What is behind -- is the game's, and nobody here looks into it.
-    char **const end = words + count,
-                 **const dashes =
-                     std::find_if(words, end, [](const char *word) { return std::strcmp(word, "--") == 0; });
-    if (dashes != end)
-        options.command.assign(dashes + 1, end);
-    const int own = static_cast<int>(dashes - words);
+        "  boomerang try --seconds 10 ./game --level 3");
+    // The game's command line is the game's, and nobody here looks into it.
+    char **const end = words + count, **game = FindGame(*command, words, end);
+    const int own = static_cast<int>(game - words);
+    if (game != end && std::strcmp(*game, "--") == 0)
+        ++game;
+    options.command.assign(game, end);
     if (const std::string unknown = command_line::ExplainCommand(app, own, words); !unknown.empty()) {
         std::cerr << "boomerang: " << unknown << '\n';
         return kUsage;
@@ -214,11 +240,11 @@ int Main(int count, char **words) {
         return kUsage;
     }
     if (options.command.empty()) {
-        std::cerr
-            << "boomerang try: which game? Behind -- stands its command line: boomerang try -- ./game\n";
+        std::cerr << "boomerang try: which game? boomerang try ./game\n";
         return kUsage;
     }
-    if (options.library.empty())
+    options.isLibraryOfOurs = options.library.empty();
+    if (options.isLibraryOfOurs)
         options.library = FindLibrary();
     if (options.library.empty()) {
         std::cerr << "boomerang try: there is no " << kLibrary

@@ -233,6 +233,7 @@ void ReadPage(const Page &page, Run *run) {
     run->atWork = page->atWork;
     run->notAtWork = page->notAtWork;
     run->whyNot = page->whyNot;
+    run->noStep = page->noStep;
     std::istringstream files(page->files);
     for (std::string file; std::getline(files, file);)
         run->files.insert(file);

@@ -166,6 +166,10 @@ std::string ExplainNotAtWork(const Trial &trial) {
     const Place place = PlaceOfBox2D(trial);
     if (!whyNot.empty())
         return "Boomerang leaves this game's Box2D alone: " + whyNot + ".";
+    if (!off.noStep.empty())
+        return std::string(place.boomerang.empty() ? ""
+                                                   : "This game is linked with Boomerang already, but ") +
+               off.noStep + ".";
     if (file.kind == ElfFile::Kind::kStatic)
         return trial.program + " is linked statically, so that nothing can be preloaded into it." +
                (file.hasBox2D2 ? " Box2D is inside." : "");
@@ -176,7 +180,7 @@ std::string ExplainNotAtWork(const Trial &trial) {
         return trial.program + " is a program for another processor than this Boomerang is built for.";
     if (!off.loaded)
         return "The library did not get into the game: it starts its programs with another environment (a "
-               "sandbox, sudo), or with rights of somebody else's. Name the program itself behind `--`.";
+               "sandbox, sudo), or with rights of somebody else's. Name the program itself.";
     if (!place.inside.empty() && place.shared.empty())
         return "This game has Box2D inside " + place.inside + ", where nothing that is preloaded reaches it.";
     if (off.steps > 0 && !place.shared.empty())
@@ -205,8 +209,10 @@ std::string NextWhereNotAtWork(const Trial &trial) {
     const Place place = PlaceOfBox2D(trial);
     const bool leftAlone = !trial.on.empty() && !trial.on.front().whyNot.empty();
     if (!trial.off.empty() && trial.off.front().steps > 0 && !place.shared.empty() && !leftAlone)
-        return "It is in sight where it is preloaded, too:\n\n    LD_PRELOAD=" + Quoted(place.shared) +
-               " boomerang try -- " + CommandOf(trial);
+        return "It is in sight where both libraries are preloaded:\n\n    LD_PRELOAD=" +
+               Quoted(trial.preload + ":" + place.shared) + " " + CommandOf(trial) +
+               "\n\nTo try it so:\n\n    LD_PRELOAD=" + Quoted(place.shared) + " boomerang try " +
+               CommandOf(trial);
     if (place.shared.empty() && !place.inside.empty())
         return "Who has its sources adds one line to its CMake: boomerang_accelerate(TARGET), where TARGET "
                "is "
@@ -225,11 +231,23 @@ std::string ExplainFailure(const Trial &trial) {
     return text + " (" + EndOf(run) + " after " + Format("%.3g s", run.seconds) + ")." + words;
 }
 
+/// Who plays cannot tell a frame from one that is shorter by a fiftieth.
+constexpr double kLittle = 0.02;
+
+std::string Percent(double part) {
+    return Format("%.0f\x1f%%", 100.0 * part);
+}
+
 std::string ExplainRatio(const Ratio &ratio) {
     std::string text = "A step takes " + Time(ratio.stock) + " in stock Box2D and " + Time(ratio.boomerang) +
                        " with Boomerang: ";
-    if (!ratio.Tells())
-        text += "no difference that could be measured";
+    if (!ratio.Tells() && ratio.least > 1.0 - kLittle && ratio.greatest < 1.0 + kLittle)
+        text += "no difference";
+    else if (!ratio.Tells())
+        return text + "too noisy to tell, between " +
+               (ratio.least == 1.0 ? "0" : Percent(1.0 - ratio.least) + " slower") + " and " +
+               Percent(ratio.greatest - 1.0) + " faster in rounds of " + Count(ratio.steps) + kFirmBlank +
+               "steps. Try --rounds " + Count(std::max<size_t>(10, 3 * ratio.rounds)) + ".";
     else if (ratio.ratio > 1.0)
         text += Format("%.3g times as fast", ratio.ratio);
     else
@@ -363,8 +381,6 @@ std::string Next(const Trial &trial, Outcome outcome) {
         return NextWhereAlready(trial, already, slower);
     if (slower)
         return "It does not pay here: leave the game as it is.";
-    // Who plays cannot tell a frame from one that is shorter by a fiftieth.
-    constexpr double kLittle = 0.02;
     if (ShareOf(trial.off.front()) < kLittle)
         return "Steps take so little of this game's time that nobody will notice: leave the game as it is, "
                "unless other "
@@ -400,6 +416,12 @@ nlohmann::ordered_json JsonOf(const Run &run) {
 }
 
 } // namespace
+
+bool HasBoomerang(const Run &run) {
+    return std::any_of(run.files.begin(), run.files.end(), [](const std::string &file) {
+        return file.find("/libboomerang_box2d") != std::string::npos;
+    });
+}
 
 Ratio RatioOf(const Trial &trial) {
     Ratio ratio;

@@ -13,8 +13,9 @@ namespace bmr::trial {
 /// All runs of one game.
 struct Trial {
     std::vector<std::string> command;
-    std::string program;          ///< the file that was started
-    std::string preload;          ///< LD_PRELOAD: the library, and what this process has there
+    std::string program; ///< the file that was started
+    std::string preload; ///< LD_PRELOAD: the library, if the game is not linked with it, and what this
+                         ///< process has there
     bool preloadedAsItIs = false; ///< what this process has there is the library, too
     Run asItIs;
     std::vector<Run> off, on;  ///< in turns: off[0], on[0], off[1], ...
@@ -39,6 +40,9 @@ enum class Outcome {
     kNotAtWork,     ///< the library does nothing for this game as it is built
     kFailsByItself, ///< the game does not run without the library either
 };
+
+/// Was the library in memory?
+bool HasBoomerang(const Run &run);
 
 /// Ahead of all other runs: can the game be tried at all? kAtWork: it can.
 Outcome JudgeAsItIs(const Trial &trial);

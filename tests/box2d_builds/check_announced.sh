@@ -20,14 +20,14 @@ source "$(dirname "${BASH_SOURCE[0]}")/processor.sh"
 
 loops='time-of-impact test-overlap solve-toi contact-loop pair-finding profile-clock'
 all="on, .*rounds as Box2D; hooks: $loops touching-manifold fixture-boxes tree-updates ledger\$"
-behind="on, .*rounds as Box2D; hooks: touching-manifold; not reached by this Box2D's calls: $loops fixture-boxes tree-updates ledger\$"
+behind="on, .*rounds as Box2D; hooks: touching-manifold; not reached by this Box2D's calls: $loops fixture-boxes tree-updates ledger; .* Link boomerang::box2d ahead of Box2D\$"
 inside='not at work, .*: the program has a Box2D of its own inside (boomerang_accelerate is for that)$'
-nobody='never at work: no b2World::Step came by (has the program its own Box2D inside?)$'
+nobody='not used: this program never called b2World::Step through this library\. If Box2D is compiled into it, use boomerang_accelerate()$'
 units='not at work, .*: b2_lengthUnitsPerMeter is 10 here, 1 in the Box2D this was built for$'
 fused="on, .*rounds otherwise than Box2D; hooks: $loops ledger; off, for it rounds otherwise: touching-manifold fixture-boxes tree-updates\$"
 # Compiled with Box2D, the points of a manifold are made by its own source.
 fused_inside="on, .*rounds otherwise than Box2D; hooks: $loops touching-manifold ledger; off, for it rounds otherwise: fixture-boxes tree-updates\$"
-fused_behind="on, .*rounds otherwise than Box2D; hooks: none; off, for it rounds otherwise: touching-manifold; not reached by this Box2D's calls: $loops fixture-boxes tree-updates ledger\$"
+fused_behind="on, .*rounds otherwise than Box2D; hooks: none; off, for it rounds otherwise: touching-manifold; not reached by this Box2D's calls: $loops fixture-boxes tree-updates ledger; .* Link boomerang::box2d ahead of Box2D\$"
 
 fails() {
     failed=$((failed + 1))

@@ -147,8 +147,8 @@ BMR_BOX2D_API bool IsInstalled();
 /// How the plugin stands with the Box2D of this process. (BOOMERANG_VERBOSE and the JSON file say the same.)
 struct Presence {
     /// How calls reach the hooks: "ahead of Box2D" (for the loader), "compiled with Box2D"
-    /// (boomerang_accelerate), "behind Box2D" or "contacts alone of Box2D", where only the register leads
-    /// here.
+    /// (boomerang_accelerate), "behind a wrapper of Box2D" (another b2World::Step is ahead, and no step is
+    /// seen), "behind Box2D" or "contacts alone of Box2D", where only the register leads here.
     const char *way = "";
     const char *box2d = "";     ///< "2.4.1" or "2.4.2"
     bool roundsAsBox2D = false; ///< false also until Install has found it out

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdio>
+#include <string_view>
 
 #include <box2d/b2_contact.h>
 #include <dlfcn.h>
@@ -11,6 +12,7 @@
 
 #include "boomerang/box2d.h"
 #include "reach/interposed/loaded_file.h"
+#include "reach/interposed/real.h"
 
 namespace bmr {
 
@@ -51,6 +53,8 @@ constexpr Symbol kSymbols[] = {
 std::atomic<bool> programHasItsOwn{false};
 
 constexpr char kStep[] = "_ZN7b2World4StepEfii";
+constexpr char kWorld[] = "_ZN7b2WorldC1ERK6b2Vec2"; ///< its constructor, which nobody wraps
+constexpr char kCompiledIn[] = "the Box2D of this process is compiled with Boomerang already";
 constexpr char kInside[] = "the program has a Box2D of its own inside (boomerang_accelerate is for that)";
 
 const void *OurFile() {
@@ -73,6 +77,12 @@ bool IsInProgram(const void *address) {
            static_cast<const link_map *>(file)->l_name[0] == '\0';
 }
 
+/// The path of the file that this address is in.
+const char *PathOf(const void *address) {
+    Dl_info info;
+    return address != nullptr && dladdr(address, &info) != 0 ? info.dli_fname : "?";
+}
+
 size_t SizeOf(const void *address) {
     Dl_info info;
     void *symbol = nullptr;
@@ -91,12 +101,60 @@ bool AnyBox2DBehind() {
     return dlsym(RTLD_NEXT, kStep) != nullptr;
 }
 
+bool AWrapperStepsFirst() {
+    const void *world = Find(kWorld);
+    return boundStep != nullptr && world != nullptr && FileOf(boundStep) != FileOf(world);
+}
+
+const char *WhyNoStepComesBy() {
+    static char why[1200];
+    const char *ours = PathOf(reinterpret_cast<const void *>(&StepsComeByHere));
+    const char *first = PathOf(boundStep);
+    if (!StepsComeByHere() && AWrapperStepsFirst() && IsInProgram(boundStep))
+        std::snprintf(why, sizeof why,
+                      "%s has a b2World::Step of its own, so that contacts alone can be answered. Give that "
+                      "function another name",
+                      first);
+    else if (!StepsComeByHere() && IsPreloaded())
+        std::snprintf(why, sizeof why, "%s is ahead of it. Name it first: LD_PRELOAD=\"%s %s\"", first, ours,
+                      first);
+    else if (!StepsComeByHere())
+        std::snprintf(
+            why, sizeof why,
+            "%s is ahead of it, so that contacts alone can be answered. Link boomerang::box2d ahead "
+            "of Box2D",
+            first);
+    else if (AnyBox2DBehind())
+        std::snprintf(why, sizeof why, "this program never called b2World::Step");
+    else
+        std::snprintf(why, sizeof why,
+                      "this program never called b2World::Step through this library. If Box2D is compiled "
+                      "into it, use boomerang_accelerate()");
+    return why;
+}
+
+const char *WhyModuleIsLeftAlone() {
+    static char why[1200];
+    const std::string_view path = PathOf(FindReal(kStep));
+    const bool isLibrary = path.substr(path.rfind('/') + 1).substr(0, 8) == "libbox2d";
+    if (isLibrary)
+        std::snprintf(why, sizeof why,
+                      "the Box2D of this process is a module's own (dlopen). Name both: LD_PRELOAD=\"%s %s\"",
+                      PathOf(reinterpret_cast<const void *>(&StepsComeByHere)), path.data());
+    else
+        std::snprintf(why, sizeof why,
+                      "the Box2D of this process is inside a module's own file (dlopen), %s. Where that is "
+                      "compiled, use boomerang_accelerate()",
+                      path.data());
+    return why;
+}
+
 bool InitialiseBox2D() {
     Dl_info info;
-    const void *step = Find(kStep);
+    const void *world = Find(kWorld);
     // What is opened is initialised when dlopen returns. (It is not closed: it is the program's.) The program
     // itself is initialised after all that it loads.
-    return step != nullptr && !IsInProgram(step) && dladdr(step, &info) != 0 &&
+    return world != nullptr && !IsInProgram(world) && dladdr(world, &info) != 0 &&
            dlopen(info.dli_fname, RTLD_NOW | RTLD_NOLOAD) != nullptr;
 }
 
@@ -107,13 +165,17 @@ bool internal::MeetBox2D(const void *function) {
     return same;
 }
 
+bool AnotherIsCompiledIn() {
+    const void *other = Find("_ZN3bmr7InstallERKNS_7OptionsE");
+    return other != nullptr && FileOf(other) != OurFile();
+}
+
 const char *WhyLibraryIsUnknown() {
     static char why[200];
+    if (AnotherIsCompiledIn())
+        return kCompiledIn;
     if (programHasItsOwn)
         return kInside;
-    if (const void *other = Find("_ZN3bmr7InstallERKNS_7OptionsE");
-        other != nullptr && FileOf(other) != OurFile())
-        return "the Box2D of this process is compiled with Boomerang already";
     const void *library = nullptr;
     for (const Symbol &symbol : kSymbols) {
         const void *found = Find(symbol.name);

@@ -11,6 +11,21 @@ bool StepsComeByHere();
 /// (dlopen with RTLD_LOCAL), and its calls come by here all the same.
 bool AnyBox2DBehind();
 
+/// Is Boomerang in this process a second time, compiled with its Box2D (boomerang_accelerate)? As far as
+/// names can be seen: a program shows what a library that it is linked with has, too.
+bool AnotherIsCompiledIn();
+
+/// Where StepsComeByHere() is false: is the b2World::Step that is called a wrapper, in another file than the
+/// rest of Box2D? It may call Box2D's own, which then calls what hooks stand in front of.
+bool AWrapperStepsFirst();
+
+/// Where no step comes by: what stands in the way, and the line to write, in a few words. The answer lives
+/// until the next call.
+const char *WhyNoStepComesBy();
+
+/// Where AnyBox2DBehind() is false, and a step comes by all the same: the same for a module's own Box2D.
+const char *WhyModuleIsLeftAlone();
+
 /// Runs the initialisers of the libbox2d in search order, if they are still to run: it was loaded with the
 /// program, but this library, which does not ask for it, may be initialised first. False where there is none,
 /// or where it is inside the program, whose initialisers nobody else can run.

@@ -8,6 +8,7 @@
 #include "hooks/profile_clock.h"
 #include "reach/interposed/library_check.h"
 #include "start/environment.h"
+#include "start/install.h"
 #include "start/reach.h"
 #include "start/recognise.h"
 #include "start/this_process.h"
@@ -31,49 +32,68 @@ bool IsVerbose() {
 }
 
 long loadedIn;
+/// Preloaded, or asked for by the environment. Otherwise the program calls bmr::Install.
+bool startsAtFirstStep = false;
 
-/// For the program and all that it has forked, where nothing else was said. (What it executes loads the
-/// library anew, and speaks for itself.)
-void SayNobodyCame() {
+/// At the end, for the program and all that it has forked, where nothing else was said. (What it executes
+/// loads the library anew, and speaks for itself.)
+void SayWhyNotUsed() {
     const bool came = StepsComeByHere() && !internal::startsByItself;
-    if (!came && ThisProcess() == loadedIn && !IsAnnounced())
-        std::fputs(
-            "boomerang: never at work: no b2World::Step came by (has the program its own Box2D inside?)\n",
-            stderr);
+    if (ThisProcess() != loadedIn || IsAnnounced())
+        return;
+    const char *why = nullptr;
+    if (startsAtFirstStep)
+        why = came ? nullptr : WhyNoStepComesBy();
+    else if (!InstallWasCalled())
+        why = "nothing called bmr::Install(). Call it before the first world, or set BOOMERANG=on";
+    if (why != nullptr)
+        std::fprintf(stderr, "boomerang: not used: %s\n", why);
 }
 
-void SayAtExitIfNobodyComes() {
+void SayAtExitIfNotUsed() {
     if (!IsVerbose())
         return;
     loadedIn = ThisProcess();
     ShareAnnouncement();
-    std::atexit(SayNobodyCame);
+    std::atexit(SayWhyNotUsed);
 }
 
 /// Runs when the library is loaded, possibly before other libraries' and the program's own constructors: it
 /// looks at the environment and at what else is loaded.
 __attribute__((constructor)) void Loaded() {
+    if (AnotherIsCompiledIn()) {
+        if (ModeWithoutComplaint() != Mode::Off)
+            std::fprintf(stderr, "boomerang: libboomerang_box2d.so stands aside: %s\n",
+                         WhyLibraryIsUnknown());
+        return;
+    }
     OpenTrial();
+    const bool wrapped = !StepsComeByHere() && AWrapperStepsFirst();
+    if (!StepsComeByHere())
+        TellTrial(WhyNoStepComesBy());
     SetLibraryCheck(WhyLibraryIsUnknown);
-    SetWayOfHooks(StepsComeByHere() ? "ahead of Box2D" : "behind Box2D");
+    if (StepsComeByHere())
+        SetWayOfHooks("ahead of Box2D", kAllHooks, nullptr);
+    else // whose hooks stand on what is known of steps
+        SetWayOfHooks(wrapped ? "behind a wrapper of Box2D" : "behind Box2D", Bit(Hook::TouchingManifold),
+                      WhyNoStepComesBy());
     const std::optional<Mode> asked = ModeWithoutComplaint();
     if (asked == Mode::Off)
         return;
     hooks::StartProfileClock();
     if (!asked && !IsPreloaded()) {
         ModeOfEnvironment(); // for what it says of a word that was meant to switch it on
+        SayAtExitIfNotUsed();
         return;
     }
-    if (!StepsComeByHere()) {
-        // Linked behind Box2D, say. What was asked for by name is done as far as it goes: contacts alone. Not
-        // where the program itself shows its Box2D (-rdynamic): that one is initialised later than this runs.
-        SayAtExitIfNobodyComes();
-        if (asked && InitialiseBox2D())
-            Install();
-        return;
-    }
-    internal::startsByItself = true;
-    SayAtExitIfNobodyComes();
+    startsAtFirstStep = true;
+    SayAtExitIfNotUsed();
+    // Linked behind Box2D, say, or a wrapper is ahead. What was asked for by name is done as far as it goes.
+    // Not where the program itself shows its Box2D (-rdynamic): that one is initialised later than this runs.
+    if (StepsComeByHere())
+        internal::startsByItself = true;
+    else if ((asked || wrapped) && InitialiseBox2D())
+        Install();
 }
 
 } // namespace
@@ -83,8 +103,7 @@ void internal::StartNow() {
         if (AnyBox2DBehind())
             Install(); // says itself why not; false where the program has called it before
         else if (WithEnvironment(Options()).verbosity > 0 && ClaimAnnouncement())
-            std::fputs("boomerang: never at work: the Box2D of this process is a module's own (dlopen)\n",
-                       stderr);
+            std::fprintf(stderr, "boomerang: not used: %s\n", WhyModuleIsLeftAlone());
     });
 }
 

@@ -33,7 +33,9 @@ namespace {
 
 // (Install may be called before the first step.)
 [[maybe_unused]] const bool told =
-    (SetWayOfHooks("compiled with Box2D"), SetCollideByFace(stock::CollideByFace), true);
+    (SetWayOfHooks("compiled with Box2D", kAllHooks, nullptr), SetCollideByFace(stock::CollideByFace),
+     internal::LinkOfConvexOutlines(), internal::LinkOfInspect(), internal::LinkOfOutlineShape(),
+     internal::LinkOfSlack(), internal::LinkOfStatistics(), true);
 
 } // namespace
 
