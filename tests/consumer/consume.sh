@@ -9,6 +9,7 @@
 #   static_box2d       builds a program with Box2D inside: what CMake says of it, and that it runs
 #   accelerated        a game with a Box2D of its own, of the sources BOX2D_SOURCE, accelerated by what is installed (for whoever has
 #                      such sources: tests/stages/builds.sh)
+#   plain              a plain configure is what a user installs, needs Box2D alone, and says in a line each what it leaves out
 #   uninstall          takes the installation away and checks that no file is left
 # Environment: SOURCE, BUILD (the tree to install from), WORK (a directory of our own), WITH_BOX2D, WITH_KINETIC (ON or OFF), CC, CXX.
 set -euo pipefail
@@ -61,10 +62,21 @@ uninstall_from_list() {
     cmake --build "$BUILD" --target uninstall
 }
 
+# What the target `installable` does not build, of what is installed: `cmake --install` would miss it after testbed_scenes/run.
+not_installable() {
+    local file
+    ninja -C "$BUILD" -t commands installable | tr ' ' '\n' | sed "s|^$BUILD/||" | sort -u >"$WORK/commands.txt"
+    grep -oE "\"$BUILD/(lib|bin|manual)/[^\"]*\"" "$BUILD/cmake_install.cmake" | tr -d '"' | sort -u | while read -r file; do
+        [ -L "$file" ] || grep -qxF "${file#"$BUILD"/}" "$WORK/commands.txt" || echo "$file"
+    done
+}
+
 mkdir -p "$WORK"
 case $step in
 install)
     rm -rf "$prefix"
+    missed=$(not_installable)
+    [ -s "$WORK/commands.txt" ] && [ -z "$missed" ] || fail "the target installable does not build $missed"
     with_own_manifest install_and_keep_list
     # What boomerang_accelerate compiles is there, file by file.
     if [ "$WITH_BOX2D" = ON ]; then
@@ -165,6 +177,29 @@ accelerated)
     cmp "$WORK/stock.txt" "$WORK/game.txt" || fail "the accelerated game has other bits"
     grep -q '^boomerang: on, .*; compiled with Box2D 2\.4\.1; .*; hooks: .* ledger$' "$WORK/said.txt" ||
         fail "the installed package does not accelerate: $(cat "$WORK/said.txt")"
+    ;;
+plain)
+    # plain [OPTION]...: configured anew
+    plain() {
+        rm -rf "$out"
+        cmake -S "$SOURCE" -B "$out" -G Ninja -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" "$@" >"$WORK/plain.txt" 2>&1 ||
+            fail "not configured: $(cat "$WORK/plain.txt")"
+        targets=$(cmake --build "$out" --target help)
+        ! grep -qE '^(test_|bench_|boomerang-testbed|boomerang_playground)' <<<"$targets" || fail "a plain build has what only developers need"
+    }
+    # leaves_out WHAT PACKAGE DEBIANS
+    leaves_out() { grep -qF "Boomerang: $1 is left out, for there is no $2 (Debian: $3)" "$WORK/plain.txt" || fail "it does not say that $1 is left out"; }
+    has() { grep -q "^$1: " <<<"$targets"; }
+    plain -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON -DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON
+    leaves_out 'the program `boomerang`' CLI11 libcli11-dev
+    leaves_out boomerang::kinetic GSL libgsl-dev
+    { has boomerang_core_shared && has boomerang_box2d && ! has boomerang; } || fail "without CLI11 and GSL other targets are there"
+    plain -DCMAKE_DISABLE_FIND_PACKAGE_box2d=ON
+    leaves_out boomerang::box2d box2d libbox2d-dev
+    { has boomerang_core_shared && ! has boomerang_box2d && ! has boomerang; } || fail "without Box2D other targets are there"
+    # Asked for by name, it is not left out.
+    ! cmake -S "$SOURCE" -B "$out.asked" -DBOOMERANG_BUILD_BOX2D=ON -DCMAKE_DISABLE_FIND_PACKAGE_box2d=ON >"$WORK/plain.txt" 2>&1 ||
+        fail "what is asked for is left out without a word"
     ;;
 uninstall)
     [ -n "$(find "$prefix" -type f)" ] || fail "nothing was installed"
