@@ -183,7 +183,7 @@ bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_a
         error = BMR_ERROR_TOO_FEW_POINTS;
     else if (kept > BMR_CONVEX32_MOST)
         error = BMR_ERROR_TOO_MANY_POINTS;
-    else if (convex32_box_side(vertices, kept) < BMR_MIN_EXTENT)
+    else if (convex32_box_side(vertices, kept) < BMR_MIN_SIDE)
         error = BMR_ERROR_OUT_OF_RANGE;
     else {
         start_rightmost(vertices, kept, vertices + count);
@@ -206,7 +206,7 @@ bmr_error bmr_convex32_create_raw(const bmr_vec32 *vertices, size_t count, const
     const bmr_error error = convex32_check_points(vertices, count);
     if (error != BMR_OK)
         return error;
-    if (convex32_box_side(vertices, count) < BMR_MIN_EXTENT)
+    if (convex32_box_side(vertices, count) < BMR_MIN_SIDE)
         return BMR_ERROR_OUT_OF_RANGE;
     return convex32_make(vertices, count, 0, allocator, block);
 }

@@ -76,7 +76,7 @@ typedef struct bmr_convex32_block {
 /// The convex hull of `count` points, counter-clockwise from the rightmost one (of these the lowest). Dropped
 /// are, besides what lies inside, vertices that turn so little (at most about 1e-7) that the unit normals of
 /// their two edges round to the same floats: kept normals all differ, and turn once around. Coordinates are
-/// at most BMR_MAX_COORDINATE, the extent is at least BMR_MIN_EXTENT (polygon.h).
+/// at most BMR_MAX_COORDINATE, the larger side of the bounding box at least BMR_MIN_SIDE (polygon.h).
 ///
 /// Errors leave `*block` as it was: BMR_ERROR_TOO_FEW_POINTS, also for a hull without area as far as floats
 /// can tell (a needle whose long sides have opposite normals), BMR_ERROR_NOT_FINITE, BMR_ERROR_OUT_OF_RANGE,

@@ -109,7 +109,7 @@ static bmr_error make_piece(const draft *d, bmr_vec32 *vertices, const bmr_alloc
     const size_t count = d->count;
     for (size_t i = 0; i < count; ++i)
         vertices[i] = kept_vertex(d, i);
-    if (convex32_box_side(vertices, count) < BMR_MIN_EXTENT)
+    if (convex32_box_side(vertices, count) < BMR_MIN_SIDE)
         return BMR_ERROR_OUT_OF_RANGE;
     uint32_t part_count = 0;
     bool all_inner;

@@ -15,7 +15,7 @@
 #define ROUND_UP (1.0 + 8.0 * 2.220446049250313e-16)
 
 /// Without hypot's care for overflow: coordinates are at most BMR_MAX_COORDINATE. What underflows is nothing
-/// beside the least extent.
+/// beside BMR_MIN_SIDE.
 static inline double distance(bmr_vec2 a, bmr_vec2 b) {
     const bmr_vec2 d = bmr_sub(a, b);
     return sqrt(bmr_dot(d, d));

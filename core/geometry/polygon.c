@@ -87,7 +87,7 @@ static void measure(bmr_polygon *polygon) {
 /// One block from vertices that have passed every check.
 static bmr_error make(const bmr_vec2 *vertices, size_t count, const bmr_allocator *allocator,
                       bmr_polygon **polygon) {
-    if (count > 1 && !(box_side(vertices, count) >= BMR_MIN_EXTENT))
+    if (count > 1 && !(box_side(vertices, count) >= BMR_MIN_SIDE))
         return BMR_ERROR_OUT_OF_RANGE;
     bmr_polygon *made = bmr_allocate(allocator, bmr_polygon_bytes(count));
     if (!made)

@@ -17,7 +17,7 @@ static bmr_error audit_range(const bmr_polygon *p) {
         top = fmax(top, v.y);
         bottom = fmin(bottom, v.y);
     }
-    if (extent > BMR_MAX_COORDINATE || (p->count > 1 && fmax(right - left, top - bottom) < BMR_MIN_EXTENT))
+    if (extent > BMR_MAX_COORDINATE || (p->count > 1 && fmax(right - left, top - bottom) < BMR_MIN_SIDE))
         return BMR_ERROR_OUT_OF_RANGE;
     return extent == p->extent ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
 }

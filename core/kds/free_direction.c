@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The free-direction structures, for the open question of section 6: at an event, a direction that needs to
+// The free-direction structures, for the open question of section 7: at an event, a direction that needs to
 // be no edge's normal is fixed in one of the two bodies, and a small window stands for the other. They need
 // the two sorted polygons and nothing more.
 //
@@ -170,10 +170,10 @@ void bmr_free_direction_lay(const bmr_kds *kds, const bmr_instant *now, bmr_vec2
 }
 
 const bmr_kds_info bmr_kds_free_fd1 = {
-    "free-fd1", "Free direction, one corner", "6, the open question", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1,
+    "free-fd1", "Free direction, one corner", "7, the open question", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1,
     &fd1};
 const bmr_kds_info bmr_kds_free_fd2 = {
-    "free-fd2", "Free direction, two corners", "6, the open question", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1,
+    "free-fd2", "Free direction, two corners", "7, the open question", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1,
     &fd2};
 const bmr_kds_info bmr_kds_free_fdx = {
     "free-fdx", "Free direction, exact support", "beyond the paper", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1,

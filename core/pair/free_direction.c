@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The free-direction structure, for the open question of the paper's section 6. At an event the closest
+// The free-direction structure, for the open question of the paper's section 7. At an event the closest
 // direction is fixed in one of the two bodies; the other is represented by a window of two corners that stays
 // an outer bound while the direction turns within a bracket. Needs only the two sorted polygons and the
 // pair's cache line.

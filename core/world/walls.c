@@ -69,7 +69,7 @@ static bmr_error make_segment(bmr_world *w, bmr_beside *beside, int upright) {
 bmr_error bmr_walls_beside(bmr_world *w, double radius, const bmr_beside **found) {
     int size;
     // Longer than the disk and the margin: its ends are never what is nearest.
-    frexp(fmax(bmr_grid_need(w, radius), BMR_MIN_EXTENT), &size);
+    frexp(fmax(bmr_grid_need(w, radius), BMR_MIN_SIDE), &size);
     for (const bmr_beside *b = w->beside; b; b = b->next)
         if (b->size == size) {
             *found = b;

@@ -48,7 +48,7 @@ static bmr_error check_box(const bmr_world_def *def) {
     const double most =
         fmax(fmax(fabs(def->low.x), fabs(def->high.x)), fmax(fabs(def->low.y), fabs(def->high.y)));
     const bool fits = width > 0.0 && height > 0.0 && most <= BMR_MAX_COORDINATE / 4.0 &&
-                      fmin(width, height) >= 64.0 * BMR_MIN_EXTENT;
+                      fmin(width, height) >= 64.0 * BMR_MIN_SIDE;
     const double longer = fmax(width, height), shorter = fmin(width, height);
     return fits && longer / shorter < MOST_AROUND ? BMR_OK : BMR_ERROR_OUT_OF_RANGE;
 }

@@ -44,7 +44,7 @@ void CheckRefusal(const Points &points, bool raw, bmr_error error) {
         // An extent that rounds to the least one may be either.
         const long double side =
             std::max(static_cast<long double>(high.x) - low.x, static_cast<long double>(high.y) - low.y);
-        const long double least = BMR_MIN_EXTENT;
+        const long double least = BMR_MIN_SIDE;
         if (side < least)
             expected = error == BMR_OK && side >= least * (1.0L - 0x1p-52L) ? BMR_OK : BMR_ERROR_OUT_OF_RANGE;
     }

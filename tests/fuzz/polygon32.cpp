@@ -115,11 +115,11 @@ void CheckRefusal(const Points &points, bmr_error error) {
         FUZZ_CHECK(WidthAcross(points) <= kThin * box.side, "refused as thin: %Lg of %g", WidthAcross(points),
                    box.side);
     else if (error == BMR_ERROR_OUT_OF_RANGE)
-        FUZZ_CHECK(box.side < BMR_MIN_EXTENT || !HasMass(points), "refused as small: %Lg by %g",
+        FUZZ_CHECK(box.side < BMR_MIN_SIDE || !HasMass(points), "refused as small: %Lg by %g",
                    WidthAcross(points), box.side);
     else
         FUZZ_CHECK(error == BMR_OK, "refused with error %d", error);
-    FUZZ_CHECK(error != BMR_OK || box.side >= BMR_MIN_EXTENT, "taken though it is small: %g", box.side);
+    FUZZ_CHECK(error != BMR_OK || box.side >= BMR_MIN_SIDE, "taken though it is small: %g", box.side);
 }
 
 /// All that the header promises of a polygon made.
@@ -190,7 +190,7 @@ void CheckRaw(const Points &points) {
         FUZZ_CHECK(error != BMR_ERROR_TOO_FEW_POINTS || points.size() < 3, "raw: too few points");
         CheckRefusal(points, error);
     } else {
-        FUZZ_CHECK(points.size() >= 3 && box.finite && box.inRange && box.side >= BMR_MIN_EXTENT,
+        FUZZ_CHECK(points.size() >= 3 && box.finite && box.inRange && box.side >= BMR_MIN_SIDE,
                    "not convex, but for another reason");
         if (!exact::IsConvex(wide))
             return;

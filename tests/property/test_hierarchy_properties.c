@@ -342,7 +342,7 @@ static void polygons_bent_by_ulps_pass_the_audit(void **state) {
         bmr_vec2 points[64];
         bmr_polygon *p = NULL;
         if (bmr_polygon_create(points, test_hard_points(&random, points), NULL, &p) != BMR_OK)
-            continue; // smaller than BMR_MIN_EXTENT
+            continue; // smaller than BMR_MIN_SIDE
         polygons += p->count > 2;
         for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
             bmr_hierarchy *h = built(kind, p);
@@ -433,7 +433,7 @@ static void scale_and_place_do_not_matter(void **state) {
                     points[j] = bmr_add(bmr_scale(unit, points[j]), bmr_vec2_make(x, -x));
                 const bmr_error error = bmr_polygon_create(points, count, NULL, &p);
                 if (error == BMR_ERROR_OUT_OF_RANGE && unit < 2e-9)
-                    continue; // smaller than BMR_MIN_EXTENT
+                    continue; // smaller than BMR_MIN_SIDE
                 assert_int_equal(error, BMR_OK);
                 for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
                     bmr_hierarchy *h = built(kind, p);

@@ -19,14 +19,14 @@ extern "C" {
 /// were.
 typedef enum bmr_error {
     BMR_OK = 0,
-    BMR_ERROR_NULL_ARGUMENT,   ///< a pointer that must not be NULL is NULL
-    BMR_ERROR_NO_POINTS,       ///< a polygon needs at least one point
-    BMR_ERROR_TOO_MANY_POINTS, ///< more than BMR_MAX_VERTICES points
-    BMR_ERROR_NOT_FINITE,      ///< a coordinate is NaN or infinite
-    BMR_ERROR_OUT_OF_RANGE, ///< a coordinate too large, an extent too small (BMR_MAX_COORDINATE), any other
-                            ///< number that the call does not take
-    BMR_ERROR_NO_MEMORY,    ///< the allocator returned NULL
-    BMR_ERROR_NOT_CONVEX,   ///< raw vertices that are not strictly convex and counter-clockwise
+    BMR_ERROR_NULL_ARGUMENT,     ///< a pointer that must not be NULL is NULL
+    BMR_ERROR_NO_POINTS,         ///< a polygon needs at least one point
+    BMR_ERROR_TOO_MANY_POINTS,   ///< more than BMR_MAX_VERTICES points
+    BMR_ERROR_NOT_FINITE,        ///< a coordinate is NaN or infinite
+    BMR_ERROR_OUT_OF_RANGE,      ///< a coordinate too large (BMR_MAX_COORDINATE), a polygon too small
+                                 ///< (BMR_MIN_SIDE), any other number that the call does not take
+    BMR_ERROR_NO_MEMORY,         ///< the allocator returned NULL
+    BMR_ERROR_NOT_CONVEX,        ///< raw vertices that are not strictly convex and counter-clockwise
     BMR_ERROR_TABLE_TOO_SMALL,   ///< the compass table has fewer levels than the polygon asks for
     BMR_ERROR_INVALID_STRUCTURE, ///< an audit found a structure that contradicts itself
     BMR_ERROR_FALSE_CERTIFICATE, ///< an audit found a certificate that does not prove what it claims

@@ -14,7 +14,7 @@ extern "C" {
 /// @file
 /// A kinetic structure for one pair of moving convex polygons A and B, in sampled mode: it is advanced from
 /// one relative pose to the next and answers "apart, by at least this much" or "stab on the real polygon".
-/// Sections 3 and 5 of the paper (lazy), section 6's open question (free direction).
+/// Sections 3 and 5 of the paper (lazy), section 7's open question (free direction).
 ///
 /// Poses are of B's frame in A's frame throughout. Nothing here allocates; a pair is plain data that may be
 /// copied.

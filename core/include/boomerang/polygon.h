@@ -15,11 +15,11 @@ extern "C" {
 
 /// The most points a polygon is made from, and so the most vertices it has.
 #define BMR_MAX_VERTICES 65535u
-/// The supported range. A coordinate's magnitude is at most BMR_MAX_COORDINATE; a polygon of more than one
-/// point has an extent (the larger side of its bounding box) of at least BMR_MIN_EXTENT. Anything else is
+/// The supported range. A coordinate's magnitude is at most BMR_MAX_COORDINATE; of a polygon of more than one
+/// point the larger side of the bounding box is at least BMR_MIN_SIDE. Anything else is
 /// BMR_ERROR_OUT_OF_RANGE.
 #define BMR_MAX_COORDINATE 1e9
-#define BMR_MIN_EXTENT 1e-9
+#define BMR_MIN_SIDE 1e-9
 
 /// A convex polygon in the frame of its body: read it, do not write it. The vertices are strictly convex and
 /// counter-clockwise; edge i runs from vertex i to vertex i+1 (mod count). One vertex is a point, two are a
