@@ -1,68 +1,72 @@
 // SPDX-License-Identifier: MIT
 // A kinetic structure of one's own, behind boomerang/kds.h: the line across the closest points, fixed to A,
-// and every vertex of B watched. Then a run of it beside one of the paper's. Links boomerang::kinetic, and so
-// GSL.
+// and a few vertices of B watched. Then a run of it beside one of the paper's. Links boomerang::kinetic, and
+// so GSL.
+#include <math.h>
 #include <stdio.h>
 
 #include "boomerang/kinetic.h"
-#include "kds/structure.h" // core's own: what a structure provides
+#include "kds/structure.h"     // core's own: what a structure provides
+#include "kds/windowed_line.h" // core's own: a line, and what stands for the other body
 
-/// What the structure remembers of a pair.
-typedef struct own_line {
-    bmr_line line;           ///< A's frame: all of A is on or behind it
-    uint32_t hint_a, hint_b; ///< the vertices that the last search ended at
-} own_line;
-
-/// Each vertex of B has a condition, and there are only so many.
-static bmr_error prepare(bmr_kds *kds) {
-    return kds->shapes[1].polygon->count <= BMR_KDS_MAX_CONDITIONS ? BMR_OK : BMR_ERROR_OUT_OF_RANGE;
+/// What the structure remembers of a pair is one windowed line: the line, and a few vertices of B around its
+/// nearest one. They stand for all of B while B turns no farther than a bracket of directions.
+static bmr_windowed_line *line_of(bmr_kds *kds) {
+    return (bmr_windowed_line *)(void *)kds->state;
+}
+static const bmr_windowed_line *kept_line(const bmr_kds *kds) {
+    return (const bmr_windowed_line *)(const void *)kds->state;
 }
 
-/// A new line, across the closest points; false: contact. Where rounding leaves nothing of the gap, that is
-/// contact, too.
+/// A new line, across the closest points; false: contact.
 static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
-    own_line *own = (own_line *)(void *)kds->state;
-    const bmr_polygon *a = kds->shapes[0].polygon, *b = kds->shapes[1].polygon;
+    bmr_windowed_line *line = line_of(kds);
+    uint32_t near[2] = {line->support[0], line->support[1]};
+    bmr_vec2 direction;
     double distance;
-    (void)report; // bmr_kds_closest counts its steps
-    if (!bmr_kds_closest(kds, &now->pose, &own->hint_a, &own->hint_b, &own->line.normal, &distance) ||
-        distance < kds->def.margin + 1e-10 * (a->extent + b->extent))
+    (void)report; // bmr_windowed_closest counts its steps
+    if (!bmr_windowed_closest(kds, &now->pose, near, &direction, &distance))
         return false;
-    own->line.offset = bmr_dot(own->line.normal, a->vertices[own->hint_a]);
+    bmr_windowed_line_set(line, kds, &now->pose, 0, direction, near);
+    bmr_windowed_exact(line, kds, &now->pose, 0);
     return true;
 }
 
-/// What must hold: every vertex of B is beyond the line by more than the margin.
+/// What must hold: the window's vertices are beyond the line by more than the margin, and B's direction is in
+/// the bracket. At most BMR_KDS_MAX_CONDITIONS, however many vertices B has.
 static size_t conditions(const bmr_kds *kds, bmr_condition *conditions) {
-    const own_line *own = (const own_line *)(const void *)kds->state;
-    const bmr_polygon *b = kds->shapes[1].polygon;
-    for (uint32_t i = 0; i < b->count; ++i)
-        conditions[i] = bmr_condition_beyond(0, own->line.normal, own->line.offset + kds->def.margin,
-                                             b->vertices[i], (int)i);
-    return b->count;
+    return bmr_windowed_conditions(kept_line(kds), kds->def.margin, conditions);
 }
 
-/// A vertex is on the line: the closest points are looked for anew, from where they were.
+/// A condition has failed: the closest points are looked for anew, from where they were.
 static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
-    bmr_condition all[BMR_KDS_MAX_CONDITIONS];
-    if (failed >= conditions(kds, all) || bmr_condition_value(&all[failed], &now->pose) > 0.0)
+    const bmr_windowed_line before = *kept_line(kds);
+    const bmr_windowed_failure failure = bmr_windowed_fails(&before, kds, now);
+    (void)failed; // others may have failed at the same time
+    if (!failure.crossed && failure.rolled == 0)
         return true; // too early: nothing has failed
-    report->kind = BMR_KDS_PUSH;
-    report->line_changed = true;
-    return start(kds, now, report);
+    report->kind = failure.crossed ? BMR_KDS_PUSH : BMR_KDS_ROLL;
+    if (!start(kds, now, report))
+        return false;
+    report->line_changed = !bmr_windowed_same_line(&before, kept_line(kds));
+    return true;
 }
 
 static void proof(const bmr_kds *kds, bmr_kds_proof *proof) {
-    const own_line *own = (const own_line *)(const void *)kds->state;
-    *proof = (bmr_kds_proof){.line = own->line, .nearest = kds->shapes[1].polygon->vertices[own->hint_b]};
+    bmr_windowed_proof(kept_line(kds), proof);
 }
 
-static const bmr_kds_class implementation = {.state_bytes = sizeof(own_line),
-                                             .prepare = prepare,
+/// Beside the line, which is always audited: do the window's vertices stand for all of B?
+static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
+    return bmr_windowed_audit(kept_line(kds), kds, b_in_a);
+}
+
+static const bmr_kds_class implementation = {.state_bytes = sizeof(bmr_windowed_line),
                                              .start = start,
                                              .conditions = conditions,
                                              .repair = repair,
-                                             .proof = proof};
+                                             .proof = proof,
+                                             .audit = audit};
 static const bmr_kds_info own_structure = {.name = "own-line",
                                            .title = "the line across the closest points, fixed to A",
                                            .section = "an exercise",
@@ -79,10 +83,15 @@ static void at_event(void *context, const bmr_simulation_event *event) {
 }
 
 int main(void) {
-    const bmr_vec2 hexagon[] = {{2, 0}, {1, 1}, {-1, 1}, {-2, 0}, {-1, -1}, {1, -1}};
+    enum { VERTICES = 100 };
+    bmr_vec2 ellipse[VERTICES];
+    for (int i = 0; i < VERTICES; ++i) {
+        const double angle = 2.0 * 3.14159265358979 * i / VERTICES;
+        ellipse[i] = bmr_vec2_make(2.0 * cos(angle), sin(angle));
+    }
     bmr_polygon *polygon = NULL;
     bmr_hierarchy *hierarchy = NULL;
-    if (bmr_polygon_create(hexagon, 6, NULL, &polygon) != BMR_OK ||
+    if (bmr_polygon_create(ellipse, VERTICES, NULL, &polygon) != BMR_OK ||
         bmr_hierarchy_build_dudley(polygon, NULL, &hierarchy) != BMR_OK)
         return 1;
     bmr_shape shape = {.polygon = polygon};
