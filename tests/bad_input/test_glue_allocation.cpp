@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <cstring>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -167,7 +168,7 @@ TEST_CASE("a shape without memory says so, stays as it was, and can be set once 
          }},
     };
     for (const auto &maker : makers) {
-        CAPTURE(maker.name);
+        CAPTURE(std::string(maker.name));
         uint64_t failures = 0;
         for (bmr_error error = BMR_ERROR_NO_MEMORY; error != BMR_OK; ++failures) {
             REQUIRE(failures < 100);

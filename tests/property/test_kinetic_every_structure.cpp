@@ -140,7 +140,8 @@ void RunOne(const bmr_kds_info &info, uint64_t seed, Tally &tally) {
     }
     if (error != BMR_OK) {
         ++tally.errors;
-        MESSAGE(std::string(info.name) << ", seed " << seed << ": " << bmr_error_describe(error));
+        MESSAGE(std::string(info.name)
+                << ", seed " << seed << ": " << std::string(bmr_error_describe(error)));
     }
     ++tally.motions;
     bmr_simulation_destroy(simulation);

@@ -97,7 +97,7 @@ TEST_CASE("a value that is not understood changes nothing, and is named once wit
     given.prefilter = false;
     given.verbosity = 1;
     for (const auto &b : bad) {
-        CAPTURE(b.name);
+        CAPTURE(std::string(b.name));
         CHECK(StderrOf([&] {
                   const bmr::HeldComplaints held;
                   Under(b.name, b.value, given);

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <string>
 
 #include "box2d_shapes.h"
 #include "shapes/shapes32.h"
@@ -293,7 +294,7 @@ TEST_CASE("manifolds have the bits of b2CollidePolygons' own, whatever the poses
                   {"face to face", FaceToFace, true}, {"on a grid", OnAGrid, true},
                   {"far out", FarOut, true},          {"senseless", Senseless, true}};
     for (const auto &maker : makers) {
-        INFO(maker.name);
+        INFO(std::string(maker.name));
         for (const Collide collide : {bmr_exact32_collide, bmr_exact32_collide_scalar}) {
             const Tally t = CompareAll(maker.make, collide, 11, test_scaled(80000));
             CHECK(t.different == 0);

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <box2d/box2d.h>
@@ -231,7 +232,7 @@ TEST_CASE("each fault has its error and its place, and leaves outline and body a
                           {kElbow, nullptr, -1.0f, BMR_ERROR_NEGATIVE, {-2, -2}},
                           {kElbow, nullptr, inf, BMR_ERROR_NOT_FINITE, {-2, -2}}};
     for (const Case &c : cases) {
-        CAPTURE(bmr_error_describe(c.error));
+        CAPTURE(std::string(bmr_error_describe(c.error)));
         OutlineFault fault = {{-2, -2}, {-2, -2}, {0.0f, 0.0f}};
         const OutlineHole hole = {c.hole != nullptr ? c.hole->data() : nullptr,
                                   c.hole != nullptr ? Count(*c.hole) : 0};

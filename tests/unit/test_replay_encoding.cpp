@@ -187,6 +187,6 @@ TEST_CASE("a page is one file that asks nothing of the network, whatever a scene
     CHECK(page.find("</script><b>bold") == std::string::npos);
     for (const char *asking :
          {"http://", "https://", "src=", "@import", "fetch(", "XMLHttpRequest", "/*@", "@about@", "@data@"})
-        CHECK_MESSAGE(page.find(asking) == std::string::npos, asking);
+        CHECK_MESSAGE(page.find(asking) == std::string::npos, std::string(asking));
     CHECK(page.find("<canvas") != std::string::npos); // control: the search finds what is there
 }
