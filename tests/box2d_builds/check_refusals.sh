@@ -32,6 +32,7 @@ refuses interface 'nothing is compiled for this target'
 refuses no_world 'the target does not compile b2_world.cpp'
 refuses no_fixture "$other: the target does not compile b2_fixture.cpp"
 refuses rope 'this is Box2D 2.4.0'
+refuses version3 'this is Box2D 3, which'
 refuses other_toi "$other: b2_world.cpp has no \"island.SolveTOI(subStep\""
 refuses other_collide "$other: b2_contact_manager.cpp has no \"void b2ContactManager::Collide()\""
 refuses generator 'b2_world.cpp is listed by a generator expression'
