@@ -98,13 +98,37 @@ bmr_configure() {
         cmake --preset "$preset" "${where[@]}" "$@")
 }
 
+# bmr_watch LOG: says how far ninja is, on a terminal each second in one line, elsewhere each half minute, until it is killed or the
+# script ends.
+bmr_watch() {
+    local seconds=0 far
+    trap '[ ! -t 2 ] || printf "\r\033[K" >&2; exit' TERM
+    while kill -0 $$ 2>/dev/null; do
+        sleep 1 >/dev/null 2>&1 &
+        wait $! # (TERM interrupts a wait, not a sleep)
+        seconds=$((seconds + 1))
+        far=$(tail -n 1 "$1" | grep -o '^\[[0-9]*/[0-9]*\]') || continue
+        if [ -t 2 ]; then
+            printf '\r\033[K%s %d s' "$far" "$seconds" >&2
+        elif [ $((seconds % 30)) -eq 0 ]; then
+            bmr_say "$far after $seconds s"
+        fi
+    done
+}
+
 # bmr_build [TARGET…], in the directory of the last bmr_configure.
 bmr_build() {
-    local targets=() jobs=${BMR_JOBS:-$(nproc)}
+    local targets=() jobs=${BMR_JOBS:-$(nproc)} log watch status=0
     [ $# -eq 0 ] || targets=(--target "$@")
     # Said even when it will be over at once: whether it will, ninja cannot tell before it has looked again for files
     # that came or went.
     bmr_say "building in $BMR_BUILD_DIR with $jobs jobs"
-    bmr_quietly "$BMR_BUILD_DIR/boomerang-build.log" \
-        cmake --build "$BMR_BUILD_DIR" --parallel "$jobs" "${targets[@]}"
+    log=$BMR_BUILD_DIR/boomerang-build.log
+    : >"$log"
+    bmr_watch "$log" &
+    watch=$!
+    bmr_quietly "$log" cmake --build "$BMR_BUILD_DIR" --parallel "$jobs" "${targets[@]}" || status=$?
+    kill "$watch" 2>/dev/null || true
+    wait "$watch" 2>/dev/null || true
+    return "$status"
 }

@@ -190,9 +190,9 @@ int Execute(const CompareCommand &command, const Workers &workers) {
     const bool hasFigures = std::any_of(results.begin(), results.end(), [](const auto &result) {
         return result.verdict == Verdict::Identical || !result.verifyCount.is_null();
     });
+    PrintVerdict(std::cout, results, colour);
     if (!command.quiet && hasFigures)
-        PrintTables(std::cout, results, command.options, colour);
-    PrintClosingLine(std::cout, results, colour);
+        PrintTables(std::cout, results, command.options, command.details, colour);
     if (json.IsWanted()) {
         WriteJson(json.Stream(), results, command.options);
         json.Close();

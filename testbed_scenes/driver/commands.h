@@ -39,6 +39,7 @@ struct CompareCommand {
     std::vector<std::string> scenes;
     CompareOptions options;
     std::string json, csv, markdown;
+    bool details = false;
     bool quiet = false;
 };
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 #include <unistd.h>
@@ -473,16 +474,19 @@ CLI::App *AddEvents(CLI::App &app, EventsCommand &command) {
 
 namespace {
 
-int CountEvents(const EventsCommand &command, const Workers &workers) {
+int CountEvents(const EventsCommand &command, const std::string &workersDirectory) {
     Experiment experiment = ExperimentFor(command);
     Box2DTable box2d;
-    if (command.box2d)
+    std::optional<Workers> workers; // only --box2d needs them
+    if (command.box2d) {
+        workers.emplace(workersDirectory);
         experiment.onCourse = [&](const Course &course, const std::string &motion, size_t ratioIndex,
                                   uint64_t) {
             if (ratioIndex + 1 == std::max<size_t>(experiment.ratios.size(), 1) ||
                 !experiment.motionFile.empty())
-                box2d.Add(motion, RunInBox2D(course, workers));
+                box2d.Add(motion, RunInBox2D(course, *workers));
         };
+    }
     OutputFile csv(command.csv), json(command.json), trace(command.trace);
     std::function<void(const Run &, const bmr_simulation_event &)> observer;
     if (trace.IsWanted()) {
@@ -523,7 +527,7 @@ int CountEvents(const EventsCommand &command, const Workers &workers) {
 
 } // namespace
 
-int Execute(const EventsCommand &command, const Workers &workers) {
+int Execute(const EventsCommand &command, const std::string &workersDirectory) {
     if (command.list) {
         List();
         return kExitOk;
@@ -531,7 +535,7 @@ int Execute(const EventsCommand &command, const Workers &workers) {
     if (command.polygons.size() > 2)
         throw UsageError("--polygon: A's and B's, and no third");
     try {
-        return CountEvents(command, workers);
+        return CountEvents(command, workersDirectory);
     } catch (const FileError &error) {
         throw UsageError(error.what());
     }

@@ -36,8 +36,7 @@ struct Experiment;
 /// What the command asks for; throws UsageError.
 Experiment ExperimentFor(const EventsCommand &command);
 
-class Workers;
-int Execute(const EventsCommand &command, const Workers &workers);
+int Execute(const EventsCommand &command, const std::string &workersDirectory);
 
 } // namespace testbed
 

@@ -119,7 +119,10 @@ CLI::App *AddCompare(CLI::App &app, CommandLine &line) {
     compare->add_option("--csv", command.csv, "Write everything into this file, one row a scene");
     compare->add_option("--markdown", command.markdown,
                         "Write the tables into this file, as pages have them");
-    compare->add_flag("--quiet", command.quiet, "Only differences and the closing line");
+    CLI::Option *details = compare->add_flag(
+        "--details", command.details,
+        "All tables: calls of Box2D, budgets, events and times, and what their columns mean");
+    compare->add_flag("--quiet", command.quiet, "Only differences and the verdict")->excludes(details);
     compare->add_flag(
         "--heard", command.options.worker.heard,
         "Time and count worlds that a listener hears, of begins and ends of contacts, as in most "
@@ -211,6 +214,8 @@ int Answer(int argc, char **argv) {
 
     if (app.got_subcommand(figures))
         return Execute(line.figures);
+    if (app.got_subcommand(events))
+        return Execute(line.events, line.directory);
     if (app.got_subcommand(outline))
         return Execute(line.outline);
     if (app.got_subcommand(plot))
@@ -231,8 +236,6 @@ int Answer(int argc, char **argv) {
         status = Execute(line.compare, workers);
     else if (app.got_subcommand(shapes))
         status = Execute(line.shapes, workers);
-    else if (app.got_subcommand(events))
-        status = Execute(line.events, workers);
     else if (app.got_subcommand(replay))
         status = Execute(line.replay, workers);
     else

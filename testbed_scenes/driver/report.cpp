@@ -10,6 +10,18 @@
 namespace testbed {
 namespace {
 
+void AddFigures(std::vector<Table::Cell> &row, const SceneResult &result,
+                const std::vector<SceneColumn> &columns) {
+    const Figures figures(result);
+    for (const SceneColumn &column : columns) {
+        const std::optional<double> figure = figures[column.figure];
+        Style style = figure ? Style::Plain : Style::Faint;
+        if (figure && column.group == std::string(kRatioGroup))
+            style = *figure < kSlower ? Style::Bad : Style::Good;
+        row.push_back({Fixed(figure, column.decimals), style});
+    }
+}
+
 void PrintTable(std::ostream &out, const std::vector<SceneResult> &results, const SceneTable &layout,
                 bool colour) {
     const std::vector<SceneColumn> &columns = layout.columns;
@@ -18,15 +30,8 @@ void PrintTable(std::ostream &out, const std::vector<SceneResult> &results, cons
     for (const SceneColumn &column : columns)
         table.AddColumn(column.group, column.name);
     for (const SceneResult &result : results) {
-        const Figures figures(result);
         std::vector<Table::Cell> row = {{result.scene.name, Style::Plain}};
-        for (const SceneColumn &column : columns) {
-            const std::optional<double> figure = figures[column.figure];
-            Style style = figure ? Style::Plain : Style::Faint;
-            if (figure && column.group == std::string(kRatioGroup))
-                style = *figure < kSlower ? Style::Bad : Style::Good;
-            row.push_back({Fixed(figure, column.decimals), style});
-        }
+        AddFigures(row, result, columns);
         table.AddRow(std::move(row));
     }
     table.Print(out, colour);
@@ -38,9 +43,10 @@ bool AnyIsAccelerated(const std::vector<SceneResult> &results) {
     });
 }
 
-/// A column for each way to have the plugin at work, and one for all of them. (The accelerated Box2D's where
-/// there is one.)
-void PrintVerdicts(std::ostream &out, const std::vector<SceneResult> &results, bool colour) {
+/// A column for each way to have the plugin at work (the accelerated Box2D's where there is one), one for all
+/// of them, and how long a step takes, where that was measured.
+void PrintVerdicts(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options,
+                   bool colour) {
     std::vector<Side> sides = {Side::Register, Side::Plugin, Side::Preloaded};
     if (AnyIsAccelerated(results))
         sides.push_back(Side::Accelerated);
@@ -53,6 +59,13 @@ void PrintVerdicts(std::ostream &out, const std::vector<SceneResult> &results, b
     for (const Side side : sides)
         table.AddColumn("bits, against stock's", NameOf(side));
     table.AddColumn("", "all");
+    SceneTable times = TimeTable(options.repeat, AnyIsAccelerated(results));
+    auto &columns = times.columns;
+    columns.erase(std::remove_if(columns.begin(), columns.end(),
+                                 [&](const SceneColumn &column) { return !options.time || !column.brief; }),
+                  columns.end());
+    for (const SceneColumn &column : columns)
+        table.AddColumn(column.group, column.name);
     for (const SceneResult &result : results) {
         std::vector<Table::Cell> row = {{result.scene.name, Style::Plain},
                                         {std::to_string(result.steps), Style::Plain}};
@@ -61,6 +74,7 @@ void PrintVerdicts(std::ostream &out, const std::vector<SceneResult> &results, b
             row.push_back(variant != nullptr ? cell(variant->verdict) : Table::Cell{"-", Style::Faint});
         }
         row.push_back(cell(result.verdict));
+        AddFigures(row, result, columns);
         table.AddRow(std::move(row));
     }
     table.Print(out, colour);
@@ -120,7 +134,7 @@ nlohmann::json ToJson(const SceneResult &result) {
 } // namespace
 
 void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options,
-                 bool colour) {
+                 bool details, bool colour) {
     auto print = [&](const SceneTable &table) {
         out << '\n' << Styled(table.title, Style::Strong, colour) << '\n';
         PrintTable(out, results, table, colour);
@@ -129,24 +143,28 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
         print(VerifyTable());
         return;
     }
-    print(TestTable());
-    print(BudgetTable());
-    print(EventTable());
-    const SceneTable times = TimeTable(options.repeat, AnyIsAccelerated(results));
-    if (options.time)
-        print(times);
-    out << '\n' << Styled("Whether the bits agree", Style::Strong, colour) << '\n';
-    PrintVerdicts(out, results, colour);
     out << '\n';
-    PrintLegend(out, TestTable().legend, colour);
-    PrintLegend(out, BudgetTable().legend, colour);
-    PrintLegend(out, EventTable().legend, colour);
+    PrintVerdicts(out, results, options, colour);
+    const SceneTable times = TimeTable(options.repeat, AnyIsAccelerated(results));
+    if (!details) {
+        out << '\n'
+            << Styled("--details: calls of Box2D, budgets, events and times, and what the columns mean",
+                      Style::Faint, colour)
+            << '\n';
+        return;
+    }
+    std::vector<SceneTable> tables = {TestTable(), BudgetTable(), EventTable()};
     if (options.time)
-        PrintLegend(out, times.legend, colour);
+        tables.push_back(times);
+    for (const SceneTable &table : tables)
+        print(table);
+    out << '\n';
+    for (const SceneTable &table : tables)
+        PrintLegend(out, table.legend, colour);
     PrintLegend(out, VerdictLegend(), colour);
 }
 
-void PrintClosingLine(std::ostream &out, const std::vector<SceneResult> &results, bool colour) {
+void PrintVerdict(std::ostream &out, const std::vector<SceneResult> &results, bool colour) {
     const size_t identical = CountOf(results, Verdict::Identical);
     const size_t different = CountOf(results, Verdict::Different);
     const size_t failed = CountOf(results, Verdict::Failed);

@@ -9,11 +9,12 @@
 
 namespace testbed {
 
-/// The tables, for at most 120 columns, with a legend.
+/// One line: how many are identical, and by what factor a step is faster.
+void PrintVerdict(std::ostream &out, const std::vector<SceneResult> &results, bool colour);
+/// Scene by scene, for at most 132 columns: whether the bits agree and how long a step takes; with `details`
+/// all other tables, too, and a legend.
 void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options,
-                 bool colour);
-/// The closing line: how many are identical, and by what factor a step is faster.
-void PrintClosingLine(std::ostream &out, const std::vector<SceneResult> &results, bool colour);
+                 bool details, bool colour);
 /// Everything that is known of every scene.
 nlohmann::json ToJson(const std::vector<SceneResult> &results, const CompareOptions &options);
 void WriteJson(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options);

@@ -11,6 +11,7 @@ namespace testbed {
 struct SceneColumn {
     const char *group, *name, *figure;
     int decimals;
+    bool brief = false; ///< shown beside the verdicts, too
 };
 
 /// A table of scenes, wherever it is shown: on a terminal or on a page.

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Makes the figures and tables of the pages anew, and holds them against the committed ones.
 
-    ./testbed_scenes/run reproduce                    pictures and counts: about two minutes of one processor
-    ./testbed_scenes/run reproduce --all              instructions and times, too: some three hours
-    ./testbed_scenes/run reproduce --only NAME ...    these alone
-    ./testbed_scenes/run reproduce --list             what there is, how it is compared, and how long it takes
-    --output DIR                                      keep what was made in this directory (default: reproduced/)
+    ./testbed_scenes/run reproduce              pictures and counts: about two minutes of one processor
+    ./testbed_scenes/run reproduce table-1      the paper's Table 1, beside what is counted here: half a minute of one processor
+    ./testbed_scenes/run reproduce NAME ...     these alone
+    ./testbed_scenes/run reproduce --all        instructions and times, too: some three hours
+    ./testbed_scenes/run reproduce --list       what there is, how it is compared, and how long it takes
+    --output DIR                                keep what was made in this directory (default: reproduced/)
+
+What an experiment needs is built first: that takes minutes, once.
 
 Pictures must be the committed ones byte for byte, and counts the pages' as they are rounded there. Instructions and times are told as
 measured over committed: they never count as a difference. Exit codes: 0 nothing differs; 1 something does; 2 the request makes no sense;
@@ -20,9 +23,14 @@ import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from catalogue import EXPERIMENTS  # noqa: E402
-from compare import Result  # noqa: E402
+from catalogue import EXPERIMENTS, TESTBED  # noqa: E402
+from compare import Events, Result  # noqa: E402
+import table1  # noqa: E402
 
+# One name for several experiments.
+GROUPS = {"table-1": [experiment for _, experiment, *_ in table1.PARTS]}
+# Commands of boomerang-testbed that play no scene, and so need no worker.
+WITHOUT_WORKERS = {"events", "figures", "outline", "plot"}
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
@@ -58,11 +66,10 @@ class Run:
 def machine(build):
     """What the counts do not depend on, and times do."""
     model = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text() if pathlib.Path("/proc/cpuinfo").exists() else "")
-    version = subprocess.run([f"{build}/bin/boomerang-testbed", "--version"], capture_output=True, text=True, check=False).stdout.strip()
     commit = subprocess.run(["git", "-C", str(ROOT), "describe", "--always", "--dirty"], capture_output=True, text=True, check=False).stdout.strip()
     compiler = re.search(r"CMAKE_CXX_COMPILER:\w+=(.*)", (pathlib.Path(build) / "CMakeCache.txt").read_text())
     return (f"machine: {model.group(1) if model else platform.machine()}, {platform.platform()}\n"
-            f"tree: {commit or 'unknown'}, boomerang-testbed {version}, built by {compiler.group(1) if compiler else '?'}\n"
+            f"tree: {commit or 'unknown'}, built by {compiler.group(1) if compiler else '?'}\n"
             "seeds: 1, 2, .. of each command, as many as its --seeds says (3 where it says none)")
 
 
@@ -107,21 +114,26 @@ def verdict(experiment, run):
 
 def targets(chosen):
     """What has to be built for these experiments."""
-    found = {"boomerang-testbed", "boomerang-scene", "boomerang-scene-plugin", "boomerang-count"}
+    found = set()
     for experiment in chosen:
-        found |= {word.split("/")[-1] for command in experiment.commands for word in command if word.startswith("{build}/bin/")}
-        if any("measure_costs" in word for command in experiment.commands for word in command):
-            found.add("bench_worlds")
+        for command in experiment.commands:
+            found |= {word.split("/")[-1] for word in command if word.startswith("{build}/bin/")}
+            plays = TESTBED in command and command[command.index(TESTBED) + 1] not in WITHOUT_WORKERS
+            costs = any("measure_costs" in word for word in command)
+            if plays or costs or "--box2d" in command:
+                found |= {"boomerang-scene", "boomerang-scene-plugin", "boomerang-count"}
+            if costs:
+                found |= {"boomerang-testbed", "bench_worlds"}
     return found
 
 
 def choose(options):
     by_name = {experiment.name: experiment for experiment in EXPERIMENTS}
-    for name in options.only:
-        if name not in by_name:
-            sys.exit(print(f"reproduce: there is no {name!r}; there are {', '.join(by_name)}", file=sys.stderr) or 2)
-    if options.only:
-        return [by_name[name] for name in options.only]
+    for name in options.names:
+        if name not in by_name and name not in GROUPS:
+            sys.exit(print(f"reproduce: there is no {name!r}; there are {', '.join([*GROUPS, *by_name])}", file=sys.stderr) or 2)
+    if options.names:
+        return [by_name[each] for name in options.names for each in GROUPS.get(name, [name])]
     return [experiment for experiment in EXPERIMENTS if options.all or experiment.kind in ("picture", "counts")]
 
 
@@ -129,13 +141,15 @@ def main():
     parser = argparse.ArgumentParser(prog="reproduce", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", default=str(ROOT / "build"), help=argparse.SUPPRESS)
     parser.add_argument("--all", action="store_true")
-    parser.add_argument("--only", nargs="+", action="extend", default=[], metavar="NAME")
+    parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--targets", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--output", default="reproduced", metavar="DIR")
     options = parser.parse_args()
     chosen = choose(options)
     if options.list:
+        for group, names in GROUPS.items():
+            print(f"{group:28} {' and '.join(names)}")
         for experiment in EXPERIMENTS:
             print(f"{experiment.name:28} {experiment.kind:8} {experiment.seconds:5} s  {experiment.what}")
         return 0
@@ -146,6 +160,7 @@ def main():
     print(machine(options.build))
     print(f"{len(chosen)} experiments, about {max(1, round(seconds / 60))} min of one processor", flush=True)
     differs = failed = False
+    counted = {}
     for done, experiment in enumerate(chosen):
         bar(done, len(chosen), experiment.name)
         began = time.monotonic()
@@ -154,11 +169,15 @@ def main():
         if run is None:
             continue
         differs |= bool(run.result.wrong)
+        if experiment.name in GROUPS["table-1"]:
+            counted[experiment.name] = Events(run.out / "events.csv")
         if sys.stderr.isatty():
             sys.stderr.write("\r" + " " * 80 + "\r")
         print(f"{experiment.name:28} {time.monotonic() - began:6.0f} s  {verdict(experiment, run)}", flush=True)
         for line in run.result.wrong:
             print(f"    {line}")
+    if counted:
+        print(f"\n{table1.table(counted)}")
     return 3 if failed else 1 if differs else 0
 
 

@@ -100,9 +100,10 @@ test_run_prints_hashes_and_summaries() {
 test_compare_reports_identical_scenes() {
     expect 0 compare "$classic" "$hard" --steps "$steps" --repeat 1 \
         --json "$scratch/report.json" --csv "$scratch/report.csv"
-    out_has "^$classic .* identical\$"
-    out_has "^$hard .* identical\$"
-    out_has '^2 scenes identical, 0 different; step [0-9.]+x'
+    head -n 1 "$scratch/out" | grep -Eq '^2 scenes identical, 0 different; step [0-9.]+x' || fail "the verdict is not what it says first"
+    out_has "^$classic +$steps( +identical){4}( +[0-9.]+){5}\$"
+    out_has "^$hard +$steps( +identical){4}( +[0-9.]+){5}\$"
+    [ "$(wc -l <"$scratch/out")" -eq 8 ] || fail "more than a verdict, two scenes and a word on details"
     err_empty
     clean
     [ "$(awk '{ if (length($0) > most) most = length($0) } END { print most + 0 }' "$scratch/out")" -le 132 ] ||
@@ -153,7 +154,7 @@ test_an_accelerated_worker_has_its_columns() {
     ! grep -q '"accelerated": "identical"' "$scratch/report.json" || fail "a worker that is not there was run"
     ln -sf "$bin/boomerang-scene-plugin" "$scratch/accelerated/boomerang-scene-accelerated"
     expect 0 --workers "$scratch/accelerated" compare "$classic" --steps "$steps" --repeat 1 --json "$scratch/report.json"
-    out_has 'register +linked +from +to +accelerated$'
+    out_has ' linked +from +to +accelerated$'
     json_is "$scratch/report.json" identical scenes 0 variants accelerated
     json_number "$scratch/report.json" scenes 0 figures accelerated step_us_per_step
     json_number "$scratch/report.json" scenes 0 figures ratio_accelerated step
@@ -177,6 +178,11 @@ test_compare_verifies_every_answer() {
 test_compare_without_time_and_quietly() {
     expect 0 compare "$classic" --steps "$steps" --no-time
     out_has "^$classic .*identical\$"
+    expect 0 compare "$classic" --steps "$steps" --no-time --details
+    local title
+    for title in 'Separation tests, calls per step' 'How kinetic the world is' 'What the plugin did instead' '^bits: every body'; do out_has "$title"; done
+    [ "$(awk '{ if (length($0) > most) most = length($0) } END { print most + 0 }' "$scratch/out")" -le 132 ] || fail "wide lines"
+    expect 2 compare "$classic" --quiet --details
     expect 0 compare "$classic" --steps "$steps" --no-time --quiet
     [ "$(cat "$scratch/out")" = "1 scene identical, 0 different" ] || fail "not one closing line"
     err_empty

@@ -106,8 +106,21 @@ test_help_builds_nothing() {
     BMR_BUILD_DIR=$scratch/build "$root/testbed_scenes/run" --help >"$scratch/out" 2>&1 || fail "it failed"
     out_has './testbed_scenes/run compare needles'
     out_has 'The commands of boomerang-testbed: list, run'
-    [ ! -e "$scratch/build" ] || fail "it makes a directory to build in"
     local command
+    for command in 'compare --help' 'reproduce --help' 'try -h' 'playground --help' '--nope --help'; do
+        # shellcheck disable=SC2086
+        BMR_BUILD_DIR=$scratch/build "$root/testbed_scenes/run" $command >"$scratch/out" 2>&1 || fail "$command fails"
+        out_has 'testbed_scenes/run '
+    done
+    for command in compair reproduce\ table-7 --nope; do
+        local status=0
+        # shellcheck disable=SC2086
+        BMR_BUILD_DIR=$scratch/build "$root/testbed_scenes/run" $command >"$scratch/out" 2>&1 || status=$?
+        [ "$status" -eq 2 ] || fail "$command is not refused"
+        out_has 'there is no .*there are .*'
+    done
+    [ ! -e "$scratch/build" ] || fail "it makes a directory to build in"
+    BMR_BUILD_DIR=$scratch/build "$root/testbed_scenes/run" --help >"$scratch/out"
     "$testbed" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p' >"$scratch/commands"
     [ "$(wc -l <"$scratch/commands")" -gt 10 ] || fail "control: no list of commands"
     while read -r command; do out_has "(^|[ ,])$command[,.]"; done < <(grep . "$scratch/commands")

@@ -11,7 +11,8 @@ del sys.argv[1:]
 sys.path.insert(0, str(ROOT / "testbed_scenes/reproduce"))
 import catalogue  # noqa: E402
 import reproduce  # noqa: E402
-from compare import Result  # noqa: E402
+from compare import Events, Result, table_after  # noqa: E402
+import table1  # noqa: E402
 
 # What makes figures: commands of the testbed, measurements, tests with more iterations than they have in the gate.
 FIGURES = re.compile(r"boomerang-testbed (?:events|figures|compare-shapes|compare|world|render|plot)\b|(?:tests/bench/)?measure_\w+\.sh|tests/bench/world_share\.sh"
@@ -57,6 +58,49 @@ class Catalogue(unittest.TestCase):
         self.assertEqual(len(names), len(set(names)))
 
 
+class Built(unittest.TestCase):
+    def test_an_experiment_has_built_what_it_runs_and_no_more(self):
+        def targets(*names):
+            return reproduce.targets([experiment for experiment in catalogue.EXPERIMENTS if experiment.name in names])
+
+        workers = {"boomerang-scene", "boomerang-scene-plugin", "boomerang-count"}
+        self.assertEqual(targets("growth", "growth-points", "figures"), {"boomerang-testbed"})
+        self.assertEqual(targets("planks"), {"boomerang-testbed"} | workers)
+        self.assertEqual(targets("event-cost"), {"test_claims_time"})
+        self.assertEqual(targets("cost-calls"), {"boomerang-testbed", "bench_worlds"} | workers)
+
+
+class TableOne(unittest.TestCase):
+    """Growth is the experiments' to count: these events are made up, a power of D/sigma for each structure."""
+
+    def runs(self):
+        found = {}
+        for _, name, structures, rows in table1.PARTS:
+            found[name] = Events.__new__(Events)
+            found[name].ratios = [8.0, 32.0, 128.0]
+            found[name].rows = {(motion, f"{structure}-{hierarchy}", ratio): [{"events": ratio**0.5}] for *_, ours in rows for motion in ours
+                                for structure in structures for hierarchy in ("compass", "dudley") for ratio in found[name].ratios}
+        return found
+
+    def test_it_has_the_bounds_and_the_motions_of_the_page(self):
+        page = [row for row in table_after(reproduce.pages()["core/README.md"], catalogue.GROWTH_OF_A_POINT.split("--")[-1])[1:] if "log" in row[1] or "mu" in row[1]]
+        self.assertEqual(len(page), len(catalogue.POINT_ROWS + catalogue.POLYGON_ROWS))
+        mine = [(our, structure, compass, dudley) for _, _, structures, rows in table1.PARTS for _, compass, dudley, ours in rows
+                for our in ours for structure in structures]
+        theirs = [(motion, structure, f"O({row[1]})", f"O({row[3]})") for (motion, structure), row in zip(catalogue.POINT_ROWS + catalogue.POLYGON_ROWS, page)]
+        self.assertEqual(set(theirs) - set(mine), set())
+
+    def test_it_prints_the_rows_of_the_paper_and_ours_below(self):
+        text = table1.table(self.runs()).splitlines()
+        for words in ("One point, one polygon", "convex .*O\\(log mu\\) .*O\\(log mu\\)", "rigid motion .*O\\(mu\\^2 log\\^2 mu\\) .*O\\(mu\\^2\\)",
+                      "  orbit: lazy .* 2.8 to +11.3 +\\+2.12 +0.50 "):
+            self.assertTrue(any(re.match(words, line.replace("|", " ")) for line in text), words + " is not in\n" + "\n".join(text))
+        self.assertLessEqual(max(map(len, text)), 140)
+        part = self.runs()
+        del part["growth"]
+        self.assertNotIn("Two polygons", table1.table(part))
+
+
 class Compared(unittest.TestCase):
     def test_rounding_is_the_pages(self):
         result = Result()
@@ -72,7 +116,7 @@ class Compared(unittest.TestCase):
         for name in ("figures", "saturation", "rivals"):
             run = reproduce.take(by_name[name], BUILD, WORK)
             self.assertIsNotNone(run, name)
-            self.assertEqual(run.result.wrong, [], f"./testbed_scenes/run reproduce --only {name}")
+            self.assertEqual(run.result.wrong, [], f"./testbed_scenes/run reproduce {name}")
             self.assertGreater(run.result.cells, 10)
         # The control: the same runs beside a page in which one number is another, and one picture.
         true = reproduce.pages()
