@@ -10,9 +10,6 @@
 /// Each Voronoi region is taken to be this much wider than it is, in parts of the extents: a few thousand
 /// roundings, and far below any margin.
 #define OVERLAP 1e-12
-/// Polygons whose distance exceeds the margin by more than this part of the extents are not in contact
-/// (kds.h).
-#define CONTACT_ROUNDING 1e-9
 /// The sine of an angle between unit vectors that is larger than this is positive however it is computed; and
 /// it is well within the overlap of two cones.
 #define SINE_ROUNDING (0.25 * BMR_CONE_OVERLAP)
@@ -196,17 +193,16 @@ static int violated(const bmr_kds *kds, const bmr_feature_pair *pair, const bmr_
     return worst >= 0 || !bmr_features_violated(kds, &c[0], now) ? worst : DISTANCE;
 }
 
-typedef enum walk_end { FOUND, NEAR, LOST } walk_end;
-
-static walk_end walk(const bmr_kds *kds, const bmr_instant *now, bmr_feature_pair *pair, unsigned *touched) {
+/// True: at the closest features. False: within the margin, or lost.
+static bool walk(const bmr_kds *kds, const bmr_instant *now, bmr_feature_pair *pair, unsigned *touched) {
     for (int k = 0; k < WALK_STEPS; k++) {
         const int label = violated(kds, pair, now);
         if (label <= 0)
-            return label < 0 ? FOUND : NEAR;
+            return label < 0;
         step(kds, &now->pose, pair, label);
         ++*touched;
     }
-    return LOST;
+    return false;
 }
 
 /// The closest direction, fixed in A. False: contact.
@@ -231,14 +227,10 @@ bool bmr_features_start(const bmr_kds *kds, const bmr_instant *now, bmr_feature_
         return false;
     ++*touched;
     // The support vertices in the direction of the closest points are these or an end of their edge.
-    const walk_end end = walk(kds, now, &found, touched);
+    const bool found_them = walk(kds, now, &found, touched);
     *pair = found;
-    if (end == NEAR) { // of a polygon thinner than rounding the walk may end behind an edge: the distance
-                       // knows better
-        const double extent = kds->shapes[0].polygon->extent + kds->shapes[1].polygon->extent;
-        return distance > kds->def.margin + CONTACT_ROUNDING * extent && take_line(kds, now, pair);
-    }
-    return end == FOUND || take_line(kds, now, pair);
+    // Of a polygon thinner than rounding the walk may end behind an edge: the distance knows better.
+    return found_them || take_line(kds, now, pair);
 }
 
 bool bmr_features_repair(const bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_feature_pair *pair,
@@ -249,7 +241,7 @@ bool bmr_features_repair(const bmr_kds *kds, const bmr_instant *now, size_t fail
         return bmr_features_start(kds, now, pair, touched);
     step(kds, &now->pose, pair, c[failed].label);
     ++*touched;
-    return walk(kds, now, pair, touched) == FOUND || bmr_features_start(kds, now, pair, touched);
+    return walk(kds, now, pair, touched) || bmr_features_start(kds, now, pair, touched);
 }
 
 /// Turns a unit direction into the cone of the vertex's normals where it is out of it by a rounding.

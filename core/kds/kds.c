@@ -10,6 +10,9 @@
 
 /// How far (c, s) of a pose may be off unit length before it is no motion.
 #define POSE_TOLERANCE 1e-3
+/// Of the extents: a pair farther apart than its reach and this (and BMR_DISTANCE_TOLERANCE of the reach) is
+/// not in contact (kds.h).
+#define CONTACT_ROUNDING 1e-9
 
 bmr_kds_def bmr_default_kds_def(void) {
     bmr_kds_def def = {1e-6, 0.0, 0.5, 0.5, 0, 0.0};
@@ -145,7 +148,7 @@ bool bmr_kds_closest(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t *a, ui
     bmr_simplex simplex;
     bmr_closest closest;
     bmr_closest_start(p, q, b_in_a, &near, &simplex);
-    const bool apart = bmr_closest_direction(p, q, b_in_a, kds->def.margin, 0.0, &simplex, &closest);
+    const bool apart = bmr_closest_direction(p, q, b_in_a, bmr_kds_reach(kds), 0.0, &simplex, &closest);
     bmr_kds_tally(kds, simplex.steps);
     if (!apart)
         return false;
@@ -186,9 +189,12 @@ bmr_error bmr_kds_audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
         uint32_t a = 0, b = 0;
         bmr_vec2 direction;
         double distance;
-        const double slop = 1e-9 * (kds->shapes[0].polygon->extent + kds->shapes[1].polygon->extent);
-        const bool apart = bmr_kds_closest(kds, b_in_a, &a, &b, &direction, &distance) &&
-                           distance > kds->def.margin + kds->def.hysteresis + slop;
+        const double reach = bmr_kds_reach(kds);
+        const double slop =
+            CONTACT_ROUNDING * (kds->shapes[0].polygon->extent + kds->shapes[1].polygon->extent) +
+            BMR_DISTANCE_TOLERANCE * reach;
+        const bool apart =
+            bmr_kds_closest(kds, b_in_a, &a, &b, &direction, &distance) && distance > reach + slop;
         return apart ? BMR_ERROR_INVALID_STRUCTURE : BMR_OK;
     }
     bmr_kds_proof proof;

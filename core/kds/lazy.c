@@ -62,8 +62,7 @@ static double cone_loss(const bmr_kds *kds) {
 
 /// The gap from which on a line is taken.
 static double need(const bmr_kds *kds) {
-    const double hysteresis = kds->contact ? kds->def.hysteresis : 0.0;
-    return kds->def.margin + hysteresis + cone_loss(kds) + tolerance(kds);
+    return bmr_kds_reach(kds) + cone_loss(kds) + tolerance(kds);
 }
 
 static bmr_line line_of(const bmr_kds *kds) {

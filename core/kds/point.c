@@ -26,7 +26,7 @@ double bmr_point_tolerance(const bmr_kds *kds) {
 }
 
 double bmr_point_need(const bmr_kds *kds) {
-    return kds->def.margin + (kds->contact ? kds->def.hysteresis : 0.0) + bmr_point_tolerance(kds);
+    return bmr_kds_reach(kds) + bmr_point_tolerance(kds);
 }
 
 double bmr_point_failing(const bmr_kds *kds) {

@@ -45,6 +45,11 @@ static inline const bmr_hierarchy *bmr_kds_hierarchy(const bmr_kds *kds, int bod
     return kds->shapes[body].hierarchies[kds->info->hierarchy];
 }
 
+/// At this distance a pair that is apart comes into contact, and one in contact leaves it.
+static inline double bmr_kds_reach(const bmr_kds *kds) {
+    return kds->def.margin + (kds->contact ? kds->def.hysteresis : 0.0);
+}
+
 /// Counts elementary steps (bmr_kds_report.touched).
 static inline void bmr_kds_tally(const bmr_kds *kds, unsigned steps) {
     if (kds->steps)
@@ -55,8 +60,8 @@ static inline void bmr_kds_tally(const bmr_kds *kds, unsigned steps) {
 /// over A. O(log n).
 double bmr_kds_separation(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 direction);
 /// The direction of the closest points and the exact distance, from vertices `*a`, `*b` as hints (any value),
-/// which become the support vertices in it. False: the distance is at most the margin. O(log n), O(log k) for
-/// an answer k edges from the hints.
+/// which become the support vertices in it. False: the distance is at most bmr_kds_reach. O(log n), O(log k)
+/// for an answer k edges from the hints.
 bool bmr_kds_closest(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t *a, uint32_t *b,
                      bmr_vec2 *direction, double *distance);
 

@@ -248,8 +248,7 @@ void bmr_windowed_corners(bmr_windowed_line *w, const bmr_kds *kds, const bmr_po
 }
 
 double bmr_windowed_least(const bmr_kds *kds) {
-    const double reach = kds->def.margin + (kds->contact ? kds->def.hysteresis : 0.0);
-    return reach + CONTACT_PART * extents(kds);
+    return bmr_kds_reach(kds) + CONTACT_PART * extents(kds);
 }
 
 bool bmr_windowed_closest(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t support[2],

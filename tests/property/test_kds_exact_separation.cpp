@@ -110,7 +110,84 @@ void Look(const bmr_kds_info *info, test_random *random, Tally *tally) {
     bmr_kds_destroy(kds, nullptr);
 }
 
+/// Where contact begins and ends: of extents from tiny to huge, of margins and hystereses from far below them
+/// to far above.
+struct Border {
+    std::size_t contacts = 0, left = 0, early = 0, late = 0;
+    std::size_t past = 0; ///< in contact beyond 1e-9 of the extents alone: the control
+};
+
+void LookAtBorder(const bmr_kds_info *info, test_random *random, Border *border) {
+    const auto power = [random](double low, double high) {
+        return std::pow(10.0, test_random_uniform(random, low, high));
+    };
+    const double scale = power(-8.0, 6.0);
+    const auto scaled = [&](test_family family) {
+        return Body(test_kds_body_make_scaled(test_polygon(family, 3 + test_random_below(random, 6), random),
+                                              scale, 0.0));
+    };
+    const Body a = scaled(TEST_CIRCLE), b = info->domain == BMR_KDS_POINT
+                                                ? Body(test_kds_point_make(scale, 0.3 * scale))
+                                                : scaled(TEST_LENS);
+    const double extents = a.body.polygon->extent + b.body.polygon->extent;
+    bmr_kds_def def = bmr_default_kds_def();
+    def.margin = extents * power(-6.0, 7.0);
+    def.hysteresis = def.margin * power(-3.0, 3.0);
+    bmr_kds *kds = nullptr;
+    REQUIRE(bmr_kds_create(info, &def, &a.body.shape, &b.body.shape, nullptr, &kds) == BMR_OK);
+    const double angle = test_random_uniform(random, 0.0, 6.28);
+    const auto place = [&](double gap) {
+        const bmr_instant now = {
+            test_pose_at(a.body.polygon, b.body.polygon, test_random_uniform(random, 0.0, 6.28), angle, gap),
+            {0.0, 0.0},
+            0.0};
+        bmr_kds_report report;
+        bmr_kds_start(kds, &now, &report);
+        return now.pose;
+    };
+    for (int i = 0; i < 6; ++i) {
+        place(i % 2 == 0 ? -0.1 * extents : 2.0 * (def.margin + def.hysteresis + extents));
+        const double reach = def.margin + (bmr_kds_in_contact(kds) ? def.hysteresis : 0.0);
+        const double rounding = 1e-9 * extents + 2e-8 * reach;
+        // Far on either side, and where nothing but the rounding of a large reach can make it contact.
+        const double near = 1e-9 * extents + 0x1p-53 * reach;
+        const bmr_pose q = place(reach + (i < 4 ? rounding * test_random_uniform(random, -2.0, 2.0) : near));
+        const Number truth = Truth(a, b, q);
+        if (bmr_kds_in_contact(kds)) {
+            ++border->contacts;
+            border->late += truth > Square(reach + rounding);
+            border->past += truth > Square(reach + 1e-9 * extents);
+            CHECK(bmr_kds_audit(kds, &q) == BMR_OK);
+        } else {
+            ++border->left;
+            border->early += truth <= Square(reach - 1e-15 * (extents + reach));
+        }
+    }
+    bmr_kds_destroy(kds, nullptr);
+}
+
 } // namespace
+
+TEST_CASE("contact begins at the margin and ends at margin and hysteresis, up to the derived rounding") {
+    test_random random = {92};
+    const std::size_t rounds = std::max<std::size_t>(test_scaled(120), 12);
+    std::size_t past = 0;
+    for (std::size_t i = 0; i < bmr_kds_count(); ++i) {
+        const bmr_kds_info *info = bmr_kds_at(i);
+        const std::string name = info->name;
+        CAPTURE(name);
+        Border border;
+        for (std::size_t round = 0; round < rounds; ++round)
+            LookAtBorder(info, &random, &border);
+        CHECK(border.late == 0);
+        CHECK(border.early == 0);
+        CHECK(border.contacts > 0);
+        CHECK(border.left > 0);
+        past += border.past;
+    }
+    MESSAGE("past 1e-9 of the extents: ", past);
+    CHECK((past > 0 || rounds < 100));
+}
 
 TEST_CASE(
     "no structure is apart, nor its conditions positive, where the exact distance is within the margin") {

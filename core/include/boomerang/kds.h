@@ -74,11 +74,15 @@ size_t bmr_kds_describe_unknown(const char *name, char *text, size_t size);
 
 /// How a structure is to behave. Start from bmr_default_kds_def().
 typedef struct bmr_kds_def {
-    /// In contact when the polygons are this near; > 0, length units. A structure may also report contact
-    /// where the distance is larger by no more than 1e-9 of the extents (its rounding); the two rivals that
-    /// compare distances (closest features, inner tangent) "apart" where it is smaller by 1e-15 of them.
+    /// In contact when the polygons are this near; > 0, length units. Let `reach` be the distance that is
+    /// asked for: the margin, or margin + hysteresis for a pair in contact. A structure may report contact
+    /// where the distance is larger than `reach` by no more than 1e-9 of the extents and 2e-8 of `reach`: the
+    /// first is the slack with which a line begins (4e-10 of the extents at most) and the rounding of places,
+    /// the second what the search for the closest points may leave of the distance (in practice 2^-50, its
+    /// rounding). The two rivals that compare distances (closest features, inner tangent) may report "apart"
+    /// where it is smaller by 1e-15 of the extents and of `reach`.
     double margin;
-    /// Contact is left when they are margin + hysteresis apart; >= 0.
+    /// Contact is left when they are margin + hysteresis apart, up to the same; >= 0.
     double hysteresis;
     /// Inflated structures: eps_j = alpha * (D_A + D_B) * offset_ratio^j. The paper's: 1/2 and 1/2; a ratio
     /// nearer to 1 takes beta towards 1 and kappa towards 3, where the root polygon is richer too.

@@ -18,7 +18,7 @@ extern "C" {
 /// slack. The time is exact as bmr_failure_time is with its default options: nothing is missed however fast
 /// the bodies turn, but a dip below the margin that is no deeper than rounding; and the answer is at most
 /// 1e-12 of max(1, |time|) early. Where the distance is larger than the margin by no more than 1e-9 of the
-/// extents, it may count as within.
+/// extents and 2e-8 of the margin (bmr_kds_def), it may count as within.
 ///
 /// Hierarchies are not needed; where both shapes have one of Dudley's, the proofs in between are made on it.
 /// Each costs O(log n) and a failure time, which is some microseconds for each of its conditions. What comes
