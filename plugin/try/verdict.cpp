@@ -166,7 +166,7 @@ std::string ExplainNotAtWork(const Trial &trial) {
     const Place place = PlaceOfBox2D(trial);
     if (!whyNot.empty())
         return "Boomerang leaves this game's Box2D alone: " + whyNot + ".";
-    if (!off.noStep.empty())
+    if (!off.noStep.empty() && !place.shared.empty())
         return std::string(place.boomerang.empty() ? ""
                                                    : "This game is linked with Boomerang already, but ") +
                off.noStep + ".";

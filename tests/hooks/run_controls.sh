@@ -7,7 +7,7 @@
 # a scene, and expects its hashes to differ from stock's. With nothing taken out they must be stock's. Where the scene is
 # called outside_game that program is run instead, with the library for its own, and must fail; other names in _game
 # are programs in the directory GAMES, which arguments may follow (a colon for an @), and unheard-ends or unheard-pairs be ahead of
-# them: contacts then end, or are made, without a word; "differential SEED" is a random world of the program differential_stock beside SCENE_PROGRAM.
+# them: contacts then end, or are made, without a word; `wrapped` likewise: no step is seen; "differential SEED" is a random world of the program differential_stock beside SCENE_PROGRAM.
 # OBJECTS: those of the shared library; LINK_ARGUMENTS: what else it is linked from.
 # BMR_LONG_CONTROLS in the environment: mutants_long.txt, too.
 set -u
@@ -45,6 +45,9 @@ hashes() {
     if [[ $1 = unheard-* ]]; then
         ahead=${1%% *}
         ahead=$games/libunheard_${ahead#unheard-}.so:
+        set -- "${1#* }" "${@:2}"
+    elif [[ $1 = "wrapped "* ]]; then
+        ahead=$games/libwrapping.so:
         set -- "${1#* }" "${@:2}"
     fi
     if [ "$1" = outside_game ]; then

@@ -115,6 +115,8 @@ const char *WhyNoStepComesBy() {
                       "%s has a b2World::Step of its own, so that contacts alone can be answered. Give that "
                       "function another name",
                       first);
+    else if (!StepsComeByHere() && IsInProgram(boundStep))
+        return kInside;
     else if (!StepsComeByHere() && IsPreloaded())
         std::snprintf(why, sizeof why, "%s is ahead of it. Name it first: LD_PRELOAD=\"%s %s\"", first, ours,
                       first);
