@@ -5,13 +5,11 @@
 #include <utility>
 
 #include <box2d/b2_block_allocator.h>
-#include <box2d/b2_chain_shape.h>
-#include <box2d/b2_circle_shape.h>
-#include <box2d/b2_edge_shape.h>
 #include <box2d/b2_polygon_shape.h>
 
 #include "contacts/pair_registry.h"
 #include "convex32/convex32_distance.h"
+#include "ledger/private_members.h"
 #include "proofs/polygon_view.h"
 #include "proofs/thresholds.h"
 #include "start/rounding_mode.h"
@@ -22,31 +20,10 @@ namespace bmr {
 
 namespace {
 
-/// Box2D's: the second polygon's face must be better by this to be the reference.
-constexpr float kTolerance = 0.1f * b2_linearSlop;
-
 /// A point that the last manifold did not have goes on with the impulse of the nearest one it had, however
 /// far: that of a polygon that rolls over a corner is two edges off, and a pile whose contacts begin anew
 /// with every edge sinks into itself.
 constexpr float kFeatureDistance = 1e9f; // beyond every polygon
-
-const b2PolygonShape &PolygonOf(const b2Fixture *fixture) {
-    return *static_cast<const b2PolygonShape *>(fixture->GetShape());
-}
-
-bmr_edge32 Edge32(const b2EdgeShape &edge) {
-    return {*Vectors32(&edge.m_vertex0), *Vectors32(&edge.m_vertex1), *Vectors32(&edge.m_vertex2),
-            *Vectors32(&edge.m_vertex3), edge.m_oneSided};
-}
-
-/// Of an edge, or of a link of a chain.
-bmr_edge32 EdgeOf(const b2Fixture *fixture, int32 child) {
-    if (fixture->GetType() == b2Shape::e_edge)
-        return Edge32(*static_cast<const b2EdgeShape *>(fixture->GetShape()));
-    b2EdgeShape link;
-    static_cast<const b2ChainShape *>(fixture->GetShape())->GetChildEdge(&link, child);
-    return Edge32(link);
-}
 
 /// No vertex of the polygon is farther from the body's origin.
 double ReachOf(const b2Fixture *fixture) {
@@ -121,7 +98,7 @@ void ConvexContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const
         // There is nobody but ourselves to compare with: what was proved apart has no points.
         b2Manifold made = old;
         bmr_convex32_memory nothing = {};
-        Collide(&made, xfA, xfB, &nothing);
+        CollideConvex(Two(), Seams::Known, &made, xfA, xfB, &nothing);
         VerifyManifold(m_fixtureA, m_fixtureB, *manifold, made);
     }
 }
@@ -220,8 +197,11 @@ inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, con
         manifold->pointCount = 0;
     } else {
         bmr_convex32_memory memory = Recall();
-        Collide(manifold, xfA, xfB, &memory);
+        const TwoFixtures two = Two();
+        CollideConvex(two, Seams::Known, manifold, xfA, xfB, &memory);
         Keep(memory);
+        if (manifold->pointCount == 0 && HasSeams(two))
+            AnswerForOthers(*this, two, IsAtImpact(), manifold, xfA, xfB);
         PutDeeperFirst(manifold, xfA, xfB);
         if (manifold->pointCount > 0)
             bmr_convex32_keep_features(Manifold32(manifold), Manifold32(&old), kFeatureDistance);
@@ -233,26 +213,12 @@ inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, con
     }
 }
 
-/// Which it is is decided by what the fixtures are, and by no more: their shapes may be changed in place.
-void ConvexContact::Collide(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
-                            bmr_convex32_memory *memory) const {
-    bmr_manifold32 *const made = Manifold32(manifold);
-    if (m_fixtureB->GetType() == b2Shape::e_circle) {
-        const bmr_convex32 polygon = RealPolygon(*m_fixtureA);
-        const auto *circle = static_cast<const b2CircleShape *>(m_fixtureB->GetShape());
-        bmr_convex32_collide_circle(made, &polygon, Transform32(xfA), *Vectors32(&circle->m_p),
-                                    Transform32(xfB), RadiusSum(), memory);
-    } else if (m_fixtureA->GetType() != b2Shape::e_polygon) {
-        const bmr_convex32 polygon = RealPolygon(*m_fixtureB);
-        const bmr_edge32 edge = EdgeOf(m_fixtureA, m_indexA);
-        bmr_convex32_collide_edge(made, &edge, Transform32(xfA), &polygon,
-                                  *Vectors32(&PolygonOf(m_fixtureB).m_centroid), Transform32(xfB),
-                                  RadiusSum(), memory);
-    } else {
-        const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
-        bmr_convex32_collide(made, &a, Transform32(xfA), &b, Transform32(xfB), RadiusSum(), kTolerance,
-                             memory);
-    }
+/// As b2World::SolveTOI has it when it asks whether a contact that it found to impact touches: both bodies
+/// are where the impact is, and nowhere else, and the contact still says when that is.
+bool ConvexContact::IsAtImpact() const {
+    const b2Sweep &a = SweepOf(*m_fixtureA->GetBody()), &b = SweepOf(*m_fixtureB->GetBody());
+    return (m_flags & e_toiFlag) != 0 && m_toi < 1.0f && a.alpha0 == m_toi && b.alpha0 == m_toi &&
+           a.c0 == a.c && a.a0 == a.a && b.c0 == b.c && b.a0 == b.a;
 }
 
 void ConvexContact::CountAnswer(Answer answer) const {

@@ -2,6 +2,7 @@
 #ifndef BOOMERANG_GLUE_CONVEX_CONTACT_H
 #define BOOMERANG_GLUE_CONVEX_CONTACT_H
 
+#include "contacts/convex_manifold.h"
 #include "contacts/solid_contact.h"
 
 namespace bmr {
@@ -50,8 +51,8 @@ private:
     Held HeldBy(Answer answer, bool points, const b2Transform &xfA, const b2Transform &xfB) const;
     void FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
                       const b2Manifold &old);
-    void Collide(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
-                 bmr_convex32_memory *memory) const;
+    bool IsAtImpact() const;
+    TwoFixtures Two() const { return {m_fixtureA, m_fixtureB, m_indexA}; }
     bmr_convex32_memory Recall() const;
     void Keep(const bmr_convex32_memory &memory);
     void CountAnswer(Answer answer) const;

@@ -35,7 +35,9 @@ extern "C" {
 /// Pieces without any face touch nothing.
 ///
 /// Every face belongs to one piece, and every direction of a convex corner is admitted by a piece that has
-/// one of its two edges: between all pieces nothing is lost.
+/// one of its two edges. That does not say that the piece that has the answer gives it: each of two pieces
+/// may leave a point to the other. Who has an outline asks all of its pieces (outline_answer.cpp of the
+/// glue).
 
 /// A corner of a piece as it is cut out of its outline.
 typedef struct bmr_piece_corner32 {

@@ -15,6 +15,7 @@
 
 #include "boomerang/outline_shape.h"
 
+#include "plain_pieces.h"
 #include "test_scale.h"
 
 namespace {
@@ -55,18 +56,6 @@ void AddTriangle(b2Body *body, const b2FixtureDef &def, b2Vec2 a, b2Vec2 b, b2Ve
     body->CreateFixture(&piece);
 }
 
-/// The pieces as polygons that know of nothing.
-void AddWithoutSeams(b2Body *body, const b2FixtureDef &def, const bmr::OutlineShape &outline) {
-    for (int32 i = 0; i < outline.GetPieceCount(); ++i) {
-        const bmr::ConvexShape piece = outline.GetPiece(i);
-        bmr::ConvexShape plain;
-        REQUIRE(plain.SetRaw(piece.GetVertices(), piece.GetVertexCount()) == BMR_OK);
-        b2FixtureDef fixture = def;
-        fixture.shape = &plain;
-        body->CreateFixture(&fixture);
-    }
-}
-
 /// Returns how many seams there are on the surface.
 int AddGround(b2World &world, const Terrain &terrain, Ground kind, float friction) {
     const b2BodyDef still;
@@ -80,7 +69,7 @@ int AddGround(b2World &world, const Terrain &terrain, Ground kind, float frictio
         if (kind == Ground::Outline)
             REQUIRE(outline.CreateFixtures(body, def) == BMR_OK);
         else
-            AddWithoutSeams(body, def, outline);
+            outlines::AddPlainPieces(body, def, outline);
         return outline.GetPieceCount() - 1;
     }
     if (kind == Ground::Triangles) {
@@ -240,7 +229,7 @@ float RollRing(Ground kind, float speed) {
         if (kind == Ground::Outline)
             REQUIRE(outline.CreateFixtures(ring, fixture) == BMR_OK);
         else
-            AddWithoutSeams(ring, fixture, outline);
+            outlines::AddPlainPieces(ring, fixture, outline);
     }
     for (int i = 0; i < steps; ++i)
         world.Step(1.0f / 60.0f, 8, 3);

@@ -19,14 +19,15 @@ check_random_worlds() {
 }
 
 stage_release() {
-    local scale=1 less=() surprises=2000 controls=all
+    local scale=1 less=() surprises=2000 throws=10000000 controls=all
     if [ "$long" = no ]; then
-        scale=0.1 surprises=5 controls=
+        scale=0.1 surprises=5 throws=30000 controls=
         # What is taken out of the library for the tests of threads is left to the thread sanitizer's tree.
         less=(--exclude-regex '^threads_controls$')
     fi
     build_release || return 1
     BMR_TEST_SCALE=${BMR_TEST_SCALE:-$scale} BMR_SURPRISES_SEEDS=${BMR_SURPRISES_SEEDS:-$surprises} \
+        BMR_OUTLINE_THROWS=${BMR_OUTLINE_THROWS:-$throws} \
         BMR_LONG_CONTROLS=${BMR_LONG_CONTROLS:-$controls} run_tests "tests (release)" "${less[@]}"
     [ "$long" = no ] || check "5,000 random worlds from seed $seed on" check_random_worlds
 }

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_CONVEX_MANIFOLD_H
+#define BOOMERANG_GLUE_CONVEX_MANIFOLD_H
+
+#include <box2d/b2_collision.h>
+
+#include "convex32/convex32_collide.h"
+
+class b2Contact;
+class b2Fixture;
+
+namespace bmr {
+
+/// Two fixtures in the order of a contact's: `a` is the polygon against a circle, and the edge or the chain
+/// against a polygon.
+struct TwoFixtures {
+    const b2Fixture *a, *b;
+    int32 childA;
+
+    float RadiusSum() const;
+};
+
+enum class Seams { Known, Ignored };
+
+/// The manifold of two fixtures at least one of which is a big polygon, by all vertices. Where seams are
+/// ignored a piece of an outline is a polygon as any other.
+void CollideConvex(const TwoFixtures &two, Seams seams, b2Manifold *manifold, const b2Transform &xfA,
+                   const b2Transform &xfB, bmr_convex32_memory *memory);
+
+/// Is the first fixture or the second a piece that has inner edges?
+bool HasSeams(const TwoFixtures &two);
+
+/// What a contact of a piece answers where the rules of seams gave it no points (convex32_pieces.h): they
+/// leave points to other pieces, of which they know nothing. Here these are asked. `manifold` gets points
+/// where the plain polygons overlap at a point that no other piece touches, and at an impact.
+void AnswerForOthers(const b2Contact &contact, const TwoFixtures &two, bool isImpact, b2Manifold *manifold,
+                     const b2Transform &xfA, const b2Transform &xfB);
+
+} // namespace bmr
+
+#endif

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Nothing that is thrown at an outline gets through its seams, and Box2D drops no impact with one: no more
+# bodies are lost than with the same pieces as plain polygons, and the bits are the same with hooks off, on
+# and verified.
+#
+#   test_outline_throws.sh OUTLINE_THROWS
+#
+# BMR_OUTLINE_THROWS: how many throws (30,000). A tenth of them is verified.
+set -uo pipefail
+program=${1:?}
+throws=${BMR_OUTLINE_THROWS:-30000}
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+failures=0
+unset BOOMERANG_HOOKS BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+
+fail() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$1"
+}
+
+# play NAME MODE FORM THROWS
+play() { BOOMERANG=$2 "$program" "$3" "$4" >"$room/$1" 2>"$room/err" || fail "$1: exit status $?"; }
+
+# count NAME WHAT: of all rooms.
+count() { sed -n "s/^all: .* \([0-9]*\) $2.*/\1/p" "$room/$1"; }
+
+few=$((throws / 10))
+play outlines on outlines "$throws"
+play pieces on pieces "$throws"
+for mode in off on verify; do
+    play "few, $mode" "$mode" outlines "$few"
+done
+cat "$room/outlines"
+sed -n 's/^all/the same pieces without seams/p' "$room/pieces"
+
+for mode in on verify; do
+    cmp -s "$room/few, off" "$room/few, $mode" || fail "$mode: other bits than with Boomerang off"
+done
+grep -q '^boomerang: verified [1-9][0-9,]* answers, 0 differ$' "$room/err" || fail "verify: $(cat "$room/err")"
+[ "$(count outlines dropped)" = 0 ] || fail "impacts were dropped"
+# Both lose what Box2D's search for impacts misses. Counts of rare events: three deviations of their difference.
+awk -v ours="$(count outlines lost)" -v plain="$(count pieces lost)" 'BEGIN { exit !(ours <= plain + 3 * sqrt(ours + plain)) }' ||
+    fail "more are lost than with plain pieces"
+[ "$failures" -eq 0 ]
