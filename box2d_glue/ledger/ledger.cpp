@@ -137,6 +137,8 @@ bool Ledger::Begin() {
 void Ledger::Empty() {
     m_movers.Clear();
     m_proxyPairs.Empty();
+    m_withoutDynamic = false;
+    m_unlisted = 0;
     m_count = 0;
     m_live = 0;
     for (uint32_t word = 0; word < m_awakeWords; ++word)
@@ -160,9 +162,12 @@ bool Ledger::Put(uint32_t i, b2Contact *contact) {
         return false;
     }
     m_proxyPairs.Add(i, *contact);
+    m_withoutDynamic = m_withoutDynamic || IsWithoutDynamic(*contact);
     ContactNumber::Write(contact, i);
     m_contacts[i] = contact;
-    m_bits[i] = static_cast<uint8_t>(kImpactNoted | (contact->IsTouching() ? kTouches : 0));
+    m_bits[i] = static_cast<uint8_t>(kImpactNoted | (contact->IsTouching() ? kTouches : 0) |
+                                     (m_endings > 0 ? kUnlisted : 0));
+    m_unlisted += m_endings > 0 ? 1 : 0;
     m_patience[i] = {};
     ++m_count;
     ++m_live;
@@ -217,6 +222,7 @@ void Ledger::Take(uint32_t i) {
     m_movers.Release(m_records[i].a);
     m_movers.Release(m_records[i].b);
     m_contacts[i] = nullptr;
+    m_unlisted -= (m_bits[i] & kUnlisted) != 0 ? 1 : 0;
     --m_live;
     TrimEnd();
 }
@@ -249,8 +255,14 @@ void Ledger::NoteLostProxies(uint32_t number, const b2Contact &ending) {
         for (const b2ContactEdge *edge = fixture->GetBody()->GetContactList(); edge != nullptr;
              edge = edge->next) {
             const uint32_t i = NumberOf(edge->contact);
-            if (i != kNone && m_proxyPairs.IsKnown(i))
+            if (i == kNone)
+                continue;
+            if (m_proxyPairs.IsKnown(i))
                 m_proxyPairs.Forget(i);
+            // A listener may step the world before its turn comes: Box2D asserts then that there are proxies.
+            for (const uint32_t row : {m_records[i].a, m_records[i].b})
+                m_movers.LoseProxy(row);
+            Flag(edge->contact, 0);
         }
     }
 }

@@ -67,6 +67,7 @@ enum RecordBit : uint8_t {
     kTouches = 8,       ///< touching, at the last look
     kNoImpactProof = 4, ///< its budget says nothing of impacts
     kImpactNoted = 16,  ///< Box2D may have written down an impact of it, in this step or an earlier one
+    kUnlisted = 32,     ///< it began while another one ended; see MayHaveUnlisted
 };
 
 /// All that is remembered of a world's pairs: one record for each contact, the oldest first. Box2D puts new
@@ -123,6 +124,11 @@ public:
         return m_live == m_manager->m_contactCount && Newest() == newest &&
                (newest == nullptr || NumberOf(newest) != kNone);
     }
+
+    /// May contacts be missing in the lists of their bodies? A listener that is told of an end may step the
+    /// world. Where b2Body::SetType ended the contact, it empties the body's list when it is done, and with
+    /// it what that step put there. As long as such contacts live, the world is Box2D's alone to step.
+    bool MayHaveUnlisted() const { return m_unlisted > 0; }
 
     /// Box2D's searches for new contacts come by here.
     void NoteSearch() { m_searchesSeen = true; }
@@ -275,6 +281,10 @@ public:
 
     // Impacts.
 
+    /// May there be a pair of which neither body is dynamic? Box2D's search asserts that there is none. (A
+    /// filter may change types when it is asked about a new pair; and a change of type ends contacts, which a
+    /// listener may make a step of.)
+    bool MayLackDynamic() const { return m_withoutDynamic || m_endings > 0; }
     /// `careful`: code of the game may have run since the look at the movers, and may until the search is
     /// over, where LookAtLeftOut is told of it.
     void BeginSearch(bool careful);
@@ -383,9 +393,18 @@ public:
         Pass &operator=(const Pass &) = delete;
         void Complete() { m_complete = true; }
 
-    private:
+    protected:
         Ledger *m_ledger;
+
+    private:
         bool m_complete = false;
+    };
+
+    /// The same while a contact ends.
+    class Ending : public Pass {
+    public:
+        explicit Ending(Ledger *ledger) : Pass(ledger) { ++ledger->m_endings; }
+        ~Ending() { --m_ledger->m_endings; }
     };
 
 private:
@@ -450,7 +469,10 @@ private:
     uint64_t m_look = 1; ///< goes up whenever what was read may be old
     uint32_t m_owed = 0; ///< contacts below this, if active, are still to be enabled
     uint32_t m_passNumber = 0;
-    uint32_t m_passes = 0; ///< under way
+    uint32_t m_passes = 0;         ///< under way
+    uint32_t m_endings = 0;        ///< of these, ends of contacts
+    uint32_t m_unlisted = 0;       ///< records with kUnlisted
+    bool m_withoutDynamic = false; ///< see MayLackDynamic
     bool m_interrupted = false;
     bool m_locked = false;                               ///< the world was, since the last look at all movers
     bool m_sweepsCarefully = false, m_leavesOut = false; ///< see BeginSearch, MayNotImpact

@@ -46,6 +46,12 @@ inline const b2Sweep &SweepOf(const b2Body &body) {
     return body.*Named(SweepMember());
 }
 
+/// Is neither body of the contact dynamic?
+inline bool IsWithoutDynamic(const b2Contact &contact) {
+    return contact.GetFixtureA()->GetBody()->GetType() != b2_dynamicBody &&
+           contact.GetFixtureB()->GetBody()->GetType() != b2_dynamicBody;
+}
+
 /// Names protected members of b2Fixture's.
 struct FixtureAccess : b2Fixture {
     static int32 ProxyOf(const b2Fixture *fixture, int32 child) {

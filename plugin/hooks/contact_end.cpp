@@ -65,7 +65,7 @@ void b2ContactManager::Destroy(b2Contact *contact) {
     }
     // The listener that is told of its end may step the world, or end other contacts: numbers stay. And it
     // may make others, which get the proxies of a body that is being put out of the world.
-    Ledger::Pass pass(ledger);
+    Ledger::Ending pass(ledger);
     const uint32_t number = ledger->FindNumber(contact);
     ledger->NoteLostProxies(number, *contact);
     stock::Destroy(this, contact);
@@ -85,8 +85,9 @@ void b2Fixture::SetFilterData(const b2Filter &filter) {
 
 b2Joint *b2World::CreateJoint(const b2JointDef *def) {
     b2Joint *joint = stock::CreateJoint(this, def);
+    // Box2D goes by the definition: a gear joint's bodies are other ones.
     if (joint != nullptr)
-        NoteFiltering(joint->GetBodyB());
+        NoteFiltering(def->bodyB);
     return joint;
 }
 

@@ -21,15 +21,37 @@
 #include "contacts/polygon_contact.h"
 #include "hooks/contact_access.h"
 #include "hooks/short_list.h"
+#include "hooks/stepping.h"
 #include "hooks/touching_list.h"
 #include "hooks/tree_descent.h"
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
 #include "reach/stock.h"
 #include "start/compiler.h"
+#include "start/current_step.h"
 #include "start/rounding_mode.h"
 #include "start/settings.h"
 #include "tell/verify.h"
+
+namespace bmr::hooks {
+
+namespace {
+
+/// Names the call below.
+struct NoProxy {};
+
+} // namespace
+
+} // namespace bmr::hooks
+
+/// Box2D's function on a proxy that is none: where Box2D was compiled with its assertions, they end the
+/// program. Else nothing is left of the call.
+template <> void b2BroadPhase::UpdatePairs(bmr::hooks::NoProxy *) {
+    const int32 count = m_pairCount;
+    m_queryProxyId = 0;
+    QueryCallback(e_nullProxy);
+    m_pairCount = count;
+}
 
 namespace bmr::hooks {
 
@@ -39,12 +61,13 @@ bool IsActive(const b2Body *body) {
     return body->IsAwake() && body->GetType() != b2_staticBody;
 }
 
-inline bool BoxesOverlap(const b2ContactManager *manager, const b2Contact *contact) {
-    const auto box = [manager](const b2Fixture *fixture, int32 child) {
-        return BoxOf(manager->m_broadPhase.GetFatAABB(FixtureAccess::ProxyOf(fixture, child)));
-    };
-    return Overlap(box(contact->GetFixtureA(), contact->GetChildIndexA()),
-                   box(contact->GetFixtureB(), contact->GetChildIndexB()));
+inline bool BoxesOverlap(b2ContactManager *manager, const b2Contact *contact) {
+    const int32 a = FixtureAccess::ProxyOf(contact->GetFixtureA(), contact->GetChildIndexA()),
+                b = FixtureAccess::ProxyOf(contact->GetFixtureB(), contact->GetChildIndexB());
+    // (A filter may put a body out of the world that then gets contacts all the same.)
+    if (BMR_RARELY(a == b2BroadPhase::e_nullProxy || b == b2BroadPhase::e_nullProxy))
+        manager->m_broadPhase.UpdatePairs(static_cast<NoProxy *>(nullptr));
+    return Overlap(BoxOf(manager->m_broadPhase.GetFatAABB(a)), BoxOf(manager->m_broadPhase.GetFatAABB(b)));
 }
 
 void Update(b2Contact *contact, b2ContactListener *listener) {
@@ -279,6 +302,9 @@ void LedgerPass::Look(uint32_t i, b2Contact *contact) {
         return; // the game ended it
     if (sensor != nullptr)
         sensor->LiveAsSensor(before);
+    // A listener may have changed the two, and change them back before the next pass: a proof is of what they
+    // are at this moment.
+    m_ledger->LookAgain(i);
     for (const uint32_t row : {record.a, record.b}) {
         if (movers.IsActive(row) || !movers.IsActiveNow(row))
             continue;
@@ -291,7 +317,7 @@ void LedgerPass::Look(uint32_t i, b2Contact *contact) {
                           contact->GetManifold()->pointCount == 0 && !SolidContact::WantsFiltering(*contact);
     if (canProve && !contact->IsTouching())
         ProveApart(m_ledger, i, ours);
-    else if (canProve) // a sensor's
+    else if (canProve && (contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor()))
         ProveOverlap(m_ledger, i);
     else {
         m_ledger->SetDue(i);
@@ -375,8 +401,11 @@ void LedgerPass::Run() {
     }
     m_pass.Complete();
     m_ledger->NoteLooks(m_looks, m_touching);
-    // Somebody may ask: in this step; or after it, whether what he disabled in the one before is enabled.
-    const bool gameMayRun = IsOfGame(m_manager->m_contactListener) || IsOfGame(m_manager->m_contactFilter);
+    // Code of the game runs later in this step, or ran since the last pass: it could read or have written
+    // IsEnabled(). (Whoever listened as the step began may have left by now, and a step in the midst of
+    // another one is the game's call.)
+    const bool gameMayRun = GameMayRun() || IsInOwnStep(m_world) || IsOfGame(m_manager->m_contactListener) ||
+                            IsOfGame(m_manager->m_contactFilter);
     if (gameMayRun || m_ledger->DidGameRun() || !m_ledger->AreSearchesForImpactsSeen())
         m_ledger->EnableDownTo(0);
     m_ledger->SetGameRan(gameMayRun);
@@ -424,7 +453,7 @@ BMR_NOINLINE void CollideHere(b2ContactManager *manager) {
         if (ledger == nullptr && IsWorthALedger(manager))
             ledger = MakeLedger(manager);
     }
-    if (ledger != nullptr && ledger->Pays() && ledger->Follow()) {
+    if (ledger != nullptr && !ledger->MayHaveUnlisted() && ledger->Pays() && ledger->Follow()) {
         LedgerPass(ledger, manager).Run();
         return;
     }

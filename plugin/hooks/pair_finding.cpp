@@ -167,7 +167,9 @@ private:
             return nullptr;
         Ledger *ledger =
             m_manager->m_contactCount >= WorthALedgerAnyway() ? MakeLedger(m_manager) : FindLedger(m_manager);
-        return ledger != nullptr && (ledger->IsWhole() || ledger->CatchUp()) ? ledger : nullptr;
+        return ledger != nullptr && (ledger->IsWhole() || ledger->CatchUp()) && !ledger->MayHaveUnlisted()
+                   ? ledger
+                   : nullptr;
     }
 
     bool Exists(const b2FixtureProxy &a, const b2FixtureProxy &b) const {

@@ -28,6 +28,7 @@
 #include "hooks/untold_impacts.h"
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
+#include "ledger/private_members.h"
 #include "proofs/impact_scan.h"
 #include "reach/stock.h"
 #include "start/current_step.h"
@@ -144,7 +145,8 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     // FindNewContacts (a Box2D whose inner calls are bound in part), neither would it after an impact, and
     // nobody would tell the short list of contacts that were made.
     ImpactScan *scan = HookIsOn(Hook::SolveToi) && m_stepComplete && !m_subStepping && RoundsToNearest() &&
-                               stepping.searched == &m_contactManager && !IsInOwnStep(this)
+                               stepping.searched == &m_contactManager && !IsInOwnStep(this) &&
+                               !(ledger != nullptr && ledger->MayLackDynamic())
                            ? ImpactScan::Begin()
                            : nullptr;
     const bool isLookedAt = ledger != nullptr && ledger->IsLookedAtIn(CurrentStep());
@@ -199,23 +201,26 @@ void b2World::SolveTOI(const b2TimeStep &step) {
         return;
     }
     uint32_t asked = 0, unproved = 0;
+    bool asserts = false; // Box2D's own search does, if it was compiled so
     for (b2Contact *contact = m_contactManager.m_contactList; contact != nullptr; contact = contact->m_next) {
         ContactNumber::ForgetImpact(contact);
         const b2Fixture *fixtureA = contact->m_fixtureA, *fixtureB = contact->m_fixtureB;
         const b2Body *bodyA = fixtureA->m_body, *bodyB = fixtureB->m_body;
+        const bool withoutDynamic = IsWithoutDynamic(*contact);
+        asserts = asserts || withoutDynamic;
         if (!contact->IsEnabled() || fixtureA->m_isSensor || fixtureB->m_isSensor ||
             !MayImpact(bodyA->IsAwake(), bodyA->m_type, bodyA->IsBullet(), bodyB->IsAwake(), bodyB->m_type,
                        bodyB->IsBullet()))
             continue;
         ++asked;
-        unproved += isDone(contact) ? 0 : 1;
+        unproved += !withoutDynamic && isDone(contact) ? 0 : 1;
     }
     rest.Note(asked, unproved, kSearchesToRest);
     if (Verifying()) {
         stock::SolveToi(this, step);
         return;
     }
-    if (unproved == 0)
+    if (unproved == 0 && !asserts)
         return;
     // In the middle of a step Box2D keeps what is known; when it is done it says that the step is complete.
     const ShortList list(&m_contactManager);

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 #include <unistd.h>
 
@@ -16,8 +17,26 @@ namespace {
 
 const float kNone = std::nanf(""), kInfinite = INFINITY;
 
+/// Does what is to be done when it is first asked about a new pair, before the world is locked; or when it is
+/// told of an end outside of a step.
+class Meddler final : public b2ContactFilter, public b2ContactListener {
+public:
+    std::function<void(b2Body *)> asked;
+    std::function<void()> told;
+    bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
+        if (asked)
+            std::exchange(asked, nullptr)(b->GetBody());
+        return b2ContactFilter::ShouldCollide(a, b);
+    }
+    void EndContact(b2Contact *contact) override {
+        if (told && !contact->GetFixtureA()->GetBody()->GetWorld()->IsLocked())
+            std::exchange(told, nullptr)();
+    }
+};
+
 /// What happens to, and what the world is stepped with from then on.
 struct Game {
+    Meddler meddler; ///< in the world where something is to be done
     b2World world{b2Vec2(0.0f, -10.0f)};
     b2Body *box, *wheel, *bullet; ///< in the middle of the others
     b2Body *sensor;               ///< through which they fall
@@ -48,6 +67,24 @@ struct Game {
     void Edit(const std::function<void(b2PolygonShape &)> &edit) const {
         edit(Polygon(box));
         edit(Polygon(wheel));
+    }
+    /// In the box of a slanted plank, of which the filter is then asked, and apart from the plank itself.
+    void DropNearPlank(std::function<void(b2Body *)> asked) {
+        meddler.asked = std::move(asked);
+        world.SetContactFilter(&meddler);
+        AddBox(world, b2_dynamicBody, {-3.0f, 0.5f}, {0.1f, 0.1f}, 0.0f);
+    }
+    /// A box near a wall and in a sensor, which came later. When its first contact ends, the world is
+    /// stepped.
+    b2Body *AddInSensor() {
+        AddBox(world, b2_staticBody, {1.1f, 20.0f}, {0.5f, 0.5f}, 0.0f);
+        b2Body *const body = AddBox(world, b2_dynamicBody, {0.0f, 20.1f}, {0.5f, 0.5f}, 0.0f);
+        world.Step(0.0f, 8, 3);
+        AddBox(world, b2_staticBody, {0.0f, 20.0f}, {0.5f, 0.5f}, 0.0f, true);
+        world.Step(0.0f, 8, 3);
+        meddler.told = [this] { world.Step(timeStep, 8, 3); };
+        world.SetContactListener(&meddler);
+        return body;
     }
     void Drop(const b2PolygonShape &shape, float density = 1.0f) {
         b2BodyDef def;
@@ -273,6 +310,15 @@ const BadThing kBadThings[] = {
          shape.SetAsBox(0.5f, 0.5f);
          g->Drop(shape, -1.0f);
      }},
+    // What Box2D asserts in its loops over contacts.
+    {"a filter puts the body out of the world that gets a contact",
+     [](Game *g) { g->DropNearPlank([](b2Body *b) { b->SetEnabled(false); }); }},
+    {"a filter makes the body kinematic that gets a contact with a static one",
+     [](Game *g) { g->DropNearPlank([](b2Body *b) { b->SetType(b2_kinematicBody); }); }},
+    {"a listener steps the world while a body is put out of it",
+     [](Game *g) { g->AddInSensor()->SetEnabled(false); }},
+    {"a listener steps the world while a body becomes kinematic",
+     [](Game *g) { g->AddInSensor()->SetType(b2_kinematicBody); }},
 };
 
 void Say(const Hash &hash) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-//   setting_game made|passed|pending|settled|met|replaced|halved|woken
+//   setting_game made|passed|pending|settled|met|replaced|halved|woken|geared
 //
 // Games that change what a world is set to, or who listens, in the midst of its own step. Prints a line for
 // each step: how often the listeners were told of something, and a hash of all bodies and contacts. A plain
@@ -22,6 +22,8 @@
 //   halved    a listener has the step end with the first impact (sub-stepping); between steps it is over
 //   woken     hundreds of bodies sleep. A filter wakes those that lean on each other, and steps the world,
 //             which is not to look for impacts in that step
+//   geared    between steps, gear joints are made whose definitions name bodies that the joints do not join:
+//             a filter is asked about these
 #include <cstdlib>
 #include <functional>
 #include <string>
@@ -61,12 +63,13 @@ struct Range {
     Listener listener, other;
     Hash hash;
     b2Body *first = nullptr; ///< hits the post
-    std::vector<b2Body *> shots, leaning;
+    std::vector<b2Body *> crowd, shots, leaning;
 
     Range() {
         for (int i = 0; i < kCrowd * kCrowd; ++i) // near each other: most pairs are of bodies like these
-            Add({1.05f * static_cast<float>(i % kCrowd), 40.0f + 1.05f * static_cast<float>(i / kCrowd)},
-                kHalf);
+            crowd.push_back(
+                Add({1.05f * static_cast<float>(i % kCrowd), 40.0f + 1.05f * static_cast<float>(i / kCrowd)},
+                    kHalf));
         for (int i = 0; i < kPairs; ++i) {
             const float y = 4.0f * static_cast<float>(i);
             leaning.push_back(Add({0.0f, y}, kHalf));
@@ -271,6 +274,39 @@ void PlayWoken() {
     play(4);
 }
 
+/// Lets nobody collide, and counts.
+class Refusing final : public b2ContactFilter {
+public:
+    int asked = 0;
+    bool ShouldCollide(b2Fixture *, b2Fixture *) override {
+        ++asked;
+        return false;
+    }
+};
+
+void PlayGeared() {
+    Range range;
+    Refusing filter;
+    const b2BodyDef def;
+    b2Body *const anchor = range.world.CreateBody(&def);
+    const auto hinge = [&range, anchor](b2Body *body) {
+        b2RevoluteJointDef joint;
+        joint.Initialize(anchor, body, body->GetPosition());
+        return range.world.CreateJoint(&joint);
+    };
+    b2GearJointDef gear;
+    gear.joint1 = hinge(range.shots[0]);
+    gear.joint2 = hinge(range.shots[1]);
+    range.world.SetContactFilter(&filter);
+    for (size_t i = 0; i < Range::kCrowd; ++i) {
+        gear.bodyA = range.crowd[i];
+        gear.bodyB = range.crowd[i + Range::kCrowd];
+        range.world.CreateJoint(&gear);
+        range.Play(1);
+        std::printf("%d asked, %d contacts\n", filter.asked, static_cast<int>(range.world.GetContactCount()));
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -291,8 +327,11 @@ int main(int argc, char **argv) {
         PlayReplaced();
     } else if (what == "halved") {
         PlayHalved();
+    } else if (what == "geared") {
+        PlayGeared();
     } else {
-        std::fputs("usage: setting_game made|passed|pending|settled|met|replaced|halved|woken\n", stderr);
+        std::fputs("usage: setting_game made|passed|pending|settled|met|replaced|halved|woken|geared\n",
+                   stderr);
         return 2;
     }
     return 0;

@@ -402,7 +402,7 @@ test_no_pair_is_lost() {
 
 test_worlds_may_be_set_otherwise_in_the_midst_of_a_step() {
     local what
-    for what in made passed pending settled met replaced halved woken; do
+    for what in made passed pending settled met replaced halved woken geared; do
         plays_as_stock "setting_game $what"
         plays_as_stock "setting_game $what" BOOMERANG_EVERYWHERE=on
     done
