@@ -2,6 +2,10 @@
 # Read by cpack before it makes packages: adds to each package's dependencies those that its programs and libraries have on Debian's.
 #   CPACK_BOOMERANG_WORK                a directory with NAME.binaries, the list of files of the component NAME
 #   CPACK_BOOMERANG_LIBRARY_DIRECTORY   the build tree's own libraries, whose packages are named already
+if(NOT CPACK_PACKAGE_CONTACT MATCHES "^[^<>]+ <[^<>@ ]+@[^<>@ ]+>$")
+  message(FATAL_ERROR "A Debian package names who made it: configure the build tree with "
+    "-DBOOMERANG_PACKAGE_MAINTAINER='Jane Doe <jane@example.org>', build, and call cpack again")
+endif()
 find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
 if(NOT DPKG_SHLIBDEPS)
   message(FATAL_ERROR "Debian packages need dpkg-shlibdeps, of Debian's package dpkg-dev")

@@ -5,12 +5,15 @@
 #
 # Its parts, each to be had alone by `cmake --install build --component NAME`, and each a Debian package (BoomerangPackages.cmake):
 #
-#   runtime         the plugin, and what else a game is run with
-#   core, kinetic   the shared libraries of core, for programs in C and for Python
-#   development     headers, static libraries, the CMake package, pkg-config files, the sources that boomerang_accelerate compiles
-#   testbed         boomerang-testbed, its workers, its manual page
-#   documentation   README.md, docs/, and what these link to
-#   python          the Python module
+#   runtime               the plugin
+#   tools                 `boomerang`, which tries games, and its manual page
+#   core, kinetic         the shared libraries of core, for programs in C and for Python
+#   development           headers, static libraries, the CMake package, pkg-config files, the sources that boomerang_accelerate
+#                         compiles; without what needs GSL, which is
+#   development_kinetic   the same of boomerang::kinetic
+#   testbed               boomerang-testbed, its workers, its manual page
+#   documentation         README.md, docs/, and what these link to
+#   python                the Python module
 #
 # Whatever is installed without a COMPONENT belongs to the runtime.
 include(CMakePackageConfigHelpers)
@@ -18,9 +21,15 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
 
 # boomerang_install_library(<component of the shared library> <target>...)
 function(boomerang_install_library component)
-  install(TARGETS ${ARGN} EXPORT boomerangTargets
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component} NAMELINK_COMPONENT development
+  set(export boomerangTargets)
+  set(development development)
+  if(component STREQUAL "kinetic")
+    set(export boomerangKineticTargets)
+    set(development development_kinetic)
+  endif()
+  install(TARGETS ${ARGN} EXPORT ${export}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${development}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component} NAMELINK_COMPONENT ${development}
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component}
     INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
@@ -44,15 +53,15 @@ endif()
 
 # Headers that kinetic.h has beside boomerang.h are kinetic's.
 file(GLOB core_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/include/boomerang/*.h)
-if(NOT TARGET boomerang_kinetic)
-  file(STRINGS ${PROJECT_SOURCE_DIR}/core/include/boomerang/kinetic.h kinetic_headers REGEX "^#include \"boomerang/")
-  list(TRANSFORM kinetic_headers REPLACE "^#include \"boomerang/(.*)\"$" "\\1")
-  list(REMOVE_ITEM kinetic_headers boomerang.h)
-  foreach(header kinetic.h ${kinetic_headers})
-    list(REMOVE_ITEM core_headers ${PROJECT_SOURCE_DIR}/core/include/boomerang/${header})
-  endforeach()
-endif()
+file(STRINGS ${PROJECT_SOURCE_DIR}/core/include/boomerang/kinetic.h kinetic_headers REGEX "^#include \"boomerang/")
+list(TRANSFORM kinetic_headers REPLACE "^#include \"(boomerang/.*)\"$" "${PROJECT_SOURCE_DIR}/core/include/\\1")
+list(REMOVE_ITEM kinetic_headers ${PROJECT_SOURCE_DIR}/core/include/boomerang/boomerang.h)
+list(APPEND kinetic_headers ${PROJECT_SOURCE_DIR}/core/include/boomerang/kinetic.h)
+list(REMOVE_ITEM core_headers ${kinetic_headers})
 install(FILES ${core_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang COMPONENT development)
+if(TARGET boomerang_kinetic)
+  install(FILES ${kinetic_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang COMPONENT development_kinetic)
+endif()
 if(TARGET boomerang_box2d)
   file(GLOB box2d_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/plugin/include/boomerang/*.h
     ${PROJECT_SOURCE_DIR}/box2d_glue/include/boomerang/*.h)
@@ -72,7 +81,8 @@ if(TARGET boomerang_core_shared)
 endif()
 
 if(TARGET boomerang)
-  install(TARGETS boomerang RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS boomerang RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
+  install(FILES ${PROJECT_SOURCE_DIR}/plugin/try/boomerang.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tools)
 endif()
 if(BOOMERANG_INSTALL_TESTBED AND TARGET boomerang-testbed)
   # The workers lie beside the program, which looks for them there; what they load is found from wherever that is.
@@ -109,6 +119,9 @@ list(JOIN boomerang_components "|" boomerang_components_alternatives)
 list(JOIN boomerang_components ", " boomerang_components_listed)
 set(boomerang_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/boomerang)
 install(EXPORT boomerangTargets NAMESPACE boomerang:: DESTINATION ${boomerang_package_dir} COMPONENT development)
+if(TARGET boomerang_kinetic)
+  install(EXPORT boomerangKineticTargets NAMESPACE boomerang:: DESTINATION ${boomerang_package_dir} COMPONENT development_kinetic)
+endif()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/boomerangConfig.cmake.in
   ${PROJECT_BINARY_DIR}/boomerangConfig.cmake INSTALL_DESTINATION ${boomerang_package_dir}
   PATH_VARS boomerang_source_dir)
@@ -124,7 +137,11 @@ string(REGEX REPLACE "/$" "" boomerang_pc_to_prefix "${boomerang_pc_to_prefix}")
 foreach(component IN LISTS boomerang_components)
   configure_file(${CMAKE_CURRENT_LIST_DIR}/boomerang-${component}.pc.in
     ${PROJECT_BINARY_DIR}/boomerang-${component}.pc @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/boomerang-${component}.pc DESTINATION ${boomerang_pc_dir} COMPONENT development)
+  set(development development)
+  if(component STREQUAL "kinetic")
+    set(development development_kinetic)
+  endif()
+  install(FILES ${PROJECT_BINARY_DIR}/boomerang-${component}.pc DESTINATION ${boomerang_pc_dir} COMPONENT ${development})
 endforeach()
 
 if(PROJECT_IS_TOP_LEVEL)

@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: MIT
-# Debian packages: `cpack --config build/CPackConfig.cmake`. One for each component of BoomerangInstall.cmake.
+# Debian packages: `cpack --config build/CPackConfig.cmake`, in a tree that was configured with BOOMERANG_PACKAGE_MAINTAINER. One for
+# each component of BoomerangInstall.cmake.
 #
-#   libboomerang-box2d    runtime         MIT. The plugin; no dependency of it is under the GPL
-#   libboomerang-core     core            MIT
-#   libboomerang-kinetic  kinetic         links GSL: with it, under the GPL-3 or later
-#   libboomerang-dev      development     MIT; of what is linked with libboomerang_kinetic.a, as above
-#   boomerang-testbed     testbed         links GSL: with it, under the GPL-3 or later
-#   boomerang-doc         documentation   MIT
-#   python3-boomerang     python          MIT; boomerang.kinetic loads libboomerang-kinetic
+#   libboomerang-box2d1       runtime               MIT. The plugin; no dependency of it is under the GPL
+#   libboomerang-core1        core                  MIT
+#   libboomerang-kinetic1     kinetic               links GSL: with it, under the GPL-3 or later
+#   libboomerang-dev          development           MIT
+#   libboomerang-kinetic-dev  development_kinetic   what is linked with libboomerang_kinetic.a is, as above
+#   boomerang-tools           tools                 MIT
+#   boomerang-testbed         testbed               links GSL: with it, under the GPL-3 or later
+#   boomerang-doc             documentation         MIT
+#   python3-boomerang         python                MIT; boomerang.kinetic loads libboomerang-kinetic1
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME boomerang)
-set(CPACK_PACKAGE_CONTACT "The Boomerang authors <boomerang@localhost>")
+set(CPACK_PACKAGE_CONTACT "${BOOMERANG_PACKAGE_MAINTAINER}") # BoomerangDependencies.cmake refuses to go on without
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
@@ -20,10 +23,10 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 # Which of Debian's libraries the programs need is found when packages are made, in one look at each (BoomerangDependencies.cmake).
 # (CPack's own way of it looks at every file of every package, and adds scripts that call ldconfig.)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/BoomerangPackageFiles.cmake)
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/BoomerangDependencies.cmake)
 set(CPACK_BOOMERANG_LIBRARY_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
 set(CPACK_BOOMERANG_WORK ${PROJECT_BINARY_DIR}/control)
-set(CPACK_DEBIAN_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_COMPONENTS_ALL "")
 unset(CPACK_PACKAGE_DESCRIPTION_SUMMARY)
@@ -50,9 +53,13 @@ function(boomerang_package component package summary)
     list(JOIN arg_${relation} ", " ${relation})
     set(CPACK_DEBIAN_${upper}_PACKAGE_${relation} "${${relation}}" PARENT_SCOPE)
   endforeach()
-  if(arg_SECTION)
-    set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION ${arg_SECTION} PARENT_SCOPE)
+  if(NOT arg_SECTION)
+    set(arg_SECTION libs)
   endif()
+  if(arg_SECTION MATCHES "^lib") # (cpack has no variable for this field; what stands behind a section is its next lines.)
+    string(APPEND arg_SECTION "\nMulti-Arch: same")
+  endif()
+  set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION ${arg_SECTION} PARENT_SCOPE)
   if(arg_ARCHITECTURE)
     set(CPACK_DEBIAN_${upper}_PACKAGE_ARCHITECTURE ${arg_ARCHITECTURE} PARENT_SCOPE)
   endif()
@@ -64,7 +71,7 @@ function(boomerang_package component package summary)
     COMPONENT ${component} EXCLUDE_FROM_ALL)
 endfunction()
 
-# The list of symbols that dpkg-shlibdeps reads, and ldconfig's trigger.
+# The lists of symbols and of libraries that dpkg-shlibdeps reads, and ldconfig's trigger. The first line of the symbols has the names.
 function(boomerang_library_control out symbols)
   get_filename_component(name ${symbols} NAME_WE)
   set(folder ${PROJECT_BINARY_DIR}/control/${name})
@@ -72,47 +79,58 @@ function(boomerang_library_control out symbols)
   string(REPLACE "#VERSION#" "${PROJECT_VERSION}" text "${text}")
   file(WRITE ${folder}/symbols "${text}")
   file(WRITE ${folder}/triggers "activate-noawait ldconfig\n")
-  set(${out} ${folder}/symbols ${folder}/triggers PARENT_SCOPE)
+  string(REGEX REPLACE "^([^ ]+)\\.so\\.([0-9]+) ([^ ]+) .*" "\\1 \\2 \\3 (>= ${PROJECT_VERSION})\n" shlibs "${text}")
+  file(WRITE ${folder}/shlibs "${shlibs}")
+  set(${out} ${folder}/symbols ${folder}/shlibs ${folder}/triggers PARENT_SCOPE)
 endfunction()
 
 set(boomerang_libraries "")
 if(TARGET boomerang_core_shared)
   boomerang_library_control(control ${PROJECT_SOURCE_DIR}/core/abi/libboomerang-core.symbols)
-  boomerang_package(core libboomerang-core "kinetic data structures for convex polygons" CONTROL ${control} BINARIES boomerang_core_shared DESCRIPTION
+  boomerang_package(core libboomerang-core1 "kinetic data structures for convex polygons" CONTROL ${control} BINARIES boomerang_core_shared DESCRIPTION
     "Separation certificates for moving convex polygons, after Erickson, Guibas,\nStolfi and Zhang (SODA 1999). C, no dependency but libm.")
-  list(APPEND boomerang_libraries "libboomerang-core ${boomerang_exact}")
+  list(APPEND boomerang_libraries "libboomerang-core1 ${boomerang_exact}")
   boomerang_package(python python3-boomerang "kinetic data structures for convex polygons, from Python" ARCHITECTURE all SECTION python
-    DEPENDS "python3 (>= 3.8)" "libboomerang-core (>= ${PROJECT_VERSION})" RECOMMENDS "libboomerang-kinetic (>= ${PROJECT_VERSION})"
-    DESCRIPTION "Polygons, distances, pairs that keep a proof, and with libboomerang-kinetic\nmotions, events and what the paper's table is measured with.")
-endif()
-if(TARGET boomerang_kinetic_shared)
-  boomerang_library_control(control ${PROJECT_SOURCE_DIR}/core/abi/libboomerang-kinetic.symbols)
-  boomerang_package(kinetic libboomerang-kinetic "motions and event times for Boomerang (GPL-3 through GSL)" CONTROL ${control} BINARIES boomerang_kinetic_shared
-    DEPENDS "libboomerang-core ${boomerang_exact}" COMMENT "${boomerang_gpl}"
-    DESCRIPTION "Algebraic and screw motions, failure times of certificates, simulations and\nworlds of many polygons. Links the GNU Scientific Library.")
-  list(APPEND boomerang_libraries "libboomerang-kinetic ${boomerang_exact}")
+    DEPENDS "python3 (>= 3.8)" "libboomerang-core1 (>= ${PROJECT_VERSION})" RECOMMENDS "libboomerang-kinetic1 (>= ${PROJECT_VERSION})"
+    DESCRIPTION "Polygons, distances, pairs that keep a proof, and with libboomerang-kinetic1\nmotions, events and what the paper's table is measured with.")
 endif()
 if(TARGET boomerang_box2d)
   boomerang_library_control(control ${PROJECT_SOURCE_DIR}/plugin/abi/libboomerang-box2d.symbols)
-  set(binaries boomerang_box2d)
-  if(TARGET boomerang) # the program that tries games
-    list(APPEND binaries boomerang)
-  endif()
-  boomerang_package(runtime libboomerang-box2d "Boomerang as the polygon narrow phase of Box2D" CONTROL ${control} BINARIES ${binaries}
+  boomerang_package(runtime libboomerang-box2d1 "Boomerang as the polygon narrow phase of Box2D" CONTROL ${control} BINARIES boomerang_box2d
     RECOMMENDS "libbox2d2 (>= 2.4.1)"
     DESCRIPTION "A library that a game links, or that is preloaded into one with a shared\nBox2D 2.4: the same bits, with far fewer separation tests.")
-  list(APPEND boomerang_libraries "libboomerang-box2d ${boomerang_exact}")
+  list(APPEND boomerang_libraries "libboomerang-box2d1 ${boomerang_exact}")
 endif()
 boomerang_package(development libboomerang-dev "headers, static libraries and CMake package of Boomerang" SECTION libdevel
-  DEPENDS ${boomerang_libraries} RECOMMENDS "libbox2d-dev (>= 2.4.1)" "libgsl-dev"
-  COMMENT "A program that links libboomerang_kinetic.a links the GNU Scientific Library, which is under the GNU General Public
+  DEPENDS ${boomerang_libraries} RECOMMENDS "libbox2d-dev (>= 2.4.1)"
+  DESCRIPTION "For programs that use core or the plugin, and for projects that compile\nBox2D themselves (boomerang_accelerate).")
+if(TARGET boomerang_kinetic_shared)
+  boomerang_library_control(control ${PROJECT_SOURCE_DIR}/core/abi/libboomerang-kinetic.symbols)
+  boomerang_package(kinetic libboomerang-kinetic1 "motions and event times for Boomerang (GPL-3 through GSL)" CONTROL ${control} BINARIES boomerang_kinetic_shared
+    DEPENDS "libboomerang-core1 ${boomerang_exact}" COMMENT "${boomerang_gpl}"
+    DESCRIPTION "Algebraic and screw motions, failure times of certificates, simulations and\nworlds of many polygons. Links the GNU Scientific Library.")
+endif()
+if(TARGET boomerang_kinetic)
+  set(boomerang_libraries "")
+  if(TARGET boomerang_kinetic_shared)
+    set(boomerang_libraries "libboomerang-kinetic1 ${boomerang_exact}")
+  endif()
+  boomerang_package(development_kinetic libboomerang-kinetic-dev "headers and static library of Boomerang's motions (GPL-3 through GSL)" SECTION libdevel
+    DEPENDS "libboomerang-dev ${boomerang_exact}" ${boomerang_libraries} "libgsl-dev"
+    COMMENT "A program that links libboomerang_kinetic.a links the GNU Scientific Library, which is under the GNU General Public
  License, version 3 or later: /usr/share/common-licenses/GPL-3."
-  DESCRIPTION "For programs that use core, kinetic or the plugin, and for projects that\ncompile Box2D themselves (boomerang_accelerate).")
+    DESCRIPTION "For programs that simulate moving polygons with boomerang::kinetic, which\nlinks the GNU Scientific Library.")
+endif()
+if(TARGET boomerang) # the program that tries games
+  boomerang_package(tools boomerang-tools "tells how much faster Boomerang makes a Box2D game" SECTION devel BINARIES boomerang
+    DEPENDS "libboomerang-box2d1 ${boomerang_exact}"
+    DESCRIPTION "Plays a game that has a shared Box2D as it is and with Boomerang preloaded,\ncompares every answer, and says what to do next.")
+endif()
 boomerang_package(documentation boomerang-doc "documentation and examples of Boomerang" ARCHITECTURE all SECTION doc
   DESCRIPTION "Pages, figures and the sources that they speak of.")
 if(BOOMERANG_INSTALL_TESTBED AND TARGET boomerang-testbed)
   boomerang_package(testbed boomerang-testbed "measures Boomerang beside Box2D, and draws it (GPL-3 through GSL)" SECTION science
-    BINARIES ${boomerang_programs} boomerang-count DEPENDS "libboomerang-box2d ${boomerang_exact}" COMMENT "${boomerang_gpl}"
+    BINARIES ${boomerang_programs} boomerang-count DEPENDS "libboomerang-box2d1 ${boomerang_exact}" COMMENT "${boomerang_gpl}"
     DESCRIPTION "Scenes on stock Box2D and with the plugin, compared bit by bit, and the paper's\ntable of events, measured, with figures, replays and reports.")
 endif()
 include(CPack)

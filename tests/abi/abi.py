@@ -137,8 +137,8 @@ def committed(file):
 
 
 def write_symbols(file, name, symbols):
-    head = (f"libboomerang_{name}.so.1 libboomerang-{name} #MINVER#\n"
-            f"| libboomerang-{name} (= #VERSION#)\n")
+    head = (f"libboomerang_{name}.so.1 libboomerang-{name}1 #MINVER#\n"
+            f"| libboomerang-{name}1 (= #VERSION#)\n")
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(head + "".join(f" {symbol} {rest}\n" for symbol, rest in sorted(symbols.items())))
 

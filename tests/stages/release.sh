@@ -9,7 +9,7 @@ build_release() {
     local rooms=''
     [ "$long" = yes ] || rooms='gate;differential;hooks;consumer;packages;python;abi;controls;examples;plugin;browser;bad_input;threads;stale;lives;mutation;steps'
     build_tree release release "-DBOOMERANG_TEST_ROOMS=$rooms" -DBOOMERANG_BUILD_TESTS=ON -DBOOMERANG_BUILD_BENCHMARKS=ON -DBOOMERANG_QUICK_BUILD=ON \
-        -DBOOMERANG_WARNINGS_AS_ERRORS=ON
+        -DBOOMERANG_WARNINGS_AS_ERRORS=ON "-DBOOMERANG_PACKAGE_MAINTAINER=The tests <tests@example.org>"
 }
 
 # Many random worlds, from the seed of this run on; the test of this name has some.
@@ -26,6 +26,7 @@ stage_release() {
         less=(--exclude-regex '^threads_controls$')
     fi
     build_release || return 1
+    [ "$long" = no ] || bmr_need_packages lintian || return 1
     BMR_TEST_SCALE=${BMR_TEST_SCALE:-$scale} BMR_SURPRISES_SEEDS=${BMR_SURPRISES_SEEDS:-$surprises} \
         BMR_OUTLINE_THROWS=${BMR_OUTLINE_THROWS:-$throws} \
         BMR_LONG_CONTROLS=${BMR_LONG_CONTROLS:-$controls} run_tests "tests (release)" "${less[@]}"
