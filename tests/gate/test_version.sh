@@ -17,11 +17,10 @@ versions() {
         sed -n 's/^version: /CITATION.cff /p' CITATION.cff
         sed -n 's/^__version__ = "\(.*\)"/core\/python \1/p' core/python/boomerang/__init__.py
         sed -n 's/^## \[\([0-9].*\)\].*/CHANGELOG.md \1/p' CHANGELOG.md | head -n 1
-        sed -n 's/.*GIT_TAG v\([0-9.]*\)).*/docs\/packages.md \1/p' docs/packages.md
     )
 }
-# one_version ROOT: are all five places there, and do they agree?
-one_version() { [ "$(versions "$1" | wc -l)" -eq 5 ] && [ "$(versions "$1" | cut -d ' ' -f 2 | sort -u | wc -l)" -eq 1 ]; }
+# one_version ROOT: are all four places there, and do they agree?
+one_version() { [ "$(versions "$1" | wc -l)" -eq 4 ] && [ "$(versions "$1" | cut -d ' ' -f 2 | sort -u | wc -l)" -eq 1 ]; }
 
 failed=0
 one_version "$root" || {
@@ -30,10 +29,10 @@ one_version "$root" || {
     failed=1
 }
 # The control: one of them another.
-mkdir -p "$room/core/python/boomerang" "$room/docs"
-for file in CMakeLists.txt CITATION.cff CHANGELOG.md core/python/boomerang/__init__.py docs/packages.md; do cp "$root/$file" "$room/$file"; done
-for file in CMakeLists.txt CITATION.cff CHANGELOG.md core/python/boomerang/__init__.py docs/packages.md; do
-    sed -E '/project\(|^version|__version__|^## \[|GIT_TAG/s/[0-9]+\.[0-9]+\.[0-9]+/77.0.0/' "$root/$file" >"$room/$file"
+mkdir -p "$room/core/python/boomerang"
+for file in CMakeLists.txt CITATION.cff CHANGELOG.md core/python/boomerang/__init__.py; do cp "$root/$file" "$room/$file"; done
+for file in CMakeLists.txt CITATION.cff CHANGELOG.md core/python/boomerang/__init__.py; do
+    sed -E '/project\(|^version|__version__|^## \[/s/[0-9]+\.[0-9]+\.[0-9]+/77.0.0/' "$root/$file" >"$room/$file"
     ! one_version "$room" || {
         echo "FAILED: the control: another version in $file is not noticed"
         failed=1
