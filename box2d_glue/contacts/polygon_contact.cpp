@@ -122,8 +122,10 @@ bool PolygonContact::UpdateSensor(b2ContactListener *listener) {
     const Overlap answer =
         CertainOverlap(ShapeOf(m_fixtureA), 0, ShapeOf(m_fixtureB), 0, m_fixtureA->GetBody()->GetTransform(),
                        m_fixtureB->GetBody()->GetTransform(), &state.link.byEdge);
-    if (answer == Overlap::kUnknown)
+    if (answer == Overlap::kUnknown) {
+        OverlapWasAsked() = true;
         return false;
+    }
     Count(&Counts::overlapQueries);
     Count(&Counts::overlapsAnswered);
     const bool wasTouching = IsTouching(), touches = answer == Overlap::kOverlapping;

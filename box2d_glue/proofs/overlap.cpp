@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <box2d/b2_distance.h>
 
@@ -15,10 +16,9 @@ namespace bmr {
 
 namespace {
 
-/// b2Distance ends when a support is one that it has seen, and then its distance is right; or when three
-/// points surround the origin, and it is 0. So it is off by no more than its arithmetic, and two shapes that
-/// overlap by more than that have no support to repeat: they surround the origin. (test_glue_overlaps counts
-/// its iterations.)
+/// docs/thresholds.md derives what b2Distance says of these two. Of shapes that are deep inside each other it
+/// says 0, or what its arithmetic is off by (Rounding), which their skins must cover. Of others it is right
+/// where it ends because a support came twice.
 struct Question {
     b2DistanceProxy a, b;
     const b2Transform &xfA, &xfB;
@@ -72,26 +72,67 @@ bmr_swept32 Still(const b2DistanceProxy &proxy, const b2Transform &xf) {
     return shape;
 }
 
-Overlap Search(const Question &q) {
+/// (Three vertices: b2PolygonShape::Set makes no fewer.)
+bool IsPlainPolygon(const b2Shape &shape, const b2DistanceProxy &proxy) {
+    return shape.GetType() == b2Shape::e_polygon && proxy.m_count >= 3 &&
+           proxy.m_vertices == static_cast<const b2PolygonShape &>(shape).m_vertices;
+}
+
+/// Are the two certain to overlap for b2Distance if they do so by `depth`? Then it finds no more than its
+/// rounding, and their skins must cover that.
+bool IsDeep(const Question &q, float depth, float rounding) {
+    return depth > rounding && q.Radius() >= rounding;
+}
+
+/// The same of a point of the one in the world, inside the other. `reach`: the largest coordinate of the
+/// one's points, in its own frame.
+bool IsDeepInside(const Question &q, const b2Vec2 &point, float reach, const bmr_polygon32 &polygon,
+                  const b2Transform &xf) {
+    const float depth = bmr_posed32_depth(&polygon, Transform32(xf), *Vectors32(&point), &reach);
+    return IsDeep(q, depth, Rounding(q, reach));
+}
+
+/// Is a point of the few that a circle or an edge has deep inside a polygon?
+bool HoldsAnEnd(const Question &q, const b2Shape &shape, const b2DistanceProxy &holder, const b2Transform &xf,
+                const b2DistanceProxy &few, const b2Transform &at) {
+    if (few.m_count > 2 || !IsPlainPolygon(shape, holder))
+        return false;
+    const bmr_polygon32 polygon = Polygon32(static_cast<const b2PolygonShape &>(shape));
+    const b2Vec2 *const first = few.m_vertices, *const last = first + (few.m_count - 1);
+    const float reach = std::max(LargestCoordinate(*first), LargestCoordinate(*last));
+    return IsDeepInside(q, b2Mul(at, *first), reach, polygon, xf) ||
+           IsDeepInside(q, b2Mul(at, *last), reach, polygon, xf);
+}
+
+/// Two of their points are nearer than the skins. Does b2Distance find as much? Its search may take all of
+/// its 20 iterations, and what it ends with is no closest point then. Of two pairs of points it has asked for
+/// both after two. Otherwise its end must not matter: where an end is deep inside, or where all points are so
+/// near that the sum of any two of their differences is less than the skins.
+bool IsFoundNear(const Question &q, const b2Shape &shapeA, const b2Shape &shapeB, float farthest,
+                 float rounding) {
+    constexpr float kTwo = 2.0f * (1.0f + kUnit * kErrorPerDistance);
+    return q.a.m_count * q.b.m_count <= 2 || kTwo * farthest + rounding <= q.Radius() ||
+           HoldsAnEnd(q, shapeA, q.a, q.xfA, q.b, q.xfB) || HoldsAnEnd(q, shapeB, q.b, q.xfB, q.a, q.xfA);
+}
+
+Overlap Search(const Question &q, const b2Shape &shapeA, const b2Shape &shapeB) {
     bmr_vec32 direction = {0.0f, 0.0f};
     const bmr_swept32 a = Still(q.a, q.xfA), b = Still(q.b, q.xfB);
     const float rounding = Rounding(q, std::max(a.radius, b.radius));
+    if (!(rounding <= std::numeric_limits<float>::max()))
+        return Overlap::kUnknown;
     switch (bmr_swept32_compare(&a, &b, ApartBeyond(q, rounding),
                                 q.Radius() * (1.0f - kUnit * kErrorPerDistance) - rounding, &direction)) {
     case BMR_SWEPT32_APART:
         return Overlap::kApart;
     case BMR_SWEPT32_NEAR:
-        return Overlap::kOverlapping;
+        if (IsFoundNear(q, shapeA, shapeB, b2Distance(q.xfA.p, q.xfB.p) + a.radius + b.radius, rounding))
+            return Overlap::kOverlapping;
+        break;
     case BMR_SWEPT32_UNKNOWN:
         break;
     }
     return Overlap::kUnknown;
-}
-
-/// (Three vertices: b2PolygonShape::Set makes no fewer.)
-bool IsPlainPolygon(const b2Shape &shape, const b2DistanceProxy &proxy) {
-    return shape.GetType() == b2Shape::e_polygon && proxy.m_count >= 3 &&
-           proxy.m_vertices == static_cast<const b2PolygonShape &>(shape).m_vertices;
 }
 
 /// Two polygons, asked by their sides. b2Distance looks at vertices alone, and so does whatever is proved
@@ -115,9 +156,8 @@ public:
     /// Is this vertex deep inside the other polygon?
     bool Holds(bool ofB, int32 number) const {
         const b2Vec2 p = b2Mul(Pose(ofB), VertexOf(Owner(ofB), number));
-        float reach = bmr_points32_reach(Owner(ofB).vertices, Owner(ofB).count);
-        const float depth = bmr_posed32_depth(&Owner(!ofB), Transform32(Pose(!ofB)), *Vectors32(&p), &reach);
-        return depth > Rounding(m_q, reach);
+        const float reach = bmr_points32_reach(Owner(ofB).vertices, Owner(ofB).count);
+        return IsDeepInside(m_q, p, reach, Owner(!ofB), Pose(!ofB));
     }
 
     /// Does the one hold the vertex of the other that is nearest to its middle, most likely?
@@ -153,7 +193,8 @@ public:
                 Keep(memory, side, ofB, false);
                 return Overlap::kApart;
             }
-            deep = deep && separation < -asked.rounding && asked.gap < -asked.rounding;
+            deep =
+                deep && IsDeep(m_q, -separation, asked.rounding) && IsDeep(m_q, -asked.gap, asked.rounding);
         }
         return deep && HasOwnNormals(m_a) && HasOwnNormals(m_b) ? Overlap::kOverlapping : Overlap::kUnknown;
     }
@@ -232,7 +273,7 @@ Overlap CertainOverlap(const b2Shape &shapeA, int32 childA, const b2Shape &shape
         if (answer == Overlap::kUnknown)
             answer = polygons.OneHoldsTheOther(known) ? Overlap::kOverlapping : polygons.AskSides(known);
     }
-    return answer != Overlap::kUnknown ? answer : Search(q);
+    return answer != Overlap::kUnknown ? answer : Search(q, shapeA, shapeB);
 }
 
 } // namespace bmr

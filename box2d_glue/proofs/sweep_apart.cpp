@@ -51,8 +51,11 @@ SweptShape Sweep(const b2DistanceProxy &proxy, const b2Sweep &sweep, const b2Rot
 
 namespace {
 
-/// So far apart along a fixed direction they are not found touching.
+/// So far apart along a fixed direction they are not found touching. Infinite where Box2D must answer: there
+/// a side may be too short to divide by.
 float NeverTouchBeyond(const SweptShape &a, const SweptShape &b) {
+    if (!(a.rounding + b.rounding <= std::numeric_limits<float>::max()))
+        return std::numeric_limits<float>::infinity();
     const float lever = 1.0f + std::max(a.points.width / b.points.edge, b.points.width / a.points.edge);
     const float impact = ImpactDistance(a.radius + b.radius);
     const float tilt = a.tilt + b.tilt + (kTiltAlways + kUnit * kTiltPerDistance * impact);
@@ -63,11 +66,14 @@ float NeverTouchBeyond(const SweptShape &a, const SweptShape &b) {
 
 bool NeverTouch(const SweptShape &a, const SweptShape &b, bmr_vec32 *direction) {
     const float distance = NeverTouchBeyond(a, b);
-    return bmr_swept32_compare(&a.points, &b.points, distance, distance, direction) == BMR_SWEPT32_APART;
+    return distance <= std::numeric_limits<float>::max() &&
+           bmr_swept32_compare(&a.points, &b.points, distance, distance, direction) == BMR_SWEPT32_APART;
 }
 
 bool NeverTouchAlong(const SweptShape &a, const SweptShape &b, bmr_vec32 direction) {
-    return bmr_swept32_apart_along(&a.points, &b.points, NeverTouchBeyond(a, b), direction);
+    const float distance = NeverTouchBeyond(a, b);
+    return distance <= std::numeric_limits<float>::max() &&
+           bmr_swept32_apart_along(&a.points, &b.points, distance, direction);
 }
 
 bool NeverTouch(const b2TOIInput &input) {

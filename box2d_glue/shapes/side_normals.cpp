@@ -24,15 +24,18 @@ bool HasSideWithoutDirection(const b2PolygonShape &polygon) {
 
 /// Are its normals those of its sides? b2CollidePolygons goes by normals, a hull by vertices: of normals that
 /// are others the face that Box2D clips against may be any, and keeps points however far off they are.
-/// (Vertices that were turned and moved after their normals are off by the rounding of their place.)
+/// b2PolygonShape::Set tilts them by 2.2 units, and the product here is off by 3 more. Vertices that were
+/// turned and moved after their normals are off by the rounding of their place. docs/thresholds.md has what
+/// that costs.
 bool HasNormalsOfItsSides(const b2PolygonShape &polygon) {
-    constexpr float kTilt = 1e-5f, kRounding = 4.0f * b2_epsilon;
+    constexpr float kUnit = 0.5f * b2_epsilon;
+    constexpr float kTilt = 8.0f * kUnit, kLength = 16.0f * kUnit, kRounding = 8.0f * kUnit;
     for (int32 i = 0; i < polygon.m_count; ++i) {
         const b2Vec2 &n = polygon.m_normals[i], &v = polygon.m_vertices[i],
                      &w = polygon.m_vertices[i + 1 < polygon.m_count ? i + 1 : 0];
         const b2Vec2 side = w - v;
         const float place = b2Max(v.Length(), w.Length());
-        if (!(std::fabs(n.LengthSquared() - 1.0f) <= kTilt) || !(b2Cross(n, side) > 0.0f) ||
+        if (!(std::fabs(n.LengthSquared() - 1.0f) <= kLength) || !(b2Cross(n, side) > 0.0f) ||
             !(std::fabs(b2Dot(n, side)) <= kTilt * side.Length() + kRounding * place))
             return false;
     }

@@ -220,6 +220,8 @@ static bmr_swept32_answer search(const question *q, bmr_vec32 n, bmr_vec32 *dire
         const float length = root_of4(dot(closest, closest));
         if (length <= q->near) // and no direction does better than the closest points known
             return BMR_SWEPT32_NEAR;
+        if (!(length > 0.0f)) // the origin: no direction leads away from it
+            return BMR_SWEPT32_UNKNOWN;
         n.x = closest.x / length;
         n.y = closest.y / length;
         float found;

@@ -20,7 +20,9 @@ bool b2TestOverlap(const b2Shape *shapeA, int32 indexA, const b2Shape *shapeB, i
     if (!HookIsOn(Hook::TestOverlap) || !InStep())
         return stock::TestOverlap(shapeA, indexA, shapeB, indexB, xfA, xfB);
     Count(&Counts::overlapQueries);
-    const Overlap answer = CertainOverlap(*shapeA, indexA, *shapeB, indexB, xfA, xfB);
+    const Overlap answer =
+        OverlapWasAsked() ? Overlap::kUnknown : CertainOverlap(*shapeA, indexA, *shapeB, indexB, xfA, xfB);
+    OverlapWasAsked() = false;
     if (answer == Overlap::kUnknown)
         return stock::TestOverlap(shapeA, indexA, shapeB, indexB, xfA, xfB);
     Count(&Counts::overlapsAnswered);

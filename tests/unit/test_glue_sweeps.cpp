@@ -4,6 +4,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -332,4 +333,27 @@ TEST_CASE("shapes that changed in place are seen as they are") {
     a.m_radius = 1.1f;
     in.proxyA.Set(&a, 0);
     CHECK_FALSE(bmr::NeverTouch(in));
+}
+
+TEST_CASE("sides without length are left to Box2D, and nothing is divided by them") {
+    b2PolygonShape box, spoilt;
+    for (const float length : {0.0f, 1e-30f, 1e-6f}) {
+        for (const float far : {3.0f, 1e4f}) {
+            CAPTURE(length);
+            CAPTURE(far);
+            b2TOIInput in = TwoBoxes(&box, 3.0f);
+            in.sweepB.c0.y = in.sweepB.c.y = far;
+            spoilt = box;
+            spoilt.m_vertices[1] = spoilt.m_vertices[0] + b2Vec2(length, 0.0f);
+            in.proxyA.Set(&spoilt, 0);
+            bmr_vec32 direction = {0.0f, 0.0f};
+            std::feclearexcept(FE_ALL_EXCEPT);
+            const bmr::SweptShape a = bmr::Sweep(in.proxyA, in.sweepA, b2Rot(0.0f)),
+                                  b = bmr::Sweep(in.proxyB, in.sweepB, b2Rot(0.0f));
+            const bool proved = bmr::NeverTouch(a, b, &direction) || bmr::NeverTouch(b, a, &direction) ||
+                                bmr::NeverTouchAlong(a, b, {0.0f, 1.0f});
+            CHECK(std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW) == 0);
+            CHECK_FALSE(proved);
+        }
+    }
 }

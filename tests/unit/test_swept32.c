@@ -361,6 +361,27 @@ static void nothing_past_count_is_computed_with(void **unused) {
     assert_true(fetestexcept(FE_INVALID) != 0);
 }
 
+static void what_lies_on_one_point_is_divided_by_nothing(void **unused) {
+    (void)unused;
+    const bmr_vec32 none = {0.0f, 0.0f};
+    for (int32_t count = 1; count <= MOST; ++count) {
+        outline o = random_outline();
+        o.count = count;
+        for (int i = 0; i < count; ++i) // also with sides of no length
+            o.points[i] = i < 3 ? none : o.points[0];
+        const mover m = place(o, none, none, none, 0.0f, 0.0f);
+        const float nears[] = {-1.0f, -INFINITY, 0.0f};
+        for (size_t i = 0; i < sizeof nears / sizeof nears[0]; ++i) {
+            bmr_vec32 n = none;
+            feclearexcept(FE_ALL_EXCEPT);
+            const bmr_swept32 s = swept(&m);
+            assert_int_equal(bmr_swept32_compare(&s, &s, 1.0f, nears[i], &n),
+                             nears[i] < 0.0f ? BMR_SWEPT32_UNKNOWN : BMR_SWEPT32_NEAR);
+            assert_int_equal(fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW), 0);
+        }
+    }
+}
+
 static void a_posed_gap_is_the_distance_along_its_direction(void **unused) {
     (void)unused;
     const bmr_vec32 none = {0.0f, 0.0f};
@@ -524,6 +545,7 @@ int main(void) {
         cmocka_unit_test(a_shape_is_measured),
         cmocka_unit_test(what_is_no_number_is_unknown),
         cmocka_unit_test(nothing_past_count_is_computed_with),
+        cmocka_unit_test(what_lies_on_one_point_is_divided_by_nothing),
         cmocka_unit_test(a_posed_gap_is_the_distance_along_its_direction),
         cmocka_unit_test(a_depth_is_the_least_distance_from_a_side),
         cmocka_unit_test(both_forms_give_the_same),
