@@ -42,6 +42,12 @@ namespace {
 
 constexpr uint32_t kSearchesToRest = 32;
 
+/// Box2D's own search, whose questions are known as its own.
+void Search(b2World *world, const b2TimeStep &step) {
+    const ImpactSearch search;
+    stock::SolveToi(world, step);
+}
+
 /// Impacts are looked for where one of the two moves and one of the two may not be tunnelled through.
 bool MayImpact(bool awakeA, b2BodyType typeA, bool bulletA, bool awakeB, b2BodyType typeB, bool bulletB) {
     const bool moves = (awakeA && typeA != b2_staticBody) || (awakeB && typeB != b2_staticBody);
@@ -118,7 +124,7 @@ void SolveByLedger(b2World *world, const b2TimeStep &step, bool *stepComplete, L
         // listener steps this world, the thread has no room for a second short list.
         untold.Tell();
     const KnownImpacts known(unproved, stepComplete); // Box2D asks for the very same ones first
-    stock::SolveToi(world, step);
+    Search(world, step);
     if (!*stepComplete) // a listener turned sub-stepping on: the next step goes on by what contacts say
         ledger->LeaveNothingOut();
     const bool none = !ledger->FoundImpact() && TimeOfImpactIsReached();
@@ -158,13 +164,13 @@ void b2World::SolveTOI(const b2TimeStep &step) {
             ledger->EnableDownTo(0);
     }
     if (scan == nullptr) {
-        stock::SolveToi(this, step);
+        Search(this, step);
         return;
     }
     ProofRest &rest = ledger != nullptr ? ledger->RestOfSearches() : stepping.restOfSearches;
     if (!byLedger && !rest.IsOver()) {
         const ImpactsAreBox2Ds left;
-        stock::SolveToi(this, step);
+        Search(this, step);
         return;
     }
     const auto begin = [ledger, byLedger](b2Body *body) {
@@ -217,7 +223,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     }
     rest.Note(asked, unproved, kSearchesToRest);
     if (Verifying()) {
-        stock::SolveToi(this, step);
+        Search(this, step);
         return;
     }
     if (unproved == 0 && !asserts)
@@ -225,5 +231,5 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     // In the middle of a step Box2D keeps what is known; when it is done it says that the step is complete.
     const ShortList list(&m_contactManager);
     const KnownImpacts known(unproved, &m_stepComplete); // Box2D asks for the very same ones first
-    stock::SolveToi(this, step);
+    Search(this, step);
 }

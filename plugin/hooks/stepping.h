@@ -18,6 +18,7 @@ struct b2TOIOutput;
 
 namespace bmr::hooks {
 
+class ImpactSearch;
 class ShortList;
 class StepMark;
 class TouchingList;
@@ -73,6 +74,7 @@ struct Stepping {
     const b2ContactManager *searched;
     InChain<TouchingList> *touchingList; ///< the newest that is alive
     InChain<UntoldImpacts> *untold;      ///< of the newest search for impacts that has not ended
+    InChain<ImpactSearch> *impactSearch; ///< the newest call of b2World::SolveTOI that has not ended
 };
 
 /// This thread's.
@@ -83,11 +85,36 @@ extern BMR_THREAD Stepping stepping;
 /// them, be it building islands or looking for impacts.
 bool IsInOwnStep(const b2World *world);
 
-/// Only in a step, and rounding to nearest, are questions answered here; whoever else calls these functions
-/// gets Box2D's own.
+/// Only in a step, and rounding to nearest, are questions answered here; all others get Box2D's own answers.
 inline bool InStep() {
     return stepping.mark != nullptr && RoundsToNearest();
 }
+
+/// A call of Box2D's own b2World::SolveTOI, as long as it lives. Which questions to b2TimeOfImpact are its
+/// own, and which a listener's? It reads of an answer whether the two touch, and no more; a listener may read
+/// all. Its input lies in its own frame, in the same place each time, and it asks first before it calls a
+/// listener.
+class ImpactSearch : public InChain<ImpactSearch> {
+public:
+    ImpactSearch() : InChain(&stepping.impactSearch) {}
+
+    /// Is it a search of this thread's that asks with this input?
+    static bool Asks(const b2TOIInput *input) {
+        if (stepping.impactSearch == nullptr)
+            return false;
+        ImpactSearch *const newest = stepping.impactSearch->Object();
+        if (newest->m_input == nullptr)
+            newest->m_input = input;
+        for (const ImpactSearch *search = newest; search != nullptr; search = search->Older()) {
+            if (search->m_input == input)
+                return true;
+        }
+        return false;
+    }
+
+private:
+    const b2TOIInput *m_input = nullptr;
+};
 
 /// Box2D's own b2TimeOfImpact, or what stands for it where a polygon is too big for that.
 void RealTimeOfImpact(b2TOIOutput *output, const b2TOIInput *input);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A program that asks b2TimeOfImpact and b2TestOverlap itself, beside the steps of its worlds: it gets
-// Box2D's own answers, and Box2D's counters go on. And what a step asks itself. Linked to the plugin. Exit
-// status 0: so it is; else what is wrong is said.
+// A program that asks b2TimeOfImpact and b2TestOverlap itself, beside the steps of its worlds and in them: it
+// gets Box2D's own answers, and Box2D's counters go on; but that in a step an overlap is answered by the
+// plugin, with the same word. And what a step asks itself. Linked to the plugin. Exit status 0: so it is;
+// else what is wrong is said.
 #include <cstdint>
 #include <cstdio>
 #include <functional>
@@ -37,8 +38,13 @@ uint64_t Asked(const std::function<void()> &something) {
     return sum() - before;
 }
 
-/// One question of each kind, about two boxes far apart, which the plugin would answer itself. Did Box2D?
-bool BothAreBox2Ds() {
+/// Whether Box2D has answered.
+struct Answered {
+    bool impact, overlap;
+};
+
+/// One question of each kind, about two boxes far apart, which the plugin would answer itself.
+Answered AskBoth() {
     b2PolygonShape box;
     box.SetAsBox(0.5f, 0.5f);
     b2TOIInput in;
@@ -61,7 +67,7 @@ bool BothAreBox2Ds() {
     there.Set({5.0f, 0.0f}, 0.0f);
     const int32 gjkBefore = b2_gjkCalls;
     const bool overlap = b2TestOverlap(&box, 0, &box, 0, here, there);
-    return toi && !overlap && b2_gjkCalls == gjkBefore + 1;
+    return {toi, !overlap && b2_gjkCalls == gjkBefore + 1};
 }
 
 /// Does something at the first contact that begins, in the middle of a step.
@@ -114,9 +120,30 @@ bool AtFirstTouch(std::function<void()> something) {
 }
 
 void CheckBetweenSteps() {
-    bool box2d = false;
-    Expect(Asked([&] { box2d = BothAreBox2Ds(); }) == 0, "outside of steps nothing is taken for a step's");
-    Expect(box2d, "outside of steps Box2D answers");
+    Answered box2d = {false, false};
+    Expect(Asked([&] { box2d = AskBoth(); }) == 0, "outside of steps nothing is taken for a step's");
+    Expect(box2d.impact && box2d.overlap, "outside of steps Box2D answers");
+}
+
+/// A body that a bullet hits asks in the middle of the search for impacts.
+void CheckInSearch() {
+    b2World world({0.0f, 0.0f});
+    AddBox(&world, b2_staticBody, {0.0f, 0.0f});
+    b2Body *const bullet = AddBox(&world, b2_dynamicBody, {0.0f, 3.0f})->GetBody();
+    bullet->SetBullet(true);
+    bullet->SetLinearVelocity({0.0f, -300.0f});
+    Answered box2d = {false, false};
+    uint64_t asked = 0;
+    const uint64_t before = bmr::GetStatistics().toiQueries;
+    uint64_t searched = 0;
+    AtBegin listener([&] {
+        searched = bmr::GetStatistics().toiQueries - before;
+        asked = Asked([&] { box2d = AskBoth(); });
+    });
+    world.SetContactListener(&listener);
+    world.Step(1.0f / 60.0f, 8, 3);
+    Expect(listener.Done() && searched > 0, "a bullet hits, in the search for impacts");
+    Expect(asked == 1 && box2d.impact, "a listener's question in the search for impacts is Box2D's");
 }
 
 } // namespace
@@ -127,25 +154,27 @@ int main() {
     Expect(bmr::Install(options), "the plugin is at work");
     CheckBetweenSteps();
 
-    bool box2d = true;
+    Answered box2d = {false, true};
     uint64_t asked = 0;
-    Expect(AtFirstTouch([&] { asked = Asked([&] { box2d = BothAreBox2Ds(); }); }), "two boxes touch");
-    Expect(asked == 2 && !box2d, "control: in a step, on its thread, the plugin would answer");
+    Expect(AtFirstTouch([&] { asked = Asked([&] { box2d = AskBoth(); }); }), "two boxes touch");
+    Expect(asked == 1 && !box2d.overlap, "control: in a step, on its thread, the plugin answers overlaps");
+    Expect(box2d.impact, "a listener's question for a time of impact is Box2D's");
+    CheckInSearch();
     CheckBetweenSteps();
 
-    box2d = false;
-    Expect(
-        AtFirstTouch([&] { asked = Asked([&] { std::thread([&] { box2d = BothAreBox2Ds(); }).join(); }); }),
-        "two boxes touch again");
-    Expect(asked == 0 && box2d, "another thread gets Box2D's answers while this one steps");
+    box2d = {false, false};
+    Expect(AtFirstTouch([&] { asked = Asked([&] { std::thread([&] { box2d = AskBoth(); }).join(); }); }),
+           "two boxes touch again");
+    Expect(asked == 0 && box2d.impact && box2d.overlap,
+           "another thread gets Box2D's answers while this one steps");
 
     // A world of its own, stepped by a listener in the middle of the first one's step.
     Expect(AtFirstTouch([&] {
                Expect(AtFirstTouch([] {}), "a step within a step");
-               asked = Asked([&] { box2d = BothAreBox2Ds(); });
+               asked = Asked([&] { box2d = AskBoth(); });
            }),
            "two boxes touch once more");
-    Expect(asked == 2 && !box2d, "when the inner step has ended, the outer one goes on");
+    Expect(asked == 1 && !box2d.overlap, "when the inner step has ended, the outer one goes on");
     CheckBetweenSteps();
 
     bool thrown = false;
