@@ -184,6 +184,10 @@ function(boomerang_accelerate)
     # Floating point means what it says, whatever the project's flags are; and memory may be missing (hull.cpp).
     target_compile_options(${ours} PRIVATE -fno-fast-math -ffp-contract=off
       "$<$<AND:$<COMPILE_LANGUAGE:CXX>,$<IN_LIST:-fno-rtti,$<TARGET_PROPERTY:${target},COMPILE_OPTIONS>>>:-fno-rtti>")
+    if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$") # nor traps in a lane that is not used (BoomerangTarget.cmake)
+      target_compile_options(${ours} PRIVATE
+        $<$<OR:$<COMPILE_LANG_AND_ID:C,Clang>,$<COMPILE_LANG_AND_ID:CXX,Clang>>:-ffp-exception-behavior=maytrap>)
+    endif()
     if(NOT EMSCRIPTEN)
       target_compile_options(${ours} PRIVATE "$<$<COMPILE_LANGUAGE:CXX>:-fexceptions>")
     endif()

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # What every target of this project is compiled with.
 #   boomerang_target(<target>)
-# Floating point must mean the same thing everywhere: no contraction, no fast-math.
+# Floating point must mean the same thing everywhere: no contraction, no fast-math. And what a game may trap (FE_INVALID and
+# the like) must not come from a lane that nobody uses: clang divides nothing by nothing there unless it is told.
 function(boomerang_target target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -ffp-contract=off
     $<$<BOOL:${BOOMERANG_WARNINGS_AS_ERRORS}>:-Werror>)
@@ -11,6 +12,10 @@ function(boomerang_target target)
   # What reads options and writes pages, and some tests, are other people's templates mostly, and wait for nothing.
   if(room MATCHES "^(testbed_scenes/(driver|drawing|manual|picture|recording|replay|report|theory)|tests/(bad_input|stale|threads))")
     target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1>)
+  endif()
+  if(room MATCHES "^(core|box2d_glue|plugin)" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+    target_compile_options(${target} PRIVATE
+      $<$<OR:$<COMPILE_LANG_AND_ID:C,Clang>,$<COMPILE_LANG_AND_ID:CXX,Clang>>:-ffp-exception-behavior=maytrap>)
   endif()
   if(BOOMERANG_QUICK_BUILD AND room MATCHES "^testbed_scenes")
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
