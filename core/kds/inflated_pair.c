@@ -6,13 +6,12 @@
 #include "boomerang/inflated.h"
 #include "certificate/walk.h"
 #include "hierarchy/tree.h"
+#include "kds/coarse_line.h"
 #include "kds/registry.h"
-#include "kds/windowed_line.h"
 
-/// An edge's line is taken if it proves at least this part of the distance beyond the margin. A level that
-/// keeps its promise has more, 1 / (2 + 2 sqrt 2), and the best edge of the polygons themselves has
-/// sqrt(1/2). Less than this is possible only with a margin as large as the polygons, and for points, which
-/// have no edges.
+/// A level's line is taken if it proves at least this part of the distance beyond the margin. One that keeps
+/// its promise has more, 1 / (2 + 2 sqrt 2); less is possible only with a margin as large as the polygons,
+/// and for points, which have no edges.
 #define EDGE_PART 0.125
 
 /// Where a level promises no more than this many margins, its line is not taken: the distance itself is asked
@@ -144,11 +143,24 @@ static bool select_near(bmr_kds *kds, const bmr_pose *pose) {
     return found;
 }
 
+/// In the annulus, where no level keeps its promise: the coarse line, of which a convex path needs no more
+/// than both trees are deep (that of most slack would fail at each edge of polygons that it comes
+/// geometrically nearer to); and where no edge clears the margin, the closest direction, which does.
+static void take_coarse(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *pose, bmr_vec2 u,
+                        int deepest) {
+    const uint32_t support[2] = {w->support[0], w->support[1]};
+    if (!bmr_coarse_line(kds, pose, u, support, w)) {
+        bmr_windowed_line_set(w, kds, pose, 0, u, support);
+        bmr_windowed_exact(w, kds, pose, 0);
+    }
+    w->level = deepest;
+    if (window_of(kds) == WINDOW_FIXED)
+        bmr_windowed_fix(w);
+}
+
 /// Lemma 6.1: after an event P moves d/beta before the next, beta = 2 (1 + sqrt 2).
 /// Section 6, two polygons: the new edge is of the inflated envelope that holds the vertex.
-/// From the closest direction. Where no level has the slack: the best edge of the polygons themselves,
-/// without any promise; and where not even that one clears the margin, the closest direction, which does.
-/// O(log n).
+/// From the closest direction. O(log n).
 static bool select_line(bmr_kds *kds, const bmr_pose *pose) {
     inflated_state *s = state_of(kds);
     bmr_windowed_line w = s->now;
@@ -158,17 +170,12 @@ static bool select_line(bmr_kds *kds, const bmr_pose *pose) {
         return false;
     bmr_walk walk = walk_of(kds, pose);
     bmr_candidate best;
-    descend(kds, &walk, u, 0, &best);
+    const bool promised = descend(kds, &walk, u, 0, &best);
     bmr_kds_tally(kds, walk.steps);
-    if (best.gap > kds->def.margin + EDGE_PART * (distance - kds->def.margin)) {
+    if (promised && best.gap > kds->def.margin + EDGE_PART * (distance - kds->def.margin))
         take_edge(&w, kds, pose, walk.level, &best);
-    } else {
-        bmr_windowed_line_set(&w, kds, pose, 0, u, w.support);
-        bmr_windowed_exact(&w, kds, pose, 0);
-        w.level = bmr_walk_deepest(walk.hierarchies);
-        if (window_of(kds) == WINDOW_FIXED)
-            bmr_windowed_fix(&w);
-    }
+    else
+        take_coarse(&w, kds, pose, u, bmr_walk_deepest(walk.hierarchies));
     s->now = w;
     return true;
 }

@@ -82,13 +82,16 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
         return bmr_point_inflated_done(kds, false, report);
     bmr_point_state *state = bmr_point_get(kds);
     const bmr_level_choice best = bmr_point_most_slack(kds, x, u, &report->touched);
+    const bmr_inflation inflation = bmr_point_inflation(kds);
+    // In the annulus a cell promises nothing.
+    const bool promised = best.j > 0 && best.j <= bmr_inflation_last(&inflation, state->hierarchy);
     const bmr_edge cell =
-        best.j > 0 ? bmr_point_complex_cell(kds, best.edge, best.j, x, &report->touched) : best.edge;
+        promised ? bmr_point_complex_cell(kds, best.edge, best.j, x, &report->touched) : best.edge;
     const double need = bmr_point_need(kds);
     bool apart = true;
     if (bmr_edge_slack(state->hierarchy, cell, x) > need)
         state->edge = cell;
-    else if (best.slack > need) // in the annulus, where a cell promises nothing
+    else if (best.slack > need)
         state->edge = best.edge;
     else
         apart = bmr_point_take_free(kds, &now->pose);

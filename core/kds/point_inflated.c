@@ -8,8 +8,10 @@
 // - the cell that the point is in, in the complex of triangles and trapezoids between the inflated envelopes
 //   (point_complex.c).
 //
-// If the point is inside the last Q'_j, in the annulus around the polygon, no slack can be promised: the edge
-// of most slack is taken, and below that the closest direction.
+// If the point is inside the last Q'_j, in the annulus around the polygon, no slack can be promised. There
+// the coarsest edge that separates is taken, of which a convex path needs one a level at most; that of most
+// slack would fail at each edge of a polygon that the path comes geometrically nearer to. Where no edge
+// separates: the closest direction.
 //
 // The paper's tuning remark (a richer root polygon, offsets that shrink more slowly: beta towards 1, kappa =
 // 2 beta + 1 towards 3), measured on a regular 256-gon and a 4:1 ellipse, 60 motions, most slack: the least
@@ -48,7 +50,7 @@ bmr_level_choice bmr_point_most_slack(bmr_kds *kds, bmr_vec2 x, bmr_vec2 u, unsi
     const bmr_hierarchy *h = bmr_point_look(kds)->hierarchy;
     const bmr_inflation inflation = bmr_point_inflation(kds);
     const uint32_t last = bmr_inflation_last(&inflation, h);
-    bmr_level_choice choice = {BMR_NO_EDGE, 0, -INFINITY};
+    bmr_level_choice choice = {BMR_NO_EDGE, 0, -INFINITY}, coarsest = choice;
     bmr_corner corner = bmr_tree_extreme(h, u, bmr_inflation_level(&inflation, h, 0), touched);
     for (uint32_t j = 0; j <= last; ++j) {
         corner = bmr_tree_refine(h, corner, u, bmr_inflation_level(&inflation, h, j), touched);
@@ -57,7 +59,11 @@ bmr_level_choice bmr_point_most_slack(bmr_kds *kds, bmr_vec2 x, bmr_vec2 u, unsi
         choice.j = j;
         if (choice.slack >= bmr_point_promised(kds, &inflation, j))
             return choice;
+        if (coarsest.edge == BMR_NO_EDGE && choice.slack > bmr_point_need(kds))
+            coarsest = choice;
     }
+    if (coarsest.edge != BMR_NO_EDGE)
+        choice = coarsest;
     choice.j = last + 1;
     return choice;
 }

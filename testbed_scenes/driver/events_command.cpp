@@ -280,10 +280,11 @@ void PrintGrowth(const std::vector<Run> &runs, Quantity quantity, bool colour) {
             const std::optional<Growth> growth = GrowthOf(runs, motion, structure, quantity);
             if (!growth)
                 return Table::Cell{"-"};
-            const std::string text = TextOf(*growth);
-            if (!growth->holds)
-                return Table::Cell{text, Style::Faint};
-            return Table::Cell{text, *growth->holds ? Style::Good : Style::Bad};
+            const Style style = growth->verdict == BoundVerdict::None      ? Style::Faint
+                                : growth->verdict == BoundVerdict::Holds   ? Style::Good
+                                : growth->verdict == BoundVerdict::Refuted ? Style::Bad
+                                                                           : Style::Plain;
+            return Table::Cell{TextOf(*growth), style};
         });
 }
 

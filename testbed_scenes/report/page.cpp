@@ -278,12 +278,14 @@ private:
         Structures(
             runs, "Growth of events with D/sigma, n = " + std::to_string(runs.front().n),
             "the exponent, or +events per doubling where the bound is logarithmic; < the paper's bound, "
-            "NO where it does not hold; rivals have no bound",
+            "NO where the fit refutes it, ? where its interval reaches the bound and more; rivals have no "
+            "bound",
             [&runs](const std::string &motion, const bmr_kds_info *structure) {
                 const std::optional<Growth> growth = GrowthOf(runs, motion, structure, Quantity::Events);
                 if (!growth)
                     return HtmlTable::Cell{"–", "none"};
-                return HtmlTable::Cell{TextOf(*growth), growth->holds.value_or(true) ? "" : "bad"};
+                return HtmlTable::Cell{TextOf(*growth),
+                                       growth->verdict == BoundVerdict::Refuted ? "bad" : ""};
             });
     }
 

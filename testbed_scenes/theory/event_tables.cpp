@@ -155,6 +155,20 @@ bool IsLogarithmic(const bmr_growth &fit, const std::vector<double> &ratios,
     return ofLogarithm <= ofPower;
 }
 
+/// What a growth that is the bound's own may be fitted above it.
+constexpr double kExponentRoom = 0.05;
+
+BoundVerdict VerdictOn(const Growth &growth, const std::vector<double> &ratios,
+                       const std::vector<double> &values) {
+    const bmr_growth &fit = growth.fit;
+    const double bound = ExponentOf(growth.bound, ratios);
+    if (growth.bound == Bound::Logarithmic && IsLogarithmic(fit, ratios, values))
+        return BoundVerdict::Holds;
+    if (fit.exponent + fit.exponent_error <= bound + kExponentRoom)
+        return BoundVerdict::Holds;
+    return fit.exponent - fit.exponent_error > bound ? BoundVerdict::Refuted : BoundVerdict::Open;
+}
+
 std::optional<Growth> GrowthOf(const std::vector<Run> &runs, const std::string &motion,
                                const bmr_kds_info *structure, Quantity quantity) {
     std::vector<double> ratios, values;
@@ -173,10 +187,8 @@ std::optional<Growth> GrowthOf(const std::vector<Run> &runs, const std::string &
     if (different.size() < 3 ||
         bmr_fit_growth(ratios.data(), values.data(), ratios.size(), &growth.fit) != BMR_OK)
         return std::nullopt;
-    const bmr_growth &fit = growth.fit;
     if (growth.bound != Bound::None)
-        growth.holds = (growth.bound == Bound::Logarithmic && IsLogarithmic(fit, ratios, values)) ||
-                       fit.exponent - fit.exponent_error <= ExponentOf(growth.bound, ratios);
+        growth.verdict = VerdictOn(growth, ratios, values);
     return growth;
 }
 
@@ -205,8 +217,12 @@ std::string TextOf(const Growth &growth) {
     else
         std::snprintf(number, sizeof number, "%.2f", growth.fit.exponent);
     std::string text = number;
-    if (growth.holds)
-        text += std::string(" <") + NameOf(growth.bound) + (*growth.holds ? "" : " NO");
+    if (growth.verdict != BoundVerdict::None)
+        text += std::string(" <") + NameOf(growth.bound);
+    if (growth.verdict == BoundVerdict::Refuted)
+        text += " NO";
+    else if (growth.verdict == BoundVerdict::Open)
+        text += " ?";
     return text;
 }
 

@@ -49,17 +49,22 @@ enum class Bound {
 };
 Bound BoundFor(const bmr_kds_info &structure, bool rigid, bool convex);
 
+/// What a fit says of a bound. All of the exponent's confidence interval above the bound's own exponent over
+/// the same ratios refutes it, and all of it below (or above by no more than seeds and whole events make of
+/// the bound itself) confirms it. An interval that merely reaches the bound says nothing. A logarithm is
+/// confirmed, too, where it is the better fit.
+enum class BoundVerdict { None, Holds, Open, Refuted };
+
 /// How the number of events grew with D/sigma, and whether that is within the paper's bound.
 struct Growth {
     bmr_growth fit = {};
     Bound bound = Bound::None;
-    /// Is the exponent, less its confidence interval, at most that of the bound over the same ratios? (Or,
-    /// where the bound is logarithmic, is a logarithm the better fit?) Nothing where there is no bound.
-    std::optional<bool> holds;
+    BoundVerdict verdict = BoundVerdict::None; ///< None: there is no bound
 };
 /// The bound's power of D/sigma: "log", "1/2", "1/2 log", "1", "1 log2"; "-" where there is none.
 const char *NameOf(Bound bound);
-/// "0.47 <1/2", or "+0.6 <log" for events per doubling; with " NO" where the bound does not hold.
+/// "0.47 <1/2", or "+0.6 <log" for events per doubling; with " NO" where that refutes the bound, and " ?"
+/// where it says nothing.
 std::string TextOf(const Growth &growth);
 /// Nothing where there are fewer than three ratios with events.
 std::optional<Growth> GrowthOf(const std::vector<Run> &runs, const std::string &motion,

@@ -12,8 +12,10 @@
 #include <cmocka.h>
 
 #include "convex_paths.h"
+#include "hierarchies.h"
 #include "kds/cone.h"
 #include "kds/structure.h"
+#include "motions.h"
 #include "structure_named.h"
 #include "test_scale.h"
 
@@ -30,18 +32,25 @@ typedef struct count {
     double n, depths;                ///< N; the depths of both trees together
 } count;
 
-static count run(const char *name, const test_kds_body *a, const test_kds_body *b, const test_path *path) {
+/// A sound run, to the end or to the first contact.
+static test_drive_result drive(const char *name, double margin, const test_kds_body *a,
+                               const test_kds_body *b, const test_path *path) {
     bmr_kds_def def = bmr_default_kds_def();
-    def.margin = MARGIN;
+    def.margin = margin;
     bmr_kds *kds = NULL;
     assert_int_equal(bmr_kds_create(test_structure(name), &def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
-    const test_drive drive = {.path = path, .margin = MARGIN};
-    const test_drive_result r = test_drive_run(kds, a->polygon, b->polygon, &drive);
+    const test_drive how = {.path = path, .audit_every = 100, .margin = margin, .stop_at_contact = true};
+    const test_drive_result r = test_drive_run(kds, a->polygon, b->polygon, &how);
     bmr_kds_destroy(kds, NULL);
     assert_true(test_drive_is_sound(&r));
+    return r;
+}
+
+static count run(const char *name, const test_kds_body *a, const test_kds_body *b, const test_path *path) {
+    const test_drive_result r = drive(name, MARGIN, a, b, path);
     assert_int_equal(r.events[BMR_KDS_CONTACT], 0);
     count c = {.events = (double)test_drive_events(&r), .handovers = (double)r.events[BMR_KDS_HANDOVER]};
-    const double diameter = test_diameter(a->polygon, b->polygon, MARGIN);
+    const double diameter = test_diameter(a->polygon) + test_diameter(b->polygon) + 2.0 * MARGIN;
     c.sigma = r.nearest - MARGIN;
     c.ratio = fmax(1.0, diameter / c.sigma);
     c.n = (double)a->polygon->count + b->polygon->count;
@@ -69,11 +78,11 @@ static double coarse_bound(const count *c) {
 }
 
 /// How much of the bounds the worst run used.
-typedef struct worst {
+typedef struct used {
     double free, hybrid, repairs, coarse;
-} worst;
+} used;
 
-static void keep_bounds(const test_kds_body *a, const test_kds_body *b, const test_path *path, worst *w) {
+static void keep_bounds(const test_kds_body *a, const test_kds_body *b, const test_path *path, used *w) {
     const count fd = run("free-fd2", a, b, path), hybrid = run("hybrid", a, b, path),
                 two = run("two-lines", a, b, path), coarse = run("coarse", a, b, path);
     const double repairs = two.events - two.handovers;
@@ -106,8 +115,8 @@ static test_chain_def any_chain(test_random *random) {
 static void no_convex_path_is_above_its_bound(void **state) {
     (void)state;
     test_random random = {34};
-    worst w = {0.0, 0.0, 0.0, 0.0};
-    for (size_t i = 0; i < test_scaled(1700); ++i) {
+    used w = {0.0, 0.0, 0.0, 0.0};
+    for (size_t i = 0; i < test_scaled(17000); ++i) {
         if (i % 2) {
             const test_chain_def def = any_chain(&random);
             test_chain chain = test_chain_make(&def, &random);
@@ -131,9 +140,110 @@ static void no_convex_path_is_above_its_bound(void **state) {
                   w.hybrid, w.repairs, w.coarse);
 }
 
+static double events_on(const char *name, const test_chain *c) {
+    return run(name, &c->body[0], &c->body[1], &c->path).events;
+}
+
+/// One line that has hysteresis, or takes the most slack, fails at every other edge or more often; the
+/// inflated structures do not, since near the polygon they take the coarsest edge that separates.
+static void a_chain_refutes_the_free_direction_and_spares_the_inflated_ones(void **state) {
+    (void)state;
+    static const char *const of_two[] = {"inflated-translation", "inflated-window", "sum-inflated-compass"};
+    static const char *const of_point[] = {"point-inflated-compass", "point-inflated-dudley",
+                                           "point-inflated-slack", "point-complex"};
+    test_random random = {5};
+    for (int deal = 0; deal < TEST_DEAL_COUNT; ++deal)
+        for (size_t turn = 0; turn < test_scaled(30); ++turn) {
+            const double first = 0.05 + 0.5 * (double)turn, second = 0.3 + 0.7 * (double)turn;
+            const test_chain_def steep = {10, 5.0, (test_deal)deal, {first, second}, 0.0},
+                                 longer = {24, 2.0, (test_deal)deal, {first, second}, 0.0};
+            test_chain c = test_chain_make(&steep, &random);
+            assert_true(events_on("free-fd2", &c) >= 0.5 * steep.edges - 1.0);
+            test_chain_destroy(&c);
+            c = test_chain_make(&longer, &random);
+            const double most = test_tree_depth(c.body[0].polygon) + test_tree_depth(c.body[1].polygon) + 8.0;
+            assert_true(events_on("free-fd2", &c) > most); // the control: so does what takes the most slack
+            assert_true(events_on("separating-edge", &c) > most);
+            for (size_t i = 0; i < sizeof of_two / sizeof *of_two; ++i)
+                assert_true(events_on(of_two[i], &c) <= most);
+            for (size_t i = 0; deal == TEST_DEAL_POINT && i < sizeof of_point / sizeof *of_point; ++i)
+                assert_true(events_on(of_point[i], &c) <= most);
+            test_chain_destroy(&c);
+        }
+}
+
+static void twenty_four_vertices_cost_few_failures_until_the_contact(void **state) {
+    (void)state;
+    const test_chain_def def = {21, 2.0, TEST_DEAL_POINT, {0.5, 0.5}, 0.0};
+    test_random random = {24};
+    test_chain c = test_chain_make(&def, &random);
+    assert_int_equal(c.body[0].polygon->count, 24);
+    const double margin = bmr_default_kds_def().margin; // 2^-20
+    const test_drive_result hybrid = drive("hybrid", margin, &c.body[0], &c.body[1], &c.path),
+                            two = drive("two-lines", margin, &c.body[0], &c.body[1], &c.path),
+                            fd = drive("free-fd2", margin, &c.body[0], &c.body[1], &c.path);
+    assert_true(test_drive_events(&hybrid) <= 6 && test_drive_events(&two) <= 7);
+    assert_true(two.events[BMR_KDS_HANDOVER] > 0 && two.events[BMR_KDS_PUSH] > 0);
+    assert_true(test_drive_events(&fd) >= 10);
+    test_chain_destroy(&c);
+}
+
+/// Of any family and size, a point and a segment among them.
+static test_kds_body any_body(test_random *random) {
+    const uint32_t choice = test_random_below(random, 12);
+    if (choice == 0)
+        return test_kds_point_make(0.3, -0.2);
+    const size_t n = choice == 1 ? 2000 : 3 + test_random_below(random, 60);
+    return test_kds_body_make(
+        test_polygon((test_family)test_random_below(random, TEST_FAMILY_COUNT), n, random));
+}
+
+/// The ends of the fan of directions that separate by more than a part of the distance: there they separate
+/// by that part, and the search looked at O(log n) edges.
+static void the_fan_ends_where_its_separation_does(void **state) {
+    (void)state;
+    test_random random = {8};
+    double worst = 0.0;
+    for (size_t i = 0; i < test_scaled(3000); ++i) {
+        test_kds_body a = any_body(&random), b = any_body(&random);
+        const double size = a.polygon->extent + b.polygon->extent;
+        const bmr_pose pose = test_pose_at(a.polygon, b.polygon, test_random_uniform(&random, 0.0, 2.0 * PI),
+                                           test_random_uniform(&random, 0.0, 2.0 * PI),
+                                           size * pow(10.0, -test_random_uniform(&random, -1.0, 4.0)));
+        bmr_kds_def def = bmr_default_kds_def();
+        def.margin = MARGIN;
+        bmr_kds *kds = NULL;
+        assert_int_equal(bmr_kds_create(test_structure("coarse"), &def, &a.shape, &b.shape, NULL, &kds),
+                         BMR_OK);
+        uint32_t support[2] = {0, 0};
+        bmr_vec2 u;
+        double distance;
+        if (bmr_kds_closest(kds, &pose, &support[0], &support[1], &u, &distance) && distance > 1e-5 * size)
+            for (int side = -1; side <= 1; side += 2) {
+                const double least = distance * test_random_uniform(&random, 0.0, 0.9);
+                unsigned steps = 0;
+                kds->steps = &steps;
+                const bmr_vec2 end = bmr_cone_end(kds, &pose, u, least, side, support);
+                kds->steps = NULL;
+                const double off = fabs(bmr_kds_separation(kds, &pose, end) - least);
+                worst = fmax(worst, off / size);
+                assert_true(off <= 1e-9 * size);
+                assert_true(side * bmr_cross(u, end) >= 0.0);
+                assert_true(steps <= test_tree_depth(a.polygon) + test_tree_depth(b.polygon) + 12);
+            }
+        bmr_kds_destroy(kds, NULL);
+        test_kds_body_destroy(&a);
+        test_kds_body_destroy(&b);
+    }
+    print_message("off by %.1e of the extents at most\n", worst);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_convex_path_is_above_its_bound),
+        cmocka_unit_test(a_chain_refutes_the_free_direction_and_spares_the_inflated_ones),
+        cmocka_unit_test(twenty_four_vertices_cost_few_failures_until_the_contact),
+        cmocka_unit_test(the_fan_ends_where_its_separation_does),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -71,16 +71,3 @@ unsigned test_tree_depth(const bmr_polygon *polygon) {
         ++depth;
     return depth;
 }
-
-static double diameter_of(const bmr_polygon *p) {
-    double most = 0.0;
-    for (uint32_t i = 0; i < p->count; ++i)
-        for (uint32_t j = 0; j < i; ++j)
-            most =
-                fmax(most, hypot(p->vertices[i].x - p->vertices[j].x, p->vertices[i].y - p->vertices[j].y));
-    return most;
-}
-
-double test_diameter(const bmr_polygon *a, const bmr_polygon *b, double margin) {
-    return diameter_of(a) + diameter_of(b) + 2.0 * margin;
-}

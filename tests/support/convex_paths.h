@@ -39,8 +39,6 @@ void test_chain_destroy(test_chain *chain);
 
 /// ceil(log2(n + 1)): how deep the tree of a polygon of n edges is (kds/coarse_line.h).
 unsigned test_tree_depth(const bmr_polygon *polygon);
-/// D + 2 margin, D the sum of both diameters. O(n^2).
-double test_diameter(const bmr_polygon *a, const bmr_polygon *b, double margin);
 
 #ifdef __cplusplus
 }
