@@ -143,9 +143,9 @@ static bool select_near(bmr_kds *kds, const bmr_pose *pose) {
     return found;
 }
 
-/// In the annulus, where no level keeps its promise: the coarse line, of which a convex path needs no more
-/// than both trees are deep (that of most slack would fail at each edge of polygons that it comes
-/// geometrically nearer to); and where no edge clears the margin, the closest direction, which does.
+/// In the annulus, where no level keeps its promise, near the polygons: the coarse line, of which a convex
+/// path needs no more than both trees are deep (that of most slack would fail at each edge of polygons that
+/// it comes geometrically nearer to); and where no edge clears the margin, the closest direction, which does.
 static void take_coarse(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *pose, bmr_vec2 u,
                         int deepest) {
     const uint32_t support[2] = {w->support[0], w->support[1]};
@@ -170,12 +170,14 @@ static bool select_line(bmr_kds *kds, const bmr_pose *pose) {
         return false;
     bmr_walk walk = walk_of(kds, pose);
     bmr_candidate best;
-    const bool promised = descend(kds, &walk, u, 0, &best);
+    const uint32_t deepest = (uint32_t)bmr_walk_deepest(walk.hierarchies);
+    const bool far = descend(kds, &walk, u, 0, &best) ||
+                     best.gap - kds->def.margin >= bmr_coarse_below(&s->inflation, deepest);
     bmr_kds_tally(kds, walk.steps);
-    if (promised && best.gap > kds->def.margin + EDGE_PART * (distance - kds->def.margin))
+    if (far && best.gap > kds->def.margin + EDGE_PART * (distance - kds->def.margin))
         take_edge(&w, kds, pose, walk.level, &best);
     else
-        take_coarse(&w, kds, pose, u, bmr_walk_deepest(walk.hierarchies));
+        take_coarse(&w, kds, pose, u, (int)deepest);
     s->now = w;
     return true;
 }

@@ -8,10 +8,10 @@
 // - the cell that the point is in, in the complex of triangles and trapezoids between the inflated envelopes
 //   (point_complex.c).
 //
-// If the point is inside the last Q'_j, in the annulus around the polygon, no slack can be promised. There
-// the coarsest edge that separates is taken, of which a convex path needs one a level at most; that of most
-// slack would fail at each edge of a polygon that the path comes geometrically nearer to. Where no edge
-// separates: the closest direction.
+// If the point is inside the last Q'_j, in the annulus around the polygon, no slack can be promised. Near the
+// polygon the coarsest edge that separates is taken, of which a convex path needs one a level at most; that
+// of most slack would fail at each edge of a polygon that the path comes geometrically nearer to. Where no
+// edge separates: the closest direction.
 //
 // The paper's tuning remark (a richer root polygon, offsets that shrink more slowly: beta towards 1, kappa =
 // 2 beta + 1 towards 3), measured on a regular 256-gon and a 4:1 ellipse, 60 motions, most slack: the least
@@ -32,6 +32,7 @@
 #include <math.h>
 
 #include "hierarchy/tree.h"
+#include "kds/coarse_line.h"
 #include "kds/registry.h"
 
 bmr_inflation bmr_point_inflation(const bmr_kds *kds) {
@@ -62,7 +63,8 @@ bmr_level_choice bmr_point_most_slack(bmr_kds *kds, bmr_vec2 x, bmr_vec2 u, unsi
         if (coarsest.edge == BMR_NO_EDGE && choice.slack > bmr_point_need(kds))
             coarsest = choice;
     }
-    if (coarsest.edge != BMR_NO_EDGE)
+    const double below = bmr_coarse_below(&inflation, bmr_hierarchy_depth(h));
+    if (coarsest.edge != BMR_NO_EDGE && choice.slack - kds->def.margin < below)
         choice = coarsest;
     choice.j = last + 1;
     return choice;

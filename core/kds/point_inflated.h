@@ -14,7 +14,8 @@ bmr_inflation bmr_point_inflation(const bmr_kds *kds);
 double bmr_point_promised(const bmr_kds *kds, const bmr_inflation *inflation, uint32_t j);
 
 /// The least j whose inflated envelope has the point outside, and the edge of most slack of Q_j. Where there
-/// is none: j = last + 1 and the coarsest edge that separates, or the best edge of Q if none does.
+/// is none: j = last + 1 and, near the polygon (bmr_coarse_below), the coarsest edge that separates, else the
+/// best edge of Q.
 typedef struct bmr_level_choice {
     bmr_edge edge;
     uint32_t j;
