@@ -38,18 +38,23 @@ static size_t conditions(const bmr_kds *kds, bmr_condition *conditions) {
     return bmr_windowed_conditions(kept_line(kds), kds->def.margin, conditions);
 }
 
-/// A condition has failed: the closest points are looked for anew, from where they were.
+/// A condition has failed. Where only the bracket was left, the line still separates and gets other vertices
+/// of B. Otherwise the closest points are looked for anew, from where they were.
 static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
-    const bmr_windowed_line before = *kept_line(kds);
-    const bmr_windowed_failure failure = bmr_windowed_fails(&before, kds, now);
+    bmr_windowed_line *line = line_of(kds);
+    const bmr_windowed_failure failure = bmr_windowed_fails(line, kds, now);
     (void)failed; // others may have failed at the same time
     if (!failure.crossed && failure.rolled == 0)
         return true; // too early: nothing has failed
-    report->kind = failure.crossed ? BMR_KDS_PUSH : BMR_KDS_ROLL;
-    if (!start(kds, now, report))
-        return false;
-    report->line_changed = !bmr_windowed_same_line(&before, kept_line(kds));
-    return true;
+    report->kind = BMR_KDS_ROLL;
+    if (!failure.crossed) {
+        bmr_windowed_exact(line, kds, &now->pose, failure.rolled);
+        if (!bmr_windowed_fails(line, kds, now).crossed)
+            return true;
+    }
+    report->kind = BMR_KDS_PUSH;
+    report->line_changed = true;
+    return start(kds, now, report);
 }
 
 static void proof(const bmr_kds *kds, bmr_kds_proof *proof) {
