@@ -159,13 +159,16 @@ Already AlreadyIn(const Trial &trial, const Place &place) {
     return place.callsInstall ? Already::kInstalled : Already::kLinked;
 }
 
+/// With which the library ends a sentence on a Box2D that both libraries in LD_PRELOAD bring into sight.
+constexpr const char *kNameBoth = ". Name both: ";
+
 std::string ExplainNotAtWork(const Trial &trial) {
     const Run &off = trial.off.empty() ? trial.asItIs : trial.off.front();
     const std::string whyNot = trial.on.empty() ? off.whyNot : trial.on.front().whyNot;
     const ElfFile file = LookAtFile(trial.program);
     const Place place = PlaceOfBox2D(trial);
     if (!whyNot.empty())
-        return "Boomerang leaves this game's Box2D alone: " + whyNot + ".";
+        return "Boomerang leaves this game's Box2D alone: " + whyNot.substr(0, whyNot.find(kNameBoth)) + ".";
     if (!off.noStep.empty() && !place.shared.empty())
         return std::string(place.boomerang.empty() ? ""
                                                    : "This game is linked with Boomerang already, but ") +
@@ -207,8 +210,10 @@ std::string ExplainNotAtWork(const Trial &trial) {
 
 std::string NextWhereNotAtWork(const Trial &trial) {
     const Place place = PlaceOfBox2D(trial);
-    const bool leftAlone = !trial.on.empty() && !trial.on.front().whyNot.empty();
-    if (!trial.off.empty() && trial.off.front().steps > 0 && !place.shared.empty() && !leftAlone)
+    const std::string whyNot = trial.on.empty() ? "" : trial.on.front().whyNot;
+    const bool outOfSight = whyNot.empty() ? !trial.off.empty() && trial.off.front().steps > 0
+                                           : whyNot.find(kNameBoth) != std::string::npos;
+    if (outOfSight && !place.shared.empty())
         return "It is in sight where both libraries are preloaded:\n\n    LD_PRELOAD=" +
                Quoted(trial.preload + ":" + place.shared) + " " + CommandOf(trial) +
                "\n\nTo try it so:\n\n    LD_PRELOAD=" + Quoted(place.shared) + " boomerang try " +

@@ -317,6 +317,8 @@ test_modules_keep_their_own_box2d() {
         played "$module" "$module, verbose" LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1
         one_line "$module, verbose" "not used: .* a module's own .*\(boomerang_accelerate()\|LD_PRELOAD=\"$plugin /.*/libbox2d.*\"\)\$"
     done
+    game "module_host $bin/libsharing_module.so global" LD_PRELOAD="$plugin"
+    one_line "a module's Box2D for all to see" "was loaded after this library\. Name both: LD_PRELOAD=\"$plugin /.*/libbox2d.*\"\$"
     # Named with the library, the one that the module would bring is in search order.
     for setting in '' verify; do
         played libsharing_module "both preloaded, '$setting'" LD_PRELOAD="$plugin:$box2d" BOOMERANG="$setting"

@@ -74,6 +74,8 @@ box2d=$(sed -nE 's/.*LD_PRELOAD=([^ ]*) boomerang try .*/\1/p' "$room/said")
 holds "how to play it" says "LD_PRELOAD=/.*/libboomerang_box2d[^ ]*:$box2d .*/module_host "
 holds "which is in sight where it is preloaded" env LD_PRELOAD="$box2d" "$boomerang" try --quiet --rounds 1 -- "$bin/module_host" \
     "$bin/libsharing_module.so"
+holds "Box2D of a module, for all to see" tries 3 "$bin/module_host" "$bin/libsharing_module.so" global
+holds "was there too late, and both are named" says "was loaded after this library\. .*LD_PRELOAD=/.*/libboomerang_box2d[^ ]*:/.*/libbox2d[^ ]* .*/module_host "
 holds "another Box2D under that name" tries 3 -- "$bin/strange_game"
 holds "is left alone, and says why" says 'leaves this game.s Box2D alone: the Box2D of this process lacks '
 holds "no Box2D at all" tries 3 -- "$bin/no_game"

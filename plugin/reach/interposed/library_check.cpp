@@ -2,6 +2,7 @@
 #include "reach/interposed/library_check.h"
 
 #include <atomic>
+#include <climits>
 #include <cstddef>
 #include <cstdio>
 #include <string_view>
@@ -83,6 +84,20 @@ const char *PathOf(const void *address) {
     return address != nullptr && dladdr(address, &info) != 0 ? info.dli_fname : "?";
 }
 
+const char *OurPath() {
+    return PathOf(reinterpret_cast<const void *>(&StepsComeByHere));
+}
+
+/// What is said of this process, with two paths at most. Whoever asks once more asks the same, or is the
+/// last.
+char words[2 * PATH_MAX + 200];
+
+/// In search order ahead of all else, both are in sight of each other.
+const char *NameBoth(const char *why, const char *box2d) {
+    std::snprintf(words, sizeof words, "%s. Name both: LD_PRELOAD=\"%s %s\"", why, OurPath(), box2d);
+    return words;
+}
+
 size_t SizeOf(const void *address) {
     Dl_info info;
     void *symbol = nullptr;
@@ -107,48 +122,41 @@ bool AWrapperStepsFirst() {
 }
 
 const char *WhyNoStepComesBy() {
-    static char why[1200];
-    const char *ours = PathOf(reinterpret_cast<const void *>(&StepsComeByHere));
     const char *first = PathOf(boundStep);
     if (!StepsComeByHere() && AWrapperStepsFirst() && IsInProgram(boundStep))
-        std::snprintf(why, sizeof why,
+        std::snprintf(words, sizeof words,
                       "%s has a b2World::Step of its own, so that contacts alone can be answered. Give that "
                       "function another name",
                       first);
     else if (!StepsComeByHere() && IsInProgram(boundStep))
         return kInside;
     else if (!StepsComeByHere() && IsPreloaded())
-        std::snprintf(why, sizeof why, "%s is ahead of it. Name it first: LD_PRELOAD=\"%s %s\"", first, ours,
-                      first);
+        std::snprintf(words, sizeof words, "%s is ahead of it. Name it first: LD_PRELOAD=\"%s %s\"", first,
+                      OurPath(), first);
     else if (!StepsComeByHere())
         std::snprintf(
-            why, sizeof why,
+            words, sizeof words,
             "%s is ahead of it, so that contacts alone can be answered. Link boomerang::box2d ahead "
             "of Box2D",
             first);
     else if (AnyBox2DBehind())
-        std::snprintf(why, sizeof why, "this program never called b2World::Step");
+        std::snprintf(words, sizeof words, "this program never called b2World::Step");
     else
-        std::snprintf(why, sizeof why,
+        std::snprintf(words, sizeof words,
                       "this program never called b2World::Step through this library. If Box2D is compiled "
                       "into it, use boomerang_accelerate()");
-    return why;
+    return words;
 }
 
 const char *WhyModuleIsLeftAlone() {
-    static char why[1200];
     const std::string_view path = PathOf(FindReal(kStep));
-    const bool isLibrary = path.substr(path.rfind('/') + 1).substr(0, 8) == "libbox2d";
-    if (isLibrary)
-        std::snprintf(why, sizeof why,
-                      "the Box2D of this process is a module's own (dlopen). Name both: LD_PRELOAD=\"%s %s\"",
-                      PathOf(reinterpret_cast<const void *>(&StepsComeByHere)), path.data());
-    else
-        std::snprintf(why, sizeof why,
-                      "the Box2D of this process is inside a module's own file (dlopen), %s. Where that is "
-                      "compiled, use boomerang_accelerate()",
-                      path.data());
-    return why;
+    if (path.substr(path.rfind('/') + 1).substr(0, 8) == "libbox2d")
+        return NameBoth("the Box2D of this process is a module's own (dlopen)", path.data());
+    std::snprintf(words, sizeof words,
+                  "the Box2D of this process is inside a module's own file (dlopen), %s. Where that is "
+                  "compiled, use boomerang_accelerate()",
+                  path.data());
+    return words;
 }
 
 bool InitialiseBox2D() {
@@ -173,7 +181,6 @@ bool AnotherIsCompiledIn() {
 }
 
 const char *WhyLibraryIsUnknown() {
-    static char why[200];
     if (AnotherIsCompiledIn())
         return kCompiledIn;
     if (programHasItsOwn)
@@ -196,12 +203,12 @@ const char *WhyLibraryIsUnknown() {
             what = "has another size of";
         }
         if (what != nullptr) {
-            std::snprintf(why, sizeof why, "the Box2D of this process %s %s", what, symbol.name);
-            return why;
+            std::snprintf(words, sizeof words, "the Box2D of this process %s %s", what, symbol.name);
+            return words;
         }
     }
     if (boundReference == nullptr)
-        return "the Box2D of this process was loaded after this library";
+        return NameBoth("the Box2D of this process was loaded after this library", PathOf(Find(kWorld)));
     return nullptr;
 }
 
