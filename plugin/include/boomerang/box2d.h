@@ -28,14 +28,8 @@ namespace internal {
 /// ConvexShape refuse.
 BMR_BOX2D_API bool MeetBox2D(const void *function);
 
-namespace {
-
 /// Before main, for each source that includes this.
-const struct Meeting {
-    Meeting() { MeetBox2D(reinterpret_cast<const void *>(&b2CollidePolygons)); }
-} meeting;
-
-} // namespace
+const bool metBox2D = MeetBox2D(reinterpret_cast<const void *>(&b2CollidePolygons));
 
 } // namespace internal
 } // namespace bmr
