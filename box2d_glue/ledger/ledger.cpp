@@ -134,6 +134,13 @@ bool Ledger::Begin() {
     return CatchUp();
 }
 
+void Ledger::BeginEmpty() {
+    if (m_passes > 0)
+        return;
+    Empty();
+    m_bodies.Forget();
+}
+
 void Ledger::Empty() {
     m_movers.Clear();
     m_proxyPairs.Empty();

@@ -346,6 +346,9 @@ void b2ContactManager::FindNewContacts() {
         return stock::FindNewContacts(this);
     const ShortList::Whole whole(this);
     TouchingList::Open(this);
+    if (m_contactList == nullptr)
+        if (Ledger *ledger = FindLedger(this))
+            ledger->BeginEmpty();
     const bool ours = HookIsOn(Hook::PairFinding);
     if (ours) {
         PairFinder finder(this);
