@@ -390,10 +390,11 @@ void PrintTables(const EventsCommand &command, const Experiment &experiment, con
               << SeparationOf(runs.back()) << "\n\n";
     PrintCounts(runs, own ? 0 : experiment.ratios.size() - 1, quantity, experiment.optimum, colour);
     if (!own && experiment.ratios.size() >= 3) {
-        std::cout << "Growth of " << command.count << " with D/sigma = " << experiment.ratios.front()
-                  << " .. " << experiment.ratios.back()
-                  << ": the exponent, or +events per doubling where the\nbound is logarithmic; < the paper's "
-                     "bound, NO where it does not hold\n\n";
+        std::cout
+            << "Growth of " << command.count << " with D/sigma = " << experiment.ratios.front() << " .. "
+            << experiment.ratios.back()
+            << ": the exponent, or +events per doubling where the\nbound is logarithmic; < the paper's "
+               "bound, NO where the fit refutes it, ? where its interval reaches the bound and more\n\n";
         PrintGrowth(runs, quantity, colour);
     }
     std::cout << "The four qualities, and the least change from event to event over the distance (rho)\n\n";
@@ -442,8 +443,9 @@ CLI::App *AddEvents(CLI::App &app, EventsCommand &command) {
         ->add_option(
             "--count", command.count,
             "events (certificates that failed), lines (separating lines replaced), touched (elementary "
-            "steps of repairs) or work (failure times computed)")
-        ->check(CLI::IsMember({"events", "lines", "touched", "work"}))
+            "steps of repairs), work (failure times computed) or handovers (events in which a spare line "
+            "took over)")
+        ->check(CLI::IsMember({"events", "lines", "touched", "work", "handovers"}))
         ->capture_default_str();
     events->add_option("--alpha", command.def.alpha, "Inflated: offset of the first level over the diameter")
         ->check(Between(1e-6, 1e6))

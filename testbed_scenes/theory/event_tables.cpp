@@ -10,7 +10,7 @@
 namespace testbed {
 namespace {
 
-const char *const kQuantityNames[] = {"events", "lines", "touched", "work"};
+const char *const kQuantityNames[] = {"events", "lines", "touched", "work", "handovers"};
 
 nlohmann::json Number(double value) {
     return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
@@ -40,7 +40,7 @@ double SlackOf(const bmr_simulation_event &event, const bmr_polygon *a, const bm
 } // namespace
 
 Quantity QuantityNamed(const std::string &name) {
-    for (int i = 0; i < 4; ++i)
+    for (size_t i = 0; i < std::size(kQuantityNames); ++i)
         if (name == kQuantityNames[i])
             return static_cast<Quantity>(i);
     throw std::invalid_argument("there is no quantity \"" + name + "\"");
@@ -56,6 +56,8 @@ double QuantityOf(const Run &run, Quantity quantity) {
         return static_cast<double>(run.outcome.run.counts.touched);
     case Quantity::Work:
         return static_cast<double>(run.outcome.run.counts.failure_times);
+    case Quantity::Handovers:
+        return static_cast<double>(run.outcome.run.counts.events[BMR_KDS_HANDOVER]);
     }
     return static_cast<double>(run.outcome.run.events);
 }

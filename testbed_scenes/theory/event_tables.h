@@ -16,12 +16,13 @@ namespace testbed {
 
 /// What a table counts of each run.
 enum class Quantity {
-    Events,  ///< certificates that failed
-    Lines,   ///< separating lines that were replaced by others
-    Touched, ///< cells, levels and features that the repairs looked at
-    Work,    ///< failure times computed
+    Events,   ///< certificates that failed
+    Lines,    ///< separating lines that were replaced by others
+    Touched,  ///< cells, levels and features that the repairs looked at
+    Work,     ///< failure times computed
+    Handovers ///< of the events, those in which a spare line took over
 };
-/// "events", "lines", "touched", "work"; throws std::invalid_argument.
+/// "events", "lines", "touched", "work", "handovers"; throws std::invalid_argument.
 Quantity QuantityNamed(const std::string &name);
 double QuantityOf(const Run &run, Quantity quantity);
 

@@ -113,6 +113,16 @@ TEST_CASE("the exponent fitted is that of the growth, and rivals have no bound")
     CHECK(growth->verdict == BoundVerdict::None);
 }
 
+TEST_CASE("handovers are counted apart from the events that they are") {
+    std::vector<Run> runs = RunsWith("two-lines", false, true, [](double) { return 100.0; });
+    for (Run &run : runs)
+        run.outcome.run.counts.events[BMR_KDS_HANDOVER] = 7;
+    const bmr_kds_info *structure = test_structure("two-lines");
+    CHECK(*MeanOver(runs, "made-up", structure, 0, QuantityNamed("handovers")) == 7.0);
+    CHECK(*MeanOver(runs, "made-up", structure, 0, QuantityNamed("events")) == 106.0);
+    CHECK_THROWS_AS(QuantityNamed("hangovers"), std::invalid_argument);
+}
+
 TEST_CASE("two ratios are too few for a growth") {
     std::vector<Run> runs = RunsWith("lazy-compass", false, false, Root);
     runs.resize(6);
