@@ -229,6 +229,13 @@ const std::vector<Change> kChanges = {
      }},
     {"contact-off", MAY, kNothing, [](Around &, Pair &p) { DisableContacts(p.a); }, nullptr, nullptr},
     {"contact-off-shot", MAY, kShot, [](Around &, Pair &p) { DisableContacts(p.a); }, nullptr, nullptr},
+    {"contact-off-unheard", MAY, kNothing, [](Around &, Pair &p) { DisableContacts(p.a); },
+     [](Around &w) {
+         const bool heard = w.world.GetContactManager().m_contactListener == &w.watching;
+         w.world.SetContactListener(heard ? nullptr : &w.watching);
+         w.world.SetContactFilter(heard ? nullptr : &w.watching);
+     },
+     nullptr},
     {"bullet-on", MAY, kShotAsIs, [](Around &, Pair &p) { p.a->SetBullet(true); }, nullptr, nullptr},
     {"bullet-off", MAY, kShot, [](Around &, Pair &p) { p.a->SetBullet(false); }, nullptr, nullptr},
     {"grow", MAY, kNothing, [](Around &, Pair &p) { Grow(p.a); }, nullptr, WakeBoth},
