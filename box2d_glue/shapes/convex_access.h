@@ -26,9 +26,14 @@ inline bool IsConvexShape(const b2Shape &shape) {
 }
 
 struct ConvexShapeAccess {
-    /// 0 where the shape is any other, or has no more than 8 vertices and is no piece of an outline.
+    /// 0 where the shape is any other, was changed in place, or has no more than 8 vertices and is no piece
+    /// of an outline.
     static uint32_t HandleOf(const b2Shape &shape) {
         return IsConvexShape(shape) ? static_cast<const ConvexShape &>(shape).GetHandle() : 0;
+    }
+    /// Also where it was changed in place.
+    static uint32_t KeptHandleOf(const b2Shape &shape) {
+        return IsConvexShape(shape) ? static_cast<const ConvexShape &>(shape).GetKeptHandle() : 0;
     }
     /// The shape takes over what the handle stands for, with one reference of the caller's.
     static void Adopt(ConvexShape *shape, uint32_t handle) { shape->Adopt(handle); }

@@ -101,7 +101,8 @@ bmr_error ConvexShape::SetEllipse(int32 count, float halfWidth, float halfHeight
         const Direction d = PartOfTurn(i, count);
         points.Add(d.x * static_cast<double>(halfWidth), d.y * static_cast<double>(halfHeight));
     }
-    return Set(points.Get(), points.GetCount());
+    Welded welded; // none
+    return SetHull(points.Get(), points.GetCount(), Weld::Refused, &welded);
 }
 
 bmr_error ConvexShape::SetRounded(float halfWidth, float halfHeight, float cornerRadius,
@@ -128,7 +129,8 @@ bmr_error ConvexShape::SetRounded(float halfWidth, float halfHeight, float corne
             points.Add(corners[corner].x + radius * d.x, corners[corner].y + radius * d.y);
         }
     points.Close();
-    return Set(points.Get(), points.GetCount());
+    Welded welded; // none
+    return SetHull(points.Get(), points.GetCount(), Weld::Refused, &welded);
 }
 
 bmr_error ConvexShape::Simplify(float tolerance) {
@@ -150,7 +152,8 @@ bmr_error ConvexShape::Simplify(float tolerance) {
                                                   reinterpret_cast<bmr_vec32 *>(points.Get()), &left);
     if (error != BMR_OK || left == static_cast<size_t>(count))
         return error;
-    return Set(points.Get(), static_cast<int32>(left));
+    Welded welded; // none
+    return SetHull(points.Get(), static_cast<int32>(left), Weld::Refused, &welded);
 }
 
 void internal::LinkOfConvexOutlines() {}

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "shapes/convex_registry.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <mutex>
 #include <new>
 
+#include "boomerang/convex_shape.h"
 #include "shapes/convex_geometry.h"
 #include "start/process_locks.h"
 
@@ -32,6 +34,21 @@ const bmr_allocator *allocator = nullptr;
 
 void *Allocate(size_t size) {
     return allocator != nullptr ? allocator->allocate(allocator->context, size) : std::malloc(size);
+}
+
+/// All vertices, or as many as leave the shape room for its handle.
+Shown ShownOf(const bmr_convex32 &polygon) {
+#if defined(BMR_CONVEX_HANDLE_IN_PADDING)
+    constexpr uint32_t kMost = b2_maxPolygonVertices;
+#else
+    constexpr uint32_t kMost = b2_maxPolygonVertices - 1;
+#endif
+    Shown shown = {std::min(kMost, polygon.count), {}}; // a piece of an outline may have less
+    uint32_t inner[kMost];
+    bmr_convex32_inner(&polygon, inner, shown.count);
+    for (uint32_t i = 0; i < shown.count; ++i)
+        shown.vertices[i] = polygon.vertices[inner[i]];
+    return shown;
 }
 
 /// A handle that nobody has; 0 without memory.
@@ -67,6 +84,7 @@ Handle Add(bmr_convex32_block *block, Group *group) {
     entry.references.store(group == nullptr ? 1 : 0, std::memory_order_relaxed);
     entry.group.store(group, std::memory_order_relaxed);
     entry.block.store(block, std::memory_order_relaxed);
+    entry.shown = ShownOf(block->polygon);
     entry.number.store((++made * kScatter) << kHandleBits | handle, std::memory_order_release);
     ++count;
     bmr::internal::anyBigPolygon.store(true, std::memory_order_relaxed);

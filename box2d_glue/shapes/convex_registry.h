@@ -5,6 +5,9 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+
+#include <box2d/b2_polygon_shape.h>
 
 #include "boomerang/allocator.h"
 #include "convex32/convex32.h"
@@ -37,12 +40,28 @@ struct Group {
     void (*end)(Group *group);
 };
 
+/// What shapes of a polygon show Box2D's own code: some of its vertices, counter-clockwise. A shape that
+/// shows others was changed in place.
+struct Shown {
+    uint32_t count;
+    bmr_vec32 vertices[b2_maxPolygonVertices];
+
+    bool IsOf(const b2PolygonShape &shape) const {
+        if (static_cast<uint32_t>(shape.m_count) != count)
+            return false;
+        const void *const theirs = shape.m_vertices;
+        return count == b2_maxPolygonVertices ? std::memcmp(vertices, theirs, sizeof vertices) == 0
+                                              : std::memcmp(vertices, theirs, count * sizeof *vertices) == 0;
+    }
+};
+
 struct Entry {
     /// No more than there are shapes, and each has its own bytes: cannot overflow. Of a polygon in a group
     /// the group counts instead.
     std::atomic<size_t> references;
     std::atomic<Group *> group; ///< nullptr: it lives by itself
     std::atomic<bmr_convex32_block *> block;
+    Shown shown; ///< never written while a shape has the polygon
     /// 0 where the entry is free. In the low bits the handle.
     std::atomic<uint64_t> number;
     Handle nextFree;

@@ -27,9 +27,7 @@ std::atomic<const void *> internal::convexShapeTable{nullptr};
 
 namespace {
 
-#if defined(BMR_CONVEX_HANDLE_IN_PADDING)
-constexpr uint32_t kInnerVertices = b2_maxPolygonVertices;
-#else
+#if !defined(BMR_CONVEX_HANDLE_IN_PADDING)
 constexpr uint32_t kInnerVertices = b2_maxPolygonVertices - 1;
 #endif
 
@@ -59,7 +57,7 @@ const bmr_convex32_block *BigPolygonOfNumber(uint64_t number) {
 }
 
 #if defined(BMR_CONVEX_HANDLE_IN_PADDING)
-uint32_t ConvexShape::GetHandle() const {
+uint32_t ConvexShape::GetKeptHandle() const {
     return m_handle;
 }
 
@@ -67,7 +65,7 @@ void ConvexShape::SetHandle(uint32_t handle) {
     m_handle = handle;
 }
 #else
-uint32_t ConvexShape::GetHandle() const {
+uint32_t ConvexShape::GetKeptHandle() const {
     if (m_count > static_cast<int32>(kInnerVertices))
         return 0;
     uint32_t handle;
@@ -81,6 +79,11 @@ void ConvexShape::SetHandle(uint32_t handle) {
 }
 #endif
 
+uint32_t ConvexShape::GetHandle() const {
+    const uint32_t handle = GetKeptHandle();
+    return handle != 0 && registry::Find(handle).shown.IsOf(*this) ? handle : 0;
+}
+
 ConvexShape::ConvexShape() noexcept {
     SetHandle(0);
     if (internal::convexShapeTable.load(std::memory_order_relaxed) == nullptr)
@@ -88,12 +91,12 @@ ConvexShape::ConvexShape() noexcept {
 }
 
 ConvexShape::ConvexShape(const ConvexShape &other) noexcept : b2PolygonShape(other) {
-    SetHandle(other.GetHandle());
-    registry::AddReference(GetHandle());
+    SetHandle(other.GetKeptHandle());
+    registry::AddReference(GetKeptHandle());
 }
 
 ConvexShape &ConvexShape::operator=(const ConvexShape &other) noexcept {
-    const uint32_t old = GetHandle(), handle = other.GetHandle();
+    const uint32_t old = GetKeptHandle(), handle = other.GetKeptHandle();
     registry::AddReference(handle); // first: it may be the same
     b2PolygonShape::operator=(other);
     SetHandle(handle);
@@ -102,18 +105,15 @@ ConvexShape &ConvexShape::operator=(const ConvexShape &other) noexcept {
 }
 
 ConvexShape::~ConvexShape() {
-    registry::Release(GetHandle());
+    registry::Release(GetKeptHandle());
 }
 
 void ConvexShape::Adopt(uint32_t handle) {
-    const uint32_t old = GetHandle();
+    const uint32_t old = GetKeptHandle();
     const bmr_convex32_block &block = *Block(handle);
-    // (A piece of an outline may have less.)
-    const uint32_t count = std::min(kInnerVertices, block.polygon.count);
-    uint32_t inner[kInnerVertices];
-    bmr_convex32_inner(&block.polygon, inner, count);
-    for (uint32_t i = 0; i < count; ++i)
-        m_vertices[i] = Vectors(block.polygon.vertices)[inner[i]];
+    const registry::Shown &shown = registry::Find(handle).shown;
+    const uint32_t count = shown.count;
+    std::copy_n(Vectors(shown.vertices), count, m_vertices);
     for (uint32_t i = 0; i < count; ++i) {
         const b2Vec2 &from = m_vertices[i], &to = m_vertices[(i + 1) % count];
         const double x = static_cast<double>(to.x) - static_cast<double>(from.x),
@@ -139,27 +139,43 @@ bmr_error ConvexShape::AdoptBlock(bmr_convex32_block *block) {
 }
 
 bmr_error ConvexShape::Set(const b2Vec2 *points, int32 count) {
-    if (points == nullptr)
+    Welded welded;
+    return Set(points, count, &welded);
+}
+
+bmr_error ConvexShape::Set(const b2Vec2 *points, int32 count, Welded *welded) {
+    return SetHull(points, count, Weld::Allowed, welded);
+}
+
+bmr_error ConvexShape::SetHull(const b2Vec2 *points, int32 count, Weld weld, Welded *welded) {
+    if (points == nullptr || welded == nullptr)
         return BMR_ERROR_NULL_ARGUMENT;
     if (count < 3)
         return BMR_ERROR_TOO_FEW_POINTS;
     bmr_convex32_block *block = nullptr;
+    Welded found;
     if (count > b2_maxPolygonVertices) {
         const NearestRounding nearest; // shapes outlast the mode that they are made in
-        const bmr_error error = bmr_convex32_create(Vectors32(points), static_cast<size_t>(count),
-                                                    registry::GetAllocator(), &block);
+        bmr_error error = bmr_convex32_create(Vectors32(points), static_cast<size_t>(count),
+                                              registry::GetAllocator(), &block);
         if (error != BMR_OK)
             return error;
-        if (block->polygon.count > b2_maxPolygonVertices)
-            return AdoptBlock(block);
+        found.count = static_cast<int32>(block->repeated);
+        if (block->polygon.count > b2_maxPolygonVertices) {
+            error = AdoptBlock(block);
+            if (error == BMR_OK)
+                *welded = found;
+            return error;
+        }
         points = Vectors(block->polygon.vertices);
         count = static_cast<int32>(block->polygon.count);
     }
-    const uint32_t old = GetHandle();
-    const bmr_error error = SetStockPolygon(this, points, count);
+    const uint32_t old = GetKeptHandle();
+    const bmr_error error = SetStockPolygon(this, points, count, weld == Weld::Allowed, &found);
     if (error == BMR_OK) {
         SetHandle(0);
         registry::Release(old);
+        *welded = found;
     }
     bmr_convex32_destroy(block, registry::GetAllocator());
     return error;
@@ -177,7 +193,7 @@ bmr_error ConvexShape::SetRaw(const b2Vec2 *vertices, int32 count) {
                                                         registry::GetAllocator(), &block);
         return error != BMR_OK ? error : AdoptBlock(block);
     }
-    const uint32_t old = GetHandle();
+    const uint32_t old = GetKeptHandle();
     const bmr_error error = SetStockPolygonRaw(this, vertices, count);
     if (error == BMR_OK) {
         SetHandle(0);
@@ -191,7 +207,7 @@ bmr_error ConvexShape::SetAsBox(float halfWidth, float halfHeight) {
         return BMR_ERROR_NOT_FINITE;
     if (!(halfWidth > 0.0f && halfHeight > 0.0f))
         return BMR_ERROR_OUT_OF_RANGE;
-    const uint32_t old = GetHandle();
+    const uint32_t old = GetKeptHandle();
     b2PolygonShape::SetAsBox(halfWidth, halfHeight);
     SetHandle(0);
     registry::Release(old);

@@ -296,7 +296,7 @@ bmr_error MakeOutlineRecord(const bmr_outline_pieces &pieces, const bmr_mass &ma
 }
 
 OutlineRecord *OutlineRecordOf(const b2Shape &shape) {
-    const uint32_t handle = internal::ConvexShapeAccess::HandleOf(shape);
+    const uint32_t handle = internal::ConvexShapeAccess::KeptHandleOf(shape);
     return handle == 0
                ? nullptr
                : static_cast<OutlineRecord *>(registry::Find(handle).group.load(std::memory_order_relaxed));

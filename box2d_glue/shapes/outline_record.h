@@ -25,7 +25,8 @@ struct OutlineRecord : registry::Group {
 /// floats can tell, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_NO_MEMORY; then `*record` is untouched.
 bmr_error MakeOutlineRecord(const bmr_outline_pieces &pieces, const bmr_mass &mass, OutlineRecord **record);
 
-/// The record that a shape is a piece of; nullptr where it is none. A few loads.
+/// The record that a shape is a piece of, also where it was changed in place; nullptr where it is none. A few
+/// loads.
 OutlineRecord *OutlineRecordOf(const b2Shape &shape);
 
 } // namespace bmr

@@ -51,26 +51,19 @@ public:
         m_points = static_cast<bmr_vec2 *>(m_memory);
         auto *counts = reinterpret_cast<uint32_t *>(m_points + all);
         m_rings = {m_points, counts, static_cast<uint32_t>(ringCount)};
-        bmr_error error = Add(points, count, counts);
-        for (int32 h = 0; h < holeCount && error == BMR_OK; ++h)
-            error = Add(holes[h].points, holes[h].count, counts + 1 + h);
-        return error;
+        Add(points, count, counts);
+        for (int32 h = 0; h < holeCount; ++h)
+            Add(holes[h].points, holes[h].count, counts + 1 + h);
+        return BMR_OK;
     }
 
     const bmr_rings *Get() const { return &m_rings; }
 
 private:
-    bmr_error Add(const b2Vec2 *points, int32 count, uint32_t *counted) {
+    void Add(const b2Vec2 *points, int32 count, uint32_t *counted) {
         *counted = static_cast<uint32_t>(count);
-        for (int32 i = 0; i < count; ++i) {
-            const double x = static_cast<double>(points[i].x), y = static_cast<double>(points[i].y);
-            if (!std::isfinite(x) || !std::isfinite(y))
-                return BMR_ERROR_NOT_FINITE;
-            if (std::fabs(x) > BMR_MAX_COORDINATE || std::fabs(y) > BMR_MAX_COORDINATE)
-                return BMR_ERROR_OUT_OF_RANGE;
-            *m_points++ = {x, y};
-        }
-        return BMR_OK;
+        for (int32 i = 0; i < count; ++i)
+            *m_points++ = {static_cast<double>(points[i].x), static_cast<double>(points[i].y)};
     }
 
     const bmr_allocator *m_allocator;
@@ -79,6 +72,26 @@ private:
     bmr_vec2 *m_points = nullptr; ///< where the next one goes
     bmr_rings m_rings = {};
 };
+
+bmr_error CheckRange(const bmr_rings &rings) {
+    if (rings.counts == nullptr && rings.ring_count > 0)
+        return BMR_ERROR_NULL_ARGUMENT;
+    uint64_t count = 0;
+    for (uint32_t r = 0; r < rings.ring_count; ++r)
+        count += rings.counts[r];
+    if (count > BMR_MAX_VERTICES)
+        return BMR_ERROR_TOO_MANY_POINTS;
+    if (rings.points == nullptr && count > 0)
+        return BMR_ERROR_NULL_ARGUMENT;
+    for (uint64_t i = 0; i < count; ++i) {
+        const bmr_vec2 p = rings.points[i];
+        if (!std::isfinite(p.x) || !std::isfinite(p.y))
+            return BMR_ERROR_NOT_FINITE;
+        if (std::fabs(p.x) > BMR_MAX_COORDINATE || std::fabs(p.y) > BMR_MAX_COORDINATE)
+            return BMR_ERROR_OUT_OF_RANGE;
+    }
+    return BMR_OK;
+}
 
 void Tell(const bmr_outline_fault &fault, OutlineFault *told) {
     const auto number = [](uint32_t n) { return n == BMR_OUTLINE_NONE ? -1 : static_cast<int32>(n); };
@@ -134,17 +147,21 @@ OutlineShape::~OutlineShape() {
 
 bmr_error OutlineShape::Set(const b2Vec2 *points, int32 count, const OutlineHole *holes, int32 holeCount,
                             float tolerance, OutlineFault *fault) {
+    Rings rings(registry::GetAllocator());
+    const bmr_error error = rings.Fill(points, count, holes, holeCount);
+    return error == BMR_OK ? Set(*rings.Get(), tolerance, fault) : error;
+}
+
+bmr_error OutlineShape::Set(const bmr_rings &rings, float tolerance, OutlineFault *fault) {
     const NearestRounding nearest; // outlines outlast the mode that they are made in
-    const bmr_allocator *allocator = registry::GetAllocator();
-    Rings rings(allocator);
-    bmr_error error = rings.Fill(points, count, holes, holeCount);
+    bmr_error error = CheckRange(rings);
     if (error == BMR_OK)
         error = RegisterConvexContacts();
     if (error != BMR_OK)
         return error;
     bmr_outline_fault found = {};
     OutlineRecord *made = nullptr;
-    error = MakeRecord(rings.Get(), tolerance, allocator, &found, &made);
+    error = MakeRecord(&rings, tolerance, registry::GetAllocator(), &found, &made);
     if (found.error != BMR_OK)
         Tell(found, fault);
     if (error != BMR_OK)

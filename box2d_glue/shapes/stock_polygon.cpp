@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "shapes/stock_polygon.h"
 
+#include <cmath>
+#include <cstring>
+
+#include "shapes/convex_registry.h"
+#include "shapes/shapes32.h"
+#include "start/rounding_mode.h"
+
 namespace bmr {
 
 namespace {
@@ -63,24 +70,39 @@ struct Wrapping {
     }
 };
 
-bmr_error CheckPoints(const b2Vec2 *points, int32 count) {
-    for (int32 i = 0; i < count; ++i)
-        if (!points[i].IsValid())
-            return BMR_ERROR_NOT_FINITE;
-    constexpr float kWeld = 0.5f * b2_linearSlop;
-    for (int32 i = 0; i < count; ++i)
-        for (int32 j = 0; j < i; ++j)
-            if (b2DistanceSquared(points[i], points[j]) < kWeld * kWeld)
-                return BMR_ERROR_TOO_CLOSE;
+/// Points as Set welds them.
+struct WeldedPoints {
+    b2Vec2 points[b2_maxPolygonVertices];
+    int32 count = 0;
+    Welded welded;
+
+    void Add(const b2Vec2 &point) {
+        constexpr float kWeld = 0.5f * b2_linearSlop;
+        for (int32 i = 0; i < count; ++i) {
+            const float square = b2DistanceSquared(point, points[i]);
+            if (square < kWeld * kWeld) {
+                ++welded.count; // (The square of a distance may be zero where that is not.)
+                welded.distance =
+                    b2Max(welded.distance, std::hypot(point.x - points[i].x, point.y - points[i].y));
+                return;
+            }
+        }
+        points[count++] = point;
+    }
+};
+
+/// What Set of Box2D 2.4.1 comes to. Unless it makes a polygon it asserts.
+enum class Outcome { Polygon, NoHull, NoArea };
+
+/// Of points that it does not weld.
+Outcome OutcomeOfSet(const b2Vec2 *points, int32 count) {
     Wrapping wrapping = {points, count, {}};
-    if (!wrapping.Wrap())
-        return BMR_ERROR_NOT_CONVEX;
-    if (wrapping.hullCount < 3)
-        return BMR_ERROR_TOO_FEW_POINTS;
+    if (!wrapping.Wrap() || wrapping.hullCount < 3)
+        return Outcome::NoHull;
     for (int32 i = 0; i < wrapping.hullCount; ++i)
         if (!((wrapping.Vertex(i + 1) - wrapping.Vertex(i)).LengthSquared() > b2_epsilon * b2_epsilon))
-            return BMR_ERROR_TOO_CLOSE;
-    return wrapping.Area() > b2_epsilon ? BMR_OK : BMR_ERROR_OUT_OF_RANGE;
+            return Outcome::NoHull;
+    return wrapping.Area() > b2_epsilon ? Outcome::Polygon : Outcome::NoArea;
 }
 
 bool IsFinite(const b2PolygonShape &shape) {
@@ -102,10 +124,43 @@ void Take(b2PolygonShape *shape, const b2PolygonShape &set, int32 first) {
     shape->m_centroid = set.m_centroid;
 }
 
-bmr_error MakeStockPolygon(b2PolygonShape *set, const b2Vec2 *points, int32 count) {
-    const bmr_error error = CheckPoints(points, count);
+/// The exact hull, of points where Set finds none.
+bmr_error MakeHull(b2PolygonShape *set, const b2Vec2 *points, int32 count) {
+    const NearestRounding nearest;
+    const bmr_allocator *allocator = registry::GetAllocator();
+    bmr_convex32_block *block = nullptr;
+    const bmr_error error =
+        bmr_convex32_create(Vectors32(points), static_cast<size_t>(count), allocator, &block);
     if (error != BMR_OK)
         return error;
+    const bool large = block->mass.area > b2_epsilon;
+    set->m_count = static_cast<int32>(block->polygon.count);
+    std::memcpy(set->m_vertices, block->polygon.vertices, block->polygon.count * sizeof(b2Vec2));
+    std::memcpy(set->m_normals, block->polygon.normals, block->polygon.count * sizeof(b2Vec2));
+    set->m_centroid.Set(block->mass.centroid.x, block->mass.centroid.y);
+    bmr_convex32_destroy(block, allocator);
+    return large ? BMR_OK : BMR_ERROR_OUT_OF_RANGE;
+}
+
+bmr_error MakeStockPolygon(b2PolygonShape *set, const b2Vec2 *points, int32 count, bool mayWeld,
+                           Welded *welded) {
+    WeldedPoints left;
+    for (int32 i = 0; i < count; ++i) {
+        if (!points[i].IsValid())
+            return BMR_ERROR_NOT_FINITE;
+        left.Add(points[i]);
+    }
+    if (left.welded.count > 0 && (!mayWeld || (left.count < 3 && left.welded.distance > 0.0f)))
+        return BMR_ERROR_TOO_CLOSE;
+    if (left.count < 3)
+        return BMR_ERROR_TOO_FEW_POINTS;
+    welded->count += left.welded.count;
+    welded->distance = left.welded.distance;
+    const Outcome outcome = OutcomeOfSet(left.points, left.count);
+    if (outcome != Outcome::Polygon) {
+        const bmr_error error = MakeHull(set, left.points, left.count);
+        return error != BMR_OK && outcome == Outcome::NoArea ? BMR_ERROR_OUT_OF_RANGE : error;
+    }
     set->Set(points, count);
     if (set->m_count < 3)
         return BMR_ERROR_TOO_CLOSE; // Box2D 2.4.2 welds over longer ways, and leaves out what is nearly on a
@@ -115,9 +170,10 @@ bmr_error MakeStockPolygon(b2PolygonShape *set, const b2Vec2 *points, int32 coun
 
 } // namespace
 
-bmr_error SetStockPolygon(b2PolygonShape *shape, const b2Vec2 *points, int32 count) {
+bmr_error SetStockPolygon(b2PolygonShape *shape, const b2Vec2 *points, int32 count, bool mayWeld,
+                          Welded *welded) {
     b2PolygonShape set;
-    const bmr_error error = MakeStockPolygon(&set, points, count);
+    const bmr_error error = MakeStockPolygon(&set, points, count, mayWeld, welded);
     if (error == BMR_OK)
         Take(shape, set, 0);
     return error;
@@ -125,7 +181,8 @@ bmr_error SetStockPolygon(b2PolygonShape *shape, const b2Vec2 *points, int32 cou
 
 bmr_error SetStockPolygonRaw(b2PolygonShape *shape, const b2Vec2 *vertices, int32 count) {
     b2PolygonShape set;
-    const bmr_error error = MakeStockPolygon(&set, vertices, count);
+    Welded welded; // none
+    const bmr_error error = MakeStockPolygon(&set, vertices, count, false, &welded);
     if (error != BMR_OK)
         return error;
     if (set.m_count != count)

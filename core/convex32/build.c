@@ -147,6 +147,7 @@ bmr_error convex32_make(const bmr_vec32 *vertices, size_t count, size_t more, co
         fill_buckets(&polygon, buckets);
     made->polygon = polygon;
     made->bytes = size;
+    made->repeated = 0;
     memset(&made->seams, 0, sizeof made->seams);
     *block = made;
     return BMR_OK;
@@ -171,6 +172,11 @@ bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_a
     for (size_t i = 0; i < count; ++i) // -0 becomes +0: equal points shall give equal bits
         sorted[i] = bmr_vec2_make((double)points[i].x + 0.0, (double)points[i].y + 0.0);
     size_t kept = bmr_convex_hull(sorted, count, hull);
+    // The points, sorted, have moved to the front, each once: what is behind the last is none after
+    // it.
+    size_t distinct = 1;
+    while (distinct < count && bmr_hull_sweeps_before(sorted[distinct - 1], sorted[distinct]))
+        ++distinct;
     // The sorted points are done with: their room takes the floats, twice.
     bmr_vec32 *vertices = (bmr_vec32 *)sorted;
     for (size_t i = 0; i < kept; ++i) {
@@ -190,6 +196,8 @@ bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_a
         error = convex32_make(vertices, kept, 0, allocator, block);
         if (error == BMR_ERROR_NOT_CONVEX) // a needle, whose long sides have one direction
             error = BMR_ERROR_TOO_FEW_POINTS;
+        if (error == BMR_OK)
+            (*block)->repeated = (uint32_t)(count - distinct);
     }
     bmr_release(allocator, sorted, scratch_size);
     return error;

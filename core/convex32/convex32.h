@@ -69,6 +69,7 @@ typedef struct bmr_convex32_block {
     bmr_convex32 polygon;
     bmr_mass32 mass;
     float reach;       ///< no vertex is farther from the origin
+    uint32_t repeated; ///< how many of the points that it is the hull of equal another one
     size_t bytes;      ///< of the whole block
     bmr_seams32 seams; ///< of a piece of an outline; all zero of any other polygon
 } bmr_convex32_block;

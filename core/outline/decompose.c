@@ -14,30 +14,61 @@
 static const bmr_outline_fault NO_FAULT = {BMR_OK, {NONE, NONE}, {NONE, NONE}, {0.0, 0.0}};
 
 /// What the outline that is cut has to do with the one that was given: its points there, by their indices
-/// here. NULL: it is the same.
+/// here.
 typedef struct origin {
     const bmr_rings *given;
     uint32_t given_count;
     const uint32_t *kept;
 } origin;
 
-static bmr_error checked(const bmr_rings *rings, const bmr_allocator *allocator, bmr_outline_fault *fault,
-                         bmr_ring_links *links) {
+static void tell_given(const origin *from, bmr_outline_fault *fault) {
+    for (int i = 0; i < 2; ++i)
+        if (fault->edge[i] != NONE)
+            fault->edge[i] = from->kept[fault->edge[i]];
+}
+
+/// The rings that were given, without repeated points, and linked.
+typedef struct outline {
+    bmr_distinct_rings distinct;
+    bmr_ring_links links;
+    origin from;
+} outline;
+
+/// Errors: those of bmr_rings_check, TOO_FEW_POINTS (with the fault, of the rings in `o`), NO_MEMORY.
+static bmr_error open_outline(const bmr_rings *rings, const bmr_allocator *allocator,
+                              bmr_outline_fault *fault, outline *o) {
     uint32_t count;
     bmr_error error = bmr_rings_check(rings, &count);
     if (error == BMR_OK)
-        error = bmr_rings_find_short(rings, fault);
-    return error == BMR_OK ? bmr_ring_links_make(rings, count, allocator, links) : error;
+        error = bmr_distinct_rings_make(rings, count, allocator, &o->distinct);
+    if (error != BMR_OK)
+        return error;
+    o->from = (origin){rings, count, o->distinct.kept};
+    error = bmr_rings_find_short(&o->distinct.rings, fault);
+    if (error == BMR_OK)
+        error = bmr_ring_links_make(&o->distinct.rings, o->distinct.count, allocator, &o->links);
+    if (error != BMR_OK) {
+        tell_given(&o->from, fault);
+        bmr_distinct_rings_free(&o->distinct, allocator);
+    }
+    return error;
+}
+
+/// The fault becomes one of the rings that were given.
+static void close_outline(outline *o, const bmr_allocator *allocator, bmr_outline_fault *fault) {
+    tell_given(&o->from, fault);
+    bmr_ring_links_free(&o->links, allocator);
+    bmr_distinct_rings_free(&o->distinct, allocator);
 }
 
 bmr_error bmr_outline_check(const bmr_rings *rings, const bmr_allocator *allocator,
                             bmr_outline_fault *fault) {
     bmr_outline_fault found = NO_FAULT;
-    bmr_ring_links links;
-    bmr_error error = checked(rings, allocator, &found, &links);
+    outline o;
+    bmr_error error = open_outline(rings, allocator, &found, &o);
     if (error == BMR_OK) {
-        error = bmr_sweep(&links, allocator, NULL, NULL, &found);
-        bmr_ring_links_free(&links, allocator);
+        error = bmr_sweep(&o.links, allocator, NULL, NULL, &found);
+        close_outline(&o, allocator, &found);
     }
     if (fault && found.error == error)
         *fault = found;
@@ -120,8 +151,8 @@ static bmr_error write_pieces(bmr_mesh *m, const origin *from, const bmr_allocat
     first[piece] = edge;
     for (uint32_t e = 0; e < edge; ++e) {
         bmr_outline_edge *it = &edges[e];
-        it->point = from->kept ? from->kept[it->point] : it->point;
-        it->outline = it->outline != NONE && from->kept ? from->kept[it->outline] : it->outline;
+        it->point = from->kept[it->point];
+        it->outline = it->outline != NONE ? from->kept[it->outline] : NONE;
         it->twin = it->twin != NONE ? m->halves[it->twin].corner : NONE;
     }
     *made = (bmr_outline_pieces){points, from->given_count, piece, first, edges, edge, count_notches(m), 0};
@@ -129,16 +160,11 @@ static bmr_error write_pieces(bmr_mesh *m, const origin *from, const bmr_allocat
     return BMR_OK;
 }
 
-/// The pieces of exactly this outline.
-static bmr_error cut(const bmr_rings *rings, const origin *from, const bmr_allocator *allocator,
+/// The pieces of exactly this outline, which has so many rings.
+static bmr_error cut(const bmr_ring_links *links, const origin *from, const bmr_allocator *allocator,
                      bmr_outline_pieces **pieces, bmr_outline_fault *fault) {
-    bmr_ring_links links;
     bmr_mesh mesh;
-    bmr_error error = checked(rings, allocator, fault, &links);
-    if (error != BMR_OK)
-        return error;
-    error = bmr_mesh_triangulate(&links, allocator, &mesh, fault);
-    bmr_ring_links_free(&links, allocator);
+    bmr_error error = bmr_mesh_triangulate(links, allocator, &mesh, fault);
     if (error != BMR_OK)
         return error;
     bmr_mesh_unite_idle(&mesh);
@@ -146,7 +172,7 @@ static bmr_error cut(const bmr_rings *rings, const origin *from, const bmr_alloc
     if (error == BMR_OK)
         error = write_pieces(&mesh, from, allocator, pieces);
     if (error == BMR_OK)
-        (*pieces)->hole_count = rings->ring_count - 1;
+        (*pieces)->hole_count = links->ring_count - 1;
     bmr_mesh_free(&mesh, allocator);
     return error;
 }
@@ -176,33 +202,34 @@ static bool lay_out_simpler(uint32_t points, uint32_t rings, const bmr_allocator
     return true;
 }
 
-static bmr_error cut_simpler(const bmr_rings *rings, double tolerance, const bmr_allocator *allocator,
+static bmr_error cut_simpler(const outline *o, double tolerance, const bmr_allocator *allocator,
                              bmr_outline_pieces **pieces, bmr_outline_fault *fault) {
-    bmr_ring_links links;
-    bmr_error error = checked(rings, allocator, fault, &links);
-    if (error != BMR_OK)
-        return error;
+    const bmr_ring_links *links = &o->links;
     simpler s;
-    if (!lay_out_simpler(links.count, links.ring_count, allocator, &s)) {
-        bmr_ring_links_free(&links, allocator);
+    if (!lay_out_simpler(links->count, links->ring_count, allocator, &s))
         return BMR_ERROR_NO_MEMORY;
-    }
-    error = bmr_simplify(&links, tolerance, allocator, s.kept, s.counts, fault);
+    bmr_error error = bmr_simplify(links, tolerance, allocator, s.kept, s.counts, fault);
     if (error == BMR_OK) {
         uint32_t ring_count = 0, count = 0;
-        for (uint32_t r = 0; r < links.ring_count; ++r) {
+        for (uint32_t r = 0; r < links->ring_count; ++r) {
             count += s.counts[r];
             if (s.counts[r] > 0)
                 s.counts[ring_count++] = s.counts[r];
         }
-        for (uint32_t i = 0; i < count; ++i)
-            s.points[i] = rings->points[s.kept[i]];
+        for (uint32_t i = 0; i < count; ++i) {
+            s.points[i] = links->points[s.kept[i]];
+            s.kept[i] = o->from.kept[s.kept[i]];
+        }
         const bmr_rings left = {s.points, s.counts, ring_count};
-        const origin from = {rings, links.count, s.kept};
-        error = cut(&left, &from, allocator, pieces, fault);
+        const origin from = {o->from.given, o->from.given_count, s.kept};
+        bmr_ring_links left_links;
+        error = bmr_ring_links_make(&left, count, allocator, &left_links);
+        if (error == BMR_OK) {
+            error = cut(&left_links, &from, allocator, pieces, fault);
+            bmr_ring_links_free(&left_links, allocator);
+        }
     }
     bmr_release(allocator, s.block, s.bytes);
-    bmr_ring_links_free(&links, allocator);
     return error;
 }
 
@@ -224,14 +251,12 @@ bmr_error bmr_outline_decompose(const bmr_rings *rings, const bmr_outline_def *d
     if (error != BMR_OK)
         return error;
     bmr_outline_fault found = NO_FAULT;
-    if (def->tolerance > 0.0) {
-        error = cut_simpler(rings, def->tolerance, allocator, pieces, &found);
-    } else {
-        uint32_t count;
-        error = bmr_rings_check(rings, &count);
-        const origin from = {rings, count, NULL};
-        if (error == BMR_OK)
-            error = cut(rings, &from, allocator, pieces, &found);
+    outline o;
+    error = open_outline(rings, allocator, &found, &o);
+    if (error == BMR_OK) {
+        error = def->tolerance > 0.0 ? cut_simpler(&o, def->tolerance, allocator, pieces, &found)
+                                     : cut(&o.links, &o.from, allocator, pieces, &found);
+        close_outline(&o, allocator, &found);
     }
     if (fault && found.error == error)
         *fault = found;
@@ -246,11 +271,14 @@ bmr_error bmr_outline_simplify(const bmr_rings *rings, double tolerance, const b
     if (error != BMR_OK)
         return error;
     bmr_outline_fault found = NO_FAULT;
-    bmr_ring_links links;
-    error = checked(rings, allocator, &found, &links);
+    outline o;
+    error = open_outline(rings, allocator, &found, &o);
     if (error == BMR_OK) {
-        error = bmr_simplify(&links, tolerance, allocator, kept, counts, &found);
-        bmr_ring_links_free(&links, allocator);
+        error = bmr_simplify(&o.links, tolerance, allocator, kept, counts, &found);
+        for (uint32_t r = 0; error == BMR_OK && r < o.links.ring_count; ++r)
+            for (uint32_t i = 0; i < counts[r]; ++i, ++kept)
+                *kept = o.from.kept[*kept];
+        close_outline(&o, allocator, &found);
     }
     if (fault && found.error == error)
         *fault = found;

@@ -6,6 +6,7 @@
 
 #include "boomerang/polygon.h"
 #include "geometry/memory.h"
+#include "geometry/size.h"
 
 bmr_error bmr_rings_check(const bmr_rings *rings, uint32_t *count) {
     if (!rings)
@@ -30,23 +31,54 @@ bmr_error bmr_rings_check(const bmr_rings *rings, uint32_t *count) {
     return BMR_OK;
 }
 
+static bool lay_out_distinct(uint32_t points, uint32_t rings, size_t *kept, size_t *counts, size_t *bytes) {
+    size_t points_at = 0;
+    *bytes = 0;
+    return bmr_size_add(bytes, points, sizeof(bmr_vec2), sizeof(bmr_vec2), SIZE_MAX, &points_at) &&
+           bmr_size_add(bytes, points, sizeof(uint32_t), sizeof(uint32_t), SIZE_MAX, kept) &&
+           bmr_size_add(bytes, rings, sizeof(uint32_t), sizeof(uint32_t), SIZE_MAX, counts);
+}
+
+bmr_error bmr_distinct_rings_make(const bmr_rings *rings, uint32_t count, const bmr_allocator *allocator,
+                                  bmr_distinct_rings *distinct) {
+    size_t kept_at, counts_at, bytes;
+    if (!lay_out_distinct(count, rings->ring_count, &kept_at, &counts_at, &bytes))
+        return BMR_ERROR_NO_MEMORY;
+    char *block = bmr_allocate(allocator, bytes);
+    if (!block)
+        return BMR_ERROR_NO_MEMORY;
+    bmr_vec2 *points = (bmr_vec2 *)(void *)block;
+    uint32_t *kept = (uint32_t *)(void *)(block + kept_at), *counts = (uint32_t *)(void *)(block + counts_at);
+    uint32_t left = 0, begin = 0;
+    for (uint32_t r = 0; r < rings->ring_count; ++r) {
+        const uint32_t first = left;
+        for (uint32_t i = begin; i < begin + rings->counts[r]; ++i)
+            if (left == first || bmr_sweep_compare(rings->points[i], points[left - 1]) != 0) {
+                points[left] = rings->points[i];
+                kept[left++] = i;
+            }
+        while (left > first + 1 && bmr_sweep_compare(points[left - 1], points[first]) == 0)
+            --left;
+        counts[r] = left - first;
+        begin += rings->counts[r];
+    }
+    *distinct = (bmr_distinct_rings){{points, counts, rings->ring_count}, left, kept, block, bytes};
+    return BMR_OK;
+}
+
+void bmr_distinct_rings_free(bmr_distinct_rings *distinct, const bmr_allocator *allocator) {
+    bmr_release(allocator, distinct->block, distinct->bytes);
+}
+
 bmr_error bmr_rings_find_short(const bmr_rings *rings, bmr_outline_fault *fault) {
-    const bmr_vec2 *p = rings->points;
     uint32_t begin = 0;
     for (uint32_t r = 0; r < rings->ring_count; ++r) {
         const uint32_t count = rings->counts[r];
         if (count < 3) {
             const uint32_t edge = count > 0 ? begin : BMR_OUTLINE_NONE;
-            const bmr_vec2 where = count > 0 ? p[begin] : bmr_vec2_make(0.0, 0.0);
+            const bmr_vec2 where = count > 0 ? rings->points[begin] : bmr_vec2_make(0.0, 0.0);
             *fault = (bmr_outline_fault){BMR_ERROR_TOO_FEW_POINTS, {edge, edge}, {r, r}, where};
             return fault->error;
-        }
-        for (uint32_t i = 0; i < count; ++i) {
-            const uint32_t here = begin + i, next = begin + (i + 1) % count;
-            if (bmr_sweep_compare(p[here], p[next]) == 0) {
-                *fault = (bmr_outline_fault){BMR_ERROR_REPEATED_POINT, {here, next}, {r, r}, p[here]};
-                return fault->error;
-            }
         }
         begin += count;
     }

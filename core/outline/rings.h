@@ -19,12 +19,27 @@ typedef struct bmr_ring_links {
 /// Checks what can be seen from the numbers alone: counts, finiteness. *count becomes the number of points.
 bmr_error bmr_rings_check(const bmr_rings *rings, uint32_t *count);
 
-/// Links rings that bmr_rings_check and bmr_rings_find_short have passed. Errors: NO_MEMORY.
+/// Rings without the points that repeat the one before them in their ring (the last ones also: the first). Of
+/// equal points in a row the one with the lowest index is kept. One block.
+typedef struct bmr_distinct_rings {
+    bmr_rings rings;
+    uint32_t count; ///< of all points
+    uint32_t *kept; ///< their indices in the rings that were given
+    void *block;
+    size_t bytes;
+} bmr_distinct_rings;
+
+/// Of rings that bmr_rings_check has passed. O(n). Errors: NO_MEMORY.
+bmr_error bmr_distinct_rings_make(const bmr_rings *rings, uint32_t count, const bmr_allocator *allocator,
+                                  bmr_distinct_rings *distinct);
+void bmr_distinct_rings_free(bmr_distinct_rings *distinct, const bmr_allocator *allocator);
+
+/// Links distinct rings that bmr_rings_find_short has passed. Errors: NO_MEMORY.
 bmr_error bmr_ring_links_make(const bmr_rings *rings, uint32_t count, const bmr_allocator *allocator,
                               bmr_ring_links *links);
 void bmr_ring_links_free(bmr_ring_links *links, const bmr_allocator *allocator);
 
-/// A ring that is too short or repeats a point, as a fault; BMR_OK where there is none.
+/// A ring of fewer than three points, as a fault; BMR_OK where there is none.
 bmr_error bmr_rings_find_short(const bmr_rings *rings, bmr_outline_fault *fault);
 
 /// -1, 0, 1: does the sweep from left to right come to a before b, at once, or behind? Of places above each

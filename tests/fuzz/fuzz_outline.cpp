@@ -55,18 +55,39 @@ bool IsFinite(const Outline &outline) {
                        [](bmr_vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
 }
 
-/// Of the two faults that a ring has for itself, the first; BMR_OK.
-bmr_error ShortOf(const Outline &outline) {
-    size_t begin = 0;
+/// Without points that repeat the next one of their ring; `kept` are the indices of the others.
+Outline WithoutRepeated(const Outline &outline, std::vector<uint32_t> *kept) {
+    Outline distinct;
+    uint32_t begin = 0;
     for (const uint32_t count : outline.counts) {
-        if (count < 3)
-            return BMR_ERROR_TOO_FEW_POINTS;
+        const auto point = [&](uint32_t i) { return outline.points[begin + i % count]; };
+        std::vector<uint32_t> firsts; // of each run, which may begin at the end of the ring
         for (uint32_t i = 0; i < count; ++i)
-            if (outlines::Same(outline.points[begin + i], outline.points[begin + (i + 1) % count]))
-                return BMR_ERROR_REPEATED_POINT;
+            if (!outlines::Same(point(i), point(i + count - 1)))
+                firsts.push_back(begin + i);
+        if (firsts.empty() && count > 0)
+            firsts.push_back(begin);
+        // The run that goes on from the end of the ring to its beginning is known by its lowest index.
+        if (count > 0 && !firsts.empty() && firsts.front() != begin) {
+            firsts.pop_back();
+            firsts.insert(firsts.begin(), begin);
+        }
+        for (const uint32_t first : firsts) {
+            kept->push_back(first);
+            distinct.points.push_back(outline.points[first]);
+        }
+        distinct.counts.push_back(static_cast<uint32_t>(firsts.size()));
         begin += count;
     }
-    return BMR_OK;
+    return distinct;
+}
+
+/// TOO_FEW_POINTS where a ring has too few; BMR_OK.
+bmr_error ShortOf(const Outline &outline) {
+    return std::all_of(outline.counts.begin(), outline.counts.end(),
+                       [](uint32_t count) { return count >= 3; })
+               ? BMR_OK
+               : BMR_ERROR_TOO_FEW_POINTS;
 }
 
 /// Of an answer, the error that it should be.
@@ -144,11 +165,21 @@ void CheckTolerance(const Outline &outline, double tolerance) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     fuzz_bytes bytes = fuzz_bytes_make(data, size);
     const double tolerance = std::fabs(fuzz_number(&bytes));
-    const Outline outline = ReadOutline(&bytes);
-    const bmr_rings rings = outline.Rings();
+    const Outline drawn = ReadOutline(&bytes);
+    std::vector<uint32_t> kept;
+    const Outline outline = WithoutRepeated(drawn, &kept);
+    const bmr_rings given = drawn.Rings(), rings = outline.Rings();
     bmr_outline_fault fault = {};
     bmr_outline_pieces *pieces = nullptr;
     bmr_error error = bmr_outline_decompose(&rings, nullptr, nullptr, &pieces, &fault);
+    bmr_outline_pieces *same = nullptr;
+    FUZZ_CHECK(bmr_outline_decompose(&given, nullptr, nullptr, &same, nullptr) == error,
+               "repeated points are not left out");
+    for (uint32_t e = 0; error == BMR_OK && e < pieces->edge_count; ++e)
+        FUZZ_CHECK(pieces->edge_count == same->edge_count &&
+                       same->edges[e].point == kept[pieces->edges[e].point],
+                   "repeated points are in pieces");
+    bmr_outline_pieces_destroy(same, nullptr);
     FUZZ_CHECK(bmr_outline_check(&rings, nullptr, nullptr) == error, "check and decompose do not agree");
     if (fuzz_control("missed") && error == BMR_ERROR_CROSSING_EDGES)
         error = BMR_OK;

@@ -91,7 +91,7 @@ TEST_CASE("what is wrong with rings at random is found, and nothing else") {
     CHECK(with_holes > 0);
 }
 
-TEST_CASE("rings that are too short or repeat a point are named") {
+TEST_CASE("rings that are too short are named, by the edges that were given") {
     struct Case {
         std::vector<std::vector<bmr_vec2>> rings;
         bmr_error error;
@@ -102,9 +102,10 @@ TEST_CASE("rings that are too short or repeat a point are named") {
     const Case cases[] = {
         {{square, {}}, BMR_ERROR_TOO_FEW_POINTS, {none, none}, 1},
         {{square, {{1, 1}, {2, 2}}}, BMR_ERROR_TOO_FEW_POINTS, {4, 4}, 1},
-        {{square, {{1, 1}, {2, 2}, {2, 2}}}, BMR_ERROR_REPEATED_POINT, {5, 6}, 1},
-        {{{{0, 0}, {4, 0}, {4, 4}, {0, 0}}}, BMR_ERROR_REPEATED_POINT, {3, 0}, 0},
-        {{{{0, 0}, {4, 0}, {-0.0, 0.0}}}, BMR_ERROR_REPEATED_POINT, {2, 0}, 0},
+        {{square, {{1, 1}, {2, 2}, {2, 2}}}, BMR_ERROR_TOO_FEW_POINTS, {4, 4}, 1},
+        {{{{0, 0}, {0, 0}, {4, 0}, {4, 4}, {0, 0}}, {{1, 1}}}, BMR_ERROR_TOO_FEW_POINTS, {5, 5}, 1},
+        {{{{0, 0}, {4, 0}, {-0.0, 0.0}}}, BMR_ERROR_TOO_FEW_POINTS, {0, 0}, 0},
+        {{{{0, 0}, {0, 0}, {2, 2}, {2, 2}, {2, 0}, {0, 2}}}, BMR_ERROR_CROSSING_EDGES, {0, 4}, 0},
         {{{{0, 0}, {4, 0}, {2, 0}}}, BMR_ERROR_OVERLAPPING_EDGES, {0, 2}, 0},
     };
     for (const Case &c : cases) {
@@ -118,6 +119,39 @@ TEST_CASE("rings that are too short or repeat a point are named") {
         CHECK(fault.edge[0] == c.edges[0]);
         CHECK(fault.edge[1] == c.edges[1]);
         CHECK(fault.ring[0] == c.ring);
+    }
+}
+
+TEST_CASE("points that are repeated in a row change nothing") {
+    Outline plain, drawn;
+    plain.Add({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}});
+    plain.Add({{1, 0.5}, {2, 0.5}, {1, 1}});
+    drawn.Add({{0, 0}, {4, 0}, {4, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}, {0, 4}, {-0.0, 0.0}, {0, 0}});
+    drawn.Add({{1, 0.5}, {1, 0.5}, {2, 0.5}, {1, 1}, {1, 0.5}});
+    const uint32_t index[] = {0, 1, 4, 5, 6, 10, 12, 13}; // of the plain points among the drawn
+    const bmr_rings plain_rings = plain.Rings(), drawn_rings = drawn.Rings();
+    CHECK(bmr_outline_check(&drawn_rings, nullptr, nullptr) == BMR_OK);
+    for (const double tolerance : {0.0, 0.01}) {
+        const bmr_outline_def def = {tolerance};
+        bmr_outline_pieces *a = nullptr, *b = nullptr;
+        REQUIRE(bmr_outline_decompose(&plain_rings, &def, nullptr, &a, nullptr) == BMR_OK);
+        REQUIRE(bmr_outline_decompose(&drawn_rings, &def, nullptr, &b, nullptr) == BMR_OK);
+        CHECK(b->point_count == 15);
+        REQUIRE(a->edge_count == b->edge_count);
+        for (uint32_t e = 0; e < a->edge_count; ++e) {
+            CHECK(index[a->edges[e].point] == b->edges[e].point);
+            CHECK((a->edges[e].outline == BMR_OUTLINE_NONE ? BMR_OUTLINE_NONE : index[a->edges[e].outline]) ==
+                  b->edges[e].outline);
+            CHECK(a->edges[e].twin == b->edges[e].twin);
+        }
+        bmr_outline_pieces_destroy(a, nullptr);
+        bmr_outline_pieces_destroy(b, nullptr);
+        uint32_t kept[15], counts[2];
+        REQUIRE(bmr_outline_simplify(&drawn_rings, tolerance, nullptr, kept, counts, nullptr) == BMR_OK);
+        CHECK(counts[0] == 5);
+        CHECK(counts[1] == 3);
+        for (uint32_t i = 0; i < 8; ++i)
+            CHECK(kept[i] == index[i]);
     }
 }
 

@@ -213,7 +213,7 @@ TEST_CASE("each fault has its error and its place, and leaves outline and body a
     OutlineShape outline = Elbow();
     const OutlineShape before = outline;
     const Ring bow = {{0, 0}, {2, 2}, {2, 0}, {0, 2}}, spike = {{0, 0}, {4, 0}, {2, 0}, {2, 2}},
-               twice = {{0, 0}, {2, 0}, {2, 0}, {0, 2}}, away = {{9, 9}, {10, 9}, {9, 10}},
+               two = {{0, 0}, {2, 0}, {2, 0}, {0, 0}}, away = {{9, 9}, {10, 9}, {9, 10}},
                far = {{0, 0}, {2e9f, 0}, {0, 1}}, odd = {{0, 0}, {std::nanf(""), 0}, {0, 1}};
     const float inf = std::numeric_limits<float>::infinity();
     struct Case {
@@ -225,7 +225,7 @@ TEST_CASE("each fault has its error and its place, and leaves outline and body a
     };
     const Case cases[] = {{bow, nullptr, 0.0f, BMR_ERROR_CROSSING_EDGES, {0, 2}},
                           {spike, nullptr, 0.0f, BMR_ERROR_OVERLAPPING_EDGES, {0, 1}},
-                          {twice, nullptr, 0.0f, BMR_ERROR_REPEATED_POINT, {1, 2}},
+                          {two, nullptr, 0.0f, BMR_ERROR_TOO_FEW_POINTS, {0, 0}},
                           {kElbow, &away, 0.0f, BMR_ERROR_HOLE_OUTSIDE, {-1, -1}},
                           {far, nullptr, 0.0f, BMR_ERROR_OUT_OF_RANGE, {-2, -2}},
                           {odd, nullptr, 0.0f, BMR_ERROR_NOT_FINITE, {-2, -2}},

@@ -36,6 +36,12 @@ namespace internal {
 struct ConvexShapeAccess;
 } // namespace internal
 
+/// Points that a polygon left out because they lie in the place of others.
+struct Welded {
+    int32 count = 0;       ///< how many
+    float distance = 0.0f; ///< none of them is farther from the one that was kept
+};
+
 /// Box2D knows polygons of at most 8 vertices. This is one (and Box2D's own code, to the bit) up to 8; above,
 /// it holds the real polygon besides, and shows Box2D's own code an octagon of eight of its vertices (a
 /// heptagon where the compiler is not of the Itanium C++ ABI). Masses, boxes, rays, points and contacts with
@@ -44,10 +50,12 @@ struct ConvexShapeAccess;
 /// elsewhere (docs/any-size-polygons.md: nothing tunnels).
 ///
 /// Copies and clones share the polygon; it is freed with the last of them. Shapes may be made, copied and
-/// destroyed on any thread. What Box2D inherits is as it is: m_radius may be changed as ever, but m_vertices,
-/// m_normals and m_count are not to be touched, nor is the shape to be copied into a plain b2PolygonShape
-/// (which would be the octagon). The shape of a fixture is not to be changed in place between at most 8 and
-/// more vertices: its contacts live on as they were until they part.
+/// destroyed on any thread. What Box2D inherits is as it is: m_radius may be changed as ever. A shape whose
+/// m_vertices or m_count are changed in place (b2PolygonShape::Set and SetAsBox through a pointer to the base
+/// do that) is from then on what they say, as any b2PolygonShape is: at most 8 vertices, and no seams where
+/// it is a piece of an outline. Copied into a plain b2PolygonShape it is the octagon. The shape of a fixture
+/// is not to be changed by calls of this class between at most 8 and more vertices: its contacts live on as
+/// they were until they part.
 class BMR_BOX2D_API ConvexShape final : public b2PolygonShape {
 public:
     ConvexShape() noexcept;
@@ -61,19 +69,24 @@ public:
     /// The convex hull of 3 and more points, counter-clockwise from the rightmost one (of these the lowest).
     /// Vertices that turn by no more than rounding (at most about 1e-7) are dropped.
     ///
-    /// Where the hull has at most 8 vertices the shape is what b2PolygonShape::Set makes of the points (of
-    /// the hull's vertices, where there are more than 8 points), bit for bit, if Set neither welds nor
-    /// asserts on them.
+    /// Where the hull has at most 8 vertices the shape is what b2PolygonShape::Set of Box2D 2.4.1 makes of
+    /// the points (of the hull's vertices, where there are more than 8 points), bit for bit, unless Set
+    /// asserts on them: where its wrapping finds no hull, the exact hull is taken.
     ///
-    /// Errors leave the shape as it was: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_TOO_FEW_POINTS (all on one line,
-    /// too), BMR_ERROR_TOO_MANY_POINTS (on the hull), BMR_ERROR_NOT_FINITE, BMR_ERROR_OUT_OF_RANGE (a
-    /// coordinate beyond 1e9 where there are more than 8 points, a product that overflows, an area of at most
-    /// b2_epsilon), BMR_ERROR_TOO_CLOSE (of at most 8 vertices two are within half of b2_linearSlop),
-    /// BMR_ERROR_NOT_CONVEX (of at most 8 points Set's rounding finds no hull), BMR_ERROR_NO_MEMORY,
-    /// BMR_ERROR_UNSUPPORTED (more than 8 vertices need a Box2D that the glue knows). O(n log n).
+    /// Points that equal another are left out. Of a polygon of at most 8 vertices points are left out, too,
+    /// that are within half of b2_linearSlop of one before them, as Set does; polygons of more vertices keep
+    /// those. *welded says how many and how far.
+    ///
+    /// Errors leave the shape and *welded as they were: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_TOO_FEW_POINTS
+    /// (all on one line, too), BMR_ERROR_TOO_MANY_POINTS (on the hull), BMR_ERROR_NOT_FINITE,
+    /// BMR_ERROR_OUT_OF_RANGE (a coordinate beyond 1e9 where there are more than 8 points, a product that
+    /// overflows, an area of at most b2_epsilon), BMR_ERROR_TOO_CLOSE (fewer than three points are left that
+    /// are not within half of b2_linearSlop of each other), BMR_ERROR_NO_MEMORY, BMR_ERROR_UNSUPPORTED (more
+    /// than 8 vertices need a Box2D that the glue knows). O(n log n).
     bmr_error Set(const b2Vec2 *points, int32 count);
+    bmr_error Set(const b2Vec2 *points, int32 count, Welded *welded);
     /// The same of vertices that are such a hull, counter-clockwise from any one: kept as they are and where
-    /// they are. BMR_ERROR_NOT_CONVEX where they are not. O(n).
+    /// they are. BMR_ERROR_NOT_CONVEX where they are not, BMR_ERROR_TOO_CLOSE where Set would weld two. O(n).
     bmr_error SetRaw(const b2Vec2 *vertices, int32 count);
 
     /// b2PolygonShape::SetAsBox, bit for bit; a polygon that the shape held is let go. Errors leave it as it
@@ -83,8 +96,10 @@ public:
 
     /// A regular polygon around the origin; its first vertex lies on the positive x axis. Of very many
     /// vertices those are left that floats can tell from a straight line (all of 12,000, about 26,000 of
-    /// 65,535): GetVertexCount. Errors of this and the next two, besides those of Set: a size that is not
-    /// above zero is BMR_ERROR_OUT_OF_RANGE, more than kMostVertices are BMR_ERROR_TOO_MANY_POINTS.
+    /// 65,535): GetVertexCount. Errors of this and the next three, besides those of Set: of at most 8
+    /// vertices two within half of b2_linearSlop are BMR_ERROR_TOO_CLOSE. Of this and the next two: a size
+    /// that is not above zero is BMR_ERROR_OUT_OF_RANGE, more than kMostVertices are
+    /// BMR_ERROR_TOO_MANY_POINTS.
     bmr_error SetRegular(int32 count, float radius);
     /// `count` vertices on an ellipse around the origin, dense where it bends.
     bmr_error SetEllipse(int32 count, float halfWidth, float halfHeight);
@@ -117,11 +132,16 @@ public:
 private:
     friend struct internal::ConvexShapeAccess;
 
-    /// 0, or the number of the real polygon.
+    /// The real polygon's handle; 0 where there is none, or where what is shown of it was changed in place.
     uint32_t GetHandle() const;
+    /// The handle that the shape has a reference to, or 0.
+    uint32_t GetKeptHandle() const;
     void SetHandle(uint32_t handle);
     /// Takes over what a handle stands for, with its reference, and shows Box2D the polygon inside it.
     void Adopt(uint32_t handle);
+    /// Set; where points within half of b2_linearSlop of others are not to be left out, BMR_ERROR_TOO_CLOSE.
+    enum class Weld { Allowed, Refused };
+    bmr_error SetHull(const b2Vec2 *points, int32 count, Weld weld, Welded *welded);
     /// The polygon of `polygon` vertices as it is, which was just made.
     bmr_error AdoptBlock(bmr_convex32_block *block);
 

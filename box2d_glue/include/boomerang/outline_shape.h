@@ -7,6 +7,7 @@
 #include <box2d/b2_fixture.h>
 
 #include "boomerang/convex_shape.h"
+#include "boomerang/outline.h"
 
 class b2Body;
 class b2Contact;
@@ -25,7 +26,8 @@ namespace bmr {
 
 struct OutlineRecord;
 
-/// A hole of an outline: a ring of points, in either direction, without its first point at the end again.
+/// A hole of an outline: a ring of points, in either direction. Points that are repeated in a row are left
+/// out.
 struct OutlineHole {
     const b2Vec2 *points;
     int32 count;
@@ -56,12 +58,14 @@ public:
     /// Errors leave the outline as it was: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_TOO_FEW_POINTS (of a ring; or
     /// no piece has an area, as far as floats can tell), BMR_ERROR_TOO_MANY_POINTS, BMR_ERROR_NOT_FINITE,
     /// BMR_ERROR_NEGATIVE (a count or the tolerance), BMR_ERROR_OUT_OF_RANGE (a coordinate beyond 1e9, an
-    /// area that is no normal float), BMR_ERROR_REPEATED_POINT, BMR_ERROR_CROSSING_EDGES,
+    /// area that is no normal float), BMR_ERROR_CROSSING_EDGES,
     /// BMR_ERROR_OVERLAPPING_EDGES, BMR_ERROR_HOLE_OUTSIDE (these, and rings of too few points, say in
     /// `*fault` where), BMR_ERROR_NO_MEMORY, BMR_ERROR_UNSUPPORTED (a Box2D that the glue does not know).
     /// About O(n log n).
     bmr_error Set(const b2Vec2 *points, int32 count, const OutlineHole *holes = nullptr, int32 holeCount = 0,
                   float tolerance = 0.0f, OutlineFault *fault = nullptr);
+    /// The same of rings in doubles, the outer one first: what boomerang::repair returns.
+    bmr_error Set(const bmr_rings &rings, float tolerance = 0.0f, OutlineFault *fault = nullptr);
 
     /// A fixture of each piece on the body, all with what `def` says of fixtures; def.shape is not read. The
     /// body's mass, centre and inertia then include those of the outline, also where pieces stand for it only

@@ -39,7 +39,7 @@ typedef enum bmr_error {
     BMR_ERROR_TOO_LARGE,         ///< more bytes than this machine has addresses for
     BMR_ERROR_WRONG_HIERARCHY,   ///< a hierarchy of another polygon or of another kind
     BMR_ERROR_UNKNOWN_NAME,      ///< nothing has that name
-    BMR_ERROR_REPEATED_POINT,    ///< an outline's ring has two equal points behind each other
+    BMR_ERROR_REPEATED_POINT,    ///< not met: outlines leave out points that are repeated in a row
     BMR_ERROR_CROSSING_EDGES,    ///< two edges of an outline cross
     BMR_ERROR_OVERLAPPING_EDGES, ///< two edges of an outline have more than a point in common
     BMR_ERROR_HOLE_OUTSIDE, ///< a hole of an outline is not inside its outer ring, or inside another hole

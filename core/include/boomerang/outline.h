@@ -34,8 +34,10 @@ extern "C" {
 /// BMR_MAX_COORDINATE.) All functions are deterministic: the same rings give the same pieces, bit for bit.
 ///
 /// What an outline is. Ring 0 is the outer one, all others are holes. Each runs clockwise or counter-
-/// clockwise, and is closed without its first point being repeated. Edge i begins at point i of all points
-/// and ends at the next point of its ring (at the ring's first one behind the last). Allowed are
+/// clockwise, and is closed. Points that repeat the one before them in their ring (at its end also the first
+/// one) are left out: of equal points in a row the one with the lowest index counts, and the others have no
+/// edge. Edge i begins at point i of all points and ends at the next point of its ring that counts (at the
+/// ring's first one behind the last). Allowed are
 ///
 ///   - any number of points on one straight line;
 ///   - rings that touch in points: a point of one ring on a point or inside an edge of another one, or of the
@@ -44,9 +46,7 @@ extern "C" {
 ///
 /// Errors, each of which names the two edges (bmr_outline_fault):
 ///
-///   - BMR_ERROR_TOO_FEW_POINTS: a ring of fewer than three points;
-///   - BMR_ERROR_REPEATED_POINT: two points of a ring that follow each other are equal (also its last and its
-///     first: leave the last one out);
+///   - BMR_ERROR_TOO_FEW_POINTS: a ring of fewer than three points that count;
 ///   - BMR_ERROR_CROSSING_EDGES: two edges cross, or two rings (or parts of one) in a point that they share;
 ///   - BMR_ERROR_OVERLAPPING_EDGES: two edges have more than a point in common: a spike that goes back over
 ///     itself, a ring of points on one line, a hole that shares a stretch with the outer ring, a ring given
@@ -63,14 +63,13 @@ typedef struct bmr_rings {
     uint32_t ring_count;    ///< at least 1
 } bmr_rings;
 
-/// What is wrong with an outline. Of several faults the first that is met: rings that are too short or repeat
-/// a point in their order, then what a sweep from left to right comes upon.
+/// What is wrong with an outline. Of several faults the first that is met: rings that are too short in their
+/// order, then what a sweep from left to right comes upon.
 typedef struct bmr_outline_fault {
     bmr_error error; ///< BMR_OK: none of these faults
     /// The two edges, the lower number first. TOO_FEW_POINTS: twice the ring's first edge (BMR_OUTLINE_NONE
-    /// where the ring has no point). REPEATED_POINT: the edge of no length, and the next one of the ring.
-    /// HOLE_OUTSIDE: the edge of the hole that begins or ends at its leftmost point, and the edge that lies
-    /// below it there (BMR_OUTLINE_NONE where nothing does).
+    /// where the ring has no point). HOLE_OUTSIDE: the edge of the hole that begins or ends at its leftmost
+    /// point, and the edge that lies below it there (BMR_OUTLINE_NONE where nothing does).
     uint32_t edge[2];
     uint32_t ring[2]; ///< the rings of these edges
     /// A point of the first edge, near or at the fault: where the two edges meet, up to rounding.
@@ -97,7 +96,8 @@ bmr_error bmr_outline_mass(const bmr_rings *rings, bmr_mass *mass);
 /// Let S be the solid, T the simplified one. No point of S is farther than `tolerance` from T, and no point
 /// of T farther from S (the Hausdorff distance of the two is at most the tolerance). The same holds of each
 /// ring that is left and what became of it, as curves. A hole may be filled only where it lies between two
-/// parallel lines 2 * tolerance apart. Tolerance 0 drops exactly the points within straight stretches.
+/// parallel lines 2 * tolerance apart. Tolerance 0 drops exactly the points within straight stretches and
+/// those that are repeated.
 ///
 /// O(n log n) for outlines as they are met, O(n^2) at worst. Errors: those of bmr_outline_check (*fault as
 /// there); NEGATIVE, NOT_FINITE (the tolerance); then `kept` and `counts` are untouched.
