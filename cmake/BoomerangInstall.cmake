@@ -50,6 +50,12 @@ if(TARGET boomerang_box2d)
   boomerang_install_library(runtime boomerang_box2d_glue boomerang_box2d)
   list(APPEND boomerang_components box2d)
 endif()
+if(TARGET boomerang_repair)
+  boomerang_install_library(runtime boomerang_repair)
+  list(APPEND boomerang_components repair)
+  install(FILES ${PROJECT_SOURCE_DIR}/box2d_glue/repair/include/boomerang/repair.h
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang COMPONENT development)
+endif()
 
 # Headers that kinetic.h has beside boomerang.h are kinetic's.
 file(GLOB core_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/include/boomerang/*.h)
@@ -128,6 +134,7 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/boomerangConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/boomerangConfig.cmake ${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake
   ${CMAKE_CURRENT_LIST_DIR}/BoomerangAccelerate.cmake ${CMAKE_CURRENT_LIST_DIR}/BoomerangLinks.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/Findpolyclipping.cmake
   DESTINATION ${boomerang_package_dir} COMPONENT development)
 
 # The pkg-config files name their prefix relative to themselves, so that `cmake --install --prefix` may choose it late.

@@ -102,7 +102,7 @@ if(TARGET boomerang_box2d)
   list(APPEND boomerang_libraries "libboomerang-box2d1 ${boomerang_exact}")
 endif()
 boomerang_package(development libboomerang-dev "headers, static libraries and CMake package of Boomerang" SECTION libdevel
-  DEPENDS ${boomerang_libraries} RECOMMENDS "libbox2d-dev (>= 2.4.1)"
+  DEPENDS ${boomerang_libraries} RECOMMENDS "libbox2d-dev (>= 2.4.1)" "libpolyclipping-dev"
   DESCRIPTION "For programs that use core or the plugin, and for projects that compile\nBox2D themselves (boomerang_accelerate).")
 if(TARGET boomerang_kinetic_shared)
   boomerang_library_control(control ${PROJECT_SOURCE_DIR}/core/abi/libboomerang-kinetic.symbols)

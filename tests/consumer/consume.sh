@@ -11,7 +11,7 @@
 #                      such sources: tests/stages/builds.sh)
 #   plain              a plain configure is what a user installs, needs Box2D alone, and says in a line each what it leaves out
 #   uninstall          takes the installation away and checks that no file is left
-# Environment: SOURCE, BUILD (the tree to install from), WORK (a directory of our own), WITH_BOX2D, WITH_KINETIC (ON or OFF), CC, CXX.
+# Environment: SOURCE, BUILD (the tree to install from), WORK (a directory of our own), WITH_BOX2D, WITH_KINETIC, WITH_REPAIR (ON or OFF), CC, CXX.
 set -euo pipefail
 step=$1
 consumer=$SOURCE/tests/consumer
@@ -28,13 +28,14 @@ fail() {
 build_with_cmake() {
     rm -rf "$out"
     cmake -S "$consumer/$step" -B "$out" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-        -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" -DCONSUME_BOX2D="$WITH_BOX2D" -DCONSUME_KINETIC="$WITH_KINETIC" "$@"
+        -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" -DCONSUME_BOX2D="$WITH_BOX2D" -DCONSUME_KINETIC="$WITH_KINETIC" -DCONSUME_REPAIR="$WITH_REPAIR" "$@"
     cmake --build "$out"
 }
 
 run_programs() {
     "$out/bin/consume_core"
     [ ! -x "$out/bin/consume_kinetic" ] || "$out/bin/consume_kinetic"
+    [ ! -x "$out/bin/consume_repair" ] || "$out/bin/consume_repair"
     if [ "$WITH_BOX2D" = ON ]; then
         local program
         for program in "$out"/bin/consume*box2d; do "$program"; done
@@ -116,6 +117,10 @@ pkg_config)
     if [ "$WITH_KINETIC" = ON ]; then
         read -ra flags < <(pkg-config --cflags --libs boomerang-kinetic)
         "$CC" -std=c11 "$consumer/consume_kinetic.c" -o "$out/bin/consume_kinetic" "${flags[@]}"
+    fi
+    if [ "$WITH_REPAIR" = ON ]; then
+        read -ra flags < <(pkg-config --cflags --libs boomerang-repair)
+        "$CXX" -std=c++11 "$consumer/consume_repair.cpp" -o "$out/bin/consume_repair" "${flags[@]}"
     fi
     if [ "$WITH_BOX2D" = ON ]; then
         read -ra flags < <(pkg-config --cflags --libs boomerang-box2d)

@@ -18,7 +18,7 @@ shift
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 # Optimised as little as can be: what is measured is whether the test fails.
-flags="-std=c++17 -O1 -fPIC -ffp-contract=off -w -I$root/core/include -I$root/core -I$root/box2d_glue/include"
+flags="-std=c++17 -O1 -fPIC -ffp-contract=off -w -I$root/core/include -I$root/core -I$root/box2d_glue/include -I$root/box2d_glue/repair/include"
 
 # A test case takes a second at most. What takes so many seconds of the processor, however busy the machine is, goes round for ever.
 patience=120
@@ -39,7 +39,7 @@ control() {
     perl -0pi -e "$substitution" "$place/box2d_glue/$file"
     if cmp -s "$root/box2d_glue/$file" "$place/box2d_glue/$file"; then
         echo "FAILED: $name: the substitution finds nothing in $file" >"$room/$number"
-    elif ! $compiler $flags -I"$place/box2d_glue" -c "$place/box2d_glue/$file" -o "$place/mutant.o" 2>"$place/errors" ||
+    elif ! $compiler $flags -I"$place/box2d_glue" -I"$place/box2d_glue/repair" -c "$place/box2d_glue/$file" -o "$place/mutant.o" 2>"$place/errors" ||
         ! $compiler "$(object_of "$test")" "$place/mutant.o" "${link[@]}" -o "$place/test" 2>>"$place/errors"; then
         { echo "FAILED: $name: does not build"; head -n 5 "$place/errors"; } >"$room/$number"
     elif ! "$place/test" -tc="$case" -c 2>/dev/null | grep -q "unskipped test cases passing the current filters: 1$"; then

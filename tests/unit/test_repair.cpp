@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// Rings that are drawn wrongly in each of the known ways become outlines, and many outlines become one.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "boomerang/repair.h"
+
+namespace {
+
+using bmr::FillRule;
+using bmr::Outline;
+using Ring = std::vector<bmr_vec2>;
+
+constexpr double kSnap = 0.01;
+
+Outline Drawn(const std::vector<Ring> &rings) {
+    Outline outline;
+    for (const Ring &ring : rings)
+        outline.AddRing(ring.data(), ring.size());
+    return outline;
+}
+
+Ring Box(double left, double bottom, double right, double top) {
+    return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
+
+/// Of an outline that is one: bmr_outline_decompose takes it.
+double AreaOf(const Outline &outline) {
+    const bmr_rings rings = outline.GetRings();
+    bmr_outline_pieces *pieces = nullptr;
+    REQUIRE(bmr_outline_decompose(&rings, nullptr, nullptr, &pieces, nullptr) == BMR_OK);
+    bmr_outline_pieces_destroy(pieces, nullptr);
+    bmr_mass mass;
+    REQUIRE(bmr_outline_mass(&rings, &mass) == BMR_OK);
+    return mass.area;
+}
+
+struct Count {
+    size_t outlines, rings;
+    double area;
+};
+
+Count Counted(const std::vector<Outline> &outlines) {
+    Count all = {outlines.size(), 0, 0.0};
+    for (const Outline &outline : outlines) {
+        all.rings += outline.counts.size();
+        all.area += AreaOf(outline);
+    }
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("what is drawn wrongly is refused as it is, and repaired") {
+    const Ring square = Box(0, 0, 4, 4);
+    const double near = 2.8e-14;
+    struct Case {
+        std::string name;
+        std::vector<Ring> rings;
+        bmr_error refused;
+        Count evenOdd;
+        double nonZero; ///< its area
+    };
+    const Case cases[] = {
+        {"a hole along an edge of the outer ring",
+         {square, Box(0, 1, 2, 2)},
+         BMR_ERROR_OVERLAPPING_EDGES,
+         {1, 1, 14},
+         16},
+        {"holes side by side",
+         {square, Box(1, 1, 2, 2), Box(2, 1, 3, 2)},
+         BMR_ERROR_OVERLAPPING_EDGES,
+         {1, 2, 14},
+         16},
+        {"a hole given twice",
+         {square, Box(1, 1, 2, 2), Box(1, 1, 2, 2)},
+         BMR_ERROR_OVERLAPPING_EDGES,
+         {1, 1, 16},
+         16},
+        {"an outline given twice", {square, square}, BMR_ERROR_OVERLAPPING_EDGES, {0, 0, 0}, 16},
+        {"a hole across the outer ring", {square, Box(3, 1, 5, 2)}, BMR_ERROR_CROSSING_EDGES, {2, 2, 16}, 17},
+        {"holes across each other",
+         {square, Box(1, 1, 3, 2), Box(2, 1, 3.5, 3)},
+         BMR_ERROR_OVERLAPPING_EDGES,
+         {1, 2, 13},
+         16},
+        {"a hole that touches but for rounding",
+         {square, {{1, 1}, {4 + near, 2}, {1, 3}}},
+         BMR_ERROR_CROSSING_EDGES,
+         {1, 1, 13},
+         16},
+        {"a hole as good as along an edge", {square, Box(near, 1, 2, 2)}, BMR_OK, {1, 1, 14}, 16},
+        {"a hole outside", {square, Box(6, 0, 7, 1)}, BMR_ERROR_HOLE_OUTSIDE, {2, 2, 17}, 17},
+        {"an island in a hole",
+         {square, Box(1, 1, 3, 3), Box(1.5, 1.5, 2.5, 2.5)},
+         BMR_ERROR_HOLE_OUTSIDE,
+         {2, 3, 13},
+         16},
+        {"an island that touches its hole",
+         {square, Box(1, 1, 3, 3), {{1, 2}, {2, 1.5}, {2, 2.5}}},
+         BMR_ERROR_HOLE_OUTSIDE,
+         {2, 3, 12.5},
+         16},
+        {"a ring like an 8", {{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}, BMR_ERROR_CROSSING_EDGES, {2, 2, 8}, 8},
+        {"a ring twice around",
+         {{{0, 0}, {4, 0}, {4, 4}, {1, 4}, {1, 1}, {3, 1}, {3, 3}, {0, 3}}},
+         BMR_ERROR_CROSSING_EDGES,
+         {1, 1, 11},
+         15},
+        {"a spike",
+         {{{0, 0}, {4, 0}, {8, 0}, {4, 0}, {4, 4}, {0, 4}}},
+         BMR_ERROR_OVERLAPPING_EDGES,
+         {1, 1, 16},
+         16},
+        {"a spike inwards",
+         {{{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 2}, {2, 4}, {0, 4}}},
+         BMR_ERROR_OVERLAPPING_EDGES,
+         {1, 1, 16},
+         16},
+        {"a ring that repeats points",
+         {{{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}},
+         BMR_OK,
+         {1, 1, 16},
+         16},
+        {"a point for a hole", {square, {{2, 2}}}, BMR_ERROR_TOO_FEW_POINTS, {1, 1, 16}, 16},
+        {"a line for a hole",
+         {square, {{1, 1}, {2, 2}, {3, 3}}},
+         BMR_ERROR_OVERLAPPING_EDGES,
+         {1, 1, 16},
+         16},
+        {"parts that hang together in a point",
+         {{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}},
+         BMR_OK,
+         {2, 2, 8},
+         8},
+        {"nothing but a line", {{{0, 0}, {4, 0}, {2, 0}}}, BMR_ERROR_OVERLAPPING_EDGES, {0, 0, 0}, 0},
+    };
+    // At the origin, and where floats have steps of half a millimetre.
+    for (const double away : {0.0, 8000.0})
+        for (const Case &c : cases) {
+            CAPTURE(c.name);
+            CAPTURE(away);
+            Outline drawn = Drawn(c.rings);
+            for (bmr_vec2 &point : drawn.points)
+                point.x += away;
+            const bmr_rings rings = drawn.GetRings();
+            if (away == 0.0)
+                CHECK(bmr_outline_check(&rings, nullptr, nullptr) == c.refused);
+            std::vector<Outline> repaired(7);
+            const bmr_error error = RepairOutline(drawn, FillRule::EvenOdd, kSnap, &repaired);
+            CHECK(error == (c.evenOdd.outlines > 0 ? BMR_OK : BMR_ERROR_TOO_FEW_POINTS));
+            if (error != BMR_OK) {
+                CHECK(repaired.size() == 7);
+                repaired.clear();
+            }
+            const Count found = Counted(repaired);
+            CHECK(found.outlines == c.evenOdd.outlines);
+            CHECK(found.rings == c.evenOdd.rings);
+            CHECK(found.area == doctest::Approx(c.evenOdd.area).epsilon(0.003));
+            repaired.clear();
+            RepairOutline(drawn, FillRule::NonZero, kSnap, &repaired);
+            CHECK(Counted(repaired).area == doctest::Approx(c.nonZero).epsilon(0.003));
+        }
+}
+
+TEST_CASE("results are exact as floats, and have no straight points") {
+    const Outline drawn = Drawn({{{8000.1, 0}, {8002, 0.004}, {8004, 0}, {8004, 1}, {8000.1, 3}}});
+    std::vector<Outline> repaired;
+    REQUIRE(RepairOutline(drawn, FillRule::EvenOdd, kSnap, &repaired) == BMR_OK);
+    for (const bmr_vec2 &point : repaired[0].points) {
+        CHECK(static_cast<double>(static_cast<float>(point.x)) == point.x);
+        CHECK(static_cast<double>(static_cast<float>(point.y)) == point.y);
+    }
+    const Outline straight = Drawn({{{0, 0}, {1, 0}, {2, 0}, {4, 0}, {4, 4}}});
+    REQUIRE(RepairOutline(straight, FillRule::EvenOdd, kSnap, &repaired) == BMR_OK);
+    CHECK(repaired[0].points.size() == 3);
+}
+
+TEST_CASE("tiles become one outline, also where they do not quite meet, and where a corner is in an edge") {
+    std::vector<Outline> tiles;
+    const auto add = [&](double x, double y, double size) {
+        const double off = static_cast<double>(tiles.size() % 3) * 0.0005;
+        tiles.push_back(Drawn({Box(x + off, y - off, x + size + off, y + size - off)}));
+    };
+    for (int x = 0; x < 6; ++x) // a ring of tiles of 1 and 2
+        for (int y = 0; y < 4; ++y)
+            if (x == 0 || x == 5 || y == 0 || y == 3)
+                add(x, y, 1);
+    add(6, 1, 2);
+    std::vector<Outline> merged;
+    REQUIRE(MergeOutlines(tiles.data(), tiles.size(), FillRule::NonZero, kSnap, &merged) == BMR_OK);
+    const Count found = Counted(merged);
+    CHECK(found.outlines == 1);
+    CHECK(found.rings == 2);
+    CHECK(found.area == doctest::Approx(16 + 4).epsilon(0.003));
+
+    // Solids add up, whichever way their rings run, and a hole that another one covers is filled.
+    const Ring square = Box(0, 0, 4, 4), back(square.rbegin(), square.rend());
+    const Outline some[] = {Drawn({back, Box(1, 1, 3, 3)}), Drawn({Box(2, 0, 6, 4)}), Drawn({back})};
+    REQUIRE(MergeOutlines(some, 2, FillRule::EvenOdd, kSnap, &merged) == BMR_OK);
+    CHECK(Counted(merged).area == doctest::Approx(22));
+    CHECK(Counted(merged).rings == 2);
+    REQUIRE(MergeOutlines(some, 3, FillRule::EvenOdd, kSnap, &merged) == BMR_OK);
+    CHECK(Counted(merged).area == doctest::Approx(24));
+}
+
+TEST_CASE("what cannot be repaired has its error, and leaves the result as it was") {
+    const Ring square = Box(0, 0, 4, 4);
+    const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+    std::vector<Outline> result(3);
+    const auto answer = [&](const std::vector<Ring> &rings, double snap) {
+        const bmr_error error = RepairOutline(Drawn(rings), FillRule::EvenOdd, snap, &result);
+        CHECK(result.size() == 3);
+        return error;
+    };
+    CHECK(answer({square}, nan) == BMR_ERROR_NOT_FINITE);
+    CHECK(answer({square}, inf) == BMR_ERROR_NOT_FINITE);
+    CHECK(answer({square}, 0.0) == BMR_ERROR_NEGATIVE);
+    CHECK(answer({square}, -1.0) == BMR_ERROR_NEGATIVE);
+    CHECK(answer({square}, 1e-300) == BMR_ERROR_OUT_OF_RANGE);
+    CHECK(answer({square}, 1e-310) == BMR_ERROR_OUT_OF_RANGE);
+    CHECK(answer({square}, 5e-324) == BMR_ERROR_OUT_OF_RANGE);
+    CHECK(answer({square}, 1e-8) == BMR_ERROR_OUT_OF_RANGE);
+    CHECK(answer({square}, 1e308) == BMR_ERROR_TOO_FEW_POINTS);
+    CHECK(answer({{{0, 0}, {1e300, 0}, {0, 1}}}, kSnap) == BMR_ERROR_OUT_OF_RANGE);
+    CHECK(answer({{{0, 0}, {nan, 0}, {0, 1}}}, kSnap) == BMR_ERROR_NOT_FINITE);
+    CHECK(answer({{{0, 0}, {1, -inf}, {0, 1}}}, kSnap) == BMR_ERROR_NOT_FINITE);
+    CHECK(answer({}, kSnap) == BMR_ERROR_NO_POINTS);
+    CHECK(answer({{}}, kSnap) == BMR_ERROR_NO_POINTS);
+    CHECK(answer({Ring((size_t{1} << 20) + 1)}, kSnap) == BMR_ERROR_TOO_MANY_POINTS);
+    Ring stairs; // 65,538 corners, all of which are needed
+    for (int i = 0; i < 32768; ++i) {
+        stairs.push_back({static_cast<double>(i), static_cast<double>(i)});
+        stairs.push_back({i + 1.0, static_cast<double>(i)});
+    }
+    stairs.push_back({32768, 40000});
+    stairs.push_back({0, 40000});
+    CHECK(answer({stairs}, kSnap) == BMR_ERROR_TOO_MANY_POINTS);
+    Outline wrong = Drawn({square});
+    wrong.counts[0] = 5;
+    CHECK(RepairOutline(wrong, FillRule::EvenOdd, kSnap, &result) == BMR_ERROR_OUT_OF_RANGE);
+    CHECK(RepairOutline(wrong, FillRule::EvenOdd, kSnap, nullptr) == BMR_ERROR_NULL_ARGUMENT);
+    CHECK(bmr::MergeOutlines(nullptr, 1, FillRule::EvenOdd, kSnap, &result) == BMR_ERROR_NULL_ARGUMENT);
+    CHECK(bmr::MergeOutlines(nullptr, 0, FillRule::EvenOdd, kSnap, &result) == BMR_ERROR_NO_POINTS);
+    CHECK(result.size() == 3);
+}
