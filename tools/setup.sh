@@ -111,7 +111,7 @@ bmr_watch() {
         if [ -t 2 ]; then
             printf '\r\033[K%s %d s' "$far" "$seconds" >&2
         elif [ $((seconds % 30)) -eq 0 ]; then
-            bmr_say "$far after $seconds s"
+            bmr_say "$(basename "$(dirname "$1")"): $far after $seconds s"
         fi
     done
 }

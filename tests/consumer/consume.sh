@@ -134,6 +134,7 @@ fetch_content)
     build_with_cmake -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS_DEBUG=-O0 -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DBOOMERANG_REPOSITORY=none \
         -DFETCHCONTENT_SOURCE_DIR_BOOMERANG="$SOURCE"
     run_programs
+    [ -z "$(find "$out" -name 'libboomerang_box2d_glue.*')" ] || fail "a library that no program links was built"
     ;;
 static_box2d)
     [ "$WITH_BOX2D" = ON ] || exit 0
