@@ -211,7 +211,9 @@ void ProveOverlap(Ledger *ledger, uint32_t record) {
     const double margin =
         movers.RoundingMargin(at.a, at.b) +
         static_cast<double>(2.0f * kUnit * kErrorPerReach) * (ReachOf(movers[at.a]) + ReachOf(movers[at.b]));
-    if (depth > margin + soon)
+    // Of deep overlaps b2Distance says up to its rounding, which the skins must cover.
+    const double skins = static_cast<double>(movers[at.a].radius) + static_cast<double>(movers[at.b].radius);
+    if (depth > margin + soon && skins >= margin)
         ledger->ProveUntil(record, depth, margin);
     else
         NoProof(ledger, record);
