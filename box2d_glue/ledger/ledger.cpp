@@ -138,6 +138,7 @@ void Ledger::BeginEmpty() {
     if (m_passes > 0)
         return;
     Empty();
+    m_owed = 0;
     m_bodies.Forget();
 }
 

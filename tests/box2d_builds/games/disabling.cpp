@@ -134,6 +134,43 @@ private:
     std::vector<b2Body *> m_enemies;
 };
 
+/// Boxes deep in each other, half of them in sensors, among boxes apart. A sensor's contact that begins is
+/// disabled, and turns solid; of the others each third loses its points before it is solved.
+class PointsGo final : public Game {
+public:
+    void Build(testbed::Stage &stage, int) override {
+        stage.World().SetGravity({0.0f, 0.0f});
+        for (int i = 0; i < 80; ++i)
+            for (const bool right : {false, true}) {
+                const bool deep = i % 4 == 0;
+                b2Body *const body = stage.AddBody(
+                    b2_dynamicBody, {3.0f * static_cast<float>(i) + (right ? deep ? 0.8f : 1.1f : 0.0f),
+                                     right ? 0.2f : 0.0f});
+                b2FixtureDef material = testbed::Material(1.0f);
+                material.isSensor = right && i % 8 == 0;
+                stage.AddFixture(body, material, testbed::MakeBox(0.5f, 0.5f));
+                body->SetSleepingAllowed(false);
+            }
+    }
+    void OnBegin(b2Contact &contact) override {
+        for (b2Fixture *fixture : {contact.GetFixtureA(), contact.GetFixtureB()}) {
+            if (!fixture->IsSensor())
+                continue;
+            fixture->SetSensor(false);
+            contact.SetEnabled(false);
+        }
+    }
+    void OnPreSolve(b2Contact &contact) override {
+        if (++m_told % 3 != 0)
+            return;
+        contact.SetEnabled(false);
+        contact.GetManifold()->pointCount = 0;
+    }
+
+private:
+    int m_told = 0;
+};
+
 } // namespace
 
 void AddDisabling(std::vector<GameInfo> &games) {
@@ -151,6 +188,8 @@ void AddDisabling(std::vector<GameInfo> &games) {
                      60, Create<HitGoes<When::PreSolve>>, true});
     games.push_back({"hit-goes-postsolve", "the body that was hit is disabled after the contact was solved",
                      60, Create<HitGoes<When::PostSolve>>, true});
+    games.push_back({"points-go", "a sensor turns solid as it is touched, and contacts lose their points", 40,
+                     Create<PointsGo>});
 }
 
 } // namespace box2d_builds
