@@ -54,7 +54,7 @@ typedef enum bmr_swept32_answer {
 /// `near` (at most `apart`)? True up to rounding. `direction`, from a to b, of unit length or zero, is tried
 /// first and replaced by the one that keeps them apart, if one is found. About 50 instructions where the
 /// first holds; a search of at most 8 more, each a step of Gilbert, Johnson and Keerthi's, where it does not.
-/// Anything that is not a number: unknown.
+/// Anything that is not a number: unknown. Nothing of finite numbers raises FE_INVALID or FE_DIVBYZERO.
 bmr_swept32_answer bmr_swept32_compare(const bmr_swept32 *a, const bmr_swept32 *b, float apart, float near,
                                        bmr_vec32 *direction);
 
