@@ -28,7 +28,7 @@ bmr_error bmr_time_of_contact(const bmr_shape *a, const bmr_motion *motion_a, co
     if (from > until)
         return BMR_ERROR_OUT_OF_RANGE;
     bmr_simulation_def def = bmr_default_simulation_def();
-    bmr_error error = bmr_kds_find(have_dudley(a, b) ? "lazy-dudley" : "free-fd2", &def.structure);
+    bmr_error error = bmr_kds_find(have_dudley(a, b) ? "lazy-dudley" : "hybrid", &def.structure);
     def.kds.margin = margin;
     const bmr_shape shapes[2] = {*a, *b};
     bmr_motion *const motions[2] = {(bmr_motion *)motion_a, (bmr_motion *)motion_b}; // it only reads them

@@ -16,7 +16,7 @@
 bmr_world_def bmr_default_world_def(void) {
     bmr_world_def def;
     memset(&def, 0, sizeof def);
-    bmr_kds_find("free-fd2", &def.structure);
+    bmr_kds_find("hybrid", &def.structure);
     def.kds = bmr_default_kds_def();
     def.kds.hysteresis = def.kds.margin;
     def.failure = bmr_default_failure_options();

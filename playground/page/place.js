@@ -13,7 +13,7 @@ function firstPlace() {
     poses: [[0, 0, 0], [2, 1, 0.6]],
     family: "tumble", ratio: 6, n: 32, outline: "ellipse", seed: 1,
     cells: "active-cell-dudley", small: [6, 5], mixedPoses: [[0, 0, 0], [-0.45, -1.35, 0.4]],
-    bodies: 60, corners: 8, packing: 0.25, pairs: "free-fd2", shown: 4,
+    bodies: 60, corners: 8, packing: 0.25, pairs: "hybrid", shown: 4,
   };
 }
 

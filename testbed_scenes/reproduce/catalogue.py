@@ -265,8 +265,8 @@ EXPERIMENTS = [
           [[TESTBED, "compare-shapes", "pile", "--repeat", "2"]]),
     shown("outline-shapes", "bodies of outlines beside bodies of triangles", 200, ["boomerang-testbed compare-shapes asteroids-outline"],
           [[TESTBED, "compare-shapes", "asteroids-outline"]]),
-    shown("world-peers", "a kinetic world beside others", 900, ["boomerang-testbed world gas --bodies 500 --seconds 20 --peers"],
-          [[TESTBED, "world", "gas", "--bodies", "500", "--seconds", "20", "--peers", *more]
+    shown("world-peers", "a kinetic world beside others", 900, ["boomerang-testbed world gas --structure free-fd2 --bodies 500 --seconds 20 --peers"],
+          [[TESTBED, "world", "gas", "--structure", "free-fd2", "--bodies", "500", "--seconds", "20", "--peers", *more]
            for more in (["--shape", "regular", "--vertices", "8", "--density", "0.3", "--sizes", "1"], [])]),
     shown("world-share", "where a world's instructions go", 200,
           ["tests/bench/world_share.sh build gas --bodies 10000 --boundary periodic --shape regular --vertices 8:64 --sizes 1 --density 0.3 --seconds 1"],

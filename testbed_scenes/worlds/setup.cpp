@@ -27,7 +27,7 @@ WorldScene Scene(const char *name, const char *description, size_t bodies, doubl
     choice.density = 0.2;
     choice.speed = 1.0;
     choice.seconds = seconds;
-    choice.structure = "free-fd2";
+    choice.structure = "hybrid";
     return scene;
 }
 

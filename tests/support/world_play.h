@@ -273,7 +273,7 @@ static inline void play_begin(play *p, const play_shapes *shapes, uint64_t seed,
     const double far = test_random_below(&p->random, 4) == 0 ? 1e6 : 0.0;
     p->place = bmr_vec2_make(far, -far);
     bmr_world_def def = bmr_default_world_def();
-    static const char *const structures[] = {"free-fd2", "predict", "separating-edge"};
+    static const char *const structures[] = {"hybrid", "predict", "separating-edge"};
     if (bmr_kds_find(structures[test_random_below(&p->random, 3)], &def.structure) != BMR_OK)
         abort();
     def.boundary = p->boundary = (bmr_boundary)test_random_below(&p->random, 3);

@@ -170,7 +170,7 @@ typedef struct bmr_world_def {
     bmr_world_observer observer; ///< NULL: none
     void *context;               ///< of both
 } bmr_world_def;
-/// "free-fd2", which needs no hierarchies; the defaults of its parts, hysteresis 1e-6; open; elastic
+/// "hybrid", which needs no hierarchies; the defaults of its parts, hysteresis 1e-6; open; elastic
 /// impulses; ZENO_ERROR with a speed of 1e-3; no callbacks; contact_step 0.1.
 bmr_world_def bmr_default_world_def(void);
 
