@@ -113,7 +113,7 @@ TEST_CASE("garbage becomes outlines, and nothing changes sides that is farther t
     Random random(33);
     size_t outlines = 0, points = 0, inside = 0;
     double farthest = 0.0; // from the rings, of a place that changed sides; in snaps
-    for (size_t n = test_scaled(600); n > 0; --n) {
+    for (size_t n = test_scaled(3000); n > 0; --n) {
         const World &world = worlds[Below(&random, std::size(worlds))];
         const double snap = snaps[Below(&random, std::size(snaps))];
         const FillRule rule = Below(&random, 2) == 0 ? FillRule::EvenOdd : FillRule::NonZero;
@@ -156,7 +156,7 @@ TEST_CASE("garbage becomes outlines, and nothing changes sides that is farther t
 TEST_CASE("the area differs by no more than edges that move by snap sweep") {
     Random random(34);
     double most = 0.0; // of the bound
-    for (size_t n = test_scaled(300); n > 0; --n) {
+    for (size_t n = test_scaled(1500); n > 0; --n) {
         const double snap = std::ldexp(1.0, -static_cast<int>(Below(&random, 8))) * 0.5;
         std::vector<bmr_vec2> ring(3 + Below(&random, 60)); // a star
         double length = 0.0;

@@ -179,25 +179,30 @@ TEST_CASE("results are exact as floats, and have no straight points") {
     const Outline straight = Drawn({{{0, 0}, {1, 0}, {2, 0}, {4, 0}, {4, 4}}});
     REQUIRE(RepairOutline(straight, FillRule::EvenOdd, kSnap, &repaired) == BMR_OK);
     CHECK(repaired[0].points.size() == 3);
+    const Outline touching = Drawn({Box(0, 0, 4, 4), {{4, 2}, {6, 1}, {6, 3}}});
+    REQUIRE(RepairOutline(touching, FillRule::EvenOdd, kSnap, &repaired) == BMR_OK);
+    REQUIRE(repaired.size() == 2);
+    CHECK(repaired[0].points.size() + repaired[1].points.size() == 7);
 }
 
 TEST_CASE("tiles become one outline, also where they do not quite meet, and where a corner is in an edge") {
     std::vector<Outline> tiles;
     const auto add = [&](double x, double y, double size) {
-        const double off = static_cast<double>(tiles.size() % 3) * 0.0005;
+        const double off = static_cast<double>(tiles.size() % 3) * 0.0006;
         tiles.push_back(Drawn({Box(x + off, y - off, x + size + off, y + size - off)}));
     };
     for (int x = 0; x < 6; ++x) // a ring of tiles of 1 and 2
         for (int y = 0; y < 4; ++y)
             if (x == 0 || x == 5 || y == 0 || y == 3)
                 add(x, y, 1);
-    add(6, 1, 2);
+    add(6.0013, 0.5, 2); // beside three, with a gap
     std::vector<Outline> merged;
     REQUIRE(MergeOutlines(tiles.data(), tiles.size(), FillRule::NonZero, kSnap, &merged) == BMR_OK);
     const Count found = Counted(merged);
     CHECK(found.outlines == 1);
     CHECK(found.rings == 2);
     CHECK(found.area == doctest::Approx(16 + 4).epsilon(0.003));
+    CHECK(merged[0].points.size() < 50);
 
     // Solids add up, whichever way their rings run, and a hole that another one covers is filled.
     const Ring square = Box(0, 0, 4, 4), back(square.rbegin(), square.rend());

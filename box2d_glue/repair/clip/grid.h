@@ -6,7 +6,7 @@
 
 #include <polyclipping/clipper.hpp>
 
-#include "geometry/predicates.h"
+#include "boomerang/vector.h"
 
 namespace bmr::repair {
 
@@ -15,7 +15,7 @@ using Place = ClipperLib::IntPoint;
 using Path = ClipperLib::Path;
 using Paths = ClipperLib::Paths;
 
-/// Up to here the clipper's products fit 64 bits.
+/// Up to here products of differences fit 64 bits, the clipper's and ours.
 constexpr double kMostSteps = static_cast<double>(ClipperLib::loRange);
 
 /// From left to right; above each other from below.
@@ -27,9 +27,10 @@ inline bmr_vec2 Vector(const Place &place) {
     return {static_cast<double>(place.X), static_cast<double>(place.Y)};
 }
 
-/// Exact.
+/// 1 where a, b, c turn left, -1 where they turn right, 0 on a line. Exact: a difference has 31 bits.
 inline int Orientation(const Place &a, const Place &b, const Place &c) {
-    return bmr_orientation(Vector(a), Vector(b), Vector(c));
+    const auto left = (b.X - a.X) * (c.Y - a.Y), right = (b.Y - a.Y) * (c.X - a.X);
+    return (left > right) - (left < right);
 }
 
 } // namespace bmr::repair
