@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Shapes of more than 8 vertices and pieces of outlines whose vertices a game changes in place, between steps
-// and in the middle of them: edited_game. Prints what became of the bodies; a status of 1: mode verify found
-// differences, or an edit changed nothing.
+// and in the middle of them, on a ground of merged tiles and beside repaired outlines: edited_game. Prints
+// what became of the bodies; a status of 1: mode verify found differences, or an edit changed nothing.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -11,6 +11,9 @@
 #include <box2d/box2d.h>
 
 #include <boomerang/box2d.h>
+#if defined(WITH_REPAIR)
+#    include <boomerang/repair.h>
+#endif
 
 namespace {
 
@@ -59,6 +62,40 @@ struct Meddler : b2ContactListener {
     }
 };
 
+#if defined(WITH_REPAIR)
+void AddOutlines(b2Body *body, const std::vector<bmr::Outline> &outlines) {
+    for (const bmr::Outline &outline : outlines) {
+        bmr::OutlineShape shape;
+        if (shape.Set(outline.GetRings()) == BMR_OK)
+            shape.CreateFixtures(body, 1.0f);
+    }
+}
+
+/// Steps of tiles on the ground, and a bow that crosses itself above them.
+void AddRepaired(b2World &world, b2Body *ground, float away, std::vector<b2Body *> *bodies) {
+    std::vector<bmr::Outline> tiles(30), merged;
+    for (size_t i = 0; i < tiles.size(); ++i) {
+        const float left = 0.5f * static_cast<float>(i) - 7.0f, top = 0.1f * static_cast<float>(i / 5 % 3);
+        const b2Vec2 tile[] = {{left, -0.1f}, {left + 0.499f, -0.1f}, {left + 0.499f, top}, {left, top}};
+        tiles[i].AddRing(tile, 4);
+    }
+    if (MergeOutlines(tiles.data(), tiles.size(), bmr::FillRule::NonZero, 0.01, &merged) == BMR_OK)
+        AddOutlines(ground, merged);
+    const b2Vec2 bow[] = {{-0.5f, -0.5f}, {0.5f, 0.5f}, {0.5f, -0.5f}, {-0.5f, 0.5f}};
+    bmr::Outline drawn;
+    drawn.AddRing(bow, 4);
+    if (RepairOutline(drawn, bmr::FillRule::EvenOdd, 0.01, &merged) != BMR_OK)
+        return;
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    for (int i = 0; i < 4; ++i) {
+        def.position.Set(away + 1.5f * static_cast<float>(i) - 3.0f, 6.0f);
+        bodies->push_back(world.CreateBody(&def));
+        AddOutlines(bodies->back(), merged);
+    }
+}
+#endif
+
 uint64_t Play(float away, bool edited) {
     b2World world(b2Vec2(0.0f, -10.0f));
     b2BodyDef def;
@@ -86,6 +123,9 @@ uint64_t Play(float away, bool edited) {
             outline.CreateFixtures(body, 1.0f);
         bodies.push_back(body);
     }
+#if defined(WITH_REPAIR)
+    AddRepaired(world, ground, away, &bodies);
+#endif
     Meddler meddler;
     if (edited)
         world.SetContactListener(&meddler);
