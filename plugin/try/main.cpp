@@ -13,6 +13,7 @@
 
 #include "command_line/usage.h"
 #include "try/elf_file.h"
+#include "try/place.h"
 #include "try/run.h"
 #include "try/verdict.h"
 

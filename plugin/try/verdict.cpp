@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 
 #include "try/elf_file.h"
+#include "try/place.h"
 
 namespace bmr::trial {
 
@@ -89,43 +90,6 @@ std::string LastWordsOf(const Run &run) {
     return text;
 }
 
-/// Where Box2D is in this game, from the files that it had in memory.
-struct Place {
-    std::string shared; ///< libbox2d.so, where it is a library of its own
-    std::string inside; ///< another file with Box2D 2 in it
-    std::string version3;
-    std::string boomerang; ///< our own library, where the game has it as it is
-    bool callsInstall = false;
-};
-
-Place PlaceOfBox2D(const Trial &trial) {
-    std::set<std::string> files = trial.asItIs.files;
-    for (const Run &run : trial.off)
-        files.insert(run.files.begin(), run.files.end());
-    files.insert(trial.program);
-    Place place;
-    for (const std::string &file : files) {
-        const std::string name = file.substr(file.rfind('/') + 1);
-        if (name.rfind("libboomerang", 0) == 0) {
-            if (name.rfind("libboomerang_box2d", 0) == 0 && trial.asItIs.files.count(file) != 0)
-                place.boomerang = file;
-            continue;
-        }
-        const ElfFile found = LookAtFile(file);
-        place.callsInstall = place.callsInstall || found.callsInstall;
-        if (found.hasBox2D2 && name.rfind("libbox2d", 0) == 0)
-            place.shared = file;
-        else if (found.hasBox2D2 && (file != trial.program || place.inside.empty()))
-            place.inside = file;
-        if (found.hasBox2D3 && !found.hasBox2D2)
-            place.version3 = file;
-    }
-    // (A program that calls a shared Box2D has its names, too.)
-    if (!place.shared.empty() && place.inside == trial.program)
-        place.inside.clear();
-    return place;
-}
-
 /// As a shell wants it.
 std::string Quoted(const std::string &word) {
     const auto isPlain = [](unsigned char c) {
@@ -144,19 +108,6 @@ std::string CommandOf(const Trial &trial) {
     for (const std::string &word : trial.command)
         text += (text.empty() ? "" : " ") + Quoted(word);
     return text;
-}
-
-/// How a game has Boomerang as it is.
-enum class Already { kNot, kCompiled, kPreloaded, kInstalled, kLinked };
-
-Already AlreadyIn(const Trial &trial, const Place &place) {
-    if (!trial.on.empty() && trial.on.front().way.rfind("compiled with", 0) == 0)
-        return Already::kCompiled;
-    if (place.boomerang.empty())
-        return Already::kNot;
-    if (trial.preloadedAsItIs)
-        return Already::kPreloaded;
-    return place.callsInstall ? Already::kInstalled : Already::kLinked;
 }
 
 /// With which the library ends a sentence on a Box2D that both libraries in LD_PRELOAD bring into sight.
@@ -421,12 +372,6 @@ nlohmann::ordered_json JsonOf(const Run &run) {
 }
 
 } // namespace
-
-bool HasBoomerang(const Run &run) {
-    return std::any_of(run.files.begin(), run.files.end(), [](const std::string &file) {
-        return file.find("/libboomerang_box2d") != std::string::npos;
-    });
-}
 
 Ratio RatioOf(const Trial &trial) {
     Ratio ratio;

@@ -41,9 +41,6 @@ enum class Outcome {
     kFailsByItself, ///< the game does not run without the library either
 };
 
-/// Was the library in memory?
-bool HasBoomerang(const Run &run);
-
 /// Ahead of all other runs: can the game be tried at all? kAtWork: it can.
 Outcome JudgeAsItIs(const Trial &trial);
 /// Of all runs; or of asItIs and off[0], where no step came by.
