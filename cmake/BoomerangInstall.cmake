@@ -153,7 +153,7 @@ endforeach()
 
 if(PROJECT_IS_TOP_LEVEL)
   add_custom_target(installable)
-  foreach(target boomerang_core boomerang_core_shared boomerang_kinetic boomerang_kinetic_shared boomerang_box2d_glue boomerang_box2d boomerang
+  foreach(target boomerang_core boomerang_core_shared boomerang_kinetic boomerang_kinetic_shared boomerang_box2d_glue boomerang_box2d boomerang_repair boomerang
       ${boomerang_programs} boomerang-count boomerang-manual)
     if(TARGET ${target})
       add_dependencies(installable ${target})
