@@ -13,9 +13,11 @@
 #include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/convex_registry.h"
+#include "shapes/outline_mass.h"
 #include "shapes/outline_ray.h"
 #include "shapes/shapes32.h"
 #include "shapes/stock_polygon.h"
+#include "shapes/weighing.h"
 #include "start/rounding_mode.h"
 
 namespace bmr {
@@ -295,10 +297,16 @@ void ConvexShape::ComputeMass(b2MassData *massData, float density) const {
     const uint32_t handle = GetHandle();
     if (handle == 0)
         return b2PolygonShape::ComputeMass(massData, density);
+    if (registry::Find(handle).group.load(std::memory_order_relaxed) != nullptr)
+        return WeighPiece(handle, density, massData);
     const bmr_mass32 &mass = Block(handle)->mass;
     massData->mass = density * mass.area;
     massData->center.Set(mass.centroid.x, mass.centroid.y);
-    massData->I = density * mass.inertia;
+    massData->I = 0.0f;
+    Weighing alone;
+    alone.Add(*massData);
+    massData->I = InertiaAboutOrigin(alone.OfCentre(),
+                                     static_cast<double>(density) * static_cast<double>(mass.inertia));
 }
 
 } // namespace bmr

@@ -10,6 +10,7 @@
 #include "convex32/convex32_pieces.h"
 #include "geometry/memory.h"
 #include "shapes/convex_access.h"
+#include "shapes/weighing.h"
 
 namespace bmr {
 
@@ -56,19 +57,8 @@ void End(registry::Group *group) {
     bmr_release(allocator, record, bytes);
 }
 
-/// Of a product of floats with another, each rounded a few times.
-constexpr double kRounding = 0x1p-20;
-
 bmr_vec2 CentreOf(const bmr_mass32 &mass) {
     return {static_cast<double>(mass.centroid.x), static_cast<double>(mass.centroid.y)};
-}
-
-/// About its own centre.
-double OwnInertia(const bmr_mass32 &mass) {
-    const bmr_vec2 centre = CentreOf(mass);
-    return std::max(static_cast<double>(mass.inertia) -
-                        static_cast<double>(mass.area) * bmr_dot(centre, centre),
-                    static_cast<double>(FLT_MIN));
 }
 
 /// From pieces as they were cut to polygons of floats.
@@ -115,7 +105,7 @@ public:
         return reach;
     }
 
-    void ShareMass(const OutlineRecord &record);
+    void ShareMass(OutlineRecord *record);
 
     /// Hands the polygons over to the registry; false without memory, then some are still here.
     bool Register(OutlineRecord *record) {
@@ -132,6 +122,11 @@ public:
     }
 
 private:
+    template <typename Visit> void ForEachMass(Visit visit) {
+        for (uint32_t p = 0; p < m_pieces.piece_count; ++p)
+            if (m_blocks[p] != nullptr)
+                visit(m_blocks[p]->mass);
+    }
     static uint32_t MostCorners(const bmr_outline_pieces &pieces) {
         uint32_t most = 1;
         for (uint32_t p = 0; p < pieces.piece_count; ++p)
@@ -218,44 +213,65 @@ private:
 
 /// The pieces' masses become shares of the outline's, so that their sum is right also where the pieces are
 /// not quite the outline: each by its area; and all of them are moved to the outline's centre, and scaled
-/// about it until the inertia is right. So each share is a mass that there can be.
-void Builder::ShareMass(const OutlineRecord &record) {
+/// about it until the inertia is right. So each share is a mass that there can be. Each of them also keeps an
+/// inertia about its own centre that floats can hold (weighing.h); where that takes something, the shares
+/// move together.
+void Builder::ShareMass(OutlineRecord *record) {
     double area = 0.0;
     bmr_vec2 moment = {0.0, 0.0};
-    for (uint32_t p = 0; p < m_pieces.piece_count; ++p) {
-        if (m_blocks[p] == nullptr)
-            continue;
-        const bmr_mass32 &mass = m_blocks[p]->mass;
+    ForEachMass([&](const bmr_mass32 &mass) {
         const double a = static_cast<double>(mass.area);
         area += a;
         moment = bmr_add(moment, bmr_scale(a, CentreOf(mass)));
-    }
+    });
+    // The largest; but none of half and more, if there is another: its last bits would be those of the sum.
+    double best = 0.0;
+    uint32_t count = 0;
+    ForEachMass([&](const bmr_mass32 &mass) {
+        const double a = static_cast<double>(mass.area), fit = a < 0.45 * area ? a : 0.1 * a;
+        if (fit > best) {
+            best = fit;
+            record->balance = count;
+        }
+        ++count;
+    });
     const bmr_vec2 centre = bmr_scale(1.0 / area, moment);
-    const double share = record.area / area;
-    double inertia = 0.0; // of the shares about the centre, as long as they are not scaled
-    for (uint32_t p = 0; p < m_pieces.piece_count; ++p) {
-        if (m_blocks[p] == nullptr)
-            continue;
-        const bmr_mass32 &mass = m_blocks[p]->mass;
+    const double share = record->area / area;
+    // Of the shares about the outline's centre, as long as they are not scaled.
+    double spread = 0.0, own = 0.0;
+    ForEachMass([&](const bmr_mass32 &mass) {
         const bmr_vec2 away = bmr_sub(CentreOf(mass), centre);
-        inertia += share * (static_cast<double>(mass.area) * bmr_dot(away, away) + OwnInertia(mass));
-    }
-    const double square =
-        (record.inertia - record.area * bmr_dot(record.centroid, record.centroid)) / inertia;
-    const double scale = std::sqrt(square);
-    for (uint32_t p = 0; p < m_pieces.piece_count; ++p) {
-        if (m_blocks[p] == nullptr)
-            continue;
-        bmr_mass32 &mass = m_blocks[p]->mass;
-        const bmr_vec2 moved = bmr_add(record.centroid, bmr_scale(scale, bmr_sub(CentreOf(mass), centre)));
-        const double own = square * share * OwnInertia(mass);
+        spread += share * static_cast<double>(mass.area) * bmr_dot(away, away);
+        own += share * static_cast<double>(mass.inertia);
+    });
+    const double square = record->inertia / (spread + own);
+    const double ofCentre = record->area * bmr_dot(record->centroid, record->centroid);
+    const bool held = record->inertia >= HeldInertia(count) * ofCentre;
+    const double part = held ? HeldInertia(count) : kSafeInertia;
+    // One of several makes up for the rounding of all: it gets half of what can be spared.
+    const double balance = held && count > 1 ? 0.5 * (record->inertia - part * ofCentre) : 0.0;
+    uint32_t number = 0;
+    const auto leastOwn = [&](const bmr_mass32 &mass) {
+        const bmr_vec2 at = bmr_add(record->centroid, bmr_sub(CentreOf(mass), centre));
+        const double least = part * share * static_cast<double>(mass.area) * bmr_dot(at, at);
+        return number++ % count == record->balance ? least + std::min(balance, kSafeInertia * ofCentre)
+                                                   : least;
+    };
+    double taken = 0.0;
+    ForEachMass([&](const bmr_mass32 &mass) {
+        taken += std::max(0.0, leastOwn(mass) - square * share * static_cast<double>(mass.inertia));
+    });
+    const double left =
+        held && taken > 0.0 && spread > 0.0 ? std::max(0.0, 1.0 - taken / (square * spread)) : 1.0;
+    const double scale = std::sqrt(square * left);
+    ForEachMass([&](bmr_mass32 &mass) {
+        const double least = leastOwn(mass);
+        const bmr_vec2 moved = bmr_add(record->centroid, bmr_scale(scale, bmr_sub(CentreOf(mass), centre)));
+        mass.inertia =
+            static_cast<float>(std::max(square * share * static_cast<double>(mass.inertia), least));
         mass.area = static_cast<float>(share * static_cast<double>(mass.area));
         mass.centroid = {static_cast<float>(moved.x), static_cast<float>(moved.y)};
-        // What Box2D takes off it again, rounded to floats, is less.
-        const bmr_vec2 rounded = CentreOf(mass);
-        const double ofCentre = static_cast<double>(mass.area) * bmr_dot(rounded, rounded);
-        mass.inertia = static_cast<float>(ofCentre + std::max(own, kRounding * ofCentre));
-    }
+    });
 }
 
 bool IsNormal(double value) {
@@ -282,11 +298,11 @@ bmr_error MakeOutlineRecord(const bmr_outline_pieces &pieces, const bmr_mass &ma
     made->end = End;
     made->area = mass.area;
     made->centroid = mass.centroid;
-    made->inertia = inertia;
+    made->inertia = mass.inertia;
     made->reach = builder.Reach();
     made->pieceCount = count;
     std::fill_n(made->pieces, count, registry::Handle{0});
-    builder.ShareMass(*made);
+    builder.ShareMass(made);
     if (!builder.Register(made)) {
         End(made);
         return BMR_ERROR_NO_MEMORY;

@@ -14,9 +14,10 @@ namespace bmr {
 struct OutlineRecord : registry::Group {
     double area;
     bmr_vec2 centroid;
-    double inertia; ///< about the origin
+    double inertia; ///< about the centroid
     float reach;    ///< no vertex of a piece is farther from the origin
     uint32_t pieceCount;
+    uint32_t balance;           ///< which of the pieces makes up for the rounding of all (outline_mass.h)
     registry::Handle pieces[1]; ///< as many as there are pieces
 };
 

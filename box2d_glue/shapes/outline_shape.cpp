@@ -11,7 +11,9 @@
 #include "geometry/memory.h"
 #include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
+#include "shapes/outline_mass.h"
 #include "shapes/outline_record.h"
+#include "shapes/weighing.h"
 #include "start/reach.h"
 #include "start/rounding_mode.h"
 
@@ -187,6 +189,8 @@ bmr_error OutlineShape::CreateFixtures(b2Body *body, const b2FixtureDef &def) co
         return BMR_ERROR_OUT_OF_RANGE;
     if (body->GetWorld()->IsLocked())
         return BMR_ERROR_WORLD_LOCKED;
+    if (const bmr_error held = CheckInertia(*body, *m_record, def.density))
+        return held;
     // The body's mass is set once: with the fixtures' densities it would be with every one of them.
     b2FixtureDef each = def;
     each.density = 0.0f;
@@ -258,7 +262,8 @@ void OutlineShape::ComputeMass(b2MassData *massData, float density) const {
     const double d = static_cast<double>(density);
     massData->mass = static_cast<float>(d * m_record->area);
     massData->center.Set(static_cast<float>(m_record->centroid.x), static_cast<float>(m_record->centroid.y));
-    massData->I = static_cast<float>(d * m_record->inertia);
+    const b2Vec2 &centre = massData->center;
+    massData->I = InertiaAboutOrigin(massData->mass * b2Dot(centre, centre), d * m_record->inertia);
 }
 
 void internal::LinkOfOutlineShape() {}

@@ -60,7 +60,7 @@ typedef struct bmr_convex32 {
 typedef struct bmr_mass32 {
     float area;
     bmr_vec32 centroid;
-    float inertia; ///< about the origin
+    float inertia; ///< about the centroid
 } bmr_mass32;
 
 /// A polygon with the memory it lives in: one block, at most 40 bytes a vertex; of a piece of

@@ -28,11 +28,11 @@ bmr_error convex32_measure(const bmr_convex32 *polygon, bmr_mass32 *mass, float 
     const double from_x = six_x / (6.0 * area), from_y = six_y / (6.0 * area);
     const double x = x0 + from_x, y = y0 + from_y;
     // From vertex 0 to the centroid, and from there to the origin.
-    const double inertia =
-        twelve_inertia / 12.0 + area * ((x * x + y * y) - (from_x * from_x + from_y * from_y));
+    const double own = twelve_inertia / 12.0 - area * (from_x * from_x + from_y * from_y);
+    const double inertia = own + area * (x * x + y * y);
     if (!(area >= (double)FLT_MIN) || !(inertia >= (double)FLT_MIN) || !(inertia <= (double)FLT_MAX))
         return BMR_ERROR_OUT_OF_RANGE;
-    const bmr_mass32 made = {(float)area, {(float)x, (float)y}, (float)inertia};
+    const bmr_mass32 made = {(float)area, {(float)x, (float)y}, (float)fmax(own, (double)FLT_MIN)};
     *mass = made;
     // No vertex may be farther: up, where rounding went down.
     *reach = (float)farthest;

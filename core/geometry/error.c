@@ -73,6 +73,9 @@ const char *bmr_error_describe(bmr_error error) {
                "ring first, and an island as an outline of its own";
     case BMR_ERROR_WORLD_LOCKED:
         return "the body's world is in the middle of a step: change its fixtures before or after it";
+    case BMR_ERROR_FAR_FROM_ORIGIN:
+        return "the shapes are too far from the origin of their body for floats to hold its inertia: put the "
+               "body's origin near its shapes, or fix its rotation";
     case BMR_ERROR_COUNT:
         break;
     }

@@ -22,6 +22,15 @@ bmr::OutlineShape Elbow() {
     return outline;
 }
 
+bmr::OutlineShape FarElbow() {
+    b2Vec2 points[6];
+    for (int i = 0; i < 6; ++i)
+        points[i] = 0.5f * kElbow[i] + b2Vec2(3000.0f, 0.0f);
+    bmr::OutlineShape outline;
+    outline.Set(points, 6);
+    return outline;
+}
+
 /// What Set says to an outline that has points, and whether an error left them as they were.
 std::string SetTo(const b2Vec2 *points, int32 count, const bmr::OutlineHole *holes = nullptr,
                   int32 holeCount = 0, float tolerance = 0.0f) {
@@ -149,6 +158,15 @@ std::vector<Argument> Shapes() {
          [] { return Defined([](b2FixtureDef &def) { def.friction = -1.0f; }); }},
         {"`CreateFixtures`: an infinite restitution",
          [] { return Defined([](b2FixtureDef &def) { def.restitution = kInfinite32; }); }},
+        {"`CreateFixtures`: 1 m large, 3 km from the origin of the body",
+         [] {
+             b2World world(b2Vec2(0.0f, 0.0f));
+             b2BodyDef def;
+             def.type = b2_dynamicBody;
+             b2Body *const body = world.CreateBody(&def);
+             const bmr_error error = FarElbow().CreateFixtures(body, 1.0f);
+             return Said(error) + (body->GetFixtureList() == nullptr ? "" : ", and the body has changed");
+         }},
         {"`CreateFixtures`: in a step",
          [] { return Locked([](b2Body *body) { return Elbow().CreateFixtures(body, 1.0f); }); }},
         {"`DestroyFixtures`: no body", [] { return Said(Elbow().DestroyFixtures(nullptr)); }},

@@ -34,7 +34,8 @@ inline std::string NameOf(bmr_error error) {
                                         "CROSSING_EDGES",
                                         "OVERLAPPING_EDGES",
                                         "HOLE_OUTSIDE",
-                                        "WORLD_LOCKED"};
+                                        "WORLD_LOCKED",
+                                        "FAR_FROM_ORIGIN"};
     static_assert(sizeof names / sizeof *names == BMR_ERROR_COUNT, "one name for each code");
     return error >= BMR_OK && error < BMR_ERROR_COUNT ? names[error] : "no code at all";
 }

@@ -94,14 +94,16 @@ loop_mass loop_measure(const bmr_convex32 *p) {
         m.area += cross / 2;
         m.x += cross * (ax + bx) / 6;
         m.y += cross * (ay + by) / 6;
-        // About the origin, of a triangle by its edges' midpoints: exact for squares.
-        const long double middle[3][2] = {
-            {x0 + ax / 2, y0 + ay / 2}, {x0 + bx / 2, y0 + by / 2}, {x0 + (ax + bx) / 2, y0 + (ay + by) / 2}};
+        // About the apex, of a triangle by its edges' midpoints: exact for squares.
+        const long double middle[3][2] = {{ax / 2, ay / 2}, {bx / 2, by / 2}, {(ax + bx) / 2, (ay + by) / 2}};
         for (int e = 0; e < 3; ++e)
             m.inertia += cross / 6 * (middle[e][0] * middle[e][0] + middle[e][1] * middle[e][1]);
     }
-    m.x = x0 + m.x / m.area;
-    m.y = y0 + m.y / m.area;
+    m.x /= m.area;
+    m.y /= m.area;
+    m.inertia -= m.area * (m.x * m.x + m.y * m.y);
+    m.x += x0;
+    m.y += y0;
     return m;
 }
 

@@ -20,7 +20,7 @@ bool loop_ray(const bmr_convex32 *polygon, bmr_vec32 p1, bmr_vec32 p2, float max
               float *fraction, uint32_t *edge);
 void loop_box(const bmr_convex32 *polygon, const bmr_transform32 *pose, bmr_vec32 *lower, bmr_vec32 *upper);
 
-/// What bodies are made of, in long double: about a vertex, then moved to the origin.
+/// What bodies are made of, in long double; inertia about the centroid.
 typedef struct loop_mass {
     long double area, x, y, inertia;
 } loop_mass;

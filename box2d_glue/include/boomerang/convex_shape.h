@@ -127,6 +127,9 @@ public:
     bool RayCast(b2RayCastOutput *output, const b2RayCastInput &input, const b2Transform &xf,
                  int32 childIndex) const override;
     void ComputeAABB(b2AABB *aabb, const b2Transform &xf, int32 childIndex) const override;
+    /// Of more than 8 vertices: the inertia is such that of a body that has this fixture alone Box2D holds
+    /// the nearest to the right one that floats can, and one above zero where none is near (farther from the
+    /// body's origin than 1,448 times the radius of gyration): OutlineShape::CreateFixtures says why.
     void ComputeMass(b2MassData *massData, float density) const override;
 
 private:

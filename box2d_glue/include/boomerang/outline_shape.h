@@ -71,10 +71,19 @@ public:
     /// body's mass, centre and inertia then include those of the outline, also where pieces stand for it only
     /// within a tolerance. Not during a step of the world.
     ///
+    /// Box2D adds up inertias about the body's origin, in float, and takes m c^2 off the sum (m is the body's
+    /// mass, c how far its centre is from its origin). So it holds an inertia about the centre to half of the
+    /// last bit of m c^2, which is up to 2^-24 m c^2. The pieces' masses are such that of a body that has
+    /// nothing else it holds the float that is nearest to the outline's, or one beside it. Where the inertia
+    /// is less than 2^-21 m c^2 (more than 2 fixtures: sqrt(n / 3) times that), or would be off by more than
+    /// an eighth, the call refuses bodies that turn: put the body's origin near its shapes. A thing of 1 m
+    /// may be 300 m away.
+    ///
     /// Errors leave the body as it was: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_NO_POINTS (of no outline),
     /// BMR_ERROR_NOT_FINITE and BMR_ERROR_NEGATIVE (density, friction; restitution and its threshold not
     /// finite), BMR_ERROR_OUT_OF_RANGE (a density with which the body's mass or inertia is beyond floats),
-    /// BMR_ERROR_WORLD_LOCKED.
+    /// BMR_ERROR_WORLD_LOCKED, BMR_ERROR_FAR_FROM_ORIGIN (a dynamic body of no fixed rotation that could not
+    /// hold its inertia. Bodies that become such a one later have too much, so that it is above zero).
     bmr_error CreateFixtures(b2Body *body, const b2FixtureDef &def) const;
     bmr_error CreateFixtures(b2Body *body, float density) const;
     /// Destroys all fixtures of this outline that the body has. Their densities are 0 before that: the body
@@ -99,7 +108,8 @@ public:
     /// Does another piece go on behind the edge of this piece from vertex `edge` to the next? No where there
     /// is no such edge, and where another piece goes on behind a part of it alone.
     bool IsInnerEdge(int32 index, int32 edge) const;
-    /// Of the outline, at this density; inertia about the origin, as b2Shape::ComputeMass has it.
+    /// Of the outline, at this density; inertia about the origin, as b2Shape::ComputeMass has it, and so that
+    /// b2Body::SetMassData makes the nearest of it that floats hold.
     void ComputeMass(b2MassData *massData, float density) const;
 
 private:

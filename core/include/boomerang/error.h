@@ -42,9 +42,11 @@ typedef enum bmr_error {
     BMR_ERROR_REPEATED_POINT,    ///< not met: outlines leave out points that are repeated in a row
     BMR_ERROR_CROSSING_EDGES,    ///< two edges of an outline cross
     BMR_ERROR_OVERLAPPING_EDGES, ///< two edges of an outline have more than a point in common
-    BMR_ERROR_HOLE_OUTSIDE, ///< a hole of an outline is not inside its outer ring, or inside another hole
-    BMR_ERROR_WORLD_LOCKED, ///< a body is to be changed while its world is stepped
-    BMR_ERROR_COUNT         ///< number of codes; not an error
+    BMR_ERROR_HOLE_OUTSIDE,    ///< a hole of an outline is not inside its outer ring, or inside another hole
+    BMR_ERROR_WORLD_LOCKED,    ///< a body is to be changed while its world is stepped
+    BMR_ERROR_FAR_FROM_ORIGIN, ///< floats about a body's origin cannot hold the inertia of what is that far
+                               ///< from it
+    BMR_ERROR_COUNT            ///< number of codes; not an error
 } bmr_error;
 
 /// One English sentence for `error`, without a full stop: what is wrong and what to do about it. Each code
