@@ -20,12 +20,12 @@ typedef struct chain {
     int side;
 } chain;
 
-static bmr_vec2 chain_vertex(const chain *c, uint32_t k) {
+static inline bmr_vec2 chain_vertex(const chain *c, uint32_t k) {
     const uint32_t n = c->polygon->count, i = c->side > 0 ? c->first + k : c->first + n - k;
     return c->polygon->vertices[i < n ? i : i - n];
 }
 
-static bmr_vec2 chain_point(const chain *c, uint32_t k) {
+static inline bmr_vec2 chain_point(const chain *c, uint32_t k) {
     const bmr_vec2 v = chain_vertex(c, k);
     return c->pose ? bmr_transform(c->pose, v) : v;
 }
@@ -33,7 +33,7 @@ static bmr_vec2 chain_point(const chain *c, uint32_t k) {
 /// Does the support leave the middle vertex before the direction has turned to `end`? It does at the normal
 /// of the next edge, which is `*edge` of the difference A - B. Edges of the far half, which lead back towards
 /// `inside`, come after every end; up to rounding the first ones may seem to.
-static bool leaves(const chain *c, bmr_vec2 inside, bmr_vec2 end, bmr_vec2 *edge) {
+static inline bool leaves(const chain *c, bmr_vec2 inside, bmr_vec2 end, bmr_vec2 *edge) {
     const uint32_t n = c->polygon->count, k = c->low + (c->high - c->low) / 2;
     if (c->low == c->high)
         return false;
@@ -43,11 +43,12 @@ static bool leaves(const chain *c, bmr_vec2 inside, bmr_vec2 end, bmr_vec2 *edge
     return bmr_dot(*edge, end) > 0.0 && bmr_dot(*edge, inside) <= (2 * k > n ? -level : level);
 }
 
-/// The direction in which two points are `least` apart, `side` of the one between them.
-static bmr_vec2 tilted(bmr_vec2 between, double least, int side) {
-    const double square = bmr_dot(between, between), across = square - least * least;
-    const bmr_vec2 turned = bmr_scale(side * sqrt(across > 0.0 ? across : 0.0), bmr_left(between));
-    return bmr_scale(1.0 / square, bmr_add(bmr_scale(least, between), turned));
+/// Along the direction in which two points are `least` apart, `side` of the one between them; as long as
+/// these are apart, squared.
+static inline bmr_vec2 tilted(bmr_vec2 between, double least, int side) {
+    const double across = bmr_dot(between, between) - least * least;
+    const double turn = side * sqrt(across > 0.0 ? across : 0.0);
+    return bmr_add(bmr_scale(least, between), bmr_scale(turn, bmr_left(between)));
 }
 
 /// An inner common tangent, by halving the two chains (Overmars and van Leeuwen's way). Let p and q be their
@@ -84,7 +85,8 @@ bmr_vec2 bmr_cone_end(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 insid
             d.high = j;
     }
     bmr_kds_tally(kds, steps);
-    return tilted(bmr_sub(chain_point(&d, d.low), chain_point(&c, c.low)), least, side);
+    const bmr_vec2 between = bmr_sub(chain_point(&d, d.low), chain_point(&c, c.low));
+    return bmr_scale(1.0 / bmr_dot(between, between), tilted(between, least, side));
 }
 
 void bmr_lean_note(bmr_lean *lean, bmr_vec2 line, bmr_vec2 closest) {
