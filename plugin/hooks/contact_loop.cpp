@@ -302,14 +302,14 @@ void LedgerPass::Look(uint32_t i, b2Contact *contact) {
         return; // the game ended it
     if (sensor != nullptr)
         sensor->LiveAsSensor(before);
-    // A listener may have changed the two, and change them back before the next pass: a proof is of what they
-    // are at this moment.
-    m_ledger->LookAgain(i);
     for (const uint32_t row : {record.a, record.b}) {
         if (movers.IsActive(row) || !movers.IsActiveNow(row))
             continue;
         Wake(movers[row].body, i);
     }
+    // A listener may have changed the two, and change them back before the next pass: a proof is of what they
+    // are at this moment.
+    m_ledger->LookAgain(i);
     m_ledger->SetTouches(i, contact->IsTouching());
     SolidContact *ours = SolidContact::AsOurs(contact);
     // (A listener may have flagged this very contact: Box2D filters it in the next step.)
