@@ -201,7 +201,7 @@ inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, con
         CollideConvex(two, Seams::Known, manifold, xfA, xfB, &memory);
         Keep(memory);
         if (manifold->pointCount == 0 && HasSeams(two))
-            AnswerForOthers(*this, two, IsAtImpact(), manifold, xfA, xfB);
+            AnswerForOthers(*this, two, IsAtImpact(), manifold, xfA, xfB, memory);
         PutDeeperFirst(manifold, xfA, xfB);
         if (manifold->pointCount > 0)
             bmr_convex32_keep_features(Manifold32(manifold), Manifold32(&old), kFeatureDistance);

@@ -119,6 +119,15 @@ private:
     b2Manifold m_manifold = {};
 };
 
+/// For two polygons, a quick look; false says nothing.
+bool AreApart(const TwoFixtures &two, const b2Transform &xfA, const b2Transform &xfB,
+              bmr_convex32_memory *memory) {
+    if (two.a->GetType() != b2Shape::e_polygon || two.b->GetType() != b2Shape::e_polygon)
+        return false;
+    const bmr_convex32 a = RealPolygon(*two.a), b = RealPolygon(*two.b);
+    return bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), 0.0f, memory);
+}
+
 /// Calls visit(vertex, in the frame of body A) with each vertex of one polygon that is in the other.
 template <typename Visit>
 void ForEachVertexInside(const TwoFixtures &two, const b2Transform &bInA, Visit visit) {
@@ -179,10 +188,11 @@ bool HasSeams(const TwoFixtures &two) {
 }
 
 void AnswerForOthers(const b2Contact &contact, const TwoFixtures &two, bool isImpact, b2Manifold *manifold,
-                     const b2Transform &xfA, const b2Transform &xfB) {
+                     const b2Transform &xfA, const b2Transform &xfB, bmr_convex32_memory memory) {
+    if (!isImpact && AreApart(two, xfA, xfB, &memory)) // nothing overlaps
+        return;
     b2Manifold plain = *manifold;
-    bmr_convex32_memory nothing = {};
-    CollideConvex(two, Seams::Ignored, &plain, xfA, xfB, &nothing);
+    CollideConvex(two, Seams::Ignored, &plain, xfA, xfB, &memory);
     if (plain.pointCount == 0)
         return;
     Others others(contact, xfA, xfB);
