@@ -49,9 +49,10 @@ struct Shown {
     bool IsOf(const b2PolygonShape &shape) const {
         if (static_cast<uint32_t>(shape.m_count) != count)
             return false;
-        const void *const theirs = shape.m_vertices;
-        return count == b2_maxPolygonVertices ? std::memcmp(vertices, theirs, sizeof vertices) == 0
-                                              : std::memcmp(vertices, theirs, count * sizeof *vertices) == 0;
+        const void *const ours = vertices, *const theirs = shape.m_vertices;
+        // Nearly always there are as many as can be: a size that compilers know.
+        return count == b2_maxPolygonVertices ? std::memcmp(ours, theirs, sizeof vertices) == 0
+                                              : std::memcmp(ours, theirs, count * sizeof *vertices) == 0;
     }
 };
 
