@@ -62,19 +62,21 @@ static count run(const char *name, const test_kds_body *a, const test_kds_body *
 
 /// 5 + log4(6) events beyond the logarithm.
 #define BEYOND 6.3
+/// Failures of a coarse line beyond both depths: two axes of each body.
+#define RANKS 4.0
 
 static double free_bound(const count *c) {
     return log2(c->ratio) + BEYOND;
 }
 static double hybrid_bound(const count *c) {
     const double far = fmin(log2(c->ratio), 2.0 * log2(c->n)) + BEYOND;
-    return far + (c->sigma < c->threshold ? c->depths + 8.0 : 0.0);
+    return far + (c->sigma < c->threshold ? c->depths + RANKS : 0.0);
 }
 static double repairs_bound(const count *c) {
-    return fmin(free_bound(c), c->depths + 6.0);
+    return fmin(free_bound(c), c->depths + RANKS);
 }
 static double coarse_bound(const count *c) {
-    return c->depths + 7.0;
+    return c->depths + RANKS;
 }
 
 /// How much of the bounds the worst run used.
@@ -89,7 +91,7 @@ static void keep_bounds(const test_kds_body *a, const test_kds_body *b, const te
     assert_true(fd.events <= free_bound(&fd));
     assert_true(hybrid.events <= hybrid_bound(&hybrid));
     assert_true(repairs <= repairs_bound(&two));
-    assert_true(two.events <= 2.0 * repairs_bound(&two) + 2.0);
+    assert_true(two.events <= 2.0 * repairs + 1.0);
     assert_true(coarse.events <= coarse_bound(&coarse));
     w->free = fmax(w->free, fd.events / free_bound(&fd));
     w->hybrid = fmax(w->hybrid, hybrid.events / hybrid_bound(&hybrid));
