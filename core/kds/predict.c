@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Free directions chosen by how long they are going to last: the structures that come nearest to the offline
-// optimum. At an event, directions across the cone of all that separate are tried in both bodies, and the
-// line is taken that survives longest if the motion goes on as it seems to. As in FDx the support is exact,
-// and only failures of the line count: the window rolls along without touching it.
+// Free directions chosen by how long they are going to last: the structures whose lines come nearest to the
+// offline optimum's in number. Their events do not: where bodies turn, each vertex that becomes the nearest
+// is one, however far apart they are. At an event, directions across the cone of all that separate are tried
+// in both bodies, and the line is taken that survives longest if the motion goes on as it seems to. As in FDx
+// the support is exact, and only failures of the line count: the window rolls along without touching it.
 //
 //   predict           always believes the rates of the instant
 //   predict-adaptive  measures how well it foresaw the last events, and doubts what it sees: doubt is a
@@ -10,9 +11,9 @@
 //                     slack. It finds out which of the bodies turns, and leans into a drift over several
 //                     events.
 //
-// For a random walk across the arc of directions that a line tolerates, nothing online gets below twice the
-// optimum: the middle of an arc is left after A^2 steps on average, and a range as wide as the arc (2 A) is
-// filled after 2 A^2. Policies that were tried, and what they gave: docs/open-question.md.
+// For a Brownian walk across the arc of directions that a line tolerates, nothing online gets below twice the
+// optimum on average: the middle of an arc is left after A^2 steps on average, and a range as wide as the arc
+// (2 A) is filled after 2 A^2.
 #include <float.h>
 #include <math.h>
 

@@ -39,14 +39,16 @@ def counted(name, what, seconds, quote, check):
 
 
 SATURATION = """boomerang-testbed events orbit spin tumble rigid-algebraic --n 12 --ratios 100,1000,10000,100000 --no-optimum \\
-  --structures lazy-compass lazy-dudley active-cell-dudley free-fd2 separating-edge"""
-RIVALS = "boomerang-testbed events line tumble --structures rivals lazy-dudley --n 1024 --ratios 2,1000 --no-optimum"
+  --structures lazy-compass lazy-dudley active-cell-dudley free-fd2 hybrid two-lines separating-edge"""
+RIVALS = "boomerang-testbed events line tumble --structures rivals lazy-dudley hybrid predict --n 1024 --ratios 2,1000 --no-optimum"
 OPTIMUM = "boomerang-testbed events --structures rigid translation rivals --n 64 --ratios 128 --seeds 3"
 SPIN = """boomerang-testbed events spin --shape regular --n 1024 --seeds 1 --ratios 8,32,128,512,2048,8192 --no-optimum \\
   --structures lazy-compass lazy-dudley active-cell-compass inflated-window free-fd1 free-fd2"""
 GROWTH = """boomerang-testbed events line parabola algebraic orbit rigid-algebraic tumble spin --n 1024 --ratios 8:131072 --no-optimum \\
   --structures active-cell-compass active-cell-dudley lazy-compass lazy-dudley inflated-window free-fd2"""
 GROWTH_OF_A_POINT = "boomerang-testbed events line parabola algebraic orbit --shape ellipse:point --structures points --n 1024 --ratios 8:131072 --no-optimum"
+NEAR = ("boomerang-testbed events line orbit zigzag spin rigid-algebraic tumble rigid-wander --structures free-fd2 hybrid two-lines lazy-dudley predict "
+        "--n 1024 --seeds 2 --ratios 131072 --no-optimum")
 RIGID = "BMR_TEST_SCALE=16 test_kinetic_rigid_search"
 WORLDS = ("boomerang-testbed world gas --boundary periodic --shape regular --vertices 8:64 --density 0.3 --sizes 1 --seconds 5 "
           "--growth 100,300,1000,3000,10000")
@@ -73,10 +75,10 @@ def check_optimum(run):
     for index in range(3):
         head, *rows = table_after(*run.page(OPTIMUM), index)
         for motion, optimum, *cells in rows:
-            if motion.startswith("**"): # the geometric mean of what was replaced; see the page
-                motions = [row[0] for row in rows[:-1]]
+            if motion.startswith("**"): # the geometric mean of events, or of lines replaced; see the page
+                motions, column = [row[0] for row in rows if not row[0].startswith("**")], motion.strip("*").split()[0]
                 for structure, cell in zip(head[2:], cells):
-                    shares = [events.mean(each, name_in(structure), 128, "lines") / max(1.0, events.mean(each, name_in(structure), 128, "optimum") - 1)
+                    shares = [events.mean(each, name_in(structure), 128, column) / max(1.0, events.mean(each, name_in(structure), 128, "optimum") - 1)
                               for each in motions]
                     run.result.number(f"{motion}, {structure}", cell.strip("*"), math.exp(sum(math.log(max(1.0, s)) for s in shares) / len(shares)))
                 continue
@@ -218,7 +220,7 @@ def shown(name, what, seconds, quotes, commands, makes=()):
     return Experiment(name, "shown", what, seconds, quotes, commands, None, makes)
 
 
-FIGURES = ["boomerangs", "dudley", "growth", "inflated", "mixed-events", "mixed-full", "mixed-insertion", "pair-events", "point-events",
+FIGURES = ["boomerangs", "coarse-line", "dudley", "free-direction", "growth", "inflated", "mixed-events", "mixed-full", "mixed-insertion", "pair-events", "point-events",
            "time-line", "window"]
 
 EXPERIMENTS = [
@@ -274,9 +276,11 @@ EXPERIMENTS = [
             "--sizes", "1", "--density", "0.3", "--seconds", "1"]]),
     shown("repairs", "instructions and time of a repair", 300, ["tests/bench/measure_repairs.sh build/bin/bench_kds", "tests/bench/measure_repairs.sh"],
           [["{root}/tests/bench/measure_repairs.sh", "{build}/bin/bench_kds"]]),
-    shown("fd2", "events of the structure with all bounds", 10,
-          ["boomerang-testbed events --structures free-fd2 --shape ellipse:disc --n 1024 --seeds 2 --ratios 8:8192 --no-optimum"],
-          [[TESTBED, "events", "--structures", "free-fd2", "--shape", "ellipse:disc", "--n", "1024", "--seeds", "2", "--ratios", "8:8192", "--no-optimum"]]),
+    counted("near", "the structures of the open question, very near", 10, NEAR, lambda run: check_lists(run, NEAR, False)),
+    shown("chains", "convex chains of 32 to 4096 vertices, in long double", 1, ["build/bin/test_chain_model"], [["{build}/bin/test_chain_model"]]),
+    shown("convex-paths", "parts of the bounds that convex paths use", 30, ["BMR_TEST_SCALE=0.1 build/bin/test_kds_convex_paths"],
+          [["env", "BMR_TEST_SCALE=0.1", "{build}/bin/test_kds_convex_paths"]]),
+    shown("few-vertices", "rigid motions of few vertices, ever nearer", 30, ["build/bin/test_kinetic_claims"], [["{build}/bin/test_kinetic_claims"]]),
     Experiment("event-cost", "counts", "steps of an event", 4, ["build/bin/test_claims_time"], [["{build}/bin/test_claims_time"]], check_event_cost),
 ]
 EXPERIMENTS.append(Experiment("competitive", "counts", "lines over the optimum, policies that the library has", 3, ["BMR_TEST_SCALE=5 test_kinetic_competitive"],

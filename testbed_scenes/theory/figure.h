@@ -33,6 +33,8 @@ void DrawInflated(Canvas &canvas);
 void DrawWindow(Canvas &canvas);
 void DrawPointEvents(Canvas &canvas);
 void DrawPairEvents(Canvas &canvas);
+void DrawFreeDirection(Canvas &canvas);
+void DrawCoarseLine(Canvas &canvas);
 void DrawTimeLine(Canvas &canvas);
 void DrawGrowth(Canvas &canvas);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines that the online structures use over those of the offline optimum, on the twelve families of motion:
-// the table of docs/open-question.md, with the real event times. BMR_TEST_SCALE=5 takes its ten seeds.
+// the figures of docs/open-question.md. BMR_TEST_SCALE=5 takes its ten seeds.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -41,8 +41,9 @@ typedef enum bmr_kds_domain {
 typedef enum bmr_kds_role {
     /// Take one of these. For a point: point-lazy-dudley, and point-inflated-slack where events are to be far
     /// apart. For two polygons: lazy-dudley, the paper's own; hybrid, which needs no hierarchy and has
-    /// hysteresis; predict, which has the fewest lines where the rates are known. With hysteresis, on
-    /// hierarchies: inflated-translation, inflated-window.
+    /// hysteresis; predict, which has the fewest lines where the rates are known, but Theta(n) events where
+    /// bodies turn, however far apart. With hysteresis, on hierarchies: inflated-translation,
+    /// inflated-window.
     BMR_KDS_RECOMMENDED,
     /// As right as those, but another one does the same for less: here to be compared with. What the paper
     /// goes through on its way, and variants with one thing changed.
