@@ -278,8 +278,8 @@ EXPERIMENTS = [
           [["{root}/tests/bench/measure_repairs.sh", "{build}/bin/bench_kds"]]),
     counted("near", "the structures of the open question, very near", 10, NEAR, lambda run: check_lists(run, NEAR, False)),
     shown("chains", "convex chains of 32 to 4096 vertices, in long double", 1, ["build/bin/test_chain_model"], [["{build}/bin/test_chain_model"]]),
-    shown("convex-paths", "parts of the bounds that convex paths use", 30, ["BMR_TEST_SCALE=0.1 build/bin/test_kds_convex_paths"],
-          [["env", "BMR_TEST_SCALE=0.1", "{build}/bin/test_kds_convex_paths"]]),
+    shown("convex-paths", "parts of the bounds that convex paths use", 150, ["build/bin/test_kds_convex_paths"],
+          [["{build}/bin/test_kds_convex_paths"]]),
     shown("few-vertices", "rigid motions of few vertices, ever nearer", 30, ["build/bin/test_kinetic_claims"], [["{build}/bin/test_kinetic_claims"]]),
     Experiment("event-cost", "counts", "steps of an event", 4, ["build/bin/test_claims_time"], [["{build}/bin/test_claims_time"]], check_event_cost),
 ]
