@@ -11,9 +11,9 @@
 /// Approaches below this part of the first one are none.
 #define NO_APPROACH 0x1p-46
 
-/// ZENO_ELASTIC takes a pair for jammed, however fast it is, when its margin was halved so often. Early: the
-/// room that is left down to what structures can prove is what a pile has to come loose in.
-#define JAMMED_RUNG 3
+/// ZENO_ELASTIC takes a pair for jammed when its margin was halved so often. Early: the room that is left
+/// down to what structures can prove is what a pile has to come loose in.
+#define JAMMED 3u
 
 /// Both bodies' velocities, which an answer changes.
 typedef struct momentum {
@@ -91,6 +91,17 @@ static bool two_impulses(const bmr_couple *c, const bmr_touch *touch, double res
     return impulse[0] >= 0.0 && impulse[1] >= 0.0;
 }
 
+/// The restitution of an impulse on points that approach at this speed (> 0). With ZENO_ELASTIC slow ones
+/// rebound as fast as they came, and those of a jammed pair at zeno_speed at least, where they came as fast:
+/// twice that for each further halving of the margin, as a spring that is pressed together.
+static double bounce_of(const bmr_world *w, const bmr_near *n, double restitution, double speed) {
+    const unsigned halvings = n->rung / bmr_rungs_a_halving(w);
+    if (w->def.zeno != BMR_ZENO_ELASTIC || (speed >= w->def.zeno_speed && halvings < JAMMED))
+        return restitution;
+    const double most = ldexp(w->def.zeno_speed, halvings > JAMMED ? (int)(halvings - JAMMED) : 0);
+    return fmax(restitution, fmin(1.0, most / speed));
+}
+
 /// False: the two cannot be moved.
 static bool collide(bmr_world *w, const bmr_couple *c, double restitution, bmr_touch *touch, momentum *m,
                     bool *changed) {
@@ -101,9 +112,7 @@ static bool collide(bmr_world *w, const bmr_couple *c, double restitution, bmr_t
         const double approach = touch->contact.approach[k];
         if (!(approach < 0.0) || (i > 0 && approach > NO_APPROACH * first))
             break;
-        const bool soft = w->def.zeno == BMR_ZENO_ELASTIC &&
-                          (-approach < w->def.zeno_speed || c->near->rung >= JAMMED_RUNG);
-        const double bounce = soft ? 1.0 : restitution;
+        const double bounce = bounce_of(w, c->near, restitution, -approach);
         double impulse[2] = {0.0, 0.0};
         if (!two_impulses(c, touch, bounce, impulse)) {
             impulse[k] = -(1.0 + bounce) * approach / ease(c, touch, k);
@@ -111,12 +120,20 @@ static bool collide(bmr_world *w, const bmr_couple *c, double restitution, bmr_t
         }
         if (!isfinite(impulse[0]) || !isfinite(impulse[1])) // nothing moves either
             return false;
+        const double before[2] = {touch->contact.approach[0], touch->contact.approach[1]};
         push(c, touch, 0, impulse[0], m);
         if (touch->contact.count == 2)
             push(c, touch, 1, impulse[1], m);
         bmr_touch_move(touch, m->velocity, m->spin);
         w->counts.impulses++;
-        w->counts.softened += soft && restitution < 1.0;
+        if (bounce > restitution) {
+            double kept = 0.0;
+            for (size_t p = 0; p < touch->contact.count; p++)
+                kept -= impulse[p] * before[p];
+            w->counts.softened++;
+            w->counts.softened_energy +=
+                0.5 * (bounce * bounce - restitution * restitution) / (1.0 + bounce) * kept;
+        }
         *changed = true;
     }
     return true;

@@ -12,7 +12,7 @@
 #include "world/parts.h"
 
 /// The margin is halved at most so often: 2^-20 of it is below what structures can tell.
-#define MOST_RUNGS 20
+#define MOST_HALVINGS 20u
 /// Repairs this near to one another are a burst.
 #define BURST_TOLERANCES 4.0
 /// A condition that failed, and is not yet seen to, is looked for over so many margins' way: as long as two
@@ -142,7 +142,7 @@ static void observe(bmr_world *w, const bmr_couple *c, bmr_world_event_kind kind
 }
 
 static double margin_of(const bmr_world *w, unsigned rung) {
-    return ldexp(w->def.kds.margin, -(int)rung);
+    return w->def.kds.margin * exp2(-(double)rung / bmr_rungs_a_halving(w));
 }
 
 /// A proof from nothing with the margin of the couple's rung; false: contact.
@@ -319,6 +319,10 @@ bmr_error bmr_couple_event_due(bmr_world *w, bmr_couple *c) {
         return fail(w, c);
     case BMR_COUPLE_PART:
         return part(w, c);
+    case BMR_COUPLE_TOUCH:
+        c->near->touches = c->near->touch == w->time ? c->near->touches + 1 : 1;
+        c->near->touch = w->time;
+        return bmr_contact_tell(w, c, false);
     case BMR_COUPLE_RISE:
         return rise(w, c);
     case BMR_COUPLE_LEAVE:
@@ -353,7 +357,9 @@ bmr_error bmr_couple_resume(bmr_world *w, bmr_couple *c, bool placed, double rec
     bmr_near *const n = c->near;
     bmr_kds_report report;
     n->again++;
-    for (n->rung++; n->rung <= MOST_RUNGS; n->rung++) {
+    // At a TOUCH they are where they were: the margin that they have will do.
+    for (n->rung += c->event != BMR_COUPLE_TOUCH; n->rung <= MOST_HALVINGS * bmr_rungs_a_halving(w);
+         n->rung++) {
         const bool apart = start(w, c, w->time, &report);
         count(w, &report);
         if (!apart)

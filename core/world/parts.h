@@ -67,12 +67,13 @@ struct bmr_resident {
 
 /// What the agenda has a couple for.
 typedef enum bmr_couple_event {
-    BMR_COUPLE_LOOK, ///< to be searched further
-    BMR_COUPLE_MEET, ///< the disks meet
-    BMR_COUPLE_FAIL, ///< a condition of the structure fails
-    BMR_COUPLE_PART, ///< the disks part
-    BMR_COUPLE_RISE, ///< a pair that was in contact may be apart by the margin again
-    BMR_COUPLE_LEAVE ///< a pair that passes is apart
+    BMR_COUPLE_LOOK,  ///< to be searched further
+    BMR_COUPLE_MEET,  ///< the disks meet
+    BMR_COUPLE_FAIL,  ///< a condition of the structure fails
+    BMR_COUPLE_PART,  ///< the disks part
+    BMR_COUPLE_TOUCH, ///< ZENO_ELASTIC: two within the margin were driven together just now
+    BMR_COUPLE_RISE,  ///< a pair that was in contact may be apart by the margin again
+    BMR_COUPLE_LEAVE  ///< a pair that passes is apart
 } bmr_couple_event;
 
 /// What is kept of a couple whose disks have met.
@@ -92,6 +93,8 @@ typedef struct bmr_near {
     /// The structure's margin is halved so often. A pair that was just in contact is within its margin; with
     /// half of it, it has a proof with slack again. As it comes apart it gets its margin back.
     unsigned rung, again;   ///< `again`: as in bmr_contact
+    double touch;           ///< ZENO_ELASTIC: the time of the last TOUCH,
+    unsigned touches;       ///< and how many were at that time
     double rise, rise_step; ///< when to look whether it is apart again; INFINITY: never
     unsigned retries;       ///< LEAVE: of the structure's start
 } bmr_near;
@@ -319,6 +322,12 @@ void bmr_couple_hold(bmr_world *w, bmr_couple *c);
 /// After PASS.
 bmr_error bmr_couple_pass(bmr_world *w, bmr_couple *c);
 bool bmr_item_before(const bmr_agenda_item *a, const bmr_agenda_item *b);
+
+/// How many contacts without coming apart it takes for the margin to be halved. With ZENO_ELASTIC they may be
+/// the tremble of a jam: it goes down more slowly.
+static inline unsigned bmr_rungs_a_halving(const bmr_world *w) {
+    return w->def.zeno == BMR_ZENO_ELASTIC ? 4 : 1;
+}
 
 // contact.c, answer.c: what a contact is, and what becomes of it.
 

@@ -21,6 +21,9 @@
 /// more, the pair is stopped.
 #define TOLERANCE_PART 0x1p-4
 #define CLOCK_ROUNDINGS 4.0
+/// A hit goes through a row of bodies that lie on each other in no time. So often may a pair be told that it
+/// touches at one time; then its distance must shrink before it is told again.
+#define MOST_TOUCHES 256
 /// What is too fast over one window is looked at over so much of it.
 #define SHORTER 0x1p-4
 
@@ -181,12 +184,31 @@ bmr_error bmr_couple_search(bmr_world *w, bmr_couple *c) {
     return c->near ? search_near(w, c) : search_disks(w, c);
 }
 
+/// ZENO_ELASTIC: are two that touched, and are still within the margin, driven together by more than
+/// zeno_speed? They are bodies that lie on each other, and one of them was hit.
+static bool is_driven_together(const bmr_world *w, const bmr_couple *c) {
+    const bmr_near *const n = c->near;
+    if (w->def.zeno != BMR_ZENO_ELASTIC || c->watch != BMR_WATCH_STRUCTURE || n->rung == 0 ||
+        (n->touch == w->time && n->touches >= MOST_TOUCHES))
+        return false;
+    bmr_touch touch;
+    bmr_touch_describe(w, c, false, &touch);
+    const bmr_contact *const contact = &touch.contact;
+    const double approach =
+        contact->count == 2 ? fmin(contact->approach[0], contact->approach[1]) : contact->approach[0];
+    return contact->distance <= w->def.kds.margin && -approach > w->def.zeno_speed;
+}
+
 void bmr_couple_search_later(bmr_world *w, bmr_couple *c, bool replan) {
     if (replan && c->near) {
         bmr_near *const n = c->near;
         n->from = fmax(n->repaired, w->time);
         n->part = NAN;
         n->window = BMR_COUPLE_AHEAD * n->rhythm;
+        if (is_driven_together(w, c)) {
+            bmr_couple_schedule(w, c, BMR_COUPLE_TOUCH, w->time);
+            return;
+        }
     }
     if (bmr_couple_search(w, c) != BMR_OK)
         bmr_couple_schedule(w, c, BMR_COUPLE_LOOK, w->time);

@@ -112,7 +112,8 @@ void Print(const WorldFigures &figures, bool colour) {
                      "change from one to the other, where no contact came before it\n";
     if (counts.softened > 0)
         std::cout << "softened:   " << counts.softened << " of " << counts.impulses
-                  << " impulses, made elastic for slowness\n";
+                  << " impulses, for slowness or in a jam; they kept " << Scientific(counts.softened_energy)
+                  << " of energy\n";
     PrintConservation(figures);
     if (figures.check)
         std::cout << "check:      " << figures.check->pairs << " pairs of disks meet, "

@@ -140,6 +140,7 @@ nlohmann::json ToJson(const WorldFigures &figures) {
                            {"plans", figures.plans},
                            {"impulses", counts.impulses},
                            {"softened", counts.softened},
+                           {"softened_energy", counts.softened_energy},
                            {"looks", counts.looks},
                            {"disk_times", counts.disk_times},
                            {"failure_times", counts.failure_times},

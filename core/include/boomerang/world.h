@@ -105,9 +105,14 @@ typedef enum bmr_zeno_policy {
     /// any answer can part it. It is the right end of these.
     BMR_ZENO_ERROR,
     /// An impulse on points that approach by less than `zeno_speed` has restitution 1 (McNamara and Luding's
-    /// remedy), and so has one of a pair that is jammed: that touches at an eighth of the margin or less
-    /// without having come apart. Both are counted (`softened`). STALLED where that does not help: where
-    /// bodies that nothing moves push others together.
+    /// remedy). One of a pair that is jammed (it touches at an eighth of the margin or less without having
+    /// come apart) that is faster has the restitution of its answer, but rebounds at zeno_speed at least; at
+    /// each further half of its distance at twice that. So what it touches rebounds no faster than
+    /// zeno_speed * max(1, margin / (8 distance)), however fast it came, and no impulse adds energy.
+    /// `softened` counts these impulses, and `softened_energy` what they kept. A pair within the margin that
+    /// is driven together by more than zeno_speed, by a hit on one of the two, has its contact at once: a
+    /// hit goes through a pile in no time, at the pile's own restitution. STALLED where that does not help:
+    /// where bodies that nothing moves push others together.
     BMR_ZENO_ELASTIC
 } bmr_zeno_policy;
 
@@ -318,7 +323,8 @@ typedef struct bmr_world_counts {
     uint64_t kds_events[BMR_KDS_EVENT_KIND_COUNT]; ///< of the structures
     uint64_t responses[BMR_RESPONSE_KIND_COUNT];
     uint64_t impulses;      ///< of all IMPULSE responses, walls included
-    uint64_t softened;      ///< of those, made elastic by ZENO_ELASTIC
+    uint64_t softened;      ///< of those, with more restitution by ZENO_ELASTIC
+    double softened_energy; ///< that these kept, which the restitution of the answers would have taken
     uint64_t looks;         ///< searches that ended without an event and went on later
     uint64_t disk_times;    ///< times computed of bodies' cells, and of disks that meet or part
     uint64_t failure_times; ///< of structures' conditions
