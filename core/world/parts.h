@@ -90,8 +90,8 @@ typedef struct bmr_near {
     bmr_condition condition; ///< FAIL: what fails
     double last_repair;
     unsigned burst;
-    /// The structure's margin is halved so often. A pair that was just in contact is within its margin; with
-    /// half of it, it has a proof with slack again. As it comes apart it gets its margin back.
+    /// The margin is halved `rung / bmr_rungs_a_halving` times. A pair that was just in contact is within its
+    /// margin; with less of it, it has a proof with slack again. As it comes apart it gets its margin back.
     unsigned rung, again;   ///< `again`: as in bmr_contact
     double touch;           ///< ZENO_ELASTIC: the time of the last TOUCH,
     unsigned touches;       ///< and how many were at that time

@@ -22,7 +22,7 @@ bmr_world_def bmr_default_world_def(void) {
     def.failure = bmr_default_failure_options();
     def.response.kind = BMR_RESPONSE_IMPULSE;
     def.response.restitution = 1.0;
-    def.zeno_speed = 1e-3;
+    def.zeno_speed = 1e-2;
     def.contact_step = 0.1;
     return def;
 }

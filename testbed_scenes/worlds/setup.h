@@ -39,7 +39,7 @@ struct WorldChoice {
     bmr_boundary boundary = BMR_WALLED;
     bmr_response response = {BMR_RESPONSE_IMPULSE, 1.0};
     bmr_zeno_policy zeno = BMR_ZENO_ERROR;
-    double zenoSpeed = 1e-3;
+    double zenoSpeed = 1e-2;
     bool allPairs = false;
 };
 

@@ -161,7 +161,7 @@ typedef struct bmr_world_def {
     bmr_vec2 low, high;
     bmr_response response; ///< to a contact, where there is no callback
     bmr_zeno_policy zeno;
-    double zeno_speed; ///< of ZENO_ELASTIC; > 0
+    double zeno_speed; ///< of ZENO_ELASTIC; > 0. A hundredth of the usual speed; with less, more worlds stall
     /// Events (and searches that go on later) in one advance, at most; 0: as many as it takes.
     uint64_t most_events;
     /// Every two bodies are candidates: no grid, and in a periodic box (of whatever shape) nine cells, each
@@ -176,7 +176,7 @@ typedef struct bmr_world_def {
     void *context;               ///< of both
 } bmr_world_def;
 /// "hybrid", which needs no hierarchies; the defaults of its parts, hysteresis 1e-6; open; elastic
-/// impulses; ZENO_ERROR with a speed of 1e-3; no callbacks; contact_step 0.1.
+/// impulses; ZENO_ERROR with a speed of 1e-2; no callbacks; contact_step 0.1.
 bmr_world_def bmr_default_world_def(void);
 
 /// An empty world at `time`. The allocator (NULL: malloc) must outlive it. Errors: NULL_ARGUMENT (also a
