@@ -302,6 +302,7 @@ USAGE = [
     "boomerang-testbed world --list",
     "boomerang-testbed world gas --bodies 1000 --check --audit",
     "boomerang-testbed world cooling --answer 0.8 --record run.txt",
+    "boomerang-testbed world cooling --answer E --bodies 400 --seconds T --seed S",
     "boomerang-testbed render --recording run.txt --step 300 --all -o run.png",
 ]
 # Pictures that are drawn by hand.

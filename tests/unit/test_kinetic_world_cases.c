@@ -192,6 +192,7 @@ static bmr_error cool(double restitution, bmr_zeno_policy zeno, uint64_t seed, d
     stage *s = make_stage(BMR_WALLED, 9.0);
     s->response.restitution = restitution;
     s->def.zeno = zeno;
+    s->def.zeno_speed = 1e-3;
     open_stage(s);
     bmr_polygon *b = box(1.0);
     test_random random = {seed};
