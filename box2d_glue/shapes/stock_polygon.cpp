@@ -135,8 +135,10 @@ bmr_error MakeHull(b2PolygonShape *set, const b2Vec2 *points, int32 count) {
         return error;
     const bool large = block->mass.area > b2_epsilon;
     set->m_count = static_cast<int32>(block->polygon.count);
-    std::memcpy(set->m_vertices, block->polygon.vertices, block->polygon.count * sizeof(b2Vec2));
-    std::memcpy(set->m_normals, block->polygon.normals, block->polygon.count * sizeof(b2Vec2));
+    std::memcpy(static_cast<void *>(set->m_vertices), block->polygon.vertices,
+                block->polygon.count * sizeof(b2Vec2));
+    std::memcpy(static_cast<void *>(set->m_normals), block->polygon.normals,
+                block->polygon.count * sizeof(b2Vec2));
     set->m_centroid.Set(block->mass.centroid.x, block->mass.centroid.y);
     bmr_convex32_destroy(block, allocator);
     return large ? BMR_OK : BMR_ERROR_OUT_OF_RANGE;
