@@ -27,8 +27,6 @@ struct Axis {
     void Add(double value);
     /// Some air at the ends; a linear axis begins at zero or below.
     void Widen();
-    /// How far along the axis, from 0 to 1.
-    double Part(double value) const { return (Map(value) - low) / (high - low); }
     /// Round numbers: decades where logarithmic, with 2 and 5 where they are few.
     std::vector<double> Ticks() const;
 };

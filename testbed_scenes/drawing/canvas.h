@@ -55,8 +55,6 @@ enum class Align { Left, Centre, Right };
 class Canvas {
 public:
     Canvas(const std::string &path, double width, double height);
-    /// An SVG that goes into a stream, which must outlive the canvas.
-    Canvas(std::ostream &svg, double width, double height);
     /// Pixels in memory, which must outlive the canvas.
     Canvas(Image &image, double width, double height);
 

@@ -115,25 +115,11 @@ void DrawLegend(Canvas &canvas, const Frame &frame, const Plot &plot) {
         DrawEntry(canvas, bmr_vec2_make(best.left + kPad, y), plot.series[i], i);
 }
 
-double HeightOfLegendBelow(const Plot &plot) {
-    return plot.legendBelow ? kLegendLine * static_cast<double>((plot.series.size() + 1) / 2) + kPad : 0.0;
-}
-
-void DrawLegendBelow(Canvas &canvas, const Frame &frame, const Plot &plot) {
-    const size_t rows = (plot.series.size() + 1) / 2;
-    for (size_t i = 0; i < plot.series.size(); ++i) {
-        const double x = frame.page.left + (i < rows ? 0.0 : 0.5 * frame.page.Width());
-        const double y = frame.page.bottom - kBottom - kPad - kLegendLine * static_cast<double>(i % rows);
-        DrawEntry(canvas, bmr_vec2_make(x, y - 0.3 * kTextSize), plot.series[i], i);
-    }
-}
-
 } // namespace
 
 void DrawPlot(Canvas &canvas, const Rectangle &page, const Plot &plot) {
     canvas.ClearPanel();
-    Frame frame = {{page.left + kLeft, page.bottom + kBottom + HeightOfLegendBelow(plot), page.right - kRight,
-                    page.top - kTop},
+    Frame frame = {{page.left + kLeft, page.bottom + kBottom, page.right - kRight, page.top - kTop},
                    {plot.logX},
                    {plot.logY}};
     size_t shown = 0;
@@ -156,10 +142,7 @@ void DrawPlot(Canvas &canvas, const Rectangle &page, const Plot &plot) {
     DrawAxes(canvas, frame, plot);
     for (size_t i = 0; i < plot.series.size(); ++i)
         DrawSeries(canvas, frame, plot.series[i], i);
-    if (plot.legendBelow)
-        DrawLegendBelow(canvas, frame, plot);
-    else
-        DrawLegend(canvas, frame, plot);
+    DrawLegend(canvas, frame, plot);
 }
 
 } // namespace testbed

@@ -20,8 +20,6 @@ struct PlotSeries {
 struct Plot {
     std::string title, xLabel, yLabel;
     bool logX = true, logY = true;
-    bool legendBelow =
-        false; ///< under the x axis in two columns, for so many series that they fill the frame
     std::vector<PlotSeries> series;
 };
 

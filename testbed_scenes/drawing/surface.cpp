@@ -25,12 +25,6 @@ cairo_surface_t *MakeSurface(const std::string &path, const std::string &writePa
     return cairo_pdf_surface_create(writePath.c_str(), width, height);
 }
 
-cairo_status_t WriteTo(void *stream, const unsigned char *data, unsigned length) {
-    auto &out = *static_cast<std::ostream *>(stream);
-    out.write(reinterpret_cast<const char *>(data), static_cast<std::streamsize>(length));
-    return out ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
-}
-
 } // namespace
 
 bool EndsWith(const std::string &path, const std::string &ending) {
@@ -45,11 +39,6 @@ bool IsPicturePath(const std::string &path) {
 Surface::Surface(std::string path, double width, double height)
     : m_path(std::move(path)), m_file(m_path),
       m_surface(MakeSurface(m_path, m_file.WritePath().string(), width, height), cairo_surface_destroy),
-      m_context(cairo_create(m_surface.get()), cairo_destroy) {}
-
-Surface::Surface(std::ostream &svg, double width, double height)
-    : m_path("a picture"), m_file(""),
-      m_surface(cairo_svg_surface_create_for_stream(WriteTo, &svg, width, height), cairo_surface_destroy),
       m_context(cairo_create(m_surface.get()), cairo_destroy) {}
 
 Surface::Surface(Image &image, double width, double height)

@@ -3,7 +3,6 @@
 #define BOOMERANG_TESTBED_SURFACE_H
 
 #include <memory>
-#include <ostream>
 #include <string>
 
 #include <cairo.h>
@@ -22,8 +21,6 @@ bool IsPicturePath(const std::string &path);
 class Surface {
 public:
     Surface(std::string path, double width, double height);
-    /// An SVG that goes into a stream, which must outlive the surface.
-    Surface(std::ostream &svg, double width, double height);
     /// Pixels in memory, which must outlive the surface.
     Surface(Image &image, double width, double height);
 

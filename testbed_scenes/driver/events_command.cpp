@@ -117,8 +117,7 @@ std::vector<double> RatiosFor(const std::string &text) {
     return ratios;
 }
 
-} // namespace
-
+/// What the command asks for; throws UsageError.
 Experiment ExperimentFor(const EventsCommand &command) {
     Experiment experiment;
     for (const std::string &word : command.motions)
@@ -152,8 +151,6 @@ Experiment ExperimentFor(const EventsCommand &command) {
     experiment.motionFile = command.motion;
     return experiment;
 }
-
-namespace {
 
 void List() {
     std::cout << "structures\n";

@@ -32,10 +32,6 @@ struct EventsCommand {
 /// Adds the subcommand with its options, which write into `command`.
 CLI::App *AddEvents(CLI::App &app, EventsCommand &command);
 
-struct Experiment;
-/// What the command asks for; throws UsageError.
-Experiment ExperimentFor(const EventsCommand &command);
-
 int Execute(const EventsCommand &command, const std::string &workersDirectory);
 
 } // namespace testbed

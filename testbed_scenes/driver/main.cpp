@@ -15,7 +15,6 @@
 #include "plot_command.h"
 #include "render_command.h"
 #include "replay_command.h"
-#include "report_command.h"
 #include "shapes_command.h"
 #include "world_command.h"
 
@@ -39,7 +38,6 @@ struct CommandLine {
     EventsCommand events;
     OutlineCommand outline;
     PlotCommand plot;
-    ReportCommand report;
     ManualCommand manual;
     WorldCommand world;
     bool noTime = false;
@@ -190,7 +188,6 @@ int Answer(int argc, char **argv) {
     const CLI::App *world = AddWorld(app, line.world);
     const CLI::App *outline = AddOutline(app, line.outline);
     const CLI::App *plot = AddPlot(app, line);
-    const CLI::App *report = AddReport(app, line.report);
     AddManual(app, line.manual);
     for (CLI::App *subcommand : app.get_subcommands({})) {
         const std::string own = subcommand->get_footer();
@@ -220,8 +217,6 @@ int Answer(int argc, char **argv) {
         return Execute(line.outline);
     if (app.got_subcommand(plot))
         return Execute(line.plot);
-    if (app.got_subcommand(report))
-        return Execute(line.report, line.directory);
     if (app.got_subcommand(world))
         return Execute(line.world, line.directory);
     if (WantsManual(app))

@@ -41,13 +41,11 @@ void WriteMan(std::ostream &out, const CLI::App &app) {
           "3\ta worker failed, or the output could not be written"}},
         {"ENVIRONMENT",
          {"NO_COLOR\tif not empty, no colours on a terminal; elsewhere there are none anyway",
-          "TERM\tdumb: neither colours nor a progress bar",
-          "SOURCE_DATE_EPOCH\tthe seconds since 1970 that a report gives as its date"}},
+          "TERM\tdumb: neither colours nor a progress bar"}},
         {"EXAMPLES",
          {"boomerang-testbed compare needles pyramid\tBox2D with the plugin against stock Box2D, in two "
           "scenes",
           "boomerang-testbed compare --json all.json\tall scenes, every figure into a file",
-          "boomerang-testbed report --json all.json -o report.html\tthe file as a page of tables and plots",
           "boomerang-testbed events orbit --ratios 8:2048\tthe paper's structures along one motion"}},
         {"NOTES",
          {"Scenes run in processes of their own, boomerang-scene and boomerang-scene-plugin, which lie "

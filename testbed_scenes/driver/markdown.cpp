@@ -5,7 +5,7 @@
 #include <string>
 
 #include "figures.h"
-#include "report/scene_tables.h"
+#include "scene_tables.h"
 #include "table.h"
 
 namespace testbed {

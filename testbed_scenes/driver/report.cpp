@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "figures.h"
-#include "report/scene_tables.h"
+#include "scene_tables.h"
 #include "table.h"
 
 namespace testbed {
@@ -131,6 +131,28 @@ nlohmann::json ToJson(const SceneResult &result) {
     return json;
 }
 
+nlohmann::json ToJson(const std::vector<SceneResult> &results, const CompareOptions &options) {
+    nlohmann::json scenes = nlohmann::json::array();
+    for (const SceneResult &result : results)
+        scenes.push_back(ToJson(result));
+    return {
+        {"options",
+         {{"mode", options.verify ? "verify" : "bits"},
+          {"repeat", options.time ? options.repeat : 0},
+          {"structure", options.worker.structure.empty() ? "default" : options.worker.structure},
+          {"prefilter", options.worker.prefilter.empty() ? "default" : options.worker.prefilter},
+          {"heard", options.worker.heard},
+          {"perturb", options.perturb ? nlohmann::json(*options.perturb) : nlohmann::json()}}},
+        {"scenes", scenes},
+        {"identical", CountOf(results, Verdict::Identical)},
+        {"different", CountOf(results, Verdict::Different)},
+        {"failed", CountOf(results, Verdict::Failed)},
+        {"geometric_mean",
+         {{"step_ratio", ToJson(MeanRatio(results, "ratio.step"))},
+          {"narrow_phase_ratio", ToJson(MeanRatio(results, "ratio.narrow_phase"))}}},
+    };
+}
+
 } // namespace
 
 void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options,
@@ -176,28 +198,6 @@ void PrintVerdict(std::ostream &out, const std::vector<SceneResult> &results, bo
         text += "; step " + Fixed(ratio, 2) + "x, narrow phase " +
                 Fixed(MeanRatio(results, "ratio.narrow_phase"), 2) + "x as fast as stock (geometric means)";
     out << Styled(text, different + failed == 0 ? Style::Good : Style::Bad, colour) << '\n';
-}
-
-nlohmann::json ToJson(const std::vector<SceneResult> &results, const CompareOptions &options) {
-    nlohmann::json scenes = nlohmann::json::array();
-    for (const SceneResult &result : results)
-        scenes.push_back(ToJson(result));
-    return {
-        {"options",
-         {{"mode", options.verify ? "verify" : "bits"},
-          {"repeat", options.time ? options.repeat : 0},
-          {"structure", options.worker.structure.empty() ? "default" : options.worker.structure},
-          {"prefilter", options.worker.prefilter.empty() ? "default" : options.worker.prefilter},
-          {"heard", options.worker.heard},
-          {"perturb", options.perturb ? nlohmann::json(*options.perturb) : nlohmann::json()}}},
-        {"scenes", scenes},
-        {"identical", CountOf(results, Verdict::Identical)},
-        {"different", CountOf(results, Verdict::Different)},
-        {"failed", CountOf(results, Verdict::Failed)},
-        {"geometric_mean",
-         {{"step_ratio", ToJson(MeanRatio(results, "ratio.step"))},
-          {"narrow_phase_ratio", ToJson(MeanRatio(results, "ratio.narrow_phase"))}}},
-    };
 }
 
 void WriteJson(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options) {

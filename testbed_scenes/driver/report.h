@@ -16,7 +16,6 @@ void PrintVerdict(std::ostream &out, const std::vector<SceneResult> &results, bo
 void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options,
                  bool details, bool colour);
 /// Everything that is known of every scene.
-nlohmann::json ToJson(const std::vector<SceneResult> &results, const CompareOptions &options);
 void WriteJson(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options);
 /// A header and one row per scene; unknown figures are empty.
 void WriteCsv(std::ostream &out, const std::vector<SceneResult> &results);

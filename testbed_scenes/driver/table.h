@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "report/number_text.h"
+#include "number_text.h"
 
 namespace testbed {
 

@@ -86,11 +86,6 @@ std::vector<const bmr_kds_info *> StructuresOf(const std::vector<Run> &runs);
 /// One row a run, with a header row.
 void WriteCsv(std::ostream &out, const std::vector<Run> &runs);
 nlohmann::json ToJson(const std::vector<Run> &runs);
-/// Counts the ratios of these runs anew, from the least one that was asked for.
-void CountRatios(std::vector<Run> &runs);
-/// What ToJson wrote, but for the bodies, which it does not write; ratios are counted anew, from the least.
-/// Throws FileError on anything else.
-std::vector<Run> RunsFromJson(const nlohmann::json &json);
 
 /// A trace: one line an event (see TraceHeader).
 void WriteTraceHeader(std::ostream &out);

@@ -100,6 +100,25 @@ test_an_interrupt_leaves_no_part_of_a_file() {
     [ -n "$(find "$scratch" -name 'trace*.part')" ] || fail "control: there was no part"
 }
 
+# What cannot be written whole leaves what was there; what can keeps its link and its permissions.
+test_a_file_is_replaced_whole_or_not_at_all() {
+    local count=(events line --structures lazy-compass --seeds 4 --n 16 --ratios 8 --quiet --json)
+    echo old >"$scratch/old.json"
+    (
+        ulimit -f 1
+        trap '' XFSZ
+        exec "$testbed" "${count[@]}" "$scratch/old.json"
+    ) >"$scratch/out" 2>"$scratch/err" && fail "a file that is too long was written"
+    echo old | cmp -s - "$scratch/old.json" || fail "the old file is gone"
+    [ -z "$(find "$scratch" -name 'old.json.*')" ] || fail "an unfinished file is left"
+    chmod 640 "$scratch/old.json"
+    ln -sf old.json "$scratch/link.json"
+    expect 0 "${count[@]}" "$scratch/link.json"
+    [ -L "$scratch/link.json" ] || fail "the link is gone"
+    [ "$(stat -c %a "$scratch/old.json")" = 640 ] || fail "its permissions are gone"
+    json_is "$scratch/old.json" line 0 motion
+}
+
 test_help_builds_nothing() {
     claim='./testbed_scenes/run --help'
     : >"$scratch/err"

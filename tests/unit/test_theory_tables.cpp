@@ -135,38 +135,3 @@ TEST_CASE("lines over optimum leaves the first line of both out") {
     CHECK(*OverOptimum(runs, test_structure("lazy-compass"), 0) == doctest::Approx((51 + 53 + 54) / 30.0));
     CHECK_FALSE(OverOptimum(runs, test_structure("free-fd2"), 0));
 }
-
-TEST_CASE("runs read back from JSON lead to the same conclusions") {
-    std::vector<Run> runs = RunsWith("lazy-compass", true, false, Root);
-    runs.front().ratio = INFINITY;
-    runs.front().outcome.run.qualities = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0};
-    runs.front().outcome.run.hysteresis.both = 0.25;
-    const nlohmann::json json = ToJson(runs);
-    const std::vector<Run> read = RunsFromJson(nlohmann::json::parse(json.dump()));
-    CHECK(ToJson(read) == json);
-    const bmr_kds_info *structure = test_structure("lazy-compass");
-    const std::optional<Growth> before = GrowthOf(runs, "made-up", structure, Quantity::Events),
-                                after = GrowthOf(read, "made-up", structure, Quantity::Events);
-    REQUIRE((before && after));
-    CHECK(TextOf(*before) == TextOf(*after));
-    // Without their wanted ratios all runs are of one ratio.
-    CHECK(read.back().ratioIndex == 0);
-}
-
-TEST_CASE("runs of an unknown structure, or half a run, are refused") {
-    nlohmann::json json = ToJson(RunsWith("lazy-compass", true, false, Root));
-    json[0]["structure"] = "crazy-compass";
-    std::string said;
-    try {
-        RunsFromJson(json);
-    } catch (const FileError &error) {
-        said = error.what();
-    }
-    CHECK(said.find("there is no structure \"crazy-compass\"; there are triangle-levels-compass, ") == 0);
-    CHECK(said.find(", lazy-compass, ") != std::string::npos);
-    json[0]["structure"] = "lazy-compass";
-    CHECK_NOTHROW(RunsFromJson(json));
-    json[0].erase("lines");
-    CHECK_THROWS_AS(RunsFromJson(json), FileError);
-    CHECK_THROWS_AS(RunsFromJson(nlohmann::json("lines")), FileError);
-}

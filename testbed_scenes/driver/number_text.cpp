@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/number_text.h"
+#include "number_text.h"
 
 #include <cstdio>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/scene_tables.h"
+#include "scene_tables.h"
 
 namespace testbed {
 
