@@ -7,6 +7,7 @@
 #include <box2d/b2_body.h>
 #include <box2d/b2_fixture.h>
 
+#include "shapes/convex_geometry.h"
 #include "shapes/outline_record.h"
 #include "shapes/weighing.h"
 
@@ -35,6 +36,37 @@ Weighing WeighAll(const OutlineRecord &record, float density, const b2MassData &
         all.Add(i == record.balance ? ofBalance : ShareOf(record.pieces[i], density));
     return all;
 }
+
+/// What a body weighs, in double.
+struct Whole {
+    double mass = 0.0, inertia = 0.0; ///< about the origin
+    bmr_vec2 moment = {0.0, 0.0};
+
+    /// `own`: about the centre.
+    void Add(double m, bmr_vec2 centre, double own) {
+        mass += m;
+        moment = bmr_add(moment, bmr_scale(m, centre));
+        inertia += own + m * bmr_dot(centre, centre);
+    }
+    /// What a fixture says of itself is rounded, and of a piece more than it has.
+    void Add(const b2Fixture &fixture, const b2MassData &said) {
+        if (const bmr_convex32_block *block = BigPolygonOf(*fixture.GetShape())) {
+            const bmr_mass32 &share = block->mass;
+            const OutlineRecord *record = OutlineRecordOf(*fixture.GetShape());
+            const double density = static_cast<double>(fixture.GetDensity()),
+                         part = record != nullptr ? record->ownPart : 1.0;
+            return Add(density * static_cast<double>(share.area),
+                       {static_cast<double>(share.centroid.x), static_cast<double>(share.centroid.y)},
+                       part * density * static_cast<double>(share.inertia));
+        }
+        Weighing alone;
+        alone.Add(said);
+        Add(static_cast<double>(said.mass),
+            {static_cast<double>(said.center.x), static_cast<double>(said.center.y)},
+            static_cast<double>(said.I) - static_cast<double>(alone.OfCentre()));
+    }
+    double OfCentre() const { return bmr_dot(moment, moment) / mass; }
+};
 
 } // namespace
 
@@ -77,9 +109,8 @@ bmr_error CheckInertia(const b2Body &body, const OutlineRecord &record, float de
     WeighPiece(record.pieces[record.balance], density, &ofBalance);
     Weighing box2d = WeighAll(record, density, ofBalance);
     const double d = static_cast<double>(density);
-    double mass = d * record.area,
-           inertia = d * (record.inertia + record.area * bmr_dot(record.centroid, record.centroid));
-    bmr_vec2 moment = bmr_scale(mass, record.centroid);
+    Whole whole;
+    whole.Add(d * record.area, record.centroid, d * record.inertia);
     uint32_t count = record.pieceCount;
     for (const b2Fixture *fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
         if (fixture->GetDensity() == 0.0f)
@@ -87,17 +118,10 @@ bmr_error CheckInertia(const b2Body &body, const OutlineRecord &record, float de
         b2MassData other;
         fixture->GetMassData(&other);
         box2d.Add(other);
+        whole.Add(*fixture, other);
         ++count;
-        Weighing alone;
-        alone.Add(other);
-        const double m = static_cast<double>(other.mass);
-        mass += m;
-        moment = bmr_add(
-            moment, bmr_scale(m, {static_cast<double>(other.center.x), static_cast<double>(other.center.y)}));
-        inertia +=
-            static_cast<double>(other.I) - static_cast<double>(alone.OfCentre()) + m * Square(other.center);
     }
-    const double ofCentre = bmr_dot(moment, moment) / mass, right = inertia - ofCentre;
+    const double ofCentre = whole.OfCentre(), right = whole.inertia - ofCentre;
     const double held = static_cast<double>(box2d.Sum() - box2d.OfCentre());
     return right >= HeldInertia(count) * ofCentre && std::fabs(held - right) <= kInertiaTolerance * right
                ? BMR_OK

@@ -264,6 +264,7 @@ void Builder::ShareMass(OutlineRecord *record) {
     const double left =
         held && taken > 0.0 && spread > 0.0 ? std::max(0.0, 1.0 - taken / (square * spread)) : 1.0;
     const double scale = std::sqrt(square * left);
+    double shared = 0.0;
     ForEachMass([&](bmr_mass32 &mass) {
         const double least = leastOwn(mass);
         const bmr_vec2 moved = bmr_add(record->centroid, bmr_scale(scale, bmr_sub(CentreOf(mass), centre)));
@@ -271,7 +272,10 @@ void Builder::ShareMass(OutlineRecord *record) {
             static_cast<float>(std::max(square * share * static_cast<double>(mass.inertia), least));
         mass.area = static_cast<float>(share * static_cast<double>(mass.area));
         mass.centroid = {static_cast<float>(moved.x), static_cast<float>(moved.y)};
+        shared += static_cast<double>(mass.inertia);
     });
+    const double right = record->inertia - scale * scale * spread;
+    record->ownPart = right < shared ? std::max(0.0, right / shared) : 1.0;
 }
 
 bool IsNormal(double value) {

@@ -15,6 +15,7 @@ struct OutlineRecord : registry::Group {
     double area;
     bmr_vec2 centroid;
     double inertia; ///< about the centroid
+    double ownPart; ///< of the inertias that its pieces have of their own: the rest is for floats to hold
     float reach;    ///< no vertex of a piece is farther from the origin
     uint32_t pieceCount;
     uint32_t balance;           ///< which of the pieces makes up for the rounding of all (outline_mass.h)

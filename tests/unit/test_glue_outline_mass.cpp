@@ -40,6 +40,7 @@ double InertiaOf(b2Body *body) {
 struct Exact {
     double mass, inertia; ///< about the centre
     double square;        ///< of the centre's distance from the origin
+    double x, y;          ///< the centre
     double Half() const { ///< of the last bit of the floats that Box2D takes from each other
         return std::exp2(std::floor(std::log2(mass * square + inertia)) - 24.0);
     }
@@ -61,7 +62,7 @@ Exact Weigh(const Ring &ring, double density) {
     x /= area;
     y /= area;
     return {density * area, density * (inertia - area * (x * x + y * y)),
-            std::pow(x + x0, 2) + std::pow(y + y0, 2)};
+            std::pow(x + x0, 2) + std::pow(y + y0, 2), x + x0, y + y0};
 }
 
 Ring RandomRing(Engine &engine, b2Vec2 at, float size) {
@@ -147,6 +148,44 @@ TEST_CASE("what cannot be held is refused with what to do, and not where nothing
     REQUIRE(coin.SetRegular(16, 0.3f) == BMR_OK);
     CHECK(both->CreateFixture(&coin, 1.0f) != nullptr);
     CHECK(elbow.CreateFixtures(both, 2.0f) == BMR_OK);
+}
+
+TEST_CASE("of several outlines on a body, too, an inertia is right to an eighth, or an error") {
+    Engine engine(7);
+    int refused = 0, several = 0;
+    for (size_t n = 0; n < test_scaled(3000); ++n) {
+        CAPTURE(n);
+        const float away = std::pow(10.0f, UniformF(engine, 2.0, 3.5)), angle = UniformF(engine, -3.2, 3.2);
+        const b2Vec2 at = away * b2Vec2(std::cos(angle), std::sin(angle));
+        b2World world(b2Vec2(0.0f, 0.0f));
+        b2Body *const body = AddBody(&world);
+        std::vector<Ring> rings;
+        for (int i = 2 + Below(engine, 3); i > 0; --i) {
+            const Ring ring = RandomRing(engine, at, UniformF(engine, 0.3, 2.0));
+            OutlineShape outline;
+            if (MakeOutline(ring, &outline) && outline.CreateFixtures(body, 1.0f) == BMR_OK)
+                rings.push_back(ring);
+            else
+                ++refused;
+        }
+        if (rings.size() < 2)
+            continue;
+        ++several;
+        // About `at`, and from there about the centre.
+        double mass = 0.0, x = 0.0, y = 0.0, inertia = 0.0;
+        for (const Ring &ring : rings) {
+            const Exact exact = Weigh(ring, 1.0);
+            const double cx = exact.x - at.x, cy = exact.y - at.y;
+            mass += exact.mass;
+            x += exact.mass * cx;
+            y += exact.mass * cy;
+            inertia += exact.inertia + exact.mass * (cx * cx + cy * cy);
+        }
+        const double right = inertia - (x * x + y * y) / mass;
+        CHECK(std::abs(InertiaOf(body) - right) <= 0.13 * right);
+    }
+    CHECK(several > 0);
+    CHECK(refused > 0);
 }
 
 TEST_CASE("a polygon of more than 8 vertices has the nearest inertia that floats hold, or one above zero") {
