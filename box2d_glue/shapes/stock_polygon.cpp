@@ -12,6 +12,15 @@ namespace bmr {
 
 namespace {
 
+/// The sum that Set divides by, and that ComputeMass asserts on.
+template <typename Vertex> float AreaOf(int32 count, Vertex vertex) {
+    float area = 0.0f;
+    const b2Vec2 origin = vertex(0);
+    for (int32 i = 0; i < count; ++i)
+        area += 0.5f * b2Cross(vertex(i) - origin, vertex(i + 1 < count ? i + 1 : 0) - origin);
+    return area;
+}
+
 /// The hull as Set finds it: by gift wrapping, in its arithmetic.
 struct Wrapping {
     const b2Vec2 *points;
@@ -58,16 +67,6 @@ struct Wrapping {
     }
 
     b2Vec2 Vertex(int32 i) const { return points[hull[i < hullCount ? i : 0]]; }
-
-    /// The sum that Set divides by.
-    float Area() const {
-        float area = 0.0f;
-        for (int32 i = 0; i < hullCount; ++i) {
-            const b2Vec2 origin = Vertex(0);
-            area += 0.5f * b2Cross(Vertex(i) - origin, Vertex(i + 1) - origin);
-        }
-        return area;
-    }
 };
 
 /// Points as Set welds them.
@@ -102,7 +101,8 @@ Outcome OutcomeOfSet(const b2Vec2 *points, int32 count) {
     for (int32 i = 0; i < wrapping.hullCount; ++i)
         if (!((wrapping.Vertex(i + 1) - wrapping.Vertex(i)).LengthSquared() > b2_epsilon * b2_epsilon))
             return Outcome::NoHull;
-    return wrapping.Area() > b2_epsilon ? Outcome::Polygon : Outcome::NoArea;
+    const float area = AreaOf(wrapping.hullCount, [&](int32 i) { return wrapping.Vertex(i); });
+    return area > b2_epsilon ? Outcome::Polygon : Outcome::NoArea;
 }
 
 bool IsFinite(const b2PolygonShape &shape) {
@@ -133,7 +133,6 @@ bmr_error MakeHull(b2PolygonShape *set, const b2Vec2 *points, int32 count) {
         bmr_convex32_create(Vectors32(points), static_cast<size_t>(count), allocator, &block);
     if (error != BMR_OK)
         return error;
-    const bool large = block->mass.area > b2_epsilon;
     set->m_count = static_cast<int32>(block->polygon.count);
     std::memcpy(static_cast<void *>(set->m_vertices), block->polygon.vertices,
                 block->polygon.count * sizeof(b2Vec2));
@@ -141,7 +140,9 @@ bmr_error MakeHull(b2PolygonShape *set, const b2Vec2 *points, int32 count) {
                 block->polygon.count * sizeof(b2Vec2));
     set->m_centroid.Set(block->mass.centroid.x, block->mass.centroid.y);
     bmr_convex32_destroy(block, allocator);
-    return large ? BMR_OK : BMR_ERROR_OUT_OF_RANGE;
+    return AreaOf(set->m_count, [set](int32 i) { return set->m_vertices[i]; }) > b2_epsilon
+               ? BMR_OK
+               : BMR_ERROR_OUT_OF_RANGE;
 }
 
 bmr_error MakeStockPolygon(b2PolygonShape *set, const b2Vec2 *points, int32 count, bool mayWeld,

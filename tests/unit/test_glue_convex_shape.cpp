@@ -225,6 +225,12 @@ TEST_CASE("where Set's wrapping finds no hull, the exact one is taken") {
     CHECK(SameBits(nine, shape));
     CHECK(welded.count == 3);
     CHECK(welded.distance == 0.0f);
+    // An area that ComputeMass takes for nothing.
+    CHECK(Set(shape, {{-1.59567082f, 17.0135956f},
+                      {-1.59138489f, 17.0341377f},
+                      {-1.59669149f, 17.0086594f},
+                      {-1.59607673f, 17.0115528f},
+                      {-1.59285641f, 17.0270634f}}) == BMR_ERROR_OUT_OF_RANGE);
 }
 
 TEST_CASE("points in the place of others are left out, whatever their number, and that is told") {
