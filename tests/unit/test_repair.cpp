@@ -246,6 +246,11 @@ TEST_CASE("what cannot be repaired has its error, and leaves the result as it wa
     stairs.push_back({32768, 40000});
     stairs.push_back({0, 40000});
     CHECK(answer({stairs}, kSnap) == BMR_ERROR_TOO_MANY_POINTS);
+    Ring line; // each edge would bend to a third of the points
+    for (int i = 0; i < 5000; ++i)
+        line.push_back({static_cast<double>(i * 1759 % 5000), 0});
+    line.push_back({0, 1});
+    CHECK(answer({line}, kSnap) == BMR_ERROR_TOO_MANY_POINTS);
     Outline wrong = Drawn({square});
     wrong.counts[0] = 5;
     CHECK(RepairOutline(wrong, FillRule::EvenOdd, kSnap, &result) == BMR_ERROR_OUT_OF_RANGE);

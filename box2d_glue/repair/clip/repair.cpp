@@ -93,8 +93,8 @@ bmr_error Clip(Paths paths, ClipperLib::PolyFillType rule, std::vector<Solid> *s
         }
         if (!clipper.Execute(ClipperLib::ctUnion, paths, rule, rule))
             return BMR_ERROR_CROSSING_EDGES;
-        repair::Bend(&paths, kSquare);
-        repair::Bend(&paths, 0.0);
+        if (!repair::Bend(&paths, kSquare) || !repair::Bend(&paths, 0.0))
+            return BMR_ERROR_TOO_MANY_POINTS;
         if (repair::Arrange(paths, solids))
             return BMR_OK;
         rule = ClipperLib::pftEvenOdd;
@@ -119,7 +119,8 @@ bmr_error Repair(const Outline *outlines, size_t count, FillRule rule, double sn
             paths.emplace_back(place, place + size);
             place += size;
         }
-    repair::Bend(&paths, grid.reach);
+    if (!repair::Bend(&paths, grid.reach))
+        return BMR_ERROR_TOO_MANY_POINTS;
 
     const auto fill = rule == FillRule::EvenOdd ? ClipperLib::pftEvenOdd : ClipperLib::pftNonZero;
     std::vector<Solid> solids;

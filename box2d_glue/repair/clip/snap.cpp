@@ -126,8 +126,9 @@ std::vector<Place> Gather(const std::vector<bmr_vec2> &points, double reach) {
     return places;
 }
 
-void Bend(Paths *paths, double reach) {
+bool Bend(Paths *paths, double reach) {
     const Rows rows(*paths);
+    size_t left = kMostPlaces;
     std::vector<Stop> stops;
     for (Path &path : *paths) {
         Path bent;
@@ -145,9 +146,13 @@ void Bend(Paths *paths, double reach) {
             });
             for (const Stop &stop : stops)
                 bent.push_back(stop.place);
+            if (bent.size() > left)
+                return false;
         }
+        left -= bent.size();
         path.swap(bent);
     }
+    return true;
 }
 
 } // namespace bmr::repair

@@ -64,10 +64,11 @@ enum class FillRule {
 /// line from left to right meets m edges at most.
 ///
 /// Errors leave `*repaired` as it was: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_NO_POINTS,
-/// BMR_ERROR_TOO_MANY_POINTS (also of the result), BMR_ERROR_NOT_FINITE (a coordinate or snap),
-/// BMR_ERROR_NEGATIVE (snap not above 0), BMR_ERROR_OUT_OF_RANGE (a coordinate beyond 2^30 steps of the grid:
-/// a larger snap helps), BMR_ERROR_TOO_FEW_POINTS (nothing solid is left), BMR_ERROR_CROSSING_EDGES (rounding
-/// makes new crossings each time that it is repeated; not met so far), BMR_ERROR_NO_MEMORY.
+/// BMR_ERROR_TOO_MANY_POINTS (also of the result, and of thousands of edges that lie on each other),
+/// BMR_ERROR_NOT_FINITE (a coordinate or snap), BMR_ERROR_NEGATIVE (snap not above 0), BMR_ERROR_OUT_OF_RANGE
+/// (a coordinate beyond 2^30 steps of the grid: a larger snap helps), BMR_ERROR_TOO_FEW_POINTS (nothing solid
+/// is left), BMR_ERROR_CROSSING_EDGES (rounding makes new crossings each time that it is repeated; not met so
+/// far), BMR_ERROR_NO_MEMORY.
 bmr_error RepairOutline(const Outline &rings, FillRule rule, double snap, std::vector<Outline> *repaired);
 
 /// The union of many outlines: tiles of a map, neighbouring platforms. The rings of each outline are solid by
