@@ -26,7 +26,7 @@
 /// by the limit over the polygon's diameter, however its vertices lie.
 #define ENOUGH_PART 0.25
 
-/// An edge is along a tangent when it falls by no more than this part of its length: the rounding of a unit
+/// A chord is along a tangent when it falls by no more than this part of its length: the rounding of a unit
 /// normal. (A tangent that was turned onto an edge is seen to fall or to rise by that much.)
 #define FLAT 1e-15
 
@@ -162,22 +162,39 @@ static bmr_vec2 turn_about(const turning *t, uint32_t passed, bmr_vec2 chord) {
     return not_too_wide(t, wanted);
 }
 
+/// Does the chord from the tangent's vertex to the one `steps` (< count) on lie along the tangent? Chords
+/// turn one way, by less than half a turn: those that do are the first ones.
+static bool is_along(const turning *t, uint32_t steps) {
+    const bmr_vec2 *v = t->polygon->vertices;
+    const bmr_vec2 chord = bmr_scale_up_if_tiny(bmr_sub(v[vertex_after(t, steps)], v[t->from.vertex]));
+    const double drop = -bmr_dot(chord, t->from.direction);
+    return bmr_dot(chord, t->along) > 0.0 &&
+           !(drop > 0.0 && drop * drop > FLAT * FLAT * bmr_dot(chord, chord));
+}
+
+/// How many edges from the tangent's vertex on lie along it: by doubling, then by halves.
+static uint32_t edges_along(const turning *t) {
+    const uint32_t n = t->polygon->count;
+    uint32_t low = 0, high = n, guess = 1; // the chord is along the tangent at `low`, and not at `high`
+    while (high - low > 1) {
+        const bool along = is_along(t, guess);
+        *t->steps += along || low > 1;
+        if (along)
+            low = guess;
+        else
+            high = guess;
+        guess = high == n && low < n / 2 ? 2 * low : low + (high - low) / 2;
+    }
+    return low;
+}
+
 /// Turns a tangent as far as the limit and the widest angle allow. *corner: where the two tangents meet.
 static tangent turn(const bmr_polygon *polygon, tangent from, int sense, double limit, double cosine,
                     bmr_vec2 *corner, unsigned *steps) {
     turning t = {polygon, sense, from, bmr_left(from.direction), from.direction, limit, cosine, steps};
     if (sense < 0)
         t.along = bmr_neg(t.along);
-    for (uint32_t i = 0; i < polygon->count;
-         ++i, ++*steps) { // a tangent along an edge: go to that edge's far end
-        const uint32_t next = next_vertex(polygon, t.from.vertex, sense);
-        const bmr_vec2 e =
-            bmr_scale_up_if_tiny(bmr_sub(polygon->vertices[next], polygon->vertices[t.from.vertex]));
-        const double drop = -bmr_dot(e, from.direction);
-        if (drop > 0.0 && drop * drop > FLAT * FLAT * bmr_dot(e, e))
-            break;
-        t.from.vertex = next;
-    }
+    t.from.vertex = vertex_after(&t, edges_along(&t));
     t.start = polygon->vertices[t.from.vertex];
     const uint32_t passed = edges_passed(&t);
     const uint32_t pivot = vertex_after(&t, passed);

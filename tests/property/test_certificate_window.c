@@ -164,12 +164,38 @@ static void a_chord_whose_square_underflows_makes_no_bracket_of_nothing(void **s
     bmr_polygon_destroy(p, NULL);
 }
 
+/// Thousands of edges that are one up to rounding: the search for the far end of a tangent that lies along
+/// them goes by doubling, not from edge to edge.
+static void edges_that_are_one_up_to_rounding_cost_a_logarithm(void **state) {
+    (void)state;
+    enum { SIDE = 2000 };
+    bmr_vec2 points[2 * SIDE + 2];
+    for (int i = -SIDE; i <= SIDE; ++i)
+        points[i + SIDE] = bmr_vec2_make(i, -1e-300 * i * i);
+    points[2 * SIDE + 1] = bmr_vec2_make(0.0, -SIDE);
+    bmr_polygon *p = NULL;
+    assert_int_equal(bmr_polygon_create(points, 2 * SIDE + 2, NULL, &p), BMR_OK);
+    assert_int_equal(p->count, 2 * SIDE + 2);
+    const bmr_vec2 up = {0.0, 1.0};
+    for (int lean = -1; lean <= 1; ++lean) {
+        bmr_window w;
+        bmr_window_make(p, up, support_of(p, up), 1e-3, lean, &w);
+        assert_true(w.steps <= 100);
+        assert_true(bmr_cross(w.low, up) > 0.0 && bmr_cross(up, w.high) > 0.0);
+        // All of the edge stands in the window.
+        if (lean == 0)
+            assert_true(fabs(w.corner[0].x - w.corner[1].x) >= 2 * SIDE);
+    }
+    bmr_polygon_destroy(p, NULL);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_bracket_is_as_wide_as_the_limit_pays_for),
         cmocka_unit_test(nothing_is_lost_at_the_direction_or_the_limit_when_leaning),
         cmocka_unit_test(a_point_and_a_segment_stand_for_themselves_in_every_direction),
         cmocka_unit_test(a_chord_whose_square_underflows_makes_no_bracket_of_nothing),
+        cmocka_unit_test(edges_that_are_one_up_to_rounding_cost_a_logarithm),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
