@@ -274,8 +274,6 @@ EXPERIMENTS = [
           ["tests/bench/world_share.sh build gas --bodies 10000 --boundary periodic --shape regular --vertices 8:64 --sizes 1 --density 0.3 --seconds 1"],
           [["{root}/tests/bench/world_share.sh", "{build}", "gas", "--bodies", "10000", "--boundary", "periodic", "--shape", "regular", "--vertices", "8:64",
             "--sizes", "1", "--density", "0.3", "--seconds", "1"]]),
-    shown("repairs", "instructions and time of a repair", 300, ["tests/bench/measure_repairs.sh build/bin/bench_kds", "tests/bench/measure_repairs.sh"],
-          [["{root}/tests/bench/measure_repairs.sh", "{build}/bin/bench_kds"]]),
     counted("near", "the structures of the open question, very near", 10, NEAR, lambda run: check_lists(run, NEAR, False)),
     shown("chains", "convex chains of 32 to 4096 vertices, in long double", 1, ["build/bin/test_chain_model"], [["{build}/bin/test_chain_model"]]),
     shown("convex-paths", "parts of the bounds that convex paths use", 150, ["build/bin/test_kds_convex_paths"],
