@@ -15,7 +15,6 @@
 #include "plot_command.h"
 #include "render_command.h"
 #include "replay_command.h"
-#include "shapes_command.h"
 #include "world_command.h"
 
 namespace testbed {
@@ -31,7 +30,6 @@ struct CommandLine {
     ListCommand list;
     RunCommand run;
     CompareCommand compare;
-    ShapesCommand shapes;
     RenderCommand render;
     ReplayCommand replay;
     FiguresCommand figures;
@@ -173,9 +171,6 @@ int Answer(int argc, char **argv) {
     const CLI::App *list = AddList(app, line);
     const CLI::App *run = AddRun(app, line);
     const CLI::App *compare = AddCompare(app, line);
-    CLI::App *shapes = AddCompareShapes(app, line.shapes);
-    AddPluginOptions(*shapes, line.shapes.options.worker);
-    AddSceneOptions(*shapes, line.shapes.options.worker);
     CLI::App *render = AddRender(app, line.render);
     AddPluginSwitch(*render, line.render.plugin);
     AddPluginOptions(*render, line.render.worker);
@@ -218,7 +213,7 @@ int Answer(int argc, char **argv) {
     if (app.got_subcommand(plot))
         return Execute(line.plot);
     if (app.got_subcommand(world))
-        return Execute(line.world, line.directory);
+        return Execute(line.world);
     if (WantsManual(app))
         return Execute(line.manual, app, line.directory);
     const Workers workers(line.directory);
@@ -229,8 +224,6 @@ int Answer(int argc, char **argv) {
         status = Execute(line.run, workers);
     else if (app.got_subcommand(compare))
         status = Execute(line.compare, workers);
-    else if (app.got_subcommand(shapes))
-        status = Execute(line.shapes, workers);
     else if (app.got_subcommand(replay))
         status = Execute(line.replay, workers);
     else

@@ -14,7 +14,6 @@ void RunRecorded(const Workers &workers, const RecordRequest &request,
     WorkerRequest work;
     work.side = request.side;
     work.scene = request.scene;
-    work.gas = request.gas;
     work.steps = request.last + 1;
     work.mode = request.calls ? "count" : "hash";
     work.extra = {"--record", std::to_string(request.first) + ":" + std::to_string(request.last) + ":" +

@@ -13,7 +13,6 @@ namespace testbed {
 /// What to record.
 struct RecordRequest {
     std::string scene;
-    std::string gas; ///< a file that takes the scene's place
     Side side = Side::Plugin;
     int64_t first = 0, last = 0, every = 1;
     bool boxes = false; ///< with the boxes of the broad phase

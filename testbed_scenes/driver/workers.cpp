@@ -138,7 +138,7 @@ std::unique_ptr<Process> Workers::Start(const WorkerRequest &request, const Work
                                         Process::LineHandler onLine) const {
     std::vector<std::string> arguments = {ProgramOf(request.side).string(), "--steps",
                                           std::to_string(request.steps), "--mode", request.mode};
-    if (request.course.empty() && request.gas.empty())
+    if (request.course.empty())
         arguments.insert(arguments.begin() + 1, request.scene);
     auto add = [&arguments](const char *name, const std::string &value) {
         arguments.emplace_back(name);
@@ -146,8 +146,6 @@ std::unique_ptr<Process> Workers::Start(const WorkerRequest &request, const Work
     };
     if (!request.course.empty())
         add("--course", request.course);
-    if (!request.gas.empty())
-        add("--gas", request.gas);
     if (options.size)
         add("--size", std::to_string(*options.size));
     if (options.seed)

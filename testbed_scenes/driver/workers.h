@@ -48,7 +48,6 @@ struct WorkerRequest {
     /// --dump, --perturb, --record, --trace with their values.
     std::vector<std::string> extra = {};
     std::string course = {}; ///< a file that takes the scene's place
-    std::string gas = {};    ///< or another such file
 };
 
 /// The worker programs, and how they are started.

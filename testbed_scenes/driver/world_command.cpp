@@ -182,7 +182,7 @@ int Perform(const WorldCommand &command) {
 
 } // namespace
 
-int Execute(const WorldCommand &command, const std::string &directory) {
+int Execute(const WorldCommand &command) {
     if (command.list) {
         List();
         return kExitOk;
@@ -195,15 +195,7 @@ int Execute(const WorldCommand &command, const std::string &directory) {
         OutputFile(command.record); // before the work: it must have a place
     }
     try {
-        if (!command.peers)
-            return Perform(command);
-        OutputFile json(command.json);
-        const nlohmann::json peers = MeasurePeers(command, Workers(directory));
-        if (json.IsWanted()) {
-            json.Stream() << peers.dump(1) << '\n';
-            json.Close();
-        }
-        return kExitOk;
+        return Perform(command);
     } catch (const WorldChoiceError &error) {
         throw UsageError(error.what());
     }

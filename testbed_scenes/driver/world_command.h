@@ -25,7 +25,7 @@ struct WorldCommand {
     std::optional<std::string> shape, vertices, boundary, answer, zeno, structure;
     std::optional<double> sizes, density, speed, seconds, zenoSpeed;
     uint64_t seed = 1;
-    bool allPairs = false, check = false, audit = false, quiet = false, list = false, peers = false;
+    bool allPairs = false, check = false, audit = false, quiet = false, list = false;
     std::string growth; ///< N1,N2,..
     std::string json, csv, record;
     double rate = 30.0; ///< frames of a recording for each unit of time
@@ -35,14 +35,11 @@ struct WorldCommand {
 CLI::App *AddWorld(CLI::App &app, WorldCommand &command);
 /// What the command asks for. Throws UsageError.
 WorldChoice ChoiceFor(const WorldCommand &command);
-/// Returns the exit code: 1 if a check failed. `directory` is that of the workers, of which Box2D's is a
-/// peer.
-int Execute(const WorldCommand &command, const std::string &directory);
+/// Returns the exit code: 1 if a check failed.
+int Execute(const WorldCommand &command);
 
 /// The same density with each of these numbers of bodies, as a table: what grows, and what does not.
 std::vector<WorldFigures> MeasureGrowth(const WorldCommand &command);
-/// The same bodies by other means, in this one run, as a table.
-nlohmann::json MeasurePeers(const WorldCommand &command, const Workers &workers);
 
 } // namespace testbed
 

@@ -144,18 +144,13 @@ CLI::App *AddWorld(CLI::App &app, WorldCommand &command) {
             return text.empty() ? std::string("N1,N2,.. is wanted") : std::string();
         },
         "N1,N2,.."));
-    CLI::Option *peers = world->add_flag(
-        "--peers", command.peers,
-        "Instead of one run: all pairs, time stepping and Box2D on the same bodies, as a table");
     CLI::Option *record =
         world->add_option("--record", command.record, "Write the run into this file, to be shown");
     world->add_option("--rate", command.rate, "Frames of --record in a unit of time")
         ->needs(record)
         ->capture_default_str();
-    growth->excludes(peers)->excludes(record);
-    peers->excludes(record);
-    world->add_option("--csv", command.csv, "Write the figures into this file, one row a run")
-        ->excludes(peers);
+    growth->excludes(record);
+    world->add_option("--csv", command.csv, "Write the figures into this file, one row a run");
     world->add_option("--json", command.json, "Write the figures into this file, as JSON");
     world->add_flag("--quiet", command.quiet, "No tables");
     world->add_flag("--list", command.list, "Show the scenes, and run nothing");

@@ -11,7 +11,6 @@
 
 #include "scene.h"
 #include "scenes/course.h"
-#include "scenes/gas.h"
 #include "worker/options.h"
 #include "worker/run.h"
 
@@ -44,8 +43,6 @@ int Run(int argc, char **argv) {
         PrintList();
     else if (!options.course.empty())
         RunScene(CourseScene(options.course), options);
-    else if (!options.gas.empty())
-        RunScene(GasScene(options.gas), options);
     else
         RunScene(*FindScene(options.scene), options);
     return exitOk;

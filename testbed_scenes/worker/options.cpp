@@ -46,10 +46,10 @@ std::string ListScenes() {
 }
 
 void CheckScene(const Options &options) {
-    if (options.listJson || !options.course.empty() || !options.gas.empty())
+    if (options.listJson || !options.course.empty())
         return;
     if (options.scene.empty())
-        throw CLI::ValidationError("a SCENE, --course, --gas or --list-json is wanted");
+        throw CLI::ValidationError("a SCENE, --course or --list-json is wanted");
     const SceneInfo *scene = FindScene(options.scene);
     if (scene == nullptr) {
         std::vector<std::string> names;
@@ -85,16 +85,10 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
     app.footer(ListScenes());
     app.add_flag("--list-json", options.listJson, "Print all scenes as JSON and exit");
     CLI::Option *scene = app.add_option("scene", options.scene, "The scene")->option_text("SCENE");
-    CLI::Option *course = app.add_option("--course", options.course,
-                                         "Instead of a scene: two bodies and their poses, from a file")
-                              ->option_text("FILE")
-                              ->check(CLI::ExistingFile.description(""))
-                              ->excludes(scene);
-    app.add_option("--gas", options.gas, "Instead of a scene: elastic bodies in a box, from a file")
+    app.add_option("--course", options.course, "Instead of a scene: two bodies and their poses, from a file")
         ->option_text("FILE")
         ->check(CLI::ExistingFile.description(""))
-        ->excludes(scene)
-        ->excludes(course);
+        ->excludes(scene);
     app.add_option(
            "--mode", options.mode,
            "hash: `step I BODIES CONTACTS EVENTS`, three hashes of the raw bits, after each step\n"

@@ -19,7 +19,6 @@ struct Options {
     bool listJson = false;
     std::string scene;
     std::string course; ///< file of a course, instead of a scene
-    std::string gas;    ///< file of a gas, instead of a scene
     Mode mode = Mode::Hash;
     std::optional<int> steps, size;
     std::optional<unsigned long> seed;

@@ -88,23 +88,6 @@ test_growth_is_a_table() {
     err_has '"x" is no number of bodies'
 }
 
-test_peers_are_held_against_it() {
-    expect 0 world gas --bodies 16 --seconds 4 --peers --json "$scratch/peers.json"
-    clean
-    out_has '^kinetic +[0-9.]+ +1.00'
-    out_has '^Box2D, bullets '
-    json_is "$scratch/peers.json" ON all_pairs same_contacts
-    number "$scratch/peers.json" '>' 0 box2d fresh
-    number "$scratch/peers.json" '>' 0 box2d begins
-    # The largest step that misses nothing misses nothing; one that may miss a tenth does miss some.
-    number "$scratch/peers.json" '==' 0 steps 3 missed
-    number "$scratch/peers.json" '>' 0 steps 0 missed
-    expect 2 world cooling --peers
-    err_has 'periodic'
-    expect 2 world gas --answer 0.5 --peers
-    expect 2 world swarm --peers
-}
-
 test_a_run_is_shown() {
     expect 0 world gas --bodies 20 --seconds 1 --record "$scratch/run.txt" --rate 10 --quiet
     # A head, and frames from time 0 to 1.
@@ -174,7 +157,6 @@ gas --structure point-lazy-dudley|for points
 gas --shape sphere|--shape
 gas --zeno-speed 1|without --zeno elastic
 gas --rate 10|record
-gas --growth 10 --peers|growth
 gas --record x.txt --growth 10|growth
 cooling --bodies 3|periodic box
 WORDS

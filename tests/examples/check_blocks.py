@@ -28,7 +28,6 @@ PAGES = ["README.md", "CONTRIBUTING.md", "core/README.md", "docs/*.md", "playgro
 PLAIN = {
     "Box2D is a shared library here,": "shown", # what `boomerang try` says: tests/plugin/test_try.sh
     "Separation tests, calls per step": "shown", # `run reproduce scenes` compares it
-    "                                      step ----": "shown", # `run reproduce any-size-cost` makes it
     "step:": "shown", # a sketch
     "# A rests; B passes above it": "motions",
 }
