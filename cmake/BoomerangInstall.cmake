@@ -80,7 +80,16 @@ install(CODE "set(boomerang_root [[${PROJECT_SOURCE_DIR}]])
   set(boomerang_destination [[${CMAKE_INSTALL_DOCDIR}]])" COMPONENT documentation)
 install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/BoomerangDocumentation.cmake COMPONENT documentation)
 
-set(BOOMERANG_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where the Python module goes")
+# Debian's Python looks there below /usr, and below /usr/local in a folder with its version.
+if(NOT DEFINED BOOMERANG_PYTHON_DIR)
+  set(BOOMERANG_PYTHON_DIR lib/python3/dist-packages)
+  if(CMAKE_INSTALL_PREFIX STREQUAL "/usr/local" AND NOT BOOMERANG_PACKAGE_MAINTAINER)
+    find_package(Python3 QUIET COMPONENTS Interpreter)
+    if(Python3_FOUND)
+      set(BOOMERANG_PYTHON_DIR lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/dist-packages)
+    endif()
+  endif()
+endif()
 if(TARGET boomerang_core_shared)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/python/boomerang DESTINATION ${BOOMERANG_PYTHON_DIR} COMPONENT python
     FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE)

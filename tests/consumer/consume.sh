@@ -200,6 +200,13 @@ plain)
     plain -DCMAKE_DISABLE_FIND_PACKAGE_box2d=ON
     leaves_out boomerang::box2d box2d libbox2d-dev
     { has boomerang_core_shared && ! has boomerang_box2d && ! has boomerang; } || fail "without Box2D other targets are there"
+    # Where a plain install puts the Python module, Debian's Python looks.
+    if [ -e /etc/debian_version ] && python=$(PATH=/usr/bin command -v python3); then
+        plain -DPython3_EXECUTABLE="$python"
+        DESTDIR=$out/there cmake --install "$out" --component python >/dev/null
+        module=$(find "$out/there" -type d -name dist-packages)
+        "$python" -c 'import sys; sys.exit(sys.argv[1] not in sys.path)' "${module#"$out/there"}" || fail "Python does not look in $module"
+    fi
     # Asked for by name, it is not left out.
     ! cmake -S "$SOURCE" -B "$out.asked" -DBOOMERANG_BUILD_BOX2D=ON -DCMAKE_DISABLE_FIND_PACKAGE_box2d=ON >"$WORK/plain.txt" 2>&1 ||
         fail "what is asked for is left out without a word"

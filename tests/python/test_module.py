@@ -10,6 +10,7 @@ import re
 import subprocess
 import sys
 import unittest
+import unittest.mock
 
 import boomerang as bmr
 from boomerang import _c, analysis, kinetic
@@ -94,6 +95,11 @@ class Library(unittest.TestCase):
         done = subprocess.run([sys.executable, "-c", program], env={**environment, "LD_LIBRARY_PATH": os.environ["BOOMERANG_LIBRARY_DIR"]},
                               capture_output=True, text=True, check=False)
         self.assertRegex(done.stderr, "ImportError: libboomerang_absent.so.1 is not found .*BOOMERANG_LIBRARY_DIR")
+
+    def test_a_folder_without_the_library_is_told_what_has_it(self):
+        with unittest.mock.patch.dict(os.environ, BOOMERANG_LIBRARY_DIR="/nowhere"):
+            with self.assertRaisesRegex(ImportError, "libboomerang_kinetic.so.1 is not found .* libboomerang-kinetic1 .*libgsl-dev"):
+                _c.load("libboomerang_kinetic.so.1")
 
 
 class Asked(unittest.TestCase):

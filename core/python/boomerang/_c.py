@@ -137,19 +137,19 @@ KINETIC = {
 def load(name):
     """The shared library `name`, from the first place that has it."""
     folder = os.environ.get("BOOMERANG_LIBRARY_DIR")
-    if folder:
-        return ctypes.CDLL(str(pathlib.Path(folder) / name))
-    # PREFIX/lib/python3/dist-packages/boomerang/_c.py, and the library in PREFIX/lib or one folder below it.
+    # PREFIX/lib/pythonN/dist-packages/boomerang/_c.py, and the library in PREFIX/lib or one folder below it.
     for above in pathlib.Path(__file__).resolve().parents:
-        if above.name == "lib":
+        if above.name == "lib" and not folder:
             for found in (above / name, *sorted(above.glob(f"*/{name}"))):
                 if found.exists():
                     return ctypes.CDLL(str(found))
     try:
-        return ctypes.CDLL(name)
+        return ctypes.CDLL(str(pathlib.Path(folder) / name) if folder else name)
     except OSError as problem:
-        raise ImportError(f"{name} is not found ({problem}). It comes with Debian's package lib{name[3:].split('.')[0].replace('_', '-')} "
-                          "of Boomerang; where it lies elsewhere, set BOOMERANG_LIBRARY_DIR to its folder") from None
+        stem, _, number = name.replace("_", "-").partition(".so.")
+        needs = ", built where GSL is (libgsl-dev)" if "kinetic" in name else ""
+        raise ImportError(f"{name} is not found ({problem}). It comes with Debian's package {stem}{number} of Boomerang{needs}; where it "
+                          "lies elsewhere, set BOOMERANG_LIBRARY_DIR to its folder") from None
 
 
 def check(code, *_):
