@@ -38,6 +38,7 @@ endforeach()
 list(REMOVE_DUPLICATES directories)
 list(SORT directories ORDER DESCENDING) # what is inside comes before what it is in
 foreach(directory IN LISTS directories)
+  file(REMOVE_RECURSE "${directory}/__pycache__") # which Python makes of a module that is imported
   file(GLOB left LIST_DIRECTORIES true "${directory}/*")
   if(IS_DIRECTORY "${directory}" AND NOT left)
     message(STATUS "Removing ${directory}")

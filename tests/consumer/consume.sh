@@ -213,6 +213,10 @@ plain)
     ;;
 uninstall)
     [ -n "$(find "$prefix" -type f)" ] || fail "nothing was installed"
+    # What Python leaves beside a module that was imported goes with it.
+    while read -r module; do
+        mkdir "$module/__pycache__" && touch "$module/__pycache__/pair.pyc"
+    done < <(find "$prefix" -type d -path '*-packages/boomerang')
     with_own_manifest uninstall_from_list
     # (What is not ours stays, empty or not.)
     [ -d "$prefix/include" ] || fail "uninstall took the prefix, which is not ours"
