@@ -204,6 +204,16 @@ TEST_CASE("tiles become one outline, also where they do not quite meet, and wher
     CHECK(found.area == doctest::Approx(16 + 4).epsilon(0.003));
     CHECK(merged[0].points.size() < 50);
 
+    // A long row or column is united as fast as a square of as many: the other way round it takes minutes.
+    for (const bool row : {true, false}) {
+        tiles.clear();
+        for (int i = 0; i < 10000; ++i)
+            tiles.push_back(Drawn({row ? Box(i, 0, i + 1, 1) : Box(0, i, 1, i + 1)}));
+        REQUIRE(MergeOutlines(tiles.data(), tiles.size(), FillRule::NonZero, kSnap, &merged) == BMR_OK);
+        CHECK(Counted(merged).area == doctest::Approx(10000));
+        CHECK(merged[0].points.size() == 4);
+    }
+
     // Solids add up, whichever way their rings run, and a hole that another one covers is filled.
     const Ring square = Box(0, 0, 4, 4), back(square.rbegin(), square.rend());
     const Outline some[] = {Drawn({back, Box(1, 1, 3, 3)}), Drawn({Box(2, 0, 6, 4)}), Drawn({back})};

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "boomerang/repair.h"
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <cstdint>
 #include <new>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "clip/arrange.h"
 #include "clip/snap.h"
@@ -83,16 +86,50 @@ Outline OutlineOf(const Solid &solid, const Grid &grid) {
     return outline;
 }
 
+void Transpose(Paths *paths) {
+    for (Path &path : *paths)
+        for (repair::Place &place : path)
+            std::swap(place.X, place.Y);
+}
+
+bool AreWide(const Paths &paths) {
+    ClipperLib::cInt left = INT64_MAX, right = INT64_MIN, bottom = INT64_MAX, top = INT64_MIN;
+    for (const Path &path : paths)
+        for (const repair::Place &place : path) {
+            left = std::min(left, place.X);
+            right = std::max(right, place.X);
+            bottom = std::min(bottom, place.Y);
+            top = std::max(top, place.Y);
+        }
+    return left <= right && right - left > top - bottom;
+}
+
+/// The clipper, which goes from line to line upwards: along the longer way, where a line meets fewer edges.
+bool Unite(Paths *paths, ClipperLib::PolyFillType rule, bool *any) {
+    const bool wide = AreWide(*paths);
+    if (wide) {
+        Transpose(paths); // rings run the other way then
+        rule = rule == ClipperLib::pftPositive ? ClipperLib::pftNegative : rule;
+    }
+    ClipperLib::Clipper clipper;
+    *any = clipper.AddPaths(*paths, ClipperLib::ptSubject, true);
+    if (*any && !clipper.Execute(ClipperLib::ctUnion, *paths, rule, rule))
+        return false;
+    if (wide)
+        Transpose(paths);
+    return true;
+}
+
 /// What the paths go around by the rule, as solids.
 bmr_error Clip(Paths paths, ClipperLib::PolyFillType rule, std::vector<Solid> *solids) {
     for (int i = 0; i < kMostClips; ++i) {
-        ClipperLib::Clipper clipper;
-        if (!clipper.AddPaths(paths, ClipperLib::ptSubject, true)) { // none goes around anything
+        bool any;
+        if (!Unite(&paths, rule, &any))
+            return BMR_ERROR_CROSSING_EDGES;
+        if (!any) { // none goes around anything
             solids->clear();
             return BMR_OK;
         }
-        if (!clipper.Execute(ClipperLib::ctUnion, paths, rule, rule))
-            return BMR_ERROR_CROSSING_EDGES;
         if (!repair::Bend(&paths, kSquare) || !repair::Bend(&paths, 0.0))
             return BMR_ERROR_TOO_MANY_POINTS;
         if (repair::Arrange(paths, solids))
