@@ -120,16 +120,15 @@ static bool collide(bmr_world *w, const bmr_couple *c, double restitution, bmr_t
         }
         if (!isfinite(impulse[0]) || !isfinite(impulse[1])) // nothing moves either
             return false;
-        const double before[2] = {touch->contact.approach[0], touch->contact.approach[1]};
+        const bool two = touch->contact.count == 2;
+        const double before[2] = {touch->contact.approach[0], two ? touch->contact.approach[1] : 0.0};
         push(c, touch, 0, impulse[0], m);
-        if (touch->contact.count == 2)
+        if (two)
             push(c, touch, 1, impulse[1], m);
         bmr_touch_move(touch, m->velocity, m->spin);
         w->counts.impulses++;
         if (bounce > restitution) {
-            double kept = 0.0;
-            for (size_t p = 0; p < touch->contact.count; p++)
-                kept -= impulse[p] * before[p];
+            const double kept = -(impulse[0] * before[0] + impulse[1] * before[1]);
             w->counts.softened++;
             w->counts.softened_energy +=
                 0.5 * (bounce * bounce - restitution * restitution) / (1.0 + bounce) * kept;

@@ -361,10 +361,10 @@ TEST_CASE("a polygon whose sides turn twice around holds less than its vertices"
 }
 
 TEST_CASE("polygons whose vertices or normals were edited alone overlap where their vertices say") {
+    Tally t;
     for (int kind = 0; kind < 7; ++kind) {
         CAPTURE(kind);
         Engine engine(8);
-        Tally t;
         for (size_t i = 0; i < test_scaled(6000); ++i) {
             Pair pair = RandomPair(engine, 20.0);
             for (b2Shape *shape : {pair.a.shape.get(), pair.b.shape.get()})
@@ -374,8 +374,9 @@ TEST_CASE("polygons whose vertices or normals were edited alone overlap where th
                 MoveToTheThreshold(engine, &pair, 1e-2);
             t.Add(pair);
         }
-        t.Check();
+        t.CheckNothingWrong();
     }
+    t.Check();
 }
 
 TEST_CASE("poses that scale are left to Box2D") {

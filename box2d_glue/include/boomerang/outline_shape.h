@@ -58,9 +58,9 @@ public:
     /// Errors leave the outline as it was: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_TOO_FEW_POINTS (of a ring; or
     /// no piece has an area, as far as floats can tell), BMR_ERROR_TOO_MANY_POINTS, BMR_ERROR_NOT_FINITE,
     /// BMR_ERROR_NEGATIVE (a count or the tolerance), BMR_ERROR_OUT_OF_RANGE (a coordinate beyond 1e9, an
-    /// area that is no normal float), BMR_ERROR_CROSSING_EDGES,
-    /// BMR_ERROR_OVERLAPPING_EDGES, BMR_ERROR_HOLE_OUTSIDE (these, and rings of too few points, say in
-    /// `*fault` where), BMR_ERROR_NO_MEMORY, BMR_ERROR_UNSUPPORTED (a Box2D that the glue does not know).
+    /// area that is no normal float), BMR_ERROR_CROSSING_EDGES, BMR_ERROR_OVERLAPPING_EDGES,
+    /// BMR_ERROR_HOLE_OUTSIDE (these, and rings of too few points, say in `*fault` where),
+    /// BMR_ERROR_NO_MEMORY, BMR_ERROR_UNSUPPORTED (a Box2D that the glue does not know).
     /// About O(n log n).
     bmr_error Set(const b2Vec2 *points, int32 count, const OutlineHole *holes = nullptr, int32 holeCount = 0,
                   float tolerance = 0.0f, OutlineFault *fault = nullptr);
