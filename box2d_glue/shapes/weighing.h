@@ -12,8 +12,8 @@
 /// Inertia as Box2D can hold it. b2Body::ResetMassData adds up the inertias of the fixtures about the body's
 /// origin, in float, and takes mass times the square of the centre's distance c off the sum. The difference
 /// of two floats that are about m c^2 is a multiple of their last bit, up to 2^-23 m c^2: no inertia is held
-/// better than to half of that, whatever the fixtures say. What they can say is the float that is nearest to
-/// the right sum, with Box2D's own rounding of what it takes off.
+/// better than to half of that. The best that fixtures can report is the float that is nearest to the right
+/// sum, with Box2D's own rounding of what it takes off.
 ///
 /// That is so of fixtures that are alone on a body. When some of them go, or others come, each of them is
 /// rounded about six times, by up to 2^-24 m c^2 and one way or the other, and what is left of the inertia
@@ -28,7 +28,7 @@ inline double HeldInertia(uint32_t fixtures) {
     return 0x1p-24 * std::max(8.0, 6.0 * std::sqrt(static_cast<double>(fixtures)));
 }
 
-/// The same of what is not held: there has to be something, whatever else is on the body.
+/// Shapes report at least this part of m c^2: the difference then stays above zero beside other fixtures.
 constexpr double kSafeInertia = 0x1p-17;
 
 /// Of the right inertia: by so much what is held may be off.

@@ -15,7 +15,7 @@ namespace bmr {
 uint32_t FindReachedHooks();
 
 /// How Box2D's calls come by the hooks, in a few words; which hooks may answer there; and, where these are
-/// not all, why, for whoever is told what is at work. Not copied; until it is set there are no hooks, and
+/// not all, why: BOOMERANG_VERBOSE prints it. Not copied; until it is set there are no hooks, and
 /// contacts alone are ours.
 void SetWayOfHooks(const char *way, uint32_t hooks, const char *whyNotAll);
 const char *WayOfHooks();

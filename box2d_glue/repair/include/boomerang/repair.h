@@ -14,7 +14,7 @@
 /// C++11, no Box2D; a library of its own, boomerang::repair, on the clipper of Debian's libpolyclipping.
 ///
 ///     bmr::Outline drawn;
-///     drawn.AddRing(points, count);                        // b2Vec2, bmr_vec2: whatever has x and y
+///     drawn.AddRing(points, count);                        // b2Vec2, bmr_vec2: any type with x and y
 ///     std::vector<bmr::Outline> repaired;
 ///     if (bmr::RepairOutline(drawn, bmr::FillRule::EvenOdd, 0.01, &repaired) == BMR_OK)
 ///         for (const bmr::Outline &outline : repaired)
