@@ -7,12 +7,12 @@
 # forks of a process that has threads: the sanitizer's own locks stay locked in the child.
 stage_sanitized_tests() {
     local which=()
-    [ "$long" = yes ] || which=(--label-regex '^(unit|property|fuzz|stale)$')
+    [ "$long" = yes ] || which=(--label-regex '^(unit|property|fuzz|stale|claims|random|contracts|glue|as_stock)$')
     build_sanitizers || return 1
     rm -rf "$BMR_BUILD_DIR/profiles"
     mkdir "$BMR_BUILD_DIR/profiles"
     echo "$long" >"$BMR_BUILD_DIR/profiles/long"
     BMR_TEST_SCALE=${BMR_TEST_SCALE:-0.1} \
-        run_tests "tests (sanitizers)" --label-exclude '^(cli|browser|consumer|controls|mutation|differential)$' \
+        run_tests "tests (sanitizers)" --label-exclude '^(cli|browser|consumer|controls|mutation|differential|preloaded|front|faults|gate)$' \
         --exclude-regex '^threads_forking_' "${which[@]}"
 }
