@@ -163,12 +163,15 @@ static bmr_vec2 turn_about(const turning *t, uint32_t passed, bmr_vec2 chord) {
 }
 
 /// Does the chord from the tangent's vertex to the one `steps` (< count) on lie along the tangent? Chords
-/// turn one way, by less than half a turn: those that do are the first ones.
+/// turn one way, by less than half a turn: those that do are the first ones. The last edge must lead that
+/// way, too: next to a long chord the rounding hides edges that already lead back.
 static bool is_along(const turning *t, uint32_t steps) {
     const bmr_vec2 *v = t->polygon->vertices;
-    const bmr_vec2 chord = bmr_scale_up_if_tiny(bmr_sub(v[vertex_after(t, steps)], v[t->from.vertex]));
+    const bmr_vec2 end = v[vertex_after(t, steps)];
+    const bmr_vec2 chord = bmr_scale_up_if_tiny(bmr_sub(end, v[t->from.vertex]));
+    const bmr_vec2 edge = bmr_scale_up_if_tiny(bmr_sub(end, v[vertex_after(t, steps - 1)]));
     const double drop = -bmr_dot(chord, t->from.direction);
-    return bmr_dot(chord, t->along) > 0.0 &&
+    return bmr_dot(chord, t->along) > 0.0 && bmr_dot(edge, t->along) > 0.0 &&
            !(drop > 0.0 && drop * drop > FLAT * FLAT * bmr_dot(chord, chord));
 }
 

@@ -142,26 +142,54 @@ static bool is_unit(bmr_vec2 v) {
     return fabs(hypot(v.x, v.y) - 1.0) <= ROUNDING;
 }
 
-/// Products of lengths as short as the first edge's are 0.
-static void a_chord_whose_square_underflows_makes_no_bracket_of_nothing(void **state) {
-    (void)state;
-    const bmr_vec2 corners[] = {{0.0, 0.0}, {1e-235, 1e-240}, {-3.0, 2.0}};
-    bmr_polygon *p = NULL;
-    assert_int_equal(bmr_polygon_create(corners, 3, NULL, &p), BMR_OK);
-    assert_int_equal(p->count, 3);
-    for (int i = 0; i < 360; ++i) {
-        const bmr_vec2 d = {cos(i * PI / 180.0), sin(i * PI / 180.0)};
-        for (int lean = -1; lean <= 1; ++lean)
-            for (int count = 1; count <= 2; ++count) {
-                bmr_window w;
-                (count == 1 ? bmr_window_make_one : bmr_window_make)(p, d, support_of(p, d), 1e-3, lean, &w);
-                assert_true(is_unit(w.low) && is_unit(w.high));
-                assert_true(angle_from(w.low, d) >= -ROUNDING && angle_from(d, w.high) >= -ROUNDING);
-                const double reach = fmax(bmr_dot(w.corner[0], d), bmr_dot(w.corner[1], d));
-                assert_true(reach >= bmr_dot(p->vertices[support_of(p, d)], d) - ROUNDING);
-            }
+/// Do the corners reach as far as the polygon in every direction of the bracket?
+static bool stands_for(const bmr_window *w, const bmr_polygon *p) {
+    for (int i = 0; i <= 16; ++i) {
+        const double part = i / 16.0;
+        const bmr_vec2 d = bmr_add(bmr_scale(1.0 - part, w->low), bmr_scale(part, w->high));
+        const double reach = fmax(bmr_dot(w->corner[0], d), bmr_dot(w->corner[1], d));
+        if (!(reach >= bmr_dot(p->vertices[support_of(p, d)], d) - ROUNDING))
+            return false;
     }
-    bmr_polygon_destroy(p, NULL);
+    return true;
+}
+
+static bool is_sound(const bmr_polygon *p, bmr_vec2 d, int lean, int corners) {
+    bmr_window w;
+    (corners == 1 ? bmr_window_make_one : bmr_window_make)(p, d, support_of(p, d), 1e-3, lean, &w);
+    return is_unit(w.low) && is_unit(w.high) && angle_from(w.low, d) >= -ROUNDING &&
+           angle_from(d, w.high) >= -ROUNDING && stands_for(&w, p);
+}
+
+/// Each point is `size` large: next to an edge of length 1 the rounding hides its edges, and products of
+/// lengths as short as 1e-235 are 0.
+static void points_that_are_polygons_themselves_stand_in_the_window(void **state) {
+    (void)state;
+    test_random random = {47};
+    for (size_t round = 0; round < test_scaled(400); ++round) {
+        bmr_vec2 points[12];
+        const double size = pow(10.0, test_random_uniform(&random, -240.0, -8.0));
+        const double flat = pow(10.0, test_random_uniform(&random, -60.0, 0.0));
+        // Near the origin, where coordinates can be that small, and at another place.
+        const size_t near = 2 + test_random_below(&random, 9);
+        const bmr_vec2 far = {test_random_uniform(&random, -3.0, 3.0),
+                              test_random_uniform(&random, -3.0, 3.0)};
+        for (size_t i = 0; i < 12; ++i) {
+            const double x = size * flat * test_random_uniform(&random, -1.0, 1.0),
+                         y = size * test_random_uniform(&random, -1.0, 1.0);
+            points[i] = i < near ? bmr_vec2_make(x, y) : bmr_vec2_make(x + far.x, y + far.y);
+        }
+        bmr_polygon *p = NULL;
+        assert_int_equal(bmr_polygon_create(points, 12, NULL, &p), BMR_OK);
+        for (uint32_t i = 0; p->count > 2 && i < p->count + 36; ++i) {
+            const double angle = 10.0 * i * PI / 180.0;
+            const bmr_vec2 d =
+                i < p->count ? bmr_polygon_normal(p, i) : bmr_vec2_make(cos(angle), sin(angle));
+            for (int lean = -1; lean <= 1; ++lean)
+                assert_true(is_sound(p, d, lean, 1) && is_sound(p, d, lean, 2));
+        }
+        bmr_polygon_destroy(p, NULL);
+    }
 }
 
 /// Thousands of edges that are one up to rounding: the search for the far end of a tangent that lies along
@@ -194,7 +222,7 @@ int main(void) {
         cmocka_unit_test(a_bracket_is_as_wide_as_the_limit_pays_for),
         cmocka_unit_test(nothing_is_lost_at_the_direction_or_the_limit_when_leaning),
         cmocka_unit_test(a_point_and_a_segment_stand_for_themselves_in_every_direction),
-        cmocka_unit_test(a_chord_whose_square_underflows_makes_no_bracket_of_nothing),
+        cmocka_unit_test(points_that_are_polygons_themselves_stand_in_the_window),
         cmocka_unit_test(edges_that_are_one_up_to_rounding_cost_a_logarithm),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
