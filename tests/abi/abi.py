@@ -1,32 +1,34 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What a program that was compiled yesterday relies on, as text, and whether it still holds.
+"""What a program that was compiled with an earlier version relies on, and whether it still holds.
 
-    abi.py check ROOT LIB           compares ROOT's headers and the libraries in LIB with the committed lists; 1 where they differ
-    abi.py add ROOT LIB             writes what is new into the lists, with ROOT's version, and leaves the rest as it is
+    abi.py check ROOT LIB [WAS]     compares the libraries in LIB with the committed lists of symbols, and ROOT's headers with those in
+                                    WAS (default: those of the last version that has a tag; where none has one, with nothing); 1 where
+                                    something is gone or has changed
+    abi.py add ROOT LIB             writes new symbols into the lists, with ROOT's version, and leaves the rest as it is
     abi.py anew ROOT LIB            writes the lists from nothing: before a new major version, and never else
-    abi.py types ROOT c|cpp         prints the types alone
+    abi.py types ROOT c|cpp         prints what the headers say: constants, enumerations, records with their layout on x86-64, functions
+                                    with their types, one a line
 
-The lists, for the C libraries in core/abi and for the plugin in plugin/abi:
+The lists, for the C libraries in core/abi and for the plugin in plugin/abi: libboomerang-NAME.symbols has every symbol of
+libboomerang_NAME.so and the version that it came with, as Debian's packages have it (deb-symbols(5)). The linker's script is made
+of those of core and kinetic.
 
-    libboomerang-NAME.symbols       every symbol of libboomerang_NAME.so and the version that it came with, as Debian's packages have
-                                    it (deb-symbols(5)). The linker's script is made of those of core and kinetic
-    types.txt                       constants, enumerations, records with their layout on x86-64, functions with their types, one a line
-
-Clang reads the headers; docs/stability.md says what the lists are for.
+Clang reads the headers; docs/stability.md says what is promised.
 """
 import json
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 LIBRARIES = {"core": "core/abi", "kinetic": "core/abi", "box2d": "plugin/abi"}
-LANGUAGES = {"c": "core/abi/types.txt", "cpp": "plugin/abi/types.txt"}
 INCLUDES = {"c": ["core/include"], "cpp": ["core/include", "box2d_glue/include", "plugin/include"]}
 HEADERS = {"c": ["core/include/boomerang"], "cpp": ["box2d_glue/include/boomerang", "plugin/include/boomerang"]}
 # What core shows to libboomerang_kinetic alone, which comes from the same sources and asks for the same version.
 PRIVATE = "BOOMERANG_PRIVATE"
+REMEDY = "tests/abi/abi.py add . build/lib"
 
 
 def clang(root, language, source, *options):
@@ -155,27 +157,46 @@ def show_new(root, libraries, names, version):
         print("".join(f"{symbol}: in {file.name}; the next build shows it\n" for symbol in sorted(ours)), end="")
 
 
-def compare(what, was, now, remedy):
-    """Prints what differs; True where nothing does."""
+def compare(what, was, now, grows=False):
+    """Prints what differs. False where something is gone or has changed, and where something is new that is to be listed."""
     for line in sorted(was - now):
         print(f"GONE or changed ({what}): {line}")
     for line in sorted(now - was):
         print(f"NEW ({what}): {line}")
-    if now - was and not was - now:
-        print(f"new things are welcome; to have them kept from now on: {remedy}")
-    return was == now
+    return was <= now and (grows or was == now)
 
 
-def main():
-    if len(sys.argv) != 4 or sys.argv[1] not in ("check", "add", "anew", "types"):
-        sys.exit(__doc__)
-    action, root = sys.argv[1], pathlib.Path(sys.argv[2])
-    if action == "types":
-        print("\n".join(types(root, sys.argv[3])[0]))
-        return
-    libraries = pathlib.Path(sys.argv[3])
-    version = re.search(r"VERSION (\d+\.\d+\.\d+) LANGUAGES", (root / "CMakeLists.txt").read_text()).group(1)
-    remedy = "tests/abi/abi.py add . build/lib"
+def last_release(root, folder):
+    """Lays the headers of the last version that has a tag into `folder`. False: none has one."""
+    git = ["git", "-C", str(root)]
+    tag = subprocess.run([*git, "describe", "--tags", "--abbrev=0", "--match", "v*"], capture_output=True, text=True, check=False).stdout.strip()
+    if not tag:
+        return False
+    headers = subprocess.run([*git, "archive", tag, *INCLUDES["cpp"]], capture_output=True, check=True).stdout
+    subprocess.run(["tar", "-x", "-C", folder], input=headers, check=True)
+    return True
+
+
+def check_types(root, was):
+    """Are the headers of `was` still what they were? What is new is welcome."""
+    good = True
+    for language in HEADERS:
+        good = compare(language, set(types(was, language)[0]), set(types(root, language)[0]), grows=True) and good
+    return good
+
+
+def check_public(root, public):
+    """Each function of core's headers is in a list of symbols, and the other way round."""
+    functions = types(root, "c")[1]
+    for name in sorted(functions - public):
+        print(f"NOT SHOWN: {name} is in a public header, and in no .symbols; to have it shown: {REMEDY}")
+    for name in sorted(public - functions):
+        print(f"NOT PUBLIC: {name} is in a .symbols, and in no public header")
+    return functions == public
+
+
+def symbols(action, root, libraries, version):
+    """Compares or writes the lists: (are they as they were?, the public functions of core)."""
     good, public = True, set()
     for name, folder in LIBRARIES.items():
         library, file = libraries / f"libboomerang_{name}.so", root / folder / f"libboomerang-{name}.symbols"
@@ -183,28 +204,37 @@ def main():
             sys.exit(f"there is no {library}")
         was, now = committed(file), exported(library)
         if action == "check":
-            good = compare(file.name, set(was), now, remedy) and good
+            good = compare(file.name, set(was), now) and good
         else:
-            kept = {} if action == "anew" else was
             rest = {symbol: version + (" 1" if symbol.endswith("@" + PRIVATE) else "") for symbol in now}
-            write_symbols(file, name, {**rest, **kept})
+            write_symbols(file, name, {**rest, **({} if action == "anew" else was)})
         if name != "box2d":
             public |= {symbol.split("@")[0] for symbol in now if not symbol.endswith("@" + PRIVATE)}
-    for language, place in LANGUAGES.items():
-        file, (now, functions) = root / place, types(root, language)
-        was = file.read_text().splitlines() if file.exists() else []
-        if action == "check":
-            good = compare(place, set(was), set(now), remedy) and good
-        else:
-            file.write_text("\n".join(sorted(set(now) | (set(was) if action == "add" else set()))) + "\n")
-        if language == "c" and action == "check":
-            for name in sorted(functions - public):
-                print(f"NOT SHOWN: {name} is in a public header, and in no .symbols; to have it shown: {remedy}")
-            for name in sorted(public - functions):
-                print(f"NOT PUBLIC: {name} is in a .symbols, and in no public header")
-            good = good and functions == public
-        elif language == "c":
-            show_new(root, libraries, functions - public, version)
+    if not good:
+        print(f"to have new symbols kept from now on: {REMEDY}")
+    return good, public
+
+
+def main():
+    arguments = sys.argv[1:]
+    if len(arguments) not in (3, 4) or arguments[0] not in ("check", "add", "anew", "types") or (len(arguments) == 4) > (arguments[0] == "check"):
+        sys.exit(__doc__)
+    action, root = arguments[0], pathlib.Path(arguments[1])
+    if action == "types":
+        print("\n".join(types(root, arguments[2])[0]))
+        return
+    libraries = pathlib.Path(arguments[2])
+    version = re.search(r"VERSION (\d+\.\d+\.\d+) LANGUAGES", (root / "CMakeLists.txt").read_text()).group(1)
+    good, public = symbols(action, root, libraries, version)
+    if action != "check":
+        show_new(root, libraries, types(root, "c")[1] - public, version)
+        return
+    good = check_public(root, public) and good
+    with tempfile.TemporaryDirectory() as folder:
+        if len(arguments) == 4:
+            good = check_types(root, pathlib.Path(arguments[3])) and good
+        elif last_release(root, folder):
+            good = check_types(root, pathlib.Path(folder)) and good
     sys.exit(0 if good else 1)
 
 

@@ -3,8 +3,8 @@
 #
 #   test_abi.sh ROOT LIB
 #
-# What a program that was compiled yesterday relies on (docs/stability.md) still holds: the symbols of the shared libraries in LIB
-# and the types of the public headers are those of the committed lists.
+# What a compiled program relies on (docs/stability.md) still holds: the symbols of the shared libraries in LIB
+# are those of the committed lists, and the public headers still say what those of the last version did.
 set -u
 root=$1 lib=$2
 room=$(mktemp -d)
@@ -38,7 +38,7 @@ wrong "$headers/mass.h" 's/(#ifdef __cplusplus\n\}\n)/void bmr_new_one(void);\n$
 wrong "$room/box2d_glue/include/boomerang/box2d_glue.h" 's/struct Options \{/struct Options {\n    double beforeAll = 0;/'
 wrong "$room/core/abi/libboomerang-kinetic.symbols" 's/ bmr_fit_growth\@/ bmr_fit_growth_of_old\@BOOMERANG_1 1.0.0\n$&/'
 wrong "$room/plugin/abi/libboomerang-box2d.symbols" 's/ _ZN3bmr7InstallERKNS_7OptionsE\@[^\n]*\n//'
-if python3 "$root/tests/abi/abi.py" check "$room" "$lib" >"$room/said" 2>&1; then
+if python3 "$root/tests/abi/abi.py" check "$room" "$lib" "$root" >"$room/said" 2>&1; then
     echo "FAILED: the control: nothing is noticed"
     failed=1
 fi
@@ -48,16 +48,16 @@ while read -r pattern; do
         failed=1
     }
 done <<'PATTERNS'
-GONE or changed (core/abi/types.txt): function bmr_polygon_bytes: size_t (size_t)
+GONE or changed (c): function bmr_polygon_bytes: size_t (size_t)
 NOT PUBLIC: bmr_polygon_bytes 
-GONE or changed (core/abi/types.txt): record bmr_overlap: 56 bytes
-GONE or changed (core/abi/types.txt): record bmr_overlap 0: double depth
-GONE or changed (core/abi/types.txt): enum bmr_error BMR_ERROR_NULL_ARGUMENT = 1
-GONE or changed (core/abi/types.txt): function bmr_kds_in_contact: .*(const bmr_kds \*)
-GONE or changed (core/abi/types.txt): constant BMR_KDS_MAX_CONDITIONS = 8
-NEW (core/abi/types.txt): function bmr_new_one: void (void)
+GONE or changed (c): record bmr_overlap: 56 bytes
+GONE or changed (c): record bmr_overlap 0: double depth
+GONE or changed (c): enum bmr_error BMR_ERROR_NULL_ARGUMENT = 1
+GONE or changed (c): function bmr_kds_in_contact: .*(const bmr_kds \*)
+GONE or changed (c): constant BMR_KDS_MAX_CONDITIONS = 8
+NEW (c): function bmr_new_one: void (void)
 NOT SHOWN: bmr_new_one 
-GONE or changed (plugin/abi/types.txt): record bmr::Options: 64 bytes
+GONE or changed (cpp): record bmr::Options: 64 bytes
 GONE or changed (libboomerang-kinetic.symbols): bmr_fit_growth_of_old@BOOMERANG_1
 NEW (libboomerang-box2d.symbols): _ZN3bmr7InstallERKNS_7OptionsE@BOOMERANG_1
 PATTERNS
