@@ -6,9 +6,10 @@
 #include <stdint.h>
 
 /// @file
-/// Four floats side by side: in SSE2, in NEON on ARM64, or in plain C. No other file knows which.
+/// Four floats side by side: as gcc and clang have them for SSE2 and for NEON on ARM64, or in plain C. No
+/// other file knows which.
 ///
-/// Every operation rounds each lane once and gives the same bits in all three forms, except that a NaN may
+/// Every operation rounds each lane once and gives the same bits in all forms, except that a NaN may
 /// have another payload. tests/unit/test_float4.c compares them. So code that is written with these has the
 /// same order of operations, and the same bits, on every processor. (Compile it with -ffp-contract=off:
 /// compilers take NEON's product and sum for a * b + c, and would fuse them.)
@@ -18,15 +19,14 @@
 /// Who defines BMR_FLOAT4_PLAIN gets plain C on any processor. Where plain C is in use, BMR_FLOAT4_NATIVE is
 /// 0; some code is then faster one float after the other, and does that instead.
 
-#if defined(BMR_FLOAT4_PLAIN)
+#if defined(BMR_FLOAT4_PLAIN) || !(defined(__GNUC__) || defined(__clang__))
 #    define BMR_FLOAT4_NATIVE 0
-#elif defined(__SSE2__) || defined(_M_X64)
+#elif defined(__SSE2__)
 #    define BMR_FLOAT4_NATIVE 1
 #    define BMR_FLOAT4_SSE2
 #    include <emmintrin.h>
-#elif (defined(__aarch64__) && defined(__ARM_NEON) && !defined(__AARCH64EB__)) || defined(_M_ARM64)
+#elif defined(__aarch64__) && defined(__ARM_NEON) && !defined(__AARCH64EB__)
 #    define BMR_FLOAT4_NATIVE 1
-#    define BMR_FLOAT4_NEON
 #    include <arm_neon.h>
 #else
 #    define BMR_FLOAT4_NATIVE 0
@@ -61,51 +61,35 @@ static const int32_t lane_rows4[9][8] = {
     {-1, -1, -1, -1, -1, -1, 0, 0}, {-1, -1, -1, -1, -1, -1, -1, 0}, {-1, -1, -1, -1, -1, -1, -1, -1},
 };
 
-#if defined(BMR_FLOAT4_SSE2)
+#if BMR_FLOAT4_NATIVE
 
-typedef __m128 float4, mask4;
+typedef float float4 __attribute__((vector_size(16)));
+typedef int32_t mask4 __attribute__((vector_size(16)));
+/// The same at any address.
+typedef float float4_anywhere_ __attribute__((vector_size(16), aligned(4), may_alias));
+typedef int32_t mask4_anywhere_ __attribute__((vector_size(16), aligned(4), may_alias));
+
+/// Lanes of a (0 to 3) and of b (4 to 7).
+#    if defined(__clang__) || __GNUC__ >= 12
+#        define lanes4_(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
+#    else
+#        define lanes4_(a, b, i, j, k, l) __builtin_shuffle(a, b, (mask4){i, j, k, l})
+#    endif
 
 FLOAT4_INLINE float4 load4(const float *four) {
-    return _mm_loadu_ps(four);
+    return *(const float4_anywhere_ *)four;
 }
 /// Two floats from each place.
+#    if defined(BMR_FLOAT4_SSE2)
 FLOAT4_INLINE float4 load_pairs4(const float *low, const float *high) {
     return _mm_loadh_pi(_mm_loadl_pi(_mm_setzero_ps(), (const __m64 *)(const void *)low),
                         (const __m64 *)(const void *)high);
-}
-FLOAT4_INLINE void store4(float *four, float4 v) {
-    _mm_storeu_ps(four, v);
 }
 FLOAT4_INLINE void store_low4(float *two, float4 v) {
     _mm_storel_pi((__m64 *)(void *)two, v);
 }
 FLOAT4_INLINE void store_high4(float *two, float4 v) {
     _mm_storeh_pi((__m64 *)(void *)two, v);
-}
-FLOAT4_INLINE float4 all4(float x) {
-    return _mm_set1_ps(x);
-}
-FLOAT4_INLINE float4 of4(float a, float b, float c, float d) {
-    return _mm_setr_ps(a, b, c, d);
-}
-FLOAT4_INLINE float4 zero4(void) {
-    return _mm_setzero_ps();
-}
-FLOAT4_INLINE float first_of4(float4 v) {
-    return _mm_cvtss_f32(v);
-}
-
-FLOAT4_INLINE float4 add4(float4 a, float4 b) {
-    return _mm_add_ps(a, b);
-}
-FLOAT4_INLINE float4 sub4(float4 a, float4 b) {
-    return _mm_sub_ps(a, b);
-}
-FLOAT4_INLINE float4 mul4(float4 a, float4 b) {
-    return _mm_mul_ps(a, b);
-}
-FLOAT4_INLINE float4 div4(float4 a, float4 b) {
-    return _mm_div_ps(a, b);
 }
 FLOAT4_INLINE float4 sqrt4(float4 v) {
     return _mm_sqrt_ps(v);
@@ -121,172 +105,29 @@ FLOAT4_INLINE float4 min4(float4 a, float4 b) {
 FLOAT4_INLINE float4 max4(float4 a, float4 b) {
     return _mm_max_ps(a, b);
 }
-FLOAT4_INLINE float4 abs4(float4 v) {
-    return _mm_and_ps(v, _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff)));
-}
-/// The sign bit is turned in lanes 0 and 2; in 1 and 3; in 1 and 2; in 0 and 1.
-FLOAT4_INLINE float4 flip_even4(float4 v) {
-    return _mm_xor_ps(v, _mm_castsi128_ps(_mm_set_epi32(0, INT32_MIN, 0, INT32_MIN)));
-}
-FLOAT4_INLINE float4 flip_odd4(float4 v) {
-    return _mm_xor_ps(v, _mm_castsi128_ps(_mm_set_epi32(INT32_MIN, 0, INT32_MIN, 0)));
-}
-FLOAT4_INLINE float4 flip_inner4(float4 v) {
-    return _mm_xor_ps(v, _mm_castsi128_ps(_mm_set_epi32(0, INT32_MIN, INT32_MIN, 0)));
-}
-FLOAT4_INLINE float4 flip_low4(float4 v) {
-    return _mm_xor_ps(v, _mm_castsi128_ps(_mm_set_epi32(0, 0, INT32_MIN, INT32_MIN)));
-}
-
-/// All four lanes hold this lane (a constant).
-#    define splat4(v, lane) _mm_shuffle_ps(v, v, _MM_SHUFFLE(lane, lane, lane, lane))
-/// a's lane twice, then b's.
-#    define splat_two4(a, b, lane) _mm_shuffle_ps(a, b, _MM_SHUFFLE(lane, lane, lane, lane))
-/// 1 0 3 2
-FLOAT4_INLINE float4 swap4(float4 v) {
-    return _mm_shuffle_ps(v, v, _MM_SHUFFLE(2, 3, 0, 1));
-}
-/// 2 3 0 1
-FLOAT4_INLINE float4 exchange4(float4 v) {
-    return _mm_shuffle_ps(v, v, _MM_SHUFFLE(1, 0, 3, 2));
-}
-/// a0 a1 b0 b1
-FLOAT4_INLINE float4 lows4(float4 a, float4 b) {
-    return _mm_movelh_ps(a, b);
-}
-/// a2 a3 b2 b3
-FLOAT4_INLINE float4 highs4(float4 a, float4 b) {
-    return _mm_movehl_ps(b, a);
-}
-/// a0 a1 b2 b3
-FLOAT4_INLINE float4 low_high4(float4 a, float4 b) {
-    return _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 2, 1, 0));
-}
-/// a0 a2 b0 b2
-FLOAT4_INLINE float4 evens4(float4 a, float4 b) {
-    return _mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0));
-}
-/// a1 a3 b1 b3
-FLOAT4_INLINE float4 odds4(float4 a, float4 b) {
-    return _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1));
-}
-/// a0 b0 a1 b1
-FLOAT4_INLINE float4 zip_low4(float4 a, float4 b) {
-    return _mm_unpacklo_ps(a, b);
-}
-/// a2 b2 a3 b3
-FLOAT4_INLINE float4 zip_high4(float4 a, float4 b) {
-    return _mm_unpackhi_ps(a, b);
-}
-/// a1 a2 a3 b0
-FLOAT4_INLINE float4 slide4(float4 a, float4 b) {
-    const float4 t = _mm_move_ss(a, b);
-    return _mm_shuffle_ps(t, t, _MM_SHUFFLE(0, 3, 2, 1));
-}
-
-FLOAT4_INLINE mask4 less4(float4 a, float4 b) {
-    return _mm_cmplt_ps(a, b);
-}
-FLOAT4_INLINE mask4 at_most4(float4 a, float4 b) {
-    return _mm_cmple_ps(a, b);
-}
-FLOAT4_INLINE mask4 equal4(float4 a, float4 b) {
-    return _mm_cmpeq_ps(a, b);
-}
 /// Where either is a NaN.
 FLOAT4_INLINE mask4 unordered4(float4 a, float4 b) {
-    return _mm_cmpunord_ps(a, b);
-}
-FLOAT4_INLINE mask4 both4(mask4 a, mask4 b) {
-    return _mm_and_ps(a, b);
-}
-FLOAT4_INLINE mask4 either4(mask4 a, mask4 b) {
-    return _mm_or_ps(a, b);
+    return (mask4)_mm_cmpunord_ps(a, b);
 }
 /// Lane i is bit i.
 FLOAT4_INLINE unsigned bits4(mask4 m) {
-    return (unsigned)_mm_movemask_ps(m);
+    return (unsigned)_mm_movemask_ps((__m128)m);
 }
 FLOAT4_INLINE int any4(mask4 m) {
-    return _mm_movemask_ps(m) != 0;
+    return bits4(m) != 0;
 }
 FLOAT4_INLINE int every4(mask4 m) {
-    return _mm_movemask_ps(m) == 15;
+    return bits4(m) == 15;
 }
-/// The lanes of group `group` (0 or 1) of two that are below `count` (0 to 8), counted through both.
-FLOAT4_INLINE mask4 first_lanes4(int32_t count, int32_t group) {
-    return _mm_castsi128_ps(_mm_loadu_si128((const __m128i *)(const void *)(&lane_rows4[count][4 * group])));
-}
-FLOAT4_INLINE float4 select4(mask4 m, float4 inside, float4 outside) {
-    return _mm_or_ps(_mm_and_ps(m, inside), _mm_andnot_ps(m, outside));
-}
-/// Zero outside.
-FLOAT4_INLINE float4 keep4(mask4 m, float4 v) {
-    return _mm_and_ps(m, v);
-}
-
-/// The least of all lanes: of 0 and 2 and of 1 and 3, then of these. The same of min4 and max4 elsewhere.
-FLOAT4_INLINE float least_of4(float4 v) {
-    const float4 two = _mm_min_ps(v, _mm_movehl_ps(v, v));
-    return _mm_cvtss_f32(_mm_min_ss(two, splat4(two, 1)));
-}
-FLOAT4_INLINE float most_of4(float4 v) {
-    const float4 two = _mm_max_ps(v, _mm_movehl_ps(v, v));
-    return _mm_cvtss_f32(_mm_max_ss(two, splat4(two, 1)));
-}
-/// Lane 0 and 1; and of all lanes: 0 and 2, 1 and 3, then both.
-FLOAT4_INLINE float sum_of_first4(float4 v) {
-    return _mm_cvtss_f32(_mm_add_ss(v, splat4(v, 1)));
-}
-FLOAT4_INLINE float sum_of4(float4 v) {
-    return sum_of_first4(_mm_add_ps(v, _mm_movehl_ps(v, v)));
-}
-
-#elif defined(BMR_FLOAT4_NEON)
-
-typedef float32x4_t float4;
-typedef uint32x4_t mask4;
-
-FLOAT4_INLINE float4 load4(const float *four) {
-    return vld1q_f32(four);
-}
+#    else
 FLOAT4_INLINE float4 load_pairs4(const float *low, const float *high) {
     return vcombine_f32(vld1_f32(low), vld1_f32(high));
-}
-FLOAT4_INLINE void store4(float *four, float4 v) {
-    vst1q_f32(four, v);
 }
 FLOAT4_INLINE void store_low4(float *two, float4 v) {
     vst1_f32(two, vget_low_f32(v));
 }
 FLOAT4_INLINE void store_high4(float *two, float4 v) {
     vst1_f32(two, vget_high_f32(v));
-}
-FLOAT4_INLINE float4 all4(float x) {
-    return vdupq_n_f32(x);
-}
-FLOAT4_INLINE float4 of4(float a, float b, float c, float d) {
-    const float four[4] = {a, b, c, d};
-    return vld1q_f32(four);
-}
-FLOAT4_INLINE float4 zero4(void) {
-    return vdupq_n_f32(0.0f);
-}
-FLOAT4_INLINE float first_of4(float4 v) {
-    return vgetq_lane_f32(v, 0);
-}
-
-FLOAT4_INLINE float4 add4(float4 a, float4 b) {
-    return vaddq_f32(a, b);
-}
-FLOAT4_INLINE float4 sub4(float4 a, float4 b) {
-    return vsubq_f32(a, b);
-}
-FLOAT4_INLINE float4 mul4(float4 a, float4 b) {
-    return vmulq_f32(a, b);
-}
-FLOAT4_INLINE float4 div4(float4 a, float4 b) {
-    return vdivq_f32(a, b);
 }
 FLOAT4_INLINE float4 sqrt4(float4 v) {
     return vsqrtq_f32(v);
@@ -296,100 +137,145 @@ FLOAT4_INLINE float root_of4(float x) {
 }
 // (vminq and vmaxq give a NaN where there is one, and order the zeros.)
 FLOAT4_INLINE float4 min4(float4 a, float4 b) {
-    return vbslq_f32(vcltq_f32(a, b), a, b);
+    return vbslq_f32((uint32x4_t)(a < b), a, b);
 }
 FLOAT4_INLINE float4 max4(float4 a, float4 b) {
-    return vbslq_f32(vcgtq_f32(a, b), a, b);
-}
-FLOAT4_INLINE float4 abs4(float4 v) {
-    return vabsq_f32(v);
-}
-FLOAT4_INLINE float4 flip_by4_(float4 v, uint64_t low, uint64_t high) {
-    const uint64x2_t signs = vcombine_u64(vcreate_u64(low), vcreate_u64(high));
-    return vreinterpretq_f32_u64(veorq_u64(vreinterpretq_u64_f32(v), signs));
-}
-FLOAT4_INLINE float4 flip_even4(float4 v) {
-    return flip_by4_(v, 0x80000000u, 0x80000000u);
-}
-FLOAT4_INLINE float4 flip_odd4(float4 v) {
-    return flip_by4_(v, (uint64_t)0x80000000u << 32, (uint64_t)0x80000000u << 32);
-}
-FLOAT4_INLINE float4 flip_inner4(float4 v) {
-    return flip_by4_(v, (uint64_t)0x80000000u << 32, 0x80000000u);
-}
-FLOAT4_INLINE float4 flip_low4(float4 v) {
-    return flip_by4_(v, 0x8000000080000000u, 0);
-}
-
-#    define splat4(v, lane) vdupq_laneq_f32(v, lane)
-#    define splat_two4(a, b, lane) vcombine_f32(vdup_laneq_f32(a, lane), vdup_laneq_f32(b, lane))
-FLOAT4_INLINE float4 swap4(float4 v) {
-    return vrev64q_f32(v);
-}
-FLOAT4_INLINE float4 exchange4(float4 v) {
-    return vextq_f32(v, v, 2);
-}
-FLOAT4_INLINE float4 lows4(float4 a, float4 b) {
-    return vcombine_f32(vget_low_f32(a), vget_low_f32(b));
-}
-FLOAT4_INLINE float4 highs4(float4 a, float4 b) {
-    return vcombine_f32(vget_high_f32(a), vget_high_f32(b));
-}
-FLOAT4_INLINE float4 low_high4(float4 a, float4 b) {
-    return vcombine_f32(vget_low_f32(a), vget_high_f32(b));
-}
-FLOAT4_INLINE float4 evens4(float4 a, float4 b) {
-    return vuzp1q_f32(a, b);
-}
-FLOAT4_INLINE float4 odds4(float4 a, float4 b) {
-    return vuzp2q_f32(a, b);
-}
-FLOAT4_INLINE float4 zip_low4(float4 a, float4 b) {
-    return vzip1q_f32(a, b);
-}
-FLOAT4_INLINE float4 zip_high4(float4 a, float4 b) {
-    return vzip2q_f32(a, b);
-}
-FLOAT4_INLINE float4 slide4(float4 a, float4 b) {
-    return vextq_f32(a, b, 1);
-}
-
-FLOAT4_INLINE mask4 less4(float4 a, float4 b) {
-    return vcltq_f32(a, b);
-}
-FLOAT4_INLINE mask4 at_most4(float4 a, float4 b) {
-    return vcleq_f32(a, b);
-}
-FLOAT4_INLINE mask4 equal4(float4 a, float4 b) {
-    return vceqq_f32(a, b);
-}
-FLOAT4_INLINE mask4 both4(mask4 a, mask4 b) {
-    return vandq_u32(a, b);
-}
-FLOAT4_INLINE mask4 either4(mask4 a, mask4 b) {
-    return vorrq_u32(a, b);
+    return vbslq_f32((uint32x4_t)(a > b), a, b);
 }
 FLOAT4_INLINE mask4 unordered4(float4 a, float4 b) {
-    return vmvnq_u32(vandq_u32(vceqq_f32(a, a), vceqq_f32(b, b)));
+    return (a != a) | (b != b);
 }
 FLOAT4_INLINE unsigned bits4(mask4 m) {
     static const uint32_t weights[4] = {1, 2, 4, 8};
-    return vaddvq_u32(vandq_u32(m, vld1q_u32(weights)));
+    return vaddvq_u32(vandq_u32((uint32x4_t)m, vld1q_u32(weights)));
 }
 FLOAT4_INLINE int any4(mask4 m) {
-    return vmaxvq_u32(m) != 0;
+    return vmaxvq_u32((uint32x4_t)m) != 0;
 }
 FLOAT4_INLINE int every4(mask4 m) {
-    return vminvq_u32(m) != 0;
+    return vminvq_u32((uint32x4_t)m) != 0;
 }
+#    endif
+FLOAT4_INLINE void store4(float *four, float4 v) {
+    *(float4_anywhere_ *)four = v;
+}
+FLOAT4_INLINE float4 of4(float a, float b, float c, float d) {
+    const float4 r = {a, b, c, d};
+    return r;
+}
+FLOAT4_INLINE float4 all4(float x) {
+    return of4(x, x, x, x);
+}
+FLOAT4_INLINE float4 zero4(void) {
+    return all4(0.0f);
+}
+FLOAT4_INLINE float first_of4(float4 v) {
+    return v[0];
+}
+
+FLOAT4_INLINE float4 add4(float4 a, float4 b) {
+    return a + b;
+}
+FLOAT4_INLINE float4 sub4(float4 a, float4 b) {
+    return a - b;
+}
+FLOAT4_INLINE float4 mul4(float4 a, float4 b) {
+    return a * b;
+}
+FLOAT4_INLINE float4 div4(float4 a, float4 b) {
+    return a / b;
+}
+FLOAT4_INLINE float4 abs4(float4 v) {
+    return (float4)((mask4)v & 0x7fffffff);
+}
+/// The sign bit is turned in lanes 0 and 2; in 1 and 3; in 1 and 2; in 0 and 1.
+FLOAT4_INLINE float4 flip_even4(float4 v) {
+    const mask4 signs = {INT32_MIN, 0, INT32_MIN, 0};
+    return (float4)((mask4)v ^ signs);
+}
+FLOAT4_INLINE float4 flip_odd4(float4 v) {
+    const mask4 signs = {0, INT32_MIN, 0, INT32_MIN};
+    return (float4)((mask4)v ^ signs);
+}
+FLOAT4_INLINE float4 flip_inner4(float4 v) {
+    const mask4 signs = {0, INT32_MIN, INT32_MIN, 0};
+    return (float4)((mask4)v ^ signs);
+}
+FLOAT4_INLINE float4 flip_low4(float4 v) {
+    const mask4 signs = {INT32_MIN, INT32_MIN, 0, 0};
+    return (float4)((mask4)v ^ signs);
+}
+
+/// All four lanes hold this lane (a constant).
+#    define splat4(v, lane) lanes4_(v, v, lane, lane, lane, lane)
+/// a's lane twice, then b's.
+#    define splat_two4(a, b, lane) lanes4_(a, b, lane, lane, (lane) + 4, (lane) + 4)
+/// 1 0 3 2
+FLOAT4_INLINE float4 swap4(float4 v) {
+    return lanes4_(v, v, 1, 0, 3, 2);
+}
+/// 2 3 0 1
+FLOAT4_INLINE float4 exchange4(float4 v) {
+    return lanes4_(v, v, 2, 3, 0, 1);
+}
+/// a0 a1 b0 b1
+FLOAT4_INLINE float4 lows4(float4 a, float4 b) {
+    return lanes4_(a, b, 0, 1, 4, 5);
+}
+/// a2 a3 b2 b3
+FLOAT4_INLINE float4 highs4(float4 a, float4 b) {
+    return lanes4_(a, b, 2, 3, 6, 7);
+}
+/// a0 a1 b2 b3
+FLOAT4_INLINE float4 low_high4(float4 a, float4 b) {
+    return lanes4_(a, b, 0, 1, 6, 7);
+}
+/// a0 a2 b0 b2
+FLOAT4_INLINE float4 evens4(float4 a, float4 b) {
+    return lanes4_(a, b, 0, 2, 4, 6);
+}
+/// a1 a3 b1 b3
+FLOAT4_INLINE float4 odds4(float4 a, float4 b) {
+    return lanes4_(a, b, 1, 3, 5, 7);
+}
+/// a0 b0 a1 b1
+FLOAT4_INLINE float4 zip_low4(float4 a, float4 b) {
+    return lanes4_(a, b, 0, 4, 1, 5);
+}
+/// a2 b2 a3 b3
+FLOAT4_INLINE float4 zip_high4(float4 a, float4 b) {
+    return lanes4_(a, b, 2, 6, 3, 7);
+}
+/// a1 a2 a3 b0
+FLOAT4_INLINE float4 slide4(float4 a, float4 b) {
+    return lanes4_(a, b, 1, 2, 3, 4);
+}
+
+FLOAT4_INLINE mask4 less4(float4 a, float4 b) {
+    return a < b;
+}
+FLOAT4_INLINE mask4 at_most4(float4 a, float4 b) {
+    return a <= b;
+}
+FLOAT4_INLINE mask4 equal4(float4 a, float4 b) {
+    return a == b;
+}
+FLOAT4_INLINE mask4 both4(mask4 a, mask4 b) {
+    return a & b;
+}
+FLOAT4_INLINE mask4 either4(mask4 a, mask4 b) {
+    return a | b;
+}
+/// The lanes of group `group` (0 or 1) of two that are below `count` (0 to 8), counted through both.
 FLOAT4_INLINE mask4 first_lanes4(int32_t count, int32_t group) {
-    return vreinterpretq_u32_s32(vld1q_s32(&lane_rows4[count][4 * group]));
+    return *(const mask4_anywhere_ *)&lane_rows4[count][4 * group];
 }
 FLOAT4_INLINE float4 select4(mask4 m, float4 inside, float4 outside) {
-    return vbslq_f32(m, inside, outside);
+    return (float4)((m & (mask4)inside) | (~m & (mask4)outside));
 }
+/// Zero outside.
 FLOAT4_INLINE float4 keep4(mask4 m, float4 v) {
-    return vreinterpretq_f32_u32(vandq_u32(m, vreinterpretq_u32_f32(v)));
+    return (float4)(m & (mask4)v);
 }
 
 #else
@@ -571,8 +457,7 @@ FLOAT4_INLINE float4 keep4(mask4 m, float4 v) {
 
 #endif
 
-#if !defined(BMR_FLOAT4_SSE2)
-
+/// The least of all lanes: of 0 and 2 and of 1 and 3, then of these.
 FLOAT4_INLINE float least_of4(float4 v) {
     const float4 two = min4(v, highs4(v, v));
     return first_of4(min4(two, splat4(two, 1)));
@@ -581,13 +466,12 @@ FLOAT4_INLINE float most_of4(float4 v) {
     const float4 two = max4(v, highs4(v, v));
     return first_of4(max4(two, splat4(two, 1)));
 }
+/// Lane 0 and 1; and of all lanes: 0 and 2, 1 and 3, then both.
 FLOAT4_INLINE float sum_of_first4(float4 v) {
     return first_of4(add4(v, splat4(v, 1)));
 }
 FLOAT4_INLINE float sum_of4(float4 v) {
     return sum_of_first4(add4(v, highs4(v, v)));
 }
-
-#endif
 
 #endif
