@@ -454,31 +454,15 @@ static const cell_class implicit_cell = CELL_CLASS(NULL, false),
                         compass_tiling = CELL_CLASS(compass_tiling_bytes, true),
                         dudley_tiling = CELL_CLASS(dudley_tiling_bytes, true);
 
-const bmr_kds_info bmr_kds_active_cell_compass = {"active-cell-compass",
-                                                  "Active cell of the mixed hierarchy, compass",
-                                                  "4, 5 (two polygons, rigid motion)",
-                                                  BMR_KDS_RIGID,
-                                                  BMR_KDS_CONTROL,
-                                                  BMR_HIERARCHY_COMPASS,
-                                                  &implicit_cell};
-const bmr_kds_info bmr_kds_active_cell_dudley = {"active-cell-dudley",
-                                                 "Active cell of the mixed hierarchy, Dudley",
-                                                 "4, 5 (two polygons, rigid motion)",
-                                                 BMR_KDS_RIGID,
-                                                 BMR_KDS_CONTROL,
-                                                 BMR_HIERARCHY_DUDLEY,
-                                                 &implicit_cell};
-const bmr_kds_info bmr_kds_tiling_compass = {"tiling-compass",
-                                             "The whole mixed hierarchy as a tiling, compass",
-                                             "4 (if we are willing to construct it)",
-                                             BMR_KDS_TRANSLATION,
-                                             BMR_KDS_CONTROL,
-                                             BMR_HIERARCHY_COMPASS,
-                                             &compass_tiling};
-const bmr_kds_info bmr_kds_tiling_dudley = {"tiling-dudley",
-                                            "The whole mixed hierarchy as a tiling, Dudley",
-                                            "4 (if we are willing to construct it)",
-                                            BMR_KDS_TRANSLATION,
-                                            BMR_KDS_CONTROL,
-                                            BMR_HIERARCHY_DUDLEY,
-                                            &dudley_tiling};
+BMR_KDS_INFO(active_cell_compass, "active-cell-compass", "Active cell of the mixed hierarchy, compass",
+             "4, 5 (two polygons, rigid motion)", BMR_KDS_RIGID, BMR_KDS_CONTROL, BMR_HIERARCHY_COMPASS,
+             &implicit_cell);
+BMR_KDS_INFO(active_cell_dudley, "active-cell-dudley", "Active cell of the mixed hierarchy, Dudley",
+             "4, 5 (two polygons, rigid motion)", BMR_KDS_RIGID, BMR_KDS_CONTROL, BMR_HIERARCHY_DUDLEY,
+             &implicit_cell);
+BMR_KDS_INFO(tiling_compass, "tiling-compass", "The whole mixed hierarchy as a tiling, compass",
+             "4 (if we are willing to construct it)", BMR_KDS_TRANSLATION, BMR_KDS_CONTROL,
+             BMR_HIERARCHY_COMPASS, &compass_tiling);
+BMR_KDS_INFO(tiling_dudley, "tiling-dudley", "The whole mixed hierarchy as a tiling, Dudley",
+             "4 (if we are willing to construct it)", BMR_KDS_TRANSLATION, BMR_KDS_CONTROL,
+             BMR_HIERARCHY_DUDLEY, &dudley_tiling);

@@ -63,10 +63,6 @@ static const bmr_kds_class implementation = {.state_bytes = sizeof(closest_featu
                                              .proof = proof,
                                              .audit = audit};
 
-const bmr_kds_info bmr_kds_closest_features = {.name = "closest-features",
-                                               .title = "rival: closest pair of features",
-                                               .section = "5, introduction",
-                                               .domain = BMR_KDS_RIGID,
-                                               .role = BMR_KDS_RIVAL,
-                                               .hierarchy = -1,
-                                               .implementation = &implementation};
+BMR_KDS_INFO(closest_features, .name = "closest-features", .title = "rival: closest pair of features",
+             .section = "5, introduction", .domain = BMR_KDS_RIGID, .role = BMR_KDS_RIVAL, .hierarchy = -1,
+             .implementation = &implementation);

@@ -42,14 +42,6 @@ static free_state *state_of(bmr_kds *kds) {
     return (free_state *)(void *)kds->state;
 }
 
-static const free_state *constant_state_of(const bmr_kds *kds) {
-    return (const free_state *)(const void *)kds->state;
-}
-
-static int sign(double x) {
-    return (x > 0.0) - (x < 0.0);
-}
-
 /// A window for the line as it stands.
 static void make_window(bmr_windowed_line *w, const free_class *class, const bmr_kds *kds,
                         const bmr_pose *pose, int spin, double gap) {
@@ -108,7 +100,7 @@ static bool select_line(bmr_kds *kds, const bmr_instant *now, const bmr_vec2 *be
 
 static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
     free_state *s = state_of(kds);
-    s->spin = (int8_t)sign(now->spin);
+    s->spin = (int8_t)bmr_sign(now->spin);
     s->lean = (bmr_lean){0, 0};
     (void)report;
     return select_line(kds, now, NULL);
@@ -122,7 +114,7 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     if (!failure.crossed && failure.rolled == 0)
         return true; // NONE
     if (now->spin != 0.0)
-        s->spin = (int8_t)sign(now->spin);
+        s->spin = (int8_t)bmr_sign(now->spin);
     else if (failure.rolled != 0)
         s->spin = (int8_t)(old.owner == 0 ? -failure.rolled : failure.rolled);
     report->kind = failure.crossed ? BMR_KDS_PUSH : BMR_KDS_ROLL;
@@ -139,28 +131,8 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     return true;
 }
 
-static size_t conditions(const bmr_kds *kds, bmr_condition *out) {
-    return bmr_windowed_conditions(&constant_state_of(kds)->now, kds->def.margin, out);
-}
-
-static void proof(const bmr_kds *kds, bmr_kds_proof *out) {
-    bmr_windowed_proof(&constant_state_of(kds)->now, out);
-}
-
-static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
-    return bmr_windowed_audit(&constant_state_of(kds)->now, kds, b_in_a);
-}
-
 #define FREE_CLASS(corners, part, leans)                                                                     \
-    {                                                                                                        \
-        {.state_bytes = sizeof(free_state),                                                                  \
-         .start = start,                                                                                     \
-         .conditions = conditions,                                                                           \
-         .repair = repair,                                                                                   \
-         .proof = proof,                                                                                     \
-         .audit = audit},                                                                                    \
-            corners, part, leans                                                                             \
-    }
+    { {BMR_WINDOWED_CLASS(free_state, start, repair)}, corners, part, leans }
 static const free_class fd1 = FREE_CLASS(1, 0.5, false), fd2 = FREE_CLASS(2, 0.3, false),
                         fdx = FREE_CLASS(0, 0.0, false), fdxa = FREE_CLASS(0, 0.0, true);
 
@@ -169,19 +141,11 @@ void bmr_free_direction_lay(const bmr_kds *kds, const bmr_instant *now, bmr_vec2
     lay(&fd2, kds, now, direction, gap, spin, support, line);
 }
 
-const bmr_kds_info bmr_kds_free_fd1 = {
-    "free-fd1", "Free direction, one corner", "7, the open question", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1,
-    &fd1};
-const bmr_kds_info bmr_kds_free_fd2 = {
-    "free-fd2", "Free direction, two corners", "7, the open question", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1,
-    &fd2};
-const bmr_kds_info bmr_kds_free_fdx = {
-    "free-fdx", "Free direction, exact support", "beyond the paper", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1,
-    &fdx};
-const bmr_kds_info bmr_kds_free_fdxa = {"free-fdxa",
-                                        "Free direction, exact support, leaning ahead",
-                                        "beyond the paper",
-                                        BMR_KDS_RIGID,
-                                        BMR_KDS_CONTROL,
-                                        -1,
-                                        &fdxa};
+BMR_KDS_INFO(free_fd1, "free-fd1", "Free direction, one corner", "7, the open question", BMR_KDS_RIGID,
+             BMR_KDS_CONTROL, -1, &fd1);
+BMR_KDS_INFO(free_fd2, "free-fd2", "Free direction, two corners", "7, the open question", BMR_KDS_RIGID,
+             BMR_KDS_CONTROL, -1, &fd2);
+BMR_KDS_INFO(free_fdx, "free-fdx", "Free direction, exact support", "beyond the paper", BMR_KDS_RIGID,
+             BMR_KDS_CONTROL, -1, &fdx);
+BMR_KDS_INFO(free_fdxa, "free-fdxa", "Free direction, exact support, leaning ahead", "beyond the paper",
+             BMR_KDS_RIGID, BMR_KDS_CONTROL, -1, &fdxa);

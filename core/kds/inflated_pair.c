@@ -205,50 +205,15 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     return true;
 }
 
-static size_t conditions(const bmr_kds *kds, bmr_condition *out) {
-    return bmr_windowed_conditions(&constant_state_of(kds)->now, kds->def.margin, out);
-}
-
-static void proof(const bmr_kds *kds, bmr_kds_proof *out) {
-    bmr_windowed_proof(&constant_state_of(kds)->now, out);
-}
-
-static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
-    return bmr_windowed_audit(&constant_state_of(kds)->now, kds, b_in_a);
-}
-
 #define INFLATED_CLASS(window)                                                                               \
-    {                                                                                                        \
-        {.state_bytes = sizeof(inflated_state),                                                              \
-         .prepare = prepare,                                                                                 \
-         .start = start,                                                                                     \
-         .conditions = conditions,                                                                           \
-         .repair = repair,                                                                                   \
-         .proof = proof,                                                                                     \
-         .audit = audit},                                                                                    \
-            window                                                                                           \
-    }
+    { {BMR_WINDOWED_CLASS(inflated_state, start, repair), .prepare = prepare}, window }
 static const inflated_class translation = INFLATED_CLASS(WINDOW_FIXED), window = INFLATED_CLASS(WINDOW_THREE),
                             no_window = INFLATED_CLASS(WINDOW_CORNER);
 
-const bmr_kds_info bmr_kds_inflated_translation = {"inflated-translation",
-                                                   "Inflated compass, translational hysteresis",
-                                                   "6",
-                                                   BMR_KDS_TRANSLATION,
-                                                   BMR_KDS_RECOMMENDED,
-                                                   BMR_HIERARCHY_COMPASS,
-                                                   &translation};
-const bmr_kds_info bmr_kds_inflated_window = {"inflated-window",
-                                              "Inflated compass, three-vertex window",
-                                              "6, rotational hysteresis",
-                                              BMR_KDS_RIGID,
-                                              BMR_KDS_RECOMMENDED,
-                                              BMR_HIERARCHY_COMPASS,
-                                              &window};
-const bmr_kds_info bmr_kds_inflated_nowindow = {"inflated-nowindow",
-                                                "Inflated compass, no window",
-                                                "the control of section 6's rotational hysteresis",
-                                                BMR_KDS_RIGID,
-                                                BMR_KDS_CONTROL,
-                                                BMR_HIERARCHY_COMPASS,
-                                                &no_window};
+BMR_KDS_INFO(inflated_translation, "inflated-translation", "Inflated compass, translational hysteresis", "6",
+             BMR_KDS_TRANSLATION, BMR_KDS_RECOMMENDED, BMR_HIERARCHY_COMPASS, &translation);
+BMR_KDS_INFO(inflated_window, "inflated-window", "Inflated compass, three-vertex window",
+             "6, rotational hysteresis", BMR_KDS_RIGID, BMR_KDS_RECOMMENDED, BMR_HIERARCHY_COMPASS, &window);
+BMR_KDS_INFO(inflated_nowindow, "inflated-nowindow", "Inflated compass, no window",
+             "the control of section 6's rotational hysteresis", BMR_KDS_RIGID, BMR_KDS_CONTROL,
+             BMR_HIERARCHY_COMPASS, &no_window);

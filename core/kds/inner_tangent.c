@@ -309,10 +309,6 @@ static const bmr_kds_class implementation = {.state_bytes = sizeof(inner_tangent
                                              .proof = proof,
                                              .audit = audit};
 
-const bmr_kds_info bmr_kds_inner_tangent = {.name = "inner-tangent",
-                                            .title = "rival: inner common tangent",
-                                            .section = "5, introduction",
-                                            .domain = BMR_KDS_RIGID,
-                                            .role = BMR_KDS_RIVAL,
-                                            .hierarchy = -1,
-                                            .implementation = &implementation};
+BMR_KDS_INFO(inner_tangent, .name = "inner-tangent", .title = "rival: inner common tangent",
+             .section = "5, introduction", .domain = BMR_KDS_RIGID, .role = BMR_KDS_RIVAL, .hierarchy = -1,
+             .implementation = &implementation);

@@ -105,10 +105,6 @@ static const bmr_kds_class by_cell = {.state_bytes = sizeof(bmr_point_state),
                                       .repair = repair,
                                       .proof = bmr_point_proof};
 
-const bmr_kds_info bmr_kds_point_complex = {"point-complex",
-                                            "point: inflated cell complex, compass",
-                                            "6, complex of triangles and trapezoids",
-                                            BMR_KDS_POINT,
-                                            BMR_KDS_CONTROL,
-                                            BMR_HIERARCHY_COMPASS,
-                                            &by_cell};
+BMR_KDS_INFO(point_complex, "point-complex", "point: inflated cell complex, compass",
+             "6, complex of triangles and trapezoids", BMR_KDS_POINT, BMR_KDS_CONTROL, BMR_HIERARCHY_COMPASS,
+             &by_cell);

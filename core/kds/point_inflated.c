@@ -194,24 +194,10 @@ static const bmr_kds_class by_slack = {.state_bytes = sizeof(bmr_point_state),
                                        .repair = slack_repair,
                                        .proof = bmr_point_proof};
 
-const bmr_kds_info bmr_kds_point_inflated_compass = {"point-inflated-compass",
-                                                     "point: inflated, entry of the old line, compass",
-                                                     "6, breakpoints on the fly",
-                                                     BMR_KDS_POINT,
-                                                     BMR_KDS_CONTROL,
-                                                     BMR_HIERARCHY_COMPASS,
-                                                     &by_old_line};
-const bmr_kds_info bmr_kds_point_inflated_dudley = {"point-inflated-dudley",
-                                                    "point: inflated, entry of the old line, Dudley",
-                                                    "6, breakpoints on the fly",
-                                                    BMR_KDS_POINT,
-                                                    BMR_KDS_CONTROL,
-                                                    BMR_HIERARCHY_DUDLEY,
-                                                    &by_old_line};
-const bmr_kds_info bmr_kds_point_inflated_slack = {"point-inflated-slack",
-                                                   "point: inflated, most slack, compass",
-                                                   "6, edge of most slack",
-                                                   BMR_KDS_POINT,
-                                                   BMR_KDS_RECOMMENDED,
-                                                   BMR_HIERARCHY_COMPASS,
-                                                   &by_slack};
+BMR_KDS_INFO(point_inflated_compass, "point-inflated-compass",
+             "point: inflated, entry of the old line, compass", "6, breakpoints on the fly", BMR_KDS_POINT,
+             BMR_KDS_CONTROL, BMR_HIERARCHY_COMPASS, &by_old_line);
+BMR_KDS_INFO(point_inflated_dudley, "point-inflated-dudley", "point: inflated, entry of the old line, Dudley",
+             "6, breakpoints on the fly", BMR_KDS_POINT, BMR_KDS_CONTROL, BMR_HIERARCHY_DUDLEY, &by_old_line);
+BMR_KDS_INFO(point_inflated_slack, "point-inflated-slack", "point: inflated, most slack, compass",
+             "6, edge of most slack", BMR_KDS_POINT, BMR_KDS_RECOMMENDED, BMR_HIERARCHY_COMPASS, &by_slack);

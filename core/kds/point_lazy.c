@@ -79,24 +79,12 @@ static const bmr_kds_class lazy = {.state_bytes = sizeof(bmr_point_state),
                                    .repair = bmr_point_lazy_repair,
                                    .proof = bmr_point_proof};
 
-const bmr_kds_info bmr_kds_point_lazy_compass = {"point-lazy-compass",
-                                                 "point: separating edge, compass",
-                                                 "5, one point, one polygon (lazy)",
-                                                 BMR_KDS_POINT,
-                                                 BMR_KDS_CONTROL,
-                                                 BMR_HIERARCHY_COMPASS,
-                                                 &lazy};
-const bmr_kds_info bmr_kds_point_lazy_dudley = {"point-lazy-dudley",
-                                                "point: separating edge, Dudley",
-                                                "5, one point, one polygon (lazy)",
-                                                BMR_KDS_POINT,
-                                                BMR_KDS_RECOMMENDED,
-                                                BMR_HIERARCHY_DUDLEY,
-                                                &lazy};
-const bmr_kds_info bmr_kds_point_lazy_dobkin_kirkpatrick = {"point-lazy-dobkin-kirkpatrick",
-                                                            "point: separating edge, Dobkin-Kirkpatrick",
-                                                            "5, one point, one polygon (lazy)",
-                                                            BMR_KDS_POINT,
-                                                            BMR_KDS_CONTROL,
-                                                            BMR_HIERARCHY_DOBKIN_KIRKPATRICK,
-                                                            &lazy};
+BMR_KDS_INFO(point_lazy_compass, "point-lazy-compass", "point: separating edge, compass",
+             "5, one point, one polygon (lazy)", BMR_KDS_POINT, BMR_KDS_CONTROL, BMR_HIERARCHY_COMPASS,
+             &lazy);
+BMR_KDS_INFO(point_lazy_dudley, "point-lazy-dudley", "point: separating edge, Dudley",
+             "5, one point, one polygon (lazy)", BMR_KDS_POINT, BMR_KDS_RECOMMENDED, BMR_HIERARCHY_DUDLEY,
+             &lazy);
+BMR_KDS_INFO(point_lazy_dobkin_kirkpatrick, "point-lazy-dobkin-kirkpatrick",
+             "point: separating edge, Dobkin-Kirkpatrick", "5, one point, one polygon (lazy)", BMR_KDS_POINT,
+             BMR_KDS_CONTROL, BMR_HIERARCHY_DOBKIN_KIRKPATRICK, &lazy);

@@ -178,31 +178,15 @@ static const bmr_kds_class by_bisection_dudley = {.state_bytes = sizeof(bmr_chai
                                                   .proof = bmr_point_proof,
                                                   .audit = bmr_triangle_audit};
 
-const bmr_kds_info bmr_kds_triangle_levels_compass = {"triangle-levels-compass",
-                                                      "point: active triangle, level by level, compass",
-                                                      "5, one point, one polygon",
-                                                      BMR_KDS_POINT,
-                                                      BMR_KDS_CONTROL,
-                                                      BMR_HIERARCHY_COMPASS,
-                                                      &by_levels};
-const bmr_kds_info bmr_kds_triangle_levels_dudley = {"triangle-levels-dudley",
-                                                     "point: active triangle, level by level, Dudley",
-                                                     "5, one point, one polygon",
-                                                     BMR_KDS_POINT,
-                                                     BMR_KDS_CONTROL,
-                                                     BMR_HIERARCHY_DUDLEY,
-                                                     &by_levels};
-const bmr_kds_info bmr_kds_triangle_binary_compass = {"triangle-binary-compass",
-                                                      "point: active triangle, binary search, compass",
-                                                      "5, one point, one polygon",
-                                                      BMR_KDS_POINT,
-                                                      BMR_KDS_CONTROL,
-                                                      BMR_HIERARCHY_COMPASS,
-                                                      &by_bisection_compass};
-const bmr_kds_info bmr_kds_triangle_binary_dudley = {"triangle-binary-dudley",
-                                                     "point: active triangle, binary search, Dudley",
-                                                     "5, one point, one polygon",
-                                                     BMR_KDS_POINT,
-                                                     BMR_KDS_CONTROL,
-                                                     BMR_HIERARCHY_DUDLEY,
-                                                     &by_bisection_dudley};
+BMR_KDS_INFO(triangle_levels_compass, "triangle-levels-compass",
+             "point: active triangle, level by level, compass", "5, one point, one polygon", BMR_KDS_POINT,
+             BMR_KDS_CONTROL, BMR_HIERARCHY_COMPASS, &by_levels);
+BMR_KDS_INFO(triangle_levels_dudley, "triangle-levels-dudley",
+             "point: active triangle, level by level, Dudley", "5, one point, one polygon", BMR_KDS_POINT,
+             BMR_KDS_CONTROL, BMR_HIERARCHY_DUDLEY, &by_levels);
+BMR_KDS_INFO(triangle_binary_compass, "triangle-binary-compass",
+             "point: active triangle, binary search, compass", "5, one point, one polygon", BMR_KDS_POINT,
+             BMR_KDS_CONTROL, BMR_HIERARCHY_COMPASS, &by_bisection_compass);
+BMR_KDS_INFO(triangle_binary_dudley, "triangle-binary-dudley",
+             "point: active triangle, binary search, Dudley", "5, one point, one polygon", BMR_KDS_POINT,
+             BMR_KDS_CONTROL, BMR_HIERARCHY_DUDLEY, &by_bisection_dudley);

@@ -101,14 +101,6 @@ static predict_state *state_of(bmr_kds *kds) {
     return (predict_state *)(void *)kds->state;
 }
 
-static const predict_state *constant_state_of(const bmr_kds *kds) {
-    return (const predict_state *)(const void *)kds->state;
-}
-
-static int sign(double x) {
-    return (x > 0.0) - (x < 0.0);
-}
-
 /// The instant as seen from the body that a model takes to be at rest: the other's frame in that body's.
 static bmr_instant seen(const bmr_instant *now, predict_model model) {
     if (model == MODEL_B_STRAIGHT)
@@ -309,7 +301,7 @@ static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh) {
                 best = c;
         }
     bmr_windowed_line_set(&s->now, kds, &now->pose, best.owner, best.direction, support);
-    bmr_windowed_exact(&s->now, kds, &now->pose, bmr_windowed_sense(best.owner, sign(now->spin)));
+    bmr_windowed_exact(&s->now, kds, &now->pose, bmr_windowed_sense(best.owner, bmr_sign(now->spin)));
     return true;
 }
 
@@ -327,7 +319,7 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
         return true; // NONE
     if (!failure.crossed) {
         report->kind = BMR_KDS_ROLL;
-        bmr_windowed_exact(&s->now, kds, &now->pose, bmr_windowed_sense(old.owner, sign(now->spin)));
+        bmr_windowed_exact(&s->now, kds, &now->pose, bmr_windowed_sense(old.owner, bmr_sign(now->spin)));
         if (!bmr_windowed_fails(&s->now, kds, now).crossed)
             return true;
     }
@@ -338,40 +330,12 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     return true;
 }
 
-static size_t conditions(const bmr_kds *kds, bmr_condition *out) {
-    return bmr_windowed_conditions(&constant_state_of(kds)->now, kds->def.margin, out);
-}
-
-static void proof(const bmr_kds *kds, bmr_kds_proof *out) {
-    bmr_windowed_proof(&constant_state_of(kds)->now, out);
-}
-
-static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
-    return bmr_windowed_audit(&constant_state_of(kds)->now, kds, b_in_a);
-}
-
 #define PREDICT_CLASS(across, adaptive)                                                                      \
-    {                                                                                                        \
-        {.state_bytes = sizeof(predict_state),                                                               \
-         .start = start,                                                                                     \
-         .conditions = conditions,                                                                           \
-         .repair = repair,                                                                                   \
-         .proof = proof,                                                                                     \
-         .audit = audit},                                                                                    \
-            across, adaptive                                                                                 \
-    }
+    { {BMR_WINDOWED_CLASS(predict_state, start, repair)}, across, adaptive }
 static const predict_class plain = PREDICT_CLASS(PLAIN_ACROSS, false),
                            adaptive = PREDICT_CLASS(ADAPTIVE_ACROSS, true);
 
-const bmr_kds_info bmr_kds_predict = {"predict",
-                                      "Free direction of the longest predicted life",
-                                      "beyond the paper",
-                                      BMR_KDS_RIGID,
-                                      BMR_KDS_RECOMMENDED,
-                                      -1,
-                                      &plain};
-const bmr_kds_info bmr_kds_predict_adaptive = {
-    "predict-adaptive", "Free direction, prediction that learns to doubt",
-    "beyond the paper", BMR_KDS_RIGID,
-    BMR_KDS_CONTROL,    -1,
-    &adaptive};
+BMR_KDS_INFO(predict, "predict", "Free direction of the longest predicted life", "beyond the paper",
+             BMR_KDS_RIGID, BMR_KDS_RECOMMENDED, -1, &plain);
+BMR_KDS_INFO(predict_adaptive, "predict-adaptive", "Free direction, prediction that learns to doubt",
+             "beyond the paper", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1, &adaptive);

@@ -296,19 +296,12 @@ static const bmr_kds_class implementation = {.state_bytes = sizeof(separating_ed
                                              .proof = proof,
                                              .audit = audit};
 
-const bmr_kds_info bmr_kds_separating_edge = {.name = "separating-edge",
-                                              .title =
-                                                  "rival: separating edge of most slack, full resolution",
-                                              .section = "5, introduction",
-                                              .domain = BMR_KDS_RIGID,
-                                              .role = BMR_KDS_RIVAL,
-                                              .hierarchy = -1,
-                                              .implementation = &implementation};
+BMR_KDS_INFO(separating_edge, .name = "separating-edge",
+             .title = "rival: separating edge of most slack, full resolution", .section = "5, introduction",
+             .domain = BMR_KDS_RIGID, .role = BMR_KDS_RIVAL, .hierarchy = -1,
+             .implementation = &implementation);
 
-const bmr_kds_info bmr_kds_separating_edge_walk = {.name = "separating-edge-walk",
-                                                   .title = "rival: separating edge, full resolution",
-                                                   .section = "5, introduction",
-                                                   .domain = BMR_KDS_RIGID,
-                                                   .role = BMR_KDS_RIVAL,
-                                                   .hierarchy = -1,
-                                                   .implementation = &implementation};
+BMR_KDS_INFO(separating_edge_walk, .name = "separating-edge-walk",
+             .title = "rival: separating edge, full resolution", .section = "5, introduction",
+             .domain = BMR_KDS_RIGID, .role = BMR_KDS_RIVAL, .hierarchy = -1,
+             .implementation = &implementation);

@@ -36,14 +36,6 @@ static line_state *state_of(bmr_kds *kds) {
     return (line_state *)(void *)kds->state;
 }
 
-static const line_state *constant_state_of(const bmr_kds *kds) {
-    return (const line_state *)(const void *)kds->state;
-}
-
-static int sign(double x) {
-    return (x > 0.0) - (x < 0.0);
-}
-
 /// The gap below which `hybrid` takes the coarse line: D/N^2.
 static double threshold(const bmr_kds *kds) {
     const bmr_polygon *a = kds->shapes[0].polygon, *b = kds->shapes[1].polygon;
@@ -74,7 +66,7 @@ static bool select_lines(bmr_kds *kds, const bmr_instant *now) {
 }
 
 static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
-    state_of(kds)->spin = (int8_t)sign(now->spin);
+    state_of(kds)->spin = (int8_t)bmr_sign(now->spin);
     (void)report;
     return select_lines(kds, now);
 }
@@ -93,7 +85,7 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     if (!failure.crossed && failure.rolled == 0)
         return true; // NONE
     if (now->spin != 0.0)
-        s->spin = (int8_t)sign(now->spin);
+        s->spin = (int8_t)bmr_sign(now->spin);
     else if (failure.rolled != 0)
         s->spin = (int8_t)(old.owner == 0 ? -failure.rolled : failure.rolled);
     if (s->has_spare && !fails(&s->spare, kds, now)) {
@@ -109,44 +101,14 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     return true;
 }
 
-static size_t conditions(const bmr_kds *kds, bmr_condition *out) {
-    return bmr_windowed_conditions(&constant_state_of(kds)->now, kds->def.margin, out);
-}
-
-static void proof(const bmr_kds *kds, bmr_kds_proof *out) {
-    bmr_windowed_proof(&constant_state_of(kds)->now, out);
-}
-
-static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
-    return bmr_windowed_audit(&constant_state_of(kds)->now, kds, b_in_a);
-}
-
 #define LINE_CLASS(rule)                                                                                     \
-    {                                                                                                        \
-        {.state_bytes = sizeof(line_state),                                                                  \
-         .start = start,                                                                                     \
-         .conditions = conditions,                                                                           \
-         .repair = repair,                                                                                   \
-         .proof = proof,                                                                                     \
-         .audit = audit},                                                                                    \
-            rule                                                                                             \
-    }
+    { {BMR_WINDOWED_CLASS(line_state, start, repair)}, rule }
 static const line_class hybrid = LINE_CLASS(RULE_HYBRID), two_lines = LINE_CLASS(RULE_TWO_LINES),
                         coarse = LINE_CLASS(RULE_COARSE);
 
-const bmr_kds_info bmr_kds_hybrid = {"hybrid",
-                                     "Free direction; very near, the coarse line",
-                                     "7, the open question",
-                                     BMR_KDS_RIGID,
-                                     BMR_KDS_RECOMMENDED,
-                                     -1,
-                                     &hybrid};
-const bmr_kds_info bmr_kds_two_lines = {"two-lines",
-                                        "Free direction, then the coarse line",
-                                        "7, the open question",
-                                        BMR_KDS_RIGID,
-                                        BMR_KDS_CONTROL,
-                                        -1,
-                                        &two_lines};
-const bmr_kds_info bmr_kds_coarse = {
-    "coarse", "The coarse line alone", "7, the open question", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1, &coarse};
+BMR_KDS_INFO(hybrid, "hybrid", "Free direction; very near, the coarse line", "7, the open question",
+             BMR_KDS_RIGID, BMR_KDS_RECOMMENDED, -1, &hybrid);
+BMR_KDS_INFO(two_lines, "two-lines", "Free direction, then the coarse line", "7, the open question",
+             BMR_KDS_RIGID, BMR_KDS_CONTROL, -1, &two_lines);
+BMR_KDS_INFO(coarse, "coarse", "The coarse line alone", "7, the open question", BMR_KDS_RIGID,
+             BMR_KDS_CONTROL, -1, &coarse);

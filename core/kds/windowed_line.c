@@ -294,3 +294,19 @@ bmr_error bmr_windowed_audit(const bmr_windowed_line *w, const bmr_kds *kds, con
         }
     return BMR_OK;
 }
+
+static const bmr_windowed_line *line_of(const bmr_kds *kds) {
+    return (const bmr_windowed_line *)(const void *)kds->state;
+}
+
+size_t bmr_windowed_own_conditions(const bmr_kds *kds, bmr_condition *conditions) {
+    return bmr_windowed_conditions(line_of(kds), kds->def.margin, conditions);
+}
+
+void bmr_windowed_own_proof(const bmr_kds *kds, bmr_kds_proof *proof) {
+    bmr_windowed_proof(line_of(kds), proof);
+}
+
+bmr_error bmr_windowed_own_audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
+    return bmr_windowed_audit(line_of(kds), kds, b_in_a);
+}

@@ -31,6 +31,15 @@ void bmr_windowed_proof(const bmr_windowed_line *w, bmr_kds_proof *proof);
 /// bracket? By all vertices, O(n).
 bmr_error bmr_windowed_audit(const bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *b_in_a);
 
+/// The part that all classes of this file's lines share. Their state begins with the line.
+#define BMR_WINDOWED_CLASS(state, start_function, repair_function)                                           \
+    .state_bytes = sizeof(state), .start = (start_function), .repair = (repair_function),                    \
+    .conditions = bmr_windowed_own_conditions, .proof = bmr_windowed_own_proof,                              \
+    .audit = bmr_windowed_own_audit
+size_t bmr_windowed_own_conditions(const bmr_kds *kds, bmr_condition *conditions);
+void bmr_windowed_own_proof(const bmr_kds *kds, bmr_kds_proof *proof);
+bmr_error bmr_windowed_own_audit(const bmr_kds *kds, const bmr_pose *b_in_a);
+
 /// The failed conditions of a windowed line at an instant.
 typedef struct bmr_windowed_failure {
     bool crossed; ///< a point
@@ -79,6 +88,10 @@ double bmr_windowed_life(const bmr_windowed_line *w, const bmr_pose *b_in_a, int
 /// The time until a condition fails if every one goes on falling at the rate of this instant; INFINITY if
 /// none falls.
 double bmr_windowed_time(const bmr_windowed_line *w, const bmr_kds *kds, const bmr_instant *now);
+
+static inline int bmr_sign(double x) {
+    return (x > 0.0) - (x < 0.0);
+}
 
 /// The way in which the direction of `owner`'s line turns in the other body's frame when B spins in A's.
 static inline int bmr_windowed_sense(int owner, int spin) {
