@@ -118,7 +118,7 @@ static void no_convex_path_is_above_its_bound(void **state) {
     (void)state;
     test_random random = {34};
     used w = {0.0, 0.0, 0.0, 0.0};
-    for (size_t i = 0; i < test_scaled(17000); ++i) {
+    for (size_t i = 0; i < test_scaled(3000); ++i) {
         if (i % 2) {
             const test_chain_def def = any_chain(&random);
             test_chain chain = test_chain_make(&def, &random);
