@@ -38,7 +38,7 @@ else
 fi
 notices "a unit in the last place of a step" '^FAILED: debian: preloaded: .heap.: exit status 0, .*difference: heap step 99;' \
     "$controls/libother_steps.so" only heap
-notices "the same in a random game" "difference: 1 step [0-9]+;" "$controls/libother_steps.so" random 1 1 120
+notices "the same in a random game" "difference: 1 step [0-9]+;" "$controls/libother_steps.so" random 1 1
 notices "another ending" 'exit status 3, stock.s is 0' "$controls/libother_ending.so" only heap
 notices "a plugin that is not there" 'the plugin was not loaded' "$room/none.so" only heap
 notices "a game that does not end well" 'stock Box2D does not survive .none.*game is at fault' "$plugin" only none

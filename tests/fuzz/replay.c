@@ -16,11 +16,52 @@ static void found_as_it_should_be(void) {
     _Exit(0);
 }
 
+/// Of its very size, so that reading past it is seen.
+static void run_bytes(const char *name, const uint8_t *data, size_t size) {
+    uint8_t *exact = malloc(size > 0 ? size : 1);
+    if (!exact)
+        abort();
+    memcpy(exact, data, size);
+    ++files;
+    if (getenv("BMR_FUZZ_VERBOSE"))
+        fprintf(stderr, "%s\n", name);
+    LLVMFuzzerTestOneInput(exact, size);
+    free(exact);
+}
+
+/// A line an input: its name, and its bytes in hexadecimal.
+static int run_packed(FILE *file, const char *path) {
+    char *line = NULL;
+    size_t room = 0;
+    int answer = 0;
+    for (ssize_t length; answer == 0 && (length = getline(&line, &room, file)) > 0;) {
+        char *hex = strchr(line, ' ');
+        if (!hex) {
+            fprintf(stderr, "%s: no input: %s\n", path, line);
+            answer = 3;
+            break;
+        }
+        *hex++ = '\0';
+        size_t size = 0;
+        for (unsigned byte; sscanf(hex + 2 * size, "%2x", &byte) == 1; ++size)
+            hex[size] = (char)byte;
+        run_bytes(line, (const uint8_t *)hex, size);
+    }
+    free(line);
+    return answer;
+}
+
 static int run_file(const char *path) {
     FILE *file = fopen(path, "rb");
     if (!file) {
         perror(path);
         return 3;
+    }
+    const size_t end = strlen(path);
+    if (end > 4 && strcmp(path + end - 4, ".txt") == 0) {
+        const int answer = run_packed(file, path);
+        fclose(file);
+        return answer;
     }
     uint8_t *data = NULL;
     size_t size = 0, room = 0;
@@ -35,17 +76,8 @@ static int run_file(const char *path) {
         got = fread(data + size, 1, room - size, file);
     }
     fclose(file);
-    // Of its very size, so that reading past it is seen.
-    uint8_t *exact = malloc(size > 0 ? size : 1);
-    if (!exact)
-        abort();
-    memcpy(exact, data, size);
+    run_bytes(path, data, size);
     free(data);
-    ++files;
-    if (getenv("BMR_FUZZ_VERBOSE"))
-        fprintf(stderr, "%s\n", path);
-    LLVMFuzzerTestOneInput(exact, size);
-    free(exact);
     return 0;
 }
 

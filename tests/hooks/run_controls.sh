@@ -7,7 +7,7 @@
 # a scene, and expects its hashes to differ from stock's. With nothing taken out they must be stock's. Where the scene is
 # called outside_game that program is run instead, with the library for its own, and must fail; other names in _game
 # are programs in the directory GAMES, which arguments may follow (a colon for an @), and unheard-ends or unheard-pairs be ahead of
-# them: contacts then end, or are made, without a word; `wrapped` likewise: no step is seen; "differential SEED" is a random world of the program differential_stock beside SCENE_PROGRAM.
+# them: contacts then end, or are made, without a word; `wrapped` likewise: no step is seen; "actor SEED" are so many worlds of the program actor_stock beside SCENE_PROGRAM.
 # OBJECTS: those of the shared library; LINK_ARGUMENTS: what else it is linked from.
 # BMR_LONG_CONTROLS in the environment: mutants_long.txt, too.
 set -u
@@ -60,9 +60,8 @@ hashes() {
         (BOOMERANG=on LD_PRELOAD=${3:+$ahead}${3:-} MALLOC_PERTURB_=165 within "$games"/${1//:/@}) 2>/dev/null | cksum
         return
     fi
-    if [ "${1%% *}" = differential ]; then
-        (BOOMERANG=on LD_PRELOAD=${3:-} MALLOC_PERTURB_=165 within "$(dirname "$program")/differential_stock" "${1#* }" 1 "$2") 2>/dev/null |
-            cksum
+    if [ "${1%% *}" = actor ]; then
+        (BOOMERANG=on LD_PRELOAD=${3:-} MALLOC_PERTURB_=165 within "$(dirname "$program")/actor_stock" seeds "${1#* }" "$2") 2>/dev/null | cksum
         return
     fi
     BOOMERANG=on LD_PRELOAD=${3:-} within "$program" "$1" --steps "$2" 2>/dev/null | grep '^step' | cksum

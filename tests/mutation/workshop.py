@@ -20,7 +20,7 @@ SOURCES = ("CMakeLists.txt", "cmake", "core", "box2d_glue", "plugin", "testbed_s
            "CHANGELOG.md", "LICENSE", "tools")
 # Mutants are no subject of these: they build something anew, or look at pages and texts.
 OTHER_LABELS = {"controls", "consumer", "browser", "mutation", "examples", "fuzz", "coverage", "determinism"}
-LABEL_ORDER = ["unit", "property", "hooks", "plugin", "differential"]
+LABEL_ORDER = ["unit", "property", "hooks", "plugin", "preloaded"]
 # In C, a swap of arguments whose types do not fit is an error like any other.
 C_FLAGS = "-Werror=implicit-function-declaration -Werror=int-conversion -Werror=incompatible-pointer-types"
 SLACK = 10.0  # seconds that a test may take beyond three times what it takes without a mutant

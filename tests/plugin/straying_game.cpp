@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-//   straying_game crossing FIRST COUNT
 //   straying_game corners
+//   straying_game slow
 //
-// Worlds far from the origin, where numbers have few bits left of a millimetre. Prints a line for each world.
-// A plain program of Box2D's: with the plugin preloaded it prints the same.
+// Worlds where little is left of what is rounded. Prints lines of hashes. A plain program of Box2D's: with
+// the plugin preloaded it prints the same.
 //
-//   crossing  random crowds that fly out and in across 480, 960, 1920, 3840 and 7680 metres from the origin,
-//             past walls that move, bullets and sensors among them; origins are shifted, crowds carried
-//             elsewhere
 //   corners   pairs of triangles whose tips come near each other, also where nothing is exact to a millimetre
-#include <cstdlib>
+//   slow      needles that turn by next to nothing in each step, until they meet: what is lost in each
+//             is lost often; at the origin and 600 m away
 #include <random>
 #include <vector>
 
@@ -28,90 +26,6 @@ public:
 
 private:
     std::minstd_rand m_engine;
-};
-
-class Crowd {
-public:
-    explicit Crowd(uint32_t seed) : m_random(seed), m_world(b2Vec2(0.0f, seed % 3 == 0 ? -10.0f : 0.0f)) {
-        static constexpr float kBorders[] = {480.0f, 960.0f, 1920.0f, 3840.0f, 7680.0f};
-        const b2Rot toward(0.25f * b2_pi * static_cast<float>(seed % 8));
-        m_out = {static_cast<float>(b2Abs(toward.c) > 0.5f) * (toward.c < 0.0f ? -1.0f : 1.0f),
-                 static_cast<float>(b2Abs(toward.s) > 0.5f) * (toward.s < 0.0f ? -1.0f : 1.0f)};
-        m_border = (kBorders[seed % 5] - 1.0f) * m_out;
-        const int count = 50 + m_random.Below(30);
-        for (int i = 0; i < count; ++i)
-            Add();
-        for (const float side : {-1.0f, 1.0f}) { // walls that close in, across the border
-            b2Body *wall = AddBox(m_world, b2_kinematicBody, m_border + 16.0f * side * m_out.Skew(),
-                                  {m_out.x == 0.0f ? 0.3f : 12.0f, m_out.y == 0.0f ? 0.3f : 12.0f}, 0.0f);
-            wall->SetLinearVelocity(-1.5f * side * m_out.Skew());
-            wall->SetAngularVelocity(0.1f * side);
-        }
-    }
-
-    void Play(int steps, Hash *hash) {
-        for (int i = 0; i < steps; ++i) {
-            if (i % 12 == 0) // out, and in again
-                Drive(i % 24 == 0 ? 1.0f : -1.0f);
-            Change();
-            m_world.Step(1.0f / 60.0f, 8, 3);
-            hash->Add(m_world);
-        }
-    }
-
-private:
-    void Add() {
-        const b2Vec2 at = m_border + b2Vec2(m_random.Between(-14.0f, 14.0f), m_random.Between(-14.0f, 14.0f));
-        if (m_random.Below(9) == 0) {
-            m_bodies.push_back(AddWheel(m_world, at, 3 + m_random.Below(5), m_random.Between(0.2f, 0.7f)));
-        } else {
-            const b2Vec2 half(m_random.Between(0.05f, 0.8f), m_random.Between(0.05f, 0.3f));
-            m_bodies.push_back(AddBox(m_world, b2_dynamicBody, at, half, m_random.Between(0.0f, 3.0f),
-                                      m_random.Below(6) == 0));
-        }
-        m_bodies.back()->SetBullet(m_random.Below(4) == 0);
-        m_bodies.back()->SetAngularVelocity(m_random.Between(-2.0f, 2.0f));
-    }
-
-    /// All of them, at nearly the same speed: a few metres a second or, one time in four, too fast for
-    /// budgets.
-    void Drive(float sign) {
-        const float speed =
-            sign * (m_random.Below(4) == 0 ? m_random.Between(10.0f, 70.0f) : m_random.Between(0.0f, 3.0f));
-        for (b2Body *body : m_bodies)
-            body->SetLinearVelocity(speed * m_out +
-                                    b2Vec2(m_random.Between(-0.5f, 0.5f), m_random.Between(-0.5f, 0.5f)));
-    }
-
-    void Change() {
-        switch (m_random.Below(24)) {
-        case 0: // the world's origin, into another band or just a little
-            m_world.ShiftOrigin(m_random.Below(2) == 0 ? 0.5f * m_border : 0.01f * m_border);
-            break;
-        case 1: // and away from it
-            m_world.ShiftOrigin(-m_random.Between(0.0f, 1.0f) * m_border);
-            break;
-        case 2: { // all of them
-            const b2Vec2 by = m_random.Between(-1.0f, 0.5f) * m_border;
-            for (b2Body *body : m_bodies)
-                body->SetTransform(body->GetPosition() + by, body->GetAngle());
-            break;
-        }
-        case 3: {
-            b2Body *some = m_bodies[static_cast<size_t>(m_random.Below(static_cast<int>(m_bodies.size())))];
-            some->SetBullet(!some->IsBullet());
-            some->GetFixtureList()->SetSensor(m_random.Below(3) == 0);
-            break;
-        }
-        default:
-            break;
-        }
-    }
-
-    Random m_random;
-    b2World m_world;
-    b2Vec2 m_out, m_border;
-    std::vector<b2Body *> m_bodies;
 };
 
 /// A triangle whose tip is at a place, and which lies in some direction of it, more or less.
@@ -166,24 +80,32 @@ void PlayCorners() {
     }
 }
 
+void PlaySlow(float out) {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    Hash hash;
+    for (int i = 0; i < 12; ++i) {
+        for (const float side : {0.0f, 0.1f}) {
+            b2Body *needle = AddBox(world, b2_dynamicBody, {out + 3.0f * static_cast<float>(i), side},
+                                    {1.0f, 0.02f}, 0.0f);
+            needle->SetSleepingAllowed(false);
+            needle->SetAngularVelocity((side > 0.0f ? -0.0006f : 0.0006f) * static_cast<float>(i + 1));
+        }
+    }
+    Step(world, 4000, &hash);
+    Print("slow", hash);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
     if (argc == 2 && std::strcmp(argv[1], "corners") == 0) {
         PlayCorners();
-        return 0;
-    }
-    if (argc != 4 || std::strcmp(argv[1], "crossing") != 0) {
-        std::fputs("usage: straying_game crossing FIRST COUNT | corners\n", stderr);
+    } else if (argc == 2 && std::strcmp(argv[1], "slow") == 0) {
+        PlaySlow(0.0f);
+        PlaySlow(600.0f);
+    } else {
+        std::fputs("usage: straying_game corners|slow\n", stderr);
         return 2;
-    }
-    const auto first = static_cast<uint32_t>(std::atoi(argv[2])),
-               count = static_cast<uint32_t>(std::atoi(argv[3]));
-    for (uint32_t seed = first; seed != first + count; ++seed) {
-        Hash hash;
-        Crowd(seed).Play(60, &hash);
-        std::printf("seed %u ", seed);
-        Print("ends with", hash);
     }
     return 0;
 }

@@ -342,31 +342,14 @@ test_worlds_are_stepped_to_the_very_end() {
     cmp -s "$room/out" "$room/stock_of_it" || fail "ending_game: other output under valgrind"
 }
 
-test_worlds_that_nobody_listens_to() {
-    local worlds=${BMR_LONG_CONTROLS:+20}
-    plays_as_stock "bullet_game unheard 1 ${worlds:-8}"
-    plays_as_stock "bullet_game unheard 61 ${worlds:-8}" BOOMERANG_EVERYWHERE=on
-    plays_as_stock "bullet_game heard 1 ${worlds:-5}"
-    plays_as_stock "bullet_game heard 61 ${worlds:-5}" BOOMERANG_EVERYWHERE=on
+test_impacts_that_a_listener_throws_out_of() {
     plays_as_stock "bullet_game thrown" BOOMERANG_EVERYWHERE=on
     plays_as_stock "bullet_game recentred" BOOMERANG_EVERYWHERE=on
 }
 
-test_whoever_listens_and_filters_may_change_at_any_time() {
-    plays_as_stock "bullet_game swapped 1 ${BMR_LONG_CONTROLS:+2}4"
-    plays_as_stock "bullet_game swapped 61 ${BMR_LONG_CONTROLS:+2}4" BOOMERANG_EVERYWHERE=on
-}
-
-test_crowds_may_be_as_far_out_as_they_like() {
-    plays_as_stock "straying_game crossing 1 ${BMR_LONG_CONTROLS:+10}5"
-    plays_as_stock "straying_game crossing 16 ${BMR_LONG_CONTROLS:+10}5" BOOMERANG_EVERYWHERE=on
+test_what_is_rounded_in_each_of_many_steps() {
     plays_as_stock "straying_game corners" BOOMERANG_EVERYWHERE=on
-}
-
-test_wild_worlds_play_as_stock() {
-    plays_as_stock "wild_game 31 1"
-    plays_as_stock "wild_game 5 3" BOOMERANG_EVERYWHERE=on
-    [ -z "${BMR_LONG_CONTROLS:-}" ] || plays_as_stock "wild_game 101 300" BOOMERANG_EVERYWHERE=on
+    plays_as_stock "straying_game slow" BOOMERANG_EVERYWHERE=on
 }
 
 test_polygons_may_be_changed_in_place() {

@@ -3,7 +3,7 @@
 # the tests under those sanitizers, at a tenth of their iterations; with --long all that can run there
 
 # Not there: what preloads the library (a sanitizer's runtime wants to be the first of a process), and what tests the
-# testbed's pages and command line or the scripts. The differential test neither: the fuzzer of the glue does its work. Nor
+# testbed's pages and command line or the scripts. The actor with the library preloaded neither: its fuzzer does that work. Nor
 # forks of a process that has threads: the sanitizer's own locks stay locked in the child.
 stage_sanitized_tests() {
     local which=()
@@ -13,6 +13,6 @@ stage_sanitized_tests() {
     mkdir "$BMR_BUILD_DIR/profiles"
     echo "$long" >"$BMR_BUILD_DIR/profiles/long"
     BMR_TEST_SCALE=${BMR_TEST_SCALE:-0.1} \
-        run_tests "tests (sanitizers)" --label-exclude '^(cli|browser|consumer|controls|mutation|differential|preloaded|front|faults|gate)$' \
+        run_tests "tests (sanitizers)" --label-exclude '^(cli|browser|consumer|controls|mutation|preloaded|front|faults|gate)$' \
         --exclude-regex '^threads_forking_' "${which[@]}"
 }

@@ -3,7 +3,7 @@
 # what is tested, with clang, its address and undefined-behaviour sanitizers and its counts of lines; warnings are errors
 
 # The stages sanitized-tests, fuzz, coverage and (of a long run) determinism work in this tree. In the gate it holds what its
-# sanitized tests are made of, and no more: hooks are in the fuzzer of the glue, and the library as it is preloaded, which they are
+# sanitized tests are made of, and no more: hooks are in the fuzzer of the actor, and the library as it is preloaded, which they are
 # compiled for once more, is not made.
 sanitizers_preset() { if [ "$long" = yes ]; then echo sanitizers; else echo sanitizers-gate; fi; }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "../as_stock/actor/actor.h"
 #include "scene.h"
 #include "state/snapshot.h"
 
@@ -41,6 +42,8 @@ private:
     std::unique_ptr<testbed::Scene> m_scene;
     testbed::EventRecorder m_recorder;
     std::unique_ptr<testbed::Stage> m_stage;
+    std::vector<uint8_t> m_bytes; ///< the actor's
+    std::unique_ptr<actor::Actor> m_actor;
     std::vector<std::string> m_lines;
 };
 

@@ -2,20 +2,19 @@
 //
 //   games list                                          the named games, one a line
 //   games NAME [dump STEP]
-//   games random FIRST COUNT STEPS [dump SEED STEP]
+//   games random SEED [dump STEP]                       a world of the actor's
 //
 // Plays and prints a line for each step: the game or the seed, the step, and for each world the hashes of its
 // bodies, contacts, events and of what the game saw beside. `dump` prints the whole state after one step
-// instead. On stderr, at the end: what random games did. An ending of its own: 0, or 2 where it was asked for
-// something that there is not.
+// instead. An ending of its own: 0, or 2 where it was asked for something that there is not.
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
+#include "actor.h"
 #include "install.h"
 #include "playing.h"
-#include "random_game.h"
 
 using namespace box2d_builds;
 
@@ -27,20 +26,16 @@ void Print(Playing &playing) {
                 playing.TheGame().Probes());
 }
 
-/// One or two worlds at once, step by step. `dumpStep` < 0: hashes.
-void Play(const char *name, std::unique_ptr<Playing> (&all)[2], int steps, int dumpStep) {
+/// Step by step. `dumpStep` < 0: hashes.
+void Play(const char *name, Playing &playing, int steps, int dumpStep) {
     for (int step = 0; step < steps; ++step) {
-        for (std::unique_ptr<Playing> &playing : all)
-            if (playing != nullptr)
-                playing->Step(step, step == dumpStep);
+        playing.Step(step, step == dumpStep);
         if (dumpStep < 0)
             std::printf("%s %d", name, step);
-        for (std::unique_ptr<Playing> &playing : all) {
-            if (playing != nullptr && dumpStep < 0)
-                Print(*playing);
-            else if (playing != nullptr && dumpStep == step)
-                std::printf("%s", playing->Describe().c_str());
-        }
+        if (dumpStep < 0)
+            Print(playing);
+        else if (dumpStep == step)
+            std::printf("%s", playing.Describe().c_str());
         if (dumpStep < 0)
             std::printf("\n");
         std::fflush(stdout); // a crash shall not take the lines with it
@@ -48,27 +43,18 @@ void Play(const char *name, std::unique_ptr<Playing> (&all)[2], int steps, int d
 }
 
 int PlayRandom(int argc, char **argv) {
-    if (argc != 5 && !(argc == 8 && std::strcmp(argv[5], "dump") == 0))
+    if (argc != 3 && !(argc == 5 && std::strcmp(argv[3], "dump") == 0))
         return 2;
-    const long first = std::atol(argv[2]), count = std::atol(argv[3]);
-    const int steps = std::atoi(argv[4]);
-    const long dumpSeed = argc == 8 ? std::atol(argv[6]) : -1;
-    Deeds deeds;
-    for (long seed = first; seed < first + count; ++seed) {
-        if (dumpSeed >= 0 && dumpSeed != seed)
-            continue;
-        std::unique_ptr<Playing> all[2];
-        const int worlds = seed % 2 == 0 ? 1 : 2;
-        for (int i = 0; i < worlds; ++i)
-            all[i] = std::make_unique<Playing>(std::make_unique<RandomGame>(seed),
-                                               static_cast<unsigned long>(1000003 * i + seed));
-        if (worlds == 2)
-            all[0]->TheGame().SetOther(all[1].get());
-        Play(std::to_string(seed).c_str(), all, steps, argc == 8 ? std::atoi(argv[7]) : -1);
-        for (int i = 0; i < worlds; ++i)
-            deeds += static_cast<RandomGame &>(all[i]->TheGame()).Done();
+    const std::vector<uint8_t> bytes =
+        actor::BytesOf(static_cast<uint32_t>(std::strtoul(argv[2], nullptr, 10)));
+    actor::Actor player(bytes.data(), bytes.size());
+    player.dumpAt = argc == 5 ? std::atoi(argv[4]) : -1;
+    int step = 0;
+    for (actor::Record r; player.PlayOn(&r); ++step) {
+        std::printf("%s %d %016" PRIx64 " %016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", argv[2], step,
+                    r.bodies, r.contacts, r.events, r.probes);
+        std::fflush(stdout); // a crash shall not take the lines with it
     }
-    deeds.Print(stderr);
     return 0;
 }
 
@@ -76,9 +62,8 @@ int PlayNamed(const std::vector<GameInfo> &games, int argc, char **argv) {
     for (const GameInfo &game : games) {
         if (std::strcmp(game.name, argv[1]) != 0)
             continue;
-        std::unique_ptr<Playing> all[2];
-        all[0] = std::make_unique<Playing>(game.create(), 1);
-        Play(game.name, all, game.steps, argc == 4 ? std::atoi(argv[3]) : -1);
+        Playing playing(game.create(), 1);
+        Play(game.name, playing, game.steps, argc == 4 ? std::atoi(argv[3]) : -1);
         return 0;
     }
     std::fprintf(stderr, "no game '%s'\n", argv[1]);
@@ -93,8 +78,7 @@ int main(int argc, char **argv) {
     AddShapes(games);
     AddSteps(games);
     if (argc < 2) {
-        std::fprintf(stderr,
-                     "usage: games list | NAME [dump STEP] | random FIRST COUNT STEPS [dump SEED STEP]\n");
+        std::fprintf(stderr, "usage: games list | NAME [dump STEP] | random SEED [dump STEP]\n");
         return 2;
     }
     if (std::strcmp(argv[1], "list") == 0) {

@@ -1,0 +1,181 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Plays the actor on stock Box2D and with the plugin in each of its forms: each line must be stock's, and the ending.
+
+    play.py PROGRAMS LIBRARY [CORPUS] [--first SEED] [--seeds COUNT] [--forms FORM,...] [--jobs N]
+
+PROGRAMS: a directory with actor_stock, actor_linked and libactor_poison.so. Played are the inputs of CORPUS and the worlds of
+seeds. Stock is first held against itself, with other bytes in what Box2D frees and in fresh memory: from where these decide, or a
+signal ends it, a world is not compared. Where an assertion of Box2D's ends it, the same one ends it with the plugin. Polygons of
+any size are held against the plugin without its hooks.
+
+Without --first and --seeds: BMR_TEST_SEED (default 1) and 960 worlds times BMR_TEST_SCALE, no fewer than 96.
+"""
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+CHUNK = 12
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("programs", type=pathlib.Path)
+    parser.add_argument("library", type=pathlib.Path)
+    parser.add_argument("corpus", type=pathlib.Path, nargs="?")
+    parser.add_argument("--first", type=int, default=int(os.environ.get("BMR_TEST_SEED", "1")))
+    parser.add_argument("--seeds", type=int, default=max(96, int(960 * float(os.environ.get("BMR_TEST_SCALE", "1")))))
+    parser.add_argument("--forms", default="preloaded,everywhere,linked,told,dudley,trapped,any-size")
+    parser.add_argument("--jobs", type=int, default=int(os.environ.get("BMR_JOBS", os.cpu_count())))
+    return parser.parse_args()
+
+
+class Stage:
+    """Programs, what they play, and what they print: a list of lines for each input."""
+
+    def __init__(self, given, traps):
+        self.given = given
+        self.poison = next(path for path in (given.programs / "libactor_poison.so", given.programs.parent / "lib/libactor_poison.so")
+                           if path.exists())
+        self.plays = [["seeds", str(first), str(min(CHUNK, given.first + given.seeds - first))]
+                      for first in range(given.first, given.first + given.seeds, CHUNK)]
+        if given.corpus:
+            self.plays.append(["corpus", str(given.corpus)])
+        plugin = {"LD_PRELOAD": str(given.library)}
+        # Name: program, environment. (The library is linked as it was built; one that is preloaded comes first.)
+        self.forms = {
+            "stock": ("actor_stock", {"LD_PRELOAD": str(self.poison), "BMR_ACTOR_POISON": "165"}),
+            "stock again": ("actor_stock", {"LD_PRELOAD": str(self.poison), "BMR_ACTOR_POISON": "85", "MALLOC_PERTURB_": "85"}),
+            "stock trapped": ("actor_stock", {"LD_PRELOAD": traps}),
+            "preloaded": ("actor_stock", plugin),
+            "everywhere": ("actor_stock", {**plugin, "BOOMERANG_EVERYWHERE": "on"}),
+            "linked": ("actor_linked", plugin),
+            "told": ("actor_linked", {**plugin, "BMR_ACTOR_INSTALL": "told"}),
+            "dudley": ("actor_stock", {**plugin, "BOOMERANG_STRUCTURE": "lazy-dudley", "BOOMERANG_PREFILTER": "off",
+                                       "BOOMERANG_EVERYWHERE": "on"}),
+            "trapped": ("actor_stock", {"LD_PRELOAD": f"{traps}:{given.library}", "BOOMERANG_EVERYWHERE": "on"}),
+            "without hooks": ("actor_linked", {**plugin, "BOOMERANG_HOOKS": "none"}),
+            "any-size": ("actor_linked", {**plugin, "BOOMERANG_EVERYWHERE": "on"}),
+        }
+
+    def run(self, form, play, *options):
+        program, environment = self.forms[form]
+        # What goes round for ever ends: a hundred times what a chunk needs.
+        command = ["bash", "-c", 'ulimit -c 0 -t 300; exec "$@"', "-", str(self.given.programs / program), *play, *options]
+        done = subprocess.run(command, env={"PATH": "/usr/bin:/bin", "MALLOC_PERTURB_": "165", **environment},
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        lines = {}
+        for line in done.stdout.splitlines():
+            lines.setdefault(line.split(" ", 1)[0], []).append(line)
+        return lines, done.stderr
+
+    def dump(self, form, play, name, record):
+        which = ["corpus", play[1], name] if play[0] == "corpus" else ["seeds", name, "1"]
+        return self.run(form, which, *self.options(form), "--dump", record)[1].splitlines()
+
+    @staticmethod
+    def options(form):
+        return ["--any-size"] if form in ("any-size", "without hooks") else []
+
+
+def held(lines, again):
+    """What is compared of an input."""
+    kept = []
+    for line, other in zip(lines, again):
+        if line != other or " ends signal " in line:
+            break
+        kept.append(line)
+    return kept
+
+
+def differing(expected, found):
+    """The first line of each input that is not found."""
+    bad = []
+    for name, lines in expected.items():
+        there = found.get(name, [])
+        for i, line in enumerate(lines):
+            if i >= len(there) or there[i] != line:
+                bad.append((name, line, there[i] if i < len(there) else "nothing"))
+                break
+    return bad
+
+
+class Verdicts:
+    def __init__(self):
+        self.passed = self.failed = 0
+
+    def check(self, holds, text):
+        self.passed += bool(holds)
+        self.failed += not holds
+        if not holds:
+            print(f"FAILED: {text}", flush=True)
+        return holds
+
+
+def compare(stage, verdicts, form, expected, found, base):
+    """`expected`, `found`: what each play printed."""
+    bad = [(play, *one) for play, lines in expected.items() for one in differing(lines, found[play][0])]
+    if verdicts.check(not bad, f"{form}: {len(bad)} inputs are not as in stock Box2D"):
+        return
+    for play, name, line, there in bad[:5]:
+        print(f"  {line}\n  {there}")
+    play, name, line, _ = bad[0]
+    record = line.split()[1]
+    if record != "ends":
+        one, other = (stage.dump(which, play, name, record) for which in (base, form))
+        for left, right in [pair for pair in zip(one, other) if pair[0] != pair[1]][:8]:
+            print(f"  {left}\n      {right}")
+    print("\n".join("  " + line for line in found[play][1].splitlines()[-2:]))
+
+
+def main():
+    given = arguments()
+    verdicts = Verdicts()
+    with tempfile.TemporaryDirectory() as room, concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
+        traps = f"{room}/traps.so"
+        subprocess.run(["cc", "-shared", "-fPIC", "-o", traps, str(ROOT / "tests/determinism/traps.c"), "-lm"], check=True)
+        stage = Stage(given, traps)
+        wanted = given.forms.split(",")
+        needed = ["stock", "stock again"] + (["stock trapped"] if "trapped" in wanted else []) + \
+            (["without hooks"] if "any-size" in wanted else [])
+        jobs = {form: {tuple(play): pool.submit(stage.run, form, play, *stage.options(form)) for play in stage.plays}
+                for form in needed + wanted}
+        outputs = {form: {play: job.result() for play, job in plays.items()} for form, plays in jobs.items()}
+
+        def hold(form, again):
+            return {play: {name: held(lines, outputs[again][play][0].get(name, [])) for name, lines in output[0].items()}
+                    for play, output in outputs[form].items()}
+
+        expected = hold("stock", "stock again")
+        inputs = sum(len(lines) for lines in expected.values())
+        whole = sum(bool(lines) and lines[-1].endswith(("ends done", "ends not finite"))
+                    for names in expected.values() for lines in names.values())
+        verdicts.check(inputs >= given.seeds * 9 // 10 and 100 * whole >= 90 * inputs, f"stock Box2D survives {whole} of {inputs}")
+        for form in wanted:
+            base, known = "stock", expected
+            if form == "trapped":
+                base, known = "stock trapped", hold("stock trapped", "stock")
+                trapped = sum(bool(lines) and lines[-1].endswith("ends done") for names in known.values() for lines in names.values())
+                verdicts.check(2 * trapped >= inputs, f"of {inputs} inputs {trapped} trap nothing in stock Box2D")
+            elif form == "any-size":
+                base, known = "without hooks", {play: output[0] for play, output in outputs["without hooks"].items()}
+            compare(stage, verdicts, form, known, outputs[form], base)
+        # Control: one unit in the last place of one velocity is found, and where it is.
+        play = stage.plays[0]
+        for record in (10, 11) if given.seeds >= CHUNK else ():
+            perturbed = stage.run("stock", play, "--perturb", str(record))[0]
+            bad = differing(expected[tuple(play)], perturbed)
+            verdicts.check(2 * len(bad) > len(perturbed) and any(line.split()[1] == str(record) for _, line, _ in bad),
+                           f"control: perturbed at {record}, found {[line[:12] for _, line, _ in bad]}")
+    print(f"{inputs} inputs, seeds {given.first} to {given.first + given.seeds - 1}, {whole} of them to their end: "
+          f"{verdicts.passed} passed, {verdicts.failed} failed")
+    return verdicts.failed > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

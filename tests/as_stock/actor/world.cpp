@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+#include "world.h"
+
+#include <cfenv>
+#include <cstring>
+#include <typeinfo>
+
+#include <box2d/b2_distance.h>
+
+#include "drawn.h"
+#include "state/visit.h"
+
+namespace actor {
+
+using testbed::EventObserver;
+using testbed::NumberOf;
+
+namespace {
+
+uint32_t Mix(uint32_t from, uint32_t to, uint32_t step, uint32_t occasion) {
+    return (((from * 31u + to) * 31u + step) * 5u + occasion) * 2654435761u >> 8;
+}
+
+/// The mode in which a step rounds; the one before comes back, whatever ends the step.
+class Rounding {
+public:
+    explicit Rounding(int mode) : m_before(std::fegetround()) {
+        static constexpr int kRoundings[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+        std::fesetround(kRoundings[mode]);
+    }
+    ~Rounding() { std::fesetround(m_before); }
+
+private:
+    int m_before;
+};
+
+EventObserver &Observer(testbed::EventRecorder &recorder) {
+    return recorder;
+}
+
+} // namespace
+
+b2PolygonShape *PlainPolygon(b2Fixture &fixture) {
+    b2Shape *shape = fixture.GetShape();
+    const b2Shape &object = *shape;
+    return typeid(object) == typeid(b2PolygonShape) ? static_cast<b2PolygonShape *>(shape) : nullptr;
+}
+
+World::World(const b2Vec2 &gravity) : m_world(gravity) {
+    m_world.SetContactListener(this);
+    m_world.SetDestructionListener(this);
+    m_world.SetContactFilter(this);
+}
+
+b2Body *World::Create(b2BodyDef def) {
+    def.userData.pointer = m_bodiesMade++;
+    return m_world.CreateBody(&def);
+}
+
+b2Fixture *World::Create(b2Body *body, b2FixtureDef def, const b2Shape &shape) {
+    def.shape = &shape;
+    def.userData.pointer = NextFixture();
+    return body->CreateFixture(&def);
+}
+
+b2Joint *World::Create(b2JointDef &def) {
+    def.userData.pointer = m_jointsMade++;
+    return m_world.CreateJoint(&def);
+}
+
+void World::Step(float timeStep, int32 velocityIterations, int32 positionIterations) {
+    if (m_stepping) // by the other one
+        return;
+    m_stepping = true;
+    ++m_steps;
+    m_looked = 0;
+    if (m_handsChanged)
+        ChangeHands(0);
+    m_handsChanged = false;
+    if (m_disabled && !m_heard) {
+        // Known to differ: what was disabled while it was apart, in a world that nobody listens to.
+        for (b2Contact *contact = m_world.GetContactList(); contact != nullptr; contact = contact->GetNext())
+            if (!contact->IsTouching())
+                contact->SetEnabled(true);
+        m_disabled = false;
+    }
+    if (ticks != 0)
+        Tick();
+    if (rescueBeyond > 0.0f)
+        Rescue();
+    const Rounding rounded(rounding);
+    for (bool again = true; again;) {
+        RememberPlaces();
+        try {
+            m_world.Step(timeStep, velocityIterations, positionIterations);
+            again = false;
+        } catch (const Thrown &) {
+            m_reacting = m_inItself = false;
+        }
+    }
+    m_stepping = false;
+}
+
+/// Ahead of a step: some bodies are filtered anew, so that their contacts' ends and beginnings call
+/// listeners; one goes to and fro, and has new contacts each time.
+void World::Tick() {
+    for (b2Body *body = m_world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+        const uint32_t number = NumberOf(*body);
+        if (number % 8 == ticks % 8u)
+            for (b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext())
+                f->Refilter();
+        if (number == ticks / 8u)
+            body->SetTransform(body->GetPosition() + b2Vec2(m_steps % 2 == 0 ? 2.0f : -2.0f, 0.0f),
+                               body->GetAngle());
+    }
+}
+
+/// What has been squeezed out of its arena comes back in.
+void World::Rescue() {
+    for (b2Body *body = m_world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+        const b2Vec2 away = body->GetPosition() - home;
+        if (body->GetType() == b2_staticBody || b2Max(b2Abs(away.x), b2Abs(away.y)) < rescueBeyond)
+            continue;
+        const uint32_t mixed = actor::Mix(NumberOf(*body), 0, m_steps, 0);
+        const b2Vec2 at(static_cast<float>(mixed % 64) - 31.5f, static_cast<float>(mixed / 64 % 64) - 31.5f);
+        body->SetTransform(home + rescueBeyond / 64.0f * at, 0.0f);
+        body->SetLinearVelocity({0.0f, 0.0f});
+        body->SetAngularVelocity(0.0f);
+    }
+}
+
+void World::RememberPlaces() {
+    m_inImpacts = false;
+    m_places.resize(m_bodiesMade);
+    for (const b2Body *body = m_world.GetBodyList(); body != nullptr; body = body->GetNext())
+        m_places[NumberOf(*body)] = {body->GetWorldCenter(), body->GetAngle()};
+}
+
+/// Box2D tells of begins twice in a step at most: where contacts are brought up to date, before any body has
+/// moved, and in impacts, after all have.
+void World::Watch(const b2Contact &contact) {
+    for (const b2Fixture *fixture : {contact.GetFixtureA(), contact.GetFixtureB()}) {
+        const b2Body *body = fixture->GetBody();
+        const uint32_t number = NumberOf(*body);
+        m_inImpacts =
+            m_inImpacts || (number < m_places.size() && (m_places[number].center != body->GetWorldCenter() ||
+                                                         m_places[number].angle != body->GetAngle()));
+    }
+}
+
+bool World::IsFinite() const {
+    for (const b2Body *body = m_world.GetBodyList(); body != nullptr; body = body->GetNext())
+        if (!body->GetPosition().IsValid() || !body->GetLinearVelocity().IsValid() ||
+            !b2IsValid(body->GetAngle()) || !b2IsValid(body->GetAngularVelocity()))
+            return false;
+    return true;
+}
+
+void World::StartRecord(bool inWords) {
+    m_recorder.StartStep(inWords);
+    m_probes = testbed::HashSink();
+}
+
+void World::ChangeHands(uint32_t how) {
+    b2ContactListener *const listeners[] = {this, &m_other, nullptr, this};
+    b2ContactFilter *const filters[] = {this, &m_other, nullptr, this};
+    m_heard = listeners[how % 4] != nullptr || filters[how / 4 % 4] != nullptr;
+    m_world.SetContactListener(listeners[how % 4]);
+    m_world.SetContactFilter(filters[how / 4 % 4]);
+}
+
+void World::ChangeHandsForNow(uint32_t how) {
+    m_handsChanged = true;
+    ChangeHands(how);
+}
+
+void World::Draw() {
+    Drawn drawn(&m_probes);
+    m_world.SetDebugDraw(&drawn);
+    m_world.DebugDraw();
+    m_world.SetDebugDraw(nullptr);
+}
+
+void World::BeginContact(b2Contact *contact) {
+    Observer(m_recorder).OnBegin(*contact);
+    Watch(*contact);
+    React(contact, kBegin);
+}
+
+void World::EndContact(b2Contact *contact) {
+    Observer(m_recorder).OnEnd(*contact);
+    React(contact, kEnd);
+}
+
+void World::PreSolve(b2Contact *contact, const b2Manifold *old) {
+    Observer(m_recorder).OnPreSolve(*contact, *old);
+    Watch(*contact);
+    React(contact, kPreSolve);
+}
+
+void World::PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) {
+    Observer(m_recorder).OnPostSolve(*contact, *impulse);
+    React(contact, kPostSolve);
+}
+
+void World::SayGoodbye(b2Joint *joint) {
+    Observer(m_recorder).OnGoodbye(*joint);
+}
+
+void World::SayGoodbye(b2Fixture *fixture) {
+    Observer(m_recorder).OnGoodbye(*fixture);
+}
+
+bool World::ShouldCollide(b2Fixture *a, b2Fixture *b) {
+    // The same for a pair whichever of the two comes first.
+    if ((filterReacts & 1) != 0)
+        ReactAsFilter(a, b);
+    if ((filterReacts & 2) != 0 && !ReactAsWildFilter(a, b))
+        return false;
+    const uint32_t pair = (NumberOf(*a) + 1) * (NumberOf(*b) + 1);
+    return (refused >> (pair % 8) & 1) == 0 && b2ContactFilter::ShouldCollide(a, b);
+}
+
+uint32_t World::Mix(const b2Fixture &a, const b2Fixture &b, Occasion occasion) const {
+    return actor::Mix(NumberOf(a), NumberOf(b), m_steps, occasion);
+}
+
+void World::React(b2Contact *contact, Occasion occasion) {
+    if (m_reacting)
+        return;
+    const b2Fixture &a = *contact->GetFixtureA(), &b = *contact->GetFixtureB();
+    const uint32_t mixed = Mix(a, b, occasion);
+    const uint8_t number = reactions[mixed % kReactionsHeld];
+    const Reaction &reaction = kReactions[number < kReactionCount ? number : 0];
+    // Not locked: a body, a fixture or the world is being taken apart.
+    if (!m_world.IsLocked() && !reaction.betweenSteps)
+        return;
+    m_reacting = true;
+    if (m_world.IsLocked())
+        MayThrow(occasion);
+    const uint32_t rest = mixed / kReactionsHeld;
+    b2Fixture *fixture = rest % 2 == 0 ? contact->GetFixtureA() : contact->GetFixtureB();
+    Moment moment = {*this,
+                     contact,
+                     fixture,
+                     fixture->GetBody(),
+                     SomeBody(rest / 2),
+                     rest,
+                     0.05f * static_cast<float>(rest / 2 % 20),
+                     occasion};
+    reaction.act(moment);
+    m_reacting = false;
+}
+
+/// Not from what the islands of a whole step report: an entry of Box2D's stack of memory would be left
+/// behind.
+void World::MayThrow(Occasion occasion) {
+    if (throwing == 0 || throwing % 5 != static_cast<int>(occasion) ||
+        (occasion == kPostSolve && !m_inImpacts))
+        return;
+    throwing = static_cast<uint8_t>(throwing < 10 ? 0 : throwing - 5);
+    if (throwing == 0)
+        throw Thrown();
+}
+
+b2Body *World::SomeBody(uint32_t mixed) {
+    b2Body *body = m_world.GetBodyList();
+    for (uint32_t skip = mixed % static_cast<uint32_t>(m_world.GetBodyCount()); skip > 0; --skip)
+        body = body->GetNext();
+    return body;
+}
+
+void ProbePair(testbed::HashSink &sink, const b2Fixture &a, int32 childA, const b2Fixture &b, int32 childB) {
+    const b2Transform &xfA = a.GetBody()->GetTransform(), &xfB = b.GetBody()->GetTransform();
+    b2DistanceInput input;
+    input.proxyA.Set(a.GetShape(), childA);
+    input.proxyB.Set(b.GetShape(), childB);
+    input.transformA = xfA;
+    input.transformB = xfB;
+    input.useRadii = true;
+    b2SimplexCache cache;
+    cache.count = 0;
+    b2DistanceOutput distance;
+    b2Distance(&distance, &cache, &input);
+    sink.Field("distance", distance.distance);
+    testbed::VisitVector(sink, "a.x", "a.y", distance.pointA);
+    sink.Field("overlap",
+               uint32_t{b2TestOverlap(a.GetShape(), childA, b.GetShape(), childB, xfA, xfB) ? 1u : 0u});
+    b2ShapeCastInput cast;
+    cast.proxyA = input.proxyA;
+    cast.proxyB = input.proxyB;
+    cast.transformA = xfA;
+    cast.transformB = xfB;
+    cast.translationB = {1.0f, -2.0f};
+    b2ShapeCastOutput hit = {};
+    if (b2ShapeCast(&hit, &cast))
+        sink.Field("lambda", hit.lambda);
+}
+
+void ProbeContact(testbed::HashSink &sink, b2Contact &contact, b2Vec2 away) {
+    b2Transform xfA = contact.GetFixtureA()->GetBody()->GetTransform();
+    xfA.p += away;
+    b2Manifold manifold;
+    std::memset(static_cast<void *>(&manifold), 0x7f, sizeof manifold);
+    contact.Evaluate(&manifold, xfA, contact.GetFixtureB()->GetBody()->GetTransform());
+    testbed::VisitManifold(sink, manifold, false);
+}
+
+void ScaleInPlace(b2PolygonShape *polygon, float reach) {
+    float farthest = 0.0f;
+    for (int32 i = 0; i < polygon->m_count; ++i)
+        farthest = b2Max(farthest, polygon->m_vertices[i].Length());
+    const float factor = farthest > reach ? 0.75f : 1.25f;
+    for (int32 i = 0; i < polygon->m_count; ++i)
+        polygon->m_vertices[i] *= factor;
+    polygon->m_centroid *= factor;
+}
+
+} // namespace actor
