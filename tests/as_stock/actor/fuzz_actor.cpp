@@ -64,7 +64,8 @@ void ServeAsStock(int in, int out, const char *poison) {
     dup2(in, STDIN_FILENO);
     dup2(out, STDOUT_FILENO);
     const char *words[] = {program.c_str(), "serve", nullptr};
-    const char *environment[] = {preloaded.c_str(), byte.c_str(), perturb.c_str(), nullptr};
+    const char *environment[] = {preloaded.c_str(), byte.c_str(), perturb.c_str(),
+                                 "LLVM_PROFILE_FILE=/dev/null", nullptr};
     execve(program.c_str(), const_cast<char **>(words), const_cast<char **>(environment));
     std::perror(program.c_str());
 }
