@@ -10,7 +10,7 @@
 /// other file knows which.
 ///
 /// Every operation rounds each lane once and gives the same bits in all forms, except that a NaN may
-/// have another payload. tests/unit/test_float4.c compares them. So code that is written with these has the
+/// have another payload. tests/claims/test_float4.c compares them. So code that is written with these has the
 /// same order of operations, and the same bits, on every processor. (Compile it with -ffp-contract=off:
 /// compilers take NEON's product and sum for a * b + c, and would fuse them.)
 ///

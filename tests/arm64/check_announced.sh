@@ -9,8 +9,8 @@ set -uo pipefail
 build=${1:?} plugin=${2:?}
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
-# shellcheck source=tests/support/holds.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../support/holds.sh"
+# shellcheck source=tests/kit/holds.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../kit/holds.sh"
 unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
 # shellcheck source=tests/box2d_builds/processor.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../box2d_builds/processor.sh"

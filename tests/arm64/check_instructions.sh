@@ -21,8 +21,8 @@ last_of() {
 }
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
-# shellcheck source=tests/support/holds.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../support/holds.sh"
+# shellcheck source=tests/kit/holds.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../kit/holds.sh"
 unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
 read -ra emulator <<<"${BOX2D_BUILDS_EMULATOR:?}"
 

@@ -14,8 +14,8 @@ scenes=("$@")
 [ ${#scenes[@]} -gt 0 ] || scenes=(planks needles sensors bullets coins-pile star-pile pyramid tiles)
 profile=$(mktemp)
 trap 'rm -f "$profile"' EXIT
-# shellcheck source=tests/support/holds.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../support/holds.sh"
+# shellcheck source=tests/kit/holds.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../kit/holds.sh"
 unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
 export LD_BIND_NOW=1
 

@@ -11,8 +11,8 @@ build=${1:?} installed=${2:?}
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
-# shellcheck source=tests/support/holds.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../support/holds.sh"
+# shellcheck source=tests/kit/holds.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../kit/holds.sh"
 # shellcheck source=tests/box2d_builds/processor.sh
 source "$here/processor.sh"
 unset BOOMERANG LD_PRELOAD

@@ -13,8 +13,8 @@ accelerated=$build/static/accelerated/libbox2d.a
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 holds_shows=$room/err
-# shellcheck source=tests/support/holds.sh
-source "$root/tests/support/holds.sh"
+# shellcheck source=tests/kit/holds.sh
+source "$root/tests/kit/holds.sh"
 unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
 cd "$room" || exit 1
 

@@ -4,7 +4,7 @@
 
     test_playground_page.py PAGE [unittest's options]
 
-What it draws and counts is tested without a browser (unit/test_playground.c). Here: that it starts from a file and asks nobody, that
+What it draws and counts is tested without a browser (claims/test_playground.c). Here: that it starts from a file and asks nobody, that
 hands and keys reach it, that it can be read and heard, that nothing lies on anything else, what a frame costs.
 """
 

@@ -12,7 +12,7 @@ shift 4
 link=("$@")
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
-flags=(-O1 -ffp-contract=off -w "-I$root/tests/support")
+flags=(-O1 -ffp-contract=off -w "-I$root/tests/kit")
 # A test takes a second or two. What takes so many seconds of the processor goes round for ever.
 patience=${BMR_PATIENCE:-120}
 export BMR_TEST_SCALE=0.1

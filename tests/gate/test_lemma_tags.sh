@@ -53,7 +53,7 @@ places() {
 
 # All tags: file, tag, statement, and the name of the function that the comment stands at.
 tags() {
-    (cd "$1" && find core tests/unit tests/property -name '*.[ch]' -o -name '*.cpp' | sort | xargs awk '
+    (cd "$1" && find core tests/claims -name '*.[ch]' -o -name '*.cpp' | sort | xargs awk '
         FNR == 1 { count = 0 }
         /^\/\/\/ (Lemma|Theorem) [0-9]/ || /^\/\/\/ Section [0-9]+, [^:]*: / {
             line = substr($0, 5)
@@ -100,7 +100,7 @@ control() {
     rm -rf "$room/tree"
     mkdir -p "$room/tree/tests"
     cp -r "$root/core" "$room/tree/core"
-    cp -r "$root/tests/unit" "$root/tests/property" "$room/tree/tests"
+    cp -r "$root/tests/claims" "$room/tree/tests"
     perl -0pi -e "$4" "$room/tree/$file"
     if cmp -s "$root/$file" "$room/tree/$file"; then
         echo "FAILED: the control '$what' changes nothing"
@@ -111,7 +111,7 @@ control() {
     fi
 }
 control 'no tag in the code' 'bmr_hierarchy_height has no "/// Lemma 3.1' core/hierarchy/measure.c 's|/// Lemma 3.1:[^\n]*\n||'
-control 'no tag in the test' 'the_tiling_is_of_linear_size has no "/// Lemma 4.1' tests/property/test_claims_mixed.c 's|/// Lemma 4.1:[^\n]*\n||'
+control 'no tag in the test' 'the_tiling_is_of_linear_size has no "/// Lemma 4.1' tests/claims/test_claims_mixed.c 's|/// Lemma 4.1:[^\n]*\n||'
 control 'a tag at another function' 'bmr_hierarchy_height has no' core/hierarchy/measure.c \
     's|(/// Lemma 3.1:[^\n]*\n)(.*?\n}\n)|$2|s; s|\z|\n/// Lemma 3.1: here.\nvoid other(void) {\n}\n|'
 control 'another statement' 'has no "/// Lemma 4.1' core/hierarchy/mixed_tiling.c 's|(/// Lemma 4.1: .*?)m\) cells|$1n) cells|'

@@ -24,8 +24,8 @@ room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 # B2_SHARED as in the library's own build: Box2D's functions that are defined here must be seen.
 flags="-std=c++17 -O0 -fPIC -fvisibility=hidden -ftls-model=initial-exec -ffp-contract=off -w -DB2_SHARED"
-# shellcheck source=tests/support/mutant_library.sh
-source "$root/tests/support/mutant_library.sh"
+# shellcheck source=tests/kit/mutant_library.sh
+source "$root/tests/kit/mutant_library.sh"
 
 # within COMMAND…: as far as it comes. What is run here has a second of the processor at most when it is well: what has used
 # $limit goes round for ever without its piece. (Of the processor: the clock goes on where the machine is busy. What has stopped

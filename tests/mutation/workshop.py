@@ -20,7 +20,7 @@ SOURCES = ("CMakeLists.txt", "cmake", "core", "box2d_glue", "plugin", "testbed_s
            "CHANGELOG.md", "LICENSE", "tools")
 # Mutants are no subject of these: they build something anew, or look at pages and texts.
 OTHER_LABELS = {"controls", "consumer", "browser", "mutation", "examples", "fuzz", "coverage", "determinism"}
-LABEL_ORDER = ["unit", "property", "hooks", "plugin", "preloaded"]
+LABEL_ORDER = ["claims", "glue", "unit", "property", "hooks", "plugin", "preloaded"]
 # In C, a swap of arguments whose types do not fit is an error like any other.
 C_FLAGS = "-Werror=implicit-function-declaration -Werror=int-conversion -Werror=incompatible-pointer-types"
 SLACK = 10.0  # seconds that a test may take beyond three times what it takes without a mutant
@@ -138,7 +138,7 @@ class Workshop:
             artefacts = {name for word in command for name in self._artefacts(word.split("=")[-1], outputs)}
             if not artefacts:
                 continue
-            texts = [self.source / "tests" / folder / (entry["name"] + end) for folder in ("unit", "property")
+            texts = [self.source / "tests" / folder / (entry["name"] + end) for folder in ("claims", "glue")
                      for end in (".c", ".cpp")]
             texts = [t for t in texts if t.is_file()] + [pathlib.Path(w) for w in command if w.endswith(".sh")]
             scaled = any(re.search("test_scaled|BMR_TEST_SCALE", t.read_text()) for t in texts)

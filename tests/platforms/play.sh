@@ -14,8 +14,8 @@ runner=("$@")
 room=$(mktemp -d)
 holds_shows=$room/said
 trap 'rm -rf "$room"' EXIT
-# shellcheck source=tests/support/holds.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../support/holds.sh"
+# shellcheck source=tests/kit/holds.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../kit/holds.sh"
 # What goes round for ever ends: many hundred times what a game needs of a processor, however busy the machine is.
 ulimit -t 120
 unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD

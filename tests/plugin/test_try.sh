@@ -9,8 +9,8 @@ boomerang=$(realpath "${1:?}") bin=${2:?}
 room=$(mktemp -d)
 holds_shows=$room/said
 trap 'rm -rf "$room"' EXIT
-# shellcheck source=tests/support/holds.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../support/holds.sh"
+# shellcheck source=tests/kit/holds.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../kit/holds.sh"
 unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
 
 # tries STATUS ARGUMENT...: it ends with that; what it says, in one line, is in $room/said. (A run ends with its game; the limit is

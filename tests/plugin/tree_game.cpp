@@ -5,7 +5,7 @@
 // A game that keeps trees of boxes of its own beside its world, and puts any boxes into them.
 #include <cstdlib>
 
-#include "../support/tree_play.h"
+#include "../kit/tree_play.h"
 #include "small_world.h"
 
 int main(int count, char **arguments) {

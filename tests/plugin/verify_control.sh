@@ -26,8 +26,8 @@ fail() {
     exit 1
 }
 flags="-std=c++17 -O1 -fPIC -fvisibility=hidden -ftls-model=initial-exec -ffp-contract=off -w -DB2_SHARED"
-# shellcheck source=tests/support/mutant_library.sh
-source "$root/tests/support/mutant_library.sh"
+# shellcheck source=tests/kit/mutant_library.sh
+source "$root/tests/kit/mutant_library.sh"
 
 # control NAME FILE SUBSTITUTION SAYS GAME...
 control() {

@@ -24,8 +24,8 @@ if [ "$sanitizer" = thread ]; then
     linked="-fsanitize=thread"
     flags="$flags -fsanitize=thread"
 fi
-# shellcheck source=tests/support/mutant_library.sh
-source "$root/tests/support/mutant_library.sh"
+# shellcheck source=tests/kit/mutant_library.sh
+source "$root/tests/kit/mutant_library.sh"
 unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE
 # (A child inherits threads that ended in its parent, and that it cannot join; and would sleep for a second before it ends, to let them
 # race.)
