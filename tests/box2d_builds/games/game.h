@@ -23,8 +23,6 @@ public:
     virtual uint64_t Probes() const { return m_probes.Value(); }
     /// A step was ended by an exception of this game's; the world is locked until one ends well.
     virtual void AfterException() {}
-    /// The other world of this game, which a listener may step; nullptr where there is none.
-    virtual void SetOther(class Playing *) {}
 
 protected:
     testbed::HashSink m_probes;

@@ -35,23 +35,20 @@ public:
         try {
             World().Step(m_game->TimeStep(), 8, 3);
         } catch (const Thrown &) {
-            ++m_thrown;
             m_game->AfterException();
         }
     }
 
     testbed::StateHashes Hashes() { return testbed::HashState(World(), m_recorder); }
     std::string Describe() { return testbed::DescribeState(World(), m_recorder); }
-    unsigned long ThrownSoFar() const { return m_thrown; }
 
 private:
-    static constexpr int kSize = 12; // of random worlds: up to 24 bodies
+    static constexpr int kSize = 12;
 
     // In this order: the world goes first, and tells the game of its joints.
     std::unique_ptr<Game> m_game;
     testbed::EventRecorder m_recorder;
     testbed::Stage m_stage;
-    unsigned long m_thrown = 0;
 };
 
 } // namespace box2d_builds
