@@ -78,9 +78,10 @@ void World::Step(float timeStep, int32 velocityIterations, int32 positionIterati
         ChangeHands(0);
     m_handsChanged = false;
     if (m_disabled && !m_heard) {
-        // Known to differ: what was disabled while it was apart, in a world that nobody listens to.
+        // Known to differ: what was disabled while it had no points, in a world that nobody listens to.
         for (b2Contact *contact = m_world.GetContactList(); contact != nullptr; contact = contact->GetNext())
-            if (!contact->IsTouching())
+            if (!contact->IsTouching() || contact->GetFixtureA()->IsSensor() ||
+                contact->GetFixtureB()->IsSensor())
                 contact->SetEnabled(true);
         m_disabled = false;
     }
