@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Every function of boomerang::kinetic that allocates, with every one of its allocations failing once: those
 // of the allocator, and GSL's own, which come from malloc and are counted with them (the linker's --wrap).
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
+#define CHECKS_OWN_MAIN
+#include "checks.h"
 
 #include <gsl/gsl_rng.h>
 
@@ -30,8 +28,7 @@ static bmr_pose pose_of(double x) {
     return pose;
 }
 
-static int prepare(void **state) {
-    (void)state;
+static int prepare(void) {
     piece = bmr_piece_screw(0.0, pose_of(10.0), bmr_vec2_make(-1.0, 0.1), 0.3);
     if (bmr_outline_points(BMR_OUTLINE_REGULAR, COUNT, 1, points) != BMR_OK ||
         bmr_polygon_create(points, COUNT, NULL, &polygon) != BMR_OK)
@@ -44,12 +41,10 @@ static int prepare(void **state) {
     return 0;
 }
 
-static int give_back(void **state) {
-    (void)state;
+static void give_back(void) {
     for (int i = 0; i < 3; ++i)
         bmr_motion_destroy(motions[i]);
     bmr_polygon_destroy(polygon, NULL);
-    return 0;
 }
 
 // --- GSL's allocations ---
@@ -354,11 +349,14 @@ static const test_attempt attempts[] = {
 };
 #define ATTEMPTS (sizeof attempts / sizeof *attempts)
 
-static void every_allocation_may_fail(void **state) {
-    const test_attempt *attempt = *state;
-    const char *wrong = test_every_allocation(attempt);
-    if (wrong)
-        fail_msg("%s %s", attempt->name, wrong);
+TEST(every_allocation_may_fail) {
+    assert_int_equal(prepare(), 0);
+    for (size_t i = 0; i < ATTEMPTS; ++i) {
+        const char *wrong = test_every_allocation(&attempts[i]);
+        if (wrong)
+            fail_msg("%s %s", attempts[i].name, wrong);
+    }
+    give_back();
 }
 
 int main(int argc, char **argv) {
@@ -367,9 +365,5 @@ int main(int argc, char **argv) {
             printf("%s\n", attempts[i].name);
         return 0;
     }
-    struct CMUnitTest tests[ATTEMPTS];
-    for (size_t i = 0; i < ATTEMPTS; ++i)
-        tests[i] = (struct CMUnitTest){attempts[i].name, every_allocation_may_fail, NULL, NULL,
-                                       (void *)&attempts[i]};
-    return cmocka_run_group_tests(tests, prepare, give_back);
+    return check_run("");
 }

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <inttypes.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "kds_driver.h"
@@ -80,11 +76,11 @@ static void drive_one(const char *name, bool rotates, test_random *random, total
     const test_drive drive = {.path = &path, .margin = margin, .on_event = count_event, .context = t};
     const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &drive);
     if (!test_drive_is_sound(&result))
-        print_message("%s, path %d, n %u, m %u: false audits %u (%s), dead repairs %u, false contacts %u, "
-                      "missed %u, changed by none %u\n",
-                      name, (int)kind, a.polygon->count, b.polygon->count, result.false_audits,
-                      bmr_error_describe(result.error), result.dead_repairs, result.false_contacts,
-                      result.missed_contacts, result.changed_by_none);
+        printf("%s, path %d, n %u, m %u: false audits %u (%s), dead repairs %u, false contacts %u, "
+               "missed %u, changed by none %u\n",
+               name, (int)kind, a.polygon->count, b.polygon->count, result.false_audits,
+               bmr_error_describe(result.error), result.dead_repairs, result.false_contacts,
+               result.missed_contacts, result.changed_by_none);
     assert_true(test_drive_is_sound(&result));
     // Control: the audit says no where a pair that is held apart touches.
     bmr_kds_proof proof;
@@ -107,11 +103,11 @@ static void drive_all(bool rotates, size_t rounds, uint64_t seed) {
         memset(&t, 0, sizeof t);
         for (size_t round = 0; round < rounds; ++round)
             drive_one(names[k], rotates, &random, &t);
-        print_message("%s:", names[k]);
+        printf("%s:", names[k]);
         for (int i = 0; i < BMR_KDS_EVENT_KIND_COUNT; ++i)
             if (t.events[i] > 0)
-                print_message(" %s %" PRIu64, bmr_kds_event_name((bmr_kds_event_kind)i), t.events[i]);
-        print_message(", of these outside %" PRIu64 "\n", t.outside);
+                printf(" %s %" PRIu64, bmr_kds_event_name((bmr_kds_event_kind)i), t.events[i]);
+        printf(", of these outside %" PRIu64 "\n", t.outside);
         assert_int_equal(t.mislabelled, 0);
         assert_true(t.levels > 0 && t.outside > 0);
         assert_true(t.events[BMR_KDS_CROSS] > rounds && t.events[BMR_KDS_STAB] > rounds);
@@ -121,20 +117,17 @@ static void drive_all(bool rotates, size_t rounds, uint64_t seed) {
     }
 }
 
-static void translations_are_sound(void **state) {
-    (void)state;
+TEST(translations_are_sound) {
     drive_all(false, test_scaled(150), 501);
 }
 
-static void rigid_motions_are_sound(void **state) {
-    (void)state;
+TEST(rigid_motions_are_sound) {
     drive_all(true, test_scaled(200), 503);
 }
 
 /// Boxes, octagons and regular polygons at multiples of a right angle, moving along the axes on the lines of
 /// their own sides: without the displacement the point would move along borders of cells.
-static void aligned_bodies_on_aligned_ways_are_no_trap(void **state) {
-    (void)state;
+TEST(aligned_bodies_on_aligned_ways_are_no_trap) {
     static const test_family families[] = {TEST_BOX, TEST_OCTAGON, TEST_GRID, TEST_PARALLEL, TEST_TURNED_BOX};
     test_random random = {505};
     for (size_t round = 0; round < test_scaled(120); ++round) {
@@ -176,8 +169,7 @@ static size_t first_failed(const bmr_kds *kds, const bmr_pose *pose) {
 }
 
 /// Whatever the pose, one repair makes all conditions true there, or finds contact.
-static void a_repair_after_any_jump_leads_to_the_right_cell(void **state) {
-    (void)state;
+TEST(a_repair_after_any_jump_leads_to_the_right_cell) {
     test_random random = {507};
     size_t repairs = 0, failed_before = 0;
     for (size_t round = 0; round < test_scaled(60); ++round) {
@@ -208,8 +200,7 @@ static void a_repair_after_any_jump_leads_to_the_right_cell(void **state) {
     assert_true(repairs > 0 && failed_before > repairs / 2);
 }
 
-static void a_repair_that_is_called_early_changes_nothing(void **state) {
-    (void)state;
+TEST(a_repair_that_is_called_early_changes_nothing) {
     test_random random = {509};
     for (size_t round = 0; round < 60; ++round) {
         test_kds_body a = random_body(&random), b = random_body(&random);
@@ -276,8 +267,7 @@ static bool waits_for(const bmr_kds *kds, const bmr_condition *condition) {
 
 /// The point goes over a side at a small angle, so that nothing but the rate tells on which side it will be:
 /// a cell that is kept would be left again at the same time, for ever.
-static void a_border_crossed_at_any_angle_is_crossed(void **state) {
-    (void)state;
+TEST(a_border_crossed_at_any_angle_is_crossed) {
     test_random random = {513};
     size_t crossed = 0, grown = 0;
     for (size_t round = 0; round < test_scaled(400); ++round) {
@@ -315,12 +305,11 @@ static void a_border_crossed_at_any_angle_is_crossed(void **state) {
         test_kds_body_destroy(&a);
         test_kds_body_destroy(&b);
     }
-    print_message("%zu borders crossed\n", crossed);
+    printf("%zu borders crossed\n", crossed);
     assert_true(crossed > test_scaled(400) && grown > crossed / 2);
 }
 
-static void contact_is_at_the_margin_and_left_with_hysteresis(void **state) {
-    (void)state;
+TEST(contact_is_at_the_margin_and_left_with_hysteresis) {
     test_random random = {511};
     for (size_t round = 0; round < 60; ++round) {
         test_kds_body a = random_body(&random), b = random_body(&random);
@@ -373,8 +362,7 @@ static test_kds_body regular_body(size_t n, double phase) {
 
 /// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
 /// Bytes: the implicit structures' do not depend on n. The tilings' do (the control).
-static void the_active_cell_takes_constant_space(void **state) {
-    (void)state;
+TEST(the_active_cell_takes_constant_space) {
     size_t bytes[COUNT_OF(names)][2];
     for (int i = 0; i < 2; ++i) {
         test_kds_body a = regular_body(i ? 2048 : 8, 0.1), b = regular_body(i ? 1024 : 4, 0.2);
@@ -387,8 +375,8 @@ static void the_active_cell_takes_constant_space(void **state) {
         test_kds_body_destroy(&b);
     }
     for (size_t k = 0; k < COUNT_OF(names); ++k)
-        print_message("%s: %zu bytes for 8 and 4 vertices, %zu for 2048 and 1024\n", names[k], bytes[k][0],
-                      bytes[k][1]);
+        printf("%s: %zu bytes for 8 and 4 vertices, %zu for 2048 and 1024\n", names[k], bytes[k][0],
+               bytes[k][1]);
     assert_true(bytes[0][0] == bytes[0][1] && bytes[1][0] == bytes[1][1]);
     assert_true(bytes[2][1] > 50 * bytes[2][0] && bytes[3][1] > 50 * bytes[3][0]);
 }
@@ -412,8 +400,7 @@ static test_drive_result drive_regular(const char *name, size_t n, test_path_kin
 /// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
 /// Lemma mixed2 and theorem transpoly: O(log) events of a line (3 log2(D/sigma) + 2 cells on the compass, and
 /// the outside before and after), O(sqrt(D/sigma)) of an orbit (15 sqrt(D/sigma), the notes' measure).
-static void events_grow_as_the_theorem_says(void **state) {
-    (void)state;
+TEST(events_grow_as_the_theorem_says) {
     size_t above_half_line = 0, above_half_orbit = 0;
     for (size_t k = 0; k < 2; ++k)
         for (int power = 3; power <= 11; power += 2) {
@@ -422,30 +409,14 @@ static void events_grow_as_the_theorem_says(void **state) {
             const test_drive_result orbit = drive_regular(names[k], 256, TEST_PATH_ORBIT, sigma, 0.53);
             const double of_line = (double)test_drive_events(&line),
                          of_orbit = (double)test_drive_events(&orbit);
-            print_message(
-                "%s, sigma = D / 2^%d: line %.0f events, orbit %.0f = %.1f sqrt(D/sigma); %.2f stages "
-                "an event\n",
-                names[k], power, of_line, of_orbit, of_orbit * sqrt(sigma),
-                (double)(line.touched + orbit.touched) / (of_line + of_orbit));
+            printf("%s, sigma = D / 2^%d: line %.0f events, orbit %.0f = %.1f sqrt(D/sigma); %.2f stages "
+                   "an event\n",
+                   names[k], power, of_line, of_orbit, of_orbit * sqrt(sigma),
+                   (double)(line.touched + orbit.touched) / (of_line + of_orbit));
             assert_true(k == 1 || of_line <= 3.0 * power + 2.0 + 8.0);
             assert_true(of_orbit * sqrt(sigma) <= 15.0);
             above_half_line += of_line > 0.5 * (3.0 * power + 2.0);
             above_half_orbit += of_orbit * sqrt(sigma) > 7.5;
         }
     assert_true(above_half_line > 0 && above_half_orbit > 0); // controls: half of each bound is too little
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(translations_are_sound),
-        cmocka_unit_test(rigid_motions_are_sound),
-        cmocka_unit_test(aligned_bodies_on_aligned_ways_are_no_trap),
-        cmocka_unit_test(a_repair_after_any_jump_leads_to_the_right_cell),
-        cmocka_unit_test(a_repair_that_is_called_early_changes_nothing),
-        cmocka_unit_test(a_border_crossed_at_any_angle_is_crossed),
-        cmocka_unit_test(contact_is_at_the_margin_and_left_with_hysteresis),
-        cmocka_unit_test(the_active_cell_takes_constant_space),
-        cmocka_unit_test(events_grow_as_the_theorem_says),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,13 +2,11 @@
 // Every function of core that takes an allocator, with every one of its allocations failing once. (That none
 // is missing here is bad_input/check_allocators.sh's to see.)
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
+#define CHECKS_OWN_MAIN
+#include "checks.h"
 
 #include "boomerang/kds.h"
 #include "boomerang/minkowski.h"
@@ -27,8 +25,7 @@ static bmr_shape shape, point_shape;
 static bmr_convex32_block *convex;
 static bmr_mixed mixed;
 
-static int prepare(void **state) {
-    (void)state;
+static int prepare(void) {
     for (int i = 0; i < COUNT; ++i) {
         const double angle = 6.283185307179586 * i / COUNT;
         points[i] = bmr_vec2_make(3.0 * cos(angle), sin(angle));
@@ -55,8 +52,7 @@ static int prepare(void **state) {
     return errors;
 }
 
-static int give_back(void **state) {
-    (void)state;
+static void give_back(void) {
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
         bmr_hierarchy_destroy((bmr_hierarchy *)shape.hierarchies[kind], NULL);
         bmr_hierarchy_destroy((bmr_hierarchy *)point_shape.hierarchies[kind], NULL);
@@ -65,7 +61,6 @@ static int give_back(void **state) {
     bmr_polygon_destroy(polygon, NULL);
     bmr_polygon_destroy(point, NULL);
     bmr_convex32_destroy(convex, NULL);
-    return 0;
 }
 
 // What must stay as it is where there is an error.
@@ -340,11 +335,14 @@ static const test_attempt attempts[] = {
 };
 #define ATTEMPTS (sizeof attempts / sizeof *attempts)
 
-static void every_allocation_may_fail(void **state) {
-    const test_attempt *attempt = *state;
-    const char *wrong = test_every_allocation(attempt);
-    if (wrong)
-        fail_msg("%s %s", attempt->name, wrong);
+TEST(every_allocation_may_fail) {
+    assert_int_equal(prepare(), 0);
+    for (size_t i = 0; i < ATTEMPTS; ++i) {
+        const char *wrong = test_every_allocation(&attempts[i]);
+        if (wrong)
+            fail_msg("%s %s", attempts[i].name, wrong);
+    }
+    give_back();
 }
 
 // --- controls: functions that must not pass ---
@@ -378,8 +376,7 @@ static bmr_error confuse_sizes(const bmr_allocator *allocator, uint64_t *bits) {
     return BMR_OK;
 }
 
-static void what_leaks_or_hides_is_found(void **state) {
-    (void)state;
+TEST(what_leaks_or_hides_is_found) {
     const test_attempt bad[] = {{"leak", leak}, {"hide", hide}, {"confuse_sizes", confuse_sizes}};
     for (size_t i = 0; i < 3; ++i)
         assert_non_null(test_every_allocation(&bad[i]));
@@ -391,9 +388,5 @@ int main(int argc, char **argv) {
             printf("%s\n", attempts[i].name);
         return 0;
     }
-    struct CMUnitTest tests[ATTEMPTS + 1] = {cmocka_unit_test(what_leaks_or_hides_is_found)};
-    for (size_t i = 0; i < ATTEMPTS; ++i)
-        tests[i + 1] = (struct CMUnitTest){attempts[i].name, every_allocation_may_fail, NULL, NULL,
-                                           (void *)&attempts[i]};
-    return cmocka_run_group_tests(tests, prepare, give_back);
+    return check_run("");
 }

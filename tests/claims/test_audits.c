@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Audits see what is wrong in a state, each promise by itself: what is damaged here is damaged nowhere else.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/pair.h"
 #include "kds/point.h"
@@ -62,8 +58,7 @@ typedef struct lazy_begin {
     int level;
 } lazy_begin;
 
-static void the_edge_and_the_corner_of_a_lazy_structure_are_of_its_level(void **state) {
-    (void)state;
+TEST(the_edge_and_the_corner_of_a_lazy_structure_are_of_its_level) {
     stage s = stage_of("lazy-dudley", regular(64), regular(64), 1e-3);
     lazy_begin *lazy = (lazy_begin *)(void *)s.kds->state;
     const lazy_begin right = *lazy;
@@ -84,8 +79,7 @@ static void the_edge_and_the_corner_of_a_lazy_structure_are_of_its_level(void **
 }
 
 /// Below the deepest level there is none to begin with: the deepest is all.
-static void an_inflation_may_begin_below_both_hierarchies(void **state) {
-    (void)state;
+TEST(an_inflation_may_begin_below_both_hierarchies) {
     test_kds_body a = regular(24), b = regular(16);
     bmr_kds_def def = bmr_default_kds_def();
     def.root_level = 50;
@@ -102,8 +96,7 @@ static void an_inflation_may_begin_below_both_hierarchies(void **state) {
     test_kds_body_destroy(&b);
 }
 
-static void the_edge_of_a_triangle_is_one_of_the_hierarchy(void **state) {
-    (void)state;
+TEST(the_edge_of_a_triangle_is_one_of_the_hierarchy) {
     stage s = stage_of("triangle-levels-dudley", regular(64), test_kds_point_make(0.125, 0.0), 0.1);
     bmr_point_state *point = bmr_point_get(s.kds);
     const bmr_edge right = point->edge;
@@ -127,8 +120,7 @@ typedef struct edge_begin {
     uint32_t edge, vertex;
 } edge_begin;
 
-static void the_separating_edge_has_its_own_line_and_the_nearest_vertex(void **state) {
-    (void)state;
+TEST(the_separating_edge_has_its_own_line_and_the_nearest_vertex) {
     stage s = stage_of("separating-edge", regular(16), regular(16), 0.2);
     edge_begin *e = (edge_begin *)(void *)s.kds->state;
     assert_true(e->is_edge);
@@ -144,8 +136,7 @@ static void the_separating_edge_has_its_own_line_and_the_nearest_vertex(void **s
 }
 
 /// Between the ends of a bracket, where two points of the window tie, a vertex between them is farther.
-static void a_window_bounds_in_the_middle_of_its_bracket_too(void **state) {
-    (void)state;
+TEST(a_window_bounds_in_the_middle_of_its_bracket_too) {
     stage s = stage_of("free-fd1", regular(16), regular(16), 0.2);
     bmr_windowed_line *w = (bmr_windowed_line *)(void *)s.kds->state;
     const int other = 1 - w->owner;
@@ -171,8 +162,7 @@ static void a_window_bounds_in_the_middle_of_its_bracket_too(void **state) {
 
 /// A sum has as many vertices as both, and its block is made for all of them: what could not be is refused at
 /// once.
-static void sums_that_are_too_large_are_refused(void **state) {
-    (void)state;
+TEST(sums_that_are_too_large_are_refused) {
     const bmr_kds_def def = bmr_default_kds_def();
     const bmr_kds_info *info = test_structure("sum-triangle-dudley");
     test_random random = {1};
@@ -193,8 +183,7 @@ static void sums_that_are_too_large_are_refused(void **state) {
 }
 
 /// Nothing has failed, and nothing is repaired: the state stays as it was, to the bit.
-static void an_early_repair_of_a_windowed_line_changes_nothing(void **state) {
-    (void)state;
+TEST(an_early_repair_of_a_windowed_line_changes_nothing) {
     static const char *const names[] = {"free-fd1",  "free-fd2", "free-fdx",
                                         "free-fdxa", "predict",  "inflated-translation"};
     for (size_t k = 0; k < sizeof names / sizeof *names; ++k) {
@@ -219,8 +208,7 @@ static void an_early_repair_of_a_windowed_line_changes_nothing(void **state) {
     }
 }
 
-static void a_pair_is_audited_field_by_field(void **state) {
-    (void)state;
+TEST(a_pair_is_audited_field_by_field) {
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
         test_random random = {3};
         test_body a = test_body_make(test_polygon(TEST_ELLIPSE, 40, &random), (bmr_structure)structure),
@@ -259,8 +247,7 @@ static void a_pair_is_audited_field_by_field(void **state) {
 }
 
 /// Without hierarchies the lazy structures have nothing to walk on: the pair is a free direction.
-static void a_lazy_pair_without_hierarchies_is_audited_as_a_free_direction(void **state) {
-    (void)state;
+TEST(a_lazy_pair_without_hierarchies_is_audited_as_a_free_direction) {
     test_random random = {3};
     test_body a = test_body_make(test_polygon(TEST_ELLIPSE, 40, &random), BMR_FREE_DIRECTION);
     const bmr_shape shape = test_body_shape(&a);
@@ -280,8 +267,7 @@ static void a_lazy_pair_without_hierarchies_is_audited_as_a_free_direction(void 
     test_body_destroy(&a);
 }
 
-static void a_certificate_whose_bracket_is_wider_than_half_a_turn_is_none(void **state) {
-    (void)state;
+TEST(a_certificate_whose_bracket_is_wider_than_half_a_turn_is_none) {
     test_random random = {3};
     bmr_polygon *p = test_polygon(TEST_REGULAR, 8, &random);
     const bmr_pose right = {{4.0, 0.0}, 1.0, 0.0};
@@ -300,8 +286,7 @@ static void a_certificate_whose_bracket_is_wider_than_half_a_turn_is_none(void *
     bmr_polygon_destroy(p, NULL);
 }
 
-static void a_polygon_beyond_the_range_is_refused(void **state) {
-    (void)state;
+TEST(a_polygon_beyond_the_range_is_refused) {
     test_random random = {3};
     bmr_polygon *p = test_polygon(TEST_REGULAR, 8, &random);
     const bmr_polygon right = *p;
@@ -321,21 +306,4 @@ static void a_polygon_beyond_the_range_is_refused(void **state) {
     assert_int_equal(bmr_polygon_audit(p), BMR_ERROR_INVALID_STRUCTURE);
     *p = right;
     bmr_polygon_destroy(p, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_edge_and_the_corner_of_a_lazy_structure_are_of_its_level),
-        cmocka_unit_test(an_inflation_may_begin_below_both_hierarchies),
-        cmocka_unit_test(the_edge_of_a_triangle_is_one_of_the_hierarchy),
-        cmocka_unit_test(the_separating_edge_has_its_own_line_and_the_nearest_vertex),
-        cmocka_unit_test(a_window_bounds_in_the_middle_of_its_bracket_too),
-        cmocka_unit_test(sums_that_are_too_large_are_refused),
-        cmocka_unit_test(an_early_repair_of_a_windowed_line_changes_nothing),
-        cmocka_unit_test(a_pair_is_audited_field_by_field),
-        cmocka_unit_test(a_lazy_pair_without_hierarchies_is_audited_as_a_free_direction),
-        cmocka_unit_test(a_certificate_whose_bracket_is_wider_than_half_a_turn_is_none),
-        cmocka_unit_test(a_polygon_beyond_the_range_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <float.h>
 #include <math.h>
 
@@ -36,8 +32,7 @@ static uint32_t look(bmr_mover *mover, double x, double y, double angle) {
     return bmr_mover_look(mover, &pose, UNITS);
 }
 
-static void the_structures_are_as_small_as_they_say(void **state) {
-    (void)state;
+TEST(the_structures_are_as_small_as_they_say) {
     assert_int_equal(sizeof(bmr_mover), 64);
     assert_int_equal(sizeof(bmr_budget_line), 12);
 }
@@ -52,8 +47,7 @@ static bool due_after(double slack, uint32_t a, uint32_t b, uint32_t by) {
     return due;
 }
 
-static void a_pair_is_due_when_its_budget_is_used_up_and_stays_so_for_2_to_the_31(void **state) {
-    (void)state;
+TEST(a_pair_is_due_when_its_budget_is_used_up_and_stays_so_for_2_to_the_31) {
     const uint32_t budgets[] = {1u, 2u, 3u, 1000u, 1u << 20, BMR_BUDGET_MOST - 1u, BMR_BUDGET_MOST};
     for (size_t i = 0; i < COUNT(beginnings); ++i)
         for (size_t j = 0; j < COUNT(beginnings); ++j)
@@ -72,8 +66,7 @@ static void a_pair_is_due_when_its_budget_is_used_up_and_stays_so_for_2_to_the_3
             }
 }
 
-static void no_slack_is_due_at_once_and_no_slack_counts_for_more_than_the_most(void **state) {
-    (void)state;
+TEST(no_slack_is_due_at_once_and_no_slack_counts_for_more_than_the_most) {
     const double none[] = {0.0, -0.0, -1.0, -1e300, -INFINITY, NAN, 0.999 / UNITS, DBL_MIN, DBL_TRUE_MIN};
     for (size_t i = 0; i < COUNT(none); ++i)
         assert_true(due_after(none[i], 7u, 8u, 0u));
@@ -84,8 +77,7 @@ static void no_slack_is_due_at_once_and_no_slack_counts_for_more_than_the_most(v
     }
 }
 
-static void a_mark_makes_every_pair_of_the_body_due(void **state) {
-    (void)state;
+TEST(a_mark_makes_every_pair_of_the_body_due) {
     for (size_t i = 0; i < COUNT(beginnings); ++i) {
         bmr_mover a = mover_at(0.0, 0.0, 1.0);
         const uint32_t other = beginnings[COUNT(beginnings) - 1 - i];
@@ -102,8 +94,7 @@ static void a_mark_makes_every_pair_of_the_body_due(void **state) {
     }
 }
 
-static void a_motion_counts_for_more_than_it_is(void **state) {
-    (void)state;
+TEST(a_motion_counts_for_more_than_it_is) {
     assert_int_equal(bmr_budget_motion(0.0, UNITS), 1);
     assert_int_equal(bmr_budget_motion(DBL_TRUE_MIN, UNITS), 1);
     assert_int_equal(bmr_budget_motion(0.5, 1.0), 1);
@@ -117,8 +108,7 @@ static void a_motion_counts_for_more_than_it_is(void **state) {
         assert_int_equal(bmr_budget_motion(bad_numbers[i], UNITS), BMR_BUDGET_MARK);
 }
 
-static void what_does_not_move_adds_nothing_and_what_does_adds_its_way_and_its_turning(void **state) {
-    (void)state;
+TEST(what_does_not_move_adds_nothing_and_what_does_adds_its_way_and_its_turning) {
     bmr_mover mover = mover_at(1.0, 2.0, 3.0);
     const uint32_t begin = mover.moved = mover.turned = UINT32_MAX - 1000u;
     assert_int_equal(look(&mover, 1.0, 2.0, 0.0), 0);
@@ -137,8 +127,7 @@ static void what_does_not_move_adds_nothing_and_what_does_adds_its_way_and_its_t
         assert_int_equal(look(&mover, 4.0, 6.0 + 1e-12 * i, i == 1 ? 0.0 : 1e-15 * i), i == 1 ? 393217 : 1);
 }
 
-static void the_pivot_is_where_the_pose_puts_it(void **state) {
-    (void)state;
+TEST(the_pivot_is_where_the_pose_puts_it) {
     const bmr_vec2 pivot = {2.0, 0.0};
     bmr_pose pose = {{0.0, 0.0}, 1.0, 0.0};
     bmr_mover mover;
@@ -163,8 +152,7 @@ static uint32_t look_with(size_t k, double bad, bmr_mover *mover) {
     return bmr_mover_look(mover, &pose, UNITS);
 }
 
-static void numbers_that_cannot_be_are_motions_that_no_budget_outlasts(void **state) {
-    (void)state;
+TEST(numbers_that_cannot_be_are_motions_that_no_budget_outlasts) {
     for (size_t k = 0; k < 7; ++k)
         for (size_t i = 0; i < COUNT(bad_numbers); ++i) {
             bmr_mover mover = mover_at(1.0, 1.0, 1.0), other = mover_at(9.0, 9.0, 1.0);
@@ -183,8 +171,7 @@ static void numbers_that_cannot_be_are_motions_that_no_budget_outlasts(void **st
     assert_int_equal(look(&far, 0x1p31, 0.0, 0.0), BMR_BUDGET_MARK);
 }
 
-static void units_may_be_as_small_as_numbers_go(void **state) {
-    (void)state;
+TEST(units_may_be_as_small_as_numbers_go) {
     // A way of 1000 units, whose square is no number above 0 before it is in units.
     const double units = 1e200, way = 1e-197;
     const bmr_pose from = {{0.0, 0.0}, 1.0, 0.0}, to = {{way, 0.0}, 1.0, 0.0};
@@ -194,8 +181,7 @@ static void units_may_be_as_small_as_numbers_go(void **state) {
     assert_in_range(bmr_mover_look(&mover, &to, units), 1000, 1001);
 }
 
-static void reaches_grow_and_never_shrink(void **state) {
-    (void)state;
+TEST(reaches_grow_and_never_shrink) {
     bmr_mover mover = mover_at(0.0, 0.0, 1.0);
     bmr_mover_extend(&mover, 0.5);
     assert_true(mover.reach == 1.0);
@@ -208,8 +194,7 @@ static void reaches_grow_and_never_shrink(void **state) {
     assert_int_equal(look(&mover, 0.0, 0.0, 0.1), BMR_BUDGET_MARK);
 }
 
-static void a_skin_that_grows_is_a_motion(void **state) {
-    (void)state;
+TEST(a_skin_that_grows_is_a_motion) {
     bmr_mover mover = mover_at(0.0, 0.0, 1.0);
     bmr_mover_grow(&mover, 0.0, UNITS);
     bmr_mover_grow(&mover, -2.0, UNITS);
@@ -221,8 +206,7 @@ static void a_skin_that_grows_is_a_motion(void **state) {
     assert_int_equal(mover.moved, 16385 + BMR_BUDGET_MARK);
 }
 
-static void a_sweep_is_the_farther_end_and_the_arc(void **state) {
-    (void)state;
+TEST(a_sweep_is_the_farther_end_and_the_arc) {
     const bmr_mover mover = mover_at(1.0, 1.0, 2.0);
     const bmr_vec2 near = {1.0, 2.0}, far = {4.0, 5.0};
     assert_int_equal(bmr_mover_sweep(&mover, mover.center, mover.center, 0.0, UNITS), 1);
@@ -261,8 +245,7 @@ static bool is_none(bmr_budget_line line) {
     return line.normal[0] == 0.0f && line.normal[1] == 0.0f;
 }
 
-static void a_line_is_used_up_by_turning_and_by_coming_nearer_and_by_nothing_else(void **state) {
-    (void)state;
+TEST(a_line_is_used_up_by_turning_and_by_coming_nearer_and_by_nothing_else) {
     couple two = couple_at(10.0, 1.0);
     two.a.turned = UINT32_MAX - 3u;
     two.b.turned = 0x7fffffffu;
@@ -287,8 +270,7 @@ static void a_line_is_used_up_by_turning_and_by_coming_nearer_and_by_nothing_els
     assert_true(gap_of(&line, &two) <= -2.0 - turning);
 }
 
-static void the_length_of_a_lines_direction_does_not_matter(void **state) {
-    (void)state;
+TEST(the_length_of_a_lines_direction_does_not_matter) {
     const double lengths[] = {0x1p-499, 1e-100, 1e-7, 0.5, 1.0, 2.0, 3e5, 1e100, 0x1p499};
     const couple two = couple_at(1000.0, 300.0);
     for (size_t i = 0; i < COUNT(lengths); ++i) {
@@ -300,8 +282,7 @@ static void the_length_of_a_lines_direction_does_not_matter(void **state) {
     }
 }
 
-static void there_is_no_line_of_what_no_line_holds(void **state) {
-    (void)state;
+TEST(there_is_no_line_of_what_no_line_holds) {
     const couple two = couple_at(10.0, 1.0), far = couple_at(2048.5, 1.0), near = couple_at(2047.5, 1.0);
     const bmr_vec2 d = {1.0, 0.0};
     assert_false(is_none(line_of(&two, d, 8.0)));
@@ -333,8 +314,7 @@ static void there_is_no_line_of_what_no_line_holds(void **state) {
     assert_true(gap_of(&line, &gone) == 0.0);
 }
 
-static void no_turn_is_too_large_for_a_line_to_notice(void **state) {
-    (void)state;
+TEST(no_turn_is_too_large_for_a_line_to_notice) {
     // A needle of 10,000 lengths: turned by half it is 20,000 lengths elsewhere, more than any count holds.
     const bmr_vec2 d = {1.0, 0.0};
     for (int both = 0; both <= 1; ++both) {
@@ -357,8 +337,7 @@ static void no_turn_is_too_large_for_a_line_to_notice(void **state) {
     assert_true(gap_of(&line, &two) <= 0.0);
 }
 
-static void a_line_says_nothing_wrong_until_turning_has_gone_on_by_its_limit(void **state) {
-    (void)state;
+TEST(a_line_says_nothing_wrong_until_turning_has_gone_on_by_its_limit) {
     const bmr_vec2 d = {1.0, 0.0};
     const uint32_t limit = 0x80000000u - BMR_BUDGET_MARK;
     for (size_t i = 0; i < COUNT(beginnings); ++i)
@@ -381,8 +360,7 @@ static void a_line_says_nothing_wrong_until_turning_has_gone_on_by_its_limit(voi
     assert_true(gap_of(&line, &two) > 0.0);
 }
 
-static void a_line_that_proves_nothing_never_becomes_one_that_does_by_standing_still(void **state) {
-    (void)state;
+TEST(a_line_that_proves_nothing_never_becomes_one_that_does_by_standing_still) {
     // Deep in each other and far from each other along d: sums of two such numbers must not wrap.
     const bmr_vec2 d = {1.0, 0.0};
     for (double way = 100.0; way < 40000.0; way *= 1.25)
@@ -394,28 +372,4 @@ static void a_line_that_proves_nothing_never_becomes_one_that_does_by_standing_s
             two.b.turned += 0x80000000u - BMR_BUDGET_MARK;
             assert_true(gap_of(&line, &two) <= 0.0);
         }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_structures_are_as_small_as_they_say),
-        cmocka_unit_test(a_pair_is_due_when_its_budget_is_used_up_and_stays_so_for_2_to_the_31),
-        cmocka_unit_test(no_slack_is_due_at_once_and_no_slack_counts_for_more_than_the_most),
-        cmocka_unit_test(a_mark_makes_every_pair_of_the_body_due),
-        cmocka_unit_test(a_motion_counts_for_more_than_it_is),
-        cmocka_unit_test(what_does_not_move_adds_nothing_and_what_does_adds_its_way_and_its_turning),
-        cmocka_unit_test(the_pivot_is_where_the_pose_puts_it),
-        cmocka_unit_test(numbers_that_cannot_be_are_motions_that_no_budget_outlasts),
-        cmocka_unit_test(units_may_be_as_small_as_numbers_go),
-        cmocka_unit_test(reaches_grow_and_never_shrink),
-        cmocka_unit_test(a_skin_that_grows_is_a_motion),
-        cmocka_unit_test(a_sweep_is_the_farther_end_and_the_arc),
-        cmocka_unit_test(a_line_is_used_up_by_turning_and_by_coming_nearer_and_by_nothing_else),
-        cmocka_unit_test(the_length_of_a_lines_direction_does_not_matter),
-        cmocka_unit_test(there_is_no_line_of_what_no_line_holds),
-        cmocka_unit_test(no_turn_is_too_large_for_a_line_to_notice),
-        cmocka_unit_test(a_line_says_nothing_wrong_until_turning_has_gone_on_by_its_limit),
-        cmocka_unit_test(a_line_that_proves_nothing_never_becomes_one_that_does_by_standing_still),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

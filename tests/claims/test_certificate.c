@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "boomerang/certificate.h"
@@ -82,8 +78,7 @@ static void drop(setting *s) {
     bmr_polygon_destroy(s->b, NULL);
 }
 
-static void the_gap_is_below_the_truth_and_by_no_more_than_the_stated_loss(void **state) {
-    (void)state;
+TEST(the_gap_is_below_the_truth_and_by_no_more_than_the_stated_loss) {
     test_random random = {11};
     const size_t count = rounds(20000);
     size_t unrounded_lies = 0;
@@ -107,8 +102,7 @@ static void the_gap_is_below_the_truth_and_by_no_more_than_the_stated_loss(void 
     assert_true(unrounded_lies > count / 10);
 }
 
-static void a_direction_just_outside_the_bracket_passes_and_its_price_is_paid(void **state) {
-    (void)state;
+TEST(a_direction_just_outside_the_bracket_passes_and_its_price_is_paid) {
     test_random random = {12};
     size_t passed = 0, rolled = 0, would_lie = 0;
     for (size_t i = 0; i < rounds(20000); ++i) {
@@ -145,8 +139,7 @@ static void a_direction_just_outside_the_bracket_passes_and_its_price_is_paid(vo
     assert_true(passed > 0 && rolled > 0 && would_lie > 0);
 }
 
-static void the_opposite_direction_is_outside_the_narrowest_bracket(void **state) {
-    (void)state;
+TEST(the_opposite_direction_is_outside_the_narrowest_bracket) {
     // A nearly flat corner at the bottom of B: its normal cone is 1e-9 wide. Turned by half a turn it is at
     // the top, and B reaches down to y = 1 - 3: the old window says 1.
     const bmr_vec2 corner = {0.0, 0.0}, low = {-5e-10, -1.0}, high = {5e-10, -1.0}, up = {0.0, 1.0};
@@ -162,8 +155,7 @@ static void the_opposite_direction_is_outside_the_narrowest_bracket(void **state
     assert_true(past_low >= -BMR_ROLL_TOLERANCE && past_high >= -BMR_ROLL_TOLERANCE && gap > 0.0);
 }
 
-static void a_half_plane_of_directions_is_a_bracket(void **state) {
-    (void)state;
+TEST(a_half_plane_of_directions_is_a_bracket) {
     // The end of a segment along x is its support in every direction with x >= 0.
     const bmr_vec2 end = {1.0, 0.0}, low = {0.0, -1.0}, high = {0.0, 1.0}, normal = {-1.0, 0.0};
     bmr_certificate k;
@@ -177,8 +169,7 @@ static void a_half_plane_of_directions_is_a_bracket(void **state) {
     }
 }
 
-static void a_nan_anywhere_never_holds(void **state) {
-    (void)state;
+TEST(a_nan_anywhere_never_holds) {
     test_random random = {13};
     for (int trial = 0; trial < 100; ++trial) {
         setting s = random_setting(&random);
@@ -208,8 +199,7 @@ static void a_nan_anywhere_never_holds(void **state) {
     }
 }
 
-static void the_check_says_the_same_with_and_without_vector_instructions(void **state) {
-    (void)state;
+TEST(the_check_says_the_same_with_and_without_vector_instructions) {
     test_random random = {15};
     size_t said[3] = {0};
     for (size_t i = 0; i < rounds(20000); ++i) {
@@ -233,8 +223,7 @@ static void the_check_says_the_same_with_and_without_vector_instructions(void **
     assert_true(said[0] > 100 && said[1] > 100 && said[2] > 100);
 }
 
-static void the_audit_accepts_what_is_true_and_rejects_every_tampering(void **state) {
-    (void)state;
+TEST(the_audit_accepts_what_is_true_and_rejects_every_tampering) {
     test_random random = {14};
     for (size_t i = 0; i < rounds(3000); ++i) {
         setting s = random_setting(&random);
@@ -272,8 +261,7 @@ static void the_audit_accepts_what_is_true_and_rejects_every_tampering(void **st
     }
 }
 
-static void a_segment_is_its_own_window_in_every_direction(void **state) {
-    (void)state;
+TEST(a_segment_is_its_own_window_in_every_direction) {
     const bmr_vec2 ends[2] = {{-1.0, 0.5}, {2.0, -0.25}},
                    triangle[3] = {{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}};
     bmr_polygon *segment = NULL, *owner = NULL;
@@ -293,18 +281,4 @@ static void a_segment_is_its_own_window_in_every_direction(void **state) {
     assert_int_equal(bmr_certificate_audit(&k, owner, segment, &q), BMR_ERROR_FALSE_CERTIFICATE);
     bmr_polygon_destroy(segment, NULL);
     bmr_polygon_destroy(owner, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_gap_is_below_the_truth_and_by_no_more_than_the_stated_loss),
-        cmocka_unit_test(a_direction_just_outside_the_bracket_passes_and_its_price_is_paid),
-        cmocka_unit_test(the_opposite_direction_is_outside_the_narrowest_bracket),
-        cmocka_unit_test(a_half_plane_of_directions_is_a_bracket),
-        cmocka_unit_test(a_nan_anywhere_never_holds),
-        cmocka_unit_test(the_check_says_the_same_with_and_without_vector_instructions),
-        cmocka_unit_test(the_audit_accepts_what_is_true_and_rejects_every_tampering),
-        cmocka_unit_test(a_segment_is_its_own_window_in_every_direction),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,12 +3,8 @@
 // is as wide as the limit over the diameter, wherever the polygon's vertices lie, and costs no more than the
 // limit.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "certificate/window.h"
 #include "polygons.h"
@@ -101,8 +97,7 @@ static widths measure_many(void) {
     return w;
 }
 
-static void a_bracket_is_as_wide_as_the_limit_pays_for(void **state) {
-    (void)state;
+TEST(a_bracket_is_as_wide_as_the_limit_pays_for) {
     const widths w = measure_many();
     assert_true(w.even >= 1.0 - ROUNDING);
     assert_true(w.far >= 1.0 - ROUNDING);
@@ -110,16 +105,14 @@ static void a_bracket_is_as_wide_as_the_limit_pays_for(void **state) {
     assert_true(w.vertices < 0.1); // the control
 }
 
-static void nothing_is_lost_at_the_direction_or_the_limit_when_leaning(void **state) {
-    (void)state;
+TEST(nothing_is_lost_at_the_direction_or_the_limit_when_leaning) {
     const widths w = measure_many();
     assert_true(w.even_loss <= ROUNDING);
     assert_true(w.loss <= 1.0 + ROUNDING);
     assert_true(w.loss > SHORT_PART); // leaning costs more than its short side does
 }
 
-static void a_point_and_a_segment_stand_for_themselves_in_every_direction(void **state) {
-    (void)state;
+TEST(a_point_and_a_segment_stand_for_themselves_in_every_direction) {
     const bmr_vec2 ends[2] = {{-0.5, 0.1}, {0.7, 0.2}};
     for (size_t n = 1; n <= 2; ++n)
         for (int lean = -1; lean <= 1; ++lean)
@@ -163,8 +156,7 @@ static bool is_sound(const bmr_polygon *p, bmr_vec2 d, int lean, int corners) {
 
 /// Each point is `size` large: next to an edge of length 1 the rounding hides its edges, and products of
 /// lengths as short as 1e-235 are 0.
-static void points_that_are_polygons_themselves_stand_in_the_window(void **state) {
-    (void)state;
+TEST(points_that_are_polygons_themselves_stand_in_the_window) {
     test_random random = {47};
     for (size_t round = 0; round < test_scaled(400); ++round) {
         bmr_vec2 points[12];
@@ -194,8 +186,7 @@ static void points_that_are_polygons_themselves_stand_in_the_window(void **state
 
 /// Thousands of edges that are one up to rounding: the search for the far end of a tangent that lies along
 /// them goes by doubling, not from edge to edge.
-static void edges_that_are_one_up_to_rounding_cost_a_logarithm(void **state) {
-    (void)state;
+TEST(edges_that_are_one_up_to_rounding_cost_a_logarithm) {
     enum { SIDE = 2000 };
     bmr_vec2 points[2 * SIDE + 2];
     for (int i = -SIDE; i <= SIDE; ++i)
@@ -215,15 +206,4 @@ static void edges_that_are_one_up_to_rounding_cost_a_logarithm(void **state) {
             assert_true(fabs(w.corner[0].x - w.corner[1].x) >= 2 * SIDE);
     }
     bmr_polygon_destroy(p, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_bracket_is_as_wide_as_the_limit_pays_for),
-        cmocka_unit_test(nothing_is_lost_at_the_direction_or_the_limit_when_leaning),
-        cmocka_unit_test(a_point_and_a_segment_stand_for_themselves_in_every_direction),
-        cmocka_unit_test(points_that_are_polygons_themselves_stand_in_the_window),
-        cmocka_unit_test(edges_that_are_one_up_to_rounding_cost_a_logarithm),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,13 +3,9 @@
 // core/kds/two_lines.c on the numbers themselves, in long double. At t in [0, k] the point (t, 0) is 5^-t or
 // so above the chain.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #define RATIO 5.0L
 /// Vertices that a polygon has beside its end of the chain: the chain has n - 3 edges.
@@ -88,8 +84,7 @@ static outcome follow(rule r, int n) {
     }
 }
 
-static void a_chain_costs_one_line_its_length_and_a_coarse_one_its_logarithm(void **state) {
-    (void)state;
+TEST(a_chain_costs_one_line_its_length_and_a_coarse_one_its_logarithm) {
     static const struct {
         int n, free, hybrid, repairs;
     } rows[] = {{32, 28, 6, 4}, {128, 124, 8, 6}, {512, 508, 11, 8}, {4096, 4092, 16, 11}};
@@ -97,18 +92,11 @@ static void a_chain_costs_one_line_its_length_and_a_coarse_one_its_logarithm(voi
         const int n = rows[i].n;
         const outcome fd = follow(FREE, n), hybrid = follow(HYBRID, n), two = follow(TWO_LINES, n),
                       alone = follow(COARSE, n);
-        print_message("n = %d: free %d, hybrid %d, two-lines %d repairs and %d handovers, coarse %d\n", n,
-                      fd.events, hybrid.events, two.events - two.handovers, two.handovers, alone.events);
+        printf("n = %d: free %d, hybrid %d, two-lines %d repairs and %d handovers, coarse %d\n", n, fd.events,
+               hybrid.events, two.events - two.handovers, two.handovers, alone.events);
         assert_true(fd.events == rows[i].free);
         assert_true(hybrid.events <= rows[i].hybrid);
         assert_true(two.events - two.handovers <= rows[i].repairs);
         assert_true(two.events <= 2 * rows[i].repairs + 2);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_chain_costs_one_line_its_length_and_a_coarse_one_its_logarithm),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,13 +2,9 @@
 // What the paper's table says of the structures whose own tests do not count events: on the explicit sum,
 // inflated, free directions; and of rigid motion for all that take it.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "kds_driver.h"
 #include "motions.h"
@@ -56,8 +52,7 @@ static bool is_logarithmic(double far, double near) {
 }
 
 /// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
-static void translations_cost_what_the_table_says(void **state) {
-    (void)state;
+TEST(translations_cost_what_the_table_says) {
     const char *const names[] = {"sum-triangle-compass",
                                  "sum-triangle-dudley",
                                  "sum-lazy-compass",
@@ -74,14 +69,13 @@ static void translations_cost_what_the_table_says(void **state) {
         for (int k = 0; k < 2; ++k) {
             const double away = mean_events(names[i], convex[k], false, FAR),
                          close = mean_events(names[i], convex[k], false, NEAR);
-            print_message("%s: convex pass %.1f, %.1f\n", names[i], away, close);
+            printf("%s: convex pass %.1f, %.1f\n", names[i], away, close);
             assert_true(is_logarithmic(away, close));
         }
         const double far = mean_events(names[i], TEST_PATH_ORBIT, false, FAR),
                      near = mean_events(names[i], TEST_PATH_ORBIT, false, NEAR);
         const double exponent = log10(near / far) / (NEAR - FAR), roots = near * pow(10.0, -0.5 * NEAR);
-        print_message("%s: orbit %.1f, %.1f: exponent %.2f, %.1f roots\n", names[i], far, near, exponent,
-                      roots);
+        printf("%s: orbit %.1f, %.1f: exponent %.2f, %.1f roots\n", names[i], far, near, exponent, roots);
         assert_true(exponent <= 0.65 && roots <= MOST_ROOTS);
         assert_false(is_logarithmic(far, near)); // control: an orbit does not bend away
     }
@@ -92,12 +86,11 @@ static void translations_cost_what_the_table_says(void **state) {
 
 /// Lemma 4.4(b): a convex curve meets O(log(D/s)) and O(sqrt(D/s)) mixed triangles.
 /// Lemma mixed2 (b) and Table 1: a line may cost the mixed Dudley hierarchy the square root. Measured: x 3.8.
-static void a_line_costs_the_mixed_dudley_hierarchy_no_more_than_the_square_root(void **state) {
-    (void)state;
+TEST(a_line_costs_the_mixed_dudley_hierarchy_no_more_than_the_square_root) {
     const double root = pow(10.0, 0.5 * (NEAR - FAR));
     const double far = mean_events("active-cell-dudley", TEST_PATH_LINE, false, FAR),
                  near = mean_events("active-cell-dudley", TEST_PATH_LINE, false, NEAR);
-    print_message("active-cell-dudley: line %.1f, %.1f\n", far, near);
+    printf("active-cell-dudley: line %.1f, %.1f\n", far, near);
     assert_true(near > far && near <= root * far);
     assert_true(mean_events("closest-features", TEST_PATH_LINE, false, NEAR) > 10.0 * near); // control
 }
@@ -105,25 +98,15 @@ static void a_line_costs_the_mixed_dudley_hierarchy_no_more_than_the_square_root
 /// Theorem 5.3: rigid motions: O(log min{n, D/s}) an event, O(mu^2) events.
 /// The bound for rigid motion is linear in D / sigma: a factor of 100 here. Measured: 1.6 to 2.0, and 6.6
 /// with the three-vertex window.
-static void a_tumbling_pass_costs_far_less_than_the_linear_bound(void **state) {
-    (void)state;
+TEST(a_tumbling_pass_costs_far_less_than_the_linear_bound) {
     const char *const names[] = {"active-cell-compass", "active-cell-dudley", "inflated-window", "free-fd1",
                                  "free-fd2"};
     const double root = pow(10.0, 0.5 * (NEAR - FAR));
     for (size_t i = 0; i < COUNT_OF(names); ++i) {
         const double far = mean_events(names[i], TEST_PATH_LINE, true, FAR),
                      near = mean_events(names[i], TEST_PATH_LINE, true, NEAR);
-        print_message("%s: tumbling pass %.1f, %.1f\n", names[i], far, near);
+        printf("%s: tumbling pass %.1f, %.1f\n", names[i], far, near);
         assert_true(near > far && near <= root * far);
         assert_true(10.0 * near < mean_events("closest-features", TEST_PATH_LINE, true, NEAR)); // control
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(translations_cost_what_the_table_says),
-        cmocka_unit_test(a_line_costs_the_mixed_dudley_hierarchy_no_more_than_the_square_root),
-        cmocka_unit_test(a_tumbling_pass_costs_far_less_than_the_linear_bound),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Lemmas compass (b) and dudley (b): how many boomerangs of a whole hierarchy have a height of at least s.
 // (Those of one level are Lemma fewtall's, in test_hierarchy_bounds.c.)
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "boomerang/hierarchy.h"
@@ -63,21 +59,13 @@ static void visit(const bmr_hierarchy *h, test_family family, test_random *rando
 
 /// Lemma 3.3(b): O(sqrt(D/s) log(D/s)) compass boomerangs are at least s high.
 /// Lemma 3.4(b): O(sqrt(D/s)) Dudley boomerangs are at least s high.
-static void few_boomerangs_of_a_hierarchy_are_tall(void **state) {
-    (void)state;
+TEST(few_boomerangs_of_a_hierarchy_are_tall) {
     static const size_t sizes[] = {4, 13, 64, 257, 1000, 4096};
     counts c = {0};
     assert_true(test_visit_hierarchies(compass, sizes, COUNT_OF(sizes), test_scaled(2), 131, visit, &c));
-    print_message("compass %.2f sqrt(D/s) (log2(D/s) + 1), Dudley %.2f sqrt(D/s)\n", c.compass, c.dudley);
+    printf("compass %.2f sqrt(D/s) (log2(D/s) + 1), Dudley %.2f sqrt(D/s)\n", c.compass, c.dudley);
     assert_true(c.tried[0] > 0 && c.tried[1] > 0);
     assert_true(c.compass <= MOST_COMPASS);
     assert_true(c.dudley <= MOST_DUDLEY);
     assert_true(c.failed[0] > 0 && c.failed[1] > 0);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(few_boomerangs_of_a_hierarchy_are_tall),
-    };
-    return cmocka_run_group_tests(tests, make_compass, drop_compass);
 }

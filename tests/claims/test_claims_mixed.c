@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "compass_fixture.h"
@@ -29,8 +25,7 @@ static double cells_per_vertex(bmr_hierarchy_kind kind, test_family family, size
 }
 
 /// Lemma 4.1: the mixed hierarchy has O((n + m) log m) cells.
-static void the_tiling_is_of_linear_size(void **state) {
-    (void)state;
+TEST(the_tiling_is_of_linear_size) {
     static const test_family families[] = {TEST_REGULAR, TEST_CIRCLE, TEST_ELLIPSE, TEST_LENS};
     static const double bounds[] = {13.0, 5.0};
     test_random random = {407};
@@ -46,8 +41,8 @@ static void the_tiling_is_of_linear_size(void **state) {
                 most = fmax(most, ratio);
                 least = fmin(least, ratio);
             }
-            print_message("%s n = %4zu: %.2f to %.2f cells a vertex\n", kind ? "Dudley " : "compass", n,
-                          least, most);
+            printf("%s n = %4zu: %.2f to %.2f cells a vertex\n", kind ? "Dudley " : "compass", n, least,
+                   most);
             assert_true(most <= bounds[kind]);
             too_many += kind == 0 && most > bounds[1]; // control: Dudley's bound is not the compass's
         }
@@ -61,8 +56,7 @@ static void the_tiling_is_of_linear_size(void **state) {
 /// cell": two opposite sides of a parallelogram lie on the two ends of its edge y along the line that y
 /// becomes parallel to, so that how far any point is inside the one and inside the other adds up to |y|
 /// sin(y, line). At a collapse that is 0: one of the two conditions has failed by then, whatever the motion.
-static void a_cell_that_collapses_has_let_go_of_its_point_before(void **state) {
-    (void)state;
+TEST(a_cell_that_collapses_has_let_go_of_its_point_before) {
     test_random random = {411};
     size_t cells = 0;
     double widest = 0.0;
@@ -107,7 +101,7 @@ static void a_cell_that_collapses_has_let_go_of_its_point_before(void **state) {
         }
         scene_destroy(&s);
     }
-    print_message("%zu parallelograms, the widest %.2f of the radii\n", cells, widest);
+    printf("%zu parallelograms, the widest %.2f of the radii\n", cells, widest);
     assert_true(cells > 10 * test_scaled(40));
     assert_true(widest > 0.1); // control: the sum is not always nothing
 }
@@ -189,8 +183,7 @@ static bool is_full_turn(const changes *c, size_t na, size_t nb) {
 }
 
 /// Lemma 4.2: a full turn of Q turns O(mn log m) pages.
-static void a_full_turn_has_one_page_turn_collapse_and_expansion_for_each_pair_of_edges(void **state) {
-    (void)state;
+TEST(a_full_turn_has_one_page_turn_collapse_and_expansion_for_each_pair_of_edges) {
     static const test_family families[] = {TEST_CIRCLE, TEST_ELLIPSE, TEST_LENS, TEST_CLUSTER};
     test_random random = {409};
     for (size_t round = 0; round < test_scaled(8); ++round) {
@@ -251,8 +244,7 @@ static met met_by_line(const scene *s, bmr_vec2 x, bmr_vec2 along) {
 
 /// Lemma 4.4(a): O(sqrt(D/s) log(D/s)) and O(sqrt(D/s)) mixed cells are at least s high.
 /// Lemma 4.4(b): a convex curve meets O(log(D/s)) and O(sqrt(D/s)) mixed triangles.
-static void tall_cells_are_few_and_a_line_meets_few_cells(void **state) {
-    (void)state;
+TEST(tall_cells_are_few_and_a_line_meets_few_cells) {
     static const test_family families[] = {TEST_REGULAR, TEST_CIRCLE, TEST_ELLIPSE};
     test_random random = {411};
     for (int kind = 0; kind < 2; ++kind) {
@@ -287,22 +279,12 @@ static void tall_cells_are_few_and_a_line_meets_few_cells(void **state) {
             }
             scene_destroy(&s);
         }
-        print_message("%s: at most %.1f sqrt(D/s) cells of height >= s; a line at D/16 to D/65536 meets %.1f "
-                      "cells, at most %zu\n",
-                      kind ? "Dudley" : "compass", tall, (double)cells / (double)lines, most);
+        printf("%s: at most %.1f sqrt(D/s) cells of height >= s; a line at D/16 to D/65536 meets %.1f "
+               "cells, at most %zu\n",
+               kind ? "Dudley" : "compass", tall, (double)cells / (double)lines, most);
         assert_true(tall <= 15.0);
         assert_true(small > 15.0); // control: as if the polygons were a hundred times smaller
         assert_true(alone > 0);    // control: the paper's "one triangle a level" does not hold
         assert_true(long_lines > 0);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_tiling_is_of_linear_size),
-        cmocka_unit_test(a_cell_that_collapses_has_let_go_of_its_point_before),
-        cmocka_unit_test(a_full_turn_has_one_page_turn_collapse_and_expansion_for_each_pair_of_edges),
-        cmocka_unit_test(tall_cells_are_few_and_a_line_meets_few_cells),
-    };
-    return cmocka_run_group_tests(tests, make_compass, drop_compass);
 }

@@ -2,13 +2,9 @@
 // Theorem transpoly's other half: not how many events a translation has, but what each of them costs. A step
 // is a vertex, an edge, a node or a cell that is looked at (tests/steps shows that this is the time).
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "kds_driver.h"
 #include "structure_named.h"
@@ -139,17 +135,15 @@ static void print(const char *name, const table *t) {
         for (size_t k = 0; k < POWERS; ++k)
             most = fmax(most, t->of[i][k].most);
     const double exponent = fit(t, &factor);
-    print_message(
-        "%s: %.1f (log2 min{n, D/s})^%.2f steps an event, at most %.0f; x %.2f from n = 64 to 32768\n", name,
-        factor, exponent, most, growth(t));
+    printf("%s: %.1f (log2 min{n, D/s})^%.2f steps an event, at most %.0f; x %.2f from n = 64 to 32768\n",
+           name, factor, exponent, most, growth(t));
     for (size_t i = 0; i < SIZES; ++i)
         for (size_t k = 0; k < POWERS; ++k)
-            print_message("%s%5.1f%s", k ? ", " : "  ", mean(&t->of[i][k]), k + 1 < POWERS ? "" : "\n");
+            printf("%s%5.1f%s", k ? ", " : "  ", mean(&t->of[i][k]), k + 1 < POWERS ? "" : "\n");
 }
 
 /// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
-static void an_event_of_a_translation_costs_the_logarithm_of_n_or_the_separation(void **state) {
-    (void)state;
+TEST(an_event_of_a_translation_costs_the_logarithm_of_n_or_the_separation) {
     const char *const names[] = {"lazy-compass", "lazy-dudley", "active-cell-compass", "active-cell-dudley",
                                  "inflated-translation"};
     table tables[COUNT_OF(names)] = {0};
@@ -169,8 +163,7 @@ static void an_event_of_a_translation_costs_the_logarithm_of_n_or_the_separation
 }
 
 /// Free directions and the windows look at the whole polygons: the logarithm of n.
-static void an_event_of_a_free_direction_costs_the_logarithm_of_n(void **state) {
-    (void)state;
+TEST(an_event_of_a_free_direction_costs_the_logarithm_of_n) {
     const char *const names[] = {"free-fd1", "free-fd2", "hybrid", "two-lines", "inflated-window"};
     table tables[COUNT_OF(names)] = {0};
     fill(names, COUNT_OF(names), tables);
@@ -185,12 +178,4 @@ static void an_event_of_a_free_direction_costs_the_logarithm_of_n(void **state) 
             assert_true(growth(&t) > MOST_GROWTH); // control: the test above could fail
         }
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_event_of_a_translation_costs_the_logarithm_of_n_or_the_separation),
-        cmocka_unit_test(an_event_of_a_free_direction_costs_the_logarithm_of_n),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

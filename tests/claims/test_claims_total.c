@@ -2,13 +2,9 @@
 // The total update time of the theorems: the elementary steps of all repairs of a whole motion (tests/steps
 // shows that these are the time), as a function of the separation and of the number of vertices.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "kds_driver.h"
 #include "motions.h"
@@ -96,9 +92,9 @@ static void look_at(const allowance *a) {
                  near = total_steps(a->name, TEST_PATH_ORBIT, false, VERTICES, NEAR),
                  few = total_steps(a->name, TEST_PATH_ORBIT, false, FEW, SATURATED),
                  many = total_steps(a->name, TEST_PATH_ORBIT, false, MANY, SATURATED);
-    print_message("%s: %.0f steps on a convex path, %.0f and %.0f on orbits at D/s = 10 and 1000; mu = n: "
-                  "%.0f and %.0f for %d and %d vertices\n",
-                  a->name, straight, far, near, few, many, FEW, MANY);
+    printf("%s: %.0f steps on a convex path, %.0f and %.0f on orbits at D/s = 10 and 1000; mu = n: "
+           "%.0f and %.0f for %d and %d vertices\n",
+           a->name, straight, far, near, few, many, FEW, MANY);
     assert_true(near <= a->a_root * pow(10.0, 0.5 * NEAR));
     assert_true(log(many / few) / log((double)MANY / FEW) <= MOST_EXPONENT);
     assert_true(many <= a->a_root * MANY);
@@ -106,8 +102,7 @@ static void look_at(const allowance *a) {
 }
 
 /// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
-static void all_repairs_of_a_point_take_the_logarithm_of_mu_or_mu(void **state) {
-    (void)state;
+TEST(all_repairs_of_a_point_take_the_logarithm_of_mu_or_mu) {
     for (size_t i = 0; i < COUNT_OF(points); ++i)
         look_at(&points[i]);
     // Control: a rival's time is n on a convex path, however far away.
@@ -116,33 +111,21 @@ static void all_repairs_of_a_point_take_the_logarithm_of_mu_or_mu(void **state) 
 }
 
 /// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
-static void all_repairs_of_a_translation_take_the_logarithm_of_mu_or_mu(void **state) {
-    (void)state;
+TEST(all_repairs_of_a_translation_take_the_logarithm_of_mu_or_mu) {
     for (size_t i = 0; i < COUNT_OF(pairs); ++i)
         look_at(&pairs[i]);
 }
 
 /// Theorem 5.3: rigid motions: O(log min{n, D/s}) an event, O(mu^2) events.
 /// Measured, an orbit on which the other body turns: mu, with a factor of 90 to 130.
-static void all_repairs_of_a_rigid_motion_take_less_than_the_square_of_mu(void **state) {
-    (void)state;
+TEST(all_repairs_of_a_rigid_motion_take_less_than_the_square_of_mu) {
     for (size_t i = 0; i < COUNT_OF(pairs); ++i) {
         const double near = total_steps(pairs[i].name, TEST_PATH_ORBIT, true, VERTICES, NEAR),
                      few = total_steps(pairs[i].name, TEST_PATH_ORBIT, true, FEW, SATURATED),
                      many = total_steps(pairs[i].name, TEST_PATH_ORBIT, true, MANY, SATURATED);
-        print_message("%s: %.0f steps at D/s = 1000, mu = n: %.0f and %.0f\n", pairs[i].name, near, few,
-                      many);
+        printf("%s: %.0f steps at D/s = 1000, mu = n: %.0f and %.0f\n", pairs[i].name, near, few, many);
         assert_true(near <= pairs[i].a_root * pow(10.0, NEAR));
         assert_true(many <= pairs[i].a_root * MANY * MANY);
         assert_true(log(many / few) / log((double)MANY / FEW) <= 2.0);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_repairs_of_a_point_take_the_logarithm_of_mu_or_mu),
-        cmocka_unit_test(all_repairs_of_a_translation_take_the_logarithm_of_mu_or_mu),
-        cmocka_unit_test(all_repairs_of_a_rigid_motion_take_less_than_the_square_of_mu),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is said to be apart is so, whatever was remembered and however large the polygons are.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include <math.h>
 
@@ -27,8 +23,7 @@ static bmr_convex32_block *square(void) {
     return made_of(vertices, 4);
 }
 
-static void no_remembered_direction_is_too_long(void **state) {
-    (void)state;
+TEST(no_remembered_direction_is_too_long) {
     bmr_convex32_block *const block = square();
     const bmr_convex32 *const p = &block->polygon;
     const float away = 0.5f * sqrtf(0.5f); // corners half a metre apart
@@ -47,8 +42,7 @@ static void no_remembered_direction_is_too_long(void **state) {
 
 /// The second vertex turns so little that along some directions both its edges seem to descend where both
 /// ascend: it is the other end of the polygon.
-static void a_vertex_that_hardly_turns_is_no_end(void **state) {
-    (void)state;
+TEST(a_vertex_that_hardly_turns_is_no_end) {
     static const bmr_vec32 flat[] = {{0x1.60700ep-2f, 0x1.88aaf6p-2f},
                                      {-0x1.2a4836p-27f, 0x1.0bb8dcp-27f},
                                      {-0x1.4b8c74p-2f, -0x1.7164fp-2f},
@@ -76,8 +70,7 @@ static void a_vertex_that_hardly_turns_is_no_end(void **state) {
 
 /// Bars side by side that meet, if at all, far from where the look finds their ends, which is at the bodies'
 /// origins.
-static void large_polygons_are_apart_where_that_is_said(void **state) {
-    (void)state;
+TEST(large_polygons_are_apart_where_that_is_said) {
     enum { LENGTH = 1000 };
     const bmr_vec32 left[] = {{0.0f, 0.0f}, {0.0f, LENGTH}, {-1.0f, LENGTH}, {-1.0f, 0.0f}},
                     right[] = {{0.0f, 0.0f}, {1.0f, 0.0f}, {1.0f, LENGTH}, {0.0f, LENGTH}};
@@ -107,8 +100,7 @@ static void large_polygons_are_apart_where_that_is_said(void **state) {
     bmr_convex32_destroy(b, NULL);
 }
 
-static void what_overflows_is_not_apart(void **state) {
-    (void)state;
+TEST(what_overflows_is_not_apart) {
     bmr_convex32_block *const block = square();
     const bmr_convex32 *const p = &block->polygon;
     static const float large[] = {1e30f, 1e34f, 3e38f, -1e30f, -1e34f, -3e38f};
@@ -119,14 +111,4 @@ static void what_overflows_is_not_apart(void **state) {
             assert_false(bmr_convex32_apart(p, &stretched, p, &here, 0.0f, &memory));
         }
     bmr_convex32_destroy(block, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_remembered_direction_is_too_long),
-        cmocka_unit_test(a_vertex_that_hardly_turns_is_no_end),
-        cmocka_unit_test(large_polygons_are_apart_where_that_is_said),
-        cmocka_unit_test(what_overflows_is_not_apart),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Polygons of any size in float: how they are made, what of, and what is made of them.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -20,8 +16,7 @@
 
 #define PI 3.14159265358979323846
 
-static void hulls_pass_the_audit_and_hold_every_point(void **state) {
-    (void)state;
+TEST(hulls_pass_the_audit_and_hold_every_point) {
     test_random random = {1};
     for (size_t k = 0; k < test_scaled(600); ++k) {
         const size_t n = random_count(&random);
@@ -66,8 +61,7 @@ static void hulls_pass_the_audit_and_hold_every_point(void **state) {
     }
 }
 
-static void all_vertices_of_circles_are_kept(void **state) {
-    (void)state;
+TEST(all_vertices_of_circles_are_kept) {
     for (uint32_t n = 3; n <= 4096; n = n < 64 ? n + 1 : 2 * n) {
         bmr_vec32 *points = malloc(n * sizeof *points);
         assert_non_null(points);
@@ -112,8 +106,7 @@ static uint32_t lattice_polygon(uint32_t most, bmr_vec32 *points) {
     return count;
 }
 
-static void polygons_have_up_to_65535_vertices(void **state) {
-    (void)state;
+TEST(polygons_have_up_to_65535_vertices) {
     bmr_vec32 *points = malloc(131072 * sizeof *points);
     assert_non_null(points);
     const uint32_t all = lattice_polygon(131072, points);
@@ -141,8 +134,7 @@ static void polygons_have_up_to_65535_vertices(void **state) {
     free(points);
 }
 
-static void bad_points_are_errors_and_leave_the_output(void **state) {
-    (void)state;
+TEST(bad_points_are_errors_and_leave_the_output) {
     bmr_convex32_block *const untouched = (bmr_convex32_block *)&untouched;
     const bmr_vec32 good[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     const struct {
@@ -201,8 +193,7 @@ static void bad_points_are_errors_and_leave_the_output(void **state) {
     bmr_convex32_destroy(NULL, NULL);
 }
 
-static void the_audit_finds_what_is_wrong(void **state) {
-    (void)state;
+TEST(the_audit_finds_what_is_wrong) {
     bmr_vec32 points[100];
     for (int i = 0; i < 100; ++i)
         points[i] = vec(cos(2.0 * PI * i / 100 + 0.01), sin(2.0 * PI * i / 100 + 0.01));
@@ -251,8 +242,7 @@ static void the_audit_finds_what_is_wrong(void **state) {
     bmr_convex32_destroy(block, NULL);
 }
 
-static void failing_allocations_are_reported_and_leak_nothing(void **state) {
-    (void)state;
+TEST(failing_allocations_are_reported_and_leak_nothing) {
     test_random random = {3};
     bmr_convex32_block *block = random_polygon(&random, 200), *const untouched = block;
     const bmr_convex32 *p = &block->polygon;
@@ -286,8 +276,7 @@ static void failing_allocations_are_reported_and_leak_nothing(void **state) {
     bmr_convex32_destroy(block, NULL);
 }
 
-static void masses_are_those_of_the_sum_over_triangles(void **state) {
-    (void)state;
+TEST(masses_are_those_of_the_sum_over_triangles) {
     test_random random = {9};
     size_t control = 0;
     for (size_t k = 0; k < test_scaled(1000); ++k) {
@@ -315,8 +304,7 @@ static void masses_are_those_of_the_sum_over_triangles(void **state) {
 
 /// Of a needle whose short side is level, the area is known: half of base times height, both differences of
 /// two floats.
-static void masses_of_needles_are_exact(void **state) {
-    (void)state;
+TEST(masses_of_needles_are_exact) {
     test_random random = {14};
     size_t made = 0, lost = 0;
     for (size_t k = 0; k < 100000; ++k) {
@@ -349,8 +337,7 @@ static void masses_of_needles_are_exact(void **state) {
     assert_true(made > 100 && lost > 10);
 }
 
-static void the_polygon_inside_is_convex_and_spreads(void **state) {
-    (void)state;
+TEST(the_polygon_inside_is_convex_and_spreads) {
     test_random random = {10};
     for (size_t k = 0; k < test_scaled(500); ++k) {
         bmr_convex32_block *block = random_polygon(&random, random_count(&random));
@@ -380,8 +367,7 @@ static void the_polygon_inside_is_convex_and_spreads(void **state) {
 
 /// Far from each other beside what they span with others: no rounding may leave a vertex out, or one that
 /// there is not.
-static void the_polygon_inside_of_a_needle_is_of_its_vertices(void **state) {
-    (void)state;
+TEST(the_polygon_inside_of_a_needle_is_of_its_vertices) {
     test_random random = {15};
     size_t lost = 0;
     for (size_t k = 0; k < 20000; ++k) {
@@ -417,8 +403,7 @@ static void the_polygon_inside_of_a_needle_is_of_its_vertices(void **state) {
     assert_true(lost > 10);
 }
 
-static void simplified_polygons_are_near_and_have_few_vertices(void **state) {
-    (void)state;
+TEST(simplified_polygons_are_near_and_have_few_vertices) {
     test_random random = {11};
     size_t control = 0, reduced = 0;
     for (size_t k = 0; k < test_scaled(300); ++k) {
@@ -470,21 +455,4 @@ static void simplified_polygons_are_near_and_have_few_vertices(void **state) {
     assert_int_equal(bmr_convex32_simplify(NULL, 1.0f, NULL, points, &count), BMR_ERROR_NULL_ARGUMENT);
     assert_int_equal(count, 5);
     bmr_convex32_destroy(block, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(hulls_pass_the_audit_and_hold_every_point),
-        cmocka_unit_test(all_vertices_of_circles_are_kept),
-        cmocka_unit_test(polygons_have_up_to_65535_vertices),
-        cmocka_unit_test(bad_points_are_errors_and_leave_the_output),
-        cmocka_unit_test(the_audit_finds_what_is_wrong),
-        cmocka_unit_test(failing_allocations_are_reported_and_leak_nothing),
-        cmocka_unit_test(masses_are_those_of_the_sum_over_triangles),
-        cmocka_unit_test(masses_of_needles_are_exact),
-        cmocka_unit_test(the_polygon_inside_is_convex_and_spreads),
-        cmocka_unit_test(the_polygon_inside_of_a_needle_is_of_its_vertices),
-        cmocka_unit_test(simplified_polygons_are_near_and_have_few_vertices),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Casts of one shape against another: how far they go, and what a beginning in touch is. The numbers of
 // b2ShapeCast (test_glue_convex_distance.cpp compares with it).
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "convex32/convex32_distance.h"
 
@@ -33,8 +29,7 @@ static void assert_miss(bool hit, const bmr_cast32 *cast) {
     assert_true(cast->normal.x == 0.0f && cast->normal.y == 0.0f);
 }
 
-static void casts_end_two_slops_apart(void **state) {
-    (void)state;
+TEST(casts_end_two_slops_apart) {
     bmr_cast32 cast;
     assert_true(cast_from(table, 4, 0.51f, down, &cast));
     assert_float_equal(cast.lambda, 0.5f, 1e-6f);
@@ -45,8 +40,7 @@ static void casts_end_two_slops_apart(void **state) {
     assert_miss(cast_from(table, 4, 0.51f, along, &cast), &cast);
 }
 
-static void casts_whose_first_vertices_begin_in_touch_miss(void **state) {
-    (void)state;
+TEST(casts_whose_first_vertices_begin_in_touch_miss) {
     bmr_cast32 cast;
     const float touching[] = {0.0f, 0.005f, 0.0099f, 0.0101f,
                               0.0124f}; // up to half a slop more than looked for
@@ -56,8 +50,7 @@ static void casts_whose_first_vertices_begin_in_touch_miss(void **state) {
     assert_float_equal(cast.lambda, 0.0026f, 1e-6f);
 }
 
-static void casts_that_otherwise_begin_in_touch_hit_at_once(void **state) {
-    (void)state;
+TEST(casts_that_otherwise_begin_in_touch_hit_at_once) {
     bmr_cast32 cast;
     const bmr_vec32 ways[] = {down, up, along};
     const float touching[] = {0.001f, 0.005f, 0.0099f, 0.0101f, 0.0124f};
@@ -73,20 +66,9 @@ static void casts_that_otherwise_begin_in_touch_hit_at_once(void **state) {
     assert_miss(cast_from(table, 4, 0.0126f, up, &cast), &cast);
 }
 
-static void casts_that_begin_overlapping_miss(void **state) {
-    (void)state;
+TEST(casts_that_begin_overlapping_miss) {
     bmr_cast32 cast;
     assert_miss(cast_from(table, 4, -0.1f, down, &cast), &cast);
     assert_miss(cast_from(table, 4, -0.1f, up, &cast), &cast);
     assert_miss(cast_from(table, 4, 0.0f, down, &cast), &cast);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(casts_end_two_slops_apart),
-        cmocka_unit_test(casts_whose_first_vertices_begin_in_touch_miss),
-        cmocka_unit_test(casts_that_otherwise_begin_in_touch_hit_at_once),
-        cmocka_unit_test(casts_that_begin_overlapping_miss),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

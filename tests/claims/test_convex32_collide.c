@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Manifolds of polygons of any size are those of Box2D's loops over all vertices, whatever is remembered.
 // BMR_TEST_SCALE=20 makes it 1,000,000 poses of up to 64 vertices and 2,000 of 4096.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include <float.h>
 #include <math.h>
@@ -58,15 +54,15 @@ static float climb(const pair *p, uint32_t edge) {
 
 static void report(const char *what, const pair *p, const bmr_manifold32 *expected,
                    const bmr_manifold32 *got) {
-    print_error("%s: %u against %u vertices, poses (%a %a %a %a) (%a %a %a %a)\n", what, p->a->count,
-                p->b->count, (double)p->pose_a.p.x, (double)p->pose_a.p.y, (double)p->pose_a.s,
-                (double)p->pose_a.c, (double)p->pose_b.p.x, (double)p->pose_b.p.y, (double)p->pose_b.s,
-                (double)p->pose_b.c);
+    fprintf(stderr, "%s: %u against %u vertices, poses (%a %a %a %a) (%a %a %a %a)\n", what, p->a->count,
+            p->b->count, (double)p->pose_a.p.x, (double)p->pose_a.p.y, (double)p->pose_a.s,
+            (double)p->pose_a.c, (double)p->pose_b.p.x, (double)p->pose_b.p.y, (double)p->pose_b.s,
+            (double)p->pose_b.c);
     const bmr_manifold32 *both[2] = {expected, got};
     for (int i = 0; i < 2; ++i)
-        print_error("  count %d type %d normal %.9g %.9g feature %u %u\n", both[i]->count, both[i]->type,
-                    (double)both[i]->normal.x, (double)both[i]->normal.y, both[i]->points[0].feature.index_a,
-                    both[i]->points[0].feature.index_b);
+        fprintf(stderr, "  count %d type %d normal %.9g %.9g feature %u %u\n", both[i]->count, both[i]->type,
+                (double)both[i]->normal.x, (double)both[i]->normal.y, both[i]->points[0].feature.index_a,
+                both[i]->points[0].feature.index_b);
 }
 
 static void check_manifold(tally *t, const pair *p, bmr_convex32_memory *memory,
@@ -176,8 +172,8 @@ static tally check_pairs(uint64_t seed, size_t poses, uint32_t most, bool of_mos
         bmr_convex32_destroy(blocks[0], NULL);
         bmr_convex32_destroy(blocks[1], NULL);
     }
-    print_message("%zu poses, %zu touching, %zu looks said apart; climbing alone stuck %zu times\n", t.poses,
-                  t.touching, t.apart, t.climbs_that_stuck);
+    printf("%zu poses, %zu touching, %zu looks said apart; climbing alone stuck %zu times\n", t.poses,
+           t.touching, t.apart, t.climbs_that_stuck);
     return t;
 }
 
@@ -194,18 +190,15 @@ static void expect_no_difference(tally t) {
     assert_true(t.climbs_that_stuck > 0);
 }
 
-static void same_as_all_vertices_up_to_64(void **state) {
-    (void)state;
+TEST(same_as_all_vertices_up_to_64) {
     expect_no_difference(check_pairs(0x5eed1u, test_scaled(50000), 64, false, true, POSES_A_PAIR));
 }
 
-static void same_as_all_vertices_at_4096(void **state) {
-    (void)state;
+TEST(same_as_all_vertices_at_4096) {
     expect_no_difference(check_pairs(0x5eed2u, test_scaled(100), 4096, true, true, 10));
 }
 
-static void circle_same_as_all_vertices(void **state) {
-    (void)state;
+TEST(circle_same_as_all_vertices) {
     dice d = {0x5eed3u};
     size_t poses = test_scaled(20000), touching = 0, inside = 0, different = 0;
     for (size_t n = 0; n < poses;) {
@@ -229,13 +222,12 @@ static void circle_same_as_all_vertices(void **state) {
         }
         bmr_convex32_destroy(block, NULL);
     }
-    print_message("%zu circles, %zu touching, %zu with their centres inside\n", poses, touching, inside);
+    printf("%zu circles, %zu touching, %zu with their centres inside\n", poses, touching, inside);
     assert_int_equal(different, 0);
     assert_true(poses < MANY || (touching > poses / 5 && inside > poses / 20));
 }
 
-static void edge_same_as_all_vertices(void **state) {
-    (void)state;
+TEST(edge_same_as_all_vertices) {
     dice d = {0x5eed4u};
     size_t poses = test_scaled(50000), touching = 0, of_b = 0, different = 0, missed = 0, skipped = 0;
     for (size_t n = 0; n < poses;) {
@@ -276,8 +268,8 @@ static void edge_same_as_all_vertices(void **state) {
         }
         bmr_convex32_destroy(block, NULL);
     }
-    print_message("%zu edges, %zu touching, %zu of these by the polygon's face, %zu one-sided ones do not\n",
-                  poses, touching, of_b, skipped);
+    printf("%zu edges, %zu touching, %zu of these by the polygon's face, %zu one-sided ones do not\n", poses,
+           touching, of_b, skipped);
     assert_int_equal(different, 0);
     assert_int_equal(missed, 0);
     assert_true(poses < MANY || (touching > poses / 5 && of_b > poses / 50 && skipped > poses / 50));
@@ -345,8 +337,7 @@ static chain_answer on_chain(dice *d, const bmr_convex32_block *block) {
     return touches ? CHAIN_FOUND : missed;
 }
 
-static void chains_miss_less_than_by_the_stock_rule(void **state) {
-    (void)state;
+TEST(chains_miss_less_than_by_the_stock_rule) {
     dice d = {0x5eed5u};
     const size_t poses = test_scaled(50000);
     size_t answers[3] = {0, 0, 0};
@@ -358,20 +349,9 @@ static void chains_miss_less_than_by_the_stock_rule(void **state) {
         }
         bmr_convex32_destroy(block, NULL);
     }
-    print_message("%zu polygons found on chains, %zu missed, %zu with sharp vertices\n", answers[CHAIN_FOUND],
-                  answers[CHAIN_MISSED], answers[CHAIN_SHARP_MISSED]);
+    printf("%zu polygons found on chains, %zu missed, %zu with sharp vertices\n", answers[CHAIN_FOUND],
+           answers[CHAIN_MISSED], answers[CHAIN_SHARP_MISSED]);
     // With its tolerance alone it is one in 2,800, and one in 62.
     assert_true(poses < 5 * MANY ||
                 (answers[CHAIN_MISSED] * 10000 <= poses && answers[CHAIN_SHARP_MISSED] * 130 <= poses));
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(same_as_all_vertices_up_to_64),
-        cmocka_unit_test(same_as_all_vertices_at_4096),
-        cmocka_unit_test(circle_same_as_all_vertices),
-        cmocka_unit_test(edge_same_as_all_vertices),
-        cmocka_unit_test(chains_miss_less_than_by_the_stock_rule),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,12 +2,8 @@
 // Shapes that overlap while the search for their closest points stands on a side through the origin of their
 // difference: what is left of the distance is rounding there, and its direction means nothing.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "convex32/convex32_distance.h"
 
@@ -74,8 +70,7 @@ static void assert_impact_overlaps(const bmr_proxy32 *a, const bmr_proxy32 *b, b
 /// From 4 to 38 vertices, each opposite another one to the bit, at the same place, from as large as the other
 /// to 65,536 times as large: the difference of two opposite vertices goes through the origin but for the
 /// rounding of their places.
-static void polygons_about_one_centre_overlap(void **state) {
-    (void)state;
+TEST(polygons_about_one_centre_overlap) {
     static const uint32_t counts[] = {4, 8, 12, 30, 38};
     enum { COUNTS = sizeof counts / sizeof *counts };
     for (uint32_t kind = 0; kind < 5 * COUNTS * COUNTS; ++kind) {
@@ -99,8 +94,7 @@ static void polygons_about_one_centre_overlap(void **state) {
 }
 
 /// Two edges that cross, and an edge with a circle's centre on it: points only, no area.
-static void edges_through_one_point_overlap(void **state) {
-    (void)state;
+TEST(edges_through_one_point_overlap) {
     for (uint32_t i = 1; i < 500; ++i) {
         const float k = 0.1f * (float)i;
         const bmr_vec32 one[] = {{k, 0.7f}, {-k, -0.7f}}, other[] = {{-3.0f, k}, {3.0f, -k}};
@@ -118,8 +112,7 @@ static void edges_through_one_point_overlap(void **state) {
 }
 
 /// What is apart by little stays apart: a ten-thousandth of the smaller one's size.
-static void a_little_gap_is_a_gap(void **state) {
-    (void)state;
+TEST(a_little_gap_is_a_gap) {
     for (int size = 0; size <= 8; size += 4) {
         const float r = ldexpf(1.0f, size);
         const bmr_vec32 large[] = {{r, r}, {-r, r}, {-r, -r}, {r, -r}};
@@ -131,13 +124,4 @@ static void a_little_gap_is_a_gap(void **state) {
         assert_float_equal(found.distance, 1e-4f, 2e-5f);
         assert_true(found.distance > 0.0f);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(polygons_about_one_centre_overlap),
-        cmocka_unit_test(edges_through_one_point_overlap),
-        cmocka_unit_test(a_little_gap_is_a_gap),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Envelopes of big polygons hold them, and no more than they must.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "convex32/convex32_envelope.h"
 
@@ -52,15 +48,13 @@ static void look(uint32_t count, double height, double turn, double shrink, bool
     bmr_convex32_destroy(block, NULL);
 }
 
-static void an_envelope_holds_every_vertex(void **state) {
-    (void)state;
+TEST(an_envelope_holds_every_vertex) {
     for (uint32_t count = 9; count <= MOST; count = count * 3 / 2)
         for (int i = 0; i < 20; ++i)
             look(count, 1.0 - 0.049 * i, 0.37 * i, 0.0, true);
 }
 
-static void control_one_that_is_smaller_does_not(void **state) {
-    (void)state;
+TEST(control_one_that_is_smaller_does_not) {
     for (uint32_t count = 9; count <= MOST; count = count * 3 / 2)
         for (int i = 0; i < 20; ++i)
             look(count, 1.0 - 0.049 * i, 0.37 * i, 1e-6, false);
@@ -77,8 +71,7 @@ static bmr_convex32_block *regular_raw(uint32_t count, double from) {
     return block;
 }
 
-static void a_segment_holds_nothing(void **state) {
-    (void)state;
+TEST(a_segment_holds_nothing) {
     bmr_convex32_block *block = regular_raw(12, 0.0);
     const bmr_vec2 ends[] = {{-5.0, 0.0}, {5.0, 0.0}};
     bmr_polygon *segment = NULL;
@@ -88,8 +81,7 @@ static void a_segment_holds_nothing(void **state) {
     bmr_convex32_destroy(block, NULL);
 }
 
-static void the_polygon_inside_has_8_vertices_at_most(void **state) {
-    (void)state;
+TEST(the_polygon_inside_has_8_vertices_at_most) {
     bmr_convex32_block *block = regular_raw(24, 0.1);
     uint32_t eight[8], asked_for_more[9];
     asked_for_more[8] = 1234;
@@ -101,8 +93,7 @@ static void the_polygon_inside_has_8_vertices_at_most(void **state) {
 }
 
 /// A raw polygon begins anywhere: what is kept need not begin with its first vertex.
-static void polygons_are_simplified_wherever_they_begin(void **state) {
-    (void)state;
+TEST(polygons_are_simplified_wherever_they_begin) {
     for (int step = 0; step < 16; ++step) {
         bmr_convex32_block *block = regular_raw(32, 0.05 + 0.4 * step);
         for (float tolerance = 0.01f; tolerance < 4.0f; tolerance *= 2.0f) {
@@ -127,8 +118,7 @@ static void polygons_are_simplified_wherever_they_begin(void **state) {
 
 /// Of a needle, two vertices are the ends in all four directions of the roots: the third is the farthest from
 /// these.
-static void a_needle_keeps_three_vertices_wherever_it_begins(void **state) {
-    (void)state;
+TEST(a_needle_keeps_three_vertices_wherever_it_begins) {
     static const bmr_vec32 needle[] = {
         {10.0f, 10.0f}, {1.0f, 1.5f}, {-1.0f, -0.5f}, {-10.0f, -10.0f}, {1.0f, 0.5f}};
     for (uint32_t first = 0; first < 5; ++first) {
@@ -145,8 +135,7 @@ static void a_needle_keeps_three_vertices_wherever_it_begins(void **state) {
 }
 
 /// The lowest vertex, with which the hull begins, turns by less than a float can tell.
-static void a_first_vertex_that_does_not_turn_is_dropped(void **state) {
-    (void)state;
+TEST(a_first_vertex_that_does_not_turn_is_dropped) {
     static const bmr_vec32 house[] = {
         {-10.0f, 1e-45f}, {0.0f, 0.0f}, {10.0f, 1e-45f}, {10.0f, 10.0f}, {-10.0f, 10.0f}};
     for (int turn = 0; turn < 4; ++turn) { // whichever vertex a hull begins with
@@ -163,8 +152,7 @@ static void a_first_vertex_that_does_not_turn_is_dropped(void **state) {
     }
 }
 
-static void the_audit_refuses_counts_that_no_polygon_has(void **state) {
-    (void)state;
+TEST(the_audit_refuses_counts_that_no_polygon_has) {
     bmr_convex32_block *block = regular_raw(12, 0.0);
     bmr_convex32 polygon = block->polygon;
     polygon.count = 2;
@@ -175,18 +163,4 @@ static void the_audit_refuses_counts_that_no_polygon_has(void **state) {
                      BMR_ERROR_TOO_MANY_POINTS);
     assert_int_equal(bmr_convex32_create_raw(points, 2, NULL, &block), BMR_ERROR_TOO_FEW_POINTS);
     bmr_convex32_destroy(block, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_envelope_holds_every_vertex),
-        cmocka_unit_test(control_one_that_is_smaller_does_not),
-        cmocka_unit_test(a_segment_holds_nothing),
-        cmocka_unit_test(the_polygon_inside_has_8_vertices_at_most),
-        cmocka_unit_test(polygons_are_simplified_wherever_they_begin),
-        cmocka_unit_test(a_needle_keeps_three_vertices_wherever_it_begins),
-        cmocka_unit_test(a_first_vertex_that_does_not_turn_is_dropped),
-        cmocka_unit_test(the_audit_refuses_counts_that_no_polygon_has),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

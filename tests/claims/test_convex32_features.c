@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Impulses follow features, so features must follow the points.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include <string.h>
 
@@ -23,8 +19,7 @@ static bmr_manifold32 two_points(float x0, uint8_t first, float x1, uint8_t seco
     return m;
 }
 
-static void points_keep_their_own_features_first(void **state) {
-    (void)state;
+TEST(points_keep_their_own_features_first) {
     const bmr_manifold32 old = two_points(0.0f, 1, 1.0f, 2);
     bmr_manifold32 m = two_points(1.0f, 1, 0.0f, 2); // changed places
     bmr_convex32_keep_features(&m, &old, 0.1f);
@@ -32,8 +27,7 @@ static void points_keep_their_own_features_first(void **state) {
     assert_int_equal(m.points[1].feature.index_b, 2);
 }
 
-static void points_with_new_features_take_the_nearest_within_the_distance(void **state) {
-    (void)state;
+TEST(points_with_new_features_take_the_nearest_within_the_distance) {
     const bmr_manifold32 old = two_points(0.0f, 1, 1.0f, 2);
     bmr_manifold32 m = two_points(1.05f, 7, 0.05f, 8), far = two_points(0.5f, 7, 0.05f, 8);
     bmr_convex32_keep_features(&m, &old, 0.1f);
@@ -44,8 +38,7 @@ static void points_with_new_features_take_the_nearest_within_the_distance(void *
     assert_int_equal(far.points[1].feature.index_b, 1);
 }
 
-static void a_point_is_taken_over_once(void **state) {
-    (void)state;
+TEST(a_point_is_taken_over_once) {
     const bmr_manifold32 old = two_points(0.0f, 1, 1.0f, 2);
     bmr_manifold32 m = two_points(0.01f, 7, 0.02f, 8);
     bmr_convex32_keep_features(&m, &old, 0.1f);
@@ -53,8 +46,7 @@ static void a_point_is_taken_over_once(void **state) {
     assert_int_equal(m.points[1].feature.index_b, 8);
 }
 
-static void another_reference_is_compared_by_features_alone(void **state) {
-    (void)state;
+TEST(another_reference_is_compared_by_features_alone) {
     bmr_manifold32 old = two_points(0.0f, 1, 1.0f, 2);
     old.type = BMR_MANIFOLD_FACE_B;
     bmr_manifold32 m = two_points(0.0f, 7, 1.0f, 2);
@@ -63,21 +55,9 @@ static void another_reference_is_compared_by_features_alone(void **state) {
     assert_int_equal(m.points[1].feature.index_b, 2);
 }
 
-static void no_two_are_alike(void **state) {
-    (void)state;
+TEST(no_two_are_alike) {
     bmr_manifold32 old, m = two_points(0.0f, 5, 1.0f, 5); // numbers 5 and 261 of many
     memset(&old, 0, sizeof old);
     bmr_convex32_keep_features(&m, &old, 0.1f);
     assert_int_not_equal(m.points[0].feature.index_b, m.points[1].feature.index_b);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(points_keep_their_own_features_first),
-        cmocka_unit_test(points_with_new_features_take_the_nearest_within_the_distance),
-        cmocka_unit_test(a_point_is_taken_over_once),
-        cmocka_unit_test(another_reference_is_compared_by_features_alone),
-        cmocka_unit_test(no_two_are_alike),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

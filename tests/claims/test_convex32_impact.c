@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Times of impact that take many directions: what slides along a side that turns.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "convex32/convex32_distance.h"
 
@@ -32,8 +28,7 @@ static float distance_at(const bmr_proxy32 *a, const bmr_sweep32 *sweep_a, const
 
 /// A triangle turns by three radians, and a circle keeps to a side of four metres: it passes, three
 /// millimetres farther than the distance looked for, or touches with a skin that is thicker by four.
-static void a_circle_along_a_turning_side_is_followed_to_the_end(void **state) {
-    (void)state;
+TEST(a_circle_along_a_turning_side_is_followed_to_the_end) {
     static const bmr_vec32 triangle[] = {
         {0.303084105f, 4.33253002f}, {-2.64281178f, 1.35380948f}, {-1.82097781f, 0.225786775f}};
     static const bmr_vec32 centre = {0.384313732f, 0.384313732f};
@@ -72,11 +67,4 @@ static void a_circle_along_a_turning_side_is_followed_to_the_end(void **state) {
         else
             assert_true(t == 1.0f && least < target + 0.0035f);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_circle_along_a_turning_side_is_followed_to_the_end),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How rays come into pieces of outlines, and past the ends of their inner edges.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "convex32/convex32_pieces.h"
 
@@ -40,8 +36,7 @@ static entry_told enter(const bmr_convex32_block *piece, float x1, float y1, flo
     return told;
 }
 
-static void a_ray_comes_in_by_faces_and_past_ends_of_inner_edges(void **state) {
-    (void)state;
+TEST(a_ray_comes_in_by_faces_and_past_ends_of_inner_edges) {
     bmr_convex32_block *piece = right_half();
     assert_int_equal(enter(piece, 0.5f, 0.5f, 0.5f, -0.5f, 2).entry, BMR_ENTRY_FACE);
     assert_int_equal(enter(piece, -0.5f, -0.5f, 0.5f, -0.5f, 3).entry, BMR_ENTRY_INNER);
@@ -62,8 +57,7 @@ static void a_ray_comes_in_by_faces_and_past_ends_of_inner_edges(void **state) {
     bmr_convex32_destroy(piece, NULL);
 }
 
-static void a_ray_comes_through_what_is_inside_of_faces_or_beside_seams(void **state) {
-    (void)state;
+TEST(a_ray_comes_through_what_is_inside_of_faces_or_beside_seams) {
     bmr_convex32_block *piece = right_half();
     const bmr_vec32 beside[] = {{-1e-6f, -0.5f}, {1e-6f, -0.5f}, {0.5f, -1e-6f}, {0.5f, 1e-6f},
                                 {0.5f, -0.5f},   {-0.1f, -0.5f}, {0.5f, 0.1f}};
@@ -78,8 +72,7 @@ static void a_ray_comes_through_what_is_inside_of_faces_or_beside_seams(void **s
     bmr_convex32_destroy(piece, NULL);
 }
 
-static void a_corner_is_entered_by_the_face_that_is_run_against(void **state) {
-    (void)state;
+TEST(a_corner_is_entered_by_the_face_that_is_run_against) {
     bmr_convex32_block *piece = right_half();
     const bmr_vec32 right_corner = {1.0f, 0.0f}, left_corner = {0.0f, 0.0f}, middle = {0.5f, 0.0f};
     const bmr_vec32 steep = {2.0f, 2.0f}, flat = {4.0f, 1.0f}, below = {2.0f, -1.0f}, on = {2.0f, 0.0f};
@@ -105,8 +98,7 @@ static void a_corner_is_entered_by_the_face_that_is_run_against(void **state) {
     bmr_convex32_destroy(piece, NULL);
 }
 
-static void an_edge_of_several_knows_its_parts(void **state) {
-    (void)state;
+TEST(an_edge_of_several_knows_its_parts) {
     // Below: a face, another in line with it, two inner edges, a face; on the right two inner edges.
     const bmr_piece_corner32 corners[] = {
         corner(0.0f, 0.0f, false), corner(1.0f, 0.0f, false), corner(2.0f, 0.0f, true),
@@ -148,14 +140,4 @@ static void an_edge_of_several_knows_its_parts(void **state) {
             assert_int_equal(enter(block, from[i], -1.0f, from[i], 1.0f, bottom).entry, entries[i]);
         bmr_convex32_destroy(block, NULL);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_ray_comes_in_by_faces_and_past_ends_of_inner_edges),
-        cmocka_unit_test(a_ray_comes_through_what_is_inside_of_faces_or_beside_seams),
-        cmocka_unit_test(a_corner_is_entered_by_the_face_that_is_run_against),
-        cmocka_unit_test(an_edge_of_several_knows_its_parts),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

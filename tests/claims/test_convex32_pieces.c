@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Pieces of outlines: what they know of their seams, and where they leave contacts to their neighbours.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "convex32/convex32_pieces.h"
 #include "failing_allocator.h"
@@ -71,8 +67,7 @@ static bmr_manifold32 touch_circle(const bmr_convex32_block *piece, float x, flo
     return m;
 }
 
-static void corners_turn_as_the_outline_does(void **state) {
-    (void)state;
+TEST(corners_turn_as_the_outline_does) {
     const bmr_vec32 up = {0.0f, 1.0f}, left_up = {-0.6f, 0.8f}, left = {-1.0f, 0.0f}, down = {0.0f, -1.0f};
     const bmr_vec32 left_down = {-0.6f, -0.8f};
     bmr_convex32_block *flat = right_half(0.0f), *falling = right_half(-2.0f), *rising = right_half(2.0f);
@@ -95,8 +90,7 @@ static void corners_turn_as_the_outline_does(void **state) {
     }
 }
 
-static void a_corner_between_inner_edges_admits_nothing(void **state) {
-    (void)state;
+TEST(a_corner_between_inner_edges_admits_nothing) {
     const bmr_piece_corner32 corners[] = {corner(0.0f, 0.0f, true, 0.0f, 0.0f),
                                           corner(1.0f, 0.0f, false, 0.0f, -1.0f),
                                           corner(0.0f, 1.0f, true, -1.0f, 0.0f)};
@@ -109,8 +103,7 @@ static void a_corner_between_inner_edges_admits_nothing(void **state) {
     bmr_convex32_destroy(block, NULL);
 }
 
-static void straight_corners_are_left_out_and_faces_stay_faces(void **state) {
-    (void)state;
+TEST(straight_corners_are_left_out_and_faces_stay_faces) {
     // Below an inner edge and a face in one line, above a face and an inner edge; on the right two inner
     // edges.
     const bmr_piece_corner32 corners[] = {
@@ -138,8 +131,7 @@ static void straight_corners_are_left_out_and_faces_stay_faces(void **state) {
     }
 }
 
-static void what_is_no_piece_is_an_error(void **state) {
-    (void)state;
+TEST(what_is_no_piece_is_an_error) {
     bmr_convex32_block *block = NULL, *const before = block;
     const bmr_piece_corner32 line[] = {corner(0.0f, 0.0f, false, 0.0f, 0.0f),
                                        corner(1.0f, 0.0f, false, 0.0f, 0.0f),
@@ -158,8 +150,7 @@ static void what_is_no_piece_is_an_error(void **state) {
     assert_ptr_equal(block, before);
 }
 
-static void without_memory_nothing_is_made(void **state) {
-    (void)state;
+TEST(without_memory_nothing_is_made) {
     const bmr_piece_corner32 corners[] = {corner(0.0f, 0.0f, true, 0.0f, 0.0f),
                                           corner(1.0f, 0.0f, false, 0.0f, -1.0f),
                                           corner(0.0f, 1.0f, true, -1.0f, 0.0f)};
@@ -175,8 +166,7 @@ static void without_memory_nothing_is_made(void **state) {
     }
 }
 
-static void a_polygon_is_pushed_by_faces_alone(void **state) {
-    (void)state;
+TEST(a_polygon_is_pushed_by_faces_alone) {
     bmr_convex32_block *piece = right_half(0.0f), *wheel = polygon_of(64, 0.5f);
     bmr_vec32 normal;
     int touching = 0;
@@ -206,8 +196,7 @@ static void a_polygon_is_pushed_by_faces_alone(void **state) {
     bmr_convex32_destroy(piece, NULL);
 }
 
-static void what_is_behind_an_inner_edge_is_left_to_the_piece_there(void **state) {
-    (void)state;
+TEST(what_is_behind_an_inner_edge_is_left_to_the_piece_there) {
     // A box pushes against the inner side of the piece, deep below its surface.
     bmr_convex32_block *piece = right_half(0.0f), *box = polygon_of(4, 0.2f);
     bmr_vec32 normal;
@@ -237,8 +226,7 @@ static bmr_convex32_block *left_half(void) {
 }
 
 /// Narrower than the skins, or soon so: each of the two squares would leave it to the other.
-static void a_tip_between_two_pieces_is_pushed_out(void **state) {
-    (void)state;
+TEST(a_tip_between_two_pieces_is_pushed_out) {
     bmr_convex32_block *halves[2] = {left_half(), right_half(0.0f)};
     int tips = 0, sideways = 0;
     for (float half = 0.004f; half < 0.15f; half *= 1.5f) {
@@ -267,8 +255,7 @@ static void a_tip_between_two_pieces_is_pushed_out(void **state) {
     bmr_convex32_destroy(halves[1], NULL);
 }
 
-static void straight_stretches_with_seams_carry_each_other(void **state) {
-    (void)state;
+TEST(straight_stretches_with_seams_carry_each_other) {
     // Two such grounds lie on each other, the upper one a little askew: each piece's corner at its seam
     // belongs to a straight stretch.
     bmr_convex32_block *ground = right_half(0.0f);
@@ -288,8 +275,7 @@ static void straight_stretches_with_seams_carry_each_other(void **state) {
     bmr_convex32_destroy(ground, NULL);
 }
 
-static void a_circle_is_pushed_by_faces_and_corners_of_the_outline(void **state) {
-    (void)state;
+TEST(a_circle_is_pushed_by_faces_and_corners_of_the_outline) {
     bmr_convex32_block *flat = right_half(0.0f), *falling = right_half(-2.0f);
     assert_int_equal(touch_circle(flat, 0.1f, 0.3f, 0.3f).count, 1);
     assert_int_equal(touch_circle(flat, -0.1f, 0.28f, 0.3f).count, 0);
@@ -309,8 +295,7 @@ static void a_circle_is_pushed_by_faces_and_corners_of_the_outline(void **state)
     bmr_convex32_destroy(flat, NULL);
 }
 
-static void an_edge_is_touched_by_faces_alone(void **state) {
-    (void)state;
+TEST(an_edge_is_touched_by_faces_alone) {
     // The piece as a body on an edge, upside down: its inner side is on the right.
     bmr_convex32_block *piece = right_half(0.0f);
     const bmr_transform32 upside_down = {{0.0f, 0.01f}, 0.0f, -1.0f};
@@ -429,8 +414,7 @@ enum { AGAINST_POLYGON, AGAINST_PIECE, AGAINST_EDGE, AGAINST_CHAIN, AGAINST_CIRC
 /// What overlaps a piece is not pushed a longer way than out of the plain polygon, but for a skin, and a tip
 /// that ends in the piece by no more than ten: at any pose, whatever its seams are. As a control the piece's
 /// nearest face is often farther away than that.
-static void no_manifold_is_deeper_than_the_plain_polygons(void **unused) {
-    (void)unused;
+TEST(no_manifold_is_deeper_than_the_plain_polygons) {
     uint32_t state = 7;
     bmr_convex32_block *box = polygon_of(4, 0.6f);
     const bmr_vec32 middle = {0.0f, 0.0f};
@@ -512,22 +496,4 @@ static void no_manifold_is_deeper_than_the_plain_polygons(void **unused) {
         assert_true((tips > 0) == (kind == AGAINST_POLYGON || kind == AGAINST_PIECE));
     }
     bmr_convex32_destroy(box, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(corners_turn_as_the_outline_does),
-        cmocka_unit_test(a_corner_between_inner_edges_admits_nothing),
-        cmocka_unit_test(straight_corners_are_left_out_and_faces_stay_faces),
-        cmocka_unit_test(what_is_no_piece_is_an_error),
-        cmocka_unit_test(without_memory_nothing_is_made),
-        cmocka_unit_test(a_polygon_is_pushed_by_faces_alone),
-        cmocka_unit_test(what_is_behind_an_inner_edge_is_left_to_the_piece_there),
-        cmocka_unit_test(a_tip_between_two_pieces_is_pushed_out),
-        cmocka_unit_test(straight_stretches_with_seams_carry_each_other),
-        cmocka_unit_test(a_circle_is_pushed_by_faces_and_corners_of_the_outline),
-        cmocka_unit_test(an_edge_is_touched_by_faces_alone),
-        cmocka_unit_test(no_manifold_is_deeper_than_the_plain_polygons),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is asked of a polygon of any size in O(log n) is what a loop over all vertices answers, to the bit.
 // Each comparison has a control: a plausible short cut that it catches.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <float.h>
 #include <math.h>
 
@@ -25,8 +21,7 @@ static uint32_t leaving_vertex(const bmr_convex32 *p, bmr_vec32 d) {
     return 0;
 }
 
-static void supports_have_the_largest_product_of_all(void **state) {
-    (void)state;
+TEST(supports_have_the_largest_product_of_all) {
     test_random random = {4};
     size_t control = 0;
     for (size_t k = 0; k < test_scaled(1500); ++k) {
@@ -48,8 +43,7 @@ static void supports_have_the_largest_product_of_all(void **state) {
     assert_true(control > 0);
 }
 
-static void directions_that_are_none_have_an_answer(void **state) {
-    (void)state;
+TEST(directions_that_are_none_have_an_answer) {
     test_random random = {5};
     const float values[] = {0.0f, -0.0f, 1.0f, NAN, INFINITY, -INFINITY, FLT_MAX, -FLT_MAX, FLT_MIN, 1e-45f};
     for (int k = 0; k < 20; ++k) {
@@ -97,8 +91,7 @@ static bmr_vec32 point_near(test_random *random, const bmr_convex32 *p) {
     }
 }
 
-static void points_are_inside_where_the_loop_says_so(void **state) {
-    (void)state;
+TEST(points_are_inside_where_the_loop_says_so) {
     test_random random = {6};
     size_t inside = 0, control = 0, asked = 0;
     for (size_t k = 0; k < test_scaled(1500); ++k) {
@@ -182,8 +175,7 @@ static ray random_ray(test_random *random, const bmr_convex32_block *block) {
     return r;
 }
 
-static void rays_hit_what_the_loop_hits(void **state) {
-    (void)state;
+TEST(rays_hit_what_the_loop_hits) {
     test_random random = {7};
     size_t hits = 0, asked = 0, control = 0;
     for (size_t k = 0; k < test_scaled(2000); ++k) {
@@ -221,8 +213,7 @@ static void rays_hit_what_the_loop_hits(void **state) {
 
 /// A lens so flat that no edge cuts a ray along it for sure: of a ray from far too much is left to know how
 /// far rounding reaches, and all edges are asked.
-static void rays_along_a_flat_lens_hit_what_the_loop_hits(void **state) {
-    (void)state;
+TEST(rays_along_a_flat_lens_hit_what_the_loop_hits) {
     enum { HALF = 40 };
     bmr_vec32 lens[2 * HALF];
     const float height = 1e-8f;
@@ -250,8 +241,7 @@ static void rays_along_a_flat_lens_hit_what_the_loop_hits(void **state) {
     bmr_convex32_destroy(block, NULL);
 }
 
-static void boxes_are_those_of_all_vertices(void **state) {
-    (void)state;
+TEST(boxes_are_those_of_all_vertices) {
     test_random random = {8};
     size_t control = 0;
     for (size_t k = 0; k < test_scaled(1500); ++k) {
@@ -272,16 +262,4 @@ static void boxes_are_those_of_all_vertices(void **state) {
         bmr_convex32_destroy(block, NULL);
     }
     assert_true(control > 0);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(supports_have_the_largest_product_of_all),
-        cmocka_unit_test(directions_that_are_none_have_an_answer),
-        cmocka_unit_test(points_are_inside_where_the_loop_says_so),
-        cmocka_unit_test(rays_hit_what_the_loop_hits),
-        cmocka_unit_test(rays_along_a_flat_lens_hit_what_the_loop_hits),
-        cmocka_unit_test(boxes_are_those_of_all_vertices),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

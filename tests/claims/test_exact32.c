@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The order of float operations is the contract of core/exact32: its two forms are compared bit by bit.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include <fenv.h>
 #include <float.h>
@@ -126,8 +122,7 @@ static void compare_forms(tally *t, size_t rounds, flavour kind, edge_form *edge
     }
 }
 
-static void both_forms_give_the_same_bits(void **unused) {
-    (void)unused;
+TEST(both_forms_give_the_same_bits) {
     for (flavour kind = ORDINARY; kind < FLAVOURS; ++kind) {
         tally t = {0};
         compare_forms(&t, test_scaled(300000), kind, bmr_exact32_edge_separation, bmr_exact32_max_separation);
@@ -165,8 +160,7 @@ static float last_of_equals(const bmr_polygon32 *reference, const bmr_polygon32 
     return best;
 }
 
-static void control_other_roundings_and_other_ties_are_told_apart(void **unused) {
-    (void)unused;
+TEST(control_other_roundings_and_other_ties_are_told_apart) {
     tally regrouped = {0}, ties = {0};
     compare_forms(&regrouped, 10000, ORDINARY, regrouped_edge, bmr_exact32_max_separation);
     assert_true(regrouped.edges_different > regrouped.edges / 4);
@@ -176,8 +170,7 @@ static void control_other_roundings_and_other_ties_are_told_apart(void **unused)
     assert_int_equal(ties.edges_different, 0);
 }
 
-static void the_posed_check_has_the_bits_of_its_two_parts(void **unused) {
-    (void)unused;
+TEST(the_posed_check_has_the_bits_of_its_two_parts) {
     arrays memory_a, memory_b;
     for (flavour kind = ORDINARY; kind < FLAVOURS; ++kind) {
         size_t different = 0, different_poses_swapped = 0;
@@ -199,8 +192,7 @@ static void the_posed_check_has_the_bits_of_its_two_parts(void **unused) {
     }
 }
 
-static void nothing_past_count_is_computed_with(void **unused) {
-    (void)unused;
+TEST(nothing_past_count_is_computed_with) {
     arrays memory_a, memory_b;
     size_t raised = 0;
     for (size_t round = 0; round < test_scaled(100000); ++round) {
@@ -228,8 +220,7 @@ static void nothing_past_count_is_computed_with(void **unused) {
     assert_true(fetestexcept(FE_INVALID) != 0);
 }
 
-static void the_first_of_equal_edges_wins(void **unused) {
-    (void)unused;
+TEST(the_first_of_equal_edges_wins) {
     // A square against a point at its centre: all four edges at the same distance; then against one that is
     // equally far beyond two of them.
     const bmr_vec32 corners[MOST] = {{1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
@@ -251,8 +242,7 @@ static void the_first_of_equal_edges_wins(void **unused) {
     }
 }
 
-static void nan_never_enters_a_minimum(void **unused) {
-    (void)unused;
+TEST(nan_never_enters_a_minimum) {
     const bmr_vec32 corners[MOST] = {{1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
     const bmr_vec32 normals[MOST] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     const bmr_polygon32 square = {corners, normals, 4};
@@ -268,8 +258,7 @@ static void nan_never_enters_a_minimum(void **unused) {
     assert_int_equal(edge, 0);
 }
 
-static void relative_frames_undo_the_other_pose(void **unused) {
-    (void)unused;
+TEST(relative_frames_undo_the_other_pose) {
     // Known by heart: the reference one to the right of a body that is turned by 90 degrees lies one below
     // it.
     const bmr_transform32 turned = {{2, 3}, 1, 0}, reference = {{3, 3}, 0, 1};
@@ -284,17 +273,4 @@ static void relative_frames_undo_the_other_pose(void **unused) {
         assert_true(fabsf(o.s * g.c + o.c * g.s - f.s) < 1e-6f);
         assert_true(fabsf(o.c * g.c - o.s * g.s - f.c) < 1e-6f);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(both_forms_give_the_same_bits),
-        cmocka_unit_test(control_other_roundings_and_other_ties_are_told_apart),
-        cmocka_unit_test(the_posed_check_has_the_bits_of_its_two_parts),
-        cmocka_unit_test(nothing_past_count_is_computed_with),
-        cmocka_unit_test(the_first_of_equal_edges_wins),
-        cmocka_unit_test(nan_never_enters_a_minimum),
-        cmocka_unit_test(relative_frames_undo_the_other_pose),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The lanes of this processor give the bits of plain C: each operation, and what is written in them. (What is
 // written in them for swept shapes is in test_swept32.c.)
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include <float.h>
 #include <math.h>
@@ -63,21 +59,20 @@ static size_t differences(const float4_operation *one, const float4_operation *o
     return different;
 }
 
-static void every_operation_has_the_bits_of_plain_c(void **state) {
-    (void)state;
+TEST(every_operation_has_the_bits_of_plain_c) {
+    printf("lanes: %s\n", test_float4_is_native ? "the processor's" : "plain C's");
     for (int i = 0; i < test_float4_operations; ++i) {
         const float4_operation *const native = &test_native_float4[i], *const plain = &test_plain_float4[i];
         assert_string_equal(native->name, plain->name);
         const size_t different = differences(native, plain, test_scaled(200000));
         if (different != 0)
-            print_message("%s: %zu\n", native->name, different);
+            printf("%s: %zu\n", native->name, different);
         assert_int_equal(different, 0);
     }
 }
 
 /// Control: no operation passes for another.
-static void every_operation_is_told_from_every_other(void **state) {
-    (void)state;
+TEST(every_operation_is_told_from_every_other) {
     for (int i = 0; i < test_float4_operations; ++i)
         for (int j = 0; j < test_float4_operations; ++j)
             if (i != j && differences(&test_native_float4[i], &test_plain_float4[j], 3000) == 0)
@@ -115,8 +110,7 @@ static void flushed_product(const float a[4], const float b[4], int32_t count, f
         out[i] = fabsf(a[i] * b[i]) < FLT_MIN ? copysignf(0.0f, a[i] * b[i]) : a[i] * b[i];
 }
 
-static void near_misses_are_seen(void **state) {
-    (void)state;
+TEST(near_misses_are_seen) {
     static const float4_operation wrong[] = {
         {"min", min_of_numbers}, {"min", min_with_zeros_in_order}, {"max", max_keeps_the_first},
         {"sum", sum_in_a_row},   {"div", quotient_by_the_inverse}, {"mul", flushed_product}};
@@ -198,8 +192,7 @@ static float as_seen_from_behind(const bmr_vec32 *vertex, const bmr_vec32 *norma
     return -bmr_exact32_posed_separation(vertex, &back, reference, points, count, other);
 }
 
-static void small_polygons_have_the_bits_of_plain_c(void **state) {
-    (void)state;
+TEST(small_polygons_have_the_bits_of_plain_c) {
     assert_int_equal(compare_small(test_scaled(400000), bmr_exact32_posed_separation), 0);
     assert_true(compare_small(1000, as_seen_from_behind) > 100);
 }
@@ -239,20 +232,7 @@ static size_t compare_big(size_t rounds, float reach_factor) {
     return different;
 }
 
-static void big_polygons_have_the_bits_of_plain_c(void **state) {
-    (void)state;
+TEST(big_polygons_have_the_bits_of_plain_c) {
     assert_int_equal(compare_big(test_scaled(20000), 1.0f), 0);
     assert_true(compare_big(500, 1.5f) > 10); // the control
-}
-
-int main(void) {
-    print_message("lanes: %s\n", test_float4_is_native ? "the processor's" : "plain C's");
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_operation_has_the_bits_of_plain_c),
-        cmocka_unit_test(every_operation_is_told_from_every_other),
-        cmocka_unit_test(near_misses_are_seen),
-        cmocka_unit_test(small_polygons_have_the_bits_of_plain_c),
-        cmocka_unit_test(big_polygons_have_the_bits_of_plain_c),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "boomerang/hierarchy.h"
@@ -42,8 +38,7 @@ static bmr_polygon *polygon_of(const bmr_vec2 *points, size_t count) {
 
 // --- errors and memory ---
 
-static void null_arguments_are_refused_and_leave_the_output_alone(void **state) {
-    (void)state;
+TEST(null_arguments_are_refused_and_leave_the_output_alone) {
     const bmr_vec2 point = {0, 0};
     bmr_polygon *p = polygon_of(&point, 1);
     bmr_hierarchy *h = UNTOUCHED;
@@ -60,8 +55,7 @@ static void null_arguments_are_refused_and_leave_the_output_alone(void **state) 
     bmr_polygon_destroy(p, NULL);
 }
 
-static void a_compass_too_small_for_the_polygon_is_refused(void **state) {
-    (void)state;
+TEST(a_compass_too_small_for_the_polygon_is_refused) {
     bmr_compass *small = compass;
     assert_int_equal(bmr_compass_create(0, NULL, &small), BMR_ERROR_NO_POINTS);
     assert_int_equal(bmr_compass_create(65536, NULL, &small), BMR_ERROR_TOO_MANY_POINTS);
@@ -83,8 +77,7 @@ static void a_compass_too_small_for_the_polygon_is_refused(void **state) {
     bmr_compass_destroy(small, NULL);
 }
 
-static void every_failing_allocation_is_reported_and_nothing_leaks(void **state) {
-    (void)state;
+TEST(every_failing_allocation_is_reported_and_nothing_leaks) {
     test_random random = {3};
     bmr_polygon *p = test_polygon(TEST_CIRCLE, 50, &random);
     test_heap heap;
@@ -155,8 +148,7 @@ static bool answer_the_same(const bmr_hierarchy *a, const bmr_hierarchy *b) {
     return true;
 }
 
-static void a_copy_answers_the_same_from_the_bytes_announced_and_outlives_the_original(void **state) {
-    (void)state;
+TEST(a_copy_answers_the_same_from_the_bytes_announced_and_outlives_the_original) {
     const bmr_vec2 points[] = {{1, 2}, {3, -1}};
     const size_t sizes[] = {1, 2, 3, 8, 37, 64, 150};
     test_random random = {7};
@@ -190,8 +182,7 @@ static void a_copy_answers_the_same_from_the_bytes_announced_and_outlives_the_or
             }
 }
 
-static void a_copy_is_refused_over_other_vertices_and_without_memory(void **state) {
-    (void)state;
+TEST(a_copy_is_refused_over_other_vertices_and_without_memory) {
     test_random random = {9};
     bmr_polygon *p = test_polygon(TEST_CIRCLE, 40, &random), *other = test_polygon(TEST_CIRCLE, 40, &random);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
@@ -211,8 +202,7 @@ static void a_copy_is_refused_over_other_vertices_and_without_memory(void **stat
     bmr_polygon_destroy(other, NULL);
 }
 
-static void with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex(void **state) {
-    (void)state;
+TEST(with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex) {
     const size_t sizes[] = {64, 65, 1024, 1025, 4096}; // a power of two plus one has the most compass nodes
     test_random random = {5};
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
@@ -235,8 +225,7 @@ static void with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex(void *
 
 // --- the compass ---
 
-static void the_compass_directions_are_exact_and_symmetric(void **state) {
-    (void)state;
+TEST(the_compass_directions_are_exact_and_symmetric) {
     bmr_vec2 points[64];
     test_regular_points(64, 1.0, 0.01, points);
     bmr_polygon *p = polygon_of(points, 64);
@@ -255,8 +244,7 @@ static void the_compass_directions_are_exact_and_symmetric(void **state) {
 
 // --- small shapes ---
 
-static void a_point_has_four_edges_and_no_depth(void **state) {
-    (void)state;
+TEST(a_point_has_four_edges_and_no_depth) {
     const bmr_vec2 point = {3, -2};
     bmr_polygon *p = polygon_of(&point, 1);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
@@ -272,8 +260,7 @@ static void a_point_has_four_edges_and_no_depth(void **state) {
     bmr_polygon_destroy(p, NULL);
 }
 
-static void a_segment_has_its_two_sides(void **state) {
-    (void)state;
+TEST(a_segment_has_its_two_sides) {
     const bmr_vec2 cases[][2] = {
         {{0, 0}, {3, 4}}, {{0, 0}, {0, 2}}, {{-1, 5}, {7, 5}}, {{0, 0}, {1, 1}}, {{2, 0}, {0, 2}}};
     for (size_t i = 0; i < COUNT_OF(cases); ++i) {
@@ -298,8 +285,7 @@ static void a_segment_has_its_two_sides(void **state) {
     }
 }
 
-static void an_upright_box_is_its_own_envelope(void **state) {
-    (void)state;
+TEST(an_upright_box_is_its_own_envelope) {
     bmr_vec2 points[4];
     test_box_points(2.0, 0.5, points);
     bmr_polygon *p = polygon_of(points, 4);
@@ -317,8 +303,7 @@ static void an_upright_box_is_its_own_envelope(void **state) {
     bmr_polygon_destroy(p, NULL);
 }
 
-static void a_compass_uses_the_edges_that_lie_in_its_directions(void **state) {
-    (void)state;
+TEST(a_compass_uses_the_edges_that_lie_in_its_directions) {
     test_random random = {7};
     bmr_polygon *octagon = test_polygon(TEST_OCTAGON, 8, &random);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
@@ -330,8 +315,7 @@ static void a_compass_uses_the_edges_that_lie_in_its_directions(void **state) {
     bmr_polygon_destroy(octagon, NULL);
 }
 
-static void a_diamond_in_a_square_has_the_corners_of_the_paper(void **state) {
-    (void)state;
+TEST(a_diamond_in_a_square_has_the_corners_of_the_paper) {
     const bmr_vec2 points[] = {{2, 0}, {0, 1}, {-2, 0}, {0, -1}};
     bmr_polygon *p = polygon_of(points, 4);
     bmr_hierarchy *h = built_soundly(BMR_HIERARCHY_DOBKIN_KIRKPATRICK, p);
@@ -354,8 +338,7 @@ static void a_diamond_in_a_square_has_the_corners_of_the_paper(void **state) {
     bmr_polygon_destroy(p, NULL);
 }
 
-static void a_tied_direction_gives_the_corner_after_the_tied_edge(void **state) {
-    (void)state;
+TEST(a_tied_direction_gives_the_corner_after_the_tied_edge) {
     test_random random = {9};
     bmr_polygon *p = test_polygon(TEST_PARALLEL, 40, &random);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
@@ -371,8 +354,7 @@ static void a_tied_direction_gives_the_corner_after_the_tied_edge(void **state) 
     bmr_polygon_destroy(p, NULL);
 }
 
-static void edges_that_agree_within_the_merge_angle_become_one(void **state) {
-    (void)state;
+TEST(edges_that_agree_within_the_merge_angle_become_one) {
     // The bottom edges are within 1e-12 radians of direction S, and of each other; and 5e-11 off.
     const bmr_vec2 merged[] = {{0, 1}, {-1, 0}, {0, -1e-12}, {1, 0}},
                    kept[] = {{0, 1}, {-1, 0}, {0, -5e-11}, {1, 0}};
@@ -401,8 +383,7 @@ static bool is_sample(const bmr_polygon *p, bmr_vec2 x) {
     return fabs(turn - round(turn)) < 1e-9 && fabs(hypot(r.x, r.y) / (4.0 * p->radius) - 1.0) < 1e-12;
 }
 
-static void dudley_adds_edges_whose_outer_normals_point_at_samples_of_the_circle(void **state) {
-    (void)state;
+TEST(dudley_adds_edges_whose_outer_normals_point_at_samples_of_the_circle) {
     test_random random = {31};
     for (int round = 0; round < 50; ++round) {
         bmr_polygon *p = test_polygon(TEST_LENS, 40, &random);
@@ -485,8 +466,7 @@ static void damage_kind(bmr_hierarchy *h, bmr_node *n) {
     h->kind = 7;
 }
 
-static void audit_refuses_every_kind_of_damage(void **state) {
-    (void)state;
+TEST(audit_refuses_every_kind_of_damage) {
     const damage damages[] = {
         damage_touch,        damage_touch_range, damage_level,      damage_outer_before, damage_outer_after,
         damage_child_before, damage_child_after, damage_link_range, damage_own,          damage_direction,
@@ -512,8 +492,7 @@ static void audit_refuses_every_kind_of_damage(void **state) {
     bmr_polygon_destroy(p, NULL);
 }
 
-static void audit_refuses_a_hierarchy_of_another_polygon(void **state) {
-    (void)state;
+TEST(audit_refuses_a_hierarchy_of_another_polygon) {
     test_random random = {21};
     bmr_polygon *p = test_polygon(TEST_CIRCLE, 40, &random), *q = test_polygon(TEST_CIRCLE, 40, &random);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
@@ -524,27 +503,4 @@ static void audit_refuses_a_hierarchy_of_another_polygon(void **state) {
     }
     bmr_polygon_destroy(p, NULL);
     bmr_polygon_destroy(q, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(null_arguments_are_refused_and_leave_the_output_alone),
-        cmocka_unit_test(a_compass_too_small_for_the_polygon_is_refused),
-        cmocka_unit_test(every_failing_allocation_is_reported_and_nothing_leaks),
-        cmocka_unit_test(a_copy_answers_the_same_from_the_bytes_announced_and_outlives_the_original),
-        cmocka_unit_test(a_copy_is_refused_over_other_vertices_and_without_memory),
-        cmocka_unit_test(with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex),
-        cmocka_unit_test(the_compass_directions_are_exact_and_symmetric),
-        cmocka_unit_test(a_point_has_four_edges_and_no_depth),
-        cmocka_unit_test(a_segment_has_its_two_sides),
-        cmocka_unit_test(an_upright_box_is_its_own_envelope),
-        cmocka_unit_test(a_compass_uses_the_edges_that_lie_in_its_directions),
-        cmocka_unit_test(a_diamond_in_a_square_has_the_corners_of_the_paper),
-        cmocka_unit_test(a_tied_direction_gives_the_corner_after_the_tied_edge),
-        cmocka_unit_test(edges_that_agree_within_the_merge_angle_become_one),
-        cmocka_unit_test(dudley_adds_edges_whose_outer_normals_point_at_samples_of_the_circle),
-        cmocka_unit_test(audit_refuses_every_kind_of_damage),
-        cmocka_unit_test(audit_refuses_a_hierarchy_of_another_polygon),
-    };
-    return cmocka_run_group_tests(tests, make_compass, drop_compass);
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "boomerang/hierarchy.h"
@@ -111,8 +107,7 @@ static void visit_bounds(const bmr_hierarchy *h, test_family family, test_random
 /// Lemma 3.1: in one level O(sqrt(D/s)) boomerangs are at least s high.
 /// Lemma 3.3(a): a compass boomerang of level i is O(D/2^i) high.
 /// Lemma 3.4(a): a Dudley boomerang of level i is O(D/4^i) high.
-static void heights_depths_and_sizes_keep_the_constants_of_the_lemmas(void **state) {
-    (void)state;
+TEST(heights_depths_and_sizes_keep_the_constants_of_the_lemmas) {
     bounds b = {0};
     assert_true(test_visit_hierarchies(compass, all_sizes, COUNT_OF(all_sizes) - 1, test_scaled(3), 113,
                                        visit_bounds, &b));
@@ -125,8 +120,7 @@ static void heights_depths_and_sizes_keep_the_constants_of_the_lemmas(void **sta
 /// Lemma 3.3(a): a compass boomerang of level i is O(D/2^i) high.
 /// Below level ceil(log2 n) the height of a compass hierarchy stops halving: a cone of the last compass level
 /// holds n - 3 tiny edges, then a long one. The median always leaves the long one whole.
-static void the_compass_lemma_fails_in_the_median_tail_and_holds_with_the_capped_level(void **state) {
-    (void)state;
+TEST(the_compass_lemma_fails_in_the_median_tail_and_holds_with_the_capped_level) {
     enum { TINY = 348, N = TINY + 3 };
     const double cone = 1.57079632679489661923 / 512.0; // ceil(log2 351) = 9
     bmr_vec2 points[N];
@@ -211,20 +205,10 @@ static void visit_pair(const bmr_hierarchy *h, test_family family, test_random *
 
 /// Lemma 3.3(d): at distance s, compass envelopes of O(log(D/s)) edges are disjoint.
 /// Lemma 3.4(d): at distance s, Dudley envelopes of O(log(D/s)) edges are disjoint.
-static void polygons_at_distance_s_have_disjoint_approximations_of_few_edges(void **state) {
-    (void)state;
+TEST(polygons_at_distance_s_have_disjoint_approximations_of_few_edges) {
     approximations a = {0, 0};
     assert_true(
         test_visit_hierarchies(compass, all_sizes, COUNT_OF(all_sizes), test_scaled(3), 117, visit_pair, &a));
     assert_true(a.tried > 1000 || test_scaled(3) < 3);
     assert_true(a.dk_failed > 0);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(heights_depths_and_sizes_keep_the_constants_of_the_lemmas),
-        cmocka_unit_test(the_compass_lemma_fails_in_the_median_tail_and_holds_with_the_capped_level),
-        cmocka_unit_test(polygons_at_distance_s_have_disjoint_approximations_of_few_edges),
-    };
-    return cmocka_run_group_tests(tests, make_compass, drop_compass);
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "boomerang/hierarchy.h"
@@ -69,8 +65,7 @@ static void visit_lines(const bmr_hierarchy *h, test_family family, test_random 
     }
 }
 
-static void every_edge_lies_on_a_support_line_of_the_polygon(void **state) {
-    (void)state;
+TEST(every_edge_lies_on_a_support_line_of_the_polygon) {
     assert_true(test_visit_hierarchies(compass, small_sizes, COUNT_OF(small_sizes), test_scaled(2), 101,
                                        visit_lines, NULL));
 }
@@ -180,9 +175,7 @@ static void visit_levels(const bmr_hierarchy *h, test_family family, test_random
     drop(&outer);
 }
 
-static void
-envelopes_are_rings_nested_around_the_polygon_and_their_extremes_those_of_brute_force(void **state) {
-    (void)state;
+TEST(envelopes_are_rings_nested_around_the_polygon_and_their_extremes_those_of_brute_force) {
     controls c = {0, 0};
     assert_true(test_visit_hierarchies(compass, small_sizes, COUNT_OF(small_sizes), test_scaled(3), 103,
                                        visit_levels, &c));
@@ -191,8 +184,7 @@ envelopes_are_rings_nested_around_the_polygon_and_their_extremes_those_of_brute_
     assert_true(c.rejected * 10 > c.tried * 9);
 }
 
-static void an_envelope_that_cuts_into_the_polygon_is_noticed(void **state) {
-    (void)state;
+TEST(an_envelope_that_cuts_into_the_polygon_is_noticed) {
     test_random random = {107};
     bmr_polygon *p = test_polygon(TEST_CIRCLE, 100, &random);
     bmr_hierarchy *h = built(BMR_HIERARCHY_COMPASS, p);
@@ -244,8 +236,7 @@ static bool merges_edges(test_family family) {
     return family == TEST_NEARLY_FLAT;
 }
 
-static void the_deepest_envelope_is_the_polygon_bit_for_bit(void **state) {
-    (void)state;
+TEST(the_deepest_envelope_is_the_polygon_bit_for_bit) {
     test_random random = {109};
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
         for (size_t i = 0; i < COUNT_OF(all_sizes); ++i) {
@@ -308,16 +299,14 @@ static void visit_heights(const bmr_hierarchy *h, test_family family, test_rando
     }
 }
 
-static void heights_are_distances_from_the_polygon_and_shrink_downwards(void **state) {
-    (void)state;
+TEST(heights_are_distances_from_the_polygon_and_shrink_downwards) {
     assert_true(test_visit_hierarchies(compass, small_sizes, COUNT_OF(small_sizes), test_scaled(2), 111,
                                        visit_heights, NULL));
 }
 
 // --- the largest ---
 
-static void polygons_of_65535_vertices_pass_the_audit(void **state) {
-    (void)state;
+TEST(polygons_of_65535_vertices_pass_the_audit) {
     const test_family families[] = {TEST_CIRCLE, TEST_NEEDLE, TEST_TINY_EDGES};
     test_random random = {119};
     for (size_t i = 0; i < COUNT_OF(families); ++i) {
@@ -334,8 +323,7 @@ static void polygons_of_65535_vertices_pass_the_audit(void **state) {
 }
 
 /// Edges of a few ulps, corners of 1e-16 radians, polygons thinner than rounding.
-static void polygons_bent_by_ulps_pass_the_audit(void **state) {
-    (void)state;
+TEST(polygons_bent_by_ulps_pass_the_audit) {
     test_random random = {123};
     size_t polygons = 0;
     for (size_t round = 0; round < test_scaled(10000); ++round) {
@@ -355,8 +343,7 @@ static void polygons_bent_by_ulps_pass_the_audit(void **state) {
 }
 
 /// Two vertices that only denormal numbers tell apart, at an edge whose direction is neither axis'.
-static void edges_as_short_as_double_has_them_pass_the_audit(void **state) {
-    (void)state;
+TEST(edges_as_short_as_double_has_them_pass_the_audit) {
     for (int k = 1; k <= 64; ++k) {
         const double tiny = 0x1p-1074;
         const bmr_vec2 points[] = {{4 * tiny * k, -5 * tiny * k}, {0.0, 0.0}, {-0.65, 0.75}, {-0.87, 0.49}};
@@ -373,8 +360,7 @@ static void edges_as_short_as_double_has_them_pass_the_audit(void **state) {
 }
 
 /// The nearest point of the chain is looked for along edges whose products with anything underflow.
-static void heights_over_edges_as_short_as_double_has_them(void **state) {
-    (void)state;
+TEST(heights_over_edges_as_short_as_double_has_them) {
     for (int k = 1; k <= 64; ++k) {
         const double tiny = 0x1p-1074 * k;
         const bmr_vec2 points[] = {{0.0, -15.0 * tiny},
@@ -396,8 +382,7 @@ static void heights_over_edges_as_short_as_double_has_them(void **state) {
 }
 
 /// Also where an apex is so near the end of an edge: every product with what lies between them underflows.
-static void what_is_beyond_an_end_by_a_denormal_distance(void **state) {
-    (void)state;
+TEST(what_is_beyond_an_end_by_a_denormal_distance) {
     const bmr_vec2 points[] = {{0.0, 0.0}, {0.4, -0.6}, {1.0, 1.0}};
     bmr_polygon *p = NULL;
     assert_int_equal(bmr_polygon_create(points, COUNT_OF(points), NULL, &p), BMR_OK);
@@ -416,8 +401,7 @@ static void what_is_beyond_an_end_by_a_denormal_distance(void **state) {
 }
 
 /// The same polygon far from the origin and at the ends of the range.
-static void scale_and_place_do_not_matter(void **state) {
-    (void)state;
+TEST(scale_and_place_do_not_matter) {
     const double scales[] = {1e-9, 1e-3, 1e3, 2e8};
     test_random random = {121};
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
@@ -442,22 +426,4 @@ static void scale_and_place_do_not_matter(void **state) {
                 }
                 bmr_polygon_destroy(p, NULL);
             }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_edge_lies_on_a_support_line_of_the_polygon),
-        cmocka_unit_test(
-            envelopes_are_rings_nested_around_the_polygon_and_their_extremes_those_of_brute_force),
-        cmocka_unit_test(an_envelope_that_cuts_into_the_polygon_is_noticed),
-        cmocka_unit_test(the_deepest_envelope_is_the_polygon_bit_for_bit),
-        cmocka_unit_test(heights_are_distances_from_the_polygon_and_shrink_downwards),
-        cmocka_unit_test(polygons_of_65535_vertices_pass_the_audit),
-        cmocka_unit_test(polygons_bent_by_ulps_pass_the_audit),
-        cmocka_unit_test(edges_as_short_as_double_has_them_pass_the_audit),
-        cmocka_unit_test(heights_over_edges_as_short_as_double_has_them),
-        cmocka_unit_test(what_is_beyond_an_end_by_a_denormal_distance),
-        cmocka_unit_test(scale_and_place_do_not_matter),
-    };
-    return cmocka_run_group_tests(tests, make_compass, drop_compass);
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The geometry of inflated hierarchies (section 6) against brute force.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "boomerang/inflated.h"
@@ -99,8 +95,7 @@ static void look(const bmr_hierarchy *h, test_family family, test_random *random
     }
 }
 
-static void the_widest_edge_and_the_entry_are_those_of_brute_force(void **state) {
-    (void)state;
+TEST(the_widest_edge_and_the_entry_are_those_of_brute_force) {
     counts seen = {0, 0, 0};
     assert_true(test_visit_hierarchies(compass, sizes, sizeof sizes / sizeof *sizes, test_scaled(2), 11, look,
                                        &seen));
@@ -108,8 +103,7 @@ static void the_widest_edge_and_the_entry_are_those_of_brute_force(void **state)
     assert_true(seen.wrong_corner > seen.positive / 4);
 }
 
-static void inflated_corners_lie_on_both_lines(void **state) {
-    (void)state;
+TEST(inflated_corners_lie_on_both_lines) {
     test_random random = {3};
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
         for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
@@ -134,8 +128,7 @@ static void inflated_corners_lie_on_both_lines(void **state) {
         }
 }
 
-static void offsets_shrink_by_the_ratio_and_levels_end_at_the_depth(void **state) {
-    (void)state;
+TEST(offsets_shrink_by_the_ratio_and_levels_end_at_the_depth) {
     test_random random = {5};
     bmr_polygon *p = test_polygon(TEST_CIRCLE, 64, &random);
     bmr_hierarchy *h = built(BMR_HIERARCHY_COMPASS, p);
@@ -158,8 +151,7 @@ static void offsets_shrink_by_the_ratio_and_levels_end_at_the_depth(void **state
 }
 
 /// Lemma compass (a), as section 6 uses it.
-static void compass_offsets_cover_the_heights(void **state) {
-    (void)state;
+TEST(compass_offsets_cover_the_heights) {
     test_random random = {9};
     bool half_is_needed = false;
     for (size_t round = 0; round < test_scaled(3); ++round)
@@ -181,14 +173,4 @@ static void compass_offsets_cover_the_heights(void **state) {
                 bmr_polygon_destroy(p, NULL);
             }
     assert_true(half_is_needed);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_widest_edge_and_the_entry_are_those_of_brute_force),
-        cmocka_unit_test(inflated_corners_lie_on_both_lines),
-        cmocka_unit_test(offsets_shrink_by_the_ratio_and_levels_end_at_the_depth),
-        cmocka_unit_test(compass_offsets_cover_the_heights),
-    };
-    return cmocka_run_group_tests(tests, make_compass, drop_compass);
 }

@@ -3,13 +3,9 @@
 // straight or bent path. The free direction has an event at each edge; the structures that take a coarse line
 // have a logarithm of them, and each keeps the bound that is proved of it.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "convex_paths.h"
 #include "hierarchies.h"
@@ -114,8 +110,7 @@ static test_chain_def any_chain(test_random *random) {
 
 /// Section 7, open question: hysteresis, path-sensitivity and all bounds, in one structure of linear size.
 /// None has more events than is proved of it.
-static void no_convex_path_is_above_its_bound(void **state) {
-    (void)state;
+TEST(no_convex_path_is_above_its_bound) {
     test_random random = {34};
     used w = {0.0, 0.0, 0.0, 0.0};
     for (size_t i = 0; i < test_scaled(3000); ++i) {
@@ -138,8 +133,8 @@ static void no_convex_path_is_above_its_bound(void **state) {
         for (int k = 0; k < 2; ++k)
             test_kds_body_destroy(&body[k]);
     }
-    print_message("of the bounds: free-fd2 %.2f, hybrid %.2f, two-lines %.2f, coarse %.2f\n", w.free,
-                  w.hybrid, w.repairs, w.coarse);
+    printf("of the bounds: free-fd2 %.2f, hybrid %.2f, two-lines %.2f, coarse %.2f\n", w.free, w.hybrid,
+           w.repairs, w.coarse);
 }
 
 static double events_on(const char *name, const test_chain *c) {
@@ -148,8 +143,7 @@ static double events_on(const char *name, const test_chain *c) {
 
 /// One line that has hysteresis, or takes the most slack, fails at every other edge or more often; the
 /// inflated structures do not, since near the polygon they take the coarsest edge that separates.
-static void a_chain_refutes_the_free_direction_and_spares_the_inflated_ones(void **state) {
-    (void)state;
+TEST(a_chain_refutes_the_free_direction_and_spares_the_inflated_ones) {
     static const char *const of_two[] = {"inflated-translation", "inflated-window", "sum-inflated-compass"};
     static const char *const of_point[] = {"point-inflated-compass", "point-inflated-dudley",
                                            "point-inflated-slack", "point-complex"};
@@ -174,8 +168,7 @@ static void a_chain_refutes_the_free_direction_and_spares_the_inflated_ones(void
         }
 }
 
-static void twenty_four_vertices_cost_few_failures_until_the_contact(void **state) {
-    (void)state;
+TEST(twenty_four_vertices_cost_few_failures_until_the_contact) {
     const test_chain_def def = {21, 2.0, TEST_DEAL_POINT, {0.5, 0.5}, 0.0};
     test_random random = {24};
     test_chain c = test_chain_make(&def, &random);
@@ -202,8 +195,7 @@ static test_kds_body any_body(test_random *random) {
 
 /// The ends of the fan of directions that separate by more than a part of the distance: there they separate
 /// by that part, and the search looked at O(log n) edges.
-static void the_fan_ends_where_its_separation_does(void **state) {
-    (void)state;
+TEST(the_fan_ends_where_its_separation_does) {
     test_random random = {8};
     double worst = 0.0;
     for (size_t i = 0; i < test_scaled(3000); ++i) {
@@ -237,15 +229,5 @@ static void the_fan_ends_where_its_separation_does(void **state) {
         test_kds_body_destroy(&a);
         test_kds_body_destroy(&b);
     }
-    print_message("off by %.1e of the extents at most\n", worst);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_convex_path_is_above_its_bound),
-        cmocka_unit_test(a_chain_refutes_the_free_direction_and_spares_the_inflated_ones),
-        cmocka_unit_test(twenty_four_vertices_cost_few_failures_until_the_contact),
-        cmocka_unit_test(the_fan_ends_where_its_separation_does),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    printf("off by %.1e of the extents at most\n", worst);
 }

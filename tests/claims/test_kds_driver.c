@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The driver that tests kinetic structures is itself shown a right structure and wrong ones.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 #include <string.h>
 
@@ -100,8 +96,7 @@ static test_drive_result drive(const bmr_kds_class *class, test_path_kind kind, 
     return result;
 }
 
-static void a_right_structure_is_sound_on_every_kind_of_path(void **state) {
-    (void)state;
+TEST(a_right_structure_is_sound_on_every_kind_of_path) {
     uint64_t events = 0, contacts = 0;
     for (int kind = 0; kind < TEST_PATH_KIND_COUNT; ++kind)
         for (uint64_t seed = 1; seed <= 5; ++seed) {
@@ -117,8 +112,7 @@ static void a_right_structure_is_sound_on_every_kind_of_path(void **state) {
     assert_true(contacts >= 5);
 }
 
-static void wrong_structures_are_found_out(void **state) {
-    (void)state;
+TEST(wrong_structures_are_found_out) {
     const test_drive_result no_watch = drive(&careless, TEST_PATH_HIT, 1);
     assert_true(no_watch.false_audits > 0);
     assert_true(no_watch.missed_contacts > 0);
@@ -131,8 +125,7 @@ static void wrong_structures_are_found_out(void **state) {
     assert_true(secret.silent_lines > 0 && secret.false_audits == 0);
 }
 
-static void a_path_s_rates_are_those_of_its_poses(void **state) {
-    (void)state;
+TEST(a_path_s_rates_are_those_of_its_poses) {
     test_random random = {7};
     test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 8, &random));
     for (int kind = 0; kind < TEST_PATH_KIND_COUNT; ++kind) {
@@ -173,8 +166,7 @@ static bmr_shape triangle_in_place(double width, const bmr_allocator *allocator)
 }
 
 /// The hierarchy is kept while its polygon is freed and another made at the same address.
-static void a_hierarchy_of_a_polygon_that_is_no_more_is_refused(void **state) {
-    (void)state;
+TEST(a_hierarchy_of_a_polygon_that_is_no_more_is_refused) {
     const bmr_allocator one_place = {take_place, leave_place, NULL};
     const bmr_kds_info *info = test_structure("lazy-dobkin-kirkpatrick");
     const bmr_kds_def def = bmr_default_kds_def();
@@ -202,14 +194,4 @@ static void a_hierarchy_of_a_polygon_that_is_no_more_is_refused(void **state) {
     bmr_hierarchy_destroy(of_a, NULL);
     bmr_hierarchy_destroy(of_b, NULL);
     bmr_polygon_destroy((bmr_polygon *)(uintptr_t)a.polygon, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_right_structure_is_sound_on_every_kind_of_path),
-        cmocka_unit_test(wrong_structures_are_found_out),
-        cmocka_unit_test(a_path_s_rates_are_those_of_its_poses),
-        cmocka_unit_test(a_hierarchy_of_a_polygon_that_is_no_more_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What boomerang/kds.h promises of every structure on separating edges of hierarchies: for points, on
 // explicit sums, and the lazy ones of two polygons.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 #include <string.h>
 
@@ -50,8 +46,7 @@ static bmr_instant at_gap(const test_kds_body *a, const test_kds_body *b, double
     return now;
 }
 
-static void an_early_repair_reports_none_and_changes_nothing(void **state) {
-    (void)state;
+TEST(an_early_repair_reports_none_and_changes_nothing) {
     for (size_t i = 0; i < NAMES; ++i) {
         test_kds_body a = regular(24), b = other_body(i, 16);
         const bmr_kds_def def = bmr_default_kds_def();
@@ -85,8 +80,7 @@ static void an_early_repair_reports_none_and_changes_nothing(void **state) {
     }
 }
 
-static void contact_is_left_beyond_margin_and_hysteresis_only(void **state) {
-    (void)state;
+TEST(contact_is_left_beyond_margin_and_hysteresis_only) {
     for (size_t i = 0; i < NAMES; ++i) {
         test_kds_body a = regular(24), b = other_body(i, 16);
         bmr_kds_def def = bmr_default_kds_def();
@@ -127,8 +121,7 @@ static void contact_is_left_beyond_margin_and_hysteresis_only(void **state) {
     }
 }
 
-static void the_state_does_not_grow_with_the_polygons_unless_it_says_so(void **state) {
-    (void)state;
+TEST(the_state_does_not_grow_with_the_polygons_unless_it_says_so) {
     for (size_t i = 0; i < NAMES; ++i) {
         size_t bytes[2];
         for (int large = 0; large < 2; ++large) {
@@ -148,8 +141,7 @@ static void the_state_does_not_grow_with_the_polygons_unless_it_says_so(void **s
 
 /// Vertex against vertex, nearer than any edge's line would allow: the line is the closest direction's own.
 /// It is repaired like any other, whether B turns, goes round A, or both.
-static void a_free_line_is_repaired_like_that_of_an_edge(void **state) {
-    (void)state;
+TEST(a_free_line_is_repaired_like_that_of_an_edge) {
     const double lean = 0.4; // else an edge of the rectangle around would do
     const double quarter = 0.5 * 3.14159265358979323846;
     bmr_vec2 diamond[4];
@@ -199,8 +191,7 @@ static void a_free_line_is_repaired_like_that_of_an_edge(void **state) {
     }
 }
 
-static void no_pose_is_contact_and_no_point_is_an_error(void **state) {
-    (void)state;
+TEST(no_pose_is_contact_and_no_point_is_an_error) {
     test_kds_body a = regular(8), b = regular(5), point = test_kds_point_make(0.0, 0.0);
     const bmr_kds_def def = bmr_default_kds_def();
     for (size_t i = 0; i < NAMES; ++i) {
@@ -227,15 +218,4 @@ static void no_pose_is_contact_and_no_point_is_an_error(void **state) {
     test_kds_body_destroy(&point);
     test_kds_body_destroy(&b);
     test_kds_body_destroy(&a);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_early_repair_reports_none_and_changes_nothing),
-        cmocka_unit_test(contact_is_left_beyond_margin_and_hysteresis_only),
-        cmocka_unit_test(the_state_does_not_grow_with_the_polygons_unless_it_says_so),
-        cmocka_unit_test(a_free_line_is_repaired_like_that_of_an_edge),
-        cmocka_unit_test(no_pose_is_contact_and_no_point_is_an_error),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // When a condition counts as failed, and the rate that decides it close to zero.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "../../core/kds/failing.h"
@@ -20,8 +16,7 @@ static bmr_instant instant_at(double time) {
     return now;
 }
 
-static void rates_are_derivatives_of_values(void **state) {
-    (void)state;
+TEST(rates_are_derivatives_of_values) {
     const bmr_vec2 normal = {0.6, 0.8}, point = {-0.28, 0.96}, center = {0.2, -0.3};
     const bmr_condition conditions[] = {
         bmr_condition_beyond(0, normal, 0.1, point, 0), bmr_condition_beyond(1, normal, 0.1, point, 0),
@@ -45,15 +40,13 @@ static void rates_are_derivatives_of_values(void **state) {
     }
 }
 
-static void centers_that_coincide_have_no_rate(void **state) {
-    (void)state;
+TEST(centers_that_coincide_have_no_rate) {
     bmr_instant now = instant_at(0.0);
     const bmr_condition disks = bmr_condition_disks(now.pose.position, bmr_vec2_make(0.0, 0.0), 0.5, 0);
     assert_true(bmr_condition_rate(&disks, &now) == 0.0);
 }
 
-static void close_to_zero_the_rate_decides(void **state) {
-    (void)state;
+TEST(close_to_zero_the_rate_decides) {
     const double tolerance = 1e-10;
     bmr_instant now = instant_at(0.0);
     const double far = hypot(now.pose.position.x, now.pose.position.y);
@@ -69,13 +62,4 @@ static void close_to_zero_the_rate_decides(void **state) {
             assert_int_equal(bmr_condition_fails(&disks, &now, tolerance), cases[i].fails);
         }
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rates_are_derivatives_of_values),
-        cmocka_unit_test(centers_that_coincide_have_no_rate),
-        cmocka_unit_test(close_to_zero_the_rate_decides),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,13 +3,9 @@
 // no more distance than its place on the line times the sine of the turn; on a path that bends away distance
 // and slope of approach together are down to a quarter; so events are few.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "kds_driver.h"
 #include "motions.h"
@@ -137,8 +133,7 @@ static approach drive(const char *name, test_path_kind kind, size_t rounds, uint
 }
 
 /// So the free direction has at most log2(D/sigma) + 6.3 events there.
-static void distance_times_slope_drops_to_a_quarter_on_convex_paths(void **state) {
-    (void)state;
+TEST(distance_times_slope_drops_to_a_quarter_on_convex_paths) {
     const test_path_kind convex[] = {TEST_PATH_LINE, TEST_PATH_PARABOLA};
     for (size_t k = 0; k < NAMES; ++k)
         for (size_t c = 0; c < 2; ++c) {
@@ -152,16 +147,14 @@ static void distance_times_slope_drops_to_a_quarter_on_convex_paths(void **state
 }
 
 /// The control: an orbit is not convex, and there each event is like the one before.
-static void it_does_not_on_an_orbit(void **state) {
-    (void)state;
+TEST(it_does_not_on_an_orbit) {
     unsigned most;
     const approach p = drive("free-fd2", TEST_PATH_ORBIT, 10, 5, &most);
     assert_true(p.worst_product > 0.5);
     assert_true(p.worst_sum > 1.5);
 }
 
-static void the_distance_left_is_at_most_the_place_times_the_sine(void **state) {
-    (void)state;
+TEST(the_distance_left_is_at_most_the_place_times_the_sine) {
     const test_path_kind any[] = {TEST_PATH_CUBIC, TEST_PATH_ORBIT, TEST_PATH_WANDER};
     for (size_t c = 0; c < sizeof any / sizeof *any; ++c) {
         unsigned most;
@@ -201,8 +194,7 @@ static double chain_points(bmr_vec2 points[CHAIN + 3]) {
 }
 
 /// The factor 1 of log2 is the best there is.
-static void a_chain_costs_as_many_events_as_are_proved(void **state) {
-    (void)state;
+TEST(a_chain_costs_as_many_events_as_are_proved) {
     bmr_vec2 points[CHAIN + 3];
     const double way = chain_points(points) * sqrt(0.5);
     bmr_polygon *polygon = NULL;
@@ -228,8 +220,7 @@ static void a_chain_costs_as_many_events_as_are_proved(void **state) {
     test_kds_body_destroy(&b);
 }
 
-static void no_certificate_claims_more_than_the_separation(void **state) {
-    (void)state;
+TEST(no_certificate_claims_more_than_the_separation) {
     for (size_t k = 0; k < NAMES; ++k) {
         unsigned most;
         const approach p = drive(names[k], TEST_PATH_WANDER, test_scaled(20), 8, &most);
@@ -299,23 +290,10 @@ static hold hold_of(const char *name) {
     return h;
 }
 
-static void two_corners_leave_slack_and_room_on_both_sides(void **state) {
-    (void)state;
+TEST(two_corners_leave_slack_and_room_on_both_sides) {
     const hold fd2 = hold_of("free-fd2");
     assert_true(fd2.events > 100);
     assert_true(fd2.least_slack >= 1.0 - GAMMA - ROUNDING);
     assert_true(fd2.least_turn >= 1.0 - ROUNDING);
     assert_true(hold_of("free-fdx").least_turn < 0.1); // the control: the body's own vertices
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(distance_times_slope_drops_to_a_quarter_on_convex_paths),
-        cmocka_unit_test(it_does_not_on_an_orbit),
-        cmocka_unit_test(the_distance_left_is_at_most_the_place_times_the_sine),
-        cmocka_unit_test(a_chain_costs_as_many_events_as_are_proved),
-        cmocka_unit_test(no_certificate_claims_more_than_the_separation),
-        cmocka_unit_test(two_corners_leave_slack_and_room_on_both_sides),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

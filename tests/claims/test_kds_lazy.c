@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The lazy structures of two polygons (section 5) on random motions, against brute force.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 #include <string.h>
 
@@ -59,9 +55,9 @@ static void random_drive(const char *name, test_random *random, totals *all) {
     bmr_kds *kds = made(name, &def, &a, &b);
     const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
     if (!test_drive_is_sound(&r))
-        print_message("%s path %d: audits %u (%s) dead %u contacts %u false %u missed none %u\n", name, kind,
-                      r.false_audits, bmr_error_describe(r.error), r.dead_repairs, r.false_contacts,
-                      r.missed_contacts, r.changed_by_none);
+        printf("%s path %d: audits %u (%s) dead %u contacts %u false %u missed none %u\n", name, kind,
+               r.false_audits, bmr_error_describe(r.error), r.dead_repairs, r.false_contacts,
+               r.missed_contacts, r.changed_by_none);
     assert_true(test_drive_is_sound(&r));
     if (kind == TEST_PATH_HIT)
         assert_true(r.contact_time < 1.0);
@@ -75,8 +71,7 @@ static void random_drive(const char *name, test_random *random, totals *all) {
     test_kds_body_destroy(&b);
 }
 
-static void every_structure_is_valid_on_random_motions(void **state) {
-    (void)state;
+TEST(every_structure_is_valid_on_random_motions) {
     for (size_t i = 0; i < NAMES; ++i) {
         test_random random = {202};
         totals all;
@@ -111,8 +106,7 @@ static double first_time(const bmr_polygon *a, const bmr_polygon *b, const test_
     return INFINITY;
 }
 
-static void contact_is_found_when_an_independent_distance_says_so(void **state) {
-    (void)state;
+TEST(contact_is_found_when_an_independent_distance_says_so) {
     for (size_t i = 0; i < NAMES; ++i) {
         test_random random = {404};
         size_t contacts = 0, early = 0;
@@ -177,8 +171,7 @@ static double per_decade(const char *name, test_path_kind kind, bool rotates) {
 /// Theorems transpoly and rigidpoly. Measured: 2.9 events for each decade of D / sigma on a line (the
 /// prototype of the design had 0.94 a doubling), 7.3 on a tumbling pass, an exponent of 0.5 to 0.56 on
 /// orbits, spinning or not: the linear bound for rigid motion is far from being met.
-static void events_grow_as_the_theorems_say(void **state) {
-    (void)state;
+TEST(events_grow_as_the_theorems_say) {
     for (size_t i = 0; i < NAMES; ++i) {
         const double line = per_decade(names[i], TEST_PATH_LINE, false);
         assert_true(line > 0.0 && line <= 4.0);
@@ -227,8 +220,7 @@ static void look_at_coarsening(void *context, const test_drive_event *event) {
     c->poorer += coarser < (1.0 - rounding) * finer;
 }
 
-static void a_coarser_line_after_a_roll_proves_a_good_part(void **state) {
-    (void)state;
+TEST(a_coarser_line_after_a_roll_proves_a_good_part) {
     for (size_t i = 0; i < NAMES; ++i) {
         test_random random = {505};
         bmr_kds_def def = bmr_default_kds_def();
@@ -254,14 +246,4 @@ static void a_coarser_line_after_a_roll_proves_a_good_part(void **state) {
         assert_int_equal(all.thin, 0);
         assert_true(all.poorer > 0); // the control: some prove less than all
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_structure_is_valid_on_random_motions),
-        cmocka_unit_test(contact_is_found_when_an_independent_distance_says_so),
-        cmocka_unit_test(a_coarser_line_after_a_roll_proves_a_good_part),
-        cmocka_unit_test(events_grow_as_the_theorems_say),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

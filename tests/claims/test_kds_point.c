@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The structures for one point and one polygon (sections 5 and 6) on random motions, against brute force.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -49,10 +45,9 @@ static void random_drive(const bmr_kds_info *info, test_random *random, uint64_t
     bmr_kds *kds = made(info, &def, &a, &b);
     const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
     if (!test_drive_is_sound(&r))
-        print_message("%s: %s n=%zu path %d: audits %u (%s) dead %u contacts %u false %u missed none %u\n",
-                      info->name, test_family_name(family), n, kind, r.false_audits,
-                      bmr_error_describe(r.error), r.dead_repairs, r.false_contacts, r.missed_contacts,
-                      r.changed_by_none);
+        printf("%s: %s n=%zu path %d: audits %u (%s) dead %u contacts %u false %u missed none %u\n",
+               info->name, test_family_name(family), n, kind, r.false_audits, bmr_error_describe(r.error),
+               r.dead_repairs, r.false_contacts, r.missed_contacts, r.changed_by_none);
     assert_true(test_drive_is_sound(&r));
     if (kind == TEST_PATH_HIT)
         assert_true(r.contact_time < 1.0);
@@ -63,8 +58,7 @@ static void random_drive(const bmr_kds_info *info, test_random *random, uint64_t
     test_kds_body_destroy(&b);
 }
 
-static void every_structure_is_valid_on_random_motions(void **state) {
-    (void)state;
+TEST(every_structure_is_valid_on_random_motions) {
     size_t structures = 0;
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
         const bmr_kds_info *info = bmr_kds_at(i);
@@ -79,11 +73,4 @@ static void every_structure_is_valid_on_random_motions(void **state) {
         assert_true(events > rounds && contacts > rounds / 8);
     }
     assert_true(structures >= 3);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_structure_is_valid_on_random_motions),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the paper claims of its structures for a point in section 5, each claim with a control that shows that
 // the check can fail. Section 6 is in test_kds_point_hysteresis.c.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 #include <string.h>
 
@@ -48,8 +44,7 @@ static size_t most_on_a_level(test_path_kind kind, const char *name, uint64_t se
 }
 
 /// Lemma 3.2: a convex curve beside P meets at most one triangle of a level.
-static void a_convex_path_meets_at_most_one_triangle_of_a_level(void **state) {
-    (void)state;
+TEST(a_convex_path_meets_at_most_one_triangle_of_a_level) {
     const char *const names[] = {"triangle-levels-compass", "triangle-levels-dudley"};
     for (int i = 0; i < 2; ++i) {
         size_t triangles = 0, orbits_failed = 0;
@@ -114,8 +109,7 @@ static void compare_with_all_triangles(void *context, const test_drive_event *ev
 }
 
 /// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
-static void the_active_triangle_is_the_one_of_brute_force(void **state) {
-    (void)state;
+TEST(the_active_triangle_is_the_one_of_brute_force) {
     const char *const names[] = {"triangle-levels-compass", "triangle-levels-dudley",
                                  "triangle-binary-compass", "triangle-binary-dudley"};
     for (int i = 0; i < 4; ++i) {
@@ -147,8 +141,7 @@ static void write_down(void *context, const test_drive_event *event) {
 }
 
 /// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
-static void both_searches_find_the_same_triangles(void **state) {
-    (void)state;
+TEST(both_searches_find_the_same_triangles) {
     static record levels, binary;
     const char *const names[2][2] = {{"triangle-levels-compass", "triangle-binary-compass"},
                                      {"triangle-levels-dudley", "triangle-binary-dudley"}};
@@ -178,14 +171,12 @@ static void both_searches_find_the_same_triangles(void **state) {
             dudley_differs = dudley_differs || levels.count != binary.count;
         }
     assert_true(dudley_differs);
-    print_message("a stab: at most %u steps level by level, %u galloping\n", levels.most_steps,
-                  binary.most_steps);
+    printf("a stab: at most %u steps level by level, %u galloping\n", levels.most_steps, binary.most_steps);
     assert_true(binary.most_steps <= levels.most_steps + 1);
 }
 
 /// Chains are of one hierarchy.
-static void chains_of_another_hierarchy_are_refused(void **state) {
-    (void)state;
+TEST(chains_of_another_hierarchy_are_refused) {
     test_random random = {7};
     test_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 60, &random));
     test_kds_body c = test_kds_body_make(test_polygon(TEST_ELLIPSE, 60, &random));
@@ -227,8 +218,7 @@ static double mean_events(const char *name, test_path_kind kind, int decade) {
 /// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
 /// Theorem ptpoly. Measured: 1 to 2 events for each decade of D / sigma on convex paths, and an exponent of
 /// 0.5 on orbits.
-static void events_grow_logarithmically_on_convex_paths_and_with_the_square_root_on_orbits(void **state) {
-    (void)state;
+TEST(events_grow_logarithmically_on_convex_paths_and_with_the_square_root_on_orbits) {
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
         const bmr_kds_info *info = bmr_kds_at(i);
         if (info->domain != BMR_KDS_POINT || info->role == BMR_KDS_RIVAL)
@@ -245,15 +235,4 @@ static void events_grow_logarithmically_on_convex_paths_and_with_the_square_root
         assert_true(near <= 5.0 * 100.0);        // 5 sqrt(D / sigma)
         assert_true(near > 10.0 * (line + 3.0)); // the control: an orbit is no convex path
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_convex_path_meets_at_most_one_triangle_of_a_level),
-        cmocka_unit_test(the_active_triangle_is_the_one_of_brute_force),
-        cmocka_unit_test(both_searches_find_the_same_triangles),
-        cmocka_unit_test(chains_of_another_hierarchy_are_refused),
-        cmocka_unit_test(events_grow_logarithmically_on_convex_paths_and_with_the_square_root_on_orbits),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,12 +2,8 @@
 // What the paper claims in section 6 of inflated envelopes around one polygon, for a point: how far apart its
 // events are, what finding the next line costs, and that the cells between the envelopes tile the plane
 // there. Each claim with a control that shows that the check can fail.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "kds/point_inflated.h"
@@ -85,8 +81,7 @@ static hysteresis measured(const char *name, const bmr_kds_def *def, const test_
 /// 2 eps_0, that is (1 + sqrt 2) eps_0 (a segment along the rectangle's diagonal; a disk: 1.83 eps_0). No
 /// less than that was measured anywhere: 0.60 of the distance. With a root of level 2 and offsets that shrink
 /// by 0.9 (beta towards 1) it is 0.97.
-static void a_point_moves_by_its_distance_over_beta_between_events(void **state) {
-    (void)state;
+TEST(a_point_moves_by_its_distance_over_beta_between_events) {
     const char *const names[] = {"point-inflated-slack", "point-inflated-compass", "point-complex"};
     const test_family round[] = {TEST_REGULAR, TEST_CIRCLE, TEST_ELLIPSE};
     const test_family sharp[] = {TEST_LENS, TEST_TURNED_BOX, TEST_GRID, TEST_CLUSTER};
@@ -116,8 +111,7 @@ static void a_point_moves_by_its_distance_over_beta_between_events(void **state)
 /// quarter a level in place of a half, and beta is their quotient times 1 + sqrt 2. Measured, the least slack
 /// over the distance after an event, where it is promised: 0.82 and 0.45, 0.71 and 0.40 with five times the
 /// seeds.
-static void an_inflated_dudley_hierarchy_doubles_beta(void **state) {
-    (void)state;
+TEST(an_inflated_dudley_hierarchy_doubles_beta) {
     const test_family round[] = {TEST_REGULAR, TEST_CIRCLE, TEST_ELLIPSE};
     bmr_kds_def halves = bmr_default_kds_def(), quarters = halves;
     halves.alpha = quarters.alpha = DUDLEY_ALPHA;
@@ -125,10 +119,10 @@ static void an_inflated_dudley_hierarchy_doubles_beta(void **state) {
     const hysteresis compass = measured("point-inflated-compass", &halves, round, 3),
                      dudley = measured("point-inflated-dudley", &quarters, round, 3);
     const double beta = 2.0 * (1.0 + sqrt(2.0));
-    print_message("slack / distance: compass %.3f (1 / beta = %.3f), Dudley %.3f (1 / (2 beta) = %.3f); "
-                  "moves %.3f, %.3f\n",
-                  compass.least_slack, 1.0 / beta, dudley.least_slack, 0.5 / beta, compass.least_move,
-                  dudley.least_move);
+    printf("slack / distance: compass %.3f (1 / beta = %.3f), Dudley %.3f (1 / (2 beta) = %.3f); "
+           "moves %.3f, %.3f\n",
+           compass.least_slack, 1.0 / beta, dudley.least_slack, 0.5 / beta, compass.least_move,
+           dudley.least_move);
     assert_true(compass.events > 2 * seeds(18) && dudley.events > 2 * seeds(18));
     assert_true(compass.least_slack >= 1.0 / beta && dudley.least_slack >= 0.5 / beta);
     const double times = compass.least_slack / dudley.least_slack;
@@ -164,14 +158,13 @@ static double looks_a_repair(const char *name, size_t n) {
 
 /// The level of the new line is looked for from the old one's outwards: at equal separation a repair costs
 /// the same however many levels there are. Control: a search over all levels grows with them.
-static void a_repair_looks_at_no_more_levels_of_a_larger_polygon(void **state) {
-    (void)state;
+TEST(a_repair_looks_at_no_more_levels_of_a_larger_polygon) {
     const double few = looks_a_repair("point-inflated-compass", 64),
                  many = looks_a_repair("point-inflated-compass", 4096),
                  few_from_top = looks_a_repair("point-inflated-slack", 64),
                  many_from_top = looks_a_repair("point-inflated-slack", 4096);
-    print_message("steps a repair, n = 64 and 4096: outwards %.1f and %.1f, over all levels %.1f and %.1f\n",
-                  few, many, few_from_top, many_from_top);
+    printf("steps a repair, n = 64 and 4096: outwards %.1f and %.1f, over all levels %.1f and %.1f\n", few,
+           many, few_from_top, many_from_top);
     assert_true(many <= 1.2 * few);
     assert_true(many_from_top > 1.2 * few_from_top);
 }
@@ -281,8 +274,7 @@ static void look_at_complex(const bmr_kds *kds, test_random *random, bool drop_t
 }
 
 /// Section 6: the dashed edges decompose Q'_0 without Q into a complex of triangles and trapezoids.
-static void the_inflated_complex_tiles_what_is_between_its_outermost_polygon_and_the_innermost(void **state) {
-    (void)state;
+TEST(the_inflated_complex_tiles_what_is_between_its_outermost_polygon_and_the_innermost) {
     test_random random = {17};
     for (size_t round = 0; round < test_scaled(2); ++round)
         for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
@@ -302,14 +294,4 @@ static void the_inflated_complex_tiles_what_is_between_its_outermost_polygon_and
                 test_kds_body_destroy(&a);
                 test_kds_body_destroy(&b);
             }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_point_moves_by_its_distance_over_beta_between_events),
-        cmocka_unit_test(an_inflated_dudley_hierarchy_doubles_beta),
-        cmocka_unit_test(a_repair_looks_at_no_more_levels_of_a_larger_polygon),
-        cmocka_unit_test(the_inflated_complex_tiles_what_is_between_its_outermost_polygon_and_the_innermost),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <string.h>
 
 #include "boomerang/kds.h"
 
-static void every_structure_is_found_by_its_name_alone(void **state) {
-    (void)state;
+TEST(every_structure_is_found_by_its_name_alone) {
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
         const bmr_kds_info *info = NULL;
         assert_int_equal(bmr_kds_find(bmr_kds_at(i)->name, &info), BMR_OK);
@@ -21,8 +16,7 @@ static void every_structure_is_found_by_its_name_alone(void **state) {
     assert_null(bmr_kds_at(bmr_kds_count()));
 }
 
-static void a_wrong_name_is_told_with_the_names_there_are(void **state) {
-    (void)state;
+TEST(a_wrong_name_is_told_with_the_names_there_are) {
     static const char *const wrong[] = {"", "lazy", "lazy-dk", "Lazy-Dudley", "lazy-dudley ", "predict-"};
     const bmr_kds_info *const untouched = bmr_kds_at(3);
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
@@ -43,8 +37,7 @@ static void a_wrong_name_is_told_with_the_names_there_are(void **state) {
     assert_ptr_equal(info, untouched);
 }
 
-static void the_sentence_fits_what_it_is_given(void **state) {
-    (void)state;
+TEST(the_sentence_fits_what_it_is_given) {
     char whole[1024], part[64];
     const size_t length = bmr_kds_describe_unknown("x", whole, sizeof whole);
     assert_int_equal(length, strlen(whole));
@@ -68,8 +61,7 @@ static void the_sentence_fits_what_it_is_given(void **state) {
 }
 
 /// The header tells which to take, by name: those and no others are recommended.
-static void the_recommended_are_those_that_the_header_names(void **state) {
-    (void)state;
+TEST(the_recommended_are_those_that_the_header_names) {
     static const char *const named[] = {
         "point-lazy-dudley", "point-inflated-slack", "lazy-dudley",    "hybrid",
         "predict",           "inflated-translation", "inflated-window"};
@@ -94,14 +86,4 @@ static void the_recommended_are_those_that_the_header_names(void **state) {
         assert_int_equal(bmr_kds_find(rivals[i], &info), BMR_OK);
         assert_int_equal(info->role, BMR_KDS_RIVAL);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_structure_is_found_by_its_name_alone),
-        cmocka_unit_test(a_wrong_name_is_told_with_the_names_there_are),
-        cmocka_unit_test(the_sentence_fits_what_it_is_given),
-        cmocka_unit_test(the_recommended_are_those_that_the_header_names),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

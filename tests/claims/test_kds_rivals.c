@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The rivals prove separation at and between all events, and cost Theta(n) and Theta(n^2) events.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "kds/features.h"
 #include "kds/registry.h"
@@ -39,15 +36,14 @@ static test_drive_result drive(const bmr_kds_info *info, const test_kds_body *a,
 static void complain(const bmr_kds_info *info, const test_drive_result *r, int a, int b, int kind,
                      bool rotates, size_t trial) {
     if (!test_drive_is_sound(r))
-        print_message(
+        printf(
             "%s: %s, %s, path %d, rotates %d, trial %zu: audits %u (%d), dead %u, contacts %u %u, none %u\n",
             info->name, test_family_name((test_family)a), test_family_name((test_family)b), kind, rotates,
             trial, r->false_audits, r->error, r->dead_repairs, r->false_contacts, r->missed_contacts,
             r->changed_by_none);
 }
 
-static void test_random_motions_are_proved_throughout(void **state) {
-    (void)state;
+TEST(test_random_motions_are_proved_throughout) {
     test_random random = {7};
     const size_t trials = test_scaled(300);
     uint64_t events = 0;
@@ -98,14 +94,13 @@ static uint64_t regular_events(const bmr_kds_info *info, size_t n, bool turns) {
     return test_drive_events(&r);
 }
 
-static void test_a_pass_and_a_turn_cost_events_in_proportion_to_n(void **state) {
-    (void)state;
+TEST(test_a_pass_and_a_turn_cost_events_in_proportion_to_n) {
     for (int turns = 0; turns < 2; turns++)
         for (size_t k = 0; k < RIVALS; k++) {
             const uint64_t few = regular_events(rivals[k], 16, turns),
                            many = regular_events(rivals[k], 128, turns);
-            print_message("%s, %s: %d events for n = 16, %d for 128\n", rivals[k]->name,
-                          turns ? "turn" : "pass", (int)few, (int)many);
+            printf("%s, %s: %d events for n = 16, %d for 128\n", rivals[k]->name, turns ? "turn" : "pass",
+                   (int)few, (int)many);
             if (rivals[k] == &bmr_kds_separating_edge && !turns) {
                 assert_true(many <= few + 2); // the edge of most slack lasts
             } else {
@@ -149,8 +144,7 @@ static void look_at_roll(void *context, const test_drive_event *event) {
 }
 
 /// Another vertex is the nearest: the edge stays, though others may have more slack by now.
-static void test_a_separating_edge_stays_while_the_nearest_vertex_changes(void **state) {
-    (void)state;
+TEST(test_a_separating_edge_stays_while_the_nearest_vertex_changes) {
     test_random random = {10};
     test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 24, &random)),
                   b = test_kds_body_make(test_polygon(TEST_REGULAR, 24, &random));
@@ -173,8 +167,7 @@ static void test_a_separating_edge_stays_while_the_nearest_vertex_changes(void *
     test_kds_body_destroy(&b);
 }
 
-static void test_a_repair_without_failure_changes_nothing(void **state) {
-    (void)state;
+TEST(test_a_repair_without_failure_changes_nothing) {
     test_random random = {3};
     test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 20, &random)),
                   b = test_kds_body_make(test_polygon(TEST_LENS, 20, &random));
@@ -199,8 +192,7 @@ static void test_a_repair_without_failure_changes_nothing(void **state) {
 }
 
 /// The control: a proof, made at one pose, is found wrong at another where it does not hold.
-static void test_audits_find_a_stale_proof(void **state) {
-    (void)state;
+TEST(test_audits_find_a_stale_proof) {
     test_random random = {4};
     test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 20, &random)),
                   b = test_kds_body_make(test_polygon(TEST_LENS, 20, &random));
@@ -220,8 +212,7 @@ static void test_audits_find_a_stale_proof(void **state) {
 }
 
 /// The feature audit finds a pair of features that is not the closest one although its line separates.
-static void test_feature_audit_finds_features_that_are_not_the_closest(void **state) {
-    (void)state;
+TEST(test_feature_audit_finds_features_that_are_not_the_closest) {
     test_random random = {6};
     test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 40, &random)),
                   b = test_kds_body_make(test_polygon(TEST_CIRCLE, 40, &random));
@@ -256,8 +247,7 @@ static bmr_polygon *needle(double width, test_random *random) {
 }
 
 /// However thin a needle is and however small the margin: what is said of it is true.
-static void test_needles_of_any_width_are_proved(void **state) {
-    (void)state;
+TEST(test_needles_of_any_width_are_proved) {
     test_random random = {9};
     const size_t trials = test_scaled(1500);
     size_t thin = 0;
@@ -288,17 +278,4 @@ static void test_needles_of_any_width_are_proved(void **state) {
     }
     assert_true(thin > trials / 100);
     test_kds_body_destroy(&b);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_motions_are_proved_throughout),
-        cmocka_unit_test(test_a_pass_and_a_turn_cost_events_in_proportion_to_n),
-        cmocka_unit_test(test_a_separating_edge_stays_while_the_nearest_vertex_changes),
-        cmocka_unit_test(test_a_repair_without_failure_changes_nothing),
-        cmocka_unit_test(test_audits_find_a_stale_proof),
-        cmocka_unit_test(test_feature_audit_finds_features_that_are_not_the_closest),
-        cmocka_unit_test(test_needles_of_any_width_are_proved),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The structures on an explicit Minkowski sum (section 5) on random translations, against brute force.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 #include <string.h>
 
@@ -50,9 +46,9 @@ static test_drive_result random_drive(const char *name, test_random *random) {
     bmr_kds *kds = made(name, &def, &a, &b);
     const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
     if (!test_drive_is_sound(&r))
-        print_message("%s path %d: audits %u (%s) dead %u contacts %u false %u missed none %u\n", name, kind,
-                      r.false_audits, bmr_error_describe(r.error), r.dead_repairs, r.false_contacts,
-                      r.missed_contacts, r.changed_by_none);
+        printf("%s path %d: audits %u (%s) dead %u contacts %u false %u missed none %u\n", name, kind,
+               r.false_audits, bmr_error_describe(r.error), r.dead_repairs, r.false_contacts,
+               r.missed_contacts, r.changed_by_none);
     // Two points may be so small that a path of their sizes does not move at all.
     if (kind == TEST_PATH_HIT && a.polygon->count + b.polygon->count > 2)
         assert_true(r.contact_time < 1.0);
@@ -62,8 +58,7 @@ static test_drive_result random_drive(const char *name, test_random *random) {
     return r;
 }
 
-static void every_structure_is_valid_on_random_translations(void **state) {
-    (void)state;
+TEST(every_structure_is_valid_on_random_translations) {
     for (size_t i = 0; i < NAMES; ++i) {
         test_random random = {303};
         uint64_t events = 0, contacts = 0;
@@ -79,8 +74,7 @@ static void every_structure_is_valid_on_random_translations(void **state) {
 }
 
 /// A path with a turn in it: the sum of the first rotation is not that of the others.
-static void a_turn_is_out_of_their_domain_and_found_out(void **state) {
-    (void)state;
+TEST(a_turn_is_out_of_their_domain_and_found_out) {
     test_random random = {5};
     unsigned wrong = 0;
     for (int round = 0; round < 20; ++round) {
@@ -100,8 +94,7 @@ static void a_turn_is_out_of_their_domain_and_found_out(void **state) {
 }
 
 /// The memory that is set aside is enough for every rotation, and linear.
-static void the_sum_fits_its_block_at_every_rotation(void **state) {
-    (void)state;
+TEST(the_sum_fits_its_block_at_every_rotation) {
     test_random random = {6};
     const size_t sizes[] = {3, 4, 5, 8, 9, 33, 64, 300};
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
@@ -135,8 +128,7 @@ static void the_sum_fits_its_block_at_every_rotation(void **state) {
             }
 }
 
-static void creation_asks_for_one_block_and_may_fail(void **state) {
-    (void)state;
+TEST(creation_asks_for_one_block_and_may_fail) {
     test_random random = {8};
     test_kds_body a = random_body(&random), b = random_body(&random);
     const bmr_kds_def def = bmr_default_kds_def();
@@ -158,14 +150,4 @@ static void creation_asks_for_one_block_and_may_fail(void **state) {
         }
     test_kds_body_destroy(&a);
     test_kds_body_destroy(&b);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_structure_is_valid_on_random_translations),
-        cmocka_unit_test(a_turn_is_out_of_their_domain_and_found_out),
-        cmocka_unit_test(the_sum_fits_its_block_at_every_rotation),
-        cmocka_unit_test(creation_asks_for_one_block_and_may_fail),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,13 +2,9 @@
 // The structures whose proof is a line and a window: sound on random motions, and refuted where they should
 // be.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "kds/structure.h"
 #include "kds/windowed_line.h"
@@ -53,8 +49,7 @@ static test_kds_body any_body(test_random *random) {
         test_polygon((test_family)test_random_below(random, TEST_FAMILY_COUNT), n, random));
 }
 
-static void they_are_sound_on_random_motions(void **state) {
-    (void)state;
+TEST(they_are_sound_on_random_motions) {
     test_random random = {20};
     for (size_t round = 0; round < test_scaled(40); ++round)
         for (int kind = 0; kind < TEST_PATH_KIND_COUNT; ++kind) {
@@ -71,7 +66,8 @@ static void they_are_sound_on_random_motions(void **state) {
                 const test_drive drive = {&path, 0.0, 8, 0.0, false, NULL, NULL};
                 const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &drive);
                 if (!test_drive_is_sound(&r))
-                    print_error(
+                    fprintf(
+                        stderr,
                         "%s, kind %d, round %zu: audits %u (%s) dead %u false contact %u missed %u none %u\n",
                         names[k], kind, round, r.false_audits, bmr_error_describe(r.error), r.dead_repairs,
                         r.false_contacts, r.missed_contacts, r.changed_by_none);
@@ -84,8 +80,7 @@ static void they_are_sound_on_random_motions(void **state) {
 }
 
 /// The controls: what an audit must see, put into the state by hand (it begins with the line).
-static void an_audit_refutes_what_is_false(void **state) {
-    (void)state;
+TEST(an_audit_refutes_what_is_false) {
     test_random random = {4};
     test_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 30, &random));
     test_kds_body b = test_kds_body_make(test_polygon(TEST_REGULAR, 20, &random));
@@ -119,8 +114,7 @@ static void an_audit_refutes_what_is_false(void **state) {
 }
 
 /// Nothing failed, nothing done; and with no rates known, sound all the same.
-static void a_repair_that_comes_early_changes_nothing(void **state) {
-    (void)state;
+TEST(a_repair_that_comes_early_changes_nothing) {
     test_random random = {9};
     test_kds_body a = test_kds_body_make(test_polygon(TEST_LENS, 30, &random));
     test_kds_body b = test_kds_body_make(test_polygon(TEST_CIRCLE, 20, &random));
@@ -151,8 +145,7 @@ static void a_repair_that_comes_early_changes_nothing(void **state) {
 
 /// A bracket ends sooner on the side that is nearer, and that is what counts where nobody knows which way it
 /// turns.
-static void a_bracket_lasts_as_long_as_its_nearer_side(void **state) {
-    (void)state;
+TEST(a_bracket_lasts_as_long_as_its_nearer_side) {
     test_random random = {12};
     size_t uneven = 0;
     for (size_t k = 0; k < NAMES; ++k)
@@ -205,8 +198,7 @@ static double life_of_start(const char *name, const test_kds_body *a, const test
 /// No sense of turning is preferred, and no end of the cone of the directions that separate. (The coarse line
 /// is left out: of an even number of edges one of two middle ones is the first, and turning round makes it
 /// the other.)
-static void the_mirror_image_of_a_way_finds_a_line_that_lasts_as_long(void **state) {
-    (void)state;
+TEST(the_mirror_image_of_a_way_finds_a_line_that_lasts_as_long) {
     test_random random = {13};
     size_t ending = 0;
     for (size_t k = 0; k < NAMES; ++k)
@@ -237,8 +229,7 @@ static void the_mirror_image_of_a_way_finds_a_line_that_lasts_as_long(void **sta
 }
 
 /// Contact ends at the margin and the hysteresis, not before.
-static void contact_is_left_beyond_the_hysteresis(void **state) {
-    (void)state;
+TEST(contact_is_left_beyond_the_hysteresis) {
     test_random random = {6};
     test_kds_body a = test_kds_body_make(test_polygon(TEST_REGULAR, 16, &random));
     test_kds_body b = test_kds_body_make(test_polygon(TEST_REGULAR, 16, &random));
@@ -263,16 +254,4 @@ static void contact_is_left_beyond_the_hysteresis(void **state) {
     }
     test_kds_body_destroy(&a);
     test_kds_body_destroy(&b);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(they_are_sound_on_random_motions),
-        cmocka_unit_test(an_audit_refutes_what_is_false),
-        cmocka_unit_test(a_repair_that_comes_early_changes_nothing),
-        cmocka_unit_test(a_bracket_lasts_as_long_as_its_nearer_side),
-        cmocka_unit_test(the_mirror_image_of_a_way_finds_a_line_that_lasts_as_long),
-        cmocka_unit_test(contact_is_left_beyond_the_hysteresis),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

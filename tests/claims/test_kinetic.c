@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_rng.h>
 #include <pthread.h>
@@ -44,15 +39,13 @@ static double first_root(const double *coefficients, size_t degree, double from,
     return root;
 }
 
-static void a_screw_motion_starts_at_its_start(void **state) {
-    (void)state;
+TEST(a_screw_motion_starts_at_its_start) {
     const bmr_screw_motion motion = {{{3.0, -4.0}, 0.6, 0.8}, {5.0, 6.0}, 7.0};
     const bmr_pose pose = bmr_screw_motion_pose(&motion, 0.0);
     assert_true(pose.position.x == 3.0 && pose.position.y == -4.0 && pose.c == 0.6 && pose.s == 0.8);
 }
 
-static void a_quarter_turn_takes_x_to_y(void **state) {
-    (void)state;
+TEST(a_quarter_turn_takes_x_to_y) {
     const double quarter = 2.0 * atan(1.0);
     const bmr_screw_motion motion = {bmr_pose_identity(), {1.0, 2.0}, quarter};
     const bmr_pose pose = bmr_screw_motion_pose(&motion, 1.0);
@@ -62,8 +55,7 @@ static void a_quarter_turn_takes_x_to_y(void **state) {
     assert_true(fabs(image.y - 1.0) > 1.0);
 }
 
-static void a_screw_motion_composes_over_time(void **state) {
-    (void)state;
+TEST(a_screw_motion_composes_over_time) {
     const bmr_screw_motion motion = {{{0.5, 0.25}, 0.28, 0.96}, {-3.0, 1.5}, -2.25};
     const bmr_screw_motion later = {bmr_screw_motion_pose(&motion, 1.75), motion.velocity, motion.spin};
     const bmr_pose direct = bmr_screw_motion_pose(&motion, 4.0);
@@ -74,16 +66,14 @@ static void a_screw_motion_composes_over_time(void **state) {
     assert_true(fabs(direct.c * direct.c + direct.s * direct.s - 1.0) < 4.0 * DBL_EPSILON);
 }
 
-static void time_runs_backwards_too(void **state) {
-    (void)state;
+TEST(time_runs_backwards_too) {
     const bmr_screw_motion motion = {bmr_pose_identity(), {1.0, 0.0}, 1.0};
     const bmr_pose before = bmr_screw_motion_pose(&motion, -1.0);
     const bmr_pose after = bmr_screw_motion_pose(&motion, 1.0);
     assert_true(before.position.x == -1.0 && before.c == after.c && before.s == -after.s);
 }
 
-static void the_first_of_known_roots_is_found(void **state) {
-    (void)state;
+TEST(the_first_of_known_roots_is_found) {
     const double roots[] = {0.75, -0.5, 0.25, 2.0};
     double c[5];
     expand(roots, 4, c);
@@ -94,8 +84,7 @@ static void the_first_of_known_roots_is_found(void **state) {
     assert_true(isinf(first_root(c, 4, 1.0, 1.5)));
 }
 
-static void ends_of_the_interval_belong_to_it(void **state) {
-    (void)state;
+TEST(ends_of_the_interval_belong_to_it) {
     const double line[] = {-0.25, 1.0};
     assert_true(first_root(line, 1, 0.25, 9.0) == 0.25);
     assert_true(first_root(line, 1, -9.0, 0.25) == 0.25);
@@ -105,8 +94,7 @@ static void ends_of_the_interval_belong_to_it(void **state) {
     assert_true(isinf(first_root(line, 1, -9.0, 0.2499999)));
 }
 
-static void a_polynomial_that_only_touches_zero_counts(void **state) {
-    (void)state;
+TEST(a_polynomial_that_only_touches_zero_counts) {
     for (size_t multiplicity = 2; multiplicity <= 4; multiplicity += 2) {
         double roots[6] = {0.3, 0.3, 0.3, 0.3}, c[7], lifted;
         roots[multiplicity] = -2.0;
@@ -120,16 +108,14 @@ static void a_polynomial_that_only_touches_zero_counts(void **state) {
     }
 }
 
-static void no_real_root_is_no_root(void **state) {
-    (void)state;
+TEST(no_real_root_is_no_root) {
     const double square_plus_one[] = {1.0, 0.0, 1.0};
     assert_true(isinf(first_root(square_plus_one, 2, -100.0, 100.0)));
     const double fourth[] = {1.0, 0.0, 0.0, 0.0, 1.0};
     assert_true(isinf(first_root(fourth, 4, -100.0, 100.0)));
 }
 
-static void constants_and_the_zero_polynomial_are_legal(void **state) {
-    (void)state;
+TEST(constants_and_the_zero_polynomial_are_legal) {
     const double zeros[] = {0.0, 0.0, 0.0}, constant[] = {-2.0, 0.0, 0.0};
     assert_true(first_root(zeros, 2, 3.0, 4.0) == 3.0);
     assert_true(first_root(zeros, 0, 3.0, 4.0) == 3.0);
@@ -137,8 +123,7 @@ static void constants_and_the_zero_polynomial_are_legal(void **state) {
     assert_true(isinf(first_root(constant, 0, 3.0, 4.0)));
 }
 
-static void extreme_coefficients_neither_hang_nor_overflow(void **state) {
-    (void)state;
+TEST(extreme_coefficients_neither_hang_nor_overflow) {
     // 1e-300 t^4 + t - 0.5: the leading term means nothing here.
     const double tiny_leader[] = {-0.5, 1.0, 0.0, 0.0, 1e-300};
     assert_true(fabs(first_root(tiny_leader, 4, 0.0, 1.0) - 0.5) < ROOT_TOLERANCE);
@@ -154,8 +139,7 @@ static void extreme_coefficients_neither_hang_nor_overflow(void **state) {
     assert_true(first_root(at_zero, 3, 0.0, 0.0) == 0.0);
 }
 
-static void bad_arguments_are_refused_and_the_root_untouched(void **state) {
-    (void)state;
+TEST(bad_arguments_are_refused_and_the_root_untouched) {
     double c[BMR_POLYNOMIAL_MAX_DEGREE + 2] = {1.0, 1.0}, root = 42.0;
     assert_int_equal(bmr_polynomial_first_root(NULL, 1, 0.0, 1.0, &root), BMR_ERROR_NULL_ARGUMENT);
     assert_int_equal(bmr_polynomial_first_root(c, 1, 0.0, 1.0, NULL), BMR_ERROR_NULL_ARGUMENT);
@@ -189,8 +173,7 @@ static double first_sign_change(const double *c, size_t degree, double from, dou
     return (double)INFINITY;
 }
 
-static void no_change_of_sign_is_passed_over(void **state) {
-    (void)state;
+TEST(no_change_of_sign_is_passed_over) {
     gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
     gsl_rng_set(rng, 20240229);
     const size_t trials = test_scaled(4000), cells = 512;
@@ -228,8 +211,7 @@ static void counting_handler(const char *reason, const char *file, int line, int
     ++handler_calls;
 }
 
-static void the_error_handler_of_gsl_is_put_back(void **state) {
-    (void)state;
+TEST(the_error_handler_of_gsl_is_put_back) {
     gsl_error_handler_t *const before = gsl_set_error_handler(counting_handler);
     const double c[] = {-0.5, 0.0, 0.0, 0.0, 1.0};
     (void)first_root(c, 4, 0.0, 1.0);
@@ -254,8 +236,7 @@ static void *solve_many(void *argument) {
     return NULL;
 }
 
-static void calls_on_many_threads_keep_the_handler(void **state) {
-    (void)state;
+TEST(calls_on_many_threads_keep_the_handler) {
     gsl_error_handler_t *const before = gsl_set_error_handler(counting_handler);
     pthread_t threads[THREADS];
     double targets[THREADS];
@@ -270,24 +251,4 @@ static void calls_on_many_threads_keep_the_handler(void **state) {
     }
     assert_true(gsl_set_error_handler(before) == counting_handler);
     assert_int_equal(handler_calls, 0);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_screw_motion_starts_at_its_start),
-        cmocka_unit_test(a_quarter_turn_takes_x_to_y),
-        cmocka_unit_test(a_screw_motion_composes_over_time),
-        cmocka_unit_test(time_runs_backwards_too),
-        cmocka_unit_test(the_first_of_known_roots_is_found),
-        cmocka_unit_test(ends_of_the_interval_belong_to_it),
-        cmocka_unit_test(a_polynomial_that_only_touches_zero_counts),
-        cmocka_unit_test(no_real_root_is_no_root),
-        cmocka_unit_test(constants_and_the_zero_polynomial_are_legal),
-        cmocka_unit_test(extreme_coefficients_neither_hang_nor_overflow),
-        cmocka_unit_test(bad_arguments_are_refused_and_the_root_untouched),
-        cmocka_unit_test(no_change_of_sign_is_passed_over),
-        cmocka_unit_test(the_error_handler_of_gsl_is_put_back),
-        cmocka_unit_test(calls_on_many_threads_keep_the_handler),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

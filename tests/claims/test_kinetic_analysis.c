@@ -2,12 +2,9 @@
 // The optimum covers and is small, clear decompositions bracket a known size, fits find known growth, and the
 // adversaries cost the rivals what the paper says.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/analysis.h"
 #include "failing_allocator.h"
@@ -71,8 +68,7 @@ static bmr_family_motion make(bmr_family family, double ratio, uint64_t seed, co
     return m;
 }
 
-static void test_optimum_of_convex_passes_and_of_a_spin_is_1(void **state) {
-    (void)state;
+TEST(test_optimum_of_convex_passes_and_of_a_spin_is_1) {
     static const bmr_family families[] = {BMR_FAMILY_LINE, BMR_FAMILY_PARABOLA, BMR_FAMILY_SPIN};
     for (size_t k = 0; k < 3; k++)
         for (uint64_t seed = 0; seed < 3; seed++)
@@ -85,8 +81,8 @@ static void test_optimum_of_convex_passes_and_of_a_spin_is_1(void **state) {
                 bmr_optimum optimum;
                 assert_int_equal(bmr_offline_optimum(&course, MARGIN, 0.02, NULL, 0, &optimum), BMR_OK);
                 if (optimum.found != 1)
-                    print_message("%s, ratio %g, seed %d: %d to %d\n", bmr_family_name(families[k]), ratio,
-                                  (int)seed, (int)optimum.least, (int)optimum.found);
+                    printf("%s, ratio %g, seed %d: %d to %d\n", bmr_family_name(families[k]), ratio,
+                           (int)seed, (int)optimum.least, (int)optimum.found);
                 assert_int_equal(optimum.least, 1);
                 assert_int_equal(optimum.found, 1);
                 assert_int_equal(optimum.contacts, 0);
@@ -113,8 +109,7 @@ static void check_cover(const bmr_course *course, const bmr_cover_line *lines, u
     assert_true(reached == course->to);
 }
 
-static void test_covers_hold_at_times_between_samples_and_bounds_are_near(void **state) {
-    (void)state;
+TEST(test_covers_hold_at_times_between_samples_and_bounds_are_near) {
     bmr_cover_line *lines = malloc(MOST_LINES * sizeof *lines);
     for (int family = 0; family < BMR_FAMILY_COUNT; family++)
         for (int step = 1; step < 4; step++) {
@@ -157,8 +152,7 @@ static uint64_t brute_cover(const bmr_course *course, int samples) {
     return count;
 }
 
-static void test_optimum_agrees_with_brute_force_over_directions(void **state) {
-    (void)state;
+TEST(test_optimum_agrees_with_brute_force_over_directions) {
     static const bmr_family families[] = {BMR_FAMILY_ALGEBRAIC, BMR_FAMILY_ORBIT, BMR_FAMILY_RIGID_ALGEBRAIC,
                                           BMR_FAMILY_TUMBLE};
     for (size_t k = 0; k < 4; k++) {
@@ -190,8 +184,7 @@ static bmr_motion *motion(bmr_motion_piece piece) {
     return m;
 }
 
-static void test_contact_divides_a_cover(void **state) {
-    (void)state;
+TEST(test_contact_divides_a_cover) {
     bmr_polygon *a = outline(BMR_OUTLINE_REGULAR, 16, 1), *b = point();
     const bmr_pose start = {{-3.0, 0.3}, 1.0, 0.0};
     bmr_course course = {{a, b},
@@ -219,8 +212,7 @@ static void test_contact_divides_a_cover(void **state) {
 
 /// A point that goes straight away from a point, from distance 1 to e^5: a disk with the segment [x, y] as
 /// its diameter is clear if y / x <= (kappa + 1) / (kappa - 1), and so the smallest size is known.
-static void test_clear_decomposition_of_a_ray_brackets_the_known_size(void **state) {
-    (void)state;
+TEST(test_clear_decomposition_of_a_ray_brackets_the_known_size) {
     bmr_polygon *a = point();
     const bmr_pose start = {{1.0, 0.0}, 1.0, 0.0};
     const bmr_course course = {{a, a},
@@ -246,8 +238,7 @@ static void test_clear_decomposition_of_a_ray_brackets_the_known_size(void **sta
 }
 
 /// Of a body that turns in place, a segment may turn by radius / diameter.
-static void test_clear_decomposition_counts_rotation(void **state) {
-    (void)state;
+TEST(test_clear_decomposition_counts_rotation) {
     bmr_polygon *a = point();
     const bmr_pose start = {{1.0, 0.0}, 1.0, 0.0};
     const bmr_course course = {{a, a},
@@ -267,8 +258,7 @@ static void test_clear_decomposition_counts_rotation(void **state) {
     bmr_polygon_destroy(a, NULL);
 }
 
-static void test_hysteresis_takes_the_least_of_each_kind(void **state) {
-    (void)state;
+TEST(test_hysteresis_takes_the_least_of_each_kind) {
     bmr_polygon *a = point();
     bmr_hysteresis h = bmr_hysteresis_make();
     const bmr_pose poses[] = {{{2.0, 0.0}, 1.0, 0.0},
@@ -284,8 +274,7 @@ static void test_hysteresis_takes_the_least_of_each_kind(void **state) {
     bmr_polygon_destroy(a, NULL);
 }
 
-static void test_fits_find_power_and_logarithm(void **state) {
-    (void)state;
+TEST(test_fits_find_power_and_logarithm) {
     test_random random = {5};
     double x[12], power[12], logarithm[12];
     for (int k = 0; k < 12; k++) {
@@ -354,14 +343,13 @@ static double exponent_in_n(bmr_adversary_kind kind, double separation, const ch
     }
     bmr_growth growth;
     assert_int_equal(bmr_fit_growth(x, y, 4, &growth), BMR_OK);
-    print_message("%s, separation %g, %s: %g %g %g %g events, exponent %.2f\n", bmr_adversary_name(kind),
-                  separation, name, y[0] - 1, y[1] - 1, y[2] - 1, y[3] - 1, growth.exponent);
+    printf("%s, separation %g, %s: %g %g %g %g events, exponent %.2f\n", bmr_adversary_name(kind), separation,
+           name, y[0] - 1, y[1] - 1, y[2] - 1, y[3] - 1, growth.exponent);
     *last = y[3] - 1.0;
     return growth.exponent;
 }
 
-static void test_adversaries_cost_the_rivals_n_and_n_squared_at_any_separation(void **state) {
-    (void)state;
+TEST(test_adversaries_cost_the_rivals_n_and_n_squared_at_any_separation) {
     const int steps = test_scaled(3) < 3 ? 1 : 3; // the nearest alone where little is asked
     for (int step = 0; step < steps; step++) {
         const double separation = 0.1 * pow(30.0, step);
@@ -382,8 +370,7 @@ static bmr_error audit_with_errors(const bmr_kds *kds, const bmr_pose *b_in_a) {
     return audits == 2 ? BMR_ERROR_INVALID_STRUCTURE : audits > 2 ? BMR_ERROR_NO_MEMORY : BMR_OK;
 }
 
-static void test_a_run_keeps_the_first_error_of_its_audits(void **state) {
-    (void)state;
+TEST(test_a_run_keeps_the_first_error_of_its_audits) {
     // (Classes of some other structures are the beginning of something larger.)
     bmr_kds_info info = *test_structure("closest-features");
     bmr_kds_class class = *(const bmr_kds_class *)info.implementation;
@@ -408,20 +395,4 @@ static void test_a_run_keeps_the_first_error_of_its_audits(void **state) {
         assert_int_equal(audits, audit ? 2 : 0); // what comes after it is not looked at
     }
     bmr_adversary_destroy(&adversary, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_optimum_of_convex_passes_and_of_a_spin_is_1),
-        cmocka_unit_test(test_covers_hold_at_times_between_samples_and_bounds_are_near),
-        cmocka_unit_test(test_optimum_agrees_with_brute_force_over_directions),
-        cmocka_unit_test(test_contact_divides_a_cover),
-        cmocka_unit_test(test_clear_decomposition_of_a_ray_brackets_the_known_size),
-        cmocka_unit_test(test_clear_decomposition_counts_rotation),
-        cmocka_unit_test(test_hysteresis_takes_the_least_of_each_kind),
-        cmocka_unit_test(test_fits_find_power_and_logarithm),
-        cmocka_unit_test(test_a_run_keeps_the_first_error_of_its_audits),
-        cmocka_unit_test(test_adversaries_cost_the_rivals_n_and_n_squared_at_any_separation),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,12 +3,8 @@
 // of a kappa-clear decomposition of the path that the polygons traverse through the three-dimensional
 // configuration space, for some constant kappa."
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/analysis.h"
 #include "kds/registry.h"
@@ -78,8 +74,7 @@ static uint64_t events(const stage *s, const bmr_kds_info *structure) {
 }
 
 /// Section 6, rotational hysteresis: after an event P moves Omega(d) or turns by Omega(d/D).
-static void events_of_rigid_motions_are_no_more_than_a_clear_decomposition(void **state) {
-    (void)state;
+TEST(events_of_rigid_motions_are_no_more_than_a_clear_decomposition) {
     static const bmr_family families[] = {BMR_FAMILY_SPIN, BMR_FAMILY_RIGID_ALGEBRAIC, BMR_FAMILY_TUMBLE,
                                           BMR_FAMILY_RIGID_WANDER};
     const bmr_kds_info *const structures[] = {&bmr_kds_inflated_window, &bmr_kds_free_fd1, &bmr_kds_free_fd2,
@@ -91,8 +86,8 @@ static void events_of_rigid_motions_are_no_more_than_a_clear_decomposition(void 
         assert_int_equal(bmr_clear_decomposition(&s.course, kappa, s.motion.diameter, &clear), BMR_OK);
         for (size_t k = 0; k < sizeof structures / sizeof *structures; ++k) {
             const uint64_t count = events(&s, structures[k]);
-            print_message("%s, %s: %d events, %d to %d segments\n", bmr_family_name(families[f]),
-                          structures[k]->name, (int)count, (int)clear.least, (int)clear.found);
+            printf("%s, %s: %d events, %d to %d segments\n", bmr_family_name(families[f]),
+                   structures[k]->name, (int)count, (int)clear.least, (int)clear.found);
             assert_true(count > 0 && count <= clear.least);
         }
         // The control: the closest features know no such bound.
@@ -104,8 +99,7 @@ static void events_of_rigid_motions_are_no_more_than_a_clear_decomposition(void 
 
 /// The vertices bound the events of a rigid motion, however near it comes: with a coarse line. The control is
 /// the free direction, whose events go on growing. How many more there are a hundred times as near:
-static void few_vertices_bound_the_events_of_rigid_motions(void **state) {
-    (void)state;
+TEST(few_vertices_bound_the_events_of_rigid_motions) {
     static const bmr_outline outlines[2] = {BMR_OUTLINE_RANDOM, BMR_OUTLINE_RANDOM};
     const bmr_kds_info *const structures[] = {&bmr_kds_free_fd2, &bmr_kds_hybrid, &bmr_kds_two_lines};
     const bmr_family families[] = {BMR_FAMILY_RIGID_ALGEBRAIC, BMR_FAMILY_SPIN};
@@ -118,16 +112,8 @@ static void few_vertices_bound_the_events_of_rigid_motions(void **state) {
                     more[k] += (nearer ? 1.0 : -1.0) * (double)events(&s, structures[k]) / FEW_SEEDS;
                 strike(&s);
             }
-        print_message("%s: free-fd2 %+.2f, hybrid %+.2f, two-lines %+.2f\n", bmr_family_name(families[f]),
-                      more[0], more[1], more[2]);
+        printf("%s: free-fd2 %+.2f, hybrid %+.2f, two-lines %+.2f\n", bmr_family_name(families[f]), more[0],
+               more[1], more[2]);
         assert_true(more[0] >= 0.5 && more[1] <= 0.5 * more[0] && more[2] <= 0.5 * more[0]);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(events_of_rigid_motions_are_no_more_than_a_clear_decomposition),
-        cmocka_unit_test(few_vertices_bound_the_events_of_rigid_motions),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

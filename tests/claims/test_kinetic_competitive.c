@@ -2,12 +2,8 @@
 // Lines that the online structures use over those of the offline optimum, on the twelve families of motion:
 // the figures of docs/open-question.md. BMR_TEST_SCALE=5 takes its ten seeds.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/analysis.h"
 #include "kds/registry.h"
@@ -58,33 +54,25 @@ static void count_lines(bmr_family family, uint64_t seed, double *optimum, doubl
     test_kds_body_destroy(&b);
 }
 
-static void the_best_needs_at_most_twice_the_lines_of_the_optimum(void **state) {
-    (void)state;
+TEST(the_best_needs_at_most_twice_the_lines_of_the_optimum) {
     double mean[STRUCTURES] = {0.0};
     const size_t seeds = test_scaled(SEEDS);
     for (int family = 0; family < BMR_FAMILY_COUNT; ++family) {
         double optimum = 0.0, lines[STRUCTURES] = {0.0};
         for (uint64_t seed = 1; seed <= seeds; ++seed)
             count_lines((bmr_family)family, seed, &optimum, lines);
-        print_message("%-16s %6.1f", bmr_family_name((bmr_family)family), optimum / (double)seeds);
+        printf("%-16s %6.1f", bmr_family_name((bmr_family)family), optimum / (double)seeds);
         for (size_t k = 0; k < STRUCTURES; ++k) {
-            print_message(" %6.1f", lines[k] / (double)seeds);
+            printf(" %6.1f", lines[k] / (double)seeds);
             assert_true(lines[k] >= optimum); // nothing beats the optimum: the control of both counts
             mean[k] += log(lines[k] / optimum) / BMR_FAMILY_COUNT;
         }
-        print_message("\n");
+        printf("\n");
     }
     for (size_t k = 0; k < STRUCTURES; ++k)
-        print_message("%s %.3f\n", structures[k]->name, exp(mean[k]));
+        printf("%s %.3f\n", structures[k]->name, exp(mean[k]));
     assert_true(exp(mean[STRUCTURES - 1]) <= 2.0);
     // Measured: 4.2 and 2.5. Whoever takes the closest direction does not get there.
     assert_true(exp(mean[0]) > 3.0);
     assert_true(exp(mean[1]) > 2.0);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_best_needs_at_most_twice_the_lines_of_the_optimum),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

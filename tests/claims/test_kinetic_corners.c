@@ -2,13 +2,9 @@
 // Searches and analyses where they are hard or have nothing to do: the queue against brute force, roots that
 // a solver does not find, points instead of polygons, contact, and what is refused.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_poly.h>
 
@@ -35,8 +31,7 @@ int gsl_poly_complex_solve(const double *a, size_t n, gsl_poly_complex_workspace
 /// (t - 1/4) (t^2 + 1) (t^2 + 4): one root, far from what the solver above says.
 static const double one_root[] = {-1.0, 4.0, -1.25, 5.0, -0.25, 1.0};
 
-static void different_signs_at_the_ends_prove_a_root_that_no_solver_finds(void **state) {
-    (void)state;
+TEST(different_signs_at_the_ends_prove_a_root_that_no_solver_finds) {
     solver_status = GSL_SUCCESS;
     solver_root = 1e9;
     double root = 0.0;
@@ -53,16 +48,14 @@ static void different_signs_at_the_ends_prove_a_root_that_no_solver_finds(void *
     assert_true(root == INFINITY);
 }
 
-static void a_solver_that_gives_up_is_an_error(void **state) {
-    (void)state;
+TEST(a_solver_that_gives_up_is_an_error) {
     solver_status = GSL_EFAILED;
     double root = 7.0;
     assert_int_equal(bmr_polynomial_first_root(one_root, 5, 0.0, 1.0, &root), BMR_ERROR_OUT_OF_RANGE);
     assert_true(root == 7.0);
 }
 
-static void roots_nearer_than_the_tolerance_are_one(void **state) {
-    (void)state;
+TEST(roots_nearer_than_the_tolerance_are_one) {
     // -(u - r) (u - r - e) (u - r + e), three roots closer than a part can be told: found, not counted.
     const double r = 0.3, e = 1e-7, c[] = {r * r * r - r * e * e, e * e - 3.0 * r * r, 3.0 * r, -1.0};
     double low = -1.0;
@@ -80,8 +73,7 @@ static void roots_nearer_than_the_tolerance_are_one(void **state) {
 
 #define ITEMS 13
 
-static void the_queue_has_the_earliest_on_top_however_times_change(void **state) {
-    (void)state;
+TEST(the_queue_has_the_earliest_on_top_however_times_change) {
     double times[ITEMS];
     size_t order[ITEMS], place[ITEMS];
     bmr_event_queue queue = {times, order, place, ITEMS};
@@ -119,8 +111,7 @@ static bmr_motion *flight(double x, double y, double vx, double vy) {
 
 static const bmr_vec2 square[] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
 
-static void one_line_covers_a_point_that_passes_a_point(void **state) {
-    (void)state;
+TEST(one_line_covers_a_point_that_passes_a_point) {
     const bmr_vec2 origin = {0.0, 0.0};
     bmr_polygon *a = polygon_of(&origin, 1), *b = polygon_of(&origin, 1);
     const bmr_course course = {
@@ -135,8 +126,7 @@ static void one_line_covers_a_point_that_passes_a_point(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
-static void a_run_into_contact_has_a_distance_of_zero_there(void **state) {
-    (void)state;
+TEST(a_run_into_contact_has_a_distance_of_zero_there) {
     test_kds_body a = test_kds_body_make(polygon_of(square, 4)),
                   b = test_kds_body_make(polygon_of(square, 4));
     const bmr_course course = {{a.polygon, b.polygon},
@@ -163,16 +153,14 @@ static void a_run_into_contact_has_a_distance_of_zero_there(void **state) {
     test_kds_body_destroy(&b);
 }
 
-static void families_know_which_paths_are_convex(void **state) {
-    (void)state;
+TEST(families_know_which_paths_are_convex) {
     for (int family = 0; family <= BMR_FAMILY_COUNT; family++)
         assert_int_equal(bmr_family_is_convex((bmr_family)family),
                          family == BMR_FAMILY_LINE || family == BMR_FAMILY_PARABOLA);
 }
 
 /// At a time this late the next one that a double tells is an eighth of a second on: a hundred metres.
-static void a_path_that_is_faster_than_time_can_be_told_has_no_decomposition(void **state) {
-    (void)state;
+TEST(a_path_that_is_faster_than_time_can_be_told_has_no_decomposition) {
     bmr_polygon *p = polygon_of(square, 4);
     const double late = 1e15;
     const bmr_pose from = {{10.0, 0.0}, 1.0, 0.0};
@@ -188,8 +176,7 @@ static void a_path_that_is_faster_than_time_can_be_told_has_no_decomposition(voi
     bmr_polygon_destroy(p, NULL);
 }
 
-static void what_makes_no_sense_is_refused(void **state) {
-    (void)state;
+TEST(what_makes_no_sense_is_refused) {
     bmr_polygon *p = polygon_of(square, 4);
     bmr_motion *motion = flight(0.0, 0.0, 1.0, 0.0);
     double distance, time;
@@ -229,19 +216,4 @@ static void what_makes_no_sense_is_refused(void **state) {
     bmr_family_motion path;
     assert_int_equal(bmr_family_create(&family, p, p, NULL, &path), BMR_ERROR_OUT_OF_RANGE);
     bmr_polygon_destroy(p, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(different_signs_at_the_ends_prove_a_root_that_no_solver_finds),
-        cmocka_unit_test(a_solver_that_gives_up_is_an_error),
-        cmocka_unit_test(roots_nearer_than_the_tolerance_are_one),
-        cmocka_unit_test(the_queue_has_the_earliest_on_top_however_times_change),
-        cmocka_unit_test(one_line_covers_a_point_that_passes_a_point),
-        cmocka_unit_test(a_run_into_contact_has_a_distance_of_zero_there),
-        cmocka_unit_test(families_know_which_paths_are_convex),
-        cmocka_unit_test(a_path_that_is_faster_than_time_can_be_told_has_no_decomposition),
-        cmocka_unit_test(what_makes_no_sense_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,15 +4,10 @@
 // tolerance early.
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/failure.h"
 #include "failure_oracle.h"
@@ -171,8 +166,7 @@ static bool starts_positive(const trial *r, double after) {
 }
 
 /// Section 2, failure times: when a certificate fails is a root of a polynomial.
-static void no_failure_is_late_and_none_early(void **state) {
-    (void)state;
+TEST(no_failure_is_late_and_none_early) {
     test_random random = {20261121};
     const size_t rounds = test_scaled(40);
     size_t judged = 0, failing = 0, controls = 0, caught = 0;
@@ -190,10 +184,10 @@ static void no_failure_is_late_and_none_early(void **state) {
                         const oracle_verdict v =
                             oracle_judge(&r.moving, after, END, time, isinf(time) ? 0.0 : width, LOOKS);
                         if (v.late || v.early)
-                            print_message("round %zu kinds %d %d condition %d: time %.17g "
-                                          "late %d early %d "
-                                          "worst %Lg tolerance %g\n",
-                                          round, a, b, k, time, v.late, v.early, v.worst, tolerance);
+                            printf("round %zu kinds %d %d condition %d: time %.17g "
+                                   "late %d early %d "
+                                   "worst %Lg tolerance %g\n",
+                                   round, a, b, k, time, v.late, v.early, v.worst, tolerance);
                         assert_false(v.late);
                         assert_false(v.early);
                         worst = fminl(worst, v.worst);
@@ -208,9 +202,9 @@ static void no_failure_is_late_and_none_early(void **state) {
                     }
                     drop_trial(&r);
                 }
-    print_message("%zu judged, %zu with a failure, worst value %Lg of the "
-                  "lengths; controls %zu of %zu\n",
-                  judged, failing, worst, caught, controls);
+    printf("%zu judged, %zu with a failure, worst value %Lg of the "
+           "lengths; controls %zu of %zu\n",
+           judged, failing, worst, caught, controls);
     assert_true(failing > judged / 5 && judged - failing > judged / 10);
     assert_true(caught > controls * 9 / 10);
 }
@@ -247,8 +241,7 @@ static size_t sign_changes(const trial *r, double after, double *last, bool *cle
 /// From one failure to that of the opposite condition, and back: what a
 /// structure does that rolls to and fro. Every change of sign is found, each
 /// once, and none is found where it was found before.
-static void a_condition_and_its_opposite_take_turns(void **state) {
-    (void)state;
+TEST(a_condition_and_its_opposite_take_turns) {
     test_random random = {5};
     const size_t rounds = test_scaled(12);
     size_t chains = 0, links = 0;
@@ -273,19 +266,18 @@ static void a_condition_and_its_opposite_take_turns(void **state) {
                             negate(&r.moving.condition);
                         }
                         if (found != expected)
-                            print_message("kinds %d %d condition %d: %zu of %zu\n", a, b, k, found, expected);
+                            printf("kinds %d %d condition %d: %zu of %zu\n", a, b, k, found, expected);
                         assert_int_equal(found, expected);
                         chains++;
                         links += found;
                     }
                     drop_trial(&r);
                 }
-    print_message("%zu chains, %zu changes of sign\n", chains, links);
+    printf("%zu chains, %zu changes of sign\n", chains, links);
     assert_true(chains > rounds * 20 && links > chains);
 }
 
-static void both_methods_find_the_same_root(void **state) {
-    (void)state;
+TEST(both_methods_find_the_same_root) {
     test_random random = {77};
     const size_t rounds = test_scaled(600);
     size_t failing = 0, touches = 0;
@@ -314,13 +306,12 @@ static void both_methods_find_the_same_root(void **state) {
                     }
                     drop_trial(&r);
                 }
-    print_message("%zu equal roots, %zu touches, largest difference %g\n", failing, touches, worst);
+    printf("%zu equal roots, %zu touches, largest difference %g\n", failing, touches, worst);
     assert_true(failing > rounds * 5 && touches * 1000 < failing + 1000);
 }
 
 /// Degree 8 everywhere: conditions of degree 24 to 48.
-static void the_highest_degrees_are_judged_too(void **state) {
-    (void)state;
+TEST(the_highest_degrees_are_judged_too) {
     test_random random = {88};
     const size_t rounds = test_scaled(150);
     size_t failing = 0;
@@ -342,9 +333,9 @@ static void the_highest_degrees_are_judged_too(void **state) {
                     const double time = failure(&r, BEGIN, (bmr_root_method)method, 1e-12);
                     const oracle_verdict v = oracle_judge(&r.moving, BEGIN, END, time, 1e-11, LOOKS);
                     if (v.late || v.early)
-                        print_message("method %d condition %d time %.17g late %d early %d "
-                                      "worst %Lg\n",
-                                      method, k, time, v.late, v.early, v.worst);
+                        printf("method %d condition %d time %.17g late %d early %d "
+                               "worst %Lg\n",
+                               method, k, time, v.late, v.early, v.worst);
                     assert_false(v.late);
                     assert_false(v.early);
                     failing += !isinf(time);
@@ -381,8 +372,7 @@ static oracle_trial touching(bool parabola, double depth) {
 }
 
 /// A touch may be reported or passed over, wherever the looks fall; a dip that is deeper must be found.
-static void the_oracle_finds_touches_between_its_looks(void **state) {
-    (void)state;
+TEST(the_oracle_finds_touches_between_its_looks) {
     const double tolerance = 1e-4;
     for (int parabola = 0; parabola < 2; parabola++) {
         const oracle_trial touch = touching(parabola, 0.0), dip = touching(parabola, 1e-9);
@@ -396,15 +386,4 @@ static void the_oracle_finds_touches_between_its_looks(void **state) {
             assert_true(oracle_judge(&dip, 0.0, until, INFINITY, 0.0, LOOKS).late);
         }
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_failure_is_late_and_none_early),
-        cmocka_unit_test(a_condition_and_its_opposite_take_turns),
-        cmocka_unit_test(both_methods_find_the_same_root),
-        cmocka_unit_test(the_highest_degrees_are_judged_too),
-        cmocka_unit_test(the_oracle_finds_touches_between_its_looks),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

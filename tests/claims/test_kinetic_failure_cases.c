@@ -2,14 +2,9 @@
 // Failure times whose answers are known by thought: roots at the beginning, touches, jumps, bad arguments.
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <gsl/gsl_errno.h>
 
 #include "boomerang/failure.h"
@@ -62,8 +57,7 @@ typedef struct start_case {
     double time; ///< after AFTER
 } start_case;
 
-static void what_is_zero_at_the_beginning_is_judged_by_where_it_goes(void **state) {
-    (void)state;
+TEST(what_is_zero_at_the_beginning_is_judged_by_where_it_goes) {
     const double never = (double)INFINITY;
     const start_case cases[] = {
         {{0.0, 1.0}, never},               // grows
@@ -95,14 +89,13 @@ static void what_is_zero_at_the_beginning_is_judged_by_where_it_goes(void **stat
             const double expected = AFTER + cases[i].time;
             const bool good = isinf(expected) ? isinf(time) : fabs(time - expected) < 2e-8 && time >= AFTER;
             if (!good)
-                print_message("case %zu method %d: %.17g\n", i, method, time - AFTER);
+                printf("case %zu method %d: %.17g\n", i, method, time - AFTER);
             assert_true(good);
         }
 }
 
 /// What is zero up to rounding when the grace of a start is over has grown; what is clearly below has not.
-static void a_start_below_zero_has_grown_where_its_grace_ends_at_zero(void **state) {
-    (void)state;
+TEST(a_start_below_zero_has_grown_where_its_grace_ends_at_zero) {
     const double grace = bmr_start_grace(AFTER, bmr_default_failure_options().tolerance * AFTER);
     for (int method = 0; method <= BMR_ROOT_GSL; method++) {
         const double grown[] = {-grace, 1.0}, below[] = {-1.1 * grace, 1.0};
@@ -112,8 +105,7 @@ static void a_start_below_zero_has_grown_where_its_grace_ends_at_zero(void **sta
 }
 
 /// A rounding of a thousand below zero, and so slow that no few tolerances of time lead out of it.
-static void rounding_below_zero_is_zero(void **state) {
-    (void)state;
+TEST(rounding_below_zero_is_zero) {
     for (int spinning = 0; spinning < 2; spinning++)
         for (int method = 0; method <= BMR_ROOT_GSL; method++)
             for (int sign = -1; sign <= 1; sign += 2) {
@@ -132,8 +124,7 @@ static void rounding_below_zero_is_zero(void **state) {
             }
 }
 
-static void a_touch_from_above_is_no_crossing_and_a_crossing_no_touch(void **state) {
-    (void)state;
+TEST(a_touch_from_above_is_no_crossing_and_a_crossing_no_touch) {
     for (int method = 0; method <= BMR_ROOT_GSL; method++)
         for (int power = -12; power <= -3; power++) {
             const double depth = pow(10.0, power);
@@ -147,8 +138,7 @@ static void a_touch_from_above_is_no_crossing_and_a_crossing_no_touch(void **sta
         }
 }
 
-static void a_turning_direction_fails_when_it_turns_past(void **state) {
-    (void)state;
+TEST(a_turning_direction_fails_when_it_turns_past) {
     const double spins[] = {0.7, -0.7, 5.0, -300.0};
     for (size_t i = 0; i < sizeof spins / sizeof *spins; i++) {
         const double spin = spins[i], half = PI / fabs(spin);
@@ -166,8 +156,7 @@ static void a_turning_direction_fails_when_it_turns_past(void **state) {
 }
 
 /// 1 + depth - cos(t), nearly or really touching zero at every turn.
-static void no_dip_of_a_spinning_point_is_skipped(void **state) {
-    (void)state;
+TEST(no_dip_of_a_spinning_point_is_skipped) {
     for (int power = -11; power <= -2; power++) {
         const double depth = pow(10.0, power);
         still = motion_of(bmr_piece_rest(bmr_pose_identity()));
@@ -183,8 +172,7 @@ static void no_dip_of_a_spinning_point_is_skipped(void **state) {
     }
 }
 
-static void disks_meet_at_the_sum_of_their_radii(void **state) {
-    (void)state;
+TEST(disks_meet_at_the_sum_of_their_radii) {
     for (int spinning = 0; spinning < 2; spinning++) {
         still = motion_of(bmr_piece_rest(bmr_pose_identity()));
         // The centre is off the origin by 1, which is turned away from its way, or turns around it once.
@@ -205,8 +193,7 @@ static void disks_meet_at_the_sum_of_their_radii(void **state) {
     }
 }
 
-static void a_jump_into_failure_fails_at_the_jump(void **state) {
-    (void)state;
+TEST(a_jump_into_failure_fails_at_the_jump) {
     const bmr_condition k = bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), 0.0, bmr_vec2_make(0.0, 0.0), 0);
     for (int spinning = 0; spinning < 2; spinning++) {
         bmr_pose pose = {{1.0, 0.0}, 1.0, 0.0};
@@ -241,8 +228,7 @@ static bmr_motion_piece eight_roots(double origin, double shift) {
 
 /// A structure that waits for a condition and for its opposite in turn once never came past a root of a path
 /// of degree 8, at a tolerance of 1e-11.
-static void eight_roots_are_eight_events(void **state) {
-    (void)state;
+TEST(eight_roots_are_eight_events) {
     bmr_failure_options options = bmr_default_failure_options();
     options.tolerance = 1e-11;
     for (int far = 0; far < 2; far++)
@@ -276,16 +262,14 @@ static void counting_handler(const char *reason, const char *file, int line, int
     handler_calls++;
 }
 
-static void the_error_handler_of_gsl_is_neither_called_nor_lost(void **state) {
-    (void)state;
+TEST(the_error_handler_of_gsl_is_neither_called_nor_lost) {
     gsl_error_handler_t *const before = gsl_set_error_handler(counting_handler);
-    no_dip_of_a_spinning_point_is_skipped(NULL);
+    no_dip_of_a_spinning_point_is_skipped();
     assert_true(gsl_set_error_handler(before) == counting_handler);
     assert_int_equal(handler_calls, 0);
 }
 
-static void bad_arguments_are_refused_and_the_time_untouched(void **state) {
-    (void)state;
+TEST(bad_arguments_are_refused_and_the_time_untouched) {
     still = motion_of(bmr_piece_rest(bmr_pose_identity()));
     moving = motion_of(bmr_piece_screw(0.0, bmr_pose_identity(), bmr_vec2_make(-1.0, 0.0), 0.0));
     const bmr_condition good =
@@ -328,21 +312,4 @@ static void bad_arguments_are_refused_and_the_time_untouched(void **state) {
     assert_int_equal(bmr_failure_time(&good, still, moving, 5.0, 5.0, &options, &time), BMR_OK);
     assert_true(isinf(time));
     drop();
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_zero_at_the_beginning_is_judged_by_where_it_goes),
-        cmocka_unit_test(a_start_below_zero_has_grown_where_its_grace_ends_at_zero),
-        cmocka_unit_test(rounding_below_zero_is_zero),
-        cmocka_unit_test(a_touch_from_above_is_no_crossing_and_a_crossing_no_touch),
-        cmocka_unit_test(a_turning_direction_fails_when_it_turns_past),
-        cmocka_unit_test(no_dip_of_a_spinning_point_is_skipped),
-        cmocka_unit_test(disks_meet_at_the_sum_of_their_radii),
-        cmocka_unit_test(a_jump_into_failure_fails_at_the_jump),
-        cmocka_unit_test(eight_roots_are_eight_events),
-        cmocka_unit_test(the_error_handler_of_gsl_is_neither_called_nor_lost),
-        cmocka_unit_test(bad_arguments_are_refused_and_the_time_untouched),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The families of motion come as near as they say, turn or do not turn, and are the same from the same seed.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/families.h"
 #include "failing_allocator.h"
@@ -48,8 +45,7 @@ static double brute_diameter(const bmr_polygon *p) {
     return most;
 }
 
-static void test_diameter_is_the_largest_distance_of_two_vertices(void **state) {
-    (void)state;
+TEST(test_diameter_is_the_largest_distance_of_two_vertices) {
     test_random random = {1};
     for (int family = 0; family < TEST_FAMILY_COUNT; family++)
         for (size_t n = 3; n < 60; n += 7) {
@@ -61,8 +57,7 @@ static void test_diameter_is_the_largest_distance_of_two_vertices(void **state) 
         }
 }
 
-static void test_outlines_have_n_vertices_and_diameter_up_to_2(void **state) {
-    (void)state;
+TEST(test_outlines_have_n_vertices_and_diameter_up_to_2) {
     for (int kind = 0; kind < BMR_OUTLINE_COUNT; kind++)
         for (size_t n = 4; n <= 256; n *= 4) {
             bmr_polygon *p = outline((bmr_outline)kind, n, n + (size_t)kind);
@@ -89,8 +84,7 @@ static void check_separation(const bmr_family_motion *m, const bmr_polygon *a, c
     assert_true(fabs(test_distance(a, b, &nearest) - m->separation) <= 1e-6 * m->sigma);
 }
 
-static void test_least_separation_is_sigma_within_1_percent(void **state) {
-    (void)state;
+TEST(test_least_separation_is_sigma_within_1_percent) {
     static const bmr_outline pairs[][2] = {{BMR_OUTLINE_ELLIPSE, BMR_OUTLINE_DISC},
                                            {BMR_OUTLINE_REGULAR, BMR_OUTLINE_LENS},
                                            {BMR_OUTLINE_RANDOM, BMR_OUTLINE_RANDOM}};
@@ -108,8 +102,7 @@ static void test_least_separation_is_sigma_within_1_percent(void **state) {
         }
 }
 
-static void test_rotation_changes_in_rigid_families_only(void **state) {
-    (void)state;
+TEST(test_rotation_changes_in_rigid_families_only) {
     bmr_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 32, 1), *b = outline(BMR_OUTLINE_DISC, 32, 2);
     for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
         bmr_family_motion m = make((bmr_family)family, 64.0, 3, a, b);
@@ -130,8 +123,7 @@ static void test_rotation_changes_in_rigid_families_only(void **state) {
 }
 
 /// B follows A's outline all the way round at one distance, without a jump.
-static void test_orbit_keeps_its_distance_and_closes(void **state) {
-    (void)state;
+TEST(test_orbit_keeps_its_distance_and_closes) {
     for (size_t n = 3; n <= 100; n += 13) {
         bmr_polygon *a = outline(BMR_OUTLINE_RANDOM, n, n), *b = outline(BMR_OUTLINE_LENS, n + 2, n);
         bmr_family_motion m = make(BMR_FAMILY_ORBIT, 300.0, n, a, b);
@@ -152,8 +144,7 @@ static void test_orbit_keeps_its_distance_and_closes(void **state) {
     }
 }
 
-static void test_motions_are_continuous(void **state) {
-    (void)state;
+TEST(test_motions_are_continuous) {
     bmr_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 16, 1), *b = outline(BMR_OUTLINE_LENS, 16, 2);
     for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
         bmr_family_motion m = make((bmr_family)family, 64.0, 5, a, b);
@@ -173,8 +164,7 @@ static void test_motions_are_continuous(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
-static void test_same_seed_same_bits_other_seed_other_motion(void **state) {
-    (void)state;
+TEST(test_same_seed_same_bits_other_seed_other_motion) {
     bmr_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 16, 1), *b = outline(BMR_OUTLINE_DISC, 16, 2);
     for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
         bmr_family_motion m = make((bmr_family)family, 64.0, 5, a, b),
@@ -198,8 +188,7 @@ static void test_same_seed_same_bits_other_seed_other_motion(void **state) {
 }
 
 /// A's body turns by the same angle either way round, as the seed has it.
-static void test_seeds_turn_either_way(void **state) {
-    (void)state;
+TEST(test_seeds_turn_either_way) {
     bmr_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 16, 1), *b = outline(BMR_OUTLINE_DISC, 16, 2);
     const bmr_family turning[] = {BMR_FAMILY_SPIN, BMR_FAMILY_TUMBLE};
     for (size_t k = 0; k < sizeof turning / sizeof *turning; k++) {
@@ -221,8 +210,7 @@ static void test_seeds_turn_either_way(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
-static void test_points_and_segments_move_too(void **state) {
-    (void)state;
+TEST(test_points_and_segments_move_too) {
     const bmr_vec2 point = {0.3, 0.1}, segment[2] = {{0.0, 0.0}, {1.0, 0.5}};
     bmr_polygon *a = outline(BMR_OUTLINE_REGULAR, 16, 1), *b[2];
     assert_int_equal(bmr_polygon_create(&point, 1, NULL, &b[0]), BMR_OK);
@@ -239,8 +227,7 @@ static void test_points_and_segments_move_too(void **state) {
 }
 
 /// The control of the measurement: a motion whose least distance is known, and one that touches.
-static void test_least_distance_finds_a_short_approach(void **state) {
-    (void)state;
+TEST(test_least_distance_finds_a_short_approach) {
     const bmr_vec2 point = {0.0, 0.0};
     bmr_polygon *a = outline(BMR_OUTLINE_REGULAR, 64, 1), *b = NULL;
     assert_int_equal(bmr_polygon_create(&point, 1, NULL, &b), BMR_OK);
@@ -273,8 +260,7 @@ static void test_least_distance_finds_a_short_approach(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
-static void test_bad_definitions_are_errors(void **state) {
-    (void)state;
+TEST(test_bad_definitions_are_errors) {
     bmr_polygon *a = outline(BMR_OUTLINE_REGULAR, 8, 1);
     bmr_family_motion m;
     bmr_family_def def = {BMR_FAMILY_LINE, 0.5, 1, 0, 0};
@@ -292,8 +278,7 @@ static void test_bad_definitions_are_errors(void **state) {
     bmr_polygon_destroy(a, NULL);
 }
 
-static void test_every_failed_allocation_is_an_error_and_gives_all_back(void **state) {
-    (void)state;
+TEST(test_every_failed_allocation_is_an_error_and_gives_all_back) {
     bmr_polygon *a = outline(BMR_OUTLINE_REGULAR, 8, 1);
     for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
         const bmr_family_def def = {(bmr_family)family, 4.0, 1, 16, 0};
@@ -313,22 +298,4 @@ static void test_every_failed_allocation_is_an_error_and_gives_all_back(void **s
         assert_true(failures > 2 && failures < 2000);
     }
     bmr_polygon_destroy(a, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_diameter_is_the_largest_distance_of_two_vertices),
-        cmocka_unit_test(test_outlines_have_n_vertices_and_diameter_up_to_2),
-        cmocka_unit_test(test_least_separation_is_sigma_within_1_percent),
-        cmocka_unit_test(test_rotation_changes_in_rigid_families_only),
-        cmocka_unit_test(test_orbit_keeps_its_distance_and_closes),
-        cmocka_unit_test(test_motions_are_continuous),
-        cmocka_unit_test(test_same_seed_same_bits_other_seed_other_motion),
-        cmocka_unit_test(test_seeds_turn_either_way),
-        cmocka_unit_test(test_points_and_segments_move_too),
-        cmocka_unit_test(test_least_distance_finds_a_short_approach),
-        cmocka_unit_test(test_bad_definitions_are_errors),
-        cmocka_unit_test(test_every_failed_allocation_is_an_error_and_gives_all_back),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,13 +2,9 @@
 // Searches that would take more steps than anybody waits for end with an error, and a pair at rest takes
 // none. (Without their bounds each of these calls runs for minutes or for ever.)
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/failure.h"
 #include "boomerang/simulation.h"
@@ -40,8 +36,7 @@ static bmr_error failure_of(double spin, double until, double *time) {
     return error;
 }
 
-static void too_many_turns_are_refused(void **state) {
-    (void)state;
+TEST(too_many_turns_are_refused) {
     const double cases[][2] = {{1.0, 1e9}, {1e9, 1.0}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         double time = -1.0;
@@ -104,16 +99,14 @@ static void check_contact(const contact_case *c) {
     }
 }
 
-static void a_contact_at_rest_takes_no_steps(void **state) {
-    (void)state;
+TEST(a_contact_at_rest_takes_no_steps) {
     const contact_case cases[] = {
         {0.0, 1e9, 0.1, 0.0, BMR_OK}, {1e16, 2e16, 0.1, 0.0, BMR_OK}, {0.0, 1.0, 1e-300, 0.0, BMR_OK}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         check_contact(&cases[i]);
 }
 
-static void too_many_looks_at_a_contact_are_refused(void **state) {
-    (void)state;
+TEST(too_many_looks_at_a_contact_are_refused) {
     const contact_case cases[] = {{1e16, 2e16, 0.1, 1e-16, BMR_ERROR_OUT_OF_RANGE},
                                   {0.0, 1.0, 1e-300, 1.0, BMR_ERROR_OUT_OF_RANGE},
                                   {0.0, 100.0, 0.1, 1.0, BMR_OK}};
@@ -123,8 +116,7 @@ static void too_many_looks_at_a_contact_are_refused(void **state) {
 
 // ---- speeds ----
 
-static void a_degree_that_is_too_high_has_no_bound(void **state) {
-    (void)state;
+TEST(a_degree_that_is_too_high_has_no_bound) {
     bmr_motion_piece piece;
     memset(&piece, 0, sizeof piece);
     piece.kind = BMR_PIECE_ALGEBRAIC;
@@ -135,14 +127,4 @@ static void a_degree_that_is_too_high_has_no_bound(void **state) {
     piece.as.algebraic.degree = 0;
     piece.as.algebraic.rotation_degree = (size_t)-1;
     assert_true(bmr_motion_piece_speed(&piece, 0.0, 1.0, 1.0) == INFINITY);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(too_many_turns_are_refused),
-        cmocka_unit_test(a_contact_at_rest_takes_no_steps),
-        cmocka_unit_test(too_many_looks_at_a_contact_are_refused),
-        cmocka_unit_test(a_degree_that_is_too_high_has_no_bound),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,14 +2,9 @@
 // The fuzzers' motions keep the contract of motion.h: rotations whose a and b have a common root are taken
 // out, wherever in the range it is, and those that only come near to one are left in.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "../fuzz/paths.h"
 #include "boomerang/failure.h"
@@ -48,8 +43,7 @@ static bool stays(bmr_motion_piece piece, const fuzz_motion_range *range) {
     return same;
 }
 
-static void a_common_root_is_taken_out_wherever_it_is(void **state) {
-    (void)state;
+TEST(a_common_root_is_taken_out_wherever_it_is) {
     const double roots[] = {0.0, 1e-9, 0.01, 0.0863, 0.1, 0.25, 0.34, 1.234, 3.99, 4.0};
     const double ratios[] = {0.0, 1.0, -1.0, 0.3, -7.7, 1e-7};
     for (size_t i = 0; i < sizeof roots / sizeof *roots; i++)
@@ -59,8 +53,7 @@ static void a_common_root_is_taken_out_wherever_it_is(void **state) {
 }
 
 /// (u - r)^2 (u + 1) and (u - r)^2 (u + 2); (u - r)(u - 9) and (u - r)(u + 9).
-static void so_is_one_of_many(void **state) {
-    (void)state;
+TEST(so_is_one_of_many) {
     for (int i = 0; i < 30; i++) {
         const double r = 0.0137 * i;
         const double twice_a[] = {1.0, 1.0 - 2.0 * r, r * r - 2.0 * r, r * r};
@@ -72,8 +65,7 @@ static void so_is_one_of_many(void **state) {
 }
 
 /// The control: without the rule the looks see only what is near to one of them.
-static void looks_alone_miss_it(void **state) {
-    (void)state;
+TEST(looks_alone_miss_it) {
     fuzz_motion_range without = within;
     without.roots = true;
     assert_true(stays(passing(0.0, 0.0863, 1.0, 0.0), &without));
@@ -81,8 +73,7 @@ static void looks_alone_miss_it(void **state) {
 }
 
 /// What the contract allows stays, and the search for a failure past it ends without an error.
-static void what_only_comes_near_is_left_in(void **state) {
-    (void)state;
+TEST(what_only_comes_near_is_left_in) {
     const bmr_motion_piece spin = bmr_piece_screw(0.0, bmr_pose_identity(), bmr_vec2_make(-1.0, 0.0), 5.0);
     const bmr_condition k =
         bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), -9.0, bmr_vec2_make(0.3, 0.2), 0);
@@ -107,14 +98,4 @@ static void what_only_comes_near_is_left_in(void **state) {
     assert_true(stays(passing(0.0, 0.0863, 0.0, 1.0), &within));
     const double fixed_a = 0.6, fixed_b = 0.8;
     assert_true(stays(rotation(0.0, 0, &fixed_a, &fixed_b), &within));
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_common_root_is_taken_out_wherever_it_is),
-        cmocka_unit_test(so_is_one_of_many),
-        cmocka_unit_test(looks_alone_miss_it),
-        cmocka_unit_test(what_only_comes_near_is_left_in),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

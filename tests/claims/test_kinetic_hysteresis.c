@@ -2,13 +2,9 @@
 // Hysteresis (section 6 of the paper), translational and rotational, of the inflated structures of two
 // polygons and of the free directions; and the bound on events by clear decompositions that follows from it.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/analysis.h"
 #include "boomerang/inflated.h"
@@ -102,8 +98,7 @@ static const bmr_family rotations[] = {BMR_FAMILY_SPIN, BMR_FAMILY_TUMBLE, BMR_F
 #define COUNT(list) (sizeof(list) / sizeof *(list))
 
 /// Section 6, two polygons: the new edge is of the inflated envelope that holds the vertex.
-static void the_slack_after_a_selection_is_at_least_the_offset(void **state) {
-    (void)state;
+TEST(the_slack_after_a_selection_is_at_least_the_offset) {
     double doubled = INFINITY;
     for (size_t f = 0; f < COUNT(translations); ++f) {
         setting s = make_setting(translations[f], 7 + f);
@@ -123,8 +118,7 @@ static void the_slack_after_a_selection_is_at_least_the_offset(void **state) {
 static const double beta = 4.82842712474619, kappa = 10.65685424949238;
 
 /// Lemma 6.1: after an event P moves d/beta before the next, beta = 2 (1 + sqrt 2).
-static void events_are_as_far_apart_as_the_lemma_says(void **state) {
-    (void)state;
+TEST(events_are_as_far_apart_as_the_lemma_says) {
     for (size_t f = 0; f < COUNT(translations); ++f) {
         setting s = make_setting(translations[f], 3 + f);
         const bmr_run inflated = run_of(&bmr_kds_inflated_translation, &s, NULL);
@@ -139,8 +133,7 @@ static void events_are_as_far_apart_as_the_lemma_says(void **state) {
 }
 
 /// Theorem 6.2: no more events than the least kappa-clear decomposition, kappa = 2 beta + 1.
-static void events_are_no_more_than_a_clear_decomposition(void **state) {
-    (void)state;
+TEST(events_are_no_more_than_a_clear_decomposition) {
     for (size_t f = 0; f < COUNT(translations); ++f) {
         setting s = make_setting(translations[f], 11 + f);
         bmr_clear clear, clear3;
@@ -159,8 +152,7 @@ static void events_are_no_more_than_a_clear_decomposition(void **state) {
 #define LEAST_RHO 0.2
 
 /// Section 6, rotational hysteresis: after an event P moves Omega(d) or turns by Omega(d/D).
-static void events_are_apart_in_position_or_rotation(void **state) {
-    (void)state;
+TEST(events_are_apart_in_position_or_rotation) {
     double without = INFINITY;
     for (size_t f = 0; f < COUNT(rotations); ++f) {
         setting s = make_setting(rotations[f], 5 + f);
@@ -173,14 +165,4 @@ static void events_are_apart_in_position_or_rotation(void **state) {
         drop_setting(&s);
     }
     assert_true(without < LEAST_RHO / 2); // the control
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_slack_after_a_selection_is_at_least_the_offset),
-        cmocka_unit_test(events_are_as_far_apart_as_the_lemma_says),
-        cmocka_unit_test(events_are_no_more_than_a_clear_decomposition),
-        cmocka_unit_test(events_are_apart_in_position_or_rotation),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

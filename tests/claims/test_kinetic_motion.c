@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/motion.h"
 #include "failing_allocator.h"
@@ -43,8 +38,7 @@ static bmr_motion *made(const bmr_motion_piece *piece, const bmr_allocator *allo
     return motion;
 }
 
-static void an_algebraic_frame_is_what_its_polynomials_say(void **state) {
-    (void)state;
+TEST(an_algebraic_frame_is_what_its_polynomials_say) {
     // u = t - 2: position (1 + 2u, 3 - u^2); angle 90 degrees + 2 atan u.
     bmr_motion_piece piece = algebraic(2.0);
     bmr_algebraic_piece *w = &piece.as.algebraic;
@@ -70,8 +64,7 @@ static void an_algebraic_frame_is_what_its_polynomials_say(void **state) {
     bmr_motion_destroy(motion);
 }
 
-static void a_change_of_plan_keeps_the_past_and_drops_the_future(void **state) {
-    (void)state;
+TEST(a_change_of_plan_keeps_the_past_and_drops_the_future) {
     const bmr_motion_piece first = bmr_piece_rest(pose_of(1.0, 0.0, 0.0));
     const bmr_motion_piece second =
         bmr_piece_screw(1.0, pose_of(2.0, 0.0, 0.0), bmr_vec2_make(1.0, 0.0), 0.0);
@@ -101,8 +94,7 @@ static void a_change_of_plan_keeps_the_past_and_drops_the_future(void **state) {
     bmr_motion_destroy(motion);
 }
 
-static void samples_are_met_and_joined_the_short_way_round(void **state) {
-    (void)state;
+TEST(samples_are_met_and_joined_the_short_way_round) {
     const double times[] = {0.0, 1.0, 3.0};
     const bmr_pose poses[] = {pose_of(0.0, 0.0, 3.0), pose_of(1.0, 2.0, -3.0), pose_of(5.0, 2.0, -2.0)};
     bmr_motion *motion = NULL;
@@ -142,8 +134,7 @@ static bmr_motion_piece random_piece(test_random *random) {
     return piece;
 }
 
-static void bounds_hold_and_are_not_idle(void **state) {
-    (void)state;
+TEST(bounds_hold_and_are_not_idle) {
     test_random random = {3};
     const size_t rounds = test_scaled(2000);
     double tightest = 0.0;
@@ -190,8 +181,7 @@ static void bounds_hold_and_are_not_idle(void **state) {
     assert_true(tightest > 0.999 && controls > rounds / 2);
 }
 
-static void rotations_are_made_of_unit_length(void **state) {
-    (void)state;
+TEST(rotations_are_made_of_unit_length) {
     bmr_motion_piece pieces[] = {algebraic(0.0),
                                  bmr_piece_screw(0.0, pose_of(0.0, 0.0, 1.0), bmr_vec2_make(1.0, 0.0), 2.0)};
     const double off = 1.0 + 5e-10; // as far as a piece may be off, to a half
@@ -209,8 +199,7 @@ static void rotations_are_made_of_unit_length(void **state) {
     }
 }
 
-static void bad_pieces_are_refused_and_nothing_changes(void **state) {
-    (void)state;
+TEST(bad_pieces_are_refused_and_nothing_changes) {
     const bmr_motion_piece good = bmr_piece_screw(0.0, pose_of(1.0, 2.0, 3.0), bmr_vec2_make(1.0, 1.0), 1.0);
     bmr_motion *motion = made(&good, NULL), *none = NULL;
     const struct {
@@ -271,8 +260,7 @@ static void bad_pieces_are_refused_and_nothing_changes(void **state) {
     bmr_motion_destroy(NULL);
 }
 
-static void every_allocation_may_fail(void **state) {
-    (void)state;
+TEST(every_allocation_may_fail) {
     const bmr_motion_piece piece = bmr_piece_rest(pose_of(1.0, 2.0, 3.0));
     const double times[] = {0.0, 1.0, 2.0};
     const bmr_pose poses[] = {pose_of(0.0, 0.0, 0.0), pose_of(1.0, 0.0, 0.0), pose_of(2.0, 0.0, 0.0)};
@@ -301,17 +289,4 @@ static void every_allocation_may_fail(void **state) {
     }
     // Two blocks, four doublings, two blocks; the control: beyond those nothing fails.
     assert_int_equal(failures, 8);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_algebraic_frame_is_what_its_polynomials_say),
-        cmocka_unit_test(a_change_of_plan_keeps_the_past_and_drops_the_future),
-        cmocka_unit_test(samples_are_met_and_joined_the_short_way_round),
-        cmocka_unit_test(bounds_hold_and_are_not_idle),
-        cmocka_unit_test(rotations_are_made_of_unit_length),
-        cmocka_unit_test(bad_pieces_are_refused_and_nothing_changes),
-        cmocka_unit_test(every_allocation_may_fail),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

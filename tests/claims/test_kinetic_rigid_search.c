@@ -5,13 +5,9 @@
 //
 // BMR_TEST_SCALE=16 is the campaign: D/sigma up to 80,000 for the motions by hand, 16 times the climbing.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/analysis.h"
 #include "kds/registry.h"
@@ -270,8 +266,8 @@ static void grow(hand kind, double last, bmr_growth growth[STRUCTURES]) {
         const trial t = by_hand(kind, ratio);
         price cost;
         assert_true(kind == GEAR ? measure_gear(ratio, &cost) : measure(&t, ratio, &cost));
-        print_message("%-6s D/sigma %8.0f: events %6.0f %6.0f %6.0f\n", hand_names[kind], cost.ratio,
-                      cost.events[0], cost.events[1], cost.events[2]);
+        printf("%-6s D/sigma %8.0f: events %6.0f %6.0f %6.0f\n", hand_names[kind], cost.ratio, cost.events[0],
+               cost.events[1], cost.events[2]);
         x[count] = cost.ratio;
         for (size_t k = 0; k < STRUCTURES; ++k)
             y[k][count] = cost.events[k];
@@ -279,8 +275,8 @@ static void grow(hand kind, double last, bmr_growth growth[STRUCTURES]) {
     }
     for (size_t k = 0; k < STRUCTURES; ++k) {
         assert_int_equal(bmr_fit_growth(x, y[k], count, &growth[k]), BMR_OK);
-        print_message("%-6s %-12s exponent %.2f +- %.2f\n", hand_names[kind], structures[k]->name,
-                      growth[k].exponent, growth[k].exponent_error);
+        printf("%-6s %-12s exponent %.2f +- %.2f\n", hand_names[kind], structures[k]->name,
+               growth[k].exponent, growth[k].exponent_error);
     }
 }
 
@@ -294,8 +290,7 @@ static bool is_root_at_most(const bmr_growth *growth) {
     return growth->exponent <= 0.6;
 }
 
-static void no_motion_by_hand_costs_more_than_the_root(void **state) {
-    (void)state;
+TEST(no_motion_by_hand_costs_more_than_the_root) {
     for (int kind = 0; kind < TURNS; ++kind) {
         bmr_growth growth[STRUCTURES];
         grow((hand)kind, fmax(last_ratio(), LAST_RATIO), growth);
@@ -304,8 +299,7 @@ static void no_motion_by_hand_costs_more_than_the_root(void **state) {
     }
 }
 
-static void control_many_turns_cost_more_than_the_root(void **state) {
-    (void)state;
+TEST(control_many_turns_cost_more_than_the_root) {
     bmr_growth growth[STRUCTURES];
     grow(TURNS, LAST_RATIO / 4.0, growth); // it costs as much as the motions above together
     for (size_t k = 0; k < STRUCTURES; ++k)
@@ -400,9 +394,8 @@ static trial start_of(size_t climb, bool *guided, test_random *random) {
 
 /// The best motions of the climbs, and what they cost against the root where D/sigma is 16 times as much: a
 /// motion of exponent p > 1/2 costs 16^(p - 1/2) times as much against it, twice where p = 3/4.
-static void no_climb_finds_more_than_the_root(void **state) {
+TEST(no_climb_finds_more_than_the_root) {
     enum { CLIMBS = 2 * STRUCTURES, STEPS = 60 };
-    (void)state;
     const size_t climbs = test_scaled(CLIMBS);
     for (size_t climb = 0; climb < climbs; ++climb) {
         test_random random = {4099u * climb + 1u};
@@ -421,21 +414,12 @@ static void no_climb_finds_more_than_the_root(void **state) {
             }
         }
         const double finer = score(&best, 16.0 * CLIMB_RATIO, structure);
-        print_message("climb %zu: %-12s %5.2f sqrt(D/sigma), %5.2f where sigma is a 16th, outlines %d %d, "
-                      "vertices %zu %zu\n",
-                      climb, structures[structure]->name, most, finer, (int)best.bodies[0].outline,
-                      (int)best.bodies[1].outline, best.bodies[0].vertices, best.bodies[1].vertices);
+        printf("climb %zu: %-12s %5.2f sqrt(D/sigma), %5.2f where sigma is a 16th, outlines %d %d, "
+               "vertices %zu %zu\n",
+               climb, structures[structure]->name, most, finer, (int)best.bodies[0].outline,
+               (int)best.bodies[1].outline, best.bodies[0].vertices, best.bodies[1].vertices);
         assert_true(most > 0.0);
         assert_true(most < MOST_EVENTS);
         assert_true(most < LEAST_EVENTS || finer < 2.0 * most);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_motion_by_hand_costs_more_than_the_root),
-        cmocka_unit_test(control_many_turns_cost_more_than_the_root),
-        cmocka_unit_test(no_climb_finds_more_than_the_root),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Whole runs: every structure on every family of motion, audited; section 6's bound; saturation at mu = n.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/analysis.h"
 #include "kds_driver.h"
@@ -59,8 +56,7 @@ static bool takes(const bmr_kds_info *structure, bmr_family family) {
            (structure->domain == BMR_KDS_TRANSLATION && !bmr_family_is_rigid(family));
 }
 
-static void test_every_structure_is_right_on_every_family(void **state) {
-    (void)state;
+TEST(test_every_structure_is_right_on_every_family) {
     const size_t seeds = test_scaled(1);
     for (int family = 0; family < BMR_FAMILY_COUNT; family++)
         for (uint64_t seed = 1; seed <= seeds; seed++) {
@@ -71,9 +67,8 @@ static void test_every_structure_is_right_on_every_family(void **state) {
                     continue;
                 const bmr_run r = run(&s, structure);
                 if (r.audit != BMR_OK)
-                    print_message("%s on %s, seed %d: %s\n", structure->name,
-                                  bmr_family_name((bmr_family)family), (int)seed,
-                                  bmr_error_describe(r.audit));
+                    printf("%s on %s, seed %d: %s\n", structure->name, bmr_family_name((bmr_family)family),
+                           (int)seed, bmr_error_describe(r.audit));
                 assert_int_equal(r.audit, BMR_OK);
                 assert_int_equal(r.counts.external, 0); // the separation is never less than sigma
                 assert_true(r.lines <= r.events);
@@ -88,8 +83,7 @@ static void test_every_structure_is_right_on_every_family(void **state) {
 
 /// Theorem 6.2: no more events than the least kappa-clear decomposition, kappa = 2 beta + 1.
 /// Section 6: no more events than any clear decomposition has segments, kappa = 2 beta + 1.
-static void test_inflated_structures_keep_to_the_clear_decomposition(void **state) {
-    (void)state;
+TEST(test_inflated_structures_keep_to_the_clear_decomposition) {
     const double kappa = 5.0 + 4.0 * sqrt(2.0);
     for (int family = 0; family < BMR_FAMILY_SPIN; family++) {
         stage s = set((bmr_family)family, 100.0, 64, 5);
@@ -113,25 +107,15 @@ static double orbit_events(const char *name, size_t n, double ratio) {
 }
 
 /// mu = min{n, sqrt(D / sigma)}: events grow with the square root until it reaches n, and then no more.
-static void test_orbits_saturate_when_mu_reaches_n(void **state) {
-    (void)state;
+TEST(test_orbits_saturate_when_mu_reaches_n) {
     static const char *const names[] = {"lazy-dudley", "separating-edge", "free-fdx"};
     for (size_t k = 0; k < 3; k++) {
         const double few_far = orbit_events(names[k], 12, 1e3), few_near = orbit_events(names[k], 12, 1e5);
         const double many_far = orbit_events(names[k], 512, 1e3),
                      many_near = orbit_events(names[k], 512, 3e4);
-        print_message("%s: n = 12: %g then %g; n = 512: %g then %g\n", names[k], few_far, few_near, many_far,
-                      many_near);
+        printf("%s: n = 12: %g then %g; n = 512: %g then %g\n", names[k], few_far, few_near, many_far,
+               many_near);
         assert_true(few_near <= 1.5 * few_far + 2.0);
         assert_true(many_near >= 3.0 * many_far); // sqrt(30) = 5.5
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_structure_is_right_on_every_family),
-        cmocka_unit_test(test_inflated_structures_keep_to_the_clear_decomposition),
-        cmocka_unit_test(test_orbits_saturate_when_mu_reaches_n),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

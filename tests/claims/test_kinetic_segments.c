@@ -2,12 +2,8 @@
 // Every registered structure on points, segments, boxes and needles that lie parallel: edges without an
 // inside and cones of half a turn, or nearly, are where conditions that overlap elsewhere may not.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/simulation.h"
 #include "kds_driver.h"
@@ -91,8 +87,7 @@ static void check_starts(const pair *p) {
     bmr_kds_destroy(kds, NULL);
 }
 
-static void starts_on_parallel_edges_hold(void **state) {
-    (void)state;
+TEST(starts_on_parallel_edges_hold) {
     for_each_pair(check_starts);
 }
 
@@ -159,21 +154,10 @@ static void check_slow_turns(const pair *p) {
     }
 }
 
-static void slow_turns_go_on_without_a_stall(void **state) {
-    (void)state;
+TEST(slow_turns_go_on_without_a_stall) {
     for_each_pair(check_slow_turns);
 }
 
-static void rest_slides_and_turns_go_on_without_a_stall(void **state) {
-    (void)state;
+TEST(rest_slides_and_turns_go_on_without_a_stall) {
     for_each_pair(check_runs);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(starts_on_parallel_edges_hold),
-        cmocka_unit_test(rest_slides_and_turns_go_on_without_a_stall),
-        cmocka_unit_test(slow_turns_go_on_without_a_stall),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

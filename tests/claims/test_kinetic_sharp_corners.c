@@ -2,12 +2,8 @@
 // Section 6's tuning remark, beta towards 1 and kappa towards 3, for polygons with sharp corners: it holds
 // where the root polygon has edges of length zero there, and fails at every corner without them.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/analysis.h"
 #include "boomerang/families.h"
@@ -113,16 +109,15 @@ static double least_slack(const char *name, shape of, uint32_t corner_levels) {
 }
 
 /// Section 6, tuning: with richer roots and slower offsets beta nears 1 and kappa nears 3.
-static void the_slack_is_the_distance_over_beta_at_sharp_corners_too(void **state) {
-    (void)state;
+TEST(the_slack_is_the_distance_over_beta_at_sharp_corners_too) {
     const char *const names[] = {"point-inflated-slack", "point-inflated-compass", "point-complex",
                                  "inflated-translation", "inflated-window"};
     for (size_t i = 0; i < COUNT(names); ++i)
         for (int of = 0; of < SHAPES; ++of) {
             const double with = least_slack(names[i], (shape)of, ROOT_LEVEL),
                          without = least_slack(names[i], (shape)of, 0);
-            print_message("%s, %s: slack / distance at least %.4f, without zero-length edges %.4f\n",
-                          names[i], shape_names[of], with, without);
+            printf("%s, %s: slack / distance at least %.4f, without zero-length edges %.4f\n", names[i],
+                   shape_names[of], with, without);
             assert_true(with >= 1.0 / BETA);
             if (of == SQUARE || of == TRIANGLE) // control: whatever the tuning
                 assert_true(without < 1.0 / BETA);
@@ -159,8 +154,7 @@ static outcome run_of(const bmr_kds_info *info, shape of, bmr_family family, uin
 }
 
 /// Section 6, tuning: with richer roots and slower offsets beta nears 1 and kappa nears 3.
-static void events_are_a_distance_over_beta_apart_and_no_more_than_a_clear_decomposition(void **state) {
-    (void)state;
+TEST(events_are_a_distance_over_beta_apart_and_no_more_than_a_clear_decomposition) {
     const bmr_family families[] = {BMR_FAMILY_LINE, BMR_FAMILY_ORBIT, BMR_FAMILY_ZIGZAG, BMR_FAMILY_WANDER};
     double without = INFINITY;
     for (int of = 0; of < SHAPES; ++of) {
@@ -176,16 +170,14 @@ static void events_are_a_distance_over_beta_apart_and_no_more_than_a_clear_decom
             const outcome lazy = run_of(&bmr_kds_lazy_compass, (shape)of, families[f], ROOT_LEVEL, 3 + f);
             without = fmin(without, lazy.run.hysteresis.both);
         }
-        print_message(
-            "%s: moves by %.3f of the distance at least, %llu events, %llu segments for kappa = %.2f\n",
-            shape_names[of], least, (unsigned long long)events, (unsigned long long)segments, KAPPA);
+        printf("%s: moves by %.3f of the distance at least, %llu events, %llu segments for kappa = %.2f\n",
+               shape_names[of], least, (unsigned long long)events, (unsigned long long)segments, KAPPA);
         assert_true(least >= 1.0 / BETA);
     }
     assert_true(without < 1.0 / BETA); // control: the lazy structure promises no such thing
 }
 
-static void a_table_of_too_few_levels_is_refused(void **state) {
-    (void)state;
+TEST(a_table_of_too_few_levels_is_refused) {
     test_random random = {1};
     bmr_polygon *square = polygon_of(SQUARE, &random);
     bmr_hierarchy *h = NULL;
@@ -202,21 +194,11 @@ static void a_table_of_too_few_levels_is_refused(void **state) {
     bmr_polygon_destroy(square, NULL);
 }
 
-static int make_compass(void **state) {
-    (void)state;
-    return bmr_compass_create((size_t)1 << TABLE_LEVELS, NULL, &compass) == BMR_OK ? 0 : -1;
+/// One compass for all tests of a program.
+__attribute__((constructor)) static void make_compass(void) {
+    if (bmr_compass_create((size_t)1 << TABLE_LEVELS, NULL, &compass) != BMR_OK)
+        abort();
 }
-static int drop_compass(void **state) {
-    (void)state;
+__attribute__((destructor)) static void drop_compass(void) {
     bmr_compass_destroy(compass, NULL);
-    return 0;
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_slack_is_the_distance_over_beta_at_sharp_corners_too),
-        cmocka_unit_test(events_are_a_distance_over_beta_apart_and_no_more_than_a_clear_decomposition),
-        cmocka_unit_test(a_table_of_too_few_levels_is_refused),
-    };
-    return cmocka_run_group_tests(tests, make_compass, drop_compass);
 }

@@ -2,15 +2,10 @@
 // Many moving polygons: events in time order, valid at every event and between them, contacts where an
 // independent distance says so, changes of plan that touch one body's pairs alone.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/simulation.h"
 #include "failing_allocator.h"
@@ -195,14 +190,14 @@ static void keep_promises(const bmr_kds_info *info, scene *s, totals *sum) {
     for (int i = 1; i <= 60; i++) {
         const bmr_error error = bmr_simulation_run(simulation, 0.05 * i);
         if (error != BMR_OK)
-            print_message("%s: pair %zu at %.17g, error %d\n", info->name, w.last_pair,
-                          bmr_simulation_time(simulation), error);
+            printf("%s: pair %zu at %.17g, error %d\n", info->name, w.last_pair,
+                   bmr_simulation_time(simulation), error);
         assert_int_equal(error, BMR_OK);
         check_between(s, simulation, &wrong, &near);
     }
     if (wrong || w.out_of_order || w.failed_audits || w.worst_contact >= 1e-8)
-        print_message("%s: %zu wrong of contact, %zu out of order, %zu audits, contact %g\n", info->name,
-                      wrong, w.out_of_order, w.failed_audits, w.worst_contact);
+        printf("%s: %zu wrong of contact, %zu out of order, %zu audits, contact %g\n", info->name, wrong,
+               w.out_of_order, w.failed_audits, w.worst_contact);
     assert_int_equal(wrong, 0);
     assert_int_equal(w.out_of_order, 0);
     assert_int_equal(w.failed_audits, 0);
@@ -221,8 +216,7 @@ static void keep_promises(const bmr_kds_info *info, scene *s, totals *sum) {
 }
 
 /// Every structure there is, on scenes that it is made for.
-static void every_structure_keeps_its_promises(void **state) {
-    (void)state;
+TEST(every_structure_keeps_its_promises) {
     test_random random = {42};
     const size_t rounds = test_scaled(4), runs = bmr_kds_count() * rounds;
     totals sum = {0, 0, 0, 0.0};
@@ -231,8 +225,8 @@ static void every_structure_keeps_its_promises(void **state) {
         scene s = make_scene_for(info, &random);
         keep_promises(info, &s, &sum);
     }
-    print_message("%zu structures, %zu events, %zu contacts, %zu left, distance at them off by %g at most\n",
-                  bmr_kds_count(), sum.events, sum.contacts, sum.leaves, sum.worst);
+    printf("%zu structures, %zu events, %zu contacts, %zu left, distance at them off by %g at most\n",
+           bmr_kds_count(), sum.events, sum.contacts, sum.leaves, sum.worst);
     assert_true(sum.contacts > runs / 4 && sum.leaves > runs / 4);
 }
 
@@ -260,8 +254,7 @@ static scene make_aligned_scene(const bmr_kds_info *info, test_random *random) {
     return s;
 }
 
-static void exact_ties_stop_nothing(void **state) {
-    (void)state;
+TEST(exact_ties_stop_nothing) {
     test_random random = {777};
     const size_t rounds = test_scaled(8);
     totals sum = {0, 0, 0, 0.0};
@@ -284,8 +277,7 @@ static const bmr_kds_info *some_structure(size_t index) {
 }
 
 /// No look at the distance finds a pair within the margin before its first contact.
-static void no_contact_is_missed_or_late(void **state) {
-    (void)state;
+TEST(no_contact_is_missed_or_late) {
     test_random random = {4711};
     const size_t rounds = test_scaled(16), looks = 2000;
     const double margin = bmr_default_kds_def().margin;
@@ -311,12 +303,11 @@ static void no_contact_is_missed_or_late(void **state) {
         bmr_simulation_destroy(simulation);
         drop_scene(&s);
     }
-    print_message("%zu contacts, %zu controls\n", contacts, controls);
+    printf("%zu contacts, %zu controls\n", contacts, controls);
     assert_true(contacts >= rounds && controls > contacts * 9 / 10);
 }
 
-static void a_new_plan_costs_its_own_pairs_alone(void **state) {
-    (void)state;
+TEST(a_new_plan_costs_its_own_pairs_alone) {
     test_random random = {99};
     scene s = make_scene(&random, 10, 20);
     watch w;
@@ -353,8 +344,7 @@ static void a_new_plan_costs_its_own_pairs_alone(void **state) {
 }
 
 /// Sampled motions, and plans made beforehand that jump at times of their own.
-static void samples_and_jumps_are_followed(void **state) {
-    (void)state;
+TEST(samples_and_jumps_are_followed) {
     test_random random = {123};
     const size_t rounds = test_scaled(6);
     size_t starts = 0;
@@ -394,8 +384,7 @@ static void samples_and_jumps_are_followed(void **state) {
     assert_true(starts > rounds);
 }
 
-static void twenty_bodies_run_long_and_take_no_memory(void **state) {
-    (void)state;
+TEST(twenty_bodies_run_long_and_take_no_memory) {
     test_random random = {2};
     scene s = make_scene(&random, MOST_BODIES, 60);
     test_heap heap;
@@ -420,8 +409,7 @@ static void twenty_bodies_run_long_and_take_no_memory(void **state) {
     drop_scene(&s);
 }
 
-static void every_allocation_may_fail(void **state) {
-    (void)state;
+TEST(every_allocation_may_fail) {
     test_random random = {8};
     scene s = make_scene(&random, 4, 10);
     bmr_simulation_def def = bmr_default_simulation_def();
@@ -442,8 +430,7 @@ static void every_allocation_may_fail(void **state) {
     drop_scene(&s);
 }
 
-static void bad_arguments_are_refused(void **state) {
-    (void)state;
+TEST(bad_arguments_are_refused) {
     test_random random = {8};
     scene s = make_scene(&random, 3, 10);
     bmr_simulation_def def = bmr_default_simulation_def();
@@ -508,8 +495,7 @@ static void lie_proof(const bmr_kds *kds, bmr_kds_proof *proof) {
     proof->line.offset = *lie_of(kds);
 }
 
-static void what_is_wrong_is_seen_and_ends(void **state) {
-    (void)state;
+TEST(what_is_wrong_is_seen_and_ends) {
     static const bmr_kds_class lies = {sizeof(liar),   NULL,       NULL,      lie_start,
                                        lie_conditions, lie_repair, lie_proof, NULL};
     const bmr_kds_info info = {"liar", "", "", BMR_KDS_RIGID, false, -1, &lies};
@@ -538,19 +524,4 @@ static void what_is_wrong_is_seen_and_ends(void **state) {
     assert_true(w.events > BMR_SIMULATION_BURST && w.failed_audits >= BMR_SIMULATION_BURST);
     bmr_simulation_destroy(simulation);
     drop_scene(&s);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_structure_keeps_its_promises),
-        cmocka_unit_test(exact_ties_stop_nothing),
-        cmocka_unit_test(no_contact_is_missed_or_late),
-        cmocka_unit_test(a_new_plan_costs_its_own_pairs_alone),
-        cmocka_unit_test(samples_and_jumps_are_followed),
-        cmocka_unit_test(twenty_bodies_run_long_and_take_no_memory),
-        cmocka_unit_test(every_allocation_may_fail),
-        cmocka_unit_test(bad_arguments_are_refused),
-        cmocka_unit_test(what_is_wrong_is_seen_and_ends),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

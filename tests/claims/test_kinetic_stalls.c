@@ -2,12 +2,9 @@
 // Courses on which a pair once had event after event while time stood still: a structure was left where it
 // was, because what it computed of a border and what the search for failures computed differed by a rounding.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/analysis.h"
 #include "kds_driver.h"
@@ -80,7 +77,7 @@ static void follow(const stall *s) {
     const bmr_course course = {{a.polygon, b.polygon}, {motion.motions[0], motion.motions[1]}, 0.0, 1.0};
     bmr_run run;
     assert_int_equal(bmr_run_course(&def, &course, motion.diameter, NULL, &run), BMR_OK);
-    print_message("%s on %s, n %zu: %zu events\n", s->structure, bmr_family_name(s->family), s->n, w.events);
+    printf("%s on %s, n %zu: %zu events\n", s->structure, bmr_family_name(s->family), s->n, w.events);
     assert_int_equal(run.audit, BMR_OK);
     assert_int_equal(run.counts.external, 0);
     assert_true(w.events > 100 && w.seen == w.events);
@@ -92,16 +89,10 @@ static void follow(const stall *s) {
 
 /// The side is crossed at 1e-4 of the pair's speed, and a little ahead the point is beyond it by less than a
 /// rounding.
-static void sides_that_are_crossed_at_a_small_angle(void **state) {
-    (void)state;
+TEST(sides_that_are_crossed_at_a_small_angle) {
     static const stall stalls[] = {
         {"active-cell-compass", BMR_FAMILY_ORBIT, BMR_OUTLINE_REGULAR, 64, 300000.0, 1},
         {"tiling-compass", BMR_FAMILY_ORBIT, BMR_OUTLINE_REGULAR, 64, 300000.0, 1}};
     for (size_t i = 0; i < sizeof stalls / sizeof *stalls; i++)
         follow(&stalls[i]);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(sides_that_are_crossed_at_a_small_angle)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

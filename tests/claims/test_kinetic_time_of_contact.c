@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "boomerang/time_of_contact.h"
@@ -49,8 +45,7 @@ static bool is_first_contact(const scene *s, double until, double time) {
            fabs(distance_at(s, time) - MARGIN) <= tolerance;
 }
 
-static void the_first_contact_of_random_motions_is_found(void **state) {
-    (void)state;
+TEST(the_first_contact_of_random_motions_is_found) {
     test_random random = {33};
     size_t hits = 0, misses = 0, at_once = 0;
     for (size_t round = 0; round < test_scaled(60); ++round) {
@@ -95,12 +90,11 @@ static void the_first_contact_of_random_motions_is_found(void **state) {
             bmr_polygon_destroy(polygons[i], NULL);
         }
     }
-    print_message("%zu contacts (%zu at the beginning), %zu passes\n", hits, at_once, misses);
+    printf("%zu contacts (%zu at the beginning), %zu passes\n", hits, at_once, misses);
     assert_true(test_scaled(60) < 60 || (hits > 10 && misses > 2 && at_once > 0));
 }
 
-static void a_head_on_contact_is_when_arithmetic_says(void **state) {
-    (void)state;
+TEST(a_head_on_contact_is_when_arithmetic_says) {
     const bmr_vec2 square[4] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
     bmr_polygon *polygon = NULL;
     assert_int_equal(bmr_polygon_create(square, 4, NULL, &polygon), BMR_OK);
@@ -134,12 +128,4 @@ static void a_head_on_contact_is_when_arithmetic_says(void **state) {
     bmr_motion_destroy(rest);
     bmr_motion_destroy(comes);
     bmr_polygon_destroy(polygon, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_first_contact_of_random_motions_is_found),
-        cmocka_unit_test(a_head_on_contact_is_when_arithmetic_says),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,12 +2,8 @@
 // A motion may turn round right after a condition has failed, and slowly: the condition then grows, and is
 // below zero for long. Every structure must go on at once, or its pair has event after event at one time.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/simulation.h"
 #include "kds_driver.h"
@@ -81,8 +77,7 @@ static bmr_error run(const scene *s, double turn, double end, event_times *times
     return error;
 }
 
-static void every_structure_goes_on_where_the_motion_turns_back_after_a_failure(void **state) {
-    (void)state;
+TEST(every_structure_goes_on_where_the_motion_turns_back_after_a_failure) {
     static const double after[] = {0.0, 1e-12, 2e-12, 4e-12, 8e-12, 16e-12};
     for (size_t k = 0; k < bmr_kds_count(); k++) {
         scene s = make_scene(bmr_kds_at(k));
@@ -94,17 +89,10 @@ static void every_structure_goes_on_where_the_motion_turns_back_after_a_failure(
                 const double turn = times.time[i] + after[j];
                 const bmr_error error = run(&s, turn, turn + 0.1, NULL);
                 if (error != BMR_OK)
-                    print_error("%s: event %zu, turned back %g after it: error %d\n", s.info->name, i,
-                                after[j], error);
+                    fprintf(stderr, "%s: event %zu, turned back %g after it: error %d\n", s.info->name, i,
+                            after[j], error);
                 assert_int_equal(error, BMR_OK);
             }
         destroy_scene(&s);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_structure_goes_on_where_the_motion_turns_back_after_a_failure),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,16 +3,11 @@
 // would have; nothing ever overlaps that was not told; everything a world claims is true between its events;
 // energy and momentum stay.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/time_of_contact.h"
 #include "failing_allocator.h"
@@ -110,8 +105,7 @@ static outcome run(const play_shapes *shapes, uint64_t seed, size_t bodies, bool
     return o;
 }
 
-static void the_contacts_are_those_of_all_pairs_bit_for_bit(void **state) {
-    (void)state;
+TEST(the_contacts_are_those_of_all_pairs_bit_for_bit) {
     // 1,600, and 16 of a tenth.
     const size_t worlds = test_scaled(40) * test_scaled(40);
     play_contact *contacts[2];
@@ -152,9 +146,9 @@ static void the_contacts_are_those_of_all_pairs_bit_for_bit(void **state) {
         others += kept == 0 || other.played.contact_count != kept ||
                   memcmp(contacts[0], contacts[1], kept * sizeof *contacts[0]) != 0;
     }
-    print_message("%zu worlds, %zu contacts, %zu stalls, %zu overlaps of pairs that pass; fewer candidates "
-                  "than all pairs in %zu\n",
-                  worlds, total, stalls, passing_overlaps, fewer);
+    printf("%zu worlds, %zu contacts, %zu stalls, %zu overlaps of pairs that pass; fewer candidates "
+           "than all pairs in %zu\n",
+           worlds, total, stalls, passing_overlaps, fewer);
     assert_true(total > 10 * worlds);
     assert_true(stalls < 1 + worlds / 10);
     assert_int_equal(others, worlds);
@@ -182,8 +176,7 @@ static bmr_response note_first(void *context, bmr_world *world, const bmr_contac
     return pass;
 }
 
-static void first_contacts_are_those_of_two_bodies_alone(void **state) {
-    (void)state;
+TEST(first_contacts_are_those_of_two_bodies_alone) {
     const size_t worlds = test_scaled(40);
     test_random random = {77};
     play_shapes shapes;
@@ -233,7 +226,7 @@ static void first_contacts_are_those_of_two_bodies_alone(void **state) {
         for (size_t i = 0; i < CAST; i++)
             bmr_motion_destroy(motions[i]);
     }
-    print_message("%zu pairs touch, %zu do not\n", contacts, none);
+    printf("%zu pairs touch, %zu do not\n", contacts, none);
     assert_true(contacts > worlds && none > worlds);
     play_drop_shapes(&shapes);
 }
@@ -264,8 +257,7 @@ static bmr_world *make_gas(const play_shapes *shapes, int side, bmr_boundary bou
     return w;
 }
 
-static void a_gas_keeps_its_energy_and_momentum(void **state) {
-    (void)state;
+TEST(a_gas_keeps_its_energy_and_momentum) {
     enum { SIDE = 12 };
     const bmr_vec2 size = {2.4 * SIDE, 2.4 * SIDE};
     const double seconds = 4.0 * (double)test_scaled(10);
@@ -287,8 +279,8 @@ static void a_gas_keeps_its_energy_and_momentum(void **state) {
             hypot(after.momentum.x - before.momentum.x, after.momentum.y - before.momentum.y);
         const double angular = fabs(after.angular - before.angular);
         static const char *const names[] = {"open", "walls", "periodic"};
-        print_message("%s: %llu impulses, energy %.1e, momentum %.1e, angular %.1e\n", names[boundary],
-                      (unsigned long long)counts.impulses, energy, momentum, angular);
+        printf("%s: %llu impulses, energy %.1e, momentum %.1e, angular %.1e\n", names[boundary],
+               (unsigned long long)counts.impulses, energy, momentum, angular);
         assert_true(counts.impulses > 50 && counts.softened == 0);
         assert_true(energy < 1e-12);
         // Controls: walls take momentum, and a box has no centre to turn about.
@@ -317,8 +309,7 @@ static bmr_world_counts run_gas(bmr_world *w, bmr_vec2 size, uint64_t impulses, 
 
 /// A million collisions (of a tenth: a thousand), twice: no overlap on the way, the energy is what it was,
 /// and every bit the same.
-static void a_million_collisions_twice_have_the_same_bits(void **state) {
-    (void)state;
+TEST(a_million_collisions_twice_have_the_same_bits) {
     enum { SIDE = 12 };
     static bmr_body_state states[2][SIDE * SIDE], other[SIDE * SIDE];
     const bmr_vec2 size = {2.4 * SIDE, 2.4 * SIDE};
@@ -336,8 +327,8 @@ static void a_million_collisions_twice_have_the_same_bits(void **state) {
         after = bmr_world_get_totals(w).energy;
         bmr_world_destroy(w);
     }
-    print_message("%llu impulses, energy %.1e\n", (unsigned long long)counts[0].impulses,
-                  fabs(after - before) / before);
+    printf("%llu impulses, energy %.1e\n", (unsigned long long)counts[0].impulses,
+           fabs(after - before) / before);
     assert_true(fabs(after - before) < 1e-9 * before);
     assert_int_equal(counts[0].impulses, counts[1].impulses);
     assert_memory_equal(counts[0].events, counts[1].events, sizeof counts[0].events);
@@ -376,16 +367,15 @@ static void figures(const play_shapes *shapes, int side, bool all_pairs, double 
     bmr_world_destroy(w);
 }
 
-static void what_a_body_costs_does_not_grow_with_the_world(void **state) {
-    (void)state;
+TEST(what_a_body_costs_does_not_grow_with_the_world) {
     test_random random = {5};
     play_shapes shapes;
     play_make_shapes(&shapes, &random);
     double few[3], many[3], all_few[3], all_many[3];
     figures(&shapes, 14, false, few);
     figures(&shapes, 28, false, many);
-    print_message("events %.2f and %.2f, pairs %.2f and %.2f, bytes %.0f and %.0f\n", few[0], many[0], few[1],
-                  many[1], few[2], many[2]);
+    printf("events %.2f and %.2f, pairs %.2f and %.2f, bytes %.0f and %.0f\n", few[0], many[0], few[1],
+           many[1], few[2], many[2]);
     assert_true(fabs(many[0] / few[0] - 1.0) < 0.2);
     assert_true(many[1] < 16.0 && few[1] < 16.0); // about one body a cell, each pair once
     assert_true(many[2] / few[2] < 1.5);
@@ -394,15 +384,4 @@ static void what_a_body_costs_does_not_grow_with_the_world(void **state) {
     figures(&shapes, 14, true, all_many);
     assert_true(all_many[1] > 3.5 * all_few[1] && all_many[2] > 3.0 * all_few[2]);
     play_drop_shapes(&shapes);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_contacts_are_those_of_all_pairs_bit_for_bit),
-        cmocka_unit_test(first_contacts_are_those_of_two_bodies_alone),
-        cmocka_unit_test(a_gas_keeps_its_energy_and_momentum),
-        cmocka_unit_test(a_million_collisions_twice_have_the_same_bits),
-        cmocka_unit_test(what_a_body_costs_does_not_grow_with_the_world),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,8 +6,7 @@
 
 // ---- contacts and answers ----
 
-static void equal_boxes_exchange_their_velocities(void **state) {
-    (void)state;
+TEST(equal_boxes_exchange_their_velocities) {
     stage *s = make_stage(BMR_OPEN, 0.0);
     open_stage(s);
     bmr_polygon *b = box(1.0);
@@ -46,8 +45,7 @@ static void equal_boxes_exchange_their_velocities(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
-static void a_ball_in_a_box_is_reflected_by_its_walls(void **state) {
-    (void)state;
+TEST(a_ball_in_a_box_is_reflected_by_its_walls) {
     stage *s = make_stage(BMR_WALLED, 5.0);
     open_stage(s);
     bmr_polygon *b = box(1.0);
@@ -83,8 +81,7 @@ static void a_ball_in_a_box_is_reflected_by_its_walls(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
-static void a_box_that_is_passed_is_left(void **state) {
-    (void)state;
+TEST(a_box_that_is_passed_is_left) {
     stage *s = make_stage(BMR_OPEN, 0.0);
     s->response.kind = BMR_RESPONSE_PASS;
     open_stage(s);
@@ -110,8 +107,7 @@ static void a_box_that_is_passed_is_left(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
-static void what_sticks_goes_on_together(void **state) {
-    (void)state;
+TEST(what_sticks_goes_on_together) {
     stage *s = make_stage(BMR_OPEN, 0.0);
     s->response.kind = BMR_RESPONSE_STICK;
     open_stage(s);
@@ -128,8 +124,7 @@ static void what_sticks_goes_on_together(void **state) {
 
 /// A rational rotation whose denominator vanishes where it begins leads to no pose: the pair is passed, and
 /// neither body keeps the other from being answered.
-static void who_is_nowhere_is_passed(void **state) {
-    (void)state;
+TEST(who_is_nowhere_is_passed) {
     for (int order = 0; order < 2; order++) {
         for (bmr_response_kind kind = BMR_RESPONSE_PASS; kind < BMR_RESPONSE_KIND_COUNT; kind++) {
             stage *s = make_stage(BMR_OPEN, 0.0);
@@ -175,8 +170,7 @@ static bmr_error collapse(double restitution, bmr_zeno_policy zeno, bmr_world_co
     return error;
 }
 
-static void inelastic_collapse_is_an_error_or_the_policy(void **state) {
-    (void)state;
+TEST(inelastic_collapse_is_an_error_or_the_policy) {
     bmr_world_counts counts;
     assert_int_equal(collapse(0.05, BMR_ZENO_ERROR, &counts), BMR_ERROR_STALLED);
     assert_true(counts.events[BMR_WORLD_CONTACT] < 1000 && counts.softened == 0);
@@ -215,8 +209,7 @@ static bmr_error cool(double restitution, bmr_zeno_policy zeno, uint64_t seed, d
     return error;
 }
 
-static void a_gas_that_cools_goes_on(void **state) {
-    (void)state;
+TEST(a_gas_that_cools_goes_on) {
     const double restitutions[] = {0.0, 0.05, 0.3};
     const size_t count = sizeof restitutions / sizeof *restitutions, runs = count * test_scaled(10);
     size_t stalls = 0;
@@ -232,8 +225,7 @@ static void a_gas_that_cools_goes_on(void **state) {
 
 /// The more each contact takes, the faster the gas cools. (With 0 and 0.1 an impulse takes all and 0.99 of
 /// the energy: these two differ by less than clusters scatter.)
-static void gases_cool_in_the_order_of_their_restitutions(void **state) {
-    (void)state;
+TEST(gases_cool_in_the_order_of_their_restitutions) {
     const double restitutions[] = {0.0, 0.1, 0.5, 0.9};
     double sum[4] = {0.0};
     const size_t seeds = 8;
@@ -243,14 +235,13 @@ static void gases_cool_in_the_order_of_their_restitutions(void **state) {
             assert_int_equal(cool(restitutions[i], BMR_ZENO_ELASTIC, seed, 6.0, &left), BMR_OK);
             sum[i] += left / (double)seeds;
         }
-    print_message("left after 6: %.4f %.4f %.4f %.4f\n", sum[0], sum[1], sum[2], sum[3]);
+    printf("left after 6: %.4f %.4f %.4f %.4f\n", sum[0], sum[1], sum[2], sum[3]);
     assert_true(sum[0] < 1.2 * sum[1]);
     assert_true(sum[1] < sum[2] && sum[2] < sum[3]);
 }
 
 /// A wall that comes nearer than anything can give way: contact after contact, each at half the distance.
-static void a_contact_that_no_answer_ends_is_an_error(void **state) {
-    (void)state;
+TEST(a_contact_that_no_answer_ends_is_an_error) {
     stage *s = make_stage(BMR_OPEN, 0.0);
     s->response.kind = BMR_RESPONSE_MINE; // and nothing is done
     open_stage(s);
@@ -269,8 +260,7 @@ static void a_contact_that_no_answer_ends_is_an_error(void **state) {
 
 // ---- cells ----
 
-static void a_big_body_finds_the_small_ones_that_rest(void **state) {
-    (void)state;
+TEST(a_big_body_finds_the_small_ones_that_rest) {
     stage *s = make_stage(BMR_OPEN, 0.0);
     s->response.kind = BMR_RESPONSE_PASS;
     open_stage(s);
@@ -294,8 +284,7 @@ static void a_big_body_finds_the_small_ones_that_rest(void **state) {
     bmr_polygon_destroy(big, NULL);
 }
 
-static void a_body_that_flies_away_needs_ever_fewer_cells_and_meets_what_is_there(void **state) {
-    (void)state;
+TEST(a_body_that_flies_away_needs_ever_fewer_cells_and_meets_what_is_there) {
     stage *s = make_stage(BMR_OPEN, 0.0);
     open_stage(s);
     bmr_polygon *b = box(0.01);
@@ -317,8 +306,7 @@ static void a_body_that_flies_away_needs_ever_fewer_cells_and_meets_what_is_ther
 }
 
 /// Along a line of the grid, and trembling about it: the hysteresis keeps it from ringing.
-static void a_body_on_a_line_of_the_grid_does_not_ring(void **state) {
-    (void)state;
+TEST(a_body_on_a_line_of_the_grid_does_not_ring) {
     stage *s = make_stage(BMR_PERIODIC, 6.0);
     open_stage(s);
     bmr_polygon *b = box(0.5);
@@ -346,8 +334,7 @@ static void count_strangers(void *context, const bmr_world_pair *pair) {
 
 /// Two bodies part slowly enough for their cells to be no neighbours before their disks have parted: the
 /// structure stays, as it does of all pairs.
-static void a_structure_outlives_its_neighbourhood(void **state) {
-    (void)state;
+TEST(a_structure_outlives_its_neighbourhood) {
     stage *s = make_stage(BMR_OPEN, 0.0);
     open_stage(s);
     bmr_polygon *b = box(1.0);
@@ -378,8 +365,7 @@ static void a_structure_outlives_its_neighbourhood(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
-static void one_fast_body_hits_every_one_in_its_way(void **state) {
-    (void)state;
+TEST(one_fast_body_hits_every_one_in_its_way) {
     for (int grid = 0; grid < 2; grid++) {
         stage *s = make_stage(BMR_OPEN, 0.0);
         s->response.kind = BMR_RESPONSE_PASS;
@@ -398,8 +384,7 @@ static void one_fast_body_hits_every_one_in_its_way(void **state) {
 }
 
 /// Along a parabola, asked for long before: what is known to be empty is left out, and no target with it.
-static void a_thrown_body_hits_every_target_on_its_way(void **state) {
-    (void)state;
+TEST(a_thrown_body_hits_every_target_on_its_way) {
     for (int grid = 0; grid < 2; grid++) {
         stage *s = make_stage(BMR_OPEN, 0.0);
         s->response.kind = BMR_RESPONSE_PASS;
@@ -432,8 +417,7 @@ static void a_thrown_body_hits_every_target_on_its_way(void **state) {
 
 // ---- changes ----
 
-static void a_change_of_plan_touches_one_body_only(void **state) {
-    (void)state;
+TEST(a_change_of_plan_touches_one_body_only) {
     stage *s = make_stage(BMR_OPEN, 0.0);
     open_stage(s);
     bmr_polygon *b = box(0.5);
@@ -471,8 +455,7 @@ static void a_change_of_plan_touches_one_body_only(void **state) {
 }
 
 /// How the time is cut into advances changes no bit.
-static void how_far_a_call_advances_changes_nothing(void **state) {
-    (void)state;
+TEST(how_far_a_call_advances_changes_nothing) {
     bmr_polygon *b = box(0.5);
     stage *runs[2];
     for (int run = 0; run < 2; run++) {
@@ -506,8 +489,7 @@ static void meddle(stage *s, const bmr_contact *contact) {
     assert_int_equal(bmr_world_remove(s->world, contact->a), BMR_ERROR_OUT_OF_RANGE);
 }
 
-static void ids_are_never_those_of_another_body(void **state) {
-    (void)state;
+TEST(ids_are_never_those_of_another_body) {
     stage *s = make_stage(BMR_OPEN, 0.0);
     s->inside = meddle;
     open_stage(s);
@@ -530,8 +512,7 @@ static void ids_are_never_those_of_another_body(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
-static void the_mass_of_a_polygon_is_that_of_its_parts(void **state) {
-    (void)state;
+TEST(the_mass_of_a_polygon_is_that_of_its_parts) {
     const bmr_vec2 points[4] = {{1e6, 2.0}, {1e6 + 3.0, 2.0}, {1e6 + 3.0, 4.0}, {1e6, 4.0}};
     bmr_polygon *rectangle, *segment;
     assert_int_equal(bmr_polygon_create(points, 4, NULL, &rectangle), BMR_OK);
@@ -547,29 +528,4 @@ static void the_mass_of_a_polygon_is_that_of_its_parts(void **state) {
     assert_near(mass.inertia, 6.0 * (9.0 + 4.0) / 12.0, 1e-13);
     bmr_polygon_destroy(rectangle, NULL);
     bmr_polygon_destroy(segment, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(equal_boxes_exchange_their_velocities),
-        cmocka_unit_test(a_ball_in_a_box_is_reflected_by_its_walls),
-        cmocka_unit_test(a_box_that_is_passed_is_left),
-        cmocka_unit_test(what_sticks_goes_on_together),
-        cmocka_unit_test(who_is_nowhere_is_passed),
-        cmocka_unit_test(inelastic_collapse_is_an_error_or_the_policy),
-        cmocka_unit_test(a_gas_that_cools_goes_on),
-        cmocka_unit_test(gases_cool_in_the_order_of_their_restitutions),
-        cmocka_unit_test(a_contact_that_no_answer_ends_is_an_error),
-        cmocka_unit_test(a_big_body_finds_the_small_ones_that_rest),
-        cmocka_unit_test(a_body_that_flies_away_needs_ever_fewer_cells_and_meets_what_is_there),
-        cmocka_unit_test(a_body_on_a_line_of_the_grid_does_not_ring),
-        cmocka_unit_test(a_structure_outlives_its_neighbourhood),
-        cmocka_unit_test(one_fast_body_hits_every_one_in_its_way),
-        cmocka_unit_test(a_thrown_body_hits_every_target_on_its_way),
-        cmocka_unit_test(a_change_of_plan_touches_one_body_only),
-        cmocka_unit_test(how_far_a_call_advances_changes_nothing),
-        cmocka_unit_test(ids_are_never_those_of_another_body),
-        cmocka_unit_test(the_mass_of_a_polygon_is_that_of_its_parts),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -53,8 +53,7 @@ static void drop_one_on(twins *t, bmr_body body, double height) {
 }
 
 /// Set aside by a little, again and again: by a jump each time, or by roundings, of which many are a cell.
-static void who_creeps_is_in_its_cell(void **state) {
-    (void)state;
+TEST(who_creeps_is_in_its_cell) {
     static const struct {
         double scale, step;
         int steps;
@@ -92,8 +91,7 @@ static void who_creeps_is_in_its_cell(void **state) {
 }
 
 /// A rounding of a long way is more than a cell of a small body.
-static void a_rounding_may_lead_beyond_the_hysteresis(void **state) {
-    (void)state;
+TEST(a_rounding_may_lead_beyond_the_hysteresis) {
     twins t = make_twins(1e-6);
     bmr_motion_piece bend;
     memset(&bend, 0, sizeof bend);
@@ -119,8 +117,7 @@ static void a_rounding_may_lead_beyond_the_hysteresis(void **state) {
 }
 
 /// The way of a plan whose pieces do not quite meet, past bodies that rest.
-static void a_plan_may_have_gaps(void **state) {
-    (void)state;
+TEST(a_plan_may_have_gaps) {
     enum { PIECES = 60, RESTING = 6 };
     const double gaps[] = {1e-3, 1e-5, 1e-8};
     for (size_t k = 0; k < sizeof gaps / sizeof *gaps; k++) {
@@ -148,8 +145,7 @@ static void a_plan_may_have_gaps(void **state) {
 }
 
 /// Into another one by a thousandth: put there, wherever that is.
-static void who_is_put_into_another_is_placed(void **state) {
-    (void)state;
+TEST(who_is_put_into_another_is_placed) {
     const double places[] = {0.0, FAR};
     for (int i = 0; i < 2; i++) {
         twins t = make_twins(1.0);
@@ -168,8 +164,7 @@ static void who_is_put_into_another_is_placed(void **state) {
 }
 
 /// Answers go on from where the two are, turned as they are, far away and long after they began.
-static void an_answer_is_no_jump(void **state) {
-    (void)state;
+TEST(an_answer_is_no_jump) {
     const double places[] = {0.0, FAR, 1e8};
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         twins t = make_twins(1.0);
@@ -199,8 +194,7 @@ static void an_answer_is_no_jump(void **state) {
 }
 
 /// A hysteresis longer than disks overlap: the pair remembers its contact until it was apart by that.
-static void a_long_hysteresis_is_kept(void **state) {
-    (void)state;
+TEST(a_long_hysteresis_is_kept) {
     for (int k = 0; k < 8; k++) {
         const bool kept = k & 1, pass = k & 2, curved = k & 4;
         bmr_polygon *b = box(1.0);
@@ -248,8 +242,7 @@ static void a_long_hysteresis_is_kept(void **state) {
 
 /// A motion that begins a few margins before its contact, so fast that this is little beside the rounding of
 /// a polynomial: the contact is told within the margin all the same.
-static void a_fast_contact_is_not_told_early(void **state) {
-    (void)state;
+TEST(a_fast_contact_is_not_told_early) {
     const double margin = 1.5e-5, now = 458.25, speed = 4.2e5;
     for (int k = 0; k <= 40; k++) {
         bmr_polygon *b = box(10.0);
@@ -280,8 +273,7 @@ static void a_fast_contact_is_not_told_early(void **state) {
 }
 
 /// Steps of a look at a pair that passes are no shorter than what times are known to.
-static void a_contact_step_has_a_least(void **state) {
-    (void)state;
+TEST(a_contact_step_has_a_least) {
     bmr_world *world;
     bmr_world_def def = bmr_default_world_def();
     def.contact_step = 1000.0 * def.failure.tolerance;
@@ -289,18 +281,4 @@ static void a_contact_step_has_a_least(void **state) {
     bmr_world_destroy(world);
     def.contact_step = 999.0 * def.failure.tolerance;
     assert_int_equal(bmr_world_create(&def, 0.0, NULL, &world), BMR_ERROR_OUT_OF_RANGE);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(who_creeps_is_in_its_cell),
-        cmocka_unit_test(a_rounding_may_lead_beyond_the_hysteresis),
-        cmocka_unit_test(a_plan_may_have_gaps),
-        cmocka_unit_test(who_is_put_into_another_is_placed),
-        cmocka_unit_test(an_answer_is_no_jump),
-        cmocka_unit_test(a_long_hysteresis_is_kept),
-        cmocka_unit_test(a_fast_contact_is_not_told_early),
-        cmocka_unit_test(a_contact_step_has_a_least),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,8 +13,7 @@ static void assert_trouble(const stage *s, bmr_error error, bmr_trouble kind, bm
     assert_true(error == BMR_OK || trouble.time == bmr_world_time(s->world));
 }
 
-static void every_trouble_has_its_sentence(void **state) {
-    (void)state;
+TEST(every_trouble_has_its_sentence) {
     for (int i = 0; i <= BMR_TROUBLE_COUNT; i++)
         for (int k = 0; k < i; k++)
             assert_string_not_equal(bmr_trouble_describe((bmr_trouble)i),
@@ -24,8 +23,7 @@ static void every_trouble_has_its_sentence(void **state) {
 // ---- walls and boxes ----
 
 /// Only some thousand margins wide, as walls were once, and as wide as a box may be.
-static void a_ball_bounces_in_a_box_of_any_width(void **state) {
-    (void)state;
+TEST(a_ball_bounces_in_a_box_of_any_width) {
     bmr_polygon *b = box(1.0);
     const double sizes[] = {10.0, 1e4, 1e6, 2e8};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
@@ -57,8 +55,7 @@ static void a_ball_bounces_in_a_box_of_any_width(void **state) {
 
 /// So far from the origin that a rounding of a place is a 70th of the margin: contacts are as exact as near
 /// it.
-static void far_from_the_origin_contacts_are_as_exact(void **state) {
-    (void)state;
+TEST(far_from_the_origin_contacts_are_as_exact) {
     const double far = 1e8;
     stage *s = make_stage(BMR_WALLED, 0.0);
     s->def.low = bmr_vec2_make(far - 6.0, -far - 6.0);
@@ -84,8 +81,7 @@ static void far_from_the_origin_contacts_are_as_exact(void **state) {
 }
 
 /// Of each two bodies one image is a pair, in a box a hundred times as long as high, too.
-static void all_pairs_of_a_long_box_are_all(void **state) {
-    (void)state;
+TEST(all_pairs_of_a_long_box_are_all) {
     enum { BODIES = 40 };
     bmr_polygon *b = box(0.5);
     stage *runs[2];
@@ -117,8 +113,7 @@ static void all_pairs_of_a_long_box_are_all(void **state) {
 }
 
 /// A point in a box of 1e21 of its cells: none of their numbers overflows, and it meets what is there.
-static void a_point_in_a_huge_periodic_box_meets_what_is_there(void **state) {
-    (void)state;
+TEST(a_point_in_a_huge_periodic_box_meets_what_is_there) {
     const bmr_vec2 origin = {0.0, 0.0};
     bmr_polygon *point = NULL, *b = box(1e-3);
     assert_int_equal(bmr_polygon_create(&origin, 1, NULL, &point), BMR_OK);
@@ -150,8 +145,7 @@ static bmr_polygon *segment(double half) {
 }
 
 /// What is as thin as the margin, at a speed at which failure.tolerance is hundreds of margins' way.
-static void nobody_is_missed_who_is_faster_than_the_tolerance(void **state) {
-    (void)state;
+TEST(nobody_is_missed_who_is_faster_than_the_tolerance) {
     enum { PLATES = 200 };
     bmr_polygon *plate = segment(1.0), *needle = segment(0.5);
     for (int spins = 0; spins < 2; spins++) {
@@ -171,8 +165,7 @@ static void nobody_is_missed_who_is_faster_than_the_tolerance(void **state) {
 }
 
 /// Where no time lies between the two sides of a contact.
-static void who_is_faster_than_the_clock_is_an_error(void **state) {
-    (void)state;
+TEST(who_is_faster_than_the_clock_is_an_error) {
     bmr_polygon *b = box(0.5);
     for (int grid = 0; grid < 2; grid++) {
         stage *s = make_stage(BMR_OPEN, 0.0);
@@ -220,8 +213,7 @@ static bmr_motion_piece curve(double time, bmr_vec2 quadratic, double cubic) {
 
 /// Beside a body that accelerates gently, at times and speeds whose product is up to 1e10: once the rounding
 /// of the disks' times was that of the product, and the disks met and parted in turn for ever.
-static void who_flies_past_a_curve_is_met_once(void **state) {
-    (void)state;
+TEST(who_flies_past_a_curve_is_met_once) {
     bmr_polygon *b = box(0.2);
     for (double time = 1e3; time < 1e6; time *= 10.0)
         for (double speed = 10.0; speed < 2e4; speed *= 10.0) {
@@ -243,8 +235,7 @@ static void who_flies_past_a_curve_is_met_once(void **state) {
 
 /// A cube of time is so long after its epoch, and so fast then, that it passes in a part of 1e7 of the time
 /// that one step of the search takes: it is met, or the clock is said to be too coarse.
-static void who_comes_from_afar_on_a_curve_is_not_missed(void **state) {
-    (void)state;
+TEST(who_comes_from_afar_on_a_curve_is_not_missed) {
     bmr_polygon *b = box(30.0);
     size_t met = 0, errors = 0;
     for (double after = 100.0; after < 2e5; after *= 1.7) {
@@ -271,8 +262,7 @@ static void who_comes_from_afar_on_a_curve_is_not_missed(void **state) {
 
 /// Two that go nearly the same way, which is long: what they differ by in so much time as they need to meet
 /// is known, and what they differ by in the far future is not asked for.
-static void who_goes_nearly_the_same_way_is_met_in_time(void **state) {
-    (void)state;
+TEST(who_goes_nearly_the_same_way_is_met_in_time) {
     bmr_polygon *b = box(0.2);
     for (double common = 1.0; common < 200.0; common *= 10.0)
         for (double apart = 1e-8; apart < 1e-3; apart *= 10.0) {
@@ -296,8 +286,7 @@ static void who_goes_nearly_the_same_way_is_met_in_time(void **state) {
 
 /// Who would meet when both are too far away to tell is an error when the world comes there, and no sooner:
 /// it may never come there.
-static void what_the_far_future_does_not_tell_is_no_error_today(void **state) {
-    (void)state;
+TEST(what_the_far_future_does_not_tell_is_no_error_today) {
     bmr_polygon *b = box(0.2);
     stage *s = make_stage(BMR_OPEN, 0.0);
     s->response.kind = BMR_RESPONSE_PASS;
@@ -318,8 +307,7 @@ static void what_the_far_future_does_not_tell_is_no_error_today(void **state) {
 }
 
 /// Farther than there are cells: soon, however far a call is to advance.
-static void who_flies_out_of_the_world_is_an_error(void **state) {
-    (void)state;
+TEST(who_flies_out_of_the_world_is_an_error) {
     bmr_polygon *b = box(1.0);
     const double speeds[] = {1.0, 1e20, 1e96, 1e300};
     for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++) {
@@ -342,8 +330,7 @@ static void who_flies_out_of_the_world_is_an_error(void **state) {
     bmr_polygon_destroy(b, NULL);
 }
 
-static void a_call_has_as_many_events_as_it_may(void **state) {
-    (void)state;
+TEST(a_call_has_as_many_events_as_it_may) {
     stage *s = make_stage(BMR_WALLED, 1.2);
     s->def.most_events = 10;
     open_stage(s);
@@ -369,8 +356,7 @@ static void a_call_has_as_many_events_as_it_may(void **state) {
 // ---- contacts that nothing ends ----
 
 /// Bodies at one place each, one after the other pushed into the pile.
-static void all_that_sticks_goes_on_as_one(void **state) {
-    (void)state;
+TEST(all_that_sticks_goes_on_as_one) {
     stage *s = make_stage(BMR_WALLED, 50.0);
     s->response.kind = BMR_RESPONSE_STICK;
     open_stage(s);
@@ -407,8 +393,7 @@ static void all_that_sticks_goes_on_as_one(void **state) {
 
 /// The velocity of all 16, which fly to one middle and stick there, is the same to the bit with cells as
 /// with all pairs: their momenta are summed in one order, whoever found whom first.
-static void a_pile_with_cells_is_that_of_all_pairs(void **state) {
-    (void)state;
+TEST(a_pile_with_cells_is_that_of_all_pairs) {
     enum { PILE = 16, PILES = 40 };
     bmr_polygon *b = box(0.5);
     size_t stuck = 0, others = 0;
@@ -443,8 +428,7 @@ static void a_pile_with_cells_is_that_of_all_pairs(void **state) {
 
 /// Two boxes that meet flat on a stretch from a tenth down to 1e-9: what elastic impulses keep stays, to
 /// rounding.
-static void an_impulse_on_a_short_stretch_keeps_the_energy(void **state) {
-    (void)state;
+TEST(an_impulse_on_a_short_stretch_keeps_the_energy) {
     bmr_polygon *b = box(0.5);
     size_t flat = 0;
     for (double stretch = 0.1; stretch > 1e-9; stretch *= 0.1)
@@ -476,8 +460,7 @@ static void an_impulse_on_a_short_stretch_keeps_the_energy(void **state) {
 }
 
 /// Between two that nothing moves and that come together: no answer parts them, and who they are is said.
-static void what_is_pushed_together_for_good_is_an_error(void **state) {
-    (void)state;
+TEST(what_is_pushed_together_for_good_is_an_error) {
     for (bmr_zeno_policy zeno = BMR_ZENO_ERROR; zeno <= BMR_ZENO_ELASTIC; zeno++) {
         stage *s = make_stage(BMR_OPEN, 0.0);
         s->def.zeno = zeno;
@@ -499,8 +482,7 @@ static void what_is_pushed_together_for_good_is_an_error(void **state) {
 
 // ---- numbers ----
 
-static void a_place_that_is_no_number_is_an_error(void **state) {
-    (void)state;
+TEST(a_place_that_is_no_number_is_an_error) {
     for (int all = 0; all < 2; all++) {
         stage *s = make_stage(BMR_OPEN, 0.0);
         s->def.all_pairs = all;
@@ -535,8 +517,7 @@ static void a_place_that_is_no_number_is_an_error(void **state) {
 }
 
 /// After 2^32 bodies at one place there are no ids left for it.
-static void a_place_whose_ids_are_used_up_is_left_alone(void **state) {
-    (void)state;
+TEST(a_place_whose_ids_are_used_up_is_left_alone) {
     stage *s = make_stage(BMR_OPEN, 0.0);
     open_stage(s);
     bmr_polygon *b = box(1.0);
@@ -556,29 +537,4 @@ static void a_place_whose_ids_are_used_up_is_left_alone(void **state) {
     }
     close_stage(s);
     bmr_polygon_destroy(b, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_trouble_has_its_sentence),
-        cmocka_unit_test(a_ball_bounces_in_a_box_of_any_width),
-        cmocka_unit_test(far_from_the_origin_contacts_are_as_exact),
-        cmocka_unit_test(all_pairs_of_a_long_box_are_all),
-        cmocka_unit_test(a_point_in_a_huge_periodic_box_meets_what_is_there),
-        cmocka_unit_test(nobody_is_missed_who_is_faster_than_the_tolerance),
-        cmocka_unit_test(who_is_faster_than_the_clock_is_an_error),
-        cmocka_unit_test(who_flies_past_a_curve_is_met_once),
-        cmocka_unit_test(who_comes_from_afar_on_a_curve_is_not_missed),
-        cmocka_unit_test(who_goes_nearly_the_same_way_is_met_in_time),
-        cmocka_unit_test(what_the_far_future_does_not_tell_is_no_error_today),
-        cmocka_unit_test(who_flies_out_of_the_world_is_an_error),
-        cmocka_unit_test(a_call_has_as_many_events_as_it_may),
-        cmocka_unit_test(all_that_sticks_goes_on_as_one),
-        cmocka_unit_test(a_pile_with_cells_is_that_of_all_pairs),
-        cmocka_unit_test(an_impulse_on_a_short_stretch_keeps_the_energy),
-        cmocka_unit_test(what_is_pushed_together_for_good_is_an_error),
-        cmocka_unit_test(a_place_that_is_no_number_is_an_error),
-        cmocka_unit_test(a_place_whose_ids_are_used_up_is_left_alone),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,8 +4,7 @@
 #include "test_scale.h"
 #include "world_stage.h"
 
-static void memory_is_linear_and_given_back(void **state) {
-    (void)state;
+TEST(memory_is_linear_and_given_back) {
     bmr_polygon *b = box(0.5), *huge = box(300.0);
     double each[2];
     for (int i = 0; i < 2; i++) {
@@ -101,8 +100,7 @@ static uint64_t lack_of_memory(size_t fail_at, size_t *asked, size_t *failures) 
     return hash;
 }
 
-static void every_allocation_may_fail_once(void **state) {
-    (void)state;
+TEST(every_allocation_may_fail_once) {
     size_t asked = 0, failures = 0, ignored;
     const uint64_t expected = lack_of_memory(SIZE_MAX, &asked, &failures);
     assert_true(asked > 500 && failures == 0);
@@ -114,8 +112,7 @@ static void every_allocation_may_fail_once(void **state) {
     assert_true(failures > tried / 2);
 }
 
-static void walls_work_with_every_structure(void **state) {
-    (void)state;
+TEST(walls_work_with_every_structure) {
     bmr_polygon *b = box(1.0);
     bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT];
     bmr_compass *compass;
@@ -162,13 +159,4 @@ static void walls_work_with_every_structure(void **state) {
         bmr_hierarchy_destroy(hierarchies[k], NULL);
     bmr_compass_destroy(compass, NULL);
     bmr_polygon_destroy(b, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(memory_is_linear_and_given_back),
-        cmocka_unit_test(every_allocation_may_fail_once),
-        cmocka_unit_test(walls_work_with_every_structure),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -50,8 +46,7 @@ static double support_error(const bmr_polygon *p, const bmr_polygon *q, test_ran
     return most;
 }
 
-static void it_is_the_hull_of_all_differences(void **state) {
-    (void)state;
+TEST(it_is_the_hull_of_all_differences) {
     test_random random = {21};
     const size_t sizes[] = {3, 4, 7, 20};
     size_t wrong_angles = 0, pairs = 0;
@@ -81,8 +76,7 @@ static void it_is_the_hull_of_all_differences(void **state) {
     assert_true(wrong_angles > pairs / 2);
 }
 
-static void parallel_edges_become_one(void **state) {
-    (void)state;
+TEST(parallel_edges_become_one) {
     test_random random = {22};
     bmr_polygon *box = test_polygon(TEST_BOX, 4, &random), *octagon = test_polygon(TEST_OCTAGON, 8, &random);
     bmr_polygon *grid = test_polygon(TEST_PARALLEL, 16, &random);
@@ -109,8 +103,7 @@ static bmr_polygon *of_points(const bmr_vec2 *points, size_t count) {
     return p;
 }
 
-static void points_and_segments_have_one_too(void **state) {
-    (void)state;
+TEST(points_and_segments_have_one_too) {
     const bmr_vec2 points[] = {{1.0, 2.0}, {3.0, 5.0}, {0.0, 4.0}};
     bmr_polygon *point = of_points(points, 1), *segment = of_points(points, 2);
     bmr_polygon *cross = of_points(points + 1, 2);
@@ -132,8 +125,7 @@ static void points_and_segments_have_one_too(void **state) {
     bmr_polygon_destroy(point, NULL);
 }
 
-static void bad_arguments_are_errors(void **state) {
-    (void)state;
+TEST(bad_arguments_are_errors) {
     const bmr_vec2 one = {1.0, 2.0}, rotation = {1.0, 0.0}, nan = {NAN, 0.0};
     bmr_polygon *p = of_points(&one, 1), *m = NULL;
     assert_int_equal(bmr_minkowski_difference(NULL, p, rotation, NULL, &m), BMR_ERROR_NULL_ARGUMENT);
@@ -144,8 +136,7 @@ static void bad_arguments_are_errors(void **state) {
     bmr_polygon_destroy(p, NULL);
 }
 
-static void memory_may_fail_at_any_time(void **state) {
-    (void)state;
+TEST(memory_may_fail_at_any_time) {
     const bmr_vec2 corners[] = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}, rotation = {1.0, 0.0};
     bmr_polygon *p = of_points(corners, 3);
     for (size_t fail_at = 0; fail_at < 3; ++fail_at) {
@@ -160,13 +151,4 @@ static void memory_may_fail_at_any_time(void **state) {
         assert_int_equal(heap.wrong_sizes, 0);
     }
     bmr_polygon_destroy(p, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_is_the_hull_of_all_differences), cmocka_unit_test(parallel_edges_become_one),
-        cmocka_unit_test(points_and_segments_have_one_too),  cmocka_unit_test(bad_arguments_are_errors),
-        cmocka_unit_test(memory_may_fail_at_any_time),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "compass_fixture.h"
@@ -68,8 +64,7 @@ static double area_error(const scene *s, uint32_t left_out) {
     return fabs(tiles - (outer - inner)) / (size_of(s) * size_of(s));
 }
 
-static void the_tiles_have_the_area_of_the_outside(void **state) {
-    (void)state;
+TEST(the_tiles_have_the_area_of_the_outside) {
     test_random random = {401};
     size_t caught = 0, tried = 0;
     for (size_t round = 0; round < test_scaled(300); ++round) {
@@ -152,8 +147,7 @@ static bool is_certificate(const scene *s, const bmr_mixed_cell *cell, bmr_vec2 
     return false;
 }
 
-static void each_point_is_in_one_tile_and_the_implicit_cell_is_that_tile(void **state) {
-    (void)state;
+TEST(each_point_is_in_one_tile_and_the_implicit_cell_is_that_tile) {
     test_random random = {403};
     size_t compared = 0, skipped = 0, other = 0;
     for (size_t round = 0; round < test_scaled(120); ++round) {
@@ -199,15 +193,14 @@ static void each_point_is_in_one_tile_and_the_implicit_cell_is_that_tile(void **
         }
         scene_destroy(&s);
     }
-    print_message("compared %zu, on a border %zu\n", compared, skipped);
+    printf("compared %zu, on a border %zu\n", compared, skipped);
     assert_true(other > 0);
 }
 
 // --- neighbours ---
 
 /// Lemma 4.3: the neighbour of a cell at a point of its border is found in O(log n).
-static void across_each_side_lies_the_tile_that_brute_force_finds(void **state) {
-    (void)state;
+TEST(across_each_side_lies_the_tile_that_brute_force_finds) {
     test_random random = {405};
     size_t compared = 0, inwards = 0, wrong_role = 0;
     unsigned most = 0;
@@ -268,16 +261,6 @@ static void across_each_side_lies_the_tile_that_brute_force_finds(void **state) 
         }
         scene_destroy(&s);
     }
-    print_message("compared %zu sides, %zu of them inwards; at most %u stages looked at\n", compared, inwards,
-                  most);
+    printf("compared %zu sides, %zu of them inwards; at most %u stages looked at\n", compared, inwards, most);
     assert_true(inwards > 0 && compared > inwards && wrong_role > 0);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_tiles_have_the_area_of_the_outside),
-        cmocka_unit_test(each_point_is_in_one_tile_and_the_implicit_cell_is_that_tile),
-        cmocka_unit_test(across_each_side_lies_the_tile_that_brute_force_finds),
-    };
-    return cmocka_run_group_tests(tests, make_compass, drop_compass);
 }

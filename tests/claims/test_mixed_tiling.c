@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "compass_fixture.h"
@@ -59,8 +55,7 @@ static void assert_point(bmr_vec2 p, double x, double y) {
     assert_true(fabs(p.x - x) < 1e-14 && fabs(p.y - y) < 1e-14);
 }
 
-static void the_cells_are_those_drawn_by_hand(void **state) {
-    (void)state;
+TEST(the_cells_are_those_drawn_by_hand) {
     scene s = diamond_and_square();
     const bmr_mixed mixed = mixed_of(&s, 0.0, 0.0);
     // M_0 is a square of half side 1.25. In its upper right corner the edge NE of the diamond cuts off the
@@ -91,8 +86,7 @@ static void the_cells_are_those_drawn_by_hand(void **state) {
     scene_destroy(&s);
 }
 
-static void a_small_turn_opens_parallelograms(void **state) {
-    (void)state;
+TEST(a_small_turn_opens_parallelograms) {
     scene s = diamond_and_square();
     // Turned by an angle t, the square's side E lies between the diamond's E and NE: [a, c] (+) E.
     const double t = 0.1;
@@ -118,8 +112,7 @@ static void a_small_turn_opens_parallelograms(void **state) {
     scene_destroy(&s);
 }
 
-static void an_offset_moves_every_line_and_mitres_the_corners(void **state) {
-    (void)state;
+TEST(an_offset_moves_every_line_and_mitres_the_corners) {
     scene s = diamond_and_square();
     const double offset = 0.01;
     const bmr_mixed mixed = mixed_of(&s, 0.0, offset);
@@ -136,8 +129,7 @@ static void an_offset_moves_every_line_and_mitres_the_corners(void **state) {
     scene_destroy(&s);
 }
 
-static void the_tiling_has_those_cells_and_their_neighbours(void **state) {
-    (void)state;
+TEST(the_tiling_has_those_cells_and_their_neighbours) {
     scene s = diamond_and_square();
     const bmr_mixed mixed = mixed_of(&s, 0.1, 0.0);
     bmr_mixed_tiling *tiling = NULL;
@@ -165,8 +157,7 @@ static void the_tiling_has_those_cells_and_their_neighbours(void **state) {
     scene_destroy(&s);
 }
 
-static void what_is_no_cell_has_neither_sides_nor_height_nor_neighbours(void **state) {
-    (void)state;
+TEST(what_is_no_cell_has_neither_sides_nor_height_nor_neighbours) {
     scene s = diamond_and_square();
     const bmr_mixed mixed = mixed_of(&s, 0.3, 0.0);
     double slack;
@@ -192,8 +183,7 @@ static void what_is_no_cell_has_neither_sides_nor_height_nor_neighbours(void **s
     scene_destroy(&s);
 }
 
-static void a_way_of_no_length_stays_and_one_that_passes_by_is_outside(void **state) {
-    (void)state;
+TEST(a_way_of_no_length_stays_and_one_that_passes_by_is_outside) {
     scene s = diamond_and_square();
     const bmr_mixed mixed = mixed_of(&s, 0.3, 0.0);
     const bmr_mixed_cell at = cell_at(&mixed, 1.1, 1.1);
@@ -209,8 +199,7 @@ static void a_way_of_no_length_stays_and_one_that_passes_by_is_outside(void **st
     scene_destroy(&s);
 }
 
-static void a_tiling_remembers_its_rotation(void **state) {
-    (void)state;
+TEST(a_tiling_remembers_its_rotation) {
     scene s = diamond_and_square();
     const bmr_mixed mixed = mixed_of(&s, 0.3, 0.125);
     bmr_mixed_tiling *tiling = NULL;
@@ -223,8 +212,7 @@ static void a_tiling_remembers_its_rotation(void **state) {
     scene_destroy(&s);
 }
 
-static void bad_arguments_and_no_memory_are_errors(void **state) {
-    (void)state;
+TEST(bad_arguments_and_no_memory_are_errors) {
     scene s = diamond_and_square();
     const bmr_mixed mixed = mixed_of(&s, 0.3, 0.0);
     bmr_mixed_tiling *tiling = NULL;
@@ -244,18 +232,4 @@ static void bad_arguments_and_no_memory_are_errors(void **state) {
     bmr_mixed_tiling_destroy(NULL, &heap.allocator);
     assert_true(heap.blocks == 0 && heap.wrong_sizes == 0);
     scene_destroy(&s);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_cells_are_those_drawn_by_hand),
-        cmocka_unit_test(a_small_turn_opens_parallelograms),
-        cmocka_unit_test(an_offset_moves_every_line_and_mitres_the_corners),
-        cmocka_unit_test(the_tiling_has_those_cells_and_their_neighbours),
-        cmocka_unit_test(what_is_no_cell_has_neither_sides_nor_height_nor_neighbours),
-        cmocka_unit_test(a_way_of_no_length_stays_and_one_that_passes_by_is_outside),
-        cmocka_unit_test(a_tiling_remembers_its_rotation),
-        cmocka_unit_test(bad_arguments_and_no_memory_are_errors),
-    };
-    return cmocka_run_group_tests(tests, make_compass, drop_compass);
 }

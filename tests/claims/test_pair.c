@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "boomerang/pair.h"
@@ -36,7 +32,7 @@ static void on_malloc(const volatile void *block, size_t size) {
 static void on_free(const volatile void *block) {
     (void)block;
 }
-static void count_allocations(void) {
+__attribute__((constructor)) static void count_allocations(void) {
     __sanitizer_install_malloc_and_free_hooks(on_malloc, on_free);
 }
 #else
@@ -55,7 +51,6 @@ void *realloc(void *block, size_t size) {
     ++allocations;
     return __libc_realloc(block, size);
 }
-static void count_allocations(void) {}
 #endif
 
 // --- shapes ---
@@ -125,8 +120,7 @@ static bmr_pose pose(double x, double y, double angle) {
 
 // --- the plain things ---
 
-static void a_pair_is_one_cache_line_and_starts_knowing_nothing(void **state) {
-    (void)state;
+TEST(a_pair_is_one_cache_line_and_starts_knowing_nothing) {
     bmr_pair pair;
     memset(&pair, 0xff, sizeof pair);
     bmr_pair_init(&pair);
@@ -140,8 +134,7 @@ static void a_pair_is_one_cache_line_and_starts_knowing_nothing(void **state) {
     assert_true(def.margin == 0.0 && def.hysteresis == 0.0);
 }
 
-static void every_name_is_its_own_and_nothing_else_has_one(void **state) {
-    (void)state;
+TEST(every_name_is_its_own_and_nothing_else_has_one) {
     FOR_EACH_STRUCTURE(i) {
         assert_non_null(bmr_structure_name(i));
         for (bmr_structure j = 0; j < i; ++j)
@@ -158,8 +151,7 @@ static void every_name_is_its_own_and_nothing_else_has_one(void **state) {
     assert_null(bmr_event_name(BMR_EVENT_KIND_COUNT));
 }
 
-static void a_pose_that_is_no_motion_answers_stab_and_does_no_harm(void **state) {
-    (void)state;
+TEST(a_pose_that_is_no_motion_answers_stab_and_does_no_harm) {
     const double bad[][4] = {{NAN, 0, 1, 0},      {0, NAN, 1, 0},       {9, 0, NAN, 0},      {9, 0, 1, NAN},
                              {INFINITY, 0, 1, 0}, {0, -INFINITY, 1, 0}, {9, 0, INFINITY, 0}, {9, 0, 0, 0},
                              {9, 0, 2, 0},        {9, 0, 0.9, 0}};
@@ -184,8 +176,7 @@ static void a_pose_that_is_no_motion_answers_stab_and_does_no_harm(void **state)
     }
 }
 
-static void far_poses_are_apart_up_to_the_largest_double(void **state) {
-    (void)state;
+TEST(far_poses_are_apart_up_to_the_largest_double) {
     FOR_EACH_STRUCTURE(s) {
         couple c;
         couple_make(&c, s, ellipse(20, 0.5, 0.0), box(1.0, 0.5));
@@ -200,8 +191,7 @@ static void far_poses_are_apart_up_to_the_largest_double(void **state) {
     }
 }
 
-static void identical_polygons_on_each_other_are_in_contact_and_part(void **state) {
-    (void)state;
+TEST(identical_polygons_on_each_other_are_in_contact_and_part) {
     FOR_EACH_STRUCTURE(s) {
         couple c;
         couple_make(&c, s, ellipse(33, 0.3, 1.0), ellipse(33, 0.3, 1.0));
@@ -214,8 +204,7 @@ static void identical_polygons_on_each_other_are_in_contact_and_part(void **stat
     }
 }
 
-static void points_and_segments_have_pairs_too(void **state) {
-    (void)state;
+TEST(points_and_segments_have_pairs_too) {
     const bmr_vec2 points[2] = {{-1.0, 0.0}, {1.0, 0.0}};
     FOR_EACH_STRUCTURE(s)
     for (size_t n = 1; n <= 2; ++n)
@@ -237,8 +226,7 @@ static void points_and_segments_have_pairs_too(void **state) {
         }
 }
 
-static void a_lazy_pair_without_hierarchies_is_a_free_direction(void **state) {
-    (void)state;
+TEST(a_lazy_pair_without_hierarchies_is_a_free_direction) {
     FOR_EACH_STRUCTURE(s) { // the same states and counts, event by event
         couple c, free;
         couple_make(&c, BMR_FREE_DIRECTION, box(1.0, 1.0), box(1.0, 1.0));
@@ -256,8 +244,7 @@ static void a_lazy_pair_without_hierarchies_is_a_free_direction(void **state) {
     }
 }
 
-static void contact_is_left_only_by_margin_and_hysteresis(void **state) {
-    (void)state;
+TEST(contact_is_left_only_by_margin_and_hysteresis) {
     FOR_EACH_STRUCTURE(s) {
         couple c;
         couple_make(&c, s, box(1.0, 1.0), box(1.0, 1.0));
@@ -276,8 +263,7 @@ static void contact_is_left_only_by_margin_and_hysteresis(void **state) {
     }
 }
 
-static void a_pair_does_not_allocate(void **state) {
-    (void)state;
+TEST(a_pair_does_not_allocate) {
     test_random random = {5};
     FOR_EACH_STRUCTURE(s) {
         couple c;
@@ -301,8 +287,7 @@ static void a_pair_does_not_allocate(void **state) {
     }
 }
 
-static void watching_changes_nothing_and_a_copy_goes_on_alike(void **state) {
-    (void)state;
+TEST(watching_changes_nothing_and_a_copy_goes_on_alike) {
     test_random random = {6};
     FOR_EACH_STRUCTURE(s) {
         couple c;
@@ -324,8 +309,7 @@ static void watching_changes_nothing_and_a_copy_goes_on_alike(void **state) {
 
 // --- flat on flat ---
 
-static void a_flat_box_sliding_on_a_flat_box_does_not_roll_each_step(void **state) {
-    (void)state;
+TEST(a_flat_box_sliding_on_a_flat_box_does_not_roll_each_step) {
     FOR_EACH_STRUCTURE(s) {
         couple c;
         couple_make(&c, s, box(10.0, 1.0), box(1.0, 1.0));
@@ -352,8 +336,7 @@ static void a_flat_box_sliding_on_a_flat_box_does_not_roll_each_step(void **stat
     }
 }
 
-static void spinning_far_apart_costs_nothing(void **state) {
-    (void)state;
+TEST(spinning_far_apart_costs_nothing) {
     FOR_EACH_STRUCTURE(s) {
         couple c;
         couple_make(&c, s, ellipse(64, 0.3, 0.0), ellipse(64, 0.3, 0.0));
@@ -394,8 +377,7 @@ static double events_of_a_pass(bmr_structure s, size_t n, double sigma, double w
     return events;
 }
 
-static void events_of_a_pass_grow_with_the_logarithm_of_its_nearness_and_not_with_n(void **state) {
-    (void)state;
+TEST(events_of_a_pass_grow_with_the_logarithm_of_its_nearness_and_not_with_n) {
     const size_t sizes[] = {64, 512, 4096};
     const double ways[] = {0.1, 1.3, 2.9, 4.4, 5.5, 6.1};
     FOR_EACH_STRUCTURE(s) {
@@ -437,8 +419,7 @@ static double events_of_an_orbit(bmr_structure s, size_t n, double sigma, double
 }
 
 /// The free direction's brackets reach to where a body turns: to either side alike.
-static void an_orbit_meets_as_many_events_backwards(void **state) {
-    (void)state;
+TEST(an_orbit_meets_as_many_events_backwards) {
     for (int spin = -1; spin <= 2; ++spin) {
         const double there = events_of_an_orbit(BMR_FREE_DIRECTION, 256, 2e-2, 1.0, spin),
                      back = events_of_an_orbit(BMR_FREE_DIRECTION, 256, 2e-2, -1.0, spin);
@@ -446,34 +427,11 @@ static void an_orbit_meets_as_many_events_backwards(void **state) {
     }
 }
 
-static void events_of_an_orbit_grow_with_the_square_root_of_its_nearness(void **state) {
-    (void)state;
+TEST(events_of_an_orbit_grow_with_the_square_root_of_its_nearness) {
     FOR_EACH_STRUCTURE(s) {
         const double far = events_of_an_orbit(s, 4096, 2e-1, 1.0, 0.0),
                      near = events_of_an_orbit(s, 4096, 2e-3, 1.0, 0.0);
         const double exponent = log(near / far) / log(100.0);
         assert_true(exponent > 0.3 && exponent < 0.6);
     }
-}
-
-int main(void) {
-    count_allocations();
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_pair_is_one_cache_line_and_starts_knowing_nothing),
-        cmocka_unit_test(every_name_is_its_own_and_nothing_else_has_one),
-        cmocka_unit_test(a_pose_that_is_no_motion_answers_stab_and_does_no_harm),
-        cmocka_unit_test(far_poses_are_apart_up_to_the_largest_double),
-        cmocka_unit_test(identical_polygons_on_each_other_are_in_contact_and_part),
-        cmocka_unit_test(points_and_segments_have_pairs_too),
-        cmocka_unit_test(a_lazy_pair_without_hierarchies_is_a_free_direction),
-        cmocka_unit_test(contact_is_left_only_by_margin_and_hysteresis),
-        cmocka_unit_test(a_pair_does_not_allocate),
-        cmocka_unit_test(watching_changes_nothing_and_a_copy_goes_on_alike),
-        cmocka_unit_test(a_flat_box_sliding_on_a_flat_box_does_not_roll_each_step),
-        cmocka_unit_test(spinning_far_apart_costs_nothing),
-        cmocka_unit_test(events_of_a_pass_grow_with_the_logarithm_of_its_nearness_and_not_with_n),
-        cmocka_unit_test(events_of_an_orbit_grow_with_the_square_root_of_its_nearness),
-        cmocka_unit_test(an_orbit_meets_as_many_events_backwards),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

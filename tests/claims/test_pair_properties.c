@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Random motions of random and hard shapes, all structures: every state is re-proved from scratch at every
 // step, and every answer is compared with the distance by another method.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "boomerang/pair.h"
@@ -132,20 +128,17 @@ static void run_motions(bmr_structure structure, size_t motions, size_t largest,
     }
 }
 
-static void every_answer_is_true_and_complete_and_every_state_re_proved(void **state) {
-    (void)state;
+TEST(every_answer_is_true_and_complete_and_every_state_re_proved) {
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
         run_motions((bmr_structure)structure, rounds(5600), 40, 100);
 }
 
-static void the_same_holds_for_up_to_4096_vertices(void **state) {
-    (void)state;
+TEST(the_same_holds_for_up_to_4096_vertices) {
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
         run_motions((bmr_structure)structure, rounds(80), 4096, 200);
 }
 
-static void the_brute_force_distance_agrees_with_all_pairs_of_edges(void **state) {
-    (void)state;
+TEST(the_brute_force_distance_agrees_with_all_pairs_of_edges) {
     test_random random = {300};
     size_t apart = 0, together = 0;
     for (size_t i = 0; i < rounds(2000); ++i) {
@@ -188,8 +181,7 @@ static void the_brute_force_distance_agrees_with_all_pairs_of_edges(void **state
 
 /// How often an answer that takes the certificate's line on trust, whatever way the other body has turned, is
 /// wrong.
-static void a_checker_without_the_bracket_is_caught(void **state) {
-    (void)state;
+TEST(a_checker_without_the_bracket_is_caught) {
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
         test_random random = {400};
         size_t lies = 0;
@@ -216,8 +208,7 @@ static void a_checker_without_the_bracket_is_caught(void **state) {
     }
 }
 
-static void the_audit_rejects_a_tampered_pair(void **state) {
-    (void)state;
+TEST(the_audit_rejects_a_tampered_pair) {
     size_t tampered[7] = {0};
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
         test_random random = {500};
@@ -299,15 +290,4 @@ static void the_audit_rejects_a_tampered_pair(void **state) {
     }
     for (size_t i = 0; i < sizeof tampered / sizeof *tampered; ++i)
         assert_true(tampered[i] > 100);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_brute_force_distance_agrees_with_all_pairs_of_edges),
-        cmocka_unit_test(every_answer_is_true_and_complete_and_every_state_re_proved),
-        cmocka_unit_test(the_same_holds_for_up_to_4096_vertices),
-        cmocka_unit_test(a_checker_without_the_bracket_is_caught),
-        cmocka_unit_test(the_audit_rejects_a_tampered_pair),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

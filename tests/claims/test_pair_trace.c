@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // One pass of one pair, event by event: each is checked against the geometry that gives it its name.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "boomerang/pair.h"
@@ -75,12 +71,12 @@ static void check_event(void *context, const bmr_event *event) {
     double gap = 0.0;
     ++t->seen[event->kind];
     if (t->shown && now->state == BMR_PAIR_APART && now->level != BMR_LEVEL_DISKS)
-        print_message("    %-8s level %2d -> %2d  %c's %3u faces %3u|%-3u gap %.2e\n",
-                      bmr_event_name(event->kind), event->level_before, event->level_after,
-                      now->owner == 0 ? 'A' : 'B', now->edge, now->other, now->other_after, event->gap);
+        printf("    %-8s level %2d -> %2d  %c's %3u faces %3u|%-3u gap %.2e\n", bmr_event_name(event->kind),
+               event->level_before, event->level_after, now->owner == 0 ? 'A' : 'B', now->edge, now->other,
+               now->other_after, event->gap);
     else if (t->shown)
-        print_message("    %-8s level %2d -> %2d\n", bmr_event_name(event->kind), event->level_before,
-                      event->level_after);
+        printf("    %-8s level %2d -> %2d\n", bmr_event_name(event->kind), event->level_before,
+               event->level_after);
     // Whatever happened, a pair that is apart holds a proof at this pose, of the gap that is reported.
     if (now->state == BMR_PAIR_APART) {
         assert_int_equal(event->level_after, now->level);
@@ -127,7 +123,7 @@ static void check_event(void *context, const bmr_event *event) {
         break;
     case BMR_EVENT_KIND_COUNT:
     default:
-        fail();
+        fail_msg("not to be reached");
     }
     t->before = *now;
     t->gap = event->gap;
@@ -169,12 +165,11 @@ static bmr_pose pass(int i) {
     return q;
 }
 
-static void every_event_of_a_pass_is_what_its_name_says(void **state) {
-    (void)state;
+TEST(every_event_of_a_pass_is_what_its_name_says) {
     for (bmr_structure s = 0; s < BMR_STRUCTURE_COUNT; ++s) {
         trace t;
         begin(&t, s, true);
-        print_message("  %s\n", bmr_structure_name(s));
+        printf("  %s\n", bmr_structure_name(s));
         bmr_counters counters = {0};
         const bmr_observer observer = {&counters, check_event, &t};
         for (int i = 0; i <= STEPS; ++i) {
@@ -193,8 +188,7 @@ static void every_event_of_a_pass_is_what_its_name_says(void **state) {
 }
 
 /// The control: the checks above do tell one event from another.
-static void levels_that_are_apart_do_not_pass_for_touching(void **state) {
-    (void)state;
+TEST(levels_that_are_apart_do_not_pass_for_touching) {
     trace t;
     begin(&t, BMR_LAZY_COMPASS, false);
     size_t separate = 0, touching = 0;
@@ -211,12 +205,4 @@ static void levels_that_are_apart_do_not_pass_for_touching(void **state) {
     }
     assert_true(separate > 50 && touching > 50);
     end(&t);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_event_of_a_pass_is_what_its_name_says),
-        cmocka_unit_test(levels_that_are_apart_do_not_pass_for_touching),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "boomerang/pair.h"
@@ -52,8 +48,7 @@ static size_t one_by_one(const world *w, double margin, size_t *failed) {
     return count;
 }
 
-static void it_finds_the_pairs_that_one_check_after_the_other_finds(void **state) {
-    (void)state;
+TEST(it_finds_the_pairs_that_one_check_after_the_other_finds) {
     test_random random = {9};
     world w;
     world_make(&w, &random);
@@ -89,8 +84,7 @@ static void it_finds_the_pairs_that_one_check_after_the_other_finds(void **state
     bmr_polygon_destroy(w.polygon, NULL);
 }
 
-static void bad_arguments_are_told_and_touch_no_count(void **state) {
-    (void)state;
+TEST(bad_arguments_are_told_and_touch_no_count) {
     test_random random = {9};
     world w;
     world_make(&w, &random);
@@ -115,12 +109,4 @@ static void bad_arguments_are_told_and_touch_no_count(void **state) {
     assert_int_equal(bmr_pairs_check(w.pairs, w.bodies, 0, w.poses, 0, 0.0, failed, &count), BMR_OK);
     assert_int_equal(count, 0);
     bmr_polygon_destroy(w.polygon, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_finds_the_pairs_that_one_check_after_the_other_finds),
-        cmocka_unit_test(bad_arguments_are_told_and_touch_no_count),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

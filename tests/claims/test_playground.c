@@ -2,14 +2,10 @@
 // What the playground's page draws, counts and says, without a page: pictures are true of the bodies, and
 // counts are those of simulations that were made another way.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/simulation.h"
 #include "draw.h"
@@ -52,8 +48,7 @@ static void hold(play_page *page, int body, const bmr_pose *pose) {
 
 // ---- the lesson ----
 
-static void the_lesson_begins_with_a_push_a_roll_and_a_stab(void **state) {
-    (void)state;
+TEST(the_lesson_begins_with_a_push_a_roll_and_a_stab) {
     play_page *page = open_page();
     assert_int_equal(play_use_lesson(page, structure("lazy-dudley")), 0);
     const double *marks = play_marks(page, 0);
@@ -114,8 +109,7 @@ static void count_at_once(const bmr_kds_info *info, int n, uint64_t counts[BMR_K
     }
 }
 
-static void a_hand_s_counts_are_those_of_one_run_along_the_same_way(void **state) {
-    (void)state;
+TEST(a_hand_s_counts_are_those_of_one_run_along_the_same_way) {
     const char *const names[] = {"lazy-dudley", "free-fd2", "active-cell-compass"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
         play_page *page = by_hand(names[i], 14);
@@ -137,8 +131,7 @@ static void a_hand_s_counts_are_those_of_one_run_along_the_same_way(void **state
     }
 }
 
-static void a_course_has_the_same_events_however_it_is_played(void **state) {
-    (void)state;
+TEST(a_course_has_the_same_events_however_it_is_played) {
     play_page *page = open_page();
     assert_int_equal(play_set_outline(page, 0, BMR_OUTLINE_ELLIPSE, 24, 1), 0);
     assert_int_equal(play_set_outline(page, 1, BMR_OUTLINE_LENS, 24, 2), 0);
@@ -163,8 +156,7 @@ static void a_course_has_the_same_events_however_it_is_played(void **state) {
     play_close(page);
 }
 
-static void what_a_hand_does_for_long_is_forgotten_and_its_counts_are_not(void **state) {
-    (void)state;
+TEST(what_a_hand_does_for_long_is_forgotten_and_its_counts_are_not) {
     play_page *page = by_hand("lazy-dudley", 8);
     double before = 0.0;
     for (int k = 0; k < 4500; ++k) {
@@ -243,8 +235,7 @@ static bool separates(const item *a, const item *b, const item *line, double shi
     return (high[0] <= slop && low[1] >= -slop) || (high[1] <= slop && low[0] >= -slop);
 }
 
-static void the_line_that_is_drawn_separates_what_is_drawn(void **state) {
-    (void)state;
+TEST(the_line_that_is_drawn_separates_what_is_drawn) {
     for (int i = 0; i < play_structure_count(); ++i) {
         if (!play_structure_is_offered(i) || play_structure_role(i) == BMR_KDS_RIVAL) // their lines move
             continue;
@@ -272,8 +263,7 @@ static void the_line_that_is_drawn_separates_what_is_drawn(void **state) {
     }
 }
 
-static void envelopes_that_are_drawn_hold_their_body(void **state) {
-    (void)state;
+TEST(envelopes_that_are_drawn_hold_their_body) {
     play_page *page = by_hand("lazy-dudley", 20);
     const int numbers = play_draw(page, PLAY_PICTURE_DUEL, PLAY_ALL_LEVELS);
     item a, envelope;
@@ -324,8 +314,7 @@ static double top_area(const play_page *page) {
     return w[0] * h[0] + w[1] * h[1] + w[0] * (w[1] * s + h[1] * c) + h[0] * (w[1] * c + h[1] * s);
 }
 
-static void the_cells_that_are_drawn_tile_the_places_of_b_and_x_is_in_its_own(void **state) {
-    (void)state;
+TEST(the_cells_that_are_drawn_tile_the_places_of_b_and_x_is_in_its_own) {
     play_page *page = by_hand("active-cell-dudley", 6);
     int inside = 0;
     for (int k = 1; k <= HOLDS; ++k) {
@@ -351,8 +340,7 @@ static void the_cells_that_are_drawn_tile_the_places_of_b_and_x_is_in_its_own(vo
 
 // ---- many bodies ----
 
-static void a_crowd_keeps_its_energy_until_it_is_kicked(void **state) {
-    (void)state;
+TEST(a_crowd_keeps_its_energy_until_it_is_kicked) {
     play_page *page = open_page();
     assert_int_equal(play_use_crowd(page, structure("free-fd2"), 40, 7, 0.3, 5), 0);
     for (int i = 0; i < 60; ++i)
@@ -377,8 +365,7 @@ static void a_crowd_keeps_its_energy_until_it_is_kicked(void **state) {
 
 // ---- words ----
 
-static void the_words_say_what_is(void **state) {
-    (void)state;
+TEST(the_words_say_what_is) {
     play_page *page = by_hand("lazy-dudley", 12);
     assert_non_null(strstr(play_text(page, PLAY_TEXT_PROOF), "level 0 of"));
     assert_non_null(strstr(play_text(page, PLAY_TEXT_EVENT), "No event yet"));
@@ -404,8 +391,7 @@ static void the_words_say_what_is(void **state) {
 
 // ---- what makes no sense ----
 
-static void bad_numbers_are_refused_or_change_nothing(void **state) {
-    (void)state;
+TEST(bad_numbers_are_refused_or_change_nothing) {
     play_page *page = open_page();
     assert_int_equal(play_use_hand(page, structure("lazy-dudley"), 0, 0, 0, 2, 0, 0), BMR_ERROR_OUT_OF_RANGE);
     assert_int_equal(play_draw(page, PLAY_PICTURE_DUEL, 0), 0);
@@ -442,20 +428,4 @@ static void bad_numbers_are_refused_or_change_nothing(void **state) {
     assert_int_equal(play_use_hand(page, structure("lazy-dudley"), 0, 0, 0, 2, 0, 0), 0);
     assert_true(play_place(page, 1, 4) == 3.0);
     play_close(page);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_lesson_begins_with_a_push_a_roll_and_a_stab),
-        cmocka_unit_test(a_hand_s_counts_are_those_of_one_run_along_the_same_way),
-        cmocka_unit_test(a_course_has_the_same_events_however_it_is_played),
-        cmocka_unit_test(what_a_hand_does_for_long_is_forgotten_and_its_counts_are_not),
-        cmocka_unit_test(the_line_that_is_drawn_separates_what_is_drawn),
-        cmocka_unit_test(envelopes_that_are_drawn_hold_their_body),
-        cmocka_unit_test(the_cells_that_are_drawn_tile_the_places_of_b_and_x_is_in_its_own),
-        cmocka_unit_test(a_crowd_keeps_its_energy_until_it_is_kicked),
-        cmocka_unit_test(the_words_say_what_is),
-        cmocka_unit_test(bad_numbers_are_refused_or_change_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

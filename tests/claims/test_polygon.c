@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "boomerang/polygon.h"
@@ -19,8 +15,7 @@
 static bmr_polygon untouched;
 #define UNTOUCHED (&untouched)
 
-static void each_error_has_its_own_sentence(void **state) {
-    (void)state;
+TEST(each_error_has_its_own_sentence) {
     for (int i = 0; i < BMR_ERROR_COUNT; ++i) {
         const char *text = bmr_error_describe((bmr_error)i);
         assert_non_null(text);
@@ -50,8 +45,7 @@ static void assert_vertices(const bmr_polygon *polygon, const bmr_vec2 *expected
     }
 }
 
-static void hull_drops_inner_collinear_and_equal_points(void **state) {
-    (void)state;
+TEST(hull_drops_inner_collinear_and_equal_points) {
     const bmr_vec2 points[] = {{1, 1}, {0, 0}, {2, 0}, {1, 0},      {2, 2}, {0, 2},
                                {0, 1}, {2, 1}, {0, 0}, {-0.0, 0.0}, {1, 2}};
     const bmr_vec2 expected[] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
@@ -60,8 +54,7 @@ static void hull_drops_inner_collinear_and_equal_points(void **state) {
     bmr_polygon_destroy(polygon, NULL);
 }
 
-static void hull_of_one_place_is_a_point_and_of_a_line_a_segment(void **state) {
-    (void)state;
+TEST(hull_of_one_place_is_a_point_and_of_a_line_a_segment) {
     const bmr_vec2 same[] = {{3, -4}, {3, -4}, {3, -4}};
     bmr_polygon *polygon = hull_of(same, 3);
     assert_vertices(polygon, same, 1);
@@ -74,8 +67,7 @@ static void hull_of_one_place_is_a_point_and_of_a_line_a_segment(void **state) {
     bmr_polygon_destroy(polygon, NULL);
 }
 
-static void hull_keeps_a_vertex_that_sticks_out_by_one_ulp_and_drops_one_that_does_not(void **state) {
-    (void)state;
+TEST(hull_keeps_a_vertex_that_sticks_out_by_one_ulp_and_drops_one_that_does_not) {
     const double y = 0.5, out = nextafter(y, 0.0), in = nextafter(y, 1.0);
     const bmr_vec2 sticks_out[] = {{0, 0.0}, {1, 1}, {0.5, out}, {0, 1}};
     bmr_polygon *polygon = hull_of(sticks_out, 4);
@@ -90,8 +82,7 @@ static void hull_keeps_a_vertex_that_sticks_out_by_one_ulp_and_drops_one_that_do
     }
 }
 
-static void hull_does_not_depend_on_the_order_of_the_points(void **state) {
-    (void)state;
+TEST(hull_does_not_depend_on_the_order_of_the_points) {
     test_random random = {11};
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family) {
         bmr_vec2 points[112];
@@ -124,8 +115,7 @@ static void assert_refused(const bmr_vec2 *points, size_t count, bmr_error expec
     }
 }
 
-static void bad_points_are_refused_and_leave_the_output_alone(void **state) {
-    (void)state;
+TEST(bad_points_are_refused_and_leave_the_output_alone) {
     bmr_vec2 square[4];
     test_box_points(1.0, 1.0, square);
     assert_refused(square, 0, BMR_ERROR_NO_POINTS);
@@ -149,8 +139,7 @@ static void bad_points_are_refused_and_leave_the_output_alone(void **state) {
     assert_refused(too_short, 2, BMR_ERROR_OUT_OF_RANGE);
 }
 
-static void more_than_65535_points_are_refused_and_65535_are_not(void **state) {
-    (void)state;
+TEST(more_than_65535_points_are_refused_and_65535_are_not) {
     bmr_vec2 *points = malloc(65536 * sizeof *points);
     assert_non_null(points);
     test_regular_points(65536, 1.0, 0.0, points);
@@ -162,8 +151,7 @@ static void more_than_65535_points_are_refused_and_65535_are_not(void **state) {
     free(points);
 }
 
-static void the_range_is_accepted_up_to_its_ends(void **state) {
-    (void)state;
+TEST(the_range_is_accepted_up_to_its_ends) {
     const bmr_vec2 large[] = {{-1e9, -1e9}, {1e9, -1e9}, {1e9, 1e9}},
                    small[] = {{0, 0}, {1e-9, 0}, {0, 1e-9}};
     bmr_polygon *polygon = hull_of(large, 3);
@@ -172,8 +160,7 @@ static void the_range_is_accepted_up_to_its_ends(void **state) {
     bmr_polygon_destroy(polygon, NULL);
 }
 
-static void a_copy_is_one_block_that_equals_the_original(void **state) {
-    (void)state;
+TEST(a_copy_is_one_block_that_equals_the_original) {
     bmr_vec2 points[64];
     test_regular_points(64, 1.0, 0.1, points);
     bmr_polygon *polygon = NULL, *copy = NULL;
@@ -190,8 +177,7 @@ static void a_copy_is_one_block_that_equals_the_original(void **state) {
     assert_null(copy);
 }
 
-static void every_failing_allocation_is_reported_and_nothing_leaks(void **state) {
-    (void)state;
+TEST(every_failing_allocation_is_reported_and_nothing_leaks) {
     bmr_vec2 points[64];
     test_regular_points(64, 1.0, 0.1, points);
     for (size_t i = 0; i < COUNT_OF(creators); ++i) {
@@ -215,16 +201,14 @@ static void every_failing_allocation_is_reported_and_nothing_leaks(void **state)
     bmr_polygon_destroy(NULL, NULL);
 }
 
-static void a_block_takes_16_bytes_a_vertex_and_64_more_at_most(void **state) {
-    (void)state;
+TEST(a_block_takes_16_bytes_a_vertex_and_64_more_at_most) {
     for (size_t n = 1; n <= 65535; n = 2 * n + 1)
         assert_true(bmr_polygon_bytes(n) <= 16 * n + 64);
 }
 
 // --- audit ---
 
-static void audit_refuses_what_is_not_strictly_convex(void **state) {
-    (void)state;
+TEST(audit_refuses_what_is_not_strictly_convex) {
     const bmr_vec2 clockwise[] = {{0, 0}, {0, 1}, {1, 0}};
     const bmr_vec2 collinear[] = {{0, 0}, {1, 0}, {2, 0}, {0, 2}};
     const bmr_vec2 dented[] = {{0, 0}, {2, 0}, {1, 0.5}, {0, 2}};
@@ -250,8 +234,7 @@ static void audit_refuses_what_is_not_strictly_convex(void **state) {
     assert_int_equal(bmr_polygon_audit(NULL), BMR_ERROR_NULL_ARGUMENT);
 }
 
-static void audit_refuses_wrong_measures(void **state) {
-    (void)state;
+TEST(audit_refuses_wrong_measures) {
     bmr_vec2 points[16];
     test_regular_points(16, 1.0, 0.1, points);
     bmr_polygon *polygon = hull_of(points, 16);
@@ -274,23 +257,4 @@ static void audit_refuses_wrong_measures(void **state) {
     ((bmr_vec2 *)(polygon + 1))[3].x = NAN; // the vertices lie in the same block
     assert_int_equal(bmr_polygon_audit(polygon), BMR_ERROR_NOT_FINITE);
     bmr_polygon_destroy(polygon, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_error_has_its_own_sentence),
-        cmocka_unit_test(hull_drops_inner_collinear_and_equal_points),
-        cmocka_unit_test(hull_of_one_place_is_a_point_and_of_a_line_a_segment),
-        cmocka_unit_test(hull_keeps_a_vertex_that_sticks_out_by_one_ulp_and_drops_one_that_does_not),
-        cmocka_unit_test(hull_does_not_depend_on_the_order_of_the_points),
-        cmocka_unit_test(bad_points_are_refused_and_leave_the_output_alone),
-        cmocka_unit_test(more_than_65535_points_are_refused_and_65535_are_not),
-        cmocka_unit_test(the_range_is_accepted_up_to_its_ends),
-        cmocka_unit_test(a_copy_is_one_block_that_equals_the_original),
-        cmocka_unit_test(every_failing_allocation_is_reported_and_nothing_leaks),
-        cmocka_unit_test(a_block_takes_16_bytes_a_vertex_and_64_more_at_most),
-        cmocka_unit_test(audit_refuses_what_is_not_strictly_convex),
-        cmocka_unit_test(audit_refuses_wrong_measures),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

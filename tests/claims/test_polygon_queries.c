@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "boomerang/polygon.h"
@@ -52,8 +48,7 @@ static bmr_vec2 random_direction(const bmr_polygon *p, test_random *random) {
     }
 }
 
-static void support_is_a_farthest_vertex_from_scratch_and_from_any_hint(void **state) {
-    (void)state;
+TEST(support_is_a_farthest_vertex_from_scratch_and_from_any_hint) {
     test_random random = {13};
     size_t controls = 0, rejected = 0;
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
@@ -73,8 +68,7 @@ static void support_is_a_farthest_vertex_from_scratch_and_from_any_hint(void **s
     assert_true(rejected * 10 > controls * 8);
 }
 
-static void support_of_a_tie_is_the_counter_clockwise_first(void **state) {
-    (void)state;
+TEST(support_of_a_tie_is_the_counter_clockwise_first) {
     bmr_vec2 points[4];
     test_box_points(2.0, 1.0, points);
     bmr_polygon *box = hull_of(points, 4);
@@ -95,8 +89,7 @@ static void support_of_a_tie_is_the_counter_clockwise_first(void **state) {
     bmr_polygon_destroy(segment, NULL);
 }
 
-static void support_across_a_level_segment_is_the_start_of_the_side_it_faces(void **state) {
-    (void)state;
+TEST(support_across_a_level_segment_is_the_start_of_the_side_it_faces) {
     const bmr_vec2 level[] = {{0, 0}, {2, 0}}, upright[] = {{0, 0}, {0, 2}};
     bmr_polygon *p = hull_of(level, 2), *q = hull_of(upright, 2);
     assert_int_equal(bmr_polygon_support(p, bmr_vec2_make(0, -1)), 0);
@@ -108,8 +101,7 @@ static void support_across_a_level_segment_is_the_start_of_the_side_it_faces(voi
 }
 
 /// Products with such edges underflow: a search that took them for level would end there.
-static void edges_of_denormal_length_hide_no_vertex_behind_them(void **state) {
-    (void)state;
+TEST(edges_of_denormal_length_hide_no_vertex_behind_them) {
     const double least = 4.9406564584124654e-324;
     const bmr_vec2 points[] = {{-least, 0}, {least, 0}, {1e-260, 1e-290},
                                {3.5, 0.75}, {2.5, 2},   {-0.2, 0.14}};
@@ -138,8 +130,7 @@ static void edges_of_denormal_length_hide_no_vertex_behind_them(void **state) {
     }
 }
 
-static void a_direction_that_is_none_gives_the_hint_back(void **state) {
-    (void)state;
+TEST(a_direction_that_is_none_gives_the_hint_back) {
     bmr_vec2 points[7];
     test_regular_points(7, 1.0, 0.0, points);
     bmr_polygon *p = hull_of(points, 7);
@@ -166,8 +157,7 @@ static uint32_t naive_climb(const bmr_polygon *p, bmr_vec2 d, uint32_t i) {
     }
 }
 
-static void a_climb_does_not_get_stuck_where_the_bottom_is_flat_up_to_rounding(void **state) {
-    (void)state;
+TEST(a_climb_does_not_get_stuck_where_the_bottom_is_flat_up_to_rounding) {
     test_random random = {17};
     size_t stuck = 0, tried = 0;
     for (size_t round = 0; round < rounds(20000); ++round) {
@@ -188,8 +178,7 @@ static void a_climb_does_not_get_stuck_where_the_bottom_is_flat_up_to_rounding(v
     assert_true(stuck > 0); // control: a climb that believes its neighbours does get stuck here
 }
 
-static void normals_have_unit_length_and_point_outwards(void **state) {
-    (void)state;
+TEST(normals_have_unit_length_and_point_outwards) {
     test_random random = {19};
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family) {
         bmr_polygon *p = test_polygon((test_family)family, 50, &random);
@@ -219,8 +208,7 @@ static bool contains_by_all_edges(const bmr_polygon *p, bmr_vec2 x) {
     return true;
 }
 
-static void contains_agrees_with_every_edge_of_the_polygon(void **state) {
-    (void)state;
+TEST(contains_agrees_with_every_edge_of_the_polygon) {
     test_random random = {23};
     size_t inside = 0, outside = 0;
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
@@ -243,8 +231,7 @@ static void contains_agrees_with_every_edge_of_the_polygon(void **state) {
     assert_true(inside > 100 && outside > 100); // control: both answers occur
 }
 
-static void contains_takes_the_tolerance_from_every_edge(void **state) {
-    (void)state;
+TEST(contains_takes_the_tolerance_from_every_edge) {
     bmr_vec2 points[4];
     test_box_points(1.0, 1.0, points);
     bmr_polygon *p = hull_of(points, 4);
@@ -263,8 +250,7 @@ static void contains_takes_the_tolerance_from_every_edge(void **state) {
     bmr_polygon_destroy(p, NULL);
 }
 
-static void the_bounding_disk_holds_all_and_is_no_larger_than_jung_allows(void **state) {
-    (void)state;
+TEST(the_bounding_disk_holds_all_and_is_no_larger_than_jung_allows) {
     test_random random = {29};
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
         for (size_t n = 3; n < 400; n = 2 * n + 1) {
@@ -281,20 +267,4 @@ static void the_bounding_disk_holds_all_and_is_no_larger_than_jung_allows(void *
             assert_true(p->radius <= diameter / sqrt(3.0) * (1.0 + 1e-12));
             bmr_polygon_destroy(p, NULL);
         }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(support_is_a_farthest_vertex_from_scratch_and_from_any_hint),
-        cmocka_unit_test(support_of_a_tie_is_the_counter_clockwise_first),
-        cmocka_unit_test(support_across_a_level_segment_is_the_start_of_the_side_it_faces),
-        cmocka_unit_test(edges_of_denormal_length_hide_no_vertex_behind_them),
-        cmocka_unit_test(a_direction_that_is_none_gives_the_hint_back),
-        cmocka_unit_test(a_climb_does_not_get_stuck_where_the_bottom_is_flat_up_to_rounding),
-        cmocka_unit_test(normals_have_unit_length_and_point_outwards),
-        cmocka_unit_test(contains_agrees_with_every_edge_of_the_polygon),
-        cmocka_unit_test(contains_takes_the_tolerance_from_every_edge),
-        cmocka_unit_test(the_bounding_disk_holds_all_and_is_no_larger_than_jung_allows),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

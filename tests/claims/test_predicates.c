@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 
 #include "geometry/predicates.h"
@@ -33,8 +29,7 @@ static int wrong_signs_near_diagonal(orientation_function orientation, double sc
     return wrong;
 }
 
-static void orientation_is_exact_where_rounding_decides(void **state) {
-    (void)state;
+TEST(orientation_is_exact_where_rounding_decides) {
     // 2^-1000 and 2^1000 make every product underflow or overflow.
     const double scales[] = {1.0, 0x1p25, 0x1p-200, 0x1p-1000, 0x1p1000};
     for (size_t i = 0; i < COUNT_OF(scales); ++i)
@@ -43,8 +38,7 @@ static void orientation_is_exact_where_rounding_decides(void **state) {
     assert_true(wrong_signs_near_diagonal(naive_orientation, 1.0) > 100);
 }
 
-static void orientation_sees_denormals(void **state) {
-    (void)state;
+TEST(orientation_sees_denormals) {
     const double tiny = 0x1p-1074;
     const bmr_vec2 o = {0.0, 0.0}, far = {1.0, 1.0};
     assert_int_equal(bmr_orientation(o, far, bmr_vec2_make(tiny, 2.0 * tiny)), 1);
@@ -55,8 +49,7 @@ static void orientation_sees_denormals(void **state) {
     assert_int_equal(naive_orientation(bmr_vec2_make(tiny, 0.0), bmr_vec2_make(0.0, tiny), o), 0); // control
 }
 
-static void orientation_is_cyclic_and_antisymmetric(void **state) {
-    (void)state;
+TEST(orientation_is_cyclic_and_antisymmetric) {
     test_random random = {7};
     for (size_t round = 0; round < test_scaled(20000); ++round) {
         bmr_vec2 p[3];
@@ -71,13 +64,4 @@ static void orientation_is_cyclic_and_antisymmetric(void **state) {
         assert_int_equal(o, -bmr_orientation(p[1], p[0], p[2]));
         assert_int_equal(bmr_orientation(p[0], p[1], p[1]), 0);
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(orientation_is_exact_where_rounding_decides),
-        cmocka_unit_test(orientation_sees_denormals),
-        cmocka_unit_test(orientation_is_cyclic_and_antisymmetric),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

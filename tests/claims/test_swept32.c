@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is promised of shapes in motion is held against the motion itself, step by step in double precision;
 // and the form of these files without SSE2 against the one with it.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include <fenv.h>
 #include <float.h>
@@ -196,8 +192,7 @@ static tally hold_against_motion(size_t rounds, float way, float turn, double mo
     return t;
 }
 
-static void what_is_apart_stays_so_all_the_way(void **unused) {
-    (void)unused;
+TEST(what_is_apart_stays_so_all_the_way) {
     const struct {
         float way, turn;
         double more; // the fixed direction is less than the best one the more they turn
@@ -215,8 +210,7 @@ static void what_is_apart_stays_so_all_the_way(void **unused) {
     }
 }
 
-static void what_is_near_at_rest_is_known_to_be(void **unused) {
-    (void)unused;
+TEST(what_is_near_at_rest_is_known_to_be) {
     const bmr_vec32 none = {0.0f, 0.0f};
     for (int i = -8; i < 32; ++i) {
         const float distance = 0.0625f * (float)i;
@@ -231,8 +225,7 @@ static void what_is_near_at_rest_is_known_to_be(void **unused) {
     }
 }
 
-static void both_ends_and_the_arc_between_are_looked_at(void **unused) {
-    (void)unused;
+TEST(both_ends_and_the_arc_between_are_looked_at) {
     const bmr_vec32 none = {0.0f, 0.0f}, near_by = {2.1f, 0.0f}, beyond = {-2.1f, 0.0f};
     const mover a = place(square(1.0f), none, none, none, 0.0f, 0.0f);
     const bmr_swept32 sa = swept(&a);
@@ -258,8 +251,7 @@ static void both_ends_and_the_arc_between_are_looked_at(void **unused) {
     }
 }
 
-static void a_direction_that_holds_is_kept_and_one_that_does_not_is_replaced(void **unused) {
-    (void)unused;
+TEST(a_direction_that_holds_is_kept_and_one_that_does_not_is_replaced) {
     const bmr_vec32 none = {0.0f, 0.0f}, at = {3.0f, 0.0f};
     const mover a = place(square(1.0f), none, none, none, 0.0f, 0.0f),
                 b = place(square(1.0f), none, at, at, 0.0f, 0.0f);
@@ -275,8 +267,7 @@ static void a_direction_that_holds_is_kept_and_one_that_does_not_is_replaced(voi
     assert_true(n.x == 0.0f && n.y == 1.0f);
 }
 
-static void a_shape_is_measured(void **unused) {
-    (void)unused;
+TEST(a_shape_is_measured) {
     const outline o = {{{1.0f, 1.0f}, {4.0f, 1.0f}, {4.0f, 5.0f}}, 3};
     const bmr_vec32 center = {1.0f, 1.0f}, start = {7.0f, 8.0f}, end = {5.0f, 8.5f};
     const bmr_motion32 quarter = {center, start, end, 1.0f, 0.0f, 0.5f};
@@ -297,8 +288,7 @@ static bool usual(const bmr_swept32 *s) {
     return s->radius <= FLT_MAX;
 }
 
-static void what_is_no_number_is_unknown(void **unused) {
-    (void)unused;
+TEST(what_is_no_number_is_unknown) {
     const float bad[] = {NAN, INFINITY, -INFINITY};
     for (size_t i = 0; i < 3; ++i)
         for (int32_t count = 1; count <= MOST; ++count)
@@ -328,8 +318,7 @@ static void what_is_no_number_is_unknown(void **unused) {
             }
 }
 
-static void nothing_past_count_is_computed_with(void **unused) {
-    (void)unused;
+TEST(nothing_past_count_is_computed_with) {
     const bmr_vec32 none = {0.0f, 0.0f};
     const bmr_transform32 still = {{0.0f, 0.0f}, 0.6f, 0.8f};
     size_t raised = 0;
@@ -361,8 +350,7 @@ static void nothing_past_count_is_computed_with(void **unused) {
     assert_true(fetestexcept(FE_INVALID) != 0);
 }
 
-static void what_lies_on_one_point_is_divided_by_nothing(void **unused) {
-    (void)unused;
+TEST(what_lies_on_one_point_is_divided_by_nothing) {
     const bmr_vec32 none = {0.0f, 0.0f};
     for (int32_t count = 1; count <= MOST; ++count) {
         outline o = random_outline();
@@ -382,8 +370,7 @@ static void what_lies_on_one_point_is_divided_by_nothing(void **unused) {
     }
 }
 
-static void a_posed_gap_is_the_distance_along_its_direction(void **unused) {
-    (void)unused;
+TEST(a_posed_gap_is_the_distance_along_its_direction) {
     const bmr_vec32 none = {0.0f, 0.0f};
     size_t wrong = 0, told_from_its_reverse = 0;
     for (size_t round = 0; round < test_scaled(20000); ++round) {
@@ -408,8 +395,7 @@ static void a_posed_gap_is_the_distance_along_its_direction(void **unused) {
     assert_true(told_from_its_reverse > 0); // the control
 }
 
-static void a_depth_is_the_least_distance_from_a_side(void **unused) {
-    (void)unused;
+TEST(a_depth_is_the_least_distance_from_a_side) {
     const bmr_vec32 corners[MOST] = {{2.0f, -1.0f}, {2.0f, 1.0f}, {-2.0f, 1.0f}, {-2.0f, -1.0f}};
     const bmr_vec32 normals[MOST] = {{1.0f, 0.0f}, {0.0f, 1.0f}, {-1.0f, 0.0f}, {0.0f, -1.0f}};
     const bmr_polygon32 box = {corners, normals, 4};
@@ -496,14 +482,12 @@ static void make_open(bmr_swept32 *shape, const bmr_vec32 *points, int32_t count
     }
 }
 
-static void both_forms_give_the_same(void **unused) {
-    (void)unused;
+TEST(both_forms_give_the_same) {
     assert_int_equal(compare_forms(test_scaled(100000), test_plain_swept32_make), 0);
     assert_true(compare_forms(1000, make_open) > 100); // the control
 }
 
-static void both_forms_notice_what_is_no_number(void **unused) {
-    (void)unused;
+TEST(both_forms_notice_what_is_no_number) {
     const bmr_vec32 none = {0.0f, 0.0f};
     const bmr_transform32 still = {{0.0f, 0.0f}, 0.6f, 0.8f};
     const float bad[] = {NAN, INFINITY, -INFINITY, 1e30f};
@@ -534,22 +518,4 @@ static void both_forms_notice_what_is_no_number(void **unused) {
         assert_true(bmr_points32_reach(a.shape.points, a.shape.count) ==
                     test_plain_points32_reach(a.shape.points, a.shape.count));
     }
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_apart_stays_so_all_the_way),
-        cmocka_unit_test(what_is_near_at_rest_is_known_to_be),
-        cmocka_unit_test(both_ends_and_the_arc_between_are_looked_at),
-        cmocka_unit_test(a_direction_that_holds_is_kept_and_one_that_does_not_is_replaced),
-        cmocka_unit_test(a_shape_is_measured),
-        cmocka_unit_test(what_is_no_number_is_unknown),
-        cmocka_unit_test(nothing_past_count_is_computed_with),
-        cmocka_unit_test(what_lies_on_one_point_is_divided_by_nothing),
-        cmocka_unit_test(a_posed_gap_is_the_distance_along_its_direction),
-        cmocka_unit_test(a_depth_is_the_least_distance_from_a_side),
-        cmocka_unit_test(both_forms_give_the_same),
-        cmocka_unit_test(both_forms_notice_what_is_no_number),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

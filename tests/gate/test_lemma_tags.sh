@@ -63,7 +63,8 @@ tags() {
         }
         count && !/^\/\// {
             name = $0
-            sub(/\(.*/, "", name)
+            sub(/^TEST\(/, "", name)
+            sub(/[()].*/, "", name)
             sub(/.*[ *]/, "", name)
             for (i = 1; i <= count; ++i) print FILENAME "\t" tag[i] "\t" name
             count = 0

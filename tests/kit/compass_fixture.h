@@ -2,22 +2,20 @@
 #ifndef BMR_TEST_COMPASS_FIXTURE_H
 #define BMR_TEST_COMPASS_FIXTURE_H
 
+#include "checks.h"
 #include "hierarchies.h"
 
 /// @file
-/// A group fixture of cmocka: one compass table for all tests of a program. To be included behind cmocka.h.
+/// One compass for all tests of a program.
 
 static bmr_compass *compass;
 
-static int make_compass(void **state) {
-    (void)state;
-    return bmr_compass_create(BMR_MAX_VERTICES, NULL, &compass) == BMR_OK ? 0 : -1;
+__attribute__((constructor)) static void make_compass(void) {
+    if (bmr_compass_create(BMR_MAX_VERTICES, NULL, &compass) != BMR_OK)
+        abort();
 }
-
-static int drop_compass(void **state) {
-    (void)state;
+__attribute__((destructor)) static void drop_compass(void) {
     bmr_compass_destroy(compass, NULL);
-    return 0;
 }
 
 /// A hierarchy of the kind by malloc; one that cannot be built fails the test.

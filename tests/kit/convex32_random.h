@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <cmocka.h>
+#include "checks.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -15,7 +15,7 @@
 #include "polygons.h"
 
 /// @file
-/// Random polygons of any size in float, and directions that are hard for them. For tests in cmocka.
+/// Random polygons of any size in float, and directions that are hard for them.
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 

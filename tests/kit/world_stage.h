@@ -11,13 +11,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "boomerang/world.h"
 #include "polygons.h"
 
 /// @file
-/// A kinetic world whose contacts and events are written down, and bodies for it. In C, with cmocka.
+/// A kinetic world whose contacts and events are written down, and bodies for it. In C.
 
 #define MARGIN 1e-6
 #define MOST 4096

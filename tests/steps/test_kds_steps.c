@@ -3,13 +3,9 @@
 // basic block, and the blocks that were run are at most a constant times the steps, for every structure,
 // every single repair, and polygons of any size.
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
+#include "checks.h"
 
 #include "kds_driver.h"
 #include "motions.h"
@@ -89,8 +85,7 @@ static void drive(const bmr_kds_info *info, size_t n, uint64_t seed) {
     test_kds_body_destroy(&b);
 }
 
-static void no_repair_runs_more_than_a_constant_for_each_step_that_it_reports(void **state) {
-    (void)state;
+TEST(no_repair_runs_more_than_a_constant_for_each_step_that_it_reports) {
     double worst = 0.0, busiest = 0.0;
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
         for (size_t k = 0; k < SIZES; ++k) {
@@ -98,16 +93,16 @@ static void no_repair_runs_more_than_a_constant_for_each_step_that_it_reports(vo
             const size_t seeds = test_scaled(2);
             for (size_t seed = 1; seed <= seeds; ++seed)
                 drive(bmr_kds_at(i), sizes[k], seed);
-            print_message("%s, n = %zu: %zu repairs, %.1f steps each, %.1f blocks a step, at most %.1f\n",
-                          bmr_kds_at(i)->name, sizes[k], now_at.repairs,
-                          now_at.steps / (double)now_at.repairs, now_at.blocks / now_at.steps, now_at.worst);
+            printf("%s, n = %zu: %zu repairs, %.1f steps each, %.1f blocks a step, at most %.1f\n",
+                   bmr_kds_at(i)->name, sizes[k], now_at.repairs, now_at.steps / (double)now_at.repairs,
+                   now_at.blocks / now_at.steps, now_at.worst);
             assert_true(now_at.repairs > 1);
             assert_true(now_at.steps <= now_at.blocks); // no step without anything done
             worst = fmax(worst, now_at.worst);
             busiest = fmax(busiest, now_at.busiest);
         }
     }
-    print_message("at most %.1f blocks a step; at most %.0f in a repair\n", worst, busiest);
+    printf("at most %.1f blocks a step; at most %.0f in a repair\n", worst, busiest);
     assert_true(worst <= MOST_BLOCKS);
     assert_true(busiest > 2.0 * MOST_BLOCKS); // control: that a repair is one step would be found out
 }
@@ -167,16 +162,15 @@ static void step_pair(test_motion_kind kind, bmr_structure structure, size_t n, 
     couple_destroy(&c);
 }
 
-static void no_step_of_a_pair_runs_more_than_a_constant_for_each_that_it_counts(void **state) {
-    (void)state;
+TEST(no_step_of_a_pair_runs_more_than_a_constant_for_each_that_it_counts) {
     for (int s = 0; s < BMR_STRUCTURE_COUNT; ++s) {
         pair_tally t = {0};
         for (size_t k = 0; k < SIZES; ++k)
             for (int kind = 0; kind < TEST_MOTION_KIND_COUNT; ++kind)
                 step_pair((test_motion_kind)kind, (bmr_structure)s, sizes[k], sizes[k], 1 + k, &t);
-        print_message("%s: %zu repairs, %.1f steps each, %.1f blocks a step, at most %.1f\n",
-                      bmr_structure_name((bmr_structure)s), t.repairs, t.steps / (double)t.repairs,
-                      t.blocks / t.steps, t.worst);
+        printf("%s: %zu repairs, %.1f steps each, %.1f blocks a step, at most %.1f\n",
+               bmr_structure_name((bmr_structure)s), t.repairs, t.steps / (double)t.repairs,
+               t.blocks / t.steps, t.worst);
         assert_true(t.repairs > 1000);
         assert_true(t.steps <= t.blocks);
         assert_true(t.worst <= MOST_BLOCKS);
@@ -217,10 +211,9 @@ static double steps_of_coarsening(bmr_structure structure, size_t n, size_t m) {
 /// Between two neighbouring edges of a 5-gon lie any number of an 8192-gon's. A pair that climbed to the best
 /// line of each level on its way up passed them all: 544 steps a repair. It takes the first line that is good
 /// enough, and 357 steps: what the way down costs, and one climb.
-static void a_coarsening_pair_does_not_climb_to_the_best_line_of_each_level(void **state) {
-    (void)state;
+TEST(a_coarsening_pair_does_not_climb_to_the_best_line_of_each_level) {
     const double steps = steps_of_coarsening(BMR_LAZY_COMPASS, 5, 8192);
-    print_message("a 5-gon and an 8192-gon: %.1f steps a coarsening\n", steps);
+    printf("a 5-gon and an 8192-gon: %.1f steps a coarsening\n", steps);
     assert_true(steps <= 450.0);
 }
 
@@ -258,8 +251,7 @@ static double blocks_a_search(size_t n) {
 
 /// O(n) preprocessing: a vertex costs no more in a large polygon than in a small one. From 512 vertices to
 /// 32768 the logarithm grows by two thirds.
-static void a_hierarchy_is_built_in_linear_time(void **state) {
-    (void)state;
+TEST(a_hierarchy_is_built_in_linear_time) {
     const test_family families[] = {TEST_CIRCLE, TEST_ELLIPSE, TEST_LENS};
     const size_t small = 512, large = 32768;
     bmr_compass *compass = NULL;
@@ -268,20 +260,10 @@ static void a_hierarchy_is_built_in_linear_time(void **state) {
         for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
             const double few = blocks_a_vertex(families[f], small, (bmr_hierarchy_kind)kind, compass),
                          many = blocks_a_vertex(families[f], large, (bmr_hierarchy_kind)kind, compass);
-            print_message("%s, hierarchy %d: %.1f blocks a vertex of %zu, %.1f of %zu\n",
-                          test_family_name(families[f]), kind, few, small, many, large);
+            printf("%s, hierarchy %d: %.1f blocks a vertex of %zu, %.1f of %zu\n",
+                   test_family_name(families[f]), kind, few, small, many, large);
             assert_true(many <= MOST_GROWTH * few);
         }
     assert_true(blocks_a_search(large) > MOST_GROWTH * blocks_a_search(small)); // control: n log n
     bmr_compass_destroy(compass, NULL);
-}
-
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_repair_runs_more_than_a_constant_for_each_step_that_it_reports),
-        cmocka_unit_test(no_step_of_a_pair_runs_more_than_a_constant_for_each_that_it_counts),
-        cmocka_unit_test(a_coarsening_pair_does_not_climb_to_the_best_line_of_each_level),
-        cmocka_unit_test(a_hierarchy_is_built_in_linear_time),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

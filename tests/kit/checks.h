@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#ifndef BMR_TEST_CHECKS_H
+#define BMR_TEST_CHECKS_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/// @file
+/// Tests in C: a program is one source that includes this header, `main` is here. TEST(name) { ... } is a
+/// test, and needs no list. A check that fails ends its test; the program goes on with the next, and fails in
+/// the end. `PROGRAM PART` runs the tests whose names have this part. No test at all is a failure.
+
+typedef struct check_test {
+    const char *name;
+    void (*run)(void);
+    int line;
+    struct check_test *next;
+} check_test;
+
+static check_test *check_tests;
+static jmp_buf check_leave;
+
+/// By line, because compilers differ in the order of constructors.
+static inline void check_register(check_test *test) {
+    check_test **place = &check_tests;
+    while (*place && (*place)->line < test->line)
+        place = &(*place)->next;
+    test->next = *place;
+    *place = test;
+}
+
+#define TEST(name)                                                                                           \
+    static void name(void);                                                                                  \
+    __attribute__((constructor)) static void register_##name(void) {                                         \
+        static check_test test = {#name, name, __LINE__, NULL};                                              \
+        check_register(&test);                                                                               \
+    }                                                                                                        \
+    static void name(void)
+
+__attribute__((noreturn, format(printf, 3, 4))) static inline void check_failed(const char *file, int line,
+                                                                                const char *format, ...) {
+    va_list values;
+    va_start(values, format);
+    fprintf(stderr, "%s:%d: ", file, line);
+    vfprintf(stderr, format, values);
+    fputc('\n', stderr);
+    va_end(values);
+    longjmp(check_leave, 1);
+}
+
+static inline void check_integers(long long a, long long b, bool equal, const char *text, const char *file,
+                                  int line) {
+    if ((a == b) != equal)
+        check_failed(file, line, "%s: %lld and %lld", text, a, b);
+}
+
+#define fail_msg(...) check_failed(__FILE__, __LINE__, __VA_ARGS__)
+#define assert_true(condition) ((condition) ? (void)0 : fail_msg("not so: %s", #condition))
+#define assert_false(condition) ((condition) ? fail_msg("so: %s", #condition) : (void)0)
+#define assert_int_equal(a, b)                                                                               \
+    check_integers((long long)(a), (long long)(b), true, #a " == " #b, __FILE__, __LINE__)
+#define assert_int_not_equal(a, b)                                                                           \
+    check_integers((long long)(a), (long long)(b), false, #a " != " #b, __FILE__, __LINE__)
+#define assert_string_equal(a, b) assert_true(strcmp(a, b) == 0)
+#define assert_string_not_equal(a, b) assert_true(strcmp(a, b) != 0)
+#define assert_memory_equal(a, b, size) assert_true(memcmp(a, b, size) == 0)
+#define assert_memory_not_equal(a, b, size) assert_true(memcmp(a, b, size) != 0)
+#define assert_ptr_equal(a, b) assert_true((const void *)(a) == (const void *)(b))
+#define assert_ptr_not_equal(a, b) assert_true((const void *)(a) != (const void *)(b))
+#define assert_float_equal(a, b, most) assert_true((a) - (b) <= (most) && (b) - (a) <= (most))
+#define assert_in_range(a, least, most) assert_true((a) >= (least) && (a) <= (most))
+#define assert_null(pointer) assert_true((pointer) == NULL)
+#define assert_non_null(pointer) assert_true((pointer) != NULL)
+
+/// Runs the tests whose names have `part`. 0 if there are any and none failed.
+static inline int check_run(const char *part) {
+    static int ran, failed; // static: longjmp must not lose them
+    ran = failed = 0;
+    for (check_test *volatile test = check_tests; test; test = test->next) {
+        if (!strstr(test->name, part))
+            continue;
+        ran++;
+        if (setjmp(check_leave) == 0) {
+            test->run();
+            printf("passed: %s\n", test->name);
+        } else {
+            printf("FAILED: %s\n", test->name);
+            failed++;
+        }
+    }
+    return ran > 0 && failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+#ifndef CHECKS_OWN_MAIN
+int main(int argc, char **argv) {
+    return check_run(argc > 1 ? argv[1] : "");
+}
+#endif
+
+#endif
