@@ -12,7 +12,7 @@ extern "C" {
 /// Box2D's manifolds of polygons, circles and edges by plain loops over all vertices, in float and in Box2D's
 /// order, with the differences past 8 vertices that convex32_collide.h names. Nothing of core's is used, so
 /// that what is compared with it stands on its own. For at most 8 vertices it is compared with Box2D itself
-/// (test_glue_convex32_reference).
+/// (test_glue_same_bits).
 
 /// The first edge of largest separation, and that.
 float reference_max_separation(const bmr_convex32 *reference, const bmr_transform32 *pose,
