@@ -191,7 +191,8 @@ TEST(far_poses_are_apart_up_to_the_largest_double) {
     }
 }
 
-TEST(identical_polygons_on_each_other_are_in_contact_and_part) {
+/// Identical polygons on each other: no envelope of any level is apart.
+TEST(a_stab_at_the_last_level_is_a_contact_until_the_polygons_part) {
     FOR_EACH_STRUCTURE(s) {
         couple c;
         couple_make(&c, s, ellipse(33, 0.3, 1.0), ellipse(33, 0.3, 1.0));
