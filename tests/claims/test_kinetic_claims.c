@@ -6,7 +6,7 @@
 
 #include "checks.h"
 
-#include "boomerang/analysis.h"
+#include "course_stage.h"
 #include "kds/registry.h"
 #include "kds_driver.h"
 
@@ -27,38 +27,14 @@ static const double kappa = 1.0 + 2.0 / LEAST_RHO;
 #define NEARER 1e6
 #define FEW_SEEDS 12
 
-typedef struct stage {
-    test_kds_body bodies[2];
-    bmr_family_motion motion;
-    bmr_course course;
-} stage;
-
-static stage stage_of(const bmr_outline outlines[2], size_t vertices, bmr_family family, double ratio,
-                      uint64_t seed) {
-    stage s;
-    bmr_vec2 points[VERTICES];
-    for (int side = 0; side < 2; ++side) {
-        bmr_polygon *polygon = NULL;
-        assert_int_equal(bmr_outline_points(outlines[side], vertices, seed + (uint64_t)side, points), BMR_OK);
-        assert_int_equal(bmr_polygon_create(points, vertices, NULL, &polygon), BMR_OK);
-        s.bodies[side] = test_kds_body_make(polygon);
-    }
-    const bmr_polygon *a = s.bodies[0].polygon, *b = s.bodies[1].polygon;
-    const bmr_family_def def = {family, ratio, seed, 64, 0};
-    assert_int_equal(bmr_family_create(&def, a, b, NULL, &s.motion), BMR_OK);
-    s.course = (bmr_course){{a, b}, {s.motion.motions[0], s.motion.motions[1]}, 0.0, 1.0};
-    return s;
+static stage played(const bmr_outline outlines[2], size_t n, bmr_family family, double ratio, uint64_t seed) {
+    return stage_of(outline(outlines[0], n, seed), outline(outlines[1], n, seed + 1),
+                    (bmr_family_def){family, ratio, seed, 64, 0});
 }
 
 static stage set(bmr_family family, uint64_t seed) {
     static const bmr_outline outlines[2] = {BMR_OUTLINE_ELLIPSE, BMR_OUTLINE_DISC};
-    return stage_of(outlines, VERTICES, family, RATIO, seed);
-}
-
-static void strike(stage *s) {
-    bmr_family_destroy(&s->motion);
-    test_kds_body_destroy(&s->bodies[0]);
-    test_kds_body_destroy(&s->bodies[1]);
+    return played(outlines, VERTICES, family, RATIO, seed);
 }
 
 static uint64_t events(const stage *s, const bmr_kds_info *structure) {
@@ -107,7 +83,7 @@ TEST(few_vertices_bound_the_events_of_rigid_motions) {
         double more[3] = {0.0, 0.0, 0.0};
         for (uint64_t seed = 1; seed <= FEW_SEEDS; ++seed)
             for (int nearer = 0; nearer < 2; ++nearer) {
-                stage s = stage_of(outlines, FEW, families[f], nearer ? NEARER : NEAR, seed);
+                stage s = played(outlines, FEW, families[f], nearer ? NEARER : NEAR, seed);
                 for (int k = 0; k < 3; ++k)
                     more[k] += (nearer ? 1.0 : -1.0) * (double)events(&s, structures[k]) / FEW_SEEDS;
                 strike(&s);

@@ -5,7 +5,7 @@
 
 #include "checks.h"
 
-#include "boomerang/analysis.h"
+#include "course_stage.h"
 #include "kds/registry.h"
 #include "kds_driver.h"
 #include "test_scale.h"
@@ -20,18 +20,10 @@ static const bmr_kds_info *const structures[] = {&bmr_kds_free_fd2, &bmr_kds_fre
                                                  &bmr_kds_predict, &bmr_kds_predict_adaptive};
 #define STRUCTURES (sizeof structures / sizeof *structures)
 
-static bmr_polygon *outline(bmr_outline kind, uint64_t seed) {
-    bmr_vec2 points[VERTICES];
-    bmr_polygon *polygon = NULL;
-    assert_int_equal(bmr_outline_points(kind, VERTICES, seed, points), BMR_OK);
-    assert_int_equal(bmr_polygon_create(points, VERTICES, NULL, &polygon), BMR_OK);
-    return polygon;
-}
-
 /// Adds the lines that the optimum and the structures use on one motion, the first ones counted.
 static void count_lines(bmr_family family, uint64_t seed, double *optimum, double lines[STRUCTURES]) {
-    test_kds_body a = test_kds_body_make(outline(BMR_OUTLINE_ELLIPSE, seed));
-    test_kds_body b = test_kds_body_make(outline(BMR_OUTLINE_DISC, seed));
+    test_kds_body a = test_kds_body_make(outline(BMR_OUTLINE_ELLIPSE, VERTICES, seed));
+    test_kds_body b = test_kds_body_make(outline(BMR_OUTLINE_DISC, VERTICES, seed));
     const bmr_family_def def = {family, RATIO, seed, 0, 0};
     bmr_family_motion motion;
     assert_int_equal(bmr_family_create(&def, a.polygon, b.polygon, NULL, &motion), BMR_OK);

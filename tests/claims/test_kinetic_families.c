@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "checks.h"
+#include "course_stage.h"
 
 #include "boomerang/families.h"
 #include "failing_allocator.h"
@@ -12,15 +13,6 @@
 #include "test_scale.h"
 
 #define PI 3.14159265358979323846
-
-static bmr_polygon *outline(bmr_outline kind, size_t n, uint64_t seed) {
-    bmr_vec2 *points = malloc(n * sizeof *points);
-    bmr_polygon *polygon = NULL;
-    assert_int_equal(bmr_outline_points(kind, n, seed, points), BMR_OK);
-    assert_int_equal(bmr_polygon_create(points, n, NULL, &polygon), BMR_OK);
-    free(points);
-    return polygon;
-}
 
 static bmr_pose relative_at(const bmr_family_motion *m, double time) {
     const bmr_pose a = bmr_motion_pose(m->motions[0], time, NULL, NULL),

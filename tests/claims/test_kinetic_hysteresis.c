@@ -6,8 +6,8 @@
 
 #include "checks.h"
 
-#include "boomerang/analysis.h"
 #include "boomerang/inflated.h"
+#include "course_stage.h"
 #include "kds/registry.h"
 #include "kds_driver.h"
 #include "motions.h"
@@ -18,36 +18,9 @@
 #define VERTICES 400
 #define RATIO 20.0
 
-typedef struct setting {
-    test_kds_body bodies[2];
-    bmr_family_motion motion;
-    bmr_course course;
-} setting;
-
-static setting make_setting(bmr_family family, uint64_t seed) {
-    setting s;
-    bmr_vec2 points[VERTICES];
-    for (int side = 0; side < 2; ++side) {
-        bmr_polygon *polygon = NULL;
-        assert_int_equal(
-            bmr_outline_points(side == 0 ? BMR_OUTLINE_ELLIPSE : BMR_OUTLINE_DISC, VERTICES, seed, points),
-            BMR_OK);
-        assert_int_equal(bmr_polygon_create(points, VERTICES, NULL, &polygon), BMR_OK);
-        s.bodies[side] = test_kds_body_make(polygon);
-    }
-    const bmr_family_def def = {family, RATIO, seed, family == BMR_FAMILY_LINE ? 0 : 64, 0};
-    assert_int_equal(bmr_family_create(&def, s.bodies[0].polygon, s.bodies[1].polygon, NULL, &s.motion),
-                     BMR_OK);
-    const bmr_course course = {
-        {s.bodies[0].polygon, s.bodies[1].polygon}, {s.motion.motions[0], s.motion.motions[1]}, 0.0, 1.0};
-    s.course = course;
-    return s;
-}
-
-static void drop_setting(setting *s) {
-    bmr_family_destroy(&s->motion);
-    test_kds_body_destroy(&s->bodies[0]);
-    test_kds_body_destroy(&s->bodies[1]);
+static stage set(bmr_family family, uint64_t seed) {
+    return stage_of(outline(BMR_OUTLINE_ELLIPSE, VERTICES, seed), outline(BMR_OUTLINE_DISC, VERTICES, seed),
+                    (bmr_family_def){family, RATIO, seed, family == BMR_FAMILY_LINE ? 0 : 64, 0});
 }
 
 /// What one run saw, beside its counts.
@@ -72,7 +45,7 @@ static void look(void *context, const bmr_simulation_event *event) {
     ++s->checked;
 }
 
-static bmr_run run_of(const bmr_kds_info *info, const setting *s, seen *what) {
+static bmr_run run_of(const bmr_kds_info *info, const stage *s, seen *what) {
     const bmr_run_def def = {info,
                              {s->bodies[0].shape, s->bodies[1].shape},
                              bmr_default_simulation_def(),
@@ -85,7 +58,7 @@ static bmr_run run_of(const bmr_kds_info *info, const setting *s, seen *what) {
     return run;
 }
 
-static seen offsets_of(const setting *s, double scale) {
+static seen offsets_of(const stage *s, double scale) {
     const double diameter =
         bmr_inflation_diameter(s->bodies[0].polygon) + bmr_inflation_diameter(s->bodies[1].polygon);
     const seen none = {bmr_inflation_make(scale * diameter, 0.5, 0.5, 0), INFINITY, 0};
@@ -101,7 +74,7 @@ static const bmr_family rotations[] = {BMR_FAMILY_SPIN, BMR_FAMILY_TUMBLE, BMR_F
 TEST(the_slack_after_a_selection_is_at_least_the_offset) {
     double doubled = INFINITY;
     for (size_t f = 0; f < COUNT(translations); ++f) {
-        setting s = make_setting(translations[f], 7 + f);
+        stage s = set(translations[f], 7 + f);
         seen all = offsets_of(&s, 1.0), control = offsets_of(&s, 2.0);
         run_of(&bmr_kds_inflated_translation, &s, &all);
         run_of(&bmr_kds_inflated_window, &s, &all);
@@ -109,7 +82,7 @@ TEST(the_slack_after_a_selection_is_at_least_the_offset) {
         assert_true(all.checked > 4);
         assert_true(all.least_slack >= 1.0 - 1e-4); // the margin is part of the conditions
         doubled = fmin(doubled, control.least_slack);
-        drop_setting(&s);
+        strike(&s);
     }
     assert_true(doubled < 1.0); // offsets twice as large would be no promise
 }
@@ -120,7 +93,7 @@ static const double beta = 4.82842712474619, kappa = 10.65685424949238;
 /// Lemma 6.1: after an event P moves d/beta before the next, beta = 2 (1 + sqrt 2).
 TEST(events_are_as_far_apart_as_the_lemma_says) {
     for (size_t f = 0; f < COUNT(translations); ++f) {
-        setting s = make_setting(translations[f], 3 + f);
+        stage s = set(translations[f], 3 + f);
         const bmr_run inflated = run_of(&bmr_kds_inflated_translation, &s, NULL);
         const bmr_run free = run_of(&bmr_kds_free_fd2, &s, NULL);
         const bmr_run rival = run_of(&bmr_kds_closest_features, &s, NULL);
@@ -128,14 +101,14 @@ TEST(events_are_as_far_apart_as_the_lemma_says) {
         // beta = 1 for the free direction: the gap is the distance itself.
         assert_true(free.hysteresis.both >= 1.0 - 1e-3);
         assert_true(rival.hysteresis.both < 1.0 / beta); // the control
-        drop_setting(&s);
+        strike(&s);
     }
 }
 
 /// Theorem 6.2: no more events than the least kappa-clear decomposition, kappa = 2 beta + 1.
 TEST(events_are_no_more_than_a_clear_decomposition) {
     for (size_t f = 0; f < COUNT(translations); ++f) {
-        setting s = make_setting(translations[f], 11 + f);
+        stage s = set(translations[f], 11 + f);
         bmr_clear clear, clear3;
         assert_int_equal(bmr_clear_decomposition(&s.course, kappa, 0.0, &clear), BMR_OK);
         assert_int_equal(bmr_clear_decomposition(&s.course, 3.0, 0.0, &clear3), BMR_OK);
@@ -143,7 +116,7 @@ TEST(events_are_no_more_than_a_clear_decomposition) {
         assert_true(run_of(&bmr_kds_free_fd2, &s, NULL).events <= clear3.least); // kappa = 2 beta + 1 = 3
         if (translations[f] == BMR_FAMILY_LINE) // the control: a rival's events have nothing to do with it
             assert_true(run_of(&bmr_kds_closest_features, &s, NULL).events > clear.least);
-        drop_setting(&s);
+        strike(&s);
     }
 }
 
@@ -155,14 +128,14 @@ TEST(events_are_no_more_than_a_clear_decomposition) {
 TEST(events_are_apart_in_position_or_rotation) {
     double without = INFINITY;
     for (size_t f = 0; f < COUNT(rotations); ++f) {
-        setting s = make_setting(rotations[f], 5 + f);
+        stage s = set(rotations[f], 5 + f);
         const bmr_run window = run_of(&bmr_kds_inflated_window, &s, NULL);
         const bmr_run fd1 = run_of(&bmr_kds_free_fd1, &s, NULL), fd2 = run_of(&bmr_kds_free_fd2, &s, NULL);
         assert_true(window.hysteresis.intervals > 0 && window.hysteresis.both >= LEAST_RHO);
         assert_true(fd1.hysteresis.both >= LEAST_RHO);
         assert_true(fd2.hysteresis.both >= LEAST_RHO);
         without = fmin(without, run_of(&bmr_kds_inflated_nowindow, &s, NULL).hysteresis.both);
-        drop_setting(&s);
+        strike(&s);
     }
     assert_true(without < LEAST_RHO / 2); // the control
 }

@@ -5,40 +5,14 @@
 
 #include "checks.h"
 
-#include "boomerang/analysis.h"
+#include "course_stage.h"
 #include "kds_driver.h"
 #include "structure_named.h"
 #include "test_scale.h"
 
-static test_kds_body body(bmr_outline kind, size_t n, uint64_t seed) {
-    bmr_vec2 *points = malloc(n * sizeof *points);
-    bmr_polygon *polygon = NULL;
-    assert_int_equal(bmr_outline_points(kind, n, seed, points), BMR_OK);
-    assert_int_equal(bmr_polygon_create(points, n, NULL, &polygon), BMR_OK);
-    free(points);
-    return test_kds_body_make(polygon);
-}
-
-/// Two bodies and one motion of them.
-typedef struct stage {
-    test_kds_body bodies[2];
-    bmr_family_motion motion;
-    bmr_course course;
-} stage;
-
 static stage set(bmr_family family, double ratio, size_t n, uint64_t seed) {
-    stage s = {.bodies = {body(BMR_OUTLINE_ELLIPSE, n, seed), body(BMR_OUTLINE_DISC, n, seed + 1)}};
-    const bmr_family_def def = {family, ratio, seed, 0, 0};
-    const bmr_polygon *a = s.bodies[0].polygon, *b = s.bodies[1].polygon;
-    assert_int_equal(bmr_family_create(&def, a, b, NULL, &s.motion), BMR_OK);
-    s.course = (bmr_course){{a, b}, {s.motion.motions[0], s.motion.motions[1]}, 0.0, 1.0};
-    return s;
-}
-
-static void strike(stage *s) {
-    bmr_family_destroy(&s->motion);
-    test_kds_body_destroy(&s->bodies[0]);
-    test_kds_body_destroy(&s->bodies[1]);
+    return stage_of(outline(BMR_OUTLINE_ELLIPSE, n, seed), outline(BMR_OUTLINE_DISC, n, seed + 1),
+                    (bmr_family_def){family, ratio, seed, 0, 0});
 }
 
 static bmr_run run(const stage *s, const bmr_kds_info *structure) {

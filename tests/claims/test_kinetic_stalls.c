@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Courses on which a pair once had event after event while time stood still: a structure was left where it
-// was, because what it computed of a border and what the search for failures computed differed by a rounding.
+// No pair has event after event while time stands still. A structure is repaired where what it computes of a
+// border and what the search for failures computes differ by a rounding; and it goes on where a motion turns
+// round, slowly, right after a condition has failed.
+#include "checks.h"
+
 #include <math.h>
 #include <stdlib.h>
 
-#include "checks.h"
-
-#include "boomerang/analysis.h"
+#include "boomerang/simulation.h"
+#include "course_stage.h"
 #include "kds_driver.h"
 #include "structure_named.h"
-
-static test_kds_body body(bmr_outline kind, size_t n, uint64_t seed) {
-    bmr_vec2 *points = malloc(n * sizeof *points);
-    bmr_polygon *polygon = NULL;
-    assert_non_null(points);
-    assert_int_equal(bmr_outline_points(kind, n, seed, points), BMR_OK);
-    assert_int_equal(bmr_polygon_create(points, n, NULL, &polygon), BMR_OK);
-    free(points);
-    return test_kds_body_make(polygon);
-}
 
 /// One of the courses.
 typedef struct stall {
@@ -61,7 +53,8 @@ static void observe(void *context, const bmr_simulation_event *event) {
 }
 
 static void follow(const stall *s) {
-    test_kds_body a = body(s->outline, s->n, 2 * s->seed), b = body(s->outline, s->n, 2 * s->seed + 1);
+    test_kds_body a = test_kds_body_make(outline(s->outline, s->n, 2 * s->seed)),
+                  b = test_kds_body_make(outline(s->outline, s->n, 2 * s->seed + 1));
     const bmr_family_def family = {s->family, s->ratio, s->seed, 0, 0};
     bmr_family_motion motion;
     assert_int_equal(bmr_family_create(&family, a.polygon, b.polygon, NULL, &motion), BMR_OK);
@@ -95,4 +88,93 @@ TEST(sides_that_are_crossed_at_a_small_angle) {
         {"tiling-compass", BMR_FAMILY_ORBIT, BMR_OUTLINE_REGULAR, 64, 300000.0, 1}};
     for (size_t i = 0; i < sizeof stalls / sizeof *stalls; i++)
         follow(&stalls[i]);
+}
+
+#define MOST_EVENTS 24
+/// The way back is slower by this.
+#define SLOWER 0x1p-6
+
+typedef struct event_times {
+    size_t count;
+    double time[MOST_EVENTS];
+} event_times;
+
+static void note(void *context, const bmr_simulation_event *event) {
+    event_times *times = context;
+    const bmr_kds_event_kind kind = event->report.kind;
+    const bool failure = kind != BMR_KDS_START && kind != BMR_KDS_LEAVE && kind != BMR_KDS_NONE;
+    if (failure && times->count < MOST_EVENTS)
+        times->time[times->count++] = event->time;
+}
+
+typedef struct scene {
+    const bmr_kds_info *info;
+    test_kds_body a, b;
+    bmr_motion_piece there;
+} scene;
+
+static scene make_scene(const bmr_kds_info *info) {
+    test_random random = {11};
+    const bool point = info->domain == BMR_KDS_POINT;
+    const double spin = info->domain == BMR_KDS_RIGID ? 5.0 : 0.0;
+    const bmr_pose from = {{-3.0, 2.0}, 0.8, 0.6};
+    scene s = {.info = info, .there = bmr_piece_screw(0.0, from, bmr_vec2_make(3.0, -1.2), spin)};
+    s.a = test_kds_body_make(test_polygon(TEST_CIRCLE, 24, &random));
+    s.b = point ? test_kds_point_make(0.0, 0.0) : test_kds_body_make(test_polygon(TEST_ELLIPSE, 12, &random));
+    return s;
+}
+
+static void destroy_scene(scene *s) {
+    test_kds_body_destroy(&s->a);
+    test_kds_body_destroy(&s->b);
+}
+
+/// Runs to `end`; from `turn` on B goes back.
+static bmr_error run(const scene *s, double turn, double end, event_times *times) {
+    const bmr_motion_piece rest = bmr_piece_rest(bmr_pose_identity());
+    bmr_motion *motions[2];
+    assert_int_equal(bmr_motion_create(&rest, NULL, &motions[0]), BMR_OK);
+    assert_int_equal(bmr_motion_create(&s->there, NULL, &motions[1]), BMR_OK);
+    if (turn < end) {
+        bmr_vec2 velocity;
+        double spin;
+        const bmr_pose pose = bmr_motion_pose(motions[1], turn, &velocity, &spin);
+        const bmr_motion_piece back = bmr_piece_screw(
+            turn, pose, bmr_vec2_make(-SLOWER * velocity.x, -SLOWER * velocity.y), -SLOWER * spin);
+        assert_int_equal(bmr_motion_change(motions[1], turn, &back), BMR_OK);
+    }
+    bmr_simulation_def def = bmr_default_simulation_def();
+    def.structure = s->info;
+    const bmr_shape shapes[2] = {s->a.shape, s->b.shape};
+    bmr_simulation *simulation;
+    assert_int_equal(
+        bmr_simulation_create(&def, shapes, motions, 2, 0.0, times ? note : NULL, times, NULL, &simulation),
+        BMR_OK);
+    bmr_error error = bmr_simulation_run(simulation, end);
+    if (error == BMR_OK)
+        error = bmr_simulation_audit(simulation);
+    bmr_simulation_destroy(simulation);
+    bmr_motion_destroy(motions[0]);
+    bmr_motion_destroy(motions[1]);
+    return error;
+}
+
+TEST(every_structure_goes_on_where_the_motion_turns_back_after_a_failure) {
+    static const double after[] = {0.0, 1e-12, 2e-12, 4e-12, 8e-12, 16e-12};
+    for (size_t k = 0; k < bmr_kds_count(); k++) {
+        scene s = make_scene(bmr_kds_at(k));
+        event_times times = {0};
+        assert_int_equal(run(&s, INFINITY, 1.5, &times), BMR_OK);
+        assert_true(times.count > 0);
+        for (size_t i = 0; i < times.count; i++)
+            for (size_t j = 0; j < sizeof after / sizeof *after; j++) {
+                const double turn = times.time[i] + after[j];
+                const bmr_error error = run(&s, turn, turn + 0.1, NULL);
+                if (error != BMR_OK)
+                    fprintf(stderr, "%s: event %zu, turned back %g after it: error %d\n", s.info->name, i,
+                            after[j], error);
+                assert_int_equal(error, BMR_OK);
+            }
+        destroy_scene(&s);
+    }
 }
