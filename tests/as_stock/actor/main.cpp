@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -27,6 +28,11 @@
 #include "serving.h"
 
 namespace {
+
+struct Input {
+    std::string name;
+    std::vector<uint8_t> bytes;
+};
 
 std::string playing; ///< the input's name; of an actor that serves none
 int perturbAt = -1, dumpAt = -1;
@@ -43,7 +49,7 @@ void End(const char *how, const char *text) {
 }
 
 /// Each record is out before the next step: a crash takes no line with it.
-void Play(const PackedInput &input) {
+void Play(const Input &input) {
     actor::Actor player(input.bytes.data(), input.bytes.size());
     player.perturbAt = perturbAt;
     player.dumpAt = dumpAt;
@@ -56,7 +62,7 @@ void Play(const PackedInput &input) {
     End(player.IsFinite() ? "done" : "not finite", "");
 }
 
-void PlayAlone(const PackedInput &input) {
+void PlayAlone(const Input &input) {
     playing = input.name;
     const pid_t child = fork();
     if (child == 0) {
@@ -97,14 +103,17 @@ int main(int argc, char **argv) {
         actor::Serve(STDIN_FILENO, STDOUT_FILENO);
         return 0;
     }
-    std::vector<PackedInput> inputs;
+    std::vector<Input> inputs;
     if (words.size() == 3 && (words[0] == "seeds" || words[0] == "hex")) {
         const auto first = static_cast<uint32_t>(std::strtoul(words[1].c_str(), nullptr, 10)),
                    count = static_cast<uint32_t>(std::strtoul(words[2].c_str(), nullptr, 10));
         for (uint32_t seed = first; seed != first + count; ++seed)
             inputs.push_back({std::to_string(seed), actor::BytesOf(seed)});
     } else if (words.size() >= 2 && words[0] == "corpus") {
-        if (!ReadPackedCorpus(words[1], &inputs)) {
+        const auto keep = [](void *all, const char *name, const uint8_t *bytes, size_t size) {
+            static_cast<std::vector<Input> *>(all)->push_back({name, {bytes, bytes + size}});
+        };
+        if (!packed_corpus_read(words[1].c_str(), keep, &inputs)) {
             std::fprintf(stderr, "%s is no packed corpus\n", words[1].c_str());
             return 3;
         }
@@ -112,7 +121,7 @@ int main(int argc, char **argv) {
         return Usage();
     }
     if (words[0] == "hex") {
-        for (const PackedInput &input : inputs) {
+        for (const Input &input : inputs) {
             std::printf("%s ", input.name.c_str());
             for (const uint8_t byte : input.bytes)
                 std::printf("%02x", byte);
@@ -121,7 +130,7 @@ int main(int argc, char **argv) {
         return 0;
     }
     actor::Install();
-    for (const PackedInput &input : inputs) {
+    for (const Input &input : inputs) {
         bool wanted = words[0] == "seeds" || words.size() == 2;
         for (size_t i = 2; i < words.size() && words[0] == "corpus"; ++i)
             wanted = wanted || words[i] == input.name;
