@@ -13,12 +13,12 @@
 
 #include "yard.h"
 
-using namespace stale;
+using namespace as_stock;
 using forked::BytesInUse;
 
 namespace {
 
-#if defined(STALE_STEPS_ARE_SEEN)
+#if defined(AS_STOCK_AHEAD)
 constexpr bool kHasLedger = true;
 #else
 constexpr bool kHasLedger = false;

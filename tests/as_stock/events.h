@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_TEST_LIVES_H
-#define BOOMERANG_TEST_LIVES_H
+#ifndef BOOMERANG_TEST_AS_STOCK_EVENTS_H
+#define BOOMERANG_TEST_AS_STOCK_EVENTS_H
 
 #include <map>
 #include <string>
@@ -13,7 +13,7 @@
 /// @file
 /// Listens to the lives of contacts and of hulls, and holds each event against what the headers say of it.
 
-namespace lives {
+namespace as_stock {
 
 /// What the events of a contact have said of it so far.
 enum class State { Unborn, Coarse, Apart, Contact };
@@ -66,6 +66,6 @@ private:
 using Play = void (*)(forked::Run &, Listener &);
 std::string Told(Play play, bmr::Options options = bmr::Options());
 
-} // namespace lives
+} // namespace as_stock
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "lives.h"
+#include "events.h"
 
-namespace lives {
+namespace as_stock {
 
 namespace {
 
@@ -160,4 +160,4 @@ std::string Told(Play play, bmr::Options options) {
         &options, forked::When::kBefore);
 }
 
-} // namespace lives
+} // namespace as_stock

@@ -13,7 +13,7 @@
 
 #include "yard.h"
 
-using namespace stale;
+using namespace as_stock;
 
 namespace {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_TEST_STALE_YARD_H
-#define BOOMERANG_TEST_STALE_YARD_H
+#ifndef BOOMERANG_TEST_AS_STOCK_YARD_H
+#define BOOMERANG_TEST_AS_STOCK_YARD_H
 
 #include <cmath>
 #include <vector>
@@ -11,7 +11,7 @@
 /// A yard of couples, one for each way in which something is remembered of two shapes. In each couple one
 /// body stays and the other, near it but apart, is what a test does something to.
 
-namespace stale {
+namespace as_stock {
 
 using forked::CheckSameAsStock;
 using forked::Game;
@@ -27,7 +27,7 @@ inline b2Vec2 Slanted(float along, float across) {
 /// Vertices of the body's polygons were changed in place. Where the library sees the steps it finds that
 /// itself; the glue alone is told.
 inline void Edited(const Run &run, b2Body *body) {
-#if !defined(STALE_STEPS_ARE_SEEN)
+#if !defined(AS_STOCK_AHEAD)
     if (run.HasPlugin())
         bmr::Invalidate(body);
 #else
@@ -170,6 +170,6 @@ private:
     Run &m_run;
 };
 
-} // namespace stale
+} // namespace as_stock
 
 #endif

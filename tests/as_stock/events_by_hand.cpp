@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Lives that are played by hand, with every event in its place: two bodies that meet, turn about a corner,
 // touch, leave each other and part, for each kind of certificate that a contact may have.
-#include "lives.h"
+#include "events.h"
 
+using as_stock::Listener;
 using forked::Game;
 using forked::Run;
-using lives::Listener;
 
 namespace {
 
@@ -145,7 +145,7 @@ void PlayMany(Run &run, Listener &listener) {
     Put(game, listener, body, {0.0f, -0.3f}, "below it");
 }
 
-#if defined(LIVES_AHEAD)
+#if defined(AS_STOCK_AHEAD)
 void PlaySensor(Run &run, Listener &listener) {
     Game game(run);
     listener.Watch(&game.world);
@@ -194,113 +194,113 @@ void PlayTips(Run &run, Listener &listener) {
 } // namespace
 
 TEST_CASE("two boxes live as the header says") {
-    CHECK(EventsOf(lives::Told(PlaySmall)) == "-- beside it\n"
-                                              "contact start -1 0\n"
-                                              "-- along its side\n"
-                                              "-- so near that it is looked at in every step\n"
-                                              "-- along its side\n"
-                                              "-- at its corner\n"
-                                              "-- around its corner\n"
-                                              "contact push 0 0\n"
-                                              "-- above it\n"
-                                              "-- on it\n"
-                                              "contact contact 0 0\n"
-                                              "-- still\n"
-                                              "-- off it\n"
-                                              "contact leave 0 0\n"
-                                              "-- farther off\n"
-                                              "-- on it again\n"
-                                              "contact contact 0 0\n"
-                                              "-- beside it\n"
-                                              "contact leave 0 0\n"
-                                              "-- away\n"
-                                              "-- back\n"
-                                              "contact start -1 0\n"
-                                              "-- away\n"
-                                              "-- on it from nowhere\n"
-                                              "contact contact -1 0\n");
+    CHECK(EventsOf(as_stock::Told(PlaySmall)) == "-- beside it\n"
+                                                 "contact start -1 0\n"
+                                                 "-- along its side\n"
+                                                 "-- so near that it is looked at in every step\n"
+                                                 "-- along its side\n"
+                                                 "-- at its corner\n"
+                                                 "-- around its corner\n"
+                                                 "contact push 0 0\n"
+                                                 "-- above it\n"
+                                                 "-- on it\n"
+                                                 "contact contact 0 0\n"
+                                                 "-- still\n"
+                                                 "-- off it\n"
+                                                 "contact leave 0 0\n"
+                                                 "-- farther off\n"
+                                                 "-- on it again\n"
+                                                 "contact contact 0 0\n"
+                                                 "-- beside it\n"
+                                                 "contact leave 0 0\n"
+                                                 "-- away\n"
+                                                 "-- back\n"
+                                                 "contact start -1 0\n"
+                                                 "-- away\n"
+                                                 "-- on it from nowhere\n"
+                                                 "contact contact -1 0\n");
 }
 
 TEST_CASE("two big polygons live as the header says") {
-    CHECK(EventsOf(lives::Told(PlayBig)) == "-- end to end\n"
-                                            "contact start -1 -1\n"
-                                            "-- nearer\n"
-                                            "-- above it\n"
-                                            "contact stab -1 0\n"
-                                            "-- along it\n"
-                                            "-- about its end\n"
-                                            "contact push 0 0\n"
-                                            "-- beyond its end\n"
-                                            "contact push 0 0\n"
-                                            "-- lower\n"
-                                            "-- beneath its end\n"
-                                            "contact push 0 0\n"
-                                            "-- below it\n"
-                                            "contact push 0 0\n"
-                                            "-- through it\n" // which a look does not follow
-                                            "contact contact 0 0\n"
-                                            "-- along it\n"
-                                            "contact leave 0 0\n"
-                                            "-- end to end\n"
-                                            "contact coarsen 0 -1\n"
-                                            "-- above it\n"
-                                            "contact stab -1 0\n"
-                                            "-- against it\n"
-                                            "contact contact 0 0\n"
-                                            "-- off it\n"
-                                            "contact leave 0 0\n"
-                                            "-- against it\n"
-                                            "contact contact 0 0\n"
-                                            "-- end to end\n"
-                                            "contact leave 0 -1\n"
-                                            "-- away\n"
-                                            "-- above it, from nowhere\n"
-                                            "contact start -1 0\n");
-}
-
-TEST_CASE("bodies of many fixtures have a structure of their hulls, and one for each contact below it") {
-    CHECK(EventsOf(lives::Told(PlayMany)) == "-- below it\n"
-                                             "hulls start -1 0\n"
-                                             "-- above it\n"
-                                             "hulls contact 0 0\n"
-                                             "28 x contact start -1 0\n"
-                                             "-- below it\n"
-                                             "hulls leave 0 0\n"
-                                             "-- on it\n"
-                                             "hulls contact 0 0\n"
-                                             "28 x contact contact 0 0\n"
-                                             "-- off it\n"
-                                             "28 x contact leave 0 0\n"
-                                             "-- on it\n"
-                                             "28 x contact contact 0 0\n"
-                                             "-- below it\n"
-                                             "28 x contact leave 0 0\n");
-}
-
-#if defined(LIVES_AHEAD)
-TEST_CASE("a sensor's contact lives as the header says") {
-    CHECK(EventsOf(lives::Told(PlaySensor)) == "-- beside it\n"
-                                               "contact start -1 0\n"
+    CHECK(EventsOf(as_stock::Told(PlayBig)) == "-- end to end\n"
+                                               "contact start -1 -1\n"
                                                "-- nearer\n"
-                                               "-- along its side\n"
                                                "-- above it\n"
+                                               "contact stab -1 0\n"
+                                               "-- along it\n"
+                                               "-- about its end\n"
                                                "contact push 0 0\n"
-                                               "-- in it\n"
+                                               "-- beyond its end\n"
+                                               "contact push 0 0\n"
+                                               "-- lower\n"
+                                               "-- beneath its end\n"
+                                               "contact push 0 0\n"
+                                               "-- below it\n"
+                                               "contact push 0 0\n"
+                                               "-- through it\n" // which a look does not follow
                                                "contact contact 0 0\n"
-                                               "-- deeper\n"
-                                               "-- out of it\n"
+                                               "-- along it\n"
                                                "contact leave 0 0\n"
+                                               "-- end to end\n"
+                                               "contact coarsen 0 -1\n"
+                                               "-- above it\n"
+                                               "contact stab -1 0\n"
+                                               "-- against it\n"
+                                               "contact contact 0 0\n"
+                                               "-- off it\n"
+                                               "contact leave 0 0\n"
+                                               "-- against it\n"
+                                               "contact contact 0 0\n"
+                                               "-- end to end\n"
+                                               "contact leave 0 -1\n"
                                                "-- away\n"
-                                               "-- back\n"
+                                               "-- above it, from nowhere\n"
                                                "contact start -1 0\n");
 }
 
+TEST_CASE("bodies of many fixtures have a structure of their hulls, and one for each contact below it") {
+    CHECK(EventsOf(as_stock::Told(PlayMany)) == "-- below it\n"
+                                                "hulls start -1 0\n"
+                                                "-- above it\n"
+                                                "hulls contact 0 0\n"
+                                                "28 x contact start -1 0\n"
+                                                "-- below it\n"
+                                                "hulls leave 0 0\n"
+                                                "-- on it\n"
+                                                "hulls contact 0 0\n"
+                                                "28 x contact contact 0 0\n"
+                                                "-- off it\n"
+                                                "28 x contact leave 0 0\n"
+                                                "-- on it\n"
+                                                "28 x contact contact 0 0\n"
+                                                "-- below it\n"
+                                                "28 x contact leave 0 0\n");
+}
+
+#if defined(AS_STOCK_AHEAD)
+TEST_CASE("a sensor's contact lives as the header says") {
+    CHECK(EventsOf(as_stock::Told(PlaySensor)) == "-- beside it\n"
+                                                  "contact start -1 0\n"
+                                                  "-- nearer\n"
+                                                  "-- along its side\n"
+                                                  "-- above it\n"
+                                                  "contact push 0 0\n"
+                                                  "-- in it\n"
+                                                  "contact contact 0 0\n"
+                                                  "-- deeper\n"
+                                                  "-- out of it\n"
+                                                  "contact leave 0 0\n"
+                                                  "-- away\n"
+                                                  "-- back\n"
+                                                  "contact start -1 0\n");
+}
+
 TEST_CASE("what only a line of the ledger keeps apart leaves contact by it") {
-    CHECK(EventsOf(lives::Told(PlayTips)) == "-- tip to tip\n"
-                                             "contact contact -1 0\n"
-                                             "contact leave 0 0\n"
-                                             "-- a bit nearer\n"
-                                             "-- side by side\n"
-                                             "contact push 0 0\n");
+    CHECK(EventsOf(as_stock::Told(PlayTips)) == "-- tip to tip\n"
+                                                "contact contact -1 0\n"
+                                                "contact leave 0 0\n"
+                                                "-- a bit nearer\n"
+                                                "-- side by side\n"
+                                                "contact push 0 0\n");
 }
 #endif

@@ -3,11 +3,11 @@
 // plays otherwise for being listened to.
 #include <cstdint>
 
-#include "lives.h"
+#include "events.h"
 
+using as_stock::Listener;
 using forked::Game;
 using forked::Run;
-using lives::Listener;
 
 namespace {
 
@@ -138,7 +138,7 @@ template <typename Check> void ForSettings(Check check) {
 TEST_CASE("contacts of small polygons live as the header allows, and as if nobody listened") {
     ForSettings([](const bmr::Options &options) {
         const std::string stock = forked::InChild(PlaySmallUnheard, nullptr, forked::When::kBefore);
-        CHECK(forked::Difference(stock, lives::Told(PlaySmall, options)) == "");
+        CHECK(forked::Difference(stock, as_stock::Told(PlaySmall, options)) == "");
         CHECK(forked::Difference(stock, forked::InChild(PlaySmallUnheard, &options, forked::When::kBefore)) ==
               "");
     });
@@ -147,6 +147,6 @@ TEST_CASE("contacts of small polygons live as the header allows, and as if nobod
 TEST_CASE("contacts of big polygons live as the header allows, and as if nobody listened") {
     ForSettings([](const bmr::Options &options) {
         const std::string quiet = forked::InChild(PlayBigUnheard, &options, forked::When::kBefore);
-        CHECK(forked::Difference(quiet, lives::Told(PlayBig, options)) == "");
+        CHECK(forked::Difference(quiet, as_stock::Told(PlayBig, options)) == "");
     });
 }

@@ -10,7 +10,7 @@
 
 #include "yard.h"
 
-using namespace stale;
+using namespace as_stock;
 
 // JoltPhysics #2125, #2134: a shape set while the body is removed kept the manifold of the old one.
 // rapier #320, #538, #900: changed or disabled colliders went unnoticed.
