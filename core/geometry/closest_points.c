@@ -259,7 +259,7 @@ bool bmr_posed_polygons_closest(const bmr_posed_polygons *q, unsigned *steps, bm
         return false;
     if (!(found.square > 0.0))
         return false;
-    closest->distance = sqrt(found.square);
+    closest->distance = bmr_length(found.way); // whose square may be a denormal, with few digits
     closest->point_a = bmr_transform(&q->pose_a, found.a);
     closest->point_b = bmr_transform(&q->pose_a, found.b);
     closest->normal = bmr_rotate(&q->pose_a, bmr_scale(1.0 / closest->distance, found.way));

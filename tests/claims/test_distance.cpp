@@ -253,6 +253,15 @@ TEST_CASE("a vertex that lies on the middle of an edge is not far from it") {
     CHECK(Overlap(s).depth <= s.tolerance);
 }
 
+TEST_CASE("the normal has unit length where the square of the distance is a denormal number") {
+    const Polygon a = Hull({{0.0, 0.0}}), b = Hull({{-1e-156, 0.0}, {4.0, 3.0}, {4.0, 5.0}});
+    const Scene s = SceneOf(a.get(), bmr_pose_identity(), b.get(), bmr_pose_identity());
+    const bmr_closest_points closest = Closest(s);
+    CHECK(closest.distance == doctest::Approx(6e-157).epsilon(1e-14));
+    CHECK(std::fabs(std::hypot(closest.normal.x, closest.normal.y) - 1.0) <= 1e-15);
+    CHECK(ProvesItself(s, closest));
+}
+
 TEST_CASE("vertices that lie together are no way around a polygon") {
     // Of two such vertices the searches at both ends of an arc found the other one each. The last pair has a
     // direction that separates only at the second look.

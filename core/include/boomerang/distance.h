@@ -19,7 +19,7 @@ extern "C" {
 ///
 /// What rounding costs: every length in an answer is right up to BMR_DISTANCE_ROUNDING times the sum of both
 /// extents and of the magnitudes of both positions (and up to 1e-150, where squares underflow: two points
-/// that near have distance 0). Polygons that are nearer to touching than that may be called apart or
+/// that near may have distance 0). Polygons that are nearer to touching than that may be called apart or
 /// overlapping. A normal between closest points is off by an angle of at most twice that over the distance.
 ///
 /// Errors of both functions: NULL_ARGUMENT; NOT_FINITE (a pose with a NaN or an infinity); OUT_OF_RANGE (a
