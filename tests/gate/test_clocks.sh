@@ -18,13 +18,10 @@ tests/bad_input/process.cpp: ends what hangs
 tests/bad_input/table.cpp: ends what hangs
 tests/browser/browser.py: polls a page; ends what hangs
 tests/cli/test_usage_cli.sh: polls for a file
-tests/controls/run_controls.sh: how many at once
-tests/controls/run_core_controls.sh: how many at once
 tests/determinism/run: how many at once
 tests/fuzz/run: tells how long it took; the seconds of a campaign are asked for by name
 tests/gate/test_clocks.sh: the list itself
 tests/hooks/clock_game.cpp: a test of clocks, which reads before and after
-tests/hooks/run_controls.sh: how many at once; ends what hangs
 tests/mutation/workshop.py: a campaign
 tests/run: how many at once; the seed of a long run, which is printed
 tests/soak/run_soak.sh: when to look at the memory
@@ -32,7 +29,6 @@ tests/stages/common.sh: tells how long it took
 tests/plugin/test_try.sh: a game that goes on for ever, and is interrupted
 tests/plugin/small_worlds/main.cpp: of its benchmark alone, which no test runs
 tests/threads/forking.cpp: between two looks at whether a thread is asleep
-tests/threads/run_controls.sh: ends what hangs
 tests/threads/run_ways.sh: ends what hangs
 '
 found=$(cd "$root" && grep -rlE --include='*.c' --include='*.cpp' --include='*.h' --include='*.sh' --include='*.py' --include=run \

@@ -19,7 +19,7 @@ Test = collections.namedtuple("Test", "name labels command environment directory
 SOURCES = ("CMakeLists.txt", "cmake", "core", "box2d_glue", "plugin", "testbed_scenes", "tests", "docs", "README.md",
            "CHANGELOG.md", "LICENSE", "tools")
 # Mutants are no subject of these: they build something anew, or look at pages and texts.
-OTHER_LABELS = {"controls", "consumer", "browser", "mutation", "examples", "fuzz", "coverage", "determinism"}
+OTHER_LABELS = {"controls", "faults", "consumer", "browser", "mutation", "examples", "fuzz", "coverage", "determinism"}
 LABEL_ORDER = ["claims", "glue", "unit", "property", "hooks", "plugin", "preloaded"]
 # In C, a swap of arguments whose types do not fit is an error like any other.
 C_FLAGS = "-Werror=implicit-function-declaration -Werror=int-conversion -Werror=incompatible-pointer-types"

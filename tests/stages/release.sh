@@ -7,7 +7,7 @@
 # In the gate the corpora of the fuzzers are replayed under the sanitizers alone.
 build_release() {
     local rooms=''
-    [ "$long" = yes ] || rooms='gate;as_stock;hooks;consumer;packages;python;abi;controls;examples;plugin;browser;bad_input;threads;mutation;steps'
+    [ "$long" = yes ] || rooms='gate;as_stock;hooks;consumer;packages;python;abi;examples;plugin;browser;bad_input;threads;mutation;steps;faults'
     build_tree release release "-DBOOMERANG_TEST_ROOMS=$rooms" -DBOOMERANG_BUILD_TESTS=ON -DBOOMERANG_BUILD_BENCHMARKS=ON -DBOOMERANG_QUICK_BUILD=ON \
         -DBOOMERANG_WARNINGS_AS_ERRORS=ON "-DBOOMERANG_PACKAGE_MAINTAINER=The tests <tests@example.org>"
 }
@@ -22,7 +22,7 @@ stage_release() {
     if [ "$long" = no ]; then
         scale=0.1 throws=30000 controls=
         # What is taken out of the library for the tests of threads is left to the thread sanitizer's tree.
-        less=(--exclude-regex '^threads_controls$')
+        less=(--exclude-regex '^faults_of_threads$')
     fi
     build_release || return 1
     [ "$long" = no ] || bmr_need_packages lintian || return 1
