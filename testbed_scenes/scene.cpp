@@ -6,8 +6,8 @@ namespace testbed {
 void Scene::BeforeStep(Stage &, int) {}
 void Scene::OnBegin(b2Contact &) {}
 void Scene::OnEnd(b2Contact &) {}
-void Scene::OnPreSolve(b2Contact &) {}
-void Scene::OnPostSolve(b2Contact &) {}
+void Scene::OnPreSolve(b2Contact &, const b2Manifold &) {}
+void Scene::OnPostSolve(b2Contact &, const b2ContactImpulse &) {}
 void Scene::OnGoodbye(b2Joint &) {}
 
 SceneInfo SceneOfAFile(const char *name, const char *description, int steps, float timeStep,

@@ -25,8 +25,8 @@ public:
     virtual bool Listens() const { return false; }
     virtual void OnBegin(b2Contact &contact);
     virtual void OnEnd(b2Contact &contact);
-    virtual void OnPreSolve(b2Contact &contact);
-    virtual void OnPostSolve(b2Contact &contact);
+    virtual void OnPreSolve(b2Contact &contact, const b2Manifold &old);
+    virtual void OnPostSolve(b2Contact &contact, const b2ContactImpulse &impulse);
     /// Called always: a scene must forget joints that die with their bodies.
     virtual void OnGoodbye(b2Joint &joint);
 };
@@ -35,9 +35,10 @@ public:
 struct SceneInfo {
     const char *name;
     const char *description;
-    const char *group; ///< "classic": small and known from Box2D's testbed; "hard": many pairs that stay
-                       ///< apart; "any-size": of polygons of any size, as the options `vertices` and `bodies`
-                       ///< choose; "outlines": of concave bodies, likewise
+    const char
+        *group; ///< "classic": small and known from Box2D's testbed; "hard": many pairs that stay
+                ///< apart; "games": what games are made of; "any-size": of polygons of any size, as the
+                ///< options `vertices` and `bodies` choose; "outlines": of concave bodies, likewise
     const char *sizeMeaning;
     int size;
     int steps;
@@ -58,7 +59,8 @@ template <typename T> std::unique_ptr<Scene> CreateScene() {
 SceneInfo SceneOfAFile(const char *name, const char *description, int steps, float timeStep,
                        std::unique_ptr<Scene> (*create)());
 
-/// All scenes: the classic ones, then the hard ones, then those of any size, then outlines.
+/// All scenes: the classic ones, then the hard ones, then those of games, then those of any size, then
+/// outlines.
 const std::vector<SceneInfo> &AllScenes();
 /// Null if there is none of this name.
 const SceneInfo *FindScene(std::string_view name);
@@ -77,6 +79,7 @@ void AddBullets(std::vector<SceneInfo> &scenes);
 void AddSensors(std::vector<SceneInfo> &scenes);
 void AddSleepers(std::vector<SceneInfo> &scenes);
 void AddChurn(std::vector<SceneInfo> &scenes);
+void AddGames(std::vector<SceneInfo> &scenes);
 void AddAnySizeCoins(std::vector<SceneInfo> &scenes);
 void AddAnySizeBodies(std::vector<SceneInfo> &scenes);
 void AddAnySizeWorlds(std::vector<SceneInfo> &scenes);

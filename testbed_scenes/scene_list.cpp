@@ -8,7 +8,7 @@ const std::vector<SceneInfo> &AllScenes() {
         for (const auto add :
              {AddClassicStacks, AddClassicMotion, AddClassicJoints, AddClassicExamples, AddTerrain,
               AddLongThings, AddCoins, AddAsteroids, AddGears, AddBullets, AddSensors, AddSleepers, AddChurn,
-              AddAnySizeCoins, AddAnySizeBodies, AddAnySizeWorlds, AddOutlines})
+              AddGames, AddAnySizeCoins, AddAnySizeBodies, AddAnySizeWorlds, AddOutlines})
             add(all);
         return all;
     }();

@@ -112,6 +112,61 @@ b2Body *AddArena(Stage &stage, b2Vec2 center, float halfWidth, float halfHeight,
     return arena;
 }
 
+Outline MakeHills(Random &random, b2Vec2 from, float width, const Swell &swell) {
+    constexpr float wall = 20.0f, step = 1.0f;
+    Outline hills{{from.x, from.y + wall}};
+    for (float x = 0.0f; x <= width; x += step) {
+        const float y = swell.height * std::sin(swell.frequency * x);
+        hills.push_back(from + b2Vec2(x, y + random.Uniform(-swell.roughness, swell.roughness)));
+    }
+    hills.push_back(from + b2Vec2(width, wall));
+    return hills;
+}
+
+void AddEdges(Stage &stage, const Outline &hills, float friction) {
+    b2Body *ground = stage.AddBody(b2_staticBody, {0.0f, 0.0f});
+    for (std::size_t i = 0; i + 1 < hills.size(); ++i)
+        stage.AddFixture(ground, Material(0.0f, friction), MakeEdge(hills[i], hills[i + 1]));
+}
+
+void AddChain(Stage &stage, const Outline &hills) {
+    const Outline reversed(hills.rbegin(), hills.rend());
+    b2ChainShape chain;
+    chain.CreateChain(reversed.data(), static_cast<int32>(reversed.size()), reversed.front() + b2Vec2(0, 1),
+                      reversed.back() + b2Vec2(0, 1));
+    stage.AddFixture(stage.AddBody(b2_staticBody, {0.0f, 0.0f}), chain, 0.0f);
+}
+
+namespace {
+
+b2WheelJoint *AddWheel(Stage &stage, b2Body *car, b2Vec2 position, float torque) {
+    b2Body *wheel = stage.AddBody(b2_dynamicBody, position);
+    stage.AddFixture(wheel, Material(1.0f, 0.9f), MakeCircle(0.4f));
+    b2WheelJointDef def;
+    def.Initialize(car, wheel, position, {0.0f, 1.0f});
+    def.maxMotorTorque = torque;
+    def.enableMotor = torque > 0.0f;
+    b2LinearStiffness(def.stiffness, def.damping, 4.0f, 0.7f, car, wheel);
+    def.lowerTranslation = -0.25f;
+    def.upperTranslation = 0.25f;
+    def.enableLimit = true;
+    return static_cast<b2WheelJoint *>(stage.AddJoint(def));
+}
+
+} // namespace
+
+b2WheelJoint *AddCar(Stage &stage, b2Vec2 road) {
+    const b2Vec2 corners[] = {b2Vec2(-1.5f, -0.5f), b2Vec2(1.5f, -0.5f),  b2Vec2(1.5f, 0.0f),
+                              b2Vec2(0.0f, 0.9f),   b2Vec2(-1.15f, 0.9f), b2Vec2(-1.5f, 0.2f)};
+    b2PolygonShape chassis;
+    chassis.Set(corners, 6);
+    b2Body *car = stage.AddBody(b2_dynamicBody, road + b2Vec2(0.0f, 1.0f));
+    stage.AddFixture(car, chassis, 1.0f);
+    b2WheelJoint *motor = AddWheel(stage, car, road + b2Vec2(-1.0f, 0.4f), 40.0f);
+    AddWheel(stage, car, road + b2Vec2(1.0f, 0.4f), 0.0f);
+    return motor;
+}
+
 Grid::Grid(int size, int columns, float spacing)
     : halfWidth(0.5f * spacing * static_cast<float>(columns)),
       halfHeight(0.5f * spacing * static_cast<float>((size + columns - 1) / columns)), m_columns(columns),

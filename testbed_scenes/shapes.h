@@ -39,6 +39,22 @@ void AddFan(Stage &stage, b2Body *body, const Outline &outline, const b2FixtureD
 /// halfHeight away. The walls touch at their corners.
 b2Body *AddArena(Stage &stage, b2Vec2 center, float halfWidth, float halfHeight, float restitution);
 
+/// Of hills: a wave of so many radians a metre and metres in height, and how far each point is off it at
+/// random.
+struct Swell {
+    float frequency, height, roughness;
+};
+/// Hills from left to right, a point a metre; the walls at both ends keep everything in.
+Outline MakeHills(Random &random, b2Vec2 from, float width, const Swell &swell);
+/// Edges that know nothing of each other, as a level of separate segments has them.
+void AddEdges(Stage &stage, const Outline &hills, float friction);
+/// One-sided, from right to left, so that its front is up.
+void AddChain(Stage &stage, const Outline &hills);
+
+/// A car on two sprung wheels, above a place of the road. The joint is that of the rear wheel, which has a
+/// motor.
+b2WheelJoint *AddCar(Stage &stage, b2Vec2 road);
+
 /// Places for `size` bodies in rows of `columns`, `spacing` apart, about the origin: what fills an arena of
 /// halfWidth and halfHeight evenly.
 class Grid {

@@ -82,13 +82,13 @@ void Stage::EndContact(b2Contact *contact) {
 void Stage::PreSolve(b2Contact *contact, const b2Manifold *old) {
     if (m_observer != nullptr)
         m_observer->OnPreSolve(*contact, *old);
-    m_scene.OnPreSolve(*contact);
+    m_scene.OnPreSolve(*contact, *old);
 }
 
 void Stage::PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) {
     if (m_observer != nullptr)
         m_observer->OnPostSolve(*contact, *impulse);
-    m_scene.OnPostSolve(*contact);
+    m_scene.OnPostSolve(*contact, *impulse);
 }
 
 void Stage::SayGoodbye(b2Joint *joint) {

@@ -119,10 +119,12 @@ CLI::App *AddCompare(CLI::App &app, CommandLine &line) {
         "--details", command.details,
         "All tables: calls of Box2D, budgets, events and times, and what their columns mean");
     compare->add_flag("--quiet", command.quiet, "Only differences and the verdict")->excludes(details);
-    compare->add_flag(
-        "--heard", command.options.worker.heard,
-        "Time and count worlds that a listener hears, of begins and ends of contacts, as in most "
-        "games (default: nobody listens, except in scenes that do)");
+    compare
+        ->add_option(
+            "--listener", command.options.worker.listener,
+            "A contact listener in all worlds: it counts its calls; reads, too; or acts, too (default: none, "
+            "except in scenes that listen themselves)")
+        ->check(CLI::IsMember({"none", "counts", "reads", "acts"}));
     AddPluginOptions(*compare, command.options.worker);
     AddSceneOptions(*compare, command.options.worker);
     compare

@@ -141,7 +141,7 @@ nlohmann::json ToJson(const std::vector<SceneResult> &results, const CompareOpti
           {"repeat", options.time ? options.repeat : 0},
           {"structure", options.worker.structure.empty() ? "default" : options.worker.structure},
           {"prefilter", options.worker.prefilter.empty() ? "default" : options.worker.prefilter},
-          {"heard", options.worker.heard},
+          {"listener", options.worker.listener.empty() ? "none" : options.worker.listener},
           {"perturb", options.perturb ? nlohmann::json(*options.perturb) : nlohmann::json()}}},
         {"scenes", scenes},
         {"identical", CountOf(results, Verdict::Identical)},

@@ -150,8 +150,8 @@ std::unique_ptr<Process> Workers::Start(const WorkerRequest &request, const Work
         add("--size", std::to_string(*options.size));
     if (options.seed)
         add("--seed", std::to_string(*options.seed));
-    if (options.heard)
-        arguments.emplace_back("--heard");
+    if (!options.listener.empty())
+        add("--listener", options.listener);
     const bool takesOptions = request.side != Side::Stock && request.side != Side::Preloaded;
     if (takesOptions && !options.structure.empty())
         add("--structure", options.structure);

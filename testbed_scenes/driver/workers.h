@@ -35,8 +35,8 @@ struct WorkerOptions {
     /// For the plugin's worker alone; empty means its own default.
     std::string structure;
     std::string prefilter;
-    /// In worlds that are timed or counted a listener of begins and ends of contacts listens.
-    bool heard = false;
+    /// What the worlds' contact listener does: "counts", "reads" or "acts"; empty or "none": there is none.
+    std::string listener;
 };
 
 /// One run of a worker.

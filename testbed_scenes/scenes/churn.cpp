@@ -88,7 +88,7 @@ class Churn final : public Scene {
             contact.GetFixtureB()->SetFriction(0.1f * static_cast<float>(mixed % 10));
     }
 
-    void OnPreSolve(b2Contact &contact) override {
+    void OnPreSolve(b2Contact &contact, const b2Manifold &) override {
         const uint32_t mixed = Mix(contact);
         if (mixed % 13 == 0)
             contact.SetEnabled(false);

@@ -53,7 +53,7 @@ class Car final : public Scene {
             b2Body *box = stage.AddBody(b2_dynamicBody, {end + 30.0f, 0.5f + static_cast<float>(i)});
             stage.AddFixture(box, MakeBox(0.5f, 0.5f), 0.5f);
         }
-        AddCar(stage);
+        m_motor = AddCar(stage, {0.0f, 0.0f});
     }
 
     void BeforeStep(Stage &, int step) override {
@@ -86,31 +86,6 @@ class Car final : public Scene {
         stage.AddJoint(seesaw);
         plank->ApplyAngularImpulse(100.0f, true);
         return at.x + 20.0f;
-    }
-
-    void AddCar(Stage &stage) {
-        const b2Vec2 corners[] = {b2Vec2(-1.5f, -0.5f), b2Vec2(1.5f, -0.5f),  b2Vec2(1.5f, 0.0f),
-                                  b2Vec2(0.0f, 0.9f),   b2Vec2(-1.15f, 0.9f), b2Vec2(-1.5f, 0.2f)};
-        b2PolygonShape chassis;
-        chassis.Set(corners, 6);
-        b2Body *car = stage.AddBody(b2_dynamicBody, {0.0f, 1.0f});
-        stage.AddFixture(car, chassis, 1.0f);
-        m_motor = AddWheel(stage, car, {-1.0f, 0.4f}, 40.0f);
-        AddWheel(stage, car, {1.0f, 0.4f}, 0.0f);
-    }
-
-    static b2WheelJoint *AddWheel(Stage &stage, b2Body *car, b2Vec2 position, float torque) {
-        b2Body *wheel = stage.AddBody(b2_dynamicBody, position);
-        stage.AddFixture(wheel, Material(1.0f, 0.9f), MakeCircle(0.4f));
-        b2WheelJointDef def;
-        def.Initialize(car, wheel, position, {0.0f, 1.0f});
-        def.maxMotorTorque = torque;
-        def.enableMotor = torque > 0.0f;
-        b2LinearStiffness(def.stiffness, def.damping, 4.0f, 0.7f, car, wheel);
-        def.lowerTranslation = -0.25f;
-        def.upperTranslation = 0.25f;
-        def.enableLimit = true;
-        return static_cast<b2WheelJoint *>(stage.AddJoint(def));
     }
 
     b2WheelJoint *m_motor = nullptr;

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
 // Things that stand: most contacts touch and go on touching.
+#include <algorithm>
+
 #include "scene.h"
 #include "shapes.h"
 
 namespace testbed {
 namespace {
 
-void AddGround(Stage &stage) {
+void AddGround(Stage &stage, float halfWidth) {
     b2Body *ground = stage.AddBody(b2_staticBody, {0.0f, 0.0f});
-    stage.AddFixture(ground, MakeEdge({-40.0f, 0.0f}, {40.0f, 0.0f}), 0.0f);
+    stage.AddFixture(ground, MakeEdge({-halfWidth, 0.0f}, {halfWidth, 0.0f}), 0.0f);
 }
 
 /// Rows of unit boxes, each a box shorter than the one below; also what falls on the tiles.
@@ -28,7 +30,7 @@ void AddPyramid(Stage &stage, int base) {
 
 class Pyramid final : public Scene {
     void Build(Stage &stage, int size) override {
-        AddGround(stage);
+        AddGround(stage, std::max(40.0f, 2.0f * static_cast<float>(size)));
         AddPyramid(stage, size);
     }
 };
@@ -36,7 +38,7 @@ class Pyramid final : public Scene {
 class VerticalStack final : public Scene {
     void Build(Stage &stage, int size) override {
         constexpr int columns = 5;
-        AddGround(stage);
+        AddGround(stage, 40.0f);
         const b2PolygonShape box = MakeBox(0.5f, 0.5f);
         const b2FixtureDef def = Material(1.0f, 0.3f);
         for (int column = 0; column < columns; ++column) {

@@ -20,6 +20,11 @@ const std::map<std::string, Mode> modes = {
 const std::map<std::string, BodyKind> kinds = {
     {"one", BodyKind::One}, {"many", BodyKind::Many}, {"circle", BodyKind::Circle}};
 
+const std::map<std::string, Listening> listenings = {{"none", Listening::None},
+                                                     {"counts", Listening::Counts},
+                                                     {"reads", Listening::Reads},
+                                                     {"acts", Listening::Acts}};
+
 /// "12", "0:600" or "0:600:10".
 RecordRange ParseRange(const std::string &text) {
     RecordRange range;
@@ -121,10 +126,12 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
                    "stop")
         ->option_text("STEP")
         ->check(CLI::Range(0, 100000000).description(""));
-    app.add_flag(
-        "--heard", options.heard,
-        "A listener counts begins and ends of contacts, as most games have one; a scene that listens "
-        "itself keeps its own");
+    app.add_option(
+           "--listener", options.listening,
+           "A contact listener, ahead of the scene's own: it counts its calls; reads manifolds, impulses "
+           "and bodies,\ntoo; or disables contacts, changes friction and pushes bodies, too")
+        ->transform(CLI::CheckedTransformer(listenings).description(""))
+        ->option_text("none|counts|reads|acts [none]");
     bool boxes = false, compact = false;
     CLI::Option *record =
         app.add_option_function<std::string>(

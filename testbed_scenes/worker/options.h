@@ -7,6 +7,7 @@
 #include <string>
 
 #include "polygon_choice.h"
+#include "worker/listener.h"
 #include "worker/plugin.h"
 #include "worker/recorder.h"
 
@@ -26,7 +27,7 @@ struct Options {
     std::optional<BodyKind> bodies;
     std::optional<int> dump, perturb;
     std::optional<RecordRange> record;
-    bool heard = false;
+    Listening listening = Listening::None;
     PluginOptions plugin;
 };
 

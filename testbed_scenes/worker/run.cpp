@@ -11,6 +11,7 @@
 
 #include "recording/bytes.h"
 #include "state/snapshot.h"
+#include "worker/listener.h"
 #include "worker/recorder.h"
 #include "worker/summary.h"
 
@@ -54,20 +55,6 @@ void Shake(Stage &stage) {
     }
 }
 
-/// What most games have: a listener that is told of begins and ends, and of no more.
-class Heard final : public b2ContactListener {
-public:
-    void BeginContact(b2Contact *) override { ++m_begins; }
-    void EndContact(b2Contact *) override { ++m_ends; }
-    void AddTo(nlohmann::json *json) const {
-        (*json)["begins"] = m_begins;
-        (*json)["ends"] = m_ends;
-    }
-
-private:
-    long m_begins = 0, m_ends = 0;
-};
-
 long TimeStep(const SceneInfo &info, b2World &world) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
@@ -101,23 +88,19 @@ void RunScene(const SceneInfo &info, const Options &options) {
     EventObserver *const observer = record                       ? static_cast<EventObserver *>(&*record)
                                     : options.mode == Mode::Hash ? &recorder
                                                                  : nullptr;
-    const std::unique_ptr<Scene> scene = info.create();
-    // Nobody listens to a world that is timed or counted and not recorded, unless its scene does or --heard
-    // asks for it.
-    Heard heard;
+    const std::unique_ptr<Scene> played = info.create();
+    ListenedScene listened(*played, options.listening);
+    Scene &scene = options.listening == Listening::None ? *played : listened;
     const unsigned long seed = options.seed.value_or(info.seed);
-    Stage stage(*scene, seed, observer);
+    Stage stage(scene, seed, observer);
     stage.SetPolygons(PolygonsOf(info, options));
     b2World &world = stage.World();
-    const bool listens = options.heard && observer == nullptr && !scene->Listens();
-    if (listens)
-        world.SetContactListener(&heard);
     const int steps = options.steps.value_or(info.steps);
     Summary summary(info, options, steps);
 
     recorder.StartStep(options.dump == 0);
     SetTraceStep(-1); // what happens before the first step
-    scene->Build(stage, options.size.value_or(info.size));
+    scene.Build(stage, options.size.value_or(info.size));
     if (seed != info.seed)
         Shake(stage);
     if (record)
@@ -125,7 +108,7 @@ void RunScene(const SceneInfo &info, const Options &options) {
     const std::clock_t begun = std::clock();
     for (int step = 0; step < steps; ++step) {
         SetTraceStep(step);
-        scene->BeforeStep(stage, step);
+        scene.BeforeStep(stage, step);
         if (record)
             record->BeginStep(world, step);
         const long nanoseconds = TimeStep(info, world);
@@ -156,8 +139,8 @@ void RunScene(const SceneInfo &info, const Options &options) {
     nlohmann::json json = summary.ToJson(world);
     if (options.mode == Mode::Time) // of the processor, all of the loop
         json["steps_processor_s"] = static_cast<double>(taken) / CLOCKS_PER_SEC;
-    if (listens)
-        heard.AddTo(&json);
+    if (options.listening != Listening::None)
+        json["listener"] = listened.ToJson();
     std::printf("summary %s\n", json.dump().c_str());
     if (std::fflush(stdout) != 0)
         throw std::runtime_error("the output could not be written");

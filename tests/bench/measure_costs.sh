@@ -15,7 +15,7 @@ Tables, each printed as Markdown:
   bodies     instructions of a step against the number of bodies, 1,000 to 50,000
   asleep     instructions of a step in which everybody sleeps
   scenes     each scene of the testbed, stock over plugin: linked behind Box2D, which leaves contacts alone, and
-             linked ahead of it with all hooks (SCENES="a b": these alone)
+             linked ahead of it with all hooks (SCENES="a b": these alone; LISTENER=reads: with such a listener)
 --steps N   steps of each scene (default: the scene's own)
 --csv FILE  also write fixtures and bodies as series,x,y, for `boomerang-testbed plot` and `report --costs`
 Exit codes: 0 done; 2 wrong usage; 3 a program failed.
@@ -68,8 +68,8 @@ total() {
     awk '/^(summary|totals):/ { print $2; exit }' "$profile"
 }
 
-# Instructions of the functions whose names begin with $1 and of all that they call, whoever calls them but themselves:
-# a hook and the function of Box2D's behind it have one name. (A hook's has the version BOOMERANG_HOOKS, which keeps valgrind from
+# Instructions of the functions whose names begin with $1 and of all that they call, whoever calls them but themselves
+# and the plugin: a hook and the function of Box2D's behind it have one name. (A hook's has the version BOOMERANG_HOOKS, which keeps valgrind from
 # demangling it.)
 inclusive() {
     sed 's/@BOOMERANG_HOOKS$//' "$profile" | c++filt | awk -v name="$1" '
@@ -85,7 +85,7 @@ inclusive() {
         /^calls=/ {
             getline cost
             split(cost, field, " ")
-            if (index(callee, name) == 1 && index(caller, name) != 1)
+            if (index(callee, name) == 1 && index(caller, name) != 1 && caller !~ /bmr::/)
                 sum += field[2]
         }
         END { printf "%.0f\n", sum }'
@@ -198,12 +198,12 @@ scenes() {
         [[ -z ${SCENES:-} || " $SCENES " = *" $name "* ]] || continue
         count=${steps:-$count}
         sums=()
-        linked stock "$build/bin/boomerang-scene" "$name" --mode time --steps "$count"
+        linked stock "$build/bin/boomerang-scene" "$name" --mode time --steps "$count" --listener "${LISTENER:-none}"
         sums+=("$(inclusive b2World::Step)")
         # Preloaded, Box2D's functions come first: as if the plugin were linked behind it.
-        LD_PRELOAD=$box2d linked none "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count"
+        LD_PRELOAD=$box2d linked none "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count" --listener "${LISTENER:-none}"
         sums+=("$(inclusive b2World::Step)")
-        linked all "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count"
+        linked all "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count" --listener "${LISTENER:-none}"
         sums+=("$(inclusive b2World::Step)")
         echo "| $name | $count | $((sums[0] / count)) | $(ratio "${sums[0]}" "${sums[1]}") |" \
             "$(ratio "${sums[0]}" "${sums[2]}") |"
