@@ -14,8 +14,8 @@ looks='steady_clock|system_clock|high_resolution|clock_gettime|gettimeofday|std:
 
 # file: reason
 allowed='
-tests/bad_input/process.cpp: ends what hangs
-tests/bad_input/table.cpp: ends what hangs
+tests/contracts/contracts.cpp: ends what hangs
+tests/contracts/process.cpp: ends what hangs
 tests/browser/browser.py: polls a page; ends what hangs
 tests/cli/test_usage_cli.sh: polls for a file
 tests/determinism/run: how many at once

@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace bad_input {
+namespace contracts {
 
 namespace {
 
@@ -79,4 +79,4 @@ Ended RunProgram(const std::vector<std::string> &command, const std::vector<std:
     return ended;
 }
 
-} // namespace bad_input
+} // namespace contracts

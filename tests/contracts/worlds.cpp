@@ -14,10 +14,10 @@
 
 #include <unistd.h>
 
+#include "contracts.h"
 #include "process.h"
-#include "table.h"
 
-using namespace bad_input;
+using namespace contracts;
 
 namespace {
 
@@ -109,23 +109,22 @@ bool OutputsTell() {
     return PlayStock(0).output != PlayStock(1).output && !PlayStock(0).output.empty();
 }
 
-} // namespace
-
-int main(int argc, char **argv) {
+const Table kWorlds("worlds", [] {
     for (const char *name : {"BOOMERANG", "BOOMERANG_HOOKS", "BOOMERANG_STRUCTURE", "BOOMERANG_PREFILTER",
                              "BOOMERANG_STATISTICS", "BOOMERANG_VERBOSE", "LD_PRELOAD"})
         unsetenv(name);
-    if (!OutputsTell()) {
-        std::printf("FAILED: what happens does not show in the output\n");
-        return 1;
-    }
-    std::vector<std::string> columns = {"Box2D"};
+    Matrix matrix;
+    matrix.alone = false; // the games have processes of their own
+    matrix.rows = BadThings();
+    matrix.columns = {"Box2D"};
     for (const Way &way : kWays)
-        columns.emplace_back(way.name);
-    return Main(argc, argv,
-                {{"worlds", columns, BadThings(),
-                  [](size_t row, size_t column) {
-                      return column == 0 ? HowItEnds(PlayStock(row)) : PlayedBy(row, kWays[column - 1]);
-                  },
-                  false}});
-}
+        matrix.columns.emplace_back(way.name);
+    matrix.answer = [](size_t row, size_t column) {
+        return !OutputsTell() ? "what happens does not show in the output"
+               : column == 0  ? HowItEnds(PlayStock(row))
+                              : PlayedBy(row, kWays[column - 1]);
+    };
+    return matrix;
+});
+
+} // namespace

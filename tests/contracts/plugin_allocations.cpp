@@ -11,7 +11,7 @@
 #include "process.h"
 #include "test_scale.h"
 
-using namespace bad_input;
+using namespace contracts;
 
 namespace {
 

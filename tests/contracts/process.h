@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_TEST_BAD_INPUT_PROCESS_H
-#define BOOMERANG_TEST_BAD_INPUT_PROCESS_H
+#ifndef BOOMERANG_TEST_CONTRACTS_PROCESS_H
+#define BOOMERANG_TEST_CONTRACTS_PROCESS_H
 
 #include <string>
 #include <vector>
 
-namespace bad_input {
+namespace contracts {
 
 /// What a program printed, and how it ended.
 struct Ended {
@@ -17,6 +17,6 @@ struct Ended {
 /// Runs a program to its end, at most two minutes; `environment` are settings "NAME=VALUE" in front of ours.
 Ended RunProgram(const std::vector<std::string> &command, const std::vector<std::string> &environment = {});
 
-} // namespace bad_input
+} // namespace contracts
 
 #endif
