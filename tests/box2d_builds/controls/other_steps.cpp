@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A plugin that changes one thing: every hundredth step is longer by one unit in the last place.
+// A plugin that changes one thing: every tenth step is longer by one unit in the last place.
 #include <cmath>
 
 #include <dlfcn.h>
@@ -13,7 +13,7 @@ void _ZN7b2World4StepEfii(void *world, float timeStep, int velocityIterations, i
     using Step = void(void *, float, int, int);
     static Step *const real = reinterpret_cast<Step *>(dlsym(RTLD_NEXT, "_ZN7b2World4StepEfii"));
     static int steps = 0;
-    real(world, ++steps % 100 == 0 ? std::nextafter(timeStep, 1.0f) : timeStep, velocityIterations,
+    real(world, ++steps % 10 == 0 ? std::nextafter(timeStep, 1.0f) : timeStep, velocityIterations,
          positionIterations);
 }
 }
