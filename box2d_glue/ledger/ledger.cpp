@@ -426,7 +426,8 @@ uint32_t Ledger::NextDue(uint32_t end) {
 
 bool Ledger::Renew(uint32_t i, double threshold) {
     const Record &record = m_records[i];
-    if ((m_bits[i] & kHasLine) == 0 || ((m_movers.Bits(record.a) | m_movers.Bits(record.b)) & kChanged) != 0)
+    if ((m_bits[i] & kHasLine) == 0 ||
+        ((m_movers.Bits(record.a) | m_movers.Bits(record.b)) & kChanged) != 0 || m_movers.AreSumsLost())
         return false;
     const bmr_mover &a = m_movers[record.a].motion, &b = m_movers[record.b].motion;
     const double slack = bmr_budget_line_gap(&m_lines[i], &a, &b, kUnits) - threshold;
@@ -524,6 +525,8 @@ void Ledger::NoteAllMayImpact() {
 }
 
 void Ledger::BeginSearch(bool careful) {
+    if (m_movers.AreSumsLost())
+        DropAllProofs();
     ++m_look; // and the sweeps of no mover are looked at
     m_sweepsCarefully = careful;
     // Each call of the game's then costs a look at every body: does that pay?

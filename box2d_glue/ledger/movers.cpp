@@ -98,6 +98,14 @@ uint8_t FlagsOf(const Mover &mover) {
     return bits;
 }
 
+/// Does a static body have a velocity, from its definition? It then moves on in each island that it is in, so
+/// that its sweep does not begin where it was looked at.
+bool MovesThoughStatic(const b2Body &body) {
+    const b2Vec2 &v = body.GetLinearVelocity();
+    return body.GetType() == b2_staticBody &&
+           !(v.x == 0.0f && v.y == 0.0f && body.GetAngularVelocity() == 0.0f);
+}
+
 bool SamePlace(const b2Transform &a, const b2Transform &b) {
     return a.p.x == b.p.x && a.p.y == b.p.y && a.q.s == b.q.s && a.q.c == b.q.c;
 }
@@ -356,7 +364,7 @@ void Movers::FindEnd(uint32_t row, bool careful, uint64_t look) {
     const bool known = (polygon == nullptr || DigestOf(*polygon) == mover.shape) &&
                        farthest + mover.motion.reach <= reach &&
                        std::fabs(a) <= static_cast<double>(kImpactAngle) &&
-                       std::fabs(a0) <= static_cast<double>(kImpactAngle) &&
+                       std::fabs(a0) <= static_cast<double>(kImpactAngle) && !MovesThoughStatic(body) &&
                        Double(sweep.localCenter).x == mover.motion.pivot.x &&
                        Double(sweep.localCenter).y == mover.motion.pivot.y;
     m_ends[row] = mover.motion.moved +

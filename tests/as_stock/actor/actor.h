@@ -30,7 +30,8 @@ namespace actor {
     DO(DisableContacts, 2) DO(MaskBody, 2) DO(JoinContact, 2) DO(EditAllInPlace, 2) DO(Throng, 5) \
     DO(BuildLevel, 2) DO(CreateCompound, 5) DO(CreatePairs, 2) DO(CreateDrums, 1) DO(Drive, 4) \
     DO(RestSome, 1) DO(FillAgain, 5) DO(ShiftThereAndBack, 3) DO(SetRounding, 1) DO(SetThrowing, 1) \
-    DO(SetTicks, 1) DO(Draw, 0) DO(SetFilterReactions, 1) DO(AddOutline, 4) DO(Scatter, 3)
+    DO(SetTicks, 1) DO(Draw, 0) DO(SetFilterReactions, 1) DO(AddOutline, 4) DO(Scatter, 3) \
+    DO(SendNowhere, 2) DO(PutBack, 1)
 // clang-format on
 
 /// What was seen of both worlds after one step (or, last, after the end). `probes`: what was asked out of
@@ -48,8 +49,9 @@ struct Record {
 /// step more, up to four), below one of ACTOR_ACTIONS, which are what a game may do
 ///
 ///   to bodies    create, destroy, replace, teleport, nudge by units in the last place, swap, put beside at
-///                a gap that something hangs on, turn by thousands of rounds, throw, drive; type, enabled,
-///                awake, bullet, freedoms, centre of mass, damping, gravity
+///                a gap that something hangs on, turn by thousands of rounds, throw, drive, send where
+///                numbers are none, and back; type, enabled, awake, bullet, freedoms, centre of mass,
+///                damping, gravity
 ///   to fixtures  create, destroy, replace, exchange with another body's, so that pairs change their A and B;
 ///                filters, materials, sensors; shapes edited in place, with and without a word to the plugin
 ///   to joints    of every kind: create, destroy, change

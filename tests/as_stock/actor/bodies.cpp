@@ -52,11 +52,6 @@ void Actor::CreateBody() {
         def.linearVelocity = Velocity();
     if ((how & 32) != 0)
         def.angularVelocity = Signed(0.1f);
-    if (def.type == b2_staticBody &&
-        m_mostBodies > 24) { // Known to differ: impacts move what is static and has one.
-        def.linearVelocity.SetZero();
-        def.angularVelocity = 0.0f;
-    }
     if (!HasRoom())
         return;
     b2Body *body = m_world->Create(def);
@@ -223,6 +218,56 @@ void Actor::SetExtremeVelocity() {
     body->SetLinearVelocity(velocity);
     if (how / 8 % 2 != 0)
         body->SetAngularVelocity(kScales[how / 16 % 8]);
+}
+
+/// Where numbers are none, or in no time. Box2D's search for impacts asserts there: it is off until PutBack.
+void Actor::SendNowhere() {
+    b2Body *body = SomeBody();
+    const int how = Byte();
+    if (body == nullptr)
+        return;
+    static constexpr float kNone[] = {NAN, INFINITY, -INFINITY, FLT_MAX};
+    const float none = kNone[how / 8 % 4];
+    const b2Vec2 at = body->GetPosition();
+    Box2D().SetContinuousPhysics(false);
+    m_world->mayBeNowhere = true;
+    switch (how % 8) {
+    case 0:
+    case 1:
+        body->SetTransform({none, at.y}, body->GetAngle());
+        break;
+    case 2:
+        body->SetTransform({at.x, none}, 0.5f);
+        break;
+    case 3:
+        body->SetTransform({none, none}, 0.0f);
+        break;
+    case 4:
+        body->SetTransform(at, none);
+        break;
+    case 5:
+        body->SetLinearVelocity({0.0f, none});
+        break;
+    case 6:
+        body->SetAngularVelocity(none);
+        break;
+    default:
+        body->ApplyForceToCenter({none, 0.0f}, true);
+    }
+}
+
+void Actor::PutBack() {
+    const int how = Byte();
+    for (b2Body *body = Box2D().GetBodyList(); body != nullptr; body = body->GetNext()) {
+        if (World::IsFinite(*body))
+            continue;
+        const auto number = static_cast<float>(testbed::NumberOf(*body) % 16);
+        body->SetTransform(m_origin + 0.25f * b2Vec2(number - 8.0f, number), number);
+        body->SetLinearVelocity({0.0f, 0.0f});
+        body->SetAngularVelocity(0.0f);
+    }
+    if (how % 2 == 0)
+        Box2D().SetContinuousPhysics(true);
 }
 
 void Actor::Push() {

@@ -170,10 +170,6 @@ void Actor::BuildLevel() {
         def.angle = dice.Between(0.0f, 3.0f);
         def.angularVelocity = dice.Between(-2.0f, 2.0f);
         def.linearVelocity = dice.Within(1.0f);
-        if (def.type == b2_staticBody) { // as in CreateBody
-            def.linearVelocity.SetZero();
-            def.angularVelocity = 0.0f;
-        }
         m_world->Create(m_world->Create(def), solid,
                         Box(dice.Between(0.02f, 0.3f), dice.Between(0.5f, 4.0f)));
     }

@@ -2,6 +2,7 @@
 //
 //   actor seeds FIRST COUNT [OPTION...]     what BytesOf makes of seeds
 //   actor corpus FILE [NAME...] [OPTION...] the inputs of a packed corpus, or these
+//   actor play BYTES                        these bytes, two digits each
 //   actor hex FIRST COUNT                   prints those bytes: lines of a packed corpus
 //   actor serve                             plays what comes in (serving.h)
 //
@@ -38,8 +39,10 @@ std::string playing; ///< the input's name; of an actor that serves none
 int perturbAt = -1, dumpAt = -1;
 
 int Usage() {
-    std::fprintf(stderr, "usage: actor seeds FIRST COUNT | corpus FILE [NAME...] | hex FIRST COUNT | serve\n"
-                         "             [--any-size] [--dump RECORD] [--perturb RECORD]\n");
+    std::fprintf(
+        stderr,
+        "usage: actor seeds FIRST COUNT | corpus FILE [NAME...] | play BYTES | hex FIRST COUNT | serve\n"
+        "             [--any-size] [--dump RECORD] [--perturb RECORD]\n");
     return 2;
 }
 
@@ -109,6 +112,12 @@ int main(int argc, char **argv) {
                    count = static_cast<uint32_t>(std::strtoul(words[2].c_str(), nullptr, 10));
         for (uint32_t seed = first; seed != first + count; ++seed)
             inputs.push_back({std::to_string(seed), actor::BytesOf(seed)});
+    } else if (words.size() == 2 && words[0] == "play") {
+        Input input = {"bytes", {}};
+        for (size_t i = 0; i + 1 < words[1].size(); i += 2)
+            input.bytes.push_back(
+                static_cast<uint8_t>(std::strtoul(words[1].substr(i, 2).c_str(), nullptr, 16)));
+        inputs.push_back(input);
     } else if (words.size() >= 2 && words[0] == "corpus") {
         const auto keep = [](void *all, const char *name, const uint8_t *bytes, size_t size) {
             static_cast<std::vector<Input> *>(all)->push_back({name, {bytes, bytes + size}});
@@ -131,7 +140,7 @@ int main(int argc, char **argv) {
     }
     actor::Install();
     for (const Input &input : inputs) {
-        bool wanted = words[0] == "seeds" || words.size() == 2;
+        bool wanted = words[0] != "corpus" || words.size() == 2;
         for (size_t i = 2; i < words.size() && words[0] == "corpus"; ++i)
             wanted = wanted || words[i] == input.name;
         if (wanted && anySize == actor::Actor::AsksForAnySize(input.bytes.data(), input.bytes.size()))

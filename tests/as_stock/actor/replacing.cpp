@@ -90,7 +90,7 @@ void Actor::ReplaceBody() {
     const int how = Byte();
     b2Body *body = SomeBody();
     const b2Vec2 by = Vector(0.002f);
-    if (body == nullptr || body->GetJointList() != nullptr)
+    if (body == nullptr || body->GetJointList() != nullptr || !World::IsFinite(*body))
         return;
     b2BodyDef def;
     def.type = body->GetType();

@@ -358,13 +358,36 @@ void WriteSurprises(Writer &w) {
     }
 }
 
+/// Bodies that are sent where numbers are none, among others, and put back.
+void WriteNowhere(Writer &w) {
+    w.Act("BuildLevel", {2 + 4 + 16 * static_cast<int>(w.Below(3))});
+    w.Act("Throng", {0, 10 + static_cast<int>(w.Below(60)), 30 + static_cast<int>(w.Below(60))});
+    w.Act("CreatePairs", {27});
+    if (w.OnceIn(2))
+        w.Act("ChangeHands", {10});
+    else
+        w.Listen({"disables", "reads contacts", "throws it", "edits a shape", "wakes another or not"});
+    w.Steps(4);
+    for (uint32_t i = 30 + w.Below(20); i > 0; --i) {
+        if (w.OnceIn(4))
+            w.Act("SendNowhere");
+        for (uint32_t k = w.Below(3); k > 0; --k)
+            w.ActAny({"SendNowhere", "PutBack", "Teleport", "Throw", "Carry", "SetType", "SetEnabled",
+                      "SetAwake", "DestroyBody", "ReplaceBody", "AddFixtureToSome", "DestroyFixture",
+                      "ResizeInPlace", "AskWorld", "ProbeContact", "ShiftOrigin", "Scatter"});
+        w.Steps(1 + w.Below(2));
+    }
+}
+
 } // namespace
 
 std::vector<uint8_t> BytesOf(uint32_t seed) {
-    static constexpr struct {
+    struct Kind {
         uint8_t flags;
         void (*write)(Writer &);
-    } kKinds[] = {
+    };
+    static constexpr Kind kNowhere = {kLarge | kWeightless, WriteNowhere};
+    static constexpr Kind kKinds[] = {
         {0, WriteSmall},
         {kLarge, WriteArena},
         {kLarge | kWeightless, WriteWild},
@@ -379,7 +402,7 @@ std::vector<uint8_t> BytesOf(uint32_t seed) {
         {kLarge | kWeightless, WriteWild},
     };
     constexpr uint32_t kKindCount = sizeof kKinds / sizeof *kKinds;
-    const auto &kind = kKinds[seed % kKindCount];
+    const Kind &kind = seed % 25 == 24 ? kNowhere : kKinds[seed % kKindCount];
     Writer w(seed + 1);
     w.Next();
     int flags = kind.flags;

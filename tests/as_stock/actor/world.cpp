@@ -149,10 +149,14 @@ void World::Watch(const b2Contact &contact) {
     }
 }
 
+bool World::IsFinite(const b2Body &body) {
+    return body.GetPosition().IsValid() && body.GetLinearVelocity().IsValid() && b2IsValid(body.GetAngle()) &&
+           b2IsValid(body.GetAngularVelocity());
+}
+
 bool World::IsFinite() const {
-    for (const b2Body *body = m_world.GetBodyList(); body != nullptr; body = body->GetNext())
-        if (!body->GetPosition().IsValid() || !body->GetLinearVelocity().IsValid() ||
-            !b2IsValid(body->GetAngle()) || !b2IsValid(body->GetAngularVelocity()))
+    for (const b2Body *body = m_world.GetBodyList(); body != nullptr && !mayBeNowhere; body = body->GetNext())
+        if (!IsFinite(*body))
             return false;
     return true;
 }

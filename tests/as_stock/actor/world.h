@@ -54,6 +54,8 @@ public:
 
     /// A step, and another one where a callback threw: until then the world is locked.
     void Step(float timeStep, int32 velocityIterations, int32 positionIterations);
+    static bool IsFinite(const b2Body &body);
+    /// Has no body left the numbers that was not sent?
     bool IsFinite() const;
 
     testbed::StateHashes Hashes() const { return testbed::HashState(m_world, m_recorder); }
@@ -93,7 +95,8 @@ public:
     int rounding = 0;     ///< of steps: an index of kRoundings
     float rescueBeyond = 0.0f; ///< what is farther from `home` than this is put back; 0: nothing
     b2Vec2 home = {0.0f, 0.0f};
-    World *other = nullptr; ///< a callback may step it
+    bool mayBeNowhere = false; ///< bodies were sent where numbers are none
+    World *other = nullptr;    ///< a callback may step it
 
 private:
     void BeginContact(b2Contact *contact) override;
