@@ -25,7 +25,7 @@ function(boomerang_target target)
     # times as long to compile with -O1 as without, for programs that start, run once and end. Core is what tests run most.
     if(room MATCHES "^core")
       target_compile_options(${target} PRIVATE -O2)
-    elseif(room MATCHES "^(box2d_glue|plugin|tests/fuzz)")
+    elseif(room MATCHES "^(box2d_glue|plugin|tests/random)")
       target_compile_options(${target} PRIVATE -O1)
     else()
       target_compile_options(${target} PRIVATE $<IF:$<COMPILE_LANGUAGE:CXX>,-O0,-O1>)

@@ -6,7 +6,7 @@
 
 #include "checks.h"
 
-#include "../fuzz/paths.h"
+#include "../random/paths.h"
 #include "boomerang/failure.h"
 
 /// Looks are 0.04 apart here.

@@ -15,7 +15,7 @@ executions_of() {
 stage_fuzz() {
     local fuzzer much name
     build_sanitizers || return 1
-    for fuzzer in $("$root/tests/fuzz/run" --list); do
+    for fuzzer in $("$root/tests/random/run" --list); do
         if [ "$long" = yes ]; then
             much=(--cpu --seconds "${BMR_FUZZ_SECONDS:-1800}")
         else
@@ -23,6 +23,6 @@ stage_fuzz() {
         fi
         name="$fuzzer ${much[*]} --seed $seed"
         check "$name" env LLVM_PROFILE_FILE=/dev/null BMR_PRESET="$(sanitizers_preset)" BMR_JOBS="$jobs" \
-            BMR_BUILD_DIR="$BMR_BUILD_DIR" "$root/tests/fuzz/run" "${much[@]}" --seed "$seed" "$fuzzer" || true
+            BMR_BUILD_DIR="$BMR_BUILD_DIR" "$root/tests/random/run" "${much[@]}" --seed "$seed" "$fuzzer" || true
     done
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Budgets of motion: two bodies of a few points that look, leap, turn, grow and are marked as the bytes say,
 // with numbers of any kind. In rational arithmetic: no point goes farther than is counted, the pair is apart
-// while it is not due, its line's gap is there, and no sweep leaves its bound.
+// while it is not due, its line's gap is there, and no sweep leaves its bound. Counts and gaps are hardly
+// more and less than they must be.
 #include <cmath>
 #include <vector>
 
@@ -20,7 +21,7 @@ using exact::Square;
 using exact::Way;
 
 /// Beyond these the oracle's own doubles overflow or underflow when they are squared.
-constexpr double kLarge = 1e100, kSmall = 1e-100;
+constexpr double kLarge = 1e100, kSmall = 1e-100, kLargeScale = 1e50;
 /// What may go by between two questions (budget.h).
 constexpr uint64_t kMostMoved = uint64_t{1} << 31, kMostTurned = kMostMoved - BMR_BUDGET_MARK;
 
@@ -35,7 +36,7 @@ bool IsFinite(const bmr_pose &q) {
 }
 bool IsTame(const bmr_pose &q) {
     return std::fabs(q.position.x) <= kLarge && std::fabs(q.position.y) <= kLarge &&
-           std::fabs(q.c) <= kLarge && std::fabs(q.s) <= kLarge;
+           std::fabs(q.c) <= kLargeScale && std::fabs(q.s) <= kLargeScale;
 }
 
 /// Of a script: what takes more finds no more.
@@ -113,9 +114,13 @@ private:
         const double angle = fuzz_in(bytes_, -3.2, 3.2);
         pose.c = std::cos(angle);
         pose.s = std::sin(angle);
-        if (fuzz_u8(bytes_) < 32) {
+        const uint8_t how = fuzz_u8(bytes_);
+        if (how < 32) {
             pose.c = fuzz_number(bytes_);
             pose.s = fuzz_number(bytes_);
+        } else if (how >= 224) { // a body that is scaled
+            pose.c = std::ldexp(pose.c, how % 21 - 10);
+            pose.s = std::ldexp(pose.s, how % 21 - 10);
         }
         return pose;
     }
@@ -139,6 +144,7 @@ private:
 
     void Look(Body *body, const bmr_pose &to) {
         const bmr_pose from = body->pose;
+        const bmr_vec2 center = body->mover.center;
         const uint32_t begin = body->mover.turned;
         uint32_t moved = bmr_mover_look(&body->mover, &to, units_);
         const uint32_t turned = body->mover.turned - begin;
@@ -150,13 +156,20 @@ private:
         if (moved == BMR_BUDGET_MARK)
             return;
         FUZZ_CHECK(IsFinite(from) && IsFinite(to), "from or to nowhere counts %u", moved);
+        // A unit each is what rounding up costs.
+        const double turning = body->mover.reach * std::hypot(to.c - from.c, to.s - from.s) * units_;
+        const double way = std::hypot((body->mover.center.x - center.x) * units_,
+                                      (body->mover.center.y - center.y) * units_);
+        FUZZ_CHECK(moved + (fuzz_control("waste") ? 2.0 : 0.0) <= (way + turning) * (1 + 1e-12) + 1.0 &&
+                       turned <= turning * (1 + 1e-12) + 1.0,
+                   "%g of way and %g of turning count as %u, %u", way, turning, moved, turned);
         if (fuzz_control("motion"))
             moved /= 2;
         const Place about = PlaceOf(body->mover.pivot);
         const mpq_class dc = mpq_class(to.c) - mpq_class(from.c), ds = mpq_class(to.s) - mpq_class(from.s);
         for (const bmr_vec2 &point : body->points) {
-            const Place way = Way(exact::At(from, point), exact::At(to, point));
-            FUZZ_CHECK(InUnits(way, mpq_class(moved) + mpq_class(1, 16)), "a point moved farther than %u",
+            const Place gone = Way(exact::At(from, point), exact::At(to, point));
+            FUZZ_CHECK(InUnits(gone, mpq_class(moved) + mpq_class(1, 16)), "a point moved farther than %u",
                        moved);
             FUZZ_CHECK(InUnits(exact::Turned(dc, ds, Way(about, PlaceOf(point))), turned),
                        "a point turned farther than %u", turned);
@@ -237,6 +250,21 @@ private:
                    std::hypot(line_.normal[0], line_.normal[1]));
         has_line_ = Square(normal) > 0;
         bodies_[0].turned = bodies_[1].turned = 0;
+        if (has_line_)
+            CheckLoss(normal);
+    }
+    /// What it costs a new line to be sure: three units, and what its floats are off by.
+    void CheckLoss(const Place &normal) {
+        double claim = bmr_budget_line_gap(&line_, &bodies_[0].mover, &bodies_[1].mover, units_);
+        FUZZ_CHECK(std::isfinite(claim), "a new line claims %g", claim);
+        if (fuzz_control("loss"))
+            claim -= 4.0 / units_;
+        double reaches = 0.0;
+        for (const Body &body : bodies_)
+            reaches += body.mover.reach * std::hypot(body.pose.c, body.pose.s) * units_;
+        const mpq_class lost = exact::LeastAlong(normal, PlacesOf(0), PlacesOf(1)) - mpq_class(claim);
+        FUZZ_CHECK(lost.get_d() * units_ <= 0x1p-22 * (std::fabs(claim) * units_ + 2.0 * reaches) + 3.0,
+                   "a new line loses %g units", lost.get_d() * units_);
     }
 
     /// The pair, and its line.
