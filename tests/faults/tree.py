@@ -93,8 +93,8 @@ class Faulty:
     """The products of a tree of which `objects` are compiled anew, in `place`, where one file of the sources has another text."""
 
     def __init__(self, tree, place, objects, file, text):
-        self.tree, self.place, self.objects = tree, Path(place), objects
-        self.made, self.linked = {}, {}
+        self.tree, self.place, self.objects, self.file = tree, Path(place), objects, file
+        self.made, self.linked, self.count = {}, {}, 0
         # All others are symbolic links to what they are, also folders beside the file's own.
         for part in PARTS:
             self._show(part, file)
@@ -126,11 +126,19 @@ class Faulty:
             if not re.fullmatch(r"-O.|-DNDEBUG|-Werror|-W[a-z][^,]*", word):
                 words.append(("-O1" if "-std=c11" in words else "-O0") if word == "-c" else sources.sub(f"{self.place}/", word))
                 words += ["-w", "-c"] if word == "-c" else []
-        made = self.place / f"{len(self.made)}-{Path(output).name}"
+        self.count += 1
+        made = self.place / f"{self.count}-{Path(output).name}"
         words[words.index("-o") + 1] = str(made)
         self._run(words)
         self.made[output] = str(made)
         return str(made)
+
+    def differs(self):
+        """Is what was compiled other code than without the fault?"""
+        text = (self.tree.root / self.file).read_bytes()
+        made, self.made = self.made, {}
+        (self.place / self.file).write_bytes(text)
+        return any(Path(file).read_bytes() != Path(self._compile(output)).read_bytes() for output, file in made.items())
 
     def path(self, product):
         """Where the faulty one is; None where the fault is not in what it links. A library that it loads is made, too."""

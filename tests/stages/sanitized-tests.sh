@@ -13,6 +13,6 @@ stage_sanitized_tests() {
     mkdir "$BMR_BUILD_DIR/profiles"
     echo "$long" >"$BMR_BUILD_DIR/profiles/long"
     BMR_TEST_SCALE=${BMR_TEST_SCALE:-0.1} \
-        run_tests "tests (sanitizers)" --label-exclude '^(cli|browser|consumer|mutation|preloaded|front|faults|gate)$' \
+        run_tests "tests (sanitizers)" --label-exclude '^(cli|browser|consumer|preloaded|front|faults|gate)$' \
         --exclude-regex '^threads_forking_' "${which[@]}"
 }
