@@ -6,8 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
-#include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <unistd.h>
 
@@ -15,7 +16,14 @@
 
 namespace {
 
-const float kNone = std::nanf(""), kInfinite = INFINITY;
+/// What values are called: a name of a bad thing has them in the place of its *.
+struct Value {
+    const char *name;
+    float number;
+};
+const Value kNone = {"NaN", NAN}, kInfinite = {"infinity", INFINITY}, kZero = {"0", 0.0f},
+            kHuge = {"1e38", 1e38f}, kLarge = {"1e9", 1e9f}, kTiny = {"1e-38", 1e-38f},
+            kMinus = {"-100", -100.0f};
 
 /// Does what is to be done when it is first asked about a new pair, before the world is locked; or when it is
 /// told of an end outside of a step.
@@ -63,11 +71,6 @@ struct Game {
     b2PolygonShape &Polygon(const b2Body *body) const {
         return *static_cast<b2PolygonShape *>(const_cast<b2Fixture *>(body->GetFixtureList())->GetShape());
     }
-    /// For the box and a part of the wheel, in their places.
-    void Edit(const std::function<void(b2PolygonShape &)> &edit) const {
-        edit(Polygon(box));
-        edit(Polygon(wheel));
-    }
     /// In the box of a slanted plank, of which the filter is then asked, and apart from the plank itself.
     void DropNearPlank(std::function<void(b2Body *)> asked) {
         meddler.asked = std::move(asked);
@@ -92,234 +95,198 @@ struct Game {
         def.position = {0.5f, 8.0f};
         world.CreateBody(&def)->CreateFixture(&shape, density);
     }
-    void DropPoints(std::initializer_list<b2Vec2> points) {
-        b2PolygonShape shape;
-        shape.Set(points.begin(), static_cast<int32>(points.size()));
-        Drop(shape);
-    }
-    void DropBox(float halfWidth, float halfHeight) {
-        b2PolygonShape shape;
-        shape.SetAsBox(halfWidth, halfHeight);
-        Drop(shape);
-    }
-    void Define(const std::function<void(b2BodyDef *)> &spoil) {
-        b2BodyDef def;
-        def.type = b2_dynamicBody;
-        def.position = {0.5f, 8.0f};
-        spoil(&def);
-        b2Body *body = world.CreateBody(&def);
-        b2PolygonShape shape;
-        shape.SetAsBox(0.5f, 0.5f);
-        body->CreateFixture(&shape, 1.0f);
-    }
 };
 
 struct BadThing {
-    const char *name;
-    void (*happen)(Game *);
+    std::string name;
+    std::function<void(Game &)> happen;
 };
+std::vector<BadThing> badThings;
 
-const BadThing kBadThings[] = {
-    {"nothing", [](Game *) {}},
-    // Where bodies are.
-    {"a body is moved to NaN", [](Game *g) { g->box->SetTransform({kNone, 7.0f}, 0.0f); }},
-    {"a body is moved to infinity", [](Game *g) { g->box->SetTransform({0.0f, kInfinite}, 0.0f); }},
-    {"a body is moved to 1e38", [](Game *g) { g->box->SetTransform({1e38f, 7.0f}, 0.0f); }},
-    {"a body is moved to 1e9", [](Game *g) { g->box->SetTransform({1e9f, 7.0f}, 0.0f); }},
-    {"a body is moved to 1e-38", [](Game *g) { g->box->SetTransform({1e-38f, 7.0f}, 0.0f); }},
-    {"a body is turned to NaN", [](Game *g) { g->box->SetTransform({0.0f, 7.0f}, kNone); }},
-    {"a body is turned to infinity", [](Game *g) { g->box->SetTransform({0.0f, 7.0f}, kInfinite); }},
-    {"a body is turned to 1e38", [](Game *g) { g->box->SetTransform({0.0f, 7.0f}, 1e38f); }},
-    {"a body of many fixtures is moved to NaN", [](Game *g) { g->wheel->SetTransform({kNone, kNone}, 0.0f); }},
-    {"a body of many fixtures is turned to NaN", [](Game *g) { g->wheel->SetTransform({0, 4}, kNone); }},
-    {"a body of many fixtures is moved to 1e38", [](Game *g) { g->wheel->SetTransform({0, -1e38f}, 0.0f); }},
-    {"a body of many fixtures is put into others",
-     [](Game *g) { g->wheel->SetTransform(g->box->GetPosition(), 0.0f); }},
-    {"a bullet is moved to NaN", [](Game *g) { g->bullet->SetTransform({kNone, 7.0f}, 0.0f); }},
-    {"a body is moved to NaN, and back",
-     [](Game *g) {
-         g->box->SetTransform({kNone, 7.0f}, kNone);
-         g->box->SetTransform({0.0f, 7.0f}, 0.0f);
-     }},
-    {"without continuous physics a body is moved to NaN",
-     [](Game *g) {
-         g->world.SetContinuousPhysics(false);
-         g->box->SetTransform({kNone, 7.0f}, 0.0f);
-         g->wheel->SetTransform({kNone, 4.0f}, kNone);
-     }},
-    {"the origin is shifted to NaN", [](Game *g) { g->world.ShiftOrigin({kNone, 0.0f}); }},
-    {"the origin is shifted to 1e38", [](Game *g) { g->world.ShiftOrigin({1e38f, 0.0f}); }},
-    // How they move.
-    {"a velocity of NaN", [](Game *g) { g->box->SetLinearVelocity({kNone, 0.0f}); }},
-    {"an infinite velocity", [](Game *g) { g->box->SetLinearVelocity({0.0f, -kInfinite}); }},
-    {"a velocity of 1e38", [](Game *g) { g->box->SetLinearVelocity({1e38f, -1e38f}); }},
-    {"a velocity of 1e-38", [](Game *g) { g->box->SetLinearVelocity({1e-38f, -1e-38f}); }},
-    {"a bullet's velocity of NaN", [](Game *g) { g->bullet->SetLinearVelocity({kNone, kNone}); }},
-    {"a bullet's velocity of 1e38", [](Game *g) { g->bullet->SetLinearVelocity({1e38f, 0.0f}); }},
-    {"a spin of NaN", [](Game *g) { g->box->SetAngularVelocity(kNone); }},
-    {"an infinite spin", [](Game *g) { g->wheel->SetAngularVelocity(kInfinite); }},
-    {"a spin of 1e38", [](Game *g) { g->wheel->SetAngularVelocity(1e38f); }},
-    {"without continuous physics a velocity of NaN",
-     [](Game *g) {
-         g->world.SetContinuousPhysics(false);
-         g->box->SetLinearVelocity({kNone, 0.0f});
-         g->wheel->SetAngularVelocity(kNone);
-     }},
-    {"a force of NaN", [](Game *g) { g->box->ApplyForceToCenter({kNone, 0.0f}, true); }},
-    {"an impulse of 1e38", [](Game *g) { g->box->ApplyLinearImpulseToCenter({1e38f, 0.0f}, true); }},
-    {"a gravity of NaN", [](Game *g) { g->world.SetGravity({kNone, 0.0f}); }},
-    {"a gravity of 1e38", [](Game *g) { g->world.SetGravity({0.0f, -1e38f}); }},
-    {"a damping of NaN", [](Game *g) { g->box->SetLinearDamping(kNone); }},
-    {"a damping below 0", [](Game *g) { g->box->SetLinearDamping(-100.0f); }},
-    {"a friction of NaN", [](Game *g) { g->box->GetFixtureList()->SetFriction(kNone); }},
-    {"a restitution of 1e38", [](Game *g) { g->box->GetFixtureList()->SetRestitution(1e38f); }},
-    {"a mass of NaN",
-     [](Game *g) {
-         const b2MassData mass = {kNone, {0.0f, 0.0f}, 1.0f};
-         g->box->SetMassData(&mass);
-     }},
-    {"an inertia that its centre makes negative",
-     [](Game *g) {
-         const b2MassData mass = {1.0f, {5.0f, 0.0f}, 1.0f};
-         g->box->SetMassData(&mass);
-     }},
-    // Time.
-    {"time steps of 0", [](Game *g) { g->timeStep = 0.0f; }},
-    {"time steps of 1e9", [](Game *g) { g->timeStep = 1e9f; }},
-    {"time steps of 1e-38", [](Game *g) { g->timeStep = 1e-38f; }},
-    {"time steps of 1e38", [](Game *g) { g->timeStep = 1e38f; }},
-    {"negative time steps", [](Game *g) { g->timeStep = -1.0f / 60.0f; }},
-    {"time steps of NaN", [](Game *g) { g->timeStep = kNone; }},
-    {"infinite time steps", [](Game *g) { g->timeStep = kInfinite; }},
-    {"no iterations", [](Game *g) { g->velocityIterations = g->positionIterations = 0; }},
-    {"negative numbers of iterations", [](Game *g) { g->velocityIterations = g->positionIterations = -7; }},
-    // Skins.
-    {"a negative radius", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_radius = -0.1f; }); }},
-    {"a negative radius larger than the polygon",
-     [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_radius = -10.0f; }); }},
-    {"a radius of NaN", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_radius = kNone; }); }},
-    {"a radius of 0", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_radius = 0.0f; }); }},
-    {"a radius of 1e-38", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_radius = 1e-38f; }); }},
-    {"a radius of 1e38", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_radius = 1e38f; }); }},
-    // Vertices that are changed in place.
-    {"a vertex becomes NaN", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_vertices[1].x = kNone; }); }},
-    {"a vertex becomes infinite",
-     [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_vertices[2].y = kInfinite; }); }},
-    {"a vertex becomes 1e38", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_vertices[1].x = 1e38f; }); }},
-    {"a normal becomes NaN", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_normals[0].x = kNone; }); }},
-    {"all vertices become equal",
-     [](Game *g) {
-         g->Edit([](b2PolygonShape &s) {
-             for (b2Vec2 &v : s.m_vertices)
-                 v = s.m_vertices[0];
-         });
-     }},
-    {"all vertices come onto one line",
-     [](Game *g) {
-         g->Edit([](b2PolygonShape &s) {
-             for (b2Vec2 &v : s.m_vertices)
-                 v.y = 0.0f;
-         });
-     }},
-    {"the order becomes clockwise",
-     [](Game *g) {
-         g->Edit([](b2PolygonShape &s) { std::reverse(s.m_vertices, s.m_vertices + s.m_count); });
-     }},
-    {"two vertices are exchanged",
-     [](Game *g) { g->Edit([](b2PolygonShape &s) { std::swap(s.m_vertices[0], s.m_vertices[1]); }); }},
-    {"a vertex makes a dent", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_vertices[1] *= -0.5f; }); }},
-    {"all vertices shrink to 1e-38",
-     [](Game *g) {
-         g->Edit([](b2PolygonShape &s) {
-             for (b2Vec2 &v : s.m_vertices)
-                 v *= 1e-38f;
-         });
-     }},
-    {"all vertices grow to 1e38",
-     [](Game *g) {
-         g->Edit([](b2PolygonShape &s) {
-             for (b2Vec2 &v : s.m_vertices)
-                 v *= 1e38f;
-         });
-     }},
-    {"a count of 2", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_count = 2; }); }},
-    {"a count of 1", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_count = 1; }); }},
-    {"a count of 0", [](Game *g) { g->Edit([](b2PolygonShape &s) { s.m_count = 0; }); }},
-    // The same of a sensor.
-    {"a sensor's radius becomes NaN", [](Game *g) { g->Polygon(g->sensor).m_radius = kNone; }},
-    {"a sensor's radius becomes negative", [](Game *g) { g->Polygon(g->sensor).m_radius = -0.6f; }},
-    {"a sensor's vertex becomes NaN", [](Game *g) { g->Polygon(g->sensor).m_vertices[1].x = kNone; }},
-    {"a sensor's vertex becomes 1e38", [](Game *g) { g->Polygon(g->sensor).m_vertices[1].x = 1e38f; }},
-    {"a sensor's vertex makes a dent", [](Game *g) { g->Polygon(g->sensor).m_vertices[2].Set(0.0f, -0.4f); }},
-    {"a sensor's vertices are exchanged",
-     [](Game *g) { std::swap(g->Polygon(g->sensor).m_vertices[0], g->Polygon(g->sensor).m_vertices[1]); }},
-    {"a sensor's vertices become equal",
-     [](Game *g) {
-         for (b2Vec2 &v : g->Polygon(g->sensor).m_vertices)
-             v = g->Polygon(g->sensor).m_vertices[0];
-     }},
-    {"a sensor's normals become NaN",
-     [](Game *g) {
-         for (b2Vec2 &n : g->Polygon(g->sensor).m_normals)
-             n.Set(kNone, kNone);
-     }},
-    {"a sensor's normals are turned round",
-     [](Game *g) {
-         for (b2Vec2 &n : g->Polygon(g->sensor).m_normals)
-             n = -n;
-     }},
-    {"a sensor has a count of 1", [](Game *g) { g->Polygon(g->sensor).m_count = 1; }},
-    // `Set`, and what comes of it.
-    {"`Set` of 2 points", [](Game *g) { g->DropPoints({{0, 0}, {1, 0}}); }},
-    {"`Set` of 3 points on a line", [](Game *g) { g->DropPoints({{0, 0}, {1, 1}, {2, 2}}); }},
-    {"`Set` of 9 points",
-     [](Game *g) {
-         g->DropPoints({{0, 0}, {1, 0}, {2, 1}, {2, 2}, {1, 3}, {0, 3}, {-1, 2}, {-1, 1}, {-0.5f, 0.5f}});
-     }},
-    {"`Set` of points that are there twice",
-     [](Game *g) { g->DropPoints({{0, 0}, {0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 1}}); }},
-    {"`Set` in clockwise order", [](Game *g) { g->DropPoints({{0, 0}, {0, 1}, {1, 1}, {1, 0}}); }},
-    {"`Set` with a dent", [](Game *g) { g->DropPoints({{0, 0}, {0.5f, 0.4f}, {1, 0}, {1, 1}, {0, 1}}); }},
-    {"`Set` with a NaN", [](Game *g) { g->DropPoints({{0, 0}, {1, kNone}, {1, 1}, {0, 1}}); }},
-    {"`Set` with an infinity", [](Game *g) { g->DropPoints({{0, 0}, {kInfinite, 0}, {1, 1}, {0, 1}}); }},
-    {"`Set` of a square of 1e38", [](Game *g) { g->DropPoints({{0, 0}, {1e38f, 0}, {1e38f, 1e38f}, {0, 1e38f}}); }},
-    {"`Set` of a square of 1e-38",
-     [](Game *g) { g->DropPoints({{0, 0}, {1e-38f, 0}, {1e-38f, 1e-38f}, {0, 1e-38f}}); }},
-    {"`SetAsBox` of NaN", [](Game *g) { g->DropBox(kNone, 1.0f); }},
-    {"`SetAsBox` of a negative width", [](Game *g) { g->DropBox(-0.5f, 0.5f); }},
-    {"`SetAsBox` of 0", [](Game *g) { g->DropBox(0.0f, 0.5f); }},
-    {"`SetAsBox` of 1e-38", [](Game *g) { g->DropBox(1e-38f, 0.5f); }},
-    {"`SetAsBox` of 1e9", [](Game *g) { g->DropBox(1e9f, 0.5f); }},
-    {"`SetAsBox` of 1e38", [](Game *g) { g->DropBox(1e38f, 1e38f); }},
-    // Definitions.
-    {"a body defined at NaN", [](Game *g) { g->Define([](b2BodyDef *d) { d->position.x = kNone; }); }},
-    {"a body defined with an angle of NaN", [](Game *g) { g->Define([](b2BodyDef *d) { d->angle = kNone; }); }},
-    {"a body defined with a velocity of NaN",
-     [](Game *g) { g->Define([](b2BodyDef *d) { d->linearVelocity.y = kNone; }); }},
-    {"a body defined at 1e38", [](Game *g) { g->Define([](b2BodyDef *d) { d->position.x = 1e38f; }); }},
-    {"a gravity scale of NaN", [](Game *g) { g->Define([](b2BodyDef *d) { d->gravityScale = kNone; }); }},
-    {"a density of NaN",
-     [](Game *g) {
-         b2PolygonShape shape;
-         shape.SetAsBox(0.5f, 0.5f);
-         g->Drop(shape, kNone);
-     }},
-    {"a negative density",
-     [](Game *g) {
-         b2PolygonShape shape;
-         shape.SetAsBox(0.5f, 0.5f);
-         g->Drop(shape, -1.0f);
-     }},
+void Happens(const char *name, std::function<void(Game &)> happen) {
+    badThings.push_back({name, std::move(happen)});
+}
+
+/// The same with each of the values.
+void Each(const std::string &name, const std::vector<Value> &values, void (*happen)(Game &, float)) {
+    for (const Value &value : values) {
+        const size_t star = name.find('*');
+        Happens((name.substr(0, star) + value.name + name.substr(star + 1)).c_str(),
+                [happen, value](Game &g) { happen(g, value.number); });
+    }
+}
+
+/// In its place: the polygon of the box and of a part of the wheel; and that of the sensor.
+void Edit(const std::string &name, void (*edit)(b2PolygonShape &)) {
+    Happens(name.c_str(), [edit](Game &g) {
+        edit(g.Polygon(g.box));
+        edit(g.Polygon(g.wheel));
+    });
+    Happens((name + ", of a sensor").c_str(), [edit](Game &g) { edit(g.Polygon(g.sensor)); });
+}
+
+void Scale(b2PolygonShape &shape, float x, float y) {
+    for (b2Vec2 &v : shape.m_vertices)
+        v.Set(x * v.x, y * v.y);
+}
+
+void SetPoints(const char *name, const std::vector<b2Vec2> &points) {
+    Happens(name, [points](Game &g) {
+        b2PolygonShape shape;
+        shape.Set(points.data(), static_cast<int32>(points.size()));
+        g.Drop(shape);
+    });
+}
+
+void DropBox(Game &g, float halfWidth, float halfHeight, float density = 1.0f) {
+    b2PolygonShape shape;
+    shape.SetAsBox(halfWidth, halfHeight);
+    g.Drop(shape, density);
+}
+
+void Define(const char *name, const std::vector<Value> &values, void (*spoil)(b2BodyDef &, float)) {
+    for (const Value &value : values)
+        Happens((std::string(name) + value.name).c_str(), [spoil, value](Game &g) {
+            b2BodyDef def;
+            def.type = b2_dynamicBody;
+            def.position = {0.5f, 8.0f};
+            spoil(def, value.number);
+            b2PolygonShape shape;
+            shape.SetAsBox(0.5f, 0.5f);
+            g.world.CreateBody(&def)->CreateFixture(&shape, 1.0f);
+        });
+}
+
+void ListPlacesAndMotions() {
+    Happens("nothing", [](Game &) {});
+    Each("a body is moved to *", {kNone, kInfinite, kHuge, kLarge, kTiny}, [](Game &g, float v) {
+        g.box->SetTransform({v, 7.0f}, 0.0f);
+    });
+    Each("a body is turned to *", {kNone, kInfinite, kHuge}, [](Game &g, float v) {
+        g.box->SetTransform({0.0f, 7.0f}, v);
+    });
+    Each("a body of many fixtures is moved to *", {kNone, kHuge}, [](Game &g, float v) {
+        g.wheel->SetTransform({v, -v}, 0.0f);
+    });
+    Each("a body of many fixtures is turned to *", {kNone}, [](Game &g, float v) {
+        g.wheel->SetTransform({0.0f, 4.0f}, v);
+    });
+    Happens("a body of many fixtures is put into others",
+            [](Game &g) { g.wheel->SetTransform(g.box->GetPosition(), 0.0f); });
+    Each("a bullet is moved to *", {kNone}, [](Game &g, float v) {
+        g.bullet->SetTransform({v, 7.0f}, 0.0f);
+    });
+    Each("a body is moved to *, and back", {kNone}, [](Game &g, float v) {
+        g.box->SetTransform({v, 7.0f}, v);
+        g.box->SetTransform({0.0f, 7.0f}, 0.0f);
+    });
+    Each("without continuous physics a body is moved to *", {kNone}, [](Game &g, float v) {
+        g.world.SetContinuousPhysics(false);
+        g.box->SetTransform({v, 7.0f}, 0.0f);
+        g.wheel->SetTransform({v, 4.0f}, v);
+    });
+    Each("the origin is shifted to *", {kNone, kHuge}, [](Game &g, float v) {
+        g.world.ShiftOrigin({v, 0.0f});
+    });
+    Each("a velocity of *", {kNone, kInfinite, kHuge, kTiny}, [](Game &g, float v) {
+        g.box->SetLinearVelocity({v == INFINITY ? 0.0f : v, -v});
+    });
+    Each("a bullet's velocity of *", {kNone, kHuge}, [](Game &g, float v) {
+        g.bullet->SetLinearVelocity({v, 0.0f});
+    });
+    Each("a spin of *", {kNone, kInfinite, kHuge},
+         [](Game &g, float v) { (v != v ? g.box : g.wheel)->SetAngularVelocity(v); });
+    Each("without continuous physics a velocity of *", {kNone}, [](Game &g, float v) {
+        g.world.SetContinuousPhysics(false);
+        g.box->SetLinearVelocity({v, 0.0f});
+        g.wheel->SetAngularVelocity(v);
+    });
+    Each("a force of *", {kNone}, [](Game &g, float v) { g.box->ApplyForceToCenter({v, 0.0f}, true); });
+    Each("an impulse of *", {kHuge}, [](Game &g, float v) {
+        g.box->ApplyLinearImpulseToCenter({v, 0.0f}, true);
+    });
+    Each("a gravity of *", {kNone, kHuge}, [](Game &g, float v) {
+        g.world.SetGravity({v == v ? 0.0f : v, -v});
+    });
+    Each("a damping of *", {kNone, kMinus}, [](Game &g, float v) { g.box->SetLinearDamping(v); });
+    Each("a friction of *", {kNone}, [](Game &g, float v) { g.box->GetFixtureList()->SetFriction(v); });
+    Each("a restitution of *", {kHuge}, [](Game &g, float v) { g.box->GetFixtureList()->SetRestitution(v); });
+    Each("a mass of *", {kNone}, [](Game &g, float v) {
+        const b2MassData mass = {v, {0.0f, 0.0f}, 1.0f};
+        g.box->SetMassData(&mass);
+    });
+    Happens("an inertia that its centre makes negative", [](Game &g) {
+        const b2MassData mass = {1.0f, {5.0f, 0.0f}, 1.0f};
+        g.box->SetMassData(&mass);
+    });
+    Each("time steps of *", {kZero, kLarge, kTiny, kHuge, kNone, kInfinite, {"-1/60", -1.0f / 60.0f}},
+         [](Game &g, float v) { g.timeStep = v; });
+    Each("numbers of iterations of *", {kZero, {"-7", -7.0f}},
+         [](Game &g, float v) { g.velocityIterations = g.positionIterations = static_cast<int32>(v); });
+}
+
+void ListEdits() {
+    Edit("a radius of NaN", [](b2PolygonShape &s) { s.m_radius = NAN; });
+    Edit("a radius of 0", [](b2PolygonShape &s) { s.m_radius = 0.0f; });
+    Edit("a radius of 1e-38", [](b2PolygonShape &s) { s.m_radius = 1e-38f; });
+    Edit("a radius of 1e38", [](b2PolygonShape &s) { s.m_radius = 1e38f; });
+    Edit("a radius of -0.1", [](b2PolygonShape &s) { s.m_radius = -0.1f; });
+    Edit("a negative radius larger than the polygon", [](b2PolygonShape &s) { s.m_radius = -10.0f; });
+    Edit("a vertex becomes NaN", [](b2PolygonShape &s) { s.m_vertices[1].x = NAN; });
+    Edit("a vertex becomes infinite", [](b2PolygonShape &s) { s.m_vertices[2].y = INFINITY; });
+    Edit("a vertex becomes 1e38", [](b2PolygonShape &s) { s.m_vertices[1].x = 1e38f; });
+    Edit("a vertex makes a dent", [](b2PolygonShape &s) { s.m_vertices[1] *= -0.5f; });
+    Edit("two vertices are exchanged",
+         [](b2PolygonShape &s) { std::swap(s.m_vertices[0], s.m_vertices[1]); });
+    Edit("all vertices become equal",
+         [](b2PolygonShape &s) { std::fill_n(s.m_vertices, s.m_count, b2Vec2(s.m_vertices[0])); });
+    Edit("all vertices come onto one line", [](b2PolygonShape &s) { Scale(s, 1.0f, 0.0f); });
+    Edit("all vertices shrink to 1e-38", [](b2PolygonShape &s) { Scale(s, 1e-38f, 1e-38f); });
+    Edit("all vertices grow to 1e38", [](b2PolygonShape &s) { Scale(s, 1e38f, 1e38f); });
+    Edit("the order becomes clockwise",
+         [](b2PolygonShape &s) { std::reverse(s.m_vertices, s.m_vertices + s.m_count); });
+    Edit("a normal becomes NaN", [](b2PolygonShape &s) { s.m_normals[0].x = NAN; });
+    Edit("all normals become NaN",
+         [](b2PolygonShape &s) { std::fill_n(s.m_normals, s.m_count, b2Vec2(NAN, NAN)); });
+    Edit("all normals are turned round", [](b2PolygonShape &s) {
+        for (b2Vec2 &n : s.m_normals)
+            n = -n;
+    });
+    Edit("a count of 2", [](b2PolygonShape &s) { s.m_count = 2; });
+    Edit("a count of 1", [](b2PolygonShape &s) { s.m_count = 1; });
+    Edit("a count of 0", [](b2PolygonShape &s) { s.m_count = 0; });
+}
+
+void ListDefinitions() {
+    SetPoints("`Set` of 2 points", {{0, 0}, {1, 0}});
+    SetPoints("`Set` of 3 points on a line", {{0, 0}, {1, 1}, {2, 2}});
+    SetPoints("`Set` of 9 points",
+              {{0, 0}, {1, 0}, {2, 1}, {2, 2}, {1, 3}, {0, 3}, {-1, 2}, {-1, 1}, {-0.5f, 0.5f}});
+    SetPoints("`Set` of points that are there twice", {{0, 0}, {0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 1}});
+    SetPoints("`Set` in clockwise order", {{0, 0}, {0, 1}, {1, 1}, {1, 0}});
+    SetPoints("`Set` with a dent", {{0, 0}, {0.5f, 0.4f}, {1, 0}, {1, 1}, {0, 1}});
+    SetPoints("`Set` with a NaN", {{0, 0}, {1, NAN}, {1, 1}, {0, 1}});
+    SetPoints("`Set` with an infinity", {{0, 0}, {INFINITY, 0}, {1, 1}, {0, 1}});
+    SetPoints("`Set` of a square of 1e38", {{0, 0}, {1e38f, 0}, {1e38f, 1e38f}, {0, 1e38f}});
+    SetPoints("`Set` of a square of 1e-38", {{0, 0}, {1e-38f, 0}, {1e-38f, 1e-38f}, {0, 1e-38f}});
+    Each("`SetAsBox` of *", {kNone, kMinus, kZero, kTiny, kLarge, kHuge},
+         [](Game &g, float v) { DropBox(g, v, v == 1e38f ? v : 0.5f); });
+    Define("a body defined at ", {kNone, kHuge}, [](b2BodyDef &d, float v) { d.position.x = v; });
+    Define("a body defined with an angle of ", {kNone}, [](b2BodyDef &d, float v) { d.angle = v; });
+    Define("a body defined with a velocity of ", {kNone},
+           [](b2BodyDef &d, float v) { d.linearVelocity.y = v; });
+    Define("a gravity scale of ", {kNone}, [](b2BodyDef &d, float v) { d.gravityScale = v; });
+    Each("a density of *", {kNone, {"-1", -1.0f}}, [](Game &g, float v) { DropBox(g, 0.5f, 0.5f, v); });
     // What Box2D asserts in its loops over contacts.
-    {"a filter puts the body out of the world that gets a contact",
-     [](Game *g) { g->DropNearPlank([](b2Body *b) { b->SetEnabled(false); }); }},
-    {"a filter makes the body kinematic that gets a contact with a static one",
-     [](Game *g) { g->DropNearPlank([](b2Body *b) { b->SetType(b2_kinematicBody); }); }},
-    {"a listener steps the world while a body is put out of it",
-     [](Game *g) { g->AddInSensor()->SetEnabled(false); }},
-    {"a listener steps the world while a body becomes kinematic",
-     [](Game *g) { g->AddInSensor()->SetType(b2_kinematicBody); }},
-};
+    Happens("a filter puts the body out of the world that gets a contact",
+            [](Game &g) { g.DropNearPlank([](b2Body *b) { b->SetEnabled(false); }); });
+    Happens("a filter makes the body kinematic that gets a contact with a static one",
+            [](Game &g) { g.DropNearPlank([](b2Body *b) { b->SetType(b2_kinematicBody); }); });
+    Happens("a listener steps the world while a body is put out of it",
+            [](Game &g) { g.AddInSensor()->SetEnabled(false); });
+    Happens("a listener steps the world while a body becomes kinematic",
+            [](Game &g) { g.AddInSensor()->SetType(b2_kinematicBody); });
+}
 
 void Say(const Hash &hash) {
     char line[32];
@@ -339,18 +306,21 @@ void Play(Game *game, int steps, Hash *hash) {
 } // namespace
 
 int main(int argc, char **argv) {
+    ListPlacesAndMotions();
+    ListEdits();
+    ListDefinitions();
     if (argc < 2) {
-        for (const BadThing &thing : kBadThings)
-            std::printf("%s\n", thing.name);
+        for (const BadThing &thing : badThings)
+            std::printf("%s\n", thing.name.c_str());
         return 0;
     }
     const auto number = static_cast<size_t>(std::atoi(argv[1]));
-    if (number >= std::size(kBadThings))
+    if (number >= badThings.size())
         return 2;
     Game game;
     Hash hash;
     Play(&game, 20, &hash);
-    kBadThings[number].happen(&game);
+    badThings[number].happen(game);
     Play(&game, 25, &hash);
     // On in a good way.
     game.timeStep = 1.0f / 60.0f;
