@@ -25,7 +25,7 @@ function(boomerang_install_page page)
     cmake_path(SET path NORMALIZE "${folder}/${target}")
     string(REGEX REPLACE "^/|/$" "" path "${path}")
     if(path MATCHES "^\\.\\." OR NOT EXISTS "${boomerang_root}/${path}")
-      continue() # another place's, or none at all: tests/packages looks for these
+      continue() # another place's, or none at all: tests/front looks for these
     elseif(path MATCHES "^tests(/|$)")
       string(REGEX REPLACE "([.+*?^$()])" "\\\\\\1" escaped "${target}")
       string(REGEX REPLACE "${open}([^${open}${close}]*)${close}\\(${escaped}(#[^()]*)?\\)" "\\1 (`${path}` in the sources)" text "${text}")

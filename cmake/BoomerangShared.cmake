@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # boomerang_shared(<target> <static target> <name> <symbols> [<library>...]): lib<name>.so of the objects of a static library, nothing
 # compiled twice. It shows what the committed list of symbols names (Debian's format, docs/stability.md) and hides the rest. A new
-# public function is shown once it is in the list: tests/abi/abi.py add.
+# public function is shown once it is in the list: tests/front/abi.py add.
 function(boomerang_shared target static name symbols)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${symbols})
   file(STRINGS ${symbols} lines REGEX "^ [^ ]+@[^ ]+ ")

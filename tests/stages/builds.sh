@@ -33,7 +33,7 @@ installed_accelerates() {
     in_tree release
     for step in install accelerated; do
         env SOURCE="$root" BUILD="$BMR_BUILD_DIR" WORK="$BMR_BUILD_DIR-installed" WITH_BOX2D=ON WITH_KINETIC=ON CC=gcc CXX=g++ \
-            BOX2D_SOURCE="$1" bash "$root/tests/consumer/consume.sh" "$step" || return 1
+            BOX2D_SOURCE="$1" bash "$root/tests/front/consumer/consume.sh" "$step" || return 1
     done
 }
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The C library as ctypes sees it: where it is, its records, its functions, its errors. Private to this package.
 
-Each record here is the one of the same name in core/include/boomerang; tests/python holds them against the headers.
+Each record here is the one of the same name in core/include/boomerang; tests/front holds them against the headers.
 """
 import ctypes
 import os

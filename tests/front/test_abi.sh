@@ -11,7 +11,7 @@ room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 failed=0
 
-if ! python3 "$root/tests/abi/abi.py" check "$root" "$lib"; then
+if ! python3 "$root/tests/front/abi.py" check "$root" "$lib"; then
     echo "FAILED: see docs/stability.md: what is gone must come back, or the next version is a major one"
     failed=1
 fi
@@ -38,7 +38,7 @@ wrong "$headers/mass.h" 's/(#ifdef __cplusplus\n\}\n)/void bmr_new_one(void);\n$
 wrong "$room/box2d_glue/include/boomerang/box2d_glue.h" 's/struct Options \{/struct Options {\n    double beforeAll = 0;/'
 wrong "$room/core/abi/libboomerang-kinetic.symbols" 's/ bmr_fit_growth\@/ bmr_fit_growth_of_old\@BOOMERANG_1 1.0.0\n$&/'
 wrong "$room/plugin/abi/libboomerang-box2d.symbols" 's/ _ZN3bmr7InstallERKNS_7OptionsE\@[^\n]*\n//'
-if python3 "$root/tests/abi/abi.py" check "$room" "$lib" "$root" >"$room/said" 2>&1; then
+if python3 "$root/tests/front/abi.py" check "$room" "$lib" "$root" >"$room/said" 2>&1; then
     echo "FAILED: the control: nothing is noticed"
     failed=1
 fi

@@ -28,7 +28,7 @@ INCLUDES = {"c": ["core/include"], "cpp": ["core/include", "box2d_glue/include",
 HEADERS = {"c": ["core/include/boomerang"], "cpp": ["box2d_glue/include/boomerang", "plugin/include/boomerang"]}
 # What core shows to libboomerang_kinetic alone, which comes from the same sources and asks for the same version.
 PRIVATE = "BOOMERANG_PRIVATE"
-REMEDY = "tests/abi/abi.py add . build/lib"
+REMEDY = "tests/front/abi.py add . build/lib"
 
 
 def clang(root, language, source, *options):

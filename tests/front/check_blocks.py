@@ -145,11 +145,11 @@ class Checker:
         (r"cmake --preset (\w+)", preset),
         (r"cmake --build build --target ([\w ]+)", targets),
         (r"ctest --test-dir build -R '(.*)'", ctest),
-        (r"(?:cpack|sudo apt-get (?:install|purge)) .*", packages), # tests/packages
+        (r"(?:cpack|sudo apt-get (?:install|purge)) .*", packages), # tests/front
         (r"(?:boomerang try|(?:\w+=\S+ )*LD_PRELOAD=\S+) .*", game),
         (r"PYTHONPATH=\S+ BOOMERANG_LIBRARY_DIR=\S+ python3 \S+", python),
         (r"(tests/bench/\w+\.sh) .*", measured),
-        # tests/consumer
+        # tests/front/consumer
         (r"(?:git clone \S+(?: \w+)?(?: && cd \w+)?|cmake -S \. -B build(?: -D\S+=(?:\"[^\"]*\"|\S+))*(?: && cmake --build build -j\d+)?|cmake --build build(?: -j\d*)?|(?:sudo )?cmake --install build.*|sudo cmake --build build --target uninstall)",
          nothing),
     ]

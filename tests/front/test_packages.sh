@@ -112,7 +112,7 @@ libraries=$(dirname "$(find "$there/usr/lib" -name libboomerang_core.so.1)")
 export LD_LIBRARY_PATH=$libraries PKG_CONFIG_PATH=$libraries/pkgconfig
 for name in core kinetic; do
     read -ra flags < <(pkg-config --cflags --libs boomerang-$name)
-    quietly cc -std=c11 "$root/tests/consumer/consume_$name.c" -o "$work/consume_$name" "${flags[@]}"
+    quietly cc -std=c11 "$root/tests/front/consumer/consume_$name.c" -o "$work/consume_$name" "${flags[@]}"
     quietly "$work/consume_$name"
     quietly ldd "$work/consume_$name"
     grep -q "libboomerang_$name.so.1 => $libraries/" "$work/said" || fail "consume_$name does not use the package"
@@ -132,11 +132,11 @@ grep -q 'All its hooks are at work' "$work/said" || fail "boomerang does not fin
 
 # No dead link; and the control, that one is found, of a file and of a heading.
 documentation=$there/usr/share/doc/boomerang
-quietly python3 "$root/tests/packages/check_links.py" "$documentation"
-quietly python3 "$root/tests/packages/check_links.py" "$root" README.md CONTRIBUTING.md tests/README.md
+quietly python3 "$root/tests/front/check_links.py" "$documentation"
+quietly python3 "$root/tests/front/check_links.py" "$root" README.md CONTRIBUTING.md tests/README.md
 cp -r "$documentation" "$work/documentation"
 printf '[a](docs/nothing.md) and\n[b](README.md#nothing)\n\n`[c](docs/code.md)`\n' >>"$work/documentation/README.md"
-! python3 "$root/tests/packages/check_links.py" "$work/documentation" >"$work/said" || fail "the control: no dead link was found"
+! python3 "$root/tests/front/check_links.py" "$work/documentation" >"$work/said" || fail "the control: no dead link was found"
 [ "$(grep -c -e 'README.md: docs/nothing.md leads nowhere' -e 'README.md: README.md#nothing leads nowhere' "$work/said")" -eq 2 ] &&
     [ "$(wc -l <"$work/said")" -eq 2 ] || fail "the control: found is $(cat "$work/said")"
 

@@ -53,7 +53,7 @@ class CountingMemory:
 
 @functools.cache
 def types_of_c():
-    command = [sys.executable, str(ROOT / "tests/abi/abi.py"), "types", str(ROOT), "c"]
+    command = [sys.executable, str(ROOT / "tests/front/abi.py"), "types", str(ROOT), "c"]
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# One step of the consumer test: tests/consumer/consume.sh STEP
+# One step of the consumer test: tests/front/consumer/consume.sh STEP
 #   install            installs the build tree into $WORK/prefix
 #   find_package       builds the programs with CMake on what is installed there, and runs them
 #   pkg_config         the same with nothing but the compiler and pkg-config
@@ -14,7 +14,7 @@
 # Environment: SOURCE, BUILD (the tree to install from), WORK (a directory of our own), WITH_BOX2D, WITH_KINETIC, WITH_REPAIR (ON or OFF), CC, CXX.
 set -euo pipefail
 step=$1
-consumer=$SOURCE/tests/consumer
+consumer=$SOURCE/tests/front/consumer
 # Its path has a folder of our name, which is the user's.
 prefix=$WORK/boomerang/prefix
 out=$WORK/$step
