@@ -19,7 +19,6 @@ tests/contracts/process.cpp: ends what hangs
 tests/browser/browser.py: polls a page; ends what hangs
 tests/cli/test_usage_cli.sh: polls for a file
 tests/determinism/run: how many at once
-tests/faults/run: who is quick enough to be asked about a drawn site, which no test does
 tests/random/run: tells how long it took; the seconds of a campaign are asked for by name
 tests/gate/test_clocks.sh: the list itself
 tests/hooks/clock_game.cpp: a test of clocks, which reads before and after
