@@ -109,15 +109,6 @@ if(BOOMERANG_INSTALL_TESTBED AND TARGET boomerang-testbed)
   endif()
   install(TARGETS ${boomerang_programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT testbed)
   install(TARGETS boomerang-count LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/boomerang COMPONENT testbed)
-  if(TARGET boomerang-manual)
-    set(boomerang_manual ${PROJECT_BINARY_DIR}/manual)
-    install(FILES ${boomerang_manual}/boomerang-testbed.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT testbed)
-    install(FILES ${boomerang_manual}/boomerang-testbed
-      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT testbed)
-    install(FILES ${boomerang_manual}/_boomerang-testbed DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT testbed)
-    install(FILES ${boomerang_manual}/boomerang-testbed.fish
-      DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT testbed)
-  endif()
 endif()
 
 # The sources that boomerang_accelerate compiles with a project's Box2D.
@@ -163,7 +154,7 @@ endforeach()
 if(PROJECT_IS_TOP_LEVEL)
   add_custom_target(installable)
   foreach(target boomerang_core boomerang_core_shared boomerang_kinetic boomerang_kinetic_shared boomerang_box2d_glue boomerang_box2d boomerang_repair boomerang
-      ${boomerang_programs} boomerang-count boomerang-manual)
+      ${boomerang_programs} boomerang-count)
     if(TARGET ${target})
       add_dependencies(installable ${target})
     endif()

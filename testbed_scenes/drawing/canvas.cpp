@@ -20,12 +20,6 @@ Canvas::Canvas(const std::string &path, double width, double height)
     Prepare();
 }
 
-Canvas::Canvas(Image &image, double width, double height)
-    : m_width(width), m_height(height), m_surface(image, width, height),
-      m_cairo(m_surface.Cairo()), m_world{0.0, 0.0, width, height}, m_page(m_world) {
-    Prepare();
-}
-
 void Canvas::Prepare() {
     cairo_set_source_rgb(m_cairo, 1.0, 1.0, 1.0);
     cairo_paint(m_cairo);

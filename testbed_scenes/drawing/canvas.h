@@ -55,8 +55,6 @@ enum class Align { Left, Centre, Right };
 class Canvas {
 public:
     Canvas(const std::string &path, double width, double height);
-    /// Pixels in memory, which must outlive the canvas.
-    Canvas(Image &image, double width, double height);
 
     /// From now on world coordinates are those of `world`, shown in `page` (of the page's units) as large as
     /// fits, centred, undistorted; drawing is clipped to `page`.

@@ -2,7 +2,6 @@
 #include "drawing/surface.h"
 
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 
 #include <cairo-pdf.h>
@@ -11,15 +10,11 @@
 namespace testbed {
 namespace {
 
-cairo_surface_t *MakePixels(double width, double height) {
-    return cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::lround(width)),
-                                      static_cast<int>(std::lround(height)));
-}
-
 cairo_surface_t *MakeSurface(const std::string &path, const std::string &writePath, double width,
                              double height) {
     if (EndsWith(path, ".png"))
-        return MakePixels(width, height);
+        return cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::lround(width)),
+                                          static_cast<int>(std::lround(height)));
     if (EndsWith(path, ".svg"))
         return cairo_svg_surface_create(writePath.c_str(), width, height);
     return cairo_pdf_surface_create(writePath.c_str(), width, height);
@@ -41,33 +36,10 @@ Surface::Surface(std::string path, double width, double height)
       m_surface(MakeSurface(m_path, m_file.WritePath().string(), width, height), cairo_surface_destroy),
       m_context(cairo_create(m_surface.get()), cairo_destroy) {}
 
-Surface::Surface(Image &image, double width, double height)
-    : m_path("a picture"), m_file(""), m_image(&image),
-      m_surface(MakePixels(width, height), cairo_surface_destroy),
-      m_context(cairo_create(m_surface.get()), cairo_destroy) {}
-
-/// cairo's pixels have an unused byte above the three, and rows that may be longer.
-void Surface::CopyPixels() {
-    cairo_surface_flush(m_surface.get());
-    m_image->width = cairo_image_surface_get_width(m_surface.get());
-    m_image->height = cairo_image_surface_get_height(m_surface.get());
-    m_image->pixels.clear();
-    const auto stride = static_cast<size_t>(cairo_image_surface_get_stride(m_surface.get()));
-    const unsigned char *data = cairo_image_surface_get_data(m_surface.get());
-    for (size_t y = 0; data != nullptr && y < static_cast<size_t>(m_image->height); ++y)
-        for (size_t x = 0; x < static_cast<size_t>(m_image->width); ++x) {
-            uint32_t pixel = 0;
-            std::memcpy(&pixel, data + y * stride + x * sizeof pixel, sizeof pixel);
-            m_image->pixels.push_back(pixel & 0xffffff);
-        }
-}
-
 void Surface::Write() {
     cairo_status_t status = cairo_status(m_context.get());
     if (status == CAIRO_STATUS_SUCCESS && EndsWith(m_path, ".png"))
         status = cairo_surface_write_to_png(m_surface.get(), m_file.WritePath().c_str());
-    if (status == CAIRO_STATUS_SUCCESS && m_image != nullptr)
-        CopyPixels();
     cairo_surface_finish(m_surface.get());
     if (status == CAIRO_STATUS_SUCCESS)
         status = cairo_surface_status(m_surface.get());

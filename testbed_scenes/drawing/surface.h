@@ -7,7 +7,6 @@
 
 #include <cairo.h>
 
-#include "drawing/image.h"
 #include "drawing/whole_file.h"
 
 namespace testbed {
@@ -21,22 +20,17 @@ bool IsPicturePath(const std::string &path);
 class Surface {
 public:
     Surface(std::string path, double width, double height);
-    /// Pixels in memory, which must outlive the surface.
-    Surface(Image &image, double width, double height);
 
     cairo_t *Cairo() const { return m_context.get(); }
-    /// Writes the file, or the pixels; throws std::runtime_error if it, or anything drawn, failed.
+    /// Writes the file; throws std::runtime_error if it, or anything drawn, failed.
     void Write();
 
 private:
-    void CopyPixels();
-
     using SurfacePointer = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
     using ContextPointer = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
     std::string m_path;
     WholeFile m_file;
-    Image *m_image = nullptr;
     SurfacePointer m_surface;
     ContextPointer m_context;
 };

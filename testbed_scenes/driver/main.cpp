@@ -10,9 +10,6 @@
 #include "commands.h"
 #include "drawing/unfinished.h"
 #include "events_command.h"
-#include "manual_command.h"
-#include "outline_command.h"
-#include "plot_command.h"
 #include "render_command.h"
 #include "replay_command.h"
 #include "world_command.h"
@@ -34,9 +31,6 @@ struct CommandLine {
     ReplayCommand replay;
     FiguresCommand figures;
     EventsCommand events;
-    OutlineCommand outline;
-    PlotCommand plot;
-    ManualCommand manual;
     WorldCommand world;
     bool noTime = false;
 };
@@ -149,18 +143,6 @@ CLI::App *AddFigures(CLI::App &app, CommandLine &line) {
     return figures;
 }
 
-CLI::App *AddPlot(CLI::App &app, CommandLine &line) {
-    CLI::App *plot = app.add_subcommand("plot", "Draw measured numbers on logarithmic axes");
-    plot->add_option("csv", line.plot.csv, "A line of headings, then series,x,y")
-        ->required()
-        ->check(CLI::ExistingFile);
-    plot->add_option("-o,--output", line.plot.output, "The picture: .svg, .png or .pdf")->required();
-    plot->add_option("--title", line.plot.title, "What it shows");
-    plot->add_option("--x", line.plot.xLabel, "What x is");
-    plot->add_option("--y", line.plot.yLabel, "What y is");
-    return plot;
-}
-
 int Answer(int argc, char **argv) {
     CLI::App app("Scenes on stock Box2D and on Box2D with the Boomerang plugin, compared.",
                  "boomerang-testbed");
@@ -183,9 +165,6 @@ int Answer(int argc, char **argv) {
     AddPluginOptions(*replay, line.replay.worker, ReplayStructures());
     AddSceneOptions(*replay, line.replay.worker);
     const CLI::App *world = AddWorld(app, line.world);
-    const CLI::App *outline = AddOutline(app, line.outline);
-    const CLI::App *plot = AddPlot(app, line);
-    AddManual(app, line.manual);
     for (CLI::App *subcommand : app.get_subcommands({})) {
         const std::string own = subcommand->get_footer();
         subcommand->footer(own.empty() ? kExitCodes : own + "\n\n" + kExitCodes);
@@ -210,14 +189,8 @@ int Answer(int argc, char **argv) {
         return Execute(line.figures);
     if (app.got_subcommand(events))
         return Execute(line.events, line.directory);
-    if (app.got_subcommand(outline))
-        return Execute(line.outline);
-    if (app.got_subcommand(plot))
-        return Execute(line.plot);
     if (app.got_subcommand(world))
         return Execute(line.world);
-    if (WantsManual(app))
-        return Execute(line.manual, app, line.directory);
     const Workers workers(line.directory);
     int status = 0;
     if (app.got_subcommand(list))

@@ -12,7 +12,6 @@
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
-#include "drawing/moving_picture.h"
 #include "drawing/surface.h"
 #include "drawing/whole_file.h"
 #include "picture/world_view.h"
@@ -46,7 +45,7 @@ constexpr char kRenderHelp[] =
     "90 --all "
     "-o gas.png\n"
     "  boomerang-testbed render gears --frames 0:300:2 --all -o gears.png\n"
-    "  boomerang-testbed render planks --frames 0:240:2 --width 800 -o planks.gif";
+    "  ffmpeg -i gears-%04d.png gears.webm";
 
 /// Numbers between commas; empty if the text is anything else.
 std::vector<double> ReadNumbers(const std::string &text) {
@@ -117,13 +116,9 @@ void ReadRange(const RenderCommand &command, RecordRequest *request) {
 }
 
 /// Before the work: the picture must have a place.
-void CheckOutput(const std::string &output, bool isSeries) {
-    const bool moves = MovingPicture::IsPath(output);
-    if (!moves && !IsPicturePath(output))
-        throw UsageError("\"" + output +
-                         "\" should end in .svg, .png or .pdf, or of a series in .gif or .webm");
-    if (moves && !isSeries)
-        throw UsageError("\"" + output + "\" moves: --frames FIRST:LAST:EVERY is wanted");
+void CheckOutput(const std::string &output) {
+    if (!IsPicturePath(output))
+        throw UsageError("\"" + output + "\" should end in .svg, .png or .pdf");
     WholeFile::Check(output);
 }
 
@@ -178,25 +173,12 @@ public:
                                                   : 0.5 * (region.bottom + region.top - m_shape->Height());
         these.region = {x, y, x + m_shape->Width(), y + m_shape->Height()};
         ++m_count;
-        if (MovingPicture::IsPath(m_command.output)) {
-            if (!m_moving)
-                m_moving = MovingPicture::Make(m_command.output);
-            Image image;
-            DrawPicture(head, frame, m_gathered, these, &image);
-            m_moving->Add(image, static_cast<double>(m_wanted.every) * static_cast<double>(head.time_step));
-            return;
-        }
         DrawPicture(head, frame, m_gathered, these,
                     m_options.series ? NumberedPath(m_command.output, m_count - 1) : m_command.output);
     }
-    /// After the last frame.
-    void Finish() {
-        if (m_moving)
-            m_moving->Finish();
-    }
     /// What was written, in a line.
     std::string Said() const {
-        const bool numbered = m_options.series && !m_moving, many = m_count > 1;
+        const bool numbered = m_options.series, many = m_count > 1;
         std::string text = numbered ? NumberedPath(m_command.output, 0) : m_command.output;
         if (numbered && many)
             text += " to " + NumberedPath(m_command.output, m_count - 1);
@@ -229,7 +211,6 @@ private:
     recording::Gathered m_gathered;
     std::optional<Rectangle> m_shape;
     std::string m_scene;
-    std::unique_ptr<MovingPicture> m_moving;
     int64_t m_count = 0, m_last = -1;
 };
 
@@ -247,14 +228,10 @@ CLI::App *AddRender(CLI::App &app, RenderCommand &command) {
     CLI::Option *frames = render
                               ->add_option("--frames", command.frames,
                                            "FIRST:LAST:EVERY instead: a series; picture.png becomes "
-                                           "picture-0000.png, ...; a .gif or .webm "
-                                           "moves")
+                                           "picture-0000.png, ...")
                               ->excludes(step);
     step->excludes(frames);
-    render
-        ->add_option("-o,--output", command.output,
-                     "The picture: .svg, .png or .pdf; with --frames .gif or .webm, too")
-        ->required();
+    render->add_option("-o,--output", command.output, "The picture: .svg, .png or .pdf")->required();
     render
         ->add_option("--focus", command.focus,
                      "BODY: it and its pairs; A,B: two bodies; or X,Y,WIDTH,HEIGHT, a rectangle of the "
@@ -297,7 +274,7 @@ int Execute(const RenderCommand &command, const Workers &workers) {
     if (!options.bodies.empty() && options.width < kLeastWithBodies)
         throw UsageError("--width: with --focus on a body at least " + std::to_string(kLeastWithBodies));
     options.series = !command.frames.empty();
-    CheckOutput(command.output, options.series);
+    CheckOutput(command.output);
     RecordRequest request;
     ReadRange(command, &request);
     if (!command.recording.empty())
@@ -326,7 +303,6 @@ int Execute(const RenderCommand &command, const Workers &workers) {
         request.worker = command.worker;
         RunRecorded(workers, request, onFrame, [&progress] { progress.Tick(); });
     }
-    series.Finish();
     progress.Clear();
     if (!command.quiet)
         std::cout << series.Said() << '\n';

@@ -290,12 +290,4 @@ void DrawPicture(const recording::Head &head, const recording::Frame &frame,
     });
 }
 
-void DrawPicture(const recording::Head &head, const recording::Frame &frame,
-                 const recording::Gathered &gathered, const PictureOptions &options, Image *image) {
-    const WorldView world(frame, gathered);
-    Page(head, world, options).Draw([image](double width, double height) {
-        return Canvas(*image, width, height);
-    });
-}
-
 } // namespace testbed

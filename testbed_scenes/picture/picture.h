@@ -50,9 +50,6 @@ Rectangle RegionOf(const recording::Frame &frame, const recording::Gathered &gat
 /// std::runtime_error if the file cannot be written, or if a body in focus is not there.
 void DrawPicture(const recording::Head &head, const recording::Frame &frame,
                  const recording::Gathered &gathered, const PictureOptions &options, const std::string &path);
-/// The same, as pixels: for a moving picture.
-void DrawPicture(const recording::Head &head, const recording::Frame &frame,
-                 const recording::Gathered &gathered, const PictureOptions &options, Image *image);
 
 } // namespace testbed
 

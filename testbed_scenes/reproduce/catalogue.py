@@ -21,9 +21,10 @@ class Experiment:
     """`commands` are lists of words, with {build}, {root} and {out}, a directory of their own, to be filled in; `check(run)` returns
     nothing and fills run.result. `seconds`: of one processor, of some machine."""
 
-    def __init__(self, name, kind, what, seconds, quotes, commands, check=None, makes=()):
+    def __init__(self, name, kind, what, seconds, quotes, commands, check=None, makes=(), packages=()):
         self.name, self.kind, self.what, self.seconds = name, kind, what, seconds
         self.quotes, self.commands, self.check, self.makes = quotes, commands, check, makes
+        self.packages = packages # Debian's, that its commands need beside the build's
 
 
 def words(command, *more):
@@ -199,7 +200,7 @@ def picture(name, what, seconds, quotes, commands, makes):
     return Experiment(name, "picture", what, seconds, quotes, commands, check, makes)
 
 
-def costs(table, seconds, makes=()):
+def costs(table, seconds):
     quote, more = f"measure_costs.sh build {table}", []
     steps = ["--steps", "150"] if table == "scenes" else []
     if table == "scenes":
@@ -213,11 +214,11 @@ def costs(table, seconds, makes=()):
         rows_as_ratios(run.result, table_after(text, anchor), run.said[0], *COSTS[table])
 
     return Experiment(f"cost-{table}", "ratios", f"instructions, by callgrind: {table}", seconds, [quote, *more],
-                      [["{root}/tests/bench/measure_costs.sh", *steps, "{build}", table]], check, makes)
+                      [["{root}/tests/bench/measure_costs.sh", *steps, "{build}", table]], check)
 
 
-def shown(name, what, seconds, quotes, commands, makes=()):
-    return Experiment(name, "shown", what, seconds, quotes, commands, None, makes)
+def shown(name, what, seconds, quotes, commands, makes=(), packages=()):
+    return Experiment(name, "shown", what, seconds, quotes, commands, None, makes, packages)
 
 
 FIGURES = ["boomerangs", "coarse-line", "dudley", "free-direction", "growth", "inflated", "mixed-events", "mixed-full", "mixed-insertion", "pair-events", "point-events",
@@ -227,10 +228,6 @@ EXPERIMENTS = [
     picture("figures", "the figures of core/README.md, from the real structures", 3,
             ["boomerang-testbed figures -o docs/figures", "boomerang-testbed figures growth -o docs/figures"],
             [[TESTBED, "figures", "-o", "{out}"]], [f"docs/figures/{name}.svg" for name in FIGURES]),
-    picture("asteroids", "the moving picture of the first page", 5,
-            ["boomerang-testbed render asteroids-outline --frames 0:120:4 --focus=-13,8,26,15 --certificates --slack --contacts --events --width 560 -o docs/asteroids.gif"],
-            [[TESTBED, "render", "asteroids-outline", "--frames", "0:120:4", "--focus=-13,8,26,15", "--certificates", "--slack", "--contacts",
-              "--events", "--width", "560", "-o", "{out}/asteroids.gif"]], ["docs/asteroids.gif"]),
     picture("planks", "a scene with what proves its bodies apart", 1, ["boomerang-testbed render planks --step 150 --focus 100 -o docs/planks.png"],
             [[TESTBED, "render", "planks", "--step", "150", "--focus", "100", "-o", "{out}/planks.png"]], ["docs/planks.png"]),
     picture("any-size", "polygons of any size", 1, ["boomerang-testbed render any-bag --step 380 --bare -o docs/any-size.png"],
@@ -246,8 +243,13 @@ EXPERIMENTS = [
     Experiment("worlds", "counts", "what grows with the number of bodies of a kinetic world", 5, [WORLDS], [words(WORLDS)], check_worlds),
     Experiment("scenes", "counts", "separation tests, looks and events in every scene, plugin beside stock", 70, ["boomerang-testbed compare"],
                [[TESTBED, "compare", "--no-time", "--details"]], check_scenes),
-    costs("calls", 40), costs("bodies", 300, ["docs/figures/cost-bodies.svg"]), costs("fixtures", 60, ["docs/figures/cost-fixtures.svg"]),
+    costs("calls", 40), costs("bodies", 300), costs("fixtures", 60),
     costs("asleep", 60), costs("scenes", 900),
+    shown("asteroids", "the moving picture of the first page", 8,
+          ["boomerang-testbed render asteroids-outline --frames 0:120:4 --focus=-13,8,26,15 --certificates --slack --contacts --events --width 560 -o asteroids.png"],
+          [[TESTBED, "render", "asteroids-outline", "--frames", "0:120:4", "--focus=-13,8,26,15", "--certificates", "--slack", "--contacts",
+            "--events", "--width", "560", "-o", "{out}/asteroids.png"],
+           ["sh", "-c", "convert -delay 7 {out}/asteroids-*.png -layers optimize {out}/asteroids.gif"]], ["docs/asteroids.gif"], ["imagemagick"]),
     shown("times", "times of every scene's step, stock over plugin", 400, ["boomerang-testbed compare --details --repeat 15", "boomerang-testbed compare --repeat 15", "boomerang-testbed compare --repeat 15 --markdown FILE"],
           [[TESTBED, "compare", "--repeat", "15", "--details"]]),
     shown("structures", "each structure in the place of the remembered edge", 200,
@@ -283,7 +285,6 @@ USAGE = [
     "boomerang-testbed events --list",
     "boomerang-testbed events --polygon A.txt --polygon B.txt --motion M.txt --trace T.txt",
     "boomerang-testbed events --structures NAME",
-    "boomerang-testbed plot",
     "boomerang-testbed world",
     "boomerang-testbed world --list",
     "boomerang-testbed world gas --bodies 1000 --check --audit",

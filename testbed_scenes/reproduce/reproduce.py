@@ -30,7 +30,7 @@ import table1  # noqa: E402
 # One name for several experiments.
 GROUPS = {"table-1": [experiment for _, experiment, *_ in table1.PARTS]}
 # Commands of boomerang-testbed that play no scene, and so need no worker.
-WITHOUT_WORKERS = {"events", "figures", "outline", "plot"}
+WITHOUT_WORKERS = {"events", "figures"}
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
@@ -145,6 +145,7 @@ def main():
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--targets", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--output", default="reproduced", metavar="DIR")
+    parser.add_argument("--packages", action="store_true", help=argparse.SUPPRESS)
     options = parser.parse_args()
     chosen = choose(options)
     if options.list:
@@ -155,6 +156,9 @@ def main():
         return 0
     if options.targets:
         print(*sorted(targets(chosen)))
+        return 0
+    if options.packages:
+        print(*sorted({package for experiment in chosen for package in experiment.packages}))
         return 0
     seconds = sum(experiment.seconds for experiment in chosen)
     print(machine(options.build))

@@ -7,7 +7,7 @@ set -euo pipefail
 
 usage() {
     cat <<'TEXT'
-usage: measure_costs.sh [--csv FILE] [--steps N] BUILD_DIRECTORY TABLE...
+usage: measure_costs.sh [--steps N] BUILD_DIRECTORY TABLE...
 
 Tables, each printed as Markdown:
   calls      instructions of one contact, query, overlap, new pair
@@ -17,16 +17,14 @@ Tables, each printed as Markdown:
   scenes     each scene of the testbed, stock over plugin: linked behind Box2D, which leaves contacts alone, and
              linked ahead of it with all hooks (SCENES="a b": these alone; LISTENER=reads: with such a listener)
 --steps N   steps of each scene (default: the scene's own)
---csv FILE  also write fixtures and bodies as series,x,y, for `boomerang-testbed plot` and `report --costs`
 Exit codes: 0 done; 2 wrong usage; 3 a program failed.
 TEXT
 }
 
-csv=/dev/null steps='' build=''
+steps='' build=''
 tables=()
 while [[ $# -gt 0 ]]; do
     case $1 in
-    --csv) csv=${2:?}; shift ;;
     --steps) steps=${2:?}; shift ;;
     --help) usage; exit 0 ;;
     -*) usage >&2; exit 2 ;;
@@ -42,14 +40,6 @@ if [[ ${#tables[@]} = 0 || ! -e $plugin || ! -x $worlds ]]; then
 fi
 profile=$(mktemp)
 trap 'rm -f "$profile"' EXIT
-# What x is, if one table is written and not several: boomerang-testbed writes it at the axis.
-heading=x
-case ${tables[*]} in
-fixtures) heading='fixtures per body' ;;
-bodies | asleep) heading=bodies ;;
-esac
-[[ $csv = /dev/null ]] || echo "series,$heading,instructions a step" >"$csv"
-
 # The dynamic linker's look-ups would be counted where a function is called first.
 export LD_BIND_NOW=1
 
@@ -148,7 +138,6 @@ row() {
     world all "$@"
     ours=$(($(total) / runs))
     echo "| $name | $x | $stock | $ours | $(ratio "$stock" "$ours") |"
-    printf '%s\n' "$name stock,$x,$stock" "$name plugin,$x,$ours" >>"$csv"
 }
 
 fixtures() {

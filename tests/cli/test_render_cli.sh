@@ -157,33 +157,6 @@ test_bodies_that_are_named_are_numbered() {
     ! grep -qx 99 <<<"$seen" || fail "control: a body that nobody named is numbered"
 }
 
-test_moving_pictures() {
-    draw "$scratch/moves.gif" pyramid --size 4 --frames 0:8:2 --width 300
-    out_has 'moves\.gif: 5 pictures of pyramid, steps 0 to 8'
-    draw "$scratch/again.gif" pyramid --size 4 --frames 0:8:2 --width 300 --quiet
-    cmp -s "$scratch/moves.gif" "$scratch/again.gif" || fail "a second one is another"
-    python3 "$golden/check_gif.py" "$scratch/moves.gif" 5 300 2>"$scratch/err" || fail "it is not what it should be"
-    ! python3 "$golden/check_gif.py" "$scratch/moves.gif" 6 300 2>"$scratch/err" || fail "control: a picture less is not noticed"
-    expect 2 render pyramid --size 4 --step 3 -o "$scratch/still.gif"
-    err_has 'moves: --frames'
-    # Where there is no ffmpeg, and where there is something of that name.
-    mkdir -p "$scratch/path"
-    claim='render -o moves.webm without ffmpeg'
-    PATH=$scratch/path "$testbed" render pyramid --size 4 --frames 0:2 -o "$scratch/moves.webm" >"$scratch/out" 2>"$scratch/err" &&
-        fail "it succeeded"
-    err_has 'needs ffmpeg, which is not installed'
-    printf '#!/bin/sh\nfor last; do :; done\nexec /usr/bin/wc -c >"${last#file:}"\n' >"$scratch/path/ffmpeg"
-    chmod +x "$scratch/path/ffmpeg"
-    claim='render -o moves.webm'
-    PATH=$scratch/path:$PATH "$testbed" render pyramid --size 4 --frames 0:2 --width 300 -o "$scratch/moves.webm" \
-        >"$scratch/out" 2>"$scratch/err" || fail "it failed"
-    [ $(($(cat "$scratch/moves.webm") % (3 * 300 * 4))) -eq 0 ] || fail "ffmpeg did not get three pictures"
-    printf '#!/bin/sh\nexit 3\n' >"$scratch/path/ffmpeg"
-    PATH=$scratch/path:$PATH "$testbed" render pyramid --size 4 --frames 0:2 -o "$scratch/new.webm" >"$scratch/out" 2>"$scratch/err" &&
-        fail "an ffmpeg that fails is not noticed"
-    [ ! -e "$scratch/new.webm" ] && [ -z "$(find "$scratch" -name '*.part')" ] || fail "an unfinished picture is left"
-}
-
 test_requests_that_make_no_sense() {
     expect 2 render pyramid -o "$scratch/picture.svg"
     err_has 'which step'

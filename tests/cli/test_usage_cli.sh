@@ -53,7 +53,6 @@ test_values() {
     refused 'render needs --output' render planks --step 1
     err_has '^    --output: The picture'
     refused '--repeat and --no-time do not go together' compare planks --repeat 2 --no-time
-    refused "cannot read $scratch/none.csv: No such file" plot "$scratch/none.csv" -o x.png
     refused 'cannot read .*/none: No such file' --workers "$scratch/none" list
 }
 
@@ -141,7 +140,7 @@ test_help_builds_nothing() {
     [ ! -e "$scratch/build" ] || fail "it makes a directory to build in"
     BMR_BUILD_DIR=$scratch/build "$root/testbed_scenes/run" --help >"$scratch/out"
     "$testbed" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p' >"$scratch/commands"
-    [ "$(wc -l <"$scratch/commands")" -gt 10 ] || fail "control: no list of commands"
+    [ "$(wc -l <"$scratch/commands")" -ge 8 ] || fail "control: no list of commands"
     while read -r command; do out_has "(^|[ ,])$command[,.]"; done < <(grep . "$scratch/commands")
 }
 
