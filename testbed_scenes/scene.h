@@ -78,7 +78,6 @@ void AddGears(std::vector<SceneInfo> &scenes);
 void AddBullets(std::vector<SceneInfo> &scenes);
 void AddSensors(std::vector<SceneInfo> &scenes);
 void AddSleepers(std::vector<SceneInfo> &scenes);
-void AddChurn(std::vector<SceneInfo> &scenes);
 void AddGames(std::vector<SceneInfo> &scenes);
 void AddAnySizeCoins(std::vector<SceneInfo> &scenes);
 void AddAnySizeBodies(std::vector<SceneInfo> &scenes);

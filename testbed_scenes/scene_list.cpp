@@ -7,8 +7,8 @@ const std::vector<SceneInfo> &AllScenes() {
         std::vector<SceneInfo> all;
         for (const auto add :
              {AddClassicStacks, AddClassicMotion, AddClassicJoints, AddClassicExamples, AddTerrain,
-              AddLongThings, AddCoins, AddAsteroids, AddGears, AddBullets, AddSensors, AddSleepers, AddChurn,
-              AddGames, AddAnySizeCoins, AddAnySizeBodies, AddAnySizeWorlds, AddOutlines})
+              AddLongThings, AddCoins, AddAsteroids, AddGears, AddBullets, AddSensors, AddSleepers, AddGames,
+              AddAnySizeCoins, AddAnySizeBodies, AddAnySizeWorlds, AddOutlines})
             add(all);
         return all;
     }();

@@ -38,7 +38,7 @@ class Cars final : public Scene {
     std::vector<b2WheelJoint *> m_motors;
 };
 
-/// A landslide: rocks roll down a chain, and who arrives is put back on top.
+/// A landslide: rocks roll down a chain. Who arrives is destroyed, and another one made on top.
 class ChainRocks final : public Scene {
     void Build(Stage &stage, int size) override {
         Outline slope = MakeHills(stage.Rng(), {0.0f, 0.0f}, width, {0.4f, 0.6f, 0.2f});
@@ -48,25 +48,29 @@ class ChainRocks final : public Scene {
         for (int i = 0; i < size; ++i) {
             const float x =
                 2.0f + (width - 4.0f) * static_cast<float>(i / layers * layers) / static_cast<float>(size);
-            const b2Vec2 place(x, fall * (width - x) + 2.5f + 1.3f * static_cast<float>(i % layers));
-            b2Body *rock = stage.AddBody(b2_dynamicBody, place, stage.Rng().Uniform(-b2_pi, b2_pi));
-            const Outline corners = RoughOutline(stage.Rng(), 8, 0.3f, 0.6f);
-            b2PolygonShape hull;
-            hull.Set(corners.data(), 8);
-            stage.AddFixture(rock, Material(2.0f, 0.4f, 0.1f), hull);
-            m_rocks.push_back(rock);
+            m_rocks.push_back(
+                AddRock(stage, {x, fall * (width - x) + 2.5f + 1.3f * static_cast<float>(i % layers)}));
         }
     }
 
     void BeforeStep(Stage &stage, int) override {
-        for (b2Body *rock : m_rocks) {
+        for (b2Body *&rock : m_rocks) {
             if (rock->GetPosition().x < width - 4.0f)
                 continue;
+            stage.World().DestroyBody(rock);
             const float x = stage.Rng().Uniform(3.0f, 8.0f);
-            const b2Vec2 top(x, fall * width + stage.Rng().Uniform(3.0f, 12.0f));
-            rock->SetTransform(top, rock->GetAngle());
+            rock = AddRock(stage, {x, fall * width + stage.Rng().Uniform(3.0f, 12.0f)});
             rock->SetLinearVelocity({2.0f, 0.0f});
         }
+    }
+
+    static b2Body *AddRock(Stage &stage, b2Vec2 place) {
+        b2Body *rock = stage.AddBody(b2_dynamicBody, place, stage.Rng().Uniform(-b2_pi, b2_pi));
+        const Outline corners = RoughOutline(stage.Rng(), 8, 0.3f, 0.6f);
+        b2PolygonShape hull;
+        hull.Set(corners.data(), 8);
+        stage.AddFixture(rock, Material(2.0f, 0.4f, 0.1f), hull);
+        return rock;
     }
 
     static constexpr float width = 60.0f, fall = 0.4f;
@@ -197,8 +201,8 @@ void AddGames(std::vector<SceneInfo> &scenes) {
     scenes.push_back(Resized(scenes, "pyramid", "pyramid-50", "the pyramid with 1275 boxes", 50));
     scenes.push_back({"cars", "cars drive to and fro among crates on a rolling road of edges", "games",
                       "cars", 16, 300, CreateScene<Cars>});
-    scenes.push_back({"chain-rocks", "rocks roll down a slope that is a chain", "games", "rocks", 120, 300,
-                      CreateScene<ChainRocks>});
+    scenes.push_back({"chain-rocks", "rocks roll down a chain, are destroyed at its end, and made anew",
+                      "games", "rocks", 120, 300, CreateScene<ChainRocks>});
     scenes.push_back({"ragdolls", "ragdolls of 11 bones tumble down stairs", "games", "ragdolls", 16, 300,
                       CreateScene<Ragdolls>});
     scenes.push_back(Resized(scenes, "needles", "needles-100", "the needles, a third of them", 100));

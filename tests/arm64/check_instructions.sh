@@ -11,7 +11,7 @@ set -uo pipefail
 build=${1:?} variant=${2:?} counter=${3:?}
 shift 3
 scenes=("$@")
-[ ${#scenes[@]} -gt 0 ] || scenes=(planks needles plates sensors bullets coins-pile coins-gas star-pile asteroids gears churn terrain tumbler
+[ ${#scenes[@]} -gt 0 ] || scenes=(planks needles plates sensors bullets coins-pile coins-gas star-pile asteroids gears mixed-pile terrain tumbler
     pyramid tiles dominos car bridge vertical-stack sensors-classic compound bullet)
 last_of() {
     case $1 in

@@ -59,7 +59,7 @@ class ByHand:
         return moving[0], self.places()[moving[0]]
 
     def test_fit_shows_all_bodies(self):
-        for name, steps in (("planks", (0, 45, 89)), ("churn", (0, 60, 119))):
+        for name, steps in (("planks", (0, 45, 89)), ("rocks", (0, 60, 119))):
             self.show(name)
             for step in steps:
                 self.seek(step)

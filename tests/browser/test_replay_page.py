@@ -29,10 +29,10 @@ POSITION_QUANTUM, ANGLE_QUANTUM, SLACK_QUANTUM = 1 / 4096, 1 / 16384, 1 / 1024
 FLOAT = 1e-6  # what the recording's own floats lose in an angle
 ANSWERS = ["unasked", "apart", "manifold", "handed over"]
 
-# A scene with times of impact, and one whose bodies come, go and change, on kinetic structures alone.
+# A scene with times of impact, and one whose bodies come and go, on kinetic structures alone.
 SCENES = {
     "planks": ["planks", "--size", "40", "--steps", "90"],
-    "churn": ["churn", "--size", "16", "--steps", "120", "--structure", "lazy-compass", "--prefilter", "off"],
+    "rocks": ["chain-rocks", "--size", "30", "--steps", "120", "--structure", "lazy-compass", "--prefilter", "off"],
 }
 
 
@@ -205,9 +205,9 @@ class ReplayPage(ByHand, unittest.TestCase):
                 self.assertGreater(farthest_off(shown, other), 2, "control: another step's are elsewhere")
 
     def test_bodies_come_and_go(self):
-        there = [{body.get("number", 0) for body in frame["bodies"]} for frame in self.recordings["churn"]["plugin"].frames]
-        self.assertTrue(there[0] - there[-1] and there[-1] - there[0], "control: in churn bodies die and are born")
-        self.show("churn")
+        there = [{body.get("number", 0) for body in frame["bodies"]} for frame in self.recordings["rocks"]["plugin"].frames]
+        self.assertTrue(there[0] - there[-1] and there[-1] - there[0], "control: rocks die and are born")
+        self.show("rocks")
         for step in (0, len(there) - 1):
             self.seek(step)
             self.assertEqual({body["number"] for body in self.browser.run("return replay.bodies()")}, there[step])
@@ -233,7 +233,7 @@ class ReplayPage(ByHand, unittest.TestCase):
                          self.recordings[name]["plugin"].events(a, b))
 
     def test_a_pairs_time_line_is_that_of_the_recording(self):
-        for name, kind in (("planks", None), ("planks", "contact"), ("churn", "push"), ("churn", "stab")):
+        for name, kind in (("planks", None), ("planks", "contact"), ("rocks", "push"), ("rocks", "stab")):
             with self.subTest(scene=name, kind=kind):
                 self.show(name)
                 a, b = self.busiest(name, kind)
@@ -274,7 +274,7 @@ class ReplayPage(ByHand, unittest.TestCase):
         self.assertLess(self.browser.colours("#scene"), 30, "control: an empty canvas")
 
     def test_every_overlay_changes_the_picture(self):
-        for name in ("planks", "churn"):
+        for name in ("planks", "rocks"):
             self.show(name)
             frames = self.recordings[name]["plugin"].frames
             self.seek(max(range(len(frames)), key=lambda step: len(frames[step].get("touching", []))))
@@ -283,7 +283,7 @@ class ReplayPage(ByHand, unittest.TestCase):
             picture = "return document.getElementById('scene').toDataURL()"
             self.assertTrue(self.browser.run(picture) == self.browser.run(picture), "control: nothing else does")
             overlays = {"planks": ("slack", "contacts", "certificates", "boxes", "numbers"),
-                        "churn": ("hulls", "envelopes", "certificates")}[name]
+                        "rocks": ("hulls", "envelopes", "certificates")}[name]
             for overlay in overlays:
                 before = self.browser.run(picture)
                 self.browser.driver.find_element("id", f"show-{overlay}").click()

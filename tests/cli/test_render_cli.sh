@@ -93,7 +93,7 @@ test_scenes_that_stock_does_not_have() {
 
 test_recordings_tell_the_truth() {
     local scene options
-    for scene in "coins-gas --size 40" "planks --size 60" "churn"; do
+    for scene in "coins-gas --size 40" "planks --size 60" "chain-rocks --size 60"; do
         for options in "" "--prefilter off" "--prefilter off --structure lazy-dudley"; do
             claim="boomerang-scene $scene --record 20:50:10 $options"
             : >"$scratch/out"

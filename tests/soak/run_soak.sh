@@ -13,7 +13,7 @@ usage: run_soak.sh [--steps N] [--scene NAME] [--control] BUILD_DIRECTORY
 Runs boomerang-scene and boomerang-scene-plugin of BUILD_DIRECTORY side by side, samples their resident memory, and
 compares what they print after each step.
   --steps N      how many steps (default 216000: an hour at 60 steps a second)
-  --scene NAME   which scene (default churn)
+  --scene NAME   which scene (default chain-rocks)
   --csv FILE     keep the samples: side,seconds,step,kilobytes
   --control      let each step of the plugin's side lose a kilobyte: the script must then fail
 Exit codes: 0 flat and identical; 1 not; 2 wrong usage; 3 a program failed.
@@ -28,7 +28,7 @@ readonly ALLOWED_KILOBYTES=1024
 readonly WARM_UP_PERCENT=20
 readonly SAMPLE_SECONDS=1
 
-steps=216000 scene=churn control=0 csv='' build=''
+steps=216000 scene=chain-rocks control=0 csv='' build=''
 while [[ $# -gt 0 ]]; do
     case $1 in
     --steps) steps=${2:?}; shift ;;

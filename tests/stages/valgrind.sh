@@ -25,7 +25,7 @@ memcheck() {
 # A step that loses a kilobyte is found. (The library must see the step first, or it takes Box2D for another one.)
 memcheck_control() {
     cc -shared -fPIC -O1 -o "$work/leaking_step.so" "$root/tests/soak/leaking_step.c" -ldl &&
-        ! memcheck stock churn 5 "$BMR_BUILD_DIR/lib/libboomerang_box2d.so $work/leaking_step.so" && grep -q 'are definitely lost' "$work/memcheck/errors"
+        ! memcheck stock chain-rocks 5 "$BMR_BUILD_DIR/lib/libboomerang_box2d.so $work/leaking_step.so" && grep -q 'are definitely lost' "$work/memcheck/errors"
 }
 
 # Every scene that there is, for some steps.
@@ -42,7 +42,7 @@ for scene in json.load(sys.stdin):
 stage_valgrind() {
     build_release || return 1
     [ "$long" = no ] || memcheck_all
-    check "memcheck: churn" memcheck stock churn 100 || true
+    check "memcheck: chain-rocks" memcheck stock chain-rocks 100 || true
     check "memcheck: any-bag" memcheck off any-bag 40 || true
     check "memcheck: control" memcheck_control
 }
