@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include "command_line/nearest.h"
-#include "markdown.h"
 #include "output_file.h"
 #include "progress.h"
 #include "report.h"

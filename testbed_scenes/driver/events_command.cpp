@@ -513,7 +513,7 @@ int CountEvents(const EventsCommand &command, const std::string &workersDirector
     if (!command.quiet)
         PrintTables(command, experiment, runs, box2d);
     if (csv.IsWanted()) {
-        WriteCsv(csv.Stream(), runs);
+        WriteCsv(csv.Stream(), ToJson(runs), EventColumns());
         csv.Close();
     }
     if (json.IsWanted()) {

@@ -22,8 +22,7 @@ void AddFigures(std::vector<Table::Cell> &row, const SceneResult &result,
     }
 }
 
-void PrintTable(std::ostream &out, const std::vector<SceneResult> &results, const SceneTable &layout,
-                bool colour) {
+Table TableOf(const std::vector<SceneResult> &results, const SceneTable &layout) {
     const std::vector<SceneColumn> &columns = layout.columns;
     Table table;
     table.AddColumn("", "scene");
@@ -34,7 +33,7 @@ void PrintTable(std::ostream &out, const std::vector<SceneResult> &results, cons
         AddFigures(row, result, columns);
         table.AddRow(std::move(row));
     }
-    table.Print(out, colour);
+    return table;
 }
 
 bool AnyIsAccelerated(const std::vector<SceneResult> &results) {
@@ -98,6 +97,13 @@ std::optional<double> MeanRatio(const std::vector<SceneResult> &results, const c
     return GeometricMean(ratios);
 }
 
+/// Where a figure is in a scene's JSON.
+std::string PointerOf(const std::string &figure) {
+    std::string pointer = "/figures/" + figure;
+    std::replace(pointer.begin(), pointer.end(), '.', '/');
+    return pointer;
+}
+
 nlohmann::json ToJson(std::optional<double> value) {
     return value ? nlohmann::json(*value) : nlohmann::json();
 }
@@ -119,9 +125,7 @@ nlohmann::json ToJson(const SceneResult &result) {
         json["variants"][NameOf(variant.side)] = NameOf(variant.verdict);
     const Figures figures(result);
     for (const auto &[name, value] : figures.All()) {
-        std::string pointer = "/figures/" + name;
-        std::replace(pointer.begin(), pointer.end(), '.', '/');
-        json[nlohmann::json::json_pointer(pointer)] = ToJson(value);
+        json[nlohmann::json::json_pointer(PointerOf(name))] = ToJson(value);
     }
     json["summaries"] = {{"stock", {{"count", result.stockCount}, {"time", result.stockTimes}}},
                          {"register", {{"time", result.registerTimes}}},
@@ -131,10 +135,14 @@ nlohmann::json ToJson(const SceneResult &result) {
     return json;
 }
 
-nlohmann::json ToJson(const std::vector<SceneResult> &results, const CompareOptions &options) {
+nlohmann::json ToJson(const std::vector<SceneResult> &results) {
     nlohmann::json scenes = nlohmann::json::array();
     for (const SceneResult &result : results)
         scenes.push_back(ToJson(result));
+    return scenes;
+}
+
+nlohmann::json ToJson(const std::vector<SceneResult> &results, const CompareOptions &options) {
     return {
         {"options",
          {{"mode", options.verify ? "verify" : "bits"},
@@ -143,7 +151,7 @@ nlohmann::json ToJson(const std::vector<SceneResult> &results, const CompareOpti
           {"prefilter", options.worker.prefilter.empty() ? "default" : options.worker.prefilter},
           {"listener", options.worker.listener.empty() ? "none" : options.worker.listener},
           {"perturb", options.perturb ? nlohmann::json(*options.perturb) : nlohmann::json()}}},
-        {"scenes", scenes},
+        {"scenes", ToJson(results)},
         {"identical", CountOf(results, Verdict::Identical)},
         {"different", CountOf(results, Verdict::Different)},
         {"failed", CountOf(results, Verdict::Failed)},
@@ -153,13 +161,66 @@ nlohmann::json ToJson(const std::vector<SceneResult> &results, const CompareOpti
     };
 }
 
+/// "2.75 (2.71 to 2.76)", "no difference (0.99 to 1.03)", or nothing.
+std::string StepRatio(const Figures &figures) {
+    const auto ratio = figures["ratio.step"], least = figures["ratio.step_least"],
+               greatest = figures["ratio.step_greatest"];
+    if (!ratio || !least || !greatest)
+        return "";
+    const bool tells = *least > 1.0 || *greatest < 1.0;
+    return (tells ? Fixed(ratio, 2) : "no difference") + " (" + Fixed(least, 2) + " to " +
+           Fixed(greatest, 2) + ")";
+}
+
+/// Best, middle and worst by the whole step.
+void WriteHeadline(std::ostream &out, const std::vector<SceneResult> &results) {
+    std::vector<const SceneResult *> timed;
+    for (const SceneResult &result : results)
+        if (Figures(result)["ratio.step"])
+            timed.push_back(&result);
+    if (timed.empty())
+        return;
+    std::stable_sort(timed.begin(), timed.end(), [](const SceneResult *a, const SceneResult *b) {
+        return *Figures(*a)["ratio.step"] > *Figures(*b)["ratio.step"];
+    });
+    Table table;
+    for (const char *name : {"whole step, stock / plugin", "scene", "ratio"})
+        table.AddColumn("", name);
+    const auto add = [&](const char *name, const SceneResult &result) {
+        table.AddRow({{name}, {result.scene.name}, {StepRatio(Figures(result))}});
+    };
+    add("best", *timed.front());
+    add("middle", *timed[timed.size() / 2]);
+    add("worst", *timed.back());
+    table.PrintMarkdown(out);
+    out << '\n';
+}
+
+void WriteTimes(std::ostream &out, const std::vector<SceneResult> &results, int repeat) {
+    Table table;
+    for (const char *name : {"scene", "stock, us a step", "plugin, us a step", "contacts alone", "all hooks"})
+        table.AddColumn("", name);
+    for (const SceneResult &result : results) {
+        const Figures figures(result);
+        table.AddRow({{result.scene.name},
+                      {Fixed(figures["stock.step_us_per_step"], 1)},
+                      {Fixed(figures["plugin.step_us_per_step"], 1)},
+                      {Fixed(figures["ratio_register.step"], 2)},
+                      {StepRatio(figures)}});
+    }
+    table.PrintMarkdown(out);
+    out << "\nWhole steps, the median of " << repeat
+        << " interleaved runs; stock over plugin, in brackets the least and the greatest of the pairs of "
+           "runs.\n";
+}
+
 } // namespace
 
 void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options,
                  bool details, bool colour) {
     auto print = [&](const SceneTable &table) {
         out << '\n' << Styled(table.title, Style::Strong, colour) << '\n';
-        PrintTable(out, results, table, colour);
+        TableOf(results, table).Print(out, colour);
     };
     if (options.verify) {
         print(VerifyTable());
@@ -206,24 +267,39 @@ void WriteJson(std::ostream &out, const std::vector<SceneResult> &results, const
 }
 
 void WriteCsv(std::ostream &out, const std::vector<SceneResult> &results) {
-    out << "scene,group,size,seed,steps,verdict,difference_step,difference_field";
+    CsvColumns columns = {{"scene", "/name"},
+                          {"group", "/group"},
+                          {"size", "/size"},
+                          {"seed", "/seed"},
+                          {"steps", "/steps"},
+                          {"verdict", "/verdict"},
+                          {"difference_step", "/difference/step"},
+                          {"difference_field", "/difference/field"}};
     const Figures names{SceneResult()};
     for (const auto &entry : names.All())
-        out << ',' << entry.first;
-    out << '\n';
-    for (const SceneResult &result : results) {
-        out << result.scene.name << ',' << result.scene.group << ',' << result.scene.size << ','
-            << result.scene.seed << ',' << result.steps << ','
-            << (result.verdict == Verdict::Different ? "different" : NameOf(result.verdict)) << ',';
-        if (result.difference)
-            out << result.difference->step << ',' << result.difference->field;
-        else
-            out << ',';
-        const Figures figures(result);
-        for (const auto &entry : figures.All())
-            out << ',' << (entry.second ? Fixed(entry.second, 6) : std::string());
+        columns.emplace_back(entry.first, PointerOf(entry.first));
+    WriteCsv(out, ToJson(results), columns);
+}
+
+void WriteMarkdown(std::ostream &out, const std::vector<SceneResult> &results,
+                   const CompareOptions &options) {
+    const auto write = [&](const SceneTable &layout) {
+        out << "\n**" << layout.title << "**\n\n";
+        TableOf(results, layout).PrintMarkdown(out);
         out << '\n';
+        for (const std::string &line : layout.legend)
+            out << line << ".\n";
+    };
+    if (options.verify) {
+        write(VerifyTable());
+        return;
     }
+    if (options.time) {
+        WriteHeadline(out, results);
+        WriteTimes(out, results, options.repeat);
+    }
+    for (const SceneTable *table : {&TestTable(), &BudgetTable(), &EventTable()})
+        write(*table);
 }
 
 } // namespace testbed

@@ -19,6 +19,10 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
 void WriteJson(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options);
 /// A header and one row per scene; unknown figures are empty.
 void WriteCsv(std::ostream &out, const std::vector<SceneResult> &results);
+/// The tables for a page of documentation: first the best, the middle and the worst scene by the whole step,
+/// then a table of times and one of each kind of count. A ratio whose pairs of runs lie on both sides of 1 is
+/// "no difference".
+void WriteMarkdown(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options);
 
 } // namespace testbed
 

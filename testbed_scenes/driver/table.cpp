@@ -2,9 +2,17 @@
 #include "table.h"
 
 #include <algorithm>
-#include <utility>
+#include <cstdio>
 
 namespace testbed {
+
+std::string Fixed(std::optional<double> number, int decimals) {
+    if (!number)
+        return "-";
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", decimals, *number);
+    return text;
+}
 
 std::string Styled(const std::string &text, Style style, bool colour) {
     if (!colour)
@@ -100,6 +108,58 @@ void Table::Print(std::ostream &out, bool colour) const {
             const std::string text = Styled(row[i].text, row[i].style, colour);
             const bool isLast = i + 1 == row.size();
             out << std::string(GapBefore(i), ' ') << (i == 0 ? text + (isLast ? "" : pad) : pad + text);
+        }
+        out << '\n';
+    }
+}
+
+void Table::PrintMarkdown(std::ostream &out) const {
+    for (const Column &column : m_columns)
+        out << "| " << column.group << (column.group.empty() ? "" : ": ") << column.name << ' ';
+    out << "|\n| ---";
+    for (size_t i = 1; i < m_columns.size(); ++i)
+        out << " | ---:";
+    out << " |\n";
+    for (const auto &row : m_rows) {
+        for (const Cell &cell : row)
+            out << "| " << (cell.text == "-" ? "" : cell.text) << ' ';
+        out << "|\n";
+    }
+}
+
+namespace {
+
+/// Nine digits, as few of them as tell the number.
+std::string General(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", number);
+    return text;
+}
+
+} // namespace
+
+void WriteCsv(std::ostream &out, const nlohmann::json &rows, const CsvColumns &columns) {
+    const char *comma = "";
+    for (const auto &column : columns) {
+        out << comma << column.first;
+        comma = ",";
+    }
+    out << '\n';
+    for (const nlohmann::json &row : rows) {
+        comma = "";
+        for (const auto &column : columns) {
+            out << comma;
+            comma = ",";
+            const nlohmann::json value =
+                row.value(nlohmann::json::json_pointer(column.second), nlohmann::json());
+            if (value.is_string())
+                out << value.get<std::string>();
+            else if (value.is_boolean())
+                out << (value.get<bool>() ? 1 : 0);
+            else if (value.is_number_float())
+                out << General(value.get<double>());
+            else if (!value.is_null())
+                out << value.dump();
         }
         out << '\n';
     }

@@ -161,14 +161,14 @@ int Perform(const WorldCommand &command) {
         if (!command.quiet)
             Print(runs.front(), WantsColour(STDOUT_FILENO));
     }
+    nlohmann::json list = nlohmann::json::array();
+    for (const WorldFigures &run : runs)
+        list.push_back(ToJson(run));
     if (csv.IsWanted()) {
-        WriteCsv(csv.Stream(), runs);
+        WriteCsv(csv.Stream(), list, WorldColumns());
         csv.Close();
     }
     if (json.IsWanted()) {
-        nlohmann::json list = nlohmann::json::array();
-        for (const WorldFigures &run : runs)
-            list.push_back(ToJson(run));
         json.Stream() << list.dump(1) << '\n';
         json.Close();
     }

@@ -307,30 +307,19 @@ nlohmann::json ToJson(const std::vector<Run> &runs) {
     return list;
 }
 
-void WriteCsv(std::ostream &out, const std::vector<Run> &runs) {
-    out << "motion,structure,n,ratio,seed,events,outside,lines,touched,failure_times,external,conditions,"
-           "pair_bytes,hysteresis,optimum,wanted_ratio";
-    for (int kind = 0; kind < BMR_KDS_NONE; ++kind)
-        out << ',' << bmr_kds_event_name(static_cast<bmr_kds_event_kind>(kind));
-    out << '\n';
-    for (const Run &run : runs) {
-        const bmr_simulation_counts &counts = run.outcome.run.counts;
-        out << run.motion << ',' << run.structure->name << ',' << run.n << ',';
-        if (std::isfinite(run.ratio))
-            out << run.ratio;
-        out << ',' << run.seed << ',' << run.outcome.run.events << ',' << run.outcome.outsideEvents << ','
-            << run.outcome.run.lines << ',' << counts.touched << ',' << counts.failure_times << ','
-            << counts.external << ',' << counts.conditions << ',' << counts.pair_bytes << ',';
-        if (std::isfinite(run.outcome.run.hysteresis.both))
-            out << run.outcome.run.hysteresis.both;
-        out << ',';
-        if (run.optimum)
-            out << run.optimum->least;
-        out << ',' << run.wantedRatio;
-        for (int kind = 0; kind < BMR_KDS_NONE; ++kind)
-            out << ',' << counts.events[kind];
-        out << '\n';
+std::vector<std::pair<std::string, std::string>> EventColumns() {
+    std::vector<std::pair<std::string, std::string>> columns;
+    for (const char *name : {"motion", "structure", "n", "ratio", "seed", "events", "outside", "lines",
+                             "touched", "failure_times", "external", "conditions", "pair_bytes"})
+        columns.emplace_back(name, std::string("/") + name);
+    columns.insert(columns.end(), {{"hysteresis", "/hysteresis/both"},
+                                   {"optimum", "/optimum/least"},
+                                   {"wanted_ratio", "/wanted_ratio"}});
+    for (int kind = 0; kind < BMR_KDS_NONE; ++kind) {
+        const std::string name = bmr_kds_event_name(static_cast<bmr_kds_event_kind>(kind));
+        columns.emplace_back(name, "/kinds/" + name);
     }
+    return columns;
 }
 
 void WriteTraceHeader(std::ostream &out) {

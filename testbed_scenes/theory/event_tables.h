@@ -83,9 +83,9 @@ QualitySummary QualitiesOver(const std::vector<Run> &runs, const bmr_kds_info *s
 std::vector<std::string> MotionsOf(const std::vector<Run> &runs);
 std::vector<const bmr_kds_info *> StructuresOf(const std::vector<Run> &runs);
 
-/// One row a run, with a header row.
-void WriteCsv(std::ostream &out, const std::vector<Run> &runs);
 nlohmann::json ToJson(const std::vector<Run> &runs);
+/// What a CSV file has of a run: headings, and where the value is in its JSON.
+std::vector<std::pair<std::string, std::string>> EventColumns();
 
 /// A trace: one line an event (see TraceHeader).
 void WriteTraceHeader(std::ostream &out);

@@ -168,28 +168,20 @@ nlohmann::json ToJson(const WorldFigures &figures) {
     return json;
 }
 
-void WriteCsv(std::ostream &out, const std::vector<WorldFigures> &runs) {
-    out << "scene,bodies,seed,structure,all_pairs,seconds";
-    for (int kind = 0; kind < BMR_WORLD_EVENT_KIND_COUNT; ++kind)
-        out << ',' << bmr_world_event_name(static_cast<bmr_world_event_kind>(kind));
-    out << ",rate,pairs,near,most_bytes,clock,microseconds_an_event,energy_drift,momentum_drift\n";
-    const auto maybe = [&out](const std::optional<double> &number) {
-        out << ',';
-        if (number)
-            out << *number;
+std::vector<std::pair<std::string, std::string>> WorldColumns() {
+    std::vector<std::pair<std::string, std::string>> columns;
+    const auto add = [&columns](const std::vector<const char *> &names) {
+        for (const char *name : names)
+            columns.emplace_back(name, std::string("/") + name);
     };
-    for (const WorldFigures &run : runs) {
-        const WorldChoice &choice = run.choice;
-        out << choice.scene << ',' << choice.bodies << ',' << choice.seed << ',' << choice.structure << ','
-            << (choice.allPairs ? 1 : 0) << ',' << choice.seconds;
-        for (const uint64_t events : run.counts.events)
-            out << ',' << events;
-        out << ',' << run.Rate(run.Events()) << ',' << run.counts.pairs << ',' << run.counts.near << ','
-            << run.counts.most_bytes << ',' << run.clock << ',' << run.MicrosecondsAnEvent();
-        maybe(run.energy);
-        maybe(run.momentum);
-        out << '\n';
+    add({"scene", "bodies", "seed", "structure", "all_pairs", "seconds"});
+    for (int kind = 0; kind < BMR_WORLD_EVENT_KIND_COUNT; ++kind) {
+        const std::string name = bmr_world_event_name(static_cast<bmr_world_event_kind>(kind));
+        columns.emplace_back(name, "/events/" + name);
     }
+    columns.emplace_back("rate", "/rate_all");
+    add({"pairs", "near", "most_bytes", "clock", "microseconds_an_event", "energy_drift", "momentum_drift"});
+    return columns;
 }
 
 } // namespace testbed

@@ -4,7 +4,8 @@
 
 #include <functional>
 #include <optional>
-#include <ostream>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -50,8 +51,8 @@ struct WorldFigures {
 WorldFigures Measure(const WorldSetup &setup, const MeasureOptions &options);
 
 nlohmann::json ToJson(const WorldFigures &figures);
-/// One row a run, below a row of headings.
-void WriteCsv(std::ostream &out, const std::vector<WorldFigures> &runs);
+/// What a CSV file has of a run: headings, and where the value is in its JSON.
+std::vector<std::pair<std::string, std::string>> WorldColumns();
 
 const char *NameOf(bmr_boundary boundary);
 /// "elastic", "restitution 0.9", "stick" or "pass".
