@@ -3,14 +3,46 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
-#include "temporary_file.h"
+#include <unistd.h>
+
+#include "drawing/unfinished.h"
 
 namespace testbed {
 namespace {
+
+/// A file that goes away with its object, or with an interrupt.
+class TemporaryFile {
+public:
+    /// Makes it, empty. Throws std::runtime_error.
+    TemporaryFile() {
+        const std::filesystem::path directory = std::filesystem::temp_directory_path();
+        m_path = (directory / "boomerang-XXXXXX").string();
+        const int descriptor = mkstemp(m_path.data());
+        if (descriptor < 0)
+            throw std::runtime_error("cannot make a temporary file in " + directory.string());
+        close(descriptor);
+        m_unfinished.emplace(m_path);
+    }
+    ~TemporaryFile() {
+        std::error_code ignored;
+        std::filesystem::remove(m_path, ignored);
+    }
+    TemporaryFile(const TemporaryFile &) = delete;
+    TemporaryFile &operator=(const TemporaryFile &) = delete;
+    const std::string &Path() const { return m_path; }
+
+private:
+    std::string m_path;
+    std::optional<Unfinished> m_unfinished;
+};
 
 /// The least separation in Box2D's metres: ten times the two skins, so that the solver never moves a body.
 constexpr double kLeastGap = 0.2;

@@ -2,12 +2,20 @@
 #ifndef BOOMERANG_TESTBED_COMMANDS_H
 #define BOOMERANG_TESTBED_COMMANDS_H
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "boomerang/kds.h"
 #include "compare.h"
+#include "picture/picture.h"
 #include "workers.h"
+#include "worlds/figures.h"
+
+namespace CLI {
+class App;
+}
 
 namespace testbed {
 
@@ -60,6 +68,94 @@ int Execute(const FiguresCommand &command);
 const SceneInfo &FindScene(const std::vector<SceneInfo> &scenes, const std::string &name);
 /// The scenes of these names, in this order; all where there are none.
 std::vector<SceneInfo> SelectScenes(const std::vector<SceneInfo> &all, const std::vector<std::string> &names);
+
+struct RenderCommand {
+    std::string scene;
+    std::string recording; ///< a file instead of a scene
+    std::optional<int64_t> step;
+    std::string frames; ///< FIRST:LAST[:EVERY] instead of a step
+    bool plugin = true;
+    std::string output;
+    std::string focus;
+    int width = 1200;
+    bool quiet = false;
+    /// What to draw: none named means what Layers has by itself.
+    Layers named = {false, false, false, false, false, false, false, false, false};
+    bool all = false, bare = false;
+    WorkerOptions worker;
+};
+
+/// The options that are render's own; the scene's and the plugin's are added as for other commands.
+CLI::App *AddRender(CLI::App &app, RenderCommand &command);
+
+/// Returns the exit code; errors are thrown (UsageError, WorkerError, std::runtime_error).
+int Execute(const RenderCommand &command, const Workers &workers);
+
+struct ReplayCommand {
+    std::string scene;
+    std::string recording;             ///< a file instead of a scene
+    std::vector<std::string> polygons; ///< or files of one's own pair, A's and B's (one: both alike),
+    std::string motion;                ///< and of its motion
+    std::optional<int64_t> steps;
+    std::string output;
+    bool quiet = false;
+    WorkerOptions worker;
+};
+
+/// The options that are replay's own; the scene's and the plugin's are added as for other commands.
+CLI::App *AddReplay(CLI::App &app, ReplayCommand &command);
+
+/// What --structure takes: the plugin's structures, and for a pair of one's own those of the paper.
+std::vector<std::string> ReplayStructures();
+
+/// Runs the scene with the plugin, then on stock Box2D, and writes the page. Returns the exit code: a
+/// difference between the two runs is one. Errors are thrown (UsageError, WorkerError, std::runtime_error).
+int Execute(const ReplayCommand &command, const Workers &workers);
+
+/// `boomerang-testbed world`: runs a kinetic world of many polygons and tells what it cost.
+struct WorldCommand {
+    std::string scene = "gas";
+    // What is not told is the scene's own.
+    std::optional<size_t> bodies;
+    std::optional<std::string> shape, vertices, boundary, answer, zeno, structure;
+    std::optional<double> sizes, density, speed, seconds, zenoSpeed;
+    uint64_t seed = 1;
+    bool allPairs = false, check = false, audit = false, quiet = false, list = false;
+    std::string growth; ///< N1,N2,..
+    std::string json, csv, record;
+    double rate = 30.0; ///< frames of a recording for each unit of time
+};
+
+/// Adds the subcommand with its options, which write into `command`.
+CLI::App *AddWorld(CLI::App &app, WorldCommand &command);
+/// What the command asks for. Throws UsageError.
+WorldChoice ChoiceFor(const WorldCommand &command);
+/// Returns the exit code: 1 if a check failed.
+int Execute(const WorldCommand &command);
+
+/// The same density with each of these numbers of bodies, as a table: what grows, and what does not.
+std::vector<WorldFigures> MeasureGrowth(const WorldCommand &command);
+
+/// `boomerang-testbed events`: counts the events of every structure along every motion.
+struct EventsCommand {
+    std::vector<std::string> motions;    ///< none: all
+    std::vector<std::string> structures; ///< names or groups; none: "default"
+    size_t n = 64;
+    std::string shape = "ellipse:disc";
+    std::string ratios = "8:2048";
+    unsigned seeds = 3;
+    std::string count = "events";
+    bmr_kds_def def = bmr_default_kds_def();
+    std::vector<std::string> polygons;
+    std::string motion;
+    std::string csv, json, trace;
+    bool audit = false, noOptimum = false, quiet = false, list = false, box2d = false;
+};
+
+/// Adds the subcommand with its options, which write into `command`.
+CLI::App *AddEvents(CLI::App &app, EventsCommand &command);
+
+int Execute(const EventsCommand &command, const std::string &workersDirectory);
 
 } // namespace testbed
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "events_command.h"
+#include "commands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,6 @@
 
 #include "box2d_course.h"
 #include "command_line/nearest.h"
-#include "commands.h"
 #include "output_file.h"
 #include "progress.h"
 #include "table.h"

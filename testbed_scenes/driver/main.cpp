@@ -9,10 +9,6 @@
 #include "command_line/usage.h"
 #include "commands.h"
 #include "drawing/unfinished.h"
-#include "events_command.h"
-#include "render_command.h"
-#include "replay_command.h"
-#include "world_command.h"
 
 namespace testbed {
 namespace {

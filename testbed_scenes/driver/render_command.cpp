@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // boomerang-testbed render: has a worker record its world, and makes pictures of it.
-#include "render_command.h"
+#include "commands.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -11,7 +11,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "commands.h"
 #include "drawing/surface.h"
 #include "drawing/whole_file.h"
 #include "picture/world_view.h"

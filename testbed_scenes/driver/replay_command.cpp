@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "replay_command.h"
+#include "commands.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -8,7 +8,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "commands.h"
 #include "output_file.h"
 #include "progress.h"
 #include "recorded_run.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "world_command.h"
+#include "commands.h"
 
 #include <algorithm>
 #include <iostream>
@@ -7,7 +7,6 @@
 
 #include <unistd.h>
 
-#include "commands.h"
 #include "output_file.h"
 #include "progress.h"
 #include "table.h"

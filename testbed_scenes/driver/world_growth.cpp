@@ -11,7 +11,6 @@
 #include "commands.h"
 #include "progress.h"
 #include "table.h"
-#include "world_command.h"
 
 namespace testbed {
 namespace {

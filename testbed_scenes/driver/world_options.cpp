@@ -11,7 +11,6 @@
 #include "command_line/nearest.h"
 #include "command_line/usage.h"
 #include "commands.h"
-#include "world_command.h"
 
 namespace testbed {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "picture/bodies.h"
 #include "picture/proofs.h"
-#include "picture/slack_scale.h"
 #include "picture/style.h"
 
 namespace testbed {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "picture/names.h"
+#include "picture/labels.h"
 
 #include <algorithm>
 #include <cmath>

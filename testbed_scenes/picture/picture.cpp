@@ -10,9 +10,7 @@
 #include "picture/bodies.h"
 #include "picture/labels.h"
 #include "picture/legend.h"
-#include "picture/names.h"
 #include "picture/proofs.h"
-#include "picture/slack_scale.h"
 #include "picture/style.h"
 #include "picture/world_view.h"
 

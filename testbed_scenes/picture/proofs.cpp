@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "picture/slack_scale.h"
 #include "picture/style.h"
 
 namespace testbed {

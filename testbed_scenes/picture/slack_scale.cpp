@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "picture/slack_scale.h"
+#include "picture/style.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenes/course.h"
+#include "scene.h"
 
 #include <fstream>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "worker/behaviour.h"
+#include "worker/summary.h"
 
 #include <algorithm>
 

@@ -10,9 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene.h"
-#include "scenes/course.h"
 #include "worker/options.h"
-#include "worker/run.h"
 
 namespace testbed {
 namespace {

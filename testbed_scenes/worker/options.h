@@ -7,6 +7,7 @@
 #include <string>
 
 #include "polygon_choice.h"
+#include "scene.h"
 #include "worker/listener.h"
 #include "worker/plugin.h"
 #include "worker/recorder.h"
@@ -42,6 +43,9 @@ const char *NameOf(Mode mode);
 struct SceneInfo;
 /// The scene's own choice, where the options do not say otherwise.
 PolygonChoice PolygonsOf(const SceneInfo &scene, const Options &options);
+
+/// Runs a scene and prints what the options ask for. Throws std::runtime_error if it cannot.
+void RunScene(const SceneInfo &info, const Options &options);
 
 } // namespace testbed
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "worker/run.h"
+#include "worker/options.h"
 
 #include <cfloat>
 #include <chrono>
