@@ -2,6 +2,7 @@
 #ifndef BMR_HIERARCHY_TREE_H
 #define BMR_HIERARCHY_TREE_H
 
+#include <assert.h>
 #include <math.h>
 
 #include "boomerang/hierarchy.h"
@@ -35,7 +36,7 @@ typedef struct bmr_node {
     uint64_t direction : BMR_ID_BITS; ///< unless own: which of the tree's directions the normal is
 } bmr_node;
 
-_Static_assert(sizeof(bmr_node) == 16, "a node is a quarter of a cache line");
+static_assert(sizeof(bmr_node) == 16, "a node is a quarter of a cache line");
 
 struct bmr_hierarchy {
     const bmr_polygon *polygon;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Many moving polygons: events in time order, valid at every event and between them, contacts where an
-// independent distance says so, changes of plan that touch one body's pairs alone.
+// independent distance says so, changes of plan that touch one body's pairs alone. Two of any shape, with
+// every structure: tests/random/fuzz_structures.cpp.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -82,23 +83,6 @@ static scene make_scene(test_random *random, size_t count, size_t vertices) {
     return s;
 }
 
-/// A scene that a structure is made for: a polygon and a point; polygons that do not turn; anything.
-static scene make_scene_for(const bmr_kds_info *info, test_random *random) {
-    scene s = make_scene(random, info->domain == BMR_KDS_POINT ? 2 : 2 + test_random_below(random, 4), 30);
-    if (info->domain == BMR_KDS_POINT) {
-        test_kds_body_destroy(&s.bodies[1]);
-        s.bodies[1] = test_kds_point_make(0.3, -0.2);
-        s.shapes[1] = s.bodies[1].shape;
-    }
-    for (size_t i = 0; i < s.count && info->domain == BMR_KDS_TRANSLATION; i++) {
-        const bmr_vec2 velocity = {uniform(random, -2.0, 2.0), uniform(random, -2.0, 2.0)};
-        const bmr_motion_piece piece = bmr_piece_screw(0.0, random_place(random, 4.0), velocity, 0.0);
-        bmr_motion_destroy(s.motions[i]);
-        assert_int_equal(bmr_motion_create(&piece, NULL, &s.motions[i]), BMR_OK);
-    }
-    return s;
-}
-
 static void drop_scene(scene *s) {
     for (size_t i = 0; i < s->count; i++) {
         bmr_motion_destroy(s->motions[i]);
@@ -119,10 +103,8 @@ typedef struct watch {
     const scene *scene;
     double margin, last;
     bool contact[MOST_BODIES][MOST_BODIES];
-    size_t events, contacts, leaves, failed_audits, out_of_order;
+    size_t events, failed_audits, out_of_order;
     double worst_contact; ///< distance at contact and leaving, less the margin
-    size_t last_pair;
-    double first_contact[MOST_BODIES][MOST_BODIES]; ///< 0: none yet
 } watch;
 
 static void observe(void *context, const bmr_simulation_event *event) {
@@ -130,7 +112,6 @@ static void observe(void *context, const bmr_simulation_event *event) {
     w->events++;
     w->out_of_order += event->time < w->last;
     w->last = event->time;
-    w->last_pair = event->pair;
     w->failed_audits += bmr_kds_audit(event->kds, &event->pose) != BMR_OK;
     const bool contact = bmr_kds_in_contact(event->kds);
     bool *before = &w->contact[event->a][event->b];
@@ -138,10 +119,6 @@ static void observe(void *context, const bmr_simulation_event *event) {
         const double off = fabs(distance_at(w->scene, event->a, event->b, event->time) - w->margin);
         if (event->time > 0.0)
             w->worst_contact = fmax(w->worst_contact, off);
-        if (event->report.kind == BMR_KDS_CONTACT && w->first_contact[event->a][event->b] == 0.0)
-            w->first_contact[event->a][event->b] = event->time;
-        w->contacts += event->report.kind == BMR_KDS_CONTACT;
-        w->leaves += event->report.kind == BMR_KDS_LEAVE;
     }
     assert_true(event->report.kind != BMR_KDS_LEAVE || *before);
     *before = contact;
@@ -177,134 +154,12 @@ static void check_between(const scene *s, const bmr_simulation *simulation, size
     }
 }
 
-typedef struct totals {
-    size_t contacts, leaves, events;
-    double worst;
-} totals;
-
-/// One scene, looked at between events too; then it is dropped.
-static void keep_promises(const bmr_kds_info *info, scene *s, totals *sum) {
-    watch w;
-    bmr_simulation *simulation = begin(s, info, &w, NULL);
-    size_t wrong = 0, near = 0;
-    for (int i = 1; i <= 60; i++) {
-        const bmr_error error = bmr_simulation_run(simulation, 0.05 * i);
-        if (error != BMR_OK)
-            printf("%s: pair %zu at %.17g, error %d\n", info->name, w.last_pair,
-                   bmr_simulation_time(simulation), error);
-        assert_int_equal(error, BMR_OK);
-        check_between(s, simulation, &wrong, &near);
-    }
-    if (wrong || w.out_of_order || w.failed_audits || w.worst_contact >= 1e-8)
-        printf("%s: %zu wrong of contact, %zu out of order, %zu audits, contact %g\n", info->name, wrong,
-               w.out_of_order, w.failed_audits, w.worst_contact);
-    assert_int_equal(wrong, 0);
-    assert_int_equal(w.out_of_order, 0);
-    assert_int_equal(w.failed_audits, 0);
-    assert_true(w.worst_contact < 1e-8);
-    const bmr_simulation_counts counts = bmr_simulation_get_counts(simulation);
-    uint64_t events = 0;
-    for (int i = 0; i < BMR_KDS_EVENT_KIND_COUNT; i++)
-        events += counts.events[i];
-    assert_int_equal(events, w.events);
-    sum->worst = fmax(sum->worst, w.worst_contact);
-    sum->contacts += w.contacts;
-    sum->leaves += w.leaves;
-    sum->events += w.events;
-    bmr_simulation_destroy(simulation);
-    drop_scene(s);
-}
-
-/// Every structure there is, on scenes that it is made for.
-TEST(every_structure_keeps_its_promises) {
-    test_random random = {42};
-    const size_t rounds = test_scaled(4), runs = bmr_kds_count() * rounds;
-    totals sum = {0, 0, 0, 0.0};
-    for (size_t i = 0; i < runs; i++) {
-        const bmr_kds_info *info = bmr_kds_at(i / rounds);
-        scene s = make_scene_for(info, &random);
-        keep_promises(info, &s, &sum);
-    }
-    printf("%zu structures, %zu events, %zu contacts, %zu left, distance at them off by %g at most\n",
-           bmr_kds_count(), sum.events, sum.contacts, sum.leaves, sum.worst);
-    assert_true(sum.contacts > runs / 4 && sum.leaves > runs / 4);
-}
-
-/// Boxes and octagons on a grid at quarter turns, with whole velocities and spins: parallel edges, corners
-/// that meet corners, conditions that fail at the same time or are zero for ever.
-static scene make_aligned_scene(const bmr_kds_info *info, test_random *random) {
-    static const test_family families[] = {TEST_BOX, TEST_OCTAGON, TEST_TURNED_BOX};
-    static const double cosines[] = {1.0, 0.0, -1.0, 0.0};
-    scene s;
-    s.count = 2 + test_random_below(random, 4);
-    for (size_t i = 0; i < s.count; i++) {
-        const uint32_t quarter = test_random_below(random, 4);
-        const bmr_pose pose = {
-            {(double)test_random_below(random, 9) - 4.0, (double)test_random_below(random, 9) - 4.0},
-            cosines[quarter],
-            cosines[(quarter + 3) % 4]};
-        const bmr_vec2 velocity = {(double)test_random_below(random, 5) - 2.0,
-                                   (double)test_random_below(random, 5) - 2.0};
-        const double spin = info->domain == BMR_KDS_RIGID ? (double)test_random_below(random, 3) - 1.0 : 0.0;
-        const bmr_motion_piece piece = bmr_piece_screw(0.0, pose, velocity, spin);
-        s.bodies[i] = test_kds_body_make(test_polygon(families[test_random_below(random, 3)], 8, random));
-        s.shapes[i] = s.bodies[i].shape;
-        assert_int_equal(bmr_motion_create(&piece, NULL, &s.motions[i]), BMR_OK);
-    }
-    return s;
-}
-
-TEST(exact_ties_stop_nothing) {
-    test_random random = {777};
-    const size_t rounds = test_scaled(8);
-    totals sum = {0, 0, 0, 0.0};
-    for (size_t i = 0; i < bmr_kds_count() * rounds; i++) {
-        const bmr_kds_info *info = bmr_kds_at(i / rounds);
-        if (info->domain == BMR_KDS_POINT)
-            continue;
-        scene s = make_aligned_scene(info, &random);
-        keep_promises(info, &s, &sum);
-    }
-    assert_true(sum.contacts > 5 * rounds && sum.leaves > 5 * rounds);
-}
-
 /// Some that can do anything.
 static const bmr_kds_info *some_structure(size_t index) {
     static const char *const names[] = {"free-fd1", "lazy-dudley", "inflated-window"};
     const bmr_kds_info *info = test_structure(names[index % (sizeof names / sizeof *names)]);
     assert_non_null(info);
     return info;
-}
-
-/// No look at the distance finds a pair within the margin before its first contact.
-TEST(no_contact_is_missed_or_late) {
-    test_random random = {4711};
-    const size_t rounds = test_scaled(16), looks = 2000;
-    const double margin = bmr_default_kds_def().margin;
-    size_t contacts = 0, controls = 0;
-    for (size_t round = 0; round < rounds; round++) {
-        scene s = make_scene(&random, 7, 40);
-        watch w;
-        bmr_simulation *simulation = begin(&s, some_structure(round), &w, NULL);
-        const double until = 3.0;
-        assert_int_equal(bmr_simulation_run(simulation, until), BMR_OK);
-        for (size_t a = 0; a < s.count; a++)
-            for (size_t b = a + 1; b < s.count; b++) {
-                const double contact = w.first_contact[a][b];
-                if (distance_at(&s, a, b, 0.0) < 1.1 * margin)
-                    continue; // in contact from the beginning
-                const double end = contact > 0.0 ? contact : until;
-                for (size_t i = 0; i <= looks; i++)
-                    assert_true(distance_at(&s, a, b, end * (double)i / (double)looks) > margin - 1e-8);
-                contacts += contact > 0.0;
-                // The control: a little later they would be found too near.
-                controls += contact > 0.0 && distance_at(&s, a, b, contact + 1e-6) < margin - 1e-8;
-            }
-        bmr_simulation_destroy(simulation);
-        drop_scene(&s);
-    }
-    printf("%zu contacts, %zu controls\n", contacts, controls);
-    assert_true(contacts >= rounds && controls > contacts * 9 / 10);
 }
 
 TEST(a_new_plan_costs_its_own_pairs_alone) {

@@ -10,6 +10,7 @@
 #include "boomerang/inflated.h"
 #include "harness.h"
 #include "hierarchies.h"
+#include "hierarchy/tree.h"
 #include "points.h"
 
 namespace {
@@ -64,6 +65,11 @@ void CheckLines(const bmr_hierarchy *h) {
         FUZZ_CHECK(std::fabs(most - line.offset) <= Slack(h) && std::fabs(touch - line.offset) <= Slack(h),
                    "kind %d, edge %u is no support line: off by %g and %g", bmr_hierarchy_get_kind(h), id,
                    most - line.offset, touch - line.offset);
+        // Neither end of an edge that the polygon has sticks out, not even by rounding.
+        const uint32_t first = bmr_hierarchy_touch(h, id), second = (first + 1) % p->count;
+        FUZZ_CHECK(!h->nodes[id].wide || (bmr_dot(line.normal, p->vertices[first]) <= line.offset &&
+                                          bmr_dot(line.normal, p->vertices[second]) <= line.offset),
+                   "edge %u is beyond its line", id);
     }
 }
 
@@ -84,6 +90,34 @@ void CheckHeight(const bmr_hierarchy *h, bmr_edge id) {
     const double height = bmr_hierarchy_height(h, id) * (fuzz_control("height") ? 1.5 : 1.0);
     FUZZ_CHECK(id < 4 ? height == 0.0 : std::fabs(height - least) <= 2.0 * Slack(h),
                "kind %d, edge %u: height %g, really %g", bmr_hierarchy_get_kind(h), id, height, least);
+    if (id < 4)
+        return;
+    bmr_boomerang b = bmr_hierarchy_boomerang(h, id);
+    if (fuzz_control("level"))
+        ++b.level;
+    FUZZ_CHECK(std::max(bmr_hierarchy_level(h, b.outer_before), bmr_hierarchy_level(h, b.outer_after)) + 1 ==
+                   b.level,
+               "edge %u of level %u is not between one of the level before", id, b.level);
+    for (const bmr_edge child : {b.child_before, b.child_after}) // a part is no higher than the whole
+        FUZZ_CHECK(child == BMR_NO_EDGE || bmr_hierarchy_height(h, child) <= least + 3.0 * Slack(h),
+                   "edge %u is higher than edge %u", child, id);
+}
+
+/// Corners are seen alike from both sides, and turn by 2 pi in all.
+void CheckRing(const bmr_hierarchy *h, const std::vector<bmr_corner> &corners, uint32_t level) {
+    double turning = fuzz_control("ring") ? 1.0 : 0.0;
+    for (const bmr_corner &corner : corners) {
+        FUZZ_CHECK(Same(corner, bmr_hierarchy_corner_before(h, corner.after, level)) &&
+                       Same(corner, bmr_hierarchy_corner(h, corner.before, corner.after)),
+                   "level %u: the corner before edge %u is another", level, corner.after);
+        const bmr_vec2 a = bmr_hierarchy_line(h, corner.before).normal,
+                       b = bmr_hierarchy_line(h, corner.after).normal;
+        const double turn = std::atan2(bmr_cross(a, b), bmr_dot(a, b));
+        FUZZ_CHECK(turn > 0.5 * kMergeAngle, "level %u turns by %g before edge %u", level, turn,
+                   corner.after);
+        turning += turn;
+    }
+    FUZZ_CHECK(std::fabs(turning - 6.28318530717958647693) < 1e-9, "level %u turns by %g", level, turning);
 }
 
 /// The corners of P_level, by walking round.
@@ -122,6 +156,7 @@ void CheckLevel(const bmr_hierarchy *h, fuzz_bytes *bytes) {
     for (bmr_edge id = 0; id < bmr_hierarchy_edge_count(h); ++id)
         expected += bmr_hierarchy_level(h, id) <= level;
     FUZZ_CHECK(points.size() == expected, "level %u has %zu edges of %u", level, points.size(), expected);
+    CheckRing(h, corners, level);
     for (int i = 0; i < 4; ++i) {
         const bmr_vec2 d = ReadDirection(h, bytes);
         const double size = std::hypot(d.x, d.y), slack = Slack(h) * size;

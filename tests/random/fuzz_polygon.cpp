@@ -8,6 +8,7 @@
 
 #include "boomerang/polygon.h"
 #include "exact.h"
+#include "geometry/predicates.h"
 #include "harness.h"
 #include "points.h"
 
@@ -51,6 +52,20 @@ void CheckRefusal(const Points &points, bool raw, bmr_error error) {
     if (fuzz_control("refusal"))
         error = error == BMR_OK ? BMR_ERROR_NOT_FINITE : BMR_OK;
     FUZZ_CHECK(error == expected, "%zu points: error %d, expected %d", points.size(), error, expected);
+}
+
+/// Of any three finite points, also such as no polygon takes.
+void CheckOrientations(const Points &points) {
+    for (size_t i = 2; i < points.size(); ++i) {
+        const bmr_vec2 a = points[i - 2], b = points[i - 1], c = points[i];
+        if (!std::isfinite(a.x + a.y) || !std::isfinite(b.x + b.y) || !std::isfinite(c.x + c.y))
+            continue;
+        const double plain = bmr_cross(bmr_sub(b, a), bmr_sub(c, a));
+        const int turn =
+            fuzz_control("orientation") ? (plain > 0.0) - (plain < 0.0) : bmr_orientation(a, b, c);
+        FUZZ_CHECK(turn == exact::Orientation(a, b, c), "orientation %d of (%a, %a), (%a, %a), (%a, %a)",
+                   turn, a.x, a.y, b.x, b.y, c.x, c.y);
+    }
 }
 
 /// What bmr_polygon has besides its vertices.
@@ -196,6 +211,7 @@ void FuzzDouble(fuzz_bytes *bytes) {
     const uint8_t questions = fuzz_u8(bytes) % 8;
     Points points(FUZZ_ROOM(kMost));
     points.resize(fuzz_points(bytes, points.data(), kMost));
+    CheckOrientations(points);
     CheckRaw(points);
     bmr_polygon *polygon = nullptr, *copy = nullptr;
     const bmr_error error = bmr_polygon_create(points.data(), points.size(), nullptr, &polygon);
