@@ -221,6 +221,7 @@ def shown(name, what, seconds, quotes, commands, makes=(), packages=()):
     return Experiment(name, "shown", what, seconds, quotes, commands, None, makes, packages)
 
 
+GAMES = ["pyramid-50", "cars", "chain-rocks", "ragdolls", "needles-100", "mixed-pile"]
 FIGURES = ["boomerangs", "coarse-line", "dudley", "free-direction", "growth", "inflated", "mixed-events", "mixed-full", "mixed-insertion", "pair-events", "point-events",
            "time-line", "window"]
 
@@ -252,6 +253,10 @@ EXPERIMENTS = [
            ["sh", "-c", "convert -delay 7 {out}/asteroids-*.png -layers optimize {out}/asteroids.gif"]], ["docs/asteroids.gif"], ["imagemagick"]),
     shown("times", "times of every scene's step, stock over plugin", 400, ["boomerang-testbed compare --details --repeat 15", "boomerang-testbed compare --repeat 15", "boomerang-testbed compare --repeat 15 --markdown FILE"],
           [[TESTBED, "compare", "--repeat", "15", "--details"]]),
+    shown("games", "times of the scenes of games, and instructions with each listener", 400,
+          ["boomerang-testbed compare " + " ".join(GAMES) + " --repeat 5"], [[TESTBED, "compare", *GAMES, "--repeat", "5"]] +
+          [["env", "SCENES=" + " ".join(GAMES), f"LISTENER={listener}", "{root}/tests/bench/measure_costs.sh", "--steps", "100", "{build}", "scenes"]
+           for listener in ("none", "counts", "reads", "acts")]),
     shown("structures", "each structure in the place of the remembered edge", 200,
           ["boomerang-testbed compare needles plates planks coins-gas coins-pile gears bullets pyramid --details --structure ... --prefilter ..."],
           [[TESTBED, "compare", "needles", "plates", "planks", "coins-gas", "coins-pile", "gears", "bullets", "pyramid", "--structure", structure,
