@@ -4,7 +4,7 @@
 // while pairs are found twice, a big hull, several worlds, two threads.
 #include <thread>
 
-#include "../plugin/small_world.h"
+#include "../kit/small_world.h"
 
 namespace {
 

@@ -12,7 +12,7 @@
 
 #include <unistd.h>
 
-#include "../plugin/small_world.h"
+#include "../kit/small_world.h"
 
 namespace {
 

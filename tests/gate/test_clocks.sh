@@ -26,7 +26,6 @@ tests/run: how many at once; the seed of a long run, which is printed
 tests/soak/run_soak.sh: when to look at the memory
 tests/stages/common.sh: tells how long it took
 tests/plugin/test_try.sh: a game that goes on for ever, and is interrupted
-tests/plugin/small_worlds/main.cpp: of its benchmark alone, which no test runs
 tests/threads/forking.cpp: between two looks at whether a thread is asleep
 tests/threads/run_ways.sh: ends what hangs
 '

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <string>
 
 #include <box2d/box2d.h>
@@ -229,11 +230,11 @@ inline size_t BytesInUse() {
 #endif
 }
 
-using Scenario = void (*)(Run &);
+using Scenario = std::function<void(Run &)>;
 enum class When { kBefore, kByScenario };
 
 /// What a child printed, and how it ended appended where that was badly.
-inline std::string InChild(Scenario scenario, const bmr::Options *options, When when) {
+inline std::string InChild(const Scenario &scenario, const bmr::Options *options, When when) {
     int ends[2];
     REQUIRE(pipe(ends) == 0);
     std::fflush(nullptr);
@@ -288,7 +289,7 @@ inline std::string Difference(const std::string &stock, const std::string &plugi
 }
 
 /// The claim of nearly every test here.
-inline void CheckSameAsStock(Scenario scenario, When when = When::kBefore) {
+inline void CheckSameAsStock(const Scenario &scenario, When when = When::kBefore) {
     const std::string stock = InChild(scenario, nullptr, when);
     CHECK(stock.size() > 0);
     REQUIRE(Difference(stock, stock) == "");

@@ -8,7 +8,7 @@
 
 #include <pthread.h>
 
-#include "small_world.h"
+#include "../kit/small_world.h"
 
 namespace {
 

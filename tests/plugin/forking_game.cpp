@@ -6,7 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "small_world.h"
+#include "../kit/small_world.h"
 
 int main(int argc, char **argv) {
     if (argc < 3)

@@ -3,7 +3,7 @@
 // bmr::Install: opening_game [LIBRARY]. It tries to close it again, too.
 #include <dlfcn.h>
 
-#include "small_world.h"
+#include "../kit/small_world.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A Box2D program that knows nothing of Boomerang: boxes that fall on planks past a sensor, bullets between
 // them. It prints what happened, to the last bit.
-#include "small_world.h"
+#include "../kit/small_world.h"
 
 namespace {
 

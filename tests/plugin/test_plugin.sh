@@ -232,9 +232,6 @@ test_wrong_set_ups_get_one_line() {
     game plain_game LD_PRELOAD="$bin/libwrapping.so:$plugin" BOOMERANG_VERBOSE=1
     same_output "a wrapper that is preloaded"
     one_line "a wrapper that is preloaded" "behind a wrapper of Box2D .*; $bin/libwrapping.so is ahead of it\. Name it first: LD_PRELOAD=\"$plugin $bin/libwrapping.so\"\$"
-    "$bin/waking_game" slept >"$room/stock_of_it"
-    game "waking_game slept" LD_PRELOAD="$bin/libwrapping.so:$plugin" BOOMERANG_EVERYWHERE=on
-    cmp -s "$room/out" "$room/stock_of_it" || fail "waking_game slept, wrapped: other output than stock's"
     game plain_game LD_PRELOAD="$plugin:$bin/libwrapping.so"
     same_output "ahead of a wrapper"
     at_work "ahead of a wrapper"
@@ -340,107 +337,6 @@ test_worlds_are_stepped_to_the_very_end() {
     LD_PRELOAD=$plugin valgrind -q --error-exitcode=9 "$bin/ending_game" >"$room/out" 2>"$room/err" ||
         fail "ending_game: valgrind has something to say"
     cmp -s "$room/out" "$room/stock_of_it" || fail "ending_game: other output under valgrind"
-}
-
-test_impacts_that_a_listener_throws_out_of() {
-    plays_as_stock "bullet_game thrown" BOOMERANG_EVERYWHERE=on
-    plays_as_stock "bullet_game recentred" BOOMERANG_EVERYWHERE=on
-}
-
-test_what_is_rounded_in_each_of_many_steps() {
-    plays_as_stock "straying_game corners" BOOMERANG_EVERYWHERE=on
-    plays_as_stock "straying_game slow" BOOMERANG_EVERYWHERE=on
-}
-
-test_polygons_may_be_changed_in_place() {
-    plays_as_stock changing_game
-    plays_as_stock changing_game BOOMERANG_PREFILTER=off
-    plays_as_stock changing_game BOOMERANG_STRUCTURE=lazy-dudley
-}
-
-test_bodies_may_be_nowhere() {
-    plays_as_stock numberless_game
-}
-
-test_trees_are_the_same_to_the_bit() {
-    plays_as_stock tree_game
-    # Control: all of a tree is looked at. The first operation more or less is another tree.
-    game "tree_game 4999" LD_PRELOAD="$plugin"
-    cmp -s "$room/out" "$room/stock_of_it" && fail "control: one operation less is not seen"
-}
-
-test_sleepers_are_woken_by_whatever_wakes_them() {
-    local what
-    for what in hit joint flags first last empty driven slept displaced order lapsed; do
-        plays_as_stock "waking_game $what"
-        plays_as_stock "waking_game $what" BOOMERANG_EVERYWHERE=on
-    done
-}
-
-test_no_pair_is_lost() {
-    local what
-    for what in sums thrown resumed numbers returning proxies twice rounded disabled filters islands; do
-        plays_as_stock "losing_game $what"
-        plays_as_stock "losing_game $what" BOOMERANG_EVERYWHERE=on
-    done
-}
-
-test_worlds_may_be_set_otherwise_in_the_midst_of_a_step() {
-    local what
-    for what in made passed pending settled met replaced halved woken geared; do
-        plays_as_stock "setting_game $what"
-        plays_as_stock "setting_game $what" BOOMERANG_EVERYWHERE=on
-    done
-}
-
-test_filters_and_listeners_may_change_the_listener() {
-    plays_as_stock listening_game
-    grep -Eq ', [1-9][0-9]* switches' "$room/out" || fail "no listener was changed"
-}
-
-test_listeners_and_filters_may_change_the_world() {
-    local what
-    for what in disabling turning editing proxies ends unknown; do
-        plays_as_stock "meddling_game $what"
-        plays_as_stock "meddling_game $what" BOOMERANG_PREFILTER=off
-        # Behind Box2D, where nobody tells of steps.
-        game "meddling_game $what" LD_PRELOAD="$box2d:$plugin" BOOMERANG=on
-        cmp -s "$room/out" "$room/stock_of_it" || fail "meddling_game $what, behind Box2D: other output than stock's"
-        [ "$(number evaluations)" -gt 0 ] || fail "meddling_game $what, behind Box2D: nothing was answered"
-    done
-    "$bin/changing_game" >"$room/stock_of_it"
-    game changing_game LD_PRELOAD="$box2d:$plugin" BOOMERANG=on
-    cmp -s "$room/out" "$room/stock_of_it" || fail "changing_game, behind Box2D: other output than stock's"
-}
-
-# unheard_plays_as_stock WHAT "PROGRAM [ARGUMENT]...": where contacts end, or are made, without a word
-unheard_plays_as_stock() {
-    "$bin"/$2 >"$room/stock_of_it"
-    game "$2" LD_PRELOAD="$bin/libunheard_$1.so:$plugin" BOOMERANG=on BOOMERANG_EVERYWHERE=on
-    cmp -s "$room/out" "$room/stock_of_it" || fail "$2, unheard $1: other output than stock's"
-    at_work "$2, unheard $1"
-}
-
-test_contacts_may_come_and_go_without_a_word() {
-    unheard_plays_as_stock ends "losing_game numbers"
-    unheard_plays_as_stock ends "meddling_game ends"
-    unheard_plays_as_stock pairs "meddling_game unknown"
-}
-
-test_any_direction_of_rounding_plays_as_stock() {
-    local mode when
-    for mode in upward downward toward-zero; do
-        for when in before later in-turn listening; do
-            plays_as_stock "rounding_game $mode $when"
-        done
-    done
-}
-
-test_worlds_may_be_stepped_in_the_midst_of_a_step() {
-    local what
-    for what in own round pairs fibers small filters ending; do
-        plays_as_stock "stepping_game $what"
-    done
 }
 
 test_forked_games_play_on() {

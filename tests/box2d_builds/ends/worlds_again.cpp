@@ -9,7 +9,7 @@
 #include <new>
 #include <vector>
 
-#include "../../plugin/small_world.h"
+#include "../../kit/small_world.h"
 
 extern "C" {
 void *__real_malloc(size_t bytes);

@@ -11,7 +11,7 @@
 #include <box2d/box2d.h>
 
 /// @file
-/// What the games of this room share. They are plain Box2D programs: they know nothing of Boomerang.
+/// What games share. They are plain Box2D programs: they know nothing of Boomerang.
 
 inline b2Body *AddBox(b2World &world, b2BodyType type, b2Vec2 at, b2Vec2 half, float angle,
                       bool sensor = false) {

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// Polygons and places that a game changes and tells nobody of: between steps, in the midst of a step, into
+// what is no number.
+#include <cmath>
+
+#include "as_stock.h"
+
+using namespace as_stock;
+
+namespace {
+
+/// Another polygon in the place of a wheel's triangle: one corner stays in the middle of the wheel, the
+/// others go out to `reach`, `apart` from each other.
+void Change(b2PolygonShape *shape, float reach, int corners, float apart) {
+    const float radius = shape->m_radius;
+    const float middle = std::atan2(shape->m_centroid.y, shape->m_centroid.x);
+    b2Vec2 points[b2_maxPolygonVertices] = {{0.0f, 0.0f}};
+    for (int i = 1; i < corners; ++i)
+        points[i] = reach * b2Rot(middle + apart * (Real(i) - 0.5f * Real(corners))).GetXAxis();
+    shape->Set(points, corners);
+    shape->m_radius = radius;
+}
+
+/// Wheels of many fixtures side by side in a room, so that the contacts of two of them share their hulls.
+struct Wheels : Game {
+    static constexpr int kFixtures = 16;
+    Wheels(Run &run, int columns, int rows, float apart) : Game(run) {
+        for (int i = 0; i < columns * rows; ++i) {
+            wheels.push_back(Wheel({apart * Real(i % columns), apart * Real(i / columns)}, kFixtures, 1.0f));
+            wheels.back()->SetAngularVelocity(i % 2 == 0 ? 0.4f : -0.3f);
+            wheels.back()->SetSleepingAllowed(false);
+            for (b2Fixture *f = wheels.back()->GetFixtureList(); f != nullptr; f = f->GetNext())
+                f->SetRestitution(1.0f);
+        }
+        const b2Vec2 half = 0.5f * apart * b2Vec2(Real(columns), Real(rows)) + b2Vec2(0.75f, 0.75f);
+        const b2Vec2 middle = 0.5f * apart * b2Vec2(Real(columns - 1), Real(rows - 1));
+        for (const float side : {-1.0f, 1.0f}) {
+            Wall(middle + b2Vec2(side * half.x, 0.0f), {0.5f, half.y});
+            Wall(middle + b2Vec2(0.0f, side * half.y), {half.x, 0.5f});
+        }
+    }
+    int count() const { return static_cast<int>(wheels.size()); }
+    b2PolygonShape *Shape(int wheel, int fixture) {
+        return PolygonOf(wheels[static_cast<size_t>(wheel % count())], fixture % kFixtures);
+    }
+    std::vector<b2Body *> wheels;
+};
+
+} // namespace
+
+TEST_CASE("between steps: other vertices, more or fewer of them, another radius; and contacts are asked for "
+          "their manifolds") {
+    AsStock([](Run &run) {
+        Wheels game(run, 4, 3, 2.06f);
+        for (int step = 0; step < 300; ++step) {
+            b2PolygonShape *shape = game.Shape(step, step * 5);
+            if (step % 3 == 0)
+                Change(shape, step % 2 == 0 ? 1.2f : 0.9f, 3, 0.12f);
+            else if (step % 7 == 1)
+                Change(shape, 1.15f, 4 + step % 4, 0.12f);
+            else if (step % 11 == 2)
+                shape->m_radius = 20.0f * b2_polygonRadius;
+            for (b2Contact *c = game.world.GetContactList(); step % 4 == 0 && c != nullptr;
+                 c = c->GetNext()) {
+                b2Manifold manifold;
+                c->Evaluate(&manifold, c->GetFixtureA()->GetBody()->GetTransform(),
+                            c->GetFixtureB()->GetBody()->GetTransform());
+                game.hash.Add(static_cast<uint32_t>(manifold.pointCount));
+            }
+            game.Step();
+        }
+    });
+}
+
+// A pair apart from the wheels has a new contact in every step: it is the first to be updated, and begins.
+TEST_CASE("editing: a listener changes vertices of bodies that were asked for in the same step") {
+    AsStock([](Run &run) {
+        Wheels game(run, 3, 3, 2.12f);
+        game.Listen();
+        int told = 0;
+        game.listener.preSolve = [&game, &told] {
+            if (++told % 5 == 0)
+                Change(game.Shape(told, told * 3), told % 2 == 0 ? 1.2f : 0.95f, 3, 0.3f);
+        };
+        b2Body *bell = nullptr;
+        for (int step = 0; step < 300; ++step) {
+            if (bell != nullptr)
+                game.world.DestroyBody(bell);
+            bell = game.Box({30.0f, 0.0f});
+            if (step == 0)
+                game.Wall({30.2f, 0.3f});
+            game.Step();
+        }
+    });
+}
+
+// Two combs, apart from each other. The contacts of the first teeth are the oldest, so they are updated last;
+// then come those of two boxes that touch; then those of the other teeth, which the hulls of the combs answer
+// for. In between, the touching boxes' listener makes a tooth solid that was a sensor, in no hull, when the
+// hulls were looked at, and that has grown since it was in one.
+TEST_CASE("turning: a sensor whose vertices were changed turns solid in the midst of a step") {
+    AsStock([](Run &run) {
+        for (const float grown : {1.0f, 1.3f, 1.6f}) {
+            Game game(run);
+            game.Listen();
+            const auto comb = [&game](float y) {
+                b2BodyDef def;
+                def.type = b2_dynamicBody;
+                def.allowSleep = false;
+                def.position.Set(0.0f, y);
+                return game.world.CreateBody(&def);
+            };
+            const auto addTooth = [&game](b2Body *body, int place) {
+                game.AddBoxTo(body, {0.2f, 0.5f}, {0.5f * Real(place), 0.0f});
+            };
+            b2Body *lower = comb(0.0f), *upper = comb(1.1f);
+            addTooth(lower, 0);
+            b2Fixture *growing = lower->GetFixtureList();
+            for (int i = 0; i < 12; ++i)
+                addTooth(upper, i);
+            game.Step();
+            game.Wall({-30.0f, 0.0f}, {1.0f, 1.0f});
+            game.Awake({-30.0f, 1.99f}, {1.0f, 1.0f});
+            game.Step();
+            for (int i = 1; i < 12; ++i)
+                addTooth(lower, i);
+            game.Step(3);
+            growing->SetSensor(true);
+            static_cast<b2PolygonShape *>(growing->GetShape())->SetAsBox(0.2f, 0.5f * grown);
+            game.listener.preSolve = [growing] { growing->SetSensor(false); };
+            game.Step(5);
+        }
+    });
+}
+
+TEST_CASE("nowhere: places, angles, velocities and vertices are no numbers, or infinite, and are put right "
+          "again") {
+    AsStock([](Run &run) {
+        const float none = std::nanf(""), infinite = INFINITY;
+        // Numbers that are none are of two signs: which one is left shows the order of what was done.
+        const std::function<void(b2Body *, b2PolygonShape *)> lose[] = {
+            [=](b2Body *body, b2PolygonShape *) {
+                body->SetTransform({none, 3.0f}, 0.0f);
+            },
+            [=](b2Body *body, b2PolygonShape *) {
+                body->SetTransform({1.0f, infinite}, 0.5f);
+            },
+            [=](b2Body *body, b2PolygonShape *) {
+                body->SetTransform({1.0f, 3.0f}, none);
+            },
+            [=](b2Body *body, b2PolygonShape *) {
+                body->SetTransform({2.0f, 3.0f}, infinite);
+            },
+            [=](b2Body *body, b2PolygonShape *) {
+                body->SetLinearVelocity({infinite, 0.0f});
+            },
+            [=](b2Body *body, b2PolygonShape *) { body->SetAngularVelocity(-none); },
+            [=](b2Body *, b2PolygonShape *shape) { shape->m_vertices[1].x = none; },
+            [=](b2Body *, b2PolygonShape *shape) { shape->m_vertices[2].y = -infinite; },
+            [=](b2Body *, b2PolygonShape *shape) { shape->m_radius = none; },
+            [=](b2Body *body, b2PolygonShape *) {
+                body->SetTransform({none, -none}, infinite);
+            },
+            [=](b2Body *body, b2PolygonShape *) {
+                body->SetTransform({-none, none}, none);
+            },
+            [=](b2Body *body, b2PolygonShape *shape) {
+                shape->m_radius = none;
+                body->SetTransform({-none, none}, -none);
+            },
+        };
+        Game game(run, {0.0f, -10.0f});
+        game.world.SetContinuousPhysics(false); // its search asserts where numbers are none
+        FillWithBoxes(game.world);
+        std::vector<b2Body *> lost;
+        for (const auto &how : lose) {
+            static_cast<void>(how);
+            lost.push_back(game.Box({2.0f * Real(static_cast<int>(lost.size())) - 8.0f, 12.0f}));
+        }
+        game.Step(30);
+        for (size_t i = 0; i < lost.size(); ++i) {
+            lose[i](lost[i], PolygonOf(lost[i]));
+            game.Step(10);
+        }
+        for (b2Body *body : lost) {
+            PolygonOf(body)->SetAsBox(0.5f, 0.5f);
+            PolygonOf(body)->m_radius = b2_polygonRadius;
+            body->SetTransform({0.0f, 9.0f}, 0.0f);
+            body->SetLinearVelocity({0.0f, -1.0f});
+            body->SetAngularVelocity(0.0f);
+        }
+        game.Step(60);
+    });
+}

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: MIT
+// Worlds that change while Box2D looks for impacts: who is a bullet, who listens, what a world is set to, who
+// is in it, and whether the search comes to its end.
+#include "as_stock.h"
+
+using namespace as_stock;
+
+namespace {
+
+/// Leaning pairs in a crowd, each with a shot at it that still lies; far off, a post with a shot at it. Shots
+/// hit bodies that lean on others. Whether Box2D looks for these impacts, and whether it moves the other
+/// bodies, too, is a matter of who is a bullet by then, and of the islands that contacts and bodies say they
+/// are in. Most become bullets when the search for impacts has begun, which left them out.
+struct Range : Game {
+    static constexpr int kCrowd = 12;
+    explicit Range(Run &run) : Game(run) {
+        for (int i = 0; i < kCrowd * kCrowd; ++i) // near each other: most pairs are of bodies like these
+            crowd.push_back(Awake({1.05f * Real(i % kCrowd), 40.0f + 1.05f * Real(i / kCrowd)}));
+        for (int i = 0; i < 8; ++i) {
+            leaning.push_back(Awake({0.0f, 4.0f * Real(i)}));
+            Awake({0.995f, 4.0f * Real(i)});
+            shots.push_back(Awake({-2.5f, 4.0f * Real(i)}, {0.1f, 0.1f}));
+        }
+        Wall({0.0f, -30.0f}, {0.05f, 1.0f});
+        first = Awake({-2.0f, -30.0f}, {0.1f, 0.1f});
+        Listen();
+        Step(2);
+        // From the first impact on nobody has anything to forget of those that are left out.
+        Awake({2.5f, -30.0f}, {0.1f, 0.1f})->SetLinearVelocity({-240.0f, 0.0f});
+        Step(4);
+    }
+    void Throw(float at, float atPost) {
+        first->SetLinearVelocity({atPost, 0.0f});
+        for (b2Body *shot : shots)
+            shot->SetLinearVelocity({at, 0.0f});
+    }
+    void Shoot(float at, float atPost) {
+        MakeBullets(shots);
+        Throw(at, atPost);
+    }
+    static void MakeBullets(const std::vector<b2Body *> &bodies) {
+        for (b2Body *body : bodies)
+            body->SetBullet(true);
+    }
+    b2Body *first; ///< hits the post
+    std::vector<b2Body *> crowd, shots, leaning;
+};
+
+} // namespace
+
+TEST_CASE("made: a listener makes bullets of those that lean") {
+    AsStock([](Run &run) {
+        Range range(run);
+        range.Shoot(180.0f, 240.0f);
+        range.listener.begin.Once([&range] { Range::MakeBullets(range.leaning); });
+        range.Step(4);
+    });
+}
+
+// Box2D goes on at once.
+TEST_CASE("passed: a listener makes bullets of the shots, and disables the contact that it is told of") {
+    AsStock([](Run &run) {
+        Range range(run);
+        range.Throw(180.0f, 240.0f);
+        range.listener.begin.Once([&range](b2Contact *contact) {
+            contact->SetEnabled(false);
+            Range::MakeBullets(range.shots);
+        });
+        range.Step(4);
+    });
+}
+
+TEST_CASE("pending: a listener disables contacts whose impacts are found and not come to; their shots are no "
+          "bullets in a step in the midst of another world's search") {
+    AsStock([](Run &run) {
+        Range range(run);
+        range.Throw(180.0f, 240.0f);
+        range.listener.begin.Once([&range] {
+            Range::MakeBullets(range.shots);
+            range.listener.begin.Once([&range](b2Contact *hit) {
+                for (b2Body *body : range.leaning)
+                    for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
+                        if (edge->contact != hit && edge->other->IsBullet())
+                            edge->contact->SetEnabled(false);
+            });
+        });
+        range.Step();
+        for (b2Body *shot : range.shots) {
+            shot->SetBullet(false);
+            shot->SetLinearVelocity({0.0f, 0.0f});
+            shot->SetTransform({-0.75f, shot->GetPosition().y}, 0.0f);
+        }
+        Game other(run);
+        for (int i = 0; i < 60; ++i)
+            other.Box({1.05f * Real(i), 10.0f});
+        other.Wall({0.0f, 0.0f}, {0.05f, 1.0f});
+        b2Body *const bullet = other.Box({-2.0f, 0.0f}, {0.1f, 0.1f});
+        other.Step(4);
+        bullet->SetLinearVelocity({240.0f, 0.0f});
+        other.Listen();
+        other.listener.begin.Once([&range] {
+            range.first->SetTransform({-2.0f, -30.0f}, 0.0f);
+            range.Throw(30.0f, 240.0f);
+            range.Step();
+        });
+        other.Step();
+        range.Step(2);
+    });
+}
+
+TEST_CASE("settled: a listener steps the world, which is not to look for impacts in that step") {
+    AsStock([](Run &run) {
+        Range range(run);
+        range.Shoot(0.0f, 240.0f);
+        range.listener.begin.Once([&range] {
+            Range::MakeBullets(range.leaning);
+            range.Shoot(240.0f, 0.0f);
+            range.world.SetContinuousPhysics(false);
+            range.world.Step(1.0f / 60.0f, 8, 3);
+            range.world.SetContinuousPhysics(true);
+        });
+        range.Step(4);
+    });
+}
+
+TEST_CASE("met: a listener has bodies meet in a step of no time, which lean on each other when their islands "
+          "are built") {
+    AsStock([](Run &run) {
+        Range range(run);
+        for (const float x : {60.0f, 60.995f}) // the newest: their island is the first
+            range.Awake({x, 0.0f});
+        range.Step();
+        for (b2Body *body : range.leaning)
+            body->SetTransform({-0.05f, body->GetPosition().y}, 0.0f);
+        range.listener.postSolve.Once([&range] {
+            range.StepWithin(); // unlocks it
+            for (b2Body *body : range.leaning) {
+                body->SetTransform({0.0f, body->GetPosition().y}, 0.0f);
+                body->SetLinearVelocity({1.0f, 0.0f});
+            }
+            range.StepWithin();
+        });
+        range.Step(3);
+    });
+}
+
+TEST_CASE("replaced: a listener puts another one in its place") {
+    AsStock([](Run &run) {
+        Range range(run);
+        Listener other(range.world, &range.hash);
+        range.Shoot(180.0f, 240.0f);
+        range.listener.begin.Once([&] { range.world.SetContactListener(&other); });
+        other.begin.Once([&range] { Range::MakeBullets(range.leaning); });
+        range.Step(4);
+    });
+}
+
+TEST_CASE("halved: a listener has the step end with the first impact; between steps sub-stepping is over") {
+    AsStock([](Run &run) {
+        Range range(run);
+        range.Shoot(180.0f, 240.0f);
+        range.listener.begin.Once([&range] { range.world.SetSubStepping(true); });
+        range.Step();
+        range.world.SetSubStepping(false);
+        Range::MakeBullets(range.leaning);
+        range.Step(4);
+    });
+}
+
+// A filter is asked about these.
+TEST_CASE("geared: gear joints are made whose definitions name bodies that the joints do not join") {
+    AsStock([](Run &run) {
+        Range range(run);
+        const b2BodyDef def;
+        b2Body *const anchor = range.world.CreateBody(&def);
+        const auto hinge = [&range, anchor](b2Body *body) {
+            b2RevoluteJointDef joint;
+            joint.Initialize(anchor, body, body->GetPosition());
+            return range.world.CreateJoint(&joint);
+        };
+        b2GearJointDef gear;
+        gear.joint1 = hinge(range.shots[0]);
+        gear.joint2 = hinge(range.shots[1]);
+        range.filter.refuses = true;
+        range.Ask();
+        for (size_t i = 0; i < Range::kCrowd; ++i) {
+            gear.bodyA = range.crowd[i];
+            gear.bodyB = range.crowd[i + Range::kCrowd];
+            range.world.CreateJoint(&gear);
+            range.Step();
+        }
+    });
+}
+
+namespace {
+
+/// `rounded`: the step that is thrown out of is rounded upward, and so was one before; between them an impact
+/// is had.
+void PlayThrown(Run &run, bool rounded) {
+    struct Told {};
+    Game game(run, {0.0f, -10.0f});
+    game.Wall({0.0f, -0.5f}, {400.0f, 0.5f});
+    for (int i = 0; i < 700; ++i) // more at rest than a short list has room for
+        game.Awake({-350.0f + Real(i), 0.25f}, {0.25f, 0.25f});
+    std::vector<b2Body *> bullets;
+    for (int i = -20; i < 20; ++i) {
+        const float x = 6.0f * Real(i);
+        game.Box({x, 20.0f}, {0.01f, 0.5f})->SetGravityScale(0.0f);
+        bullets.push_back(game.Box({x - 0.2f, 20.0f}, {0.03f, 0.03f}));
+        bullets.back()->SetGravityScale(0.0f);
+    }
+    const auto shoot = [](b2Body *bullet) {
+        bullet->SetBullet(true);
+        bullet->SetLinearVelocity({30.0f, 0.0f});
+    };
+    game.Step(60);
+    if (rounded) {
+        std::fesetround(FE_UPWARD);
+        game.Step();
+        std::fesetround(FE_TONEAREST);
+        shoot(bullets.back());
+        bullets.pop_back();
+        for (b2Body *bullet : bullets) // so that they are looked at
+            bullet->SetAwake(true);
+        game.Step();
+        std::fesetround(FE_UPWARD);
+    }
+    game.Listen();
+    game.listener.begin = [] { throw Told(); };
+    for (b2Body *bullet : bullets)
+        shoot(bullet);
+    try {
+        game.Step();
+        run.Print("!nothing was thrown");
+    } catch (const Told &) {
+        game.WriteDown();
+    }
+    std::fesetround(FE_TONEAREST);
+    game.world.SetContactListener(nullptr);
+    for (b2Body *bullet : bullets) {
+        bullet->SetBullet(false);
+        bullet->SetLinearVelocity({0.0f, 0.0f});
+    }
+    game.Step(3);
+}
+
+} // namespace
+
+// What Box2D had found out of the others is to be forgotten, also where their bodies are no bullets any more
+// and nobody listens.
+TEST_CASE("impact thrown: a listener throws as the first of many impacts of a step is told") {
+    AsStock([](Run &run) {
+        for (const bool rounded : {false, true})
+            PlayThrown(run, rounded);
+    });
+}
+
+// Bars in front of plates that stand aslant. Each bar's centre of mass is near the plate, and then in its
+// middle: it has moved towards the plate by less than the bar does.
+TEST_CASE("recentred: a listener gives bodies other centres of mass, and throws them, when they have been "
+          "looked at") {
+    AsStock([](Run &run) {
+        const b2Rot aslant(0.25f * b2_pi);
+        Game game(run);
+        std::vector<b2Body *> bars;
+        for (int i = 0; i < 40; ++i) {
+            const b2Vec2 at(6.0f * Real(i), 0.0f);
+            game.Wall(at, {0.02f, 3.0f}, aslant.GetAngle());
+            bars.push_back(game.Awake(at + 0.79f * aslant.GetXAxis(), {0.4f, 0.1f}, aslant.GetAngle()));
+            b2MassData mass;
+            bars.back()->GetMassData(&mass);
+            mass.center.Set(-0.29f, 0.0f);
+            mass.I = 2.0f * mass.mass;
+            bars.back()->SetMassData(&mass);
+        }
+        game.Touching({0.0f, 90.0f});
+        game.Listen();
+        game.Step(4);
+        game.listener.preSolve.Once([&bars, &aslant] {
+            float speed = 20.0f;
+            for (b2Body *bar : bars) {
+                bar->ResetMassData();
+                bar->SetLinearVelocity(-speed * aslant.GetXAxis());
+                speed += 0.5f;
+            }
+        });
+        game.Step(3);
+    });
+}
+
+namespace {
+
+/// Puts out of the world the next body in turn that touches nobody and is not one of `contact`, which begins:
+/// Box2D has a use for those.
+bool PutOut(Game &game, const b2Contact &contact, b2Body **next) {
+    int32 left = game.world.GetBodyCount();
+    for (b2Body *body = *next; left-- > 0; body = body->GetNext()) {
+        if (body == nullptr)
+            body = game.world.GetBodyList();
+        bool touches = false;
+        for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
+            touches = touches || edge->contact->IsTouching();
+        if (touches || !body->IsEnabled() || body->GetContactList() == nullptr ||
+            body->GetType() != b2_dynamicBody || body == contact.GetFixtureA()->GetBody() ||
+            body == contact.GetFixtureB()->GetBody())
+            continue;
+        *next = body->GetNext();
+        body->SetEnabled(false);
+        return true;
+    }
+    return false;
+}
+
+} // namespace
+
+// Bullets and boxes in a crowd over planks; every few steps, all that were put out come back.
+TEST_CASE("disabling: a listener puts bodies out of the world while Box2D looks for impacts") {
+    AsStock([](Run &run) {
+        Game game(run, {0.0f, -10.0f});
+        for (int i = 0; i < 6; ++i)
+            game.Wall({3.0f * Real(i) - 8.0f, 0.0f}, {1.2f, 0.1f}, 0.2f * Real(i));
+        for (int i = 0; i < 120; ++i) {
+            const float x = Real(i % 20), y = Real(i / 20);
+            b2Body *box = game.Box({0.8f * x - 8.0f, 2.0f + 0.8f * y}, {0.3f, 0.2f}, 0.3f * x);
+            box->SetBullet(i % 2 == 0);
+            box->SetLinearVelocity({5.0f * Real(i % 7) - 15.0f, -60.0f});
+        }
+        b2Body *next = nullptr;
+        int begun = 0, putOut = 0;
+        game.Listen();
+        game.listener.begin = [&](b2Contact *contact) {
+            if (game.world.IsLocked())
+                game.StepWithin();
+            else if (++begun % 3 == 0)
+                putOut += PutOut(game, *contact, &next) ? 1 : 0;
+        };
+        for (int step = 0; step < 200; ++step) {
+            game.Step();
+            if (step % 10 != 9)
+                continue;
+            for (b2Body *body = game.world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+                if (!body->IsEnabled())
+                    body->SetEnabled(true);
+                if (body->GetType() == b2_dynamicBody && body->GetPosition().y < -3.0f) {
+                    body->SetTransform({body->GetPosition().x, 8.0f}, body->GetAngle());
+                    body->SetLinearVelocity({10.0f, -80.0f});
+                }
+            }
+        }
+        run.Print("%sput out: %d", putOut > 0 ? "" : "!", putOut);
+    });
+}

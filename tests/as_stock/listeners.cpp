@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// Listeners that come and go while they are told, and that change the contact that they are told of.
+#include "as_stock.h"
+
+using namespace as_stock;
+
+namespace {
+
+void AddEnabled(Game &game) {
+    for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+        game.hash.Add(static_cast<uint32_t>(c->IsEnabled()));
+}
+
+/// Boxes that fall on planks, and two listeners.
+struct Falling : Game {
+    explicit Falling(Run &run) : Game(run, {0.0f, -10.0f}), other(world, &hash) { FillWithBoxes(world); }
+    Listener other;
+};
+
+/// Bullets among boxes at rest on planks. Between the solving of velocities and the end of a step, pairs come
+/// up in SolveTOI alone, once bodies have moved: there the filter puts one listener in the other's place.
+void PlaySwitches(Run &run, bool listens) {
+    Falling game(run);
+    if (listens)
+        game.Listen();
+    game.Ask();
+    b2ContactListener *first = nullptr, *second = nullptr;
+    b2Body *bullet = nullptr;
+    b2Vec2 before(0.0f, 0.0f);
+    int switches = 0;
+    game.filter.asked = [&] {
+        if (bullet == nullptr || bullet->GetPosition() == before)
+            return;
+        std::swap(first, second);
+        game.world.SetContactListener(first);
+        ++switches;
+    };
+    for (int step = 0; step < 200; ++step) {
+        if (step % 10 == 0) {
+            bullet = game.Box({0.1f * Real(step) - 10.0f, 14.0f}, {0.2f, 0.2f}, 0.4f);
+            bullet->SetBullet(true);
+            bullet->SetLinearVelocity({30.0f, -120.0f});
+            first = &game.listener;
+            second = &game.other;
+        }
+        before = bullet->GetPosition();
+        game.Step();
+    }
+    run.Print("%sswitches: %d", switches > 0 ? "" : "!", switches);
+}
+
+} // namespace
+
+TEST_CASE("switched: a filter puts another listener into the world while Box2D looks for impacts") {
+    AsStock([](Run &run) { PlaySwitches(run, true); });
+}
+
+TEST_CASE("brought: a filter brings the first listener while Box2D looks for impacts") {
+    AsStock([](Run &run) { PlaySwitches(run, false); });
+}
+
+// What a contact's update told one of them it tells to its end. Every third time nobody comes in its place.
+TEST_CASE("turns: listeners take turns in the midst of being told") {
+    AsStock([](Run &run) {
+        for (auto callback : {&Listener::begin, &Listener::end, &Listener::preSolve, &Listener::postSolve}) {
+            Falling game(run);
+            const auto giveWay = [&game](Listener &from, Listener &to) {
+                return [&] { game.world.SetContactListener(from.told % 3 == 0 ? nullptr : &to); };
+            };
+            game.listener.*callback = giveWay(game.listener, game.other);
+            game.other.*callback = giveWay(game.other, game.listener);
+            for (int step = 0; step < 150; ++step) {
+                if (step % 3 == 0) // some have left nobody
+                    game.Listen();
+                game.Step();
+            }
+            game.hash.Add(static_cast<uint32_t>(game.other.told));
+            game.WriteDown();
+        }
+    });
+}
+
+TEST_CASE(
+    "disables: a listener disables all contacts when one begins, and leaves, or is taken away after the "
+    "step") {
+    AsStock([](Run &run) {
+        for (const bool leaves : {false, true}) {
+            Falling game(run);
+            game.listener.begin = [&game, leaves] {
+                for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+                    c->SetEnabled(false);
+                if (leaves)
+                    game.world.SetContactListener(nullptr);
+            };
+            for (int step = 0; step < 150; ++step) {
+                game.world.SetContactListener(step % 3 == 0 ? &game.listener : nullptr);
+                game.Step();
+                AddEnabled(game);
+            }
+        }
+    });
+}
+
+namespace {
+
+/// Boxes apart, and boxes, sensors or not, that are deep in each other, each beside another one that is near
+/// and comes nearer once somebody listens. Box2D's solver asserts that a contact that lost its points, or
+/// whose fixtures turn solid, is then disabled, or that the step takes no time.
+struct Changing : Game {
+    Changing(Run &run, bool sensors) : Game(run) {
+        for (int i = 0; i < 40; ++i)
+            for (const float y : {0.0f, 1.1f})
+                Awake({3.0f * Real(i), y});
+        for (int i = 0; i < 12; ++i) {
+            Awake({3.0f * Real(i), 10.0f})->GetFixtureList()->SetSensor(sensors);
+            coming.push_back(Awake({3.0f * Real(i) + 1.1f, 9.8f}));
+        }
+        Step();
+        for (int i = 0; i < 12; ++i) { // later, so that their contacts are looked at earlier
+            Awake({3.0f * Real(i), 11.1f})->GetFixtureList()->SetSensor(sensors);
+            Awake({3.0f * Real(i) + 1.1f, 8.7f});
+        }
+        Step(3);
+        Listen();
+    }
+    void Play(int still = 0) {
+        for (b2Body *body : coming)
+            body->SetTransform(body->GetPosition() - b2Vec2(0.3f, 0.0f), 0.0f);
+        Step(still, 0.0f);
+        Step(40 - still);
+    }
+    std::vector<b2Body *> coming;
+};
+
+void SetSensors(b2Contact *contact, bool sensors) {
+    contact->GetFixtureA()->SetSensor(sensors);
+    contact->GetFixtureB()->SetSensor(sensors);
+}
+
+} // namespace
+
+TEST_CASE("solid: a sensor's contact begins, and turns solid; in a step of no time it stays enabled") {
+    AsStock([](Run &run) {
+        for (const bool still : {false, true}) {
+            Changing game(run, true);
+            game.listener.begin = [still](b2Contact *contact) {
+                SetSensors(contact, false);
+                contact->SetEnabled(still);
+            };
+            game.Play(still ? 2 : 0);
+        }
+    });
+}
+
+TEST_CASE("emptied: a contact loses its points, and is disabled") {
+    AsStock([](Run &run) {
+        Changing game(run, false);
+        game.listener.preSolve = [&game](b2Contact *contact) {
+            if (game.listener.told % 2 != 0)
+                return;
+            contact->SetEnabled(false);
+            contact->GetManifold()->pointCount = 0;
+        };
+        game.Play();
+    });
+}
+
+TEST_CASE("there and back: a contact loses its points, and is a sensor's until the next one is told of") {
+    AsStock([](Run &run) {
+        Changing game(run, false);
+        b2Contact *turned = nullptr;
+        game.listener.preSolve = [&game, &turned](b2Contact *contact) {
+            contact->SetEnabled(false);
+            if (turned != nullptr) {
+                SetSensors(turned, false);
+                turned = nullptr;
+            } else if (game.listener.told % 2 == 0) {
+                contact->GetManifold()->pointCount = 0;
+                SetSensors(contact, true);
+                turned = contact;
+            }
+        };
+        game.Play();
+    });
+}

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// Worlds that are rounded in another direction than to the nearest, as libraries for intervals leave a
+// thread; worlds where little is left of what is rounded; and trees of boxes that have all their bits.
+#include <random>
+
+#include "as_stock.h"
+#include "tree_play.h"
+
+using namespace as_stock;
+
+namespace {
+
+enum class When { kBefore, kLater, kInTurn, kListening };
+
+/// Boxes that are an ulp too wide are seen nowhere else.
+void AddBounds(Game &game) {
+    for (const b2Body *body = game.world.GetBodyList(); body != nullptr; body = body->GetNext())
+        for (const b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext())
+            for (const b2Vec2 &corner : {f->GetAABB(0).lowerBound, f->GetAABB(0).upperBound}) {
+                game.hash.Add(corner.x);
+                game.hash.Add(corner.y);
+            }
+}
+
+void PlayRounded(Run &run, int mode, When when) {
+    if (when == When::kBefore)
+        std::fesetround(mode);
+    Game game(run, {0.0f, -10.0f});
+    FillWithBoxes(game.world);
+    game.Wheel({-3.0f, 20.0f}, 24, 1.5f);
+    game.Wheel({-2.0f, 24.0f}, 24, 1.5f);
+    if (when == When::kListening)
+        game.Listen();
+    int calls = 0;
+    game.listener.begin = [&calls, mode] { std::fesetround(++calls % 2 == 0 ? mode : FE_TONEAREST); };
+    for (int step = 0; step < 150; ++step) {
+        if (when == When::kLater && step == 40)
+            std::fesetround(mode);
+        if (when == When::kInTurn)
+            std::fesetround(step % 3 == 2 ? mode : FE_TONEAREST);
+        game.Step();
+        AddBounds(game);
+    }
+    std::fesetround(FE_TONEAREST);
+}
+
+void PlayAll(When when) {
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+        AsStock([=](Run &run) { PlayRounded(run, mode, when); });
+}
+
+} // namespace
+
+TEST_CASE("before: a thread is rounded otherwise before its first step") {
+    PlayAll(When::kBefore);
+}
+
+TEST_CASE("later: a thread is rounded otherwise from some step on") {
+    PlayAll(When::kLater);
+}
+
+TEST_CASE("in turn: every third step is rounded otherwise") {
+    PlayAll(When::kInTurn);
+}
+
+TEST_CASE("listening: a listener changes how it is rounded, and that stays") {
+    PlayAll(When::kListening);
+}
+
+// The oldest pair touches. By the time that its turn comes, the loop has passed pairs that fly at each other,
+// and that come to touch in the steps that its listener makes then.
+TEST_CASE("within: a listener rounds otherwise for the steps that it makes in the midst of a step") {
+    AsStock([](Run &run) {
+        Game game(run);
+        game.Touching({0.0f, 50.0f});
+        game.Step();
+        for (int i = 0; i < 60; ++i) {
+            b2Body *const right = game.Near({3.0f * Real(i), 0.0f}, 0.15f);
+            if (i % 4 == 0)
+                right->SetLinearVelocity({-0.6f - 0.1f * Real(i), 0.1f});
+        }
+        game.Step();
+        game.Listen();
+        for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_TOWARDZERO}) {
+            game.listener.preSolve = [&game, mode] {
+                std::fesetround(mode);
+                game.StepWithin(1.0f / 60.0f, 2);
+                game.StepWithin(1.0f / 60.0f, 2);
+                std::fesetround(FE_TONEAREST);
+            };
+            game.Step();
+            game.listener.preSolve = nullptr;
+            game.Step(2);
+        }
+    });
+}
+
+namespace {
+
+class Random {
+public:
+    explicit Random(uint32_t seed) : m_engine(seed) {}
+    float Between(float low, float high) {
+        return low + (high - low) * Real(static_cast<int>(m_engine() % 4096u)) / 4096.0f;
+    }
+
+private:
+    std::minstd_rand m_engine;
+};
+
+/// A triangle whose tip is at a place, and which lies in some direction of it, more or less.
+b2Body *AddTip(Game &game, b2BodyType type, b2Vec2 at, float direction, Random &random) {
+    const float width = random.Between(0.05f, 1.2f), lies = direction + random.Between(-0.6f, 0.6f);
+    const b2Vec2 corners[3] = {{0.0f, 0.0f},
+                               random.Between(0.3f, 0.9f) * b2Rot(lies - width).GetXAxis(),
+                               random.Between(0.3f, 0.9f) * b2Rot(lies + width).GetXAxis()};
+    b2BodyDef def;
+    def.type = type;
+    def.position = at;
+    def.allowSleep = false;
+    b2Body *body = game.world.CreateBody(&def);
+    b2PolygonShape triangle;
+    triangle.Set(corners, 3);
+    body->CreateFixture(&triangle, 1.0f);
+    return body;
+}
+
+/// One triangle of each pair is carried towards the tip of the other, tip first. Where two tips meet, two
+/// touch that are as far apart as any can be that do, give or take what is rounded.
+void PlayCorners(Run &run, float far) {
+    constexpr int kSteps = 60;
+    Game game(run);
+    Random random(static_cast<uint32_t>(far));
+    struct Pair {
+        b2Body *moved;
+        b2Vec2 tip, from;
+    };
+    std::vector<Pair> pairs;
+    for (int i = 0; i < 150; ++i) {
+        const b2Vec2 tip(far + 3.0f * Real(i % 12), far + 3.0f * Real(i / 12));
+        const float direction = random.Between(0.0f, 6.3f);
+        AddTip(game, b2_staticBody, tip, direction + b2_pi, random);
+        const b2Vec2 from = 0.09f * b2Rot(direction).GetXAxis();
+        pairs.push_back({AddTip(game, b2_dynamicBody, tip + from, direction, random), tip, from});
+    }
+    for (int step = 0; step < kSteps; ++step) {
+        for (const Pair &pair : pairs) {
+            pair.moved->SetTransform(pair.tip + (1.0f - Real(step) / Real(kSteps)) * pair.from, 0.0f);
+            pair.moved->SetLinearVelocity({0.0f, 0.0f});
+            pair.moved->SetAngularVelocity(0.0f);
+        }
+        game.Step();
+    }
+}
+
+} // namespace
+
+TEST_CASE("corners: tips of triangles come near each other, also where nothing is exact to a millimetre") {
+    AsStock([](Run &run) {
+        for (const float far : {400.0f, 900.0f, 1800.0f, 3700.0f, 7500.0f, 30000.0f, 100000.0f})
+            PlayCorners(run, far);
+    });
+}
+
+// What is lost in each step is lost often.
+TEST_CASE("slow: needles turn by next to nothing in each step, until they meet") {
+    AsStock([](Run &run) {
+        for (const float out : {0.0f, 600.0f}) {
+            Game game(run);
+            for (int i = 0; i < 12; ++i)
+                for (const float side : {0.0f, 0.1f})
+                    game.Awake({out + 3.0f * Real(i), side}, {1.0f, 0.02f})
+                        ->SetAngularVelocity((side > 0.0f ? -0.0006f : 0.0006f) * Real(i + 1));
+            game.Step(4000);
+        }
+    });
+}
+
+// Beside the world of a game.
+TEST_CASE("trees: any boxes in trees of a game's own") {
+    AsStock([](Run &run) {
+        Game game(run, {0.0f, -10.0f});
+        FillWithBoxes(game.world);
+        game.Step(20);
+        uint32_t seed = 0;
+        for (const treeplay::Boxes boxes : treeplay::kAllBoxes) {
+            b2DynamicTree tree;
+            ++seed;
+            treeplay::Player player(seed, boxes, 30 + 40 * static_cast<int32>(seed));
+            treeplay::OfBox2D proxies;
+            for (int i = 0; i < 5000; ++i) {
+                player.Play(&tree, &proxies);
+                if (i % 16 == 0 || i + 1 == 5000)
+                    treeplay::EachWord(tree, [&game](uint32_t word) { game.hash.Add(word); });
+            }
+            game.WriteDown();
+        }
+        game.Step(100);
+    });
+}
