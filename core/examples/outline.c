@@ -2,10 +2,9 @@
 // A polygon with a hole, as an editor saves it, becomes convex pieces; one that crosses itself becomes an
 // error that says where. Links boomerang::core alone.
 //
-//   example_outline FILE   cuts the outline in the file: a point `x y` (or `x,y`) a line, and an empty line
-//   between rings,
-//                          first the outer one, then the holes; # begins a remark. Prints the pieces in the
-//                          same form, as gnuplot's `plot "-" with lines` draws them, too.
+//   example_outline FILE   cuts the outline in the file: a point `x y` (or `x,y`) a line, an empty line
+//                          between rings, first the outer one, then the holes; # begins a remark. The
+//                          pieces are printed in the same form, which gnuplot draws, too.
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
