@@ -116,4 +116,9 @@ bool play_is_repair(bmr_kds_event_kind kind);
 /// The latest remembered event; NULL: there is none yet.
 const play_event *play_duel_latest(const play_duel *duel);
 
+/// A course of a few seconds on which `lazy-dudley` has a push, a stab and a roll early, one after the other.
+bmr_error play_lesson_body(int body, play_body **made);
+/// All but the structure and the bodies.
+play_duel_def play_lesson_def(void);
+
 #endif

@@ -6,7 +6,6 @@
 
 #include "boomerang/distance.h"
 #include "draw.h"
-#include "lesson.h"
 #include "words.h"
 
 #define TEXT_ROOM 1024u

@@ -9,7 +9,7 @@
 
 #include "boomerang/simulation.h"
 #include "draw.h"
-#include "lesson.h"
+#include "duel.h"
 #include "page.h"
 #include "words.h"
 
