@@ -12,7 +12,7 @@
 #include "progress.h"
 #include "recorded_run.h"
 #include "replay/collect.h"
-#include "replay/page.h"
+#include "replay/encoding.h"
 #include "theory/record_course.h"
 
 namespace testbed {

@@ -65,6 +65,20 @@ int32_t Quantise(double value, double quantum, double limit);
 /// The greatest multiple that is not above, but 1 for what is above 0. Negative: -1.
 int32_t QuantiseSlack(double slack);
 
+/// One self-contained HTML page that plays the replay: style, script and data are in it, it asks no network
+/// and needs no server. Its files lie in page/ and are embedded at build time.
+///
+/// Replay::about, as the page reads it (whatever is missing is left out of the page):
+///
+///     scene, description, structure, prefilter: words
+///     stock      what the plugin is held against: stock, or off (the plugin off)
+///     timeStep   seconds
+///     margin     what a certificate must prove, in lengths
+///     boxes      false: those of the broad phase were not recorded
+///
+/// O(size of the replay).
+std::string PageOf(const Replay &replay);
+
 } // namespace testbed::replay
 
 #endif

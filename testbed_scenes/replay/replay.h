@@ -150,7 +150,7 @@ struct Calls {
 };
 
 struct Replay {
-    /// What the page says in words, and the totals it shows: see page.h.
+    /// What the page says in words, and the totals it shows: see PageOf.
     nlohmann::json about;
     int32_t stepCount = 0;
     std::vector<std::string> eventKinds;

@@ -12,7 +12,6 @@
 #include <zlib.h>
 
 #include "replay/encoding.h"
-#include "replay/page.h"
 
 using namespace testbed::replay;
 
