@@ -16,8 +16,8 @@ looks='steady_clock|system_clock|high_resolution|clock_gettime|gettimeofday|std:
 allowed='
 tests/contracts/contracts.cpp: ends what hangs
 tests/contracts/process.cpp: ends what hangs
-tests/browser/browser.py: polls a page; ends what hangs
-tests/cli/test_usage_cli.sh: polls for a file
+tests/front/browser.py: polls a page; ends what hangs
+tests/front/test_usage_cli.sh: polls for a file
 tests/determinism/run: how many at once
 tests/random/run: tells how long it took; the seconds of a campaign are asked for by name
 tests/gate/test_clocks.sh: the list itself

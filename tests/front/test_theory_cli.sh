@@ -6,8 +6,8 @@
 #   test_theory_cli.sh DIRECTORY-OF-THE-PROGRAMS
 set -uo pipefail
 
-# shellcheck source=support/cli.sh
-source "$(dirname "${BASH_SOURCE[0]}")/support/cli.sh"
+# shellcheck source=cli.sh
+source "$(dirname "${BASH_SOURCE[0]}")/cli.sh"
 # A small experiment, so that this test takes seconds.
 small=(line orbit --n 16 --ratios 8:512 --seeds 1 --structures lazy-compass,free-fd2,closest-features)
 

@@ -6,8 +6,8 @@
 #   test_testbed_cli.sh DIRECTORY-OF-THE-PROGRAMS
 set -uo pipefail
 
-# shellcheck source=support/cli.sh
-source "$(dirname "${BASH_SOURCE[0]}")/support/cli.sh"
+# shellcheck source=cli.sh
+source "$(dirname "${BASH_SOURCE[0]}")/cli.sh"
 # Small scenes, so that this test takes seconds: a classic one and a hard one.
 classic=pyramid
 hard=needles

@@ -6,8 +6,8 @@
 #   test_commands_cli.sh DIRECTORY-OF-THE-PROGRAMS
 set -uo pipefail
 
-# shellcheck source=support/cli.sh
-source "$(dirname "${BASH_SOURCE[0]}")/support/cli.sh"
+# shellcheck source=cli.sh
+source "$(dirname "${BASH_SOURCE[0]}")/cli.sh"
 
 commands() { "$testbed" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p'; }
 test_every_command_helps_and_refuses() {

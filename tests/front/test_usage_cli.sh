@@ -6,8 +6,8 @@
 #   test_usage_cli.sh DIRECTORY-OF-THE-PROGRAMS
 set -uo pipefail
 
-# shellcheck source=support/cli.sh
-source "$(dirname "${BASH_SOURCE[0]}")/support/cli.sh"
+# shellcheck source=cli.sh
+source "$(dirname "${BASH_SOURCE[0]}")/cli.sh"
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
 # refused PATTERN ARGUMENT…: exit code 2, and a message that names program and command and has the pattern.

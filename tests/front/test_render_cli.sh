@@ -7,9 +7,9 @@
 #   BOOMERANG_WRITE_GOLDEN=1 test_render_cli.sh DIRECTORY…   writes the golden pictures instead of comparing
 set -uo pipefail
 
-# shellcheck source=support/cli.sh
-source "$(dirname "${BASH_SOURCE[0]}")/support/cli.sh"
-golden=$(cd "$(dirname "${BASH_SOURCE[0]}")/../golden" && pwd)
+# shellcheck source=cli.sh
+source "$(dirname "${BASH_SOURCE[0]}")/cli.sh"
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 # The golden pictures: small scenes, one of each kind of proof.
 golden_arguments() {
@@ -32,18 +32,18 @@ draw() {
     esac
 }
 
-same_svg() { python3 "$golden/picture.py" "$1" "$2" >"$scratch/out" 2>"$scratch/err"; }
-same_png() { python3 "$golden/compare_png.py" "$1" "$2" >"$scratch/out" 2>"$scratch/err"; }
+same_svg() { python3 "$here/picture.py" "$1" "$2" >"$scratch/out" 2>"$scratch/err"; }
+same_png() { python3 "$here/compare_png.py" "$1" "$2" >"$scratch/out" 2>"$scratch/err"; }
 
 test_pictures_are_the_golden_ones() {
     local name arguments
     for name in pyramid layers why bare; do
         read -ra arguments <<<"$(golden_arguments $name)"
         draw "$scratch/$name.svg" "${arguments[@]}"
-        same_svg "$golden/pictures.txt" "$scratch/$name.svg" || fail "not the golden picture"
-        python3 "$golden/picture.py" "$scratch/$name.svg" >>"$scratch/pictures.txt"
+        same_svg "$here/pictures.txt" "$scratch/$name.svg" || fail "not the golden picture"
+        python3 "$here/picture.py" "$scratch/$name.svg" >>"$scratch/pictures.txt"
     done
-    if [ -n "${BOOMERANG_WRITE_GOLDEN:-}" ]; then cp "$scratch/pictures.txt" "$golden/"; fi
+    if [ -n "${BOOMERANG_WRITE_GOLDEN:-}" ]; then cp "$scratch/pictures.txt" "$here/"; fi
     # The control: a step later it is another picture.
     draw "$scratch/later.svg" pyramid --size 5 --step 45 --width 500
     ! same_svg "$scratch/pyramid.svg" "$scratch/later.svg" || fail "a later step passes for the golden picture"
@@ -56,10 +56,10 @@ test_pixels_are_the_golden_ones() {
     local arguments
     read -ra arguments <<<"$(golden_arguments pyramid)"
     draw "$scratch/pyramid.png" "${arguments[@]}"
-    if [ -n "${BOOMERANG_WRITE_GOLDEN:-}" ]; then cp "$scratch/pyramid.png" "$golden/"; fi
-    same_png "$golden/pyramid.png" "$scratch/pyramid.png" || fail "not the golden picture"
+    if [ -n "${BOOMERANG_WRITE_GOLDEN:-}" ]; then cp "$scratch/pyramid.png" "$here/"; fi
+    same_png "$here/pyramid.png" "$scratch/pyramid.png" || fail "not the golden picture"
     draw "$scratch/bare.png" "${arguments[@]}" --bare
-    ! same_png "$golden/pyramid.png" "$scratch/bare.png" || fail "a picture without layers passes for the golden one"
+    ! same_png "$here/pyramid.png" "$scratch/bare.png" || fail "a picture without layers passes for the golden one"
 }
 
 test_every_layer_draws_something_of_its_own() {
@@ -103,9 +103,9 @@ test_recordings_tell_the_truth() {
             # shellcheck disable=SC2086
             "$bin/boomerang-scene" $scene --steps 60 --record 20:50:10 >"$scratch/stock" 2>"$scratch/err" ||
                 fail "the worker failed"
-            python3 "$golden/check_recording.py" "$scratch/plugin" "$scratch/stock" 2>"$scratch/err" ||
+            python3 "$here/check_recording.py" "$scratch/plugin" "$scratch/stock" 2>"$scratch/err" ||
                 fail "it is not what it should be"
-            ! python3 "$golden/check_recording.py" "$scratch/plugin" "$scratch/stock" --control 2>"$scratch/err" ||
+            ! python3 "$here/check_recording.py" "$scratch/plugin" "$scratch/stock" --control 2>"$scratch/err" ||
                 fail "too much slack is not noticed"
         done
     done

@@ -6,8 +6,8 @@
 #   test_world_cli.sh DIRECTORY-OF-THE-PROGRAMS
 set -uo pipefail
 
-# shellcheck source=support/cli.sh
-source "$(dirname "${BASH_SOURCE[0]}")/support/cli.sh"
+# shellcheck source=cli.sh
+source "$(dirname "${BASH_SOURCE[0]}")/cli.sh"
 # A small gas, so that this test takes seconds.
 small=(gas --bodies 20 --seconds 3)
 
