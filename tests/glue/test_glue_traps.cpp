@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The traps that Box2D lays for whoever keeps state about its bodies: shapes and poses that change
-// unannounced. tests/controls takes the handling of each out of the glue and expects the test case here to
+// unannounced. tests/faults takes the handling of each out of the glue and expects the test case here to
 // fail.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
