@@ -109,17 +109,15 @@ void CheckHeard(Run &run) {
     run.Expect(scene.heard.strangers == 0, "all are of this world");
 }
 
-std::string PlayedBefore(forked::Scenario play, bmr_structure structure) {
-    static forked::Scenario chosen;
-    chosen = play;
+std::string PlayedBefore(const forked::Scenario &play, bmr_structure structure) {
     bmr::Options options; // statistics are implied
     options.structure = structure;
     options.onEvent = OnEvent;
     options.onAnswer = OnAnswer;
     options.eventContext = &scene;
     return forked::InChild(
-        [](Run &run) {
-            chosen(run);
+        [&play](Run &run) {
+            play(run);
             CheckHeard(run);
         },
         &options, forked::When::kBefore);
@@ -128,7 +126,7 @@ std::string PlayedBefore(forked::Scenario play, bmr_structure structure) {
 } // namespace
 
 TEST_CASE("every event and every answer is told of, with every structure") {
-    for (const forked::Scenario play : {PlaySmall, PlayBig}) {
+    for (void (*const play)(Run &) : {PlaySmall, PlayBig}) {
         const std::string stock = forked::InChild(play, nullptr, forked::When::kBefore);
         const std::string quiet = [&] {
             const bmr::Options options;
