@@ -164,25 +164,6 @@ template <> struct Code<std::string> {
     }
 };
 
-template <> struct Code<std::map<std::string, int64_t>> {
-    using Map = std::map<std::string, int64_t>;
-    static bool Same(const Map &a, const Map &b) { return a == b; }
-    static void Write(Writer *writer, const Map &value) {
-        writer->Number(value.size());
-        for (const auto &[name, count] : value) {
-            Code<std::string>::Write(writer, name);
-            Code<int64_t>::Write(writer, count);
-        }
-    }
-    static void Read(Reader *reader, Map *value) {
-        for (std::size_t left = reader->Count(); left > 0; --left) {
-            std::string name;
-            Code<std::string>::Read(reader, &name);
-            Code<int64_t>::Read(reader, &(*value)[name]);
-        }
-    }
-};
-
 template <typename Element> struct Code<std::vector<Element>> {
     static bool Same(const std::vector<Element> &a, const std::vector<Element> &b) {
         return a.empty() && b.empty(); // only defaults are asked for, and those are empty

@@ -55,9 +55,7 @@ template <typename Visit> void Fields(const Joint *, Visit visit) {
 
 template <typename Visit> void Fields(const ContactPoint *, Visit visit) {
     visit("at", &ContactPoint::at);
-    visit("separation", &ContactPoint::separation);
     visit("impulse", &ContactPoint::impulse);
-    visit("tangent", &ContactPoint::tangent);
 }
 
 template <typename Visit> void Fields(const Contact *, Visit visit) {
@@ -78,14 +76,12 @@ template <typename Visit> void Fields(const Proof *, Visit visit) {
     visit("fixtures", &Proof::fixtures);
     visit("contacts", &Proof::contacts);
     visit("slack", &Proof::slack);
-    visit("renewed", &Proof::renewed);
     visit("owner", &Proof::owner);
     visit("level", &Proof::level);
     visit("normal", &Proof::normal);
     visit("edge", &Proof::edge);
     visit("opposite", &Proof::opposite);
     visit("supports", &Proof::supports);
-    visit("window", &Proof::window);
     visit("centres", &Proof::centres);
     visit("radii", &Proof::radii);
     visit("hulls", &Proof::hulls);
@@ -113,7 +109,6 @@ template <typename Visit> void Fields(const Pair *, Visit visit) {
     visit("asked", &Pair::asked);
     visit("handed_over", &Pair::handed_over);
     visit("calls", &Pair::calls);
-    visit("counters", &Pair::counters);
 }
 
 template <typename Visit> void Fields(const Event *, Visit visit) {

@@ -60,13 +60,6 @@ template <> struct Codec<std::string> {
     static Json Write(const std::string &value) { return value; }
     static std::string Read(const Json &json) { return json.get<std::string>(); }
 };
-template <> struct Codec<std::map<std::string, int64_t>> {
-    static Json Write(const std::map<std::string, int64_t> &value) { return value; }
-    static std::map<std::string, int64_t> Read(const Json &json) {
-        return json.get<std::map<std::string, int64_t>>();
-    }
-};
-
 template <std::size_t N> std::array<float, N> ReadFloats(const Json &json) {
     return Codec<std::array<float, N>>::Read(json);
 }

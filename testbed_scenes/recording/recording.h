@@ -103,9 +103,7 @@ struct Joint {
 /// A point of a touching contact's manifold, in the world.
 struct ContactPoint {
     Vec at;
-    float separation = 0.0f; ///< negative: overlap
-    float impulse = 0.0f;    ///< along the normal, of the last solver iteration
-    float tangent = 0.0f;    ///< friction's
+    float impulse = 0.0f; ///< along the normal, of the last solver iteration
 };
 
 /// Two fixtures that touch.
@@ -135,23 +133,19 @@ struct Outline {
 ///   edge-line        an edge of the owner's envelope at       owner, level, normal, edge, opposite, hulls,
 ///                    `level`, and the nearest corner of       envelopes
 ///                    the other's
-///   direction        a direction, and both supports           owner, normal, supports, window, hulls
+///   direction        a direction, and both supports           owner, normal, supports, hulls
 ///   disks            two bounding disks                       centres, radii, hulls
 struct Proof {
     std::string kind = "none";
     std::array<int, 2> fixtures = {-1, -1}; ///< -1: the hull of all the body's polygon fixtures
     int contacts = 1;                       ///< how many contacts of the pair this proof serves
-    float slack = 0.0f; ///< certified: at least so far apart, skins (radii) not subtracted
-    /// What the simulation remembers does not hold at this frame's poses (it was made before the bodies
-    /// moved); this is what the next step will find.
-    bool renewed = false;
+    float slack = 0.0f;          ///< certified: at least so far apart, skins (radii) not subtracted
     int owner = 0;               ///< 0: the line is a's; 1: it is b's
     int level = 0;               ///< of the hierarchies
     Vec normal;                  ///< owner's coordinates, unit length, out of the owner
     std::array<Vec, 2> edge;     ///< owner's coordinates: the edge's ends
     Vec opposite;                ///< the other's coordinates: its vertex or corner nearest to the line
     std::array<Vec, 2> supports; ///< the vertices farthest along the direction
-    std::array<Vec, 2> window;   ///< the other's coordinates: stand in for it while the direction turns
     std::array<Vec, 2> centres;
     std::array<float, 2> radii = {0.0f, 0.0f};
     std::array<int, 2> hulls = {0, 0}, envelopes = {0, 0}; ///< ids of Outlines
@@ -189,8 +183,6 @@ struct Pair {
     int64_t asked = 0;       ///< evaluations of its polygon contacts, of the frame
     int64_t handed_over = 0; ///< of those, not proved apart: a manifold was needed, of the frame
     Calls calls;             ///< of the frame
-    /// Since the pair's first contact in this run: asked, handed-over, and the kinds of events by name.
-    std::map<std::string, int64_t> counters;
 };
 
 /// Something that happened to a pair, since the frame before.

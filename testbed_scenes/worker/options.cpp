@@ -140,10 +140,9 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
                "stop after the last")
             ->option_text("FIRST[:LAST[:EVERY]]");
     app.add_flag("--record-boxes", boxes, "With the boxes of the broad phase")->needs(record);
-    app.add_flag(
-           "--record-compact", compact,
-           "As bytes, and no more than a replay needs: no closest points, no counters; without the plugin "
-           "bodies and calls alone")
+    app.add_flag("--record-compact", compact,
+                 "As bytes, and no more than a replay needs: no closest points; without the plugin "
+                 "bodies and calls alone")
         ->needs(record);
     app.add_option("--perturb", options.perturb,
                    "After this step, nudge the velocity of one body by one ulp: the control for comparisons, "

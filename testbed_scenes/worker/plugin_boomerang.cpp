@@ -171,7 +171,6 @@ ShownProof ShowProof(const b2Contact &contact) {
         return shown;
     shown.structure = found.structure;
     proof.slack = found.slack;
-    proof.renewed = !found.remembered;
     CopySide(found.a, 0, &proof);
     CopySide(found.b, 1, &proof);
     if (found.kind == bmr::ProofKind::Disks)
@@ -179,9 +178,7 @@ ShownProof ShowProof(const b2Contact &contact) {
     const bmr::ProofSide &other = found.ownerIsB ? found.a : found.b;
     proof.owner = found.ownerIsB ? 1 : 0;
     proof.normal = VecOf(found.normal);
-    if (found.kind == bmr::ProofKind::Direction) {
-        proof.window = {VecOf(other.window[0]), VecOf(other.window[1])};
-    } else {
+    if (found.kind != bmr::ProofKind::Direction) {
         proof.level = found.level;
         proof.edge = {VecOf(found.edge[0]), VecOf(found.edge[1])};
         proof.opposite = VecOf(other.support);

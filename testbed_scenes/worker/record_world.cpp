@@ -203,8 +203,7 @@ std::vector<recording::Contact> RecordTouching(const b2World &world) {
         record.normal = ToVec(points.normal);
         const b2Manifold &manifold = *c->GetManifold();
         for (int32 i = 0; i < manifold.pointCount; ++i)
-            record.points.push_back({ToVec(points.points[i]), points.separations[i],
-                                     manifold.points[i].normalImpulse, manifold.points[i].tangentImpulse});
+            record.points.push_back({ToVec(points.points[i]), manifold.points[i].normalImpulse});
         contacts.push_back(std::move(record));
     }
     return contacts;

@@ -129,8 +129,6 @@ void Recorder::OnCall(void *context, boomerang_counted what, const void *a, cons
 }
 
 void Recorder::AddEvent(recording::Event event, const Bodies &bodies) {
-    if (!m_range.compact)
-        ++m_totals[bodies].events[event.kind];
     event.step = m_step;
     std::tie(event.a, event.b) = bodies;
     m_events.push_back(std::move(event));
@@ -145,11 +143,6 @@ void Recorder::OnAnswer(const b2Contact &contact, bool handedOver) {
     Counters &recent = m_recent[bodies];
     ++recent.asked;
     recent.handedOver += handedOver ? 1 : 0;
-    if (m_range.compact)
-        return;
-    Totals &totals = m_totals[bodies];
-    ++totals.asked;
-    totals.handedOver += handedOver ? 1 : 0;
 }
 
 void Recorder::OnBegin(const b2Contact &contact) {
@@ -230,12 +223,6 @@ void Recorder::RecordPairs(const b2World &world, recording::Frame *frame) {
     frame->pairs.reserve(order.size());
     for (const auto &[bodies, place] : order) {
         recording::Pair &pair = drafts[place].pair;
-        if (const auto found = m_totals.find(bodies); found != m_totals.end()) {
-            const Totals &totals = found->second;
-            pair.counters = totals.events;
-            if (totals.asked > 0)
-                pair.counters.insert({{"asked", totals.asked}, {"handed_over", totals.handedOver}});
-        }
         if (m_range.compact)
             LeaveOutKept(&pair);
         frame->pairs.push_back(std::move(pair));

@@ -19,8 +19,8 @@ namespace testbed {
 struct RecordRange {
     int first = 0, last = 0, every = 1;
     bool boxes = false; ///< with the boxes of the broad phase
-    /// For a replay, as bytes (recording/bytes.h): no closest points, no counters since the first contact;
-    /// and of a run without the plugin bodies and calls alone.
+    /// For a replay, as bytes (recording/bytes.h): no closest points; and of a run without the plugin
+    /// bodies and calls alone.
     bool compact = false;
 
     bool Has(int step) const { return step >= first && step <= last && (step - first) % every == 0; }
@@ -49,10 +49,6 @@ private:
     struct Counters {
         int64_t asked = 0, handedOver = 0;
         recording::Calls calls;
-    };
-    struct Totals {
-        int64_t asked = 0, handedOver = 0;
-        std::map<std::string, int64_t> events;
     };
     /// A pair of the frame in the making, and what its proofs stand on: one structure has one proof.
     struct Draft {
@@ -90,7 +86,6 @@ private:
         m_sent; ///< as the reader knows them, by body and number
     std::map<std::pair<int, std::vector<float>>, int> m_outlines; ///< ids, by body and coordinates
     std::unordered_map<const void *, int> m_bodyOf; ///< by the address of a shape's first vertex
-    ByBodies<Totals> m_totals;                      ///< not where the recording is compact
     ByBodies<Shown> m_shown;                        ///< where it is: what the reader knows of a pair
     // Since the last frame.
     ByBodies<Counters> m_recent;

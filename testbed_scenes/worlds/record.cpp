@@ -56,7 +56,6 @@ void WorldRecorder::Add(const bmr_contact &contact) {
     for (size_t i = 0; i < contact.count; ++i) {
         recording::ContactPoint point;
         point.at = ToVec(bmr_sub(contact.points[i], Wrapped(contact.points[i])));
-        point.separation = static_cast<float>(contact.distance);
         record.points.push_back(point);
     }
     m_frame.touching.push_back(record);
