@@ -120,7 +120,9 @@ bool Ledger::CatchUp() {
             return false;
         m_contacts[m_count + static_cast<uint32_t>(k)] = contact;
     }
-    if (contact != newest)
+    // (The newest one here may have ended without a word, and one that was made since be at its place in
+    // memory.)
+    if (contact != newest || (newest != nullptr && NumberOf(newest) == kNone))
         return false;
     for (int64_t k = 0; k < more; ++k)
         if (!Put(m_count, m_contacts[m_count]))

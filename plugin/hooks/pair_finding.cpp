@@ -354,8 +354,13 @@ void b2ContactManager::FindNewContacts() {
         PairFinder finder(this);
         m_broadPhase.UpdatePairs(&finder);
     }
-    if (!ours || Verifying())
+    if (!ours || Verifying()) {
+        // Box2D's contacts are made without a number: none may be taken for one that ended without a word in
+        // its place.
+        if (Ledger *ledger = FindLedger(this); ledger != nullptr && !ledger->IsWhole())
+            ledger->Resync();
         stock::FindNewContacts(this);
+    }
     stepping.searched = this;
     if (Ledger *ledger = FindLedger(this)) {
         ledger->CatchUp();

@@ -38,8 +38,7 @@ Frame RandomFrame(std::mt19937 &random) {
         frame.gone.push_back({whole(20), whole(20)});
         frame.boxes.push_back({whole(20), whole(20), whole(20), real(), real(), real(), real()});
         frame.joints.push_back({whole(20), "rope", {whole(20), whole(20)}, {vec(), vec()}, {{vec(), vec()}}});
-        frame.touching.push_back(
-            {{whole(20), whole(20)}, {whole(20), whole(20)}, vec(), {{vec(), real(), real(), real()}}});
+        frame.touching.push_back({{whole(20), whole(20)}, {whole(20), whole(20)}, vec(), {{vec(), real()}}});
         frame.outlines.push_back({whole(20), whole(20), {vec(), vec()}});
         frame.events.push_back(
             {whole(20), "push", whole(20), whole(20), whole(20) - 10, whole(20) - 10, real()});
@@ -48,7 +47,7 @@ Frame RandomFrame(std::mt19937 &random) {
         pair.b = 1 << whole(30);
         pair.slack = real();
         pair.calls.toi = int64_t{1} << whole(62);
-        pair.counters = {{"asked", whole(300)}, {"a\nb", -whole(300)}};
+        pair.asked = whole(300);
         pair.proofs.resize(static_cast<size_t>(whole(3)));
         for (Proof &proof : pair.proofs)
             proof.normal = vec();
