@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random kinetic worlds: their contacts are those of all pairs, bit for bit, and those that two bodies alone
-// would have; nothing ever overlaps that was not told; everything a world claims is true between its events;
-// energy and momentum stay.
+// Kinetic worlds: first contacts are those that two bodies alone would have; energy and momentum stay, and
+// nothing overlaps. That contacts are those of all pairs, bit for bit: tests/random/fuzz_world.c.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,99 +64,6 @@ static size_t overlaps(const bmr_world *world, bool periodic, bmr_vec2 size, dou
         }
     }
     return found;
-}
-
-// ---- random worlds ----
-
-typedef struct outcome {
-    play played;
-    bmr_error audit;
-    size_t overlaps, passing_overlaps;
-    bmr_world_counts counts;
-} outcome;
-
-static outcome run(const play_shapes *shapes, uint64_t seed, size_t bodies, bool all_pairs, bool look,
-                   play_contact *contacts) {
-    outcome o;
-    memset(&o, 0, sizeof o);
-    play *p = &o.played;
-    p->contacts = contacts;
-    play_begin(p, shapes, seed, bodies, all_pairs, NULL);
-    assert_non_null(p->world);
-    const bool periodic = p->boundary == BMR_PERIODIC;
-    const bmr_vec2 size = {2.0 * p->size, 2.4 * p->size};
-    const double room = 1e-9 + 1e-14 * fabs(p->place.x);
-    for (int step = 1; step <= STEPS && o.audit == BMR_OK; step++) {
-        if (play_advance(p, SECONDS * step / STEPS) != BMR_OK)
-            break;
-        play_change(p, &p->random);
-        o.audit = look ? bmr_world_audit(p->world) : BMR_OK;
-        // What was just put there is told by the next advance.
-        if (play_advance(p, bmr_world_time(p->world)) != BMR_OK)
-            break;
-        if (!look)
-            continue;
-        o.overlaps += overlaps(p->world, periodic, size, room, false);
-        o.passing_overlaps += overlaps(p->world, periodic, size, room, true);
-    }
-    o.counts = bmr_world_get_counts(p->world);
-    bmr_world_destroy(p->world);
-    return o;
-}
-
-TEST(the_contacts_are_those_of_all_pairs_bit_for_bit) {
-    // 1,600, and 16 of a tenth.
-    const size_t worlds = test_scaled(40) * test_scaled(40);
-    play_contact *contacts[2];
-    for (int i = 0; i < 2; i++)
-        assert_non_null(contacts[i] = calloc(PLAY_MOST_CONTACTS, sizeof *contacts[i]));
-    test_random random = {20261123};
-    play_shapes shapes;
-    play_make_shapes(&shapes, &random);
-    size_t total = 0, stalls = 0, passing_overlaps = 0, fewer = 0, others = 0;
-    for (size_t i = 0; i < worlds; i++) {
-        const uint64_t seed = test_random_next(&random);
-        const size_t bodies = 4 + test_random_below(&random, 30);
-        const outcome grid = run(&shapes, seed, bodies, false, true, contacts[0]);
-        const outcome all = run(&shapes, seed, bodies, true, false, contacts[1]);
-        if (grid.audit != BMR_OK || grid.played.error != BMR_OK || all.played.error != BMR_OK)
-            fail_msg("seed %llu: audit %s, errors %s, %s", (unsigned long long)seed,
-                     bmr_error_describe(grid.audit), bmr_error_describe(grid.played.error),
-                     bmr_error_describe(all.played.error));
-        if (grid.overlaps > 0)
-            fail_msg("seed %llu: %zu overlaps", (unsigned long long)seed, grid.overlaps);
-        if (grid.played.contact_count != all.played.contact_count)
-            fail_msg("seed %llu: %zu contacts, of all pairs %zu", (unsigned long long)seed,
-                     grid.played.contact_count, all.played.contact_count);
-        const size_t kept =
-            grid.played.contact_count < PLAY_MOST_CONTACTS ? grid.played.contact_count : PLAY_MOST_CONTACTS;
-        for (size_t k = 0; k < kept; k++)
-            if (memcmp(&contacts[0][k], &contacts[1][k], sizeof *contacts[0]) != 0)
-                fail_msg("seed %llu: contact %zu is another: %.17g and %.17g", (unsigned long long)seed, k,
-                         contacts[0][k].numbers[0], contacts[1][k].numbers[0]);
-        assert_int_equal(grid.played.stalls, all.played.stalls);
-        assert_int_equal(grid.played.out_of_order, 0);
-        total += kept;
-        stalls += grid.played.stalls;
-        passing_overlaps += grid.passing_overlaps;
-        fewer += grid.counts.candidates < all.counts.candidates;
-        // Control: another world has other contacts.
-        const outcome other = run(&shapes, seed + 1, bodies, false, false, contacts[1]);
-        others += kept == 0 || other.played.contact_count != kept ||
-                  memcmp(contacts[0], contacts[1], kept * sizeof *contacts[0]) != 0;
-    }
-    printf("%zu worlds, %zu contacts, %zu stalls, %zu overlaps of pairs that pass; fewer candidates "
-           "than all pairs in %zu\n",
-           worlds, total, stalls, passing_overlaps, fewer);
-    assert_true(total > 10 * worlds);
-    assert_true(stalls < 1 + worlds / 10);
-    assert_int_equal(others, worlds);
-    assert_true(2 * fewer > worlds);
-    // Control: the oracle sees overlaps where there are any.
-    assert_true(worlds < 6 || passing_overlaps > 0);
-    play_drop_shapes(&shapes);
-    free(contacts[0]);
-    free(contacts[1]);
 }
 
 // ---- contacts of two alone ----
