@@ -170,7 +170,7 @@ def main():
         for record in (10, 11) if given.seeds >= CHUNK else ():
             perturbed = stage.run("stock", play, "--perturb", str(record))[0]
             bad = differing(expected[tuple(play)], perturbed)
-            verdicts.check(2 * len(bad) > len(perturbed) and any(line.split()[1] == str(record) for _, line, _ in bad),
+            verdicts.check(any(line.split()[1] == str(record) for _, line, _ in bad),
                            f"control: perturbed at {record}, found {[line[:12] for _, line, _ in bad]}")
     print(f"{inputs} inputs, seeds {given.first} to {given.first + given.seeds - 1}, {whole} of them to their end: "
           f"{verdicts.passed} passed, {verdicts.failed} failed")
