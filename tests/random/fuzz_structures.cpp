@@ -20,6 +20,8 @@ constexpr double kEnd = 2.0;
 /// What both sides may be wrong by: event times (1e-12) times speeds, and the rounding of double, extents
 /// being some units.
 constexpr long double kSlop = 1e-9L;
+/// By how much the distance may be larger than what is asked for: parts of the extents and of itself (kds.h).
+constexpr long double kOfExtents = 1e-9L, kOfReach = 2e-8L;
 
 bmr_kds_def ReadDef(fuzz_bytes *bytes) {
     bmr_kds_def def = bmr_default_kds_def();
@@ -66,10 +68,12 @@ void Look(const World &world, const bmr_kds *kds, double time, const bmr_pose &r
     if (fuzz_control("false-contact"))
         contact = true;
     FUZZ_CHECK(contact || gap >= world.def.margin - kSlop,
-               "%s: apart at %.17g, but the distance is %Lg, margin %g", world.info->name, time, gap,
+               "%s: apart at %.17g, but the distance is %.20Lg, margin %.17g", world.info->name, time, gap,
                world.def.margin);
-    FUZZ_CHECK(!contact || gap <= world.def.margin + world.def.hysteresis + kSlop,
-               "%s: contact at %.17g, but the distance is %Lg, margin %g", world.info->name, time, gap,
+    const long double reach = world.def.margin + world.def.hysteresis;
+    const long double extents = world.bodies[0].polygon->extent + world.bodies[1].polygon->extent;
+    FUZZ_CHECK(!contact || gap <= reach + kOfReach * reach + kOfExtents * extents + kSlop,
+               "%s: contact at %.17g, but the distance is %.20Lg, margin %.17g", world.info->name, time, gap,
                world.def.margin);
     bmr_error audit = bmr_kds_audit(kds, &relative);
     if (fuzz_control("audit"))
@@ -91,7 +95,7 @@ void LookBack(const World &world, double from, double to) {
     for (int i = 1; i < 16; ++i) {
         const double time = from + (to - from) * i / 16.0;
         const long double gap = GapAt(world, PoseAt(world, time));
-        FUZZ_CHECK(gap >= world.def.margin - kSlop, "%s: passed by at %.17g, %Lg apart, margin %g",
+        FUZZ_CHECK(gap >= world.def.margin - kSlop, "%s: passed by at %.17g, %.20Lg apart, margin %.17g",
                    world.info->name, time, gap, world.def.margin);
     }
 }

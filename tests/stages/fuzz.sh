@@ -7,7 +7,7 @@ executions_of() {
     case $1 in
     fuzz_events) echo 500 ;;
     fuzz_world) echo 100 ;;
-    fuzz_actor) echo 2000 ;;
+    fuzz_actor) echo 1000 ;;
     *) echo 5000 ;;
     esac
 }

@@ -12,9 +12,9 @@ namespace {
 
 /// Boxes, circles, edges and chains, bodies of many fixtures, bullets, sensors and joints; things that are
 /// made and destroyed all the time.
-constexpr Chosen kScenes[] = {{"pyramid", 6, 0},    {"bullets", 15, 0}, {"sensors", 20, 0}, {"chain-rocks", 30, 0},
-                              {"coins-gas", 14, 0}, {"gears", 1, 0},    {"terrain", 15, 0}, {"planks", 30, 0},
-                              {"car", 2, 0},        {"compound", 1, 0}};
+constexpr Chosen kScenes[] = {
+    {"pyramid", 6, 0}, {"bullets", 15, 0}, {"sensors", 20, 0}, {"chain-rocks", 30, 0}, {"coins-gas", 14, 0},
+    {"gears", 1, 0},   {"terrain", 15, 0}, {"planks", 30, 0},  {"car", 2, 0},          {"compound", 1, 0}};
 constexpr int kCountScenes = static_cast<int>(sizeof kScenes / sizeof *kScenes);
 /// Worlds of the actor that stock Box2D survives.
 constexpr int kSeeds[] = {1, 2, 3, 4, 7, 8, 11, 16};

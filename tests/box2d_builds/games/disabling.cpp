@@ -53,8 +53,10 @@ public:
 
     void OnBegin(b2Contact &contact) override { Told(contact, When::Begin); }
     void OnEnd(b2Contact &contact) override { Told(contact, When::End); }
-    void OnPreSolve(b2Contact &contact) override { Told(contact, When::PreSolve); }
-    void OnPostSolve(b2Contact &contact) override { Told(contact, When::PostSolve); }
+    void OnPreSolve(b2Contact &contact, const b2Manifold &) override { Told(contact, When::PreSolve); }
+    void OnPostSolve(b2Contact &contact, const b2ContactImpulse &) override {
+        Told(contact, When::PostSolve);
+    }
 
 private:
     static constexpr int kRows = 4, kInRow = 12;
@@ -117,8 +119,10 @@ public:
         }
     }
     void OnBegin(b2Contact &contact) override { Told(contact, When::Begin); }
-    void OnPreSolve(b2Contact &contact) override { Told(contact, When::PreSolve); }
-    void OnPostSolve(b2Contact &contact) override { Told(contact, When::PostSolve); }
+    void OnPreSolve(b2Contact &contact, const b2Manifold &) override { Told(contact, When::PreSolve); }
+    void OnPostSolve(b2Contact &contact, const b2ContactImpulse &) override {
+        Told(contact, When::PostSolve);
+    }
 
 private:
     static constexpr int kPairs = 8;
@@ -160,7 +164,7 @@ public:
             contact.SetEnabled(false);
         }
     }
-    void OnPreSolve(b2Contact &contact) override {
+    void OnPreSolve(b2Contact &contact, const b2Manifold &) override {
         if (++m_told % 3 != 0)
             return;
         contact.SetEnabled(false);

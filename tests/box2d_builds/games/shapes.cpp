@@ -58,7 +58,7 @@ public:
         }
     }
 
-    void OnPreSolve(b2Contact &contact) override {
+    void OnPreSolve(b2Contact &contact, const b2Manifold &) override {
         if (!m_turn || contact.GetFixtureA()->GetBody() == m_planks[0] ||
             contact.GetFixtureA()->GetBody() == m_planks[1])
             return;
@@ -115,8 +115,8 @@ public:
     }
     void OnBegin(b2Contact &contact) override { Edit(contact, 0); }
     void OnEnd(b2Contact &contact) override { Edit(contact, 1); }
-    void OnPreSolve(b2Contact &contact) override { Edit(contact, 2); }
-    void OnPostSolve(b2Contact &contact) override { Edit(contact, 3); }
+    void OnPreSolve(b2Contact &contact, const b2Manifold &) override { Edit(contact, 2); }
+    void OnPostSolve(b2Contact &contact, const b2ContactImpulse &) override { Edit(contact, 3); }
 
 private:
     void Edit(b2Contact &contact, unsigned occasion) {
@@ -164,8 +164,8 @@ public:
         }
     }
     void BeforeStep(testbed::Stage &, int) override { m_world->DebugDraw(); }
-    void OnPreSolve(b2Contact &) override { m_world->DebugDraw(); }
-    void OnPostSolve(b2Contact &) override { m_world->DebugDraw(); }
+    void OnPreSolve(b2Contact &, const b2Manifold &) override { m_world->DebugDraw(); }
+    void OnPostSolve(b2Contact &, const b2ContactImpulse &) override { m_world->DebugDraw(); }
     uint64_t Probes() const override { return m_drawn.Hash(); }
 
 private:

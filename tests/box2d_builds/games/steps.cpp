@@ -58,11 +58,11 @@ public:
         Told(Where::Begin);
     }
     void OnEnd(b2Contact &) override { Told(Where::End); }
-    void OnPreSolve(b2Contact &contact) override {
+    void OnPreSolve(b2Contact &contact, const b2Manifold &) override {
         m_watch.Told(contact);
         Told(Where::PreSolve);
     }
-    void OnPostSolve(b2Contact &) override {
+    void OnPostSolve(b2Contact &, const b2ContactImpulse &) override {
         // While the islands of a whole step are solved, Box2D's stack of memory has an entry that no
         // destructor gives back.
         if (m_watch.InImpacts())
@@ -99,8 +99,8 @@ public:
     void BeforeStep(testbed::Stage &, int) override { m_mayStep = 3; }
     void OnBegin(b2Contact &) override { StepOther(); }
     void OnEnd(b2Contact &) override { StepOther(); }
-    void OnPreSolve(b2Contact &) override { StepOther(); }
-    void OnPostSolve(b2Contact &) override { StepOther(); }
+    void OnPreSolve(b2Contact &, const b2Manifold &) override { StepOther(); }
+    void OnPostSolve(b2Contact &, const b2ContactImpulse &) override { StepOther(); }
 
 private:
     void StepOther() {
