@@ -4,7 +4,7 @@
 
 # With --long most are accelerated, and not one; five hundred worlds of the actor on each; and all scenes of the testbed on an accelerated Box2D, with their instructions.
 stage_builds() {
-    local plugin seeds=12 source ours=-O0
+    local plugin seeds=8 source ours=-O0
     [ "${long:-no}" = no ] || ours=-O2 # the bits are the same by any of them, and -O0 is built in half the time
     build_release || return 1
     plugin=$BMR_BUILD_DIR/lib/libboomerang_box2d.so

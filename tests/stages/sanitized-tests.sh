@@ -7,7 +7,7 @@
 # forks of a process that has threads: the sanitizer's own locks stay locked in the child.
 stage_sanitized_tests() {
     local which=() out='cli|browser|consumer|preloaded|front|faults|gate'
-    [ "$long" = yes ] || { which=(--label-regex '^(claims|random|contracts|glue|as_stock)$') && out+='|counts'; }
+    [ "$long" = yes ] || { which=(--label-regex '^(claims|random|contracts|glue|as_stock)$') && out+='|counts|settings'; }
     build_sanitizers || return 1
     rm -rf "$BMR_BUILD_DIR/profiles"
     mkdir "$BMR_BUILD_DIR/profiles"
