@@ -5,6 +5,8 @@
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
+#include <box2d/b2_joint.h>
+#include <box2d/b2_time_step.h>
 
 /// @file
 /// What Box2D shows itself alone, and its stand-ins here need too.
@@ -16,31 +18,36 @@ template <typename Tag, typename Type, Type Member> struct Naming {
     friend Type Named(Tag) { return Member; }
 };
 
-using ShouldCollideFcn = bool (b2Body::*)(const b2Body *other) const;
-struct ShouldCollide {
-    friend ShouldCollideFcn Named(ShouldCollide);
-};
-using ContactListOfBody = b2ContactEdge *b2Body::*;
-struct ContactList {
-    friend ContactListOfBody Named(ContactList);
-};
-using SweepOfBody = b2Sweep b2Body::*;
-struct SweepMember {
-    friend SweepOfBody Named(SweepMember);
-};
-using NextOfBody = b2Body *b2Body::*;
-struct NextBody {
-    friend NextOfBody Named(NextBody);
-};
-using FlagsOfBody = uint16 b2Body::*;
-struct BodyFlags {
-    friend FlagsOfBody Named(BodyFlags);
-};
-template struct Naming<NextBody, NextOfBody, &b2Body::m_next>;
-template struct Naming<BodyFlags, FlagsOfBody, &b2Body::m_flags>;
-template struct Naming<ShouldCollide, ShouldCollideFcn, &b2Body::ShouldCollide>;
-template struct Naming<ContactList, ContactListOfBody, &b2Body::m_contactList>;
-template struct Naming<SweepMember, SweepOfBody, &b2Body::m_sweep>;
+/// Name: the tag that names a member of Class; Name::Of: the type of a pointer to that member.
+#define BMR_NAME_MEMBER(Name, Class, member, ...)                                                            \
+    struct Name {                                                                                            \
+        using Of = __VA_ARGS__;                                                                              \
+        friend Of Named(Name);                                                                               \
+    };                                                                                                       \
+    template struct Naming<Name, Name::Of, &Class::member>
+
+BMR_NAME_MEMBER(ShouldCollide, b2Body, ShouldCollide, bool (b2Body::*)(const b2Body *other) const);
+BMR_NAME_MEMBER(ContactList, b2Body, m_contactList, b2ContactEdge *b2Body::*);
+BMR_NAME_MEMBER(NextBody, b2Body, m_next, b2Body *b2Body::*);
+BMR_NAME_MEMBER(BodyFlags, b2Body, m_flags, uint16 b2Body::*);
+BMR_NAME_MEMBER(IslandIndex, b2Body, m_islandIndex, int32 b2Body::*);
+BMR_NAME_MEMBER(TransformMember, b2Body, m_xf, b2Transform b2Body::*);
+BMR_NAME_MEMBER(SweepMember, b2Body, m_sweep, b2Sweep b2Body::*);
+BMR_NAME_MEMBER(LinearVelocity, b2Body, m_linearVelocity, b2Vec2 b2Body::*);
+BMR_NAME_MEMBER(AngularVelocity, b2Body, m_angularVelocity, float b2Body::*);
+BMR_NAME_MEMBER(Force, b2Body, m_force, b2Vec2 b2Body::*);
+BMR_NAME_MEMBER(Torque, b2Body, m_torque, float b2Body::*);
+BMR_NAME_MEMBER(InverseMass, b2Body, m_invMass, float b2Body::*);
+BMR_NAME_MEMBER(InverseInertia, b2Body, m_invI, float b2Body::*);
+BMR_NAME_MEMBER(SleepTime, b2Body, m_sleepTime, float b2Body::*);
+
+BMR_NAME_MEMBER(InitVelocityConstraints, b2Joint, InitVelocityConstraints,
+                void (b2Joint::*)(const b2SolverData &));
+BMR_NAME_MEMBER(SolveVelocityConstraints, b2Joint, SolveVelocityConstraints,
+                void (b2Joint::*)(const b2SolverData &));
+BMR_NAME_MEMBER(SolvePositionConstraints, b2Joint, SolvePositionConstraints,
+                bool (b2Joint::*)(const b2SolverData &));
+#undef BMR_NAME_MEMBER
 
 inline const b2Sweep &SweepOf(const b2Body &body) {
     return body.*Named(SweepMember());

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "passes/island_solver.h"
+
+#include <chrono>
+#include <new>
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_joint.h>
+#include <box2d/b2_world_callbacks.h>
+
+#include "ledger/private_members.h"
+
+namespace bmr {
+
+namespace {
+
+class Timer {
+public:
+    float GetMilliseconds() const {
+        return std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - m_start).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
+/// How far a body goes in a step: no farther than Box2D lets it.
+void Integrate(float h, b2Position *position, b2Velocity *velocity) {
+    const b2Vec2 translation = h * velocity->v;
+    if (b2Dot(translation, translation) > b2_maxTranslationSquared)
+        velocity->v *= b2_maxTranslation / translation.Length();
+    const float rotation = h * velocity->w;
+    if (rotation * rotation > b2_maxRotationSquared)
+        velocity->w *= b2_maxRotation / b2Abs(rotation);
+    position->c += h * velocity->v;
+    position->a += h * velocity->w;
+}
+
+void Store(const b2Position &position, const b2Velocity &velocity, b2Body *body) {
+    b2Sweep &sweep = body->*Named(SweepMember());
+    b2Transform &pose = body->*Named(TransformMember());
+    sweep.c = position.c;
+    sweep.a = position.a;
+    body->*Named(LinearVelocity()) = velocity.v;
+    body->*Named(AngularVelocity()) = velocity.w;
+    pose.q.Set(sweep.a);
+    pose.p = sweep.c - b2Mul(pose.q, sweep.localCenter);
+}
+
+} // namespace
+
+bool IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) {
+    return m_bodies.Reserve(bodies) && m_contacts.Reserve(contacts) && m_joints.Reserve(joints) &&
+           m_positions.Reserve(bodies) && m_velocities.Reserve(bodies) && m_solver.Reserve(contacts);
+}
+
+void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener) {
+    Clear();
+    m_step = step;
+    m_listener = listener;
+    m_profile = {};
+}
+
+void IslandSolver::Add(b2Body *body) {
+    body->*Named(IslandIndex()) = static_cast<int32>(m_bodyCount);
+    m_bodies[m_bodyCount++] = body;
+}
+
+void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
+    IntegrateVelocities(gravity);
+    const Timer timer;
+    const b2SolverData data = {m_step, &m_positions[0], &m_velocities[0]};
+    m_solver.Begin(m_step, &m_contacts[0], m_contactCount, data.positions, data.velocities);
+    m_solver.InitializeVelocities();
+    if (m_step.warmStarting)
+        m_solver.WarmStart();
+    for (uint32_t i = 0; i < m_jointCount; ++i)
+        (m_joints[i]->*Named(InitVelocityConstraints()))(data);
+    const float initialized = timer.GetMilliseconds();
+    for (int32 i = 0; i < m_step.velocityIterations; ++i) {
+        for (uint32_t j = 0; j < m_jointCount; ++j)
+            (m_joints[j]->*Named(SolveVelocityConstraints()))(data);
+        m_solver.SolveVelocities();
+    }
+    m_solver.StoreImpulses();
+    IntegratePositions();
+    const float solved = timer.GetMilliseconds();
+    const bool positionsAreSolved = SolvePositions(data);
+    StoreBodies();
+    m_profile.solveInit += initialized;
+    m_profile.solveVelocity += solved - initialized;
+    m_profile.solvePosition += timer.GetMilliseconds() - solved;
+    Report();
+    if (allowSleep)
+        Sleep(positionsAreSolved);
+    Clear();
+}
+
+void IslandSolver::SolveToi() {
+    for (uint32_t i = 0; i < m_bodyCount; ++i) {
+        const b2Body &body = *m_bodies[i];
+        m_positions[i] = {SweepOf(body).c, SweepOf(body).a};
+        m_velocities[i] = {body.GetLinearVelocity(), body.GetAngularVelocity()};
+    }
+    m_solver.Begin(m_step, &m_contacts[0], m_contactCount, &m_positions[0], &m_velocities[0]);
+    for (int32 i = 0; i < m_step.positionIterations; ++i)
+        if (m_solver.SolveToiPositions())
+            break;
+    for (uint32_t i = 0; i < 2; ++i) { // where the two go on from
+        b2Sweep &sweep = m_bodies[i]->*Named(SweepMember());
+        sweep.c0 = m_positions[i].c;
+        sweep.a0 = m_positions[i].a;
+    }
+    m_solver.InitializeVelocities();
+    for (int32 i = 0; i < m_step.velocityIterations; ++i)
+        m_solver.SolveVelocities();
+    IntegratePositions();
+    StoreBodies();
+    Report();
+    Clear();
+}
+
+void IslandSolver::Finish(b2Profile *profile) {
+    if (profile == nullptr)
+        return;
+    profile->solveInit += m_profile.solveInit;
+    profile->solveVelocity += m_profile.solveVelocity;
+    profile->solvePosition += m_profile.solvePosition;
+}
+
+/// Forces and damping, as far as the body has a mass. The sweep begins where the body is.
+void IslandSolver::IntegrateVelocities(const b2Vec2 &gravity) {
+    const float h = m_step.dt;
+    for (uint32_t i = 0; i < m_bodyCount; ++i) {
+        b2Body *const body = m_bodies[i];
+        b2Sweep &sweep = body->*Named(SweepMember());
+        b2Vec2 v = body->GetLinearVelocity();
+        float w = body->GetAngularVelocity();
+        sweep.c0 = sweep.c;
+        sweep.a0 = sweep.a;
+        if (body->GetType() == b2_dynamicBody) {
+            v += h * body->*Named(InverseMass()) *
+                 (body->GetGravityScale() * body->GetMass() * gravity + body->*Named(Force()));
+            w += h * body->*Named(InverseInertia()) * body->*Named(Torque());
+            v *= 1.0f / (1.0f + h * body->GetLinearDamping());
+            w *= 1.0f / (1.0f + h * body->GetAngularDamping());
+        }
+        m_positions[i] = {sweep.c, sweep.a};
+        m_velocities[i] = {v, w};
+    }
+}
+
+void IslandSolver::IntegratePositions() {
+    for (uint32_t i = 0; i < m_bodyCount; ++i)
+        Integrate(m_step.dt, &m_positions[i], &m_velocities[i]);
+}
+
+bool IslandSolver::SolvePositions(const b2SolverData &data) {
+    for (int32 i = 0; i < m_step.positionIterations; ++i) {
+        bool solved = m_solver.SolvePositions();
+        for (uint32_t j = 0; j < m_jointCount; ++j) {
+            const bool jointIsSolved = (m_joints[j]->*Named(SolvePositionConstraints()))(data);
+            solved = solved && jointIsSolved;
+        }
+        if (solved)
+            return true;
+    }
+    return false;
+}
+
+void IslandSolver::StoreBodies() {
+    for (uint32_t i = 0; i < m_bodyCount; ++i)
+        Store(m_positions[i], m_velocities[i], m_bodies[i]);
+}
+
+void IslandSolver::Report() {
+    for (uint32_t i = 0; m_listener != nullptr && i < m_contactCount; ++i) {
+        b2ContactImpulse impulse;
+        m_solver.GetImpulse(i, &impulse);
+        m_listener->PostSolve(m_contacts[i], &impulse);
+    }
+}
+
+/// Puts the island to sleep once all of it has been slow for long enough. Reads what a listener left.
+void IslandSolver::Sleep(bool positionsAreSolved) {
+    constexpr float kSlow = b2_linearSleepTolerance * b2_linearSleepTolerance;
+    constexpr float kSlowTurn = b2_angularSleepTolerance * b2_angularSleepTolerance;
+    float shortest = b2_maxFloat;
+    for (uint32_t i = 0; i < m_bodyCount; ++i) {
+        b2Body *const body = m_bodies[i];
+        float &sleepTime = body->*Named(SleepTime());
+        const b2Vec2 &v = body->GetLinearVelocity();
+        const float w = body->GetAngularVelocity();
+        if (body->GetType() == b2_staticBody)
+            continue;
+        if (!body->IsSleepingAllowed() || w * w > kSlowTurn || b2Dot(v, v) > kSlow) {
+            sleepTime = 0.0f;
+            shortest = 0.0f;
+        } else {
+            sleepTime += m_step.dt;
+            shortest = b2Min(shortest, sleepTime);
+        }
+    }
+    if (!(shortest >= b2_timeToSleep) || !positionsAreSolved)
+        return;
+    for (uint32_t i = 0; i < m_bodyCount; ++i)
+        m_bodies[i]->SetAwake(false);
+}
+
+IslandSolvers::~IslandSolvers() {
+    while (m_first != nullptr) {
+        IslandSolver *const next = m_first->m_next;
+        delete m_first;
+        m_first = next;
+    }
+}
+
+IslandSolver *IslandSolvers::Take() {
+    IslandSolver **place = &m_first;
+    while (*place != nullptr && (*place)->m_isTaken)
+        place = &(*place)->m_next;
+    if (*place == nullptr)
+        *place = new (std::nothrow) IslandSolver;
+    if (*place != nullptr)
+        (*place)->m_isTaken = true;
+    return *place;
+}
+
+} // namespace bmr

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_ISLAND_SOLVER_H
+#define BOOMERANG_GLUE_ISLAND_SOLVER_H
+
+#include <cstdint>
+
+#include <box2d/b2_time_step.h>
+
+#include "ledger/column.h"
+#include "passes/contact_solver.h"
+
+class b2Body;
+class b2Contact;
+class b2ContactListener;
+class b2Joint;
+
+namespace bmr {
+
+/// Solves islands with the bits of Box2D's b2Island, where Box2D was built without fused products.
+///
+/// A pass takes one of the world's, reserves room, and begins. It then adds an island's bodies, contacts and
+/// joints in Box2D's order, and solves it; Solve and SolveToi leave the island empty for the next one.
+///
+///     Begin(step, listener)
+///         Add(body) Add(contact) Add(joint) ... Solve(gravity, allowSleep)      once for each island
+///     Finish(profile)
+class IslandSolver {
+public:
+    /// Room for islands of so many. False without memory: nothing has changed, and the pass is Box2D's.
+    bool Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints);
+
+    /// Begins a pass. `listener` is told of impulses (PostSolve); nullptr where nobody listens to them.
+    void Begin(const b2TimeStep &step, b2ContactListener *listener);
+
+    /// Writes the body's m_islandIndex: its place in the island.
+    void Add(b2Body *body);
+    void Add(b2Contact *contact) { m_contacts[m_contactCount++] = contact; }
+    void Add(b2Joint *joint) { m_joints[m_jointCount++] = joint; }
+    uint32_t BodyCount() const { return m_bodyCount; }
+    uint32_t ContactCount() const { return m_contactCount; }
+    b2Body *Body(uint32_t i) const { return m_bodies[i]; }
+
+    /// b2Island::Solve. Where there are neither joints nor a listener, bodies may be written as late as in
+    /// Finish.
+    void Solve(const b2Vec2 &gravity, bool allowSleep);
+    /// b2Island::SolveTOI, by the step that Begin was given. The first two bodies are those that meet.
+    void SolveToi();
+
+    /// Ends a pass. Adds what its parts took to the profile, if there is one: solveInit, solveVelocity and
+    /// solvePosition.
+    void Finish(b2Profile *profile);
+
+private:
+    friend class IslandSolvers;
+
+    void Clear() { m_bodyCount = m_contactCount = m_jointCount = 0; }
+    void IntegrateVelocities(const b2Vec2 &gravity);
+    void IntegratePositions();
+    bool SolvePositions(const b2SolverData &data);
+    void StoreBodies();
+    void Report();
+    void Sleep(bool positionsAreSolved);
+
+    Column<b2Body *> m_bodies;
+    Column<b2Contact *> m_contacts;
+    Column<b2Joint *> m_joints;
+    Column<b2Position> m_positions;
+    Column<b2Velocity> m_velocities;
+    ContactSolver m_solver;
+    uint32_t m_bodyCount = 0, m_contactCount = 0, m_jointCount = 0;
+    b2TimeStep m_step = {};
+    b2ContactListener *m_listener = nullptr;
+    b2Profile m_profile = {};
+    bool m_isTaken = false;
+    IslandSolver *m_next = nullptr; ///< another one of the world's
+};
+
+/// The solvers of a world: one, and one more for each step of it that runs inside another.
+class IslandSolvers {
+public:
+    IslandSolvers() = default;
+    ~IslandSolvers();
+    IslandSolvers(const IslandSolvers &) = delete;
+    IslandSolvers &operator=(const IslandSolvers &) = delete;
+
+    /// One that no other pass has, empty. nullptr without memory.
+    IslandSolver *Take();
+    static void GiveBack(IslandSolver *solver) { solver->m_isTaken = false; }
+
+private:
+    IslandSolver *m_first = nullptr;
+};
+
+} // namespace bmr
+
+#endif
