@@ -15,24 +15,7 @@ namespace {
 // Half of the records may be of contacts that are gone before they are swept together.
 constexpr uint32_t kFewRecords = 64;
 
-char *RoomFor(const b2Contact *contact, const void *flags) {
-    return const_cast<char *>(static_cast<const char *>(static_cast<const void *>(contact))) +
-           (static_cast<const char *>(flags) -
-            static_cast<const char *>(static_cast<const void *>(contact))) +
-           4;
-}
-
 } // namespace
-
-uint32_t ContactNumber::Read(const b2Contact *contact) {
-    uint32_t number;
-    std::memcpy(&number, RoomFor(contact, &(contact->*(&ContactNumber::m_flags))), sizeof number);
-    return number;
-}
-
-void ContactNumber::Write(b2Contact *contact, uint32_t number) {
-    std::memcpy(RoomFor(contact, &(contact->*(&ContactNumber::m_flags))), &number, sizeof number);
-}
 
 bool Ledger::Reserve(uint32_t count) {
     const uint32_t words = count / 64 + 1;
@@ -109,11 +92,10 @@ bool Ledger::CatchUp() {
     if (IsWhole())
         return true;
     const int64_t more = int64_t{m_manager->m_contactCount} - m_live;
-    if (more <= 0 || more > 0x7fffffff - int64_t{m_count} || !Reserve(m_count + static_cast<uint32_t>(more)))
+    if (more <= 0 || more > ContactNumber::kMost - int64_t{m_count} ||
+        !Reserve(m_count + static_cast<uint32_t>(more)))
         return false;
     b2Contact *contact = m_manager->m_contactList;
-    if (!ContactNumber::HasRoom(contact))
-        return false;
     const b2Contact *const newest = Newest();
     for (int64_t k = more; k-- > 0; contact = ContactNumber::Next(contact)) {
         if (contact == nullptr || contact == newest)

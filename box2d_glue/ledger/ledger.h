@@ -18,17 +18,23 @@
 
 namespace bmr {
 
-/// A contact's number in the ledger, kept in the four bytes behind its flags that no member uses: in contacts
-/// of every kind, ours and Box2D's.
+/// A contact's number in the ledger, in the bits of its flags that Box2D does not use: bits 6 to 31 hold the
+/// number plus 1. Box2D's constructor writes the flags whole, so that a new contact has no number; everything
+/// else in Box2D sets and clears single flags (WhyBox2DIsUnknown refuses a Box2D that does otherwise).
 struct ContactNumber : b2Contact {
-    /// Are there such bytes? (Where pointers have eight.)
-    static bool HasRoom(const b2Contact *contact) {
-        return reinterpret_cast<const char *>(&(contact->*(&ContactNumber::m_prev))) -
-                   reinterpret_cast<const char *>(&(contact->*(&ContactNumber::m_flags))) ==
-               8;
+    static constexpr uint32_t kShift = 6, kBox2DsFlags = (1u << kShift) - 1;
+    /// So many contacts can have a number at a time.
+    static constexpr uint32_t kMost = ~uint32_t{0} >> kShift;
+    static_assert((e_islandFlag | e_touchingFlag | e_enabledFlag | e_filterFlag | e_bulletHitFlag |
+                   e_toiFlag) == kBox2DsFlags);
+
+    /// Ledger::kNone where it has none.
+    static uint32_t Read(const b2Contact *contact) {
+        return (contact->*(&ContactNumber::m_flags) >> kShift) - 1;
     }
-    static uint32_t Read(const b2Contact *contact);
-    static void Write(b2Contact *contact, uint32_t number);
+    static void Write(b2Contact *contact, uint32_t number) {
+        Flags(contact) = (Flags(contact) & kBox2DsFlags) | (number + 1) << kShift;
+    }
 
     // What Box2D shows its own loops over contacts alone.
     static b2Contact *Next(const b2Contact *contact) { return contact->*(&ContactNumber::m_next); }
@@ -48,8 +54,6 @@ struct ContactNumber : b2Contact {
             BMR_PREFETCH(
                 reinterpret_cast<const void *>(first + line * kLine)); // NOLINT(performance-no-int-to-ptr)
     }
-    /// What is in its place is what the last contact of this memory left.
-    static void HasNone(b2Contact *contact) { Write(contact, 0xffffffffu); }
     static void TakeOutOfIsland(b2Contact *contact) { Flags(contact) &= ~static_cast<uint32>(e_islandFlag); }
     /// As b2World::SolveTOI begins: no impact is known or counted.
     static void ForgetImpact(b2Contact *contact) {

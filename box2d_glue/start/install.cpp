@@ -51,10 +51,8 @@ void Announce(const Options &options) {
     if (off != kNoHooks)
         ListHooks("; off, for it rounds otherwise:", off);
     const uint32_t missing = options.hooks & ~reached;
-    if ((missing & ~kHooksWithoutRoom) != 0)
-        ListHooks("; not reached by this Box2D's calls:", missing & ~kHooksWithoutRoom);
-    if ((missing & kHooksWithoutRoom) != 0)
-        ListHooks("; no room in contacts of 32 bits for:", missing & kHooksWithoutRoom);
+    if (missing != kNoHooks)
+        ListHooks("; not reached by this Box2D's calls:", missing);
     if (const char *why = WhyNotAllHooks())
         std::fprintf(stderr, "; %s", why);
     std::fputc('\n', stderr);

@@ -84,7 +84,7 @@ uint32_t FindReachedHooks() {
     finding = false;
     world->~b2World();
     std::free(room);
-    return (noted & ~kHooksWithoutRoom & HooksOfWay()) | Bit(Hook::TouchingManifold);
+    return (noted & HooksOfWay()) | Bit(Hook::TouchingManifold);
 }
 
 } // namespace bmr

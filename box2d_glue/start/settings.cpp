@@ -45,8 +45,7 @@ bool MakeSettings(const Options &options, uint32_t reached) {
 
 void ActivateHooks() {
     const Settings &settings = GetSettings();
-    const uint32_t answer =
-        settings.options.hooks & HooksOfWay() & ~kHooksWithoutRoom & ~HooksOffForRounding(settings);
+    const uint32_t answer = settings.options.hooks & HooksOfWay() & ~HooksOffForRounding(settings);
     internal::activeHooks = settings.options.mode == Mode::Off ? kNoHooks : answer | internal::kInstalled;
 }
 

@@ -41,10 +41,6 @@ inline const Settings &GetSettings() {
     return internal::settings;
 }
 
-/// The ledger has its numbers in the four bytes behind a contact's flags, which are there where pointers have
-/// eight.
-constexpr uint32_t kHooksWithoutRoom = sizeof(void *) < 8 ? Bit(Hook::Ledger) : kNoHooks;
-
 /// Is this function answered here? A load and a test, for the first line of a hook. Where it is, the settings
 /// are all there, also on a thread that steps nothing and calls Box2D while another one starts the library.
 inline bool HookIsOn(Hook hook) {

@@ -107,9 +107,7 @@ void WriteStatistics(std::FILE *stream) {
     members.Name("hooks_off_for_rounding");
     WriteHooks(stream, HooksOffForRounding(GetSettings()));
     members.Name("hooks_not_reached");
-    WriteHooks(stream, options.hooks & ~GetSettings().reached & ~kHooksWithoutRoom);
-    members.Name("hooks_without_room");
-    WriteHooks(stream, options.hooks & kHooksWithoutRoom);
+    WriteHooks(stream, options.hooks & ~GetSettings().reached);
     members.Number("steps", s.steps);
     members.Number("evaluations", s.evaluations);
     members.Number("edge_checks", s.edgeChecks);

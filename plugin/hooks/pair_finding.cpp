@@ -147,8 +147,6 @@ public:
         b2Contact *contact = NewContact::Create(a, b, m_manager->m_allocator);
         if (contact == nullptr)
             return;
-        if (ContactNumber::HasRoom(contact))
-            ContactNumber::HasNone(contact);
         NewContact::Link(contact, &m_manager->m_contactList);
         NewContact::Join(contact);
         ++m_manager->m_contactCount;

@@ -181,7 +181,7 @@ TEST_CASE("the statistics are one JSON object of the options and all counts") {
           "{\"mode\":\"on\",\"structure\":\"lazy-dudley\","
           "\"way\":\"contactsaloneofBox2D\",\"box2d\":\"2.4.1\",\"rounds_as_box2d\":true,"
           "\"hooks\":[\"test-overlap\",\"solve-toi\"],"
-          "\"hooks_off_for_rounding\":[],\"hooks_not_reached\":[],\"hooks_without_room\":[],"
+          "\"hooks_off_for_rounding\":[],\"hooks_not_reached\":[],"
           "\"steps\":0,"
           "\"evaluations\":0,\"edge_checks\":0,\"edge_searches\":0,\"verdicts_reused\":0,\"proved_apart\":0,"
           "\"handed_over\":0,\"handed_over_touching\":0,\"touching_answered\":0,\"toi_queries\":0,\"toi_"

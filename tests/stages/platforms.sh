@@ -7,12 +7,12 @@ stage_platforms() {
     in_tree builds
     "$root/tests/box2d_builds/get_source.sh" "$BMR_BUILD_DIR" || return 1
     source=$BMR_BUILD_DIR/source
-    # What b2Timer holds is known on Linux, and the ledger has no room in contacts of 32 bits.
+    # What b2Timer holds is known on Linux.
     platform mingw "$source" g++-mingw-w64-x86-64-posix wine64 wine -- .exe profile-clock "${mingw[@]}" || true
     platform mingw-dll "$source" g++-mingw-w64-x86-64-posix wine64 wine -- .exe profile-clock "${mingw[@]}" -DBUILD_SHARED_LIBS=ON || true
-    platform 32-bit "$source" g++-multilib -- '' 'profile-clock ledger' '-DCMAKE_C_FLAGS=-m32 -msse2 -mfpmath=sse' \
+    platform 32-bit "$source" g++-multilib -- '' profile-clock '-DCMAKE_C_FLAGS=-m32 -msse2 -mfpmath=sse' \
         '-DCMAKE_CXX_FLAGS=-m32 -msse2 -mfpmath=sse' || true
-    platform wasm "$source" emscripten nodejs -- .js 'profile-clock ledger' \
+    platform wasm "$source" emscripten nodejs -- .js profile-clock \
         -DCMAKE_TOOLCHAIN_FILE=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake || true
     platform ms-compatibility "$source" clang -- '' '' -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
         '-DCMAKE_CXX_FLAGS=-fms-compatibility -fms-extensions -fms-compatibility-version=19.30 -fgnuc-version=4.2.1' || true
