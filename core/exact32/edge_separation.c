@@ -107,6 +107,17 @@ static inline float4 largest_coordinates(const bmr_vec32 *points, int32_t count)
     return max4(largest, exchange4(largest));
 }
 
+/// Why 32 roundings. A compiler that fuses rounds a product and the sum that it goes into once instead of
+/// twice, wherever it likes. So an evaluation is the exact value of the formulas with each term times some
+/// factors 1 + d, |d| <= u = 2^-24. The number of factors is at most the number of operations between the
+/// term and the result: 1 for the difference of the places; 2 for the frame (a product and a sum), 3 for its
+/// place; 4 for the normal, turned by the frame; 5 for the vertex, turned and moved by the frame, and 6 less
+/// the point; 4 + 6 + 2 = 12 for the product of both and the sum of two. Let S be the same formulas of
+/// magnitudes: every number without its sign, every difference a sum; for the minimum over the points, of the
+/// largest |x| and the largest |y| of all points. Each term is in S with its full size. So an evaluation is
+/// off by at most 12 u S, and two evaluations differ by at most 24 u S. The rounding of S itself is a part of
+/// 12 u of it; the difference and the comparison add 2 u S. 32 u S leave room for six more operations on a
+/// term, as sums in another order may need.
 bool bmr_exact32_separates_contracted(const bmr_vec32 *vertex, const bmr_vec32 *normal,
                                       const bmr_transform32 *reference, const bmr_vec32 *points,
                                       int32_t count, const bmr_transform32 *other, float beyond) {
@@ -121,7 +132,6 @@ bool bmr_exact32_separates_contracted(const bmr_vec32 *vertex, const bmr_vec32 *
     const float4 n = add4(mul4(splat4(f, 3), a), mul4(splat4(f, 2), swap4(a))), v = add4(n, lows4(f, f));
     const float4 apart = add4(highs4(v, v), largest_coordinates(points, count));
     const float size = sum_of_first4(mul4(n, apart));
-    // Our evaluation and the other one each round a term at most 12 times, by 2^-24 of it each time.
     const float rounding = 32.0f * 0x1p-24f;
     return least - rounding * size > beyond;
 }

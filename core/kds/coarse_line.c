@@ -1,4 +1,36 @@
 // SPDX-License-Identifier: MIT
+// The coarse line. What is proved of it (in real arithmetic; the words are those of docs/open-question.md,
+// section 1), for m <= sigma:
+//
+// It exists. Normals of C's edges, axes included, are at most 90 degrees apart, so one is within 45 degrees
+// of u. If the foot is inside an edge, that edge's normal is u. Otherwise the slack along the normal is at
+// least 0.707 (g + m) >= 1.41 m: more than m.
+//
+// It is found in O(log N). The directions that separate form an interval around u, whose ends are inner
+// common tangents (cone.c). If no axis separates, the interval is inside one quadrant, and each median that
+// does not separate leaves one half.
+//
+// Lemma B. Let K picks of the coarse line be made along a convex path, each at a time when the one before
+// does not separate. Then K <= d_P + d_Q + 5. Proof. W(t) is the interval of directions that separate, by
+// more than m or any larger threshold. It is open and at most 180 degrees wide. A direction w of W has w.u >
+// 0, as w.(x - c) is at least its slack. Suppose that w comes to separate and fails later. Then its slack
+// rises and falls in between, so the tangent turns from w.t > 0 to w.t < 0, and on the side to which the path
+// turns it passes a normal nu = -w while w separates. (On a stretch where w.t = 0 throughout, or at a corner,
+// the same nu occurs; on a straight path slacks are linear.) There nu.u = -w.u < 0: not a convex path. So a
+// direction that comes to separate never fails again. Let pick k be w_k at t_k. If w_(k+1) is not in W(t_k),
+// it came later and is the last pick. Otherwise it is in W(t_k), in which w_k has the least rank: its rank is
+// not lower. Nor is it equal, except for axes: between two edges of one body and depth lies one of less depth
+// or an axis, in direction too, so it would be in W(t_k). Of one body's axes at most two are in W(t_k). So
+// all picks but the last have the d_P + d_Q + 2 ranks in their order, P0 and Q0 up to twice (a third would
+// have come later). A pick that is not the last fails; so there are at most d_P + d_Q + 4 failures. (If the
+// last fails too, it had not come later, and K is one less.)
+//
+// Lemma C. Each failure of a coarse line ends at a zero of its own. For an algebraic translation it is a zero
+// of one of N + 8 heights, each with at most a zeros: at most a (N + 8) failures. For an algebraic rigid
+// motion it is a zero of one of O(n_P n_Q) functions, each with O(1) zeros: the heights of a body's vertices
+// over the other's edges and axes, and the ends of the vertices' cones, which are parallel edges. Proof. A
+// pick holds its conditions until one falls to zero. The same function may end another pick, but at a later
+// zero.
 #include "kds/coarse_line.h"
 
 #include "geometry/distance.h"

@@ -9,6 +9,58 @@
 //   FDx       the closest direction; the other body's own vertices. The line outlives the window: where only
 //             the window is left behind, the event is a roll.
 //   FDxa      the same, but leaning ahead after two failures on the same side.
+//
+// What is proved of FD1 and FD2 (in real arithmetic; the words are those of docs/open-question.md, section
+// 1). A step goes from the choice of u at the time 0 to the first failure of that line at the time 1.
+//
+// Lemma 1. At the end of a step x is on the line through c_0 across u_0. Let X = |x_1 - c_0| and theta the
+// angle between u_0 and u_1. Then d_1 <= X sin theta and theta <= 90 degrees. Proof. c_0 is in C, so u_1.(x_1
+// - c_0) = d_1 + u_1.(c_1 - c_0) >= d_1. As x_1 - c_0 is perpendicular to u_0, the left side is at most X sin
+// theta.
+//
+// Convex translation: log2(D/sigma) + 6.3 steps. Let s = -u.t be the slope of approach, t the unit tangent.
+// While s > 0, d falls; u turns towards the motion and the tangent away from C, so s falls, too. Take the
+// line of a step as the horizontal axis, c_0 as origin. The path begins at height d, falling at the angle
+// alpha, sin alpha = s, to the right, and turns left. Its height is a convex function that is 0 at X, where
+// it falls at an angle b <= alpha, tan b <= d/X. So d_1/d <= X sin theta/d <= sin theta cot b, and s_1/s <=
+// sin(b - theta)/sin b. The sum is cos theta: d_1 s_1 <= d s/4. If s_1 <= 0, d never falls again: while x is
+// above the line u points up, and the tangent would have to point straight left first, with nu.u < 0. Start:
+// X <= D + d_1, so d_1 >= 2D means sin theta >= 2/3; the angles alpha lose these thetas, so that is at most
+// two steps, and from the third on d s < 2D. End: tan alpha >= d/X and X <= D + d, so s >= d/(D + 2d) at the
+// beginning of each step but the last two. With k steps sigma^2/(D + 2 sigma) <= 2D/4^(k-5), hence 4^(k-5) <=
+// 6 (D/sigma)^2.
+//
+// Algebraic translation: 3p (9 + 5.5 sqrt(D/sigma)) steps. Cut the path into p pieces on each of which the
+// tangent's angle phi turns one way, by at most a right angle: p <= 4a - 5 for polynomials of degree a >= 2,
+// p = 1 for a line. (i) On a piece the angle psi of u turns one way in at most three runs, by at most 3/2 pi
+// in each. For delta = phi - psi, psi moves with the sign of sin delta, or rests while the foot is inside an
+// edge. Let phi grow. Then delta crosses multiples of pi upwards only. While delta is in (0, pi) psi grows,
+// so delta grows by no more than a right angle and does not cross all of that interval. So it meets at most
+// three intervals. In one run psi turns by as much as phi and delta do, pi/2 + pi. (ii) In a run the thetas
+// of disjoint steps add up to 3/2 pi at most, and the ways |c_1 - c_0| to C's perimeter, pi D. X <= |c_1 -
+// c_0| + d_1. If d_1 > |c_1 - c_0|, theta > 30 degrees: 8 times. Else sigma <= d_1 <= 2 |c_1 - c_0| theta;
+// for k of these, by Cauchy and Schwarz, k sqrt(sigma) <= sqrt(2 pi D) sqrt(3/2 pi). One more step straddles
+// the run's beginning. (iii) For m <= sigma a run also has at most 2N + 5 steps: both feet inside one edge is
+// no step; both at one vertex means cos theta = m/(m + d_1) <= 1/2, 4 times; else one of N normals was passed
+// or reached.
+//
+// Hysteresis. Under translation the slack at an event is g, and a translation by tau changes it by at most
+// |tau|: beta = 1. In a disc of radius at most a third of its centre's distance from C two events could only
+// be at opposite ends of a diameter, the first nearest to C, and then the second is not on its line: kappa =
+// 3. With rotation let tau and delta be the translation (of a point of Q in P's frame) and the rotation since
+// an event, G the body with the window. The next event needs one of
+// - |tau| + (D + 2g) |delta| >= (1 - gamma) g: a corner is within D + 2g of the point of reference, and its
+//   slack was (1 - gamma) g;
+// - |delta| >= min{75 degrees, 2 atan(gamma g/(2 D_G))}: two tangents of G that differ by delta meet at most
+//   (D_G/2) tan(delta/2) above their chord, and the bracket goes on until one meets the old one gamma g/4
+//   above it and the next costs more than gamma g;
+// - after a known spin has turned back, |delta| >= min{15 degrees, 2 atan(gamma g/(32 D_G))}: the short side
+//   of a leaning bracket.
+//
+// Algebraic rigid motion: O(D/sigma + log(R/D)) steps. A step from a gap g takes |tau| + D |delta| of
+// Omega(g), and for g <= D that is Omega(sigma). An algebraic path of bounded degree has length O(D) in a
+// disc of radius O(D), and its rotation is O(1): O(D/sigma) steps there. Farther away a step takes |delta| =
+// Omega(1) or |tau| = Omega(g), of which each doubling of g has O(1): O(log(R/D)).
 #include <math.h>
 
 #include "kds/cone.h"
