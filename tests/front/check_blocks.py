@@ -129,6 +129,15 @@ class Checker:
         run(["bash", "-c", line], cwd=self.work)
         assert "BOOMERANG_STATISTICS" not in line or (self.work / "boomerang.json").exists(), "no boomerang.json"
 
+    def example(self, line, settings, name):
+        """A program of docs/first-steps.md, as the build tree has it."""
+        program = next((file for file in (self.build / "bin").glob(f"*{name}") if os.access(file, os.X_OK)), None)
+        assert program, f"there is no {name}"
+        run(["bash", "-c", f"{settings}{program}"], cwd=self.work)
+
+    def source(self, line, name):
+        assert any(file.name == name for file in self.files), f"there is no {name}" # example_first_...
+
     def python(self, line):
         assert (self.root / line.split()[-1]).exists(), "no such file" # it is run by python_example
 
@@ -147,6 +156,8 @@ class Checker:
         (r"ctest --test-dir build -R '(.*)'", ctest),
         (r"(?:cpack|sudo apt-get (?:install|purge)) .*", packages), # tests/front
         (r"(?:boomerang try|(?:\w+=\S+ )*LD_PRELOAD=\S+) .*", game),
+        (r"((?:BOOMERANG=\w+ )?)\./(first_\w+)", example),
+        (r"c(?:c|\+\+ -std=c\+\+17) (\S+) \$\(pkg-config --cflags --libs boomerang-\w+\) -o \w+", source),
         (r"PYTHONPATH=\S+ BOOMERANG_LIBRARY_DIR=\S+ python3 \S+", python),
         (r"(tests/bench/\w+\.sh) .*", measured),
         # tests/front/consumer
