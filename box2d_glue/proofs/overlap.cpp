@@ -16,9 +16,9 @@ namespace bmr {
 
 namespace {
 
-/// docs/thresholds.md derives what b2Distance says of these two. Of shapes that are deep inside each other it
-/// says 0, or what its arithmetic is off by (Rounding), which their skins must cover. Of others it is right
-/// where it ends because a support came twice.
+/// README.md beside this derives what b2Distance says of these two. Of shapes that are deep inside each other
+/// it says 0, or what its arithmetic is off by (Rounding), which their skins must cover. Of others it is
+/// right where it ends because a support came twice.
 struct Question {
     b2DistanceProxy a, b;
     const b2Transform &xfA, &xfB;

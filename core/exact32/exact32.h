@@ -57,7 +57,7 @@ float bmr_exact32_posed_separation(const bmr_vec32 *vertex, const bmr_vec32 *nor
 /// Is it more than `beyond` however the same formulas are rounded? A compiler may fuse any product with the
 /// sum that it goes into (fused multiply-add), so that each operation rounds or does not. True is certain,
 /// for any numbers in the arrays and wherever they are: what rounding may change is bounded by the same
-/// formulas of the magnitudes (docs/thresholds.md). False where it is too close to call, and where anything
+/// formulas of the magnitudes (edge_separation.c). False where it is too close to call, and where anything
 /// overflows. About half again the cost of bmr_exact32_posed_separation where that exceeds `beyond`, else the
 /// same.
 bool bmr_exact32_separates_contracted(const bmr_vec32 *vertex, const bmr_vec32 *normal,
