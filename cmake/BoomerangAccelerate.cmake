@@ -8,7 +8,7 @@
 # <target> is the library or program that compiles b2_world.cpp. Of its sources those that define what hooks stand in
 # front of are compiled through plugin/reach/renamed, which gives these functions other names; the sources themselves stay as
 # they are. Core, the glue and the hooks are compiled besides, with flags of their own, and become part of the target. Who
-# links it finds <boomerang/box2d.h>. The plugin is at work from the first b2World::Step on; BOOMERANG=off in the environment, or
+# links it finds <boomerang/box2d.h>, and <boomerang/contact_recorder.h>, whose library is inside. The plugin is at work from the first b2World::Step on; BOOMERANG=off in the environment, or
 # bmr::Install with other options before that, says otherwise.
 get_filename_component(BOOMERANG_ACCELERATE_SOURCE "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 if(NOT EXISTS "${BOOMERANG_ACCELERATE_SOURCE}/core") # the installed package: boomerangConfig.cmake
@@ -169,13 +169,13 @@ function(boomerang_accelerate)
   file(GLOB core "${root}/core/geometry/*.c" "${root}/core/hierarchy/*.c" "${root}/core/certificate/*.c" "${root}/core/pair/*.c"
     "${root}/core/kds/*.c" "${root}/core/budget/*.c" "${root}/core/exact32/*.c" "${root}/core/convex32/*.c"
     "${root}/core/outline/*.c")
-  file(GLOB glue "${root}/box2d_glue/*/*.cpp" "${root}/plugin/hooks/*.cpp" "${renamed}/start.cpp")
+  file(GLOB glue "${root}/box2d_glue/*/*.cpp" "${root}/box2d_glue/recorder/record/*.cpp" "${root}/plugin/hooks/*.cpp" "${renamed}/start.cpp")
   add_library(${ours} OBJECT ${core} ${glue})
   set_target_properties(${ours} PROPERTIES C_STANDARD 11 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF CXX_STANDARD 17
     CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF C_VISIBILITY_PRESET hidden CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON UNITY_BUILD OFF)
   target_include_directories(${ours} PRIVATE "${root}/core" "${root}/core/include" "${root}/box2d_glue"
-    "${root}/box2d_glue/include" "${root}/plugin" "${root}/plugin/include")
+    "${root}/box2d_glue/include" "${root}/box2d_glue/recorder/include" "${root}/plugin" "${root}/plugin/include")
   target_include_directories(${ours} SYSTEM PRIVATE "$<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>")
   target_compile_definitions(${ours} PRIVATE BMR_RENAMED "$<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>")
   if(MSVC)
@@ -219,7 +219,7 @@ function(boomerang_accelerate)
   if(type STREQUAL "OBJECT_LIBRARY") # objects in it are not part of it for those who link it
     set_property(TARGET ${target} APPEND PROPERTY INTERFACE_SOURCES $<BUILD_INTERFACE:$<TARGET_OBJECTS:${ours}>>)
   endif()
-  foreach(headers core/include box2d_glue/include plugin/include)
+  foreach(headers core/include box2d_glue/include box2d_glue/recorder/include plugin/include)
     set_property(TARGET ${target} APPEND PROPERTY INTERFACE_INCLUDE_DIRECTORIES "$<BUILD_INTERFACE:${root}/${headers}>")
   endforeach()
   if(UNIX AND NOT EMSCRIPTEN)

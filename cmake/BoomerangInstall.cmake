@@ -47,8 +47,8 @@ if(TARGET boomerang_kinetic_shared)
   boomerang_install_library(kinetic boomerang_kinetic_shared)
 endif()
 if(TARGET boomerang_box2d)
-  boomerang_install_library(runtime boomerang_box2d_glue boomerang_box2d)
-  list(APPEND boomerang_components box2d)
+  boomerang_install_library(runtime boomerang_box2d_glue boomerang_box2d boomerang_recorder)
+  list(APPEND boomerang_components box2d recorder)
 endif()
 if(TARGET boomerang_repair)
   boomerang_install_library(runtime boomerang_repair)
@@ -70,7 +70,7 @@ if(TARGET boomerang_kinetic)
 endif()
 if(TARGET boomerang_box2d)
   file(GLOB box2d_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/plugin/include/boomerang/*.h
-    ${PROJECT_SOURCE_DIR}/box2d_glue/include/boomerang/*.h)
+    ${PROJECT_SOURCE_DIR}/box2d_glue/include/boomerang/*.h ${PROJECT_SOURCE_DIR}/box2d_glue/recorder/include/boomerang/*.h)
   install(FILES ${box2d_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang COMPONENT development)
 endif()
 
@@ -153,7 +153,7 @@ endforeach()
 
 if(PROJECT_IS_TOP_LEVEL)
   add_custom_target(installable)
-  foreach(target boomerang_core boomerang_core_shared boomerang_kinetic boomerang_kinetic_shared boomerang_box2d_glue boomerang_box2d boomerang_repair boomerang
+  foreach(target boomerang_core boomerang_core_shared boomerang_kinetic boomerang_kinetic_shared boomerang_box2d_glue boomerang_box2d boomerang_recorder boomerang_repair boomerang
       ${boomerang_programs} boomerang-count)
     if(TARGET ${target})
       add_dependencies(installable ${target})

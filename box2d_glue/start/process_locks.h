@@ -20,6 +20,7 @@ enum class ProcessLock {
     Clock,       ///< how long a tick takes
     Polygons,    ///< the register of big polygons
     Ledgers,     ///< which world has which
+    Recorders,   ///< the class of bmr::ContactRecorder, and how many are alive
     Count
 };
 

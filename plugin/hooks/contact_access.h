@@ -11,16 +11,18 @@
 
 #include "ledger/private_members.h"
 #include "start/recognise.h"
+#include "start/trusted_listener.h"
 
 /// @file
 /// What the loops of Box2D's contact manager ask of a game.
 
 namespace bmr::hooks {
 
-/// Is it a listener or a filter of the game's own? Those that worlds begin with are Box2D's, and run nobody's
-/// code.
+/// Is it a listener or a filter of the game's own? Those that worlds begin with are Box2D's, and do nothing.
+/// Nor is a bmr::ContactRecorder: it is called, as Box2D calls it, and reads the contact that it is told of,
+/// the contact's fixtures and their bodies, but calls and changes nothing.
 inline bool IsOfGame(const b2ContactListener *listener) {
-    return listener != nullptr && listener != ListenerOfNewWorlds();
+    return listener != nullptr && listener != ListenerOfNewWorlds() && !IsRecorder(*listener);
 }
 inline bool IsOfGame(const b2ContactFilter *filter) {
     return filter != nullptr && filter != FilterOfNewWorlds();

@@ -112,9 +112,9 @@ CLI::App *AddCompare(CLI::App &app, CommandLine &line) {
     compare
         ->add_option(
             "--listener", command.options.worker.listener,
-            "A contact listener in all worlds: it counts its calls; reads, too; or acts, too (default: none, "
-            "except in scenes that listen themselves)")
-        ->check(CLI::IsMember({"none", "counts", "reads", "acts"}));
+            "A contact listener in all worlds: it counts its calls; reads, too; or acts, too; or is a "
+            "bmr::ContactRecorder (default: none, except in scenes that listen themselves)")
+        ->check(CLI::IsMember({"none", "counts", "reads", "acts", "records"}));
     AddPluginOptions(*compare, command.options.worker);
     AddSceneOptions(*compare, command.options.worker);
     compare

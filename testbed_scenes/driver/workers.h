@@ -35,7 +35,7 @@ struct WorkerOptions {
     /// For the plugin's worker alone; empty means its own default.
     std::string structure;
     std::string prefilter;
-    /// What the worlds' contact listener does: "counts", "reads" or "acts"; empty or "none": there is none.
+    /// What the worlds' contact listener does: "counts", "reads", "acts" or "records"; empty or "none": there is none.
     std::string listener;
 };
 

@@ -23,7 +23,8 @@ const std::map<std::string, BodyKind> kinds = {
 const std::map<std::string, Listening> listenings = {{"none", Listening::None},
                                                      {"counts", Listening::Counts},
                                                      {"reads", Listening::Reads},
-                                                     {"acts", Listening::Acts}};
+                                                     {"acts", Listening::Acts},
+                                                     {"records", Listening::Records}};
 
 /// "12", "0:600" or "0:600:10".
 RecordRange ParseRange(const std::string &text) {
@@ -129,9 +130,11 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
     app.add_option(
            "--listener", options.listening,
            "A contact listener, ahead of the scene's own: it counts its calls; reads manifolds, impulses "
-           "and bodies,\ntoo; or disables contacts, changes friction and pushes bodies, too")
+           "and bodies,\ntoo; or disables contacts, changes friction and pushes bodies, too; or is a "
+           "bmr::ContactRecorder, "
+           "in the place\nof the scene's own")
         ->transform(CLI::CheckedTransformer(listenings).description(""))
-        ->option_text("none|counts|reads|acts [none]");
+        ->option_text("none|counts|reads|acts|records [none]");
     bool boxes = false, compact = false;
     CLI::Option *record =
         app.add_option_function<std::string>(

@@ -90,7 +90,9 @@ void RunScene(const SceneInfo &info, const Options &options) {
                                                                  : nullptr;
     const std::unique_ptr<Scene> played = info.create();
     ListenedScene listened(*played, options.listening);
-    Scene &scene = options.listening == Listening::None ? *played : listened;
+    const bool records = options.listening == Listening::Records;
+    Scene &scene = options.listening == Listening::None || records ? *played : listened;
+    RecordedWorld recorded;
     const unsigned long seed = options.seed.value_or(info.seed);
     Stage stage(scene, seed, observer);
     stage.SetPolygons(PolygonsOf(info, options));
@@ -103,6 +105,8 @@ void RunScene(const SceneInfo &info, const Options &options) {
     scene.Build(stage, options.size.value_or(info.size));
     if (seed != info.seed)
         Shake(stage);
+    if (records)
+        recorded.ListenTo(world);
     if (record)
         PrintHead(info, options, *record);
     const std::clock_t begun = std::clock();
@@ -112,6 +116,8 @@ void RunScene(const SceneInfo &info, const Options &options) {
         if (record)
             record->BeginStep(world, step);
         const long nanoseconds = TimeStep(info, world);
+        if (records)
+            recorded.AfterStep();
         if (options.perturb == step)
             Perturb(world);
         summary.AddStep(world, nanoseconds);
@@ -140,7 +146,7 @@ void RunScene(const SceneInfo &info, const Options &options) {
     if (options.mode == Mode::Time) // of the processor, all of the loop
         json["steps_processor_s"] = static_cast<double>(taken) / CLOCKS_PER_SEC;
     if (options.listening != Listening::None)
-        json["listener"] = listened.ToJson();
+        json["listener"] = records ? recorded.ToJson() : listened.ToJson();
     std::printf("summary %s\n", json.dump().c_str());
     if (std::fflush(stdout) != 0)
         throw std::runtime_error("the output could not be written");

@@ -12,12 +12,14 @@
 
 #include <sys/mman.h>
 
+#include "boomerang/contact_recorder.h"
 #include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
 #include "failing_malloc.h"
 #include "forked_world.h"
 #include "idle_draw.h"
 #include "proofs/impact_scan.h"
+#include "small_world.h"
 #include "stderr_text.h"
 #include "test_scale.h"
 
@@ -280,4 +282,41 @@ TEST_CASE("Install without memory for its table is refused, and says so") {
                        nullptr, forked::When::kByScenario) ==
                    "0 0 boomerang: not at work, Box2D runs as it is: there is no memory\n\n";
     CHECK(refused == 1);
+}
+
+TEST_CASE("a recorder without memory loses events, and says how many") {
+    const auto play = [](uint64_t fail, int32 *lost) {
+        failing_malloc::FailAt(fail);
+        int32 told = 0;
+        {
+            bmr::ContactRecorder recorder;
+            recorder.SetHitThreshold(0.0f);
+            b2World world({0.0f, -10.0f});
+            world.SetContactListener(&recorder);
+            FillWithBoxes(world);
+            for (int step = 0; step < 60; ++step) {
+                world.Step(1.0f / 60.0f, 8, 3);
+                const bmr::ContactEvents events = recorder.Take();
+                told += events.begins.count + events.ends.count + events.sensorBegins.count +
+                        events.sensorEnds.count + events.hits.count + events.lost;
+                *lost += events.lost;
+            }
+            world.SetContactListener(nullptr);
+        }
+        failing_malloc::FailAt(kNoFailure);
+        return told;
+    };
+    int32 lost = 0;
+    const int32 all = play(kNoFailure, &lost);
+    REQUIRE(all > 100);
+    REQUIRE(lost == 0);
+    const uint64_t asked = 12; // two rooms, and lists that grow
+    for (uint64_t fail = 0; fail < asked; ++fail) {
+        CAPTURE(fail);
+        const int64_t out = failing_malloc::Out();
+        lost = 0;
+        CHECK(play(fail, &lost) == all);
+        CHECK(lost > 0);
+        CHECK(failing_malloc::Out() == out);
+    }
 }

@@ -204,7 +204,7 @@ class Checker:
             calls += f"Block{number}(body);"
         source = self.work / (page.replace("/", "-") + ".cpp")
         source.write_text(text + CPP_MAIN.format(calls=calls))
-        headers = [f"-I{self.root / folder / 'include'}" for folder in ("core", "box2d_glue", "box2d_glue/repair", "plugin")]
+        headers = [f"-I{self.root / folder / 'include'}" for folder in ("core", "box2d_glue", "box2d_glue/recorder", "box2d_glue/repair", "plugin")]
         repair = ["-lboomerang_repair", "-lboomerang_core", "-lpolyclipping"] if "boomerang/repair.h" in text else []
         run([os.environ.get("CXX", "c++"), "-std=c++17", "-Wall", "-Wextra", "-Werror", *headers, source, "-o", source.with_suffix(""), f"-L{self.build}/lib",
              f"-Wl,-rpath,{self.build}/lib", "-lboomerang_box2d", "-lbox2d", *repair])

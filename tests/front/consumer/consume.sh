@@ -125,6 +125,11 @@ pkg_config)
         read -ra flags < <(pkg-config --cflags --libs boomerang-box2d)
         # What a game includes is C++11, and without a warning.
         "$CXX" -std=c++11 -Wall -Wextra -pedantic -Werror "$consumer/consume_box2d.cpp" -o "$out/bin/consume_box2d" "${flags[@]}"
+        for program in recorder_alone "recorder -DWITH_PLUGIN"; do
+            read -ra words <<<"$program"
+            read -ra flags < <(pkg-config --cflags --libs boomerang-recorder ${words[1]:+boomerang-box2d})
+            "$CXX" -std=c++11 -Wall -Wextra -pedantic -Werror "${words[@]:1}" "$consumer/consume_recorder.cpp" -o "$out/bin/consume_${words[0]}_box2d" "${flags[@]}"
+        done
     fi
     LD_LIBRARY_PATH=$(dirname "$directory") run_programs
     ;;

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "boomerang/contact_recorder.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+#include <box2d/b2_collision.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_world.h>
+
+#include "start/trusted_listener.h"
+
+// Compiled with Box2D, the recorder and the glue are in one program. As a library of its own it finds the
+// plugin where the program has loaded one.
+#if defined(BMR_RENAMED)
+#    define BMR_MEETS_PLUGIN 1
+#elif defined(__ELF__)
+#    define BMR_MEETS_PLUGIN (&internal::TrustListener != nullptr)
+namespace bmr::internal {
+BMR_BOX2D_API void TrustListener(const void *table, int change) __attribute__((weak));
+}
+#else
+#    define BMR_MEETS_PLUGIN 0
+#endif
+
+namespace bmr {
+
+namespace {
+
+/// A growing array that says no where there is no memory.
+template <typename Event> class Log {
+    static_assert(std::is_trivially_copyable_v<Event>, "user data of any game are copied as bytes");
+
+public:
+    Log() = default;
+    ~Log() { std::free(m_events); }
+    Log(const Log &) = delete;
+    Log &operator=(const Log &) = delete;
+
+    bool Add(const Event &event) {
+        if (m_count == m_capacity && !Grow())
+            return false;
+        std::memcpy(static_cast<void *>(m_events + m_count++), &event, sizeof event);
+        return true;
+    }
+    void Clear() { m_count = 0; }
+    ContactEventList<Event> List() const { return {m_events, m_count}; }
+
+private:
+    bool Grow() {
+        constexpr int32 kFirst = 16, kMost = std::numeric_limits<int32>::max() / 2;
+        if (m_capacity > kMost)
+            return false;
+        const int32 capacity = m_capacity == 0 ? kFirst : 2 * m_capacity;
+        void *events = std::realloc(m_events, static_cast<size_t>(capacity) * sizeof(Event));
+        if (events == nullptr)
+            return false;
+        m_events = static_cast<Event *>(events);
+        m_capacity = capacity;
+        return true;
+    }
+
+    Event *m_events = nullptr;
+    int32 m_count = 0, m_capacity = 0;
+};
+
+ContactSide SideOf(b2Fixture *fixture, int32 child) {
+    b2Body *body = fixture->GetBody();
+    return {fixture, body, child, fixture->GetUserData(), body->GetUserData()};
+}
+ContactSide SideA(b2Contact *contact) {
+    return SideOf(contact->GetFixtureA(), contact->GetChildIndexA());
+}
+ContactSide SideB(b2Contact *contact) {
+    return SideOf(contact->GetFixtureB(), contact->GetChildIndexB());
+}
+
+/// The first word of an object, on every ABI that Box2D runs on.
+const void *TableOf(const b2ContactListener &listener) {
+    const void *table;
+    std::memcpy(&table, static_cast<const void *>(&listener), sizeof table);
+    return table;
+}
+
+} // namespace
+
+struct ContactRecorder::Room {
+    Log<ContactTouchEvent> begins, ends;
+    Log<SensorTouchEvent> sensorBegins, sensorEnds;
+    Log<ContactHitEvent> hits;
+
+    static Room *Make() {
+        void *memory = std::malloc(sizeof(Room));
+        return memory == nullptr ? nullptr : new (memory) Room();
+    }
+    static void Unmake(Room *room) {
+        if (room == nullptr)
+            return;
+        room->~Room();
+        std::free(room);
+    }
+
+    /// A beginning or an end, in one of two lists. False without memory.
+    static bool AddTouch(b2Contact *contact, bool mayBeGone, Log<ContactTouchEvent> *solid,
+                         Log<SensorTouchEvent> *ofSensors) {
+        const bool sensorA = contact->GetFixtureA()->IsSensor(), sensorB = contact->GetFixtureB()->IsSensor();
+        if (!sensorA && !sensorB)
+            return solid->Add({SideA(contact), SideB(contact), mayBeGone});
+        return ofSensors->Add(sensorA ? SensorTouchEvent{SideA(contact), SideB(contact), mayBeGone}
+                                      : SensorTouchEvent{SideB(contact), SideA(contact), mayBeGone});
+    }
+    void Clear() {
+        begins.Clear();
+        ends.Clear();
+        sensorBegins.Clear();
+        sensorEnds.Clear();
+        hits.Clear();
+    }
+};
+
+ContactRecorder::ContactRecorder() noexcept : m_hitThreshold(std::numeric_limits<float>::infinity()) {
+    for (Room *&room : m_rooms)
+        room = Room::Make();
+    if (BMR_MEETS_PLUGIN)
+        internal::TrustListener(TableOf(*this), 1);
+}
+
+ContactRecorder::~ContactRecorder() {
+    if (BMR_MEETS_PLUGIN)
+        internal::TrustListener(TableOf(*this), -1);
+    for (Room *room : m_rooms)
+        Room::Unmake(room);
+}
+
+ContactEvents ContactRecorder::Take() noexcept {
+    std::swap(m_rooms[0], m_rooms[1]);
+    if (m_rooms[0] != nullptr)
+        m_rooms[0]->Clear();
+    ContactEvents events = {};
+    if (const Room *taken = m_rooms[1])
+        events = {taken->begins.List(),     taken->ends.List(), taken->sensorBegins.List(),
+                  taken->sensorEnds.List(), taken->hits.List(), 0};
+    events.lost = std::exchange(m_lost, 0);
+    return events;
+}
+
+void ContactRecorder::BeginContact(b2Contact *contact) {
+    Room *room = m_rooms[0];
+    if (room == nullptr || !Room::AddTouch(contact, false, &room->begins, &room->sensorBegins))
+        ++m_lost;
+}
+
+void ContactRecorder::EndContact(b2Contact *contact) {
+    Room *room = m_rooms[0];
+    const bool mayBeGone = !contact->GetFixtureA()->GetBody()->GetWorld()->IsLocked();
+    if (room == nullptr || !Room::AddTouch(contact, mayBeGone, &room->ends, &room->sensorEnds))
+        ++m_lost;
+}
+
+void ContactRecorder::PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) {
+    float sum = 0.0f;
+    int32 most = 0;
+    for (int32 i = 0; i < impulse->count; ++i) {
+        sum += impulse->normalImpulses[i];
+        if (impulse->normalImpulses[i] > impulse->normalImpulses[most])
+            most = i;
+    }
+    if (!(sum >= m_hitThreshold))
+        return;
+    b2WorldManifold where;
+    contact->GetWorldManifold(&where);
+    Room *room = m_rooms[0];
+    if (room == nullptr ||
+        !room->hits.Add({SideA(contact), SideB(contact), where.points[most], where.normal, sum}))
+        ++m_lost;
+}
+
+} // namespace bmr

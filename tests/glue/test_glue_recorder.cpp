@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// bmr::ContactRecorder, on Box2D alone: it holds what a listener is told, and the hooks know it.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <vector>
+
+#include "boomerang/contact_recorder.h"
+#include "hooks/contact_access.h"
+#include "small_world.h"
+
+namespace {
+
+uintptr_t NumberOf(const b2Fixture *fixture) {
+    return const_cast<b2Fixture *>(fixture)->GetUserData().pointer;
+}
+
+/// One event in numbers: user data of fixtures, children, whether it was told in a step, and of a hit where.
+using Line = std::array<float, 10>;
+using Lines = std::vector<Line>;
+constexpr float kHit = 0.5f;
+
+Line Of(uintptr_t a, int32 childA, uintptr_t b, int32 childB, bool outside = false) {
+    return {static_cast<float>(a), static_cast<float>(childA), static_cast<float>(b),
+            static_cast<float>(childB), outside ? 1.0f : 0.0f};
+}
+Line Of(b2Contact *c, bool swapped, bool outside = false) {
+    const Line line = Of(NumberOf(c->GetFixtureA()), c->GetChildIndexA(), NumberOf(c->GetFixtureB()),
+                         c->GetChildIndexB(), outside);
+    return swapped ? Line{line[2], line[3], line[0], line[1], line[4]} : line;
+}
+void Locate(Line *line, b2Vec2 point, b2Vec2 normal, float impulse) {
+    const float values[] = {point.x, point.y, normal.x, normal.y, impulse};
+    std::copy(std::begin(values), std::end(values), line->begin() + 5);
+}
+
+/// The five lists, by hand.
+struct ByHand final : b2ContactListener {
+    Lines begins, ends, sensorBegins, sensorEnds, hits;
+
+    static bool IsOfSensor(b2Contact *c) {
+        return c->GetFixtureA()->IsSensor() || c->GetFixtureB()->IsSensor();
+    }
+    void BeginContact(b2Contact *c) override {
+        (IsOfSensor(c) ? sensorBegins : begins)
+            .push_back(Of(c, IsOfSensor(c) && !c->GetFixtureA()->IsSensor()));
+    }
+    void EndContact(b2Contact *c) override {
+        const bool outside = !c->GetFixtureA()->GetBody()->GetWorld()->IsLocked();
+        (IsOfSensor(c) ? sensorEnds : ends)
+            .push_back(Of(c, IsOfSensor(c) && !c->GetFixtureA()->IsSensor(), outside));
+    }
+    void PostSolve(b2Contact *c, const b2ContactImpulse *impulse) override {
+        const float *normal = impulse->normalImpulses;
+        const bool two = impulse->count == 2;
+        const float sum = two ? normal[0] + normal[1] : normal[0];
+        if (sum < kHit)
+            return;
+        b2WorldManifold where;
+        c->GetWorldManifold(&where);
+        hits.push_back(Of(c, false));
+        Locate(&hits.back(), where.points[two && normal[1] > normal[0] ? 1 : 0], where.normal, sum);
+    }
+};
+
+Line Of(const bmr::ContactSide &a, const bmr::ContactSide &b, bool outside) {
+    return Of(a.userData.pointer, a.child, b.userData.pointer, b.child, outside);
+}
+
+/// The same, taken from a recorder.
+void Take(bmr::ContactRecorder *recorder, ByHand *taken) {
+    const bmr::ContactEvents events = recorder->Take();
+    CHECK(events.lost == 0);
+    for (const auto &e : events.begins)
+        taken->begins.push_back(Of(e.a, e.b, e.mayBeGone));
+    for (const auto &e : events.ends)
+        taken->ends.push_back(Of(e.a, e.b, e.mayBeGone));
+    for (const auto &e : events.sensorBegins)
+        taken->sensorBegins.push_back(Of(e.sensor, e.visitor, e.mayBeGone));
+    for (const auto &e : events.sensorEnds)
+        taken->sensorEnds.push_back(Of(e.sensor, e.visitor, e.mayBeGone));
+    for (const auto &e : events.hits) {
+        taken->hits.push_back(Of(e.a, e.b, false));
+        Locate(&taken->hits.back(), e.point, e.normal, e.impulse);
+    }
+}
+
+/// Boxes and a disk that fall on planks and a chain past a sensor; some are destroyed as they lie.
+template <typename AfterStep> void Play(b2World &world, const AfterStep &afterStep) {
+    FillWithBoxes(world);
+    const b2Vec2 links[] = {{-30.0f, -8.0f}, {-5.0f, -9.0f}, {5.0f, -9.0f}, {30.0f, -8.0f}};
+    b2ChainShape chain;
+    chain.CreateChain(links, 4, {-40.0f, -8.0f}, {40.0f, -8.0f});
+    b2BodyDef def;
+    world.CreateBody(&def)->CreateFixture(&chain, 0.0f);
+    uintptr_t number = 0;
+    for (b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+        body->GetUserData().pointer = ++number;
+        body->GetFixtureList()->GetUserData().pointer = 1000 + number;
+    }
+    for (int step = 0; step < 240; ++step) {
+        world.Step(1.0f / 60.0f, 8, 3);
+        if (step > 100 && step % 10 == 0)
+            world.DestroyBody(world.GetBodyList()->GetNext());
+        afterStep(step);
+    }
+}
+
+} // namespace
+
+TEST_CASE("a recorder holds what a listener is told, in its order") {
+    ByHand told, taken;
+    bmr::ContactRecorder recorder;
+    recorder.SetHitThreshold(kHit);
+    CHECK(recorder.GetHitThreshold() == kHit);
+    b2World listened({0.0f, -10.0f}), recorded({0.0f, -10.0f});
+    listened.SetContactListener(&told);
+    recorded.SetContactListener(&recorder);
+    Play(listened, [](int) {});
+    Play(recorded, [&](int step) { // taken at each step at first, then less often
+        if (step < 60 || step % 7 == 0)
+            Take(&recorder, &taken);
+    });
+    Take(&recorder, &taken);
+    CHECK(told.begins.size() > 100);
+    CHECK(told.sensorEnds.size() > 20);
+    CHECK(told.hits.size() > 50);
+    CHECK(std::any_of(told.ends.begin(), told.ends.end(), [](const Line &line) { return line[4] != 0; }));
+    CHECK(taken.begins == told.begins);
+    CHECK(taken.ends == told.ends);
+    CHECK(taken.sensorBegins == told.sensorBegins);
+    CHECK(taken.sensorEnds == told.sensorEnds);
+    CHECK(taken.hits == told.hits);
+}
+
+TEST_CASE("nothing hits until a threshold is set, and lists stay until the next ones are taken") {
+    bmr::ContactRecorder recorder;
+    b2World world({0.0f, -10.0f});
+    world.SetContactListener(&recorder);
+    b2Body *floor = AddBox(world, b2_staticBody, {0.0f, 0.0f}, {5.0f, 0.5f}, 0.0f);
+    b2Body *box = AddBox(world, b2_dynamicBody, {0.0f, 1.0f}, {0.5f, 0.5f}, 0.0f);
+    box->GetUserData().pointer = 7;
+    world.Step(1.0f / 60.0f, 8, 3);
+    const bmr::ContactEvents first = recorder.Take();
+    REQUIRE(first.begins.count == 1);
+    const bool boxIsA = first.begins[0].a.body == box;
+    const bmr::ContactSide &side = boxIsA ? first.begins[0].a : first.begins[0].b;
+    CHECK(side.fixture == box->GetFixtureList());
+    CHECK(side.bodyUserData.pointer == 7);
+    CHECK(first.hits.count == 0);
+    world.DestroyBody(box);
+    CHECK(first.begins.count == 1);
+    CHECK(side.bodyUserData.pointer == 7);
+    const bmr::ContactEvents second = recorder.Take();
+    CHECK(second.begins.count == 0);
+    REQUIRE(second.ends.count == 1);
+    CHECK(second.ends[0].mayBeGone);
+    CHECK((boxIsA ? second.ends[0].b : second.ends[0].a).body == floor);
+    CHECK(recorder.Take().ends.count == 0);
+}
+
+TEST_CASE("hooks take a recorder for no code of the game, and its class for one once none is alive") {
+    ByHand other;
+    alignas(bmr::ContactRecorder) unsigned char room[sizeof(bmr::ContactRecorder)];
+    const auto *const inRoom = reinterpret_cast<const b2ContactListener *>(room);
+    unsigned char afterwards[sizeof room];
+    {
+        const bmr::ContactRecorder outer;
+        {
+            const bmr::ContactRecorder recorder;
+            CHECK(!bmr::hooks::IsOfGame(&recorder));
+            std::memcpy(afterwards, static_cast<const void *>(&recorder), sizeof afterwards);
+        }
+        CHECK(!bmr::hooks::IsOfGame(&outer));
+        CHECK(bmr::hooks::IsOfGame(&other));
+    }
+    // Another class may have its table where the recorder's was.
+    std::memcpy(room, afterwards, sizeof room);
+    CHECK(bmr::hooks::IsOfGame(inRoom));
+}
