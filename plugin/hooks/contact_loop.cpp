@@ -23,7 +23,6 @@
 #include "hooks/short_list.h"
 #include "hooks/stepping.h"
 #include "hooks/touching_list.h"
-#include "hooks/tree_descent.h"
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
 #include "reach/stock.h"
@@ -32,6 +31,7 @@
 #include "start/rounding_mode.h"
 #include "start/settings.h"
 #include "tell/verify.h"
+#include "tree/box.h"
 
 namespace bmr::hooks {
 
@@ -67,7 +67,8 @@ inline bool BoxesOverlap(b2ContactManager *manager, const b2Contact *contact) {
     // (A filter may put a body out of the world that then gets contacts all the same.)
     if (BMR_RARELY(a == b2BroadPhase::e_nullProxy || b == b2BroadPhase::e_nullProxy))
         manager->m_broadPhase.UpdatePairs(static_cast<NoProxy *>(nullptr));
-    return Overlap(BoxOf(manager->m_broadPhase.GetFatAABB(a)), BoxOf(manager->m_broadPhase.GetFatAABB(b)));
+    return tree::Overlap(tree::BoxOf(manager->m_broadPhase.GetFatAABB(a)),
+                         tree::BoxOf(manager->m_broadPhase.GetFatAABB(b)));
 }
 
 void Update(b2Contact *contact, b2ContactListener *listener) {

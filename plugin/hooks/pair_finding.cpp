@@ -18,16 +18,18 @@
 #include "hooks/short_list.h"
 #include "hooks/stepping.h"
 #include "hooks/touching_list.h"
-#include "hooks/tree_descent.h"
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
 #include "reach/stock.h"
 #include "start/settings.h"
 #include "tell/verify.h"
+#include "tree/descent.h"
 
 namespace bmr::hooks {
 
 namespace {
+
+using namespace tree;
 
 const b2Body *BodyOf(const void *proxy) {
     return static_cast<const b2FixtureProxy *>(proxy)->fixture->GetBody();
@@ -294,7 +296,7 @@ bool PairFinder::FindTogether(const b2DynamicTree &tree, const TreeNodes &nodes,
         const Box box = BoxOf(tree.GetFatAABB(moves[i]));
         for (int32 j = 0; j < many.count; ++j) {
             const ManyProxies::Leaf &leaf = many.leaves[j];
-            if (Overlap(BoxOf(leaf.box), box) && Reports(moves[i], leaf.proxy, leaf.moved))
+            if (tree::Overlap(BoxOf(leaf.box), box) && Reports(moves[i], leaf.proxy, leaf.moved))
                 keep(moves[i], leaf.proxy);
         }
     }

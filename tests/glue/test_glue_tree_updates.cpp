@@ -6,14 +6,13 @@
 
 #include <algorithm>
 
-#include "hooks/tree_log.h"
-#include "hooks/tree_proxies.h"
 #include "test_scale.h"
+#include "tree/proxies.h"
 #include "tree_play.h"
 
 namespace {
 
-using namespace bmr::hooks;
+using namespace bmr::tree;
 
 /// As the hooks do it: what is not done here is Box2D's.
 struct Ours {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_HOOKS_TREE_EDIT_H
-#define BOOMERANG_HOOKS_TREE_EDIT_H
+#ifndef BOOMERANG_TREE_EDIT_H
+#define BOOMERANG_TREE_EDIT_H
 
 #include <initializer_list>
 #include <utility>
 
-#include "hooks/tree_lanes.h"
+#include "tree/box.h"
 
 /// @file
 /// Leaves are put into a b2DynamicTree, taken out and moved as Box2D does it: every field of every node, the
 /// list of free nodes and the tree's own members are left with the same bits.
 
-namespace bmr::hooks {
+namespace bmr::tree {
 
 /// The members of a tree, which it shows nobody: b2DynamicTree::Query is instantiated for this, and hands
 /// them out.
@@ -21,15 +21,15 @@ struct TreeMembers {
     int32 *root, *nodeCount, *freeList, *insertionCount;
 };
 
-} // namespace bmr::hooks
+} // namespace bmr::tree
 
-template <> inline void b2DynamicTree::Query(bmr::hooks::TreeMembers *out, const b2AABB &) const {
+template <> inline void b2DynamicTree::Query(bmr::tree::TreeMembers *out, const b2AABB &) const {
     auto *self = const_cast<b2DynamicTree *>(this);
     *out = {m_nodes,           m_nodeCapacity,         &self->m_root, &self->m_nodeCount,
             &self->m_freeList, &self->m_insertionCount};
 }
 
-namespace bmr::hooks {
+namespace bmr::tree {
 
 inline TreeMembers MembersOf(const b2DynamicTree &tree) {
     TreeMembers members;
@@ -291,6 +291,6 @@ private:
     Log *m_log;
 };
 
-} // namespace bmr::hooks
+} // namespace bmr::tree
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// b2Fixture::Synchronize: after a step each fixture's box is set anew, around where it was and where it is,
-// and its leaf of the tree moves if it must. For polygons and circles both poses are done at once, in
-// registers, in the order of b2PolygonShape::ComputeAABB, and for big ConvexShapes as in theirs; and most
-// leaves, which stay, are recognised here. Leaves that move are b2BroadPhase::MoveProxy's. Other shapes go to
-// Box2D.
+// For polygons and circles both poses are done at once, in registers, in the order of
+// b2PolygonShape::ComputeAABB, and for big ConvexShapes as in theirs; and most leaves, which stay, are
+// recognised here. Leaves that move are b2BroadPhase::MoveProxy's.
+#include "tree/fixture_boxes.h"
+
 #include <cstring>
 
 #include <box2d/b2_body.h>
@@ -12,16 +12,14 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_polygon_shape.h>
 
-#include "hooks/tree_descent.h"
-#include "reach/stock.h"
 #include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"
-#include "start/rounding_mode.h"
 #include "start/settings.h"
 #include "tell/verify.h"
+#include "tree/box.h"
 
-namespace bmr::hooks {
+namespace bmr::tree {
 
 namespace {
 
@@ -137,9 +135,10 @@ bool SameBits(Box a, Box b) {
 }
 
 void CompareWithBox2D(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
-                      const b2Transform &xf2, const b2FixtureProxy &proxy, Box ours) {
+                      const b2Transform &xf2, const b2FixtureProxy &proxy, Box ours,
+                      Box2DsSynchronize *box2d) {
     const Box leaf = BoxOf(broadPhase->GetFatAABB(proxy.proxyId));
-    stock::Synchronize(fixture, broadPhase, xf1, xf2);
+    box2d(fixture, broadPhase, xf1, xf2);
     CountVerified();
     if (!SameBits(BoxOf(proxy.aabb), ours))
         ReportDifference("fixture boxes", fixture, nullptr, "another box");
@@ -149,7 +148,7 @@ void CompareWithBox2D(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Tran
 
 /// False where the fixture is Box2D's to do.
 bool SynchronizeHere(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
-                     const b2Transform &xf2) {
+                     const b2Transform &xf2, Box2DsSynchronize *box2d) {
     const b2Shape &shape = *fixture->GetShape();
     const Corners corners = CornersOf(shape);
     b2FixtureProxy *proxy = ProxyAccess::OnlyProxyOf(fixture);
@@ -161,7 +160,7 @@ bool SynchronizeHere(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Trans
     if (!IsFinite(swept))
         return false;
     if (Verifying()) {
-        CompareWithBox2D(fixture, broadPhase, xf1, xf2, *proxy, swept.around);
+        CompareWithBox2D(fixture, broadPhase, xf1, xf2, *proxy, swept.around, box2d);
         return true;
     }
     store4(&proxy->aabb.lowerBound.x, swept.around);
@@ -175,30 +174,19 @@ bool SynchronizeHere(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Trans
 
 #else
 
-bool SynchronizeHere(b2Fixture *, b2BroadPhase *, const b2Transform &, const b2Transform &) {
+bool SynchronizeHere(b2Fixture *, b2BroadPhase *, const b2Transform &, const b2Transform &,
+                     Box2DsSynchronize *) {
     return false;
 }
 
 #endif
 
-BMR_NOINLINE void SynchronizeInstalled(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
-                                       const b2Transform &xf2) {
-    if (!RoundsToNearest() || !SynchronizeHere(fixture, broadPhase, xf1, xf2))
-        stock::Synchronize(fixture, broadPhase, xf1, xf2);
-}
-
 } // namespace
 
-} // namespace bmr::hooks
-
-using namespace bmr;
-using namespace bmr::hooks;
-
-BMR_FOR_LOADERS("_ZN9b2Fixture11SynchronizeEP12b2BroadPhaseRK11b2TransformS4_");
-
-void b2Fixture::Synchronize(b2BroadPhase *broadPhase, const b2Transform &xf1, const b2Transform &xf2) {
-    if (HookIsOn(Hook::FixtureBoxes))
-        SynchronizeInstalled(this, broadPhase, xf1, xf2);
-    else
-        stock::Synchronize(this, broadPhase, xf1, xf2);
+void SynchronizeBoxes(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
+                      const b2Transform &xf2, Box2DsSynchronize *box2d) {
+    if (!SynchronizeHere(fixture, broadPhase, xf1, xf2, box2d))
+        box2d(fixture, broadPhase, xf1, xf2);
 }
+
+} // namespace bmr::tree

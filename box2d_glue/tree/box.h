@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_HOOKS_TREE_LANES_H
-#define BOOMERANG_HOOKS_TREE_LANES_H
+#ifndef BOOMERANG_TREE_BOX_H
+#define BOOMERANG_TREE_BOX_H
 
-#include "hooks/tree_descent.h"
+#include <box2d/b2_dynamic_tree.h>
+
+#include "exact32/float4.h"
 #include "start/compiler.h"
 
 /// @file
-/// What b2DynamicTree::InsertLeaf computes of boxes, with two boxes in registers at once. Operations and
-/// operands are Box2D's, also where a number is none: b2Min(a, b) is `a < b ? a : b`, and so are the
-/// processor's lanes.
+/// The boxes of a b2DynamicTree's nodes, in registers where the processor has lanes. Operations and operands
+/// are Box2D's, also where a number is none: b2Min(a, b) is `a < b ? a : b`, and so are the processor's
+/// lanes.
 
-namespace bmr::hooks {
+namespace bmr::tree {
 
 /// Perimeters of two boxes, and those of the boxes around each of the two and a leaf's box.
 struct Perimeters {
@@ -18,6 +20,27 @@ struct Perimeters {
 };
 
 #if BMR_FLOAT4_NATIVE
+
+/// Lower x, lower y, upper x, upper y.
+using Box = float4;
+
+inline Box BoxOf(const b2AABB &aabb) {
+    return load4(&aabb.lowerBound.x);
+}
+
+/// b2TestOverlap, by the same differences.
+inline bool Overlap(Box a, Box b) {
+    const float4 lower = lows4(b, a), upper = highs4(a, b); // of b and a; of a and b
+    return !any4(less4(zero4(), sub4(lower, upper)));
+}
+
+inline Box Around(Box a, Box b) {
+    return low_high4(min4(a, b), max4(a, b));
+}
+
+inline bool HasNumbers(Box a) {
+    return !any4(unordered4(a, a));
+}
 
 inline void StoreBox(b2AABB *aabb, Box box) {
     store4(&aabb->lowerBound.x, box);
@@ -44,6 +67,26 @@ private:
 };
 
 #else
+
+using Box = b2AABB;
+
+inline Box BoxOf(const b2AABB &aabb) {
+    return aabb;
+}
+
+inline bool Overlap(const Box &a, const Box &b) {
+    return b2TestOverlap(a, b);
+}
+
+inline Box Around(Box a, const Box &b) {
+    a.Combine(b);
+    return a;
+}
+
+inline bool HasNumbers(const Box &a) {
+    return a.lowerBound.x == a.lowerBound.x && a.lowerBound.y == a.lowerBound.y &&
+           a.upperBound.x == a.upperBound.x && a.upperBound.y == a.upperBound.y;
+}
 
 inline void StoreBox(b2AABB *aabb, const Box &box) {
     *aabb = box;
@@ -72,6 +115,6 @@ inline void PrefetchNode(const b2TreeNode *nodes, int32 id) {
     BMR_PREFETCH(nodes + b2Max(id, 0));
 }
 
-} // namespace bmr::hooks
+} // namespace bmr::tree
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_HOOKS_TREE_LOG_H
-#define BOOMERANG_HOOKS_TREE_LOG_H
+#ifndef BOOMERANG_TREE_LOG_H
+#define BOOMERANG_TREE_LOG_H
 
 #include <algorithm>
 #include <cstddef>
@@ -8,13 +8,13 @@
 #include <cstring>
 #include <vector>
 
-#include "hooks/tree_edit.h"
+#include "tree/edit.h"
 
 /// @file
 /// What a TreeEdit does to a tree, to be undone, done again by Box2D, and compared: Mode::Verify. A tree is
 /// too large to be copied for each leaf that moves.
 
-namespace bmr::hooks {
+namespace bmr::tree {
 
 /// All fields, to the bit.
 inline bool SameNode(const b2TreeNode &a, const b2TreeNode &b) {
@@ -115,6 +115,6 @@ private:
     std::vector<Written> m_written, m_kept;
 };
 
-} // namespace bmr::hooks
+} // namespace bmr::tree
 
 #endif

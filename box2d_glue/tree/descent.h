@@ -1,62 +1,15 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_HOOKS_TREE_DESCENT_H
-#define BOOMERANG_HOOKS_TREE_DESCENT_H
+#ifndef BOOMERANG_TREE_DESCENT_H
+#define BOOMERANG_TREE_DESCENT_H
 
 #include <box2d/b2_dynamic_tree.h>
 
-#include "exact32/float4.h"
+#include "tree/box.h"
 
 /// @file
 /// A descent of Box2D's tree of boxes with the boxes in registers, in the order of b2DynamicTree::Query.
 
-namespace bmr::hooks {
-
-#if BMR_FLOAT4_NATIVE
-
-/// Lower x, lower y, upper x, upper y.
-using Box = float4;
-
-inline Box BoxOf(const b2AABB &aabb) {
-    return load4(&aabb.lowerBound.x);
-}
-
-/// b2TestOverlap, by the same differences.
-inline bool Overlap(Box a, Box b) {
-    const float4 lower = lows4(b, a), upper = highs4(a, b); // of b and a; of a and b
-    return !any4(less4(zero4(), sub4(lower, upper)));
-}
-
-inline Box Around(Box a, Box b) {
-    return low_high4(min4(a, b), max4(a, b));
-}
-
-inline bool HasNumbers(Box a) {
-    return !any4(unordered4(a, a));
-}
-
-#else
-
-using Box = b2AABB;
-
-inline Box BoxOf(const b2AABB &aabb) {
-    return aabb;
-}
-
-inline bool Overlap(const Box &a, const Box &b) {
-    return b2TestOverlap(a, b);
-}
-
-inline Box Around(Box a, const Box &b) {
-    a.Combine(b);
-    return a;
-}
-
-inline bool HasNumbers(const Box &a) {
-    return a.lowerBound.x == a.lowerBound.x && a.lowerBound.y == a.lowerBound.y &&
-           a.upperBound.x == a.upperBound.x && a.upperBound.y == a.upperBound.y;
-}
-
-#endif
+namespace bmr::tree {
 
 /// What a tree shows its members alone: b2DynamicTree::Query is instantiated for this, and hands it out.
 struct TreeNodes {
@@ -92,9 +45,9 @@ template <typename Visitor> bool Descend(const TreeNodes &tree, Box box, Visitor
     return true;
 }
 
-} // namespace bmr::hooks
+} // namespace bmr::tree
 
-template <> inline void b2DynamicTree::Query(bmr::hooks::TreeNodes *out, const b2AABB &) const {
+template <> inline void b2DynamicTree::Query(bmr::tree::TreeNodes *out, const b2AABB &) const {
     *out = {m_nodes, m_root};
 }
 
