@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// b2Fixture::Refilter and SetFilterData, b2World::CreateJoint and DestroyJoint: contacts that these flag for
+// filtering are due.
+//
+// b2Fixture::SetFilterData calls Refilter within its own object file: where Box2D is built so that such calls
+// are bound (clang's way, -fno-semantic-interposition) or linked with --wrap, that one does not come by here.
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_joint.h>
+#include <box2d/b2_world.h>
+
+#include "contacts/solid_contact.h"
+#include "ledger/ledger.h"
+#include "ledger/ledgers.h"
+#include "reach/stock.h"
+
+namespace {
+
+using namespace bmr;
+
+void NoteFiltering(const b2Body *body) {
+    if (body == nullptr || body->GetWorld() == nullptr)
+        return;
+    Ledger *ledger = FindLedger(&body->GetWorld()->GetContactManager());
+    if (ledger == nullptr)
+        return;
+    for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
+        if (SolidContact::WantsFiltering(*edge->contact))
+            ledger->Flag(edge->contact, kToBeFiltered);
+}
+
+} // namespace
+
+BMR_FOR_LOADERS("_ZN9b2Fixture8RefilterEv");
+BMR_FOR_LOADERS("_ZN9b2Fixture13SetFilterDataERK8b2Filter");
+BMR_FOR_LOADERS("_ZN7b2World11CreateJointEPK10b2JointDef");
+BMR_FOR_LOADERS("_ZN7b2World12DestroyJointEP7b2Joint");
+
+void b2Fixture::Refilter() {
+    stock::Refilter(this);
+    NoteFiltering(GetBody());
+}
+
+void b2Fixture::SetFilterData(const b2Filter &filter) {
+    stock::SetFilterData(this, filter);
+    NoteFiltering(GetBody());
+}
+
+b2Joint *b2World::CreateJoint(const b2JointDef *def) {
+    b2Joint *joint = stock::CreateJoint(this, def);
+    // Box2D goes by the definition: a gear joint's bodies are other ones.
+    if (joint != nullptr)
+        NoteFiltering(def->bodyB);
+    return joint;
+}
+
+void b2World::DestroyJoint(b2Joint *joint) {
+    b2Body *const body = joint != nullptr ? joint->GetBodyB() : nullptr;
+    stock::DestroyJoint(this, joint);
+    NoteFiltering(body);
+}
