@@ -55,10 +55,11 @@ bool IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) 
            m_positions.Reserve(bodies) && m_velocities.Reserve(bodies) && m_solver.Reserve(contacts);
 }
 
-void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener) {
+void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener, IslandsBy solvedBy) {
     Clear();
     m_step = step;
     m_listener = listener;
+    m_isBox2Ds = solvedBy == IslandsBy::Box2D;
     m_profile = {};
 }
 
@@ -68,6 +69,11 @@ void IslandSolver::Add(b2Body *body) {
 }
 
 void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
+    if (m_isBox2Ds) {
+        TheStockSolver().solve(Parts(), m_step, gravity, allowSleep, m_listener, &m_profile);
+        Clear();
+        return;
+    }
     IntegrateVelocities(gravity);
     const Timer timer;
     const b2SolverData data = {m_step, &m_positions[0], &m_velocities[0]};
@@ -98,6 +104,11 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
 }
 
 void IslandSolver::SolveToi() {
+    if (m_isBox2Ds) {
+        TheStockSolver().solveToi(Parts(), m_step, m_listener);
+        Clear();
+        return;
+    }
     for (uint32_t i = 0; i < m_bodyCount; ++i) {
         const b2Body &body = *m_bodies[i];
         m_positions[i] = {SweepOf(body).c, SweepOf(body).a};
@@ -127,6 +138,10 @@ void IslandSolver::Finish(b2Profile *profile) {
     profile->solveInit += m_profile.solveInit;
     profile->solveVelocity += m_profile.solveVelocity;
     profile->solvePosition += m_profile.solvePosition;
+}
+
+IslandParts IslandSolver::Parts() const {
+    return {&m_bodies[0], &m_contacts[0], &m_joints[0], m_bodyCount, m_contactCount, m_jointCount};
 }
 
 /// Forces and damping, as far as the body has a mass. The sweep begins where the body is.

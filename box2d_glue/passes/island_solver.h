@@ -8,6 +8,7 @@
 
 #include "ledger/column.h"
 #include "passes/contact_solver.h"
+#include "passes/which_solver.h"
 
 class b2Body;
 class b2Contact;
@@ -16,7 +17,7 @@ class b2Joint;
 
 namespace bmr {
 
-/// Solves islands with the bits of Box2D's b2Island, where Box2D was built without fused products.
+/// Solves islands with the bits of Box2D's b2Island: itself, or by b2Island (which_solver.h).
 ///
 /// A pass takes one of the world's, reserves room, and begins. It then adds an island's bodies, contacts and
 /// joints in Box2D's order, and solves it; Solve and SolveToi leave the island empty for the next one.
@@ -30,7 +31,8 @@ public:
     bool Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints);
 
     /// Begins a pass. `listener` is told of impulses (PostSolve); nullptr where nobody listens to them.
-    void Begin(const b2TimeStep &step, b2ContactListener *listener);
+    /// `solvedBy`: WhoSolvesIslands(), and not Nobody.
+    void Begin(const b2TimeStep &step, b2ContactListener *listener, IslandsBy solvedBy = IslandsBy::Ours);
 
     /// Writes the body's m_islandIndex: its place in the island.
     void Add(b2Body *body);
@@ -54,6 +56,7 @@ private:
     friend class IslandSolvers;
 
     void Clear() { m_bodyCount = m_contactCount = m_jointCount = 0; }
+    IslandParts Parts() const;
     void IntegrateVelocities(const b2Vec2 &gravity);
     void IntegratePositions();
     bool SolvePositions(const b2SolverData &data);
@@ -71,6 +74,7 @@ private:
     b2TimeStep m_step = {};
     b2ContactListener *m_listener = nullptr;
     b2Profile m_profile = {};
+    bool m_isBox2Ds = false; ///< this pass is solved by b2Island
     bool m_isTaken = false;
     IslandSolver *m_next = nullptr; ///< another one of the world's
 };

@@ -11,6 +11,7 @@
 class b2BroadPhase;
 class b2Body;
 class b2Contact;
+class b2ContactListener;
 class b2ContactManager;
 class b2DynamicTree;
 class b2Fixture;
@@ -27,6 +28,7 @@ struct b2DistanceProxy;
 struct b2Filter;
 struct b2JointDef;
 struct b2Manifold;
+struct b2Profile;
 struct b2ShapeCastInput;
 struct b2ShapeCastOutput;
 struct b2SimplexCache;
@@ -61,6 +63,10 @@ struct b2TOIOutput;
 #    define BMR_STOCK(name, mangled, ...) inline Real<__VA_ARGS__> name(mangled)
 #endif
 
+namespace bmr {
+struct IslandParts;
+} // namespace bmr
+
 namespace bmr::stock {
 
 BMR_STOCK(Step, "_ZN7b2World4StepEfii", void(b2World *, float, int32, int32));
@@ -87,6 +93,12 @@ BMR_STOCK(SetFilterData, "_ZN9b2Fixture13SetFilterDataERK8b2Filter", void(b2Fixt
 /// for it.
 void CollideByFace(b2Manifold *manifold, const b2PolygonShape *polyA, const b2Transform &xfA,
                    const b2PolygonShape *polyB, const b2Transform &xfB, int32 face);
+/// b2Island, as passes/which_solver.h wants it.
+void SolveIsland(const IslandParts &parts, const b2TimeStep &step, const b2Vec2 &gravity, bool allowSleep,
+                 b2ContactListener *listener, b2Profile *profile);
+void SolveToiIsland(const IslandParts &parts, const b2TimeStep &step, b2ContactListener *listener);
+/// Are Box2D's assertions compiled?
+bool Asserts();
 #endif
 
 BMR_STOCK(CreateProxy, "_ZN13b2DynamicTree11CreateProxyERK6b2AABBPv",

@@ -14,6 +14,7 @@
 #include "boomerang/box2d.h"
 #include "reach/interposed/loaded_file.h"
 #include "reach/interposed/real.h"
+#include "start/box2d_asserts.h"
 
 namespace bmr {
 
@@ -209,6 +210,8 @@ const char *WhyLibraryIsUnknown() {
     }
     if (boundReference == nullptr)
         return NameBoth("the Box2D of this process was loaded after this library", PathOf(Find(kWorld)));
+    // What an assertion of its solver says when it fails is there only where it is compiled.
+    SetBox2DAsserts(FileHolds(Find(kStep), "a.x >= 0.0f && a.y >= 0.0f"));
     return nullptr;
 }
 

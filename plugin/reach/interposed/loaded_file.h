@@ -9,6 +9,9 @@ namespace bmr {
 /// of all the file's symbols, too, which takes a hundred times as long.)
 const void *FileOf(const void *address);
 
+/// Do the read-only parts of that file have these words in them, as it was loaded?
+bool FileHolds(const void *address, const char *words);
+
 } // namespace bmr
 
 #endif

@@ -6,7 +6,9 @@
 
 #include "boomerang/box2d.h"
 #include "hooks/profile_clock.h"
+#include "passes/which_solver.h"
 #include "reach/interposed/library_check.h"
+#include "reach/stock.h"
 #include "start/environment.h"
 #include "start/install.h"
 #include "start/reach.h"
@@ -72,6 +74,8 @@ __attribute__((constructor)) void Loaded() {
     if (!StepsComeByHere())
         TellTrial(WhyNoStepComesBy());
     SetLibraryCheck(WhyLibraryIsUnknown);
+    SetStockSolver(
+        {[](b2World *world, const b2TimeStep &step) { stock::Solve(world, step); }, nullptr, nullptr});
     if (StepsComeByHere())
         SetWayOfHooks("ahead of Box2D", kAllHooks, nullptr);
     else // whose hooks stand on what is known of steps

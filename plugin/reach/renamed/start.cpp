@@ -5,7 +5,9 @@
 
 #include "boomerang/box2d.h"
 #include "hooks/profile_clock.h"
+#include "passes/which_solver.h"
 #include "reach/stock.h"
+#include "start/box2d_asserts.h"
 #include "start/install.h"
 #include "start/reach.h"
 #include "start/rounding_probe.h"
@@ -34,8 +36,9 @@ namespace {
 // (Install may be called before the first step.)
 [[maybe_unused]] const bool told =
     (SetWayOfHooks("compiled with Box2D", kAllHooks, nullptr), SetCollideByFace(stock::CollideByFace),
-     internal::LinkOfConvexOutlines(), internal::LinkOfInspect(), internal::LinkOfOutlineShape(),
-     internal::LinkOfSlack(), internal::LinkOfStatistics(), true);
+     SetStockSolver({stock::Solve, stock::SolveIsland, stock::SolveToiIsland}),
+     SetBox2DAsserts(stock::Asserts()), internal::LinkOfConvexOutlines(), internal::LinkOfInspect(),
+     internal::LinkOfOutlineShape(), internal::LinkOfSlack(), internal::LinkOfStatistics(), true);
 
 } // namespace
 

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "passes/which_solver.h"
+
+#include <atomic>
+#include <cstring>
+#include <memory>
+#include <new>
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_circle_shape.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_polygon_shape.h>
+#include <box2d/b2_world.h>
+
+#include "passes/island_solver.h"
+
+namespace bmr {
+
+namespace {
+
+StockSolver stockSolver = {nullptr, nullptr, nullptr};
+
+constexpr int kPairs = 8, kSteps = 4;
+constexpr float kSize = b2_lengthUnitsPerMeter;
+
+/// Pairs that overlap, far from each other: a body at rest and one that moves, of all kinds of manifolds.
+void Fill(b2World *world) {
+    b2PolygonShape boxes[2];
+    b2CircleShape circle;
+    boxes[0].SetAsBox(1.31f * kSize, 0.37f * kSize);
+    boxes[1].SetAsBox(0.53f * kSize, 0.41f * kSize);
+    circle.m_radius = 0.47f * kSize;
+    for (int i = 0; i < kPairs; ++i) {
+        const float x = static_cast<float>(i), angle = 0.37f * x;
+        b2BodyDef def;
+        def.position = kSize * b2Vec2(20.0f * x, 0.7f * x);
+        def.angle = angle;
+        b2FixtureDef fixture;
+        fixture.friction = 0.3f;
+        fixture.restitution = 0.2f * static_cast<float>(i % 2);
+        fixture.density = 1.7f;
+        fixture.shape = i % 4 == 3 ? static_cast<const b2Shape *>(&circle) : &boxes[0];
+        world->CreateBody(&def)->CreateFixture(&fixture);
+        def.type = b2_dynamicBody;
+        def.position += kSize * b2Mul(b2Rot(angle), b2Vec2(0.21f, 0.73f));
+        def.angle += 0.02f * x - 0.05f;
+        def.linearVelocity = kSize * b2Vec2(0.9f - 0.3f * x, -1.1f);
+        def.angularVelocity = 0.7f - 0.2f * x;
+        def.linearDamping = 0.13f;
+        def.angularDamping = 0.07f;
+        fixture.shape = i % 4 == 2 || i % 4 == 3 ? static_cast<const b2Shape *>(&circle) : &boxes[1];
+        world->CreateBody(&def)->CreateFixture(&fixture);
+    }
+}
+
+/// Makes and updates the world's contacts; how many touch?
+int Touch(b2World *world) {
+    auto &manager = const_cast<b2ContactManager &>(world->GetContactManager());
+    manager.FindNewContacts();
+    manager.Collide();
+    int touching = 0;
+    for (const b2Contact *contact = world->GetContactList(); contact != nullptr; contact = contact->GetNext())
+        touching += contact->IsTouching() ? 1 : 0;
+    return touching;
+}
+
+/// Each moving body with the one contact that it has.
+void SolveByOurs(b2World *world, const b2TimeStep &step, IslandSolver *solver) {
+    solver->Begin(step, nullptr);
+    for (b2Body *body = world->GetBodyList(); body != nullptr; body = body->GetNext()) {
+        b2ContactEdge *const edge = body->GetContactList();
+        if (body->GetType() != b2_dynamicBody || edge == nullptr)
+            continue;
+        solver->Add(body);
+        if (edge->contact->IsTouching()) {
+            solver->Add(edge->contact);
+            solver->Add(edge->other);
+        }
+        solver->Solve(world->GetGravity(), true);
+    }
+    solver->Finish(nullptr);
+}
+
+template <typename T> bool SameBits(const T &a, const T &b) {
+    return std::memcmp(static_cast<const void *>(&a), static_cast<const void *>(&b), sizeof a) == 0;
+}
+
+bool AreAlike(const b2World &a, const b2World &b) {
+    const b2Body *other = b.GetBodyList();
+    for (const b2Body *body = a.GetBodyList(); body != nullptr; body = body->GetNext()) {
+        if (!SameBits(body->GetTransform(), other->GetTransform()) ||
+            !SameBits(body->GetLinearVelocity(), other->GetLinearVelocity()) ||
+            !SameBits(body->GetAngularVelocity(), other->GetAngularVelocity()))
+            return false;
+        other = other->GetNext();
+    }
+    return true;
+}
+
+IslandsBy FindOut() {
+    if (stockSolver.solveWorld == nullptr)
+        return IslandsBy::Nobody;
+    const IslandsBy reached = stockSolver.solve != nullptr ? IslandsBy::Box2D : IslandsBy::Nobody;
+    const b2Vec2 gravity = kSize * b2Vec2(0.3f, -9.7f);
+    const std::unique_ptr<b2World> stock(new (std::nothrow) b2World(gravity));
+    const std::unique_ptr<b2World> ours(new (std::nothrow) b2World(gravity));
+    const std::unique_ptr<IslandSolver> solver(new (std::nothrow) IslandSolver);
+    if (stock == nullptr || ours == nullptr || solver == nullptr || !solver->Reserve(2, 1, 0))
+        return reached;
+    for (b2World *world : {stock.get(), ours.get()})
+        Fill(world);
+    const int touching = Touch(stock.get());
+    if (touching < kPairs / 2 || Touch(ours.get()) != touching)
+        return reached;
+    const float dt = 1.0f / 60.0f;
+    const b2TimeStep step = {dt, 1.0f / dt, 1.0f, 8, 3, true};
+    for (int i = 0; i < kSteps; ++i) {
+        stockSolver.solveWorld(stock.get(), step);
+        SolveByOurs(ours.get(), step, solver.get());
+        if (!AreAlike(*stock, *ours))
+            return reached;
+    }
+    return IslandsBy::Ours;
+}
+
+} // namespace
+
+void SetStockSolver(const StockSolver &solver) {
+    stockSolver = solver;
+}
+
+const StockSolver &TheStockSolver() {
+    return stockSolver;
+}
+
+IslandsBy WhoSolvesIslands() {
+    // (Two threads that find out at once find the same.)
+    static std::atomic<int> known{-1};
+    int answer = known.load(std::memory_order_relaxed);
+    if (answer < 0) {
+        answer = static_cast<int>(FindOut());
+        known.store(answer, std::memory_order_relaxed);
+    }
+    return static_cast<IslandsBy>(answer);
+}
+
+} // namespace bmr
