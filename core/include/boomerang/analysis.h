@@ -10,7 +10,7 @@ extern "C" {
 #endif
 
 /// @file
-/// What a run of a kinetic structure costs, and what it could have cost: counts of one run, the offline
+/// The cost of a run of a kinetic structure, and the least cost possible: counts of one run, the offline
 /// optimum, hysteresis, clear decompositions (section 6 of the paper), growth fits, the four qualities of a
 /// kinetic structure, and motions that are bad for the rivals. In boomerang::kinetic.
 
@@ -23,7 +23,7 @@ typedef struct bmr_course {
 
 // ---- The offline optimum ----
 
-/// A line that stays: a direction fixed in the owner's frame, its offset that of the owner's support. It
+/// A line that stays: a direction fixed in the owner's frame, with the offset of the owner's support. It
 /// separates by at least the margin all the time from `from` to `to`.
 typedef struct bmr_cover_line {
     double from, to;
@@ -32,7 +32,7 @@ typedef struct bmr_cover_line {
 } bmr_cover_line;
 
 /// The fewest such lines that cover the course, between two bounds. Times of contact (distance at most the
-/// margin) are left out; each begins a line anew.
+/// margin) are left out; after each a new line begins.
 typedef struct bmr_optimum {
     uint64_t least;    ///< no cover of the samples has fewer: a lower bound
     uint64_t found;    ///< size of a cover that was found
@@ -40,51 +40,56 @@ typedef struct bmr_optimum {
     uint64_t contacts; ///< times of contact
 } bmr_optimum;
 
-/// Greedy running intersection of the cones of separating directions (between the inner common tangents), in
-/// each body's frame, going on with the frame whose intersection lasts longer. That is optimal, for what
-/// covers a time covers any part of it. Sampled, and refined until the cone's ends move by less than
-/// `resolution` (in (0, 1/4]) of its width from sample to sample and half way between, and their paths bend
-/// by less than resolution / 4 * least distance / size. `least` takes the cones of the samples as they are,
-/// and no cover has fewer lines. For `found` each line holds from sample to sample and beside that by as much
-/// as the ends' paths bend there: tests find its lines to hold everywhere, but that is no proof. `lines`
-/// (NULL, or room for `room`) gets the first lines of the cover found. 0.02 is a good resolution. Errors:
-/// NULL_ARGUMENT, OUT_OF_RANGE (resolution, margin not positive, from > to).
+/// The offline optimum, by the greedy running intersection of the cones of separating directions (between the
+/// inner common tangents), in each body's frame; at each line it takes the frame whose intersection lasts
+/// longer. That is optimal, because a line that covers a time covers any part of it. The cones are sampled.
+/// Samples are refined until the cone's ends move by less than `resolution` (in (0, 1/4]) of its width from
+/// sample to sample and half way between, and their paths bend by less than resolution / 4 * least distance /
+/// size.
+///
+/// `least` takes the cones of the samples as they are, and no cover has fewer lines. For `found` each line
+/// holds from sample to sample and beside that by as much as the ends' paths bend there: tests find its lines
+/// to hold everywhere, but that is no proof. `lines` (NULL, or room for `room`) gets the first lines of the
+/// cover found. 0.02 is a good resolution. Errors: NULL_ARGUMENT, OUT_OF_RANGE (resolution, margin not
+/// positive, from > to).
 bmr_error bmr_offline_optimum(const bmr_course *course, double margin, double resolution,
                               bmr_cover_line *lines, size_t room, bmr_optimum *optimum);
 
 // ---- Clear decompositions (section 6) ----
 
-/// The size of the smallest kappa-clear decomposition of a path in configuration space, between two bounds.
-/// A disk is kappa-clear if its radius is at most 1/kappa of its centre's distance. Distances of two
-/// configurations are |translation| + diameter * |rotation|: under translation, the plane's.
+/// The size of the smallest kappa-clear decomposition of a path in configuration space, between two bounds. A
+/// disk is kappa-clear if its radius is at most 1/kappa of its centre's distance. The distance of two
+/// configurations is |translation| + diameter * |rotation|; under translation it is the plane's.
 typedef struct bmr_clear {
-    uint64_t least;   ///< greedy by what every segment in a clear disk satisfies: its diameter is at most
-                      ///< 2 / (kappa - 1) of the least distance on it
+    uint64_t least;   ///< greedy by a necessary condition of every segment in a clear disk: its diameter is
+                      ///< at most 2 / (kappa - 1) of the least distance on it
     uint64_t found;   ///< greedy by clear disks about the segments' first points
     uint64_t samples; ///< poses looked at
 } bmr_clear;
 
-/// `kappa` > 1; `diameter` >= 0 is the weight of a radian (0 for a path without rotation); both finite. Steps
-/// are a twentieth of a clear disk's radius: their number grows with kappa. A path that comes nearer than
-/// 1e-9 of the extents has none: OUT_OF_RANGE, as for other numbers than these. Errors also: NULL_ARGUMENT.
+/// `kappa` > 1. `diameter` >= 0 is the weight of a radian (0 for a path without rotation). Both are finite.
+/// Steps are a twentieth of a clear disk's radius, so their number grows with kappa. Errors: NULL_ARGUMENT;
+/// OUT_OF_RANGE for other numbers, and for a path that comes nearer than 1e-9 of the extents, which has no
+/// decomposition.
 bmr_error bmr_clear_decomposition(const bmr_course *course, double kappa, double diameter, bmr_clear *clear);
 
 // ---- Hysteresis (section 6) ----
 
-/// How little the configuration changed from one event to the next, in units of the distance at the first.
+/// The least change of the configuration from one event to the next, in units of the distance at the first.
 typedef struct bmr_hysteresis {
     double both;         ///< least (|tau| + diameter |delta|) / d, tau the displacement, delta the rotation
     double displacement; ///< least |tau| / d where nothing turned
-    double rotation;     ///< least diameter |delta| / d where nothing moved otherwise
+    double rotation;     ///< least diameter |delta| / d where nothing else moved
     uint64_t intervals;  ///< between events
     // The last event.
     bmr_pose pose;
     double distance;
 } bmr_hysteresis;
 
-/// Nothing seen: all minima INFINITY.
+/// A record without events: all minima are INFINITY.
 bmr_hysteresis bmr_hysteresis_make(void);
-/// One event (START and LEAVE too) at a pose of B in A's frame; in contact the next interval does not count.
+/// Adds one event (START and LEAVE too) at a pose of B in A's frame. If the pair is in contact, the next
+/// interval does not count.
 void bmr_hysteresis_add(bmr_hysteresis *hysteresis, const bmr_polygon *a, const bmr_polygon *b,
                         double diameter, const bmr_pose *b_in_a);
 
@@ -94,18 +99,18 @@ typedef struct bmr_run_def {
     const bmr_kds_info *structure;
     bmr_shape shapes[2];           ///< their polygons are the course's
     bmr_simulation_def simulation; ///< its `structure` is ignored
-    bool audit;                    ///< re-prove everything at every event
+    bool audit;                    ///< prove everything again at every event
     bmr_simulation_observer observer;
     void *context;
 } bmr_run_def;
 
 /// The four qualities of a kinetic structure.
 typedef struct bmr_qualities {
-    double conditions;   ///< compact: certificates waited for at a time, the most at any event
+    double conditions;   ///< compact: the most certificates at any event
     double bytes;        ///< compact: of the pair's state
     double touched;      ///< responsive: elementary steps of a repair (bmr_kds_report), mean ..
     double touched_most; ///< .. and most
-    double replanned;    ///< local: certificates whose failure times a change of plan makes anew
+    double replanned;    ///< local: failure times that a change of plan computes anew
     double efficiency;   ///< efficient: events over external events (contacts begun and ended), 0 external
                          ///< counted as 1
 } bmr_qualities;
@@ -113,14 +118,14 @@ typedef struct bmr_qualities {
 typedef struct bmr_run {
     bmr_simulation_counts counts;
     uint64_t events; ///< certificates that failed and were repaired: no starts, contacts and leaves
-    uint64_t lines;  ///< of those, the ones after which the line was another
+    uint64_t lines;  ///< of those, events that replaced the line
     bmr_qualities qualities;
     bmr_hysteresis hysteresis;
-    bmr_error audit; ///< the first that the audits found
+    bmr_error audit; ///< the first error of the audits
 } bmr_run;
 
-/// Takes one structure along a course. Errors: those of bmr_simulation_create and bmr_simulation_run; an
-/// audit that fails is none, it is in the result.
+/// Takes one structure along a course. Errors: those of bmr_simulation_create and bmr_simulation_run. An
+/// audit that fails is no error of this call; it is in the result.
 bmr_error bmr_run_course(const bmr_run_def *def, const bmr_course *course, double diameter,
                          const bmr_allocator *allocator, bmr_run *run);
 
@@ -163,8 +168,8 @@ typedef struct bmr_adversary {
     bmr_motion *motions[2];
 } bmr_adversary;
 
-/// Times 0 to 1; the least separation is `separation` (> 0, any) up to 1 % and the sagitta of an edge. n from
-/// 3 to 4096. Errors: NULL_ARGUMENT, OUT_OF_RANGE, NO_MEMORY.
+/// Makes an adversary for the times 0 to 1. Its least separation is `separation` (> 0, any) up to 1 % and the
+/// sagitta of an edge. n is from 3 to 4096. Errors: NULL_ARGUMENT, OUT_OF_RANGE, NO_MEMORY.
 bmr_error bmr_adversary_create(bmr_adversary_kind kind, size_t n, double separation,
                                const bmr_allocator *allocator, bmr_adversary *adversary);
 void bmr_adversary_destroy(bmr_adversary *adversary, const bmr_allocator *allocator);

@@ -19,7 +19,7 @@
 // How far apart are two of them, or how deep in each other? Asked once, nothing remembered.
 #include "boomerang/distance.h"
 
-// Asked step by step: 64 bytes remember a proof that the two are apart, and look whether it still holds.
+// Asked step by step: 64 bytes remember a proof that the two are apart and check it at each pose.
 #include "boomerang/pair.h"
 
 // Asked of a whole world: how far may two bodies move before their proof has to be looked at?
@@ -30,8 +30,8 @@
 #include "boomerang/inflated.h"
 #include "boomerang/minkowski.h"
 
-// Every structure of the paper, for motions that are known: the conditions that it waits for, and its repairs
-// (sections 4 to 6). Who finds out when a condition fails is in boomerang/kinetic.h.
+// Every structure of the paper, for motions that are known: its conditions and its repairs (sections 4 to 6).
+// boomerang/kinetic.h finds the time at which a condition fails.
 #include "boomerang/condition.h"
 #include "boomerang/kds.h"
 

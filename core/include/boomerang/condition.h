@@ -13,10 +13,10 @@ extern "C" {
 #endif
 
 /// @file
-/// What an event-driven structure waits for, as plain data: scalar functions of the relative pose that are
-/// positive while the structure's claim stands (section 2 of the paper: a certificate is G(p_1(t), ..,
-/// p_m(t)) > 0). Whoever knows the motions can compute from a condition alone when it fails for the first
-/// time (boomerang/failure.h).
+/// The conditions of an event-driven structure, as plain data: scalar functions of the relative pose that are
+/// positive while the structure's claim holds (section 2 of the paper: a certificate is G(p_1(t), .., p_m(t))
+/// > 0). A caller that knows the motions can compute from a condition alone when it first fails
+/// (boomerang/failure.h).
 
 typedef enum bmr_condition_kind {
     /// <normal, x> - offset > 0, x the point: a point of the other body lies beyond a line of the owner.
@@ -30,19 +30,19 @@ typedef enum bmr_condition_kind {
     BMR_CONDITION_KIND_COUNT
 } bmr_condition_kind;
 
-/// `normal` is in the owner's frame, `point` in the other body's. In BEYOND the normal is a unit vector where
-/// the value shall be a distance; in TURN both are unit vectors where it shall be a sine.
+/// `normal` is in the owner's frame, `point` in the other body's. In BEYOND the value is a distance if the
+/// normal is a unit vector. In TURN it is a sine if both are unit vectors.
 typedef struct bmr_condition {
     bmr_vec2 normal;
     double offset; ///< a margin is part of it; 0 in TURN
     bmr_vec2 point;
     uint8_t kind;  ///< bmr_condition_kind
     uint8_t owner; ///< 0: A, 1: B
-    uint8_t label; ///< the structure's own; says which of its conditions this is
+    uint8_t label; ///< the structure's own number of this condition
     uint8_t reserved[5];
 } bmr_condition;
 
-/// The condition's value at a pose of B in A's frame: it holds where this is > 0. O(1).
+/// The condition's value at a pose of B in A's frame. It holds if this is > 0. O(1).
 double bmr_condition_value(const bmr_condition *condition, const bmr_pose *b_in_a);
 
 bmr_condition bmr_condition_beyond(int owner, bmr_vec2 normal, double offset, bmr_vec2 point, int label);

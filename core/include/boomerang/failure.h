@@ -10,12 +10,12 @@ extern "C" {
 #endif
 
 /// @file
-/// When a condition fails for the first time, the two bodies moving (section 2 of the paper: "we can compute
-/// the next time t when F(t) = 0"). In boomerang::kinetic.
+/// The time at which a condition first fails while the two bodies move (section 2 of the paper: "we can
+/// compute the next time t when F(t) = 0"). In boomerang::kinetic.
 
-/// How the roots of algebraic motions are found. (Where a spinning screw motion takes part, the function is
-/// no polynomial: there the search takes steps over which a bound of the second derivative keeps the
-/// condition positive, and gsl_root_fsolver_brent finds the last digits.)
+/// How to find the roots of algebraic motions. (If a spinning screw motion takes part, the function is no
+/// polynomial. Then the search takes steps over which a bound of the second derivative keeps the condition
+/// positive, and gsl_root_fsolver_brent finds the last digits.)
 typedef enum bmr_root_method {
     BMR_ROOT_BERNSTEIN, ///< subdivision in the Bernstein basis
     BMR_ROOT_GSL        ///< gsl_poly_complex_solve
@@ -24,7 +24,7 @@ typedef enum bmr_root_method {
 typedef struct bmr_failure_options {
     bmr_root_method method;
     /// > 0. A failure may be reported early by at most this much time, times max(1, |time|) and not less than
-    /// a few roundings of the time. It is never reported late: until the time returned the condition's true
+    /// a few roundings of the time. It is never reported late: until the returned time the condition's true
     /// value is >= 0, up to the rounding of evaluating it (some 1e-14 of the magnitudes involved, more for
     /// rotations of high degree: see core/kinetic/condition_polynomial.h). A dip below zero that is no deeper
     /// than that, and a touch, may be passed over or reported.
@@ -33,29 +33,29 @@ typedef struct bmr_failure_options {
 /// BMR_ROOT_BERNSTEIN, and a tolerance of 1e-12.
 bmr_failure_options bmr_default_failure_options(void);
 
-/// The first time in (after, until] at which the condition is no longer positive, A and B moving as given;
-/// INFINITY if there is none. How a condition that is not positive at `after` is judged:
-///   - zero up to rounding and growing: not failing; the function must first come back to zero;
-///   - below zero by more, but above it after four tolerances: growing too. (An event is up to a tolerance
-///     early, and until its true time the opposite of the condition that failed is below zero.)
+/// The first time in (after, until] at which the condition is no longer positive while A and B move as given;
+/// INFINITY if there is none. If the condition is not positive at `after`:
+///   - zero up to rounding and growing: it does not fail; the function must first come back to zero;
+///   - below zero by more, but above it after four tolerances: it grows, too. (An event is up to a tolerance
+///   early, and until its true time the opposite of the condition that failed is below zero.)
 ///   - anything else, zero and flat included: it fails at `after` itself.
-/// All pieces of both motions from `after` on are looked at, a jump between two of them included; a piece
-/// that begins at `until` is not.
+/// The search covers all pieces of both motions from `after` on, a jump between two of them included, but not
+/// a piece that begins at `until`.
 ///
-/// Cost: under two algebraic motions some microseconds for each interval on which their terms keep their
-/// size (one, unless the motion is followed far); with a spin some ten looks of 100 ns for a root and five
-/// for each turn. No allocation; 32 KB of stack. Errors: NULL_ARGUMENT; NOT_FINITE (an argument, or what
+/// Cost: under two algebraic motions some microseconds for each interval on which their terms keep their size
+/// (one, unless the motion is followed far); with a spin some ten looks of 100 ns for a root and five for
+/// each turn. No allocation; 32 KB of stack. Errors: NULL_ARGUMENT; NOT_FINITE (an argument, or a number that
 /// follows from it); OUT_OF_RANGE (after > until, a tolerance that is not positive, no such condition or
 /// method, GSL's iteration did not converge, or a search over two pieces does not end within the steps below:
 /// ask for a shorter time). Then *time is untouched.
 bmr_error bmr_failure_time(const bmr_condition *condition, const bmr_motion *a, const bmr_motion *b,
                            double after, double until, const bmr_failure_options *options, double *time);
-/// The most steps that a search takes over two pieces of which one spins: enough for some 50,000 turns, which
-/// takes a few hundredths of a second. Where the other piece is algebraic and its a and b have a common root
-/// (motion.h), the search spends its steps around that root, and takes up to a second. (There each look at
-/// the bounds of the rates counts as a quarter of a step.)
+/// The most steps of a search over two pieces of which one spins: enough for some 50,000 turns, which takes a
+/// few hundredths of a second. If the other piece is algebraic and its a and b have a common root (motion.h),
+/// the search spends its steps around that root and takes up to a second. (There each look at the bounds of
+/// the rates counts as a quarter of a step.)
 #define BMR_FAILURE_MAX_STEPS ((size_t)1 << 18)
-/// The most intervals that a search goes through under two algebraic pieces, at some microseconds for each.
+/// The most intervals of a search under two algebraic pieces, at some microseconds each.
 #define BMR_FAILURE_MAX_INTERVALS ((size_t)1 << 14)
 
 #ifdef __cplusplus

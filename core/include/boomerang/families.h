@@ -12,9 +12,9 @@ extern "C" {
 #endif
 
 /// @file
-/// Families of motions of two polygons whose least separation is chosen beforehand, and outlines to move on
-/// them: what the paper's table of event bounds is measured on. In boomerang::kinetic. The same bits come
-/// from the same seed everywhere (gsl_rng_mt19937).
+/// Families of motions of two polygons with a chosen least separation, and outlines to move on them. The
+/// paper's table of event bounds is measured on these. In boomerang::kinetic. The same seed gives the same
+/// bits everywhere (gsl_rng_mt19937).
 
 typedef enum bmr_family {
     BMR_FAMILY_LINE,            ///< straight pass, no rotation
@@ -35,11 +35,11 @@ typedef enum bmr_family {
 /// "line", "parabola", "algebraic", "orbit", "zigzag", "brownian", "wander", "spin", "rigid-algebraic",
 /// "tumble", "rigid-brownian", "rigid-wander"; NULL for anything else.
 const char *bmr_family_name(bmr_family family);
-/// BMR_FAMILY_COUNT if there is none of that name.
+/// The family of a name; BMR_FAMILY_COUNT if there is none.
 bmr_family bmr_family_find(const char *name);
 /// Does the relative rotation change? The families before SPIN translate only.
 bool bmr_family_is_rigid(bmr_family family);
-/// Is the path convex in the paper's sense (bending away from A): one fixed line covers it.
+/// Is the path convex in the paper's sense (bending away from A)? Then one fixed line covers it.
 bool bmr_family_is_convex(bmr_family family);
 
 typedef struct bmr_family_def {
@@ -57,17 +57,16 @@ typedef struct bmr_family_motion {
     bmr_motion *motions[2];
     double diameter;   ///< D
     double sigma;      ///< D / ratio
-    double separation; ///< the least separation as measured, within 1 % of sigma
-    double nearest;    ///< a time of it
+    double separation; ///< the measured least separation, within 1 % of sigma
+    double nearest;    ///< a time at which it occurs
 } bmr_family_motion;
 
-/// Makes the motion of two polygons. All families have one free parameter (an offset or a scale), which is
+/// Makes the motion of two polygons. All families have one free parameter (an offset or a scale). It is
 /// searched until the least separation over the motion, measured to 0.1 % by bmr_least_distance, is within
-/// 0.5 % of sigma; the orbit is built at its distance from the polygons' edges and vertices, and looked at
-/// once in each piece. Takes milliseconds, more where the separation stays next to sigma for long (spin of a
-/// disc). Errors: NULL_ARGUMENT, OUT_OF_RANGE (a def that makes no sense, two points, sigma too near to
-/// rounding: below 1e-12 of the extents), TOO_LARGE (more steps than there are addresses for), NO_MEMORY, and
-/// those of bmr_motion_create.
+/// 0.5 % of sigma. The orbit is built at its distance from the polygons' edges and vertices, and checked once
+/// in each piece. Takes milliseconds, more if the separation stays next to sigma for long (spin of a disc).
+/// Errors: NULL_ARGUMENT, OUT_OF_RANGE (a def that makes no sense, two points, sigma below 1e-12 of the
+/// extents), TOO_LARGE (more steps than can be addressed), NO_MEMORY, and those of bmr_motion_create.
 bmr_error bmr_family_create(const bmr_family_def *def, const bmr_polygon *a, const bmr_polygon *b,
                             const bmr_allocator *allocator, bmr_family_motion *made);
 /// Destroys the two motions.
@@ -76,10 +75,10 @@ void bmr_family_destroy(bmr_family_motion *made);
 /// The largest distance between two vertices. O(n log n).
 double bmr_polygon_diameter(const bmr_polygon *polygon);
 
-/// The least distance of the two polygons over [from, to] (finite), to within `tolerance` (> 0, length
-/// units; INFINITY: one look at each piece): *distance is attained at *time, and nowhere is it smaller by
-/// more than the tolerance. 0 if they touch. Subdivision by the bodies' speed bounds: each interval is closed
-/// by a distance and a speed. Cost: (speed * time / tolerance) distances at worst, where the distance stays
+/// The least distance of the two polygons over [from, to] (finite), to within `tolerance` (> 0, length units;
+/// INFINITY: one look at each piece). *distance is attained at *time, and nowhere is the distance smaller by
+/// more than the tolerance. 0 if they touch. It subdivides by the bodies' speed bounds: a distance and a
+/// speed close each interval. Cost: (speed * time / tolerance) distances at worst, if the distance stays
 /// least. Errors: NULL_ARGUMENT, OUT_OF_RANGE (tolerance not positive, from > to).
 bmr_error bmr_least_distance(const bmr_polygon *a, const bmr_polygon *b, const bmr_motion *motion_a,
                              const bmr_motion *motion_b, double from, double to, double tolerance,

@@ -12,50 +12,50 @@ extern "C" {
 #endif
 
 /// @file
-/// Every kinetic structure of the paper, the rivals it names, and what answers its open question, behind one
-/// interface. A structure holds a proof that A and B are apart and a short list of conditions under which it
-/// stands. The caller knows the motion: it finds the first time at which a condition fails, takes the
-/// structure there, and has it repaired. (The same ideas packed into 64 bytes of floats, for poses that come
-/// in steps, are boomerang/pair.h.)
+/// Every kinetic structure of the paper, the rivals that it names, and the answers to its open question,
+/// behind one interface. A structure holds a proof that A and B are apart, and a short list of conditions
+/// under which the proof stands. The caller knows the motion. It finds the first time at which a condition
+/// fails, takes the structure there, and has it repaired. (boomerang/pair.h has the same ideas in 64 bytes of
+/// floats, for poses that come in steps.)
 ///
 /// All of it is in double precision. Poses are of B's frame in A's frame throughout.
 
-/// The chains of a hierarchy as arrays (bmr_chains), for the search of the active triangle by halves: section
-/// 5's O(log(log n - i)) time with O(n) more space, 16 bytes an edge of the hierarchy. Made once for a
-/// polygon, constant, shared by any number of pairs and threads. The hierarchy must outlive them. O(n).
-/// Errors: NULL_ARGUMENT, NO_MEMORY; then *chains is untouched.
+/// Makes the chains of a hierarchy as arrays, for the search of the active triangle by halves: section 5's
+/// O(log(log n - i)) time with O(n) more space, 16 bytes an edge of the hierarchy. Made once for a polygon;
+/// constant; any number of pairs and threads may share it. The hierarchy must outlive it. O(n). Errors:
+/// NULL_ARGUMENT, NO_MEMORY; then *chains is untouched.
 bmr_error bmr_chains_create(const bmr_hierarchy *hierarchy, const bmr_allocator *allocator,
                             bmr_chains **chains);
 /// NULL is no error.
 void bmr_chains_destroy(bmr_chains *chains, const bmr_allocator *allocator);
 size_t bmr_chains_bytes(const bmr_chains *chains);
 
-/// Which pairs and motions a structure is made for.
+/// The pairs and motions that a structure is made for.
 typedef enum bmr_kds_domain {
     BMR_KDS_POINT,       ///< B is a point (a polygon of one vertex); any motion
     BMR_KDS_TRANSLATION, ///< two polygons whose relative rotation never changes (any fixed one)
     BMR_KDS_RIGID        ///< two polygons, any motion
 } bmr_kds_domain;
 
-/// What a structure is here for.
+/// The role of a structure.
 typedef enum bmr_kds_role {
-    /// Take one of these. For a point: point-lazy-dudley, and point-inflated-slack where events are to be far
+    /// Take one of these. For a point: point-lazy-dudley, and point-inflated-slack if events shall be far
     /// apart. For two polygons: lazy-dudley, the paper's own; hybrid, which needs no hierarchy and has
-    /// hysteresis; predict, which has the fewest lines where the rates are known, but Theta(n) events where
+    /// hysteresis; predict, which has the fewest lines if the rates are known, but Theta(n) events where
     /// bodies turn, however far apart. With hysteresis, on hierarchies: inflated-translation,
     /// inflated-window.
     BMR_KDS_RECOMMENDED,
-    /// As right as those, but another one does the same for less: here to be compared with. What the paper
-    /// goes through on its way, and variants with one thing changed.
+    /// As right as those, but another one does the same for less. For comparison: the structures that lead to
+    /// the paper's own, and variants with one thing changed.
     BMR_KDS_CONTROL,
     BMR_KDS_RIVAL ///< one of those that the paper compares with
 } bmr_kds_role;
 
-/// The outside of one structure. Constant; there is one for each.
+/// The description of one structure. Constant; there is one for each.
 typedef struct bmr_kds_info {
     const char *name;    ///< for command lines: "active-cell-compass"
     const char *title;   ///< one line for tables and help
-    const char *section; ///< where it is in the paper, or what it answers
+    const char *section; ///< its place in the paper, or the question that it answers
     bmr_kds_domain domain;
     bmr_kds_role role;
     int hierarchy;              ///< the bmr_hierarchy_kind it needs of each shape, or -1
@@ -65,63 +65,63 @@ typedef struct bmr_kds_info {
 /// All structures, in the order of the paper. O(1).
 size_t bmr_kds_count(void);
 const bmr_kds_info *bmr_kds_at(size_t index);
-/// The structure of a name. Errors: NULL_ARGUMENT; UNKNOWN_NAME: there is none of that name, and
-/// bmr_kds_describe_unknown says which there are. Then *info is untouched. O(their number).
+/// Finds a structure by its name. Errors: NULL_ARGUMENT; UNKNOWN_NAME (bmr_kds_describe_unknown lists the
+/// names). Then *info is untouched. O(number of structures).
 bmr_error bmr_kds_find(const char *name, const bmr_kds_info **info);
-/// The sentence for a name that bmr_kds_find did not know: the name (its first 64 bytes; NULL: none) and all
-/// names there are. Writes at most `size` bytes into `text`, with a 0 at the end where size > 0, and returns
-/// how many it would have written without that limit, as snprintf does: 1024 are enough.
+/// Writes the sentence for a name that bmr_kds_find does not know: the name (its first 64 bytes; NULL: none)
+/// and all names there are. Writes at most `size` bytes into `text`, with a 0 at the end if size > 0. Returns
+/// how many it would write without that limit, as snprintf does: 1024 are enough.
 size_t bmr_kds_describe_unknown(const char *name, char *text, size_t size);
 
-/// How a structure is to behave. Start from bmr_default_kds_def().
+/// Settings of a structure. Start from bmr_default_kds_def().
 typedef struct bmr_kds_def {
-    /// In contact when the polygons are this near; > 0, length units. Let `reach` be the distance that is
-    /// asked for: the margin, or margin + hysteresis for a pair in contact. A structure may report contact
-    /// where the distance is larger than `reach` by no more than 1e-9 of the extents and 2e-8 of `reach`: the
-    /// first is the slack with which a line begins (4e-10 of the extents at most) and the rounding of places,
-    /// the second what the search for the closest points may leave of the distance (in practice 2^-50, its
-    /// rounding). The two rivals that compare distances (closest features, inner tangent) may report "apart"
-    /// where it is smaller by 1e-15 of the extents and of `reach`.
+    /// The pair is in contact if the polygons are this near; > 0, length units. Let `reach` be the distance
+    /// that is asked for: the margin, or margin + hysteresis for a pair in contact. A structure may report
+    /// contact at a distance larger than `reach` by no more than 1e-9 of the extents and 2e-8 of `reach`. The
+    /// first part is the slack with which a line begins (4e-10 of the extents at most) and the rounding of
+    /// places. The second is the part of the distance that the search for the closest points may lose (in
+    /// practice 2^-50, its rounding). The two rivals that compare distances (closest features, inner tangent)
+    /// may report "apart" at a distance smaller by 1e-15 of the extents and of `reach`.
     double margin;
-    /// Contact is left when they are margin + hysteresis apart, up to the same; >= 0.
+    /// The pair leaves contact when the polygons are margin + hysteresis apart, up to the same; >= 0.
     double hysteresis;
-    /// Inflated structures: eps_j = alpha * (D_A + D_B) * offset_ratio^j. The paper's: 1/2 and 1/2; a ratio
-    /// nearer to 1 takes beta towards 1 and kappa towards 3, where the root polygon is richer too.
+    /// Inflated structures: eps_j = alpha * (D_A + D_B) * offset_ratio^j. The paper's values: 1/2 and 1/2. A
+    /// ratio nearer to 1 takes beta towards 1 and kappa towards 3, if the root polygon is richer too.
     double alpha, offset_ratio;
     /// Inflated structures: levels of the hierarchy that the root polygon already has; 0: the rectangle. For
-    /// polygons with sharp corners give the shapes hierarchies of bmr_hierarchy_build_compass_with_corners,
-    /// of at least so many levels (an explicit sum makes its own): else no level is beyond the corners'
-    /// angle.
+    /// polygons with sharp corners, give the shapes hierarchies of bmr_hierarchy_build_compass_with_corners
+    /// of at least so many levels. (An explicit sum makes its own.) Without them no level reaches beyond the
+    /// corners' angle.
     unsigned root_level;
     /// Free directions: the part of the gap that a window may cost (gamma), in (0, 1).
     double window_part;
 } bmr_kds_def;
-/// margin 1e-6, hysteresis 0, alpha 1/2, offset_ratio 1/2, root_level 0, window_part as the structure likes
-/// it (0).
+/// margin 1e-6, hysteresis 0, alpha 1/2, offset_ratio 1/2, root_level 0, window_part 0 (the structure's own
+/// choice).
 bmr_kds_def bmr_default_kds_def(void);
 
-/// What is known of the relative motion at a time: B's frame in A's. A structure that predicts uses the
-/// rates; where they are unknown they are 0, which is always allowed and never wrong.
+/// The relative motion at one time: B's frame in A's. A structure that predicts uses the rates. If the caller
+/// does not know them, it passes 0, which is never wrong.
 typedef struct bmr_instant {
     bmr_pose pose;
     bmr_vec2 velocity; ///< of pose.position
     double spin;       ///< rate of the pose's angle
 } bmr_instant;
 
-/// What happened in one repair.
+/// The event of one repair.
 typedef enum bmr_kds_event_kind {
     BMR_KDS_START,     ///< a proof was made from nothing
     BMR_KDS_PUSH,      ///< the point or corner crossed the line beyond the edge's ends
     BMR_KDS_STAB,      ///< it crossed the edge itself: refined
     BMR_KDS_ROLL,      ///< the nearest corner changed, the line stayed
-    BMR_KDS_CROSS,     ///< an eager cell: left through an outer side into another cell
+    BMR_KDS_CROSS,     ///< an eager cell: the point left through an outer side into another cell
     BMR_KDS_PAGE_TURN, ///< mixed hierarchy: a triangle and a parallelogram changed places
     BMR_KDS_COLLAPSE,  ///< mixed hierarchy: a parallelogram vanished
     BMR_KDS_FEATURE,   ///< a rival: the features or the tangent changed
-    BMR_KDS_HANDOVER,  ///< the line failed, and the spare one that was made with it took its place
+    BMR_KDS_HANDOVER,  ///< the line failed, and the spare line that was made with it took its place
     BMR_KDS_CONTACT,   ///< the polygons are within the margin
     BMR_KDS_LEAVE,     ///< contact was left, a proof was made
-    BMR_KDS_NONE,      ///< called too early: every condition still held
+    BMR_KDS_NONE,      ///< the call came too early: every condition still held
     BMR_KDS_EVENT_KIND_COUNT
 } bmr_kds_event_kind;
 /// "start", "push", "stab", "roll", "cross", "page-turn", "collapse", "feature", "handover",
@@ -130,9 +130,9 @@ const char *bmr_kds_event_name(bmr_kds_event_kind kind);
 
 typedef struct bmr_kds_report {
     bmr_kds_event_kind kind;
-    bool apart; ///< there is a proof now; false: contact
-    /// The separating line is another than before (its owner, direction or offset); a new one that happens to
-    /// be the same may count as another.
+    bool apart; ///< true: there is a proof; false: contact
+    /// The separating line changed (its owner, direction or offset). A new line that happens to be the same
+    /// may count as changed.
     bool line_changed;
     int level_before, level_after; ///< of the hierarchy; 0 for a structure that has none
     /// Elementary steps: 1 for the proof that failed, and 1 for every vertex, edge, normal, node of a
@@ -140,21 +140,21 @@ typedef struct bmr_kds_report {
     unsigned touched;
 } bmr_kds_report;
 
-/// The most conditions any structure waits for.
+/// The most conditions of any structure.
 #define BMR_KDS_MAX_CONDITIONS 8
 
-/// The line that proves the pair apart: all of the owner is on or behind it, all of the other beyond it.
+/// The line that proves the pair apart: all of the owner is on or behind it, all of the other body beyond it.
 typedef struct bmr_kds_proof {
     int owner;        ///< 0: the line is fixed in A's frame, 1: in B's
     bmr_line line;    ///< owner's frame
-    bmr_vec2 nearest; ///< the other body's corner or vertex that was taken for its nearest, its frame
+    bmr_vec2 nearest; ///< the corner or vertex of the other body that counts as its nearest; its frame
     int level;
 } bmr_kds_proof;
 
 typedef struct bmr_kds bmr_kds;
 
-/// Makes a structure for one pair; nothing is known yet. One block of the allocator (NULL: malloc), O(1)
-/// bytes, but for the structures on an explicit Minkowski sum or tiling, which say so. The shapes must
+/// Makes a structure for one pair; nothing is known yet. One block of the allocator (NULL: malloc) of O(1)
+/// bytes, except for structures on an explicit Minkowski sum or tiling, which say so. The shapes must
 /// outlive it, unchanged: it is bound to them, and no later call takes others. Errors: NULL_ARGUMENT (also a
 /// hierarchy that `info` needs), WRONG_HIERARCHY (it is of another polygon or kind), OUT_OF_RANGE (a def that
 /// makes no sense; a POINT structure for a B of several vertices), NO_MEMORY.
@@ -165,31 +165,31 @@ const bmr_kds_info *bmr_kds_get_info(const bmr_kds *kds);
 /// Bytes of the pair's own state.
 size_t bmr_kds_bytes(const bmr_kds *kds);
 
-/// Makes a proof from nothing, or finds contact. Also to be called to leave contact. O(log n) (structures on
-/// an explicit tiling: O(size)). A pose with a NaN, or far from orthonormal: contact.
+/// Makes a proof from nothing, or finds contact. Call it to leave contact, too. O(log n) (structures on an
+/// explicit tiling: O(size)). A pose with a NaN, or far from orthonormal, is contact.
 void bmr_kds_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report);
 
-/// The conditions of the present proof, all of which held at the last start or repair; 0 in contact. Their
-/// conjunction implies that the polygons are apart by more than the margin. O(1), but O(log n) for a
-/// separating edge of a polygon as thin as rounding.
+/// The conditions of the present proof, all of which held at the last start or repair; 0 in contact. While
+/// all of them hold, the polygons are apart by more than the margin. O(1), but O(log n) for a separating edge
+/// of a polygon as thin as rounding.
 size_t bmr_kds_conditions(const bmr_kds *kds, bmr_condition conditions[BMR_KDS_MAX_CONDITIONS]);
 
-/// Takes the structure past a failure: `failed` is the index (less than their number, which is not checked)
-/// of the condition that is at zero (or just below) at this instant. Afterwards every condition is positive,
-/// or zero and about to grow under `now`'s rates, or the pair is in contact. Called where nothing has failed,
-/// it reports NONE and changes nothing. Contact is reported only where the exact distance is at most the
+/// Takes the structure past a failure. `failed` is the index of the condition that is at zero, or just below,
+/// at this instant (it must be less than their number, which is not checked). Afterwards every condition is
+/// positive, or zero and about to grow under the rates of `now`, or the pair is in contact. If nothing has
+/// failed, it reports NONE and changes nothing. It reports contact only if the exact distance is at most the
 /// margin (up to rounding, see bmr_kds_def).
 void bmr_kds_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report);
 
 bool bmr_kds_in_contact(const bmr_kds *kds);
-/// False in contact. (The line of two rivals, closest features and inner tangent, is fixed in neither frame:
-/// theirs is that of the last event.)
+/// The line of the present proof; false in contact. (The line of two rivals, closest features and inner
+/// tangent, is fixed in neither frame: they give that of the last event.)
 bool bmr_kds_get_proof(const bmr_kds *kds, bmr_kds_proof *proof);
 
-/// Re-proves everything by brute force over all vertices at a pose where the conditions hold: the line
-/// separates by more than the margin, and what else the structure promises of its level, cell or features. OK
-/// for a pair in contact whose distance is at most the margin, and where the pose is none, which is contact.
-/// O(n). Errors: NULL_ARGUMENT, FALSE_CERTIFICATE, INVALID_STRUCTURE.
+/// Proves everything again by brute force over all vertices, at a pose where the conditions hold: the line
+/// separates by more than the margin, and the structure's other promises of its level, cell or features are
+/// true. OK for a pair in contact whose distance is at most the margin, and for a pose with a NaN or far from
+/// orthonormal, which is contact. O(n). Errors: NULL_ARGUMENT, FALSE_CERTIFICATE, INVALID_STRUCTURE.
 bmr_error bmr_kds_audit(const bmr_kds *kds, const bmr_pose *b_in_a);
 
 #ifdef __cplusplus

@@ -15,12 +15,12 @@ extern "C" {
 /// @file
 /// Rigid motions of one body as a function of time (section 2 of the paper), in boomerang::kinetic.
 ///
-/// A motion is a sequence of pieces, each with a time from which it holds; the first holds from -INFINITY. A
-/// change of flight plan replaces what comes after a time. Each motion is two blocks of its allocator:
-/// itself, and its pieces, whose block is doubled when it is full.
+/// A motion is a sequence of pieces. Each piece holds from its own time until the next piece's; the first
+/// holds from -INFINITY. A change of flight plan replaces everything after a time. A motion is two blocks of
+/// its allocator: itself, and its pieces, whose block is doubled when it is full.
 
 /// A body whose frame's origin moves along a straight line while the body turns about that origin at a
-/// constant rate: what a body without forces does when the origin is its centre of mass. Spin 0 is a
+/// constant rate: the motion of a body without forces if the origin is its centre of mass. Spin 0 is a
 /// translation.
 typedef struct bmr_screw_motion {
     bmr_pose start;    ///< the pose at time 0
@@ -29,11 +29,11 @@ typedef struct bmr_screw_motion {
 } bmr_screw_motion;
 
 /// The pose at `time`, which may be negative. (c, s) is as far from unit length as the start's, up to two
-/// roundings; the angle turned is spin * time, rounded once. A NaN or an infinity comes out as NaN. O(1).
+/// roundings. The angle turned is spin * time, rounded once. A NaN or an infinity gives NaN. O(1).
 bmr_pose bmr_screw_motion_pose(const bmr_screw_motion *motion, double time);
 
-/// The highest degree of a coordinate polynomial of an algebraic piece, and of each of the two polynomials
-/// that its rational rotation is made of.
+/// The highest degree of a coordinate polynomial of an algebraic piece, and of each of the two polynomials of
+/// its rational rotation.
 #define BMR_MOTION_MAX_DEGREE 8
 
 typedef enum bmr_motion_piece_kind {
@@ -41,11 +41,11 @@ typedef enum bmr_motion_piece_kind {
     BMR_PIECE_SCREW      ///< linear position, constant spin
 } bmr_motion_piece_kind;
 
-/// An algebraic frame: with u = t - origin, position = (sum x[k] u^k, sum y[k] u^k) and rotation = start
-/// turned by the angle 2 atan2(b(u), a(u)), that is (c, s) = (a^2 - b^2, 2 a b) / (a^2 + b^2): an orthonormal
-/// frame whose entries are rational functions of degree 2 rotation_degree. a and b must have no common root.
-/// (Creation does not look for one. At a common root the pose is NaN, and what searches past it answers
-/// BMR_ERROR_NOT_FINITE.)
+/// An algebraic frame. With u = t - origin, the position is (sum x[k] u^k, sum y[k] u^k). The rotation is
+/// start turned by the angle 2 atan2(b(u), a(u)), that is (c, s) = (a^2 - b^2, 2 a b) / (a^2 + b^2): an
+/// orthonormal frame whose entries are rational functions of degree 2 rotation_degree. a and b must have no
+/// common root. (Creation does not look for one. At a common root the pose is NaN, and a search past it
+/// returns BMR_ERROR_NOT_FINITE.)
 typedef struct bmr_algebraic_piece {
     size_t degree; ///< of the position
     double x[BMR_MOTION_MAX_DEGREE + 1], y[BMR_MOTION_MAX_DEGREE + 1];
@@ -56,7 +56,7 @@ typedef struct bmr_algebraic_piece {
 
 typedef struct bmr_motion_piece {
     bmr_motion_piece_kind kind;
-    double origin; ///< the time that the piece's own time is counted from
+    double origin; ///< the piece's own time is 0 here
     union {
         bmr_algebraic_piece algebraic;
         bmr_screw_motion screw;
@@ -70,33 +70,35 @@ bmr_motion_piece bmr_piece_screw(double origin, bmr_pose pose, bmr_vec2 velocity
 
 typedef struct bmr_motion bmr_motion;
 
-/// A motion of one piece that holds for all time. The piece is copied, its rotation made of unit length. The
-/// allocator (NULL: malloc) must outlive it. Errors: NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (degrees, a
-/// rotation off unit length by more than 1e-9, a and b both zero), NO_MEMORY.
+/// Makes a motion of one piece that holds for all time. The piece is copied and its rotation made of unit
+/// length. The allocator (NULL: malloc) must outlive the motion. Errors: NULL_ARGUMENT, NOT_FINITE,
+/// OUT_OF_RANGE (degrees, a rotation off unit length by more than 1e-9, a and b both zero), NO_MEMORY.
 bmr_error bmr_motion_create(const bmr_motion_piece *piece, const bmr_allocator *allocator,
                             bmr_motion **motion);
-/// Screw motions from sample to sample (the shorter way round), at rest before the first and after the last.
-/// `times` ascend strictly. Errors also: NO_POINTS (count 0), OUT_OF_RANGE (times do not ascend), TOO_LARGE.
+/// Makes a motion of screws from sample to sample (turning the shorter way), at rest before the first and
+/// after the last. `times` ascend strictly. Errors also: NO_POINTS (count 0), OUT_OF_RANGE (times do not
+/// ascend), TOO_LARGE.
 bmr_error bmr_motion_create_sampled(const double *times, const bmr_pose *poses, size_t count,
                                     const bmr_allocator *allocator, bmr_motion **motion);
 /// NULL is no error.
 void bmr_motion_destroy(bmr_motion *motion);
 
-/// From `time` on the motion is `piece`; what it was before that stays, what was planned after is forgotten.
-/// Poses may jump at `time` (the kinetic simulation then starts the pair afresh). Errors as at creation, and
-/// NOT_FINITE for the time, TOO_LARGE for pieces that there are no addresses for; then the motion is as it
-/// was. Amortized O(1) beside the search for the place.
+/// Replaces the motion from `time` on by `piece`. Earlier pieces stay; later ones are dropped. The pose may
+/// jump at `time` (the kinetic simulation then starts the pair afresh). Errors as at creation, and NOT_FINITE
+/// for the time, TOO_LARGE if the pieces cannot be addressed; then the motion is as it was. Amortized O(1)
+/// beside the search for the place.
 bmr_error bmr_motion_change(bmr_motion *motion, double time, const bmr_motion_piece *piece);
 
-/// The piece that holds at `time` (at a change: the later one), and where `end` is not NULL when it ends
-/// (INFINITY: never). Until the next change of plan it stays where it is. O(log pieces).
+/// The piece that holds at `time` (at a change: the later one). If `end` is not NULL, it gets the time at
+/// which the piece ends (INFINITY: never). The pointer is valid until the next change of plan. O(log pieces).
 const bmr_motion_piece *bmr_motion_piece_at(const bmr_motion *motion, double time, double *end);
 size_t bmr_motion_piece_count(const bmr_motion *motion);
-/// Pose; and, where not NULL, the velocity of the origin and the rate of the angle.
+/// The pose at `time`. `velocity` and `spin`, if not NULL, get the velocity of the origin and the rate of the
+/// angle.
 bmr_pose bmr_motion_pose(const bmr_motion *motion, double time, bmr_vec2 *velocity, double *spin);
 /// An upper bound, over [from, to] (finite) of one piece, of the speed of any point within `radius` (>= 0) of
-/// the frame's origin; tight as the interval shrinks. INFINITY where a rotation's a and b come too near to a
-/// common root, and for a degree above BMR_MOTION_MAX_DEGREE.
+/// the frame's origin. It is tight as the interval shrinks. INFINITY if a rotation's a and b come too near to
+/// a common root, and for a degree above BMR_MOTION_MAX_DEGREE.
 double bmr_motion_piece_speed(const bmr_motion_piece *piece, double from, double to, double radius);
 
 #ifdef __cplusplus

@@ -12,64 +12,65 @@ extern "C" {
 #endif
 
 /// @file
-/// A kinetic structure for one pair of moving convex polygons A and B, in sampled mode: it is advanced from
-/// one relative pose to the next and answers "apart, by at least this much" or "stab on the real polygon".
-/// Sections 3 and 5 of the paper (lazy), section 7's open question (free direction).
+/// A kinetic structure for one pair of moving convex polygons A and B, in sampled mode: the caller advances
+/// it from one relative pose to the next, and it answers "apart, by at least this much" or "stab on the real
+/// polygon". Sections 3 and 5 of the paper (lazy), section 7's open question (free direction).
 ///
-/// Poses are of B's frame in A's frame throughout. Nothing here allocates; a pair is plain data that may be
+/// Poses are of B's frame in A's frame throughout. Nothing here allocates. A pair is plain data and may be
 /// copied.
 ///
 /// A pair belongs to the two polygons of its last advance, A and B in this order. It knows them by their
-/// stamps (bmr_polygon), not by their addresses; others pass for them with a probability of 2^-32, the same
-/// two exchanged with one of 2^-31. An advance with polygons of other vertices, or with A and B exchanged,
-/// starts the pair anew, as bmr_pair_init would have: a polygon may be replaced, also by one at the same
-/// address, and nobody need tell the pair. A copy of a polygon is the same polygon. A polygon that was
-/// written to in place keeps its stamp, which is why nobody may (bmr_polygon_audit finds it).
+/// stamps (bmr_polygon), not by their addresses. Other polygons pass for them with a probability of 2^-32,
+/// the same two exchanged with one of 2^-31. An advance with polygons of other vertices, or with A and B
+/// exchanged, starts the pair anew, as bmr_pair_init would. So a polygon may be replaced without a call, also
+/// by one at the same address. A copy of a polygon is the same polygon. Do not write to a polygon in place:
+/// it would keep its stamp (bmr_polygon_audit finds it).
 ///
-/// A lazy structure walks on the hierarchy that lies in its kind's place of a bmr_shape. NULL, one of another
-/// kind and one of another polygon are no hierarchy. A hierarchy knows its polygon by its address and its
-/// stamp together: kept while its polygon was freed, it is none of a polygon of other vertices that was made
-/// at the same address. Polygons and hierarchies need only live during each call.
+/// A lazy structure walks on the hierarchies of a bmr_shape, at the index of their kind. NULL, one of another
+/// kind and one of another polygon are no hierarchy. A hierarchy knows its polygon by address and stamp
+/// together: if its polygon was freed, it does not fit a polygon of other vertices at the same address.
+/// Polygons and hierarchies need only live during each call.
 
-/// Which kinetic structure.
+/// The kinetic structures in sampled mode.
 typedef enum bmr_structure {
-    /// Edge of one envelope, corner of the other, on compass hierarchies. (At the polygons themselves, where
-    /// the gap is within a factor of sqrt(2) of the margin, the closest direction stands in for an edge.)
+    /// An edge of one envelope and a corner of the other, on compass hierarchies. (At the polygons
+    /// themselves, if the gap is within a factor of sqrt(2) of the margin, the closest direction replaces the
+    /// edge.)
     BMR_LAZY_COMPASS,
     BMR_LAZY_DUDLEY, ///< the same on Dudley hierarchies
     BMR_LAZY_DOBKIN_KIRKPATRICK,
-    BMR_FREE_DIRECTION, ///< closest direction fixed in one body, two-corner window in the other
+    BMR_FREE_DIRECTION, ///< closest direction fixed in one body, a window of two corners in the other
     BMR_STRUCTURE_COUNT
 } bmr_structure;
 
 /// "lazy-compass", "lazy-dudley", "lazy-dobkin-kirkpatrick", "free-direction"; NULL for anything else.
 const char *bmr_structure_name(bmr_structure structure);
 
-/// How a structure is to behave: constant, shared by many pairs.
+/// Settings of a structure. Constant; many pairs may share them.
 typedef struct bmr_pair_def {
-    /// A lazy structure needs the hierarchies of both shapes. Where either has none, the pair is kept as a
-    /// free direction, which needs none: the same answers, the same bounds and audits, other events (it has
-    /// one level below the disks, and starts with a distance query). The same goes for a number that names no
-    /// structure. It may change between two advances: the pair then starts anew at its next repair.
+    /// A lazy structure needs the hierarchies of both shapes. If one is missing, or the number names no
+    /// structure, the pair works as a free direction, which needs none. Answers, bounds and audits are the
+    /// same; the events differ (it has one level below the disks, and starts with a distance query). The
+    /// structure may change between two advances: the pair then starts anew at its next repair.
     bmr_structure structure;
-    /// The pair counts as in contact when no line proves more than this; >= 0, length units.
+    /// The pair is in contact if no line proves more than this; >= 0, length units.
     double margin;
-    /// A pair in contact leaves it only when more than margin + hysteresis is proved; >= 0, length units.
+    /// A pair leaves contact only if more than margin + hysteresis is proved; >= 0, length units.
     double hysteresis;
 } bmr_pair_def;
-/// lazy-compass, margin and hysteresis 0. With it, shapes need no hierarchy, and are faster with one.
+/// lazy-compass, margin 0, hysteresis 0. With these, shapes need no hierarchy, and are faster with one.
 bmr_pair_def bmr_default_pair_def(void);
 
 /// Kinds of events, in the paper's words. One repair is one of START, PUSH, STAB, ROLL, CONTACT and LEAVE,
-/// followed by a COARSEN for each level it then gained. For the free direction, whose only levels are the
-/// disks and the polygons, PUSH and ROLL both mean that the closest direction was taken anew.
+/// followed by one COARSEN for each level that it then gained. The only levels of the free direction are the
+/// disks and the polygons; its PUSH and ROLL both mean that it took the closest direction anew.
 typedef enum bmr_event_kind {
     BMR_EVENT_START,   ///< a certificate was made from nothing
     BMR_EVENT_PUSH,    ///< the window crossed the line, and another line of the same level separates
     BMR_EVENT_STAB,    ///< the envelopes of this level touch: refined to a deeper level
     BMR_EVENT_ROLL,    ///< the direction left the window's bracket
     BMR_EVENT_COARSEN, ///< a coarser level was found to be apart (one event for each level gained)
-    BMR_EVENT_CONTACT, ///< the stab reached the real polygons: hand-over
+    BMR_EVENT_CONTACT, ///< the stab reached the real polygons: use an exact test
     BMR_EVENT_LEAVE,   ///< the pair left contact
     BMR_EVENT_KIND_COUNT
 } bmr_event_kind;
@@ -79,8 +80,8 @@ const char *bmr_event_name(bmr_event_kind kind);
 /// The level above the bounding rectangle: two bounding disks.
 #define BMR_LEVEL_DISKS (-1)
 
-/// A pair's whole state: 64 bytes, to be aligned to 64 where a check shall touch one cache line. Read it, do
-/// not write it.
+/// The whole state of a pair: 64 bytes. Align it to 64 if a check shall touch one cache line. Read it; do not
+/// write it.
 typedef struct bmr_pair {
     bmr_certificate certificate; ///< 44 bytes; at level -1 normal = centre of A's disk, window[0] = that of
                                  ///< B's, offset = sum of radii
@@ -109,35 +110,35 @@ typedef enum bmr_answer {
     BMR_STAB_POLYGON ///< they are not known to be: ask an exact test
 } bmr_answer;
 
-/// One event, as handed to an observer.
+/// One event, as an observer gets it.
 typedef struct bmr_event {
     bmr_event_kind kind;
     int level_before, level_after;
     const bmr_pair *pair; ///< the state after the event
     const bmr_pose *pose; ///< B in A's frame
-    double gap;           ///< certified after the event, 0 if none
+    double gap;           ///< lower bound of the distance after the event, 0 if none
 } bmr_event;
 
-/// Counts of work done. Checks are counted by bmr_pair_advance, not by bmr_pair_check.
+/// Counts of work. bmr_pair_advance counts checks; bmr_pair_check does not.
 typedef struct bmr_counters {
     uint64_t checks;
     uint64_t events[BMR_EVENT_KIND_COUNT];
     /// Elementary steps of all repairs: 1 for the proof that failed, and 1 for every vertex, edge or node of
-    /// a hierarchy that was looked at. The time of a repair is at most a constant times its own.
+    /// a hierarchy that was looked at. The time of a repair is at most a constant times its steps.
     uint64_t steps;
 } bmr_counters;
 
-/// Who is told. NULL members are skipped; a NULL observer costs nothing.
+/// The caller's counters and callback. NULL members are skipped; a NULL observer costs nothing.
 typedef struct bmr_observer {
     bmr_counters *counters;
     void (*on_event)(void *context, const bmr_event *event);
     void *context;
 } bmr_observer;
 
-/// A pose whose c^2 + s^2 is off 1 by more is no rigid motion, and nothing is proved about it.
+/// If c^2 + s^2 of a pose is off 1 by more than this, it is no rigid motion, and nothing is proved about it.
 #define BMR_PAIR_UNIT_TOLERANCE 1e-3
 
-/// Is it a pose that a pair can be advanced to: finite, and of a rotation of about unit length? O(1).
+/// Can a pair be advanced to this pose? It must be finite, with a rotation of about unit length. O(1).
 static inline bool bmr_pair_takes(const bmr_pose *b_in_a) {
     const double excess = b_in_a->c * b_in_a->c + b_in_a->s * b_in_a->s - 1.0;
     const double x = b_in_a->position.x, y = b_in_a->position.y;
@@ -145,60 +146,61 @@ static inline bool bmr_pair_takes(const bmr_pose *b_in_a) {
     return excess <= BMR_PAIR_UNIT_TOLERANCE && -excess <= BMR_PAIR_UNIT_TOLERANCE && reach <= DBL_MAX;
 }
 
-/// A pair about which nothing is known. Any polygons and any pose may come next. 64 bytes of zeros are one.
-/// O(1).
+/// Makes a pair about which nothing is known. Any polygons and any pose may come next. 64 bytes of zeros are
+/// the same. O(1).
 void bmr_pair_init(bmr_pair *pair);
 
-/// The quick look: is the certificate of the last advance still true at this pose, by more than the margin?
-/// True of the polygons of that advance: whoever has others now must know it, or call bmr_pair_advance, which
-/// sees it. One cache line, no memory but the pair's. False says nothing but "call bmr_pair_advance"; a pose
-/// with a NaN is never true. Asks for a pose that bmr_pair_takes, which bmr_pair_advance looks at itself.
-/// `*gap` as in bmr_certificate_check.
+/// The quick check: is the certificate of the last advance still true at this pose, by more than the margin?
+/// It is about the polygons of that advance. If the caller has other polygons by then, it must call
+/// bmr_pair_advance, which notices. Reads one cache line: the pair. False only means: call bmr_pair_advance.
+/// A pose with a NaN never gives true. The pose must be one that bmr_pair_takes accepts (bmr_pair_advance
+/// checks that itself). `*gap` as in bmr_certificate_check.
 static inline bool bmr_pair_check(const bmr_pair *pair, const bmr_pose *b_in_a, double margin, double *gap);
 
-/// How much closer than the truth, in units of the sum of the two polygons' extents, a certificate may have
-/// to claim them to be: its floats' rounding, and BMR_ROLL_TOLERANCE.
+/// A certificate may claim the polygons to be closer than they are by at most this times the sum of their
+/// extents: the rounding of its floats, and BMR_ROLL_TOLERANCE.
 #define BMR_PAIR_SLOP 4e-6
 
-/// Takes the pair to a new relative pose: checks, and repairs where the check fails (push, stab, roll,
-/// coarsen, leaving contact). Poses may jump; nothing but the pose decides what is true. `*gap` (may be NULL)
-/// gets a certified lower bound of the distance of the polygons: > margin when the answer is APART, 0
-/// otherwise. NaN poses answer STAB_POLYGON. Certified means: true of the given polygons at the given pose,
-/// all rounding included (poses whose (c, s) is off unit length by e > 2^-50 scale the other body by 1 + e;
-/// that is the caller's to add to the margin. To a pose that bmr_pair_takes does not take the answer
-/// is STAB_POLYGON). Complete: where the distance is larger than need + BMR_PAIR_SLOP * (sum of the
-/// extents) + 1e-6 * need, the answer is APART; need is the margin, and for a pair in contact margin +
-/// hysteresis.
+/// Takes the pair to a new relative pose. It checks, and repairs if the check fails (push, stab, roll,
+/// coarsen, leaving contact). Poses may jump; the answer depends on the pose alone. `*gap` (may be NULL) gets
+/// a certified lower bound of the distance of the polygons: > margin if the answer is APART, otherwise 0.
 ///
-/// All of this is so whatever the pair was advanced with before: other polygons, hierarchies or structures
-/// start it anew (see the top). Even a pair of bytes that no call of this header has left reads nothing but
-/// the pair and the shapes; what it answers is as good as its bytes.
+/// Certified: true of the given polygons at the given pose, all rounding included. (A pose whose (c, s) is
+/// off unit length by e > 2^-50 scales the other body by 1 + e; the caller adds that to the margin.) If
+/// bmr_pair_takes refuses the pose, a NaN among them, the answer is STAB_POLYGON.
 ///
-/// Cost: O(1) where the certificate holds, reading the pair and one line of each polygon, else O(level
-/// change) expected, O(log n) for a start.
+/// Complete: if the distance is larger than need + BMR_PAIR_SLOP * (sum of the extents) + 1e-6 * need, the
+/// answer is APART. `need` is the margin, and margin + hysteresis for a pair in contact.
+///
+/// All of this holds whatever the pair was advanced with before: other polygons, hierarchies or structures
+/// start it anew (see the top). Even a pair of arbitrary bytes reads nothing but the pair and the shapes; its
+/// answer is then as good as its bytes.
+///
+/// Cost: O(1) if the certificate holds, reading the pair and one line of each polygon. Otherwise expected
+/// O(level change); O(log n) for a start.
 bmr_answer bmr_pair_advance(bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a, const bmr_shape *b,
                             const bmr_pose *b_in_a, const bmr_observer *observer, double *gap);
 
-/// Which two bodies of a world a pair is of: indices into the array of its poses.
+/// The two bodies of a pair: indices into the array of poses.
 typedef struct bmr_pair_bodies {
     uint32_t a, b;
 } bmr_pair_bodies;
 
-/// bmr_pair_check for many pairs at once: pairs[i] is of the bodies bodies[i], whose poses (in the world) are
-/// in `poses`. `failed`, which has room for `count`, gets the indices of those that do not hold by more than
-/// `margin`, in ascending order, and *failed_count their number: these are to be advanced, all others are
-/// apart. A pair whose relative pose bmr_pair_takes does not take fails. O(count), nothing is allocated.
+/// bmr_pair_check for many pairs at once. pairs[i] is of the bodies bodies[i], whose poses in the world are
+/// in `poses`. `failed` has room for `count`. It gets the indices of the pairs whose certificate does not
+/// hold by more than `margin`, in ascending order, and *failed_count their number. Advance these; all others
+/// are apart. A pair whose relative pose bmr_pair_takes refuses fails. O(count), nothing is allocated.
 /// Errors: NULL_ARGUMENT; OUT_OF_RANGE (a body that is not less than `pose_count`, a margin that is negative
-/// or NaN). Then *failed_count is untouched, and `failed` holds nothing of use.
+/// or NaN). Then *failed_count is untouched, and the contents of `failed` are unspecified.
 bmr_error bmr_pairs_check(const bmr_pair *pairs, const bmr_pair_bodies *bodies, size_t count,
                           const bmr_pose *poses, size_t pose_count, double margin, size_t *failed,
                           size_t *failed_count);
 
-/// Re-proves the pair's state from scratch at a pose where it was just advanced to (brute force over all
-/// vertices, and for the lazy structures: the edge is on its level, the corner is the extreme one of its
-/// level, the window is its point). OK for a pair in contact or new. Errors: NULL_ARGUMENT;
-/// FALSE_CERTIFICATE, also of polygons that are not those of its last advance; INVALID_STRUCTURE, also where
-/// the pair was last repaired as another structure, and its next repair will start it anew. O(n).
+/// Proves the pair's state again from scratch at the pose of its last advance: by brute force over all
+/// vertices; for the lazy structures also that the edge is on its level, the corner is the extreme one of its
+/// level, and the window is its point. OK for a pair in contact or new. Errors: NULL_ARGUMENT;
+/// FALSE_CERTIFICATE, also for polygons other than those of its last advance; INVALID_STRUCTURE, also if the
+/// pair was last repaired as another structure (its next repair will start it anew). O(n).
 bmr_error bmr_pair_audit(const bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a,
                          const bmr_shape *b, const bmr_pose *b_in_a);
 
@@ -211,7 +213,7 @@ static inline bool bmr_pair_check(const bmr_pair *pair, const bmr_pose *b_in_a, 
             bmr_transform(b_in_a, bmr_vec2_make((double)k->window[0][0], (double)k->window[0][1]));
         const double dx = center.x - (double)k->normal[0], dy = center.y - (double)k->normal[1];
         const double reach = (double)k->offset + margin;
-        // The square root is left to those who want the gap: this is a lower bound that needs none.
+        // A lower bound of the gap that needs no square root.
         // 2^-48 covers the rounding of this very expression.
         const double d2 = dx * dx + dy * dy;
         *gap = margin;

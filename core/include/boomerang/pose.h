@@ -10,8 +10,8 @@
 extern "C" {
 #endif
 
-/// A rigid motion x -> (c x - s y, s x + c y) + position. (c, s) = (cos, sin) need be of unit length only as
-/// far as the caller needs exactness: core computes with the matrix as it stands.
+/// A rigid motion x -> (c x - s y, s x + c y) + position, (c, s) = (cos, sin). Core computes with the matrix
+/// as it stands: (c, s) must be of unit length only as far as the caller needs exactness.
 typedef struct bmr_pose {
     bmr_vec2 position;
     double c, s;
@@ -21,8 +21,8 @@ static inline bmr_pose bmr_pose_identity(void) {
     bmr_pose q = {{0.0, 0.0}, 1.0, 0.0};
     return q;
 }
-/// The pose at a place, turned counter-clockwise by an angle in radians. An angle or a place that is NaN or
-/// infinite makes a pose with a NaN or an infinity, which no call takes for a pose.
+/// The pose at a place, turned counter-clockwise by an angle in radians. A NaN or an infinity in the
+/// arguments gives a pose with a NaN or an infinity, which every call refuses.
 static inline bmr_pose bmr_pose_from_angle(bmr_vec2 position, double angle) {
     bmr_pose q;
     q.position = position;

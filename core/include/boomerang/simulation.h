@@ -19,77 +19,78 @@ typedef struct bmr_simulation_def {
     const bmr_kds_info *structure; ///< of every pair
     bmr_kds_def kds;
     bmr_failure_options failure;
-    /// Time between looks at a pair in contact, at most; > 0. A contact ends where the distance rises above
-    /// kds.margin + kds.hysteresis; the time is found to failure.tolerance by steps that the bodies' speeds
-    /// make safe. Leaving and touching again within a thousandth of this step may go unnoticed.
+    /// The most time between two looks at a pair in contact; > 0. A contact ends where the distance rises
+    /// above kds.margin + kds.hysteresis. Steps that the bodies' speeds make safe find that time to
+    /// failure.tolerance. Leaving and touching again within a thousandth of this step may go unnoticed.
     double contact_step;
 } bmr_simulation_def;
 /// No structure yet; the defaults of its parts; contact_step 0.1.
 bmr_simulation_def bmr_default_simulation_def(void);
 
-/// One event, as told to the observer. A repair takes place where the failed condition is no longer positive,
-/// which may be a few failure.tolerance after `time`; `pose` is the one of the repair.
+/// One event, as the observer gets it. A repair takes place when the failed condition is no longer positive,
+/// which may be a few failure.tolerance after `time`; `pose` is that of the repair.
 typedef struct bmr_simulation_event {
     double time;
     size_t pair; ///< index, see bmr_simulation_pair
     size_t a, b; ///< the bodies, a < b
     bmr_kds_report report;
-    bmr_condition failed; ///< what failed (kind, owner, label); zero for START, CONTACT by start, LEAVE
+    bmr_condition failed;        ///< the condition that failed; zero for START, CONTACT by start, LEAVE
     bmr_kds_proof before, after; ///< before: zero for START and LEAVE; after: zero for CONTACT
     bmr_pose pose;               ///< of b in a's frame
     const bmr_kds *kds;
 } bmr_simulation_event;
 typedef void (*bmr_simulation_observer)(void *context, const bmr_simulation_event *event);
 
-/// The four qualities of a kinetic structure, counted (compact, responsive, local, efficient).
+/// Counts for the four qualities of a kinetic structure (compact, responsive, local, efficient).
 typedef struct bmr_simulation_counts {
     uint64_t events[BMR_KDS_EVENT_KIND_COUNT];
-    uint64_t lines;           ///< times that a separating line was replaced by another, starts not counted
+    uint64_t lines;           ///< replacements of a separating line by another, starts not counted
     uint64_t touched;         ///< elementary steps of starts and repairs
-    uint64_t failure_times;   ///< conditions whose failure time was computed
-    uint64_t replanned;       ///< of those, because a flight plan changed
-    uint64_t external;        ///< contacts begun and ended since the start: what any method must process
+    uint64_t failure_times;   ///< failure times computed
+    uint64_t replanned;       ///< of those, after a change of flight plan
+    uint64_t external;        ///< contacts begun and ended since the start: any method must process these
     size_t pairs, conditions; ///< at this moment
-    size_t pair_bytes;        ///< of all pairs: structures, and what the simulation keeps of each
+    size_t pair_bytes;        ///< of all pairs: structures, and the simulation's own records
     size_t queue_bytes;
 } bmr_simulation_counts;
 
-/// Begins at `time` with `count` bodies; the shapes' polygons and hierarchies and the motions must outlive
-/// it. Every pair gets a structure and a START (or is in CONTACT). Memory: one block of the allocator (NULL:
-/// malloc) and one for each pair; nothing later. Errors: NULL_ARGUMENT, NOT_FINITE (time), OUT_OF_RANGE
-/// (fewer than two bodies, a def that makes no sense), TOO_LARGE (k bodies take about 76 k^2 bytes, fewer
-/// where pointers have 32 bits; 7,500 bodies are within 2^32), NO_MEMORY, and those of bmr_kds_create.
+/// Makes a simulation that begins at `time` with `count` bodies. The polygons, hierarchies and motions must
+/// outlive it. Every pair gets a structure and a START (or is in CONTACT). Memory: one block of the allocator
+/// (NULL: malloc) and one for each pair; nothing later. Errors: NULL_ARGUMENT, NOT_FINITE (time),
+/// OUT_OF_RANGE (fewer than two bodies, a def that makes no sense), TOO_LARGE (k bodies take about 76 k^2
+/// bytes, fewer where pointers have 32 bits; 7,500 bodies are within 2^32), NO_MEMORY, and those of
+/// bmr_kds_create.
 bmr_error bmr_simulation_create(const bmr_simulation_def *def, const bmr_shape *shapes,
                                 bmr_motion *const *motions, size_t count, double time,
                                 bmr_simulation_observer observer, void *context,
                                 const bmr_allocator *allocator, bmr_simulation **simulation);
 void bmr_simulation_destroy(bmr_simulation *simulation);
 
-/// Processes every event up to and including `until`, in time order (ties by pair index), calling the
-/// observer for each. Guards against Zeno loops: if a pair has more than BMR_SIMULATION_BURST events within
-/// failure.tolerance of one another, it is an error: STALLED, the simulation stands at that time.
-/// O(log pairs) an event beside its repair and its failure times. Where a motion jumps, its pairs are started
-/// afresh: START, CONTACT or LEAVE. Errors also: NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (`until` is past, or
-/// so far away that a search takes too many steps: one of bmr_failure_time, or two million looks at a
-/// contact, which are at least contact_step / 1000 and failure.tolerance apart), and those of
-/// bmr_failure_time.
+/// Processes every event up to and including `until`, in time order (ties by pair index), and calls the
+/// observer for each. If a pair has more than BMR_SIMULATION_BURST events within failure.tolerance of one
+/// another (a Zeno loop), it returns STALLED, and the simulation stands at that time. O(log pairs) an event
+/// beside its repair and its failure times. If a motion jumps, its pairs are started afresh: START, CONTACT
+/// or LEAVE. Errors also: NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (`until` is past, or so far away that a
+/// search takes too many steps: one of bmr_failure_time, or two million looks at a contact, which are at
+/// least contact_step / 1000 and failure.tolerance apart), and those of bmr_failure_time.
 bmr_error bmr_simulation_run(bmr_simulation *simulation, double until);
 #define BMR_SIMULATION_BURST 1000
 double bmr_simulation_time(const bmr_simulation *simulation);
-/// Nothing happens before this time: that of the next event if it is known, or just after the latest `until`.
+/// Nothing happens before this time: the time of the next event if it is known, or just after the latest
+/// `until`.
 double bmr_simulation_next(const bmr_simulation *simulation);
 
-/// After the motion of `body` was changed (bmr_motion_change) from the present time on: recomputes the
-/// failure times of that body's pairs, and of no other; as far as any run went. A pose that jumps at the
-/// present time restarts them. Until it is called, the simulation goes by what it knew. O(bodies) searches.
-/// Errors: NULL_ARGUMENT, OUT_OF_RANGE (no such body), those of bmr_failure_time.
+/// Call this after the motion of `body` was changed (bmr_motion_change) from the present time on. It
+/// recomputes the failure times of that body's pairs, and of no other, as far as any run went. If the pose
+/// jumps at the present time, it restarts them. Until this call the simulation uses the old motion's times.
+/// O(bodies) searches. Errors: NULL_ARGUMENT, OUT_OF_RANGE (no such body), those of bmr_failure_time.
 bmr_error bmr_simulation_replan(bmr_simulation *simulation, size_t body);
 
 size_t bmr_simulation_pair_count(const bmr_simulation *simulation);
-/// The structure of one pair (index < pair count) and, where not NULL, its bodies.
+/// The structure of one pair (index < pair count). `a` and `b`, if not NULL, get its bodies.
 const bmr_kds *bmr_simulation_pair(const bmr_simulation *simulation, size_t pair, size_t *a, size_t *b);
 bmr_simulation_counts bmr_simulation_get_counts(const bmr_simulation *simulation);
-/// bmr_kds_audit on every pair at the present time; the first error.
+/// Calls bmr_kds_audit on every pair at the present time, and returns the first error.
 bmr_error bmr_simulation_audit(const bmr_simulation *simulation);
 
 #ifdef __cplusplus
