@@ -12,29 +12,29 @@ extern "C" {
 
 /// @file
 /// A kinetic world of many convex polygons: the broad phase that the paper's last section asks for, the
-/// structures of sections 5 and 6 for the pairs that it leaves, and answers to their contacts. In
+/// structures of sections 5 and 6 for the pairs that are near, and answers to contacts. In
 /// boomerang::kinetic. (All pairs of a few bodies, every event of every proof: boomerang/simulation.h.)
 ///
-/// Everything is a certificate with a time of failure in one queue:
-///   - a body's: "the centre of my bounding disk is in my cell". Cells are those of nested grids, each twice
-///     as fine as the next; a body lives on one on which its disk fits into a cell. Bodies in neighbouring
-///     cells (on the coarser one's grid) are candidates.
-///   - a candidate's: "our bounding disks are apart".
-///   - a near pair's, whose disks are not: the conditions of its structure.
+/// Everything is a certificate with a time of failure, in one queue:
+///   - of a body: "the centre of my bounding disk is in my cell". Cells are those of nested grids, each twice
+///   as fine as the next. A body lives on a grid whose cells hold its disk. Bodies in neighbouring cells (on
+///   the coarser one's grid) are candidates.
+///   - of a candidate: "our bounding disks are apart".
+///   - of a near pair, whose disks are not apart: the conditions of its structure.
 /// The disks are about the origins of the bodies' frames, whose paths are polynomials. So put a body's origin
-/// at the middle of it (for the ready answers: at its centre of mass).
+/// at its middle (for the ready answers: at its centre of mass).
 ///
-/// When a pair begins to be near, when it parts and when it touches are functions of the two motions alone,
-/// bit for bit: not of when the two became candidates, of how far a call advanced, or of other bodies.
-/// Events of equal times come in the order of their kinds and of the bodies' births.
+/// The times at which a pair begins to be near, parts and touches are functions of the two motions alone, bit
+/// for bit. They do not depend on when the two became candidates, how far a call advanced, or on other
+/// bodies. Events of equal times come in the order of their kinds and of the bodies' births.
 
 typedef struct bmr_world bmr_world;
 
-/// A body, or a wall. Of a body: never that of another one, also after it was removed. (The first bodies of a
-/// world are 0, 1, 2, ..)
+/// A body, or a wall. The number of a body is never used again, also after the body was removed. (The first
+/// bodies of a world are 0, 1, 2, ..)
 typedef uint64_t bmr_body;
 #define BMR_NO_BODY UINT64_MAX
-/// The walls of a world that has them: left, right, bottom, top.
+/// The walls of a WALLED world: left, right, bottom, top.
 #define BMR_WALL(side) (UINT64_MAX - 4u + (bmr_body)(side))
 #define BMR_WALLS 4
 static inline bool bmr_is_wall(bmr_body body) {
@@ -43,76 +43,77 @@ static inline bool bmr_is_wall(bmr_body body) {
 
 // ---- contacts and answers ----
 
-/// A contact: two polygons have come within the margin of each other. It may be told while they are still a
-/// few 16ths of the margin farther apart; or, where that is more, farther by their way in a few roundings of
-/// the time. B may be a wall.
+/// A contact: two polygons have come within the margin of each other. The callback may come while they are
+/// still a few 16ths of the margin farther apart, or, if that is more, farther by their way in a few
+/// roundings of the time. B may be a wall.
 typedef struct bmr_contact {
     double time;
     bmr_body a, b; ///< a was born first
-    /// One point, or the two ends of a stretch where two sides face each other: world frame, beside A. The
+    /// One point, or the two ends of a stretch if two sides face each other: world frame, beside A. The
     /// nearest point of B is `distance` * `normal` from it.
     bmr_vec2 points[2];
     size_t count;
-    bmr_vec2 normal; ///< from A to B, unit length, world frame: what an impulse acts along
+    bmr_vec2 normal; ///< from A to B, unit length, world frame: the direction of impulses
     double distance; ///< of the polygons; 0 where they overlap
-    /// Velocity of B less that of A at each point; and that along the normal: < 0: they approach.
+    /// Velocity of B less that of A at each point; and its part along the normal, < 0 if they approach.
     bmr_vec2 velocity[2];
     double approach[2];
-    /// Added to B's position, the image of it that A meets; (0, 0) but in a periodic box.
+    /// B's position plus this is the image of B that A meets; (0, 0) except in a periodic box.
     bmr_vec2 image;
-    /// They are so near although nothing brought them there: a body was put there, or its motion jumped: by
-    /// more than rounding (16 of all that its pose is a sum of; 2 of the clock).
+    /// True if no motion brought them so near: a body was put there, or its motion jumped by more than
+    /// rounding (16 of all that its pose is a sum of; 2 of the clock).
     bool placed;
     /// Contacts of this pair before this one since it was last apart by the margin and the hysteresis.
     unsigned again;
 } bmr_contact;
 
 typedef enum bmr_response_kind {
-    /// The contact is told and no more. The next one of this pair comes after it has been apart by the margin
-    /// and the hysteresis.
+    /// Nothing is done. The next contact of this pair comes after it has been apart by the margin and the
+    /// hysteresis.
     BMR_RESPONSE_PASS,
     /// Impulses along the normal with this restitution, so that no point approaches any more: at the point,
-    /// or at both ends of a stretch at once, or in turn where one of them would have to pull. Bodies that do
-    /// not approach keep their motions. Both go on in screw motions from where they are. Two bodies that
-    /// nothing moves pass.
+    /// or at both ends of a stretch at once, or in turn if one of them would have to pull. Bodies that do not
+    /// approach keep their motions. Both go on in screw motions from their poses. Two bodies that nothing
+    /// moves pass.
     BMR_RESPONSE_IMPULSE,
-    /// Both, and all that stuck to either before and got no other motion since, go on with the velocity of
-    /// their common centre of mass and without spin: momentum stays, energy and angular momentum go. (Bodies
-    /// that turn about a common centre are no screw motion of any of them.) One of infinite mass, or a wall,
-    /// keeps its velocity, which the others get; a pair that would stick two such of different velocities
-    /// together passes.
+    /// Both go on with the velocity of their common centre of mass and without spin, and so do all bodies
+    /// that stuck to either before and got no other motion since. Momentum stays; energy and angular momentum
+    /// go. (Bodies that turn about a common centre are no screw motion of any of them.) A body of infinite
+    /// mass, or a wall, keeps its velocity, and the others get it. If two such of different velocities would
+    /// stick together, the pair passes.
     BMR_RESPONSE_STICK,
-    /// The callback has set what motions it wants (bmr_world_set_motion); the pair is to be watched on. Where
-    /// they still approach, the same contact comes again, at half the distance.
+    /// The callback has set the motions (bmr_world_set_motion); the world goes on watching the pair. If the
+    /// two still approach, the same contact comes again, at half the distance.
     BMR_RESPONSE_MINE,
     BMR_RESPONSE_KIND_COUNT
 } bmr_response_kind;
 
 typedef struct bmr_response {
     bmr_response_kind kind;
-    double restitution; ///< of IMPULSE; 1: elastic; in [0, 1]
+    double restitution; ///< of IMPULSE; in [0, 1], 1: elastic
 } bmr_response;
 
-/// What is to be done. May add and remove bodies (these two as well) and set motions; where one of the two
-/// was removed the answer is ignored. May not advance or destroy the world.
+/// Returns the answer to a contact. The callback may add and remove bodies (these two as well) and set
+/// motions. If it removes one of the two, the answer is ignored. It may not advance or destroy the world.
 typedef bmr_response (*bmr_world_contact)(void *context, bmr_world *world, const bmr_contact *contact);
 
-/// What becomes of infinitely many contacts in finite time (inelastic collapse: with restitution below 1,
+/// The treatment of infinitely many contacts in finite time (inelastic collapse: with restitution below 1,
 /// three bodies in a row are enough) and of contacts that no answer ends.
 typedef enum bmr_zeno_policy {
-    /// bmr_world_advance ends with STALLED when a pair has contacts nearer and nearer without coming apart:
-    /// inelastic collapse, bodies that come to rest on each other, and what is pushed together faster than
-    /// any answer can part it. It is the right end of these.
+    /// bmr_world_advance returns STALLED when a pair has contacts nearer and nearer without coming apart: in
+    /// inelastic collapse, when bodies come to rest on each other, and when bodies are pushed together faster
+    /// than any answer can part them. It is the right end of these.
     BMR_ZENO_ERROR,
     /// An impulse on points that approach by less than `zeno_speed` has restitution 1 (McNamara and Luding's
-    /// remedy). One of a pair that is jammed (it touches at an eighth of the margin or less without having
-    /// come apart) that is faster has the restitution of its answer, but rebounds at zeno_speed at least; at
-    /// each further half of its distance at twice that. So what it touches rebounds no faster than
-    /// zeno_speed * max(1, margin / (8 distance)), however fast it came, and no impulse adds energy.
-    /// `softened` counts these impulses, and `softened_energy` what they kept. A pair within the margin that
-    /// is driven together by more than zeno_speed, by a hit on one of the two, has its contact at once: a
-    /// hit goes through a pile in no time, at the pile's own restitution. STALLED where that does not help:
-    /// where bodies that nothing moves push others together.
+    /// remedy). A pair is jammed if it touches at an eighth of the margin or less without having come apart.
+    /// A faster impulse of a jammed pair has the restitution of its answer, but rebounds at zeno_speed at
+    /// least, and at twice that at each further half of its distance. So no impulse that this policy changes
+    /// rebounds faster than zeno_speed * max(1, margin / (8 distance)), and none adds energy. `softened`
+    /// counts these impulses, and `softened_energy` the energy that they kept.
+    ///
+    /// If a hit on one of the two drives a pair within the margin together by more than zeno_speed, the pair
+    /// has its contact at once: a hit goes through a pile in no time, at the pile's own restitution. STALLED
+    /// if that does not help: where bodies that nothing moves push others together.
     BMR_ZENO_ELASTIC
 } bmr_zeno_policy;
 
@@ -123,7 +124,7 @@ typedef enum bmr_world_event_kind {
     BMR_WORLD_CROSS,   ///< a body came into another cell
     BMR_WORLD_NEAR,    ///< two disks met: a structure began
     BMR_WORLD_REPAIR,  ///< a structure's proof failed and was repaired
-    BMR_WORLD_PART,    ///< two disks have parted: the structure is gone
+    BMR_WORLD_PART,    ///< two disks parted: the structure ended
     BMR_WORLD_CONTACT, ///< after the answer
     BMR_WORLD_LEAVE,   ///< a pair that passed through each other is apart again
     BMR_WORLD_EVENT_KIND_COUNT
@@ -137,96 +138,98 @@ typedef struct bmr_world_event {
     bmr_body a, b;         ///< b: BMR_NO_BODY for PLAN and CROSS
     bmr_kds_report report; ///< of NEAR and REPAIR; else zero
 } bmr_world_event;
-/// Is told each event when all is done. May do what a bmr_world_contact may.
+/// Gets each event after it was processed. May do what a bmr_world_contact may.
 typedef void (*bmr_world_observer)(void *context, bmr_world *world, const bmr_world_event *event);
 
 // ---- the world ----
 
 typedef enum bmr_boundary {
-    BMR_OPEN,    ///< nothing: bodies go where they like
+    BMR_OPEN,    ///< no boundary
     BMR_WALLED,  ///< four walls: the lines along the sides of the box, all of them
-    BMR_PERIODIC ///< what goes out on one side comes in on the other; positions go on counting
+    BMR_PERIODIC ///< a body that leaves on one side enters on the other; positions go on counting
 } bmr_boundary;
 
 typedef struct bmr_world_def {
     const bmr_kds_info *structure; ///< of every near pair
-    /// kds.margin: in contact when the polygons are this near. More than some 1e-8 of the largest body.
+    /// kds.margin: in contact when the polygons are this near; more than some 1e-8 of the largest body.
     /// kds.hysteresis: how much farther apart a pair must have been for its next contact to count as a new
-    /// one. However much that is, it is kept: until then the pair's structure stands.
+    /// one. Any value is kept: until then the pair's structure stands.
     bmr_kds_def kds;
     bmr_failure_options failure;
     bmr_boundary boundary;
-    /// The box's corners; of WALLED and PERIODIC. bmr_world_create refuses coordinates beyond a quarter of
+    /// The box's corners, for WALLED and PERIODIC. bmr_world_create refuses coordinates beyond a quarter of
     /// BMR_MAX_COORDINATE (2.5e8), and sides of 1 : 2^20 or more.
     bmr_vec2 low, high;
-    bmr_response response; ///< to a contact, where there is no callback
+    bmr_response response; ///< the answer to a contact if there is no callback
     bmr_zeno_policy zeno;
-    double zeno_speed; ///< of ZENO_ELASTIC; > 0. A hundredth of the usual speed; with less, more worlds stall
-    /// Events (and searches that go on later) in one advance, at most; 0: as many as it takes.
+    double zeno_speed; ///< of ZENO_ELASTIC; > 0. Take a hundredth of the usual speed; with less, more worlds
+                       ///< stall
+    /// The most events (and searches that go on later) in one advance; 0: no limit.
     uint64_t most_events;
-    /// Every two bodies are candidates: no grid, and in a periodic box (of whatever shape) nine cells, each
-    /// every other's neighbour, which say the image in which the two can meet next. For comparison;
-    /// O(bodies^2).
+    /// Every two bodies are candidates, and there is no grid. A periodic box (of any shape) then has nine
+    /// cells, all neighbours of each other, which give the image in which the two can meet next. For
+    /// comparison; O(bodies^2).
     bool all_pairs;
-    /// Between looks at a pair that passes through each other, at most: see bmr_simulation_def.contact_step.
-    /// At least 1000 failure.tolerance.
+    /// The most time between two looks at a pair that passes through each other: see
+    /// bmr_simulation_def.contact_step. At least 1000 failure.tolerance.
     double contact_step;
     bmr_world_contact contact;   ///< NULL: `response`
     bmr_world_observer observer; ///< NULL: none
     void *context;               ///< of both
 } bmr_world_def;
-/// "hybrid", which needs no hierarchies; the defaults of its parts, hysteresis 1e-6; open; elastic
-/// impulses; ZENO_ERROR with a speed of 1e-2; no callbacks; contact_step 0.1.
+/// "hybrid", which needs no hierarchies; the defaults of its parts, hysteresis 1e-6; open; elastic impulses;
+/// ZENO_ERROR with a speed of 1e-2; no callbacks; contact_step 0.1.
 bmr_world_def bmr_default_world_def(void);
 
-/// An empty world at `time`. The allocator (NULL: malloc) must outlive it. Errors: NULL_ARGUMENT (also a
-/// structure that is NULL), NOT_FINITE, OUT_OF_RANGE (a def that makes no sense, a structure for points or
+/// Makes an empty world at `time`. The allocator (NULL: malloc) must outlive it. Errors: NULL_ARGUMENT (also
+/// a structure that is NULL), NOT_FINITE, OUT_OF_RANGE (a def that makes no sense, a structure for points or
 /// translations alone, a box without area), NO_MEMORY.
 bmr_error bmr_world_create(const bmr_world_def *def, double time, const bmr_allocator *allocator,
                            bmr_world **world);
-/// NULL is no error; neither is a call out of a callback, which is ignored.
+/// NULL is no error. A call from a callback is ignored.
 void bmr_world_destroy(bmr_world *world);
 
 typedef struct bmr_body_def {
     const bmr_shape *shape; ///< copied; its polygon and hierarchies must outlive the body
-    /// Copied from the present time on, all pieces of it.
+    /// Copied from the present time on, with all its pieces.
     const bmr_motion *motion;
     /// For the ready answers; INFINITY: nothing moves it. Both > 0. `inertia` is about the frame's origin,
-    /// which is taken for the centre of mass.
+    /// which counts as the centre of mass.
     double mass, inertia;
     void *user;
 } bmr_body_def;
-/// A body of density 1 that moves as given: mass and inertia are the polygon's (bmr_polygon_mass), the latter
-/// about its frame's origin; INFINITY for a polygon that has none.
+/// A body of density 1 that moves as given. Its mass is the polygon's (bmr_polygon_mass), its inertia the
+/// polygon's about the frame's origin. INFINITY for a polygon that has none.
 bmr_body_def bmr_default_body_def(const bmr_shape *shape, const bmr_motion *motion);
 
-/// Adds a body at the present time, also out of a callback. A few blocks of the allocator: O(1) bytes, the
-/// motion's pieces, and O(1) for each candidate. Bodies that are in contact where they begin have a contact
-/// at the present time, which the next advance tells (`placed`). Errors: NULL_ARGUMENT, NOT_FINITE,
+/// Adds a body at the present time, also from a callback. A few blocks of the allocator: O(1) bytes, the
+/// motion's pieces, and O(1) for each candidate. If bodies are in contact where they begin, they have a
+/// contact at the present time, which the next advance reports (`placed`). Errors: NULL_ARGUMENT, NOT_FINITE,
 /// OUT_OF_RANGE (mass or inertia not positive; a body too large for a periodic box: its diameter must be
 /// below a quarter of the shorter side), NO_MEMORY, TOO_LARGE, those of bmr_kds_create (the structure's
 /// hierarchies), and those of bmr_failure_time; then the world is as it was.
 bmr_error bmr_world_add(bmr_world *world, const bmr_body_def *def, bmr_body *body);
-/// Removes it and its certificates, also out of a callback. Errors: NULL_ARGUMENT, OUT_OF_RANGE (no such
+/// Removes a body and its certificates, also from a callback. Errors: NULL_ARGUMENT, OUT_OF_RANGE (no such
 /// body).
 bmr_error bmr_world_remove(bmr_world *world, bmr_body body);
-/// From the present time on the body moves so (its pieces from then on are copied), also out of a callback.
-/// Only this body's certificates are computed anew, and found again if its pose jumps. Errors: NULL_ARGUMENT,
-/// OUT_OF_RANGE (no such body), NOT_FINITE, NO_MEMORY, TOO_LARGE; then the motion is as it was. Those of
-/// bmr_failure_time: then the motion is set, and the next advance ends with that error.
+/// Sets a body's motion from the present time on (its pieces from then on are copied), also from a callback.
+/// Only this body's certificates are computed anew, and its candidates found again if its pose jumps. Errors:
+/// NULL_ARGUMENT, OUT_OF_RANGE (no such body), NOT_FINITE, NO_MEMORY, TOO_LARGE; then the motion is as it
+/// was. Those of bmr_failure_time: then the motion is set, and the next advance ends with that error.
 bmr_error bmr_world_set_motion(bmr_world *world, bmr_body body, const bmr_motion *motion);
-/// The same with a motion of one piece. No memory is asked for unless the pose jumps.
+/// The same with a motion of one piece. It allocates only if the pose jumps.
 bmr_error bmr_world_set_piece(bmr_world *world, bmr_body body, const bmr_motion_piece *piece);
 
 /// Processes every event up to and including `until`, in order of time. After an error the world stands at
-/// the event that could not be done, and bmr_world_get_trouble says why and of whom; where the cause is gone,
-/// a further call goes on. After STALLED it goes on too: the pair that stalled passes. Errors: NULL_ARGUMENT,
-/// NOT_FINITE, OUT_OF_RANGE (`until` is past, a call out of a callback, a search that takes too many steps,
-/// and what bmr_trouble lists), STALLED (see bmr_trouble), NO_MEMORY, those of bmr_failure_time.
+/// the event that could not be done, and bmr_world_get_trouble says why and which bodies. If the cause is
+/// gone, a further call goes on. After STALLED it goes on, too: the pair that stalled passes. Errors:
+/// NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (`until` is past, a call from a callback, a search that takes too
+/// many steps, and the causes that bmr_trouble lists), STALLED (see bmr_trouble), NO_MEMORY, those of
+/// bmr_failure_time.
 bmr_error bmr_world_advance(bmr_world *world, double until);
 #define BMR_WORLD_BURST 200
 
-/// Why an advance ended with an error.
+/// The cause of an advance's error.
 typedef enum bmr_trouble {
     BMR_TROUBLE_NONE,
     /// STALLED: contact after contact of the two, each nearer than the last, and no answer took them apart
@@ -239,61 +242,62 @@ typedef enum bmr_trouble {
     BMR_TROUBLE_PROOF,
     /// OUT_OF_RANGE: the two (or one, through cells) move so fast that the clock is too coarse: near each
     /// other by more than the margin in four roundings of the time (nine parts in 1e16 of it). Or a curved
-    /// path is so long, or so fast, since its motion began that its place is no longer known to a 32nd of the
-    /// disks' reach. So nobody flies through another one unseen.
+    /// path is so long, or so fast, since its motion began that its place is not known to a 32nd of the
+    /// disks' reach. So no body flies through another one unseen.
     BMR_TROUBLE_SPEED,
     /// OUT_OF_RANGE: a body is so far away that there are no larger cells, or no digits left: in an open
     /// world beyond 2^190 times the finest cell, in a periodic box after 2^30 cells.
     BMR_TROUBLE_PLACE,
     BMR_TROUBLE_ANSWER, ///< OUT_OF_RANGE: a response that makes no sense; the pair passes
-    BMR_TROUBLE_EVENTS, ///< OUT_OF_RANGE: more than most_events; the world is as it would be, and goes on
-    BMR_TROUBLE_OTHER,  ///< what the error says
+    BMR_TROUBLE_EVENTS, ///< OUT_OF_RANGE: more than most_events; a further call goes on
+    BMR_TROUBLE_OTHER,  ///< see the error
     BMR_TROUBLE_COUNT
 } bmr_trouble;
-/// One English sentence for it, without a full stop: what is wrong and what to do about it; never NULL.
+/// One English sentence for a trouble, without a full stop: what is wrong and what to do about it. Never
+/// NULL.
 const char *bmr_trouble_describe(bmr_trouble trouble);
 
 typedef struct bmr_world_trouble {
     bmr_error error;
     bmr_trouble kind;
     double time;
-    bmr_body a, b; ///< who is concerned; BMR_NO_BODY: nobody, or no second one
+    bmr_body a, b; ///< the bodies concerned; BMR_NO_BODY: none, or no second one
 } bmr_world_trouble;
-/// Of the last advance that was no misuse; NONE after one that did all it was asked for.
+/// The trouble of the last advance that was no misuse; NONE if it did all of its work.
 bmr_world_trouble bmr_world_get_trouble(const bmr_world *world);
 
 double bmr_world_time(const bmr_world *world);
-/// Nothing happens before this time; INFINITY: never anything.
+/// Nothing happens before this time; INFINITY: nothing ever happens.
 double bmr_world_next(const bmr_world *world);
 
 // ---- questions ----
 
 typedef struct bmr_body_state {
-    bmr_pose pose; ///< in a periodic box: not taken back into it
+    bmr_pose pose; ///< in a periodic box it may lie outside of the box
     bmr_vec2 velocity;
     double spin;
     const bmr_shape *shape;
-    bmr_motion_piece piece; ///< that it moves on
+    bmr_motion_piece piece; ///< the piece that it moves on
     double mass, inertia;
     void *user;
     double radius; ///< of the disk around its origin
-    /// The cell that it is in (its sides, without the hysteresis of 1/16 on each); `level`: its grid's; cells
-    /// of the next level are twice as wide. All zero with all_pairs in an open world.
+    /// The cell that it is in (its sides, without the hysteresis of 1/16 on each), and `level`, its grid's.
+    /// Cells of the next level are twice as wide. All zero with all_pairs in an open world.
     bmr_vec2 cell_low, cell_high;
     int level;
-    size_t pairs; ///< that it is in
+    size_t pairs; ///< pairs that it is in
 } bmr_body_state;
-/// At the present time. Errors: NULL_ARGUMENT, OUT_OF_RANGE (no such body). O(1).
+/// The state of a body at the present time. Errors: NULL_ARGUMENT, OUT_OF_RANGE (no such body). O(1).
 bmr_error bmr_world_get(const bmr_world *world, bmr_body body, bmr_body_state *state);
 size_t bmr_world_body_count(const bmr_world *world);
-/// Bodies in the order of their ids' lower halves: the first whose place is at or after *place, and *place
-/// becomes the next; BMR_NO_BODY at the end. Begin with 0.
+/// Goes through the bodies, in the order of their ids' lower halves. Returns the first whose place is at or
+/// after *place, and sets *place to the next; BMR_NO_BODY at the end. Begin with 0.
 bmr_body bmr_world_next_body(const bmr_world *world, size_t *place);
 
 typedef enum bmr_watch {
-    BMR_WATCH_DISKS,     ///< candidates: the disks' certificate
+    BMR_WATCH_DISKS,     ///< a candidate: the disks' certificate
     BMR_WATCH_STRUCTURE, ///< a structure stands
-    BMR_WATCH_PASSING    ///< in contact, or overlapping: a contact was answered with PASS
+    BMR_WATCH_PASSING    ///< in contact or overlapping after the answer PASS
 } bmr_watch;
 typedef struct bmr_world_pair {
     bmr_body a, b;
@@ -301,18 +305,18 @@ typedef struct bmr_world_pair {
     bmr_vec2 image;  ///< as in bmr_contact
     double reach;    ///< the sum of the disks' radii at which a structure begins
     double next;     ///< nothing happens to this pair before this time
-    bool neighbours; ///< their cells are; false: kept for its structure alone
-    /// Of STRUCTURE and PASSING. What it sees of a wall is a segment that goes along the wall with the body:
-    /// its frame is not turned, and its origin the point of the wall beside the body's origin.
+    bool neighbours; ///< their cells are neighbours; false: the pair is kept for its structure alone
+    /// Of STRUCTURE and PASSING. Of a wall it sees a segment that goes along the wall with the body: the
+    /// segment's frame is not turned, and its origin is the point of the wall beside the body's origin.
     const bmr_kds *kds;
 } bmr_world_pair;
 typedef struct bmr_world_cell {
     int level;
     bmr_vec2 low, high; ///< without the hysteresis; in a periodic box: inside of it
-    size_t bodies;      ///< that live in it on its own level
+    size_t bodies;      ///< bodies that live in it on its own level
 } bmr_world_cell;
-/// Calls `visit` for each pair (each cell that has bodies of its own level); the world must not be changed in
-/// it. The order is the same in equal runs.
+/// Calls `visit` for each pair (each cell that has bodies of its own level). `visit` must not change the
+/// world. The order is the same in equal runs.
 void bmr_world_each_pair(const bmr_world *world, void (*visit)(void *context, const bmr_world_pair *pair),
                          void *context);
 void bmr_world_each_cell(const bmr_world *world, void (*visit)(void *context, const bmr_world_cell *cell),
@@ -323,24 +327,24 @@ typedef struct bmr_world_counts {
     uint64_t kds_events[BMR_KDS_EVENT_KIND_COUNT]; ///< of the structures
     uint64_t responses[BMR_RESPONSE_KIND_COUNT];
     uint64_t impulses;      ///< of all IMPULSE responses, walls included
-    uint64_t softened;      ///< of those, with more restitution by ZENO_ELASTIC
-    double softened_energy; ///< that these kept, which the restitution of the answers would have taken
+    uint64_t softened;      ///< of those, impulses that ZENO_ELASTIC changed
+    double softened_energy; ///< energy that these kept and the restitution of the answers would have taken
     uint64_t looks;         ///< searches that ended without an event and went on later
-    uint64_t disk_times;    ///< times computed of bodies' cells, and of disks that meet or part
+    uint64_t disk_times;    ///< times computed for bodies' cells, and for disks that meet or part
     uint64_t failure_times; ///< of structures' conditions
-    uint64_t replans;       ///< motions set, at answers and changes of plan too
-    uint64_t replanned;     ///< certificates (bodies' and pairs') computed anew for them
-    uint64_t candidates;    ///< pairs that were ever made
+    uint64_t replans;       ///< motions set, also at answers and changes of plan
+    uint64_t replanned;     ///< certificates (of bodies and pairs) computed anew for them
+    uint64_t candidates;    ///< pairs made since the start
     uint64_t touched;       ///< elementary steps of structures
     // At this moment:
     size_t bodies, cells, pairs, near, passing, queued;
     int levels; ///< from the finest grid in use to the coarsest
-    /// Of the world and all that it holds (the allocator's own costs left out); the most that it ever was.
+    /// Of the world and everything in it (without the allocator's own costs); and the most that it ever was.
     size_t bytes, most_bytes;
 } bmr_world_counts;
 bmr_world_counts bmr_world_get_counts(const bmr_world *world);
 
-/// Sums over the bodies of finite mass (and, of a spin, of finite inertia).
+/// Sums over the bodies of finite mass (for the spin: of finite inertia, too).
 typedef struct bmr_world_totals {
     double energy;
     bmr_vec2 momentum;
@@ -348,10 +352,10 @@ typedef struct bmr_world_totals {
 } bmr_world_totals;
 bmr_world_totals bmr_world_get_totals(const bmr_world *world);
 
-/// Proves at the present time from scratch: each body is in its cell; each two whose cells are neighbours, or
-/// whose disks meet, are a pair; the disks of DISKS are apart; each structure passes bmr_kds_audit;
-/// all lists and the queue agree. O(bodies^2 + sizes of the near pairs' polygons). Not in a callback. Errors:
-/// NULL_ARGUMENT, INVALID_STRUCTURE, FALSE_CERTIFICATE.
+/// Proves everything again at the present time: each body is in its cell; each two whose cells are
+/// neighbours, or whose disks meet, are a pair; the disks of DISKS are apart; each structure passes
+/// bmr_kds_audit; all lists and the queue agree. O(bodies^2 + sizes of the near pairs' polygons). Not in a
+/// callback. Errors: NULL_ARGUMENT, INVALID_STRUCTURE, FALSE_CERTIFICATE.
 bmr_error bmr_world_audit(const bmr_world *world);
 
 #ifdef __cplusplus
