@@ -10,7 +10,7 @@
 #include "boomerang/polygon.h"
 #include "boomerang/pose.h"
 
-// What it weighs.
+// Its mass.
 #include "boomerang/mass.h"
 
 // A polygon that is not convex, with holes: a few convex ones.
@@ -25,7 +25,7 @@
 // Asked of a whole world: how far may two bodies move before their proof has to be looked at?
 #include "boomerang/budget.h"
 
-// What makes a proof coarse where there is room: approximations of a polygon from outside (section 3).
+// Approximations of a polygon from outside (section 3): with them a proof is coarse if there is room.
 #include "boomerang/hierarchy.h"
 #include "boomerang/inflated.h"
 #include "boomerang/minkowski.h"

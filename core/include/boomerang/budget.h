@@ -55,7 +55,7 @@ extern "C" {
 ///
 /// A caller that asks at every look, with at most one mark or growth between two looks, and does not leave
 /// due pairs for more than two looks, keeps these rules. If a pair was not asked for a while (its two bodies
-/// slept, say), look at it the next time, whatever its deadline and its line say.
+/// slept, say), look at it the next time without asking its deadline and its line.
 ///
 /// All functions are O(1), allocate nothing and keep no state of their own. Every number of a pose, a reach,
 /// a slack or a direction may be any double. A number that is not finite, or too large, counts as a motion of

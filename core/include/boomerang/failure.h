@@ -50,10 +50,10 @@ bmr_failure_options bmr_default_failure_options(void);
 /// ask for a shorter time). Then *time is untouched.
 bmr_error bmr_failure_time(const bmr_condition *condition, const bmr_motion *a, const bmr_motion *b,
                            double after, double until, const bmr_failure_options *options, double *time);
-/// The most steps of a search over two pieces of which one spins: enough for some 50,000 turns, which takes a
-/// few hundredths of a second. If the other piece is algebraic and its a and b have a common root (motion.h),
-/// the search spends its steps around that root and takes up to a second. (There each look at the bounds of
-/// the rates counts as a quarter of a step.)
+/// The most steps of a search over two pieces, one of them spinning: enough for some 50,000 turns, which
+/// takes a few hundredths of a second. If the other piece is algebraic and its a and b have a common root
+/// (motion.h), the search spends its steps around that root and takes up to a second. (There each look at the
+/// bounds of the rates counts as a quarter of a step.)
 #define BMR_FAILURE_MAX_STEPS ((size_t)1 << 18)
 /// The most intervals of a search under two algebraic pieces, at some microseconds each.
 #define BMR_FAILURE_MAX_INTERVALS ((size_t)1 << 14)

@@ -26,7 +26,7 @@ typedef enum bmr_family {
     BMR_FAMILY_WANDER,          ///< random walk around A, the distance a random walk on the log scale
     BMR_FAMILY_SPIN,            ///< A turns once in place, B rests
     BMR_FAMILY_RIGID_ALGEBRAIC, ///< polynomial path of degree 4, rational rotation by polynomials of degree 2
-    BMR_FAMILY_TUMBLE,          ///< straight pass of two bodies of which one spins
+    BMR_FAMILY_TUMBLE,          ///< straight pass of two bodies; one of them spins
     BMR_FAMILY_RIGID_BROWNIAN,  ///< Brownian, the angle too
     BMR_FAMILY_RIGID_WANDER,    ///< wander, the angle too
     BMR_FAMILY_COUNT

@@ -44,7 +44,7 @@ extern "C" {
 ///   same one, as long as neither crosses to the other side there. The solid may hang together in such points
 ///   only.
 ///
-/// Errors, each of which names the two edges (bmr_outline_fault):
+/// Errors. Each names the two edges (bmr_outline_fault):
 ///
 ///   - BMR_ERROR_TOO_FEW_POINTS: a ring of fewer than three points that count;
 ///   - BMR_ERROR_CROSSING_EDGES: two edges cross, or two rings (or parts of one) in a point that they share;

@@ -172,7 +172,7 @@ static inline bool bmr_pair_check(const bmr_pair *pair, const bmr_pose *b_in_a, 
 /// Complete: if the distance is larger than need + BMR_PAIR_SLOP * (sum of the extents) + 1e-6 * need, the
 /// answer is APART. `need` is the margin, and margin + hysteresis for a pair in contact.
 ///
-/// All of this holds whatever the pair was advanced with before: other polygons, hierarchies or structures
+/// All of this holds for every earlier history of the pair: other polygons, hierarchies or structures
 /// start it anew (see the top). Even a pair of arbitrary bytes reads nothing but the pair and the shapes; its
 /// answer is then as good as its bytes.
 ///
