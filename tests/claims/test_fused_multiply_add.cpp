@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <limits>
 
-#include <CGAL/Gmpq.h>
+#include <gmpxx.h>
 
 #include "convex32_poses.h"
 #include "exact32/exact32.h"
@@ -85,10 +85,9 @@ template <typename Number> Number Exactly(const Case &at, bool magnitudes) {
     const Number ts = number(to.s), tc = number(to.c), fs = number(from.s), fc = number(from.c);
     Number dx = Number(static_cast<double>(from.p.x)) - Number(static_cast<double>(to.p.x)),
            dy = Number(static_cast<double>(from.p.y)) - Number(static_cast<double>(to.p.y));
-    if (magnitudes) {
-        dx = dx < Number(0.0) ? -dx : dx;
-        dy = dy < Number(0.0) ? -dy : dy;
-    }
+    for (Number *way : {&dx, &dy})
+        if (magnitudes && *way < Number(0.0))
+            *way = -*way;
     const Number s = tc * fs + sign * ts * fc, c = tc * fc + ts * fs;
     const Number px = tc * dx + ts * dy, py = sign * ts * dx + tc * dy;
     const Number nx = c * number(at.normal.x) + sign * s * number(at.normal.y),
@@ -359,12 +358,11 @@ TEST_CASE("an evaluation is off by no more than twelve roundings of its size") {
             Contraction how = {Bits(&d)};
             const Case at =
                 Worsened(&d, RandomCase(&d, static_cast<Range>(range)), &how, i % 10 == 0 ? 100 : 0);
-            const CGAL::Gmpq wanted = Exactly<CGAL::Gmpq>(at, false), size = Exactly<CGAL::Gmpq>(at, true);
+            const mpq_class wanted = Exactly<mpq_class>(at, false), size = Exactly<mpq_class>(at, true);
             for (const Contraction ways : {how, kNone}) {
-                const CGAL::Gmpq off = CGAL::Gmpq(static_cast<double>(Evaluate(at, ways))) - wanted;
-                const CGAL::Gmpq magnitude = off < CGAL::Gmpq(0.0) ? -off : off;
-                CHECK(magnitude <= CGAL::Gmpq(12.001 * kUnit) * size);
-                beyond += magnitude > CGAL::Gmpq(kUnit) * size; // the control: one rounding is not enough
+                const mpq_class off = abs(mpq_class(Evaluate(at, ways)) - wanted);
+                CHECK((off <= 12.001 * kUnit * size));
+                beyond += off > kUnit * size; // the control: one rounding is not enough
                 worst = std::max(worst, Error(at, ways));
             }
         }

@@ -43,7 +43,7 @@ test_kds_body OtherBody(bmr_kds_domain domain, test_random *random, double shift
 }
 
 Number Truth(const Body &a, const Body &b, const bmr_pose &q) {
-    return exact::SquaredDistance(exact::PointsOf(a.body.polygon), exact::PointsAt(b.body.polygon, q));
+    return exact::SquaredDistance(exact::PlacesOf(a.body.polygon), exact::PlacesAt(b.body.polygon, q));
 }
 
 double Nudged(double x, test_random *random) {

@@ -17,14 +17,14 @@
 
 namespace {
 
-using exact::GapAlong;
+using exact::LeastAlong;
 using exact::Number;
-using exact::Point;
-using exact::PointsAt;
-using exact::PointsOf;
+using exact::Place;
+using exact::Places;
+using exact::PlacesAt;
+using exact::PlacesOf;
 using exact::Square;
 using exact::SquaredDistance;
-using exact::Vector;
 
 /// A few motions must always run, or the controls may see nothing.
 std::size_t rounds(std::size_t count) {
@@ -63,13 +63,13 @@ struct Couple {
 
 /// What a certificate proves at a pose, exactly: the gap along its normal as it is in floats, over the
 /// normal's length. Says whether that is at least `gap`.
-bool proves(const bmr_certificate &k, int owner, const std::vector<Point> &a, const std::vector<Point> &b,
-            const bmr_pose &q, double gap) {
+bool proves(const bmr_certificate &k, int owner, const Places &a, const Places &b, const bmr_pose &q,
+            double gap) {
     const Number nx(static_cast<double>(k.normal[0])), ny(static_cast<double>(k.normal[1]));
     const Number c(q.c), s(q.s);
-    const Vector normal = owner == 0 ? Vector(nx, ny) : Vector(-(c * nx - s * ny), -(s * nx + c * ny));
-    const Number along = GapAlong(a, b, normal);
-    return along > 0 && along * along >= Square(gap) * (normal * normal);
+    const Place normal = owner == 0 ? Place{nx, ny} : Place{-(c * nx - s * ny), -(s * nx + c * ny)};
+    const Number along = LeastAlong(normal, a, b);
+    return along > 0 && along * along >= Square(gap) * Square(normal);
 }
 
 } // namespace
@@ -80,7 +80,7 @@ TEST_CASE("no pair claims a gap that rational arithmetic denies, and none misses
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
         for (std::size_t round = 0; round < rounds(300); ++round) {
             Couple t(static_cast<bmr_structure>(structure), round, &random);
-            const std::vector<Point> a = PointsOf(t.shape[0].polygon);
+            const Places a = PlacesOf(t.shape[0].polygon);
             bmr_pair stale;
             bmr_pair_init(&stale);
             for (int step = 0; step < 20; ++step) {
@@ -88,7 +88,7 @@ TEST_CASE("no pair claims a gap that rational arithmetic denies, and none misses
                 double gap;
                 const bmr_answer answer =
                     bmr_pair_advance(&t.pair, &t.def, &t.shape[0], &t.shape[1], &q, nullptr, &gap);
-                const std::vector<Point> b = PointsAt(t.shape[1].polygon, q);
+                const Places b = PlacesAt(t.shape[1].polygon, q);
                 const Number truth = SquaredDistance(a, b);
                 // The control: to believe the last step's answer.
                 stale_lies += stale.state == BMR_PAIR_APART && truth <= Square(t.def.margin);
@@ -135,7 +135,7 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
         for (std::size_t round = 0; round < rounds(40); ++round) {
             Couple t(static_cast<bmr_structure>(structure), 1, &random);
-            const std::vector<Point> a = PointsOf(t.shape[0].polygon);
+            const Places a = PlacesOf(t.shape[0].polygon);
             const double way = test_random_uniform(&random, 0.0, 6.28),
                          turn = test_random_uniform(&random, 0.0, 6.28);
             const double slop = t.def.margin * 1e-6 + BMR_PAIR_SLOP * t.extents();
@@ -145,7 +145,7 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
                 bmr_pair_init(&t.pair);
                 const bool apart = bmr_pair_advance(&t.pair, &t.def, &t.shape[0], &t.shape[1], &q, nullptr,
                                                     nullptr) == BMR_APART;
-                const Number truth = SquaredDistance(a, PointsAt(t.shape[1].polygon, q));
+                const Number truth = SquaredDistance(a, PlacesAt(t.shape[1].polygon, q));
                 if (apart)
                     REQUIRE(truth > Square(t.def.margin));
                 else
@@ -161,8 +161,8 @@ TEST_CASE("the brute-force distance of the other tests is the exact one up to do
         Couple t(BMR_FREE_DIRECTION, 7, &random); // jumps
         const bmr_pose q = test_motion_next(&t.motion, &random);
         const double distance = test_distance(t.shape[0].polygon, t.shape[1].polygon, &q);
-        const double exact = std::sqrt(
-            CGAL::to_double(SquaredDistance(PointsOf(t.shape[0].polygon), PointsAt(t.shape[1].polygon, q))));
+        const double exact =
+            std::sqrt(SquaredDistance(PlacesOf(t.shape[0].polygon), PlacesAt(t.shape[1].polygon, q)).get_d());
         REQUIRE(std::abs(distance - exact) <= 1e-14 * (t.extents() + exact));
         overlapping += exact == 0.0;
     }

@@ -93,7 +93,7 @@ void Allocates(const std::string &function, Call call);
 struct Matrix {
     std::vector<std::string> columns, rows;
     std::function<std::string(size_t row, size_t column)> answer;
-    bool alone = true; ///< each answer comes from a process of its own: a signal that ends it is the answer
+    bool alone = true; ///< answers come from child processes: a signal that ends one is the answer
 };
 
 /// A table of the page, "<!-- checked: NAME -->". `fill` calls the functions above, or gives back a matrix.

@@ -27,7 +27,7 @@
 namespace {
 
 using exact::Number;
-using exact::Points;
+using exact::Places;
 using exact::Square;
 using shapes::Below;
 using shapes::Engine;
@@ -39,11 +39,11 @@ size_t Rounds(size_t count) {
     return std::max<size_t>(test_scaled(count), 100);
 }
 
-Points At(const b2PolygonShape &shape, const b2Transform &xf) {
-    Points points;
+Places At(const b2PolygonShape &shape, const b2Transform &xf) {
+    Places points;
     for (int32 i = 0; i < shape.m_count; ++i)
-        points.push_back(
-            exact::Placed(shape.m_vertices[i].x, shape.m_vertices[i].y, xf.q.c, xf.q.s, xf.p.x, xf.p.y));
+        points.push_back(exact::At(bmr_pose{{xf.p.x, xf.p.y}, xf.q.c, xf.q.s},
+                                   bmr_vec2{shape.m_vertices[i].x, shape.m_vertices[i].y}));
     return points;
 }
 
@@ -72,7 +72,7 @@ bool IsTrue(double claimed, const Number &squaredDistance) {
 
 /// The largest float that is no larger than the root.
 float LargestTrue(const Number &squaredDistance) {
-    auto f = static_cast<float>(std::sqrt(CGAL::to_double(squaredDistance)));
+    auto f = static_cast<float>(std::sqrt(squaredDistance.get_d()));
     while (!IsTrue(static_cast<double>(f), squaredDistance))
         f = std::nextafterf(f, 0.0f);
     while (IsTrue(static_cast<double>(std::nextafterf(f, INFINITY)), squaredDistance))
@@ -345,18 +345,18 @@ b2Sweep RandomSweep(Engine &engine, const b2PolygonShape &shape, double far, dou
 }
 
 /// The polygon at a time of the sweep: the angle's sine and cosine as double has them, all else exact.
-Points At(const b2PolygonShape &shape, const b2Sweep &sweep, double t) {
+Places At(const b2PolygonShape &shape, const b2Sweep &sweep, double t) {
     const double angle = (1.0 - t) * static_cast<double>(sweep.a0) + t * static_cast<double>(sweep.a);
     const Number s(std::sin(angle)), c(std::cos(angle)), rest = Number(1) - Number(t);
     const auto between = [&](float start, float end) -> Number {
         return rest * Number(static_cast<double>(start)) + Number(t) * Number(static_cast<double>(end));
     };
     const Number x = between(sweep.c0.x, sweep.c.x), y = between(sweep.c0.y, sweep.c.y);
-    Points points;
+    Places points;
     for (int32 i = 0; i < shape.m_count; ++i) {
         const Number px = Number(shape.m_vertices[i].x) - Number(sweep.localCenter.x),
                      py = Number(shape.m_vertices[i].y) - Number(sweep.localCenter.y);
-        points.emplace_back(x + c * px - s * py, y + s * px + c * py);
+        points.push_back({x + c * px - s * py, y + s * px + c * py});
     }
     return points;
 }

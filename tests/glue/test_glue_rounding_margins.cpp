@@ -116,15 +116,15 @@ struct Look {
 
 /// What the looks take for the distance is the exact one.
 void ConfirmDistance(const Pair &pair) {
-    exact::Points points[2];
+    exact::Places points[2];
     for (const bool ofB : {false, true}) {
         const b2PolygonShape &shape = ofB ? pair.b : pair.a;
         const b2Transform xf = pair.At(ofB);
         for (int32 i = 0; i < shape.m_count; ++i)
-            points[ofB].push_back(
-                exact::Placed(shape.m_vertices[i].x, shape.m_vertices[i].y, xf.q.c, xf.q.s, xf.p.x, xf.p.y));
+            points[ofB].push_back(exact::At(bmr_pose{{xf.p.x, xf.p.y}, xf.q.c, xf.q.s},
+                                            bmr_vec2{shape.m_vertices[i].x, shape.m_vertices[i].y}));
     }
-    const double truth = std::sqrt(CGAL::to_double(exact::SquaredDistance(points[0], points[1])));
+    const double truth = std::sqrt(exact::SquaredDistance(points[0], points[1]).get_d());
     CHECK(std::fabs(truth - pair.Distance()) < 1e-10);
 }
 

@@ -2,6 +2,7 @@
 #ifndef BOOMERANG_TEST_EXACT_MOTION_H
 #define BOOMERANG_TEST_EXACT_MOTION_H
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -73,16 +74,12 @@ inline mpq_class LeastSquare(const Places &a, const Places &b) {
 
 /// The least <d, q - p> of a point p of a and q of b.
 inline mpq_class LeastAlong(const Place &d, const Places &a, const Places &b) {
-    bool first = true;
-    mpq_class least;
+    mpq_class high = Product(d, a.front()), low = Product(d, b.front());
     for (const Place &p : a)
-        for (const Place &q : b) {
-            const mpq_class along = Product(d, Way(p, q));
-            if (first || along < least)
-                least = along;
-            first = false;
-        }
-    return least;
+        high = std::max<mpq_class>(high, Product(d, p));
+    for (const Place &q : b)
+        low = std::min<mpq_class>(low, Product(d, q));
+    return low - high;
 }
 
 /// The largest double of which it is sure that it is at most x, or one or two below it.
