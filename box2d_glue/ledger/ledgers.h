@@ -16,12 +16,12 @@ class Ledger;
 /// Which world has which ledger. Worlds have no room for one, so that it is found by the address of their
 /// contact manager. A world gets one when it has contacts enough, and loses it when it ends.
 
-/// So many contacts are worth a ledger where few of them touch.
-constexpr int kWorthALedger = 8;
-/// So many are in any case: in worlds of fewer, looking at what touches costs less than the ledger does.
-/// Where the plugin is to work everywhere it is not asked what anything costs.
+/// So many contacts are worth a ledger. In worlds of fewer, looking at what touches costs less than the
+/// ledger does, whose code and memory a game's own work has put out of the caches between two steps. (A world
+/// that had so many keeps its ledger when it has fewer.) Where the plugin is to work everywhere it is not
+/// asked what anything costs.
 inline int WorthALedgerAnyway() {
-    return WorksEverywhere() ? kWorthALedger : 48;
+    return WorksEverywhere() ? 8 : 48;
 }
 
 /// nullptr where it has none. Two loads for the world that the thread asked for last.

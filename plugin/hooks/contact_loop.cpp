@@ -412,34 +412,6 @@ void LedgerPass::Run() {
     m_ledger->SetGameRan(gameMayRun);
 }
 
-/// What a small world was found like at its last steps; of the thread's last one alone.
-struct Drifting {
-    const b2ContactManager *manager;
-    int steps; ///< in a row in which few of its contacts touched
-};
-BMR_THREAD Drifting drifting = {nullptr, 0};
-
-/// Does this world, which has no ledger, get one? Not for a few contacts, of which it costs more than it
-/// saves: unless few of them touch, and have not for a while.
-bool IsWorthALedger(const b2ContactManager *manager) {
-    constexpr int kMostTouchingOf = 4, kStepsToDrift = 64;
-    const int count = manager->m_contactCount;
-    if (count < kWorthALedger)
-        return false;
-    if (count >= WorthALedgerAnyway())
-        return true;
-    int touching = 0;
-    for (const b2Contact *contact = manager->m_contactList; contact != nullptr; contact = contact->GetNext())
-        touching += contact->IsTouching() ? 1 : 0;
-    if (kMostTouchingOf * touching > count) {
-        drifting.manager = nullptr;
-        return false;
-    }
-    if (drifting.manager != manager)
-        drifting = {manager, 0};
-    return ++drifting.steps > kStepsToDrift;
-}
-
 BMR_NOINLINE void CollideHere(b2ContactManager *manager) {
     ShortList::BeginNestedStep(manager);
     TouchingList::BeginNestedStep(manager);
@@ -451,7 +423,7 @@ BMR_NOINLINE void CollideHere(b2ContactManager *manager) {
     Ledger *ledger = nullptr;
     if (HookIsOn(Hook::Ledger) && RoundsToNearest()) {
         ledger = FindLedger(manager);
-        if (ledger == nullptr && IsWorthALedger(manager))
+        if (ledger == nullptr && manager->m_contactCount >= WorthALedgerAnyway())
             ledger = MakeLedger(manager);
     }
     if (ledger != nullptr && !ledger->MayHaveUnlisted() && ledger->Pays() && ledger->Follow()) {
