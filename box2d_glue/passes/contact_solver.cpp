@@ -24,13 +24,6 @@ ContactBodies BodiesOf(const b2Body &a, const b2Body &b) {
             b.*Named(InverseMass()), a.*Named(InverseInertia()), b.*Named(InverseInertia())};
 }
 
-b2Transform PoseOf(const b2Position &position, const b2Vec2 &localCenter) {
-    b2Transform pose;
-    pose.q.Set(position.a);
-    pose.p = position.c - b2Mul(pose.q, localCenter);
-    return pose;
-}
-
 /// The normal from A to B, and the points half way between the two surfaces: b2WorldManifold.
 struct WorldPoints {
     b2Vec2 normal, points[b2_maxManifoldPoints];
@@ -247,16 +240,28 @@ void Read(const b2Contact &contact, VelocityConstraint *velocity, PositionConstr
 
 } // namespace
 
-bool ContactSolver::Reserve(uint32_t contacts) {
-    return m_velocityConstraints.Reserve(contacts) && m_positionConstraints.Reserve(contacts);
+void Rotations::Compute(float angle, Known *known) {
+    std::memcpy(&known->bits, &angle, sizeof known->bits);
+    known->rotation.Set(angle);
+}
+
+void Rotations::Begin(const b2Position *positions, uint32_t bodies) {
+    for (uint32_t i = 0; i < bodies; ++i)
+        Compute(positions[i].a, &m_known[i]);
+}
+
+bool ContactSolver::Reserve(uint32_t bodies, uint32_t contacts) {
+    return m_rotations.Reserve(bodies) && m_velocityConstraints.Reserve(contacts) &&
+           m_positionConstraints.Reserve(contacts);
 }
 
 void ContactSolver::Begin(const b2TimeStep &step, b2Contact *const *contacts, uint32_t count,
-                          b2Position *positions, b2Velocity *velocities) {
+                          const b2SolverData &bodies, uint32_t bodyCount) {
     m_contacts = contacts;
     m_count = count;
-    m_positions = positions;
-    m_velocities = velocities;
+    m_positions = bodies.positions;
+    m_velocities = bodies.velocities;
+    m_rotations.Begin(m_positions, bodyCount);
     m_solvesBlocks = g_blockSolve;
     for (uint32_t i = 0; i < count; ++i) {
         const b2Manifold &manifold = *contacts[i]->GetManifold();
@@ -279,7 +284,9 @@ void ContactSolver::InitializeVelocities() {
         const b2Velocity &va = m_velocities[constraint.bodies.indexA],
                          &vb = m_velocities[constraint.bodies.indexB];
         const Pair pair = {va.v, vb.v, va.w, vb.w};
-        const WorldPoints world(position, PoseOf(a, position.localCenterA), PoseOf(b, position.localCenterB));
+        const ContactBodies &bodies = constraint.bodies;
+        const WorldPoints world(position, PoseOf(bodies.indexA, a, position.localCenterA),
+                                PoseOf(bodies.indexB, b, position.localCenterB));
         constraint.normal = world.normal;
         for (int32 j = 0; j < constraint.pointCount; ++j) {
             VelocityPoint &at = constraint.points[j];
@@ -337,11 +344,11 @@ void ContactSolver::StoreImpulses() const {
 }
 
 void ContactSolver::Solve(const PositionConstraint &constraint, float baumgarte, const ContactBodies &bodies,
-                          float *least) const {
+                          float *least) {
     b2Position a = m_positions[bodies.indexA], b = m_positions[bodies.indexB];
     for (int32 i = 0; i < constraint.pointCount; ++i) {
-        const PositionPoint at(constraint, PoseOf(a, constraint.localCenterA),
-                               PoseOf(b, constraint.localCenterB), i);
+        const PositionPoint at(constraint, PoseOf(bodies.indexA, a, constraint.localCenterA),
+                               PoseOf(bodies.indexB, b, constraint.localCenterB), i);
         const b2Vec2 rA = at.point - a.c, rB = at.point - b.c;
         *least = b2Min(*least, at.separation); // keeps no NaN longer than Box2D does
         const float correction =

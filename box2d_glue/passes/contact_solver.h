@@ -3,6 +3,7 @@
 #define BOOMERANG_GLUE_CONTACT_SOLVER_H
 
 #include <cstdint>
+#include <cstring>
 
 #include <box2d/b2_collision.h>
 #include <box2d/b2_math.h>
@@ -47,16 +48,40 @@ struct PositionConstraint {
     int32 pointCount;
 };
 
+/// Sines and cosines of the angles of an island's bodies: computed once for as long as an angle has the same
+/// bits. (A contact that is not corrected does not turn its bodies, and statics never turn.)
+class Rotations {
+public:
+    bool Reserve(uint32_t bodies) { return m_known.Reserve(bodies); }
+    void Begin(const b2Position *positions, uint32_t bodies);
+    const b2Rot &Of(int32 body, float angle) {
+        Known &known = m_known[static_cast<uint32_t>(body)];
+        uint32_t bits;
+        std::memcpy(&bits, &angle, sizeof bits);
+        if (bits != known.bits)
+            Compute(angle, &known);
+        return known.rotation;
+    }
+
+private:
+    struct Known {
+        uint32_t bits; ///< of the angle
+        b2Rot rotation;
+    };
+    static void Compute(float angle, Known *known);
+    Column<Known> m_known;
+};
+
 /// The contacts of one island, one after the other, with the bits of Box2D's b2ContactSolver.
 class ContactSolver {
 public:
-    /// Room for so many contacts. False without memory, and nothing has changed.
-    bool Reserve(uint32_t contacts);
+    /// Room for so many. False without memory, and nothing has changed.
+    bool Reserve(uint32_t bodies, uint32_t contacts);
 
     /// Reads the contacts and their bodies. `contacts` and the arrays of bodies stay until the island is
     /// solved.
-    void Begin(const b2TimeStep &step, b2Contact *const *contacts, uint32_t count, b2Position *positions,
-               b2Velocity *velocities);
+    void Begin(const b2TimeStep &step, b2Contact *const *contacts, uint32_t count, const b2SolverData &bodies,
+               uint32_t bodyCount);
     void InitializeVelocities();
     void WarmStart();
     void SolveVelocities();
@@ -66,16 +91,27 @@ public:
     /// The same after an impact of the bodies 0 and 1: no other body is moved.
     bool SolveToiPositions();
 
+    /// Where the body is, now that it is solved.
+    b2Transform PoseOf(int32 body, const b2Vec2 &localCenter) {
+        return PoseOf(body, m_positions[body], localCenter);
+    }
     void GetImpulse(uint32_t i, b2ContactImpulse *impulse) const;
 
 private:
     void Solve(VelocityConstraint *constraint) const;
     /// Moves the two bodies. `least`: the smallest separation of a point so far.
     void Solve(const PositionConstraint &constraint, float baumgarte, const ContactBodies &bodies,
-               float *least) const;
+               float *least);
+    b2Transform PoseOf(int32 body, const b2Position &position, const b2Vec2 &localCenter) {
+        b2Transform pose;
+        pose.q = m_rotations.Of(body, position.a);
+        pose.p = position.c - b2Mul(pose.q, localCenter);
+        return pose;
+    }
 
     Column<VelocityConstraint> m_velocityConstraints;
     Column<PositionConstraint> m_positionConstraints;
+    Rotations m_rotations;
     b2Contact *const *m_contacts = nullptr;
     uint32_t m_count = 0;
     b2Position *m_positions = nullptr;

@@ -39,20 +39,17 @@ void Integrate(float h, b2Position *position, b2Velocity *velocity) {
 
 void Store(const b2Position &position, const b2Velocity &velocity, b2Body *body) {
     b2Sweep &sweep = body->*Named(SweepMember());
-    b2Transform &pose = body->*Named(TransformMember());
     sweep.c = position.c;
     sweep.a = position.a;
     body->*Named(LinearVelocity()) = velocity.v;
     body->*Named(AngularVelocity()) = velocity.w;
-    pose.q.Set(sweep.a);
-    pose.p = sweep.c - b2Mul(pose.q, sweep.localCenter);
 }
 
 } // namespace
 
 bool IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) {
     return m_bodies.Reserve(bodies) && m_contacts.Reserve(contacts) && m_joints.Reserve(joints) &&
-           m_positions.Reserve(bodies) && m_velocities.Reserve(bodies) && m_solver.Reserve(contacts);
+           m_positions.Reserve(bodies) && m_velocities.Reserve(bodies) && m_solver.Reserve(bodies, contacts);
 }
 
 void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener, IslandsBy solvedBy) {
@@ -77,7 +74,7 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
     IntegrateVelocities(gravity);
     const Timer timer;
     const b2SolverData data = {m_step, &m_positions[0], &m_velocities[0]};
-    m_solver.Begin(m_step, &m_contacts[0], m_contactCount, data.positions, data.velocities);
+    m_solver.Begin(m_step, &m_contacts[0], m_contactCount, data, m_bodyCount);
     m_solver.InitializeVelocities();
     if (m_step.warmStarting)
         m_solver.WarmStart();
@@ -114,7 +111,8 @@ void IslandSolver::SolveToi() {
         m_positions[i] = {SweepOf(body).c, SweepOf(body).a};
         m_velocities[i] = {body.GetLinearVelocity(), body.GetAngularVelocity()};
     }
-    m_solver.Begin(m_step, &m_contacts[0], m_contactCount, &m_positions[0], &m_velocities[0]);
+    const b2SolverData data = {m_step, &m_positions[0], &m_velocities[0]};
+    m_solver.Begin(m_step, &m_contacts[0], m_contactCount, data, m_bodyCount);
     for (int32 i = 0; i < m_step.positionIterations; ++i)
         if (m_solver.SolveToiPositions())
             break;
@@ -185,8 +183,11 @@ bool IslandSolver::SolvePositions(const b2SolverData &data) {
 }
 
 void IslandSolver::StoreBodies() {
-    for (uint32_t i = 0; i < m_bodyCount; ++i)
-        Store(m_positions[i], m_velocities[i], m_bodies[i]);
+    for (uint32_t i = 0; i < m_bodyCount; ++i) {
+        b2Body *const body = m_bodies[i];
+        Store(m_positions[i], m_velocities[i], body);
+        body->*Named(TransformMember()) = m_solver.PoseOf(static_cast<int32>(i), body->GetLocalCenter());
+    }
 }
 
 void IslandSolver::Report() {
