@@ -85,6 +85,8 @@ public:
     void InitializeVelocities();
     void WarmStart();
     void SolveVelocities();
+    bool SolvesBlocks() const { return m_solvesBlocks; }
+    VelocityConstraint *VelocityConstraints() { return &m_velocityConstraints[0]; }
     void StoreImpulses() const;
     /// Are all contacts solved as well as Box2D asks?
     bool SolvePositions();

@@ -49,7 +49,8 @@ void Store(const b2Position &position, const b2Velocity &velocity, b2Body *body)
 
 bool IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) {
     return m_bodies.Reserve(bodies) && m_contacts.Reserve(contacts) && m_joints.Reserve(joints) &&
-           m_positions.Reserve(bodies) && m_velocities.Reserve(bodies) && m_solver.Reserve(bodies, contacts);
+           m_positions.Reserve(bodies) && m_velocities.Reserve(bodies) &&
+           m_solver.Reserve(bodies, contacts) && m_ordered.Reserve(bodies, contacts);
 }
 
 void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener, IslandsBy solvedBy) {
@@ -81,11 +82,7 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
     for (uint32_t i = 0; i < m_jointCount; ++i)
         (m_joints[i]->*Named(InitVelocityConstraints()))(data);
     const float initialized = timer.GetMilliseconds();
-    for (int32 i = 0; i < m_step.velocityIterations; ++i) {
-        for (uint32_t j = 0; j < m_jointCount; ++j)
-            (m_joints[j]->*Named(SolveVelocityConstraints()))(data);
-        m_solver.SolveVelocities();
-    }
+    SolveVelocities(data);
     m_solver.StoreImpulses();
     IntegratePositions();
     const float solved = timer.GetMilliseconds();
@@ -136,6 +133,18 @@ void IslandSolver::Finish(b2Profile *profile) {
     profile->solveInit += m_profile.solveInit;
     profile->solveVelocity += m_profile.solveVelocity;
     profile->solvePosition += m_profile.solvePosition;
+}
+
+void IslandSolver::SolveVelocities(const b2SolverData &data) {
+    if (m_jointCount == 0 && m_contactCount >= OrderedVelocities::kLeast && m_solver.SolvesBlocks() &&
+        m_ordered.Solve(m_solver.VelocityConstraints(), m_contactCount, m_step.velocityIterations,
+                        data.velocities, m_bodyCount))
+        return;
+    for (int32 i = 0; i < m_step.velocityIterations; ++i) {
+        for (uint32_t j = 0; j < m_jointCount; ++j)
+            (m_joints[j]->*Named(SolveVelocityConstraints()))(data);
+        m_solver.SolveVelocities();
+    }
 }
 
 IslandParts IslandSolver::Parts() const {

@@ -8,6 +8,7 @@
 
 #include "ledger/column.h"
 #include "passes/contact_solver.h"
+#include "passes/ordered_velocities.h"
 #include "passes/which_solver.h"
 
 class b2Body;
@@ -59,6 +60,7 @@ private:
     IslandParts Parts() const;
     void IntegrateVelocities(const b2Vec2 &gravity);
     void IntegratePositions();
+    void SolveVelocities(const b2SolverData &data);
     bool SolvePositions(const b2SolverData &data);
     void StoreBodies();
     void Report();
@@ -70,6 +72,7 @@ private:
     Column<b2Position> m_positions;
     Column<b2Velocity> m_velocities;
     ContactSolver m_solver;
+    OrderedVelocities m_ordered;
     uint32_t m_bodyCount = 0, m_contactCount = 0, m_jointCount = 0;
     b2TimeStep m_step = {};
     b2ContactListener *m_listener = nullptr;
