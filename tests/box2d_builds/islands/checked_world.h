@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOX2D_BUILDS_CHECKED_WORLD_H
+#define BOX2D_BUILDS_CHECKED_WORLD_H
+
+namespace box2d_builds {
+
+/// What was solved twice so far.
+struct Checked {
+    long islands, impacts, contacts, joints;
+    /// A control: so many islands from now on, one bit of what ours left is turned. Never, where it is 0.
+    long turnsABitIn;
+};
+extern Checked checked;
+
+} // namespace box2d_builds
+
+#endif
