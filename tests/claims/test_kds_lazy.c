@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The lazy structures of two polygons (section 5) on random motions, against brute force.
+// The lazy structures of two polygons (section 5): when they find contact, how their events grow, and what
+// a coarser line proves.
 
 #include "checks.h"
 #include <math.h>
@@ -20,70 +21,11 @@ static bmr_kds *made(const char *name, const bmr_kds_def *def, const test_kds_bo
     return kds;
 }
 
-static test_kds_body scaled_body(test_random *random, double scale, double shift) {
+static test_kds_body random_body(test_random *random) {
     const size_t sizes[] = {3, 4, 6, 11, 24, 64};
     const test_family family = (test_family)test_random_below(random, TEST_FAMILY_COUNT);
-    bmr_polygon *polygon =
-        test_polygon(family, sizes[test_random_below(random, sizeof sizes / sizeof *sizes)], random);
-    return test_kds_body_make_scaled(polygon, scale, shift);
-}
-
-static test_kds_body random_body(test_random *random) {
-    return scaled_body(random, 1.0, 0.0);
-}
-
-typedef struct totals {
-    uint64_t kinds[BMR_KDS_EVENT_KIND_COUNT], events, contacts, audits;
-} totals;
-
-static void random_drive(const char *name, test_random *random, totals *all) {
-    // Some are tiny, huge, of unequal size, or far from the origins of their frames.
-    const double scales[] = {1.0, 1.0, 1.0, 1e-4, 1e3}, ratios[] = {1.0, 1.0, 1.0, 0.01, 100.0};
-    const double scale = scales[test_random_below(random, 5)], ratio = ratios[test_random_below(random, 5)];
-    const double shift = test_random_below(random, 3) == 0 ? 5.0 * scale : 0.0;
-    test_kds_body a = scaled_body(random, scale, shift), b = scaled_body(random, scale * ratio, 0.5 * shift);
-    bmr_kds_def def = bmr_default_kds_def();
-    const double unit = fmin(a.polygon->radius, b.polygon->radius);
-    def.margin = 1e-6 * (a.polygon->radius + b.polygon->radius);
-    const test_path_kind kind = (test_path_kind)test_random_below(random, TEST_PATH_KIND_COUNT);
-    const double gap = unit * exp(test_random_uniform(random, log(1e-4), log(1.0)));
-    const bool rotates = test_random_below(random, 3) > 0;
-    test_path path = test_path_make(kind, a.polygon, b.polygon, gap, rotates, random);
-    if (!rotates && kind != TEST_PATH_HIT && test_random_below(random, 2) == 0)
-        path.angle = 0.0; // exactly parallel edges that stay so
-    const test_drive how = {.path = &path, .resolution = 1e-5, .margin = def.margin};
-    bmr_kds *kds = made(name, &def, &a, &b);
-    const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
-    if (!test_drive_is_sound(&r))
-        printf("%s path %d: audits %u (%s) dead %u contacts %u false %u missed none %u\n", name, kind,
-               r.false_audits, bmr_error_describe(r.error), r.dead_repairs, r.false_contacts,
-               r.missed_contacts, r.changed_by_none);
-    assert_true(test_drive_is_sound(&r));
-    if (kind == TEST_PATH_HIT)
-        assert_true(r.contact_time < 1.0);
-    for (int k = 0; k < BMR_KDS_EVENT_KIND_COUNT; ++k)
-        all->kinds[k] += r.events[k];
-    all->events += test_drive_events(&r);
-    all->contacts += r.events[BMR_KDS_CONTACT];
-    all->audits += r.audits;
-    bmr_kds_destroy(kds, NULL);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
-}
-
-TEST(every_structure_is_valid_on_random_motions) {
-    for (size_t i = 0; i < NAMES; ++i) {
-        test_random random = {202};
-        totals all;
-        memset(&all, 0, sizeof all);
-        const size_t rounds = 20 + test_scaled(400); // rare events want some rounds at any scale
-        for (size_t round = 0; round < rounds; ++round)
-            random_drive(names[i], &random, &all);
-        // Every kind of event that the structure knows took place.
-        assert_true(all.kinds[BMR_KDS_PUSH] > rounds / 4 && all.kinds[BMR_KDS_STAB] > rounds / 4);
-        assert_true(all.kinds[BMR_KDS_ROLL] > rounds / 4 && all.kinds[BMR_KDS_LEAVE] > 0);
-        assert_true(all.contacts > rounds / 10);
-    }
+    return test_kds_body_make(
+        test_polygon(family, sizes[test_random_below(random, sizeof sizes / sizeof *sizes)], random));
 }
 
 /// A first time is found up to this.

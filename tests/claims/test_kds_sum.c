@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The structures on an explicit Minkowski sum (section 5) on random translations, against brute force.
+// The structures on an explicit Minkowski sum (section 5): their memory, and the turns that are not for them.
 
 #include "checks.h"
 #include <math.h>
@@ -30,47 +30,6 @@ static test_kds_body random_body(test_random *random) {
         return test_kds_point_make(0.5, 0.25);
     return test_kds_body_make(
         test_polygon(family, sizes[test_random_below(random, sizeof sizes / sizeof *sizes)], random));
-}
-
-static test_drive_result random_drive(const char *name, test_random *random) {
-    test_kds_body a = random_body(random), b = random_body(random);
-    bmr_kds_def def = bmr_default_kds_def();
-    const double size = a.polygon->radius + b.polygon->radius + 0.1;
-    def.margin = 1e-6 * size;
-    const test_path_kind kind = (test_path_kind)test_random_below(random, TEST_PATH_KIND_COUNT);
-    const double gap = size * exp(test_random_uniform(random, log(1e-4), log(1.0)));
-    test_path path = test_path_make(kind, a.polygon, b.polygon, gap, false, random);
-    if (kind != TEST_PATH_HIT && test_random_below(random, 2) == 0)
-        path.angle = 0.0; // exactly parallel edges
-    const test_drive how = {.path = &path, .resolution = 1e-5, .margin = def.margin};
-    bmr_kds *kds = made(name, &def, &a, &b);
-    const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
-    if (!test_drive_is_sound(&r))
-        printf("%s path %d: audits %u (%s) dead %u contacts %u false %u missed none %u\n", name, kind,
-               r.false_audits, bmr_error_describe(r.error), r.dead_repairs, r.false_contacts,
-               r.missed_contacts, r.changed_by_none);
-    // Two points may be so small that a path of their sizes does not move at all.
-    if (kind == TEST_PATH_HIT && a.polygon->count + b.polygon->count > 2)
-        assert_true(r.contact_time < 1.0);
-    bmr_kds_destroy(kds, NULL);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
-    return r;
-}
-
-TEST(every_structure_is_valid_on_random_translations) {
-    for (size_t i = 0; i < NAMES; ++i) {
-        test_random random = {303};
-        uint64_t events = 0, contacts = 0;
-        const size_t rounds = 20 + test_scaled(400); // rare events want some rounds at any scale
-        for (size_t round = 0; round < rounds; ++round) {
-            const test_drive_result r = random_drive(names[i], &random);
-            assert_true(test_drive_is_sound(&r));
-            events += test_drive_events(&r);
-            contacts += r.events[BMR_KDS_CONTACT];
-        }
-        assert_true(events > rounds && contacts > rounds / 8);
-    }
 }
 
 /// A path with a turn in it: the sum of the first rotation is not that of the others.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What boomerang/kds.h promises of every structure on separating edges of hierarchies: for points, on
-// explicit sums, and the lazy ones of two polygons.
+// What boomerang/kds.h promises of every structure, each on the motions that it is for.
 
 #include "checks.h"
 #include <math.h>
@@ -8,23 +7,7 @@
 
 #include "kds_driver.h"
 #include "motions.h"
-#include "structure_named.h"
-
-static const char *const names[] = {
-    "triangle-levels-compass",       "triangle-levels-dudley", "triangle-binary-compass",
-    "triangle-binary-dudley",        "point-lazy-compass",     "point-lazy-dudley",
-    "point-lazy-dobkin-kirkpatrick", "point-inflated-compass", "point-inflated-dudley",
-    "point-inflated-slack",          "point-complex",          "sum-triangle-compass",
-    "sum-triangle-dudley",           "sum-lazy-compass",       "sum-lazy-dudley",
-    "sum-inflated-compass",          "lazy-compass",           "lazy-dudley",
-    "lazy-dobkin-kirkpatrick"};
-#define NAMES (sizeof names / sizeof *names)
-
-static const bmr_kds_info *info_of(size_t i) {
-    const bmr_kds_info *info = test_structure(names[i]);
-    assert_non_null(info);
-    return info;
-}
+#include "test_scale.h"
 
 static test_kds_body regular(size_t n) {
     test_random random = {n};
@@ -32,12 +15,12 @@ static test_kds_body regular(size_t n) {
 }
 
 static test_kds_body other_body(size_t i, size_t n) {
-    return info_of(i)->domain == BMR_KDS_POINT ? test_kds_point_make(0.125, 0.0) : regular(n);
+    return bmr_kds_at(i)->domain == BMR_KDS_POINT ? test_kds_point_make(0.125, 0.0) : regular(n);
 }
 
 static bmr_kds *made(size_t i, const bmr_kds_def *def, const test_kds_body *a, const test_kds_body *b) {
     bmr_kds *kds = NULL;
-    assert_int_equal(bmr_kds_create(info_of(i), def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
+    assert_int_equal(bmr_kds_create(bmr_kds_at(i), def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
     return kds;
 }
 
@@ -47,11 +30,16 @@ static bmr_instant at_gap(const test_kds_body *a, const test_kds_body *b, double
 }
 
 TEST(an_early_repair_reports_none_and_changes_nothing) {
-    for (size_t i = 0; i < NAMES; ++i) {
+    for (size_t way = 0; way < 2 * bmr_kds_count(); ++way) {
+        const size_t i = way / 2; // at rest, and moving
         test_kds_body a = regular(24), b = other_body(i, 16);
         const bmr_kds_def def = bmr_default_kds_def();
         bmr_kds *kds = made(i, &def, &a, &b);
-        const bmr_instant now = at_gap(&a, &b, 0.02);
+        bmr_instant now = at_gap(&a, &b, 0.02);
+        if (way % 2)
+            now.velocity = bmr_vec2_make(-0.3, 0.2);
+        if (way % 2 && bmr_kds_at(i)->domain == BMR_KDS_RIGID)
+            now.spin = 0.7;
         bmr_condition before[BMR_KDS_MAX_CONDITIONS], after[BMR_KDS_MAX_CONDITIONS];
         bmr_kds_report report;
         assert_int_equal(bmr_kds_conditions(kds, before), 0); // nothing known yet
@@ -60,8 +48,8 @@ TEST(an_early_repair_reports_none_and_changes_nothing) {
         assert_true(report.apart && report.touched > 0);
         const size_t count = bmr_kds_conditions(kds, before);
         assert_true(count >= 1 && count <= BMR_KDS_MAX_CONDITIONS);
-        for (size_t k = 0; k < count; ++k) {
-            assert_true(bmr_condition_value(&before[k], &now.pose) > 0.0);
+        for (size_t k = 0; k <= count; ++k) { // none of them, in the end
+            assert_true(k == count || bmr_condition_value(&before[k], &now.pose) > 0.0);
             bmr_kds_repair(kds, &now, k, &report);
             assert_int_equal(report.kind, BMR_KDS_NONE);
             assert_true(report.apart && !report.line_changed);
@@ -70,9 +58,11 @@ TEST(an_early_repair_reports_none_and_changes_nothing) {
             assert_memory_equal(before, after, count * sizeof *before);
         }
         // The control: a repair that is due does something.
-        bmr_instant later = now; // on the other side
-        later.pose = test_pose_at(a.polygon, b.polygon, 0.3 + 3.14, 0.5, 0.02);
-        bmr_kds_repair(kds, &later, 0, &report);
+        now.pose = test_pose_at(a.polygon, b.polygon, 0.3 + 3.14, 0.5, 0.02); // on the other side
+        size_t due = 0;
+        while (due < count && bmr_condition_value(&before[due], &now.pose) > 0.0)
+            ++due;
+        bmr_kds_repair(kds, &now, due, &report);
         assert_int_not_equal(report.kind, BMR_KDS_NONE);
         bmr_kds_destroy(kds, NULL);
         test_kds_body_destroy(&a);
@@ -81,7 +71,7 @@ TEST(an_early_repair_reports_none_and_changes_nothing) {
 }
 
 TEST(contact_is_left_beyond_margin_and_hysteresis_only) {
-    for (size_t i = 0; i < NAMES; ++i) {
+    for (size_t i = 0; i < bmr_kds_count(); ++i) {
         test_kds_body a = regular(24), b = other_body(i, 16);
         bmr_kds_def def = bmr_default_kds_def();
         def.margin = 1e-3;
@@ -122,7 +112,7 @@ TEST(contact_is_left_beyond_margin_and_hysteresis_only) {
 }
 
 TEST(the_state_does_not_grow_with_the_polygons_unless_it_says_so) {
-    for (size_t i = 0; i < NAMES; ++i) {
+    for (size_t i = 0; i < bmr_kds_count(); ++i) {
         size_t bytes[2];
         for (int large = 0; large < 2; ++large) {
             test_kds_body a = regular(large ? 500 : 8), b = other_body(i, large ? 500 : 8);
@@ -133,7 +123,8 @@ TEST(the_state_does_not_grow_with_the_polygons_unless_it_says_so) {
             test_kds_body_destroy(&a);
             test_kds_body_destroy(&b);
         }
-        const bool linear = strstr(names[i], "sum-") || strstr(names[i], "-binary-");
+        const char *const name = bmr_kds_at(i)->name;
+        const bool linear = strstr(name, "sum-") || strstr(name, "-binary-") || strstr(name, "tiling-");
         assert_true(linear ? bytes[1] > 4 * bytes[0] : bytes[1] == bytes[0]);
         assert_true(bytes[0] <= 16384 && (linear || bytes[0] <= 512));
     }
@@ -150,11 +141,11 @@ TEST(a_free_line_is_repaired_like_that_of_an_edge) {
     static const struct {
         double around, turned; ///< quarter turns: where B is, and by how much it has turned
     } ways[] = {{0, 1}, {1, 1}, {1, 2}, {2, 3}, {3, 3}, {2, 2}, {0, 1}, {1, 1}, {2, 1}, {0, 0}};
-    for (size_t i = 0; i < NAMES; ++i) {
+    for (size_t i = 0; i < bmr_kds_count(); ++i) {
         bmr_polygon *square = NULL;
         assert_int_equal(bmr_polygon_create(diamond, 4, NULL, &square), BMR_OK);
         test_kds_body a = test_kds_body_make(square), b;
-        const bool point = info_of(i)->domain == BMR_KDS_POINT;
+        const bool point = bmr_kds_at(i)->domain == BMR_KDS_POINT;
         if (point) {
             b = test_kds_point_make(0.0, 0.0);
         } else {
@@ -172,7 +163,7 @@ TEST(a_free_line_is_repaired_like_that_of_an_edge) {
         for (size_t k = 0; k < sizeof ways / sizeof *ways; ++k) {
             const double at = lean + quarter * ways[k].around;
             now.pose.position = bmr_vec2_make(away * cos(at), away * sin(at));
-            const bool turns = !point && info_of(i)->domain == BMR_KDS_RIGID;
+            const bool turns = !point && bmr_kds_at(i)->domain == BMR_KDS_RIGID;
             now.pose.c = turns ? cos(quarter * ways[k].turned) : 1.0;
             now.pose.s = turns ? sin(quarter * ways[k].turned) : 0.0;
             bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
@@ -194,14 +185,14 @@ TEST(a_free_line_is_repaired_like_that_of_an_edge) {
 TEST(no_pose_is_contact_and_no_point_is_an_error) {
     test_kds_body a = regular(8), b = regular(5), point = test_kds_point_make(0.0, 0.0);
     const bmr_kds_def def = bmr_default_kds_def();
-    for (size_t i = 0; i < NAMES; ++i) {
+    for (size_t i = 0; i < bmr_kds_count(); ++i) {
         bmr_kds *kds = NULL;
-        if (info_of(i)->domain == BMR_KDS_POINT)
-            assert_int_equal(bmr_kds_create(info_of(i), &def, &a.shape, &b.shape, NULL, &kds),
+        if (bmr_kds_at(i)->domain == BMR_KDS_POINT)
+            assert_int_equal(bmr_kds_create(bmr_kds_at(i), &def, &a.shape, &b.shape, NULL, &kds),
                              BMR_ERROR_OUT_OF_RANGE);
         bmr_shape bare = {.polygon = a.polygon};
-        if (info_of(i)->hierarchy >= 0)
-            assert_int_equal(bmr_kds_create(info_of(i), &def, &bare, &point.shape, NULL, &kds),
+        if (bmr_kds_at(i)->hierarchy >= 0)
+            assert_int_equal(bmr_kds_create(bmr_kds_at(i), &def, &bare, &point.shape, NULL, &kds),
                              BMR_ERROR_NULL_ARGUMENT);
         assert_null(kds);
         kds = made(i, &def, &a, &point);
@@ -218,4 +209,95 @@ TEST(no_pose_is_contact_and_no_point_is_an_error) {
     test_kds_body_destroy(&point);
     test_kds_body_destroy(&b);
     test_kds_body_destroy(&a);
+}
+
+/// The control: a proof, made at one pose, is found wrong at another where it does not hold.
+TEST(audits_find_a_stale_proof) {
+    for (size_t i = 0; i < bmr_kds_count(); ++i)
+        for (int step = 1; step < 12; step++) {
+            test_kds_body a = regular(20), b = other_body(i, 20);
+            const bmr_kds_def def = bmr_default_kds_def();
+            bmr_kds *kds = made(i, &def, &a, &b);
+            bmr_kds_report report;
+            bmr_instant now = at_gap(&a, &b, 0.01);
+            bmr_kds_start(kds, &now, &report);
+            assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
+            const bmr_pose other = test_pose_at(a.polygon, b.polygon, 2.8 + 0.1 * step, 0.5, 0.01);
+            assert_int_not_equal(bmr_kds_audit(kds, &other), BMR_OK);
+            bmr_kds_destroy(kds, NULL);
+            test_kds_body_destroy(&a);
+            test_kds_body_destroy(&b);
+        }
+}
+
+/// Of any family and size, a point and a segment among them.
+static test_kds_body any_body(test_random *random, double scale, double shift) {
+    const size_t sizes[] = {3, 4, 6, 11, 24, 64};
+    const test_family family = (test_family)test_random_below(random, TEST_FAMILY_COUNT);
+    const uint32_t choice = test_random_below(random, 16);
+    if (choice == 0)
+        return test_kds_point_make(shift + 0.5 * scale, shift + 0.25 * scale);
+    if (choice == 1) {
+        const bmr_vec2 ends[2] = {{-0.7, 0.1}, {0.9, test_random_uniform(random, -1.0, 1.0)}};
+        bmr_polygon *segment = NULL;
+        assert_int_equal(bmr_polygon_create(ends, 2, NULL, &segment), BMR_OK);
+        return test_kds_body_make_scaled(segment, scale, shift);
+    }
+    const size_t n = sizes[test_random_below(random, sizeof sizes / sizeof *sizes)];
+    return test_kds_body_make_scaled(test_polygon(family, n, random), scale, shift);
+}
+
+static test_drive_result random_drive(size_t i, size_t round, test_random *random) {
+    // Some are tiny, huge, of unequal size, or far from the origins of their frames.
+    const double scales[] = {1.0, 1.0, 1.0, 1e-4, 1e3}, ratios[] = {1.0, 1.0, 1.0, 0.01, 100.0};
+    const double scale = scales[test_random_below(random, 5)];
+    const double ratio = scale == 1.0 ? ratios[test_random_below(random, 5)] : 1.0;
+    const double shift = test_random_below(random, 3) == 0 ? 5.0 * scale : 0.0;
+    const bmr_kds_domain domain = bmr_kds_at(i)->domain;
+    test_kds_body a = any_body(random, scale, shift);
+    test_kds_body b = domain == BMR_KDS_POINT
+                          ? test_kds_point_make(scale * test_random_uniform(random, -1.0, 1.0), shift)
+                          : any_body(random, scale * ratio, 0.5 * shift);
+    bmr_kds_def def = bmr_default_kds_def();
+    const double size = a.polygon->radius + b.polygon->radius + 0.1 * scale;
+    def.margin = 1e-6 * size;
+    const test_path_kind kind = (test_path_kind)test_random_below(random, TEST_PATH_KIND_COUNT);
+    const double gap = size * exp(test_random_uniform(random, log(1e-4), log(1.0)));
+    const bool rotates = domain != BMR_KDS_TRANSLATION && test_random_below(random, 3) > 0;
+    test_path path = test_path_make(kind, a.polygon, b.polygon, gap, rotates, random);
+    if (!rotates && kind != TEST_PATH_HIT && test_random_below(random, 2) == 0)
+        path.angle = 0.0; // exactly parallel edges that stay so
+    const test_drive how = {.path = &path, .resolution = 1e-5, .margin = def.margin};
+    bmr_kds *kds = made(i, &def, &a, &b);
+    const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
+    if (!test_drive_is_sound(&r))
+        printf("%s, round %zu, path %d: audits %u (%s) dead %u contacts %u false %u missed none %u\n",
+               bmr_kds_at(i)->name, round, kind, r.false_audits, bmr_error_describe(r.error), r.dead_repairs,
+               r.false_contacts, r.missed_contacts, r.changed_by_none);
+    assert_true(test_drive_is_sound(&r));
+    // A path of the sizes of two points does not move.
+    if (kind == TEST_PATH_HIT && a.polygon->count + b.polygon->count > 2)
+        assert_true(r.contact_time < 1.0);
+    bmr_kds_destroy(kds, NULL);
+    test_kds_body_destroy(&a);
+    test_kds_body_destroy(&b);
+    return r;
+}
+
+TEST(every_structure_is_valid_on_random_motions) {
+    for (size_t i = 0; i < bmr_kds_count(); ++i) {
+        test_random random = {202 + i};
+        uint64_t kinds[BMR_KDS_EVENT_KIND_COUNT] = {0}, events = 0;
+        const size_t rounds = 20 + test_scaled(400); // rare events want some rounds at any scale
+        for (size_t round = 0; round < rounds; ++round) {
+            const test_drive_result r = random_drive(i, round, &random);
+            for (int k = 0; k < BMR_KDS_EVENT_KIND_COUNT; ++k)
+                kinds[k] += r.events[k];
+            events += test_drive_events(&r);
+        }
+        assert_true(events > rounds && kinds[BMR_KDS_CONTACT] > rounds / 10 && kinds[BMR_KDS_LEAVE] > 0);
+        if (strncmp(bmr_kds_at(i)->name, "lazy-", 5) == 0) // every kind that these know took place
+            assert_true(kinds[BMR_KDS_PUSH] > rounds / 4 && kinds[BMR_KDS_STAB] > rounds / 4 &&
+                        kinds[BMR_KDS_ROLL] > rounds / 4);
+    }
 }
