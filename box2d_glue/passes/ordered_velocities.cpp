@@ -62,12 +62,11 @@ bool OrderedVelocities::Solve(VelocityConstraint *constraints, uint32_t count, i
                               b2Velocity *velocities, uint32_t bodyCount) {
     if (!Pack(constraints, count, velocities, bodyCount))
         return false;
-    uint32_t left = static_cast<uint32_t>(iterations), ordered = 0;
+    uint32_t left = iterations > 0 ? static_cast<uint32_t>(iterations) : 0;
     while (left > 0) {
         const uint32_t some = left < kOverlapping ? left : kOverlapping;
-        if (some != ordered)
+        if (some != m_orderedIterations)
             FindOrder(count, some);
-        ordered = some;
         for (uint32_t i = 0; i < m_orderCount; ++i)
             Solve(&m_records[m_order[i]], &m_velocities[0]);
         left -= some;
@@ -87,9 +86,14 @@ bool OrderedVelocities::Solve(VelocityConstraint *constraints, uint32_t count, i
     return true;
 }
 
-/// Reads constraints and velocities. False where Box2D might assert.
+/// Reads constraints and velocities. False where Box2D might assert. The order that was found last is kept
+/// where the same contacts follow each other, as in a pile from step to step.
 bool OrderedVelocities::Pack(const VelocityConstraint *constraints, uint32_t count,
                              const b2Velocity *velocities, uint32_t bodyCount) {
+    const uint32_t ordered = m_orderedIterations;
+    bool isAsLast = count == m_count;
+    m_orderedIterations = 0;
+    m_count = count;
     m_slotCount = bodyCount;
     for (uint32_t i = 0; i < bodyCount; ++i)
         m_velocities[i] = {velocities[i].v.x, velocities[i].v.y, velocities[i].w, velocities[i].w};
@@ -126,14 +130,19 @@ bool OrderedVelocities::Pack(const VelocityConstraint *constraints, uint32_t cou
         r.normal[1] = c.normal.y;
         r.friction = c.friction;
         r.tangentSpeed = c.tangentSpeed;
-        r.slots = {slotOf(of.indexA, of.invMassA, of.invIA), slotOf(of.indexB, of.invMassB, of.invIB)};
+        const Slots slots = {slotOf(of.indexA, of.invMassA, of.invIA),
+                             slotOf(of.indexB, of.invMassB, of.invIB)};
+        isAsLast = isAsLast && r.slots.a == slots.a && r.slots.b == slots.b;
+        r.slots = slots;
         r.pointCount = c.pointCount;
     }
+    m_orderedIterations = isAsLast ? ordered : 0;
     return true;
 }
 
 /// Counts how many contacts have each level, and puts them there.
 void OrderedVelocities::FindOrder(uint32_t count, uint32_t iterations) {
+    m_orderedIterations = iterations;
     m_orderCount = count * iterations;
     for (uint32_t i = 0; i < m_slotCount; ++i)
         m_last[i] = 0;

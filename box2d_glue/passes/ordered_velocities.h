@@ -73,7 +73,8 @@ private:
     Column<uint32_t> m_levels;     ///< of each contact in each iteration
     Column<uint32_t> m_starts;     ///< of each level in the order
     Column<uint32_t> m_order;      ///< records
-    uint32_t m_slotCount = 0, m_orderCount = 0;
+    uint32_t m_count = 0, m_slotCount = 0, m_orderCount = 0;
+    uint32_t m_orderedIterations = 0; ///< of the records' slots the order is known for so many; 0: for none
 };
 
 } // namespace bmr
