@@ -91,6 +91,8 @@ void Take(bmr::ContactRecorder *recorder, ByHand *taken) {
 /// Boxes and a disk that fall on planks and a chain past a sensor; some are destroyed as they lie.
 template <typename AfterStep> void Play(b2World &world, const AfterStep &afterStep) {
     FillWithBoxes(world);
+    AddBox(world, b2_staticBody, {0.0f, 2.0f}, {12.0f, 0.3f}, 0.0f,
+           true); // what is older comes first in contacts
     const b2Vec2 links[] = {{-30.0f, -8.0f}, {-5.0f, -9.0f}, {5.0f, -9.0f}, {30.0f, -8.0f}};
     b2ChainShape chain;
     chain.CreateChain(links, 4, {-40.0f, -8.0f}, {40.0f, -8.0f});
