@@ -6,8 +6,8 @@
     drawn.py --all FILE                   all sites of one file
     drawn.py [--root DIR] --gone FILE     the lines of FILE that stand nowhere
 
-A line: file @ line @ line with the fault [@ why nobody can notice]. `file#2` is the second of equal lines. What goes over several lines
-of the file stands in one.
+A line: file @ line @ line with the fault [@ who notices, or why nobody can]. `file#2` is the second of equal lines. What goes over several
+lines of the file stands in one.
 
 Every folder has its share by its lines of code; in a folder the operators take turns, so that those with few sites come up as often as
 those with many. A larger sample begins with the smaller one. A site may change nothing that can be told:
@@ -48,6 +48,10 @@ def describe(site, text):
     before, after = (" ".join(part.split()) or ";" for part in (before, after))
     number = [start <= site.start < end for start, end in places_of(before, text)].index(True) + 1
     return f"{site.file}{f'#{number}' if number > 1 else ''} @ {before} @ {after}"
+
+
+def read(path):
+    return [line for line in path.read_text().splitlines() if not line.startswith("#")]
 
 
 def find(root, line):
@@ -104,7 +108,7 @@ def main():
         for site in sites.sites_of(o.all.name, text):
             print(f"{site.operator}: {(describe(site, text) or '').partition(' @ ')[2]}")
     elif o.gone:
-        print("".join(f"{line}\n" for line in o.gone.read_text().splitlines() if not find(o.root, line)), end="")
+        print("".join(f"{line}\n" for line in read(o.gone) if not find(o.root, line)), end="")
     elif not o.count:
         options.error("a seed and a count")
     else:

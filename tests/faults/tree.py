@@ -8,6 +8,7 @@ import os
 import re
 import shlex
 import subprocess
+from collections import defaultdict
 from pathlib import Path
 
 PARTS = ("core", "box2d_glue", "plugin")
@@ -39,7 +40,7 @@ class Tree:
         for entry in json.loads((self.build / "compile_commands.json").read_text()):
             words = shlex.split(entry["command"])
             self.compiled[words[words.index("-o") + 1]] = (entry["file"], words)
-        self._tests = self._includers = None
+        self._tests, self._includers, self._names, self._commands = None, None, None, {}
 
     def product(self, name):
         """The linked file (a path in the build tree) that a target's name or any path of it stands for; or None."""
@@ -80,10 +81,36 @@ class Tree:
             self._includers = includers
         return self._includers.get(file, set()) & self.compiled.keys()
 
-    def has(self, product, objects):
-        """Is one of the objects in this product, in an archive that it links, or in a library that it loads?"""
-        inner = filter(None, map(self.product, self.inputs[product]))
-        return any(i in objects for i in self.inputs[product]) or any(self.has(p, objects) for p in inner)
+    def names(self, file):
+        """The names that an object, or whatever is linked, defines."""
+        if self._names is None:
+            names = defaultdict(set)
+            files = [f for f in [*self.compiled, *self.inputs] if not f.endswith(".a") and (self.build / f).exists()]
+            listed = subprocess.run(["nm", "-AP", "--defined-only", *files], cwd=self.build, stdout=subprocess.PIPE, text=True).stdout
+            for there, name, kind, *_ in map(str.split, listed.splitlines()):
+                if kind in ("TDBR" if there.endswith(".o:") else "TtDdBbRr"):
+                    names[there[:-1]].add(name)
+            self._names = names
+        return self._names[file]
+
+    def taken(self, product, objects):
+        """Which of the objects are linked into this product. It takes of an archive what it needs."""
+        found = objects.intersection(self.inputs[product])
+        for archive in filter(None, map(self.product, self.inputs[product])):
+            if archive.endswith(".a"):
+                found |= {o for o in objects.intersection(self.inputs[archive]) if self.names(o) & self.names(product)}
+        return found
+
+    def loaded(self, product):
+        """The libraries that a product loads, and itself."""
+        inner = [p for p in map(self.product, self.inputs[product]) if p and not p.endswith(".a")]
+        return {product}.union(*map(self.loaded, inner))
+
+    def link_command(self, product):
+        if product not in self._commands:
+            commands = subprocess.run(["ninja", "-t", "commands", "-s", product], cwd=self.build, stdout=subprocess.PIPE, text=True, check=True)
+            self._commands[product] = shlex.split(commands.stdout.split(" && ")[1])
+        return self._commands[product]
 
     def is_doctest(self, product):
         return DOCTEST in self.inputs[product]
@@ -134,34 +161,29 @@ class Faulty:
         return str(made)
 
     def differs(self):
-        """Is what was compiled other code than without the fault?"""
-        text = (self.tree.root / self.file).read_bytes()
-        made, self.made = self.made, {}
-        (self.place / self.file).write_bytes(text)
+        """Is what was compiled (all, if nothing was) other code than without the fault?"""
+        made, self.made = self.made or {output: self._compile(output) for output in self.objects}, {}
+        (self.place / self.file).write_bytes((self.tree.root / self.file).read_bytes())
         return any(Path(file).read_bytes() != Path(self._compile(output)).read_bytes() for output, file in made.items())
 
     def path(self, product):
         """Where the faulty one is; None where the fault is not in what it links. A library that it loads is made, too."""
         if product not in self.linked:
-            changed = {i: self._compile(i) for i in self.tree.inputs[product] if i in self.objects}
+            changed = {i: self._compile(i) for i in self.tree.taken(product, self.objects)}
             for i in self.tree.inputs[product]:
                 inner = self.tree.product(i)
-                made = inner and self.path(inner)
-                if made and inner.endswith(".a"):
-                    changed[i] = made
+                if inner and not inner.endswith(".a"):
+                    self.path(inner)
             self.linked[product] = self._link(product, changed) if changed else None
         return self.linked[product]
 
     def _link(self, product, changed):
         made = self.place / f"{len(self.linked)}" / Path(product).name
         made.parent.mkdir()
-        if product.endswith(".a"):
-            self._run(["ar", "qc", made] + [changed.get(i, i) for i in self.tree.inputs[product]])
-            return str(made)
-        command = subprocess.run(["ninja", "-t", "commands", "-s", product], cwd=self.tree.build, stdout=subprocess.PIPE, text=True,
-                                 check=True).stdout
-        words = [changed.get(w, w) for w in shlex.split(command.split(" && ")[1])]
-        words[words.index("-o") + 1] = str(made)
+        words = [changed.pop(w, w) for w in self.tree.link_command(product)]
+        output = words.index("-o")
+        # Of an archive nothing is taken that is there already.
+        words[output:output + 2] = ["-o", str(made), *changed.values()]
         self._run(words)
         # What is linked against a library asks for it by its soname.
         for word in words:
