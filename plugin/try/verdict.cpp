@@ -172,7 +172,7 @@ std::string NextWhereNotAtWork(const Trial &trial) {
     if (place.shared.empty() && !place.inside.empty())
         return "Who has its sources adds one line to its CMake: boomerang_accelerate(TARGET), where TARGET "
                "is "
-               "what compiles Box2D (docs/is-it-for-my-game.md has recipes).";
+               "what compiles Box2D (docs/compile-box2d.md has recipes).";
     return "";
 }
 

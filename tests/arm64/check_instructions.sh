@@ -5,7 +5,7 @@
 #
 # What an accelerated Box2D costs on ARM64: instructions of steps 21 to 300 of small scenes and 21 to 80 of large ones, counted by qemu
 # (COUNTER: count_instructions.c, compiled for this machine), stock over accelerated. None may need more than the same Box2D as it is, but
-# for `bullet`, three bodies of which one flies (docs/is-it-for-my-game.md); the geometric mean is to be 1.05 at least; and the bodies are where
+# for `bullet`, three bodies of which one flies; the geometric mean is to be 1.05 at least; and the bodies are where
 # they are in stock.
 set -uo pipefail
 build=${1:?} variant=${2:?} counter=${3:?}

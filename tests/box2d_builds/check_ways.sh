@@ -3,7 +3,7 @@
 #
 #   check_ways.sh BUILD PLUGIN ROOT
 #
-# Two ways to Boomerang at once: what docs/is-it-for-my-game.md has in its table is so, cell by cell. BUILD: where the shelf was
+# Two ways to Boomerang at once: what docs/compile-box2d.md has in its table is so, cell by cell. BUILD: where the shelf was
 # built, with the variant `static` accelerated; PLUGIN: libboomerang_box2d.so in its build tree.
 set -uo pipefail
 build=$(realpath "${1:?}") plugin=$(realpath "${2:?}") root=${3:?}
@@ -114,7 +114,7 @@ done
 awk -F ' *[|] *' '$0 == "<!-- two ways -->" { inside = 1; next } inside && !/^[|]/ { exit }
     inside && !n { for (n = 3; n < NF; ++n) column[n] = tolower($n); next }
     inside && !/^[|] ---/ { for (i = 3; i < NF; ++i) if ($i != "") print tolower($2), column[i], $i }' \
-    "$root/docs/is-it-for-my-game.md" >table
+    "$root/docs/compile-box2d.md" >table
 holds "the page has the table" test "$(wc -l <table)" -eq 10
 while read -r row column word _; do
     word=${word%[:;]}
