@@ -21,14 +21,7 @@ constexpr int kHookCount = sizeof kHookNames / sizeof *kHookNames;
 static_assert(kAllHooks == (1u << kHookCount) - 1, "one name for each hook");
 
 /// Variables that have been complained about, a bit each.
-enum Variable : unsigned {
-    kMode = 1,
-    kStructure = 2,
-    kHooks = 4,
-    kVerbose = 8,
-    kPrefilter = 16,
-    kEverywhere = 32
-};
+enum Variable : unsigned { kMode = 1, kStructure = 2, kHooks = 4, kVerbose = 8, kEverywhere = 16 };
 
 thread_local bool complaintsHeld = false;
 
@@ -113,19 +106,6 @@ uint32_t HooksOfEnvironment(uint32_t hooks) {
     return made;
 }
 
-bmr_structure StructureOfEnvironment(bmr_structure structure) {
-    const std::string_view value = ReadEnvironment("BOOMERANG_STRUCTURE");
-    if (value.empty())
-        return structure;
-    for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
-        if (value == bmr_structure_name(static_cast<bmr_structure>(i)))
-            return static_cast<bmr_structure>(i);
-    Complaint complaint(kStructure, "BOOMERANG_STRUCTURE", value);
-    for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
-        complaint.Word(i == 0 ? "" : ", ", bmr_structure_name(static_cast<bmr_structure>(i)));
-    return structure;
-}
-
 /// The place of the value among two words, or nothing where it is neither.
 std::optional<bool> ChoiceOfEnvironment(Variable variable, const char *name, const char *no,
                                         const char *yes) {
@@ -184,15 +164,27 @@ std::optional<Mode> ModeOfEnvironment() {
     return std::nullopt;
 }
 
+std::optional<bmr_structure> StructureOfEnvironment() {
+    const std::string_view value = ReadEnvironment("BOOMERANG_PAIRS_BY");
+    if (value.empty())
+        return std::nullopt;
+    for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
+        if (value == bmr_structure_name(static_cast<bmr_structure>(i)))
+            return static_cast<bmr_structure>(i);
+    Complaint complaint(kStructure, "BOOMERANG_PAIRS_BY", value);
+    for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
+        complaint.Word(i == 0 ? "" : ", ", bmr_structure_name(static_cast<bmr_structure>(i)));
+    return std::nullopt;
+}
+
+bool EverywhereOfEnvironment() {
+    return ChoiceOfEnvironment(kEverywhere, "BOOMERANG_EVERYWHERE", "off", "on").value_or(false);
+}
+
 Options WithEnvironment(const Options &options) {
     Options made = options;
     made.mode = ModeOfEnvironment().value_or(options.mode);
-    made.structure = StructureOfEnvironment(options.structure);
     made.hooks = HooksOfEnvironment(options.hooks);
-    made.everywhere =
-        ChoiceOfEnvironment(kEverywhere, "BOOMERANG_EVERYWHERE", "off", "on").value_or(options.everywhere);
-    made.prefilter =
-        ChoiceOfEnvironment(kPrefilter, "BOOMERANG_PREFILTER", "off", "on").value_or(options.prefilter);
     if (const auto verbose = ChoiceOfEnvironment(kVerbose, "BOOMERANG_VERBOSE", "0", "1"))
         made.verbosity = *verbose;
     const std::string_view file = ReadEnvironment("BOOMERANG_STATISTICS");

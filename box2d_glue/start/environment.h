@@ -11,15 +11,19 @@
 /// The environment variables that set the plugin without rebuilding the program:
 ///
 ///     BOOMERANG=on|off|verify
-///     BOOMERANG_STRUCTURE=free-direction|...       a name of bmr_structure_name
 ///     BOOMERANG_HOOKS=all,-solve-toi               all, none, +NAME, -NAME, from left to right
-///     BOOMERANG_PREFILTER=on|off
 ///     BOOMERANG_STATISTICS=FILE                    written when the process ends, as JSON
 ///     BOOMERANG_VERBOSE=0|1
 ///
 /// They win over the options that the program passes. A value that is not understood is ignored, and one line
 /// on stderr says so, once for a process. Nothing is read in programs that run with somebody else's rights
 /// (setuid).
+///
+/// Two more are for the project's own tests and its testbed; pages for games do not have them:
+///
+///     BOOMERANG_PAIRS_BY=free-direction|...        a name of bmr_structure_name: it holds every pair
+///     BOOMERANG_EVERYWHERE=on|off                  budgets of motion also where they cost more than they
+///     save
 
 namespace bmr {
 
@@ -37,6 +41,11 @@ std::optional<Mode> ModeOfEnvironment();
 
 /// `options`, outweighed by the environment. statisticsFile then points into the environment.
 Options WithEnvironment(const Options &options);
+
+/// BOOMERANG_PAIRS_BY, if it is there and understood.
+std::optional<bmr_structure> StructureOfEnvironment();
+/// BOOMERANG_EVERYWHERE.
+bool EverywhereOfEnvironment();
 
 /// As long as one lives, this thread says nothing of values that are not understood: for whoever only looks.
 class HeldComplaints {

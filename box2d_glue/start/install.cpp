@@ -45,7 +45,7 @@ void Announce(const Options &options) {
     const uint32_t atWork = reached & ~off;
     const Presence presence = GetPresence();
     std::fprintf(stderr, "boomerang: %s, %s; %s %s; rounds %s Box2D", NameOf(options.mode),
-                 bmr_structure_name(options.structure), presence.way, presence.box2d,
+                 bmr_structure_name(GetSettings().pairDef.structure), presence.way, presence.box2d,
                  presence.roundsAsBox2D ? "as" : "otherwise than");
     ListHooks(atWork == kNoHooks ? "; hooks: none" : "; hooks:", atWork);
     if (off != kNoHooks)
@@ -71,7 +71,7 @@ bool InstallHere(const Options &given) {
         return false;
     const NearestRounding nearest; // whoever is tried out here is tried out as he will be asked
     const Options options = WithEnvironment(given);
-    if (options.mode == Mode::Off || bmr_structure_name(options.structure) == nullptr)
+    if (options.mode == Mode::Off)
         return false;
     if (const char *why = WhyThisBox2DIsUnknown())
         return Refuse(why);

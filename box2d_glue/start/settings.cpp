@@ -3,6 +3,7 @@
 
 #include "proofs/hull.h"
 #include "proofs/thresholds.h"
+#include "start/environment.h"
 #include "start/reach.h"
 #include "start/rounding_probe.h"
 
@@ -28,10 +29,13 @@ bool MakeSettings(const Options &options, uint32_t reached) {
                               options.onAnswer != nullptr || options.statisticsFile != nullptr;
     made.options.statisticsFile = nullptr; // the caller's; the exit handler has a copy
     made.pairDef = bmr_default_pair_def();
-    made.pairDef.structure = options.structure;
+    const std::optional<bmr_structure> pairsBy = StructureOfEnvironment();
+    made.remembersEdges = !pairsBy;
+    made.everywhere = EverywhereOfEnvironment();
+    made.pairDef.structure = pairsBy.value_or(BMR_FREE_DIRECTION);
     made.pairDef.hysteresis = kHysteresis;
     made.compass = nullptr;
-    if (options.structure == BMR_LAZY_COMPASS) {
+    if (made.pairDef.structure == BMR_LAZY_COMPASS) {
         bmr_compass *compass = nullptr;
         if (bmr_compass_create(kMostHullVertices, nullptr, &compass) != BMR_OK)
             return false;

@@ -17,6 +17,10 @@ namespace bmr {
 struct Settings {
     bool made = false; ///< has Install decided? (Contacts of big ConvexShapes do not wait for it.)
     Options options = {};
+    /// Do contacts remember edges, which are asked ahead of a structure of hulls? Not where
+    /// BOOMERANG_PAIRS_BY has every pair held by a structure of the paper.
+    bool remembersEdges = true;
+    bool everywhere = false;   ///< BOOMERANG_EVERYWHERE
     bmr_pair_def pairDef = {}; ///< structure and hysteresis; the margin is each pair's own
     /// Directions for hulls of up to kMostHullVertices vertices; NULL where not needed.
     const bmr_compass *compass = nullptr;
@@ -86,12 +90,11 @@ inline bool Verifying() {
 /// counted, told of or compared: a small world's, or one's that moves too much, would not be.
 inline bool WorksEverywhere() {
     const Options &options = GetSettings().options;
-    return options.everywhere || options.statistics || options.mode == Mode::Verify;
+    return GetSettings().everywhere || options.statistics || options.mode == Mode::Verify;
 }
 
-/// Do contacts remember edges?
 inline bool EdgesAreOn() {
-    return GetSettings().options.prefilter;
+    return GetSettings().remembersEdges;
 }
 
 /// Takes the options over; called once, by Install. False without memory for the compass table.

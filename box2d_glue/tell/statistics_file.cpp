@@ -96,7 +96,7 @@ void WriteStatistics(std::FILE *stream) {
     std::fputc('{', stream);
     Members members(stream, "  ");
     members.Word("mode", NameOf(options.mode));
-    members.Word("structure", bmr_structure_name(options.structure));
+    members.Word("structure", bmr_structure_name(GetSettings().pairDef.structure));
     const Presence presence = GetPresence();
     members.Word("way", presence.way);
     members.Word("box2d", presence.box2d);

@@ -35,11 +35,8 @@ void AddPluginOptions(CLI::App &app, WorkerOptions &worker,
                       const std::vector<std::string> &structures = {"lazy-compass", "lazy-dudley",
                                                                     "free-direction"}) {
     app.add_option("--structure", worker.structure,
-                   "Kinetic structure of a body pair (default: the plugin's own)")
+                   "The structure of the paper that holds every pair (default: as games have it)")
         ->check(CLI::IsMember(structures));
-    app.add_option("--prefilter", worker.prefilter,
-                   "Ask one remembered edge first (default: the plugin's own)")
-        ->check(CLI::IsMember({"on", "off"}));
 }
 
 /// A whole number of a size that nobody means to reach; CLI11's own validators speak of limits with 300

@@ -25,7 +25,7 @@ constexpr char kNotes[] =
     "The page holds its data, style and script: it opens from a file, without a network, in any browser of "
     "2023 or later; its address has the step, the choice and the view.\nEach contact of two polygons has its "
     "events, and so have the hulls of bodies with many; "
-    "with --prefilter off hulls alone.";
+    "with --structure hulls alone.";
 
 std::string Megabytes(size_t bytes) {
     char text[32];
@@ -123,8 +123,8 @@ int ReplayPair(const ReplayCommand &command) {
             "alike)");
     if (!command.scene.empty() || !command.recording.empty())
         throw UsageError("a scene, --recording FILE or --polygon and --motion: one of the three");
-    if (command.worker.size || command.worker.seed || !command.worker.prefilter.empty())
-        throw UsageError("--size, --seed and --prefilter are a scene's");
+    if (command.worker.size || command.worker.seed)
+        throw UsageError("--size and --seed are a scene's");
     const bmr_kds_info &structure = PairStructure(command.worker.structure);
     OutputFile file(command.output);
     KineticPage page;
@@ -153,7 +153,6 @@ nlohmann::json About(const SceneInfo &scene, const recording::Head &head) {
     return {{"scene", scene.name},
             {"description", scene.description},
             {"structure", head.structure},
-            {"prefilter", head.prefilter ? "on" : "off"},
             {"size", head.size},
             {"seed", head.seed},
             {"stock", NameOf(StockFor(scene))},

@@ -148,7 +148,6 @@ nlohmann::json ToJson(const std::vector<SceneResult> &results, const CompareOpti
          {{"mode", options.verify ? "verify" : "bits"},
           {"repeat", options.time ? options.repeat : 0},
           {"structure", options.worker.structure.empty() ? "default" : options.worker.structure},
-          {"prefilter", options.worker.prefilter.empty() ? "default" : options.worker.prefilter},
           {"listener", options.worker.listener.empty() ? "none" : options.worker.listener},
           {"perturb", options.perturb ? nlohmann::json(*options.perturb) : nlohmann::json()}}},
         {"scenes", ToJson(results)},

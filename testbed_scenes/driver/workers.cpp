@@ -82,7 +82,7 @@ fs::path Workers::ProgramOf(Side side) const {
 /// What a worker is told, whatever habits the caller's environment has. An empty value counts as none.
 std::vector<std::string> Workers::EnvironmentOf(const WorkerRequest &request,
                                                 const WorkerOptions &options) const {
-    std::string mode, hooks, structure, prefilter, preload;
+    std::string mode, hooks, preload;
     auto preloaded = [&preload](const std::string &library) {
         preload += (preload.empty() ? "" : ":") + library;
     };
@@ -94,8 +94,6 @@ std::vector<std::string> Workers::EnvironmentOf(const WorkerRequest &request,
         mode = "off";
     if (request.side == Side::Preloaded) {
         mode = "on";
-        structure = options.structure;
-        prefilter = options.prefilter;
         preloaded(m_plugin.string());
     }
     if (request.mode == "count" && CanCount()) {
@@ -104,12 +102,9 @@ std::vector<std::string> Workers::EnvironmentOf(const WorkerRequest &request,
             preloaded(m_plugin.string());
         preloaded(m_countLibrary.string());
     }
-    std::vector<std::string> environment = {"BOOMERANG=" + mode,
-                                            "BOOMERANG_HOOKS=" + hooks,
-                                            "BOOMERANG_STRUCTURE=" + structure,
-                                            "BOOMERANG_PREFILTER=" + prefilter,
-                                            "BOOMERANG_STATISTICS=",
-                                            "BOOMERANG_VERBOSE="};
+    std::vector<std::string> environment = {"BOOMERANG=" + mode, "BOOMERANG_HOOKS=" + hooks,
+                                            "BOOMERANG_PAIRS_BY=" + options.structure,
+                                            "BOOMERANG_STATISTICS=", "BOOMERANG_VERBOSE="};
     if (!preload.empty()) {
         if (*ValueOf("LD_PRELOAD") != '\0')
             preloaded(ValueOf("LD_PRELOAD"));
@@ -152,11 +147,6 @@ std::unique_ptr<Process> Workers::Start(const WorkerRequest &request, const Work
         add("--seed", std::to_string(*options.seed));
     if (!options.listener.empty())
         add("--listener", options.listener);
-    const bool takesOptions = request.side != Side::Stock && request.side != Side::Preloaded;
-    if (takesOptions && !options.structure.empty())
-        add("--structure", options.structure);
-    if (takesOptions && !options.prefilter.empty())
-        add("--prefilter", options.prefilter);
     arguments.insert(arguments.end(), request.extra.begin(), request.extra.end());
 
     return std::make_unique<Process>(std::move(arguments), EnvironmentOf(request, options),

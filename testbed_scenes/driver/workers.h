@@ -32,10 +32,11 @@ Side StockFor(const SceneInfo &scene);
 struct WorkerOptions {
     std::optional<int64_t> size;
     std::optional<uint64_t> seed;
-    /// For the plugin's worker alone; empty means its own default.
+    /// For the plugin's worker alone: the structure of the paper that holds every pair. Empty: as games have
+    /// it.
     std::string structure;
-    std::string prefilter;
-    /// What the worlds' contact listener does: "counts", "reads", "acts" or "records"; empty or "none": there is none.
+    /// What the worlds' contact listener does: "counts", "reads", "acts" or "records"; empty or "none": there
+    /// is none.
     std::string listener;
 };
 

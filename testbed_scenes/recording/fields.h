@@ -15,7 +15,6 @@ template <typename Visit> void Fields(const Head *, Visit visit) {
     visit("scene", &Head::scene);
     visit("program", &Head::program);
     visit("structure", &Head::structure);
-    visit("prefilter", &Head::prefilter);
     visit("size", &Head::size);
     visit("seed", &Head::seed);
     visit("time_step", &Head::time_step);

@@ -49,8 +49,7 @@ struct Head {
     std::string scene;
     /// stock, plugin, or off: with the plugin told to be off; world: none of Box2D (worlds/record.h)
     std::string program;
-    std::string structure;  ///< of the plugin: free-direction, lazy-compass, lazy-dudley; of a world: any
-    bool prefilter = false; ///< the plugin asks remembered edges first
+    std::string structure; ///< of the plugin: free-direction, lazy-compass, lazy-dudley; of a world: any
     int64_t size = 0;
     uint64_t seed = 0;
     float time_step = 0.0f;

@@ -70,7 +70,7 @@ int32_t QuantiseSlack(double slack);
 ///
 /// Replay::about, as the page reads it (whatever is missing is left out of the page):
 ///
-///     scene, description, structure, prefilter: words
+///     scene, description, structure: words
 ///     stock      what the plugin is held against: stock, or off (the plugin off)
 ///     timeStep   seconds
 ///     margin     what a certificate must prove, in lengths

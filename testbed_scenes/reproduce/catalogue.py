@@ -258,9 +258,9 @@ EXPERIMENTS = [
           [["env", "SCENES=" + " ".join(GAMES), f"LISTENER={listener}", "{root}/tests/bench/measure_costs.sh", "--steps", "100", "{build}", "scenes"]
            for listener in ("none", "counts", "reads", "acts")]),
     shown("structures", "each structure in the place of the remembered edge", 200,
-          ["boomerang-testbed compare needles plates planks coins-gas coins-pile gears bullets pyramid --details --structure ... --prefilter ..."],
+          ["boomerang-testbed compare needles plates planks coins-gas coins-pile gears bullets pyramid --details --structure ..."],
           [[TESTBED, "compare", "needles", "plates", "planks", "coins-gas", "coins-pile", "gears", "bullets", "pyramid", "--structure", structure,
-            "--prefilter", "off", "--details"] for structure in ("free-direction", "lazy-compass", "lazy-dudley")]),
+            "--details"] for structure in ("free-direction", "lazy-compass", "lazy-dudley")]),
     shown("life", "what the pairs of two scenes go through", 10, ["boomerang-testbed compare --steps 200 --no-time --details needles coins-pile"],
           [[TESTBED, "compare", "--steps", "200", "--no-time", "--details", "needles", "coins-pile"]]),
     shown("any-size-worlds", "worlds of polygons of any size", 60, ["boomerang-testbed compare any-gas any-pile any-bag"],

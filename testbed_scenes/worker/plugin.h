@@ -24,9 +24,8 @@ class App;
 namespace testbed {
 
 struct PluginOptions {
-    std::string structure = "free-direction";
-    std::string prefilter = "on";
-    std::string trace; ///< a file's name, or empty
+    std::string structure; ///< holds every pair; empty: as games have it
+    std::string trace;     ///< a file's name, or empty
 };
 
 void AddPluginOptions(CLI::App &app, PluginOptions &options);

@@ -53,13 +53,6 @@ void OpenTrace(const std::string &name) {
     std::fputs("# step bodyA bodyB kind level_before level_after owner(0=A,1=B) gap\n", trace.file);
 }
 
-bmr_structure StructureOf(const std::string &name) {
-    for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
-        if (name == bmr_structure_name(static_cast<bmr_structure>(i)))
-            return static_cast<bmr_structure>(i);
-    throw std::runtime_error("the plugin knows no structure " + name);
-}
-
 recording::Vec VecOf(const b2Vec2 &v) {
     return {v.x, v.y};
 }
@@ -83,20 +76,18 @@ bool IsToldToBeOff() {
 } // namespace
 
 void AddPluginOptions(CLI::App &app, PluginOptions &options) {
-    app.add_option("--structure", options.structure, "The kinetic structure of body pairs")
-        ->option_text("lazy-compass|lazy-dudley|free-direction [free-direction]")
+    app.add_option("--structure", options.structure, "The structure of the paper that holds every pair")
+        ->envname("BOOMERANG_PAIRS_BY")
+        ->option_text("lazy-compass|lazy-dudley|free-direction")
         ->check(CLI::IsMember({"lazy-compass", "lazy-dudley", "free-direction"}).description(""));
-    app.add_option("--prefilter", options.prefilter, "Ask one remembered edge before the structure")
-        ->option_text("on|off [on]")
-        ->check(CLI::IsMember({"on", "off"}).description(""));
     app.add_option("--trace", options.trace, "Write each event of each pair to this file, a line per event")
         ->option_text("FILE");
 }
 
 void InstallPlugin(const PluginOptions &options, bool count, PluginObserver *told) {
     bmr::Options install;
-    install.structure = StructureOf(options.structure);
-    install.prefilter = options.prefilter == "on";
+    if (!options.structure.empty())
+        setenv("BOOMERANG_PAIRS_BY", options.structure.c_str(), 1); // how the plugin is told
     install.statistics = count || !options.trace.empty();
     observer = told;
     if (observer != nullptr)

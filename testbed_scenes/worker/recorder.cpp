@@ -318,10 +318,8 @@ int Recorder::NameOutline(int body, const std::vector<recording::Vec> &points, r
 recording::Head MakeHead(const Recorder &recorder, const PluginOptions &plugin) {
     recording::Head head;
     head.program = PluginName();
-    if (head.program == "plugin") {
+    if (head.program == "plugin")
         head.structure = plugin.structure;
-        head.prefilter = plugin.prefilter == "on";
-    }
     head.first = recorder.Range().first;
     head.last = recorder.Range().last;
     head.every = recorder.Range().every;

@@ -11,7 +11,7 @@ room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 # shellcheck source=tests/kit/holds.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../kit/holds.sh"
-unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_PAIRS_BY BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
 # shellcheck source=tests/box2d_builds/processor.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../box2d_builds/processor.sh"
 processor_for fused || exit 1

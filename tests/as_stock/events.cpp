@@ -98,7 +98,7 @@ void Listener::OnAnswer(const b2Contact &contact, bmr::Answer answer) {
     const State before = state;
     for (const bmr_event &event : m_pending)
         Turn(&state, event);
-    if (ofPolygons && m_run.Prefilter()) {
+    if (ofPolygons && m_run.RemembersEdges()) {
         if (answer == bmr::Answer::ApartBySearch)
             m_run.Expect(m_pending.size() == 1, "what was searched and found is an event");
         if (answer == bmr::Answer::ApartByPair)
@@ -121,7 +121,7 @@ void Listener::CheckContacts(const b2World &world) {
     TakeBelated(nullptr);
     m_answered = Key();
     m_run.Expect(m_pending.empty(), "each event of a contact has its answer");
-    if (!m_run.Prefilter())
+    if (!m_run.RemembersEdges())
         return;
     for (const b2Contact *contact = world.GetContactList(); contact != nullptr;
          contact = contact->GetNext()) {

@@ -126,8 +126,7 @@ template <typename Check> void ForSettings(Check check) {
     const uint32_t seeds = static_cast<uint32_t>(test_scaled(6));
     for (seed = 1; seed <= seeds; ++seed) {
         bmr::Options options;
-        options.prefilter = seed % 3 != 0;
-        options.structure = seed % 4 == 1 ? BMR_LAZY_COMPASS : BMR_FREE_DIRECTION;
+        const forked::PairsBy by(seed % 3 != 0 ? nullptr : seed % 2 == 1 ? "lazy-compass" : "free-direction");
         CAPTURE(seed);
         check(options);
     }

@@ -13,7 +13,7 @@ accelerated=("$@")
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 passed=0 failed=0
-unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_PAIRS_BY BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
 
 # shellcheck source=tests/box2d_builds/processor.sh
 source "$(dirname "${BASH_SOURCE[0]}")/processor.sh"

@@ -22,12 +22,11 @@ struct Way {
 
 const Way kWays[] = {
     {"as it is", {}},
-    {"no remembered edges", {"BOOMERANG_PREFILTER=off"}},
-    {"lazy-dudley", {"BOOMERANG_PREFILTER=off", "BOOMERANG_STRUCTURE=lazy-dudley"}},
-    {"lazy-compass, statistics",
-     {"BOOMERANG_PREFILTER=off", "BOOMERANG_STRUCTURE=lazy-compass", "BOOMERANG_STATISTICS=/dev/null"}},
+    {"free-direction", {"BOOMERANG_PAIRS_BY=free-direction"}},
+    {"lazy-dudley", {"BOOMERANG_PAIRS_BY=lazy-dudley"}},
+    {"lazy-compass, statistics", {"BOOMERANG_PAIRS_BY=lazy-compass", "BOOMERANG_STATISTICS=/dev/null"}},
     {"verify, complaints",
-     {"BOOMERANG=verify", "BOOMERANG_HOOKS=everything", "BOOMERANG_STRUCTURE=none of that name",
+     {"BOOMERANG=verify", "BOOMERANG_HOOKS=everything", "BOOMERANG_PAIRS_BY=none of that name",
       "BOOMERANG_VERBOSE=very", "BOOMERANG_STATISTICS=/nowhere/%p.json"}},
 };
 
@@ -108,8 +107,8 @@ size_t PlayWay(const Way &way, const Ended &stock) {
 } // namespace
 
 int main() {
-    for (const char *name : {"BOOMERANG", "BOOMERANG_HOOKS", "BOOMERANG_STRUCTURE", "BOOMERANG_PREFILTER",
-                             "BOOMERANG_STATISTICS", "BOOMERANG_VERBOSE", "LD_PRELOAD"})
+    for (const char *name : {"BOOMERANG", "BOOMERANG_HOOKS", "BOOMERANG_PAIRS_BY", "BOOMERANG_STATISTICS",
+                             "BOOMERANG_VERBOSE", "LD_PRELOAD"})
         unsetenv(name);
     const Ended stock = RunProgram({GAME});
     size_t played = 0;

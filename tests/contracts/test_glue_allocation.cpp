@@ -211,24 +211,20 @@ TEST_CASE("a shape without memory says so, stays as it was, and can be set once 
 }
 
 TEST_CASE("a world of small polygons plays as stock, whatever allocation fails") {
-    for (const bmr_structure structure : {BMR_FREE_DIRECTION, BMR_LAZY_DUDLEY, BMR_LAZY_COMPASS})
-        for (const bool prefilter : {false, true}) {
-            const std::string name = bmr_structure_name(structure);
-            CAPTURE(name);
-            CAPTURE(prefilter);
-            options = bmr::Options();
-            options.structure = structure;
-            options.prefilter = prefilter;
-            // The compass table is the process's.
-            CheckEveryFailure(PlayPlanks, true, structure == BMR_LAZY_COMPASS ? 1 : 0);
-        }
+    for (const char *structure : {"", "free-direction", "lazy-dudley", "lazy-compass"}) {
+        const std::string name = structure;
+        CAPTURE(name);
+        options = bmr::Options();
+        const forked::PairsBy by(name.empty() ? nullptr : structure);
+        // The compass table is the process's.
+        CheckEveryFailure(PlayPlanks, true, name == "lazy-compass" ? 1 : 0);
+    }
 }
 
 TEST_CASE("a world of big polygons plays as with memory, whatever allocation fails") {
     for (const bmr_structure structure : {BMR_FREE_DIRECTION, BMR_LAZY_DUDLEY}) {
         options = bmr::Options();
-        options.structure = structure;
-        options.prefilter = false;
+        const forked::PairsBy by(structure);
         CheckEveryFailure(PlayCoins, false, 0);
     }
 }
@@ -269,12 +265,11 @@ TEST_CASE("Install without memory for its table is refused, and says so") {
     for (at = 0; at < 2; ++at)
         refused += forked::InChild(
                        [](Run &run) {
-                           bmr::Options lazy;
-                           lazy.structure = BMR_LAZY_COMPASS;
+                           const forked::PairsBy by(BMR_LAZY_COMPASS);
                            bool done = true;
                            const std::string said = StderrOf([&] {
                                failing_malloc::FailAt(at);
-                               done = bmr::Install(lazy);
+                               done = bmr::Install();
                                failing_malloc::FailAt(UINT64_MAX);
                            });
                            run.Print("%d %d %s", done, bmr::IsInstalled(), said.c_str());

@@ -31,8 +31,8 @@ struct Way {
 const std::vector<Way> kWays = {
     {"linked ahead", true, {"BOOMERANG=on"}},
     {"preloaded", false, {}},
-    {"preloaded, no remembered edges", false, {"BOOMERANG_PREFILTER=off"}},
-    {"the same with lazy-dudley", false, {"BOOMERANG_PREFILTER=off", "BOOMERANG_STRUCTURE=lazy-dudley"}},
+    {"preloaded, pairs by `free-direction`", false, {"BOOMERANG_PAIRS_BY=free-direction"}},
+    {"pairs by `lazy-dudley`", false, {"BOOMERANG_PAIRS_BY=lazy-dudley"}},
     {"`BOOMERANG=verify`", false, {"BOOMERANG=verify"}},
 };
 
@@ -110,8 +110,8 @@ bool OutputsTell() {
 }
 
 const Table kWorlds("worlds", [] {
-    for (const char *name : {"BOOMERANG", "BOOMERANG_HOOKS", "BOOMERANG_STRUCTURE", "BOOMERANG_PREFILTER",
-                             "BOOMERANG_STATISTICS", "BOOMERANG_VERBOSE", "LD_PRELOAD"})
+    for (const char *name : {"BOOMERANG", "BOOMERANG_HOOKS", "BOOMERANG_PAIRS_BY", "BOOMERANG_STATISTICS",
+                             "BOOMERANG_VERBOSE", "LD_PRELOAD"})
         unsetenv(name);
     Matrix matrix;
     matrix.alone = false; // the games have processes of their own

@@ -15,7 +15,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 golden_arguments() {
     case $1 in
     pyramid) echo pyramid --size 5 --step 40 --width 500 ;;
-    layers) echo coins-gas --size 8 --step 60 --width 500 --prefilter off --structure lazy-compass --all ;;
+    layers) echo coins-gas --size 8 --step 60 --width 500 --structure lazy-compass --all ;;
     why) echo planks --size 60 --step 120 --focus 30 --width 900 ;;
     bare) echo planks --size 60 --step 120 --bare --width 500 ;;
     esac
@@ -64,9 +64,9 @@ test_pixels_are_the_golden_ones() {
 
 test_every_layer_draws_something_of_its_own() {
     local layer
-    draw "$scratch/none.svg" coins-gas --size 60 --step 60 --width 500 --prefilter off --structure lazy-compass --bare
+    draw "$scratch/none.svg" coins-gas --size 60 --step 60 --width 500 --structure lazy-compass --bare
     for layer in certificates slack handed-over contacts events hulls envelopes aabbs; do
-        draw "$scratch/$layer.svg" coins-gas --size 60 --step 60 --width 500 --prefilter off --structure lazy-compass \
+        draw "$scratch/$layer.svg" coins-gas --size 60 --step 60 --width 500 --structure lazy-compass \
             "--$layer"
         ! same_svg "$scratch/none.svg" "$scratch/$layer.svg" || fail "--$layer draws nothing"
     done
@@ -94,7 +94,7 @@ test_scenes_that_stock_does_not_have() {
 test_recordings_tell_the_truth() {
     local scene options
     for scene in "coins-gas --size 40" "planks --size 60" "chain-rocks --size 60"; do
-        for options in "" "--prefilter off" "--prefilter off --structure lazy-dudley"; do
+        for options in "" "--structure free-direction" "--structure lazy-dudley"; do
             claim="boomerang-scene $scene --record 20:50:10 $options"
             : >"$scratch/out"
             # shellcheck disable=SC2086

@@ -32,7 +32,7 @@ ANSWERS = ["unasked", "apart", "manifold", "handed over"]
 # A scene with times of impact, and one whose bodies come and go, on kinetic structures alone.
 SCENES = {
     "planks": ["planks", "--size", "40", "--steps", "90"],
-    "rocks": ["chain-rocks", "--size", "30", "--steps", "120", "--structure", "lazy-compass", "--prefilter", "off"],
+    "rocks": ["chain-rocks", "--size", "30", "--steps", "120", "--structure", "lazy-compass"],
 }
 
 
@@ -53,10 +53,9 @@ class Recording:
     def __init__(self, side, arguments):
         scene, rest = arguments[0], list(arguments[1:])
         if side == "stock":
-            for option in ("--structure", "--prefilter"):
-                if option in rest:
-                    at = rest.index(option)
-                    del rest[at:at + 2]
+            if "--structure" in rest:
+                at = rest.index("--structure")
+                del rest[at:at + 2]
         steps = int(rest[rest.index("--steps") + 1])
         program = PROGRAMS / ("boomerang-scene" if side == "stock" else "boomerang-scene-plugin")
         plugin = [] if side == "stock" else [str(PROGRAMS.parent / "lib" / "libboomerang_box2d.so")]

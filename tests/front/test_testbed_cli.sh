@@ -45,7 +45,7 @@ test_usage_errors_exit_with_2() {
     expect 2 compare "$classic" --repeat 0
     expect 2 compare "$classic" --structure lazy
     expect 2 run
-    expect 2 run "$classic" --prefilter perhaps
+    expect 2 run "$classic" --structure perhaps
     expect 2 run "$classic" --plugin off --trace "$scratch/trace"
     expect 3 compare "$classic" --json "$scratch/no/such/directory.json"
     err_has 'cannot write'
@@ -93,7 +93,7 @@ test_run_prints_hashes_and_summaries() {
     json_number "$scratch/out" polygon_tests
     expect 0 run "$hard" --steps "$steps" --time
     out_has '^step_ns_total +[0-9]'
-    expect 0 run "$hard" --steps "$steps" --prefilter off --structure lazy-compass --trace "$scratch/trace"
+    expect 0 run "$hard" --steps "$steps" --structure lazy-compass --trace "$scratch/trace"
     [ -s "$scratch/trace" ] || fail "the trace is empty"
 }
 
@@ -241,7 +241,7 @@ test_every_pair_has_events_and_an_empty_trace_says_why_it_is() {
     expect 0 run "$hard" --steps "$steps" --trace "$scratch/trace"
     err_empty
     grep -q ' start ' "$scratch/trace" || fail 'no event in the trace'
-    expect 0 run "$hard" --steps "$steps" --prefilter off --trace "$scratch/trace"
+    expect 0 run "$hard" --steps "$steps" --structure free-direction --trace "$scratch/trace"
     err_empty
     grep -q ' start ' "$scratch/trace" || fail 'no event in the trace of hulls'
     expect 0 run coins-gas --steps 1 --trace "$scratch/trace"

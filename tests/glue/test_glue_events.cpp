@@ -111,7 +111,7 @@ void CheckHeard(Run &run) {
 
 std::string PlayedBefore(const forked::Scenario &play, bmr_structure structure) {
     bmr::Options options; // statistics are implied
-    options.structure = structure;
+    const forked::PairsBy by(structure);
     options.onEvent = OnEvent;
     options.onAnswer = OnAnswer;
     options.eventContext = &scene;
@@ -153,6 +153,6 @@ TEST_CASE("without hooks and without remembered edges worlds play as stock") {
     const std::string stock = forked::InChild(PlaySmall, nullptr, forked::When::kBefore);
     bmr::Options bare;
     bare.hooks = bmr::kNoHooks;
-    bare.prefilter = false;
+    const forked::PairsBy by(BMR_FREE_DIRECTION);
     CHECK(forked::Difference(stock, forked::InChild(PlaySmall, &bare, forked::When::kBefore)) == "");
 }

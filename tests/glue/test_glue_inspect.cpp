@@ -191,7 +191,7 @@ TEST_CASE("every proof that is shown can be checked by hand, and looking changes
         run.Expect(tally.notNearest == 0, "its points are the nearest to the line");
         run.Expect(tally.notHeld == 0, "hulls and envelopes hold their bodies");
         run.Expect(tally.refuted > tally.proofs / 10, "control: lines turned by half a radian prove less");
-        run.Expect(tally.kinds.count(bmr::ProofKind::RememberedEdge) == (run.Prefilter() ? 1u : 0u),
+        run.Expect(tally.kinds.count(bmr::ProofKind::RememberedEdge) == (run.RemembersEdges() ? 1u : 0u),
                    "edges where they are remembered");
         run.Expect(tally.kinds.size() > 1, "proofs of several kinds");
     });
@@ -253,7 +253,7 @@ TEST_CASE("no more vertices of a hull are filled in than there are and than ther
             }
         }
         run.Print("looked");
-        run.Expect(!run.HasPlugin() || run.Prefilter() || looked > 0, "there is something to look at");
+        run.Expect(!run.HasPlugin() || run.RemembersEdges() || looked > 0, "there is something to look at");
         run.Expect(wrong == 0, "these, and no others");
     });
 }

@@ -88,16 +88,13 @@ TEST_CASE("Install works once") {
           }) == "0\ndone, installed: \nnot done, installed: \n");
 }
 
-TEST_CASE("Install does nothing where it is told off, or told a structure that there is not") {
+TEST_CASE("Install does nothing where it is told off") {
     CHECK(Alone([](Run &run) {
               bmr::Options options;
               options.mode = bmr::Mode::Off;
               PrintInstall(run, options);
-              options.mode = bmr::Mode::On;
-              options.structure = BMR_STRUCTURE_COUNT;
-              PrintInstall(run, options);
               PrintInstall(run, bmr::Options());
-          }) == "not done, not installed: \nnot done, not installed: \ndone, installed: \n");
+          }) == "not done, not installed: \ndone, installed: \n");
 }
 
 TEST_CASE("a refusal is said once, with its reason, and is for good") {
@@ -159,7 +156,7 @@ TEST_CASE("the statistics are one JSON object of the options and all counts") {
     const std::string text = Alone([](Run &run) {
         bmr::Options options;
         options.statistics = true;
-        options.structure = BMR_LAZY_DUDLEY;
+        const forked::PairsBy by(BMR_LAZY_DUDLEY);
         options.hooks = Bit(bmr::Hook::SolveToi) | Bit(bmr::Hook::TestOverlap);
         bmr::Install(options);
         std::FILE *file = std::tmpfile();
@@ -261,17 +258,17 @@ TEST_CASE("every hook has a name, which takes it away and brings it back") {
 }
 
 TEST_CASE("every mode and every structure has a name that chooses it") {
+    CHECK(!bmr::StructureOfEnvironment());
     for (const bmr::Mode mode : {bmr::Mode::On, bmr::Mode::Off, bmr::Mode::Verify})
         CHECK(Under("BOOMERANG", bmr::NameOf(mode)).mode == mode);
     for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i) {
         const auto structure = static_cast<bmr_structure>(i);
-        CHECK(Under("BOOMERANG_STRUCTURE", bmr_structure_name(structure)).structure == structure);
+        const forked::PairsBy by(structure);
+        CHECK(bmr::StructureOfEnvironment() == structure);
     }
 }
 
 TEST_CASE("the other variables are taken over") {
-    CHECK(!Under("BOOMERANG_PREFILTER", "off").prefilter);
-    CHECK(Under("BOOMERANG_PREFILTER", "on").prefilter);
     CHECK(Under("BOOMERANG_VERBOSE", "1").verbosity == 1);
     bmr::Options loud;
     loud.verbosity = 1;
@@ -288,24 +285,17 @@ TEST_CASE("a value that is not understood changes nothing, and is named once wit
     } bad[] = {
         {"BOOMERANG", "perhaps",
          "boomerang: BOOMERANG=perhaps is not understood, so it does nothing; known: on, off, verify\n"},
-        {"BOOMERANG_STRUCTURE", "magic",
-         "boomerang: BOOMERANG_STRUCTURE=magic is not understood, so it does nothing; known: lazy-compass, "
-         "lazy-dudley, lazy-dobkin-kirkpatrick, free-direction\n"},
         {"BOOMERANG_HOOKS", "none,-everything",
          "boomerang: BOOMERANG_HOOKS=none,-everything is not understood, so it does nothing; known: all, "
          "none, and + "
          "or - before time-of-impact test-overlap solve-toi contact-loop pair-finding profile-clock "
          "touching-manifold fixture-boxes tree-updates ledger\n"},
-        {"BOOMERANG_PREFILTER", "yes",
-         "boomerang: BOOMERANG_PREFILTER=yes is not understood, so it does nothing; known: off, on\n"},
         {"BOOMERANG_VERBOSE", "very",
          "boomerang: BOOMERANG_VERBOSE=very is not understood, so it does nothing; known: 0, 1\n"},
     };
     bmr::Options given;
     given.mode = bmr::Mode::Verify;
-    given.structure = BMR_LAZY_DUDLEY;
     given.hooks = Bit(bmr::Hook::SolveToi);
-    given.prefilter = false;
     given.verbosity = 1;
     for (const auto &b : bad) {
         CAPTURE(std::string(b.name));
@@ -317,9 +307,7 @@ TEST_CASE("a value that is not understood changes nothing, and is named once wit
         CHECK(StderrOf([&] { made = Under(b.name, b.value, given); }) == b.line);
         CHECK(StderrOf([&] { Under(b.name, b.value, given); }) == "");
         CHECK(made.mode == given.mode);
-        CHECK(made.structure == given.structure);
         CHECK(made.hooks == given.hooks);
-        CHECK(made.prefilter == given.prefilter);
         CHECK(made.verbosity == given.verbosity);
     }
     // Neither a word without its sign nor one that is empty, though nothing is said of them any more.

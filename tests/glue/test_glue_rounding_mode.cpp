@@ -103,7 +103,7 @@ template <int kBuilt, int kRebuilt> void Hulls(forked::Run &run) {
 
 std::string HullsOf(forked::Scenario scenario) {
     bmr::Options options;
-    options.prefilter = false; // each fixture has a hull
+    const forked::PairsBy by(BMR_FREE_DIRECTION); // each fixture has a hull
     const std::string text = forked::InChild(scenario, &options, forked::When::kBefore);
     CHECK(forked::Difference(text, text) == "");
     return text;

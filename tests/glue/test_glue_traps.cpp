@@ -106,7 +106,7 @@ TEST_CASE("remembered edges are counted where they are asked, and nowhere else")
         game.Stage(game.world.GetContactCount() == 1 && game.Touching() == 0, "a contact, apart");
         const bmr::Statistics s = bmr::GetStatistics();
         run.Expect(!run.Counts() || s.provedApart == 5, "it is answered in each step");
-        run.Expect(!run.Counts() || s.edgeChecks == (run.Prefilter() ? s.provedApart : 0),
+        run.Expect(!run.Counts() || s.edgeChecks == (run.RemembersEdges() ? s.provedApart : 0),
                    "by an edge, if any");
     });
 }
@@ -223,7 +223,7 @@ TEST_CASE("a sensor's polygon does not enter its body's hull") {
         b->SetLinearVelocity(Slanted(0.01f, 0.0f));
         game.Step(100);
         const bmr::Statistics s = bmr::GetStatistics();
-        if (run.Counts() && run.Prefilter())
+        if (run.Counts() && run.RemembersEdges())
             run.Expect(s.provedApart > 4 * s.edgeChecks, "the body pair answers for the planks");
     });
 }
@@ -242,7 +242,7 @@ TEST_CASE("the hull of a level does not swallow what is inside") {
         game.Step(100);
         const bmr::Statistics s = bmr::GetStatistics();
         game.Stage(game.world.GetContactCount() >= 2, "contacts with the level");
-        if (run.Counts() && run.Prefilter())
+        if (run.Counts() && run.RemembersEdges())
             run.Expect(s.provedApart > 4 * s.edgeChecks, "the pair of wall and plank answers");
         plank->SetLinearVelocity(Slanted(0.1f, -1.0f));
         game.Step(60);
@@ -424,7 +424,7 @@ TEST_CASE("each vertex that is changed in place is seen") {
                 bmr::CurrentStep() = 0;
                 game.Stage(game.Touching() == 0, "apart");
                 // (Where edges are remembered, the piece's contacts may be too few for a structure.)
-                run.Expect(!run.Counts() || run.Prefilter() || bmr::GetStatistics().hulls > before,
+                run.Expect(!run.Counts() || run.RemembersEdges() || bmr::GetStatistics().hulls > before,
                            "the hull is built anew");
             }
             const uint64_t before = bmr::GetStatistics().hulls;

@@ -236,7 +236,7 @@ inline std::string Played(const Play &play, const Form &form, bool mustAnswer) {
             const rlimit most = {20, 20};
             setrlimit(RLIMIT_CPU, &most);
             bmr::Options options;
-            options.everywhere = form.everywhere;
+            setenv("BOOMERANG_EVERYWHERE", form.everywhere ? "on" : "off", 1);
             options.statistics = form.counts;
             options.mode = form.mode;
             if (form.mode != bmr::Mode::Off && !bmr::Install(options))

@@ -9,7 +9,7 @@ plugin=${1:?} box2d=${2:?} bin=${3:?} source=${4:?}
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 failures=0
-unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_STRUCTURE BOOMERANG_PREFILTER BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_PAIRS_BY BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
 
 fail() {
     failures=$((failures + 1))
@@ -177,7 +177,7 @@ test_what_is_announced_is_what_is_reached() {
 }
 
 test_hooks_and_structure_are_taken_from_the_environment() {
-    game plain_game LD_PRELOAD="$plugin" BOOMERANG_HOOKS=none BOOMERANG_STRUCTURE=lazy-dudley BOOMERANG_PREFILTER=off
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_HOOKS=none BOOMERANG_PAIRS_BY=lazy-dudley
     same_output "no hooks"
     at_work "no hooks"
     [ "$(number 'hooks')" = '[]' ] || fail "hooks are not empty"
@@ -205,7 +205,7 @@ test_values_that_are_not_understood_get_one_line() {
     one_line "a hook of no name" 'known: all, none, .* time-of-impact'
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_HOOKS=,
     one_line "an empty word" 'not understood'
-    game plain_game LD_PRELOAD="$plugin" BOOMERANG_STRUCTURE=magic
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_PAIRS_BY=magic
     one_line "a structure of no name" 'known: .*free-direction'
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=very
     one_line "another verbosity" 'known: 0, 1'

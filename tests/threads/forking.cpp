@@ -57,7 +57,7 @@ bool StandsStill(pid_t process, pid_t thread) {
 /// In front of libc's: the plugin asks for its settings in the middle of Install. There it stays until the
 /// first thread is in fork() and waits for it, or has forked without waiting.
 extern "C" __attribute__((visibility("default"))) char *secure_getenv(const char *name) noexcept {
-    if (slow && std::strcmp(name, "BOOMERANG_STRUCTURE") == 0) {
+    if (slow && std::strcmp(name, "BOOMERANG_PAIRS_BY") == 0) {
         inside = true;
         while (!forked && !(forking && StandsStill(getpid(), getpid())))
             std::this_thread::yield();

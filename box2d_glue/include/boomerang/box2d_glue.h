@@ -76,26 +76,16 @@ enum class Outlines : int32_t {
 
 /// How the plugin is to work. Process-wide, fixed at the first Install.
 struct Options {
-    /// The kinetic structure of body pairs (bodies of several fixtures, and all pairs where the prefilter is
-    /// off).
-    bmr_structure structure = BMR_FREE_DIRECTION;
-    /// Ask one remembered edge first: Box2D's own test on one edge, exact to the bit. Off: certificates
-    /// alone.
-    bool prefilter = true;
-    /// Work also where it costs more than it saves: worlds whose pairs nearly all touch, for example, which
-    /// are stepped without budgets of motion otherwise. For tests. (So it is with `statistics` and in
-    /// Mode::Verify.)
-    bool everywhere = false;
     /// Count events. Costs a few per cent; GetStatistics() is all zero without it.
     bool statistics = false;
     /// Told of every event of every pair (implies statistics). Called from inside b2World::Step, from the
     /// thread that steps: it must not touch the world.
     ///
     /// There are two kinds of structures, and each tells of its own life. One is that of two hulls: of bodies
-    /// that have many contacts with each other, and of all fixtures where the prefilter is off. Its events
-    /// are core's (boomerang/pair.h). The other is each contact of two polygons, which keeps an edge, or a
-    /// direction where one is big. Its certificate is of level 0, the polygons themselves; level -1 is what
-    /// is coarser, the disks around big polygons or the bodies' hulls:
+    /// that have many contacts with each other. Its events are core's (boomerang/pair.h). The other is each
+    /// contact of two polygons, which keeps an edge, or a direction where one is big. Its certificate is of
+    /// level 0, the polygons themselves; level -1 is what is coarser, the disks around big polygons or the
+    /// bodies' hulls:
     ///
     ///   START    the first certificate is made
     ///   PUSH     it failed, and another edge or direction separates the two

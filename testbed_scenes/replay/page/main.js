@@ -32,7 +32,7 @@ class App {
     document.title = about.scene + " – Boomerang replay";
     document.getElementById("title").textContent = about.scene;
     const words = [about.description, this.model.stepCount + (about.world ? " frames" : " steps"), (about.world ? about.size : this.model.c["body.number"].length) + " bodies",
-      about.structure && "structure " + about.structure, about.prefilter && "prefilter " + about.prefilter];
+      about.structure && "structure " + about.structure];
     if (about.difference !== undefined) {
       const problem = document.getElementById("problem");
       problem.hidden = false;
