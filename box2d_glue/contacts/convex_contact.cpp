@@ -10,6 +10,7 @@
 #include "contacts/pair_registry.h"
 #include "convex32/convex32_distance.h"
 #include "ledger/private_members.h"
+#include "passes/contact_marks.h"
 #include "proofs/polygon_view.h"
 #include "proofs/thresholds.h"
 #include "start/rounding_mode.h"
@@ -217,8 +218,13 @@ inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, con
 /// are where the impact is, and nowhere else, and the contact still says when that is.
 bool ConvexContact::IsAtImpact() const {
     const b2Sweep &a = SweepOf(*m_fixtureA->GetBody()), &b = SweepOf(*m_fixtureB->GetBody());
-    return (m_flags & e_toiFlag) != 0 && m_toi < 1.0f && a.alpha0 == m_toi && b.alpha0 == m_toi &&
-           a.c0 == a.c && a.a0 == a.a && b.c0 == b.c && b.a0 == b.a;
+    const ContactMarks marks(&m_fixtureA->GetBody()->GetWorld()->GetContactManager());
+    auto *const self = const_cast<ConvexContact *>(this);
+    if (!marks.IsTimeKnown(self))
+        return false;
+    const float time = marks.Time(self);
+    return time < 1.0f && a.alpha0 == time && b.alpha0 == time && a.c0 == a.c && a.a0 == a.a && b.c0 == b.c &&
+           b.a0 == b.a;
 }
 
 void ConvexContact::CountAnswer(Answer answer) const {

@@ -22,10 +22,10 @@ bool Ledger::Reserve(uint32_t count) {
     const uint32_t had = m_awakeWords;
     if (!m_records.Reserve(count) || !m_lines.Reserve(count) || !m_contacts.Reserve(count) ||
         !m_bits.Reserve(count) || !m_patience.Reserve(count) || !m_awake.Reserve(words) ||
-        !m_looked.Reserve(words) || !m_asked.Reserve(words) || !m_listed.Reserve(words))
+        !m_looked.Reserve(words) || !m_listed.Reserve(words) || !m_marks.Reserve(count))
         return false;
     for (uint32_t word = had; word < words; ++word)
-        m_awake[word] = m_looked[word] = m_asked[word] = 0;
+        m_awake[word] = m_looked[word] = 0;
     if (words > had)
         m_awakeWords = words;
     return true;
@@ -127,6 +127,7 @@ void Ledger::BeginEmpty() {
 }
 
 void Ledger::Empty() {
+    GiveMarksBack();
     m_movers.Clear();
     m_proxyPairs.Empty();
     m_withoutDynamic = false;
@@ -157,26 +158,57 @@ bool Ledger::Put(uint32_t i, b2Contact *contact) {
     m_withoutDynamic = m_withoutDynamic || IsWithoutDynamic(*contact);
     ContactNumber::Write(contact, i);
     m_contacts[i] = contact;
-    m_bits[i] = static_cast<uint8_t>(kImpactNoted | (contact->IsTouching() ? kTouches : 0) |
-                                     (m_endings > 0 ? kUnlisted : 0));
+    m_bits[i] =
+        static_cast<uint8_t>((contact->IsTouching() ? kTouches : 0) | (m_endings > 0 ? kUnlisted : 0));
     m_unlisted += m_endings > 0 ? 1 : 0;
     m_patience[i] = {};
+    ReadMarks(i);
     ++m_count;
     ++m_live;
     Watch(i);
     return true;
 }
 
-void Ledger::TakeRestingOutOfIslands() {
-    for (uint32_t i = NextTouching(m_count); i != kNone; i = NextTouching(i))
-        if (IsResting(i))
-            ContactNumber::TakeOutOfIsland(m_contacts[i]);
+void Ledger::ReadMarks(uint32_t i) {
+    b2Contact *const contact = m_contacts[i];
+    const uint32 flags = ContactNumber::Flags(contact);
+    const int32 count = ContactNumber::CountOfImpacts(contact);
+    const bool known = (flags & ContactNumber::kTimeIsKnown) != 0;
+    m_marks.Begin(i);
+    if ((flags & ContactNumber::kInIsland) != 0)
+        m_marks.inIsland.Set(i);
+    if (known)
+        m_marks.known.Set(i);
+    if (count > 0 || (known && ContactNumber::TimeOfImpact(contact) < 1.0f))
+        m_marks.Meet(i, known ? ContactNumber::TimeOfImpact(contact) : 1.0f, static_cast<uint8_t>(count));
 }
 
-void Ledger::TakeApartOutOfIslands() {
+void Ledger::TakeMarks() {
+    if (m_marks.areHere)
+        return;
     for (uint32_t i = 0; i < m_count; ++i)
-        if (m_contacts[i] != nullptr && (m_bits[i] & kTouches) == 0)
-            ContactNumber::TakeOutOfIsland(m_contacts[i]);
+        if (m_contacts[i] != nullptr)
+            ReadMarks(i);
+    m_marks.areHere = true;
+}
+
+/// (Contacts may have ended without a word: those in the world's list alone are written.)
+void Ledger::GiveMarksBack() {
+    if (!m_marks.areHere)
+        return;
+    for (b2Contact *contact = m_manager->m_contactList; contact != nullptr;
+         contact = ContactNumber::Next(contact)) {
+        const uint32_t i = NumberOf(contact);
+        if (i == kNone)
+            continue;
+        uint32 &flags = ContactNumber::Flags(contact);
+        flags &= ~(ContactNumber::kInIsland | ContactNumber::kTimeIsKnown);
+        flags |= m_marks.inIsland.Has(i) ? ContactNumber::kInIsland : 0;
+        flags |= m_marks.known.Has(i) ? ContactNumber::kTimeIsKnown : 0;
+        ContactNumber::TimeOfImpact(contact) = m_marks.Time(i);
+        ContactNumber::CountOfImpacts(contact) = m_marks.CountOf(i);
+    }
+    m_marks.areHere = false;
 }
 
 void Ledger::MakeTouchesSure() {
@@ -291,6 +323,7 @@ void Ledger::Compact() {
         m_bits[to] = m_bits[from];
         m_proxyPairs.Renumber(from, to);
         m_patience[to] = m_patience[from];
+        m_marks.Renumber(from, to);
         m_awake[from / 64] &= ~(uint64_t{1} << (from % 64));
         m_awake[to / 64] = (m_awake[to / 64] & ~(uint64_t{1} << (to % 64))) | awake << (to % 64);
         ContactNumber::Write(m_contacts[to], to);
@@ -347,6 +380,16 @@ void Ledger::Wake(const b2Body *body) {
         const Record &record = m_records[i];
         const uint32_t row = m_movers[record.a].body == body ? record.a : record.b;
         m_movers.SetBits(row, m_movers.Bits(row) | kActive);
+    }
+}
+
+void Ledger::WatchPairsOf(const b2Body *body) {
+    for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
+        const uint32_t i = NumberOf(edge->contact);
+        if (i == kNone || !IsResting(i))
+            continue;
+        Watch(i);
+        NoteLookedAt(i);
     }
 }
 
@@ -500,42 +543,13 @@ void Ledger::EnableOfSleeper(const b2Body *body) {
     }
 }
 
-void Ledger::NoteAllMayImpact() {
-    if (m_allNoted)
-        return;
-    for (uint32_t i = 0; i < m_count; ++i)
-        NoteMayImpact(i);
-    m_allNoted = true;
-}
-
 void Ledger::BeginSearch(bool careful) {
     if (m_movers.AreSumsLost())
         DropAllProofs();
     ++m_look; // and the sweeps of no mover are looked at
     m_sweepsCarefully = careful;
-    // Each call of the game's then costs a look at every body: does that pay?
-    m_leavesOut = careful && m_leftOut > 2 * m_movers.Count();
-    m_leftOut = 0;
     if (careful)
         m_movers.LookAtAllSweeps(m_look);
-    for (uint32_t word = 0; word < m_awakeWords; ++word)
-        m_asked[word] = 0;
-}
-
-void Ledger::LookAtLeftOut() {
-    if (LeavesOutCarefully() && m_movers.DoMoreStop())
-        LeaveNothingOut();
-}
-
-void Ledger::LeaveNothingOut() {
-    if (!LeavesOutCarefully())
-        return;
-    for (uint32_t i = 0; i < m_count; ++i)
-        if (m_contacts[i] != nullptr && MayNotImpact(i)) {
-            ContactNumber::ForgetImpact(m_contacts[i]);
-            NoteMayImpact(i);
-        }
-    m_leavesOut = false;
 }
 
 } // namespace bmr

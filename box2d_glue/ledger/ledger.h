@@ -12,9 +12,9 @@
 #include "ledger/bodies.h"
 #include "ledger/column.h"
 #include "ledger/movers.h"
-#include "ledger/proof_rest.h"
 #include "ledger/proxy_pairs.h"
 #include "start/compiler.h"
+#include "world/marks.h"
 
 namespace bmr {
 
@@ -39,6 +39,9 @@ struct ContactNumber : b2Contact {
     // What Box2D shows its own loops over contacts alone.
     static b2Contact *Next(const b2Contact *contact) { return contact->*(&ContactNumber::m_next); }
     static uint32 &Flags(b2Contact *contact) { return contact->*(&ContactNumber::m_flags); }
+    static float &TimeOfImpact(b2Contact *contact) { return contact->*(&ContactNumber::m_toi); }
+    static int32 &CountOfImpacts(b2Contact *contact) { return contact->*(&ContactNumber::m_toiCount); }
+    static constexpr uint32 kInIsland = e_islandFlag, kTimeIsKnown = e_toiFlag;
     /// Most are enabled: what is not written need not go back to memory.
     static void Enable(b2Contact *contact) {
         if ((Flags(contact) & e_enabledFlag) == 0)
@@ -61,7 +64,6 @@ struct ContactNumber : b2Contact {
         contact->*(&ContactNumber::m_toiCount) = 0;
         contact->*(&ContactNumber::m_toi) = 1.0f;
     }
-    static void HasNoImpact(b2Contact *contact) { Flags(contact) |= e_toiFlag; }
 };
 
 /// What is said of a pair in one byte.
@@ -70,7 +72,6 @@ enum RecordBit : uint8_t {
     kToBeFiltered = 2,  ///< Box2D has flagged it for filtering
     kTouches = 8,       ///< touching, at the last look
     kNoImpactProof = 4, ///< its budget says nothing of impacts
-    kImpactNoted = 16,  ///< Box2D may have written down an impact of it, in this step or an earlier one
     kUnlisted = 32,     ///< it began while another one ended; see MayHaveUnlisted
 };
 
@@ -185,10 +186,6 @@ public:
     /// An impact may have updated contacts that nobody watches: who touches is to be read again.
     void SetTouchesSure(bool sure) { m_touchesSure = sure; }
     void MakeTouchesSure();
-    /// Contacts that rest may still say that they are in an island of an earlier step.
-    void TakeRestingOutOfIslands();
-    /// So may those that did not touch when they were looked at.
-    void TakeApartOutOfIslands();
     /// The newest contact below `end` that touched when it was looked at, asleep or not; kNone where there is
     /// none.
     uint32_t NextTouching(uint32_t end) const;
@@ -202,11 +199,6 @@ public:
             if (i == 0)
                 return kNone;
         }
-    }
-    /// Is the contact's pair watched: awake when the pass came by, or since?
-    bool IsWatched(const b2Contact *contact) const {
-        const uint32_t i = NumberOf(contact);
-        return i != kNone && !IsResting(i);
     }
     uint32_t CountWatched() const {
         uint32_t count = 0;
@@ -251,6 +243,11 @@ public:
     void Prove(uint32_t i, bmr_vec2 d, double gap, double threshold, bool forImpactsToo);
     /// What is so stays so until the two have moved by what `measure` is more than `threshold`.
     void ProveUntil(uint32_t i, double measure, double threshold);
+    /// A body woke behind the pass: its pairs are watched. (Box2D had come by them when it slept.)
+    void WatchPairsOf(const b2Body *body);
+    /// In this step every pair of a body that is awake is watched; 0: nobody knows.
+    void SetWatchesAwake(uint64_t step) { m_watchesAwakeIn = step; }
+    bool WatchesAwake(uint64_t step) const { return step != 0 && m_watchesAwakeIn == step; }
     /// A body woke in the middle of a pass: its pairs are due.
     void Wake(const b2Body *body);
 
@@ -293,8 +290,7 @@ public:
     /// filter may change types when it is asked about a new pair; and a change of type ends contacts, which a
     /// listener may make a step of.)
     bool MayLackDynamic() const { return m_withoutDynamic || m_endings > 0; }
-    /// `careful`: code of the game may have run since the look at the movers, and may until the search is
-    /// over, where LookAtLeftOut is told of it.
+    /// `careful`: code of the game may have run since the look at the movers.
     void BeginSearch(bool careful);
     /// May Box2D look for an impact of the two at all: one moves, and one of them is not to be tunnelled
     /// through?
@@ -305,43 +301,15 @@ public:
         const uint8_t both = m_movers.SweepBits(record.a) | m_movers.SweepBits(record.b);
         return (both & (kActive | kStops | kIsSensor)) == (kActive | kStops);
     }
-    /// Box2D is to be asked whether the two meet in this step.
-    void NoteAsked(uint32_t i) { m_asked[i / 64] |= uint64_t{1} << (i % 64); }
-    bool WasAsked(uint32_t i) const { return (m_asked[i / 64] >> (i % 64) & 1) != 0; }
     bool IsLookedAtIn(uint64_t step) const { return step != 0 && m_step == step; }
     /// The two could not impact when they were last looked at: by the pass or, where code of the game may
     /// have run since, by the search. Without such code they cannot now. (What else decides of it is looked
     /// at where this says nothing.)
     bool MayNotImpact(uint32_t i) const {
         if (m_sweepsCarefully)
-            return m_leavesOut && !StopsInSweeps(i);
+            return !StopsInSweeps(i);
         const uint8_t a = m_movers.Bits(m_records[i].a), b = m_movers.Bits(m_records[i].b);
         return (a & b & kLookedAt) != 0 && ((a | b) & kStops) == 0;
-    }
-    /// MayNotImpact, asked by the search for each pair.
-    bool LeavesOut(uint32_t i) {
-        m_leftOut += m_sweepsCarefully && !StopsInSweeps(i) ? 1 : 0;
-        return MayNotImpact(i);
-    }
-    /// Where code of the game may run: is MayNotImpact good for anything in this search?
-    bool LeavesOutCarefully() const { return m_sweepsCarefully && m_leavesOut; }
-    /// Code of the game ran in the search: could what that left out impact by now? Reads the flags of each
-    /// body. If so, nothing is left out from here on.
-    void LookAtLeftOut();
-    /// From here on nothing is left out: contacts that were say what Box2D would have noted when it began.
-    void LeaveNothingOut();
-    /// Box2D may look for an impact of the two, and note at the contact what it finds.
-    void NoteMayImpact(uint32_t i) { m_bits[i] |= kImpactNoted; }
-    /// The same of all contacts.
-    void NoteAllMayImpact();
-    /// For a pair that may not impact: forgets what Box2D noted when it might. In most steps there is nothing
-    /// to forget, and the contact is not touched.
-    void ForgetOldImpact(uint32_t i) {
-        if ((m_bits[i] & kImpactNoted) == 0)
-            return;
-        ContactNumber::ForgetImpact(m_contacts[i]);
-        m_bits[i] &= static_cast<uint8_t>(~kImpactNoted);
-        m_allNoted = false;
     }
     /// Does the budget outlast the step's sweeps?
     bool OutlastsSweeps(uint32_t i) {
@@ -352,12 +320,6 @@ public:
         m_movers.LookAtEnd(record.b, m_sweepsCarefully, m_look);
         return !bmr_budget_is_due(record.deadline, m_movers.End(record.a), m_movers.End(record.b));
     }
-    /// Of proofs ahead of Box2D's search for impacts, in steps by the world's list.
-    ProofRest &RestOfSearches() { return m_restOfSearches; }
-    /// Did the last search find an impact? Then the next one most likely does, too.
-    bool FoundImpact() const { return m_foundImpact; }
-    void SetFoundImpact(bool found) { m_foundImpact = found; }
-
     // Rows of the table.
 
     struct Record {
@@ -368,6 +330,12 @@ public:
     const Record &At(uint32_t i) const { return m_records[i]; }
     uint8_t Bits(uint32_t i) const { return m_bits[i]; }
     void ClearBit(uint32_t i, uint8_t bit) { m_bits[i] &= static_cast<uint8_t>(~bit); }
+    Marks &GetMarks() { return m_marks; }
+    /// From here on Box2D's marks are here, and no more in the contacts; or the other way round.
+    void TakeMarks();
+    void GiveMarksBack();
+    /// The pairs that are watched, of the 64 of this word.
+    uint64_t WatchedOf(uint32_t word) const { return word < m_awakeWords ? m_awake[word] : 0; }
     Bodies &GetBodies() { return m_bodies; }
     /// In this step the islands hold none but the bodies that GetBodies() knows to be awake; 0: nobody knows.
     void SetAwakeAlone(uint64_t step) { m_awakeAloneIn = step; }
@@ -440,6 +408,7 @@ private:
     }
     bool IsResting(uint32_t i) const { return (m_awake[i / 64] >> (i % 64) & 1) == 0; }
     bool Begin();
+    void ReadMarks(uint32_t i);
     bool Reserve(uint32_t count);
     bool Put(uint32_t i, b2Contact *contact);
     void Take(uint32_t i);
@@ -466,8 +435,8 @@ private:
     Column<b2Contact *> m_contacts;
     Column<uint8_t> m_bits;
     Column<Patience> m_patience;
+    Marks m_marks;
     Column<uint64_t> m_awake;  ///< one bit a record: alive, and one of its bodies was awake
-    Column<uint64_t> m_asked;  ///< one bit a record: in the last search for impacts
     Column<uint64_t> m_looked; ///< one bit a record: looked at in the last pass
     Column<uint64_t> m_listed; ///< one bit a record: in the world's list, when Resync looked
     uint32_t m_awakeWords = 0;
@@ -482,21 +451,17 @@ private:
     uint32_t m_unlisted = 0;       ///< records with kUnlisted
     bool m_withoutDynamic = false; ///< see MayLackDynamic
     bool m_interrupted = false;
-    bool m_locked = false;                               ///< the world was, since the last look at all movers
-    bool m_sweepsCarefully = false, m_leavesOut = false; ///< see BeginSearch, MayNotImpact
-    uint32_t m_leftOut = 0; ///< by the last search, where code of the game might run; or would have been
+    bool m_locked = false;          ///< the world was, since the last look at all movers
+    bool m_sweepsCarefully = false; ///< see BeginSearch, MayNotImpact
     bool m_searchesSeen = false;
     bool m_impactSearchesSeen = false;
-    bool m_foundImpact = false;
-    bool m_allNoted = false; ///< every record has kImpactNoted, as new ones have
     bool m_gameRan = false;
     bool m_touchesSure = false;
     bool m_alphasClear = false;
-    uint64_t m_awakeAloneIn = 0;
+    uint64_t m_awakeAloneIn = 0, m_watchesAwakeIn = 0;
     bool MostOf(uint64_t pairs) const { return 2 * pairs > static_cast<uint64_t>(m_live); }
 
     uint32_t m_triedPasses = 0, m_restingSteps = 0; ///< see Pays
-    ProofRest m_restOfSearches;
     uint64_t m_triedLooks = 0, m_triedPairs = 0;
 };
 

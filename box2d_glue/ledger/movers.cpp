@@ -338,14 +338,10 @@ void Movers::LookAtAllSweeps(uint64_t look) {
     }
 }
 
-bool Movers::DoMoreStop() const {
-    for (uint32_t row = 0; row < m_count; ++row) {
-        PrefetchBody(row + kBodiesAhead);
-        if (m_rows[row].records > 0 && (m_sweepBits[row] & kStops) == 0 &&
-            (FlagsOf(m_rows[row]) & kStops) != 0)
-            return true;
-    }
-    return false;
+bool Movers::LooksAnewAtSweep(uint32_t row) {
+    const uint8_t before = m_sweepBits[row];
+    m_sweepBits[row] = FlagsOf(m_rows[row]);
+    return m_sweepBits[row] != before;
 }
 
 void Movers::FindEnd(uint32_t row, bool careful, uint64_t look) {

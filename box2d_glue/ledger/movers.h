@@ -100,8 +100,8 @@ public:
             FindSweepBits(row, look);
     }
     void LookAtAllSweeps(uint64_t look);
-    /// Is there by now a bullet, or a body that is not dynamic, that was none when its sweep was looked at?
-    bool DoMoreStop() const;
+    /// Reads the flags of its sweep. Are they others than before?
+    bool LooksAnewAtSweep(uint32_t row);
     /// Sets End: how far the row can come in the sweep of its body. The world is the one, and in the step, of
     /// the last look, and was locked ever since. `careful`: code of the game ran, and the shape is compared.
     void LookAtEnd(uint32_t row, bool careful, uint64_t look) {

@@ -7,6 +7,7 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_joint.h>
 #include <box2d/b2_time_step.h>
+#include <box2d/b2_world.h>
 
 /// @file
 /// What Box2D shows itself alone, and its stand-ins here need too.
@@ -39,6 +40,7 @@ BMR_NAME_MEMBER(Force, b2Body, m_force, b2Vec2 b2Body::*);
 BMR_NAME_MEMBER(Torque, b2Body, m_torque, float b2Body::*);
 BMR_NAME_MEMBER(InverseMass, b2Body, m_invMass, float b2Body::*);
 BMR_NAME_MEMBER(InverseInertia, b2Body, m_invI, float b2Body::*);
+BMR_NAME_MEMBER(SynchronizeFixtures, b2Body, SynchronizeFixtures, void (b2Body::*)());
 BMR_NAME_MEMBER(SleepTime, b2Body, m_sleepTime, float b2Body::*);
 
 BMR_NAME_MEMBER(InitVelocityConstraints, b2Joint, InitVelocityConstraints,
@@ -47,11 +49,31 @@ BMR_NAME_MEMBER(SolveVelocityConstraints, b2Joint, SolveVelocityConstraints,
                 void (b2Joint::*)(const b2SolverData &));
 BMR_NAME_MEMBER(SolvePositionConstraints, b2Joint, SolvePositionConstraints,
                 bool (b2Joint::*)(const b2SolverData &));
+
+BMR_NAME_MEMBER(JointInIsland, b2Joint, m_islandFlag, bool b2Joint::*);
+BMR_NAME_MEMBER(Profile, b2World, m_profile, b2Profile b2World::*);
+BMR_NAME_MEMBER(StepComplete, b2World, m_stepComplete, bool b2World::*);
 #undef BMR_NAME_MEMBER
 
 inline const b2Sweep &SweepOf(const b2Body &body) {
     return body.*Named(SweepMember());
 }
+
+/// b2Body's flag of the islands, which it shows nobody.
+struct BodyInIsland {
+    static bool Is(const b2Body *body) { return (body->*Named(BodyFlags()) & kFlag) != 0; }
+    static void Set(b2Body *body) {
+        body->*Named(BodyFlags()) = static_cast<uint16>(body->*Named(BodyFlags()) | kFlag);
+    }
+    static void Clear(b2Body *body) {
+        body->*Named(BodyFlags()) = static_cast<uint16>(body->*Named(BodyFlags()) & ~kFlag);
+    }
+
+    static constexpr uint16 kAwake = 0x0002;
+
+private:
+    static constexpr uint16 kFlag = 0x0001;
+};
 
 /// Is neither body of the contact dynamic?
 inline bool IsWithoutDynamic(const b2Contact &contact) {

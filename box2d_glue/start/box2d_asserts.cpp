@@ -2,10 +2,15 @@
 #include "start/box2d_asserts.h"
 
 #include <atomic>
+#include <cassert>
 #include <cstdio>
 #include <cstdlib>
 
 #include "start/compiler.h"
+
+#if defined(__GLIBC__) && defined(NDEBUG) // as <cassert> has it
+extern "C" [[noreturn]] void __assert_fail(const char *, const char *, unsigned, const char *) noexcept;
+#endif
 
 namespace bmr {
 
@@ -24,6 +29,9 @@ void SetBox2DAsserts(bool asserts) {
 }
 
 BMR_COLD void FailAsBox2D(const char *assertion, const char *function) {
+#if defined(__GLIBC__)
+    __assert_fail(assertion, "Box2D", 0, function);
+#endif
     std::fprintf(stderr, "Box2D, in boomerang's %s: Assertion `%s' failed.\n", function, assertion);
     std::fflush(stderr);
     std::abort();

@@ -19,12 +19,10 @@
 #include "contacts/apart_line.h"
 #include "contacts/convex_contact.h"
 #include "contacts/polygon_contact.h"
-#include "hooks/contact_access.h"
-#include "hooks/short_list.h"
 #include "hooks/stepping.h"
-#include "hooks/touching_list.h"
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
+#include "passes/contact_access.h"
 #include "reach/stock.h"
 #include "start/compiler.h"
 #include "start/current_step.h"
@@ -413,9 +411,6 @@ void LedgerPass::Run() {
 }
 
 BMR_NOINLINE void CollideHere(b2ContactManager *manager) {
-    ShortList::BeginNestedStep(manager);
-    TouchingList::BeginNestedStep(manager);
-    const ShortList::Whole whole(manager);
     if (!HookIsOn(Hook::ContactLoop)) {
         stock::Collide(manager);
         return;

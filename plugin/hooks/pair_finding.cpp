@@ -14,12 +14,9 @@
 #include <box2d/b2_broad_phase.h>
 #include <box2d/b2_contact.h>
 
-#include "hooks/contact_access.h"
-#include "hooks/short_list.h"
-#include "hooks/stepping.h"
-#include "hooks/touching_list.h"
 #include "ledger/ledger.h"
 #include "ledger/ledgers.h"
+#include "passes/contact_access.h"
 #include "reach/stock.h"
 #include "start/settings.h"
 #include "tell/verify.h"
@@ -344,8 +341,6 @@ BMR_FOR_LOADERS("_ZN16b2ContactManager15FindNewContactsEv");
 void b2ContactManager::FindNewContacts() {
     if (NothingIsInstalled())
         return stock::FindNewContacts(this);
-    const ShortList::Whole whole(this);
-    TouchingList::Open(this);
     if (m_contactList == nullptr)
         if (Ledger *ledger = FindLedger(this))
             ledger->BeginEmpty();
@@ -361,7 +356,6 @@ void b2ContactManager::FindNewContacts() {
             ledger->Resync();
         stock::FindNewContacts(this);
     }
-    stepping.searched = this;
     if (Ledger *ledger = FindLedger(this)) {
         ledger->CatchUp();
         ledger->NoteSearch();

@@ -4,8 +4,8 @@
 #include <box2d/b2_contact_manager.h>
 #include <box2d/b2_world.h>
 
-#include "hooks/contact_access.h"
 #include "hooks/stepping.h"
+#include "passes/contact_access.h"
 #include "reach/stock.h"
 #include "shapes/convex_draw.h"
 #include "shapes/convex_geometry.h"

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <string>
 
 namespace testbed {
@@ -32,9 +33,11 @@ public:
     void Field(const char *, uint64_t value) { Key("", value); }
     void Field(const char *, uint32_t value) { Add(value); }
     void Field(const char *, int32_t value) { Add(static_cast<uint32_t>(value)); }
+    /// (Which NaN comes of two of them hangs on how a compiler orders their sum.)
     void Field(const char *, float value) {
         uint32_t bits;
-        std::memcpy(&bits, &value, sizeof bits);
+        const float number = std::isnan(value) ? std::numeric_limits<float>::quiet_NaN() : value;
+        std::memcpy(&bits, &number, sizeof bits);
         Add(bits);
     }
     uint64_t Value() const { return m_hash; }
@@ -61,14 +64,7 @@ public:
     void Field(const char *name, uint32_t value) { Line(name, "0x%" PRIx32, value); }
     void Field(const char *name, int32_t value) { Line(name, "%" PRId32, value); }
     void Field(const char *name, float value) {
-        if (std::isnan(value)) {
-            // Which of the many it is matters to the hash.
-            uint32_t bits;
-            std::memcpy(&bits, &value, sizeof bits);
-            Line(name, "nan:0x%" PRIx32, bits);
-        } else {
-            Line(name, "%a", static_cast<double>(value));
-        }
+        Line(name, "%a", static_cast<double>(std::isnan(value) ? std::fabs(value) : value));
     }
     const std::string &Text() const { return m_text; }
     void Clear() { m_text.clear(); }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "boomerang/contact_recorder.h"
-#include "hooks/contact_access.h"
+#include "passes/contact_access.h"
 #include "small_world.h"
 
 namespace {
@@ -173,13 +173,13 @@ TEST_CASE("hooks take a recorder for no code of the game, and its class for one 
         const bmr::ContactRecorder outer;
         {
             const bmr::ContactRecorder recorder;
-            CHECK(!bmr::hooks::IsOfGame(&recorder));
+            CHECK(!bmr::IsOfGame(&recorder));
             std::memcpy(afterwards, static_cast<const void *>(&recorder), sizeof afterwards);
         }
-        CHECK(!bmr::hooks::IsOfGame(&outer));
-        CHECK(bmr::hooks::IsOfGame(&other));
+        CHECK(!bmr::IsOfGame(&outer));
+        CHECK(bmr::IsOfGame(&other));
     }
     // Another class may have its table where the recorder's was.
     std::memcpy(room, afterwards, sizeof room);
-    CHECK(bmr::hooks::IsOfGame(inRoom));
+    CHECK(bmr::IsOfGame(inRoom));
 }

@@ -189,7 +189,6 @@ test_hooks_and_structure_are_taken_from_the_environment() {
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_HOOKS=none,+time-of-impact BOOMERANG_VERBOSE=1
     same_output "one hook"
     one_line "one hook" 'hooks: time-of-impact$'
-    [ "$(number toi_queries)" -gt 0 ] || fail "the one hook was not asked"
 }
 
 test_values_that_are_not_understood_get_one_line() {

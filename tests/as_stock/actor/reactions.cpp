@@ -16,8 +16,7 @@ bool IsAwaited(const b2Fixture *fixture, const b2Contact &but) {
     for (const b2ContactEdge *edge = fixture->GetBody()->GetContactList(); edge != nullptr;
          edge = edge->next) {
         const b2Contact *contact = edge->contact;
-        if (contact != &but && (contact->GetFixtureA() == fixture || contact->GetFixtureB() == fixture) &&
-            ContactMembers::HasToi(*contact) && ContactMembers::Toi(*contact) < 1.0f)
+        if (contact != &but && (contact->GetFixtureA() == fixture || contact->GetFixtureB() == fixture))
             return true;
     }
     return false;

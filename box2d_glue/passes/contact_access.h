@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_HOOKS_CONTACT_ACCESS_H
-#define BOOMERANG_HOOKS_CONTACT_ACCESS_H
+#ifndef BOOMERANG_GLUE_CONTACT_ACCESS_H
+#define BOOMERANG_GLUE_CONTACT_ACCESS_H
 
 #include <cstring>
 
@@ -14,9 +14,9 @@
 #include "start/trusted_listener.h"
 
 /// @file
-/// What the loops of Box2D's contact manager ask of a game.
+/// What passes ask of a game.
 
-namespace bmr::hooks {
+namespace bmr {
 
 /// Is it a listener or a filter of the game's own? Those that worlds begin with are Box2D's, and do nothing.
 /// Nor is a bmr::ContactRecorder: it is called, as Box2D calls it, and reads the contact that it is told of,
@@ -56,6 +56,6 @@ inline bool PassesFilters(const b2ContactManager *manager, b2Fixture *fixtureA, 
             manager->m_contactFilter->ShouldCollide(fixtureA, fixtureB));
 }
 
-} // namespace bmr::hooks
+} // namespace bmr
 
 #endif

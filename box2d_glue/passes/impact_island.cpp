@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// b2World::SolveTOI: one impact, its island, and what it leaves to be asked again.
+#include <box2d/b2_body.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
+
+#include "contacts/solid_contact.h"
+#include "passes/contact_access.h"
+#include "passes/impacts.h"
+#include "passes/island_solver.h"
+#include "passes/sweeps.h"
+#include "start/current_step.h"
+
+namespace bmr {
+
+namespace {
+
+b2TimeStep RestOf(const b2TimeStep &step, float time) {
+    b2TimeStep rest = step;
+    rest.dt = (1.0f - time) * step.dt;
+    rest.inv_dt = 1.0f / rest.dt;
+    rest.dtRatio = 1.0f;
+    rest.positionIterations = 20;
+    rest.warmStarting = false;
+    return rest;
+}
+
+bool IsSolidAndTouches(const b2Contact &contact) {
+    return contact.IsEnabled() && contact.IsTouching();
+}
+
+void PutBack(b2Body *body, const b2Sweep &sweep) {
+    SweepOf(body) = sweep;
+    SynchronizeTransform(body);
+}
+
+} // namespace
+
+/// Lets the two bodies of the contact meet. False where they do not touch then, or are not to: they go on as
+/// they were.
+bool ImpactPass::Meet(b2Contact *contact, float time) {
+    if (m_ledger != nullptr)
+        DoubtBudgets();
+    m_marks.LookAgain();
+    b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
+    const b2Sweep sweepA = SweepOf(*a), sweepB = SweepOf(*b);
+    AdvanceBody(a, time);
+    AdvanceBody(b, time);
+    Update(contact);
+    m_marks.ForgetTime(contact);
+    m_marks.CountImpact(contact);
+    if (!IsSolidAndTouches(*contact)) {
+        contact->SetEnabled(false);
+        SweepOf(a) = sweepA;
+        SweepOf(b) = sweepB;
+        SynchronizeTransform(a);
+        SynchronizeTransform(b);
+        return false;
+    }
+    Wake(a);
+    Wake(b);
+    const b2TimeStep rest = RestOf(m_step, time);
+    m_solver->Begin(rest, m_listener);
+    Island island;
+    Add(a, &island);
+    Add(b, &island);
+    Add(contact, &island);
+    Spread(a, time, &island);
+    Spread(b, time, &island);
+    m_solver->SolveToi();
+    m_solver->Finish(nullptr);
+    EndIsland(island);
+    FindNewContacts();
+    return true;
+}
+
+void ImpactPass::Add(b2Body *body, Island *island) {
+    BodyInIsland::Set(body);
+    island->bodies[island->bodyCount++] = body;
+    m_solver->Add(body);
+}
+
+void ImpactPass::Add(b2Contact *contact, Island *island) {
+    m_marks.PutInIsland(contact);
+    ++island->contactCount;
+    m_solver->Add(contact);
+}
+
+/// The contacts of one of the two that touch by now, and their bodies. The island goes no farther.
+void ImpactPass::Spread(b2Body *body, float time, Island *island) {
+    if (body->GetType() != b2_dynamicBody)
+        return;
+    for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
+        if (island->bodyCount == 2 * b2_maxTOIContacts || island->contactCount == b2_maxTOIContacts)
+            break;
+        b2Contact *const contact = edge->contact;
+        b2Body *const other = edge->other;
+        if (m_marks.IsInIsland(contact) ||
+            (other->GetType() == b2_dynamicBody && !body->IsBullet() && !other->IsBullet()) ||
+            contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor())
+            continue;
+        const b2Sweep sweep = SweepOf(*other);
+        if (!BodyInIsland::Is(other))
+            AdvanceBody(other, time);
+        Update(contact);
+        if (!IsSolidAndTouches(*contact)) {
+            PutBack(other, sweep);
+            continue;
+        }
+        Add(contact, island);
+        if (BodyInIsland::Is(other))
+            continue;
+        if (other->GetType() != b2_staticBody)
+            Wake(other);
+        Add(other, island);
+    }
+}
+
+/// Whatever was known of the times of bodies that were displaced is old.
+void ImpactPass::EndIsland(const Island &island) {
+    for (int32 i = 0; i < island.bodyCount; ++i) {
+        b2Body *const body = island.bodies[i];
+        BodyInIsland::Clear(body);
+        if (body->GetType() != b2_dynamicBody)
+            continue;
+        (body->*Named(SynchronizeFixtures()))();
+        for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
+            m_marks.ForgetTime(edge->contact);
+            m_marks.TakeOutOfIsland(edge->contact);
+        }
+    }
+}
+
+void ImpactPass::FindNewContacts() {
+    m_manager->FindNewContacts();
+    m_marks.LookAgain();
+    if (m_ledger != nullptr && !m_ledger->IsWhole())
+        m_ledger = nullptr; // the world's list is searched from here on
+}
+
+/// b2Contact::Update. Notes what it changes: who touches, who is awake, what is enabled.
+void ImpactPass::Update(b2Contact *contact) {
+    b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
+    const bool wasAwakeA = a->IsAwake(), wasAwakeB = b->IsAwake();
+    SolidContact::UpdateByBox2D(contact, m_manager->m_contactListener);
+    m_marks.LookAgain();
+    Ledger *const ledger = FindLedger(m_manager);
+    const uint32_t i = ledger != nullptr ? ledger->NumberOf(contact) : Ledger::kNone;
+    if (i == Ledger::kNone)
+        return;
+    ledger->SetTouches(i, contact->IsTouching());
+    if (m_ledger == nullptr)
+        return;
+    m_ledger->NoteLookedAt(i);
+    if (!m_ledger->GetMarks().known.Has(i))
+        m_ledger->GetMarks().asked.Set(i);
+    else if (m_ledger->GetMarks().parked.Has(i))
+        Queue(i);
+    if (!wasAwakeA && a->IsAwake())
+        AskPairsOf(a);
+    if (!wasAwakeB && b->IsAwake())
+        AskPairsOf(b);
+}
+
+void ImpactPass::Wake(b2Body *body) {
+    const bool wasAwake = body->IsAwake();
+    body->SetAwake(true);
+    if (!wasAwake)
+        AskPairsOf(body);
+}
+
+void ImpactPass::AskPairsOf(const b2Body *body) {
+    if (m_ledger == nullptr)
+        return;
+    Marks &marks = m_ledger->GetMarks();
+    for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
+        const uint32_t i = m_ledger->NumberOf(edge->contact);
+        if (i != Ledger::kNone && !marks.known.Has(i))
+            marks.asked.Set(i);
+    }
+}
+
+/// The game may have run while two bodies met. What Box2D would read anew in its next search is read here:
+/// who is awake, a bullet or a sensor; what is enabled; and all of it after a step inside this one.
+void ImpactPass::ReadWhatGameDid() {
+    if (!m_gameRan && !IsOfGame(m_listener) && !IsOfGame(m_manager->m_contactListener) &&
+        !IsOfGame(m_manager->m_contactFilter))
+        return;
+    if (!m_ledger->IsWhole() || !m_ledger->GetMarks().areHere || m_ledger->MayLackDynamic() ||
+        !m_ledger->IsLookedAtIn(CurrentStep()))
+        m_ledger = nullptr;
+    if (m_ledger == nullptr)
+        return;
+    if (m_ledger->GetMarks().searches != m_searches) {
+        Rebuild();
+        return;
+    }
+    Marks &marks = m_ledger->GetMarks();
+    Movers &movers = m_ledger->GetMovers();
+    for (uint32_t row = 0; row < movers.Count(); ++row)
+        if (movers[row].records > 0 && movers.LooksAnewAtSweep(row))
+            AskPairsOf(movers[row].body);
+    for (uint32_t word = 0; word < marks.parked.Words(); ++word)
+        for (uint64_t left = marks.parked.Word(word); left != 0; left &= left - 1) {
+            const uint32_t i = word * 64 + LowestBit(left);
+            if (i >= m_ledger->Count() || m_ledger->Contact(i) == nullptr ||
+                !m_ledger->Contact(i)->IsEnabled())
+                continue;
+            marks.parked.Clear(i);
+            if (!marks.known.Has(i))
+                marks.asked.Set(i);
+            else
+                Queue(i);
+            if (m_ledger == nullptr)
+                return;
+        }
+}
+
+/// From the marks alone: what is known stands in the heap, all else is asked.
+void ImpactPass::Rebuild() {
+    m_ledger->TakeMarks();
+    Marks &marks = m_ledger->GetMarks();
+    m_searches = ++marks.searches;
+    m_budgetsDoubted = true; // what is known by now stays so
+    marks.heapCount = 0;
+    marks.parked.ClearAll();
+    m_ledger->GetMovers().LookAtAllSweeps(m_ledger->CurrentLook());
+    for (uint32_t i = 0; i < m_ledger->Count() && m_ledger != nullptr; ++i) {
+        marks.asked.Clear(i);
+        if (m_ledger->Contact(i) == nullptr)
+            continue;
+        if (marks.known.Has(i))
+            Queue(i);
+        else
+            marks.asked.Set(i);
+    }
+}
+
+} // namespace bmr

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: MIT
+#include "passes/impacts.h"
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_time_of_impact.h>
+
+#include "contacts/solid_contact.h"
+#include "passes/contact_access.h"
+#include "passes/island_solver.h"
+#include "passes/sweeps.h"
+#include "proofs/convex_distance.h"
+#include "proofs/impact_scan.h"
+#include "shapes/convex_geometry.h"
+#include "start/box2d_asserts.h"
+#include "start/current_step.h"
+#include "start/rounding_mode.h"
+#include "start/settings.h"
+#include "tell/verify.h"
+
+namespace bmr {
+
+namespace {
+
+bool IsActive(const b2Body *body) {
+    return body->IsAwake() && body->GetType() != b2_staticBody;
+}
+
+/// Is nothing to tunnel through it?
+bool Stops(const b2Body *body) {
+    return body->IsBullet() || body->GetType() != b2_dynamicBody;
+}
+
+b2Body *BodyA(b2Contact *contact) {
+    return contact->GetFixtureA()->GetBody();
+}
+
+b2Body *BodyB(b2Contact *contact) {
+    return contact->GetFixtureB()->GetBody();
+}
+
+bool HasSensor(const b2Contact &contact) {
+    return contact.GetFixtureA()->IsSensor() || contact.GetFixtureB()->IsSensor();
+}
+
+} // namespace
+
+ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver)
+    : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
+      m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
+      m_marks(m_manager), m_gameRan(GameMayRun()) {}
+
+/// Does the ledger know all pairs, and what this step did to them?
+bool ImpactPass::MayUseHeap() const {
+    return m_ledger != nullptr && m_ledger->IsLookedAtIn(CurrentStep()) && m_ledger->IsWhole() &&
+           m_ledger->AreSearchesSeen() && !m_ledger->MayLackDynamic() && RoundsToNearest();
+}
+
+void ImpactPass::Run() {
+    bool &stepComplete = m_world->*Named(StepComplete());
+    Ledger *const ledger = m_ledger;
+    if (ledger != nullptr && ledger->IsLookedAtIn(CurrentStep()) && !MayUseHeap())
+        ledger->EnableDownTo(0);
+    if (!MayUseHeap())
+        m_ledger = nullptr;
+    else
+        m_pass.emplace(m_ledger);
+    bool displaced = !stepComplete;
+    if (stepComplete)
+        BeginStep();
+    else if (m_ledger != nullptr)
+        Rebuild();
+    if (ledger != nullptr)
+        ledger->SetAlphasClear(false);
+    for (;;) {
+        float time = 1.0f;
+        b2Contact *const contact = m_ledger != nullptr ? Earliest(&time) : EarliestInList(&time);
+        m_scan = nullptr;
+        if (contact == nullptr || 1.0f - 10.0f * b2_epsilon < time) {
+            stepComplete = true;
+            break;
+        }
+        displaced = true;
+        const bool met = Meet(contact, time);
+        if (m_ledger != nullptr)
+            ReadWhatGameDid();
+        if (met && m_world->GetSubStepping()) {
+            stepComplete = false;
+            break;
+        }
+    }
+    if (m_pass.has_value())
+        m_pass->Complete();
+    if (ledger != nullptr)
+        ledger->SetAlphasClear(!displaced);
+}
+
+bool ImpactPass::FindsNone() {
+    if (!(m_world->*Named(StepComplete())) || m_world->GetSubStepping() || !MayUseHeap())
+        return false;
+    BeginBodies();
+    m_scan = ImpactScan::Begin();
+    m_ledger->GetMarks().ForgetImpacts(); // they say what is found; those at contacts are not asked for
+    const bool none = SearchByLedger();
+    m_ledger->SetAlphasClear(none);
+    return none;
+}
+
+// What a step begins with.
+
+void ImpactPass::BeginStep() {
+    BeginBodies();
+    m_scan = RoundsToNearest() ? ImpactScan::Begin() : nullptr;
+    if (m_ledger == nullptr) {
+        for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext())
+            m_marks.ForgetImpact(contact);
+        return;
+    }
+    Marks &marks = m_ledger->GetMarks();
+    marks.areHere = true; // all of them are forgotten
+    marks.ForgetImpacts();
+    m_searches = marks.searches;
+    SearchByLedger();
+}
+
+/// All bodies are at the beginning of their sweeps, and in no island.
+void ImpactPass::BeginBodies() {
+    Ledger *const ledger = m_ledger;
+    const auto begin = [](b2Body *body) {
+        BodyInIsland::Clear(body);
+        SweepOf(body).alpha0 = 0.0f;
+    };
+    if (ledger != nullptr && ledger->IsAwakeAlone(CurrentStep()) && ledger->AreAlphasClear()) {
+        for (uint32_t i = 0; i < ledger->GetBodies().AwakeCount(); ++i)
+            begin(ledger->GetBodies().Awake(i));
+        return;
+    }
+    for (b2Body *body = m_world->GetBodyList(); body != nullptr; body = body->GetNext())
+        begin(body);
+}
+
+// The first search of a step, by the ledger. Where no code of the game runs in a step, pairs that slept or
+// could not impact when the pass over pairs came by are not looked at.
+
+/// False where there is nobody to solve islands, and a pair may have an impact.
+bool ImpactPass::SearchByLedger() {
+    m_ledger->BeginSearch(m_gameRan);
+    const bool all = m_gameRan || !m_ledger->WatchesAwake(CurrentStep());
+    for (uint32_t word = m_ledger->Count() / 64 + 1; word-- > 0;) {
+        uint64_t left = all ? ~uint64_t{0} : m_ledger->WatchedOf(word);
+        while (left != 0) {
+            const uint32_t bit = HighestBit(left), i = word * 64 + bit;
+            left &= ~(uint64_t{1} << bit);
+            if (i < m_ledger->Count() && m_ledger->Contact(i) != nullptr && !SearchPair(i))
+                return false;
+            if (m_ledger == nullptr)
+                return true;
+        }
+    }
+    return true;
+}
+
+/// False where it may have an impact that nobody is there to solve.
+bool ImpactPass::SearchPair(uint32_t i) {
+    Marks &marks = m_ledger->GetMarks();
+    marks.asked.Clear(i);
+    if (m_ledger->MayNotImpact(i) || !m_ledger->MayImpact(i))
+        return true;
+    b2Contact *const contact = m_ledger->Contact(i);
+    if (m_ledger->OutlastsSweeps(i)) {
+        marks.known.Set(i); // and its time is 1
+        if (!Verifying())
+            return true;
+        m_isBudget = true;
+    }
+    EnableIfOwed(i);
+    if (!contact->IsEnabled()) {
+        marks.known.Clear(i);
+        marks.parked.Set(i);
+    } else if (m_solver == nullptr && !IsProvedApart(*contact, nullptr)) {
+        return false;
+    } else if (m_solver != nullptr && FindTime(contact)) {
+        Queue(i);
+    }
+    m_isBudget = false;
+    return true;
+}
+
+/// Ahead of the first impact, where the game may have disabled contacts: a budget knows nothing of that.
+void ImpactPass::DoubtBudgets() {
+    if (m_budgetsDoubted || !m_gameRan)
+        return;
+    m_budgetsDoubted = true;
+    Marks &marks = m_ledger->GetMarks();
+    for (uint32_t i = 0; i < m_ledger->Count(); ++i)
+        if (m_ledger->Contact(i) != nullptr && marks.known.Has(i) && !marks.met.Has(i) &&
+            !m_ledger->Contact(i)->IsEnabled()) {
+            marks.known.Clear(i);
+            marks.parked.Set(i);
+        }
+}
+
+// Later searches, by the ledger.
+
+/// Box2D enabled it, if it was active, before the first search.
+void ImpactPass::EnableIfOwed(uint32_t i) {
+    m_ledger->EnableIfOwed(i);
+    m_ledger->NoteLookedAt(i);
+}
+
+void ImpactPass::AskAgain() {
+    Marks &marks = m_ledger->GetMarks();
+    for (uint32_t word = m_ledger->Count() / 64 + 1; word-- > 0;)
+        while (word < marks.asked.Words() && marks.asked.Word(word) != 0) {
+            const uint32_t i = word * 64 + HighestBit(marks.asked.Word(word));
+            marks.asked.Clear(i);
+            if (i < m_ledger->Count() && m_ledger->Contact(i) != nullptr && !marks.known.Has(i))
+                Ask(i);
+            if (m_ledger == nullptr)
+                return;
+        }
+}
+
+void ImpactPass::Ask(uint32_t i) {
+    b2Contact *const contact = m_ledger->Contact(i);
+    EnableIfOwed(i);
+    if (!contact->IsEnabled())
+        m_ledger->GetMarks().parked.Set(i);
+    else if (m_ledger->GetMarks().CountOf(i) <= b2_maxSubSteps && FindTime(contact))
+        Queue(i);
+}
+
+/// A pair whose time is known. Without memory the world's list is searched from here on.
+void ImpactPass::Queue(uint32_t i) {
+    Marks &marks = m_ledger->GetMarks();
+    const float time = marks.Time(i);
+    if (time < 1.0f && !marks.Push(i, time))
+        m_ledger = nullptr;
+}
+
+b2Contact *ImpactPass::Earliest(float *time) {
+    AskAgain();
+    while (m_ledger != nullptr && m_ledger->GetMarks().heapCount > 0) {
+        Marks &marks = m_ledger->GetMarks();
+        const Marks::Impact first = marks.heap[0];
+        b2Contact *const contact = m_ledger->Contact(first.number);
+        if (contact != nullptr && marks.known.Has(first.number) && marks.Time(first.number) == first.time) {
+            if (contact->IsEnabled()) {
+                *time = first.time;
+                if (Verifying())
+                    CompareWithList(contact);
+                return contact;
+            }
+            marks.parked.Set(first.number);
+        }
+        marks.Pop();
+    }
+    return m_ledger == nullptr ? EarliestInList(time) : nullptr;
+}
+
+/// Mode::Verify: is it what Box2D would find in its list?
+void ImpactPass::CompareWithList(const b2Contact *earliest) {
+    CountVerified();
+    float time = 1.0f;
+    const b2Contact *first = nullptr;
+    for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext())
+        if (contact->IsEnabled() && m_marks.IsTimeKnown(contact) && m_marks.Time(contact) < time) {
+            first = contact;
+            time = m_marks.Time(contact);
+        }
+    if (first != earliest)
+        ReportDifference("earliest impact", earliest->GetFixtureA(), earliest->GetFixtureB(),
+                         "another contact is first in the list");
+}
+
+// Searches as Box2D makes them.
+
+b2Contact *ImpactPass::EarliestInList(float *time) {
+    b2Contact *earliest = nullptr;
+    m_marks.LookAgain();
+    for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext()) {
+        if (!contact->IsEnabled() || m_marks.CountOfImpacts(contact) > b2_maxSubSteps ||
+            (!m_marks.IsTimeKnown(contact) && !FindTime(contact)))
+            continue;
+        const float its = m_marks.Time(contact);
+        if (its < *time) {
+            earliest = contact;
+            *time = its;
+        }
+    }
+    return earliest;
+}
+
+/// Asks for the time of a contact's impact; false where Box2D would not.
+bool ImpactPass::FindTime(b2Contact *contact) {
+    if (HasSensor(*contact))
+        return false;
+    b2Body *const a = BodyA(contact), *const b = BodyB(contact);
+    BMR_BOX2D_ASSERTS(!IsWithoutDynamic(*contact), "typeA == b2_dynamicBody || typeB == b2_dynamicBody");
+    if ((!IsActive(a) && !IsActive(b)) || (!Stops(a) && !Stops(b)))
+        return false;
+    // Both sweeps go on from the same time.
+    b2Sweep &sweepA = SweepOf(a), &sweepB = SweepOf(b);
+    const float from = b2Max(sweepA.alpha0, sweepB.alpha0);
+    if (sweepA.alpha0 < sweepB.alpha0)
+        Advance(&sweepA, from);
+    else if (sweepB.alpha0 < sweepA.alpha0)
+        Advance(&sweepB, from);
+    BMR_BOX2D_ASSERTS(from < 1.0f, "alpha0 < 1.0f");
+    m_marks.SetTime(contact, TimeOf(contact, from));
+    return true;
+}
+
+float ImpactPass::TimeOf(b2Contact *contact, float from) {
+    b2TOIInput input;
+    const bool apart = RoundsToNearest() && IsProvedApart(*contact, &input);
+    if (apart && !Verifying())
+        return 1.0f;
+    FillInput(*contact, &input);
+    b2TOIOutput output;
+    if (!AnyBigPolygon() || !BigImpact(&output, input))
+        b2TimeOfImpact(&output, &input);
+    if (apart || m_isBudget) {
+        b2TOIOutput ours = output;
+        ours.state = b2TOIOutput::e_separated;
+        VerifyImpact(contact->GetFixtureA(), contact->GetFixtureB(), ours, output);
+    }
+    return output.state == b2TOIOutput::e_touching ? b2Min(from + (1.0f - from) * output.t, 1.0f) : 1.0f;
+}
+
+void ImpactPass::FillInput(const b2Contact &contact, b2TOIInput *input) {
+    const b2Fixture *a = contact.GetFixtureA(), *b = contact.GetFixtureB();
+    SetProxy(&input->proxyA, *a->GetShape(), contact.GetChildIndexA());
+    SetProxy(&input->proxyB, *b->GetShape(), contact.GetChildIndexB());
+    input->sweepA = SweepOf(*a->GetBody());
+    input->sweepB = SweepOf(*b->GetBody());
+    input->tMax = 1.0f;
+}
+
+/// Over all that is left of the step.
+bool ImpactPass::IsProvedApart(const b2Contact &contact, b2TOIInput *input) {
+    Count(&Counts::toiQueries);
+    bool apart;
+    if (m_scan != nullptr) {
+        const b2Body *a = contact.GetFixtureA()->GetBody(), *b = contact.GetFixtureB()->GetBody();
+        apart = m_scan->NeverTouch(
+            {contact.GetFixtureA(), contact.GetChildIndexA(), SweepOf(*a), a->GetTransform().q},
+            {contact.GetFixtureB(), contact.GetChildIndexB(), SweepOf(*b), b->GetTransform().q},
+            GuessDirection(contact), contact.GetManifold()->pointCount > 0);
+    } else if (input != nullptr && !AnyBigPolygon()) {
+        FillInput(contact, input);
+        apart = NeverTouch(*input);
+    } else {
+        apart = false;
+    }
+    if (apart)
+        Count(&Counts::toiAnswered);
+    return apart;
+}
+
+} // namespace bmr

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_IMPACTS_H
+#define BOOMERANG_GLUE_IMPACTS_H
+
+#include <cstdint>
+#include <optional>
+
+#include <box2d/b2_settings.h>
+#include <box2d/b2_time_step.h>
+#include <box2d/b2_world.h>
+
+#include "ledger/ledger.h"
+#include "passes/contact_marks.h"
+
+struct b2TOIInput;
+
+namespace bmr {
+
+class ImpactScan;
+class IslandSolver;
+
+/// b2World::SolveTOI: finds the first impact of what is left of the step, lets the bodies of its island meet,
+/// and begins again, until there is none.
+///
+/// In a world with a ledger the times of impact that are known stand in a heap (Marks), and after an impact
+/// those pairs alone are asked that Box2D would ask again. In other worlds Box2D's list is searched as Box2D
+/// does it. Either way a pair that is proved apart over its whole motion is not asked.
+class ImpactPass {
+public:
+    /// Without a solver: for FindsNone alone.
+    ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver);
+
+    void Run();
+    /// Where nobody is there to solve islands: is it certain that the step has no impact? All is then as
+    /// Box2D would leave it.
+    bool FindsNone();
+
+private:
+    bool MayUseHeap() const;
+    void BeginStep();
+    void BeginBodies();
+
+    bool SearchByLedger();
+    bool SearchPair(uint32_t i);
+    void DoubtBudgets();
+    void EnableIfOwed(uint32_t i);
+    void AskAgain();
+    void Ask(uint32_t i);
+    void Queue(uint32_t i);
+    b2Contact *Earliest(float *time);
+    void CompareWithList(const b2Contact *earliest);
+
+    b2Contact *EarliestInList(float *time);
+    bool FindTime(b2Contact *contact);
+    float TimeOf(b2Contact *contact, float from);
+    static void FillInput(const b2Contact &contact, b2TOIInput *input);
+    bool IsProvedApart(const b2Contact &contact, b2TOIInput *input);
+
+    // An impact (impact_island.cpp).
+    struct Island {
+        b2Body *bodies[2 * b2_maxTOIContacts];
+        int32 bodyCount = 0, contactCount = 0;
+    };
+    bool Meet(b2Contact *contact, float time);
+    void Spread(b2Body *body, float time, Island *island);
+    bool Joins(b2Contact *contact, b2Body *other, float time, const Island &island);
+    void Add(b2Body *body, Island *island);
+    void Add(b2Contact *contact, Island *island);
+    void EndIsland(const Island &island);
+    void FindNewContacts();
+    void Update(b2Contact *contact);
+    void Wake(b2Body *body);
+    void AskPairsOf(const b2Body *body);
+    void ReadWhatGameDid();
+    void Rebuild();
+
+    b2World *m_world;
+    b2ContactManager *m_manager;
+    const b2TimeStep &m_step;
+    IslandSolver *m_solver;
+    b2ContactListener *m_listener; ///< who is told of impulses
+    Ledger *m_ledger;              ///< nullptr: Box2D's list is searched
+    std::optional<Ledger::Pass> m_pass;
+    ContactMarks m_marks;
+    ImpactScan *m_scan = nullptr; ///< while nothing has moved
+    uint32_t m_searches = 0;      ///< Marks::searches, of this pass
+    bool m_gameRan;               ///< it may have, since the pass over pairs
+    bool m_budgetsDoubted = false;
+    bool m_isBudget = false; ///< Mode::Verify: a budget says that the contact which is asked has no impact
+};
+
+} // namespace bmr
+
+#endif

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include "passes/islands.h"
+
+#include <chrono>
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_joint.h>
+
+#include "passes/contact_access.h"
+#include "passes/island_solver.h"
+#include "start/box2d_asserts.h"
+#include "start/current_step.h"
+#include "start/settings.h"
+#include "tell/verify.h"
+
+namespace bmr {
+
+namespace {
+
+constexpr uint32_t kNoLink = 0xffffffffu;
+// With more of them the links cost what they save.
+constexpr uint32_t kMostTouchingOf = 3;
+
+/// Mode::Verify: is every contact that touches known to?
+void CompareTouching(const Ledger &ledger) {
+    CountVerified();
+    for (uint32_t i = 0; i < ledger.Count(); ++i) {
+        const b2Contact *contact = ledger.Contact(i);
+        if (contact != nullptr && contact->IsTouching() && (ledger.Bits(i) & kTouches) == 0)
+            ReportDifference("touching contacts", contact->GetFixtureA(), contact->GetFixtureB(),
+                             "a contact is missing");
+    }
+}
+
+bool MayBeSeed(const b2Body *body) {
+    return !BodyInIsland::Is(body) && body->IsAwake() && body->IsEnabled() &&
+           body->GetType() != b2_staticBody;
+}
+
+int32 &LinkOf(b2Body *body) {
+    return body->*Named(IslandIndex()); // until the body is in an island
+}
+
+} // namespace
+
+IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver)
+    : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
+      m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
+      m_marks(m_manager) {
+    if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
+        m_listener = nullptr;
+    if (m_ledger != nullptr && (!m_ledger->IsLookedAtIn(CurrentStep()) || !m_ledger->IsWhole()))
+        m_ledger = nullptr;
+}
+
+void IslandPass::Run() {
+    b2Profile &profile = m_world->*Named(Profile());
+    profile.solveInit = profile.solveVelocity = profile.solvePosition = 0.0f;
+    m_stack.Reserve(static_cast<uint32_t>(m_world->GetBodyCount()) + 1);
+    ClearFlags();
+    if (m_ledger != nullptr) {
+        m_ledger->MakeTouchesSure();
+        if (Verifying())
+            CompareTouching(*m_ledger);
+        m_ledger->SetWatchesAwake(GameMayRun() ? 0 : CurrentStep());
+        m_isLinked = !m_ledger->MayHaveUnlisted() && Link();
+    }
+    m_solver->Begin(m_step, m_listener);
+    for (b2Body *seed = FirstSeed(); seed != nullptr; seed = NextSeed(seed))
+        if (MayBeSeed(seed))
+            BuildIsland(seed);
+    m_solver->Finish(&profile);
+    const auto start = std::chrono::steady_clock::now();
+    Synchronize();
+    m_manager->FindNewContacts();
+    profile.broadphase =
+        std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void IslandPass::ClearFlags() {
+    // (Where Bodies finds who is awake it has put all bodies out of islands.)
+    m_awakeAlone = m_ledger != nullptr &&
+                   m_ledger->GetBodies().Follow(m_world->GetBodyList(), m_world->GetBodyCount()) &&
+                   m_ledger->GetBodies().FindAwake();
+    for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
+         body = body->GetNext()) {
+        BodyInIsland::Clear(body);
+        if (body->IsAwake() && body->GetType() != b2_staticBody)
+            LinkOf(body) = -1;
+    }
+    for (uint32_t i = 0; m_awakeAlone && i < m_ledger->GetBodies().AwakeCount(); ++i)
+        LinkOf(m_ledger->GetBodies().Awake(i)) = -1;
+    if (m_ledger != nullptr) {
+        m_ledger->TakeMarks();
+        m_ledger->GetMarks().inIsland.ClearAll();
+    } else {
+        for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext())
+            m_marks.TakeOutOfIsland(contact);
+    }
+    for (b2Joint *joint = m_world->GetJointList(); joint != nullptr; joint = joint->GetNext())
+        joint->*Named(JointInIsland()) = false;
+}
+
+// Links.
+
+/// The newest contact below `end` that touches and may have a body that is awake.
+uint32_t IslandPass::NextToLink(uint32_t end) const {
+    if (GameMayRun()) // which may have woken who is not watched
+        return m_ledger->NextTouching(end);
+    for (; end > 0;) {
+        end = m_ledger->SkipResting(end - 1);
+        if (end == Ledger::kNone || (m_ledger->Bits(end) & kTouches) != 0)
+            return end;
+    }
+    return Ledger::kNone;
+}
+
+/// False where it does not pay, or without memory: islands are built from the lists of bodies.
+bool IslandPass::Link() {
+    const uint32_t most = m_ledger->Count() / kMostTouchingOf;
+    Column<uint32_t> touching;
+    uint32_t count = 0;
+    for (uint32_t i = NextToLink(m_ledger->Count()); i != Ledger::kNone; i = NextToLink(i)) {
+        if (count == most || !touching.Reserve(count + 1))
+            return false;
+        touching[count++] = i;
+    }
+    if (!m_links.Reserve(2 * count + 1))
+        return false;
+    while (count-- > 0) { // from the oldest on, each at the head of its lists, as when they were made
+        b2Contact *const contact = m_ledger->Contact(touching[count]);
+        b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
+        LinkTo(a, contact, b);
+        LinkTo(b, contact, a);
+    }
+    return true;
+}
+
+void IslandPass::LinkTo(b2Body *body, b2Contact *contact, b2Body *other) {
+    if (body->GetType() == b2_staticBody || !body->IsAwake())
+        return;
+    const auto head = static_cast<uint32_t>(LinkOf(body));
+    const bool isHead = head < m_linkCount && m_links[head].body == body;
+    m_links[m_linkCount] = {contact, body, other, isHead ? head : kNoLink};
+    LinkOf(body) = static_cast<int32>(m_linkCount++);
+}
+
+// Islands.
+
+b2Body *IslandPass::FirstSeed() {
+    m_seedsAreAwake = m_awakeAlone;
+    if (!m_seedsAreAwake)
+        return m_world->GetBodyList();
+    return m_ledger->GetBodies().AwakeCount() > 0 ? m_ledger->GetBodies().Awake(0) : nullptr;
+}
+
+b2Body *IslandPass::NextSeed(const b2Body *seed) {
+    if (!m_seedsAreAwake)
+        return seed->*Named(NextBody());
+    return ++m_seed < m_ledger->GetBodies().AwakeCount() ? m_ledger->GetBodies().Awake(m_seed) : nullptr;
+}
+
+void IslandPass::BuildIsland(b2Body *seed) {
+    Push(seed);
+    while (m_stackCount > 0)
+        Take(m_stack[--m_stackCount]);
+    SolveIsland();
+}
+
+void IslandPass::Push(b2Body *body) {
+    BodyInIsland::Set(body);
+    if (m_stack.Reserve(m_stackCount + 1))
+        m_stack[m_stackCount++] = body;
+}
+
+/// The next body of the island. Islands do not go on across static bodies.
+void IslandPass::Take(b2Body *body) {
+    BMR_BOX2D_ASSERTS(body->IsEnabled(), "b->IsEnabled() == true");
+    const auto link = static_cast<uint32_t>(LinkOf(body));
+    if (m_gameRan)
+        MakeRoom();
+    m_solver->Add(body);
+    if (body->GetType() == b2_staticBody)
+        return;
+    const bool wasAwake = body->IsAwake();
+    if (!wasAwake)
+        WakeInIsland(body);
+    if (m_isLinked && wasAwake)
+        for (uint32_t at = link < m_linkCount && m_links[link].body == body ? link : kNoLink; at != kNoLink;
+             at = m_links[at].next)
+            Take(m_links[at].contact, m_links[at].other);
+    else
+        for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
+            Take(edge->contact, edge->other);
+    TakeJoints(body);
+}
+
+/// (Its time asleep goes on.)
+void IslandPass::WakeInIsland(b2Body *body) {
+    uint16 &flags = body->*Named(BodyFlags());
+    flags = static_cast<uint16>(flags | BodyInIsland::kAwake);
+    m_awakeAlone = false;
+    if (m_ledger != nullptr)
+        m_ledger->WatchPairsOf(body);
+}
+
+void IslandPass::Take(b2Contact *contact, b2Body *other) {
+    if (m_marks.IsInIsland(contact) || !contact->IsEnabled() || !contact->IsTouching() ||
+        contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor())
+        return;
+    if (m_gameRan)
+        MakeRoom();
+    m_solver->Add(contact);
+    m_marks.PutInIsland(contact);
+    if (!BodyInIsland::Is(other))
+        Push(other);
+}
+
+void IslandPass::TakeJoints(const b2Body *body) {
+    for (const b2JointEdge *edge = body->GetJointList(); edge != nullptr; edge = edge->next) {
+        if (edge->joint->*Named(JointInIsland()) || !edge->other->IsEnabled())
+            continue;
+        if (m_gameRan)
+            MakeRoom();
+        m_solver->Add(edge->joint);
+        edge->joint->*Named(JointInIsland()) = true;
+        if (!BodyInIsland::Is(edge->other))
+            Push(edge->other);
+    }
+}
+
+/// Code of the game has unlocked the world by a step inside this one, and may have made more since.
+void IslandPass::MakeRoom() {
+    m_solver->Reserve(m_solver->BodyCount() + 1, m_solver->ContactCount() + 1,
+                      static_cast<uint32_t>(m_world->GetJointCount()));
+}
+
+void IslandPass::SolveIsland() {
+    for (uint32_t i = 0; i < m_solver->BodyCount(); ++i)
+        if (m_solver->Body(i)->GetType() == b2_staticBody)
+            BodyInIsland::Clear(m_solver->Body(i)); // it may be in other islands, too
+    const bool tells = IsOfGame(m_listener) && m_solver->ContactCount() > 0;
+    m_solver->Solve(m_world->GetGravity(), m_world->GetAllowSleeping());
+    if (!tells)
+        return;
+    m_gameRan = true;
+    m_isLinked = m_seedsAreAwake = m_awakeAlone = false;
+    m_marks.LookAgain();
+}
+
+// Behind the islands.
+
+/// Boxes follow the bodies that were in islands, in Box2D's order.
+void IslandPass::Synchronize() {
+    if (m_ledger != nullptr)
+        m_ledger->SetAwakeAlone(m_awakeAlone ? CurrentStep() : 0);
+    if (!m_awakeAlone) {
+        for (b2Body *body = m_world->GetBodyList(); body != nullptr; body = body->GetNext())
+            Follow(body);
+        return;
+    }
+    for (uint32_t i = 0; i < m_ledger->GetBodies().AwakeCount(); ++i)
+        Follow(m_ledger->GetBodies().Awake(i));
+}
+
+void IslandPass::Follow(b2Body *body) {
+    if (!BodyInIsland::Is(body) || body->GetType() == b2_staticBody)
+        return;
+    (body->*Named(SynchronizeFixtures()))();
+    if (m_ledger != nullptr && !body->IsAwake())
+        m_ledger->EnableOfSleeper(body);
+}
+
+} // namespace bmr

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_ISLANDS_H
+#define BOOMERANG_GLUE_ISLANDS_H
+
+#include <cstdint>
+
+#include <box2d/b2_time_step.h>
+#include <box2d/b2_world.h>
+
+#include "ledger/column.h"
+#include "ledger/ledger.h"
+#include "passes/contact_marks.h"
+
+namespace bmr {
+
+class IslandSolver;
+
+/// b2World::Solve: islands of bodies that touch or are joined are built, depth first, and solved; then boxes
+/// follow their bodies, and new contacts are looked for.
+///
+/// Where the world has a ledger and few of its contacts touch, islands are built from links between these
+/// alone, in the order of Box2D's lists. From the first call of the game's code on they are built from the
+/// lists of bodies.
+class IslandPass {
+public:
+    IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver);
+    void Run();
+
+private:
+    void ClearFlags();
+    bool Link();
+    uint32_t NextToLink(uint32_t end) const;
+    void LinkTo(b2Body *body, b2Contact *contact, b2Body *other);
+
+    b2Body *FirstSeed();
+    b2Body *NextSeed(const b2Body *seed);
+    void BuildIsland(b2Body *seed);
+    void Take(b2Body *body);
+    void Take(b2Contact *contact, b2Body *other);
+    void WakeInIsland(b2Body *body);
+    void TakeJoints(const b2Body *body);
+    void Push(b2Body *body);
+    void MakeRoom();
+    void SolveIsland();
+    void Synchronize();
+    void Follow(b2Body *body);
+
+    struct ContactLink {
+        b2Contact *contact;
+        const b2Body *body;
+        b2Body *other;
+        uint32_t next;
+    };
+
+    b2World *m_world;
+    b2ContactManager *m_manager;
+    const b2TimeStep &m_step;
+    IslandSolver *m_solver;
+    b2ContactListener *m_listener; ///< who is told of impulses; nullptr: nobody
+    Ledger *m_ledger;              ///< nullptr: it does not know all pairs
+    ContactMarks m_marks;
+    Column<b2Body *> m_stack;
+    Column<ContactLink> m_links;
+    uint32_t m_stackCount = 0, m_linkCount = 0;
+    uint32_t m_seed = 0;
+    bool m_isLinked = false;      ///< the links are all contacts that touch of bodies that are awake
+    bool m_seedsAreAwake = false; ///< they are Bodies::Awake
+    bool m_awakeAlone = false;    ///< nobody else is in an island
+    bool m_gameRan = false;
+};
+
+} // namespace bmr
+
+#endif

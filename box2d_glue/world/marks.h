@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_MARKS_H
+#define BOOMERANG_GLUE_MARKS_H
+
+#include <cstdint>
+
+#include "ledger/column.h"
+#include "start/compiler.h"
+
+namespace bmr {
+
+/// One bit a pair.
+class BitColumn {
+public:
+    /// Room for pairs of numbers below this. False without memory, and nothing has changed.
+    bool Reserve(uint32_t count) {
+        const uint32_t words = count / 64 + 1;
+        if (!m_bits.Reserve(words))
+            return false;
+        for (; m_words < words; ++m_words)
+            m_bits[m_words] = 0;
+        return true;
+    }
+    bool Has(uint32_t i) const { return (m_bits[i / 64] >> (i % 64) & 1) != 0; }
+    void Set(uint32_t i) { m_bits[i / 64] |= uint64_t{1} << (i % 64); }
+    void Clear(uint32_t i) { m_bits[i / 64] &= ~(uint64_t{1} << (i % 64)); }
+    void ClearAll() {
+        for (uint32_t word = 0; word < m_words; ++word)
+            m_bits[word] = 0;
+    }
+    void Renumber(uint32_t from, uint32_t to) {
+        const bool has = Has(from);
+        Clear(from);
+        if (has)
+            Set(to);
+        else
+            Clear(to);
+    }
+    uint32_t Words() const { return m_words; }
+    uint64_t Word(uint32_t word) const { return m_bits[word]; }
+
+private:
+    Column<uint64_t> m_bits;
+    uint32_t m_words = 0;
+};
+
+/// What b2World::Solve and SolveTOI note at a world's contacts while they are at work, by the numbers of
+/// pairs. One set a world, not a pass: a step in the midst of another one leaves here what the outer one
+/// would find at Box2D's contacts.
+///
+/// Either all of it is here, or all of it is in the contacts (`areHere`).
+struct Marks {
+    struct Impact {
+        float time;
+        uint32_t number;
+    };
+
+    BitColumn inIsland; ///< b2Contact's e_islandFlag
+    BitColumn known;    ///< e_toiFlag
+    BitColumn met;      ///< `times` and `counts` are its m_toi and m_toiCount; else these are 1 and 0
+    BitColumn asked;    ///< unknown, and to be asked in the next search
+    BitColumn parked;   ///< disabled when the search came by
+    Column<float> times;
+    Column<uint8_t> counts;
+    Column<Impact> heap; ///< known times below 1, and some that are old
+    uint32_t heapCount = 0;
+    uint32_t searches = 0; ///< goes up where the marks of all pairs change at once
+    bool areHere = false;
+
+    bool Reserve(uint32_t count) {
+        return inIsland.Reserve(count) && known.Reserve(count) && met.Reserve(count) &&
+               asked.Reserve(count) && parked.Reserve(count) && times.Reserve(count) && counts.Reserve(count);
+    }
+    /// A contact that was just made has this number.
+    void Begin(uint32_t i) {
+        inIsland.Clear(i);
+        known.Clear(i);
+        met.Clear(i);
+        parked.Clear(i);
+        asked.Set(i);
+    }
+    void Renumber(uint32_t from, uint32_t to) {
+        for (BitColumn *column : {&inIsland, &known, &met, &asked, &parked})
+            column->Renumber(from, to);
+        times[to] = times[from];
+        counts[to] = counts[from];
+    }
+    float Time(uint32_t i) const { return met.Has(i) ? times[i] : 1.0f; }
+    uint8_t CountOf(uint32_t i) const { return met.Has(i) ? counts[i] : uint8_t{0}; }
+    void Meet(uint32_t i, float time, uint8_t count) {
+        met.Set(i);
+        times[i] = time;
+        counts[i] = count;
+    }
+    /// As b2World::SolveTOI begins with a new step.
+    void ForgetImpacts() {
+        for (BitColumn *column : {&inIsland, &known, &met, &asked, &parked})
+            column->ClearAll();
+        heapCount = 0;
+        ++searches;
+    }
+
+    /// The earliest first; of equal ones the newest contact, which is the first in Box2D's list.
+    static bool IsBefore(const Impact &a, const Impact &b) {
+        return a.time < b.time || (a.time == b.time && a.number > b.number);
+    }
+    /// False without memory.
+    bool Push(uint32_t i, float time) {
+        if (!heap.Reserve(heapCount + 1))
+            return false;
+        uint32_t at = heapCount++;
+        const Impact impact = {time, i};
+        for (; at > 0 && IsBefore(impact, heap[(at - 1) / 2]); at = (at - 1) / 2)
+            heap[at] = heap[(at - 1) / 2];
+        heap[at] = impact;
+        return true;
+    }
+    void Pop() {
+        const Impact last = heap[--heapCount];
+        uint32_t at = 0;
+        for (uint32_t child = 1; child < heapCount; child = 2 * at + 1) {
+            if (child + 1 < heapCount && IsBefore(heap[child + 1], heap[child]))
+                ++child;
+            if (!IsBefore(heap[child], last))
+                break;
+            heap[at] = heap[child];
+            at = child;
+        }
+        if (heapCount > 0)
+            heap[at] = last;
+    }
+};
+
+} // namespace bmr
+
+#endif
