@@ -48,8 +48,8 @@ void Store(const b2Position &position, const b2Velocity &velocity, b2Body *body)
 } // namespace
 
 bool IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) {
-    return m_bodies.Reserve(bodies) && m_contacts.Reserve(contacts) && m_joints.Reserve(joints) &&
-           m_positions.Reserve(bodies) && m_velocities.Reserve(bodies) &&
+    return m_room.stack.Reserve(bodies) && m_bodies.Reserve(bodies) && m_contacts.Reserve(contacts) &&
+           m_joints.Reserve(joints) && m_positions.Reserve(bodies) && m_velocities.Reserve(bodies) &&
            m_solver.Reserve(bodies, contacts) && m_ordered.Reserve(bodies, contacts);
 }
 

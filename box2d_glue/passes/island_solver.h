@@ -18,6 +18,20 @@ class b2Joint;
 
 namespace bmr {
 
+/// Where a pass writes down what it builds islands from. Kept from step to step with the solver.
+struct IslandRoom {
+    /// A contact that touches, in the list of one of its bodies.
+    struct Link {
+        b2Contact *contact;
+        const b2Body *body;
+        b2Body *other;
+        uint32_t next;
+    };
+    Column<b2Body *> stack;    ///< bodies of an island that are to be taken
+    Column<uint32_t> touching; ///< numbers of contacts
+    Column<Link> links;
+};
+
 /// Solves islands with the bits of Box2D's b2Island: itself, or by b2Island (which_solver.h).
 ///
 /// A pass takes one of the world's, reserves room, and begins. It then adds an island's bodies, contacts and
@@ -42,6 +56,8 @@ public:
     uint32_t BodyCount() const { return m_bodyCount; }
     uint32_t ContactCount() const { return m_contactCount; }
     b2Body *Body(uint32_t i) const { return m_bodies[i]; }
+    /// Its stack has room for as many bodies as an island.
+    IslandRoom &Room() { return m_room; }
 
     /// b2Island::Solve. Where there are neither joints nor a listener, bodies may be written as late as in
     /// Finish.
@@ -66,6 +82,7 @@ private:
     void Report();
     void Sleep(bool positionsAreSolved);
 
+    IslandRoom m_room;
     Column<b2Body *> m_bodies;
     Column<b2Contact *> m_contacts;
     Column<b2Joint *> m_joints;

@@ -9,7 +9,6 @@
 #include <box2d/b2_joint.h>
 
 #include "passes/contact_access.h"
-#include "passes/island_solver.h"
 #include "start/box2d_asserts.h"
 #include "start/current_step.h"
 #include "start/settings.h"
@@ -48,7 +47,7 @@ int32 &LinkOf(b2Body *body) {
 IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver)
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
-      m_marks(m_manager) {
+      m_marks(m_manager), m_room(solver->Room()) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
         m_listener = nullptr;
     if (m_ledger != nullptr && (!m_ledger->IsLookedAtIn(CurrentStep()) || !m_ledger->IsWhole()))
@@ -58,7 +57,6 @@ IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *sol
 void IslandPass::Run() {
     b2Profile &profile = m_world->*Named(Profile());
     profile.solveInit = profile.solveVelocity = profile.solvePosition = 0.0f;
-    m_stack.Reserve(static_cast<uint32_t>(m_world->GetBodyCount()) + 1);
     ClearFlags();
     if (m_ledger != nullptr) {
         m_ledger->MakeTouchesSure();
@@ -120,14 +118,14 @@ uint32_t IslandPass::NextToLink(uint32_t end) const {
 /// False where it does not pay, or without memory: islands are built from the lists of bodies.
 bool IslandPass::Link() {
     const uint32_t most = m_ledger->Count() / kMostTouchingOf;
-    Column<uint32_t> touching;
+    Column<uint32_t> &touching = m_room.touching;
     uint32_t count = 0;
     for (uint32_t i = NextToLink(m_ledger->Count()); i != Ledger::kNone; i = NextToLink(i)) {
         if (count == most || !touching.Reserve(count + 1))
             return false;
         touching[count++] = i;
     }
-    if (!m_links.Reserve(2 * count + 1))
+    if (!m_room.links.Reserve(2 * count + 1))
         return false;
     while (count-- > 0) { // from the oldest on, each at the head of its lists, as when they were made
         b2Contact *const contact = m_ledger->Contact(touching[count]);
@@ -142,8 +140,8 @@ void IslandPass::LinkTo(b2Body *body, b2Contact *contact, b2Body *other) {
     if (body->GetType() == b2_staticBody || !body->IsAwake())
         return;
     const auto head = static_cast<uint32_t>(LinkOf(body));
-    const bool isHead = head < m_linkCount && m_links[head].body == body;
-    m_links[m_linkCount] = {contact, body, other, isHead ? head : kNoLink};
+    const bool isHead = head < m_linkCount && m_room.links[head].body == body;
+    m_room.links[m_linkCount] = {contact, body, other, isHead ? head : kNoLink};
     LinkOf(body) = static_cast<int32>(m_linkCount++);
 }
 
@@ -165,22 +163,21 @@ b2Body *IslandPass::NextSeed(const b2Body *seed) {
 void IslandPass::BuildIsland(b2Body *seed) {
     Push(seed);
     while (m_stackCount > 0)
-        Take(m_stack[--m_stackCount]);
+        Take(m_room.stack[--m_stackCount]);
     SolveIsland();
 }
 
 void IslandPass::Push(b2Body *body) {
     BodyInIsland::Set(body);
-    if (m_stack.Reserve(m_stackCount + 1))
-        m_stack[m_stackCount++] = body;
+    m_room.stack[m_stackCount++] = body;
 }
 
 /// The next body of the island. Islands do not go on across static bodies.
 void IslandPass::Take(b2Body *body) {
     BMR_BOX2D_ASSERTS(body->IsEnabled(), "b->IsEnabled() == true");
     const auto link = static_cast<uint32_t>(LinkOf(body));
-    if (m_gameRan)
-        MakeRoom();
+    if (!HasRoom())
+        return;
     m_solver->Add(body);
     if (body->GetType() == b2_staticBody)
         return;
@@ -188,9 +185,9 @@ void IslandPass::Take(b2Body *body) {
     if (!wasAwake)
         WakeInIsland(body);
     if (m_isLinked && wasAwake)
-        for (uint32_t at = link < m_linkCount && m_links[link].body == body ? link : kNoLink; at != kNoLink;
-             at = m_links[at].next)
-            Take(m_links[at].contact, m_links[at].other);
+        for (uint32_t at = link < m_linkCount && m_room.links[link].body == body ? link : kNoLink;
+             at != kNoLink; at = m_room.links[at].next)
+            Take(m_room.links[at].contact, m_room.links[at].other);
     else
         for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
             Take(edge->contact, edge->other);
@@ -208,10 +205,8 @@ void IslandPass::WakeInIsland(b2Body *body) {
 
 void IslandPass::Take(b2Contact *contact, b2Body *other) {
     if (m_marks.IsInIsland(contact) || !contact->IsEnabled() || !contact->IsTouching() ||
-        contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor())
+        contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor() || !HasRoom())
         return;
-    if (m_gameRan)
-        MakeRoom();
     m_solver->Add(contact);
     m_marks.PutInIsland(contact);
     if (!BodyInIsland::Is(other))
@@ -220,10 +215,8 @@ void IslandPass::Take(b2Contact *contact, b2Body *other) {
 
 void IslandPass::TakeJoints(const b2Body *body) {
     for (const b2JointEdge *edge = body->GetJointList(); edge != nullptr; edge = edge->next) {
-        if (edge->joint->*Named(JointInIsland()) || !edge->other->IsEnabled())
+        if (edge->joint->*Named(JointInIsland()) || !edge->other->IsEnabled() || !HasRoom())
             continue;
-        if (m_gameRan)
-            MakeRoom();
         m_solver->Add(edge->joint);
         edge->joint->*Named(JointInIsland()) = true;
         if (!BodyInIsland::Is(edge->other))
@@ -231,10 +224,11 @@ void IslandPass::TakeJoints(const b2Body *body) {
     }
 }
 
-/// Code of the game has unlocked the world by a step inside this one, and may have made more since.
-void IslandPass::MakeRoom() {
-    m_solver->Reserve(m_solver->BodyCount() + 1, m_solver->ContactCount() + 1,
-                      static_cast<uint32_t>(m_world->GetJointCount()));
+/// Code of the game may have unlocked the world by a step inside this one, and have made more since.
+bool IslandPass::HasRoom() {
+    return !m_gameRan ||
+           m_solver->Reserve(m_solver->BodyCount() + m_stackCount + 2, m_solver->ContactCount() + 1,
+                             static_cast<uint32_t>(m_world->GetJointCount()));
 }
 
 void IslandPass::SolveIsland() {

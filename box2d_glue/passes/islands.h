@@ -7,13 +7,11 @@
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
 
-#include "ledger/column.h"
 #include "ledger/ledger.h"
 #include "passes/contact_marks.h"
+#include "passes/island_solver.h"
 
 namespace bmr {
-
-class IslandSolver;
 
 /// b2World::Solve: islands of bodies that touch or are joined are built, depth first, and solved; then boxes
 /// follow their bodies, and new contacts are looked for.
@@ -40,17 +38,10 @@ private:
     void WakeInIsland(b2Body *body);
     void TakeJoints(const b2Body *body);
     void Push(b2Body *body);
-    void MakeRoom();
+    bool HasRoom();
     void SolveIsland();
     void Synchronize();
     void Follow(b2Body *body);
-
-    struct ContactLink {
-        b2Contact *contact;
-        const b2Body *body;
-        b2Body *other;
-        uint32_t next;
-    };
 
     b2World *m_world;
     b2ContactManager *m_manager;
@@ -59,8 +50,7 @@ private:
     b2ContactListener *m_listener; ///< who is told of impulses; nullptr: nobody
     Ledger *m_ledger;              ///< nullptr: it does not know all pairs
     ContactMarks m_marks;
-    Column<b2Body *> m_stack;
-    Column<ContactLink> m_links;
+    IslandRoom &m_room;
     uint32_t m_stackCount = 0, m_linkCount = 0;
     uint32_t m_seed = 0;
     bool m_isLinked = false;      ///< the links are all contacts that touch of bodies that are awake

@@ -15,7 +15,7 @@ class TakenSolver {
 public:
     TakenSolver(uint32_t bodies, uint32_t contacts, uint32_t joints) {
         IslandSolvers *const solvers =
-            GetSettings().sameRounding && RoundsToNearest() ? PerThread<IslandSolvers>() : nullptr;
+            GetSettings().solvesIslands && RoundsToNearest() ? PerThread<IslandSolvers>() : nullptr;
         m_solver = solvers != nullptr ? solvers->Take() : nullptr;
         if (m_solver == nullptr || m_solver->Reserve(bodies, contacts, joints))
             return;

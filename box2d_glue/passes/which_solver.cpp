@@ -2,6 +2,7 @@
 #include "passes/which_solver.h"
 
 #include <atomic>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -98,13 +99,26 @@ bool AreAlike(const b2World &a, const b2World &b) {
     return true;
 }
 
+/// A constructor that may throw asks for a `delete` of its own where `new` makes it: here memory is malloc's.
+struct Unmake {
+    void operator()(b2World *world) const {
+        world->~b2World();
+        std::free(world);
+    }
+};
+using MadeWorld = std::unique_ptr<b2World, Unmake>;
+
+MadeWorld Make(const b2Vec2 &gravity) {
+    void *const room = std::malloc(sizeof(b2World));
+    return MadeWorld(room == nullptr ? nullptr : new (room) b2World(gravity));
+}
+
 IslandsBy FindOut() {
     if (stockSolver.solveWorld == nullptr)
         return IslandsBy::Nobody;
     const IslandsBy reached = stockSolver.solve != nullptr ? IslandsBy::Box2D : IslandsBy::Nobody;
     const b2Vec2 gravity = kSize * b2Vec2(0.3f, -9.7f);
-    const std::unique_ptr<b2World> stock(new (std::nothrow) b2World(gravity));
-    const std::unique_ptr<b2World> ours(new (std::nothrow) b2World(gravity));
+    const MadeWorld stock = Make(gravity), ours = Make(gravity);
     const std::unique_ptr<IslandSolver> solver(new (std::nothrow) IslandSolver);
     if (stock == nullptr || ours == nullptr || solver == nullptr || !solver->Reserve(2, 1, 0))
         return reached;

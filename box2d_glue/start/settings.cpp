@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "start/settings.h"
 
+#include "passes/which_solver.h"
 #include "proofs/hull.h"
 #include "proofs/thresholds.h"
 #include "start/environment.h"
@@ -42,6 +43,7 @@ bool MakeSettings(const Options &options, uint32_t reached) {
         made.compass = compass; // for as long as the process lives: hulls of every world point to it
     }
     made.sameRounding = Box2DRoundsAsExact32();
+    made.solvesIslands = made.sameRounding && WhoSolvesIslands() == IslandsBy::Ours;
     made.collideByFace = made.sameRounding ? nullptr : FindCollideByFace();
     internal::settings = made;
     return true;

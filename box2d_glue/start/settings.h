@@ -26,7 +26,8 @@ struct Settings {
     const bmr_compass *compass = nullptr;
     /// The hooks that Box2D's calls come by, where anybody is told of them; all where nobody is.
     uint32_t reached = kAllHooks;
-    bool sameRounding = false; ///< Box2D here rounds as core/exact32 does: its bits can be computed here
+    bool sameRounding = false;  ///< Box2D here rounds as core/exact32 does: its bits can be computed here
+    bool solvesIslands = false; ///< those of its solver, too
     CollideByFace collideByFace = nullptr; ///< where it does not: Box2D's own points of a known face
 };
 

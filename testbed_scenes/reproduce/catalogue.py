@@ -188,7 +188,6 @@ COSTS = {
     "bodies": (1, lambda row: [(2, 1), (3, 2), (4, 3)] if row[0].startswith("gas") else [(2, 4), (3, 5), (4, 6)]),
     "fixtures": (1, lambda row: [(2, 1), (3, 2), (4, 3)]),
     "asleep": (1, lambda row: [(2, 1), (3, 2), (4, 3)]),
-    "scenes": (0, lambda row: [(2, 1), (3, 2), (4, 3)]),
 }
 
 
@@ -202,9 +201,6 @@ def picture(name, what, seconds, quotes, commands, makes):
 
 def costs(table, seconds):
     quote, more = f"measure_costs.sh build {table}", []
-    steps = ["--steps", "150"] if table == "scenes" else []
-    if table == "scenes":
-        quote = "tests/bench/measure_costs.sh --steps 150 build scenes"
     if table == "calls":
         more = ["tests/bench/measure_costs.sh build calls fixtures bodies asleep scenes"]
 
@@ -214,7 +210,7 @@ def costs(table, seconds):
         rows_as_ratios(run.result, table_after(text, anchor), run.said[0], *COSTS[table])
 
     return Experiment(f"cost-{table}", "ratios", f"instructions, by callgrind: {table}", seconds, [quote, *more],
-                      [["{root}/tests/bench/measure_costs.sh", *steps, "{build}", table]], check)
+                      [["{root}/tests/bench/measure_costs.sh", "{build}", table]], check)
 
 
 def shown(name, what, seconds, quotes, commands, makes=(), packages=()):
@@ -245,7 +241,7 @@ EXPERIMENTS = [
     Experiment("scenes", "counts", "separation tests, looks and events in every scene, plugin beside stock", 70, ["boomerang-testbed compare"],
                [[TESTBED, "compare", "--no-time", "--details"]], check_scenes),
     costs("calls", 40), costs("bodies", 300), costs("fixtures", 60),
-    costs("asleep", 60), costs("scenes", 900),
+    costs("asleep", 60),
     shown("asteroids", "the moving picture of the first page", 8,
           ["boomerang-testbed render asteroids-outline --frames 0:120:4 --focus=-13,8,26,15 --certificates --slack --contacts --events --width 560 -o asteroids.png"],
           [[TESTBED, "render", "asteroids-outline", "--frames", "0:120:4", "--focus=-13,8,26,15", "--certificates", "--slack", "--contacts",
