@@ -2,6 +2,7 @@
 #include "passes/islands.h"
 
 #include <chrono>
+#include <exception>
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
@@ -38,6 +39,19 @@ bool MayBeSeed(const b2Body *body) {
            body->GetType() != b2_staticBody;
 }
 
+/// An exception of PostSolve's leaves Box2D's loop over islands with a stack that is not freed, which its
+/// allocator asserts.
+class EndsWhole {
+public:
+    EndsWhole() = default;
+    ~EndsWhole() { BMR_BOX2D_ASSERTS(std::uncaught_exceptions() == m_exceptions, "p == entry->data"); }
+    EndsWhole(const EndsWhole &) = delete;
+    EndsWhole &operator=(const EndsWhole &) = delete;
+
+private:
+    int m_exceptions = std::uncaught_exceptions();
+};
+
 int32 &LinkOf(b2Body *body) {
     return body->*Named(IslandIndex()); // until the body is in an island
 }
@@ -65,16 +79,21 @@ void IslandPass::Run() {
         m_ledger->SetWatchesAwake(GameMayRun() ? 0 : CurrentStep());
         m_isLinked = !m_ledger->MayHaveUnlisted() && Link();
     }
-    m_solver->Begin(m_step, m_listener);
-    for (b2Body *seed = FirstSeed(); seed != nullptr; seed = NextSeed(seed))
-        if (MayBeSeed(seed))
-            BuildIsland(seed);
-    m_solver->Finish(&profile);
+    SolveIslands(&profile);
     const auto start = std::chrono::steady_clock::now();
     Synchronize();
     m_manager->FindNewContacts();
     profile.broadphase =
         std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void IslandPass::SolveIslands(b2Profile *profile) {
+    const EndsWhole loop;
+    m_solver->Begin(m_step, m_listener);
+    for (b2Body *seed = FirstSeed(); seed != nullptr; seed = NextSeed(seed))
+        if (MayBeSeed(seed))
+            BuildIsland(seed);
+    m_solver->Finish(profile);
 }
 
 void IslandPass::ClearFlags() {

@@ -25,6 +25,7 @@ public:
     void Run();
 
 private:
+    void SolveIslands(b2Profile *profile);
     void ClearFlags();
     bool Link();
     uint32_t NextToLink(uint32_t end) const;
