@@ -46,6 +46,8 @@ public:
         std::swap(m_capacity, other->m_capacity);
     }
 
+    T *Data() { return m_data; } ///< nullptr: no room was ever asked for
+    const T *Data() const { return m_data; }
     T &operator[](uint32_t i) { return m_data[i]; }
     const T &operator[](uint32_t i) const { return m_data[i]; }
 

@@ -86,7 +86,7 @@ public:
     void WarmStart();
     void SolveVelocities();
     bool SolvesBlocks() const { return m_solvesBlocks; }
-    VelocityConstraint *VelocityConstraints() { return &m_velocityConstraints[0]; }
+    VelocityConstraint *VelocityConstraints() { return m_velocityConstraints.Data(); }
     void StoreImpulses() const;
     /// Are all contacts solved as well as Box2D asks?
     bool SolvePositions();

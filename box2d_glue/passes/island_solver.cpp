@@ -74,8 +74,8 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
     }
     IntegrateVelocities(gravity);
     const Timer timer;
-    const b2SolverData data = {m_step, &m_positions[0], &m_velocities[0]};
-    m_solver.Begin(m_step, &m_contacts[0], m_contactCount, data, m_bodyCount);
+    const b2SolverData data = {m_step, m_positions.Data(), m_velocities.Data()};
+    m_solver.Begin(m_step, m_contacts.Data(), m_contactCount, data, m_bodyCount);
     m_solver.InitializeVelocities();
     if (m_step.warmStarting)
         m_solver.WarmStart();
@@ -108,8 +108,8 @@ void IslandSolver::SolveToi() {
         m_positions[i] = {SweepOf(body).c, SweepOf(body).a};
         m_velocities[i] = {body.GetLinearVelocity(), body.GetAngularVelocity()};
     }
-    const b2SolverData data = {m_step, &m_positions[0], &m_velocities[0]};
-    m_solver.Begin(m_step, &m_contacts[0], m_contactCount, data, m_bodyCount);
+    const b2SolverData data = {m_step, m_positions.Data(), m_velocities.Data()};
+    m_solver.Begin(m_step, m_contacts.Data(), m_contactCount, data, m_bodyCount);
     for (int32 i = 0; i < m_step.positionIterations; ++i)
         if (m_solver.SolveToiPositions())
             break;
@@ -148,7 +148,7 @@ void IslandSolver::SolveVelocities(const b2SolverData &data) {
 }
 
 IslandParts IslandSolver::Parts() const {
-    return {&m_bodies[0], &m_contacts[0], &m_joints[0], m_bodyCount, m_contactCount, m_jointCount};
+    return {m_bodies.Data(), m_contacts.Data(), m_joints.Data(), m_bodyCount, m_contactCount, m_jointCount};
 }
 
 /// Forces and damping, as far as the body has a mass. The sweep begins where the body is.

@@ -68,7 +68,7 @@ bool OrderedVelocities::Solve(VelocityConstraint *constraints, uint32_t count, i
         if (some != m_orderedIterations)
             FindOrder(count, some);
         for (uint32_t i = 0; i < m_orderCount; ++i)
-            Solve(&m_records[m_order[i]], &m_velocities[0]);
+            Solve(&m_records[m_order[i]], m_velocities.Data());
         left -= some;
     }
     if (!AreCopiesZero(bodyCount))
