@@ -152,9 +152,11 @@ bool ImpactPass::SearchByLedger() {
         while (left != 0) {
             const uint32_t bit = HighestBit(left), i = word * 64 + bit;
             left &= ~(uint64_t{1} << bit);
-            if (i < m_ledger->Count() && m_ledger->Contact(i) != nullptr && !SearchPair(i))
+            if (i >= m_ledger->Count() || m_ledger->Contact(i) == nullptr)
+                continue;
+            if (!SearchPair(i))
                 return false;
-            if (m_ledger == nullptr)
+            if (m_ledger == nullptr) // there is no memory for the heap
                 return true;
         }
     }

@@ -31,6 +31,8 @@ namespace {
 struct Room {
     Room() : allocator(new b2StackAllocator) {}
     ~Room() { delete allocator; }
+    Room(const Room &) = delete;
+    Room &operator=(const Room &) = delete;
     b2StackAllocator *allocator;
 };
 
