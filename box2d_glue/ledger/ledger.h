@@ -268,8 +268,6 @@ public:
     /// Had the world a listener or a filter of the game's in the last pass?
     bool DidGameRun() const { return m_gameRan; }
     void SetGameRan(bool ran) { m_gameRan = ran; }
-    /// Somebody else enabled them all.
-    void ForgetOwed() { m_owed = 0; }
     void OweEnabling(uint32_t below);
     uint32_t PassNumber() const { return m_passNumber; }
     /// The contact is looked at: what its flags say from here on is so.

@@ -116,7 +116,7 @@ void ImpactPass::Spread(b2Body *body, float time, Island *island) {
     }
 }
 
-/// Whatever was known of the times of bodies that were displaced is old.
+/// Ends the island. Pairs of the bodies that it displaced forget their times of impact.
 void ImpactPass::EndIsland(const Island &island) {
     for (int32 i = 0; i < island.bodyCount; ++i) {
         b2Body *const body = island.bodies[i];

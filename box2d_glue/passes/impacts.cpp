@@ -143,7 +143,7 @@ void ImpactPass::BeginBodies() {
 // The first search of a step, by the ledger. Where no code of the game runs in a step, pairs that slept or
 // could not impact when the pass over pairs came by are not looked at.
 
-/// False where there is nobody to solve islands, and a pair may have an impact.
+/// False if the pass has no solver and a pair may have an impact.
 bool ImpactPass::SearchByLedger() {
     m_ledger->BeginSearch(m_gameRan);
     const bool all = m_gameRan || !m_ledger->WatchesAwake(CurrentStep());
@@ -163,7 +163,7 @@ bool ImpactPass::SearchByLedger() {
     return true;
 }
 
-/// False where it may have an impact that nobody is there to solve.
+/// False if the pass has no solver and the pair may have an impact.
 bool ImpactPass::SearchPair(uint32_t i) {
     Marks &marks = m_ledger->GetMarks();
     marks.asked.Clear(i);

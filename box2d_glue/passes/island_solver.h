@@ -45,7 +45,7 @@ public:
     /// Room for islands of so many. False without memory: nothing has changed, and the pass is Box2D's.
     bool Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints);
 
-    /// Begins a pass. `listener` is told of impulses (PostSolve); nullptr where nobody listens to them.
+    /// Begins a pass. `listener` is told of impulses (PostSolve); nullptr: it is not called.
     /// `solvedBy`: WhoSolvesIslands(), and not Nobody.
     void Begin(const b2TimeStep &step, b2ContactListener *listener, IslandsBy solvedBy = IslandsBy::Ours);
 

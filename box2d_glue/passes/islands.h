@@ -48,7 +48,7 @@ private:
     b2ContactManager *m_manager;
     const b2TimeStep &m_step;
     IslandSolver *m_solver;
-    b2ContactListener *m_listener; ///< who is told of impulses; nullptr: nobody
+    b2ContactListener *m_listener; ///< its PostSolve is called, unless it is nullptr
     Ledger *m_ledger;              ///< nullptr: it does not know all pairs
     ContactMarks m_marks;
     IslandRoom &m_room;
@@ -56,7 +56,7 @@ private:
     uint32_t m_seed = 0;
     bool m_isLinked = false;      ///< the links are all contacts that touch of bodies that are awake
     bool m_seedsAreAwake = false; ///< they are Bodies::Awake
-    bool m_awakeAlone = false;    ///< nobody else is in an island
+    bool m_awakeAlone = false;    ///< only bodies of Bodies::Awake are in islands
     bool m_gameRan = false;
 };
 

@@ -53,8 +53,8 @@ private:
     InChain *m_older, *m_newer = nullptr;
 };
 
-/// What the hooks keep on a thread while it steps worlds, and no longer. (Marks and lists are chained: see
-/// InChain. A list is looked up by the world it is of.)
+/// What the hooks keep on a thread while it steps worlds, and no longer. Marks are
+/// chained: see InChain.
 struct Stepping {
     InChain<StepMark> *mark; ///< the newest of the steps that have not ended; nullptr outside of steps
 };
@@ -62,9 +62,7 @@ struct Stepping {
 /// This thread's.
 extern BMR_THREAD Stepping stepping;
 
-/// Does this world step in the midst of its own step, by a listener or a filter? All flags and times of
-/// contacts and bodies are then left as Box2D leaves them, by Box2D: when the outer step goes on it reads
-/// them, be it building islands or looking for impacts.
+/// Does a listener or a filter step this world inside its own step?
 bool IsInOwnStep(const b2World *world);
 
 /// Only in a step, and rounding to nearest, are questions answered here; all others get Box2D's own answers.
