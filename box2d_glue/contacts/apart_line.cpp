@@ -7,13 +7,13 @@
 #include <box2d/b2_polygon_shape.h>
 
 #include "contacts/solid_contact.h"
-#include "ledger/ledger.h"
 #include "proofs/body_pair.h"
 #include "proofs/thresholds.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"
 #include "start/current_step.h"
 #include "start/settings.h"
+#include "world/ledger.h"
 
 namespace bmr {
 

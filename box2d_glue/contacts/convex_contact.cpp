@@ -7,13 +7,13 @@
 #include <box2d/b2_block_allocator.h>
 #include <box2d/b2_polygon_shape.h>
 
+#include "base/private_members.h"
+#include "base/rounding_mode.h"
 #include "contacts/pair_registry.h"
 #include "convex32/convex32_distance.h"
-#include "ledger/private_members.h"
 #include "passes/contact_marks.h"
 #include "proofs/polygon_view.h"
 #include "proofs/thresholds.h"
-#include "start/rounding_mode.h"
 #include "start/settings.h"
 #include "tell/verify.h"
 

@@ -7,11 +7,11 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
 
+#include "base/rounding_mode.h"
 #include "contacts/solid_contact.h"
 #include "proofs/body_pair.h"
 #include "proofs/hull.h"
 #include "start/current_step.h"
-#include "start/rounding_mode.h"
 #include "start/settings.h"
 
 namespace bmr {

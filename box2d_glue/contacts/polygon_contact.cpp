@@ -8,12 +8,12 @@
 #include <box2d/b2_collision.h>
 #include <box2d/b2_fixture.h>
 
+#include "base/rounding_mode.h"
 #include "contacts/pair_registry.h"
 #include "proofs/body_pair.h"
 #include "proofs/overlap.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"
-#include "start/rounding_mode.h"
 #include "start/settings.h"
 #include "tell/verify.h"
 

@@ -6,10 +6,10 @@
 #include "contacts/convex_contact.h"
 #include "contacts/pair_registry.h"
 #include "contacts/polygon_contact.h"
-#include "ledger/ledger.h"
-#include "ledger/ledgers.h"
 #include "proofs/body_pair.h"
 #include "start/current_step.h"
+#include "world/ledger.h"
+#include "world/ledgers.h"
 
 namespace bmr {
 

@@ -14,7 +14,7 @@
 #include "boomerang/box2d_glue.h"
 #include "contacts/contact_life.h"
 #include "convex32/convex32_collide.h"
-#include "ledger/edge_memory.h"
+#include "proofs/edge_memory.h"
 
 namespace bmr {
 

@@ -9,7 +9,7 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_world_callbacks.h>
 
-#include "ledger/private_members.h"
+#include "base/private_members.h"
 #include "start/recognise.h"
 #include "start/trusted_listener.h"
 

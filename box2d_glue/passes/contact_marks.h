@@ -2,8 +2,8 @@
 #ifndef BOOMERANG_GLUE_CONTACT_MARKS_H
 #define BOOMERANG_GLUE_CONTACT_MARKS_H
 
-#include "ledger/ledger.h"
-#include "ledger/ledgers.h"
+#include "world/ledger.h"
+#include "world/ledgers.h"
 #include "world/marks.h"
 
 namespace bmr {

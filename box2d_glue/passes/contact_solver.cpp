@@ -9,7 +9,7 @@
 #include <box2d/b2_shape.h>
 #include <box2d/b2_world_callbacks.h>
 
-#include "ledger/private_members.h"
+#include "base/private_members.h"
 #include "start/box2d_asserts.h"
 
 /// Box2D's switch, which no header of its declares: are the two points of a contact solved together?

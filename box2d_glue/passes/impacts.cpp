@@ -6,6 +6,7 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_time_of_impact.h>
 
+#include "base/rounding_mode.h"
 #include "contacts/solid_contact.h"
 #include "passes/contact_access.h"
 #include "passes/island_solver.h"
@@ -15,7 +16,6 @@
 #include "shapes/convex_geometry.h"
 #include "start/box2d_asserts.h"
 #include "start/current_step.h"
-#include "start/rounding_mode.h"
 #include "start/settings.h"
 #include "tell/verify.h"
 

@@ -9,8 +9,8 @@
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
 
-#include "ledger/ledger.h"
 #include "passes/contact_marks.h"
+#include "world/ledger.h"
 
 struct b2TOIInput;
 

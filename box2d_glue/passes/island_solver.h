@@ -6,7 +6,7 @@
 
 #include <box2d/b2_time_step.h>
 
-#include "ledger/column.h"
+#include "base/column.h"
 #include "passes/contact_solver.h"
 #include "passes/ordered_velocities.h"
 #include "passes/which_solver.h"

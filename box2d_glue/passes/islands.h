@@ -7,9 +7,9 @@
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
 
-#include "ledger/ledger.h"
 #include "passes/contact_marks.h"
 #include "passes/island_solver.h"
+#include "world/ledger.h"
 
 namespace bmr {
 

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
+#include "base/column.h"
 #include "exact32/float4.h"
-#include "ledger/column.h"
 #include "passes/contact_solver.h"
 
 namespace bmr {

@@ -4,7 +4,7 @@
 
 #include <box2d/b2_body.h>
 
-#include "ledger/private_members.h"
+#include "base/private_members.h"
 #include "start/box2d_asserts.h"
 
 /// @file

@@ -2,9 +2,9 @@
 #ifndef BOOMERANG_GLUE_TAKEN_SOLVER_H
 #define BOOMERANG_GLUE_TAKEN_SOLVER_H
 
-#include "ledger/per_thread.h"
+#include "base/per_thread.h"
+#include "base/rounding_mode.h"
 #include "passes/island_solver.h"
-#include "start/rounding_mode.h"
 #include "start/settings.h"
 
 namespace bmr {

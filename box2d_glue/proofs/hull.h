@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
+#include "base/slab.h"
 #include "boomerang/pair.h"
-#include "ledger/slab.h"
 
 class b2BlockAllocator;
 class b2Body;

@@ -6,7 +6,7 @@
 #include <box2d/b2_distance.h>
 #include <box2d/b2_fixture.h>
 
-#include "ledger/per_thread.h"
+#include "base/per_thread.h"
 #include "proofs/convex_distance.h"
 #include "shapes/convex_geometry.h"
 

@@ -4,7 +4,7 @@
 
 #include <box2d/b2_math.h>
 
-#include "ledger/edge_memory.h"
+#include "proofs/edge_memory.h"
 
 class b2Shape;
 

@@ -9,6 +9,7 @@
 #include <box2d/b2_block_allocator.h>
 #include <box2d/b2_collision.h>
 
+#include "base/rounding_mode.h"
 #include "contacts/contact_register.h"
 #include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
@@ -18,7 +19,6 @@
 #include "shapes/shapes32.h"
 #include "shapes/stock_polygon.h"
 #include "shapes/weighing.h"
-#include "start/rounding_mode.h"
 
 namespace bmr {
 

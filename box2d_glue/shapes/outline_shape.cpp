@@ -7,6 +7,7 @@
 #include <box2d/b2_body.h>
 #include <box2d/b2_world.h>
 
+#include "base/rounding_mode.h"
 #include "contacts/contact_register.h"
 #include "geometry/memory.h"
 #include "shapes/convex_access.h"
@@ -15,7 +16,6 @@
 #include "shapes/outline_record.h"
 #include "shapes/weighing.h"
 #include "start/reach.h"
-#include "start/rounding_mode.h"
 
 namespace bmr {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/rounding_mode.h"
 #include "shapes/convex_registry.h"
 #include "shapes/shapes32.h"
-#include "start/rounding_mode.h"
 
 namespace bmr {
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "start/compiler.h"
+#include "base/compiler.h"
 
 #if defined(__GLIBC__) && defined(NDEBUG) // as <cassert> has it
 extern "C" [[noreturn]] void __assert_fail(const char *, const char *, unsigned, const char *) noexcept;

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "start/compiler.h"
+#include "base/compiler.h"
 
 namespace bmr {
 

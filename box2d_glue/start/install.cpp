@@ -4,13 +4,13 @@
 #include <cstdio>
 #include <mutex>
 
+#include "base/rounding_mode.h"
 #include "boomerang/box2d_glue.h"
 #include "contacts/contact_register.h"
 #include "start/environment.h"
 #include "start/process_locks.h"
 #include "start/reach.h"
 #include "start/recognise.h"
-#include "start/rounding_mode.h"
 #include "start/settings.h"
 #include "start/this_process.h"
 #include "tell/statistics_file.h"

@@ -17,10 +17,10 @@
 #include <box2d/b2_polygon_shape.h>
 #include <box2d/b2_world.h>
 
+#include "base/compiler.h"
 #include "contacts/solid_contact.h"
-#include "ledger/ledger.h"
-#include "start/compiler.h"
 #include "start/recognise_constants.h"
+#include "world/ledger.h"
 
 namespace bmr {
 

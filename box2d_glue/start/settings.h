@@ -5,9 +5,9 @@
 #include <atomic>
 #include <cstdint>
 
+#include "base/compiler.h"
 #include "boomerang/box2d_glue.h"
 #include "boomerang/pair.h"
-#include "start/compiler.h"
 #include "start/rounding_probe.h"
 
 namespace bmr {

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "start/compiler.h"
+#include "base/compiler.h"
 #include "tell/trial_page.h"
 
 /// @file

@@ -2,7 +2,7 @@
 #ifndef BOOMERANG_GLUE_VERIFY_H
 #define BOOMERANG_GLUE_VERIFY_H
 
-#include "start/compiler.h"
+#include "base/compiler.h"
 
 struct b2Manifold;
 struct b2TOIOutput;

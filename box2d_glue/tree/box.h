@@ -4,8 +4,8 @@
 
 #include <box2d/b2_dynamic_tree.h>
 
+#include "base/compiler.h"
 #include "exact32/float4.h"
-#include "start/compiler.h"
 
 /// @file
 /// The boxes of a b2DynamicTree's nodes, in registers where the processor has lanes. Operations and operands

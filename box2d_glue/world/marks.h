@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "ledger/column.h"
-#include "start/compiler.h"
+#include "base/column.h"
+#include "base/compiler.h"
 
 namespace bmr {
 

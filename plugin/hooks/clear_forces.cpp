@@ -4,11 +4,11 @@
 #include <box2d/b2_body.h>
 #include <box2d/b2_world.h>
 
-#include "ledger/ledger.h"
-#include "ledger/ledgers.h"
 #include "reach/stock.h"
 #include "start/current_step.h"
 #include "start/settings.h"
+#include "world/ledger.h"
+#include "world/ledgers.h"
 
 using namespace bmr;
 

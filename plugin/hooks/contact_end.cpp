@@ -3,10 +3,10 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_contact_manager.h>
 
-#include "ledger/ledger.h"
-#include "ledger/ledgers.h"
 #include "reach/stock.h"
 #include "start/settings.h"
+#include "world/ledger.h"
+#include "world/ledgers.h"
 
 using namespace bmr;
 

@@ -2,7 +2,7 @@
 // b2ContactManager::Collide: the loop over a world's contacts at the start of a step. The same contacts in
 // the same order, each filtered, destroyed or updated when Box2D would.
 //
-// A world with a ledger (ledger/ledger.h) does not look at contacts whose budget of motion is not used up.
+// A world with a ledger (world/ledger.h) does not look at contacts whose budget of motion is not used up.
 // What Box2D's loop would leave behind at these is what is there already: no points, not touching, enabled.
 // The last is not quite so: a game may have disabled a contact that nobody looked at, and Box2D would enable
 // it in passing. That is made good before anybody can see it: ahead of every call of the game's code, for the
@@ -16,20 +16,20 @@
 
 #include <box2d/b2_world.h>
 
+#include "base/compiler.h"
+#include "base/rounding_mode.h"
 #include "contacts/apart_line.h"
 #include "contacts/convex_contact.h"
 #include "contacts/polygon_contact.h"
 #include "hooks/stepping.h"
-#include "ledger/ledger.h"
-#include "ledger/ledgers.h"
 #include "passes/contact_access.h"
 #include "reach/stock.h"
-#include "start/compiler.h"
 #include "start/current_step.h"
-#include "start/rounding_mode.h"
 #include "start/settings.h"
 #include "tell/verify.h"
 #include "tree/box.h"
+#include "world/ledger.h"
+#include "world/ledgers.h"
 
 namespace bmr::hooks {
 

@@ -2,9 +2,9 @@
 // b2World::DestroyBody: the list of bodies is another one. b2World::~b2World: the ledger goes with the world.
 #include <box2d/b2_world.h>
 
-#include "ledger/ledger.h"
-#include "ledger/ledgers.h"
 #include "reach/stock.h"
+#include "world/ledger.h"
+#include "world/ledgers.h"
 
 using namespace bmr;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // b2DynamicTree::CreateProxy, DestroyProxy and MoveProxy, in steps and outside of them, whoever calls.
+#include "base/rounding_mode.h"
 #include "reach/stock.h"
-#include "start/rounding_mode.h"
 #include "start/settings.h"
 #include "tree/proxies.h"
 

@@ -9,9 +9,9 @@
 #include <box2d/b2_world.h>
 
 #include "contacts/solid_contact.h"
-#include "ledger/ledger.h"
-#include "ledger/ledgers.h"
 #include "reach/stock.h"
+#include "world/ledger.h"
+#include "world/ledgers.h"
 
 namespace {
 

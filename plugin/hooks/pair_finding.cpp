@@ -14,13 +14,13 @@
 #include <box2d/b2_broad_phase.h>
 #include <box2d/b2_contact.h>
 
-#include "ledger/ledger.h"
-#include "ledger/ledgers.h"
 #include "passes/contact_access.h"
 #include "reach/stock.h"
 #include "start/settings.h"
 #include "tell/verify.h"
 #include "tree/descent.h"
+#include "world/ledger.h"
+#include "world/ledgers.h"
 
 namespace bmr::hooks {
 

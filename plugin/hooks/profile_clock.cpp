@@ -13,8 +13,8 @@
 
 #include <box2d/b2_timer.h>
 
+#include "base/compiler.h"
 #include "reach/stock.h"
-#include "start/compiler.h"
 #include "start/process_locks.h"
 #include "start/settings.h"
 

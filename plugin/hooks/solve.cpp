@@ -3,13 +3,13 @@
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
 
-#include "ledger/ledger.h"
-#include "ledger/ledgers.h"
 #include "passes/islands.h"
 #include "passes/taken_solver.h"
 #include "reach/stock.h"
 #include "start/current_step.h"
 #include "start/settings.h"
+#include "world/ledger.h"
+#include "world/ledgers.h"
 
 using namespace bmr;
 

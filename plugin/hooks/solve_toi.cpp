@@ -4,12 +4,12 @@
 #include <box2d/b2_world.h>
 
 #include "hooks/stepping.h"
-#include "ledger/ledger.h"
-#include "ledger/ledgers.h"
 #include "passes/impacts.h"
 #include "passes/taken_solver.h"
 #include "reach/stock.h"
 #include "start/settings.h"
+#include "world/ledger.h"
+#include "world/ledgers.h"
 
 using namespace bmr;
 using namespace bmr::hooks;

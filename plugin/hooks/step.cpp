@@ -4,6 +4,7 @@
 #include <box2d/b2_contact_manager.h>
 #include <box2d/b2_world.h>
 
+#include "base/rounding_mode.h"
 #include "hooks/stepping.h"
 #include "passes/contact_access.h"
 #include "reach/stock.h"
@@ -11,7 +12,6 @@
 #include "shapes/convex_geometry.h"
 #include "start.h"
 #include "start/current_step.h"
-#include "start/rounding_mode.h"
 #include "start/settings.h"
 #include "tell/trial.h"
 

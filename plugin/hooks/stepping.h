@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "start/compiler.h"
-#include "start/rounding_mode.h"
+#include "base/compiler.h"
+#include "base/rounding_mode.h"
 
 class b2ContactManager;
 class b2World;

@@ -2,8 +2,8 @@
 // b2Fixture::Synchronize.
 #include <box2d/b2_fixture.h>
 
+#include "base/rounding_mode.h"
 #include "reach/stock.h"
-#include "start/rounding_mode.h"
 #include "start/settings.h"
 #include "tree/fixture_boxes.h"
 

@@ -9,12 +9,12 @@
 #include <cstdio>
 #include <string>
 
+#include "base/rounding_mode.h"
 #include "boomerang/convex_shape.h"
 #include "contacts/solid_contact.h"
 #include "forked_world.h"
 #include "proofs/body_pair.h"
 #include "proofs/hull.h"
-#include "start/rounding_mode.h"
 
 namespace {
 

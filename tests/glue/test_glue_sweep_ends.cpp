@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a fixture's row can come in the sweep of its body (ledger/movers.h): what the budget of a pair is
+// How far a fixture's row can come in the sweep of its body (world/movers.h): what the budget of a pair is
 // held against, ahead of Box2D's search for impacts. Code of the game may have run since the row was looked
 // at: the body need not turn about what it turned about, nor be of the same shape.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
@@ -10,9 +10,9 @@
 
 #include <box2d/box2d.h>
 
-#include "ledger/ledger.h"
-#include "ledger/movers.h"
-#include "ledger/private_members.h"
+#include "base/private_members.h"
+#include "world/ledger.h"
+#include "world/movers.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-#include "start/compiler.h"
+#include "base/compiler.h"
 
 /// @file
 /// How a call to Box2D gets to a hook, and a hook to the function of Box2D's that it stands in front of,

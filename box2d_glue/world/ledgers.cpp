@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "ledger/ledgers.h"
+#include "world/ledgers.h"
 
 #include <atomic>
 #include <mutex>
 #include <new>
 
-#include "ledger/ledger.h"
 #include "start/process_locks.h"
+#include "world/ledger.h"
 
 namespace bmr {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "ledger/proxy_pairs.h"
+#include "world/proxy_pairs.h"
 
 #include <box2d/b2_broad_phase.h>
 #include <box2d/b2_contact.h>
 
-#include "ledger/private_members.h"
+#include "base/private_members.h"
 
 namespace bmr {
 

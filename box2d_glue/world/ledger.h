@@ -8,13 +8,13 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_contact_manager.h>
 
+#include "base/column.h"
+#include "base/compiler.h"
 #include "boomerang/budget.h"
-#include "ledger/bodies.h"
-#include "ledger/column.h"
-#include "ledger/movers.h"
-#include "ledger/proxy_pairs.h"
-#include "start/compiler.h"
+#include "world/bodies.h"
 #include "world/marks.h"
+#include "world/movers.h"
+#include "world/proxy_pairs.h"
 
 namespace bmr {
 

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "ledger/column.h"
-#include "ledger/key_table.h"
+#include "base/column.h"
+#include "base/key_table.h"
 
 class b2Contact;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ledger/slab.h"
+#include "base/slab.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 
 #include <box2d/b2_body.h>
 
-#include "ledger/column.h"
+#include "base/column.h"
 
 namespace bmr {
 

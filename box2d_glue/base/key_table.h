@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "ledger/column.h"
+#include "base/column.h"
 
 namespace bmr {
 

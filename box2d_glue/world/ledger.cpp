@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "ledger/ledger.h"
+#include "world/ledger.h"
 
 #include <cstring>
 #include <initializer_list>
 
-#include "ledger/private_members.h"
+#include "base/private_members.h"
 #include "start/current_step.h"
 #include "start/settings.h"
 

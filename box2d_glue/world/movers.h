@@ -9,11 +9,11 @@
 #include <box2d/b2_broad_phase.h>
 #include <box2d/b2_fixture.h>
 
+#include "base/column.h"
+#include "base/compiler.h"
+#include "base/key_table.h"
 #include "boomerang/budget.h"
-#include "ledger/column.h"
-#include "ledger/key_table.h"
 #include "proofs/thresholds.h"
-#include "start/compiler.h"
 
 namespace bmr {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "ledger/bodies.h"
+#include "world/bodies.h"
 
-#include "ledger/private_members.h"
-#include "start/compiler.h"
+#include "base/compiler.h"
+#include "base/private_members.h"
 
 namespace bmr {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ledger/movers.h"
+#include "world/movers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <box2d/b2_polygon_shape.h>
 
-#include "ledger/private_members.h"
+#include "base/private_members.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/side_normals.h"
 
