@@ -22,14 +22,19 @@ answers() {
     fi
 }
 
+"$root/tests/run" --help >"$room/help" || failed=1
+helps() {
+    grep -q -e "$1" "$room/help" || { echo "FAILED: tests/run --help says nothing like '$1'" && failed=1; }
+}
+
 for word in --long --seed --quick --only --help BMR_JOBS BMR_BUILD_DIR BMR_TEST_SCALE BMR_FUZZ_SECONDS; do
-    answers 0 "$word" --help
+    helps "$word"
 done
 # Each stage has a line; each file of a stage is one that tests/run knows.
 for file in "$root"/tests/stages/*.sh; do
     stage=$(basename "$file" .sh)
     case $stage in common | packages) continue ;; esac
-    answers 0 "^  $stage  *[a-z]" --help
+    helps "^  $stage  *[a-z]"
 done
 answers 2 "unknown option '--lnog'; see tests/run --help" --lnog
 answers 2 "no stage 'fuz'; there are: release .*fuzz" --only fuz
