@@ -155,7 +155,7 @@ void DrawAxes(Canvas &canvas, const Frame &frame, const Plot &plot) {
                        kTextSize);
 }
 
-void DrawSeries(Canvas &canvas, const Frame &frame, const PlotSeries &series, size_t index) {
+void DrawSeries(Canvas &canvas, const Frame &frame, const PlotSeries &series) {
     std::vector<bmr_vec2> points;
     for (const bmr_vec2 &point : series.points)
         if (frame.x.Shows(point.x) && frame.y.Shows(point.y))
@@ -166,20 +166,20 @@ void DrawSeries(Canvas &canvas, const Frame &frame, const PlotSeries &series, si
     canvas.Polyline(points, pen);
     if (!series.dashed)
         for (const bmr_vec2 &point : points)
-            DrawMark(canvas, point, index, series.colour);
+            DrawMark(canvas, point, series.mark, series.colour);
 }
 
 constexpr double kSwatch = 22.0, kLegendLine = 1.35 * kTextSize, kPad = 6.0;
 
 /// A line of the legend, from its left end on the base line.
-void DrawEntry(Canvas &canvas, bmr_vec2 at, const PlotSeries &series, size_t index) {
+void DrawEntry(Canvas &canvas, bmr_vec2 at, const PlotSeries &series) {
     Pen pen = {series.colour, series.dashed ? 1.0 : 1.5};
     if (series.dashed)
         pen.dash = {4.0, 3.0};
     const bmr_vec2 from = bmr_vec2_make(at.x, at.y + 0.3 * kTextSize);
     canvas.Segment(from, bmr_vec2_make(from.x + kSwatch, from.y), pen);
     if (!series.dashed)
-        DrawMark(canvas, bmr_vec2_make(from.x + 0.5 * kSwatch, from.y), index, series.colour);
+        DrawMark(canvas, bmr_vec2_make(from.x + 0.5 * kSwatch, from.y), series.mark, series.colour);
     canvas.Text(bmr_vec2_make(from.x + kSwatch + kPad, at.y), 0.0, 0.0, series.name, kTextSize);
 }
 
@@ -216,7 +216,7 @@ void DrawLegend(Canvas &canvas, const Frame &frame, const Plot &plot) {
                    {{1.0, 1.0, 1.0}, 0.85}, {ink::kFaint, 0.7});
     double y = best.top - kPad - 0.75 * kTextSize;
     for (size_t i = 0; i < plot.series.size(); ++i, y -= kLegendLine)
-        DrawEntry(canvas, bmr_vec2_make(best.left + kPad, y), plot.series[i], i);
+        DrawEntry(canvas, bmr_vec2_make(best.left + kPad, y), plot.series[i]);
 }
 
 } // namespace
@@ -245,7 +245,7 @@ void DrawPlot(Canvas &canvas, const Rectangle &page, const Plot &plot) {
     frame.y.Widen();
     DrawAxes(canvas, frame, plot);
     for (size_t i = 0; i < plot.series.size(); ++i)
-        DrawSeries(canvas, frame, plot.series[i], i);
+        DrawSeries(canvas, frame, plot.series[i]);
     DrawLegend(canvas, frame, plot);
 }
 

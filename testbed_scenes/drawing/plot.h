@@ -14,7 +14,8 @@ struct PlotSeries {
     std::string name;
     std::vector<bmr_vec2> points;
     Colour colour;
-    bool dashed = false; ///< a bound or a fit rather than a measurement: no marks
+    std::size_t mark = 0; ///< which of eight shapes its marks have, filled ones first
+    bool dashed = false;  ///< a bound or a fit rather than a measurement: no marks
 };
 
 struct Plot {
@@ -24,7 +25,7 @@ struct Plot {
 };
 
 /// Draws the plot into a rectangle of the page: frame, ticks at round numbers (decades where logarithmic,
-/// with 2 and 5 where they are few), series with marks of different shapes, a legend inside where there is
+/// with 2 and 5 where they are few), series with their marks, a legend inside where there is
 /// room most. A plot without a point says so.
 void DrawPlot(Canvas &canvas, const Rectangle &page, const Plot &plot);
 

@@ -143,7 +143,8 @@ void CheckBodies(const PictureOptions &options, const recording::Frame &frame) {
     }
 }
 
-/// Draws those of the frames that come which are wanted.
+/// The pictures of those frames that are wanted. They are drawn once all have come, for one legend explains
+/// what any of them holds.
 class Series {
 public:
     Series(const RenderCommand &command, const PictureOptions &options, const RecordRequest &wanted)
@@ -151,7 +152,7 @@ public:
 
     void Add(const recording::Head &head, const recording::Frame &frame) {
         m_gathered.Add(frame);
-        m_scene = head.scene;
+        m_head = head;
         m_last = frame.step;
         if (m_options.layers.trails)
             AddTrails(frame);
@@ -171,18 +172,28 @@ public:
         const double y = m_options.bodies.empty() ? m_shape->bottom
                                                   : 0.5 * (region.bottom + region.top - m_shape->Height());
         these.region = {x, y, x + m_shape->Width(), y + m_shape->Height()};
-        ++m_count;
-        DrawPicture(head, frame, m_gathered, these,
-                    m_options.series ? NumberedPath(m_command.output, m_count - 1) : m_command.output);
+        if (IsNumbered())
+            AddContents(head, frame, m_gathered, these, &m_contents);
+        m_pictures.push_back({frame, these});
+    }
+    void Draw() {
+        for (size_t i = 0; i < m_pictures.size(); ++i) {
+            if (IsNumbered())
+                m_pictures[i].options.series = m_contents;
+            DrawPicture(m_head, m_pictures[i].frame, m_gathered, m_pictures[i].options,
+                        IsNumbered() ? NumberedPath(m_command.output, static_cast<int64_t>(i))
+                                     : m_command.output);
+        }
     }
     /// What was written, in a line.
     std::string Said() const {
-        const bool numbered = m_options.series, many = m_count > 1;
-        std::string text = numbered ? NumberedPath(m_command.output, 0) : m_command.output;
-        if (numbered && many)
-            text += " to " + NumberedPath(m_command.output, m_count - 1);
-        text += many ? ": " + std::to_string(m_count) + " pictures of " : ": ";
-        return text + m_scene + (many ? ", steps " : ", step ") + std::to_string(m_wanted.first) +
+        const int64_t count = static_cast<int64_t>(m_pictures.size());
+        const bool many = count > 1;
+        std::string text = IsNumbered() ? NumberedPath(m_command.output, 0) : m_command.output;
+        if (many)
+            text += " to " + NumberedPath(m_command.output, count - 1);
+        text += many ? ": " + std::to_string(count) + " pictures of " : ": ";
+        return text + m_head.scene + (many ? ", steps " : ", step ") + std::to_string(m_wanted.first) +
                (many ? " to " + std::to_string(m_wanted.last) : "");
     }
     /// Where the frames came from a file, which may have fewer than are wanted.
@@ -193,6 +204,12 @@ public:
     }
 
 private:
+    struct Picture {
+        recording::Frame frame;
+        PictureOptions options;
+    };
+
+    bool IsNumbered() const { return !m_command.frames.empty(); }
     void AddTrails(const recording::Frame &frame) {
         constexpr size_t kPlaces = 60;
         for (const recording::Body &body : frame.bodies) {
@@ -209,8 +226,10 @@ private:
     const RecordRequest &m_wanted;
     recording::Gathered m_gathered;
     std::optional<Rectangle> m_shape;
-    std::string m_scene;
-    int64_t m_count = 0, m_last = -1;
+    recording::Head m_head;
+    std::vector<Picture> m_pictures;
+    Contents m_contents; ///< of all pictures
+    int64_t m_last = -1;
 };
 
 } // namespace
@@ -272,7 +291,6 @@ int Execute(const RenderCommand &command, const Workers &workers) {
     constexpr int kLeastWithBodies = 600;
     if (!options.bodies.empty() && options.width < kLeastWithBodies)
         throw UsageError("--width: with --focus on a body at least " + std::to_string(kLeastWithBodies));
-    options.series = !command.frames.empty();
     CheckOutput(command.output);
     RecordRequest request;
     ReadRange(command, &request);
@@ -302,6 +320,7 @@ int Execute(const RenderCommand &command, const Workers &workers) {
         request.worker = command.worker;
         RunRecorded(workers, request, onFrame, [&progress] { progress.Tick(); });
     }
+    series.Draw();
     progress.Clear();
     if (!command.quiet)
         std::cout << series.Said() << '\n';

@@ -24,15 +24,41 @@ std::string Counted(std::size_t count, const char *one, const char *many) {
 
 } // namespace
 
+void AddContents(const recording::Head &head, const recording::Frame &frame,
+                 const recording::Gathered &gathered, const PictureOptions &options, Contents *contents) {
+    const WorldView world(frame, gathered);
+    for (const recording::Body &body : frame.bodies)
+        for (const recording::Fixture *fixture : world.FixturesOf(body.number))
+            if (!options.region || !IsEmpty(Intersection(world.BoxOf(*fixture), *options.region)))
+                contents->states[StateOf(body, *fixture)] += 1;
+    for (const recording::Pair &pair : frame.pairs) {
+        if (!IsInFocus(options, pair))
+            continue;
+        for (const recording::Proof &proof : pair.proofs)
+            if (proof.kind != "none")
+                contents->proofs[proof.kind] += 1;
+        contents->handedOver += head.program != "world" && pair.handed_over > 0 && pair.contacts > 0 ? 1 : 0;
+    }
+    for (const recording::Contact &contact : frame.touching)
+        contents->points += contact.points.size();
+    for (const auto &[kind, count] : EventsInFocus(world, options))
+        contents->events[kind] += count;
+    contents->joints += frame.joints.size();
+}
+
 Legend::Legend(Canvas &canvas, const WorldView &world, const PictureOptions &options, std::string title,
                const recording::Head &head, double width, double unit)
     : m_canvas(canvas), m_options(options), m_kinetic(head.program == "world"), m_unit(unit),
       m_title(std::move(title)) {
-    AddBodies(world);
+    if (options.series)
+        m_contents = *options.series;
+    else
+        AddContents(head, world.Frame(), world.Gathered(), options, &m_contents);
+    AddBodies();
     if (head.period.x > 0.0f)
         AddLine("periodic box", {style::kText, 1.6 * m_unit, 0.8, {9.0 * m_unit, 5.0 * m_unit}});
-    AddProofs(world);
-    AddOthers(world);
+    AddProofs();
+    AddOthers();
     LayOut(width);
 }
 
@@ -50,13 +76,9 @@ void Legend::AddLine(const std::string &text, const Pen &pen) {
     });
 }
 
-void Legend::AddBodies(const WorldView &world) {
-    std::map<std::string, bool> present;
-    for (const recording::Body &body : world.Frame().bodies)
-        for (const recording::Fixture *fixture : world.FixturesOf(body.number))
-            present[StateOf(body, *fixture)] = true;
+void Legend::AddBodies() {
     for (const char *state : {"dynamic", "sleeping", "kinematic", "static", "sensor", "disabled"}) {
-        if (present.count(state) == 0 && !m_options.series)
+        if (m_contents.states.count(state) == 0)
             continue;
         const Colour colour = ColourOfState(state);
         const bool isSensor = state == std::string("sensor");
@@ -100,20 +122,16 @@ void Legend::AddScale() {
     });
 }
 
-void Legend::AddProofs(const WorldView &world) {
-    std::map<std::string, std::size_t> kinds;
-    for (const recording::Pair &pair : world.Frame().pairs)
-        for (const recording::Proof &proof : pair.proofs)
-            if (proof.kind != "none" && IsInFocus(m_options, pair))
-                kinds[proof.kind] += 1;
-    const bool all = m_options.series;
-    const auto text = [all](const char *what, std::size_t count) {
-        return all ? std::string(what) : what + (": " + std::to_string(count));
+void Legend::AddProofs() {
+    std::map<std::string, std::size_t> &kinds = m_contents.proofs;
+    const bool counts = !m_options.series;
+    const auto text = [counts](const char *what, std::size_t count) {
+        return counts ? what + (": " + std::to_string(count)) : std::string(what);
     };
     if (m_options.layers.certificates) {
         const Colour colour = m_options.layers.slack ? ColourOfSlack(0.3) : style::kCertificate;
         const std::size_t edges = kinds["remembered-edge"] + kinds["edge-line"];
-        if (edges != 0 || all) {
+        if (edges != 0) {
             Add(text("apart by an edge and the vertex opposite", edges), kSample,
                 [this, colour](bmr_vec2 left) {
                     const double low = left.y - 6.0 * m_unit, high = left.y + 6.0 * m_unit;
@@ -125,14 +143,14 @@ void Legend::AddProofs(const WorldView &world) {
                     m_canvas.Dot(vertex, 2.4 * m_unit, colour);
                 });
         }
-        if (kinds["direction"] != 0 || all)
+        if (kinds["direction"] != 0)
             AddLine(text("apart along a direction", kinds["direction"]),
                     {colour, 1.4 * m_unit, 1.0, {6.0 * m_unit, 4.0 * m_unit}});
-        if (kinds["disks"] != 0 || all)
+        if (kinds["disks"] != 0)
             AddLine(text("apart by bounding disks", kinds["disks"]),
                     {colour, 1.8 * m_unit, 1.0, {1.0 * m_unit, 3.2 * m_unit}});
     }
-    if (m_options.layers.slack && (!kinds.empty() || all))
+    if (m_options.layers.slack && !kinds.empty())
         AddScale();
     if (m_options.layers.hulls)
         AddLine(m_kinetic ? "disk of a body" : "hull",
@@ -142,16 +160,11 @@ void Legend::AddProofs(const WorldView &world) {
                 {style::kEnvelope, 1.6 * m_unit, 1.0, {1.5 * m_unit, 3.5 * m_unit}});
 }
 
-void Legend::AddOthers(const WorldView &world) {
-    std::size_t handedOver = 0, points = 0;
-    for (const recording::Pair &pair : world.Frame().pairs)
-        handedOver +=
-            !m_kinetic && pair.handed_over > 0 && pair.contacts > 0 && IsInFocus(m_options, pair) ? 1 : 0;
-    for (const recording::Contact &contact : world.Frame().touching)
-        points += contact.points.size();
-    const bool all = m_options.series;
-    if (m_options.layers.handedOver && (handedOver != 0 || (all && !m_kinetic)))
-        Add(all ? "needed a manifold" : "needed a manifold: " + Counted(handedOver, "pair", "pairs"), 11.0,
+void Legend::AddOthers() {
+    const std::size_t handedOver = m_contents.handedOver, points = m_contents.points;
+    const bool counts = !m_options.series;
+    if (m_options.layers.handedOver && handedOver != 0)
+        Add(counts ? "needed a manifold: " + Counted(handedOver, "pair", "pairs") : "needed a manifold", 11.0,
             [this](bmr_vec2 left) {
                 const double half = 5.0 * m_unit;
                 const bmr_vec2 at = bmr_vec2_make(left.x + half, left.y);
@@ -160,20 +173,20 @@ void Legend::AddOthers(const WorldView &world) {
                                  {}, {style::kHandedOver, 1.4 * m_unit, 1.0, {}});
             });
     std::string events = "event of a certificate";
-    const std::map<std::string, std::size_t> kinds = EventsInFocus(world, m_options);
-    if (!all) {
+    const std::map<std::string, std::size_t> &kinds = m_contents.events;
+    if (counts) {
         events = "in this step:";
         for (const char *kind : {"start", "push", "stab", "roll", "coarsen", "contact", "leave", "part"})
             if (const auto found = kinds.find(kind); found != kinds.end())
                 events += (events.back() == ':' ? " " : ", ") + std::to_string(found->second) + " " + kind;
     }
-    if (m_options.layers.events && (!kinds.empty() || all))
+    if (m_options.layers.events && !kinds.empty())
         Add(events, 13.0, [this](bmr_vec2 left) {
             m_canvas.Circle(bmr_vec2_make(left.x + 6.5 * m_unit, left.y), 5.5 * m_unit, {},
                             {style::kEvent, 1.6 * m_unit, 1.0, {}});
         });
-    if (m_options.layers.contacts && (points != 0 || all))
-        Add(all ? "contact point and normal" : Counted(points, "contact point", "contact points"), 8.0,
+    if (m_options.layers.contacts && points != 0)
+        Add(counts ? Counted(points, "contact point", "contact points") : "contact point and normal", 8.0,
             [this](bmr_vec2 left) {
                 const bmr_vec2 at = bmr_vec2_make(left.x + 3.0 * m_unit, left.y - 4.0 * m_unit);
                 m_canvas.Segment(at, bmr_vec2_make(at.x, at.y + 11.0 * m_unit),
@@ -185,7 +198,7 @@ void Legend::AddOthers(const WorldView &world) {
                 {style::kBox, 1.0 * m_unit, 0.9, {1.0 * m_unit, 3.0 * m_unit}});
     if (m_options.layers.trails)
         AddLine("trail", {style::kTrail, 1.3 * m_unit, 0.9, {}});
-    if (!world.Frame().joints.empty())
+    if (m_contents.joints != 0)
         AddLine("joint", {style::kJoint, 1.4 * m_unit, 1.0, {}});
 }
 

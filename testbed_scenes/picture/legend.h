@@ -14,8 +14,8 @@ namespace testbed {
 /// What is in a picture, with a sample of each: rows of entries below it.
 class Legend {
 public:
-    /// Lays the entries out in rows of this width (of the page). With `options.series` those of all that may
-    /// come are there. `head`: of a kinetic world it is in its words.
+    /// Lays the entries out in rows of this width (of the page). One of a series explains what the whole
+    /// series holds, without counts. `head`: a kinetic world has words of its own.
     Legend(Canvas &canvas, const WorldView &world, const PictureOptions &options, std::string title,
            const recording::Head &head, double width, double unit);
 
@@ -32,16 +32,17 @@ private:
         double left = 0.0;
         int row = 0;
     };
-    void AddBodies(const WorldView &world);
-    void AddProofs(const WorldView &world);
+    void AddBodies();
+    void AddProofs();
     void AddScale();
-    void AddOthers(const WorldView &world);
+    void AddOthers();
     void Add(const std::string &text, double sample, std::function<void(bmr_vec2)> draw);
     void AddLine(const std::string &text, const Pen &pen);
     void LayOut(double width);
 
     Canvas &m_canvas;
     const PictureOptions &m_options;
+    Contents m_contents;
     const bool m_kinetic;
     const double m_unit;
     const std::string m_title;

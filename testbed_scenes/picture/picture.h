@@ -24,6 +24,12 @@ struct Layers {
     bool trails = false; ///< where bodies were in the frames before
 };
 
+/// What pictures hold of each kind that a legend explains, and how often.
+struct Contents {
+    std::map<std::string, std::size_t> states, proofs, events; ///< by the recording's words
+    std::size_t handedOver = 0, points = 0, joints = 0;
+};
+
 struct PictureOptions {
     Layers layers;
     /// The part of the world to show; without it, where the scene happens.
@@ -33,8 +39,8 @@ struct PictureOptions {
     int width = 1200;
     /// Of the trails: where each body was, by its number, the latest last.
     std::map<int, std::deque<bmr_vec2>> trails;
-    /// One of a series: every picture has the same size, whatever there is to explain.
-    bool series = false;
+    /// One of a series: what all of its pictures hold together, so that they have one legend and one size.
+    std::optional<Contents> series;
 };
 
 /// The box of a world that has a periodic one.
@@ -44,6 +50,10 @@ std::optional<Rectangle> PeriodicBoxOf(const recording::Head &head);
 /// that flew far away from the others, or around the bodies in focus.
 Rectangle RegionOf(const recording::Frame &frame, const recording::Gathered &gathered,
                    const PictureOptions &options);
+
+/// Adds what the picture of a frame holds.
+void AddContents(const recording::Head &head, const recording::Frame &frame,
+                 const recording::Gathered &gathered, const PictureOptions &options, Contents *contents);
 
 /// Draws a frame in the colours of Box2D's testbed, with a scale bar, and a title and a legend below, as an
 /// SVG, PNG or PDF file by the ending of the path (drawing/surface.h). `gathered` must have the frame. Throws

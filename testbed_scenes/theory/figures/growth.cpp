@@ -43,7 +43,8 @@ Plot PlotOf(bmr_family family, const std::string &title, bool logarithmic) {
     for (const Wanted &wanted : kStructures) {
         // The rivals would squeeze everything else where the scale is linear.
         const bmr_kds_info *info = StructureNamed(wanted.structure);
-        PlotSeries series = {wanted.label, {}, ink::Series(index++)};
+        PlotSeries series = {wanted.label, {}, ink::Series(index), index};
+        ++index;
         for (size_t i = 0; i < experiment.ratios.size(); ++i)
             if (const std::optional<double> mean =
                     MeanOver(runs, bmr_family_name(family), info, i, Quantity::Events))
@@ -51,13 +52,13 @@ Plot PlotOf(bmr_family family, const std::string &title, bool logarithmic) {
         if (!(logarithmic && info->role == BMR_KDS_RIVAL))
             plot.series.push_back(std::move(series));
     }
-    PlotSeries optimum = {"offline optimum", {}, ink::kBlack};
+    PlotSeries optimum = {"offline optimum", {}, ink::kBlack, index};
     for (size_t i = 0; i < experiment.ratios.size(); ++i)
         if (const std::optional<double> mean = MeanOptimum(runs, bmr_family_name(family), i))
             optimum.points.push_back({experiment.ratios[i], *mean});
     plot.series.push_back(std::move(optimum));
     if (!logarithmic) {
-        PlotSeries root = {"sqrt(D/sigma)", {}, ink::kGrey, true};
+        PlotSeries root = {"sqrt(D/sigma)", {}, ink::kGrey, 0, true};
         for (const double ratio : experiment.ratios)
             root.points.push_back({ratio, std::sqrt(ratio)});
         plot.series.push_back(std::move(root));

@@ -106,15 +106,14 @@ void DrawBoomerangs(Canvas &canvas) {
     canvas.Text({x + 28.0, 22.0}, 0.0, 0.0, "a boomerang", 11.0);
 }
 
-void DrawDudley(Canvas &canvas) {
-    const Body body(kPolygon);
+namespace {
+
+/// The polygon, the points on the circle with their nearest vertices, and the degenerate edges that these
+/// give.
+void DrawDudley(Canvas &canvas, const Body &body, double radius) {
     const bmr_hierarchy *hierarchy = body.Hierarchy(BMR_HIERARCHY_DUDLEY);
     const bmr_polygon *polygon = body.Polygon();
-    const double radius = 2.0 * body.Diameter();
     const bmr_vec2 center = polygon->center;
-    canvas.SetPanel({10.0, 46.0, canvas.Width() - 10.0, canvas.Height() - 10.0},
-                    {center.x - 1.03 * radius, center.y - 1.03 * radius, center.x + 1.03 * radius,
-                     center.y + 1.03 * radius});
     canvas.Circle(center, radius, {}, {ink::kGrey, 1.2, 1.0, {2.0, 3.0}});
     for (bmr_edge edge = 0; edge < bmr_hierarchy_edge_count(hierarchy); ++edge) {
         if (bmr_hierarchy_level(hierarchy, edge) == 0)
@@ -136,13 +135,33 @@ void DrawDudley(Canvas &canvas) {
     canvas.Polygon(body.Vertices(), {ink::kGrey, 0.25}, {ink::kBlack, 2.0});
     canvas.Text(center, 0.0, -5.0, "P", 15.0, Align::Centre, ink::kBlack, true);
     canvas.Text(bmr_vec2_make(center.x, center.y - radius), 0.0, 8.0, "radius 2D", 11.0, Align::Centre);
+}
 
-    canvas.ClearPanel();
+} // namespace
+
+void DrawDudley(Canvas &canvas) {
+    const Body body(kPolygon);
+    const double radius = 2.0 * body.Diameter(), bottom = 46.0, top = canvas.Height() - 10.0;
+    const bmr_vec2 center = body.Polygon()->center;
+    const auto square = [&](double left, double half) {
+        canvas.SetPanel({left, bottom, left + (top - bottom), top},
+                        {center.x - half, center.y - half, center.x + half, center.y + half});
+        DrawDudley(canvas, body, radius);
+        canvas.ClearPanel();
+    };
+    square(10.0, 1.03 * radius);
+    const double close = canvas.Width() - 10.0 - (top - bottom);
+    square(close, 0.36 * radius);
+    canvas.Polygon(
+        {{close, bottom}, {close + (top - bottom), bottom}, {close + (top - bottom), top}, {close, top}}, {},
+        {ink::kFaint, 1.0});
+
     canvas.Dot({34.0, 26.0}, 2.5, ink::kBlue);
     canvas.Segment({34.0, 26.0}, {54.0, 26.0}, {ink::kBlue, 0.8});
     canvas.Text({60.0, 22.0}, 0.0, 0.0, "x on the circle and its nearest vertex n(x)", 11.0);
-    canvas.Segment({338.0, 26.0}, {362.0, 26.0}, {ink::kRed, 1.4, 1.0, {5.0, 3.0}});
-    canvas.Text({368.0, 22.0}, 0.0, 0.0, "degenerate edge, outer normal x - n(x)", 11.0);
+    canvas.Segment({378.0, 26.0}, {402.0, 26.0}, {ink::kRed, 1.4, 1.0, {5.0, 3.0}});
+    canvas.Text({408.0, 22.0}, 0.0, 0.0, "degenerate edge, outer normal x - n(x); on the right from nearby",
+                11.0);
 }
 
 } // namespace testbed

@@ -303,16 +303,15 @@ void DrawMixedFull(Canvas &canvas) {
 void DrawMixedEvents(Canvas &canvas) {
     const Body p(kP), q(kQ);
     const Changes changes = FindChanges(p, q);
-    const double size = (canvas.Width() - 100.0) / 6.0;
-    const double bottom = 12.0;
-    double x = 10.0;
+    const double size = 0.5 * (canvas.Width() - 32.0);
+    double bottom = canvas.Height();
     for (const auto &[change, title] :
          {std::make_pair(changes.pageTurn, "page turn"), std::make_pair(changes.collapse, "collapse"),
           std::make_pair(changes.expansion, "expansion")}) {
         if (!change)
             throw std::runtime_error(std::string("no ") + title + " in a full turn");
-        DrawChange(canvas, x, bottom, size, p, q, *change, title);
-        x += 2.0 * size + 32.0;
+        bottom -= size + 34.0;
+        DrawChange(canvas, 10.0, bottom, size, p, q, *change, title);
     }
 }
 
