@@ -28,6 +28,11 @@ inline bool IsOfGame(const b2ContactFilter *filter) {
     return filter != nullptr && filter != FilterOfNewWorlds();
 }
 
+/// Has the world a listener or a filter of the game's?
+inline bool HasCodeOfGame(const b2ContactManager &manager) {
+    return IsOfGame(manager.m_contactListener) || IsOfGame(manager.m_contactFilter);
+}
+
 /// Does a listener's class have a PreSolve of its own (or a PostSolve, below)? Most games listen to
 /// BeginContact and EndContact alone, and inherit the others, which do nothing. Told by the tables of virtual
 /// functions, which hold two destructors and then, in their order, BeginContact, EndContact, PreSolve and

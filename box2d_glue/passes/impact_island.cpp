@@ -183,8 +183,7 @@ void ImpactPass::AskPairsOf(const b2Body *body) {
 /// The game may have run while two bodies met. What Box2D would read anew in its next search is read here:
 /// who is awake, a bullet or a sensor; what is enabled; and all of it after a step inside this one.
 void ImpactPass::ReadWhatGameDid() {
-    if (!m_gameRan && !IsOfGame(m_listener) && !IsOfGame(m_manager->m_contactListener) &&
-        !IsOfGame(m_manager->m_contactFilter))
+    if (!m_gameRan && !IsOfGame(m_listener) && !HasCodeOfGame(*m_manager))
         return;
     if (!m_ledger->IsWhole() || !m_ledger->GetMarks().areHere || m_ledger->MayLackDynamic() ||
         !m_ledger->IsLookedAtIn(CurrentStep()))

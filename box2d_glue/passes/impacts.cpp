@@ -9,6 +9,7 @@
 #include "base/rounding_mode.h"
 #include "contacts/solid_contact.h"
 #include "passes/contact_access.h"
+#include "passes/contact_look.h"
 #include "passes/island_solver.h"
 #include "passes/sweeps.h"
 #include "proofs/convex_distance.h"
@@ -22,10 +23,6 @@
 namespace bmr {
 
 namespace {
-
-bool IsActive(const b2Body *body) {
-    return body->IsAwake() && body->GetType() != b2_staticBody;
-}
 
 /// Is nothing to tunnel through it?
 bool Stops(const b2Body *body) {

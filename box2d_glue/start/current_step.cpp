@@ -3,11 +3,14 @@
 
 #include <atomic>
 
+#include "base/rounding_mode.h"
+
 namespace bmr {
 
 namespace {
 std::atomic<uint64_t> begun{0};
-}
+thread_local uint32_t stepsUnderWay = 0;
+} // namespace
 
 uint64_t NextStep() {
     // Each thread takes many at a time: threads that step small worlds would wait for each other otherwise.
@@ -16,6 +19,26 @@ uint64_t NextStep() {
     if (last % kAtOnce == 0)
         last = begun.fetch_add(kAtOnce, std::memory_order_relaxed);
     return ++last;
+}
+
+StepUnderWay::StepUnderWay(bool gameListens) {
+    ++stepsUnderWay;
+    CurrentStep() = NextStep();
+    GameMayRun() = gameListens || IsInner(); // the game's code made that one, and goes on behind it
+    StepIsToNearest() = false;
+    StepIsToNearest() = !GameMayRun() && RoundsToNearest();
+}
+
+StepUnderWay::~StepUnderWay() {
+    if (stepsUnderWay > 0) // (A stack may go on with another thread.)
+        --stepsUnderWay;
+    CurrentStep() = 0;
+    GameMayRun() = true;
+    StepIsToNearest() = false;
+}
+
+bool StepUnderWay::IsInner() {
+    return stepsUnderWay > 1;
 }
 
 } // namespace bmr

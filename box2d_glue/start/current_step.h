@@ -6,16 +6,17 @@
 
 namespace bmr {
 
-/// The number of the step that this thread is in. The shared library sets it in b2World::Step. 0 between
-/// steps, and in programs without the shared library. No two steps of a process have the same number.
+/// The number of the step that began last on this thread, until it ends. 0 between steps, after a step in the
+/// midst of another one for what is left of that, and in programs without the shared library. No two steps
+/// of a process have the same number.
 inline uint64_t &CurrentStep() {
     static thread_local uint64_t step = 0;
     return step;
 }
 
 /// True if code of the game may run in the middle of this thread's step: a listener or a filter of its own.
-/// False while a world steps whose listener and filter are those that Box2D installs by itself. True, too,
-/// when no step was announced on this thread.
+/// False while a world steps whose listener and filter are those that Box2D installs by itself, unless the
+/// game makes this step in the midst of another one. True where CurrentStep is 0.
 inline bool &GameMayRun() {
     static thread_local bool mayRun = true;
     return mayRun;
@@ -29,6 +30,21 @@ inline float &CurrentTimeStep() {
 
 /// The number of a step that begins.
 uint64_t NextStep();
+
+/// b2World::Step on this thread, until it ends, also by an exception of a listener's. A listener may step
+/// another world, or its own. Steps may also be interleaved, each on a stack of its own: the later one need
+/// not end first.
+class StepUnderWay {
+public:
+    /// `gameListens`: the world has a listener or a filter of the game's.
+    explicit StepUnderWay(bool gameListens);
+    ~StepUnderWay();
+    StepUnderWay(const StepUnderWay &) = delete;
+    StepUnderWay &operator=(const StepUnderWay &) = delete;
+
+    /// Did the last one begin in the midst of another step?
+    static bool IsInner();
+};
 
 } // namespace bmr
 

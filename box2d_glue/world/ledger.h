@@ -102,6 +102,7 @@ public:
     void Interrupt() {
         m_interrupted = true;
         m_step = 0;
+        ++m_passNumber;
     }
     /// So many pairs were looked at in a pass; of those, so many because they touch.
     void NoteLooks(uint32_t looks, uint32_t touching);

@@ -3,16 +3,15 @@
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
 
-#include "hooks/stepping.h"
 #include "passes/impacts.h"
 #include "passes/taken_solver.h"
 #include "reach/stock.h"
+#include "start/current_step.h"
 #include "start/settings.h"
 #include "world/ledger.h"
 #include "world/ledgers.h"
 
 using namespace bmr;
-using namespace bmr::hooks;
 
 BMR_FOR_LOADERS("_ZN7b2World8SolveTOIERK10b2TimeStep");
 
@@ -27,7 +26,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
         ImpactPass pass(this, step, solver.Get());
         if (solver.Get() != nullptr)
             return pass.Run();
-        if (!IsInOwnStep(this) && pass.FindsNone())
+        if (!StepUnderWay::IsInner() && pass.FindsNone())
             return;
     }
     if (ledger != nullptr) {

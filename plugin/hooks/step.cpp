@@ -4,8 +4,6 @@
 #include <box2d/b2_contact_manager.h>
 #include <box2d/b2_world.h>
 
-#include "base/rounding_mode.h"
-#include "hooks/stepping.h"
 #include "passes/contact_access.h"
 #include "reach/stock.h"
 #include "shapes/convex_draw.h"
@@ -17,63 +15,12 @@
 
 namespace bmr::hooks {
 
-BMR_THREAD Stepping stepping = {};
-
-namespace {
-
-/// May a listener or a filter of the game's run in a step of this world? Of a Box2D that is another one
-/// nothing is looked at.
-bool GameMayRunIn(const b2World &world) {
-    if (!AnyHookIsOn())
-        return true;
-    const b2ContactManager &manager = world.GetContactManager();
-    return IsOfGame(manager.m_contactListener) || IsOfGame(manager.m_contactFilter);
-}
-
-} // namespace
-
-/// Ends with the step, also by an exception of a listener's. The number of the thread's step, and whether the
-/// game may run in it, are always those of the newest mark.
-class StepMark : public InChain<StepMark> {
-public:
-    explicit StepMark(const b2World &world)
-        : InChain(&stepping.mark), m_world(&world), m_step(NextStep()), m_gameMayRun(GameMayRunIn(world)) {
-        CurrentStep() = m_step;
-        GameMayRun() = m_gameMayRun;
-        StepIsToNearest() = false;
-        StepIsToNearest() = !m_gameMayRun && RoundsToNearest();
-    }
-    ~StepMark() {
-        if (!IsNewest())
-            return;
-        StepIsToNearest() = false; // an older step goes on in code of the game's
-        CurrentStep() = Older() != nullptr ? Older()->m_step : 0;
-        GameMayRun() = Older() == nullptr || Older()->m_gameMayRun;
-    }
-
-    static bool IsTwiceOf(const b2World *world) {
-        int marks = 0;
-        for (const StepMark *mark = stepping.mark == nullptr ? nullptr : stepping.mark->Object();
-             mark != nullptr; mark = mark->Older())
-            marks += mark->m_world == world ? 1 : 0;
-        return marks > 1;
-    }
-
-private:
-    const b2World *m_world;
-    uint64_t m_step;
-    bool m_gameMayRun;
-};
-
-bool IsInOwnStep(const b2World *world) {
-    return StepMark::IsTwiceOf(world);
-}
-
 namespace {
 
 BMR_NOINLINE void StepHere(b2World *world, float timeStep, int32 velocityIterations,
                            int32 positionIterations) {
-    const StepMark mark(*world);
+    // (Of a Box2D that is another one nothing is looked at.)
+    const StepUnderWay step(!AnyHookIsOn() || HasCodeOfGame(world->GetContactManager()));
     CurrentTimeStep() = timeStep;
     CountStep();
     if (AnyBigPolygon())

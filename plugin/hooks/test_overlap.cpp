@@ -2,14 +2,14 @@
 // b2TestOverlap: in a step (of sensors), answered where the answer is certain.
 #include <box2d/b2_collision.h>
 
-#include "hooks/stepping.h"
+#include "base/rounding_mode.h"
 #include "proofs/overlap.h"
 #include "reach/stock.h"
+#include "start/current_step.h"
 #include "start/settings.h"
 #include "tell/verify.h"
 
 using namespace bmr;
-using namespace bmr::hooks;
 
 BMR_FOR_LOADERS("_Z13b2TestOverlapPK7b2ShapeiS1_iRK11b2TransformS4_");
 
@@ -17,7 +17,7 @@ bool b2TestOverlap(const b2Shape *shapeA, int32 indexA, const b2Shape *shapeB, i
                    const b2Transform &xfA, const b2Transform &xfB) {
     if (NothingIsInstalled())
         return stock::TestOverlap(shapeA, indexA, shapeB, indexB, xfA, xfB);
-    if (!HookIsOn(Hook::TestOverlap) || !InStep())
+    if (!HookIsOn(Hook::TestOverlap) || CurrentStep() == 0 || !RoundsToNearest())
         return stock::TestOverlap(shapeA, indexA, shapeB, indexB, xfA, xfB);
     Count(&Counts::overlapQueries);
     const Overlap answer =

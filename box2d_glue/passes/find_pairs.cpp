@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "passes/find_pairs.h"
+
+#include <box2d/b2_broad_phase.h>
+#include <box2d/b2_contact_manager.h>
+
+#include "passes/contact_access.h"
+#include "passes/new_contact.h"
+#include "start/settings.h"
+#include "tell/verify.h"
+#include "tree/pair_descent.h"
+#include "world/ledger.h"
+#include "world/ledgers.h"
+
+namespace bmr {
+
+namespace {
+
+using namespace tree;
+
+/// What b2BroadPhase::UpdatePairs is instantiated for.
+class PairFinder {
+public:
+    explicit PairFinder(b2ContactManager *manager)
+        : m_manager(manager), m_ledger(FollowedLedger()),
+          m_ownPairs(!OnlyCompares() && IsOfGame(manager->m_contactFilter)) {}
+
+    /// Mode::Verify: the pairs are found and compared with Box2D's way of finding them; nothing else is done.
+    static bool OnlyCompares() { return Verifying(); }
+    void Compare(const b2DynamicTree &tree, const int32 *moves, int32 count, const b2Pair *found,
+                 int32 foundCount);
+
+    /// Are pairs of two fixtures of one body found, too? Not where nobody can see that they are passed over:
+    /// a filter of the game's own may step this world in the midst of it. Box2D then goes on in the newer
+    /// pairs, at the place that it had come to in the older ones.
+    bool FindsOwnPairs() const { return m_ownPairs; }
+
+    /// Makes a contact of the pair, unless there is one already.
+    void Report(const b2FixtureProxy &a, const b2FixtureProxy &b) {
+        if ((m_ownPairs && a.fixture->GetBody() == b.fixture->GetBody()) || Exists(a, b) ||
+            !PassesFilters(m_manager, a.fixture, b.fixture))
+            return;
+        b2Contact *contact = NewContact::Create(a, b, m_manager->m_allocator);
+        if (contact == nullptr)
+            return;
+        NewContact::Link(contact, &m_manager->m_contactList);
+        NewContact::Join(contact);
+        ++m_manager->m_contactCount;
+        if (m_ledger != nullptr || m_manager->m_contactCount == WorthALedgerAnyway())
+            m_ledger = FollowedLedger();
+    }
+
+private:
+    /// The world's ledger with all of its contacts; nullptr where it has none.
+    Ledger *FollowedLedger() const {
+        if (!HookIsOn(Hook::Ledger))
+            return nullptr;
+        Ledger *ledger =
+            m_manager->m_contactCount >= WorthALedgerAnyway() ? MakeLedger(m_manager) : FindLedger(m_manager);
+        return ledger != nullptr && (ledger->IsWhole() || ledger->CatchUp()) && !ledger->MayHaveUnlisted()
+                   ? ledger
+                   : nullptr;
+    }
+
+    bool Exists(const b2FixtureProxy &a, const b2FixtureProxy &b) const {
+        // A filter may have made or ended contacts, where the world is not locked.
+        if (m_ledger == nullptr || m_ledger->GetProxyPairs().HasUnknown() || !m_ledger->IsWhole())
+            return NewContact::ExistsInList(a, b);
+        return m_ledger->GetProxyPairs().Exists(a.proxyId, b.proxyId);
+    }
+
+    b2ContactManager *m_manager;
+    Ledger *m_ledger;
+    bool m_ownPairs; ///< see FindsOwnPairs
+};
+
+/// The pairs in Box2D's order, from its own query, held against those that were found.
+struct ComparingQuery {
+    const b2DynamicTree *tree;
+    int32 proxy;
+    const b2Pair *next, *end;
+    bool same = true;
+
+    bool QueryCallback(int32 leaf) {
+        if (!Reports(proxy, leaf, tree->WasMoved(leaf)) ||
+            BodyOf(tree->GetUserData(leaf)) == BodyOf(tree->GetUserData(proxy)))
+            return true;
+        same = same && next != end && next->proxyIdA == b2Min(leaf, proxy) &&
+               next->proxyIdB == b2Max(leaf, proxy);
+        next += same ? 1 : 0;
+        return same;
+    }
+};
+
+void PairFinder::Compare(const b2DynamicTree &tree, const int32 *moves, int32 count, const b2Pair *found,
+                         int32 foundCount) {
+    CountVerified();
+    ComparingQuery query = {&tree, b2BroadPhase::e_nullProxy, found, found + foundCount};
+    for (int32 i = 0; i < count; ++i) {
+        query.proxy = moves[i];
+        if (moves[i] != b2BroadPhase::e_nullProxy)
+            tree.Query(&query, tree.GetFatAABB(moves[i]));
+    }
+    if (!query.same || query.next != query.end)
+        ReportDifference("pair finding", nullptr, nullptr, "pair %d of %d is another",
+                         static_cast<int>(query.next - found), foundCount);
+    for (int32 i = 0; i < foundCount; ++i) {
+        const auto *a = static_cast<const b2FixtureProxy *>(tree.GetUserData(found[i].proxyIdA));
+        const auto *b = static_cast<const b2FixtureProxy *>(tree.GetUserData(found[i].proxyIdB));
+        if (Exists(*a, *b) != NewContact::ExistsInList(*a, *b))
+            ReportDifference("pair finding", a->fixture, b->fixture, "whether there is a contact");
+    }
+}
+
+} // namespace
+
+} // namespace bmr
+
+/// The broad phase's own buffer of pairs is used. It is Box2D's to grow: a game may have built Box2D with an
+/// allocator of its own, and this library with another one. b2BroadPhase::QueryCallback grows it, in putting
+/// in the next pair.
+template <> void b2BroadPhase::UpdatePairs(bmr::PairFinder *finder) {
+    m_pairCount = 0;
+    const auto keep = [this](int32 proxy, int32 leaf) {
+        if (m_pairCount == m_pairCapacity) {
+            m_queryProxyId = proxy;
+            QueryCallback(leaf);
+            return;
+        }
+        m_pairBuffer[m_pairCount++] = {b2Min(proxy, leaf), b2Max(proxy, leaf)};
+    };
+    bmr::tree::PairDescent(m_tree, finder->FindsOwnPairs(), keep).Run(m_moveBuffer, m_moveCount);
+    if (finder->OnlyCompares()) {
+        finder->Compare(m_tree, m_moveBuffer, m_moveCount, m_pairBuffer, m_pairCount);
+        return;
+    }
+    for (int32 i = 0; i < m_pairCount; ++i) {
+        const b2Pair pair = m_pairBuffer[i];
+        finder->Report(*static_cast<const b2FixtureProxy *>(m_tree.GetUserData(pair.proxyIdA)),
+                       *static_cast<const b2FixtureProxy *>(m_tree.GetUserData(pair.proxyIdB)));
+    }
+    for (int32 i = 0; i < m_moveCount; ++i)
+        if (m_moveBuffer[i] != e_nullProxy)
+            m_tree.ClearMoved(m_moveBuffer[i]);
+    m_moveCount = 0;
+}
+
+namespace bmr {
+
+void FindNewContacts(b2ContactManager *manager, void (*box2d)(b2ContactManager *)) {
+    if (manager->m_contactList == nullptr)
+        if (Ledger *ledger = FindLedger(manager))
+            ledger->BeginEmpty();
+    PairFinder finder(manager);
+    manager->m_broadPhase.UpdatePairs(&finder);
+    if (Verifying()) {
+        // Box2D's contacts are made without a number: none may be taken for one that ended without a word in
+        // its place.
+        if (Ledger *ledger = FindLedger(manager); ledger != nullptr && !ledger->IsWhole())
+            ledger->Resync();
+        box2d(manager);
+    }
+    if (Ledger *ledger = FindLedger(manager)) {
+        ledger->CatchUp();
+        ledger->NoteSearch();
+    }
+}
+
+} // namespace bmr
