@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "world/ledgers.h"
 
-#include <atomic>
 #include <mutex>
 #include <new>
 
@@ -9,6 +8,8 @@
 #include "world/ledger.h"
 
 namespace bmr {
+
+std::atomic<uint64_t> internal::changesOfLedgers{0};
 
 namespace {
 
@@ -21,9 +22,6 @@ struct Entry {
 // Chains of worlds, by address. Programs have a few; some have thousands.
 constexpr uint32_t kChainBits = 10;
 Entry *chains[1u << kChainBits];
-
-/// Goes up whenever a ledger comes or goes: what a thread remembers is good until then. 0: no ledger at all.
-std::atomic<uint64_t> changes{0};
 
 struct Remembered {
     const b2ContactManager *manager;
@@ -47,10 +45,8 @@ Entry **LinkTo(const b2ContactManager *manager) {
 
 } // namespace
 
-Ledger *FindLedger(const b2ContactManager *manager) {
-    const uint64_t now = changes.load(std::memory_order_acquire);
-    if (now == 0)
-        return nullptr;
+Ledger *internal::FindLedgerOfSome(const b2ContactManager *manager) {
+    const uint64_t now = changesOfLedgers.load(std::memory_order_acquire);
     if (remembered.manager == manager && remembered.changes == now)
         return remembered.ledger;
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
@@ -67,7 +63,7 @@ Ledger *MakeLedger(b2ContactManager *manager) {
         return nullptr;
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
     *LinkTo(manager) = made;
-    changes.fetch_add(1, std::memory_order_release);
+    internal::changesOfLedgers.fetch_add(1, std::memory_order_release);
     return &made->ledger;
 }
 
@@ -78,7 +74,7 @@ void DropLedger(const b2ContactManager *manager) {
     Entry **link = LinkTo(manager);
     Entry *ended = *link;
     *link = ended->next;
-    changes.fetch_add(1, std::memory_order_release);
+    internal::changesOfLedgers.fetch_add(1, std::memory_order_release);
     delete ended;
 }
 

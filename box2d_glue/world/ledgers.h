@@ -2,6 +2,7 @@
 #ifndef BOOMERANG_GLUE_LEDGERS_H
 #define BOOMERANG_GLUE_LEDGERS_H
 
+#include <atomic>
 #include <cstdint>
 
 #include "start/settings.h"
@@ -24,8 +25,21 @@ inline int WorthALedgerAnyway() {
     return WorksEverywhere() ? 8 : 48;
 }
 
+namespace internal {
+/// Goes up whenever a ledger comes or goes: what a thread remembers is good until then. 0: no ledger at all.
+extern std::atomic<uint64_t> changesOfLedgers;
+Ledger *FindLedgerOfSome(const b2ContactManager *manager);
+} // namespace internal
+
+/// Has any world had a ledger? A load and a test, for hooks that games call often.
+inline bool AnyLedger() {
+    return internal::changesOfLedgers.load(std::memory_order_acquire) != 0;
+}
+
 /// nullptr where it has none. Two loads for the world that the thread asked for last.
-Ledger *FindLedger(const b2ContactManager *manager);
+inline Ledger *FindLedger(const b2ContactManager *manager) {
+    return AnyLedger() ? internal::FindLedgerOfSome(manager) : nullptr;
+}
 /// Makes it if need be; nullptr without memory.
 Ledger *MakeLedger(b2ContactManager *manager);
 /// The world ends.

@@ -36,11 +36,15 @@ BMR_FOR_LOADERS("_ZN7b2World11CreateJointEPK10b2JointDef");
 BMR_FOR_LOADERS("_ZN7b2World12DestroyJointEP7b2Joint");
 
 void b2Fixture::Refilter() {
+    if (!AnyLedger())
+        return stock::Refilter(this);
     stock::Refilter(this);
     NoteFiltering(GetBody());
 }
 
 void b2Fixture::SetFilterData(const b2Filter &filter) {
+    if (!AnyLedger())
+        return stock::SetFilterData(this, filter);
     stock::SetFilterData(this, filter);
     NoteFiltering(GetBody());
 }

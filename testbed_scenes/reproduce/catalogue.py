@@ -261,6 +261,7 @@ EXPERIMENTS = [
           [[TESTBED, "compare", "--steps", "200", "--no-time", "--details", "needles", "coins-pile"]]),
     shown("any-size-worlds", "worlds of polygons of any size", 60, ["boomerang-testbed compare any-gas any-pile any-bag"],
           [[TESTBED, "compare", "any-gas", "any-pile", "any-bag"]]),
+    shown("cold", "steps of small worlds with cold caches", 200, ["tests/bench/cold_steps.sh build"], [["{root}/tests/bench/cold_steps.sh", "{build}"]]),
     shown("world-share", "where a world's instructions go", 200,
           ["tests/bench/world_share.sh build gas --bodies 10000 --boundary periodic --shape regular --vertices 8:64 --sizes 1 --density 0.3 --seconds 1"],
           [["{root}/tests/bench/world_share.sh", "{build}", "gas", "--bodies", "10000", "--boundary", "periodic", "--shape", "regular", "--vertices", "8:64",
