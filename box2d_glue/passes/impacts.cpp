@@ -99,7 +99,7 @@ bool ImpactPass::FindsNone() {
     BeginBodies();
     m_scan = ImpactScan::Begin();
     m_ledger->GetMarks().ForgetImpacts(); // they say what is found; those at contacts are not asked for
-    const bool none = SearchByLedger();
+    const bool none = SearchByLedger(true);
     m_ledger->SetAlphasClear(none);
     return none;
 }
@@ -115,10 +115,11 @@ void ImpactPass::BeginStep() {
         return;
     }
     Marks &marks = m_ledger->GetMarks();
+    const bool islandsAreOurs = marks.areHere;
     marks.areHere = true; // all of them are forgotten
     marks.ForgetImpacts();
     m_searches = marks.searches;
-    SearchByLedger();
+    SearchByLedger(m_gameRan || !islandsAreOurs);
 }
 
 /// All bodies are at the beginning of their sweeps, and in no island.
@@ -137,13 +138,13 @@ void ImpactPass::BeginBodies() {
         begin(body);
 }
 
-// The first search of a step, by the ledger. Where no code of the game runs in a step, pairs that slept or
-// could not impact when the pass over pairs came by are not looked at.
+// The first search of a step, by the ledger.
 
-/// False if the pass has no solver and a pair may have an impact.
-bool ImpactPass::SearchByLedger() {
+/// Looks at `all` pairs, or at those that are watched. (IslandPass watches every pair of a body that it
+/// wakes. Code of the game and Box2D's b2World::Solve wake bodies otherwise.) False if the pass has no solver
+/// and a pair may have an impact.
+bool ImpactPass::SearchByLedger(bool all) {
     m_ledger->BeginSearch(m_gameRan);
-    const bool all = m_gameRan || !m_ledger->WatchesAwake(CurrentStep());
     for (uint32_t word = m_ledger->Count() / 64 + 1; word-- > 0;) {
         uint64_t left = all ? ~uint64_t{0} : m_ledger->WatchedOf(word);
         while (left != 0) {

@@ -40,7 +40,7 @@ private:
     void BeginStep();
     void BeginBodies();
 
-    bool SearchByLedger();
+    bool SearchByLedger(bool all);
     bool SearchPair(uint32_t i);
     void DoubtBudgets();
     void EnableIfOwed(uint32_t i);

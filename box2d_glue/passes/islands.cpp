@@ -73,10 +73,8 @@ void IslandPass::Run() {
     profile.solveInit = profile.solveVelocity = profile.solvePosition = 0.0f;
     ClearFlags();
     if (m_ledger != nullptr) {
-        m_ledger->MakeTouchesSure();
         if (Verifying())
             CompareTouching(*m_ledger);
-        m_ledger->SetWatchesAwake(GameMayRun() ? 0 : CurrentStep());
         m_isLinked = !m_ledger->MayHaveUnlisted() && Link();
     }
     SolveIslands(&profile);

@@ -47,7 +47,9 @@ bool Ledger::Follow() {
     // sums, and none of them asks all.)
     if (m_interrupted || m_movers.AreSumsLost()) {
         DropAllProofs();
-        m_touchesSure = false;
+        for (uint32_t i = 0; i < m_count; ++i) // Box2D may have updated contacts that nobody watches
+            if (m_contacts[i] != nullptr && IsResting(i))
+                SetTouches(i, m_contacts[i]->IsTouching());
     }
     m_movers.ForgetSums();
     m_interrupted = false;
@@ -209,15 +211,6 @@ void Ledger::GiveMarksBack() {
         ContactNumber::CountOfImpacts(contact) = m_marks.CountOf(i);
     }
     m_marks.areHere = false;
-}
-
-void Ledger::MakeTouchesSure() {
-    if (m_touchesSure)
-        return;
-    for (uint32_t i = 0; i < m_count; ++i)
-        if (m_contacts[i] != nullptr && IsResting(i))
-            SetTouches(i, m_contacts[i]->IsTouching());
-    m_touchesSure = true;
 }
 
 uint32_t Ledger::NextTouching(uint32_t end) const {

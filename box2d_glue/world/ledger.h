@@ -184,9 +184,6 @@ public:
     void SetTouches(uint32_t i, bool touches) {
         m_bits[i] = static_cast<uint8_t>((m_bits[i] & ~kTouches) | (touches ? kTouches : 0));
     }
-    /// An impact may have updated contacts that nobody watches: who touches is to be read again.
-    void SetTouchesSure(bool sure) { m_touchesSure = sure; }
-    void MakeTouchesSure();
     /// The newest contact below `end` that touched when it was looked at, asleep or not; kNone where there is
     /// none.
     uint32_t NextTouching(uint32_t end) const;
@@ -246,9 +243,6 @@ public:
     void ProveUntil(uint32_t i, double measure, double threshold);
     /// A body woke behind the pass: its pairs are watched. (Box2D had come by them when it slept.)
     void WatchPairsOf(const b2Body *body);
-    /// In this step every pair of a body that is awake is watched; 0: nobody knows.
-    void SetWatchesAwake(uint64_t step) { m_watchesAwakeIn = step; }
-    bool WatchesAwake(uint64_t step) const { return step != 0 && m_watchesAwakeIn == step; }
     /// A body woke in the middle of a pass: its pairs are due.
     void Wake(const b2Body *body);
 
@@ -455,9 +449,8 @@ private:
     bool m_searchesSeen = false;
     bool m_impactSearchesSeen = false;
     bool m_gameRan = false;
-    bool m_touchesSure = false;
     bool m_alphasClear = false;
-    uint64_t m_awakeAloneIn = 0, m_watchesAwakeIn = 0;
+    uint64_t m_awakeAloneIn = 0;
     bool MostOf(uint64_t pairs) const { return 2 * pairs > static_cast<uint64_t>(m_live); }
 
     uint32_t m_triedPasses = 0, m_restingSteps = 0; ///< see Pays

@@ -33,7 +33,8 @@ void b2World::SolveTOI(const b2TimeStep &step) {
         ledger->EnableDownTo(0);
         ledger->GiveMarksBack();
         ledger->SetAlphasClear(false);
-        ledger->SetTouchesSure(false);
+        if (GetSettings().solvesIslands) // and reads who touches in the next step
+            ledger->Interrupt();
     }
     stock::SolveToi(this, step);
 }
