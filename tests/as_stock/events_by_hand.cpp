@@ -145,7 +145,6 @@ void PlayMany(Run &run, Listener &listener) {
     Put(game, listener, body, {0.0f, -0.3f}, "below it");
 }
 
-#if defined(AS_STOCK_AHEAD)
 void PlaySensor(Run &run, Listener &listener) {
     Game game(run);
     listener.Watch(&game.world);
@@ -189,7 +188,6 @@ void PlayTips(Run &run, Listener &listener) {
     Put(game, listener, body, {0.149f, 0.0f}, "a bit nearer");
     Put(game, listener, body, {0.0f, 0.25f}, "side by side");
 }
-#endif
 
 } // namespace
 
@@ -277,8 +275,7 @@ TEST_CASE("bodies of many fixtures have a structure of their hulls, and one for 
                                                 "28 x contact leave 0 0\n");
 }
 
-#if defined(AS_STOCK_AHEAD)
-TEST_CASE("a sensor's contact lives as the header says") {
+TEST_CASE("a sensor's contact lives as the header says" * doctest::skip(!forked::kAhead)) {
     CHECK(EventsOf(as_stock::Told(PlaySensor)) == "-- beside it\n"
                                                   "contact start -1 0\n"
                                                   "-- nearer\n"
@@ -295,7 +292,8 @@ TEST_CASE("a sensor's contact lives as the header says") {
                                                   "contact start -1 0\n");
 }
 
-TEST_CASE("what only a line of the ledger keeps apart leaves contact by it") {
+TEST_CASE("what only a line of the ledger keeps apart leaves contact by it" *
+          doctest::skip(!forked::kAhead)) {
     CHECK(EventsOf(as_stock::Told(PlayTips)) == "-- tip to tip\n"
                                                 "contact contact -1 0\n"
                                                 "contact leave 0 0\n"
@@ -303,4 +301,3 @@ TEST_CASE("what only a line of the ledger keeps apart leaves contact by it") {
                                                 "-- side by side\n"
                                                 "contact push 0 0\n");
 }
-#endif

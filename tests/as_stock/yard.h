@@ -15,6 +15,7 @@ namespace as_stock {
 
 using forked::CheckSameAsStock;
 using forked::Game;
+using forked::kAhead;
 using forked::Run;
 
 constexpr float kSlant = 0.785398185f; // 45 degrees: boxes overlap long before what is in them does
@@ -24,16 +25,10 @@ inline b2Vec2 Slanted(float along, float across) {
     return b2Mul(b2Rot(kSlant), b2Vec2(along, across));
 }
 
-/// Vertices of the body's polygons were changed in place. Where the library sees the steps it finds that
-/// itself; the glue alone is told.
+/// Vertices of the body's polygons were changed in place: the glue alone is told.
 inline void Edited(const Run &run, b2Body *body) {
-#if !defined(AS_STOCK_AHEAD)
-    if (run.HasPlugin())
+    if (!kAhead && run.HasPlugin())
         bmr::Invalidate(body);
-#else
-    (void)run;
-    (void)body;
-#endif
 }
 
 inline b2PolygonShape *PolygonOf(b2Fixture *fixture) {

@@ -40,6 +40,10 @@ extern "C" int __lsan_do_recoverable_leak_check(void);
 
 namespace forked {
 
+/// Is the library ahead of Box2D in this program? Then it sees the changes itself. Otherwise the program
+/// links the glue alone, and tells it. (Each form of a program defines it: as_stock/CMakeLists.txt.)
+extern const bool kAhead;
+
 inline uint32_t Bits(float value) {
     uint32_t bits;
     std::memcpy(&bits, &value, sizeof bits);
