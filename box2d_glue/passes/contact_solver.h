@@ -30,12 +30,14 @@ struct VelocityPoint {
     float velocityBias;
 };
 
+/// OrderedVelocities reads rows of four floats from it.
 struct VelocityConstraint {
     VelocityPoint points[b2_maxManifoldPoints];
     b2Vec2 normal;
+    float friction, tangentSpeed;
     b2Mat22 K, normalMass;
     ContactBodies bodies;
-    float friction, restitution, threshold, tangentSpeed;
+    float restitution, threshold;
     int32 pointCount; ///< 1 also where two points are too near each other for a block of two
 };
 
@@ -85,6 +87,7 @@ public:
     void InitializeVelocities();
     void WarmStart();
     void SolveVelocities();
+    void SolveVelocity(uint32_t i) { Solve(&m_velocityConstraints[i]); }
     bool SolvesBlocks() const { return m_solvesBlocks; }
     VelocityConstraint *VelocityConstraints() { return m_velocityConstraints.Data(); }
     void StoreImpulses() const;

@@ -72,17 +72,19 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
         Clear();
         return;
     }
-    IntegrateVelocities(gravity);
     const Timer timer;
     const b2SolverData data = {m_step, m_positions.Data(), m_velocities.Data()};
-    m_solver.Begin(m_step, m_contacts.Data(), m_contactCount, data, m_bodyCount);
-    m_solver.InitializeVelocities();
-    if (m_step.warmStarting)
-        m_solver.WarmStart();
+    Prepare(gravity, data);
     for (uint32_t i = 0; i < m_jointCount; ++i)
         (m_joints[i]->*Named(InitVelocityConstraints()))(data);
     const float initialized = timer.GetMilliseconds();
-    SolveVelocities(data);
+    if (!MayReorder() || !m_ordered.Order(m_solver.VelocityConstraints(), m_contactCount, data.velocities,
+                                          m_bodyCount, m_step.velocityIterations)) {
+        SolveVelocities(data);
+    } else if (!m_ordered.Solve(&m_solver, data.velocities)) {
+        Prepare(gravity, data);
+        SolveVelocities(data);
+    }
     m_solver.StoreImpulses();
     IntegratePositions();
     const float solved = timer.GetMilliseconds();
@@ -135,11 +137,20 @@ void IslandSolver::Finish(b2Profile *profile) {
     profile->solvePosition += m_profile.solvePosition;
 }
 
+/// The state ahead of the velocity iterations, but for joints.
+void IslandSolver::Prepare(const b2Vec2 &gravity, const b2SolverData &data) {
+    IntegrateVelocities(gravity);
+    m_solver.Begin(m_step, m_contacts.Data(), m_contactCount, data, m_bodyCount);
+    m_solver.InitializeVelocities();
+    if (m_step.warmStarting)
+        m_solver.WarmStart();
+}
+
+bool IslandSolver::MayReorder() const {
+    return m_jointCount == 0 && m_contactCount >= OrderedVelocities::kLeast && m_solver.SolvesBlocks();
+}
+
 void IslandSolver::SolveVelocities(const b2SolverData &data) {
-    if (m_jointCount == 0 && m_contactCount >= OrderedVelocities::kLeast && m_solver.SolvesBlocks() &&
-        m_ordered.Solve(m_solver.VelocityConstraints(), m_contactCount, m_step.velocityIterations,
-                        data.velocities, m_bodyCount))
-        return;
     for (int32 i = 0; i < m_step.velocityIterations; ++i) {
         for (uint32_t j = 0; j < m_jointCount; ++j)
             (m_joints[j]->*Named(SolveVelocityConstraints()))(data);

@@ -76,6 +76,8 @@ private:
     IslandParts Parts() const;
     void IntegrateVelocities(const b2Vec2 &gravity);
     void IntegratePositions();
+    void Prepare(const b2Vec2 &gravity, const b2SolverData &data);
+    bool MayReorder() const;
     void SolveVelocities(const b2SolverData &data);
     bool SolvePositions(const b2SolverData &data);
     void StoreBodies();

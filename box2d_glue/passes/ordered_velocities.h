@@ -5,22 +5,19 @@
 #include <cstdint>
 
 #include "base/column.h"
-#include "exact32/float4.h"
 #include "passes/contact_solver.h"
 
 namespace bmr {
 
-/// The velocity iterations of an island of contacts alone, with Box2D's bits, in an order that a processor
-/// runs faster.
+/// The velocity iterations of an island of contacts alone, with Box2D's bits: up to four contacts at once.
 ///
 /// Box2D solves contacts one after the other. One reads and writes the velocities of its two bodies, and
 /// waits for the one before it where the two share a moving body. All others may change places without
 /// changing a bit, from one iteration to the next, too. So each contact of each iteration has a level, one
-/// above the levels of those it waits for, and contacts are solved level by level: neighbours wait for each
-/// other rarely. (Half of a contact's time is spent waiting for its own results.)
+/// above the levels of those it waits for. The contacts of a level are solved in groups.
 ///
-/// A body that nothing moves carries no order: its velocity is zero and stays so, as long as impulses are
-/// finite. Each of its contacts has a copy of it; where one is not zero in the end, nothing has been written.
+/// A body without mass and inertia carries no order: its velocity stays, as long as impulses are finite and
+/// no coordinate is -0.0.
 class OrderedVelocities {
 public:
     /// Below this an order is not worth finding.
@@ -28,53 +25,43 @@ public:
 
     bool Reserve(uint32_t bodies, uint32_t contacts);
 
-    /// Solves so many iterations: writes the impulses of `constraints`, and the velocities. Returns false,
-    /// and has written nothing, where Box2D's own order is needed. Each constraint of two points is a block.
-    bool Solve(VelocityConstraint *constraints, uint32_t count, int32 iterations, b2Velocity *velocities,
-               uint32_t bodyCount);
+    /// Finds the order, or keeps the last one where the same contacts follow each other, as in a pile from
+    /// step to step. Returns false where Box2D's own order is needed, or as fast.
+    bool Order(const VelocityConstraint *constraints, uint32_t count, const b2Velocity *velocities,
+               uint32_t bodyCount, int32 iterations);
+    /// All iterations. Returns false where a velocity became NaN: what was solved is worth nothing then.
+    bool Solve(ContactSolver *solver, b2Velocity *velocities);
 
 private:
-    static constexpr uint32_t kOverlapping = 8; ///< so many iterations have one order
+    static constexpr uint32_t kOverlapping = 8; ///< so many iterations at most have one order
+    static constexpr uint32_t kNone = 0xffffffffu;
 
-    bool Pack(const VelocityConstraint *constraints, uint32_t count, const b2Velocity *velocities,
-              uint32_t bodyCount);
-    void FindOrder(uint32_t count, uint32_t iterations);
-    bool AreCopiesZero(uint32_t bodyCount) const;
-
-    struct Slots {
-        uint32_t a, b;
-    };
-    struct Velocity {
-        float x, y, w, alsoW;
-    };
-    struct alignas(16) Record {
-        float arms[2][4];    ///< of each point: -rA.y rA.x -rB.y rB.x
-        float invMass[4];    ///< A A B B
-        float invI[4];       ///< A A B B
-        float k[4], mass[4]; ///< K and its inverse, by columns
-        float normal[2];
-        float normalImpulse[2], tangentImpulse[2];
-        float normalMass[2], tangentMass[2], bias[2];
-        float friction, tangentSpeed;
-        Slots slots;
+    struct Place {
+        uint32_t a, b; ///< bodies that carry order, or kNone
         int32 pointCount;
     };
+    struct Group {
+        uint32_t contacts[4];
+        uint32_t count;
+        uint32_t next; ///< of the same level and point count
+    };
+    /// The newest groups, the only ones that may have room.
+    struct Level {
+        uint32_t ofPoints[b2_maxManifoldPoints];
+    };
 
-    struct Lanes;
-    static void Solve(Record *record, Velocity *velocities);
-    static void SolveFriction(float4 normal, float4 arms, int32 i, Record *record, Lanes *two);
-    static void SolveOnePoint(float4 normal, float4 arms, Record *record, Lanes *two);
-    static void SolveTwoPoints(float4 normal, float4 first, float4 second, Record *record, Lanes *two);
-    static bool SolveOneOfTwo(const Record &record, float4 wanted, float4 *impulses);
+    bool FindOrder();
+    void Put(uint32_t contact, int32 pointCount, Level *level);
 
-    Column<Record> m_records;
-    Column<Velocity> m_velocities; ///< of the bodies, then of the copies
-    Column<uint32_t> m_last;       ///< of each of these: the level of its last contact so far
-    Column<uint32_t> m_levels;     ///< of each contact in each iteration
-    Column<uint32_t> m_starts;     ///< of each level in the order
-    Column<uint32_t> m_order;      ///< records
-    uint32_t m_count = 0, m_slotCount = 0, m_orderCount = 0;
-    uint32_t m_orderedIterations = 0; ///< of the records' slots the order is known for so many; 0: for none
+    Column<Place> m_places;
+    Column<Group> m_groups;
+    Column<Level> m_levels;
+    Column<uint32_t> m_last; ///< of each body: the level of its last contact so far
+    uint32_t m_count = 0, m_bodyCount = 0, m_groupCount = 0, m_levelCount = 0;
+    uint32_t m_iterations = 0; ///< of the order
+    uint32_t m_rounds = 0;     ///< so often the order is gone through
+    uint32_t m_left = 0;       ///< iterations behind the last round
+    bool m_pays = false;       ///< the order is complete, and has enough groups of several
 };
 
 } // namespace bmr

@@ -2,9 +2,9 @@
 //
 //   islands [STEPS [SEEDS [control]]]
 //
-// Plays each scene of the testbed for so many steps, and so many worlds of the actor's, where each island is
-// solved by Box2D and by ours (checked_world.cpp). Exit status 0: all had the same bits. `control`: one bit
-// is turned once.
+// Plays each scene of the testbed for so many steps, a wall of bricks, and so many worlds of the actor's,
+// where each island is solved by Box2D and by ours (checked_world.cpp). Exit status 0: all had the same bits.
+// `control`: one bit is turned once.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -28,6 +28,37 @@ void Play(const testbed::SceneInfo &info, int steps) {
     }
 }
 
+constexpr int kBricks = 25;
+
+/// Two rows of bricks on a ground: one island. Each step has another number of iterations. At last one
+/// brick's velocity overflows, which Box2D hands on to all that stand on the ground.
+void PlayBricks(int fastest) {
+    b2World world(b2Vec2(0.0f, -10.0f));
+    b2PolygonShape ground, brick;
+    ground.SetAsBox(30.0f, 1.0f, b2Vec2(0.0f, -1.0f), 0.0f);
+    brick.SetAsBox(0.5f, 0.25f);
+    const b2BodyDef fixed;
+    world.CreateBody(&fixed)->CreateFixture(&ground, 0.0f);
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    def.allowSleep = false;
+    b2Body *fast = nullptr;
+    for (int i = 0; i < kBricks; ++i) {
+        const float column = static_cast<float>(i / 2), row = static_cast<float>(i % 2);
+        def.position.Set(column + 0.5f * row, 0.25f + 0.5f * row);
+        b2Body *const body = world.CreateBody(&def);
+        body->CreateFixture(&brick, 1.0f);
+        if (i == fastest)
+            fast = body;
+    }
+    constexpr int kSteps = 20;
+    for (int step = 0; step < kSteps; ++step) {
+        if (step == kSteps - 3)
+            fast->SetLinearVelocity(b2Vec2(0.0f, -3e38f));
+        world.Step(1.0f / 60.0f, 1 + step * 5 % 17, 3);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -37,6 +68,8 @@ int main(int argc, char **argv) {
     for (const testbed::SceneInfo &info : testbed::AllScenes())
         if (std::strcmp(info.group, "any-size") != 0 && std::strcmp(info.group, "outlines") != 0)
             Play(info, steps);
+    for (int i = 0; i < kBricks; ++i)
+        PlayBricks(i);
     for (int seed = 1; seed <= seeds; ++seed) {
         const auto bytes = actor::BytesOf(static_cast<uint32_t>(seed));
         actor::Actor player(bytes.data(), bytes.size());
