@@ -203,13 +203,10 @@ struct Four {
     }
 };
 
-bool IsNegativeZero(float x) {
-    return x == 0.0f && std::signbit(x);
-}
-
 bool CarriesNoOrder(float invMass, float invI, const b2Velocity &velocity) {
-    return invMass == 0.0f && invI == 0.0f && !IsNegativeZero(velocity.v.x) &&
-           !IsNegativeZero(velocity.v.y) && !IsNegativeZero(velocity.w);
+    const auto isNegativeZero = [](float x) { return x == 0.0f && std::signbit(x); };
+    return invMass == 0.0f && invI == 0.0f && !isNegativeZero(velocity.v.x) &&
+           !isNegativeZero(velocity.v.y) && !isNegativeZero(velocity.w);
 }
 
 } // namespace
