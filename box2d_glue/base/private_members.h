@@ -81,6 +81,22 @@ inline bool IsWithoutDynamic(const b2Contact &contact) {
            contact.GetFixtureB()->GetBody()->GetType() != b2_dynamicBody;
 }
 
+/// Names protected members of b2Contact's, and flags of its.
+struct ContactAccess : b2Contact {
+    static uint32 &Flags(b2Contact *contact) { return contact->*(&ContactAccess::m_flags); }
+    static float &TimeOfImpact(b2Contact *contact) { return contact->*(&ContactAccess::m_toi); }
+    static int32 &CountOfImpacts(b2Contact *contact) { return contact->*(&ContactAccess::m_toiCount); }
+    static constexpr uint32 kInIsland = e_islandFlag, kTimeIsKnown = e_toiFlag;
+    static constexpr uint32 kAll =
+        e_islandFlag | e_touchingFlag | e_enabledFlag | e_filterFlag | e_bulletHitFlag | e_toiFlag;
+
+    /// Most are enabled: what is not written need not go back to memory.
+    static void Enable(b2Contact *contact) {
+        if ((Flags(contact) & e_enabledFlag) == 0)
+            Flags(contact) |= e_enabledFlag;
+    }
+};
+
 /// Names protected members of b2Fixture's.
 struct FixtureAccess : b2Fixture {
     static int32 ProxyOf(const b2Fixture *fixture, int32 child) {

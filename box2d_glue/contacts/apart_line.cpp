@@ -214,7 +214,7 @@ void ProveOverlap(Ledger *ledger, uint32_t record) {
     // Of deep overlaps b2Distance says up to its rounding, which the skins must cover.
     const double skins = static_cast<double>(movers[at.a].radius) + static_cast<double>(movers[at.b].radius);
     if (depth > margin + soon && skins >= margin)
-        ledger->ProveUntil(record, depth, margin);
+        ledger->Prove(record, {0.0, 0.0}, depth, margin, false);
     else
         NoProof(ledger, record);
 }

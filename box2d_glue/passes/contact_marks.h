@@ -18,26 +18,26 @@ public:
     bool IsInIsland(b2Contact *contact) const {
         const uint32_t i = Number(contact);
         return i != Ledger::kNone ? Here().inIsland.Has(i)
-                                  : (ContactNumber::Flags(contact) & ContactNumber::kInIsland) != 0;
+                                  : (ContactAccess::Flags(contact) & ContactAccess::kInIsland) != 0;
     }
     void PutInIsland(b2Contact *contact) {
         const uint32_t i = Number(contact);
         if (i != Ledger::kNone)
             Here().inIsland.Set(i);
         else
-            ContactNumber::Flags(contact) |= ContactNumber::kInIsland;
+            ContactAccess::Flags(contact) |= ContactAccess::kInIsland;
     }
     void TakeOutOfIsland(b2Contact *contact) {
         const uint32_t i = Number(contact);
         if (i != Ledger::kNone)
             Here().inIsland.Clear(i);
         else
-            ContactNumber::Flags(contact) &= ~ContactNumber::kInIsland;
+            ContactAccess::Flags(contact) &= ~ContactAccess::kInIsland;
     }
     bool IsTimeKnown(b2Contact *contact) const {
         const uint32_t i = Number(contact);
         return i != Ledger::kNone ? Here().known.Has(i)
-                                  : (ContactNumber::Flags(contact) & ContactNumber::kTimeIsKnown) != 0;
+                                  : (ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) != 0;
     }
     void ForgetTime(b2Contact *contact) {
         const uint32_t i = Number(contact);
@@ -45,12 +45,12 @@ public:
             Here().known.Clear(i);
             Here().asked.Set(i);
         } else {
-            ContactNumber::Flags(contact) &= ~ContactNumber::kTimeIsKnown;
+            ContactAccess::Flags(contact) &= ~ContactAccess::kTimeIsKnown;
         }
     }
     float Time(b2Contact *contact) const {
         const uint32_t i = Number(contact);
-        return i != Ledger::kNone ? Here().Time(i) : ContactNumber::TimeOfImpact(contact);
+        return i != Ledger::kNone ? Here().Time(i) : ContactAccess::TimeOfImpact(contact);
     }
     void SetTime(b2Contact *contact, float time) {
         const uint32_t i = Number(contact);
@@ -59,20 +59,20 @@ public:
                 Here().Meet(i, time, Here().CountOf(i));
             Here().known.Set(i);
         } else {
-            ContactNumber::TimeOfImpact(contact) = time;
-            ContactNumber::Flags(contact) |= ContactNumber::kTimeIsKnown;
+            ContactAccess::TimeOfImpact(contact) = time;
+            ContactAccess::Flags(contact) |= ContactAccess::kTimeIsKnown;
         }
     }
     int32 CountOfImpacts(b2Contact *contact) const {
         const uint32_t i = Number(contact);
-        return i != Ledger::kNone ? Here().CountOf(i) : ContactNumber::CountOfImpacts(contact);
+        return i != Ledger::kNone ? Here().CountOf(i) : ContactAccess::CountOfImpacts(contact);
     }
     void CountImpact(b2Contact *contact) {
         const uint32_t i = Number(contact);
         if (i != Ledger::kNone)
             Here().Meet(i, Here().Time(i), static_cast<uint8_t>(Here().CountOf(i) + 1));
         else
-            ++ContactNumber::CountOfImpacts(contact);
+            ++ContactAccess::CountOfImpacts(contact);
     }
     /// As b2World::SolveTOI begins.
     void ForgetImpact(b2Contact *contact) {
@@ -81,7 +81,9 @@ public:
             Here().Begin(i);
             return;
         }
-        ContactNumber::ForgetImpact(contact);
+        ContactAccess::Flags(contact) &= ~(ContactAccess::kTimeIsKnown | ContactAccess::kInIsland);
+        ContactAccess::CountOfImpacts(contact) = 0;
+        ContactAccess::TimeOfImpact(contact) = 1.0f;
     }
 
 private:

@@ -165,7 +165,7 @@ bool ImpactPass::SearchByLedger(bool all) {
 bool ImpactPass::SearchPair(uint32_t i) {
     Marks &marks = m_ledger->GetMarks();
     marks.asked.Clear(i);
-    if (m_ledger->MayNotImpact(i) || !m_ledger->MayImpact(i))
+    if (!m_ledger->MayImpact(i))
         return true;
     b2Contact *const contact = m_ledger->Contact(i);
     if (m_ledger->OutlastsSweeps(i)) {

@@ -122,14 +122,7 @@ void IslandPass::ClearFlags() {
 
 /// The newest contact below `end` that touches and may have a body that is awake.
 uint32_t IslandPass::NextToLink(uint32_t end) const {
-    if (GameMayRun()) // which may have woken who is not watched
-        return m_ledger->NextTouching(end);
-    for (; end > 0;) {
-        end = m_ledger->SkipResting(end - 1);
-        if (end == Ledger::kNone || (m_ledger->Bits(end) & kTouches) != 0)
-            return end;
-    }
-    return Ledger::kNone;
+    return m_ledger->NextTouching(end, !GameMayRun()); // the game may have woken who is not watched
 }
 
 /// False where it does not pay, or without memory: islands are built from the lists of bodies.

@@ -122,14 +122,14 @@ bool ManifoldIsRight(b2Contact *contact) {
 /// whose boxes overlap, which has no listener.
 bool LeavesNumbersAlone(b2Contact *contact) {
     constexpr uint32 kNew = 0x0004, kTouching = 0x0006;
-    if (ContactNumber::Flags(contact) != kNew)
+    if (ContactAccess::Flags(contact) != kNew)
         return false;
     SolidContact::UpdateByBox2D(contact, nullptr);
-    if (ContactNumber::Flags(contact) != kTouching)
+    if (ContactAccess::Flags(contact) != kTouching)
         return false;
     ContactNumber::Write(contact, ContactNumber::kMost - 1);
     SolidContact::UpdateByBox2D(contact, nullptr);
-    return ContactNumber::Flags(contact) == (kTouching | ~ContactNumber::kBox2DsFlags);
+    return ContactAccess::Flags(contact) == (kTouching | ~ContactNumber::kBox2DsFlags);
 }
 
 /// A box that flies 10 at one 8 away in front of it: they meet a good half of the way along.

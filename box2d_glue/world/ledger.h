@@ -8,72 +8,18 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_contact_manager.h>
 
+#include "base/bit_column.h"
 #include "base/column.h"
 #include "base/compiler.h"
 #include "boomerang/budget.h"
 #include "world/bodies.h"
+#include "world/contact_number.h"
 #include "world/marks.h"
 #include "world/movers.h"
+#include "world/pair_record.h"
 #include "world/proxy_pairs.h"
 
 namespace bmr {
-
-/// A contact's number in the ledger, in the bits of its flags that Box2D does not use: bits 6 to 31 hold the
-/// number plus 1. Box2D's constructor writes the flags whole, so that a new contact has no number; everything
-/// else in Box2D sets and clears single flags (WhyBox2DIsUnknown refuses a Box2D that does otherwise).
-struct ContactNumber : b2Contact {
-    static constexpr uint32_t kShift = 6, kBox2DsFlags = (1u << kShift) - 1;
-    /// So many contacts can have a number at a time.
-    static constexpr uint32_t kMost = ~uint32_t{0} >> kShift;
-    static_assert((e_islandFlag | e_touchingFlag | e_enabledFlag | e_filterFlag | e_bulletHitFlag |
-                   e_toiFlag) == kBox2DsFlags);
-
-    /// Ledger::kNone where it has none.
-    static uint32_t Read(const b2Contact *contact) {
-        return (contact->*(&ContactNumber::m_flags) >> kShift) - 1;
-    }
-    static void Write(b2Contact *contact, uint32_t number) {
-        Flags(contact) = (Flags(contact) & kBox2DsFlags) | (number + 1) << kShift;
-    }
-
-    // What Box2D shows its own loops over contacts alone.
-    static b2Contact *Next(const b2Contact *contact) { return contact->*(&ContactNumber::m_next); }
-    static uint32 &Flags(b2Contact *contact) { return contact->*(&ContactNumber::m_flags); }
-    static float &TimeOfImpact(b2Contact *contact) { return contact->*(&ContactNumber::m_toi); }
-    static int32 &CountOfImpacts(b2Contact *contact) { return contact->*(&ContactNumber::m_toiCount); }
-    static constexpr uint32 kInIsland = e_islandFlag, kTimeIsKnown = e_toiFlag;
-    /// Most are enabled: what is not written need not go back to memory.
-    static void Enable(b2Contact *contact) {
-        if ((Flags(contact) & e_enabledFlag) == 0)
-            Flags(contact) |= e_enabledFlag;
-    }
-    /// A contact takes four cache lines; what follows in a list need not follow in memory. At the list's end
-    /// there is none, which does no harm: addresses are numbers here, for no pointer may be moved from
-    /// nullptr.
-    static void Prefetch(const b2Contact *contact) {
-        constexpr uintptr_t kLine = 64;
-        const uintptr_t first = reinterpret_cast<uintptr_t>(contact);
-        for (uintptr_t line = 0; line < 4; ++line)
-            BMR_PREFETCH(
-                reinterpret_cast<const void *>(first + line * kLine)); // NOLINT(performance-no-int-to-ptr)
-    }
-    static void TakeOutOfIsland(b2Contact *contact) { Flags(contact) &= ~static_cast<uint32>(e_islandFlag); }
-    /// As b2World::SolveTOI begins: no impact is known or counted.
-    static void ForgetImpact(b2Contact *contact) {
-        Flags(contact) &= ~static_cast<uint32>(e_toiFlag | e_islandFlag);
-        contact->*(&ContactNumber::m_toiCount) = 0;
-        contact->*(&ContactNumber::m_toi) = 1.0f;
-    }
-};
-
-/// What is said of a pair in one byte.
-enum RecordBit : uint8_t {
-    kHasLine = 1,       ///< its line renews the deadline
-    kToBeFiltered = 2,  ///< Box2D has flagged it for filtering
-    kTouches = 8,       ///< touching, at the last look
-    kNoImpactProof = 4, ///< its budget says nothing of impacts
-    kUnlisted = 32,     ///< it began while another one ended; see MayHaveUnlisted
-};
 
 /// All that is remembered of a world's pairs: one record for each contact, the oldest first. Box2D puts new
 /// contacts at the head of its lists, so that the world's list and every body's are in descending order here.
@@ -111,16 +57,11 @@ public:
     void NoteTouchingInList(uint32_t touching);
     /// Takes in contacts that were made since. False if they do not fit what is here.
     bool CatchUp();
-    /// The number of a contact that is about to end (it may have been made since), kNone where it has none.
-    uint32_t FindNumber(const b2Contact *contact);
     /// It has ended. (The pointer is compared, no more.)
     void Remove(uint32_t number, const b2Contact *ended) {
         if (number != kNone && number < m_count && m_contacts[number] == ended)
             Take(number);
     }
-    /// The contact of this number is about to end. Has its body been put out of the world, so that it has no
-    /// proxies? Then none of its contacts has.
-    void NoteLostProxies(uint32_t number, const b2Contact &ending);
     /// Contacts may have ended without a word: takes those out that are in the world's list no more.
     void Resync();
     /// Are all contacts here? (One may have ended without a word, and the next one be at its place in memory:
@@ -171,12 +112,7 @@ public:
     uint32_t NextDue(uint32_t end);
     /// Code of the game ran: what was read before may be another by now. `locked`: the world was, all the
     /// while.
-    void Distrust(bool locked) {
-        ++m_look;
-        m_locked = m_locked && locked;
-        if (!IsWhole())
-            Resync();
-    }
+    void Distrust(bool locked);
     bool IsDue(uint32_t i) const {
         const Record &record = m_records[i];
         return bmr_budget_is_due(record.deadline, m_movers.Moved(record.a), m_movers.Moved(record.b));
@@ -184,26 +120,19 @@ public:
     void SetTouches(uint32_t i, bool touches) {
         m_bits[i] = static_cast<uint8_t>((m_bits[i] & ~kTouches) | (touches ? kTouches : 0));
     }
-    /// The newest contact below `end` that touched when it was looked at, asleep or not; kNone where there is
-    /// none.
-    uint32_t NextTouching(uint32_t end) const;
-    /// The newest pair from i down that is watched; kNone where there is none.
-    uint32_t SkipResting(uint32_t i) const {
-        for (;; --i) {
-            if (m_awake[i / 64] == 0)
-                i -= i % 64; // the word's first
-            if (!IsResting(i))
-                return i;
-            if (i == 0)
-                return kNone;
+    /// The newest contact below `end` that touched when it was looked at; kNone where there is none.
+    /// `watched`: among those that are watched.
+    uint32_t NextTouching(uint32_t end, bool watched) const {
+        if (!watched)
+            return NextTouching(end);
+        while (end > 0) {
+            end = SkipResting(end - 1);
+            if (end == kNone || (m_bits[end] & kTouches) != 0)
+                return end;
         }
+        return kNone;
     }
-    uint32_t CountWatched() const {
-        uint32_t count = 0;
-        for (uint32_t word = 0; word < m_awakeWords; ++word)
-            count += CountBits(m_awake[word]);
-        return count;
-    }
+    uint32_t CountWatched() const;
     /// Is one of its bodies awake, or was it when the pass began? Watched from here on where one has woken
     /// since.
     bool IsWatchedByNow(uint32_t i) {
@@ -237,10 +166,9 @@ public:
     /// Reads all that a proof of the two goes by; false where they are to have none. To be followed by Prove
     /// or SetDue.
     bool BeginProof(uint32_t i);
-    /// The two are apart: <d, b - a> >= gap for all their points.
+    /// The two are apart: <d, b - a> >= gap for all their points. A budget without a line is that of d = 0:
+    /// what is so stays so until the two have moved by what `gap` is more than `threshold`.
     void Prove(uint32_t i, bmr_vec2 d, double gap, double threshold, bool forImpactsToo);
-    /// What is so stays so until the two have moved by what `measure` is more than `threshold`.
-    void ProveUntil(uint32_t i, double measure, double threshold);
     /// A body woke behind the pass: its pairs are watched. (Box2D had come by them when it slept.)
     void WatchPairsOf(const b2Body *body);
     /// A body woke in the middle of a pass: its pairs are due.
@@ -266,11 +194,10 @@ public:
     void OweEnabling(uint32_t below);
     uint32_t PassNumber() const { return m_passNumber; }
     /// The contact is looked at: what its flags say from here on is so.
-    void NoteLookedAt(uint32_t i) { m_looked[i / 64] |= uint64_t{1} << (i % 64); }
-    bool WasLookedAt(uint32_t i) const { return (m_looked[i / 64] >> (i % 64) & 1) != 0; }
+    void NoteLookedAt(uint32_t i) { m_looked.Set(i); }
     void EnableIfOwed(uint32_t i) {
-        if (i < m_owed && !IsResting(i) && !WasLookedAt(i) && IsActive(i))
-            ContactNumber::Enable(m_contacts[i]);
+        if (i < m_owed && !IsResting(i) && !m_looked.Has(i) && IsActive(i))
+            ContactAccess::Enable(m_contacts[i]);
     }
 
     /// The body fell asleep after the pass: its contacts stay as they are until it wakes, be it in the midst
@@ -288,6 +215,8 @@ public:
     /// May Box2D look for an impact of the two at all: one moves, and one of them is not to be tunnelled
     /// through?
     bool MayImpact(uint32_t i) {
+        if (MayNotImpact(i))
+            return false;
         const Record record = m_records[i];
         m_movers.LookAtSweep(record.a, m_look);
         m_movers.LookAtSweep(record.b, m_look);
@@ -295,15 +224,6 @@ public:
         return (both & (kActive | kStops | kIsSensor)) == (kActive | kStops);
     }
     bool IsLookedAtIn(uint64_t step) const { return step != 0 && m_step == step; }
-    /// The two could not impact when they were last looked at: by the pass or, where code of the game may
-    /// have run since, by the search. Without such code they cannot now. (What else decides of it is looked
-    /// at where this says nothing.)
-    bool MayNotImpact(uint32_t i) const {
-        if (m_sweepsCarefully)
-            return !StopsInSweeps(i);
-        const uint8_t a = m_movers.Bits(m_records[i].a), b = m_movers.Bits(m_records[i].b);
-        return (a & b & kLookedAt) != 0 && ((a | b) & kStops) == 0;
-    }
     /// Does the budget outlast the step's sweeps?
     bool OutlastsSweeps(uint32_t i) {
         if ((m_bits[i] & (kHasLine | kNoImpactProof)) != kHasLine)
@@ -313,11 +233,10 @@ public:
         m_movers.LookAtEnd(record.b, m_sweepsCarefully, m_look);
         return !bmr_budget_is_due(record.deadline, m_movers.End(record.a), m_movers.End(record.b));
     }
+
     // Rows of the table.
 
-    struct Record {
-        uint32_t deadline, a, b; ///< a, b: movers of the contact's fixtures A and B
-    };
+    using Record = PairRecord;
     uint32_t Count() const { return m_count; }
     b2Contact *Contact(uint32_t i) const { return m_contacts[i]; } ///< nullptr where it is gone
     const Record &At(uint32_t i) const { return m_records[i]; }
@@ -328,7 +247,7 @@ public:
     void TakeMarks();
     void GiveMarksBack();
     /// The pairs that are watched, of the 64 of this word.
-    uint64_t WatchedOf(uint32_t word) const { return word < m_awakeWords ? m_awake[word] : 0; }
+    uint64_t WatchedOf(uint32_t word) const { return word < m_awake.Words() ? m_awake.Word(word) : 0; }
     Bodies &GetBodies() { return m_bodies; }
     /// In this step the islands hold none but the bodies that GetBodies() knows to be awake; 0: nobody knows.
     void SetAwakeAlone(uint64_t step) { m_awakeAloneIn = step; }
@@ -341,13 +260,6 @@ public:
     Movers &GetMovers() { return m_movers; }
     const Movers &GetMovers() const { return m_movers; }
     b2ContactManager *Manager() const { return m_manager; }
-
-    /// How often proofs of a pair were in vain.
-    struct Patience {
-        uint8_t provedAt;  ///< number of the pass in which the line was made, modulo 256
-        uint8_t doublings; ///< proofs in a row that did not outlast the next pass
-        uint8_t waits;     ///< looks that still go by without one
-    };
 
     /// A pass is under way: numbers stay what they are. What ends before its time, by an exception of a
     /// listener's, leaves every pair due.
@@ -369,26 +281,55 @@ public:
         bool m_complete = false;
     };
 
-    /// The same while a contact ends.
-    class Ending : public Pass {
+    /// The same while a contact ends. Its record goes as this is complete.
+    class Ending : private Pass {
     public:
-        explicit Ending(Ledger *ledger) : Pass(ledger) { ++ledger->m_endings; }
+        Ending(Ledger *ledger, const b2Contact *contact)
+            : Pass(ledger), m_contact(contact), m_number(ledger->FindNumber(contact)) {
+            ++ledger->m_endings;
+            ledger->NoteLostProxies(m_number, *contact);
+        }
         ~Ending() { --m_ledger->m_endings; }
+        void Complete() {
+            m_ledger->Remove(m_number, m_contact);
+            Pass::Complete();
+        }
+
+    private:
+        const b2Contact *m_contact; ///< once it has ended, its address and no more
+        uint32_t m_number;
     };
 
 private:
     const b2Contact *Newest() const;
-    void TrimEnd();
-    /// Ahead of LookAgain: asks memory for what it compares, for the second pair once that came for the
-    /// first.
-    void PrefetchLookAgain(uint32_t rows, uint32_t shapes) const {
-        for (const uint32_t row : {m_records[rows].a, m_records[rows].b})
-            if (m_movers.LookedAt(row) != m_look)
-                m_movers.Prefetch(row);
-        for (const uint32_t row : {m_records[shapes].a, m_records[shapes].b})
-            if (m_movers.LookedAt(row) != m_look)
-                m_movers.PrefetchShape(row);
+    /// The number of a contact that is about to end (it may have been made since), kNone where it has none.
+    uint32_t FindNumber(const b2Contact *contact);
+    /// The contact of this number is about to end. Has its body been put out of the world, so that it has no
+    /// proxies? Then none of its contacts has.
+    void NoteLostProxies(uint32_t number, const b2Contact &ending);
+    uint32_t NextTouching(uint32_t end) const;
+    /// The newest pair from i down that is watched; kNone where there is none.
+    uint32_t SkipResting(uint32_t i) const {
+        for (;; --i) {
+            if (m_awake.Word(i / 64) == 0)
+                i -= i % 64; // the word's first
+            if (!IsResting(i))
+                return i;
+            if (i == 0)
+                return kNone;
+        }
     }
+    /// The two could not impact when they were last looked at: by the pass or, where code of the game may
+    /// have run since, by the search. Without such code they cannot now. (What else decides of it is looked
+    /// at where this says nothing.)
+    bool MayNotImpact(uint32_t i) const {
+        if (m_sweepsCarefully)
+            return !StopsInSweeps(i);
+        const uint8_t a = m_movers.Bits(m_records[i].a), b = m_movers.Bits(m_records[i].b);
+        return (a & b & kLookedAt) != 0 && ((a | b) & kStops) == 0;
+    }
+    void TrimEnd();
+    void PrefetchLookAgain(uint32_t rows, uint32_t shapes) const;
     void LookAgainAt(uint32_t row) {
         if (m_movers.LookedAt(row) != m_look && !(m_locked && m_movers.IsAsBefore(row, m_look)))
             m_movers.Look(row, m_manager->m_broadPhase, m_look, true);
@@ -399,9 +340,8 @@ private:
     bool StopsInSweeps(uint32_t i) const {
         return ((m_movers.SweepBits(m_records[i].a) | m_movers.SweepBits(m_records[i].b)) & kStops) != 0;
     }
-    bool IsResting(uint32_t i) const { return (m_awake[i / 64] >> (i % 64) & 1) == 0; }
+    bool IsResting(uint32_t i) const { return !m_awake.Has(i); }
     bool Begin();
-    void ReadMarks(uint32_t i);
     bool Reserve(uint32_t count);
     bool Put(uint32_t i, b2Contact *contact);
     void Take(uint32_t i);
@@ -429,10 +369,9 @@ private:
     Column<uint8_t> m_bits;
     Column<Patience> m_patience;
     Marks m_marks;
-    Column<uint64_t> m_awake;  ///< one bit a record: alive, and one of its bodies was awake
-    Column<uint64_t> m_looked; ///< one bit a record: looked at in the last pass
-    Column<uint64_t> m_listed; ///< one bit a record: in the world's list, when Resync looked
-    uint32_t m_awakeWords = 0;
+    BitColumn m_awake;    ///< alive, and one of its bodies was awake
+    BitColumn m_looked;   ///< looked at in the last pass
+    BitColumn m_listed;   ///< in the world's list, when Resync looked
     uint32_t m_count = 0; ///< records, the dead ones among them
     int32 m_live = 0;
     uint64_t m_step = 0; ///< CurrentStep() of the last look at all movers

@@ -4,45 +4,12 @@
 
 #include <cstdint>
 
+#include "base/bit_column.h"
 #include "base/column.h"
-#include "base/compiler.h"
+
+class b2Contact;
 
 namespace bmr {
-
-/// One bit a pair.
-class BitColumn {
-public:
-    /// Room for pairs of numbers below this. False without memory, and nothing has changed.
-    bool Reserve(uint32_t count) {
-        const uint32_t words = count / 64 + 1;
-        if (!m_bits.Reserve(words))
-            return false;
-        for (; m_words < words; ++m_words)
-            m_bits[m_words] = 0;
-        return true;
-    }
-    bool Has(uint32_t i) const { return (m_bits[i / 64] >> (i % 64) & 1) != 0; }
-    void Set(uint32_t i) { m_bits[i / 64] |= uint64_t{1} << (i % 64); }
-    void Clear(uint32_t i) { m_bits[i / 64] &= ~(uint64_t{1} << (i % 64)); }
-    void ClearAll() {
-        for (uint32_t word = 0; word < m_words; ++word)
-            m_bits[word] = 0;
-    }
-    void Renumber(uint32_t from, uint32_t to) {
-        const bool has = Has(from);
-        Clear(from);
-        if (has)
-            Set(to);
-        else
-            Clear(to);
-    }
-    uint32_t Words() const { return m_words; }
-    uint64_t Word(uint32_t word) const { return m_bits[word]; }
-
-private:
-    Column<uint64_t> m_bits;
-    uint32_t m_words = 0;
-};
 
 /// What b2World::Solve and SolveTOI note at a world's contacts while they are at work, by the numbers of
 /// pairs. One set a world, not a pass: a step in the midst of another one leaves here what the outer one
@@ -71,6 +38,10 @@ struct Marks {
         return inIsland.Reserve(count) && known.Reserve(count) && met.Reserve(count) &&
                asked.Reserve(count) && parked.Reserve(count) && times.Reserve(count) && counts.Reserve(count);
     }
+    /// The contact's own marks become those of this number.
+    void Read(uint32_t i, b2Contact *contact);
+    /// Writes them into the contact.
+    void WriteTo(b2Contact *contact, uint32_t i) const;
     /// A contact that was just made has this number.
     void Begin(uint32_t i) {
         inIsland.Clear(i);

@@ -23,10 +23,7 @@ void b2ContactManager::Destroy(b2Contact *contact) {
     }
     // The listener that is told of its end may step the world, or end other contacts: numbers stay. And it
     // may make others, which get the proxies of a body that is being put out of the world.
-    Ledger::Ending pass(ledger);
-    const uint32_t number = ledger->FindNumber(contact);
-    ledger->NoteLostProxies(number, *contact);
+    Ledger::Ending ending(ledger, contact);
     stock::Destroy(this, contact);
-    ledger->Remove(number, contact);
-    pass.Complete();
+    ending.Complete();
 }

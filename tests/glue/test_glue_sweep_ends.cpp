@@ -196,6 +196,6 @@ TEST_CASE("a budget outlasts sweeps if it was proved for impacts, too") {
         CHECK(outlasts() == forImpactsToo);
     }
     REQUIRE(ledger.BeginProof(0));
-    ledger.ProveUntil(0, 0.05, 0.01); // as a sensor's overlap is
+    ledger.Prove(0, {0.0, 0.0}, 0.05, 0.01, false); // as a sensor's overlap is
     CHECK(!outlasts());
 }

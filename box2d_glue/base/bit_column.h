@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_BIT_COLUMN_H
+#define BOOMERANG_GLUE_BIT_COLUMN_H
+
+#include <cstdint>
+
+#include "base/column.h"
+
+namespace bmr {
+
+/// A column of bits.
+class BitColumn {
+public:
+    /// Room for rows of numbers below this. False without memory, and nothing has changed.
+    bool Reserve(uint32_t count) {
+        const uint32_t words = count / 64 + 1;
+        if (!m_bits.Reserve(words))
+            return false;
+        for (; m_words < words; ++m_words)
+            m_bits[m_words] = 0;
+        return true;
+    }
+    bool Has(uint32_t i) const { return (m_bits[i / 64] >> (i % 64) & 1) != 0; }
+    void Set(uint32_t i) { m_bits[i / 64] |= uint64_t{1} << (i % 64); }
+    void Clear(uint32_t i) { m_bits[i / 64] &= ~(uint64_t{1} << (i % 64)); }
+    void ClearAll() {
+        for (uint32_t word = 0; word < m_words; ++word)
+            m_bits[word] = 0;
+    }
+    void Renumber(uint32_t from, uint32_t to) {
+        const bool has = Has(from);
+        Clear(from);
+        if (has)
+            Set(to);
+        else
+            Clear(to);
+    }
+    uint32_t Words() const { return m_words; }
+    uint64_t Word(uint32_t word) const { return m_bits[word]; }
+
+private:
+    Column<uint64_t> m_bits;
+    uint32_t m_words = 0;
+};
+
+} // namespace bmr
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_PAIR_RECORD_H
+#define BOOMERANG_GLUE_PAIR_RECORD_H
+
+#include <cstdint>
+
+namespace bmr {
+
+/// What is said of a pair in one byte.
+enum RecordBit : uint8_t {
+    kHasLine = 1,       ///< its line renews the deadline
+    kToBeFiltered = 2,  ///< Box2D has flagged it for filtering
+    kTouches = 8,       ///< touching, at the last look
+    kNoImpactProof = 4, ///< its budget says nothing of impacts
+    kUnlisted = 32,     ///< it began while another one ended; see MayHaveUnlisted
+};
+
+struct PairRecord {
+    uint32_t deadline; ///< core/budget: due once the sums of the two movers reach it
+    uint32_t a, b;     ///< movers of the contact's fixtures A and B
+};
+
+/// How often proofs of a pair were in vain.
+struct Patience {
+    uint8_t provedAt;  ///< number of the pass in which the line was made, modulo 256
+    uint8_t doublings; ///< proofs in a row that did not outlast the next pass
+    uint8_t waits;     ///< looks that still go by without one
+};
+
+} // namespace bmr
+
+#endif
