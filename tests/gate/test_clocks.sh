@@ -14,6 +14,7 @@ looks='steady_clock|system_clock|high_resolution|clock_gettime|gettimeofday|std:
 
 # file: reason
 allowed='
+tests/bench/bench_cold_steps.cpp: a benchmark, which prints what it measured
 tests/contracts/contracts.cpp: ends what hangs
 tests/contracts/process.cpp: ends what hangs
 tests/front/browser.py: polls a page; ends what hangs
