@@ -23,7 +23,7 @@ void StartNow();
 
 /// Of StartNow: `start()`, once, whoever else comes meanwhile.
 template <typename Start> void StartOnce(const Start &start) {
-    if (IsFindingReachedHooks()) // Install does, on this thread
+    if (IsFindingReach()) // Install does, on this thread
         return;
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Starting));
     if (!startsByItself.load(std::memory_order_relaxed))

@@ -177,8 +177,7 @@ void PolygonContact::CountAnswer(Answer answer) const {
 /// polygon that was never Set has none.)
 inline bool PolygonContact::ManifoldIsMadeHere() const {
     const auto known = [](const b2PolygonShape &shape) { return shape.m_count >= 3 && shape.m_count <= 8; };
-    return HookIsOn(Hook::TouchingManifold) &&
-           (GetSettings().sameRounding || GetSettings().collideByFace != nullptr) &&
+    return ContactsAreOurs() && (GetSettings().sameRounding || GetSettings().collideByFace != nullptr) &&
            known(ShapeOf(m_fixtureA)) && known(ShapeOf(m_fixtureB));
 }
 

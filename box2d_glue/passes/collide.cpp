@@ -312,7 +312,7 @@ void CollidePass::End() {
 
 void Collide(b2ContactManager *manager) {
     Ledger *ledger = nullptr;
-    if (HookIsOn(Hook::Ledger) && RoundsToNearest()) {
+    if (RoundsToNearest()) {
         ledger = FindLedger(manager);
         if (ledger == nullptr && manager->m_contactCount >= WorthALedgerAnyway())
             ledger = MakeLedger(manager);

@@ -53,7 +53,7 @@ public:
 private:
     /// The world's ledger with all of its contacts; nullptr where it has none.
     Ledger *FollowedLedger() const {
-        if (!HookIsOn(Hook::Ledger))
+        if (!PassesRun())
             return nullptr;
         Ledger *ledger =
             m_manager->m_contactCount >= WorthALedgerAnyway() ? MakeLedger(m_manager) : FindLedger(m_manager);

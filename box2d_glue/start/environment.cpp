@@ -14,14 +14,8 @@ namespace bmr {
 
 namespace {
 
-constexpr const char *kHookNames[] = {"time-of-impact", "test-overlap",  "solve-toi",         "contact-loop",
-                                      "pair-finding",   "profile-clock", "touching-manifold", "fixture-boxes",
-                                      "tree-updates",   "ledger"};
-constexpr int kHookCount = sizeof kHookNames / sizeof *kHookNames;
-static_assert(kAllHooks == (1u << kHookCount) - 1, "one name for each hook");
-
 /// Variables that have been complained about, a bit each.
-enum Variable : unsigned { kMode = 1, kStructure = 2, kHooks = 4, kVerbose = 8, kEverywhere = 16 };
+enum Variable : unsigned { kMode = 1, kStructure = 2, kVerbose = 4, kEverywhere = 8 };
 
 thread_local bool complaintsHeld = false;
 
@@ -64,47 +58,6 @@ private:
     size_t m_length = 0;
 };
 std::atomic<unsigned> Complaint::complained{0};
-
-std::optional<uint32_t> BitOfHook(std::string_view name) {
-    for (int i = 0; i < kHookCount; ++i)
-        if (name == kHookNames[i])
-            return 1u << i;
-    return std::nullopt;
-}
-
-/// "all", "none", "+NAME", "-NAME"; nothing where the word is none of these.
-std::optional<uint32_t> ApplyWord(uint32_t hooks, std::string_view word) {
-    if (word == "all")
-        return kAllHooks;
-    if (word == "none")
-        return kNoHooks;
-    const std::optional<uint32_t> bit =
-        word.empty() || (word[0] != '+' && word[0] != '-') ? std::nullopt : BitOfHook(word.substr(1));
-    if (!bit)
-        return std::nullopt;
-    return word[0] == '+' ? hooks | *bit : hooks & ~*bit;
-}
-
-uint32_t HooksOfEnvironment(uint32_t hooks) {
-    const std::string_view value = ReadEnvironment("BOOMERANG_HOOKS");
-    if (value.empty())
-        return hooks;
-    uint32_t made = hooks;
-    for (size_t start = 0; start <= value.size();) {
-        const size_t end = std::min(value.find(',', start), value.size());
-        const std::optional<uint32_t> next = ApplyWord(made, value.substr(start, end - start));
-        if (!next) {
-            Complaint complaint(kHooks, "BOOMERANG_HOOKS", value);
-            complaint.Word("", "all, none, and + or - before");
-            for (const char *name : kHookNames)
-                complaint.Word(" ", name);
-            return hooks;
-        }
-        made = *next;
-        start = end + 1;
-    }
-    return made;
-}
 
 /// The place of the value among two words, or nothing where it is neither.
 std::optional<bool> ChoiceOfEnvironment(Variable variable, const char *name, const char *no,
@@ -149,10 +102,6 @@ const char *NameOf(Mode mode) {
     return "on";
 }
 
-const char *NameOfHook(int index) {
-    return index >= 0 && index < kHookCount ? kHookNames[index] : nullptr;
-}
-
 std::optional<Mode> ModeOfEnvironment() {
     const std::string_view value = ReadEnvironment("BOOMERANG");
     if (value.empty())
@@ -184,7 +133,6 @@ bool EverywhereOfEnvironment() {
 Options WithEnvironment(const Options &options) {
     Options made = options;
     made.mode = ModeOfEnvironment().value_or(options.mode);
-    made.hooks = HooksOfEnvironment(options.hooks);
     if (const auto verbose = ChoiceOfEnvironment(kVerbose, "BOOMERANG_VERBOSE", "0", "1"))
         made.verbosity = *verbose;
     const std::string_view file = ReadEnvironment("BOOMERANG_STATISTICS");

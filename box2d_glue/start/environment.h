@@ -11,7 +11,6 @@
 /// The environment variables that set the plugin without rebuilding the program:
 ///
 ///     BOOMERANG=on|off|verify
-///     BOOMERANG_HOOKS=all,-solve-toi               all, none, +NAME, -NAME, from left to right
 ///     BOOMERANG_STATISTICS=FILE                    written when the process ends, as JSON
 ///     BOOMERANG_VERBOSE=0|1
 ///
@@ -33,8 +32,6 @@ std::string_view ReadEnvironment(const char *name);
 
 /// The word of Options::mode.
 const char *NameOf(Mode mode);
-/// The word for one hook ("solve-toi"), or nullptr where `index` is past the last; bit 1 << index.
-const char *NameOfHook(int index);
 
 /// BOOMERANG, if it is there and understood.
 std::optional<Mode> ModeOfEnvironment();

@@ -24,8 +24,7 @@ bool called = false;
 bool installed = false;
 const char *refusedWhy = nullptr;
 
-/// One line, once: nothing else of a refusal is ever seen, nor is anything said of hooks that nobody comes
-/// by.
+/// One line, once: nothing else of a refusal is ever seen.
 bool Refuse(const char *why) {
     refusedWhy = why;
     ClaimAnnouncement();
@@ -33,29 +32,11 @@ bool Refuse(const char *why) {
     return false;
 }
 
-void ListHooks(const char *before, uint32_t hooks) {
-    std::fputs(before, stderr);
-    for (int i = 0; NameOfHook(i) != nullptr; ++i)
-        if (hooks & (1u << i))
-            std::fprintf(stderr, " %s", NameOfHook(i));
-}
-
 void Announce(const Options &options) {
-    const uint32_t reached = options.hooks & GetSettings().reached, off = HooksOffForRounding(GetSettings());
-    const uint32_t atWork = reached & ~off;
     const Presence presence = GetPresence();
-    std::fprintf(stderr, "boomerang: %s, %s; %s %s; rounds %s Box2D", NameOf(options.mode),
-                 bmr_structure_name(GetSettings().pairDef.structure), presence.way, presence.box2d,
-                 presence.roundsAsBox2D ? "as" : "otherwise than");
-    ListHooks(atWork == kNoHooks ? "; hooks: none" : "; hooks:", atWork);
-    if (off != kNoHooks)
-        ListHooks("; off, for it rounds otherwise:", off);
-    const uint32_t missing = options.hooks & ~reached;
-    if (missing != kNoHooks)
-        ListHooks("; not reached by this Box2D's calls:", missing);
-    if (const char *why = WhyNotAllHooks())
-        std::fprintf(stderr, "; %s", why);
-    std::fputc('\n', stderr);
+    std::fprintf(stderr, "boomerang: %s; %s %s; rounds %s Box2D; %s%s\n", NameOf(options.mode), presence.way,
+                 presence.box2d, presence.roundsAsBox2D ? "as" : "otherwise than",
+                 presence.passesRun ? "whole steps" : "contacts alone: ", presence.whyNot);
 }
 
 } // namespace
@@ -75,8 +56,7 @@ bool InstallHere(const Options &given) {
         return false;
     if (const char *why = WhyThisBox2DIsUnknown())
         return Refuse(why);
-    const bool anybodyIsTold = options.verbosity > 0 || options.statisticsFile != nullptr;
-    if (!MakeSettings(options, anybodyIsTold ? FindReachedHooks() : kAllHooks))
+    if (!MakeSettings(options, WhyNoPassRuns()))
         return Refuse("there is no memory");
     RegisterPolygonContacts();
     ActivateHooks();

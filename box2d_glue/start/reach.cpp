@@ -2,6 +2,7 @@
 #include "start/reach.h"
 
 #include <atomic>
+#include <cstdio>
 #include <cstdlib>
 #include <new>
 
@@ -10,17 +11,27 @@
 #include <box2d/b2_polygon_shape.h>
 #include <box2d/b2_world.h>
 
-#include "start/current_step.h"
+#include "base/compiler.h"
 #include "start/settings.h"
 
 namespace bmr {
 
 namespace {
 
-std::atomic<uint32_t> noted{kNoHooks};
+constexpr const char *kHooks[] = {"b2World::Step",
+                                  "b2ContactManager::Collide",
+                                  "b2ContactManager::FindNewContacts",
+                                  "b2ContactManager::Destroy",
+                                  "b2World::Solve",
+                                  "b2World::SolveTOI",
+                                  "b2Fixture::Synchronize",
+                                  "b2DynamicTree::MoveProxy"};
+static_assert(sizeof kHooks / sizeof *kHooks == static_cast<size_t>(HookOf::Count), "each has a name");
+
 thread_local bool finding = false;
-std::atomic<const char *> way{"contacts alone of Box2D"}, whyNotAll{nullptr};
-std::atomic<uint32_t> hooksOfWay{kAllHooks};
+std::atomic<uint32_t> noted{0};
+std::atomic<const char *> way{"contacts alone of Box2D"}, whyNoPass{nullptr};
+char sentence[120];
 
 /// A box that falls on another one, and overlaps a sensor.
 void Fill(b2World *world) {
@@ -39,52 +50,55 @@ void Fill(b2World *world) {
     world->CreateBody(&body)->CreateFixture(&fixture);
 }
 
-} // namespace
-
-void internal::NoteReached(Hook hook) {
-    // These two hooks answer only inside steps that were announced.
-    const bool inStepsAlone = hook == Hook::TimeOfImpact || hook == Hook::TestOverlap;
-    if (finding && (!inStepsAlone || CurrentStep() != 0))
-        noted.fetch_or(Bit(hook), std::memory_order_relaxed);
-}
-
-void SetWayOfHooks(const char *words, uint32_t hooks, const char *why) {
-    way.store(words, std::memory_order_relaxed);
-    hooksOfWay.store(hooks, std::memory_order_relaxed);
-    whyNotAll.store(why, std::memory_order_relaxed);
-}
-
-const char *WayOfHooks() {
-    return way.load(std::memory_order_relaxed);
-}
-
-uint32_t HooksOfWay() {
-    return hooksOfWay.load(std::memory_order_relaxed);
-}
-
-const char *WhyNotAllHooks() {
-    return whyNotAll.load(std::memory_order_relaxed);
-}
-
-bool IsFindingReachedHooks() {
-    return finding;
-}
-
-uint32_t FindReachedHooks() {
+bool StepSmallWorld() {
     void *room = std::malloc(sizeof(b2World)); // too large for some stacks
     if (room == nullptr)
-        return kNoHooks;
+        return false;
     auto *world = new (room) b2World(b2Vec2(0.0f, -10.0f));
     Fill(world);
     finding = true;
-    internal::activeHooks = internal::kWatching;
+    internal::state = internal::State::Watching;
     world->Step(1.0f / 60.0f, 1, 1);
     world->DestroyBody(world->GetBodyList()); // which ends contacts
-    internal::activeHooks = kNoHooks;
+    internal::state = internal::State::Nothing;
     finding = false;
     world->~b2World();
     std::free(room);
-    return (noted & HooksOfWay()) | Bit(Hook::TouchingManifold);
+    return true;
+}
+
+} // namespace
+
+void internal::NoteReached(HookOf hook) {
+    if (finding)
+        noted.fetch_or(1u << static_cast<uint32_t>(hook), std::memory_order_relaxed);
+}
+
+void SetWay(const char *words, const char *why) {
+    way.store(words, std::memory_order_relaxed);
+    whyNoPass.store(why, std::memory_order_relaxed);
+}
+
+const char *TheWay() {
+    return way.load(std::memory_order_relaxed);
+}
+
+bool IsFindingReach() {
+    return finding;
+}
+
+const char *WhyNoPassRuns() {
+    if (const char *const known = whyNoPass.load(std::memory_order_relaxed))
+        return known;
+    if (!StepSmallWorld())
+        return "there is no memory";
+    const uint32_t missing =
+        ~noted.load(std::memory_order_relaxed) & ((1u << static_cast<uint32_t>(HookOf::Count)) - 1);
+    if (missing == 0)
+        return nullptr;
+    std::snprintf(sentence, sizeof sentence, "calls of %s do not come by this library",
+                  kHooks[LowestBit(missing)]);
+    return sentence;
 }
 
 } // namespace bmr

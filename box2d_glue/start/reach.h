@@ -6,21 +6,16 @@
 
 namespace bmr {
 
-/// The hooks (bits of Options::hooks) that calls of this process's Box2D come by: a small world is stepped
-/// once, with all hooks off, and each says whether it was called. Where the library is behind Box2D, or Box2D
-/// is inside the program, or calls its own functions without the loader, some or all are not. The manifold of
-/// polygons that touch is always among them: Box2D's register of contacts leads to it. For whoever announces
-/// what is at work, before Install makes its settings, on a Box2D that is known; about 0.1 ms. None is
-/// reported where there is no memory to find out.
-uint32_t FindReachedHooks();
+/// Why no pass of ours can run, in a few words; nullptr where passes can. A small world of this process's
+/// Box2D is stepped once, and each hook notes that it was called. One that is not is named: then Box2D is
+/// inside the program, or was built so that it calls its own functions without the loader. Where
+/// SetWay had a reason, that is the answer, and nothing is stepped. Before Install makes its settings, on a
+/// Box2D that is known; about 0.1 ms. The answer lives until the next call.
+const char *WhyNoPassRuns();
 
-/// How Box2D's calls come by the hooks, in a few words; which hooks may answer there; and, where these are
-/// not all, why: BOOMERANG_VERBOSE prints it. Not copied; until it is set there are no hooks, and
-/// contacts alone are ours.
-void SetWayOfHooks(const char *way, uint32_t hooks, const char *whyNotAll);
-const char *WayOfHooks();
-uint32_t HooksOfWay();
-const char *WhyNotAllHooks();
+/// How Box2D's calls come by the hooks, in a few words; and why they do not, where that is known. Not copied.
+void SetWay(const char *way, const char *whyNoPass);
+const char *TheWay();
 
 namespace internal {
 
@@ -35,8 +30,8 @@ void LinkOfStatistics();
 
 } // namespace internal
 
-/// Is this thread stepping that world?
-bool IsFindingReachedHooks();
+/// Is this thread stepping that small world?
+bool IsFindingReach();
 
 } // namespace bmr
 

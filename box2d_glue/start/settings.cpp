@@ -5,13 +5,12 @@
 #include "proofs/hull.h"
 #include "proofs/thresholds.h"
 #include "start/environment.h"
-#include "start/reach.h"
 #include "start/rounding_probe.h"
 
 namespace bmr {
 
 Settings internal::settings;
-std::atomic<uint32_t> internal::activeHooks{kNoHooks};
+std::atomic<internal::State> internal::state{State::Nothing};
 
 namespace {
 Counts counts;
@@ -21,11 +20,11 @@ Counts &GetCounts() {
     return counts;
 }
 
-bool MakeSettings(const Options &options, uint32_t reached) {
+bool MakeSettings(const Options &options, const char *whyNoPass) {
     Settings made;
     made.made = true;
     made.options = options;
-    made.reached = reached;
+    made.whyNoPass = whyNoPass;
     made.options.statistics = options.statistics || options.onEvent != nullptr ||
                               options.onAnswer != nullptr || options.statisticsFile != nullptr;
     made.options.statisticsFile = nullptr; // the caller's; the exit handler has a copy
@@ -50,9 +49,8 @@ bool MakeSettings(const Options &options, uint32_t reached) {
 }
 
 void ActivateHooks() {
-    const Settings &settings = GetSettings();
-    const uint32_t answer = settings.options.hooks & HooksOfWay() & ~HooksOffForRounding(settings);
-    internal::activeHooks = settings.options.mode == Mode::Off ? kNoHooks : answer | internal::kInstalled;
+    internal::state =
+        GetSettings().whyNoPass == nullptr ? internal::State::PassesRun : internal::State::ContactsOurs;
 }
 
 } // namespace bmr

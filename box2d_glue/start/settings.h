@@ -24,62 +24,72 @@ struct Settings {
     bmr_pair_def pairDef = {}; ///< structure and hysteresis; the margin is each pair's own
     /// Directions for hulls of up to kMostHullVertices vertices; NULL where not needed.
     const bmr_compass *compass = nullptr;
-    /// The hooks that Box2D's calls come by, where anybody is told of them; all where nobody is.
-    uint32_t reached = kAllHooks;
+    /// Why no pass of ours runs; nullptr where passes run.
+    const char *whyNoPass = nullptr;
     bool sameRounding = false;  ///< Box2D here rounds as core/exact32 does: its bits can be computed here
     bool solvesIslands = false; ///< those of its solver, too
     CollideByFace collideByFace = nullptr; ///< where it does not: Box2D's own points of a known face
 };
 
+/// A function of Box2D's that has a hook, and that our passes need to be called by.
+enum class HookOf : uint32_t {
+    Step,
+    Collide,
+    FindNewContacts,
+    Destroy,
+    Solve,
+    SolveToi,
+    Synchronize,
+    MoveProxy,
+    Count
+};
+
 namespace internal {
 extern Settings settings;
-/// Options::hooks once installed; none before, and none in mode Off. kWatching while it is found out which
-/// hooks are reached (reach.h).
-extern std::atomic<uint32_t> activeHooks;
-constexpr uint32_t kWatching = 1u << 31;
-/// Set with them, also where Options::hooks is none: steps are counted, contacts may be ours.
-constexpr uint32_t kInstalled = 1u << 30;
-static_assert((kAllHooks & (kWatching | kInstalled)) == 0);
-void NoteReached(Hook hook);
+/// What hooks do. Released when the settings are made.
+enum class State : uint8_t {
+    Nothing,      ///< so it is until the library has started, and in Mode::Off
+    Watching,     ///< Install finds out which of these are called (reach.h)
+    ContactsOurs, ///< the contacts of polygons are ours, steps are Box2D's
+    PassesRun     ///< steps are ours, too
+};
+extern std::atomic<State> state;
+void NoteReached(HookOf hook);
 } // namespace internal
 inline const Settings &GetSettings() {
     return internal::settings;
 }
 
-/// Is this function answered here? A load and a test, for the first line of a hook. Where it is, the settings
-/// are all there, also on a thread that steps nothing and calls Box2D while another one starts the library.
-inline bool HookIsOn(Hook hook) {
-    const uint32_t active = internal::activeHooks.load(std::memory_order_acquire);
-    if ((active & Bit(hook)) != 0)
+/// Do our passes run? A load and a test. Where they do, the settings are all there, also on a thread that
+/// steps nothing and calls Box2D while another one starts the library.
+inline bool PassesRun() {
+    return internal::state.load(std::memory_order_acquire) == internal::State::PassesRun;
+}
+
+/// The same, for the hook of this function.
+inline bool PassesRun(HookOf hook) {
+    const internal::State state = internal::state.load(std::memory_order_acquire);
+    if (state == internal::State::PassesRun)
         return true;
-    if ((active & internal::kWatching) != 0)
+    if (state == internal::State::Watching)
         internal::NoteReached(hook);
     return false;
 }
 
-/// Is any function answered here? Then this is a Box2D that the glue knows, and its objects may be looked
-/// into.
-inline bool AnyHookIsOn() {
-    return (internal::activeHooks.load(std::memory_order_acquire) & kAllHooks) != 0;
+/// Are contacts ours? Then this is a Box2D that the glue knows, and its objects may be looked into.
+inline bool ContactsAreOurs() {
+    return internal::state.load(std::memory_order_acquire) >= internal::State::ContactsOurs;
 }
 
 /// Is nothing installed, nor looked for? Then hooks have nothing to do but for big polygons. One load and a
-/// test: the first line of hooks that are called many times a step. So it is until the library has started,
-/// and in Mode::Off.
+/// test: the first line of hooks that are called many times a step.
 inline bool NothingIsInstalled() {
-    return BMR_RARELY(internal::activeHooks.load(std::memory_order_acquire) == 0);
+    return BMR_RARELY(internal::state.load(std::memory_order_acquire) == internal::State::Nothing);
 }
 
-/// The hooks that answer nothing where Box2D rounds otherwise than core/exact32: theirs are the bits of its
-/// operations. (But for manifolds, where Box2D's own source makes their points.)
-constexpr uint32_t kHooksOfSameRounding =
-    Bit(Hook::TouchingManifold) | Bit(Hook::FixtureBoxes) | Bit(Hook::TreeUpdates);
-inline uint32_t HooksOffForRounding(const Settings &settings) {
-    const uint32_t off = settings.sameRounding ? kNoHooks
-                         : settings.collideByFace != nullptr
-                             ? kHooksOfSameRounding & ~Bit(Hook::TouchingManifold)
-                             : kHooksOfSameRounding;
-    return settings.options.hooks & settings.reached & off;
+/// Are boxes and trees ours, whose bits are those of Box2D's operations? Not where it rounds otherwise.
+inline bool BoxesAreOurs() {
+    return PassesRun() && GetSettings().sameRounding;
 }
 
 /// Is every answer to be compared with Box2D's?
@@ -99,7 +109,7 @@ inline bool EdgesAreOn() {
 }
 
 /// Takes the options over; called once, by Install. False without memory for the compass table.
-bool MakeSettings(const Options &options, uint32_t reached = kAllHooks);
+bool MakeSettings(const Options &options, const char *whyNoPass = nullptr);
 /// From here on the hooks answer. The last thing that Install does.
 void ActivateHooks();
 

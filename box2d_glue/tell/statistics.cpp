@@ -7,9 +7,12 @@ namespace bmr {
 
 Presence GetPresence() {
     Presence presence;
-    presence.way = WayOfHooks();
+    presence.way = TheWay();
     presence.box2d = VersionOfBox2D();
     presence.roundsAsBox2D = GetSettings().sameRounding;
+    presence.passesRun = PassesRun();
+    if (const char *const why = GetSettings().whyNoPass)
+        presence.whyNot = why;
     return presence;
 }
 

@@ -76,38 +76,21 @@ private:
     bool m_first = true;
 };
 
-void WriteHooks(std::FILE *stream, uint32_t hooks) {
-    std::fputc('[', stream);
-    bool first = true;
-    for (int i = 0; NameOfHook(i) != nullptr; ++i) {
-        if ((hooks & (1u << i)) == 0)
-            continue;
-        std::fprintf(stream, "%s\"%s\"", first ? "" : ", ", NameOfHook(i));
-        first = false;
-    }
-    std::fputc(']', stream);
-}
-
 } // namespace
 
 void WriteStatistics(std::FILE *stream) {
     const Statistics s = GetStatistics();
-    const Options &options = GetSettings().options;
     std::fputc('{', stream);
     Members members(stream, "  ");
-    members.Word("mode", NameOf(options.mode));
+    members.Word("mode", NameOf(GetSettings().options.mode));
     members.Word("structure", bmr_structure_name(GetSettings().pairDef.structure));
     const Presence presence = GetPresence();
     members.Word("way", presence.way);
     members.Word("box2d", presence.box2d);
     members.Name("rounds_as_box2d");
     std::fputs(presence.roundsAsBox2D ? "true" : "false", stream);
-    members.Name("hooks");
-    WriteHooks(stream, options.hooks & GetSettings().reached & ~HooksOffForRounding(GetSettings()));
-    members.Name("hooks_off_for_rounding");
-    WriteHooks(stream, HooksOffForRounding(GetSettings()));
-    members.Name("hooks_not_reached");
-    WriteHooks(stream, options.hooks & ~GetSettings().reached);
+    members.Name("passes_run");
+    std::fputs(presence.passesRun ? "true" : "false", stream);
     members.Number("steps", s.steps);
     members.Number("evaluations", s.evaluations);
     members.Number("edge_checks", s.edgeChecks);

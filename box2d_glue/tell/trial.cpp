@@ -60,29 +60,14 @@ void Copy(char (&to)[TrialPage::kMostWords], const char *from) {
     std::snprintf(to, sizeof to, "%s", from);
 }
 
-void CopyHooks(char (&to)[TrialPage::kMostWords], uint32_t hooks) {
-    size_t length = 0;
-    to[0] = '\0';
-    for (int i = 0; NameOfHook(i) != nullptr; ++i) {
-        const size_t added = std::strlen(NameOfHook(i)) + 1;
-        if ((hooks & (1u << i)) == 0 || length + added >= sizeof to)
-            continue;
-        std::snprintf(to + length, sizeof to - length, "%s%s", length == 0 ? "" : " ", NameOfHook(i));
-        length = std::strlen(to);
-    }
-}
-
 /// At the end of a step, or of the process: what is at work by now, and what it has done.
 void Tell(TrialPage *trial) {
     const uint32_t wanted = trial->wanted.load(std::memory_order_acquire);
     if (IsInstalled()) {
         const Presence presence = GetPresence();
-        const uint32_t hooks = GetSettings().options.hooks;
-        const uint32_t atWork = hooks & GetSettings().reached & ~HooksOffForRounding(GetSettings());
         std::snprintf(trial->way, sizeof trial->way, "%s %s; rounds %s Box2D", presence.way, presence.box2d,
                       presence.roundsAsBox2D ? "as" : "otherwise than");
-        CopyHooks(trial->atWork, atWork);
-        CopyHooks(trial->notAtWork, hooks & ~atWork);
+        Copy(trial->noPass, presence.whyNot);
         const Statistics statistics = GetStatistics();
         trial->verified = statistics.verified;
         trial->differences = statistics.differences;

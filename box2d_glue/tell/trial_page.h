@@ -15,7 +15,7 @@ namespace bmr {
 constexpr const char *kTrialVariable = "BOOMERANG_TRIAL";
 
 struct TrialPage {
-    static constexpr uint32_t kMagic = 0x52545243; ///< of this layout; another layout gets another number
+    static constexpr uint32_t kMagic = 0x52545244; ///< of this layout; another layout gets another number
     static constexpr uint32_t kMostSteps = 1u << 18;
     static constexpr int kMostWords = 512, kMostNames = 16384;
 
@@ -33,11 +33,10 @@ struct TrialPage {
     uint64_t verified, differences; ///< of Mode::Verify
     uint64_t asked, pairs;          ///< contacts and impacts asked for; pairs watched by a kinetic structure
     char way[kMostWords];           ///< how calls reach the hooks, the version of Box2D, how it rounds
-    char atWork[kMostWords];        ///< names of hooks with blanks between; likewise the next
-    char notAtWork[kMostWords];
-    char whyNot[kMostWords]; ///< empty, or why the library leaves this Box2D alone
-    char noStep[kMostWords]; ///< empty, or why it sees no step of it
-    char files[kMostNames];  ///< what was loaded at the end of the first step, or of the process; a line each
+    char noPass[kMostWords];        ///< empty, or why contacts alone are ours
+    char whyNot[kMostWords];        ///< empty, or why the library leaves this Box2D alone
+    char noStep[kMostWords];        ///< empty, or why it sees no step of it
+    char files[kMostNames]; ///< what was loaded at the end of the first step, or of the process; a line each
     float microseconds[kMostSteps]; ///< of each step, in the order in which they ended
 };
 

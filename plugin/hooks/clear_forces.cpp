@@ -15,7 +15,7 @@ using namespace bmr;
 BMR_FOR_LOADERS("_ZN7b2World11ClearForcesEv");
 
 void b2World::ClearForces() {
-    Ledger *ledger = HookIsOn(Hook::Ledger) ? FindLedger(&m_contactManager) : nullptr;
+    Ledger *ledger = PassesRun() ? FindLedger(&m_contactManager) : nullptr;
     // Code of the game may have woken bodies, and have pushed them, since the list was made.
     if (ledger == nullptr || !ledger->IsAwakeAlone(CurrentStep()) || GameMayRun()) {
         stock::ClearForces(this);

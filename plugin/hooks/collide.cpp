@@ -10,7 +10,7 @@
 BMR_FOR_LOADERS("_ZN16b2ContactManager7CollideEv");
 
 void b2ContactManager::Collide() {
-    if (bmr::HookIsOn(bmr::Hook::ContactLoop))
+    if (bmr::PassesRun(bmr::HookOf::Collide))
         bmr::Collide(this);
     else
         bmr::stock::Collide(this);

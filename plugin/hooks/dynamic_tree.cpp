@@ -10,7 +10,7 @@ namespace bmr::hooks {
 namespace {
 
 bool IsOurs() {
-    return HookIsOn(Hook::TreeUpdates) && RoundsToNearest();
+    return PassesRun(HookOf::MoveProxy) && BoxesAreOurs() && RoundsToNearest();
 }
 
 BMR_NOINLINE bool MoveInstalled(b2DynamicTree *tree, int32 id, const b2AABB &aabb,

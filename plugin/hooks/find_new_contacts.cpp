@@ -9,7 +9,7 @@
 BMR_FOR_LOADERS("_ZN16b2ContactManager15FindNewContactsEv");
 
 void b2ContactManager::FindNewContacts() {
-    if (bmr::HookIsOn(bmr::Hook::PairFinding))
+    if (bmr::PassesRun(bmr::HookOf::FindNewContacts))
         bmr::FindNewContacts(this, [](b2ContactManager *manager) { bmr::stock::FindNewContacts(manager); });
     else
         bmr::stock::FindNewContacts(this);

@@ -133,7 +133,7 @@ Rate rate; // initialised at compile time: timers may be older than this library
 
 /// With the hook on. `real`: what Box2D does here.
 template <typename Real> BMR_NOINLINE void Start(b2Timer *timer, Real &real) {
-    const uint64_t now = HookIsOn(Hook::ProfileClock) ? Ticks() : 0;
+    const uint64_t now = PassesRun() ? Ticks() : 0;
     if (now == 0 || rate.MillisecondsPerTick(now) <= 0.0) {
         real(timer);
         return;
@@ -144,7 +144,7 @@ template <typename Real> BMR_NOINLINE void Start(b2Timer *timer, Real &real) {
 
 BMR_NOINLINE float Read(const b2Timer *timer) {
     // (Another Box2D's timer may be smaller: with the hook off nothing is read of it.)
-    if (!HookIsOn(Hook::ProfileClock))
+    if (!PassesRun())
         return stock::GetMilliseconds(timer);
     TimerWords words;
     std::memcpy(&words, static_cast<const void *>(timer), sizeof words);

@@ -18,7 +18,7 @@ BMR_FOR_LOADERS("_ZN7b2World5SolveERK10b2TimeStep");
 void b2World::Solve(const b2TimeStep &step) {
     if (NothingIsInstalled())
         return stock::Solve(this, step);
-    if (HookIsOn(Hook::SolveToi)) {
+    if (PassesRun(HookOf::Solve)) {
         const TakenSolver solver(static_cast<uint32_t>(m_bodyCount),
                                  static_cast<uint32_t>(m_contactManager.m_contactCount),
                                  static_cast<uint32_t>(m_jointCount));

@@ -21,7 +21,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     Ledger *const ledger = FindLedger(&m_contactManager);
     if (ledger != nullptr)
         ledger->NoteSearchForImpacts();
-    if (HookIsOn(Hook::SolveToi)) {
+    if (PassesRun(HookOf::SolveToi)) {
         const TakenSolver solver(2 * b2_maxTOIContacts, b2_maxTOIContacts, 0);
         ImpactPass pass(this, step, solver.Get());
         if (solver.Get() != nullptr)

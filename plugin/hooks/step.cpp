@@ -19,8 +19,9 @@ namespace {
 
 BMR_NOINLINE void StepHere(b2World *world, float timeStep, int32 velocityIterations,
                            int32 positionIterations) {
+    PassesRun(HookOf::Step); // notes that it was reached
     // (Of a Box2D that is another one nothing is looked at.)
-    const StepUnderWay step(!AnyHookIsOn() || HasCodeOfGame(world->GetContactManager()));
+    const StepUnderWay step(!ContactsAreOurs() || HasCodeOfGame(world->GetContactManager()));
     CurrentTimeStep() = timeStep;
     CountStep();
     if (AnyBigPolygon())
@@ -52,7 +53,7 @@ BMR_FOR_LOADERS("_ZN7b2World4StepEfii");
 
 void b2World::Step(float timeStep, int32 velocityIterations, int32 positionIterations) {
     StartAtFirstStep();
-    if (IsTried())
+    if (IsTried() && !IsFindingReach())
         StepTried(this, timeStep, velocityIterations, positionIterations);
     else
         StepAsAsked(this, timeStep, velocityIterations, positionIterations);

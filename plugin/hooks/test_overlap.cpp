@@ -17,7 +17,7 @@ bool b2TestOverlap(const b2Shape *shapeA, int32 indexA, const b2Shape *shapeB, i
                    const b2Transform &xfA, const b2Transform &xfB) {
     if (NothingIsInstalled())
         return stock::TestOverlap(shapeA, indexA, shapeB, indexB, xfA, xfB);
-    if (!HookIsOn(Hook::TestOverlap) || CurrentStep() == 0 || !RoundsToNearest())
+    if (!PassesRun() || CurrentStep() == 0 || !RoundsToNearest())
         return stock::TestOverlap(shapeA, indexA, shapeB, indexB, xfA, xfB);
     Count(&Counts::overlapQueries);
     const Overlap answer =

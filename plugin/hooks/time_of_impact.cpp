@@ -5,12 +5,10 @@
 #include "proofs/convex_distance.h"
 #include "reach/stock.h"
 #include "shapes/convex_geometry.h"
-#include "start/settings.h"
 
 BMR_FOR_LOADERS("_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput");
 
 void b2TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
-    bmr::HookIsOn(bmr::Hook::TimeOfImpact); // reached
     if (!bmr::AnyBigPolygon() || !bmr::BigImpact(output, *input))
         bmr::stock::TimeOfImpact(output, input);
 }

@@ -230,8 +230,7 @@ void ReadPage(const Page &page, Run *run) {
     run->asked = page->asked;
     run->pairs = page->pairs;
     run->way = page->way;
-    run->atWork = page->atWork;
-    run->notAtWork = page->notAtWork;
+    run->noPass = page->noPass;
     run->whyNot = page->whyNot;
     run->noStep = page->noStep;
     std::istringstream files(page->files);

@@ -242,11 +242,8 @@ std::string ExplainWork(const Trial &trial) {
         text = "This game is linked with Boomerang already (" + place.boomerang + "), " + on.way + ". ";
         break;
     }
-    if (on.notAtWork.empty())
-        text += "All its hooks are at work. ";
-    else
-        text += "At work are its hooks " + (on.atWork.empty() ? "none" : on.atWork) + "; not " +
-                on.notAtWork + ". ";
+    text += on.noPass.empty() ? "Whole steps are its own. "
+                              : "Contacts alone are its own, because " + on.noPass + ". ";
     text += ratio.steps == 0 ? "No step was taken in all runs, so nothing is compared by the clock. "
                              : ExplainRatio(ratio) + " ";
     const double share = 100.0 * ShareOf(trial.off.front());
@@ -450,8 +447,7 @@ std::string ExplainAsJson(const Trial &trial, Outcome outcome) {
         json["on"].push_back(JsonOf(run));
     if (!trial.on.empty()) {
         json["way"] = trial.on.front().way;
-        json["hooks_at_work"] = trial.on.front().atWork;
-        json["hooks_not_at_work"] = trial.on.front().notAtWork;
+        json["why_contacts_alone"] = trial.on.front().noPass;
         json["why_not"] = trial.on.front().whyNot;
     }
     if (trial.verify) {

@@ -201,7 +201,7 @@ private:
 void CompareHashes(const Workers &workers, const CompareOptions &options, SceneResult &result,
                    Progress &progress) {
     const std::string what = result.scene.name + ": comparing";
-    for (const Side side : {Side::Register, Side::Plugin, Side::Preloaded, Side::Accelerated})
+    for (const Side side : {Side::Plugin, Side::Preloaded, Side::Accelerated})
         if ((side != Side::Preloaded || (workers.CanPreload() && !result.scene.NeedsPlugin())) &&
             (side != Side::Accelerated || workers.CanAccelerate()))
             result.variants.push_back({side, Verdict::Failed});
@@ -237,9 +237,9 @@ void CompareAnswers(const Workers &workers, const CompareOptions &options, Scene
     result.verdict = *differences == 0.0 ? Verdict::Identical : Verdict::Different;
 }
 
-/// Stock, contacts alone, all hooks; and the accelerated Box2D where there is one.
+/// Stock, the plugin; and the accelerated Box2D where there is one.
 int TimedSides(const Workers &workers) {
-    return workers.CanAccelerate() ? 4 : 3;
+    return workers.CanAccelerate() ? 3 : 2;
 }
 
 void Measure(const Workers &workers, const CompareOptions &options, SceneResult &result, Progress &progress) {
@@ -256,9 +256,9 @@ void Measure(const Workers &workers, const CompareOptions &options, SceneResult 
     for (int i = 0; i < options.repeat; ++i) {
         progress.Show(result.scene.name + ": timing", 0.0);
         // Taking turns at who goes first, so that a machine that warms up or slows down favours nobody.
-        constexpr Side kSides[] = {Side::Stock, Side::Register, Side::Plugin, Side::Accelerated};
-        std::vector<nlohmann::json> *const times[] = {&result.stockTimes, &result.registerTimes,
-                                                      &result.pluginTimes, &result.acceleratedTimes};
+        constexpr Side kSides[] = {Side::Stock, Side::Plugin, Side::Accelerated};
+        std::vector<nlohmann::json> *const times[] = {&result.stockTimes, &result.pluginTimes,
+                                                      &result.acceleratedTimes};
         const int sides = TimedSides(workers);
         for (int turn = 0; turn < sides; ++turn) {
             const int side = (turn + i) % sides;

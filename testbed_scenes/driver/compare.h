@@ -65,7 +65,7 @@ struct SceneResult {
     std::string verifyWords;                ///< what the plugin said of the first difference
     nlohmann::json stockCount, pluginCount; ///< summaries of the counting runs; null where there were none
     /// Summaries of the timed runs, paired by index. (The accelerated Box2D's: where there is one.)
-    std::vector<nlohmann::json> stockTimes, registerTimes, pluginTimes, acceleratedTimes;
+    std::vector<nlohmann::json> stockTimes, pluginTimes, acceleratedTimes;
 };
 
 /// Worker runs that comparing one scene takes: the unit of the progress bar.

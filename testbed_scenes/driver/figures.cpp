@@ -153,13 +153,10 @@ void Figures::AddTimes(const SceneResult &result) {
           Time{"toi", "/solveTOI_ms", kFromMilliseconds}, Time{"step", "/step_ns_total", kFromNanoseconds}}) {
         const std::vector<double> stock = Column(result.stockTimes, time.pointer);
         const std::vector<double> plugin = Column(result.pluginTimes, time.pointer);
-        const std::vector<double> contacts = Column(result.registerTimes, time.pointer);
         const double factor = time.toMicroseconds / steps;
         const std::string name = time.name;
         Add("stock." + name + "_us_per_step", Scaled(Median(stock), factor));
         Add("plugin." + name + "_us_per_step", Scaled(Median(plugin), factor));
-        Add("register." + name + "_us_per_step", Scaled(Median(contacts), factor));
-        Add("ratio_register." + name, Median(PairedRatios(stock, contacts)));
         const std::vector<double> accelerated = Column(result.acceleratedTimes, time.pointer);
         Add("accelerated." + name + "_us_per_step", Scaled(Median(accelerated), factor));
         Add("ratio_accelerated." + name, Median(PairedRatios(stock, accelerated)));

@@ -46,7 +46,7 @@ bool AnyIsAccelerated(const std::vector<SceneResult> &results) {
 /// of them, and how long a step takes, where that was measured.
 void PrintVerdicts(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options,
                    bool colour) {
-    std::vector<Side> sides = {Side::Register, Side::Plugin, Side::Preloaded};
+    std::vector<Side> sides = {Side::Plugin, Side::Preloaded};
     if (AnyIsAccelerated(results))
         sides.push_back(Side::Accelerated);
     auto cell = [](Verdict verdict) {
@@ -128,7 +128,6 @@ nlohmann::json ToJson(const SceneResult &result) {
         json[nlohmann::json::json_pointer(PointerOf(name))] = ToJson(value);
     }
     json["summaries"] = {{"stock", {{"count", result.stockCount}, {"time", result.stockTimes}}},
-                         {"register", {{"time", result.registerTimes}}},
                          {"verify", {{"count", result.verifyCount}, {"words", result.verifyWords}}},
                          {"plugin", {{"count", result.pluginCount}, {"time", result.pluginTimes}}},
                          {"accelerated", {{"time", result.acceleratedTimes}}}};
@@ -197,14 +196,13 @@ void WriteHeadline(std::ostream &out, const std::vector<SceneResult> &results) {
 
 void WriteTimes(std::ostream &out, const std::vector<SceneResult> &results, int repeat) {
     Table table;
-    for (const char *name : {"scene", "stock, us a step", "plugin, us a step", "contacts alone", "all hooks"})
+    for (const char *name : {"scene", "stock, us a step", "plugin, us a step", "stock / plugin"})
         table.AddColumn("", name);
     for (const SceneResult &result : results) {
         const Figures figures(result);
         table.AddRow({{result.scene.name},
                       {Fixed(figures["stock.step_us_per_step"], 1)},
                       {Fixed(figures["plugin.step_us_per_step"], 1)},
-                      {Fixed(figures["ratio_register.step"], 2)},
                       {StepRatio(figures)}});
     }
     table.PrintMarkdown(out);

@@ -97,9 +97,7 @@ SceneTable TimeTable(int repeat, bool accelerated) {
             {"narrow phase, us", "linked", "plugin.narrow_phase_us_per_step", 1},
             {"narrow phase, us", "ratio", "ratio.narrow_phase", 2},
             {"whole step, us", "stock", "stock.step_us_per_step", 1, true},
-            {"whole step, us", "register", "register.step_us_per_step", 1},
             {"whole step, us", "linked", "plugin.step_us_per_step", 1, true},
-            {kRatioGroup, "register", "ratio_register.step", 2},
             {kRatioGroup, "linked", "ratio.step", 2, true},
             {kRatioGroup, "from", "ratio.step_least", 2, true},
             {kRatioGroup, "to", "ratio.step_greatest", 2, true},
@@ -117,8 +115,7 @@ SceneTable TimeTable(int repeat, bool accelerated) {
 
 const std::vector<std::string> &VerdictLegend() {
     static const std::vector<std::string> legend = {
-        "register: linked, contacts alone, no hooks; linked: all hooks; preloaded: stock's program, plugin "
-        "in LD_PRELOAD",
+        "linked: a program that was linked with the plugin; preloaded: stock's program, plugin in LD_PRELOAD",
         "accelerated: Box2D compiled with the plugin, where this was built with Box2D's sources",
         "bits: every body, contact, impulse and listener event of every step, hashed and compared",
         "any-...: stock Box2D does not have these polygons; its place has the plugin told to be off "

@@ -22,8 +22,6 @@ const char *NameOf(Side side) {
     switch (side) {
     case Side::Stock:
         return "stock";
-    case Side::Register:
-        return "register";
     case Side::Plugin:
         return "linked";
     case Side::Preloaded:
@@ -82,12 +80,10 @@ fs::path Workers::ProgramOf(Side side) const {
 /// What a worker is told, whatever habits the caller's environment has. An empty value counts as none.
 std::vector<std::string> Workers::EnvironmentOf(const WorkerRequest &request,
                                                 const WorkerOptions &options) const {
-    std::string mode, hooks, preload;
+    std::string mode, preload;
     auto preloaded = [&preload](const std::string &library) {
         preload += (preload.empty() ? "" : ":") + library;
     };
-    if (request.side == Side::Register)
-        hooks = "none";
     if (request.side == Side::Verify)
         mode = "verify";
     if (request.side == Side::Off)
@@ -102,8 +98,7 @@ std::vector<std::string> Workers::EnvironmentOf(const WorkerRequest &request,
             preloaded(m_plugin.string());
         preloaded(m_countLibrary.string());
     }
-    std::vector<std::string> environment = {"BOOMERANG=" + mode, "BOOMERANG_HOOKS=" + hooks,
-                                            "BOOMERANG_PAIRS_BY=" + options.structure,
+    std::vector<std::string> environment = {"BOOMERANG=" + mode, "BOOMERANG_PAIRS_BY=" + options.structure,
                                             "BOOMERANG_STATISTICS=", "BOOMERANG_VERBOSE="};
     if (!preload.empty()) {
         if (*ValueOf("LD_PRELOAD") != '\0')

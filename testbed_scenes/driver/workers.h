@@ -16,12 +16,12 @@
 
 namespace testbed {
 
-/// Stock Box2D, or Box2D with the plugin: never in one process. Register, Plugin: the program that was linked
-/// with it, with the contacts alone or with all hooks. Preloaded: stock's program, with the plugin in
+/// Stock Box2D, or Box2D with the plugin: never in one process. Plugin: the program that was linked
+/// with it. Preloaded: stock's program, with the plugin in
 /// LD_PRELOAD. Accelerated: a program with a Box2D inside that boomerang_accelerate was called for, where one
 /// was built. Verify: as Plugin, but everything is computed twice. Off: as Plugin, but told to be off, which
 /// leaves polygons of any size and nothing else.
-enum class Side { Stock, Register, Plugin, Preloaded, Accelerated, Verify, Off };
+enum class Side { Stock, Plugin, Preloaded, Accelerated, Verify, Off };
 
 const char *NameOf(Side side);
 /// The side that the plugin's is held against: stock, or the plugin told to be off where stock Box2D does not

@@ -15,7 +15,7 @@ Tables, each printed as Markdown:
   bodies     instructions of a step against the number of bodies, 1,000 to 50,000
   asleep     instructions of a step in which everybody sleeps
   scenes     each scene of the testbed, stock over plugin: linked behind Box2D, which leaves contacts alone, and
-             linked ahead of it with all hooks (SCENES="a b": these alone; LISTENER=reads: with such a listener)
+             linked ahead of it, which runs whole steps (SCENES="a b": these alone; LISTENER=reads: with such a listener)
 --steps N   steps of each scene (default: the scene's own)
 Exit codes: 0 done; 2 wrong usage; 3 a program failed.
 TEXT
@@ -43,12 +43,10 @@ trap 'rm -f "$profile"' EXIT
 # The dynamic linker's look-ups would be counted where a function is called first.
 export LD_BIND_NOW=1
 
-# linked SIDE OPTIONS... PROGRAM ARGUMENTS...: leaves $profile. A side is stock, or what BOOMERANG_HOOKS is to say.
-linked() {
-    local hooks=''
-    [[ $1 = stock ]] || hooks=$1
-    BOOMERANG_HOOKS=$hooks valgrind -q --tool=callgrind --callgrind-out-file="$profile" "${@:2}" </dev/null >/dev/null || {
-        echo "measure_costs.sh: failed: ${*:2}" >&2
+# profiled OPTIONS... PROGRAM ARGUMENTS...: leaves $profile.
+profiled() {
+    valgrind -q --tool=callgrind --callgrind-out-file="$profile" "$@" </dev/null >/dev/null || {
+        echo "measure_costs.sh: failed: $*" >&2
         exit 3
     }
 }
@@ -81,11 +79,11 @@ inclusive() {
         END { printf "%.0f\n", sum }'
 }
 
-# world SIDE WORLD COUNT STEPS [FIXTURES]
+# world stock|plugin WORLD COUNT STEPS [FIXTURES]
 world() {
     local preload=''
     [[ $1 = stock ]] || preload=$plugin
-    LD_PRELOAD=$preload linked "$1" --toggle-collect='MeasuredStep*' "$worlds" "${@:2}"
+    LD_PRELOAD=$preload profiled --toggle-collect='MeasuredStep*' "$worlds" "${@:2}"
 }
 
 # per_call SIDE FUNCTION WORLD EMPTY_WORLD: instructions of FUNCTION for each pair of WORLD and step, less those
@@ -113,7 +111,7 @@ calls() {
     echo "| --- | --- | --- | --- |"
     while IFS='|' read -r what function full empty; do
         stock=$(per_call stock "$function" "$full" "$empty")
-        ours=$(per_call all "$function" "$full" "$empty")
+        ours=$(per_call plugin "$function" "$full" "$empty")
         echo "| $what | $stock | $ours | $(ratio "$stock" "$ours") |"
     done <<'TEXT'
 contact of two boxes, apart|b2ContactManager::Collide|apart-box|far
@@ -135,7 +133,7 @@ row() {
     shift 3
     world stock "$@"
     stock=$(($(total) / runs))
-    world all "$@"
+    world plugin "$@"
     ours=$(($(total) / runs))
     echo "| $name | $x | $stock | $ours | $(ratio "$stock" "$ours") |"
 }
@@ -181,18 +179,18 @@ list_scenes() {
 scenes() {
     local name count box2d sums
     box2d=$(ldd "$build/bin/boomerang-scene" | awk '/libbox2d/ { print $3 }')
-    echo "| scene | steps | stock, instructions a step | contacts alone | all hooks |"
+    echo "| scene | steps | stock, instructions a step | contacts alone | whole steps |"
     echo "| --- | --- | --- | --- | --- |"
     while IFS=, read -r name count; do
         [[ -z ${SCENES:-} || " $SCENES " = *" $name "* ]] || continue
         count=${steps:-$count}
         sums=()
-        linked stock "$build/bin/boomerang-scene" "$name" --mode time --steps "$count" --listener "${LISTENER:-none}"
+        profiled "$build/bin/boomerang-scene" "$name" --mode time --steps "$count" --listener "${LISTENER:-none}"
         sums+=("$(inclusive b2World::Step)")
         # Preloaded, Box2D's functions come first: as if the plugin were linked behind it.
-        LD_PRELOAD=$box2d linked none "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count" --listener "${LISTENER:-none}"
+        LD_PRELOAD=$box2d profiled "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count" --listener "${LISTENER:-none}"
         sums+=("$(inclusive b2World::Step)")
-        linked all "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count" --listener "${LISTENER:-none}"
+        profiled "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count" --listener "${LISTENER:-none}"
         sums+=("$(inclusive b2World::Step)")
         echo "| $name | $count | $((sums[0] / count)) | $(ratio "${sums[0]}" "${sums[1]}") |" \
             "$(ratio "${sums[0]}" "${sums[2]}") |"

@@ -15,7 +15,7 @@ trap 'rm -rf "$room"' EXIT
 holds_shows=$room/err
 # shellcheck source=tests/kit/holds.sh
 source "$root/tests/kit/holds.sh"
-unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_PAIRS_BY BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
 cd "$room" || exit 1
 
 headers=(-I"$root/core/include" -I"$root/box2d_glue/include" -I"$root/plugin/include" -I"$build/source/include")
@@ -60,14 +60,14 @@ cell_linked_preloaded() {
 # The preloaded library sees a shared Box2D that is accelerated, and none that is inside a program.
 cell_accelerated_preloaded() {
     links it INTERFACE "$accelerated" && plays env "LD_PRELOAD=$plugin" BOOMERANG_VERBOSE=1 ./it && says '64-gon: no error; compiled with Box2D' &&
-        says '^boomerang: on, .*compiled with Box2D' && says '^boomerang: not used: ' && cell_accelerated_preloaded_shared
+        says '^boomerang: on; .*compiled with Box2D' && says '^boomerang: not used: ' && cell_accelerated_preloaded_shared
 }
 # (With --long there is one.)
 cell_accelerated_preloaded_shared() {
     local place=$build/ndebug/accelerated
     [ -e "$place/libbox2d.so.2" ] || return 0
     links it INTERFACE "$place/libbox2d.so.2" -Wl,-rpath,"$place" && plays env "LD_PRELOAD=$plugin" BOOMERANG_VERBOSE=1 ./it &&
-        says 'libboomerang_box2d.so stands aside' && says '^boomerang: on, .*compiled with Box2D'
+        says 'libboomerang_box2d.so stands aside' && says '^boomerang: on; .*compiled with Box2D'
 }
 refused() {
     local how=$1 sentence=$2
@@ -85,7 +85,7 @@ cell_accelerated_linked() {
         # shellcheck disable=SC2086
         links it INTERFACE -Wl,--no-as-needed $order -Wl,-rpath,"$libraries" && plays ./it && says '64-gon: no error; compiled with Box2D' &&
             says 'libboomerang_box2d.so stands aside: .* is compiled with Boomerang already' && plays env BOOMERANG_VERBOSE=1 ./it &&
-            says '^boomerang: on, .*compiled with Box2D' && plays env "BOOMERANG_STATISTICS=$room/counts.json" ./it &&
+            says '^boomerang: on; .*compiled with Box2D' && plays env "BOOMERANG_STATISTICS=$room/counts.json" ./it &&
             grep -q '"way": "compiled with Box2D"' counts.json && plays env BOOMERANG=verify ./it && says 'verified [1-9][0-9,]* answers, 0 differ' &&
             { [ ! -x "$tree/bin/boomerang" ] || "$tree/bin/boomerang" try --quiet --rounds 1 ./it >out 2>err; } || return 1
     done
@@ -101,7 +101,7 @@ cell_core_accelerated() {
 }
 cell_python_preloaded() {
     preload=("LD_PRELOAD=$plugin libbox2d.so.2" BOOMERANG_VERBOSE=1)
-    links it.so '' -lbox2d && plays python "$room/it.so" && says '^boomerang: on, .*ahead of Box2D'
+    links it.so '' -lbox2d && plays python "$room/it.so" && says '^boomerang: on; .*ahead of Box2D'
 }
 cell_python_linked() { links it.so INTERFACE "${linked[@]}" && plays python "$room/it.so" && says '64-gon: no error; ahead of Box2D'; }
 cell_python_accelerated() { links it.so INTERFACE "$accelerated" && plays python "$room/it.so" && says '64-gon: no error; compiled with'; }

@@ -26,8 +26,8 @@ const Way kWays[] = {
     {"lazy-dudley", {"BOOMERANG_PAIRS_BY=lazy-dudley"}},
     {"lazy-compass, statistics", {"BOOMERANG_PAIRS_BY=lazy-compass", "BOOMERANG_STATISTICS=/dev/null"}},
     {"verify, complaints",
-     {"BOOMERANG=verify", "BOOMERANG_HOOKS=everything", "BOOMERANG_PAIRS_BY=none of that name",
-      "BOOMERANG_VERBOSE=very", "BOOMERANG_STATISTICS=/nowhere/%p.json"}},
+     {"BOOMERANG=verify", "BOOMERANG_PAIRS_BY=none of that name", "BOOMERANG_VERBOSE=very",
+      "BOOMERANG_STATISTICS=/nowhere/%p.json"}},
 };
 
 size_t failures = 0;
@@ -107,8 +107,8 @@ size_t PlayWay(const Way &way, const Ended &stock) {
 } // namespace
 
 int main() {
-    for (const char *name : {"BOOMERANG", "BOOMERANG_HOOKS", "BOOMERANG_PAIRS_BY", "BOOMERANG_STATISTICS",
-                             "BOOMERANG_VERBOSE", "LD_PRELOAD"})
+    for (const char *name :
+         {"BOOMERANG", "BOOMERANG_PAIRS_BY", "BOOMERANG_STATISTICS", "BOOMERANG_VERBOSE", "LD_PRELOAD"})
         unsetenv(name);
     const Ended stock = RunProgram({GAME});
     size_t played = 0;

@@ -194,14 +194,11 @@ std::string Asked(double second, const std::function<std::string(b2Body *, b2Bod
 
 const Table kGlue("the glue", [] {
     Answers("Install", "true",
-            {{"hooks", 0, Says("true", {UINT32_MAX})},
-             {"verbosity", 0, Says("true", {INT_MIN})},
-             {"calls before", 0, Says("false", {1})}},
+            {{"verbosity", 0, Says("true", {INT_MIN})}, {"calls before", 0, Says("false", {1})}},
             [](const Given &g) {
                 bmr::Options options;
-                options.hooks = g[0] != 0.0 ? UINT32_MAX : options.hooks;
-                options.verbosity = g[1] != 0.0 ? INT_MIN : options.verbosity;
-                return Said((g[2] == 0.0 || bmr::Install()) && bmr::Install(options));
+                options.verbosity = g[0] != 0.0 ? INT_MIN : options.verbosity;
+                return Said((g[1] == 0.0 || bmr::Install()) && bmr::Install(options));
             });
     Answers("CertifiedSlack", "above 0",
             {{"second body", kAnother,

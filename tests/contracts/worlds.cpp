@@ -110,8 +110,8 @@ bool OutputsTell() {
 }
 
 const Table kWorlds("worlds", [] {
-    for (const char *name : {"BOOMERANG", "BOOMERANG_HOOKS", "BOOMERANG_PAIRS_BY", "BOOMERANG_STATISTICS",
-                             "BOOMERANG_VERBOSE", "LD_PRELOAD"})
+    for (const char *name :
+         {"BOOMERANG", "BOOMERANG_PAIRS_BY", "BOOMERANG_STATISTICS", "BOOMERANG_VERBOSE", "LD_PRELOAD"})
         unsetenv(name);
     Matrix matrix;
     matrix.alone = false; // the games have processes of their own

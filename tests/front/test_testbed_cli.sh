@@ -132,10 +132,9 @@ test_compare_reports_identical_scenes() {
     json_number "$scratch/report.json" scenes 1 figures ratio step
 
     local way
-    for way in register linked preloaded; do
+    for way in linked preloaded; do
         json_is "$scratch/report.json" identical scenes 1 variants "$way"
     done
-    json_number "$scratch/report.json" scenes 1 figures register step_us_per_step
     # Counted behind the plugin: what it answers does not reach Box2D.
     json_is "$scratch/report.json" 0.0 scenes 1 figures plugin polygon_tests_per_step
 
@@ -162,7 +161,7 @@ test_an_accelerated_worker_has_its_columns() {
 
 # Whatever the caller has in the environment is not what the workers get.
 test_compare_ignores_the_callers_plugin_settings() {
-    BOOMERANG=off BOOMERANG_HOOKS=none BOOMERANG_VERBOSE=1 expect 0 compare "$hard" --steps "$steps" --no-time --quiet
+    BOOMERANG=off BOOMERANG_VERBOSE=1 expect 0 compare "$hard" --steps "$steps" --no-time --quiet
     err_empty
 }
 
@@ -208,7 +207,7 @@ test_compare_without_time_and_quietly() {
 # The control: a difference of one bit is found where it was made, and named.
 test_compare_finds_a_perturbation() {
     expect 1 compare "$hard" --steps "$steps" --perturb 7 --json "$scratch/report.json" --csv "$scratch/report.csv"
-    out_has "^$hard: first difference at step 7, in the hash of .*bodies.* \(register, linked, preloaded\)"
+    out_has "^$hard: first difference at step 7, in the hash of .*bodies.* \(linked, preloaded\)"
     out_has '^  body [0-9]+ [a-zA-Z_.]+'
     out_has '^    stock   .*0x'
     out_has '^    plugin  .*0x'

@@ -149,10 +149,9 @@ TEST_CASE("bodies of very many fixtures play as stock") {
     forked::CheckSameAsStock(PlayMany);
 }
 
-TEST_CASE("without hooks and without remembered edges worlds play as stock") {
+TEST_CASE("without remembered edges worlds play as stock") {
     const std::string stock = forked::InChild(PlaySmall, nullptr, forked::When::kBefore);
-    bmr::Options bare;
-    bare.hooks = bmr::kNoHooks;
+    const bmr::Options bare;
     const forked::PairsBy by(BMR_FREE_DIRECTION);
     CHECK(forked::Difference(stock, forked::InChild(PlaySmall, &bare, forked::When::kBefore)) == "");
 }

@@ -112,19 +112,11 @@ TEST_CASE("who asks is told what is at work, and what is not reached without the
     const std::string said = Alone([](Run &run) {
         bmr::Options options;
         options.verbosity = 1;
-        options.hooks = Bit(bmr::Hook::SolveToi) | Bit(bmr::Hook::TouchingManifold);
         PrintInstall(run, options);
     });
-    CHECK(said.find(
-              "done, installed: boomerang: on, free-direction; contacts alone of Box2D 2.4.1; rounds ") == 0);
-    CHECK(said.find(" Box2D; hooks: touching-manifold; not reached by this Box2D's calls: solve-toi\n") !=
+    CHECK(said.find("done, installed: boomerang: on; contacts alone of Box2D 2.4.1; rounds ") == 0);
+    CHECK(said.find(" Box2D; contacts alone: calls of b2World::Step do not come by this library\n") !=
           std::string::npos);
-    CHECK(Alone([](Run &run) {
-              bmr::Options options;
-              options.verbosity = 1;
-              options.hooks = bmr::kNoHooks;
-              PrintInstall(run, options);
-          }).find(" hooks: none\n") != std::string::npos);
 }
 
 TEST_CASE("of processes that share their announcement one claims it") {
@@ -157,7 +149,6 @@ TEST_CASE("the statistics are one JSON object of the options and all counts") {
         bmr::Options options;
         options.statistics = true;
         const forked::PairsBy by(BMR_LAZY_DUDLEY);
-        options.hooks = Bit(bmr::Hook::SolveToi) | Bit(bmr::Hook::TestOverlap);
         bmr::Install(options);
         std::FILE *file = std::tmpfile();
         bmr::WriteStatistics(file);
@@ -177,8 +168,7 @@ TEST_CASE("the statistics are one JSON object of the options and all counts") {
     CHECK(line ==
           "{\"mode\":\"on\",\"structure\":\"lazy-dudley\","
           "\"way\":\"contactsaloneofBox2D\",\"box2d\":\"2.4.1\",\"rounds_as_box2d\":true,"
-          "\"hooks\":[\"test-overlap\",\"solve-toi\"],"
-          "\"hooks_off_for_rounding\":[],\"hooks_not_reached\":[],"
+          "\"passes_run\":false,"
           "\"steps\":0,"
           "\"evaluations\":0,\"edge_checks\":0,\"edge_searches\":0,\"verdicts_reused\":0,\"proved_apart\":0,"
           "\"handed_over\":0,\"handed_over_touching\":0,\"touching_answered\":0,\"toi_queries\":0,\"toi_"
@@ -228,34 +218,7 @@ bmr::Options Under(const char *name, const char *value, const bmr::Options &opti
     return made;
 }
 
-uint32_t Hooks(const char *value, uint32_t given = bmr::kAllHooks) {
-    bmr::Options options;
-    options.hooks = given;
-    return Under("BOOMERANG_HOOKS", value, options).hooks;
-}
-
 } // namespace
-
-TEST_CASE("hooks are named one by one, from left to right") {
-    CHECK(Hooks("") == bmr::kAllHooks);
-    CHECK(Hooks("none") == bmr::kNoHooks);
-    CHECK(Hooks("all", bmr::kNoHooks) == bmr::kAllHooks);
-    CHECK(Hooks("none,+solve-toi") == Bit(bmr::Hook::SolveToi));
-    CHECK(Hooks("+solve-toi,none") == bmr::kNoHooks);
-    CHECK(Hooks("-test-overlap,-contact-loop") ==
-          (bmr::kAllHooks & ~Bit(bmr::Hook::TestOverlap) & ~Bit(bmr::Hook::ContactLoop)));
-}
-
-TEST_CASE("every hook has a name, which takes it away and brings it back") {
-    uint32_t named = bmr::kNoHooks;
-    for (int i = 0; bmr::NameOfHook(i) != nullptr; ++i) {
-        named |= 1u << i;
-        CHECK(Hooks((std::string("-") + bmr::NameOfHook(i)).c_str()) == (bmr::kAllHooks & ~(1u << i)));
-        CHECK(Hooks((std::string("+") + bmr::NameOfHook(i)).c_str(), bmr::kNoHooks) == 1u << i);
-    }
-    CHECK(named == bmr::kAllHooks);
-    CHECK(bmr::NameOfHook(-1) == nullptr);
-}
 
 TEST_CASE("every mode and every structure has a name that chooses it") {
     CHECK(!bmr::StructureOfEnvironment());
@@ -285,17 +248,11 @@ TEST_CASE("a value that is not understood changes nothing, and is named once wit
     } bad[] = {
         {"BOOMERANG", "perhaps",
          "boomerang: BOOMERANG=perhaps is not understood, so it does nothing; known: on, off, verify\n"},
-        {"BOOMERANG_HOOKS", "none,-everything",
-         "boomerang: BOOMERANG_HOOKS=none,-everything is not understood, so it does nothing; known: all, "
-         "none, and + "
-         "or - before time-of-impact test-overlap solve-toi contact-loop pair-finding profile-clock "
-         "touching-manifold fixture-boxes tree-updates ledger\n"},
         {"BOOMERANG_VERBOSE", "very",
          "boomerang: BOOMERANG_VERBOSE=very is not understood, so it does nothing; known: 0, 1\n"},
     };
     bmr::Options given;
     given.mode = bmr::Mode::Verify;
-    given.hooks = Bit(bmr::Hook::SolveToi);
     given.verbosity = 1;
     for (const auto &b : bad) {
         CAPTURE(std::string(b.name));
@@ -307,10 +264,6 @@ TEST_CASE("a value that is not understood changes nothing, and is named once wit
         CHECK(StderrOf([&] { made = Under(b.name, b.value, given); }) == b.line);
         CHECK(StderrOf([&] { Under(b.name, b.value, given); }) == "");
         CHECK(made.mode == given.mode);
-        CHECK(made.hooks == given.hooks);
         CHECK(made.verbosity == given.verbosity);
     }
-    // Neither a word without its sign nor one that is empty, though nothing is said of them any more.
-    for (const char *value : {"solve-toi", ",", "all,", "+", "-nothing"})
-        CHECK(Hooks(value, Bit(bmr::Hook::SolveToi)) == Bit(bmr::Hook::SolveToi));
 }

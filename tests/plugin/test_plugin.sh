@@ -9,7 +9,7 @@ plugin=${1:?} box2d=${2:?} bin=${3:?} source=${4:?}
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 failures=0
-unset BOOMERANG BOOMERANG_HOOKS BOOMERANG_PAIRS_BY BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
 
 fail() {
     failures=$((failures + 1))
@@ -148,47 +148,30 @@ test_verify_compares_and_finds_nothing() {
     [ "$(number verified)" -gt 10000 ] || fail "verify: next to nothing was compared"
     [ "$(number differences)" -eq 0 ] || fail "verify: differences"
     # Also where there was nothing to compare; and not where Boomerang never came to work.
-    game linked_game BOOMERANG=verify BOOMERANG_HOOKS=none
+    game linked_game BOOMERANG=verify
     verified "linked, verify"
     game no_game LD_PRELOAD="$plugin" BOOMERANG=verify
     quiet "no game, verify"
 }
 
 test_what_is_announced_is_what_is_reached() {
-    local all='"time-of-impact", "test-overlap", "solve-toi", "contact-loop", "pair-finding", "profile-clock", "touching-manifold", "fixture-boxes", "tree-updates", "ledger"'
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1
     same_output "announced"
-    one_line "announced" 'hooks: time-of-impact test-overlap solve-toi contact-loop pair-finding profile-clock touching-manifold fixture-boxes tree-updates ledger$'
-    grep -q "\"hooks\": \[$all\]" "$room/json" || fail "in front: hooks that are reached are not listed"
-    grep -q '"hooks_not_reached": \[\]' "$room/json" || fail "in front: hooks are not reached"
-    grep -q '"way": "ahead of Box2D"' "$room/json" || fail "in front: the way is another"
-    grep -q '"box2d": "2.4.1"' "$room/json" || fail "another version of Box2D is named"
-    grep -q '"rounds_as_box2d": true' "$room/json" || fail "Debian's Box2D rounds otherwise"
+    one_line "announced" '^boomerang: on; ahead of Box2D 2\.4\.1; rounds as Box2D; whole steps$'
+    grep -q '"passes_run": true' "$room/json" || fail "in front: no pass runs"
     [ "$(number steps)" -eq 240 ] || fail "in front: the step that finds out was counted"
     # Behind, only Box2D's register leads here.
     game late_game BOOMERANG=on BOOMERANG_VERBOSE=1
     same_output "announced, behind"
-    one_line "announced, behind" "hooks: touching-manifold; not reached by this Box2D's calls: time-of-impact .* profile-clock fixture-boxes tree-updates ledger; /.*/libbox2d\.so.* is ahead of it.*Link boomerang::box2d ahead of Box2D\$"
-    grep -q '"hooks": \["touching-manifold"\]' "$room/json" || fail "behind: hooks are listed that are not reached"
-    grep -q '"way": "behind Box2D"' "$room/json" || fail "behind: the way is another"
-    game late_game BOOMERANG=on BOOMERANG_HOOKS=none,+solve-toi BOOMERANG_VERBOSE=1
-    one_line "announced, behind, one hook" "hooks: none; not reached by this Box2D's calls: solve-toi; /"
-    grep -q '"hooks_not_reached": \["solve-toi"\]' "$room/json" || fail "behind: one hook is not listed as out of reach"
-}
-
-test_hooks_and_structure_are_taken_from_the_environment() {
-    game plain_game LD_PRELOAD="$plugin" BOOMERANG_HOOKS=none BOOMERANG_PAIRS_BY=lazy-dudley
-    same_output "no hooks"
-    at_work "no hooks"
-    [ "$(number 'hooks')" = '[]' ] || fail "hooks are not empty"
+    one_line "announced, behind" "; contacts alone: /.*/libbox2d\.so.* is ahead of it.*Link boomerang::box2d ahead of Box2D\$"
+    grep -q '"passes_run": false' "$room/json" || fail "behind: passes run"
+    # Another library takes one of the functions: all passes are Box2D's.
+    game plain_game LD_PRELOAD="$bin/libunheard_islands.so:$plugin" BOOMERANG_VERBOSE=1
+    same_output "one function is not reached"
+    one_line "one function is not reached" '; contacts alone: calls of b2World::Solve do not come by this library$'
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_PAIRS_BY=lazy-dudley
+    same_output "another structure"
     [ "$(number structure)" = lazy-dudley ] || fail "another structure"
-    [ "$(number toi_queries)" -eq 0 ] && [ "$(number overlap_queries)" -eq 0 ] || fail "a hook that was off answered"
-    game plain_game LD_PRELOAD="$plugin" BOOMERANG_HOOKS=all,-solve-toi BOOMERANG_VERBOSE=1
-    same_output "all but one hook"
-    grep -q 'hooks: time-of-impact test-overlap contact-loop' "$room/err" || fail "verbose: hooks not listed"
-    game plain_game LD_PRELOAD="$plugin" BOOMERANG_HOOKS=none,+time-of-impact BOOMERANG_VERBOSE=1
-    same_output "one hook"
-    one_line "one hook" 'hooks: time-of-impact$'
 }
 
 test_values_that_are_not_understood_get_one_line() {
@@ -198,12 +181,8 @@ test_values_that_are_not_understood_get_one_line() {
     at_work "BOOMERANG=perhaps"
     game linked_game BOOMERANG=perhaps
     one_line "linked, BOOMERANG=perhaps" 'not understood'
-    game no_game LD_PRELOAD="$plugin" BOOMERANG=perhaps BOOMERANG_HOOKS=nothing
+    game no_game LD_PRELOAD="$plugin" BOOMERANG=perhaps
     quiet "no game, BOOMERANG=perhaps"
-    game plain_game LD_PRELOAD="$plugin" BOOMERANG_HOOKS=all,-nothing
-    one_line "a hook of no name" 'known: all, none, .* time-of-impact'
-    game plain_game LD_PRELOAD="$plugin" BOOMERANG_HOOKS=,
-    one_line "an empty word" 'not understood'
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_PAIRS_BY=magic
     one_line "a structure of no name" 'known: .*free-direction'
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=very
@@ -226,11 +205,11 @@ test_wrong_set_ups_get_one_line() {
     # Where a game wraps b2World::Step no step is seen, and hooks that stand on what is known of steps answer nothing.
     game wrapping_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1
     same_output "a wrapper in the program"
-    one_line "a wrapper in the program" 'behind a wrapper of Box2D .*hooks: touching-manifold; .*/wrapping_game has a b2World::Step of its own.* Give that function another name$'
+    one_line "a wrapper in the program" 'behind a wrapper of Box2D .*; contacts alone: .*/wrapping_game has a b2World::Step of its own.* Give that function another name$'
     [ "$(number touching_answered)" -gt 0 ] || fail "a wrapper in the program: nothing was answered"
     game plain_game LD_PRELOAD="$bin/libwrapping.so:$plugin" BOOMERANG_VERBOSE=1
     same_output "a wrapper that is preloaded"
-    one_line "a wrapper that is preloaded" "behind a wrapper of Box2D .*; $bin/libwrapping.so is ahead of it\. Name it first: LD_PRELOAD=\"$plugin $bin/libwrapping.so\"\$"
+    one_line "a wrapper that is preloaded" "behind a wrapper of Box2D .*; contacts alone: $bin/libwrapping.so is ahead of it\. Name it first: LD_PRELOAD=\"$plugin $bin/libwrapping.so\"\$"
     game plain_game LD_PRELOAD="$plugin:$bin/libwrapping.so"
     same_output "ahead of a wrapper"
     at_work "ahead of a wrapper"

@@ -36,28 +36,6 @@ enum class Mode : int32_t {
            ///< answers were compared and how many differed, also where none was
 };
 
-/// What the shared library puts in front of Box2D besides the polygon contact, each on its own switch. Bits
-/// of Options::hooks. A hook can only answer calls that Box2D makes through it. It makes all of them so where
-/// the library is loaded ahead of a shared Box2D; behind it, or with the static glue alone, only those of
-/// TouchingManifold.
-enum class Hook : uint32_t {
-    TimeOfImpact = 1u << 0,     ///< b2TimeOfImpact answered from proofs of separation
-    TestOverlap = 1u << 1,      ///< b2TestOverlap of sensors, likewise
-    SolveToi = 1u << 2,         ///< the search for the next impact in b2World::SolveTOI
-    ContactLoop = 1u << 3,      ///< b2ContactManager::Collide
-    PairFinding = 1u << 4,      ///< the search for new pairs in the broad phase
-    ProfileClock = 1u << 5,     ///< the clock behind b2Profile
-    TouchingManifold = 1u << 6, ///< the manifold of two polygons that touch
-    FixtureBoxes = 1u << 7,     ///< the boxes around polygons that have moved: b2Fixture::Synchronize
-    TreeUpdates = 1u << 8,      ///< proxies that are made, moved and ended in b2DynamicTree
-    Ledger = 1u << 9,           ///< budgets of motion: contacts that are not looked at for a while
-};
-constexpr uint32_t Bit(Hook hook) {
-    return static_cast<uint32_t>(hook);
-}
-constexpr uint32_t kNoHooks = 0;
-constexpr uint32_t kAllHooks = (Bit(Hook::Ledger) << 1) - 1;
-
 /// How one evaluation of two polygons was answered. Those before HandedOver needed no manifold.
 enum class Answer : int32_t {
     ApartByPair,   ///< the kinetic structure of their bodies (or of the two) proves them apart
@@ -108,40 +86,39 @@ struct Options {
     /// Told of every evaluation, once its manifold is there (implies statistics). As onEvent otherwise.
     void (*onAnswer)(void *context, const b2Contact &contact, Answer answer) = nullptr;
     Mode mode = Mode::On;
-    /// Which functions of Box2D are answered, for example kAllHooks & ~Bit(Hook::SolveToi).
-    uint32_t hooks = kAllHooks;
-    /// What is said on stderr: 0, refusals and differences alone; 1, also what is at work. Of the hooks that
-    /// are on, those that Box2D's calls come by, and those that they do not: Install steps a small world to
-    /// find out (about 0.1 ms, here and for statisticsFile alone).
+    /// 0: refusals and differences alone are printed on stderr. 1: also what Presence says.
     int32_t verbosity = 0;
     /// Where the statistics go when the process ends, as JSON (implies statistics); nullptr: nowhere. Copied.
-    /// "way", "box2d" and "rounds_as_box2d" are of Presence. "hooks" are those that are at work,
-    /// "hooks_not_reached", "hooks_without_room" (contacts of 32-bit platforms have none for the ledger) and
-    /// "hooks_off_for_rounding" (Box2D was built with another rounding, fused multiply-add say) those that
-    /// are on in vain. Of a program that forks, the process that installed
-    /// writes it; with "%p" in the name, which stands for the number of the process, each writes its own.
+    /// "way", "box2d", "rounds_as_box2d" and "passes_run" are of Presence. Of a program that forks, the
+    /// process that installed writes it; with "%p" in the name, which stands for the number of the process,
+    /// each writes its own.
     const char *statisticsFile = nullptr;
     /// How b2World::DebugDraw draws a ConvexShape, where the shared library stands in front of Box2D.
     Outlines outlines = Outlines::Pieces;
 };
 
-/// Makes Boomerang the polygon-against-polygon contact of every world in the process, and turns the hooks on.
-/// Call it once, before or after worlds exist (contacts that exist already keep working as stock). What the
-/// environment says (BOOMERANG, BOOMERANG_HOOKS, ...; docs/is-it-for-my-game.md) outweighs the options.
-/// Returns whether this call put the plugin to work: false at a second call, where the mode is Off, and where
-/// the Box2D of this process is not one that the plugin knows, or there is no memory (one line on stderr says
-/// so, once). Not to be raced against a running b2World::Step of another thread.
+/// Makes Boomerang the polygon-against-polygon contact of every world in the process. Where Box2D calls the
+/// functions that our passes replace (Presence::passesRun), whole steps are ours, too. Call it once, before
+/// or after worlds exist (contacts that exist already keep working as stock). What the environment says
+/// (BOOMERANG, BOOMERANG_VERBOSE, ...; docs/is-it-for-my-game.md) outweighs the options. Returns whether this
+/// call put the plugin to work: false at a second call, where the mode is Off, and where the Box2D of this
+/// process is not one that the plugin knows, or there is no memory (one line on stderr says so, once). Not to
+/// be raced against a running b2World::Step of another thread.
 BMR_BOX2D_API bool Install(const Options &options = Options());
 BMR_BOX2D_API bool IsInstalled();
 
-/// How the plugin stands with the Box2D of this process. (BOOMERANG_VERBOSE and the JSON file say the same.)
+/// How the plugin stands with the Box2D of this process. BOOMERANG_VERBOSE=1 prints the same.
 struct Presence {
-    /// How calls reach the hooks: "ahead of Box2D" (for the loader), "compiled with Box2D"
-    /// (boomerang_accelerate), "behind a wrapper of Box2D" (another b2World::Step is ahead, and no step is
-    /// seen), "behind Box2D" or "contacts alone of Box2D", where only the register leads here.
+    /// How Box2D's calls reach the library: "ahead of Box2D" (for the loader), "compiled with Box2D"
+    /// (boomerang_accelerate), "behind a wrapper of Box2D" (another b2World::Step is ahead), "behind Box2D"
+    /// or "contacts alone of Box2D" (the glue without the plugin).
     const char *way = "";
     const char *box2d = "";     ///< "2.4.1" or "2.4.2"
     bool roundsAsBox2D = false; ///< false also until Install has found it out
+    /// True once Install has seen that Box2D's calls reach all functions that our passes replace: it steps
+    /// a small world to find out (about 0.1 ms). Else only the contacts of polygons are ours.
+    bool passesRun = false;
+    const char *whyNot = ""; ///< why no pass of ours runs, in a few words; empty until Install has looked
 };
 BMR_BOX2D_API Presence GetPresence();
 

@@ -77,10 +77,9 @@ __attribute__((constructor)) void Loaded() {
     SetStockSolver(
         {[](b2World *world, const b2TimeStep &step) { stock::Solve(world, step); }, nullptr, nullptr});
     if (StepsComeByHere())
-        SetWayOfHooks("ahead of Box2D", kAllHooks, nullptr);
-    else // whose hooks stand on what is known of steps
-        SetWayOfHooks(wrapped ? "behind a wrapper of Box2D" : "behind Box2D", Bit(Hook::TouchingManifold),
-                      WhyNoStepComesBy());
+        SetWay("ahead of Box2D", nullptr);
+    else
+        SetWay(wrapped ? "behind a wrapper of Box2D" : "behind Box2D", WhyNoStepComesBy());
     const std::optional<Mode> asked = ModeWithoutComplaint();
     if (asked == Mode::Off)
         return;

@@ -35,7 +35,7 @@ namespace {
 
 // (Install may be called before the first step.)
 [[maybe_unused]] const bool told =
-    (SetWayOfHooks("compiled with Box2D", kAllHooks, nullptr), SetCollideByFace(stock::CollideByFace),
+    (SetWay("compiled with Box2D", nullptr), SetCollideByFace(stock::CollideByFace),
      SetStockSolver({stock::Solve, stock::SolveIsland, stock::SolveToiIsland}),
      SetBox2DAsserts(stock::Asserts()), internal::LinkOfConvexOutlines(), internal::LinkOfInspect(),
      internal::LinkOfOutlineShape(), internal::LinkOfSlack(), internal::LinkOfStatistics(), true);

@@ -70,9 +70,8 @@ void ServeAsStock(int in, int out, const char *poison) {
     std::perror(program.c_str());
 }
 
-void ServeWithoutHooks(int in, int out) {
-    setenv("BOOMERANG_HOOKS", "none", 1);
-    unsetenv("BOOMERANG");
+void ServeSwitchedOff(int in, int out) {
+    setenv("BOOMERANG", "off", 1);
     Install();
     Serve(in, out);
 }
@@ -81,7 +80,7 @@ void ServeWithoutHooks(int in, int out) {
 struct Servers {
     Server stock{[](int in, int out) { ServeAsStock(in, out, "165"); }};
     Server stockAgain{[](int in, int out) { ServeAsStock(in, out, "85"); }};
-    Server withoutHooks{ServeWithoutHooks};
+    Server switchedOff{ServeSwitchedOff};
     Servers() {
         Install();
         if (std::getenv("BMR_FUZZ_ENDINGS") != nullptr)
@@ -96,7 +95,7 @@ bool Same(const Record &a, const Record &b) {
 std::vector<Record> Expected(const uint8_t *data, size_t size) {
     static Servers servers;
     if (Actor::AsksForAnySize(data, size))
-        return servers.withoutHooks.Ask(data, size);
+        return servers.switchedOff.Ask(data, size);
     std::vector<Record> records = servers.stock.Ask(data, size);
     const std::vector<Record> again = servers.stockAgain.Ask(data, size);
     size_t same = 0;

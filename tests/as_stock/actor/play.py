@@ -58,7 +58,7 @@ class Stage:
             "told": ("actor_linked", {**plugin, "BMR_ACTOR_INSTALL": "told"}),
             "dudley": ("actor_stock", {**plugin, "BOOMERANG_PAIRS_BY": "lazy-dudley", "BOOMERANG_EVERYWHERE": "on"}),
             "trapped": ("actor_stock", {"LD_PRELOAD": f"{traps}:{given.library}", "BOOMERANG_EVERYWHERE": "on"}),
-            "without hooks": ("actor_linked", {**plugin, "BOOMERANG_HOOKS": "none"}),
+            "switched off": ("actor_linked", {**plugin, "BOOMERANG": "off"}),
             "any-size": ("actor_linked", {**plugin, "BOOMERANG_EVERYWHERE": "on"}),
         }
 
@@ -79,7 +79,7 @@ class Stage:
 
     @staticmethod
     def options(form):
-        return ["--any-size"] if form in ("any-size", "without hooks") else []
+        return ["--any-size"] if form in ("any-size", "switched off") else []
 
 
 def held(lines, again):
