@@ -52,11 +52,15 @@ BMR_NAME_MEMBER(SolvePositionConstraints, b2Joint, SolvePositionConstraints,
 
 BMR_NAME_MEMBER(JointInIsland, b2Joint, m_islandFlag, bool b2Joint::*);
 BMR_NAME_MEMBER(Profile, b2World, m_profile, b2Profile b2World::*);
+BMR_NAME_MEMBER(StackAllocator, b2World, m_stackAllocator, b2StackAllocator b2World::*);
 BMR_NAME_MEMBER(StepComplete, b2World, m_stepComplete, bool b2World::*);
 #undef BMR_NAME_MEMBER
 
 inline const b2Sweep &SweepOf(const b2Body &body) {
     return body.*Named(SweepMember());
+}
+inline b2Sweep &SweepOf(b2Body *body) {
+    return body->*Named(SweepMember());
 }
 
 /// b2Body's flag of the islands, which it shows nobody.

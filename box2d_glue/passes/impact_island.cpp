@@ -8,7 +8,6 @@
 #include "passes/contact_access.h"
 #include "passes/impacts.h"
 #include "passes/island_solver.h"
-#include "passes/sweeps.h"
 #include "start/current_step.h"
 
 namespace bmr {
@@ -29,12 +28,12 @@ bool IsSolidAndTouches(const b2Contact &contact) {
     return contact.IsEnabled() && contact.IsTouching();
 }
 
-void PutBack(b2Body *body, const b2Sweep &sweep) {
-    SweepOf(body) = sweep;
-    SynchronizeTransform(body);
-}
-
 } // namespace
+
+void ImpactPass::PutBack(b2Body *body, const b2Sweep &sweep) {
+    SweepOf(body) = sweep;
+    m_sweeps.synchronizeTransform(body);
+}
 
 /// Lets the two bodies of the contact meet. False where they do not touch then, or are not to: they go on as
 /// they were.
@@ -44,17 +43,15 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
     m_marks.LookAgain();
     b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
     const b2Sweep sweepA = SweepOf(*a), sweepB = SweepOf(*b);
-    AdvanceBody(a, time);
-    AdvanceBody(b, time);
+    m_sweeps.advanceBody(a, time);
+    m_sweeps.advanceBody(b, time);
     Update(contact);
     m_marks.ForgetTime(contact);
     m_marks.CountImpact(contact);
     if (!IsSolidAndTouches(*contact)) {
         contact->SetEnabled(false);
-        SweepOf(a) = sweepA;
-        SweepOf(b) = sweepB;
-        SynchronizeTransform(a);
-        SynchronizeTransform(b);
+        PutBack(a, sweepA);
+        PutBack(b, sweepB);
         return false;
     }
     Wake(a);
@@ -101,7 +98,7 @@ void ImpactPass::Spread(b2Body *body, float time, Island *island) {
             continue;
         const b2Sweep sweep = SweepOf(*other);
         if (!BodyInIsland::Is(other))
-            AdvanceBody(other, time);
+            m_sweeps.advanceBody(other, time);
         Update(contact);
         if (!IsSolidAndTouches(*contact)) {
             PutBack(other, sweep);

@@ -11,7 +11,6 @@
 #include "passes/contact_access.h"
 #include "passes/contact_look.h"
 #include "passes/island_solver.h"
-#include "passes/sweeps.h"
 #include "proofs/convex_distance.h"
 #include "proofs/impact_scan.h"
 #include "shapes/convex_geometry.h"
@@ -46,7 +45,8 @@ bool HasSensor(const b2Contact &contact) {
 ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver)
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
-      m_marks(m_manager), m_gameRan(GameMayRun()) {}
+      m_marks(m_manager), m_sweeps(solver != nullptr ? solver->GetSweeps() : OurSweeps()),
+      m_gameRan(GameMayRun()) {}
 
 /// Does the ledger know all pairs, and what this step did to them?
 bool ImpactPass::MayUseHeap() const {
@@ -304,9 +304,9 @@ bool ImpactPass::FindTime(b2Contact *contact) {
     b2Sweep &sweepA = SweepOf(a), &sweepB = SweepOf(b);
     const float from = b2Max(sweepA.alpha0, sweepB.alpha0);
     if (sweepA.alpha0 < sweepB.alpha0)
-        Advance(&sweepA, from);
+        m_sweeps.advance(&sweepA, from);
     else if (sweepB.alpha0 < sweepA.alpha0)
-        Advance(&sweepB, from);
+        m_sweeps.advance(&sweepB, from);
     BMR_BOX2D_ASSERTS(from < 1.0f, "alpha0 < 1.0f");
     m_marks.SetTime(contact, TimeOf(contact, from));
     return true;
@@ -326,7 +326,7 @@ float ImpactPass::TimeOf(b2Contact *contact, float from) {
         ours.state = b2TOIOutput::e_separated;
         VerifyImpact(contact->GetFixtureA(), contact->GetFixtureB(), ours, output);
     }
-    return output.state == b2TOIOutput::e_touching ? b2Min(from + (1.0f - from) * output.t, 1.0f) : 1.0f;
+    return output.state == b2TOIOutput::e_touching ? m_sweeps.timeOfImpact(from, output.t) : 1.0f;
 }
 
 void ImpactPass::FillInput(const b2Contact &contact, b2TOIInput *input) {

@@ -10,6 +10,7 @@
 #include <box2d/b2_world.h>
 
 #include "passes/contact_marks.h"
+#include "passes/sweeps.h"
 #include "world/ledger.h"
 
 struct b2TOIInput;
@@ -66,6 +67,7 @@ private:
     bool Joins(b2Contact *contact, b2Body *other, float time, const Island &island);
     void Add(b2Body *body, Island *island);
     void Add(b2Contact *contact, Island *island);
+    void PutBack(b2Body *body, const b2Sweep &sweep);
     void EndIsland(const Island &island);
     void FindNewContacts();
     void Update(b2Contact *contact);
@@ -82,6 +84,7 @@ private:
     Ledger *m_ledger;              ///< nullptr: Box2D's list is searched
     std::optional<Ledger::Pass> m_pass;
     ContactMarks m_marks;
+    const Sweeps &m_sweeps;
     ImpactScan *m_scan = nullptr; ///< while nothing has moved
     uint32_t m_searches = 0;      ///< Marks::searches, of this pass
     bool m_gameRan;               ///< it may have, since the pass over pairs

@@ -47,17 +47,23 @@ void Store(const b2Position &position, const b2Velocity &velocity, b2Body *body)
 
 } // namespace
 
-bool IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) {
-    return m_room.stack.Reserve(bodies) && m_bodies.Reserve(bodies) && m_contacts.Reserve(contacts) &&
-           m_joints.Reserve(joints) && m_positions.Reserve(bodies) && m_velocities.Reserve(bodies) &&
-           m_solver.Reserve(bodies, contacts) && m_ordered.Reserve(bodies, contacts);
+void IslandSolver::SolveBy(IslandsBy solvedBy, b2World *world) {
+    m_allocator = solvedBy == IslandsBy::Box2D ? &(world->*Named(StackAllocator())) : nullptr;
 }
 
-void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener, IslandsBy solvedBy) {
+bool IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) {
+    if (!m_room.stack.Reserve(bodies) || !m_bodies.Reserve(bodies) || !m_contacts.Reserve(contacts) ||
+        !m_joints.Reserve(joints))
+        return false;
+    return m_allocator != nullptr ||
+           (m_positions.Reserve(bodies) && m_velocities.Reserve(bodies) &&
+            m_solver.Reserve(bodies, contacts) && m_ordered.Reserve(bodies, contacts));
+}
+
+void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener) {
     Clear();
     m_step = step;
     m_listener = listener;
-    m_isBox2Ds = solvedBy == IslandsBy::Box2D;
     m_profile = {};
 }
 
@@ -67,7 +73,7 @@ void IslandSolver::Add(b2Body *body) {
 }
 
 void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
-    if (m_isBox2Ds) {
+    if (m_allocator != nullptr) {
         TheStockSolver().solve(Parts(), m_step, gravity, allowSleep, m_listener, &m_profile);
         Clear();
         return;
@@ -100,7 +106,7 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
 }
 
 void IslandSolver::SolveToi() {
-    if (m_isBox2Ds) {
+    if (m_allocator != nullptr) {
         TheStockSolver().solveToi(Parts(), m_step, m_listener);
         Clear();
         return;
@@ -159,7 +165,8 @@ void IslandSolver::SolveVelocities(const b2SolverData &data) {
 }
 
 IslandParts IslandSolver::Parts() const {
-    return {m_bodies.Data(), m_contacts.Data(), m_joints.Data(), m_bodyCount, m_contactCount, m_jointCount};
+    return {m_allocator, m_bodies.Data(), m_contacts.Data(), m_joints.Data(),
+            m_bodyCount, m_contactCount,  m_jointCount};
 }
 
 /// Forces and damping, as far as the body has a mass. The sweep begins where the body is.

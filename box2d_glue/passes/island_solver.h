@@ -9,6 +9,7 @@
 #include "base/column.h"
 #include "passes/contact_solver.h"
 #include "passes/ordered_velocities.h"
+#include "passes/stock_solver.h"
 #include "passes/which_solver.h"
 
 class b2Body;
@@ -32,22 +33,27 @@ struct IslandRoom {
     Column<Link> links;
 };
 
-/// Solves islands with the bits of Box2D's b2Island: itself, or by b2Island (which_solver.h).
+/// Solves islands with the bits of Box2D's b2Island: itself, or by b2Island (stock_solver.h).
 ///
-/// A pass takes one of the world's, reserves room, and begins. It then adds an island's bodies, contacts and
-/// joints in Box2D's order, and solves it; Solve and SolveToi leave the island empty for the next one.
+/// A pass takes one of the thread's, says who solves islands, reserves room, and begins. It then adds an
+/// island's bodies, contacts and joints in Box2D's order, and solves it; Solve and SolveToi leave the island
+/// empty for the next one.
 ///
 ///     Begin(step, listener)
 ///         Add(body) Add(contact) Add(joint) ... Solve(gravity, allowSleep)      once for each island
 ///     Finish(profile)
 class IslandSolver {
 public:
+    /// Ahead of Reserve. `solvedBy`: WhoSolvesIslands(), and not Nobody. Box2D's solver needs memory of the
+    /// world's.
+    void SolveBy(IslandsBy solvedBy, b2World *world);
     /// Room for islands of so many. False without memory: nothing has changed, and the pass is Box2D's.
     bool Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints);
 
     /// Begins a pass. `listener` is told of impulses (PostSolve); nullptr: it is not called.
-    /// `solvedBy`: WhoSolvesIslands(), and not Nobody.
-    void Begin(const b2TimeStep &step, b2ContactListener *listener, IslandsBy solvedBy = IslandsBy::Ours);
+    void Begin(const b2TimeStep &step, b2ContactListener *listener);
+    /// The arithmetic that goes with its islands.
+    const Sweeps &GetSweeps() const { return m_allocator != nullptr ? TheStockSolver().sweeps : OurSweeps(); }
 
     /// Writes the body's m_islandIndex: its place in the island.
     void Add(b2Body *body);
@@ -96,7 +102,7 @@ private:
     b2TimeStep m_step = {};
     b2ContactListener *m_listener = nullptr;
     b2Profile m_profile = {};
-    bool m_isBox2Ds = false; ///< this pass is solved by b2Island
+    b2StackAllocator *m_allocator = nullptr; ///< of b2Island, which solves this pass; nullptr: ours does
     bool m_isTaken = false;
     IslandSolver *m_next = nullptr; ///< another one of the world's
 };

@@ -9,15 +9,19 @@
 
 namespace bmr {
 
-/// A solver for one pass. The pass is Box2D's where there is none: Box2D was built with fused products,
+/// A solver for one pass. The pass is Box2D's where there is none: nobody solves islands with its bits,
 /// numbers are not rounded to nearest, or there is no memory.
 class TakenSolver {
 public:
-    TakenSolver(uint32_t bodies, uint32_t contacts, uint32_t joints) {
+    TakenSolver(b2World *world, uint32_t bodies, uint32_t contacts, uint32_t joints) {
+        const IslandsBy solvedBy = GetSettings().islandsBy;
         IslandSolvers *const solvers =
-            GetSettings().solvesIslands && RoundsToNearest() ? PerThread<IslandSolvers>() : nullptr;
+            solvedBy != IslandsBy::Nobody && RoundsToNearest() ? PerThread<IslandSolvers>() : nullptr;
         m_solver = solvers != nullptr ? solvers->Take() : nullptr;
-        if (m_solver == nullptr || m_solver->Reserve(bodies, contacts, joints))
+        if (m_solver == nullptr)
+            return;
+        m_solver->SolveBy(solvedBy, world);
+        if (m_solver->Reserve(bodies, contacts, joints))
             return;
         IslandSolvers::GiveBack(m_solver);
         m_solver = nullptr;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "start/settings.h"
 
-#include "passes/which_solver.h"
 #include "proofs/hull.h"
 #include "proofs/thresholds.h"
 #include "start/environment.h"
@@ -42,7 +41,7 @@ bool MakeSettings(const Options &options, const char *whyNoPass) {
         made.compass = compass; // for as long as the process lives: hulls of every world point to it
     }
     made.sameRounding = Box2DRoundsAsExact32();
-    made.solvesIslands = made.sameRounding && WhoSolvesIslands() == IslandsBy::Ours;
+    made.islandsBy = WhoSolvesIslands();
     made.collideByFace = made.sameRounding ? nullptr : FindCollideByFace();
     internal::settings = made;
     return true;

@@ -8,6 +8,7 @@
 #include "base/compiler.h"
 #include "boomerang/box2d_glue.h"
 #include "boomerang/pair.h"
+#include "passes/which_solver.h"
 #include "start/rounding_probe.h"
 
 namespace bmr {
@@ -26,8 +27,8 @@ struct Settings {
     const bmr_compass *compass = nullptr;
     /// Why no pass of ours runs; nullptr where passes run.
     const char *whyNoPass = nullptr;
-    bool sameRounding = false;  ///< Box2D here rounds as core/exact32 does: its bits can be computed here
-    bool solvesIslands = false; ///< those of its solver, too
+    bool sameRounding = false; ///< Box2D here rounds as core/exact32 does: its bits can be computed here
+    IslandsBy islandsBy = IslandsBy::Nobody;
     CollideByFace collideByFace = nullptr; ///< where it does not: Box2D's own points of a known face
 };
 

@@ -19,7 +19,7 @@ void b2World::Solve(const b2TimeStep &step) {
     if (NothingIsInstalled())
         return stock::Solve(this, step);
     if (PassesRun(HookOf::Solve)) {
-        const TakenSolver solver(static_cast<uint32_t>(m_bodyCount),
+        const TakenSolver solver(this, static_cast<uint32_t>(m_bodyCount),
                                  static_cast<uint32_t>(m_contactManager.m_contactCount),
                                  static_cast<uint32_t>(m_jointCount));
         if (solver.Get() != nullptr)

@@ -22,7 +22,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     if (ledger != nullptr)
         ledger->NoteSearchForImpacts();
     if (PassesRun(HookOf::SolveToi)) {
-        const TakenSolver solver(2 * b2_maxTOIContacts, b2_maxTOIContacts, 0);
+        const TakenSolver solver(this, 2 * b2_maxTOIContacts, b2_maxTOIContacts, 0);
         ImpactPass pass(this, step, solver.Get());
         if (solver.Get() != nullptr)
             return pass.Run();
@@ -33,7 +33,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
         ledger->EnableDownTo(0);
         ledger->GiveMarksBack();
         ledger->SetAlphasClear(false);
-        if (GetSettings().solvesIslands) // and reads who touches in the next step
+        if (GetSettings().islandsBy != IslandsBy::Nobody) // and reads who touches in the next step
             ledger->Interrupt();
     }
     stock::SolveToi(this, step);

@@ -93,10 +93,14 @@ BMR_STOCK(SetFilterData, "_ZN9b2Fixture13SetFilterDataERK8b2Filter", void(b2Fixt
 /// for it.
 void CollideByFace(b2Manifold *manifold, const b2PolygonShape *polyA, const b2Transform &xfA,
                    const b2PolygonShape *polyB, const b2Transform &xfB, int32 face);
-/// b2Island, as passes/which_solver.h wants it.
+/// b2Island, and the arithmetic of SolveTOI, as passes/stock_solver.h wants them.
 void SolveIsland(const IslandParts &parts, const b2TimeStep &step, const b2Vec2 &gravity, bool allowSleep,
                  b2ContactListener *listener, b2Profile *profile);
 void SolveToiIsland(const IslandParts &parts, const b2TimeStep &step, b2ContactListener *listener);
+void AdvanceSweep(b2Sweep *sweep, float alpha);
+void AdvanceBody(b2Body *body, float alpha);
+void SynchronizeTransform(b2Body *body);
+float TimeOfImpact(float from, float partOfTheRest);
 /// Are Box2D's assertions compiled?
 bool Asserts();
 #endif

@@ -6,7 +6,7 @@
 
 #include "boomerang/box2d.h"
 #include "hooks/profile_clock.h"
-#include "passes/which_solver.h"
+#include "passes/stock_solver.h"
 #include "reach/interposed/library_check.h"
 #include "reach/stock.h"
 #include "start/environment.h"
@@ -74,8 +74,10 @@ __attribute__((constructor)) void Loaded() {
     if (!StepsComeByHere())
         TellTrial(WhyNoStepComesBy());
     SetLibraryCheck(WhyLibraryIsUnknown);
-    SetStockSolver(
-        {[](b2World *world, const b2TimeStep &step) { stock::Solve(world, step); }, nullptr, nullptr});
+    TheStockSolver().solveWorld = [](b2World *world, const b2TimeStep &step) { stock::Solve(world, step); };
+    TheStockSolver().solveImpacts = [](b2World *world, const b2TimeStep &step) {
+        stock::SolveToi(world, step);
+    };
     if (StepsComeByHere())
         SetWay("ahead of Box2D", nullptr);
     else

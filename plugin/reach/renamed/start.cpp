@@ -5,7 +5,7 @@
 
 #include "boomerang/box2d.h"
 #include "hooks/profile_clock.h"
-#include "passes/which_solver.h"
+#include "passes/stock_solver.h"
 #include "reach/stock.h"
 #include "start/box2d_asserts.h"
 #include "start/install.h"
@@ -36,7 +36,12 @@ namespace {
 // (Install may be called before the first step.)
 [[maybe_unused]] const bool told =
     (SetWay("compiled with Box2D", nullptr), SetCollideByFace(stock::CollideByFace),
-     SetStockSolver({stock::Solve, stock::SolveIsland, stock::SolveToiIsland}),
+     TheStockSolver() = {stock::Solve,
+                         stock::SolveToi,
+                         stock::SolveIsland,
+                         stock::SolveToiIsland,
+                         {stock::AdvanceSweep, stock::AdvanceBody, stock::SynchronizeTransform,
+                          stock::TimeOfImpact}},
      SetBox2DAsserts(stock::Asserts()), internal::LinkOfConvexOutlines(), internal::LinkOfInspect(),
      internal::LinkOfOutlineShape(), internal::LinkOfSlack(), internal::LinkOfStatistics(), true);
 
