@@ -7,6 +7,7 @@
 #include "base/rounding_mode.h"
 #include "boomerang/box2d_glue.h"
 #include "contacts/contact_register.h"
+#include "passes/which_solver.h"
 #include "start/environment.h"
 #include "start/process_locks.h"
 #include "start/reach.h"
@@ -32,11 +33,26 @@ bool Refuse(const char *why) {
     return false;
 }
 
+/// How much of a step is ours?
+const char *OurShare(const Presence &presence) {
+    if (!presence.passesRun)
+        return "contacts alone: ";
+    switch (GetSettings().islandsBy) {
+    case IslandsBy::Ours:
+        return "whole steps";
+    case IslandsBy::Box2D:
+        return "whole steps, islands by Box2D's solver";
+    case IslandsBy::Nobody:
+        break;
+    }
+    return "steps but for islands and impacts";
+}
+
 void Announce(const Options &options) {
     const Presence presence = GetPresence();
     std::fprintf(stderr, "boomerang: %s; %s %s; rounds %s Box2D; %s%s\n", NameOf(options.mode), presence.way,
-                 presence.box2d, presence.roundsAsBox2D ? "as" : "otherwise than",
-                 presence.passesRun ? "whole steps" : "contacts alone: ", presence.whyNot);
+                 presence.box2d, presence.roundsAsBox2D ? "as" : "otherwise than", OurShare(presence),
+                 presence.whyNot);
 }
 
 } // namespace

@@ -141,7 +141,7 @@ def main():
         stage = Stage(given, traps)
         wanted = given.forms.split(",")
         needed = ["stock", "stock again"] + (["stock trapped"] if "trapped" in wanted else []) + \
-            (["without hooks"] if "any-size" in wanted else [])
+            (["switched off"] if "any-size" in wanted else [])
         jobs = {form: {tuple(play): pool.submit(stage.run, form, play, *stage.options(form)) for play in stage.plays}
                 for form in needed + wanted}
         outputs = {form: {play: job.result() for play, job in plays.items()} for form, plays in jobs.items()}
@@ -162,7 +162,7 @@ def main():
                 trapped = sum(bool(lines) and lines[-1].endswith("ends done") for names in known.values() for lines in names.values())
                 verdicts.check(2 * trapped >= inputs, f"of {inputs} inputs {trapped} trap nothing in stock Box2D")
             elif form == "any-size":
-                base, known = "without hooks", {play: output[0] for play, output in outputs["without hooks"].items()}
+                base, known = "switched off", {play: output[0] for play, output in outputs["switched off"].items()}
             compare(stage, verdicts, form, known, outputs[form], base)
         # Control: one unit in the last place of one velocity is found, and where it is.
         play = stage.plays[0]

@@ -96,8 +96,8 @@ install)
         (cd / && "$prefix/bin/boomerang-testbed" compare needles --steps 5 --no-time) >"$WORK/compare.txt" 2>&1 ||
             fail "the installed testbed does not compare: $(cat "$WORK/compare.txt")"
         ! grep '^note:' "$WORK/compare.txt" || fail "the installed testbed misses a library"
-        grep -q '^needles .* identical *identical *identical *identical$' "$WORK/compare.txt" ||
-            fail "the installed testbed does not run all three ways"
+        grep -q '^needles .* identical *identical *identical$' "$WORK/compare.txt" ||
+            fail "the installed testbed does not run both ways"
     fi
     ;;
 find_package)
