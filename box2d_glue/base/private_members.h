@@ -63,7 +63,7 @@ inline b2Sweep &SweepOf(b2Body *body) {
     return body->*Named(SweepMember());
 }
 
-/// b2Body's flag of the islands, which it shows nobody.
+/// b2Body::e_islandFlag, which is private.
 struct BodyInIsland {
     static bool Is(const b2Body *body) { return (body->*Named(BodyFlags()) & kFlag) != 0; }
     static void Set(b2Body *body) {

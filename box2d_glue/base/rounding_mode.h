@@ -42,8 +42,8 @@ inline void RoundBy(RoundingMode mode) {
 #endif
 
 /// Does this thread's step round to nearest from its begin to its end? It does where it began so and no code
-/// of the game's runs in it, which could change the mode. False outside of steps, and where nobody tells of
-/// them.
+/// of the game runs in it, which could change the mode. False outside of steps, and in programs without the
+/// shared library.
 inline bool &StepIsToNearest() {
     static thread_local bool nearest = false;
     return nearest;

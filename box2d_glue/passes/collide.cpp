@@ -230,7 +230,8 @@ void CollidePass::Visit(uint32_t i) {
     // (A step by the list may have filtered it since it was flagged.)
     if (((m_ledger->Bits(i) & kToBeFiltered) != 0 || !hasLine) && SolidContact::WantsFiltering(*contact)) {
         const bool passes = PassesFilter(i, contact);
-        // The filter may have ended it. Box2D then goes by its memory, and survives that if nobody is active.
+        // The filter may have ended the contact. Box2D then reads freed memory; it goes on if both bodies
+        // rest.
         if (m_ledger->Contact(i) != contact)
             return;
         if (!passes) {
@@ -239,7 +240,7 @@ void CollidePass::Visit(uint32_t i) {
         }
         m_ledger->LookAgain(i);
     }
-    if (!movers.IsActive(record.a) && !movers.IsActive(record.b)) { // whoever woke since is known to have
+    if (!movers.IsActive(record.a) && !movers.IsActive(record.b)) { // Wake has marked bodies that woke since
         m_ledger->SetTouches(i, contact->IsTouching());             // an impact may have changed it
         m_ledger->Rest(i);
         return;

@@ -152,6 +152,9 @@ bool ImpactPass::SearchByLedger(bool all) {
             left &= ~(uint64_t{1} << bit);
             if (i >= m_ledger->Count() || m_ledger->Contact(i) == nullptr)
                 continue;
+            m_ledger->GetMarks().asked.Clear(i);
+            if (!m_ledger->MayImpact(i))
+                continue;
             if (!SearchPair(i))
                 return false;
             if (m_ledger == nullptr) // there is no memory for the heap
@@ -164,9 +167,6 @@ bool ImpactPass::SearchByLedger(bool all) {
 /// False if the pass has no solver and the pair may have an impact.
 bool ImpactPass::SearchPair(uint32_t i) {
     Marks &marks = m_ledger->GetMarks();
-    marks.asked.Clear(i);
-    if (!m_ledger->MayImpact(i))
-        return true;
     b2Contact *const contact = m_ledger->Contact(i);
     if (m_ledger->OutlastsSweeps(i)) {
         marks.known.Set(i); // and its time is 1

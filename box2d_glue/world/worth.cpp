@@ -23,17 +23,12 @@ void Ledger::NoteTouchingInList(uint32_t touching) {
 }
 
 void Ledger::NoteLooks(uint32_t looks, uint32_t touching) {
-    if (MostOf(touching)) { // so it would be found in the end
-        m_restingSteps = kStepsToRest;
-        m_triedPasses = 0;
-        m_triedLooks = m_triedPairs = 0;
-        return;
-    }
+    const bool mostTouch = MostOf(touching); // then 32 passes would find the same
     m_triedLooks += looks;
     m_triedPairs += static_cast<uint64_t>(m_live); // Box2D passes over those that sleep, too
-    if (++m_triedPasses < kPassesToTry)
+    if (++m_triedPasses < kPassesToTry && !mostTouch)
         return;
-    if (2 * m_triedLooks > m_triedPairs)
+    if (mostTouch || 2 * m_triedLooks > m_triedPairs)
         m_restingSteps = kStepsToRest;
     m_triedPasses = 0;
     m_triedLooks = m_triedPairs = 0;
