@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-//   PROGRAM PAGE     every rule holds, every allocation may fail, and the page has what the program prints
-//   PROGRAM          prints its tables, as the page should have them
+//   PROGRAM PAGE     every rule holds, every allocation may fail, and the page has the tables that the program prints
+//   PROGRAM          prints its tables of answers, and of rules, as the page should have them
 //   PROGRAM --cells  a line for each bad value and its answer
 //   PROGRAM --list   the functions whose allocations fail
 //   PROGRAM --tables the marks of its tables on the page
@@ -205,38 +205,6 @@ std::string PrintedValues(const Rule &rule) {
     return Joined(values, ", ");
 }
 
-std::string PrintedRulesOf(const Argument &argument) {
-    std::vector<std::string> rules;
-    for (const Rule &rule : argument.rules)
-        rules.push_back(rule.name.empty() ? "(" + PrintedValues(rule) + " → " + rule.answer + ")"
-                                          : rule.name);
-    return Joined(rules, ", ");
-}
-
-/// Arguments of the same rules stand together.
-std::string PrintedFunctions() {
-    std::string text = "| call | its arguments |\n| --- | --- |\n";
-    for (const Function &function : functions) {
-        std::vector<std::pair<std::string, std::string>> all; // rules, names
-        for (const Argument &argument : function.arguments) {
-            const std::string rules = PrintedRulesOf(argument);
-            const auto same =
-                std::find_if(all.begin(), all.end(), [&](const auto &a) { return a.first == rules; });
-            if (same == all.end())
-                all.emplace_back(rules, argument.name);
-            else
-                same->second += ", " + argument.name;
-        }
-        text += "| `" + function.name + "`" + (function.good != "OK" ? " → " + function.good : "") + " | ";
-        for (const auto &[rules, names] : all)
-            text += (&rules == &all[0].first ? "" : "; ") + names + ": " + rules;
-        text += " |\n";
-        if (!function.refuses)
-            text.resize(text.rfind("\n| `") + 1);
-    }
-    return text;
-}
-
 /// Rows of the same answers stand in one line.
 std::string PrintedMatrix(const Matrix &matrix, const std::string &name, bool cells) {
     std::vector<std::string> order;
@@ -360,27 +328,30 @@ Table::Table(const char *name, Matrix (*make)()) {
 }
 
 static void Treat(const Entry &entry, const std::string &what) {
-    if (what == "--tables") {
-        std::printf("<!-- checked: %s -->\n", entry.name);
-        return;
-    }
     const bool cells = what == "--cells";
     functions.clear();
     if (entry.fill != nullptr)
         entry.fill();
+    const bool onPage = functions.empty(); // functions say here what they answer
+    if (what == "--tables") {
+        if (onPage)
+            std::printf("<!-- checked: %s -->\n", entry.name);
+        return;
+    }
     if (what == "--list") {
         for (const Function &function : functions)
             if (function.allocates)
                 std::printf("%s\n", function.name.c_str());
         return;
     }
-    const std::string text = entry.make != nullptr ? PrintedMatrix(entry.make(), entry.name, cells)
-                             : functions.empty()   ? PrintedRules()
-                                                   : PrintedFunctions();
-    if (what.empty())
-        std::printf("<!-- checked: %s -->\n%s\n", entry.name, text.c_str());
-    else if (!cells)
-        ComparePage(what.c_str(), entry.name, text);
+    if (onPage) {
+        const std::string text =
+            entry.make != nullptr ? PrintedMatrix(entry.make(), entry.name, cells) : PrintedRules();
+        if (what.empty())
+            std::printf("<!-- checked: %s -->\n%s\n", entry.name, text.c_str());
+        else if (!cells)
+            ComparePage(what.c_str(), entry.name, text);
+    }
     for (const Function &function : functions) {
         if (function.refuses && !what.empty())
             CheckRules(function, cells);

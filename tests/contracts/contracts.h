@@ -14,7 +14,7 @@
 /// Functions, their arguments, and the rule that each argument must keep to. A rule has its bad values and
 /// the answer to them. Every function is called with good values; then with one bad value at a time, which
 /// must give the rule's answer. A function that allocates is called once for each of its allocations, which
-/// fails. docs/bad-input.md is printed from this: `PROGRAM PAGE` compares.
+/// fails. The tables of docs/bad-input.md are printed from this: `PROGRAM PAGE` compares.
 
 namespace contracts {
 
@@ -33,7 +33,7 @@ struct Value {
 
 /// The values to which a function gives this answer.
 struct Rule {
-    std::string name; ///< on the page, where the table of rules has it; empty: the values stand there
+    std::string name; ///< in the page's table of rules; empty: a rule of one argument
     std::vector<Value> values;
     std::string answer;
 };
@@ -96,7 +96,8 @@ struct Matrix {
     bool alone = true; ///< answers come from child processes: a signal that ends one is the answer
 };
 
-/// A table of the page, "<!-- checked: NAME -->". `fill` calls the functions above, or gives back a matrix.
+/// What a program checks under one name: functions, which `fill` adds by the calls above, or a matrix. The page has each
+/// matrix behind "<!-- checked: NAME -->", and the rules.
 struct Table {
     Table(const char *name, void (*fill)());
     Table(const char *name, Matrix (*make)());

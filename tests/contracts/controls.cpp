@@ -39,7 +39,7 @@ std::string ConfuseSizes(const Given &g) {
     return "OK";
 }
 
-const Table kControls("nowhere on the page", [] {
+const Table kControls("functions", [] {
     Allocates("leak", Leak);
     Allocates("hide", Hide);
     Allocates("confuse sizes", ConfuseSizes);
@@ -49,6 +49,9 @@ const Table kControls("nowhere on the page", [] {
         return "OK";
     });
     Refuses("written", {}, [](const Given &) { return Said(BMR_ERROR_NOT_FINITE, true); });
+});
+const Table kMatrix("nowhere on the page", [] {
+    return Matrix{{"a column"}, {"a row"}, [](size_t, size_t) { return std::string("an answer"); }};
 });
 
 } // namespace
