@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-//   PROGRAM PAGE     every rule holds, every allocation may fail, and the page has the tables that the program prints
-//   PROGRAM          prints its tables of answers, and of rules, as the page should have them
+//   PROGRAM PAGE     every rule holds, every allocation may fail, and the page has what the program prints
+//   PROGRAM          prints its tables, as the page should have them
 //   PROGRAM --cells  a line for each bad value and its answer
 //   PROGRAM --list   the functions whose allocations fail
 //   PROGRAM --tables the marks of its tables on the page

@@ -96,8 +96,8 @@ struct Matrix {
     bool alone = true; ///< answers come from child processes: a signal that ends one is the answer
 };
 
-/// What a program checks under one name: functions, which `fill` adds by the calls above, or a matrix. The page has each
-/// matrix behind "<!-- checked: NAME -->", and the rules.
+/// What a program checks under one name: functions, which `fill` adds by the calls above, or a matrix. The
+/// page has each matrix, and the rules, behind "<!-- checked: NAME -->".
 struct Table {
     Table(const char *name, void (*fill)());
     Table(const char *name, Matrix (*make)());
