@@ -51,6 +51,7 @@ GROWTH_OF_A_POINT = "boomerang-testbed events line parabola algebraic orbit --sh
 NEAR = ("boomerang-testbed events line orbit zigzag spin rigid-algebraic tumble rigid-wander --structures free-fd2 hybrid two-lines lazy-dudley predict "
         "--n 1024 --seeds 2 --ratios 131072 --no-optimum")
 RIGID = "BMR_TEST_SCALE=16 test_kinetic_rigid_search"
+STRUCTURES = "boomerang-testbed compare needles plates planks coins-gas coins-pile gears bullets pyramid --structure "
 WORLDS = ("boomerang-testbed world gas --boundary periodic --shape regular --vertices 8:64 --density 0.3 --sizes 1 --seconds 5 "
           "--growth 100,300,1000,3000,10000")
 
@@ -182,15 +183,6 @@ def check_scenes(run):
                 run.result.wrong.append(f"not printed: {line}")
 
 
-# Of each table of measure_costs.sh: which printed column names the page's row, and which columns are beside which there.
-COSTS = {
-    "calls": (0, lambda row: [(1, 2), (2, 3), (3, 4)]),
-    "bodies": (1, lambda row: [(2, 1), (3, 2), (4, 3)] if row[0].startswith("gas") else [(2, 4), (3, 5), (4, 6)]),
-    "fixtures": (1, lambda row: [(2, 1), (3, 2), (4, 3)]),
-    "asleep": (1, lambda row: [(2, 1), (3, 2), (4, 3)]),
-}
-
-
 def picture(name, what, seconds, quotes, commands, makes):
     def check(run):
         for file in makes:
@@ -199,17 +191,18 @@ def picture(name, what, seconds, quotes, commands, makes):
     return Experiment(name, "picture", what, seconds, quotes, commands, check, makes)
 
 
+COSTS = ["calls", "bodies", "fixtures", "asleep", "listeners"] # in the order of the page
+
+
 def costs(table, seconds):
-    quote, more = f"measure_costs.sh build {table}", []
-    if table == "calls":
-        more = ["tests/bench/measure_costs.sh build calls fixtures bodies asleep scenes"]
+    """A table of measure_costs.sh: the page has it as it is printed, below the command that has them all."""
+    quote = "tests/bench/measure_costs.sh build " + " ".join(COSTS)
 
     def check(run):
-        # (The command that has all tables stands above the first of them.)
-        text, anchor = run.page(more[0] if more else quote)
-        rows_as_ratios(run.result, table_after(text, anchor), run.said[0], *COSTS[table])
+        rows = table_after(*run.page(quote), COSTS.index(table))
+        rows_as_ratios(run.result, rows, run.said[0], 0, lambda row: [(column, column) for column in range(1, len(row))])
 
-    return Experiment(f"cost-{table}", "ratios", f"instructions, by callgrind: {table}", seconds, [quote, *more],
+    return Experiment(f"cost-{table}", "ratios", f"instructions, by callgrind: {table}", seconds, [quote],
                       [["{root}/tests/bench/measure_costs.sh", "{build}", table]], check)
 
 
@@ -217,7 +210,6 @@ def shown(name, what, seconds, quotes, commands, makes=(), packages=()):
     return Experiment(name, "shown", what, seconds, quotes, commands, None, makes, packages)
 
 
-GAMES = ["pyramid-50", "cars", "chain-rocks", "ragdolls", "needles-100", "mixed-pile"]
 FIGURES = ["boomerangs", "coarse-line", "dudley", "free-direction", "growth", "inflated", "mixed-events", "mixed-full", "mixed-insertion", "pair-events", "point-events",
            "time-line", "window"]
 
@@ -238,25 +230,18 @@ EXPERIMENTS = [
     counted("rivals", "rivals, far and near", 2, RIVALS, lambda run: check_lists(run, RIVALS, False)),
     counted("optimum", "events over the best that was possible", 4, OPTIMUM, check_optimum),
     Experiment("worlds", "counts", "what grows with the number of bodies of a kinetic world", 5, [WORLDS], [words(WORLDS)], check_worlds),
-    Experiment("scenes", "counts", "separation tests, looks and events in every scene, plugin beside stock", 70, ["boomerang-testbed compare"],
+    Experiment("scenes", "counts", "separation tests, looks and events in every scene, plugin beside stock", 70, ["boomerang-testbed compare --no-time --details"],
                [[TESTBED, "compare", "--no-time", "--details"]], check_scenes),
-    costs("calls", 40), costs("bodies", 300), costs("fixtures", 60),
-    costs("asleep", 60),
+    costs("calls", 40), costs("bodies", 200), costs("fixtures", 60), costs("asleep", 40), costs("listeners", 200),
     shown("asteroids", "the moving picture of the first page", 8,
           ["boomerang-testbed render asteroids-outline --frames 60:180:4 --focus=-13,8,26,15 --certificates --slack --contacts --events --width 560 -o asteroids.png"],
           [[TESTBED, "render", "asteroids-outline", "--frames", "60:180:4", "--focus=-13,8,26,15", "--certificates", "--slack", "--contacts",
             "--events", "--width", "560", "-o", "{out}/asteroids.png"],
            ["sh", "-c", "convert -delay 7 {out}/asteroids-*.png -layers optimize {out}/asteroids.gif"]], ["docs/asteroids.gif"], ["imagemagick"]),
-    shown("times", "times of every scene's step, stock over plugin", 400, ["boomerang-testbed compare --details --repeat 15", "boomerang-testbed compare --repeat 15", "boomerang-testbed compare --repeat 15 --markdown FILE"],
-          [[TESTBED, "compare", "--repeat", "15", "--details"]]),
-    shown("games", "times of the scenes of games, and instructions with each listener", 400,
-          ["boomerang-testbed compare " + " ".join(GAMES) + " --repeat 5"], [[TESTBED, "compare", *GAMES, "--repeat", "5"]] +
-          [["env", "SCENES=" + " ".join(GAMES), f"LISTENER={listener}", "{root}/tests/bench/measure_costs.sh", "--steps", "100", "{build}", "scenes"]
-           for listener in ("none", "counts", "reads", "acts")]),
-    shown("structures", "each structure in the place of the remembered edge", 200,
-          ["boomerang-testbed compare needles plates planks coins-gas coins-pile gears bullets pyramid --details --structure ..."],
-          [[TESTBED, "compare", "needles", "plates", "planks", "coins-gas", "coins-pile", "gears", "bullets", "pyramid", "--structure", structure,
-            "--details"] for structure in ("free-direction", "lazy-compass", "lazy-dudley")]),
+    shown("times", "times of every scene's step, stock over plugin", 400, ["boomerang-testbed compare --repeat 15 --markdown FILE"],
+          [[TESTBED, "compare", "--repeat", "15", "--markdown", "{out}/tables.md"]]),
+    shown("structures", "each structure in the place of the remembered edge", 200, [STRUCTURES + "NAME"],
+          [words(STRUCTURES + structure) for structure in ("free-direction", "lazy-compass", "lazy-dudley")]),
     shown("life", "what the pairs of two scenes go through", 10, ["boomerang-testbed compare --steps 200 --no-time --details needles coins-pile"],
           [[TESTBED, "compare", "--steps", "200", "--no-time", "--details", "needles", "coins-pile"]]),
     shown("any-size-worlds", "worlds of polygons of any size", 60, ["boomerang-testbed compare any-gas any-pile any-bag"],
@@ -284,6 +269,7 @@ for test, scale, seconds in (("test_distance", 40, 60), ("test_kinetic_every_str
 
 # Commands in the pages that are there to be used, and make no figure of theirs.
 USAGE = [
+    "boomerang-testbed compare",
     "boomerang-testbed events --list",
     "boomerang-testbed events --polygon A.txt --polygon B.txt --motion M.txt --trace T.txt",
     "boomerang-testbed events --structures NAME",
@@ -295,4 +281,4 @@ USAGE = [
     "boomerang-testbed render --recording run.txt --step 300 --all -o run.png",
 ]
 # Pictures that are drawn by hand.
-BY_HAND = ["docs/figures/pair-memory.svg"]
+BY_HAND = ["docs/figures/pair-memory.svg", "docs/figures/step-as-data.svg"]

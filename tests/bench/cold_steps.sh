@@ -34,7 +34,13 @@ program=$build/bin/bench_cold_steps plugin=$build/lib/libboomerang_box2d.so
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-median() { sort -n "$1" | awk '{ all[NR] = $1 } END { print all[int((NR + 1) / 2)] }'; }
+median() { sort -n "$1" | awk '{ all[NR] = $1 } END { printf "%d", all[int((NR + 1) / 2)] }'; }
+
+# ratio FILE: stock over it, process by process: the median, and the first and the last quarter.
+ratio() {
+    paste "$scratch/stock" "$1" | awk '{ print $1 / $(NF / 2 + 1) }' | sort -n |
+        awk '{ all[NR] = $1 } END { printf "%.2f (%.2f to %.2f)", all[int((NR + 1) / 2)], all[int((NR + 3) / 4)], all[int((3 * NR + 1) / 4)] }'
+}
 
 echo "| world | contacts | stock, ns | off, ns | plugin, ns | stock / off | stock / plugin |"
 echo "| --- | --- | --- | --- | --- | --- | --- |"
@@ -45,7 +51,6 @@ for world in "${worlds[@]}"; do
         BOOMERANG=off LD_PRELOAD=$plugin "$program" "${world%:*}" "${world#*:}" $steps $warm >>"$scratch/off" || exit 3
         BOOMERANG=on LD_PRELOAD=$plugin "$program" "${world%:*}" "${world#*:}" $steps $warm >>"$scratch/on" || exit 3
     done
-    awk -v world="$world" -v contacts="$(awk 'NR == 1 { print $2 }' "$scratch/stock")" \
-        -v stock="$(median "$scratch/stock")" -v off="$(median "$scratch/off")" -v on="$(median "$scratch/on")" \
-        'BEGIN { printf "| %s | %s | %d | %d | %d | %.2f | %.2f |\n", world, contacts, stock, off, on, stock / off, stock / on }'
+    echo "| $world | $(awk 'NR == 1 { print $2 }' "$scratch/stock") | $(median "$scratch/stock") | $(median "$scratch/off") |" \
+        "$(median "$scratch/on") | $(ratio "$scratch/off") | $(ratio "$scratch/on") |"
 done

@@ -9,13 +9,14 @@ usage() {
     cat <<'TEXT'
 usage: measure_costs.sh [--steps N] BUILD_DIRECTORY TABLE...
 
-Tables, each printed as Markdown:
+Tables, each printed as docs/cost-model.md has it:
   calls      instructions of one contact, query, overlap, new pair
   fixtures   instructions of a step against fixtures per body
   bodies     instructions of a step against the number of bodies, 1,000 to 50,000
-  asleep     instructions of a step in which everybody sleeps
+  asleep     instructions of a step in which all bodies sleep
+  listeners  the scenes of games with each contact listener, stock over plugin (SCENES="a b": these alone)
   scenes     each scene of the testbed, stock over plugin: linked behind Box2D, which leaves contacts alone, and
-             linked ahead of it, which runs whole steps (SCENES="a b": these alone; LISTENER=reads: with such a listener)
+             linked ahead of it, which runs whole steps (SCENES="a b": these alone)
 --steps N   steps of each scene (default: the scene's own)
 Exit codes: 0 done; 2 wrong usage; 3 a program failed.
 TEXT
@@ -127,44 +128,65 @@ new pair|b2ContactManager::FindNewContacts|new-pairs|new-far
 TEXT
 }
 
-# row NAME X STEPS WORLD...: instructions of a whole step.
+# row NAME STEPS WORLD...: instructions of a whole step.
 row() {
-    local name=$1 x=$2 runs=$3 stock ours
-    shift 3
+    local name=$1 runs=$2 stock ours
+    shift 2
     world stock "$@"
     stock=$(($(total) / runs))
     world plugin "$@"
     ours=$(($(total) / runs))
-    echo "| $name | $x | $stock | $ours | $(ratio "$stock" "$ours") |"
+    echo "| $name | $stock | $ours | $(ratio "$stock" "$ours") |"
+}
+
+head_of_rows() {
+    echo "| $1 | stock | plugin | stock / plugin |"
+    echo "| --- | --- | --- | --- |"
 }
 
 fixtures() {
     local count
-    echo "| world | fixtures per body | stock | plugin | stock / plugin |"
-    echo "| --- | --- | --- | --- | --- |"
+    head_of_rows "fixtures of each body"
     for count in 1 2 4 8 16 32; do
-        row "gas of 100 coins" "$count" 10 gas 100 10 "$count"
+        row "$count" 10 gas 100 10 "$count"
     done
 }
 
 bodies() {
     local count
-    echo "| world | bodies | stock | plugin | stock / plugin |"
-    echo "| --- | --- | --- | --- | --- |"
-    for count in 1000 2000 5000 10000 20000 50000; do
-        row "gas of octagons" "$count" 3 gas "$count" 3
+    head_of_rows "bodies"
+    for count in 1000 5000 20000 50000; do
+        row "gas, $count" 3 gas "$count" 3
     done
-    for count in 1000 2000 5000 10000 20000 50000; do
-        row "columns of boxes" "$count" 3 columns "$count" 3
+    for count in 1000 5000 20000 50000; do
+        row "columns, $count" 3 columns "$count" 3
     done
 }
 
 asleep() {
     local count
-    echo "| world | bodies | stock | plugin | stock / plugin |"
-    echo "| --- | --- | --- | --- | --- |"
-    for count in 5000 10000 20000; do
-        row "columns asleep" "$count" 4 asleep "$count" 4
+    head_of_rows "bodies asleep"
+    for count in 5000 20000; do
+        row "$count" 4 asleep "$count" 4
+    done
+}
+
+# Instructions of the first 100 steps (--steps) of each scene, with the same listener on both sides.
+listeners() {
+    local name listener stock ours cells
+    echo "| scene | stock, instructions a step | no listener | counts | reads | acts |"
+    echo "| --- | --- | --- | --- | --- | --- |"
+    for name in ${SCENES:-pyramid-50 cars chain-rocks ragdolls needles-100 mixed-pile}; do
+        cells=''
+        for listener in none counts reads acts; do
+            profiled "$build/bin/boomerang-scene" "$name" --mode time --steps "${steps:-100}" --listener "$listener"
+            stock=$(inclusive b2World::Step)
+            profiled "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "${steps:-100}" --listener "$listener"
+            ours=$(inclusive b2World::Step)
+            [[ $listener != none ]] || cells=$((stock / ${steps:-100}))
+            cells+=" | $(ratio "$stock" "$ours")"
+        done
+        echo "| $name | $cells |"
     done
 }
 
@@ -185,12 +207,12 @@ scenes() {
         [[ -z ${SCENES:-} || " $SCENES " = *" $name "* ]] || continue
         count=${steps:-$count}
         sums=()
-        profiled "$build/bin/boomerang-scene" "$name" --mode time --steps "$count" --listener "${LISTENER:-none}"
+        profiled "$build/bin/boomerang-scene" "$name" --mode time --steps "$count"
         sums+=("$(inclusive b2World::Step)")
         # Preloaded, Box2D's functions come first: as if the plugin were linked behind it.
-        LD_PRELOAD=$box2d profiled "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count" --listener "${LISTENER:-none}"
+        LD_PRELOAD=$box2d profiled "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count"
         sums+=("$(inclusive b2World::Step)")
-        profiled "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count" --listener "${LISTENER:-none}"
+        profiled "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count"
         sums+=("$(inclusive b2World::Step)")
         echo "| $name | $count | $((sums[0] / count)) | $(ratio "${sums[0]}" "${sums[1]}") |" \
             "$(ratio "${sums[0]}" "${sums[2]}") |"
@@ -199,7 +221,7 @@ scenes() {
 
 for table in "${tables[@]}"; do
     case $table in
-    calls | fixtures | bodies | asleep | scenes) "$table" ;;
+    calls | fixtures | bodies | asleep | listeners | scenes) "$table" ;;
     *) usage >&2; exit 2 ;;
     esac
 done
