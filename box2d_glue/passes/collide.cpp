@@ -312,12 +312,7 @@ void CollidePass::End() {
 } // namespace
 
 void Collide(b2ContactManager *manager) {
-    Ledger *ledger = nullptr;
-    if (RoundsToNearest()) {
-        ledger = FindLedger(manager);
-        if (ledger == nullptr && manager->m_contactCount >= WorthALedgerAnyway())
-            ledger = MakeLedger(manager);
-    }
+    Ledger *const ledger = RoundsToNearest() ? LedgerForStep(manager) : nullptr;
     if (ledger != nullptr && !ledger->MayHaveUnlisted() && ledger->Pays() && ledger->Follow()) {
         CollidePass(ledger, manager).Run();
         return;

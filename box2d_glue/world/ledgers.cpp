@@ -4,6 +4,7 @@
 #include <mutex>
 #include <new>
 
+#include "start/current_step.h"
 #include "start/process_locks.h"
 #include "world/ledger.h"
 
@@ -13,9 +14,9 @@ std::atomic<uint64_t> internal::changesOfLedgers{0};
 
 namespace {
 
-struct Entry {
-    explicit Entry(b2ContactManager *manager) : ledger(manager) {}
-    Ledger ledger;
+struct Entry : Ledger {
+    using Ledger::Ledger;
+    uint32_t stepsOfFew = 0; ///< in a row began with fewer contacts than a ledger is kept for
     Entry *next = nullptr;
 };
 
@@ -35,10 +36,14 @@ Entry **ChainOf(const b2ContactManager *manager) {
     return &chains[mixed >> (64u - kChainBits)];
 }
 
+uint32_t StepsUntilGivenBack() {
+    return WorksEverywhere() ? 2 : 64;
+}
+
 /// The link that leads to it, or the chain's last. Locked.
 Entry **LinkTo(const b2ContactManager *manager) {
     Entry **link = ChainOf(manager);
-    while (*link != nullptr && (*link)->ledger.Manager() != manager)
+    while (*link != nullptr && (*link)->Manager() != manager)
         link = &(*link)->next;
     return link;
 }
@@ -50,8 +55,7 @@ Ledger *internal::FindLedgerOfSome(const b2ContactManager *manager) {
     if (remembered.manager == manager && remembered.changes == now)
         return remembered.ledger;
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
-    const Entry *entry = *LinkTo(manager);
-    remembered = {manager, entry != nullptr ? const_cast<Ledger *>(&entry->ledger) : nullptr, now};
+    remembered = {manager, *LinkTo(manager), now};
     return remembered.ledger;
 }
 
@@ -64,7 +68,22 @@ Ledger *MakeLedger(b2ContactManager *manager) {
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
     *LinkTo(manager) = made;
     internal::changesOfLedgers.fetch_add(1, std::memory_order_release);
-    return &made->ledger;
+    return made;
+}
+
+Ledger *LedgerForStep(b2ContactManager *manager) {
+    Ledger *const ledger = FindLedger(manager);
+    if (ledger == nullptr)
+        return manager->m_contactCount >= WorthALedgerAnyway() ? MakeLedger(manager) : nullptr;
+    uint32_t &stepsOfFew = static_cast<Entry *>(ledger)->stepsOfFew;
+    if (manager->m_contactCount >= WorthALedgerAnyway() / 2)
+        stepsOfFew = 0;
+    else if (!StepUnderWay::IsInner() && ++stepsOfFew > StepsUntilGivenBack()) {
+        ledger->GiveMarksBack();
+        DropLedger(manager);
+        return nullptr;
+    }
+    return ledger;
 }
 
 void DropLedger(const b2ContactManager *manager) {

@@ -18,9 +18,8 @@ class Ledger;
 /// contact manager. A world gets one when it has contacts enough, and loses it when it ends.
 
 /// So many contacts are worth a ledger. In worlds of fewer, looking at what touches costs less than the
-/// ledger does, whose code and memory a game's own work has put out of the caches between two steps. (A world
-/// that had so many keeps its ledger when it has fewer.) Where the plugin is to work everywhere it is not
-/// asked what anything costs.
+/// ledger does, whose code and memory a game's own work has put out of the caches between two steps. Where
+/// the plugin is to work everywhere it is not asked what anything costs.
 inline int WorthALedgerAnyway() {
     return WorksEverywhere() ? 8 : 48;
 }
@@ -42,6 +41,9 @@ inline Ledger *FindLedger(const b2ContactManager *manager) {
 }
 /// Makes it if need be; nullptr without memory.
 Ledger *MakeLedger(b2ContactManager *manager);
+/// For a step that begins: makes it where there are contacts enough. Gives it back where the world began many
+/// steps in a row with less than half as many: a world that goes to and fro about the limit keeps it.
+Ledger *LedgerForStep(b2ContactManager *manager);
 /// The world ends.
 void DropLedger(const b2ContactManager *manager);
 

@@ -183,3 +183,38 @@ TEST_CASE("there and back: a contact loses its points, and is a sensor's until t
         game.Play();
     });
 }
+
+// A small world gives its ledger back: between steps alone, and with what is known of impacts.
+TEST_CASE("given back: a crowd goes, and while that is found out a listener steps the world within its "
+          "steps; the crowd comes back") {
+    for (const bool sub : {false, true})
+        AsStock([sub](Run &run) {
+            Game game(run);
+            game.world.SetSubStepping(sub);
+            const auto crowd = [&game] {
+                std::vector<b2Body *> bodies;
+                for (int i = 0; i < 60; ++i) {
+                    bodies.push_back(game.Near({3.0f * Real(i), 10.0f}));
+                    bodies.back()->SetLinearVelocity({i % 3 == 0 ? -2.0f : 0.1f, 0.0f});
+                }
+                return bodies;
+            };
+            game.Touching({0.0f, 0.0f});
+            game.Listen();
+            for (int round = 0; round < 2; ++round) {
+                const std::vector<b2Body *> bodies = crowd();
+                game.Step(2);
+                for (b2Body *body : bodies)
+                    game.world.DestroyBody(body);
+                game.Step(round == 0 ? 1 : 60);
+                game.listener.preSolve.Once([&game] {
+                    for (int i = 0; i < 12; ++i)
+                        game.StepWithin(1.0f / 600.0f, 4);
+                });
+                b2Body *const bullet = game.Awake({-6.0f, 0.0f}, {0.1f, 0.1f});
+                bullet->SetBullet(true);
+                bullet->SetLinearVelocity({400.0f, 0.0f});
+                game.Step(80);
+            }
+        });
+}
