@@ -27,6 +27,7 @@ ContactBodies BodiesOf(const b2Body &a, const b2Body &b) {
 /// The normal from A to B, and the points half way between the two surfaces: b2WorldManifold.
 struct WorldPoints {
     b2Vec2 normal, points[b2_maxManifoldPoints];
+    float separation = b2_maxFloat; ///< the smallest, of faces
 
     WorldPoints(const PositionConstraint &c, const b2Transform &poseA, const b2Transform &poseB) {
         if (c.type == b2Manifold::e_circles) {
@@ -55,7 +56,9 @@ private:
         const b2Vec2 plane = b2Mul(face, c.localPoint);
         for (int32 i = 0; i < c.pointCount; ++i) {
             const b2Vec2 clip = b2Mul(incident, c.localPoints[i]);
-            const b2Vec2 onFace = clip + (faceRadius - b2Dot(clip - plane, normal)) * normal;
+            const float along = b2Dot(clip - plane, normal);
+            separation = b2Min(separation, along - c.radiusA - c.radiusB);
+            const b2Vec2 onFace = clip + (faceRadius - along) * normal;
             const b2Vec2 onOther = clip - radius * normal;
             points[i] = 0.5f * (onFace + onOther); // the sum of two is the same in either order
         }
@@ -233,22 +236,13 @@ void Read(const b2Contact &contact, VelocityConstraint *velocity, PositionConstr
     position->radiusA = fixtureA->GetShape()->m_radius;
     position->radiusB = fixtureB->GetShape()->m_radius;
     position->type = manifold.type;
+    position->side = manifold.type == b2Manifold::e_faceB ? -1.0f : 1.0f;
     position->pointCount = manifold.pointCount;
     for (int32 i = 0; i < manifold.pointCount; ++i)
         position->localPoints[i] = manifold.points[i].localPoint;
 }
 
 } // namespace
-
-void Rotations::Compute(float angle, Known *known) {
-    std::memcpy(&known->bits, &angle, sizeof known->bits);
-    known->rotation.Set(angle);
-}
-
-void Rotations::Begin(const b2Position *positions, uint32_t bodies) {
-    for (uint32_t i = 0; i < bodies; ++i)
-        Compute(positions[i].a, &m_known[i]);
-}
 
 bool ContactSolver::Reserve(uint32_t bodies, uint32_t contacts) {
     return m_rotations.Reserve(bodies) && m_velocityConstraints.Reserve(contacts) &&
@@ -278,7 +272,7 @@ void ContactSolver::Begin(const b2TimeStep &step, b2Contact *const *contacts, ui
 void ContactSolver::InitializeVelocities() {
     for (uint32_t i = 0; i < m_count; ++i) {
         VelocityConstraint &constraint = m_velocityConstraints[i];
-        const PositionConstraint &position = m_positionConstraints[i];
+        PositionConstraint &position = m_positionConstraints[i];
         const b2Position &a = m_positions[constraint.bodies.indexA],
                          &b = m_positions[constraint.bodies.indexB];
         const b2Velocity &va = m_velocities[constraint.bodies.indexA],
@@ -288,6 +282,7 @@ void ContactSolver::InitializeVelocities() {
         const WorldPoints world(position, PoseOf(bodies.indexA, a, position.localCenterA),
                                 PoseOf(bodies.indexB, b, position.localCenterB));
         constraint.normal = world.normal;
+        position.separation = world.separation;
         for (int32 j = 0; j < constraint.pointCount; ++j) {
             VelocityPoint &at = constraint.points[j];
             at.rA = world.points[j] - a.c;
@@ -372,7 +367,7 @@ bool ContactSolver::SolvePositions() {
         const PositionConstraint &constraint = m_positionConstraints[i];
         Solve(constraint, b2_baumgarte, constraint.bodies, &least);
     }
-    return least >= -3.0f * b2_linearSlop;
+    return least >= kLeastSeparation;
 }
 
 bool ContactSolver::SolveToiPositions() {

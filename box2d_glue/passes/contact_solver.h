@@ -3,13 +3,13 @@
 #define BOOMERANG_GLUE_CONTACT_SOLVER_H
 
 #include <cstdint>
-#include <cstring>
 
 #include <box2d/b2_collision.h>
 #include <box2d/b2_math.h>
 #include <box2d/b2_time_step.h>
 
 #include "base/column.h"
+#include "passes/rotations.h"
 
 class b2Contact;
 struct b2ContactImpulse;
@@ -41,42 +41,24 @@ struct VelocityConstraint {
     int32 pointCount; ///< 1 also where two points are too near each other for a block of two
 };
 
+/// OrderedPositions reads rows of four floats from it.
 struct PositionConstraint {
-    ContactBodies bodies;
-    b2Vec2 localCenterA, localCenterB;
     b2Vec2 localNormal, localPoint, localPoints[b2_maxManifoldPoints];
+    b2Vec2 localCenterA, localCenterB;
     float radiusA, radiusB;
+    float side;       ///< -1: the face is B's
+    float separation; ///< the smallest of a point of a face, before the step
+    ContactBodies bodies;
     b2Manifold::Type type;
     int32 pointCount;
-};
-
-/// Sines and cosines of the angles of an island's bodies: computed once for as long as an angle has the same
-/// bits. (A contact that is not corrected does not turn its bodies, and statics never turn.)
-class Rotations {
-public:
-    bool Reserve(uint32_t bodies) { return m_known.Reserve(bodies); }
-    void Begin(const b2Position *positions, uint32_t bodies);
-    const b2Rot &Of(int32 body, float angle) {
-        Known &known = m_known[static_cast<uint32_t>(body)];
-        uint32_t bits;
-        std::memcpy(&bits, &angle, sizeof bits);
-        if (bits != known.bits)
-            Compute(angle, &known);
-        return known.rotation;
-    }
-
-private:
-    struct Known {
-        uint32_t bits; ///< of the angle
-        b2Rot rotation;
-    };
-    static void Compute(float angle, Known *known);
-    Column<Known> m_known;
 };
 
 /// The contacts of one island, one after the other, with the bits of Box2D's b2ContactSolver.
 class ContactSolver {
 public:
+    /// An island is solved once no point is deeper.
+    static constexpr float kLeastSeparation = -3.0f * b2_linearSlop;
+
     /// Room for so many. False without memory, and nothing has changed.
     bool Reserve(uint32_t bodies, uint32_t contacts);
 
@@ -89,10 +71,19 @@ public:
     void SolveVelocities();
     void SolveVelocity(uint32_t i) { Solve(&m_velocityConstraints[i]); }
     bool SolvesBlocks() const { return m_solvesBlocks; }
+    const PositionConstraint *PositionConstraints() const { return m_positionConstraints.Data(); }
+    Rotations &GetRotations() { return m_rotations; }
     VelocityConstraint *VelocityConstraints() { return m_velocityConstraints.Data(); }
     void StoreImpulses() const;
     /// Are all contacts solved as well as Box2D asks?
     bool SolvePositions();
+    /// One of them. Returns its smallest separation, or 0 if that is less.
+    float SolvePosition(uint32_t i) {
+        const PositionConstraint &constraint = m_positionConstraints[i];
+        float least = 0.0f;
+        Solve(constraint, b2_baumgarte, constraint.bodies, &least);
+        return least;
+    }
     /// The same after an impact of the bodies 0 and 1: no other body is moved.
     bool SolveToiPositions();
 

@@ -66,7 +66,8 @@ bool IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) 
         return false;
     return m_allocator != nullptr ||
            (m_positions.Reserve(bodies) && m_velocities.Reserve(bodies) &&
-            m_solver.Reserve(bodies, contacts) && m_ordered.Reserve(bodies, contacts));
+            m_solver.Reserve(bodies, contacts) && m_orderedVelocities.Reserve(bodies, contacts) &&
+            m_orderedPositions.Reserve(bodies, contacts));
 }
 
 void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener) {
@@ -93,10 +94,11 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
     for (uint32_t i = 0; i < m_jointCount; ++i)
         (m_joints[i]->*Named(InitVelocityConstraints()))(data);
     const float initialized = timer.GetMilliseconds();
-    if (!MayReorder() || !m_ordered.Order(m_solver.VelocityConstraints(), m_contactCount, data.velocities,
-                                          m_bodyCount, m_step.velocityIterations)) {
+    if (!MayReorder() ||
+        !m_orderedVelocities.Order(m_solver.VelocityConstraints(), m_contactCount, data.velocities,
+                                   m_bodyCount, m_step.velocityIterations)) {
         SolveVelocities(data);
-    } else if (!m_ordered.Solve(&m_solver, data.velocities)) {
+    } else if (!m_orderedVelocities.Solve(&m_solver, data.velocities)) {
         Prepare(gravity, data);
         SolveVelocities(data);
     }
@@ -162,7 +164,7 @@ void IslandSolver::Prepare(const b2Vec2 &gravity, const b2SolverData &data) {
 }
 
 bool IslandSolver::MayReorder() const {
-    return m_jointCount == 0 && m_contactCount >= OrderedVelocities::kLeast && m_solver.SolvesBlocks();
+    return m_jointCount == 0 && m_solver.SolvesBlocks();
 }
 
 void IslandSolver::SolveVelocities(const b2SolverData &data) {
@@ -206,6 +208,10 @@ void IslandSolver::IntegratePositions() {
 }
 
 bool IslandSolver::SolvePositions(const b2SolverData &data) {
+    bool isSolved = false;
+    if (m_jointCount == 0 && m_orderedPositions.Solve(&m_solver, m_contactCount, data.positions, m_bodyCount,
+                                                      m_step.positionIterations, &isSolved))
+        return isSolved;
     for (int32 i = 0; i < m_step.positionIterations; ++i) {
         bool solved = m_solver.SolvePositions();
         for (uint32_t j = 0; j < m_jointCount; ++j) {

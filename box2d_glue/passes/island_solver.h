@@ -8,6 +8,7 @@
 
 #include "base/column.h"
 #include "passes/contact_solver.h"
+#include "passes/ordered_positions.h"
 #include "passes/ordered_velocities.h"
 #include "passes/stock_solver.h"
 #include "passes/which_solver.h"
@@ -97,7 +98,8 @@ private:
     Column<b2Position> m_positions;
     Column<b2Velocity> m_velocities;
     ContactSolver m_solver;
-    OrderedVelocities m_ordered;
+    OrderedVelocities m_orderedVelocities;
+    OrderedPositions m_orderedPositions;
     uint32_t m_bodyCount = 0, m_contactCount = 0, m_jointCount = 0;
     b2TimeStep m_step = {};
     b2ContactListener *m_listener = nullptr;

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_ORDERED_CONTACTS_H
+#define BOOMERANG_GLUE_ORDERED_CONTACTS_H
+
+#include <cstdint>
+
+#include "base/column.h"
+
+namespace bmr {
+
+/// An order of several iterations over contacts, up to four at once, that changes no bit.
+///
+/// Box2D solves contacts one after the other. One reads and writes its two bodies, and waits for the one
+/// before it where the two share a moving body. All others may change places, from one iteration to the next,
+/// too. So each contact of each iteration has a level, one above the levels of those it waits for. The
+/// contacts of a level are solved in groups of one kind.
+///
+/// A body without mass and inertia carries no order: it stays as it is, as long as impulses are finite and no
+/// coordinate is -0.0 (CarriesNoOrder).
+class OrderedContacts {
+public:
+    static constexpr uint32_t kLeast = 8;       ///< contacts; below this an order is not worth finding
+    static constexpr uint32_t kOverlapping = 8; ///< so many iterations at most have one order
+    static constexpr uint32_t kKinds = 3;
+    static constexpr uint32_t kNone = 0xffffffffu;
+
+    struct Place {
+        uint32_t contact, kind;
+        uint32_t a, b; ///< bodies that carry order, or kNone
+    };
+    struct Group {
+        uint32_t contacts[4]; ///< the first one again, where there are fewer
+        uint8_t iterations[4];
+        uint32_t count;
+        uint32_t next; ///< of the same level and kind
+    };
+
+    bool Reserve(uint32_t bodies, uint32_t contacts);
+    void Begin() {
+        m_count = 0;
+        m_isKnown = true;
+    }
+    void Add(const Place &place) {
+        Place &last = m_places[m_count];
+        m_isKnown = m_isKnown && m_count < m_ordered && last.contact == place.contact &&
+                    last.kind == place.kind && last.a == place.a && last.b == place.b;
+        ++m_count;
+        last = place;
+    }
+    /// Finds the order of those that were added, or keeps the last one where it is of the same contacts, as
+    /// in a pile from step to step. False where Box2D's own order is as fast. `iterations`: 1 to
+    /// kOverlapping.
+    bool Find(uint32_t bodies, uint32_t iterations);
+    /// The next Find finds the order anew.
+    void Forget() { m_ordered = 0; }
+
+    /// Calls solve(group, kind) for each group, in order.
+    template <typename Solve> void ForEach(const Solve &solve) const {
+        for (uint32_t level = 0; level < m_levelCount; ++level)
+            for (uint32_t kind = 0; kind < kKinds; ++kind)
+                for (uint32_t at = m_levels[level].ofKinds[kind]; at != kNone; at = m_groups[at].next)
+                    solve(m_groups[at], kind);
+    }
+
+private:
+    /// The newest groups, the only ones that may have room.
+    struct Level {
+        uint32_t ofKinds[kKinds];
+    };
+    bool FindAnew();
+    void Put(const Place &place, uint32_t iteration, Level *level);
+
+    Column<Place> m_places;
+    Column<Group> m_groups;
+    Column<Level> m_levels;
+    Column<uint32_t> m_last; ///< of each body: the level of its last contact so far
+    uint32_t m_count = 0, m_groupCount = 0, m_levelCount = 0;
+    uint32_t m_ordered = 0, m_bodies = 0, m_iterations = 0; ///< contacts, bodies and iterations of the order
+    bool m_isKnown = false;                                 ///< those added so far are those of the order
+    bool m_pays = false; ///< the order is complete, and has enough groups of several
+};
+
+/// `at`: the three coordinates of the body that its contacts write.
+bool CarriesNoOrder(float invMass, float invI, const float *at);
+
+} // namespace bmr
+
+#endif
