@@ -173,10 +173,10 @@ def check_worlds(run):
 
 
 def check_scenes(run):
-    """The tables of counts, line by line; not what stands below `Time per step`."""
+    """The table of pairs and looks, line by line."""
+    title = "How kinetic the world is: pairs and who was looked at, per step"
     said = set(run.said[0].splitlines())
-    lines = block_with(run.page_with("Separation tests, calls per step"), "Separation tests, calls per step")
-    for line in lines[:lines.index("Time per step") if "Time per step" in lines else None]:
+    for line in block_with(run.page_with(title), title):
         if re.search(r"\d", line):
             run.result.cells += len(line.split()) - 1
             if line not in said:
@@ -191,15 +191,16 @@ def picture(name, what, seconds, quotes, commands, makes):
     return Experiment(name, "picture", what, seconds, quotes, commands, check, makes)
 
 
-COSTS = ["calls", "bodies", "fixtures", "asleep", "listeners"] # in the order of the page
+COSTS = ["calls", "bodies", "asleep", "listeners"] # in the order of the page
 
 
 def costs(table, seconds):
-    """A table of measure_costs.sh: the page has it as it is printed, below the command that has them all."""
-    quote = "tests/bench/measure_costs.sh build " + " ".join(COSTS)
+    """A table of measure_costs.sh: the page has it as it is printed, below the command that prints it."""
+    page = COSTS if table in COSTS else [table]
+    quote = "tests/bench/measure_costs.sh build " + " ".join(page)
 
     def check(run):
-        rows = table_after(*run.page(quote), COSTS.index(table))
+        rows = table_after(*run.page(quote), page.index(table))
         rows_as_ratios(run.result, rows, run.said[0], 0, lambda row: [(column, column) for column in range(1, len(row))])
 
     return Experiment(f"cost-{table}", "ratios", f"instructions, by callgrind: {table}", seconds, [quote],
@@ -230,9 +231,9 @@ EXPERIMENTS = [
     counted("rivals", "rivals, far and near", 2, RIVALS, lambda run: check_lists(run, RIVALS, False)),
     counted("optimum", "events over the best that was possible", 4, OPTIMUM, check_optimum),
     Experiment("worlds", "counts", "what grows with the number of bodies of a kinetic world", 5, [WORLDS], [words(WORLDS)], check_worlds),
-    Experiment("scenes", "counts", "separation tests, looks and events in every scene, plugin beside stock", 70, ["boomerang-testbed compare --no-time --details"],
+    Experiment("scenes", "counts", "pairs, looks and events in every scene", 70, ["boomerang-testbed compare --no-time --details"],
                [[TESTBED, "compare", "--no-time", "--details"]], check_scenes),
-    costs("calls", 40), costs("bodies", 200), costs("fixtures", 60), costs("asleep", 40), costs("listeners", 200),
+    costs("calls", 40), costs("bodies", 200), costs("asleep", 40), costs("listeners", 200), costs("sizes", 60), costs("outlines", 40),
     shown("asteroids", "the moving picture of the first page", 8,
           ["boomerang-testbed render asteroids-outline --frames 60:180:4 --focus=-13,8,26,15 --certificates --slack --contacts --events --width 560 -o asteroids.png"],
           [[TESTBED, "render", "asteroids-outline", "--frames", "60:180:4", "--focus=-13,8,26,15", "--certificates", "--slack", "--contacts",
@@ -247,10 +248,6 @@ EXPERIMENTS = [
     shown("any-size-worlds", "worlds of polygons of any size", 60, ["boomerang-testbed compare any-gas any-pile any-bag"],
           [[TESTBED, "compare", "any-gas", "any-pile", "any-bag"]]),
     shown("cold", "steps of small worlds with cold caches", 200, ["tests/bench/cold_steps.sh build"], [["{root}/tests/bench/cold_steps.sh", "{build}"]]),
-    shown("world-share", "where a world's instructions go", 200,
-          ["tests/bench/world_share.sh build gas --bodies 10000 --boundary periodic --shape regular --vertices 8:64 --sizes 1 --density 0.3 --seconds 1"],
-          [["{root}/tests/bench/world_share.sh", "{build}", "gas", "--bodies", "10000", "--boundary", "periodic", "--shape", "regular", "--vertices", "8:64",
-            "--sizes", "1", "--density", "0.3", "--seconds", "1"]]),
     counted("near", "the structures of the open question, very near", 10, NEAR, lambda run: check_lists(run, NEAR, False)),
     shown("chains", "convex chains of 32 to 4096 vertices, in long double", 1, ["build/bin/test_chain_model"], [["{build}/bin/test_chain_model"]]),
     shown("convex-paths", "parts of the bounds that convex paths use", 150, ["build/bin/test_kds_convex_paths"],
@@ -277,7 +274,6 @@ USAGE = [
     "boomerang-testbed world --list",
     "boomerang-testbed world gas --bodies 1000 --check --audit",
     "boomerang-testbed world cooling --answer 0.8 --record run.txt",
-    "boomerang-testbed world cooling --answer E --bodies 400 --seconds T --seed S",
     "boomerang-testbed render --recording run.txt --step 300 --all -o run.png",
 ]
 # Pictures that are drawn by hand.

@@ -96,6 +96,6 @@ def rows_as_ratios(result, page_rows, printed, key, columns):
             result.wrong.append(f"the page has no row {row[key]}")
             continue
         for ours, theirs in columns(row):
-            result.ratio(page[plain(row[key])][theirs], float(plain(row[ours])))
+            result.ratio(page[plain(row[key])][theirs].split()[0], float(plain(row[ours]).split()[0]))
     if not result.ratios and not result.wrong:
         result.wrong.append("nothing was printed")

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# What things cost in instructions, stock Box2D beside the plugin: the tables of docs/cost-model.md. Under callgrind,
+# What things cost in instructions, stock Box2D beside the plugin: tables of the pages. Under callgrind,
 # so the figures repeat themselves to a few parts in a thousand whatever else the machine does.
 set -euo pipefail
 
@@ -9,12 +9,13 @@ usage() {
     cat <<'TEXT'
 usage: measure_costs.sh [--steps N] BUILD_DIRECTORY TABLE...
 
-Tables, each printed as docs/cost-model.md has it:
+Tables, each printed as its page has it (docs/cost-model.md):
   calls      instructions of one contact, query, overlap, new pair
-  fixtures   instructions of a step against fixtures per body
   bodies     instructions of a step against the number of bodies, 1,000 to 50,000
   asleep     instructions of a step in which all bodies sleep
   listeners  the scenes of games with each contact listener, stock over plugin (SCENES="a b": these alone)
+  sizes      docs/any-size-polygons.md: polygons of 8 to 4096 vertices, and circles, with the plugin
+  outlines   docs/outlines.md: bodies of outlines beside the same of triangles
   scenes     each scene of the testbed, stock over plugin: linked behind Box2D, which leaves contacts alone, and
              linked ahead of it, which runs whole steps (SCENES="a b": these alone)
 --steps N   steps of each scene (default: the scene's own)
@@ -144,14 +145,6 @@ head_of_rows() {
     echo "| --- | --- | --- | --- |"
 }
 
-fixtures() {
-    local count
-    head_of_rows "fixtures of each body"
-    for count in 1 2 4 8 16 32; do
-        row "$count" 10 gas 100 10 "$count"
-    done
-}
-
 bodies() {
     local count
     head_of_rows "bodies"
@@ -171,22 +164,58 @@ asleep() {
     done
 }
 
-# Instructions of the first 100 steps (--steps) of each scene, with the same listener on both sides.
+# stepped PROGRAM SCENE OPTIONS...: instructions of a step, the mean of the first 100 (--steps).
+stepped() {
+    profiled "$build/bin/$1" "${@:2}" --mode time --steps "${steps:-100}"
+    echo $(($(inclusive b2World::Step) / ${steps:-100}))
+}
+
+# Each scene of games, with the same listener on both sides.
 listeners() {
-    local name listener stock ours cells
+    local name listener stock cells
     echo "| scene | stock, instructions a step | no listener | counts | reads | acts |"
     echo "| --- | --- | --- | --- | --- | --- |"
     for name in ${SCENES:-pyramid-50 cars chain-rocks ragdolls needles-100 mixed-pile}; do
         cells=''
         for listener in none counts reads acts; do
-            profiled "$build/bin/boomerang-scene" "$name" --mode time --steps "${steps:-100}" --listener "$listener"
-            stock=$(inclusive b2World::Step)
-            profiled "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "${steps:-100}" --listener "$listener"
-            ours=$(inclusive b2World::Step)
-            [[ $listener != none ]] || cells=$((stock / ${steps:-100}))
-            cells+=" | $(ratio "$stock" "$ours")"
+            stock=$(stepped boomerang-scene "$name" --listener "$listener")
+            [[ $listener != none ]] || cells=$stock
+            cells+=" | $(ratio "$stock" "$(stepped boomerang-scene-plugin "$name" --listener "$listener")")"
         done
         echo "| $name | $cells |"
+    done
+}
+
+# beside FIRST OTHER...: the first, and each of the others with its ratio to the first.
+beside() {
+    local cells=$1 other
+    for other in "${@:2}"; do
+        cells+=" | $other ($(ratio "$other" "$1") x)"
+    done
+    echo "$cells"
+}
+
+sizes() {
+    local scene vertices all
+    echo "| instructions a step | octagons, stock | octagons | circles | 64 vertices | 256 | 4096 |"
+    echo "| --- | --- | --- | --- | --- | --- | --- |"
+    for scene in any-gas any-pile; do
+        all=("$(stepped boomerang-scene "$scene" --bodies many --vertices 8)")
+        all+=("$(stepped boomerang-scene-plugin "$scene" --vertices 8)" "$(stepped boomerang-scene-plugin "$scene" --bodies circle)")
+        for vertices in 64 256 4096; do
+            all+=("$(stepped boomerang-scene-plugin "$scene" --vertices "$vertices")")
+        done
+        echo "| \`$scene\` | $(beside "${all[@]}") |"
+    done
+}
+
+outlines() {
+    local scene
+    echo "| instructions a step | outlines | triangles, with the plugin | triangles, stock |"
+    echo "| --- | --- | --- | --- |"
+    for scene in asteroids-outline gears-outline; do
+        echo "| \`$scene\` | $(beside "$(stepped boomerang-scene-plugin "$scene" --bodies one)" \
+            "$(stepped boomerang-scene-plugin "$scene" --bodies many)" "$(stepped boomerang-scene "$scene" --bodies many)") |"
     done
 }
 
@@ -221,7 +250,7 @@ scenes() {
 
 for table in "${tables[@]}"; do
     case $table in
-    calls | fixtures | bodies | asleep | listeners | scenes) "$table" ;;
+    calls | bodies | asleep | listeners | sizes | outlines | scenes) "$table" ;;
     *) usage >&2; exit 2 ;;
     esac
 done

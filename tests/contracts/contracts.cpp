@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-//   PROGRAM PAGE     every rule holds, every allocation may fail, and the page has what the program prints
-//   PROGRAM          prints its tables, as the page should have them
+//   PROGRAM PAGE...  every rule holds, every allocation may fail, and the pages have what the program prints
+//   PROGRAM          prints its tables, as a page should have them
 //   PROGRAM --cells  a line for each bad value and its answer
 //   PROGRAM --list   the functions whose allocations fail
-//   PROGRAM --tables the marks of its tables on the page
+//   PROGRAM --tables the marks of its tables on the pages
 #include "contracts.h"
 
 #include <algorithm>
@@ -243,25 +243,27 @@ std::string PrintedRules() {
     return text;
 }
 
-/// What stands on the page behind the table's mark, up to an empty line.
-std::string OnPage(const char *page, const std::string &name) {
-    std::ifstream stream(page);
+/// What stands on the pages behind the table's mark, up to an empty line.
+std::string OnPages(const std::vector<std::string> &pages, const std::string &name) {
     std::string line, text;
-    while (std::getline(stream, line) && line != "<!-- checked: " + name + " -->")
-        continue;
-    while (std::getline(stream, line) && !line.empty())
-        text += line + "\n";
+    for (const std::string &page : pages) {
+        std::ifstream stream(page);
+        while (std::getline(stream, line) && line != "<!-- checked: " + name + " -->")
+            continue;
+        while (std::getline(stream, line) && !line.empty())
+            text += line + "\n";
+    }
     return text;
 }
 
-void ComparePage(const char *page, const std::string &name, const std::string &text) {
-    std::string theirs = OnPage(page, name), ours = text;
+void ComparePages(const std::vector<std::string> &pages, const std::string &name, const std::string &text) {
+    std::string theirs = OnPages(pages, name), ours = text;
     for (size_t end; theirs != ours && (end = ours.find('\n')) != std::string::npos &&
                      theirs.compare(0, end + 1, ours, 0, end + 1) == 0;) {
         ours.erase(0, end + 1);
         theirs.erase(0, end + 1);
     }
-    Check(theirs == ours, "table " + name + ": the page has \"" + theirs.substr(0, theirs.find('\n')) +
+    Check(theirs == ours, "table " + name + ": a page has \"" + theirs.substr(0, theirs.find('\n')) +
                               "\", it is \"" + ours.substr(0, ours.find('\n')) + "\"");
 }
 
@@ -327,7 +329,7 @@ Table::Table(const char *name, Matrix (*make)()) {
     Entries().push_back({name, nullptr, make});
 }
 
-static void Treat(const Entry &entry, const std::string &what) {
+static void Treat(const Entry &entry, const std::string &what, const std::vector<std::string> &pages) {
     const bool cells = what == "--cells";
     functions.clear();
     if (entry.fill != nullptr)
@@ -350,7 +352,7 @@ static void Treat(const Entry &entry, const std::string &what) {
         if (what.empty())
             std::printf("<!-- checked: %s -->\n%s\n", entry.name, text.c_str());
         else if (!cells)
-            ComparePage(what.c_str(), entry.name, text);
+            ComparePages(pages, entry.name, text);
     }
     for (const Function &function : functions) {
         if (function.refuses && !what.empty())
@@ -366,7 +368,7 @@ int main(int argc, char **argv) {
     using namespace contracts;
     const std::string what = argc > 1 ? argv[1] : "";
     for (const Entry &entry : Entries())
-        Treat(entry, what);
+        Treat(entry, what, {argv + (argc > 1 ? 1 : argc), argv + argc});
     if (what.empty() || what[0] == '-')
         return 0;
     std::printf("%zu passed, %zu failed\n", passed, failed);

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-#   controls.sh PAGE PROGRAM...
+#   controls.sh PAGE PAGE PROGRAM...
 #
-# Is every table of the page printed by a program, and no other? And does each table notice that the page says something else?
+# Is every table of the pages printed by a program, and no other? And does each table notice that a page says something else?
 set -uo pipefail
-page=${1:?}
-shift
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 failures=0
-sed '/^| [^-]/ s/ |$/ or else |/' "$page" >"$room/page"
+cat "${1:?}" "${2:?}" >"$room/pages"
+shift 2
+sed '/^| [^-]/ s/ |$/ or else |/' "$room/pages" >"$room/page"
 for program in "$@"; do
     "$program" --tables >"$room/tables"
     cat "$room/tables" >>"$room/printed"
@@ -21,5 +21,5 @@ for program in "$@"; do
         failures=1
     fi
 done
-diff <(grep '^<!-- checked: ' "$page" | sort) <(sort "$room/printed") || { echo "FAILED: the page's tables (<) are not those of the programs (>)"; failures=1; }
+diff <(grep '^<!-- checked: ' "$room/pages" | sort) <(sort "$room/printed") || { echo "FAILED: the pages' tables (<) are not those of the programs (>)"; failures=1; }
 exit "$failures"

@@ -27,7 +27,7 @@ PAGES = ["README.md", "CONTRIBUTING.md", "core/README.md", "docs/*.md", "playgro
 # Blocks without a language: what they begin with, and what becomes of them.
 PLAIN = {
     "Box2D is a shared library here,": "shown", # what `boomerang try` says: tests/plugin/test_try.sh
-    "Separation tests, calls per step": "shown", # `run reproduce scenes` compares it
+    "How kinetic the world is:": "shown", # `run reproduce scenes` compares it
     "step:": "shown", # a sketch
     "# A rests; B passes above it": "motions",
 }

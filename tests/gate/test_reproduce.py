@@ -15,7 +15,7 @@ from compare import Events, Result, table_after  # noqa: E402
 import table1  # noqa: E402
 
 # What makes figures: commands of the testbed, measurements, tests with more iterations than they have in the gate.
-FIGURES = re.compile(r"boomerang-testbed (?:events|figures|compare|world|render)\b|(?:tests/bench/)?measure_\w+\.sh|tests/bench/world_share\.sh"
+FIGURES = re.compile(r"boomerang-testbed (?:events|figures|compare|world|render)\b|tests/bench/\w+\.sh"
                      r"|BMR_TEST_SCALE=\d+ test_\w+|build/bin/test_\w+")
 
 
