@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 
 #include <box2d/b2_world.h>
 
@@ -80,7 +81,7 @@ private:
 /// The game may be called: contacts that the pass has come by are enabled, as Box2D's loop would have left
 /// them.
 void CollidePass::BeforeGame() {
-    m_ledger->EnableDownTo(m_at + 1);
+    m_ledger->Owed().EnableDownTo(m_at + 1);
 }
 
 /// The game was called: what was read before may be another by now. (A step that a listener makes unlocks the
@@ -89,7 +90,7 @@ void CollidePass::AfterGame() {
     const bool stepped = m_ledger->PassNumber() != m_passNumber;
     m_ledger->Distrust(!stepped && m_world->IsLocked());
     if (stepped)
-        m_ledger->OweEnabling(m_at); // and this pass goes on
+        m_ledger->Owed().Begin(m_at); // and this pass goes on
     m_passNumber = m_ledger->PassNumber();
 }
 
@@ -174,7 +175,7 @@ void CollidePass::Destroy(uint32_t i, b2Contact *contact) {
 /// A body woke in the midst of the pass: its pairs that are still to come are due by now. Those that the pass
 /// has come by slept then: they are not to be enabled as if they had not.
 void CollidePass::Wake(const b2Body *body, uint32_t i) {
-    m_ledger->EnableDownTo(i + 1);
+    m_ledger->Owed().EnableDownTo(i + 1);
     m_ledger->Wake(body);
     if (m_word == i / 64)
         m_due = m_ledger->DueOf(m_word) & ~(~uint64_t{0} << (i % 64));
@@ -186,7 +187,7 @@ void CollidePass::Look(uint32_t i, b2Contact *contact) {
     const Ledger::Record record = m_ledger->At(i);
     Count(&Counts::looks);
     ++m_looks;
-    m_ledger->NoteLookedAt(i);
+    m_ledger->Owed().NoteLookedAt(i);
     SolidContact *const sensor = SensorThatLives(contact);
     const bmr_vec2 before = sensor != nullptr ? sensor->GuessDirection() : bmr_vec2{0.0, 0.0};
     Update(contact);
@@ -245,7 +246,8 @@ void CollidePass::Visit(uint32_t i) {
         m_ledger->Rest(i);
         return;
     }
-    if (!(m_ledger->KnowsBoxes(i) ? m_ledger->BoxesOverlap(i) : BoxesOverlap(m_manager, *contact))) {
+    const std::optional<bool> known = m_ledger->BoxesOverlap(i);
+    if (!(known.has_value() ? *known : BoxesOverlap(m_manager, *contact))) {
         Destroy(i, contact);
         return;
     }
@@ -277,9 +279,9 @@ void CollidePass::Verify(uint32_t i) {
 
 void CollidePass::Run() {
     m_ledger->LookAtMovers();
-    if (GetSettings().options.statistics)
-        GetCounts().pairsWatched.fetch_add(m_ledger->CountWatched(), std::memory_order_relaxed);
-    m_ledger->OweEnabling(m_ledger->Count());
+    for (uint32_t word = 0; GetSettings().options.statistics && word <= m_ledger->Count() / 64; ++word)
+        GetCounts().pairsWatched.fetch_add(CountBits(m_ledger->WatchedOf(word)), std::memory_order_relaxed);
+    m_ledger->Owed().Begin(m_ledger->Count());
     m_passNumber = m_ledger->PassNumber();
     m_seen = m_ledger->CurrentLook();
     m_at = m_ledger->Count();
@@ -301,12 +303,8 @@ void CollidePass::Run() {
 void CollidePass::End() {
     m_pass.Complete();
     m_ledger->NoteLooks(m_looks, m_touching);
-    // If code of the game runs later in this step, or ran since the last pass, it could read or have written
-    // IsEnabled(). (The listener that the step began with may have left by now.)
-    const bool gameMayRun = GameMayRun() || HasCodeOfGame(*m_manager);
-    if (gameMayRun || m_ledger->DidGameRun() || !m_ledger->AreSearchesForImpactsSeen())
-        m_ledger->EnableDownTo(0);
-    m_ledger->SetGameRan(gameMayRun);
+    // (The listener that the step began with may have left by now.)
+    m_ledger->Owed().EndPass(GameMayRun() || HasCodeOfGame(*m_manager));
 }
 
 } // namespace

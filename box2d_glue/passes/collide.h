@@ -13,7 +13,7 @@ namespace bmr {
 /// Box2D's loop would leave each of these without points, not touching, and enabled. The first two it is. A
 /// game may have disabled it, and the pass owes it the enabling: it is done ahead of each call of the game's
 /// code, for the contacts that the pass has come by, and at the end of the pass if code of the game may still
-/// run in this step. (If none may, b2World::SolveTOI alone asks: ImpactPass::EnableIfOwed.)
+/// run in this step. (If none may, b2World::SolveTOI alone asks: OwedEnabling.)
 ///
 /// A world of few contacts, or whose ledger has no memory or does not pay, is stepped by Box2D's list.
 void Collide(b2ContactManager *manager);

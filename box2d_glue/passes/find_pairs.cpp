@@ -160,10 +160,8 @@ void FindNewContacts(b2ContactManager *manager, void (*box2d)(b2ContactManager *
             ledger->Resync();
         box2d(manager);
     }
-    if (Ledger *ledger = FindLedger(manager)) {
+    if (Ledger *ledger = FindLedger(manager))
         ledger->CatchUp();
-        ledger->NoteSearch();
-    }
 }
 
 } // namespace bmr

@@ -41,6 +41,8 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
     if (m_ledger != nullptr)
         DoubtBudgets();
     m_marks.LookAgain();
+    if (Ledger *const ledger = FindLedger(m_manager))
+        ledger->GetBodies().NoteDisplaced();
     b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
     const b2Sweep sweepA = SweepOf(*a), sweepB = SweepOf(*b);
     m_sweeps.advanceBody(a, time);
@@ -148,7 +150,7 @@ void ImpactPass::Update(b2Contact *contact) {
     ledger->SetTouches(i, contact->IsTouching());
     if (m_ledger == nullptr)
         return;
-    m_ledger->NoteLookedAt(i);
+    m_ledger->Owed().NoteLookedAt(i);
     if (!m_ledger->GetMarks().known.Has(i))
         m_ledger->GetMarks().asked.Set(i);
     else if (m_ledger->GetMarks().parked.Has(i))

@@ -51,25 +51,22 @@ ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *sol
 /// Does the ledger know all pairs, and what this step did to them?
 bool ImpactPass::MayUseHeap() const {
     return m_ledger != nullptr && m_ledger->IsLookedAtIn(CurrentStep()) && m_ledger->IsWhole() &&
-           m_ledger->AreSearchesSeen() && !m_ledger->MayLackDynamic() && RoundsToNearest();
+           !m_ledger->MayLackDynamic() && RoundsToNearest();
 }
 
 void ImpactPass::Run() {
     bool &stepComplete = m_world->*Named(StepComplete());
-    Ledger *const ledger = m_ledger;
-    if (ledger != nullptr && ledger->IsLookedAtIn(CurrentStep()) && !MayUseHeap())
-        ledger->EnableDownTo(0);
-    if (!MayUseHeap())
-        m_ledger = nullptr;
-    else
+    if (MayUseHeap()) {
         m_pass.emplace(m_ledger);
-    bool displaced = !stepComplete;
+    } else if (m_ledger != nullptr) {
+        if (m_ledger->IsLookedAtIn(CurrentStep()))
+            m_ledger->Owed().EnableDownTo(0);
+        m_ledger = nullptr;
+    }
     if (stepComplete)
         BeginStep();
     else if (m_ledger != nullptr)
         Rebuild();
-    if (ledger != nullptr)
-        ledger->SetAlphasClear(false);
     for (;;) {
         float time = 1.0f;
         b2Contact *const contact = m_ledger != nullptr ? Earliest(&time) : EarliestInList(&time);
@@ -78,7 +75,6 @@ void ImpactPass::Run() {
             stepComplete = true;
             break;
         }
-        displaced = true;
         const bool met = Meet(contact, time);
         if (m_ledger != nullptr)
             ReadWhatGameDid();
@@ -89,8 +85,6 @@ void ImpactPass::Run() {
     }
     if (m_pass.has_value())
         m_pass->Complete();
-    if (ledger != nullptr)
-        ledger->SetAlphasClear(!displaced);
 }
 
 bool ImpactPass::FindsNone() {
@@ -99,9 +93,7 @@ bool ImpactPass::FindsNone() {
     BeginBodies();
     m_scan = ImpactScan::Begin();
     m_ledger->GetMarks().ForgetImpacts(); // they say what is found; those at contacts are not asked for
-    const bool none = SearchByLedger(true);
-    m_ledger->SetAlphasClear(none);
-    return none;
+    return SearchByLedger(true);
 }
 
 // What a step begins with.
@@ -124,18 +116,20 @@ void ImpactPass::BeginStep() {
 
 /// All bodies are at the beginning of their sweeps, and in no island.
 void ImpactPass::BeginBodies() {
-    Ledger *const ledger = m_ledger;
+    Bodies *const bodies = m_ledger != nullptr ? &m_ledger->GetBodies() : nullptr;
     const auto begin = [](b2Body *body) {
         BodyInIsland::Clear(body);
         SweepOf(body).alpha0 = 0.0f;
     };
-    if (ledger != nullptr && ledger->IsAwakeAlone(CurrentStep()) && ledger->AreAlphasClear()) {
-        for (uint32_t i = 0; i < ledger->GetBodies().AwakeCount(); ++i)
-            begin(ledger->GetBodies().Awake(i));
+    if (bodies != nullptr && bodies->AreAlone(CurrentStep()) && !bodies->MayBeDisplaced()) {
+        for (uint32_t i = 0; i < bodies->AwakeCount(); ++i)
+            begin(bodies->Awake(i));
         return;
     }
     for (b2Body *body = m_world->GetBodyList(); body != nullptr; body = body->GetNext())
         begin(body);
+    if (bodies != nullptr)
+        bodies->NotePutBack();
 }
 
 // The first search of a step, by the ledger.
@@ -205,8 +199,8 @@ void ImpactPass::DoubtBudgets() {
 
 /// Box2D enabled it, if it was active, before the first search.
 void ImpactPass::EnableIfOwed(uint32_t i) {
-    m_ledger->EnableIfOwed(i);
-    m_ledger->NoteLookedAt(i);
+    m_ledger->Owed().EnableIfOwed(i);
+    m_ledger->Owed().NoteLookedAt(i);
 }
 
 void ImpactPass::AskAgain() {

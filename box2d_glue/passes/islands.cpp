@@ -259,7 +259,7 @@ void IslandPass::SolveIsland() {
 /// Boxes follow the bodies that were in islands, in Box2D's order.
 void IslandPass::Synchronize() {
     if (m_ledger != nullptr)
-        m_ledger->SetAwakeAlone(m_awakeAlone ? CurrentStep() : 0);
+        m_ledger->GetBodies().SetAlone(m_awakeAlone ? CurrentStep() : 0);
     if (!m_awakeAlone) {
         for (b2Body *body = m_world->GetBodyList(); body != nullptr; body = body->GetNext())
             Follow(body);
@@ -274,7 +274,7 @@ void IslandPass::Follow(b2Body *body) {
         return;
     (body->*Named(SynchronizeFixtures()))();
     if (m_ledger != nullptr && !body->IsAwake())
-        m_ledger->EnableOfSleeper(body);
+        m_ledger->Owed().EnableOfSleeper(body);
 }
 
 } // namespace bmr

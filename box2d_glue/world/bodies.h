@@ -27,9 +27,23 @@ public:
     /// Newest first.
     b2Body *Awake(uint32_t i) const { return m_awake[i]; }
 
+    /// In this step islands hold none but those that are awake; 0: nobody knows. No more once a step was made
+    /// in the midst of it, which has islands of its own, and unlocks the world, so that bodies may go:
+    /// CurrentStep() is another one then.
+    void SetAlone(uint64_t step) { m_aloneIn = step; }
+    bool AreAlone(uint64_t step) const { return step != 0 && m_aloneIn == step; }
+
+    /// An impact, or a search of Box2D's own, leaves bodies displaced in their sweeps. (Box2D puts all of
+    /// them back as it begins to search: the bodies that are asleep would have to be asked one by one.)
+    void NoteDisplaced() { m_displaced = true; }
+    void NotePutBack() { m_displaced = false; }
+    bool MayBeDisplaced() const { return m_displaced; }
+
 private:
     Column<b2Body *> m_bodies, m_awake;
     uint32_t m_count = 0, m_awakeCount = 0, m_waits = 0;
+    uint64_t m_aloneIn = 0;
+    bool m_displaced = true;
 };
 
 } // namespace bmr

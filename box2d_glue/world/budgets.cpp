@@ -6,7 +6,7 @@ namespace bmr {
 
 void Ledger::DropAllProofs() {
     for (uint32_t i = 0; i < m_count; ++i)
-        if (m_contacts[i] != nullptr && !IsResting(i))
+        if (m_contacts[i] != nullptr && IsWatched(i))
             SetDue(i);
 }
 

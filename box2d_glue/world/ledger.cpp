@@ -17,7 +17,7 @@ constexpr uint32_t kFewRecords = 64;
 bool Ledger::Reserve(uint32_t count) {
     return m_records.Reserve(count) && m_lines.Reserve(count) && m_contacts.Reserve(count) &&
            m_bits.Reserve(count) && m_patience.Reserve(count) && m_awake.Reserve(count) &&
-           m_looked.Reserve(count) && m_listed.Reserve(count) && m_marks.Reserve(count);
+           m_owed.Reserve(count) && m_listed.Reserve(count) && m_marks.Reserve(count);
 }
 
 bool Ledger::Follow() {
@@ -37,7 +37,7 @@ bool Ledger::Follow() {
     if (m_interrupted || m_movers.AreSumsLost()) {
         DropAllProofs();
         for (uint32_t i = 0; i < m_count; ++i) // Box2D may have updated contacts that nobody watches
-            if (m_contacts[i] != nullptr && IsResting(i))
+            if (m_contacts[i] != nullptr && !IsWatched(i))
                 SetTouches(i, m_contacts[i]->IsTouching());
     }
     m_movers.ForgetSums();
@@ -79,7 +79,7 @@ void Ledger::BeginEmpty() {
     if (m_passes > 0)
         return;
     Empty();
-    m_owed = 0;
+    m_owed.Begin(0);
     m_bodies.Forget();
 }
 
@@ -148,7 +148,7 @@ void Ledger::GiveMarksBack() {
 
 void Ledger::Take(uint32_t i) {
     DropLine(i);
-    if (!IsResting(i))
+    if (IsWatched(i))
         Unwatch(i);
     m_proxyPairs.Remove(i);
     m_movers.Release(m_records[i].a);
@@ -229,7 +229,7 @@ void Ledger::Compact() {
         ++to;
     }
     m_count = to;
-    m_owed = 0;
+    m_owed.Begin(0);
 }
 
 } // namespace bmr

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 
 #include <box2d/b2_contact.h>
 #include <box2d/b2_contact_manager.h>
@@ -16,6 +17,7 @@
 #include "world/contact_number.h"
 #include "world/marks.h"
 #include "world/movers.h"
+#include "world/owed_enabling.h"
 #include "world/pair_record.h"
 #include "world/proxy_pairs.h"
 
@@ -31,7 +33,7 @@ namespace bmr {
 /// on the way of a pair that stays apart.
 class Ledger {
 public:
-    explicit Ledger(b2ContactManager *manager) : m_manager(manager) {}
+    explicit Ledger(b2ContactManager *manager) : m_manager(manager), m_owed(this) {}
     Ledger(const Ledger &) = delete;
     Ledger &operator=(const Ledger &) = delete;
 
@@ -64,8 +66,10 @@ public:
     }
     /// Contacts may have ended without a word: takes those out that are in the world's list no more.
     void Resync();
-    /// Are all contacts here? (One may have ended without a word, and the next one be at its place in memory:
-    /// that one has no number yet.)
+    /// Are all contacts here? Nobody tells: contacts are made in the midst of a step by whoever looks for
+    /// pairs, and are taken in behind it; and some of the calls that end or make one may be bound inside
+    /// Box2D. (One may have ended without a word, and the next one be at its place in memory: that one has no
+    /// number yet.)
     bool IsWhole() const {
         const b2Contact *const newest = m_manager->m_contactList;
         return m_live == m_manager->m_contactCount && Newest() == newest &&
@@ -80,13 +84,6 @@ public:
     /// world. Where b2Body::SetType ended the contact, it empties the body's list when it is done, and with
     /// it what that step put there. As long as such contacts live, the world is Box2D's alone to step.
     bool MayHaveUnlisted() const { return m_unlisted > 0; }
-
-    /// Box2D's searches for new contacts come by here.
-    void NoteSearch() { m_searchesSeen = true; }
-    bool AreSearchesSeen() const { return m_searchesSeen; }
-    /// The same of its searches for impacts: where they do not, nobody would enable contacts for them.
-    void NoteSearchForImpacts() { m_impactSearchesSeen = true; }
-    bool AreSearchesForImpactsSeen() const { return m_impactSearchesSeen; }
 
     /// The contact was flagged for filtering, or looked at by somebody else: its record is due.
     void Flag(const b2Contact *contact, uint8_t bits);
@@ -132,14 +129,13 @@ public:
         }
         return kNone;
     }
-    uint32_t CountWatched() const;
     /// Is one of its bodies awake, or was it when the pass began? Watched from here on where one has woken
     /// since.
     bool IsWatchedByNow(uint32_t i) {
         const Record record = m_records[i];
-        if (IsResting(i) && (m_movers.IsActiveNow(record.a) || m_movers.IsActiveNow(record.b)))
+        if (!IsWatched(i) && (m_movers.IsActiveNow(record.a) || m_movers.IsActiveNow(record.b)))
             Watch(i);
-        return !IsResting(i);
+        return IsWatched(i);
     }
     uint64_t CurrentLook() const { return m_look; }
     /// Compares the two movers of a pair with what they are by now, where that is not known.
@@ -174,35 +170,17 @@ public:
     /// A body woke in the middle of a pass: its pairs are due.
     void Wake(const b2Body *body);
 
-    /// Have the two's boxes been looked at, in this pass? Where one of them has no pair with a proof, not.
-    bool KnowsBoxes(uint32_t i) const {
+    /// Nothing where the two's boxes were not looked at in this pass: one of them has no pair with a proof.
+    std::optional<bool> BoxesOverlap(uint32_t i) const {
         const Mover &a = m_movers[m_records[i].a], &b = m_movers[m_records[i].b];
-        return a.proved > 0 && b.proved > 0 && a.proxy != b2BroadPhase::e_nullProxy &&
-               b.proxy != b2BroadPhase::e_nullProxy;
-    }
-    bool BoxesOverlap(uint32_t i) const {
-        const Record &record = m_records[i];
-        return b2TestOverlap(m_movers[record.a].box, m_movers[record.b].box);
+        if (a.proved == 0 || b.proved == 0 || a.proxy == b2BroadPhase::e_nullProxy ||
+            b.proxy == b2BroadPhase::e_nullProxy)
+            return std::nullopt;
+        return b2TestOverlap(a.box, b.box);
     }
 
-    /// Stock has enabled every active contact that its loop has passed; here that is done for those that
-    /// nobody looked at, from the newest that is still owed it down to `down`.
-    void EnableDownTo(uint32_t down);
-    /// Had the world a listener or a filter of the game's in the last pass?
-    bool DidGameRun() const { return m_gameRan; }
-    void SetGameRan(bool ran) { m_gameRan = ran; }
-    void OweEnabling(uint32_t below);
+    OwedEnabling &Owed() { return m_owed; }
     uint32_t PassNumber() const { return m_passNumber; }
-    /// The contact is looked at: what its flags say from here on is so.
-    void NoteLookedAt(uint32_t i) { m_looked.Set(i); }
-    void EnableIfOwed(uint32_t i) {
-        if (i < m_owed && !IsResting(i) && !m_looked.Has(i) && IsActive(i))
-            ContactAccess::Enable(m_contacts[i]);
-    }
-
-    /// The body fell asleep after the pass: its contacts stay as they are until it wakes, be it in the midst
-    /// of a step.
-    void EnableOfSleeper(const b2Body *body);
 
     // Impacts.
 
@@ -246,17 +224,11 @@ public:
     /// From here on Box2D's marks are here, and no more in the contacts; or the other way round.
     void TakeMarks();
     void GiveMarksBack();
+    /// Is one of its bodies awake, or was it at the last look? Else it is out of sight.
+    bool IsWatched(uint32_t i) const { return m_awake.Has(i); }
     /// The pairs that are watched, of the 64 of this word.
     uint64_t WatchedOf(uint32_t word) const { return word < m_awake.Words() ? m_awake.Word(word) : 0; }
     Bodies &GetBodies() { return m_bodies; }
-    /// In this step the islands hold none but the bodies that GetBodies() knows to be awake; 0: nobody knows.
-    void SetAwakeAlone(uint64_t step) { m_awakeAloneIn = step; }
-    /// No more once a step was made in the midst of this one: it has islands of its own, and unlocks the
-    /// world, so that bodies may go.
-    bool IsAwakeAlone(uint64_t step) const { return IsLookedAtIn(step) && m_awakeAloneIn == step; }
-    /// No body is displaced in its sweep, for there was no impact in the last step.
-    void SetAlphasClear(bool clear) { m_alphasClear = clear; }
-    bool AreAlphasClear() const { return m_alphasClear; }
     Movers &GetMovers() { return m_movers; }
     const Movers &GetMovers() const { return m_movers; }
     b2ContactManager *Manager() const { return m_manager; }
@@ -313,7 +285,7 @@ private:
         for (;; --i) {
             if (m_awake.Word(i / 64) == 0)
                 i -= i % 64; // the word's first
-            if (!IsResting(i))
+            if (IsWatched(i))
                 return i;
             if (i == 0)
                 return kNone;
@@ -334,13 +306,9 @@ private:
         if (m_movers.LookedAt(row) != m_look && !(m_locked && m_movers.IsAsBefore(row, m_look)))
             m_movers.Look(row, m_manager->m_broadPhase, m_look, true);
     }
-    bool IsActive(uint32_t i) const {
-        return m_movers.IsActive(m_records[i].a) || m_movers.IsActive(m_records[i].b);
-    }
     bool StopsInSweeps(uint32_t i) const {
         return ((m_movers.SweepBits(m_records[i].a) | m_movers.SweepBits(m_records[i].b)) & kStops) != 0;
     }
-    bool IsResting(uint32_t i) const { return !m_awake.Has(i); }
     bool Begin();
     bool Reserve(uint32_t count);
     bool Put(uint32_t i, b2Contact *contact);
@@ -360,6 +328,7 @@ private:
     void DropAllProofs();
 
     b2ContactManager *m_manager;
+    OwedEnabling m_owed;
     Bodies m_bodies;
     Movers m_movers;
     Column<Record> m_records;
@@ -370,13 +339,11 @@ private:
     Column<Patience> m_patience;
     Marks m_marks;
     BitColumn m_awake;    ///< alive, and one of its bodies was awake
-    BitColumn m_looked;   ///< looked at in the last pass
     BitColumn m_listed;   ///< in the world's list, when Resync looked
     uint32_t m_count = 0; ///< records, the dead ones among them
     int32 m_live = 0;
     uint64_t m_step = 0; ///< CurrentStep() of the last look at all movers
     uint64_t m_look = 1; ///< goes up whenever what was read may be old
-    uint32_t m_owed = 0; ///< contacts below this, if active, are still to be enabled
     uint32_t m_passNumber = 0;
     uint32_t m_passes = 0;         ///< under way
     uint32_t m_endings = 0;        ///< of these, ends of contacts
@@ -385,11 +352,6 @@ private:
     bool m_interrupted = false;
     bool m_locked = false;          ///< the world was, since the last look at all movers
     bool m_sweepsCarefully = false; ///< see BeginSearch, MayNotImpact
-    bool m_searchesSeen = false;
-    bool m_impactSearchesSeen = false;
-    bool m_gameRan = false;
-    bool m_alphasClear = false;
-    uint64_t m_awakeAloneIn = 0;
     bool MostOf(uint64_t pairs) const { return 2 * pairs > static_cast<uint64_t>(m_live); }
 
     uint32_t m_triedPasses = 0, m_restingSteps = 0; ///< see Pays

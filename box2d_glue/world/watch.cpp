@@ -34,7 +34,7 @@ void Ledger::Flag(const b2Contact *contact, uint8_t bits) {
     const uint32_t i = NumberOf(contact);
     if (i == kNone)
         return;
-    if (IsResting(i))
+    if (!IsWatched(i))
         Watch(i);
     SetDue(i);
     m_bits[i] |= bits;
@@ -45,7 +45,7 @@ void Ledger::Wake(const b2Body *body) {
         const uint32_t i = NumberOf(edge->contact);
         if (i == kNone)
             continue;
-        if (IsResting(i))
+        if (!IsWatched(i))
             Watch(i);
         const Record &record = m_records[i];
         const uint32_t row = m_movers[record.a].body == body ? record.a : record.b;
@@ -56,22 +56,15 @@ void Ledger::Wake(const b2Body *body) {
 void Ledger::WatchPairsOf(const b2Body *body) {
     for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
         const uint32_t i = NumberOf(edge->contact);
-        if (i == kNone || !IsResting(i))
+        if (i == kNone || IsWatched(i))
             continue;
         Watch(i);
-        NoteLookedAt(i);
+        m_owed.NoteLookedAt(i);
     }
 }
 
 void Ledger::WakeRow(uint32_t row) {
     Wake(m_movers[row].body);
-}
-
-uint32_t Ledger::CountWatched() const {
-    uint32_t count = 0;
-    for (uint32_t word = 0; word < m_awake.Words(); ++word)
-        count += CountBits(m_awake.Word(word));
-    return count;
 }
 
 uint32_t Ledger::NextTouching(uint32_t end) const {
@@ -149,7 +142,7 @@ uint32_t Ledger::NextDue(uint32_t end) {
     while (end-- > 0) {
         if (end >= 2 * kAhead) {
             PrefetchLookAgain(end - 2 * kAhead, end - kAhead);
-            if (!IsResting(end - kAhead) && IsDue(end - kAhead))
+            if (IsWatched(end - kAhead) && IsDue(end - kAhead))
                 ContactNumber::Prefetch(m_contacts[end - kAhead]);
         }
         if (m_contacts[end] == nullptr || !IsWatchedByNow(end))

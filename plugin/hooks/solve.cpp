@@ -33,5 +33,5 @@ void b2World::Solve(const b2TimeStep &step) {
         return;
     for (const b2Body *body = m_bodyList; body != nullptr; body = body->m_next)
         if ((body->m_flags & b2Body::e_islandFlag) != 0 && !body->IsAwake())
-            ledger->EnableOfSleeper(body);
+            ledger->Owed().EnableOfSleeper(body);
 }

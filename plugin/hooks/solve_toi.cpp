@@ -19,8 +19,6 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     if (NothingIsInstalled())
         return stock::SolveToi(this, step);
     Ledger *const ledger = FindLedger(&m_contactManager);
-    if (ledger != nullptr)
-        ledger->NoteSearchForImpacts();
     if (PassesRun(HookOf::SolveToi)) {
         const TakenSolver solver(this, 2 * b2_maxTOIContacts, b2_maxTOIContacts, 0);
         ImpactPass pass(this, step, solver.Get());
@@ -30,9 +28,9 @@ void b2World::SolveTOI(const b2TimeStep &step) {
             return;
     }
     if (ledger != nullptr) {
-        ledger->EnableDownTo(0);
+        ledger->Owed().EnableDownTo(0);
         ledger->GiveMarksBack();
-        ledger->SetAlphasClear(false);
+        ledger->GetBodies().NoteDisplaced();
         if (GetSettings().islandsBy != IslandsBy::Nobody) // and reads who touches in the next step
             ledger->Interrupt();
     }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_OWED_ENABLING_H
+#define BOOMERANG_GLUE_OWED_ENABLING_H
+
+#include <cstdint>
+
+#include "base/bit_column.h"
+
+class b2Body;
+
+namespace bmr {
+
+class Ledger;
+
+/// Box2D's loop over contacts enables every active contact that it comes by. Those that no pass looked at are
+/// owed it, and get it ahead of the first call that could see the difference.
+class OwedEnabling {
+public:
+    explicit OwedEnabling(const Ledger *ledger) : m_ledger(*ledger) {}
+    bool Reserve(uint32_t count) { return m_looked.Reserve(count); }
+
+    /// From here on all contacts below this are owed it.
+    void Begin(uint32_t below) {
+        m_below = below;
+        m_looked.ClearAll();
+    }
+    /// The contact is looked at: what its flags say from here on is so.
+    void NoteLookedAt(uint32_t i) { m_looked.Set(i); }
+    /// From the newest that is still owed it down to `down`.
+    void EnableDownTo(uint32_t down);
+    void EnableIfOwed(uint32_t i);
+    /// The body fell asleep after the pass: its contacts stay as they are until it wakes, be it in the midst
+    /// of a step.
+    void EnableOfSleeper(const b2Body *body);
+    /// The pass over pairs is complete. If code of the game runs later in this step, or ran since the last
+    /// pass, it could read or have written IsEnabled().
+    void EndPass(bool gameMayRun);
+
+private:
+    bool IsActive(uint32_t i) const;
+
+    const Ledger &m_ledger;
+    BitColumn m_looked; ///< looked at in the last pass
+    uint32_t m_below = 0;
+    bool m_gameRan = false; ///< it may have, in the last pass or since
+};
+
+} // namespace bmr
+
+#endif
