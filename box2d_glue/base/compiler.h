@@ -9,8 +9,8 @@
 #endif
 
 /// @file
-/// What C++17 has no words for, in those of GNU's compilers (clang's too) and of Microsoft's. The glue and
-/// the plugin use what is here and no extension else; what only ELF has stands in plugin/reach/interposed.
+/// Things for which C++17 has no words, in those of GNU's compilers (and clang) and of Microsoft's. The glue
+/// and the plugin use no other extension; plugin/reach/interposed has what only ELF has.
 
 #if defined(__GNUC__)
 #    define BMR_NOINLINE __attribute__((noinline))

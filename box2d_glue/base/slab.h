@@ -12,9 +12,9 @@ namespace bmr {
 
 /// A piece of a world's own block allocator, handed out from front to back and freed as a whole.
 ///
-/// A world's death frees its block allocator and tells nobody; what lives in it cannot leak. But the
-/// allocator's largest block has 640 bytes (more goes to malloc, and would leak). It cuts chunks of 16 KB
-/// into 25 such neighbours, though, so a slab of more is a run of 5, 10, ... 25 of them: such sizes
+/// When a world ends it frees its block allocator without a call that we could see; a slab in it cannot leak.
+/// But the allocator's largest block has 640 bytes (more goes to malloc, and would leak). It cuts chunks of
+/// 16 KB into 25 such neighbours, though, so a slab of more is a run of 5, 10, ... 25 of them: such sizes
 /// leave no odd blocks behind, and as runs are given back in order, the next one is found at once.
 struct Slab {
     char *memory; ///< nullptr: none

@@ -24,7 +24,7 @@ const bmr_sweep32 *Sweep32(const b2Sweep &sweep) {
     return reinterpret_cast<const bmr_sweep32 *>(&sweep);
 }
 
-/// What is in the buffer of a proxy of ours.
+/// The buffer of a proxy of ours.
 struct Mark {
     uint64_t polygon; ///< its number
     uint32_t shape;   ///< the low half of its address
@@ -45,9 +45,8 @@ bool VerticesAreOf(const bmr_convex32_block *block, const b2Vec2 *vertices) {
     return reinterpret_cast<const bmr_vec32 *>(block + 1) == Vectors32(vertices);
 }
 
-/// The polygon that a proxy is marked with; nullptr where there is none. Small ones are told without a look
-/// at the buffer, which nobody may have written: a mark may be left there of a polygon that has nothing to do
-/// with the proxy.
+/// The polygon that a proxy is marked with; nullptr where there is none. For small ones the buffer is not
+/// read. It may be uninitialised, or have the mark of a polygon that has nothing to do with the proxy.
 const bmr_convex32_block *BigOf(const b2DistanceProxy &proxy) {
     if (proxy.m_count <= b2_maxPolygonVertices)
         return nullptr;

@@ -19,11 +19,11 @@ namespace bmr {
 
 /// @file
 /// Box2D's questions about distance, asked of big polygons: b2Distance, b2ShapeCast, b2TimeOfImpact and
-/// b2TestOverlap as Box2D would answer them of all vertices, whatever their number.
+/// b2TestOverlap as Box2D would answer them for all vertices, however many.
 ///
-/// A proxy of a big polygon has its real vertices, and in the buffer that Box2D needs for links of chains a
-/// mark by which the polygon is known again. A proxy that somebody else filled has anything there. So a mark
-/// counts only if it is the number of a polygon that is alive and has these very vertices.
+/// A proxy of a big polygon has its real vertices, and, in the buffer that Box2D needs for links of chains, a
+/// mark that names the polygon. A proxy that other code filled may have any bytes there. So a mark counts
+/// only if it is the number of a polygon that is alive and has these very vertices.
 
 /// Makes the proxy that of the real polygon, and marks it; false, and nothing done, of any other shape.
 bool SetBigProxy(b2DistanceProxy *proxy, const b2Shape &shape);
@@ -77,7 +77,7 @@ struct Swept {
 /// done, where neither is big. As for bmr_convex32_impact, `guess` is a direction that may keep them apart.
 bool BigNeverTouch(const Swept &a, const Swept &b, bmr_vec32 guess, bool *never);
 
-/// What b2TestOverlap says of two proxies, of which one is big.
+/// The answer of b2TestOverlap for two proxies, one of which is big.
 Overlap BigOverlap(const b2DistanceProxy &a, const b2Transform &xfA, const b2DistanceProxy &b,
                    const b2Transform &xfB);
 

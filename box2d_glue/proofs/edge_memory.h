@@ -6,8 +6,8 @@
 
 namespace bmr {
 
-/// What two polygons of Box2D's own size remember of each other, in their contact. A guess: whoever takes it
-/// shows anew that it holds, for the shapes as they are then.
+/// What two polygons of Box2D's own size remember of each other, in their contact. It is a guess: code that
+/// uses it tests it again, for the shapes as they are then.
 struct EdgeMemory {
     uint8_t number;       ///< of the edge that kept the two apart, kNoEdge where none did
     uint8_t ofB : 1;      ///< whose edge it is

@@ -25,7 +25,7 @@ bmr_transform32 FrameOf(const b2Fixture &owner, const b2Fixture &other) {
 }
 
 /// How far the owner's own vertices lie beyond the line of its edge, in units of the normal: nowhere but by
-/// rounding, unless vertices or normals were edited in place. What is not a number makes it infinite.
+/// rounding, unless vertices or normals were edited in place. A NaN makes it infinite.
 double Overhang(const bmr_convex32 &owner, int32_t edge) {
     const bmr_vec32 &n = owner.normals[edge], &foot = owner.vertices[edge];
     constexpr float kLongest = 1.0f + 1e-5f; // of a square; a shorter normal makes separations smaller
@@ -40,7 +40,7 @@ double Overhang(const bmr_convex32 &owner, int32_t edge) {
     return static_cast<double>(most);
 }
 
-/// What a separation in the other's frame proves.
+/// The gap that a separation in the other's frame proves.
 FaceGap Proved(float separation, int32_t edge, const bmr_convex32 &owner, const bmr_convex32 &other,
                const bmr_transform32 &frame) {
     const double distance = std::hypot(static_cast<double>(frame.p.x), static_cast<double>(frame.p.y));

@@ -22,7 +22,8 @@
 
 namespace bmr {
 
-/// A fixture's content when a hull was built from it. Whoever looks the same has not changed, and is held.
+/// A fixture's content when a hull was built from it. A fixture with the same content has not changed, and
+/// the hull holds it.
 struct HullMember {
     const b2Fixture *fixture;
     float radius;
@@ -169,7 +170,7 @@ bool ReduceToEnvelope(std::vector<bmr_vec2> *points) {
     return done;
 }
 
-/// What the chosen structure walks on; nullptr where it needs nothing.
+/// The hierarchy of the chosen structure; nullptr if it needs none.
 bmr_error BuildHierarchy(const bmr_polygon *polygon, bmr_hierarchy **hierarchy) {
     const Settings &settings = GetSettings();
     switch (settings.pairDef.structure) {

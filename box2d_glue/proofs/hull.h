@@ -41,7 +41,7 @@ constexpr uint32_t kMostHullVertices = 64;
 /// by rounding.
 constexpr double kHullTolerance = 1e-10;
 
-/// What the chosen structure walks on; NULL where it needs none.
+/// The hierarchy of the chosen structure; NULL if it needs none.
 inline const bmr_hierarchy *HierarchyOf(const Hull &hull) {
     for (const bmr_hierarchy *hierarchy : hull.shape.hierarchies)
         if (hierarchy != nullptr)

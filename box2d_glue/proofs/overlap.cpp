@@ -30,7 +30,8 @@ float LargestCoordinate(const b2Vec2 &p) {
     return std::max(std::fabs(p.x), std::fabs(p.y));
 }
 
-/// What Box2D's arithmetic may be off by; `reach` is the largest coordinate of a point in its shape's frame.
+/// By how much Box2D's arithmetic may be off; `reach` is the largest coordinate of a point in its shape's
+/// frame.
 float Rounding(const Question &q, float reach) {
     constexpr float kDiagonal = 1.41422f;
     const float x = std::max(LargestCoordinate(q.xfA.p), LargestCoordinate(q.xfB.p)) + kDiagonal * reach;
@@ -135,8 +136,8 @@ Overlap Search(const Question &q, const b2Shape &shapeA, const b2Shape &shapeB) 
     return Overlap::kUnknown;
 }
 
-/// Two polygons, asked by their sides. b2Distance looks at vertices alone, and so does whatever is proved
-/// here: normals may have been left as they were when the vertices were edited in place.
+/// Two polygons, asked by their sides. b2Distance reads only vertices, and so do these proofs: a game that
+/// edited vertices in place may have left the normals as they were.
 class Polygons {
 public:
     Polygons(const Question &q, const b2Shape &a, const b2Shape &b)

@@ -10,12 +10,12 @@ class b2Shape;
 
 namespace bmr {
 
-/// What b2TestOverlap is certain to say of two shapes at two poses.
+/// The answer that b2TestOverlap certainly gives for two shapes at two poses.
 enum class Overlap { kApart, kOverlapping, kUnknown };
 
-/// Of any shapes. Whatever is within rounding of touching is unknown, as is what is not a number or out of
-/// reach (thresholds.h). `memory`, if there is one, is asked first of two polygons of Box2D's own size, and
-/// gets what was found.
+/// Of any shapes. Shapes within rounding of touching are unknown, as are NaN and shapes out of reach
+/// (thresholds.h). `memory`, if there is one, is asked first of two polygons of Box2D's own size, and gets
+/// what was found.
 Overlap CertainOverlap(const b2Shape &shapeA, int32 childA, const b2Shape &shapeB, int32 childB,
                        const b2Transform &xfA, const b2Transform &xfB, EdgeMemory *memory = nullptr);
 

@@ -10,7 +10,7 @@
 
 namespace bmr {
 
-/// What is added to every threshold for the rounding of Box2D's own arithmetic.
+/// Added to every threshold for the rounding of Box2D's own arithmetic.
 constexpr double kRoundingMargin = 0.2 * b2_linearSlop;
 
 /// b2CollidePolygons clips in world coordinates, each as large as X. A moved point is off by 1.4 units of X,
@@ -19,7 +19,7 @@ constexpr double kRoundingMargin = 0.2 * b2_linearSlop;
 /// from the origin all of it stays within kRoundingMargin; beyond, pairs go to Box2D.
 constexpr double kReach = kRoundingMargin / (16.0 * FLT_EPSILON);
 
-/// What is turned is off by more than what is moved: a body's extent counts so much more than its place.
+/// Turning a point rounds more than moving it: a body's extent counts so much more than its place.
 constexpr double kReachOfExtent = 1.5;
 
 /// How far out a polygon is, for a pair's budget of motion: band k reaches 2^k times as far as band 0, and

@@ -35,7 +35,7 @@ struct ConvexShapeAccess {
     static uint32_t KeptHandleOf(const b2Shape &shape) {
         return IsConvexShape(shape) ? static_cast<const ConvexShape &>(shape).GetKeptHandle() : 0;
     }
-    /// The shape takes over what the handle stands for, with one reference of the caller's.
+    /// The shape takes over the polygon of the handle, with one reference of the caller's.
     static void Adopt(ConvexShape *shape, uint32_t handle) { shape->Adopt(handle); }
 };
 

@@ -17,14 +17,14 @@ namespace bmr {
 
 namespace {
 
-/// What b2World::DebugDraw has drawn last on this thread.
+/// The last drawing of b2World::DebugDraw on this thread.
 struct Drawn {
     const b2World *world;
     const b2Draw *draw;
 };
 thread_local Drawn drawnByBox2D = {nullptr, nullptr};
 
-/// What b2World::DebugDraw shows of a body by its colour.
+/// The colour by which b2World::DebugDraw shows the state of a body.
 b2Color ColorOf(const b2Body &body) {
     if (body.GetType() == b2_dynamicBody && body.GetMass() == 0.0f)
         return b2Color(1.0f, 0.0f, 0.0f);

@@ -18,20 +18,20 @@ namespace bmr {
 /// and there for as long as the shape is. A few loads: it is asked at every evaluation of a contact.
 const bmr_convex32_block *BigPolygonOf(const b2Shape &shape);
 
-/// A number of that polygon that no other polygon of the process has, or ever had: what remembers a polygon
-/// without keeping it alive knows it again by this. 0 of every other shape.
+/// A number that no other polygon of the process has, or ever had. Code that remembers a polygon without
+/// keeping it alive knows it again by this. 0 for every other shape.
 uint64_t NumberOfBigPolygon(const b2Shape &shape);
 
 /// The polygon of that number; nullptr where no shape has it (any more). Any number may be asked, on any
-/// thread, also one that was read from memory that nobody has written: the answer is nullptr or a polygon
-/// that some shape has. A few loads, no lock.
+/// thread, also one that was read from uninitialised memory: the answer is nullptr or a polygon that some
+/// shape has. A few loads, no lock.
 const bmr_convex32_block *BigPolygonOfNumber(uint64_t number);
 
 namespace internal {
 extern std::atomic<bool> anyBigPolygon;
 } // namespace internal
-/// Has this process ever made a big polygon? One load: what functions of Box2D's ask first that we stand in
-/// front of. True before the first such shape is handed out; never false again.
+/// Has this process ever made a big polygon? One load. Our hooks ask this first. True before the first such
+/// shape is handed out; never false again.
 inline bool AnyBigPolygon() {
     return internal::anyBigPolygon.load(std::memory_order_relaxed);
 }

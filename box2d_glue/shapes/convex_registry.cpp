@@ -51,7 +51,7 @@ Shown ShownOf(const bmr_convex32 &polygon) {
     return shown;
 }
 
-/// A handle that nobody has; 0 without memory.
+/// A handle that is not in use; 0 without memory.
 Handle TakeHandle() {
     if (firstFree != 0) {
         const Handle handle = firstFree;

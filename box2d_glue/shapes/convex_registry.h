@@ -15,10 +15,10 @@
 /// @file
 /// The big polygons of the process, by handle. A shape has 4 bytes to spare, too few for a pointer.
 ///
-/// Entries lie in chunks that never move and are never freed, so reading needs no lock: whoever has a shape
-/// has a reference, and whoever got it from another thread has seen what that thread wrote before. Making and
-/// freeing a polygon takes a lock, copying a reference does not. Everything is initialised at compile time
-/// and never destroyed: shapes may be made before and freed after this file's statics would.
+/// Entries lie in chunks that never move and are never freed, so reading needs no lock: each shape has a
+/// reference, and a thread that got the shape from another thread sees what that thread wrote before. Making
+/// and freeing a polygon takes a lock, copying a reference does not. Everything is initialised at compile
+/// time and never destroyed: shapes may be made before and freed after this file's statics would.
 
 namespace bmr::registry {
 
@@ -40,8 +40,8 @@ struct Group {
     void (*end)(Group *group);
 };
 
-/// What shapes of a polygon show Box2D's own code: some of its vertices, counter-clockwise. A shape that
-/// shows others was changed in place.
+/// The vertices that the shapes of a polygon show to Box2D's own code: some of the polygon's,
+/// counter-clockwise. A shape that shows others was changed in place.
 struct Shown {
     uint32_t count;
     bmr_vec32 vertices[b2_maxPolygonVertices];
@@ -91,7 +91,7 @@ inline Entry *FindNumber(uint64_t number) {
 /// Takes the block over, with one reference; in a group with none, for the group counts. 0 without memory;
 /// then the block is still the caller's.
 Handle Add(bmr_convex32_block *block, Group *group = nullptr);
-/// Frees the polygon, whoever refers to it. For the end of a group alone.
+/// Frees the polygon, however many references it has. Only for the end of a group.
 void Remove(Handle handle);
 
 /// One reference more, of a handle that a reference is held to, or of 0.

@@ -29,7 +29,7 @@ b2MassData ShareOf(registry::Handle piece, float density) {
     return m;
 }
 
-/// What the shares come to, fixtures in the order that CreateFixtures gives them in a body's list.
+/// The sum of the shares, fixtures in the order that CreateFixtures gives them in a body's list.
 Weighing WeighAll(const OutlineRecord &record, float density, const b2MassData &ofBalance) {
     Weighing all;
     for (uint32_t i = record.pieceCount; i-- > 0;)
@@ -37,7 +37,7 @@ Weighing WeighAll(const OutlineRecord &record, float density, const b2MassData &
     return all;
 }
 
-/// What a body weighs, in double.
+/// Mass, centre and inertia of a body, in double.
 struct Whole {
     double mass = 0.0, inertia = 0.0; ///< about the origin
     bmr_vec2 moment = {0.0, 0.0};

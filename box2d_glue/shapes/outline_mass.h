@@ -13,7 +13,7 @@ namespace bmr {
 
 struct OutlineRecord;
 
-/// What a fixture of a piece weighs: its share of the outline's mass. The inertias of all shares of one
+/// The mass of a fixture of a piece: its share of the outline's mass. The inertias of all shares of one
 /// density add up, in a body that has nothing else and in Box2D's rounding, to the float that is nearest to
 /// the outline's, or to one beside it: midway between two, a sum goes to the even one. One of the pieces
 /// makes up for the rounding of the others: of that one O(pieces), else O(1).

@@ -16,7 +16,7 @@ const bmr_convex32_block &BlockOf(registry::Handle piece) {
 
 bool EntersOutline(registry::Handle piece, bmr_vec32 p1, bmr_vec32 p2, uint32_t edge, float *fraction,
                    bmr_vec32 *normal) {
-    // (Whoever has a piece has a reference to the record, and so to all pieces.)
+    // (A piece has a reference to the record, and so to all pieces.)
     const auto &record =
         static_cast<const OutlineRecord &>(*registry::Find(piece).group.load(std::memory_order_relaxed));
     const bmr_piece_ray32 ray = bmr_convex32_piece_ray(p1, p2, record.reach);

@@ -149,7 +149,7 @@ private:
     }
     bool IsOutline(uint32_t edge) const { return Edge(edge).twin == BMR_OUTLINE_NONE; }
 
-    /// Does the sliver have a part of the outline? Then its neighbours stand for it.
+    /// Does the sliver have a part of the outline? Then its neighbours take its place.
     bool HasOutline(uint32_t piece) const {
         for (uint32_t e = m_pieces.first[piece]; e < m_pieces.first[piece + 1]; ++e)
             if (IsOutline(e))

@@ -9,8 +9,8 @@ class b2Shape;
 
 namespace bmr {
 
-/// What copies of an OutlineShape and their fixtures share: its pieces, which are big polygons of the
-/// registry whatever the number of their vertices. One block of memory; the pieces' are besides.
+/// Shared by the copies of an OutlineShape and their fixtures: its pieces, which are big polygons of the
+/// registry, also if they have few vertices. One block of memory, besides those of the pieces.
 struct OutlineRecord : registry::Group {
     double area;
     bmr_vec2 centroid;

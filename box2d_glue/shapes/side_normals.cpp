@@ -9,9 +9,9 @@ namespace bmr {
 
 namespace {
 
-/// Has it a side that Box2D makes no unit vector of? Clipping against it keeps points however far off they
-/// are: there a hull proves nothing. (b2PolygonShape::Set makes none, but anybody may.) What is not a number
-/// counts as such.
+/// Has it a side of which Box2D makes no unit vector? Clipping against such a side keeps points however far
+/// off they are, so a hull proves nothing. (b2PolygonShape::Set makes no such side, but a game may.) A NaN
+/// counts as one.
 bool HasSideWithoutDirection(const b2PolygonShape &polygon) {
     constexpr float kShortest = 2.0f * b2_epsilon; // b2Vec2::Normalize's limit, far from its rounding
     for (int32 i = 0; i < polygon.m_count; ++i) {

@@ -7,7 +7,7 @@ class b2PolygonShape;
 namespace bmr {
 
 /// @file
-/// What may be believed of a polygon of Box2D's own size, whose vertices and normals anybody may write to.
+/// Can a polygon of Box2D's own size be believed? A game may write to its vertices and normals.
 
 /// Does b2CollidePolygons see nothing of this small polygon but its vertices' hull? Ask each time before the
 /// vertices are relied on: when a hull is built of them, and when an existing hull is checked against them.

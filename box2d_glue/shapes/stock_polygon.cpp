@@ -90,7 +90,7 @@ struct WeldedPoints {
     }
 };
 
-/// What Set of Box2D 2.4.1 comes to. Unless it makes a polygon it asserts.
+/// The result of Set of Box2D 2.4.1, which asserts unless it makes a polygon.
 enum class Outcome { Polygon, NoHull, NoArea };
 
 /// Of points that it does not weld.

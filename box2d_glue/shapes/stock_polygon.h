@@ -9,11 +9,11 @@
 
 namespace bmr {
 
-/// What Set makes of `count` points (3 to b2_maxPolygonVertices) into `shape`, but for its radius, which
-/// stays; where Set would assert, the exact hull. Adds to *welded the points that Set welds; where it may not
-/// weld, or welds all but two, BMR_ERROR_TOO_CLOSE. BMR_ERROR_TOO_FEW_POINTS (all on a line, or in two
-/// places), BMR_ERROR_OUT_OF_RANGE (the area is too small, or something overflows), BMR_ERROR_NO_MEMORY; the
-/// shape stays as it was.
+/// Puts into `shape` what Set makes of `count` points (3 to b2_maxPolygonVertices), but keeps the radius. If
+/// Set would assert, it is the exact hull. Adds to *welded the points that Set welds. If it may not weld, or
+/// welds all but two: BMR_ERROR_TOO_CLOSE. BMR_ERROR_TOO_FEW_POINTS (all on a line, or in two places),
+/// BMR_ERROR_OUT_OF_RANGE (the area is too small, or something overflows), BMR_ERROR_NO_MEMORY; the shape
+/// stays as it was.
 bmr_error SetStockPolygon(b2PolygonShape *shape, const b2Vec2 *points, int32 count, bool mayWeld,
                           Welded *welded);
 

@@ -44,7 +44,7 @@ public:
     }
 
     float Sum() const { return m_sum; }
-    /// What Box2D takes off the sum.
+    /// The part that Box2D subtracts from the sum.
     float OfCentre() const {
         b2Vec2 centre = m_moment;
         if (m_mass > 0.0f)

@@ -11,7 +11,7 @@
 
 namespace bmr::tree {
 
-/// What a tree shows its members alone: b2DynamicTree::Query is instantiated for this, and hands it out.
+/// The private members of a tree: b2DynamicTree::Query is instantiated for this, and hands them out.
 struct TreeNodes {
     const b2TreeNode *nodes;
     int32 root;

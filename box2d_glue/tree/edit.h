@@ -13,8 +13,7 @@
 
 namespace bmr::tree {
 
-/// The members of a tree, which it shows nobody: b2DynamicTree::Query is instantiated for this, and hands
-/// them out.
+/// The private members of a tree: b2DynamicTree::Query is instantiated for this, and hands them out.
 struct TreeMembers {
     b2TreeNode *nodes;
     int32 capacity;
@@ -42,19 +41,19 @@ struct NoLog {
     void Before(int32, const b2TreeNode &) {}
 };
 
-/// A node that the way down comes by, the perimeter of its box, and of the box around it and the leaf.
+/// A node on the way down, the perimeter of its box, and that of the box around it and the leaf.
 ///
 /// Box2D computes both twice: for a child, and again once it is there. Here they are computed once. They are
 /// the same numbers, but for the sign of a zero, which no comparison sees, and but for a box that has a NaN
 /// in it: b2Min and b2Max give their second operand there, which is the leaf's in one of the two. But then
 /// the perimeter of the node's own box is NaN both times, with it both costs of going on are, and Box2D goes
-/// on to the second child whatever `around` is.
+/// on to the second child for any `around`.
 struct Place {
     int32 id;
     float area, around;
 };
 
-/// What InsertLeaf weighs at a place.
+/// The costs that InsertLeaf compares at a node.
 class Costs {
 public:
     explicit Costs(const Place &place)

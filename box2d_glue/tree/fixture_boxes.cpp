@@ -53,8 +53,8 @@ Corners CornersOf(const b2Shape &shape) {
     if (internal::TableOf(shape) != internal::TableOf(polygonModel) && !internal::IsConvexShape(shape))
         return {nullptr, 0};
     const auto &polygon = static_cast<const b2PolygonShape &>(shape);
-    // What has more vertices than there is room for shows 7 or 8 of them. Of less, all are there: also where
-    // the polygon is a piece of an outline.
+    // A polygon of more than 8 vertices shows 7 or 8 of them. Of fewer, all are there, also if the polygon is
+    // a piece of an outline.
     if (polygon.m_count < b2_maxPolygonVertices - 1)
         return {polygon.m_vertices, polygon.m_count};
     const bmr_convex32_block *big = BigPolygonOf(polygon);
