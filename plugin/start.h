@@ -21,7 +21,7 @@ namespace internal {
 extern std::atomic<bool> startsByItself;
 void StartNow();
 
-/// Of StartNow: `start()`, once, whoever else comes meanwhile.
+/// Of StartNow: calls `start()` once, also if other threads come meanwhile.
 template <typename Start> void StartOnce(const Start &start) {
     if (IsFindingReach()) // Install does, on this thread
         return;
@@ -33,7 +33,7 @@ template <typename Start> void StartOnce(const Start &start) {
 }
 } // namespace internal
 
-/// The first line of b2World::Step. Whoever comes while another thread is starting waits for it.
+/// The first line of b2World::Step. A thread that comes while another one is starting waits for it.
 inline void StartAtFirstStep() {
     if (internal::startsByItself.load(std::memory_order_acquire))
         internal::StartNow();

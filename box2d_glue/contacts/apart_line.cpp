@@ -83,7 +83,7 @@ struct Gap {
 };
 
 Gap GapAlong(const Placed &a, const Placed &b, bmr_vec2 d) {
-    // Coordinates are those of the last band at most: what double arithmetic is off by is far below this.
+    // Coordinates are those of the last band at most, so the rounding of doubles is far below this.
     constexpr double kRounding = 1e-9 * static_cast<double>(b2_lengthUnitsPerMeter);
     double slack = kRounding;
     const bmr_vec2 from = a.Farthest(d, &slack), to = b.Farthest(bmr_neg(d), &slack);
@@ -105,8 +105,8 @@ double ReachOf(const Mover &mover) {
     return mover.motion.reach + std::fabs(mover.motion.pivot.x) + std::fabs(mover.motion.pivot.y);
 }
 
-/// What b2TimeOfImpact's arithmetic may be off by, for one of the two and for coordinates up to `farthest`
-/// (proofs/sweep_apart.cpp has the same for the coordinates of a step).
+/// By how much b2TimeOfImpact's arithmetic may be off, for one of the two and for coordinates up to
+/// `farthest` (proofs/sweep_apart.cpp has the same for the coordinates of a step).
 double ImpactRounding(const Mover &mover, double farthest) {
     return static_cast<double>(kUnit) *
            (static_cast<double>(kErrorPerCoordinate) * farthest +
@@ -123,7 +123,7 @@ double ImpactTilt(const Mover &mover, double farthest) {
 bool KeepsFromImpact(const Mover &a, const Mover &b, int band, double threshold) {
     const double farthest = std::ldexp(static_cast<double>(kImpactReach), band);
     if (!(a.shortest >= kShortestSide && b.shortest >= kShortestSide))
-        return false; // and of big polygons, whose sides nobody measured
+        return false; // and of big polygons, whose sides are not measured
     const double lever = 1.0 + 2.0 * std::max(a.motion.reach / static_cast<double>(b.shortest),
                                               b.motion.reach / static_cast<double>(a.shortest));
     const auto impact = static_cast<double>(ImpactDistance(a.radius + b.radius));
@@ -155,8 +155,8 @@ static double ExpectedMotion(const Mover &mover) {
 
 namespace {
 
-/// Begins a proof; false, and the record is due, where none is worth it. `soon`: what is to be left beyond
-/// it.
+/// Begins a proof; false, and the record is due, where none is worth it. `soon`: how much is to be left
+/// beyond it.
 bool BeginProof(Ledger *ledger, uint32_t record, double *soon) {
     constexpr double kFatBoxes = 6.0 * static_cast<double>(b2_aabbExtension);
     if (!ledger->WaitsForProof(record)) {

@@ -161,7 +161,7 @@ bmr_pose Relative(const b2Transform &xfA, const b2Transform &xfB) {
     return bmr_pose_relative(&a, &b);
 }
 
-/// What the pair's certificate proves; 0: nothing.
+/// The gap that the pair's certificate proves; 0: none.
 double GapOf(const bmr_pair &pair, const bmr_pose &b_in_a) {
     double gap = 0.0;
     if (!bmr_pair_check(&pair, &b_in_a, 0.0, &gap))
@@ -198,7 +198,7 @@ void SolidContact::Live(Held held, const b2Transform &xfA, const b2Transform &xf
         TellOf(turn, PairOf(*this, held, xfA, xfB, along), bodyA, bodyB, xfA, xfB);
         return;
     }
-    // What the hulls' pair knows, its bodies in its order; but the event is the contact's.
+    // The certificate is that of the hulls' pair, its bodies in its order; the event is the contact's.
     const BodyPair *above = state.pair;
     if (above->parent != nullptr && above->parent->verdict == BMR_APART) // it is asked first
         above = above->parent;

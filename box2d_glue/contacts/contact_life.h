@@ -39,7 +39,7 @@ namespace bmr {
 /// So its events are (start (push | stab | coarsen)*)? (contact leave (push | stab | coarsen)*)*, cut
 /// off anywhere.
 
-/// What keeps a contact's polygons apart, as far as its events are concerned.
+/// The certificate that keeps a contact's polygons apart, as its events name it.
 enum class Life : uint8_t {
     Unborn, ///< nothing was found yet, except by the hulls of the bodies
     Coarse, ///< level -1
@@ -47,7 +47,7 @@ enum class Life : uint8_t {
     Contact ///< nothing: it is handed over
 };
 
-/// What a look at a contact found.
+/// The result of a look at a contact.
 enum class Held : uint8_t {
     Nothing,    ///< not known to be apart
     ByBodies,   ///< the structure of the bodies holds; the contact's own certificate was not looked at
@@ -56,7 +56,7 @@ enum class Held : uint8_t {
     Another     ///< another one was found
 };
 
-/// What a look makes of a life: the next one, and the event, BMR_EVENT_KIND_COUNT where there is none.
+/// The life after a look, and the event; BMR_EVENT_KIND_COUNT if there is none.
 struct Turn {
     Life next;
     bmr_event_kind event;

@@ -16,15 +16,15 @@ namespace bmr {
 
 namespace {
 
-/// What the register held for two types.
+/// The entry of the register for two types.
 class Below {
 public:
     void Keep(const b2ContactRegister &held) {
         m_held = held;
         m_kept.store(true, std::memory_order_release);
     }
-    /// For whoever Box2D found in the register, which is written later. (Box2D reads it as if nobody wrote: a
-    /// processor may have gone ahead.)
+    /// For the maker that Box2D found in the register, which is written later. (Box2D reads the register
+    /// without synchronisation: a processor may have read ahead.)
     const b2ContactRegister &Get() const {
         while (!m_kept.load(std::memory_order_acquire)) {
         }
@@ -44,8 +44,8 @@ void EndOfWrites() {
 #endif
 }
 
-/// One class of contacts in front of whatever the register held before. There may be several layers, and a
-/// game's own between them: each knows what lies below it alone.
+/// One class of contacts in front of the register's earlier entry. There may be several layers, and a game's
+/// own between them: each knows only the layer below it.
 ///
 /// `Ours` has Serves(shapeA, shapeB), Make(fixtures, children, allocator), AsOurs(contact) and
 /// Unmake(contact, allocator).
@@ -53,13 +53,14 @@ template <typename Ours> class Layer : b2Contact {
 public:
     /// For shapes of these types; Create is given them in this order.
     static void Register(b2Shape::Type typeA, b2Shape::Type typeB) {
-        // Whoever found out which Box2D this is made contacts: else the first b2Contact::Create of the
-        // process would fill the register and overwrite our entry.
+        // To recognise this Box2D, contacts were made. Otherwise the first b2Contact::Create of the process
+        // would fill the register and overwrite our entry.
         b2Assert(s_initialized);
         below[typeA][typeB].Keep(s_registers[typeA][typeB]);
         if (typeA != typeB)
             below[typeB][typeA].Keep(s_registers[typeB][typeA]);
-        // Another thread may be making contacts: whoever finds us as the maker finds us as the destroyer too.
+        // Another thread may be making contacts: a thread that finds us as the maker finds us as the
+        // destroyer, too.
         s_registers[typeA][typeB].destroyFcn = s_registers[typeB][typeA].destroyFcn = Destroy;
         EndOfWrites();
         AddType(Create, Destroy, typeA, typeB);

@@ -5,9 +5,9 @@
 #include "boomerang/error.h"
 
 /// @file
-/// Box2D's table of who makes contacts between which types of shapes. It is the process's, so what is ours in
-/// it is put there in one place. Whatever it held before is called for all that is not ours, and contacts go
-/// back to who made them.
+/// Box2D's table of who makes contacts between which types of shapes. There is one for the process, so our
+/// entries are made in one place. The earlier entry is called for all contacts that are not ours, and each
+/// contact is destroyed by the code that made it.
 
 namespace bmr {
 
@@ -22,8 +22,8 @@ bmr_error RegisterConvexContacts();
 /// knows that Box2D is one that the glue knows.
 void RegisterPolygonContacts();
 
-/// Why the Box2D of this process must be left alone (recognise.h), found out once for the process by whoever
-/// asks first, on any thread; again where there was no memory to find it out.
+/// Why the Box2D of this process must be left alone (recognise.h), found out once for the process, on the
+/// first call from any thread; again if there was no memory to find it out.
 const char *WhyThisBox2DIsUnknown();
 
 } // namespace bmr

@@ -30,10 +30,10 @@ void CollideConvex(const TwoFixtures &two, Seams seams, b2Manifold *manifold, co
 /// Is the first fixture or the second a piece that has inner edges?
 bool HasSeams(const TwoFixtures &two);
 
-/// What a contact of a piece answers where the rules of seams gave it no points (convex32_pieces.h): they
-/// leave points to other pieces, of which they know nothing. Here these are asked. `manifold` gets points
-/// where the plain polygons overlap at a point that no other piece touches, and at an impact. `memory`: as
-/// the search by the rules of seams left it.
+/// The answer of a contact of a piece if the rules of seams gave it no points (convex32_pieces.h). They leave
+/// points to other pieces, of which they know nothing. Here these are asked. `manifold` gets points where the
+/// plain polygons overlap at a point that no other piece touches, and at an impact. `memory`: as the search
+/// by the rules of seams left it.
 void AnswerForOthers(const b2Contact &contact, const TwoFixtures &two, bool isImpact, b2Manifold *manifold,
                      const b2Transform &xfA, const b2Transform &xfB, bmr_convex32_memory memory);
 

@@ -147,8 +147,8 @@ void ForEachVertexInside(const TwoFixtures &two, const b2Transform &bInA, Visit 
     }
 }
 
-/// The rule of poses: what overlaps is left where others touch at each point that the plain manifold has, and
-/// at each vertex of the one polygon in the other.
+/// The rule of poses: an overlap is left to others if they touch at each point that the plain manifold has,
+/// and at each vertex of the one polygon in the other.
 bool IsLeft(Others *others, const TwoFixtures &two, const b2Manifold &plain) {
     const b2Transform &bInA = others->BInA();
     bool left = true;

@@ -10,7 +10,7 @@
 
 namespace bmr {
 
-/// What touches as one: an outline, or a fixture that is no piece of one.
+/// The thing that touches as one: an outline, or a fixture that is no piece of one.
 inline const void *WholeOf(const b2Fixture &fixture) {
     const OutlineRecord *record = OutlineRecordOf(*fixture.GetShape());
     return record != nullptr ? static_cast<const void *>(record) : &fixture;

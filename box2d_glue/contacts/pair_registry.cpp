@@ -18,7 +18,7 @@ namespace bmr {
 
 namespace {
 
-/// What one side of a pair is the hull of.
+/// The fixtures of which one side of a pair is the hull.
 struct Unit {
     b2Body *body;
     const b2Fixture *fixture; ///< nullptr: the whole body
@@ -142,7 +142,7 @@ BodyPair *MakePair(const Unit &a, const Unit &b, BodyPair *parent, b2BlockAlloca
 }
 
 /// Makes the hull of a pair hold a fixture, by building it again if need be. Box2D reuses addresses and
-/// announces no new fixture: what the fixture holds decides, not who it seems to be.
+/// announces no new fixture: the content of the fixture decides, not its address.
 bool MakeHold(BodyPair *pair, const b2Fixture &fixture) {
     Hull *hull = pair->a->body == fixture.GetBody() ? pair->a : pair->b;
     if (HullHolds(*hull, fixture))

@@ -120,14 +120,14 @@ bool SolidContact::PairSaysApart(const b2Transform &xfA, const b2Transform &xfB)
     const float radiusSum = RadiusSum();
     const auto apart = [&](BodyPair *asked) {
         const bool swapped = asked->a->body != bodyA;
-        // Radii may be changed by anybody at any time.
+        // A game may change radii at any time.
         return radiusSum <= asked->radiusSum && KnownApart(asked, swapped ? xfB : xfA, swapped ? xfA : xfB);
     };
     if (!(parent != nullptr && apart(parent)) && !apart(pair))
         return false;
     // In a step, LookAtShapes has compared the hulls with their fixtures. Since then a listener or a filter
-    // may have changed vertices, or have made a sensor solid, which is in no hull. Outside of steps nobody
-    // has compared anything. So this contact's own two fixtures are compared now.
+    // may have changed vertices, or have made a sensor solid, which is in no hull. Outside of steps nothing
+    // was compared. So this contact's own two fixtures are compared now.
     return !GameMayRun() || HullsHold(*this);
 }
 

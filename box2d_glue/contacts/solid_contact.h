@@ -27,7 +27,7 @@ struct VertexMemory {
 
 constexpr uint32_t kStampMask = 0x7fffffff;
 
-/// What a contact has to know to share a structure, and what it may remember besides.
+/// The memory of a contact: what it needs to share a structure, and what it may remember besides.
 struct PairLink {
     uint32_t stamp : 31;   ///< the pair's stamp when the hulls were last seen to hold this contact's fixtures
     uint32_t excluded : 1; ///< at this stamp the hulls do not hold this contact's fixtures
@@ -61,8 +61,7 @@ private:
     uintptr_t m_bits = 0;
 };
 
-/// What a contact of ours knows besides what Box2D keeps: 16 bytes at most, for which Box2D's 224-byte block
-/// has room.
+/// Our data of a contact, besides Box2D's: 16 bytes at most, for which Box2D's 224-byte block has room.
 struct ContactState {
     PairAndLife pair; ///< the structure it shares with the other contacts of its two bodies
     union {
@@ -72,8 +71,8 @@ struct ContactState {
 };
 static_assert(sizeof(ContactState) <= 16);
 
-/// What all contacts of ours have in common: PolygonContact and ConvexContact. Manifolds are made without
-/// Box2D where no fixture is a sensor.
+/// The base of all contacts of ours: PolygonContact and ConvexContact. Manifolds are made without Box2D where
+/// no fixture is a sensor.
 class SolidContact : public b2Contact {
 public:
     /// `contact` as one of ours, or nullptr: contacts that were born before the register knew us, and other
@@ -90,7 +89,7 @@ public:
         return AsOurs(const_cast<b2Contact *>(contact));
     }
 
-    // What b2ContactManager may do with any contact, and its stand-in otherwise could not.
+    // b2ContactManager may do this with any contact. Our code in its place needs these functions.
     static void UpdateByBox2D(b2Contact *contact, b2ContactListener *listener);
     static bool WantsFiltering(const b2Contact &contact) { return (FlagsOf(contact) & e_filterFlag) != 0; }
     static void FilteringIsDone(b2Contact *contact) {
@@ -102,13 +101,13 @@ public:
         return m_fixtureA->GetType() == b2Shape::e_polygon && m_fixtureB->GetType() == b2Shape::e_polygon;
     }
 
-    /// A direction, in the world, from A to B, that most likely keeps the two apart: what was remembered of
-    /// them at the last look. Zero where nothing is. For polygons alone.
+    /// A direction, in the world, from A to B, that most likely keeps the two apart: it was remembered at the
+    /// last look. Zero if there is none. For polygons alone.
     bmr_vec2 GuessDirection() const;
 
-    /// What was found of the two at these poses is the next turn of the contact's life: tells of the event,
-    /// if it is one. To be called where Options::statistics is on, of a contact of polygons. `along`: the
-    /// direction, in the world, from A to B, where the contact does not know it.
+    /// Takes the result of a look at these poses into the contact's life, and reports the event, if it is
+    /// one. Call it if Options::statistics is on, for a contact of polygons. `along`: the direction, in the
+    /// world, from A to B, where the contact does not know it.
     void Live(Held held, const b2Transform &xfA, const b2Transform &xfB, const bmr_vec2 *along = nullptr);
 
     /// The same of a contact that was handed over, and of which the ledger now has a line.
@@ -117,7 +116,7 @@ public:
     /// it.
     void LiveAsSensor(bmr_vec2 before);
 
-    /// Ahead of the first pair: what is remembered of vertices gives way to the link.
+    /// Call this before the first pair: the remembered vertices give way to the link.
     void MakeRoomForPair() {
         if (state.pair == nullptr && VtableOf(*this) == convexVtable.load(std::memory_order_relaxed))
             state.link = {};
@@ -141,9 +140,9 @@ protected:
     /// Of the two classes, from before the first contact of each is made; nullptr until then.
     static std::atomic<const void *> polygonVtable, convexVtable;
 
-    /// What b2Contact::Update does, for a contact of which neither fixture is a sensor: the same manifold,
-    /// flags, waking and calls of the listener in the same order. Nothing is copied where the two stay apart.
-    /// `Ours` has Ask(xfA, xfB) and FillManifold(answer, manifold, xfA, xfB, old).
+    /// As b2Contact::Update, for a contact of which neither fixture is a sensor: the same manifold, flags,
+    /// waking and calls of the listener in the same order. Nothing is copied where the two stay apart. `Ours`
+    /// has Ask(xfA, xfB) and FillManifold(answer, manifold, xfA, xfB, old).
     template <typename Ours> static void UpdateSolid(Ours *contact, b2ContactListener *listener);
 
     /// To be called where Box2D evaluates the contact itself, in the middle of a step: its record in the
@@ -176,7 +175,7 @@ template <typename Ours> inline void SolidContact::UpdateSolid(Ours *contact, b2
     const bool wasTouching = (self->m_flags & e_touchingFlag) != 0;
     self->m_flags |= e_enabledFlag;
     const Answer answer = contact->Ask(xfA, xfB);
-    if (answer < Answer::HandedOver && !wasTouching) { // nothing has happened that anybody is to be told
+    if (answer < Answer::HandedOver && !wasTouching) { // nothing has happened that a listener is told
         contact->FillManifold(answer, &self->m_manifold, xfA, xfB, self->m_manifold);
         return;
     }

@@ -48,7 +48,7 @@ struct Whole {
         moment = bmr_add(moment, bmr_scale(m, centre));
         inertia += own + m * bmr_dot(centre, centre);
     }
-    /// What a fixture says of itself is rounded, and of a piece more than it has.
+    /// `said`, a fixture's own mass data, is rounded; that of a piece is more than the piece has.
     void Add(const b2Fixture &fixture, const b2MassData &said) {
         if (const bmr_convex32_block *block = BigPolygonOf(*fixture.GetShape())) {
             const bmr_mass32 &share = block->mass;

@@ -14,8 +14,8 @@ void SetBox2DAsserts(bool asserts);
 
 } // namespace bmr
 
-/// What Box2D asserts where this stands. Ends the process where it does not hold and Box2D's assertions are
-/// on. `assertion`: the words that Box2D's own ends with.
+/// Box2D's assertion at this place. Ends the process if it does not hold and Box2D's assertions are on.
+/// `assertion`: the words that Box2D's own ends with.
 #define BMR_BOX2D_ASSERTS(condition, assertion)                                                              \
     do {                                                                                                     \
         if (!(condition) && ::bmr::Box2DAsserts())                                                           \

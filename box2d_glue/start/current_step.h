@@ -6,9 +6,9 @@
 
 namespace bmr {
 
-/// The number of the step that began last on this thread, until it ends. 0 between steps, after a step in the
-/// midst of another one for what is left of that, and in programs without the shared library. No two steps
-/// of a process have the same number.
+/// The number of the step that began last on this thread, until it ends. 0 between steps, in programs without
+/// the shared library, and in the rest of a step after another step was made inside it. No two steps of a
+/// process have the same number.
 inline uint64_t &CurrentStep() {
     static thread_local uint64_t step = 0;
     return step;
@@ -16,7 +16,7 @@ inline uint64_t &CurrentStep() {
 
 /// True if code of the game may run in the middle of this thread's step: a listener or a filter of its own.
 /// False while a world steps whose listener and filter are those that Box2D installs by itself, unless the
-/// game makes this step in the midst of another one. True where CurrentStep is 0.
+/// game makes this step inside another one. True where CurrentStep is 0.
 inline bool &GameMayRun() {
     static thread_local bool mayRun = true;
     return mayRun;
@@ -42,7 +42,7 @@ public:
     StepUnderWay(const StepUnderWay &) = delete;
     StepUnderWay &operator=(const StepUnderWay &) = delete;
 
-    /// Did the last one begin in the midst of another step?
+    /// Did the last one begin inside another step?
     static bool IsInner();
 };
 

@@ -15,7 +15,7 @@
 ///     BOOMERANG_VERBOSE=0|1
 ///
 /// They win over the options that the program passes. A value that is not understood is ignored, and one line
-/// on stderr says so, once for a process. Nothing is read in programs that run with somebody else's rights
+/// on stderr says so, once for a process. Nothing is read in programs that run with another user's rights
 /// (setuid).
 ///
 /// Two more are for the project's own tests and its testbed; pages for games do not have them:
@@ -26,7 +26,7 @@
 
 namespace bmr {
 
-/// The value, empty where there is none; it ends with a zero. Empty in programs that run with somebody else's
+/// The value, empty where there is none; it ends with a zero. Empty in programs that run with another user's
 /// rights.
 std::string_view ReadEnvironment(const char *name);
 
@@ -44,7 +44,8 @@ std::optional<bmr_structure> StructureOfEnvironment();
 /// BOOMERANG_EVERYWHERE.
 bool EverywhereOfEnvironment();
 
-/// As long as one lives, this thread says nothing of values that are not understood: for whoever only looks.
+/// As long as one lives, this thread says nothing of values that are not understood: for code that only
+/// looks.
 class HeldComplaints {
 public:
     HeldComplaints();

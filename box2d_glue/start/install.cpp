@@ -66,7 +66,7 @@ bool InstallHere(const Options &given) {
     called = true;
     if (installed || refusedWhy != nullptr)
         return false;
-    const NearestRounding nearest; // whoever is tried out here is tried out as he will be asked
+    const NearestRounding nearest; // Box2D is tried out in the mode in which it will be asked
     const Options options = WithEnvironment(given);
     if (options.mode == Mode::Off)
         return false;

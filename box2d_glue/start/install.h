@@ -13,7 +13,7 @@ bool InstallHere(const Options &options);
 /// Why this Box2D was left alone: what was said on stderr. nullptr where it was not.
 const char *WhyRefused();
 
-/// Has anybody called Install, whatever came of it? Then whoever starts by himself leaves it at that.
+/// Was Install called, with any result? Then the library does not start by itself.
 bool InstallWasCalled();
 
 } // namespace bmr

@@ -7,8 +7,8 @@
 namespace bmr {
 
 /// @file
-/// What is the process's, not a world's, and its locks. A fork finds all of them free: it waits for whoever
-/// holds one on another thread, so that the child, which has that thread no more, finds nothing half done and
+/// The locks of data that belong to the process, not to a world. A fork finds all of them free: it waits for
+/// each thread that holds one. The child does not have that thread, and so finds nothing half done and
 /// nothing locked for ever.
 
 /// In the order in which they are taken: who holds one takes later ones alone.

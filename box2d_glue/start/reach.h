@@ -13,7 +13,7 @@ namespace bmr {
 /// Box2D that is known; about 0.1 ms. The answer lives until the next call.
 const char *WhyNoPassRuns();
 
-/// How Box2D's calls come by the hooks, in a few words; and why they do not, where that is known. Not copied.
+/// How Box2D's calls reach the hooks, in a few words; and why they do not, if that is known. Not copied.
 void SetWay(const char *way, const char *whyNoPass);
 const char *TheWay();
 

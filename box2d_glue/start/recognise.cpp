@@ -159,8 +159,8 @@ public:
         allocator->Free(m_block, kBytes);
     }
 
-    /// Was it `object` that got the block, and did nobody write behind a T there?
-    /// (Reads to the end of the block; the address sanitizer would allow no more than the bytes of a T.)
+    /// Did `object` get the block, and is the part behind a T unwritten? (Reads to the end of the block; the
+    /// address sanitizer would allow no more than the bytes of a T.)
     BMR_NOT_FOR_ADDRESS_SANITIZER bool HoldsNoMoreThan(const T *object) const {
         constexpr unsigned char kFreedForDebugging = 0xfd; // what Free writes with _DEBUG
         if (object != m_block)
@@ -176,8 +176,8 @@ private:
     void *m_block;
 };
 
-/// Bodies and fixtures end with what a game's own settings may make of their user data. To be asked before
-/// anybody makes them out of definitions with more than zeros behind the user data.
+/// Bodies and fixtures end with what a game's own settings may make of their user data. Ask before bodies and
+/// fixtures are made from definitions with more than zeros behind the user data.
 const char *WhyUserDataIsUnknown(b2World *world, const b2PolygonShape &shape) {
     b2BlockAllocator *allocator = world->GetContactManager().m_allocator;
     const NextBlock<b2Body> blockOfBody(allocator);
@@ -329,8 +329,8 @@ const char *WhyBox2DIsUnknown() {
     auto *trial = static_cast<Trial *>(std::malloc(sizeof(Trial)));
     if (trial == nullptr)
         return kNoMemoryToRecognise;
-    // All that a world keeps but the middle of its stack, which nobody asks for here: a hundred kilobytes
-    // that are not touched.
+    // All that a world keeps except the middle of its stack, which this code does not use: a hundred
+    // kilobytes that stay untouched.
     constexpr size_t kBefore = 1024;
     static_assert(kBefore < b2_stackSize && b2_stackSize < sizeof(b2World));
     std::memset(trial->room, kUntouched, kBefore);

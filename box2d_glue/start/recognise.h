@@ -27,7 +27,7 @@ inline const char *VersionOfBox2D() {
 /// What b2World begins with for a contact listener, as far as WhyBox2DIsUnknown has seen one begin: Box2D's
 /// own, which does nothing.
 const b2ContactListener *ListenerOfNewWorlds();
-/// The same for its contact filter, which runs nobody's code but Box2D's.
+/// The same for its contact filter, which runs only Box2D's code.
 const b2ContactFilter *FilterOfNewWorlds();
 
 /// A question to be asked before any of Box2D's symbols is touched, answered in the same way: the shared

@@ -13,8 +13,8 @@
 
 namespace bmr {
 
-/// What Install decided, constant from then on.
-/// Every member has its initial value at compile time: Install may run before this file's statics would.
+/// The decisions of Install, constant from then on. Every member has its initial value at compile time:
+/// Install may run before this file's statics would.
 struct Settings {
     bool made = false; ///< has Install decided? (Contacts of big ConvexShapes do not wait for it.)
     Options options = {};
@@ -47,7 +47,7 @@ enum class HookOf : uint32_t {
 
 namespace internal {
 extern Settings settings;
-/// What hooks do. Released when the settings are made.
+/// The state that each hook reads first. Stored with release order when the settings are made.
 enum class State : uint8_t {
     Nothing,      ///< so it is until the library has started, and in Mode::Off
     Watching,     ///< Install finds out which of these are called (reach.h)

@@ -18,8 +18,8 @@ BMR_BOX2D_API void TrustListener(const void *table, int change);
 
 } // namespace internal
 
-/// Is it a bmr::ContactRecorder? That is told while contacts are brought up to date, reads them, their
-/// fixtures and bodies, and changes nothing.
+/// Is it a bmr::ContactRecorder? It is called while contacts are updated, reads them, their fixtures and
+/// bodies, and changes nothing.
 bool IsRecorder(const b2ContactListener &listener);
 
 } // namespace bmr

@@ -88,7 +88,7 @@ void FillEdgeLine(const bmr_hierarchy &own, const bmr_hierarchy &others, const b
     SetSupport(other, Float(bmr_hierarchy_corner_point(&others, facing)));
 }
 
-/// What a kinetic structure proves at its bodies' poses; false: nothing.
+/// The proof of a kinetic structure at its bodies' poses; false: it proves nothing.
 bool FillFromPair(const BodyPair &pair, Proof *proof) {
     const b2Body *bodyOfA = proof->a.body;
     const bool swapped = pair.a->body != bodyOfA;

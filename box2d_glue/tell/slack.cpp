@@ -20,10 +20,10 @@ namespace bmr {
 
 namespace {
 
-/// What rounding may have added to the bounds of a polygon's box: a point is turned (off by 2 units of its
-/// place in its body), moved (one of where it is, on both counts) and the skin added (one); of big ones the
-/// farthest point may be the wrong one of two (4 more). Not in proportion to the bounds: those may be small
-/// where the point is far from its body's origin. Half an epsilon is a unit.
+/// By how much rounding may have enlarged the bounds of a polygon's box: a point is turned (off by 2 units of
+/// its place in its body), moved (one of where it is, on both counts) and the skin added (one); of big ones
+/// the farthest point may be the wrong one of two (4 more). Not in proportion to the bounds: those may be
+/// small where the point is far from its body's origin. Half an epsilon is a unit.
 double BoxRounding(const b2Fixture &fixture) {
     const b2Vec2 place = b2Abs(fixture.GetBody()->GetPosition());
     return 4.0 * FLT_EPSILON *
@@ -53,7 +53,7 @@ b2Contact *ContactOf(const b2Fixture &a, const b2Fixture &b) {
     return nullptr;
 }
 
-/// What the kinetic structures that a contact shares prove; 0 without any.
+/// The gap that the kinetic structures of a contact prove; 0 without any.
 double StructureGap(const b2Fixture &a, const b2Fixture &b) {
     b2Contact *contact = ContactOf(a, b);
     SolidContact *ours = contact != nullptr ? SolidContact::AsOurs(contact) : nullptr;

@@ -7,8 +7,8 @@
 namespace bmr {
 
 /// When the process ends (by exit, or by returning from main; not by a signal or _exit), the statistics go
-/// into this file as JSON. Once for a process, after MakeSettings. What the handler reads has no destructor,
-/// so it does not matter when it runs. "%p" in the name stands for the number of the process: with it each
+/// into this file as JSON. Once for a process, after MakeSettings. The handler reads only objects without
+/// destructors, so it may run at any time. "%p" in the name becomes the number of the process: with it each
 /// process that is forked after this writes its own, without it the one that called this writes alone. False
 /// where the name is too long or there is no room for another exit handler.
 bool WriteStatisticsAtExit(const char *file);

@@ -60,7 +60,7 @@ void Copy(char (&to)[TrialPage::kMostWords], const char *from) {
     std::snprintf(to, sizeof to, "%s", from);
 }
 
-/// At the end of a step, or of the process: what is at work by now, and what it has done.
+/// At the end of a step, or of the process: writes what is at work, and what it has done.
 void Tell(TrialPage *trial) {
     const uint32_t wanted = trial->wanted.load(std::memory_order_acquire);
     if (IsInstalled()) {
@@ -101,7 +101,7 @@ void ListFiles(TrialPage *trial) {
 void ListFiles(TrialPage *) {}
 #    endif
 
-/// Whoever ends by itself is not asked any more.
+/// A process that ends by itself cannot be asked any more: it tells now.
 void TellAtExit() {
     TrialPage *trial = internal::trial;
     if (trial->steppedIn == ThisProcess())

@@ -26,7 +26,7 @@ inline bool IsTried() {
 /// Maps the file that the environment names, once; says on stderr if it cannot.
 void OpenTrial();
 
-/// Tells whoever tries this game why no step of it will be seen.
+/// Tells `boomerang try` why it will see no step of this game.
 void TellTrial(const char *whyNoStep);
 
 /// Lives as long as a step of a game that is tried, and tells how long it took, unless it is part of another

@@ -6,9 +6,9 @@
 #include <cstdint>
 
 /// @file
-/// What the library tells `boomerang try` of a running game: a file of this layout, which both map. The
-/// program makes it, all zeros but for the first two fields, and names it in the environment
-/// (kTrialVariable). What is in it when the game crashes, or is ended, stays.
+/// By this file the library tells `boomerang try` about a running game: both map it. `boomerang try` makes
+/// it, all zeros but for the first two fields, and names it in the environment (kTrialVariable). Its contents
+/// stay when the game crashes, or is ended.
 
 namespace bmr {
 

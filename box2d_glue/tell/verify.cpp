@@ -88,7 +88,7 @@ const char *FieldThatDiffers(const b2Manifold &a, const b2Manifold &b) {
     return nullptr;
 }
 
-// What a process that was forked has of its parent.
+// Counts that a forked process has from its parent.
 std::atomic<uint64_t> verifiedBefore{0}, differencesBefore{0};
 long installedIn;
 

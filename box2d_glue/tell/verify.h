@@ -9,7 +9,7 @@ struct b2TOIOutput;
 class b2Fixture;
 
 /// @file
-/// Mode::Verify. Where Verifying() (settings.h), whoever answers in Box2D's place computes its own answer,
+/// Mode::Verify. If Verifying() (settings.h), code that answers in Box2D's place computes its own answer,
 /// asks Box2D too, calls one of these with both, and goes on with Box2D's. Each counts a comparison; the
 /// first difference of the process is described in one line on stderr, the others are counted. From any
 /// thread. Fixtures name the two in that line; nullptr where the caller does not know them.

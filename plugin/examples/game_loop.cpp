@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A game of sixty lines with Boomerang: two of them are its own. Rocks fall through a field of slanted planks
-// into a goal; whoever wants a window draws where it says so. Build it on an installed Boomerang with
+// into a goal. If you want a window, draw where the comment says so. Build it on an installed Boomerang with
 //
 //     c++ -std=c++17 game_loop.cpp $(pkg-config --cflags --libs boomerang-box2d) -o game_loop
 //

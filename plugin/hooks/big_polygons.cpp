@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What Box2D is asked of big polygons: b2DistanceProxy::Set makes a proxy of all vertices, and b2Distance,
-// b2ShapeCast and b2World::DrawShape answer for it, whatever is installed. All else goes to Box2D. (So does
-// b2TimeOfImpact, which has more to do: time_of_impact.cpp. b2TestOverlap asks b2Distance.)
+// Box2D's questions about big polygons: b2DistanceProxy::Set makes a proxy of all vertices, and b2Distance,
+// b2ShapeCast and b2World::DrawShape answer for it, also if nothing is installed. All else goes to Box2D. (So
+// does b2TimeOfImpact, which has more to do: time_of_impact.cpp. b2TestOverlap asks b2Distance.)
 #include <box2d/b2_distance.h>
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_world.h>

@@ -20,8 +20,8 @@ void b2ContactManager::Destroy(b2Contact *contact) {
         stock::Destroy(this, contact);
         return;
     }
-    // The listener that is told of its end may step the world, or end other contacts: numbers stay. And it
-    // may make others, which get the proxies of a body that is being put out of the world.
+    // The listener's EndContact may step the world, or end other contacts: numbers stay. And it may make
+    // others, which get the proxies of a body that is being put out of the world.
     Ledger::Ending ending(ledger, contact);
     stock::Destroy(this, contact);
     ending.Complete();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// b2DynamicTree::CreateProxy, DestroyProxy and MoveProxy, in steps and outside of them, whoever calls.
+// b2DynamicTree::CreateProxy, DestroyProxy and MoveProxy, in steps and outside of them, for every caller.
 #include "base/rounding_mode.h"
 #include "reach/stock.h"
 #include "start/settings.h"

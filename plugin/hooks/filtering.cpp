@@ -3,7 +3,8 @@
 // filtering are due.
 //
 // b2Fixture::SetFilterData calls Refilter within its own object file: where Box2D is built so that such calls
-// are bound (clang's way, -fno-semantic-interposition) or linked with --wrap, that one does not come by here.
+// are bound (clang's way, -fno-semantic-interposition) or linked with --wrap, that call does not reach this
+// hook.
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_joint.h>
 #include <box2d/b2_world.h>
@@ -51,7 +52,7 @@ void b2Fixture::SetFilterData(const b2Filter &filter) {
 
 b2Joint *b2World::CreateJoint(const b2JointDef *def) {
     b2Joint *joint = stock::CreateJoint(this, def);
-    // Box2D goes by the definition: a gear joint's bodies are other ones.
+    // Box2D reads the definition: a gear joint's own bodies are other ones.
     if (joint != nullptr)
         NoteFiltering(def->bodyB);
     return joint;

@@ -131,7 +131,7 @@ private:
 };
 Rate rate; // initialised at compile time: timers may be older than this library's constructors
 
-/// With the hook on. `real`: what Box2D does here.
+/// With the hook on. `real`: Box2D's own function.
 template <typename Real> BMR_NOINLINE void Start(b2Timer *timer, Real &real) {
     const uint64_t now = PassesRun() ? Ticks() : 0;
     if (now == 0 || rate.MillisecondsPerTick(now) <= 0.0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// b2World::Step: starts the library where nobody called bmr::Install, and marks the thread as stepping this
+// b2World::Step: starts the library if bmr::Install was not called, and marks the thread as stepping this
 // world; the step itself is Box2D's.
 #include <box2d/b2_contact_manager.h>
 #include <box2d/b2_world.h>
@@ -25,7 +25,7 @@ BMR_NOINLINE void StepHere(b2World *world, float timeStep, int32 velocityIterati
     CurrentTimeStep() = timeStep;
     CountStep();
     if (AnyBigPolygon())
-        NoteDrawnByBox2D(nullptr, nullptr); // what was drawn before a step is drawn anew after it
+        NoteDrawnByBox2D(nullptr, nullptr); // shapes that were drawn before a step are drawn anew after it
     stock::Step(world, timeStep, velocityIterations, positionIterations);
 }
 

@@ -18,7 +18,7 @@ namespace bmr::trial {
 
 namespace {
 
-/// The processor that this program is for; what it is called varies, what it does not is in our own header.
+/// The processor that this program is for. Its name varies; its number is in our own header.
 constexpr unsigned char kClass = sizeof(void *) == 8 ? ELFCLASS64 : ELFCLASS32;
 
 int OwnMachine() {

@@ -6,7 +6,7 @@
 
 namespace bmr::trial {
 
-/// What a file is to a loader, and what of Box2D is inside.
+/// The kind of a file to a loader, and the parts of Box2D inside it.
 struct ElfFile {
     enum class Kind {
         kUnreadable,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// boomerang: what the plugin's package has for the command line. `boomerang try ./game` says whether a
-// game profits from Boomerang, without building anything.
+// boomerang: the plugin's program for the command line. `boomerang try ./game` says whether a game profits
+// from Boomerang, without building anything.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -100,7 +100,7 @@ private:
     const char *m_name = "";
 };
 
-/// What this process has there.
+/// The variable's value in this process.
 std::string PreloadedBefore() {
     const char *before = std::getenv("LD_PRELOAD");
     return before != nullptr ? before : "";
@@ -141,7 +141,7 @@ Outcome RunAll(const Options &options, Trial *trial) {
 int Try(const Options &options) {
     Trial trial;
     trial.command = options.command;
-    // What a user may have in LD_PRELOAD stays behind the library.
+    // Libraries that the user has in LD_PRELOAD stay behind ours.
     const std::string before = PreloadedBefore();
     trial.preload = options.library + (before.empty() ? "" : ":" + before);
     trial.preloadedAsItIs = before.find("libboomerang_box2d") != std::string::npos;
@@ -222,7 +222,7 @@ int Main(int count, char **words) {
         "2, wrong usage; 3, Boomerang does nothing for this game as it is built; 4, the game fails by\n"
         "itself.\n\n"
         "  boomerang try --seconds 10 ./game --level 3");
-    // The game's command line is the game's, and nobody here looks into it.
+    // The game's command line is the game's: it is not parsed here.
     char **const end = words + count, **game = FindGame(*command, words, end);
     const int own = static_cast<int>(game - words);
     if (game != end && std::strcmp(*game, "--") == 0)

@@ -127,8 +127,8 @@ pid_t Start(const std::vector<std::string> &command, const std::vector<std::stri
     _exit(127);
 }
 
-/// Whoever has no parent any more becomes this process's child (PR_SET_CHILD_SUBREAPER), so that children
-/// and theirs are all that a game has left behind.
+/// A process that has lost its parent becomes this process's child (PR_SET_CHILD_SUBREAPER). So all that a
+/// game has left behind are children, and theirs.
 std::vector<pid_t> ChildrenOf(pid_t parent) {
     std::vector<pid_t> children;
     const std::string tasks = "/proc/" + std::to_string(parent) + "/task";
@@ -151,7 +151,7 @@ std::vector<pid_t> Descendants() {
     return found;
 }
 
-/// Takes note of whoever has ended; true where `child` is among them, with its status.
+/// Takes note of all children that have ended; true if `child` is among them, with its status.
 bool Reap(pid_t child, int *status) {
     bool found = false;
     int how = 0;
@@ -238,7 +238,7 @@ void ReadPage(const Page &page, Run *run) {
         run->files.insert(file);
 }
 
-/// Waits until the library has told what is at work by now, if steps still come by.
+/// Waits until the library has written what is at work, as long as steps are seen.
 void AskForMore(const Page &page, double patience) {
     const uint32_t wanted = ++page->wanted;
     const Clock::time_point begin = Clock::now();

@@ -41,10 +41,10 @@ public:
 };
 
 /// Starts `command` with these variables in front of this process's environment ("NAME=value"; what begins
-/// with BOOMERANG is not handed on) and waits. What the game writes goes to a file of its own, unless
-/// `shown`. With `page`, the library finds a TrialPage. `onTick(seconds, steps)` is called some times a
-/// second. All processes that the game has left behind are ended with it. Ended as well where this process is
-/// asked to end (SIGINT, SIGTERM): then `IsInterrupted()`.
+/// with BOOMERANG is not handed on) and waits. The game's output goes to a file of its own, unless `shown`.
+/// With `page`, the library finds a TrialPage. `onTick(seconds, steps)` is called some times a second. All
+/// processes that the game has left behind are ended with it. Ended as well where this process is asked to
+/// end (SIGINT, SIGTERM): then `IsInterrupted()`.
 Run RunGame(const std::vector<std::string> &command, const std::vector<std::string> &variables, bool page,
             bool shown, const Limits &limits, const std::function<void(double, uint32_t)> &onTick);
 

@@ -278,7 +278,7 @@ std::string ExplainDifference(const Trial &trial) {
     return text + "." + LastWordsOf(*last);
 }
 
-/// What begins with blanks stays as it is.
+/// A line that begins with blanks stays as it is.
 std::string Wrap(const std::string &text, size_t columns) {
     std::istringstream lines(text);
     std::string wrapped;
@@ -408,7 +408,7 @@ Outcome Judge(const Trial &trial) {
     if (AnyEndsOtherwise(trial) || (trial.verify && trial.verify->differences > 0))
         return Outcome::kDifference;
     if (trial.on.empty() || trial.on.front().way.empty()) {
-        // Without a step nobody knows; a game that complains of something has not come as far.
+        // Without a step this is not known; a game that complains of something has not come as far.
         const bool noStep = trial.off.empty() || trial.off.front().steps == 0;
         const bool hasBox2D = !PlaceOfBox2D(trial).shared.empty();
         return noStep && EndedBadly(trial.asItIs) && hasBox2D ? Outcome::kFailsByItself : Outcome::kNotAtWork;

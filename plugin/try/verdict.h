@@ -43,7 +43,7 @@ enum class Outcome {
 
 /// Ahead of all other runs: can the game be tried at all? kAtWork: it can.
 Outcome JudgeAsItIs(const Trial &trial);
-/// Of all runs; or of asItIs and off[0], where no step came by.
+/// Of all runs; or of asItIs and off[0], if no step was seen.
 Outcome Judge(const Trial &trial);
 
 /// One paragraph, what was found, and one, what to do next. Lines of `columns` at most, but for commands.

@@ -28,7 +28,7 @@ struct bmr_convex32_block;
 ///     if (coin.SetRegular(256, 0.5f) == BMR_OK)
 ///         body->CreateFixture(&coin, 1.0f);
 ///
-/// One fixture, one proxy in the broad phase, one contact a pair, whatever the number of vertices.
+/// One fixture, one proxy in the broad phase, one contact a pair, however many vertices.
 
 namespace bmr {
 
@@ -50,12 +50,12 @@ struct Welded {
 /// elsewhere (docs/any-size-polygons.md: nothing tunnels).
 ///
 /// Copies and clones share the polygon; it is freed with the last of them. Shapes may be made, copied and
-/// destroyed on any thread. What Box2D inherits is as it is: m_radius may be changed as ever. A shape whose
-/// m_vertices or m_count are changed in place (b2PolygonShape::Set and SetAsBox through a pointer to the base
-/// do that) is from then on what they say, as any b2PolygonShape is: at most 8 vertices, and no seams where
-/// it is a piece of an outline. Copied into a plain b2PolygonShape it is the octagon. The shape of a fixture
-/// is not to be changed by calls of this class between at most 8 and more vertices: its contacts live on as
-/// they were until they part.
+/// destroyed on any thread. Members that it inherits from Box2D work as usual: a game may change m_radius. A
+/// shape whose m_vertices or m_count are changed in place (b2PolygonShape::Set and SetAsBox through a pointer
+/// to the base do that) is from then on what they say, as any b2PolygonShape is: at most 8 vertices, and no
+/// seams where it is a piece of an outline. Copied into a plain b2PolygonShape it is the octagon. The shape
+/// of a fixture is not to be changed by calls of this class between at most 8 and more vertices: its contacts
+/// live on as they were until they part.
 class BMR_BOX2D_API ConvexShape final : public b2PolygonShape {
 public:
     ConvexShape() noexcept;
@@ -140,7 +140,8 @@ private:
     /// The handle that the shape has a reference to, or 0.
     uint32_t GetKeptHandle() const;
     void SetHandle(uint32_t handle);
-    /// Takes over what a handle stands for, with its reference, and shows Box2D the polygon inside it.
+    /// Takes over the polygon of a handle, with its reference, and shows Box2D the polygon of at most 8
+    /// vertices inside it.
     void Adopt(uint32_t handle);
     /// Set; where points within half of b2_linearSlop of others are not to be left out, BMR_ERROR_TOO_CLOSE.
     enum class Weld { Allowed, Refused };

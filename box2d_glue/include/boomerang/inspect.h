@@ -18,7 +18,7 @@ class b2Fixture;
 
 namespace bmr {
 
-/// What a proof stands on.
+/// The kind of a proof.
 enum class ProofKind : int32_t {
     None,           ///< nothing is proved: the contact touches, or is not the plugin's
     Disks,          ///< two bounding disks

@@ -20,7 +20,7 @@ class b2Contact;
 ///         rock.CreateFixtures(body, 1.0f);
 ///
 /// The outline is cut into few convex pieces (boomerang/outline.h), each of which is one fixture. The pieces
-/// know where they meet: what slides or rolls along the outline feels no seam (docs/outlines.md).
+/// know where they meet, so a body that slides or rolls along the outline feels no seam (docs/outlines.md).
 
 namespace bmr {
 
@@ -42,8 +42,8 @@ struct OutlineFault {
     b2Vec2 where;
 };
 
-/// What an outline is made of, cut once and shared by all bodies that have it: copies are cheap, and the
-/// last of the copies and of the fixtures frees it. Outlines may be made, copied and destroyed on any thread.
+/// An outline, cut once and shared by all bodies that have it: copies are cheap, and the last of the copies
+/// and of the fixtures frees it. Outlines may be made, copied and destroyed on any thread.
 class BMR_BOX2D_API OutlineShape {
 public:
     OutlineShape() noexcept = default; ///< of no points
@@ -67,9 +67,9 @@ public:
     /// The same of rings in doubles, the outer one first: what boomerang::repair returns.
     bmr_error Set(const bmr_rings &rings, float tolerance = 0.0f, OutlineFault *fault = nullptr);
 
-    /// A fixture of each piece on the body, all with what `def` says of fixtures; def.shape is not read. The
-    /// body's mass, centre and inertia then include those of the outline, also where pieces stand for it only
-    /// within a tolerance. Not during a step of the world.
+    /// Makes a fixture of each piece on the body, all by `def`, whose shape is not read. The body's mass,
+    /// centre and inertia then include those of the outline, also where pieces stand for it only within a
+    /// tolerance. Not during a step of the world.
     ///
     /// Box2D adds up inertias about the body's origin, in float, and takes m c^2 off the sum (m is the body's
     /// mass, c how far its centre is from its origin). So it holds an inertia about the centre to half of the

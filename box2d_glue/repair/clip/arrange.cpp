@@ -196,8 +196,7 @@ private:
     }
     uint32_t CountAt(uint32_t corner) const { return m_first[corner + 1] - m_first[corner]; }
 
-    /// What comes behind a half on the boundary of the solid on its left: the first one clockwise from where
-    /// it came from.
+    /// The half that follows this one on the boundary of the solid on its left: the first one clockwise.
     uint32_t Next(uint32_t half) const {
         const uint32_t back = half ^ 1, corner = CornerOf(back), first = m_first[corner];
         return m_place[back] > first ? m_out[m_place[back] - 1] : m_out[first + CountAt(corner) - 1];

@@ -120,7 +120,7 @@ bool Unite(Paths *paths, ClipperLib::PolyFillType rule, bool *any) {
     return true;
 }
 
-/// What the paths go around by the rule, as solids.
+/// The places that the paths go around by the rule, as solids.
 bmr_error Clip(Paths paths, ClipperLib::PolyFillType rule, std::vector<Solid> *solids) {
     for (int i = 0; i < kMostClips; ++i) {
         bool any;

@@ -21,7 +21,7 @@ namespace bmr {
 /// One of this library's own references to Box2D: at no address where no Box2D was in search order when it
 /// was loaded.
 extern const char boundReference[] asm("_ZN9b2Contact11s_registersE") __attribute__((weak));
-/// What the loader gives to whoever asks for b2World::Step by name: this library's where it is ahead.
+/// The b2World::Step that the loader finds by name: this library's, if it is ahead.
 extern const char boundStep[] asm("_ZN7b2World4StepEfii") __attribute__((weak));
 
 namespace {
@@ -55,7 +55,7 @@ constexpr Symbol kSymbols[] = {
 std::atomic<bool> programHasItsOwn{false};
 
 constexpr char kStep[] = "_ZN7b2World4StepEfii";
-constexpr char kWorld[] = "_ZN7b2WorldC1ERK6b2Vec2"; ///< its constructor, which nobody wraps
+constexpr char kWorld[] = "_ZN7b2WorldC1ERK6b2Vec2"; ///< its constructor, which no wrapper has
 constexpr char kCompiledIn[] = "the Box2D of this process is compiled with Boomerang already";
 constexpr char kInside[] = "the program has a Box2D of its own inside (boomerang_accelerate is for that)";
 
@@ -89,8 +89,7 @@ const char *OurPath() {
     return PathOf(reinterpret_cast<const void *>(&StepsComeByHere));
 }
 
-/// What is said of this process, with two paths at most. Whoever asks once more asks the same, or is the
-/// last.
+/// The sentence about this process, with two paths at most. A second question is the same, or the last one.
 char words[2 * PATH_MAX + 200];
 
 /// In search order ahead of all else, both are in sight of each other.
@@ -163,7 +162,7 @@ const char *WhyModuleIsLeftAlone() {
 bool InitialiseBox2D() {
     Dl_info info;
     const void *world = Find(kWorld);
-    // What is opened is initialised when dlopen returns. (It is not closed: it is the program's.) The program
+    // A library is initialised when dlopen returns. (It is not closed: it is the program's.) The program
     // itself is initialised after all that it loads.
     return world != nullptr && !IsInProgram(world) && dladdr(world, &info) != 0 &&
            dlopen(info.dli_fname, RTLD_NOW | RTLD_NOLOAD) != nullptr;
@@ -210,7 +209,7 @@ const char *WhyLibraryIsUnknown() {
     }
     if (boundReference == nullptr)
         return NameBoth("the Box2D of this process was loaded after this library", PathOf(Find(kWorld)));
-    // What an assertion of its solver says when it fails is there only where it is compiled.
+    // The text of an assertion of its solver is there only where the solver is compiled.
     SetBox2DAsserts(FileHolds(Find(kStep), "a.x >= 0.0f && a.y >= 0.0f"));
     return nullptr;
 }

@@ -7,8 +7,8 @@ namespace bmr {
 /// Whether a b2World::Step of this process is this library's, as far as dynamic linking goes.
 bool StepsComeByHere();
 
-/// Whether there is a Box2D behind this library in search order. There is none where a module opened its own
-/// (dlopen with RTLD_LOCAL), and its calls come by here all the same.
+/// Whether there is a Box2D behind this library in search order. There is none if a module opened its own
+/// (dlopen with RTLD_LOCAL). Its calls reach this library all the same.
 bool AnyBox2DBehind();
 
 /// Is Boomerang in this process a second time, compiled with its Box2D (boomerang_accelerate)? As far as
@@ -19,16 +19,16 @@ bool AnotherIsCompiledIn();
 /// rest of Box2D? It may call Box2D's own, which then calls what hooks stand in front of.
 bool AWrapperStepsFirst();
 
-/// Where no step comes by: what stands in the way, and the line to write, in a few words. The answer lives
-/// until the next call.
+/// If no step is seen: the reason, and the line to write, in a few words. The answer lives until the next
+/// call.
 const char *WhyNoStepComesBy();
 
-/// Where AnyBox2DBehind() is false, and a step comes by all the same: the same for a module's own Box2D.
+/// The same for a module's own Box2D, if AnyBox2DBehind() is false and a step is seen all the same.
 const char *WhyModuleIsLeftAlone();
 
 /// Runs the initialisers of the libbox2d in search order, if they are still to run: it was loaded with the
-/// program, but this library, which does not ask for it, may be initialised first. False where there is none,
-/// or where it is inside the program, whose initialisers nobody else can run.
+/// program, but this library, which does not ask for it, may be initialised first. False if there is none, or
+/// if it is inside the program, whose initialisers cannot be run from here.
 bool InitialiseBox2D();
 
 /// Why the libbox2d that was loaded must be left alone, or nullptr: the program calls another one, a symbol
@@ -37,8 +37,8 @@ bool InitialiseBox2D();
 /// been settled. Calls nothing of Box2D's. The answer lives until the next call.
 const char *WhyLibraryIsUnknown();
 
-/// Is this library here because somebody preloaded it? It is if LD_PRELOAD names it, or if it was loaded with
-/// the program although nothing that was loaded asks for it (/etc/ld.so.preload).
+/// Is this library preloaded? It is if LD_PRELOAD names it, or if it was loaded with the program although
+/// nothing that was loaded asks for it (/etc/ld.so.preload).
 bool IsPreloaded();
 
 } // namespace bmr

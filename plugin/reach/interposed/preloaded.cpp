@@ -67,8 +67,8 @@ int AsksForUs(dl_phdr_info *object, size_t, void *) {
 bool IsPreloaded() {
     if (EnvironmentNamesUs())
         return true;
-    // What a program opens itself (dlopen) nobody asks for either, but it does not come first in search
-    // order.
+    // No library asks for one that the program opened itself (dlopen) either, but such a one does not come
+    // first in search order.
     return StepsComeByHere() && dl_iterate_phdr(AsksForUs, nullptr) == 0;
 }
 

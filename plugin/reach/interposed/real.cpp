@@ -30,8 +30,8 @@ int FindName(dl_phdr_info *object, size_t, void *context) {
     return 1;
 }
 
-/// In the modules that are out of everybody's search order but their own. The one that has it is never
-/// closed: what it defines is remembered. `*changes` is of the list that was gone through.
+/// In the modules that are in no search order but their own. The one that has it is never closed, because its
+/// function is remembered. `*changes` is of the list that was gone through.
 void *FindInModules(const char *mangled, uint64_t *changes) {
     // Opened only afterwards: the loader must not be asked while it goes through its list. And by one name at
     // a time, without memory: this may be in the middle of a step, which nothing may throw through.

@@ -28,7 +28,7 @@ namespace bmr {
 
 /// The next definition of this name after this library's; where there is none, that of a module which was
 /// opened for itself (dlopen with RTLD_LOCAL) and which then stays loaded: of several, the one that was
-/// loaded first. Ends the program where nobody has it: it is called, so somebody must.
+/// loaded first. Ends the program if no module has it: a function that is called must be somewhere.
 void *FindReal(const char *mangled);
 
 /// A function of Box2D's, looked up once. Any thread may be the first; initialised at compile time, since

@@ -22,8 +22,8 @@ std::atomic<bool> internal::startsByItself{false};
 
 namespace {
 
-// When the library is loaded nobody has asked for a Box2D yet, so nothing is said then of values that are not
-// understood; Install says it.
+// When the library is loaded, no Box2D is needed yet. So values that are not understood are not reported
+// then; Install reports them.
 std::optional<Mode> ModeWithoutComplaint() {
     const HeldComplaints held;
     return ModeOfEnvironment();
@@ -93,8 +93,9 @@ __attribute__((constructor)) void Loaded() {
     }
     startsAtFirstStep = true;
     SayAtExitIfNotUsed();
-    // Linked behind Box2D, say, or a wrapper is ahead. What was asked for by name is done as far as it goes.
-    // Not where the program itself shows its Box2D (-rdynamic): that one is initialised later than this runs.
+    // Linked behind Box2D, say, or a wrapper is ahead. If the environment asks for it, as much as possible is
+    // done. Not where the program itself shows its Box2D (-rdynamic): that one is initialised later than this
+    // runs.
     if (StepsComeByHere())
         internal::startsByItself = true;
     else if ((asked || wrapped) && InitialiseBox2D())

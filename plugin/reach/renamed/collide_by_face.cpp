@@ -26,7 +26,8 @@ float BmrSeparationOfB(int32 face, int32 *edge, const b2Transform &, const b2Pol
 
 } // namespace
 
-// Told apart by the first word of the second argument: the definition, which nobody calls, and the two calls.
+// Told apart by the first word of the second argument: the definition, which is not called, and the two
+// calls.
 #define b2FindMaxSeparation(edge, polygon, ...) BMR_SEPARATION_##polygon, edge, __VA_ARGS__)
 #define BMR_SEPARATION_const BmrFindMaxSeparation(const
 #define BMR_SEPARATION_polyA BmrSeparationOfA(bmrFace

@@ -35,9 +35,9 @@ struct ContactSide {
 /// Two solid fixtures begin or cease to touch.
 struct ContactTouchEvent {
     ContactSide a, b; ///< as the contact has them
-    /// An end that was told outside of a step, as b2World::DestroyBody, b2Body::DestroyFixture,
-    /// b2Body::SetEnabled and b2Body::SetType do: one fixture or both may be gone, and their bodies. Compare
-    /// these pointers, do not follow them.
+    /// An end outside of a step, as b2World::DestroyBody, b2Body::DestroyFixture, b2Body::SetEnabled and
+    /// b2Body::SetType do: one fixture or both may be gone, and their bodies. Compare these pointers, do not
+    /// follow them.
     bool mayBeGone;
 };
 
@@ -55,7 +55,7 @@ struct ContactHitEvent {
     float impulse; ///< along the normal, all points together, in kg m/s
 };
 
-/// Events of one kind, in the order in which Box2D told of them.
+/// Events of one kind, in the order of Box2D's calls.
 template <typename Event> struct ContactEventList {
     const Event *events;
     int32 count;
@@ -73,16 +73,16 @@ struct ContactEvents {
     int32 lost; ///< events for which there was no memory
 };
 
-/// A contact listener that writes down what it is told and does nothing else. The plugin knows its class and
-/// takes it for no code of the game: a step then costs what it costs without a listener, while any other
-/// listener, also one that only counts, costs up to a third of what the plugin saves. With the plugin and
-/// without it, a recorder is told the same.
+/// A contact listener that records each call and does nothing else. The plugin knows its class and does not
+/// take it for code of the game: a step then costs what it costs without a listener, while any other
+/// listener, also one that only counts, costs up to a third of what the plugin saves. A recorder records the
+/// same with the plugin and without it.
 ///
-/// It can record and no more. What a game decides in the middle of a step (to disable a contact in PreSolve,
-/// to change friction) needs a listener of the game's own.
+/// It only records. A game that decides in the middle of a step (to disable a contact in PreSolve, to change
+/// friction) needs a listener of its own.
 ///
-/// One recorder serves one world, on the thread that uses the world. It allocates where more events come than
-/// ever before between two calls of Take, by malloc, and never throws.
+/// One recorder serves one world, on the thread that uses the world. It allocates by malloc when more events
+/// come between two calls of Take than ever before, and never throws.
 class BMR_BOX2D_API ContactRecorder final : public b2ContactListener {
 public:
     ContactRecorder() noexcept;
@@ -97,9 +97,9 @@ public:
     void SetHitThreshold(float impulse) { m_hitThreshold = impulse; }
     float GetHitThreshold() const { return m_hitThreshold; }
 
-    /// What was recorded since the last call, or since the beginning. The lists are good until the next call
-    /// or the recorder's end. Fixtures and bodies in them, but for `mayBeGone`, are those of the world as
-    /// long as the game destroys nothing between the step and this call. O(1).
+    /// The events since the last call, or since the beginning. The lists are good until the next call or the
+    /// recorder's end. Fixtures and bodies in them, but for `mayBeGone`, are those of the world as long as
+    /// the game destroys nothing between the step and this call. O(1).
     ContactEvents Take() noexcept;
 
     void BeginContact(b2Contact *contact) override;

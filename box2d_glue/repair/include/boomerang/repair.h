@@ -52,10 +52,10 @@ struct Outline {
     }
 };
 
-/// What is solid where rings lie over each other.
+/// The rule that says what is solid if rings lie over each other.
 enum class FillRule {
-    EvenOdd, ///< what an odd number of rings goes around
-    NonZero  ///< what rings go around, more often in the one direction than in the other
+    EvenOdd, ///< places that an odd number of rings goes around
+    NonZero  ///< places that rings go around more often in one direction than in the other
 };
 
 /// The outlines of what is solid. Each is one connected solid with its holes, outer ring counter-clockwise,
