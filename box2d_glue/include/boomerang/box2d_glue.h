@@ -52,18 +52,18 @@ enum class Outlines : int32_t {
     Whole   ///< at once: for drawers that take any number
 };
 
-/// How the plugin is to work. Process-wide, fixed at the first Install.
+/// How the plugin works. One for the process, fixed at the first Install.
 struct Options {
     /// Count events. Costs a few per cent; GetStatistics() is all zero without it.
     bool statistics = false;
-    /// Told of every event of every pair (implies statistics). Called from inside b2World::Step, from the
-    /// thread that steps: it must not touch the world.
+    /// Called with every event of every pair (implies statistics), from inside b2World::Step, on the thread
+    /// that steps: it must not touch the world.
     ///
-    /// There are two kinds of structures, and each tells of its own life. One is that of two hulls: of bodies
-    /// that have many contacts with each other. Its events are core's (boomerang/pair.h). The other is each
-    /// contact of two polygons, which keeps an edge, or a direction where one is big. Its certificate is of
-    /// level 0, the polygons themselves; level -1 is what is coarser, the disks around big polygons or the
-    /// bodies' hulls:
+    /// There are two kinds of structures, and each has events of its own. One is a pair of hulls, of bodies
+    /// that have many contacts with each other. Its events are core's (boomerang/pair.h). The other is a
+    /// contact of two polygons, which keeps an edge, or a direction if one is big. Its certificate is of
+    /// level 0, the polygons themselves; level -1 is coarser: the disks around big polygons, or the bodies'
+    /// hulls.
     ///
     ///   START    the first certificate is made
     ///   PUSH     it failed, and another edge or direction separates the two
@@ -83,31 +83,31 @@ struct Options {
     void (*onEvent)(void *context, const b2Body *bodyA, const b2Body *bodyB,
                     const bmr_event &event) = nullptr;
     void *eventContext = nullptr;
-    /// Told of every evaluation, once its manifold is there (implies statistics). As onEvent otherwise.
+    /// Called after every evaluation, once its manifold is there (implies statistics). Otherwise as onEvent.
     void (*onAnswer)(void *context, const b2Contact &contact, Answer answer) = nullptr;
     Mode mode = Mode::On;
-    /// 0: refusals and differences alone are printed on stderr. 1: also what Presence says.
+    /// 0: only refusals and differences are printed on stderr. 1: Presence, too.
     int32_t verbosity = 0;
-    /// Where the statistics go when the process ends, as JSON (implies statistics); nullptr: nowhere. Copied.
-    /// "way", "box2d", "rounds_as_box2d" and "passes_run" are of Presence. Of a program that forks, the
-    /// process that installed writes it; with "%p" in the name, which stands for the number of the process,
-    /// each writes its own.
+    /// The file that gets the statistics when the process ends, as JSON (implies statistics); nullptr: none.
+    /// The name is copied. "way", "box2d", "rounds_as_box2d" and "passes_run" are of Presence. If a program
+    /// forks, the process that installed writes the file. "%p" in the name becomes the number of the process:
+    /// then each writes its own.
     const char *statisticsFile = nullptr;
-    /// How b2World::DebugDraw draws a ConvexShape, where the shared library stands in front of Box2D.
+    /// How b2World::DebugDraw draws a ConvexShape, if the shared library stands in front of Box2D.
     Outlines outlines = Outlines::Pieces;
 };
 
-/// Makes Boomerang the polygon-against-polygon contact of every world in the process. Where Box2D calls the
+/// Makes Boomerang the polygon-against-polygon contact of every world in the process. If Box2D calls the
 /// functions that our passes replace (Presence::passesRun), whole steps are ours, too. Call it once, before
-/// or after worlds exist (contacts that exist already keep working as stock). What the environment says
-/// (BOOMERANG, BOOMERANG_VERBOSE, ...; docs/is-it-for-my-game.md) outweighs the options. Returns whether this
-/// call put the plugin to work: false at a second call, where the mode is Off, and where the Box2D of this
-/// process is not one that the plugin knows, or there is no memory (one line on stderr says so, once). Not to
-/// be raced against a running b2World::Step of another thread.
+/// or after worlds exist (contacts that exist already keep working as stock), and not while another thread is
+/// in b2World::Step. The environment (BOOMERANG, BOOMERANG_VERBOSE, ...; docs/is-it-for-my-game.md) overrides
+/// the options. Returns whether this call put the plugin to work. False at a second call, if the mode is Off,
+/// if the plugin does not know the Box2D of this process, or if there is no memory (one line on stderr says
+/// so, once).
 BMR_BOX2D_API bool Install(const Options &options = Options());
 BMR_BOX2D_API bool IsInstalled();
 
-/// How the plugin stands with the Box2D of this process. BOOMERANG_VERBOSE=1 prints the same.
+/// How the plugin works with the Box2D of this process. BOOMERANG_VERBOSE=1 prints the same.
 struct Presence {
     /// How Box2D's calls reach the library: "ahead of Box2D" (for the loader), "compiled with Box2D"
     /// (boomerang_accelerate), "behind a wrapper of Box2D" (another b2World::Step is ahead), "behind Box2D"
@@ -116,13 +116,13 @@ struct Presence {
     const char *box2d = "";     ///< "2.4.1" or "2.4.2"
     bool roundsAsBox2D = false; ///< false also until Install has found it out
     /// True once Install has seen that Box2D's calls reach all functions that our passes replace: it steps
-    /// a small world to find out (about 0.1 ms). Else only the contacts of polygons are ours.
+    /// a small world to find out (about 0.1 ms). Otherwise only the contacts of polygons are ours.
     bool passesRun = false;
     const char *whyNot = ""; ///< why no pass of ours runs, in a few words; empty until Install has looked
 };
 BMR_BOX2D_API Presence GetPresence();
 
-/// What has been done since the process began, summed over all worlds and threads.
+/// Counts since the process began, summed over all worlds and threads.
 struct Statistics {
     uint64_t steps = 0; ///< calls of b2World::Step (seen by the shared library alone)
     /// Times Box2D asked for a manifold of two polygons, or of a big ConvexShape with anything.
@@ -149,18 +149,17 @@ struct Statistics {
 };
 BMR_BOX2D_API Statistics GetStatistics();
 
-/// The distance that is certified between the polygon fixtures of two bodies at their present poses: a lower
-/// bound of the true distance of the core polygons (radii not subtracted), 0 where nothing is proved or they
-/// touch; of the vertices as they are, also where these were changed in place and normals left. Bodies of
-/// different worlds: 0. O(fixtures of one times fixtures of the other); does not change the
-/// simulation.
+/// A certified distance between the polygon fixtures of two bodies at their present poses: a lower bound of
+/// the true distance of the polygons (radii not subtracted). 0 if nothing is proved, or if they touch. It is
+/// of the vertices as they are, also if a game changed these in place and left the normals. Bodies of
+/// different worlds: 0. O(fixtures of one times fixtures of the other); does not change the simulation.
 BMR_BOX2D_API float CertifiedSlack(const b2Body *bodyA, const b2Body *bodyB);
 
-/// Forgets what is known about this body's shape, and builds its hulls again. To be called after normals of a
-/// polygon fixture were changed in place (through b2Fixture::GetShape) and its vertices were not. All else is
-/// found without it: vertices and radii that are changed in place, at any time, fixtures that come and go. A
-/// call after a change of vertices can save time where the library does not see b2World::Step: there a hull
-/// that no longer holds its fixtures answers nothing, and nobody else builds it again.
+/// Forgets what is known about this body's shape, and builds its hulls again. Call it after you changed
+/// normals of a polygon fixture in place (through b2Fixture::GetShape) and not its vertices. All else is
+/// found without it: vertices and radii that are changed in place, at any time, fixtures that come and go. If
+/// the library does not see b2World::Step, a call after a change of vertices can save time: a hull that does
+/// not hold its fixtures answers nothing until this call builds it again.
 BMR_BOX2D_API void Invalidate(b2Body *body);
 
 } // namespace bmr

@@ -42,20 +42,20 @@ struct Welded {
     float distance = 0.0f; ///< none of them is farther from the one that was kept
 };
 
-/// Box2D knows polygons of at most 8 vertices. This is one (and Box2D's own code, to the bit) up to 8; above,
-/// it holds the real polygon besides, and shows Box2D's own code an octagon of eight of its vertices (a
-/// heptagon where the compiler is not of the Itanium C++ ABI). Masses, boxes, rays, points and contacts with
-/// every kind of shape are the real polygon's, on every platform. Time of impact, sensors, b2Distance and
-/// b2ShapeCast are the real polygon's where the shared library stands in front of Box2D, and the octagon's
-/// elsewhere (docs/any-size-polygons.md: nothing tunnels).
+/// Box2D knows polygons of at most 8 vertices. Up to 8 vertices a ConvexShape is one of these, to the bit.
+/// Above, it holds the real polygon, and shows Box2D's own code an octagon of eight of its vertices (a
+/// heptagon if the compiler has another C++ ABI than Itanium's). Masses, boxes, rays, points and contacts
+/// with every kind of shape are the real polygon's, on every platform. Time of impact, sensors, b2Distance
+/// and b2ShapeCast are the real polygon's if the shared library stands in front of Box2D or Box2D is compiled
+/// with us, and else the octagon's (docs/any-size-polygons.md: nothing tunnels).
 ///
 /// Copies and clones share the polygon; it is freed with the last of them. Shapes may be made, copied and
 /// destroyed on any thread. Members that it inherits from Box2D work as usual: a game may change m_radius. A
 /// shape whose m_vertices or m_count are changed in place (b2PolygonShape::Set and SetAsBox through a pointer
-/// to the base do that) is from then on what they say, as any b2PolygonShape is: at most 8 vertices, and no
-/// seams where it is a piece of an outline. Copied into a plain b2PolygonShape it is the octagon. The shape
-/// of a fixture is not to be changed by calls of this class between at most 8 and more vertices: its contacts
-/// live on as they were until they part.
+/// to the base do that) is from then on the polygon that they describe, as any b2PolygonShape is: at most 8
+/// vertices, and no seams if it is a piece of an outline. Copied into a plain b2PolygonShape it is the
+/// octagon. Do not change the shape of a fixture by calls of this class from at most 8 to more vertices, or
+/// back: its contacts stay as they were until they part.
 class BMR_BOX2D_API ConvexShape final : public b2PolygonShape {
 public:
     ConvexShape() noexcept;
@@ -69,9 +69,9 @@ public:
     /// The convex hull of 3 and more points, counter-clockwise from the rightmost one (of these the lowest).
     /// Vertices that turn by no more than rounding (at most about 1e-7) are dropped.
     ///
-    /// Where the hull has at most 8 vertices the shape is what b2PolygonShape::Set of Box2D 2.4.1 makes of
-    /// the points (of the hull's vertices, where there are more than 8 points), bit for bit, unless Set
-    /// asserts on them: where its wrapping finds no hull, the exact hull is taken.
+    /// If the hull has at most 8 vertices, the shape is the one that b2PolygonShape::Set of Box2D 2.4.1 makes
+    /// of the points (of the hull's vertices, if there are more than 8 points), bit for bit. If Set would
+    /// assert because its wrapping finds no hull, it is the exact hull.
     ///
     /// Points that equal another are left out. Of a polygon of at most 8 vertices points are left out, too,
     /// that are within half of b2_linearSlop of one before them, as Set does; polygons of more vertices keep

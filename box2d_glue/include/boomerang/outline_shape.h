@@ -64,11 +64,11 @@ public:
     /// About O(n log n).
     bmr_error Set(const b2Vec2 *points, int32 count, const OutlineHole *holes = nullptr, int32 holeCount = 0,
                   float tolerance = 0.0f, OutlineFault *fault = nullptr);
-    /// The same of rings in doubles, the outer one first: what boomerang::repair returns.
+    /// The same of rings in doubles, the outer one first, as boomerang::repair returns them.
     bmr_error Set(const bmr_rings &rings, float tolerance = 0.0f, OutlineFault *fault = nullptr);
 
     /// Makes a fixture of each piece on the body, all by `def`, whose shape is not read. The body's mass,
-    /// centre and inertia then include those of the outline, also where pieces stand for it only within a
+    /// centre and inertia then include those of the outline, also if the pieces are the outline only within a
     /// tolerance. Not during a step of the world.
     ///
     /// Box2D adds up inertias about the body's origin, in float, and takes m c^2 off the sum (m is the body's
@@ -117,8 +117,8 @@ private:
 };
 
 /// Is this the only contact that touches between its two bodies, or the outlines of theirs? (A fixture that
-/// is no piece of an outline is one by itself.) Box2D tells of each pair of fixtures; this makes one begin
-/// and one end of all pairs of two outlines:
+/// is no piece of an outline is one by itself.) Box2D calls the listener for each pair of fixtures; this
+/// makes one begin and one end of all pairs of two outlines:
 ///
 ///     void BeginContact(b2Contact *contact) override {
 ///         if (bmr::TouchesAlone(*contact))

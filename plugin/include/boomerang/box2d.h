@@ -3,15 +3,15 @@
 #define BOOMERANG_BOX2D_H
 
 /// @file
-/// What a game includes, in C++11 or later. One call before the first world, and nothing else changes:
+/// A game includes this, in C++11 or later. One call before the first world, and nothing else changes:
 ///
 ///     #include <box2d/box2d.h>
 ///     #include <boomerang/box2d.h>
 ///     bmr::Install();
 ///
-/// Every simulation computes the bits that it computed before. bmr::ConvexShape is there besides: a convex
-/// polygon of any number of vertices. So is bmr::OutlineShape: any outline, as a few of these.
-/// bmr_error_describe tells what is wrong with points that make none.
+/// Every simulation computes the bits that it computes without it. bmr::ConvexShape is a convex polygon of
+/// any number of vertices, bmr::OutlineShape any outline, as a few of these. bmr_error_describe says what is
+/// wrong with points that make none.
 
 #include <box2d/b2_collision.h>
 
