@@ -104,6 +104,7 @@ bmr_vec32 GuessDirection(const b2Contact &contact) {
 }
 
 void SolidContact::IsLookedAtByOthers() const {
+    GameRan() = true; // it may be the game that asks, in the midst of a call
     const b2World *world = m_fixtureA->GetBody()->GetWorld();
     if (Ledger *ledger = FindLedger(&world->GetContactManager()))
         ledger->Flag(this, 0);
@@ -128,7 +129,7 @@ bool SolidContact::PairSaysApart(const b2Transform &xfA, const b2Transform &xfB)
     // In a step, LookAtShapes has compared the hulls with their fixtures. Since then a listener or a filter
     // may have changed vertices, or have made a sensor solid, which is in no hull. Outside of steps nothing
     // was compared. So this contact's own two fixtures are compared now.
-    return !GameMayRun() || HullsHold(*this);
+    return !GameRan() || HullsHold(*this);
 }
 
 } // namespace bmr

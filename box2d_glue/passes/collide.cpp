@@ -60,6 +60,7 @@ private:
     void Verify(uint32_t i);
     void End();
 
+    class Forwarding;
     void BeforeGame();
     void AfterGame();
 
@@ -87,12 +88,45 @@ void CollidePass::BeforeGame() {
 /// The game was called: what was read before may be another by now. (A step that a listener makes unlocks the
 /// world when it is done.)
 void CollidePass::AfterGame() {
+    GameRan() = true;
     const bool stepped = m_ledger->PassNumber() != m_passNumber;
     m_ledger->Distrust(!stepped && m_world->IsLocked());
     if (stepped)
         m_ledger->Owed().Begin(m_at); // and this pass goes on
     m_passNumber = m_ledger->PassNumber();
 }
+
+/// The game's listener, in one update: what is owed ahead of a call is done when there is one.
+class CollidePass::Forwarding final : public b2ContactListener {
+public:
+    Forwarding(CollidePass *pass, b2ContactListener *listener)
+        : m_pass(pass), m_listener(listener), m_preSolves(HasOwnPreSolve(*listener)) {}
+    bool WasCalled() const { return m_wasCalled; }
+
+    void BeginContact(b2Contact *contact) override {
+        Before();
+        m_listener->BeginContact(contact);
+    }
+    void EndContact(b2Contact *contact) override {
+        Before();
+        m_listener->EndContact(contact);
+    }
+    void PreSolve(b2Contact *contact, const b2Manifold *old) override {
+        if (!m_preSolves)
+            return;
+        Before();
+        m_listener->PreSolve(contact, old);
+    }
+
+private:
+    void Before() {
+        m_pass->BeforeGame();
+        m_wasCalled = true;
+    }
+    CollidePass *m_pass;
+    b2ContactListener *m_listener;
+    bool m_preSolves, m_wasCalled = false;
+};
 
 /// b2Contact::Update, by the listener of this moment.
 void CollidePass::Update(b2Contact *contact) {
@@ -101,14 +135,9 @@ void CollidePass::Update(b2Contact *contact) {
         UpdateContact(contact, listener);
         return;
     }
-    const bool touched = contact->IsTouching();
-    const bool preSolves = HasOwnPreSolve(*listener) && !contact->GetFixtureA()->IsSensor() &&
-                           !contact->GetFixtureB()->IsSensor();
-    BeforeGame();
-    UpdateContact(contact, listener);
-    // Was the listener called? If it made a step of this world, the contact may be gone.
-    const bool stepped = !m_world->IsLocked() || m_ledger->PassNumber() != m_passNumber;
-    if (stepped || contact->IsTouching() != touched || (preSolves && contact->IsTouching()))
+    Forwarding forwarding(this, listener);
+    UpdateContact(contact, &forwarding);
+    if (forwarding.WasCalled())
         AfterGame();
 }
 
@@ -303,8 +332,7 @@ void CollidePass::Run() {
 void CollidePass::End() {
     m_pass.Complete();
     m_ledger->NoteLooks(m_looks, m_touching);
-    // (The listener that the step began with may have left by now.)
-    m_ledger->Owed().EndPass(GameMayRun() || HasCodeOfGame(*m_manager));
+    m_ledger->Owed().EndPass(GameRan());
 }
 
 } // namespace
@@ -318,6 +346,8 @@ void Collide(b2ContactManager *manager) {
     // What contacts do meanwhile the ledger does not see: nothing that it knows holds when it is asked again.
     if (Ledger *passedOver = FindLedger(manager))
         passedOver->Interrupt();
+    if (HasCodeOfGame(*manager))
+        GameRan() = true;
     const uint32_t touching = CollideByList(manager);
     if (Ledger *passedOver = FindLedger(manager))
         passedOver->NoteTouchingInList(touching);

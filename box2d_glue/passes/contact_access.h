@@ -10,8 +10,11 @@
 #include <box2d/b2_world_callbacks.h>
 
 #include "base/private_members.h"
+#include "start/current_step.h"
 #include "start/recognise.h"
 #include "start/trusted_listener.h"
+#include "world/ledger.h"
+#include "world/ledgers.h"
 
 /// @file
 /// What passes ask of a game.
@@ -31,6 +34,14 @@ inline bool IsOfGame(const b2ContactFilter *filter) {
 /// Has the world a listener or a filter of the game's?
 inline bool HasCodeOfGame(const b2ContactManager &manager) {
     return IsOfGame(manager.m_contactListener) || IsOfGame(manager.m_contactFilter);
+}
+
+/// Behind the pass over pairs, ahead of a call of the game's code: what was read before may be another when
+/// it is done.
+inline void BeforeGame(const b2ContactManager *manager) {
+    if (Ledger *ledger = FindLedger(manager))
+        ledger->Owed().BeforeGame();
+    GameRan() = true;
 }
 
 /// Does a listener's class have a PreSolve of its own (or a PostSolve, below)? Most games listen to

@@ -37,8 +37,11 @@ public:
 
     /// Makes a contact of the pair, unless there is one already.
     void Report(const b2FixtureProxy &a, const b2FixtureProxy &b) {
-        if ((m_ownPairs && a.fixture->GetBody() == b.fixture->GetBody()) || Exists(a, b) ||
-            !PassesFilters(m_manager, a.fixture, b.fixture))
+        if ((m_ownPairs && a.fixture->GetBody() == b.fixture->GetBody()) || Exists(a, b))
+            return;
+        if (IsOfGame(m_manager->m_contactFilter))
+            BeforeGame(m_manager);
+        if (!PassesFilters(m_manager, a.fixture, b.fixture))
             return;
         b2Contact *contact = NewContact::Create(a, b, m_manager->m_allocator);
         if (contact == nullptr)
@@ -158,6 +161,8 @@ void FindNewContacts(b2ContactManager *manager, void (*box2d)(b2ContactManager *
         // its place.
         if (Ledger *ledger = FindLedger(manager); ledger != nullptr && !ledger->IsWhole())
             ledger->Resync();
+        if (IsOfGame(manager->m_contactFilter))
+            BeforeGame(manager);
         box2d(manager);
     }
     if (Ledger *ledger = FindLedger(manager))

@@ -40,6 +40,12 @@ void ImpactPass::PutBack(b2Body *body, const b2Sweep &sweep) {
 bool ImpactPass::Meet(b2Contact *contact, float time) {
     if (m_ledger != nullptr)
         DoubtBudgets();
+    if (IsOfGame(m_listener) || HasCodeOfGame(*m_manager)) {
+        // What the game may change is compared with what it was at the first search.
+        if (m_ledger != nullptr && !GameRan())
+            m_ledger->GetMovers().LookAtAllSweeps(m_ledger->CurrentLook());
+        BeforeGame(m_manager);
+    }
     m_marks.LookAgain();
     if (Ledger *const ledger = FindLedger(m_manager))
         ledger->GetBodies().NoteDisplaced();
@@ -141,7 +147,9 @@ void ImpactPass::FindNewContacts() {
 void ImpactPass::Update(b2Contact *contact) {
     b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
     const bool wasAwakeA = a->IsAwake(), wasAwakeB = b->IsAwake();
+    const bool gameRan = GameRan();
     SolidContact::UpdateByBox2D(contact, m_manager->m_contactListener);
+    GameRan() = gameRan; // (it was Box2D that asked our contact)
     m_marks.LookAgain();
     Ledger *const ledger = FindLedger(m_manager);
     const uint32_t i = ledger != nullptr ? ledger->NumberOf(contact) : Ledger::kNone;

@@ -46,7 +46,7 @@ ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *sol
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
       m_marks(m_manager), m_sweeps(solver != nullptr ? solver->GetSweeps() : OurSweeps()),
-      m_gameRan(GameMayRun()) {}
+      m_gameRan(GameRan()) {}
 
 /// Does the ledger know all pairs, and what this step did to them?
 bool ImpactPass::MayUseHeap() const {

@@ -122,7 +122,7 @@ void IslandPass::ClearFlags() {
 
 /// The newest contact below `end` that touches and may have a body that is awake.
 uint32_t IslandPass::NextToLink(uint32_t end) const {
-    return m_ledger->NextTouching(end, !GameMayRun()); // the game may have woken who is not watched
+    return m_ledger->NextTouching(end, !GameRan()); // the game may have woken who is not watched
 }
 
 /// False where it does not pay, or without memory: islands are built from the lists of bodies.
@@ -246,6 +246,8 @@ void IslandPass::SolveIsland() {
         if (m_solver->Body(i)->GetType() == b2_staticBody)
             BodyInIsland::Clear(m_solver->Body(i)); // it may be in other islands, too
     const bool tells = IsOfGame(m_listener) && m_solver->ContactCount() > 0;
+    if (tells)
+        BeforeGame(m_manager);
     m_solver->Solve(m_world->GetGravity(), m_world->GetAllowSleeping());
     if (!tells)
         return;

@@ -21,19 +21,20 @@ uint64_t NextStep() {
     return ++last;
 }
 
-StepUnderWay::StepUnderWay(bool gameListens) {
+StepUnderWay::StepUnderWay(bool gameListens, bool passesRun) {
     ++stepsUnderWay;
     CurrentStep() = NextStep();
-    GameMayRun() = gameListens || IsInner(); // the game's code made that one, and goes on behind it
+    GameRan() = (gameListens && !passesRun) || IsInner();
     StepIsToNearest() = false;
-    StepIsToNearest() = !GameMayRun() && RoundsToNearest();
+    // (The game's code made an inner one, and goes on behind it.)
+    StepIsToNearest() = !gameListens && !IsInner() && RoundsToNearest();
 }
 
 StepUnderWay::~StepUnderWay() {
     if (stepsUnderWay > 0) // (A stack may go on with another thread.)
         --stepsUnderWay;
     CurrentStep() = 0;
-    GameMayRun() = true;
+    GameRan() = true;
     StepIsToNearest() = false;
 }
 

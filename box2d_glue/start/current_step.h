@@ -14,12 +14,12 @@ inline uint64_t &CurrentStep() {
     return step;
 }
 
-/// True if code of the game may run in the middle of this thread's step: a listener or a filter of its own.
-/// False while a world steps whose listener and filter are those that Box2D installs by itself, unless the
-/// game makes this step inside another one. True where CurrentStep is 0.
-inline bool &GameMayRun() {
-    static thread_local bool mayRun = true;
-    return mayRun;
+/// Did code of the game, a listener or a filter of its own, run in this thread's step? What was read of the
+/// world before may then be another by now. False as a step begins, unless the game makes it in the midst of
+/// another one; a pass that calls the game sets it. True where CurrentStep is 0.
+inline bool &GameRan() {
+    static thread_local bool ran = true;
+    return ran;
 }
 
 /// The length in time of the step that began last on this thread. For guesses of how far bodies will move.
@@ -36,8 +36,9 @@ uint64_t NextStep();
 /// not end first.
 class StepUnderWay {
 public:
-    /// `gameListens`: the world has a listener or a filter of the game's.
-    explicit StepUnderWay(bool gameListens);
+    /// `gameListens`: the world has a listener or a filter of the game's. `passesRun`: it is our passes that
+    /// call them.
+    StepUnderWay(bool gameListens, bool passesRun);
     ~StepUnderWay();
     StepUnderWay(const StepUnderWay &) = delete;
     StepUnderWay &operator=(const StepUnderWay &) = delete;

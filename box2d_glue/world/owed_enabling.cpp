@@ -23,7 +23,7 @@ void OwedEnabling::EnableDownTo(uint32_t down) {
             BMR_PREFETCH(m_ledger.Contact(word * 64 + LowestBit(left)));
         for (; owed != 0; owed &= owed - 1) {
             const uint32_t i = word * 64 + LowestBit(owed);
-            if (IsActive(i))
+            if (!m_ledger.Contact(i)->IsEnabled() && IsActive(i))
                 ContactAccess::Enable(m_ledger.Contact(i));
         }
         m_below = first;
@@ -43,10 +43,10 @@ void OwedEnabling::EnableOfSleeper(const b2Body *body) {
     }
 }
 
-void OwedEnabling::EndPass(bool gameMayRun) {
-    if (gameMayRun || m_gameRan)
+void OwedEnabling::EndPass(bool gameRan) {
+    if (gameRan || m_gameRan)
         EnableDownTo(0);
-    m_gameRan = gameMayRun;
+    m_gameRan = gameRan;
 }
 
 } // namespace bmr

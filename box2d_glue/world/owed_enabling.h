@@ -32,9 +32,14 @@ public:
     /// The body fell asleep after the pass: its contacts stay as they are until it wakes, be it in the midst
     /// of a step.
     void EnableOfSleeper(const b2Body *body);
-    /// The pass over pairs is complete. If code of the game runs later in this step, or ran since the last
-    /// pass, it could read or have written IsEnabled().
-    void EndPass(bool gameMayRun);
+    /// Code of the game is to be called in a step that has a pass, behind it.
+    void BeforeGame() {
+        EnableDownTo(0);
+        m_gameRan = true;
+    }
+    /// The pass over pairs is complete. Code of the game that ran in this step, or since the last pass, may
+    /// have disabled contacts.
+    void EndPass(bool gameRan);
 
 private:
     bool IsActive(uint32_t i) const;
@@ -42,7 +47,7 @@ private:
     const Ledger &m_ledger;
     BitColumn m_looked; ///< looked at in the last pass
     uint32_t m_below = 0;
-    bool m_gameRan = false; ///< it may have, in the last pass or since
+    bool m_gameRan = false; ///< in the step of the last pass
 };
 
 } // namespace bmr

@@ -17,7 +17,7 @@ BMR_FOR_LOADERS("_ZN7b2World11ClearForcesEv");
 void b2World::ClearForces() {
     Ledger *ledger = PassesRun() ? FindLedger(&m_contactManager) : nullptr;
     // Code of the game may have woken bodies, and have pushed them, since the list was made.
-    if (ledger == nullptr || !ledger->GetBodies().AreAlone(CurrentStep()) || GameMayRun()) {
+    if (ledger == nullptr || !ledger->GetBodies().AreAlone(CurrentStep()) || GameRan()) {
         stock::ClearForces(this);
         return;
     }

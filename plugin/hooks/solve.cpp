@@ -4,6 +4,7 @@
 #include <box2d/b2_world.h>
 
 #include "passes/islands.h"
+#include "passes/contact_access.h"
 #include "passes/taken_solver.h"
 #include "reach/stock.h"
 #include "start/current_step.h"
@@ -28,6 +29,8 @@ void b2World::Solve(const b2TimeStep &step) {
     Ledger *const ledger = FindLedger(&m_contactManager);
     if (ledger != nullptr)
         ledger->GiveMarksBack();
+    if (ContactsAreOurs() && HasCodeOfGame(m_contactManager))
+        BeforeGame(&m_contactManager);
     stock::Solve(this, step);
     if (ledger == nullptr || !ledger->IsLookedAtIn(CurrentStep()))
         return;

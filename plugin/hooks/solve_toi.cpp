@@ -4,6 +4,7 @@
 #include <box2d/b2_world.h>
 
 #include "passes/impacts.h"
+#include "passes/contact_access.h"
 #include "passes/taken_solver.h"
 #include "reach/stock.h"
 #include "start/current_step.h"
@@ -34,5 +35,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
         if (GetSettings().islandsBy != IslandsBy::Nobody) // and reads who touches in the next step
             ledger->Interrupt();
     }
+    if (ContactsAreOurs() && HasCodeOfGame(m_contactManager))
+        BeforeGame(&m_contactManager);
     stock::SolveToi(this, step);
 }

@@ -21,7 +21,7 @@ BMR_NOINLINE void StepHere(b2World *world, float timeStep, int32 velocityIterati
                            int32 positionIterations) {
     PassesRun(HookOf::Step); // notes that it was reached
     // (Of a Box2D that is another one nothing is looked at.)
-    const StepUnderWay step(!ContactsAreOurs() || HasCodeOfGame(world->GetContactManager()));
+    const StepUnderWay step(!ContactsAreOurs() || HasCodeOfGame(world->GetContactManager()), PassesRun());
     CurrentTimeStep() = timeStep;
     CountStep();
     if (AnyBigPolygon())

@@ -57,6 +57,34 @@ TEST_CASE("made: a listener makes bullets of those that lean") {
     });
 }
 
+// Nothing touches: the first call of the step is that of its first impact.
+TEST_CASE(
+    "remade: a listener makes bullets of those that were none as the step began, and were the step before") {
+    AsStock([](Run &run) {
+        Game game(run);
+        game.Wall({0.0f, -30.0f}, {0.05f, 1.0f});
+        b2Body *const first = game.Awake({-2.0f, -30.0f}, {0.1f, 0.1f});
+        std::vector<b2Body *> shots;
+        for (int i = 0; i < 30; ++i) {
+            game.Near({0.0f, 4.0f * Real(i)});
+            shots.push_back(game.Awake({-0.65f, 4.0f * Real(i)}, {0.1f, 0.1f}));
+            shots.back()->SetBullet(true);
+        }
+        game.Listen();
+        game.Step(3);
+        first->SetLinearVelocity({240.0f, 0.0f});
+        for (b2Body *shot : shots) {
+            shot->SetBullet(false);
+            shot->SetLinearVelocity({400.0f, 0.0f});
+        }
+        game.listener.begin.Once([&shots] {
+            for (b2Body *shot : shots)
+                shot->SetBullet(true);
+        });
+        game.Step(3);
+    });
+}
+
 // Box2D goes on at once.
 TEST_CASE("passed: a listener makes bullets of the shots, and disables the contact that it is told of") {
     AsStock([](Run &run) {

@@ -37,8 +37,8 @@ b2Body *Slanting(Game &game, float across, b2BodyType type = b2_dynamicBody) {
 /// itself.
 class NoGameRuns {
 public:
-    NoGameRuns() { bmr::GameMayRun() = false; }
-    ~NoGameRuns() { bmr::GameMayRun() = true; }
+    NoGameRuns() { bmr::GameRan() = false; }
+    ~NoGameRuns() { bmr::GameRan() = true; }
     NoGameRuns(const NoGameRuns &) = delete;
     NoGameRuns &operator=(const NoGameRuns &) = delete;
 };
