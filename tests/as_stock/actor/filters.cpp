@@ -25,8 +25,8 @@ void Edit(b2Fixture *fixture, uint32_t mixed) {
     if (mixed % 4 == 0)
         polygon->m_radius = static_cast<float>(1 + mixed / 4 % 5) * b2_polygonRadius;
     else if (mixed % 4 == 1)
-        for (b2Vec2 &v : polygon->m_vertices)
-            v *= 0.9375f;
+        for (int32 i = 0; i < polygon->m_count; ++i) // beyond, there is what the memory held before
+            polygon->m_vertices[i] *= 0.9375f;
     else
         ScaleInPlace(polygon, 0.8f);
 }

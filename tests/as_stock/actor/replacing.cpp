@@ -78,9 +78,10 @@ void Actor::ReplaceFixture() {
     b2Body *body = fixture->GetBody();
     body->DestroyFixture(fixture);
     const float scale = how % 4 == 0 ? 2.5f : 1.0f;
-    for (b2Vec2 &v : kept.polygon.m_vertices)
-        v = scale * v + (how % 2 == 0 ? b2Vec2(0.0f, 0.0f) : by);
-    kept.polygon.m_centroid = scale * kept.polygon.m_centroid + (how % 2 == 0 ? b2Vec2(0.0f, 0.0f) : by);
+    const b2Vec2 shift = how % 2 == 0 ? b2Vec2(0.0f, 0.0f) : by;
+    for (int32 i = 0; i < kept.polygon.m_count; ++i)
+        kept.polygon.m_vertices[i] = scale * kept.polygon.m_vertices[i] + shift;
+    kept.polygon.m_centroid = scale * kept.polygon.m_centroid + shift;
     kept.circle.m_radius *= scale;
     m_world->Create(body, kept.def, kept.Shape());
 }
