@@ -11,9 +11,9 @@ namespace bmr {
 ///
 /// A world with a ledger (world/ledger.h) does not look at contacts whose budget of motion is not used up.
 /// Box2D's loop would leave each of these without points, not touching, and enabled. The first two it is. A
-/// game may have disabled it, and the pass owes it the enabling: it is done ahead of each call of the game's
-/// code, for the contacts that the pass has come by, and at the end of the pass if code of the game ran.
-/// (Where none does, b2World::SolveTOI alone asks: OwedEnabling.)
+/// game may have disabled it, and the pass owes it the enabling: the pass pays before each call of the game's
+/// code, for the contacts that it has passed, and at its end if code of the game ran. (If none does,
+/// b2World::SolveTOI alone asks: OwedEnabling.)
 ///
 /// A world of few contacts, or whose ledger has no memory or does not pay, is stepped by Box2D's list.
 void Collide(b2ContactManager *manager);

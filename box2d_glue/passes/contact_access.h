@@ -22,8 +22,8 @@
 namespace bmr {
 
 /// Is it a listener or a filter of the game's own? Those that worlds begin with are Box2D's, and do nothing.
-/// Nor is a bmr::ContactRecorder: it is called, as Box2D calls it, and reads the contact that it is told of,
-/// the contact's fixtures and their bodies, but calls and changes nothing.
+/// A bmr::ContactRecorder is not one of them: Box2D calls it, and it reads the contact of the call, the
+/// contact's fixtures and their bodies, but calls and changes nothing.
 inline bool IsOfGame(const b2ContactListener *listener) {
     return listener != nullptr && listener != ListenerOfNewWorlds() && !IsRecorder(*listener);
 }
@@ -45,9 +45,9 @@ inline void BeforeGame(const b2ContactManager *manager) {
 }
 
 /// Does a listener's class have a PreSolve of its own (or a PostSolve, below)? Most games listen to
-/// BeginContact and EndContact alone, and inherit the others, which do nothing. Told by the tables of virtual
-/// functions, which hold two destructors and then, in their order, BeginContact, EndContact, PreSolve and
-/// PostSolve; yes wherever that is not certain.
+/// BeginContact and EndContact alone, and inherit the others, which do nothing. Read from the tables of
+/// virtual functions, which hold two destructors and then, in their order, BeginContact, EndContact, PreSolve
+/// and PostSolve. True if that is not certain.
 inline bool HasOwn(const b2ContactListener &listener, int slot) {
     const b2ContactListener *const empty = ListenerOfNewWorlds();
     if (empty == nullptr)

@@ -18,7 +18,7 @@ namespace {
 
 using namespace tree;
 
-/// What b2BroadPhase::UpdatePairs is instantiated for.
+/// The client for which b2BroadPhase::UpdatePairs is instantiated.
 class PairFinder {
 public:
     explicit PairFinder(b2ContactManager *manager)
@@ -30,9 +30,9 @@ public:
     void Compare(const b2DynamicTree &tree, const int32 *moves, int32 count, const b2Pair *found,
                  int32 foundCount);
 
-    /// Are pairs of two fixtures of one body found, too? Not where nobody can see that they are passed over:
-    /// a filter of the game's own may step this world in the midst of it. Box2D then goes on in the newer
-    /// pairs, at the place that it had come to in the older ones.
+    /// Are pairs of two fixtures of one body found, too? Only if a game could see that they are left out: a
+    /// filter of its own may step this world in the middle of the loop. Box2D then goes on in the newer
+    /// pairs, at the place that it had reached in the older ones.
     bool FindsOwnPairs() const { return m_ownPairs; }
 
     /// Makes a contact of the pair, unless there is one already.

@@ -187,8 +187,9 @@ void ImpactPass::AskPairsOf(const b2Body *body) {
     }
 }
 
-/// The game may have run while two bodies met. What Box2D would read anew in its next search is read here:
-/// who is awake, a bullet or a sensor; what is enabled; and all of it after a step inside this one.
+/// The game may have run while two bodies met. This reads what Box2D would read in its next search: which
+/// bodies are awake or bullets, which fixtures are sensors, which contacts are enabled; and all of it after a
+/// step inside this one.
 void ImpactPass::ReadWhatGameDid() {
     if (!m_gameRan && !IsOfGame(m_listener) && !HasCodeOfGame(*m_manager))
         return;
@@ -222,7 +223,7 @@ void ImpactPass::ReadWhatGameDid() {
         }
 }
 
-/// From the marks alone: what is known stands in the heap, all else is asked.
+/// From the marks alone: known times are in the heap, all other pairs are asked.
 void ImpactPass::Rebuild() {
     m_ledger->TakeMarks();
     Marks &marks = m_ledger->GetMarks();

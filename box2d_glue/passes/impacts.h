@@ -32,8 +32,8 @@ public:
     ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver);
 
     void Run();
-    /// Where nobody is there to solve islands: is it certain that the step has no impact? All is then as
-    /// Box2D would leave it.
+    /// If there is no solver of islands: is it certain that the step has no impact? All is then as Box2D
+    /// would leave it.
     bool FindsNone();
 
 private:
@@ -80,7 +80,7 @@ private:
     b2ContactManager *m_manager;
     const b2TimeStep &m_step;
     IslandSolver *m_solver;
-    b2ContactListener *m_listener; ///< who is told of impulses
+    b2ContactListener *m_listener; ///< its PostSolve is called
     Ledger *m_ledger;              ///< nullptr: Box2D's list is searched
     std::optional<Ledger::Pass> m_pass;
     ContactMarks m_marks;

@@ -38,7 +38,7 @@ struct StockSolver {
     Sweeps sweeps;
 };
 
-/// Filled where Box2D is found, ahead of Install. Until then Nobody solves islands.
+/// Filled when Box2D is found, before Install. Until then islands have no solver (IslandsBy::Nobody).
 inline StockSolver &TheStockSolver() {
     static StockSolver solver = {};
     return solver;

@@ -9,8 +9,8 @@
 
 namespace bmr {
 
-/// A solver for one pass. The pass is Box2D's where there is none: nobody solves islands with its bits,
-/// numbers are not rounded to nearest, or there is no memory.
+/// A solver for one pass. There is none if no solver gives Box2D's bits, if rounding is not to nearest, or if
+/// there is no memory. Then the pass is Box2D's.
 class TakenSolver {
 public:
     TakenSolver(b2World *world, uint32_t bodies, uint32_t contacts, uint32_t joints) {

@@ -27,8 +27,8 @@ public:
     /// Newest first.
     b2Body *Awake(uint32_t i) const { return m_awake[i]; }
 
-    /// In this step islands hold none but those that are awake; 0: nobody knows. No more once a step was made
-    /// in the midst of it, which has islands of its own, and unlocks the world, so that bodies may go:
+    /// In this step islands hold only bodies that are awake; 0: not known. No more once a step was made in
+    /// the midst of it, which has islands of its own, and unlocks the world, so that bodies may go:
     /// CurrentStep() is another one then.
     void SetAlone(uint64_t step) { m_aloneIn = step; }
     bool AreAlone(uint64_t step) const { return step != 0 && m_aloneIn == step; }

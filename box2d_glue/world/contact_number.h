@@ -29,9 +29,9 @@ struct ContactNumber : b2Contact {
         flags = (flags & kBox2DsFlags) | (number + 1) << kShift;
     }
 
-    /// A contact takes four cache lines; what follows in a list need not follow in memory. At the list's end
-    /// there is none, which does no harm: addresses are numbers here, for no pointer may be moved from
-    /// nullptr.
+    /// A contact takes four cache lines, and the next one in a list need not be the next in memory. At the
+    /// list's end `contact` is nullptr, which does no harm: addresses are numbers here, because a pointer
+    /// must not be moved from nullptr.
     static void Prefetch(const b2Contact *contact) {
         constexpr uintptr_t kLine = 64;
         const uintptr_t first = reinterpret_cast<uintptr_t>(contact);

@@ -25,7 +25,8 @@ inline int WorthALedgerAnyway() {
 }
 
 namespace internal {
-/// Goes up whenever a ledger comes or goes: what a thread remembers is good until then. 0: no ledger at all.
+/// Grows when a ledger is made or dropped: the ledger that a thread remembers is good until then. 0: no
+/// ledger at all.
 extern std::atomic<uint64_t> changesOfLedgers;
 Ledger *FindLedgerOfSome(const b2ContactManager *manager);
 } // namespace internal

@@ -11,11 +11,11 @@ class b2Contact;
 
 namespace bmr {
 
-/// What b2World::Solve and SolveTOI note at a world's contacts while they are at work, by the numbers of
-/// pairs. One set a world, not a pass: a step in the midst of another one leaves here what the outer one
-/// would find at Box2D's contacts.
+/// The marks that b2World::Solve and SolveTOI make at a world's contacts while they work, by the numbers of
+/// pairs. There is one set for a world, not for a pass: a step inside another one leaves here what the outer
+/// one would find at Box2D's contacts.
 ///
-/// Either all of it is here, or all of it is in the contacts (`areHere`).
+/// Either all marks are here, or all are in the contacts (`areHere`).
 struct Marks {
     struct Impact {
         float time;
@@ -26,7 +26,7 @@ struct Marks {
     BitColumn known;    ///< e_toiFlag
     BitColumn met;      ///< `times` and `counts` are its m_toi and m_toiCount; else these are 1 and 0
     BitColumn asked;    ///< unknown, and to be asked in the next search
-    BitColumn parked;   ///< disabled when the search came by
+    BitColumn parked;   ///< disabled when the search asked
     Column<float> times;
     Column<uint8_t> counts;
     Column<Impact> heap; ///< known times below 1, and some that are old

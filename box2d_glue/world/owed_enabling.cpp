@@ -14,7 +14,7 @@ void OwedEnabling::EnableDownTo(uint32_t down) {
     if (m_below > m_ledger.Count())
         m_below = m_ledger.Count();
     while (m_below > down) {
-        // Those of one word that are owed it, in any order: nobody looks in between.
+        // The contacts of one word that are owed it, in any order: no code of the game runs in between.
         const uint32_t word = (m_below - 1) / 64, first = word * 64 > down ? word * 64 : down;
         uint64_t owed = m_ledger.WatchedOf(word) & ~m_looked.Word(word) & ~uint64_t{0} << (first % 64);
         if (m_below % 64 != 0)

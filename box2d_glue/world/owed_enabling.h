@@ -12,8 +12,8 @@ namespace bmr {
 
 class Ledger;
 
-/// Box2D's loop over contacts enables every active contact that it comes by. Those that no pass looked at are
-/// owed it, and get it ahead of the first call that could see the difference.
+/// Box2D's loop over contacts enables every active contact that it passes. A contact that our pass did not
+/// look at is owed the enabling, and gets it before the first call that could see the difference.
 class OwedEnabling {
 public:
     explicit OwedEnabling(const Ledger *ledger) : m_ledger(*ledger) {}
@@ -24,12 +24,12 @@ public:
         m_below = below;
         m_looked.ClearAll();
     }
-    /// The contact is looked at: what its flags say from here on is so.
+    /// The contact is looked at: from here on its flags are right.
     void NoteLookedAt(uint32_t i) { m_looked.Set(i); }
     /// From the newest that is still owed it down to `down`.
     void EnableDownTo(uint32_t down);
     void EnableIfOwed(uint32_t i);
-    /// The body fell asleep after the pass: its contacts stay as they are until it wakes, be it in the midst
+    /// The body fell asleep after the pass: its contacts stay as they are until it wakes, also in the middle
     /// of a step.
     void EnableOfSleeper(const b2Body *body);
     /// Code of the game is to be called in a step that has a pass, behind it.

@@ -11,15 +11,15 @@ class b2Contact;
 
 namespace bmr {
 
-/// Which pairs of proxies of the broad phase have a contact, and by which number: what Box2D finds out by
-/// walking over a body's contacts, for every pair of boxes that begin to overlap.
+/// Which pairs of proxies of the broad phase have a contact, and by which number: Box2D finds this out by a
+/// walk over a body's contacts, for every pair of boxes that begin to overlap.
 class ProxyPairs {
 public:
     /// Room for contacts of numbers below this, and for one more than there are. False without memory.
     bool Reserve(uint32_t count);
-    /// For a contact that there is room for. A body that was put out of its world has no proxies; a contact
-    /// of it may all the same be made in the midst of it, by a filter, and last until the body comes back
-    /// with others: its pair is unknown.
+    /// For a contact that there is room for. A body that was put out of its world has no proxies; a filter
+    /// may all the same make a contact of it meanwhile, which lasts until the body comes back with other
+    /// proxies: the pair of such a contact is unknown.
     void Add(uint32_t i, const b2Contact &contact);
     void Remove(uint32_t i);
     /// The contact of this number is still there, but one of its proxies is not, and may be another fixture's
@@ -36,7 +36,7 @@ public:
 
     /// Is there a contact of these two proxies?
     bool Exists(int32_t proxyA, int32_t proxyB) const;
-    /// Of some contact nobody knows the proxies: Exists would not find it.
+    /// The proxies of some contact are unknown: Exists would not find it.
     bool HasUnknown() const { return m_unknown > 0; }
 
 private:
@@ -45,7 +45,7 @@ private:
         return m_table.Find(pair, [this](uint32_t i) { return m_pairs[i]; });
     }
 
-    Column<uint64_t> m_pairs; ///< the two proxies, the smaller one first; kUnknown where nobody knows
+    Column<uint64_t> m_pairs; ///< the two proxies, the smaller one first; or kUnknown
     KeyTable m_table;
     uint32_t m_unknown = 0;
 };
