@@ -111,28 +111,12 @@ void AddChains(b2World &world, int count, const b2Shape &shape, b2Vec2 offset, f
     }
 }
 
-/// A convex body of 6 * fixtures + 2 corners, cut into octagons that share a corner.
-void AddCoin(b2Body *body, int fixtures, float radius) {
-    const int corners = 6 * fixtures + 2;
-    const auto corner = [=](int i) {
-        const float angle = 2.0f * b2_pi * static_cast<float>(i) / static_cast<float>(corners);
-        return b2Vec2(radius * std::cos(angle), radius * std::sin(angle));
-    };
-    for (int fixture = 0; fixture < fixtures; ++fixture) {
-        b2Vec2 points[b2_maxPolygonVertices] = {corner(0)};
-        for (int i = 1; i < b2_maxPolygonVertices; ++i)
-            points[i] = corner(6 * fixture + i);
-        b2PolygonShape shape;
-        shape.Set(points, b2_maxPolygonVertices);
-        AddFixture(body, shape);
-    }
-}
-
-/// Coins that drift through each other's neighbourhood, as dense at any count.
-void AddGas(b2World &world, int count, int fixtures) {
+/// Octagons that drift through each other's neighbourhood, as dense at any count.
+void AddGas(b2World &world, int count) {
     const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<float>(count))));
     constexpr float kRadius = 1.0f, kSpacing = 2.1f;
     const b2Vec2 middle(0.0f, 0.5f * kSpacing * static_cast<float>(columns));
+    const b2PolygonShape octagon = Regular(8, kRadius);
     uint32_t random = 1;
     const auto uniform = [&random] { // in [-1, 1): any will do, as long as it is the same every time
         random = random * 1664525u + 1013904223u;
@@ -141,9 +125,9 @@ void AddGas(b2World &world, int count, int fixtures) {
     for (int i = 0; i < count; ++i) {
         const b2Vec2 place = Place(i, columns, kSpacing) - middle;
         const float x = uniform(), y = uniform(), spin = uniform();
-        b2Body *body = AddBody(world, b2_dynamicBody, place, 0.0f, {2.0f * x, 2.0f * y});
+        b2Body *body = AddBody(world, b2_dynamicBody, place, b2_pi / 8.0f, {2.0f * x, 2.0f * y});
         body->SetAngularVelocity(spin);
-        AddCoin(body, fixtures, kRadius);
+        AddFixture(body, octagon);
     }
 }
 
@@ -174,7 +158,7 @@ void PutToSleep(b2World &world) {
 }
 
 /// Whether there is a world of this name.
-bool Build(b2World &world, const char *name, int count, int fixtures) {
+bool Build(b2World &world, const char *name, int count) {
     const auto is = [name](const char *other) { return std::strcmp(name, other) == 0; };
     const b2PolygonShape plank = Box(2.0f, 0.1f), box = Box(0.5f, 0.5f), hexagon = Regular(6, 0.25f);
     const b2PolygonShape octagon = Regular(8, 1.0f), fan = Regular(8, 2.0f);
@@ -207,7 +191,7 @@ bool Build(b2World &world, const char *name, int count, int fixtures) {
     else if (is("sensor-overlapping"))
         pairs({octagon, fan, diagonal, 0.0f, Partner::kDynamic, true});
     else if (is("gas"))
-        AddGas(world, count, fixtures);
+        AddGas(world, count);
     else if (is("columns") || is("asleep"))
         AddColumns(world, count);
     else
@@ -219,13 +203,11 @@ bool Build(b2World &world, const char *name, int count, int fixtures) {
 
 int main(int argc, char **argv) {
     const int count = argc > 3 ? std::atoi(argv[2]) : 0, steps = argc > 3 ? std::atoi(argv[3]) : 0;
-    const int fixtures = argc > 4 ? std::atoi(argv[4]) : 1;
     b2World world(b2Vec2_zero);
     const bool asleep = argc > 1 && std::strcmp(argv[1], "asleep") == 0;
     world.SetAllowSleeping(asleep);
-    if (count < 1 || steps < 1 || fixtures < 1 || !Build(world, argv[1], count, fixtures)) {
-        std::fprintf(stderr,
-                     "usage: bench_worlds WORLD COUNT STEPS [FIXTURES]; measure_costs.sh knows the worlds\n");
+    if (count < 1 || steps < 1 || !Build(world, argv[1], count)) {
+        std::fprintf(stderr, "usage: bench_worlds WORLD COUNT STEPS; measure_costs.sh knows the worlds\n");
         return 2;
     }
     // What is done once in a process is done in the first step of any world.

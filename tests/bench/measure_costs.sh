@@ -81,7 +81,7 @@ inclusive() {
         END { printf "%.0f\n", sum }'
 }
 
-# world stock|plugin WORLD COUNT STEPS [FIXTURES]
+# world stock|plugin WORLD COUNT STEPS
 world() {
     local preload=''
     [[ $1 = stock ]] || preload=$plugin
