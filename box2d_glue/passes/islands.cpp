@@ -19,7 +19,7 @@ namespace bmr {
 
 namespace {
 
-constexpr uint32_t kNoLink = 0xffffffffu;
+constexpr uint32_t kNoLink = 0xffffffffu, kSlept = kNoLink - 1; ///< it slept when contacts were linked
 // With more of them the links cost what they save.
 constexpr uint32_t kMostTouchingOf = 3;
 
@@ -61,7 +61,8 @@ int32 &LinkOf(b2Body *body) {
 IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver)
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
-      m_marks(m_manager), m_room(solver->Room()) {
+      m_marks(m_manager), m_room(solver->Room()), m_stepNumber(CurrentStep()),
+      m_newest(m_manager->m_contactList), m_contactCount(m_manager->m_contactCount) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
         m_listener = nullptr;
     if (m_ledger != nullptr && (!m_ledger->IsLookedAtIn(CurrentStep()) || !m_ledger->IsWhole()))
@@ -102,11 +103,11 @@ void IslandPass::ClearFlags() {
     for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
         BodyInIsland::Clear(body);
-        if (body->IsAwake() && body->GetType() != b2_staticBody)
-            LinkOf(body) = -1;
+        if (body->GetType() != b2_staticBody)
+            LinkOf(body) = static_cast<int32>(body->IsAwake() ? kNoLink : kSlept);
     }
     for (uint32_t i = 0; m_awakeAlone && i < m_ledger->GetBodies().AwakeCount(); ++i)
-        LinkOf(m_ledger->GetBodies().Awake(i)) = -1;
+        LinkOf(m_ledger->GetBodies().Awake(i)) = static_cast<int32>(kNoLink);
     if (m_ledger != nullptr) {
         m_ledger->TakeMarks();
         m_ledger->GetMarks().inIsland.ClearAll();
@@ -194,7 +195,7 @@ void IslandPass::Take(b2Body *body) {
     const bool wasAwake = body->IsAwake();
     if (!wasAwake)
         WakeInIsland(body);
-    if (m_isLinked && wasAwake)
+    if (m_isLinked && wasAwake && link != kSlept)
         for (uint32_t at = link < m_linkCount && m_room.links[link].body == body ? link : kNoLink;
              at != kNoLink; at = m_room.links[at].next)
             Take(m_room.links[at].contact, m_room.links[at].other);
@@ -236,7 +237,7 @@ void IslandPass::TakeJoints(const b2Body *body) {
 
 /// Code of the game may have unlocked the world by a step inside this one, and have made more since.
 bool IslandPass::HasRoom() {
-    return !m_gameRan ||
+    return !m_gameStepped ||
            m_solver->Reserve(m_solver->BodyCount() + m_stackCount + 2, m_solver->ContactCount() + 1,
                              static_cast<uint32_t>(m_world->GetJointCount()));
 }
@@ -251,8 +252,18 @@ void IslandPass::SolveIsland() {
     m_solver->Solve(m_world->GetGravity(), m_world->GetAllowSleeping());
     if (!tells)
         return;
-    m_gameRan = true;
-    m_isLinked = m_seedsAreAwake = m_awakeAlone = false;
+    AfterGame();
+}
+
+/// PostSolve was called. It may have woken bodies (whose links nobody made where only those that are awake
+/// were looked at). What touches is as before, unless it made a step inside this one, or ended or made
+/// contacts.
+void IslandPass::AfterGame() {
+    const bool stepped = m_stepNumber == 0 || CurrentStep() != m_stepNumber ||
+                         m_manager->m_contactList != m_newest || m_manager->m_contactCount != m_contactCount;
+    m_isLinked = m_isLinked && !m_awakeAlone && !stepped;
+    m_seedsAreAwake = m_awakeAlone = false;
+    m_gameStepped = m_gameStepped || stepped;
     m_marks.LookAgain();
 }
 

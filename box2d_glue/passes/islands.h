@@ -17,8 +17,8 @@ namespace bmr {
 /// follow their bodies, and new contacts are looked for.
 ///
 /// Where the world has a ledger and few of its contacts touch, islands are built from links between these
-/// alone, in the order of Box2D's lists. From the first call of the game's code on they are built from the
-/// lists of bodies.
+/// alone, in the order of Box2D's lists. Once code of the game has made a step inside this one they are built
+/// from the lists of bodies.
 class IslandPass {
 public:
     IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver);
@@ -41,6 +41,7 @@ private:
     void Push(b2Body *body);
     bool HasRoom();
     void SolveIsland();
+    void AfterGame();
     void Synchronize();
     void Follow(b2Body *body);
 
@@ -57,7 +58,10 @@ private:
     bool m_isLinked = false;      ///< the links are all contacts that touch of bodies that are awake
     bool m_seedsAreAwake = false; ///< they are Bodies::Awake
     bool m_awakeAlone = false;    ///< only bodies of Bodies::Awake are in islands
-    bool m_gameRan = false;
+    bool m_gameStepped = false;   ///< contacts and bodies may be others than as the pass began
+    uint64_t m_stepNumber;
+    const b2Contact *m_newest; ///< of the world's contacts, and their count, as the pass began
+    int32 m_contactCount;
 };
 
 } // namespace bmr

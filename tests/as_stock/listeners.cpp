@@ -218,3 +218,27 @@ TEST_CASE("given back: a crowd goes, and while that is found out a listener step
             }
         });
 }
+
+TEST_CASE("roused: a listener that is told of an island wakes bodies that sleep side by side") {
+    AsStock([](Run &run) {
+        Game game(run);
+        std::vector<b2Body *> sleepers;
+        for (int i = 0; i < 4; ++i)
+            sleepers.push_back(game.Box({0.98f * Real(i), 0.0f}));
+        for (int i = 0; i < 60; ++i)
+            game.Near({3.0f * Real(i), 10.0f});
+        game.Step(60);
+        game.Touching({0.0f, -20.0f});
+        game.Listen();
+        game.Step();
+        for (b2Body *body : sleepers)
+            body->SetAwake(false);
+        game.Step(2);
+        game.listener.postSolve.Once([&sleepers] {
+            for (b2Body *body : sleepers)
+                body->SetAwake(true);
+            sleepers[0]->SetLinearVelocity({3.0f, 0.0f});
+        });
+        game.Step(5);
+    });
+}
