@@ -71,7 +71,7 @@ private:
     uint32_t m_passNumber = 0;            ///< another one at the ledger: the game stepped this world
     uint32_t m_looks = 0, m_touching = 0; ///< in this pass; of them, those that touch and are due again
     uint32_t m_at = 0;   ///< records from here on are passed; the one that is visited is the last of them
-    uint64_t m_seen = 0; ///< the look that the pass goes by, as long as no code of the game ran
+    uint64_t m_seen = 0; ///< the look whose results the pass uses, as long as no code of the game ran
     uint64_t m_due =
         0; ///< of the word of 64 records that the pass is in, those that are due and still to come
     uint32_t m_word = 0; ///< its number; words from it on were looked at
@@ -79,13 +79,13 @@ private:
 
 // The game's code: a listener or a filter.
 
-/// The game may be called: contacts that the pass has come by are enabled, as Box2D's loop would have left
+/// The game may be called: contacts that the pass has passed are enabled, as Box2D's loop would have left
 /// them.
 void CollidePass::BeforeGame() {
     m_ledger->Owed().EnableDownTo(m_at + 1);
 }
 
-/// The game was called: what was read before may be another by now. (A step that a listener makes unlocks the
+/// The game was called: what was read before may have changed. (A step that a listener makes unlocks the
 /// world when it is done.)
 void CollidePass::AfterGame() {
     GameRan() = true;
@@ -188,7 +188,7 @@ void CollidePass::Destroy(uint32_t i, b2Contact *contact) {
     if (contact->IsTouching() && IsOfGame(m_manager->m_contactListener)) {
         BeforeGame();
         m_manager->Destroy(contact);
-        m_ledger->Remove(i, contact); // where Destroy did not come by our hook
+        m_ledger->Remove(i, contact); // if Destroy did not reach our hook
         AfterGame();
         return;
     }
@@ -201,8 +201,8 @@ void CollidePass::Destroy(uint32_t i, b2Contact *contact) {
             Wake(bodies[side], i);
 }
 
-/// A body woke in the midst of the pass: its pairs that are still to come are due by now. Those that the pass
-/// has come by slept then: they are not to be enabled as if they had not.
+/// A body woke in the middle of the pass: its pairs that are still to come are due. The others slept when the
+/// pass reached them, so they are not enabled.
 void CollidePass::Wake(const b2Body *body, uint32_t i) {
     m_ledger->Owed().EnableDownTo(i + 1);
     m_ledger->Wake(body);
@@ -210,7 +210,7 @@ void CollidePass::Wake(const b2Body *body, uint32_t i) {
         m_due = m_ledger->DueOf(m_word) & ~(~uint64_t{0} << (i % 64));
 }
 
-/// As Box2D looks at a contact. What is apart afterwards gets a budget.
+/// As Box2D looks at a contact. If it is apart afterwards, it gets a budget.
 void CollidePass::Look(uint32_t i, b2Contact *contact) {
     Movers &movers = m_ledger->GetMovers();
     const Ledger::Record record = m_ledger->At(i);
@@ -343,7 +343,8 @@ void Collide(b2ContactManager *manager) {
         CollidePass(ledger, manager).Run();
         return;
     }
-    // What contacts do meanwhile the ledger does not see: nothing that it knows holds when it is asked again.
+    // The ledger does not see what contacts do meanwhile: when it is asked again, nothing that it knows
+    // holds.
     if (Ledger *passedOver = FindLedger(manager))
         passedOver->Interrupt();
     if (HasCodeOfGame(*manager))

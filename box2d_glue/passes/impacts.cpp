@@ -96,7 +96,7 @@ bool ImpactPass::FindsNone() {
     return SearchByLedger(true);
 }
 
-// What a step begins with.
+// The beginning of a step.
 
 void ImpactPass::BeginStep() {
     BeginBodies();

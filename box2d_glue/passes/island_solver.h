@@ -45,13 +45,13 @@ struct IslandRoom {
 ///     Finish(profile)
 class IslandSolver {
 public:
-    /// Ahead of Reserve. `solvedBy`: WhoSolvesIslands(), and not Nobody. Box2D's solver needs memory of the
+    /// Call it before Reserve. `solvedBy`: WhoSolvesIslands(), not Nobody. Box2D's solver needs memory of the
     /// world's.
     void SolveBy(IslandsBy solvedBy, b2World *world);
     /// Room for islands of so many. False without memory: nothing has changed, and the pass is Box2D's.
     bool Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints);
 
-    /// Begins a pass. `listener` is told of impulses (PostSolve); nullptr: it is not called.
+    /// Begins a pass. `listener` gets PostSolve, unless it is nullptr.
     void Begin(const b2TimeStep &step, b2ContactListener *listener);
     /// The arithmetic that goes with its islands.
     const Sweeps &GetSweeps() const { return m_allocator != nullptr ? TheStockSolver().sweeps : OurSweeps(); }

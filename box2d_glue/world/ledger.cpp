@@ -22,7 +22,7 @@ bool Ledger::Reserve(uint32_t count) {
 
 bool Ledger::Follow() {
     TrimEnd();
-    if (m_passes > 0) { // a step in the midst of one: it may go on here as it is, or not at all
+    if (m_passes > 0) { // a step inside a pass: it may go on here as it is, or not at all
         if (!CatchUp())
             return false;
     } else {
@@ -32,11 +32,11 @@ bool Ledger::Follow() {
         if (!CatchUp() && !Begin())
             return false;
     }
-    // (Also where the interrupted pass was another one in the midst of the present one: each adds to the
-    // sums, and none of them asks all.)
+    // (Also if the interrupted pass was inside the present one: each adds to the sums, and none of them asks
+    // all pairs.)
     if (m_interrupted || m_movers.AreSumsLost()) {
         DropAllProofs();
-        for (uint32_t i = 0; i < m_count; ++i) // Box2D may have updated contacts that nobody watches
+        for (uint32_t i = 0; i < m_count; ++i) // Box2D may have updated contacts that are not watched
             if (m_contacts[i] != nullptr && !IsWatched(i))
                 SetTouches(i, m_contacts[i]->IsTouching());
     }

@@ -26,8 +26,8 @@ namespace bmr {
 /// All that is remembered of a world's pairs: one record for each contact, the oldest first. Box2D puts new
 /// contacts at the head of its lists, so that the world's list and every body's are in descending order here.
 ///
-/// A pair that was proved apart has a deadline in the sums of its two movers (core/budget). Until then nobody
-/// looks at it. The same deadline answers the search for impacts, with the sums that a sweep may reach.
+/// A pair that was proved apart has a deadline in the sums of its two movers (core/budget). Until then no
+/// code looks at it. The same deadline answers the search for impacts, with the sums that a sweep may reach.
 ///
 /// One thread at a time uses it, the one that its world is used by. It allocates where contacts begin, never
 /// on the way of a pair that stays apart.
@@ -45,8 +45,8 @@ public:
     /// asked once a step, ahead of Follow. A world whose pairs nearly all touch, or move too fast for a
     /// budget, is stepped by its list for a while, and tried again.
     bool Pays();
-    /// A step of the world went by without a pass: every pair is due in the next one. If that was in the
-    /// midst of a step that has one, nobody knows who touches in what is left of it.
+    /// A step of the world went by without a pass: every pair is due in the next one. If that was inside a
+    /// step that has one, it is not known which pairs touch in the rest of it.
     void Interrupt() {
         m_interrupted = true;
         m_step = 0;
@@ -66,10 +66,9 @@ public:
     }
     /// Contacts may have ended without a word: takes those out that are in the world's list no more.
     void Resync();
-    /// Are all contacts here? Nobody tells: contacts are made in the midst of a step by whoever looks for
-    /// pairs, and are taken in behind it; and some of the calls that end or make one may be bound inside
-    /// Box2D. (One may have ended without a word, and the next one be at its place in memory: that one has no
-    /// number yet.)
+    /// Are all contacts here? A search for pairs makes contacts in the middle of a step, and they are taken
+    /// in after it; and some of the calls that end or make a contact may be bound inside Box2D. (One may have
+    /// ended unseen, and the next one be at its place in memory: that one has no number yet.)
     bool IsWhole() const {
         const b2Contact *const newest = m_manager->m_contactList;
         return m_live == m_manager->m_contactCount && Newest() == newest &&
@@ -80,12 +79,12 @@ public:
     /// may make a world in the memory of one whose destructor it never called, and give it the same memory
     /// for its contacts.
     void BeginEmpty();
-    /// May contacts be missing in the lists of their bodies? A listener that is told of an end may step the
-    /// world. Where b2Body::SetType ended the contact, it empties the body's list when it is done, and with
-    /// it what that step put there. As long as such contacts live, the world is Box2D's alone to step.
+    /// May contacts be missing in the lists of their bodies? A listener may step the world in EndContact.
+    /// Where b2Body::SetType ended the contact, it empties the body's list when it is done, and with it what
+    /// that step put there. As long as such contacts live, the world is Box2D's alone to step.
     bool MayHaveUnlisted() const { return m_unlisted > 0; }
 
-    /// The contact was flagged for filtering, or looked at by somebody else: its record is due.
+    /// The contact was flagged for filtering, or looked at by other code: its record is due.
     void Flag(const b2Contact *contact, uint8_t bits);
 
     static constexpr uint32_t kNone = 0xffffffffu;
@@ -107,8 +106,7 @@ public:
     /// The newest pair below `end` that is to be looked at, kNone where there is none, after code of the game
     /// ran: each pair's own two movers are compared once more.
     uint32_t NextDue(uint32_t end);
-    /// Code of the game ran: what was read before may be another by now. `locked`: the world was, all the
-    /// while.
+    /// Code of the game ran: what was read before may have changed. `locked`: the world was, all the while.
     void Distrust(bool locked);
     bool IsDue(uint32_t i) const {
         const Record &record = m_records[i];
@@ -159,13 +157,12 @@ public:
     bool WaitsForProof(uint32_t i);
     /// It is not to be had, or did not last.
     void ProvedInVain(uint32_t i);
-    /// Reads all that a proof of the two goes by; false where they are to have none. To be followed by Prove
-    /// or SetDue.
+    /// Reads all that a proof of the two needs; false if they are to have none. Call Prove or SetDue next.
     bool BeginProof(uint32_t i);
     /// The two are apart: <d, b - a> >= gap for all their points. A budget without a line is that of d = 0:
-    /// what is so stays so until the two have moved by what `gap` is more than `threshold`.
+    /// it lasts until the two have moved by `gap` - `threshold`.
     void Prove(uint32_t i, bmr_vec2 d, double gap, double threshold, bool forImpactsToo);
-    /// A body woke behind the pass: its pairs are watched. (Box2D had come by them when it slept.)
+    /// A body woke behind the pass: its pairs are watched. (Box2D passed them when it slept.)
     void WatchPairsOf(const b2Body *body);
     /// A body woke in the middle of a pass: its pairs are due.
     void Wake(const b2Body *body);
@@ -233,8 +230,7 @@ public:
     const Movers &GetMovers() const { return m_movers; }
     b2ContactManager *Manager() const { return m_manager; }
 
-    /// A pass is under way: numbers stay what they are. What ends before its time, by an exception of a
-    /// listener's, leaves every pair due.
+    /// A pass is under way: numbers stay as they are. If a listener's exception ends it, every pair is due.
     class Pass {
     public:
         explicit Pass(Ledger *ledger) : m_ledger(ledger) { ++ledger->m_passes; }

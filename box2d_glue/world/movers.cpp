@@ -32,8 +32,8 @@ uint64_t WordOf(const b2Vec2 &v) {
     return word;
 }
 
-/// All that contacts of a polygon go by, in one number: skin, vertices and normals, or which big one it is.
-/// Two different ones have the same with a probability of 2^-64. Two sums, so that neither waits for the
+/// All that contacts of a polygon read of it, in one number: skin, vertices and normals, or which big one it
+/// is. Two different ones have the same with a probability of 2^-64. Two sums, so that neither waits for the
 /// other.
 uint64_t DigestOf(const b2PolygonShape &polygon) {
     constexpr uint64_t kFirst = 0x9e3779b97f4a7c15u, kSecond = 0xc2b2ae3d27d4eb4fu;
@@ -116,7 +116,7 @@ constexpr double kReachRoundedUp = 1.0 + 0x1p-40;
 
 } // namespace
 
-/// What depends on the shape alone. False where a pair of it is to have no budget.
+/// The part that depends only on the shape. False if pairs of it have no budget.
 static bool Measure(Mover *mover, const b2PolygonShape &polygon) {
     mover->radius = polygon.m_radius;
     mover->shortest = 0.0f;
@@ -163,7 +163,7 @@ uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhas
     mover.records = 1;
     mover.proxy = ProxyOf(fixture);
     m_ends[row] = 0;
-    m_sweepBits[row] = kStops; // as far as anybody knows
+    m_sweepBits[row] = kStops; // as far as is known
     m_moved[row] = 0;
     m_bits[row] = 0;
     Look(row, broadPhase, look, false);
@@ -254,7 +254,7 @@ void Movers::Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look) 
     mover.proved = 1; // for this look
     Look(row, broadPhase, look, false);
     mover.proved = 0;
-    // No pair goes by the row yet: its beginning is no mark.
+    // No pair uses the row yet: its beginning is no mark.
     mover.motion.moved = m_moved[row] = moved;
     m_bits[row] &= static_cast<uint8_t>(~(kChanged | kChangedLate));
 }
@@ -280,7 +280,7 @@ void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, b
     bool changed = ((bits ^ before) & kIsSensor) != 0 || (!late && (before & kChangedLate) != 0);
     const bmr_vec2 pivot = Double(body.GetLocalCenter());
     if (pivot.x != mover.motion.pivot.x || pivot.y != mover.motion.pivot.y) {
-        // The sums so far are those of the fixture's points, whatever they turned about.
+        // The sums so far are those of the fixture's points, about any pivot.
         mover.motion.pivot = pivot;
         mover.motion.center = bmr_mover_place(&pose, pivot, kUnits);
         mover.shape = 0; // its reach is another one

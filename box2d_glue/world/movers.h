@@ -24,27 +24,27 @@ constexpr float kImpactReach = 256.0f * b2_lengthUnitsPerMeter, kImpactAngle = 5
 /// Budgets count in these (core/budget): 2^-16 of a metre.
 constexpr double kUnits = 65536.0 / static_cast<double>(b2_lengthUnitsPerMeter);
 
-/// What a fixture is and how far it has moved, for all contacts of it. One row a fixture that has contacts.
-/// What costs more than a look at its body's flags is read as long as a contact of it has a proof that it may
-/// end.
+/// A fixture as it was at the last look, and how far it has moved, for all its contacts. One row a fixture
+/// that has contacts. As long as no contact of it has a proof that it may end, only its body's flags are
+/// read.
 ///
-/// Nobody tells of most of what a game may do: bodies are moved, woken and made bullets by inline functions,
-/// vertices and radii are written to in place. So nothing is to be told here: a row holds what was read at
-/// the last look, and a look compares.
+/// A game does most things without a call that we could see: it moves and wakes bodies and makes them bullets
+/// by inline functions, and writes to vertices and radii in place. So a row holds what the last look read,
+/// and the next look compares.
 struct alignas(64) Mover {
-    // What a renewal asks for: two cache lines. The second one has what is compared in the midst of a pass.
+    // A renewal reads these two cache lines. The second one has what is compared in the middle of a pass.
     bmr_mover motion;
     b2AABB box;     ///< the fat one of its proxy
     float radius;   ///< skin
-    float shortest; ///< length of the shortest side; 0 where it is none to be told
-    uint64_t shape; ///< a digest of all that contacts go by; see LookAtShape
+    float shortest; ///< length of the shortest side; 0 if it is not known
+    uint64_t shape; ///< a digest of all that contacts read of the shape; see LookAtShape
     const b2Body *body;
     const b2Fixture *fixture;
     uint32_t records; ///< contacts of it
     uint32_t proved;  ///< contacts that have a line
     uint32_t watched; ///< of these, the ones of which one body at least is awake
 
-    // What a look compares and writes besides.
+    // A look compares and writes these, too.
     int32 proxy;       ///< b2BroadPhase::e_nullProxy where it has none or several: then there is no box here
     b2Transform place; ///< of the body, at the last look
     bool sound;        ///< a polygon as Box2D makes them: its vertices tell all
@@ -56,7 +56,7 @@ struct alignas(64) Mover {
 static_assert(sizeof(void *) < 8 || (offsetof(Mover, place) == 128 && sizeof(Mover) == 192),
               "three cache lines");
 
-/// What the loop over pairs asks of a row, in one byte.
+/// The bits of a row that the loop over pairs reads.
 enum MoverBit : uint8_t {
     kActive = 1,   ///< its body is awake, and not static
     kStops = 2,    ///< its body is a bullet, or not dynamic: nothing is to tunnel through it
@@ -78,14 +78,15 @@ public:
     void Release(uint32_t row);
     void Clear();
 
-    /// Compares the row with what its fixture and body are now: sums, bits, box. Marks it where its contacts
-    /// are to be looked at whatever their budgets say.
+    /// Compares the row with what its fixture and body are now: sums, bits, box. Marks it if all its contacts
+    /// are to be looked at.
     void Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, bool late);
     /// The same for a row that was looked at in this pass, of a world that was locked ever since: Box2D then
     /// refuses to move bodies, and nothing changes their boxes. What a game still can change is compared, a
-    /// third of a look. False where that is another: to be looked at.
+    /// third of a look. False if that has changed: then look.
     bool IsAsBefore(uint32_t row, uint64_t look);
-    /// A contact of the row gets a line. The first one: what was not read until now is, and is no motion.
+    /// A contact of the row gets a line. With the first one the row is read in full, and what it finds is no
+    /// motion.
     void AddProof(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look) {
         if (m_rows[row].proved == 0)
             Begin(row, broadPhase, look);
@@ -114,7 +115,7 @@ public:
     bool AreSumsLost() const { return m_sumsLost; }
     void ForgetSums() { m_sumsLost = false; }
 
-    /// What rounding may be off by for a pair of these two rows, as far out as they are.
+    /// The margin for rounding of a pair of these two rows, as far out as they are.
     double RoundingMargin(uint32_t a, uint32_t b) const { return BandMargin(Band(a, b)); }
     /// The farther one's.
     int Band(uint32_t a, uint32_t b) const { return b2Max(m_rows[a].band, m_rows[b].band); }

@@ -6,7 +6,7 @@
 
 namespace bmr {
 
-/// What is said of a pair in one byte.
+/// The bits of a pair.
 enum RecordBit : uint8_t {
     kHasLine = 1,       ///< its line renews the deadline
     kToBeFiltered = 2,  ///< Box2D has flagged it for filtering
@@ -24,7 +24,7 @@ struct PairRecord {
 struct Patience {
     uint8_t provedAt;  ///< number of the pass in which the line was made, modulo 256
     uint8_t doublings; ///< proofs in a row that did not outlast the next pass
-    uint8_t waits;     ///< looks that still go by without one
+    uint8_t waits;     ///< looks to come without one
 };
 
 } // namespace bmr

@@ -9,13 +9,13 @@
 
 namespace bmr {
 
-/// From here on its movers are looked at in every step. It is due: nobody knows what they did meanwhile.
+/// From here on its movers are looked at in every step. It is due: what they did meanwhile is unknown.
 void Ledger::Watch(uint32_t i) {
     const Record &record = m_records[i];
     for (const uint32_t row : {record.a, record.b})
         ++m_movers[row].watched;
     m_awake.Set(i);
-    SetTouches(i, m_contacts[i]->IsTouching()); // an impact may have changed it while nobody watched
+    SetTouches(i, m_contacts[i]->IsTouching()); // an impact may have changed it while it was not watched
     SetDue(i);
 }
 
@@ -103,7 +103,7 @@ void Ledger::LookAtMovers() {
             m_movers.Look(row, m_manager->m_broadPhase, m_look, false);
         else // each of its pairs is due, and looks at it then
             m_movers.PassOver(row);
-        if (m_passes > 1) // the pass that this one is in the midst of had not come by all of its pairs
+        if (m_passes > 1) // the pass around this one had not reached all of its pairs
             m_movers.SetBits(row, m_movers.Bits(row) | (before & kChanged));
         if (mover.watched < mover.records && m_movers.IsActiveNow(row))
             WakeRow(row);
@@ -148,7 +148,7 @@ uint32_t Ledger::NextDue(uint32_t end) {
         if (m_contacts[end] == nullptr || !IsWatchedByNow(end))
             continue;
         if ((m_bits[end] & kHasLine) == 0)
-            return end; // due, whatever its movers did
+            return end; // due, for any motion of its movers
         LookAgain(end);
         if (m_movers.AreSumsLost() || IsDue(end))
             return end;
