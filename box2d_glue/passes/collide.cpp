@@ -294,7 +294,7 @@ void CollidePass::Verify(uint32_t i) {
         m_ledger->LookAgain(i); // as NextDue would
     const bool due = m_ledger->IsDue(i) || m_ledger->GetMovers().AreSumsLost();
     const bool renewed = due && m_ledger->Renew(i, ApartThreshold(*m_ledger, i));
-    const bool touches = (m_ledger->Bits(i) & kTouches) != 0;
+    const bool touches = m_ledger->Touches(i);
     b2Contact *const contact = m_ledger->Contact(i);
     const b2Fixture *const a = contact->GetFixtureA(), *const b = contact->GetFixtureB();
     Visit(i);

@@ -140,13 +140,12 @@ void ImpactPass::BeginBodies() {
 bool ImpactPass::SearchByLedger(bool all) {
     m_ledger->BeginSearch(m_gameRan);
     for (uint32_t word = m_ledger->Count() / 64 + 1; word-- > 0;) {
-        uint64_t left = all ? ~uint64_t{0} : m_ledger->WatchedOf(word);
+        uint64_t left = m_ledger->ToSearch(word, all);
         while (left != 0) {
             const uint32_t bit = HighestBit(left), i = word * 64 + bit;
             left &= ~(uint64_t{1} << bit);
             if (i >= m_ledger->Count() || m_ledger->Contact(i) == nullptr)
                 continue;
-            m_ledger->GetMarks().asked.Clear(i);
             if (!m_ledger->MayImpact(i))
                 continue;
             if (!SearchPair(i))

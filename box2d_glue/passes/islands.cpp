@@ -28,7 +28,7 @@ void CompareTouching(const Ledger &ledger) {
     CountVerified();
     for (uint32_t i = 0; i < ledger.Count(); ++i) {
         const b2Contact *contact = ledger.Contact(i);
-        if (contact != nullptr && contact->IsTouching() && (ledger.Bits(i) & kTouches) == 0)
+        if (contact != nullptr && contact->IsTouching() && !ledger.Touches(i))
             ReportDifference("touching contacts", contact->GetFixtureA(), contact->GetFixtureB(),
                              "a contact is missing");
     }
@@ -121,20 +121,20 @@ void IslandPass::ClearFlags() {
 
 // Links.
 
-/// The newest contact below `end` that touches and may have a body that is awake.
-uint32_t IslandPass::NextToLink(uint32_t end) const {
-    return m_ledger->NextTouching(end, !GameRan()); // the game may have woken who is not watched
-}
-
 /// False where it does not pay, or without memory: islands are built from the lists of bodies.
 bool IslandPass::Link() {
     const uint32_t most = m_ledger->Count() / kMostTouchingOf;
     Column<uint32_t> &touching = m_room.touching;
     uint32_t count = 0;
-    for (uint32_t i = NextToLink(m_ledger->Count()); i != Ledger::kNone; i = NextToLink(i)) {
-        if (count == most || !touching.Reserve(count + 1))
+    for (uint32_t word = m_ledger->Count() / 64 + 1; word-- > 0;) {
+        uint64_t left = m_ledger->TouchingOf(word);
+        if (!GameRan()) // or the game may have woken who is not watched
+            left &= m_ledger->WatchedOf(word);
+        const uint32_t more = CountBits(left);
+        if (count + more > most || !touching.Reserve(count + more))
             return false;
-        touching[count++] = i;
+        for (; left != 0; left &= ~(uint64_t{1} << HighestBit(left)))
+            touching[count++] = word * 64 + HighestBit(left);
     }
     if (!m_room.links.Reserve(2 * count + 1))
         return false;

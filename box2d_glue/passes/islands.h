@@ -28,7 +28,6 @@ private:
     void SolveIslands(b2Profile *profile);
     void ClearFlags();
     bool Link();
-    uint32_t NextToLink(uint32_t end) const;
     void LinkTo(b2Body *body, b2Contact *contact, b2Body *other);
 
     b2Body *FirstSeed();

@@ -17,7 +17,8 @@ constexpr uint32_t kFewRecords = 64;
 bool Ledger::Reserve(uint32_t count) {
     return m_records.Reserve(count) && m_lines.Reserve(count) && m_contacts.Reserve(count) &&
            m_bits.Reserve(count) && m_patience.Reserve(count) && m_awake.Reserve(count) &&
-           m_owed.Reserve(count) && m_listed.Reserve(count) && m_marks.Reserve(count);
+           m_touching.Reserve(count) && m_stops.Reserve(count) && m_owed.Reserve(count) &&
+           m_listed.Reserve(count) && m_marks.Reserve(count);
 }
 
 bool Ledger::Follow() {
@@ -92,6 +93,7 @@ void Ledger::Empty() {
     m_count = 0;
     m_live = 0;
     m_awake.ClearAll();
+    m_touching.ClearAll();
 }
 
 /// The next record; counted where there is memory for its movers.
@@ -114,8 +116,7 @@ bool Ledger::Put(uint32_t i, b2Contact *contact) {
     m_withoutDynamic = m_withoutDynamic || IsWithoutDynamic(*contact);
     ContactNumber::Write(contact, i);
     m_contacts[i] = contact;
-    m_bits[i] =
-        static_cast<uint8_t>((contact->IsTouching() ? kTouches : 0) | (m_endings > 0 ? kUnlisted : 0));
+    m_bits[i] = m_endings > 0 ? kUnlisted : 0;
     m_unlisted += m_endings > 0 ? 1 : 0;
     m_patience[i] = {};
     m_marks.Read(i, contact);
@@ -150,6 +151,7 @@ void Ledger::Take(uint32_t i) {
     DropLine(i);
     if (IsWatched(i))
         Unwatch(i);
+    m_touching.Clear(i);
     m_proxyPairs.Remove(i);
     m_movers.Release(m_records[i].a);
     m_movers.Release(m_records[i].b);
@@ -224,7 +226,8 @@ void Ledger::Compact() {
         m_proxyPairs.Renumber(from, to);
         m_patience[to] = m_patience[from];
         m_marks.Renumber(from, to);
-        m_awake.Renumber(from, to);
+        for (BitColumn *column : {&m_awake, &m_touching, &m_stops})
+            column->Renumber(from, to);
         ContactNumber::Write(m_contacts[to], to);
         ++to;
     }

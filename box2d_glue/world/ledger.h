@@ -112,21 +112,11 @@ public:
         const Record &record = m_records[i];
         return bmr_budget_is_due(record.deadline, m_movers.Moved(record.a), m_movers.Moved(record.b));
     }
-    void SetTouches(uint32_t i, bool touches) {
-        m_bits[i] = static_cast<uint8_t>((m_bits[i] & ~kTouches) | (touches ? kTouches : 0));
-    }
-    /// The newest contact below `end` that touched when it was looked at; kNone where there is none.
-    /// `watched`: among those that are watched.
-    uint32_t NextTouching(uint32_t end, bool watched) const {
-        if (!watched)
-            return NextTouching(end);
-        while (end > 0) {
-            end = SkipResting(end - 1);
-            if (end == kNone || (m_bits[end] & kTouches) != 0)
-                return end;
-        }
-        return kNone;
-    }
+    /// Did it touch when it was looked at?
+    void SetTouches(uint32_t i, bool touches) { m_touching.Put(i, touches); }
+    bool Touches(uint32_t i) const { return m_touching.Has(i); }
+    /// Those of the 64 pairs of this word.
+    uint64_t TouchingOf(uint32_t word) const { return word < m_touching.Words() ? m_touching.Word(word) : 0; }
     /// Is one of its bodies awake, or was it when the pass began? Watched from here on where one has woken
     /// since.
     bool IsWatchedByNow(uint32_t i) {
@@ -187,6 +177,11 @@ public:
     bool MayLackDynamic() const { return m_withoutDynamic || m_endings > 0; }
     /// `careful`: code of the game may have run since the look at the movers.
     void BeginSearch(bool careful);
+    /// Those of the 64 pairs of this word that a search comes by: of `all`, or of those that are watched, the
+    /// ones that MayImpact says more of.
+    uint64_t ToSearch(uint32_t word, bool all) const {
+        return (all ? ~uint64_t{0} : WatchedOf(word)) & (word < m_stops.Words() ? m_stops.Word(word) : 0);
+    }
     /// May Box2D look for an impact of the two at all: one moves, and one of them is not to be tunnelled
     /// through?
     bool MayImpact(uint32_t i) {
@@ -275,26 +270,17 @@ private:
     /// The contact of this number is about to end. Has its body been put out of the world, so that it has no
     /// proxies? Then none of its contacts has.
     void NoteLostProxies(uint32_t number, const b2Contact &ending);
-    uint32_t NextTouching(uint32_t end) const;
-    /// The newest pair from i down that is watched; kNone where there is none.
-    uint32_t SkipResting(uint32_t i) const {
-        for (;; --i) {
-            if (m_awake.Word(i / 64) == 0)
-                i -= i % 64; // the word's first
-            if (IsWatched(i))
-                return i;
-            if (i == 0)
-                return kNone;
-        }
-    }
     /// The two could not impact when they were last looked at: by the pass or, where code of the game may
     /// have run since, by the search. Without such code they cannot now. (What else decides of it is looked
     /// at where this says nothing.)
-    bool MayNotImpact(uint32_t i) const {
-        if (m_sweepsCarefully)
-            return !StopsInSweeps(i);
+    bool MayNotImpact(uint32_t i) {
+        if (m_sweepsCarefully && StopsInSweeps(i))
+            return false;
         const uint8_t a = m_movers.Bits(m_records[i].a), b = m_movers.Bits(m_records[i].b);
-        return (a & b & kLookedAt) != 0 && ((a | b) & kStops) == 0;
+        const bool passSaysSo = (a & b & kLookedAt) != 0 && ((a | b) & kStops) == 0;
+        if (passSaysSo && IsWatched(i))
+            m_stops.Clear(i);
+        return m_sweepsCarefully || passSaysSo;
     }
     void TrimEnd();
     void PrefetchLookAgain(uint32_t rows, uint32_t shapes) const;
@@ -335,6 +321,10 @@ private:
     Column<Patience> m_patience;
     Marks m_marks;
     BitColumn m_awake;    ///< alive, and one of its bodies was awake
+    BitColumn m_touching; ///< alive, and touching at the last look
+    /// One of the two is not to be tunnelled through, as far as anybody knows. Without it both are watched,
+    /// and neither row had kStops at any look since.
+    BitColumn m_stops;
     BitColumn m_listed;   ///< in the world's list, when Resync looked
     uint32_t m_count = 0; ///< records, the dead ones among them
     int32 m_live = 0;

@@ -165,7 +165,7 @@ uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhas
     m_ends[row] = 0;
     m_sweepBits[row] = kStops; // as far as is known
     m_moved[row] = 0;
-    m_bits[row] = 0;
+    m_bits[row] = kStops; // no news: its pairs are new
     Look(row, broadPhase, look, false);
     return row;
 }
@@ -265,6 +265,7 @@ void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, b
     const uint8_t before = m_bits[row];
     uint8_t bits = FlagsOf(mover) | kLookedAt;
     m_lookedAt[row] = look;
+    m_newStops = m_newStops || (bits & ~before & kStops) != 0;
     if (mover.proved == 0) {
         m_bits[row] = bits;
         return;
@@ -328,6 +329,7 @@ bool Movers::IsAsBefore(uint32_t row, uint64_t look) {
 void Movers::FindSweepBits(uint32_t row, uint64_t look) {
     m_rows[row].sweptAt = look;
     m_sweepBits[row] = FlagsOf(m_rows[row]);
+    m_newStops = m_newStops || (m_sweepBits[row] & ~m_bits[row] & kStops) != 0;
 }
 
 void Movers::LookAtAllSweeps(uint64_t look) {

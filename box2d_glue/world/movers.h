@@ -114,6 +114,12 @@ public:
     /// pairs were asked: every pair is due.
     bool AreSumsLost() const { return m_sumsLost; }
     void ForgetSums() { m_sumsLost = false; }
+    /// Has a row kStops that it had not at its look before? Since this was asked last.
+    bool TakeNewStops() {
+        const bool taken = m_newStops;
+        m_newStops = false;
+        return taken;
+    }
 
     /// The margin for rounding of a pair of these two rows, as far out as they are.
     double RoundingMargin(uint32_t a, uint32_t b) const { return BandMargin(Band(a, b)); }
@@ -178,7 +184,7 @@ private:
     Column<uint64_t> m_lookedAt;
     Column<uint8_t> m_bits, m_sweepBits;
     KeyTable m_byFixture;
-    bool m_sumsLost = false;
+    bool m_sumsLost = false, m_newStops = false;
     uint32_t m_count = 0, m_free = kNone;
 };
 

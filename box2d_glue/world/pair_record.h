@@ -10,7 +10,6 @@ namespace bmr {
 enum RecordBit : uint8_t {
     kHasLine = 1,       ///< its line renews the deadline
     kToBeFiltered = 2,  ///< Box2D has flagged it for filtering
-    kTouches = 8,       ///< touching, at the last look
     kNoImpactProof = 4, ///< its budget says nothing of impacts
     kUnlisted = 32,     ///< it began while another one ended; see MayHaveUnlisted
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which pairs are looked at: those of bodies that are awake are watched; of these, a pass looks at those that
 // are due.
-#include <cstring>
 #include <initializer_list>
 
 #include "start/current_step.h"
@@ -15,6 +14,7 @@ void Ledger::Watch(uint32_t i) {
     for (const uint32_t row : {record.a, record.b})
         ++m_movers[row].watched;
     m_awake.Set(i);
+    m_stops.Set(i);
     SetTouches(i, m_contacts[i]->IsTouching()); // an impact may have changed it while it was not watched
     SetDue(i);
 }
@@ -23,6 +23,7 @@ void Ledger::Unwatch(uint32_t i) {
     --m_movers[m_records[i].a].watched;
     --m_movers[m_records[i].b].watched;
     m_awake.Clear(i);
+    m_stops.Set(i);
 }
 
 void Ledger::Rest(uint32_t i) {
@@ -65,24 +66,6 @@ void Ledger::WatchPairsOf(const b2Body *body) {
 
 void Ledger::WakeRow(uint32_t row) {
     Wake(m_movers[row].body);
-}
-
-uint32_t Ledger::NextTouching(uint32_t end) const {
-    constexpr uint32_t kWord = sizeof(uint64_t);
-    constexpr uint64_t kAny = 0x0101010101010101u * kTouches;
-    while (end > 0) {
-        uint64_t word = kAny;
-        if (end % kWord == 0)
-            std::memcpy(&word, &m_bits[end - kWord], kWord);
-        if ((word & kAny) == 0) {
-            end -= kWord;
-            continue;
-        }
-        --end;
-        if ((m_bits[end] & kTouches) != 0 && m_contacts[end] != nullptr)
-            return end;
-    }
-    return kNone;
 }
 
 void Ledger::LookAtMovers() {
@@ -163,6 +146,8 @@ void Ledger::BeginSearch(bool careful) {
     m_sweepsCarefully = careful;
     if (careful)
         m_movers.LookAtAllSweeps(m_look);
+    if (m_movers.TakeNewStops())
+        m_stops.SetAll();
 }
 
 } // namespace bmr
