@@ -96,7 +96,7 @@ void ConvexContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const
     const Answer answer = RoundsToNearest() ? Ask(xfA, xfB) : Answer::HandedOver;
     FillManifold(answer, manifold, xfA, xfB, old);
     if (Verifying() && answer < Answer::HandedOver) {
-        // There is nobody but ourselves to compare with: what was proved apart has no points.
+        // Box2D has no answer to compare with: two that are proved apart must have no points.
         b2Manifold made = old;
         bmr_convex32_memory nothing = {};
         CollideConvex(Two(), Seams::Known, &made, xfA, xfB, &nothing);
@@ -186,7 +186,7 @@ Held ConvexContact::HeldBy(Answer answer, bool points, const b2Transform &xfA, c
         return Held::ByDisks;
     if (answer == Answer::ApartByEdge)
         return Held::Remembered;
-    // The two were taken for touching, and do not touch: nobody has looked.
+    // The two were taken for touching, and do not touch: no proof was looked for.
     const bmr_vec2 d = ProvedDirection(xfA, xfB);
     const bool within = WithinReach(xfA, ReachOf(m_fixtureA)) && WithinReach(xfB, ReachOf(m_fixtureB));
     return within && (d.x != 0.0 || d.y != 0.0) ? Held::Another : Held::Nothing;

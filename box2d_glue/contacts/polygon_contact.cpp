@@ -143,7 +143,7 @@ bool PolygonContact::UpdateSensor(b2ContactListener *listener) {
 
 inline Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
     // What touched at the last look most likely touches still: no question asked. (Its own manifold is read,
-    // not the caller's, which anybody may pass uninitialised.)
+    // not the caller's, which may be uninitialised.)
     if (m_manifold.pointCount > 0)
         return Answer::Touching;
     // Hulls that overlapped at the last look (concave bodies, close together) most likely do so still: there
