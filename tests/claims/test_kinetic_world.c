@@ -8,10 +8,111 @@
 
 #include "checks.h"
 
+#include "boomerang/distance.h"
 #include "boomerang/time_of_contact.h"
-#include "failing_allocator.h"
+#include "boomerang/world.h"
+#include "motions.h"
+#include "polygons.h"
 #include "test_scale.h"
-#include "world_play.h"
+
+#define PLAY_SHAPES 12
+#define SIZE 5.0 // half the side of the square in which bodies begin
+
+typedef struct play_shapes {
+    bmr_polygon *polygons[PLAY_SHAPES];
+    bmr_shape shapes[PLAY_SHAPES];
+} play_shapes;
+
+static double play_in(test_random *random, double low, double high) {
+    return test_random_uniform(random, low, high);
+}
+
+/// A point, a segment, a triangle, and polygons about their centres of mass; of radii from 0.02 to 4, and one
+/// of 20.
+static void play_make_shapes(play_shapes *s, test_random *random) {
+    static const double sizes[PLAY_SHAPES] = {1.0, 0.5, 0.3, 0.7, 1.0, 0.02, 4.0, 1.0, 0.4, 20.0, 0.1, 0.6};
+    memset(s, 0, sizeof *s);
+    for (size_t i = 0; i < PLAY_SHAPES; i++) {
+        bmr_vec2 points[64];
+        size_t count = i == 1 ? 1 : i == 2 ? 2 : 3 + test_random_below(random, i == 3 ? 1 : 20);
+        for (size_t k = 0; k < count; k++) {
+            const double angle = 6.283185307179586 * ((double)k + play_in(random, -0.3, 0.3)) / (double)count;
+            const double radius = sizes[i] * (count > 2 ? 1.0 : play_in(random, 0.3, 1.0));
+            points[k] = bmr_vec2_make(radius * cos(angle), radius * sin(angle));
+        }
+        bmr_polygon *first = NULL;
+        bmr_mass mass;
+        if (bmr_polygon_create(points, count, NULL, &first) != BMR_OK)
+            abort();
+        if (bmr_polygon_mass(first, &mass) == BMR_OK) {
+            count = first->count;
+            for (size_t k = 0; k < count; k++)
+                points[k] = bmr_sub(first->vertices[k], mass.centroid);
+        }
+        bmr_polygon_destroy(first, NULL);
+        if (bmr_polygon_create(points, count, NULL, &s->polygons[i]) != BMR_OK)
+            abort();
+        s->shapes[i].polygon = s->polygons[i];
+    }
+}
+
+static void play_drop_shapes(play_shapes *s) {
+    for (size_t i = 0; i < PLAY_SHAPES; i++)
+        bmr_polygon_destroy(s->polygons[i], NULL);
+}
+
+static bmr_pose play_place(test_random *random) {
+    const bmr_vec2 at = {SIZE * play_in(random, -1.0, 1.0), SIZE * play_in(random, -1.0, 1.0)};
+    return bmr_pose_from_angle(at, play_in(random, -3.0, 3.0));
+}
+
+/// A screw, with a spin or without, or an algebraic piece, from a pose at a time.
+static bmr_motion_piece play_piece(test_random *random, double time, bmr_pose pose) {
+    const double fast = test_random_below(random, 12) == 0 ? 30.0 : 1.5;
+    const bmr_vec2 velocity = {play_in(random, -fast, fast), play_in(random, -fast, fast)};
+    const uint32_t kind = test_random_below(random, 8);
+    if (kind > 1)
+        return bmr_piece_screw(time, pose, kind == 7 ? bmr_vec2_make(0.0, 0.0) : velocity,
+                               kind > 3 ? play_in(random, -2.0, 2.0) : 0.0);
+    bmr_motion_piece piece;
+    memset(&piece, 0, sizeof piece);
+    piece.kind = BMR_PIECE_ALGEBRAIC;
+    piece.origin = time;
+    bmr_algebraic_piece *a = &piece.as.algebraic;
+    a->degree = 2 + test_random_below(random, 2);
+    a->x[0] = pose.position.x;
+    a->y[0] = pose.position.y;
+    a->x[1] = velocity.x;
+    a->y[1] = velocity.y;
+    for (size_t k = 2; k <= a->degree; k++) {
+        a->x[k] = play_in(random, -0.2, 0.2);
+        a->y[k] = play_in(random, -0.2, 0.2);
+    }
+    a->rotation_degree = kind;
+    a->a[0] = 1.0;
+    a->b[1] = play_in(random, -0.5, 0.5);
+    a->start_c = pose.c;
+    a->start_s = pose.s;
+    return piece;
+}
+
+/// One piece from there, or one with a second one after some time, which may jump.
+static bmr_motion *play_motion(test_random *random, double time, bmr_pose pose) {
+    bmr_motion_piece piece = play_piece(random, time, pose);
+    bmr_motion *motion = NULL;
+    if (bmr_motion_create(&piece, NULL, &motion) != BMR_OK)
+        abort();
+    for (uint32_t more = test_random_below(random, 4); more > 2; more--) {
+        time += play_in(random, 0.1, 3.0);
+        pose = bmr_motion_pose(motion, time, NULL, NULL);
+        if (test_random_below(random, 6) == 0)
+            pose = play_place(random);
+        piece = play_piece(random, time, pose);
+        if (bmr_motion_change(motion, time, &piece) != BMR_OK)
+            abort();
+    }
+    return motion;
+}
 
 #define SECONDS 4.0
 #define STEPS 8
@@ -95,14 +196,11 @@ TEST(first_contacts_are_those_of_two_bodies_alone) {
         def.context = &first;
         bmr_world *w;
         assert_int_equal(bmr_world_create(&def, 0.0, NULL, &w), BMR_OK);
-        play p;
-        memset(&p, 0, sizeof p);
-        p.size = 5.0;
         bmr_motion *motions[CAST];
         bmr_shape own[CAST];
         for (size_t i = 0; i < CAST; i++) {
             own[i] = shapes.shapes[i % 9];
-            motions[i] = play_motion(&p, &random, 0.0, play_place(&p, &random));
+            motions[i] = play_motion(&random, 0.0, play_place(&random));
             const bmr_body_def body = bmr_default_body_def(&own[i], motions[i]);
             bmr_body id;
             assert_int_equal(bmr_world_add(w, &body, &id), BMR_OK);

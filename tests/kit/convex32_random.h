@@ -67,10 +67,6 @@ static inline size_t random_count(test_random *random) {
     }
 }
 
-static inline bmr_vec32 any_vertex(test_random *random, const bmr_convex32 *p) {
-    return p->vertices[test_random_below(random, p->count)];
-}
-
 static inline bmr_vec32 between(bmr_vec32 a, bmr_vec32 b, double t) {
     return vec((double)a.x + t * ((double)b.x - (double)a.x), (double)a.y + t * ((double)b.y - (double)a.y));
 }

@@ -80,12 +80,6 @@ bmr_pose test_pose_at(const bmr_polygon *a, const bmr_polygon *b, double directi
     return q;
 }
 
-const char *test_motion_name(test_motion_kind kind) {
-    static const char *const names[] = {"line", "tumble", "orbit",   "rolling",
-                                        "spin", "wander", "tremble", "jump"};
-    return names[kind];
-}
-
 test_motion test_motion_make(test_motion_kind kind, const bmr_polygon *a, const bmr_polygon *b,
                              test_random *random) {
     test_motion m = {kind, a, b, 0, 0, 0, 0, 0, 0, 0, {0, 0}, {0, 0}};

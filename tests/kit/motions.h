@@ -33,7 +33,6 @@ typedef enum test_motion_kind {
     TEST_MOTION_JUMP,    ///< anywhere at each step
     TEST_MOTION_KIND_COUNT
 } test_motion_kind;
-const char *test_motion_name(test_motion_kind kind);
 
 /// A motion of two polygons. Lengths are in units of the smaller polygon's size.
 typedef struct test_motion {
