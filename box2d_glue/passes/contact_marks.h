@@ -63,10 +63,6 @@ public:
             ContactAccess::Flags(contact) |= ContactAccess::kTimeIsKnown;
         }
     }
-    int32 CountOfImpacts(b2Contact *contact) const {
-        const uint32_t i = Number(contact);
-        return i != Ledger::kNone ? Here().CountOf(i) : ContactAccess::CountOfImpacts(contact);
-    }
     void CountImpact(b2Contact *contact) {
         const uint32_t i = Number(contact);
         if (i != Ledger::kNone)

@@ -38,6 +38,7 @@ void ImpactPass::PutBack(b2Body *body, const b2Sweep &sweep) {
 /// Lets the two bodies of the contact meet. False where they do not touch then, or are not to: they go on as
 /// they were.
 bool ImpactPass::Meet(b2Contact *contact, float time) {
+    m_wasGameCalled = false;
     if (m_ledger != nullptr)
         DoubtBudgets();
     if (IsOfGame(m_listener) || HasCodeOfGame(*m_manager)) {
@@ -72,6 +73,7 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
     Add(contact, &island);
     Spread(a, time, &island);
     Spread(b, time, &island);
+    m_wasGameCalled = m_wasGameCalled || IsOfGame(m_listener);
     m_solver->SolveToi();
     m_solver->Finish(nullptr);
     EndIsland(island);
@@ -137,6 +139,7 @@ void ImpactPass::EndIsland(const Island &island) {
 }
 
 void ImpactPass::FindNewContacts() {
+    m_wasGameCalled = m_wasGameCalled || IsOfGame(m_manager->m_contactFilter);
     m_manager->FindNewContacts();
     m_marks.LookAgain();
     if (m_ledger != nullptr && !m_ledger->IsWhole())
@@ -148,7 +151,12 @@ void ImpactPass::Update(b2Contact *contact) {
     b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
     const bool wasAwakeA = a->IsAwake(), wasAwakeB = b->IsAwake();
     const bool gameRan = GameRan();
-    SolidContact::UpdateByBox2D(contact, m_manager->m_contactListener);
+    b2ContactListener *const listener = m_manager->m_contactListener;
+    const bool touched = contact->IsTouching(), isOfGame = IsOfGame(listener);
+    const uint64_t step = CurrentStep(); // another one where the listener makes a step
+    SolidContact::UpdateByBox2D(contact, listener);
+    if (isOfGame && (touched || contact->IsTouching() || CurrentStep() != step))
+        m_wasGameCalled = true;
     GameRan() = gameRan; // (it was Box2D that asked our contact)
     m_marks.LookAgain();
     Ledger *const ledger = FindLedger(m_manager);
@@ -189,9 +197,10 @@ void ImpactPass::AskPairsOf(const b2Body *body) {
 
 /// The game may have run while two bodies met. This reads what Box2D would read in its next search: which
 /// bodies are awake or bullets, which fixtures are sensors, which contacts are enabled; and all of it after a
-/// step inside this one.
+/// step inside this one. Bodies are read one by one, for a listener changes them by inline functions. Where
+/// it was not called, Update, Wake and EndIsland have noted all that the impact changed.
 void ImpactPass::ReadWhatGameDid() {
-    if (!m_gameRan && !IsOfGame(m_listener) && !HasCodeOfGame(*m_manager))
+    if (!m_wasGameCalled)
         return;
     if (!m_ledger->IsWhole() || !m_ledger->GetMarks().areHere || m_ledger->MayLackDynamic() ||
         !m_ledger->IsLookedAtIn(CurrentStep()))
@@ -204,9 +213,8 @@ void ImpactPass::ReadWhatGameDid() {
     }
     Marks &marks = m_ledger->GetMarks();
     Movers &movers = m_ledger->GetMovers();
-    for (uint32_t row = 0; row < movers.Count(); ++row)
-        if (movers[row].records > 0 && movers.LooksAnewAtSweep(row))
-            AskPairsOf(movers[row].body);
+    for (uint32_t row = movers.NextNewSweep(0); row != Movers::kNone; row = movers.NextNewSweep(row + 1))
+        AskPairsOf(movers[row].body);
     for (uint32_t word = 0; word < marks.parked.Words(); ++word)
         for (uint64_t left = marks.parked.Word(word); left != 0; left &= left - 1) {
             const uint32_t i = word * 64 + LowestBit(left);

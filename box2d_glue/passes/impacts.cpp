@@ -271,12 +271,14 @@ void ImpactPass::CompareWithList(const b2Contact *earliest) {
 
 b2Contact *ImpactPass::EarliestInList(float *time) {
     b2Contact *earliest = nullptr;
+    if (Ledger *const ledger = FindLedger(m_manager))
+        ledger->GiveMarksBack(); // they are read where the contacts are
     m_marks.LookAgain();
     for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext()) {
-        if (!contact->IsEnabled() || m_marks.CountOfImpacts(contact) > b2_maxSubSteps ||
-            (!m_marks.IsTimeKnown(contact) && !FindTime(contact)))
+        if (!contact->IsEnabled() || ContactAccess::CountOfImpacts(contact) > b2_maxSubSteps ||
+            ((ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) == 0 && !FindTime(contact)))
             continue;
-        const float its = m_marks.Time(contact);
+        const float its = ContactAccess::TimeOfImpact(contact);
         if (its < *time) {
             earliest = contact;
             *time = its;

@@ -340,10 +340,18 @@ void Movers::LookAtAllSweeps(uint64_t look) {
     }
 }
 
-bool Movers::LooksAnewAtSweep(uint32_t row) {
-    const uint8_t before = m_sweepBits[row];
-    m_sweepBits[row] = FlagsOf(m_rows[row]);
-    return m_sweepBits[row] != before;
+uint32_t Movers::NextNewSweep(uint32_t row) {
+    for (; row < m_count; ++row) {
+        PrefetchBody(row + kBodiesAhead);
+        if (m_rows[row].records == 0)
+            continue;
+        const uint8_t bits = FlagsOf(m_rows[row]);
+        if (bits == m_sweepBits[row])
+            continue;
+        m_sweepBits[row] = bits;
+        return row;
+    }
+    return kNone;
 }
 
 void Movers::FindEnd(uint32_t row, bool careful, uint64_t look) {

@@ -101,8 +101,9 @@ public:
             FindSweepBits(row, look);
     }
     void LookAtAllSweeps(uint64_t look);
-    /// Reads the flags of its sweep. Are they others than before?
-    bool LooksAnewAtSweep(uint32_t row);
+    /// Reads the flags of sweeps anew, from this row on up to one that has others than before; kNone where
+    /// there is none.
+    uint32_t NextNewSweep(uint32_t row);
     /// Sets End: how far the row can come in the sweep of its body. The world is the one, and in the step, of
     /// the last look, and was locked ever since. `careful`: code of the game ran, and the shape is compared.
     void LookAtEnd(uint32_t row, bool careful, uint64_t look) {
