@@ -8,7 +8,6 @@ import os
 import re
 import shlex
 import subprocess
-from collections import defaultdict
 from pathlib import Path
 
 PARTS = ("core", "box2d_glue", "plugin")
@@ -40,7 +39,7 @@ class Tree:
         for entry in json.loads((self.build / "compile_commands.json").read_text()):
             words = shlex.split(entry["command"])
             self.compiled[words[words.index("-o") + 1]] = (entry["file"], words)
-        self._tests, self._includers, self._names, self._commands = None, None, None, {}
+        self._tests, self._includers, self._names, self._commands = None, None, {}, {}
 
     def product(self, name):
         """The linked file (a path in the build tree) that a target's name or any path of it stands for; or None."""
@@ -70,27 +69,18 @@ class Tree:
         if not file.endswith(".h"):
             return {o for o, (source, _) in self.compiled.items() if source == file}
         if self._includers is None:
-            includers = {}
             listed = subprocess.run(["ninja", "-C", self.build, "-t", "deps"], stdout=subprocess.PIPE, text=True, check=True).stdout
-            for block in listed.split("\n\n"):
-                head, *lines = block.splitlines() or [""]
-                for line in lines:
-                    path = os.path.normpath(self.build / line.strip())
-                    if path.startswith(f"{self.root}/"):
-                        includers.setdefault(path, set()).add(head.split(": ")[0])
-            self._includers = includers
-        return self._includers.get(file, set()) & self.compiled.keys()
+            self._includers = [block.splitlines() for block in listed.split("\n\n") if block]
+        name = f"/{os.path.basename(file)}"
+        return {head.split(": ")[0] for head, *lines in self._includers if any(
+            line.endswith(name) and os.path.normpath(self.build / line.strip()) == file for line in lines)} & self.compiled.keys()
 
     def names(self, file):
         """The names that an object, or whatever is linked, defines."""
-        if self._names is None:
-            names = defaultdict(set)
-            files = [f for f in [*self.compiled, *self.inputs] if not f.endswith(".a") and (self.build / f).exists()]
-            listed = subprocess.run(["nm", "-AP", "--defined-only", *files], cwd=self.build, stdout=subprocess.PIPE, text=True).stdout
-            for there, name, kind, *_ in map(str.split, listed.splitlines()):
-                if kind in ("TDBR" if there.endswith(".o:") else "TtDdBbRr"):
-                    names[there[:-1]].add(name)
-            self._names = names
+        if file not in self._names:
+            listed = subprocess.run(["nm", "-P", "--defined-only", self.build / file], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+            kinds = "TDBR" if file.endswith(".o") else "TtDdBbRr"
+            self._names[file] = {name for name, kind, *_ in map(str.split, listed.stdout.splitlines()) if kind in kinds}
         return self._names[file]
 
     def taken(self, product, objects):
