@@ -74,6 +74,8 @@ struct BodyInIsland {
     }
 
     static constexpr uint16 kAwake = 0x0002;
+    /// Bit 0 is none of them.
+    static uint32_t OtherFlags(const b2Body *body) { return body->*Named(BodyFlags()) & ~uint32_t{kFlag}; }
 
 private:
     static constexpr uint16 kFlag = 0x0001;

@@ -13,11 +13,6 @@ namespace {
 constexpr uint32_t kFewBodies = 256, kMostAwakeOf = 8;
 constexpr uint32_t kStepsToWait = 32;
 
-/// Box2D's: not in its public part.
-struct Island {
-    static constexpr uint16 kFlag = 0x0001;
-};
-
 } // namespace
 
 bool Bodies::Follow(b2Body *newest, int32 count) {
@@ -60,9 +55,8 @@ bool Bodies::FindAwake() {
         if (i >= kAhead)
             BMR_PREFETCH(m_bodies[i - kAhead]);
         b2Body *const body = m_bodies[i];
-        uint16 &flags = body->*Named(BodyFlags());
-        if ((flags & Island::kFlag) != 0)
-            flags = static_cast<uint16>(flags & ~Island::kFlag);
+        if (BodyInIsland::Is(body))
+            BodyInIsland::Clear(body);
         if (!body->IsAwake() || body->GetType() == b2_staticBody)
             continue;
         if (m_awakeCount == most) {

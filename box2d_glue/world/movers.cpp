@@ -98,6 +98,11 @@ uint8_t FlagsOf(const Mover &mover) {
     return bits;
 }
 
+/// What a game may change of it in a locked world, and more: its body's flags, and whether it is a sensor.
+uint32_t ChangeableOf(const Mover &mover) {
+    return BodyInIsland::OtherFlags(mover.body) | (mover.fixture->IsSensor() ? 1u : 0u);
+}
+
 /// Does a static body have a velocity, from its definition? It then moves on in each island that it is in, so
 /// that its sweep does not begin where it was looked at.
 bool MovesThoughStatic(const b2Body &body) {
@@ -149,7 +154,8 @@ uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhas
     if (row == kNone) {
         row = m_count;
         if (!m_rows.Reserve(row + 1) || !m_moved.Reserve(row + 1) || !m_ends.Reserve(row + 1) ||
-            !m_lookedAt.Reserve(row + 1) || !m_bits.Reserve(row + 1) || !m_sweepBits.Reserve(row + 1))
+            !m_lookedAt.Reserve(row + 1) || !m_bits.Reserve(row + 1) || !m_sweepBits.Reserve(row + 1) ||
+            !m_changeable.Reserve(row + 1))
             return kNone;
         ++m_count;
     } else {
@@ -164,6 +170,7 @@ uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhas
     mover.proxy = ProxyOf(fixture);
     m_ends[row] = 0;
     m_sweepBits[row] = kStops; // as far as is known
+    m_changeable[row] = 0;
     m_moved[row] = 0;
     m_bits[row] = kStops; // no news: its pairs are new
     Look(row, broadPhase, look, false);
@@ -186,6 +193,7 @@ void Movers::Clear() {
     m_lookedAt.Clear();
     m_bits.Clear();
     m_sweepBits.Clear();
+    m_changeable.Clear();
     m_byFixture.Clear();
     m_count = 0;
     m_free = kNone;
@@ -335,20 +343,21 @@ void Movers::FindSweepBits(uint32_t row, uint64_t look) {
 void Movers::LookAtAllSweeps(uint64_t look) {
     for (uint32_t row = 0; row < m_count; ++row) {
         PrefetchBody(row + kBodiesAhead);
-        if (m_rows[row].records > 0)
-            FindSweepBits(row, look);
+        if (m_rows[row].records == 0)
+            continue;
+        FindSweepBits(row, look);
+        m_changeable[row] = static_cast<uint16_t>(ChangeableOf(m_rows[row]));
     }
 }
 
 uint32_t Movers::NextNewSweep(uint32_t row) {
     for (; row < m_count; ++row) {
-        PrefetchBody(row + kBodiesAhead);
         if (m_rows[row].records == 0)
             continue;
-        const uint8_t bits = FlagsOf(m_rows[row]);
-        if (bits == m_sweepBits[row])
+        const uint32_t now = ChangeableOf(m_rows[row]);
+        if (now == m_changeable[row])
             continue;
-        m_sweepBits[row] = bits;
+        m_changeable[row] = static_cast<uint16_t>(now);
         return row;
     }
     return kNone;

@@ -184,6 +184,7 @@ private:
     Column<uint32_t> m_moved, m_ends;
     Column<uint64_t> m_lookedAt;
     Column<uint8_t> m_bits, m_sweepBits;
+    Column<uint16_t> m_changeable; ///< see NextNewSweep
     KeyTable m_byFixture;
     bool m_sumsLost = false, m_newStops = false;
     uint32_t m_count = 0, m_free = kNone;
