@@ -27,7 +27,7 @@ ContactBodies BodiesOf(const b2Body &a, const b2Body &b) {
 /// The normal from A to B, and the points half way between the two surfaces: b2WorldManifold.
 struct WorldPoints {
     b2Vec2 normal, points[b2_maxManifoldPoints];
-    float separation = b2_maxFloat; ///< the smallest, of faces
+    float separation = b2_maxFloat; ///< the smallest of a face's, or NaN
 
     WorldPoints(const PositionConstraint &c, const b2Transform &poseA, const b2Transform &poseB) {
         if (c.type == b2Manifold::e_circles) {
@@ -57,7 +57,9 @@ private:
         for (int32 i = 0; i < c.pointCount; ++i) {
             const b2Vec2 clip = b2Mul(incident, c.localPoints[i]);
             const float along = b2Dot(clip - plane, normal);
-            separation = b2Min(separation, along - c.radiusA - c.radiusB);
+            const float apart = along - c.radiusA - c.radiusB;
+            if (apart < separation || apart != apart)
+                separation = apart;
             const b2Vec2 onFace = clip + (faceRadius - along) * normal;
             const b2Vec2 onOther = clip - radius * normal;
             points[i] = 0.5f * (onFace + onOther); // the sum of two is the same in either order
@@ -227,7 +229,6 @@ void Read(const b2Contact &contact, VelocityConstraint *velocity, PositionConstr
     velocity->restitution = contact.GetRestitution();
     velocity->threshold = contact.GetRestitutionThreshold();
     velocity->tangentSpeed = contact.GetTangentSpeed();
-    velocity->pointCount = manifold.pointCount;
     position->bodies = bodies;
     position->localCenterA = bodyA->GetLocalCenter();
     position->localCenterB = bodyB->GetLocalCenter();
@@ -249,30 +250,26 @@ bool ContactSolver::Reserve(uint32_t bodies, uint32_t contacts) {
            m_positionConstraints.Reserve(contacts);
 }
 
-void ContactSolver::Begin(const b2TimeStep &step, b2Contact *const *contacts, uint32_t count,
-                          const b2SolverData &bodies, uint32_t bodyCount) {
+void ContactSolver::Begin(const b2TimeStep &step, b2Contact *const *contacts, const b2SolverData &bodies) {
     m_contacts = contacts;
-    m_count = count;
     m_positions = bodies.positions;
     m_velocities = bodies.velocities;
-    m_rotations.Begin(m_positions, bodyCount);
-    m_solvesBlocks = g_blockSolve;
-    for (uint32_t i = 0; i < count; ++i) {
-        const b2Manifold &manifold = *contacts[i]->GetManifold();
-        VelocityConstraint &constraint = m_velocityConstraints[i];
-        Read(*contacts[i], &constraint, &m_positionConstraints[i]);
-        for (int32 j = 0; j < manifold.pointCount; ++j) {
-            VelocityPoint &at = constraint.points[j];
-            at.normalImpulse = step.warmStarting ? step.dtRatio * manifold.points[j].normalImpulse : 0.0f;
-            at.tangentImpulse = step.warmStarting ? step.dtRatio * manifold.points[j].tangentImpulse : 0.0f;
-        }
-    }
+    m_warmStarts = step.warmStarting;
+    m_dtRatio = step.dtRatio;
 }
 
-void ContactSolver::InitializeVelocities() {
-    for (uint32_t i = 0; i < m_count; ++i) {
+void ContactSolver::Read(const Island &island) {
+    m_solvesBlocks = g_blockSolve;
+    for (uint32_t i = island.firstContact; i < island.endContact; ++i)
+        bmr::Read(*m_contacts[i], &m_velocityConstraints[i], &m_positionConstraints[i]);
+}
+
+void ContactSolver::InitializeVelocities(const Island &island) {
+    for (uint32_t i = island.firstContact; i < island.endContact; ++i) {
         VelocityConstraint &constraint = m_velocityConstraints[i];
         PositionConstraint &position = m_positionConstraints[i];
+        const b2Manifold &manifold = *m_contacts[i]->GetManifold();
+        constraint.pointCount = manifold.pointCount;
         const b2Position &a = m_positions[constraint.bodies.indexA],
                          &b = m_positions[constraint.bodies.indexB];
         const b2Velocity &va = m_velocities[constraint.bodies.indexA],
@@ -285,6 +282,8 @@ void ContactSolver::InitializeVelocities() {
         position.separation = world.separation;
         for (int32 j = 0; j < constraint.pointCount; ++j) {
             VelocityPoint &at = constraint.points[j];
+            at.normalImpulse = m_warmStarts ? m_dtRatio * manifold.points[j].normalImpulse : 0.0f;
+            at.tangentImpulse = m_warmStarts ? m_dtRatio * manifold.points[j].tangentImpulse : 0.0f;
             at.rA = world.points[j] - a.c;
             at.rB = world.points[j] - b.c;
             InitializePoint(constraint, pair, &at);
@@ -294,8 +293,8 @@ void ContactSolver::InitializeVelocities() {
     }
 }
 
-void ContactSolver::WarmStart() {
-    for (uint32_t i = 0; i < m_count; ++i) {
+void ContactSolver::WarmStart(const Island &island) {
+    for (uint32_t i = island.firstContact; i < island.endContact; ++i) {
         const VelocityConstraint &constraint = m_velocityConstraints[i];
         b2Velocity &a = m_velocities[constraint.bodies.indexA], &b = m_velocities[constraint.bodies.indexB];
         Pair pair = {a.v, b.v, a.w, b.w};
@@ -322,13 +321,13 @@ void ContactSolver::Solve(VelocityConstraint *constraint) const {
     b = {pair.vB, pair.wB};
 }
 
-void ContactSolver::SolveVelocities() {
-    for (uint32_t i = 0; i < m_count; ++i)
+void ContactSolver::SolveVelocities(const Island &island) {
+    for (uint32_t i = island.firstContact; i < island.endContact; ++i)
         Solve(&m_velocityConstraints[i]);
 }
 
-void ContactSolver::StoreImpulses() const {
-    for (uint32_t i = 0; i < m_count; ++i) {
+void ContactSolver::StoreImpulses(const Island &island) const {
+    for (uint32_t i = island.firstContact; i < island.endContact; ++i) {
         const VelocityConstraint &constraint = m_velocityConstraints[i];
         b2Manifold &manifold = *m_contacts[i]->GetManifold();
         for (int32 j = 0; j < constraint.pointCount; ++j) {
@@ -361,18 +360,18 @@ void ContactSolver::Solve(const PositionConstraint &constraint, float baumgarte,
     m_positions[bodies.indexB] = b;
 }
 
-bool ContactSolver::SolvePositions() {
+bool ContactSolver::SolvePositions(const Island &island) {
     float least = 0.0f;
-    for (uint32_t i = 0; i < m_count; ++i) {
+    for (uint32_t i = island.firstContact; i < island.endContact; ++i) {
         const PositionConstraint &constraint = m_positionConstraints[i];
         Solve(constraint, b2_baumgarte, constraint.bodies, &least);
     }
     return least >= kLeastSeparation;
 }
 
-bool ContactSolver::SolveToiPositions() {
+bool ContactSolver::SolveToiPositions(const Island &island) {
     float least = 0.0f;
-    for (uint32_t i = 0; i < m_count; ++i) {
+    for (uint32_t i = island.firstContact; i < island.endContact; ++i) {
         ContactBodies bodies = m_positionConstraints[i].bodies;
         if (bodies.indexA > 1)
             bodies.invMassA = bodies.invIA = 0.0f;

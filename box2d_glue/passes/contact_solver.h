@@ -47,13 +47,19 @@ struct PositionConstraint {
     b2Vec2 localCenterA, localCenterB;
     float radiusA, radiusB;
     float side;       ///< -1: the face is B's
-    float separation; ///< the smallest of a point of a face, before the step
+    float separation; ///< the smallest of a point of a face, or NaN; before the step
     ContactBodies bodies;
     b2Manifold::Type type;
     int32 pointCount;
 };
 
-/// The contacts of one island, one after the other, with the bits of Box2D's b2ContactSolver.
+/// Bodies and contacts of one island, or of several that follow each other.
+struct Island {
+    uint32_t firstBody, endBody, firstContact, endContact;
+    bool isDone, isSolved; ///< its position iterations: all are done; the last one was enough
+};
+
+/// The contacts of islands, one after the other, with the bits of Box2D's b2ContactSolver.
 class ContactSolver {
 public:
     /// An island is solved once no point is deeper.
@@ -62,21 +68,26 @@ public:
     /// Room for so many. False without memory, and nothing has changed.
     bool Reserve(uint32_t bodies, uint32_t contacts);
 
-    /// Reads the contacts and their bodies. `contacts` and the arrays of bodies stay until the island is
-    /// solved.
-    void Begin(const b2TimeStep &step, b2Contact *const *contacts, uint32_t count, const b2SolverData &bodies,
-               uint32_t bodyCount);
-    void InitializeVelocities();
-    void WarmStart();
-    void SolveVelocities();
+    /// `contacts` and the arrays of bodies stay until all is solved.
+    void Begin(const b2TimeStep &step, b2Contact *const *contacts, const b2SolverData &bodies);
+    /// Reads what does not depend on where the bodies are. (A static body has a place in each island.)
+    void Read(const Island &island);
+    /// Once bodies are where the iterations begin.
+    void PlaceBodies(const Island &island) {
+        m_rotations.Begin(m_positions, island.firstBody, island.endBody);
+    }
+    /// Impulses become those of the step before, or none.
+    void InitializeVelocities(const Island &island);
+    void WarmStart(const Island &island);
+    void SolveVelocities(const Island &island);
     void SolveVelocity(uint32_t i) { Solve(&m_velocityConstraints[i]); }
     bool SolvesBlocks() const { return m_solvesBlocks; }
     const PositionConstraint *PositionConstraints() const { return m_positionConstraints.Data(); }
     Rotations &GetRotations() { return m_rotations; }
     VelocityConstraint *VelocityConstraints() { return m_velocityConstraints.Data(); }
-    void StoreImpulses() const;
+    void StoreImpulses(const Island &island) const;
     /// Are all contacts solved as well as Box2D asks?
-    bool SolvePositions();
+    bool SolvePositions(const Island &island);
     /// One of them. Returns its smallest separation, or 0 if that is less.
     float SolvePosition(uint32_t i) {
         const PositionConstraint &constraint = m_positionConstraints[i];
@@ -85,7 +96,7 @@ public:
         return least;
     }
     /// The same after an impact of the bodies 0 and 1: no other body is moved.
-    bool SolveToiPositions();
+    bool SolveToiPositions(const Island &island);
 
     /// Where the body is, now that it is solved.
     b2Transform PoseOf(int32 body, const b2Vec2 &localCenter) {
@@ -109,7 +120,8 @@ private:
     Column<PositionConstraint> m_positionConstraints;
     Rotations m_rotations;
     b2Contact *const *m_contacts = nullptr;
-    uint32_t m_count = 0;
+    bool m_warmStarts = false;
+    float m_dtRatio = 0.0f;
     b2Position *m_positions = nullptr;
     b2Velocity *m_velocities = nullptr;
     bool m_solvesBlocks = true; ///< g_blockSolve

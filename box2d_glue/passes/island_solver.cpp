@@ -2,6 +2,7 @@
 #include "passes/island_solver.h"
 
 #include <chrono>
+#include <cmath>
 #include <new>
 
 #include <box2d/b2_body.h>
@@ -54,6 +55,19 @@ void Store(const b2Position &position, const b2Velocity &velocity, b2Body *body)
     body->*Named(AngularVelocity()) = velocity.w;
 }
 
+// Contacts. What waits stays in the processor's nearest cache.
+constexpr uint32_t kEnough = 512;
+
+/// Does nothing that is solved move the static body, not by a bit? (Box2D moves it once for each island.)
+bool StaysAsItIs(const b2Body &body) {
+    const b2Sweep &sweep = SweepOf(body);
+    const auto isZero = [](float x) { return x == 0.0f && !std::signbit(x); };
+    const auto isNegativeZero = [](float x) { return x == 0.0f && std::signbit(x); };
+    return isZero(body.GetLinearVelocity().x) && isZero(body.GetLinearVelocity().y) &&
+           isZero(body.GetAngularVelocity()) && !isNegativeZero(sweep.c.x) && !isNegativeZero(sweep.c.y) &&
+           !isNegativeZero(sweep.a);
+}
+
 } // namespace
 
 void IslandSolver::SolveBy(IslandsBy solvedBy, b2World *world) {
@@ -61,13 +75,15 @@ void IslandSolver::SolveBy(IslandsBy solvedBy, b2World *world) {
 }
 
 bool IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) {
-    if (!m_room.stack.Reserve(bodies) || !m_bodies.Reserve(bodies) || !m_contacts.Reserve(contacts) ||
+    const uint32_t waiting = 2 * bodies; // one island, and those that wait: no more than m_mostBodies
+    if (!m_room.stack.Reserve(bodies) || !m_bodies.Reserve(waiting) || !m_contacts.Reserve(contacts) ||
         !m_joints.Reserve(joints))
         return false;
+    m_mostBodies = bodies;
     return m_allocator != nullptr ||
-           (m_positions.Reserve(bodies) && m_velocities.Reserve(bodies) &&
-            m_solver.Reserve(bodies, contacts) && m_orderedVelocities.Reserve(bodies, contacts) &&
-            m_orderedPositions.Reserve(bodies, contacts));
+           (m_positions.Reserve(waiting) && m_velocities.Reserve(waiting) && m_islands.Reserve(bodies + 1) &&
+            m_solver.Reserve(waiting, contacts) && m_orderedVelocities.Reserve(waiting, contacts) &&
+            m_orderedPositions.Reserve(waiting, contacts));
 }
 
 void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener) {
@@ -75,6 +91,11 @@ void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener) {
     m_step = step;
     m_listener = listener;
     m_profile = {};
+}
+
+void IslandSolver::Clear() {
+    m_bodyCount = m_contactCount = m_jointCount = m_islandCount = 0;
+    m_waiting = {};
 }
 
 void IslandSolver::Add(b2Body *body) {
@@ -88,32 +109,77 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
         Clear();
         return;
     }
-    const Timer timer(m_contactCount + m_jointCount > 0);
-    const b2SolverData data = {m_step, m_positions.Data(), m_velocities.Data()};
-    Prepare(gravity, data);
-    for (uint32_t i = 0; i < m_jointCount; ++i)
-        (m_joints[i]->*Named(InitVelocityConstraints()))(data);
-    const float initialized = timer.GetMilliseconds();
-    if (!MayReorder() ||
-        !m_orderedVelocities.Order(m_solver.VelocityConstraints(), m_contactCount, data.velocities,
-                                   m_bodyCount, m_step.velocityIterations)) {
-        SolveVelocities(data);
-    } else if (!m_orderedVelocities.Solve(&m_solver, data.velocities)) {
-        Prepare(gravity, data);
-        SolveVelocities(data);
+    m_gravity = gravity;
+    m_allowSleep = allowSleep;
+    Island island = {m_waiting.endBody, m_bodyCount, m_waiting.endContact, m_contactCount, false, false};
+    m_solver.Begin(m_step, m_contacts.Data(), Data());
+    m_solver.Read(island);
+    if (MayWait()) {
+        m_islands[m_islandCount++] = island;
+        m_waiting.endBody = m_bodyCount;
+        m_waiting.endContact = m_contactCount;
+        if (m_bodyCount >= m_mostBodies || m_contactCount >= kEnough) {
+            SolveWaiting();
+            Clear();
+        }
+        return;
     }
-    m_solver.StoreImpulses();
-    IntegratePositions();
+    if (ContactCount() + m_jointCount > 0) { // it may share static bodies with those that came before
+        const uint32_t joints = m_jointCount;
+        m_jointCount = 0;
+        SolveWaiting();
+        m_jointCount = joints;
+    }
+    SolveTogether(&island, 1);
+    m_bodyCount = m_waiting.endBody;
+    m_contactCount = m_waiting.endContact;
+    m_jointCount = 0;
+    if (m_islandCount == 0)
+        Clear();
+}
+
+bool IslandSolver::MayWait() const {
+    bool mayWait =
+        m_jointCount == 0 && m_listener == nullptr && ContactCount() > 0 && m_step.dt < b2_maxFloat;
+    for (uint32_t i = m_waiting.endBody; i < m_bodyCount && mayWait; ++i)
+        mayWait = m_bodies[i]->GetType() != b2_staticBody || StaysAsItIs(*m_bodies[i]);
+    return mayWait;
+}
+
+void IslandSolver::SolveWaiting() {
+    if (m_islandCount > 0 && !SolveTogether(m_islands.Data(), m_islandCount))
+        for (uint32_t i = 0; i < m_islandCount; ++i)
+            SolveTogether(&m_islands[i], 1);
+    m_islandCount = 0;
+}
+
+/// Returns false, and has changed nothing, if something of several islands became NaN: a static body may hand
+/// it on from one to the next.
+bool IslandSolver::SolveTogether(Island *islands, uint32_t count) {
+    const Island &last = islands[count - 1];
+    Island all = islands[0];
+    all.endBody = last.endBody;
+    all.endContact = last.endContact;
+    const Timer timer(all.firstContact < all.endContact || m_jointCount > 0);
+    Prepare(all);
+    for (uint32_t i = 0; i < m_jointCount; ++i)
+        (m_joints[i]->*Named(InitVelocityConstraints()))(Data());
+    const float initialized = timer.GetMilliseconds();
+    SolveVelocities(all);
+    IntegratePositions(all);
     const float solved = timer.GetMilliseconds();
-    const bool positionsAreSolved = SolvePositions(data);
-    StoreBodies();
+    SolvePositions(islands, count);
+    if (count > 1 && HasNan(all))
+        return false;
+    m_solver.StoreImpulses(all);
+    StoreBodies(all);
     m_profile.solveInit += initialized;
     m_profile.solveVelocity += solved - initialized;
     m_profile.solvePosition += timer.GetMilliseconds() - solved;
-    Report();
-    if (allowSleep)
-        Sleep(positionsAreSolved);
-    Clear();
+    Report(all);
+    for (uint32_t i = 0; i < count && m_allowSleep; ++i)
+        Sleep(islands[i]);
+    return true;
 }
 
 void IslandSolver::SolveToi() {
@@ -122,31 +188,35 @@ void IslandSolver::SolveToi() {
         Clear();
         return;
     }
+    const Island island = {0, m_bodyCount, 0, m_contactCount, false, false};
     for (uint32_t i = 0; i < m_bodyCount; ++i) {
         const b2Body &body = *m_bodies[i];
         m_positions[i] = {SweepOf(body).c, SweepOf(body).a};
         m_velocities[i] = {body.GetLinearVelocity(), body.GetAngularVelocity()};
     }
-    const b2SolverData data = {m_step, m_positions.Data(), m_velocities.Data()};
-    m_solver.Begin(m_step, m_contacts.Data(), m_contactCount, data, m_bodyCount);
+    m_solver.Begin(m_step, m_contacts.Data(), Data());
+    m_solver.Read(island);
+    m_solver.PlaceBodies(island);
     for (int32 i = 0; i < m_step.positionIterations; ++i)
-        if (m_solver.SolveToiPositions())
+        if (m_solver.SolveToiPositions(island))
             break;
     for (uint32_t i = 0; i < 2; ++i) { // where the two go on from
         b2Sweep &sweep = m_bodies[i]->*Named(SweepMember());
         sweep.c0 = m_positions[i].c;
         sweep.a0 = m_positions[i].a;
     }
-    m_solver.InitializeVelocities();
+    m_solver.InitializeVelocities(island);
     for (int32 i = 0; i < m_step.velocityIterations; ++i)
-        m_solver.SolveVelocities();
-    IntegratePositions();
-    StoreBodies();
-    Report();
+        m_solver.SolveVelocities(island);
+    IntegratePositions(island);
+    StoreBodies(island);
+    Report(island);
     Clear();
 }
 
 void IslandSolver::Finish(b2Profile *profile) {
+    SolveWaiting();
+    Clear();
     if (profile == nullptr)
         return;
     profile->solveInit += m_profile.solveInit;
@@ -155,24 +225,56 @@ void IslandSolver::Finish(b2Profile *profile) {
 }
 
 /// The state ahead of the velocity iterations, but for joints.
-void IslandSolver::Prepare(const b2Vec2 &gravity, const b2SolverData &data) {
-    IntegrateVelocities(gravity);
-    m_solver.Begin(m_step, m_contacts.Data(), m_contactCount, data, m_bodyCount);
-    m_solver.InitializeVelocities();
+void IslandSolver::Prepare(const Island &island) {
+    IntegrateVelocities(island);
+    m_solver.PlaceBodies(island);
+    m_solver.InitializeVelocities(island);
     if (m_step.warmStarting)
-        m_solver.WarmStart();
+        m_solver.WarmStart(island);
 }
 
-bool IslandSolver::MayReorder() const {
-    return m_jointCount == 0 && m_solver.SolvesBlocks();
-}
-
-void IslandSolver::SolveVelocities(const b2SolverData &data) {
+void IslandSolver::SolveVelocities(const Island &island) {
+    const bool mayReorder = m_jointCount == 0 && m_solver.SolvesBlocks();
+    if (mayReorder && m_orderedVelocities.Order(m_solver.VelocityConstraints(), island, m_velocities.Data(),
+                                                m_step.velocityIterations)) {
+        if (m_orderedVelocities.Solve(&m_solver, island, m_velocities.Data()))
+            return;
+        Prepare(island);
+    }
     for (int32 i = 0; i < m_step.velocityIterations; ++i) {
         for (uint32_t j = 0; j < m_jointCount; ++j)
-            (m_joints[j]->*Named(SolveVelocityConstraints()))(data);
-        m_solver.SolveVelocities();
+            (m_joints[j]->*Named(SolveVelocityConstraints()))(Data());
+        m_solver.SolveVelocities(island);
     }
+}
+
+void IslandSolver::SolvePositions(Island *islands, uint32_t count) {
+    if (m_jointCount == 0)
+        m_orderedPositions.Solve(&m_solver, islands, count, m_positions.Data(), m_step.positionIterations);
+    for (uint32_t i = 0; i < count; ++i)
+        if (!islands[i].isDone)
+            islands[i].isSolved = SolvePositions(islands[i]);
+}
+
+bool IslandSolver::SolvePositions(const Island &island) {
+    for (int32 i = 0; i < m_step.positionIterations; ++i) {
+        bool solved = m_solver.SolvePositions(island);
+        for (uint32_t j = 0; j < m_jointCount; ++j) {
+            const bool jointIsSolved = (m_joints[j]->*Named(SolvePositionConstraints()))(Data());
+            solved = solved && jointIsSolved;
+        }
+        if (solved)
+            return true;
+    }
+    return false;
+}
+
+bool IslandSolver::HasNan(const Island &island) const {
+    const auto isNan = [](const b2Vec2 &v, float w) { return v.x != v.x || v.y != v.y || w != w; };
+    for (uint32_t i = island.firstBody; i < island.endBody; ++i)
+        if (isNan(m_positions[i].c, m_positions[i].a) || isNan(m_velocities[i].v, m_velocities[i].w))
+            return true;
+    return false;
 }
 
 IslandParts IslandSolver::Parts() const {
@@ -181,9 +283,9 @@ IslandParts IslandSolver::Parts() const {
 }
 
 /// Forces and damping, as far as the body has a mass. The sweep begins where the body is.
-void IslandSolver::IntegrateVelocities(const b2Vec2 &gravity) {
+void IslandSolver::IntegrateVelocities(const Island &island) {
     const float h = m_step.dt;
-    for (uint32_t i = 0; i < m_bodyCount; ++i) {
+    for (uint32_t i = island.firstBody; i < island.endBody; ++i) {
         b2Body *const body = m_bodies[i];
         b2Sweep &sweep = body->*Named(SweepMember());
         b2Vec2 v = body->GetLinearVelocity();
@@ -192,7 +294,7 @@ void IslandSolver::IntegrateVelocities(const b2Vec2 &gravity) {
         sweep.a0 = sweep.a;
         if (body->GetType() == b2_dynamicBody) {
             v += h * body->*Named(InverseMass()) *
-                 (body->GetGravityScale() * body->GetMass() * gravity + body->*Named(Force()));
+                 (body->GetGravityScale() * body->GetMass() * m_gravity + body->*Named(Force()));
             w += h * body->*Named(InverseInertia()) * body->*Named(Torque());
             v *= 1.0f / (1.0f + h * body->GetLinearDamping());
             w *= 1.0f / (1.0f + h * body->GetAngularDamping());
@@ -202,38 +304,21 @@ void IslandSolver::IntegrateVelocities(const b2Vec2 &gravity) {
     }
 }
 
-void IslandSolver::IntegratePositions() {
-    for (uint32_t i = 0; i < m_bodyCount; ++i)
+void IslandSolver::IntegratePositions(const Island &island) {
+    for (uint32_t i = island.firstBody; i < island.endBody; ++i)
         Integrate(m_step.dt, &m_positions[i], &m_velocities[i]);
 }
 
-bool IslandSolver::SolvePositions(const b2SolverData &data) {
-    bool isSolved = false;
-    if (m_jointCount == 0 && m_orderedPositions.Solve(&m_solver, m_contactCount, data.positions, m_bodyCount,
-                                                      m_step.positionIterations, &isSolved))
-        return isSolved;
-    for (int32 i = 0; i < m_step.positionIterations; ++i) {
-        bool solved = m_solver.SolvePositions();
-        for (uint32_t j = 0; j < m_jointCount; ++j) {
-            const bool jointIsSolved = (m_joints[j]->*Named(SolvePositionConstraints()))(data);
-            solved = solved && jointIsSolved;
-        }
-        if (solved)
-            return true;
-    }
-    return false;
-}
-
-void IslandSolver::StoreBodies() {
-    for (uint32_t i = 0; i < m_bodyCount; ++i) {
+void IslandSolver::StoreBodies(const Island &island) {
+    for (uint32_t i = island.firstBody; i < island.endBody; ++i) {
         b2Body *const body = m_bodies[i];
         Store(m_positions[i], m_velocities[i], body);
         body->*Named(TransformMember()) = m_solver.PoseOf(static_cast<int32>(i), body->GetLocalCenter());
     }
 }
 
-void IslandSolver::Report() {
-    for (uint32_t i = 0; m_listener != nullptr && i < m_contactCount; ++i) {
+void IslandSolver::Report(const Island &island) {
+    for (uint32_t i = island.firstContact; m_listener != nullptr && i < island.endContact; ++i) {
         b2ContactImpulse impulse;
         m_solver.GetImpulse(i, &impulse);
         m_listener->PostSolve(m_contacts[i], &impulse);
@@ -241,11 +326,11 @@ void IslandSolver::Report() {
 }
 
 /// Puts the island to sleep once all of it has been slow for long enough. Reads what a listener left.
-void IslandSolver::Sleep(bool positionsAreSolved) {
+void IslandSolver::Sleep(const Island &island) {
     constexpr float kSlow = b2_linearSleepTolerance * b2_linearSleepTolerance;
     constexpr float kSlowTurn = b2_angularSleepTolerance * b2_angularSleepTolerance;
     float shortest = b2_maxFloat;
-    for (uint32_t i = 0; i < m_bodyCount; ++i) {
+    for (uint32_t i = island.firstBody; i < island.endBody; ++i) {
         b2Body *const body = m_bodies[i];
         float &sleepTime = body->*Named(SleepTime());
         const b2Vec2 &v = body->GetLinearVelocity();
@@ -260,9 +345,9 @@ void IslandSolver::Sleep(bool positionsAreSolved) {
             shortest = b2Min(shortest, sleepTime);
         }
     }
-    if (!(shortest >= b2_timeToSleep) || !positionsAreSolved)
+    if (!(shortest >= b2_timeToSleep) || !island.isSolved)
         return;
-    for (uint32_t i = 0; i < m_bodyCount; ++i)
+    for (uint32_t i = island.firstBody; i < island.endBody; ++i)
         m_bodies[i]->SetAwake(false);
 }
 

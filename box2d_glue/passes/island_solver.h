@@ -56,18 +56,18 @@ public:
     /// The arithmetic that goes with its islands.
     const Sweeps &GetSweeps() const { return m_allocator != nullptr ? TheStockSolver().sweeps : OurSweeps(); }
 
-    /// Writes the body's m_islandIndex: its place in the island.
+    /// Writes the body's m_islandIndex: its place among those that are solved together.
     void Add(b2Body *body);
     void Add(b2Contact *contact) { m_contacts[m_contactCount++] = contact; }
     void Add(b2Joint *joint) { m_joints[m_jointCount++] = joint; }
-    uint32_t BodyCount() const { return m_bodyCount; }
-    uint32_t ContactCount() const { return m_contactCount; }
-    b2Body *Body(uint32_t i) const { return m_bodies[i]; }
+    uint32_t BodyCount() const { return m_bodyCount - m_waiting.endBody; }
+    uint32_t ContactCount() const { return m_contactCount - m_waiting.endContact; }
+    b2Body *Body(uint32_t i) const { return m_bodies[m_waiting.endBody + i]; }
     /// Its stack has room for as many bodies as an island.
     IslandRoom &Room() { return m_room; }
 
-    /// b2Island::Solve. Where there are neither joints nor a listener, bodies may be written as late as in
-    /// Finish.
+    /// b2Island::Solve. Where there are neither joints nor a listener, the island may wait to be solved
+    /// together with others, as late as in Finish: they share no body that moves.
     void Solve(const b2Vec2 &gravity, bool allowSleep);
     /// b2Island::SolveTOI, by the step that Begin was given. The first two bodies are those that meet.
     void SolveToi();
@@ -79,17 +79,22 @@ public:
 private:
     friend class IslandSolvers;
 
-    void Clear() { m_bodyCount = m_contactCount = m_jointCount = 0; }
+    void Clear();
     IslandParts Parts() const;
-    void IntegrateVelocities(const b2Vec2 &gravity);
-    void IntegratePositions();
-    void Prepare(const b2Vec2 &gravity, const b2SolverData &data);
-    bool MayReorder() const;
-    void SolveVelocities(const b2SolverData &data);
-    bool SolvePositions(const b2SolverData &data);
-    void StoreBodies();
-    void Report();
-    void Sleep(bool positionsAreSolved);
+    b2SolverData Data() { return {m_step, m_positions.Data(), m_velocities.Data()}; }
+    bool MayWait() const;
+    void SolveWaiting();
+    bool SolveTogether(Island *islands, uint32_t count);
+    void IntegrateVelocities(const Island &island);
+    void IntegratePositions(const Island &island);
+    void Prepare(const Island &island);
+    void SolveVelocities(const Island &island);
+    void SolvePositions(Island *islands, uint32_t count);
+    bool SolvePositions(const Island &island);
+    bool HasNan(const Island &island) const;
+    void StoreBodies(const Island &island);
+    void Report(const Island &island);
+    void Sleep(const Island &island);
 
     IslandRoom m_room;
     Column<b2Body *> m_bodies;
@@ -100,7 +105,13 @@ private:
     ContactSolver m_solver;
     OrderedVelocities m_orderedVelocities;
     OrderedPositions m_orderedPositions;
+    Column<Island> m_islands; ///< those that wait
+    uint32_t m_islandCount = 0;
+    Island m_waiting = {}; ///< all of them
     uint32_t m_bodyCount = 0, m_contactCount = 0, m_jointCount = 0;
+    uint32_t m_mostBodies = 0; ///< of one island
+    b2Vec2 m_gravity = {0.0f, 0.0f};
+    bool m_allowSleep = false;
     b2TimeStep m_step = {};
     b2ContactListener *m_listener = nullptr;
     b2Profile m_profile = {};

@@ -14,7 +14,7 @@ bool CarriesNoOrder(float invMass, float invI, const float *at) {
 bool OrderedContacts::Reserve(uint32_t bodies, uint32_t contacts) {
     const uint32_t all = kOverlapping * contacts;
     return m_places.Reserve(contacts) && m_groups.Reserve(all) && m_levels.Reserve(all + 1) &&
-           m_last.Reserve(bodies);
+           m_last.Reserve(bodies + 2);
 }
 
 bool OrderedContacts::Find(uint32_t bodies, uint32_t iterations) {
@@ -29,38 +29,43 @@ bool OrderedContacts::Find(uint32_t bodies, uint32_t iterations) {
 
 /// False where two iterations have hardly fewer groups than contacts: chains of few contacts each.
 bool OrderedContacts::FindAnew() {
+    const uint32_t rounds = (m_iterations + kOverlapping - 1) / kOverlapping, most = m_iterations / rounds;
     m_groupCount = m_levelCount = 0;
-    for (uint32_t i = 0; i < m_bodies; ++i)
+    for (uint32_t i = 0; i <= m_bodies; ++i)
         m_last[i] = 0;
-    for (uint32_t i = 0; i < m_iterations; ++i) {
-        for (uint32_t j = 0; j < m_count; ++j) {
-            const Place &place = m_places[j];
-            const uint32_t a = place.a != kNone ? m_last[place.a] : 0,
-                           b = place.b != kNone ? m_last[place.b] : 0, level = a > b ? a : b;
-            if (level == m_levelCount)
-                m_levels[m_levelCount++] = {{kNone, kNone, kNone}};
-            if (place.a != kNone)
-                m_last[place.a] = level + 1;
-            if (place.b != kNone)
-                m_last[place.b] = level + 1;
-            Put(place, i, &m_levels[level]);
-        }
-        if (i == 1 && 5 * m_groupCount > 8 * m_count)
+    for (m_overlapping = 0; m_overlapping < most;) {
+        FindLevels(m_overlapping);
+        ++m_overlapping;
+        const uint32_t all = m_overlapping * m_count;
+        if (kEnough * m_groupCount <= all && m_iterations % m_overlapping == 0)
+            return true;
+        if (m_overlapping == 2 && 5 * m_groupCount > 4 * all)
             return false;
     }
     return true;
 }
 
-void OrderedContacts::Put(const Place &place, uint32_t iteration, Level *level) {
-    uint32_t &newest = level->ofKinds[place.kind];
-    if (newest == kNone || m_groups[newest].count == 4) {
-        const uint32_t c = place.contact;
-        m_groups[m_groupCount] = {{c, c, c, c}, {0, 0, 0, 0}, 0, newest};
-        newest = m_groupCount++;
+/// Of one more iteration. (Without branches that are hard to foretell: they would take most of the time.)
+void OrderedContacts::FindLevels(uint32_t iteration) {
+    const uint32_t none = m_bodies; // the level of nobody's contact is read here, and written behind
+    for (uint32_t i = 0; i < m_count; ++i) {
+        const Place &place = m_places[i];
+        const uint32_t a = place.a < none ? place.a : none, b = place.b < none ? place.b : none,
+                       afterA = m_last[a], afterB = m_last[b], level = afterA > afterB ? afterA : afterB;
+        if (level == m_levelCount)
+            m_levels[m_levelCount++] = {{kNone, kNone, kNone}};
+        m_last[a + (a == none ? 1 : 0)] = level + 1;
+        m_last[b + (b == none ? 1 : 0)] = level + 1;
+        uint32_t &newest = m_levels[level].ofKinds[place.kind];
+        const uint32_t before = newest;
+        const bool isFull = before % 4 == 3; // and so is kNone
+        newest = isFull ? 4 * m_groupCount : before + 1;
+        m_groupCount += isFull ? 1 : 0;
+        Group &group = m_groups[newest / 4];
+        group.contacts[newest % 4] = place.contact;
+        group.iterations[newest % 4] = static_cast<uint8_t>(iteration);
+        group.next = isFull ? before : group.next;
     }
-    Group &group = m_groups[newest];
-    group.contacts[group.count] = place.contact;
-    group.iterations[group.count++] = static_cast<uint8_t>(iteration);
 }
 
 } // namespace bmr

@@ -20,7 +20,7 @@ namespace bmr {
 class OrderedContacts {
 public:
     static constexpr uint32_t kLeast = 8;       ///< contacts; below this an order is not worth finding
-    static constexpr uint32_t kOverlapping = 8; ///< so many iterations at most have one order
+    static constexpr uint32_t kOverlapping = 8; ///< so many iterations at most have levels in common
     static constexpr uint32_t kKinds = 3;
     static constexpr uint32_t kNone = 0xffffffffu;
 
@@ -29,10 +29,12 @@ public:
         uint32_t a, b; ///< bodies that carry order, or kNone
     };
     struct Group {
-        uint32_t contacts[4]; ///< the first one again, where there are fewer
+        uint32_t contacts[4];
         uint8_t iterations[4];
-        uint32_t count;
-        uint32_t next; ///< of the same level and kind
+        uint32_t next; ///< as in Level, of the same level and kind
+
+        /// The contact of a lane: the first one again, where there are fewer.
+        uint32_t Contact(uint32_t lane, uint32_t count) const { return contacts[lane < count ? lane : 0]; }
     };
 
     bool Reserve(uint32_t bodies, uint32_t contacts);
@@ -48,36 +50,43 @@ public:
         last = place;
     }
     /// Finds the order of those that were added, or keeps the last one where it is of the same contacts, as
-    /// in a pile from step to step. False where Box2D's own order is as fast. `iterations`: 1 to
-    /// kOverlapping.
+    /// in a pile from step to step. False where Box2D's own order is as fast.
     bool Find(uint32_t bodies, uint32_t iterations);
     /// The next Find finds the order anew.
     void Forget() { m_ordered = 0; }
 
-    /// Calls solve(group, kind) for each group, in order.
-    template <typename Solve> void ForEach(const Solve &solve) const {
-        for (uint32_t level = 0; level < m_levelCount; ++level)
-            for (uint32_t kind = 0; kind < kKinds; ++kind)
-                for (uint32_t at = m_levels[level].ofKinds[kind]; at != kNone; at = m_groups[at].next)
-                    solve(m_groups[at], kind);
+    /// Calls solve(group, count, kind, iterations) for each group, in order; `iterations`: to be added to the
+    /// group's own. Returns how many iterations are left to Box2D's order.
+    template <typename Solve> uint32_t ForEach(const Solve &solve) const {
+        uint32_t done = 0;
+        for (; done + m_overlapping <= m_iterations; done += m_overlapping)
+            for (uint32_t level = 0; level < m_levelCount; ++level)
+                for (uint32_t kind = 0; kind < kKinds; ++kind)
+                    for (uint32_t at = m_levels[level].ofKinds[kind]; at != kNone; at = m_groups[at / 4].next)
+                        solve(m_groups[at / 4], at % 4 + 1, kind, done);
+        return m_iterations - done;
     }
 
 private:
-    /// The newest groups, the only ones that may have room.
+    /// The newest groups, the only ones that may have room: four times its number, and its last contact.
     struct Level {
         uint32_t ofKinds[kKinds];
     };
+    // So many contacts in each group, on the average, and overlapping further iterations costs what it saves.
+    static constexpr uint32_t kEnough = 3;
+
     bool FindAnew();
-    void Put(const Place &place, uint32_t iteration, Level *level);
+    void FindLevels(uint32_t iteration);
 
     Column<Place> m_places;
     Column<Group> m_groups;
     Column<Level> m_levels;
     Column<uint32_t> m_last; ///< of each body: the level of its last contact so far
     uint32_t m_count = 0, m_groupCount = 0, m_levelCount = 0;
-    uint32_t m_ordered = 0, m_bodies = 0, m_iterations = 0; ///< contacts, bodies and iterations of the order
-    bool m_isKnown = false;                                 ///< those added so far are those of the order
-    bool m_pays = false; ///< the order is complete, and has enough groups of several
+    uint32_t m_ordered = 0, m_bodies = 0, m_iterations = 0; ///< of the order
+    uint32_t m_overlapping = 1; ///< so many iterations have levels in common, then as many more
+    bool m_isKnown = false;     ///< those added so far are those of the order
+    bool m_pays = false;        ///< the order is complete, and has enough groups of several
 };
 
 /// `at`: the three coordinates of the body that its contacts write.

@@ -26,9 +26,11 @@ struct Four {
     Vec4 localNormal, localPoint, faceCenter, incidentCenter;
     float4 invMassA, invMassB, invIA, invIB, radiusA, radiusB, side;
 
-    Four(const PositionConstraint *all, const uint32_t *four, b2Position *ofBodies, Rotations *ofAngles)
-        : constraints{&all[four[0]], &all[four[1]], &all[four[2]], &all[four[3]]}, positions(ofBodies),
-          rotations(ofAngles), isNan(less4(zero4(), zero4())), isDeep(isNan) {
+    Four(const PositionConstraint *all, const OrderedContacts::Group &group, uint32_t count,
+         b2Position *ofBodies, Rotations *ofAngles)
+        : constraints{&all[group.contacts[0]], &all[group.Contact(1, count)], &all[group.Contact(2, count)],
+                      &all[group.Contact(3, count)]},
+          positions(ofBodies), rotations(ofAngles), isNan(less4(zero4(), zero4())), isDeep(isNan) {
         const Rows masses = Read(&constraints[0]->bodies.invMassA),
                    face = Read(&constraints[0]->localNormal.x),
                    centers = Read(&constraints[0]->localCenterA.x), rest = Read(&constraints[0]->radiusA);
@@ -97,80 +99,100 @@ struct Four {
 
 } // namespace
 
-bool OrderedPositions::Order(const PositionConstraint *constraints, uint32_t contacts,
-                             const b2Position *positions, uint32_t bodies, uint32_t iterations) {
+/// Is the island likely to need all iterations?
+bool OrderedPositions::IsDeep(const PositionConstraint *constraints, const Island &island) {
     bool isDeep = false;
-    for (uint32_t i = 0; i < contacts; ++i)
-        isDeep = isDeep || constraints[i].separation < ContactSolver::kLeastSeparation;
-    if (!isDeep)
-        return false;
+    for (uint32_t i = island.firstContact; i < island.endContact; ++i) {
+        const float separation = constraints[i].separation;
+        if (separation != separation)
+            return false;
+        isDeep = isDeep || separation < ContactSolver::kLeastSeparation;
+    }
+    return isDeep;
+}
+
+void OrderedPositions::Add(const PositionConstraint *constraints, const Island &island,
+                           const b2Position *positions) {
     const auto carries = [positions](int32 body, float invMass, float invI) {
         return CarriesNoOrder(invMass, invI, &positions[body].c.x) ? OrderedContacts::kNone
                                                                    : static_cast<uint32_t>(body);
     };
-    m_order.Begin();
-    for (uint32_t i = 0; i < contacts; ++i) {
+    for (uint32_t i = island.firstContact; i < island.endContact; ++i) {
         const PositionConstraint &c = constraints[i];
         const ContactBodies &of = c.bodies;
         const bool isCircles = c.type == b2Manifold::e_circles;
         m_order.Add({i, isCircles ? 2u : static_cast<uint32_t>(c.pointCount - 1),
                      carries(of.indexA, of.invMassA, of.invIA), carries(of.indexB, of.invMassB, of.invIB)});
+        m_unsolved[i] = 0;
     }
-    return m_order.Find(bodies, iterations);
+    for (uint32_t i = island.firstBody; i < island.endBody; ++i)
+        m_before[i] = positions[i];
 }
 
 /// Returns false where a position or a separation became NaN.
 bool OrderedPositions::SolveAll(ContactSolver *solver, b2Position *positions) {
     mask4 isNan = less4(zero4(), zero4());
     bool isAloneNan = false;
-    m_order.ForEach([&](const OrderedContacts::Group &group, uint32_t kind) {
+    m_order.ForEach([&](const OrderedContacts::Group &group, uint32_t count, uint32_t kind, uint32_t done) {
         unsigned deep = 0;
-        if (group.count == 1 || kind == 2 || !BMR_FLOAT4_NATIVE) {
-            for (uint32_t i = 0; i < group.count; ++i) {
+        if (count == 1 || kind == 2 || !BMR_FLOAT4_NATIVE) {
+            for (uint32_t i = 0; i < count; ++i) {
                 const float least = solver->SolvePosition(group.contacts[i]);
                 isAloneNan = isAloneNan || least != least;
                 deep |= least < ContactSolver::kLeastSeparation ? 1u << i : 0u;
             }
         } else {
-            Four four(solver->PositionConstraints(), group.contacts, positions, &solver->GetRotations());
-            four.SolvePoint(0, group.count);
+            Four four(solver->PositionConstraints(), group, count, positions, &solver->GetRotations());
+            four.SolvePoint(0, count);
             if (kind == 1)
-                four.SolvePoint(1, group.count);
+                four.SolvePoint(1, count);
             isNan = either4(isNan, four.isNan);
             deep = bits4(four.isDeep);
         }
-        for (uint32_t i = 0; i < 4 && i < group.count; ++i) {
+        for (uint32_t i = 0; i < count; ++i) {
             uint8_t &unsolved = m_unsolved[group.contacts[i]];
-            unsolved = static_cast<uint8_t>(unsolved | (deep >> i & 1u) << group.iterations[i]);
+            unsolved = static_cast<uint8_t>(unsolved | (deep >> i & 1u) << (done + group.iterations[i]));
         }
     });
     return !any4(isNan) && !isAloneNan;
 }
 
-bool OrderedPositions::Solve(ContactSolver *solver, uint32_t contacts, b2Position *positions, uint32_t bodies,
-                             int32 iterations, bool *isSolved) {
-    const auto all = static_cast<uint32_t>(iterations);
-    if (iterations <= 0 || all > OrderedContacts::kOverlapping || contacts < OrderedContacts::kLeast ||
-        !Order(solver->PositionConstraints(), contacts, positions, bodies, all))
-        return false;
-    for (uint32_t i = 0; i < contacts; ++i)
-        m_unsolved[i] = 0;
-    for (uint32_t i = 0; i < bodies; ++i)
-        m_before[i] = positions[i];
-    bool isValid = SolveAll(solver, positions);
+/// Puts the island's bodies back, and returns false, if something is no number or an iteration before the
+/// last was enough.
+bool OrderedPositions::Settle(uint32_t iterations, bool isNumber, b2Position *positions,
+                              Island *island) const {
     unsigned unsolved = 0;
-    for (uint32_t i = 0; i < contacts; ++i)
+    for (uint32_t i = island->firstContact; i < island->endContact; ++i)
         unsolved |= m_unsolved[i];
-    const unsigned last = 1u << (all - 1);
-    isValid = isValid && (unsolved | last) == 2 * last - 1; // no iteration but the last ended
-    for (uint32_t i = 0; i < bodies; ++i) {
+    const unsigned last = 1u << (iterations - 1);
+    island->isSolved = (unsolved & last) == 0;
+    bool isValid = isNumber && (unsolved | last) == 2 * last - 1;
+    for (uint32_t i = island->firstBody; i < island->endBody; ++i) {
         const b2Position &of = positions[i];
         isValid = isValid && of.c.x == of.c.x && of.c.y == of.c.y && of.a == of.a;
     }
-    for (uint32_t i = 0; i < bodies && !isValid; ++i)
+    for (uint32_t i = island->firstBody; i < island->endBody && !isValid; ++i)
         positions[i] = m_before[i];
-    *isSolved = (unsolved & last) == 0;
     return isValid;
+}
+
+void OrderedPositions::Solve(ContactSolver *solver, Island *islands, uint32_t count, b2Position *positions,
+                             int32 iterations) {
+    const auto all = static_cast<uint32_t>(iterations);
+    const bool mayOverlap =
+        iterations > 0 && all <= OrderedContacts::kOverlapping &&
+        islands[count - 1].endContact - islands[0].firstContact >= OrderedContacts::kLeast;
+    m_order.Begin();
+    for (uint32_t i = 0; i < count; ++i) {
+        islands[i].isDone = mayOverlap && IsDeep(solver->PositionConstraints(), islands[i]);
+        if (islands[i].isDone)
+            Add(solver->PositionConstraints(), islands[i], positions);
+    }
+    const bool isOrdered = mayOverlap && m_order.Find(islands[count - 1].endBody, all);
+    const bool isNumber = isOrdered && SolveAll(solver, positions);
+    for (uint32_t i = 0; i < count; ++i)
+        if (islands[i].isDone)
+            islands[i].isDone = isOrdered && Settle(all, isNumber, positions, &islands[i]);
 }
 
 } // namespace bmr

@@ -23,15 +23,16 @@ public:
     bool Reserve(uint32_t bodies, uint32_t contacts) {
         return m_order.Reserve(bodies, contacts) && m_unsolved.Reserve(contacts) && m_before.Reserve(bodies);
     }
-    /// Solves the island with all iterations. `isSolved`: by the last one. False where nothing was changed,
-    /// and Box2D's own order is needed, or as fast.
-    bool Solve(ContactSolver *solver, uint32_t contacts, b2Position *positions, uint32_t bodies,
-               int32 iterations, bool *isSolved);
+    /// Says which of the islands are done. The others are as they were: they need Box2D's own order, or are
+    /// as fast in it.
+    void Solve(ContactSolver *solver, Island *islands, uint32_t count, b2Position *positions,
+               int32 iterations);
 
 private:
-    bool Order(const PositionConstraint *constraints, uint32_t contacts, const b2Position *positions,
-               uint32_t bodies, uint32_t iterations);
+    static bool IsDeep(const PositionConstraint *constraints, const Island &island);
+    void Add(const PositionConstraint *constraints, const Island &island, const b2Position *positions);
     bool SolveAll(ContactSolver *solver, b2Position *positions);
+    bool Settle(uint32_t iterations, bool isNumber, b2Position *positions, Island *island) const;
 
     OrderedContacts m_order;
     Column<uint8_t> m_unsolved; ///< of each contact: a bit for each iteration that left it too deep

@@ -23,8 +23,10 @@ struct Four {
     float4 friction, tangentSpeed, invMassA, invMassB, invIA, invIB;
     Motion4 a, b;
 
-    Four(VelocityConstraint *all, const uint32_t *four, b2Velocity *ofBodies)
-        : constraints{&all[four[0]], &all[four[1]], &all[four[2]], &all[four[3]]}, velocities(ofBodies) {
+    Four(VelocityConstraint *all, const OrderedContacts::Group &group, uint32_t count, b2Velocity *ofBodies)
+        : constraints{&all[group.contacts[0]], &all[group.Contact(1, count)], &all[group.Contact(2, count)],
+                      &all[group.Contact(3, count)]},
+          velocities(ofBodies) {
         const Rows rows = Read(&constraints[0]->bodies.invMassA), first = Read(&constraints[0]->normal.x);
         normal = {first.a, first.b};
         friction = first.c;
@@ -152,17 +154,12 @@ struct Four {
 
 } // namespace
 
-bool OrderedVelocities::Order(const VelocityConstraint *constraints, uint32_t count,
-                              const b2Velocity *velocities, uint32_t bodyCount, int32 iterations) {
-    if (count < OrderedContacts::kLeast || iterations <= 0)
+bool OrderedVelocities::Order(const VelocityConstraint *constraints, const Island &island,
+                              const b2Velocity *velocities, int32 iterations) {
+    if (island.endContact - island.firstContact < OrderedContacts::kLeast || iterations <= 0)
         return false;
-    const uint32_t all = static_cast<uint32_t>(iterations);
-    m_rounds = (all + OrderedContacts::kOverlapping - 1) / OrderedContacts::kOverlapping;
-    const uint32_t overlapping = all / m_rounds;
-    m_left = all - m_rounds * overlapping;
-    m_bodyCount = bodyCount;
     m_order.Begin();
-    for (uint32_t i = 0; i < count; ++i) {
+    for (uint32_t i = island.firstContact; i < island.endContact; ++i) {
         const VelocityConstraint &c = constraints[i];
         const ContactBodies &of = c.bodies;
         if (c.pointCount == 2 && !(c.points[0].normalImpulse >= 0.0f && c.points[1].normalImpulse >= 0.0f)) {
@@ -176,27 +173,26 @@ bool OrderedVelocities::Order(const VelocityConstraint *constraints, uint32_t co
         m_order.Add({i, static_cast<uint32_t>(c.pointCount - 1), carries(of.indexA, of.invMassA, of.invIA),
                      carries(of.indexB, of.invMassB, of.invIB)});
     }
-    return m_order.Find(bodyCount, overlapping);
+    return m_order.Find(island.endBody, static_cast<uint32_t>(iterations));
 }
 
-bool OrderedVelocities::Solve(ContactSolver *solver, b2Velocity *velocities) const {
+bool OrderedVelocities::Solve(ContactSolver *solver, const Island &island, b2Velocity *velocities) const {
     VelocityConstraint *const all = solver->VelocityConstraints();
     mask4 nans = less4(zero4(), zero4());
-    for (uint32_t round = 0; round < m_rounds; ++round) {
-        m_order.ForEach([&](const OrderedContacts::Group &group, uint32_t kind) {
-            if (group.count == 1 || !BMR_FLOAT4_NATIVE) {
-                for (uint32_t i = 0; i < group.count; ++i)
+    const uint32_t left =
+        m_order.ForEach([&](const OrderedContacts::Group &group, uint32_t count, uint32_t kind, uint32_t) {
+            if (count == 1 || !BMR_FLOAT4_NATIVE) {
+                for (uint32_t i = 0; i < count; ++i)
                     solver->SolveVelocity(group.contacts[i]);
                 return;
             }
-            Four four(all, group.contacts, velocities);
-            nans = either4(nans, four.Solve(group.count, kind == 1));
+            Four four(all, group, count, velocities);
+            nans = either4(nans, four.Solve(count, kind == 1));
         });
-    }
-    for (uint32_t i = 0; i < m_left; ++i)
-        solver->SolveVelocities();
+    for (uint32_t i = 0; i < left; ++i)
+        solver->SolveVelocities(island);
     bool isNan = any4(nans);
-    for (uint32_t i = 0; i < m_bodyCount; ++i) {
+    for (uint32_t i = island.firstBody; i < island.endBody; ++i) {
         const b2Velocity &of = velocities[i];
         isNan = isNan || of.v.x != of.v.x || of.v.y != of.v.y || of.w != of.w;
     }

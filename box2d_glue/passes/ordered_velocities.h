@@ -15,16 +15,13 @@ public:
     bool Reserve(uint32_t bodies, uint32_t contacts) { return m_order.Reserve(bodies, contacts); }
 
     /// False where Box2D's own order is needed, or as fast.
-    bool Order(const VelocityConstraint *constraints, uint32_t count, const b2Velocity *velocities,
-               uint32_t bodyCount, int32 iterations);
+    bool Order(const VelocityConstraint *constraints, const Island &island, const b2Velocity *velocities,
+               int32 iterations);
     /// All iterations. Returns false where a velocity became NaN: what was solved is worth nothing then.
-    bool Solve(ContactSolver *solver, b2Velocity *velocities) const;
+    bool Solve(ContactSolver *solver, const Island &island, b2Velocity *velocities) const;
 
 private:
     OrderedContacts m_order;
-    uint32_t m_bodyCount = 0;
-    uint32_t m_rounds = 0; ///< so often the order is gone through
-    uint32_t m_left = 0;   ///< iterations behind the last round
 };
 
 } // namespace bmr

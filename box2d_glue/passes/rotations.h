@@ -17,8 +17,8 @@ namespace bmr {
 class Rotations {
 public:
     bool Reserve(uint32_t bodies) { return m_known.Reserve(bodies); }
-    void Begin(const b2Position *positions, uint32_t bodies) {
-        for (uint32_t i = 0; i < bodies; ++i)
+    void Begin(const b2Position *positions, uint32_t first, uint32_t end) {
+        for (uint32_t i = first; i < end; ++i)
             Compute(positions[i].a, &m_known[i]);
     }
     const b2Rot &Of(int32 body, float angle) {

@@ -3,6 +3,8 @@
 // library mostly leaves these to Box2D.
 #include "small_worlds.h"
 
+#include <limits>
+
 using namespace as_stock;
 
 namespace {
@@ -296,7 +298,75 @@ const SmallWorld kWorlds[] = {
      nullptr},
 };
 
+/// A kinematic floor of tiles, which makes one island of the boxes on it.
+b2Body *AddFloor(b2World &world) {
+    b2Body *const floor = Platform(world, b2Vec2_zero, {1.0f, 1.0f});
+    for (int i = 1; i < 28; ++i) {
+        const bool isHalf = i / 2 % 2 == 1; // two tiles, on both of which a box stands
+        b2PolygonShape tile;
+        tile.SetAsBox(1.0f, 1.0f, {4.0f * Real(i / 2) + (isHalf ? 2.0f * Real(i % 2) - 1.0f : 0.0f), 0.0f},
+                      0.0f);
+        if (isHalf || i % 2 == 0)
+            floor->CreateFixture(&tile, 0.0f);
+    }
+    return floor;
+}
+
+/// Boxes that slide to and fro are put back, at times one place further on: contacts differ in one of their
+/// bodies alone. `zero`: how fast the floor is; a box that slides to the right turns the sign of -0.0.
+void PlaySliding(Run &run, float zero, int iterations) {
+    Game game(run, {0.0f, -kDown});
+    b2Body *const floor = AddFloor(game.world);
+    for (int i = 0; i < 12; ++i)
+        Box(game.world, {4.0f * Real(i), 1.5f});
+    for (int step = 0; step < 60; ++step) {
+        floor->SetLinearVelocity({zero, zero});
+        if (step % 3 == 0)
+            ForEachDynamic(game.world, [step](b2Body *body, int i) {
+                body->SetTransform({4.0f * Real(i + step % 2), 1.5f}, 0.0f);
+                body->SetLinearVelocity({i % 2 == 0 ? 1.0f : -1.0f, 0.0f});
+            });
+        game.world.Step(1.0f / 60.0f, iterations, 3);
+        game.WriteDown();
+    }
+}
+
+/// Balls far from each other on one ground: an island each, of which one hands the ground on to the next as
+/// it leaves it. `drift`: how fast the ground is; `fall`: how fast one ball is at last, downwards.
+void PlayApart(Run &run, float drift, float fall) {
+    Game game(run, {0.0f, -kDown});
+    b2BodyDef def;
+    def.linearVelocity.Set(drift, 0.0f);
+    b2PolygonShape ground;
+    ground.SetAsBox(50.0f, 1.0f);
+    game.world.CreateBody(&def)->CreateFixture(&ground, 0.0f);
+    b2Body *early = nullptr;
+    for (int i = 0; i < 13; ++i) {
+        b2Body *const ball = Ball(game.world, {4.0f * Real(i) - 24.0f, 1.5f}, 0.5f);
+        early = i == 10 ? ball : early;
+    }
+    game.Step(10);
+    early->SetLinearVelocity({0.0f, -fall});
+    game.Step(3);
+}
+
 } // namespace
+
+TEST_CASE("islands share a ground that moves") {
+    AsStock([](Run &run) { PlayApart(run, 0.3f, 0.0f); }, false);
+}
+
+TEST_CASE("islands share a ground whose velocity becomes NaN") {
+    AsStock([](Run &run) { PlayApart(run, 0.0f, std::numeric_limits<float>::infinity()); }, false);
+}
+
+TEST_CASE("boxes slide on a floor") {
+    AsStock([](Run &run) { PlaySliding(run, 0.0f, 8); }, false);
+}
+
+TEST_CASE("boxes slide on a floor that is as fast as -0.0") {
+    AsStock([](Run &run) { PlaySliding(run, -0.0f, 1); }, false);
+}
 
 TEST_CASE("small worlds without joints") {
     PlayAll(kWorlds);
