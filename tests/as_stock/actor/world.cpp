@@ -68,6 +68,10 @@ b2Joint *World::Create(b2JointDef &def) {
     return m_world.CreateJoint(&def);
 }
 
+static bool IsAwake(const b2Fixture &fixture) {
+    return fixture.GetBody()->IsAwake() && fixture.GetBody()->GetType() != b2_staticBody;
+}
+
 void World::Step(float timeStep, int32 velocityIterations, int32 positionIterations) {
     if (m_stepping) // by the other one
         return;
@@ -90,6 +94,7 @@ void World::Step(float timeStep, int32 velocityIterations, int32 positionIterati
     if (rescueBeyond > 0.0f)
         Rescue();
     const Rounding rounded(rounding);
+    m_called = false;
     for (bool again = true; again;) {
         RememberPlaces();
         try {
@@ -100,6 +105,13 @@ void World::Step(float timeStep, int32 velocityIterations, int32 positionIterati
         }
     }
     m_stepping = false;
+    if (m_disabled && !m_called) {
+        // The same of a step that calls nobody: until it ends.
+        for (b2Contact *contact = m_world.GetContactList(); contact != nullptr; contact = contact->GetNext())
+            contact->SetEnabled(contact->IsEnabled() || IsAwake(*contact->GetFixtureA()) ||
+                                IsAwake(*contact->GetFixtureB()));
+        m_disabled = false;
+    }
 }
 
 /// Ahead of a step: some bodies are filtered anew, so that their contacts' ends and beginnings call
@@ -217,6 +229,7 @@ void World::SayGoodbye(b2Fixture *fixture) {
 }
 
 bool World::ShouldCollide(b2Fixture *a, b2Fixture *b) {
+    m_called = true;
     // The same for a pair whichever of the two comes first.
     if ((filterReacts & 1) != 0)
         ReactAsFilter(a, b);
@@ -231,6 +244,7 @@ uint32_t World::Mix(const b2Fixture &a, const b2Fixture &b, Occasion occasion) c
 }
 
 void World::React(b2Contact *contact, Occasion occasion) {
+    m_called = true;
     if (m_reacting)
         return;
     const b2Fixture &a = *contact->GetFixtureA(), &b = *contact->GetFixtureB();

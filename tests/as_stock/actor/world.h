@@ -134,6 +134,7 @@ private:
     Other m_other{this};
     bool m_handsChanged = false; ///< by a callback: until the next step
     bool m_heard = true, m_disabled = false;
+    bool m_called = false;   ///< a listener or a filter, since the step began
     bool m_reacting = false; ///< what a callback does calls others: those only look
     bool m_stepping = false;
     bool m_inItself = false;
