@@ -105,6 +105,7 @@ public:
         return reach;
     }
 
+    uint32_t FindBalance(double area, OutlineRecord *record);
     void ShareMass(OutlineRecord *record);
 
     /// Hands the polygons over to the registry; false without memory, then some are still here.
@@ -211,6 +212,22 @@ private:
     Room<bmr_piece_corner32> m_corners;
 };
 
+/// The share that makes up for the rounding of all: the largest; but none of half and more, if there is
+/// another: its last bits would be those of the sum. Returns how many shares there are.
+uint32_t Builder::FindBalance(double area, OutlineRecord *record) {
+    double best = 0.0;
+    uint32_t count = 0;
+    ForEachMass([&](const bmr_mass32 &mass) {
+        const double a = static_cast<double>(mass.area), fit = a < 0.45 * area ? a : 0.1 * a;
+        if (fit > best) {
+            best = fit;
+            record->balance = count;
+        }
+        ++count;
+    });
+    return count;
+}
+
 /// The pieces' masses become shares of the outline's, so that their sum is right also where the pieces are
 /// not quite the outline: each by its area; and all of them are moved to the outline's centre, and scaled
 /// about it until the inertia is right. So each share is a mass that there can be. Each of them also keeps an
@@ -224,17 +241,7 @@ void Builder::ShareMass(OutlineRecord *record) {
         area += a;
         moment = bmr_add(moment, bmr_scale(a, CentreOf(mass)));
     });
-    // The largest; but none of half and more, if there is another: its last bits would be those of the sum.
-    double best = 0.0;
-    uint32_t count = 0;
-    ForEachMass([&](const bmr_mass32 &mass) {
-        const double a = static_cast<double>(mass.area), fit = a < 0.45 * area ? a : 0.1 * a;
-        if (fit > best) {
-            best = fit;
-            record->balance = count;
-        }
-        ++count;
-    });
+    const uint32_t count = FindBalance(area, record);
     const bmr_vec2 centre = bmr_scale(1.0 / area, moment);
     const double share = record->area / area;
     // Of the shares about the outline's centre, as long as they are not scaled.

@@ -188,31 +188,29 @@ char **FindGame(const CLI::App &command, char **words, char **end) {
     return end;
 }
 
-int Main(int count, char **words) {
-    Options options;
-    CLI::App app("Boomerang for the command line: is it for my game?", "boomerang");
-    app.set_version_flag("--version", "boomerang " BMR_VERSION);
-    app.require_subcommand(1);
+CLI::App *AddTry(CLI::App *app, Options *options) {
+    app->set_version_flag("--version", "boomerang " BMR_VERSION);
+    app->require_subcommand(1);
     CLI::App *command =
-        app.add_subcommand("try", "Play a game as it is, and with Boomerang; say what it gains");
-    command->add_option("--seconds", options.limits.seconds, "Each run is ended after so many seconds")
+        app->add_subcommand("try", "Play a game as it is, and with Boomerang; say what it gains");
+    command->add_option("--seconds", options->limits.seconds, "Each run is ended after so many seconds")
         ->check(CLI::Range(0.1, 86400.0))
         ->capture_default_str();
     command
-        ->add_option("--steps", options.limits.steps,
+        ->add_option("--steps", options->limits.steps,
                      "and after so many steps, where --seconds is not over before")
         ->check(CLI::Range(1, 1000000000));
     command
-        ->add_option("--rounds", options.rounds, "Runs off and on, in turns; each pair of them is one ratio")
+        ->add_option("--rounds", options->rounds, "Runs off and on, in turns; each pair of them is one ratio")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command
-        ->add_option("--library", options.library,
+        ->add_option("--library", options->library,
                      "libboomerang_box2d.so (default: the one beside this program)")
         ->check(CLI::ExistingFile);
-    command->add_flag("--json", options.json, "Print what was found as JSON");
-    command->add_flag("--show-output", options.shown, "Let the game write to this terminal");
-    command->add_flag("--quiet", options.quiet, "No progress on stderr");
+    command->add_flag("--json", options->json, "Print what was found as JSON");
+    command->add_flag("--show-output", options->shown, "Let the game write to this terminal");
+    command->add_flag("--quiet", options->quiet, "No progress on stderr");
     command->footer(
         "The first word that is no option is the game; what follows is the game's own (-- may stand "
         "between).\n\n"
@@ -222,6 +220,13 @@ int Main(int count, char **words) {
         "2, wrong usage; 3, Boomerang does nothing for this game as it is built; 4, the game fails by\n"
         "itself.\n\n"
         "  boomerang try --seconds 10 ./game --level 3");
+    return command;
+}
+
+int Main(int count, char **words) {
+    Options options;
+    CLI::App app("Boomerang for the command line: is it for my game?", "boomerang");
+    const CLI::App *const command = AddTry(&app, &options);
     // The game's command line is the game's: it is not parsed here.
     char **const end = words + count, **game = FindGame(*command, words, end);
     const int own = static_cast<int>(game - words);

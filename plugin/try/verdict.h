@@ -22,6 +22,14 @@ struct Trial {
     std::optional<Run> verify; ///< where the library is at work
 };
 
+/// What the shell says of a program that is not there.
+constexpr const char *kShellsStatus = "exit status 127";
+std::string EndOf(const Run &run);
+bool EndedBadly(const Run &run);
+/// A run that was ended since its time was over has no end to be compared.
+bool EndOtherwise(const Run &a, const Run &b);
+bool AnyEndsOtherwise(const Trial &trial);
+
 /// How much shorter steps are, over the steps that all runs have taken: stock's time over Boomerang's.
 struct Ratio {
     size_t steps = 0;                    ///< 0: nothing can be compared, and nothing else is set
