@@ -6,7 +6,6 @@
 #include "checks.h"
 
 #include "boomerang/motion.h"
-#include "failing_allocator.h"
 #include "kinetic/piece.h"
 #include "polygons.h"
 #include "test_scale.h"
@@ -258,35 +257,4 @@ TEST(bad_pieces_are_refused_and_nothing_changes) {
     assert_null(none);
     bmr_motion_destroy(motion);
     bmr_motion_destroy(NULL);
-}
-
-TEST(every_allocation_may_fail) {
-    const bmr_motion_piece piece = bmr_piece_rest(pose_of(1.0, 2.0, 3.0));
-    const double times[] = {0.0, 1.0, 2.0};
-    const bmr_pose poses[] = {pose_of(0.0, 0.0, 0.0), pose_of(1.0, 0.0, 0.0), pose_of(2.0, 0.0, 0.0)};
-    size_t failures = 0;
-    for (size_t fail_at = 0; fail_at < 12; fail_at++) {
-        test_heap heap;
-        test_heap_init(&heap, fail_at);
-        bmr_motion *motion = NULL, *sampled = NULL;
-        bmr_error error = bmr_motion_create(&piece, &heap.allocator, &motion);
-        failures += error == BMR_ERROR_NO_MEMORY;
-        for (int i = 0; i < 20 && motion; i++) {
-            const size_t before = bmr_motion_piece_count(motion);
-            error = bmr_motion_change(motion, i, &piece);
-            assert_true(error == BMR_OK || error == BMR_ERROR_NO_MEMORY);
-            assert_int_equal(bmr_motion_piece_count(motion), before + (error == BMR_OK));
-            failures += error == BMR_ERROR_NO_MEMORY;
-        }
-        error = bmr_motion_create_sampled(times, poses, 3, &heap.allocator, &sampled);
-        failures += error == BMR_ERROR_NO_MEMORY;
-        assert_true((sampled != NULL) == (error == BMR_OK));
-        bmr_motion_destroy(motion);
-        bmr_motion_destroy(sampled);
-        assert_int_equal(heap.blocks, 0);
-        assert_int_equal(heap.bytes, 0);
-        assert_int_equal(heap.wrong_sizes, 0);
-    }
-    // Two blocks, four doublings, two blocks; the control: beyond those nothing fails.
-    assert_int_equal(failures, 8);
 }

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "boomerang/minkowski.h"
-#include "failing_allocator.h"
 #include "motions.h"
 #include "polygons.h"
 #include "test_scale.h"
@@ -123,32 +122,4 @@ TEST(points_and_segments_have_one_too) {
     bmr_polygon_destroy(cross, NULL);
     bmr_polygon_destroy(segment, NULL);
     bmr_polygon_destroy(point, NULL);
-}
-
-TEST(bad_arguments_are_errors) {
-    const bmr_vec2 one = {1.0, 2.0}, rotation = {1.0, 0.0}, nan = {NAN, 0.0};
-    bmr_polygon *p = of_points(&one, 1), *m = NULL;
-    assert_int_equal(bmr_minkowski_difference(NULL, p, rotation, NULL, &m), BMR_ERROR_NULL_ARGUMENT);
-    assert_int_equal(bmr_minkowski_difference(p, NULL, rotation, NULL, &m), BMR_ERROR_NULL_ARGUMENT);
-    assert_int_equal(bmr_minkowski_difference(p, p, rotation, NULL, NULL), BMR_ERROR_NULL_ARGUMENT);
-    assert_int_equal(bmr_minkowski_difference(p, p, nan, NULL, &m), BMR_ERROR_NOT_FINITE);
-    assert_null(m);
-    bmr_polygon_destroy(p, NULL);
-}
-
-TEST(memory_may_fail_at_any_time) {
-    const bmr_vec2 corners[] = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}, rotation = {1.0, 0.0};
-    bmr_polygon *p = of_points(corners, 3);
-    for (size_t fail_at = 0; fail_at < 3; ++fail_at) {
-        test_heap heap;
-        test_heap_init(&heap, fail_at);
-        bmr_polygon *m = NULL;
-        const bmr_error error = bmr_minkowski_difference(p, p, rotation, &heap.allocator, &m);
-        assert_int_equal(error, fail_at < 2 ? BMR_ERROR_NO_MEMORY : BMR_OK);
-        assert_true((m != NULL) == (error == BMR_OK));
-        bmr_polygon_destroy(m, &heap.allocator);
-        assert_int_equal(heap.blocks, 0);
-        assert_int_equal(heap.wrong_sizes, 0);
-    }
-    bmr_polygon_destroy(p, NULL);
 }
