@@ -37,7 +37,7 @@ bool OrderedContacts::FindAnew() {
         FindLevels(m_overlapping);
         ++m_overlapping;
         const uint32_t all = m_overlapping * m_count;
-        if (kEnough * m_groupCount <= all && m_iterations % m_overlapping == 0)
+        if (kEnoughInFour * m_groupCount <= 4 * all && m_iterations % m_overlapping == 0)
             return true;
         if (m_overlapping == 2 && 5 * m_groupCount > 4 * all)
             return false;

@@ -72,8 +72,9 @@ private:
     struct Level {
         uint32_t ofKinds[kKinds];
     };
-    // So many contacts in each group, on the average, and overlapping further iterations costs what it saves.
-    static constexpr uint32_t kEnough = 3;
+    // With so many contacts in four groups, on the average, overlapping further iterations costs what it
+    // saves.
+    static constexpr uint32_t kEnoughInFour = 9;
 
     bool FindAnew();
     void FindLevels(uint32_t iteration);
