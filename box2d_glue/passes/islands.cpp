@@ -159,7 +159,7 @@ void IslandPass::LinkTo(b2Body *body, b2Contact *contact, b2Body *other) {
 // Islands.
 
 b2Body *IslandPass::FirstSeed() {
-    m_seedsAreAwake = m_awakeAlone;
+    m_seedsAreAwake = m_awakeAlone && m_ledger != nullptr;
     if (!m_seedsAreAwake)
         return m_world->GetBodyList();
     return m_ledger->GetBodies().AwakeCount() > 0 ? m_ledger->GetBodies().Awake(0) : nullptr;
