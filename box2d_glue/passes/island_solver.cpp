@@ -55,8 +55,7 @@ void Store(const b2Position &position, const b2Velocity &velocity, b2Body *body)
     body->*Named(AngularVelocity()) = velocity.w;
 }
 
-// Contacts. What waits stays in the processor's nearest cache.
-constexpr uint32_t kEnough = 512;
+constexpr uint32_t kEnough = 512; // contacts; what waits stays in the processor's second cache
 
 /// Does nothing that is solved move the static body, not by a bit? (Box2D moves it once for each island.)
 bool StaysAsItIs(const b2Body &body) {
