@@ -349,9 +349,9 @@ void Collide(b2ContactManager *manager) {
         passedOver->Interrupt();
     if (HasCodeOfGame(*manager))
         GameRan() = true;
-    const uint32_t touching = CollideByList(manager);
+    const ListCounts counts = CollideByList(manager);
     if (Ledger *passedOver = FindLedger(manager))
-        passedOver->NoteTouchingInList(touching);
+        passedOver->NoteList(counts.awake, counts.touching);
 }
 
 } // namespace bmr

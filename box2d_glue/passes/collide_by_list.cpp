@@ -10,8 +10,8 @@ namespace bmr {
 
 namespace {
 
-/// Brings one contact up to date; false where it is to be destroyed. Counts those that are awake and touch.
-inline bool Persists(b2ContactManager *manager, b2Contact *contact, uint32_t *touching) {
+/// Brings one contact up to date; false where it is to be destroyed.
+inline bool Persists(b2ContactManager *manager, b2Contact *contact, ListCounts *counts) {
     b2Fixture *fixtureA = contact->GetFixtureA(), *fixtureB = contact->GetFixtureB();
     if (SolidContact::WantsFiltering(*contact)) {
         if (!PassesFilters(manager, fixtureA, fixtureB))
@@ -23,18 +23,19 @@ inline bool Persists(b2ContactManager *manager, b2Contact *contact, uint32_t *to
     if (!BoxesOverlap(manager, *contact))
         return false;
     UpdateContact(contact, manager->m_contactListener);
-    *touching += contact->IsTouching() ? 1 : 0;
+    ++counts->awake;
+    counts->touching += contact->IsTouching() ? 1 : 0;
     return true;
 }
 
 } // namespace
 
-uint32_t CollideByList(b2ContactManager *manager) {
-    uint32_t touching = 0;
+ListCounts CollideByList(b2ContactManager *manager) {
+    ListCounts counts;
     b2Contact *contact = manager->m_contactList;
     while (contact != nullptr) {
         ContactNumber::Prefetch(contact->GetNext());
-        if (Persists(manager, contact, &touching)) {
+        if (Persists(manager, contact, &counts)) {
             contact = contact->GetNext();
         } else {
             b2Contact *parted = contact;
@@ -42,7 +43,7 @@ uint32_t CollideByList(b2ContactManager *manager) {
             manager->Destroy(parted);
         }
     }
-    return touching;
+    return counts;
 }
 
 } // namespace bmr

@@ -8,9 +8,14 @@ class b2ContactManager;
 
 namespace bmr {
 
-/// b2ContactManager::Collide by Box2D's list, contact by contact. Returns how many contacts touch, of those
-/// that are awake.
-uint32_t CollideByList(b2ContactManager *manager);
+/// Contacts of a step by Box2D's list.
+struct ListCounts {
+    uint32_t awake = 0;    ///< one of the two bodies is
+    uint32_t touching = 0; ///< of these
+};
+
+/// b2ContactManager::Collide by Box2D's list, contact by contact.
+ListCounts CollideByList(b2ContactManager *manager);
 
 } // namespace bmr
 

@@ -36,8 +36,14 @@ b2Body *BodyB(b2Contact *contact) {
     return contact->GetFixtureB()->GetBody();
 }
 
-bool HasSensor(const b2Contact &contact) {
-    return contact.GetFixtureA()->IsSensor() || contact.GetFixtureB()->IsSensor();
+/// Does Box2D ask for the time of its impact?
+inline bool MayImpact(b2Contact *contact) {
+    const b2Fixture *const fixtureA = contact->GetFixtureA(), *const fixtureB = contact->GetFixtureB();
+    if (fixtureA->IsSensor() || fixtureB->IsSensor())
+        return false;
+    const b2Body *const a = fixtureA->GetBody(), *const b = fixtureB->GetBody();
+    BMR_BOX2D_ASSERTS(!IsWithoutDynamic(*contact), "typeA == b2_dynamicBody || typeB == b2_dynamicBody");
+    return (IsActive(a) || IsActive(b)) && (Stops(a) || Stops(b));
 }
 
 } // namespace
@@ -173,7 +179,8 @@ bool ImpactPass::SearchPair(uint32_t i) {
         marks.parked.Set(i);
     } else if (m_solver == nullptr && !IsProvedApart(*contact, nullptr)) {
         return false;
-    } else if (m_solver != nullptr && FindTime(contact)) {
+    } else if (m_solver != nullptr && MayImpact(contact)) {
+        FindTime(contact);
         Queue(i);
     }
     m_isBudget = false;
@@ -220,8 +227,10 @@ void ImpactPass::Ask(uint32_t i) {
     EnableIfOwed(i);
     if (!contact->IsEnabled())
         m_ledger->GetMarks().parked.Set(i);
-    else if (m_ledger->GetMarks().CountOf(i) <= b2_maxSubSteps && FindTime(contact))
+    else if (m_ledger->GetMarks().CountOf(i) <= b2_maxSubSteps && MayImpact(contact)) {
+        FindTime(contact);
         Queue(i);
+    }
 }
 
 /// A pair whose time is known. Without memory the world's list is searched from here on.
@@ -275,9 +284,13 @@ b2Contact *ImpactPass::EarliestInList(float *time) {
         ledger->GiveMarksBack(); // they are read where the contacts are
     m_marks.LookAgain();
     for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext()) {
-        if (!contact->IsEnabled() || ContactAccess::CountOfImpacts(contact) > b2_maxSubSteps ||
-            ((ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) == 0 && !FindTime(contact)))
+        if (!contact->IsEnabled() || ContactAccess::CountOfImpacts(contact) > b2_maxSubSteps)
             continue;
+        if ((ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) == 0) {
+            if (!MayImpact(contact))
+                continue;
+            FindTime(contact);
+        }
         const float its = ContactAccess::TimeOfImpact(contact);
         if (its < *time) {
             earliest = contact;
@@ -287,14 +300,8 @@ b2Contact *ImpactPass::EarliestInList(float *time) {
     return earliest;
 }
 
-/// Asks for the time of a contact's impact; false where Box2D would not.
-bool ImpactPass::FindTime(b2Contact *contact) {
-    if (HasSensor(*contact))
-        return false;
+void ImpactPass::FindTime(b2Contact *contact) {
     b2Body *const a = BodyA(contact), *const b = BodyB(contact);
-    BMR_BOX2D_ASSERTS(!IsWithoutDynamic(*contact), "typeA == b2_dynamicBody || typeB == b2_dynamicBody");
-    if ((!IsActive(a) && !IsActive(b)) || (!Stops(a) && !Stops(b)))
-        return false;
     // Both sweeps go on from the same time.
     b2Sweep &sweepA = SweepOf(a), &sweepB = SweepOf(b);
     const float from = b2Max(sweepA.alpha0, sweepB.alpha0);
@@ -304,7 +311,6 @@ bool ImpactPass::FindTime(b2Contact *contact) {
         m_sweeps.advance(&sweepB, from);
     BMR_BOX2D_ASSERTS(from < 1.0f, "alpha0 < 1.0f");
     m_marks.SetTime(contact, TimeOf(contact, from));
-    return true;
 }
 
 float ImpactPass::TimeOf(b2Contact *contact, float from) {

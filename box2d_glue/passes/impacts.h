@@ -52,7 +52,7 @@ private:
     void CompareWithList(const b2Contact *earliest);
 
     b2Contact *EarliestInList(float *time);
-    bool FindTime(b2Contact *contact);
+    void FindTime(b2Contact *contact);
     float TimeOf(b2Contact *contact, float from);
     static void FillInput(const b2Contact &contact, b2TOIInput *input);
     bool IsProvedApart(const b2Contact &contact, b2TOIInput *input);

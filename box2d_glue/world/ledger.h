@@ -54,9 +54,10 @@ public:
     }
     /// So many pairs were looked at in a pass; of those, so many because they touch.
     void NoteLooks(uint32_t looks, uint32_t touching);
-    /// In a step by the world's list so many of the pairs that are awake touched. Where most do the ledger
-    /// is not tried again soon: pairs that touch are looked at in every pass.
-    void NoteTouchingInList(uint32_t touching);
+    /// In a step by the world's list so many pairs were awake, and so many of these touched. Where most touch
+    /// the ledger is not tried again soon: pairs that touch are looked at in every pass. Where nearly all
+    /// sleep it is tried in the next step: it passes over those without a look, and Box2D's list does not.
+    void NoteList(uint32_t awake, uint32_t touching);
     /// Takes in contacts that were made since. False if they do not fit what is here.
     bool CatchUp();
     /// It has ended. (The pointer is compared, no more.)

@@ -16,9 +16,11 @@ bool Ledger::Pays() {
     return m_passes > 0;
 }
 
-void Ledger::NoteTouchingInList(uint32_t touching) {
-    constexpr uint32_t kStepsUntilLookedFor = 16;
-    if (MostOf(touching) && m_restingSteps < kStepsUntilLookedFor)
+void Ledger::NoteList(uint32_t awake, uint32_t touching) {
+    constexpr uint32_t kStepsUntilLookedFor = 16, kNearlyAll = 8;
+    if (!MostOf(uint64_t{kNearlyAll} / 2 * awake))
+        m_restingSteps = 0;
+    else if (MostOf(touching) && m_restingSteps < kStepsUntilLookedFor)
         m_restingSteps = kStepsUntilLookedFor;
 }
 
