@@ -44,10 +44,24 @@ inline void BeforeGame(const b2ContactManager *manager) {
     GameRan() = true;
 }
 
+/// Is the function's first instruction its return? False where the processor's code is not known here.
+inline bool ReturnsAtOnce(const void *function) {
+#if defined(__x86_64__) && defined(__linux__)
+    const unsigned char *code = static_cast<const unsigned char *>(function);
+    constexpr unsigned char kBranchTarget[] = {0xf3, 0x0f, 0x1e, 0xfa}, kReturn = 0xc3; // endbr64, ret
+    if (std::memcmp(code, kBranchTarget, sizeof kBranchTarget) == 0)
+        code += sizeof kBranchTarget;
+    return *code == kReturn;
+#else
+    return function == nullptr;
+#endif
+}
+
 /// Does a listener's class have a PreSolve of its own (or a PostSolve, below)? Most games listen to
 /// BeginContact and EndContact alone, and inherit the others, which do nothing. Read from the tables of
 /// virtual functions, which hold two destructors and then, in their order, BeginContact, EndContact, PreSolve
-/// and PostSolve. True if that is not certain.
+/// and PostSolve. What is inherited is Box2D's function, or the game's copy of it, for it is inline. True if
+/// that is not certain.
 inline bool HasOwn(const b2ContactListener &listener, int slot) {
     const b2ContactListener *const empty = ListenerOfNewWorlds();
     if (empty == nullptr)
@@ -55,7 +69,7 @@ inline bool HasOwn(const b2ContactListener &listener, int slot) {
     void *const *table, *const *emptyTable;
     std::memcpy(&table, static_cast<const void *>(&listener), sizeof table);
     std::memcpy(&emptyTable, static_cast<const void *>(empty), sizeof emptyTable);
-    return table[slot] != emptyTable[slot];
+    return table[slot] != emptyTable[slot] && !ReturnsAtOnce(table[slot]);
 }
 inline bool HasOwnPreSolve(const b2ContactListener &listener) {
     return HasOwn(listener, 4);
