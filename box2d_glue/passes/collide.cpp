@@ -16,6 +16,7 @@
 #include "passes/contact_look.h"
 #include "start/current_step.h"
 #include "start/settings.h"
+#include "tell/modesty.h"
 #include "tell/verify.h"
 #include "world/ledger.h"
 #include "world/ledgers.h"
@@ -63,6 +64,7 @@ private:
     class Forwarding;
     void BeforeGame();
     void AfterGame();
+    void FindDue();
 
     Ledger *m_ledger;
     b2ContactManager *m_manager;
@@ -74,7 +76,9 @@ private:
     uint64_t m_seen = 0; ///< the look whose results the pass uses, as long as no code of the game ran
     uint64_t m_due =
         0; ///< of the word of 64 records that the pass is in, those that are due and still to come
-    uint32_t m_word = 0; ///< its number; words from it on were looked at
+    bool m_mayHaveWoken = false; ///< a modest listener (Options::modestListeners) was called
+    uint32_t m_changes = 0;      ///< Ledger::Changes, for the word
+    uint32_t m_word = 0;         ///< its number; words from it on were looked at
 };
 
 // The game's code: a listener or a filter.
@@ -82,7 +86,8 @@ private:
 /// The game may be called: contacts that the pass has passed are enabled, as Box2D's loop would have left
 /// them.
 void CollidePass::BeforeGame() {
-    m_ledger->Owed().EnableDownTo(m_at + 1);
+    if (!ListenersAreModest())
+        m_ledger->Owed().EnableDownTo(m_at + 1);
 }
 
 /// The game was called: what was read before may have changed. (A step that a listener makes unlocks the
@@ -90,7 +95,13 @@ void CollidePass::BeforeGame() {
 void CollidePass::AfterGame() {
     GameRan() = true;
     const bool stepped = m_ledger->PassNumber() != m_passNumber;
-    m_ledger->Distrust(!stepped && m_world->IsLocked());
+    const bool locked = !stepped && m_world->IsLocked();
+    if (ListenersAreModest() && locked && m_ledger->CurrentLook() == m_seen && m_ledger->IsWhole()) {
+        m_mayHaveWoken = true;
+        FindDue();
+        return;
+    }
+    m_ledger->Distrust(locked);
     if (stepped)
         m_ledger->Owed().Begin(m_at); // and this pass goes on
     m_passNumber = m_ledger->PassNumber();
@@ -150,7 +161,11 @@ uint32_t CollidePass::Next() {
     while (m_due == 0) {
         if (m_word == 0)
             return Ledger::kNone;
-        m_due = m_ledger->DueOf(--m_word);
+        --m_word;
+        if (m_mayHaveWoken && !m_ledger->AreAllWatched())
+            m_ledger->WatchWoken(m_word);
+        m_due = m_ledger->DueOf(m_word);
+        m_changes = m_ledger->Changes();
         for (uint64_t left = m_due, ahead = kAhead; left != 0 && ahead > 0; --ahead)
             ContactNumber::Prefetch(m_ledger->Contact(TakeNewest(&left)));
     }
@@ -210,6 +225,17 @@ void CollidePass::Wake(const b2Body *body, uint32_t i) {
         m_due = m_ledger->DueOf(m_word) & ~(~uint64_t{0} << (i % 64));
 }
 
+/// Of the word that the pass is in, again: a modest listener may have woken bodies, or flagged contacts.
+void CollidePass::FindDue() {
+    if (!m_ledger->AreAllWatched()) {
+        m_ledger->Owed().EnableDownTo(m_at + 1); // who slept when the pass reached them are not
+        m_ledger->WatchWoken(m_word);
+    }
+    if (m_changes != m_ledger->Changes())
+        m_due = m_ledger->DueOf(m_word) & ~(~uint64_t{0} << (m_at % 64));
+    m_changes = m_ledger->Changes();
+}
+
 /// As Box2D looks at a contact. If it is apart afterwards, it gets a budget.
 void CollidePass::Look(uint32_t i, b2Contact *contact) {
     Movers &movers = m_ledger->GetMovers();
@@ -238,7 +264,8 @@ void CollidePass::Prove(uint32_t i, b2Contact *contact) {
     m_ledger->SetTouches(i, contact->IsTouching());
     SolidContact *ours = SolidContact::AsOurs(contact);
     const bool canProve = ours != nullptr && ours->IsOfPolygons() &&
-                          contact->GetManifold()->pointCount == 0 && !SolidContact::WantsFiltering(*contact);
+                          contact->GetManifold()->pointCount == 0 &&
+                          !SolidContact::WantsFiltering(*contact) && contact->IsEnabled();
     if (canProve && !contact->IsTouching())
         ProveApart(m_ledger, i, ours);
     else if (canProve && (contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor()))
@@ -270,6 +297,10 @@ void CollidePass::Visit(uint32_t i) {
         }
         m_ledger->LookAgain(i);
     }
+    if (m_mayHaveWoken) // since the pass looked at its two bodies
+        for (const uint32_t row : {record.a, record.b})
+            if (!movers.IsActive(row) && movers.IsActiveNow(row))
+                Wake(movers[row].body, i);
     if (!movers.IsActive(record.a) && !movers.IsActive(record.b)) { // Wake has marked bodies that woke since
         m_ledger->SetTouches(i, contact->IsTouching());             // an impact may have changed it
         m_ledger->Rest(i);
@@ -338,6 +369,7 @@ void CollidePass::End() {
 } // namespace
 
 void Collide(b2ContactManager *manager) {
+    const ModestyCheck check(WorldOf(*manager), true);
     Ledger *const ledger = RoundsToNearest() ? LedgerForStep(manager) : nullptr;
     if (ledger != nullptr && !ledger->MayHaveUnlisted() && ledger->Pays() && ledger->Follow()) {
         CollidePass(ledger, manager).Run();

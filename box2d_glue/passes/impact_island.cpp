@@ -59,6 +59,8 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
     m_marks.CountImpact(contact);
     if (!IsSolidAndTouches(*contact)) {
         contact->SetEnabled(false);
+        if (m_ledger != nullptr)
+            m_ledger->Flag(contact, 0);
         PutBack(a, sweepA);
         PutBack(b, sweepB);
         return false;
@@ -213,8 +215,10 @@ void ImpactPass::ReadWhatGameDid() {
     }
     Marks &marks = m_ledger->GetMarks();
     Movers &movers = m_ledger->GetMovers();
-    for (uint32_t row = movers.NextNewSweep(0); row != Movers::kNone; row = movers.NextNewSweep(row + 1))
-        AskPairsOf(movers[row].body);
+    // (A body that woke beside one that was awake changes nothing.)
+    if (!ListenersAreModest() || !m_ledger->AreAllWatched())
+        for (uint32_t row = movers.NextNewSweep(0); row != Movers::kNone; row = movers.NextNewSweep(row + 1))
+            AskPairsOf(movers[row].body);
     for (uint32_t word = 0; word < marks.parked.Words(); ++word)
         for (uint64_t left = marks.parked.Word(word); left != 0; left &= left - 1) {
             const uint32_t i = word * 64 + LowestBit(left);

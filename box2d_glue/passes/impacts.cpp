@@ -17,6 +17,7 @@
 #include "start/box2d_asserts.h"
 #include "start/current_step.h"
 #include "start/settings.h"
+#include "tell/modesty.h"
 #include "tell/verify.h"
 
 namespace bmr {
@@ -52,7 +53,7 @@ ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *sol
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
       m_marks(m_manager), m_sweeps(solver != nullptr ? solver->GetSweeps() : OurSweeps()),
-      m_gameRan(GameRan()) {}
+      m_gameRan(GameRan() && !(ListenersAreModest() && m_ledger != nullptr && m_ledger->AreAllWatched())) {}
 
 /// Does the ledger know all pairs, and what this step did to them?
 bool ImpactPass::MayUseHeap() const {
@@ -61,6 +62,7 @@ bool ImpactPass::MayUseHeap() const {
 }
 
 void ImpactPass::Run() {
+    const ModestyCheck check(m_world, false);
     bool &stepComplete = m_world->*Named(StepComplete());
     if (MayUseHeap()) {
         m_pass.emplace(m_ledger);
@@ -189,7 +191,7 @@ bool ImpactPass::SearchPair(uint32_t i) {
 
 /// Ahead of the first impact, where the game may have disabled contacts: a budget knows nothing of that.
 void ImpactPass::DoubtBudgets() {
-    if (m_budgetsDoubted || !m_gameRan)
+    if (m_budgetsDoubted || !m_gameRan || ListenersAreModest())
         return;
     m_budgetsDoubted = true;
     Marks &marks = m_ledger->GetMarks();

@@ -87,7 +87,7 @@ private:
     const Sweeps &m_sweeps;
     ImpactScan *m_scan = nullptr; ///< while nothing has moved
     uint32_t m_searches = 0;      ///< Marks::searches, of this pass
-    bool m_gameRan;               ///< ahead of the first search
+    bool m_gameRan;               ///< ahead of the first search; and it may have changed more than motion
     bool m_wasGameCalled = false; ///< it may have been, since the impact began
     bool m_budgetsDoubted = false;
     bool m_isBudget = false; ///< Mode::Verify: a budget says that the contact which is asked has no impact

@@ -13,6 +13,7 @@
 #include "start/box2d_asserts.h"
 #include "start/current_step.h"
 #include "start/settings.h"
+#include "tell/modesty.h"
 #include "tell/verify.h"
 
 namespace bmr {
@@ -70,6 +71,7 @@ IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *sol
 }
 
 void IslandPass::Run() {
+    const ModestyCheck check(m_world, false);
     b2Profile &profile = m_world->*Named(Profile());
     profile.solveInit = profile.solveVelocity = profile.solvePosition = 0.0f;
     ClearFlags();
@@ -247,8 +249,9 @@ void IslandPass::SolveIsland() {
         if (m_solver->Body(i)->GetType() == b2_staticBody)
             BodyInIsland::Clear(m_solver->Body(i)); // it may be in other islands, too
     const bool tells = IsOfGame(m_listener) && m_solver->ContactCount() > 0;
-    if (tells)
+    if (tells && !m_tells)
         BeforeGame(m_manager);
+    m_tells = m_tells || tells;
     m_solver->Solve(m_world->GetGravity(), m_world->GetAllowSleeping());
     if (!tells)
         return;
@@ -264,7 +267,9 @@ void IslandPass::AfterGame() {
     m_isLinked = m_isLinked && !m_awakeAlone && !stepped;
     m_seedsAreAwake = m_awakeAlone = false;
     m_gameStepped = m_gameStepped || stepped;
-    m_marks.LookAgain();
+    m_tells = !stepped;
+    if (stepped)
+        m_marks.LookAgain();
 }
 
 // Behind the islands.

@@ -91,7 +91,7 @@ void Ledger::Empty() {
     m_withoutDynamic = false;
     m_unlisted = 0;
     m_count = 0;
-    m_live = 0;
+    m_live = m_watched = 0;
     m_awake.ClearAll();
     m_touching.ClearAll();
 }
@@ -148,6 +148,7 @@ void Ledger::GiveMarksBack() {
 }
 
 void Ledger::Take(uint32_t i) {
+    ++m_changes;
     DropLine(i);
     if (IsWatched(i))
         Unwatch(i);

@@ -10,6 +10,7 @@
 #include "base/private_members.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/side_normals.h"
+#include "start/settings.h"
 
 namespace bmr {
 
@@ -374,7 +375,7 @@ void Movers::FindEnd(uint32_t row, bool careful, uint64_t look) {
     const double turn = std::fabs(a - a0);
     const b2Vec2 from = b2Abs(sweep.c0), to = b2Abs(sweep.c);
     const double farthest = static_cast<double>(b2Max(b2Max(from.x, from.y), b2Max(to.x, to.y)));
-    const b2PolygonShape *polygon = careful ? PolygonOf(*mover.fixture) : nullptr;
+    const b2PolygonShape *polygon = careful && !ListenersAreModest() ? PolygonOf(*mover.fixture) : nullptr;
     const double reach = std::ldexp(static_cast<double>(kImpactReach), mover.band);
     const bool known = (polygon == nullptr || DigestOf(*polygon) == mover.shape) &&
                        farthest + mover.motion.reach <= reach &&

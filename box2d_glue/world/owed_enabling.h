@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/bit_column.h"
+#include "start/settings.h"
 
 class b2Body;
 
@@ -34,7 +35,8 @@ public:
     void EnableOfSleeper(const b2Body *body);
     /// Code of the game is to be called in a step that has a pass, behind it.
     void BeforeGame() {
-        EnableDownTo(0);
+        if (!ListenersAreModest())
+            EnableDownTo(0);
         m_gameRan = true;
     }
     /// The pass over pairs is complete. Code of the game that ran in this step, or since the last pass, may

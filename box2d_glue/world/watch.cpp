@@ -10,10 +10,12 @@ namespace bmr {
 
 /// From here on its movers are looked at in every step. It is due: what they did meanwhile is unknown.
 void Ledger::Watch(uint32_t i) {
+    ++m_changes;
     const Record &record = m_records[i];
     for (const uint32_t row : {record.a, record.b})
         ++m_movers[row].watched;
     m_awake.Set(i);
+    ++m_watched;
     m_stops.Set(i);
     SetTouches(i, m_contacts[i]->IsTouching()); // an impact may have changed it while it was not watched
     SetDue(i);
@@ -23,6 +25,7 @@ void Ledger::Unwatch(uint32_t i) {
     --m_movers[m_records[i].a].watched;
     --m_movers[m_records[i].b].watched;
     m_awake.Clear(i);
+    --m_watched;
     m_stops.Set(i);
 }
 
@@ -38,6 +41,7 @@ void Ledger::Flag(const b2Contact *contact, uint8_t bits) {
     if (!IsWatched(i))
         Watch(i);
     SetDue(i);
+    ++m_changes;
     m_bits[i] |= bits;
 }
 
@@ -101,6 +105,18 @@ uint64_t Ledger::DueOf(uint32_t word) const {
     for (uint32_t i = first; i < end; ++i)
         due |= static_cast<uint64_t>(IsDue(i)) << (i - first);
     return due & m_awake.Word(word);
+}
+
+void Ledger::WatchWoken(uint32_t word) {
+    const uint32_t first = word * 64, end = m_count < first + 64 ? m_count : first + 64;
+    for (uint32_t i = first; i < end; ++i) {
+        if (IsWatched(i) || m_contacts[i] == nullptr)
+            continue;
+        const Record record = m_records[i];
+        for (const uint32_t row : {record.a, record.b})
+            if (m_movers.IsActiveNow(row))
+                WakeRow(row);
+    }
 }
 
 void Ledger::Distrust(bool locked) {

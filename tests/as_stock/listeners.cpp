@@ -242,3 +242,80 @@ TEST_CASE("roused: a listener that is told of an island wakes bodies that sleep 
         game.Step(5);
     });
 }
+
+namespace {
+
+/// A heap of boxes, pairs apart, and some that sleep beside each other.
+struct Heap : Game {
+    explicit Heap(Run &run) : Game(run, {0.0f, -10.0f}) {
+        Wall({0.0f, -1.0f}, {60.0f, 1.0f});
+        for (int i = 0; i < 40; ++i)
+            Box({1.5f * Real(i % 8), 0.6f + 1.3f * Real(i / 8)}, {0.5f, 0.5f}, 0.3f * Real(i));
+        for (int i = 0; i < 10; ++i)
+            sleepers.push_back(Box({-20.0f - 0.98f * Real(i), 0.5f}));
+        for (int i = 0; i < 20; ++i)
+            Near({30.0f, 1.0f + 1.5f * Real(i)})->SetGravityScale(0.0f);
+        Step(100);
+        for (b2Body *body : sleepers)
+            body->SetAwake(false);
+        Listen();
+    }
+    std::vector<b2Body *> sleepers;
+};
+
+} // namespace
+
+TEST_CASE("modest: listeners push and wake bodies, and change the contact that they are told of") {
+    AsStock(
+        [](Run &run) {
+            Heap game(run);
+            game.listener.preSolve = [&game](b2Contact *contact) {
+                contact->SetEnabled(game.listener.told % 5 != 0);
+                contact->SetFriction(0.1f * Real(game.listener.told % 7));
+                if (game.listener.told % 7 == 0)
+                    game.sleepers[static_cast<size_t>(game.listener.told) % game.sleepers.size()]
+                        ->ApplyLinearImpulseToCenter({0.2f, 3.0f}, true);
+            };
+            game.listener.end = [](b2Contact *contact) { contact->SetEnabled(false); };
+            game.listener.postSolve = [](b2Contact *contact) {
+                contact->GetFixtureB()->GetBody()->ApplyLinearImpulseToCenter({0.02f, 0.0f}, true);
+            };
+            for (int i = 0; i < 60; ++i) {
+                b2Body *const shot = game.Box({-3.0f, 0.5f + 0.1f * Real(i)}, {0.1f, 0.1f});
+                shot->SetBullet(i % 2 == 0);
+                shot->SetLinearVelocity({150.0f, 0.0f});
+                for (b2Body *body : game.sleepers)
+                    body->SetAwake(false);
+                game.Step(3);
+                for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+                    game.hash.Add(c->IsEnabled() ? 1u : 0u);
+                game.world.DestroyBody(shot);
+            }
+        },
+        true, true);
+}
+
+TEST_CASE("immodest: when verifying, a broken promise is a difference") {
+    const Form verifying = {"verifying", true, true, bmr::Mode::Verify};
+    const std::pair<const char *, void (*)(Heap &)> deeds[] = {
+        {"a shape", [](Heap &game) { PolygonOf(game.sleepers[0])->m_vertices[0].x += 0.01f; }},
+        {"who is a sensor", [](Heap &game) { game.sleepers[0]->GetFixtureList()->SetSensor(true); }},
+        {"who is a bullet", [](Heap &game) { game.sleepers[0]->SetBullet(true); }},
+        {"who is awake", [](Heap &game) { game.world.GetBodyList()->SetAwake(false); }},
+        {"another contact",
+         [](Heap &game) {
+             for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+                 c->SetEnabled(c->IsTouching());
+         }},
+    };
+    for (const auto &[what, deed] : deeds) {
+        CAPTURE(what);
+        const Play play = [deed = deed](Run &run) {
+            Heap game(run);
+            game.listener.preSolve.Once([&game, deed] { deed(game); });
+            game.Step(1);
+        };
+        CHECK(Played(play, verifying, true, true).find("!answers differ") != std::string::npos);
+        CHECK(Played(play, verifying, true, false).find("!answers differ") == std::string::npos);
+    }
+}

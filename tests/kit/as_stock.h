@@ -229,9 +229,9 @@ constexpr Form kForms[] = {{"on", false, false, bmr::Mode::On},
 
 using Play = std::function<void(Run &)>;
 
-inline std::string Played(const Play &play, const Form &form, bool mustAnswer) {
+inline std::string Played(const Play &play, const Form &form, bool mustAnswer, bool modest = false) {
     return forked::InChild(
-        [&play, &form, mustAnswer](Run &run) {
+        [&play, &form, mustAnswer, modest](Run &run) {
             // A game takes a second or two of the processor. What goes round for ever ends here.
             const rlimit most = {20, 20};
             setrlimit(RLIMIT_CPU, &most);
@@ -239,6 +239,7 @@ inline std::string Played(const Play &play, const Form &form, bool mustAnswer) {
             setenv("BOOMERANG_EVERYWHERE", form.everywhere ? "on" : "off", 1);
             options.statistics = form.counts;
             options.mode = form.mode;
+            options.modestListeners = modest;
             if (form.mode != bmr::Mode::Off && !bmr::Install(options))
                 run.Print("!not installed");
             const bmr::Statistics before = bmr::GetStatistics();
@@ -253,8 +254,8 @@ inline std::string Played(const Play &play, const Form &form, bool mustAnswer) {
 }
 
 /// The claim of every game. The library has something to answer in it, unless `mustAnswer` is false. With
-/// BMR_AS_STOCK in the environment in the form of this name alone.
-inline void AsStock(const Play &play, bool mustAnswer = true) {
+/// BMR_AS_STOCK in the environment in the form of this name alone. `modest`: Options::modestListeners.
+inline void AsStock(const Play &play, bool mustAnswer = true, bool modest = false) {
     const std::string stock = Played(play, kStock, false);
     REQUIRE(stock != "");
     REQUIRE(forked::Difference(stock, stock) == "");
@@ -264,7 +265,7 @@ inline void AsStock(const Play &play, bool mustAnswer = true) {
             continue;
         const std::string name = form.name;
         CAPTURE(name);
-        REQUIRE(forked::Difference(stock, Played(play, form, mustAnswer)) == "");
+        REQUIRE(forked::Difference(stock, Played(play, form, mustAnswer, modest)) == "");
     }
 }
 

@@ -86,6 +86,20 @@ struct Options {
     /// Called after every evaluation, once its manifold is there (implies statistics). Otherwise as onEvent.
     void (*onAnswer)(void *context, const b2Contact &contact, Answer answer) = nullptr;
     Mode mode = Mode::On;
+    /// A promise of the game: while a step is under way, its listeners and filters change no more of a world
+    /// than
+    ///
+    ///   - velocities and forces of bodies, also of bodies that sleep, which they may wake;
+    ///   - SetEnabled, SetFriction, SetRestitution and SetTangentSpeed of the contact that a call is about.
+    ///
+    /// They put no body to sleep, make no body a bullet and no fixture a sensor (or the other way round), and
+    /// write to no shape. They may read all. Between steps the game does as it likes. IsEnabled() of a
+    /// contact that is apart, and that the game disabled between steps, may stay false.
+    ///
+    /// With the promise, shapes and contacts are not read again behind each call. If it is broken, bodies may
+    /// differ from stock Box2D's. Mode::Verify does not rely on it: it compares, counts each break as a
+    /// difference, and names what changed.
+    bool modestListeners = false;
     /// 0: only refusals and differences are printed on stderr. 1: Presence, too.
     int32_t verbosity = 0;
     /// The file that gets the statistics when the process ends, as JSON (implies statistics); nullptr: none.
