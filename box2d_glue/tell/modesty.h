@@ -28,7 +28,7 @@ private:
 
     const b2World *m_world; ///< nullptr: nothing is compared
     bool m_inCollide;
-    std::vector<uint64_t> m_fixtures;          ///< in the order of Box2D's lists: what each was
+    std::vector<uint64_t> m_fixtures;         ///< in the order of Box2D's lists: what each was
     std::vector<const b2Contact *> m_excused; ///< they touched, or were disabled; by their addresses
 };
 

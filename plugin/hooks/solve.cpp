@@ -3,8 +3,8 @@
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
 
-#include "passes/islands.h"
 #include "passes/contact_access.h"
+#include "passes/islands.h"
 #include "passes/taken_solver.h"
 #include "reach/stock.h"
 #include "start/current_step.h"
