@@ -15,6 +15,7 @@
 #include "proofs/polygon_view.h"
 #include "proofs/thresholds.h"
 #include "start/settings.h"
+#include "tell/event.h"
 #include "tell/verify.h"
 
 namespace bmr {
@@ -210,7 +211,7 @@ inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, con
     if (GetSettings().options.statistics) {
         if (IsOfPolygons())
             Live(HeldBy(answer, manifold->pointCount > 0, xfA, xfB), xfA, xfB);
-        CountAnswer(answer);
+        TellOfAnswer(*this, answer, true);
     }
 }
 
@@ -225,18 +226,6 @@ bool ConvexContact::IsAtImpact() const {
     const float time = marks.Time(self);
     return time < 1.0f && a.alpha0 == time && b.alpha0 == time && a.c0 == a.c && a.a0 == a.a && b.c0 == b.c &&
            b.a0 == b.a;
-}
-
-void ConvexContact::CountAnswer(Answer answer) const {
-    Count(&Counts::evaluations);
-    Count(answer < Answer::HandedOver ? &Counts::provedApart : &Counts::handedOver);
-    if (answer >= Answer::HandedOver)
-        Count(&Counts::touchingAnswered);
-    if (answer == Answer::Touching)
-        Count(&Counts::handedOverTouching);
-    const Options &options = GetSettings().options;
-    if (options.onAnswer != nullptr)
-        options.onAnswer(options.eventContext, *this, answer);
 }
 
 } // namespace bmr

@@ -55,7 +55,6 @@ private:
     TwoFixtures Two() const { return {m_fixtureA, m_fixtureB, m_indexA}; }
     bmr_convex32_memory Recall() const;
     void Keep(const bmr_convex32_memory &memory);
-    void CountAnswer(Answer answer) const;
 };
 
 static_assert(sizeof(ConvexContact) <= 224, "must stay in the block class of a stock contact");

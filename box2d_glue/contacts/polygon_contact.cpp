@@ -15,6 +15,7 @@
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"
 #include "start/settings.h"
+#include "tell/event.h"
 #include "tell/verify.h"
 
 namespace bmr {
@@ -126,7 +127,6 @@ bool PolygonContact::UpdateSensor(b2ContactListener *listener) {
         OverlapWasAsked() = true;
         return false;
     }
-    Count(&Counts::overlapQueries);
     Count(&Counts::overlapsAnswered);
     const bool wasTouching = IsTouching(), touches = answer == Overlap::kOverlapping;
     m_flags |= e_enabledFlag;
@@ -160,17 +160,9 @@ inline Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB
 }
 
 void PolygonContact::CountAnswer(Answer answer) const {
-    Count(&Counts::evaluations);
-    Count(answer < Answer::HandedOver ? &Counts::provedApart : &Counts::handedOver);
-    if (answer >= Answer::HandedOver && ManifoldIsMadeHere())
-        Count(&Counts::touchingAnswered);
-    if (answer == Answer::Touching)
-        Count(&Counts::handedOverTouching);
-    else if (answer != Answer::ApartByPair && EdgesAreOn())
+    if (answer < Answer::Touching && answer != Answer::ApartByPair && EdgesAreOn())
         Count(&Counts::edgeChecks);
-    const Options &options = GetSettings().options;
-    if (options.onAnswer != nullptr)
-        options.onAnswer(options.eventContext, *this, answer);
+    TellOfAnswer(*this, answer, ManifoldIsMadeHere());
 }
 
 /// Are there manifolds with Box2D's bits to be had without it? (Set makes polygons of 3 vertices and more; a

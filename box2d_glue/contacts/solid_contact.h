@@ -15,6 +15,7 @@
 #include "contacts/contact_life.h"
 #include "convex32/convex32_collide.h"
 #include "proofs/edge_memory.h"
+#include "tell/event.h"
 
 namespace bmr {
 

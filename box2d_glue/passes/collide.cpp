@@ -340,7 +340,7 @@ void CollidePass::Verify(uint32_t i) {
 void CollidePass::Run() {
     m_ledger->LookAtMovers();
     for (uint32_t word = 0; GetSettings().options.statistics && word <= m_ledger->Count() / 64; ++word)
-        GetCounts().pairsWatched.fetch_add(CountBits(m_ledger->WatchedOf(word)), std::memory_order_relaxed);
+        GetCounts().pairs.fetch_add(CountBits(m_ledger->WatchedOf(word)), std::memory_order_relaxed);
     m_ledger->Owed().Begin(m_ledger->Count());
     m_passNumber = m_ledger->PassNumber();
     m_seen = m_ledger->CurrentLook();

@@ -69,8 +69,7 @@ bmr_answer Advance(BodyPair *pair, const bmr_pose &pose) {
     const bmr_observer observer = {&counters, OnEvent, pair};
     const bmr_answer answer =
         bmr_pair_advance(&pair->kinetic, &def, &pair->a->shape, &pair->b->shape, &pose, &observer, nullptr);
-    GetCounts().kineticChecks.fetch_add(counters.checks, std::memory_order_relaxed);
-    GetCounts().kineticSteps.fetch_add(counters.steps, std::memory_order_relaxed);
+    GetCounts().hullChecks.fetch_add(counters.checks, std::memory_order_relaxed);
     return answer;
 }
 
@@ -121,7 +120,7 @@ BodyPair *CreateBodyPair(Hull *a, Hull *b, BodyPair *parent, b2BlockAllocator *a
     pair->references = 0;
     pair->stamp = 0;
     ResetBodyPair(pair);
-    Count(&Counts::pairs);
+    Count(&Counts::structures);
     return pair;
 }
 

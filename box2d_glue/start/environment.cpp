@@ -135,9 +135,6 @@ Options WithEnvironment(const Options &options) {
     made.mode = ModeOfEnvironment().value_or(options.mode);
     if (const auto verbose = ChoiceOfEnvironment(kVerbose, "BOOMERANG_VERBOSE", "0", "1"))
         made.verbosity = *verbose;
-    const std::string_view file = ReadEnvironment("BOOMERANG_STATISTICS");
-    if (!file.empty())
-        made.statisticsFile = file.data();
     return made;
 }
 

@@ -11,7 +11,6 @@
 /// The environment variables that set the plugin without rebuilding the program:
 ///
 ///     BOOMERANG=on|off|verify
-///     BOOMERANG_STATISTICS=FILE                    written when the process ends, as JSON
 ///     BOOMERANG_VERBOSE=0|1
 ///
 /// They win over the options that the program passes. A value that is not understood is ignored, and one line
@@ -36,7 +35,7 @@ const char *NameOf(Mode mode);
 /// BOOMERANG, if it is there and understood.
 std::optional<Mode> ModeOfEnvironment();
 
-/// `options`, outweighed by the environment. statisticsFile then points into the environment.
+/// `options`, outweighed by the environment.
 Options WithEnvironment(const Options &options);
 
 /// BOOMERANG_PAIRS_BY, if it is there and understood.

@@ -14,7 +14,7 @@
 #include "start/recognise.h"
 #include "start/settings.h"
 #include "start/this_process.h"
-#include "tell/statistics_file.h"
+#include "tell/trial.h"
 #include "tell/verify.h"
 
 namespace bmr {
@@ -68,6 +68,7 @@ bool InstallHere(const Options &given) {
         return false;
     const NearestRounding nearest; // Box2D is tried out in the mode in which it will be asked
     const Options options = WithEnvironment(given);
+    OpenTrial();
     if (options.mode == Mode::Off)
         return false;
     if (const char *why = WhyThisBox2DIsUnknown())
@@ -79,8 +80,6 @@ bool InstallHere(const Options &given) {
     installed = true;
     if (options.mode == Mode::Verify)
         SayVerifiedAtExit();
-    if (options.statisticsFile != nullptr && !WriteStatisticsAtExit(options.statisticsFile))
-        std::fprintf(stderr, "boomerang: the statistics will not be written to %s\n", options.statisticsFile);
     if (options.verbosity > 0 && ClaimAnnouncement())
         Announce(options);
     return true;

@@ -5,6 +5,8 @@
 #include "proofs/thresholds.h"
 #include "start/environment.h"
 #include "start/rounding_probe.h"
+#include "tell/event.h"
+#include "tell/trial.h"
 
 namespace bmr {
 
@@ -24,9 +26,8 @@ bool MakeSettings(const Options &options, const char *whyNoPass) {
     made.made = true;
     made.options = options;
     made.whyNoPass = whyNoPass;
-    made.options.statistics = options.statistics || options.onEvent != nullptr ||
-                              options.onAnswer != nullptr || options.statisticsFile != nullptr;
-    made.options.statisticsFile = nullptr; // the caller's; the exit handler has a copy
+    made.options.statistics =
+        options.statistics || options.onEvent != nullptr || AnswersAreObserved() || TrialCounts();
     made.pairDef = bmr_default_pair_def();
     const std::optional<bmr_structure> pairsBy = StructureOfEnvironment();
     made.remembersEdges = !pairsBy;

@@ -10,6 +10,7 @@
 #include "boomerang/pair.h"
 #include "passes/which_solver.h"
 #include "start/rounding_probe.h"
+#include "tell/counts.h"
 
 namespace bmr {
 
@@ -119,15 +120,7 @@ bool MakeSettings(const Options &options, const char *whyNoPass = nullptr);
 /// From here on the hooks answer. The last thing that Install does.
 void ActivateHooks();
 
-/// Process-wide counts, written only where Options::statistics asks for them; what Mode::Verify tells
-/// (verified, differences, steps) in that mode too.
-struct Counts {
-    std::atomic<uint64_t> evaluations{0}, edgeChecks{0}, edgeSearches{0}, verdictsReused{0}, provedApart{0},
-        handedOver{0}, handedOverTouching{0}, touchingAnswered{0}, toiQueries{0}, toiAnswered{0},
-        overlapQueries{0}, overlapsAnswered{0}, verified{0}, differences{0}, steps{0}, pairs{0}, hulls{0},
-        kineticChecks{0}, kineticSteps{0}, pairsWatched{0}, looks{0}, renewals{0};
-    std::atomic<uint64_t> kineticEvents[BMR_EVENT_KIND_COUNT] = {};
-};
+/// Process-wide.
 Counts &GetCounts();
 
 inline void Count(std::atomic<uint64_t> Counts::*counter) {

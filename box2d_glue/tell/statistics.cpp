@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <iterator>
+
 #include "start/reach.h"
 #include "start/recognise.h"
 #include "start/settings.h"
+#include "tell/event.h"
 
 namespace bmr {
 
@@ -16,33 +20,25 @@ Presence GetPresence() {
     return presence;
 }
 
-Statistics GetStatistics() {
+Counted internal::ReadCounts() {
+    Counted read;
     const Counts &counts = GetCounts();
-    Statistics s;
-    s.steps = counts.steps;
-    s.evaluations = counts.evaluations;
-    s.edgeChecks = counts.edgeChecks;
-    s.edgeSearches = counts.edgeSearches;
-    s.verdictsReused = counts.verdictsReused;
-    s.provedApart = counts.provedApart;
-    s.handedOver = counts.handedOver;
-    s.handedOverTouching = counts.handedOverTouching;
-    s.touchingAnswered = counts.touchingAnswered;
-    s.toiQueries = counts.toiQueries;
-    s.toiAnswered = counts.toiAnswered;
-    s.overlapQueries = counts.overlapQueries;
-    s.overlapsAnswered = counts.overlapsAnswered;
-    s.pairsWatched = counts.pairsWatched;
-    s.looks = counts.looks;
-    s.renewals = counts.renewals;
-    s.verified = counts.verified;
-    s.differences = counts.differences;
-    s.pairs = counts.pairs;
-    s.hulls = counts.hulls;
-    s.kinetic.checks = counts.kineticChecks;
-    s.kinetic.steps = counts.kineticSteps;
+    VisitCounts([](const char *, uint64_t &to, const auto &from) { to = from; }, read, counts);
     for (int kind = 0; kind < BMR_EVENT_KIND_COUNT; ++kind)
-        s.kinetic.events[kind] = counts.kineticEvents[kind];
+        read.events[kind] = counts.events[kind];
+    return read;
+}
+
+Statistics GetStatistics() {
+    const Counted counted = internal::ReadCounts();
+    Statistics s;
+    s.steps = counted.steps;
+    s.pairs = counted.pairs;
+    s.looks = counted.looks;
+    s.renewals = counted.renewals;
+    std::copy(std::begin(counted.events), std::end(counted.events), s.events);
+    s.verified = counted.verified;
+    s.differences = counted.differences;
     return s;
 }
 

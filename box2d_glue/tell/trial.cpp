@@ -6,6 +6,7 @@
 #include "start/install.h"
 #include "start/settings.h"
 #include "start/this_process.h"
+#include "tell/event.h"
 
 #if !defined(_WIN32)
 #    include <cstdio>
@@ -68,11 +69,7 @@ void Tell(TrialPage *trial) {
         std::snprintf(trial->way, sizeof trial->way, "%s %s; rounds %s Box2D", presence.way, presence.box2d,
                       presence.roundsAsBox2D ? "as" : "otherwise than");
         Copy(trial->noPass, presence.whyNot);
-        const Statistics statistics = GetStatistics();
-        trial->verified = statistics.verified;
-        trial->differences = statistics.differences;
-        trial->asked = statistics.evaluations + statistics.toiQueries;
-        trial->pairs = statistics.pairs;
+        trial->counted = internal::ReadCounts();
     } else if (const char *why = WhyRefused()) {
         Copy(trial->whyNot, why);
     }
@@ -104,28 +101,37 @@ void ListFiles(TrialPage *) {}
 /// A process that ends by itself cannot be asked any more: it tells now.
 void TellAtExit() {
     TrialPage *trial = internal::trial;
-    if (trial->steppedIn == ThisProcess())
+    // Where nobody has stepped, of several processes the one that loaded the library last.
+    const bool last = trial->steppedIn == 0 && trial->loadedIn == ThisProcess();
+    if (last || trial->steppedIn == ThisProcess())
         Tell(trial);
-    // Of several processes, the one that loaded the library last.
-    if (trial->steppedIn == 0 && trial->loadedIn == ThisProcess())
+    if (last)
         ListFiles(trial);
+}
+
+bool Open() {
+    const std::string_view name = ReadEnvironment(kTrialVariable);
+    if (name.empty())
+        return false;
+    TrialPage *page = Map(name.data());
+    if (page == nullptr) {
+        std::fprintf(stderr, "boomerang: %s=%s is not a file that this library can write to\n",
+                     kTrialVariable, name.data());
+        return false;
+    }
+    page->loadedIn = ThisProcess();
+    internal::trial = page;
+    return std::atexit(TellAtExit) == 0;
 }
 
 } // namespace
 
 void OpenTrial() {
-    const std::string_view name = ReadEnvironment(kTrialVariable);
-    if (internal::trial != nullptr || name.empty())
-        return;
-    TrialPage *page = Map(name.data());
-    if (page == nullptr) {
-        std::fprintf(stderr, "boomerang: %s=%s is not a file that this library can write to\n",
-                     kTrialVariable, name.data());
-        return;
-    }
-    page->loadedIn = ThisProcess();
-    internal::trial = page;
-    std::atexit(TellAtExit);
+    [[maybe_unused]] static const bool opened = Open();
+}
+
+bool TrialCounts() {
+    return internal::trial != nullptr && internal::trial->counts != 0;
 }
 
 void TellTrial(const char *whyNoStep) {
@@ -160,6 +166,9 @@ TimedStep::~TimedStep() {
 #else
 
 void OpenTrial() {}
+bool TrialCounts() {
+    return false;
+}
 void TellTrial(const char *) {}
 TimedStep::TimedStep() : m_begin(0), m_outermost(false) {}
 void TimedStep::End() {}

@@ -26,6 +26,9 @@ inline bool IsTried() {
 /// Maps the file that the environment names, once; says on stderr if it cannot.
 void OpenTrial();
 
+/// Does whoever tries this game want counts?
+bool TrialCounts();
+
 /// Tells `boomerang try` why it will see no step of this game.
 void TellTrial(const char *whyNoStep);
 

@@ -19,7 +19,6 @@ bool b2TestOverlap(const b2Shape *shapeA, int32 indexA, const b2Shape *shapeB, i
         return stock::TestOverlap(shapeA, indexA, shapeB, indexB, xfA, xfB);
     if (!PassesRun() || CurrentStep() == 0 || !RoundsToNearest())
         return stock::TestOverlap(shapeA, indexA, shapeB, indexB, xfA, xfB);
-    Count(&Counts::overlapQueries);
     const Overlap answer =
         OverlapWasAsked() ? Overlap::kUnknown : CertainOverlap(*shapeA, indexA, *shapeB, indexB, xfA, xfB);
     OverlapWasAsked() = false;

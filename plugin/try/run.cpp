@@ -225,10 +225,8 @@ void ReadPage(const Page &page, Run *run) {
     run->steps = page->steps;
     const uint32_t kept = std::min(run->steps, TrialPage::kMostSteps);
     run->microseconds.assign(page->microseconds, page->microseconds + kept);
-    run->verified = page->verified;
-    run->differences = page->differences;
-    run->asked = page->asked;
-    run->pairs = page->pairs;
+    run->verified = page->counted.verified;
+    run->differences = page->counted.differences;
     run->way = page->way;
     run->noPass = page->noPass;
     run->whyNot = page->whyNot;

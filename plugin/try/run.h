@@ -28,7 +28,7 @@ struct Run {
     std::vector<float> microseconds; ///< of each step
     uint32_t steps = 0;              ///< taken; microseconds has the first TrialPage::kMostSteps
     bool loaded = false;             ///< the library was, by some process of the game's
-    uint64_t verified = 0, differences = 0, asked = 0, pairs = 0;
+    uint64_t verified = 0, differences = 0;
     std::string way, noPass, whyNot, noStep;
     std::set<std::string> files;        ///< libraries and programs that the game's processes had in memory
     std::vector<std::string> lastWords; ///< the last lines of what the game wrote, on both streams

@@ -88,7 +88,7 @@ void Figures::AddCounts(const SceneResult &result) {
     // left the plugin searches itself, so that its calls of b2CollidePolygons would not tell.)
     const std::optional<double> stock = NumberAt(result.stockCount, "/polygon_tests_apart");
     const std::optional<double> proved = NumberAt(result.pluginCount, "/plugin/proved_apart");
-    const std::optional<double> pairs = NumberAt(result.pluginCount, "/plugin/pairs_watched");
+    const std::optional<double> pairs = NumberAt(result.pluginCount, "/plugin/pairs");
     const std::optional<double> looks = NumberAt(result.pluginCount, "/plugin/looks");
     // Pairs that nobody looked at had a budget left that a certificate gave them, or were renewed by its
     // line.
@@ -103,18 +103,17 @@ void Figures::AddEvents(const SceneResult &result) {
         Add(name, Scaled(NumberAt(result.pluginCount, "/plugin/" + pointer), perStep));
     };
     const std::optional<double> edges = NumberAt(result.pluginCount, "/plugin/edge_checks");
-    const std::optional<double> kinetic = NumberAt(result.pluginCount, "/plugin/checks");
+    const std::optional<double> kinetic = NumberAt(result.pluginCount, "/plugin/hull_checks");
     Add("checks.all_per_step",
         edges && kinetic ? Scaled(*edges + *kinetic, perStep) : std::optional<double>());
     Add("checks.edge_per_step", Scaled(edges, perStep));
     Add("checks.kinetic_per_step", Scaled(kinetic, perStep));
-    const std::optional<double> pairs = NumberAt(result.pluginCount, "/plugin/pairs_watched");
+    const std::optional<double> pairs = NumberAt(result.pluginCount, "/plugin/pairs");
     const std::optional<double> looks = NumberAt(result.pluginCount, "/plugin/looks");
-    add("ledger.pairs_per_step", "pairs_watched");
+    add("ledger.pairs_per_step", "pairs");
     add("ledger.looks_per_step", "looks");
     add("ledger.renewals_per_step", "renewals");
     Add("ledger.looks_percent", looks && pairs ? Quotient(100.0 * *looks, pairs) : std::optional<double>());
-    add("plugin.evaluations_per_step", "evaluations");
     add("plugin.edge_searches_per_step", "edge_searches");
     add("plugin.verdicts_reused_per_step", "verdicts_reused");
     add("plugin.proved_apart_per_step", "proved_apart");
@@ -128,16 +127,8 @@ void Figures::AddEvents(const SceneResult &result) {
     Add("events.all_per_step", Scaled(all, perStep));
     Add("events.all_percent", all && pairs ? Quotient(100.0 * *all, pairs) : std::optional<double>());
     add("events.hand_over_per_step", "handed_over");
-    add("events.hand_over_touching_per_step", "handed_over_touching");
-    add("plugin.toi_queries_per_step", "toi_queries");
-    add("plugin.toi_answered_per_step", "toi_answered");
-    add("plugin.overlap_queries_per_step", "overlap_queries");
-    add("plugin.overlaps_answered_per_step", "overlaps_answered");
-    add("plugin.touching_answered_per_step", "touching_answered");
     Add("verify.compared", NumberAt(result.verifyCount, "/plugin/verified"));
     Add("verify.differences", NumberAt(result.verifyCount, "/plugin/differences"));
-    Add("plugin.pairs", NumberAt(result.pluginCount, "/plugin/pairs"));
-    Add("plugin.hulls", NumberAt(result.pluginCount, "/plugin/hulls"));
 }
 
 void Figures::AddTimes(const SceneResult &result) {

@@ -99,7 +99,7 @@ std::vector<std::string> Workers::EnvironmentOf(const WorkerRequest &request,
         preloaded(m_countLibrary.string());
     }
     std::vector<std::string> environment = {"BOOMERANG=" + mode, "BOOMERANG_PAIRS_BY=" + options.structure,
-                                            "BOOMERANG_STATISTICS=", "BOOMERANG_VERBOSE="};
+                                            "BOOMERANG_VERBOSE="};
     if (!preload.empty()) {
         if (*ValueOf("LD_PRELOAD") != '\0')
             preloaded(ValueOf("LD_PRELOAD"));

@@ -13,6 +13,7 @@
 #include <boomerang/box2d.h>
 
 #include "stage.h"
+#include "tell/event.h"
 
 namespace testbed {
 namespace {
@@ -42,7 +43,7 @@ void OnEvent(void *, const b2Body *bodyA, const b2Body *bodyB, const bmr_event &
                  static_cast<int>(event.pair->owner), event.gap);
 }
 
-void OnAnswer(void *, const b2Contact &contact, bmr::Answer answer) {
+void OnAnswer(const b2Contact &contact, bmr::Answer answer) {
     observer->OnAnswer(contact, answer >= bmr::Answer::HandedOver);
 }
 
@@ -91,7 +92,7 @@ void InstallPlugin(const PluginOptions &options, bool count, PluginObserver *tol
     install.statistics = count || !options.trace.empty();
     observer = told;
     if (observer != nullptr)
-        install.onAnswer = OnAnswer;
+        bmr::internal::ObserveAnswers(OnAnswer);
     if (!options.trace.empty())
         OpenTrace(options.trace);
     if (observer != nullptr || !options.trace.empty())
@@ -125,32 +126,13 @@ nlohmann::json PluginPresence() {
 }
 
 nlohmann::json PluginStatistics() {
-    const bmr::Statistics counted = bmr::GetStatistics();
-    nlohmann::json events;
+    const bmr::Counted counted = bmr::internal::ReadCounts();
+    nlohmann::json told, events;
+    bmr::VisitCounts([&told](const char *name, uint64_t count) { told[name] = count; }, counted);
     for (int kind = 0; kind < BMR_EVENT_KIND_COUNT; ++kind)
-        events[bmr_event_name(static_cast<bmr_event_kind>(kind))] = counted.kinetic.events[kind];
-    return {{"evaluations", counted.evaluations},
-            {"edge_checks", counted.edgeChecks},
-            {"edge_searches", counted.edgeSearches},
-            {"verdicts_reused", counted.verdictsReused},
-            {"proved_apart", counted.provedApart},
-            {"handed_over", counted.handedOver},
-            {"handed_over_touching", counted.handedOverTouching},
-            {"touching_answered", counted.touchingAnswered},
-            {"toi_queries", counted.toiQueries},
-            {"toi_answered", counted.toiAnswered},
-            {"overlap_queries", counted.overlapQueries},
-            {"overlaps_answered", counted.overlapsAnswered},
-            {"pairs_watched", counted.pairsWatched},
-            {"looks", counted.looks},
-            {"renewals", counted.renewals},
-            {"verified", counted.verified},
-            {"differences", counted.differences},
-            {"pairs", counted.pairs},
-            {"hulls", counted.hulls},
-            {"checks", counted.kinetic.checks},
-            {"steps", counted.kinetic.steps},
-            {"events", events}};
+        events[bmr_event_name(static_cast<bmr_event_kind>(kind))] = counted.events[kind];
+    told["events"] = events;
+    return told;
 }
 
 ShownProof ShowProof(const b2Contact &contact) {

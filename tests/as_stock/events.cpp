@@ -136,9 +136,9 @@ void Listener::CheckContacts(const b2World &world) {
 }
 
 void Listener::CheckCounts() {
-    const bmr::Statistics s = bmr::GetStatistics();
+    const bmr::Counted s = bmr::internal::ReadCounts();
     for (int kind = 0; kind < BMR_EVENT_KIND_COUNT; ++kind)
-        m_run.Expect(m_counts[kind] == s.kinetic.events[kind], "every event is counted");
+        m_run.Expect(m_counts[kind] == s.events[kind], "every event is counted");
 }
 
 std::string Told(Play play, bmr::Options options) {
@@ -147,10 +147,9 @@ std::string Told(Play play, bmr::Options options) {
     options.onEvent = [](void *, const b2Body *a, const b2Body *b, const bmr_event &event) {
         listening->OnEvent(a, b, event);
     };
-    options.onAnswer = [](void *, const b2Contact &contact, bmr::Answer answer) {
-        listening->OnAnswer(contact, answer);
-    };
-    return forked::InChild(
+    bmr::internal::ObserveAnswers(
+        [](const b2Contact &contact, bmr::Answer answer) { listening->OnAnswer(contact, answer); });
+    std::string told = forked::InChild(
         [](forked::Run &run) {
             Listener listener(run);
             listening = &listener;
@@ -158,6 +157,8 @@ std::string Told(Play play, bmr::Options options) {
             listener.CheckCounts();
         },
         &options, forked::When::kBefore);
+    bmr::internal::ObserveAnswers(nullptr);
+    return told;
 }
 
 } // namespace as_stock

@@ -24,11 +24,10 @@ struct Looks {
 
 /// What the pairs of the game's world cost while `something` is done.
 Looks Spent(const std::function<void()> &something) {
-    const bmr::Statistics before = bmr::GetStatistics();
+    const bmr::Counted before = bmr::internal::ReadCounts();
     something();
-    const bmr::Statistics after = bmr::GetStatistics();
-    return {after.pairsWatched - before.pairsWatched, after.looks - before.looks,
-            after.renewals - before.renewals};
+    const bmr::Counted after = bmr::internal::ReadCounts();
+    return {after.pairs - before.pairs, after.looks - before.looks, after.renewals - before.renewals};
 }
 
 /// Slanted needles one beside the other, whose boxes overlap and who never meet: each glides along itself,

@@ -4,7 +4,7 @@
 #   check_announced.sh BUILD PLUGIN [ACCELERATED-VARIANT...]
 #
 # Is the plugin at work on each Box2D of the shelf as far as it is to be, and does it say so? A plugin that did nothing would play every
-# game as stock does. The line that BOOMERANG_VERBOSE asks for is held against the table below, and the counts of the JSON file
+# game as stock does. The line that BOOMERANG_VERBOSE asks for is held against the table below, and what the library counts
 # against the line: what is at work has answered, what is not has not.
 set -uo pipefail
 build=${1:?} plugin=${2:?}
@@ -13,7 +13,7 @@ accelerated=("$@")
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 passed=0 failed=0
-unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
 
 # shellcheck source=tests/box2d_builds/processor.sh
 source "$(dirname "${BASH_SOURCE[0]}")/processor.sh"
@@ -32,11 +32,8 @@ fails() {
     printf 'FAILED: %s\n' "$*"
 }
 
-# number NAME: of the JSON file
-number() { sed -nE "s/^ *\"$1\": ([0-9]+),?\$/\\1/p" "$room/json"; }
-
-# word NAME: the same
-word() { sed -nE "s/^ *\"$1\": \"(.*)\",?\$/\\1/p" "$room/json"; }
+# counted NAME: of what it counted
+counted() { sed -n "s/^$1 //p" "$room/counts"; }
 
 # says VARIANT WAY LINE [COUNT...]: with the plugin in this way, the game's one line is this; these counts are above zero, or, where
 # none is named, there are none at all.
@@ -45,26 +42,26 @@ says() {
     shift 3
     if [ "$way" = preloaded ]; then preload=$plugin; else program=${program}_$way; fi
     processor_for "$variant" || return 1
-    rm -f "$room/json"
+    "$build/trial_page" make "$room/page"
     "${runner[@]}" "${set_variable[@]}" "LD_PRELOAD=$preload" "${set_variable[@]}" BOOMERANG_VERBOSE=1 \
-        "${set_variable[@]}" "BOOMERANG_STATISTICS=$room/json" "$program" heap >/dev/null 2>"$room/err"
+        "${set_variable[@]}" "BOOMERANG_TRIAL=$room/page" "$program" heap >/dev/null 2>"$room/err"
+    "$build/trial_page" read "$room/page" >"$room/counts"
     if ! grep -q "^boomerang: $line" "$room/err" || [ "$(grep -c '^boomerang: ' "$room/err")" -ne 1 ]; then
         fails "$variant, $way: says \"$(cat "$room/err")\", not \"$line\""
         return
     fi
-    if [ $# -eq 0 ] && [ -e "$room/json" ]; then
+    if [ $# -eq 0 ] && [ -s "$room/counts" ]; then
         fails "$variant, $way: counts something"
         return
     fi
-    # The file says the same of the way and the rounding as the line.
-    if [ $# -gt 0 ] && { ! grep -qF "; $(word way) $(word box2d); rounds " "$room/err" ||
-        [ "$(grep -c '"rounds_as_box2d": true' "$room/json")" -ne "$(grep -c 'rounds as Box2D' "$room/err")" ]; }; then
-        fails "$variant, $way: the JSON file has another way or rounding than \"$(cat "$room/err")\""
+    # The page says the same of the way and the rounding as the line.
+    if [ $# -gt 0 ] && ! grep -qF "; $(counted way); " "$room/err"; then
+        fails "$variant, $way: the page has another way or rounding than \"$(cat "$room/err")\""
         return
     fi
     for name; do
-        if [ "$(number "$name")" = "" ] || [ "$(number "$name")" -eq 0 ]; then
-            fails "$variant, $way: $name: '$(number "$name")'"
+        if [ "$(counted "$name")" = "" ] || [ "$(counted "$name")" -eq 0 ]; then
+            fails "$variant, $way: $name: '$(counted "$name")'"
             return
         fi
     done

@@ -24,10 +24,10 @@ const Way kWays[] = {
     {"as it is", {}},
     {"free-direction", {"BOOMERANG_PAIRS_BY=free-direction"}},
     {"lazy-dudley", {"BOOMERANG_PAIRS_BY=lazy-dudley"}},
-    {"lazy-compass, statistics", {"BOOMERANG_PAIRS_BY=lazy-compass", "BOOMERANG_STATISTICS=/dev/null"}},
+    {"lazy-compass", {"BOOMERANG_PAIRS_BY=lazy-compass"}},
     {"verify, complaints",
      {"BOOMERANG=verify", "BOOMERANG_PAIRS_BY=none of that name", "BOOMERANG_VERBOSE=very",
-      "BOOMERANG_STATISTICS=/nowhere/%p.json"}},
+      "BOOMERANG_TRIAL=/nowhere/page"}},
 };
 
 size_t failures = 0;
@@ -108,7 +108,7 @@ size_t PlayWay(const Way &way, const Ended &stock) {
 
 int main() {
     for (const char *name :
-         {"BOOMERANG", "BOOMERANG_PAIRS_BY", "BOOMERANG_STATISTICS", "BOOMERANG_VERBOSE", "LD_PRELOAD"})
+         {"BOOMERANG", "BOOMERANG_PAIRS_BY", "BOOMERANG_TRIAL", "BOOMERANG_VERBOSE", "LD_PRELOAD"})
         unsetenv(name);
     const Ended stock = RunProgram({GAME});
     size_t played = 0;

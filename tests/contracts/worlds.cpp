@@ -6,8 +6,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -16,6 +14,7 @@
 
 #include "contracts.h"
 #include "process.h"
+#include "trial_file.h"
 
 using namespace contracts;
 
@@ -63,37 +62,30 @@ std::string HowItEnds(const Ended &ended) {
     return ended.status == 0 ? "runs" : "status " + std::to_string(ended.status);
 }
 
-/// The number of a member of the statistics, which are flat where it matters; -1 where there are none.
-long Statistic(const std::string &file, const std::string &name) {
-    std::ifstream stream(file);
-    const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-    const size_t at = text.find("\"" + name + "\": ");
-    return at == std::string::npos ? -1 : std::atol(text.c_str() + at + name.size() + 4);
-}
-
 std::string PlayedBy(size_t thing, const Way &way) {
     const Ended &stock = PlayStock(thing);
     char file[] = "/tmp/boomerang_bad_world_XXXXXX";
     const int descriptor = mkstemp(file);
     if (descriptor < 0)
-        return "no file for the statistics";
+        return "no file for what is counted";
     close(descriptor);
+    MakeTrialFile(file);
     std::vector<std::string> environment = way.environment;
-    environment.push_back(std::string("BOOMERANG_STATISTICS=") + file);
+    environment.push_back(bmr::kTrialVariable + ("=" + std::string(file)));
     if (!way.linked)
         environment.push_back(std::string("LD_PRELOAD=") + BAD_WORLD_PLUGIN);
     Ended ours = Play(thing, way.linked ? BAD_WORLD_LINKED : BAD_WORLD, environment);
-    const long evaluations = Statistic(file, "evaluations"), differences = Statistic(file, "differences");
+    const auto page = ReadTrialFile(file);
     std::remove(file);
 
     if (ours.signal != stock.signal || ours.status != stock.status)
         return HowItEnds(ours) + ", stock " + HowItEnds(stock);
     if (ours.output != stock.output)
         return "other steps than stock's";
-    if (stock.signal == 0 && evaluations <= 0)
+    if (stock.signal == 0 && (page == nullptr || page->counted.evaluations == 0))
         return "as stock, but the plugin is not at work";
-    if (stock.signal == 0 && differences != 0)
-        return std::to_string(differences) + " answers are not Box2D's";
+    if (stock.signal == 0 && page->counted.differences != 0)
+        return std::to_string(page->counted.differences) + " answers are not Box2D's";
     // Mode verify ends with a line where all is well.
     if (std::regex_match(ours.errors, std::regex("boomerang: verified [0-9,]+ answers, 0 differ\n")) &&
         way.environment == std::vector<std::string>{"BOOMERANG=verify"})
@@ -111,7 +103,7 @@ bool OutputsTell() {
 
 const Table kWorlds("worlds", [] {
     for (const char *name :
-         {"BOOMERANG", "BOOMERANG_PAIRS_BY", "BOOMERANG_STATISTICS", "BOOMERANG_VERBOSE", "LD_PRELOAD"})
+         {"BOOMERANG", "BOOMERANG_PAIRS_BY", "BOOMERANG_TRIAL", "BOOMERANG_VERBOSE", "LD_PRELOAD"})
         unsetenv(name);
     Matrix matrix;
     matrix.alone = false; // the games have processes of their own

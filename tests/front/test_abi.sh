@@ -57,7 +57,7 @@ GONE or changed (c): function bmr_kds_in_contact: .*(const bmr_kds \*)
 GONE or changed (c): constant BMR_KDS_MAX_CONDITIONS = 8
 NEW (c): function bmr_new_one: void (void)
 NOT SHOWN: bmr_new_one 
-GONE or changed (cpp): record bmr::Options: 56 bytes
+GONE or changed (cpp): record bmr::Options: 40 bytes
 GONE or changed (libboomerang-kinetic.symbols): bmr_fit_growth_of_old@BOOMERANG_1
 NEW (libboomerang-box2d.symbols): _ZN3bmr7InstallERKNS_7OptionsE@BOOMERANG_1
 PATTERNS

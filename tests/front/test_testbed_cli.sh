@@ -87,7 +87,7 @@ test_run_prints_hashes_and_summaries() {
         fail "stock and plugin give other hashes"
     expect 0 run "$hard" --steps "$steps"
     out_has '^polygon_tests +[0-9]+$'
-    out_has '^plugin\.checks +[0-9]+$'
+    out_has '^plugin\.hull_checks +[0-9]+$'
     clean
     expect 0 run "$hard" --steps "$steps" --plugin off --json
     json_number "$scratch/out" polygon_tests

@@ -340,7 +340,7 @@ TEST_CASE("Mode::Off and Mode::Verify change nothing, and nothing differs") {
             Mixed(game, engine, 64);
             for (int i = 0; i < 120; ++i)
                 game.world.Step(1.0f / 60.0f, 8, 3);
-            const bmr::Statistics s = bmr::GetStatistics();
+            const bmr::Counted s = bmr::internal::ReadCounts();
             run.Print("%d %d %d", s.verified > 100, s.differences == 0, s.provedApart > 10);
         },
         &verify, forked::When::kBefore);
@@ -389,7 +389,7 @@ TEST_CASE("far from the origin nothing is proved apart that has points") {
                 b->SetTransform(b2Vec2(kFar, kFar) + b2Mul(rotation, ends), angle + kPi);
                 game.world.Step(0.0f, 1, 1);
             }
-            const bmr::Statistics s = bmr::GetStatistics();
+            const bmr::Counted s = bmr::internal::ReadCounts();
             run.Print("verified %d, differences %d", s.evaluations > 1000, static_cast<int>(s.differences));
         },
         &verify, forked::When::kBefore);

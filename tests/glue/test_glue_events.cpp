@@ -31,10 +31,9 @@ void OnEvent(void *context, const b2Body *a, const b2Body *b, const bmr_event &e
     to->heard.strangers += a->GetWorld() != to->world || b->GetWorld() != to->world;
 }
 
-void OnAnswer(void *context, const b2Contact &contact, bmr::Answer answer) {
-    auto *to = static_cast<Scene *>(context);
-    ++to->heard.answers[static_cast<int>(answer)];
-    to->heard.strangers += contact.GetFixtureA()->GetBody()->GetWorld() != to->world;
+void OnAnswer(const b2Contact &contact, bmr::Answer answer) {
+    ++scene.heard.answers[static_cast<int>(answer)];
+    scene.heard.strangers += contact.GetFixtureA()->GetBody()->GetWorld() != scene.world;
 }
 
 /// Planks of boxes and of big shapes that fall on one another, and one of them flies past.
@@ -91,11 +90,11 @@ void PlayMany(Run &run) {
 }
 
 void CheckHeard(Run &run) {
-    const bmr::Statistics s = bmr::GetStatistics();
+    const bmr::Counted s = bmr::internal::ReadCounts();
     uint64_t events = 0, answers = 0;
     for (int kind = 0; kind < BMR_EVENT_KIND_COUNT; ++kind) {
         events += scene.heard.events[kind];
-        run.Expect(scene.heard.events[kind] == s.kinetic.events[kind], "every event is told of");
+        run.Expect(scene.heard.events[kind] == s.events[kind], "every event is told of");
     }
     for (const uint64_t count : scene.heard.answers)
         answers += count;
@@ -113,14 +112,16 @@ std::string PlayedBefore(const forked::Scenario &play, bmr_structure structure) 
     bmr::Options options; // statistics are implied
     const forked::PairsBy by(structure);
     options.onEvent = OnEvent;
-    options.onAnswer = OnAnswer;
+    bmr::internal::ObserveAnswers(OnAnswer);
     options.eventContext = &scene;
-    return forked::InChild(
+    std::string played = forked::InChild(
         [&play](Run &run) {
             play(run);
             CheckHeard(run);
         },
         &options, forked::When::kBefore);
+    bmr::internal::ObserveAnswers(nullptr);
+    return played;
 }
 
 } // namespace

@@ -87,10 +87,10 @@ TEST_CASE("a fixture that is added outside the hull collides at once") {
     CheckSameAsStock([](Run &run) {
         Game game(run);
         TwoPlanks planks(game, 0.6f);
-        const uint64_t before = bmr::GetStatistics().hulls;
+        const uint64_t before = bmr::internal::ReadCounts().hulls;
         game.Box(planks.b, 0.1f, 0.1f, {-1.0f, -0.6f});
         game.Step();
-        run.Expect(!run.Counts() || bmr::GetStatistics().hulls > before, "the hull is built anew");
+        run.Expect(!run.Counts() || bmr::internal::ReadCounts().hulls > before, "the hull is built anew");
         game.Stage(game.Touching() >= 1, "a collision");
         game.Step(20);
     });
@@ -104,7 +104,7 @@ TEST_CASE("remembered edges are counted where they are asked, and nowhere else")
         game.Box(b, 2.0f, 0.1f);
         game.Step(5);
         game.Stage(game.world.GetContactCount() == 1 && game.Touching() == 0, "a contact, apart");
-        const bmr::Statistics s = bmr::GetStatistics();
+        const bmr::Counted s = bmr::internal::ReadCounts();
         run.Expect(!run.Counts() || s.provedApart == 5, "it is answered in each step");
         run.Expect(!run.Counts() || s.edgeChecks == (run.RemembersEdges() ? s.provedApart : 0),
                    "by an edge, if any");
@@ -222,7 +222,7 @@ TEST_CASE("a sensor's polygon does not enter its body's hull") {
         game.Plank(b);
         b->SetLinearVelocity(Slanted(0.01f, 0.0f));
         game.Step(100);
-        const bmr::Statistics s = bmr::GetStatistics();
+        const bmr::Counted s = bmr::internal::ReadCounts();
         if (run.Counts() && run.RemembersEdges())
             run.Expect(s.provedApart > 4 * s.edgeChecks, "the body pair answers for the planks");
     });
@@ -240,7 +240,7 @@ TEST_CASE("the hull of a level does not swallow what is inside") {
         game.Plank(plank);
         plank->SetLinearVelocity(Slanted(0.01f, 0.0f));
         game.Step(100);
-        const bmr::Statistics s = bmr::GetStatistics();
+        const bmr::Counted s = bmr::internal::ReadCounts();
         game.Stage(game.world.GetContactCount() >= 2, "contacts with the level");
         if (run.Counts() && run.RemembersEdges())
             run.Expect(s.provedApart > 4 * s.edgeChecks, "the pair of wall and plank answers");
@@ -419,20 +419,21 @@ TEST_CASE("each vertex that is changed in place is seen") {
                 }
                 if (run.HasPlugin())
                     bmr::CurrentStep() = bmr::NextStep();
-                const uint64_t before = bmr::GetStatistics().hulls;
+                const uint64_t before = bmr::internal::ReadCounts().hulls;
                 game.Step();
                 bmr::CurrentStep() = 0;
                 game.Stage(game.Touching() == 0, "apart");
                 // (Where edges are remembered, the piece's contacts may be too few for a structure.)
-                run.Expect(!run.Counts() || run.RemembersEdges() || bmr::GetStatistics().hulls > before,
+                run.Expect(!run.Counts() || run.RemembersEdges() ||
+                               bmr::internal::ReadCounts().hulls > before,
                            "the hull is built anew");
             }
-            const uint64_t before = bmr::GetStatistics().hulls;
+            const uint64_t before = bmr::internal::ReadCounts().hulls;
             if (run.HasPlugin())
                 bmr::CurrentStep() = bmr::NextStep();
             game.Step();
             bmr::CurrentStep() = 0;
-            run.Expect(bmr::GetStatistics().hulls == before, "control: nothing has changed");
+            run.Expect(bmr::internal::ReadCounts().hulls == before, "control: nothing has changed");
         }
     });
 }

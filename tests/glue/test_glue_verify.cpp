@@ -47,7 +47,7 @@ template <typename Verify> Told By(Verify verify) {
     const std::string text = forked::InChild(
         [](forked::Run &run) {
             const std::string line = StderrOf(*chosen);
-            const bmr::Statistics s = bmr::GetStatistics();
+            const bmr::Counted s = bmr::internal::ReadCounts();
             run.Print("%u %u", static_cast<unsigned>(s.verified), static_cast<unsigned>(s.differences));
             run.Print("%s", line.c_str());
         },

@@ -14,6 +14,8 @@
 #include <box2d/b2_time_of_impact.h>
 #include <box2d/box2d.h>
 
+#include "tell/event.h"
+
 extern B2_API int32 b2_toiCalls;
 extern B2_API int32 b2_gjkCalls;
 
@@ -30,8 +32,8 @@ void Expect(bool holds, const char *claim) {
 /// What the plugin counts while `something` is done: questions that it was asked in a step.
 uint64_t Asked(const std::function<void()> &something) {
     const auto sum = [] {
-        const bmr::Statistics s = bmr::GetStatistics();
-        return s.toiQueries + s.overlapQueries;
+        const bmr::Counted s = bmr::internal::ReadCounts();
+        return s.toiQueries + s.overlapsAnswered;
     };
     const uint64_t before = sum();
     something();
@@ -101,10 +103,10 @@ uint64_t ImpactsAskedFor(bool sensor) {
     b2World world({0.0f, 0.0f});
     AddBox(&world, b2_staticBody, {0.0f, 0.0f});
     AddBox(&world, b2_dynamicBody, {0.0f, 1.05f})->SetSensor(sensor);
-    const uint64_t before = bmr::GetStatistics().toiQueries;
+    const uint64_t before = bmr::internal::ReadCounts().toiQueries;
     for (int step = 0; step < 3; ++step)
         world.Step(1.0f / 60.0f, 8, 3);
-    return bmr::GetStatistics().toiQueries - before;
+    return bmr::internal::ReadCounts().toiQueries - before;
 }
 
 /// A box that falls on another, until they touch; `something` is done then. True if it was.
@@ -134,10 +136,10 @@ void CheckInSearch() {
     bullet->SetLinearVelocity({0.0f, -300.0f});
     Answered box2d = {false, false};
     uint64_t asked = 0;
-    const uint64_t before = bmr::GetStatistics().toiQueries;
+    const uint64_t before = bmr::internal::ReadCounts().toiQueries;
     uint64_t searched = 0;
     AtBegin listener([&] {
-        searched = bmr::GetStatistics().toiQueries - before;
+        searched = bmr::internal::ReadCounts().toiQueries - before;
         asked = Asked([&] { box2d = AskBoth(); });
     });
     world.SetContactListener(&listener);

@@ -242,9 +242,9 @@ inline std::string Played(const Play &play, const Form &form, bool mustAnswer, b
             options.modestListeners = modest;
             if (form.mode != bmr::Mode::Off && !bmr::Install(options))
                 run.Print("!not installed");
-            const bmr::Statistics before = bmr::GetStatistics();
+            const bmr::Counted before = bmr::internal::ReadCounts();
             play(run);
-            const bmr::Statistics statistics = bmr::GetStatistics();
+            const bmr::Counted statistics = bmr::internal::ReadCounts();
             if (form.counts && mustAnswer && statistics.evaluations == before.evaluations)
                 run.Print("!nothing was answered");
             if (statistics.differences != 0)

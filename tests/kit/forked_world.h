@@ -17,6 +17,7 @@
 
 #include "boomerang/box2d_glue.h"
 #include "leave.h"
+#include "tell/event.h"
 #include "test_scale.h"
 
 #if defined(__has_feature)
@@ -202,7 +203,8 @@ public:
     /// Scenarios about structures of bodies are void without one.
     void StagePairs() {
         if (m_run.Counts())
-            m_run.Expect(bmr::GetStatistics().pairs > 0 && bmr::GetStatistics().kinetic.checks > 0,
+            m_run.Expect(bmr::internal::ReadCounts().structures > 0 &&
+                             bmr::internal::ReadCounts().hullChecks > 0,
                          "a structure watches the bodies");
     }
     /// How many contacts touch between solid fixtures: scenarios check that what they stage takes place.

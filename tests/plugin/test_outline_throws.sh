@@ -14,7 +14,7 @@ throws=${BMR_OUTLINE_THROWS:-30000}
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 failures=0
-unset BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
 
 fail() {
     failures=$((failures + 1))

@@ -11,7 +11,7 @@ holds_shows=$room/said
 trap 'rm -rf "$room"' EXIT
 # shellcheck source=tests/kit/holds.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../kit/holds.sh"
-unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
 
 # tries STATUS ARGUMENT...: it ends with that; what it says, in one line, is in $room/said. (A run ends with its game; the limit is
 # for what would never end.)

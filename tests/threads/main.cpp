@@ -172,6 +172,7 @@ void ShortLived(Worlds *worlds, int count, int steps) {
 }
 
 void Counted(Worlds *worlds, int count, int steps) {
+    installed += threads::Install(true);
     std::atomic<bool> done{false};
     std::thread reader([&done] {
         threads::StatisticsReader statistics;
@@ -185,7 +186,7 @@ void Counted(Worlds *worlds, int count, int steps) {
 }
 
 void InstallHere() {
-    installed += threads::Install();
+    installed += threads::Install(false);
     Expect(threads::IsInstalled(), "when Install is back the plugin is installed, whoever did it");
 }
 

@@ -14,8 +14,8 @@ namespace threads {
 /// Scenes of polygons of any size; none in stock. Worlds share their polygons.
 const std::vector<Chosen> &ScenesOfThePlugin();
 
-/// bmr::Install: did this call put the plugin to work? False in stock.
-bool Install();
+/// bmr::Install, perhaps with statistics: did this call put the plugin to work? False in stock.
+bool Install(bool counting);
 /// Is it at work? True in stock, which has nothing to install.
 bool IsInstalled();
 

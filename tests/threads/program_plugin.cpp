@@ -8,6 +8,7 @@
 #include "any_size.h"
 #include "outlined.h"
 #include "program.h"
+#include "tell/event.h"
 
 namespace threads {
 
@@ -21,8 +22,10 @@ const std::vector<Chosen> &ScenesOfThePlugin() {
     return scenes;
 }
 
-bool Install() {
-    return bmr::Install();
+bool Install(bool counting) {
+    bmr::Options options;
+    options.statistics = counting;
+    return bmr::Install(options);
 }
 
 bool IsInstalled() {
@@ -30,7 +33,7 @@ bool IsInstalled() {
 }
 
 bool StatisticsReader::Read() {
-    const bmr::Statistics s = bmr::GetStatistics();
+    const bmr::Counted s = bmr::internal::ReadCounts();
     const bool forward = s.steps >= steps && s.evaluations >= evaluations && s.differences == 0;
     steps = s.steps;
     evaluations = s.evaluations;

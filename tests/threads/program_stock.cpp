@@ -8,7 +8,7 @@ const std::vector<Chosen> &ScenesOfThePlugin() {
     return none;
 }
 
-bool Install() {
+bool Install(bool) {
     return false;
 }
 

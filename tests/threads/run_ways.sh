@@ -11,7 +11,7 @@ stock=$1 plugin=$2 library=${3:-}
 steps=$(awk -v scale="${BMR_TEST_SCALE:-1}" 'BEGIN { n = int(60 * scale); print n < 12 ? 12 : n }')
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
-unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_STATISTICS BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
 passed=0 failed=0
 
 verdict() { # NAME STATUS
@@ -54,8 +54,8 @@ for way in at-once elsewhere handed-over short-lived; do
     same plugin "$room/alone" 0 "$plugin" "$way" 4 BOOMERANG=on
 done
 same plugin "$room/alone" 0 "$plugin" beside 4 BOOMERANG=on
-same plugin "$room/alone" 0 "$plugin" counted 3 BOOMERANG=on BOOMERANG_STATISTICS="$room/json"
-same plugin "$room/alone" 0 "$plugin" counted 3 BOOMERANG=verify BOOMERANG_STATISTICS="$room/json"
+same plugin "$room/alone" 1 "$plugin" counted 3 BOOMERANG=on
+same plugin "$room/alone" 1 "$plugin" counted 3 BOOMERANG=verify
 same plugin "$room/alone" 0 "$plugin" handed-over 3 BOOMERANG=on BOOMERANG_PAIRS_BY=lazy-dudley
 same plugin "$room/alone" 0 "$plugin" handed-over 3 BOOMERANG=on BOOMERANG_PAIRS_BY=free-direction
 if [ -n "$library" ]; then

@@ -36,15 +36,6 @@ enum class Mode : int32_t {
            ///< answers were compared and how many differed, also where none was
 };
 
-/// How one evaluation of two polygons was answered. Those before HandedOver needed no manifold.
-enum class Answer : int32_t {
-    ApartByPair,   ///< the kinetic structure of their bodies (or of the two) proves them apart
-    ApartByEdge,   ///< the edge that their contact remembers does; of a big ConvexShape its vertices
-    ApartBySearch, ///< an edge, or the direction of a big one, was found, and is remembered from now on
-    HandedOver,    ///< not known to be apart: a manifold was needed
-    Touching       ///< the same, nothing asked: they touched at the last look
-};
-
 /// How polygons of more than b2_maxPolygonVertices vertices are handed to a game's b2Draw. A drawer that was
 /// written for Box2D's polygons may have room for 8 vertices and no more.
 enum class Outlines : int32_t {
@@ -83,8 +74,6 @@ struct Options {
     void (*onEvent)(void *context, const b2Body *bodyA, const b2Body *bodyB,
                     const bmr_event &event) = nullptr;
     void *eventContext = nullptr;
-    /// Called after every evaluation, once its manifold is there (implies statistics). Otherwise as onEvent.
-    void (*onAnswer)(void *context, const b2Contact &contact, Answer answer) = nullptr;
     Mode mode = Mode::On;
     /// A promise of the game: while a step is under way, its listeners and filters change no more of a world
     /// than
@@ -102,11 +91,6 @@ struct Options {
     bool modestListeners = false;
     /// 0: only refusals and differences are printed on stderr. 1: Presence, too.
     int32_t verbosity = 0;
-    /// The file that gets the statistics when the process ends, as JSON (implies statistics); nullptr: none.
-    /// The name is copied. "way", "box2d", "rounds_as_box2d" and "passes_run" are of Presence. If a program
-    /// forks, the process that installed writes the file. "%p" in the name becomes the number of the process:
-    /// then each writes its own.
-    const char *statisticsFile = nullptr;
     /// How b2World::DebugDraw draws a ConvexShape, if the shared library stands in front of Box2D.
     Outlines outlines = Outlines::Pieces;
 };
@@ -138,28 +122,13 @@ BMR_BOX2D_API Presence GetPresence();
 
 /// Counts since the process began, summed over all worlds and threads.
 struct Statistics {
-    uint64_t steps = 0; ///< calls of b2World::Step (seen by the shared library alone)
-    /// Times Box2D asked for a manifold of two polygons, or of a big ConvexShape with anything.
-    uint64_t evaluations = 0;
-    uint64_t edgeChecks = 0;         ///< remembered edges re-tested
-    uint64_t edgeSearches = 0;       ///< full separating-edge searches in front of b2CollidePolygons
-    uint64_t verdictsReused = 0;     ///< answers of a body pair given again at the same poses
-    uint64_t provedApart = 0;        ///< evaluations answered without Box2D
-    uint64_t handedOver = 0;         ///< evaluations that needed a manifold
-    uint64_t handedOverTouching = 0; ///< of those, because the pair touched at the last look
-    uint64_t touchingAnswered = 0;   ///< of those, made here instead of by b2CollidePolygons
-    uint64_t toiQueries = 0;         ///< times of impact that a step asked for
-    uint64_t toiAnswered = 0;        ///< of those, answered without Box2D
-    uint64_t overlapQueries = 0;     ///< overlaps of sensors that a step asked for
-    uint64_t overlapsAnswered = 0;   ///< of those, answered without Box2D
-    uint64_t pairsWatched = 0; ///< contacts of awake bodies, summed over the steps of worlds with a ledger
-    uint64_t looks = 0;        ///< of those, the ones whose contact or geometry was read
-    uint64_t renewals = 0;     ///< of those, the ones that their own line renewed
-    uint64_t verified = 0;     ///< answers compared with Box2D's (Mode::Verify)
-    uint64_t differences = 0;  ///< of those, the ones that differed
-    uint64_t pairs = 0;        ///< body pairs that got a kinetic structure
-    uint64_t hulls = 0;        ///< hulls built
-    bmr_counters kinetic = {}; ///< events of all structures (Options::onEvent); checks of hulls alone
+    uint64_t steps = 0;    ///< calls of b2World::Step (seen by the shared library alone)
+    uint64_t pairs = 0;    ///< contacts of awake bodies, summed over the steps of worlds that are ours
+    uint64_t looks = 0;    ///< of those, the ones whose contact or geometry was read
+    uint64_t renewals = 0; ///< of those, the ones whose own line was still good, and who got a new deadline
+    uint64_t events[BMR_EVENT_KIND_COUNT] = {}; ///< of all pairs, by kind (Options::onEvent)
+    uint64_t verified = 0;                      ///< answers compared with Box2D's (Mode::Verify)
+    uint64_t differences = 0;                   ///< of those, the ones that differed
 };
 BMR_BOX2D_API Statistics GetStatistics();
 

@@ -23,6 +23,7 @@
 #include "harness.h"
 #include "plugin.h"
 #include "serving.h"
+#include "tell/event.h"
 
 #if defined(BOOMERANG_FUZZ_POISON)
 #    include <sanitizer/common_interface_defs.h>
@@ -39,15 +40,12 @@ struct {
 } played;
 
 void SayEndings() {
-    const bmr::Statistics s = bmr::GetStatistics();
-    std::fprintf(stderr,
-                 "%lu scripts (%lu of any size), %lu steps; evaluations %" PRIu64 ", proved apart %" PRIu64
-                 ", touching %" PRIu64 " (answered %" PRIu64 "); impacts %" PRIu64 " (%" PRIu64
-                 "); overlaps %" PRIu64 " (%" PRIu64 "); pairs %" PRIu64 ", hulls %" PRIu64
-                 "; verified %" PRIu64 "\n",
-                 played.scripts, played.anySize, played.records, s.evaluations, s.provedApart,
-                 s.handedOverTouching, s.touchingAnswered, s.toiQueries, s.toiAnswered, s.overlapQueries,
-                 s.overlapsAnswered, s.pairs, s.hulls, s.verified);
+    const bmr::Counted s = bmr::internal::ReadCounts();
+    std::fprintf(stderr, "%lu scripts (%lu of any size), %lu steps;", played.scripts, played.anySize,
+                 played.records);
+    bmr::VisitCounts(
+        [](const char *name, uint64_t count) { std::fprintf(stderr, " %s %" PRIu64, name, count); }, s);
+    std::fputc('\n', stderr);
 }
 
 /// A program that runs for hours keeps copies of its own.
@@ -146,7 +144,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (fuzz_control("freed-read"))
         ReadFreed();
 #endif
-    FUZZ_CHECK(bmr::GetStatistics().differences == 0, "verify: differences");
+    FUZZ_CHECK(bmr::internal::ReadCounts().differences == 0, "verify: differences");
     for (size_t i = 0; i < expected.size() && i < found.size(); ++i) {
         const int at = static_cast<int>(i);
         if (expected[i].bodies != found[i].bodies)

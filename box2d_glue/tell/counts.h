@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_COUNTS_H
+#define BOOMERANG_GLUE_COUNTS_H
+
+#include <atomic>
+#include <cstdint>
+
+#include "boomerang/pair.h"
+
+/// @file
+/// What is counted of the work. The tests and the testbed are told all of it; a game is told bmr::Statistics.
+
+namespace bmr {
+
+/// What has been done since the process began, summed over all worlds and threads. Written only where
+/// Options::statistics asks for it; steps, verified and differences in Mode::Verify too.
+template <typename Number> struct CountsOf {
+    Number steps{0}; ///< calls of b2World::Step (seen by the shared library alone)
+    /// Times Box2D asked for a manifold of two polygons, or of a big ConvexShape with anything.
+    Number evaluations{0};
+    Number edgeChecks{0};         ///< remembered edges re-tested
+    Number edgeSearches{0};       ///< full separating-edge searches in front of b2CollidePolygons
+    Number verdictsReused{0};     ///< answers of a body pair given again at the same poses
+    Number provedApart{0};        ///< evaluations answered without Box2D
+    Number handedOver{0};         ///< evaluations that needed a manifold
+    Number handedOverTouching{0}; ///< of those, because the pair touched at the last look
+    Number touchingAnswered{0};   ///< of those handed over, made here instead of by b2CollidePolygons
+    Number toiQueries{0};         ///< times of impact that a step asked for
+    Number toiAnswered{0};        ///< of those, answered without Box2D
+    Number overlapsAnswered{0};   ///< overlaps of sensors, answered without Box2D
+    Number pairs{0};              ///< contacts of awake bodies, summed over the steps of worlds with a ledger
+    Number looks{0};              ///< of those, the ones whose contact or geometry was read
+    Number renewals{0};           ///< of those, the ones that their own line renewed
+    Number verified{0};           ///< answers compared with Box2D's (Mode::Verify)
+    Number differences{0};        ///< of those, the ones that differed
+    Number structures{0};         ///< body pairs that got a kinetic structure
+    Number hulls{0};              ///< hulls built
+    Number hullChecks{0};         ///< certificates of structures of hulls, asked again
+    Number events[BMR_EVENT_KIND_COUNT] = {};
+};
+using Counts = CountsOf<std::atomic<uint64_t>>; ///< as they are counted
+using Counted = CountsOf<uint64_t>;             ///< as they are read
+
+/// visit(name, count...) for each of them but the events, of these side by side.
+template <typename Visit, typename... Some> void VisitCounts(const Visit &visit, Some &...of) {
+    visit("steps", of.steps...);
+    visit("evaluations", of.evaluations...);
+    visit("edge_checks", of.edgeChecks...);
+    visit("edge_searches", of.edgeSearches...);
+    visit("verdicts_reused", of.verdictsReused...);
+    visit("proved_apart", of.provedApart...);
+    visit("handed_over", of.handedOver...);
+    visit("handed_over_touching", of.handedOverTouching...);
+    visit("touching_answered", of.touchingAnswered...);
+    visit("toi_queries", of.toiQueries...);
+    visit("toi_answered", of.toiAnswered...);
+    visit("overlaps_answered", of.overlapsAnswered...);
+    visit("pairs", of.pairs...);
+    visit("looks", of.looks...);
+    visit("renewals", of.renewals...);
+    visit("verified", of.verified...);
+    visit("differences", of.differences...);
+    visit("structures", of.structures...);
+    visit("hulls", of.hulls...);
+    visit("hull_checks", of.hullChecks...);
+}
+
+} // namespace bmr
+
+#endif
