@@ -18,7 +18,6 @@ set(BOOMERANG_ACCELERATE_SOURCE "${BOOMERANG_ACCELERATE_SOURCE}" CACHE INTERNAL 
 
 # What is renamed: Box2D's file, and what must stand in it for this to be a Box2D that is known.
 set(_boomerang_renamed
-  "b2_collision.cpp@bool b2TestOverlap("
   "b2_contact_manager.cpp@void b2ContactManager::Collide()@void b2ContactManager::Destroy(b2Contact@Destroy(cNuke)"
   "b2_distance.cpp@void b2DistanceProxy::Set(const b2Shape@void b2Distance(b2DistanceOutput@bool b2ShapeCast("
   "b2_dynamic_tree.cpp@int32 b2DynamicTree::CreateProxy(@void b2DynamicTree::DestroyProxy(int32@bool b2DynamicTree::MoveProxy(int32"
@@ -147,11 +146,7 @@ function(boomerang_accelerate)
   set(root "${BOOMERANG_ACCELERATE_SOURCE}")
   set(renamed "${root}/plugin/reach/renamed")
   get_filename_component(dynamics "${path}" DIRECTORY)
-  set(renamings ${_boomerang_renamed})
-  if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_SIZEOF_VOID_P EQUAL 8)
-    list(APPEND renamings "b2_timer.cpp@b2Timer::b2Timer()@m_start_usec") # reach/stock.h: BMR_TIMERS_ARE_REACHED
-  endif()
-  foreach(renaming IN LISTS renamings)
+  foreach(renaming IN LISTS _boomerang_renamed)
     _boomerang_wrap_source(${target} "${renaming}" "" listed wrapper)
     list(TRANSFORM sources REPLACE "^.+$" "${wrapper}" REGEX "^(.*/)?${listed}$")
   endforeach()

@@ -53,7 +53,12 @@ BMR_NAME_MEMBER(SolvePositionConstraints, b2Joint, SolvePositionConstraints,
 BMR_NAME_MEMBER(JointInIsland, b2Joint, m_islandFlag, bool b2Joint::*);
 BMR_NAME_MEMBER(Profile, b2World, m_profile, b2Profile b2World::*);
 BMR_NAME_MEMBER(StackAllocator, b2World, m_stackAllocator, b2StackAllocator b2World::*);
+BMR_NAME_MEMBER(NewContacts, b2World, m_newContacts, bool b2World::*);
+BMR_NAME_MEMBER(Locked, b2World, m_locked, bool b2World::*);
+BMR_NAME_MEMBER(InverseStep, b2World, m_inv_dt0, float b2World::*);
 BMR_NAME_MEMBER(StepComplete, b2World, m_stepComplete, bool b2World::*);
+BMR_NAME_MEMBER(SolveWorld, b2World, Solve, void (b2World::*)(const b2TimeStep &));
+BMR_NAME_MEMBER(SolveImpacts, b2World, SolveTOI, void (b2World::*)(const b2TimeStep &));
 #undef BMR_NAME_MEMBER
 
 inline const b2Sweep &SweepOf(const b2Body &body) {
@@ -92,7 +97,8 @@ struct ContactAccess : b2Contact {
     static uint32 &Flags(b2Contact *contact) { return contact->*(&ContactAccess::m_flags); }
     static float &TimeOfImpact(b2Contact *contact) { return contact->*(&ContactAccess::m_toi); }
     static int32 &CountOfImpacts(b2Contact *contact) { return contact->*(&ContactAccess::m_toiCount); }
-    static constexpr uint32 kInIsland = e_islandFlag, kTimeIsKnown = e_toiFlag;
+    static constexpr uint32 kInIsland = e_islandFlag, kTimeIsKnown = e_toiFlag, kEnabled = e_enabledFlag,
+                            kTouching = e_touchingFlag;
     static constexpr uint32 kAll =
         e_islandFlag | e_touchingFlag | e_enabledFlag | e_filterFlag | e_bulletHitFlag | e_toiFlag;
 

@@ -11,7 +11,6 @@
 #include "base/rounding_mode.h"
 #include "contacts/pair_registry.h"
 #include "proofs/body_pair.h"
-#include "proofs/overlap.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"
 #include "start/settings.h"
@@ -117,28 +116,6 @@ inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, co
 
 void PolygonContact::UpdateSolid(b2ContactListener *listener) {
     SolidContact::UpdateSolid(this, listener);
-}
-
-bool PolygonContact::UpdateSensor(b2ContactListener *listener) {
-    const Overlap answer =
-        CertainOverlap(ShapeOf(m_fixtureA), 0, ShapeOf(m_fixtureB), 0, m_fixtureA->GetBody()->GetTransform(),
-                       m_fixtureB->GetBody()->GetTransform(), &state.link.byEdge);
-    if (answer == Overlap::kUnknown) {
-        OverlapWasAsked() = true;
-        return false;
-    }
-    Count(&Counts::overlapsAnswered);
-    const bool wasTouching = IsTouching(), touches = answer == Overlap::kOverlapping;
-    m_flags |= e_enabledFlag;
-    m_manifold.pointCount = 0;
-    if (touches == wasTouching)
-        return true;
-    m_flags ^= e_touchingFlag;
-    if (listener != nullptr && touches)
-        listener->BeginContact(this);
-    else if (listener != nullptr)
-        listener->EndContact(this);
-    return true;
 }
 
 inline Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {

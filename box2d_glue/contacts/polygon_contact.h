@@ -37,9 +37,8 @@ public:
     /// See SolidContact::UpdateSolid.
     void UpdateSolid(b2ContactListener *listener);
 
-    /// The same of a contact of which a fixture is a sensor. False, and nothing done, where it is not certain
-    /// what b2TestOverlap would say.
-    bool UpdateSensor(b2ContactListener *listener);
+    /// The edge that is asked first.
+    EdgeMemory *Memory() { return &state.link.byEdge; }
 
 private:
     friend class SolidContact;

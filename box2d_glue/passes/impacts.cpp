@@ -343,7 +343,6 @@ void ImpactPass::FillInput(const b2Contact &contact, b2TOIInput *input) {
 
 /// Over all that is left of the step.
 bool ImpactPass::IsProvedApart(const b2Contact &contact, b2TOIInput *input) {
-    Count(&Counts::toiQueries);
     bool apart;
     if (m_scan != nullptr) {
         const b2Body *a = contact.GetFixtureA()->GetBody(), *b = contact.GetFixtureB()->GetBody();

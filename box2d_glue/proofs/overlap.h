@@ -19,12 +19,6 @@ enum class Overlap { kApart, kOverlapping, kUnknown };
 Overlap CertainOverlap(const b2Shape &shapeA, int32 childA, const b2Shape &shapeB, int32 childB,
                        const b2Transform &xfA, const b2Transform &xfB, EdgeMemory *memory = nullptr);
 
-/// True from when a contact has asked in vain until its b2TestOverlap asks: that goes to Box2D at once.
-inline bool &OverlapWasAsked() {
-    static thread_local bool asked = false;
-    return asked;
-}
-
 } // namespace bmr
 
 #endif

@@ -17,7 +17,6 @@ enum class ProcessLock {
     Installing,  ///< the plugin
     Recognising, ///< which Box2D this is
     Registering, ///< contacts
-    Clock,       ///< how long a tick takes
     Polygons,    ///< the register of big polygons
     Ledgers,     ///< which world has which
     Recorders,   ///< the class of bmr::ContactRecorder, and how many are alive

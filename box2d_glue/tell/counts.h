@@ -25,8 +25,7 @@ template <typename Number> struct CountsOf {
     Number handedOver{0};         ///< evaluations that needed a manifold
     Number handedOverTouching{0}; ///< of those, because the pair touched at the last look
     Number touchingAnswered{0};   ///< of those handed over, made here instead of by b2CollidePolygons
-    Number toiQueries{0};         ///< times of impact that a step asked for
-    Number toiAnswered{0};        ///< of those, answered without Box2D
+    Number toiAnswered{0};        ///< times of impact that a step asked for, answered without Box2D
     Number overlapsAnswered{0};   ///< overlaps of sensors, answered without Box2D
     Number pairs{0};              ///< contacts of awake bodies, summed over the steps of worlds with a ledger
     Number looks{0};              ///< of those, the ones whose contact or geometry was read
@@ -52,7 +51,6 @@ template <typename Visit, typename... Some> void VisitCounts(const Visit &visit,
     visit("handed_over", of.handedOver...);
     visit("handed_over_touching", of.handedOverTouching...);
     visit("touching_answered", of.touchingAnswered...);
-    visit("toi_queries", of.toiQueries...);
     visit("toi_answered", of.toiAnswered...);
     visit("overlaps_answered", of.overlapsAnswered...);
     visit("pairs", of.pairs...);

@@ -14,14 +14,13 @@
 #include "world/ledger.h"
 #include "world/ledgers.h"
 
-namespace {
-
 using namespace bmr;
 
+namespace {
+
 void NoteFiltering(const b2Body *body) {
-    if (body == nullptr || body->GetWorld() == nullptr)
-        return;
-    Ledger *ledger = FindLedger(&body->GetWorld()->GetContactManager());
+    const b2World *const world = body != nullptr ? body->GetWorld() : nullptr;
+    Ledger *ledger = world != nullptr ? FindLedger(&world->GetContactManager()) : nullptr;
     if (ledger == nullptr)
         return;
     for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // b2World::Step: starts the library if bmr::Install was not called, and marks the thread as stepping this
-// world; the step itself is Box2D's.
+// world.
 #include <box2d/b2_contact_manager.h>
 #include <box2d/b2_world.h>
 
 #include "passes/contact_access.h"
+#include "passes/step.h"
 #include "reach/stock.h"
 #include "shapes/convex_draw.h"
 #include "shapes/convex_geometry.h"
@@ -13,7 +14,7 @@
 #include "start/settings.h"
 #include "tell/trial.h"
 
-namespace bmr::hooks {
+using namespace bmr;
 
 namespace {
 
@@ -26,7 +27,10 @@ BMR_NOINLINE void StepHere(b2World *world, float timeStep, int32 velocityIterati
     CountStep();
     if (AnyBigPolygon())
         NoteDrawnByBox2D(nullptr, nullptr); // shapes that were drawn before a step are drawn anew after it
-    stock::Step(world, timeStep, velocityIterations, positionIterations);
+    if (BoxesAreOurs())
+        RunStep(world, timeStep, velocityIterations, positionIterations);
+    else
+        stock::Step(world, timeStep, velocityIterations, positionIterations);
 }
 
 void StepAsAsked(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
@@ -43,11 +47,6 @@ BMR_COLD void StepTried(b2World *world, float timeStep, int32 velocityIterations
 }
 
 } // namespace
-
-} // namespace bmr::hooks
-
-using namespace bmr;
-using namespace bmr::hooks;
 
 BMR_FOR_LOADERS("_ZN7b2World4StepEfii");
 

@@ -18,7 +18,6 @@ class b2Fixture;
 class b2Joint;
 class b2PolygonShape;
 class b2Shape;
-class b2Timer;
 class b2World;
 struct b2AABB;
 struct b2Color;
@@ -49,11 +48,6 @@ struct b2TOIOutput;
 /// BMR_FOR_LOADERS(name), ahead of a hook's definition, says by which name loaders ask for it; it means
 /// something in the first way alone.
 
-/// May Box2D's timers be others? What they hold differs from platform to platform.
-#if !defined(BMR_RENAMED) || (defined(__x86_64__) && defined(__linux__))
-#    define BMR_TIMERS_ARE_REACHED
-#endif
-
 #if defined(BMR_RENAMED)
 #    define BMR_FOR_LOADERS(name) static_assert(true)
 #    define BMR_STOCK(name, mangled, ...)                                                                    \
@@ -72,7 +66,6 @@ namespace bmr::stock {
 BMR_STOCK(Step, "_ZN7b2World4StepEfii", void(b2World *, float, int32, int32));
 BMR_STOCK(Solve, "_ZN7b2World5SolveERK10b2TimeStep", void(b2World *, const b2TimeStep &));
 BMR_STOCK(SolveToi, "_ZN7b2World8SolveTOIERK10b2TimeStep", void(b2World *, const b2TimeStep &));
-BMR_STOCK(ClearForces, "_ZN7b2World11ClearForcesEv", void(b2World *));
 BMR_STOCK(DrawShape, "_ZN7b2World9DrawShapeEP9b2FixtureRK11b2TransformRK7b2Color",
           void(b2World *, b2Fixture *, const b2Transform &, const b2Color &));
 BMR_STOCK(CreateJoint, "_ZN7b2World11CreateJointEPK10b2JointDef", b2Joint *(b2World *, const b2JointDef *));
@@ -113,19 +106,11 @@ BMR_STOCK(MoveProxy, "_ZN13b2DynamicTree9MoveProxyEiRK6b2AABBRK6b2Vec2",
 
 BMR_STOCK(TimeOfImpact, "_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput",
           void(b2TOIOutput *, const b2TOIInput *));
-BMR_STOCK(TestOverlap, "_Z13b2TestOverlapPK7b2ShapeiS1_iRK11b2TransformS4_",
-          bool(const b2Shape *, int32, const b2Shape *, int32, const b2Transform &, const b2Transform &));
 BMR_STOCK(Distance, "_Z10b2DistanceP16b2DistanceOutputP14b2SimplexCachePK15b2DistanceInput",
           void(b2DistanceOutput *, b2SimplexCache *, const b2DistanceInput *));
 BMR_STOCK(ShapeCast, "_Z11b2ShapeCastP17b2ShapeCastOutputPK16b2ShapeCastInput",
           bool(b2ShapeCastOutput *, const b2ShapeCastInput *));
 BMR_STOCK(SetProxy, "_ZN15b2DistanceProxy3SetEPK7b2Shapei", void(b2DistanceProxy *, const b2Shape *, int32));
-
-#if defined(BMR_TIMERS_ARE_REACHED)
-BMR_STOCK(ConstructTimer, "_ZN7b2TimerC1Ev", void(b2Timer *));
-BMR_STOCK(ResetTimer, "_ZN7b2Timer5ResetEv", void(b2Timer *));
-BMR_STOCK(GetMilliseconds, "_ZNK7b2Timer15GetMillisecondsEv", float(const b2Timer *));
-#endif
 
 } // namespace bmr::stock
 

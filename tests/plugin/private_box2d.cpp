@@ -3,16 +3,6 @@
 // are not. What is called is seen from outside, so that whoever was preloaded stands in front of it.
 #include <cstdio>
 
-/// Constructed without a call of Reset, of which there is none.
-class b2Timer {
-public:
-    b2Timer();
-    float GetMilliseconds() const;
-
-private:
-    double m_milliseconds;
-};
-
 /// Its number lies behind all that another Box2D would take for a world, and that is zeros: nothing to do.
 class b2World {
 public:
@@ -21,15 +11,8 @@ public:
     int steps;
 };
 
-__attribute__((noinline)) b2Timer::b2Timer() : m_milliseconds(2.0) {}
-
-__attribute__((noinline)) float b2Timer::GetMilliseconds() const {
-    return static_cast<float>(m_milliseconds);
-}
-
 __attribute__((noinline)) void b2World::Step(float, int, int) {
-    const b2Timer timer;
-    steps += static_cast<int>(timer.GetMilliseconds());
+    steps += 2;
 }
 
 int PlayModule();

@@ -5,7 +5,6 @@
 #include <cstdlib>
 
 #include "boomerang/box2d.h"
-#include "hooks/profile_clock.h"
 #include "passes/stock_solver.h"
 #include "reach/interposed/library_check.h"
 #include "reach/stock.h"
@@ -85,7 +84,6 @@ __attribute__((constructor)) void Loaded() {
     const std::optional<Mode> asked = ModeWithoutComplaint();
     if (asked == Mode::Off)
         return;
-    hooks::StartProfileClock();
     if (!asked && !IsPreloaded()) {
         ModeOfEnvironment(); // for what it says of a word that was meant to switch it on
         SayAtExitIfNotUsed();

@@ -6,9 +6,6 @@
 //   Solve                               Step has a b2TimeStep that may be changed; the definition takes
 //                                       one that may not. (`&profile`, the word of b2Island::Solve,
 //                                       makes no name.)
-//   ClearForces                         calls and the definition have no word. Both get `Called()`. In the
-//                                       parentheses of a call that is an object; in those of a definition
-//                                       it is the type of a function.
 #include BMR_BOX2D_CONTACT_SOLVER
 #include "box2d/b2_block_allocator.h"
 #include "box2d/b2_body.h"
@@ -32,12 +29,6 @@ void NoteWorldEnds(b2World *world);
 
 } // namespace hooks
 
-namespace stock {
-
-struct Called {};
-
-} // namespace stock
-
 } // namespace bmr
 
 #define Solve(...)                                                                                           \
@@ -54,10 +45,6 @@ struct Called {};
 #define DestroyBody BmrStockDestroyBody
 #define ClearForces()                                                                                        \
     ClearForces();                                                                                           \
-    void BmrStockClearForces(::bmr::stock::Called definition());                                             \
-    void BmrStockClearForces(::bmr::stock::Called) {                                                         \
-        ClearForces();                                                                                       \
-    }                                                                                                        \
     void BmrStockSolve(const b2TimeStep &step);                                                              \
     void BmrStockSolve(b2TimeStep &step) {                                                                   \
         Solve(step);                                                                                         \
@@ -70,7 +57,6 @@ struct Called {};
 #undef ClearForces
 
 #define Solve BmrStockSolve
-#define ClearForces() BmrStockClearForces(::bmr::stock::Called())
 #define SolveTOI(...) BMR_TOI_##__VA_ARGS__)
 #define BMR_TOI_const BmrStockSolveTOI(const
 #define BMR_TOI_step SolveTOI(step
@@ -94,7 +80,6 @@ struct Called {};
 #undef CreateJoint
 #undef DestroyBody
 #undef Solve
-#undef ClearForces
 #undef SolveTOI
 #undef DrawShape
 #undef DestroyJoint
@@ -106,7 +91,6 @@ namespace stock {
 void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations);
 void Solve(b2World *world, const b2TimeStep &step);
 void SolveToi(b2World *world, const b2TimeStep &step);
-void ClearForces(b2World *world);
 void DrawShape(b2World *world, b2Fixture *fixture, const b2Transform &xf, const b2Color &color);
 b2Joint *CreateJoint(b2World *world, const b2JointDef *def);
 void DestroyJoint(b2World *world, b2Joint *joint);
@@ -122,10 +106,6 @@ void Solve(b2World *world, const b2TimeStep &step) {
 
 void SolveToi(b2World *world, const b2TimeStep &step) {
     world->BmrStockSolveTOI(step);
-}
-
-void ClearForces(b2World *world) {
-    world->BmrStockClearForces(nullptr);
 }
 
 void DrawShape(b2World *world, b2Fixture *fixture, const b2Transform &xf, const b2Color &color) {

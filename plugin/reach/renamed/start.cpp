@@ -4,7 +4,6 @@
 #include "start.h"
 
 #include "boomerang/box2d.h"
-#include "hooks/profile_clock.h"
 #include "passes/stock_solver.h"
 #include "reach/stock.h"
 #include "start/box2d_asserts.h"
@@ -20,7 +19,6 @@ std::atomic<bool> internal::startsByItself{true};
 void internal::StartNow() {
     StartOnce([] {
         OpenTrial();
-        hooks::StartProfileClock();
         if (!InstallWasCalled())
             InstallHere(Options());
     });
