@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // b2Fixture::Refilter and SetFilterData, b2World::CreateJoint and DestroyJoint: contacts that these flag for
-// filtering are due.
-//
-// b2Fixture::SetFilterData calls Refilter within its own object file: where Box2D is built so that such calls
-// are bound (clang's way, -fno-semantic-interposition) or linked with --wrap, that call does not reach this
-// hook.
+// filtering are due. (SetFilterData's own call of Refilter does not reach this hook where Box2D's compiler
+// binds it within its object file, as clang does, or where it is linked with --wrap.)
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_joint.h>
 #include <box2d/b2_world.h>
@@ -52,8 +49,7 @@ void b2Fixture::SetFilterData(const b2Filter &filter) {
 b2Joint *b2World::CreateJoint(const b2JointDef *def) {
     b2Joint *joint = stock::CreateJoint(this, def);
     // Box2D reads the definition: a gear joint's own bodies are other ones.
-    if (joint != nullptr)
-        NoteFiltering(def->bodyB);
+    NoteFiltering(joint != nullptr ? def->bodyB : nullptr);
     return joint;
 }
 
