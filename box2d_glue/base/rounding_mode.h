@@ -27,6 +27,11 @@ inline RoundingMode CurrentRounding() {
 inline void RoundBy(RoundingMode mode) {
     _mm_setcsr((_mm_getcsr() & ~static_cast<unsigned>(_MM_ROUND_MASK)) | mode);
 }
+/// Does an operation without a number as its result, a division by zero or an overflow end the program?
+inline bool TrapsAreSet() {
+    constexpr unsigned kMasks = _MM_MASK_INVALID | _MM_MASK_DIV_ZERO | _MM_MASK_OVERFLOW;
+    return (_mm_getcsr() & kMasks) != kMasks;
+}
 
 #else
 
@@ -37,6 +42,9 @@ inline RoundingMode CurrentRounding() {
 }
 inline void RoundBy(RoundingMode mode) {
     std::fesetround(mode);
+}
+inline bool TrapsAreSet() {
+    return false; // those who set them here are not known
 }
 
 #endif

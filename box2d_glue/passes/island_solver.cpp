@@ -11,6 +11,7 @@
 #include <box2d/b2_world_callbacks.h>
 
 #include "base/private_members.h"
+#include "base/rounding_mode.h"
 
 namespace bmr {
 
@@ -88,6 +89,7 @@ bool IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) 
 void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener) {
     Clear();
     m_step = step;
+    m_mayReorder = !TrapsAreSet(); // lanes compute what Box2D would leave out
     m_listener = listener;
     m_profile = {};
 }
@@ -233,7 +235,7 @@ void IslandSolver::Prepare(const Island &island) {
 }
 
 void IslandSolver::SolveVelocities(const Island &island) {
-    const bool mayReorder = m_jointCount == 0 && m_solver.SolvesBlocks();
+    const bool mayReorder = m_mayReorder && m_jointCount == 0 && m_solver.SolvesBlocks();
     if (mayReorder && m_orderedVelocities.Order(m_solver.VelocityConstraints(), island, m_velocities.Data(),
                                                 m_step.velocityIterations)) {
         if (m_orderedVelocities.Solve(&m_solver, island, m_velocities.Data()))
@@ -248,7 +250,7 @@ void IslandSolver::SolveVelocities(const Island &island) {
 }
 
 void IslandSolver::SolvePositions(Island *islands, uint32_t count) {
-    if (m_jointCount == 0)
+    if (m_mayReorder && m_jointCount == 0)
         m_orderedPositions.Solve(&m_solver, islands, count, m_positions.Data(), m_step.positionIterations);
     for (uint32_t i = 0; i < count; ++i)
         if (!islands[i].isDone)

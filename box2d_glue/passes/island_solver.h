@@ -112,6 +112,7 @@ private:
     uint32_t m_mostBodies = 0; ///< of one island
     b2Vec2 m_gravity = {0.0f, 0.0f};
     bool m_allowSleep = false;
+    bool m_mayReorder = false; ///< in this pass
     b2TimeStep m_step = {};
     b2ContactListener *m_listener = nullptr;
     b2Profile m_profile = {};
