@@ -11,12 +11,12 @@
 #include "base/rounding_mode.h"
 #include "contacts/pair_registry.h"
 #include "convex32/convex32_distance.h"
-#include "passes/contact_marks.h"
 #include "proofs/polygon_view.h"
 #include "proofs/thresholds.h"
 #include "start/settings.h"
 #include "tell/event.h"
 #include "tell/verify.h"
+#include "world/contact_marks.h"
 
 namespace bmr {
 

@@ -209,10 +209,6 @@ void ImpactPass::ReadWhatGameDid() {
         m_ledger = nullptr;
     if (m_ledger == nullptr)
         return;
-    if (m_ledger->GetMarks().searches != m_searches) {
-        Rebuild();
-        return;
-    }
     Marks &marks = m_ledger->GetMarks();
     Movers &movers = m_ledger->GetMovers();
     // (A body that woke beside one that was awake changes nothing.)
@@ -239,7 +235,6 @@ void ImpactPass::ReadWhatGameDid() {
 void ImpactPass::Rebuild() {
     m_ledger->TakeMarks();
     Marks &marks = m_ledger->GetMarks();
-    m_searches = ++marks.searches;
     m_budgetsDoubted = true; // what is known by now stays so
     marks.heapCount = 0;
     marks.parked.ClearAll();

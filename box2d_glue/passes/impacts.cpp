@@ -118,7 +118,6 @@ void ImpactPass::BeginStep() {
     const bool islandsAreOurs = marks.areHere;
     marks.areHere = true; // all of them are forgotten
     marks.ForgetImpacts();
-    m_searches = marks.searches;
     SearchByLedger(m_gameRan || !islandsAreOurs);
 }
 

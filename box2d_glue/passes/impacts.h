@@ -9,8 +9,8 @@
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
 
-#include "passes/contact_marks.h"
 #include "passes/sweeps.h"
+#include "world/contact_marks.h"
 #include "world/ledger.h"
 
 struct b2TOIInput;
@@ -86,7 +86,6 @@ private:
     ContactMarks m_marks;
     const Sweeps &m_sweeps;
     ImpactScan *m_scan = nullptr; ///< while nothing has moved
-    uint32_t m_searches = 0;      ///< Marks::searches, of this pass
     bool m_gameRan;               ///< ahead of the first search; and it may have changed more than motion
     bool m_wasGameCalled = false; ///< it may have been, since the impact began
     bool m_budgetsDoubted = false;

@@ -118,10 +118,10 @@ private:
     b2Profile m_profile = {};
     b2StackAllocator *m_allocator = nullptr; ///< of b2Island, which solves this pass; nullptr: ours does
     bool m_isTaken = false;
-    IslandSolver *m_next = nullptr; ///< another one of the world's
+    IslandSolver *m_next = nullptr; ///< another one of the thread
 };
 
-/// The solvers of a world: one, and one more for each step of it that runs inside another.
+/// The solvers of a thread: one, and one more for each step of it that runs inside another.
 class IslandSolvers {
 public:
     IslandSolvers() = default;

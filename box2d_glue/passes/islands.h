@@ -7,8 +7,8 @@
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
 
-#include "passes/contact_marks.h"
 #include "passes/island_solver.h"
+#include "world/contact_marks.h"
 #include "world/ledger.h"
 
 namespace bmr {

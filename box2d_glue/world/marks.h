@@ -31,7 +31,6 @@ struct Marks {
     Column<uint8_t> counts;
     Column<Impact> heap; ///< known times below 1, and some that are old
     uint32_t heapCount = 0;
-    uint32_t searches = 0; ///< goes up where the marks of all pairs change at once
     bool areHere = false;
 
     bool Reserve(uint32_t count) {
@@ -68,7 +67,6 @@ struct Marks {
         for (BitColumn *column : {&inIsland, &known, &met, &asked, &parked})
             column->ClearAll();
         heapCount = 0;
-        ++searches;
     }
 
     /// The earliest first; of equal ones the newest contact, which is the first in Box2D's list.

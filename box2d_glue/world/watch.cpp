@@ -17,7 +17,6 @@ void Ledger::Watch(uint32_t i) {
     m_awake.Set(i);
     ++m_watched;
     m_stops.Set(i);
-    SetTouches(i, m_contacts[i]->IsTouching()); // an impact may have changed it while it was not watched
     SetDue(i);
 }
 

@@ -228,7 +228,7 @@ void PlayThrown(Run &run, bool rounded) {
     struct Told {};
     Game game(run, {0.0f, -10.0f});
     game.Wall({0.0f, -0.5f}, {400.0f, 0.5f});
-    for (int i = 0; i < 700; ++i) // more at rest than a short list has room for
+    for (int i = 0; i < 700; ++i)
         game.Awake({-350.0f + Real(i), 0.25f}, {0.25f, 0.25f});
     std::vector<b2Body *> bullets;
     for (int i = -20; i < 20; ++i) {

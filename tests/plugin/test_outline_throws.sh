@@ -3,7 +3,7 @@
 #
 # Nothing that is thrown at an outline gets through its seams, and Box2D drops no impact with one but those that
 # it finds where nothing touches: no more bodies are lost, and no more impacts dropped, than with the same
-# pieces as plain polygons, and the bits are the same with hooks off, on and verified.
+# pieces as plain polygons, and the bits are the same with Boomerang off, on and verified.
 #
 #   test_outline_throws.sh OUTLINE_THROWS
 #
@@ -14,7 +14,7 @@ throws=${BMR_OUTLINE_THROWS:-30000}
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 failures=0
-unset BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
 
 fail() {
     failures=$((failures + 1))
