@@ -231,6 +231,8 @@ public:
     const Movers &GetMovers() const { return m_movers; }
     b2ContactManager *Manager() const { return m_manager; }
 
+    /// Has somebody, a pass or a contact that ends, a pointer to it?
+    bool IsInPass() const { return m_passes > 0; }
     /// A pass is under way: numbers stay as they are. If a listener's exception ends it, every pair is due.
     class Pass {
     public:

@@ -78,7 +78,7 @@ Ledger *LedgerForStep(b2ContactManager *manager) {
     uint32_t &stepsOfFew = static_cast<Entry *>(ledger)->stepsOfFew;
     if (manager->m_contactCount >= WorthALedgerAnyway() / 2)
         stepsOfFew = 0;
-    else if (!StepUnderWay::IsInner() && ++stepsOfFew > StepsUntilGivenBack()) {
+    else if (!StepUnderWay::IsInner() && !ledger->IsInPass() && ++stepsOfFew > StepsUntilGivenBack()) {
         ledger->GiveMarksBack();
         DropLedger(manager);
         return nullptr;

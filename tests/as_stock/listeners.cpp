@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Listeners that come and go while they are told, and that change the contact that they are told of.
+#include <string>
+#include <vector>
+
 #include "as_stock.h"
 
 using namespace as_stock;
@@ -184,6 +187,20 @@ TEST_CASE("there and back: a contact loses its points, and is a sensor's until t
     });
 }
 
+/// What a game gets in the place of what was given back: nobody else writes there.
+struct Blocks {
+    void Take() {
+        for (size_t size = 64; size < 4096; size += 16)
+            all.emplace_back(size, '\x7f');
+    }
+    void Tell(Run &run) const {
+        for (const std::string &block : all)
+            if (block.find_first_not_of('\x7f') != std::string::npos)
+                run.Print("somebody wrote to a block");
+    }
+    std::vector<std::string> all;
+};
+
 // A small world gives its ledger back: between steps alone, and with what is known of impacts.
 TEST_CASE("given back: a crowd goes, and while that is found out a listener steps the world within its "
           "steps; the crowd comes back") {
@@ -207,16 +224,46 @@ TEST_CASE("given back: a crowd goes, and while that is found out a listener step
                 for (b2Body *body : bodies)
                     game.world.DestroyBody(body);
                 game.Step(round == 0 ? 1 : 60);
-                game.listener.preSolve.Once([&game] {
+                Blocks blocks;
+                const auto steps = [&game, &blocks] {
                     for (int i = 0; i < 12; ++i)
                         game.StepWithin(1.0f / 600.0f, 4);
-                });
+                    blocks.Take();
+                };
+                if (sub)
+                    game.listener.postSolve.Once(steps);
+                else
+                    game.listener.preSolve.Once(steps);
                 b2Body *const bullet = game.Awake({-6.0f, 0.0f}, {0.1f, 0.1f});
                 bullet->SetBullet(true);
                 bullet->SetLinearVelocity({400.0f, 0.0f});
                 game.Step(80);
+                blocks.Tell(run);
             }
         });
+}
+
+TEST_CASE("few left: while a contact ends a listener steps a world of hardly any") {
+    AsStock([](Run &run) {
+        Game game(run, {0.0f, -10.0f});
+        game.Wall({0.0f, -0.5f}, {400.0f, 0.5f});
+        std::vector<b2Body *> bodies;
+        for (int i = 0; i < 60; ++i)
+            bodies.push_back(game.Awake({3.0f * Real(i), 0.25f}, {0.25f, 0.25f}));
+        game.Step(5);
+        for (; bodies.size() > 8; bodies.pop_back())
+            game.world.DestroyBody(bodies.back());
+        game.Listen();
+        Blocks blocks;
+        game.listener.end.Once([&game, &blocks] {
+            for (int i = 0; i < 80; ++i)
+                game.StepWithin(1.0f / 60.0f, 8);
+            blocks.Take();
+        });
+        bodies[3]->DestroyFixture(bodies[3]->GetFixtureList());
+        blocks.Tell(run);
+        game.Step(20);
+    });
 }
 
 TEST_CASE("roused: a listener that is told of an island wakes bodies that sleep side by side") {
