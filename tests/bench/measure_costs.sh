@@ -59,7 +59,7 @@ total() {
 }
 
 # Instructions of the functions whose names begin with $1 and of all that they call, whoever calls them but themselves
-# and the plugin: a hook and the function of Box2D's behind it have one name. (A hook's has the version BOOMERANG_HOOKS, which keeps valgrind from
+# and the plugin below a step: a hook and the function of Box2D's behind it have one name. (A hook's has the version BOOMERANG_HOOKS, which keeps valgrind from
 # demangling it.)
 inclusive() {
     sed 's/@BOOMERANG_HOOKS$//' "$profile" | c++filt | awk -v name="$1" '
@@ -75,7 +75,7 @@ inclusive() {
         /^calls=/ {
             getline cost
             split(cost, field, " ")
-            if (index(callee, name) == 1 && index(caller, name) != 1 && caller !~ /bmr::/)
+            if (index(callee, name) == 1 && index(caller, name) != 1 && (caller !~ /bmr::/ || caller ~ /bmr::(RunStep|IslandPass::Run)/))
                 sum += field[2]
         }
         END { printf "%.0f\n", sum }'
@@ -148,10 +148,10 @@ head_of_rows() {
 bodies() {
     local count
     head_of_rows "bodies"
-    for count in 1000 5000 20000 50000; do
+    for count in 1000 50000; do
         row "gas, $count" 3 gas "$count" 3
     done
-    for count in 1000 5000 20000 50000; do
+    for count in 1000 50000; do
         row "columns, $count" 3 columns "$count" 3
     done
 }
