@@ -32,8 +32,10 @@ class Browser:
             fail_to_start("chromium or chromedriver is not installed")
         options = Options()
         options.binary_location = chromium
-        # As root in a container there is neither a sandbox nor a GPU nor a large /dev/shm.
+        # As root in a container there is neither a sandbox nor a GPU nor a large /dev/shm. (A test chooses faster than
+        # hands do: Chromium would hold back the page's address.)
         for switch in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                       "--disable-ipc-flooding-protection",
                        f"--window-size={width},{height}"):
             options.add_argument(switch)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
