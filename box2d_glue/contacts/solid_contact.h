@@ -176,7 +176,7 @@ template <typename Ours> inline void SolidContact::UpdateSolid(Ours *contact, b2
     const bool wasTouching = (self->m_flags & e_touchingFlag) != 0;
     self->m_flags |= e_enabledFlag;
     const Answer answer = contact->Ask(xfA, xfB);
-    if (answer < Answer::HandedOver && !wasTouching) { // nothing has happened that a listener is told
+    if (answer < Answer::HandedOver && !wasTouching) { // Box2D would call no listener
         contact->FillManifold(answer, &self->m_manifold, xfA, xfB, self->m_manifold);
         return;
     }

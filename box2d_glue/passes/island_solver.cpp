@@ -62,10 +62,9 @@ constexpr uint32_t kEnough = 512; // contacts; what waits stays in the processor
 bool StaysAsItIs(const b2Body &body) {
     const b2Sweep &sweep = SweepOf(body);
     const auto isZero = [](float x) { return x == 0.0f && !std::signbit(x); };
-    const auto isNegativeZero = [](float x) { return x == 0.0f && std::signbit(x); };
+    const float at[] = {sweep.c.x, sweep.c.y, sweep.a};
     return isZero(body.GetLinearVelocity().x) && isZero(body.GetLinearVelocity().y) &&
-           isZero(body.GetAngularVelocity()) && !isNegativeZero(sweep.c.x) && !isNegativeZero(sweep.c.y) &&
-           !isNegativeZero(sweep.a);
+           isZero(body.GetAngularVelocity()) && CarriesNoOrder(0.0f, 0.0f, at);
 }
 
 } // namespace

@@ -45,8 +45,8 @@ struct IslandRoom {
 ///     Finish(profile)
 class IslandSolver {
 public:
-    /// Call it before Reserve. `solvedBy`: WhoSolvesIslands(), not Nobody. Box2D's solver needs memory of the
-    /// world's.
+    /// Call this before Reserve. `solvedBy`: what WhoSolvesIslands() returns, if it is not
+    /// IslandsBy::Nobody. Box2D's b2Island takes memory from the world's stack allocator.
     void SolveBy(IslandsBy solvedBy, b2World *world);
     /// Room for islands of so many. False without memory: nothing has changed, and the pass is Box2D's.
     bool Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints);

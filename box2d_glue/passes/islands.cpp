@@ -258,9 +258,9 @@ void IslandPass::SolveIsland() {
     AfterGame();
 }
 
-/// PostSolve was called. It may have woken bodies (whose links nobody made where only those that are awake
-/// were looked at). What touches is as before, unless it made a step inside this one, or ended or made
-/// contacts.
+/// The listener's PostSolve was called, and may have woken bodies. If Link looked only at bodies that were
+/// awake, these have no links. The links of the others still hold, unless PostSolve made a step inside this
+/// one, or ended or made contacts.
 void IslandPass::AfterGame() {
     const bool stepped = m_stepNumber == 0 || CurrentStep() != m_stepNumber ||
                          m_manager->m_contactList != m_newest || m_manager->m_contactCount != m_contactCount;

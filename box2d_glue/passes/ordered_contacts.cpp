@@ -47,7 +47,7 @@ bool OrderedContacts::FindAnew() {
 
 /// Of one more iteration. (Without branches that are hard to foretell: they would take most of the time.)
 void OrderedContacts::FindLevels(uint32_t iteration) {
-    const uint32_t none = m_bodies; // the level of nobody's contact is read here, and written behind
+    const uint32_t none = m_bodies; // for a body that carries no order: m_last[none] stays 0
     for (uint32_t i = 0; i < m_count; ++i) {
         const Place &place = m_places[i];
         const uint32_t a = place.a < none ? place.a : none, b = place.b < none ? place.b : none,

@@ -38,7 +38,8 @@ struct StockSolver {
     Sweeps sweeps;
 };
 
-/// Filled when Box2D is found, before Install. Until then islands have no solver (IslandsBy::Nobody).
+/// The plugin fills it when it finds Box2D, before Install. Until then WhoSolvesIslands() is
+/// IslandsBy::Nobody.
 inline StockSolver &TheStockSolver() {
     static StockSolver solver = {};
     return solver;
