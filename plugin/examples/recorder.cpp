@@ -55,7 +55,7 @@ int TakePickups(const bmr::ContactEvents &events, b2World &world) {
     return score;
 }
 
-/// What is hit harder than the threshold is hurt by the rest.
+/// Damage is the part of each impulse above the threshold.
 float DamageTo(const b2Body *body, const bmr::ContactEvents &events, float threshold) {
     float damage = 0.0f;
     for (const bmr::ContactHitEvent &hit : events.hits)
@@ -82,7 +82,7 @@ void LetThrough(b2Body *player, float feet, float platformTop) {
 int main() {
     bmr::Install();
     constexpr float kThreshold = 4.0f, kFeet = 0.5f, kTop = 3.2f;
-    bmr::ContactRecorder recorder; // ahead of the world: it ends after it
+    bmr::ContactRecorder recorder; // before the world, which must end first
     recorder.SetHitThreshold(kThreshold);
     b2World world({0.0f, -10.0f});
     world.SetContactListener(&recorder);

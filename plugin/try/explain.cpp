@@ -201,8 +201,8 @@ std::string ExplainWork(const Trial &trial) {
         text = "This game is linked with Boomerang already (" + place.boomerang + "), " + on.way + ". ";
         break;
     }
-    text += on.noPass.empty() ? "Whole steps are its own. "
-                              : "Contacts alone are its own, because " + on.noPass + ". ";
+    text += on.noPass.empty() ? "It runs whole steps. "
+                              : "It answers for contacts alone, because " + on.noPass + ". ";
     text += ratio.steps == 0 ? "No step was taken in all runs, so nothing is compared by the clock. "
                              : ExplainRatio(ratio) + " ";
     const double share = 100.0 * ShareOf(trial.off.front());

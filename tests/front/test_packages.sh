@@ -127,7 +127,7 @@ grep -q '^they touch at 2.7500$' "$work/said" || fail "the example in Python say
 (cd / && unset LD_LIBRARY_PATH && quietly "$there/usr/bin/boomerang-testbed" compare needles --steps 5 --no-time)
 grep -q '^needles .* identical *identical *identical$' "$work/said" || fail "the testbed does not run both ways: $(cat "$work/said")"
 quietly "$there/usr/bin/boomerang" try --seconds 0.3 --rounds 1 -- "$there/usr/bin/boomerang-scene" needles --mode time --steps 100000
-tr '\n' ' ' <"$work/said" | grep -q 'Whole steps are its own' || fail "boomerang does not find its library: $(cat "$work/said")"
+tr '\n' ' ' <"$work/said" | grep -q 'It runs whole steps' || fail "boomerang does not find its library: $(cat "$work/said")"
 gzip -cd "$there/usr/share/man/man1/boomerang-testbed.1.gz" | grep -q '^compare' || fail "no manual page, or one without commands"
 
 # No dead link; and the control, that one is found, of a file and of a heading.
