@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <inttypes.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "checks.h"
@@ -19,11 +18,9 @@
 static const char *const names[] = {"active-cell-compass", "active-cell-dudley", "tiling-compass",
                                     "tiling-dudley"};
 
-static bmr_kds *made(const char *name, const test_kds_body *a, const test_kds_body *b, double margin,
-                     double hysteresis) {
+static bmr_kds *made(const char *name, const test_kds_body *a, const test_kds_body *b, double margin) {
     bmr_kds_def def = bmr_default_kds_def();
     def.margin = margin;
-    def.hysteresis = hysteresis;
     const bmr_kds_info *info = test_structure(name);
     assert_non_null(info);
     bmr_kds *kds = NULL;
@@ -72,7 +69,7 @@ static void drive_one(const char *name, bool rotates, test_random *random, total
     if (!rotates && test_random_below(random, 3) == 0)
         path.angle = 0.0; // aligned hierarchies
     const double margin = test_random_below(random, 4) == 0 ? 1e-3 : 1e-6;
-    bmr_kds *kds = made(name, &a, &b, margin, 0.0);
+    bmr_kds *kds = made(name, &a, &b, margin);
     const test_drive drive = {.path = &path, .margin = margin, .on_event = count_event, .context = t};
     const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &drive);
     if (!test_drive_is_sound(&result))
@@ -147,7 +144,7 @@ TEST(aligned_bodies_on_aligned_ways_are_no_trap) {
         *(upright ? &path.cubic[0].y : &path.cubic[0].x) -= size;
         *(upright ? &path.cubic[1].y : &path.cubic[1].x) = 2.0 * size;
         const char *name = names[round % COUNT_OF(names)];
-        bmr_kds *kds = made(name, &a, &b, 1e-6, 0.0);
+        bmr_kds *kds = made(name, &a, &b, 1e-6);
         const test_drive drive = {.path = &path};
         const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &drive);
         assert_true(test_drive_is_sound(&result));
@@ -176,7 +173,7 @@ TEST(a_repair_after_any_jump_leads_to_the_right_cell) {
         test_kds_body a = random_body(&random), b = random_body(&random);
         test_motion motion = test_motion_make((test_motion_kind)(round % TEST_MOTION_KIND_COUNT), a.polygon,
                                               b.polygon, &random);
-        bmr_kds *kds = made(names[round / TEST_MOTION_KIND_COUNT % 2], &a, &b, 1e-6, 0.0);
+        bmr_kds *kds = made(names[round / TEST_MOTION_KIND_COUNT % 2], &a, &b, 1e-6);
         bmr_kds_report report;
         for (int step = 0; step < 200; ++step) {
             const bmr_instant now = {test_motion_next(&motion, &random), {0.0, 0.0}, 0.0};
@@ -200,36 +197,6 @@ TEST(a_repair_after_any_jump_leads_to_the_right_cell) {
     assert_true(repairs > 0 && failed_before > repairs / 2);
 }
 
-TEST(a_repair_that_is_called_early_changes_nothing) {
-    test_random random = {509};
-    for (size_t round = 0; round < 60; ++round) {
-        test_kds_body a = random_body(&random), b = random_body(&random);
-        bmr_kds *kds = made(names[round % COUNT_OF(names)], &a, &b, 1e-6, 0.0);
-        const double gap = (a.polygon->radius + b.polygon->radius) * test_random_uniform(&random, 1e-3, 0.2);
-        bmr_instant now = {test_pose_at(a.polygon, b.polygon, 0.1 * (double)round, 0.3, gap), {0, 0}, 0.0};
-        bmr_kds_report report;
-        bmr_kds_start(kds, &now, &report);
-        assert_true(report.apart);
-        assert_int_equal(report.kind, BMR_KDS_START);
-        bmr_condition before[BMR_KDS_MAX_CONDITIONS], after[BMR_KDS_MAX_CONDITIONS];
-        const size_t count = bmr_kds_conditions(kds, before);
-        now.velocity =
-            bmr_vec2_make(test_random_uniform(&random, -1, 1), test_random_uniform(&random, -1, 1));
-        for (size_t failed = 0; failed < count; ++failed) {
-            if (bmr_condition_value(&before[failed], &now.pose) < 1e-8 * gap)
-                continue;
-            bmr_kds_repair(kds, &now, failed, &report);
-            assert_int_equal(report.kind, BMR_KDS_NONE);
-            assert_true(report.apart && !report.line_changed);
-        }
-        assert_int_equal(bmr_kds_conditions(kds, after), count);
-        assert_memory_equal(before, after, count * sizeof *before);
-        bmr_kds_destroy(kds, NULL);
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
-    }
-}
-
 // --- on a border, along it ---
 
 /// Moves B until condition `i` is not positive, by no more than a few roundings. False: other borders are too
@@ -250,21 +217,6 @@ static bool put_on_border(const bmr_kds *kds, size_t i, bmr_pose *pose, bmr_vec2
     return far;
 }
 
-static bool same_condition(const bmr_condition *k, const bmr_condition *l) {
-    return k->kind == l->kind && k->owner == l->owner && k->label == l->label && k->offset == l->offset &&
-           k->normal.x == l->normal.x && k->normal.y == l->normal.y && k->point.x == l->point.x &&
-           k->point.y == l->point.y;
-}
-
-static bool waits_for(const bmr_kds *kds, const bmr_condition *condition) {
-    bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
-    const size_t count = bmr_kds_conditions(kds, conditions);
-    size_t i = 0;
-    while (i < count && !same_condition(&conditions[i], condition))
-        ++i;
-    return i < count;
-}
-
 /// The point goes over a side at a small angle, so that nothing but the rate tells on which side it will be:
 /// a cell that is kept would be left again at the same time, for ever.
 TEST(a_border_crossed_at_any_angle_is_crossed) {
@@ -278,7 +230,7 @@ TEST(a_border_crossed_at_any_angle_is_crossed) {
         const bmr_pose at = test_pose_at(a.polygon, b.polygon, test_random_uniform(&random, 0.0, TWO_PI),
                                          test_random_uniform(&random, 0.0, TWO_PI), gap);
         for (size_t i = 0; i < 4; ++i) {
-            bmr_kds *kds = made(names[round % COUNT_OF(names)], &a, &b, 1e-6, 0.0);
+            bmr_kds *kds = made(names[round % COUNT_OF(names)], &a, &b, 1e-6);
             bmr_instant now = {at, {0.0, 0.0}, 0.0};
             bmr_kds_report report;
             bmr_kds_start(kds, &now, &report);
@@ -292,12 +244,12 @@ TEST(a_border_crossed_at_any_angle_is_crossed) {
                     const bmr_instant back = {now.pose, bmr_scale(size, inwards), 0.0};
                     bmr_kds_repair(kds, &back, i, &report);
                     assert_int_equal(report.kind, BMR_KDS_NONE);
-                    assert_true(waits_for(kds, &conditions[i]));
+                    assert_true(test_waits_for(kds, &conditions[i]));
                     ++grown;
                 }
                 bmr_kds_repair(kds, &now, i, &report);
                 assert_int_not_equal(report.kind, BMR_KDS_NONE);
-                assert_true(!report.apart || !waits_for(kds, &conditions[i]));
+                assert_true(!report.apart || !test_waits_for(kds, &conditions[i]));
                 ++crossed;
             }
             bmr_kds_destroy(kds, NULL);
@@ -307,116 +259,4 @@ TEST(a_border_crossed_at_any_angle_is_crossed) {
     }
     printf("%zu borders crossed\n", crossed);
     assert_true(crossed > test_scaled(400) && grown > crossed / 2);
-}
-
-TEST(contact_is_at_the_margin_and_left_with_hysteresis) {
-    test_random random = {511};
-    for (size_t round = 0; round < 60; ++round) {
-        test_kds_body a = random_body(&random), b = random_body(&random);
-        const double unit = a.polygon->extent + b.polygon->extent;
-        bmr_kds *kds = made(names[round % COUNT_OF(names)], &a, &b, 1e-3 * unit, 5e-4 * unit);
-        const double turn = test_random_uniform(&random, 0.0, TWO_PI);
-        // The exact distances to be at, in units of the extents.
-        static const double gaps[] = {1.001e-3, 0.999e-3, 1.4e-3, 1.6e-3, 1.001e-3, NAN};
-        static const bool apart[] = {true, false, false, true, true, false};
-        bmr_pose pose = test_pose_at(a.polygon, b.polygon, 0.1 * (double)round, turn, 0.5 * unit);
-        for (size_t i = 0; i < COUNT_OF(gaps); ++i) {
-            const bmr_vec2 away = bmr_sub(pose.position, a.polygon->center);
-            for (int k = 0; k < 200 && i + 1 < COUNT_OF(gaps); ++k) {
-                // Away from A's centre the distance grows by no more than one goes: never too far.
-                const double off = gaps[i] * unit - test_distance(a.polygon, b.polygon, &pose);
-                pose.position = bmr_add(pose.position, bmr_scale(off / hypot(away.x, away.y), away));
-            }
-            if (i + 1 < COUNT_OF(gaps) &&
-                fabs(test_distance(a.polygon, b.polygon, &pose) - gaps[i] * unit) > 1e-7 * unit)
-                break; // a way too slanted
-            if (i + 1 == COUNT_OF(gaps))
-                pose.position.x = NAN;
-            const bmr_instant now = {pose, {0.0, 0.0}, 0.0};
-            bmr_kds_report report;
-            const bool was_in_contact = i > 0 && bmr_kds_in_contact(kds);
-            bmr_kds_start(kds, &now, &report);
-            assert_int_equal(report.apart, apart[i]);
-            assert_int_equal(bmr_kds_in_contact(kds), !apart[i]);
-            if (apart[i])
-                assert_int_equal(report.kind, was_in_contact ? BMR_KDS_LEAVE : BMR_KDS_START);
-            assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
-        }
-        bmr_kds_destroy(kds, NULL);
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
-    }
-}
-
-// --- how much ---
-
-static test_kds_body regular_body(size_t n, double phase) {
-    bmr_vec2 *points = malloc(n * sizeof *points);
-    assert_non_null(points);
-    bmr_polygon *polygon = NULL;
-    test_regular_points(n, 1.0, phase, points);
-    assert_int_equal(bmr_polygon_create(points, n, NULL, &polygon), BMR_OK);
-    free(points);
-    return test_kds_body_make(polygon);
-}
-
-/// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
-/// Bytes: the implicit structures' do not depend on n. The tilings' do (the control).
-TEST(the_active_cell_takes_constant_space) {
-    size_t bytes[COUNT_OF(names)][2];
-    for (int i = 0; i < 2; ++i) {
-        test_kds_body a = regular_body(i ? 2048 : 8, 0.1), b = regular_body(i ? 1024 : 4, 0.2);
-        for (size_t k = 0; k < COUNT_OF(names); ++k) {
-            bmr_kds *kds = made(names[k], &a, &b, 1e-6, 0.0);
-            bytes[k][i] = bmr_kds_bytes(kds);
-            bmr_kds_destroy(kds, NULL);
-        }
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
-    }
-    for (size_t k = 0; k < COUNT_OF(names); ++k)
-        printf("%s: %zu bytes for 8 and 4 vertices, %zu for 2048 and 1024\n", names[k], bytes[k][0],
-               bytes[k][1]);
-    assert_true(bytes[0][0] == bytes[0][1] && bytes[1][0] == bytes[1][1]);
-    assert_true(bytes[2][1] > 50 * bytes[2][0] && bytes[3][1] > 50 * bytes[3][0]);
-}
-
-/// Events of one drive of two regular polygons; sigma the gap in units of D = 2.
-static test_drive_result drive_regular(const char *name, size_t n, test_path_kind kind, double sigma,
-                                       double seed) {
-    test_random random = {(uint64_t)(1000.0 * seed)};
-    test_kds_body a = regular_body(n, seed), b = regular_body(n, 2.0 * seed);
-    const test_path path = test_path_make(kind, a.polygon, b.polygon, 2.0 * sigma, false, &random);
-    bmr_kds *kds = made(name, &a, &b, 1e-9, 0.0);
-    const test_drive drive = {.path = &path, .margin = 1e-9, .resolution = 1e-9, .audit_every = 1000};
-    const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &drive);
-    assert_true(test_drive_is_sound(&result));
-    bmr_kds_destroy(kds, NULL);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
-    return result;
-}
-
-/// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
-/// Lemma mixed2 and theorem transpoly: O(log) events of a line (3 log2(D/sigma) + 2 cells on the compass, and
-/// the outside before and after), O(sqrt(D/sigma)) of an orbit (15 sqrt(D/sigma), the notes' measure).
-TEST(events_grow_as_the_theorem_says) {
-    size_t above_half_line = 0, above_half_orbit = 0;
-    for (size_t k = 0; k < 2; ++k)
-        for (int power = 3; power <= 11; power += 2) {
-            const double sigma = pow(2.0, -power);
-            const test_drive_result line = drive_regular(names[k], 256, TEST_PATH_LINE, sigma, 0.37);
-            const test_drive_result orbit = drive_regular(names[k], 256, TEST_PATH_ORBIT, sigma, 0.53);
-            const double of_line = (double)test_drive_events(&line),
-                         of_orbit = (double)test_drive_events(&orbit);
-            printf("%s, sigma = D / 2^%d: line %.0f events, orbit %.0f = %.1f sqrt(D/sigma); %.2f stages "
-                   "an event\n",
-                   names[k], power, of_line, of_orbit, of_orbit * sqrt(sigma),
-                   (double)(line.touched + orbit.touched) / (of_line + of_orbit));
-            assert_true(k == 1 || of_line <= 3.0 * power + 2.0 + 8.0);
-            assert_true(of_orbit * sqrt(sigma) <= 15.0);
-            above_half_line += of_line > 0.5 * (3.0 * power + 2.0);
-            above_half_orbit += of_orbit * sqrt(sigma) > 7.5;
-        }
-    assert_true(above_half_line > 0 && above_half_orbit > 0); // controls: half of each bound is too little
 }

@@ -111,6 +111,8 @@ TEST(contact_is_left_beyond_margin_and_hysteresis_only) {
     }
 }
 
+/// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
+/// Bytes: no structure's depend on n but those of sums, of binary searches and of tilings.
 TEST(the_state_does_not_grow_with_the_polygons_unless_it_says_so) {
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
         size_t bytes[2];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole runs: every structure on every family of motion, audited; section 6's bound; saturation at mu = n.
+// Whole runs: every structure on every family of motion, audited; saturation at mu = n.
 #include <math.h>
 #include <stdlib.h>
 
@@ -53,23 +53,6 @@ TEST(test_every_structure_is_right_on_every_family) {
             }
             strike(&s);
         }
-}
-
-/// Theorem 6.2: no more events than the least kappa-clear decomposition, kappa = 2 beta + 1.
-/// Section 6: no more events than any clear decomposition has segments, kappa = 2 beta + 1.
-TEST(test_inflated_structures_keep_to_the_clear_decomposition) {
-    const double kappa = 5.0 + 4.0 * sqrt(2.0);
-    for (int family = 0; family < BMR_FAMILY_SPIN; family++) {
-        stage s = set((bmr_family)family, 100.0, 64, 5);
-        bmr_clear clear;
-        assert_int_equal(bmr_clear_decomposition(&s.course, kappa, 0.0, &clear), BMR_OK);
-        assert_true(clear.least <= clear.found);
-        assert_true(run(&s, test_structure("inflated-translation")).events <= clear.least);
-        // The control: the closest features know no such bound.
-        if (family == BMR_FAMILY_BROWNIAN)
-            assert_true(2 * run(&s, test_structure("closest-features")).events > clear.least);
-        strike(&s);
-    }
 }
 
 static double orbit_events(const char *name, size_t n, double ratio) {

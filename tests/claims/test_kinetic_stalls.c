@@ -27,29 +27,14 @@ typedef struct watch {
     size_t seen;         ///< a control: of the conditions that are there, those that are seen
 } watch;
 
-static bool same_condition(const bmr_condition *k, const bmr_condition *l) {
-    return k->kind == l->kind && k->owner == l->owner && k->label == l->label && k->offset == l->offset &&
-           k->normal.x == l->normal.x && k->normal.y == l->normal.y && k->point.x == l->point.x &&
-           k->point.y == l->point.y;
-}
-
-static bool waits_for(const bmr_kds *kds, const bmr_condition *condition) {
-    bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
-    const size_t count = bmr_kds_conditions(kds, conditions);
-    size_t i = 0;
-    while (i < count && !same_condition(&conditions[i], condition))
-        i++;
-    return i < count;
-}
-
 static void observe(void *context, const bmr_simulation_event *event) {
     watch *w = context;
     if (event->report.kind == BMR_KDS_START || event->report.kind == BMR_KDS_NONE)
         return;
     bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
     w->events++;
-    w->kept += waits_for(event->kds, &event->failed);
-    w->seen += bmr_kds_conditions(event->kds, conditions) > 0 && waits_for(event->kds, &conditions[0]);
+    w->kept += test_waits_for(event->kds, &event->failed);
+    w->seen += bmr_kds_conditions(event->kds, conditions) > 0 && test_waits_for(event->kds, &conditions[0]);
 }
 
 static void follow(const stall *s) {

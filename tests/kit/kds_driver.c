@@ -385,3 +385,18 @@ uint64_t test_drive_events(const test_drive_result *result) {
             events += result->events[kind];
     return events;
 }
+
+static bool same_condition(const bmr_condition *k, const bmr_condition *l) {
+    return k->kind == l->kind && k->owner == l->owner && k->label == l->label && k->offset == l->offset &&
+           k->normal.x == l->normal.x && k->normal.y == l->normal.y && k->point.x == l->point.x &&
+           k->point.y == l->point.y;
+}
+
+bool test_waits_for(const bmr_kds *kds, const bmr_condition *condition) {
+    bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
+    const size_t count = bmr_kds_conditions(kds, conditions);
+    size_t i = 0;
+    while (i < count && !same_condition(&conditions[i], condition))
+        i++;
+    return i < count;
+}

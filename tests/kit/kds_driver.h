@@ -102,6 +102,8 @@ test_drive_result test_drive_run(bmr_kds *kds, const bmr_polygon *a, const bmr_p
                                  const test_drive *drive);
 /// Nothing wrong with it?
 bool test_drive_is_sound(const test_drive_result *result);
+/// Is the condition among those that it waits for?
+bool test_waits_for(const bmr_kds *kds, const bmr_condition *condition);
 /// Repairs, not counting NONE, starts and contacts.
 uint64_t test_drive_events(const test_drive_result *result);
 
