@@ -67,6 +67,21 @@ TEST_CASE("listening: a listener changes how it is rounded, and that stays") {
     PlayAll(When::kListening);
 }
 
+// Nothing moves bodies without mass, whose impulses would be divided by zero.
+TEST_CASE("trapped: a program sets traps, and bodies without mass are deep in each other") {
+    AsStock([](Run &run) {
+        feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+        Game game(run, {0.0f, -10.0f});
+        game.Wall({0.0f, -0.4f}, {20.0f, 0.5f});
+        for (int i = 0; i < 16; ++i) {
+            b2Body *const body = game.Awake({0.8f * Real(i) - 6.0f, 0.3f});
+            body->GetFixtureList()->SetDensity(0.0f);
+            body->ResetMassData();
+        }
+        game.Step(20);
+    });
+}
+
 // The oldest pair touches. By the time that its turn comes, the loop has passed pairs that fly at each other,
 // and that come to touch in the steps that its listener makes then.
 TEST_CASE("within: a listener rounds otherwise for the steps that it makes in the midst of a step") {

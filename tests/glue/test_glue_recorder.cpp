@@ -183,3 +183,22 @@ TEST_CASE("hooks take a recorder for no code of the game, and its class for one 
     std::memcpy(room, afterwards, sizeof room);
     CHECK(bmr::IsOfGame(inRoom));
 }
+
+#if defined(__x86_64__) && defined(__linux__)
+TEST_CASE("what a listener inherits is known by its first instruction, in whatever copy") {
+    REQUIRE(bmr::WhyBox2DIsUnknown() == nullptr);
+    // A return, behind the mark of a branch's target, too; and what is neither.
+    const unsigned char codes[][5] = {
+        {0xc3}, {0xf3, 0x0f, 0x1e, 0xfa, 0xc3}, {0x90, 0xc3}, {0xf3, 0x0f, 0x1e, 0xfb, 0xc3}};
+    for (int i = 0; i < 4; ++i)
+        for (int slot = 4; slot < 6; ++slot) {
+            const void *table[6];
+            for (int k = 0; k < 6; ++k)
+                table[k] = codes[k == slot ? i : 2 - 2 * (i / 2)];
+            const void *const listener = static_cast<const void *>(table);
+            const auto &as = *reinterpret_cast<const b2ContactListener *>(&listener);
+            CHECK(bmr::HasOwnPreSolve(as) == (slot == 4 ? i >= 2 : i < 2));
+            CHECK(bmr::HasOwnPostSolve(as) == (slot == 5 ? i >= 2 : i < 2));
+        }
+}
+#endif
