@@ -278,9 +278,9 @@ void ListDefinitions() {
     Define("a gravity scale of ", {kNone}, [](b2BodyDef &d, float v) { d.gravityScale = v; });
     Each("a density of *", {kNone, {"-1", -1.0f}}, [](Game &g, float v) { DropBox(g, 0.5f, 0.5f, v); });
     // What Box2D asserts in its loops over contacts.
-    Happens("a filter puts the body out of the world that gets a contact",
+    Happens("a body gets a contact, and the filter puts it out of the world",
             [](Game &g) { g.DropNearPlank([](b2Body *b) { b->SetEnabled(false); }); });
-    Happens("a filter makes the body kinematic that gets a contact with a static one",
+    Happens("a body gets a contact with a static one, and the filter makes it kinematic",
             [](Game &g) { g.DropNearPlank([](b2Body *b) { b->SetType(b2_kinematicBody); }); });
     Happens("a listener steps the world while a body is put out of it",
             [](Game &g) { g.AddInSensor()->SetEnabled(false); });
