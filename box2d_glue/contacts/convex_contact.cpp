@@ -94,15 +94,42 @@ void ConvexContact::LearnVtable() {
 void ConvexContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
     IsLookedAtByOthers();
     const b2Manifold old = m_manifold; // most likely the one that is written
-    const Answer answer = RoundsToNearest() ? Ask(xfA, xfB) : Answer::HandedOver;
-    FillManifold(answer, manifold, xfA, xfB, old);
-    if (Verifying() && answer < Answer::HandedOver) {
-        // Box2D has no answer to compare with: two that are proved apart must have no points.
-        b2Manifold made = old;
-        bmr_convex32_memory nothing = {};
-        CollideConvex(Two(), Seams::Known, &made, xfA, xfB, &nothing);
-        VerifyManifold(m_fixtureA, m_fixtureB, *manifold, made);
-    }
+    FillManifold(Ask(xfA, xfB), manifold, xfA, xfB, old);
+}
+
+void ConvexContact::MakeManifold(bool touched, b2Manifold *old) {
+    const b2Transform &xfA = m_fixtureA->GetBody()->GetTransform(),
+                      &xfB = m_fixtureB->GetBody()->GetTransform();
+    const Answer answer = Ask(xfA, xfB);
+    if (touched || answer >= Answer::HandedOver)
+        *old = m_manifold;
+    FillManifold(answer, &m_manifold, xfA, xfB, *old);
+}
+
+inline Answer ConvexContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
+    if (!RoundsToNearest())
+        return Answer::HandedOver;
+    // As PolygonContact has it: what touched most likely does still.
+    if (m_manifold.pointCount > 0)
+        return Answer::Touching;
+    if (!IsOfPolygons()) // there the search for the manifold begins with the look
+        return Answer::HandedOver;
+    // One answer of the pair serves many contacts; the look is this one's own.
+    if (state.pair != nullptr && PairSaysApart(this, xfA, xfB))
+        return Answer::ApartByPair;
+    return Look(xfA, xfB);
+}
+
+inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
+                                        const b2Transform &xfB, const b2Manifold &old) {
+    FillManifoldHere(answer, manifold, xfA, xfB, old);
+    if (!Verifying() || answer >= Answer::HandedOver)
+        return;
+    // Box2D has no answer to compare with: two that are proved apart must have no points.
+    b2Manifold made = *manifold;
+    bmr_convex32_memory nothing = {};
+    CollideConvex(Two(), Seams::Known, &made, xfA, xfB, &nothing);
+    VerifyManifold(m_fixtureA, m_fixtureB, *manifold, made);
 }
 
 /// What is shared by a pair leaves room for less.
@@ -112,7 +139,7 @@ inline bmr_convex32_memory ConvexContact::Recall() const {
     return {state.link.byVertices.a, state.link.byVertices.b, 0, 0};
 }
 
-bmr_vec2 ConvexContact::LookDirection() const {
+bmr_vec2 ConvexContact::KnownDirection() const {
     const bmr_convex32_memory memory = Recall();
     return {static_cast<double>(memory.axis_x), static_cast<double>(memory.axis_y)};
 }
@@ -122,22 +149,6 @@ inline void ConvexContact::Keep(const bmr_convex32_memory &memory) {
         state.closest = memory;
     else
         state.link.byVertices = {memory.support_a, memory.support_b};
-}
-
-void ConvexContact::UpdateSolid(b2ContactListener *listener) {
-    SolidContact::UpdateSolid(this, listener);
-}
-
-inline Answer ConvexContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
-    // As PolygonContact has it: what touched most likely does still.
-    if (m_manifold.pointCount > 0)
-        return Answer::Touching;
-    if (!IsOfPolygons()) // there the search for the manifold begins with the look
-        return Answer::HandedOver;
-    // One answer of the pair serves many contacts; the look is this one's own.
-    if (state.pair != nullptr && PairSaysApart(xfA, xfB))
-        return Answer::ApartByPair;
-    return Look(xfA, xfB);
 }
 
 inline float ConvexContact::Margin() const {
@@ -193,8 +204,8 @@ Held ConvexContact::HeldBy(Answer answer, bool points, const b2Transform &xfA, c
     return within && (d.x != 0.0 || d.y != 0.0) ? Held::Another : Held::Nothing;
 }
 
-inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
-                                        const b2Transform &xfB, const b2Manifold &old) {
+inline void ConvexContact::FillManifoldHere(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
+                                            const b2Transform &xfB, const b2Manifold &old) {
     if (answer < Answer::HandedOver) {
         manifold->pointCount = 0;
     } else {

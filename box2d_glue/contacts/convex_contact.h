@@ -28,29 +28,27 @@ public:
     }
 
     void Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) override;
+    void MakeManifold(bool touched, b2Manifold *old) override;
+    /// That of the last look.
+    bmr_vec2 KnownDirection() const override;
 
-    /// See SolidContact::UpdateSolid.
-    void UpdateSolid(b2ContactListener *listener);
-
-    /// See SolidContact::GuessDirection: that of the last look.
-    bmr_vec2 LookDirection() const;
     /// The one along which a look at these poses finds the two apart: in the world, from A to B, of any
     /// length. Zero where it does not.
     bmr_vec2 ProvedDirection(const b2Transform &xfA, const b2Transform &xfB) const;
 
 private:
-    friend class SolidContact;
-
     ConvexContact() = default;
     using SolidContact::SolidContact;
 
-    Answer Ask(const b2Transform &xfA, const b2Transform &xfB);
     Answer Look(const b2Transform &xfA, const b2Transform &xfB);
     float Margin() const;
     bool IsSameProof(const bmr_convex32_memory &before, const bmr_convex32_memory &after) const;
     Held HeldBy(Answer answer, bool points, const b2Transform &xfA, const b2Transform &xfB) const;
+    Answer Ask(const b2Transform &xfA, const b2Transform &xfB);
     void FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
                       const b2Manifold &old);
+    void FillManifoldHere(Answer answer, b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
+                          const b2Manifold &old);
     bool IsAtImpact() const;
     TwoFixtures Two() const { return {m_fixtureA, m_fixtureB, m_indexA}; }
     bmr_convex32_memory Recall() const;

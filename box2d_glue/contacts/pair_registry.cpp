@@ -248,6 +248,9 @@ unsigned StampOf(const BodyPair &pair) {
     return (pair.stamp + (pair.parent != nullptr ? pair.parent->stamp : 0)) & kStampMask;
 }
 
+namespace {
+
+/// Do the hulls of the contact's pair hold its fixtures as they are now? Some 20 ns.
 bool HullsHold(const SolidContact &contact) {
     const b2Fixture &first = *contact.GetFixtureA(), &second = *contact.GetFixtureB();
     for (const BodyPair *pair = contact.state.pair; pair != nullptr; pair = pair->parent) {
@@ -259,6 +262,7 @@ bool HullsHold(const SolidContact &contact) {
     return true;
 }
 
+/// The same, to be asked when the stamps differ; makes them agree.
 bool VerifyStamp(SolidContact *contact) {
     PairLink &link = contact->state.link;
     link.stamp = StampOf(*contact->state.pair) & kStampMask;
@@ -267,6 +271,9 @@ bool VerifyStamp(SolidContact *contact) {
     return holds;
 }
 
+/// To be called once in each step, ahead of the first question to a pair: builds those of its hulls anew that
+/// do not hold all fixtures as they are now. (Vertices may be changed in place. What a listener or a filter
+/// changes after that, in the middle of the step, is found by HullsHold.)
 void LookAtShapes(const SolidContact &contact) {
     const uint64_t step = CurrentStep();
     for (BodyPair *pair = contact.state.pair; pair != nullptr; pair = pair->parent) {
@@ -278,6 +285,31 @@ void LookAtShapes(const SolidContact &contact) {
             hull->lookedAt = step;
         }
     }
+}
+
+} // namespace
+
+bool PairSaysApart(SolidContact *contact, const b2Transform &xfA, const b2Transform &xfB) {
+    BodyPair *pair = contact->state.pair, *parent = pair->parent;
+    const uint64_t step = CurrentStep();
+    if (step != 0 && (pair->a->lookedAt != step || pair->b->lookedAt != step || parent != nullptr))
+        LookAtShapes(*contact);
+    const PairLink &link = contact->state.link;
+    if (link.stamp != StampOf(*pair) ? !VerifyStamp(contact) : link.excluded)
+        return false;
+    const b2Body *bodyA = contact->GetFixtureA()->GetBody();
+    const float radiusSum = contact->RadiusSum();
+    const auto apart = [&](BodyPair *asked) {
+        const bool swapped = asked->a->body != bodyA;
+        // A game may change radii at any time.
+        return radiusSum <= asked->radiusSum && KnownApart(asked, swapped ? xfB : xfA, swapped ? xfA : xfB);
+    };
+    if (!(parent != nullptr && apart(parent)) && !apart(pair))
+        return false;
+    // In a step, LookAtShapes has compared the hulls with their fixtures. Since then a listener or a filter
+    // may have changed vertices, or have made a sensor solid, which is in no hull. Outside of steps nothing
+    // was compared. So this contact's own two fixtures are compared now.
+    return !GameRan() || (step != 0 && ListenersAreModest()) || HullsHold(*contact);
 }
 
 void InvalidateBody(b2Body *body) {

@@ -4,6 +4,7 @@
 
 class b2BlockAllocator;
 class b2Body;
+struct b2Transform;
 
 namespace bmr {
 
@@ -22,15 +23,9 @@ void AttachPair(SolidContact *contact, b2BlockAllocator *allocator);
 /// Gives it back.
 void DetachPair(SolidContact *contact, b2BlockAllocator *allocator);
 
-/// Do the hulls of the contact's pair hold its fixtures as they are now? Some 20 ns.
-bool HullsHold(const SolidContact &contact);
-/// The same, to be asked when the stamps differ; makes them agree.
-bool VerifyStamp(SolidContact *contact);
-
-/// To be called once in each step, ahead of the first question to a pair: builds those of its hulls anew that
-/// do not hold all fixtures as they are now. (Vertices may be changed in place. What a listener or a filter
-/// changes after that, in the middle of the step, is found by HullsHold.)
-void LookAtShapes(const SolidContact &contact);
+/// Does the structure that the contact shares prove its two fixtures apart at these poses? To be asked where
+/// state.pair is not nullptr.
+bool PairSaysApart(SolidContact *contact, const b2Transform &xfA, const b2Transform &xfB);
 
 /// The stamp that contacts of a pair compare with their own.
 unsigned StampOf(const BodyPair &pair);

@@ -72,32 +72,52 @@ PolygonContact::PolygonContact(b2Fixture *fixtureA, b2Fixture *fixtureB)
 
 void PolygonContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
     IsLookedAtByOthers();
-    if (!RoundsToNearest()) {
-        Count(&Counts::evaluations);
-        Count(&Counts::handedOver);
-        if (GetSettings().options.statistics && EdgesAreOn())
-            Live(Held::Nothing, xfA, xfB);
-        b2CollidePolygons(manifold, &ShapeOf(m_fixtureA), xfA, &ShapeOf(m_fixtureB), xfB);
-        return;
-    }
+    FillManifold(Ask(xfA, xfB), manifold, xfA, xfB);
+}
+
+void PolygonContact::MakeManifold(bool touched, b2Manifold *old) {
+    const b2Transform &xfA = m_fixtureA->GetBody()->GetTransform(),
+                      &xfB = m_fixtureB->GetBody()->GetTransform();
+    const Answer answer = Ask(xfA, xfB);
+    if (touched || answer >= Answer::HandedOver)
+        *old = m_manifold;
+    FillManifold(answer, &m_manifold, xfA, xfB);
+}
+
+inline Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
+    // What touched at the last look most likely touches still: no question asked. (Its own manifold is read,
+    // not the caller's, which may be uninitialised.)
+    if (m_manifold.pointCount > 0)
+        return Answer::Touching;
+    if (!RoundsToNearest())
+        return Answer::HandedOver;
+    // Hulls that overlapped at the last look (concave bodies, close together) most likely do so still: there
+    // the edge is asked first.
+    const bool pairFirst = state.pair != nullptr && state.pair->verdict == BMR_APART;
+    if (pairFirst && PairSaysApart(this, xfA, xfB))
+        return Answer::ApartByPair;
+    if (EdgeSaysApart(xfA, xfB))
+        return Answer::ApartByEdge;
+    if (state.pair != nullptr && !pairFirst && PairSaysApart(this, xfA, xfB))
+        return Answer::ApartByPair;
+    // A manifold that is made here begins with the search for an edge; Box2D's would do it again.
+    return !ManifoldIsMadeHere() && FindEdge(xfA, xfB) ? Answer::ApartBySearch : Answer::HandedOver;
+}
+
+inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
+                                         const b2Transform &xfB) {
     if (!Verifying()) {
-        EvaluateHere(manifold, xfA, xfB);
+        FillManifoldHere(answer, manifold, xfA, xfB);
         return;
     }
     b2Manifold ours = *manifold;
-    EvaluateHere(&ours, xfA, xfB);
+    FillManifoldHere(answer, &ours, xfA, xfB);
     b2CollidePolygons(manifold, &ShapeOf(m_fixtureA), xfA, &ShapeOf(m_fixtureB), xfB);
     VerifyManifold(m_fixtureA, m_fixtureB, ours, *manifold);
 }
 
-inline void PolygonContact::EvaluateHere(b2Manifold *manifold, const b2Transform &xfA,
-                                         const b2Transform &xfB) {
-    FillManifold(Ask(xfA, xfB), manifold, xfA, xfB, m_manifold);
-}
-
-/// The manifold, once it has been asked whether the two are apart.
-inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
-                                         const b2Transform &xfB, const b2Manifold & /*old*/) {
+inline void PolygonContact::FillManifoldHere(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
+                                             const b2Transform &xfB) {
     bool edgeFound = answer == Answer::ApartBySearch;
     if (answer < Answer::HandedOver)
         manifold->pointCount = 0;
@@ -114,28 +134,6 @@ inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, co
     }
 }
 
-void PolygonContact::UpdateSolid(b2ContactListener *listener) {
-    SolidContact::UpdateSolid(this, listener);
-}
-
-inline Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
-    // What touched at the last look most likely touches still: no question asked. (Its own manifold is read,
-    // not the caller's, which may be uninitialised.)
-    if (m_manifold.pointCount > 0)
-        return Answer::Touching;
-    // Hulls that overlapped at the last look (concave bodies, close together) most likely do so still: there
-    // the edge is asked first.
-    const bool pairFirst = state.pair != nullptr && state.pair->verdict == BMR_APART;
-    if (pairFirst && PairSaysApart(xfA, xfB))
-        return Answer::ApartByPair;
-    if (EdgeSaysApart(xfA, xfB))
-        return Answer::ApartByEdge;
-    if (state.pair != nullptr && !pairFirst && PairSaysApart(xfA, xfB))
-        return Answer::ApartByPair;
-    // A manifold that is made here begins with the search for an edge; Box2D's would do it again.
-    return !ManifoldIsMadeHere() && FindEdge(xfA, xfB) ? Answer::ApartBySearch : Answer::HandedOver;
-}
-
 void PolygonContact::CountAnswer(Answer answer) const {
     if (answer < Answer::Touching && answer != Answer::ApartByPair && EdgesAreOn())
         Count(&Counts::edgeChecks);
@@ -146,7 +144,8 @@ void PolygonContact::CountAnswer(Answer answer) const {
 /// polygon that was never Set has none.)
 inline bool PolygonContact::ManifoldIsMadeHere() const {
     const auto known = [](const b2PolygonShape &shape) { return shape.m_count >= 3 && shape.m_count <= 8; };
-    return ContactsAreOurs() && (GetSettings().sameRounding || GetSettings().collideByFace != nullptr) &&
+    return ContactsAreOurs() && RoundsToNearest() &&
+           (GetSettings().sameRounding || GetSettings().collideByFace != nullptr) &&
            known(ShapeOf(m_fixtureA)) && known(ShapeOf(m_fixtureB));
 }
 
@@ -212,7 +211,7 @@ inline bool PolygonContact::EdgeSaysApart(const b2Transform &xfA, const b2Transf
     return EdgeSeparates(state.link.byEdge.number, state.link.byEdge.ofB, xfA, xfB);
 }
 
-bmr_vec2 PolygonContact::EdgeDirection() const {
+bmr_vec2 PolygonContact::KnownDirection() const {
     const EdgeMemory &memory = state.link.byEdge;
     const bool ofB = memory.ofB;
     const b2Fixture *owner = ofB ? m_fixtureB : m_fixtureA;

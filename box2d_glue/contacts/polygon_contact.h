@@ -30,26 +30,21 @@ public:
     }
 
     void Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) override;
-
-    /// See SolidContact::GuessDirection: the remembered edge's.
-    bmr_vec2 EdgeDirection() const;
-
-    /// See SolidContact::UpdateSolid.
-    void UpdateSolid(b2ContactListener *listener);
+    void MakeManifold(bool touched, b2Manifold *old) override;
+    /// The remembered edge's.
+    bmr_vec2 KnownDirection() const override;
 
     /// The edge that is asked first.
     EdgeMemory *Memory() { return &state.link.byEdge; }
 
 private:
-    friend class SolidContact;
-
     PolygonContact() = default;
     PolygonContact(b2Fixture *fixtureA, b2Fixture *fixtureB);
 
-    void EvaluateHere(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB);
-    void FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
-                      const b2Manifold &old);
     Answer Ask(const b2Transform &xfA, const b2Transform &xfB);
+    void FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB);
+    void FillManifoldHere(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
+                          const b2Transform &xfB);
     void CountAnswer(Answer answer) const;
     bool EdgeSeparates(uint8_t number, bool ofB, const b2Transform &xfA, const b2Transform &xfB) const;
     bool EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) const;

@@ -3,9 +3,6 @@
 
 #include <box2d/b2_world.h>
 
-#include "contacts/convex_contact.h"
-#include "contacts/pair_registry.h"
-#include "contacts/polygon_contact.h"
 #include "proofs/body_pair.h"
 #include "start/current_step.h"
 #include "world/ledger.h"
@@ -16,41 +13,6 @@ namespace bmr {
 static_assert(alignof(BodyPair) > PairAndLife::kLife, "the two lowest bits of its address are zero");
 
 std::atomic<const void *> SolidContact::polygonVtable{nullptr}, SolidContact::convexVtable{nullptr};
-
-void SolidContact::UpdateByBox2D(b2Contact *contact, b2ContactListener *listener) {
-    (contact->*(&SolidContact::Update))(listener);
-}
-
-/// Points that were there before, by their features, keep the impulses that the solver starts from.
-inline void SolidContact::KeepImpulses(const b2Manifold &old) {
-    for (int32 i = 0; i < m_manifold.pointCount; ++i) {
-        b2ManifoldPoint &point = m_manifold.points[i];
-        const b2ManifoldPoint *before = nullptr;
-        for (int32 j = old.pointCount; j-- > 0;) // the first of equals, should there be any, is taken last
-            if (old.points[j].id.key == point.id.key)
-                before = &old.points[j];
-        point.normalImpulse = before != nullptr ? before->normalImpulse : 0.0f;
-        point.tangentImpulse = before != nullptr ? before->tangentImpulse : 0.0f;
-    }
-}
-
-void SolidContact::Finish(bool wasTouching, const b2Manifold &old, b2ContactListener *listener) {
-    KeepImpulses(old);
-    const bool touching = m_manifold.pointCount > 0;
-    if (touching != wasTouching) {
-        m_fixtureA->GetBody()->SetAwake(true);
-        m_fixtureB->GetBody()->SetAwake(true);
-        m_flags ^= e_touchingFlag;
-    }
-    if (listener == nullptr)
-        return;
-    if (touching && !wasTouching)
-        listener->BeginContact(this);
-    if (!touching && wasTouching)
-        listener->EndContact(this);
-    if (touching)
-        listener->PreSolve(this, &old);
-}
 
 namespace {
 
@@ -74,9 +36,7 @@ bool IsZero(bmr_vec2 d) {
 } // namespace
 
 bmr_vec2 SolidContact::GuessDirection() const {
-    const PolygonContact *ofSmall = PolygonContact::AsOurs(this);
-    const bmr_vec2 d = ofSmall != nullptr ? ofSmall->EdgeDirection()
-                                          : static_cast<const ConvexContact *>(this)->LookDirection();
+    const bmr_vec2 d = KnownDirection();
     if (!IsZero(d) || state.pair == nullptr)
         return d;
     const bmr_vec2 ofHulls = DirectionOf(*state.pair);
@@ -108,28 +68,6 @@ void SolidContact::IsLookedAtByOthers() const {
     const b2World *world = m_fixtureA->GetBody()->GetWorld();
     if (Ledger *ledger = FindLedger(&world->GetContactManager()))
         ledger->Flag(this, 0);
-}
-
-bool SolidContact::PairSaysApart(const b2Transform &xfA, const b2Transform &xfB) {
-    BodyPair *pair = state.pair, *parent = pair->parent;
-    const uint64_t step = CurrentStep();
-    if (step != 0 && (pair->a->lookedAt != step || pair->b->lookedAt != step || parent != nullptr))
-        LookAtShapes(*this);
-    if (state.link.stamp != StampOf(*pair) ? !VerifyStamp(this) : state.link.excluded)
-        return false;
-    const b2Body *bodyA = m_fixtureA->GetBody();
-    const float radiusSum = RadiusSum();
-    const auto apart = [&](BodyPair *asked) {
-        const bool swapped = asked->a->body != bodyA;
-        // A game may change radii at any time.
-        return radiusSum <= asked->radiusSum && KnownApart(asked, swapped ? xfB : xfA, swapped ? xfA : xfB);
-    };
-    if (!(parent != nullptr && apart(parent)) && !apart(pair))
-        return false;
-    // In a step, LookAtShapes has compared the hulls with their fixtures. Since then a listener or a filter
-    // may have changed vertices, or have made a sensor solid, which is in no hull. Outside of steps nothing
-    // was compared. So this contact's own two fixtures are compared now.
-    return !GameRan() || (step != 0 && ListenersAreModest()) || HullsHold(*this);
 }
 
 } // namespace bmr

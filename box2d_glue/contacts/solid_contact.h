@@ -9,7 +9,6 @@
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
-#include <box2d/b2_world_callbacks.h>
 
 #include "boomerang/box2d_glue.h"
 #include "contacts/contact_life.h"
@@ -72,8 +71,7 @@ struct ContactState {
 };
 static_assert(sizeof(ContactState) <= 16);
 
-/// The base of all contacts of ours: PolygonContact and ConvexContact. Manifolds are made without Box2D where
-/// no fixture is a sensor.
+/// The base of all contacts of ours: PolygonContact and ConvexContact.
 class SolidContact : public b2Contact {
 public:
     /// `contact` as one of ours, or nullptr: contacts that were born before the register knew us, and other
@@ -91,7 +89,6 @@ public:
     }
 
     // b2ContactManager may do this with any contact. Our code in its place needs these functions.
-    static void UpdateByBox2D(b2Contact *contact, b2ContactListener *listener);
     static bool WantsFiltering(const b2Contact &contact) { return (FlagsOf(contact) & e_filterFlag) != 0; }
     static void FilteringIsDone(b2Contact *contact) {
         contact->*(&SolidContact::m_flags) &= ~uint32{e_filterFlag};
@@ -102,6 +99,14 @@ public:
         return m_fixtureA->GetType() == b2Shape::e_polygon && m_fixtureB->GetType() == b2Shape::e_polygon;
     }
 
+    float RadiusSum() const { return m_fixtureA->GetShape()->m_radius + m_fixtureB->GetShape()->m_radius; }
+
+    /// Makes the manifold anew, without impulses, of two fixtures that are no sensors. `old` is what it was,
+    /// unless the contact did not touch (`touched`) and does not now.
+    virtual void MakeManifold(bool touched, b2Manifold *old) = 0;
+
+    /// The direction that this contact remembers itself, in the world, from A to B. Zero if there is none.
+    virtual bmr_vec2 KnownDirection() const = 0;
     /// A direction, in the world, from A to B, that most likely keeps the two apart: it was remembered at the
     /// last look. Zero if there is none. For polygons alone.
     bmr_vec2 GuessDirection() const;
@@ -141,26 +146,12 @@ protected:
     /// Of the two classes, from before the first contact of each is made; nullptr until then.
     static std::atomic<const void *> polygonVtable, convexVtable;
 
-    /// As b2Contact::Update, for a contact of which neither fixture is a sensor: the same manifold, flags,
-    /// waking and calls of the listener in the same order. Nothing is copied where the two stay apart. `Ours`
-    /// has Ask(xfA, xfB) and FillManifold(answer, manifold, xfA, xfB, old).
-    template <typename Ours> static void UpdateSolid(Ours *contact, b2ContactListener *listener);
-
-    /// To be called where Box2D evaluates the contact itself, in the middle of a step: its record in the
+    /// Evaluate was called: not by a pass of ours, but by Box2D or by the game. The contact's record in the
     /// ledger is due.
     void IsLookedAtByOthers() const;
 
-    float RadiusSum() const { return m_fixtureA->GetShape()->m_radius + m_fixtureB->GetShape()->m_radius; }
-    /// Does the structure that the contact shares, if any, prove the two apart? To be asked where state.pair
-    /// is not nullptr.
-    bool PairSaysApart(const b2Transform &xfA, const b2Transform &xfB);
-
 private:
     static uint32 FlagsOf(const b2Contact &contact) { return contact.*(&SolidContact::m_flags); }
-
-    /// The manifold is new: impulses, flags, waking, the listener.
-    void Finish(bool wasTouching, const b2Manifold &old, b2ContactListener *listener);
-    void KeepImpulses(const b2Manifold &old);
 };
 
 /// The same of any contact, for impacts: the normal that the two touch along, or what is remembered of two
@@ -168,22 +159,6 @@ private:
 bmr_vec32 GuessDirection(const b2Contact &contact);
 
 static_assert(sizeof(SolidContact) <= 224, "must stay in the block class of a stock contact");
-
-template <typename Ours> inline void SolidContact::UpdateSolid(Ours *contact, b2ContactListener *listener) {
-    SolidContact *const self = contact;
-    const b2Transform &xfA = self->m_fixtureA->GetBody()->GetTransform();
-    const b2Transform &xfB = self->m_fixtureB->GetBody()->GetTransform();
-    const bool wasTouching = (self->m_flags & e_touchingFlag) != 0;
-    self->m_flags |= e_enabledFlag;
-    const Answer answer = contact->Ask(xfA, xfB);
-    if (answer < Answer::HandedOver && !wasTouching) { // Box2D would call no listener
-        contact->FillManifold(answer, &self->m_manifold, xfA, xfB, self->m_manifold);
-        return;
-    }
-    const b2Manifold old = self->m_manifold;
-    contact->FillManifold(answer, &self->m_manifold, xfA, xfB, old);
-    self->Finish(wasTouching, old, listener);
-}
 
 } // namespace bmr
 

@@ -61,7 +61,6 @@ private:
     void Verify(uint32_t i);
     void End();
 
-    class Forwarding;
     void BeforeGame();
     void AfterGame();
     void FindDue();
@@ -107,48 +106,11 @@ void CollidePass::AfterGame() {
     m_passNumber = m_ledger->PassNumber();
 }
 
-/// The game's listener, in one update: what is owed ahead of a call is done when there is one.
-class CollidePass::Forwarding final : public b2ContactListener {
-public:
-    Forwarding(CollidePass *pass, b2ContactListener *listener)
-        : m_pass(pass), m_listener(listener), m_preSolves(HasOwnPreSolve(*listener)) {}
-    bool WasCalled() const { return m_wasCalled; }
-
-    void BeginContact(b2Contact *contact) override {
-        Before();
-        m_listener->BeginContact(contact);
-    }
-    void EndContact(b2Contact *contact) override {
-        Before();
-        m_listener->EndContact(contact);
-    }
-    void PreSolve(b2Contact *contact, const b2Manifold *old) override {
-        if (!m_preSolves)
-            return;
-        Before();
-        m_listener->PreSolve(contact, old);
-    }
-
-private:
-    void Before() {
-        m_pass->BeforeGame();
-        m_wasCalled = true;
-    }
-    CollidePass *m_pass;
-    b2ContactListener *m_listener;
-    bool m_preSolves, m_wasCalled = false;
-};
-
 /// b2Contact::Update, by the listener of this moment.
 void CollidePass::Update(b2Contact *contact) {
     b2ContactListener *const listener = m_manager->m_contactListener;
-    if (!IsOfGame(listener)) {
-        UpdateContact(contact, listener);
-        return;
-    }
-    Forwarding forwarding(this, listener);
-    UpdateContact(contact, &forwarding);
-    if (forwarding.WasCalled())
+    const ContactChange change = UpdateContact(contact);
+    if (TellListener(listener, contact, change, [this] { BeforeGame(); }))
         AfterGame();
 }
 

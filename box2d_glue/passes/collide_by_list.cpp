@@ -22,7 +22,8 @@ inline bool Persists(b2ContactManager *manager, b2Contact *contact, ListCounts *
         return true;
     if (!BoxesOverlap(manager, *contact))
         return false;
-    UpdateContact(contact, manager->m_contactListener);
+    b2ContactListener *const listener = manager->m_contactListener;
+    TellListener(listener, contact, UpdateContact(contact), [] {});
     ++counts->awake;
     counts->touching += contact->IsTouching() ? 1 : 0;
     return true;

@@ -2,11 +2,9 @@
 #include "passes/contact_look.h"
 
 #include <box2d/b2_collision.h>
-#include <box2d/b2_world_callbacks.h>
 
 #include "base/private_members.h"
 #include "base/rounding_mode.h"
-#include "contacts/convex_contact.h"
 #include "contacts/polygon_contact.h"
 #include "proofs/overlap.h"
 #include "start/settings.h"
@@ -43,53 +41,85 @@ bool BoxesOverlap(b2ContactManager *manager, const b2Contact &contact) {
 
 namespace {
 
-/// What b2TestOverlap would say of the two, where that is certain.
-Overlap OverlapOf(b2Contact *contact) {
+/// b2TestOverlap of a contact of which a fixture is a sensor.
+bool Overlaps(b2Contact *contact) {
     const b2Fixture &a = *contact->GetFixtureA(), &b = *contact->GetFixtureB();
-    PolygonContact *const ours = PolygonContact::AsOurs(contact);
     const int32 childA = contact->GetChildIndexA(), childB = contact->GetChildIndexB();
     const b2Transform &poseA = a.GetBody()->GetTransform(), &poseB = b.GetBody()->GetTransform();
+    const auto ofBox2D = [&] {
+        return b2TestOverlap(a.GetShape(), childA, b.GetShape(), childB, poseA, poseB);
+    };
+    if (!RoundsToNearest())
+        return ofBox2D();
+    PolygonContact *const ours = PolygonContact::AsOurs(contact);
     const Overlap answer = CertainOverlap(*a.GetShape(), childA, *b.GetShape(), childB, poseA, poseB,
                                           ours != nullptr ? ours->Memory() : nullptr);
-    if (answer != Overlap::kUnknown && Verifying())
-        VerifyOverlap(&a, &b, answer == Overlap::kOverlapping,
-                      b2TestOverlap(a.GetShape(), childA, b.GetShape(), childB, poseA, poseB));
-    return answer;
+    if (answer == Overlap::kUnknown)
+        return ofBox2D();
+    const bool overlaps = answer == Overlap::kOverlapping;
+    if (Verifying()) {
+        const bool box2d = ofBox2D();
+        VerifyOverlap(&a, &b, overlaps, box2d);
+        return box2d;
+    }
+    Count(&Counts::overlapsAnswered);
+    return overlaps;
 }
 
-/// b2Contact::Update of a contact of which a fixture is a sensor. False, and nothing done, where it is Box2D
-/// who answers.
-bool UpdateSensor(b2Contact *contact, b2ContactListener *listener) {
-    const Overlap answer = OverlapOf(contact);
-    if (answer == Overlap::kUnknown || Verifying())
-        return false;
-    Count(&Counts::overlapsAnswered);
-    const bool touches = answer == Overlap::kOverlapping, touched = contact->IsTouching();
-    ContactAccess::Flags(contact) |= ContactAccess::kEnabled;
-    contact->GetManifold()->pointCount = 0;
-    if (touches == touched)
-        return true;
-    ContactAccess::Flags(contact) ^= ContactAccess::kTouching;
-    if (listener != nullptr && touches)
-        listener->BeginContact(contact);
-    else if (listener != nullptr)
-        listener->EndContact(contact);
-    return true;
+/// Points that were there before, by their features, keep the impulses that the solver starts from.
+void KeepImpulses(b2Manifold *manifold, const b2Manifold &old) {
+    for (int32 i = 0; i < manifold->pointCount; ++i) {
+        b2ManifoldPoint &point = manifold->points[i];
+        const b2ManifoldPoint *before = nullptr;
+        for (int32 j = old.pointCount; j-- > 0;) // the first of equals, should there be any, is taken last
+            if (old.points[j].id.key == point.id.key)
+                before = &old.points[j];
+        point.normalImpulse = before != nullptr ? before->normalImpulse : 0.0f;
+        point.tangentImpulse = before != nullptr ? before->tangentImpulse : 0.0f;
+    }
+}
+
+/// The manifold of two solid fixtures. `old` is what it was, if it had points or has some now.
+void MakeManifold(b2Contact *contact, bool touched, b2Manifold *old) {
+    b2Manifold &manifold = *contact->GetManifold();
+    if (SolidContact *const ours = SolidContact::AsOurs(contact)) {
+        ours->MakeManifold(touched, old);
+    } else {
+        *old = manifold;
+        contact->Evaluate(&manifold, contact->GetFixtureA()->GetBody()->GetTransform(),
+                          contact->GetFixtureB()->GetBody()->GetTransform());
+    }
+    KeepImpulses(&manifold, *old);
 }
 
 } // namespace
 
-void UpdateContact(b2Contact *contact, b2ContactListener *listener) {
-    const bool isNear = RoundsToNearest(), here = isNear && !Verifying(); // by now: a listener may change it
-    if (contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor()) {
-        if (!isNear || !UpdateSensor(contact, listener))
-            SolidContact::UpdateByBox2D(contact, listener);
-    } else if (PolygonContact *const ofSmall = here ? PolygonContact::AsOurs(contact) : nullptr)
-        ofSmall->UpdateSolid(listener);
-    else if (ConvexContact *const ofBig = here ? ConvexContact::AsOurs(contact) : nullptr)
-        ofBig->UpdateSolid(listener);
-    else
-        SolidContact::UpdateByBox2D(contact, listener);
+ContactChange UpdateContact(b2Contact *contact) {
+    ContactChange change;
+    change.old.pointCount = 0;
+    b2Fixture *const a = contact->GetFixtureA(), *const b = contact->GetFixtureB();
+    b2Manifold &manifold = *contact->GetManifold();
+    const bool touched = contact->IsTouching(), isSensor = a->IsSensor() || b->IsSensor();
+    bool touches;
+    ContactAccess::Flags(contact) |= ContactAccess::kEnabled;
+    if (isSensor) {
+        touches = Overlaps(contact);
+        manifold.pointCount = 0;
+    } else {
+        MakeManifold(contact, touched, &change.old);
+        touches = manifold.pointCount > 0;
+    }
+    if (touches != touched) {
+        if (!isSensor) {
+            a->GetBody()->SetAwake(true);
+            b->GetBody()->SetAwake(true);
+        }
+        ContactAccess::Flags(contact) ^= ContactAccess::kTouching;
+    }
+    change.begins = touches && !touched;
+    change.ends = touched && !touches;
+    change.preSolves = touches && !isSensor;
+    return change;
 }
 
 } // namespace bmr

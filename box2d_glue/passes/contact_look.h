@@ -3,13 +3,16 @@
 #define BOOMERANG_GLUE_CONTACT_LOOK_H
 
 #include <box2d/b2_body.h>
+#include <box2d/b2_collision.h>
 #include <box2d/b2_contact_manager.h>
+#include <box2d/b2_world_callbacks.h>
+
+#include "passes/contact_access.h"
 
 class b2Contact;
-class b2ContactListener;
 
 /// @file
-/// What b2ContactManager::Collide asks and does of one contact.
+/// What passes ask and do of one contact.
 
 namespace bmr {
 
@@ -20,8 +23,44 @@ inline bool IsActive(const b2Body *body) {
 /// Do the fat boxes of the two still overlap?
 bool BoxesOverlap(b2ContactManager *manager, const b2Contact &contact);
 
-/// b2Contact::Update: makes the manifold, by a contact of ours if it is one, and calls the listener.
-void UpdateContact(b2Contact *contact, b2ContactListener *listener);
+/// What its listener is told when a contact was updated.
+struct ContactChange {
+    bool begins = false, ends = false, preSolves = false;
+    b2Manifold old; ///< the manifold before, if preSolves is true
+};
+
+/// b2Contact::Update of any contact, but for the calls of the listener: the same manifold, impulses and
+/// flags, and bodies are woken where it wakes them. TellListener comes next.
+ContactChange UpdateContact(b2Contact *contact);
+
+/// The calls of b2Contact::Update. `beforeGame()` is called ahead of each one that runs code of the game. Was
+/// there any? `listener`: of the moment ahead of the update. If it replaces itself in BeginContact, PreSolve
+/// is still its own.
+template <typename BeforeGame>
+bool TellListener(b2ContactListener *listener, b2Contact *contact, const ContactChange &change,
+                  BeforeGame beforeGame) {
+    const bool preSolves = change.preSolves && listener != nullptr && HasOwnPreSolve(*listener);
+    if (listener == nullptr || !(change.begins || change.ends || preSolves))
+        return false;
+    const bool isOfGame = IsOfGame(listener);
+    const auto before = [&] {
+        if (isOfGame)
+            beforeGame();
+    };
+    if (change.begins) {
+        before();
+        listener->BeginContact(contact);
+    }
+    if (change.ends) {
+        before();
+        listener->EndContact(contact);
+    }
+    if (preSolves) {
+        before();
+        listener->PreSolve(contact, &change.old);
+    }
+    return isOfGame;
+}
 
 } // namespace bmr
 

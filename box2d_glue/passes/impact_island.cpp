@@ -4,8 +4,8 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
 
-#include "contacts/solid_contact.h"
 #include "passes/contact_access.h"
+#include "passes/contact_look.h"
 #include "passes/impacts.h"
 #include "passes/island_solver.h"
 #include "start/current_step.h"
@@ -30,6 +30,15 @@ bool IsSolidAndTouches(const b2Contact &contact) {
 
 } // namespace
 
+/// Code of the game is to be called in this impact. What it may change is compared with what it was ahead of
+/// the step's first call.
+void ImpactPass::BeforeGame() {
+    m_wasGameCalled = true;
+    if (m_ledger != nullptr && !GameRan())
+        m_ledger->GetMovers().LookAtAllSweeps(m_ledger->CurrentLook());
+    bmr::BeforeGame(m_manager);
+}
+
 void ImpactPass::PutBack(b2Body *body, const b2Sweep &sweep) {
     SweepOf(body) = sweep;
     m_sweeps.synchronizeTransform(body);
@@ -41,12 +50,6 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
     m_wasGameCalled = false;
     if (m_ledger != nullptr)
         DoubtBudgets();
-    if (IsOfGame(m_listener) || HasCodeOfGame(*m_manager)) {
-        // What the game may change is compared with what it was at the first search.
-        if (m_ledger != nullptr && !GameRan())
-            m_ledger->GetMovers().LookAtAllSweeps(m_ledger->CurrentLook());
-        BeforeGame(m_manager);
-    }
     m_marks.LookAgain();
     if (Ledger *const ledger = FindLedger(m_manager))
         ledger->GetBodies().NoteDisplaced();
@@ -75,7 +78,8 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
     Add(contact, &island);
     Spread(a, time, &island);
     Spread(b, time, &island);
-    m_wasGameCalled = m_wasGameCalled || IsOfGame(m_listener);
+    if (IsOfGame(m_listener))
+        BeforeGame();
     m_solver->SolveToi();
     m_solver->Finish(nullptr);
     EndIsland(island);
@@ -141,7 +145,8 @@ void ImpactPass::EndIsland(const Island &island) {
 }
 
 void ImpactPass::FindNewContacts() {
-    m_wasGameCalled = m_wasGameCalled || IsOfGame(m_manager->m_contactFilter);
+    if (IsOfGame(m_manager->m_contactFilter))
+        BeforeGame();
     m_manager->FindNewContacts();
     m_marks.LookAgain();
     if (m_ledger != nullptr && !m_ledger->IsWhole())
@@ -152,16 +157,14 @@ void ImpactPass::FindNewContacts() {
 void ImpactPass::Update(b2Contact *contact) {
     b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
     const bool wasAwakeA = a->IsAwake(), wasAwakeB = b->IsAwake();
-    const bool gameRan = GameRan();
     b2ContactListener *const listener = m_manager->m_contactListener;
-    const bool touched = contact->IsTouching(), isOfGame = IsOfGame(listener);
-    const uint64_t step = CurrentStep(); // another one where the listener makes a step
-    SolidContact::UpdateByBox2D(contact, listener);
-    if (isOfGame && (touched || contact->IsTouching() || CurrentStep() != step))
-        m_wasGameCalled = true;
-    GameRan() = gameRan; // (it was Box2D that asked our contact)
+    const ContactChange change = UpdateContact(contact);
+    Ledger *ledger = FindLedger(m_manager);
+    if (ledger != nullptr)
+        ledger->Flag(contact, 0); // no budget knows of this
+    TellListener(listener, contact, change, [this] { BeforeGame(); });
     m_marks.LookAgain();
-    Ledger *const ledger = FindLedger(m_manager);
+    ledger = FindLedger(m_manager);
     const uint32_t i = ledger != nullptr ? ledger->NumberOf(contact) : Ledger::kNone;
     if (i == Ledger::kNone)
         return;
@@ -197,7 +200,7 @@ void ImpactPass::AskPairsOf(const b2Body *body) {
     }
 }
 
-/// The game may have run while two bodies met. This reads what Box2D would read in its next search: which
+/// If the game was called while two bodies met, this reads what Box2D would read in its next search: which
 /// bodies are awake or bullets, which fixtures are sensors, which contacts are enabled; and all of it after a
 /// step inside this one. Bodies are read one by one, for a listener changes them by inline functions. Where
 /// it was not called, Update, Wake and EndIsland have noted all that the impact changed.

@@ -53,7 +53,10 @@ ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *sol
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
       m_marks(m_manager), m_sweeps(solver != nullptr ? solver->GetSweeps() : OurSweeps()),
-      m_gameRan(GameRan() && !(ListenersAreModest() && m_ledger != nullptr && m_ledger->AreAllWatched())) {}
+      m_gameRan(GameRan() && !(ListenersAreModest() && m_ledger != nullptr && m_ledger->AreAllWatched())) {
+    if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
+        m_listener = nullptr;
+}
 
 /// Does the ledger know all pairs, and what this step did to them?
 bool ImpactPass::MayUseHeap() const {
@@ -64,13 +67,10 @@ bool ImpactPass::MayUseHeap() const {
 void ImpactPass::Run() {
     const ModestyCheck check(m_world, false);
     bool &stepComplete = m_world->*Named(StepComplete());
-    if (MayUseHeap()) {
+    if (MayUseHeap())
         m_pass.emplace(m_ledger);
-    } else if (m_ledger != nullptr) {
-        if (m_ledger->IsLookedAtIn(CurrentStep()))
-            m_ledger->Owed().EnableDownTo(0);
+    else
         m_ledger = nullptr;
-    }
     if (stepComplete)
         BeginStep();
     else if (m_ledger != nullptr)
@@ -281,8 +281,11 @@ void ImpactPass::CompareWithList(const b2Contact *earliest) {
 
 b2Contact *ImpactPass::EarliestInList(float *time) {
     b2Contact *earliest = nullptr;
-    if (Ledger *const ledger = FindLedger(m_manager))
-        ledger->GiveMarksBack(); // they are read where the contacts are
+    if (Ledger *const ledger = FindLedger(m_manager)) { // marks and flags are read where the contacts are
+        if (ledger->IsLookedAtIn(CurrentStep()))
+            ledger->Owed().EnableDownTo(0);
+        ledger->GiveMarksBack();
+    }
     m_marks.LookAgain();
     for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext()) {
         if (!contact->IsEnabled() || ContactAccess::CountOfImpacts(contact) > b2_maxSubSteps)

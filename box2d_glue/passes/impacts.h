@@ -71,6 +71,7 @@ private:
     void EndIsland(const Island &island);
     void FindNewContacts();
     void Update(b2Contact *contact);
+    void BeforeGame();
     void Wake(b2Body *body);
     void AskPairsOf(const b2Body *body);
     void ReadWhatGameDid();
@@ -80,14 +81,14 @@ private:
     b2ContactManager *m_manager;
     const b2TimeStep &m_step;
     IslandSolver *m_solver;
-    b2ContactListener *m_listener; ///< its PostSolve is called
+    b2ContactListener *m_listener; ///< its PostSolve is called, unless it is nullptr
     Ledger *m_ledger;              ///< nullptr: Box2D's list is searched
     std::optional<Ledger::Pass> m_pass;
     ContactMarks m_marks;
     const Sweeps &m_sweeps;
     ImpactScan *m_scan = nullptr; ///< while nothing has moved
     bool m_gameRan;               ///< ahead of the first search; and it may have changed more than motion
-    bool m_wasGameCalled = false; ///< it may have been, since the impact began
+    bool m_wasGameCalled = false; ///< since the impact began
     bool m_budgetsDoubted = false;
     bool m_isBudget = false; ///< Mode::Verify: a budget says that the contact which is asked has no impact
 };

@@ -18,7 +18,6 @@
 #include <box2d/b2_world.h>
 
 #include "base/compiler.h"
-#include "contacts/solid_contact.h"
 #include "start/recognise_constants.h"
 #include "world/ledger.h"
 
@@ -121,14 +120,17 @@ bool ManifoldIsRight(b2Contact *contact) {
 /// Does Box2D leave the bits of a contact's flags alone that hold the ledger's numbers? Of a new contact
 /// whose boxes overlap, which has no listener.
 bool LeavesNumbersAlone(b2Contact *contact) {
+    struct Open : b2Contact {
+        static void CallUpdate(b2Contact *of) { (of->*(&Open::Update))(nullptr); }
+    };
     constexpr uint32 kNew = 0x0004, kTouching = 0x0006;
     if (ContactAccess::Flags(contact) != kNew)
         return false;
-    SolidContact::UpdateByBox2D(contact, nullptr);
+    Open::CallUpdate(contact);
     if (ContactAccess::Flags(contact) != kTouching)
         return false;
     ContactNumber::Write(contact, ContactNumber::kMost - 1);
-    SolidContact::UpdateByBox2D(contact, nullptr);
+    Open::CallUpdate(contact);
     return ContactAccess::Flags(contact) == (kTouching | ~ContactNumber::kBox2DsFlags);
 }
 
