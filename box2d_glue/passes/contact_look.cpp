@@ -99,26 +99,23 @@ ContactChange UpdateContact(b2Contact *contact) {
     change.old.pointCount = 0;
     b2Fixture *const a = contact->GetFixtureA(), *const b = contact->GetFixtureB();
     b2Manifold &manifold = *contact->GetManifold();
-    const bool touched = contact->IsTouching(), isSensor = a->IsSensor() || b->IsSensor();
-    bool touches;
+    change.touched = contact->IsTouching();
+    change.isSensor = a->IsSensor() || b->IsSensor();
     ContactAccess::Flags(contact) |= ContactAccess::kEnabled;
-    if (isSensor) {
-        touches = Overlaps(contact);
+    if (change.isSensor) {
+        change.touches = Overlaps(contact);
         manifold.pointCount = 0;
     } else {
-        MakeManifold(contact, touched, &change.old);
-        touches = manifold.pointCount > 0;
+        MakeManifold(contact, change.touched, &change.old);
+        change.touches = manifold.pointCount > 0;
     }
-    if (touches != touched) {
-        if (!isSensor) {
+    if (change.touches != change.touched) {
+        if (!change.isSensor) {
             a->GetBody()->SetAwake(true);
             b->GetBody()->SetAwake(true);
         }
         ContactAccess::Flags(contact) ^= ContactAccess::kTouching;
     }
-    change.begins = touches && !touched;
-    change.ends = touched && !touches;
-    change.preSolves = touches && !isSensor;
     return change;
 }
 

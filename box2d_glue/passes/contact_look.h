@@ -23,10 +23,11 @@ inline bool IsActive(const b2Body *body) {
 /// Do the fat boxes of the two still overlap?
 bool BoxesOverlap(b2ContactManager *manager, const b2Contact &contact);
 
-/// What its listener is told when a contact was updated.
+/// What an update changed, for TellListener.
 struct ContactChange {
-    bool begins = false, ends = false, preSolves = false;
-    b2Manifold old; ///< the manifold before, if preSolves is true
+    bool touched, touches; ///< before, and behind it
+    bool isSensor;         ///< one of the two fixtures is
+    b2Manifold old;        ///< the manifold before, if the two touch
 };
 
 /// b2Contact::Update of any contact, but for the calls of the listener: the same manifold, impulses and
@@ -39,19 +40,21 @@ ContactChange UpdateContact(b2Contact *contact);
 template <typename BeforeGame>
 bool TellListener(b2ContactListener *listener, b2Contact *contact, const ContactChange &change,
                   BeforeGame beforeGame) {
-    const bool preSolves = change.preSolves && listener != nullptr && HasOwnPreSolve(*listener);
-    if (listener == nullptr || !(change.begins || change.ends || preSolves))
+    if (listener == nullptr || !(change.touched || change.touches))
+        return false;
+    const bool preSolves = change.touches && !change.isSensor && HasOwnPreSolve(*listener);
+    if (change.touched == change.touches && !preSolves)
         return false;
     const bool isOfGame = IsOfGame(listener);
     const auto before = [&] {
         if (isOfGame)
             beforeGame();
     };
-    if (change.begins) {
+    if (change.touches && !change.touched) {
         before();
         listener->BeginContact(contact);
     }
-    if (change.ends) {
+    if (change.touched && !change.touches) {
         before();
         listener->EndContact(contact);
     }

@@ -4,7 +4,13 @@
 #include <chrono>
 
 #include "base/private_members.h"
+#include "base/rounding_mode.h"
+#include "passes/collide.h"
+#include "passes/impacts.h"
+#include "passes/islands.h"
+#include "passes/taken_solver.h"
 #include "start/current_step.h"
+#include "start/settings.h"
 #include "world/ledger.h"
 #include "world/ledgers.h"
 
@@ -51,6 +57,28 @@ void ClearForces(b2World *world) {
 
 } // namespace
 
+bool StepIsOurs() {
+    return PassesRun() && GetSettings().islandsBy != IslandsBy::Nobody && RoundsToNearest();
+}
+
+bool Solve(b2World *world, const b2TimeStep &step) {
+    const TakenSolver solver(world, static_cast<uint32_t>(world->GetBodyCount()),
+                             static_cast<uint32_t>(world->GetContactCount()),
+                             static_cast<uint32_t>(world->GetJointCount()));
+    if (solver.Get() == nullptr)
+        return false;
+    IslandPass(world, step, solver.Get()).Run();
+    return true;
+}
+
+bool SolveTOI(b2World *world, const b2TimeStep &step) {
+    const TakenSolver solver(world, 2 * b2_maxTOIContacts, b2_maxTOIContacts, 0);
+    if (solver.Get() == nullptr)
+        return false;
+    ImpactPass(world, step, solver.Get()).Run();
+    return true;
+}
+
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations) {
     Laps laps;
     b2Profile &profile = world->*Named(Profile());
@@ -70,14 +98,16 @@ void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 posi
     step.positionIterations = positionIterations;
     step.warmStarting = world->GetWarmStarting();
 
-    manager.Collide();
+    Collide(&manager);
     profile.collide = laps.Next();
     if (advances && world->*Named(StepComplete())) {
-        (world->*Named(SolveWorld()))(step);
+        if (!Solve(world, step))
+            (world->*Named(SolveWorld()))(step);
         profile.solve = laps.Next();
     }
     if (advances && world->GetContinuousPhysics()) {
-        (world->*Named(SolveImpacts()))(step);
+        if (!SolveTOI(world, step))
+            (world->*Named(SolveImpacts()))(step);
         profile.solveTOI = laps.Next();
     }
     if (advances)

@@ -5,12 +5,22 @@
 #include <box2d/b2_settings.h>
 
 class b2World;
+struct b2TimeStep;
 
 namespace bmr {
 
-/// b2World::Step: the passes in their order. The clock is read once between two of them; and forces are
-/// cleared of the bodies that are awake alone, where it is known that no other has any.
+/// Is a step that begins ours, and with it each of its passes? Else Box2D makes the step, and the hook of
+/// each pass asks whose that pass is.
+bool StepIsOurs();
+
+/// b2World::Step of a step that is ours: the passes in their order. The clock is read once between two of
+/// them; and forces are cleared of the bodies that are awake alone, where it is known that no other has any.
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations);
+
+/// b2World::Solve and SolveTOI. False, and nothing done, if no solver of ours is to be had: the pass is
+/// Box2D's.
+bool Solve(b2World *world, const b2TimeStep &step);
+bool SolveTOI(b2World *world, const b2TimeStep &step);
 
 } // namespace bmr
 

@@ -4,8 +4,7 @@
 #include <box2d/b2_world.h>
 
 #include "passes/contact_access.h"
-#include "passes/islands.h"
-#include "passes/taken_solver.h"
+#include "passes/step.h"
 #include "reach/stock.h"
 #include "start/current_step.h"
 #include "start/settings.h"
@@ -19,13 +18,8 @@ BMR_FOR_LOADERS("_ZN7b2World5SolveERK10b2TimeStep");
 void b2World::Solve(const b2TimeStep &step) {
     if (NothingIsInstalled())
         return stock::Solve(this, step);
-    if (PassesRun(HookOf::Solve)) {
-        const TakenSolver solver(this, static_cast<uint32_t>(m_bodyCount),
-                                 static_cast<uint32_t>(m_contactManager.m_contactCount),
-                                 static_cast<uint32_t>(m_jointCount));
-        if (solver.Get() != nullptr)
-            return IslandPass(this, step, solver.Get()).Run();
-    }
+    if (PassesRun(HookOf::Solve) && bmr::Solve(this, step))
+        return;
     Ledger *const ledger = FindLedger(&m_contactManager);
     if (ledger != nullptr)
         ledger->GiveMarksBack();

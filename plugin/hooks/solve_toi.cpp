@@ -5,7 +5,7 @@
 
 #include "passes/contact_access.h"
 #include "passes/impacts.h"
-#include "passes/taken_solver.h"
+#include "passes/step.h"
 #include "reach/stock.h"
 #include "start/current_step.h"
 #include "start/settings.h"
@@ -20,14 +20,10 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     if (NothingIsInstalled())
         return stock::SolveToi(this, step);
     Ledger *const ledger = FindLedger(&m_contactManager);
-    if (PassesRun(HookOf::SolveToi)) {
-        const TakenSolver solver(this, 2 * b2_maxTOIContacts, b2_maxTOIContacts, 0);
-        ImpactPass pass(this, step, solver.Get());
-        if (solver.Get() != nullptr)
-            return pass.Run();
-        if (!StepUnderWay::IsInner() && pass.FindsNone())
-            return;
-    }
+    if (PassesRun(HookOf::SolveToi) &&
+        (bmr::SolveTOI(this, step) ||
+         (!StepUnderWay::IsInner() && ImpactPass(this, step, nullptr).FindsNone())))
+        return;
     if (ledger != nullptr) {
         ledger->Owed().EnableDownTo(0);
         ledger->GiveMarksBack();

@@ -27,7 +27,7 @@ BMR_NOINLINE void StepHere(b2World *world, float timeStep, int32 velocityIterati
     CountStep();
     if (AnyBigPolygon())
         NoteDrawnByBox2D(nullptr, nullptr); // shapes that were drawn before a step are drawn anew after it
-    if (BoxesAreOurs())
+    if (StepIsOurs())
         RunStep(world, timeStep, velocityIterations, positionIterations);
     else
         stock::Step(world, timeStep, velocityIterations, positionIterations);
