@@ -120,18 +120,6 @@ inline Answer ConvexContact::Ask(const b2Transform &xfA, const b2Transform &xfB)
     return Look(xfA, xfB);
 }
 
-inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
-                                        const b2Transform &xfB, const b2Manifold &old) {
-    FillManifoldHere(answer, manifold, xfA, xfB, old);
-    if (!Verifying() || answer >= Answer::HandedOver)
-        return;
-    // Box2D has no answer to compare with: two that are proved apart must have no points.
-    b2Manifold made = *manifold;
-    bmr_convex32_memory nothing = {};
-    CollideConvex(Two(), Seams::Known, &made, xfA, xfB, &nothing);
-    VerifyManifold(m_fixtureA, m_fixtureB, *manifold, made);
-}
-
 /// What is shared by a pair leaves room for less.
 inline bmr_convex32_memory ConvexContact::Recall() const {
     if (state.pair == nullptr)
@@ -204,8 +192,8 @@ Held ConvexContact::HeldBy(Answer answer, bool points, const b2Transform &xfA, c
     return within && (d.x != 0.0 || d.y != 0.0) ? Held::Another : Held::Nothing;
 }
 
-inline void ConvexContact::FillManifoldHere(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
-                                            const b2Transform &xfB, const b2Manifold &old) {
+inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
+                                        const b2Transform &xfB, const b2Manifold &old) {
     if (answer < Answer::HandedOver) {
         manifold->pointCount = 0;
     } else {
@@ -223,6 +211,13 @@ inline void ConvexContact::FillManifoldHere(Answer answer, b2Manifold *manifold,
         if (IsOfPolygons())
             Live(HeldBy(answer, manifold->pointCount > 0, xfA, xfB), xfA, xfB);
         TellOfAnswer(*this, answer, true);
+    }
+    if (Verifying() && answer < Answer::HandedOver) {
+        // Box2D has no answer to compare with: two that are proved apart must have no points.
+        b2Manifold made = *manifold;
+        bmr_convex32_memory nothing = {};
+        CollideConvex(Two(), Seams::Known, &made, xfA, xfB, &nothing);
+        VerifyManifold(m_fixtureA, m_fixtureB, *manifold, made);
     }
 }
 

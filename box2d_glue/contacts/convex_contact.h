@@ -47,8 +47,6 @@ private:
     Answer Ask(const b2Transform &xfA, const b2Transform &xfB);
     void FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
                       const b2Manifold &old);
-    void FillManifoldHere(Answer answer, b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
-                          const b2Manifold &old);
     bool IsAtImpact() const;
     TwoFixtures Two() const { return {m_fixtureA, m_fixtureB, m_indexA}; }
     bmr_convex32_memory Recall() const;

@@ -104,20 +104,9 @@ inline Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB
     return !ManifoldIsMadeHere() && FindEdge(xfA, xfB) ? Answer::ApartBySearch : Answer::HandedOver;
 }
 
+/// The manifold, once it has been asked whether the two are apart.
 inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
                                          const b2Transform &xfB) {
-    if (!Verifying()) {
-        FillManifoldHere(answer, manifold, xfA, xfB);
-        return;
-    }
-    b2Manifold ours = *manifold;
-    FillManifoldHere(answer, &ours, xfA, xfB);
-    b2CollidePolygons(manifold, &ShapeOf(m_fixtureA), xfA, &ShapeOf(m_fixtureB), xfB);
-    VerifyManifold(m_fixtureA, m_fixtureB, ours, *manifold);
-}
-
-inline void PolygonContact::FillManifoldHere(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
-                                             const b2Transform &xfB) {
     bool edgeFound = answer == Answer::ApartBySearch;
     if (answer < Answer::HandedOver)
         manifold->pointCount = 0;
@@ -131,6 +120,11 @@ inline void PolygonContact::FillManifoldHere(Answer answer, b2Manifold *manifold
         if (EdgesAreOn()) // else a structure of the two fixtures lives for them
             Live(HeldBy(answer, edgeFound), xfA, xfB);
         CountAnswer(answer);
+    }
+    if (Verifying()) {
+        const b2Manifold ours = *manifold;
+        b2CollidePolygons(manifold, &ShapeOf(m_fixtureA), xfA, &ShapeOf(m_fixtureB), xfB);
+        VerifyManifold(m_fixtureA, m_fixtureB, ours, *manifold);
     }
 }
 

@@ -43,8 +43,6 @@ private:
 
     Answer Ask(const b2Transform &xfA, const b2Transform &xfB);
     void FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB);
-    void FillManifoldHere(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
-                          const b2Transform &xfB);
     void CountAnswer(Answer answer) const;
     bool EdgeSeparates(uint8_t number, bool ofB, const b2Transform &xfA, const b2Transform &xfB) const;
     bool EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) const;

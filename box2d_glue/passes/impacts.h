@@ -64,7 +64,6 @@ private:
     };
     bool Meet(b2Contact *contact, float time);
     void Spread(b2Body *body, float time, Island *island);
-    bool Joins(b2Contact *contact, b2Body *other, float time, const Island &island);
     void Add(b2Body *body, Island *island);
     void Add(b2Contact *contact, Island *island);
     void PutBack(b2Body *body, const b2Sweep &sweep);
