@@ -38,8 +38,8 @@ static size_t conditions(const bmr_kds *kds, bmr_condition *conditions) {
     return bmr_windowed_conditions(kept_line(kds), kds->def.margin, conditions);
 }
 
-/// A condition has failed. Where only the bracket was left, the line still separates and gets other vertices
-/// of B. Otherwise the closest points are looked for anew, from where they were.
+/// A condition has failed. If B has only turned out of the bracket, the line still separates and gets other
+/// vertices of B. Otherwise the closest points are looked for anew, from where they were.
 static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     bmr_windowed_line *line = line_of(kds);
     const bmr_windowed_failure failure = bmr_windowed_fails(line, kds, now);

@@ -2,8 +2,8 @@
 // Three deeds of games that need no listener of their own: pickups, damage by impulse, a one-way platform.
 // The recorder is read after the step. Build it on an installed Boomerang with
 //
-//     c++ -std=c++17 recorder.cpp $(pkg-config --cflags --libs boomerang-recorder boomerang-box2d) -o
-//     recorder
+//     libraries=$(pkg-config --cflags --libs boomerang-recorder boomerang-box2d)
+//     c++ -std=c++17 recorder.cpp -o recorder $libraries
 //
 // It prints the same with BOOMERANG=off, and where boomerang-box2d is left out, but for the call of Install.
 #include <cstdint>
@@ -82,7 +82,7 @@ void LetThrough(b2Body *player, float feet, float platformTop) {
 int main() {
     bmr::Install();
     constexpr float kThreshold = 4.0f, kFeet = 0.5f, kTop = 3.2f;
-    bmr::ContactRecorder recorder; // before the world, which must end first
+    bmr::ContactRecorder recorder; // declared before the world, so that it is destroyed after it
     recorder.SetHitThreshold(kThreshold);
     b2World world({0.0f, -10.0f});
     world.SetContactListener(&recorder);
