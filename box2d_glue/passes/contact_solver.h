@@ -53,9 +53,9 @@ struct PositionConstraint {
     int32 pointCount;
 };
 
-/// Bodies and contacts of one island, or of several that follow each other.
+/// Bodies, contacts and joints of one island, or of several that follow each other.
 struct Island {
-    uint32_t firstBody, endBody, firstContact, endContact;
+    uint32_t firstBody, endBody, firstContact, endContact, firstJoint, endJoint;
     bool isDone, isSolved; ///< its position iterations: all are done; the last one was enough
 };
 

@@ -56,7 +56,7 @@ void Store(const b2Position &position, const b2Velocity &velocity, b2Body *body)
     body->*Named(AngularVelocity()) = velocity.w;
 }
 
-constexpr uint32_t kEnough = 512; // contacts; what waits stays in the processor's second cache
+constexpr uint32_t kEnough = 512; // contacts and joints; what waits stays in the processor's second cache
 
 /// Does nothing that is solved move the static body, not by a bit? (Box2D moves it once for each island.)
 bool StaysAsItIs(const b2Body &body) {
@@ -81,7 +81,8 @@ bool IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) 
     m_mostBodies = bodies;
     return m_allocator != nullptr ||
            (m_positions.Reserve(waiting) && m_velocities.Reserve(waiting) && m_islands.Reserve(bodies + 1) &&
-            m_solver.Reserve(waiting, contacts) && m_orderedVelocities.Reserve(waiting, contacts) &&
+            m_solver.Reserve(waiting, contacts) && m_jointSolver.Reserve(joints) &&
+            m_orderedVelocities.Reserve(waiting, contacts + joints) &&
             m_orderedPositions.Reserve(waiting, contacts));
 }
 
@@ -111,37 +112,42 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
     }
     m_gravity = gravity;
     m_allowSleep = allowSleep;
-    Island island = {m_waiting.endBody, m_bodyCount, m_waiting.endContact, m_contactCount, false, false};
+    Island island = {m_waiting.endBody,
+                     m_bodyCount,
+                     m_waiting.endContact,
+                     m_contactCount,
+                     m_waiting.endJoint,
+                     m_jointCount,
+                     false,
+                     false};
     m_solver.Begin(m_step, m_contacts.Data(), Data());
     m_solver.Read(island);
-    if (MayWait()) {
+    m_jointSolver.Begin(m_joints.Data(), Data());
+    if (MayWait(island)) {
         m_islands[m_islandCount++] = island;
         m_waiting.endBody = m_bodyCount;
         m_waiting.endContact = m_contactCount;
-        if (m_bodyCount >= m_mostBodies || m_contactCount >= kEnough) {
+        m_waiting.endJoint = m_jointCount;
+        if (m_bodyCount >= m_mostBodies || m_contactCount + m_jointCount >= kEnough) {
             SolveWaiting();
             Clear();
         }
         return;
     }
-    if (ContactCount() + m_jointCount > 0) { // it may share static bodies with those that came before
-        const uint32_t joints = m_jointCount;
-        m_jointCount = 0;
+    if (ContactCount() + JointCount() > 0) // it may share static bodies with those that came before
         SolveWaiting();
-        m_jointCount = joints;
-    }
     SolveTogether(&island, 1);
     m_bodyCount = m_waiting.endBody;
     m_contactCount = m_waiting.endContact;
-    m_jointCount = 0;
+    m_jointCount = m_waiting.endJoint;
     if (m_islandCount == 0)
         Clear();
 }
 
-bool IslandSolver::MayWait() const {
-    bool mayWait =
-        m_jointCount == 0 && m_listener == nullptr && ContactCount() > 0 && m_step.dt < b2_maxFloat;
-    for (uint32_t i = m_waiting.endBody; i < m_bodyCount && mayWait; ++i)
+bool IslandSolver::MayWait(const Island &island) const {
+    bool mayWait = m_listener == nullptr && ContactCount() + JointCount() > 0 && m_step.dt < b2_maxFloat &&
+                   m_jointSolver.HaveTwoBodies(island);
+    for (uint32_t i = island.firstBody; i < island.endBody && mayWait; ++i)
         mayWait = m_bodies[i]->GetType() != b2_staticBody || StaysAsItIs(*m_bodies[i]);
     return mayWait;
 }
@@ -160,17 +166,18 @@ bool IslandSolver::SolveTogether(Island *islands, uint32_t count) {
     Island all = islands[0];
     all.endBody = last.endBody;
     all.endContact = last.endContact;
-    const Timer timer(all.firstContact < all.endContact || m_jointCount > 0);
+    all.endJoint = last.endJoint;
+    const Timer timer(all.firstContact < all.endContact || all.firstJoint < all.endJoint);
     Prepare(all);
-    for (uint32_t i = 0; i < m_jointCount; ++i)
-        (m_joints[i]->*Named(InitVelocityConstraints()))(Data());
     const float initialized = timer.GetMilliseconds();
     SolveVelocities(all);
     IntegratePositions(all);
     const float solved = timer.GetMilliseconds();
     SolvePositions(islands, count);
-    if (count > 1 && HasNan(all))
+    if (count > 1 && HasNan(all)) {
+        m_jointSolver.PutBack(all);
         return false;
+    }
     m_solver.StoreImpulses(all);
     StoreBodies(all);
     m_profile.solveInit += initialized;
@@ -188,7 +195,7 @@ void IslandSolver::SolveToi() {
         Clear();
         return;
     }
-    const Island island = {0, m_bodyCount, 0, m_contactCount, false, false};
+    const Island island = {0, m_bodyCount, 0, m_contactCount, 0, 0, false, false};
     for (uint32_t i = 0; i < m_bodyCount; ++i) {
         const b2Body &body = *m_bodies[i];
         m_positions[i] = {SweepOf(body).c, SweepOf(body).a};
@@ -224,32 +231,33 @@ void IslandSolver::Finish(b2Profile *profile) {
     profile->solvePosition += m_profile.solvePosition;
 }
 
-/// The state ahead of the velocity iterations, but for joints.
+/// The state ahead of the velocity iterations.
 void IslandSolver::Prepare(const Island &island) {
     IntegrateVelocities(island);
     m_solver.PlaceBodies(island);
     m_solver.InitializeVelocities(island);
     if (m_step.warmStarting)
         m_solver.WarmStart(island);
+    m_jointSolver.InitializeVelocities(island);
 }
 
 void IslandSolver::SolveVelocities(const Island &island) {
-    const bool mayReorder = m_mayReorder && m_jointCount == 0 && m_solver.SolvesBlocks();
-    if (mayReorder && m_orderedVelocities.Order(m_solver.VelocityConstraints(), island, m_velocities.Data(),
-                                                m_step.velocityIterations)) {
-        if (m_orderedVelocities.Solve(&m_solver, island, m_velocities.Data()))
+    if (m_mayReorder && m_solver.SolvesBlocks() &&
+        m_orderedVelocities.Order(m_solver.VelocityConstraints(), m_jointSolver, island, m_velocities.Data(),
+                                  m_step.velocityIterations)) {
+        if (m_orderedVelocities.Solve(&m_solver, m_jointSolver, island, m_velocities.Data()))
             return;
+        m_jointSolver.PutBack(island);
         Prepare(island);
     }
     for (int32 i = 0; i < m_step.velocityIterations; ++i) {
-        for (uint32_t j = 0; j < m_jointCount; ++j)
-            (m_joints[j]->*Named(SolveVelocityConstraints()))(Data());
+        m_jointSolver.SolveVelocities(island);
         m_solver.SolveVelocities(island);
     }
 }
 
 void IslandSolver::SolvePositions(Island *islands, uint32_t count) {
-    if (m_mayReorder && m_jointCount == 0)
+    if (m_mayReorder)
         m_orderedPositions.Solve(&m_solver, islands, count, m_positions.Data(), m_step.positionIterations);
     for (uint32_t i = 0; i < count; ++i)
         if (!islands[i].isDone)
@@ -258,12 +266,8 @@ void IslandSolver::SolvePositions(Island *islands, uint32_t count) {
 
 bool IslandSolver::SolvePositions(const Island &island) {
     for (int32 i = 0; i < m_step.positionIterations; ++i) {
-        bool solved = m_solver.SolvePositions(island);
-        for (uint32_t j = 0; j < m_jointCount; ++j) {
-            const bool jointIsSolved = (m_joints[j]->*Named(SolvePositionConstraints()))(Data());
-            solved = solved && jointIsSolved;
-        }
-        if (solved)
+        const bool contactsAreSolved = m_solver.SolvePositions(island);
+        if (m_jointSolver.SolvePositions(island) && contactsAreSolved)
             return true;
     }
     return false;
@@ -287,6 +291,7 @@ void IslandSolver::IntegrateVelocities(const Island &island) {
     const float h = m_step.dt;
     for (uint32_t i = island.firstBody; i < island.endBody; ++i) {
         b2Body *const body = m_bodies[i];
+        body->*Named(IslandIndex()) = static_cast<int32>(i); // a static body may have several places
         b2Sweep &sweep = body->*Named(SweepMember());
         b2Vec2 v = body->GetLinearVelocity();
         float w = body->GetAngularVelocity();

@@ -8,6 +8,7 @@
 
 #include "base/column.h"
 #include "passes/contact_solver.h"
+#include "passes/joint_solver.h"
 #include "passes/ordered_positions.h"
 #include "passes/ordered_velocities.h"
 #include "passes/stock_solver.h"
@@ -62,11 +63,12 @@ public:
     void Add(b2Joint *joint) { m_joints[m_jointCount++] = joint; }
     uint32_t BodyCount() const { return m_bodyCount - m_waiting.endBody; }
     uint32_t ContactCount() const { return m_contactCount - m_waiting.endContact; }
+    uint32_t JointCount() const { return m_jointCount - m_waiting.endJoint; }
     b2Body *Body(uint32_t i) const { return m_bodies[m_waiting.endBody + i]; }
     /// Its stack has room for as many bodies as an island.
     IslandRoom &Room() { return m_room; }
 
-    /// b2Island::Solve. Where there are neither joints nor a listener, the island may wait to be solved
+    /// b2Island::Solve. Where there is no listener, and no gear joint, the island may wait to be solved
     /// together with others, as late as in Finish: they share no body that moves.
     void Solve(const b2Vec2 &gravity, bool allowSleep);
     /// b2Island::SolveTOI, by the step that Begin was given. The first two bodies are those that meet.
@@ -82,7 +84,7 @@ private:
     void Clear();
     IslandParts Parts() const;
     b2SolverData Data() { return {m_step, m_positions.Data(), m_velocities.Data()}; }
-    bool MayWait() const;
+    bool MayWait(const Island &island) const;
     void SolveWaiting();
     bool SolveTogether(Island *islands, uint32_t count);
     void IntegrateVelocities(const Island &island);
@@ -103,6 +105,7 @@ private:
     Column<b2Position> m_positions;
     Column<b2Velocity> m_velocities;
     ContactSolver m_solver;
+    JointSolver m_jointSolver;
     OrderedVelocities m_orderedVelocities;
     OrderedPositions m_orderedPositions;
     Column<Island> m_islands; ///< those that wait

@@ -8,7 +8,7 @@
 
 namespace bmr {
 
-/// An order of several iterations over contacts, up to four at once, that changes no bit.
+/// An order of several iterations over joints and contacts, up to four contacts at once, that changes no bit.
 ///
 /// Box2D solves contacts one after the other. One reads and writes its two bodies, and waits for the one
 /// before it where the two share a moving body. All others may change places, from one iteration to the next,

@@ -184,7 +184,8 @@ void OrderedPositions::Solve(ContactSolver *solver, Island *islands, uint32_t co
         islands[count - 1].endContact - islands[0].firstContact >= OrderedContacts::kLeast;
     m_order.Begin();
     for (uint32_t i = 0; i < count; ++i) {
-        islands[i].isDone = mayOverlap && IsDeep(solver->PositionConstraints(), islands[i]);
+        islands[i].isDone = mayOverlap && islands[i].firstJoint == islands[i].endJoint &&
+                            IsDeep(solver->PositionConstraints(), islands[i]);
         if (islands[i].isDone)
             Add(solver->PositionConstraints(), islands[i], positions);
     }

@@ -4,11 +4,16 @@
 
 #include <cstddef>
 
+#include <box2d/b2_joint.h>
+
+#include "base/private_members.h"
 #include "passes/contact_lanes.h"
 
 namespace bmr {
 
 namespace {
+
+constexpr uint32_t kJoint = 2; ///< the kind; that of a contact is the number of its points, less one
 
 struct Point4 {
     Vec4 rA, rB;
@@ -154,11 +159,23 @@ struct Four {
 
 } // namespace
 
-bool OrderedVelocities::Order(const VelocityConstraint *constraints, const Island &island,
-                              const b2Velocity *velocities, int32 iterations) {
-    if (island.endContact - island.firstContact < OrderedContacts::kLeast || iterations <= 0)
+bool OrderedVelocities::Order(const VelocityConstraint *constraints, const JointSolver &joints,
+                              const Island &island, const b2Velocity *velocities, int32 iterations) {
+    if (island.endContact - island.firstContact < OrderedContacts::kLeast || iterations <= 0 ||
+        !joints.HaveTwoBodies(island))
         return false;
+    const auto carries = [velocities](int32 body, float invMass, float invI) {
+        return CarriesNoOrder(invMass, invI, &velocities[body].v.x) ? OrderedContacts::kNone
+                                                                    : static_cast<uint32_t>(body);
+    };
+    const auto isTurned = [&carries](const b2Body *body) {
+        return carries(body->*Named(IslandIndex()), body->*Named(InverseMass()),
+                       body->*Named(InverseInertia()));
+    };
     m_order.Begin();
+    for (uint32_t i = island.firstJoint; i < island.endJoint; ++i)
+        m_order.Add(
+            {i, kJoint, isTurned(joints.Joint(i)->GetBodyA()), isTurned(joints.Joint(i)->GetBodyB())});
     for (uint32_t i = island.firstContact; i < island.endContact; ++i) {
         const VelocityConstraint &c = constraints[i];
         const ContactBodies &of = c.bodies;
@@ -166,21 +183,23 @@ bool OrderedVelocities::Order(const VelocityConstraint *constraints, const Islan
             m_order.Forget();
             return false; // Box2D may assert
         }
-        const auto carries = [velocities](int32 body, float invMass, float invI) {
-            return CarriesNoOrder(invMass, invI, &velocities[body].v.x) ? OrderedContacts::kNone
-                                                                        : static_cast<uint32_t>(body);
-        };
         m_order.Add({i, static_cast<uint32_t>(c.pointCount - 1), carries(of.indexA, of.invMassA, of.invIA),
                      carries(of.indexB, of.invMassB, of.invIB)});
     }
     return m_order.Find(island.endBody, static_cast<uint32_t>(iterations));
 }
 
-bool OrderedVelocities::Solve(ContactSolver *solver, const Island &island, b2Velocity *velocities) const {
+bool OrderedVelocities::Solve(ContactSolver *solver, const JointSolver &joints, const Island &island,
+                              b2Velocity *velocities) const {
     VelocityConstraint *const all = solver->VelocityConstraints();
     mask4 nans = less4(zero4(), zero4());
     const uint32_t left =
         m_order.ForEach([&](const OrderedContacts::Group &group, uint32_t count, uint32_t kind, uint32_t) {
+            if (kind == kJoint) {
+                for (uint32_t i = 0; i < count; ++i)
+                    joints.SolveVelocity(group.contacts[i]);
+                return;
+            }
             if (count == 1 || !BMR_FLOAT4_NATIVE) {
                 for (uint32_t i = 0; i < count; ++i)
                     solver->SolveVelocity(group.contacts[i]);
@@ -189,8 +208,10 @@ bool OrderedVelocities::Solve(ContactSolver *solver, const Island &island, b2Vel
             Four four(all, group, count, velocities);
             nans = either4(nans, four.Solve(count, kind == 1));
         });
-    for (uint32_t i = 0; i < left; ++i)
+    for (uint32_t i = 0; i < left; ++i) {
+        joints.SolveVelocities(island);
         solver->SolveVelocities(island);
+    }
     bool isNan = any4(nans);
     for (uint32_t i = island.firstBody; i < island.endBody; ++i) {
         const b2Velocity &of = velocities[i];

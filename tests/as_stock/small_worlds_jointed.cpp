@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Worlds of a few bodies, as most games step them and some programs by the thousand: with joints. The library
 // mostly leaves these to Box2D.
+#include <limits>
+
 #include "small_worlds.h"
 
 using namespace as_stock;
@@ -182,6 +184,23 @@ const SmallWorld kWorlds[] = {
                  static_cast<b2RevoluteJoint *>(joint)->IsMotorEnabled())
                  static_cast<b2RevoluteJoint *>(joint)->SetMotorSpeed(step % 400 == 0 ? 2.0f : -2.0f);
      }},
+    {"geared wheels", kDown,
+     [](b2World &world) {
+         AddGround(world);
+         b2Body *const hull = Box(world, {0.0f, 1.2f}, {3.0f, 0.3f});
+         b2GearJointDef gear;
+         for (const float x : {-2.5f, 2.5f}) {
+             b2Body *const wheel = Ball(world, {x, 0.5f}, 0.5f);
+             (x < 0.0f ? gear.joint1 : gear.joint2) = Hinge(world, hull, wheel, {x, 0.5f}, -3.0f, 20.0f);
+             (x < 0.0f ? gear.bodyA : gear.bodyB) = wheel;
+         }
+         gear.ratio = -1.0f;
+         world.CreateJoint(&gear);
+         for (int i = 0; i < 10; ++i)
+             Box(world, {3.4f + 0.8f * Real(i), 0.4f}, {0.4f, 0.4f});
+         Box(world, {0.0f, 1.9f}, {0.4f, 0.4f});
+     },
+     Kick},
     {"pulley", kDown,
      [](b2World &world) {
          AddGround(world);
@@ -302,7 +321,35 @@ const SmallWorld kWorlds[] = {
      }},
 };
 
+/// Pairs of balls, one on the ground, the other pinned to it and to the first. One pair's velocity makes the
+/// ground's NaN, for all pairs that come after it. On a kinematic ground all are one island; on a static one
+/// each is its own, and they are solved together.
+void PlayPairs(Run &run, b2BodyType type, int fast) {
+    Game game(run, {0.0f, -kDown});
+    b2PolygonShape box;
+    box.SetAsBox(50.0f, 1.0f);
+    b2Body *const ground = AddBody(game.world, type, b2Vec2_zero, box, 0.0f, 0.6f);
+    b2Body *first = nullptr;
+    for (int i = 0; i < 13; ++i) {
+        const float x = 4.0f * Real(i) - 24.0f;
+        b2Body *const ball = Ball(game.world, {x, 1.5f}, 0.5f), *const other =
+                                                                    Ball(game.world, {x + 1.0f, 1.5f}, 0.5f);
+        Hinge(game.world, ball, other, {x + 0.6f, 1.7f});
+        Hinge(game.world, ground, other, {x + 1.2f, 1.4f});
+        first = i == fast ? ball : first;
+    }
+    game.Step(10);
+    first->SetLinearVelocity({0.0f, -std::numeric_limits<float>::infinity()});
+    game.Step(3);
+}
+
 } // namespace
+
+TEST_CASE("pinned pairs share a ground whose velocity becomes NaN") {
+    for (const b2BodyType ground : {b2_staticBody, b2_kinematicBody})
+        for (const int fast : {0, 10})
+            AsStock([ground, fast](Run &run) { PlayPairs(run, ground, fast); }, false);
+}
 
 TEST_CASE("small worlds with joints") {
     PlayAll(kWorlds);
