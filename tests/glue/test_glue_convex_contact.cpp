@@ -5,7 +5,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <thread>
 #include <vector>
 
 #include "boomerang/convex_shape.h"
@@ -274,31 +273,6 @@ TEST_CASE("churn and worlds that die with contacts alive leak nothing") {
         grew = forked::BytesInUse() >= before + 60 * kLeastLeak;
         if (grew)
             run.Print("!not staged: no growth");
-    });
-}
-
-TEST_CASE("worlds on several threads, the first big shape made on any of them") {
-    CheckSameAsStock([](Run &run) {
-        constexpr int kThreads = 4;
-        std::vector<Run> runs;
-        runs.reserve(kThreads);
-        std::vector<std::thread> threads;
-        for (int i = 0; i < kThreads; ++i)
-            runs.emplace_back(-1, nullptr);
-        for (int i = 0; i < kThreads; ++i) {
-            threads.emplace_back([i, &runs] {
-                shapes::Engine engine(static_cast<uint64_t>(i));
-                for (const int32 vertices : {9, 300}) {
-                    Game game(runs[static_cast<size_t>(i)], {0.0f, -10.0f});
-                    Mixed(game, engine, vertices);
-                    game.Step(60);
-                }
-            });
-        }
-        for (std::thread &thread : threads)
-            thread.join();
-        for (Run &one : runs)
-            run.Take(&one);
     });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who is born and dies when: installation, contacts, worlds, threads; callers of Evaluate; odd bodies and
+// Who is born and dies when: installation, contacts, worlds; callers of Evaluate; odd bodies and
 // places. tests/faults takes handling out of the glue and expects test cases here to fail.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
@@ -7,8 +7,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <thread>
-#include <vector>
 
 #include "forked_world.h"
 #include "test_scale.h"
@@ -288,30 +286,6 @@ TEST_CASE("two worlds at once do not know of each other") {
         }
         run.Expect(bmr::CertifiedSlack(one.world.GetBodyList(), two.world.GetBodyList()) == 0.0f,
                    "no slack between worlds");
-    });
-}
-
-TEST_CASE("worlds on several threads") {
-    CheckSameAsStock([](Run &run) {
-        constexpr int kThreads = 4;
-        std::vector<Run> runs;
-        runs.reserve(kThreads);
-        std::vector<std::thread> threads;
-        for (int i = 0; i < kThreads; ++i)
-            runs.emplace_back(-1, nullptr);
-        for (int i = 0; i < kThreads; ++i) {
-            threads.emplace_back([i, &runs] {
-                for (int round = 0; round < 3; ++round) {
-                    Game game(runs[static_cast<size_t>(i)], {0.0f, -10.0f});
-                    Heap(game, 0.1f * static_cast<float>(i));
-                    game.Step(60);
-                }
-            });
-        }
-        for (std::thread &thread : threads)
-            thread.join();
-        for (Run &one : runs)
-            run.Take(&one);
     });
 }
 

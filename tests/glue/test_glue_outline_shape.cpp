@@ -354,6 +354,31 @@ TEST_CASE("a sliver's faces become its neighbour's") {
     CHECK(record == before);
 }
 
+TEST_CASE("the outline turns at a piece's corner as it does, whichever of its edges are the piece's") {
+    // A square, cut from corner to corner.
+    const bmr_vec2 points[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    const bmr_vec32 normals[] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
+    const uint32_t first[] = {0, 3, 6}, none = BMR_OUTLINE_NONE;
+    const bmr_outline_edge edges[] = {{0, 0, none, 0}, {1, 1, none, 0}, {2, none, 5, 0},
+                                      {2, 2, none, 1}, {3, 3, none, 1}, {0, none, 2, 1}};
+    bmr::OutlineRecord *record = nullptr;
+    REQUIRE(bmr::MakeOutlineRecord({points, 4, 2, first, edges, 6, 0, 0}, {1.0, {0.5, 0.5}, 1.0 / 6.0},
+                                   &record) == BMR_OK);
+    for (uint32_t piece = 0; piece < 2; ++piece) {
+        const bmr_convex32 &polygon = bmr::registry::Find(record->pieces[piece]).block.load()->polygon;
+        REQUIRE(polygon.seams != nullptr);
+        for (uint32_t i = 0; i < polygon.count; ++i) {
+            const bmr_vec32 v = polygon.vertices[i];
+            const int corner = v.y > 0.5f ? (v.x > 0.5f ? 2 : 3) : (v.x > 0.5f ? 1 : 0);
+            const bmr_vec32 low = polygon.seams->low[i], high = polygon.seams->high[i],
+                            before = normals[(corner + 3) % 4];
+            CHECK(before.x * low.x + before.y * low.y == doctest::Approx(1.0f));
+            CHECK(normals[corner].x * high.x + normals[corner].y * high.y == doctest::Approx(1.0f));
+        }
+    }
+    bmr::registry::ReleaseGroup(record);
+}
+
 TEST_CASE("rays come in by the outline alone") {
     b2World world(b2Vec2(0.0f, 0.0f));
     b2Body *body = AddBody(world);
