@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154
 # SPDX-License-Identifier: MIT
-# clang-tidy over core, the glue and the plugin; with --long with all of its analyzer
+# clang-tidy over core, the glue and the plugin; with --long with its analyzer
 
 # Each source once, as its own library compiles it: some are compiled again for the plugin, for static links, for a fuzzer.
 tidy_commands() {
@@ -16,16 +16,10 @@ json.dump(list(kept.values()), open(build + "/tidy/compile_commands.json", "w"))
 PYTHON
 }
 
-# tidy_one FILE: in the gate without clang's analyzer for C++, and in C with the first 10,000 states of a function instead of
-# 225,000: it takes most of the time.
+# tidy_one FILE: in the gate without clang's analyzer, which takes most of the time.
 tidy_one() {
-    local less=()
-    if [ "$long" = no ]; then
-        case $1 in
-        *.cpp) less=(--checks=-clang-analyzer-*) ;;
-        *) less=(--extra-arg=-Xclang --extra-arg=-analyzer-config --extra-arg=-Xclang --extra-arg=max-nodes=10000) ;;
-        esac
-    fi
+    local less=(--checks=-clang-analyzer-*)
+    [ "$long" = no ] || less=()
     clang-tidy --quiet -p "$BMR_BUILD_DIR/tidy" "${less[@]}" "$1"
 }
 
