@@ -5,7 +5,7 @@
 #include "world_stage.h"
 
 TEST(memory_is_linear_and_given_back) {
-    bmr_polygon *b = box(0.5), *huge = box(300.0);
+    const bmr_polygon *b = box(0.5), *huge = box(300.0);
     double each[2];
     for (int i = 0; i < 2; i++) {
         const int side = i == 0 ? 10 : 40;
@@ -34,8 +34,6 @@ TEST(memory_is_linear_and_given_back) {
         free(s);
     }
     assert_near(each[1] / each[0], 1.0, 0.3);
-    bmr_polygon_destroy(b, NULL);
-    bmr_polygon_destroy(huge, NULL);
 }
 
 /// Sixty bodies come, meet, jump and go; whatever has no memory is done again. Its contacts, hashed.
@@ -47,7 +45,7 @@ static uint64_t lack_of_memory(size_t fail_at, size_t *asked, size_t *failures) 
     if (error == BMR_ERROR_NO_MEMORY)
         error = bmr_world_create(&s->def, 0.0, &heap.allocator, &s->world);
     assert_int_equal(error, BMR_OK);
-    bmr_polygon *b = box(0.5), *big = box(3.0);
+    const bmr_polygon *b = box(0.5), *big = box(3.0);
     test_random random = {4};
     for (int i = 0; i < 60; i++) {
         const bmr_motion_piece piece =
@@ -94,8 +92,6 @@ static uint64_t lack_of_memory(size_t fail_at, size_t *asked, size_t *failures) 
     bmr_world_destroy(s->world);
     assert_int_equal(heap.blocks, 0);
     assert_int_equal(heap.wrong_sizes, 0);
-    bmr_polygon_destroy(b, NULL);
-    bmr_polygon_destroy(big, NULL);
     free(s);
     return hash;
 }
@@ -113,7 +109,7 @@ TEST(every_allocation_may_fail_once) {
 }
 
 TEST(walls_work_with_every_structure) {
-    bmr_polygon *b = box(1.0);
+    const bmr_polygon *b = box(1.0);
     bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT];
     bmr_compass *compass;
     assert_int_equal(bmr_compass_create(4, NULL, &compass), BMR_OK);
@@ -158,5 +154,4 @@ TEST(walls_work_with_every_structure) {
     for (int k = 0; k < BMR_HIERARCHY_KIND_COUNT; k++)
         bmr_hierarchy_destroy(hierarchies[k], NULL);
     bmr_compass_destroy(compass, NULL);
-    bmr_polygon_destroy(b, NULL);
 }

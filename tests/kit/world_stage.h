@@ -71,6 +71,12 @@ static inline void open_stage(stage *s) {
     assert_int_equal(bmr_world_create(&s->def, 0.0, NULL, &s->world), BMR_OK);
 }
 
+static inline stage *opened_stage(bmr_boundary boundary, double size) {
+    stage *s = make_stage(boundary, size);
+    open_stage(s);
+    return s;
+}
+
 static inline void close_stage(stage *s) {
     bmr_world_destroy(s->world);
     free(s);
@@ -81,12 +87,17 @@ static inline void advance(stage *s, double time) {
     assert_int_equal(bmr_world_audit(s->world), BMR_OK);
 }
 
-/// A box of half sides 1 at most, times `scale`.
-static inline bmr_polygon *box(double scale) {
+/// A box of half sides 1 at most, times `scale`. It lives as long as the program.
+static inline const bmr_polygon *box(double scale) {
+    static bmr_polygon *made[16];
+    bmr_polygon **place = made;
+    while (*place && (*place)->extent != scale)
+        place++;
+    assert_true(place < made + 15);
     const bmr_vec2 points[4] = {{-scale, -scale}, {scale, -scale}, {scale, scale}, {-scale, scale}};
-    bmr_polygon *polygon = NULL;
-    assert_int_equal(bmr_polygon_create(points, 4, NULL, &polygon), BMR_OK);
-    return polygon;
+    if (!*place)
+        assert_int_equal(bmr_polygon_create(points, 4, NULL, place), BMR_OK);
+    return *place;
 }
 
 static inline bmr_motion_piece flight(double time, double x, double y, double vx, double vy, double spin) {
