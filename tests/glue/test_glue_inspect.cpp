@@ -92,7 +92,8 @@ bool PointsAreNearest(const bmr::Proof &proof) {
         return static_cast<double>(b2Dot(n, side.body->GetWorldPoint(local)));
     };
     const double own = along(owner, owner.support), others = along(other, other.support);
-    bool nearest = own >= Farthest(owner, n) - kRounding && others <= -Farthest(other, -n) + kRounding;
+    bool nearest = own >= Farthest(owner, n) - kRounding && others <= -Farthest(other, -n) + kRounding &&
+                   others - own >= static_cast<double>(proof.slack) - kRounding;
     if (proof.kind != bmr::ProofKind::Direction)
         nearest =
             nearest && std::fabs(along(owner, proof.edge[0]) - along(owner, proof.edge[1])) <= kRounding;
@@ -137,6 +138,7 @@ bool FillsWhatThereIsRoomFor(const bmr::Proof &proof, int32_t level) {
 struct Tally {
     size_t proofs = 0, none = 0, tooMuch = 0, notNearest = 0, notHeld = 0, refuted = 0,
            noneThoughPositive = 0;
+    double slacks = 0.0, gaps = 0.0;
     std::set<bmr::ProofKind> kinds;
 
     void Look(const bmr::Proof &proof) {
@@ -148,6 +150,8 @@ struct Tally {
         ++proofs;
         kinds.insert(proof.kind);
         const double slack = static_cast<double>(proof.slack);
+        slacks += slack;
+        gaps += GapOf(proof);
         tooMuch += slack > GapOf(proof) + kRounding;
         refuted += slack > GapOf(proof, 0.5f) + kRounding;
         notNearest += !PointsAreNearest(proof);
@@ -188,6 +192,7 @@ TEST_CASE("every proof that is shown can be checked by hand, and looking changes
         run.Expect(tally.none > 0, "and pairs without");
         run.Expect(tally.noneThoughPositive == 0, "no slack without a proof");
         run.Expect(tally.tooMuch == 0, "no proof claims more than its own line shows");
+        run.Expect(tally.slacks > 0.5 * tally.gaps, "and most of what it shows");
         run.Expect(tally.notNearest == 0, "its points are the nearest to the line");
         run.Expect(tally.notHeld == 0, "hulls and envelopes hold their bodies");
         run.Expect(tally.refuted > tally.proofs / 10, "control: lines turned by half a radian prove less");
@@ -227,6 +232,7 @@ TEST_CASE("the proof of two big shapes is an edge of one of them, and holds for 
         run.Expect(touching < 10, "nearly all are apart");
         run.Expect(!run.HasPlugin() || (edgesOf[0] > 0 && edgesOf[1] > 0), "edges of either");
         run.Expect(tally.tooMuch == 0, "no proof claims more than its own line shows");
+        run.Expect(tally.slacks > 0.5 * tally.gaps, "and most of what it shows");
         run.Expect(tally.notNearest == 0, "its points are the nearest to the line");
     });
 }

@@ -95,6 +95,12 @@ public:
         if (m_text.size() > kBuffer)
             Flush();
     }
+    /// What another run (of a thread, without a pipe) printed.
+    void Take(Run *other) {
+        Flush();
+        m_text.swap(other->m_text);
+        Flush();
+    }
     /// A claim about the plugin's own doing: a failure of this run if it is false. Stock has none.
     void Expect(bool holds, const char *claim) {
         if (HasPlugin() && !holds)
