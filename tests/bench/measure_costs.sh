@@ -59,8 +59,8 @@ total() {
 }
 
 # Instructions of the functions whose names begin with $1 and of all that they call, whoever calls them but themselves
-# and the plugin below a step: a hook and the function of Box2D's behind it have one name. (A hook's has the version BOOMERANG_HOOKS, which keeps valgrind from
-# demangling it.)
+# and the plugin below a step: a hook and the function of Box2D's behind it have one name, and the plugin's own pass has it in bmr. (A hook's has the version
+# BOOMERANG_HOOKS, which keeps valgrind from demangling it.)
 inclusive() {
     sed 's/@BOOMERANG_HOOKS$//' "$profile" | c++filt | awk -v name="$1" '
         function named(text, id) {
@@ -70,12 +70,16 @@ inclusive() {
                 names[id] = substr(text, RSTART + RLENGTH + 1)
             return names[id]
         }
+        function is_of(text) {
+            return index(text, name) == 1 || index(text, pass "(") == 1
+        }
+        BEGIN { pass = name; sub(/^.*::/, "bmr::", pass) }
         /^fn=/ { caller = named($0) }
         /^cfn=/ { callee = named($0) }
         /^calls=/ {
             getline cost
             split(cost, field, " ")
-            if (index(callee, name) == 1 && index(caller, name) != 1 && (caller !~ /bmr::/ || caller ~ /bmr::(RunStep|IslandPass::Run)/))
+            if (is_of(callee) && !is_of(caller) && (caller !~ /bmr::/ || caller ~ /bmr::(RunStep|IslandPass::Run)/))
                 sum += field[2]
         }
         END { printf "%.0f\n", sum }'
