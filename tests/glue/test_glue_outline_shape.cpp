@@ -247,6 +247,9 @@ TEST_CASE("each fault has its error and its place, and leaves outline and body a
             CHECK(fault.edge[0] >= -1);
         }
     }
+    constexpr float kMost = 1e9f; // which is not too far
+    const Ring most = {{-kMost, -kMost}, {kMost, -kMost}, {kMost, kMost}, {-kMost, kMost}};
+    CHECK(OutlineShape().Set(most.data(), Count(most)) == BMR_OK);
     const OutlineHole none = {nullptr, 3}, less = {kElbow.data(), -1};
     CHECK(outline.Set(nullptr, 3) == BMR_ERROR_NULL_ARGUMENT);
     CHECK(outline.Set(kElbow.data(), 6, nullptr, 1) == BMR_ERROR_NULL_ARGUMENT);
