@@ -60,68 +60,6 @@ TEST_CASE(
 
 namespace {
 
-/// Counts what it is told, and that impulses belong to the points of the manifold.
-struct Listener : b2ContactListener {
-    int begun = 0, ended = 0, preSolved = 0, postSolved = 0, unlike = 0;
-    void BeginContact(b2Contact *) override { ++begun; }
-    void EndContact(b2Contact *) override { ++ended; }
-    void PreSolve(b2Contact *contact, const b2Manifold *) override {
-        ++preSolved;
-        unlike += contact->GetManifold()->pointCount == 0;
-    }
-    void PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) override {
-        ++postSolved;
-        unlike += impulse->count != contact->GetManifold()->pointCount;
-    }
-};
-
-} // namespace
-
-TEST_CASE("listeners are told once of each beginning and end, and of every solution between") {
-    CheckSameAsStock([](Run &run) {
-        b2World world({0.0f, -10.0f});
-        Listener told;
-        world.SetContactListener(&told);
-        b2BodyDef def;
-        const b2EdgeShape ground = Edge(false);
-        world.CreateBody(&def)->CreateFixture(&ground, 0.0f);
-        def.type = b2_dynamicBody;
-        def.position.Set(0.0f, 1.5f);
-        b2Body *body = world.CreateBody(&def);
-        const ConvexShape coin = Coin(64);
-        body->CreateFixture(&coin, 1.0f)->SetRestitution(0.8f);
-        for (int i = 0; i < 120; ++i)
-            world.Step(1.0f / 60.0f, 8, 3);
-        body->SetTransform({0.0f, 9.0f}, 0.0f);
-        world.Step(1.0f / 60.0f, 8, 3);
-        run.Print("%d %d %d %d", told.begun, told.ended, told.preSolved, told.postSolved);
-        const bool right = told.begun > 1 && told.begun == told.ended && told.preSolved >= told.begun &&
-                           told.postSolved > 0 && told.unlike == 0;
-        if (!right)
-            run.Print("!not staged: beginnings and ends in pairs");
-    });
-}
-
-TEST_CASE("sensors are told of and nothing else") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run, {0.0f, -10.0f});
-        b2Body *still = game.Body(b2_staticBody, {0.0f, 0.0f});
-        game.Fixture(still, Coin(100), true);
-        game.Fixture(Falling(game, {0.1f, 2.0f}), Coin(64));
-        bool overlapped = false, manifold = false;
-        for (int i = 0; i < 80; ++i) {
-            game.Step();
-            for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext()) {
-                overlapped = overlapped || c->IsTouching();
-                manifold = manifold || c->GetManifold()->pointCount > 0;
-            }
-        }
-        game.Stage(overlapped && !manifold && game.world.GetContactCount() == 0, "it fell through");
-    });
-}
-
-namespace {
-
 /// A box of ten coins, plates and stones.
 void Mixed(Game &game, shapes::Engine &engine, int32 vertices) {
     game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), Chain());
@@ -153,18 +91,6 @@ void Mixed(Game &game, shapes::Engine &engine, int32 vertices) {
 
 } // namespace
 
-TEST_CASE("heaps move the same whatever proves that their pieces are apart") {
-    CheckSameAsStock([](Run &run) {
-        shapes::Engine engine(11);
-        for (const int32 vertices : {16, 100, 700}) {
-            Game game(run, {0.0f, -10.0f});
-            Mixed(game, engine, vertices);
-            game.Step(150);
-            game.Stage(game.Touching() > 8, "a heap");
-        }
-    });
-}
-
 TEST_CASE("bodies of many big shapes share a structure that holds their real polygons") {
     CheckSameAsStock([](Run &run) {
         Game game(run);
@@ -189,64 +115,6 @@ TEST_CASE("bodies of many big shapes share a structure that holds their real pol
         b->SetLinearVelocity(b2Mul(b2Rot(0.785f), b2Vec2(0.1f, -1.0f)));
         game.Step(60);
         game.Stage(a->GetLinearVelocity().Length() > 0.1f, "a collision");
-    });
-}
-
-TEST_CASE("contacts survive what is done to their bodies and fixtures") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run, {0.0f, -10.0f});
-        shapes::Engine engine(5);
-        Mixed(game, engine, 64);
-        game.Step(100);
-        b2Body *body = game.world.GetBodyList();
-        for (int i = 0; i < 9; ++i, body = body->GetNext()) {
-            b2Fixture *fixture = body->GetFixtureList();
-            switch (i) {
-            case 0:
-                body->SetType(b2_staticBody);
-                break;
-            case 1:
-                body->SetType(b2_kinematicBody);
-                break;
-            case 2:
-                fixture->SetSensor(true);
-                break;
-            case 3: {
-                b2Filter filter = fixture->GetFilterData();
-                filter.groupIndex = -1;
-                fixture->SetFilterData(filter);
-                break;
-            }
-            case 4:
-                body->SetEnabled(false);
-                break;
-            case 5:
-                body->SetTransform(body->GetPosition() + b2Vec2(0.0f, 1.0f), 1.0f);
-                break;
-            case 6:
-                body->DestroyFixture(fixture);
-                game.Fixture(body, Coin(33));
-                break;
-            case 7:
-                fixture->GetShape()->m_radius = 0.05f;
-                break;
-            default:
-                body->SetBullet(true);
-                break;
-            }
-            game.Step(10);
-            fixture = body->GetFixtureList();
-            body->SetType(b2_dynamicBody);
-            body->SetEnabled(true);
-            fixture->SetSensor(false);
-            game.Step(10);
-        }
-        game.world.ShiftOrigin({1.0f, 2.0f});
-        game.Step(10);
-        while (game.world.GetBodyCount() > 3) {
-            game.world.DestroyBody(game.world.GetBodyList());
-            game.Step(3);
-        }
     });
 }
 

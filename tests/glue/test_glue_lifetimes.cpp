@@ -37,13 +37,6 @@ void Coin(Game &game, b2Body *body, int count, float radius) {
     }
 }
 
-/// Three sides of a square of four, open to the right.
-void Cup(Game &game, b2Body *body) {
-    game.Box(body, 0.1f, 2.0f, {-2.0f, 0.0f});
-    game.Box(body, 2.0f, 0.1f, {0.0f, 2.0f});
-    game.Box(body, 2.0f, 0.1f, {0.0f, -2.0f});
-}
-
 /// Two slanted planks of two fixtures each, `across` apart, around a place.
 void Planks(Game &game, b2Vec2 place, float across, b2Body *bodies[2]) {
     for (int i = 0; i < 2; ++i) {
@@ -275,48 +268,6 @@ TEST_CASE("Evaluate may be called by anybody, with an uninitialised manifold and
     });
 }
 
-TEST_CASE("two worlds at once do not know of each other") {
-    CheckSameAsStock([](Run &run) {
-        Game one(run, {0.0f, -10.0f}), two(run, {0.0f, -9.0f});
-        Heap(one, 0.0f);
-        Heap(two, 0.1f);
-        for (int i = 0; i < 60; ++i) {
-            one.Step();
-            two.Step(2);
-        }
-        run.Expect(bmr::CertifiedSlack(one.world.GetBodyList(), two.world.GetBodyList()) == 0.0f,
-                   "no slack between worlds");
-    });
-}
-
-TEST_CASE("sleeping bodies that are woken, pushed and added to") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run, {0.0f, -10.0f});
-        b2Body *floor = game.Body(b2_staticBody, {0.0f, 0.0f});
-        game.Box(floor, 20.0f, 0.5f);
-        b2Body *bodies[5];
-        for (int i = 0; i < 5; ++i) {
-            bodies[i] = game.Body(b2_dynamicBody, {4.5f * static_cast<float>(i) - 8.0f, 0.75f});
-            game.Plank(bodies[i]);
-        }
-        game.Step(120);
-        game.Stage(!bodies[0]->IsAwake() && !bodies[4]->IsAwake(), "all sleep");
-        game.Box(bodies[1], 0.5f, 0.1f, {-2.2f, 0.0f}); // reaches into its neighbour, both asleep
-        game.Step(10);
-        bodies[2]->SetAwake(true);
-        game.Step(30);
-        bodies[4]->SetAwake(false);
-        bodies[3]->ApplyLinearImpulseToCenter({3.0f, 2.0f}, true);
-        game.Step(60);
-        for (b2Body *body : bodies)
-            body->SetAwake(false);
-        bodies[0]->SetTransform(bodies[1]->GetPosition() + b2Vec2(0.1f, 0.15f), 0.0f);
-        game.Step(10);
-        bodies[0]->SetAwake(true);
-        game.Step(60);
-    });
-}
-
 TEST_CASE("bodies of more than 64 hull vertices") {
     CheckSameAsStock([](Run &run) {
         Game game(run);
@@ -339,23 +290,6 @@ TEST_CASE("bodies of more than 64 hull vertices") {
     });
 }
 
-TEST_CASE("concave bodies, one inside the other's hull") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run);
-        b2Body *cup = game.Body(b2_dynamicBody, {0.0f, 0.0f});
-        Cup(game, cup);
-        b2Body *other = game.Body(b2_dynamicBody, {1.5f, 0.0f}, 0.75f * kPi);
-        Cup(game, other);
-        b2Body *inside = game.Body(b2_dynamicBody, {0.8f, 1.2f}, 0.1f);
-        game.Box(inside, 0.2f, 0.1f);
-        game.Box(inside, 0.1f, 0.2f, {0.1f, 0.1f});
-        inside->SetLinearVelocity({-1.0f, 0.7f});
-        other->SetLinearVelocity({0.3f, 0.1f});
-        other->SetAngularVelocity(0.3f);
-        game.Step(300);
-    });
-}
-
 TEST_CASE("beyond the reach all is left to Box2D's own arithmetic") {
     CheckSameAsStock([](Run &run) {
         for (const float far : {3000.0f, -10000.0f}) {
@@ -369,19 +303,5 @@ TEST_CASE("beyond the reach all is left to Box2D's own arithmetic") {
             bodies[1]->SetLinearVelocity(b2Mul(b2Rot(kSlant), b2Vec2(0.1f, -1.0f)));
             game.Step(60);
         }
-    });
-}
-
-TEST_CASE("bodies at NaN collide with nobody, as in stock") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run);
-        b2Body *bodies[2];
-        Planks(game, {0.0f, 0.0f}, 0.6f, bodies);
-        game.Step(3);
-        const float nan = std::numeric_limits<float>::quiet_NaN();
-        bodies[1]->SetTransform({nan, 0.0f}, nan);
-        game.Step(3);
-        bodies[1]->SetTransform({0.0f, 0.15f}, kSlant);
-        game.Step(3);
     });
 }
