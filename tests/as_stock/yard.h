@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "forked_world.h"
+#include "planks.h"
 
 /// @file
 /// A yard of couples, one for each way in which something is remembered of two shapes. In each couple one
@@ -16,14 +16,9 @@ namespace as_stock {
 using forked::CheckSameAsStock;
 using forked::Game;
 using forked::kAhead;
+using forked::kSlant;
 using forked::Run;
-
-constexpr float kSlant = 0.785398185f; // 45 degrees: boxes overlap long before what is in them does
-
-/// `along` and `across` something slanted.
-inline b2Vec2 Slanted(float along, float across) {
-    return b2Mul(b2Rot(kSlant), b2Vec2(along, across));
-}
+using forked::Slanted;
 
 /// Vertices of the body's polygons were changed in place: the glue alone is told.
 inline void Edited(const Run &run, b2Body *body) {

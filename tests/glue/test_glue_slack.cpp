@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "box2d_shapes.h"
+#include "convex_ground.h"
 #include "forked_world.h"
 #include "proofs/thresholds.h"
 #include "test_scale.h"
@@ -155,5 +156,60 @@ TEST_CASE("the certified slack is of the vertices as they are, whatever the norm
         run.Print("looked");
         run.Expect(asked == 5 && positive == 1, "there is something to check");
         run.Expect(tooLarge == 0, "never above the true distance");
+    });
+}
+
+namespace {
+
+/// Distance of two convex outlines, 0 where they overlap: by all pairs of a vertex and an edge.
+double DistanceOfReal(const b2Body *a, const b2Body *b, bool octagons) {
+    const b2Body *bodies[2] = {a, b};
+    std::vector<shapes::Point> outlines[2];
+    for (int i = 0; i < 2; ++i) {
+        const auto *shape = static_cast<const bmr::ConvexShape *>(bodies[i]->GetFixtureList()->GetShape());
+        const int32 count = octagons ? shape->m_count : shape->GetVertexCount();
+        for (int32 k = 0; k < count; ++k)
+            outlines[i].push_back(shapes::Place(bodies[i]->GetTransform(),
+                                                octagons ? shape->m_vertices[k] : shape->GetVertex(k)));
+    }
+    double least = INFINITY;
+    for (int i = 0; i < 2; ++i) {
+        const std::vector<shapes::Point> &own = outlines[i], &other = outlines[1 - i];
+        for (size_t k = 0; k < own.size(); ++k)
+            for (const shapes::Point &p : other)
+                least = std::min(least, shapes::DistanceToSegment(p, own[k], own[(k + 1) % own.size()]));
+    }
+    return least;
+}
+
+} // namespace
+
+TEST_CASE("the certified slack is never above the distance of the real polygons") {
+    CheckSameAsStock([](Run &run) {
+        shapes::Engine engine(13);
+        int positive = 0, tooLarge = 0, aboveUnlessOctagon = 0;
+        for (int round = 0; round < 150; ++round) {
+            Game game(run);
+            const int32 counts[2] = {9 + shapes::Below(engine, 20), 60 + shapes::Below(engine, 60)};
+            b2Body *bodies[2];
+            for (int i = 0; i < 2; ++i) {
+                bodies[i] = game.Body(b2_dynamicBody, {1.15f * static_cast<float>(i), 0.0f},
+                                      shapes::UniformF(engine, -3.0, 3.0));
+                bodies[i]->SetSleepingAllowed(false);
+                game.Fixture(bodies[i], ground::Coin(counts[i], i == 0 ? 0.5f : 0.6f));
+                bodies[i]->SetAngularVelocity(shapes::UniformF(engine, -2.0, 2.0));
+            }
+            for (int step = 0; step < 4; ++step) {
+                game.world.Step(1.0f / 60.0f, 8, 3);
+                const auto slack = static_cast<double>(bmr::CertifiedSlack(bodies[0], bodies[1]));
+                positive += slack > 0.0;
+                tooLarge += slack > DistanceOfReal(bodies[0], bodies[1], false);
+                aboveUnlessOctagon += slack < DistanceOfReal(bodies[0], bodies[1], true) - 0.01;
+            }
+        }
+        run.Print("%d", tooLarge);
+        run.Expect(tooLarge == 0, "never above");
+        run.Expect(positive > 300, "positive where there is room");
+        run.Expect(aboveUnlessOctagon > 300, "and the octagons' distance would be");
     });
 }

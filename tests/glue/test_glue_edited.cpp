@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Shapes that a game changes in place, unannounced. tests/faults takes the handling of each out of the glue
+// and expects the test case here to fail.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "planks.h"
+
+using namespace forked;
+
+TEST_CASE("a radius that is changed in place counts at once") {
+    CheckSameAsStock([](Run &run) {
+        const NoGameRuns quiet;
+        Game game(run);
+        TwoPlanks planks(game, 0.28f);
+        for (const float radius : {0.1f, 0.01f, 0.3f, 0.0f}) {
+            for (b2Fixture *f = planks.a->GetFixtureList(); f != nullptr; f = f->GetNext())
+                f->GetShape()->m_radius = radius;
+            game.Step();
+            game.Stage((game.Touching() > 0) == (radius > 0.05f), "the radius decides");
+            planks.a->SetTransform({0.0f, 0.0f}, kSlant);
+            planks.b->SetTransform(Slanted(0.0f, 0.28f), kSlant);
+            for (b2Body *body : {planks.a, planks.b}) {
+                body->SetLinearVelocity({0.0f, 0.0f});
+                body->SetAngularVelocity(0.0f);
+            }
+            game.Step();
+        }
+    });
+}
+
+TEST_CASE("vertices that are changed in place count in the next step that the glue is told of") {
+    CheckSameAsStock([](Run &run) {
+        const NoGameRuns quiet;
+        Game game(run);
+        TwoPlanks planks(game, 0.6f);
+        for (const float thickness : {0.55f, 0.1f, 0.6f}) {
+            auto *shape = static_cast<b2PolygonShape *>(planks.b->GetFixtureList()->GetShape());
+            shape->SetAsBox(1.0f, thickness, {1.0f, 0.0f}, 0.0f);
+            if (run.HasPlugin())
+                bmr::CurrentStep() = bmr::NextStep();
+            game.Step();
+            bmr::CurrentStep() = 0;
+            game.Stage((game.Touching() > 0) == (thickness > 0.5f), "the new vertices decide");
+            planks.a->SetTransform({0.0f, 0.0f}, kSlant);
+            planks.b->SetTransform(Slanted(0.0f, 0.6f), kSlant);
+            for (b2Body *body : {planks.a, planks.b}) {
+                body->SetLinearVelocity({0.0f, 0.0f});
+                body->SetAngularVelocity(0.0f);
+            }
+            game.Step();
+        }
+    });
+}
+
+TEST_CASE("each vertex that is changed in place is seen") {
+    CheckSameAsStock([](Run &run) {
+        for (int corners = 3; corners <= 8; ++corners) {
+            Game game(run);
+            TwoPlanks planks(game, 0.6f);
+            b2Vec2 points[8];
+            for (int i = 0; i < corners; ++i)
+                points[i] =
+                    0.3f *
+                    b2Rot(static_cast<float>(i) * 2.0f * b2_pi / static_cast<float>(corners)).GetXAxis();
+            auto *shape = static_cast<b2PolygonShape *>(planks.b->GetFixtureList()->GetShape());
+            shape->Set(points, corners);
+            for (int i = -1; i < corners; ++i) { // first that they are other vertices at all
+                if (i >= 0) {
+                    points[i] *= 1.01f;
+                    shape->Set(points, corners); // in the same order
+                }
+                if (run.HasPlugin())
+                    bmr::CurrentStep() = bmr::NextStep();
+                const uint64_t before = bmr::internal::ReadCounts().hulls;
+                game.Step();
+                bmr::CurrentStep() = 0;
+                game.Stage(game.Touching() == 0, "apart");
+                // (Where edges are remembered, the piece's contacts may be too few for a structure.)
+                run.Expect(!run.Counts() || run.RemembersEdges() ||
+                               bmr::internal::ReadCounts().hulls > before,
+                           "the hull is built anew");
+            }
+            const uint64_t before = bmr::internal::ReadCounts().hulls;
+            if (run.HasPlugin())
+                bmr::CurrentStep() = bmr::NextStep();
+            game.Step();
+            bmr::CurrentStep() = 0;
+            run.Expect(bmr::internal::ReadCounts().hulls == before, "control: nothing has changed");
+        }
+    });
+}
+
+namespace {
+
+/// Two diagonal rows of six boxes, one body each, in which one box of each is to become another quadrangle
+/// within its row. With the box's normals Box2D gives points of the two quadrangles, though they are apart.
+struct DiagonalRows {
+    explicit DiagonalRows(Game &game) {
+        for (int k = 0; k < 2; ++k) {
+            const float place = 0.25f * static_cast<float>(k);
+            b2Body *body = game.Body(b2_dynamicBody, {-place, place});
+            for (int i = 0; i < 6; ++i) {
+                const float at = 0.12f * (static_cast<float>(i) - 2.5f);
+                game.Box(body, 0.1f, 0.1f, {at, at});
+            }
+            shapes[k] = static_cast<b2PolygonShape *>(body->GetFixtureList()->GetShape());
+        }
+    }
+    void MoveVertices() {
+        for (int k = 0; k < 2; ++k)
+            for (int i = 0; i < 4; ++i)
+                shapes[k]->m_vertices[i].Set(kCorners[k][i][0], kCorners[k][i][1]);
+    }
+
+    static constexpr float kCorners[2][4][2] = {
+        {{0.177f, 0.156f}, {0.214f, 0.2f}, {0.162f, 0.178f}, {0.009f, 0.011f}},
+        {{-0.271f, -0.265f}, {0.262f, 0.103f}, {0.247f, 0.209f}, {-0.102f, 0.071f}}};
+    b2PolygonShape *shapes[2];
+};
+
+void InvalidateAll(Game &game) {
+    for (b2Body *body = game.world.GetBodyList(); body != nullptr; body = body->GetNext())
+        bmr::Invalidate(body);
+}
+
+} // namespace
+
+TEST_CASE("vertices that leave their normals, within the hull, are not proved apart by it") {
+    CheckSameAsStock([](Run &run) {
+        for (const bool tell : {false, true}) {
+            Game game(run, {0.0f, 0.0f});
+            DiagonalRows rows(game);
+            game.Step(5);
+            game.StagePairs();
+            game.Stage(game.Touching() == 0, "apart");
+            rows.MoveVertices();
+            if (run.HasPlugin() && tell)
+                InvalidateAll(game);
+            if (run.HasPlugin() && !tell)
+                bmr::CurrentStep() = bmr::NextStep();
+            game.Step();
+            bmr::CurrentStep() = 0;
+            game.Stage(game.Touching() == 1, "points of the two that were moved");
+        }
+    });
+}
+
+// Nobody sees by himself that normals were changed alone.
+TEST_CASE("normals that are changed in place count once the body is invalidated") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run, {0.0f, 0.0f});
+        DiagonalRows rows(game);
+        b2Vec2 ofBox[4];
+        std::copy_n(rows.shapes[0]->m_normals, 4, ofBox);
+        rows.MoveVertices();
+        for (b2PolygonShape *shape : rows.shapes)
+            for (int i = 0; i < 4; ++i) {
+                const b2Vec2 side = shape->m_vertices[(i + 1) % 4] - shape->m_vertices[i];
+                shape->m_normals[i].Set(side.y, -side.x);
+                shape->m_normals[i].Normalize();
+            }
+        game.Step(5);
+        game.StagePairs();
+        game.Stage(game.Touching() == 0, "apart");
+        for (b2PolygonShape *shape : rows.shapes)
+            std::copy_n(ofBox, 4, shape->m_normals);
+        if (run.HasPlugin())
+            InvalidateAll(game);
+        game.Step();
+        game.Stage(game.Touching() == 1, "points of the two that have other normals");
+    });
+}
+
+TEST_CASE("an edge that was edited away separates nothing") {
+    CheckSameAsStock([](Run &run) {
+        constexpr float kEighth = 0.785398185f;
+        Game game(run);
+        b2Body *middle = game.Body(b2_dynamicBody, {0.0f, 0.0f});
+        b2Vec2 corners[8];
+        for (int i = 0; i < 8; ++i)
+            corners[i] = b2Mul(b2Rot((static_cast<float>(i) + 0.5f) * kEighth), b2Vec2(0.5f, 0.0f));
+        b2PolygonShape octagon;
+        octagon.Set(corners, 8);
+        auto *shape = static_cast<b2PolygonShape *>(game.Fixture(middle, octagon)->GetShape());
+        // A corner of a box towards each face, so that the octagon's edge is the one to remember.
+        for (int i = 0; i < 8; ++i) {
+            const b2Rot there(static_cast<float>(i) * kEighth);
+            b2Body *body = game.Body(b2_dynamicBody, b2Mul(there, b2Vec2(0.78f, 0.0f)),
+                                     (static_cast<float>(i) + 1.0f) * kEighth);
+            game.Box(body, 0.12f, 0.12f);
+        }
+        game.Step(3);
+        game.Stage(game.Touching() == 0 && game.world.GetContactCount() >= 8, "a ring, apart");
+        shape->SetAsBox(0.75f, 0.75f);
+        if (run.HasPlugin())
+            bmr::Invalidate(middle);
+        game.Step();
+        game.Stage(game.Touching() >= 4, "the box reaches into the ring");
+        game.Step(10);
+    });
+}
