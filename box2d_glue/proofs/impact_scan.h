@@ -11,7 +11,8 @@ class b2Fixture;
 namespace bmr {
 
 /// The first question of b2World::SolveTOI in a step, answered for all pairs at once: which of them can
-/// touch? Nothing moves while the scan runs. So each shape is placed once, however many pairs it is in.
+/// touch? Nothing moves while the scan runs. So each shape is placed once, however many pairs it is in; and
+/// one that lies where it lay in an earlier scan is not placed again.
 class ImpactScan {
 public:
     /// Begins a scan in this thread's memory, and forgets the one before. nullptr without memory, and while
@@ -32,14 +33,26 @@ public:
     bool NeverTouch(const Side &a, const Side &b, bmr_vec32 guess, bool touching);
 
 private:
+    /// All that a SweptShape is made of, of a body that stays where it is.
+    struct Resting {
+        float center[6], angle[2]; ///< of the sweep
+        b2Rot rotation;
+        float radius;
+        int32 count; ///< of points; 0: the body moved
+        b2Vec2 points[BMR_SWEPT32_MOST];
+
+        bool IsOf(const b2DistanceProxy &proxy, const Side &side) const;
+        void Set(const b2DistanceProxy &proxy, const Side &side);
+    };
     struct Place {
         const b2Fixture *fixture;
         int32 child;
-        uint64_t scan; ///< in which scan it was filled
+        uint64_t scan; ///< in which scan it was last asked for
         SweptShape shape;
+        Resting resting;
     };
 
-    // 136 KB a thread that steps worlds. Two shapes that fall on one place take turns.
+    // 264 KB a thread that steps worlds. Two shapes that fall on one place take turns.
     static constexpr unsigned kPlaceBits = 9;
     using Places = Place[1u << kPlaceBits];
     const SweptShape &Shape(Places &places, const Side &side) const;

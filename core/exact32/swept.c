@@ -57,19 +57,27 @@ static lanes8 load(const bmr_vec32 *points, int32_t count) {
     return l;
 }
 
-/// radius, width and edge of the placed points.
+/// The least of each of four vectors, side by side.
+static float4 least_of_each4(float4 a, float4 b, float4 c, float4 d) {
+    const float4 ab = min4(zip_low4(a, b), zip_high4(a, b)), cd = min4(zip_low4(c, d), zip_high4(c, d));
+    return min4(lows4(ab, cd), highs4(ab, cd));
+}
+
+/// radius, width, edge and least of the placed points.
 static void measure(bmr_swept32 *shape, const lanes8 *l, int32_t count) {
     const float4 r0 = length2(l->x[0], l->y[0]), r1 = length2(l->x[1], l->y[1]);
     // A NaN would slip through the maxima below.
     const int broken = any4(unordered4(r0, r1));
     shape->radius = broken ? INFINITY : root_of4(most_of4(max4(r0, r1)));
+    const float4 most_x = max4(l->x[0], l->x[1]), most_y = max4(l->y[0], l->y[1]);
+    store4(shape->least, least_of_each4(min4(l->x[0], l->x[1]), sub4(zero4(), most_x), min4(l->y[0], l->y[1]),
+                                        sub4(zero4(), most_y)));
     if (count < 2) {
         shape->width = 0.0f;
         shape->edge = FLT_MAX;
         return;
     }
-    const float dx = most_of4(max4(l->x[0], l->x[1])) - least_of4(min4(l->x[0], l->x[1]));
-    const float dy = most_of4(max4(l->y[0], l->y[1])) - least_of4(min4(l->y[0], l->y[1]));
+    const float dx = -shape->least[1] - shape->least[0], dy = -shape->least[3] - shape->least[2];
     shape->width = root_of4(dx * dx + dy * dy);
     // The side after the last point ends in a lane that repeats the first.
     const float4 e0 =
@@ -186,6 +194,25 @@ static inline bool keeps_apart(const question *q, bmr_vec32 n, float *found) {
     return *found - q->swing > q->apart || (q->swing > 0.0f && apart_at_both_ends(q, n, at_end));
 }
 
+/// x, -x, y, -y
+static float4 both_ways(bmr_vec32 v) {
+    return lows4(zip_low4(all4(v.x), all4(-v.x)), zip_low4(all4(v.y), all4(-v.y)));
+}
+
+/// The same for the two axes and their opposites at once. Most shapes that are near each other and do not
+/// meet are told apart by one of them.
+static bool axis_keeps_apart(const question *q, bmr_vec32 *axis) {
+    static const bmr_vec32 axes[4] = {{1.0f, 0.0f}, {-1.0f, 0.0f}, {0.0f, 1.0f}, {0.0f, -1.0f}};
+    const float4 gap = add4(load4(q->b->least), swap4(load4(q->a->least)));
+    const float4 slides = min4(zero4(), both_ways(q->back)); // a NaN stays one
+    const float4 found = add4(add4(both_ways(q->between), gap), slides);
+    const unsigned apart = bits4(less4(all4(q->apart + q->swing), found));
+    if (apart == 0 || any4(unordered4(found, found)))
+        return false;
+    *axis = axes[lowest_bit(apart)];
+    return true;
+}
+
 /// The point of the segment from p to q that is closest to the origin.
 static bmr_vec32 closest_on_segment(bmr_vec32 p, bmr_vec32 q) {
     const bmr_vec32 e = minus(q, p);
@@ -278,8 +305,9 @@ bmr_swept32_answer bmr_swept32_compare(const bmr_swept32 *a, const bmr_swept32 *
                                        bmr_vec32 *direction) {
     const question q = ask(a, b, apart, near);
     const bmr_vec32 hint = *direction;
-    if (!(dot(hint, hint) > 0.0f))
-        return search(&q, between_middles(&q), direction);
+    const bool hinted = dot(hint, hint) > 0.0f;
     float found;
-    return keeps_apart(&q, hint, &found) ? BMR_SWEPT32_APART : search(&q, hint, direction);
+    if ((hinted && keeps_apart(&q, hint, &found)) || axis_keeps_apart(&q, direction))
+        return BMR_SWEPT32_APART;
+    return search(&q, hinted ? hint : between_middles(&q), direction);
 }

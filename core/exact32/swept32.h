@@ -34,9 +34,10 @@ typedef struct bmr_swept32 {
     bmr_vec32 end;                                  ///< centre at the end
     bmr_vec32 back;                                 ///< from there to the centre at the start
     float turn;                                     ///< as in the motion
-    float radius; ///< no point is farther from the centre; infinite where a coordinate is not finite
-    float width;  ///< no two points are farther apart
-    float edge;   ///< length of the shortest side; FLT_MAX of a single point
+    float radius;   ///< no point is farther from the centre; infinite where a coordinate is not finite
+    float width;    ///< no two points are farther apart
+    float edge;     ///< length of the shortest side; FLT_MAX of a single point
+    float least[4]; ///< of x, -x, y and -y of the points
 } bmr_swept32;
 
 /// `points` in convex position and in order, 1 to 8 of them; from 3 on they must lie in an array of 8 (what
@@ -53,7 +54,8 @@ typedef enum bmr_swept32_answer {
 /// Are the two farther apart than `apart` along one fixed direction during all of the motion, or nearer than
 /// `near` (at most `apart`)? True up to rounding. `direction`, from a to b, of unit length or zero, is tried
 /// first and replaced by the one that keeps them apart, if one is found. About 50 instructions where the
-/// first holds; a search of at most 8 more, each a step of Gilbert, Johnson and Keerthi's, where it does not.
+/// first holds, and as many where one of the axes does; else a search of at most 8 more, each a step of
+/// Gilbert, Johnson and Keerthi's.
 /// Anything that is not a number: unknown. Nothing of finite numbers raises FE_INVALID or FE_DIVBYZERO.
 bmr_swept32_answer bmr_swept32_compare(const bmr_swept32 *a, const bmr_swept32 *b, float apart, float near,
                                        bmr_vec32 *direction);
