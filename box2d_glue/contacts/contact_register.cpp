@@ -8,6 +8,7 @@
 #include <box2d/b2_fixture.h>
 
 #include "contacts/convex_contact.h"
+#include "contacts/edge_contact.h"
 #include "contacts/polygon_contact.h"
 #include "start/process_locks.h"
 #include "start/recognise.h"
@@ -109,6 +110,13 @@ void RegisterPolygonContacts() {
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Registering));
     PolygonContact::LearnVtable();
     Layer<PolygonContact>::Register(b2Shape::e_polygon, b2Shape::e_polygon);
+}
+
+void RegisterEdgeContacts() {
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Registering));
+    EdgeContact::LearnVtable();
+    Layer<EdgeContact>::Register(b2Shape::e_edge, b2Shape::e_polygon);
+    Layer<EdgeContact>::Register(b2Shape::e_chain, b2Shape::e_polygon);
 }
 
 bmr_error RegisterConvexContacts() {

@@ -22,6 +22,9 @@ bmr_error RegisterConvexContacts();
 /// knows that Box2D is one that the glue knows.
 void RegisterPolygonContacts();
 
+/// The same of contacts of edges and chains with polygons (EdgeContact), where Box2DCollidesEdgesAsExact32.
+void RegisterEdgeContacts();
+
 /// Why the Box2D of this process must be left alone (recognise.h), found out once for the process, on the
 /// first call from any thread; again if there was no memory to find it out.
 const char *WhyThisBox2DIsUnknown();

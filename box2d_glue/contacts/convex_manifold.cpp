@@ -16,20 +16,6 @@ namespace {
 /// Box2D's: the second polygon's face must be better by this to be the reference.
 constexpr float kTolerance = 0.1f * b2_linearSlop;
 
-bmr_edge32 Edge32(const b2EdgeShape &edge) {
-    return {*Vectors32(&edge.m_vertex0), *Vectors32(&edge.m_vertex1), *Vectors32(&edge.m_vertex2),
-            *Vectors32(&edge.m_vertex3), edge.m_oneSided};
-}
-
-/// Of an edge, or of a link of a chain.
-bmr_edge32 EdgeOf(const b2Fixture *fixture, int32 child) {
-    if (fixture->GetType() == b2Shape::e_edge)
-        return Edge32(*static_cast<const b2EdgeShape *>(fixture->GetShape()));
-    b2EdgeShape link;
-    static_cast<const b2ChainShape *>(fixture->GetShape())->GetChildEdge(&link, child);
-    return Edge32(link);
-}
-
 /// The polygon of a fixture, with its seams or without.
 bmr_convex32 PolygonWith(Seams seams, const b2Fixture &fixture) {
     bmr_convex32 polygon = RealPolygon(fixture);
@@ -39,6 +25,14 @@ bmr_convex32 PolygonWith(Seams seams, const b2Fixture &fixture) {
 }
 
 } // namespace
+
+bmr_edge32 EdgeOf(const b2Fixture *fixture, int32 child) {
+    if (fixture->GetType() == b2Shape::e_edge)
+        return Edge32(*static_cast<const b2EdgeShape *>(fixture->GetShape()));
+    b2EdgeShape link;
+    static_cast<const b2ChainShape *>(fixture->GetShape())->GetChildEdge(&link, child);
+    return Edge32(link);
+}
 
 float TwoFixtures::RadiusSum() const {
     return a->GetShape()->m_radius + b->GetShape()->m_radius;

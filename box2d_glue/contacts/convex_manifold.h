@@ -20,6 +20,9 @@ struct TwoFixtures {
     float RadiusSum() const;
 };
 
+/// Of an edge, or of a link of a chain.
+bmr_edge32 EdgeOf(const b2Fixture *fixture, int32 child);
+
 enum class Seams { Known, Ignored };
 
 /// The manifold of two fixtures at least one of which is a big polygon, by all vertices. Where seams are

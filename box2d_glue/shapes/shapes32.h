@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include <box2d/b2_collision.h>
+#include <box2d/b2_edge_shape.h>
 #include <box2d/b2_polygon_shape.h>
 
 #include "exact32/exact32.h"
@@ -48,6 +49,11 @@ inline bmr_manifold32 *Manifold32(b2Manifold *manifold) {
 
 inline const bmr_manifold32 *Manifold32(const b2Manifold *manifold) {
     return reinterpret_cast<const bmr_manifold32 *>(manifold);
+}
+
+inline bmr_edge32 Edge32(const b2EdgeShape &edge) {
+    return {*Vectors32(&edge.m_vertex0), *Vectors32(&edge.m_vertex1), *Vectors32(&edge.m_vertex2),
+            *Vectors32(&edge.m_vertex3), edge.m_oneSided};
 }
 
 } // namespace bmr

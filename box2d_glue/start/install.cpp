@@ -12,6 +12,7 @@
 #include "start/process_locks.h"
 #include "start/reach.h"
 #include "start/recognise.h"
+#include "start/rounding_probe.h"
 #include "start/settings.h"
 #include "start/this_process.h"
 #include "tell/trial.h"
@@ -76,6 +77,8 @@ bool InstallHere(const Options &given) {
     if (!MakeSettings(options, WhyNoPassRuns()))
         return Refuse("there is no memory");
     RegisterPolygonContacts();
+    if (GetSettings().sameRounding && Box2DCollidesEdgesAsExact32())
+        RegisterEdgeContacts();
     ActivateHooks();
     installed = true;
     if (options.mode == Mode::Verify)

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include <box2d/b2_collision.h>
+#include <box2d/b2_edge_shape.h>
 #include <box2d/b2_polygon_shape.h>
 
 #include "shapes/shapes32.h"
@@ -90,7 +91,48 @@ int AgreesOf(CollideByFace byFace, const Overlapping &pair) {
     return std::memcmp(&whole, &known, sizeof whole) == 0 ? 1 : 0;
 }
 
+/// The i-th of many links with a polygon about one of its ends.
+bool EdgeAgrees(int i, b2Manifold *manifold) {
+    const float x = static_cast<float>(i), at = 0.1f * static_cast<float>(i % 12) - 0.05f;
+    const Overlapping shapes(i);
+    const b2Vec2 bend(0.0f, 0.4f * std::sin(2.3f * x)), first(-0.9f, 0.1f), second(0.8f, 0.13f * std::cos(x));
+    b2EdgeShape edge;
+    edge.m_vertex0 = Overlapping::kSize * (first + bend - b2Vec2(1.1f, 0.0f));
+    edge.m_vertex1 = Overlapping::kSize * first;
+    edge.m_vertex2 = Overlapping::kSize * second;
+    edge.m_vertex3 = Overlapping::kSize * (second - bend + b2Vec2(1.3f, 0.0f));
+    edge.m_oneSided = i % 4 != 0;
+    const b2PolygonShape &polygon = i % 2 == 0 ? shapes.a : shapes.b;
+    b2Transform xfB = shapes.xfB;
+    const b2Vec2 place = edge.m_vertex1 + at * (edge.m_vertex2 - edge.m_vertex1);
+    xfB.p = b2Mul(shapes.xfA, place - b2Vec2(0.0f, 0.004f * std::sin(3.1f * x) * Overlapping::kSize)) -
+            b2Mul(xfB.q, polygon.m_vertices[i % polygon.m_count]);
+    b2Manifold ours;
+    std::memset(static_cast<void *>(&ours), 0, sizeof ours);
+    std::memset(static_cast<void *>(manifold), 0, sizeof *manifold);
+    b2CollideEdgeAndPolygon(manifold, &edge, shapes.xfA, &polygon, xfB);
+    const bmr_polygon32 other = Polygon32(polygon);
+    const bmr_edge32 link = Edge32(edge);
+    return bmr_exact32_collide_edge(Manifold32(&ours), &link, Transform32(shapes.xfA), &other,
+                                    *Vectors32(&polygon.m_centroid), Transform32(xfB),
+                                    polygon.m_radius + edge.m_radius) &&
+           // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bits, and all of them were written
+           std::memcmp(&ours, manifold, sizeof ours) == 0;
+}
+
 } // namespace
+
+bool Box2DCollidesEdgesAsExact32() {
+    constexpr int kProbes = 96, kLeast = kProbes / 16;
+    int points[3] = {};
+    for (int i = 0; i < kProbes; ++i) {
+        b2Manifold manifold;
+        if (!EdgeAgrees(i, &manifold))
+            return false;
+        ++points[manifold.pointCount];
+    }
+    return points[0] >= kLeast && points[1] >= kLeast && points[2] >= kLeast;
+}
 
 void SetCollideByFace(CollideByFace function) {
     collideByFace.store(function, std::memory_order_relaxed);

@@ -17,6 +17,10 @@ namespace bmr {
 /// to exactly the separation that exact32 computes, and to one float less.
 bool Box2DRoundsAsExact32();
 
+/// Does its b2CollideEdgeAndPolygon give the bits of bmr_exact32_collide_edge? Found out on links and
+/// polygons of all kinds: a game may compile a Box2D whose rules for edges it has changed.
+bool Box2DCollidesEdgesAsExact32();
+
 /// b2CollidePolygons where the reference face is known: an edge of A, or BMR_EDGES_OF_B32 plus one of B. The
 /// same manifold, without the search for the face.
 using CollideByFace = void (*)(b2Manifold *manifold, const b2PolygonShape *a, const b2Transform &xfA,

@@ -54,12 +54,6 @@ void bmr_convex32_collide_circle(bmr_manifold32 *manifold, const bmr_convex32 *p
                                  const bmr_transform32 *pose_circle, float radius_sum,
                                  bmr_convex32_memory *memory);
 
-/// An edge, one-sided or not: Box2D's b2EdgeShape.
-typedef struct bmr_edge32 {
-    bmr_vec32 before, first, second, after; ///< before and after: the ghosts of a one-sided one
-    bool one_sided;
-} bmr_edge32;
-
 /// An edge (A) and a polygon (B): Box2D's b2CollideEdgeAndPolygon, with four differences past 8 vertices,
 /// where its rules are only good for few and long faces:
 /// - A one-sided edge leaves what lies beyond its neighbours' normals to them. Box2D does so from a sine of

@@ -111,6 +111,19 @@ enum { BMR_NO_EDGE32 = -1, BMR_EDGES_OF_B32 = 8, BMR_SEPARATES32 = 16 };
 int32_t bmr_exact32_collide(bmr_manifold32 *manifold, const bmr_polygon32 *a, const bmr_transform32 *pose_a,
                             const bmr_polygon32 *b, const bmr_transform32 *pose_b, float radius_sum,
                             float tolerance);
+/// An edge, one-sided or not: Box2D's b2EdgeShape.
+typedef struct bmr_edge32 {
+    bmr_vec32 before, first, second, after; ///< before and after: the ghosts of a one-sided one
+    bool one_sided;
+} bmr_edge32;
+
+/// How an edge and a polygon of 3 to 8 vertices touch: the manifold of Box2D's b2CollideEdgeAndPolygon, to
+/// the bit, written as bmr_exact32_collide writes it. False where a number is not finite, or where one is too
+/// large: the manifold is Box2D's to make.
+bool bmr_exact32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
+                              const bmr_transform32 *pose_edge, const bmr_polygon32 *polygon,
+                              bmr_vec32 centroid, const bmr_transform32 *pose, float radius_sum);
+
 /// The face that b2CollidePolygons takes for the reference of two polygons of 3 to 8 vertices, however its
 /// formulas are rounded (see bmr_exact32_separates_contracted): an edge of A, or BMR_EDGES_OF_B32 plus one of
 /// B. Where a face separates the two by more than their skins for certain, so that there are no points,
