@@ -88,13 +88,10 @@ void EdgeContact::EvaluateByBox2D(b2Manifold *manifold, const b2Transform &xfA,
 }
 
 void EdgeContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
-    if (!Verifying()) {
-        if (!EvaluateHere(manifold, xfA, xfB))
-            EvaluateByBox2D(manifold, xfA, xfB);
+    const bool made = EvaluateHere(manifold, xfA, xfB);
+    if (made && !Verifying())
         return;
-    }
-    b2Manifold ours = *manifold;
-    const bool made = EvaluateHere(&ours, xfA, xfB);
+    const b2Manifold ours = *manifold;
     EvaluateByBox2D(manifold, xfA, xfB);
     if (made)
         VerifyManifold(m_fixtureA, m_fixtureB, ours, *manifold);
