@@ -71,6 +71,10 @@ TEST_CASE(
             shots.back()->SetBullet(true);
         }
         game.Listen();
+        first->SetLinearVelocity({240.0f, 0.0f});
+        game.Step(); // in which they are looked at as bullets
+        first->SetTransform({-2.0f, -30.0f}, 0.0f);
+        first->SetLinearVelocity({0.0f, 0.0f});
         game.Step(3);
         first->SetLinearVelocity({240.0f, 0.0f});
         for (b2Body *shot : shots) {
