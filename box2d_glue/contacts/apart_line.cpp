@@ -159,7 +159,7 @@ namespace {
 /// beyond it.
 bool BeginProof(Ledger *ledger, uint32_t record, double *soon) {
     constexpr double kFatBoxes = 6.0 * static_cast<double>(b2_aabbExtension);
-    if (!ledger->WaitsForProof(record)) {
+    if (!ledger->CountDownWait(record)) {
         *soon = 2.0 * (ExpectedMotion(ledger->GetMovers()[ledger->At(record).a]) +
                        ExpectedMotion(ledger->GetMovers()[ledger->At(record).b]));
         if (*soon <= kFatBoxes) {

@@ -310,7 +310,7 @@ void CollidePass::Run() {
     m_word = m_at / 64 + 1;
     if (Verifying()) {
         while (m_at-- > 0)
-            if (m_ledger->Contact(m_at) != nullptr && m_ledger->IsWatchedByNow(m_at))
+            if (m_ledger->Contact(m_at) != nullptr && m_ledger->WatchIfAwake(m_at))
                 Verify(m_at);
         m_at = 0;
     } else {
@@ -333,7 +333,7 @@ void CollidePass::End() {
 void Collide(b2ContactManager *manager) {
     const ModestyCheck check(WorldOf(*manager), true);
     Ledger *const ledger = RoundsToNearest() ? LedgerForStep(manager) : nullptr;
-    if (ledger != nullptr && !ledger->MayHaveUnlisted() && ledger->Pays() && ledger->Follow()) {
+    if (ledger != nullptr && !ledger->MayHaveUnlisted() && ledger->NextStepPays() && ledger->Follow()) {
         CollidePass(ledger, manager).Run();
         return;
     }

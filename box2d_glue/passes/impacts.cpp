@@ -95,7 +95,7 @@ void ImpactPass::Run() {
         m_pass->Complete();
 }
 
-bool ImpactPass::FindsNone() {
+bool ImpactPass::RunIfNone() {
     if (!(m_world->*Named(StepComplete())) || m_world->GetSubStepping() || !MayUseHeap())
         return false;
     BeginBodies();
@@ -153,7 +153,7 @@ bool ImpactPass::SearchByLedger(bool all) {
             left &= ~(uint64_t{1} << bit);
             if (i >= m_ledger->Count() || m_ledger->Contact(i) == nullptr)
                 continue;
-            if (!m_ledger->MayImpact(i))
+            if (!m_ledger->LookForImpact(i))
                 continue;
             if (!SearchPair(i))
                 return false;

@@ -28,13 +28,13 @@ class IslandSolver;
 /// does it. Either way a pair that is proved apart over its whole motion is not asked.
 class ImpactPass {
 public:
-    /// Without a solver: for FindsNone alone.
+    /// Without a solver: for RunIfNone alone.
     ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver);
 
     void Run();
     /// If there is no solver of islands: is it certain that the step has no impact? All is then as Box2D
     /// would leave it.
-    bool FindsNone();
+    bool RunIfNone();
 
 private:
     bool MayUseHeap() const;

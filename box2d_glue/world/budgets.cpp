@@ -24,7 +24,7 @@ bool Ledger::Renew(uint32_t i, double threshold) {
     return true;
 }
 
-bool Ledger::WaitsForProof(uint32_t i) {
+bool Ledger::CountDownWait(uint32_t i) {
     Patience &patience = m_patience[i];
     if ((m_bits[i] & kHasLine) != 0) {
         // It was made, and is used up. Did it spare a look?

@@ -44,7 +44,7 @@ public:
     /// Is the next pass to be made, or left out because too many pairs are looked at in every one? To be
     /// asked once a step, ahead of Follow. A world whose pairs nearly all touch, or move too fast for a
     /// budget, is stepped by its list for a while, and tried again.
-    bool Pays();
+    bool NextStepPays();
     /// A step of the world went by without a pass: every pair is due in the next one. If that was inside a
     /// step that has one, it is not known which pairs touch in the rest of it.
     void Interrupt() {
@@ -123,9 +123,8 @@ public:
     bool Touches(uint32_t i) const { return m_touching.Has(i); }
     /// Those of the 64 pairs of this word.
     uint64_t TouchingOf(uint32_t word) const { return word < m_touching.Words() ? m_touching.Word(word) : 0; }
-    /// Is one of its bodies awake, or was it when the pass began? Watched from here on where one has woken
-    /// since.
-    bool IsWatchedByNow(uint32_t i) {
+    /// Watches the pair if one of its bodies has woken since the pass began. Is it watched?
+    bool WatchIfAwake(uint32_t i) {
         const Record record = m_records[i];
         if (!IsWatched(i) && (m_movers.IsActiveNow(record.a) || m_movers.IsActiveNow(record.b)))
             Watch(i);
@@ -149,8 +148,8 @@ public:
     void Rest(uint32_t i);
     /// Renews a pair by its own line; false where that proves nothing.
     bool Renew(uint32_t i, double threshold);
-    /// Was the last proof too short-lived to be worth another one so soon? To be asked once a look.
-    bool WaitsForProof(uint32_t i);
+    /// Counts a look. Is it too early for another proof, because the last one was short-lived?
+    bool CountDownWait(uint32_t i);
     /// It is not to be had, or did not last.
     void ProvedInVain(uint32_t i);
     /// Reads all that a proof of the two needs; false if they are to have none. Call Prove or SetDue next.
@@ -184,14 +183,14 @@ public:
     /// `careful`: code of the game may have run since the look at the movers.
     void BeginSearch(bool careful);
     /// Those of the 64 pairs of this word that a search comes by: of `all`, or of those that are watched, the
-    /// ones that MayImpact says more of.
+    /// ones that LookForImpact says more of.
     uint64_t ToSearch(uint32_t word, bool all) const {
         return (all ? ~uint64_t{0} : WatchedOf(word)) & (word < m_stops.Words() ? m_stops.Word(word) : 0);
     }
-    /// May Box2D look for an impact of the two at all: one moves, and one of them is not to be tunnelled
-    /// through?
-    bool MayImpact(uint32_t i) {
-        if (MayNotImpact(i))
+    /// Looks at the two's sweeps. May Box2D look for an impact at all: one moves, and one of them is not to
+    /// be tunnelled through?
+    bool LookForImpact(uint32_t i) {
+        if (RuleOutImpact(i))
             return false;
         const Record record = m_records[i];
         m_movers.LookAtSweep(record.a, m_look);
@@ -281,7 +280,7 @@ private:
     /// The two could not impact when they were last looked at: by the pass or, where code of the game may
     /// have run since, by the search. Without such code they cannot now. (What else decides of it is looked
     /// at where this says nothing.)
-    bool MayNotImpact(uint32_t i) {
+    bool RuleOutImpact(uint32_t i) {
         if (m_sweepsCarefully && StopsInSweeps(i))
             return false;
         const uint8_t a = m_movers.Bits(m_records[i].a), b = m_movers.Bits(m_records[i].b);
@@ -293,7 +292,7 @@ private:
     void TrimEnd();
     void PrefetchLookAgain(uint32_t rows, uint32_t shapes) const;
     void LookAgainAt(uint32_t row) {
-        if (m_movers.LookedAt(row) != m_look && !(m_locked && m_movers.IsAsBefore(row, m_look)))
+        if (m_movers.LookedAt(row) != m_look && !(m_locked && m_movers.ConfirmAsBefore(row, m_look)))
             m_movers.Look(row, m_manager->m_broadPhase, m_look, true);
     }
     bool StopsInSweeps(uint32_t i) const {
@@ -346,10 +345,10 @@ private:
     bool m_withoutDynamic = false; ///< see MayLackDynamic
     bool m_interrupted = false;
     bool m_locked = false;          ///< the world was, since the last look at all movers
-    bool m_sweepsCarefully = false; ///< see BeginSearch, MayNotImpact
+    bool m_sweepsCarefully = false; ///< see BeginSearch, RuleOutImpact
     bool MostOf(uint64_t pairs) const { return 2 * pairs > static_cast<uint64_t>(m_live); }
 
-    uint32_t m_triedPasses = 0, m_restingSteps = 0; ///< see Pays
+    uint32_t m_triedPasses = 0, m_restingSteps = 0; ///< see NextStepPays
     uint64_t m_triedLooks = 0, m_triedPairs = 0;
 };
 

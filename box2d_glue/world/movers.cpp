@@ -323,7 +323,7 @@ void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, b
     m_moved[row] = mover.motion.moved;
 }
 
-bool Movers::IsAsBefore(uint32_t row, uint64_t look) {
+bool Movers::ConfirmAsBefore(uint32_t row, uint64_t look) {
     constexpr uint8_t kFlags = kActive | kStops | kIsSensor;
     const Mover &mover = m_rows[row];
     if (mover.proved == 0 || (m_bits[row] & kLookedAt) == 0 || (FlagsOf(mover) ^ m_bits[row]) & kFlags)

@@ -84,7 +84,7 @@ public:
     /// The same for a row that was looked at in this pass, of a world that was locked ever since: Box2D then
     /// refuses to move bodies, and nothing changes their boxes. What a game still can change is compared, a
     /// third of a look. False if that has changed: then look.
-    bool IsAsBefore(uint32_t row, uint64_t look);
+    bool ConfirmAsBefore(uint32_t row, uint64_t look);
     /// A contact of the row gets a line. With the first one the row is read in full, and what it finds is no
     /// motion.
     void AddProof(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look) {

@@ -143,7 +143,7 @@ uint32_t Ledger::NextDue(uint32_t end) {
             if (IsWatched(end - kAhead) && IsDue(end - kAhead))
                 ContactNumber::Prefetch(m_contacts[end - kAhead]);
         }
-        if (m_contacts[end] == nullptr || !IsWatchedByNow(end))
+        if (m_contacts[end] == nullptr || !WatchIfAwake(end))
             continue;
         if ((m_bits[end] & kHasLine) == 0)
             return end; // due, for any motion of its movers

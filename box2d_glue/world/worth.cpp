@@ -9,7 +9,7 @@ namespace {
 constexpr uint32_t kPassesToTry = 32, kStepsToRest = 8 * kPassesToTry;
 } // namespace
 
-bool Ledger::Pays() {
+bool Ledger::NextStepPays() {
     if (m_restingSteps == 0 || WorksEverywhere())
         return true;
     --m_restingSteps;

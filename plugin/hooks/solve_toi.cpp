@@ -22,7 +22,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     Ledger *const ledger = FindLedger(&m_contactManager);
     if (PassesRun(HookOf::SolveToi) &&
         (bmr::SolveTOI(this, step) ||
-         (!StepUnderWay::IsInner() && ImpactPass(this, step, nullptr).FindsNone())))
+         (!StepUnderWay::IsInner() && ImpactPass(this, step, nullptr).RunIfNone())))
         return;
     if (ledger != nullptr) {
         ledger->Owed().EnableDownTo(0);
