@@ -59,6 +59,14 @@ struct Island {
     bool isDone, isSolved; ///< its position iterations: all are done; the last one was enough
 };
 
+/// Is a coordinate of one of the bodies NaN? `coordinates`: three of each, as b2Position and b2Velocity have.
+inline bool HasNan(const float *coordinates, const Island &island) {
+    bool hasNan = false;
+    for (uint32_t i = 3 * island.firstBody; i < 3 * island.endBody; ++i)
+        hasNan = hasNan || coordinates[i] != coordinates[i];
+    return hasNan;
+}
+
 /// The contacts of islands, one after the other, with the bits of Box2D's b2ContactSolver.
 class ContactSolver {
 public:

@@ -174,7 +174,7 @@ bool IslandSolver::SolveTogether(Island *islands, uint32_t count) {
     IntegratePositions(all);
     const float solved = timer.GetMilliseconds();
     SolvePositions(islands, count);
-    if (count > 1 && HasNan(all)) {
+    if (count > 1 && (HasNan(&m_positions[0].c.x, all) || HasNan(&m_velocities[0].v.x, all))) {
         m_jointSolver.PutBack(all);
         return false;
     }
@@ -270,14 +270,6 @@ bool IslandSolver::SolvePositions(const Island &island) {
         if (m_jointSolver.SolvePositions(island) && contactsAreSolved)
             return true;
     }
-    return false;
-}
-
-bool IslandSolver::HasNan(const Island &island) const {
-    const auto isNan = [](const b2Vec2 &v, float w) { return v.x != v.x || v.y != v.y || w != w; };
-    for (uint32_t i = island.firstBody; i < island.endBody; ++i)
-        if (isNan(m_positions[i].c, m_positions[i].a) || isNan(m_velocities[i].v, m_velocities[i].w))
-            return true;
     return false;
 }
 

@@ -93,7 +93,6 @@ private:
     void SolveVelocities(const Island &island);
     void SolvePositions(Island *islands, uint32_t count);
     bool SolvePositions(const Island &island);
-    bool HasNan(const Island &island) const;
     void StoreBodies(const Island &island);
     void Report(const Island &island);
     void Sleep(const Island &island);

@@ -40,14 +40,9 @@ bool JointSolver::HaveTwoBodies(const Island &island) const {
 
 void JointSolver::InitializeVelocities(const Island &island) {
     for (uint32_t i = island.firstJoint; i < island.endJoint; ++i) {
-        std::memcpy(&m_before[i], m_joints[i] + 1, kSizes[m_joints[i]->GetType()]);
+        std::memcpy(&m_before[kMostBytes * i], m_joints[i] + 1, kSizes[m_joints[i]->GetType()]);
         (m_joints[i]->*Named(InitVelocityConstraints()))(m_data);
     }
-}
-
-void JointSolver::SolveVelocities(const Island &island) const {
-    for (uint32_t i = island.firstJoint; i < island.endJoint; ++i)
-        SolveVelocity(i);
 }
 
 bool JointSolver::SolvePositions(const Island &island) const {
@@ -61,7 +56,8 @@ bool JointSolver::SolvePositions(const Island &island) const {
 
 void JointSolver::PutBack(const Island &island) const {
     for (uint32_t i = island.firstJoint; i < island.endJoint; ++i)
-        std::memcpy(static_cast<void *>(m_joints[i] + 1), &m_before[i], kSizes[m_joints[i]->GetType()]);
+        std::memcpy(static_cast<void *>(m_joints[i] + 1), &m_before[kMostBytes * i],
+                    kSizes[m_joints[i]->GetType()]);
 }
 
 } // namespace bmr

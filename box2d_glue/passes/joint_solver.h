@@ -19,7 +19,7 @@ public:
     static constexpr uint32_t kMostBytes = 256; ///< of a joint, behind what all types have
 
     /// Room for so many. False without memory, and nothing has changed.
-    bool Reserve(uint32_t joints) { return m_before.Reserve(joints); }
+    bool Reserve(uint32_t joints) { return m_before.Reserve(kMostBytes * joints); }
 
     /// `joints` and the arrays of bodies stay until all is solved.
     void Begin(b2Joint *const *joints, const b2SolverData &data) {
@@ -32,20 +32,20 @@ public:
 
     /// Impulses become those of the step before, which move the bodies, or none.
     void InitializeVelocities(const Island &island);
-    void SolveVelocities(const Island &island) const;
     void SolveVelocity(uint32_t i) const { (m_joints[i]->*Named(SolveVelocityConstraints()))(m_data); }
+    void SolveVelocities(const Island &island) const {
+        for (uint32_t i = island.firstJoint; i < island.endJoint; ++i)
+            SolveVelocity(i);
+    }
     /// Are all joints solved as well as Box2D asks?
     bool SolvePositions(const Island &island) const;
     /// Joints of two bodies are again as they were ahead of InitializeVelocities.
     void PutBack(const Island &island) const;
 
 private:
-    struct Bytes {
-        unsigned char bytes[kMostBytes];
-    };
     b2Joint *const *m_joints = nullptr;
     b2SolverData m_data = {};
-    Column<Bytes> m_before;
+    Column<unsigned char> m_before; ///< kMostBytes of each
 };
 
 } // namespace bmr

@@ -166,11 +166,7 @@ bool OrderedPositions::Settle(uint32_t iterations, bool isNumber, b2Position *po
         unsolved |= m_unsolved[i];
     const unsigned last = 1u << (iterations - 1);
     island->isSolved = (unsolved & last) == 0;
-    bool isValid = isNumber && (unsolved | last) == 2 * last - 1;
-    for (uint32_t i = island->firstBody; i < island->endBody; ++i) {
-        const b2Position &of = positions[i];
-        isValid = isValid && of.c.x == of.c.x && of.c.y == of.c.y && of.a == of.a;
-    }
+    const bool isValid = isNumber && (unsolved | last) == 2 * last - 1 && !HasNan(&positions->c.x, *island);
     for (uint32_t i = island->firstBody; i < island->endBody && !isValid; ++i)
         positions[i] = m_before[i];
     return isValid;

@@ -212,12 +212,7 @@ bool OrderedVelocities::Solve(ContactSolver *solver, const JointSolver &joints, 
         joints.SolveVelocities(island);
         solver->SolveVelocities(island);
     }
-    bool isNan = any4(nans);
-    for (uint32_t i = island.firstBody; i < island.endBody; ++i) {
-        const b2Velocity &of = velocities[i];
-        isNan = isNan || of.v.x != of.v.x || of.v.y != of.v.y || of.w != of.w;
-    }
-    return !isNan;
+    return !any4(nans) && !HasNan(&velocities->v.x, island);
 }
 
 } // namespace bmr
