@@ -12,6 +12,7 @@
 
 #include <box2d/box2d.h>
 
+#include "base/private_members.h"
 #include "dynamics/b2_contact_solver.h"
 #include "dynamics/b2_island.h"
 #include "passes/island_solver.h"
@@ -67,16 +68,31 @@ bool AreAlike(const void *one, const void *other, size_t bytes) {
     return true;
 }
 
-/// The bytes of all that an island writes to.
+/// The bytes of all that an island writes to, joints and static bodies last.
 class State {
 public:
     explicit State(const b2Island &island) {
-        for (int32 i = 0; i < island.m_bodyCount; ++i)
-            Add(island.m_bodies[i], sizeof(b2Body));
+        AddBodies(island, false);
         for (int32 i = 0; i < island.m_contactCount; ++i)
             Add(island.m_contacts[i], sizeof(b2Contact));
+        m_ofThis = m_bytes.size();
         for (int32 i = 0; i < island.m_jointCount; ++i)
             Add(island.m_joints[i], SizeOf(*island.m_joints[i]));
+        AddBodies(island, true);
+    }
+    /// The same objects as they are now.
+    State Now() const {
+        State now = *this;
+        char *to = now.m_bytes.data();
+        for (const Part &part : m_parts) {
+            std::memcpy(to, part.object, part.size);
+            to += part.size;
+        }
+        return now;
+    }
+    /// But for static bodies, which other islands write to, and joints, which know their bodies' places.
+    bool IsLikeAlone(const State &other) const {
+        return AreAlike(m_bytes.data(), other.m_bytes.data(), m_ofThis);
     }
     void PutBack() const {
         const char *from = m_bytes.data();
@@ -96,12 +112,18 @@ private:
         void *object;
         size_t size;
     };
+    void AddBodies(const b2Island &island, bool isStatic) {
+        for (int32 i = 0; i < island.m_bodyCount; ++i)
+            if ((island.m_bodies[i]->GetType() == b2_staticBody) == isStatic)
+                Add(island.m_bodies[i], sizeof(b2Body));
+    }
     void Add(void *object, size_t size) {
         m_parts.push_back({object, size});
         m_bytes.insert(m_bytes.end(), static_cast<char *>(object), static_cast<char *>(object) + size);
     }
     std::vector<Part> m_parts;
     std::vector<char> m_bytes;
+    size_t m_ofThis = 0; ///< bytes ahead of those
 };
 
 struct Recorder final : b2ContactListener {
@@ -119,19 +141,44 @@ struct Recorder final : b2ContactListener {
     }
 };
 
+std::vector<float> ReactionsOf(const std::vector<b2Joint *> &joints) {
+    std::vector<float> reactions;
+    for (const b2Joint *joint : joints) {
+        const b2Vec2 force = joint->GetReactionForce(1.0f);
+        reactions.insert(reactions.end(), {force.x, force.y, joint->GetReactionTorque(1.0f)});
+    }
+    return reactions;
+}
+
 bmr::IslandSolvers solvers;
 
 class CheckedIsland : public b2Island {
 public:
     using b2Island::b2Island;
+    ~CheckedIsland() { CheckTogether(); }
 
     void Solve(b2Profile *profile, const b2TimeStep &step, const b2Vec2 &gravity, bool allowSleep) {
         *profile = {};
+        m_step = step;
+        m_gravity = gravity;
+        m_allowSleep = allowSleep;
+        const bool mayWait = m_listener == nullptr && std::fegetround() == FE_TONEAREST;
+        if (mayWait)
+            m_solved.push_back({{m_bodies, m_bodies + m_bodyCount},
+                                {m_contacts, m_contacts + m_contactCount},
+                                {m_joints, m_joints + m_jointCount},
+                                State(*this),
+                                State(*this),
+                                {}});
         Check([&] { b2Island::Solve(profile, step, gravity, allowSleep); },
               [&](b2ContactListener *listener) {
                   WithOurs(step, listener,
                            [&](bmr::IslandSolver *solver) { solver->Solve(gravity, allowSleep); });
               });
+        if (!mayWait)
+            return;
+        m_solved.back().after = m_solved.back().before.Now();
+        m_solved.back().reactions = ReactionsOf(m_solved.back().joints);
     }
     void SolveTOI(const b2TimeStep &step, int32 a, int32 b) {
         if (a != 0 || b != 1)
@@ -144,12 +191,63 @@ public:
     }
 
 private:
+    struct Taken { // a listener may step the world, or throw
+        bmr::IslandSolver *const solver = solvers.Take();
+        ~Taken() { bmr::IslandSolvers::GiveBack(solver); }
+    };
+    struct Solved {
+        std::vector<b2Body *> bodies;
+        std::vector<b2Contact *> contacts;
+        std::vector<b2Joint *> joints;
+        State before, after;
+        std::vector<float> reactions;
+    };
+
+    /// All islands of a step again, by one solver of ours, as a pass without a listener solves them.
+    void CheckTogether() {
+        if (m_solved.size() < 2)
+            return;
+        std::vector<State> now;
+        size_t bodies = 0, contacts = 0, joints = 0;
+        for (const Solved &of : m_solved) {
+            now.push_back(of.before.Now());
+            bodies += of.bodies.size();
+            contacts += of.contacts.size();
+            joints += of.joints.size();
+        }
+        for (size_t i = m_solved.size(); i-- > 0;) // static bodies are as the first island finds them
+            m_solved[i].before.PutBack();
+        const Taken taken;
+        if (taken.solver == nullptr ||
+            !taken.solver->Reserve(static_cast<uint32_t>(bodies), static_cast<uint32_t>(contacts),
+                                   static_cast<uint32_t>(joints)))
+            Fail("memory");
+        taken.solver->Begin(m_step, nullptr);
+        for (const Solved &of : m_solved) {
+            for (b2Body *body : of.bodies)
+                taken.solver->Add(body);
+            for (b2Contact *contact : of.contacts)
+                taken.solver->Add(contact);
+            for (b2Joint *joint : of.joints)
+                taken.solver->Add(joint);
+            taken.solver->Solve(m_gravity, m_allowSleep);
+        }
+        taken.solver->Finish(nullptr);
+        for (const Solved &of : m_solved) {
+            for (size_t i = 0; i < of.bodies.size(); ++i)
+                of.bodies[i]->*Named(bmr::IslandIndex()) = static_cast<int32>(i);
+            const std::vector<float> reactions = ReactionsOf(of.joints);
+            if (!of.before.Now().IsLikeAlone(of.after) ||
+                !AreAlike(reactions.data(), of.reactions.data(), reactions.size() * sizeof(float)))
+                Fail("what an island leaves, solved with others,");
+            ++checked.together;
+        }
+        for (const State &of : now)
+            of.PutBack();
+    }
     template <typename Solving>
     void WithOurs(const b2TimeStep &step, b2ContactListener *listener, const Solving &solve) {
-        struct Taken { // a listener may step the world, or throw
-            bmr::IslandSolver *const solver = solvers.Take();
-            ~Taken() { bmr::IslandSolvers::GiveBack(solver); }
-        } const taken;
+        const Taken taken;
         if (taken.solver == nullptr ||
             !taken.solver->Reserve(static_cast<uint32_t>(m_bodyCount), static_cast<uint32_t>(m_contactCount),
                                    static_cast<uint32_t>(m_jointCount)))
@@ -198,6 +296,11 @@ private:
         else
             stock();
     }
+
+    b2TimeStep m_step = {};
+    b2Vec2 m_gravity = {0.0f, 0.0f};
+    bool m_allowSleep = false;
+    std::vector<Solved> m_solved; ///< by this world's step, if there is no listener
 };
 
 } // namespace

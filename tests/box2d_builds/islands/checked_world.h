@@ -7,6 +7,7 @@ namespace box2d_builds {
 /// What was solved twice so far.
 struct Checked {
     long islands, impacts, contacts, joints;
+    long together; ///< islands that were solved once more, all of a step's at once
     /// A control: so many islands from now on, one bit of what ours left is turned. Never, where it is 0.
     long turnsABitIn;
 };
