@@ -10,51 +10,6 @@
 
 using namespace forked;
 
-TEST_CASE("a radius that is changed in place counts at once") {
-    CheckSameAsStock([](Run &run) {
-        const NoGameRuns quiet;
-        Game game(run);
-        TwoPlanks planks(game, 0.28f);
-        for (const float radius : {0.1f, 0.01f, 0.3f, 0.0f}) {
-            for (b2Fixture *f = planks.a->GetFixtureList(); f != nullptr; f = f->GetNext())
-                f->GetShape()->m_radius = radius;
-            game.Step();
-            game.Stage((game.Touching() > 0) == (radius > 0.05f), "the radius decides");
-            planks.a->SetTransform({0.0f, 0.0f}, kSlant);
-            planks.b->SetTransform(Slanted(0.0f, 0.28f), kSlant);
-            for (b2Body *body : {planks.a, planks.b}) {
-                body->SetLinearVelocity({0.0f, 0.0f});
-                body->SetAngularVelocity(0.0f);
-            }
-            game.Step();
-        }
-    });
-}
-
-TEST_CASE("vertices that are changed in place count in the next step that the glue is told of") {
-    CheckSameAsStock([](Run &run) {
-        const NoGameRuns quiet;
-        Game game(run);
-        TwoPlanks planks(game, 0.6f);
-        for (const float thickness : {0.55f, 0.1f, 0.6f}) {
-            auto *shape = static_cast<b2PolygonShape *>(planks.b->GetFixtureList()->GetShape());
-            shape->SetAsBox(1.0f, thickness, {1.0f, 0.0f}, 0.0f);
-            if (run.HasPlugin())
-                bmr::CurrentStep() = bmr::NextStep();
-            game.Step();
-            bmr::CurrentStep() = 0;
-            game.Stage((game.Touching() > 0) == (thickness > 0.5f), "the new vertices decide");
-            planks.a->SetTransform({0.0f, 0.0f}, kSlant);
-            planks.b->SetTransform(Slanted(0.0f, 0.6f), kSlant);
-            for (b2Body *body : {planks.a, planks.b}) {
-                body->SetLinearVelocity({0.0f, 0.0f});
-                body->SetAngularVelocity(0.0f);
-            }
-            game.Step();
-        }
-    });
-}
-
 TEST_CASE("each vertex that is changed in place is seen") {
     CheckSameAsStock([](Run &run) {
         for (int corners = 3; corners <= 8; ++corners) {

@@ -91,33 +91,6 @@ TEST_CASE("a hull that two pairs share is forgotten by both when it grows") {
     });
 }
 
-TEST_CASE("a sensor that turned solid again collides, also if the hull was built without it") {
-    CheckSameAsStock([](Run &run) {
-        const NoGameRuns quiet;
-        Game game(run);
-        b2Body *a = Slanting(game, -0.45f), *b = Slanting(game, 0.0f);
-        for (int i = 0; i < 10; ++i)
-            game.Box(a, 0.1f, 0.1f, {0.2f * static_cast<float>(i) - 1.9f, 0.0f});
-        b2Fixture *turned = game.Box(b, 1.0f, 0.1f, {-1.0f, 0.0f});
-        game.Box(b, 0.2f, 0.1f, {1.8f, 0.0f});
-        game.Step(5);
-        game.StagePairs();
-        turned->SetSensor(true);
-        game.Step(2);
-        // They lie outside the hull: it is built again, now without the sensor.
-        for (int i = 0; i < 6; ++i)
-            game.Box(b, 0.35f, 0.1f + 0.001f * static_cast<float>(i), {0.4f, -0.45f});
-        game.Step(2);
-        turned->SetSensor(false);
-        game.Step(2);
-        game.Stage(game.Touching() == 0, "apart");
-        Place(a, Slanted(0.0f, -0.15f));
-        game.Step();
-        game.Stage(game.Touching() >= 2, "the turned fixture collides");
-        game.Step(20);
-    });
-}
-
 TEST_CASE("a sensor's polygon does not enter its body's hull") {
     CheckSameAsStock([](Run &run) {
         Game game(run);

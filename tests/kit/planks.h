@@ -24,17 +24,6 @@ inline b2Body *Slanting(Game &game, float across, b2BodyType type = b2_dynamicBo
     return body;
 }
 
-/// As in the steps of a world that has no listener of the game's: there a contact's own fixtures are not
-/// compared again with their hulls, so that all else that is to keep hulls and contacts in step is tested for
-/// itself.
-class NoGameRuns {
-public:
-    NoGameRuns() { bmr::GameRan() = false; }
-    ~NoGameRuns() { bmr::GameRan() = true; }
-    NoGameRuns(const NoGameRuns &) = delete;
-    NoGameRuns &operator=(const NoGameRuns &) = delete;
-};
-
 /// Two planks, side by side, which know of each other.
 struct TwoPlanks {
     TwoPlanks(Game &game, float across) : a(Slanting(game, 0.0f)), b(Slanting(game, across)) {
