@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The manifold of an edge and a polygon of core/exact32 against b2CollideEdgeAndPolygon itself, byte by byte,
-// what is not written included.
+// what is not written included. Where Box2D has another one, it is left alone: this program stands in front
+// of the function (ELF lets it).
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
@@ -9,10 +10,43 @@
 #include <limits>
 
 #include <box2d/b2_edge_shape.h>
+#include <dlfcn.h>
 
 #include "box2d_shapes.h"
+#include "contacts/edge_contact.h"
+#include "forked_world.h"
 #include "shapes/shapes32.h"
+#include "start/rounding_probe.h"
 #include "test_scale.h"
+
+namespace {
+
+/// What a game could make of Box2D's rules for edges, or a compiler of its function.
+enum class Rules { kBox2Ds, kTwoSided, kOneSided, kNormalOff, kPointOff, kOtherId };
+Rules rules = Rules::kBox2Ds;
+
+} // namespace
+
+void CollideEdge(b2Manifold *manifold, const b2EdgeShape *a, const b2Transform &xfA, const b2PolygonShape *b,
+                 const b2Transform &xfB) __asm__("_Z23b2CollideEdgeAndPolygonP10b2ManifoldPK11b2EdgeShapeRK11"
+                                                 "b2TransformPK14b2PolygonShapeS6_");
+void CollideEdge(b2Manifold *manifold, const b2EdgeShape *a, const b2Transform &xfA, const b2PolygonShape *b,
+                 const b2Transform &xfB) {
+    static const auto real = reinterpret_cast<decltype(&CollideEdge)>(
+        dlsym(RTLD_NEXT,
+              "_Z23b2CollideEdgeAndPolygonP10b2ManifoldPK11b2EdgeShapeRK11b2TransformPK14b2PolygonShapeS6_"));
+    b2EdgeShape edge = *a;
+    if (rules == Rules::kTwoSided || rules == Rules::kOneSided)
+        edge.m_oneSided = rules == Rules::kOneSided;
+    real(manifold, &edge, xfA, b, xfB);
+    b2ManifoldPoint &last = manifold->points[manifold->pointCount > 1];
+    if (manifold->pointCount > 0 && rules == Rules::kNormalOff)
+        manifold->localNormal.y = std::nextafter(manifold->localNormal.y, b2_maxFloat);
+    if (manifold->pointCount > 0 && rules == Rules::kPointOff)
+        last.localPoint.x = std::nextafter(last.localPoint.x, b2_maxFloat);
+    if (manifold->pointCount > 0 && rules == Rules::kOtherId)
+        last.id.cf.indexB ^= 1;
+}
 
 namespace {
 
@@ -157,4 +191,34 @@ TEST_CASE("what is not finite is left to Box2D, or has its manifold") {
     }
     CHECK(t.leftOut > 0);
     CHECK(t.different == 0);
+}
+
+TEST_CASE("a Box2D that collides edges by other rules, or to other bits, is noticed") {
+    const bool stock = bmr::Box2DCollidesEdgesAsExact32();
+    for (const Rules other :
+         {Rules::kTwoSided, Rules::kOneSided, Rules::kNormalOff, Rules::kPointOff, Rules::kOtherId}) {
+        rules = other;
+        CHECK(!bmr::Box2DCollidesEdgesAsExact32());
+    }
+    rules = Rules::kBox2Ds;
+    CHECK(bmr::Box2DCollidesEdgesAsExact32() == stock);
+}
+
+TEST_CASE("contacts of edges are ours where Box2D collides edges as we do, and nowhere else") {
+    const auto install = [](forked::Run &run) {
+        bmr::Install();
+        forked::Game game(run);
+        b2EdgeShape edge;
+        edge.SetTwoSided({-1.0f, 0.0f}, {1.0f, 0.0f});
+        game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), edge);
+        game.Box(game.Body(b2_dynamicBody, {0.0f, 0.5f}), 0.5f, 0.5f);
+        game.world.SetContactListener(nullptr);
+        game.world.Step(0.0f, 1, 1);
+        run.Print("%d", bmr::EdgeContact::AsOurs(game.world.GetContactList()) != nullptr);
+    };
+    const auto inChild = [&install] { return forked::InChild(install, nullptr, forked::When::kByScenario); };
+    CHECK((inChild() == "1\n") == (bmr::Box2DRoundsAsExact32() && bmr::Box2DCollidesEdgesAsExact32()));
+    rules = Rules::kTwoSided;
+    CHECK(inChild() == "0\n");
+    rules = Rules::kBox2Ds;
 }
