@@ -4,6 +4,8 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <cfenv>
+
 #include "yard.h"
 
 using namespace as_stock;
@@ -192,6 +194,27 @@ TEST_CASE("listeners change shapes, filters, bullets and velocities of a locked 
 }
 
 // box2d #463, #636: a step of no time, to have contacts looked for.
+// Our proofs are of numbers that are rounded to the nearest.
+TEST_CASE("Box2D answers for sensors in steps that round otherwise") {
+    CheckSameAsStock([](Run &run) {
+        Game game(run);
+        game.Box(game.Body(b2_staticBody, {0.0f, 0.0f}), 1.0f, 1.0f)->SetSensor(true);
+        b2Body *const guest = game.Body(b2_dynamicBody, {-0.8f, 0.1f});
+        game.Box(guest, 0.4f, 0.3f);
+        guest->SetSleepingAllowed(false);
+        guest->SetLinearVelocity({1.0f, 0.0f});
+        for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_TONEAREST, FE_DOWNWARD, FE_TOWARDZERO}) {
+            const uint64_t before = bmr::internal::ReadCounts().overlapsAnswered;
+            std::fesetround(mode);
+            game.Step(8);
+            std::fesetround(FE_TONEAREST);
+            const bool answered = bmr::internal::ReadCounts().overlapsAnswered > before;
+            run.Expect(!kAhead || !run.Counts() || answered == (mode == FE_TONEAREST), "who answers");
+        }
+        game.Stage(game.world.GetContactList()->IsTouching(), "the guest is inside");
+    });
+}
+
 TEST_CASE("steps of no time at changed poses") {
     CheckSameAsStock([](Run &run) {
         Yard yard(run);
