@@ -102,6 +102,11 @@ TEST_CASE("vertices that leave their normals, within the hull, are not proved ap
                 bmr::CurrentStep() = 0;
                 game.Stage(game.Touching() == (skin > 0.0f ? 1 : 0), "points of the two that were moved");
             }
+        Game game(run, {0.0f, 0.0f});
+        DiagonalRows rows(game, 0.0f);
+        rows.MoveVertices(); // before there is a contact
+        game.Step(5);
+        game.StagePairs();
     });
 }
 
