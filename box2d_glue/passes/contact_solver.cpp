@@ -3,6 +3,9 @@
 // there, and each sign where it has it. (-(p + q) is not (-p) + (-q); -x of a zero is another zero.)
 #include "passes/contact_solver.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
@@ -270,6 +273,11 @@ void ContactSolver::InitializeVelocities(const Island &island) {
         PositionConstraint &position = m_positionConstraints[i];
         const b2Manifold &manifold = *m_contacts[i]->GetManifold();
         constraint.pointCount = manifold.pointCount;
+        if (constraint.pointCount == 0) { // a listener took them, or made a sensor solid
+            std::fill(std::begin(constraint.points), std::end(constraint.points), VelocityPoint{});
+            constraint.K.SetZero();
+            constraint.normalMass.SetZero();
+        }
         const b2Position &a = m_positions[constraint.bodies.indexA],
                          &b = m_positions[constraint.bodies.indexB];
         const b2Velocity &va = m_velocities[constraint.bodies.indexA],

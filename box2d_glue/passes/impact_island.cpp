@@ -71,7 +71,7 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
     Wake(a);
     Wake(b);
     const b2TimeStep rest = RestOf(m_step, time);
-    m_solver->Begin(rest, m_listener);
+    m_solver->Begin(rest, m_listener, false);
     Island island;
     Add(a, &island);
     Add(b, &island);

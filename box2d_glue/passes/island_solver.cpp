@@ -86,11 +86,12 @@ bool IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) 
             m_orderedPositions.Reserve(waiting, contacts));
 }
 
-void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener) {
+void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener, bool mayWait) {
     Clear();
     m_step = step;
     m_mayReorder = !TrapsAreSet(); // lanes compute what Box2D would leave out
     m_listener = listener;
+    m_mayWait = mayWait;
     m_profile = {};
 }
 
@@ -145,8 +146,8 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
 }
 
 bool IslandSolver::MayWait(const Island &island) const {
-    bool mayWait = m_listener == nullptr && ContactCount() + JointCount() > 0 && m_step.dt < b2_maxFloat &&
-                   m_jointSolver.HaveTwoBodies(island);
+    bool mayWait =
+        m_mayWait && m_listener == nullptr && ContactCount() + JointCount() > 0 && m_step.dt < b2_maxFloat;
     for (uint32_t i = island.firstBody; i < island.endBody && mayWait; ++i)
         mayWait = m_bodies[i]->GetType() != b2_staticBody || StaysAsItIs(*m_bodies[i]);
     return mayWait;

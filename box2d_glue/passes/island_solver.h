@@ -52,8 +52,9 @@ public:
     /// Room for islands of so many. False without memory: nothing has changed, and the pass is Box2D's.
     bool Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints);
 
-    /// Begins a pass. `listener` gets PostSolve, unless it is nullptr.
-    void Begin(const b2TimeStep &step, b2ContactListener *listener);
+    /// Begins a pass. `listener` gets PostSolve, unless it is nullptr. `mayWait`: islands may be solved
+    /// together with others, and a body's m_islandIndex need not be its place in Box2D's island.
+    void Begin(const b2TimeStep &step, b2ContactListener *listener, bool mayWait);
     /// The arithmetic that goes with its islands.
     const Sweeps &GetSweeps() const { return m_allocator != nullptr ? TheStockSolver().sweeps : OurSweeps(); }
 
@@ -68,8 +69,8 @@ public:
     /// Its stack has room for as many bodies as an island.
     IslandRoom &Room() { return m_room; }
 
-    /// b2Island::Solve. Where there is no listener, and no gear joint, the island may wait to be solved
-    /// together with others, as late as in Finish: they share no body that moves.
+    /// b2Island::Solve. Where there is no listener the island may wait to be solved together with others, as
+    /// late as in Finish: they share no body that moves.
     void Solve(const b2Vec2 &gravity, bool allowSleep);
     /// b2Island::SolveTOI, by the step that Begin was given. The first two bodies are those that meet.
     void SolveToi();
@@ -114,7 +115,7 @@ private:
     uint32_t m_mostBodies = 0; ///< of one island
     b2Vec2 m_gravity = {0.0f, 0.0f};
     bool m_allowSleep = false;
-    bool m_mayReorder = false; ///< in this pass
+    bool m_mayReorder = false, m_mayWait = false; ///< in this pass
     b2TimeStep m_step = {};
     b2ContactListener *m_listener = nullptr;
     b2Profile m_profile = {};

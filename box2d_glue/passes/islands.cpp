@@ -78,7 +78,7 @@ void IslandPass::Run() {
     if (m_ledger != nullptr) {
         if (Verifying())
             CompareTouching(*m_ledger);
-        m_isLinked = !m_ledger->MayHaveUnlisted() && Link();
+        m_isLinked = m_mayLink && !m_ledger->MayHaveUnlisted() && Link();
     }
     SolveIslands(&profile);
     const auto start = std::chrono::steady_clock::now();
@@ -90,7 +90,7 @@ void IslandPass::Run() {
 
 void IslandPass::SolveIslands(b2Profile *profile) {
     const EndsWhole loop;
-    m_solver->Begin(m_step, m_listener);
+    m_solver->Begin(m_step, m_listener, m_mayLink);
     for (b2Body *seed = FirstSeed(); seed != nullptr; seed = NextSeed(seed))
         if (MayBeSeed(seed))
             BuildIsland(seed);
@@ -98,15 +98,25 @@ void IslandPass::SolveIslands(b2Profile *profile) {
 }
 
 void IslandPass::ClearFlags() {
+    bool hasGear = false;
+    for (b2Joint *joint = m_world->GetJointList(); joint != nullptr; joint = joint->GetNext()) {
+        joint->*Named(JointInIsland()) = false;
+        hasGear = hasGear || joint->GetType() == e_gearJoint;
+    }
+    m_mayLink = !hasGear;
     // (Where Bodies finds who is awake it has put all bodies out of islands.)
-    m_awakeAlone = m_ledger != nullptr &&
+    m_awakeAlone = m_ledger != nullptr && m_mayLink &&
                    m_ledger->GetBodies().Follow(m_world->GetBodyList(), m_world->GetBodyCount()) &&
                    m_ledger->GetBodies().FindAwake();
     for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
         BodyInIsland::Clear(body);
-        if (body->GetType() != b2_staticBody)
+        if (body->GetType() == b2_staticBody)
+            continue;
+        if (m_mayLink)
             LinkOf(body) = static_cast<int32>(body->IsAwake() ? kNoLink : kSlept);
+        else if (LinkOf(body) < 0) // of a step before there was a gear
+            LinkOf(body) = 0;
     }
     for (uint32_t i = 0; m_awakeAlone && i < m_ledger->GetBodies().AwakeCount(); ++i)
         LinkOf(m_ledger->GetBodies().Awake(i)) = static_cast<int32>(kNoLink);
@@ -117,8 +127,6 @@ void IslandPass::ClearFlags() {
         for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext())
             m_marks.TakeOutOfIsland(contact);
     }
-    for (b2Joint *joint = m_world->GetJointList(); joint != nullptr; joint = joint->GetNext())
-        joint->*Named(JointInIsland()) = false;
 }
 
 // Links.

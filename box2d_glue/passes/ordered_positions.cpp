@@ -104,7 +104,7 @@ bool OrderedPositions::IsDeep(const PositionConstraint *constraints, const Islan
     bool isDeep = false;
     for (uint32_t i = island.firstContact; i < island.endContact; ++i) {
         const float separation = constraints[i].separation;
-        if (separation != separation)
+        if (constraints[i].pointCount == 0 || separation != separation)
             return false;
         isDeep = isDeep || separation < ContactSolver::kLeastSeparation;
     }

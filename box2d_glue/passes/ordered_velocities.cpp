@@ -179,9 +179,11 @@ bool OrderedVelocities::Order(const VelocityConstraint *constraints, const Joint
     for (uint32_t i = island.firstContact; i < island.endContact; ++i) {
         const VelocityConstraint &c = constraints[i];
         const ContactBodies &of = c.bodies;
-        if (c.pointCount == 2 && !(c.points[0].normalImpulse >= 0.0f && c.points[1].normalImpulse >= 0.0f)) {
+        // A contact of no points has no place here. Of two, Box2D may assert.
+        if (c.pointCount == 0 || (c.pointCount == 2 && !(c.points[0].normalImpulse >= 0.0f &&
+                                                         c.points[1].normalImpulse >= 0.0f))) {
             m_order.Forget();
-            return false; // Box2D may assert
+            return false;
         }
         m_order.Add({i, static_cast<uint32_t>(c.pointCount - 1), carries(of.indexA, of.invMassA, of.invIA),
                      carries(of.indexB, of.invMassB, of.invIB)});

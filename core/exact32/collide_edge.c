@@ -82,6 +82,9 @@ static inline bool separate_faces(const posed_polygon *p, const bmr_edge32 *edge
     float4 behind[2]; // how far the ends lie behind the faces: the larger one
     for (int g = 0; g < p->groups; ++g) {
         const quad *const n = &p->normals[g];
+        // Of a normal that is infinite Box2D's loops and `facing` do not find the same face.
+        if (any4(unordered4(sub4(n->x, n->x), sub4(n->y, n->y))))
+            return false;
         const float4 first = products(n->x, n->y, &p->vertices[g], edge->first),
                      second = products(n->x, n->y, &p->vertices[g], edge->second);
         if (any4(unordered4(first, second)))
@@ -155,20 +158,24 @@ static inline bool is_within(const corner *c, const reference *r, float radius_s
     return dot(r->normal, minus(c->v, r->first)) <= radius_sum;
 }
 
-static inline void clip_polygon(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr_vec32 along,
+/// False where no face looks against the normal as far as floats can tell.
+static inline bool clip_polygon(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr_vec32 along,
                                 bmr_vec32 normal, const posed_polygon *p, int32_t count,
                                 const bmr_transform32 *frame, float radius_sum) {
     const int32_t found = facing(p, normal), next = found + 1 < count ? found + 1 : 0;
+    if (found >= count)
+        return false;
     corner corners[2] = {corner_of(vertex_at(p, found), found, 0), corner_of(vertex_at(p, next), next, 0)};
     const reference r = {edge->first, edge->second, normal, {-along.x, -along.y}, 0, 1};
     manifold->type = BMR_MANIFOLD_FACE_A;
     if (!cut_sides(corners, &r))
-        return;
+        return true;
     manifold->normal = normal;
     manifold->plane_point = edge->first;
     for (int i = 0; i < 2; ++i)
         if (is_within(&corners[i], &r, radius_sum))
             keep(manifold, move_back(frame, corners[i].v), corners[i].feature, false);
+    return true;
 }
 
 static inline void clip_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge, int32_t face,
@@ -220,8 +227,7 @@ bool bmr_exact32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
     if (edge->one_sided && !admits(edge, along, &own, &primary))
         return true;
     if (primary.face == BMR_NO_EDGE32)
-        clip_polygon(manifold, edge, along, primary.normal, &p, polygon->count, &frame, radius_sum);
-    else
-        clip_edge(manifold, edge, primary.face, &p, polygon, radius_sum);
+        return clip_polygon(manifold, edge, along, primary.normal, &p, polygon->count, &frame, radius_sum);
+    clip_edge(manifold, edge, primary.face, &p, polygon, radius_sum);
     return true;
 }

@@ -184,6 +184,22 @@ const SmallWorld kWorlds[] = {
                  static_cast<b2RevoluteJoint *>(joint)->IsMotorEnabled())
                  static_cast<b2RevoluteJoint *>(joint)->SetMotorSpeed(step % 400 == 0 ? 2.0f : -2.0f);
      }},
+    {"gears on a frame that is disabled", kDown,
+     [](b2World &world) {
+         AddGround(world);
+         b2GearJointDef gear;
+         b2Body *const wheels[] = {Ball(world, {-2.5f, 0.5f}, 0.5f), Ball(world, {2.5f, 0.5f}, 0.5f)};
+         b2Body *const frame = Box(world, {0.0f, 1.2f}, {3.0f, 0.3f});
+         gear.joint1 = Hinge(world, frame, wheels[0], {-2.5f, 0.5f}, -3.0f, 20.0f);
+         gear.joint2 = Hinge(world, frame, wheels[1], {2.5f, 0.5f}, -3.0f, 20.0f);
+         gear.bodyA = wheels[0];
+         gear.bodyB = wheels[1];
+         world.CreateJoint(&gear);
+     },
+     [](b2World &world, int step) { // Box2D goes on with the frame's last place in an island
+         if (step % 100 == 60)
+             world.GetJointList()->GetNext()->GetBodyA()->SetEnabled(step % 200 == 160);
+     }},
     {"geared wheels", kDown,
      [](b2World &world) {
          AddGround(world);

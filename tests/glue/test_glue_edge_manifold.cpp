@@ -179,14 +179,22 @@ TEST_CASE("what is not finite is left to Box2D, or has its manifold") {
     Engine engine(3);
     Tally t;
     for (size_t i = 0; i < test_scaled(100000); ++i) {
-        Scene s = Near(engine, false);
-        float *const fields[] = {
-            &s.edge.m_vertex1.x,        &s.edge.m_vertex2.y,       &s.edge.m_vertex0.x, &s.edge.m_vertex3.y,
-            &s.polygon.m_vertices[1].x, &s.polygon.m_normals[2].y, &s.xfA.p.x,          &s.xfB.q.s,
-            &s.polygon.m_radius,        &s.polygon.m_centroid.x};
+        Scene s = Near(engine, i % 2 == 0);
+        b2Vec2 &normal = s.polygon.m_normals[Below(engine, s.polygon.m_count)];
+        float *const fields[] = {&s.edge.m_vertex1.x,
+                                 &s.edge.m_vertex2.y,
+                                 &s.edge.m_vertex0.x,
+                                 &s.edge.m_vertex3.y,
+                                 &s.polygon.m_vertices[1].x,
+                                 &normal.x,
+                                 &normal.y,
+                                 &s.xfA.p.x,
+                                 &s.xfB.q.s,
+                                 &s.polygon.m_radius,
+                                 &s.polygon.m_centroid.x};
         constexpr float kBad[] = {std::numeric_limits<float>::quiet_NaN(),
                                   std::numeric_limits<float>::infinity(), -1e30f, 3e38f};
-        *fields[Below(engine, 10)] = kBad[Below(engine, 4)];
+        *fields[Below(engine, 11)] = kBad[Below(engine, 4)];
         Compare(s, &t);
     }
     CHECK(t.leftOut > 0);

@@ -175,6 +175,28 @@ private:
     int m_told = 0;
 };
 
+/// Boxes on the ground, and a sensor in one of them that turns solid as the first step touches it, and stays
+/// enabled: two that touch, of no points. (Box2D's block solver reads what it never set, in a fresh world
+/// zeros.)
+class SensorTurnsSolid final : public Game {
+public:
+    void Build(testbed::Stage &stage, int) override {
+        b2Body *const ground = stage.AddBody(b2_staticBody, {0.0f, -1.0f});
+        stage.AddFixture(ground, testbed::Material(0.0f), testbed::MakeBox(60.0f, 1.0f));
+        b2FixtureDef material = testbed::Material(0.0f);
+        material.isSensor = true;
+        stage.AddFixture(stage.AddBody(b2_staticBody, {0.4f, 0.9f}), material, testbed::MakeBox(0.5f, 0.5f));
+        for (int i = 0; i < 12; ++i)
+            stage.AddFixture(stage.AddBody(b2_dynamicBody, {0.99f * static_cast<float>(i), 0.45f}),
+                             testbed::Material(1.0f), testbed::MakeBox(0.5f, 0.5f));
+    }
+    void OnBegin(b2Contact &contact) override {
+        for (b2Fixture *fixture : {contact.GetFixtureA(), contact.GetFixtureB()})
+            if (fixture->IsSensor())
+                fixture->SetSensor(false);
+    }
+};
+
 } // namespace
 
 void AddDisabling(std::vector<GameInfo> &games) {
@@ -194,6 +216,8 @@ void AddDisabling(std::vector<GameInfo> &games) {
                      60, Create<HitGoes<When::PostSolve>>, true});
     games.push_back({"points-go", "a sensor turns solid as it is touched, and contacts lose their points", 40,
                      Create<PointsGo>});
+    games.push_back({"sensor-turns-solid", "a sensor turns solid as it is touched, and stays enabled", 60,
+                     Create<SensorTurnsSolid>, true});
 }
 
 } // namespace box2d_builds

@@ -222,7 +222,11 @@ private:
             !taken.solver->Reserve(static_cast<uint32_t>(bodies), static_cast<uint32_t>(contacts),
                                    static_cast<uint32_t>(joints)))
             Fail("memory");
-        taken.solver->Begin(m_step, nullptr);
+        bool hasGear = false;
+        for (const Solved &of : m_solved)
+            for (const b2Joint *joint : of.joints)
+                hasGear = hasGear || joint->GetType() == e_gearJoint;
+        taken.solver->Begin(m_step, nullptr, !hasGear);
         for (const Solved &of : m_solved) {
             for (b2Body *body : of.bodies)
                 taken.solver->Add(body);
@@ -252,7 +256,7 @@ private:
             !taken.solver->Reserve(static_cast<uint32_t>(m_bodyCount), static_cast<uint32_t>(m_contactCount),
                                    static_cast<uint32_t>(m_jointCount)))
             Fail("memory");
-        taken.solver->Begin(step, listener);
+        taken.solver->Begin(step, listener, false);
         for (int32 i = 0; i < m_bodyCount; ++i)
             taken.solver->Add(m_bodies[i]);
         for (int32 i = 0; i < m_contactCount; ++i)
