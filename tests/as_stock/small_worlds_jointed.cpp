@@ -184,21 +184,23 @@ const SmallWorld kWorlds[] = {
                  static_cast<b2RevoluteJoint *>(joint)->IsMotorEnabled())
                  static_cast<b2RevoluteJoint *>(joint)->SetMotorSpeed(step % 400 == 0 ? 2.0f : -2.0f);
      }},
-    {"gears on a frame that is disabled", kDown,
+    {"gears whose frame is disabled", kDown,
      [](b2World &world) {
-         AddGround(world);
+         b2Body *const anchor = AddAnchor(world);
          b2GearJointDef gear;
-         b2Body *const wheels[] = {Ball(world, {-2.5f, 0.5f}, 0.5f), Ball(world, {2.5f, 0.5f}, 0.5f)};
-         b2Body *const frame = Box(world, {0.0f, 1.2f}, {3.0f, 0.3f});
-         gear.joint1 = Hinge(world, frame, wheels[0], {-2.5f, 0.5f}, -3.0f, 20.0f);
-         gear.joint2 = Hinge(world, frame, wheels[1], {2.5f, 0.5f}, -3.0f, 20.0f);
-         gear.bodyA = wheels[0];
-         gear.bodyB = wheels[1];
+         gear.bodyA = Box(world, {0.0f, 5.0f}, {0.5f, 0.25f});
+         gear.bodyB = Box(world, {3.0f, 5.0f}, {0.5f, 0.25f});
+         b2Body *const frame = Box(world, {6.0f, 5.0f}, {0.5f, 0.25f});
+         gear.joint1 = Hinge(world, frame, gear.bodyA, {0.0f, 5.0f}, 1.0f, 5.0f);
+         gear.joint2 = Hinge(world, anchor, gear.bodyB, {3.0f, 5.0f}, 2.0f, 5.0f);
+         gear.ratio = 1.5f;
          world.CreateJoint(&gear);
      },
-     [](b2World &world, int step) { // Box2D goes on with the frame's last place in an island
-         if (step % 100 == 60)
-             world.GetJointList()->GetNext()->GetBodyA()->SetEnabled(step % 200 == 160);
+     [](b2World &world, int step) { // the gear goes on with the frame's last place in an island
+         if (step == 40)
+             for (b2Joint *joint = world.GetJointList(); joint != nullptr; joint = joint->GetNext())
+                 if (joint->GetType() == e_revoluteJoint && joint->GetBodyA()->GetType() == b2_dynamicBody)
+                     joint->GetBodyA()->SetEnabled(false);
      }},
     {"geared wheels", kDown,
      [](b2World &world) {
