@@ -71,7 +71,7 @@ struct ContactState {
 };
 static_assert(sizeof(ContactState) <= 16);
 
-/// The base of all contacts of ours: PolygonContact and ConvexContact.
+/// The base of our contacts that the ledger knows: PolygonContact and ConvexContact. (EdgeContact is none.)
 class SolidContact : public b2Contact {
 public:
     /// `contact` as one of ours, or nullptr: contacts that were born before the register knew us, and other
