@@ -3,9 +3,6 @@
 // there, and each sign where it has it. (-(p + q) is not (-p) + (-q); -x of a zero is another zero.)
 #include "passes/contact_solver.h"
 
-#include <algorithm>
-#include <iterator>
-
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
@@ -274,7 +271,7 @@ void ContactSolver::InitializeVelocities(const Island &island) {
         const b2Manifold &manifold = *m_contacts[i]->GetManifold();
         constraint.pointCount = manifold.pointCount;
         if (constraint.pointCount == 0) { // a listener took them, or made a sensor solid
-            std::fill(std::begin(constraint.points), std::end(constraint.points), VelocityPoint{});
+            constraint.points[0] = constraint.points[1] = VelocityPoint{};
             constraint.K.SetZero();
             constraint.normalMass.SetZero();
         }
