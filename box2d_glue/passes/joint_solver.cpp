@@ -40,7 +40,8 @@ bool JointSolver::HaveTwoBodies(const Island &island) const {
 
 void JointSolver::InitializeVelocities(const Island &island) {
     for (uint32_t i = island.firstJoint; i < island.endJoint; ++i) {
-        std::memcpy(&m_before[kMostBytes * i], m_joints[i] + 1, kSizes[m_joints[i]->GetType()]);
+        std::memcpy(&m_before[kMostBytes * i], static_cast<const void *>(m_joints[i] + 1),
+                    kSizes[m_joints[i]->GetType()]);
         (m_joints[i]->*Named(InitVelocityConstraints()))(m_data);
     }
 }
