@@ -30,10 +30,12 @@ bool Stays(const b2Sweep &sweep) {
 } // namespace
 
 inline bool ImpactScan::Resting::IsOf(const b2DistanceProxy &proxy, const Side &side) const {
-    static_assert(offsetof(b2Sweep, alpha0) == sizeof center + sizeof angle);
+    static_assert(offsetof(b2Sweep, alpha0) == sizeof sweep);
     // All of them are floats without padding, and the same bits make the same shape.
     return count == proxy.m_count && radius == proxy.m_radius &&
-           std::memcmp(center, &side.sweep, sizeof center + sizeof angle) == 0 &&
+           // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
+           std::memcmp(sweep, &side.sweep, sizeof sweep) == 0 &&
+           // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
            std::memcmp(&rotation, &side.rotation, sizeof rotation) == 0 &&
            std::memcmp(points, proxy.m_vertices, static_cast<size_t>(count) * sizeof *points) == 0;
 }
@@ -44,7 +46,7 @@ inline void ImpactScan::Resting::Set(const b2DistanceProxy &proxy, const Side &s
         return;
     count = proxy.m_count;
     radius = proxy.m_radius;
-    std::memcpy(center, &side.sweep, sizeof center + sizeof angle);
+    std::memcpy(sweep, &side.sweep, sizeof sweep);
     rotation = side.rotation;
     std::memcpy(points, proxy.m_vertices, static_cast<size_t>(count) * sizeof *points);
 }

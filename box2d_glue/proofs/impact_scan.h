@@ -35,7 +35,7 @@ public:
 private:
     /// All that a SweptShape is made of, of a body that stays where it is.
     struct Resting {
-        float center[6], angle[2]; ///< of the sweep
+        float sweep[8]; ///< b2Sweep's members but alpha0
         b2Rot rotation;
         float radius;
         int32 count; ///< of points; 0: the body moved
