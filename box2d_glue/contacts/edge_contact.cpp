@@ -2,7 +2,6 @@
 #include "contacts/edge_contact.h"
 
 #include <atomic>
-#include <cstring>
 #include <new>
 
 #include <box2d/b2_block_allocator.h>
@@ -13,6 +12,7 @@
 
 #include "base/rounding_mode.h"
 #include "contacts/convex_manifold.h"
+#include "contacts/solid_contact.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"
 #include "start/settings.h"
@@ -23,13 +23,6 @@ namespace bmr {
 namespace {
 
 std::atomic<const void *> edgeVtable{nullptr};
-
-/// See SolidContact::VtableOf.
-const void *VtableOf(const b2Contact &contact) {
-    const void *vtable;
-    std::memcpy(&vtable, static_cast<const void *>(&contact), sizeof vtable);
-    return vtable;
-}
 
 const b2PolygonShape &PolygonOf(const b2Fixture *fixture) {
     return *static_cast<const b2PolygonShape *>(fixture->GetShape());
@@ -54,11 +47,11 @@ void EdgeContact::Unmake(EdgeContact *contact, b2BlockAllocator *allocator) {
 
 void EdgeContact::LearnVtable() {
     const EdgeContact ours;
-    edgeVtable.store(VtableOf(ours), std::memory_order_relaxed);
+    edgeVtable.store(SolidContact::VtableOf(ours), std::memory_order_relaxed);
 }
 
 EdgeContact *EdgeContact::AsOurs(b2Contact *contact) {
-    return VtableOf(*contact) == edgeVtable.load(std::memory_order_relaxed)
+    return SolidContact::VtableOf(*contact) == edgeVtable.load(std::memory_order_relaxed)
                ? static_cast<EdgeContact *>(contact)
                : nullptr;
 }

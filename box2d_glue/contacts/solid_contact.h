@@ -128,13 +128,6 @@ public:
             state.link = {};
     }
 
-    ContactState state;
-
-protected:
-    SolidContact() : state() {}
-    SolidContact(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB)
-        : b2Contact(fixtureA, indexA, fixtureB, indexB), state() {}
-
     /// An object's table of virtual functions, which tells contacts apart. Games build Box2D without run-time
     /// type information too, where typeid has nothing to look at; but the table is always an object's first
     /// word, on every ABI that Box2D runs on.
@@ -143,6 +136,14 @@ protected:
         std::memcpy(&vtable, static_cast<const void *>(&contact), sizeof vtable);
         return vtable;
     }
+
+    ContactState state;
+
+protected:
+    SolidContact() : state() {}
+    SolidContact(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB)
+        : b2Contact(fixtureA, indexA, fixtureB, indexB), state() {}
+
     /// Of the two classes, from before the first contact of each is made; nullptr until then.
     static std::atomic<const void *> polygonVtable, convexVtable;
 

@@ -54,7 +54,7 @@ private:
     IslandRoom &m_room;
     uint32_t m_stackCount = 0, m_linkCount = 0;
     uint32_t m_seed = 0;
-    bool m_mayLink = false;       ///< nobody reads the places of bodies in islands: there is no gear joint
+    bool m_mayLink = false;       ///< no gear joint reads the places of bodies in islands
     bool m_isLinked = false;      ///< the links are all contacts that touch of bodies that are awake
     bool m_seedsAreAwake = false; ///< they are Bodies::Awake
     bool m_awakeAlone = false;    ///< only bodies of Bodies::Awake are in islands

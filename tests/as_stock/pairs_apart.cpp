@@ -32,7 +32,7 @@ Looks Spent(const std::function<void()> &something) {
 }
 
 /// Slanted needles one beside the other, whose boxes overlap and who never meet: each glides along itself,
-/// all at the same speed, or rests. The first is pushed by nobody, so that impacts are looked for.
+/// all at the same speed, or rests. No body pushes the first one, so that Box2D looks for impacts.
 class Needles {
 public:
     static constexpr int kCount = 12;

@@ -110,7 +110,7 @@ TEST_CASE("vertices that leave their normals, within the hull, are not proved ap
     });
 }
 
-// Nobody sees by himself that normals were changed alone.
+// Boomerang does not notice that normals were changed alone.
 TEST_CASE("normals that are changed in place count once the body is invalidated") {
     CheckSameAsStock([](Run &run) {
         Game game(run, {0.0f, 0.0f});
