@@ -5,9 +5,9 @@
     play.py PROGRAMS LIBRARY [CORPUS] [--first SEED] [--seeds COUNT] [--forms FORM,...] [--jobs N]
 
 PROGRAMS: a directory with actor_stock, actor_linked and libactor_poison.so. Played are the inputs of CORPUS and the worlds of
-seeds. Stock is first held against itself, with other bytes in what Box2D frees and in fresh memory: from where these decide, or a
-signal ends it, a world is not compared. Where an assertion of Box2D's ends it, the same one ends it with the plugin. Polygons of
-any size are held against the plugin without its hooks.
+seeds. Where one differs stock is held against itself, with other bytes in what Box2D frees and in fresh memory: from where these
+decide, or a signal ends it, a world is not compared. Where an assertion of Box2D's ends it, the same one ends it with the plugin.
+Polygons of any size are held against the plugin without its hooks, modest listeners against modest ones on stock.
 
 Without --first and --seeds: BMR_TEST_SEED (default 1) and 960 worlds times BMR_TEST_SCALE, no fewer than 48.
 """
@@ -20,6 +20,7 @@ import sys
 import tempfile
 
 CHUNK = 12
+BASES = {"trapped": "stock trapped", "any-size": "switched off", "modest": "stock modest"}  # of the others it is stock
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 
 
@@ -30,7 +31,7 @@ def arguments():
     parser.add_argument("corpus", type=pathlib.Path, nargs="?")
     parser.add_argument("--first", type=int, default=int(os.environ.get("BMR_TEST_SEED", "1")))
     parser.add_argument("--seeds", type=int, default=max(48, int(960 * float(os.environ.get("BMR_TEST_SCALE", "1")))))
-    parser.add_argument("--forms", default="preloaded,everywhere,linked,told,dudley,trapped,any-size")
+    parser.add_argument("--forms", default="preloaded,everywhere,linked,told,dudley,trapped,any-size,modest")
     parser.add_argument("--jobs", type=int, default=int(os.environ.get("BMR_JOBS", os.cpu_count())))
     return parser.parse_args()
 
@@ -60,7 +61,9 @@ class Stage:
             "trapped": ("actor_stock", {"LD_PRELOAD": f"{traps}:{given.library}", "BOOMERANG_EVERYWHERE": "on"}),
             "switched off": ("actor_linked", {**plugin, "BOOMERANG": "off"}),
             "any-size": ("actor_linked", {**plugin, "BOOMERANG_EVERYWHERE": "on"}),
+            "modest": ("actor_linked", {**plugin, "BOOMERANG_EVERYWHERE": "on"}),
         }
+        self.forms |= {"stock modest": self.forms["stock"], "stock modest again": self.forms["stock again"]}
 
     def run(self, form, play, *options):
         program, environment = self.forms[form]
@@ -79,16 +82,17 @@ class Stage:
 
     @staticmethod
     def options(form):
-        return ["--any-size"] if form in ("any-size", "switched off") else []
+        return ["--any-size"] if form in ("any-size", "switched off") else ["--modest"] if "modest" in form else []
 
 
 def held(lines, again):
-    """What is compared of an input."""
-    kept = []
-    for line, other in zip(lines, again):
-        if line != other or " ends signal " in line:
-            break
-        kept.append(line)
+    """What is compared of each input."""
+    kept = {name: [] for name in lines}
+    for name, own in lines.items():
+        for line, other in zip(own, again.get(name, [])):
+            if line != other or " ends signal " in line:
+                break
+            kept[name].append(line)
     return kept
 
 
@@ -140,35 +144,40 @@ def main():
         subprocess.run(["cc", "-shared", "-fPIC", "-o", traps, str(ROOT / "tests/determinism/traps.c"), "-lm"], check=True)
         stage = Stage(given, traps)
         wanted = given.forms.split(",")
-        needed = ["stock", "stock again"] + (["stock trapped"] if "trapped" in wanted else []) + \
-            (["switched off"] if "any-size" in wanted else [])
+        bases = {form: BASES.get(form, "stock") for form in wanted}
         jobs = {form: {tuple(play): pool.submit(stage.run, form, play, *stage.options(form)) for play in stage.plays}
-                for form in needed + wanted}
+                for form in dict.fromkeys(["stock", *bases.values(), *wanted])}
         outputs = {form: {play: job.result() for play, job in plays.items()} for form, plays in jobs.items()}
+        expected = {base: {play: held(lines, lines) for play, (lines, _) in outputs[base].items()} for base in {"stock", *bases.values()}}
+        if "trapped" in wanted:
+            expected["stock trapped"] = {play: held(lines, outputs["stock"][play][0]) for play, (lines, _) in outputs["stock trapped"].items()}
+        for base in {"stock", "stock modest"} & set(bases.values()):
+            for play in expected[base]:
+                if any(differing(expected[base][play], outputs[form][play][0]) for form, its in bases.items() if its == base):
+                    again = stage.run(base + " again", play, *stage.options(base))[0]
+                    expected[base][play] = held(outputs[base][play][0], again)
+        inputs = sum(map(len, expected["stock"].values()))
 
-        def hold(form, again):
-            return {play: {name: held(lines, outputs[again][play][0].get(name, [])) for name, lines in output[0].items()}
-                    for play, output in outputs[form].items()}
+        def count(base, *endings):
+            return sum(lines[-1:] != [] and lines[-1].endswith(endings) for names in expected[base].values() for lines in names.values())
 
-        expected = hold("stock", "stock again")
-        inputs = sum(len(lines) for lines in expected.values())
-        whole = sum(bool(lines) and lines[-1].endswith(("ends done", "ends not finite"))
-                    for names in expected.values() for lines in names.values())
+        whole = count("stock", "ends done", "ends not finite")
         verdicts.check(inputs >= given.seeds * 9 // 10 and 100 * whole >= 90 * inputs, f"stock Box2D survives {whole} of {inputs}")
-        for form in wanted:
-            base, known = "stock", expected
-            if form == "trapped":
-                base, known = "stock trapped", hold("stock trapped", "stock")
-                trapped = sum(bool(lines) and lines[-1].endswith("ends done") for names in known.values() for lines in names.values())
-                verdicts.check(2 * trapped >= inputs, f"of {inputs} inputs {trapped} trap nothing in stock Box2D")
-            elif form == "any-size":
-                base, known = "switched off", {play: output[0] for play, output in outputs["switched off"].items()}
-            compare(stage, verdicts, form, known, outputs[form], base)
+        if "trapped" in wanted:
+            trapped = count("stock trapped", "ends done")
+            verdicts.check(2 * trapped >= inputs, f"of {inputs} inputs {trapped} trap nothing in stock Box2D")
+        for form, base in bases.items():
+            compare(stage, verdicts, form, expected[base], outputs[form], base)
+        # Control: modest listeners that shift shapes, too, are noticed.
+        if "modest" in wanted:
+            one, other = (stage.run(form, ["seeds", "8", "9"], *stage.options(form), "--permit", "shifts another's shapes")[0]
+                          for form in ("stock modest", "modest"))
+            verdicts.check(differing(one, other), "control: a promise is broken, and no world differs")
         # Control: one unit in the last place of one velocity is found, and where it is.
         play = stage.plays[0]
         for record in (10, 11) if given.seeds >= CHUNK else ():
             perturbed = stage.run("stock", play, "--perturb", str(record))[0]
-            bad = differing(expected[tuple(play)], perturbed)
+            bad = differing(expected["stock"][tuple(play)], perturbed)
             verdicts.check(any(line.split()[1] == str(record) for _, line, _ in bad),
                            f"control: perturbed at {record}, found {[line[:12] for _, line, _ in bad]}")
     print(f"{inputs} inputs, seeds {given.first} to {given.first + given.seeds - 1}, {whole} of them to their end: "

@@ -188,130 +188,109 @@ void MaskAll(Moment &m) {
 
 } // namespace
 
-#define DO [](Moment & m)
-const Reaction kReactions[] = {{"nothing", false, [](Moment &) {}},
-                               {"disables", false, DO{m.contact->SetEnabled(false);
-} // namespace actor
-}
-, {"disables", false, DO{m.contact->SetEnabled(false);
-}
-}
-, {"sets friction", false, DO{m.contact->SetFriction(m.amount);
-}
-}
-, {"sets restitution", false, DO{m.contact->SetRestitution(m.amount);
-m.contact->SetRestitutionThreshold(m.amount);
-}
-}
-, {"sets tangent speed", false, DO{m.contact->SetTangentSpeed(10.0f * m.amount - 5.0f);
-}
-}
-, {"switches bullet", false, DO{m.body->SetBullet(!m.body->IsBullet());
-}
-}
-, {"switches another bullet", false, DO{m.third->SetBullet(!m.third->IsBullet());
-}
-}
-, {"puts to sleep", false, DO{m.body->SetAwake(false);
-}
-}
-, {"wakes another or not", false, DO{m.third->SetAwake(m.mixed / 64 % 2 == 0);
-}
-}
-, {"makes a sensor", false, DO{m.fixture->SetSensor(true);
-}
-}
-, {"makes solid", false, DO{m.fixture->SetSensor(false);
-}
-}
-, {"refilters", false, DO{m.fixture->Refilter();
-}
-}
-, {"turns back", false, DO{m.body->SetLinearVelocity(-m.amount * m.body->GetLinearVelocity());
-}
-}
-, {"pushes another", false, DO{m.third->ApplyLinearImpulseToCenter({m.amount, 1.0f - m.amount}, true);
-m.third->ApplyAngularImpulse(m.amount, false);
-}
-}
-, {"evaluates", false, DO{ProbeContact(m.world.Probes(), *m.contact, {0.0f, 0.0f});
-}
-}
-, {"asks for distances", false,
-   DO{ProbePair(m.world.Probes(), *m.contact->GetFixtureA(), m.contact->GetChildIndexA(),
-                *m.contact->GetFixtureB(), m.contact->GetChildIndexB());
-}
-}
-, {"makes a box of it", false,
-   DO{if (b2PolygonShape *polygon = PlainPolygon(*m.fixture)) polygon->SetAsBox(0.2f + m.amount, 0.3f);
-}
-}
-, {"sets another's freedoms", false, DO{m.third->SetGravityScale(m.amount - 0.5f);
-m.third->SetSleepingAllowed(m.mixed / 64 % 2 == 0);
-}
-}
-, {"reads contacts", false, LookAtContacts},
-    {"steps the other world", false,
-     DO{if (m.world.other != nullptr && !m.world.other->Box2D().IsLocked())
-            m.world.other->Step(1.0f / 60.0f, 4, 2);
-}
-}
-, {"sets radius", false, DO{m.fixture->GetShape()->m_radius = m.amount * 4.0f * b2_polygonRadius;
-}
-}
-, {"resets friction", false, DO{m.fixture->SetFriction(m.amount);
-m.contact->ResetFriction();
-m.contact->ResetRestitution();
-}
-}
-, {"exchanges itself", false, DO{m.world.ChangeHandsForNow(m.mixed / 64);
-}
-}
-, {"steps its own world", false, DO{m.world.StepInItself(m);
-}
-}
-, {"makes a sensor or solid, with care", false, TurnSensorWithCare},
-    {"shoots another", false, DO{m.third->SetBullet(true);
-ThrowBody(m.third, m.mixed / 8);
-}
-}
-, {"edits a shape", false, DO{Edit(m.fixture, m.mixed / 64);
-}
-}
-, {"sets filter data", false, DO{SetFilterData(m.fixture, m.mixed / 64);
-}
-}
-, {"draws", false, DO{if (m.world.MayLook()) m.world.Draw();
-}
-}
-, {"sets the world's solver", false, SetWorld}, {"moves the centre of mass", false, SetDensity},
-    {"disables another contact", false, DisableOther},
-    {"disables all of another", false,
-     DO{for (b2ContactEdge *edge = m.third->GetContactList(); edge != nullptr; edge = edge->next)
-            m.world.Disable(edge->contact);
-}
-}
-, {"reads edges", false, LookAtEdges}, {"throws it", false, DO{ThrowBody(m.body, m.mixed / 8);
-}
-}
-, {"ends, makes, moves between steps", true, ActBetweenSteps},
-    {"puts bodies out of the world", false, DisableInStep},
-    {"tries what is refused", false, TryWhatIsRefused}, {"masks all of another", false, MaskAll},
-    {"edits another shape", false,
-     DO{if (b2Fixture *fixture = m.third->GetFixtureList()) Edit(fixture, m.mixed / 64);
-}
-}
-, {"shifts another's shapes", false,
-   DO{EditAll(m.third, 1.0f, {m.mixed / 64 % 2 == 0 ? 0.15f : -0.15f, 0.0f});
-}
-}
-, {"shifts its shapes", false, DO{EditAll(m.body, 1.0f, {m.mixed / 64 % 2 == 0 ? 0.15f : -0.15f, 0.0f});
-}
-}
-,
-}
-;
-#undef DO
+const Reaction kReactions[] = {
+    {"nothing", kModest, [](Moment &) {}},
+    {"disables", kModest, [](Moment &m) { m.contact->SetEnabled(false); }},
+    {"disables", kModest, [](Moment &m) { m.contact->SetEnabled(false); }},
+    {"sets friction", kModest, [](Moment &m) { m.contact->SetFriction(m.amount); }},
+    {"sets restitution", kModest,
+     [](Moment &m) {
+         m.contact->SetRestitution(m.amount);
+         if (!World::isModest)
+             m.contact->SetRestitutionThreshold(m.amount);
+     }},
+    {"sets tangent speed", kModest, [](Moment &m) { m.contact->SetTangentSpeed(10.0f * m.amount - 5.0f); }},
+    {"switches bullet", kImmodest, [](Moment &m) { m.body->SetBullet(!m.body->IsBullet()); }},
+    {"switches another bullet", kImmodest, [](Moment &m) { m.third->SetBullet(!m.third->IsBullet()); }},
+    {"puts to sleep", kImmodest, [](Moment &m) { m.body->SetAwake(false); }},
+    {"wakes another or not", kModest,
+     [](Moment &m) { m.third->SetAwake(World::isModest || m.mixed / 64 % 2 == 0); }},
+    {"makes a sensor", kImmodest, [](Moment &m) { m.fixture->SetSensor(true); }},
+    {"makes solid", kImmodest, [](Moment &m) { m.fixture->SetSensor(false); }},
+    {"refilters", kImmodest, [](Moment &m) { m.fixture->Refilter(); }},
+    {"turns back", kModest,
+     [](Moment &m) { m.body->SetLinearVelocity(-m.amount * m.body->GetLinearVelocity()); }},
+    {"pushes another", kModest,
+     [](Moment &m) {
+         m.third->ApplyLinearImpulseToCenter({m.amount, 1.0f - m.amount}, true);
+         m.third->ApplyAngularImpulse(m.amount, false);
+     }},
+    {"evaluates", kModest,
+     [](Moment &m) {
+         ProbeContact(m.world.Probes(), *m.contact, {0.0f, 0.0f});
+     }},
+    {"asks for distances", kModest,
+     [](Moment &m) {
+         ProbePair(m.world.Probes(), *m.contact->GetFixtureA(), m.contact->GetChildIndexA(),
+                   *m.contact->GetFixtureB(), m.contact->GetChildIndexB());
+     }},
+    {"makes a box of it", kImmodest,
+     [](Moment &m) {
+         if (b2PolygonShape *polygon = PlainPolygon(*m.fixture))
+             polygon->SetAsBox(0.2f + m.amount, 0.3f);
+     }},
+    {"sets another's freedoms", kImmodest,
+     [](Moment &m) {
+         m.third->SetGravityScale(m.amount - 0.5f);
+         m.third->SetSleepingAllowed(m.mixed / 64 % 2 == 0);
+     }},
+    {"reads contacts", kModest, LookAtContacts},
+    {"steps the other world", kImmodest,
+     [](Moment &m) {
+         if (m.world.other != nullptr && !m.world.other->Box2D().IsLocked())
+             m.world.other->Step(1.0f / 60.0f, 4, 2);
+     }},
+    {"sets radius", kImmodest,
+     [](Moment &m) { m.fixture->GetShape()->m_radius = m.amount * 4.0f * b2_polygonRadius; }},
+    {"resets friction", kImmodest,
+     [](Moment &m) {
+         m.fixture->SetFriction(m.amount);
+         m.contact->ResetFriction();
+         m.contact->ResetRestitution();
+     }},
+    {"exchanges itself", kImmodest, [](Moment &m) { m.world.ChangeHandsForNow(m.mixed / 64); }},
+    {"steps its own world", kImmodest, [](Moment &m) { m.world.StepInItself(m); }},
+    {"makes a sensor or solid, with care", kImmodest, TurnSensorWithCare},
+    {"shoots another", kImmodest,
+     [](Moment &m) {
+         m.third->SetBullet(true);
+         ThrowBody(m.third, m.mixed / 8);
+     }},
+    {"edits a shape", kImmodest, [](Moment &m) { Edit(m.fixture, m.mixed / 64); }},
+    {"sets filter data", kImmodest, [](Moment &m) { SetFilterData(m.fixture, m.mixed / 64); }},
+    {"draws", kModest,
+     [](Moment &m) {
+         if (m.world.MayLook())
+             m.world.Draw();
+     }},
+    {"sets the world's solver", kImmodest, SetWorld},
+    {"moves the centre of mass", kImmodest, SetDensity},
+    {"disables another contact", kImmodest, DisableOther},
+    {"disables all of another", kImmodest,
+     [](Moment &m) {
+         for (b2ContactEdge *edge = m.third->GetContactList(); edge != nullptr; edge = edge->next)
+             m.world.Disable(edge->contact);
+     }},
+    {"reads edges", kModest, LookAtEdges},
+    {"throws it", kModest, [](Moment &m) { ThrowBody(m.body, m.mixed / 8); }},
+    {"ends, makes, moves between steps", kUnlocked, ActBetweenSteps},
+    {"puts bodies out of the world", kImmodest, DisableInStep},
+    {"tries what is refused", kImmodest, TryWhatIsRefused},
+    {"masks all of another", kImmodest, MaskAll},
+    {"edits another shape", kImmodest,
+     [](Moment &m) {
+         if (b2Fixture *fixture = m.third->GetFixtureList())
+             Edit(fixture, m.mixed / 64);
+     }},
+    {"shifts another's shapes", kImmodest,
+     [](Moment &m) {
+         EditAll(m.third, 1.0f, {m.mixed / 64 % 2 == 0 ? 0.15f : -0.15f, 0.0f});
+     }},
+    {"shifts its shapes", kImmodest,
+     [](Moment &m) {
+         EditAll(m.body, 1.0f, {m.mixed / 64 % 2 == 0 ? 0.15f : -0.15f, 0.0f});
+     }},
+};
 const uint32_t kReactionCount = sizeof kReactions / sizeof *kReactions;
 
 } // namespace actor

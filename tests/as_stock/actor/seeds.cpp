@@ -6,17 +6,16 @@
 
 namespace actor {
 
-namespace {
-
-enum Flag : uint8_t { kWeightless = 2, kSubStepping = 4, kBin = 8, kAnySize = 32, kLarge = 64 };
-
-/// Reactions by name (reactions.cpp), and what a listener of a kind does.
 uint8_t ReactionOf(const char *name) {
     for (uint32_t i = 0; i < kReactionCount; ++i)
         if (std::strcmp(kReactions[i].name, name) == 0)
             return static_cast<uint8_t>(i);
     return 0;
 }
+
+namespace {
+
+enum Flag : uint8_t { kWeightless = 2, kSubStepping = 4, kBin = 8, kAnySize = 32, kLarge = 64 };
 
 class Writer {
 public:

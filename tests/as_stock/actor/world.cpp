@@ -81,8 +81,9 @@ void World::Step(float timeStep, int32 velocityIterations, int32 positionIterati
     if (m_handsChanged)
         ChangeHands(0);
     m_handsChanged = false;
-    if (m_disabled && !m_heard) {
-        // Known to differ: what was disabled while it had no points, in a world that nobody listens to.
+    if (m_disabled && (!m_heard || isModest)) {
+        // Known to differ: what was disabled while it had no points, in a world that nobody listens to, or
+        // whose listeners are modest.
         for (b2Contact *contact = m_world.GetContactList(); contact != nullptr; contact = contact->GetNext())
             if (!contact->IsTouching() || contact->GetFixtureA()->IsSensor() ||
                 contact->GetFixtureB()->IsSensor())
@@ -231,9 +232,9 @@ void World::SayGoodbye(b2Fixture *fixture) {
 bool World::ShouldCollide(b2Fixture *a, b2Fixture *b) {
     m_called = true;
     // The same for a pair whichever of the two comes first.
-    if ((filterReacts & 1) != 0)
+    if ((filterReacts & 1) != 0 && !isModest)
         ReactAsFilter(a, b);
-    if ((filterReacts & 2) != 0 && !ReactAsWildFilter(a, b))
+    if ((filterReacts & 2) != 0 && !(isModest ? ReactAsModestFilter(a, b) : ReactAsWildFilter(a, b)))
         return false;
     const uint32_t pair = (NumberOf(*a) + 1) * (NumberOf(*b) + 1);
     return (refused >> (pair % 8) & 1) == 0 && b2ContactFilter::ShouldCollide(a, b);
@@ -249,10 +250,13 @@ void World::React(b2Contact *contact, Occasion occasion) {
         return;
     const b2Fixture &a = *contact->GetFixtureA(), &b = *contact->GetFixtureB();
     const uint32_t mixed = Mix(a, b, occasion);
-    const uint8_t number = reactions[mixed % kReactionsHeld];
+    uint32_t number = reactions[mixed % kReactionsHeld];
+    while (isModest && number < kReactionCount && kReactions[number].manners == kImmodest &&
+           number != permitted)
+        ++number; // to one of those behind it that it may do
     const Reaction &reaction = kReactions[number < kReactionCount ? number : 0];
     // Not locked: a body, a fixture or the world is being taken apart.
-    if (!m_world.IsLocked() && !reaction.betweenSteps)
+    if (!m_world.IsLocked() && reaction.manners != kUnlocked)
         return;
     m_reacting = true;
     if (m_world.IsLocked())

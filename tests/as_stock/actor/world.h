@@ -28,14 +28,18 @@ struct Moment {
     Occasion occasion;
 };
 
+/// kModest: bmr::Options::modestListeners permits it; kUnlocked: it acts where a contact ends between steps.
+enum Manners { kModest, kImmodest, kUnlocked };
+
 /// What a listener does, by its number. (Behind the last: nothing.)
 struct Reaction {
     const char *name;
-    bool betweenSteps; ///< also where a contact ends while nothing is locked
+    Manners manners;
     void (*act)(Moment &moment);
 };
 extern const Reaction kReactions[];
 extern const uint32_t kReactionCount;
+uint8_t ReactionOf(const char *name);
 
 /// A world, the numbers of what is in it, and what its callbacks do: a few bytes, chosen from by the numbers
 /// of whom they are called for and by the step. They hold no state, so how often they are called does not
@@ -85,6 +89,11 @@ public:
     /// Throws, if that was asked for.
     void MayThrow(Occasion occasion);
 
+    /// Listeners and filters do what bmr::Options::modestListeners permits, and one thing more where
+    /// `permitted` is its number.
+    static inline bool isModest = false;
+    static inline uint32_t permitted = ~0u;
+
     static constexpr int kReactionsHeld = 8;
     uint8_t reactions[kReactionsHeld] = {}; ///< what listeners do
     uint8_t refused = 0;                    ///< which pairs the filter refuses
@@ -124,6 +133,7 @@ private:
     void React(b2Contact *contact, Occasion occasion);
     void ReactAsFilter(b2Fixture *a, b2Fixture *b);
     bool ReactAsWildFilter(b2Fixture *a, b2Fixture *b);
+    bool ReactAsModestFilter(b2Fixture *a, b2Fixture *b);
     void ChangeUnlocked(const Moment &moment, uint32_t mixed);
     void Tick();
     void Rescue();
