@@ -10,9 +10,10 @@
 #endif
 
 /// @file
-/// The direction in which this thread rounds. Programs change it (libraries for intervals do, and some leave
-/// it so). Every margin and every claim of equal bits is made for rounding to nearest: in any other mode
-/// Box2D answers.
+/// The mode of this thread's arithmetic. Programs change the direction in which it rounds (libraries for
+/// intervals do, and some leave it so). Every margin and every claim of equal bits is made for rounding to
+/// nearest. Programs also let an underflow end them, and proofs have underflows where Box2D has none. So in
+/// any other mode than the usual one Box2D answers.
 
 namespace bmr {
 
@@ -20,12 +21,14 @@ namespace bmr {
 
 // (std::fegetround asks the other unit, which nothing here computes with.)
 using RoundingMode = unsigned;
-constexpr RoundingMode kToNearest = _MM_ROUND_NEAREST;
+constexpr RoundingMode kNoSmallTraps = _MM_MASK_UNDERFLOW | _MM_MASK_DENORM | _MM_MASK_INEXACT;
+constexpr RoundingMode kToNearest = _MM_ROUND_NEAREST | kNoSmallTraps,
+                       kModeBits = _MM_ROUND_MASK | kNoSmallTraps;
 inline RoundingMode CurrentRounding() {
-    return _mm_getcsr() & _MM_ROUND_MASK;
+    return _mm_getcsr() & kModeBits;
 }
 inline void RoundBy(RoundingMode mode) {
-    _mm_setcsr((_mm_getcsr() & ~static_cast<unsigned>(_MM_ROUND_MASK)) | mode);
+    _mm_setcsr((_mm_getcsr() & ~kModeBits) | mode);
 }
 /// Does an operation without a number as its result, a division by zero or an overflow end the program?
 inline bool TrapsAreSet() {

@@ -31,11 +31,12 @@ bool IsSolidAndTouches(const b2Contact &contact) {
 } // namespace
 
 /// Code of the game is to be called in this impact. What it may change is compared with what it was ahead of
-/// the step's first call.
+/// the pass's first call.
 void ImpactPass::BeforeGame() {
     m_wasGameCalled = true;
-    if (m_ledger != nullptr && !GameRan())
+    if (m_ledger != nullptr && !m_flagsAreRead)
         m_ledger->GetMovers().LookAtAllSweeps(m_ledger->CurrentLook());
+    m_flagsAreRead = true;
     bmr::BeforeGame(m_manager);
 }
 
@@ -185,7 +186,7 @@ void ImpactPass::Update(b2Contact *contact) {
 void ImpactPass::Wake(b2Body *body) {
     const bool wasAwake = body->IsAwake();
     body->SetAwake(true);
-    if (!wasAwake)
+    if (!wasAwake && body->IsAwake()) // a static one never is
         AskPairsOf(body);
 }
 
@@ -214,8 +215,8 @@ void ImpactPass::ReadWhatGameDid() {
         return;
     Marks &marks = m_ledger->GetMarks();
     Movers &movers = m_ledger->GetMovers();
-    // (A body that woke beside one that was awake changes nothing.)
-    if (!ListenersAreModest() || !m_ledger->AreAllWatched())
+    // (A modest listener changes no more of this than who is awake.)
+    if (!ListenersAreModest() || movers.HadSleepers())
         for (uint32_t row = movers.NextNewSweep(0); row != Movers::kNone; row = movers.NextNewSweep(row + 1))
             AskPairsOf(movers[row].body);
     for (uint32_t word = 0; word < marks.parked.Words(); ++word)
@@ -242,6 +243,7 @@ void ImpactPass::Rebuild() {
     marks.heapCount = 0;
     marks.parked.ClearAll();
     m_ledger->GetMovers().LookAtAllSweeps(m_ledger->CurrentLook());
+    m_flagsAreRead = true;
     for (uint32_t i = 0; i < m_ledger->Count() && m_ledger != nullptr; ++i) {
         marks.asked.Clear(i);
         if (m_ledger->Contact(i) == nullptr)

@@ -53,7 +53,8 @@ ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *sol
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
       m_marks(m_manager), m_sweeps(solver != nullptr ? solver->GetSweeps() : OurSweeps()),
-      m_gameRan(GameRan() && !(ListenersAreModest() && m_ledger != nullptr && m_ledger->AreAllWatched())) {
+      m_gameRan(GameRan() && !(ListenersAreModest() && m_ledger != nullptr && m_ledger->AreAllWatched())),
+      m_flagsAreRead(m_gameRan) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
         m_listener = nullptr;
 }

@@ -180,7 +180,8 @@ bool IslandSolver::SolveTogether(Island *islands, uint32_t count) {
         return false;
     }
     m_solver.StoreImpulses(all);
-    StoreBodies(all);
+    for (uint32_t i = 0; i < count; ++i)
+        StoreBodies(islands[i]);
     m_profile.solveInit += initialized;
     m_profile.solveVelocity += solved - initialized;
     m_profile.solvePosition += timer.GetMilliseconds() - solved;
@@ -310,6 +311,7 @@ void IslandSolver::IntegratePositions(const Island &island) {
 void IslandSolver::StoreBodies(const Island &island) {
     for (uint32_t i = island.firstBody; i < island.endBody; ++i) {
         b2Body *const body = m_bodies[i];
+        body->*Named(IslandIndex()) = static_cast<int32>(i - island.firstBody);
         Store(m_positions[i], m_velocities[i], body);
         body->*Named(TransformMember()) = m_solver.PoseOf(static_cast<int32>(i), body->GetLocalCenter());
     }

@@ -53,12 +53,13 @@ public:
     bool Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints);
 
     /// Begins a pass. `listener` gets PostSolve, unless it is nullptr. `mayWait`: islands may be solved
-    /// together with others, and a body's m_islandIndex need not be its place in Box2D's island.
+    /// together with others.
     void Begin(const b2TimeStep &step, b2ContactListener *listener, bool mayWait);
     /// The arithmetic that goes with its islands.
     const Sweeps &GetSweeps() const { return m_allocator != nullptr ? TheStockSolver().sweeps : OurSweeps(); }
 
-    /// Writes the body's m_islandIndex: its place among those that are solved together.
+    /// Writes the body's m_islandIndex: its place among those that are solved together. Once they are solved
+    /// it is the place in Box2D's island.
     void Add(b2Body *body);
     void Add(b2Contact *contact) { m_contacts[m_contactCount++] = contact; }
     void Add(b2Joint *joint) { m_joints[m_jointCount++] = joint; }

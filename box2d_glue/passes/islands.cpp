@@ -20,7 +20,7 @@ namespace bmr {
 
 namespace {
 
-constexpr uint32_t kNoLink = 0xffffffffu, kSlept = kNoLink - 1; ///< it slept when contacts were linked
+constexpr uint32_t kNoLink = 0xffffffffu;
 // With more of them the links cost what they save.
 constexpr uint32_t kMostTouchingOf = 3;
 
@@ -53,17 +53,22 @@ private:
     int m_exceptions = std::uncaught_exceptions();
 };
 
+/// The number of the body's first link, until it is in an island: Box2D's m_islandIndex. A number that is
+/// left from another step is of no link of this body. (Box2D's gear reads that of a body that is in no
+/// island.)
 int32 &LinkOf(b2Body *body) {
-    return body->*Named(IslandIndex()); // until the body is in an island
+    return body->*Named(IslandIndex());
 }
+
+constexpr int32 kSlept = INT32_MIN; ///< with the number: it slept when contacts were linked
 
 } // namespace
 
 IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver)
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
-      m_marks(m_manager), m_room(solver->Room()), m_stepNumber(CurrentStep()),
-      m_newest(m_manager->m_contactList), m_contactCount(m_manager->m_contactCount) {
+      m_marks(m_manager), m_room(solver->Room()), m_newest(m_manager->m_contactList),
+      m_contactCount(m_manager->m_contactCount) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
         m_listener = nullptr;
     if (m_ledger != nullptr && (!m_ledger->IsLookedAtIn(CurrentStep()) || !m_ledger->IsWhole()))
@@ -111,15 +116,11 @@ void IslandPass::ClearFlags() {
     for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
         BodyInIsland::Clear(body);
-        if (body->GetType() == b2_staticBody)
-            continue;
-        if (m_mayLink)
-            LinkOf(body) = static_cast<int32>(body->IsAwake() ? kNoLink : kSlept);
-        else if (LinkOf(body) < 0) // of a step before there was a gear
-            LinkOf(body) = 0;
+        if (m_mayLink && body->GetType() != b2_staticBody && !body->IsAwake())
+            LinkOf(body) |= kSlept;
+        else
+            LinkOf(body) &= ~kSlept; // an exception may have left it
     }
-    for (uint32_t i = 0; m_awakeAlone && i < m_ledger->GetBodies().AwakeCount(); ++i)
-        LinkOf(m_ledger->GetBodies().Awake(i)) = static_cast<int32>(kNoLink);
     if (m_ledger != nullptr) {
         m_ledger->TakeMarks();
         m_ledger->GetMarks().inIsland.ClearAll();
@@ -196,7 +197,7 @@ void IslandPass::Push(b2Body *body) {
 /// The next body of the island. Islands do not go on across static bodies.
 void IslandPass::Take(b2Body *body) {
     BMR_BOX2D_ASSERTS(body->IsEnabled(), "b->IsEnabled() == true");
-    const auto link = static_cast<uint32_t>(LinkOf(body));
+    const int32 first = LinkOf(body);
     if (!HasRoom())
         return;
     m_solver->Add(body);
@@ -205,7 +206,8 @@ void IslandPass::Take(b2Body *body) {
     const bool wasAwake = body->IsAwake();
     if (!wasAwake)
         WakeInIsland(body);
-    if (m_isLinked && wasAwake && link != kSlept)
+    const auto link = static_cast<uint32_t>(first);
+    if (m_isLinked && wasAwake && (first & kSlept) == 0)
         for (uint32_t at = link < m_linkCount && m_room.links[link].body == body ? link : kNoLink;
              at != kNoLink; at = m_room.links[at].next)
             Take(m_room.links[at].contact, m_room.links[at].other);
@@ -268,10 +270,10 @@ void IslandPass::SolveIsland() {
 
 /// The listener's PostSolve was called, and may have woken bodies. If Link looked only at bodies that were
 /// awake, these have no links. The links of the others still hold, unless PostSolve made a step inside this
-/// one, or ended or made contacts.
+/// one, which unlocks the world, or ended or made contacts.
 void IslandPass::AfterGame() {
-    const bool stepped = m_stepNumber == 0 || CurrentStep() != m_stepNumber ||
-                         m_manager->m_contactList != m_newest || m_manager->m_contactCount != m_contactCount;
+    const bool stepped = !m_world->IsLocked() || m_manager->m_contactList != m_newest ||
+                         m_manager->m_contactCount != m_contactCount;
     m_isLinked = m_isLinked && !m_awakeAlone && !stepped;
     m_seedsAreAwake = m_awakeAlone = false;
     m_gameStepped = m_gameStepped || stepped;
@@ -287,8 +289,10 @@ void IslandPass::Synchronize() {
     if (m_ledger != nullptr)
         m_ledger->GetBodies().SetAlone(m_awakeAlone ? CurrentStep() : 0);
     if (!m_awakeAlone) {
-        for (b2Body *body = m_world->GetBodyList(); body != nullptr; body = body->GetNext())
+        for (b2Body *body = m_world->GetBodyList(); body != nullptr; body = body->GetNext()) {
+            LinkOf(body) &= ~kSlept;
             Follow(body);
+        }
         return;
     }
     for (uint32_t i = 0; i < m_ledger->GetBodies().AwakeCount(); ++i)

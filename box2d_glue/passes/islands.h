@@ -60,8 +60,7 @@ private:
     bool m_awakeAlone = false;    ///< only bodies of Bodies::Awake are in islands
     bool m_tells = false;         ///< PostSolve was called, and what was owed ahead of it is done
     bool m_gameStepped = false;   ///< contacts and bodies may be others than as the pass began
-    uint64_t m_stepNumber;
-    const b2Contact *m_newest; ///< of the world's contacts, and their count, as the pass began
+    const b2Contact *m_newest;    ///< of the world's contacts, and their count, as the pass began
     int32 m_contactCount;
 };
 

@@ -342,12 +342,15 @@ void Movers::FindSweepBits(uint32_t row, uint64_t look) {
 }
 
 void Movers::LookAtAllSweeps(uint64_t look) {
+    m_hadSleepers = false;
     for (uint32_t row = 0; row < m_count; ++row) {
         PrefetchBody(row + kBodiesAhead);
         if (m_rows[row].records == 0)
             continue;
         FindSweepBits(row, look);
         m_changeable[row] = static_cast<uint16_t>(ChangeableOf(m_rows[row]));
+        const b2Body &body = *m_rows[row].body;
+        m_hadSleepers = m_hadSleepers || (body.GetType() != b2_staticBody && !body.IsAwake());
     }
 }
 

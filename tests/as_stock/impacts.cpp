@@ -226,6 +226,47 @@ TEST_CASE("geared: gear joints are made whose definitions name bodies that the j
 
 namespace {
 
+/// The gear of a frame that is disabled reads which place that had in an island of the steps before.
+/// `asleep`: it sleeps in a step of ours, and Box2D makes the others.
+void PlayFrame(Run &run, bool asleep) {
+    Game game(run, {0.0f, -10.0f});
+    b2Body *bodies[6];
+    b2Joint *joints[3];
+    for (int i = 0; i < 6; ++i) {
+        bodies[i] = game.Box({3.0f * Real(i), 0.0f});
+        bodies[i]->SetAngularVelocity(1.0f + Real(i));
+    }
+    for (int i = 0; i < 3; ++i) {
+        b2RevoluteJointDef hinge;
+        hinge.Initialize(bodies[2 * i], bodies[2 * i + 1], bodies[2 * i]->GetPosition());
+        joints[i] = game.world.CreateJoint(&hinge);
+    }
+    b2GearJointDef gear;
+    gear.joint1 = joints[0];
+    gear.joint2 = joints[1];
+    gear.bodyA = bodies[1];
+    gear.bodyB = bodies[3];
+    game.Step(20);
+    bodies[0]->SetEnabled(false);
+    if (asleep) {
+        bodies[0]->SetAwake(false);
+        game.Step();
+        std::fesetround(FE_UPWARD);
+    }
+    game.world.CreateJoint(&gear);
+    game.Step(20);
+    std::fesetround(FE_TONEAREST);
+}
+
+} // namespace
+
+TEST_CASE("frame: a gear is made between two steps, and the frame of one of its joints is disabled") {
+    for (const bool asleep : {false, true})
+        AsStock([asleep](Run &run) { PlayFrame(run, asleep); }, false);
+}
+
+namespace {
+
 /// `rounded`: the step that is thrown out of is rounded upward, and so was one before; between them an impact
 /// is had.
 void PlayThrown(Run &run, bool rounded) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "as_stock.h"
+#include "base/private_members.h"
 
 using namespace as_stock;
 
@@ -338,6 +339,35 @@ TEST_CASE("modest: listeners push and wake bodies, and change the contact that t
                     game.hash.Add(c->IsEnabled() ? 1u : 0u);
                 game.world.DestroyBody(shot);
             }
+        },
+        true, true);
+}
+
+TEST_CASE("modest: a listener wakes, in an impact, who fell asleep in the same step") {
+    AsStock(
+        [](Run &run) {
+            Game game(run, {0.0f, -10.0f});
+            game.AddBoxTo(game.Wall({0.0f, -1.0f}, {60.0f, 1.0f}), {1.0f, 5.0f}, {10.0f, 6.0f});
+            b2Body *const rests = game.Box({0.0f, 0.5f}), *const shot = game.Box({8.0f, 5.0f}, {0.1f, 0.1f});
+            shot->SetBullet(true);
+            for (int i = 0; i < 60; ++i)
+                game.Near({30.0f, 1.0f + 1.5f * Real(i)});
+            game.Listen();
+            int woken = 0;
+            game.listener.begin = [rests, &woken](b2Contact *) {
+                woken += rests->IsAwake() ? 0 : 1;
+                if (!rests->IsAwake())
+                    rests->SetAwake(true);
+            };
+            for (int i = 0; i < 150; ++i) {
+                shot->SetTransform({8.0f, 5.0f}, 0.0f);
+                shot->SetLinearVelocity({100.0f, 0.0f});
+                game.Step(1);
+                game.hash.Add(bmr::SweepOf(*rests).alpha0);
+            }
+            game.Step(1);
+            if (woken == 0)
+                run.Print("!nobody was woken");
         },
         true, true);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Worlds that are stepped in the midst of a step. (A step of no time unlocks the world that is being stepped:
 // from then on Box2D allows in a callback whatever may be done between steps.)
+#include <thread>
+
 #include <pthread.h>
 #include <ucontext.h>
 
@@ -59,6 +61,24 @@ TEST_CASE("own: a listener steps its own world") {
             game.Listen();
             game.listener.begin = Every(1, calls, [&game] { game.StepWithin(1.0f / 60.0f, 2); });
             game.Step(60);
+        }
+    });
+}
+
+TEST_CASE("elsewhere: PostSolve has another thread step its own world, and waits for it") {
+    AsStock([](Run &run) {
+        Game game(run, {0.0f, -10.0f});
+        game.Wall({0.0f, -1.0f}, {60.0f, 1.0f});
+        for (int i = 0; i < 60; ++i) {
+            game.Box({-40.0f + 4.0f * Real(i / 3), 0.5f + 1.02f * Real(i % 3)});
+            for (const float height : {20.0f, 21.5f})
+                game.Box({-40.0f + 1.3f * Real(i), height}, {1.5f, 0.05f}, 0.7f);
+        }
+        game.Listen();
+        for (int i = 0; i < 6; ++i) {
+            game.listener.postSolve.Once(
+                [&game] { std::thread([&game] { game.StepWithin(1.0f / 240.0f, 4); }).join(); });
+            game.Step(10);
         }
     });
 }

@@ -7,6 +7,7 @@
 #include <cfenv>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 
 #include "base/rounding_mode.h"
@@ -178,4 +179,24 @@ TEST_CASE("what rounds to nearest for a while gives the mode back") {
         CHECK(still);
     }
     CHECK(bmr::RoundsToNearest());
+}
+
+// Proofs have underflows where Box2D has none, and so has the trial of a Box2D.
+TEST_CASE("where an underflow ends the program Box2D answers, and nothing is tried with the trap") {
+    feenableexcept(FE_UNDERFLOW);
+    const bool before = bmr::RoundsToNearest();
+    bool within = false;
+    {
+        const bmr::NearestRounding nearest;
+        within = bmr::RoundsToNearest();
+        volatile float tiny = std::numeric_limits<float>::min();
+        tiny = tiny / std::numeric_limits<float>::max();
+    }
+    const int after = fegetexcept();
+    const bool still = !bmr::RoundsToNearest();
+    fedisableexcept(FE_UNDERFLOW);
+    CHECK_FALSE(before);
+    CHECK(within);
+    CHECK(after == FE_UNDERFLOW);
+    CHECK(still);
 }

@@ -42,8 +42,13 @@ EventObserver &Observer(testbed::EventRecorder &recorder) {
 
 b2PolygonShape *PlainPolygon(b2Fixture &fixture) {
     b2Shape *shape = fixture.GetShape();
+#ifdef __cpp_rtti
     const b2Shape &object = *shape;
-    return typeid(object) == typeid(b2PolygonShape) ? static_cast<b2PolygonShape *>(shape) : nullptr;
+    const bool isPlain = typeid(object) == typeid(b2PolygonShape);
+#else // and no shape is derived from a polygon
+    const bool isPlain = shape->GetType() == b2Shape::e_polygon;
+#endif
+    return isPlain ? static_cast<b2PolygonShape *>(shape) : nullptr;
 }
 
 World::World(const b2Vec2 &gravity) : m_world(gravity) {

@@ -10,8 +10,10 @@ struct Checked {
     long together; ///< islands that were solved once more, all of a step's at once
     /// A control: so many islands from now on, one bit of what ours left is turned. Never, where it is 0.
     long turnsABitIn;
+    bool isInOurs; ///< ours is at work, and Box2D has solved the same island
 };
-extern Checked checked;
+/// In memory that child processes share.
+extern Checked &checked;
 
 } // namespace box2d_builds
 
