@@ -12,8 +12,8 @@
 /// @file
 /// The mode of this thread's arithmetic. Programs change the direction in which it rounds (libraries for
 /// intervals do, and some leave it so). Every margin and every claim of equal bits is made for rounding to
-/// nearest. Programs also let an underflow end them, and proofs have underflows where Box2D has none. So in
-/// any other mode than the usual one Box2D answers.
+/// nearest. Programs also let an underflow end them, and proofs have some of their own. So in any other mode
+/// than the usual one Box2D answers.
 
 namespace bmr {
 

@@ -146,8 +146,7 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
 }
 
 bool IslandSolver::MayWait(const Island &island) const {
-    bool mayWait =
-        m_mayWait && m_listener == nullptr && ContactCount() + JointCount() > 0 && m_step.dt < b2_maxFloat;
+    bool mayWait = m_mayWait && ContactCount() + JointCount() > 0 && m_step.dt < b2_maxFloat;
     for (uint32_t i = island.firstBody; i < island.endBody && mayWait; ++i)
         mayWait = m_bodies[i]->GetType() != b2_staticBody || StaysAsItIs(*m_bodies[i]);
     return mayWait;

@@ -53,7 +53,7 @@ public:
     bool Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints);
 
     /// Begins a pass. `listener` gets PostSolve, unless it is nullptr. `mayWait`: islands may be solved
-    /// together with others.
+    /// together with others, and PostSolve is called behind all of them.
     void Begin(const b2TimeStep &step, b2ContactListener *listener, bool mayWait);
     /// The arithmetic that goes with its islands.
     const Sweeps &GetSweeps() const { return m_allocator != nullptr ? TheStockSolver().sweeps : OurSweeps(); }
@@ -70,8 +70,8 @@ public:
     /// Its stack has room for as many bodies as an island.
     IslandRoom &Room() { return m_room; }
 
-    /// b2Island::Solve. Where there is no listener the island may wait to be solved together with others, as
-    /// late as in Finish: they share no body that moves.
+    /// b2Island::Solve. If Begin was told so the island may wait to be solved together with others, as late as
+    /// in Finish: they share no body that moves.
     void Solve(const b2Vec2 &gravity, bool allowSleep);
     /// b2Island::SolveTOI, by the step that Begin was given. The first two bodies are those that meet.
     void SolveToi();

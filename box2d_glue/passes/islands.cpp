@@ -95,7 +95,7 @@ void IslandPass::Run() {
 
 void IslandPass::SolveIslands(b2Profile *profile) {
     const EndsWhole loop;
-    m_solver->Begin(m_step, m_listener, m_mayLink);
+    m_solver->Begin(m_step, m_listener, m_mayLink && !IsOfGame(m_listener));
     for (b2Body *seed = FirstSeed(); seed != nullptr; seed = NextSeed(seed))
         if (MayBeSeed(seed))
             BuildIsland(seed);
@@ -288,14 +288,12 @@ void IslandPass::AfterGame() {
 void IslandPass::Synchronize() {
     if (m_ledger != nullptr)
         m_ledger->GetBodies().SetAlone(m_awakeAlone ? CurrentStep() : 0);
-    if (!m_awakeAlone) {
-        for (b2Body *body = m_world->GetBodyList(); body != nullptr; body = body->GetNext()) {
-            LinkOf(body) &= ~kSlept;
-            Follow(body);
-        }
-        return;
+    for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
+         body = body->GetNext()) {
+        LinkOf(body) &= ~kSlept;
+        Follow(body);
     }
-    for (uint32_t i = 0; i < m_ledger->GetBodies().AwakeCount(); ++i)
+    for (uint32_t i = 0; m_awakeAlone && i < m_ledger->GetBodies().AwakeCount(); ++i)
         Follow(m_ledger->GetBodies().Awake(i));
 }
 

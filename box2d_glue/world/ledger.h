@@ -337,8 +337,7 @@ private:
     int32 m_live = 0, m_watched = 0;
     uint64_t m_step = 0; ///< CurrentStep() of the last look at all movers
     uint64_t m_look = 1; ///< goes up whenever what was read may be old
-    uint32_t m_passNumber = 0;
-    uint32_t m_changes = 0;
+    uint32_t m_passNumber = 0, m_changes = 0;
     uint32_t m_passes = 0;         ///< under way
     uint32_t m_endings = 0;        ///< of these, ends of contacts
     uint32_t m_unlisted = 0;       ///< records with kUnlisted

@@ -349,8 +349,7 @@ void Movers::LookAtAllSweeps(uint64_t look) {
             continue;
         FindSweepBits(row, look);
         m_changeable[row] = static_cast<uint16_t>(ChangeableOf(m_rows[row]));
-        const b2Body &body = *m_rows[row].body;
-        m_hadSleepers = m_hadSleepers || (body.GetType() != b2_staticBody && !body.IsAwake());
+        m_hadSleepers |= (m_sweepBits[row] & kActive) == 0 && m_rows[row].body->GetType() != b2_staticBody;
     }
 }
 
