@@ -37,6 +37,14 @@ out_has() { grep -Eq -- "$1" "$scratch/out" || fail "stdout lacks /$1/"; }
 err_has() { grep -Eq -- "$1" "$scratch/err" || fail "stderr lacks /$1/"; }
 err_empty() { [ ! -s "$scratch/err" ] || fail "stderr is not empty"; }
 
+# says PATTERN STATUS ARGUMENT…: that it exits so, and prints (where it fails: on stderr) what has the pattern.
+says() {
+    local pattern=$1
+    shift
+    expect "$@"
+    if [ "$1" -eq 0 ]; then out_has "$pattern"; else err_has "$pattern"; fi
+}
+
 # Neither escape codes nor carriage returns belong into a file or a pipe.
 clean() {
     if LC_ALL=C grep -q -e $'\033' -e $'\r' "$scratch/out" "$scratch/err"; then

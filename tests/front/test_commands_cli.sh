@@ -13,8 +13,7 @@ commands() { "$testbed" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*
 test_every_command_helps_and_refuses() {
     local command
     [ "$(commands | wc -l)" -ge 8 ] || fail "commands are not found in --help"
-    expect 0 --version
-    out_has '^boomerang-testbed [0-9]+\.[0-9]+\.[0-9]+$'
+    says '^boomerang-testbed [0-9]+\.[0-9]+\.[0-9]+$' 0 --version
     for command in $(commands); do
         expect 0 "$command" --help
         err_empty

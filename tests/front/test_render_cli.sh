@@ -122,8 +122,7 @@ test_focus_on_bodies_and_places() {
         err_has 'a body, two bodies A,B or a rectangle|two different bodies'
     done
     expect 2 render pyramid --size 4 --step 3 --focus '' -o "$scratch/picture.svg"
-    expect 2 render pyramid --size 4 --step 3 --focus 1 --width 599 -o "$scratch/picture.svg"
-    err_has 'at least 600'
+    says 'at least 600' 2 render pyramid --size 4 --step 3 --focus 1 --width 599 -o "$scratch/picture.svg"
     expect 2 render pyramid --size 4 --step 3 --focus 4711 -o "$scratch/picture.svg"
     err_has 'there is no body 4711 after step 3; the largest number is [0-9]+'
 }
@@ -139,8 +138,7 @@ test_a_series_is_numbered_and_of_one_size() {
     ! same_svg "$scratch/series-0000.svg" "$scratch/series-0003.svg" || fail "nothing moves"
     local bad
     for bad in 3 5:3 -1:4 1:2:0 1:2: 1:2:3:4 a:b; do
-        expect 2 render pyramid "--frames=$bad" -o "$scratch/picture.svg"
-        err_has 'FIRST:LAST or FIRST:LAST:EVERY is wanted'
+        says 'FIRST:LAST or FIRST:LAST:EVERY is wanted' 2 render pyramid "--frames=$bad" -o "$scratch/picture.svg"
     done
 }
 
@@ -158,20 +156,16 @@ test_bodies_that_are_named_are_numbered() {
 }
 
 test_requests_that_make_no_sense() {
-    expect 2 render pyramid -o "$scratch/picture.svg"
-    err_has 'which step'
+    says 'which step' 2 render pyramid -o "$scratch/picture.svg"
     expect 2 render pyramid --step -1 -o "$scratch/picture.svg"
-    expect 2 render pyramid --step 100000001 -o "$scratch/picture.svg"
-    err_has 'no whole number from 0 to 100000000'
+    says 'no whole number from 0 to 100000000' 2 render pyramid --step 100000001 -o "$scratch/picture.svg"
     expect 2 render pyramid --step 1 --frames 1:2 -o "$scratch/picture.svg"
     expect 2 render pyramid --step 1
     expect 2 render pyramid --step 1 --all --bare -o "$scratch/picture.svg"
-    expect 2 render pyramid --step 1 -o "$scratch/picture.jpeg"
-    err_has 'should end in .svg, .png or .pdf'
+    says 'should end in .svg, .png or .pdf' 2 render pyramid --step 1 -o "$scratch/picture.jpeg"
     expect 3 render pyramid --step 1 -o "$scratch/no/such/directory.png"
     err_has 'cannot write .*no/such/directory.png: there is no directory .*/no/such$'
-    expect 3 replay pyramid --steps 1 -o "$scratch/no/such/directory.html"
-    err_has 'cannot write'
+    says 'cannot write' 3 replay pyramid --steps 1 -o "$scratch/no/such/directory.html"
     local ending
     for ending in png svg pdf; do
         echo old >"$scratch/kept.$ending"
@@ -181,10 +175,8 @@ test_requests_that_make_no_sense() {
         ! echo old | cmp -s - "$scratch/kept.$ending" || fail "control: the old picture is still there"
         [ -z "$(find "$scratch" -name '*.part')" ] || fail "an unfinished picture is left"
     done
-    expect 2 render piramid --step 1 -o "$scratch/picture.svg"
-    err_has 'nearest is "pyramid"'
-    expect 0 render --help
-    out_has 'Layers:'
+    says 'nearest is "pyramid"' 2 render piramid --step 1 -o "$scratch/picture.svg"
+    says 'Layers:' 0 render --help
     out_has '--focus'
     clean
 }

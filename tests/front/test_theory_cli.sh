@@ -53,8 +53,7 @@ test_events_take_ones_own_polygons_and_motion() {
     expect 0 events --polygon "$scratch/square.txt" --motion "$scratch/hit.txt" --structures lazy-compass
     out_has 'n = 4, in contact from 0\.333 to 0\.667$'
     sed 's/screw 0 -6 0/screw 0 -6 2.5/' "$scratch/hit.txt" >"$scratch/miss.txt"
-    expect 0 events --polygon "$scratch/square.txt" --motion "$scratch/miss.txt" --structures lazy-compass
-    out_has 'D/sigma = 5\.6'
+    says 'D/sigma = 5\.6' 0 events --polygon "$scratch/square.txt" --motion "$scratch/miss.txt" --structures lazy-compass
     for motion in 'sample 0 4 0 0|sample 1 4 4 1' 'algebraic 0 0 x 4 1 y 0 0 2 a 1 b 0 1'; do
         { echo 'body B'; tr '|' '\n' <<<"$motion"; } >"$scratch/m.txt"
         expect 0 events --polygon "$scratch/square.txt" --motion "$scratch/m.txt" --structures free-fd2 --audit
@@ -62,45 +61,32 @@ test_events_take_ones_own_polygons_and_motion() {
 }
 
 test_events_explain_wrong_input() {
-    expect 2 events lin
-    err_has 'no motion "lin"; the nearest is "line"'
-    expect 2 events --structures lazy-compas
-    err_has 'the nearest is "lazy-compass"'
-    expect 2 events --shape ellipse:dsic
-    err_has 'the nearest is "disc"'
-    expect 2 events --ratios 8:x
-    err_has '"x" is no number'
-    expect 2 events --ratios 512:8
-    err_has 'LOW:HIGH'
+    says 'no motion "lin"; the nearest is "line"' 2 events lin
+    says 'the nearest is "lazy-compass"' 2 events --structures lazy-compas
+    says 'the nearest is "disc"' 2 events --shape ellipse:dsic
+    says '"x" is no number' 2 events --ratios 8:x
+    says 'LOW:HIGH' 2 events --ratios 512:8
     expect 2 events --n 2
-    expect 2 events --polygon "$scratch/none.txt"
-    err_has 'none.txt'
+    says 'none.txt' 2 events --polygon "$scratch/none.txt"
     printf 'body B\nscrew 0 1 1 0 1\n' >"$scratch/short.txt"
-    expect 2 events --motion "$scratch/short.txt"
-    err_has 'short.txt, line 2: a number is missing: VY'
+    says 'short.txt, line 2: a number is missing: VY' 2 events --motion "$scratch/short.txt"
     printf 'body B\nscrow 0\n' >"$scratch/word.txt"
-    expect 2 events --motion "$scratch/word.txt"
-    err_has 'line 2: "scrow" is none of'
+    says 'line 2: "scrow" is none of' 2 events --motion "$scratch/word.txt"
     printf '1 1\nx 2\n' >"$scratch/points.txt"
-    expect 2 events --polygon "$scratch/points.txt" line
-    err_has 'points.txt, line 2'
+    says 'points.txt, line 2' 2 events --polygon "$scratch/points.txt" line
     expect 2 events --motion /dev/null
     expect 2 events line --alpha -1
     expect 2 events line --alpha nan
     expect 2 events line --offset-ratio 1
-    expect 3 events line --csv "$scratch/no/such/file.csv"
-    err_has 'cannot write .*: there is no directory'
-    expect 2 events line --structures points
-    err_has 'none of these structures'
+    says 'cannot write .*: there is no directory' 3 events line --csv "$scratch/no/such/file.csv"
+    says 'none of these structures' 2 events line --structures points
 }
 
 test_events_beside_box2d() {
-    expect 0 events line --n 8 --ratios 8 --seeds 1 --structures free-fd2 --box2d
-    out_has 'stock Box2D'
+    says 'stock Box2D' 0 events line --n 8 --ratios 8 --seeds 1 --structures free-fd2 --box2d
     # Box2D asks at every step; a structure a few times.
     awk '$1 == "line" { last = $0 } END { split(last, f); exit !(f[3] > 10 && f[9] < f[3]) }' "$scratch/out" || fail "the calls of Box2D are not beside the events"
-    expect 3 events line --shape ellipse:point --ratios 8 --seeds 1 --box2d
-    err_has 'a point'
+    says 'a point' 3 events line --shape ellipse:point --ratios 8 --seeds 1 --box2d
 }
 
 test_figures_are_drawn() {
@@ -115,10 +101,8 @@ test_figures_are_drawn() {
         [ "$(wc -c <"$scratch/figures/new/$name.svg")" -gt 5000 ] || fail "$name.svg is empty"
         head -c 8 "$scratch/figures/new/$name.png" | grep -q PNG || fail "$name.png is no picture"
     done
-    expect 2 figures dudly
-    err_has 'the nearest is "dudley"'
-    expect 3 figures dudley -o /dev/null/x
-    err_has 'cannot make the directory'
+    says 'the nearest is "dudley"' 2 figures dudly
+    says 'cannot make the directory' 3 figures dudley -o /dev/null/x
 }
 
 run_tests

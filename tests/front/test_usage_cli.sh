@@ -14,8 +14,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 refused() {
     local pattern=$1
     shift
-    expect 2 "$@"
-    err_has '^boomerang-testbed: '
+    says '^boomerang-testbed: ' 2 "$@"
     err_has "$pattern"
     clean
 }
@@ -61,15 +60,11 @@ test_why_a_file_cannot_be_written() {
     : >"$scratch/file"
     mkdir "$scratch/directory.csv"
     for to in "no/x.csv:there is no directory .*/no" "file/x.csv:Not a directory" "directory.csv:Is a directory"; do
-        expect 3 compare pyramid --no-time --csv "$scratch/${to%%:*}"
-        err_has "cannot write $scratch/${to%%:*}: ${to#*:}$"
+        says "cannot write $scratch/${to%%:*}: ${to#*:}$" 3 compare pyramid --no-time --csv "$scratch/${to%%:*}"
     done
-    expect 3 run pyramid --size 3 --steps 1 --trace "$scratch/no/trace"
-    err_has 'cannot write .*/no/trace: there is no directory'
-    expect 3 compare pyramid --size 3 --steps 2 --no-time --quiet --csv /dev/full
-    err_has 'cannot write /dev/full: No space left on device'
-    expect 3 replay pyramid --size 3 --steps 2 -o /dev/full
-    err_has 'cannot write /dev/full: No space left on device'
+    says 'cannot write .*/no/trace: there is no directory' 3 run pyramid --size 3 --steps 1 --trace "$scratch/no/trace"
+    says 'cannot write /dev/full: No space left on device' 3 compare pyramid --size 3 --steps 2 --no-time --quiet --csv /dev/full
+    says 'cannot write /dev/full: No space left on device' 3 replay pyramid --size 3 --steps 2 -o /dev/full
 }
 
 # A trace is written while the events are counted: in the midst of that a signal comes.
@@ -148,8 +143,7 @@ test_replay_of_ones_own_pair() {
     printf '%s\n' '1 1' '-1 1' '-1 -1' '1 -1' >"$scratch/square.txt"
     printf '%s\n' 'body B' 'screw 0 -6 2.5 0 12 0 0' >"$scratch/motion.txt"
     local pair=(--polygon "$scratch/square.txt" --motion "$scratch/motion.txt")
-    expect 0 replay "${pair[@]}" --steps 40 -o "$scratch/pair.html"
-    out_has 'pair\.html: motion\.txt, 41 frames, 2 bodies'
+    says 'pair\.html: motion\.txt, 41 frames, 2 bodies' 0 replay "${pair[@]}" --steps 40 -o "$scratch/pair.html"
     grep -q '"structure":"lazy-compass"' "$scratch/pair.html" || fail "the page does not name its structure"
     expect 0 replay "${pair[@]}" "${pair[@]:0:2}" --structure free-fd2 -o "$scratch/other.html"
     grep -q '"structure":"free-fd2"' "$scratch/other.html" || fail "the page does not name its structure"

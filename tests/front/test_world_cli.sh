@@ -39,8 +39,7 @@ test_every_scene_runs_and_nothing_overlaps() {
     done
     # Walls of any width, and plans that are counted.
     expect 0 world asteroids --boundary walls --check --quiet
-    expect 0 world swarm --bodies 20 --seconds 5
-    out_has '^plans: +[1-9]'
+    says '^plans: +[1-9]' 0 world swarm --bodies 20 --seconds 5
     # Control: bodies that pass through each other do overlap, and are told to.
     expect 0 world "${small[@]}" --answer pass --check --quiet --json "$scratch/pass.json"
     grep -qE '"overlaps": [1-9]' "$scratch/pass.json" || fail "bodies that pass through each other: no overlap is counted"
@@ -60,8 +59,7 @@ test_runs_are_equal_and_conserve() {
         number "$scratch/a.json" '>' -1e-12 0 "$drift"
     done
     # Control: inelastic bodies lose energy, and it is told.
-    expect 0 world "${small[@]}" --boundary open --answer 0.5 --zeno elastic --json "$scratch/d.json"
-    out_has 'not the energy'
+    says 'not the energy' 0 world "${small[@]}" --boundary open --answer 0.5 --zeno elastic --json "$scratch/d.json"
     number "$scratch/d.json" '<' 0.99 0 energy_left
     number "$scratch/d.json" '<' 1e-12 0 momentum_drift
 }
@@ -84,24 +82,21 @@ test_growth_is_a_table() {
     out_has '^10 .*\(1.00\)'
     out_has '^20 '
     [ "$(wc -l <"$scratch/growth.csv")" -eq 3 ] || fail "the CSV file has not one row a run"
-    expect 2 world gas --growth 10,x
-    err_has '"x" is no number of bodies'
+    says '"x" is no number of bodies' 2 world gas --growth 10,x
 }
 
 test_a_run_is_shown() {
     expect 0 world gas --bodies 20 --seconds 1 --record "$scratch/run.txt" --rate 10 --quiet
     # A head, and frames from time 0 to 1.
     [ "$(wc -l <"$scratch/run.txt")" -eq 12 ] || fail "not 11 frames"
-    expect 0 replay --recording "$scratch/run.txt" -o "$scratch/run.html"
-    out_has '11 frames, 20 bodies'
+    says '11 frames, 20 bodies' 0 replay --recording "$scratch/run.txt" -o "$scratch/run.html"
     grep -q '"world":true' "$scratch/run.html" || fail "the page does not know what it plays"
     expect 0 render --recording "$scratch/run.txt" --step 10 --all -o "$scratch/run.svg"
     grep -q '<svg' "$scratch/run.svg" || fail "no picture"
     # Cells, disks and trails are layers: without them there is less to draw.
     expect 0 render --recording "$scratch/run.txt" --step 10 --bare -o "$scratch/bare.svg"
     [ "$(grep -c '<path' "$scratch/run.svg")" -gt "$(($(grep -c '<path' "$scratch/bare.svg") + 50))" ] || fail "--all draws no more than --bare"
-    expect 2 render --recording "$scratch/run.txt" --step 11 -o "$scratch/none.svg"
-    err_has 'the last frame .* is 10'
+    says 'the last frame .* is 10' 2 render --recording "$scratch/run.txt" --step 11 -o "$scratch/none.svg"
     # A periodic box is drawn, by the only line of such dashes, and said in the legend.
     expect 0 world gas --boundary periodic --bodies 20 --seconds 1 --record "$scratch/box.txt" --rate 10 --quiet
     expect 0 render --recording "$scratch/box.txt" --step 10 -o "$scratch/box.svg"
@@ -109,28 +104,23 @@ test_a_run_is_shown() {
     grep -q 'stroke-dasharray:9,5' "$scratch/run.svg" && fail "a periodic box without one"
     # Controls: a file that is none, and one that was cut short.
     head -n 8 "$scratch/run.txt" >"$scratch/short.txt"
-    expect 2 replay --recording "$scratch/short.txt" -o "$scratch/short.html"
-    err_has 'ends after 7 frames'
+    says 'ends after 7 frames' 2 replay --recording "$scratch/short.txt" -o "$scratch/short.html"
     sed 1d "$scratch/run.txt" >"$scratch/headless.txt"
-    expect 2 render --recording "$scratch/headless.txt" --step 1 -o "$scratch/none.svg"
-    err_has 'is no recording'
+    says 'is no recording' 2 render --recording "$scratch/headless.txt" --step 1 -o "$scratch/none.svg"
     expect 2 render planks --step 1 --trails -o "$scratch/none.svg"
-    expect 2 replay -o "$scratch/none.html"
-    err_has 'a scene is wanted'
+    says 'a scene is wanted' 2 replay -o "$scratch/none.html"
 }
 
 test_collapse_is_told() {
     expect 3 world cooling --bodies 40 --density 0.3 --shape regular --answer 0.05 --zeno error --seconds 40 --quiet
     err_has 'stopped at time .*body [0-9]* and .*contact after contact.*--zeno elastic'
-    expect 0 world cooling --bodies 40 --density 0.3 --shape regular --answer 0.5 --zeno-speed 0.1 --seconds 10
-    out_has '^softened: +[0-9]'
+    says '^softened: +[0-9]' 0 world cooling --bodies 40 --density 0.3 --shape regular --answer 0.5 --zeno-speed 0.1 --seconds 10
 }
 
 test_nonsense_is_refused() {
     while IFS='|' read -r words message; do
         # shellcheck disable=SC2086 # words
-        expect 2 world $words
-        err_has "$message"
+        says "$message" 2 world $words
     done <<'WORDS'
 gasp|nearest is "gas"
 gas --bodies 1|--bodies: "1" is no whole number from 2 to
@@ -161,8 +151,7 @@ gas --record x.txt --growth 10|growth
 cooling --bodies 3|periodic box
 WORDS
     expect 3 world gas --record "$scratch/none/run.txt"
-    expect 2 world gas --record "$scratch/run.txt" --rate 0
-    err_has 'above 0'
+    says 'above 0' 2 world gas --record "$scratch/run.txt" --rate 0
 }
 
 run_tests
