@@ -53,7 +53,7 @@ bool Overlaps(b2Contact *contact) {
         return ofBox2D();
     PolygonContact *const ours = PolygonContact::AsOurs(contact);
     const Overlap answer = CertainOverlap(*a.GetShape(), childA, *b.GetShape(), childB, poseA, poseB,
-                                          ours != nullptr ? ours->Memory() : nullptr);
+                                          ours != nullptr ? ours->Memory() : nullptr, contact->IsTouching());
     if (answer == Overlap::kUnknown)
         return ofBox2D();
     const bool overlaps = answer == Overlap::kOverlapping;

@@ -257,7 +257,7 @@ bool IsSmall(const b2DistanceProxy &proxy) {
 } // namespace
 
 Overlap CertainOverlap(const b2Shape &shapeA, int32 childA, const b2Shape &shapeB, int32 childB,
-                       const b2Transform &xfA, const b2Transform &xfB, EdgeMemory *memory) {
+                       const b2Transform &xfA, const b2Transform &xfB, EdgeMemory *memory, bool touched) {
     if (!IsRotation(xfA.q) || !IsRotation(xfB.q))
         return Overlap::kUnknown;
     Question q = {b2DistanceProxy(), b2DistanceProxy(), xfA, xfB};
@@ -274,7 +274,7 @@ Overlap CertainOverlap(const b2Shape &shapeA, int32 childA, const b2Shape &shape
         if (answer == Overlap::kUnknown)
             answer = polygons.OneHoldsTheOther(known) ? Overlap::kOverlapping : polygons.AskSides(known);
     }
-    return answer != Overlap::kUnknown ? answer : Search(q, shapeA, shapeB);
+    return answer != Overlap::kUnknown || touched ? answer : Search(q, shapeA, shapeB);
 }
 
 } // namespace bmr
