@@ -10,10 +10,9 @@
 #endif
 
 /// @file
-/// The mode of this thread's arithmetic. Programs change the direction in which it rounds (libraries for
-/// intervals do, and some leave it so). Every margin and every claim of equal bits is made for rounding to
-/// nearest. Programs also let an underflow end them, and proofs have some of their own. So in any other mode
-/// than the usual one Box2D answers.
+/// The mode of this thread's arithmetic. Programs change how it rounds (libraries for intervals do), or let
+/// an underflow end them. Every claim of equal bits is made for rounding to nearest, and proofs have
+/// underflows of their own. In any other mode Box2D answers.
 
 namespace bmr {
 

@@ -186,7 +186,7 @@ void ImpactPass::Update(b2Contact *contact) {
 void ImpactPass::Wake(b2Body *body) {
     const bool wasAwake = body->IsAwake();
     body->SetAwake(true);
-    if (!wasAwake && body->IsAwake()) // a static one never is
+    if (!wasAwake && body->IsAwake())
         AskPairsOf(body);
 }
 

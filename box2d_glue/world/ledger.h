@@ -346,7 +346,6 @@ private:
     bool m_locked = false;          ///< the world was, since the last look at all movers
     bool m_sweepsCarefully = false; ///< see BeginSearch, RuleOutImpact
     bool MostOf(uint64_t pairs) const { return 2 * pairs > static_cast<uint64_t>(m_live); }
-
     uint32_t m_triedPasses = 0, m_restingSteps = 0; ///< see NextStepPays
     uint64_t m_triedLooks = 0, m_triedPairs = 0;
 };

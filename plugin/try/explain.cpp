@@ -287,7 +287,7 @@ std::string Next(const Trial &trial, Outcome outcome) {
         break;
     }
     const Ratio ratio = RatioOf(trial);
-    const bool slower = ratio.steps > 0 && ratio.Tells() && ratio.ratio < 1.0;
+    const bool slower = ratio.steps > 0 && ratio.rounds > 1 && ratio.Tells() && ratio.ratio < 1.0;
     const Already already = AlreadyIn(trial, PlaceOfBox2D(trial));
     if (already != Already::kNot)
         return NextWhereAlready(trial, already, slower);

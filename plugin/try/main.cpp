@@ -195,6 +195,11 @@ CLI::App *AddTry(CLI::App *app, Options *options) {
         app->add_subcommand("try", "Play a game as it is, and with Boomerang; say what it gains");
     command->add_option("--seconds", options->limits.seconds, "Each run is ended after so many seconds")
         ->check(CLI::Range(0.1, 86400.0))
+        ->check([](const std::string &text) { // no Range is without a NaN
+            return std::isnan(std::strtod(text.c_str(), nullptr))
+                       ? "Value " + text + " not in range 0.1 to 86400"
+                       : std::string();
+        })
         ->capture_default_str();
     command
         ->add_option("--steps", options->limits.steps,

@@ -49,6 +49,7 @@ test_values() {
     refused '"lazy-compas" is none of lazy-compass, .*; the nearest is "lazy-compass"' run planks --structure lazy-compas
     refused '"maybe" is none of on, off$' run planks --plugin maybe
     refused 'render: --output: a value is missing' render planks --step 1 -o
+    refused 'render: --step: it is given more than once' render planks --step 1 --step 2
     refused 'render needs --output' render planks --step 1
     err_has '^    --output: The picture'
     refused '--repeat and --no-time do not go together' compare planks --repeat 2 --no-time

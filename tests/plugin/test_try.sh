@@ -125,6 +125,7 @@ holds "an unknown command" misspelt
 holds "is said what is near" says 'there is no command "tyr"; the nearest is "try"'
 holds "a value that is none" tries 2 --seconds soon -- "$bin/plain_game"
 holds "is told the unit" says '--seconds: "soon" is no number from 0\.1.* Each run is ended after so many seconds'
+holds "a value without end" tries 2 --seconds nan -- "$bin/plain_game"
 holds "a library that is none" tries 2 --library "$room/still.c" -- "$bin/plain_game"
 holds "no such library" tries 2 --library "$room/none.so" -- "$bin/plain_game"
 

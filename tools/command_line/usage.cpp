@@ -196,8 +196,9 @@ std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error, int 
     const CLI::Option *option = colon != std::string::npos ? scope.Find(said.substr(0, colon)) : nullptr;
     if (option == nullptr)
         return scope.Ahead() + said + scope.Help();
+    const bool tooMany = said.find("At Most") != std::string::npos;
     const std::string what = is(CLI::ExitCodes::ArgumentMismatch)
-                                 ? "a value is missing"
+                                 ? (tooMany ? "it is given more than once" : "a value is missing")
                                  : ExplainValue(option, said.substr(colon + 2));
     return scope.Ahead() + OptionName(option, "") + ": " + what + Described(option);
 }

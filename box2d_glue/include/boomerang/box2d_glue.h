@@ -86,8 +86,8 @@ struct Options {
     /// contact that is apart, and that the game disabled between steps, may stay false.
     ///
     /// With the promise, shapes and contacts are not read again behind each call. If it is broken, bodies may
-    /// differ from stock Box2D's. Mode::Verify does not rely on it: it compares, counts each break as a
-    /// difference, and names what changed.
+    /// differ from stock Box2D's. Mode::Verify does not rely on it: it compares shapes, flags of bodies, who
+    /// is a sensor, and which contacts are enabled. It counts a change as a difference and names it.
     bool modestListeners = false;
     /// 0: only refusals and differences are printed on stderr. 1: Presence, too.
     int32_t verbosity = 0;
