@@ -215,7 +215,7 @@ void ImpactPass::ReadWhatGameDid() {
         return;
     Marks &marks = m_ledger->GetMarks();
     Movers &movers = m_ledger->GetMovers();
-    // (A modest listener changes no more of this than who is awake.)
+    // (A modest listener may only wake.)
     if (!ListenersAreModest() || movers.HadSleepers())
         for (uint32_t row = movers.NextNewSweep(0); row != Movers::kNone; row = movers.NextNewSweep(row + 1))
             AskPairsOf(movers[row].body);

@@ -88,7 +88,7 @@ private:
     ImpactScan *m_scan = nullptr; ///< while nothing has moved
     bool m_gameRan;               ///< ahead of the first search; and it may have changed more than motion
     bool m_wasGameCalled = false; ///< since the impact began
-    bool m_flagsAreRead;          ///< of all movers, in this pass, ahead of its first call of the game
+    bool m_flagsAreRead;          ///< of all movers, ahead of the pass's first call
     bool m_budgetsDoubted = false;
     bool m_isBudget = false; ///< Mode::Verify: a budget says that the contact which is asked has no impact
 };

@@ -53,7 +53,7 @@ public:
     bool Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints);
 
     /// Begins a pass. `listener` gets PostSolve, unless it is nullptr. `mayWait`: islands may be solved
-    /// together with others, and PostSolve is called behind all of them.
+    /// together with others, and PostSolve called behind them.
     void Begin(const b2TimeStep &step, b2ContactListener *listener, bool mayWait);
     /// The arithmetic that goes with its islands.
     const Sweeps &GetSweeps() const { return m_allocator != nullptr ? TheStockSolver().sweeps : OurSweeps(); }

@@ -53,9 +53,8 @@ private:
     int m_exceptions = std::uncaught_exceptions();
 };
 
-/// The number of the body's first link, until it is in an island: Box2D's m_islandIndex. A number that is
-/// left from another step is of no link of this body. (Box2D's gear reads that of a body that is in no
-/// island.)
+/// The number of the body's first link, until it is in an island. One that is left from another step is of no
+/// link of its. (Box2D's gear reads it.)
 int32 &LinkOf(b2Body *body) {
     return body->*Named(IslandIndex());
 }
@@ -119,7 +118,7 @@ void IslandPass::ClearFlags() {
         if (m_mayLink && body->GetType() != b2_staticBody && !body->IsAwake())
             LinkOf(body) |= kSlept;
         else
-            LinkOf(body) &= ~kSlept; // an exception may have left it
+            LinkOf(body) &= ~kSlept; // left by an exception
     }
     if (m_ledger != nullptr) {
         m_ledger->TakeMarks();

@@ -87,7 +87,7 @@ struct Options {
     ///
     /// With the promise, shapes and contacts are not read again behind each call. If it is broken, bodies may
     /// differ from stock Box2D's. Mode::Verify does not rely on it: it compares shapes, flags of bodies, who
-    /// is a sensor, and which contacts are enabled. It counts a change as a difference and names it.
+    /// is a sensor, and which contacts are enabled. A change is a difference, and is named.
     bool modestListeners = false;
     /// 0: only refusals and differences are printed on stderr. 1: Presence, too.
     int32_t verbosity = 0;
