@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What an SVG picture shows, in a line: picture.py SVG prints it, picture.py A B compares two.
+"""What an SVG picture shows, in a line: picture.py SVG prints it, picture.py A B... compares A with the others.
 
 A is a picture, or a text of such lines, of which the one is taken that has B's name. The same shapes in the same order, with the same
 colours and widths; of each hundred coordinates the sum, each taken a little more often than the one before it: a shape that is missing,
-moved or of another colour does not pass, other libm's last bits do. Letters are left out: their outlines are the font's. Exit status 1,
-and a line that says where, if they differ.
+moved or of another colour does not pass, other libm's last bits do. Letters are left out: their outlines are the font's. Printed are
+the names of those that are as A; exit status 1, and a line that says where, if all differ.
 """
 import re
 import sys
@@ -53,15 +53,17 @@ def line_for(path, other):
     return next(line for line in Path(path).read_text().splitlines() if line.startswith(f"{Path(other).stem} "))
 
 
-def main():
-    if len(sys.argv) == 2:
-        return print(line_of(sys.argv[1]))
-    a, b = line_for(*sys.argv[1:3]).split(), line_of(sys.argv[2]).split()
+def difference(a, b):
     if a[1] != b[1] or a[3] != b[3]:
-        sys.exit(f"{a[1]} shapes, kinds and colours {a[3]}, but {b[1]}, {b[3]}")
-    for index, (x, y) in enumerate(zip(map(float, a[4:]), map(float, b[4:]))):
-        if abs(x - y) > TOLERANCE:
-            sys.exit(f"coordinates from {100 * index}: they sum up to {x}, but {y}")
+        return f"{a[1]} shapes, kinds and colours {a[3]}, but {b[1]}, {b[3]}"
+    return next((f"coordinates from {100 * index}: they sum up to {x}, but {y}"
+                 for index, (x, y) in enumerate(zip(map(float, a[4:]), map(float, b[4:]))) if abs(x - y) > TOLERANCE), "")
 
 
-main()
+if len(sys.argv) == 2:
+    print(line_of(sys.argv[1]))
+else:
+    first = line_for(*sys.argv[1:3]).split()
+    found = {other: difference(first, line_of(other).split()) for other in sys.argv[2:]}
+    print(*(other for other, what in found.items() if not what), sep="\n")
+    sys.exit("\n".join(found.values()) if all(found.values()) else 0)

@@ -96,12 +96,11 @@ if [ -n "$wrong" ]; then
 fi
 
 # The controls: a copy in which one thing is wrong. control WHAT PATTERN FILE SUBSTITUTION
+mkdir -p "$room/tree/tests"
+cp -r "$root/core" "$room/tree/core"
+cp -r "$root/tests/claims" "$room/tree/tests"
 control() {
     local what=$1 pattern=$2 file=$3
-    rm -rf "$room/tree"
-    mkdir -p "$room/tree/tests"
-    cp -r "$root/core" "$room/tree/core"
-    cp -r "$root/tests/claims" "$room/tree/tests"
     perl -0pi -e "$4" "$room/tree/$file"
     if cmp -s "$root/$file" "$room/tree/$file"; then
         echo "FAILED: the control '$what' changes nothing"
@@ -110,6 +109,7 @@ control() {
         echo "FAILED: not noticed: $what"
         failed=1
     fi
+    cp "$root/$file" "$room/tree/$file"
 }
 control 'no tag in the code' 'bmr_hierarchy_height has no "/// Lemma 3.1' core/hierarchy/measure.c 's|/// Lemma 3.1:[^\n]*\n||'
 control 'no tag in the test' 'the_tiling_is_of_linear_size has no "/// Lemma 4.1' tests/claims/test_claims_mixed.c 's|/// Lemma 4.1:[^\n]*\n||'
