@@ -9,7 +9,7 @@ seeds. Where one differs stock is held against itself, with other bytes in what 
 decide, or a signal ends it, a world is not compared. Where an assertion of Box2D's ends it, the same one ends it with the plugin.
 Polygons of any size are held against the plugin without its hooks, modest listeners against modest ones on stock.
 
-Without --first and --seeds: BMR_TEST_SEED (default 1) and 960 worlds times BMR_TEST_SCALE, no fewer than 48.
+Without --first and --seeds: BMR_TEST_SEED (default 1) and 640 worlds times BMR_TEST_SCALE, no fewer than 48.
 """
 import argparse
 import concurrent.futures
@@ -30,7 +30,7 @@ def arguments():
     parser.add_argument("library", type=pathlib.Path)
     parser.add_argument("corpus", type=pathlib.Path, nargs="?")
     parser.add_argument("--first", type=int, default=int(os.environ.get("BMR_TEST_SEED", "1")))
-    parser.add_argument("--seeds", type=int, default=max(48, int(960 * float(os.environ.get("BMR_TEST_SCALE", "1")))))
+    parser.add_argument("--seeds", type=int, default=max(48, int(640 * float(os.environ.get("BMR_TEST_SCALE", "1")))))
     parser.add_argument("--forms", default="preloaded,everywhere,linked,told,dudley,trapped,any-size,modest")
     parser.add_argument("--jobs", type=int, default=int(os.environ.get("BMR_JOBS", os.cpu_count())))
     return parser.parse_args()
