@@ -62,6 +62,19 @@ size_t SizeOf(b2Joint &joint) {
     }
 }
 
+size_t SizeOf(const b2Shape &shape) {
+    switch (shape.GetType()) {
+    case b2Shape::e_circle:
+        return sizeof(b2CircleShape);
+    case b2Shape::e_edge:
+        return sizeof(b2EdgeShape);
+    case b2Shape::e_polygon:
+        return sizeof(b2PolygonShape);
+    default:
+        return sizeof(b2ChainShape);
+    }
+}
+
 /// Floats, or other words of that size; a NaN has any payload.
 bool AreAlike(const void *one, const void *other, size_t bytes) {
     for (size_t at = 0; at + sizeof(float) <= bytes; at += sizeof(float)) {
@@ -74,13 +87,18 @@ bool AreAlike(const void *one, const void *other, size_t bytes) {
     return true;
 }
 
-/// The bytes of all that an island writes to, joints and static bodies last.
+/// The bytes of all that an island writes to, joints and static bodies last; and of the shapes, which a
+/// filter may change behind the islands.
 class State {
 public:
     explicit State(const b2Island &island) {
         AddBodies(island, false);
-        for (int32 i = 0; i < island.m_contactCount; ++i)
-            Add(island.m_contacts[i], sizeof(b2Contact));
+        for (int32 i = 0; i < island.m_contactCount; ++i) {
+            b2Contact *const contact = island.m_contacts[i];
+            Add(contact, sizeof(b2Contact));
+            for (b2Fixture *fixture : {contact->GetFixtureA(), contact->GetFixtureB()})
+                Add(fixture->GetShape(), SizeOf(*fixture->GetShape()));
+        }
         m_ofThis = m_bytes.size();
         for (int32 i = 0; i < island.m_jointCount; ++i)
             Add(island.m_joints[i], SizeOf(*island.m_joints[i]));
