@@ -20,7 +20,7 @@ namespace bmr {
 
 namespace {
 
-constexpr uint32_t kNoLink = 0xffffffffu;
+constexpr uint32_t kNoLink = 0x7fffffffu;
 // With more of them the links cost what they save.
 constexpr uint32_t kMostTouchingOf = 3;
 
@@ -115,11 +115,17 @@ void IslandPass::ClearFlags() {
     for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
         BodyInIsland::Clear(body);
-        if (m_mayLink && body->GetType() != b2_staticBody && !body->IsAwake())
+        const bool mayLink = m_mayLink && body->GetType() != b2_staticBody;
+        if (mayLink && !body->IsAwake())
             LinkOf(body) |= kSlept;
+        else if (mayLink && body->IsEnabled()) // Box2D sets no place when it makes a body
+            LinkOf(body) = kNoLink;
         else
             LinkOf(body) &= ~kSlept; // left by an exception
     }
+    for (uint32_t i = 0; m_awakeAlone && i < m_ledger->GetBodies().AwakeCount(); ++i)
+        if (b2Body *const body = m_ledger->GetBodies().Awake(i); body->IsEnabled())
+            LinkOf(body) = kNoLink;
     if (m_ledger != nullptr) {
         m_ledger->TakeMarks();
         m_ledger->GetMarks().inIsland.ClearAll();
