@@ -385,9 +385,9 @@ TEST_CASE("immodest: when verifying, a broken promise is a difference") {
                  c->SetEnabled(c->IsTouching());
          }},
     };
-    for (const auto &[what, deed] : deeds) {
-        CAPTURE(what);
-        const Play play = [deed = deed](Run &run) {
+    for (const auto &named : deeds) {
+        CAPTURE(named.first);
+        const Play play = [deed = named.second](Run &run) {
             Heap game(run);
             game.listener.preSolve.Once([&game, deed] { deed(game); });
             game.Step(1);
