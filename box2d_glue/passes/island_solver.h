@@ -70,8 +70,8 @@ public:
     /// Its stack has room for as many bodies as an island.
     IslandRoom &Room() { return m_room; }
 
-    /// b2Island::Solve. If Begin was told so the island may wait to be solved together with others, as late as
-    /// in Finish: they share no body that moves.
+    /// b2Island::Solve. If Begin was told so the island may wait to be solved together with others, as late
+    /// as in Finish: they share no body that moves.
     void Solve(const b2Vec2 &gravity, bool allowSleep);
     /// b2Island::SolveTOI, by the step that Begin was given. The first two bodies are those that meet.
     void SolveToi();
