@@ -53,13 +53,13 @@ private:
     int m_exceptions = std::uncaught_exceptions();
 };
 
-/// The number of the body's first link, until it is in an island. One that is left from another step is of no
-/// link of its. (Box2D's gear reads it.)
+/// The number of the body's first link, until the body is in an island. A number that an older step left
+/// names no link of this body. (Box2D's gear reads the member.)
 int32 &LinkOf(b2Body *body) {
     return body->*Named(IslandIndex());
 }
 
-constexpr int32 kSlept = INT32_MIN; ///< with the number: it slept when contacts were linked
+constexpr int32 kSlept = INT32_MIN; ///< a bit of that: it slept when contacts were linked
 
 } // namespace
 
@@ -121,7 +121,7 @@ void IslandPass::ClearFlags() {
         else if (mayLink && body->IsEnabled()) // Box2D sets no place when it makes a body
             LinkOf(body) = kNoLink;
         else
-            LinkOf(body) &= ~kSlept; // left by an exception
+            LinkOf(body) &= ~kSlept; // an exception may leave it
     }
     for (uint32_t i = 0; m_awakeAlone && i < m_ledger->GetBodies().AwakeCount(); ++i)
         if (b2Body *const body = m_ledger->GetBodies().Awake(i); body->IsEnabled())

@@ -101,7 +101,7 @@ public:
             FindSweepBits(row, look);
     }
     void LookAtAllSweeps(uint64_t look);
-    /// Did a body sleep then?
+    /// Did that find a body asleep?
     bool HadSleepers() const { return m_hadSleepers; }
     /// Reads the flags of sweeps anew, from this row on up to one that has others than before; kNone where
     /// there is none.

@@ -87,8 +87,8 @@ void World::Step(float timeStep, int32 velocityIterations, int32 positionIterati
         ChangeHands(0);
     m_handsChanged = false;
     if (m_disabled && (!m_heard || isModest)) {
-        // Known to differ: what was disabled while it had no points, in a world that nobody listens to, or
-        // whose listeners are modest.
+        // A known difference: if nobody listens, or listeners are modest, Boomerang may leave a contact
+        // disabled that the game disabled while it had no points.
         for (b2Contact *contact = m_world.GetContactList(); contact != nullptr; contact = contact->GetNext())
             if (!contact->IsTouching() || contact->GetFixtureA()->IsSensor() ||
                 contact->GetFixtureB()->IsSensor())
