@@ -273,13 +273,13 @@ void IslandPass::SolveIsland() {
     AfterGame();
 }
 
-/// The listener's PostSolve was called, and may have woken bodies. If Link looked only at bodies that were
-/// awake, these have no links. The links of the others still hold, unless PostSolve made a step inside this
-/// one, which unlocks the world, or ended or made contacts.
+/// The listener's PostSolve was called, and may have woken bodies. If the pass began with the bodies that
+/// were awake, nothing marks a sleeper's links as too few: none is followed from here on. Otherwise they
+/// hold, unless PostSolve made a step inside this one, which unlocks the world, or ended or made contacts.
 void IslandPass::AfterGame() {
     const bool stepped = !m_world->IsLocked() || m_manager->m_contactList != m_newest ||
                          m_manager->m_contactCount != m_contactCount;
-    m_isLinked = m_isLinked && !m_awakeAlone && !stepped;
+    m_isLinked = m_isLinked && !m_seedsAreAwake && !stepped;
     m_seedsAreAwake = m_awakeAlone = false;
     m_gameStepped = m_gameStepped || stepped;
     m_tells = !stepped;

@@ -258,6 +258,27 @@ TEST_CASE("slept: contacts are disabled until their bodies fall asleep, which ar
     });
 }
 
+TEST_CASE(
+    "beside: a joint wakes a sleeper while islands are built; of the next island a listener is told, and "
+    "wakes one of two that lean on each other") {
+    AsStock([](Run &run) {
+        Game game(run);
+        b2Body *const leaning = game.Box({0.0f, 0.0f}), *const leant = game.Box({0.98f, 0.0f});
+        AddOthers(game);
+        game.Touching({0.0f, -20.0f});
+        b2Body *const pulled = game.Box({0.0f, 40.0f}), *const pulling = game.Box({8.0f, 40.0f});
+        game.Tie(pulling, pulled);
+        game.Listen();
+        game.Step();
+        for (b2Body *body : {leaning, leant, pulled, pulling})
+            body->SetAwake(false);
+        game.Step(40); // until it is seen that hardly anybody is awake
+        pulling->SetAwake(true);
+        game.listener.postSolve.Once([leaning] { leaning->SetAwake(true); });
+        game.Step(5);
+    });
+}
+
 TEST_CASE("displaced: bullets hit a floor in one step after the other, some of them rounded upward; all else "
           "sleeps") {
     AsStock([](Run &run) {
