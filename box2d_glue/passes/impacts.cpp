@@ -37,14 +37,18 @@ b2Body *BodyB(b2Contact *contact) {
     return contact->GetFixtureB()->GetBody();
 }
 
-/// Does Box2D ask for the time of its impact?
+/// May Box2D ask for the time of its impact, if one of the two is awake? Only code of the game changes that.
+inline bool MayStop(b2Contact *contact) {
+    return !contact->GetFixtureA()->IsSensor() && !contact->GetFixtureB()->IsSensor() &&
+           (Stops(BodyA(contact)) || Stops(BodyB(contact)));
+}
+
+/// Does it?
 inline bool MayImpact(b2Contact *contact) {
-    const b2Fixture *const fixtureA = contact->GetFixtureA(), *const fixtureB = contact->GetFixtureB();
-    if (fixtureA->IsSensor() || fixtureB->IsSensor())
+    if (!MayStop(contact))
         return false;
-    const b2Body *const a = fixtureA->GetBody(), *const b = fixtureB->GetBody();
     BMR_BOX2D_ASSERTS(!IsWithoutDynamic(*contact), "typeA == b2_dynamicBody || typeB == b2_dynamicBody");
-    return (IsActive(a) || IsActive(b)) && (Stops(a) || Stops(b));
+    return IsActive(BodyA(contact)) || IsActive(BodyB(contact));
 }
 
 } // namespace
@@ -288,21 +292,45 @@ b2Contact *ImpactPass::EarliestInList(float *time) {
         ledger->GiveMarksBack();
     }
     m_marks.LookAgain();
-    for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext()) {
-        if (!contact->IsEnabled() || ContactAccess::CountOfImpacts(contact) > b2_maxSubSteps)
+    // (Contacts come at the head of the list, and only code of the game ends them.)
+    if (m_stoppersAreKnown && m_manager->m_contactList == m_newest &&
+        (!m_wasGameCalled || ListenersAreModest())) {
+        for (uint32_t i = 0; i < m_stopperCount; ++i)
+            if (IsEarlier(m_solver->Room().stoppers[i], time))
+                earliest = m_solver->Room().stoppers[i];
+        if (earliest != nullptr && Verifying())
+            CompareWithList(earliest);
+        return earliest;
+    }
+    Column<b2Contact *> &stoppers = m_solver->Room().stoppers;
+    m_stoppersAreKnown = stoppers.Reserve(static_cast<uint32_t>(m_manager->m_contactCount));
+    m_stopperCount = 0;
+    m_newest = m_manager->m_contactList;
+    for (b2Contact *contact = m_newest; contact != nullptr; contact = contact->GetNext()) {
+        if ((ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) == 0 && !MayStop(contact))
             continue;
-        if ((ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) == 0) {
-            if (!MayImpact(contact))
-                continue;
-            FindTime(contact);
-        }
-        const float its = ContactAccess::TimeOfImpact(contact);
-        if (its < *time) {
+        if (m_stoppersAreKnown)
+            stoppers[m_stopperCount++] = contact;
+        if (IsEarlier(contact, time))
             earliest = contact;
-            *time = its;
-        }
     }
     return earliest;
+}
+
+/// Finds the contact's time of impact where Box2D would. Is it ahead of `*time`, which it then becomes?
+bool ImpactPass::IsEarlier(b2Contact *contact, float *time) {
+    if (!contact->IsEnabled() || ContactAccess::CountOfImpacts(contact) > b2_maxSubSteps)
+        return false;
+    if ((ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) == 0) {
+        if (!MayImpact(contact))
+            return false;
+        FindTime(contact);
+    }
+    const float its = ContactAccess::TimeOfImpact(contact);
+    if (!(its < *time))
+        return false;
+    *time = its;
+    return true;
 }
 
 void ImpactPass::FindTime(b2Contact *contact) {

@@ -52,6 +52,7 @@ private:
     void CompareWithList(const b2Contact *earliest);
 
     b2Contact *EarliestInList(float *time);
+    bool IsEarlier(b2Contact *contact, float *time);
     void FindTime(b2Contact *contact);
     float TimeOf(b2Contact *contact, float from);
     static void FillInput(const b2Contact &contact, b2TOIInput *input);
@@ -90,6 +91,10 @@ private:
     bool m_wasGameCalled = false; ///< since the impact began
     bool m_flagsAreRead;          ///< of all movers, ahead of the pass's first call
     bool m_budgetsDoubted = false;
+    bool m_stoppersAreKnown =
+        false; ///< IslandRoom::stoppers are those of the list, when `m_newest` headed it
+    uint32_t m_stopperCount = 0;
+    b2Contact *m_newest = nullptr;
     bool m_isBudget = false; ///< Mode::Verify: a budget says that the contact which is asked has no impact
 };
 

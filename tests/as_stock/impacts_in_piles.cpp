@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Worlds in which nearly all pairs touch, so that impacts are searched for in Box2D's list.
+#include "as_stock.h"
+
+using namespace as_stock;
+
+namespace {
+
+/// Columns of boxes; shots that lie ahead of posts, the first ahead of a wall.
+struct Pile : Game {
+    explicit Pile(Run &run) : Game(run, {0.0f, -10.0f}) {
+        Wall({0.0f, -1.0f}, {60.0f, 1.0f});
+        for (int i = 0; i < 12; ++i)
+            for (int k = 0; k < 8; ++k)
+                Awake({-9.0f + 1.3f * Real(i), 0.5f + Real(k)});
+        for (int i = 0; i < 8; ++i) {
+            const float y = 20.0f + 4.0f * Real(i);
+            const auto add = [&](float x) { return Shot(x, y); };
+            shots.push_back(add(-2.5f));
+            if (i == 0)
+                Wall({0.0f, y}, {0.05f, 1.0f});
+            else
+                Awake({0.0f, y}, {0.05f, 1.0f})->SetGravityScale(0.0f);
+        }
+        Step(40);
+    }
+    b2Body *Shot(float x, float y) {
+        b2Body *const shot = Awake({x, y}, {0.1f, 0.1f});
+        shot->SetGravityScale(0.0f);
+        return shot;
+    }
+    void Throw() {
+        for (size_t i = 0; i < shots.size(); ++i)
+            shots[i]->SetLinearVelocity({i == 0 ? 200.0f : 165.0f, 0.0f});
+    }
+    std::vector<b2Body *> shots;
+};
+
+} // namespace
+
+TEST_CASE("heaped: in an impact a listener makes bullets of other shots, or makes those no bullets that are "
+          "about to hit") {
+    AsStock(
+        [](Run &run) {
+            for (const bool bullets : {true, false}) {
+                Pile game(run);
+                game.Listen();
+                for (b2Body *shot : game.shots)
+                    shot->SetBullet(!bullets);
+                game.Throw();
+                game.listener.begin.Once([&game, bullets] {
+                    for (b2Body *shot : game.shots)
+                        shot->SetBullet(bullets);
+                });
+                game.Step(4);
+            }
+        },
+        false);
+}
+
+TEST_CASE("heaped: a shot that bounces off a wall comes to the next one in the same step") {
+    AsStock(
+        [](Run &run) {
+            Pile game(run);
+            std::vector<b2Body *> shots;
+            for (int i = 0; i < 4; ++i) {
+                const float y = 60.0f + 4.0f * Real(i);
+                for (const float x : {-0.5f, 0.9f})
+                    game.Wall({x, y}, {0.05f, 1.0f})->GetFixtureList()->SetRestitution(1.0f);
+                shots.push_back(game.Shot(0.5f, y));
+            }
+            game.Step(2);
+            for (b2Body *shot : shots)
+                shot->SetLinearVelocity({150.0f, 0.0f});
+            game.Step(8);
+        },
+        false);
+}
