@@ -34,6 +34,7 @@ bool IsSolidAndTouches(const b2Contact &contact) {
 /// the pass's first call.
 void ImpactPass::BeforeGame() {
     m_wasGameCalled = true;
+    m_stoppers.BeforeGame();
     if (m_ledger != nullptr && !m_flagsAreRead)
         m_ledger->GetMovers().LookAtAllSweeps(m_ledger->CurrentLook());
     m_flagsAreRead = true;
@@ -67,6 +68,7 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
             m_ledger->Flag(contact, 0);
         PutBack(a, sweepA);
         PutBack(b, sweepB);
+        AfterGame();
         return false;
     }
     Wake(a);
@@ -84,8 +86,15 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
     m_solver->SolveToi();
     m_solver->Finish(nullptr);
     EndIsland(island);
+    AfterGame();
     FindNewContacts();
     return true;
+}
+
+/// Ahead of the search for new contacts.
+void ImpactPass::AfterGame() {
+    if (m_wasGameCalled)
+        m_stoppers.AfterGame();
 }
 
 void ImpactPass::Add(b2Body *body, Island *island) {
@@ -146,8 +155,10 @@ void ImpactPass::EndIsland(const Island &island) {
 }
 
 void ImpactPass::FindNewContacts() {
-    if (IsOfGame(m_manager->m_contactFilter))
+    if (IsOfGame(m_manager->m_contactFilter)) {
         BeforeGame();
+        m_stoppers.Forget();
+    }
     m_manager->FindNewContacts();
     m_marks.LookAgain();
     if (m_ledger != nullptr && !m_ledger->IsWhole())

@@ -24,11 +24,6 @@ namespace bmr {
 
 namespace {
 
-/// Is nothing to tunnel through it?
-bool Stops(const b2Body *body) {
-    return body->IsBullet() || body->GetType() != b2_dynamicBody;
-}
-
 b2Body *BodyA(b2Contact *contact) {
     return contact->GetFixtureA()->GetBody();
 }
@@ -56,7 +51,8 @@ inline bool MayImpact(b2Contact *contact) {
 ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver)
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
-      m_marks(m_manager), m_sweeps(solver != nullptr ? solver->GetSweeps() : OurSweeps()),
+      m_marks(m_manager), m_stoppers(world, solver != nullptr ? &solver->Room().stoppers : nullptr),
+      m_sweeps(solver != nullptr ? solver->GetSweeps() : OurSweeps()),
       m_gameRan(GameRan() && !(ListenersAreModest() && m_ledger != nullptr && m_ledger->AreAllWatched())),
       m_flagsAreRead(m_gameRan) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
@@ -292,25 +288,19 @@ b2Contact *ImpactPass::EarliestInList(float *time) {
         ledger->GiveMarksBack();
     }
     m_marks.LookAgain();
-    // (Contacts come at the head of the list, and only code of the game ends them.)
-    if (m_stoppersAreKnown && m_manager->m_contactList == m_newest &&
-        (!m_wasGameCalled || ListenersAreModest())) {
-        for (uint32_t i = 0; i < m_stopperCount; ++i)
-            if (IsEarlier(m_solver->Room().stoppers[i], time))
-                earliest = m_solver->Room().stoppers[i];
+    if (m_stoppers.AreKnown()) {
+        for (uint32_t i = 0; i < m_stoppers.Count(); ++i)
+            if (IsEarlier(m_stoppers[i], time))
+                earliest = m_stoppers[i];
         if (earliest != nullptr && Verifying())
             CompareWithList(earliest);
         return earliest;
     }
-    Column<b2Contact *> &stoppers = m_solver->Room().stoppers;
-    m_stoppersAreKnown = stoppers.Reserve(static_cast<uint32_t>(m_manager->m_contactCount));
-    m_stopperCount = 0;
-    m_newest = m_manager->m_contactList;
-    for (b2Contact *contact = m_newest; contact != nullptr; contact = contact->GetNext()) {
+    m_stoppers.Begin();
+    for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext()) {
         if ((ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) == 0 && !MayStop(contact))
             continue;
-        if (m_stoppersAreKnown)
-            stoppers[m_stopperCount++] = contact;
+        m_stoppers.Add(contact);
         if (IsEarlier(contact, time))
             earliest = contact;
     }

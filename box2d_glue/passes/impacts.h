@@ -9,6 +9,7 @@
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
 
+#include "passes/stoppers.h"
 #include "passes/sweeps.h"
 #include "world/contact_marks.h"
 #include "world/ledger.h"
@@ -72,6 +73,7 @@ private:
     void FindNewContacts();
     void Update(b2Contact *contact);
     void BeforeGame();
+    void AfterGame();
     void Wake(b2Body *body);
     void AskPairsOf(const b2Body *body);
     void ReadWhatGameDid();
@@ -85,16 +87,13 @@ private:
     Ledger *m_ledger;              ///< nullptr: Box2D's list is searched
     std::optional<Ledger::Pass> m_pass;
     ContactMarks m_marks;
+    Stoppers m_stoppers;
     const Sweeps &m_sweeps;
     ImpactScan *m_scan = nullptr; ///< while nothing has moved
     bool m_gameRan;               ///< ahead of the first search; and it may have changed more than motion
     bool m_wasGameCalled = false; ///< since the impact began
     bool m_flagsAreRead;          ///< of all movers, ahead of the pass's first call
     bool m_budgetsDoubted = false;
-    bool m_stoppersAreKnown =
-        false; ///< IslandRoom::stoppers are those of the list, when `m_newest` headed it
-    uint32_t m_stopperCount = 0;
-    b2Contact *m_newest = nullptr;
     bool m_isBudget = false; ///< Mode::Verify: a budget says that the contact which is asked has no impact
 };
 

@@ -33,9 +33,7 @@ struct IslandRoom {
     Column<b2Body *> stack;    ///< bodies of an island that are to be taken
     Column<uint32_t> touching; ///< numbers of contacts
     Column<Link> links;
-    /// Contacts that may have an impact in this step if one of their bodies is awake. Where the world's list
-    /// is searched, later searches of the step look at these.
-    Column<b2Contact *> stoppers;
+    Column<b2Contact *> stoppers; ///< passes/stoppers.h
 };
 
 /// Solves islands with the bits of Box2D's b2Island: itself, or by b2Island (stock_solver.h).
