@@ -75,7 +75,7 @@ struct ContactEvents {
 
 /// A contact listener that records each call and does nothing else. The plugin knows its class and does not
 /// take it for code of the game: a step then costs what it costs without a listener, while any other
-/// listener, also one that only counts, costs up to a third of what the plugin saves. A recorder records the
+/// listener, also one that only counts, costs a part of what the plugin saves. A recorder records the
 /// same with the plugin and without it.
 ///
 /// It only records. A game that decides in the middle of a step (to disable a contact in PreSolve, to change
