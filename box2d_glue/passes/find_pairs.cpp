@@ -16,7 +16,9 @@ namespace bmr {
 
 namespace {
 
-using namespace tree;
+using tree::BodyOf;
+using tree::PairDescent;
+using tree::Reports;
 
 /// The client for which b2BroadPhase::UpdatePairs is instantiated.
 class PairFinder {

@@ -30,7 +30,7 @@ static_assert(sizeof kHooks / sizeof *kHooks == static_cast<size_t>(HookOf::Coun
 
 thread_local bool finding = false;
 std::atomic<uint32_t> noted{0};
-std::atomic<const char *> way{"contacts alone of Box2D"}, whyNoPass{nullptr};
+std::atomic<const char *> theWay{"contacts alone of Box2D"}, theReason{nullptr};
 char sentence[120];
 
 /// A box that falls on another one, and overlaps a sensor.
@@ -75,12 +75,12 @@ void internal::NoteReached(HookOf hook) {
 }
 
 void SetWay(const char *words, const char *why) {
-    way.store(words, std::memory_order_relaxed);
-    whyNoPass.store(why, std::memory_order_relaxed);
+    theWay.store(words, std::memory_order_relaxed);
+    theReason.store(why, std::memory_order_relaxed);
 }
 
 const char *TheWay() {
-    return way.load(std::memory_order_relaxed);
+    return theWay.load(std::memory_order_relaxed);
 }
 
 bool IsFindingReach() {
@@ -88,7 +88,7 @@ bool IsFindingReach() {
 }
 
 const char *WhyNoPassRuns() {
-    if (const char *const known = whyNoPass.load(std::memory_order_relaxed))
+    if (const char *const known = theReason.load(std::memory_order_relaxed))
         return known;
     if (!StepSmallWorld())
         return "there is no memory";

@@ -22,12 +22,13 @@ struct Constant {
     float here, expected;
 };
 
-char sentence[120];
+char anotherConstant[120];
 
 const char *IsAnother(const Constant &constant) {
-    std::snprintf(sentence, sizeof sentence, "%s is %.5g here, %.5g in the Box2D this was built for",
-                  constant.name, static_cast<double>(constant.here), static_cast<double>(constant.expected));
-    return sentence;
+    std::snprintf(anotherConstant, sizeof anotherConstant,
+                  "%s is %.5g here, %.5g in the Box2D this was built for", constant.name,
+                  static_cast<double>(constant.here), static_cast<double>(constant.expected));
+    return anotherConstant;
 }
 
 /// Measured to a few units in the last place of 1, the distance over which both points below fly.
