@@ -16,9 +16,7 @@ namespace bmr {
 
 namespace {
 
-using tree::BodyOf;
-using tree::PairDescent;
-using tree::Reports;
+using tree::BodyOf, tree::PairDescent, tree::Reports;
 
 /// The client for which b2BroadPhase::UpdatePairs is instantiated.
 class PairFinder {
