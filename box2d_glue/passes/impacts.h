@@ -25,8 +25,8 @@ class IslandSolver;
 /// and begins again, until there is none.
 ///
 /// In a world with a ledger the times of impact that are known stand in a heap (Marks), and after an impact
-/// those pairs alone are asked that Box2D would ask again. In other worlds Box2D's list is searched, and after
-/// that its Stoppers. Either way a pair that is proved apart over its whole motion is not asked.
+/// those pairs alone are asked that Box2D would ask again. In other worlds Box2D's list is searched, and
+/// after that its Stoppers. Either way a pair that is proved apart over its whole motion is not asked.
 class ImpactPass {
 public:
     /// Without a solver: for RunIfNone alone.
