@@ -220,12 +220,13 @@ void CollidePass::Look(uint32_t i, b2Contact *contact) {
 
 /// Gives the pair the proof that fits what it is at this moment, when the game's code ran. A listener may
 /// have made a sensor solid in BeginContact, flagged the contact for filtering, or changed the two in a way
-/// that it takes back before the next pass.
+/// that it takes back before the next pass. If it stepped the world, which unlocks it, the two's boxes may
+/// have parted since they were compared: the pair is due then.
 void CollidePass::Prove(uint32_t i, b2Contact *contact) {
     m_ledger->LookAgain(i);
     m_ledger->SetTouches(i, contact->IsTouching());
     SolidContact *ours = SolidContact::AsOurs(contact);
-    const bool canProve = ours != nullptr && ours->IsOfPolygons() &&
+    const bool canProve = m_world->IsLocked() && ours != nullptr && ours->IsOfPolygons() &&
                           contact->GetManifold()->pointCount == 0 &&
                           !SolidContact::WantsFiltering(*contact) && contact->IsEnabled();
     if (canProve && !contact->IsTouching())

@@ -422,3 +422,27 @@ TEST_CASE("ending: a filter ends contacts of bodies that have many") {
         PlayHeaps(game);
     });
 }
+
+TEST_CASE("parted: a listener steps the world until the boxes of its contact part") {
+    AsStock([](Run &run) {
+        Game game(run);
+        for (int i = 0; i < 60; ++i)
+            game.Near({3.0f * Real(i), 10.0f});
+        game.Awake({0.0f, 0.0f});
+        b2Body *const leaves = game.Awake({0.995f, 0.0f});
+        game.Listen();
+        game.Step(3);
+        game.listener.preSolve.Once([&game, leaves] {
+            const auto step = [&game, leaves](float speed) {
+                leaves->SetLinearVelocity({speed, 0.0f});
+                game.StepWithin(1.0f / 60.0f, 8);
+                leaves->SetLinearVelocity({0.0f, 0.0f});
+            };
+            step(24.0f); // apart; its box lies far ahead
+            for (int i = 0; i < 3; ++i)
+                game.StepWithin(); // proved to be
+            step(0.6f);            // its box lies around it
+        });
+        game.Step(4);
+    });
+}
