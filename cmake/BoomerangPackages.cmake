@@ -33,9 +33,9 @@ unset(CPACK_PACKAGE_DESCRIPTION_SUMMARY)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(boomerang_exact "(= ${PROJECT_VERSION})")
 set(boomerang_gpl "It contains or loads the GNU Scientific Library, which is under the GNU General Public License, version 3 or later.
- Whoever distributes it with that library does so under that licence: /usr/share/common-licenses/GPL-3.")
+ Whoever distributes it with that library does so under that license: /usr/share/common-licenses/GPL-3.")
 
-# boomerang_package(<component> <package> <summary> [DESCRIPTION <text>] [ARCHITECTURE all] [SECTION <section>] [COMMENT <on licences>]
+# boomerang_package(<component> <package> <summary> [DESCRIPTION <text>] [ARCHITECTURE all] [SECTION <section>] [COMMENT <on licenses>]
 #   [CONTROL <file>...] [BINARIES <target>...] [DEPENDS <relation>...] [RECOMMENDS <relation>...])
 function(boomerang_package component package summary)
   cmake_parse_arguments(arg "" "ARCHITECTURE;SECTION;COMMENT;DESCRIPTION" "CONTROL;BINARIES;DEPENDS;RECOMMENDS" ${ARGN})
@@ -64,7 +64,7 @@ function(boomerang_package component package summary)
     set(CPACK_DEBIAN_${upper}_PACKAGE_ARCHITECTURE ${arg_ARCHITECTURE} PARENT_SCOPE)
   endif()
   set(CPACK_DEBIAN_${upper}_PACKAGE_CONTROL_EXTRA "${arg_CONTROL}" PARENT_SCOPE)
-  # Debian's own file of licences. Only packages have it: who installs a tree has LICENSE.
+  # Debian's own file of licenses. Only packages have it: who installs a tree has LICENSE.
   set(comment "${arg_COMMENT}")
   configure_file(${PROJECT_SOURCE_DIR}/tools/packages/copyright.in ${PROJECT_BINARY_DIR}/copyright/${package}/copyright @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/copyright/${package}/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}

@@ -365,7 +365,7 @@ class Playground {
   }
 
   wireDialogs() {
-    for (const [button, dialog] of [["help-open", "help"], ["licences-open", "licences"]]) {
+    for (const [button, dialog] of [["help-open", "help"], ["licenses-open", "licenses"]]) {
       byId(button).addEventListener("click", () => byId(dialog).showModal());
       byId(dialog).querySelector(".close").addEventListener("click", () => byId(dialog).close());
     }

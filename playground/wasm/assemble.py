@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes one file of HTML of the playground's page: style, scripts, the program, and the licences of what is in it."""
+"""Makes one file of HTML of the playground's page: style, scripts, the program, and the licenses of what is in it."""
 
 import argparse
 import base64

@@ -3,7 +3,7 @@
 #
 #   test_packages.sh ROOT BUILD WORK
 #
-# Debian packages of the build tree BUILD, made in the directory WORK: what is in them, their licences and dependencies; installed by
+# Debian packages of the build tree BUILD, made in the directory WORK: what is in them, their licenses and dependencies; installed by
 # dpkg under a root of their own, used from there, and purged without a trace. The machine stays as it was; nothing is downloaded.
 set -euo pipefail
 root=$1 build=$2 work=$3
@@ -64,7 +64,7 @@ fresh_root libgsl27
 for name in libboomerang-kinetic1 boomerang-testbed; do
     grep -q -E "$name(:\w+)? depends on libgsl27" "$work/said" || fail "the control: $name does not ask for libgsl27"
 done
-! grep -q -E "(libboomerang-core1|libboomerang-box2d1)(:\w+)? depends on libgsl27" "$work/said" || fail "a package under the MIT licence asks for libgsl27"
+! grep -q -E "(libboomerang-core1|libboomerang-box2d1)(:\w+)? depends on libgsl27" "$work/said" || fail "a package under the MIT license asks for libgsl27"
 
 fresh_root
 (cd "$there" && find . ! -path './var/lib/dpkg/*') >"$work/before"
@@ -72,14 +72,14 @@ quietly dpkg_there -i "$debs"/*.deb
 for name in "${names[@]}"; do
     quietly dpkg_there -s "$name"
     grep -q '^Status: install ok installed$' "$work/said" || fail "$name is not installed"
-    grep -q '^License: Expat$' "$there/usr/share/doc/$name/copyright" || fail "$name has no licence"
+    grep -q '^License: Expat$' "$there/usr/share/doc/$name/copyright" || fail "$name has no license"
     case $name in
     libboomerang-kinetic1 | boomerang-testbed | libboomerang-kinetic-dev) wanted=0 ;;
     *) wanted=1 ;;
     esac
     status=0
     grep -q 'GNU General Public' "$there/usr/share/doc/$name/copyright" || status=1
-    [ "$status" -eq "$wanted" ] || fail "the licence of $name is another one's"
+    [ "$status" -eq "$wanted" ] || fail "the license of $name is another one's"
 done
 
 # Whoever links GSL is in a package that says so, and nobody else.

@@ -112,12 +112,12 @@ class PlaygroundPage(unittest.TestCase):
         self.browser.settle()
         self.assertTrue(any("Content Security Policy" in error for error in self.browser.errors()))
 
-    def test_it_says_under_which_licence_it_is(self):
+    def test_it_says_under_which_license_it_is(self):
         self.show()
         footer = self.browser.driver.find_element("css selector", "footer").text
         self.assertIn("GNU General Public License, version 3 or later", footer)
-        self.element("licences-open").click()
-        texts = self.browser.run("return document.getElementById('licences').textContent")
+        self.element("licenses-open").click()
+        texts = self.browser.run("return document.getElementById('licenses').textContent")
         for part in ("END OF TERMS AND CONDITIONS", "Permission is hereby granted", "apt-get source gsl", "without any warranty"):
             self.assertIn(part, texts)
 
@@ -293,7 +293,7 @@ class PlaygroundPage(unittest.TestCase):
             for mode in MODES:
                 self.show(f"mode={mode}")
                 self.assertEqual(self.browser.run(LAYOUT), [], f"{mode} at {width}")
-            for button in ("help-open", "licences-open"):
+            for button in ("help-open", "licenses-open"):
                 self.show()
                 self.browser.run("document.getElementById(arguments[0]).click()", button)
                 self.assertEqual(self.browser.run(LAYOUT), [], f"{button} at {width}")
