@@ -21,8 +21,8 @@
 
 namespace bmr {
 
-/// Of m c^2: the least inertia about the centre that a body of so many fixtures holds. For one and two it is
-/// an eighth of 2^-18, and what is held is right to an eighth: the centre may be 1,448 times the radius of
+/// Of m c^2: the least inertia about the centre that a body of so many fixtures holds. For one it is an
+/// eighth of 2^-18, and what is held is right to an eighth: the centre may be 1,448 times the radius of
 /// gyration from the body's origin.
 inline double HeldInertia(uint32_t fixtures) {
     return 0x1p-24 * std::max(8.0, 6.0 * std::sqrt(static_cast<double>(fixtures)));

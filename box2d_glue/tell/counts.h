@@ -28,8 +28,8 @@ template <typename Number> struct CountsOf {
     Number toiAnswered{0};        ///< times of impact that a step asked for, answered without Box2D
     Number overlapsAnswered{0};   ///< overlaps of sensors, answered without Box2D
     Number pairs{0};              ///< contacts of awake bodies, summed over the steps of worlds with a ledger
-    Number looks{0};              ///< of those, the ones whose contact or geometry was read
-    Number renewals{0};           ///< of those, the ones that their own line renewed
+    Number looks{0};              ///< of the pairs, the ones whose contact or geometry was read
+    Number renewals{0};           ///< of the pairs, the ones that their own line renewed
     Number verified{0};           ///< answers compared with Box2D's (Mode::Verify)
     Number differences{0};        ///< of those, the ones that differed
     Number structures{0};         ///< body pairs that got a kinetic structure

@@ -25,14 +25,14 @@ extern "C" {
 /// - a circle touches a vertex in directions alone that the piece admits there;
 /// - where the least overlap of two polygons is along an axis that may not answer, but the other polygon's
 ///   vertex that is deepest below a face lies in the piece of that face, beyond none of its inner edges, the
-///   face is the reference, up to ten skins deep: one of two pieces pushes out a tip that is between them;
+///   face is the reference, if ten skins deeper at most: one of two pieces pushes out a tip between them;
 /// - else, where it is no more than half of the skins, there are no points: the piece behind that edge, or
 ///   beside that corner, has them;
 /// - where it is more, a face is the reference that is not deeper than that by more than the skins (by a
 ///   circle's radii); where there is none, the answer is the plain polygon's.
 ///
-/// So what overlaps a piece is not pushed out of it by a far side: by none that is more than ten skins away.
-/// Pieces without any face touch nothing.
+/// So what overlaps a piece is not pushed out of it by a far side: by none that is deeper by more than ten
+/// skins. Pieces without any face touch nothing.
 ///
 /// Every face belongs to one piece, and every direction of a convex corner is admitted by a piece that has
 /// one of its two edges. That does not say that the piece that has the answer gives it: each of two pieces

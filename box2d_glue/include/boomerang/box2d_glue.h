@@ -58,19 +58,18 @@ struct Options {
     ///
     ///   START    the first certificate is made
     ///   PUSH     it failed, and another edge or direction separates the two
-    ///   STAB     what is coarser failed, and an edge or a direction separates them
+    ///   STAB     a coarser proof failed, and an edge or a direction separates the two
     ///   COARSEN  disks are apart, where an edge or a direction was needed before
-    ///   CONTACT  they are handed over: nothing is known to separate them
-    ///   LEAVE    they were handed over, and are known to be apart now
+    ///   CONTACT  no proof separates them: their contact points are computed
+    ///   LEAVE    after a CONTACT a proof separates them again
     ///
     /// (A look tries all vertices of the other polygon. There is no window to leave, so there is no ROLL.) A
     /// look at which the certificate holds, and a budget of motion that is renewed, are no events. Neither is
-    /// the end of a contact: where the two meet again, another life begins.
+    /// the end of a contact. If its two fixtures meet again, that begins with START.
     ///
-    /// `event.pair` of a contact is made for the event, and gone when onEvent returns. Its stamp is 0; that
-    /// of a pair of hulls is not. Its certificate holds at `event.pose`, of the two bodies as they are given.
-    /// (Box2D's test goes by the normals that a polygon has. Where these are not those of its sides, nothing
-    /// is certified, and `event.gap` is 0.)
+    /// `event.pair` of a contact is made for the event, and gone when onEvent returns. Its stamp is 0, unlike
+    /// that of a pair of hulls. Its certificate holds at `event.pose`, for bodyA and bodyB in this order. (If
+    /// a polygon's normals are not those of its sides, nothing is certified, and `event.gap` is 0.)
     void (*onEvent)(void *context, const b2Body *bodyA, const b2Body *bodyB,
                     const bmr_event &event) = nullptr;
     void *eventContext = nullptr;
@@ -124,8 +123,8 @@ BMR_BOX2D_API Presence GetPresence();
 struct Statistics {
     uint64_t steps = 0;    ///< calls of b2World::Step (seen by the shared library alone)
     uint64_t pairs = 0;    ///< contacts of awake bodies, summed over the steps of worlds that are ours
-    uint64_t looks = 0;    ///< of those, the ones whose contact or geometry was read
-    uint64_t renewals = 0; ///< of those, the ones whose own line was still good, and who got a new deadline
+    uint64_t looks = 0;    ///< of `pairs`, those whose contact or geometry was read
+    uint64_t renewals = 0; ///< of `pairs`, those that their line gave a new deadline, without a look
     uint64_t events[BMR_EVENT_KIND_COUNT] = {}; ///< of all pairs, by kind (Options::onEvent)
     uint64_t verified = 0;                      ///< answers compared with Box2D's (Mode::Verify)
     uint64_t differences = 0;                   ///< of those, the ones that differed

@@ -47,7 +47,7 @@ struct Welded {
 /// heptagon if the compiler has another C++ ABI than Itanium's). Masses, boxes, rays, points and contacts
 /// with every kind of shape are the real polygon's, on every platform. Time of impact, sensors, b2Distance
 /// and b2ShapeCast are the real polygon's if the shared library stands in front of Box2D or Box2D is compiled
-/// with us, and else the octagon's (docs/any-size-polygons.md: nothing tunnels).
+/// with us, and else the octagon's (docs/any-size-polygons.md says why nothing tunnels).
 ///
 /// Copies and clones share the polygon; it is freed with the last of them. Shapes may be made, copied and
 /// destroyed on any thread. Members that it inherits from Box2D work as usual: a game may change m_radius. A
@@ -73,9 +73,9 @@ public:
     /// of the points (of the hull's vertices, if there are more than 8 points), bit for bit. If Set would
     /// assert because its wrapping finds no hull, it is the exact hull.
     ///
-    /// Points that equal another are left out. Of a polygon of at most 8 vertices points are left out, too,
-    /// that are within half of b2_linearSlop of one before them, as Set does; polygons of more vertices keep
-    /// those. *welded says how many and how far.
+    /// Points that equal another are left out. If the polygon has at most 8 vertices, so are points within
+    /// half of b2_linearSlop of one before them, as b2PolygonShape::Set does. *welded says how many and how
+    /// far.
     ///
     /// Errors leave the shape and *welded as they were: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_TOO_FEW_POINTS
     /// (all on one line, too), BMR_ERROR_TOO_MANY_POINTS (on the hull), BMR_ERROR_NOT_FINITE,
@@ -85,21 +85,20 @@ public:
     /// than 8 vertices need a Box2D that the glue knows). O(n log n).
     bmr_error Set(const b2Vec2 *points, int32 count);
     bmr_error Set(const b2Vec2 *points, int32 count, Welded *welded);
-    /// The same of vertices that are such a hull, counter-clockwise from any one: kept as they are and where
-    /// they are. BMR_ERROR_NOT_CONVEX where they are not, BMR_ERROR_TOO_CLOSE where Set would weld two. O(n).
+    /// The same for vertices that are a hull already, counter-clockwise from any one. It keeps them and their
+    /// order. BMR_ERROR_NOT_CONVEX if they are no hull, BMR_ERROR_TOO_CLOSE if Set would weld two. O(n).
     bmr_error SetRaw(const b2Vec2 *vertices, int32 count);
 
-    /// b2PolygonShape::SetAsBox, bit for bit; a polygon that the shape held is let go. Errors leave it as it
-    /// was: BMR_ERROR_NOT_FINITE, BMR_ERROR_OUT_OF_RANGE (a size that is not above zero).
+    /// b2PolygonShape::SetAsBox, bit for bit, in place of the shape's polygon. Errors leave it as it was:
+    /// BMR_ERROR_NOT_FINITE, BMR_ERROR_OUT_OF_RANGE (a size that is not above zero).
     bmr_error SetAsBox(float halfWidth, float halfHeight);
     bmr_error SetAsBox(float halfWidth, float halfHeight, const b2Vec2 &center, float angle);
 
-    /// A regular polygon around the origin; its first vertex lies on the positive x axis. Of very many
-    /// vertices those are left that floats can tell from a straight line (all of 12,000, about 26,000 of
-    /// 65,535): GetVertexCount. Errors of this and the next three, besides those of Set: of at most 8
-    /// vertices two within half of b2_linearSlop are BMR_ERROR_TOO_CLOSE. Of this and the next two: a size
-    /// that is not above zero is BMR_ERROR_OUT_OF_RANGE, more than kMostVertices are
-    /// BMR_ERROR_TOO_MANY_POINTS.
+    /// A regular polygon around the origin; its first vertex lies on the positive x axis. It keeps vertices
+    /// that floats can tell from a straight line (all of 12,000, about 26,000 of 65,535): GetVertexCount.
+    /// Errors of this and the next three: those of Set, and BMR_ERROR_TOO_CLOSE (at most 8 vertices, two
+    /// within half of b2_linearSlop). Of this and the next two, too: BMR_ERROR_OUT_OF_RANGE (a size that is
+    /// not above zero), BMR_ERROR_TOO_MANY_POINTS (above kMostVertices).
     bmr_error SetRegular(int32 count, float radius);
     /// `count` vertices on an ellipse around the origin, dense where it bends.
     bmr_error SetEllipse(int32 count, float halfWidth, float halfHeight);
@@ -119,7 +118,7 @@ public:
     /// All of them, in order; valid as long as any shape shares the polygon.
     const b2Vec2 *GetVertices() const;
 
-    /// The shape as one of these, or nullptr where it is any other.
+    /// The shape as a ConvexShape, or nullptr if it is none.
     static const ConvexShape *From(const b2Shape *shape);
 
     b2Shape *Clone(b2BlockAllocator *allocator) const override;
@@ -127,15 +126,15 @@ public:
     bool RayCast(b2RayCastOutput *output, const b2RayCastInput &input, const b2Transform &xf,
                  int32 childIndex) const override;
     void ComputeAABB(b2AABB *aabb, const b2Transform &xf, int32 childIndex) const override;
-    /// Of more than 8 vertices: the inertia is such that of a body that has this fixture alone Box2D holds
-    /// the nearest to the right one that floats can, and one above zero where none is near (farther from the
-    /// body's origin than 1,448 times the radius of gyration): OutlineShape::CreateFixtures says why.
+    /// Above 8 vertices the inertia is chosen so that a body of this fixture alone gets the float nearest to
+    /// the right one. Farther from the body's origin than 1,448 times the radius of gyration it gets one
+    /// above zero. OutlineShape::CreateFixtures says why.
     void ComputeMass(b2MassData *massData, float density) const override;
 
 private:
     friend struct internal::ConvexShapeAccess;
 
-    /// The real polygon's handle; 0 where there is none, or where what is shown of it was changed in place.
+    /// The real polygon's handle; 0 if there is none, or if the game changed the shape's vertices in place.
     uint32_t GetHandle() const;
     /// The handle that the shape has a reference to, or 0.
     uint32_t GetKeptHandle() const;
@@ -143,7 +142,7 @@ private:
     /// Takes over the polygon of a handle, with its reference, and shows Box2D the polygon of at most 8
     /// vertices inside it.
     void Adopt(uint32_t handle);
-    /// Set; where points within half of b2_linearSlop of others are not to be left out, BMR_ERROR_TOO_CLOSE.
+    /// Set. Weld::Refused: points within half of b2_linearSlop of others are BMR_ERROR_TOO_CLOSE.
     enum class Weld { Allowed, Refused };
     bmr_error SetHull(const b2Vec2 *points, int32 count, Weld weld, Welded *welded);
     /// The polygon of `polygon` vertices as it is, which was just made.

@@ -38,7 +38,7 @@ struct ProofSide {
     /// The vertex or corner nearest to the other body along the proof's direction; of Disks the centre. Where
     /// this side owns an edge it is one of the edge's ends.
     b2Vec2 support = {0.0f, 0.0f};
-    /// Of a Direction, on the side that does not own the line: the two points that stand in for it while the
+    /// Of a Direction, if the other side owns the line: the two points that represent this side while the
     /// direction turns. Else both are the support.
     b2Vec2 window[2] = {{0.0f, 0.0f}, {0.0f, 0.0f}};
     float diskRadius = 0.0f; ///< of Disks
@@ -50,18 +50,18 @@ struct Proof {
     ProofSide a, b;        ///< of the contact's fixtures A and B
     bool ownerIsB = false; ///< whose the line is
     int32_t level = 0;     ///< EdgeLine: of the hierarchies; 0 is the bounding rectangle
-    /// Unit length, out of the owner, in the owner's frame. Not of Disks.
+    /// Unit length, out of the owner, in the owner's frame. Zero for Disks.
     b2Vec2 normal = {0.0f, 0.0f};
     /// EdgeLine and RememberedEdge: its ends, counter-clockwise, in the owner's frame.
     b2Vec2 edge[2] = {{0.0f, 0.0f}, {0.0f, 0.0f}};
     /// A lower bound of the distance, as CertifiedSlack has it (radii not subtracted); 0 where kind is None,
     /// or where a remembered edge is so far from the origin that rounding leaves nothing.
     float slack = 0.0f;
-    /// False: bodies have moved since the last evaluation, what it left behind does not hold any more, and
-    /// this is what an evaluation would find now.
+    /// True: the last evaluation left this proof, and it still holds. False: an evaluation would find this
+    /// proof now.
     bool remembered = false;
-    /// The kinetic structure that the proof is of, the same for all contacts that share it; nullptr for a
-    /// RememberedEdge. To be compared, and for InspectHull until the world changes.
+    /// The proof's kinetic structure, the same for all contacts that share it; nullptr for a RememberedEdge.
+    /// Compare it, or call InspectHull before the world changes.
     const void *structure = nullptr;
 };
 
@@ -80,7 +80,7 @@ constexpr int32_t kHullLevel = INT32_MAX;
 /// The hull that a proof's structure keeps for one of its two sides, or an envelope of its hierarchy, in the
 /// body's frame, counter-clockwise. Fills up to `capacity` vertices and returns how many there are: 0 where
 /// the proof has no structure. Without a hierarchy (the free direction needs none) every level is the hull.
-/// Before the world changes. O(n).
+/// Call it before the world changes. O(n).
 BMR_BOX2D_API int32_t InspectHull(const Proof &proof, bool ofB, int32_t level, b2Vec2 *vertices,
                                   int32_t capacity);
 

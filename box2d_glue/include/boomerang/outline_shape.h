@@ -52,8 +52,9 @@ public:
     ~OutlineShape();
 
     /// The outline of a ring of points, in either direction, less its holes. With tolerance 0 the pieces are
-    /// exactly that, but for slivers thinner than floats can tell (1e-7 of their length). With a tolerance,
-    /// in length units, no point of one is farther from the other than that, and the pieces are fewer.
+    /// exactly the outline, but for slivers thinner than floats can tell (1e-7 of their length). With a
+    /// tolerance, in length units, there are fewer pieces, and outline and pieces are nowhere farther than
+    /// that apart.
     ///
     /// Errors leave the outline as it was: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_TOO_FEW_POINTS (of a ring; or
     /// no piece has an area, as far as floats can tell), BMR_ERROR_TOO_MANY_POINTS, BMR_ERROR_NOT_FINITE,
@@ -73,17 +74,17 @@ public:
     ///
     /// Box2D adds up inertias about the body's origin, in float, and takes m c^2 off the sum (m is the body's
     /// mass, c how far its centre is from its origin). So it holds an inertia about the centre to half of the
-    /// last bit of m c^2, which is up to 2^-24 m c^2. The pieces' masses are such that of a body that has
-    /// nothing else it holds the float that is nearest to the outline's, or one beside it. Where the inertia
-    /// is less than 2^-21 m c^2 (more than 2 fixtures: sqrt(n / 3) times that), or would be off by more than
-    /// an eighth, the call refuses bodies that turn: put the body's origin near its shapes. A thing of 1 m
-    /// may be 300 m away.
+    /// last bit of m c^2, which is up to 2^-24 m c^2. The pieces' masses are chosen so that a body of this
+    /// outline alone gets the float nearest to the right inertia, or the next one. The call refuses bodies
+    /// that turn if their inertia is less than 2^-21 m c^2 (n > 1 fixtures: 0.75 sqrt(n) times that), or
+    /// would be off by more than an eighth: put the body's origin near its shapes. A thing of 1 m may be 300
+    /// m away.
     ///
     /// Errors leave the body as it was: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_NO_POINTS (of no outline),
     /// BMR_ERROR_NOT_FINITE and BMR_ERROR_NEGATIVE (density, friction; restitution and its threshold not
     /// finite), BMR_ERROR_OUT_OF_RANGE (a density with which the body's mass or inertia is beyond floats),
     /// BMR_ERROR_WORLD_LOCKED, BMR_ERROR_FAR_FROM_ORIGIN (a dynamic body of no fixed rotation that could not
-    /// hold its inertia. Bodies that become such a one later have too much, so that it is above zero).
+    /// hold its inertia. A body that becomes one later gets too large an inertia: one above zero).
     bmr_error CreateFixtures(b2Body *body, const b2FixtureDef &def) const;
     bmr_error CreateFixtures(b2Body *body, float density) const;
     /// Destroys all fixtures of this outline that the body has. Their densities are 0 before that: the body
@@ -94,7 +95,7 @@ public:
     ///     outline.ForEachFixture(body, [](b2Fixture &piece) { piece.SetFriction(0.2f); });
     template <typename Function> void ForEachFixture(b2Body *body, Function function) const;
 
-    /// The outline that a fixture is a piece of; one without points where it is none. O(1).
+    /// The outline that a fixture is a piece of; if it is none, an outline without points. O(1).
     static OutlineShape From(const b2Fixture *fixture);
     /// Is this fixture a piece of this outline? O(1).
     bool Has(const b2Fixture &fixture) const;
@@ -103,22 +104,22 @@ public:
     bool operator!=(const OutlineShape &other) const { return m_record != other.m_record; }
 
     int32 GetPieceCount() const;
-    /// Piece `index` as a shape of its own; one without vertices where there is none.
+    /// Piece `index` as a shape of its own; without vertices if there is no such piece.
     ConvexShape GetPiece(int32 index) const;
-    /// Does another piece go on behind the edge of this piece from vertex `edge` to the next? No where there
-    /// is no such edge, and where another piece goes on behind a part of it alone.
+    /// Does another piece go on behind all of this piece's edge from vertex `edge` to the next? False for a
+    /// part of it, and if there is no such edge.
     bool IsInnerEdge(int32 index, int32 edge) const;
-    /// Of the outline, at this density; inertia about the origin, as b2Shape::ComputeMass has it, and so that
-    /// b2Body::SetMassData makes the nearest of it that floats hold.
+    /// The outline's mass at this density. Its inertia is about the origin, and such that b2Body::SetMassData
+    /// makes the float nearest to the right one of it.
     void ComputeMass(b2MassData *massData, float density) const;
 
 private:
     OutlineRecord *m_record = nullptr;
 };
 
-/// Is this the only contact that touches between its two bodies, or the outlines of theirs? (A fixture that
-/// is no piece of an outline is one by itself.) Box2D calls the listener for each pair of fixtures; this
-/// makes one begin and one end of all pairs of two outlines:
+/// Is this the only contact that touches between its two outlines? (A fixture that is no piece counts as
+/// one.) Box2D calls the listener for each pair of fixtures; this makes one begin and one end of all pairs of
+/// two outlines:
 ///
 ///     void BeginContact(b2Contact *contact) override {
 ///         if (bmr::TouchesAlone(*contact))

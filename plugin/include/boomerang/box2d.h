@@ -11,7 +11,7 @@
 ///
 /// Every simulation computes the bits that it computes without it. bmr::ConvexShape is a convex polygon of
 /// any number of vertices, bmr::OutlineShape any outline, as a few of these. bmr_error_describe says what is
-/// wrong with points that make none.
+/// wrong with points that a shape refuses.
 
 #include <box2d/b2_collision.h>
 
@@ -23,9 +23,9 @@
 namespace bmr {
 namespace internal {
 
-/// Tells the library which Box2D this program calls, by the address of one of its functions. Where the
-/// library finds another one by that name, or none, the program has Box2D inside: then Install and
-/// ConvexShape refuse.
+/// Tells the library which Box2D this program calls, by the address of one of its functions. If the library
+/// finds another function by that name, or none, the program has Box2D inside: Install and ConvexShape
+/// refuse.
 BMR_BOX2D_API bool MeetBox2D(const void *function);
 
 /// Before main, for each source that includes this.

@@ -35,9 +35,9 @@ struct ContactSide {
 /// Two solid fixtures begin or cease to touch.
 struct ContactTouchEvent {
     ContactSide a, b; ///< as the contact has them
-    /// An end outside of a step, as b2World::DestroyBody, b2Body::DestroyFixture, b2Body::SetEnabled and
-    /// b2Body::SetType do: one fixture or both may be gone, and their bodies. Compare these pointers, do not
-    /// follow them.
+    /// True: the touch ended outside of a step (b2World::DestroyBody, b2Body::DestroyFixture,
+    /// b2Body::SetEnabled, b2Body::SetType). The fixtures and bodies may be gone: compare these pointers, do
+    /// not follow them.
     bool mayBeGone;
 };
 
@@ -91,15 +91,15 @@ public:
     ContactRecorder(const ContactRecorder &) = delete;
     ContactRecorder &operator=(const ContactRecorder &) = delete;
 
-    /// Records a hit where the normal impulses of a contact's points add up to `impulse` or more. None at
-    /// first. A body at rest presses with its weight times the length of the step, in every step: choose a
-    /// threshold above that. A pair may hit several times in one step.
+    /// Records a hit if the normal impulses of a contact's points add up to `impulse` or more. Without this
+    /// call there are no hits. A body at rest presses with its weight times the length of the step, in every
+    /// step: choose a threshold above that. A pair may hit several times in one step.
     void SetHitThreshold(float impulse) { m_hitThreshold = impulse; }
     float GetHitThreshold() const { return m_hitThreshold; }
 
     /// The events since the last call, or since the beginning. The lists are good until the next call or the
-    /// recorder's end. Fixtures and bodies in them, but for `mayBeGone`, are those of the world as long as
-    /// the game destroys nothing between the step and this call. O(1).
+    /// recorder's end. Unless `mayBeGone`, their fixtures and bodies still exist if the game destroyed none
+    /// between the step and this call. O(1).
     ContactEvents Take() noexcept;
 
     void BeginContact(b2Contact *contact) override;

@@ -31,8 +31,8 @@
 
 namespace bmr {
 
-/// Rings of points, those of one outline: the outer one first, then its holes. As what is to be repaired: any
-/// rings. Each closed, without its first point being repeated (points that are repeated do no harm).
+/// Rings of points, those of one outline: the outer one first, then its holes. RepairOutline takes any rings.
+/// Each is closed without repeating its first point (repeated points do no harm).
 struct Outline {
     std::vector<bmr_vec2> points; ///< of all rings, one ring behind the other
     std::vector<uint32_t> counts; ///< how many points each ring has
@@ -60,20 +60,20 @@ enum class FillRule {
 
 /// The outlines of what is solid. Each is one connected solid with its holes, outer ring counter-clockwise,
 /// holes clockwise, no straight points; islands in holes are outlines of their own. bmr_outline_check takes
-/// each as it is. At most BMR_MAX_VERTICES points. About O((n + k) log n + n m) with k crossings, where a
-/// line from left to right meets m edges at most.
+/// each as it is. At most BMR_MAX_VERTICES points. About O((n + k) log n + n m), with k crossings and at most
+/// m edges across any horizontal line.
 ///
 /// Errors leave `*repaired` as it was: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_NO_POINTS,
-/// BMR_ERROR_TOO_MANY_POINTS (also of the result, and of thousands of edges that lie on each other),
+/// BMR_ERROR_TOO_MANY_POINTS (also in the result, and for thousands of edges on each other),
 /// BMR_ERROR_NOT_FINITE (a coordinate or snap), BMR_ERROR_NEGATIVE (snap not above 0), BMR_ERROR_OUT_OF_RANGE
 /// (a coordinate beyond 2^30 steps of the grid: a larger snap helps), BMR_ERROR_TOO_FEW_POINTS (nothing solid
-/// is left), BMR_ERROR_CROSSING_EDGES (rounding makes new crossings each time that it is repeated; not met so
-/// far), BMR_ERROR_NO_MEMORY.
+/// is left), BMR_ERROR_CROSSING_EDGES (rounding made new crossings in each repetition; no test meets it),
+/// BMR_ERROR_NO_MEMORY.
 bmr_error RepairOutline(const Outline &rings, FillRule rule, double snap, std::vector<Outline> *repaired);
 
 /// The union of many outlines: tiles of a map, neighbouring platforms. The rings of each outline are solid by
-/// the rule, those of different outlines are added up. Points of all outlines together count; all else is as
-/// in RepairOutline.
+/// the rule, those of different outlines are added up. The points of all outlines together are limited; all
+/// else is as in RepairOutline.
 bmr_error MergeOutlines(const Outline *outlines, std::size_t count, FillRule rule, double snap,
                         std::vector<Outline> *merged);
 
