@@ -47,9 +47,9 @@ typedef struct bmr_optimum {
 /// sample to sample and half way between, and their paths bend by less than resolution / 4 * least distance /
 /// size.
 ///
-/// `least` takes the cones of the samples as they are, and no cover has fewer lines. For `found` each line
-/// holds from sample to sample and beside that by as much as the ends' paths bend there: tests find its lines
-/// to hold everywhere, but that is no proof. `lines` (NULL, or room for `room`) gets the first lines of the
+/// `least` takes the cones of the samples as they are, and no cover has fewer lines. For `found` a line must
+/// hold at the samples, with room for the bend of the ends' paths between them. Tests find that its lines
+/// hold everywhere, but that is no proof. `lines` (NULL, or room for `room`) gets the first lines of the
 /// cover found. 0.02 is a good resolution. Errors: NULL_ARGUMENT, OUT_OF_RANGE (resolution, margin not
 /// positive, from > to).
 bmr_error bmr_offline_optimum(const bmr_course *course, double margin, double resolution,
@@ -61,7 +61,7 @@ bmr_error bmr_offline_optimum(const bmr_course *course, double margin, double re
 /// disk is kappa-clear if its radius is at most 1/kappa of its centre's distance. The distance of two
 /// configurations is |translation| + diameter * |rotation|; under translation it is the plane's.
 typedef struct bmr_clear {
-    uint64_t least;   ///< greedy by a necessary condition of every segment in a clear disk: its diameter is
+    uint64_t least;   ///< greedy by what every segment in a clear disk must fulfil: its diameter is
                       ///< at most 2 / (kappa - 1) of the least distance on it
     uint64_t found;   ///< greedy by clear disks about the segments' first points
     uint64_t samples; ///< poses looked at

@@ -38,9 +38,9 @@ extern "C" {
 /// than its threshold, at the poses as the numbers stand, without a further margin.
 ///
 /// The place of a pivot is rounded, too (bmr_mover_place), by less than 1/32 of a unit. This error does not
-/// add up, because motions are counted from one rounded place to the next. A pair sees four such places:
-/// those of its two bodies when its deadline was made, and at present. That is less than 1/8 of a unit: a
-/// pair that is not due has one whole unit left, and a line is made with one unit to spare.
+/// add up, because motions are counted from one rounded place to the next. Four such places matter to a pair:
+/// those of its two bodies when its deadline was made, and at present. Together they are off by less than 1/8
+/// of a unit. A pair that is not due has a whole unit left, and a line is made with one to spare.
 ///
 /// Sums have 32 bits and may wrap. That is sound because no budget and no motion is larger than 2^27, and
 /// because the caller asks often enough:
@@ -82,8 +82,8 @@ typedef struct bmr_mover {
 /// floats.)
 #define BMR_BUDGET_ROUNDING (1.0 / 281474976710656.0)
 
-/// A length (>= 0) in units, rounded up: more than the length, even if the caller's own arithmetic had it too
-/// small by 2^-50 of itself. BMR_BUDGET_MARK if it is larger than that, or a NaN.
+/// A length (>= 0) in units, rounded up: more than the true length, if the caller has computed it to 2^-50 of
+/// itself. BMR_BUDGET_MARK if it is larger than that, or a NaN.
 static inline uint32_t bmr_budget_motion(double length, double units) {
     // The two products here are off by 2^-52 together. One more unit is more than what the conversion cuts
     // off.

@@ -39,8 +39,8 @@ typedef struct bmr_closest_points {
 
 /// The distance of two polygons and a pair of closest points: any one of them, if there are many (two
 /// parallel sides). O(log n + log m) time for n and m vertices, without a hierarchy: each step halves one of
-/// the two polygons. Up to some fifty times as much if vertices lie together as far as doubles can tell, or
-/// if the polygons all but touch: then it takes one search for each bit of a direction.
+/// the two polygons. Up to some fifty times as much if doubles can hardly tell vertices apart, or if the
+/// polygons nearly touch: then it makes one search for each bit of a direction.
 bmr_error bmr_distance(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
                        const bmr_pose *pose_b, bmr_closest_points *closest);
 

@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-/// Every function of core that can fail returns one of these, and then leaves its outputs as they were.
+/// Functions of core return these. An error leaves the outputs as they were, or the comment says more.
 typedef enum bmr_error {
     BMR_OK = 0,
     BMR_ERROR_NULL_ARGUMENT,     ///< a pointer that must not be NULL is NULL

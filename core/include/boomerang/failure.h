@@ -36,8 +36,8 @@ bmr_failure_options bmr_default_failure_options(void);
 /// The first time in (after, until] at which the condition is no longer positive while A and B move as given;
 /// INFINITY if there is none. If the condition is not positive at `after`:
 ///   - zero up to rounding and growing: it does not fail; the function must first come back to zero;
-///   - below zero by more, but above it after four tolerances: it grows, too. (An event is up to a tolerance
-///   early, and until its true time the opposite of the condition that failed is below zero.)
+///   - below zero by more, but above it after four tolerances: it grows, too. (An event comes up to a
+///   tolerance early. Until its true time the opposite of the failed condition is below zero.)
 ///   - anything else, zero and flat included: it fails at `after` itself.
 /// The search covers all pieces of both motions from `after` on, a jump between two of them included, but not
 /// a piece that begins at `until`.

@@ -128,7 +128,7 @@ bmr_corner bmr_hierarchy_corner_before(const bmr_hierarchy *hierarchy, bmr_edge 
 /// The corner of two edges that are adjacent on some level; this finds its `cut`. O(1).
 bmr_corner bmr_hierarchy_corner(const bmr_hierarchy *hierarchy, bmr_edge before, bmr_edge after);
 /// The corner of P_level that is farthest in `direction` (not zero): its cone [normal(before), normal(after)]
-/// contains the direction. At an exact tie it is the corner that has the tied edge as its `before`. O(level).
+/// contains the direction. At an exact tie it is the corner whose `before` is the tied edge. O(level).
 bmr_corner bmr_hierarchy_extreme(const bmr_hierarchy *hierarchy, bmr_vec2 direction, uint32_t level);
 /// The point of a corner: the meeting point of its two lines, or the vertex of P that both touch.
 bmr_vec2 bmr_hierarchy_corner_point(const bmr_hierarchy *hierarchy, bmr_corner corner);

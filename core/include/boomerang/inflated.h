@@ -33,7 +33,7 @@ double bmr_inflation_diameter(const bmr_polygon *polygon);
 
 /// eps_j. O(1).
 double bmr_inflation_offset(const bmr_inflation *inflation, uint32_t j);
-/// The level of the hierarchy that Q_j is, at most its depth: from there on Q_j = Q.
+/// The level of the hierarchy whose envelope is Q_j: at most the depth, where Q_j = Q.
 uint32_t bmr_inflation_level(const bmr_inflation *inflation, const bmr_hierarchy *hierarchy, uint32_t j);
 /// The least j with Q_j = Q.
 uint32_t bmr_inflation_last(const bmr_inflation *inflation, const bmr_hierarchy *hierarchy);

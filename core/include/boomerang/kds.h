@@ -83,15 +83,15 @@ typedef struct bmr_kds_def {
     /// practice 2^-50, its rounding). The two rivals that compare distances (closest features, inner tangent)
     /// may report "apart" at a distance smaller by 1e-15 of the extents and of `reach`.
     double margin;
-    /// The pair leaves contact when the polygons are margin + hysteresis apart, up to the same; >= 0.
+    /// The pair leaves contact at a distance of margin + hysteresis, up to the errors named above; >= 0.
     double hysteresis;
     /// Inflated structures: eps_j = alpha * (D_A + D_B) * offset_ratio^j. The paper's values: 1/2 and 1/2. A
     /// ratio nearer to 1 takes beta towards 1 and kappa towards 3, if the root polygon is richer too.
     double alpha, offset_ratio;
     /// Inflated structures: levels of the hierarchy that the root polygon already has; 0: the rectangle. For
     /// polygons with sharp corners, give the shapes hierarchies of bmr_hierarchy_build_compass_with_corners
-    /// of at least so many levels. (An explicit sum makes its own.) Without them no level reaches beyond the
-    /// corners' angle.
+    /// of at least so many levels. (Structures on an explicit sum make their own.) In other hierarchies no
+    /// edge's direction lies within the angle of a sharp corner.
     unsigned root_level;
     /// Free directions: the part of the gap that a window may cost (gamma), in (0, 1).
     double window_part;

@@ -121,9 +121,9 @@ static inline bmr_outline_def bmr_default_outline_def(void) {
 typedef struct bmr_outline_edge {
     /// Index of the point at which it begins. If points of the outline coincide, always the first of them.
     uint32_t point;
-    /// Of an outer edge: the edge of the outline on which it lies, whole or in part (if rings touch inside of
-    /// an edge), in the same direction or in the opposite one. With a tolerance an edge may replace several
-    /// neighbouring edges of a ring: then the first of these in the ring's direction. Of an inner edge: NONE.
+    /// Of an outer edge: the edge of the outline on which it lies, in either direction. It is a part of that
+    /// edge if rings touch inside of it. With a tolerance an edge may replace several neighbouring edges of a
+    /// ring: then the first of these in the ring's direction. Of an inner edge: NONE.
     uint32_t outline;
     /// Of an inner edge: the edge of another piece that has the same two ends, in the opposite direction. Of
     /// an outer edge: NONE.

@@ -20,8 +20,8 @@ extern "C" {
 /// copied.
 ///
 /// A pair belongs to the two polygons of its last advance, A and B in this order. It knows them by their
-/// stamps (bmr_polygon), not by their addresses. Other polygons pass for them with a probability of 2^-32,
-/// the same two exchanged with one of 2^-31. An advance with polygons of other vertices, or with A and B
+/// stamps (bmr_polygon), not by their addresses. Other polygons pass for these two with a probability of
+/// 2^-32; A and B exchanged pass with 2^-31. An advance with polygons of other vertices, or with A and B
 /// exchanged, starts the pair anew, as bmr_pair_init would. So a polygon may be replaced without a call, also
 /// by one at the same address. A copy of a polygon is the same polygon. Do not write to a polygon in place:
 /// it would keep its stamp (bmr_polygon_audit finds it).
@@ -88,7 +88,7 @@ typedef struct bmr_pair {
     uint8_t simplex : 2;   ///< in contact: how many vertex pairs (a | b << 16) are remembered in edge, other,
                            ///< other_after
     uint8_t structure : 2; ///< bmr_structure that edge, other and other_after are of
-    uint8_t free : 1; ///< lazy: 1 where no edge's line does and the certificate is the closest direction's
+    uint8_t free : 1; ///< lazy: 1 if the line is that of the closest direction, because no edge's line does
     int8_t spin : 2;  ///< free: the sense in which B turned out of the last bracket: -1, 0 (unknown) or 1
     uint8_t owner;    ///< 0: the line is A's; 1: it is B's
     uint8_t state;    ///< bmr_pair_state

@@ -71,7 +71,7 @@ bmr_error bmr_polygon_audit(const bmr_polygon *polygon);
 /// Unit outer normal of edge i; (1, 0) for a point. O(1).
 bmr_vec2 bmr_polygon_normal(const bmr_polygon *polygon, uint32_t edge);
 
-/// Index of a vertex farthest in `direction` (of two, the counter-clockwise first). Climbs from `hint` (any
+/// Index of a vertex farthest in `direction` (of two: the first, counter-clockwise). Climbs from `hint` (any
 /// value; taken modulo count): O(1) if the answer is near, O(n) at worst. For a zero or NaN direction it
 /// returns the hint. Rounding: the true farthest vertex is farther by at most 1e-15 * extent * |direction|.
 /// That holds for directions of length 1e-290 to 1e290. For others, whose products underflow or overflow, it

@@ -43,8 +43,8 @@ static inline bool bmr_is_wall(bmr_body body) {
 
 // ---- contacts and answers ----
 
-/// A contact: two polygons have come within the margin of each other. The callback may come while they are
-/// still a few 16ths of the margin farther apart, or, if that is more, farther by their way in a few
+/// A contact: two polygons have come within the margin of each other. The callback may come early: while they
+/// are farther apart than the margin by a few 16ths of it, or, if that is more, by what they move in a few
 /// roundings of the time. B may be a wall.
 typedef struct bmr_contact {
     double time;
@@ -78,9 +78,9 @@ typedef enum bmr_response_kind {
     BMR_RESPONSE_IMPULSE,
     /// Both go on with the velocity of their common centre of mass and without spin, and so do all bodies
     /// that stuck to either before and got no other motion since. Momentum stays; energy and angular momentum
-    /// go. (Bodies that turn about a common centre are no screw motion of any of them.) A body of infinite
-    /// mass, or a wall, keeps its velocity, and the others get it. If two such of different velocities would
-    /// stick together, the pair passes.
+    /// go. (The spin goes because no screw motion turns a body about another one's centre.) A body of
+    /// infinite mass, or a wall, keeps its velocity, and the others get it. If two such of different
+    /// velocities would stick together, the pair passes.
     BMR_RESPONSE_STICK,
     /// The callback has set the motions (bmr_world_set_motion); the world goes on watching the pair. If the
     /// two still approach, the same contact comes again, at half the distance.
@@ -106,10 +106,10 @@ typedef enum bmr_zeno_policy {
     BMR_ZENO_ERROR,
     /// An impulse on points that approach by less than `zeno_speed` has restitution 1 (McNamara and Luding's
     /// remedy). A pair is jammed if it touches at an eighth of the margin or less without having come apart.
-    /// A faster impulse of a jammed pair has the restitution of its answer, but rebounds at zeno_speed at
-    /// least, and at twice that at each further half of its distance. So no impulse that this policy changes
-    /// rebounds faster than zeno_speed * max(1, margin / (8 distance)), and none adds energy. `softened`
-    /// counts these impulses, and `softened_energy` the energy that they kept.
+    /// If a jammed pair approaches faster, its answer's restitution holds, but the pair rebounds at
+    /// zeno_speed at least, and at twice that for each further halving of its distance. So no impulse that
+    /// this policy changes rebounds faster than zeno_speed * max(1, margin / (8 distance)), and none adds
+    /// energy. `softened` counts these impulses, and `softened_energy` the energy that they kept.
     ///
     /// If a hit on one of the two drives a pair within the margin together by more than zeno_speed, the pair
     /// has its contact at once: a hit goes through a pile in no time, at the pile's own restitution. STALLED
@@ -153,7 +153,7 @@ typedef struct bmr_world_def {
     const bmr_kds_info *structure; ///< of every near pair
     /// kds.margin: in contact when the polygons are this near; more than some 1e-8 of the largest body.
     /// kds.hysteresis: how much farther apart a pair must have been for its next contact to count as a new
-    /// one. Any value is kept: until then the pair's structure stands.
+    /// one. Any value works: the pair's structure stands until then.
     bmr_kds_def kds;
     bmr_failure_options failure;
     bmr_boundary boundary;
@@ -164,7 +164,7 @@ typedef struct bmr_world_def {
     bmr_zeno_policy zeno;
     double zeno_speed; ///< of ZENO_ELASTIC; > 0. Take a hundredth of the usual speed; with less, more worlds
                        ///< stall
-    /// The most events (and searches that go on later) in one advance; 0: no limit.
+    /// The most events in one advance, with searches that it interrupts and continues; 0: no limit.
     uint64_t most_events;
     /// Every two bodies are candidates, and there is no grid. A periodic box (of any shape) then has nine
     /// cells, all neighbours of each other, which give the image in which the two can meet next. For
@@ -240,13 +240,13 @@ typedef enum bmr_trouble {
     BMR_TROUBLE_REPAIRS,
     /// STALLED: the two are apart, but by less than their structure can prove.
     BMR_TROUBLE_PROOF,
-    /// OUT_OF_RANGE: the two (or one, through cells) move so fast that the clock is too coarse: near each
-    /// other by more than the margin in four roundings of the time (nine parts in 1e16 of it). Or a curved
-    /// path is so long, or so fast, since its motion began that its place is not known to a 32nd of the
-    /// disks' reach. So no body flies through another one unseen.
+    /// OUT_OF_RANGE: the two (or one, through cells) are too fast for the clock: in four roundings of the
+    /// time (nine parts in 1e16 of it) they approach by more than the margin. Or a curved path is so long, or
+    /// so fast, since its motion began that its place is not known to a 32nd of the disks' reach. So no body
+    /// flies through another one unseen.
     BMR_TROUBLE_SPEED,
     /// OUT_OF_RANGE: a body is so far away that there are no larger cells, or no digits left: in an open
-    /// world beyond 2^190 times the finest cell, in a periodic box after 2^30 cells.
+    /// world beyond 2^190 cells of its first body, in a periodic box after 2^30 cells.
     BMR_TROUBLE_PLACE,
     BMR_TROUBLE_ANSWER, ///< OUT_OF_RANGE: a response that makes no sense; the pair passes
     BMR_TROUBLE_EVENTS, ///< OUT_OF_RANGE: more than most_events; a further call goes on
@@ -306,8 +306,8 @@ typedef struct bmr_world_pair {
     double reach;    ///< the sum of the disks' radii at which a structure begins
     double next;     ///< nothing happens to this pair before this time
     bool neighbours; ///< their cells are neighbours; false: the pair is kept for its structure alone
-    /// Of STRUCTURE and PASSING. Of a wall it sees a segment that goes along the wall with the body: the
-    /// segment's frame is not turned, and its origin is the point of the wall beside the body's origin.
+    /// For STRUCTURE and PASSING. A wall is a segment here, which goes along the wall with the body. Its
+    /// frame is not turned, and its origin is the point of the wall beside the body's origin.
     const bmr_kds *kds;
 } bmr_world_pair;
 typedef struct bmr_world_cell {
