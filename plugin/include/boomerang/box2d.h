@@ -3,7 +3,7 @@
 #define BOOMERANG_BOX2D_H
 
 /// @file
-/// A game includes this, in C++11 or later. One call before the first world, and nothing else changes:
+/// A game includes this, in C++11 or later. One call before the first step, and nothing else changes:
 ///
 ///     #include <box2d/box2d.h>
 ///     #include <boomerang/box2d.h>
