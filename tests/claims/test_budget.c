@@ -75,6 +75,7 @@ TEST(no_slack_is_due_at_once_and_no_slack_counts_for_more_than_the_most) {
         assert_int_equal(bmr_budget_deadline(much[i], 0u, 0u, UNITS), BMR_BUDGET_MOST);
         assert_true(due_after(much[i], 1u, 2u, BMR_BUDGET_MARK));
     }
+    assert_int_equal(bmr_budget_deadline(1.0 / UNITS / (1.0 - BMR_BUDGET_ROUNDING), 0u, 0u, UNITS), 1u);
 }
 
 TEST(a_mark_makes_every_pair_of_the_body_due) {

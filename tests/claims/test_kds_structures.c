@@ -206,6 +206,8 @@ TEST(no_pose_is_contact_and_no_point_is_an_error) {
         bmr_kds_repair(kds, &now, 0, &report);
         assert_int_equal(report.kind, BMR_KDS_CONTACT);
         assert_true(bmr_kds_in_contact(kds));
+        bmr_kds_repair(kds, &now, 0, &report); // in contact there is nothing to repair
+        assert_int_equal(report.kind, BMR_KDS_NONE);
         bmr_kds_destroy(kds, NULL);
     }
     test_kds_body_destroy(&point);

@@ -24,11 +24,13 @@ TEST(equal_boxes_exchange_their_velocities) {
     assert_near(fmin(c->points[0].y, c->points[1].y), -0.5, 1e-9);
     assert_near(fmax(c->points[0].y, c->points[1].y), 1.0, 1e-9);
     assert_near(c->approach[0], -2.0, 1e-12);
+    assert_near(c->approach[1], -2.0, 1e-12);
     // Off the middle: they spin, and all that is conserved stays.
     const bmr_world_totals totals = bmr_world_get_totals(s->world);
     assert_near(totals.energy, 4.0, 1e-12);
     assert_near(totals.momentum.x, 0.0, 1e-12);
     assert_near(totals.angular, -4.0 * 0.5 * -1.0, 1e-10);
+    assert_near(state_of(s, left).spin, state_of(s, right).spin, 1e-9); // both ends part as fast
     close_stage(s);
 
     // Head on, they exchange velocities and do not spin.
