@@ -266,7 +266,7 @@ std::string NextWhereAlready(const Trial &trial, Already already, bool slower) {
     if (already == Already::kLinked)
         return "But nothing in it calls bmr::Install(), so that as it is the library does nothing. " +
                (slower ? std::string("It would not pay here: leave the game as it is.")
-                       : "Call it before the first world; or play the game so:\n\n    BOOMERANG=on " +
+                       : "Call it before the first step; or play the game so:\n\n    BOOMERANG=on " +
                              CommandOf(trial));
     const std::string off = "BOOMERANG=off in its environment turns Boomerang off.";
     return slower ? "It does not pay here: " + off
@@ -300,7 +300,7 @@ std::string Next(const Trial &trial, Outcome outcome) {
     return "To play it so, without building anything:\n\n    LD_PRELOAD=" + Quoted(trial.preload) + " " +
            CommandOf(trial) +
            "\n\nTo build it in: link boomerang::box2d ahead of Box2D, and call bmr::Install() "
-           "before the first world.";
+           "before the first step.";
 }
 
 } // namespace

@@ -198,7 +198,7 @@ test_values_that_are_not_understood_get_one_line() {
 test_wrong_set_ups_get_one_line() {
     game linked_game BOOMERANG_VERBOSE=1
     same_output "Install forgotten"
-    one_line "Install forgotten" 'not used: nothing called bmr::Install()\. Call it before the first world, or set BOOMERANG=on$'
+    one_line "Install forgotten" 'not used: nothing called bmr::Install()\. Call it before the first step, or set BOOMERANG=on$'
     game "no_game" LD_PRELOAD="$plugin:$box2d" BOOMERANG_VERBOSE=1
     one_line "no step" 'not used: this program never called b2World::Step$'
     game plain_game LD_PRELOAD="$box2d:$plugin" BOOMERANG_VERBOSE=1

@@ -46,7 +46,7 @@ void SayWhyNotUsed() {
     if (startsAtFirstStep)
         why = came ? nullptr : WhyNoStepComesBy();
     else if (!InstallWasCalled())
-        why = "nothing called bmr::Install(). Call it before the first world, or set BOOMERANG=on";
+        why = "nothing called bmr::Install(). Call it before the first step, or set BOOMERANG=on";
     if (why != nullptr)
         std::fprintf(stderr, "boomerang: not used: %s\n", why);
 }
