@@ -272,7 +272,7 @@ TEST_CASE(
         game.Step();
         for (b2Body *body : {leaning, leant, pulled, pulling})
             body->SetAwake(false);
-        game.Step(40); // until it is seen that hardly anybody is awake
+        game.Step(40); // until Bodies finds that few are awake
         pulling->SetAwake(true);
         game.listener.postSolve.Once([leaning] { leaning->SetAwake(true); });
         game.Step(5);
@@ -418,7 +418,7 @@ TEST_CASE("woken: a filter wakes those that lean on each other, and steps the wo
         game.Step(2);
         for (b2Body *body : sleepers)
             body->SetAwake(false);
-        game.Step(40); // until it is seen that hardly anybody is awake
+        game.Step(40); // until Bodies finds that few are awake
         game.filter.asked.Once([&] {
             for (b2Body *body : leaning)
                 body->SetAwake(true);
