@@ -374,13 +374,14 @@ bool ContactSolver::SolvePositions(const Island &island) {
     return least >= kLeastSeparation;
 }
 
-bool ContactSolver::SolveToiPositions(const Island &island) {
+bool ContactSolver::SolveToiPositions(const Island &island, int32 first, int32 second) {
+    const auto meets = [=](int32 body) { return body == first || body == second; };
     float least = 0.0f;
     for (uint32_t i = island.firstContact; i < island.endContact; ++i) {
         ContactBodies bodies = m_positionConstraints[i].bodies;
-        if (bodies.indexA > 1)
+        if (!meets(bodies.indexA))
             bodies.invMassA = bodies.invIA = 0.0f;
-        if (bodies.indexB > 1)
+        if (!meets(bodies.indexB))
             bodies.invMassB = bodies.invIB = 0.0f;
         Solve(m_positionConstraints[i], b2_toiBaumgarte, bodies, &least);
     }

@@ -103,8 +103,8 @@ public:
         Solve(constraint, b2_baumgarte, constraint.bodies, &least);
         return least;
     }
-    /// The same after an impact of the bodies 0 and 1: no other body is moved.
-    bool SolveToiPositions(const Island &island);
+    /// The same after an impact of the bodies `first` and `second`: no other body is moved.
+    bool SolveToiPositions(const Island &island, int32 first, int32 second);
 
     /// Where the body is, now that it is solved.
     b2Transform PoseOf(int32 body, const b2Vec2 &localCenter) {

@@ -7,11 +7,13 @@
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
 #include <box2d/b2_joint.h>
 #include <box2d/b2_world_callbacks.h>
 
 #include "base/private_members.h"
 #include "base/rounding_mode.h"
+#include "start/box2d_asserts.h"
 
 namespace bmr {
 
@@ -179,8 +181,10 @@ bool IslandSolver::SolveTogether(Island *islands, uint32_t count) {
         return false;
     }
     m_solver.StoreImpulses(all);
-    for (uint32_t i = 0; i < count; ++i)
+    for (uint32_t i = 0; i < count; ++i) {
         StoreBodies(islands[i]);
+        StorePlaces(islands[i]);
+    }
     m_profile.solveInit += initialized;
     m_profile.solveVelocity += solved - initialized;
     m_profile.solvePosition += timer.GetMilliseconds() - solved;
@@ -196,6 +200,11 @@ void IslandSolver::SolveToi() {
         Clear();
         return;
     }
+    const int32 first = m_bodies[0]->*Named(IslandIndex()), second = m_bodies[1]->*Named(IslandIndex());
+    BMR_BOX2D_ASSERTS(first < static_cast<int32>(m_bodyCount), "toiIndexA < m_bodyCount");
+    BMR_BOX2D_ASSERTS(second < static_cast<int32>(m_bodyCount), "toiIndexB < m_bodyCount");
+    if (!AreAllHere(first, second))
+        return Clear();
     const Island island = {0, m_bodyCount, 0, m_contactCount, 0, 0, false, false};
     for (uint32_t i = 0; i < m_bodyCount; ++i) {
         const b2Body &body = *m_bodies[i];
@@ -206,9 +215,9 @@ void IslandSolver::SolveToi() {
     m_solver.Read(island);
     m_solver.PlaceBodies(island);
     for (int32 i = 0; i < m_step.positionIterations; ++i)
-        if (m_solver.SolveToiPositions(island))
+        if (m_solver.SolveToiPositions(island, first, second))
             break;
-    for (uint32_t i = 0; i < 2; ++i) { // where the two go on from
+    for (const int32 i : {first, second}) { // where the two go on from
         b2Sweep &sweep = m_bodies[i]->*Named(SweepMember());
         sweep.c0 = m_positions[i].c;
         sweep.a0 = m_positions[i].a;
@@ -220,6 +229,17 @@ void IslandSolver::SolveToi() {
     StoreBodies(island);
     Report(island);
     Clear();
+}
+
+/// Has the island's room a place for each body of its contacts? A step inside this one may have numbered them
+/// anew; Box2D then reads memory that it has not written for this island.
+bool IslandSolver::AreAllHere(int32 first, int32 second) const {
+    const auto isHere = [this](int32 place) { return static_cast<uint32_t>(place) < m_mostBodies; };
+    for (uint32_t i = 0; i < m_contactCount; ++i)
+        if (!isHere(m_contacts[i]->GetFixtureA()->GetBody()->*Named(IslandIndex())) ||
+            !isHere(m_contacts[i]->GetFixtureB()->GetBody()->*Named(IslandIndex())))
+            return false;
+    return static_cast<uint32_t>(b2Max(first, second)) < m_bodyCount;
 }
 
 void IslandSolver::Finish(b2Profile *profile) {
@@ -310,10 +330,15 @@ void IslandSolver::IntegratePositions(const Island &island) {
 void IslandSolver::StoreBodies(const Island &island) {
     for (uint32_t i = island.firstBody; i < island.endBody; ++i) {
         b2Body *const body = m_bodies[i];
-        body->*Named(IslandIndex()) = static_cast<int32>(i - island.firstBody);
         Store(m_positions[i], m_velocities[i], body);
         body->*Named(TransformMember()) = m_solver.PoseOf(static_cast<int32>(i), body->GetLocalCenter());
     }
+}
+
+/// Each body's place in Box2D's island.
+void IslandSolver::StorePlaces(const Island &island) {
+    for (uint32_t i = island.firstBody; i < island.endBody; ++i)
+        m_bodies[i]->*Named(IslandIndex()) = static_cast<int32>(i - island.firstBody);
 }
 
 void IslandSolver::Report(const Island &island) {

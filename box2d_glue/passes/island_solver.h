@@ -74,7 +74,9 @@ public:
     /// b2Island::Solve. If Begin was told so the island may wait to be solved together with others, as late
     /// as in Finish: they share no body that moves.
     void Solve(const b2Vec2 &gravity, bool allowSleep);
-    /// b2Island::SolveTOI, by the step that Begin was given. The first two bodies are those that meet.
+    /// b2Island::SolveTOI, by the step that Begin was given. The first two bodies are those that meet. A body
+    /// may be in the island twice, where a listener stepped the world while the island grew. Its
+    /// m_islandIndex then tells which of its places counts.
     void SolveToi();
 
     /// Ends a pass. Adds what its parts took to the profile, if there is one: solveInit, solveVelocity and
@@ -97,6 +99,8 @@ private:
     void SolvePositions(Island *islands, uint32_t count);
     bool SolvePositions(const Island &island);
     void StoreBodies(const Island &island);
+    void StorePlaces(const Island &island);
+    bool AreAllHere(int32 first, int32 second) const;
     void Report(const Island &island);
     void Sleep(const Island &island);
 

@@ -65,6 +65,25 @@ TEST_CASE("own: a listener steps its own world") {
     });
 }
 
+TEST_CASE("again: a listener steps its world in an impact, whose island takes in again what it had") {
+    AsStock([](Run &run) {
+        for (int call = 1; call <= 9; ++call) {
+            Game game(run);
+            for (int i = 0; i < 20; ++i)
+                game.Box({Real(i) - 10.0f, 0.0f});
+            b2Body *plate = game.Box({0.0f, 3.0f}, {3.0f, 0.1f});
+            plate->SetBullet(true);
+            plate->SetLinearVelocity({0.0f, -200.0f});
+            game.Listen();
+            game.listener.preSolve = [&game, plate, left = call](b2Contact *contact) mutable {
+                if (contact->GetFixtureB()->GetBody() == plate && --left == 0)
+                    game.StepWithin(1.0f / 240.0f, 2);
+            };
+            game.Step(4);
+        }
+    });
+}
+
 TEST_CASE("elsewhere: PostSolve has another thread step its own world, and waits for it") {
     AsStock([](Run &run) {
         Game game(run, {0.0f, -10.0f});

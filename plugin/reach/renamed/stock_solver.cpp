@@ -36,6 +36,7 @@ namespace stock {
 struct BodyMotion {
     static void Advance(b2Body *body, float alpha) { body->Advance(alpha); }
     static void SynchronizeTransform(b2Body *body) { body->SynchronizeTransform(); }
+    static int32 &Place(b2Body *body) { return body->m_islandIndex; }
 };
 
 void SolveIsland(const IslandParts &parts, const b2TimeStep &step, const b2Vec2 &gravity, bool allowSleep,
@@ -50,9 +51,8 @@ bool Asserts();
 namespace {
 
 struct FilledIsland : b2Island {
-    FilledIsland(const IslandParts &parts, b2ContactListener *listener)
-        : b2Island(int32(parts.bodyCount), int32(parts.contactCount), int32(parts.jointCount),
-                   parts.allocator, listener) {
+    FilledIsland(const IslandParts &parts, uint32 bodies, uint32 contacts, b2ContactListener *listener)
+        : b2Island(int32(bodies), int32(contacts), int32(parts.jointCount), parts.allocator, listener) {
         for (uint32 i = 0; i < parts.bodyCount; ++i)
             Add(parts.bodies[i]);
         for (uint32 i = 0; i < parts.contactCount; ++i)
@@ -66,7 +66,7 @@ struct FilledIsland : b2Island {
 
 void SolveIsland(const IslandParts &parts, const b2TimeStep &step, const b2Vec2 &gravity, bool allowSleep,
                  b2ContactListener *listener, b2Profile *profile) {
-    FilledIsland island(parts, listener);
+    FilledIsland island(parts, parts.bodyCount, parts.contactCount, listener);
     b2Profile here;
     island.Solve(&here, step, gravity, allowSleep);
     profile->solveInit += here.solveInit;
@@ -75,7 +75,14 @@ void SolveIsland(const IslandParts &parts, const b2TimeStep &step, const b2Vec2 
 }
 
 void SolveToiIsland(const IslandParts &parts, const b2TimeStep &step, b2ContactListener *listener) {
-    FilledIsland(parts, listener).SolveTOI(step, 0, 1);
+    const uint32 most = 2 * b2_maxTOIContacts;
+    int32 places[most]; // as the pass left them: a step of a listener may have changed them since Add
+    for (uint32 i = 0; i < parts.bodyCount; ++i)
+        places[i] = BodyMotion::Place(parts.bodies[i]);
+    FilledIsland island(parts, most, b2_maxTOIContacts, listener);
+    for (uint32 i = 0; i < parts.bodyCount; ++i)
+        BodyMotion::Place(parts.bodies[i]) = places[i];
+    island.SolveTOI(step, places[0], places[1]);
 }
 
 void AdvanceSweep(b2Sweep *sweep, float alpha) {

@@ -143,7 +143,9 @@ void World::StepInItself(const Moment &moment) {
     if (m_inItself || m_inImpacts || (moment.occasion != kPreSolve && moment.occasion != kBegin))
         return;
     m_inItself = true;
-    m_world.Step(moment.mixed / 64 % 3 == 0 ? 1.0f / 240.0f : 0.0f, 1, 1);
+    const float timeStep = moment.mixed / 64 % 3 == 0 ? 1.0f / 240.0f : 0.0f;
+    m_world.Step(timeStep, 1, 1);
+    NoteStepped(timeStep);
     uint32_t mixed = moment.mixed;
     for (uint32_t changes = mixed / 256 % 6; changes > 0 && !m_world.IsLocked(); --changes) {
         mixed = mixed * 2654435761u + 1u;

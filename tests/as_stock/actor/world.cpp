@@ -105,6 +105,7 @@ void World::Step(float timeStep, int32 velocityIterations, int32 positionIterati
         RememberPlaces();
         try {
             m_world.Step(timeStep, velocityIterations, positionIterations);
+            NoteStepped(timeStep);
             again = false;
         } catch (const Thrown &) {
             m_reacting = m_inItself = false;
@@ -118,6 +119,11 @@ void World::Step(float timeStep, int32 velocityIterations, int32 positionIterati
                                 IsAwake(*contact->GetFixtureB()));
         m_disabled = false;
     }
+}
+
+void World::NoteStepped(float timeStep) {
+    if (timeStep > 0.0f && m_world.GetContinuousPhysics())
+        m_mayGoOn = m_world.GetSubStepping();
 }
 
 /// Ahead of a step: some bodies are filtered anew, so that their contacts' ends and beginnings call
@@ -281,9 +287,10 @@ void World::React(b2Contact *contact, Occasion occasion) {
 }
 
 /// Not from what the islands of a whole step report: an entry of Box2D's stack of memory would be left
-/// behind.
+/// behind. Nor while a step goes on that stopped at an impact (SetSubStepping): Box2D's next impact would
+/// leave out bodies that the last one has marked, and read places that it has not written for them.
 void World::MayThrow(Occasion occasion) {
-    if (throwing == 0 || throwing % 5 != static_cast<int>(occasion) ||
+    if (throwing == 0 || throwing % 5 != static_cast<int>(occasion) || m_mayGoOn ||
         (occasion == kPostSolve && !m_inImpacts))
         return;
     throwing = static_cast<uint8_t>(throwing < 10 ? 0 : throwing - 5);

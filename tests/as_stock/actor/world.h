@@ -137,6 +137,7 @@ private:
     void ChangeUnlocked(const Moment &moment, uint32_t mixed);
     void Tick();
     void Rescue();
+    void NoteStepped(float timeStep);
     void RememberPlaces();
     void Watch(const b2Contact &contact);
 
@@ -149,6 +150,7 @@ private:
     bool m_stepping = false;
     bool m_inItself = false;
     bool m_inImpacts = false;
+    bool m_mayGoOn = false; ///< the next step, where the last one stopped
     struct Place {
         b2Vec2 center;
         float angle;
