@@ -141,6 +141,7 @@ void ImpactPass::Spread(b2Body *body, float time, Island *island) {
 
 /// Ends the island. Pairs of the bodies that it displaced forget their times of impact.
 void ImpactPass::EndIsland(const Island &island) {
+    m_marks.LookAgain(); // PostSolve may have made a step, in which the world got a ledger
     for (int32 i = 0; i < island.bodyCount; ++i) {
         b2Body *const body = island.bodies[i];
         BodyInIsland::Clear(body);

@@ -67,7 +67,7 @@ IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *sol
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
       m_marks(m_manager), m_room(solver->Room()), m_newest(m_manager->m_contactList),
-      m_contactCount(m_manager->m_contactCount) {
+      m_contactCount(m_manager->m_contactCount), m_latest(LatestStep()) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
         m_listener = nullptr;
     if (m_ledger != nullptr && (!m_ledger->IsLookedAtIn(CurrentStep()) || !m_ledger->IsWhole()))
@@ -275,10 +275,11 @@ void IslandPass::SolveIsland() {
 
 /// The listener's PostSolve was called, and may have woken bodies. If the pass began with the bodies that
 /// were awake, nothing marks a sleeper's links as too few: none is followed from here on. Otherwise they
-/// hold, unless PostSolve made a step inside this one, which unlocks the world, or ended or made contacts.
+/// hold, unless PostSolve made a step inside this one, or ended or made contacts. (Such a step unlocks the
+/// world, also if another thread makes it; not if an exception ends it.)
 void IslandPass::AfterGame() {
-    const bool stepped = !m_world->IsLocked() || m_manager->m_contactList != m_newest ||
-                         m_manager->m_contactCount != m_contactCount;
+    const bool stepped = !m_world->IsLocked() || LatestStep() != m_latest ||
+                         m_manager->m_contactList != m_newest || m_manager->m_contactCount != m_contactCount;
     m_isLinked = m_isLinked && !m_seedsAreAwake && !stepped;
     m_seedsAreAwake = m_awakeAlone = false;
     m_gameStepped = m_gameStepped || stepped;

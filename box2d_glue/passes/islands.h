@@ -62,6 +62,7 @@ private:
     bool m_gameStepped = false;   ///< contacts and bodies may be others than as the pass began
     const b2Contact *m_newest;    ///< of the world's contacts, and their count, as the pass began
     int32 m_contactCount;
+    uint64_t m_latest; ///< LatestStep, as the pass began
 };
 
 } // namespace bmr

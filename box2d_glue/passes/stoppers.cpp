@@ -6,6 +6,7 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_world.h>
 
+#include "start/current_step.h"
 #include "start/settings.h"
 
 namespace bmr {
@@ -26,6 +27,7 @@ void Stoppers::Begin() {
     m_count = 0;
     m_contactCount = manager.m_contactCount;
     m_newest = manager.m_contactList;
+    m_step = LatestStep();
 }
 
 void Stoppers::BeforeGame() {
@@ -36,8 +38,8 @@ void Stoppers::BeforeGame() {
 
 void Stoppers::AfterGame() {
     const b2ContactManager &manager = m_world->GetContactManager();
-    m_known = m_known && m_world->IsLocked() && manager.m_contactCount == m_contactCount &&
-              (ListenersAreModest() || Digest() == m_digest);
+    m_known = m_known && m_world->IsLocked() && LatestStep() == m_step &&
+              manager.m_contactCount == m_contactCount && (ListenersAreModest() || Digest() == m_digest);
 }
 
 /// Who is a bullet, and which fixtures are sensors. Two different answers have the same digest with a

@@ -36,7 +36,7 @@ public:
     }
 
     // The world is locked while listeners are called in an impact: they can make bullets and sensors. A step
-    // inside this one unlocks it.
+    // inside this one unlocks it, unless an exception ends that step.
     void BeforeGame();
     /// Ahead of the search for new contacts.
     void AfterGame();
@@ -50,6 +50,7 @@ private:
     bool m_known = false, m_hasDigest = false;
     uint32_t m_count = 0;
     int32_t m_contactCount = 0;
+    uint64_t m_step = 0; ///< LatestStep, as the search began
     const b2Contact *m_newest = nullptr;
     uint64_t m_digest = 0;
 };

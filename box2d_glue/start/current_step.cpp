@@ -23,7 +23,7 @@ uint64_t NextStep() {
 
 StepUnderWay::StepUnderWay(bool gameListens, bool passesRun) {
     ++stepsUnderWay;
-    CurrentStep() = NextStep();
+    LatestStep() = CurrentStep() = NextStep();
     GameRan() = (gameListens && !passesRun) || IsInner();
     StepIsToNearest() = false;
     // (The game's code made an inner one, and goes on behind it.)

@@ -14,6 +14,12 @@ inline uint64_t &CurrentStep() {
     return step;
 }
 
+/// The same number, and it stays when the step ends. It tells whether a step has begun since it was read.
+inline uint64_t &LatestStep() {
+    static thread_local uint64_t step = 0;
+    return step;
+}
+
 /// Did code of the game, a listener or a filter of its own, run in this thread's step? What was read of the
 /// world before may then be another by now. False as a step begins, unless the game makes it in the midst of
 /// another one; a pass that calls the game sets it. True where CurrentStep is 0.

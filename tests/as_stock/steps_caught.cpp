@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// A listener makes steps in an island or an impact of its own world. A step that it ends by an exception, and
+// catches, leaves the world locked, as if there had been none.
+#include "as_stock.h"
+
+using namespace as_stock;
+
+namespace {
+
+struct Told {};
+
+/// A step in the midst of another one, thrown out of at the next PreSolve.
+void StepAndThrow(Game &game, Run &run) {
+    game.listener.preSolve.Once([] { throw Told(); });
+    try {
+        game.StepWithin();
+        run.Print("!nothing was thrown");
+    } catch (const Told &) {
+    }
+}
+
+} // namespace
+
+TEST_CASE("caught: PostSolve has bodies meet in a step that ends by an exception") {
+    AsStock([](Run &run) {
+        Game game(run);
+        game.Touching({-20.0f, 0.0f}); // last of those that touch
+        std::vector<b2Body *> right;
+        for (int i = 0; i < 60; ++i)
+            right.push_back(game.Near({6.0f * Real(i % 8), 6.0f * Real(i / 8)}, 0.05f));
+        game.Touching({-20.0f, 10.0f}); // their island is the first
+        game.Listen();
+        game.Step(3);
+        game.listener.postSolve.Once([&] {
+            game.StepWithin(); // unlocks it
+            for (b2Body *body : right)
+                body->SetTransform(body->GetPosition() - b2Vec2(0.053f, 0.0f), 0.0f);
+            game.listener.begin = [&](b2Contact *contact) {
+                if (contact->GetFixtureB()->GetBody() == right[0])
+                    throw Told();
+            };
+            try {
+                game.StepWithin();
+                run.Print("!nothing was thrown");
+            } catch (const Told &) {
+            }
+            game.listener.begin = nullptr;
+        });
+        game.Step(4);
+    });
+}
+
+// The contact of the shot and the post is the newest before and after, at the same place in memory.
+TEST_CASE("heaped: a listener in an impact makes a post kinematic that a shot went through, and steps the "
+          "world until its contact begins; an exception ends the step") {
+    AsStock(
+        [](Run &run) {
+            Game game(run, {0.0f, -10.0f});
+            game.Wall({0.0f, -1.0f}, {60.0f, 1.0f});
+            for (int i = 0; i < 12; ++i)
+                for (int k = 0; k < 8; ++k)
+                    game.Awake({-9.0f + 1.3f * Real(i), 0.5f + Real(k)});
+            b2Body *thrown[3];
+            for (b2Body *&body : thrown) {
+                const int i = static_cast<int>(&body - thrown);
+                body = game.Awake({i == 1 ? 0.0f : -1.0f, i < 2 ? 40.0f : 20.0f}, {0.1f, 0.1f});
+                body->SetGravityScale(0.0f);
+            }
+            b2Body *const post = thrown[1];
+            game.Wall({0.0f, 20.0f}, {0.05f, 1.0f});
+            game.Step(40);
+            game.Listen();
+            for (b2Body *shot : {thrown[0], thrown[2]})
+                shot->SetLinearVelocity({120.0f, 0.0f});
+            game.listener.begin.Once([&] {
+                const b2Contact *const newest = game.world.GetContactList();
+                game.StepWithin(); // unlocks it
+                post->SetType(b2_kinematicBody);
+                post->SetTransform(post->GetPosition(), 0.0f); // new contacts are looked for
+                StepAndThrow(game, run);
+                if (game.world.GetContactList() != newest)
+                    run.Print("!another contact is the newest");
+            });
+            game.Step(4);
+        },
+        false);
+}
+
+// The second wall's box is all around the shot. Box2D asks for their impact once more, after the first one.
+TEST_CASE("made: PostSolve of an impact makes bodies and steps, in which the world gets a ledger") {
+    for (const bool searches : {false, true})
+        AsStock(
+            [searches](Run &run) {
+                Game game(run);
+                for (b2Body *wall : {game.Wall({0.0f, 0.0f}, {0.05f, 1.0f}),
+                                     game.Wall({-1.15f, 0.0f}, {2.0f, 0.02f}, 0.25f * b2_pi)})
+                    wall->GetFixtureList()->SetRestitution(1.0f);
+                b2Body *const shot = game.Awake({-0.4f, 0.0f}, {0.1f, 0.1f});
+                shot->SetBullet(true);
+                game.Listen();
+                game.Step(2);
+                shot->SetLinearVelocity({60.0f, 0.0f});
+                game.listener.postSolve.Once([&game, searches] {
+                    game.StepWithin(); // unlocks it
+                    for (int i = 0; i < 60; ++i)
+                        game.Near({100.0f, 4.0f * Real(i)});
+                    game.StepWithin();
+                    game.world.SetContinuousPhysics(searches);
+                    game.StepWithin(1.0f / 240.0f, 2);
+                    game.world.SetContinuousPhysics(true);
+                });
+                game.Step(4);
+            },
+            false);
+}
