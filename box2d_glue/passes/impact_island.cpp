@@ -166,7 +166,7 @@ void ImpactPass::FindNewContacts() {
         m_ledger = nullptr; // the world's list is searched from here on
 }
 
-/// b2Contact::Update. Notes what it changes: who touches, who is awake, what is enabled.
+/// b2Contact::Update. Notes what it changes: who is awake, what is enabled.
 void ImpactPass::Update(b2Contact *contact) {
     b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
     const bool wasAwakeA = a->IsAwake(), wasAwakeB = b->IsAwake();
@@ -174,15 +174,12 @@ void ImpactPass::Update(b2Contact *contact) {
     const ContactChange change = UpdateContact(contact);
     Ledger *ledger = FindLedger(m_manager);
     if (ledger != nullptr)
-        ledger->Flag(contact, 0); // no budget knows of this
+        ledger->Flag(contact, 0); // no budget knows of this, nor who touches
     TellListener(listener, contact, change, [this] { BeforeGame(); });
     m_marks.LookAgain();
     ledger = FindLedger(m_manager);
     const uint32_t i = ledger != nullptr ? ledger->NumberOf(contact) : Ledger::kNone;
-    if (i == Ledger::kNone)
-        return;
-    ledger->SetTouches(i, contact->IsTouching());
-    if (m_ledger == nullptr)
+    if (i == Ledger::kNone || m_ledger == nullptr)
         return;
     m_ledger->Owed().NoteLookedAt(i);
     if (!m_ledger->GetMarks().known.Has(i))
