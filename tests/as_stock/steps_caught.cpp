@@ -50,6 +50,27 @@ TEST_CASE("caught: PostSolve has bodies meet in a step that ends by an exception
     });
 }
 
+// Box2D enables the contacts that its loop comes to: the loop ends at the newest one.
+TEST_CASE("disabled: PreSolve disables a contact, and PostSolve makes a step that ends by an exception") {
+    AsStock([](Run &run) {
+        Game game(run);
+        game.Awake({-20.0f, 0.0f});
+        b2Body *const disabled = game.Awake({-19.005f, 0.0f});
+        for (int i = 0; i < 60; ++i)
+            game.Near({6.0f * Real(i % 8), 6.0f * Real(i / 8)});
+        for (const float y : {10.0f, 20.0f}) // their islands come first
+            game.Touching({-20.0f, y});
+        game.Listen();
+        game.Step(3);
+        disabled->SetLinearVelocity({-3.0f, 0.0f});
+        game.listener.preSolve = [disabled](b2Contact *contact) {
+            contact->SetEnabled(contact->GetFixtureB()->GetBody() != disabled);
+        };
+        game.listener.postSolve.Once([&game, &run] { StepAndThrow(game, run); });
+        game.Step(4);
+    });
+}
+
 // The contact of the shot and the post is the newest before and after, at the same place in memory.
 TEST_CASE("heaped: a listener in an impact makes a post kinematic that a shot went through, and steps the "
           "world until its contact begins; an exception ends the step") {
