@@ -101,8 +101,10 @@ TEST(contact_is_left_beyond_margin_and_hysteresis_only) {
             bmr_kds_start(kds, &now, &report);
             assert_int_equal(report.kind, kinds[k]);
             assert_true(bmr_kds_in_contact(kds) == (kinds[k] == BMR_KDS_CONTACT));
-            bmr_kds_proof proof;
+            bmr_kds_proof proof = {.line = {{0.0, 0.0}, 0.0}};
             assert_true(bmr_kds_get_proof(kds, &proof) == !bmr_kds_in_contact(kds));
+            const bmr_vec2 n = proof.line.normal;
+            assert_true(bmr_kds_in_contact(kds) || fabs(bmr_dot(n, n) - 1.0) < 1e-9);
             assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
         }
         bmr_kds_destroy(kds, NULL);

@@ -58,6 +58,18 @@ TEST(an_audit_refutes_what_is_false) {
         if (!w->fixed) { // a bracket that the direction is not in
             w->low = w->high;
             assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_ERROR_INVALID_STRUCTURE);
+            // At the ends of a vertex's cone its neighbours stand for it, and not in between.
+            *w = right;
+            bmr_windowed_exact(w, kds, &now.pose, 0);
+            const bmr_polygon *p = (w->owner == 0 ? b : a).polygon;
+            const uint32_t n = p->count, v = w->support[1 - w->owner], before = (v + n - 1) % n;
+            w->low = bmr_polygon_normal(p, before), w->high = bmr_polygon_normal(p, v);
+            w->point[0] = p->vertices[before], w->point[1] = p->vertices[(v + 1) % n];
+            w->point[2] = p->vertices[v];
+            w->count = 3;
+            assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
+            w->count = 2;
+            assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_ERROR_INVALID_STRUCTURE);
         }
         bmr_kds_destroy(kds, NULL);
     }
@@ -84,6 +96,15 @@ TEST(a_bracket_lasts_as_long_as_its_nearer_side) {
             assert_true(bmr_windowed_life(w, &now.pose, 0) == (low > high ? low : high));
             assert_true((low == -2.0) == w->fixed);
             uneven += low != high;
+            // A corner takes the place of the polygon's own vertices only where it lasts longer to one side.
+            for (int sense = -1; sense <= 1 && !w->fixed; sense += 2) {
+                bmr_windowed_line own = *w, corner = *w;
+                bmr_windowed_exact(&own, kds, &now.pose, sense);
+                bmr_windowed_corners(&corner, kds, &now.pose, 1, 0.01, sense);
+                assert_true(
+                    bmr_windowed_life(&corner, &now.pose, -1) <= bmr_windowed_life(&own, &now.pose, -1) ||
+                    bmr_windowed_life(&corner, &now.pose, 1) <= bmr_windowed_life(&own, &now.pose, 1));
+            }
             bmr_kds_destroy(kds, NULL);
             test_kds_body_destroy(&a);
             test_kds_body_destroy(&b);
