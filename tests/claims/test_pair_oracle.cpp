@@ -143,8 +143,11 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
                 const bmr_pose q = test_pose_at(t.shape[0].polygon, t.shape[1].polygon, way, turn,
                                                 t.def.margin + step * slop / 2.0);
                 bmr_pair_init(&t.pair);
-                const bool apart = bmr_pair_advance(&t.pair, &t.def, &t.shape[0], &t.shape[1], &q, nullptr,
+                bmr_counters counters = {};
+                const bmr_observer observer = {&counters, nullptr, nullptr};
+                const bool apart = bmr_pair_advance(&t.pair, &t.def, &t.shape[0], &t.shape[1], &q, &observer,
                                                     nullptr) == BMR_APART;
+                REQUIRE(counters.events[BMR_EVENT_START] == (apart ? 1 : 0)); // whatever proves it
                 const Number truth = SquaredDistance(a, PlacesAt(t.shape[1].polygon, q));
                 if (apart)
                     REQUIRE(truth > Square(t.def.margin));

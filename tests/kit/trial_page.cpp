@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 //   trial_page make FILE    a page for the library to write to, which BOOMERANG_TRIAL names
-//   trial_page read FILE    what it has counted, "NAME NUMBER" on a line each; nothing where it did not come
-//   to work
+//   trial_page read FILE    what it has counted, "NAME NUMBER" on a line each, how it is at work, and the
+//                           process's files; nothing where it did not come to work
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
@@ -19,6 +19,6 @@ int main(int argc, char **argv) {
         return 1;
     bmr::VisitCounts([](const char *name, uint64_t count) { std::printf("%s %" PRIu64 "\n", name, count); },
                      page->counted);
-    std::printf("way %s\nno_pass %s\n", page->way, page->noPass);
+    std::printf("way %s\nno_pass %s\n%s", page->way, page->noPass, page->files);
     return 0;
 }

@@ -105,6 +105,7 @@ test_preloaded_is_on_unless_told_off() {
     quiet preloaded
     at_work preloaded
     [ "$(number steps)" -eq 240 ] || fail "preloaded: not all steps were seen"
+    grep -q '^/.*/libbox2d' "$room/counts" || fail "preloaded: Box2D's file is not named"
     [ "$(number differences)" -eq 0 ] && [ "$(number verified)" -eq 0 ] || fail "preloaded: something was verified"
     game plain_game LD_PRELOAD="$plugin" BOOMERANG=off
     same_output "preloaded, off"

@@ -118,11 +118,13 @@ holds "an unknown option" tries 2 --stepps 3 -- "$bin/plain_game"
 holds "is named" says '--stepps'
 holds "is said what is near" says 'try has no option "--stepps"; the nearest is "--steps"'
 misspelt() {
-    "$boomerang" tyr >"$room/out" 2>&1
+    "$boomerang" "$@" >"$room/out" 2>&1
     [ $? -eq 2 ] && cp "$room/out" "$room/said"
 }
-holds "an unknown command" misspelt
+holds "an unknown command" misspelt tyr
 holds "is said what is near" says 'there is no command "tyr"; the nearest is "try"'
+holds "no command" misspelt
+holds "is said which there is" says 'a command is wanted: try'
 holds "a value that is none" tries 2 --seconds soon -- "$bin/plain_game"
 holds "is told the unit" says '--seconds: "soon" is no number from 0\.1.* Each run is ended after so many seconds'
 holds "a value without end" tries 2 --seconds nan -- "$bin/plain_game"
