@@ -403,6 +403,14 @@ TEST(the_polygon_inside_of_a_needle_is_of_its_vertices) {
     assert_true(lost > 10);
 }
 
+/// How far a vertex is from the loop at most.
+static double farthest_vertex(const bmr_convex32 *p, const bmr_vec32 *loop, size_t count) {
+    double far = 0.0;
+    for (uint32_t i = 0; i < p->count; ++i)
+        far = fmax(far, loop_distance(loop, count, p->vertices[i]));
+    return far;
+}
+
 TEST(simplified_polygons_are_near_and_have_few_vertices) {
     test_random random = {11};
     size_t control = 0, reduced = 0;
@@ -419,10 +427,16 @@ TEST(simplified_polygons_are_near_and_have_few_vertices) {
         for (size_t i = 0; i < count; ++i, ++at)
             while (points[i].x != p->vertices[at].x || points[i].y != p->vertices[at].y)
                 assert_true(++at < p->count);
-        double far = 0.0;
-        for (uint32_t i = 0; i < p->count; ++i)
-            far = fmax(far, loop_distance(points, count, p->vertices[i]));
+        const double far = farthest_vertex(p, points, count);
         assert_true(far <= (double)(float)tolerance * (1.0 + 1e-9));
+        size_t needless = 0; // all are needed but the one that the others are counted from
+        for (size_t i = 0; i < count && count > 3 && count < 64; ++i) {
+            const bmr_vec32 one = points[0];
+            memmove(points, points + 1, (count - 1) * sizeof *points);
+            needless += farthest_vertex(p, points, count - 1) <= tolerance * (1.0 - 1e-6);
+            points[count - 1] = one;
+        }
+        assert_true(needless <= 1);
         control += far > 0.5 * tolerance;
         reduced += count < p->count;
         free(points);

@@ -107,13 +107,24 @@ static bmr_vec32 place_of(uint32_t i) {
     return place;
 }
 
-/// From any pair of vertices on.
+static void assert_within(const bmr_proxy32 *shape, const bmr_transform32 *pose, bmr_vec32 place) {
+    const bmr_proxy32 point = bmr_proxy32_points(&place, 1, 0.0f);
+    const bmr_transform32 here = {{0.0f, 0.0f}, 0.0f, 1.0f};
+    bmr_closest32 closest = {0, 0};
+    const float off = bmr_convex32_distance(shape, pose, &point, &here, &closest).distance;
+    assert_true(off <= 1e-6f * (64.0f + shape->reach));
+}
+
+/// From any pair of vertices on; what is said to be the closest is a place of both.
 static void assert_no_distance(const bmr_proxy32 *a, const bmr_transform32 *at_a, const bmr_proxy32 *b,
                                const bmr_transform32 *at_b) {
     for (uint32_t i = 0; i < a->polygon.count; ++i)
         for (uint32_t k = 0; k < b->polygon.count; ++k) {
             bmr_closest32 closest = {i, k};
-            assert_true(bmr_convex32_distance(a, at_a, b, at_b, &closest).distance == 0.0f);
+            const bmr_distance32 found = bmr_convex32_distance(a, at_a, b, at_b, &closest);
+            assert_true(found.distance == 0.0f);
+            assert_within(a, at_a, found.point_a);
+            assert_within(b, at_b, found.point_b);
         }
 }
 
