@@ -49,92 +49,85 @@ struct Wheels : Game {
 
 } // namespace
 
-TEST_CASE("between steps: other vertices, more or fewer of them, another radius; and contacts are asked for "
-          "their manifolds") {
-    AsStock([](Run &run) {
-        Wheels game(run, 4, 3, 2.06f);
-        for (int step = 0; step < 300; ++step) {
-            b2PolygonShape *shape = game.Shape(step, step * 5);
-            if (step % 3 == 0)
-                Change(shape, step % 2 == 0 ? 1.2f : 0.9f, 3, 0.12f);
-            else if (step % 7 == 1)
-                Change(shape, 1.15f, 4 + step % 4, 0.12f);
-            else if (step % 11 == 2)
-                shape->m_radius = 20.0f * b2_polygonRadius;
-            for (b2Contact *c = game.world.GetContactList(); step % 4 == 0 && c != nullptr;
-                 c = c->GetNext()) {
-                b2Manifold manifold;
-                c->Evaluate(&manifold, c->GetFixtureA()->GetBody()->GetTransform(),
-                            c->GetFixtureB()->GetBody()->GetTransform());
-                game.hash.Add(static_cast<uint32_t>(manifold.pointCount));
-            }
-            if (step < 150)
-                game.Step();
-            else // by a thread that has made no step
-                std::thread([&game] { game.Step(); }).join();
+AS_STOCK("between steps: other vertices, more or fewer of them, another radius; and contacts are asked for "
+         "their manifolds") {
+    Wheels game(run, 4, 3, 2.06f);
+    for (int step = 0; step < 300; ++step) {
+        b2PolygonShape *shape = game.Shape(step, step * 5);
+        if (step % 3 == 0)
+            Change(shape, step % 2 == 0 ? 1.2f : 0.9f, 3, 0.12f);
+        else if (step % 7 == 1)
+            Change(shape, 1.15f, 4 + step % 4, 0.12f);
+        else if (step % 11 == 2)
+            shape->m_radius = 20.0f * b2_polygonRadius;
+        for (b2Contact *c = game.world.GetContactList(); step % 4 == 0 && c != nullptr; c = c->GetNext()) {
+            b2Manifold manifold;
+            c->Evaluate(&manifold, c->GetFixtureA()->GetBody()->GetTransform(),
+                        c->GetFixtureB()->GetBody()->GetTransform());
+            game.hash.Add(static_cast<uint32_t>(manifold.pointCount));
         }
-    });
+        if (step < 150)
+            game.Step();
+        else // by a thread that has made no step
+            std::thread([&game] { game.Step(); }).join();
+    }
 }
 
 // A pair apart from the wheels has a new contact in every step: it is the first to be updated, and begins.
-TEST_CASE("editing: a listener changes vertices of bodies that were asked for in the same step") {
-    AsStock([](Run &run) {
-        Wheels game(run, 3, 3, 2.12f);
-        game.Listen();
-        int told = 0;
-        game.listener.preSolve = [&game, &told] {
-            if (++told % 5 == 0)
-                Change(game.Shape(told, told * 3), told % 2 == 0 ? 1.2f : 0.95f, 3, 0.3f);
-        };
-        b2Body *bell = nullptr;
-        for (int step = 0; step < 300; ++step) {
-            if (bell != nullptr)
-                game.world.DestroyBody(bell);
-            bell = game.Box({30.0f, 0.0f});
-            if (step == 0)
-                game.Wall({30.2f, 0.3f});
-            game.Step();
-        }
-    });
+AS_STOCK("editing: a listener changes vertices of bodies that were asked for in the same step") {
+    Wheels game(run, 3, 3, 2.12f);
+    game.Listen();
+    int told = 0;
+    game.listener.preSolve = [&game, &told] {
+        if (++told % 5 == 0)
+            Change(game.Shape(told, told * 3), told % 2 == 0 ? 1.2f : 0.95f, 3, 0.3f);
+    };
+    b2Body *bell = nullptr;
+    for (int step = 0; step < 300; ++step) {
+        if (bell != nullptr)
+            game.world.DestroyBody(bell);
+        bell = game.Box({30.0f, 0.0f});
+        if (step == 0)
+            game.Wall({30.2f, 0.3f});
+        game.Step();
+    }
 }
 
 // Two combs, apart from each other. The contacts of the first teeth are the oldest, so they are updated last;
 // then come those of two boxes that touch; then those of the other teeth, which the hulls of the combs answer
 // for. In between, the touching boxes' listener makes a tooth solid that was a sensor, in no hull, when the
 // hulls were looked at, and that has grown since it was in one.
-TEST_CASE("turning: a sensor whose vertices were changed turns solid in the midst of a step") {
-    AsStock([](Run &run) {
-        for (const float grown : {1.0f, 1.3f, 1.6f}) {
-            Game game(run);
-            game.Listen();
-            const auto comb = [&game](float y) {
-                b2BodyDef def;
-                def.type = b2_dynamicBody;
-                def.allowSleep = false;
-                def.position.Set(0.0f, y);
-                return game.world.CreateBody(&def);
-            };
-            const auto addTooth = [&game](b2Body *body, int place) {
-                game.AddBoxTo(body, {0.2f, 0.5f}, {0.5f * Real(place), 0.0f});
-            };
-            b2Body *lower = comb(0.0f), *upper = comb(1.1f);
-            addTooth(lower, 0);
-            b2Fixture *growing = lower->GetFixtureList();
-            for (int i = 0; i < 12; ++i)
-                addTooth(upper, i);
-            game.Step();
-            game.Wall({-30.0f, 0.0f}, {1.0f, 1.0f});
-            game.Awake({-30.0f, 1.99f}, {1.0f, 1.0f});
-            game.Step();
-            for (int i = 1; i < 12; ++i)
-                addTooth(lower, i);
-            game.Step(3);
-            growing->SetSensor(true);
-            static_cast<b2PolygonShape *>(growing->GetShape())->SetAsBox(0.2f, 0.5f * grown);
-            game.listener.preSolve = [growing] { growing->SetSensor(false); };
-            game.Step(5);
-        }
-    });
+AS_STOCK("turning: a sensor whose vertices were changed turns solid in the midst of a step") {
+    for (const float grown : {1.0f, 1.3f, 1.6f}) {
+        Game game(run);
+        game.Listen();
+        const auto comb = [&game](float y) {
+            b2BodyDef def;
+            def.type = b2_dynamicBody;
+            def.allowSleep = false;
+            def.position.Set(0.0f, y);
+            return game.world.CreateBody(&def);
+        };
+        const auto addTooth = [&game](b2Body *body, int place) {
+            game.AddBoxTo(body, {0.2f, 0.5f}, {0.5f * Real(place), 0.0f});
+        };
+        b2Body *lower = comb(0.0f), *upper = comb(1.1f);
+        addTooth(lower, 0);
+        b2Fixture *growing = lower->GetFixtureList();
+        for (int i = 0; i < 12; ++i)
+            addTooth(upper, i);
+        game.Step();
+        game.Wall({-30.0f, 0.0f}, {1.0f, 1.0f});
+        game.Awake({-30.0f, 1.99f}, {1.0f, 1.0f});
+        game.Step();
+        for (int i = 1; i < 12; ++i)
+            addTooth(lower, i);
+        game.Step(3);
+        growing->SetSensor(true);
+        static_cast<b2PolygonShape *>(growing->GetShape())->SetAsBox(0.2f, 0.5f * grown);
+        game.listener.preSolve = [growing] { growing->SetSensor(false); };
+        game.Step(5);
+    }
 }
 
 namespace {
@@ -220,62 +213,60 @@ TEST_CASE("linked: shots hit links of a long chain in one step") {
     AsStock(play, false);
 }
 
-TEST_CASE("nowhere: places, angles, velocities and vertices are no numbers, or infinite, and are put right "
-          "again") {
-    AsStock([](Run &run) {
-        const float none = std::nanf(""), infinite = INFINITY;
-        // Numbers that are none are of two signs: which one is left shows the order of what was done.
-        const std::function<void(b2Body *, b2PolygonShape *)> lose[] = {
-            [=](b2Body *body, b2PolygonShape *) {
-                body->SetTransform({none, 3.0f}, 0.0f);
-            },
-            [=](b2Body *body, b2PolygonShape *) {
-                body->SetTransform({1.0f, infinite}, 0.5f);
-            },
-            [=](b2Body *body, b2PolygonShape *) {
-                body->SetTransform({1.0f, 3.0f}, none);
-            },
-            [=](b2Body *body, b2PolygonShape *) {
-                body->SetTransform({2.0f, 3.0f}, infinite);
-            },
-            [=](b2Body *body, b2PolygonShape *) {
-                body->SetLinearVelocity({infinite, 0.0f});
-            },
-            [=](b2Body *body, b2PolygonShape *) { body->SetAngularVelocity(-none); },
-            [=](b2Body *, b2PolygonShape *shape) { shape->m_vertices[1].x = none; },
-            [=](b2Body *, b2PolygonShape *shape) { shape->m_vertices[2].y = -infinite; },
-            [=](b2Body *, b2PolygonShape *shape) { shape->m_radius = none; },
-            [=](b2Body *body, b2PolygonShape *) {
-                body->SetTransform({none, -none}, infinite);
-            },
-            [=](b2Body *body, b2PolygonShape *) {
-                body->SetTransform({-none, none}, none);
-            },
-            [=](b2Body *body, b2PolygonShape *shape) {
-                shape->m_radius = none;
-                body->SetTransform({-none, none}, -none);
-            },
-        };
-        Game game(run, {0.0f, -10.0f});
-        game.world.SetContinuousPhysics(false); // its search asserts where numbers are none
-        FillWithBoxes(game.world);
-        std::vector<b2Body *> lost;
-        for (const auto &how : lose) {
-            static_cast<void>(how);
-            lost.push_back(game.Box({2.0f * Real(static_cast<int>(lost.size())) - 8.0f, 12.0f}));
-        }
-        game.Step(30);
-        for (size_t i = 0; i < lost.size(); ++i) {
-            lose[i](lost[i], PolygonOf(lost[i]));
-            game.Step(10);
-        }
-        for (b2Body *body : lost) {
-            PolygonOf(body)->SetAsBox(0.5f, 0.5f);
-            PolygonOf(body)->m_radius = b2_polygonRadius;
-            body->SetTransform({0.0f, 9.0f}, 0.0f);
-            body->SetLinearVelocity({0.0f, -1.0f});
-            body->SetAngularVelocity(0.0f);
-        }
-        game.Step(60);
-    });
+AS_STOCK("nowhere: places, angles, velocities and vertices are no numbers, or infinite, and are put right "
+         "again") {
+    const float none = std::nanf(""), infinite = INFINITY;
+    // Numbers that are none are of two signs: which one is left shows the order of what was done.
+    const std::function<void(b2Body *, b2PolygonShape *)> lose[] = {
+        [=](b2Body *body, b2PolygonShape *) {
+            body->SetTransform({none, 3.0f}, 0.0f);
+        },
+        [=](b2Body *body, b2PolygonShape *) {
+            body->SetTransform({1.0f, infinite}, 0.5f);
+        },
+        [=](b2Body *body, b2PolygonShape *) {
+            body->SetTransform({1.0f, 3.0f}, none);
+        },
+        [=](b2Body *body, b2PolygonShape *) {
+            body->SetTransform({2.0f, 3.0f}, infinite);
+        },
+        [=](b2Body *body, b2PolygonShape *) {
+            body->SetLinearVelocity({infinite, 0.0f});
+        },
+        [=](b2Body *body, b2PolygonShape *) { body->SetAngularVelocity(-none); },
+        [=](b2Body *, b2PolygonShape *shape) { shape->m_vertices[1].x = none; },
+        [=](b2Body *, b2PolygonShape *shape) { shape->m_vertices[2].y = -infinite; },
+        [=](b2Body *, b2PolygonShape *shape) { shape->m_radius = none; },
+        [=](b2Body *body, b2PolygonShape *) {
+            body->SetTransform({none, -none}, infinite);
+        },
+        [=](b2Body *body, b2PolygonShape *) {
+            body->SetTransform({-none, none}, none);
+        },
+        [=](b2Body *body, b2PolygonShape *shape) {
+            shape->m_radius = none;
+            body->SetTransform({-none, none}, -none);
+        },
+    };
+    Game game(run, {0.0f, -10.0f});
+    game.world.SetContinuousPhysics(false); // its search asserts where numbers are none
+    FillWithBoxes(game.world);
+    std::vector<b2Body *> lost;
+    for (const auto &how : lose) {
+        static_cast<void>(how);
+        lost.push_back(game.Box({2.0f * Real(static_cast<int>(lost.size())) - 8.0f, 12.0f}));
+    }
+    game.Step(30);
+    for (size_t i = 0; i < lost.size(); ++i) {
+        lose[i](lost[i], PolygonOf(lost[i]));
+        game.Step(10);
+    }
+    for (b2Body *body : lost) {
+        PolygonOf(body)->SetAsBox(0.5f, 0.5f);
+        PolygonOf(body)->m_radius = b2_polygonRadius;
+        body->SetTransform({0.0f, 9.0f}, 0.0f);
+        body->SetLinearVelocity({0.0f, -1.0f});
+        body->SetAngularVelocity(0.0f);
+    }
+    game.Step(60);
 }

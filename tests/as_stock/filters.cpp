@@ -26,116 +26,107 @@ void Resize(b2Fixture *fixture, float halfWidth) {
 } // namespace
 
 // The floor is a long bar aslant. What comes lies in the corner of its box, metres away from the bar itself.
-TEST_CASE(
-    "returning: a filter puts a body out of the world that is about to get contacts; it comes back with "
-    "them") {
-    AsStock([](Run &run) {
-        Game game(run);
-        for (int i = 0; i < 60; ++i)
-            game.Near({3.0f * Real(i), 50.0f});
-        game.Wall({0.0f, 0.0f}, {10.0f, 0.1f}, 0.25f * b2_pi);
-        game.Step(3);
-        for (int round = 0; round < 4; ++round) {
-            b2Body *wheel = game.Wheel({5.0f, -5.0f}, 7, 0.4f);
-            wheel->SetSleepingAllowed(false);
-            PutOutWhenAsked(game, wheel);
+AS_STOCK("returning: a filter puts a body out of the world that is about to get contacts; it comes back with "
+         "them") {
+    Game game(run);
+    for (int i = 0; i < 60; ++i)
+        game.Near({3.0f * Real(i), 50.0f});
+    game.Wall({0.0f, 0.0f}, {10.0f, 0.1f}, 0.25f * b2_pi);
+    game.Step(3);
+    for (int round = 0; round < 4; ++round) {
+        b2Body *wheel = game.Wheel({5.0f, -5.0f}, 7, 0.4f);
+        wheel->SetSleepingAllowed(false);
+        PutOutWhenAsked(game, wheel);
+        game.Step();
+        wheel->SetEnabled(true);
+        if (round % 2 == 0) // asleep: what was there is not to be made once more
             game.Step();
-            wheel->SetEnabled(true);
-            if (round % 2 == 0) // asleep: what was there is not to be made once more
-                game.Step();
-            wheel->SetAwake(true);
-            game.Step(3);
-            wheel->SetLinearVelocity({6.0f, 0.0f}); // out of the bar's box
-            game.Step(30);
-            game.world.DestroyBody(wheel);
-        }
-    });
+        wheel->SetAwake(true);
+        game.Step(3);
+        wheel->SetLinearVelocity({6.0f, 0.0f}); // out of the bar's box
+        game.Step(30);
+        game.world.DestroyBody(wheel);
+    }
 }
 
-TEST_CASE("places: a filter puts a body out of the world whose proxies have lower numbers than the floor's") {
-    AsStock([](Run &run) {
-        Game game(run);
-        // Their places in the tree are given again to what comes later.
-        std::vector<b2Body *> first;
-        for (int i = 0; i < 300; ++i)
-            first.push_back(game.Box({100.0f + 3.0f * Real(i), 0.0f}, {0.1f, 0.1f}));
-        game.Wall({0.0f, 0.0f}, {40.0f, 1.0f});
-        for (b2Body *body : first)
-            game.world.DestroyBody(body);
+AS_STOCK("places: a filter puts a body out of the world whose proxies have lower numbers than the floor's") {
+    Game game(run);
+    // Their places in the tree are given again to what comes later.
+    std::vector<b2Body *> first;
+    for (int i = 0; i < 300; ++i)
+        first.push_back(game.Box({100.0f + 3.0f * Real(i), 0.0f}, {0.1f, 0.1f}));
+    game.Wall({0.0f, 0.0f}, {40.0f, 1.0f});
+    for (b2Body *body : first)
+        game.world.DestroyBody(body);
+    game.Step();
+    for (int round = 0; round < 6; ++round) {
+        for (int i = 0; i < 40; ++i)
+            game.Box({2.0f * Real(i) - 39.0f, 0.5f + 0.1f * Real(round)}, {0.05f, 0.05f});
+        b2Body *wheel = game.Wheel({4.0f * Real(round) - 12.0f, 0.5f}, 7, 0.4f);
+        PutOutWhenAsked(game, wheel);
         game.Step();
-        for (int round = 0; round < 6; ++round) {
-            for (int i = 0; i < 40; ++i)
-                game.Box({2.0f * Real(i) - 39.0f, 0.5f + 0.1f * Real(round)}, {0.05f, 0.05f});
-            b2Body *wheel = game.Wheel({4.0f * Real(round) - 12.0f, 0.5f}, 7, 0.4f);
-            PutOutWhenAsked(game, wheel);
-            game.Step();
-            game.world.DestroyBody(wheel);
-        }
-    });
+        game.world.DestroyBody(wheel);
+    }
 }
 
 // Nobody may take a contact that is about to end for that of the one that came later.
-TEST_CASE(
+AS_STOCK(
     "proxies: while the contacts end of a body that is put out of the world, another one gets its places "
     "in the tree") {
-    AsStock([](Run &run) {
-        for (const bool again : {false, true}) {
-            Game game(run);
-            for (int i = 0; i < 60; ++i)
-                game.Near({3.0f * Real(i), 50.0f});
-            // In the box of the bar, and on a post that came later.
-            game.Wall({0.0f, 0.0f}, {10.0f, 0.1f}, 0.25f * b2_pi);
-            b2Body *out = game.Box({5.0f, -5.0f});
+    for (const bool again : {false, true}) {
+        Game game(run);
+        for (int i = 0; i < 60; ++i)
+            game.Near({3.0f * Real(i), 50.0f});
+        // In the box of the bar, and on a post that came later.
+        game.Wall({0.0f, 0.0f}, {10.0f, 0.1f}, 0.25f * b2_pi);
+        b2Body *out = game.Box({5.0f, -5.0f});
+        game.Step(3);
+        game.Wall({5.995f, -5.0f});
+        game.Step(3);
+        out->SetAwake(false);
+        game.Listen();
+        b2Body *come = nullptr;
+        game.listener.end.Once([&game, &come] {
+            come = game.Awake({3.0f, -5.0f}, {0.3f, 0.3f});
+            game.StepWithin();
+        });
+        out->SetEnabled(false);
+        game.Step(3);
+        if (again) {
+            out->SetEnabled(true);
             game.Step(3);
-            game.Wall({5.995f, -5.0f});
-            game.Step(3);
-            out->SetAwake(false);
-            game.Listen();
-            b2Body *come = nullptr;
-            game.listener.end.Once([&game, &come] {
-                come = game.Awake({3.0f, -5.0f}, {0.3f, 0.3f});
-                game.StepWithin();
-            });
-            out->SetEnabled(false);
-            game.Step(3);
-            if (again) {
-                out->SetEnabled(true);
-                game.Step(3);
-            }
-            for (int i = 0; i < 20; ++i) {
-                come->SetTransform({3.0f - 0.3f * Real(i), -5.0f}, 0.0f);
-                game.Step();
-            }
         }
-    });
+        for (int i = 0; i < 20; ++i) {
+            come->SetTransform({3.0f - 0.3f * Real(i), -5.0f}, 0.0f);
+            game.Step();
+        }
+    }
 }
 
 // Box2D enables what it updates, and that is nothing that sleeps when its turn comes. Nobody listens, but
 // somebody filters.
-TEST_CASE("disabled: contacts are disabled whose bodies sleep, and are woken when the loop has passed them") {
-    AsStock([](Run &run) {
-        Game game(run);
-        game.Ask();
-        std::vector<b2Body *> sleepers;
-        for (int i = 0; i < 40; ++i) {
-            sleepers.push_back(game.Box({4.0f * Real(i), 0.0f}));
-            game.Awake({4.0f * Real(i) - 1.1f, 0.0f})->SetLinearVelocity({0.3f + 0.05f * Real(i), 0.0f});
-        }
-        game.Step(); // who comes has the older contact
-        for (int i = 0; i < 40; ++i)
-            sleepers.push_back(game.Box({4.0f * Real(i) + 0.995f, 0.0f}));
+AS_STOCK("disabled: contacts are disabled whose bodies sleep, and are woken when the loop has passed them") {
+    Game game(run);
+    game.Ask();
+    std::vector<b2Body *> sleepers;
+    for (int i = 0; i < 40; ++i) {
+        sleepers.push_back(game.Box({4.0f * Real(i), 0.0f}));
+        game.Awake({4.0f * Real(i) - 1.1f, 0.0f})->SetLinearVelocity({0.3f + 0.05f * Real(i), 0.0f});
+    }
+    game.Step(); // who comes has the older contact
+    for (int i = 0; i < 40; ++i)
+        sleepers.push_back(game.Box({4.0f * Real(i) + 0.995f, 0.0f}));
+    game.Step();
+    for (b2Body *body : sleepers) {
+        body->SetLinearVelocity({0.0f, 0.0f});
+        body->SetAwake(false);
+    }
+    for (int step = 0; step < 20; ++step) {
+        for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+            if (c->IsTouching())
+                c->SetEnabled(false);
         game.Step();
-        for (b2Body *body : sleepers) {
-            body->SetLinearVelocity({0.0f, 0.0f});
-            body->SetAwake(false);
-        }
-        for (int step = 0; step < 20; ++step) {
-            for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-                if (c->IsTouching())
-                    c->SetEnabled(false);
-            game.Step();
-        }
-    });
+    }
 }
 
 namespace {
@@ -217,111 +208,99 @@ void PlayAsked(Run &run, int what, bool locked) {
 
 } // namespace
 
-TEST_CASE("asked: a filter puts to sleep, wakes, throws and changes those that it is asked about") {
-    AsStock([](Run &run) {
-        for (int what = 0; what < kMoveOnto; ++what)
-            PlayAsked(run, what, true);
-    });
+AS_STOCK("asked: a filter puts to sleep, wakes, throws and changes those that it is asked about") {
+    for (int what = 0; what < kMoveOnto; ++what)
+        PlayAsked(run, what, true);
 }
 
-TEST_CASE("unlocked: a filter that has unlocked the world moves them, too") {
-    AsStock([](Run &run) {
-        for (int what = 0; what < kWhats; ++what)
-            PlayAsked(run, what, false);
-    });
+AS_STOCK("unlocked: a filter that has unlocked the world moves them, too") {
+    for (int what = 0; what < kWhats; ++what)
+        PlayAsked(run, what, false);
 }
 
-TEST_CASE(
-    "parted: in the midst of a look at a contact, which finds it apart, it is flagged for filtering; or "
-    "ends with its two bodies") {
-    AsStock([](Run &run) {
-        for (const bool ends : {false, true}) {
-            Game game(run);
-            for (int i = 0; i < 60; ++i)
-                game.Near({3.0f * Real(i), 0.0f}, i == 59 ? -0.005f : 0.1f);
-            b2Body *const one = game.world.GetBodyList(), *const other = one->GetNext();
-            game.Ask();
-            game.Listen();
-            game.Step(10);
-            game.listener.end = [&game, one, other, ends] {
-                if (!ends) {
-                    one->GetFixtureList()->Refilter();
-                    return;
-                }
-                game.StepWithin(); // unlocks it
-                game.world.DestroyBody(one);
-                game.world.DestroyBody(other);
-            };
-            game.filter.refuses = true;
-            one->SetTransform(one->GetPosition() + b2Vec2(0.12f, 0.0f), 0.0f);
-            game.Step(4);
-        }
-    });
+AS_STOCK("parted: in the midst of a look at a contact, which finds it apart, it is flagged for filtering; or "
+         "ends with its two bodies") {
+    for (const bool ends : {false, true}) {
+        Game game(run);
+        for (int i = 0; i < 60; ++i)
+            game.Near({3.0f * Real(i), 0.0f}, i == 59 ? -0.005f : 0.1f);
+        b2Body *const one = game.world.GetBodyList(), *const other = one->GetNext();
+        game.Ask();
+        game.Listen();
+        game.Step(10);
+        game.listener.end = [&game, one, other, ends] {
+            if (!ends) {
+                one->GetFixtureList()->Refilter();
+                return;
+            }
+            game.StepWithin(); // unlocks it
+            game.world.DestroyBody(one);
+            game.world.DestroyBody(other);
+        };
+        game.filter.refuses = true;
+        one->SetTransform(one->GetPosition() + b2Vec2(0.12f, 0.0f), 0.0f);
+        game.Step(4);
+    }
 }
 
 // That ends their contact. Box2D goes on with it, whose memory is as it was, and finds that nobody moves.
-TEST_CASE("ended: a filter makes the two static that it is asked about, and lets them collide") {
-    AsStock([](Run &run) {
-        Pairs game(run);
-        int asked = 0;
-        game.filter.asked = [&game, &asked](b2Fixture *a, b2Fixture *b) {
-            if (asked++ == 0) {
-                game.StepWithin(); // unlocks it, and asks for all of them
-                game.Refilter();
-            }
-            if (asked % 3 != 0 || game.world.IsLocked())
-                return;
-            a->GetBody()->SetType(b2_staticBody);
-            b->GetBody()->SetType(b2_staticBody);
-        };
-        for (size_t step = 0; step < 4; ++step) {
-            game.Refilter(step % 2, 2);
-            asked = 0;
-            game.Step(2);
+AS_STOCK("ended: a filter makes the two static that it is asked about, and lets them collide") {
+    Pairs game(run);
+    int asked = 0;
+    game.filter.asked = [&game, &asked](b2Fixture *a, b2Fixture *b) {
+        if (asked++ == 0) {
+            game.StepWithin(); // unlocks it, and asks for all of them
+            game.Refilter();
         }
-        game.filter.asked = nullptr;
-        for (int i = 0; i < 40; ++i) // others in their place
-            game.Near({3.0f * Real(i), 9.0f});
+        if (asked % 3 != 0 || game.world.IsLocked())
+            return;
+        a->GetBody()->SetType(b2_staticBody);
+        b->GetBody()->SetType(b2_staticBody);
+    };
+    for (size_t step = 0; step < 4; ++step) {
+        game.Refilter(step % 2, 2);
+        asked = 0;
         game.Step(2);
-        for (b2Body *body : game.ones)
-            body->SetLinearVelocity({-1.5f, 0.0f});
-        game.Step(10);
-    });
+    }
+    game.filter.asked = nullptr;
+    for (int i = 0; i < 40; ++i) // others in their place
+        game.Near({3.0f * Real(i), 9.0f});
+    game.Step(2);
+    for (b2Body *body : game.ones)
+        body->SetLinearVelocity({-1.5f, 0.0f});
+    game.Step(10);
 }
 
 // Another type of body ends its contacts. Those whose boxes were found to overlap before are made anew.
-TEST_CASE("ends: a filter, and a listener, end contacts that the loop is still to come by") {
-    AsStock([](Run &run) {
-        Game game(run);
-        game.Ask();
-        game.Listen();
-        std::vector<b2Body *> ones;
-        for (int i = 0; i < 80; ++i)
-            for (const float y : {0.0f, i % 4 == 0 ? 0.79f : 0.9f})
-                ones.push_back(game.Awake({3.0f * Real(i), y}, {0.4f, 0.4f}));
-        game.Step(4);
-        // The step begins with a search for new contacts, ahead of all that locks the world.
-        for (const float x : {0.0f, 0.9f})
-            game.Awake({x, 50.0f}, {0.4f, 0.4f});
-        game.filter.asked.Once([&game, &ones] {
-            for (size_t i = 0; i < ones.size(); i += 8)
-                ones[i]->SetType(b2_kinematicBody);
-            game.filter.refuses = true;
-            game.filter.asked.Once([&game] { game.filter.refuses = false; });
-        });
-        for (size_t i = 0; i < ones.size(); i += 4)
-            ones[i]->SetTransform(ones[i]->GetPosition() + b2Vec2(0.4f, 0.0f), 0.0f);
-        game.Step(3);
-        for (const bool again : {false, true}) { // as many as end are made, before the loop goes on
-            game.listener.preSolve.Once([&game, &ones, again] {
-                game.StepWithin(); // unlocks it
-                for (size_t i = again ? 42 : 2; i < (again ? 80 : 40); i += 2)
-                    ones[i]->SetType(ones[i]->GetType() == b2_kinematicBody ? b2_dynamicBody
-                                                                            : b2_kinematicBody);
-                if (again)
-                    game.StepWithin(1.0f / 240.0f);
-            });
-            game.Step(5);
-        }
+AS_STOCK("ends: a filter, and a listener, end contacts that the loop is still to come by") {
+    Game game(run);
+    game.Ask();
+    game.Listen();
+    std::vector<b2Body *> ones;
+    for (int i = 0; i < 80; ++i)
+        for (const float y : {0.0f, i % 4 == 0 ? 0.79f : 0.9f})
+            ones.push_back(game.Awake({3.0f * Real(i), y}, {0.4f, 0.4f}));
+    game.Step(4);
+    // The step begins with a search for new contacts, ahead of all that locks the world.
+    for (const float x : {0.0f, 0.9f})
+        game.Awake({x, 50.0f}, {0.4f, 0.4f});
+    game.filter.asked.Once([&game, &ones] {
+        for (size_t i = 0; i < ones.size(); i += 8)
+            ones[i]->SetType(b2_kinematicBody);
+        game.filter.refuses = true;
+        game.filter.asked.Once([&game] { game.filter.refuses = false; });
     });
+    for (size_t i = 0; i < ones.size(); i += 4)
+        ones[i]->SetTransform(ones[i]->GetPosition() + b2Vec2(0.4f, 0.0f), 0.0f);
+    game.Step(3);
+    for (const bool again : {false, true}) { // as many as end are made, before the loop goes on
+        game.listener.preSolve.Once([&game, &ones, again] {
+            game.StepWithin(); // unlocks it
+            for (size_t i = again ? 42 : 2; i < (again ? 80 : 40); i += 2)
+                ones[i]->SetType(ones[i]->GetType() == b2_kinematicBody ? b2_dynamicBody : b2_kinematicBody);
+            if (again)
+                game.StepWithin(1.0f / 240.0f);
+        });
+        game.Step(5);
+    }
 }

@@ -64,45 +64,40 @@ TEST_CASE("brought: a filter brings the first listener while Box2D looks for imp
 }
 
 // What a contact's update told one of them it tells to its end. Every third time nobody comes in its place.
-TEST_CASE("turns: listeners take turns in the midst of being told") {
-    AsStock([](Run &run) {
-        for (auto callback : {&Listener::begin, &Listener::end, &Listener::preSolve, &Listener::postSolve}) {
-            Falling game(run);
-            const auto giveWay = [&game](Listener &from, Listener &to) {
-                return [&] { game.world.SetContactListener(from.told % 3 == 0 ? nullptr : &to); };
-            };
-            game.listener.*callback = giveWay(game.listener, game.other);
-            game.other.*callback = giveWay(game.other, game.listener);
-            for (int step = 0; step < 150; ++step) {
-                if (step % 3 == 0) // some have left nobody
-                    game.Listen();
-                game.Step();
-            }
-            game.hash.Add(static_cast<uint32_t>(game.other.told));
-            game.WriteDown();
+AS_STOCK("turns: listeners take turns in the midst of being told") {
+    for (auto callback : {&Listener::begin, &Listener::end, &Listener::preSolve, &Listener::postSolve}) {
+        Falling game(run);
+        const auto giveWay = [&game](Listener &from, Listener &to) {
+            return [&] { game.world.SetContactListener(from.told % 3 == 0 ? nullptr : &to); };
+        };
+        game.listener.*callback = giveWay(game.listener, game.other);
+        game.other.*callback = giveWay(game.other, game.listener);
+        for (int step = 0; step < 150; ++step) {
+            if (step % 3 == 0) // some have left nobody
+                game.Listen();
+            game.Step();
         }
-    });
+        game.hash.Add(static_cast<uint32_t>(game.other.told));
+        game.WriteDown();
+    }
 }
 
-TEST_CASE(
-    "disables: a listener disables all contacts when one begins, and leaves, or is taken away after the "
-    "step") {
-    AsStock([](Run &run) {
-        for (const bool leaves : {false, true}) {
-            Falling game(run);
-            game.listener.begin = [&game, leaves] {
-                for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-                    c->SetEnabled(false);
-                if (leaves)
-                    game.world.SetContactListener(nullptr);
-            };
-            for (int step = 0; step < 150; ++step) {
-                game.world.SetContactListener(step % 3 == 0 ? &game.listener : nullptr);
-                game.Step();
-                AddEnabled(game);
-            }
+AS_STOCK("disables: a listener disables all contacts when one begins, and leaves, or is taken away after the "
+         "step") {
+    for (const bool leaves : {false, true}) {
+        Falling game(run);
+        game.listener.begin = [&game, leaves] {
+            for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+                c->SetEnabled(false);
+            if (leaves)
+                game.world.SetContactListener(nullptr);
+        };
+        for (int step = 0; step < 150; ++step) {
+            game.world.SetContactListener(step % 3 == 0 ? &game.listener : nullptr);
+            game.Step();
+            AddEnabled(game);
         }
-    });
+    }
 }
 
 namespace {
@@ -143,49 +138,43 @@ void SetSensors(b2Contact *contact, bool sensors) {
 
 } // namespace
 
-TEST_CASE("solid: a sensor's contact begins, and turns solid; in a step of no time it stays enabled") {
-    AsStock([](Run &run) {
-        for (const bool still : {false, true}) {
-            Changing game(run, true);
-            game.listener.begin = [still](b2Contact *contact) {
-                SetSensors(contact, false);
-                contact->SetEnabled(still);
-            };
-            game.Play(still ? 2 : 0);
-        }
-    });
+AS_STOCK("solid: a sensor's contact begins, and turns solid; in a step of no time it stays enabled") {
+    for (const bool still : {false, true}) {
+        Changing game(run, true);
+        game.listener.begin = [still](b2Contact *contact) {
+            SetSensors(contact, false);
+            contact->SetEnabled(still);
+        };
+        game.Play(still ? 2 : 0);
+    }
 }
 
-TEST_CASE("emptied: a contact loses its points, and is disabled") {
-    AsStock([](Run &run) {
-        Changing game(run, false);
-        game.listener.preSolve = [&game](b2Contact *contact) {
-            if (game.listener.told % 2 != 0)
-                return;
-            contact->SetEnabled(false);
+AS_STOCK("emptied: a contact loses its points, and is disabled") {
+    Changing game(run, false);
+    game.listener.preSolve = [&game](b2Contact *contact) {
+        if (game.listener.told % 2 != 0)
+            return;
+        contact->SetEnabled(false);
+        contact->GetManifold()->pointCount = 0;
+    };
+    game.Play();
+}
+
+AS_STOCK("there and back: a contact loses its points, and is a sensor's until the next one is told of") {
+    Changing game(run, false);
+    b2Contact *turned = nullptr;
+    game.listener.preSolve = [&game, &turned](b2Contact *contact) {
+        contact->SetEnabled(false);
+        if (turned != nullptr) {
+            SetSensors(turned, false);
+            turned = nullptr;
+        } else if (game.listener.told % 2 == 0) {
             contact->GetManifold()->pointCount = 0;
-        };
-        game.Play();
-    });
-}
-
-TEST_CASE("there and back: a contact loses its points, and is a sensor's until the next one is told of") {
-    AsStock([](Run &run) {
-        Changing game(run, false);
-        b2Contact *turned = nullptr;
-        game.listener.preSolve = [&game, &turned](b2Contact *contact) {
-            contact->SetEnabled(false);
-            if (turned != nullptr) {
-                SetSensors(turned, false);
-                turned = nullptr;
-            } else if (game.listener.told % 2 == 0) {
-                contact->GetManifold()->pointCount = 0;
-                SetSensors(contact, true);
-                turned = contact;
-            }
-        };
-        game.Play();
-    });
+            SetSensors(contact, true);
+            turned = contact;
+        }
+    };
+    game.Play();
 }
 
 /// What a game gets in the place of what was given back: nobody else writes there.
@@ -244,51 +233,47 @@ TEST_CASE("given back: a crowd goes, and while that is found out a listener step
         });
 }
 
-TEST_CASE("few left: while a contact ends a listener steps a world of hardly any") {
-    AsStock([](Run &run) {
-        Game game(run, {0.0f, -10.0f});
-        game.Wall({0.0f, -0.5f}, {400.0f, 0.5f});
-        std::vector<b2Body *> bodies;
-        for (int i = 0; i < 60; ++i)
-            bodies.push_back(game.Awake({3.0f * Real(i), 0.25f}, {0.25f, 0.25f}));
-        game.Step(5);
-        for (; bodies.size() > 8; bodies.pop_back())
-            game.world.DestroyBody(bodies.back());
-        game.Listen();
-        Blocks blocks;
-        game.listener.end.Once([&game, &blocks] {
-            for (int i = 0; i < 80; ++i)
-                game.StepWithin(1.0f / 60.0f, 8);
-            blocks.Take();
-        });
-        bodies[3]->DestroyFixture(bodies[3]->GetFixtureList());
-        blocks.Tell(run);
-        game.Step(20);
+AS_STOCK("few left: while a contact ends a listener steps a world of hardly any") {
+    Game game(run, {0.0f, -10.0f});
+    game.Wall({0.0f, -0.5f}, {400.0f, 0.5f});
+    std::vector<b2Body *> bodies;
+    for (int i = 0; i < 60; ++i)
+        bodies.push_back(game.Awake({3.0f * Real(i), 0.25f}, {0.25f, 0.25f}));
+    game.Step(5);
+    for (; bodies.size() > 8; bodies.pop_back())
+        game.world.DestroyBody(bodies.back());
+    game.Listen();
+    Blocks blocks;
+    game.listener.end.Once([&game, &blocks] {
+        for (int i = 0; i < 80; ++i)
+            game.StepWithin(1.0f / 60.0f, 8);
+        blocks.Take();
     });
+    bodies[3]->DestroyFixture(bodies[3]->GetFixtureList());
+    blocks.Tell(run);
+    game.Step(20);
 }
 
-TEST_CASE("roused: a listener that is told of an island wakes bodies that sleep side by side") {
-    AsStock([](Run &run) {
-        Game game(run);
-        std::vector<b2Body *> sleepers;
-        for (int i = 0; i < 4; ++i)
-            sleepers.push_back(game.Box({0.98f * Real(i), 0.0f}));
-        for (int i = 0; i < 60; ++i)
-            game.Near({3.0f * Real(i), 10.0f});
-        game.Step(60);
-        game.Touching({0.0f, -20.0f});
-        game.Listen();
-        game.Step();
+AS_STOCK("roused: a listener that is told of an island wakes bodies that sleep side by side") {
+    Game game(run);
+    std::vector<b2Body *> sleepers;
+    for (int i = 0; i < 4; ++i)
+        sleepers.push_back(game.Box({0.98f * Real(i), 0.0f}));
+    for (int i = 0; i < 60; ++i)
+        game.Near({3.0f * Real(i), 10.0f});
+    game.Step(60);
+    game.Touching({0.0f, -20.0f});
+    game.Listen();
+    game.Step();
+    for (b2Body *body : sleepers)
+        body->SetAwake(false);
+    game.Step(2);
+    game.listener.postSolve.Once([&sleepers] {
         for (b2Body *body : sleepers)
-            body->SetAwake(false);
-        game.Step(2);
-        game.listener.postSolve.Once([&sleepers] {
-            for (b2Body *body : sleepers)
-                body->SetAwake(true);
-            sleepers[0]->SetLinearVelocity({3.0f, 0.0f});
-        });
-        game.Step(5);
+            body->SetAwake(true);
+        sleepers[0]->SetLinearVelocity({3.0f, 0.0f});
     });
+    game.Step(5);
 }
 
 namespace {

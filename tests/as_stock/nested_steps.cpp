@@ -53,79 +53,69 @@ struct Bar : Game {
 
 } // namespace
 
-TEST_CASE("own: a listener steps its own world") {
-    AsStock([](Run &run) {
-        for (int calls = 1; calls <= 4; ++calls) {
-            Game game(run, {0.0f, -10.0f});
-            AddShots(game, 4, 3.0f);
-            game.Listen();
-            game.listener.begin = Every(1, calls, [&game] { game.StepWithin(1.0f / 60.0f, 2); });
-            game.Step(60);
-        }
-    });
-}
-
-TEST_CASE("again: a listener steps its world in an impact, whose island takes in again what it had") {
-    AsStock([](Run &run) {
-        for (int call = 1; call <= 9; ++call) {
-            Game game(run);
-            for (int i = 0; i < 20; ++i)
-                game.Box({Real(i) - 10.0f, 0.0f});
-            b2Body *plate = game.Box({0.0f, 3.0f}, {3.0f, 0.1f});
-            plate->SetBullet(true);
-            plate->SetLinearVelocity({0.0f, -200.0f});
-            game.Listen();
-            game.listener.preSolve = [&game, plate, left = call](b2Contact *contact) mutable {
-                if (contact->GetFixtureB()->GetBody() == plate && --left == 0)
-                    game.StepWithin(1.0f / 240.0f, 2);
-            };
-            game.Step(4);
-        }
-    });
-}
-
-TEST_CASE("elsewhere: PostSolve has another thread step its own world, and waits for it") {
-    AsStock([](Run &run) {
+AS_STOCK("own: a listener steps its own world") {
+    for (int calls = 1; calls <= 4; ++calls) {
         Game game(run, {0.0f, -10.0f});
-        game.Wall({0.0f, -1.0f}, {60.0f, 1.0f});
-        for (int i = 0; i < 60; ++i) {
-            game.Box({-40.0f + 4.0f * Real(i / 3), 0.5f + 1.02f * Real(i % 3)});
-            for (const float height : {20.0f, 21.5f})
-                game.Box({-40.0f + 1.3f * Real(i), height}, {1.5f, 0.05f}, 0.7f);
-        }
+        AddShots(game, 4, 3.0f);
         game.Listen();
-        for (int i = 0; i < 6; ++i) {
-            game.listener.postSolve.Once(
-                [&game] { std::thread([&game] { game.StepWithin(1.0f / 240.0f, 4); }).join(); });
-            game.Step(10);
-        }
-    });
+        game.listener.begin = Every(1, calls, [&game] { game.StepWithin(1.0f / 60.0f, 2); });
+        game.Step(60);
+    }
 }
 
-TEST_CASE("round: a listener steps another world, whose listener steps the first one") {
-    AsStock([](Run &run) {
-        Game one(run, {0.0f, -10.0f}), two(run, {0.0f, -10.0f});
-        AddShots(one, 4, 3.0f);
-        AddShots(two, 4, 2.0f);
-        one.Listen();
-        two.Listen();
-        one.listener.begin = Every(1, 3, [&two] { two.StepWithin(1.0f / 60.0f, 2); });
-        two.listener.begin = Every(1, 3, [&one] { one.StepWithin(1.0f / 60.0f, 2); });
-        one.Step(60);
-        two.Step(60);
-    });
+AS_STOCK("again: a listener steps its world in an impact, whose island takes in again what it had") {
+    for (int call = 1; call <= 9; ++call) {
+        Game game(run);
+        for (int i = 0; i < 20; ++i)
+            game.Box({Real(i) - 10.0f, 0.0f});
+        b2Body *plate = game.Box({0.0f, 3.0f}, {3.0f, 0.1f});
+        plate->SetBullet(true);
+        plate->SetLinearVelocity({0.0f, -200.0f});
+        game.Listen();
+        game.listener.preSolve = [&game, plate, left = call](b2Contact *contact) mutable {
+            if (contact->GetFixtureB()->GetBody() == plate && --left == 0)
+                game.StepWithin(1.0f / 240.0f, 2);
+        };
+        game.Step(4);
+    }
 }
 
-TEST_CASE("pairs: a listener has new contacts looked for") {
-    AsStock([](Run &run) {
-        Game game(run, {0.0f, -10.0f});
-        AddShots(game, 30, 3.0f);
-        game.Listen();
-        game.listener.begin = Every(2, kAlways, [&game] {
-            const_cast<b2ContactManager &>(game.world.GetContactManager()).FindNewContacts();
-        });
-        game.Step(100);
+AS_STOCK("elsewhere: PostSolve has another thread step its own world, and waits for it") {
+    Game game(run, {0.0f, -10.0f});
+    game.Wall({0.0f, -1.0f}, {60.0f, 1.0f});
+    for (int i = 0; i < 60; ++i) {
+        game.Box({-40.0f + 4.0f * Real(i / 3), 0.5f + 1.02f * Real(i % 3)});
+        for (const float height : {20.0f, 21.5f})
+            game.Box({-40.0f + 1.3f * Real(i), height}, {1.5f, 0.05f}, 0.7f);
+    }
+    game.Listen();
+    for (int i = 0; i < 6; ++i) {
+        game.listener.postSolve.Once(
+            [&game] { std::thread([&game] { game.StepWithin(1.0f / 240.0f, 4); }).join(); });
+        game.Step(10);
+    }
+}
+
+AS_STOCK("round: a listener steps another world, whose listener steps the first one") {
+    Game one(run, {0.0f, -10.0f}), two(run, {0.0f, -10.0f});
+    AddShots(one, 4, 3.0f);
+    AddShots(two, 4, 2.0f);
+    one.Listen();
+    two.Listen();
+    one.listener.begin = Every(1, 3, [&two] { two.StepWithin(1.0f / 60.0f, 2); });
+    two.listener.begin = Every(1, 3, [&one] { one.StepWithin(1.0f / 60.0f, 2); });
+    one.Step(60);
+    two.Step(60);
+}
+
+AS_STOCK("pairs: a listener has new contacts looked for") {
+    Game game(run, {0.0f, -10.0f});
+    AddShots(game, 30, 3.0f);
+    game.Listen();
+    game.listener.begin = Every(2, kAlways, [&game] {
+        const_cast<b2ContactManager &>(game.world.GetContactManager()).FindNewContacts();
     });
+    game.Step(100);
 }
 
 namespace {
@@ -158,240 +148,219 @@ void PlayFiber(int which) {
 
 } // namespace
 
-TEST_CASE("fibers: a listener leaves one step for another on a second stack, and the later one need not end "
-          "first") {
-    AsStock([](Run &run) {
-        static char stacks[2][1 << 19];
-        runOfFibers = &run;
-        for (int i = 0; i < 2; ++i) {
-            getcontext(&places[i]);
-            places[i].uc_stack.ss_sp = stacks[i];
-            places[i].uc_stack.ss_size = sizeof stacks[i];
-            makecontext(&places[i], reinterpret_cast<void (*)()>(PlayFiber), 1, i);
+AS_STOCK("fibers: a listener leaves one step for another on a second stack, and the later one need not end "
+         "first") {
+    static char stacks[2][1 << 19];
+    runOfFibers = &run;
+    for (int i = 0; i < 2; ++i) {
+        getcontext(&places[i]);
+        places[i].uc_stack.ss_sp = stacks[i];
+        places[i].uc_stack.ss_size = sizeof stacks[i];
+        makecontext(&places[i], reinterpret_cast<void (*)()>(PlayFiber), 1, i);
+    }
+    swapcontext(&outside, &places[0]);
+}
+
+AS_STOCK("small: a thread with a stack of 16 KiB steps") {
+    Game game(run, {0.0f, -10.0f});
+    AddShots(game, 30, 3.0f);
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_t thread;
+    const auto step = [](void *on) -> void * {
+        Game &small = *static_cast<Game *>(on);
+        for (int i = 0; i < 100; ++i) {
+            small.world.Step(1.0f / 60.0f, 8, 3);
+            small.hash.Add(small.world);
         }
-        swapcontext(&outside, &places[0]);
-    });
+        return nullptr;
+    };
+    if (pthread_attr_setstacksize(&attributes, 16 * 1024) != 0 ||
+        pthread_create(&thread, &attributes, step, &game) != 0)
+        run.Print("!no thread");
+    else
+        pthread_join(thread, nullptr);
+    pthread_attr_destroy(&attributes);
+    game.WriteDown();
 }
 
-TEST_CASE("small: a thread with a stack of 16 KiB steps") {
-    AsStock([](Run &run) {
-        Game game(run, {0.0f, -10.0f});
-        AddShots(game, 30, 3.0f);
-        pthread_attr_t attributes;
-        pthread_attr_init(&attributes);
-        pthread_t thread;
-        const auto step = [](void *on) -> void * {
-            Game &small = *static_cast<Game *>(on);
-            for (int i = 0; i < 100; ++i) {
-                small.world.Step(1.0f / 60.0f, 8, 3);
-                small.hash.Add(small.world);
-            }
-            return nullptr;
-        };
-        if (pthread_attr_setstacksize(&attributes, 16 * 1024) != 0 ||
-            pthread_create(&thread, &attributes, step, &game) != 0)
-            run.Print("!no thread");
-        else
-            pthread_join(thread, nullptr);
-        pthread_attr_destroy(&attributes);
-        game.WriteDown();
-    });
-}
-
-TEST_CASE("sums: in one loop over contacts a body is moved far away and back again and again, and then onto "
-          "another one") {
-    AsStock([](Run &run) {
-        for (const int calls : {4, 10, 18, 24}) {
-            Bar game(run);
-            int told = 0;
-            game.listener.preSolve = [&game, &told, calls] {
-                if (++told == 1) {
-                    game.StepWithin();
-                } else if (told < calls) { // each time it is home again, in another fat box
-                    game.bar->SetTransform({1000.0f, 0.0f}, 0.0f);
-                    game.bar->SetTransform({0.0f, told % 2 == 0 ? 0.03f : -0.03f}, 0.0f);
-                    game.bar->SetTransform({0.0f, 0.0f}, 0.0f);
-                } else if (told == calls) {
-                    game.bar->SetTransform({0.0f, Bar::kGap + 0.01f}, 0.0f);
-                }
-            };
-            game.Step(3);
-        }
-    });
-}
-
-TEST_CASE("thrown: a body's shape is changed again and again, and each time an exception ends a step in the "
-          "midst of a step") {
-    AsStock([](Run &run) {
-        struct Told {};
-        for (const int calls : {4, 18, 24}) {
-            Bar game(run);
-            int told = 0;
-            const auto size = [&game](float half) { PolygonOf(game.bar)->SetAsBox(40.0f, half); };
-            std::function<void()> outer = [&] {
-                if (++told > calls)
-                    return;
-                size(told == calls ? 0.1f + Bar::kGap : told % 2 == 0 ? 0.1f : 0.095f);
-                if (told == calls)
-                    return;
-                game.listener.preSolve = [] { throw Told(); };
-                try {
-                    game.StepWithin();
-                } catch (const Told &) {
-                }
-                game.listener.preSolve = outer;
-            };
-            game.listener.preSolve = outer;
-            game.Step();
-            game.listener.preSolve = nullptr;
-            game.Step(2);
-        }
-    });
-}
-
-TEST_CASE("resumed: a shape is changed between steps, and a listener steps when the loop has seen that but "
-          "not come to its contacts") {
-    AsStock([](Run &run) {
+AS_STOCK("sums: in one loop over contacts a body is moved far away and back again and again, and then onto "
+         "another one") {
+    for (const int calls : {4, 10, 18, 24}) {
         Bar game(run);
-        game.listener.preSolve.Once([&game] { game.StepWithin(); });
-        PolygonOf(game.bar)->SetAsBox(40.0f, 0.1f + Bar::kGap);
+        int told = 0;
+        game.listener.preSolve = [&game, &told, calls] {
+            if (++told == 1) {
+                game.StepWithin();
+            } else if (told < calls) { // each time it is home again, in another fat box
+                game.bar->SetTransform({1000.0f, 0.0f}, 0.0f);
+                game.bar->SetTransform({0.0f, told % 2 == 0 ? 0.03f : -0.03f}, 0.0f);
+                game.bar->SetTransform({0.0f, 0.0f}, 0.0f);
+            } else if (told == calls) {
+                game.bar->SetTransform({0.0f, Bar::kGap + 0.01f}, 0.0f);
+            }
+        };
         game.Step(3);
-    });
+    }
+}
+
+AS_STOCK("thrown: a body's shape is changed again and again, and each time an exception ends a step in the "
+         "midst of a step") {
+    struct Told {};
+    for (const int calls : {4, 18, 24}) {
+        Bar game(run);
+        int told = 0;
+        const auto size = [&game](float half) { PolygonOf(game.bar)->SetAsBox(40.0f, half); };
+        std::function<void()> outer = [&] {
+            if (++told > calls)
+                return;
+            size(told == calls ? 0.1f + Bar::kGap : told % 2 == 0 ? 0.1f : 0.095f);
+            if (told == calls)
+                return;
+            game.listener.preSolve = [] { throw Told(); };
+            try {
+                game.StepWithin();
+            } catch (const Told &) {
+            }
+            game.listener.preSolve = outer;
+        };
+        game.listener.preSolve = outer;
+        game.Step();
+        game.listener.preSolve = nullptr;
+        game.Step(2);
+    }
+}
+
+AS_STOCK("resumed: a shape is changed between steps, and a listener steps when the loop has seen that but "
+         "not come to its contacts") {
+    Bar game(run);
+    game.listener.preSolve.Once([&game] { game.StepWithin(); });
+    PolygonOf(game.bar)->SetAsBox(40.0f, 0.1f + Bar::kGap);
+    game.Step(3);
 }
 
 // What the listener's step does to the records of all others must not touch that of the contact that ends: or
 // the next contact, which gets its place in memory, is taken for it.
-TEST_CASE("numbers: a listener steps while the newest contact ends, when most have ended before") {
-    AsStock([](Run &run) {
-        Game game(run);
-        std::vector<b2Body *> many;
-        for (int i = 0; i < 12; ++i)
-            game.Near({3.0f * Real(i), 20.0f});
-        for (int i = 0; i < 250; ++i)
-            many.push_back(game.Near({3.0f * Real(i), 0.0f}));
-        b2Body *left = game.Awake({-50.0f, 0.0f}, {0.3f, 0.3f}),
-               *right = game.Awake({-55.0f, 0.0f}, {0.3f, 0.3f});
-        game.Wall({-90.0f, 0.0f});
-        game.Step(10);
-        b2Body *turned = game.Awake({-90.995f, 0.0f}); // its contact is the newest
-        game.Step(3);
-        for (b2Body *body : many)
-            game.world.DestroyBody(body);
-        game.Listen();
-        game.listener.end = [&game] { game.StepWithin(); };
-        turned->SetType(b2_kinematicBody);
-        game.listener.end = nullptr;
-        turned->SetTransform({-93.0f, 0.0f}, 0.0f);
-        right->SetTransform({-50.75f, 0.0f}, 0.0f); // a new contact, apart
-        game.Step(5);
-        right->SetLinearVelocity({1.0f, 0.0f});
-        left->SetLinearVelocity({-1.0f, 0.0f});
-        game.Step(20);
-    });
+AS_STOCK("numbers: a listener steps while the newest contact ends, when most have ended before") {
+    Game game(run);
+    std::vector<b2Body *> many;
+    for (int i = 0; i < 12; ++i)
+        game.Near({3.0f * Real(i), 20.0f});
+    for (int i = 0; i < 250; ++i)
+        many.push_back(game.Near({3.0f * Real(i), 0.0f}));
+    b2Body *left = game.Awake({-50.0f, 0.0f}, {0.3f, 0.3f}),
+           *right = game.Awake({-55.0f, 0.0f}, {0.3f, 0.3f});
+    game.Wall({-90.0f, 0.0f});
+    game.Step(10);
+    b2Body *turned = game.Awake({-90.995f, 0.0f}); // its contact is the newest
+    game.Step(3);
+    for (b2Body *body : many)
+        game.world.DestroyBody(body);
+    game.Listen();
+    game.listener.end = [&game] { game.StepWithin(); };
+    turned->SetType(b2_kinematicBody);
+    game.listener.end = nullptr;
+    turned->SetTransform({-93.0f, 0.0f}, 0.0f);
+    right->SetTransform({-50.75f, 0.0f}, 0.0f); // a new contact, apart
+    game.Step(5);
+    right->SetLinearVelocity({1.0f, 0.0f});
+    left->SetLinearVelocity({-1.0f, 0.0f});
+    game.Step(20);
 }
 
 // The contact was made in a step that was rounded upward. The next contact gets its place in memory.
-TEST_CASE("unknown: a listener steps while a contact ends that the library was not told of") {
-    AsStock([](Run &run) {
-        Game game(run);
-        const auto add = [&game](float x, float y) { return game.Awake({x, y}, {0.4f, 0.4f}); };
-        for (int i = 0; i < 80; ++i)
-            add(3.0f * Real(i / 2), 0.9f * Real(i % 2));
-        game.Step(3);
-        b2Body *const one = add(-50.0f, 0.0f);
-        add(-50.79f, 0.0f);
-        std::fesetround(FE_UPWARD);
-        game.StepWithin();
-        std::fesetround(FE_TONEAREST);
-        game.Listen();
-        game.listener.end.Once([&game] { game.StepWithin(); });
-        one->SetType(b2_kinematicBody);
-        one->SetTransform({-60.0f, 0.0f}, 0.0f);
-        add(-70.0f, 0.0f);
-        b2Body *const comes = add(-70.9f, 0.0f);
-        game.Step(3);
-        comes->SetLinearVelocity({1.5f, 0.0f});
-        game.Step(8);
-    });
+AS_STOCK("unknown: a listener steps while a contact ends that the library was not told of") {
+    Game game(run);
+    const auto add = [&game](float x, float y) { return game.Awake({x, y}, {0.4f, 0.4f}); };
+    for (int i = 0; i < 80; ++i)
+        add(3.0f * Real(i / 2), 0.9f * Real(i % 2));
+    game.Step(3);
+    b2Body *const one = add(-50.0f, 0.0f);
+    add(-50.79f, 0.0f);
+    std::fesetround(FE_UPWARD);
+    game.StepWithin();
+    std::fesetround(FE_TONEAREST);
+    game.Listen();
+    game.listener.end.Once([&game] { game.StepWithin(); });
+    one->SetType(b2_kinematicBody);
+    one->SetTransform({-60.0f, 0.0f}, 0.0f);
+    add(-70.0f, 0.0f);
+    b2Body *const comes = add(-70.9f, 0.0f);
+    game.Step(3);
+    comes->SetLinearVelocity({1.5f, 0.0f});
+    game.Step(8);
 }
 
-TEST_CASE(
-    "twice: a filter steps while it is asked about a new pair, which so gets two contacts, of which one "
-    "ends") {
-    AsStock([](Run &run) {
-        for (const int refused : {0, 1}) {
-            Game game(run);
-            for (int i = 0; i < 60; ++i)
-                game.Near({3.0f * Real(i), 50.0f});
-            game.Step(3);
-            game.Ask();
-            b2Body *const near = game.Near({0.0f, 0.0f});
-            game.filter.asked = [&game] { game.StepWithin(); };
+AS_STOCK("twice: a filter steps while it is asked about a new pair, which so gets two contacts, of which one "
+         "ends") {
+    for (const int refused : {0, 1}) {
+        Game game(run);
+        for (int i = 0; i < 60; ++i)
+            game.Near({3.0f * Real(i), 50.0f});
+        game.Step(3);
+        game.Ask();
+        b2Body *const near = game.Near({0.0f, 0.0f});
+        game.filter.asked = [&game] { game.StepWithin(); };
+        game.Step();
+        int asked = 0;
+        game.filter.asked = [&] { game.filter.refuses = asked++ == refused; };
+        near->GetFixtureList()->Refilter();
+        game.Step();
+        game.filter.asked = nullptr;
+        game.filter.refuses = false;
+        for (int i = 0; i < 4; ++i) {
+            const b2Vec2 home = near->GetPosition();
+            near->SetTransform({900.0f, 0.0f}, 0.0f);
+            near->SetTransform({home.x - 0.01f, home.y}, 0.0f); // a new box, which is searched about
             game.Step();
-            int asked = 0;
-            game.filter.asked = [&] { game.filter.refuses = asked++ == refused; };
-            near->GetFixtureList()->Refilter();
-            game.Step();
-            game.filter.asked = nullptr;
-            game.filter.refuses = false;
-            for (int i = 0; i < 4; ++i) {
-                const b2Vec2 home = near->GetPosition();
-                near->SetTransform({900.0f, 0.0f}, 0.0f);
-                near->SetTransform({home.x - 0.01f, home.y}, 0.0f); // a new box, which is searched about
-                game.Step();
-            }
         }
-    });
+    }
 }
 
 // The outer step goes on to build islands by the flags that the inner one left at contacts and bodies.
-TEST_CASE("islands: a listener steps from PostSolve, while islands are built") {
-    AsStock([](Run &run) {
-        Game game(run);
-        game.Listen();
-        for (int i = 0; i < 90; ++i) // neighbours whose boxes overlap, and that do not touch
-            game.Awake({1.08f * Real(i % 10), 1.08f * Real(i / 10)});
-        for (int i = 0; i < 30; ++i) // pairs that lean on each other
-            game.Awake({40.0f + 0.99f * Real(i % 2), 1.5f * Real(i / 2)})
-                ->SetLinearVelocity({i % 2 == 0 ? 0.3f : -0.3f, 0.01f * Real(i)});
-        for (int round = 0; round < 6; ++round) {
-            int solved = 0;
-            game.listener.postSolve = [&game, &solved] {
-                if (solved++ == 3)
-                    game.world.Step(1.0f / 120.0f, 2, 1);
-            };
-            game.Step();
-            game.listener.postSolve = nullptr;
-            game.Step(15);
-        }
-    });
+AS_STOCK("islands: a listener steps from PostSolve, while islands are built") {
+    Game game(run);
+    game.Listen();
+    for (int i = 0; i < 90; ++i) // neighbours whose boxes overlap, and that do not touch
+        game.Awake({1.08f * Real(i % 10), 1.08f * Real(i / 10)});
+    for (int i = 0; i < 30; ++i) // pairs that lean on each other
+        game.Awake({40.0f + 0.99f * Real(i % 2), 1.5f * Real(i / 2)})
+            ->SetLinearVelocity({i % 2 == 0 ? 0.3f : -0.3f, 0.01f * Real(i)});
+    for (int round = 0; round < 6; ++round) {
+        int solved = 0;
+        game.listener.postSolve = [&game, &solved] {
+            if (solved++ == 3)
+                game.world.Step(1.0f / 120.0f, 2, 1);
+        };
+        game.Step();
+        game.listener.postSolve = nullptr;
+        game.Step(15);
+    }
 }
 
 // A third box is thrown at the first of two that touch, whose type then changes: that ends the contact of the
 // two. In the listener's step the thrown one gets its contact, and then Box2D empties the list of the one
 // that changed: it will make the same contact again.
-TEST_CASE("unlisted: a listener steps while a change of type ends contacts") {
-    AsStock([](Run &run) {
-        Game game(run);
-        std::vector<b2Body *> thrown, changed;
-        for (int i = 0; i < 80; ++i) {
-            const float x = 5.0f * Real(i);
-            thrown.push_back(game.Awake({x, 3.0f}));
-            changed.push_back(game.Awake({x, 0.0f}));
-            game.Awake({x + (i % 8 == 0 ? 0.995f : 1.1f), 0.0f});
-        }
-        game.Step(4);
-        game.Listen();
-        game.listener.end = [&game] {
-            if (!game.world.IsLocked())
-                game.StepWithin(1.0f / 60.0f, 8);
-        };
-        for (size_t i = 0; i < changed.size(); i += 8) {
-            thrown[i]->SetLinearVelocity({0.0f, -30.0f});
-            changed[i]->SetType(b2_kinematicBody);
-            game.Step(3);
-        }
-    });
+AS_STOCK("unlisted: a listener steps while a change of type ends contacts") {
+    Game game(run);
+    std::vector<b2Body *> thrown, changed;
+    for (int i = 0; i < 80; ++i) {
+        const float x = 5.0f * Real(i);
+        thrown.push_back(game.Awake({x, 3.0f}));
+        changed.push_back(game.Awake({x, 0.0f}));
+        game.Awake({x + (i % 8 == 0 ? 0.995f : 1.1f), 0.0f});
+    }
+    game.Step(4);
+    game.Listen();
+    game.listener.end = [&game] {
+        if (!game.world.IsLocked())
+            game.StepWithin(1.0f / 60.0f, 8);
+    };
+    for (size_t i = 0; i < changed.size(); i += 8) {
+        thrown[i]->SetLinearVelocity({0.0f, -30.0f});
+        changed[i]->SetType(b2_kinematicBody);
+        game.Step(3);
+    }
 }
 
 namespace {
@@ -414,54 +383,48 @@ void PlayHeaps(Game &game) {
 
 } // namespace
 
-TEST_CASE("filters: a filter steps its own world in the midst of the search for new contacts") {
-    AsStock([](Run &run) {
-        Game game(run, {0.0f, -10.0f});
-        game.Ask();
-        game.filter.asked = Every(40, kAlways, [&game] { game.StepWithin(1.0f / 60.0f, 2); });
-        PlayHeaps(game);
-    });
+AS_STOCK("filters: a filter steps its own world in the midst of the search for new contacts") {
+    Game game(run, {0.0f, -10.0f});
+    game.Ask();
+    game.filter.asked = Every(40, kAlways, [&game] { game.StepWithin(1.0f / 60.0f, 2); });
+    PlayHeaps(game);
 }
 
 // With the proxies of a body that is put out of the world for a moment: each time another's.
-TEST_CASE("ending: a filter ends contacts of bodies that have many") {
-    AsStock([](Run &run) {
-        Game game(run, {0.0f, -10.0f});
-        game.Ask();
-        int times = 0;
-        game.filter.asked = Every(5, kAlways, [&game, &times] {
-            if (game.world.IsLocked())
-                return;
-            b2Body *body = game.world.GetBodyList();
-            for (int32 i = 7 * ++times % game.world.GetBodyCount(); i > 0; --i)
-                body = body->GetNext();
-            body->SetEnabled(false);
-            body->SetEnabled(true);
-        });
-        PlayHeaps(game);
+AS_STOCK("ending: a filter ends contacts of bodies that have many") {
+    Game game(run, {0.0f, -10.0f});
+    game.Ask();
+    int times = 0;
+    game.filter.asked = Every(5, kAlways, [&game, &times] {
+        if (game.world.IsLocked())
+            return;
+        b2Body *body = game.world.GetBodyList();
+        for (int32 i = 7 * ++times % game.world.GetBodyCount(); i > 0; --i)
+            body = body->GetNext();
+        body->SetEnabled(false);
+        body->SetEnabled(true);
     });
+    PlayHeaps(game);
 }
 
-TEST_CASE("parted: a listener steps the world until the boxes of its contact part") {
-    AsStock([](Run &run) {
-        Game game(run);
-        for (int i = 0; i < 60; ++i)
-            game.Near({3.0f * Real(i), 10.0f});
-        game.Awake({0.0f, 0.0f});
-        b2Body *const leaves = game.Awake({0.995f, 0.0f});
-        game.Listen();
-        game.Step(3);
-        game.listener.preSolve.Once([&game, leaves] {
-            const auto step = [&game, leaves](float speed) {
-                leaves->SetLinearVelocity({speed, 0.0f});
-                game.StepWithin(1.0f / 60.0f, 8);
-                leaves->SetLinearVelocity({0.0f, 0.0f});
-            };
-            step(24.0f); // apart; its box lies far ahead
-            for (int i = 0; i < 3; ++i)
-                game.StepWithin(); // proved to be
-            step(0.6f);            // its box lies around it
-        });
-        game.Step(4);
+AS_STOCK("parted: a listener steps the world until the boxes of its contact part") {
+    Game game(run);
+    for (int i = 0; i < 60; ++i)
+        game.Near({3.0f * Real(i), 10.0f});
+    game.Awake({0.0f, 0.0f});
+    b2Body *const leaves = game.Awake({0.995f, 0.0f});
+    game.Listen();
+    game.Step(3);
+    game.listener.preSolve.Once([&game, leaves] {
+        const auto step = [&game, leaves](float speed) {
+            leaves->SetLinearVelocity({speed, 0.0f});
+            game.StepWithin(1.0f / 60.0f, 8);
+            leaves->SetLinearVelocity({0.0f, 0.0f});
+        };
+        step(24.0f); // apart; its box lies far ahead
+        for (int i = 0; i < 3; ++i)
+            game.StepWithin(); // proved to be
+        step(0.6f);            // its box lies around it
     });
+    game.Step(4);
 }

@@ -73,33 +73,29 @@ private:
 
 } // namespace
 
-TEST_CASE("recorded: what a recorder is told, in worlds without a filter and with one") {
-    AsStock([](Run &run) {
-        for (const bool filters : {false, true}) {
-            Recorded game(run);
-            if (filters)
-                game.Ask();
-            game.Play();
-        }
-    });
+AS_STOCK("recorded: what a recorder is told, in worlds without a filter and with one") {
+    for (const bool filters : {false, true}) {
+        Recorded game(run);
+        if (filters)
+            game.Ask();
+        game.Play();
+    }
 }
 
 // A listener of the game's that comes for every third step disables contacts, also those that are apart.
-TEST_CASE("taking turns: a recorder and a listener of the game's") {
-    AsStock([](Run &run) {
-        Recorded game(run);
-        game.listener.begin = [&game] {
-            for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-                c->SetEnabled(false);
-        };
-        for (int step = 0; step < 150; ++step) {
-            if (step % 3 == 0)
-                game.Listen();
-            else
-                game.world.SetContactListener(&game.recorder);
-            game.Step();
-            Add(&game.hash, game.recorder.Take());
-        }
-        game.WriteDown();
-    });
+AS_STOCK("taking turns: a recorder and a listener of the game's") {
+    Recorded game(run);
+    game.listener.begin = [&game] {
+        for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+            c->SetEnabled(false);
+    };
+    for (int step = 0; step < 150; ++step) {
+        if (step % 3 == 0)
+            game.Listen();
+        else
+            game.world.SetContactListener(&game.recorder);
+        game.Step();
+        Add(&game.hash, game.recorder.Take());
+    }
+    game.WriteDown();
 }

@@ -68,46 +68,42 @@ TEST_CASE("listening: a listener changes how it is rounded, and that stays") {
 }
 
 // Nothing moves bodies without mass, whose impulses would be divided by zero.
-TEST_CASE("trapped: a program sets traps, and bodies without mass are deep in each other") {
-    AsStock([](Run &run) {
-        feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
-        Game game(run, {0.0f, -10.0f});
-        game.Wall({0.0f, -0.4f}, {20.0f, 0.5f});
-        for (int i = 0; i < 16; ++i) {
-            b2Body *const body = game.Awake({0.8f * Real(i) - 6.0f, 0.3f});
-            body->GetFixtureList()->SetDensity(0.0f);
-            body->ResetMassData();
-        }
-        game.Step(20);
-    });
+AS_STOCK("trapped: a program sets traps, and bodies without mass are deep in each other") {
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+    Game game(run, {0.0f, -10.0f});
+    game.Wall({0.0f, -0.4f}, {20.0f, 0.5f});
+    for (int i = 0; i < 16; ++i) {
+        b2Body *const body = game.Awake({0.8f * Real(i) - 6.0f, 0.3f});
+        body->GetFixtureList()->SetDensity(0.0f);
+        body->ResetMassData();
+    }
+    game.Step(20);
 }
 
 // The oldest pair touches. By the time that its turn comes, the loop has passed pairs that fly at each other,
 // and that come to touch in the steps that its listener makes then.
-TEST_CASE("within: a listener rounds otherwise for the steps that it makes in the midst of a step") {
-    AsStock([](Run &run) {
-        Game game(run);
-        game.Touching({0.0f, 50.0f});
+AS_STOCK("within: a listener rounds otherwise for the steps that it makes in the midst of a step") {
+    Game game(run);
+    game.Touching({0.0f, 50.0f});
+    game.Step();
+    for (int i = 0; i < 60; ++i) {
+        b2Body *const right = game.Near({3.0f * Real(i), 0.0f}, 0.15f);
+        if (i % 4 == 0)
+            right->SetLinearVelocity({-0.6f - 0.1f * Real(i), 0.1f});
+    }
+    game.Step();
+    game.Listen();
+    for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_TOWARDZERO}) {
+        game.listener.preSolve = [&game, mode] {
+            std::fesetround(mode);
+            game.StepWithin(1.0f / 60.0f, 2);
+            game.StepWithin(1.0f / 60.0f, 2);
+            std::fesetround(FE_TONEAREST);
+        };
         game.Step();
-        for (int i = 0; i < 60; ++i) {
-            b2Body *const right = game.Near({3.0f * Real(i), 0.0f}, 0.15f);
-            if (i % 4 == 0)
-                right->SetLinearVelocity({-0.6f - 0.1f * Real(i), 0.1f});
-        }
-        game.Step();
-        game.Listen();
-        for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_TOWARDZERO}) {
-            game.listener.preSolve = [&game, mode] {
-                std::fesetround(mode);
-                game.StepWithin(1.0f / 60.0f, 2);
-                game.StepWithin(1.0f / 60.0f, 2);
-                std::fesetround(FE_TONEAREST);
-            };
-            game.Step();
-            game.listener.preSolve = nullptr;
-            game.Step(2);
-        }
-    });
+        game.listener.preSolve = nullptr;
+        game.Step(2);
+    }
 }
 
 namespace {
@@ -170,46 +166,40 @@ void PlayCorners(Run &run, float far) {
 
 } // namespace
 
-TEST_CASE("corners: tips of triangles come near each other, also where nothing is exact to a millimetre") {
-    AsStock([](Run &run) {
-        for (const float far : {400.0f, 900.0f, 1800.0f, 3700.0f, 7500.0f, 30000.0f, 100000.0f})
-            PlayCorners(run, far);
-    });
+AS_STOCK("corners: tips of triangles come near each other, also where nothing is exact to a millimetre") {
+    for (const float far : {400.0f, 900.0f, 1800.0f, 3700.0f, 7500.0f, 30000.0f, 100000.0f})
+        PlayCorners(run, far);
 }
 
 // What is lost in each step is lost often.
-TEST_CASE("slow: needles turn by next to nothing in each step, until they meet") {
-    AsStock([](Run &run) {
-        for (const float out : {0.0f, 600.0f}) {
-            Game game(run);
-            for (int i = 0; i < 12; ++i)
-                for (const float side : {0.0f, 0.1f})
-                    game.Awake({out + 3.0f * Real(i), side}, {1.0f, 0.02f})
-                        ->SetAngularVelocity((side > 0.0f ? -0.0006f : 0.0006f) * Real(i + 1));
-            game.Step(4000);
-        }
-    });
+AS_STOCK("slow: needles turn by next to nothing in each step, until they meet") {
+    for (const float out : {0.0f, 600.0f}) {
+        Game game(run);
+        for (int i = 0; i < 12; ++i)
+            for (const float side : {0.0f, 0.1f})
+                game.Awake({out + 3.0f * Real(i), side}, {1.0f, 0.02f})
+                    ->SetAngularVelocity((side > 0.0f ? -0.0006f : 0.0006f) * Real(i + 1));
+        game.Step(4000);
+    }
 }
 
 // Beside the world of a game.
-TEST_CASE("trees: any boxes in trees of a game's own") {
-    AsStock([](Run &run) {
-        Game game(run, {0.0f, -10.0f});
-        FillWithBoxes(game.world);
-        game.Step(20);
-        uint32_t seed = 0;
-        for (const treeplay::Boxes boxes : treeplay::kAllBoxes) {
-            b2DynamicTree tree;
-            ++seed;
-            treeplay::Player player(seed, boxes, 30 + 40 * static_cast<int32>(seed));
-            treeplay::OfBox2D proxies;
-            for (int i = 0; i < 5000; ++i) {
-                player.Play(&tree, &proxies);
-                if (i % 16 == 0 || i + 1 == 5000)
-                    treeplay::EachWord(tree, [&game](uint32_t word) { game.hash.Add(word); });
-            }
-            game.WriteDown();
+AS_STOCK("trees: any boxes in trees of a game's own") {
+    Game game(run, {0.0f, -10.0f});
+    FillWithBoxes(game.world);
+    game.Step(20);
+    uint32_t seed = 0;
+    for (const treeplay::Boxes boxes : treeplay::kAllBoxes) {
+        b2DynamicTree tree;
+        ++seed;
+        treeplay::Player player(seed, boxes, 30 + 40 * static_cast<int32>(seed));
+        treeplay::OfBox2D proxies;
+        for (int i = 0; i < 5000; ++i) {
+            player.Play(&tree, &proxies);
+            if (i % 16 == 0 || i + 1 == 5000)
+                treeplay::EachWord(tree, [&game](uint32_t word) { game.hash.Add(word); });
         }
-        game.Step(100);
-    });
+        game.WriteDown();
+    }
+    game.Step(100);
 }

@@ -27,35 +27,33 @@ bool EndsWith(const std::string &text, const std::string &end) {
 
 } // namespace
 
-TEST_CASE(
+SAME_AS_STOCK(
     "a wheel rolls over the joints of a one-sided chain without noticing them, and passes from behind") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run, {0.0f, -10.0f});
-        game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), Chain());
-        b2Body *wheel = Falling(game, {-4.0f, kRadius + 0.01f});
-        game.Fixture(wheel, Coin(512));
-        wheel->SetLinearVelocity({1.0f, 0.0f});
-        wheel->SetAngularVelocity(-2.0f);
-        float highest = -INFINITY, lowest = INFINITY;
-        for (int i = 0; i < 200; ++i) {
-            game.Step();
-            if (i > 20) {
-                highest = std::max(highest, wheel->GetPosition().y);
-                lowest = std::min(lowest, wheel->GetPosition().y);
-            }
+    Game game(run, {0.0f, -10.0f});
+    game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), Chain());
+    b2Body *wheel = Falling(game, {-4.0f, kRadius + 0.01f});
+    game.Fixture(wheel, Coin(512));
+    wheel->SetLinearVelocity({1.0f, 0.0f});
+    wheel->SetAngularVelocity(-2.0f);
+    float highest = -INFINITY, lowest = INFINITY;
+    for (int i = 0; i < 200; ++i) {
+        game.Step();
+        if (i > 20) {
+            highest = std::max(highest, wheel->GetPosition().y);
+            lowest = std::min(lowest, wheel->GetPosition().y);
         }
-        game.Stage(wheel->GetPosition().x > -1.2f, "it rolled over several links");
-        game.Stage(highest - lowest < 2.0f * b2_linearSlop, "its way is flat");
-        b2Body *below = Falling(game, {0.0f, -1.0f});
-        game.Fixture(below, Coin(64));
-        below->SetLinearVelocity({0.0f, 9.0f});
-        float top = -1.0f;
-        for (int i = 0; i < 60; ++i) {
-            game.Step();
-            top = std::max(top, below->GetPosition().y);
-        }
-        game.Stage(top > 0.8f, "it came through from behind");
-    });
+    }
+    game.Stage(wheel->GetPosition().x > -1.2f, "it rolled over several links");
+    game.Stage(highest - lowest < 2.0f * b2_linearSlop, "its way is flat");
+    b2Body *below = Falling(game, {0.0f, -1.0f});
+    game.Fixture(below, Coin(64));
+    below->SetLinearVelocity({0.0f, 9.0f});
+    float top = -1.0f;
+    for (int i = 0; i < 60; ++i) {
+        game.Step();
+        top = std::max(top, below->GetPosition().y);
+    }
+    game.Stage(top > 0.8f, "it came through from behind");
 }
 
 namespace {
@@ -91,57 +89,53 @@ void Mixed(Game &game, shapes::Engine &engine, int32 vertices) {
 
 } // namespace
 
-TEST_CASE("bodies of many big shapes share a structure that holds their real polygons") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run);
-        b2Body *a = game.Body(b2_dynamicBody, {0.0f, 0.0f}, 0.785f),
-               *b = game.Body(b2_dynamicBody, {0.0f, 2.0f}, 0.785f);
-        for (b2Body *body : {a, b}) {
-            body->SetSleepingAllowed(false);
-            for (int i = 0; i < 10; ++i) {
-                ConvexShape piece;
-                REQUIRE(piece.SetRounded(0.2f, 0.1f, 0.05f, i % 2 == 0 ? 4 : 40) == BMR_OK);
-                std::vector<b2Vec2> moved(piece.GetVertices(), piece.GetVertices() + piece.GetVertexCount());
-                for (b2Vec2 &v : moved)
-                    v.x += 0.4f * static_cast<float>(i) - 1.8f;
-                REQUIRE(piece.Set(moved.data(), static_cast<int32>(moved.size())) == BMR_OK);
-                game.Fixture(body, piece);
-            }
+SAME_AS_STOCK("bodies of many big shapes share a structure that holds their real polygons") {
+    Game game(run);
+    b2Body *a = game.Body(b2_dynamicBody, {0.0f, 0.0f}, 0.785f),
+           *b = game.Body(b2_dynamicBody, {0.0f, 2.0f}, 0.785f);
+    for (b2Body *body : {a, b}) {
+        body->SetSleepingAllowed(false);
+        for (int i = 0; i < 10; ++i) {
+            ConvexShape piece;
+            REQUIRE(piece.SetRounded(0.2f, 0.1f, 0.05f, i % 2 == 0 ? 4 : 40) == BMR_OK);
+            std::vector<b2Vec2> moved(piece.GetVertices(), piece.GetVertices() + piece.GetVertexCount());
+            for (b2Vec2 &v : moved)
+                v.x += 0.4f * static_cast<float>(i) - 1.8f;
+            REQUIRE(piece.Set(moved.data(), static_cast<int32>(moved.size())) == BMR_OK);
+            game.Fixture(body, piece);
         }
-        b->SetTransform(b2Mul(b2Rot(0.785f), b2Vec2(0.0f, 0.5f)), 0.785f);
-        game.Step(4);
-        game.Stage(game.world.GetContactCount() >= 10 && game.Touching() == 0, "contacts, apart");
-        game.StagePairs();
-        b->SetLinearVelocity(b2Mul(b2Rot(0.785f), b2Vec2(0.1f, -1.0f)));
-        game.Step(60);
-        game.Stage(a->GetLinearVelocity().Length() > 0.1f, "a collision");
-    });
+    }
+    b->SetTransform(b2Mul(b2Rot(0.785f), b2Vec2(0.0f, 0.5f)), 0.785f);
+    game.Step(4);
+    game.Stage(game.world.GetContactCount() >= 10 && game.Touching() == 0, "contacts, apart");
+    game.StagePairs();
+    b->SetLinearVelocity(b2Mul(b2Rot(0.785f), b2Vec2(0.1f, -1.0f)));
+    game.Step(60);
+    game.Stage(a->GetLinearVelocity().Length() > 0.1f, "a collision");
 }
 
-TEST_CASE("churn and worlds that die with contacts alive leak nothing") {
-    CheckSameAsStock([](Run &run) {
-        size_t before = 0;
-        bool grew = false;
-        for (int round = 0; round < 120; ++round) {
-            {
-                Game game(run, {0.0f, -10.0f});
-                shapes::Engine engine(3);
-                Mixed(game, engine, 40);
+SAME_AS_STOCK("churn and worlds that die with contacts alive leak nothing") {
+    size_t before = 0;
+    bool grew = false;
+    for (int round = 0; round < 120; ++round) {
+        {
+            Game game(run, {0.0f, -10.0f});
+            shapes::Engine engine(3);
+            Mixed(game, engine, 40);
+            game.world.Step(1.0f / 60.0f, 8, 3);
+            for (int i = 0; i < 30; ++i)
                 game.world.Step(1.0f / 60.0f, 8, 3);
-                for (int i = 0; i < 30; ++i)
-                    game.world.Step(1.0f / 60.0f, 8, 3);
-                for (int i = 0; i < 4; ++i)
-                    game.world.DestroyBody(game.world.GetBodyList());
-                game.Print();
-            }
-            if (round == 60)
-                before = forked::BytesInUse();
+            for (int i = 0; i < 4; ++i)
+                game.world.DestroyBody(game.world.GetBodyList());
+            game.Print();
         }
-        constexpr size_t kLeastLeak = 200;
-        grew = forked::BytesInUse() >= before + 60 * kLeastLeak;
-        if (grew)
-            run.Print("!not staged: no growth");
-    });
+        if (round == 60)
+            before = forked::BytesInUse();
+    }
+    constexpr size_t kLeastLeak = 200;
+    grew = forked::BytesInUse() >= before + 60 * kLeastLeak;
+    if (grew)
+        run.Print("!not staged: no growth");
 }
 
 TEST_CASE("contacts that were alive at Install go on and are given back") {

@@ -57,57 +57,53 @@ float Gap(const b2Body *body) {
 
 } // namespace
 
-TEST_CASE("a big shape rests with its own edge on every kind of shape, in either order") {
-    CheckSameAsStock([](Run &run) {
-        for (const int32 count : {9, 64, 1024}) {
-            for (const bool groundFirst : {true, false}) {
-                WithEveryGround([&](const char *name, const b2Shape &ground) {
-                    Game game(run, {0.0f, -10.0f});
-                    run.Print("%s, %d", name, count);
-                    b2Body *below = game.Body(b2_staticBody, {0.0f, 0.0f});
-                    if (groundFirst)
-                        game.Fixture(below, ground);
-                    b2Body *coin = Falling(game, {0.3f, kRadius + 0.1f});
-                    game.Fixture(coin, Coin(count));
-                    if (!groundFirst)
-                        game.Fixture(below, ground);
-                    game.Step(90);
-                    game.Stage(game.Touching() == 1, "one contact that touches");
-                    // The octagon that Box2D is shown would sink in until its own lowest vertex is here:
-                    // 0.038 deeper.
-                    const float gap = Gap(coin), middle = coin->GetPosition().y;
-                    const float skins = ground.m_radius + b2_polygonRadius;
-                    const float skin = ground.GetType() == b2Shape::e_circle ? b2_polygonRadius : skins;
-                    game.Stage(gap > skin - 4.0f * b2_linearSlop && gap < skin + 2.0f * b2_linearSlop,
-                               "it lies on its lowest edge or vertex");
-                    game.Stage(middle > kRadius * std::cos(kPi / static_cast<float>(count)) - 0.02f,
-                               "its middle is as high as the real polygon holds it");
-                });
-            }
+SAME_AS_STOCK("a big shape rests with its own edge on every kind of shape, in either order") {
+    for (const int32 count : {9, 64, 1024}) {
+        for (const bool groundFirst : {true, false}) {
+            WithEveryGround([&](const char *name, const b2Shape &ground) {
+                Game game(run, {0.0f, -10.0f});
+                run.Print("%s, %d", name, count);
+                b2Body *below = game.Body(b2_staticBody, {0.0f, 0.0f});
+                if (groundFirst)
+                    game.Fixture(below, ground);
+                b2Body *coin = Falling(game, {0.3f, kRadius + 0.1f});
+                game.Fixture(coin, Coin(count));
+                if (!groundFirst)
+                    game.Fixture(below, ground);
+                game.Step(90);
+                game.Stage(game.Touching() == 1, "one contact that touches");
+                // The octagon that Box2D is shown would sink in until its own lowest vertex is here:
+                // 0.038 deeper.
+                const float gap = Gap(coin), middle = coin->GetPosition().y;
+                const float skins = ground.m_radius + b2_polygonRadius;
+                const float skin = ground.GetType() == b2Shape::e_circle ? b2_polygonRadius : skins;
+                game.Stage(gap > skin - 4.0f * b2_linearSlop && gap < skin + 2.0f * b2_linearSlop,
+                           "it lies on its lowest edge or vertex");
+                game.Stage(middle > kRadius * std::cos(kPi / static_cast<float>(count)) - 0.02f,
+                           "its middle is as high as the real polygon holds it");
+            });
         }
-    });
+    }
 }
 
-TEST_CASE("what is smaller lies and rolls on a big shape as on any") {
-    CheckSameAsStock([](Run &run) {
-        ConvexShape plate;
-        REQUIRE(plate.SetRounded(4.0f, 0.5f, 0.3f, 20) == BMR_OK);
-        Game game(run, {0.0f, -10.0f});
-        game.Fixture(game.Body(b2_staticBody, {0.0f, -0.5f}), plate);
-        b2CircleShape ball;
-        ball.m_radius = 0.3f;
-        b2PolygonShape box;
-        box.SetAsBox(0.3f, 0.2f);
-        ConvexShape small;
-        REQUIRE(small.SetRegular(6, 0.3f) == BMR_OK);
-        game.Fixture(Falling(game, {-2.0f, 0.4f}), ball);
-        game.Fixture(Falling(game, {-1.0f, 0.4f}), box);
-        game.Fixture(Falling(game, {0.0f, 0.4f}), small);
-        b2Body *coin = Falling(game, {1.0f, 0.4f});
-        game.Fixture(coin, Coin(200, 0.3f));
-        game.Step(40);
-        game.Stage(game.Touching() == 4, "four contacts that touch");
-        coin->SetLinearVelocity({-3.0f, 0.0f}); // into the others
-        game.Step(60);
-    });
+SAME_AS_STOCK("what is smaller lies and rolls on a big shape as on any") {
+    ConvexShape plate;
+    REQUIRE(plate.SetRounded(4.0f, 0.5f, 0.3f, 20) == BMR_OK);
+    Game game(run, {0.0f, -10.0f});
+    game.Fixture(game.Body(b2_staticBody, {0.0f, -0.5f}), plate);
+    b2CircleShape ball;
+    ball.m_radius = 0.3f;
+    b2PolygonShape box;
+    box.SetAsBox(0.3f, 0.2f);
+    ConvexShape small;
+    REQUIRE(small.SetRegular(6, 0.3f) == BMR_OK);
+    game.Fixture(Falling(game, {-2.0f, 0.4f}), ball);
+    game.Fixture(Falling(game, {-1.0f, 0.4f}), box);
+    game.Fixture(Falling(game, {0.0f, 0.4f}), small);
+    b2Body *coin = Falling(game, {1.0f, 0.4f});
+    game.Fixture(coin, Coin(200, 0.3f));
+    game.Step(40);
+    game.Stage(game.Touching() == 4, "four contacts that touch");
+    coin->SetLinearVelocity({-3.0f, 0.0f}); // into the others
+    game.Step(60);
 }

@@ -10,42 +10,38 @@
 
 using namespace forked;
 
-TEST_CASE("each vertex that is changed in place is seen") {
-    CheckSameAsStock([](Run &run) {
-        for (int corners = 3; corners <= 8; ++corners) {
-            Game game(run);
-            TwoPlanks planks(game, 0.6f);
-            b2Vec2 points[8];
-            for (int i = 0; i < corners; ++i)
-                points[i] =
-                    0.3f *
-                    b2Rot(static_cast<float>(i) * 2.0f * b2_pi / static_cast<float>(corners)).GetXAxis();
-            auto *shape = static_cast<b2PolygonShape *>(planks.b->GetFixtureList()->GetShape());
-            shape->Set(points, corners);
-            for (int i = -1; i < corners; ++i) { // first that they are other vertices at all
-                if (i >= 0) {
-                    points[i] *= 1.01f;
-                    shape->Set(points, corners); // in the same order
-                }
-                if (run.HasPlugin())
-                    bmr::CurrentStep() = bmr::NextStep();
-                const uint64_t before = bmr::internal::ReadCounts().hulls;
-                game.Step();
-                bmr::CurrentStep() = 0;
-                game.Stage(game.Touching() == 0, "apart");
-                // (Where edges are remembered, the piece's contacts may be too few for a structure.)
-                run.Expect(!run.Counts() || run.RemembersEdges() ||
-                               bmr::internal::ReadCounts().hulls > before,
-                           "the hull is built anew");
+SAME_AS_STOCK("each vertex that is changed in place is seen") {
+    for (int corners = 3; corners <= 8; ++corners) {
+        Game game(run);
+        TwoPlanks planks(game, 0.6f);
+        b2Vec2 points[8];
+        for (int i = 0; i < corners; ++i)
+            points[i] =
+                0.3f * b2Rot(static_cast<float>(i) * 2.0f * b2_pi / static_cast<float>(corners)).GetXAxis();
+        auto *shape = static_cast<b2PolygonShape *>(planks.b->GetFixtureList()->GetShape());
+        shape->Set(points, corners);
+        for (int i = -1; i < corners; ++i) { // first that they are other vertices at all
+            if (i >= 0) {
+                points[i] *= 1.01f;
+                shape->Set(points, corners); // in the same order
             }
-            const uint64_t before = bmr::internal::ReadCounts().hulls;
             if (run.HasPlugin())
                 bmr::CurrentStep() = bmr::NextStep();
+            const uint64_t before = bmr::internal::ReadCounts().hulls;
             game.Step();
             bmr::CurrentStep() = 0;
-            run.Expect(bmr::internal::ReadCounts().hulls == before, "control: nothing has changed");
+            game.Stage(game.Touching() == 0, "apart");
+            // (Where edges are remembered, the piece's contacts may be too few for a structure.)
+            run.Expect(!run.Counts() || run.RemembersEdges() || bmr::internal::ReadCounts().hulls > before,
+                       "the hull is built anew");
         }
-    });
+        const uint64_t before = bmr::internal::ReadCounts().hulls;
+        if (run.HasPlugin())
+            bmr::CurrentStep() = bmr::NextStep();
+        game.Step();
+        bmr::CurrentStep() = 0;
+        run.Expect(bmr::internal::ReadCounts().hulls == before, "control: nothing has changed");
+    }
 }
 
 namespace {
@@ -84,83 +80,77 @@ void InvalidateAll(Game &game) {
 } // namespace
 
 // No hull is built of them. Its radius is 0: that of fixtures without skins is no larger.
-TEST_CASE("vertices that leave their normals, within the hull, are not proved apart by it") {
-    CheckSameAsStock([](Run &run) {
-        for (const bool tell : {false, true})
-            for (const float skin : {b2_polygonRadius, 0.0f}) {
-                Game game(run, {0.0f, 0.0f});
-                DiagonalRows rows(game, skin);
-                game.Step(5);
-                game.StagePairs();
-                game.Stage(game.Touching() == 0, "apart");
-                rows.MoveVertices();
-                if (run.HasPlugin() && tell)
-                    InvalidateAll(game);
-                if (run.HasPlugin() && !tell)
-                    bmr::CurrentStep() = bmr::NextStep();
-                game.Step();
-                bmr::CurrentStep() = 0;
-                game.Stage(game.Touching() == (skin > 0.0f ? 1 : 0), "points of the two that were moved");
-            }
-        Game game(run, {0.0f, 0.0f});
-        DiagonalRows rows(game, 0.0f);
-        rows.MoveVertices(); // before there is a contact
-        game.Step(5);
-        game.StagePairs();
-    });
+SAME_AS_STOCK("vertices that leave their normals, within the hull, are not proved apart by it") {
+    for (const bool tell : {false, true})
+        for (const float skin : {b2_polygonRadius, 0.0f}) {
+            Game game(run, {0.0f, 0.0f});
+            DiagonalRows rows(game, skin);
+            game.Step(5);
+            game.StagePairs();
+            game.Stage(game.Touching() == 0, "apart");
+            rows.MoveVertices();
+            if (run.HasPlugin() && tell)
+                InvalidateAll(game);
+            if (run.HasPlugin() && !tell)
+                bmr::CurrentStep() = bmr::NextStep();
+            game.Step();
+            bmr::CurrentStep() = 0;
+            game.Stage(game.Touching() == (skin > 0.0f ? 1 : 0), "points of the two that were moved");
+        }
+    Game game(run, {0.0f, 0.0f});
+    DiagonalRows rows(game, 0.0f);
+    rows.MoveVertices(); // before there is a contact
+    game.Step(5);
+    game.StagePairs();
 }
 
 // Boomerang does not notice that normals were changed alone.
-TEST_CASE("normals that are changed in place count once the body is invalidated") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run, {0.0f, 0.0f});
-        DiagonalRows rows(game);
-        b2Vec2 ofBox[4];
-        std::copy_n(rows.shapes[0]->m_normals, 4, ofBox);
-        rows.MoveVertices();
-        for (b2PolygonShape *shape : rows.shapes)
-            for (int i = 0; i < 4; ++i) {
-                const b2Vec2 side = shape->m_vertices[(i + 1) % 4] - shape->m_vertices[i];
-                shape->m_normals[i].Set(side.y, -side.x);
-                shape->m_normals[i].Normalize();
-            }
-        game.Step(5);
-        game.StagePairs();
-        game.Stage(game.Touching() == 0, "apart");
-        for (b2PolygonShape *shape : rows.shapes)
-            std::copy_n(ofBox, 4, shape->m_normals);
-        if (run.HasPlugin())
-            InvalidateAll(game);
-        game.Step();
-        game.Stage(game.Touching() == 1, "points of the two that have other normals");
-    });
+SAME_AS_STOCK("normals that are changed in place count once the body is invalidated") {
+    Game game(run, {0.0f, 0.0f});
+    DiagonalRows rows(game);
+    b2Vec2 ofBox[4];
+    std::copy_n(rows.shapes[0]->m_normals, 4, ofBox);
+    rows.MoveVertices();
+    for (b2PolygonShape *shape : rows.shapes)
+        for (int i = 0; i < 4; ++i) {
+            const b2Vec2 side = shape->m_vertices[(i + 1) % 4] - shape->m_vertices[i];
+            shape->m_normals[i].Set(side.y, -side.x);
+            shape->m_normals[i].Normalize();
+        }
+    game.Step(5);
+    game.StagePairs();
+    game.Stage(game.Touching() == 0, "apart");
+    for (b2PolygonShape *shape : rows.shapes)
+        std::copy_n(ofBox, 4, shape->m_normals);
+    if (run.HasPlugin())
+        InvalidateAll(game);
+    game.Step();
+    game.Stage(game.Touching() == 1, "points of the two that have other normals");
 }
 
-TEST_CASE("an edge that was edited away separates nothing") {
-    CheckSameAsStock([](Run &run) {
-        constexpr float kEighth = 0.785398185f;
-        Game game(run);
-        b2Body *middle = game.Body(b2_dynamicBody, {0.0f, 0.0f});
-        b2Vec2 corners[8];
-        for (int i = 0; i < 8; ++i)
-            corners[i] = b2Mul(b2Rot((static_cast<float>(i) + 0.5f) * kEighth), b2Vec2(0.5f, 0.0f));
-        b2PolygonShape octagon;
-        octagon.Set(corners, 8);
-        auto *shape = static_cast<b2PolygonShape *>(game.Fixture(middle, octagon)->GetShape());
-        // A corner of a box towards each face, so that the octagon's edge is the one to remember.
-        for (int i = 0; i < 8; ++i) {
-            const b2Rot there(static_cast<float>(i) * kEighth);
-            b2Body *body = game.Body(b2_dynamicBody, b2Mul(there, b2Vec2(0.78f, 0.0f)),
-                                     (static_cast<float>(i) + 1.0f) * kEighth);
-            game.Box(body, 0.12f, 0.12f);
-        }
-        game.Step(3);
-        game.Stage(game.Touching() == 0 && game.world.GetContactCount() >= 8, "a ring, apart");
-        shape->SetAsBox(0.75f, 0.75f);
-        if (run.HasPlugin())
-            bmr::Invalidate(middle);
-        game.Step();
-        game.Stage(game.Touching() >= 4, "the box reaches into the ring");
-        game.Step(10);
-    });
+SAME_AS_STOCK("an edge that was edited away separates nothing") {
+    constexpr float kEighth = 0.785398185f;
+    Game game(run);
+    b2Body *middle = game.Body(b2_dynamicBody, {0.0f, 0.0f});
+    b2Vec2 corners[8];
+    for (int i = 0; i < 8; ++i)
+        corners[i] = b2Mul(b2Rot((static_cast<float>(i) + 0.5f) * kEighth), b2Vec2(0.5f, 0.0f));
+    b2PolygonShape octagon;
+    octagon.Set(corners, 8);
+    auto *shape = static_cast<b2PolygonShape *>(game.Fixture(middle, octagon)->GetShape());
+    // A corner of a box towards each face, so that the octagon's edge is the one to remember.
+    for (int i = 0; i < 8; ++i) {
+        const b2Rot there(static_cast<float>(i) * kEighth);
+        b2Body *body = game.Body(b2_dynamicBody, b2Mul(there, b2Vec2(0.78f, 0.0f)),
+                                 (static_cast<float>(i) + 1.0f) * kEighth);
+        game.Box(body, 0.12f, 0.12f);
+    }
+    game.Step(3);
+    game.Stage(game.Touching() == 0 && game.world.GetContactCount() >= 8, "a ring, apart");
+    shape->SetAsBox(0.75f, 0.75f);
+    if (run.HasPlugin())
+        bmr::Invalidate(middle);
+    game.Step();
+    game.Stage(game.Touching() >= 4, "the box reaches into the ring");
+    game.Step(10);
 }

@@ -163,132 +163,124 @@ struct Tally {
 
 } // namespace
 
-TEST_CASE("every proof that is shown can be checked by hand, and looking changes nothing") {
-    CheckSameAsStock([](Run &run) {
-        shapes::Engine engine(11);
-        Tally tally;
-        for (size_t world = 0; world < test_scaled(60); ++world) {
-            Game game(run);
-            game.world.SetGravity({0.0f, 0.0f});
-            std::vector<b2Body *> bodies;
-            for (int i = 0; i < 6; ++i)
-                bodies.push_back(Burr(
-                    game, engine, {shapes::UniformF(engine, -4.0, 4.0), shapes::UniformF(engine, -4.0, 4.0)},
-                    i % 2 == 0 ? 4 : 1));
-            for (int step = 0; step < 20; ++step) {
-                game.world.Step(1.0f / 60.0f, 8, 3);
-                for (const b2Body *body : bodies)
-                    run.Print("%08x %08x %08x", forked::Bits(body->GetPosition().x),
-                              forked::Bits(body->GetPosition().y), forked::Bits(body->GetAngle()));
-                if (!run.HasPlugin())
-                    continue;
-                for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-                    tally.Look(bmr::Inspect(*c));
-            }
-        }
-        if (!run.HasPlugin())
-            return;
-        run.Expect(tally.proofs > 100, "there are proofs");
-        run.Expect(tally.none > 0, "and pairs without");
-        run.Expect(tally.noneThoughPositive == 0, "no slack without a proof");
-        run.Expect(tally.tooMuch == 0, "no proof claims more than its own line shows");
-        run.Expect(tally.slacks > 0.5 * tally.gaps, "and most of what it shows");
-        run.Expect(tally.notNearest == 0, "its points are the nearest to the line");
-        run.Expect(tally.notHeld == 0, "hulls and envelopes hold their bodies");
-        run.Expect(tally.refuted > tally.proofs / 10, "control: lines turned by half a radian prove less");
-        run.Expect(tally.kinds.count(bmr::ProofKind::RememberedEdge) == (run.RemembersEdges() ? 1u : 0u),
-                   "edges where they are remembered");
-        run.Expect(tally.kinds.size() > 1, "proofs of several kinds");
-    });
-}
-
-TEST_CASE("the proof of two big shapes is an edge of one of them, and holds for all their vertices") {
-    CheckSameAsStock([](Run &run) {
-        shapes::Engine engine(13);
-        Tally tally;
-        int touching = 0, edgesOf[2] = {0, 0};
-        for (int round = 0; round < 60; ++round) {
-            Game game(run);
-            const b2Body *bodies[2];
-            for (int i = 0; i < 2; ++i) {
-                b2Body *body = game.Body(b2_dynamicBody, {1.12f * static_cast<float>(i), 0.0f},
-                                         shapes::UniformF(engine, -3.0, 3.0));
-                bmr::ConvexShape shape;
-                run.Expect(shape.SetRegular(9 + shapes::Below(engine, round < 30 ? 1 : 60), 0.55f) == BMR_OK,
-                           "a shape");
-                game.Fixture(body, shape);
-                bodies[i] = body;
-            }
+SAME_AS_STOCK("every proof that is shown can be checked by hand, and looking changes nothing") {
+    shapes::Engine engine(11);
+    Tally tally;
+    for (size_t world = 0; world < test_scaled(60); ++world) {
+        Game game(run);
+        game.world.SetGravity({0.0f, 0.0f});
+        std::vector<b2Body *> bodies;
+        for (int i = 0; i < 6; ++i)
+            bodies.push_back(Burr(game, engine,
+                                  {shapes::UniformF(engine, -4.0, 4.0), shapes::UniformF(engine, -4.0, 4.0)},
+                                  i % 2 == 0 ? 4 : 1));
+        for (int step = 0; step < 20; ++step) {
             game.world.Step(1.0f / 60.0f, 8, 3);
+            for (const b2Body *body : bodies)
+                run.Print("%08x %08x %08x", forked::Bits(body->GetPosition().x),
+                          forked::Bits(body->GetPosition().y), forked::Bits(body->GetAngle()));
             if (!run.HasPlugin())
                 continue;
-            const bmr::Proof proof = bmr::Inspect(bodies[0], bodies[1]);
-            tally.Look(proof);
-            touching += proof.kind == bmr::ProofKind::None;
-            if (proof.kind == bmr::ProofKind::RememberedEdge)
-                ++edgesOf[proof.ownerIsB];
-        }
-        run.Print("looked");
-        run.Expect(touching < 10, "nearly all are apart");
-        run.Expect(!run.HasPlugin() || (edgesOf[0] > 0 && edgesOf[1] > 0), "edges of either");
-        run.Expect(tally.tooMuch == 0, "no proof claims more than its own line shows");
-        run.Expect(tally.slacks > 0.5 * tally.gaps, "and most of what it shows");
-        run.Expect(tally.notNearest == 0, "its points are the nearest to the line");
-    });
-}
-
-TEST_CASE("no more vertices of a hull are filled in than there are and than there is room for") {
-    CheckSameAsStock([](Run &run) {
-        shapes::Engine engine(14);
-        size_t looked = 0, wrong = 0;
-        int32_t finer = 0;
-        for (int world = 0; world < 20; ++world) {
-            Game game(run);
-            Burr(game, engine, {0.0f, 0.0f}, 4);
-            Burr(game, engine, {1.2f, 0.3f}, 4);
-            game.world.Step(1.0f / 60.0f, 8, 3);
-            if (!run.HasPlugin())
-                continue;
-            for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext()) {
-                const bmr::Proof proof = bmr::Inspect(*c);
-                if (proof.structure == nullptr)
-                    continue;
-                finer += bmr::InspectHull(proof, false, 99, nullptr, 0) -
-                         bmr::InspectHull(proof, false, 0, nullptr, 0);
-                for (const int32_t level : {0, bmr::kHullLevel}) {
-                    ++looked;
-                    wrong += !FillsWhatThereIsRoomFor(proof, level);
-                }
-            }
-        }
-        run.Print("looked");
-        run.Expect(!run.HasPlugin() || run.RemembersEdges() || looked > 0, "there is something to look at");
-        run.Expect(wrong == 0, "these, and no others");
-        const char *by = std::getenv("BOOMERANG_PAIRS_BY");
-        run.Expect(by == nullptr || std::strncmp(by, "lazy", 4) != 0 || finer > 0, "more on a finer level");
-    });
-}
-
-TEST_CASE("two bodies are as far apart as the weakest proof between them") {
-    CheckSameAsStock([](Run &run) {
-        shapes::Engine engine(12);
-        size_t looked = 0, unlike = 0;
-        for (int world = 0; world < 100; ++world) { // at every scale: few worlds have such a pair
-            Game game(run);
-            const b2Body *a = Burr(game, engine, {0.0f, 0.0f}, 3), *b = Burr(game, engine, {0.9f, 0.3f}, 3);
-            game.world.Step(1.0f / 60.0f, 8, 3);
-            if (!run.HasPlugin() || game.world.GetContactCount() == 0)
-                continue;
-            float least = INFINITY;
             for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-                least = std::min(least, bmr::Inspect(*c).slack);
-            ++looked;
-            unlike += bmr::Inspect(a, b).slack != least || bmr::Inspect(b, a).slack != least;
+                tally.Look(bmr::Inspect(*c));
         }
-        run.Print("looked");
-        run.Expect(!run.HasPlugin() || looked > 10, "there is something to look at");
-        run.Expect(unlike == 0, "the least of them");
-    });
+    }
+    if (!run.HasPlugin())
+        return;
+    run.Expect(tally.proofs > 100, "there are proofs");
+    run.Expect(tally.none > 0, "and pairs without");
+    run.Expect(tally.noneThoughPositive == 0, "no slack without a proof");
+    run.Expect(tally.tooMuch == 0, "no proof claims more than its own line shows");
+    run.Expect(tally.slacks > 0.5 * tally.gaps, "and most of what it shows");
+    run.Expect(tally.notNearest == 0, "its points are the nearest to the line");
+    run.Expect(tally.notHeld == 0, "hulls and envelopes hold their bodies");
+    run.Expect(tally.refuted > tally.proofs / 10, "control: lines turned by half a radian prove less");
+    run.Expect(tally.kinds.count(bmr::ProofKind::RememberedEdge) == (run.RemembersEdges() ? 1u : 0u),
+               "edges where they are remembered");
+    run.Expect(tally.kinds.size() > 1, "proofs of several kinds");
+}
+
+SAME_AS_STOCK("the proof of two big shapes is an edge of one of them, and holds for all their vertices") {
+    shapes::Engine engine(13);
+    Tally tally;
+    int touching = 0, edgesOf[2] = {0, 0};
+    for (int round = 0; round < 60; ++round) {
+        Game game(run);
+        const b2Body *bodies[2];
+        for (int i = 0; i < 2; ++i) {
+            b2Body *body = game.Body(b2_dynamicBody, {1.12f * static_cast<float>(i), 0.0f},
+                                     shapes::UniformF(engine, -3.0, 3.0));
+            bmr::ConvexShape shape;
+            run.Expect(shape.SetRegular(9 + shapes::Below(engine, round < 30 ? 1 : 60), 0.55f) == BMR_OK,
+                       "a shape");
+            game.Fixture(body, shape);
+            bodies[i] = body;
+        }
+        game.world.Step(1.0f / 60.0f, 8, 3);
+        if (!run.HasPlugin())
+            continue;
+        const bmr::Proof proof = bmr::Inspect(bodies[0], bodies[1]);
+        tally.Look(proof);
+        touching += proof.kind == bmr::ProofKind::None;
+        if (proof.kind == bmr::ProofKind::RememberedEdge)
+            ++edgesOf[proof.ownerIsB];
+    }
+    run.Print("looked");
+    run.Expect(touching < 10, "nearly all are apart");
+    run.Expect(!run.HasPlugin() || (edgesOf[0] > 0 && edgesOf[1] > 0), "edges of either");
+    run.Expect(tally.tooMuch == 0, "no proof claims more than its own line shows");
+    run.Expect(tally.slacks > 0.5 * tally.gaps, "and most of what it shows");
+    run.Expect(tally.notNearest == 0, "its points are the nearest to the line");
+}
+
+SAME_AS_STOCK("no more vertices of a hull are filled in than there are and than there is room for") {
+    shapes::Engine engine(14);
+    size_t looked = 0, wrong = 0;
+    int32_t finer = 0;
+    for (int world = 0; world < 20; ++world) {
+        Game game(run);
+        Burr(game, engine, {0.0f, 0.0f}, 4);
+        Burr(game, engine, {1.2f, 0.3f}, 4);
+        game.world.Step(1.0f / 60.0f, 8, 3);
+        if (!run.HasPlugin())
+            continue;
+        for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext()) {
+            const bmr::Proof proof = bmr::Inspect(*c);
+            if (proof.structure == nullptr)
+                continue;
+            finer += bmr::InspectHull(proof, false, 99, nullptr, 0) -
+                     bmr::InspectHull(proof, false, 0, nullptr, 0);
+            for (const int32_t level : {0, bmr::kHullLevel}) {
+                ++looked;
+                wrong += !FillsWhatThereIsRoomFor(proof, level);
+            }
+        }
+    }
+    run.Print("looked");
+    run.Expect(!run.HasPlugin() || run.RemembersEdges() || looked > 0, "there is something to look at");
+    run.Expect(wrong == 0, "these, and no others");
+    const char *by = std::getenv("BOOMERANG_PAIRS_BY");
+    run.Expect(by == nullptr || std::strncmp(by, "lazy", 4) != 0 || finer > 0, "more on a finer level");
+}
+
+SAME_AS_STOCK("two bodies are as far apart as the weakest proof between them") {
+    shapes::Engine engine(12);
+    size_t looked = 0, unlike = 0;
+    for (int world = 0; world < 100; ++world) { // at every scale: few worlds have such a pair
+        Game game(run);
+        const b2Body *a = Burr(game, engine, {0.0f, 0.0f}, 3), *b = Burr(game, engine, {0.9f, 0.3f}, 3);
+        game.world.Step(1.0f / 60.0f, 8, 3);
+        if (!run.HasPlugin() || game.world.GetContactCount() == 0)
+            continue;
+        float least = INFINITY;
+        for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+            least = std::min(least, bmr::Inspect(*c).slack);
+        ++looked;
+        unlike += bmr::Inspect(a, b).slack != least || bmr::Inspect(b, a).slack != least;
+    }
+    run.Print("looked");
+    run.Expect(!run.HasPlugin() || looked > 10, "there is something to look at");
+    run.Expect(unlike == 0, "the least of them");
 }
 
 TEST_CASE("every kind of proof has a name of its own") {

@@ -68,25 +68,22 @@ void Heap(Game &game, float x) {
 
 } // namespace
 
-TEST_CASE("Install before the first contact takes effect, and leaves the other kinds of contacts alone") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run, {0.0f, -10.0f});
-        Heap(game, 0.0f);
-        for (int i = 0; i < 4; ++i) {
-            b2CircleShape circle;
-            circle.m_radius = 0.4f;
-            game.Fixture(game.Body(b2_dynamicBody, {static_cast<float>(i) - 1.5f, 12.0f}), circle);
-        }
-        game.Step(120);
-        run.Expect(bmr::IsInstalled() && !bmr::Install(), "a second Install changes nothing and says so");
-        const bmr::Counted s = bmr::internal::ReadCounts();
-        if (run.Counts())
-            run.Expect(s.evaluations > 0 && s.provedApart + s.handedOver == s.evaluations &&
-                           s.provedApart > 0,
-                       "contacts of the first world are ours");
-        else
-            run.Expect(s.evaluations == 0 && s.hulls == 0 && s.hullChecks == 0, "nothing is counted unasked");
-    });
+SAME_AS_STOCK("Install before the first contact takes effect, and leaves the other kinds of contacts alone") {
+    Game game(run, {0.0f, -10.0f});
+    Heap(game, 0.0f);
+    for (int i = 0; i < 4; ++i) {
+        b2CircleShape circle;
+        circle.m_radius = 0.4f;
+        game.Fixture(game.Body(b2_dynamicBody, {static_cast<float>(i) - 1.5f, 12.0f}), circle);
+    }
+    game.Step(120);
+    run.Expect(bmr::IsInstalled() && !bmr::Install(), "a second Install changes nothing and says so");
+    const bmr::Counted s = bmr::internal::ReadCounts();
+    if (run.Counts())
+        run.Expect(s.evaluations > 0 && s.provedApart + s.handedOver == s.evaluations && s.provedApart > 0,
+                   "contacts of the first world are ours");
+    else
+        run.Expect(s.evaluations == 0 && s.hulls == 0 && s.hullChecks == 0, "nothing is counted unasked");
 }
 
 TEST_CASE("contacts born before Install keep working, and are destroyed by who made them") {
@@ -112,78 +109,76 @@ TEST_CASE("contacts born before Install keep working, and are destroyed by who m
         forked::When::kByScenario);
 }
 
-TEST_CASE("every way for a contact to die gives back all it held") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run);
-        b2Body *bodies[2];
-        Planks(game, {0.0f, 0.0f}, 0.6f, bodies);
-        b2Body *far = game.Body(b2_dynamicBody, {3.0f, -3.0f}, kSlant);
-        Coin(game, far, 80, 1.0f);
-        Coin(game, game.Body(b2_dynamicBody, {3.0f, -0.8f}), 80, 1.0f);
-        const auto cycle = [&](int way) {
-            b2Body *b = bodies[1];
-            const b2Vec2 home = b->GetPosition();
-            switch (way) {
-            case 0: {
-                game.world.DestroyBody(b);
-                bodies[1] = game.Body(b2_dynamicBody, home, kSlant);
-                bodies[1]->SetSleepingAllowed(false);
-                game.Plank(bodies[1]);
-                break;
-            }
-            case 1:
-                while (b->GetFixtureList() != nullptr)
-                    b->DestroyFixture(b->GetFixtureList());
-                game.Plank(b);
-                break;
-            case 2:
-                b->SetType(b2_staticBody);
-                game.world.Step(1.0f / 60.0f, 8, 3);
-                b->SetType(b2_dynamicBody);
-                break;
-            case 3:
-                b->SetEnabled(false);
-                game.world.Step(1.0f / 60.0f, 8, 3);
-                b->SetEnabled(true);
-                break;
-            case 4:
-                b->SetTransform({100.0f, 100.0f}, 0.0f);
-                game.world.Step(1.0f / 60.0f, 8, 3);
-                b->SetTransform(home, kSlant);
-                break;
-            case 5: // the pair of coins, whose hulls take a run of blocks each
-                far->SetTransform({100.0f, -100.0f}, 0.0f);
-                game.world.Step(1.0f / 60.0f, 8, 3);
-                far->SetTransform({3.0f, -3.0f}, kSlant);
-                break;
-            case 6: {
-                b2Filter filter = b->GetFixtureList()->GetFilterData();
-                filter.maskBits = static_cast<uint16>(~filter.maskBits);
-                b->GetFixtureList()->SetFilterData(filter);
-                break;
-            }
-            default: // a hull that is built again
-                b->DestroyFixture(game.Box(b, 0.05f, 0.05f, {-1.0f, 0.2f}));
-                b2Fixture *grown = game.Box(b, 0.05f, 0.05f, {-1.0f, -0.15f});
-                game.world.Step(1.0f / 60.0f, 8, 3);
-                b->DestroyFixture(grown);
-                break;
-            }
-            game.world.Step(1.0f / 60.0f, 8, 3);
-        };
-        for (int way = 0; way < 8; ++way) {
-            for (int i = 0; i < 60; ++i)
-                cycle(way);
-            // A pair alone has 240 bytes, a hull more. What Box2D itself takes on the way is a chunk or two.
-            constexpr size_t kCycles = 300, kLeastLeak = 100;
-            const size_t before = forked::BytesInUse();
-            for (size_t i = 0; i < kCycles; ++i)
-                cycle(way);
-            run.Print("way %d", way);
-            game.Stage(forked::BytesInUse() < before + kLeastLeak * kCycles, "no growth");
-            game.Print();
+SAME_AS_STOCK("every way for a contact to die gives back all it held") {
+    Game game(run);
+    b2Body *bodies[2];
+    Planks(game, {0.0f, 0.0f}, 0.6f, bodies);
+    b2Body *far = game.Body(b2_dynamicBody, {3.0f, -3.0f}, kSlant);
+    Coin(game, far, 80, 1.0f);
+    Coin(game, game.Body(b2_dynamicBody, {3.0f, -0.8f}), 80, 1.0f);
+    const auto cycle = [&](int way) {
+        b2Body *b = bodies[1];
+        const b2Vec2 home = b->GetPosition();
+        switch (way) {
+        case 0: {
+            game.world.DestroyBody(b);
+            bodies[1] = game.Body(b2_dynamicBody, home, kSlant);
+            bodies[1]->SetSleepingAllowed(false);
+            game.Plank(bodies[1]);
+            break;
         }
-    });
+        case 1:
+            while (b->GetFixtureList() != nullptr)
+                b->DestroyFixture(b->GetFixtureList());
+            game.Plank(b);
+            break;
+        case 2:
+            b->SetType(b2_staticBody);
+            game.world.Step(1.0f / 60.0f, 8, 3);
+            b->SetType(b2_dynamicBody);
+            break;
+        case 3:
+            b->SetEnabled(false);
+            game.world.Step(1.0f / 60.0f, 8, 3);
+            b->SetEnabled(true);
+            break;
+        case 4:
+            b->SetTransform({100.0f, 100.0f}, 0.0f);
+            game.world.Step(1.0f / 60.0f, 8, 3);
+            b->SetTransform(home, kSlant);
+            break;
+        case 5: // the pair of coins, whose hulls take a run of blocks each
+            far->SetTransform({100.0f, -100.0f}, 0.0f);
+            game.world.Step(1.0f / 60.0f, 8, 3);
+            far->SetTransform({3.0f, -3.0f}, kSlant);
+            break;
+        case 6: {
+            b2Filter filter = b->GetFixtureList()->GetFilterData();
+            filter.maskBits = static_cast<uint16>(~filter.maskBits);
+            b->GetFixtureList()->SetFilterData(filter);
+            break;
+        }
+        default: // a hull that is built again
+            b->DestroyFixture(game.Box(b, 0.05f, 0.05f, {-1.0f, 0.2f}));
+            b2Fixture *grown = game.Box(b, 0.05f, 0.05f, {-1.0f, -0.15f});
+            game.world.Step(1.0f / 60.0f, 8, 3);
+            b->DestroyFixture(grown);
+            break;
+        }
+        game.world.Step(1.0f / 60.0f, 8, 3);
+    };
+    for (int way = 0; way < 8; ++way) {
+        for (int i = 0; i < 60; ++i)
+            cycle(way);
+        // A pair alone has 240 bytes, a hull more. What Box2D itself takes on the way is a chunk or two.
+        constexpr size_t kCycles = 300, kLeastLeak = 100;
+        const size_t before = forked::BytesInUse();
+        for (size_t i = 0; i < kCycles; ++i)
+            cycle(way);
+        run.Print("way %d", way);
+        game.Stage(forked::BytesInUse() < before + kLeastLeak * kCycles, "no growth");
+        game.Print();
+    }
 }
 
 TEST_CASE("control: one block that is not given back is seen") {
@@ -204,104 +199,93 @@ TEST_CASE("control: one block that is not given back is seen") {
 #endif
 }
 
-TEST_CASE("a world that dies with contacts alive leaks nothing") {
-    CheckSameAsStock([](Run &run) {
-        const auto live = [&run] {
-            Game game(run);
-            for (int i = 0; i < 4; ++i)
-                Coin(game,
-                     game.Body(b2_dynamicBody,
-                               {1.9f * static_cast<float>(i), 1.8f * static_cast<float>(i % 2)}),
-                     100, 1.0f);
-            b2Body *bodies[2];
-            Planks(game, {0.0f, 10.0f}, 0.6f, bodies);
-            for (int i = 0; i < 2; ++i)
-                game.world.Step(1.0f / 60.0f, 8, 3);
-            game.Stage(game.world.GetContactCount() > 5, "contacts alive");
-        };
-        for (int i = 0; i < 20; ++i)
-            live();
-        const size_t before = forked::BytesInUse();
-        for (size_t i = test_scaled(300); i > 0; --i)
-            live();
-        run.Print("dead");
-        if (forked::BytesInUse() != before)
-            run.Print("!not staged: no growth: %zu to %zu bytes", before, forked::BytesInUse());
-    });
+SAME_AS_STOCK("a world that dies with contacts alive leaks nothing") {
+    const auto live = [&run] {
+        Game game(run);
+        for (int i = 0; i < 4; ++i)
+            Coin(game,
+                 game.Body(b2_dynamicBody, {1.9f * static_cast<float>(i), 1.8f * static_cast<float>(i % 2)}),
+                 100, 1.0f);
+        b2Body *bodies[2];
+        Planks(game, {0.0f, 10.0f}, 0.6f, bodies);
+        for (int i = 0; i < 2; ++i)
+            game.world.Step(1.0f / 60.0f, 8, 3);
+        game.Stage(game.world.GetContactCount() > 5, "contacts alive");
+    };
+    for (int i = 0; i < 20; ++i)
+        live();
+    const size_t before = forked::BytesInUse();
+    for (size_t i = test_scaled(300); i > 0; --i)
+        live();
+    run.Print("dead");
+    if (forked::BytesInUse() != before)
+        run.Print("!not staged: no growth: %zu to %zu bytes", before, forked::BytesInUse());
 }
 
-TEST_CASE("Evaluate may be called by anybody, with an uninitialised manifold and any poses") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run, {0.0f, -10.0f});
-        Heap(game, 0.0f);
-        b2Body *bodies[2];
-        Planks(game, {0.0f, 30.0f}, 0.6f, bodies);
-        const float nan = std::numeric_limits<float>::quiet_NaN(),
-                    inf = std::numeric_limits<float>::infinity();
-        for (int round = 0; round < 20; ++round) {
-            game.Step(5);
-            for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext()) {
-                if (c->GetFixtureA()->GetType() != b2Shape::e_polygon)
-                    continue;
-                const b2Transform &xfA = c->GetFixtureA()->GetBody()->GetTransform();
-                b2Transform xfB = c->GetFixtureB()->GetBody()->GetTransform();
-                for (const float moved : {0.0f, 0.01f, -0.3f, 7.0f, 5000.0f, nan, inf}) {
-                    for (const int garbage : {0x00, 0x7f, 0xff}) {
-                        b2Manifold manifold;
-                        std::memset(static_cast<void *>(&manifold), garbage, sizeof manifold);
-                        const bmr::Counted before = bmr::internal::ReadCounts();
-                        b2Transform there = xfB;
-                        there.p.y += moved;
-                        c->Evaluate(&manifold, xfA, there);
-                        run.Print("points %d", manifold.pointCount);
-                        game.Print(manifold);
-                        const bmr::Counted after = bmr::internal::ReadCounts();
-                        if (run.Counts()) {
-                            const bool touched = c->GetManifold()->pointCount > 0;
-                            run.Expect(after.handedOverTouching == before.handedOverTouching + touched,
-                                       "its own manifold decides, not the caller's");
-                        }
+SAME_AS_STOCK("Evaluate may be called by anybody, with an uninitialised manifold and any poses") {
+    Game game(run, {0.0f, -10.0f});
+    Heap(game, 0.0f);
+    b2Body *bodies[2];
+    Planks(game, {0.0f, 30.0f}, 0.6f, bodies);
+    const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+    for (int round = 0; round < 20; ++round) {
+        game.Step(5);
+        for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext()) {
+            if (c->GetFixtureA()->GetType() != b2Shape::e_polygon)
+                continue;
+            const b2Transform &xfA = c->GetFixtureA()->GetBody()->GetTransform();
+            b2Transform xfB = c->GetFixtureB()->GetBody()->GetTransform();
+            for (const float moved : {0.0f, 0.01f, -0.3f, 7.0f, 5000.0f, nan, inf}) {
+                for (const int garbage : {0x00, 0x7f, 0xff}) {
+                    b2Manifold manifold;
+                    std::memset(static_cast<void *>(&manifold), garbage, sizeof manifold);
+                    const bmr::Counted before = bmr::internal::ReadCounts();
+                    b2Transform there = xfB;
+                    there.p.y += moved;
+                    c->Evaluate(&manifold, xfA, there);
+                    run.Print("points %d", manifold.pointCount);
+                    game.Print(manifold);
+                    const bmr::Counted after = bmr::internal::ReadCounts();
+                    if (run.Counts()) {
+                        const bool touched = c->GetManifold()->pointCount > 0;
+                        run.Expect(after.handedOverTouching == before.handedOverTouching + touched,
+                                   "its own manifold decides, not the caller's");
                     }
                 }
             }
         }
-    });
+    }
 }
 
-TEST_CASE("bodies of more than 64 hull vertices") {
-    CheckSameAsStock([](Run &run) {
+SAME_AS_STOCK("bodies of more than 64 hull vertices") {
+    Game game(run);
+    b2Body *coins[3];
+    for (int i = 0; i < 3; ++i) {
+        coins[i] = game.Body(b2_dynamicBody, {2.12f * static_cast<float>(i), 0.3f * static_cast<float>(i)});
+        Coin(game, coins[i], 90 + 40 * i, 1.0f);
+        coins[i]->SetAngularVelocity(0.5f * static_cast<float>(i - 1));
+    }
+    game.Step(30);
+    game.Stage(game.Touching() == 0 && game.world.GetContactCount() > 2, "apart");
+    const bmr::Counted s = bmr::internal::ReadCounts();
+    if (run.Counts() && run.RemembersEdges())
+        run.Expect(s.hulls >= 2 && s.provedApart > 4 * s.edgeChecks, "the envelopes' pair answers");
+    coins[0]->SetLinearVelocity({0.4f, 0.1f});
+    game.Step(60);
+    game.Stage(game.Touching() > 0, "a collision");
+    game.Step(60);
+}
+
+SAME_AS_STOCK("beyond the reach all is left to Box2D's own arithmetic") {
+    for (const float far : {3000.0f, -10000.0f}) {
         Game game(run);
-        b2Body *coins[3];
-        for (int i = 0; i < 3; ++i) {
-            coins[i] =
-                game.Body(b2_dynamicBody, {2.12f * static_cast<float>(i), 0.3f * static_cast<float>(i)});
-            Coin(game, coins[i], 90 + 40 * i, 1.0f);
-            coins[i]->SetAngularVelocity(0.5f * static_cast<float>(i - 1));
-        }
-        game.Step(30);
-        game.Stage(game.Touching() == 0 && game.world.GetContactCount() > 2, "apart");
-        const bmr::Counted s = bmr::internal::ReadCounts();
-        if (run.Counts() && run.RemembersEdges())
-            run.Expect(s.hulls >= 2 && s.provedApart > 4 * s.edgeChecks, "the envelopes' pair answers");
-        coins[0]->SetLinearVelocity({0.4f, 0.1f});
+        b2Body *bodies[2];
+        Planks(game, {far, 0.5f * far}, 0.6f, bodies);
+        game.Step(20);
+        game.Stage(game.Touching() == 0 && game.world.GetContactCount() >= 2, "apart");
+        if (run.Counts() && !run.RemembersEdges())
+            run.Expect(bmr::internal::ReadCounts().provedApart == 0, "no certificate is trusted there");
+        bodies[1]->SetLinearVelocity(b2Mul(b2Rot(kSlant), b2Vec2(0.1f, -1.0f)));
         game.Step(60);
-        game.Stage(game.Touching() > 0, "a collision");
-        game.Step(60);
-    });
-}
-
-TEST_CASE("beyond the reach all is left to Box2D's own arithmetic") {
-    CheckSameAsStock([](Run &run) {
-        for (const float far : {3000.0f, -10000.0f}) {
-            Game game(run);
-            b2Body *bodies[2];
-            Planks(game, {far, 0.5f * far}, 0.6f, bodies);
-            game.Step(20);
-            game.Stage(game.Touching() == 0 && game.world.GetContactCount() >= 2, "apart");
-            if (run.Counts() && !run.RemembersEdges())
-                run.Expect(bmr::internal::ReadCounts().provedApart == 0, "no certificate is trusted there");
-            bodies[1]->SetLinearVelocity(b2Mul(b2Rot(kSlant), b2Vec2(0.1f, -1.0f)));
-            game.Step(60);
-        }
-    });
+    }
 }

@@ -52,111 +52,103 @@ struct Tally {
 
 } // namespace
 
-TEST_CASE("the certified slack is never above the true distance") {
-    CheckSameAsStock([](Run &run) {
-        shapes::Engine engine(7);
-        Tally tally;
-        for (size_t world = 0; world < test_scaled(150); ++world) {
-            Game game(run);
-            const float range = shapes::UniformF(engine, 0.0, 400.0);
-            b2Body *a = RandomBody(game, engine, {range, -range});
-            b2Body *b = RandomBody(
-                game, engine,
-                {range + shapes::UniformF(engine, -2.5, 2.5), shapes::UniformF(engine, -2.5, 2.5) - range});
-            if (run.HasPlugin())
-                tally.Look(a, b); // before anybody has looked
-            for (int step = 0; step < 30; ++step) {
-                game.world.Step(1.0f / 60.0f, 8, 3);
-                if (run.HasPlugin())
-                    tally.Look(a, b);
-                const b2Vec2 home = b->GetPosition();
-                const float angle = b->GetAngle();
-                b->SetTransform(home + b2Vec2(shapes::UniformF(engine, -0.2, 0.2), 0.05f), angle + 0.1f);
-                if (run.HasPlugin())
-                    tally.Look(a, b); // moved since the last step
-                b->SetTransform(home, angle);
-            }
-        }
-        run.Print("looked");
-        run.Expect(tally.asked > 0 && tally.positive > tally.asked / 10, "there is something to check");
-        run.Expect(tally.tooLarge == 0, "never above the true distance");
-        run.Expect(tally.unlike == 0, "the same from either side");
-        run.Expect(tally.nearlyTooLarge > 0, "control: three rounding margins more would be above it");
-    });
-}
-
-TEST_CASE("bodies of boxes that are a tenth apart have positive slack after a step") {
-    CheckSameAsStock([](Run &run) {
-        shapes::Engine engine(8);
-        size_t apart = 0, none = 0, together = 0, some = 0;
-        for (size_t world = 0; world < test_scaled(600); ++world) {
-            Game game(run);
-            b2Body *bodies[2];
-            for (int i = 0; i < 2; ++i) {
-                bodies[i] =
-                    game.Body(b2_dynamicBody,
-                              {shapes::UniformF(engine, -1.5, 1.5), shapes::UniformF(engine, -1.5, 1.5)},
-                              shapes::UniformF(engine, -3.0, 3.0));
-                game.Box(bodies[i], 0.6f, 0.1f, {0.6f, 0.0f});
-                if (world % 2 == 0)
-                    game.Box(bodies[i], 0.3f, 0.2f, {-0.3f, 0.0f});
-            }
+SAME_AS_STOCK("the certified slack is never above the true distance") {
+    shapes::Engine engine(7);
+    Tally tally;
+    for (size_t world = 0; world < test_scaled(150); ++world) {
+        Game game(run);
+        const float range = shapes::UniformF(engine, 0.0, 400.0);
+        b2Body *a = RandomBody(game, engine, {range, -range});
+        b2Body *b = RandomBody(
+            game, engine,
+            {range + shapes::UniformF(engine, -2.5, 2.5), shapes::UniformF(engine, -2.5, 2.5) - range});
+        if (run.HasPlugin())
+            tally.Look(a, b); // before anybody has looked
+        for (int step = 0; step < 30; ++step) {
             game.world.Step(1.0f / 60.0f, 8, 3);
-            if (!run.HasPlugin())
-                continue;
-            const double distance = TrueDistance(bodies[0], bodies[1]);
-            const bool positive = bmr::CertifiedSlack(bodies[0], bodies[1]) > 0.0f;
-            apart += distance > 0.1;
-            none += distance > 0.1 && !positive;
-            together += distance <= 0.0;
-            some += distance <= 0.0 && positive;
+            if (run.HasPlugin())
+                tally.Look(a, b);
+            const b2Vec2 home = b->GetPosition();
+            const float angle = b->GetAngle();
+            b->SetTransform(home + b2Vec2(shapes::UniformF(engine, -0.2, 0.2), 0.05f), angle + 0.1f);
+            if (run.HasPlugin())
+                tally.Look(a, b); // moved since the last step
+            b->SetTransform(home, angle);
         }
-        run.Print("looked");
-        run.Expect(apart > 0 && together > 0, "both kinds");
-        run.Expect(none == 0, "positive where apart");
-        run.Expect(some == 0, "zero where they overlap");
-    });
+    }
+    run.Print("looked");
+    run.Expect(tally.asked > 0 && tally.positive > tally.asked / 10, "there is something to check");
+    run.Expect(tally.tooLarge == 0, "never above the true distance");
+    run.Expect(tally.unlike == 0, "the same from either side");
+    run.Expect(tally.nearlyTooLarge > 0, "control: three rounding margins more would be above it");
 }
 
-TEST_CASE("the certified slack is of the vertices as they are, whatever the normals") {
-    CheckSameAsStock([](Run &run) {
-        size_t asked = 0, tooLarge = 0, positive = 0;
-        for (int kind = 0; kind < 5; ++kind) {
-            Game game(run, {0.0f, 0.0f});
-            // The corner of one towards the corner of the other, so that their boxes overlap.
-            b2Body *a = game.Body(b2_dynamicBody, {0.0f, 0.0f}, 0.5f),
-                   *b = game.Body(b2_dynamicBody, b2Mul(b2Rot(0.5f), b2Vec2(2.5f, 0.2f)), 0.5f);
-            game.Plank(a);
-            game.Plank(b, {0.0f, 0.4f});
-            game.Box(a, 1.0f, 1.0f);
-            game.Box(b, 1.0f, 1.0f);
-            game.Step(3);
-            for (b2Body *body : {a, b}) {
-                auto *shape = static_cast<b2PolygonShape *>(body->GetFixtureList()->GetShape());
-                for (int32 i = 0; i < shape->m_count; ++i) {
-                    b2Vec2 &v = shape->m_vertices[i], &n = shape->m_normals[i];
-                    if (kind == 1)
-                        n *= 3.0f;
-                    else if (kind == 2)
-                        n = b2Mul(b2Rot(0.5f), n);
-                    else if (kind == 3)
-                        v.y *= 0.5f;
-                    else if (kind == 4)
-                        v += 0.15f * b2Vec2(v.y, v.x); // a rhomb that sticks out of the box
-                }
-            }
-            if (!run.HasPlugin())
-                continue;
-            const double slack = static_cast<double>(bmr::CertifiedSlack(a, b)),
-                         distance = TrueDistance(a, b);
-            ++asked;
-            tooLarge += slack > distance;
-            positive += kind == 0 && slack > 0.0;
+SAME_AS_STOCK("bodies of boxes that are a tenth apart have positive slack after a step") {
+    shapes::Engine engine(8);
+    size_t apart = 0, none = 0, together = 0, some = 0;
+    for (size_t world = 0; world < test_scaled(600); ++world) {
+        Game game(run);
+        b2Body *bodies[2];
+        for (int i = 0; i < 2; ++i) {
+            bodies[i] = game.Body(b2_dynamicBody,
+                                  {shapes::UniformF(engine, -1.5, 1.5), shapes::UniformF(engine, -1.5, 1.5)},
+                                  shapes::UniformF(engine, -3.0, 3.0));
+            game.Box(bodies[i], 0.6f, 0.1f, {0.6f, 0.0f});
+            if (world % 2 == 0)
+                game.Box(bodies[i], 0.3f, 0.2f, {-0.3f, 0.0f});
         }
-        run.Print("looked");
-        run.Expect(asked == 5 && positive == 1, "there is something to check");
-        run.Expect(tooLarge == 0, "never above the true distance");
-    });
+        game.world.Step(1.0f / 60.0f, 8, 3);
+        if (!run.HasPlugin())
+            continue;
+        const double distance = TrueDistance(bodies[0], bodies[1]);
+        const bool positive = bmr::CertifiedSlack(bodies[0], bodies[1]) > 0.0f;
+        apart += distance > 0.1;
+        none += distance > 0.1 && !positive;
+        together += distance <= 0.0;
+        some += distance <= 0.0 && positive;
+    }
+    run.Print("looked");
+    run.Expect(apart > 0 && together > 0, "both kinds");
+    run.Expect(none == 0, "positive where apart");
+    run.Expect(some == 0, "zero where they overlap");
+}
+
+SAME_AS_STOCK("the certified slack is of the vertices as they are, whatever the normals") {
+    size_t asked = 0, tooLarge = 0, positive = 0;
+    for (int kind = 0; kind < 5; ++kind) {
+        Game game(run, {0.0f, 0.0f});
+        // The corner of one towards the corner of the other, so that their boxes overlap.
+        b2Body *a = game.Body(b2_dynamicBody, {0.0f, 0.0f}, 0.5f),
+               *b = game.Body(b2_dynamicBody, b2Mul(b2Rot(0.5f), b2Vec2(2.5f, 0.2f)), 0.5f);
+        game.Plank(a);
+        game.Plank(b, {0.0f, 0.4f});
+        game.Box(a, 1.0f, 1.0f);
+        game.Box(b, 1.0f, 1.0f);
+        game.Step(3);
+        for (b2Body *body : {a, b}) {
+            auto *shape = static_cast<b2PolygonShape *>(body->GetFixtureList()->GetShape());
+            for (int32 i = 0; i < shape->m_count; ++i) {
+                b2Vec2 &v = shape->m_vertices[i], &n = shape->m_normals[i];
+                if (kind == 1)
+                    n *= 3.0f;
+                else if (kind == 2)
+                    n = b2Mul(b2Rot(0.5f), n);
+                else if (kind == 3)
+                    v.y *= 0.5f;
+                else if (kind == 4)
+                    v += 0.15f * b2Vec2(v.y, v.x); // a rhomb that sticks out of the box
+            }
+        }
+        if (!run.HasPlugin())
+            continue;
+        const double slack = static_cast<double>(bmr::CertifiedSlack(a, b)), distance = TrueDistance(a, b);
+        ++asked;
+        tooLarge += slack > distance;
+        positive += kind == 0 && slack > 0.0;
+    }
+    run.Print("looked");
+    run.Expect(asked == 5 && positive == 1, "there is something to check");
+    run.Expect(tooLarge == 0, "never above the true distance");
 }
 
 namespace {
@@ -184,32 +176,30 @@ double DistanceOfReal(const b2Body *a, const b2Body *b, bool octagons) {
 
 } // namespace
 
-TEST_CASE("the certified slack is never above the distance of the real polygons") {
-    CheckSameAsStock([](Run &run) {
-        shapes::Engine engine(13);
-        int positive = 0, tooLarge = 0, aboveUnlessOctagon = 0;
-        for (int round = 0; round < 150; ++round) {
-            Game game(run);
-            const int32 counts[2] = {9 + shapes::Below(engine, 20), 60 + shapes::Below(engine, 60)};
-            b2Body *bodies[2];
-            for (int i = 0; i < 2; ++i) {
-                bodies[i] = game.Body(b2_dynamicBody, {1.15f * static_cast<float>(i), 0.0f},
-                                      shapes::UniformF(engine, -3.0, 3.0));
-                bodies[i]->SetSleepingAllowed(false);
-                game.Fixture(bodies[i], ground::Coin(counts[i], i == 0 ? 0.5f : 0.6f));
-                bodies[i]->SetAngularVelocity(shapes::UniformF(engine, -2.0, 2.0));
-            }
-            for (int step = 0; step < 4; ++step) {
-                game.world.Step(1.0f / 60.0f, 8, 3);
-                const auto slack = static_cast<double>(bmr::CertifiedSlack(bodies[0], bodies[1]));
-                positive += slack > 0.0;
-                tooLarge += slack > DistanceOfReal(bodies[0], bodies[1], false);
-                aboveUnlessOctagon += slack < DistanceOfReal(bodies[0], bodies[1], true) - 0.01;
-            }
+SAME_AS_STOCK("the certified slack is never above the distance of the real polygons") {
+    shapes::Engine engine(13);
+    int positive = 0, tooLarge = 0, aboveUnlessOctagon = 0;
+    for (int round = 0; round < 150; ++round) {
+        Game game(run);
+        const int32 counts[2] = {9 + shapes::Below(engine, 20), 60 + shapes::Below(engine, 60)};
+        b2Body *bodies[2];
+        for (int i = 0; i < 2; ++i) {
+            bodies[i] = game.Body(b2_dynamicBody, {1.15f * static_cast<float>(i), 0.0f},
+                                  shapes::UniformF(engine, -3.0, 3.0));
+            bodies[i]->SetSleepingAllowed(false);
+            game.Fixture(bodies[i], ground::Coin(counts[i], i == 0 ? 0.5f : 0.6f));
+            bodies[i]->SetAngularVelocity(shapes::UniformF(engine, -2.0, 2.0));
         }
-        run.Print("%d", tooLarge);
-        run.Expect(tooLarge == 0, "never above");
-        run.Expect(positive > 300, "positive where there is room");
-        run.Expect(aboveUnlessOctagon > 300, "and the octagons' distance would be");
-    });
+        for (int step = 0; step < 4; ++step) {
+            game.world.Step(1.0f / 60.0f, 8, 3);
+            const auto slack = static_cast<double>(bmr::CertifiedSlack(bodies[0], bodies[1]));
+            positive += slack > 0.0;
+            tooLarge += slack > DistanceOfReal(bodies[0], bodies[1], false);
+            aboveUnlessOctagon += slack < DistanceOfReal(bodies[0], bodies[1], true) - 0.01;
+        }
+    }
+    run.Print("%d", tooLarge);
+    run.Expect(tooLarge == 0, "never above");
+    run.Expect(positive > 300, "positive where there is room");
+    run.Expect(aboveUnlessOctagon > 300, "and the octagons' distance would be");
 }

@@ -9,200 +9,181 @@
 
 using namespace forked;
 
-TEST_CASE("fixtures A and B may change places between two contacts of one body pair") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run);
-        // The second plank lies three beside its body's origin, so that no symmetry hides a mix-up.
-        b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, -2.2f);
-        constexpr int kAll = Game::kPlankPieces, kHalf = kAll / 2;
-        game.Plank(a, {0.0f, 0.0f}, 0, kHalf);
-        game.Plank(b, {0.0f, 3.0f});
-        game.Plank(a, {0.0f, 0.0f}, kHalf, kAll);
-        b->SetLinearVelocity(Slanted(0.0f, -1.0f));
-        game.Step(3);
-        int first[2] = {0, 0};
-        for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-            ++first[c->GetFixtureA()->GetBody() == b];
-        game.Stage(first[0] > 0 && first[1] > 0, "both orders");
-        game.StagePairs();
-        game.Step(45);
-        game.Stage(game.Touching() > 1, "a collision");
-        game.Step(40);
-    });
+SAME_AS_STOCK("fixtures A and B may change places between two contacts of one body pair") {
+    Game game(run);
+    // The second plank lies three beside its body's origin, so that no symmetry hides a mix-up.
+    b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, -2.2f);
+    constexpr int kAll = Game::kPlankPieces, kHalf = kAll / 2;
+    game.Plank(a, {0.0f, 0.0f}, 0, kHalf);
+    game.Plank(b, {0.0f, 3.0f});
+    game.Plank(a, {0.0f, 0.0f}, kHalf, kAll);
+    b->SetLinearVelocity(Slanted(0.0f, -1.0f));
+    game.Step(3);
+    int first[2] = {0, 0};
+    for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+        ++first[c->GetFixtureA()->GetBody() == b];
+    game.Stage(first[0] > 0 && first[1] > 0, "both orders");
+    game.StagePairs();
+    game.Step(45);
+    game.Stage(game.Touching() > 1, "a collision");
+    game.Step(40);
 }
 
-TEST_CASE("a fixture that is added outside the hull collides at once") {
-    CheckSameAsStock([](Run &run) {
+SAME_AS_STOCK("a fixture that is added outside the hull collides at once") {
+    Game game(run);
+    TwoPlanks planks(game, 0.6f);
+    const uint64_t before = bmr::internal::ReadCounts().hulls;
+    game.Box(planks.b, 0.1f, 0.1f, {-1.0f, -0.6f});
+    game.Step();
+    run.Expect(!run.Counts() || bmr::internal::ReadCounts().hulls > before, "the hull is built anew");
+    game.Stage(game.Touching() >= 1, "a collision");
+    game.Step(20);
+}
+
+SAME_AS_STOCK("remembered edges are counted where they are asked, and nowhere else") {
+    Game game(run);
+    b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, 0.6f);
+    game.Box(a, 2.0f, 0.1f);
+    game.Box(b, 2.0f, 0.1f);
+    game.Step(5);
+    game.Stage(game.world.GetContactCount() == 1 && game.Touching() == 0, "a contact, apart");
+    const bmr::Counted s = bmr::internal::ReadCounts();
+    run.Expect(!run.Counts() || s.provedApart == 5, "it is answered in each step");
+    run.Expect(!run.Counts() || s.edgeChecks == (run.RemembersEdges() ? s.provedApart : 0),
+               "by an edge, if any");
+}
+
+SAME_AS_STOCK("a new fixture at the address of an old one is not the old one") {
+    Game game(run);
+    TwoPlanks planks(game, 0.6f);
+    b2Fixture *old = planks.b->GetFixtureList(); // the newest: the right end
+    planks.b->DestroyFixture(old);
+    b2Fixture *made = game.Box(planks.b, 0.1f, 0.7f, {1.0f, 0.0f});
+    game.Stage(made == old, "the same address");
+    game.Step();
+    game.Stage(game.Touching() >= 1, "a collision");
+    game.Step(20);
+}
+
+SAME_AS_STOCK("a hull that two pairs share is forgotten by both when it grows") {
+    Game game(run);
+    b2Body *bodies[3];
+    for (int i = 0; i < 3; ++i) {
+        bodies[i] = Slanting(game, 0.6f * static_cast<float>(i - 1));
+        game.Plank(bodies[i]);
+    }
+    game.Step(5);
+    game.Stage(game.world.GetContactCount() >= 4 && game.Touching() == 0, "two pairs, apart");
+    game.StagePairs();
+    game.Box(bodies[1], 0.1f, 0.8f, {-1.0f, 0.0f});
+    game.Step();
+    game.Stage(game.Touching() >= 2, "a collision on either side");
+    game.Step(20);
+}
+
+SAME_AS_STOCK("a sensor's polygon does not enter its body's hull") {
+    Game game(run);
+    b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, 0.6f);
+    game.Plank(a);
+    b2PolygonShape wide;
+    wide.SetAsBox(5.0f, 5.0f);
+    game.Fixture(b, wide, true);
+    game.Plank(b);
+    b->SetLinearVelocity(Slanted(0.01f, 0.0f));
+    game.Step(100);
+    const bmr::Counted s = bmr::internal::ReadCounts();
+    if (run.Counts() && run.RemembersEdges())
+        run.Expect(s.provedApart > 4 * s.edgeChecks, "the body pair answers for the planks");
+}
+
+SAME_AS_STOCK("the hull of a level does not swallow what is inside") {
+    Game game(run);
+    b2Body *level = game.Body(b2_staticBody, {0.0f, 0.0f}, kSlant);
+    for (const float side : {-4.0f, 4.0f}) {
+        game.Box(level, 8.0f, 0.1f, {0.0f, side});
+        game.Box(level, 0.1f, 8.0f, {side, 0.0f});
+    }
+    b2Body *plank = Slanting(game, -3.5f);
+    game.Plank(plank);
+    plank->SetLinearVelocity(Slanted(0.01f, 0.0f));
+    game.Step(100);
+    const bmr::Counted s = bmr::internal::ReadCounts();
+    game.Stage(game.world.GetContactCount() >= 2, "contacts with the level");
+    if (run.Counts() && run.RemembersEdges())
+        run.Expect(s.provedApart > 4 * s.edgeChecks, "the pair of wall and plank answers");
+    plank->SetLinearVelocity(Slanted(0.1f, -1.0f));
+    game.Step(60);
+    game.Stage(game.Touching() > 0, "a collision with the level");
+}
+
+SAME_AS_STOCK(
+    "no structure vouches for a body that is far from its own origin, be it the first or the second") {
+    constexpr float kFar = 3000.0f;
+    for (const bool farFirst : {false, true}) {
         Game game(run);
-        TwoPlanks planks(game, 0.6f);
-        const uint64_t before = bmr::internal::ReadCounts().hulls;
-        game.Box(planks.b, 0.1f, 0.1f, {-1.0f, -0.6f});
+        for (const bool far : {farFirst, !farFirst})
+            game.Plank(Slanting(game, far ? kFar + 0.6f : 0.0f, far ? b2_kinematicBody : b2_dynamicBody),
+                       {0.0f, far ? -kFar : 0.0f});
+        game.Step(2);
+        game.Stage(game.world.GetContactCount() >= 2 && game.Touching() == 0, "contacts, apart");
+        int vouched = 0;
+        for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+            vouched += run.HasPlugin() && bmr::Inspect(*c).structure != nullptr;
+        run.Expect(vouched == 0, "edges at most");
+    }
+}
+
+SAME_AS_STOCK("teleports of either body are noticed") {
+    Game game(run);
+    TwoPlanks planks(game, 0.6f);
+    const auto rest = [&planks] {
+        for (b2Body *body : {planks.a, planks.b}) {
+            body->SetLinearVelocity({0.0f, 0.0f});
+            body->SetAngularVelocity(0.0f);
+            body->SetTransform(Slanted(0.0f, body == planks.a ? 0.0f : 0.6f), kSlant);
+        }
+    };
+    for (int i = 0; i < 3; ++i) {
+        Place(planks.b, Slanted(0.0f, 0.15f)); // A stays
         game.Step();
-        run.Expect(!run.Counts() || bmr::internal::ReadCounts().hulls > before, "the hull is built anew");
-        game.Stage(game.Touching() >= 1, "a collision");
-        game.Step(20);
-    });
-}
-
-TEST_CASE("remembered edges are counted where they are asked, and nowhere else") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run);
-        b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, 0.6f);
-        game.Box(a, 2.0f, 0.1f);
-        game.Box(b, 2.0f, 0.1f);
-        game.Step(5);
-        game.Stage(game.world.GetContactCount() == 1 && game.Touching() == 0, "a contact, apart");
-        const bmr::Counted s = bmr::internal::ReadCounts();
-        run.Expect(!run.Counts() || s.provedApart == 5, "it is answered in each step");
-        run.Expect(!run.Counts() || s.edgeChecks == (run.RemembersEdges() ? s.provedApart : 0),
-                   "by an edge, if any");
-    });
-}
-
-TEST_CASE("a new fixture at the address of an old one is not the old one") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run);
-        TwoPlanks planks(game, 0.6f);
-        b2Fixture *old = planks.b->GetFixtureList(); // the newest: the right end
-        planks.b->DestroyFixture(old);
-        b2Fixture *made = game.Box(planks.b, 0.1f, 0.7f, {1.0f, 0.0f});
-        game.Stage(made == old, "the same address");
+        game.Stage(game.Touching() > 0, "B came");
+        rest();
+        game.Step(2);
+        game.Stage(game.Touching() == 0, "apart again");
+        Place(planks.a, Slanted(0.0f, 0.45f)); // B stays
         game.Step();
-        game.Stage(game.Touching() >= 1, "a collision");
-        game.Step(20);
-    });
+        game.Stage(game.Touching() > 0, "A came");
+        rest();
+        planks.a->SetTransform(Slanted(0.0f, -0.1f), kSlant + 0.001f);
+        planks.b->SetTransform(Slanted(0.1f, 0.5f), kSlant);
+        game.Step(2);
+        planks.b->SetTransform(Slanted(0.1f, 0.5f), -kSlant); // across
+        game.Step(2);
+        planks.b->SetTransform(Slanted(500.0f, 0.5f), -kSlant); // and back before anybody looks
+        rest();
+        game.Step(2);
+    }
 }
 
-TEST_CASE("a hull that two pairs share is forgotten by both when it grows") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run);
-        b2Body *bodies[3];
-        for (int i = 0; i < 3; ++i) {
-            bodies[i] = Slanting(game, 0.6f * static_cast<float>(i - 1));
-            game.Plank(bodies[i]);
+SAME_AS_STOCK("bullets and sub-steps move bodies in the middle of a step") {
+    for (const bool subStepping : {false, true}) {
+        Game game(run, {0.0f, -10.0f});
+        game.world.SetSubStepping(subStepping);
+        b2Body *wall = game.Body(b2_staticBody, {0.0f, 0.0f}, 0.1f);
+        for (int i = -4; i <= 4; ++i)
+            game.Box(wall, 0.05f, 0.45f, {0.02f * static_cast<float>(i), static_cast<float>(i)});
+        b2Body *hanging = game.Body(b2_dynamicBody, {-0.5f, 1.0f}, 0.3f);
+        game.Plank(hanging);
+        for (int i = 0; i < 6; ++i) {
+            b2Body *bullet =
+                game.Body(b2_dynamicBody, {8.0f + 0.3f * static_cast<float>(i), static_cast<float>(i) - 2.0f},
+                          0.4f * static_cast<float>(i));
+            game.Box(bullet, 0.2f, 0.1f, {0.1f, 0.0f});
+            game.Box(bullet, 0.1f, 0.2f, {-0.1f, 0.0f});
+            bullet->SetBullet(true);
+            bullet->SetLinearVelocity({-80.0f, 3.0f});
+            bullet->SetAngularVelocity(20.0f);
         }
-        game.Step(5);
-        game.Stage(game.world.GetContactCount() >= 4 && game.Touching() == 0, "two pairs, apart");
-        game.StagePairs();
-        game.Box(bodies[1], 0.1f, 0.8f, {-1.0f, 0.0f});
-        game.Step();
-        game.Stage(game.Touching() >= 2, "a collision on either side");
-        game.Step(20);
-    });
-}
-
-TEST_CASE("a sensor's polygon does not enter its body's hull") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run);
-        b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, 0.6f);
-        game.Plank(a);
-        b2PolygonShape wide;
-        wide.SetAsBox(5.0f, 5.0f);
-        game.Fixture(b, wide, true);
-        game.Plank(b);
-        b->SetLinearVelocity(Slanted(0.01f, 0.0f));
-        game.Step(100);
-        const bmr::Counted s = bmr::internal::ReadCounts();
-        if (run.Counts() && run.RemembersEdges())
-            run.Expect(s.provedApart > 4 * s.edgeChecks, "the body pair answers for the planks");
-    });
-}
-
-TEST_CASE("the hull of a level does not swallow what is inside") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run);
-        b2Body *level = game.Body(b2_staticBody, {0.0f, 0.0f}, kSlant);
-        for (const float side : {-4.0f, 4.0f}) {
-            game.Box(level, 8.0f, 0.1f, {0.0f, side});
-            game.Box(level, 0.1f, 8.0f, {side, 0.0f});
-        }
-        b2Body *plank = Slanting(game, -3.5f);
-        game.Plank(plank);
-        plank->SetLinearVelocity(Slanted(0.01f, 0.0f));
-        game.Step(100);
-        const bmr::Counted s = bmr::internal::ReadCounts();
-        game.Stage(game.world.GetContactCount() >= 2, "contacts with the level");
-        if (run.Counts() && run.RemembersEdges())
-            run.Expect(s.provedApart > 4 * s.edgeChecks, "the pair of wall and plank answers");
-        plank->SetLinearVelocity(Slanted(0.1f, -1.0f));
-        game.Step(60);
-        game.Stage(game.Touching() > 0, "a collision with the level");
-    });
-}
-
-TEST_CASE("no structure vouches for a body that is far from its own origin, be it the first or the second") {
-    CheckSameAsStock([](Run &run) {
-        constexpr float kFar = 3000.0f;
-        for (const bool farFirst : {false, true}) {
-            Game game(run);
-            for (const bool far : {farFirst, !farFirst})
-                game.Plank(Slanting(game, far ? kFar + 0.6f : 0.0f, far ? b2_kinematicBody : b2_dynamicBody),
-                           {0.0f, far ? -kFar : 0.0f});
-            game.Step(2);
-            game.Stage(game.world.GetContactCount() >= 2 && game.Touching() == 0, "contacts, apart");
-            int vouched = 0;
-            for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-                vouched += run.HasPlugin() && bmr::Inspect(*c).structure != nullptr;
-            run.Expect(vouched == 0, "edges at most");
-        }
-    });
-}
-
-TEST_CASE("teleports of either body are noticed") {
-    CheckSameAsStock([](Run &run) {
-        Game game(run);
-        TwoPlanks planks(game, 0.6f);
-        const auto rest = [&planks] {
-            for (b2Body *body : {planks.a, planks.b}) {
-                body->SetLinearVelocity({0.0f, 0.0f});
-                body->SetAngularVelocity(0.0f);
-                body->SetTransform(Slanted(0.0f, body == planks.a ? 0.0f : 0.6f), kSlant);
-            }
-        };
-        for (int i = 0; i < 3; ++i) {
-            Place(planks.b, Slanted(0.0f, 0.15f)); // A stays
-            game.Step();
-            game.Stage(game.Touching() > 0, "B came");
-            rest();
-            game.Step(2);
-            game.Stage(game.Touching() == 0, "apart again");
-            Place(planks.a, Slanted(0.0f, 0.45f)); // B stays
-            game.Step();
-            game.Stage(game.Touching() > 0, "A came");
-            rest();
-            planks.a->SetTransform(Slanted(0.0f, -0.1f), kSlant + 0.001f);
-            planks.b->SetTransform(Slanted(0.1f, 0.5f), kSlant);
-            game.Step(2);
-            planks.b->SetTransform(Slanted(0.1f, 0.5f), -kSlant); // across
-            game.Step(2);
-            planks.b->SetTransform(Slanted(500.0f, 0.5f), -kSlant); // and back before anybody looks
-            rest();
-            game.Step(2);
-        }
-    });
-}
-
-TEST_CASE("bullets and sub-steps move bodies in the middle of a step") {
-    CheckSameAsStock([](Run &run) {
-        for (const bool subStepping : {false, true}) {
-            Game game(run, {0.0f, -10.0f});
-            game.world.SetSubStepping(subStepping);
-            b2Body *wall = game.Body(b2_staticBody, {0.0f, 0.0f}, 0.1f);
-            for (int i = -4; i <= 4; ++i)
-                game.Box(wall, 0.05f, 0.45f, {0.02f * static_cast<float>(i), static_cast<float>(i)});
-            b2Body *hanging = game.Body(b2_dynamicBody, {-0.5f, 1.0f}, 0.3f);
-            game.Plank(hanging);
-            for (int i = 0; i < 6; ++i) {
-                b2Body *bullet = game.Body(
-                    b2_dynamicBody, {8.0f + 0.3f * static_cast<float>(i), static_cast<float>(i) - 2.0f},
-                    0.4f * static_cast<float>(i));
-                game.Box(bullet, 0.2f, 0.1f, {0.1f, 0.0f});
-                game.Box(bullet, 0.1f, 0.2f, {-0.1f, 0.0f});
-                bullet->SetBullet(true);
-                bullet->SetLinearVelocity({-80.0f, 3.0f});
-                bullet->SetAngularVelocity(20.0f);
-            }
-            game.Step(subStepping ? 90 : 60);
-        }
-    });
+        game.Step(subStepping ? 90 : 60);
+    }
 }

@@ -271,4 +271,13 @@ inline void AsStock(const Play &play, bool mustAnswer = true, bool modest = fals
 
 } // namespace as_stock
 
+/// A test case that is one game: AS_STOCK("name") { Game game(run); ... }
+#define AS_STOCK_OF(play, name)                                                                              \
+    static void play(forked::Run &run);                                                                      \
+    TEST_CASE(name) {                                                                                        \
+        as_stock::AsStock(play);                                                                             \
+    }                                                                                                        \
+    static void play(forked::Run &run)
+#define AS_STOCK(name) AS_STOCK_OF(DOCTEST_ANONYMOUS(game_), name)
+
 #endif

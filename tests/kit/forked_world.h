@@ -334,4 +334,13 @@ inline void CheckSameAsStock(const Scenario &scenario, When when = When::kBefore
 
 } // namespace forked
 
+/// A test case that is one scenario: SAME_AS_STOCK("name") { Game game(run); ... }
+#define SAME_AS_STOCK_OF(scenario, name)                                                                     \
+    static void scenario(forked::Run &run);                                                                  \
+    TEST_CASE(name) {                                                                                        \
+        forked::CheckSameAsStock(scenario);                                                                  \
+    }                                                                                                        \
+    static void scenario(forked::Run &run)
+#define SAME_AS_STOCK(name) SAME_AS_STOCK_OF(DOCTEST_ANONYMOUS(scenario_), name)
+
 #endif
