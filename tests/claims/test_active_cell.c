@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <inttypes.h>
-#include <string.h>
 
 #include "checks.h"
-#include <math.h>
-
 #include "kds_driver.h"
 #include "motions.h"
 #include "structure_named.h"
@@ -13,7 +10,6 @@
 /// @file
 /// The structures on the mixed hierarchy, driven event by event and audited by brute force.
 
-#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 #define TWO_PI 6.283185307179586
 static const char *const names[] = {"active-cell-compass", "active-cell-dudley", "tiling-compass",
                                     "tiling-dudley"};
@@ -61,7 +57,7 @@ static void count_event(void *context, const test_drive_event *event) {
 
 /// One random pair on one random path; a control at its end.
 static void drive_one(const char *name, bool rotates, test_random *random, totals *t) {
-    test_kds_body a = random_body(random), b = random_body(random);
+    own_kds_body a = random_body(random), b = random_body(random);
     const double size = a.polygon->radius + b.polygon->radius;
     const double gap = size * exp(test_random_uniform(random, log(1e-5), log(0.3)));
     const test_path_kind kind = (test_path_kind)test_random_below(random, TEST_PATH_KIND_COUNT);
@@ -69,7 +65,7 @@ static void drive_one(const char *name, bool rotates, test_random *random, total
     if (!rotates && test_random_below(random, 3) == 0)
         path.angle = 0.0; // aligned hierarchies
     const double margin = test_random_below(random, 4) == 0 ? 1e-3 : 1e-6;
-    bmr_kds *kds = made(name, &a, &b, margin);
+    own_kds *kds = made(name, &a, &b, margin);
     const test_drive drive = {.path = &path, .margin = margin, .on_event = count_event, .context = t};
     const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &drive);
     if (!test_drive_is_sound(&result))
@@ -86,9 +82,6 @@ static void drive_one(const char *name, bool rotates, test_random *random, total
         through.position = bmr_sub(a.polygon->vertices[0], bmr_rotate(&through, b.polygon->vertices[0]));
         assert_int_not_equal(bmr_kds_audit(kds, &through), BMR_OK);
     }
-    bmr_kds_destroy(kds, NULL);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
 }
 
 static void drive_all(bool rotates, size_t rounds, uint64_t seed) {
@@ -128,11 +121,11 @@ TEST(aligned_bodies_on_aligned_ways_are_no_trap) {
     static const test_family families[] = {TEST_BOX, TEST_OCTAGON, TEST_GRID, TEST_PARALLEL, TEST_TURNED_BOX};
     test_random random = {505};
     for (size_t round = 0; round < test_scaled(120); ++round) {
-        test_kds_body a = test_kds_body_make(test_polygon(families[round % COUNT_OF(families)], 12, &random));
-        test_kds_body b = test_random_below(&random, 3) == 0
-                              ? test_kds_point_make(0.0, 0.0)
-                              : test_kds_body_make(test_polygon(
-                                    families[test_random_below(&random, COUNT_OF(families))], 12, &random));
+        own_kds_body a = test_kds_body_make(test_polygon(families[round % COUNT_OF(families)], 12, &random));
+        own_kds_body b = test_random_below(&random, 3) == 0
+                             ? test_kds_point_make(0.0, 0.0)
+                             : test_kds_body_make(test_polygon(
+                                   families[test_random_below(&random, COUNT_OF(families))], 12, &random));
         const double size = 2.0 * (a.polygon->extent + b.polygon->extent);
         test_path path;
         memset(&path, 0, sizeof path);
@@ -144,13 +137,10 @@ TEST(aligned_bodies_on_aligned_ways_are_no_trap) {
         *(upright ? &path.cubic[0].y : &path.cubic[0].x) -= size;
         *(upright ? &path.cubic[1].y : &path.cubic[1].x) = 2.0 * size;
         const char *name = names[round % COUNT_OF(names)];
-        bmr_kds *kds = made(name, &a, &b, 1e-6);
+        own_kds *kds = made(name, &a, &b, 1e-6);
         const test_drive drive = {.path = &path};
         const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &drive);
         assert_true(test_drive_is_sound(&result));
-        bmr_kds_destroy(kds, NULL);
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
     }
 }
 
@@ -170,10 +160,10 @@ TEST(a_repair_after_any_jump_leads_to_the_right_cell) {
     test_random random = {507};
     size_t repairs = 0, failed_before = 0;
     for (size_t round = 0; round < test_scaled(60); ++round) {
-        test_kds_body a = random_body(&random), b = random_body(&random);
+        own_kds_body a = random_body(&random), b = random_body(&random);
         test_motion motion = test_motion_make((test_motion_kind)(round % TEST_MOTION_KIND_COUNT), a.polygon,
                                               b.polygon, &random);
-        bmr_kds *kds = made(names[round / TEST_MOTION_KIND_COUNT % 2], &a, &b, 1e-6);
+        own_kds *kds = made(names[round / TEST_MOTION_KIND_COUNT % 2], &a, &b, 1e-6);
         bmr_kds_report report;
         for (int step = 0; step < 200; ++step) {
             const bmr_instant now = {test_motion_next(&motion, &random), {0.0, 0.0}, 0.0};
@@ -190,9 +180,6 @@ TEST(a_repair_after_any_jump_leads_to_the_right_cell) {
                 assert_true(first_failed(kds, &now.pose) == SIZE_MAX);
             assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
         }
-        bmr_kds_destroy(kds, NULL);
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
     }
     assert_true(repairs > 0 && failed_before > repairs / 2);
 }
@@ -223,14 +210,14 @@ TEST(a_border_crossed_at_any_angle_is_crossed) {
     test_random random = {513};
     size_t crossed = 0, grown = 0;
     for (size_t round = 0; round < test_scaled(400); ++round) {
-        test_kds_body a = random_body(&random), b = random_body(&random);
+        own_kds_body a = random_body(&random), b = random_body(&random);
         const double size = a.polygon->radius + b.polygon->radius;
         const double gap = size * exp(test_random_uniform(&random, log(1e-4), log(0.2)));
         const double extents = a.polygon->extent + b.polygon->extent;
         const bmr_pose at = test_pose_at(a.polygon, b.polygon, test_random_uniform(&random, 0.0, TWO_PI),
                                          test_random_uniform(&random, 0.0, TWO_PI), gap);
         for (size_t i = 0; i < 4; ++i) {
-            bmr_kds *kds = made(names[round % COUNT_OF(names)], &a, &b, 1e-6);
+            own_kds *kds = made(names[round % COUNT_OF(names)], &a, &b, 1e-6);
             bmr_instant now = {at, {0.0, 0.0}, 0.0};
             bmr_kds_report report;
             bmr_kds_start(kds, &now, &report);
@@ -252,10 +239,7 @@ TEST(a_border_crossed_at_any_angle_is_crossed) {
                 assert_true(!report.apart || !test_waits_for(kds, &conditions[i]));
                 ++crossed;
             }
-            bmr_kds_destroy(kds, NULL);
         }
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
     }
     printf("%zu borders crossed\n", crossed);
     assert_true(crossed > test_scaled(400) && grown > crossed / 2);

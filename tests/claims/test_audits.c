@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Audits see what is wrong in a state, each promise by itself: what is damaged here is damaged nowhere else.
-#include <math.h>
-#include <string.h>
-
-#include "checks.h"
-
 #include "boomerang/pair.h"
+#include "checks.h"
 #include "kds/point.h"
 #include "kds/structure.h"
 #include "kds/windowed_line.h"
@@ -46,6 +42,8 @@ static void stage_destroy(stage *s) {
     test_kds_body_destroy(&s->a);
     test_kds_body_destroy(&s->b);
 }
+#define own_stage OWNED(stage_destroy) stage
+
 static void assert_refused(const stage *s) {
     assert_int_equal(bmr_kds_audit(s->kds, &s->now.pose), BMR_ERROR_INVALID_STRUCTURE);
 }
@@ -59,7 +57,7 @@ typedef struct lazy_begin {
 } lazy_begin;
 
 TEST(the_edge_and_the_corner_of_a_lazy_structure_are_of_its_level) {
-    stage s = stage_of("lazy-dudley", regular(64), regular(64), 1e-3);
+    own_stage s = stage_of("lazy-dudley", regular(64), regular(64), 1e-3);
     lazy_begin *lazy = (lazy_begin *)(void *)s.kds->state;
     const lazy_begin right = *lazy;
     const bmr_hierarchy *h = s.a.hierarchies[BMR_HIERARCHY_DUDLEY];
@@ -75,15 +73,14 @@ TEST(the_edge_and_the_corner_of_a_lazy_structure_are_of_its_level) {
     assert_refused(&s);
     *lazy = right;
     assert_int_equal(bmr_kds_audit(s.kds, &s.now.pose), BMR_OK);
-    stage_destroy(&s);
 }
 
 /// Below the deepest level there is none to begin with: the deepest is all.
 TEST(an_inflation_may_begin_below_both_hierarchies) {
-    test_kds_body a = regular(24), b = regular(16);
+    own_kds_body a = regular(24), b = regular(16);
     bmr_kds_def def = bmr_default_kds_def();
     def.root_level = 50;
-    bmr_kds *kds = NULL;
+    own_kds *kds = NULL;
     assert_int_equal(
         bmr_kds_create(test_structure("inflated-translation"), &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
     const bmr_instant now = {test_pose_at(a.polygon, b.polygon, 0.3, 0.5, 0.2), {0.0, 0.0}, 0.0};
@@ -91,13 +88,10 @@ TEST(an_inflation_may_begin_below_both_hierarchies) {
     bmr_kds_start(kds, &now, &report);
     assert_true(report.apart);
     assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
-    bmr_kds_destroy(kds, NULL);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
 }
 
 TEST(the_edge_of_a_triangle_is_one_of_the_hierarchy) {
-    stage s = stage_of("triangle-levels-dudley", regular(64), test_kds_point_make(0.125, 0.0), 0.1);
+    own_stage s = stage_of("triangle-levels-dudley", regular(64), test_kds_point_make(0.125, 0.0), 0.1);
     bmr_point_state *point = bmr_point_get(s.kds);
     const bmr_edge right = point->edge;
     assert_true(right != BMR_NO_EDGE);
@@ -109,7 +103,6 @@ TEST(the_edge_of_a_triangle_is_one_of_the_hierarchy) {
     }
     assert_true(refused > 32);
     point->edge = right;
-    stage_destroy(&s);
 }
 
 /// How the state of the separating edge begins.
@@ -121,7 +114,7 @@ typedef struct edge_begin {
 } edge_begin;
 
 TEST(the_separating_edge_has_its_own_line_and_the_nearest_vertex) {
-    stage s = stage_of("separating-edge", regular(16), regular(16), 0.2);
+    own_stage s = stage_of("separating-edge", regular(16), regular(16), 0.2);
     edge_begin *e = (edge_begin *)(void *)s.kds->state;
     assert_true(e->is_edge);
     const edge_begin right = *e;
@@ -132,12 +125,11 @@ TEST(the_separating_edge_has_its_own_line_and_the_nearest_vertex) {
     assert_refused(&s);
     *e = right;
     assert_int_equal(bmr_kds_audit(s.kds, &s.now.pose), BMR_OK);
-    stage_destroy(&s);
 }
 
 /// Between the ends of a bracket, where two points of the window tie, a vertex between them is farther.
 TEST(a_window_bounds_in_the_middle_of_its_bracket_too) {
-    stage s = stage_of("free-fd1", regular(16), regular(16), 0.2);
+    own_stage s = stage_of("free-fd1", regular(16), regular(16), 0.2);
     bmr_windowed_line *w = (bmr_windowed_line *)(void *)s.kds->state;
     const int other = 1 - w->owner;
     const bmr_polygon *p = s.kds->shapes[other].polygon;
@@ -157,7 +149,6 @@ TEST(a_window_bounds_in_the_middle_of_its_bracket_too) {
     // Without a bracket the window must be all vertices.
     w->low = w->high = bmr_vec2_make(0.0, 0.0);
     assert_refused(&s);
-    stage_destroy(&s);
 }
 
 /// A sum has as many vertices as both, and its block is made for all of them: what could not be is refused at
@@ -166,9 +157,9 @@ TEST(sums_that_are_too_large_are_refused) {
     const bmr_kds_def def = bmr_default_kds_def();
     const bmr_kds_info *info = test_structure("sum-triangle-dudley");
     test_random random = {1};
-    bmr_polygon *many = test_polygon(TEST_REGULAR, BMR_MAX_VERTICES / 2 + 1, &random);
+    own_polygon *many = test_polygon(TEST_REGULAR, BMR_MAX_VERTICES / 2 + 1, &random);
     const bmr_vec2 far[] = {{0.75 * BMR_MAX_COORDINATE, 0.0}, {0.0, 0.75 * BMR_MAX_COORDINATE}, {0.0, 0.0}};
-    bmr_polygon *large = NULL;
+    own_polygon *large = NULL;
     assert_int_equal(bmr_polygon_create(far, 3, NULL, &large), BMR_OK);
     for (int k = 0; k < 2; ++k) {
         bmr_shape shape;
@@ -178,8 +169,6 @@ TEST(sums_that_are_too_large_are_refused) {
         assert_int_equal(bmr_kds_create(info, &def, &shape, &shape, NULL, &kds), BMR_ERROR_OUT_OF_RANGE);
         assert_null(kds);
     }
-    bmr_polygon_destroy(many, NULL);
-    bmr_polygon_destroy(large, NULL);
 }
 
 /// Nothing has failed, and nothing is repaired: the state stays as it was, to the bit.
@@ -187,7 +176,7 @@ TEST(an_early_repair_of_a_windowed_line_changes_nothing) {
     static const char *const names[] = {"free-fd1",  "free-fd2", "free-fdx",
                                         "free-fdxa", "predict",  "inflated-translation"};
     for (size_t k = 0; k < sizeof names / sizeof *names; ++k) {
-        stage s = stage_of(names[k], regular(24), regular(16), 0.2);
+        own_stage s = stage_of(names[k], regular(24), regular(16), 0.2);
         const size_t bytes = bmr_kds_bytes(s.kds);
         unsigned char before[4096];
         assert_true(bytes <= sizeof before);
@@ -204,13 +193,13 @@ TEST(an_early_repair_of_a_windowed_line_changes_nothing) {
             assert_true(report.apart);
             assert_int_equal(bmr_kds_audit(s.kds, &s.now.pose), BMR_OK);
         }
-        stage_destroy(&s);
     }
 }
 
 TEST(a_pair_is_audited_field_by_field) {
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
         test_random random = {3};
+        OWNED(test_body_destroy)
         test_body a = test_body_make(test_polygon(TEST_ELLIPSE, 40, &random), (bmr_structure)structure),
                   b = test_body_make(test_polygon(TEST_ELLIPSE, 40, &random), (bmr_structure)structure);
         const bmr_shape shape_a = test_body_shape(&a), shape_b = test_body_shape(&b);
@@ -241,14 +230,13 @@ TEST(a_pair_is_audited_field_by_field) {
             assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &bare, &near),
                              BMR_ERROR_INVALID_STRUCTURE);
         }
-        test_body_destroy(&a);
-        test_body_destroy(&b);
     }
 }
 
 /// Without hierarchies the lazy structures have nothing to walk on: the pair is a free direction.
 TEST(a_lazy_pair_without_hierarchies_is_audited_as_a_free_direction) {
     test_random random = {3};
+    OWNED(test_body_destroy)
     test_body a = test_body_make(test_polygon(TEST_ELLIPSE, 40, &random), BMR_FREE_DIRECTION);
     const bmr_shape shape = test_body_shape(&a);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind)
@@ -264,12 +252,11 @@ TEST(a_lazy_pair_without_hierarchies_is_audited_as_a_free_direction) {
     assert_int_equal(bmr_pair_audit(&pair, &def, &shape, &shape, &near), BMR_OK);
     pair.structure = BMR_LAZY_DUDLEY;
     assert_int_equal(bmr_pair_audit(&pair, &def, &shape, &shape, &near), BMR_ERROR_INVALID_STRUCTURE);
-    test_body_destroy(&a);
 }
 
 TEST(a_certificate_whose_bracket_is_wider_than_half_a_turn_is_none) {
     test_random random = {3};
-    bmr_polygon *p = test_polygon(TEST_REGULAR, 8, &random);
+    own_polygon *p = test_polygon(TEST_REGULAR, 8, &random);
     const bmr_pose right = {{4.0, 0.0}, 1.0, 0.0};
     bmr_certificate k;
     memset(&k, 0, sizeof k);
@@ -283,7 +270,6 @@ TEST(a_certificate_whose_bracket_is_wider_than_half_a_turn_is_none) {
     double gap;
     assert_int_not_equal(bmr_certificate_check(&k, &right, 0.0, &gap), BMR_CHECK_ROLLED);
     assert_int_equal(bmr_certificate_audit(&k, p, p, &right), BMR_ERROR_FALSE_CERTIFICATE);
-    bmr_polygon_destroy(p, NULL);
 }
 
 TEST(a_polygon_beyond_the_range_is_refused) {

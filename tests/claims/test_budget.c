@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-
 #include "checks.h"
 #include <float.h>
-#include <math.h>
 
 #include "boomerang/budget.h"
 

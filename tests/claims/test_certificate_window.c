@@ -2,11 +2,8 @@
 // What the rotational hysteresis of the free directions rests on (docs/open-question.md): a window's bracket
 // is as wide as the limit over the diameter, wherever the polygon's vertices lie, and costs no more than the
 // limit.
-#include <math.h>
-
-#include "checks.h"
-
 #include "certificate/window.h"
+#include "checks.h"
 #include "polygons.h"
 #include "test_scale.h"
 
@@ -82,7 +79,7 @@ static widths measure_many(void) {
     for (size_t round = 0; round < test_scaled(400); ++round)
         for (int family = 0; family < TEST_FAMILY_COUNT; ++family) {
             const size_t n = 5 + test_random_below(&random, 150);
-            bmr_polygon *p = test_polygon((test_family)family, n, &random);
+            own_polygon *p = test_polygon((test_family)family, n, &random);
             assert_non_null(p);
             // Now anywhere, now close to the normal of an edge, where the vertices crowd if they do.
             const bmr_vec2 normal = bmr_polygon_normal(p, test_random_below(&random, p->count));
@@ -92,7 +89,6 @@ static widths measure_many(void) {
             const double limit = diameter_of(p) * pow(10.0, test_random_uniform(&random, -4.0, 0.0));
             if (p->count > 4)
                 measure(p, bmr_rotate(&by, normal), limit, &w);
-            bmr_polygon_destroy(p, NULL);
         }
     return w;
 }
@@ -117,7 +113,7 @@ TEST(a_point_and_a_segment_stand_for_themselves_in_every_direction) {
     for (size_t n = 1; n <= 2; ++n)
         for (int lean = -1; lean <= 1; ++lean)
             for (int corners = 1; corners <= 2; ++corners) {
-                bmr_polygon *p = NULL;
+                own_polygon *p = NULL;
                 assert_int_equal(bmr_polygon_create(ends, n, NULL, &p), BMR_OK);
                 bmr_window w;
                 (corners == 1 ? bmr_window_make_one : bmr_window_make)(p, bmr_vec2_make(0.6, 0.8), 0, 0.1,
@@ -127,7 +123,6 @@ TEST(a_point_and_a_segment_stand_for_themselves_in_every_direction) {
                 for (size_t i = 0; i < n; ++i)
                     assert_true((w.corner[0].x == p->vertices[i].x && w.corner[0].y == p->vertices[i].y) ||
                                 (w.corner[1].x == p->vertices[i].x && w.corner[1].y == p->vertices[i].y));
-                bmr_polygon_destroy(p, NULL);
             }
 }
 
@@ -171,7 +166,7 @@ TEST(points_that_are_polygons_themselves_stand_in_the_window) {
                          y = size * test_random_uniform(&random, -1.0, 1.0);
             points[i] = i < near ? bmr_vec2_make(x, y) : bmr_vec2_make(x + far.x, y + far.y);
         }
-        bmr_polygon *p = NULL;
+        own_polygon *p = NULL;
         assert_int_equal(bmr_polygon_create(points, 12, NULL, &p), BMR_OK);
         for (uint32_t i = 0; p->count > 2 && i < p->count + 36; ++i) {
             const double angle = 10.0 * i * PI / 180.0;
@@ -180,7 +175,6 @@ TEST(points_that_are_polygons_themselves_stand_in_the_window) {
             for (int lean = -1; lean <= 1; ++lean)
                 assert_true(is_sound(p, d, lean, 1) && is_sound(p, d, lean, 2));
         }
-        bmr_polygon_destroy(p, NULL);
     }
 }
 
@@ -192,7 +186,7 @@ TEST(edges_that_are_one_up_to_rounding_cost_a_logarithm) {
     for (int i = -SIDE; i <= SIDE; ++i)
         points[i + SIDE] = bmr_vec2_make(i, -1e-300 * i * i);
     points[2 * SIDE + 1] = bmr_vec2_make(0.0, -SIDE);
-    bmr_polygon *p = NULL;
+    own_polygon *p = NULL;
     assert_int_equal(bmr_polygon_create(points, 2 * SIDE + 2, NULL, &p), BMR_OK);
     assert_int_equal(p->count, 2 * SIDE + 2);
     const bmr_vec2 up = {0.0, 1.0};
@@ -205,5 +199,4 @@ TEST(edges_that_are_one_up_to_rounding_cost_a_logarithm) {
         if (lean == 0)
             assert_true(fabs(w.corner[0].x - w.corner[1].x) >= 2 * SIDE);
     }
-    bmr_polygon_destroy(p, NULL);
 }

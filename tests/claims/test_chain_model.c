@@ -2,9 +2,6 @@
 // The chain of ratio 5 with thousands of edges, for which double has no room: the rules of
 // core/kds/two_lines.c on the numbers themselves, in long double. At t in [0, k] the point (t, 0) is 5^-t or
 // so above the chain.
-#include <math.h>
-#include <stdio.h>
-
 #include "checks.h"
 
 #define RATIO 5.0L

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the paper's table says of the events of structures of two polygons: a row each.
-#include <math.h>
-#include <stdlib.h>
-
 #include "checks.h"
-
 #include "kds_driver.h"
 #include "motions.h"
 #include "structure_named.h"
 
-#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 #define VERTICES 512
 /// Nearest and farthest separation, in decades of the diameter.
 #define NEAR 3
@@ -21,21 +16,18 @@ static double mean_events(const char *name, test_path_kind kind, bool rotates, i
     double events = 0.0;
     for (int seed = 1; seed <= seeds; ++seed) {
         test_random random = {(uint64_t)seed};
-        test_kds_body a = test_kds_body_make(test_polygon(TEST_REGULAR, VERTICES, &random));
-        test_kds_body b = test_kds_body_make(test_polygon(TEST_REGULAR, VERTICES, &random));
+        own_kds_body a = test_kds_body_make(test_polygon(TEST_REGULAR, VERTICES, &random));
+        own_kds_body b = test_kds_body_make(test_polygon(TEST_REGULAR, VERTICES, &random));
         bmr_kds_def def = bmr_default_kds_def();
         def.margin = 1e-7;
         const double gap = 2.0 * a.polygon->radius * pow(10.0, -decade);
         const test_path path = test_path_make(kind, a.polygon, b.polygon, gap, rotates, &random);
         const test_drive how = {.path = &path, .audit_every = 1000, .margin = def.margin};
-        bmr_kds *kds = NULL;
+        own_kds *kds = NULL;
         assert_int_equal(bmr_kds_create(test_structure(name), &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
         const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
         assert_true(test_drive_is_sound(&r));
         events += (double)test_drive_events(&r) / seeds;
-        bmr_kds_destroy(kds, NULL);
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
     }
     return events;
 }

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stdlib.h>
-#include <string.h>
-
 #include "checks.h"
-#include <math.h>
-
 #include "compass_fixture.h"
 #include "mixed_scene.h"
 #include "test_scale.h"
@@ -17,10 +12,10 @@
 
 static double cells_per_vertex(bmr_hierarchy_kind kind, test_family family, size_t n, size_t m, double angle,
                                test_random *random) {
-    scene s = scene_of(test_polygon(family, n, random), test_polygon(family, m, random), kind, angle, 0.0);
+    own_scene s =
+        scene_of(test_polygon(family, n, random), test_polygon(family, m, random), kind, angle, 0.0);
     const double ratio =
         (double)bmr_mixed_tiling_count(s.tiling) / (double)(s.polygons[0]->count + s.polygons[1]->count);
-    scene_destroy(&s);
     return ratio;
 }
 
@@ -61,7 +56,7 @@ TEST(a_cell_that_collapses_has_let_go_of_its_point_before) {
     size_t cells = 0;
     double widest = 0.0;
     for (size_t round = 0; round < test_scaled(40); ++round) {
-        scene s = random_scene(kinds[round % 2], 12, 12, &random);
+        own_scene s = random_scene(kinds[round % 2], 12, 12, &random);
         const double size = size_of(&s);
         for (uint32_t i = 0; i < bmr_mixed_tiling_count(s.tiling); ++i) {
             const bmr_mixed_cell *cell = bmr_mixed_tiling_cell(s.tiling, i);
@@ -99,7 +94,6 @@ TEST(a_cell_that_collapses_has_let_go_of_its_point_before) {
             widest = fmax(widest, width / size);
             ++cells;
         }
-        scene_destroy(&s);
     }
     printf("%zu parallelograms, the widest %.2f of the radii\n", cells, widest);
     assert_true(cells > 10 * test_scaled(40));
@@ -188,14 +182,13 @@ TEST(a_full_turn_has_one_page_turn_collapse_and_expansion_for_each_pair_of_edges
     test_random random = {409};
     for (size_t round = 0; round < test_scaled(8); ++round) {
         const size_t n = 3 + test_random_below(&random, 9), m = 3 + test_random_below(&random, 9);
-        scene s = scene_of(test_polygon(families[round / 2 % 4], n, &random),
-                           test_polygon(families[round / 2 % 4], m, &random), kinds[round % 2], 0.0, 0.0);
+        own_scene s = scene_of(test_polygon(families[round / 2 % 4], n, &random),
+                               test_polygon(families[round / 2 % 4], m, &random), kinds[round % 2], 0.0, 0.0);
         const size_t na = bmr_hierarchy_edge_count(s.hierarchies[0]),
                      nb = bmr_hierarchy_edge_count(s.hierarchies[1]);
         const changes all = turn_around(&s, 1.0), most = turn_around(&s, 0.9);
         assert_true(is_full_turn(&all, na, nb));
         assert_false(is_full_turn(&most, na, nb)); // control: no full turn
-        scene_destroy(&s);
     }
 }
 
@@ -253,9 +246,9 @@ TEST(tall_cells_are_few_and_a_line_meets_few_cells) {
         // Three at least: the controls need some lines.
         for (size_t round = 0; round < 3 || round < test_scaled(6); ++round) {
             const size_t n = 256;
-            scene s = scene_of(test_polygon(families[round % 3], n, &random),
-                               test_polygon(families[round / 2 % 3], n, &random), kinds[kind],
-                               some_angle(&random), 0.0);
+            own_scene s = scene_of(test_polygon(families[round % 3], n, &random),
+                                   test_polygon(families[round / 2 % 3], n, &random), kinds[kind],
+                                   some_angle(&random), 0.0);
             const double diameter = fmax(test_diameter(s.polygons[0]), test_diameter(s.polygons[1]));
             tall = fmax(tall, tall_cells(&s, diameter));
             small = fmax(small, tall_cells(&s, 0.01 * diameter));
@@ -277,7 +270,6 @@ TEST(tall_cells_are_few_and_a_line_meets_few_cells) {
                 cells += m.cells;
                 ++lines;
             }
-            scene_destroy(&s);
         }
         printf("%s: at most %.1f sqrt(D/s) cells of height >= s; a line at D/16 to D/65536 meets %.1f "
                "cells, at most %zu\n",

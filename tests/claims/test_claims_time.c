@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Theorem transpoly's other half: not how many events a translation has, but what each of them costs. A step
 // is a vertex, an edge, a node or a cell that is looked at (tests/steps shows that this is the time).
-#include <math.h>
-#include <stdlib.h>
-
 #include "checks.h"
-
 #include "kds_driver.h"
 #include "structure_named.h"
 #include "test_scale.h"
-
-#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 
 static const size_t sizes[] = {64, 2048, 32768};
 /// D/s is 2 to the power of these.
@@ -76,13 +70,12 @@ static void follow(const char *name, const pairs *made, size_t i, int power, uin
             test_path_make(kinds[k], a, b, 2.0 * a->radius * pow(2.0, -power), false, &random);
         const test_drive how = {
             .path = &path, .audit_every = 100000, .margin = def.margin, .on_event = weigh, .context = e};
-        bmr_kds *kds = NULL;
+        own_kds *kds = NULL;
         assert_int_equal(
             bmr_kds_create(test_structure(name), &def, &made->a[i].shape, &made->b[i].shape, NULL, &kds),
             BMR_OK);
         const test_drive_result r = test_drive_run(kds, a, b, &how);
         assert_true(test_drive_is_sound(&r));
-        bmr_kds_destroy(kds, NULL);
     }
 }
 

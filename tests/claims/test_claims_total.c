@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The total update time of the theorems: the elementary steps of all repairs of a whole motion (tests/steps
 // shows that these are the time), as a function of the separation and of the number of vertices.
-#include <math.h>
-#include <stdlib.h>
-
 #include "checks.h"
-
 #include "kds_driver.h"
 #include "motions.h"
 #include "structure_named.h"
 #include "test_scale.h"
 
-#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 #define VERTICES 1024
 /// Separations, in decades of the diameter: mu is below VERTICES at all of them.
 #define NEAR 3
@@ -35,23 +30,20 @@ static double total_steps(const char *name, test_path_kind kind, bool rotates, s
     total t = {0.0};
     for (size_t seed = 1; seed <= seeds; ++seed) {
         test_random random = {seed};
-        test_kds_body a = test_kds_body_make(test_polygon(TEST_REGULAR, n, &random));
-        test_kds_body b = info->domain == BMR_KDS_POINT
-                              ? test_kds_point_make(0.0, 0.0)
-                              : test_kds_body_make(test_polygon(TEST_REGULAR, n, &random));
+        own_kds_body a = test_kds_body_make(test_polygon(TEST_REGULAR, n, &random));
+        own_kds_body b = info->domain == BMR_KDS_POINT
+                             ? test_kds_point_make(0.0, 0.0)
+                             : test_kds_body_make(test_polygon(TEST_REGULAR, n, &random));
         bmr_kds_def def = bmr_default_kds_def();
         def.margin = 1e-8;
         const double gap = 2.0 * a.polygon->radius * pow(10.0, -decade);
         const test_path path = test_path_make(kind, a.polygon, b.polygon, gap, rotates, &random);
         const test_drive how = {
             .path = &path, .audit_every = 1000, .margin = def.margin, .on_event = add_steps, .context = &t};
-        bmr_kds *kds = NULL;
+        own_kds *kds = NULL;
         assert_int_equal(bmr_kds_create(info, &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
         const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
         assert_true(test_drive_is_sound(&r));
-        bmr_kds_destroy(kds, NULL);
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
     }
     return t.steps / (double)seeds;
 }

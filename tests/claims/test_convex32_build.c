@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Polygons of any size in float: how they are made, what of, and what is made of them.
-
 #include "checks.h"
 #include <float.h>
-#include <math.h>
-#include <stdlib.h>
 
 #include "convex32/convex32.h"
 #include "convex32/directions.h"
@@ -23,7 +20,7 @@ TEST(hulls_pass_the_audit_and_hold_every_point) {
         bmr_vec32 *points = malloc((n + 12) * sizeof *points);
         assert_non_null(points);
         const size_t count = random_points(&random, n, points);
-        bmr_convex32_block *block = NULL;
+        own_convex32 *block = NULL;
         if (bmr_convex32_create(points, count, NULL, &block) == BMR_OK) {
             const bmr_convex32 *p = &block->polygon;
             assert_int_equal(bmr_convex32_audit(p), BMR_OK);
@@ -49,14 +46,12 @@ TEST(hulls_pass_the_audit_and_hold_every_point) {
             assert_non_null(turned);
             for (uint32_t i = 0; i < p->count; ++i)
                 turned[i] = p->vertices[(first + i) % p->count];
-            bmr_convex32_block *raw = NULL;
+            own_convex32 *raw = NULL;
             assert_int_equal(bmr_convex32_create_raw(turned, p->count, NULL, &raw), BMR_OK);
             assert_memory_equal(raw->polygon.vertices, turned, p->count * sizeof *turned);
             assert_int_equal(bmr_convex32_audit(&raw->polygon), BMR_OK);
-            bmr_convex32_destroy(raw, NULL);
             free(turned);
         }
-        bmr_convex32_destroy(block, NULL);
         free(points);
     }
 }
@@ -67,10 +62,9 @@ TEST(all_vertices_of_circles_are_kept) {
         assert_non_null(points);
         for (uint32_t i = 0; i < n; ++i)
             points[i] = vec(0.5 * cos(2.0 * PI * i / n), 0.5 * sin(2.0 * PI * i / n));
-        bmr_convex32_block *block = NULL;
+        own_convex32 *block = NULL;
         assert_int_equal(bmr_convex32_create(points, n, NULL, &block), BMR_OK);
         assert_int_equal(block->polygon.count, n);
-        bmr_convex32_destroy(block, NULL);
         free(points);
     }
 }
@@ -197,7 +191,7 @@ TEST(the_audit_finds_what_is_wrong) {
     bmr_vec32 points[100];
     for (int i = 0; i < 100; ++i)
         points[i] = vec(cos(2.0 * PI * i / 100 + 0.01), sin(2.0 * PI * i / 100 + 0.01));
-    bmr_convex32_block *block = NULL;
+    own_convex32 *block = NULL;
     assert_int_equal(bmr_convex32_create(points, 100, NULL, &block), BMR_OK);
     const bmr_convex32 p = block->polygon;
     for (uint32_t i = 0; i < p.count; ++i) {
@@ -239,7 +233,6 @@ TEST(the_audit_finds_what_is_wrong) {
     other.buckets = NULL;
     assert_int_equal(bmr_convex32_audit(&other), BMR_ERROR_INVALID_STRUCTURE);
     assert_int_equal(bmr_convex32_audit(&p), BMR_OK);
-    bmr_convex32_destroy(block, NULL);
 }
 
 TEST(failing_allocations_are_reported_and_leak_nothing) {
@@ -280,7 +273,7 @@ TEST(masses_are_those_of_the_sum_over_triangles) {
     test_random random = {9};
     size_t control = 0;
     for (size_t k = 0; k < test_scaled(1000); ++k) {
-        bmr_convex32_block *block = random_polygon(&random, random_count(&random));
+        own_convex32 *block = random_polygon(&random, random_count(&random));
         const bmr_convex32 *p = &block->polygon;
         float float_area = 0.0f;
         for (uint32_t i = 0; i < p->count; ++i) {
@@ -297,7 +290,6 @@ TEST(masses_are_those_of_the_sum_over_triangles) {
         control += fabsl((long double)float_area - truth.area) > 1e-7L * truth.area;
         for (uint32_t i = 0; i < p->count; ++i)
             assert_true(hypot((double)p->vertices[i].x, (double)p->vertices[i].y) <= (double)block->reach);
-        bmr_convex32_destroy(block, NULL);
     }
     assert_true(control > 0);
 }
@@ -313,7 +305,7 @@ TEST(masses_of_needles_are_exact) {
             {(float)test_random_uniform(&random, 0.1, 1.0), (float)test_random_uniform(&random, -1.0, 0.5)},
             {scale * (float)test_random_uniform(&random, 0.0, 1.0), 1.0f},
             {-scale * (float)test_random_uniform(&random, 0.0, 1.0), 1.0f}};
-        bmr_convex32_block *block = NULL;
+        own_convex32 *block = NULL;
         if (bmr_convex32_create(points, 3, NULL, &block) != BMR_OK)
             continue;
         ++made;
@@ -332,7 +324,6 @@ TEST(masses_of_needles_are_exact) {
         const double rounded =
             ((double)points[1].x - ax) * (1.0 - ay) - (1.0 - ay) * ((double)points[2].x - ax);
         lost += fabsl(rounded / 2 - area) > 1e-7L * area;
-        bmr_convex32_destroy(block, NULL);
     }
     assert_true(made > 100 && lost > 10);
 }
@@ -340,7 +331,7 @@ TEST(masses_of_needles_are_exact) {
 TEST(the_polygon_inside_is_convex_and_spreads) {
     test_random random = {10};
     for (size_t k = 0; k < test_scaled(500); ++k) {
-        bmr_convex32_block *block = random_polygon(&random, random_count(&random));
+        own_convex32 *block = random_polygon(&random, random_count(&random));
         const bmr_convex32 *p = &block->polygon;
         for (uint32_t count = 3; count <= 8; ++count) {
             uint32_t inner[9];
@@ -350,19 +341,17 @@ TEST(the_polygon_inside_is_convex_and_spreads) {
                 assert_true(inner[i] < p->count && (i == 0 || inner[i - 1] < inner[i]));
             assert_int_equal(inner[8], 12345);
         }
-        bmr_convex32_destroy(block, NULL);
     }
     // Of a disk the octagon's depth is its sagitta.
     bmr_vec32 points[256];
     for (int i = 0; i < 256; ++i)
         points[i] = vec(cos(2.0 * PI * i / 256), sin(2.0 * PI * i / 256));
-    bmr_convex32_block *block = NULL;
+    own_convex32 *block = NULL;
     assert_int_equal(bmr_convex32_create(points, 256, NULL, &block), BMR_OK);
     uint32_t inner[8];
     bmr_convex32_inner(&block->polygon, inner, 8);
     for (uint32_t i = 0; i < 8; ++i)
         assert_int_equal(inner[i], 32 * i);
-    bmr_convex32_destroy(block, NULL);
 }
 
 /// Far from each other beside what they span with others: no rounding may leave a vertex out, or one that
@@ -379,7 +368,7 @@ TEST(the_polygon_inside_of_a_needle_is_of_its_vertices) {
             points[i].x = 1e-7f * (float)cos(angle);
             points[i].y = 1e-7f * (float)sin(angle);
         }
-        bmr_convex32_block *block = NULL;
+        own_convex32 *block = NULL;
         if (bmr_convex32_create(points, 10, NULL, &block) != BMR_OK)
             continue;
         const bmr_convex32 *p = &block->polygon;
@@ -398,7 +387,6 @@ TEST(the_polygon_inside_of_a_needle_is_of_its_vertices) {
             any = any || x * ((double)w.y - (double)u.y) - y * ((double)w.x - (double)u.x) <= -1.0;
         }
         lost += any;
-        bmr_convex32_destroy(block, NULL);
     }
     assert_true(lost > 10);
 }
@@ -415,7 +403,7 @@ TEST(simplified_polygons_are_near_and_have_few_vertices) {
     test_random random = {11};
     size_t control = 0, reduced = 0;
     for (size_t k = 0; k < test_scaled(300); ++k) {
-        bmr_convex32_block *block = random_polygon(&random, 3 + test_random_below(&random, 400));
+        own_convex32 *block = random_polygon(&random, 3 + test_random_below(&random, 400));
         const bmr_convex32 *p = &block->polygon;
         const double tolerance = (double)block->reach * pow(10.0, test_random_uniform(&random, -6.0, 0.0));
         bmr_vec32 *points = malloc(p->count * sizeof *points);
@@ -440,7 +428,6 @@ TEST(simplified_polygons_are_near_and_have_few_vertices) {
         control += far > 0.5 * tolerance;
         reduced += count < p->count;
         free(points);
-        bmr_convex32_destroy(block, NULL);
     }
     assert_true(control > 0 && reduced > 0);
 
@@ -449,7 +436,7 @@ TEST(simplified_polygons_are_near_and_have_few_vertices) {
     static bmr_vec32 circle[N], points[N];
     for (int i = 0; i < N; ++i)
         circle[i] = vec(cos(2.0 * PI * i / N), sin(2.0 * PI * i / N));
-    bmr_convex32_block *block = NULL;
+    own_convex32 *block = NULL;
     assert_int_equal(bmr_convex32_create(circle, N, NULL, &block), BMR_OK);
     for (double tolerance = 1e-5; tolerance < 0.1; tolerance *= 3.0) {
         size_t count = 0;
@@ -468,5 +455,4 @@ TEST(simplified_polygons_are_near_and_have_few_vertices) {
     assert_int_equal(bmr_convex32_simplify(&block->polygon, NAN, NULL, points, &count), BMR_ERROR_NOT_FINITE);
     assert_int_equal(bmr_convex32_simplify(NULL, 1.0f, NULL, points, &count), BMR_ERROR_NULL_ARGUMENT);
     assert_int_equal(count, 5);
-    bmr_convex32_destroy(block, NULL);
 }

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Manifolds of polygons of any size are those of Box2D's loops over all vertices, whatever is remembered.
 // BMR_TEST_SCALE=20 makes it 1,000,000 poses of up to 64 vertices and 2,000 of 4096.
-
 #include "checks.h"
 
 #include <float.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "convex32/convex32_collide.h"
 #include "convex32_poses.h"
@@ -202,7 +197,7 @@ TEST(circle_same_as_all_vertices) {
     dice d = {0x5eed3u};
     size_t poses = test_scaled(20000), touching = 0, inside = 0, different = 0;
     for (size_t n = 0; n < poses;) {
-        bmr_convex32_block *const block = random_convex32(&d, random_kind(&d), 3 + dice_below(&d, 254));
+        own_convex32 *const block = random_convex32(&d, random_kind(&d), 3 + dice_below(&d, 254));
         const bmr_convex32 *const polygon = &block->polygon;
         bmr_convex32_memory kept = any_memory(&d);
         for (int i = 0; i < POSES_A_PAIR; ++i, ++n) {
@@ -220,7 +215,6 @@ TEST(circle_same_as_all_vertices) {
             touching += expected.count > 0;
             inside += expected.count > 0 && reference_true_separation(polygon, &pose, &point, &circle) < 0.0;
         }
-        bmr_convex32_destroy(block, NULL);
     }
     printf("%zu circles, %zu touching, %zu with their centres inside\n", poses, touching, inside);
     assert_int_equal(different, 0);
@@ -231,7 +225,7 @@ TEST(edge_same_as_all_vertices) {
     dice d = {0x5eed4u};
     size_t poses = test_scaled(50000), touching = 0, of_b = 0, different = 0, missed = 0, skipped = 0;
     for (size_t n = 0; n < poses;) {
-        bmr_convex32_block *const block = random_convex32(&d, random_kind(&d), 3 + dice_below(&d, 254));
+        own_convex32 *const block = random_convex32(&d, random_kind(&d), 3 + dice_below(&d, 254));
         const bmr_convex32 *const polygon = &block->polygon;
         bmr_convex32_memory kept = any_memory(&d);
         for (int i = 0; i < POSES_A_PAIR; ++i, ++n) {
@@ -266,7 +260,6 @@ TEST(edge_same_as_all_vertices) {
                 missed += s < 0.0;
             }
         }
-        bmr_convex32_destroy(block, NULL);
     }
     printf("%zu edges, %zu touching, %zu of these by the polygon's face, %zu one-sided ones do not\n", poses,
            touching, of_b, skipped);
@@ -342,12 +335,11 @@ TEST(chains_miss_less_than_by_the_stock_rule) {
     const size_t poses = test_scaled(50000);
     size_t answers[3] = {0, 0, 0};
     for (size_t n = 0; n < poses;) {
-        bmr_convex32_block *const block = random_convex32(&d, random_kind(&d), 9 + dice_below(&d, 500));
+        own_convex32 *const block = random_convex32(&d, random_kind(&d), 9 + dice_below(&d, 500));
         for (int i = 0; i < POSES_A_PAIR; ++i, ++n) {
             if (block->polygon.count > 8)
                 ++answers[on_chain(&d, block)];
         }
-        bmr_convex32_destroy(block, NULL);
     }
     printf("%zu polygons found on chains, %zu missed, %zu with sharp vertices\n", answers[CHAIN_FOUND],
            answers[CHAIN_MISSED], answers[CHAIN_SHARP_MISSED]);

@@ -2,10 +2,6 @@
 // Contacts of float polygons: what is said to be apart is so, whatever was remembered and however large the
 // polygons are; impulses follow features, so features follow the points.
 #include "checks.h"
-
-#include <math.h>
-#include <string.h>
-
 #include "convex32/convex32_collide.h"
 #include "convex32_poses.h"
 #include "convex32_reference.h"
@@ -25,7 +21,7 @@ static bmr_convex32_block *square(void) {
 }
 
 TEST(no_remembered_direction_is_too_long) {
-    bmr_convex32_block *const block = square();
+    own_convex32 *const block = square();
     const bmr_convex32 *const p = &block->polygon;
     const float away = 0.5f * sqrtf(0.5f); // corners half a metre apart
     const bmr_transform32 there = {{1.0f + away, 1.0f + away}, 0.0f, 1.0f};
@@ -38,7 +34,6 @@ TEST(no_remembered_direction_is_too_long) {
             kept = memory;
             assert_true(bmr_convex32_apart(p, &here, p, &there, 0.3f, &kept));
         }
-    bmr_convex32_destroy(block, NULL);
 }
 
 /// The second vertex turns so little that along some directions both its edges seem to descend where both
@@ -56,7 +51,7 @@ TEST(a_vertex_that_hardly_turns_is_no_end) {
     } cases[] = {{0x1.4ade3ap-14f, 24387, -21885},
                  {-0x1.8840ep-14f, 24383, -21889},
                  {-0x1.f875f8p-16f, 24385, -21888}};
-    bmr_convex32_block *const a = made_of(flat, 5), *const b = made_of(tiny, 3);
+    own_convex32 *const a = made_of(flat, 5), *const b = made_of(tiny, 3);
     for (int i = 0; i < 3; ++i) {
         // In the middle of it.
         const bmr_transform32 pose = {{0.0f, 0.0f}, cases[i].sine, 1.0f},
@@ -65,8 +60,6 @@ TEST(a_vertex_that_hardly_turns_is_no_end) {
         bmr_convex32_memory memory = {1, 0, cases[i].axis_x, cases[i].axis_y};
         assert_false(bmr_convex32_apart(&a->polygon, &pose, &b->polygon, &inside, 0.0f, &memory));
     }
-    bmr_convex32_destroy(a, NULL);
-    bmr_convex32_destroy(b, NULL);
 }
 
 /// Bars side by side that meet, if at all, far from where the look finds their ends, which is at the bodies'
@@ -75,7 +68,7 @@ TEST(large_polygons_are_apart_where_that_is_said) {
     enum { LENGTH = 1000 };
     const bmr_vec32 left[] = {{0.0f, 0.0f}, {0.0f, LENGTH}, {-1.0f, LENGTH}, {-1.0f, 0.0f}},
                     right[] = {{0.0f, 0.0f}, {1.0f, 0.0f}, {1.0f, LENGTH}, {0.0f, LENGTH}};
-    bmr_convex32_block *const a = made_of(left, 4), *const b = made_of(right, 4);
+    own_convex32 *const a = made_of(left, 4), *const b = made_of(right, 4);
     dice d = {1};
     size_t apart = 0;
     const size_t poses = test_scaled(20000);
@@ -97,12 +90,10 @@ TEST(large_polygons_are_apart_where_that_is_said) {
         assert_true(reference_distance(&a->polygon, &pose_a, &b->polygon, &pose_b) > 0.0);
     }
     assert_true(apart > poses / 4 && apart < poses);
-    bmr_convex32_destroy(a, NULL);
-    bmr_convex32_destroy(b, NULL);
 }
 
 TEST(what_overflows_is_not_apart) {
-    bmr_convex32_block *const block = square();
+    own_convex32 *const block = square();
     const bmr_convex32 *const p = &block->polygon;
     static const float large[] = {1e30f, 1e34f, 3e38f, -1e30f, -1e34f, -3e38f};
     for (int i = 0; i < 36; ++i)
@@ -111,7 +102,6 @@ TEST(what_overflows_is_not_apart) {
             bmr_convex32_memory memory = {vertex / 4, vertex % 4, 32767, 0};
             assert_false(bmr_convex32_apart(p, &stretched, p, &here, 0.0f, &memory));
         }
-    bmr_convex32_destroy(block, NULL);
 }
 
 static bmr_manifold32 two_points(float x0, uint8_t first, float x1, uint8_t second) {

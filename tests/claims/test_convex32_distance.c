@@ -3,9 +3,6 @@
 // numbers of b2ShapeCast: test_glue_convex_distance.cpp compares with it), shapes about one centre, a side
 // that turns while something slides along it.
 #include "checks.h"
-
-#include <math.h>
-
 #include "convex32/convex32_distance.h"
 
 static const float slop = 0.005f; // skins of 2 slops: looked for are 2, reached at 2.5
@@ -156,8 +153,8 @@ TEST(polygons_about_one_centre_overlap) {
     enum { COUNTS = sizeof counts / sizeof *counts };
     for (uint32_t kind = 0; kind < 5 * COUNTS * COUNTS; ++kind) {
         const int size = 4 * (int)(kind % 5);
-        bmr_convex32_block *small = regular(counts[kind / 5 % COUNTS], 0.066f, 0.26f);
-        bmr_convex32_block *large = regular(counts[kind / 5 / COUNTS], ldexpf(0.066f, size), 0.0555f);
+        own_convex32 *small = regular(counts[kind / 5 % COUNTS], 0.066f, 0.26f);
+        own_convex32 *large = regular(counts[kind / 5 / COUNTS], ldexpf(0.066f, size), 0.0555f);
         const bmr_proxy32 a = bmr_proxy32_polygon(small, 0.01f), b = bmr_proxy32_polygon(large, 0.03f);
         for (uint32_t i = 0; i < 8; ++i) {
             const bmr_vec32 place = place_of(8 * kind + i);
@@ -169,8 +166,6 @@ TEST(polygons_about_one_centre_overlap) {
             assert_impact_overlaps(&a, &b, place, angle);
             assert_impact_overlaps(&b, &a, place, angle);
         }
-        bmr_convex32_destroy(small, NULL);
-        bmr_convex32_destroy(large, NULL);
     }
 }
 

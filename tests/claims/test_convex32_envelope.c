@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Envelopes of big polygons hold them, and no more than they must.
-#include <math.h>
-
 #include "checks.h"
-
 #include "convex32/convex32_envelope.h"
 
 #define MOST 3000u
@@ -22,7 +19,7 @@ static void ellipse(uint32_t count, double width, double height, double turn) {
 /// Of the envelope of `count` points on an ellipse, with every corner moved towards the middle by `shrink`.
 static void look(uint32_t count, double height, double turn, double shrink, bool held) {
     ellipse(count, 1.0, height, turn);
-    bmr_convex32_block *block = NULL;
+    own_convex32 *block = NULL;
     assert_int_equal(bmr_convex32_create(points, count, NULL, &block), BMR_OK);
     bmr_vec2 corners[EDGES];
     bmr_convex32_envelope(&block->polygon, EDGES, corners);
@@ -30,7 +27,7 @@ static void look(uint32_t count, double height, double turn, double shrink, bool
         corners[i].x = 0.25 + (corners[i].x - 0.25) * (1.0 - shrink);
         corners[i].y *= 1.0 - shrink;
     }
-    bmr_polygon *outer = NULL;
+    own_polygon *outer = NULL;
     assert_int_equal(bmr_polygon_create(corners, EDGES, NULL, &outer), BMR_OK);
     assert_true(outer->count <= EDGES);
     int outside = 0;
@@ -44,8 +41,6 @@ static void look(uint32_t count, double height, double turn, double shrink, bool
     for (uint32_t i = 0; i < outer->count; ++i)
         assert_true(hypot(outer->vertices[i].x - 0.25, outer->vertices[i].y) <
                     1.0 / cos(3.1415927 / EDGES) + 1e-6);
-    bmr_polygon_destroy(outer, NULL);
-    bmr_convex32_destroy(block, NULL);
 }
 
 TEST(an_envelope_holds_every_vertex) {
@@ -72,30 +67,27 @@ static bmr_convex32_block *regular_raw(uint32_t count, double from) {
 }
 
 TEST(a_segment_holds_nothing) {
-    bmr_convex32_block *block = regular_raw(12, 0.0);
+    own_convex32 *block = regular_raw(12, 0.0);
     const bmr_vec2 ends[] = {{-5.0, 0.0}, {5.0, 0.0}};
-    bmr_polygon *segment = NULL;
+    own_polygon *segment = NULL;
     assert_int_equal(bmr_polygon_create(ends, 2, NULL, &segment), BMR_OK);
     assert_false(bmr_convex32_held(&block->polygon, segment, 10.0));
-    bmr_polygon_destroy(segment, NULL);
-    bmr_convex32_destroy(block, NULL);
 }
 
 TEST(the_polygon_inside_has_8_vertices_at_most) {
-    bmr_convex32_block *block = regular_raw(24, 0.1);
+    own_convex32 *block = regular_raw(24, 0.1);
     uint32_t eight[8], asked_for_more[9];
     asked_for_more[8] = 1234;
     bmr_convex32_inner(&block->polygon, eight, 8);
     bmr_convex32_inner(&block->polygon, asked_for_more, 9);
     assert_memory_equal(eight, asked_for_more, sizeof eight);
     assert_int_equal(asked_for_more[8], 1234);
-    bmr_convex32_destroy(block, NULL);
 }
 
 /// A raw polygon begins anywhere: what is kept need not begin with its first vertex.
 TEST(polygons_are_simplified_wherever_they_begin) {
     for (int step = 0; step < 16; ++step) {
-        bmr_convex32_block *block = regular_raw(32, 0.05 + 0.4 * step);
+        own_convex32 *block = regular_raw(32, 0.05 + 0.4 * step);
         for (float tolerance = 0.01f; tolerance < 4.0f; tolerance *= 2.0f) {
             bmr_vec32 kept[32];
             size_t count = 0;
@@ -112,7 +104,6 @@ TEST(polygons_are_simplified_wherever_they_begin) {
                 assert_true(at < 32);
             }
         }
-        bmr_convex32_destroy(block, NULL);
     }
 }
 
@@ -124,13 +115,12 @@ TEST(a_needle_keeps_three_vertices_wherever_it_begins) {
     for (uint32_t first = 0; first < 5; ++first) {
         for (uint32_t i = 0; i < 5; ++i)
             points[i] = needle[(first + i) % 5];
-        bmr_convex32_block *block = NULL;
+        own_convex32 *block = NULL;
         assert_int_equal(bmr_convex32_create_raw(points, 5, NULL, &block), BMR_OK);
         bmr_vec32 kept[5];
         size_t count = 0;
         assert_int_equal(bmr_convex32_simplify(&block->polygon, 100.0f, NULL, kept, &count), BMR_OK);
         assert_int_equal(count, 3);
-        bmr_convex32_destroy(block, NULL);
     }
 }
 
@@ -145,15 +135,14 @@ TEST(a_first_vertex_that_does_not_turn_is_dropped) {
             turned[i].x = turn == 0 ? v.x : turn == 1 ? -v.y : turn == 2 ? -v.x : v.y;
             turned[i].y = turn == 0 ? v.y : turn == 1 ? v.x : turn == 2 ? -v.y : -v.x;
         }
-        bmr_convex32_block *block = NULL;
+        own_convex32 *block = NULL;
         assert_int_equal(bmr_convex32_create(turned, 5, NULL, &block), BMR_OK);
         assert_int_equal(block->polygon.count, 4);
-        bmr_convex32_destroy(block, NULL);
     }
 }
 
 TEST(the_audit_refuses_counts_that_no_polygon_has) {
-    bmr_convex32_block *block = regular_raw(12, 0.0);
+    own_convex32 *block = regular_raw(12, 0.0);
     bmr_convex32 polygon = block->polygon;
     polygon.count = 2;
     assert_int_equal(bmr_convex32_audit(&polygon), BMR_ERROR_TOO_FEW_POINTS);
@@ -162,5 +151,4 @@ TEST(the_audit_refuses_counts_that_no_polygon_has) {
     assert_int_equal(bmr_convex32_create_raw(points, BMR_CONVEX32_MOST + 1, NULL, &block),
                      BMR_ERROR_TOO_MANY_POINTS);
     assert_int_equal(bmr_convex32_create_raw(points, 2, NULL, &block), BMR_ERROR_TOO_FEW_POINTS);
-    bmr_convex32_destroy(block, NULL);
 }

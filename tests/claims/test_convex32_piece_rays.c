@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How rays come into pieces of outlines, and past the ends of their inner edges.
-#include <math.h>
-
 #include "checks.h"
-
 #include "convex32/convex32_pieces.h"
 
 static bmr_piece_corner32 corner(float x, float y, bool inner) {
@@ -37,7 +34,7 @@ static entry_told enter(const bmr_convex32_block *piece, float x1, float y1, flo
 }
 
 TEST(a_ray_comes_in_by_faces_and_past_ends_of_inner_edges) {
-    bmr_convex32_block *piece = right_half();
+    own_convex32 *piece = right_half();
     assert_int_equal(enter(piece, 0.5f, 0.5f, 0.5f, -0.5f, 2).entry, BMR_ENTRY_FACE);
     assert_int_equal(enter(piece, -0.5f, -0.5f, 0.5f, -0.5f, 3).entry, BMR_ENTRY_INNER);
     assert_int_equal(enter(piece, -0.5f, 0.499f, 0.5f, -0.501f, 3).entry, BMR_ENTRY_INNER);
@@ -54,11 +51,10 @@ TEST(a_ray_comes_in_by_faces_and_past_ends_of_inner_edges) {
     assert_int_equal(enter(piece, -4.5e-6f, 0.0f, 4.5e-6f, -1.5f, 3).entry, BMR_ENTRY_INNER);
     assert_int_equal(enter(piece, -0.5f, 0.0f, 0.5f, -2.0f, 3).entry, BMR_ENTRY_CORNER);
     assert_int_equal(enter(piece, -1.0f, 0.0f, 1.0f, -0.5f, 3).entry, BMR_ENTRY_INNER);
-    bmr_convex32_destroy(piece, NULL);
 }
 
 TEST(a_ray_comes_through_what_is_inside_of_faces_or_beside_seams) {
-    bmr_convex32_block *piece = right_half();
+    own_convex32 *piece = right_half();
     const bmr_vec32 beside[] = {{-1e-6f, -0.5f}, {1e-6f, -0.5f}, {0.5f, -1e-6f}, {0.5f, 1e-6f},
                                 {0.5f, -0.5f},   {-0.1f, -0.5f}, {0.5f, 0.1f}};
     const bool through[] = {true, true, false, false, true, false, false};
@@ -69,11 +65,10 @@ TEST(a_ray_comes_through_what_is_inside_of_faces_or_beside_seams) {
         assert_int_equal(bmr_convex32_comes_through(piece, &ray, 0.0), through[i]);
         assert_int_equal(bmr_convex32_comes_through(piece, &ray, 1e-6), through[i]);
     }
-    bmr_convex32_destroy(piece, NULL);
 }
 
 TEST(a_corner_is_entered_by_the_face_that_is_run_against) {
-    bmr_convex32_block *piece = right_half();
+    own_convex32 *piece = right_half();
     const bmr_vec32 right_corner = {1.0f, 0.0f}, left_corner = {0.0f, 0.0f}, middle = {0.5f, 0.0f};
     const bmr_vec32 steep = {2.0f, 2.0f}, flat = {4.0f, 1.0f}, below = {2.0f, -1.0f}, on = {2.0f, 0.0f};
     const bmr_vec32 hardly_above = {2.0f, 1e-6f}, other_side = {-2.0f, 0.5f};
@@ -95,7 +90,6 @@ TEST(a_corner_is_entered_by_the_face_that_is_run_against) {
         assert_true(normal.x == cases[i].normal.x && normal.y == cases[i].normal.y);
         assert_int_equal(against < 0.0, normal.x + normal.y != 0.0f);
     }
-    bmr_convex32_destroy(piece, NULL);
 }
 
 TEST(an_edge_of_several_knows_its_parts) {
@@ -114,7 +108,7 @@ TEST(an_edge_of_several_knows_its_parts) {
         bmr_piece_corner32 turned[COUNT];
         for (size_t i = 0; i < COUNT; ++i)
             turned[i] = corners[(first + i) % COUNT];
-        bmr_convex32_block *block = NULL;
+        own_convex32 *block = NULL;
         assert_int_equal(bmr_convex32_create_piece(turned, COUNT, NULL, &block), BMR_OK);
         assert_int_equal(block->polygon.count, 4);
         assert_int_equal(block->seams.part_count, 6);
@@ -138,6 +132,5 @@ TEST(an_edge_of_several_knows_its_parts) {
                                        BMR_ENTRY_CORNER, BMR_ENTRY_INNER, BMR_ENTRY_FACE,   BMR_ENTRY_FACE};
         for (size_t i = 0; i < sizeof from / sizeof *from; ++i)
             assert_int_equal(enter(block, from[i], -1.0f, from[i], 1.0f, bottom).entry, entries[i]);
-        bmr_convex32_destroy(block, NULL);
     }
 }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pieces of outlines: what they know of their seams, and where they leave contacts to their neighbours.
-#include <math.h>
-#include <string.h>
-
 #include "checks.h"
-
 #include "convex32/convex32_pieces.h"
 #include "failing_allocator.h"
 
@@ -94,13 +90,12 @@ TEST(a_corner_between_inner_edges_admits_nothing) {
     const bmr_piece_corner32 corners[] = {corner(0.0f, 0.0f, true, 0.0f, 0.0f),
                                           corner(1.0f, 0.0f, false, 0.0f, -1.0f),
                                           corner(0.0f, 1.0f, true, -1.0f, 0.0f)};
-    bmr_convex32_block *block = NULL;
+    own_convex32 *block = NULL;
     assert_int_equal(bmr_convex32_create_piece(corners, 3, NULL, &block), BMR_OK);
     for (int i = 0; i < 16; ++i) {
         const bmr_vec32 d = {cosf(0.4f * (float)i), sinf(0.4f * (float)i)};
         assert_false(bmr_convex32_admits(&block->polygon, 0, d, 1e-3f));
     }
-    bmr_convex32_destroy(block, NULL);
 }
 
 TEST(straight_corners_are_left_out_and_faces_stay_faces) {
@@ -167,7 +162,7 @@ TEST(without_memory_nothing_is_made) {
 }
 
 TEST(a_polygon_is_pushed_by_faces_alone) {
-    bmr_convex32_block *piece = right_half(0.0f), *wheel = polygon_of(64, 0.5f);
+    own_convex32 *piece = right_half(0.0f), *wheel = polygon_of(64, 0.5f);
     bmr_vec32 normal;
     int touching = 0;
     // A wheel on the ground rolls over the seam: what the piece says of it is up, or nothing. (As a polygon
@@ -188,17 +183,14 @@ TEST(a_polygon_is_pushed_by_faces_alone) {
     assert_true(touching >= 80);
     assert_true(told_otherwise);
     // Where the ground falls off behind the seam the corner is one, to the outline's own extent.
-    bmr_convex32_block *edge = right_half(-2.0f);
+    own_convex32 *edge = right_half(-2.0f);
     const bmr_manifold32 m = collide(edge, wheel, at(-0.30f, 0.40f), &normal);
     assert_true(m.count > 0 && normal.x < -0.5f && normal.y > 0.5f);
-    bmr_convex32_destroy(edge, NULL);
-    bmr_convex32_destroy(wheel, NULL);
-    bmr_convex32_destroy(piece, NULL);
 }
 
 TEST(what_is_behind_an_inner_edge_is_left_to_the_piece_there) {
     // A box pushes against the inner side of the piece, deep below its surface.
-    bmr_convex32_block *piece = right_half(0.0f), *box = polygon_of(4, 0.2f);
+    own_convex32 *piece = right_half(0.0f), *box = polygon_of(4, 0.2f);
     bmr_vec32 normal;
     const float half = 0.2f * sqrtf(0.5f);
     for (int i = 0; i < 10; ++i) {
@@ -211,8 +203,6 @@ TEST(what_is_behind_an_inner_edge_is_left_to_the_piece_there) {
     assert_true(normal.y > 0.99f);
     assert_true(collide(piece, box, at(-0.05f, -0.16f), &normal).count > 0);
     assert_true(normal.x < -0.99f);
-    bmr_convex32_destroy(box, NULL);
-    bmr_convex32_destroy(piece, NULL);
 }
 
 /// The left one of the two squares.
@@ -231,7 +221,7 @@ TEST(a_tip_between_two_pieces_is_pushed_out) {
     int tips = 0, sideways = 0;
     for (float half = 0.004f; half < 0.15f; half *= 1.5f) {
         const bmr_vec32 v[] = {{0.0f, 0.0f}, {half, 0.5f}, {-half, 0.5f}};
-        bmr_convex32_block *tip = NULL;
+        own_convex32 *tip = NULL;
         assert_int_equal(bmr_convex32_create(v, 3, NULL, &tip), BMR_OK);
         for (int i = -8; i <= 8; ++i)
             for (float deep = 0.006f; deep < 0.19f; deep *= 1.4f) {
@@ -248,7 +238,6 @@ TEST(a_tip_between_two_pieces_is_pushed_out) {
                 assert_true(up > 0);
                 ++tips;
             }
-        bmr_convex32_destroy(tip, NULL);
     }
     assert_true(sideways > tips / 2);
     bmr_convex32_destroy(halves[0], NULL);
@@ -258,11 +247,11 @@ TEST(a_tip_between_two_pieces_is_pushed_out) {
 TEST(straight_stretches_with_seams_carry_each_other) {
     // Two such grounds lie on each other, the upper one a little askew: each piece's corner at its seam
     // belongs to a straight stretch.
-    bmr_convex32_block *ground = right_half(0.0f);
+    own_convex32 *ground = right_half(0.0f);
     const bmr_piece_corner32 corners[] = {
         corner(-0.5f, 0.0f, false, -1.5f, 0.0f), corner(0.5f, 0.0f, false, 0.0f, 0.0f),
         corner(0.5f, 1.0f, false, 0.0f, 0.0f), corner(-0.5f, 1.0f, true, -1.5f, 1.0f)};
-    bmr_convex32_block *upper = NULL;
+    own_convex32 *upper = NULL;
     assert_int_equal(bmr_convex32_create_piece(corners, 4, NULL, &upper), BMR_OK);
     for (int i = -4; i <= 4; ++i) {
         const float turn = 0.004f * (float)i;
@@ -271,12 +260,10 @@ TEST(straight_stretches_with_seams_carry_each_other) {
         assert_true(collide(ground, upper, pose, &normal).count > 0);
         assert_true(normal.y > 0.99f);
     }
-    bmr_convex32_destroy(upper, NULL);
-    bmr_convex32_destroy(ground, NULL);
 }
 
 TEST(a_circle_is_pushed_by_faces_and_corners_of_the_outline) {
-    bmr_convex32_block *flat = right_half(0.0f), *falling = right_half(-2.0f);
+    own_convex32 *flat = right_half(0.0f), *falling = right_half(-2.0f);
     assert_int_equal(touch_circle(flat, 0.1f, 0.3f, 0.3f).count, 1);
     assert_int_equal(touch_circle(flat, -0.1f, 0.28f, 0.3f).count, 0);
     const bmr_manifold32 m = touch_circle(falling, -0.1f, 0.28f, 0.3f);
@@ -291,13 +278,11 @@ TEST(a_circle_is_pushed_by_faces_and_corners_of_the_outline) {
     const bmr_manifold32 far_below = touch_circle(flat, 0.02f, -0.45f, 0.3f);
     assert_int_equal(far_below.count, 1);
     assert_true(far_below.normal.x < -0.99f);
-    bmr_convex32_destroy(falling, NULL);
-    bmr_convex32_destroy(flat, NULL);
 }
 
 TEST(an_edge_is_touched_by_faces_alone) {
     // The piece as a body on an edge, upside down: its inner side is on the right.
-    bmr_convex32_block *piece = right_half(0.0f);
+    own_convex32 *piece = right_half(0.0f);
     const bmr_transform32 upside_down = {{0.0f, 0.01f}, 0.0f, -1.0f};
     const bmr_edge32 floor = {{6.0f, 0.0f}, {5.0f, 0.0f}, {-5.0f, 0.0f}, {-6.0f, 0.0f}, true};
     const bmr_edge32 wall = {{0.0f, 0.0f}, {0.01f, 0.5f}, {0.01f, 3.0f}, {0.0f, 0.0f}, false};
@@ -314,7 +299,6 @@ TEST(an_edge_is_touched_by_faces_alone) {
     plain.polygon.seams = NULL;
     bmr_convex32_collide_edge(&m, &wall, &here, &plain.polygon, middle, &upside_down, skins, &memory);
     assert_true(m.count > 0);
-    bmr_convex32_destroy(piece, NULL);
 }
 
 static double random_between(uint32_t *state, double low, double high) {
@@ -416,12 +400,12 @@ enum { AGAINST_POLYGON, AGAINST_PIECE, AGAINST_EDGE, AGAINST_CHAIN, AGAINST_CIRC
 /// nearest face is often farther away than that.
 TEST(no_manifold_is_deeper_than_the_plain_polygons) {
     uint32_t state = 7;
-    bmr_convex32_block *box = polygon_of(4, 0.6f);
+    own_convex32 *box = polygon_of(4, 0.6f);
     const bmr_vec32 middle = {0.0f, 0.0f};
     for (int kind = 0; kind < AGAINST_ALL; ++kind) {
         int touching = 0, far_faces = 0, tips = 0;
         for (int trial = 0; trial < 1500; ++trial) {
-            bmr_convex32_block *piece = random_piece(&state), *other = random_piece(&state);
+            own_convex32 *piece = random_piece(&state), *other = random_piece(&state);
             const double angle = random_between(&state, 0.0, 6.283), way = random_between(&state, 0.0, 1.7);
             const double to = random_between(&state, 0.0, 6.283);
             const bmr_transform32 pose = {
@@ -488,12 +472,9 @@ TEST(no_manifold_is_deeper_than_the_plain_polygons) {
                                                      p->normals[i]),
                                                moved(pose_p, p->vertices[i])));
             far_faces += m.count > 0 && of_faces < nearest - radii - slack - 2.0f * tolerance;
-            bmr_convex32_destroy(piece, NULL);
-            bmr_convex32_destroy(other, NULL);
         }
         assert_true(touching > 300);
         assert_true(far_faces > 30);
         assert_true((tips > 0) == (kind == AGAINST_POLYGON || kind == AGAINST_PIECE));
     }
-    bmr_convex32_destroy(box, NULL);
 }

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The order of float operations is the contract of core/exact32: its two forms are compared bit by bit.
-
 #include "checks.h"
 
 #include <fenv.h>
 #include <float.h>
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "exact32/exact32.h"
 #include "test_scale.h"

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The lanes of this processor give the bits of plain C: each operation, and what is written in them. (What is
 // written in them for swept shapes is in test_swept32.c.)
-
 #include "checks.h"
 
 #include <float.h>
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "convex32_poses.h"
 #include "float4_table.h"

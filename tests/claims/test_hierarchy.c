@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <stdlib.h>
-#include <string.h>
-
-#include "checks.h"
-#include <math.h>
-
 #include "boomerang/hierarchy.h"
+#include "checks.h"
 #include "compass_fixture.h"
 #include "failing_allocator.h"
 #include "hierarchies.h"
 #include "hierarchy/tree.h"
-
-#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 
 /// What an output that must stay untouched points to.
 static bmr_hierarchy untouched;
@@ -40,7 +33,7 @@ static bmr_polygon *polygon_of(const bmr_vec2 *points, size_t count) {
 
 TEST(null_arguments_are_refused_and_leave_the_output_alone) {
     const bmr_vec2 point = {0, 0};
-    bmr_polygon *p = polygon_of(&point, 1);
+    own_polygon *p = polygon_of(&point, 1);
     bmr_hierarchy *h = UNTOUCHED;
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
         assert_int_equal(build((bmr_hierarchy_kind)kind, NULL, NULL, &h), BMR_ERROR_NULL_ARGUMENT);
@@ -52,11 +45,10 @@ TEST(null_arguments_are_refused_and_leave_the_output_alone) {
     assert_int_equal(bmr_hierarchy_audit(NULL), BMR_ERROR_NULL_ARGUMENT);
     bmr_hierarchy_destroy(NULL, NULL);
     bmr_compass_destroy(NULL, NULL);
-    bmr_polygon_destroy(p, NULL);
 }
 
 TEST(a_compass_too_small_for_the_polygon_is_refused) {
-    bmr_compass *small = compass;
+    own_compass *small = compass;
     assert_int_equal(bmr_compass_create(0, NULL, &small), BMR_ERROR_NO_POINTS);
     assert_int_equal(bmr_compass_create(65536, NULL, &small), BMR_ERROR_TOO_MANY_POINTS);
     assert_ptr_equal(small, compass);
@@ -64,7 +56,7 @@ TEST(a_compass_too_small_for_the_polygon_is_refused) {
     bmr_vec2 points[17];
     for (size_t n = 16; n <= 17; ++n) {
         test_regular_points(n, 1.0, 0.1, points);
-        bmr_polygon *p = polygon_of(points, n);
+        own_polygon *p = polygon_of(points, n);
         bmr_hierarchy *h = UNTOUCHED;
         const bmr_error expected = n == 16 ? BMR_OK : BMR_ERROR_TABLE_TOO_SMALL;
         assert_int_equal(bmr_hierarchy_build_compass(p, small, NULL, &h), expected);
@@ -72,14 +64,12 @@ TEST(a_compass_too_small_for_the_polygon_is_refused) {
             bmr_hierarchy_destroy(h, NULL);
         else
             assert_ptr_equal(h, UNTOUCHED);
-        bmr_polygon_destroy(p, NULL);
     }
-    bmr_compass_destroy(small, NULL);
 }
 
 TEST(every_failing_allocation_is_reported_and_nothing_leaks) {
     test_random random = {3};
-    bmr_polygon *p = test_polygon(TEST_CIRCLE, 50, &random);
+    own_polygon *p = test_polygon(TEST_CIRCLE, 50, &random);
     test_heap heap;
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
         test_heap_init(&heap, SIZE_MAX);
@@ -106,7 +96,6 @@ TEST(every_failing_allocation_is_reported_and_nothing_leaks) {
     assert_true(heap.blocks == 1 && heap.bytes >= 64 * 64 && heap.bytes <= 128 * 64);
     bmr_compass_destroy(table, &heap.allocator);
     assert_int_equal(heap.blocks + heap.bytes + heap.wrong_sizes, 0);
-    bmr_polygon_destroy(p, NULL);
 }
 
 /// Takes one block of the size that was announced, and refuses more.
@@ -157,7 +146,7 @@ TEST(a_copy_answers_the_same_from_the_bytes_announced_and_outlives_the_original)
             for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
                 bmr_polygon *p = sizes[i] < 3 ? polygon_of(points, sizes[i])
                                               : test_polygon((test_family)family, sizes[i], &random);
-                bmr_polygon *q = NULL;
+                own_polygon *q = NULL;
                 assert_int_equal(bmr_polygon_copy(p, NULL, &q), BMR_OK);
                 bmr_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p), *again = NULL;
                 assert_int_equal(build((bmr_hierarchy_kind)kind, q, NULL, &again), BMR_OK);
@@ -177,14 +166,13 @@ TEST(a_copy_answers_the_same_from_the_bytes_announced_and_outlives_the_original)
                 assert_true(answer_the_same(copy, again));
                 bmr_hierarchy_destroy(copy, &allocator);
                 bmr_hierarchy_destroy(again, NULL);
-                bmr_polygon_destroy(q, NULL);
                 free(room.block);
             }
 }
 
 TEST(a_copy_is_refused_over_other_vertices_and_without_memory) {
     test_random random = {9};
-    bmr_polygon *p = test_polygon(TEST_CIRCLE, 40, &random), *other = test_polygon(TEST_CIRCLE, 40, &random);
+    own_polygon *p = test_polygon(TEST_CIRCLE, 40, &random), *other = test_polygon(TEST_CIRCLE, 40, &random);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
         bmr_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p), *copy = UNTOUCHED;
         assert_int_equal(bmr_hierarchy_copy(NULL, p, NULL, &copy), BMR_ERROR_NULL_ARGUMENT);
@@ -198,8 +186,6 @@ TEST(a_copy_is_refused_over_other_vertices_and_without_memory) {
         assert_int_equal(bmr_polygon_audit(p), BMR_OK);
         bmr_hierarchy_destroy(h, NULL);
     }
-    bmr_polygon_destroy(p, NULL);
-    bmr_polygon_destroy(other, NULL);
 }
 
 TEST(with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex) {
@@ -207,9 +193,9 @@ TEST(with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex) {
     test_random random = {5};
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
         for (size_t i = 0; i < COUNT_OF(sizes); ++i) {
-            bmr_polygon *p = test_polygon((test_family)family, sizes[i], &random);
+            own_polygon *p = test_polygon((test_family)family, sizes[i], &random);
             for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT && p->count >= 64; ++kind) {
-                bmr_hierarchy *h = NULL;
+                own_hierarchy *h = NULL;
                 assert_int_equal(build((bmr_hierarchy_kind)kind, p, NULL, &h), BMR_OK);
                 const size_t bytes = bmr_hierarchy_bytes(h) + bmr_polygon_bytes(p->count);
                 // What the layout promises: 16 bytes a node, 5 n, 2 n + 4 and n + 4 of them at most, and a
@@ -217,9 +203,7 @@ TEST(with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex) {
                 const size_t promised[BMR_HIERARCHY_KIND_COUNT] = {96, 64, 32};
                 assert_true(bytes <= 160 * p->count);
                 assert_true(bytes <= promised[kind] * p->count + 256);
-                bmr_hierarchy_destroy(h, NULL);
             }
-            bmr_polygon_destroy(p, NULL);
         }
 }
 
@@ -228,8 +212,8 @@ TEST(with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex) {
 TEST(the_compass_directions_are_exact_and_symmetric) {
     bmr_vec2 points[64];
     test_regular_points(64, 1.0, 0.01, points);
-    bmr_polygon *p = polygon_of(points, 64);
-    bmr_hierarchy *h = built_soundly(BMR_HIERARCHY_COMPASS, p);
+    own_polygon *p = polygon_of(points, 64);
+    own_hierarchy *h = built_soundly(BMR_HIERARCHY_COMPASS, p);
     const double r = sqrt(0.5);
     const bmr_vec2 expected[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {r, r}, {-r, r}, {-r, -r}, {r, -r}};
     for (bmr_edge id = 0; id < COUNT_OF(expected); ++id) { // breadth-first: NE, NW, SW, SE are the next four
@@ -238,35 +222,31 @@ TEST(the_compass_directions_are_exact_and_symmetric) {
         assert_int_equal(bmr_hierarchy_level(h, id), id >= 4);
         assert_false(signbit(line.normal.x) && line.normal.x == 0.0);
     }
-    bmr_hierarchy_destroy(h, NULL);
-    bmr_polygon_destroy(p, NULL);
 }
 
 // --- small shapes ---
 
 TEST(a_point_has_four_edges_and_no_depth) {
     const bmr_vec2 point = {3, -2};
-    bmr_polygon *p = polygon_of(&point, 1);
+    own_polygon *p = polygon_of(&point, 1);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        bmr_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
+        own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
         assert_int_equal(bmr_hierarchy_edge_count(h), 4);
         assert_int_equal(bmr_hierarchy_depth(h), 0);
         const bmr_corner corner = bmr_hierarchy_extreme(h, bmr_vec2_make(-1, 2), 9);
         const bmr_vec2 x = bmr_hierarchy_corner_point(h, corner);
         assert_true(x.x == 3 && x.y == -2);
         assert_true(corner.before == 1 && corner.after == 2 && corner.cut == BMR_NO_EDGE);
-        bmr_hierarchy_destroy(h, NULL);
     }
-    bmr_polygon_destroy(p, NULL);
 }
 
 TEST(a_segment_has_its_two_sides) {
     const bmr_vec2 cases[][2] = {
         {{0, 0}, {3, 4}}, {{0, 0}, {0, 2}}, {{-1, 5}, {7, 5}}, {{0, 0}, {1, 1}}, {{2, 0}, {0, 2}}};
     for (size_t i = 0; i < COUNT_OF(cases); ++i) {
-        bmr_polygon *p = polygon_of(cases[i], 2);
+        own_polygon *p = polygon_of(cases[i], 2);
         for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-            bmr_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
+            own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
             uint32_t sides = 0; // edges of the deepest envelope that are longer than nothing
             bmr_edge edge = 0;
             do {
@@ -279,18 +259,16 @@ TEST(a_segment_has_its_two_sides) {
                 edge = after.after;
             } while (edge != 0);
             assert_int_equal(sides, 2);
-            bmr_hierarchy_destroy(h, NULL);
         }
-        bmr_polygon_destroy(p, NULL);
     }
 }
 
 TEST(an_upright_box_is_its_own_envelope) {
     bmr_vec2 points[4];
     test_box_points(2.0, 0.5, points);
-    bmr_polygon *p = polygon_of(points, 4);
+    own_polygon *p = polygon_of(points, 4);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        bmr_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
+        own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
         assert_int_equal(bmr_hierarchy_edge_count(h), 4);
         assert_int_equal(bmr_hierarchy_depth(h), 0);
         for (bmr_edge root = 0; root < 4; ++root) {
@@ -298,27 +276,23 @@ TEST(an_upright_box_is_its_own_envelope) {
             const bmr_vec2 x = bmr_hierarchy_corner_point(h, corner), v = p->vertices[(root + 2) % 4];
             assert_true(x.x == v.x && x.y == v.y);
         }
-        bmr_hierarchy_destroy(h, NULL);
     }
-    bmr_polygon_destroy(p, NULL);
 }
 
 TEST(a_compass_uses_the_edges_that_lie_in_its_directions) {
     test_random random = {7};
-    bmr_polygon *octagon = test_polygon(TEST_OCTAGON, 8, &random);
+    own_polygon *octagon = test_polygon(TEST_OCTAGON, 8, &random);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        bmr_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, octagon);
+        own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, octagon);
         assert_int_equal(bmr_hierarchy_edge_count(h), 8);
         assert_int_equal(bmr_hierarchy_depth(h), 1);
-        bmr_hierarchy_destroy(h, NULL);
     }
-    bmr_polygon_destroy(octagon, NULL);
 }
 
 TEST(a_diamond_in_a_square_has_the_corners_of_the_paper) {
     const bmr_vec2 points[] = {{2, 0}, {0, 1}, {-2, 0}, {0, -1}};
-    bmr_polygon *p = polygon_of(points, 4);
-    bmr_hierarchy *h = built_soundly(BMR_HIERARCHY_DOBKIN_KIRKPATRICK, p);
+    own_polygon *p = polygon_of(points, 4);
+    own_hierarchy *h = built_soundly(BMR_HIERARCHY_DOBKIN_KIRKPATRICK, p);
     assert_int_equal(bmr_hierarchy_edge_count(h), 8);
     const bmr_corner top = bmr_hierarchy_extreme(h, bmr_vec2_make(1, 1), 0);
     assert_true(top.before == 0 && top.after == 1 && top.cut == 4);
@@ -334,33 +308,29 @@ TEST(a_diamond_in_a_square_has_the_corners_of_the_paper) {
     const bmr_boomerang east = bmr_hierarchy_boomerang(h, 0);
     assert_true(east.outer_before == 3 && east.outer_after == 1 && east.child_before == 7 &&
                 east.child_after == 4);
-    bmr_hierarchy_destroy(h, NULL);
-    bmr_polygon_destroy(p, NULL);
 }
 
 TEST(a_tied_direction_gives_the_corner_after_the_tied_edge) {
     test_random random = {9};
-    bmr_polygon *p = test_polygon(TEST_PARALLEL, 40, &random);
+    own_polygon *p = test_polygon(TEST_PARALLEL, 40, &random);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        bmr_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
+        own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
         for (bmr_edge id = 0; id < bmr_hierarchy_edge_count(h); ++id) {
             const bmr_node *node = &h->nodes[id];
             const bmr_vec2 d = bmr_tree_normal(h, node); // integers or the table's: the tie is exact
             for (uint32_t level = (uint32_t)node->level; level <= bmr_hierarchy_depth(h); ++level)
                 assert_int_equal(bmr_hierarchy_extreme(h, d, level).before, id);
         }
-        bmr_hierarchy_destroy(h, NULL);
     }
-    bmr_polygon_destroy(p, NULL);
 }
 
 TEST(edges_that_agree_within_the_merge_angle_become_one) {
     // The bottom edges are within 1e-12 radians of direction S, and of each other; and 5e-11 off.
     const bmr_vec2 merged[] = {{0, 1}, {-1, 0}, {0, -1e-12}, {1, 0}},
                    kept[] = {{0, 1}, {-1, 0}, {0, -5e-11}, {1, 0}};
-    bmr_polygon *p = polygon_of(merged, 4), *q = polygon_of(kept, 4);
+    own_polygon *p = polygon_of(merged, 4), *q = polygon_of(kept, 4);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        bmr_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p),
+        own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p),
                       *k = built_soundly((bmr_hierarchy_kind)kind, q);
         uint32_t at_bottom[2] = {0, 0};
         for (bmr_edge id = 0; id < bmr_hierarchy_edge_count(h); ++id)
@@ -369,11 +339,7 @@ TEST(edges_that_agree_within_the_merge_angle_become_one) {
             at_bottom[1] += bmr_hierarchy_line(k, id).normal.y < -0.9999999999;
         assert_int_equal(at_bottom[0], 1);
         assert_int_equal(at_bottom[1], 3);
-        bmr_hierarchy_destroy(h, NULL);
-        bmr_hierarchy_destroy(k, NULL);
     }
-    bmr_polygon_destroy(p, NULL);
-    bmr_polygon_destroy(q, NULL);
 }
 
 /// Is x one of n regular points on the circle of radius 2 D round the polygon, D the diameter of its disk?
@@ -386,8 +352,8 @@ static bool is_sample(const bmr_polygon *p, bmr_vec2 x) {
 TEST(dudley_adds_edges_whose_outer_normals_point_at_samples_of_the_circle) {
     test_random random = {31};
     for (int round = 0; round < 50; ++round) {
-        bmr_polygon *p = test_polygon(TEST_LENS, 40, &random);
-        bmr_hierarchy *h = built_soundly(BMR_HIERARCHY_DUDLEY, p);
+        own_polygon *p = test_polygon(TEST_LENS, 40, &random);
+        own_hierarchy *h = built_soundly(BMR_HIERARCHY_DUDLEY, p);
         uint32_t degenerate = 0, wrong = 0;
         for (bmr_edge id = 4; id < bmr_hierarchy_edge_count(h); ++id) {
             if (h->nodes[id].own)
@@ -404,8 +370,6 @@ TEST(dudley_adds_edges_whose_outer_normals_point_at_samples_of_the_circle) {
         }
         assert_true(degenerate > 0);
         assert_int_equal(wrong, 2 * degenerate);
-        bmr_hierarchy_destroy(h, NULL);
-        bmr_polygon_destroy(p, NULL);
     }
 }
 
@@ -472,9 +436,9 @@ TEST(audit_refuses_every_kind_of_damage) {
         damage_child_before, damage_child_after, damage_link_range, damage_own,          damage_direction,
         damage_depth,        damage_count,       damage_kind};
     test_random random = {15};
-    bmr_polygon *p = test_polygon(TEST_ELLIPSE, 37, &random);
+    own_polygon *p = test_polygon(TEST_ELLIPSE, 37, &random);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        bmr_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
+        own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
         const size_t bytes = bmr_hierarchy_bytes(h);
         void *good = malloc(bytes);
         assert_non_null(good);
@@ -487,20 +451,15 @@ TEST(audit_refuses_every_kind_of_damage) {
             }
         assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
         free(good);
-        bmr_hierarchy_destroy(h, NULL);
     }
-    bmr_polygon_destroy(p, NULL);
 }
 
 TEST(audit_refuses_a_hierarchy_of_another_polygon) {
     test_random random = {21};
-    bmr_polygon *p = test_polygon(TEST_CIRCLE, 40, &random), *q = test_polygon(TEST_CIRCLE, 40, &random);
+    own_polygon *p = test_polygon(TEST_CIRCLE, 40, &random), *q = test_polygon(TEST_CIRCLE, 40, &random);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        bmr_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
+        own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
         h->polygon = q;
         assert_int_equal(bmr_hierarchy_audit(h), BMR_ERROR_INVALID_STRUCTURE);
-        bmr_hierarchy_destroy(h, NULL);
     }
-    bmr_polygon_destroy(p, NULL);
-    bmr_polygon_destroy(q, NULL);
 }

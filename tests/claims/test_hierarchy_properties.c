@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <stdlib.h>
-
-#include "checks.h"
-#include <math.h>
-
 #include "boomerang/hierarchy.h"
+#include "checks.h"
 #include "compass_fixture.h"
 #include "hierarchies.h"
 #include "hierarchy/tree.h"
@@ -13,7 +9,6 @@
 /// Hierarchies that random bytes do not reach: of many vertices, and with apexes a denormal number from an
 /// edge's end. What holds for all others, tests/random/fuzz_hierarchy.cpp asks.
 
-#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 static const size_t all_sizes[] = {3, 4, 5, 7, 8, 13, 64, 257, 1000, 4096};
 
 // --- envelopes ---
@@ -81,10 +76,10 @@ TEST(the_deepest_envelope_is_the_polygon_bit_for_bit) {
     test_random random = {109};
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
         for (size_t i = 0; i < COUNT_OF(all_sizes); ++i) {
-            bmr_polygon *p = test_polygon((test_family)family, all_sizes[i], &random);
+            own_polygon *p = test_polygon((test_family)family, all_sizes[i], &random);
             for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT && !merges_edges((test_family)family);
                  ++kind) {
-                bmr_hierarchy *h = built(kind, p);
+                own_hierarchy *h = built(kind, p);
                 envelope e = walk_round(h, bmr_hierarchy_depth(h));
                 assert_true(is_the_polygon(&e, p));
                 if (bmr_hierarchy_depth(h) > 0) { // control: the level above is not
@@ -93,9 +88,7 @@ TEST(the_deepest_envelope_is_the_polygon_bit_for_bit) {
                     drop(&above);
                 }
                 drop(&e);
-                bmr_hierarchy_destroy(h, NULL);
             }
-            bmr_polygon_destroy(p, NULL);
         }
 }
 
@@ -105,22 +98,20 @@ TEST(polygons_of_65535_vertices_pass_the_audit) {
     const test_family families[] = {TEST_CIRCLE, TEST_NEEDLE, TEST_TINY_EDGES};
     test_random random = {119};
     for (size_t i = 0; i < COUNT_OF(families); ++i) {
-        bmr_polygon *p = test_polygon(families[i], 65535, &random);
+        own_polygon *p = test_polygon(families[i], 65535, &random);
         assert_true(p->count > 60000);
         for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-            bmr_hierarchy *h = built(kind, p);
+            own_hierarchy *h = built(kind, p);
             assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
             assert_true(bmr_hierarchy_bytes(h) + bmr_polygon_bytes(p->count) <= 160 * (size_t)p->count);
-            bmr_hierarchy_destroy(h, NULL);
         }
-        bmr_polygon_destroy(p, NULL);
     }
 }
 
 /// Also where an apex is so near the end of an edge: every product with what lies between them underflows.
 TEST(what_is_beyond_an_end_by_a_denormal_distance) {
     const bmr_vec2 points[] = {{0.0, 0.0}, {0.4, -0.6}, {1.0, 1.0}};
-    bmr_polygon *p = NULL;
+    own_polygon *p = NULL;
     assert_int_equal(bmr_polygon_create(points, COUNT_OF(points), NULL, &p), BMR_OK);
     for (uint32_t i = 0; i < p->count; ++i) {
         const bmr_vec2 e = bmr_tree_edge_vector(p, i);
@@ -133,5 +124,4 @@ TEST(what_is_beyond_an_end_by_a_denormal_distance) {
                     assert_int_equal(bmr_tree_beyond(p, i, bmr_vec2_make(unit * x, unit * y)), along > 0.0);
             }
     }
-    bmr_polygon_destroy(p, NULL);
 }

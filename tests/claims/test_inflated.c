@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The geometry of inflated hierarchies (section 6) against brute force.
-
-#include "checks.h"
-#include <math.h>
-
 #include "boomerang/inflated.h"
+#include "checks.h"
 #include "compass_fixture.h"
 #include "geometry/distance.h"
 #include "test_scale.h"
@@ -107,8 +104,8 @@ TEST(inflated_corners_lie_on_both_lines) {
     test_random random = {3};
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
         for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-            bmr_polygon *p = test_polygon((test_family)family, 16, &random);
-            bmr_hierarchy *h = built(kind, p);
+            own_polygon *p = test_polygon((test_family)family, 16, &random);
+            own_hierarchy *h = built(kind, p);
             for (uint32_t level = 0; level <= bmr_hierarchy_depth(h); ++level) {
                 bmr_edge edges[400];
                 const uint32_t count = envelope(h, level, edges);
@@ -123,15 +120,13 @@ TEST(inflated_corners_lie_on_both_lines) {
                     assert_true(hypot(q.x - c.x, q.y - c.y) <= offset * sqrt(2.0) * (1.0 + 1e-12));
                 }
             }
-            bmr_hierarchy_destroy(h, NULL);
-            bmr_polygon_destroy(p, NULL);
         }
 }
 
 TEST(offsets_shrink_by_the_ratio_and_levels_end_at_the_depth) {
     test_random random = {5};
-    bmr_polygon *p = test_polygon(TEST_CIRCLE, 64, &random);
-    bmr_hierarchy *h = built(BMR_HIERARCHY_COMPASS, p);
+    own_polygon *p = test_polygon(TEST_CIRCLE, 64, &random);
+    own_hierarchy *h = built(BMR_HIERARCHY_COMPASS, p);
     const uint32_t depth = bmr_hierarchy_depth(h);
     const bmr_inflation plain = bmr_inflation_make(8.0, 0.5, 0.5, 0);
     const bmr_inflation rich = bmr_inflation_make(8.0, 0.25, 0.8, 2);
@@ -146,8 +141,6 @@ TEST(offsets_shrink_by_the_ratio_and_levels_end_at_the_depth) {
     const bmr_inflation deep = bmr_inflation_make(8.0, 0.5, 0.5, 99);
     assert_int_equal(bmr_inflation_last(&deep, h), 0);
     assert_int_equal(bmr_inflation_level(&deep, h, 0), depth);
-    bmr_hierarchy_destroy(h, NULL);
-    bmr_polygon_destroy(p, NULL);
 }
 
 /// Lemma compass (a), as section 6 uses it.
@@ -157,8 +150,8 @@ TEST(compass_offsets_cover_the_heights) {
     for (size_t round = 0; round < test_scaled(3); ++round)
         for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
             for (size_t n = 4; n <= 256; n *= 4) {
-                bmr_polygon *p = test_polygon((test_family)family, n, &random);
-                bmr_hierarchy *h = built(BMR_HIERARCHY_COMPASS, p);
+                own_polygon *p = test_polygon((test_family)family, n, &random);
+                own_hierarchy *h = built(BMR_HIERARCHY_COMPASS, p);
                 const double diameter = bmr_inflation_diameter(p);
                 assert_true(diameter >= test_diameter(p) * (1.0 - 1e-12));
                 assert_true(diameter <= test_diameter(p) * 1.1548);
@@ -169,8 +162,6 @@ TEST(compass_offsets_cover_the_heights) {
                     // The control: with alpha a quarter it is false somewhere.
                     half_is_needed = half_is_needed || height > 0.5 * bmr_inflation_offset(&half, j);
                 }
-                bmr_hierarchy_destroy(h, NULL);
-                bmr_polygon_destroy(p, NULL);
             }
     assert_true(half_is_needed);
 }

@@ -2,11 +2,7 @@
 // Convex translation where mu is n (docs/open-question.md): chains that come geometrically nearer to a
 // straight or bent path. The free direction has an event at each edge; the structures that take a coarse line
 // have a logarithm of them, and each keeps the bound that is proved of it.
-#include <math.h>
-#include <string.h>
-
 #include "checks.h"
-
 #include "convex_paths.h"
 #include "hierarchies.h"
 #include "kds/cone.h"
@@ -199,14 +195,14 @@ TEST(the_fan_ends_where_its_separation_does) {
     test_random random = {8};
     double worst = 0.0;
     for (size_t i = 0; i < test_scaled(3000); ++i) {
-        test_kds_body a = any_body(&random), b = any_body(&random);
+        own_kds_body a = any_body(&random), b = any_body(&random);
         const double size = a.polygon->extent + b.polygon->extent;
         const bmr_pose pose = test_pose_at(a.polygon, b.polygon, test_random_uniform(&random, 0.0, 2.0 * PI),
                                            test_random_uniform(&random, 0.0, 2.0 * PI),
                                            size * pow(10.0, -test_random_uniform(&random, -1.0, 4.0)));
         bmr_kds_def def = bmr_default_kds_def();
         def.margin = MARGIN;
-        bmr_kds *kds = NULL;
+        own_kds *kds = NULL;
         assert_int_equal(bmr_kds_create(test_structure("coarse"), &def, &a.shape, &b.shape, NULL, &kds),
                          BMR_OK);
         uint32_t support[2] = {0, 0};
@@ -225,9 +221,6 @@ TEST(the_fan_ends_where_its_separation_does) {
                 assert_true(side * bmr_cross(u, end) >= 0.0);
                 assert_true(steps <= test_tree_depth(a.polygon) + test_tree_depth(b.polygon) + 12);
             }
-        bmr_kds_destroy(kds, NULL);
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
     }
     printf("off by %.1e of the extents at most\n", worst);
 }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The driver that tests kinetic structures is itself shown a right structure and wrong ones.
-
 #include "checks.h"
-#include <math.h>
-#include <string.h>
-
 #include "kds/structure.h"
 #include "kds_driver.h"
 #include "structure_named.h"
@@ -83,16 +79,13 @@ static test_drive_result drive(const bmr_kds_class *class, test_path_kind kind, 
     const bmr_kds_info info = {"test", "", "", BMR_KDS_POINT, false, -1, class};
     const bmr_kds_def def = bmr_default_kds_def();
     test_random random = {seed};
-    test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 16, &random));
-    test_kds_body b = test_kds_point_make(0.1, 0.2);
+    own_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 16, &random));
+    own_kds_body b = test_kds_point_make(0.1, 0.2);
     const test_path path = test_path_make(kind, a.polygon, b.polygon, 0.05, true, &random);
     const test_drive how = {.path = &path};
-    bmr_kds *kds = NULL;
+    own_kds *kds = NULL;
     assert_int_equal(bmr_kds_create(&info, &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
     const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &how);
-    bmr_kds_destroy(kds, NULL);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
     return result;
 }
 
@@ -127,7 +120,7 @@ TEST(wrong_structures_are_found_out) {
 
 TEST(a_path_s_rates_are_those_of_its_poses) {
     test_random random = {7};
-    test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 8, &random));
+    own_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 8, &random));
     for (int kind = 0; kind < TEST_PATH_KIND_COUNT; ++kind) {
         const test_path path = test_path_make((test_path_kind)kind, a.polygon, a.polygon, 0.1, true, &random);
         double speed, spin, reach;
@@ -144,7 +137,6 @@ TEST(a_path_s_rates_are_those_of_its_poses) {
             assert_true(fabs(now.spin) <= spin * (1.0 + 1e-12));
         }
     }
-    test_kds_body_destroy(&a);
 }
 
 /// Hands out one place, again and again: for a polygon that is made without scratch memory.
@@ -171,7 +163,7 @@ TEST(a_hierarchy_of_a_polygon_that_is_no_more_is_refused) {
     const bmr_kds_info *info = test_structure("lazy-dobkin-kirkpatrick");
     const bmr_kds_def def = bmr_default_kds_def();
     bmr_shape a = triangle_in_place(1.0, NULL), b = triangle_in_place(1.0, &one_place);
-    bmr_hierarchy *of_a = NULL, *of_b = NULL;
+    own_hierarchy *of_a = NULL, *of_b = NULL;
     assert_int_equal(bmr_hierarchy_build_dobkin_kirkpatrick(a.polygon, NULL, &of_a), BMR_OK);
     assert_int_equal(bmr_hierarchy_build_dobkin_kirkpatrick(b.polygon, NULL, &of_b), BMR_OK);
     a.hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK] = of_a;
@@ -191,7 +183,5 @@ TEST(a_hierarchy_of_a_polygon_that_is_no_more_is_refused) {
         assert_int_equal(bmr_kds_create(info, &def, &b, &a, NULL, &kds), expected);
         bmr_kds_destroy(kds, NULL);
     }
-    bmr_hierarchy_destroy(of_a, NULL);
-    bmr_hierarchy_destroy(of_b, NULL);
     bmr_polygon_destroy((bmr_polygon *)(uintptr_t)a.polygon, NULL);
 }

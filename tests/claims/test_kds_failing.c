@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // When a condition counts as failed, and the rate that decides it close to zero.
-
-#include "checks.h"
-#include <math.h>
-
 #include "../../core/kds/failing.h"
+#include "checks.h"
 
 /// A motion that bends and turns, with its rates.
 static bmr_instant instant_at(double time) {

@@ -2,11 +2,7 @@
 // What is proved of the free-direction structures under translation (docs/open-question.md): an event leaves
 // no more distance than its place on the line times the sine of the turn; on a path that bends away distance
 // and slope of approach together are down to a quarter; so events are few.
-#include <math.h>
-#include <string.h>
-
 #include "checks.h"
-
 #include "kds_driver.h"
 #include "motions.h"
 #include "structure_named.h"
@@ -104,14 +100,14 @@ static approach drive(const char *name, test_path_kind kind, size_t rounds, uint
     test_random random = {seed};
     *most_events = 0;
     for (size_t round = 0; round < rounds; ++round) {
-        test_kds_body a = test_kds_body_make(
+        own_kds_body a = test_kds_body_make(
             test_polygon((test_family)test_random_below(&random, TEST_LENS + 1), 40, &random));
-        test_kds_body b = test_kds_body_make(
+        own_kds_body b = test_kds_body_make(
             test_polygon((test_family)test_random_below(&random, TEST_LENS + 1), 40, &random));
         const double gap =
             (a.polygon->radius + b.polygon->radius) * pow(10.0, -test_random_uniform(&random, 0.0, 4.0));
         const test_path path = test_path_make(kind, a.polygon, b.polygon, gap, false, &random);
-        bmr_kds *kds = NULL;
+        own_kds *kds = NULL;
         const bmr_kds_def def = bmr_default_kds_def();
         assert_int_equal(bmr_kds_create(test_structure(name), &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
         p.a = a.polygon;
@@ -125,9 +121,6 @@ static approach drive(const char *name, test_path_kind kind, size_t rounds, uint
         if (events > *most_events)
             *most_events = events;
         p.worst_count = fmax(p.worst_count, events - log2(ratio_of(&p, r.nearest)));
-        bmr_kds_destroy(kds, NULL);
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
     }
     return p;
 }
@@ -199,10 +192,10 @@ TEST(a_chain_costs_as_many_events_as_are_proved) {
     const double way = chain_points(points) * sqrt(0.5);
     bmr_polygon *polygon = NULL;
     assert_int_equal(bmr_polygon_create(points, CHAIN + 3, NULL, &polygon), BMR_OK);
-    test_kds_body a = test_kds_body_make(polygon), b = test_kds_point_make(0.0, 0.0);
+    own_kds_body a = test_kds_body_make(polygon), b = test_kds_point_make(0.0, 0.0);
     const test_path path = {.cubic = {{0.0, 1.0}, {way, -way}}};
     for (size_t k = 0; k < NAMES; ++k) {
-        bmr_kds *kds = NULL;
+        own_kds *kds = NULL;
         const bmr_kds_def def = bmr_default_kds_def();
         assert_int_equal(bmr_kds_create(test_structure(names[k]), &def, &a.shape, &b.shape, NULL, &kds),
                          BMR_OK);
@@ -214,10 +207,7 @@ TEST(a_chain_costs_as_many_events_as_are_proved) {
         const unsigned events = (unsigned)test_drive_events(&r);
         assert_true(events >= CHAIN && events <= bound + COUNT_BEYOND_LOG);
         assert_true(events > 0.5 * bound + 2.0); // what was measured on smooth shapes is no bound
-        bmr_kds_destroy(kds, NULL);
     }
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
 }
 
 TEST(no_certificate_claims_more_than_the_separation) {
@@ -267,14 +257,14 @@ static hold hold_of(const char *name) {
     test_random random = {41};
     // As many at every scale: the controls look for the worst that can be met.
     for (size_t round = 0; round < 120; ++round) {
-        test_kds_body a = test_kds_body_make(
+        own_kds_body a = test_kds_body_make(
             test_polygon((test_family)test_random_below(&random, TEST_FAMILY_COUNT), 40, &random));
-        test_kds_body b = test_kds_body_make(
+        own_kds_body b = test_kds_body_make(
             test_polygon((test_family)test_random_below(&random, TEST_FAMILY_COUNT), 40, &random));
         const double gap =
             (a.polygon->radius + b.polygon->radius) * pow(10.0, -test_random_uniform(&random, 0.0, 3.0));
         const test_path path = test_path_make(TEST_PATH_WANDER, a.polygon, b.polygon, gap, true, &random);
-        bmr_kds *kds = NULL;
+        own_kds *kds = NULL;
         const bmr_kds_def def = bmr_default_kds_def();
         assert_int_equal(bmr_kds_create(test_structure(name), &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
         h.a = a.polygon;
@@ -283,9 +273,6 @@ static hold hold_of(const char *name) {
             .path = &path, .on_event = look_at_hold, .context = &h, .stop_at_contact = true};
         const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &d);
         assert_true(test_drive_is_sound(&r));
-        bmr_kds_destroy(kds, NULL);
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
     }
     return h;
 }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a coarser line of the lazy structures of two polygons proves (section 5).
-
 #include "checks.h"
-#include <math.h>
-
 #include "kds_driver.h"
 #include "motions.h"
 #include "structure_named.h"
@@ -50,8 +47,8 @@ TEST(a_coarser_line_after_a_roll_proves_a_good_part) {
         def.margin = 1e-7;
         coarsenings all = {.margin = def.margin};
         for (int round = 0; round < 4; ++round) {
-            test_kds_body a = test_kds_body_make(test_polygon(TEST_REGULAR, 1024, &random));
-            test_kds_body b = test_kds_body_make(test_polygon(TEST_REGULAR, 1024, &random));
+            own_kds_body a = test_kds_body_make(test_polygon(TEST_REGULAR, 1024, &random));
+            own_kds_body b = test_kds_body_make(test_polygon(TEST_REGULAR, 1024, &random));
             const test_path path = test_path_make(TEST_PATH_ORBIT, a.polygon, b.polygon,
                                                   0.02 * a.polygon->radius, true, &random);
             const test_drive how = {.path = &path,
@@ -59,14 +56,11 @@ TEST(a_coarser_line_after_a_roll_proves_a_good_part) {
                                     .margin = def.margin,
                                     .on_event = look_at_coarsening,
                                     .context = &all};
-            bmr_kds *kds = NULL;
+            own_kds *kds = NULL;
             assert_int_equal(bmr_kds_create(test_structure(names[i]), &def, &a.shape, &b.shape, NULL, &kds),
                              BMR_OK);
             const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
             assert_true(test_drive_is_sound(&r));
-            bmr_kds_destroy(kds, NULL);
-            test_kds_body_destroy(&a);
-            test_kds_body_destroy(&b);
         }
         assert_int_equal(all.thin, 0);
         assert_true(all.poorer > 0); // the control: some prove less than all

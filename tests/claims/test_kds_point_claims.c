@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the paper claims of its structures for a point in section 5, each claim with a control that shows that
 // the check can fail. Section 6 is in test_kds_point_hysteresis.c.
-
 #include "checks.h"
-#include <math.h>
-#include <string.h>
-
 #include "kds/point.h"
 #include "point_pass.h"
 
@@ -178,11 +174,11 @@ TEST(both_searches_find_the_same_triangles) {
 /// Chains are of one hierarchy.
 TEST(chains_of_another_hierarchy_are_refused) {
     test_random random = {7};
-    test_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 60, &random));
-    test_kds_body c = test_kds_body_make(test_polygon(TEST_ELLIPSE, 60, &random));
-    test_kds_body b = test_kds_point_make(0.0, 0.0);
+    own_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 60, &random));
+    own_kds_body c = test_kds_body_make(test_polygon(TEST_ELLIPSE, 60, &random));
+    own_kds_body b = test_kds_point_make(0.0, 0.0);
     bmr_chains *chains = NULL;
-    bmr_kds *kds = NULL;
+    own_kds *kds = NULL;
     const bmr_kds_def def = bmr_default_kds_def();
     const bmr_kds_info *info = test_structure("triangle-binary-dudley");
     assert_int_equal(bmr_chains_create(NULL, NULL, &chains), BMR_ERROR_NULL_ARGUMENT);
@@ -193,11 +189,7 @@ TEST(chains_of_another_hierarchy_are_refused) {
     assert_int_equal(bmr_kds_create(info, &def, &a.shape, &b.shape, NULL, &kds), BMR_ERROR_WRONG_HIERARCHY);
     c.shape.chains[BMR_HIERARCHY_DUDLEY] = chains; // control
     assert_int_equal(bmr_kds_create(info, &def, &c.shape, &b.shape, NULL, &kds), BMR_OK);
-    bmr_kds_destroy(kds, NULL);
     bmr_chains_destroy(chains, NULL);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
-    test_kds_body_destroy(&c);
 }
 
 /// Mean number of events at a separation of 10^-decade diameters.

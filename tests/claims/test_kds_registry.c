@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
-
-#include "checks.h"
-#include <string.h>
-
 #include "boomerang/kds.h"
+#include "checks.h"
 
 TEST(every_structure_is_found_by_its_name_alone) {
     for (size_t i = 0; i < bmr_kds_count(); ++i) {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rivals cost Theta(n) and Theta(n^2) events, and prove what they say of needles, too.
-#include <math.h>
-#include <string.h>
-
 #include "checks.h"
-
 #include "kds/features.h"
 #include "kds/registry.h"
 #include "kds_driver.h"
@@ -26,10 +22,9 @@ static bmr_kds *make(const bmr_kds_info *info, const test_kds_body *a, const tes
 
 static test_drive_result drive(const bmr_kds_info *info, const test_kds_body *a, const test_kds_body *b,
                                const test_path *path, double margin) {
-    bmr_kds *kds = make(info, a, b, margin);
+    own_kds *kds = make(info, a, b, margin);
     const test_drive d = {.path = path, .margin = margin};
     const test_drive_result r = test_drive_run(kds, a->polygon, b->polygon, &d);
-    bmr_kds_destroy(kds, NULL);
     return r;
 }
 
@@ -41,7 +36,7 @@ static uint64_t regular_events(const bmr_kds_info *info, size_t n, bool turns) {
         test_regular_points(n, 1.0, 0.1 + 0.3 * k, points);
         assert_int_equal(bmr_polygon_create(points, n, NULL, &polygons[k]), BMR_OK);
     }
-    test_kds_body a = test_kds_body_make(polygons[0]), b = test_kds_body_make(polygons[1]);
+    own_kds_body a = test_kds_body_make(polygons[0]), b = test_kds_body_make(polygons[1]);
     test_path path;
     memset(&path, 0, sizeof path);
     path.cubic[0] = bmr_vec2_make(turns ? 0.0 : -30.0, 3.0);
@@ -49,8 +44,6 @@ static uint64_t regular_events(const bmr_kds_info *info, size_t n, bool turns) {
     path.spin = turns ? 6.283185307179586 : 0.0;
     const test_drive_result r = drive(info, &a, &b, &path, 1e-6);
     assert_true(test_drive_is_sound(&r));
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
     return test_drive_events(&r);
 }
 
@@ -106,8 +99,8 @@ static void look_at_roll(void *context, const test_drive_event *event) {
 /// Another vertex is the nearest: the edge stays, though others may have more slack by now.
 TEST(test_a_separating_edge_stays_while_the_nearest_vertex_changes) {
     test_random random = {10};
-    test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 24, &random)),
-                  b = test_kds_body_make(test_polygon(TEST_REGULAR, 24, &random));
+    own_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 24, &random)),
+                 b = test_kds_body_make(test_polygon(TEST_REGULAR, 24, &random));
     for (size_t k = 2; k < RIVALS; k++)
         for (double spin = -3.0; spin <= 3.0; spin += 6.0) {
             rolls r = {.bodies = {&a, &b}};
@@ -116,23 +109,20 @@ TEST(test_a_separating_edge_stays_while_the_nearest_vertex_changes) {
             path.cubic[0] = bmr_vec2_make(-3.0, 3.0);
             path.cubic[1] = bmr_vec2_make(6.0, 0.0);
             path.spin = spin;
-            bmr_kds *kds = make(rivals[k], &a, &b, 1e-6);
+            own_kds *kds = make(rivals[k], &a, &b, 1e-6);
             const test_drive d = {.path = &path, .margin = 1e-6, .on_event = look_at_roll, .context = &r};
             const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &d);
             assert_true(test_drive_is_sound(&result));
             assert_true(r.kept >= 5 && r.moved == 0);
-            bmr_kds_destroy(kds, NULL);
         }
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
 }
 
 /// The feature audit finds a pair of features that is not the closest one although its line separates.
 TEST(test_feature_audit_finds_features_that_are_not_the_closest) {
     test_random random = {6};
-    test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 40, &random)),
-                  b = test_kds_body_make(test_polygon(TEST_CIRCLE, 40, &random));
-    bmr_kds *kds = make(&bmr_kds_closest_features, &a, &b, 1e-6);
+    own_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 40, &random)),
+                 b = test_kds_body_make(test_polygon(TEST_CIRCLE, 40, &random));
+    own_kds *kds = make(&bmr_kds_closest_features, &a, &b, 1e-6);
     const bmr_instant now = {test_pose_at(a.polygon, b.polygon, 1.0, 2.0, 0.5), {0.0, 0.0}, 0.0};
     bmr_feature_pair pair = {.vertex = {0, 0}, .edge_owner = -1};
     unsigned touched = 0;
@@ -143,9 +133,6 @@ TEST(test_feature_audit_finds_features_that_are_not_the_closest) {
         wrong.vertex[0] = (wrong.vertex[0] + step) % a.polygon->count;
         assert_int_equal(bmr_features_audit(kds, &wrong, &now.pose), BMR_ERROR_INVALID_STRUCTURE);
     }
-    bmr_kds_destroy(kds, NULL);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
 }
 
 /// A triangle of length 1 with a short edge of that length, both in random directions: the normals of the
@@ -167,7 +154,7 @@ TEST(test_needles_of_any_width_are_proved) {
     test_random random = {9};
     const size_t trials = test_scaled(1500);
     size_t thin = 0;
-    test_kds_body b = test_kds_body_make(test_polygon(TEST_CIRCLE, 5, &random));
+    own_kds_body b = test_kds_body_make(test_polygon(TEST_CIRCLE, 5, &random));
     for (size_t trial = 0; trial < trials; trial++) {
         const double width = exp(test_random_uniform(&random, log(1e-17), 0.0));
         const double margin = exp(test_random_uniform(&random, log(1e-14), log(1e-2)));
@@ -182,16 +169,14 @@ TEST(test_needles_of_any_width_are_proved) {
                          test_random_uniform(&random, 0.0, 6.3), test_random_uniform(&random, 0.05, 1.0));
         const bmr_instant now = {pose, {0.0, 0.0}, 0.0};
         for (size_t k = 0; k < RIVALS; k++) {
-            bmr_kds *kds = make(rivals[k], p, q, margin);
+            own_kds *kds = make(rivals[k], p, q, margin);
             bmr_kds_report report;
             bmr_kds_start(kds, &now, &report);
             assert_true(report.apart);
             if (bmr_kds_audit(kds, &now.pose) != BMR_OK)
                 fail_msg("%s: trial %zu, width %g, margin %g", rivals[k]->name, trial, width, margin);
-            bmr_kds_destroy(kds, NULL);
         }
         test_kds_body_destroy(&a);
     }
     assert_true(thin > trials / 100);
-    test_kds_body_destroy(&b);
 }

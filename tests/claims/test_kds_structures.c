@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What boomerang/kds.h promises of every structure, each on the motions that it is for.
-
 #include "checks.h"
-#include <math.h>
-#include <string.h>
-
 #include "kds_driver.h"
 #include "motions.h"
 #include "test_scale.h"
@@ -32,9 +28,9 @@ static bmr_instant at_gap(const test_kds_body *a, const test_kds_body *b, double
 TEST(an_early_repair_reports_none_and_changes_nothing) {
     for (size_t way = 0; way < 2 * bmr_kds_count(); ++way) {
         const size_t i = way / 2; // at rest, and moving
-        test_kds_body a = regular(24), b = other_body(i, 16);
+        own_kds_body a = regular(24), b = other_body(i, 16);
         const bmr_kds_def def = bmr_default_kds_def();
-        bmr_kds *kds = made(i, &def, &a, &b);
+        own_kds *kds = made(i, &def, &a, &b);
         bmr_instant now = at_gap(&a, &b, 0.02);
         if (way % 2)
             now.velocity = bmr_vec2_make(-0.3, 0.2);
@@ -64,19 +60,16 @@ TEST(an_early_repair_reports_none_and_changes_nothing) {
             ++due;
         bmr_kds_repair(kds, &now, due, &report);
         assert_int_not_equal(report.kind, BMR_KDS_NONE);
-        bmr_kds_destroy(kds, NULL);
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
     }
 }
 
 TEST(contact_is_left_beyond_margin_and_hysteresis_only) {
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
-        test_kds_body a = regular(24), b = other_body(i, 16);
+        own_kds_body a = regular(24), b = other_body(i, 16);
         bmr_kds_def def = bmr_default_kds_def();
         def.margin = 1e-3;
         def.hysteresis = 1e-2;
-        bmr_kds *kds = made(i, &def, &a, &b);
+        own_kds *kds = made(i, &def, &a, &b);
         bmr_kds_report report;
         const double gaps[] = {-0.1, 0.5e-3, 5e-3, 5e-2, 5e-3, 0.9e-3};
         const bmr_kds_event_kind kinds[] = {BMR_KDS_CONTACT, BMR_KDS_CONTACT, BMR_KDS_CONTACT,
@@ -107,9 +100,6 @@ TEST(contact_is_left_beyond_margin_and_hysteresis_only) {
             assert_true(bmr_kds_in_contact(kds) || fabs(bmr_dot(n, n) - 1.0) < 1e-9);
             assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
         }
-        bmr_kds_destroy(kds, NULL);
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
     }
 }
 
@@ -119,13 +109,10 @@ TEST(the_state_does_not_grow_with_the_polygons_unless_it_says_so) {
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
         size_t bytes[2];
         for (int large = 0; large < 2; ++large) {
-            test_kds_body a = regular(large ? 500 : 8), b = other_body(i, large ? 500 : 8);
+            own_kds_body a = regular(large ? 500 : 8), b = other_body(i, large ? 500 : 8);
             const bmr_kds_def def = bmr_default_kds_def();
-            bmr_kds *kds = made(i, &def, &a, &b);
+            own_kds *kds = made(i, &def, &a, &b);
             bytes[large] = bmr_kds_bytes(kds);
-            bmr_kds_destroy(kds, NULL);
-            test_kds_body_destroy(&a);
-            test_kds_body_destroy(&b);
         }
         const char *const name = bmr_kds_at(i)->name;
         const bool linear = strstr(name, "sum-") || strstr(name, "-binary-") || strstr(name, "tiling-");
@@ -148,7 +135,7 @@ TEST(a_free_line_is_repaired_like_that_of_an_edge) {
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
         bmr_polygon *square = NULL;
         assert_int_equal(bmr_polygon_create(diamond, 4, NULL, &square), BMR_OK);
-        test_kds_body a = test_kds_body_make(square), b;
+        own_kds_body a = test_kds_body_make(square), b;
         const bool point = bmr_kds_at(i)->domain == BMR_KDS_POINT;
         if (point) {
             b = test_kds_point_make(0.0, 0.0);
@@ -158,7 +145,7 @@ TEST(a_free_line_is_repaired_like_that_of_an_edge) {
         }
         bmr_kds_def def = bmr_default_kds_def();
         def.margin = 0.01;
-        bmr_kds *kds = made(i, &def, &a, &b);
+        own_kds *kds = made(i, &def, &a, &b);
         const double away = (point ? 1.0 : 2.0) + 1.05 * def.margin;
         bmr_kds_report report;
         bmr_instant now = {{{away * cos(lean), away * sin(lean)}, 1.0, 0.0}, {0.0, 0.0}, 0.0};
@@ -180,17 +167,14 @@ TEST(a_free_line_is_repaired_like_that_of_an_edge) {
                 }
             assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
         }
-        bmr_kds_destroy(kds, NULL);
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
     }
 }
 
 TEST(no_pose_is_contact_and_no_point_is_an_error) {
-    test_kds_body a = regular(8), b = regular(5), point = test_kds_point_make(0.0, 0.0);
+    own_kds_body a = regular(8), b = regular(5), point = test_kds_point_make(0.0, 0.0);
     const bmr_kds_def def = bmr_default_kds_def();
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
-        bmr_kds *kds = NULL;
+        own_kds *kds = NULL;
         if (bmr_kds_at(i)->domain == BMR_KDS_POINT)
             assert_int_equal(bmr_kds_create(bmr_kds_at(i), &def, &a.shape, &b.shape, NULL, &kds),
                              BMR_ERROR_OUT_OF_RANGE);
@@ -210,29 +194,22 @@ TEST(no_pose_is_contact_and_no_point_is_an_error) {
         assert_true(bmr_kds_in_contact(kds));
         bmr_kds_repair(kds, &now, 0, &report); // in contact there is nothing to repair
         assert_int_equal(report.kind, BMR_KDS_NONE);
-        bmr_kds_destroy(kds, NULL);
     }
-    test_kds_body_destroy(&point);
-    test_kds_body_destroy(&b);
-    test_kds_body_destroy(&a);
 }
 
 /// The control: a proof, made at one pose, is found wrong at another where it does not hold.
 TEST(audits_find_a_stale_proof) {
     for (size_t i = 0; i < bmr_kds_count(); ++i)
         for (int step = 1; step < 12; step++) {
-            test_kds_body a = regular(20), b = other_body(i, 20);
+            own_kds_body a = regular(20), b = other_body(i, 20);
             const bmr_kds_def def = bmr_default_kds_def();
-            bmr_kds *kds = made(i, &def, &a, &b);
+            own_kds *kds = made(i, &def, &a, &b);
             bmr_kds_report report;
             bmr_instant now = at_gap(&a, &b, 0.01);
             bmr_kds_start(kds, &now, &report);
             assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
             const bmr_pose other = test_pose_at(a.polygon, b.polygon, 2.8 + 0.1 * step, 0.5, 0.01);
             assert_int_not_equal(bmr_kds_audit(kds, &other), BMR_OK);
-            bmr_kds_destroy(kds, NULL);
-            test_kds_body_destroy(&a);
-            test_kds_body_destroy(&b);
         }
 }
 
@@ -260,10 +237,10 @@ static test_drive_result random_drive(size_t i, size_t round, test_random *rando
     const double ratio = scale == 1.0 ? ratios[test_random_below(random, 5)] : 1.0;
     const double shift = test_random_below(random, 3) == 0 ? 5.0 * scale : 0.0;
     const bmr_kds_domain domain = bmr_kds_at(i)->domain;
-    test_kds_body a = any_body(random, scale, shift);
-    test_kds_body b = domain == BMR_KDS_POINT
-                          ? test_kds_point_make(scale * test_random_uniform(random, -1.0, 1.0), shift)
-                          : any_body(random, scale * ratio, 0.5 * shift);
+    own_kds_body a = any_body(random, scale, shift);
+    own_kds_body b = domain == BMR_KDS_POINT
+                         ? test_kds_point_make(scale * test_random_uniform(random, -1.0, 1.0), shift)
+                         : any_body(random, scale * ratio, 0.5 * shift);
     bmr_kds_def def = bmr_default_kds_def();
     const double size = a.polygon->radius + b.polygon->radius + 0.1 * scale;
     def.margin = 1e-6 * size;
@@ -274,7 +251,7 @@ static test_drive_result random_drive(size_t i, size_t round, test_random *rando
     if (!rotates && kind != TEST_PATH_HIT && test_random_below(random, 2) == 0)
         path.angle = 0.0; // exactly parallel edges that stay so
     const test_drive how = {.path = &path, .resolution = 1e-5, .margin = def.margin};
-    bmr_kds *kds = made(i, &def, &a, &b);
+    own_kds *kds = made(i, &def, &a, &b);
     const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
     if (!test_drive_is_sound(&r))
         printf("%s, round %zu, path %d: audits %u (%s) dead %u contacts %u false %u missed none %u\n",
@@ -284,9 +261,6 @@ static test_drive_result random_drive(size_t i, size_t round, test_random *rando
     // A path of the sizes of two points does not move.
     if (kind == TEST_PATH_HIT && a.polygon->count + b.polygon->count > 2)
         assert_true(r.contact_time < 1.0);
-    bmr_kds_destroy(kds, NULL);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
     return r;
 }
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The structures on an explicit Minkowski sum (section 5): their memory, and the turns that are not for them.
-
-#include "checks.h"
-#include <math.h>
-#include <string.h>
-
 #include "boomerang/minkowski.h"
+#include "checks.h"
 #include "failing_allocator.h"
 #include "kds/point.h"
 #include "kds_driver.h"
@@ -37,17 +33,14 @@ TEST(a_turn_is_out_of_their_domain_and_found_out) {
     test_random random = {5};
     unsigned wrong = 0;
     for (int round = 0; round < 20; ++round) {
-        test_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 24, &random));
-        test_kds_body b = test_kds_body_make(test_polygon(TEST_ELLIPSE, 24, &random));
+        own_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 24, &random));
+        own_kds_body b = test_kds_body_make(test_polygon(TEST_ELLIPSE, 24, &random));
         const test_path path = test_path_make(TEST_PATH_LINE, a.polygon, b.polygon, 0.01, true, &random);
         const test_drive how = {.path = &path, .resolution = 1e-4};
         const bmr_kds_def def = bmr_default_kds_def();
-        bmr_kds *kds = made("sum-lazy-compass", &def, &a, &b);
+        own_kds *kds = made("sum-lazy-compass", &def, &a, &b);
         const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
         wrong += !test_drive_is_sound(&r);
-        bmr_kds_destroy(kds, NULL);
-        test_kds_body_destroy(&a);
-        test_kds_body_destroy(&b);
     }
     assert_true(wrong > 5);
 }
@@ -59,10 +52,10 @@ TEST(the_sum_fits_its_block_at_every_rotation) {
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
         for (size_t k = 0; k < sizeof sizes / sizeof *sizes; ++k)
             for (size_t i = 0; i < NAMES; ++i) {
-                test_kds_body a = test_kds_body_make(test_polygon((test_family)family, sizes[k], &random));
-                test_kds_body b = random_body(&random);
+                own_kds_body a = test_kds_body_make(test_polygon((test_family)family, sizes[k], &random));
+                own_kds_body b = random_body(&random);
                 const bmr_kds_def def = bmr_default_kds_def();
-                bmr_kds *kds = made(names[i], &def, &a, &b);
+                own_kds *kds = made(names[i], &def, &a, &b);
                 const double n = a.polygon->count + b.polygon->count;
                 assert_true((double)bmr_kds_bytes(kds) <= 1024.0 + 720.0 * n);
                 for (int turn = 0; turn < 8; ++turn) {
@@ -81,15 +74,12 @@ TEST(the_sum_fits_its_block_at_every_rotation) {
                     bmr_kds_start(kds, &now, &report);
                     assert_ptr_equal(built, bmr_point_get(kds)->hierarchy);
                 }
-                bmr_kds_destroy(kds, NULL);
-                test_kds_body_destroy(&a);
-                test_kds_body_destroy(&b);
             }
 }
 
 TEST(creation_asks_for_one_block_and_may_fail) {
     test_random random = {8};
-    test_kds_body a = random_body(&random), b = random_body(&random);
+    own_kds_body a = random_body(&random), b = random_body(&random);
     const bmr_kds_def def = bmr_default_kds_def();
     for (size_t i = 0; i < NAMES; ++i)
         for (size_t fail_at = 0; fail_at < 2; ++fail_at) {
@@ -107,6 +97,4 @@ TEST(creation_asks_for_one_block_and_may_fail) {
             bmr_kds_destroy(kds, &heap.allocator);
             assert_int_equal(heap.blocks, 0);
         }
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
 }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The structures whose proof is a line and a window: refuted where they should be, and how long they last.
-#include <math.h>
-#include <string.h>
-
 #include "checks.h"
-
 #include "kds/structure.h"
 #include "kds/windowed_line.h"
 #include "kds_driver.h"
@@ -34,11 +30,11 @@ static bmr_kds *made(const char *name, const test_kds_body *a, const test_kds_bo
 /// The controls: what an audit must see, put into the state by hand (it begins with the line).
 TEST(an_audit_refutes_what_is_false) {
     test_random random = {4};
-    test_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 30, &random));
-    test_kds_body b = test_kds_body_make(test_polygon(TEST_REGULAR, 20, &random));
+    own_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 30, &random));
+    own_kds_body b = test_kds_body_make(test_polygon(TEST_REGULAR, 20, &random));
     const bmr_instant now = {test_pose_at(a.polygon, b.polygon, 0.4, 1.1, 0.3), {-0.3, 0.2}, 0.7};
     for (size_t k = 0; k < NAMES; ++k) {
-        bmr_kds *kds = made(names[k], &a, &b);
+        own_kds *kds = made(names[k], &a, &b);
         bmr_kds_report report;
         bmr_kds_start(kds, &now, &report);
         assert_true(report.apart && report.line_changed);
@@ -71,10 +67,7 @@ TEST(an_audit_refutes_what_is_false) {
             w->count = 2;
             assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_ERROR_INVALID_STRUCTURE);
         }
-        bmr_kds_destroy(kds, NULL);
     }
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
 }
 
 /// A bracket ends sooner on the side that is nearer, and that is what counts where nobody knows which way it
@@ -84,11 +77,11 @@ TEST(a_bracket_lasts_as_long_as_its_nearer_side) {
     size_t uneven = 0;
     for (size_t k = 0; k < NAMES; ++k)
         for (int i = 0; i < 20; ++i) {
-            test_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 30, &random));
-            test_kds_body b = test_kds_body_make(test_polygon(TEST_ELLIPSE, 20, &random));
+            own_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 30, &random));
+            own_kds_body b = test_kds_body_make(test_polygon(TEST_ELLIPSE, 20, &random));
             const bmr_instant now = {
                 test_pose_at(a.polygon, b.polygon, 0.3 * i, 0.7 * i, 0.3), {-0.3, 0.2}, 0.7};
-            bmr_kds *kds = made(names[k], &a, &b);
+            own_kds *kds = made(names[k], &a, &b);
             bmr_kds_report report;
             bmr_kds_start(kds, &now, &report);
             const bmr_windowed_line *w = (const bmr_windowed_line *)(const void *)kds->state;
@@ -105,9 +98,6 @@ TEST(a_bracket_lasts_as_long_as_its_nearer_side) {
                     bmr_windowed_life(&corner, &now.pose, -1) <= bmr_windowed_life(&own, &now.pose, -1) ||
                     bmr_windowed_life(&corner, &now.pose, 1) <= bmr_windowed_life(&own, &now.pose, 1));
             }
-            bmr_kds_destroy(kds, NULL);
-            test_kds_body_destroy(&a);
-            test_kds_body_destroy(&b);
         }
     assert_true(uneven > NAMES * 10);
 }
@@ -126,7 +116,7 @@ static test_kds_body mirrored(const bmr_polygon *polygon) {
 /// For how long the line that a structure starts with separates, if the velocity stays; at most 100.
 static double life_of_start(const char *name, const test_kds_body *a, const test_kds_body *b,
                             const bmr_instant *now) {
-    bmr_kds *kds = made(name, a, b);
+    own_kds *kds = made(name, a, b);
     bmr_kds_report report;
     bmr_kds_start(kds, now, &report);
     assert_true(report.apart);
@@ -134,7 +124,6 @@ static double life_of_start(const char *name, const test_kds_body *a, const test
         bmr_windowed_direction((const bmr_windowed_line *)(const void *)kds->state, &now->pose);
     const double gap = bmr_kds_separation(kds, &now->pose, u) - bmr_default_kds_def().margin;
     const double closing = -bmr_dot(u, now->velocity);
-    bmr_kds_destroy(kds, NULL);
     return gap < 100.0 * closing ? gap / closing : 100.0;
 }
 
@@ -146,9 +135,9 @@ TEST(the_mirror_image_of_a_way_finds_a_line_that_lasts_as_long) {
     size_t ending = 0;
     for (size_t k = 0; k < NAMES; ++k)
         for (size_t i = 0; i < 50 && strcmp(names[k], "coarse") != 0; ++i) {
-            test_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 20, &random));
-            test_kds_body b = test_kds_body_make(test_polygon(TEST_ELLIPSE, 20, &random));
-            test_kds_body image_a = mirrored(a.polygon), image_b = mirrored(b.polygon);
+            own_kds_body a = test_kds_body_make(test_polygon(TEST_CIRCLE, 20, &random));
+            own_kds_body b = test_kds_body_make(test_polygon(TEST_ELLIPSE, 20, &random));
+            own_kds_body image_a = mirrored(a.polygon), image_b = mirrored(b.polygon);
             const double way = test_random_uniform(&random, 0.0, 6.3);
             const bmr_instant now = {test_pose_at(a.polygon, b.polygon,
                                                   test_random_uniform(&random, 0.0, 6.3),
@@ -163,10 +152,6 @@ TEST(the_mirror_image_of_a_way_finds_a_line_that_lasts_as_long) {
                          image_life = life_of_start(names[k], &image_a, &image_b, &image);
             assert_true(fabs(life - image_life) <= 1e-9 * life);
             ending += life < 100.0;
-            test_kds_body_destroy(&a);
-            test_kds_body_destroy(&b);
-            test_kds_body_destroy(&image_a);
-            test_kds_body_destroy(&image_b);
         }
     assert_true(ending > NAMES * 10);
 }

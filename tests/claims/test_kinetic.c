@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <float.h>
-#include <math.h>
-#include <stdlib.h>
 
 #include "checks.h"
 #include <gsl/gsl_errno.h>

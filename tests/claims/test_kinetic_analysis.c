@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The optimum covers and is small, clear decompositions bracket a known size, fits find known growth, and the
 // adversaries cost the rivals what the paper says.
-#include <math.h>
-#include <stdlib.h>
-
 #include "checks.h"
 #include "course_stage.h"
 
@@ -65,9 +62,9 @@ TEST(test_optimum_of_convex_passes_and_of_a_spin_is_1) {
         for (uint64_t seed = 0; seed < 3; seed++)
             for (int step = 0; step < 3; step++) {
                 const double ratio = 4.0 * pow(16.0, step);
-                bmr_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 64, seed),
+                own_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 64, seed),
                             *b = outline(BMR_OUTLINE_DISC, 40, seed);
-                bmr_family_motion m = make(families[k], ratio, seed, a, b);
+                own_family m = make(families[k], ratio, seed, a, b);
                 const bmr_course course = course_of(&m, a, b);
                 bmr_optimum optimum;
                 assert_int_equal(bmr_offline_optimum(&course, MARGIN, 0.02, NULL, 0, &optimum), BMR_OK);
@@ -77,9 +74,6 @@ TEST(test_optimum_of_convex_passes_and_of_a_spin_is_1) {
                 assert_int_equal(optimum.least, 1);
                 assert_int_equal(optimum.found, 1);
                 assert_int_equal(optimum.contacts, 0);
-                bmr_family_destroy(&m);
-                bmr_polygon_destroy(a, NULL);
-                bmr_polygon_destroy(b, NULL);
             }
 }
 
@@ -105,8 +99,8 @@ TEST(test_covers_hold_at_times_between_samples_and_bounds_are_near) {
     for (int family = 0; family < BMR_FAMILY_COUNT; family++)
         for (int step = 1; step < 4; step++) {
             const double ratio = pow(8.0, step);
-            bmr_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 64, 1), *b = outline(BMR_OUTLINE_DISC, 40, 2);
-            bmr_family_motion m = make((bmr_family)family, ratio, 3, a, b);
+            own_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 64, 1), *b = outline(BMR_OUTLINE_DISC, 40, 2);
+            own_family m = make((bmr_family)family, ratio, 3, a, b);
             const bmr_course course = course_of(&m, a, b);
             bmr_optimum optimum;
             assert_int_equal(bmr_offline_optimum(&course, MARGIN, 0.02, lines, MOST_LINES, &optimum), BMR_OK);
@@ -114,9 +108,6 @@ TEST(test_covers_hold_at_times_between_samples_and_bounds_are_near) {
             assert_true(optimum.least >= 1 && optimum.least <= optimum.found);
             // Each end of a cone loses 2 %: a certificate a twentieth of its life, and the last one's rest.
             assert_true((double)optimum.found <= 1.1 * (double)optimum.least + 2.0);
-            bmr_family_destroy(&m);
-            bmr_polygon_destroy(a, NULL);
-            bmr_polygon_destroy(b, NULL);
         }
     free(lines);
 }
@@ -147,8 +138,8 @@ TEST(test_optimum_agrees_with_brute_force_over_directions) {
     static const bmr_family families[] = {BMR_FAMILY_ALGEBRAIC, BMR_FAMILY_ORBIT, BMR_FAMILY_RIGID_ALGEBRAIC,
                                           BMR_FAMILY_TUMBLE};
     for (size_t k = 0; k < 4; k++) {
-        bmr_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 12, k), *b = outline(BMR_OUTLINE_REGULAR, 9, k);
-        bmr_family_motion m = make(families[k], 6.0, k, a, b);
+        own_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 12, k), *b = outline(BMR_OUTLINE_REGULAR, 9, k);
+        own_family m = make(families[k], 6.0, k, a, b);
         const bmr_course course = course_of(&m, a, b);
         bmr_optimum optimum;
         assert_int_equal(bmr_offline_optimum(&course, MARGIN, 0.02, NULL, 0, &optimum), BMR_OK);
@@ -156,9 +147,6 @@ TEST(test_optimum_agrees_with_brute_force_over_directions) {
         // Finitely many directions can only be worse; finitely many times only miss the last bit of a life.
         assert_true(brute + 1 >= optimum.least);
         assert_true((double)brute <= 1.15 * (double)optimum.found + 1.0);
-        bmr_family_destroy(&m);
-        bmr_polygon_destroy(a, NULL);
-        bmr_polygon_destroy(b, NULL);
     }
 }
 
@@ -176,7 +164,7 @@ static bmr_motion *motion(bmr_motion_piece piece) {
 }
 
 TEST(test_contact_divides_a_cover) {
-    bmr_polygon *a = outline(BMR_OUTLINE_REGULAR, 16, 1), *b = point();
+    own_polygon *a = outline(BMR_OUTLINE_REGULAR, 16, 1), *b = point();
     const bmr_pose start = {{-3.0, 0.3}, 1.0, 0.0};
     bmr_course course = {{a, b},
                          {motion(bmr_piece_rest(bmr_pose_identity())),
@@ -197,14 +185,12 @@ TEST(test_contact_divides_a_cover) {
     assert_int_equal(bmr_clear_decomposition(&course, 3.0, 0.0, &clear), BMR_ERROR_OUT_OF_RANGE);
     for (int k = 0; k < 2; k++)
         bmr_motion_destroy(course.motions[k]);
-    bmr_polygon_destroy(a, NULL);
-    bmr_polygon_destroy(b, NULL);
 }
 
 /// A point that goes straight away from a point, from distance 1 to e^5: a disk with the segment [x, y] as
 /// its diameter is clear if y / x <= (kappa + 1) / (kappa - 1), and so the smallest size is known.
 TEST(test_clear_decomposition_of_a_ray_brackets_the_known_size) {
-    bmr_polygon *a = point();
+    own_polygon *a = point();
     const bmr_pose start = {{1.0, 0.0}, 1.0, 0.0};
     const bmr_course course = {{a, a},
                                {motion(bmr_piece_rest(bmr_pose_identity())),
@@ -225,12 +211,11 @@ TEST(test_clear_decomposition_of_a_ray_brackets_the_known_size) {
     }
     for (int k = 0; k < 2; k++)
         bmr_motion_destroy(course.motions[k]);
-    bmr_polygon_destroy(a, NULL);
 }
 
 /// Of a body that turns in place, a segment may turn by radius / diameter.
 TEST(test_clear_decomposition_counts_rotation) {
-    bmr_polygon *a = point();
+    own_polygon *a = point();
     const bmr_pose start = {{1.0, 0.0}, 1.0, 0.0};
     const bmr_course course = {{a, a},
                                {motion(bmr_piece_rest(bmr_pose_identity())),
@@ -246,11 +231,10 @@ TEST(test_clear_decomposition_counts_rotation) {
     assert_true(turning.least < turning.found && turning.least > 1);
     for (int k = 0; k < 2; k++)
         bmr_motion_destroy(course.motions[k]);
-    bmr_polygon_destroy(a, NULL);
 }
 
 TEST(test_hysteresis_takes_the_least_of_each_kind) {
-    bmr_polygon *a = point();
+    own_polygon *a = point();
     bmr_hysteresis h = bmr_hysteresis_make();
     const bmr_pose poses[] = {{{2.0, 0.0}, 1.0, 0.0},
                               {{2.0, 1.0}, 1.0, 0.0},            // 1 / 2
@@ -262,7 +246,6 @@ TEST(test_hysteresis_takes_the_least_of_each_kind) {
     assert_true(fabs(h.displacement - 0.5) < 1e-12);
     assert_true(fabs(h.rotation - 0.5 / sqrt(5.0)) < 1e-12);
     assert_true(fabs(h.both - 0.5 / sqrt(5.0)) < 1e-12);
-    bmr_polygon_destroy(a, NULL);
 }
 
 TEST(test_fits_find_power_and_logarithm) {

@@ -2,10 +2,7 @@
 // Section 6, last paragraph: "Rotational hysteresis implies that the number of events is bounded by the size
 // of a kappa-clear decomposition of the path that the polygons traverse through the three-dimensional
 // configuration space, for some constant kappa."
-#include <math.h>
-
 #include "checks.h"
-
 #include "course_stage.h"
 #include "kds/registry.h"
 #include "kds_driver.h"

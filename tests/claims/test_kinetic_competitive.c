@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lines that the online structures use over those of the offline optimum, on the twelve families of motion:
 // the figures of docs/open-question.md. BMR_TEST_SCALE=5 takes its ten seeds.
-#include <math.h>
-
 #include "checks.h"
-
 #include "course_stage.h"
 #include "kds/registry.h"
 #include "kds_driver.h"
@@ -22,10 +19,10 @@ static const bmr_kds_info *const structures[] = {&bmr_kds_free_fd2, &bmr_kds_fre
 
 /// Adds the lines that the optimum and the structures use on one motion, the first ones counted.
 static void count_lines(bmr_family family, uint64_t seed, double *optimum, double lines[STRUCTURES]) {
-    test_kds_body a = test_kds_body_make(outline(BMR_OUTLINE_ELLIPSE, VERTICES, seed));
-    test_kds_body b = test_kds_body_make(outline(BMR_OUTLINE_DISC, VERTICES, seed));
+    own_kds_body a = test_kds_body_make(outline(BMR_OUTLINE_ELLIPSE, VERTICES, seed));
+    own_kds_body b = test_kds_body_make(outline(BMR_OUTLINE_DISC, VERTICES, seed));
     const bmr_family_def def = {family, RATIO, seed, 0, 0};
-    bmr_family_motion motion;
+    own_family motion;
     assert_int_equal(bmr_family_create(&def, a.polygon, b.polygon, NULL, &motion), BMR_OK);
     const bmr_course course = {{a.polygon, b.polygon}, {motion.motions[0], motion.motions[1]}, 0.0, 1.0};
     bmr_optimum best;
@@ -41,9 +38,6 @@ static void count_lines(bmr_family family, uint64_t seed, double *optimum, doubl
         assert_int_equal(run.counts.external, 0);
         lines[k] += (double)(1 + run.lines);
     }
-    bmr_family_destroy(&motion);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
 }
 
 TEST(the_best_needs_at_most_twice_the_lines_of_the_optimum) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Searches and analyses where they are hard or have nothing to do: the queue against brute force, roots that
 // a solver does not find, points instead of polygons, contact, and what is refused.
-#include <math.h>
-#include <string.h>
-
 #include "checks.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_poly.h>
@@ -113,7 +110,7 @@ static const bmr_vec2 square[] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 
 
 TEST(one_line_covers_a_point_that_passes_a_point) {
     const bmr_vec2 origin = {0.0, 0.0};
-    bmr_polygon *a = polygon_of(&origin, 1), *b = polygon_of(&origin, 1);
+    own_polygon *a = polygon_of(&origin, 1), *b = polygon_of(&origin, 1);
     const bmr_course course = {
         {a, b}, {motion_of(bmr_piece_rest(bmr_pose_identity())), flight(-3.0, 1.0, 6.0, 0.0)}, 0.0, 1.0};
     bmr_optimum optimum;
@@ -122,13 +119,10 @@ TEST(one_line_covers_a_point_that_passes_a_point) {
     assert_int_equal(optimum.found, 1);
     for (int k = 0; k < 2; k++)
         bmr_motion_destroy(course.motions[k]);
-    bmr_polygon_destroy(a, NULL);
-    bmr_polygon_destroy(b, NULL);
 }
 
 TEST(a_run_into_contact_has_a_distance_of_zero_there) {
-    test_kds_body a = test_kds_body_make(polygon_of(square, 4)),
-                  b = test_kds_body_make(polygon_of(square, 4));
+    own_kds_body a = test_kds_body_make(polygon_of(square, 4)), b = test_kds_body_make(polygon_of(square, 4));
     const bmr_course course = {{a.polygon, b.polygon},
                                {motion_of(bmr_piece_rest(bmr_pose_identity())), flight(4.0, 0.5, -4.0, 0.0)},
                                0.0,
@@ -149,8 +143,6 @@ TEST(a_run_into_contact_has_a_distance_of_zero_there) {
     assert_int_equal(bmr_run_course(&def, &backwards, 2.0, NULL, &run), BMR_ERROR_OUT_OF_RANGE);
     for (int k = 0; k < 2; k++)
         bmr_motion_destroy(course.motions[k]);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
 }
 
 TEST(families_know_which_paths_are_convex) {
@@ -161,7 +153,7 @@ TEST(families_know_which_paths_are_convex) {
 
 /// At a time this late the next one that a double tells is an eighth of a second on: a hundred metres.
 TEST(a_path_that_is_faster_than_time_can_be_told_has_no_decomposition) {
-    bmr_polygon *p = polygon_of(square, 4);
+    own_polygon *p = polygon_of(square, 4);
     const double late = 1e15;
     const bmr_pose from = {{10.0, 0.0}, 1.0, 0.0};
     const bmr_course course = {{p, p},
@@ -173,7 +165,6 @@ TEST(a_path_that_is_faster_than_time_can_be_told_has_no_decomposition) {
     assert_int_equal(bmr_clear_decomposition(&course, 3.0, 0.0, &clear), BMR_ERROR_OUT_OF_RANGE);
     for (int k = 0; k < 2; k++)
         bmr_motion_destroy(course.motions[k]);
-    bmr_polygon_destroy(p, NULL);
 }
 
 TEST(what_makes_no_sense_is_refused) {

@@ -3,13 +3,9 @@
 // sought out, on random motions of every kind. Never late, at most the
 // tolerance early.
 #include <float.h>
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
-#include "checks.h"
 
 #include "boomerang/failure.h"
+#include "checks.h"
 #include "failure_oracle.h"
 #include "motion_pieces.h"
 #include "polygons.h"

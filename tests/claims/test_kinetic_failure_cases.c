@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Failure times whose answers are known by thought: roots at the beginning, touches, jumps, bad arguments.
 #include <float.h>
-#include <math.h>
-#include <string.h>
 
 #include "checks.h"
 #include <gsl/gsl_errno.h>

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Searches that would take more steps than anybody waits for end with an error, and a pair at rest takes
 // none. (Without their bounds each of these calls runs for minutes or for ever.)
-#include <math.h>
-#include <string.h>
-
-#include "checks.h"
-
 #include "boomerang/failure.h"
 #include "boomerang/simulation.h"
+#include "checks.h"
 #include "kds_driver.h"
 
 static bmr_motion *motion_of(bmr_motion_piece piece) {
@@ -25,14 +21,12 @@ static bmr_motion_piece screw(double origin, double x, double velocity_y, double
 // ---- failure times ----
 
 static bmr_error failure_of(double spin, double until, double *time) {
-    bmr_motion *still = motion_of(bmr_piece_rest(bmr_pose_identity())),
+    own_motion *still = motion_of(bmr_piece_rest(bmr_pose_identity())),
                *spinning = motion_of(screw(0.0, 3.0, 0.0, spin));
     // A corner that is never nearer than two.
     const bmr_condition k = bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), 0.0, bmr_vec2_make(0.0, 1.0), 0);
     const bmr_failure_options options = bmr_default_failure_options();
     const bmr_error error = bmr_failure_time(&k, still, spinning, 0.0, until, &options, time);
-    bmr_motion_destroy(still);
-    bmr_motion_destroy(spinning);
     return error;
 }
 

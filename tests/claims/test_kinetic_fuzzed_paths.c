@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The fuzzers' motions keep the contract of motion.h: rotations whose a and b have a common root are taken
 // out, wherever in the range it is, and those that only come near to one are left in.
-#include <math.h>
-#include <string.h>
-
-#include "checks.h"
-
 #include "../random/paths.h"
 #include "boomerang/failure.h"
+#include "checks.h"
 
 /// Looks are 0.04 apart here.
 static const fuzz_motion_range within = {.reach = 3.0, .speed = 2.0, .spin = 6.0, .begin = 0.0, .end = 4.0};
@@ -81,14 +77,12 @@ TEST(what_only_comes_near_is_left_in) {
     for (int power = -10; power <= -2; power++) {
         const bmr_motion_piece piece = passing(0.0, 0.0863, 1.0, pow(10.0, power));
         assert_true(stays(piece, &within));
-        bmr_motion *a = NULL, *b = NULL;
+        own_motion *a = NULL, *b = NULL;
         assert_int_equal(bmr_motion_create(&piece, NULL, &a), BMR_OK);
         assert_int_equal(bmr_motion_create(&spin, NULL, &b), BMR_OK);
         double time = -1.0;
         assert_int_equal(bmr_failure_time(&k, a, b, 0.0, 4.0, &options, &time), BMR_OK);
         assert_int_equal(bmr_failure_time(&k, b, a, 0.0, 4.0, &options, &time), BMR_OK);
-        bmr_motion_destroy(a);
-        bmr_motion_destroy(b);
     }
     // Roots outside the range, a root of one alone, no rotation.
     assert_true(stays(passing(0.0, -0.5, 1.0, 0.0), &within));

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Hysteresis (section 6 of the paper), translational and rotational, of the inflated structures of two
 // polygons and of the free directions; and the bound on events by clear decompositions that follows from it.
-#include <math.h>
-#include <string.h>
-
-#include "checks.h"
-
 #include "boomerang/inflated.h"
+#include "checks.h"
 #include "course_stage.h"
 #include "kds/registry.h"
 #include "kds_driver.h"

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <float.h>
-#include <math.h>
-#include <string.h>
-
-#include "checks.h"
 
 #include "boomerang/motion.h"
+#include "checks.h"
 #include "kinetic/piece.h"
 #include "polygons.h"
 #include "test_scale.h"
@@ -50,7 +47,7 @@ TEST(an_algebraic_frame_is_what_its_polynomials_say) {
     w->b[1] = 1.0;
     w->start_c = 0.0;
     w->start_s = 1.0;
-    bmr_motion *motion = made(&piece, NULL);
+    own_motion *motion = made(&piece, NULL);
     for (int i = -12; i <= 12; i++) {
         const double u = 0.25 * i;
         bmr_vec2 velocity;
@@ -60,7 +57,6 @@ TEST(an_algebraic_frame_is_what_its_polynomials_say) {
         assert_true(velocity.x == 2.0 && velocity.y == -2.0 * u);
         assert_true(fabs(spin - 2.0 / (1.0 + u * u)) < 1e-14);
     }
-    bmr_motion_destroy(motion);
 }
 
 TEST(a_change_of_plan_keeps_the_past_and_drops_the_future) {
@@ -68,7 +64,7 @@ TEST(a_change_of_plan_keeps_the_past_and_drops_the_future) {
     const bmr_motion_piece second =
         bmr_piece_screw(1.0, pose_of(2.0, 0.0, 0.0), bmr_vec2_make(1.0, 0.0), 0.0);
     const bmr_motion_piece third = bmr_piece_rest(pose_of(9.0, 0.0, 0.0));
-    bmr_motion *motion = made(&first, NULL);
+    own_motion *motion = made(&first, NULL);
     assert_int_equal(bmr_motion_change(motion, 1.0, &second), BMR_OK);
     assert_int_equal(bmr_motion_change(motion, 3.0, &third), BMR_OK);
     assert_int_equal(bmr_motion_piece_count(motion), 3);
@@ -90,13 +86,12 @@ TEST(a_change_of_plan_keeps_the_past_and_drops_the_future) {
     assert_int_equal(bmr_motion_piece_count(motion), 2);
     assert_true(bmr_motion_pose(motion, 1.0, NULL, NULL).position.x == 9.0);
     assert_true(bmr_motion_pose(motion, 0.5, NULL, NULL).position.x == 1.0);
-    bmr_motion_destroy(motion);
 }
 
 TEST(samples_are_met_and_joined_the_short_way_round) {
     const double times[] = {0.0, 1.0, 3.0};
     const bmr_pose poses[] = {pose_of(0.0, 0.0, 3.0), pose_of(1.0, 2.0, -3.0), pose_of(5.0, 2.0, -2.0)};
-    bmr_motion *motion = NULL;
+    own_motion *motion = NULL;
     assert_int_equal(bmr_motion_create_sampled(times, poses, 3, NULL, &motion), BMR_OK);
     for (size_t i = 0; i < 3; i++)
         assert_true(near_pose(bmr_motion_pose(motion, times[i], NULL, NULL), poses[i], 1e-15));
@@ -110,7 +105,6 @@ TEST(samples_are_met_and_joined_the_short_way_round) {
     // At rest outside.
     assert_true(near_pose(bmr_motion_pose(motion, -7.0, &velocity, &spin), poses[0], 1e-15) && spin == 0.0);
     assert_true(near_pose(bmr_motion_pose(motion, 7.0, &velocity, &spin), poses[2], 1e-15) && spin == 0.0);
-    bmr_motion_destroy(motion);
 }
 
 static bmr_motion_piece random_piece(test_random *random) {
@@ -188,19 +182,18 @@ TEST(rotations_are_made_of_unit_length) {
     pieces[1].as.screw.start.c *= off;
     pieces[1].as.screw.start.s *= off;
     for (int i = 0; i < 2; i++) {
-        bmr_motion *motion = made(&pieces[i], NULL);
+        own_motion *motion = made(&pieces[i], NULL);
         assert_int_equal(bmr_motion_change(motion, 1.0, &pieces[1 - i]), BMR_OK);
         for (double time = 0.5; time < 2.0; time += 1.0) {
             const bmr_pose pose = bmr_motion_pose(motion, time, NULL, NULL);
             assert_true(fabs(hypot(pose.c, pose.s) - 1.0) < 1e-14);
         }
-        bmr_motion_destroy(motion);
     }
 }
 
 TEST(bad_pieces_are_refused_and_nothing_changes) {
     const bmr_motion_piece good = bmr_piece_screw(0.0, pose_of(1.0, 2.0, 3.0), bmr_vec2_make(1.0, 1.0), 1.0);
-    bmr_motion *motion = made(&good, NULL), *none = NULL;
+    own_motion *motion = made(&good, NULL), *none = NULL;
     const struct {
         size_t degree, rotation_degree;
         double origin, x, a, start_c;
@@ -255,6 +248,4 @@ TEST(bad_pieces_are_refused_and_nothing_changes) {
     poses[1].c = (double)NAN;
     assert_int_equal(bmr_motion_create_sampled(times, poses, 2, NULL, &none), BMR_ERROR_NOT_FINITE);
     assert_null(none);
-    bmr_motion_destroy(motion);
-    bmr_motion_destroy(NULL);
 }

@@ -4,12 +4,8 @@
 // climbing. The control is a motion of unbounded degree, whose events grow faster and are told apart.
 //
 // BMR_TEST_SCALE=16 is the campaign: D/sigma up to 80,000 for the motions by hand, 16 times the climbing.
-#include <math.h>
-#include <string.h>
-
-#include "checks.h"
-
 #include "boomerang/analysis.h"
+#include "checks.h"
 #include "kds/registry.h"
 #include "kds_driver.h"
 #include "test_scale.h"
@@ -131,7 +127,7 @@ static bool measure(const trial *t, double ratio, price *cost) {
     bool found = false;
     memset(cost, 0, sizeof *cost);
     for (int round = 0; round < ROUNDS && !found; ++round) {
-        bmr_motion *a = motion_of(t, 0, way), *b = motion_of(t, 1, way);
+        own_motion *a = motion_of(t, 0, way), *b = motion_of(t, 1, way);
         double distance = 0.0, time;
         if (a && b &&
             bmr_least_distance(bodies[0].polygon, bodies[1].polygon, a, b, 0.0, 1.0,
@@ -149,8 +145,6 @@ static bool measure(const trial *t, double ratio, price *cost) {
         } else {
             round = ROUNDS;
         }
-        bmr_motion_destroy(a);
-        bmr_motion_destroy(b);
     }
     test_kds_body_destroy(&bodies[0]);
     test_kds_body_destroy(&bodies[1]);

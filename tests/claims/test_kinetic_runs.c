@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whole runs: every structure on every family of motion, audited; saturation at mu = n.
-#include <math.h>
-#include <stdlib.h>
-
 #include "checks.h"
-
 #include "course_stage.h"
 #include "kds_driver.h"
 #include "structure_named.h"

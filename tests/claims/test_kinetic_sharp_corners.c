@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Section 6's tuning remark, beta towards 1 and kappa towards 3, for polygons with sharp corners: it holds
 // where the root polygon has edges of length zero there, and fails at every corner without them.
-#include <math.h>
-
-#include "checks.h"
-
 #include "boomerang/analysis.h"
 #include "boomerang/families.h"
+#include "checks.h"
 #include "kds/registry.h"
 #include "kds_driver.h"
 #include "motions.h"
@@ -75,12 +72,12 @@ static bmr_kds_def tuned(void) {
 /// The least slack over the distance right after a start, all around and from near to far.
 static double least_slack(const char *name, shape of, uint32_t corner_levels) {
     test_random random = {3};
-    test_kds_body a = body_of(of, corner_levels, &random);
+    own_kds_body a = body_of(of, corner_levels, &random);
     const bmr_kds_info *info = test_structure(name);
-    test_kds_body b =
+    own_kds_body b =
         info->domain == BMR_KDS_POINT ? test_kds_point_make(0.0, 0.0) : body_of(of, corner_levels, &random);
     const bmr_kds_def def = tuned();
-    bmr_kds *kds = NULL;
+    own_kds *kds = NULL;
     assert_int_equal(bmr_kds_create(info, &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
     double least = INFINITY;
     for (int k = 0; k < 360; ++k)
@@ -102,9 +99,6 @@ static double least_slack(const char *name, shape of, uint32_t corner_levels) {
                     slack = fmin(slack, bmr_condition_value(&conditions[i], &now.pose));
             least = fmin(least, slack / test_distance(a.polygon, b.polygon, &now.pose));
         }
-    bmr_kds_destroy(kds, NULL);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
     return least;
 }
 
@@ -133,9 +127,9 @@ typedef struct outcome {
 static outcome run_of(const bmr_kds_info *info, shape of, bmr_family family, uint32_t corner_levels,
                       uint64_t seed) {
     test_random random = {seed};
-    test_kds_body a = body_of(of, corner_levels, &random), b = body_of(of, corner_levels, &random);
+    own_kds_body a = body_of(of, corner_levels, &random), b = body_of(of, corner_levels, &random);
     const bmr_family_def how = {family, 20.0, seed, family == BMR_FAMILY_LINE ? 0 : 64, 0};
-    bmr_family_motion motion;
+    own_family motion;
     assert_int_equal(bmr_family_create(&how, a.polygon, b.polygon, NULL, &motion), BMR_OK);
     const bmr_course course = {{a.polygon, b.polygon}, {motion.motions[0], motion.motions[1]}, 0.0, 1.0};
     bmr_run_def def = {.structure = info,
@@ -147,9 +141,6 @@ static outcome run_of(const bmr_kds_info *info, shape of, bmr_family family, uin
     assert_int_equal(bmr_run_course(&def, &course, motion.diameter, NULL, &o.run), BMR_OK);
     assert_int_equal(o.run.audit, BMR_OK);
     assert_int_equal(bmr_clear_decomposition(&course, KAPPA, 0.0, &o.clear), BMR_OK);
-    bmr_family_destroy(&motion);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
     return o;
 }
 
@@ -179,8 +170,8 @@ TEST(events_are_a_distance_over_beta_apart_and_no_more_than_a_clear_decompositio
 
 TEST(a_table_of_too_few_levels_is_refused) {
     test_random random = {1};
-    bmr_polygon *square = polygon_of(SQUARE, &random);
-    bmr_hierarchy *h = NULL;
+    own_polygon *square = polygon_of(SQUARE, &random);
+    own_hierarchy *h = NULL;
     assert_int_equal(bmr_hierarchy_build_compass_with_corners(square, compass, TABLE_LEVELS + 1, NULL, &h),
                      BMR_ERROR_TABLE_TOO_SMALL);
     assert_int_equal(bmr_hierarchy_build_compass_with_corners(square, NULL, 1, NULL, &h),
@@ -190,8 +181,6 @@ TEST(a_table_of_too_few_levels_is_refused) {
                      BMR_OK);
     assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
     assert_true(bmr_hierarchy_edge_count(h) <= 5 * 4 + (4u << TABLE_LEVELS));
-    bmr_hierarchy_destroy(h, NULL);
-    bmr_polygon_destroy(square, NULL);
 }
 
 /// One compass for all tests of a program.

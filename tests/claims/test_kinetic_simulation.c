@@ -2,13 +2,8 @@
 // Many moving polygons: events in time order, valid at every event and between them, contacts where an
 // independent distance says so, changes of plan that touch one body's pairs alone. Two of any shape, with
 // every structure: tests/random/fuzz_structures.cpp.
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "checks.h"
-
 #include "boomerang/simulation.h"
+#include "checks.h"
 #include "failing_allocator.h"
 #include "kds/structure.h"
 #include "kds_driver.h"

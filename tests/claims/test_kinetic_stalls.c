@@ -2,12 +2,8 @@
 // No pair has event after event while time stands still. A structure is repaired where what it computes of a
 // border and what the search for failures computes differ by a rounding; and it goes on where a motion turns
 // round, slowly, right after a condition has failed.
-#include "checks.h"
-
-#include <math.h>
-#include <stdlib.h>
-
 #include "boomerang/simulation.h"
+#include "checks.h"
 #include "course_stage.h"
 #include "kds_driver.h"
 #include "structure_named.h"
@@ -38,10 +34,10 @@ static void observe(void *context, const bmr_simulation_event *event) {
 }
 
 static void follow(const stall *s) {
-    test_kds_body a = test_kds_body_make(outline(s->outline, s->n, 2 * s->seed)),
-                  b = test_kds_body_make(outline(s->outline, s->n, 2 * s->seed + 1));
+    own_kds_body a = test_kds_body_make(outline(s->outline, s->n, 2 * s->seed)),
+                 b = test_kds_body_make(outline(s->outline, s->n, 2 * s->seed + 1));
     const bmr_family_def family = {s->family, s->ratio, s->seed, 0, 0};
-    bmr_family_motion motion;
+    own_family motion;
     assert_int_equal(bmr_family_create(&family, a.polygon, b.polygon, NULL, &motion), BMR_OK);
     watch w = {0, 0, 0};
     bmr_run_def def = {.structure = test_structure(s->structure),
@@ -60,9 +56,6 @@ static void follow(const stall *s) {
     assert_int_equal(run.counts.external, 0);
     assert_true(w.events > 100 && w.seen == w.events);
     assert_int_equal(w.kept, 0);
-    bmr_family_destroy(&motion);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
 }
 
 /// The side is crossed at 1e-4 of the pair's speed, and a little ahead the point is beyond it by less than a

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Kinetic worlds: first contacts are those that two bodies alone would have; energy and momentum stay, and
 // nothing overlaps. That contacts are those of all pairs, bit for bit: tests/random/fuzz_world.c.
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "checks.h"
-
 #include "boomerang/distance.h"
 #include "boomerang/time_of_contact.h"
 #include "boomerang/world.h"
+#include "checks.h"
 #include "motions.h"
 #include "polygons.h"
 #include "test_scale.h"
@@ -251,12 +245,11 @@ static bmr_world *make_gas(const play_shapes *shapes, int side, bmr_boundary bou
         const bmr_vec2 velocity = {play_in(&random, -1.0, 1.0), play_in(&random, -1.0, 1.0)};
         const bmr_motion_piece piece = bmr_piece_screw(
             0.0, bmr_pose_from_angle(at, play_in(&random, -3.0, 3.0)), velocity, play_in(&random, -1.0, 1.0));
-        bmr_motion *motion;
+        own_motion *motion;
         assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
         const bmr_body_def body = bmr_default_body_def(&shapes->shapes[i % 3 == 0 ? 0 : 7], motion);
         bmr_body id;
         assert_int_equal(bmr_world_add(w, &body, &id), BMR_OK);
-        bmr_motion_destroy(motion);
     }
     return w;
 }
@@ -269,7 +262,7 @@ TEST(a_gas_keeps_its_energy_and_momentum) {
     play_shapes shapes;
     play_make_shapes(&shapes, &random);
     for (int boundary = 0; boundary < 3; boundary++) {
-        bmr_world *w = make_gas(&shapes, SIDE, (bmr_boundary)boundary, false);
+        own_world *w = make_gas(&shapes, SIDE, (bmr_boundary)boundary, false);
         const bmr_world_totals before = bmr_world_get_totals(w);
         for (int step = 1; step <= 4; step++) {
             assert_int_equal(bmr_world_advance(w, seconds * step / 4), BMR_OK);
@@ -290,7 +283,6 @@ TEST(a_gas_keeps_its_energy_and_momentum) {
         // Controls: walls take momentum, and a box has no centre to turn about.
         assert_true((momentum < 1e-12 * scale) == (boundary != BMR_WALLED));
         assert_true((angular < 1e-12 * scale) == (boundary == BMR_OPEN));
-        bmr_world_destroy(w);
     }
     play_drop_shapes(&shapes);
 }
@@ -325,11 +317,10 @@ TEST(a_million_collisions_twice_have_the_same_bits) {
     bmr_world_counts counts[2];
     double before = 0.0, after = 0.0;
     for (int run = 0; run < 2; run++) {
-        bmr_world *w = make_gas(&shapes, SIDE, BMR_PERIODIC, false);
+        own_world *w = make_gas(&shapes, SIDE, BMR_PERIODIC, false);
         before = bmr_world_get_totals(w).energy;
         counts[run] = run_gas(w, size, collisions, states[run]);
         after = bmr_world_get_totals(w).energy;
-        bmr_world_destroy(w);
     }
     printf("%llu impulses, energy %.1e\n", (unsigned long long)counts[0].impulses,
            fabs(after - before) / before);
@@ -358,7 +349,7 @@ TEST(a_million_collisions_twice_have_the_same_bits) {
 
 /// Events and candidates of a body in a unit of time; its memory.
 static void figures(const play_shapes *shapes, int side, bool all_pairs, double figure[3]) {
-    bmr_world *w = make_gas(shapes, side, BMR_PERIODIC, all_pairs);
+    own_world *w = make_gas(shapes, side, BMR_PERIODIC, all_pairs);
     assert_int_equal(bmr_world_advance(w, 2.0), BMR_OK);
     const bmr_world_counts counts = bmr_world_get_counts(w);
     uint64_t events = 0;
@@ -368,7 +359,6 @@ static void figures(const play_shapes *shapes, int side, bool all_pairs, double 
     figure[0] = (double)events / (2.0 * bodies);
     figure[1] = (double)counts.pairs / bodies;
     figure[2] = (double)counts.most_bytes / bodies;
-    bmr_world_destroy(w);
 }
 
 TEST(what_a_body_costs_does_not_grow_with_the_world) {

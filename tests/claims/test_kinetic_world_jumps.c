@@ -197,7 +197,7 @@ TEST(a_long_hysteresis_is_kept) {
     for (int k = 0; k < 8; k++) {
         const bool kept = k & 1, pass = k & 2, curved = k & 4;
         const bmr_polygon *b = box(1.0);
-        stage *s = make_stage(BMR_OPEN, 0.0);
+        own_stage *s = make_stage(BMR_OPEN, 0.0);
         s->def.kds.hysteresis = kept ? 5.0 : 1.0;
         s->response.kind = pass ? BMR_RESPONSE_PASS : BMR_RESPONSE_MINE;
         open_stage(s);
@@ -234,7 +234,6 @@ TEST(a_long_hysteresis_is_kept) {
             assert_int_equal(s->count, kept ? 1 : 2);
         if (!pass || !kept)
             assert_int_equal(s->contacts[1].again, kept ? 1 : 0);
-        close_stage(s);
     }
 }
 
@@ -244,7 +243,7 @@ TEST(a_fast_contact_is_not_told_early) {
     const double margin = 1.5e-5, now = 458.25, speed = 4.2e5;
     for (int k = 0; k <= 40; k++) {
         const bmr_polygon *b = box(10.0);
-        stage *s = make_stage(BMR_OPEN, 0.0);
+        own_stage *s = make_stage(BMR_OPEN, 0.0);
         s->def.kds.margin = s->def.kds.hysteresis = margin;
         s->response.kind = BMR_RESPONSE_PASS;
         assert_int_equal(bmr_world_create(&s->def, now, NULL, &s->world), BMR_OK);
@@ -265,7 +264,6 @@ TEST(a_fast_contact_is_not_told_early) {
         assert_int_equal(bmr_world_advance(s->world, now + 1e-8), BMR_OK);
         assert_int_equal(s->count, 1);
         assert_true(s->contacts[0].distance < 1.25 * margin && s->contacts[0].distance > 0.5 * margin);
-        close_stage(s);
     }
 }
 

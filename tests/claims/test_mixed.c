@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-
 #include "checks.h"
-#include <math.h>
-
 #include "compass_fixture.h"
 #include "mixed_scene.h"
 #include "test_scale.h"
@@ -69,13 +66,12 @@ TEST(the_tiles_have_the_area_of_the_outside) {
     size_t caught = 0, tried = 0;
     for (size_t round = 0; round < test_scaled(300); ++round) {
         const size_t n = 3 + test_random_below(&random, 40), m = 3 + test_random_below(&random, 40);
-        scene s = random_scene(kinds[round % 2], n, m, &random);
+        own_scene s = random_scene(kinds[round % 2], n, m, &random);
         assert_true(area_error(&s, BMR_MIXED_NO_TILE) <= 1e-12);
         if (bmr_mixed_tiling_count(s.tiling) > 0) { // control: a tile is missing
             caught += area_error(&s, test_random_below(&random, bmr_mixed_tiling_count(s.tiling))) > 1e-12;
             ++tried;
         }
-        scene_destroy(&s);
     }
     assert_true(caught > tried / 2);
 }
@@ -152,7 +148,7 @@ TEST(each_point_is_in_one_tile_and_the_implicit_cell_is_that_tile) {
     size_t compared = 0, skipped = 0, other = 0;
     for (size_t round = 0; round < test_scaled(120); ++round) {
         const size_t n = 3 + test_random_below(&random, 30), m = 3 + test_random_below(&random, 30);
-        scene s = random_scene(kinds[round % 2], n, m, &random);
+        own_scene s = random_scene(kinds[round % 2], n, m, &random);
         for (int k = 0; k < 100; ++k) {
             const bmr_vec2 x = some_point(&s, &random);
             const double direction = test_random_uniform(&random, 0.0, TWO_PI);
@@ -191,7 +187,6 @@ TEST(each_point_is_in_one_tile_and_the_implicit_cell_is_that_tile) {
             other += tile != (c.tile + 1) % bmr_mixed_tiling_count(s.tiling); // control: other tiles are told
             ++compared;
         }
-        scene_destroy(&s);
     }
     printf("compared %zu, on a border %zu\n", compared, skipped);
     assert_true(other > 0);
@@ -206,7 +201,7 @@ TEST(across_each_side_lies_the_tile_that_brute_force_finds) {
     unsigned most = 0;
     for (size_t round = 0; round < test_scaled(60); ++round) {
         const size_t n = 3 + test_random_below(&random, 30), m = 3 + test_random_below(&random, 30);
-        scene s = random_scene(kinds[round % 2], n, m, &random);
+        own_scene s = random_scene(kinds[round % 2], n, m, &random);
         const uint32_t tiles = bmr_mixed_tiling_count(s.tiling);
         for (int k = 0; k < 100 && tiles > 0; ++k) {
             const uint32_t tile = test_random_below(&random, tiles);
@@ -259,7 +254,6 @@ TEST(across_each_side_lies_the_tile_that_brute_force_finds) {
             }
             ++compared;
         }
-        scene_destroy(&s);
     }
     printf("compared %zu sides, %zu of them inwards; at most %u stages looked at\n", compared, inwards, most);
     assert_true(inwards > 0 && compared > inwards && wrong_role > 0);

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stdlib.h>
-
 #include "checks.h"
-#include <math.h>
-
 #include "compass_fixture.h"
 #include "failing_allocator.h"
 #include "hierarchies.h"
@@ -39,6 +35,8 @@ static void scene_destroy(scene *s) {
     }
 }
 
+#define own_scene OWNED(scene_destroy) scene
+
 static bmr_mixed mixed_of(const scene *s, double angle, double offset) {
     return bmr_mixed_make(s->hierarchies[0], s->hierarchies[1], cos(angle), sin(angle), offset);
 }
@@ -56,7 +54,7 @@ static void assert_point(bmr_vec2 p, double x, double y) {
 }
 
 TEST(the_cells_are_those_drawn_by_hand) {
-    scene s = diamond_and_square();
+    own_scene s = diamond_and_square();
     const bmr_mixed mixed = mixed_of(&s, 0.0, 0.0);
     // M_0 is a square of half side 1.25. In its upper right corner the edge NE of the diamond cuts off the
     // triangle (1, 0) (1, 1) (0, 1), moved by the square's corner.
@@ -83,11 +81,10 @@ TEST(the_cells_are_those_drawn_by_hand) {
     cell = bmr_mixed_outside(&mixed, bmr_vec2_make(2.0, 0.3), &slack);
     assert_true(fabs(slack - 0.75) < 1e-15 && cell.kind == BMR_MIXED_OUTSIDE && cell.edge == 0);
     assert_int_equal(cell_at(&mixed, 0.2, 0.2).kind, BMR_MIXED_INSIDE);
-    scene_destroy(&s);
 }
 
 TEST(a_small_turn_opens_parallelograms) {
-    scene s = diamond_and_square();
+    own_scene s = diamond_and_square();
     // Turned by an angle t, the square's side E lies between the diamond's E and NE: [a, c] (+) E.
     const double t = 0.1;
     const bmr_mixed mixed = mixed_of(&s, t, 0.0);
@@ -109,11 +106,10 @@ TEST(a_small_turn_opens_parallelograms) {
     assert_true(bmr_mixed_exists(&mixed, &cell));
     assert_false(bmr_mixed_exists(&back, &cell)); // collapsed
     assert_false(bmr_mixed_exists(&far, &cell));  // the page has turned
-    scene_destroy(&s);
 }
 
 TEST(an_offset_moves_every_line_and_mitres_the_corners) {
-    scene s = diamond_and_square();
+    own_scene s = diamond_and_square();
     const double offset = 0.01;
     const bmr_mixed mixed = mixed_of(&s, 0.0, offset);
     const bmr_mixed_cell cell = cell_at(&mixed, 1.1, 1.1);
@@ -126,11 +122,10 @@ TEST(an_offset_moves_every_line_and_mitres_the_corners) {
     // At the exact border the certificate lacks the two offsets and the square's own mitre.
     const double lacking = bmr_mixed_side_value(&mixed, &sides[2], bmr_vec2_make(0.75, 0.75));
     assert_true(fabs(lacking + offset + sqrt(2.0) * offset) < 1e-14);
-    scene_destroy(&s);
 }
 
 TEST(the_tiling_has_those_cells_and_their_neighbours) {
-    scene s = diamond_and_square();
+    own_scene s = diamond_and_square();
     const bmr_mixed mixed = mixed_of(&s, 0.1, 0.0);
     bmr_mixed_tiling *tiling = NULL;
     assert_int_equal(bmr_mixed_tiling_create(&mixed, NULL, &tiling), BMR_OK);
@@ -154,11 +149,10 @@ TEST(the_tiling_has_those_cells_and_their_neighbours) {
     const bmr_mixed_cell none = {BMR_NO_EDGE, {BMR_NO_EDGE, BMR_NO_EDGE}, BMR_MIXED_INSIDE, 0, {0, 0}};
     assert_int_equal(bmr_mixed_tiling_find(tiling, &none), BMR_MIXED_NO_TILE);
     bmr_mixed_tiling_destroy(tiling, NULL);
-    scene_destroy(&s);
 }
 
 TEST(what_is_no_cell_has_neither_sides_nor_height_nor_neighbours) {
-    scene s = diamond_and_square();
+    own_scene s = diamond_and_square();
     const bmr_mixed mixed = mixed_of(&s, 0.3, 0.0);
     double slack;
     const bmr_mixed_cell outside = bmr_mixed_outside(&mixed, bmr_vec2_make(5.0, 1.0), &slack);
@@ -180,11 +174,10 @@ TEST(what_is_no_cell_has_neither_sides_nor_height_nor_neighbours) {
         assert_memory_equal(&next, cell, sizeof next);
     }
     assert_int_equal(touched, 0);
-    scene_destroy(&s);
 }
 
 TEST(a_way_of_no_length_stays_and_one_that_passes_by_is_outside) {
-    scene s = diamond_and_square();
+    own_scene s = diamond_and_square();
     const bmr_mixed mixed = mixed_of(&s, 0.3, 0.0);
     const bmr_mixed_cell at = cell_at(&mixed, 1.1, 1.1);
     bmr_mixed_cell cell = at;
@@ -196,11 +189,10 @@ TEST(a_way_of_no_length_stays_and_one_that_passes_by_is_outside) {
     const bmr_mixed_ray past = {{5.0, 5.0}, {-1.0, 0.0}}, into = {{5.0, 0.0}, {-1.0, 0.0}};
     assert_int_equal(bmr_mixed_enter(&mixed, &past, &touched).kind, BMR_MIXED_OUTSIDE);
     assert_int_not_equal(bmr_mixed_enter(&mixed, &into, &touched).kind, BMR_MIXED_OUTSIDE);
-    scene_destroy(&s);
 }
 
 TEST(a_tiling_remembers_its_rotation) {
-    scene s = diamond_and_square();
+    own_scene s = diamond_and_square();
     const bmr_mixed mixed = mixed_of(&s, 0.3, 0.125);
     bmr_mixed_tiling *tiling = NULL;
     assert_int_equal(bmr_mixed_tiling_create(&mixed, NULL, &tiling), BMR_OK);
@@ -209,11 +201,10 @@ TEST(a_tiling_remembers_its_rotation) {
     assert_ptr_equal(kept->hierarchies[0], s.hierarchies[0]);
     assert_ptr_equal(kept->hierarchies[1], s.hierarchies[1]);
     bmr_mixed_tiling_destroy(tiling, NULL);
-    scene_destroy(&s);
 }
 
 TEST(bad_arguments_and_no_memory_are_errors) {
-    scene s = diamond_and_square();
+    own_scene s = diamond_and_square();
     const bmr_mixed mixed = mixed_of(&s, 0.3, 0.0);
     bmr_mixed_tiling *tiling = NULL;
     assert_int_equal(bmr_mixed_tiling_create(NULL, NULL, &tiling), BMR_ERROR_NULL_ARGUMENT);
@@ -231,5 +222,4 @@ TEST(bad_arguments_and_no_memory_are_errors) {
     bmr_mixed_tiling_destroy(tiling, &heap.allocator);
     bmr_mixed_tiling_destroy(NULL, &heap.allocator);
     assert_true(heap.blocks == 0 && heap.wrong_sizes == 0);
-    scene_destroy(&s);
 }

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <stdlib.h>
-#include <string.h>
-
-#include "checks.h"
-#include <math.h>
-
 #include "boomerang/pair.h"
+#include "checks.h"
 #include "motions.h"
 #include "polygons.h"
 #include "test_scale.h"
@@ -100,6 +95,8 @@ static void couple_destroy(couple *c) {
     test_body_destroy(&c->body[0]);
     test_body_destroy(&c->body[1]);
 }
+#define own_couple OWNED(couple_destroy) couple
+
 static bmr_answer couple_advance(couple *c, bmr_pose q) {
     const bmr_observer observer = {&c->counters, NULL, NULL};
     const bmr_answer answer = bmr_pair_advance(&c->pair, &c->def, &c->a, &c->b, &q, &observer, NULL);
@@ -156,7 +153,7 @@ TEST(a_pose_that_is_no_motion_answers_stab_and_does_no_harm) {
                              {INFINITY, 0, 1, 0}, {0, -INFINITY, 1, 0}, {9, 0, INFINITY, 0}, {9, 0, 0, 0},
                              {9, 0, 2, 0},        {9, 0, 0.9, 0}};
     FOR_EACH_STRUCTURE(s) {
-        couple c;
+        own_couple c;
         couple_make(&c, s, ellipse(20, 0.5, 0.0), box(1.0, 0.5));
         for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i)
             for (int before = 0; before < 3; ++before) { // new, apart by a line, in contact
@@ -172,13 +169,12 @@ TEST(a_pose_that_is_no_motion_answers_stab_and_does_no_harm) {
                 assert_int_equal(bmr_pair_audit(&c.pair, &c.def, &c.a, &c.b, &q), BMR_OK);
                 assert_int_equal(couple_advance(&c, pose(0.0, 1.1, 0.1)), BMR_APART);
             }
-        couple_destroy(&c);
     }
 }
 
 TEST(far_poses_are_apart_up_to_the_largest_double) {
     FOR_EACH_STRUCTURE(s) {
-        couple c;
+        own_couple c;
         couple_make(&c, s, ellipse(20, 0.5, 0.0), box(1.0, 0.5));
         for (double x = 1.0; x < 1e300; x *= 7.0) {
             const bmr_pose q = pose(-x, x / 3.0, x);
@@ -187,21 +183,19 @@ TEST(far_poses_are_apart_up_to_the_largest_double) {
             assert_true(x < 3.0 || answer == BMR_APART);
             assert_true(gap <= hypot(x, x / 3.0));
         }
-        couple_destroy(&c);
     }
 }
 
 /// Identical polygons on each other: no envelope of any level is apart.
 TEST(a_stab_at_the_last_level_is_a_contact_until_the_polygons_part) {
     FOR_EACH_STRUCTURE(s) {
-        couple c;
+        own_couple c;
         couple_make(&c, s, ellipse(33, 0.3, 1.0), ellipse(33, 0.3, 1.0));
         assert_int_equal(couple_advance(&c, bmr_pose_identity()), BMR_STAB_POLYGON);
         assert_int_equal(couple_advance(&c, bmr_pose_identity()), BMR_STAB_POLYGON);
         assert_int_equal(c.counters.events[BMR_EVENT_CONTACT], 1);
         assert_int_equal(couple_advance(&c, pose(5.0, 0.0, 0.0)), BMR_APART);
         assert_int_equal(c.counters.events[BMR_EVENT_LEAVE], 1);
-        couple_destroy(&c);
     }
 }
 
@@ -213,7 +207,7 @@ TEST(points_and_segments_have_pairs_too) {
             bmr_polygon *a = NULL, *b = NULL;
             assert_int_equal(bmr_polygon_create(points, n, NULL, &a), BMR_OK);
             assert_int_equal(bmr_polygon_create(points, m, NULL, &b), BMR_OK);
-            couple c;
+            own_couple c;
             couple_make(&c, s, a, b);
             for (int i = 0; i < 400; ++i) { // passing over and through each other, turning
                 const double y = 0.01 * (i % 200 - 100);
@@ -223,13 +217,12 @@ TEST(points_and_segments_have_pairs_too) {
                 const bmr_answer answer = couple_advance(&c, q);
                 assert_true(truth > slop ? answer == BMR_APART : (truth > 0.0 || answer == BMR_STAB_POLYGON));
             }
-            couple_destroy(&c);
         }
 }
 
 TEST(a_lazy_pair_without_hierarchies_is_a_free_direction) {
     FOR_EACH_STRUCTURE(s) { // the same states and counts, event by event
-        couple c, free;
+        own_couple c, free;
         couple_make(&c, BMR_FREE_DIRECTION, box(1.0, 1.0), box(1.0, 1.0));
         couple_make(&free, BMR_FREE_DIRECTION, box(1.0, 1.0), box(1.0, 1.0));
         c.def.structure = s;
@@ -240,14 +233,12 @@ TEST(a_lazy_pair_without_hierarchies_is_a_free_direction) {
         }
         assert_true(c.counters.events[BMR_EVENT_CONTACT] > 0 && c.counters.events[BMR_EVENT_LEAVE] > 0);
         assert_memory_equal(&c.counters, &free.counters, sizeof c.counters);
-        couple_destroy(&c);
-        couple_destroy(&free);
     }
 }
 
 TEST(contact_is_left_only_by_margin_and_hysteresis) {
     FOR_EACH_STRUCTURE(s) {
-        couple c;
+        own_couple c;
         couple_make(&c, s, box(1.0, 1.0), box(1.0, 1.0));
         c.def.margin = 0.1;
         c.def.hysteresis = 0.05;
@@ -260,7 +251,6 @@ TEST(contact_is_left_only_by_margin_and_hysteresis) {
         const double diagonal = 2.0 + 0.1001 / sqrt(2.0), back = 2.0 + 0.0999 / sqrt(2.0);
         assert_int_equal(couple_advance(&c, pose(diagonal, diagonal, 0.0)), BMR_APART);
         assert_int_equal(couple_advance(&c, pose(back, back, 0.0)), BMR_STAB_POLYGON);
-        couple_destroy(&c);
     }
 }
 
@@ -291,7 +281,7 @@ TEST(a_pair_does_not_allocate) {
 TEST(watching_changes_nothing_and_a_copy_goes_on_alike) {
     test_random random = {6};
     FOR_EACH_STRUCTURE(s) {
-        couple c;
+        own_couple c;
         couple_make(&c, s, ellipse(100, 0.4, 0.0), ellipse(60, 0.7, 0.0));
         bmr_pair unwatched = c.pair;
         for (size_t i = 0; i < 2000; ++i) {
@@ -304,7 +294,6 @@ TEST(watching_changes_nothing_and_a_copy_goes_on_alike) {
             assert_memory_equal(&unwatched, &c.pair, sizeof c.pair);
         }
         assert_int_equal(c.counters.checks, 2000);
-        couple_destroy(&c);
     }
 }
 
@@ -312,7 +301,7 @@ TEST(watching_changes_nothing_and_a_copy_goes_on_alike) {
 
 TEST(a_flat_box_sliding_on_a_flat_box_does_not_roll_each_step) {
     FOR_EACH_STRUCTURE(s) {
-        couple c;
+        own_couple c;
         couple_make(&c, s, box(10.0, 1.0), box(1.0, 1.0));
         test_random random = {8};
         size_t beyond = 0, steps = 5000;
@@ -333,13 +322,12 @@ TEST(a_flat_box_sliding_on_a_flat_box_does_not_roll_each_step) {
         assert_true(events_of(&c.counters) <= 4.0);
         if (s != BMR_FREE_DIRECTION) // there the bracket's ends are not on the flat
             assert_true(beyond > steps / 4);
-        couple_destroy(&c);
     }
 }
 
 TEST(spinning_far_apart_costs_nothing) {
     FOR_EACH_STRUCTURE(s) {
-        couple c;
+        own_couple c;
         couple_make(&c, s, ellipse(64, 0.3, 0.0), ellipse(64, 0.3, 0.0));
         for (int i = 0; i < 1000; ++i)
             assert_int_equal(couple_advance(&c, pose(2.5, 0.0, 0.1 * i)), BMR_APART);
@@ -349,7 +337,6 @@ TEST(spinning_far_apart_costs_nothing) {
         for (int i = 0; i < 1000; ++i)
             couple_advance(&c, pose(0.0, 1.4, 0.1 * i));
         assert_true(events_of(&c.counters) > 50.0);
-        couple_destroy(&c);
     }
 }
 
@@ -357,7 +344,7 @@ TEST(spinning_far_apart_costs_nothing) {
 
 /// Events of a straight pass whose least distance is sigma, sampled finely near the closest place.
 static double events_of_a_pass(bmr_structure s, size_t n, double sigma, double way, double *features) {
-    couple c;
+    own_couple c;
     couple_make(&c, s, ellipse(n, 0.25, 0.3), ellipse(n, 0.5, 1.9));
     const bmr_pose nearest = test_pose_at(c.a.polygon, c.b.polygon, way, 0.6, sigma);
     const bmr_vec2 along = {-sin(way), cos(way)};
@@ -374,7 +361,6 @@ static double events_of_a_pass(bmr_structure s, size_t n, double sigma, double w
         last = feature;
     }
     const double events = events_of(&c.counters);
-    couple_destroy(&c);
     return events;
 }
 
@@ -406,7 +392,7 @@ TEST(events_of_a_pass_grow_with_the_logarithm_of_its_nearness_and_not_with_n) {
 /// Events of one turn around the other at a distance of sigma, counter-clockwise (sense 1) or clockwise (-1),
 /// the other turning `spin` times meanwhile.
 static double events_of_an_orbit(bmr_structure s, size_t n, double sigma, double sense, double spin) {
-    couple c;
+    own_couple c;
     couple_make(&c, s, ellipse(n, 0.25, 0.3), ellipse(n, 0.5, 1.9));
     const bmr_observer observer = {&c.counters, NULL, NULL};
     for (int i = 0; i < 20000; ++i) {
@@ -415,7 +401,6 @@ static double events_of_an_orbit(bmr_structure s, size_t n, double sigma, double
         bmr_pair_advance(&c.pair, &c.def, &c.a, &c.b, &q, &observer, NULL);
     }
     const double events = events_of(&c.counters);
-    couple_destroy(&c);
     return events;
 }
 

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Random motions of random and hard shapes, all structures: every state is re-proved from scratch at every
 // step, and every answer is compared with the distance by another method.
-#include <stdlib.h>
-#include <string.h>
-
-#include "checks.h"
-#include <math.h>
-
 #include "boomerang/pair.h"
+#include "checks.h"
 #include "motions.h"
 #include "polygons.h"
 #include "test_scale.h"

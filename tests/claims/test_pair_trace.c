@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One pass of one pair, event by event: each is checked against the geometry that gives it its name.
-#include <stdlib.h>
-#include <string.h>
-
-#include "checks.h"
-#include <math.h>
-
 #include "boomerang/pair.h"
+#include "checks.h"
 #include "motions.h"
 #include "polygons.h"
 
@@ -51,10 +46,8 @@ static double distance_on_level(const trace *t, int level, const bmr_pose *q) {
     }
     if (!t->body[0].hierarchy)
         return test_distance(t->a.polygon, t->b.polygon, q);
-    bmr_polygon *a = envelope(t->body[0].hierarchy, level), *b = envelope(t->body[1].hierarchy, level);
+    own_polygon *a = envelope(t->body[0].hierarchy, level), *b = envelope(t->body[1].hierarchy, level);
     const double distance = test_distance(a, b, q);
-    bmr_polygon_destroy(a, NULL);
-    bmr_polygon_destroy(b, NULL);
     return distance;
 }
 

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the playground's page draws, counts and says, without a page: pictures are true of the bodies, and
 // counts are those of simulations that were made another way.
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "checks.h"
-
 #include "boomerang/simulation.h"
+#include "checks.h"
 #include "draw.h"
 #include "duel.h"
 #include "page.h"

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <stdlib.h>
-#include <string.h>
-
-#include "checks.h"
-#include <math.h>
-
 #include "boomerang/polygon.h"
+#include "checks.h"
 #include "failing_allocator.h"
 #include "polygons.h"
-
-#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 
 /// What an output that must stay untouched points to.
 static bmr_polygon untouched;
@@ -49,9 +42,8 @@ TEST(hull_drops_inner_collinear_and_equal_points) {
     const bmr_vec2 points[] = {{1, 1}, {0, 0}, {2, 0}, {1, 0},      {2, 2}, {0, 2},
                                {0, 1}, {2, 1}, {0, 0}, {-0.0, 0.0}, {1, 2}};
     const bmr_vec2 expected[] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-    bmr_polygon *polygon = hull_of(points, COUNT_OF(points));
+    own_polygon *polygon = hull_of(points, COUNT_OF(points));
     assert_vertices(polygon, expected, 4);
-    bmr_polygon_destroy(polygon, NULL);
 }
 
 TEST(hull_of_one_place_is_a_point_and_of_a_line_a_segment) {
@@ -87,18 +79,16 @@ TEST(hull_does_not_depend_on_the_order_of_the_points) {
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family) {
         bmr_vec2 points[112];
         const size_t count = test_points((test_family)family, 100, &random, points);
-        bmr_polygon *first = hull_of(points, count);
+        own_polygon *first = hull_of(points, count);
         for (size_t i = count; i-- > 1;) {
             const size_t j = test_random_below(&random, (uint32_t)i + 1);
             const bmr_vec2 swapped = points[i];
             points[i] = points[j];
             points[j] = swapped;
         }
-        bmr_polygon *second = hull_of(points, count);
+        own_polygon *second = hull_of(points, count);
         assert_int_equal(first->count, second->count);
         assert_memory_equal(first->vertices, second->vertices, first->count * sizeof(bmr_vec2));
-        bmr_polygon_destroy(first, NULL);
-        bmr_polygon_destroy(second, NULL);
     }
 }
 
@@ -145,9 +135,8 @@ TEST(more_than_65535_points_are_refused_and_65535_are_not) {
     test_regular_points(65536, 1.0, 0.0, points);
     assert_refused(points, 65536, BMR_ERROR_TOO_MANY_POINTS);
     test_regular_points(65535, 1.0, 0.0, points);
-    bmr_polygon *polygon = hull_of(points, 65535);
+    own_polygon *polygon = hull_of(points, 65535);
     assert_int_equal(polygon->count, 65535);
-    bmr_polygon_destroy(polygon, NULL);
     free(points);
 }
 
@@ -225,11 +214,10 @@ TEST(audit_refuses_what_is_not_strictly_convex) {
                  {dented, 4, BMR_ERROR_NOT_CONVEX},    {twice_the_same, 3, BMR_ERROR_NOT_CONVEX},
                  {star, 5, BMR_ERROR_NOT_CONVEX},      {round, 5, BMR_OK}};
     for (size_t i = 0; i < COUNT_OF(cases); ++i) {
-        bmr_polygon *polygon = NULL;
+        own_polygon *polygon = NULL;
         assert_int_equal(bmr_polygon_create_raw(cases[i].points, cases[i].count, NULL, &polygon), BMR_OK);
         assert_vertices(polygon, cases[i].points, (uint32_t)cases[i].count);
         assert_int_equal(bmr_polygon_audit(polygon), cases[i].expected);
-        bmr_polygon_destroy(polygon, NULL);
     }
     assert_int_equal(bmr_polygon_audit(NULL), BMR_ERROR_NULL_ARGUMENT);
 }

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
-
 #include "checks.h"
-#include <math.h>
-
 #include "geometry/predicates.h"
 #include "polygons.h"
 #include "test_scale.h"
-
-#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 
 static int naive_orientation(bmr_vec2 a, bmr_vec2 b, bmr_vec2 c) {
     const double d = bmr_cross(bmr_sub(b, a), bmr_sub(c, a));

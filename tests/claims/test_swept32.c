@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What is promised of shapes in motion is held against the motion itself, step by step in double precision;
 // and the form of these files without SSE2 against the one with it.
-
 #include "checks.h"
 
 #include <fenv.h>
 #include <float.h>
-#include <math.h>
-#include <string.h>
 
 #include "exact32/swept32.h"
 #include "plain_lanes.h"

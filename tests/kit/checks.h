@@ -2,6 +2,7 @@
 #ifndef BMR_TEST_CHECKS_H
 #define BMR_TEST_CHECKS_H
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -10,6 +11,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "owned.h"
 
 /// @file
 /// Tests in C: a program is one source that includes this header, `main` is here. TEST(name) { ... } is a
@@ -60,6 +63,7 @@ static inline void check_integers(long long a, long long b, bool equal, const ch
         check_failed(file, line, "%s: %lld and %lld", text, a, b);
 }
 
+#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 #define fail_msg(...) check_failed(__FILE__, __LINE__, __VA_ARGS__)
 #define assert_true(condition) ((condition) ? (void)0 : fail_msg("not so: %s", #condition))
 #define assert_false(condition) ((condition) ? fail_msg("so: %s", #condition) : (void)0)

@@ -2,22 +2,12 @@
 #ifndef BOOMERANG_TEST_CONVEX32_RANDOM_H
 #define BOOMERANG_TEST_CONVEX32_RANDOM_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "checks.h"
-#include <math.h>
-#include <stdlib.h>
-
 #include "convex32/convex32.h"
 #include "polygons.h"
 
 /// @file
 /// Random polygons of any size in float, and directions that are hard for them.
-
-#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 
 static inline bmr_vec32 vec(double x, double y) {
     const bmr_vec32 v = {(float)x, (float)y};

@@ -27,6 +27,7 @@ test_kds_body test_kds_body_make_scaled(bmr_polygon *polygon, double scale, doub
 /// A body of one vertex.
 test_kds_body test_kds_point_make(double x, double y);
 void test_kds_body_destroy(test_kds_body *body);
+#define own_kds_body OWNED(test_kds_body_destroy) test_kds_body
 
 /// A smooth relative motion over times [0, 1]: a cubic and three harmonics in the position, a line and one
 /// harmonic in the angle. All rates are exact.

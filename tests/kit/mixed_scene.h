@@ -2,14 +2,7 @@
 #ifndef BOOMERANG_TEST_MIXED_SCENE_H
 #define BOOMERANG_TEST_MIXED_SCENE_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "checks.h"
-#include <math.h>
-
 #include "hierarchies.h"
 #include "hierarchy/mixed_cells.h"
 #include "motions.h"
@@ -54,6 +47,8 @@ static inline void scene_destroy(scene *s) {
         bmr_polygon_destroy(s->polygons[i], NULL);
     }
 }
+
+#define own_scene OWNED(scene_destroy) scene
 
 /// An angle of 0 a third of the time, a compass angle another third: aligned hierarchies.
 static inline double some_angle(test_random *random) {

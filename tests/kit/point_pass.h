@@ -2,13 +2,7 @@
 #ifndef BOOMERANG_TEST_POINT_PASS_H
 #define BOOMERANG_TEST_POINT_PASS_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "checks.h"
-
 #include "kds_driver.h"
 #include "motions.h"
 #include "structure_named.h"

@@ -2,18 +2,8 @@
 #ifndef BMR_TEST_WORLD_STAGE_H
 #define BMR_TEST_WORLD_STAGE_H
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "checks.h"
-
 #include "boomerang/world.h"
+#include "checks.h"
 #include "polygons.h"
 
 /// @file
@@ -81,6 +71,10 @@ static inline void close_stage(stage *s) {
     bmr_world_destroy(s->world);
     free(s);
 }
+static inline void leave_stage(stage **s) {
+    close_stage(*s);
+}
+#define own_stage OWNED(leave_stage) stage
 
 static inline void advance(stage *s, double time) {
     assert_int_equal(bmr_world_advance(s->world, time), BMR_OK);

@@ -2,11 +2,7 @@
 // The steps that a start or repair reports are what it costs: core is compiled once more with a call at every
 // basic block, and the blocks that were run are at most a constant times the steps, for every structure,
 // every single repair, and polygons of any size.
-#include <math.h>
-#include <stdlib.h>
-
 #include "checks.h"
-
 #include "kds_driver.h"
 #include "motions.h"
 #include "test_scale.h"
@@ -65,10 +61,10 @@ static const size_t sizes[] = {12, 128, 2048};
 static void drive(const bmr_kds_info *info, size_t n, uint64_t seed) {
     test_random random = {seed};
     const test_family family = seed % 2 ? TEST_ELLIPSE : TEST_LENS;
-    test_kds_body a = test_kds_body_make(test_polygon(family, n, &random));
-    test_kds_body b = info->domain == BMR_KDS_POINT
-                          ? test_kds_point_make(0.1, 0.2)
-                          : test_kds_body_make(test_polygon(TEST_REGULAR, n, &random));
+    own_kds_body a = test_kds_body_make(test_polygon(family, n, &random));
+    own_kds_body b = info->domain == BMR_KDS_POINT
+                         ? test_kds_point_make(0.1, 0.2)
+                         : test_kds_body_make(test_polygon(TEST_REGULAR, n, &random));
     const test_path_kind kind = info->role == BMR_KDS_RIVAL ? TEST_PATH_LINE
                                 : seed % 3                  ? TEST_PATH_WANDER
                                                             : TEST_PATH_ORBIT;
@@ -76,13 +72,10 @@ static void drive(const bmr_kds_info *info, size_t n, uint64_t seed) {
     const test_path path = test_path_make(kind, a.polygon, b.polygon, 1e-3, turns, &random);
     const test_drive how = {.path = &path, .audit_every = 100000};
     const bmr_kds_def def = bmr_default_kds_def();
-    bmr_kds *kds = NULL;
+    own_kds *kds = NULL;
     assert_int_equal(bmr_kds_create(info, &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
     const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
     assert_true(test_drive_is_sound(&r));
-    bmr_kds_destroy(kds, NULL);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
 }
 
 TEST(no_repair_runs_more_than_a_constant_for_each_step_that_it_reports) {
@@ -138,9 +131,11 @@ static void couple_destroy(couple *c) {
     test_body_destroy(&c->b);
 }
 
+#define own_couple OWNED(couple_destroy) couple
+
 static void step_pair(test_motion_kind kind, bmr_structure structure, size_t n, size_t m, uint64_t seed,
                       pair_tally *t) {
-    couple c = couple_make(structure, n, m, seed);
+    own_couple c = couple_make(structure, n, m, seed);
     bmr_pair pair;
     bmr_pair_init(&pair);
     test_motion motion = test_motion_make(kind, c.a.polygon, c.b.polygon, &c.random);
@@ -159,7 +154,6 @@ static void step_pair(test_motion_kind kind, bmr_structure structure, size_t n, 
         t->steps += steps;
         ++t->repairs;
     }
-    couple_destroy(&c);
 }
 
 TEST(no_step_of_a_pair_runs_more_than_a_constant_for_each_that_it_counts) {
@@ -184,7 +178,7 @@ static double steps_of_coarsening(bmr_structure structure, size_t n, size_t m) {
     double steps = 0.0;
     size_t repairs = 0;
     for (uint64_t seed = 1; seed <= 10; ++seed) {
-        couple c = couple_make(structure, n, m, seed);
+        own_couple c = couple_make(structure, n, m, seed);
         const bmr_polygon *a = c.a.polygon, *b = c.b.polygon;
         const double direction = test_random_uniform(&c.random, 0.0, 6.28),
                      angle = test_random_uniform(&c.random, 0.0, 6.28);
@@ -202,7 +196,6 @@ static double steps_of_coarsening(bmr_structure structure, size_t n, size_t m) {
             steps += (double)counters.steps;
             ++repairs;
         }
-        couple_destroy(&c);
     }
     assert_true(repairs > 50);
     return steps / (double)repairs;
@@ -221,9 +214,9 @@ TEST(a_coarsening_pair_does_not_climb_to_the_best_line_of_each_level) {
 static double blocks_a_vertex(test_family family, size_t n, bmr_hierarchy_kind kind,
                               const bmr_compass *compass) {
     test_random random = {n};
-    bmr_polygon *polygon = test_polygon(family, n, &random);
+    own_polygon *polygon = test_polygon(family, n, &random);
     assert_non_null(polygon);
-    bmr_hierarchy *made = NULL;
+    own_hierarchy *made = NULL;
     const uint64_t before = blocks;
     if (kind == BMR_HIERARCHY_COMPASS)
         assert_int_equal(bmr_hierarchy_build_compass(polygon, compass, NULL, &made), BMR_OK);
@@ -232,20 +225,17 @@ static double blocks_a_vertex(test_family family, size_t n, bmr_hierarchy_kind k
     else
         assert_int_equal(bmr_hierarchy_build_dobkin_kirkpatrick(polygon, NULL, &made), BMR_OK);
     const double each = (double)(blocks - before) / polygon->count;
-    bmr_hierarchy_destroy(made, NULL);
-    bmr_polygon_destroy(polygon, NULL);
     return each;
 }
 
 /// The same of a search by halves for each vertex.
 static double blocks_a_search(size_t n) {
     test_random random = {n};
-    bmr_polygon *polygon = test_polygon(TEST_REGULAR, n, &random);
+    own_polygon *polygon = test_polygon(TEST_REGULAR, n, &random);
     const uint64_t before = blocks;
     for (uint32_t i = 0; i < polygon->count; ++i)
         bmr_polygon_support(polygon, bmr_polygon_normal(polygon, i));
     const double each = (double)(blocks - before) / polygon->count;
-    bmr_polygon_destroy(polygon, NULL);
     return each;
 }
 
@@ -254,7 +244,7 @@ static double blocks_a_search(size_t n) {
 TEST(a_hierarchy_is_built_in_linear_time) {
     const test_family families[] = {TEST_CIRCLE, TEST_ELLIPSE, TEST_LENS};
     const size_t small = 512, large = 32768;
-    bmr_compass *compass = NULL;
+    own_compass *compass = NULL;
     assert_int_equal(bmr_compass_create(large, NULL, &compass), BMR_OK);
     for (size_t f = 0; f < sizeof families / sizeof *families; ++f)
         for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
@@ -265,5 +255,4 @@ TEST(a_hierarchy_is_built_in_linear_time) {
             assert_true(many <= MOST_GROWTH * few);
         }
     assert_true(blocks_a_search(large) > MOST_GROWTH * blocks_a_search(small)); // control: n log n
-    bmr_compass_destroy(compass, NULL);
 }
