@@ -27,7 +27,7 @@ TEST(memory_is_linear_and_given_back) {
         for (int k = side * side - 1; k >= 0; k--)
             assert_int_equal(bmr_world_remove(s->world, (bmr_body)k), BMR_OK);
         // Tables keep a little.
-        assert_in_range(heap.bytes, empty, empty + 16 * 1024 + 96 * (size_t)(side * side));
+        assert_in_range(heap.bytes, empty, empty + 8 * 1024 + 40 * (size_t)(side * side));
         assert_int_equal(heap.wrong_sizes, 0);
         bmr_world_destroy(s->world);
         assert_int_equal(heap.blocks, 0);
