@@ -9,24 +9,44 @@ using forked::Run;
 
 namespace {
 
-/// Puts the body there, and looks.
-void Put(Game &game, Listener &listener, b2Body *body, b2Vec2 at, const char *what) {
-    listener.Say(what);
-    body->SetTransform(at, 0.0f);
-    body->SetAwake(true);
-    body->SetLinearVelocity({0.0f, 0.0f});
-    body->SetAngularVelocity(0.0f);
-    game.Step();
-    listener.CheckContacts(game.world);
-}
+/// The body is put there, and looked at; then these events are told.
+struct Look {
+    b2Vec2 at;
+    const char *what, *events = "";
+    int touching = -1; ///< contacts, where it is said
+};
+using Life = std::vector<Look>;
 
-/// So many that the world has a ledger where there is one: it has none for fewer than 8 contacts.
-void AddCrowd(Game &game) {
-    for (int i = 0; i < 12; ++i) {
-        const float x = 40.0f + 1.1f * static_cast<float>(i);
-        game.Box(game.Body(b2_dynamicBody, {x, 0.0f}), 0.5f, 0.5f);
+void Live(Game &game, Listener &listener, b2Body *body, const Life &life) {
+    for (const Look &look : life) {
+        listener.Say(look.what);
+        body->SetTransform(look.at, 0.0f);
+        body->SetAwake(true);
+        body->SetLinearVelocity({0.0f, 0.0f});
+        body->SetAngularVelocity(0.0f);
+        game.Step();
+        listener.CheckContacts(game.world);
+        game.Stage(look.touching < 0 || game.Touching() == look.touching, look.what);
     }
 }
+
+std::string TextOf(const Life &life) {
+    std::string text;
+    for (const Look &look : life)
+        text += std::string("-- ") + look.what + "\n" + look.events;
+    return text;
+}
+
+/// So many boxes that the world has a ledger where there is one: it has none for fewer than 8 contacts.
+struct Crowded : Game {
+    Crowded(Run &run, Listener &listener) : Game(run) {
+        listener.Watch(&world);
+        for (int i = 0; i < 12; ++i)
+            Box(Body(b2_dynamicBody, {40.0f + 1.1f * static_cast<float>(i), 0.0f}), 0.5f, 0.5f);
+        Step();
+        listener.PrintEvents();
+    }
+};
 
 /// The lines of a text that tell of events, equal ones in a row counted; and what is broken.
 std::string EventsOf(const std::string &text) {
@@ -53,33 +73,31 @@ std::string EventsOf(const std::string &text) {
     return events;
 }
 
+const Life kSmall = {
+    {{1.6f, 0.0f}, "beside it", "contact start -1 0\n"},
+    {{1.6f, 0.4f}, "along its side"},
+    {{1.525f, 0.4f}, "so near that it is looked at in every step"},
+    {{1.525f, 0.5f}, "along its side"},
+    {{1.56f, 1.56f}, "at its corner"},
+    {{1.2f, 1.525f}, "around its corner", "contact push 0 0\n"},
+    {{0.0f, 1.6f}, "above it"},
+    {{0.0f, 1.49f}, "on it", "contact contact 0 0\n", 1},
+    {{0.0f, 1.49f}, "still"},
+    {{0.0f, 1.525f}, "off it", "contact leave 0 0\n"},
+    {{0.0f, 1.6f}, "farther off"},
+    {{0.0f, 1.49f}, "on it again", "contact contact 0 0\n"},
+    {{1.6f, 0.0f}, "beside it", "contact leave 0 0\n"},
+    {{5.0f, 0.0f}, "away"},
+    {{1.6f, 0.0f}, "back", "contact start -1 0\n"},
+    {{5.0f, 0.0f}, "away"},
+    {{0.0f, 1.49f}, "on it from nowhere", "contact contact -1 0\n"},
+};
 void PlaySmall(Run &run, Listener &listener) {
-    Game game(run);
-    listener.Watch(&game.world);
-    AddCrowd(game);
-    game.Step();
-    listener.PrintEvents();
+    Crowded game(run, listener);
     game.Box(game.Body(b2_staticBody, {0.0f, 0.0f}), 1.0f, 1.0f);
     b2Body *body = game.Body(b2_dynamicBody, {5.0f, 0.0f});
     game.Box(body, 0.5f, 0.5f);
-    Put(game, listener, body, {1.6f, 0.0f}, "beside it");
-    Put(game, listener, body, {1.6f, 0.4f}, "along its side");
-    Put(game, listener, body, {1.525f, 0.4f}, "so near that it is looked at in every step");
-    Put(game, listener, body, {1.525f, 0.5f}, "along its side");
-    Put(game, listener, body, {1.56f, 1.56f}, "at its corner");
-    Put(game, listener, body, {1.2f, 1.525f}, "around its corner");
-    Put(game, listener, body, {0.0f, 1.6f}, "above it");
-    Put(game, listener, body, {0.0f, 1.49f}, "on it");
-    game.Stage(game.Touching() == 1, "they touch");
-    Put(game, listener, body, {0.0f, 1.49f}, "still");
-    Put(game, listener, body, {0.0f, 1.525f}, "off it");
-    Put(game, listener, body, {0.0f, 1.6f}, "farther off");
-    Put(game, listener, body, {0.0f, 1.49f}, "on it again");
-    Put(game, listener, body, {1.6f, 0.0f}, "beside it");
-    Put(game, listener, body, {5.0f, 0.0f}, "away");
-    Put(game, listener, body, {1.6f, 0.0f}, "back");
-    Put(game, listener, body, {5.0f, 0.0f}, "away");
-    Put(game, listener, body, {0.0f, 1.49f}, "on it from nowhere");
+    Live(game, listener, body, kSmall);
 }
 
 /// Twelve vertices: 4 wide, 0.6 high, so that the disks around two of them part long after the polygons.
@@ -94,38 +112,45 @@ void AddBig(Game &game, b2Body *body) {
     game.Fixture(body, shape);
 }
 
+const Life kBig = {
+    {{4.1f, 0.0f}, "end to end", "contact start -1 -1\n"},
+    {{4.05f, 0.1f}, "nearer"},
+    {{0.3f, 0.7f}, "above it", "contact stab -1 0\n"},
+    {{0.2f, 0.7f}, "along it"},
+    {{2.6f, 0.5f}, "about its end", "contact push 0 0\n"},
+    {{3.4f, 0.4f}, "beyond its end", "contact push 0 0\n"},
+    {{3.6f, 0.3f}, "lower"},
+    {{3.6f, -0.3f}, "beneath its end", "contact push 0 0\n"},
+    {{0.0f, -0.7f}, "below it", "contact push 0 0\n"},
+    {{0.0f, 0.7f}, "through it", "contact contact 0 0\n"}, // which a look does not follow
+    {{0.1f, 0.7f}, "along it", "contact leave 0 0\n"},
+    {{4.1f, 0.0f}, "end to end", "contact coarsen 0 -1\n"},
+    {{0.0f, 0.7f}, "above it", "contact stab -1 0\n"},
+    {{0.0f, 0.59f}, "against it", "contact contact 0 0\n", 1},
+    {{0.0f, 0.7f}, "off it", "contact leave 0 0\n"},
+    {{0.0f, 0.59f}, "against it", "contact contact 0 0\n"},
+    {{4.1f, 0.0f}, "end to end", "contact leave 0 -1\n"},
+    {{9.0f, 0.0f}, "away"},
+    {{0.0f, 0.7f}, "above it, from nowhere", "contact start -1 0\n"},
+};
 void PlayBig(Run &run, Listener &listener) {
-    Game game(run);
-    listener.Watch(&game.world);
-    AddCrowd(game);
-    game.Step();
-    listener.PrintEvents();
+    Crowded game(run, listener);
     AddBig(game, game.Body(b2_staticBody, {0.0f, 0.0f}));
     b2Body *body = game.Body(b2_dynamicBody, {9.0f, 0.0f});
     AddBig(game, body);
-    Put(game, listener, body, {4.1f, 0.0f}, "end to end");
-    Put(game, listener, body, {4.05f, 0.1f}, "nearer");
-    Put(game, listener, body, {0.3f, 0.7f}, "above it");
-    Put(game, listener, body, {0.2f, 0.7f}, "along it");
-    Put(game, listener, body, {2.6f, 0.5f}, "about its end");
-    Put(game, listener, body, {3.4f, 0.4f}, "beyond its end");
-    Put(game, listener, body, {3.6f, 0.3f}, "lower");
-    Put(game, listener, body, {3.6f, -0.3f}, "beneath its end");
-    Put(game, listener, body, {0.0f, -0.7f}, "below it");
-    Put(game, listener, body, {0.0f, 0.7f}, "through it");
-    Put(game, listener, body, {0.1f, 0.7f}, "along it");
-    Put(game, listener, body, {4.1f, 0.0f}, "end to end");
-    Put(game, listener, body, {0.0f, 0.7f}, "above it");
-    Put(game, listener, body, {0.0f, 0.59f}, "against it");
-    game.Stage(game.Touching() == 1, "they touch");
-    Put(game, listener, body, {0.0f, 0.7f}, "off it");
-    Put(game, listener, body, {0.0f, 0.59f}, "against it");
-    Put(game, listener, body, {4.1f, 0.0f}, "end to end");
-    Put(game, listener, body, {9.0f, 0.0f}, "away");
-    Put(game, listener, body, {0.0f, 0.7f}, "above it, from nowhere");
+    Live(game, listener, body, kBig);
 }
 
 /// A plank of ten boxes on another one that has a post at its end: the hulls overlap where no two boxes do.
+const Life kMany = {
+    {{0.0f, -0.3f}, "below it", "hulls start -1 0\n"},
+    {{0.0f, 0.3f}, "above it", "hulls contact 0 0\n28 x contact start -1 0\n"},
+    {{0.0f, -0.3f}, "below it", "hulls leave 0 0\n"},
+    {{0.0f, 0.19f}, "on it", "hulls contact 0 0\n28 x contact contact 0 0\n"},
+    {{0.0f, 0.4f}, "off it", "28 x contact leave 0 0\n"},
+    {{0.0f, 0.19f}, "on it", "28 x contact contact 0 0\n"},
+    {{0.0f, -0.3f}, "below it", "28 x contact leave 0 0\n"},
+};
 void PlayMany(Run &run, Listener &listener) {
     Game game(run);
     listener.Watch(&game.world);
@@ -135,46 +160,40 @@ void PlayMany(Run &run, Listener &listener) {
     game.Box(ground, 0.1f, 1.0f, {-3.0f, 1.1f});
     b2Body *body = game.Body(b2_dynamicBody, {0.0f, 5.0f});
     game.Plank(body);
-    Put(game, listener, body, {0.0f, -0.3f}, "below it");
+    Live(game, listener, body, kMany);
     game.StagePairs();
-    Put(game, listener, body, {0.0f, 0.3f}, "above it");
-    Put(game, listener, body, {0.0f, -0.3f}, "below it");
-    Put(game, listener, body, {0.0f, 0.19f}, "on it");
-    Put(game, listener, body, {0.0f, 0.4f}, "off it");
-    Put(game, listener, body, {0.0f, 0.19f}, "on it");
-    Put(game, listener, body, {0.0f, -0.3f}, "below it");
 }
 
+const Life kSensor = {
+    {{1.6f, 0.0f}, "beside it", "contact start -1 0\n"},
+    {{1.525f, 0.1f}, "nearer"},
+    {{1.525f, 0.2f}, "along its side"},
+    {{0.0f, 1.6f}, "above it", "contact push 0 0\n"},
+    {{0.0f, 1.0f}, "in it", "contact contact 0 0\n"},
+    {{0.0f, 0.9f}, "deeper"},
+    {{0.0f, 1.6f}, "out of it", "contact leave 0 0\n"},
+    {{5.0f, 0.0f}, "away"},
+    {{1.6f, 0.0f}, "back", "contact start -1 0\n"},
+};
 void PlaySensor(Run &run, Listener &listener) {
-    Game game(run);
-    listener.Watch(&game.world);
-    AddCrowd(game);
-    game.Step();
-    listener.PrintEvents();
+    Crowded game(run, listener);
     b2PolygonShape box;
     box.SetAsBox(1.0f, 1.0f);
     game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), box, true);
     b2Body *body = game.Body(b2_dynamicBody, {5.0f, 0.0f});
     game.Box(body, 0.5f, 0.5f);
-    Put(game, listener, body, {1.6f, 0.0f}, "beside it");
-    Put(game, listener, body, {1.525f, 0.1f}, "nearer");
-    Put(game, listener, body, {1.525f, 0.2f}, "along its side");
-    Put(game, listener, body, {0.0f, 1.6f}, "above it");
-    Put(game, listener, body, {0.0f, 1.0f}, "in it");
-    Put(game, listener, body, {0.0f, 0.9f}, "deeper");
-    Put(game, listener, body, {0.0f, 1.6f}, "out of it");
-    Put(game, listener, body, {5.0f, 0.0f}, "away");
-    Put(game, listener, body, {1.6f, 0.0f}, "back");
+    Live(game, listener, body, kSensor);
 }
 
 /// Tip to tip: no side of theirs separates the two, and Box2D finds no points. The line between the tips,
 /// which the ledger finds, does.
+const Life kTips = {
+    {{0.15f, 0.0f}, "tip to tip", "contact contact -1 0\ncontact leave 0 0\n", 0},
+    {{0.149f, 0.0f}, "a bit nearer"},
+    {{0.0f, 0.25f}, "side by side", "contact push 0 0\n"},
+};
 void PlayTips(Run &run, Listener &listener) {
-    Game game(run);
-    listener.Watch(&game.world);
-    AddCrowd(game);
-    game.Step();
-    listener.PrintEvents();
+    Crowded game(run, listener);
     b2PolygonShape needle;
     const b2Vec2 toTheRight[3] = {{-2.0f, -0.1f}, {0.0f, 0.0f}, {-2.0f, 0.1f}},
                  toTheLeft[3] = {{0.0f, 0.0f}, {2.0f, -0.1f}, {2.0f, 0.1f}};
@@ -183,121 +202,28 @@ void PlayTips(Run &run, Listener &listener) {
     b2Body *body = game.Body(b2_dynamicBody, {5.0f, 0.0f});
     needle.Set(toTheLeft, 3);
     game.Fixture(body, needle);
-    Put(game, listener, body, {0.15f, 0.0f}, "tip to tip");
-    game.Stage(game.Touching() == 0, "they do not touch");
-    Put(game, listener, body, {0.149f, 0.0f}, "a bit nearer");
-    Put(game, listener, body, {0.0f, 0.25f}, "side by side");
+    Live(game, listener, body, kTips);
 }
 
 } // namespace
 
 TEST_CASE("two boxes live as the header says") {
-    CHECK(EventsOf(as_stock::Told(PlaySmall)) == "-- beside it\n"
-                                                 "contact start -1 0\n"
-                                                 "-- along its side\n"
-                                                 "-- so near that it is looked at in every step\n"
-                                                 "-- along its side\n"
-                                                 "-- at its corner\n"
-                                                 "-- around its corner\n"
-                                                 "contact push 0 0\n"
-                                                 "-- above it\n"
-                                                 "-- on it\n"
-                                                 "contact contact 0 0\n"
-                                                 "-- still\n"
-                                                 "-- off it\n"
-                                                 "contact leave 0 0\n"
-                                                 "-- farther off\n"
-                                                 "-- on it again\n"
-                                                 "contact contact 0 0\n"
-                                                 "-- beside it\n"
-                                                 "contact leave 0 0\n"
-                                                 "-- away\n"
-                                                 "-- back\n"
-                                                 "contact start -1 0\n"
-                                                 "-- away\n"
-                                                 "-- on it from nowhere\n"
-                                                 "contact contact -1 0\n");
+    CHECK(EventsOf(as_stock::Told(PlaySmall)) == TextOf(kSmall));
 }
 
 TEST_CASE("two big polygons live as the header says") {
-    CHECK(EventsOf(as_stock::Told(PlayBig)) == "-- end to end\n"
-                                               "contact start -1 -1\n"
-                                               "-- nearer\n"
-                                               "-- above it\n"
-                                               "contact stab -1 0\n"
-                                               "-- along it\n"
-                                               "-- about its end\n"
-                                               "contact push 0 0\n"
-                                               "-- beyond its end\n"
-                                               "contact push 0 0\n"
-                                               "-- lower\n"
-                                               "-- beneath its end\n"
-                                               "contact push 0 0\n"
-                                               "-- below it\n"
-                                               "contact push 0 0\n"
-                                               "-- through it\n" // which a look does not follow
-                                               "contact contact 0 0\n"
-                                               "-- along it\n"
-                                               "contact leave 0 0\n"
-                                               "-- end to end\n"
-                                               "contact coarsen 0 -1\n"
-                                               "-- above it\n"
-                                               "contact stab -1 0\n"
-                                               "-- against it\n"
-                                               "contact contact 0 0\n"
-                                               "-- off it\n"
-                                               "contact leave 0 0\n"
-                                               "-- against it\n"
-                                               "contact contact 0 0\n"
-                                               "-- end to end\n"
-                                               "contact leave 0 -1\n"
-                                               "-- away\n"
-                                               "-- above it, from nowhere\n"
-                                               "contact start -1 0\n");
+    CHECK(EventsOf(as_stock::Told(PlayBig)) == TextOf(kBig));
 }
 
 TEST_CASE("bodies of many fixtures have a structure of their hulls, and one for each contact below it") {
-    CHECK(EventsOf(as_stock::Told(PlayMany)) == "-- below it\n"
-                                                "hulls start -1 0\n"
-                                                "-- above it\n"
-                                                "hulls contact 0 0\n"
-                                                "28 x contact start -1 0\n"
-                                                "-- below it\n"
-                                                "hulls leave 0 0\n"
-                                                "-- on it\n"
-                                                "hulls contact 0 0\n"
-                                                "28 x contact contact 0 0\n"
-                                                "-- off it\n"
-                                                "28 x contact leave 0 0\n"
-                                                "-- on it\n"
-                                                "28 x contact contact 0 0\n"
-                                                "-- below it\n"
-                                                "28 x contact leave 0 0\n");
+    CHECK(EventsOf(as_stock::Told(PlayMany)) == TextOf(kMany));
 }
 
 TEST_CASE("a sensor's contact lives as the header says" * doctest::skip(!forked::kAhead)) {
-    CHECK(EventsOf(as_stock::Told(PlaySensor)) == "-- beside it\n"
-                                                  "contact start -1 0\n"
-                                                  "-- nearer\n"
-                                                  "-- along its side\n"
-                                                  "-- above it\n"
-                                                  "contact push 0 0\n"
-                                                  "-- in it\n"
-                                                  "contact contact 0 0\n"
-                                                  "-- deeper\n"
-                                                  "-- out of it\n"
-                                                  "contact leave 0 0\n"
-                                                  "-- away\n"
-                                                  "-- back\n"
-                                                  "contact start -1 0\n");
+    CHECK(EventsOf(as_stock::Told(PlaySensor)) == TextOf(kSensor));
 }
 
 TEST_CASE("what only a line of the ledger keeps apart leaves contact by it" *
           doctest::skip(!forked::kAhead)) {
-    CHECK(EventsOf(as_stock::Told(PlayTips)) == "-- tip to tip\n"
-                                                "contact contact -1 0\n"
-                                                "contact leave 0 0\n"
-                                                "-- a bit nearer\n"
-                                                "-- side by side\n"
-                                                "contact push 0 0\n");
+    CHECK(EventsOf(as_stock::Told(PlayTips)) == TextOf(kTips));
 }
