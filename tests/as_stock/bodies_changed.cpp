@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What bodies may go through while others remember how they were. Each test names what peers met; README.md
 // has them all.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <malloc.h>

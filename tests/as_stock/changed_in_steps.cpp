@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What may change between and within steps while others remember how it was: filters, the origin, listeners,
 // odd steps. README.md has the whole list.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cfenv>

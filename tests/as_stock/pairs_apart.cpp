@@ -2,7 +2,6 @@
 // What a world's ledger remembers of pairs that are apart, seen from outside: looks that are spared, and
 // taken up again when something changes; memory that is asked for when contacts begin, and given back. With
 // the glue alone there is no ledger: there the same scenes show that nothing depends on it.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <functional>

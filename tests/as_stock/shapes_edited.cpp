@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shapes that are changed in place, and polygons of any size that others take the place of. README.md has the
 // whole list.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 // The search for the closest direction against all pairs of features in long double, on every family, at
 // distances from 1e-9 to 30 times the shapes: the separation that it reports is the distance, up to the
 // tolerance and the rounding of the posed vertices.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

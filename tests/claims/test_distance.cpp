@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Distance, closest points and penetration against all vertices and edges in long double; and for polygons of
 // many vertices against the certificate that an answer is: two points, and a line between the polygons.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // bmr_exact32_separates_contracted and bmr_exact32_face_contracted against every way to fuse the products and
 // sums of a separation, and against rational arithmetic.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

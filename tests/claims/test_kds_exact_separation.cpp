@@ -2,7 +2,6 @@
 // Every kinetic structure against rational arithmetic: where it says apart, or where all conditions of its
 // proof are positive, the exact distance is more than the margin; where it says contact, it is not. At poses
 // some units in the last place about the margin, of slivers too, near the origin and far from it.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

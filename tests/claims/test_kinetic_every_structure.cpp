@@ -4,7 +4,6 @@
 // a structure says "apart", the polygons are; whenever they overlap, it says "contact".
 //
 // BMR_TEST_SCALE=400 is the campaign of 100,000 motions for each structure.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <cmath>
 #include <memory>
 #include <string>

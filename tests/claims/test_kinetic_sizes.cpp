@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Bytes that the library asks for, where size_t has 32 bits: what does not fit is refused, nothing wraps.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

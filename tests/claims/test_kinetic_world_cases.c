@@ -7,10 +7,10 @@
 // ---- contacts and answers ----
 
 TEST(equal_boxes_exchange_their_velocities) {
-    stage *s = opened_stage(BMR_OPEN, 0.0);
+    stage *s = make_stage(BMR_OPEN, 0.0);
     const bmr_polygon *b = box(1.0);
-    const bmr_body left = add_piece(s, b, flight(0.0, 0.0, 0.0, 1.0, 0.0, 0.0), 0.0);
-    const bmr_body right = add_piece(s, b, flight(0.0, 10.0, 0.5, -1.0, 0.0, 0.0), 0.0);
+    const bmr_body left = fly(s, b, 0.0, 0.0, 1.0, 0.0, 0.0);
+    const bmr_body right = fly(s, b, 10.0, 0.5, -1.0, 0.0, 0.0);
     advance(s, 10.0);
     assert_int_equal(s->count, 1);
     const bmr_contact *c = &s->contacts[0];
@@ -33,9 +33,9 @@ TEST(equal_boxes_exchange_their_velocities) {
     close_stage(s);
 
     // Head on, they exchange velocities and do not spin.
-    s = opened_stage(BMR_OPEN, 0.0);
-    add_piece(s, b, flight(0.0, 0.0, 0.0, 1.0, 0.25, 0.0), 0.0);
-    const bmr_body other = add_piece(s, b, flight(0.0, 10.0, 0.0, 0.0, 0.25, 0.0), 0.0);
+    s = make_stage(BMR_OPEN, 0.0);
+    fly(s, b, 0.0, 0.0, 1.0, 0.25, 0.0);
+    const bmr_body other = fly(s, b, 10.0, 0.0, 0.0, 0.25, 0.0);
     advance(s, 20.0);
     assert_int_equal(s->count, 1);
     assert_near(state_of(s, other).velocity.x, 1.0, 1e-9);
@@ -44,9 +44,9 @@ TEST(equal_boxes_exchange_their_velocities) {
 }
 
 TEST(a_ball_in_a_box_is_reflected_by_its_walls) {
-    stage *s = opened_stage(BMR_WALLED, 5.0);
+    stage *s = make_stage(BMR_WALLED, 5.0);
     const bmr_polygon *b = box(1.0);
-    const bmr_body ball = add_piece(s, b, flight(0.0, 0.0, 0.0, 1.0, 0.5, 0.0), 0.0);
+    const bmr_body ball = fly(s, b, 0.0, 0.0, 1.0, 0.5, 0.0);
     advance(s, 100.0);
     // The way is 8 wide, less two margins: one hit at 4, then every 8.
     size_t hits[BMR_WALLS] = {0};
@@ -65,8 +65,8 @@ TEST(a_ball_in_a_box_is_reflected_by_its_walls) {
 
     // In a box so narrow that its structures never end, every contact is at the whole margin all the same: it
     // came apart by that in between.
-    s = opened_stage(BMR_WALLED, 1.2);
-    add_piece(s, b, flight(0.0, 0.0, 0.0, 1.0, 0.3, 0.0), 0.0);
+    s = make_stage(BMR_WALLED, 1.2);
+    fly(s, b, 0.0, 0.0, 1.0, 0.3, 0.0);
     advance(s, 20.0);
     assert_true(s->count > 50 && s->events[BMR_WORLD_PART] == 0);
     for (size_t i = 0; i < s->count; i++) {
@@ -79,16 +79,13 @@ TEST(a_ball_in_a_box_is_reflected_by_its_walls) {
 TEST(a_box_that_is_passed_is_left) {
     own_stage *s = make_stage(BMR_OPEN, 0.0);
     s->response.kind = BMR_RESPONSE_PASS;
-    open_stage(s);
     const bmr_polygon *b = box(1.0);
-    const bmr_body moves = add_piece(s, b, flight(0.0, -5.0, 0.0, 1.0, 0.0, 0.3), 0.0);
-    add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    const bmr_body moves = fly(s, b, -5.0, 0.0, 1.0, 0.0, 0.3);
+    fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
     advance(s, 20.0);
     assert_int_equal(s->count, 1);
     assert_int_equal(s->events[BMR_WORLD_LEAVE], 1);
-    const bmr_motion_piece back =
-        bmr_piece_screw(20.0, state_of(s, moves).pose, bmr_vec2_make(-1.0, 0.0), 0.3);
-    assert_int_equal(bmr_world_set_piece(s->world, moves, &back), BMR_OK);
+    send(s, moves, -1.0, 0.0, 0.3);
     advance(s, 60.0);
     assert_int_equal(s->count, 2); // and again on the way back
     assert_int_equal(s->events[BMR_WORLD_LEAVE], 2);
@@ -103,7 +100,6 @@ TEST(a_box_that_is_passed_is_left) {
 TEST(what_sticks_goes_on_together) {
     own_stage *s = make_stage(BMR_OPEN, 0.0);
     s->response.kind = BMR_RESPONSE_STICK;
-    open_stage(s);
     const bmr_polygon *b = box(1.0);
     const bmr_body moves = add_piece(s, b, flight(0.0, -5.0, 0.0, 1.0, 0.0, 0.0), 3.0);
     const bmr_body rests = add_piece(s, b, flight(0.0, 0.0, 0.5, 0.0, 0.0, 0.0), 1.0);
@@ -120,7 +116,6 @@ TEST(who_is_nowhere_is_passed) {
         for (bmr_response_kind kind = BMR_RESPONSE_PASS; kind < BMR_RESPONSE_KIND_COUNT; kind++) {
             own_stage *s = make_stage(BMR_OPEN, 0.0);
             s->response.kind = kind;
-            open_stage(s);
             const bmr_polygon *b = box(1.0);
             bmr_motion_piece nowhere;
             memset(&nowhere, 0, sizeof nowhere);
@@ -144,11 +139,10 @@ static bmr_error collapse(double restitution, bmr_zeno_policy zeno, bmr_world_co
     own_stage *s = make_stage(BMR_OPEN, 0.0);
     s->response.restitution = restitution;
     s->def.zeno = zeno;
-    open_stage(s);
     const bmr_polygon *b = box(1.0);
-    add_piece(s, b, flight(0.0, -5.0, 0.0, 1.0, 0.0, 0.0), 0.0);
-    add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
-    add_piece(s, b, flight(0.0, 5.0, 0.0, -1.0, 0.0, 0.0), 0.0);
+    fly(s, b, -5.0, 0.0, 1.0, 0.0, 0.0);
+    fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
+    fly(s, b, 5.0, 0.0, -1.0, 0.0, 0.0);
     const bmr_error error = bmr_world_advance(s->world, 100.0);
     *counts = bmr_world_get_counts(s->world);
     assert_int_equal(bmr_world_audit(s->world), BMR_OK);
@@ -174,15 +168,10 @@ static bmr_error cool(double restitution, bmr_zeno_policy zeno, uint64_t seed, d
     s->response.restitution = restitution;
     s->def.zeno = zeno;
     s->def.zeno_speed = 1e-3;
-    open_stage(s);
     const bmr_polygon *b = box(1.0);
     test_random random = {seed};
     for (int i = 0; i < 36; i++)
-        add_piece(s, b,
-                  flight(0.0, 3.0 * (i % 6) - 7.5, 3.0 * (i / 6) - 7.5,
-                         test_random_uniform(&random, -1.0, 1.0), test_random_uniform(&random, -1.0, 1.0),
-                         test_random_uniform(&random, -1.0, 1.0)),
-                  0.0);
+        drift(s, b, 3.0 * (i % 6) - 7.5, 3.0 * (i / 6) - 7.5, &random);
     const double before = bmr_world_get_totals(s->world).energy;
     const bmr_error error = bmr_world_advance(s->world, until);
     assert_int_equal(bmr_world_audit(s->world), BMR_OK);
@@ -229,10 +218,9 @@ TEST(gases_cool_in_the_order_of_their_restitutions) {
 TEST(a_contact_that_no_answer_ends_is_an_error) {
     own_stage *s = make_stage(BMR_OPEN, 0.0);
     s->response.kind = BMR_RESPONSE_MINE; // and nothing is done
-    open_stage(s);
     const bmr_polygon *b = box(1.0);
-    add_piece(s, b, flight(0.0, -5.0, 0.0, 1.0, 0.0, 0.0), 0.0);
-    add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    fly(s, b, -5.0, 0.0, 1.0, 0.0, 0.0);
+    fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
     assert_int_equal(bmr_world_advance(s->world, 10.0), BMR_ERROR_STALLED);
     assert_true(s->count > 3 && s->count < 60);
     for (size_t i = 0; i < s->count; i++) {
@@ -250,11 +238,10 @@ static void has_bodies(void *context, const bmr_world_cell *cell) {
 TEST(a_big_body_finds_the_small_ones_that_rest) {
     own_stage *s = make_stage(BMR_OPEN, 0.0);
     s->response.kind = BMR_RESPONSE_PASS;
-    open_stage(s);
     const bmr_polygon *small = box(0.01), *big = box(10.0);
     enum { SIDE = 20 };
     for (int i = 0; i < SIDE * SIDE; i++)
-        add_piece(s, small, flight(0.0, 40.0 + 2 * (i % SIDE), 2 * (i / SIDE) - 20.0, 0.0, 0.0, 0.0), 0.0);
+        fly(s, small, 40.0 + 2 * (i % SIDE), 2 * (i / SIDE) - 20.0, 0.0, 0.0, 0.0);
     advance(s, 1.0);
     assert_int_equal(bmr_world_get_counts(s->world).levels, 1);
     const bmr_body body = add_piece(s, big, flight(1.0, -200.0, 0.0, 10.0, 0.0, 0.0), 0.0);
@@ -269,11 +256,11 @@ TEST(a_big_body_finds_the_small_ones_that_rest) {
 }
 
 TEST(a_body_that_flies_away_needs_ever_fewer_cells_and_meets_what_is_there) {
-    own_stage *s = opened_stage(BMR_OPEN, 0.0);
+    own_stage *s = make_stage(BMR_OPEN, 0.0);
     const bmr_polygon *b = box(0.01);
-    add_piece(s, b, flight(0.0, 0.0, 0.0, 1000.0, 0.0, 0.0), 0.0);
-    const bmr_body far = add_piece(s, b, flight(0.0, 1e6, 0.0, 0.0, 0.0, 0.0), 0.0);
-    const bmr_body farther = add_piece(s, b, flight(0.0, 4e8, 0.005, 0.0, 0.0, 0.0), 0.0);
+    fly(s, b, 0.0, 0.0, 1000.0, 0.0, 0.0);
+    const bmr_body far = fly(s, b, 1e6, 0.0, 0.0, 0.0, 0.0);
+    const bmr_body farther = fly(s, b, 4e8, 0.005, 0.0, 0.0, 0.0);
     advance(s, 0.5e3);
     assert_int_equal(s->count, 0);
     advance(s, 1e7);
@@ -288,10 +275,10 @@ TEST(a_body_that_flies_away_needs_ever_fewer_cells_and_meets_what_is_there) {
 
 /// Along a line of the grid, and trembling about it: the hysteresis keeps it from ringing.
 TEST(a_body_on_a_line_of_the_grid_does_not_ring) {
-    own_stage *s = opened_stage(BMR_PERIODIC, 6.0);
+    own_stage *s = make_stage(BMR_PERIODIC, 6.0);
     const bmr_polygon *b = box(0.5);
-    add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
-    const bmr_body body = add_piece(s, b, flight(0.0, -4.0, -4.0, 0.0, 0.0, 0.0), 0.0);
+    fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
+    const bmr_body body = fly(s, b, -4.0, -4.0, 0.0, 0.0, 0.0);
     const bmr_body_state cell = state_of(s, body);
     for (int i = 0; i < 1000; i++) {
         const bmr_pose pose = state_of(s, body).pose;
@@ -313,14 +300,14 @@ static void count_strangers(void *context, const bmr_world_pair *pair) {
 /// Two bodies part slowly enough for their cells to be no neighbours before their disks have parted: the
 /// structure stays, as it does of all pairs.
 TEST(a_structure_outlives_its_neighbourhood) {
-    own_stage *s = opened_stage(BMR_OPEN, 0.0);
+    own_stage *s = make_stage(BMR_OPEN, 0.0);
     const bmr_polygon *b = box(1.0);
     const double h = 2.5 * sqrt(2.0) + 32.0 * MARGIN; // a cell of the first body's level
-    const bmr_body left = add_piece(s, b, flight(0.0, 0.5 * h, 0.0, 0.55 * h, 0.0, 0.0), 0.0);
-    const bmr_body right = add_piece(s, b, flight(0.0, 1.3 * h, 0.0, 0.765 * h, 0.0, 0.0), 0.0);
+    const bmr_body left = fly(s, b, 0.5 * h, 0.0, 0.55 * h, 0.0, 0.0);
+    const bmr_body right = fly(s, b, 1.3 * h, 0.0, 0.765 * h, 0.0, 0.0);
     // So that it has enough candidates to stay on its level.
-    add_piece(s, b, flight(0.0, 2.2 * h, 1.3 * h, 0.0, 0.0, 0.0), 0.0);
-    add_piece(s, b, flight(0.0, 2.2 * h, -1.3 * h, 0.0, 0.0, 0.0), 0.0);
+    fly(s, b, 2.2 * h, 1.3 * h, 0.0, 0.0, 0.0);
+    fly(s, b, 2.2 * h, -1.3 * h, 0.0, 0.0, 0.0);
     advance(s, 0.99);
     size_t strangers = 0;
     bmr_world_each_pair(s->world, count_strangers, &strangers);
@@ -330,9 +317,7 @@ TEST(a_structure_outlives_its_neighbourhood) {
     assert_int_equal(strangers, 1);
     for (int i = 0; i < 2; i++) {
         const bmr_body body = i == 0 ? left : right;
-        const bmr_motion_piece piece =
-            bmr_piece_screw(1.0, state_of(s, body).pose, bmr_vec2_make(i == 0 ? 0.0 : -1.0, 0.0), 0.0);
-        assert_int_equal(bmr_world_set_piece(s->world, body, &piece), BMR_OK);
+        send(s, body, i == 0 ? 0.0 : -1.0, 0.0, 0.0);
     }
     advance(s, 4.0);
     assert_int_equal(s->count, 1);
@@ -345,11 +330,10 @@ TEST(one_fast_body_hits_every_one_in_its_way) {
         own_stage *s = make_stage(BMR_OPEN, 0.0);
         s->response.kind = BMR_RESPONSE_PASS;
         s->def.all_pairs = !grid;
-        open_stage(s);
         const bmr_polygon *b = box(0.1), *needle = box(1e-3);
         for (int i = 0; i < 300; i++)
-            add_piece(s, b, flight(0.0, 3.0 * i, 0.05 * sin(i), 0.0, 0.0, 0.1 * i), 0.0);
-        add_piece(s, needle, flight(0.0, -5.0, 0.0, 1e8, 0.0, 50.0), 0.0);
+            fly(s, b, 3.0 * i, 0.05 * sin(i), 0.0, 0.0, 0.1 * i);
+        fly(s, needle, -5.0, 0.0, 1e8, 0.0, 50.0);
         advance(s, 1.0);
         assert_int_equal(s->count, 300);
     }
@@ -361,12 +345,10 @@ TEST(a_thrown_body_hits_every_target_on_its_way) {
         own_stage *s = make_stage(BMR_OPEN, 0.0);
         s->response.kind = BMR_RESPONSE_PASS;
         s->def.all_pairs = !grid;
-        open_stage(s);
         const bmr_polygon *b = box(0.01);
         enum { TARGETS = 20 };
         for (int i = 1; i <= TARGETS; i++)
-            add_piece(s, b, flight(0.0, 5.0 * i, 0.02 * (5.0 * i - 50.0) * (5.0 * i - 50.0), 0.0, 0.0, 0.0),
-                      0.0);
+            fly(s, b, 5.0 * i, 0.02 * (5.0 * i - 50.0) * (5.0 * i - 50.0), 0.0, 0.0, 0.0);
         bmr_motion_piece thrown;
         memset(&thrown, 0, sizeof thrown);
         thrown.kind = BMR_PIECE_ALGEBRAIC;
@@ -388,19 +370,16 @@ TEST(a_thrown_body_hits_every_target_on_its_way) {
 // ---- changes ----
 
 TEST(a_change_of_plan_touches_one_body_only) {
-    stage *s = opened_stage(BMR_OPEN, 0.0);
+    stage *s = make_stage(BMR_OPEN, 0.0);
     const bmr_polygon *b = box(0.5);
     enum { SIDE = 30 };
     bmr_body middle = BMR_NO_BODY;
     for (int i = 0; i < SIDE * SIDE; i++) {
-        const bmr_body body =
-            add_piece(s, b, flight(0.0, 2.0 * (i % SIDE), 2.0 * (i / SIDE), 0.0, 0.0, 0.0), 0.0);
+        const bmr_body body = fly(s, b, 2.0 * (i % SIDE), 2.0 * (i / SIDE), 0.0, 0.0, 0.0);
         middle = i == SIDE * SIDE / 2 + SIDE / 2 ? body : middle;
     }
     const bmr_world_counts before = bmr_world_get_counts(s->world);
-    const bmr_motion_piece piece =
-        bmr_piece_screw(0.0, state_of(s, middle).pose, bmr_vec2_make(0.1, 0.0), 0.2);
-    assert_int_equal(bmr_world_set_piece(s->world, middle, &piece), BMR_OK);
+    send(s, middle, 0.1, 0.0, 0.2);
     const bmr_world_counts after = bmr_world_get_counts(s->world);
     const size_t pairs = state_of(s, middle).pairs;
     assert_in_range(pairs, 2, 30);
@@ -412,12 +391,9 @@ TEST(a_change_of_plan_touches_one_body_only) {
     close_stage(s);
     s = make_stage(BMR_OPEN, 0.0);
     s->def.all_pairs = true;
-    open_stage(s);
     for (int i = 0; i < 100; i++)
-        middle = add_piece(s, b, flight(0.0, 2.0 * i, 0.0, 0.0, 0.0, 0.0), 0.0);
-    const bmr_motion_piece other =
-        bmr_piece_screw(0.0, state_of(s, middle).pose, bmr_vec2_make(0.0, 0.1), 0.2);
-    assert_int_equal(bmr_world_set_piece(s->world, middle, &other), BMR_OK);
+        middle = fly(s, b, 2.0 * i, 0.0, 0.0, 0.0, 0.0);
+    send(s, middle, 0.0, 0.1, 0.2);
     assert_int_equal(bmr_world_get_counts(s->world).replanned, 100);
     close_stage(s);
 }
@@ -427,14 +403,10 @@ TEST(how_far_a_call_advances_changes_nothing) {
     const bmr_polygon *b = box(0.5);
     stage *runs[2];
     for (int run = 0; run < 2; run++) {
-        stage *s = runs[run] = opened_stage(BMR_WALLED, 8.0);
+        stage *s = runs[run] = make_stage(BMR_WALLED, 8.0);
         test_random random = {99};
         for (int i = 0; i < 25; i++)
-            add_piece(s, b,
-                      flight(0.0, 3.0 * (i % 5) - 6.0, 3.0 * (i / 5) - 6.0,
-                             test_random_uniform(&random, -1.0, 1.0), test_random_uniform(&random, -1.0, 1.0),
-                             test_random_uniform(&random, -1.0, 1.0)),
-                      0.0);
+            drift(s, b, 3.0 * (i % 5) - 6.0, 3.0 * (i / 5) - 6.0, &random);
         for (int i = 1; i <= 200; i++)
             if (run == 0 || i == 200)
                 assert_int_equal(bmr_world_advance(s->world, 0.1 * i), BMR_OK);
@@ -458,10 +430,9 @@ static void meddle(stage *s, const bmr_contact *contact) {
 TEST(ids_are_never_those_of_another_body) {
     own_stage *s = make_stage(BMR_OPEN, 0.0);
     s->inside = meddle;
-    open_stage(s);
     const bmr_polygon *b = box(1.0);
-    const bmr_body first = add_piece(s, b, flight(0.0, 0.0, 0.0, 1.0, 0.0, 0.0), 0.0);
-    const bmr_body second = add_piece(s, b, flight(0.0, 10.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    const bmr_body first = fly(s, b, 0.0, 0.0, 1.0, 0.0, 0.0);
+    const bmr_body second = fly(s, b, 10.0, 0.0, 0.0, 0.0, 0.0);
     advance(s, 20.0);
     assert_int_equal(s->count, 1);
     assert_int_equal(bmr_world_body_count(s->world), 1);

@@ -200,8 +200,7 @@ TEST(a_long_hysteresis_is_kept) {
         own_stage *s = make_stage(BMR_OPEN, 0.0);
         s->def.kds.hysteresis = kept ? 5.0 : 1.0;
         s->response.kind = pass ? BMR_RESPONSE_PASS : BMR_RESPONSE_MINE;
-        open_stage(s);
-        add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+        fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
         // Inwards to where they touch, out to 2.5 apart, and back.
         bmr_motion_piece piece = flight(0.0, 3.0, 0.0, -1.0, 0.0, 0.0);
         bmr_motion *motion;

@@ -27,10 +27,10 @@ TEST(a_ball_bounces_in_a_box_of_any_width) {
     const bmr_polygon *b = box(1.0);
     const double sizes[] = {10.0, 1e4, 1e6, 2e8};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
-        own_stage *s = opened_stage(BMR_WALLED, sizes[i]);
+        own_stage *s = make_stage(BMR_WALLED, sizes[i]);
         // In a corner, far from the middles of the walls that it meets.
         const double x = sizes[i] - 3.0, y = 2.5 - sizes[i];
-        const bmr_body ball = add_piece(s, b, flight(0.0, x, y, 1.0, -0.5, 0.0), 0.0);
+        const bmr_body ball = fly(s, b, x, y, 1.0, -0.5, 0.0);
         advance(s, 10.0);
         assert_int_equal(s->count, 2);
         assert_near(s->contacts[0].time, 2.0, 2.0 * MARGIN + 1e-15 * sizes[i]);
@@ -57,15 +57,10 @@ TEST(far_from_the_origin_contacts_are_as_exact) {
     own_stage *s = make_stage(BMR_WALLED, 0.0);
     s->def.low = bmr_vec2_make(far - 6.0, -far - 6.0);
     s->def.high = bmr_vec2_make(far + 6.0, -far + 6.0);
-    open_stage(s);
     const bmr_polygon *b = box(1.0);
     test_random random = {8};
     for (int i = 0; i < 9; i++)
-        add_piece(s, b,
-                  flight(0.0, far + 3.5 * (i % 3) - 3.5, 3.5 * (i / 3) - 3.5 - far,
-                         test_random_uniform(&random, -1.0, 1.0), test_random_uniform(&random, -1.0, 1.0),
-                         test_random_uniform(&random, -1.0, 1.0)),
-                  0.0);
+        drift(s, b, far + 3.5 * (i % 3) - 3.5, 3.5 * (i / 3) - 3.5 - far, &random);
     const double before = bmr_world_get_totals(s->world).energy;
     advance(s, 30.0);
     assert_true(s->count > 100 && s->count < MOST);
@@ -85,14 +80,11 @@ TEST(all_pairs_of_a_long_box_are_all) {
         s->def.low = bmr_vec2_make(-400.0, -4.0);
         s->def.high = bmr_vec2_make(400.0, 4.0);
         s->def.all_pairs = all;
-        open_stage(s);
         test_random random = {3};
         for (int i = 0; i < BODIES; i++)
-            add_piece(s, b,
-                      flight(0.0, 20.0 * i - 400.0, test_random_uniform(&random, -4.0, 4.0),
-                             test_random_uniform(&random, -9.0, 9.0), test_random_uniform(&random, -9.0, 9.0),
-                             test_random_uniform(&random, -1.0, 1.0)),
-                      0.0);
+            fly(s, b, 20.0 * i - 400.0, test_random_uniform(&random, -4.0, 4.0),
+                test_random_uniform(&random, -9.0, 9.0), test_random_uniform(&random, -9.0, 9.0),
+                test_random_uniform(&random, -1.0, 1.0));
         for (int i = 1; i <= 5; i++) {
             advance(s, 10.0 * i);
             if (all)
@@ -116,7 +108,6 @@ TEST(a_point_in_a_huge_periodic_box_meets_what_is_there) {
         own_stage *s = make_stage(BMR_PERIODIC, 2e8);
         s->def.kds.margin = s->def.kds.hysteresis = 1e-11;
         s->def.all_pairs = all;
-        open_stage(s);
         for (int i = 0; i < 3; i++)
             add_piece(s, point, flight(0.0, 1e-3 * (i + 2), 0.0, 0.0, 0.0, 0.0), 1.0);
         add_piece(s, b, flight(0.0, -0.5, 0.0, 1.0, 0.0, 0.0), 1e6);
@@ -144,7 +135,6 @@ TEST(nobody_is_missed_who_is_faster_than_the_tolerance) {
         own_stage *s = make_stage(BMR_OPEN, 0.0);
         s->response.kind = BMR_RESPONSE_PASS;
         s->def.failure.tolerance = 1e-9;
-        open_stage(s);
         for (int i = 0; i < PLATES; i++)
             add_piece(s, plate, flight(0.0, 5.0 * i, 0.0, 0.0, 0.0, spins ? 1e-3 : 0.0), 1.0);
         add_piece(s, needle, flight(0.0, -1e6, 0.1, 1e6, 0.0, 0.0), 1.0);
@@ -167,17 +157,15 @@ TEST(who_is_faster_than_the_clock_is_an_error) {
         assert_near(bmr_world_time(s->world), 1e6 + 1.0, 1e-5);
         // It is so until one of them is gone, or slower.
         assert_int_equal(bmr_world_advance(s->world, 1e6 + 2.0), BMR_ERROR_OUT_OF_RANGE);
-        const bmr_motion_piece slow =
-            bmr_piece_screw(1e6 + 1.0, state_of(s, fast).pose, bmr_vec2_make(10.0, 0.0), 0.0);
-        assert_int_equal(bmr_world_set_piece(s->world, fast, &slow), BMR_OK);
+        send(s, fast, 10.0, 0.0, 0.0);
         advance(s, 1e6 + 2.0);
         assert_int_equal(s->count, 1);
         assert_trouble(s, BMR_OK, BMR_TROUBLE_NONE, BMR_NO_BODY, BMR_NO_BODY);
     }
     // Control: the same at a time near 0.
-    own_stage *s = opened_stage(BMR_OPEN, 0.0);
-    add_piece(s, b, flight(0.0, -3e6, 0.0, 3e6, 0.0, 0.0), 0.0);
-    add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    own_stage *s = make_stage(BMR_OPEN, 0.0);
+    fly(s, b, -3e6, 0.0, 3e6, 0.0, 0.0);
+    fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
     advance(s, 2.0);
     assert_int_equal(s->count, 1);
 }
@@ -225,9 +213,8 @@ TEST(who_comes_from_afar_on_a_curve_is_not_missed) {
         own_stage *s = make_stage(BMR_OPEN, 0.0);
         s->response.kind = BMR_RESPONSE_PASS;
         s->def.most_events = 1000;
-        open_stage(s);
         const bmr_body cubic = add_piece(s, b, curve(0.0, bmr_vec2_make(0.0, 0.0), 1.0), 0.0);
-        const bmr_body target = add_piece(s, b, flight(0.0, after * after * after, 0.0, 0.0, 0.0, 0.0), 0.0);
+        const bmr_body target = fly(s, b, after * after * after, 0.0, 0.0, 0.0, 0.0);
         const bmr_error error = bmr_world_advance(s->world, 1.001 * after);
         if (error == BMR_OK) {
             assert_int_equal(s->count, 1);
@@ -251,7 +238,6 @@ TEST(who_goes_nearly_the_same_way_is_met_in_time) {
             s->response.kind = BMR_RESPONSE_PASS;
             s->def.kds.margin = 1e-4;
             s->def.most_events = 1000;
-            open_stage(s);
             add_piece(s, b, curve(0.0, bmr_vec2_make(0.0, common), 0.0), 0.0);
             bmr_motion_piece other = curve(0.0, bmr_vec2_make(-apart, common), 0.0);
             other.as.algebraic.x[0] = 0.8;
@@ -271,7 +257,6 @@ TEST(what_the_far_future_does_not_tell_is_no_error_today) {
     s->response.kind = BMR_RESPONSE_PASS;
     s->def.kds.margin = 1e-4;
     s->def.all_pairs = true;
-    open_stage(s);
     const bmr_body first = add_piece(s, b, curve(0.0, bmr_vec2_make(0.0, 100.0), 0.0), 0.0);
     bmr_motion_piece other = curve(0.0, bmr_vec2_make(0.0, 100.0), 0.0);
     other.as.algebraic.x[0] = 1000.0;
@@ -288,16 +273,16 @@ TEST(who_flies_out_of_the_world_is_an_error) {
     const bmr_polygon *b = box(1.0);
     const double speeds[] = {1.0, 1e20, 1e96, 1e300};
     for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++) {
-        own_stage *s = opened_stage(BMR_OPEN, 0.0);
-        const bmr_body flies = add_piece(s, b, flight(0.0, 0.0, 0.0, speeds[i], 0.0, 0.0), 0.0);
+        own_stage *s = make_stage(BMR_OPEN, 0.0);
+        const bmr_body flies = fly(s, b, 0.0, 0.0, speeds[i], 0.0, 0.0);
         assert_int_equal(bmr_world_advance(s->world, 1e300), BMR_ERROR_OUT_OF_RANGE);
         assert_trouble(s, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_PLACE, flies, BMR_NO_BODY);
         assert_true(s->events[BMR_WORLD_CROSS] < 300);
     }
     // Two at rest, near each other: nothing ever happens.
-    own_stage *s = opened_stage(BMR_OPEN, 0.0);
+    own_stage *s = make_stage(BMR_OPEN, 0.0);
     for (int i = 0; i < 2; i++)
-        add_piece(s, b, flight(0.0, 2.01 * i, 0.0, 0.0, 0.0, 0.0), 0.0);
+        fly(s, b, 2.01 * i, 0.0, 0.0, 0.0, 0.0);
     advance(s, 1e300);
     assert_int_equal(s->count, 0);
 }
@@ -305,9 +290,8 @@ TEST(who_flies_out_of_the_world_is_an_error) {
 TEST(a_call_has_as_many_events_as_it_may) {
     own_stage *s = make_stage(BMR_WALLED, 1.2);
     s->def.most_events = 10;
-    open_stage(s);
     const bmr_polygon *b = box(1.0);
-    add_piece(s, b, flight(0.0, 0.0, 0.0, 1.0, 0.3, 0.0), 0.0);
+    fly(s, b, 0.0, 0.0, 1.0, 0.3, 0.0);
     size_t calls = 1;
     for (; bmr_world_advance(s->world, 20.0) != BMR_OK; calls++) {
         assert_trouble(s, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_EVENTS, BMR_NO_BODY, BMR_NO_BODY);
@@ -315,8 +299,7 @@ TEST(a_call_has_as_many_events_as_it_may) {
     }
     // The same contacts as in one call.
     own_stage *whole = make_stage(BMR_WALLED, 1.2);
-    open_stage(whole);
-    add_piece(whole, b, flight(0.0, 0.0, 0.0, 1.0, 0.3, 0.0), 0.0);
+    fly(whole, b, 0.0, 0.0, 1.0, 0.3, 0.0);
     advance(whole, 20.0);
     assert_true(calls > 5 && s->count == whole->count);
     assert_true(s->contacts[s->count - 1].time == whole->contacts[s->count - 1].time);
@@ -328,7 +311,6 @@ TEST(a_call_has_as_many_events_as_it_may) {
 TEST(all_that_sticks_goes_on_as_one) {
     own_stage *s = make_stage(BMR_WALLED, 50.0);
     s->response.kind = BMR_RESPONSE_STICK;
-    open_stage(s);
     const bmr_polygon *b = box(1.0);
     enum { PILE = 8 };
     bmr_body pile[PILE];
@@ -351,8 +333,7 @@ TEST(all_that_sticks_goes_on_as_one) {
     assert_int_equal(s->count, PILE);
     assert_near(bmr_world_get_totals(s->world).energy, 0.0, 0.0);
     // Who is sent elsewhere sticks no more.
-    const bmr_motion_piece up = bmr_piece_screw(1e4, state_of(s, pile[3]).pose, bmr_vec2_make(0.0, 1.0), 0.0);
-    assert_int_equal(bmr_world_set_piece(s->world, pile[3], &up), BMR_OK);
+    send(s, pile[3], 0.0, 1.0, 0.0);
     advance(s, 1e4 + 10.0);
     assert_near(state_of(s, pile[3]).velocity.y, 1.0, 0.0);
     assert_near(state_of(s, pile[1]).velocity.y, 0.0, 0.0);
@@ -370,7 +351,6 @@ TEST(a_pile_with_cells_is_that_of_all_pairs) {
             own_stage *s = make_stage(BMR_OPEN, 0.0);
             s->response.kind = BMR_RESPONSE_STICK;
             s->def.all_pairs = run == 1;
-            open_stage(s);
             for (int i = 0; i < PILE; i++) {
                 const double x = 3.0 * (i % 4) - 4.5 + 0.3 * sin(k + i), y = 3.0 * (i / 4) - 4.5;
                 const double aside = 0.1 * sin((k + (run == 2)) * i + 1.0);
@@ -398,7 +378,7 @@ TEST(an_impulse_on_a_short_stretch_keeps_the_energy) {
     size_t flat = 0;
     for (double stretch = 0.1; stretch > 1e-9; stretch *= 0.1)
         for (int turn = 0; turn < 30; turn++) {
-            own_stage *s = opened_stage(BMR_OPEN, 0.0);
+            own_stage *s = make_stage(BMR_OPEN, 0.0);
             const bmr_pose first = bmr_pose_from_angle(bmr_vec2_make(0.0, 0.0), 0.37 * turn);
             const bmr_vec2 at = {2.0 * first.c - (1.0 - stretch) * first.s,
                                  2.0 * first.s + (1.0 - stretch) * first.c};
@@ -426,7 +406,6 @@ TEST(what_is_pushed_together_for_good_is_an_error) {
     for (bmr_zeno_policy zeno = BMR_ZENO_ERROR; zeno <= BMR_ZENO_ELASTIC; zeno++) {
         own_stage *s = make_stage(BMR_OPEN, 0.0);
         s->def.zeno = zeno;
-        open_stage(s);
         const bmr_polygon *b = box(1.0);
         const bmr_body left = add_piece(s, b, flight(0.0, -5.0, 0.0, 1.0, 0.0, 0.0), INFINITY);
         const bmr_body middle = add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 1.0);
@@ -446,9 +425,8 @@ TEST(a_place_that_is_no_number_is_an_error) {
     for (int all = 0; all < 2; all++) {
         own_stage *s = make_stage(BMR_OPEN, 0.0);
         s->def.all_pairs = all;
-        open_stage(s);
         const bmr_polygon *b = box(1.0);
-        add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+        fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
         // At the world's time its terms are infinite, of different signs.
         bmr_motion_piece nowhere = flight(0.0, 5.0, 0.0, 0.0, 0.0, 0.0);
         memset(&nowhere.as, 0, sizeof nowhere.as);
@@ -475,17 +453,17 @@ TEST(a_place_that_is_no_number_is_an_error) {
 
 /// After 2^32 bodies at one place there are no ids left for it.
 TEST(a_place_whose_ids_are_used_up_is_left_alone) {
-    own_stage *s = opened_stage(BMR_OPEN, 0.0);
+    own_stage *s = make_stage(BMR_OPEN, 0.0);
     const bmr_polygon *b = box(1.0);
-    bmr_body body = add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    bmr_body body = fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
     const bmr_body first = body;
     assert_int_equal(bmr_world_remove(s->world, body), BMR_OK);
     s->world->generations[0] = UINT32_MAX - 1; // as if there had been so many
-    body = add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+    body = fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
     assert_int_equal(body, (uint64_t)(UINT32_MAX - 1) << 32);
     assert_int_equal(bmr_world_remove(s->world, body), BMR_OK);
     for (int i = 0; i < 3; i++) {
-        body = add_piece(s, b, flight(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
+        body = fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
         assert_int_equal(body & UINT32_MAX, 1);
         assert_int_not_equal(body, first);
         assert_int_equal(bmr_world_remove(s->world, body), BMR_OK);

@@ -16,7 +16,7 @@ TEST(memory_is_linear_and_given_back) {
         const size_t empty = heap.bytes;
         assert_int_equal(bmr_world_get_counts(s->world).bytes, empty);
         for (int k = 0; k < side * side; k++)
-            add_piece(s, b, flight(0.0, 2.0 * (k % side), 2.0 * (k / side), 0.0, 0.1 * (k % 3), 0.0), 0.0);
+            fly(s, b, 2.0 * (k % side), 2.0 * (k / side), 0.0, 0.1 * (k % 3), 0.0);
         advance(s, 1.0);
         const size_t full = heap.bytes;
         assert_int_equal(bmr_world_get_counts(s->world).bytes, full);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Outlines of all kinds: their pieces are the solid, exactly, and few; simplified ones stay within their
 // tolerance.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <string>

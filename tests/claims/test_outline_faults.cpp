@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rings at random on a few places of a grid, so that they cross, overlap, repeat and touch: what is wrong
 // with them is found, and nothing else; and what is an outline is cut into its pieces.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <functional>

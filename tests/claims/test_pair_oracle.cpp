@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pairs against rational arithmetic: no certificate claims a separation that is not there, and no contact is
 // missed.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A pair that is advanced with other shapes than the last time: it may say apart only of the ones it is
 // given.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

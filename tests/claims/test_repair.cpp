@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Rings that are drawn wrongly in each of the known ways become outlines, and many outlines become one.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

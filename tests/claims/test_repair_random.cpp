@@ -2,7 +2,6 @@
 // Garbage for rings: what comes of it is taken by bmr_outline_decompose, no two outlines overlap, and no
 // place farther from all rings than snap has changed sides. (Sides are counted by rays from points that are
 // drawn.)
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

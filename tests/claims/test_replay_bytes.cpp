@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // Packed frames: what comes back is what went in, to the bit; a frame is one line; damage is told, not read.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

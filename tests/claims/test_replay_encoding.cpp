@@ -2,7 +2,6 @@
 //
 // What replays become: whole numbers whose error is bounded, columns that decode to what went in, a page that
 // is one file. The page's own decoder is tested in a browser (tests/front).
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What the tables of `boomerang-testbed events` conclude from runs: made-up runs with known growth.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <cmath>
 #include <functional>
 

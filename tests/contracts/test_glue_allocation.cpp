@@ -2,7 +2,6 @@
 // Every allocation of the glue fails once: worlds keep stock's bits, shapes stay as they were, and nothing is
 // lost. (All of this program is linked with memory that fails, its own code too: what fails while a world
 // steps must be the glue's.)
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cstring>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How far out a fixture's row is (world/movers.h): its pairs' margins grow with it, a row that comes into
 // another band has its pairs looked at, and one that trembles about a border does not.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How worlds of polygons of any size behave: piles rest, stacks stand, wheels roll like discs, and nothing
 // gains energy that its controls, the same worlds of many stock fixtures and of circles, would not.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contacts of big ConvexShapes: with every kind of shape, born and ended in every way, told of as Box2D tells
 // of its own, with the plugin installed in any of its forms or not at all.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Distance, cast and time of impact of polygons of any size: against all vertices in double, and up to 255
 // vertices against Box2D's own algorithms fed with all of them.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include "convex_oracle.h"

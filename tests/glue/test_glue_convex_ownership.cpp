@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Who owns the real polygon of bmr::ConvexShapes: copies, clones, fixtures and threads share it, and the last
 // frees it.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Proxies of big polygons, by hand: who is known by the mark, and Box2D's questions asked of them.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Big ConvexShapes at rest: on every kind of shape, and under what is smaller.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // bmr::ConvexShape as a shape: what it is up to 8 vertices and above, and what goes wrong.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 // The manifold of an edge and a polygon of core/exact32 against b2CollideEdgeAndPolygon itself, byte by byte,
 // what is not written included. Where Box2D has another one, it is left alone: this program stands in front
 // of the function (ELF lets it).
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

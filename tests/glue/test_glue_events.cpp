@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Who listens to the glue is told of every event and every answer that it counts, and changes nothing by
 // listening.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cstdint>

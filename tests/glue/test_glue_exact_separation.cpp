@@ -2,7 +2,6 @@
 // What the glue says of distances against rational arithmetic: a slack is never above the true distance,
 // "apart" is apart and "overlapping" overlaps, at poses a unit in the last place from touching, ten
 // kilometres out, at any angle, of slivers and of polygons of hundreds of metres.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What Inspect shows of a pair is a proof that anybody can check, and looking at it changes nothing.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

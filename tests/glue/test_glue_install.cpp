@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What Install and the end of a process say, on stderr and on a page for whoever tries the game. What the
 // environment says outweighs what the program says; what it says badly counts as not said, and gets one line.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cstdlib>

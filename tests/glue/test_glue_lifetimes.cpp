@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Who is born and dies when: installation, contacts, worlds; callers of Evaluate; odd bodies and
 // places. tests/faults takes handling out of the glue and expects test cases here to fail.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The manifold of core/exact32 against b2CollidePolygons itself, byte by byte, what is not written included.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cfenv>

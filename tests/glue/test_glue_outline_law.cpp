@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The law of outlines: what one piece leaves to another is answered by that other, at those poses, in that
 // call. What is inside of the outline is touched where it is inside, and an impact with it is an impact.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Inertia far from a body's origin: what floats hold of it, what is refused, and that Box2D's never comes to
 // nothing or less.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rays and drawings of outlines, whose pieces' seams neither lets a ray through nor stops it, and nobody
 // sees: against the outline itself.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

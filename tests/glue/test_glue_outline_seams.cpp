@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Over the seams of an outline's pieces things roll and slide as over one line: wheels and boxes on a ground
 // that was cut in a hundred places, beside a chain with the same surface and beside triangles.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // bmr::OutlineShape: what a body of an outline weighs, who owns what, what is refused, and who finds it
 // again.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // CertainOverlap against b2TestOverlap itself: what is certain is what Box2D says, wherever the two are, most
 // of all about the threshold.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 // A Box2D that is not the one the glue was built for is left alone. This program stands in front of some
 // functions of Box2D's (ELF lets it) and lets each do what another version, or one with other constants,
 // could do.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // bmr::ContactRecorder, on Box2D alone: it holds what a listener is told, and the hooks know it.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A ball that slides over tiles loses speed at their seams where each tile is an outline, and none where they
 // are merged into one: near the origin, at 1 km and at 8 km.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

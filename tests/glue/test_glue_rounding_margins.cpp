@@ -3,7 +3,6 @@
 // random poses about the threshold, and from each a climb towards larger errors. Within the reach the largest
 // must stay below what thresholds.h leaves; beyond, it is recorded, and the glue must not answer.
 // docs/thresholds.md has a table of a long run.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A thread that rounds otherwise than to nearest has Box2D's own answers, and what is made meanwhile is made
 // as always.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cfenv>

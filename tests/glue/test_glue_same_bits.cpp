@@ -2,7 +2,6 @@
 // core/exact32 and the loops that polygons of any size are compared with have Box2D's bits. Box2D keeps its
 // separations to itself, but its early exit tells: with the sum of the radii set to exactly the largest
 // separation it goes on, with one float less it leaves.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cfloat>

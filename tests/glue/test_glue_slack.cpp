@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // CertifiedSlack is a lower bound of the true distance, in whatever state the pair is.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include "box2d_shapes.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // NeverTouch against b2TimeOfImpact itself: whatever it proves apart, Box2D does not find touching. Pairs are
 // moved to where the proof just still holds, near the origin and at the end of the reach.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cfenv>

@@ -6,7 +6,6 @@
 // Angles are covered by cells. Sizes need none: every bound here is a sum of lengths of linear functions of
 // the sizes, so it is sublinear in them, f(x + y) <= f(x) + f(y) and f(k x) = k f(x), and what is left for it
 // is linear. So the corners of the sizes' range decide.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // ContactMargin and kReach against Box2D itself: just beyond the margin, within the reach, never a point.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cfloat>

@@ -2,7 +2,6 @@
 // The traps that Box2D lays for whoever keeps state about its bodies: shapes and poses that change
 // unannounced. tests/faults takes the handling of each out of the glue and expects the test case here to
 // fail.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include "planks.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Leaves put into a tree of boxes, taken out and moved by the plugin's code, and by Box2D's: after each
 // operation the two trees are the same to the bit, and so are their lists of free nodes.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Mode::Verify tells two answers apart by each of their fields, counts all differences and describes the
 // first.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -61,12 +61,6 @@ static inline void open_stage(stage *s) {
     assert_int_equal(bmr_world_create(&s->def, 0.0, NULL, &s->world), BMR_OK);
 }
 
-static inline stage *opened_stage(bmr_boundary boundary, double size) {
-    stage *s = make_stage(boundary, size);
-    open_stage(s);
-    return s;
-}
-
 static inline void close_stage(stage *s) {
     bmr_world_destroy(s->world);
     free(s);
@@ -98,7 +92,10 @@ static inline bmr_motion_piece flight(double time, double x, double y, double vx
     return bmr_piece_screw(time, bmr_pose_from_angle(bmr_vec2_make(x, y), 0.0), bmr_vec2_make(vx, vy), spin);
 }
 
+/// The world begins with its first body, unless it was opened.
 static inline bmr_body add_piece(stage *s, const bmr_polygon *polygon, bmr_motion_piece piece, double mass) {
+    if (!s->world)
+        open_stage(s);
     bmr_motion *motion;
     assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
     const bmr_shape shape = {.polygon = polygon};
@@ -111,10 +108,28 @@ static inline bmr_body add_piece(stage *s, const bmr_polygon *polygon, bmr_motio
     return body;
 }
 
+/// Of its polygon's own mass, from the time 0 on.
+static inline bmr_body fly(stage *s, const bmr_polygon *polygon, double x, double y, double vx, double vy,
+                           double spin) {
+    return add_piece(s, polygon, flight(0.0, x, y, vx, vy, spin), 0.0);
+}
+/// The same with velocities and a spin of up to 1 either way.
+static inline bmr_body drift(stage *s, const bmr_polygon *polygon, double x, double y, test_random *random) {
+    const double vx = test_random_uniform(random, -1.0, 1.0), vy = test_random_uniform(random, -1.0, 1.0);
+    return fly(s, polygon, x, y, vx, vy, test_random_uniform(random, -1.0, 1.0));
+}
+
 static inline bmr_body_state state_of(const stage *s, bmr_body body) {
     bmr_body_state state;
     assert_int_equal(bmr_world_get(s->world, body, &state), BMR_OK);
     return state;
+}
+
+/// From now on, and from where it is.
+static inline void send(stage *s, bmr_body body, double vx, double vy, double spin) {
+    const bmr_motion_piece piece =
+        bmr_piece_screw(bmr_world_time(s->world), state_of(s, body).pose, bmr_vec2_make(vx, vy), spin);
+    assert_int_equal(bmr_world_set_piece(s->world, body, &piece), BMR_OK);
 }
 
 static inline void assert_near(double value, double expected, double room) {

@@ -2,7 +2,6 @@
 // What b2DistanceProxy, b2Distance, b2ShapeCast, b2TimeOfImpact, b2TestOverlap and sensors say of a
 // ConvexShape. Built twice: with the library in front of Box2D (CONVEX_REAL 1) it is the real polygon, behind
 // it (0) the octagon that Box2D is shown. Each is what the other must not be.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <cstring>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Polygons of any size that threads share, make and free: their shapes, and the questions about distance in
 // front of which the library stands. Above all for the thread sanitizer.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <atomic>
