@@ -123,6 +123,7 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
                      m_jointCount,
                      false,
                      false};
+    m_mayReorder = m_mayReorder && (m_listener == nullptr || IsWhole(island));
     m_solver.Begin(m_step, m_contacts.Data(), Data());
     m_solver.Read(island);
     m_jointSolver.Begin(m_joints.Data(), Data());
@@ -145,6 +146,23 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
     m_jointCount = m_waiting.endJoint;
     if (m_islandCount == 0)
         Clear();
+}
+
+/// Is every body of a contact or a joint in the island? PostSolve may enable a contact, or step the world, so
+/// that a body of an earlier island meets one of this. Box2D does not add it: it is solved at the place that
+/// it had, which may be another body's here.
+bool IslandSolver::IsWhole(const Island &island) const {
+    const auto isIn = [&](b2Body *body) {
+        const auto place = static_cast<uint32_t>(body->*Named(IslandIndex()));
+        return place < island.endBody && m_bodies[place] == body;
+    };
+    bool isWhole = true;
+    for (uint32_t i = island.firstContact; i < island.endContact; ++i)
+        isWhole = isWhole && isIn(m_contacts[i]->GetFixtureA()->GetBody()) &&
+                  isIn(m_contacts[i]->GetFixtureB()->GetBody());
+    for (uint32_t i = island.firstJoint; i < island.endJoint; ++i)
+        isWhole = isWhole && isIn(m_joints[i]->GetBodyA()) && isIn(m_joints[i]->GetBodyB());
+    return isWhole;
 }
 
 bool IslandSolver::MayWait(const Island &island) const {

@@ -89,6 +89,7 @@ private:
     void Clear();
     IslandParts Parts() const;
     b2SolverData Data() { return {m_step, m_positions.Data(), m_velocities.Data()}; }
+    bool IsWhole(const Island &island) const;
     bool MayWait(const Island &island) const;
     void SolveWaiting();
     bool SolveTogether(Island *islands, uint32_t count);

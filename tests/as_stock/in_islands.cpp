@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A listener makes steps in an island or an impact of its own world. A step that it ends by an exception, and
-// catches, leaves the world locked, as if there had been none.
+// A listener changes in an island or an impact what the rest of the step is made of. A step of its world that
+// it makes there, ends by an exception and catches leaves the world locked, as if there had been none.
 #include "as_stock.h"
 
 using namespace as_stock;
@@ -130,6 +130,49 @@ TEST_CASE("made: PostSolve of an impact makes bodies and steps, in which the wor
                     game.StepWithin(1.0f / 240.0f, 2);
                     game.world.SetContinuousPhysics(true);
                 });
+                game.Step(4);
+            },
+            false);
+}
+
+// A train, and behind it a plate beside a row of boxes. They are two islands as long as the plate's contacts
+// with the row are disabled, and it has other joints. What joins them is then solved with the row, at the
+// place that the plate had in the train.
+TEST_CASE("joined: PostSolve enables contacts of a body that is solved with others of a later island, or "
+          "ties it to them after a step inside the step") {
+    for (const bool ties : {false, true})
+        AsStock(
+            [ties](Run &run) {
+                Game game(run);
+                std::vector<b2Body *> row, poles;
+                for (int i = 0; i < 12; ++i) {
+                    row.push_back(game.Awake({0.9f * Real(i), 0.0f}));
+                    poles.push_back(game.Wall({Real(i), 40.0f}));
+                    game.Tie(poles.back(), game.Box({Real(i), 50.0f}));
+                }
+                b2Body *const plate = game.Awake({5.0f, 0.95f}, {7.0f, 0.5f});
+                for (int i = 0; i < 24; ++i)
+                    game.Awake({12.4f + 0.95f * Real(i), 0.95f}, {0.5f, 0.3f});
+                game.Listen();
+                const auto enable = [plate](bool enabled) {
+                    for (b2ContactEdge *edge = plate->GetContactList(); edge != nullptr; edge = edge->next)
+                        if (edge->other->GetPosition().x < 10.5f)
+                            edge->contact->SetEnabled(enabled);
+                };
+                game.listener.preSolve = [&enable] { enable(false); };
+                for (b2Body *box : row)
+                    box->SetLinearVelocity({0.0f, -3.0f});
+                if (ties)
+                    game.listener.postSolve.Once([&] {
+                        game.StepWithin(); // unlocks it
+                        while (game.world.GetJointList() != nullptr)
+                            game.world.DestroyJoint(game.world.GetJointList());
+                        for (b2Body *box : row)
+                            game.Tie(plate, box);
+                        enable(false);
+                    });
+                else
+                    game.listener.postSolve = [&enable] { enable(true); };
                 game.Step(4);
             },
             false);
