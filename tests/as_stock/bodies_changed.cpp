@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What bodies may go through while others remember how they were. Each test names what peers met; README.md
 // has them all.
-#include <doctest/doctest.h>
-
 #include <malloc.h>
 
 #include <set>
 
+#include "cases.h"
 #include "yard.h"
 
 using namespace as_stock;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Polygons and places that a game changes and tells nobody of: between steps, in the midst of a step, into
 // what is no number.
-#include <cmath>
-#include <thread>
-
 #include "as_stock.h"
 
 using namespace as_stock;

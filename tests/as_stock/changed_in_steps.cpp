@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What may change between and within steps while others remember how it was: filters, the origin, listeners,
 // odd steps. README.md has the whole list.
-#include <doctest/doctest.h>
-
 #include <cfenv>
 
+#include "cases.h"
 #include "yard.h"
 
 using namespace as_stock;

@@ -3,9 +3,6 @@
 #define BOOMERANG_TEST_AS_STOCK_EVENTS_H
 
 #include <map>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "boomerang/convex_shape.h"
 #include "forked_world.h"

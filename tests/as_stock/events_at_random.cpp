@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Crowds of bodies that meet at random: whatever happens, each life is one that the header allows, and nobody
 // plays otherwise for being listened to.
-#include <cstdint>
-
 #include "events.h"
 
 using as_stock::Listener;
-using forked::Game;
-using forked::Run;
+using namespace forked;
 
 namespace {
 

@@ -4,8 +4,7 @@
 #include "events.h"
 
 using as_stock::Listener;
-using forked::Game;
-using forked::Run;
+using namespace forked;
 
 namespace {
 

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Listeners that come and go while they are told, and that change the contact that they are told of.
-#include <string>
-#include <vector>
-
 #include "as_stock.h"
 #include "base/private_members.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Worlds that are stepped in the midst of a step. (A step of no time unlocks the world that is being stepped:
 // from then on Box2D allows in a callback whatever may be done between steps.)
-#include <thread>
-
 #include <pthread.h>
 #include <ucontext.h>
 

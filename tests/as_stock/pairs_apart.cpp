@@ -2,14 +2,9 @@
 // What a world's ledger remembers of pairs that are apart, seen from outside: looks that are spared, and
 // taken up again when something changes; memory that is asked for when contacts begin, and given back. With
 // the glue alone there is no ledger: there the same scenes show that nothing depends on it.
-#include <doctest/doctest.h>
-
-#include <functional>
-#include <memory>
 #include <new>
-#include <thread>
-#include <vector>
 
+#include "cases.h"
 #include "yard.h"
 
 using namespace as_stock;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Worlds that are rounded in another direction than to the nearest, as libraries for intervals leave a
 // thread; worlds where little is left of what is rounded; and trees of boxes that have all their bits.
-#include <random>
-
 #include "as_stock.h"
 #include "tree_play.h"
 

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Shapes that are changed in place, and polygons of any size that others take the place of. README.md has the
 // whole list.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include <boomerang/convex_shape.h>
 
+#include "cases.h"
 #include "yard.h"
 
 using namespace as_stock;

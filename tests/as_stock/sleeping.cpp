@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Worlds in which hundreds of bodies sleep, and some are woken by what is easily overlooked.
 #include <new>
-#include <thread>
 
 #include "as_stock.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Worlds of a few bodies, as most games step them and some programs by the thousand: with joints. The library
 // mostly leaves these to Box2D.
-#include <limits>
-
 #include "small_worlds.h"
 
 using namespace as_stock;

@@ -3,8 +3,6 @@
 // library mostly leaves these to Box2D.
 #include "small_worlds.h"
 
-#include <limits>
-
 using namespace as_stock;
 
 namespace {

@@ -2,9 +2,6 @@
 #ifndef BOOMERANG_TEST_AS_STOCK_YARD_H
 #define BOOMERANG_TEST_AS_STOCK_YARD_H
 
-#include <cmath>
-#include <vector>
-
 #include "planks.h"
 
 /// @file

@@ -2,17 +2,10 @@
 // The search for the closest direction against all pairs of features in long double, on every family, at
 // distances from 1e-9 to 30 times the shapes: the separation that it reports is the distance, up to the
 // tolerance and the rounding of the posed vertices.
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <string>
-#include <vector>
-
-#include <doctest/doctest.h>
-
 extern "C" {
 #include "geometry/distance.h"
 }
+#include "cases.h"
 #include "polygons.h"
 #include "test_scale.h"
 

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Distance, closest points and penetration against all vertices and edges in long double; and for polygons of
 // many vertices against the certificate that an answer is: two points, and a line between the polygons.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <memory>
-#include <vector>
-
 #include "boomerang/distance.h"
+#include "cases.h"
 #include "geometry/posed_polygons.h"
 #include "polygons.h"
 #include "query_oracle.h"
@@ -15,10 +10,7 @@
 
 namespace {
 
-using query::Agrees;
-using query::ProvesItself;
-using query::Scene;
-using query::SceneOf;
+using namespace query;
 
 struct PolygonDeleter {
     void operator()(bmr_polygon *p) const { bmr_polygon_destroy(p, nullptr); }

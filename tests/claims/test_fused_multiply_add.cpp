@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 // bmr_exact32_separates_contracted and bmr_exact32_face_contracted against every way to fuse the products and
 // sums of a separation, and against rational arithmetic.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cfloat>
-#include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <limits>
-
 #include <gmpxx.h>
 
+#include "cases.h"
 #include "convex32_poses.h"
 #include "exact32/exact32.h"
 #include "test_scale.h"

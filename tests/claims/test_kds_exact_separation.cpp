@@ -2,14 +2,8 @@
 // Every kinetic structure against rational arithmetic: where it says apart, or where all conditions of its
 // proof are positive, the exact distance is more than the margin; where it says contact, it is not. At poses
 // some units in the last place about the margin, of slivers too, near the origin and far from it.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <string>
-
 #include "boomerang/kds.h"
+#include "cases.h"
 #include "exact_polygons.h"
 #include "kds_driver.h"
 #include "motions.h"
@@ -17,8 +11,7 @@
 
 namespace {
 
-using exact::Number;
-using exact::Square;
+using namespace exact;
 
 struct Body {
     test_kds_body body;

@@ -4,14 +4,8 @@
 // a structure says "apart", the polygons are; whenever they overlap, it says "contact".
 //
 // BMR_TEST_SCALE=400 is the campaign of 100,000 motions for each structure.
-#include <cmath>
-#include <memory>
-#include <string>
-#include <vector>
-
-#include <doctest/doctest.h>
-
 #include "boomerang/simulation.h"
+#include "cases.h"
 #include "kds_driver.h"
 #include "own_structure.h"
 #include "polygon_distance.h"

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Bytes that the library asks for, where size_t has 32 bits: what does not fit is refused, nothing wraps.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <vector>
-
 #include "boomerang/kds.h"
 #include "boomerang/minkowski.h"
 #include "boomerang/simulation.h"
+#include "cases.h"
 #include "convex32/convex32.h"
 #include "hierarchy/mixed_cells.h"
 

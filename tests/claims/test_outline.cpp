@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Outlines of all kinds: their pieces are the solid, exactly, and few; simplified ones stay within their
 // tolerance.
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
 #include "boomerang/outline.h"
+#include "cases.h"
 #include "outline_families.h"
 #include "outline_optimum.h"
 #include "outline_oracle.h"

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Rings at random on a few places of a grid, so that they cross, overlap, repeat and touch: what is wrong
 // with them is found, and nothing else; and what is an outline is cut into its pieces.
-#include <doctest/doctest.h>
-
-#include <functional>
 #include <set>
-#include <vector>
 
 #include "boomerang/outline.h"
+#include "cases.h"
 #include "outline_families.h"
 #include "outline_faults.h"
 #include "outline_oracle.h"

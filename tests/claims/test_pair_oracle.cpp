@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Pairs against rational arithmetic: no certificate claims a separation that is not there, and no contact is
 // missed.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 #include "boomerang/pair.h"
+#include "cases.h"
 #include "exact_polygons.h"
 #include "motions.h"
 #include "polygons.h"
@@ -16,14 +10,7 @@
 
 namespace {
 
-using exact::LeastAlong;
-using exact::Number;
-using exact::Place;
-using exact::Places;
-using exact::PlacesAt;
-using exact::PlacesOf;
-using exact::Square;
-using exact::SquaredDistance;
+using namespace exact;
 
 /// A few motions must always run, or the controls may see nothing.
 std::size_t rounds(std::size_t count) {

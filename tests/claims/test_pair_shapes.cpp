@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A pair that is advanced with other shapes than the last time: it may say apart only of the ones it is
 // given.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstring>
-#include <memory>
-#include <vector>
-
 #include "boomerang/pair.h"
+#include "cases.h"
 #include "hierarchies.h"
 #include "polygon_distance.h"
 #include "polygons.h"

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rings that are drawn wrongly in each of the known ways become outlines, and many outlines become one.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
 #include "boomerang/repair.h"
+#include "cases.h"
 
 namespace {
 

@@ -2,14 +2,8 @@
 // Garbage for rings: what comes of it is taken by bmr_outline_decompose, no two outlines overlap, and no
 // place farther from all rings than snap has changed sides. (Sides are counted by rays from points that are
 // drawn.)
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <vector>
-
 #include "boomerang/repair.h"
+#include "cases.h"
 
 #include "test_scale.h"
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Packed frames: what comes back is what went in, to the bit; a frame is one line; damage is told, not read.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <random>
 #include <stdexcept>
 
+#include "cases.h"
 #include "recording/bytes.h"
 
 using namespace testbed::recording;

@@ -2,14 +2,9 @@
 //
 // What replays become: whole numbers whose error is bounded, columns that decode to what went in, a page that
 // is one file. The page's own decoder is tested in a browser (tests/front).
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <random>
-
 #include <zlib.h>
 
+#include "cases.h"
 #include "replay/encoding.h"
 
 using namespace testbed::replay;

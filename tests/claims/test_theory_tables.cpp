@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the tables of `boomerang-testbed events` conclude from runs: made-up runs with known growth.
-#include <cmath>
-#include <functional>
-
-#include <doctest/doctest.h>
-
+#include "cases.h"
 #include "structure_named.h"
 #include "theory/event_tables.h"
 

@@ -2,18 +2,12 @@
 // Every allocation of the glue fails once: worlds keep stock's bits, shapes stay as they were, and nothing is
 // lost. (All of this program is linked with memory that fails, its own code too: what fails while a world
 // steps must be the glue's.)
-#include <doctest/doctest.h>
-
-#include <cstring>
-#include <string>
-#include <thread>
-#include <vector>
-
 #include <sys/mman.h>
 
 #include "boomerang/contact_recorder.h"
 #include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
+#include "cases.h"
 #include "failing_malloc.h"
 #include "forked_world.h"
 #include "idle_draw.h"
@@ -23,8 +17,7 @@
 #include "test_scale.h"
 
 using bmr::ConvexShape;
-using forked::Game;
-using forked::Run;
+using namespace forked;
 
 namespace {
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How far out a fixture's row is (world/movers.h): its pairs' margins grow with it, a row that comes into
 // another band has its pairs looked at, and one that trembles about a border does not.
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include <box2d/box2d.h>
 
+#include "cases.h"
 #include "world/movers.h"
 
 namespace {

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How worlds of polygons of any size behave: piles rest, stacks stand, wheels roll like discs, and nothing
 // gains energy that its controls, the same worlds of many stock fixtures and of circles, would not.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <vector>
-
 #include <box2d/box2d.h>
 
 #include "boomerang/convex_shape.h"
+#include "cases.h"
 #include "test_scale.h"
 
 namespace {

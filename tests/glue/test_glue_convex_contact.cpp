@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Contacts of big ConvexShapes: with every kind of shape, born and ended in every way, told of as Box2D tells
 // of its own, with the plugin installed in any of its forms or not at all.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <vector>
-
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
+#include "cases.h"
 #include "convex_ground.h"
 #include "forked_world.h"
 #include "start/recognise.h"
 
 using bmr::ConvexShape;
 using forked::CheckSameAsStock; // what is the same here is what it is without Install
-using forked::Game;
-using forked::Run;
+using namespace forked;
 using namespace ground;
 
 namespace {

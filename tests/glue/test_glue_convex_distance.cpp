@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Distance, cast and time of impact of polygons of any size: against all vertices in double, and up to 255
 // vertices against Box2D's own algorithms fed with all of them.
-#include <doctest/doctest.h>
-
+#include "cases.h"
 #include "convex_oracle.h"
 #include "test_scale.h"
 
-using oracle::Placed;
-using oracle::Polygon;
-using shapes::Below;
-using shapes::Engine;
-using shapes::Uniform;
-using shapes::UniformF;
+using namespace oracle;
+using namespace shapes;
 
 namespace {
 

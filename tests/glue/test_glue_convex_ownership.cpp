@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Who owns the real polygon of bmr::ConvexShapes: copies, clones, fixtures and threads share it, and the last
 // frees it.
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <atomic>
-#include <thread>
-#include <vector>
 
 #include <box2d/box2d.h>
 
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
+#include "cases.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/convex_registry.h"
 
@@ -19,9 +15,7 @@
 #include "test_scale.h"
 
 using bmr::ConvexShape;
-using shapes::Below;
-using shapes::Circle;
-using shapes::Engine;
+using namespace shapes;
 
 TEST_CASE("without memory a shape stays as it was and nothing leaks") {
     // First of all: the registry has no chunk yet.

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Proxies of big polygons, by hand: who is known by the mark, and Box2D's questions asked of them.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <initializer_list>
-
 #include <box2d/b2_time_of_impact.h>
 
 #include "boomerang/convex_shape.h"
+#include "cases.h"
 #include "proofs/convex_distance.h"
 
 namespace {

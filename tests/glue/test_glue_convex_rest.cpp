@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Big ConvexShapes at rest: on every kind of shape, and under what is smaller.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "boomerang/convex_shape.h"
+#include "cases.h"
 #include "convex_ground.h"
 #include "forked_world.h"
 
 using bmr::ConvexShape;
 using forked::CheckSameAsStock; // what is the same here is what it is without Install
-using forked::Game;
-using forked::Run;
+using namespace forked;
 using namespace ground;
 
 namespace {

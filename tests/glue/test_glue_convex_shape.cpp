@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
 // bmr::ConvexShape as a shape: what it is up to 8 vertices and above, and what goes wrong.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <csignal>
-#include <cstdio>
-#include <cstring>
-#include <limits>
-#include <memory>
-#include <random>
-#include <vector>
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -20,6 +10,7 @@
 
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
+#include "cases.h"
 #include "idle_draw.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/convex_registry.h"
@@ -27,11 +18,7 @@
 #include "test_scale.h"
 
 using bmr::ConvexShape;
-using shapes::Below;
-using shapes::Circle;
-using shapes::Engine;
-using shapes::Uniform;
-using shapes::UniformF;
+using namespace shapes;
 using Points = std::vector<b2Vec2>;
 
 namespace {

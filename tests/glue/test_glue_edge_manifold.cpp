@@ -2,16 +2,11 @@
 // The manifold of an edge and a polygon of core/exact32 against b2CollideEdgeAndPolygon itself, byte by byte,
 // what is not written included. Where Box2D has another one, it is left alone: this program stands in front
 // of the function (ELF lets it).
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstring>
-#include <limits>
-
 #include <box2d/b2_edge_shape.h>
 #include <dlfcn.h>
 
 #include "box2d_shapes.h"
+#include "cases.h"
 #include "contacts/edge_contact.h"
 #include "forked_world.h"
 #include "shapes/shapes32.h"
@@ -49,9 +44,7 @@ void CollideEdge(b2Manifold *manifold, const b2EdgeShape *a, const b2Transform &
 
 namespace {
 
-using shapes::Below;
-using shapes::Engine;
-using shapes::UniformF;
+using namespace shapes;
 
 struct Scene {
     b2EdgeShape edge;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Shapes that a game changes in place, unannounced. tests/faults takes the handling of each out of the glue
 // and expects the test case here to fail.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
+#include "cases.h"
 #include "planks.h"
 
 using namespace forked;

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Who listens to the glue is told of every event and every answer that it counts, and changes nothing by
 // listening.
-#include <doctest/doctest.h>
-
-#include <cstdint>
-
 #include "boomerang/convex_shape.h"
+#include "cases.h"
 #include "forked_world.h"
 
-using forked::Game;
-using forked::Run;
+using namespace forked;
 
 namespace {
 

@@ -2,11 +2,6 @@
 // What the glue says of distances against rational arithmetic: a slack is never above the true distance,
 // "apart" is apart and "overlapping" overlaps, at poses a unit in the last place from touching, ten
 // kilometres out, at any angle, of slivers and of polygons of hundreds of metres.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <memory>
-
 #include <box2d/b2_block_allocator.h>
 #include <box2d/b2_distance.h>
 #include <box2d/b2_time_of_impact.h>
@@ -14,6 +9,7 @@
 
 #include "boomerang/box2d_glue.h"
 #include "box2d_shapes.h"
+#include "cases.h"
 #include "exact_polygons.h"
 #include "proofs/body_pair.h"
 #include "proofs/face_gap.h"
@@ -25,9 +21,7 @@
 
 namespace {
 
-using exact::Number;
-using exact::Places;
-using exact::Square;
+using namespace exact;
 using shapes::Below;
 using shapes::Engine;
 using shapes::Uniform;

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What Inspect shows of a pair is a proof that anybody can check, and looking at it changes nothing.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <set>
-#include <string>
-#include <vector>
 
 #include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
 #include "box2d_shapes.h"
+#include "cases.h"
 #include "forked_world.h"
 #include "test_scale.h"
 
-using forked::CheckSameAsStock;
-using forked::Game;
-using forked::Run;
+using namespace forked;
 
 namespace {
 

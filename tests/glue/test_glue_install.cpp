@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What Install and the end of a process say, on stderr and on a page for whoever tries the game. What the
 // environment says outweighs what the program says; what it says badly counts as not said, and gets one line.
-#include <doctest/doctest.h>
-
-#include <cstdlib>
-#include <string>
 #include <sys/wait.h>
 
+#include "cases.h"
 #include "forked_world.h"
 #include "start/environment.h"
 #include "start/recognise.h"

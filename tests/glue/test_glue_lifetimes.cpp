@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Who is born and dies when: installation, contacts, worlds; callers of Evaluate; odd bodies and
 // places. tests/faults takes handling out of the glue and expects test cases here to fail.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <limits>
-
+#include "cases.h"
 #include "forked_world.h"
 #include "test_scale.h"
 
-using forked::CheckSameAsStock;
-using forked::Game;
-using forked::Run;
+using namespace forked;
 
 namespace {
 

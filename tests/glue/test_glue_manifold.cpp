@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The manifold of core/exact32 against b2CollidePolygons itself, byte by byte, what is not written included.
-#include <doctest/doctest.h>
-
 #include <cfenv>
-#include <cfloat>
-#include <cmath>
-#include <cstring>
-#include <functional>
-#include <limits>
-#include <string>
 
 #include "box2d_shapes.h"
+#include "cases.h"
 #include "shapes/shapes32.h"
 #include "test_scale.h"
 
@@ -18,10 +11,7 @@ namespace {
 
 using bmr::Polygon32;
 using bmr::Transform32;
-using shapes::Below;
-using shapes::Engine;
-using shapes::Uniform;
-using shapes::UniformF;
+using namespace shapes;
 
 constexpr float kTolerance = 0.1f * b2_linearSlop;
 constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The law of outlines: what one piece leaves to another is answered by that other, at those poses, in that
 // call. What is inside of the outline is touched where it is inside, and an impact with it is an impact.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <vector>
-
 #include <box2d/box2d.h>
 
 #include "boomerang/outline_shape.h"
+#include "cases.h"
 
 #include "box2d_shapes.h"
 #include "plain_pieces.h"
 #include "test_scale.h"
 
-using shapes::Below;
-using shapes::Engine;
-using shapes::UniformF;
+using namespace shapes;
 
 namespace {
 

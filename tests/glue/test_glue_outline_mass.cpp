@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Inertia far from a body's origin: what floats hold of it, what is refused, and that Box2D's never comes to
 // nothing or less.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <vector>
-
 #include <box2d/box2d.h>
 
 #include "boomerang/outline_shape.h"
+#include "cases.h"
 
 #include "box2d_shapes.h"
 #include "test_scale.h"
 
 using bmr::OutlineShape;
-using shapes::Below;
-using shapes::Engine;
-using shapes::UniformF;
+using namespace shapes;
 using Ring = std::vector<b2Vec2>;
 
 namespace {

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Rays and drawings of outlines, whose pieces' seams neither lets a ray through nor stops it, and nobody
 // sees: against the outline itself.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <utility>
-#include <vector>
-
 #include <box2d/box2d.h>
 
 #include "boomerang/box2d_glue.h"
 #include "boomerang/outline_shape.h"
+#include "cases.h"
 
 using Ring = std::vector<b2Vec2>;
 

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Over the seams of an outline's pieces things roll and slide as over one line: wheels and boxes on a ground
 // that was cut in a hundred places, beside a chain with the same surface and beside triangles.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include <box2d/box2d.h>
 
 #include "boomerang/outline_shape.h"
+#include "cases.h"
 
 #include "plain_pieces.h"
 #include "test_scale.h"

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 // bmr::OutlineShape: what a body of an outline weighs, who owns what, what is refused, and who finds it
 // again.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
 #include <box2d/box2d.h>
 
 #include "boomerang/outline_shape.h"
+#include "cases.h"
 #include "shapes/outline_record.h"
 
 #include "failing_allocator.h"

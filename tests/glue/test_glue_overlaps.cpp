@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 // CertainOverlap against b2TestOverlap itself: what is certain is what Box2D says, wherever the two are, most
 // of all about the threshold.
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <cfenv>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <utility>
 
 #include <box2d/b2_chain_shape.h>
 #include <box2d/b2_circle_shape.h>
@@ -17,6 +10,7 @@
 
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
+#include "cases.h"
 #include "proofs/overlap.h"
 #include "test_scale.h"
 
@@ -25,10 +19,7 @@ extern B2_API int32 b2_gjkMaxIters;
 namespace {
 
 using bmr::Overlap;
-using shapes::Below;
-using shapes::Engine;
-using shapes::Uniform;
-using shapes::UniformF;
+using namespace shapes;
 
 struct Part {
     std::unique_ptr<b2Shape> shape;

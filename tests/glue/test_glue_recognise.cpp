@@ -2,16 +2,11 @@
 // A Box2D that is not the one the glue was built for is left alone. This program stands in front of some
 // functions of Box2D's (ELF lets it) and lets each do what another version, or one with other constants,
 // could do.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstring>
-#include <string>
-
 #include <box2d/b2_time_of_impact.h>
 #include <box2d/box2d.h>
 #include <dlfcn.h>
 
+#include "cases.h"
 #include "start/recognise.h"
 #include "start/rounding_probe.h"
 

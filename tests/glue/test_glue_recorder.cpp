@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // bmr::ContactRecorder, on Box2D alone: it holds what a listener is told, and the hooks know it.
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <array>
 #include <iterator>
-#include <vector>
 
 #include "boomerang/contact_recorder.h"
+#include "cases.h"
 #include "passes/contact_access.h"
 #include "small_world.h"
 

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A ball that slides over tiles loses speed at their seams where each tile is an outline, and none where they
 // are merged into one: near the origin, at 1 km and at 8 km.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <vector>
-
 #include <box2d/box2d.h>
 
 #include "boomerang/outline_shape.h"
 #include "boomerang/repair.h"
+#include "cases.h"
 
 namespace {
 

@@ -3,14 +3,11 @@
 // random poses about the threshold, and from each a climb towards larger errors. Within the reach the largest
 // must stay below what thresholds.h leaves; beyond, it is recorded, and the glue must not answer.
 // docs/thresholds.md has a table of a long run.
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include <box2d/b2_distance.h>
 #include <box2d/b2_time_of_impact.h>
 
 #include "box2d_shapes.h"
+#include "cases.h"
 #include "exact_polygons.h"
 #include "proofs/overlap.h"
 #include "proofs/sweep_apart.h"
@@ -21,10 +18,7 @@ extern B2_API int32 b2_gjkMaxIters;
 
 namespace {
 
-using shapes::Below;
-using shapes::Engine;
-using shapes::Uniform;
-using shapes::UniformF;
+using namespace shapes;
 
 constexpr double kExtent = 5.0;
 

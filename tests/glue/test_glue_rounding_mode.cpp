@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A thread that rounds otherwise than to nearest has Box2D's own answers, and what is made meanwhile is made
 // as always.
-#include <doctest/doctest.h>
-
 #include <cfenv>
-#include <cmath>
-#include <cstdio>
-#include <limits>
-#include <string>
 
 #include "base/rounding_mode.h"
 #include "boomerang/convex_shape.h"
+#include "cases.h"
 #include "contacts/solid_contact.h"
 #include "forked_world.h"
 #include "proofs/body_pair.h"

@@ -2,19 +2,13 @@
 // core/exact32 and the loops that polygons of any size are compared with have Box2D's bits. Box2D keeps its
 // separations to itself, but its early exit tells: with the sum of the radii set to exactly the largest
 // separation it goes on, with one float less it leaves.
-#include <doctest/doctest.h>
-
-#include <cfloat>
-#include <cmath>
-#include <cstring>
-#include <memory>
-
 #include <box2d/b2_circle_shape.h>
 #include <box2d/b2_collision.h>
 #include <box2d/b2_edge_shape.h>
 #include <box2d/b2_polygon_shape.h>
 
 #include "box2d_shapes.h"
+#include "cases.h"
 #include "convex32/convex32_collide.h"
 #include "convex32_poses.h"
 #include "convex32_reference.h"

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 // CertifiedSlack is a lower bound of the true distance, in whatever state the pair is.
-#include <doctest/doctest.h>
-
 #include "box2d_shapes.h"
+#include "cases.h"
 #include "convex_ground.h"
 #include "forked_world.h"
 #include "proofs/thresholds.h"
 #include "test_scale.h"
 
-using forked::CheckSameAsStock;
-using forked::Game;
-using forked::Run;
+using namespace forked;
 
 namespace {
 

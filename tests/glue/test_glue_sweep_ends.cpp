@@ -2,14 +2,10 @@
 // How far a fixture's row can come in the sweep of its body (world/movers.h): what the budget of a pair is
 // held against, ahead of Box2D's search for impacts. Code of the game may have run since the row was looked
 // at: the body need not turn about what it turned about, nor be of the same shape.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <random>
-
 #include <box2d/box2d.h>
 
 #include "base/private_members.h"
+#include "cases.h"
 #include "world/ledger.h"
 #include "world/movers.h"
 

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 // NeverTouch against b2TimeOfImpact itself: whatever it proves apart, Box2D does not find touching. Pairs are
 // moved to where the proof just still holds, near the origin and at the end of the reach.
-#include <doctest/doctest.h>
-
 #include <cfenv>
-#include <cmath>
-#include <limits>
-#include <utility>
 
 #include <box2d/b2_distance.h>
 #include <box2d/b2_time_of_impact.h>
 
 #include "box2d_shapes.h"
+#include "cases.h"
 #include "proofs/sweep_apart.h"
 #include "proofs/thresholds.h"
 #include "test_scale.h"
@@ -20,10 +16,7 @@ extern B2_API int32 b2_gjkMaxIters;
 
 namespace {
 
-using shapes::Below;
-using shapes::Engine;
-using shapes::Uniform;
-using shapes::UniformF;
+using namespace shapes;
 
 /// How far from the origin, how turned, how fast.
 struct Setting {

@@ -6,25 +6,13 @@
 // Angles are covered by cells. Sizes need none: every bound here is a sum of lengths of linear functions of
 // the sizes, so it is sublinear in them, f(x + y) <= f(x) + f(y) and f(k x) = k f(x), and what is left for it
 // is linear. So the corners of the sizes' range decide.
-#include <doctest/doctest.h>
-
-#include <cmath>
-
+#include "cases.h"
 #include "interval.h"
 #include "proofs/thresholds.h"
 
 namespace {
 
-using interval::Directions;
-using interval::Dot;
-using interval::Interval;
-using interval::kUnit;
-using interval::Off;
-using interval::RoundedOnce;
-using interval::Turned;
-using interval::Up;
-using interval::Value;
-using interval::Vector;
+using namespace interval;
 
 constexpr int kParts = 48; // of a turn
 

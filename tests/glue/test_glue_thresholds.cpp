@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 // ContactMargin and kReach against Box2D itself: just beyond the margin, within the reach, never a point.
-#include <doctest/doctest.h>
-
-#include <cfloat>
-#include <cmath>
-
 #include <box2d/b2_block_allocator.h>
 #include <box2d/box2d.h>
 
 #include "box2d_shapes.h"
+#include "cases.h"
 #include "proofs/body_pair.h"
 #include "proofs/thresholds.h"
 #include "start/settings.h"

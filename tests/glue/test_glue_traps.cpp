@@ -2,8 +2,7 @@
 // The traps that Box2D lays for whoever keeps state about its bodies: shapes and poses that change
 // unannounced. tests/faults takes the handling of each out of the glue and expects the test case here to
 // fail.
-#include <doctest/doctest.h>
-
+#include "cases.h"
 #include "planks.h"
 
 using namespace forked;

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Mode::Verify tells two answers apart by each of their fields, counts all differences and describes the
 // first.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-
 #include <box2d/b2_time_of_impact.h>
 
+#include "cases.h"
 #include "forked_world.h"
 #include "stderr_text.h"
 #include "tell/verify.h"

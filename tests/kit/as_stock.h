@@ -3,11 +3,6 @@
 #define BOOMERANG_TEST_AS_STOCK_H
 
 #include <cfenv>
-#include <cstdlib>
-#include <functional>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 #include <sys/resource.h>
 

@@ -2,12 +2,8 @@
 #ifndef BOOMERANG_TESTS_CONVEX_GROUND_H
 #define BOOMERANG_TESTS_CONVEX_GROUND_H
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <vector>
-
 #include "boomerang/convex_shape.h"
+#include "cases.h"
 #include "forked_world.h"
 
 /// @file

@@ -3,19 +3,14 @@
 #define BOOMERANG_TEST_FORKED_WORLD_H
 
 #include <cstdarg>
-#include <cstdint>
-#include <cstdio>
-#include <cstring>
-#include <functional>
-#include <string>
 
 #include <box2d/box2d.h>
-#include <doctest/doctest.h>
 #include <malloc.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "boomerang/box2d_glue.h"
+#include "cases.h"
 #include "leave.h"
 #include "tell/event.h"
 #include "test_scale.h"

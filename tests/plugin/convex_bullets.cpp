@@ -20,9 +20,7 @@
 #include "box2d_shapes.h"
 #include "test_scale.h"
 
-using shapes::Below;
-using shapes::Engine;
-using shapes::UniformF;
+using namespace shapes;
 
 namespace {
 

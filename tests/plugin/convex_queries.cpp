@@ -2,24 +2,16 @@
 // What b2DistanceProxy, b2Distance, b2ShapeCast, b2TimeOfImpact, b2TestOverlap and sensors say of a
 // ConvexShape. Built twice: with the library in front of Box2D (CONVEX_REAL 1) it is the real polygon, behind
 // it (0) the octagon that Box2D is shown. Each is what the other must not be.
-#include <doctest/doctest.h>
-
-#include <cstring>
-#include <memory>
-
 #include <box2d/box2d.h>
 
 #include "boomerang/box2d.h"
+#include "cases.h"
 #include "convex_oracle.h"
 #include "idle_draw.h"
 
 using bmr::ConvexShape;
-using oracle::Placed;
-using oracle::Polygon;
-using shapes::Below;
-using shapes::Engine;
-using shapes::Uniform;
-using shapes::UniformF;
+using namespace oracle;
+using namespace shapes;
 
 namespace {
 

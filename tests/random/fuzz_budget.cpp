@@ -13,12 +13,7 @@
 
 namespace {
 
-using exact::IsAtMost;
-using exact::Place;
-using exact::PlaceOf;
-using exact::Places;
-using exact::Square;
-using exact::Way;
+using namespace exact;
 
 /// Beyond these the oracle's own doubles overflow or underflow when they are squared.
 constexpr double kLarge = 1e100, kSmall = 1e-100, kLargeScale = 1e50;

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Polygons of any size that threads share, make and free: their shapes, and the questions about distance in
 // front of which the library stands. Above all for the thread sanitizer.
-#include <doctest/doctest.h>
-
 #include <atomic>
-#include <cmath>
-#include <cstring>
-#include <functional>
-#include <thread>
-#include <vector>
 
 #include <boomerang/box2d.h>
 #include <box2d/b2_distance.h>
 
+#include "cases.h"
 #include "test_scale.h"
 
 namespace {
