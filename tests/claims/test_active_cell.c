@@ -19,9 +19,7 @@ static bmr_kds *made(const char *name, const test_kds_body *a, const test_kds_bo
     def.margin = margin;
     const bmr_kds_info *info = test_structure(name);
     assert_non_null(info);
-    bmr_kds *kds = NULL;
-    assert_int_equal(bmr_kds_create(info, &def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
-    return kds;
+    return made_kds(info, &def, &a->shape, &b->shape);
 }
 
 static test_kds_body random_body(test_random *random) {

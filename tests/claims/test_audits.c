@@ -159,8 +159,7 @@ TEST(sums_that_are_too_large_are_refused) {
     test_random random = {1};
     own_polygon *many = test_polygon(TEST_REGULAR, BMR_MAX_VERTICES / 2 + 1, &random);
     const bmr_vec2 far[] = {{0.75 * BMR_MAX_COORDINATE, 0.0}, {0.0, 0.75 * BMR_MAX_COORDINATE}, {0.0, 0.0}};
-    own_polygon *large = NULL;
-    assert_int_equal(bmr_polygon_create(far, 3, NULL, &large), BMR_OK);
+    own_polygon *large = made_polygon(far, 3);
     for (int k = 0; k < 2; ++k) {
         bmr_shape shape;
         memset(&shape, 0, sizeof shape);

@@ -262,12 +262,10 @@ TEST(the_audit_looks_where_the_two_points_of_a_window_tie) {
     const bmr_vec2 window[2] = {{1.0, 0.0}, {-1.0, 0.0}}, low = {0.8, 0.6}, high = {-0.8, 0.6},
                    down = {0.0, -1.0}, triangle[3] = {{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}};
     const bmr_pose q = {{0.0, -4.0}, 0.8, 0.6};
-    own_polygon *owner = NULL;
-    assert_int_equal(bmr_polygon_create(triangle, 3, NULL, &owner), BMR_OK);
+    own_polygon *owner = made_polygon(triangle, 3);
     for (int above = 0; above < 2; ++above) {
         const bmr_vec2 corners[3] = {window[0], window[1], {0.0, above ? 0.5 : -0.5}};
-        own_polygon *other = NULL;
-        assert_int_equal(bmr_polygon_create(corners, 3, NULL, &other), BMR_OK);
+        own_polygon *other = made_polygon(corners, 3);
         bmr_certificate k;
         bmr_certificate_fill(&k, down, 1.0, window, 2, low, high, owner->extent, other->extent);
         assert_int_equal(bmr_certificate_audit(&k, owner, other, &q),
@@ -278,9 +276,7 @@ TEST(the_audit_looks_where_the_two_points_of_a_window_tie) {
 TEST(a_segment_is_its_own_window_in_every_direction) {
     const bmr_vec2 ends[2] = {{-1.0, 0.5}, {2.0, -0.25}},
                    triangle[3] = {{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}};
-    own_polygon *segment = NULL, *owner = NULL;
-    assert_int_equal(bmr_polygon_create(ends, 2, NULL, &segment), BMR_OK);
-    assert_int_equal(bmr_polygon_create(triangle, 3, NULL, &owner), BMR_OK);
+    own_polygon *segment = made_polygon(ends, 2), *owner = made_polygon(triangle, 3);
     const bmr_vec2 none = {0.0, 0.0}, down = {0.0, -1.0};
     bmr_certificate k;
     bmr_certificate_fill(&k, down, 1.0, ends, 2, none, none, owner->extent, segment->extent);

@@ -113,8 +113,7 @@ TEST(a_point_and_a_segment_stand_for_themselves_in_every_direction) {
     for (size_t n = 1; n <= 2; ++n)
         for (int lean = -1; lean <= 1; ++lean)
             for (int corners = 1; corners <= 2; ++corners) {
-                own_polygon *p = NULL;
-                assert_int_equal(bmr_polygon_create(ends, n, NULL, &p), BMR_OK);
+                own_polygon *p = made_polygon(ends, n);
                 bmr_window w;
                 (corners == 1 ? bmr_window_make_one : bmr_window_make)(p, bmr_vec2_make(0.6, 0.8), 0, 0.1,
                                                                        lean, &w);
@@ -166,8 +165,7 @@ TEST(points_that_are_polygons_themselves_stand_in_the_window) {
                          y = size * test_random_uniform(&random, -1.0, 1.0);
             points[i] = i < near ? bmr_vec2_make(x, y) : bmr_vec2_make(x + far.x, y + far.y);
         }
-        own_polygon *p = NULL;
-        assert_int_equal(bmr_polygon_create(points, 12, NULL, &p), BMR_OK);
+        own_polygon *p = made_polygon(points, 12);
         for (uint32_t i = 0; p->count > 2 && i < p->count + 36; ++i) {
             const double angle = 10.0 * i * PI / 180.0;
             const bmr_vec2 d =
@@ -186,8 +184,7 @@ TEST(edges_that_are_one_up_to_rounding_cost_a_logarithm) {
     for (int i = -SIDE; i <= SIDE; ++i)
         points[i + SIDE] = bmr_vec2_make(i, -1e-300 * i * i);
     points[2 * SIDE + 1] = bmr_vec2_make(0.0, -SIDE);
-    own_polygon *p = NULL;
-    assert_int_equal(bmr_polygon_create(points, 2 * SIDE + 2, NULL, &p), BMR_OK);
+    own_polygon *p = made_polygon(points, 2 * SIDE + 2);
     assert_int_equal(p->count, 2 * SIDE + 2);
     const bmr_vec2 up = {0.0, 1.0};
     for (int lean = -1; lean <= 1; ++lean) {

@@ -23,8 +23,7 @@ static double mean_events(const char *name, test_path_kind kind, bool rotates, i
         const double gap = 2.0 * a.polygon->radius * pow(10.0, -decade);
         const test_path path = test_path_make(kind, a.polygon, b.polygon, gap, rotates, &random);
         const test_drive how = {.path = &path, .audit_every = 1000, .margin = def.margin};
-        own_kds *kds = NULL;
-        assert_int_equal(bmr_kds_create(test_structure(name), &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
+        own_kds *kds = made_kds(test_structure(name), &def, &a.shape, &b.shape);
         const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
         assert_true(test_drive_is_sound(&r));
         events += (double)test_drive_events(&r) / seeds;

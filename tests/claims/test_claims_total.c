@@ -40,8 +40,7 @@ static double total_steps(const char *name, test_path_kind kind, bool rotates, s
         const test_path path = test_path_make(kind, a.polygon, b.polygon, gap, rotates, &random);
         const test_drive how = {
             .path = &path, .audit_every = 1000, .margin = def.margin, .on_event = add_steps, .context = &t};
-        own_kds *kds = NULL;
-        assert_int_equal(bmr_kds_create(info, &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
+        own_kds *kds = made_kds(info, &def, &a.shape, &b.shape);
         const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
         assert_true(test_drive_is_sound(&r));
     }

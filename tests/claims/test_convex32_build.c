@@ -62,8 +62,7 @@ TEST(all_vertices_of_circles_are_kept) {
         assert_non_null(points);
         for (uint32_t i = 0; i < n; ++i)
             points[i] = vec(0.5 * cos(2.0 * PI * i / n), 0.5 * sin(2.0 * PI * i / n));
-        own_convex32 *block = NULL;
-        assert_int_equal(bmr_convex32_create(points, n, NULL, &block), BMR_OK);
+        own_convex32 *block = made_convex32(points, n);
         assert_int_equal(block->polygon.count, n);
         free(points);
     }
@@ -191,8 +190,7 @@ TEST(the_audit_finds_what_is_wrong) {
     bmr_vec32 points[100];
     for (int i = 0; i < 100; ++i)
         points[i] = vec(cos(2.0 * PI * i / 100 + 0.01), sin(2.0 * PI * i / 100 + 0.01));
-    own_convex32 *block = NULL;
-    assert_int_equal(bmr_convex32_create(points, 100, NULL, &block), BMR_OK);
+    own_convex32 *block = made_convex32(points, 100);
     const bmr_convex32 p = block->polygon;
     for (uint32_t i = 0; i < p.count; ++i) {
         bmr_vec32 *normal = (bmr_vec32 *)&p.normals[i], was = *normal;
@@ -346,8 +344,7 @@ TEST(the_polygon_inside_is_convex_and_spreads) {
     bmr_vec32 points[256];
     for (int i = 0; i < 256; ++i)
         points[i] = vec(cos(2.0 * PI * i / 256), sin(2.0 * PI * i / 256));
-    own_convex32 *block = NULL;
-    assert_int_equal(bmr_convex32_create(points, 256, NULL, &block), BMR_OK);
+    own_convex32 *block = made_convex32(points, 256);
     uint32_t inner[8];
     bmr_convex32_inner(&block->polygon, inner, 8);
     for (uint32_t i = 0; i < 8; ++i)
@@ -436,8 +433,7 @@ TEST(simplified_polygons_are_near_and_have_few_vertices) {
     static bmr_vec32 circle[N], points[N];
     for (int i = 0; i < N; ++i)
         circle[i] = vec(cos(2.0 * PI * i / N), sin(2.0 * PI * i / N));
-    own_convex32 *block = NULL;
-    assert_int_equal(bmr_convex32_create(circle, N, NULL, &block), BMR_OK);
+    own_convex32 *block = made_convex32(circle, N);
     for (double tolerance = 1e-5; tolerance < 0.1; tolerance *= 3.0) {
         size_t count = 0;
         assert_int_equal(bmr_convex32_simplify(&block->polygon, (float)tolerance, NULL, points, &count),

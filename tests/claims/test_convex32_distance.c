@@ -87,9 +87,7 @@ static bmr_convex32_block *regular(uint32_t count, float radius, float turn) {
         const bmr_vec32 mirrored = second_half ? points[i - count / 2] : p;
         points[i] = second_half ? (bmr_vec32){-mirrored.x, -mirrored.y} : p;
     }
-    bmr_convex32_block *block = NULL;
-    assert_int_equal(bmr_convex32_create(points, count, NULL, &block), BMR_OK);
-    return block;
+    return made_convex32(points, count);
 }
 
 static bmr_transform32 pose_at(bmr_vec32 place, float angle) {

@@ -19,16 +19,14 @@ static void ellipse(uint32_t count, double width, double height, double turn) {
 /// Of the envelope of `count` points on an ellipse, with every corner moved towards the middle by `shrink`.
 static void look(uint32_t count, double height, double turn, double shrink, bool held) {
     ellipse(count, 1.0, height, turn);
-    own_convex32 *block = NULL;
-    assert_int_equal(bmr_convex32_create(points, count, NULL, &block), BMR_OK);
+    own_convex32 *block = made_convex32(points, count);
     bmr_vec2 corners[EDGES];
     bmr_convex32_envelope(&block->polygon, EDGES, corners);
     for (uint32_t i = 0; i < EDGES; ++i) {
         corners[i].x = 0.25 + (corners[i].x - 0.25) * (1.0 - shrink);
         corners[i].y *= 1.0 - shrink;
     }
-    own_polygon *outer = NULL;
-    assert_int_equal(bmr_polygon_create(corners, EDGES, NULL, &outer), BMR_OK);
+    own_polygon *outer = made_polygon(corners, EDGES);
     assert_true(outer->count <= EDGES);
     int outside = 0;
     for (uint32_t i = 0; i < block->polygon.count; ++i) {
@@ -69,8 +67,7 @@ static bmr_convex32_block *regular_raw(uint32_t count, double from) {
 TEST(a_segment_holds_nothing) {
     own_convex32 *block = regular_raw(12, 0.0);
     const bmr_vec2 ends[] = {{-5.0, 0.0}, {5.0, 0.0}};
-    own_polygon *segment = NULL;
-    assert_int_equal(bmr_polygon_create(ends, 2, NULL, &segment), BMR_OK);
+    own_polygon *segment = made_polygon(ends, 2);
     assert_false(bmr_convex32_held(&block->polygon, segment, 10.0));
 }
 
@@ -135,8 +132,7 @@ TEST(a_first_vertex_that_does_not_turn_is_dropped) {
             turned[i].x = turn == 0 ? v.x : turn == 1 ? -v.y : turn == 2 ? -v.x : v.y;
             turned[i].y = turn == 0 ? v.y : turn == 1 ? v.x : turn == 2 ? -v.y : -v.x;
         }
-        own_convex32 *block = NULL;
-        assert_int_equal(bmr_convex32_create(turned, 5, NULL, &block), BMR_OK);
+        own_convex32 *block = made_convex32(turned, 5);
         assert_int_equal(block->polygon.count, 4);
     }
 }

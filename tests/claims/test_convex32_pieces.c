@@ -36,9 +36,7 @@ static bmr_convex32_block *polygon_of(uint32_t count, float radius) {
         v[i].x = radius * (float)cos(angle);
         v[i].y = radius * (float)sin(angle);
     }
-    bmr_convex32_block *block = NULL;
-    assert_int_equal(bmr_convex32_create(v, count, NULL, &block), BMR_OK);
-    return block;
+    return made_convex32(v, count);
 }
 
 /// The manifold of the piece and another polygon; its normal in the world, from the piece.
@@ -221,8 +219,7 @@ TEST(a_tip_between_two_pieces_is_pushed_out) {
     int tips = 0, sideways = 0;
     for (float half = 0.004f; half < 0.15f; half *= 1.5f) {
         const bmr_vec32 v[] = {{0.0f, 0.0f}, {half, 0.5f}, {-half, 0.5f}};
-        own_convex32 *tip = NULL;
-        assert_int_equal(bmr_convex32_create(v, 3, NULL, &tip), BMR_OK);
+        own_convex32 *tip = made_convex32(v, 3);
         for (int i = -8; i <= 8; ++i)
             for (float deep = 0.006f; deep < 0.19f; deep *= 1.4f) {
                 int up = 0;

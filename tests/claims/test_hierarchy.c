@@ -23,17 +23,11 @@ static bmr_hierarchy *built_soundly(bmr_hierarchy_kind kind, const bmr_polygon *
     return h;
 }
 
-static bmr_polygon *polygon_of(const bmr_vec2 *points, size_t count) {
-    bmr_polygon *polygon = NULL;
-    assert_int_equal(bmr_polygon_create(points, count, NULL, &polygon), BMR_OK);
-    return polygon;
-}
-
 // --- errors and memory ---
 
 TEST(null_arguments_are_refused_and_leave_the_output_alone) {
     const bmr_vec2 point = {0, 0};
-    own_polygon *p = polygon_of(&point, 1);
+    own_polygon *p = made_polygon(&point, 1);
     bmr_hierarchy *h = UNTOUCHED;
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
         assert_int_equal(build((bmr_hierarchy_kind)kind, NULL, NULL, &h), BMR_ERROR_NULL_ARGUMENT);
@@ -56,7 +50,7 @@ TEST(a_compass_too_small_for_the_polygon_is_refused) {
     bmr_vec2 points[17];
     for (size_t n = 16; n <= 17; ++n) {
         test_regular_points(n, 1.0, 0.1, points);
-        own_polygon *p = polygon_of(points, n);
+        own_polygon *p = made_polygon(points, n);
         bmr_hierarchy *h = UNTOUCHED;
         const bmr_error expected = n == 16 ? BMR_OK : BMR_ERROR_TABLE_TOO_SMALL;
         assert_int_equal(bmr_hierarchy_build_compass(p, small, NULL, &h), expected);
@@ -144,7 +138,7 @@ TEST(a_copy_answers_the_same_from_the_bytes_announced_and_outlives_the_original)
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
         for (size_t i = 0; i < COUNT_OF(sizes); ++i)
             for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-                bmr_polygon *p = sizes[i] < 3 ? polygon_of(points, sizes[i])
+                bmr_polygon *p = sizes[i] < 3 ? made_polygon(points, sizes[i])
                                               : test_polygon((test_family)family, sizes[i], &random);
                 own_polygon *q = NULL;
                 assert_int_equal(bmr_polygon_copy(p, NULL, &q), BMR_OK);
@@ -212,7 +206,7 @@ TEST(with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex) {
 TEST(the_compass_directions_are_exact_and_symmetric) {
     bmr_vec2 points[64];
     test_regular_points(64, 1.0, 0.01, points);
-    own_polygon *p = polygon_of(points, 64);
+    own_polygon *p = made_polygon(points, 64);
     own_hierarchy *h = built_soundly(BMR_HIERARCHY_COMPASS, p);
     const double r = sqrt(0.5);
     const bmr_vec2 expected[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {r, r}, {-r, r}, {-r, -r}, {r, -r}};
@@ -228,7 +222,7 @@ TEST(the_compass_directions_are_exact_and_symmetric) {
 
 TEST(a_point_has_four_edges_and_no_depth) {
     const bmr_vec2 point = {3, -2};
-    own_polygon *p = polygon_of(&point, 1);
+    own_polygon *p = made_polygon(&point, 1);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
         own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
         assert_int_equal(bmr_hierarchy_edge_count(h), 4);
@@ -244,7 +238,7 @@ TEST(a_segment_has_its_two_sides) {
     const bmr_vec2 cases[][2] = {
         {{0, 0}, {3, 4}}, {{0, 0}, {0, 2}}, {{-1, 5}, {7, 5}}, {{0, 0}, {1, 1}}, {{2, 0}, {0, 2}}};
     for (size_t i = 0; i < COUNT_OF(cases); ++i) {
-        own_polygon *p = polygon_of(cases[i], 2);
+        own_polygon *p = made_polygon(cases[i], 2);
         for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
             own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
             uint32_t sides = 0; // edges of the deepest envelope that are longer than nothing
@@ -266,7 +260,7 @@ TEST(a_segment_has_its_two_sides) {
 TEST(an_upright_box_is_its_own_envelope) {
     bmr_vec2 points[4];
     test_box_points(2.0, 0.5, points);
-    own_polygon *p = polygon_of(points, 4);
+    own_polygon *p = made_polygon(points, 4);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
         own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
         assert_int_equal(bmr_hierarchy_edge_count(h), 4);
@@ -291,7 +285,7 @@ TEST(a_compass_uses_the_edges_that_lie_in_its_directions) {
 
 TEST(a_diamond_in_a_square_has_the_corners_of_the_paper) {
     const bmr_vec2 points[] = {{2, 0}, {0, 1}, {-2, 0}, {0, -1}};
-    own_polygon *p = polygon_of(points, 4);
+    own_polygon *p = made_polygon(points, 4);
     own_hierarchy *h = built_soundly(BMR_HIERARCHY_DOBKIN_KIRKPATRICK, p);
     assert_int_equal(bmr_hierarchy_edge_count(h), 8);
     const bmr_corner top = bmr_hierarchy_extreme(h, bmr_vec2_make(1, 1), 0);
@@ -328,7 +322,7 @@ TEST(edges_that_agree_within_the_merge_angle_become_one) {
     // The bottom edges are within 1e-12 radians of direction S, and of each other; and 5e-11 off.
     const bmr_vec2 merged[] = {{0, 1}, {-1, 0}, {0, -1e-12}, {1, 0}},
                    kept[] = {{0, 1}, {-1, 0}, {0, -5e-11}, {1, 0}};
-    own_polygon *p = polygon_of(merged, 4), *q = polygon_of(kept, 4);
+    own_polygon *p = made_polygon(merged, 4), *q = made_polygon(kept, 4);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
         own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p),
                       *k = built_soundly((bmr_hierarchy_kind)kind, q);

@@ -125,8 +125,7 @@ TEST(the_compass_lemma_fails_in_the_median_tail_and_holds_with_the_capped_level)
     }
     points[TINY + 1] = at;
     points[TINY + 2] = bmr_vec2_make(-0.4, 0.2);
-    own_polygon *p = NULL;
-    assert_int_equal(bmr_polygon_create(points, N, NULL, &p), BMR_OK);
+    own_polygon *p = made_polygon(points, N);
     assert_int_equal(p->count, N);
     own_hierarchy *h = built(BMR_HIERARCHY_COMPASS, p);
     assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);

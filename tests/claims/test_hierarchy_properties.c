@@ -111,8 +111,7 @@ TEST(polygons_of_65535_vertices_pass_the_audit) {
 /// Also where an apex is so near the end of an edge: every product with what lies between them underflows.
 TEST(what_is_beyond_an_end_by_a_denormal_distance) {
     const bmr_vec2 points[] = {{0.0, 0.0}, {0.4, -0.6}, {1.0, 1.0}};
-    own_polygon *p = NULL;
-    assert_int_equal(bmr_polygon_create(points, COUNT_OF(points), NULL, &p), BMR_OK);
+    own_polygon *p = made_polygon(points, COUNT_OF(points));
     for (uint32_t i = 0; i < p->count; ++i) {
         const bmr_vec2 e = bmr_tree_edge_vector(p, i);
         for (int x = -6; x <= 6; ++x)

@@ -29,8 +29,7 @@ static test_drive_result drive(const char *name, double margin, const test_kds_b
                                const test_kds_body *b, const test_path *path) {
     bmr_kds_def def = bmr_default_kds_def();
     def.margin = margin;
-    bmr_kds *kds = NULL;
-    assert_int_equal(bmr_kds_create(test_structure(name), &def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
+    bmr_kds *kds = made_kds(test_structure(name), &def, &a->shape, &b->shape);
     const test_drive how = {.path = path, .audit_every = 100, .margin = margin, .stop_at_contact = true};
     const test_drive_result r = test_drive_run(kds, a->polygon, b->polygon, &how);
     bmr_kds_destroy(kds, NULL);
@@ -202,9 +201,7 @@ TEST(the_fan_ends_where_its_separation_does) {
                                            size * pow(10.0, -test_random_uniform(&random, -1.0, 4.0)));
         bmr_kds_def def = bmr_default_kds_def();
         def.margin = MARGIN;
-        own_kds *kds = NULL;
-        assert_int_equal(bmr_kds_create(test_structure("coarse"), &def, &a.shape, &b.shape, NULL, &kds),
-                         BMR_OK);
+        own_kds *kds = made_kds(test_structure("coarse"), &def, &a.shape, &b.shape);
         uint32_t support[2] = {0, 0};
         bmr_vec2 u;
         double distance;

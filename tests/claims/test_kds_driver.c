@@ -83,8 +83,7 @@ static test_drive_result drive(const bmr_kds_class *class, test_path_kind kind, 
     own_kds_body b = test_kds_point_make(0.1, 0.2);
     const test_path path = test_path_make(kind, a.polygon, b.polygon, 0.05, true, &random);
     const test_drive how = {.path = &path};
-    own_kds *kds = NULL;
-    assert_int_equal(bmr_kds_create(&info, &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
+    own_kds *kds = made_kds(&info, &def, &a.shape, &b.shape);
     const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &how);
     return result;
 }

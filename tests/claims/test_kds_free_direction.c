@@ -190,8 +190,7 @@ static double chain_points(bmr_vec2 points[CHAIN + 3]) {
 TEST(a_chain_costs_as_many_events_as_are_proved) {
     bmr_vec2 points[CHAIN + 3];
     const double way = chain_points(points) * sqrt(0.5);
-    bmr_polygon *polygon = NULL;
-    assert_int_equal(bmr_polygon_create(points, CHAIN + 3, NULL, &polygon), BMR_OK);
+    bmr_polygon *polygon = made_polygon(points, CHAIN + 3);
     own_kds_body a = test_kds_body_make(polygon), b = test_kds_point_make(0.0, 0.0);
     const test_path path = {.cubic = {{0.0, 1.0}, {way, -way}}};
     for (size_t k = 0; k < NAMES; ++k) {

@@ -56,9 +56,7 @@ TEST(a_coarser_line_after_a_roll_proves_a_good_part) {
                                     .margin = def.margin,
                                     .on_event = look_at_coarsening,
                                     .context = &all};
-            own_kds *kds = NULL;
-            assert_int_equal(bmr_kds_create(test_structure(names[i]), &def, &a.shape, &b.shape, NULL, &kds),
-                             BMR_OK);
+            own_kds *kds = made_kds(test_structure(names[i]), &def, &a.shape, &b.shape);
             const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
             assert_true(test_drive_is_sound(&r));
         }

@@ -15,9 +15,7 @@ static bmr_kds *make(const bmr_kds_info *info, const test_kds_body *a, const tes
                      double margin) {
     bmr_kds_def def = bmr_default_kds_def();
     def.margin = margin;
-    bmr_kds *kds = NULL;
-    assert_int_equal(bmr_kds_create(info, &def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
-    return kds;
+    return made_kds(info, &def, &a->shape, &b->shape);
 }
 
 static test_drive_result drive(const bmr_kds_info *info, const test_kds_body *a, const test_kds_body *b,

@@ -15,9 +15,7 @@ static test_kds_body other_body(size_t i, size_t n) {
 }
 
 static bmr_kds *made(size_t i, const bmr_kds_def *def, const test_kds_body *a, const test_kds_body *b) {
-    bmr_kds *kds = NULL;
-    assert_int_equal(bmr_kds_create(bmr_kds_at(i), def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
-    return kds;
+    return made_kds(bmr_kds_at(i), def, &a->shape, &b->shape);
 }
 
 static bmr_instant at_gap(const test_kds_body *a, const test_kds_body *b, double gap) {
@@ -133,8 +131,7 @@ TEST(a_free_line_is_repaired_like_that_of_an_edge) {
         double around, turned; ///< quarter turns: where B is, and by how much it has turned
     } ways[] = {{0, 1}, {1, 1}, {1, 2}, {2, 3}, {3, 3}, {2, 2}, {0, 1}, {1, 1}, {2, 1}, {0, 0}};
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
-        bmr_polygon *square = NULL;
-        assert_int_equal(bmr_polygon_create(diamond, 4, NULL, &square), BMR_OK);
+        bmr_polygon *square = made_polygon(diamond, 4);
         own_kds_body a = test_kds_body_make(square), b;
         const bool point = bmr_kds_at(i)->domain == BMR_KDS_POINT;
         if (point) {
@@ -222,8 +219,7 @@ static test_kds_body any_body(test_random *random, double scale, double shift) {
         return test_kds_point_make(shift + 0.5 * scale, shift + 0.25 * scale);
     if (choice == 1) {
         const bmr_vec2 ends[2] = {{-0.7, 0.1}, {0.9, test_random_uniform(random, -1.0, 1.0)}};
-        bmr_polygon *segment = NULL;
-        assert_int_equal(bmr_polygon_create(ends, 2, NULL, &segment), BMR_OK);
+        bmr_polygon *segment = made_polygon(ends, 2);
         return test_kds_body_make_scaled(segment, scale, shift);
     }
     const size_t n = sizes[test_random_below(random, sizeof sizes / sizeof *sizes)];

@@ -14,9 +14,7 @@ static const char *const names[] = {"sum-triangle-compass", "sum-triangle-dudley
 
 static bmr_kds *made(const char *name, const bmr_kds_def *def, const test_kds_body *a,
                      const test_kds_body *b) {
-    bmr_kds *kds = NULL;
-    assert_int_equal(bmr_kds_create(test_structure(name), def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
-    return kds;
+    return made_kds(test_structure(name), def, &a->shape, &b->shape);
 }
 
 static test_kds_body random_body(test_random *random) {

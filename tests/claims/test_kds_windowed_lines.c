@@ -22,9 +22,7 @@ static const char *const names[] = {"inflated-translation",
 
 static bmr_kds *made(const char *name, const test_kds_body *a, const test_kds_body *b) {
     const bmr_kds_def def = bmr_default_kds_def();
-    bmr_kds *kds = NULL;
-    assert_int_equal(bmr_kds_create(test_structure(name), &def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
-    return kds;
+    return made_kds(test_structure(name), &def, &a->shape, &b->shape);
 }
 
 /// The controls: what an audit must see, put into the state by hand (it begins with the line).
@@ -108,8 +106,7 @@ static test_kds_body mirrored(const bmr_polygon *polygon) {
     assert_true(polygon->count <= 64);
     for (uint32_t i = 0; i < polygon->count; ++i)
         points[i] = bmr_vec2_make(polygon->vertices[i].x, -polygon->vertices[i].y);
-    bmr_polygon *image = NULL;
-    assert_int_equal(bmr_polygon_create(points, polygon->count, NULL, &image), BMR_OK);
+    bmr_polygon *image = made_polygon(points, polygon->count);
     return test_kds_body_make(image);
 }
 

@@ -152,23 +152,15 @@ TEST(test_optimum_agrees_with_brute_force_over_directions) {
 
 static bmr_polygon *point(void) {
     const bmr_vec2 origin = {0.0, 0.0};
-    bmr_polygon *p = NULL;
-    assert_int_equal(bmr_polygon_create(&origin, 1, NULL, &p), BMR_OK);
-    return p;
-}
-
-static bmr_motion *motion(bmr_motion_piece piece) {
-    bmr_motion *m = NULL;
-    assert_int_equal(bmr_motion_create(&piece, NULL, &m), BMR_OK);
-    return m;
+    return made_polygon(&origin, 1);
 }
 
 TEST(test_contact_divides_a_cover) {
     own_polygon *a = outline(BMR_OUTLINE_REGULAR, 16, 1), *b = point();
     const bmr_pose start = {{-3.0, 0.3}, 1.0, 0.0};
     bmr_course course = {{a, b},
-                         {motion(bmr_piece_rest(bmr_pose_identity())),
-                          motion(bmr_piece_screw(0.0, start, bmr_vec2_make(6.0, 0.0), 0.0))},
+                         {made_motion(bmr_piece_rest(bmr_pose_identity())),
+                          made_motion(bmr_piece_screw(0.0, start, bmr_vec2_make(6.0, 0.0), 0.0))},
                          0.0,
                          1.0};
     bmr_cover_line lines[4];
@@ -192,11 +184,12 @@ TEST(test_contact_divides_a_cover) {
 TEST(test_clear_decomposition_of_a_ray_brackets_the_known_size) {
     own_polygon *a = point();
     const bmr_pose start = {{1.0, 0.0}, 1.0, 0.0};
-    const bmr_course course = {{a, a},
-                               {motion(bmr_piece_rest(bmr_pose_identity())),
-                                motion(bmr_piece_screw(0.0, start, bmr_vec2_make(exp(5.0) - 1.0, 0.0), 0.0))},
-                               0.0,
-                               1.0};
+    const bmr_course course = {
+        {a, a},
+        {made_motion(bmr_piece_rest(bmr_pose_identity())),
+         made_motion(bmr_piece_screw(0.0, start, bmr_vec2_make(exp(5.0) - 1.0, 0.0), 0.0))},
+        0.0,
+        1.0};
     for (int step = 0; step < 7; step++) {
         const double kappa = 1.5 * pow(1.7, step);
         const double exact = ceil(5.0 / log((kappa + 1.0) / (kappa - 1.0)));
@@ -218,8 +211,8 @@ TEST(test_clear_decomposition_counts_rotation) {
     own_polygon *a = point();
     const bmr_pose start = {{1.0, 0.0}, 1.0, 0.0};
     const bmr_course course = {{a, a},
-                               {motion(bmr_piece_rest(bmr_pose_identity())),
-                                motion(bmr_piece_screw(0.0, start, bmr_vec2_make(0.0, 0.0), 6.0 * PI))},
+                               {made_motion(bmr_piece_rest(bmr_pose_identity())),
+                                made_motion(bmr_piece_screw(0.0, start, bmr_vec2_make(0.0, 0.0), 6.0 * PI))},
                                0.0,
                                1.0};
     bmr_clear still, turning;

@@ -89,30 +89,18 @@ TEST(the_queue_has_the_earliest_on_top_however_times_change) {
     }
 }
 
-static bmr_polygon *polygon_of(const bmr_vec2 *points, size_t count) {
-    bmr_polygon *polygon = NULL;
-    assert_int_equal(bmr_polygon_create(points, count, NULL, &polygon), BMR_OK);
-    return polygon;
-}
-
-static bmr_motion *motion_of(bmr_motion_piece piece) {
-    bmr_motion *motion = NULL;
-    assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
-    return motion;
-}
-
 static bmr_motion *flight(double x, double y, double vx, double vy) {
     const bmr_pose from = {{x, y}, 1.0, 0.0};
-    return motion_of(bmr_piece_screw(0.0, from, bmr_vec2_make(vx, vy), 0.0));
+    return made_motion(bmr_piece_screw(0.0, from, bmr_vec2_make(vx, vy), 0.0));
 }
 
 static const bmr_vec2 square[] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
 
 TEST(one_line_covers_a_point_that_passes_a_point) {
     const bmr_vec2 origin = {0.0, 0.0};
-    own_polygon *a = polygon_of(&origin, 1), *b = polygon_of(&origin, 1);
+    own_polygon *a = made_polygon(&origin, 1), *b = made_polygon(&origin, 1);
     const bmr_course course = {
-        {a, b}, {motion_of(bmr_piece_rest(bmr_pose_identity())), flight(-3.0, 1.0, 6.0, 0.0)}, 0.0, 1.0};
+        {a, b}, {made_motion(bmr_piece_rest(bmr_pose_identity())), flight(-3.0, 1.0, 6.0, 0.0)}, 0.0, 1.0};
     bmr_optimum optimum;
     assert_int_equal(bmr_offline_optimum(&course, 1e-3, 0.02, NULL, 0, &optimum), BMR_OK);
     assert_int_equal(optimum.least, 1);
@@ -122,11 +110,13 @@ TEST(one_line_covers_a_point_that_passes_a_point) {
 }
 
 TEST(a_run_into_contact_has_a_distance_of_zero_there) {
-    own_kds_body a = test_kds_body_make(polygon_of(square, 4)), b = test_kds_body_make(polygon_of(square, 4));
-    const bmr_course course = {{a.polygon, b.polygon},
-                               {motion_of(bmr_piece_rest(bmr_pose_identity())), flight(4.0, 0.5, -4.0, 0.0)},
-                               0.0,
-                               1.0};
+    own_kds_body a = test_kds_body_make(made_polygon(square, 4)),
+                 b = test_kds_body_make(made_polygon(square, 4));
+    const bmr_course course = {
+        {a.polygon, b.polygon},
+        {made_motion(bmr_piece_rest(bmr_pose_identity())), flight(4.0, 0.5, -4.0, 0.0)},
+        0.0,
+        1.0};
     bmr_run_def def;
     memset(&def, 0, sizeof def);
     def.structure = test_structure("lazy-dudley");
@@ -153,12 +143,12 @@ TEST(families_know_which_paths_are_convex) {
 
 /// At a time this late the next one that a double tells is an eighth of a second on: a hundred metres.
 TEST(a_path_that_is_faster_than_time_can_be_told_has_no_decomposition) {
-    own_polygon *p = polygon_of(square, 4);
+    own_polygon *p = made_polygon(square, 4);
     const double late = 1e15;
     const bmr_pose from = {{10.0, 0.0}, 1.0, 0.0};
     const bmr_course course = {{p, p},
-                               {motion_of(bmr_piece_rest(bmr_pose_identity())),
-                                motion_of(bmr_piece_screw(late, from, bmr_vec2_make(800.0, 0.0), 0.0))},
+                               {made_motion(bmr_piece_rest(bmr_pose_identity())),
+                                made_motion(bmr_piece_screw(late, from, bmr_vec2_make(800.0, 0.0), 0.0))},
                                late,
                                late + 1.0};
     bmr_clear clear;
@@ -168,7 +158,7 @@ TEST(a_path_that_is_faster_than_time_can_be_told_has_no_decomposition) {
 }
 
 TEST(what_makes_no_sense_is_refused) {
-    bmr_polygon *p = polygon_of(square, 4);
+    bmr_polygon *p = made_polygon(square, 4);
     bmr_motion *motion = flight(0.0, 0.0, 1.0, 0.0);
     double distance, time;
     assert_int_equal(bmr_least_distance(p, p, motion, NULL, 0.0, 1.0, 1e-3, &distance, &time),
@@ -181,7 +171,7 @@ TEST(what_makes_no_sense_is_refused) {
 
     bmr_simulation_def def = bmr_default_simulation_def();
     def.structure = test_structure("lazy-dudley");
-    test_kds_body body = test_kds_body_make(polygon_of(square, 4));
+    test_kds_body body = test_kds_body_make(made_polygon(square, 4));
     const bmr_shape shapes[] = {body.shape, body.shape};
     bmr_motion *const motions[] = {motion, NULL};
     bmr_simulation *simulation = NULL;
@@ -202,7 +192,7 @@ TEST(what_makes_no_sense_is_refused) {
     bmr_vec2 far[4];
     for (int i = 0; i < 4; i++)
         far[i] = bmr_vec2_make(square[i].x + 1e5, square[i].y);
-    p = polygon_of(far, 4);
+    p = made_polygon(far, 4);
     const bmr_family_def family = {BMR_FAMILY_LINE, 1e9, 1, 0, 0};
     bmr_family_motion path;
     assert_int_equal(bmr_family_create(&family, p, p, NULL, &path), BMR_ERROR_OUT_OF_RANGE);

@@ -19,12 +19,6 @@ static void drop(void) {
     still = moving = NULL;
 }
 
-static bmr_motion *motion_of(bmr_motion_piece piece) {
-    bmr_motion *motion = NULL;
-    assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
-    return motion;
-}
-
 static double failure_of(const bmr_condition *k, double after, double until, bmr_root_method method) {
     bmr_failure_options options = bmr_default_failure_options();
     options.method = method;
@@ -36,14 +30,14 @@ static double failure_of(const bmr_condition *k, double after, double until, bmr
 /// When x(t) = sum c[k] (t - AFTER)^k first fails, looked for from AFTER on.
 static double failure_of_polynomial(const double *c, size_t degree, double until, bmr_root_method method) {
     bmr_motion_piece piece = bmr_piece_rest(bmr_pose_identity());
-    still = motion_of(piece);
+    still = made_motion(piece);
     memset(&piece, 0, sizeof piece);
     piece.kind = BMR_PIECE_ALGEBRAIC;
     piece.origin = AFTER;
     piece.as.algebraic.degree = degree;
     memcpy(piece.as.algebraic.x, c, (degree + 1) * sizeof *c);
     piece.as.algebraic.a[0] = piece.as.algebraic.start_c = 1.0;
-    moving = motion_of(piece);
+    moving = made_motion(piece);
     const bmr_condition k = bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), 0.0, bmr_vec2_make(0.0, 0.0), 0);
     const double time = failure_of(&k, AFTER, until, method);
     drop();
@@ -108,8 +102,8 @@ TEST(rounding_below_zero_is_zero) {
         for (int method = 0; method <= BMR_ROOT_GSL; method++)
             for (int sign = -1; sign <= 1; sign += 2) {
                 const bmr_pose pose = {{nextafter(1000.0, 0.0), 0.0}, 1.0, 0.0};
-                still = motion_of(bmr_piece_rest(bmr_pose_identity()));
-                moving = motion_of(
+                still = made_motion(bmr_piece_rest(bmr_pose_identity()));
+                moving = made_motion(
                     bmr_piece_screw(AFTER, pose, bmr_vec2_make(1e-7 * sign, 0.0), (double)spinning));
                 bmr_condition k =
                     bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), 1000.0, bmr_vec2_make(0.0, 0.0), 0);
@@ -140,8 +134,8 @@ TEST(a_turning_direction_fails_when_it_turns_past) {
     const double spins[] = {0.7, -0.7, 5.0, -300.0};
     for (size_t i = 0; i < sizeof spins / sizeof *spins; i++) {
         const double spin = spins[i], half = PI / fabs(spin);
-        still = motion_of(bmr_piece_rest(bmr_pose_identity()));
-        moving = motion_of(bmr_piece_screw(AFTER, bmr_pose_identity(), bmr_vec2_make(0.0, 0.0), spin));
+        still = made_motion(bmr_piece_rest(bmr_pose_identity()));
+        moving = made_motion(bmr_piece_screw(AFTER, bmr_pose_identity(), bmr_vec2_make(0.0, 0.0), spin));
         const bmr_condition k = bmr_condition_turn(0, bmr_vec2_make(1.0, 0.0), bmr_vec2_make(1.0, 0.0), 0);
         // sin(spin t): zero at the beginning.
         const double time = failure_of(&k, AFTER, AFTER + 3.0 * half, BMR_ROOT_BERNSTEIN);
@@ -157,8 +151,8 @@ TEST(a_turning_direction_fails_when_it_turns_past) {
 TEST(no_dip_of_a_spinning_point_is_skipped) {
     for (int power = -11; power <= -2; power++) {
         const double depth = pow(10.0, power);
-        still = motion_of(bmr_piece_rest(bmr_pose_identity()));
-        moving = motion_of(bmr_piece_screw(AFTER - 1.0, bmr_pose_identity(), bmr_vec2_make(0.0, 0.0), 1.0));
+        still = made_motion(bmr_piece_rest(bmr_pose_identity()));
+        moving = made_motion(bmr_piece_screw(AFTER - 1.0, bmr_pose_identity(), bmr_vec2_make(0.0, 0.0), 1.0));
         bmr_condition k =
             bmr_condition_beyond(0, bmr_vec2_make(-1.0, 0.0), -1.0 - depth, bmr_vec2_make(1.0, 0.0), 0);
         assert_true(isinf(failure_of(&k, AFTER, AFTER + 40.0, BMR_ROOT_BERNSTEIN)));
@@ -172,9 +166,9 @@ TEST(no_dip_of_a_spinning_point_is_skipped) {
 
 TEST(disks_meet_at_the_sum_of_their_radii) {
     for (int spinning = 0; spinning < 2; spinning++) {
-        still = motion_of(bmr_piece_rest(bmr_pose_identity()));
+        still = made_motion(bmr_piece_rest(bmr_pose_identity()));
         // The centre is off the origin by 1, which is turned away from its way, or turns around it once.
-        moving = motion_of(
+        moving = made_motion(
             bmr_piece_screw(0.0, bmr_pose_identity(), bmr_vec2_make(0.0, 0.0), spinning ? 1.0 : 0.0));
         bmr_condition k = bmr_condition_disks(bmr_vec2_make(-3.0, 0.0), bmr_vec2_make(1.0, 0.0), 2.5, 0);
         const double time = failure_of(&k, 0.0, 20.0, BMR_ROOT_BERNSTEIN);
@@ -195,8 +189,8 @@ TEST(a_jump_into_failure_fails_at_the_jump) {
     const bmr_condition k = bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), 0.0, bmr_vec2_make(0.0, 0.0), 0);
     for (int spinning = 0; spinning < 2; spinning++) {
         bmr_pose pose = {{1.0, 0.0}, 1.0, 0.0};
-        still = motion_of(bmr_piece_rest(bmr_pose_identity()));
-        moving = motion_of(bmr_piece_rest(pose));
+        still = made_motion(bmr_piece_rest(bmr_pose_identity()));
+        moving = made_motion(bmr_piece_rest(pose));
         pose.position.x = -1.0;
         const bmr_motion_piece piece =
             bmr_piece_screw(2.0, pose, bmr_vec2_make(5.0, 0.0), spinning ? 1.0 : 0.0);
@@ -231,8 +225,8 @@ TEST(eight_roots_are_eight_events) {
     options.tolerance = 1e-11;
     for (int far = 0; far < 2; far++)
         for (int method = 0; method <= BMR_ROOT_GSL; method++) {
-            still = motion_of(bmr_piece_rest(bmr_pose_identity()));
-            moving = motion_of(far ? eight_roots(0.0, 100.0) : eight_roots(100.0, 0.0));
+            still = made_motion(bmr_piece_rest(bmr_pose_identity()));
+            moving = made_motion(far ? eight_roots(0.0, 100.0) : eight_roots(100.0, 0.0));
             bmr_condition k =
                 bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), 0.0, bmr_vec2_make(0.0, 0.0), 0);
             options.method = (bmr_root_method)method;
@@ -282,8 +276,8 @@ TEST(the_error_handler_of_gsl_is_neither_called_nor_lost) {
 }
 
 TEST(bad_arguments_are_refused_and_the_time_untouched) {
-    still = motion_of(bmr_piece_rest(bmr_pose_identity()));
-    moving = motion_of(bmr_piece_screw(0.0, bmr_pose_identity(), bmr_vec2_make(-1.0, 0.0), 0.0));
+    still = made_motion(bmr_piece_rest(bmr_pose_identity()));
+    moving = made_motion(bmr_piece_screw(0.0, bmr_pose_identity(), bmr_vec2_make(-1.0, 0.0), 0.0));
     const bmr_condition good =
         bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), -1.0, bmr_vec2_make(0.0, 0.0), 0);
     bmr_condition k = good;

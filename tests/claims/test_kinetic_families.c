@@ -204,9 +204,7 @@ TEST(test_least_distance_finds_a_short_approach) {
         const bmr_pose rest = bmr_pose_identity(), far = {{3.0, touches ? 0.99 : 1.25}, 1.0, 0.0};
         const bmr_motion_piece still = bmr_piece_rest(rest),
                                pass = bmr_piece_screw(0.0, far, bmr_vec2_make(-1000.0, 0.0), 0.0);
-        own_motion *motion_a = NULL, *motion_b = NULL;
-        assert_int_equal(bmr_motion_create(&still, NULL, &motion_a), BMR_OK);
-        assert_int_equal(bmr_motion_create(&pass, NULL, &motion_b), BMR_OK);
+        own_motion *motion_a = made_motion(still), *motion_b = made_motion(pass);
         double distance, time;
         assert_int_equal(bmr_least_distance(a, b, motion_a, motion_b, -1.0, 1.0, 1e-6, &distance, &time),
                          BMR_OK);

@@ -6,12 +6,6 @@
 #include "checks.h"
 #include "kds_driver.h"
 
-static bmr_motion *motion_of(bmr_motion_piece piece) {
-    bmr_motion *motion = NULL;
-    assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
-    return motion;
-}
-
 static bmr_motion_piece screw(double origin, double x, double velocity_y, double spin) {
     bmr_pose pose = bmr_pose_identity();
     pose.position.x = x;
@@ -21,8 +15,8 @@ static bmr_motion_piece screw(double origin, double x, double velocity_y, double
 // ---- failure times ----
 
 static bmr_error failure_of(double spin, double until, double *time) {
-    own_motion *still = motion_of(bmr_piece_rest(bmr_pose_identity())),
-               *spinning = motion_of(screw(0.0, 3.0, 0.0, spin));
+    own_motion *still = made_motion(bmr_piece_rest(bmr_pose_identity())),
+               *spinning = made_motion(screw(0.0, 3.0, 0.0, spin));
     // A corner that is never nearer than two.
     const bmr_condition k = bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), 0.0, bmr_vec2_make(0.0, 1.0), 0);
     const bmr_failure_options options = bmr_default_failure_options();
@@ -62,14 +56,13 @@ static void check_contact(const contact_case *c) {
     test_kds_body body[2];
     bmr_shape shapes[2];
     for (int side = 0; side < 2; side++) {
-        bmr_polygon *polygon = NULL;
-        assert_int_equal(bmr_polygon_create(box, 4, NULL, &polygon), BMR_OK);
+        bmr_polygon *polygon = made_polygon(box, 4);
         body[side] = test_kds_body_make(polygon);
         shapes[side] = body[side].shape;
     }
     // They move as one.
-    bmr_motion *motions[2] = {motion_of(screw(c->start, 0.0, c->velocity, 0.0)),
-                              motion_of(screw(c->start, 1.5, c->velocity, 0.0))};
+    bmr_motion *motions[2] = {made_motion(screw(c->start, 0.0, c->velocity, 0.0)),
+                              made_motion(screw(c->start, 1.5, c->velocity, 0.0))};
     bmr_simulation_def def = bmr_default_simulation_def();
     def.structure = bmr_kds_at(0);
     for (size_t k = 0; def.structure->domain == BMR_KDS_POINT; k++)

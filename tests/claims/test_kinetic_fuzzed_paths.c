@@ -77,9 +77,7 @@ TEST(what_only_comes_near_is_left_in) {
     for (int power = -10; power <= -2; power++) {
         const bmr_motion_piece piece = passing(0.0, 0.0863, 1.0, pow(10.0, power));
         assert_true(stays(piece, &within));
-        own_motion *a = NULL, *b = NULL;
-        assert_int_equal(bmr_motion_create(&piece, NULL, &a), BMR_OK);
-        assert_int_equal(bmr_motion_create(&spin, NULL, &b), BMR_OK);
+        own_motion *a = made_motion(piece), *b = made_motion(spin);
         double time = -1.0;
         assert_int_equal(bmr_failure_time(&k, a, b, 0.0, 4.0, &options, &time), BMR_OK);
         assert_int_equal(bmr_failure_time(&k, b, a, 0.0, 4.0, &options, &time), BMR_OK);

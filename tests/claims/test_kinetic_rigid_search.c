@@ -64,8 +64,7 @@ static test_kds_body make_body(const body_def *def) {
         assert_int_equal(bmr_outline_points(plain[def->outline], count, 1, points), BMR_OK);
     }
     test_move_points(points, count, def->phase, def->x, def->y);
-    bmr_polygon *polygon = NULL;
-    assert_int_equal(bmr_polygon_create(points, count, NULL, &polygon), BMR_OK);
+    bmr_polygon *polygon = made_polygon(points, count);
     return test_kds_body_make(polygon);
 }
 

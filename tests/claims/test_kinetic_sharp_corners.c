@@ -77,8 +77,7 @@ static double least_slack(const char *name, shape of, uint32_t corner_levels) {
     own_kds_body b =
         info->domain == BMR_KDS_POINT ? test_kds_point_make(0.0, 0.0) : body_of(of, corner_levels, &random);
     const bmr_kds_def def = tuned();
-    own_kds *kds = NULL;
-    assert_int_equal(bmr_kds_create(info, &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
+    own_kds *kds = made_kds(info, &def, &a.shape, &b.shape);
     double least = INFINITY;
     for (int k = 0; k < 360; ++k)
         for (double d = 0.05; d < 200.0; d *= 1.7) {

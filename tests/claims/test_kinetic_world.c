@@ -245,8 +245,7 @@ static bmr_world *make_gas(const play_shapes *shapes, int side, bmr_boundary bou
         const bmr_vec2 velocity = {play_in(&random, -1.0, 1.0), play_in(&random, -1.0, 1.0)};
         const bmr_motion_piece piece = bmr_piece_screw(
             0.0, bmr_pose_from_angle(at, play_in(&random, -3.0, 3.0)), velocity, play_in(&random, -1.0, 1.0));
-        own_motion *motion;
-        assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+        own_motion *motion = made_motion(piece);
         const bmr_body_def body = bmr_default_body_def(&shapes->shapes[i % 3 == 0 ? 0 : 7], motion);
         bmr_body id;
         assert_int_equal(bmr_world_add(w, &body, &id), BMR_OK);

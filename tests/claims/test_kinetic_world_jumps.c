@@ -124,8 +124,7 @@ TEST(a_plan_may_have_gaps) {
         for (int i = 0; i < RESTING; i++)
             add_both(&t, flight(0.0, FAR + 0.1 * (i + 1) - 0.004, FAR + 0.009, 0.0, 0.0, 0.0));
         bmr_motion_piece piece = flight(0.0, FAR, FAR, 0.1, 0.0, 0.0);
-        bmr_motion *motion;
-        assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+        bmr_motion *motion = made_motion(piece);
         for (int i = 1; i < PIECES; i++) {
             piece = flight(0.1 * i, FAR + 0.01 * i, FAR + (i % 2 ? gaps[k] : 0.0), 0.1, 0.0, 0.0);
             assert_int_equal(bmr_motion_change(motion, 0.1 * i, &piece), BMR_OK);
@@ -203,8 +202,7 @@ TEST(a_long_hysteresis_is_kept) {
         fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
         // Inwards to where they touch, out to 2.5 apart, and back.
         bmr_motion_piece piece = flight(0.0, 3.0, 0.0, -1.0, 0.0, 0.0);
-        bmr_motion *motion;
-        assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+        bmr_motion *motion = made_motion(piece);
         const double turn = 1.0 - 0.75 * MARGIN, place = 3.0 - turn;
         piece = flight(turn, place, 0.0, 1.0, 0.0, 0.0);
         if (curved) {

@@ -122,9 +122,7 @@ TEST(a_point_in_a_huge_periodic_box_meets_what_is_there) {
 
 static bmr_polygon *segment(double half) {
     const bmr_vec2 points[2] = {{0.0, -half}, {0.0, half}};
-    bmr_polygon *polygon = NULL;
-    assert_int_equal(bmr_polygon_create(points, 2, NULL, &polygon), BMR_OK);
-    return polygon;
+    return made_polygon(points, 2);
 }
 
 /// What is as thin as the margin, at a speed at which failure.tolerance is hundreds of margins' way.
@@ -436,8 +434,7 @@ TEST(a_place_that_is_no_number_is_an_error) {
         nowhere.as.algebraic.y[1] = -1e300;
         nowhere.as.algebraic.y[2] = 1e300;
         nowhere.as.algebraic.a[0] = nowhere.as.algebraic.start_c = 1.0;
-        own_motion *motion;
-        assert_int_equal(bmr_motion_create(&nowhere, NULL, &motion), BMR_OK);
+        own_motion *motion = made_motion(nowhere);
         const bmr_shape shape = {.polygon = b};
         const bmr_body_def def = bmr_default_body_def(&shape, motion);
         bmr_body body;

@@ -51,8 +51,7 @@ static uint64_t lack_of_memory(size_t fail_at, size_t *asked, size_t *failures) 
         const bmr_motion_piece piece =
             flight(0.0, 2.0 * (i % 8), 2.0 * (i / 8), test_random_uniform(&random, -1.0, 1.0),
                    test_random_uniform(&random, -1.0, 1.0), test_random_uniform(&random, -1.0, 1.0));
-        own_motion *motion;
-        assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+        own_motion *motion = made_motion(piece);
         const bmr_shape shape = {.polygon = i % 20 == 19 ? big : b};
         const bmr_body_def def = bmr_default_body_def(&shape, motion);
         bmr_body body = BMR_NO_BODY;
@@ -137,8 +136,7 @@ TEST(walls_work_with_every_structure) {
         const bmr_motion_piece pieces[2] = {flight(0.0, off - 3.0, off + 0.3, 1.0, 0.4, 0.5),
                                             flight(0.0, off + 3.0, off, -1.0, 0.2, -0.7)};
         for (int k = 0; k < 2; k++) {
-            own_motion *motion;
-            assert_int_equal(bmr_motion_create(&pieces[k], NULL, &motion), BMR_OK);
+            own_motion *motion = made_motion(pieces[k]);
             const bmr_body_def def = bmr_default_body_def(&shape, motion);
             bmr_body body;
             assert_int_equal(bmr_world_add(s->world, &def, &body), BMR_OK);

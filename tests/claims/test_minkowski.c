@@ -20,8 +20,7 @@ static bmr_polygon *all_differences(const bmr_polygon *a, const bmr_polygon *b, 
     for (uint32_t i = 0; i < a->count; ++i)
         for (uint32_t j = 0; j < b->count; ++j)
             points[count++] = bmr_sub(a->vertices[i], bmr_rotate(&turn, b->vertices[j]));
-    bmr_polygon *m = NULL;
-    assert_int_equal(bmr_polygon_create(points, count, NULL, &m), BMR_OK);
+    bmr_polygon *m = made_polygon(points, count);
     free(points);
     return m;
 }
@@ -84,16 +83,10 @@ TEST(parallel_edges_become_one) {
     bmr_polygon_destroy(m, NULL);
 }
 
-static bmr_polygon *of_points(const bmr_vec2 *points, size_t count) {
-    bmr_polygon *p = NULL;
-    assert_int_equal(bmr_polygon_create(points, count, NULL, &p), BMR_OK);
-    return p;
-}
-
 TEST(points_and_segments_have_one_too) {
     const bmr_vec2 points[] = {{1.0, 2.0}, {3.0, 5.0}, {0.0, 4.0}};
-    own_polygon *point = of_points(points, 1), *segment = of_points(points, 2);
-    own_polygon *cross = of_points(points + 1, 2);
+    own_polygon *point = made_polygon(points, 1), *segment = made_polygon(points, 2);
+    own_polygon *cross = made_polygon(points + 1, 2);
     bmr_polygon *m = difference_of(point, point, 0.0);
     assert_int_equal(m->count, 1);
     assert_true(m->vertices[0].x == 0.0 && m->vertices[0].y == 0.0);

@@ -59,8 +59,7 @@ static bmr_polygon *ellipse(size_t n, double flatness, double angle) {
         points[i] = bmr_vec2_make(cos(t), flatness * sin(t));
     }
     test_move_points(points, n, angle, 0.0, 0.0);
-    bmr_polygon *polygon = NULL;
-    assert_int_equal(bmr_polygon_create(points, n, NULL, &polygon), BMR_OK);
+    bmr_polygon *polygon = made_polygon(points, n);
     free(points);
     return polygon;
 }
@@ -204,9 +203,7 @@ TEST(points_and_segments_have_pairs_too) {
     FOR_EACH_STRUCTURE(s)
     for (size_t n = 1; n <= 2; ++n)
         for (size_t m = 1; m <= 2; ++m) {
-            bmr_polygon *a = NULL, *b = NULL;
-            assert_int_equal(bmr_polygon_create(points, n, NULL, &a), BMR_OK);
-            assert_int_equal(bmr_polygon_create(points, m, NULL, &b), BMR_OK);
+            bmr_polygon *a = made_polygon(points, n), *b = made_polygon(points, m);
             own_couple c;
             couple_make(&c, s, a, b);
             for (int i = 0; i < 400; ++i) { // passing over and through each other, turning

@@ -52,8 +52,7 @@ static bmr_polygon *moved(bmr_polygon *polygon, double scale, bmr_vec2 by) {
     assert_non_null(points);
     for (uint32_t i = 0; i < polygon->count; ++i)
         points[i] = bmr_add(bmr_scale(scale, polygon->vertices[i]), by);
-    bmr_polygon *made = NULL;
-    assert_int_equal(bmr_polygon_create(points, polygon->count, NULL, &made), BMR_OK);
+    bmr_polygon *made = made_polygon(points, polygon->count);
     free(points);
     bmr_polygon_destroy(polygon, NULL);
     return made;

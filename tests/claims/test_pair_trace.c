@@ -32,9 +32,7 @@ static bmr_polygon *envelope(const bmr_hierarchy *h, int level) {
         points[count++] = bmr_hierarchy_corner_point(h, corner);
         edge = corner.after;
     } while (edge != 0);
-    bmr_polygon *polygon = NULL;
-    assert_int_equal(bmr_polygon_create(points, count, NULL, &polygon), BMR_OK);
-    return polygon;
+    return made_polygon(points, count);
 }
 
 /// The distance of the two envelopes of a level; of the two disks for level -1.
@@ -129,9 +127,7 @@ static bmr_polygon *body(size_t n, double flatness) {
         const double angle = 6.283185307179586 * ((double)i + 0.21) / (double)n;
         points[i] = bmr_vec2_make(cos(angle), flatness * sin(angle));
     }
-    bmr_polygon *polygon = NULL;
-    assert_int_equal(bmr_polygon_create(points, n, NULL, &polygon), BMR_OK);
-    return polygon;
+    return made_polygon(points, n);
 }
 
 static void begin(trace *t, bmr_structure structure, bool shown) {

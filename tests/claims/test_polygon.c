@@ -24,8 +24,7 @@ TEST(each_error_has_its_own_sentence) {
 // --- hull ---
 
 static bmr_polygon *hull_of(const bmr_vec2 *points, size_t count) {
-    bmr_polygon *polygon = NULL;
-    assert_int_equal(bmr_polygon_create(points, count, NULL, &polygon), BMR_OK);
+    bmr_polygon *polygon = made_polygon(points, count);
     assert_int_equal(bmr_polygon_audit(polygon), BMR_OK);
     return polygon;
 }

@@ -12,8 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "owned.h"
-
 /// @file
 /// Tests in C: a program is one source that includes this header, `main` is here. TEST(name) { ... } is a
 /// test, and needs no list. A check that fails ends its test; the program goes on with the next, and fails in
@@ -81,6 +79,8 @@ static inline void check_integers(long long a, long long b, bool equal, const ch
 #define assert_in_range(a, least, most) assert_true((a) >= (least) && (a) <= (most))
 #define assert_null(pointer) assert_true((pointer) == NULL)
 #define assert_non_null(pointer) assert_true((pointer) != NULL)
+
+#include "owned.h" // it makes things, and checks that they are
 
 /// Runs the tests whose names have `part`. 0 if there are any and none failed.
 static inline int check_run(const char *part) {

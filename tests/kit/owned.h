@@ -47,4 +47,27 @@ static inline void leave_world(bmr_world *const *world) {
 #define own_family OWNED(bmr_family_destroy) bmr_family_motion
 #define own_world OWNED(leave_world) bmr_world
 
+/// What must be made, or the test has failed.
+static inline bmr_polygon *made_polygon(const bmr_vec2 *points, size_t count) {
+    bmr_polygon *polygon = NULL;
+    assert_int_equal(bmr_polygon_create(points, count, NULL, &polygon), BMR_OK);
+    return polygon;
+}
+static inline bmr_convex32_block *made_convex32(const bmr_vec32 *points, size_t count) {
+    bmr_convex32_block *block = NULL;
+    assert_int_equal(bmr_convex32_create(points, count, NULL, &block), BMR_OK);
+    return block;
+}
+static inline bmr_kds *made_kds(const bmr_kds_info *info, const bmr_kds_def *def, const bmr_shape *a,
+                                const bmr_shape *b) {
+    bmr_kds *kds = NULL;
+    assert_int_equal(bmr_kds_create(info, def, a, b, NULL, &kds), BMR_OK);
+    return kds;
+}
+static inline bmr_motion *made_motion(bmr_motion_piece piece) {
+    bmr_motion *motion = NULL;
+    assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+    return motion;
+}
+
 #endif

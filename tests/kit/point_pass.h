@@ -20,9 +20,7 @@ static inline uint64_t seeds(size_t count) {
 
 static inline bmr_kds *made(const char *name, const bmr_kds_def *def, const test_kds_body *a,
                             const test_kds_body *b) {
-    bmr_kds *kds = NULL;
-    assert_int_equal(bmr_kds_create(test_structure(name), def, &a->shape, &b->shape, NULL, &kds), BMR_OK);
-    return kds;
+    return made_kds(test_structure(name), def, &a->shape, &b->shape);
 }
 
 /// A pair's own memory where the polygon's chains are shared.

@@ -96,8 +96,7 @@ static inline bmr_motion_piece flight(double time, double x, double y, double vx
 static inline bmr_body add_piece(stage *s, const bmr_polygon *polygon, bmr_motion_piece piece, double mass) {
     if (!s->world)
         open_stage(s);
-    bmr_motion *motion;
-    assert_int_equal(bmr_motion_create(&piece, NULL, &motion), BMR_OK);
+    bmr_motion *motion = made_motion(piece);
     const bmr_shape shape = {.polygon = polygon};
     bmr_body_def def = bmr_default_body_def(&shape, motion);
     if (mass > 0.0)

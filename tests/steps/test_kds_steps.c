@@ -72,8 +72,7 @@ static void drive(const bmr_kds_info *info, size_t n, uint64_t seed) {
     const test_path path = test_path_make(kind, a.polygon, b.polygon, 1e-3, turns, &random);
     const test_drive how = {.path = &path, .audit_every = 100000};
     const bmr_kds_def def = bmr_default_kds_def();
-    own_kds *kds = NULL;
-    assert_int_equal(bmr_kds_create(info, &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
+    own_kds *kds = made_kds(info, &def, &a.shape, &b.shape);
     const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
     assert_true(test_drive_is_sound(&r));
 }
