@@ -123,9 +123,11 @@ struct Changing : Game {
         for (b2Body *body : coming)
             body->SetTransform(body->GetPosition() - b2Vec2(0.3f, 0.0f), 0.0f);
         Step(still, 0.0f);
+        isStill = false;
         Step(40 - still);
     }
     std::vector<b2Body *> coming;
+    bool isStill = true; ///< the steps of no time are not over
 };
 
 void SetSensors(b2Contact *contact, bool sensors) {
@@ -146,32 +148,36 @@ AS_STOCK("solid: a sensor's contact begins, and turns solid; in a step of no tim
     }
 }
 
-AS_STOCK("emptied: a contact loses its points, and is disabled") {
-    Changing game(run, false);
-    game.listener.preSolve = [&game](b2Contact *contact) {
-        if (game.listener.told % 2 != 0)
-            return;
-        contact->SetEnabled(false);
-        contact->GetManifold()->pointCount = 0;
-    };
-    game.Play();
+AS_STOCK("emptied: a contact loses its points, and is disabled; in a step of no time it stays enabled") {
+    for (const bool still : {false, true}) {
+        Changing game(run, false);
+        game.listener.preSolve = [&game, still](b2Contact *contact) {
+            if (game.listener.told % 2 != 0 || game.isStill != still)
+                return;
+            contact->SetEnabled(still);
+            contact->GetManifold()->pointCount = 0;
+        };
+        game.Play(still ? 2 : 0);
+    }
 }
 
 AS_STOCK("there and back: a contact loses its points, and is a sensor's until the next one is told of") {
-    Changing game(run, false);
-    b2Contact *turned = nullptr;
-    game.listener.preSolve = [&game, &turned](b2Contact *contact) {
-        contact->SetEnabled(false);
-        if (turned != nullptr) {
-            SetSensors(turned, false);
-            turned = nullptr;
-        } else if (game.listener.told % 2 == 0) {
-            contact->GetManifold()->pointCount = 0;
-            SetSensors(contact, true);
-            turned = contact;
-        }
-    };
-    game.Play();
+    for (const bool still : {false, true}) {
+        Changing game(run, false);
+        b2Contact *turned = nullptr;
+        game.listener.preSolve = [&game, &turned, still](b2Contact *contact) {
+            contact->SetEnabled(still);
+            if (turned != nullptr) {
+                SetSensors(turned, false);
+                turned = nullptr;
+            } else if (game.listener.told % 2 == 0 && game.isStill == still) {
+                contact->GetManifold()->pointCount = 0;
+                SetSensors(contact, true);
+                turned = contact;
+            }
+        };
+        game.Play(still ? 2 : 0);
+    }
 }
 
 /// What a game gets in the place of what was given back: nobody else writes there.
