@@ -250,8 +250,8 @@ TEST(eight_roots_are_eight_events) {
 
 /// Up to there the terms of the path grow by 24 powers of ten.
 TEST(a_root_is_as_exact_where_the_end_of_the_search_is_far) {
-    still = motion_of(bmr_piece_rest(bmr_pose_identity()));
-    moving = motion_of(eight_roots(0.0, 0.0));
+    still = made_motion(bmr_piece_rest(bmr_pose_identity()));
+    moving = made_motion(eight_roots(0.0, 0.0));
     const bmr_vec2 left = {-1.0, 0.0}, point = {0.0, 0.0};
     const bmr_condition k = bmr_condition_beyond(0, left, -1.0, point, 0); // the path's x is below 1
     const double time = failure_of(&k, 0.0, 1e3, BMR_ROOT_BERNSTEIN);
