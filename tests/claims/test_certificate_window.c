@@ -4,6 +4,7 @@
 // limit.
 #include "certificate/window.h"
 #include "checks.h"
+#include "hierarchies.h"
 #include "polygons.h"
 #include "test_scale.h"
 
@@ -18,15 +19,6 @@
 #define WIDEST_SHORT (15.0 * PI / 180.0)
 #define PI 3.14159265358979323846
 #define ROUNDING 1e-9
-
-static double diameter_of(const bmr_polygon *p) {
-    double most = 0.0;
-    for (uint32_t i = 0; i < p->count; ++i)
-        for (uint32_t j = 0; j < i; ++j)
-            most =
-                fmax(most, hypot(p->vertices[i].x - p->vertices[j].x, p->vertices[i].y - p->vertices[j].y));
-    return most;
-}
 
 static uint32_t support_of(const bmr_polygon *p, bmr_vec2 d) {
     uint32_t best = 0;
@@ -48,7 +40,7 @@ typedef struct widths {
 } widths;
 
 static void measure(const bmr_polygon *p, bmr_vec2 d, double limit, widths *w) {
-    const double diameter = diameter_of(p);
+    const double diameter = test_diameter(p);
     const uint32_t n = p->count, v = support_of(p, d);
     const double height = bmr_dot(p->vertices[v], d);
     const double turn = fmin(WIDEST, 2.0 * atan(2.0 * FOUND_PART * limit / diameter));
@@ -86,7 +78,7 @@ static widths measure_many(void) {
             const double off =
                 test_random_uniform(&random, -1.0, 1.0) * pow(10.0, test_random_uniform(&random, -5.0, 0.5));
             const bmr_pose by = {{0.0, 0.0}, cos(off), sin(off)};
-            const double limit = diameter_of(p) * pow(10.0, test_random_uniform(&random, -4.0, 0.0));
+            const double limit = test_diameter(p) * pow(10.0, test_random_uniform(&random, -4.0, 0.0));
             if (p->count > 4)
                 measure(p, bmr_rotate(&by, normal), limit, &w);
         }

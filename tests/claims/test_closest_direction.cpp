@@ -6,6 +6,7 @@ extern "C" {
 #include "geometry/distance.h"
 }
 #include "cases.h"
+#include "polygon_distance.h"
 #include "polygons.h"
 #include "test_scale.h"
 
@@ -18,10 +19,8 @@ constexpr int kPlaces = 8;
 /// at most 2^-53: 5.6e-16 of the scale in each coordinate, 7.8e-16 as a vector.
 constexpr long double kRounding = 8e-16L;
 
-struct Point {
-    long double x, y;
-};
-using Points = std::vector<Point>;
+using distance::Point;
+using distance::Points;
 
 Points Transformed(const bmr_polygon *polygon, const bmr_pose &pose) {
     const long double c = pose.c, s = pose.s;
@@ -33,20 +32,14 @@ Points Transformed(const bmr_polygon *polygon, const bmr_pose &pose) {
     return points;
 }
 
-long double SegmentDistance(const Point &r, const Point &p, const Point &q) {
-    const long double dx = q.x - p.x, dy = q.y - p.y, square = dx * dx + dy * dy;
-    long double t = square > 0.0L ? ((r.x - p.x) * dx + (r.y - p.y) * dy) / square : 0.0L;
-    t = std::min(1.0L, std::max(0.0L, t));
-    return std::hypot(r.x - p.x - t * dx, r.y - p.y - t * dy);
-}
-
 /// Of polygons that are apart.
 long double Distance(const Points &a, const Points &b) {
     long double least = INFINITY;
     for (size_t i = 0; i < a.size(); ++i)
         for (size_t j = 0; j < b.size(); ++j) {
-            least = std::min(least, SegmentDistance(b[j], a[i], a[(i + 1) % a.size()]));
-            least = std::min(least, SegmentDistance(a[i], b[j], b[(j + 1) % b.size()]));
+            const Point toA = distance::ToSegment(b[j], a[i], a[(i + 1) % a.size()]),
+                        toB = distance::ToSegment(a[i], b[j], b[(j + 1) % b.size()]);
+            least = std::min({least, std::hypot(toA.x, toA.y), std::hypot(toB.x, toB.y)});
         }
     return least;
 }
@@ -91,7 +84,8 @@ bmr_simplex Start(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose &po
         return Point{q[start.b[i]].x - p[start.a[i]].x, q[start.b[i]].y - p[start.a[i]].y};
     };
     const Point first = apart(0), last = apart(start.count - 1);
-    const long double of = SegmentDistance({0.0L, 0.0L}, first, last), distance = Distance(p, q);
+    const Point way = distance::ToSegment({0.0L, 0.0L}, first, last);
+    const long double of = std::hypot(way.x, way.y), distance = Distance(p, q);
     const long double scale = a->extent + b->extent + std::hypot(pose.position.x, pose.position.y);
     ++tally.starts;
     // An angle is known to the rounding over the distance, and what it costs is its square.

@@ -6,6 +6,7 @@
 #include <float.h>
 
 #include "exact32/exact32.h"
+#include "polygons.h"
 #include "test_scale.h"
 
 enum { MOST = 8 };
@@ -14,17 +15,14 @@ typedef struct arrays {
     bmr_vec32 vertices[MOST], normals[MOST];
 } arrays;
 
-static uint64_t state = 0x9e3779b97f4a7c15u;
+static test_random dice = {0x9e3779b97f4a7c15u};
 
 static uint32_t random32(void) {
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return (uint32_t)(state >> 32);
+    return (uint32_t)test_random_next(&dice);
 }
 
 static int random_below(int count) {
-    return (int)(random32() % (uint32_t)count);
+    return (int)test_random_below(&dice, (uint32_t)count);
 }
 
 static float random_in(float low, float high) {

@@ -3,6 +3,7 @@
 // no more distance than its place on the line times the sine of the turn; on a path that bends away distance
 // and slope of approach together are down to a quarter; so events are few.
 #include "checks.h"
+#include "hierarchies.h"
 #include "kds_driver.h"
 #include "motions.h"
 #include "structure_named.h"
@@ -77,19 +78,10 @@ static void look(void *context, const test_drive_event *event) {
     p->slope = slope;
 }
 
-static double diameter_of(const bmr_polygon *p) {
-    double most = 0.0;
-    for (uint32_t i = 0; i < p->count; ++i)
-        for (uint32_t j = 0; j < i; ++j)
-            most =
-                fmax(most, hypot(p->vertices[i].x - p->vertices[j].x, p->vertices[i].y - p->vertices[j].y));
-    return most;
-}
-
 /// D/sigma, at least 1. D is of the sum that is blown up by the margin, sigma the least gap.
 static double ratio_of(const approach *p, double nearest) {
     const double margin = bmr_default_kds_def().margin;
-    return fmax(1.0, (diameter_of(p->a) + diameter_of(p->b) + 2.0 * margin) / (nearest - margin));
+    return fmax(1.0, (test_diameter(p->a) + test_diameter(p->b) + 2.0 * margin) / (nearest - margin));
 }
 
 static approach drive(const char *name, test_path_kind kind, size_t rounds, uint64_t seed,
@@ -239,7 +231,7 @@ static void look_at_hold(void *context, const test_drive_event *event) {
     if (!event->report.line_changed || !bmr_kds_get_proof(event->kds, &proof))
         return;
     const double gap = test_distance(h->a, h->b, &event->now.pose) - bmr_default_kds_def().margin;
-    const double diameter = diameter_of(proof.owner == 0 ? h->b : h->a);
+    const double diameter = test_diameter(proof.owner == 0 ? h->b : h->a);
     const double turn = fmin(WIDEST_SHORT, 2.0 * atan(0.5 * SHORT_PART * gap / diameter));
     for (size_t i = 0; i < count; ++i) {
         const double value = bmr_condition_value(&conditions[i], &event->now.pose);

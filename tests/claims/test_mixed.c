@@ -10,17 +10,10 @@
 
 // --- the tiling ---
 
-static double polygon_area(const bmr_vec2 *p, size_t count) {
-    double area = 0.0;
-    for (size_t i = 2; i < count; ++i)
-        area += 0.5 * bmr_cross(bmr_sub(p[i - 1], p[0]), bmr_sub(p[i], p[0]));
-    return area;
-}
-
 /// The area of A (+) (-B) by mixed volumes: those of both, and a strip for each edge of A as wide as -B
 /// reaches.
 static double sum_area(const bmr_vec2 *a, size_t n, const bmr_vec2 *b, size_t m) {
-    double area = polygon_area(a, n) + polygon_area(b, m);
+    double area = test_area(a, n) + test_area(b, m);
     for (size_t i = 0; i < n; ++i) {
         const bmr_vec2 e = bmr_sub(a[(i + 1) % n], a[i]);
         area += test_farthest(b, (uint32_t)m, bmr_vec2_make(e.y, -e.x));
@@ -53,7 +46,7 @@ static double area_error(const scene *s, uint32_t left_out) {
     for (uint32_t i = 0; i < bmr_mixed_tiling_count(s->tiling); ++i) {
         bmr_vec2 corners[BMR_MIXED_MAX_SIDES];
         const size_t count = bmr_mixed_polygon(&s->mixed, bmr_mixed_tiling_cell(s->tiling, i), corners);
-        const double area = polygon_area(corners, count);
+        const double area = test_area(corners, count);
         assert_true(area > -1e-13 * size_of(s) * size_of(s));
         tiles += i == left_out ? 0.0 : area;
     }

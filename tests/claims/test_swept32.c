@@ -8,21 +8,19 @@
 
 #include "exact32/swept32.h"
 #include "plain_lanes.h"
+#include "polygons.h"
 #include "test_scale.h"
 
 enum { MOST = BMR_SWEPT32_MOST };
 
-static uint64_t state = 0x9e3779b97f4a7c15u;
+static test_random dice = {0x9e3779b97f4a7c15u};
 
 static uint32_t random32(void) {
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return (uint32_t)(state >> 32);
+    return (uint32_t)test_random_next(&dice);
 }
 
 static int random_below(int count) {
-    return (int)(random32() % (uint32_t)count);
+    return (int)test_random_below(&dice, (uint32_t)count);
 }
 
 static float random_in(float low, float high) {

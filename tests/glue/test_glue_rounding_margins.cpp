@@ -290,27 +290,13 @@ shapes::Point Swept(const b2Sweep &sweep, b2Vec2 v, double t) {
 
 double SweptDistance(const Pair &pair, double t) {
     const b2TOIInput in = Input(pair);
-    const b2PolygonShape *const shape[] = {&pair.a, &pair.b};
-    shapes::Point points[2][b2_maxPolygonVertices];
-    const int count[] = {pair.a.m_count, pair.b.m_count};
-    for (int own = 0; own < 2; ++own)
-        for (int i = 0; i < count[own]; ++i)
-            points[own][i] = Swept(own == 0 ? in.sweepA : in.sweepB, shape[own]->m_vertices[i], t);
-    bool separated = false;
-    double least = INFINITY;
-    for (int own = 0; own < 2; ++own) {
-        for (int i = 0; i < count[own]; ++i) {
-            const shapes::Point from = points[own][i], to = points[own][(i + 1) % count[own]];
-            double side = INFINITY;
-            for (int j = 0; j < count[1 - own]; ++j) {
-                const shapes::Point p = points[1 - own][j];
-                least = std::min(least, shapes::DistanceToSegment(p, from, to));
-                side = std::min(side, (to.y - from.y) * (p.x - from.x) - (to.x - from.x) * (p.y - from.y));
-            }
-            separated = separated || side > 0.0;
-        }
+    std::vector<Point> points[2];
+    for (const bool ofB : {false, true}) {
+        const b2PolygonShape &shape = ofB ? pair.b : pair.a;
+        for (int i = 0; i < shape.m_count; ++i)
+            points[ofB].push_back(Swept(ofB ? in.sweepB : in.sweepA, shape.m_vertices[i], t));
     }
-    return separated ? least : 0.0;
+    return Measure(points[0], points[1]).distance;
 }
 
 /// Of the motions that are tried, which are short, the least of some times is the least to 1e-6 of the way.

@@ -85,7 +85,8 @@ inline Point Place(const b2Transform &xf, const b2Vec2 &v) {
 
 inline double DistanceToSegment(Point p, Point a, Point b) {
     const double x = b.x - a.x, y = b.y - a.y;
-    const double t = std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y), 0.0, 1.0);
+    const double square = x * x + y * y;
+    const double t = square > 0.0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / square, 0.0, 1.0) : 0.0;
     return std::hypot(p.x - a.x - t * x, p.y - a.y - t * y);
 }
 
@@ -95,23 +96,16 @@ struct Truth {
     bool cornersOnly; ///< the closest points are a corner of each
 };
 
-inline Truth Measure(const b2PolygonShape &a, const b2Transform &xfA, const b2PolygonShape &b,
-                     const b2Transform &xfB) {
-    Point placed[2][b2_maxPolygonVertices];
-    const int count[2] = {a.m_count, b.m_count};
-    for (int i = 0; i < a.m_count; ++i)
-        placed[0][i] = Place(xfA, a.m_vertices[i]);
-    for (int i = 0; i < b.m_count; ++i)
-        placed[1][i] = Place(xfB, b.m_vertices[i]);
+/// Of all sides against all corners; one of the two may be a point.
+inline Truth Measure(const std::vector<Point> &a, const std::vector<Point> &b) {
     bool separated = false;
     double least = INFINITY, corners = INFINITY;
-    for (int own = 0; own < 2; ++own) {
-        const Point *mine = placed[own], *theirs = placed[1 - own];
-        for (int i = 0; i < count[own]; ++i) {
-            const Point from = mine[i], to = mine[(i + 1) % count[own]];
+    for (const bool turned : {false, true}) {
+        const std::vector<Point> &mine = turned ? b : a, &theirs = turned ? a : b;
+        for (size_t i = 0; i < mine.size(); ++i) {
+            const Point from = mine[i], to = mine[i + 1 < mine.size() ? i + 1 : 0];
             double side = INFINITY;
-            for (int j = 0; j < count[1 - own]; ++j) {
-                const Point p = theirs[j];
+            for (const Point &p : theirs) {
                 least = std::min(least, DistanceToSegment(p, from, to));
                 corners = std::min(corners, std::hypot(p.x - from.x, p.y - from.y));
                 side = std::min(side, (to.y - from.y) * (p.x - from.x) - (to.x - from.x) * (p.y - from.y));
@@ -120,6 +114,18 @@ inline Truth Measure(const b2PolygonShape &a, const b2Transform &xfA, const b2Po
         }
     }
     return {separated ? least : 0.0, separated && corners <= least};
+}
+
+inline std::vector<Point> PlacedCorners(const b2PolygonShape &shape, const b2Transform &xf) {
+    std::vector<Point> points;
+    for (int i = 0; i < shape.m_count; ++i)
+        points.push_back(Place(xf, shape.m_vertices[i]));
+    return points;
+}
+
+inline Truth Measure(const b2PolygonShape &a, const b2Transform &xfA, const b2PolygonShape &b,
+                     const b2Transform &xfB) {
+    return Measure(PlacedCorners(a, xfA), PlacedCorners(b, xfB));
 }
 
 } // namespace shapes

@@ -98,25 +98,7 @@ struct Placed {
 /// Of two convex shapes, at least one of them with an inside: all sides against all vertices; 0 where they
 /// overlap.
 inline double Distance(const Placed &a, const Placed &b) {
-    bool separated = false;
-    double least = INFINITY;
-    for (const bool swap : {false, true}) {
-        const std::vector<Point> &mine = (swap ? b : a).points, &theirs = (swap ? a : b).points;
-        for (size_t i = 0; i < mine.size(); ++i) {
-            const Point from = mine[i], to = mine[i + 1 < mine.size() ? i + 1 : 0];
-            const double ex = to.x - from.x, ey = to.y - from.y, e2 = ex * ex + ey * ey;
-            double outside = INFINITY;
-            for (const Point &p : theirs) {
-                const double dx = p.x - from.x, dy = p.y - from.y;
-                outside = std::min(outside, ey * dx - ex * dy);
-                const double t = e2 > 0.0 ? std::clamp((dx * ex + dy * ey) / e2, 0.0, 1.0) : 0.0;
-                const double rx = dx - t * ex, ry = dy - t * ey;
-                least = std::min(least, rx * rx + ry * ry);
-            }
-            separated = separated || (mine.size() >= 2 && outside > 0.0);
-        }
-    }
-    return separated ? std::sqrt(least) : 0.0;
+    return shapes::Measure(a.points, b.points).distance;
 }
 
 inline Placed At(const Polygon &polygon, const b2Sweep &sweep, double t) {

@@ -39,6 +39,13 @@ bool test_visit_hierarchies(const bmr_compass *compass, const size_t *sizes, siz
     return built;
 }
 
+double test_area(const bmr_vec2 *p, size_t count) {
+    double area = 0.0;
+    for (size_t i = 2; i < count; ++i)
+        area += 0.5 * bmr_cross(bmr_sub(p[i - 1], p[0]), bmr_sub(p[i], p[0]));
+    return area;
+}
+
 double test_diameter(const bmr_polygon *polygon) {
     double most = 0.0;
     for (uint32_t i = 0; i < polygon->count; ++i)

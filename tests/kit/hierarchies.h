@@ -23,6 +23,8 @@ bool test_visit_hierarchies(const bmr_compass *compass, const size_t *sizes, siz
 
 /// By looking at all pairs of vertices.
 double test_diameter(const bmr_polygon *polygon);
+/// Of a convex polygon.
+double test_area(const bmr_vec2 *points, size_t count);
 /// The largest <direction, point>.
 double test_farthest(const bmr_vec2 *points, uint32_t count, bmr_vec2 direction);
 /// A third of the time the normal of an edge (a tie), else anything.

@@ -12,6 +12,7 @@
 #include "hierarchies.h"
 #include "hierarchy/tree.h"
 #include "points.h"
+#include "polygon_distance.h"
 
 namespace {
 
@@ -73,20 +74,24 @@ void CheckLines(const bmr_hierarchy *h) {
     }
 }
 
-double SegmentDistance(bmr_vec2 x, bmr_vec2 a, bmr_vec2 b) {
-    const long double ex = static_cast<long double>(b.x) - a.x, ey = static_cast<long double>(b.y) - a.y;
-    const long double px = static_cast<long double>(x.x) - a.x, py = static_cast<long double>(x.y) - a.y;
-    const long double square = ex * ex + ey * ey;
-    const long double t = square > 0.0L ? std::min(1.0L, std::max(0.0L, (px * ex + py * ey) / square)) : 0.0L;
-    return static_cast<double>(std::hypot(px - t * ex, py - t * ey));
+/// From the nearest point of the polygon's border.
+bmr_vec2 FromBorder(const bmr_polygon *p, bmr_vec2 x) {
+    const distance::Points points = distance::Transformed(p, bmr_pose_identity());
+    distance::Point nearest = {INFINITY, 0.0L};
+    for (size_t i = 0; i < points.size(); ++i) {
+        const distance::Point to =
+            distance::ToSegment({x.x, x.y}, points[i], points[(i + 1) % points.size()]);
+        if (std::hypot(to.x, to.y) < std::hypot(nearest.x, nearest.y))
+            nearest = to;
+    }
+    return {static_cast<double>(-nearest.x), static_cast<double>(-nearest.y)};
 }
 
 void CheckHeight(const bmr_hierarchy *h, bmr_edge id) {
     const bmr_polygon *p = bmr_hierarchy_polygon(h);
     const bmr_vec2 apex = bmr_hierarchy_apex(h, id);
-    double least = INFINITY;
-    for (uint32_t i = 0; i < p->count; ++i)
-        least = std::fmin(least, SegmentDistance(apex, p->vertices[i], p->vertices[(i + 1) % p->count]));
+    const bmr_vec2 way = FromBorder(p, apex);
+    const double least = std::hypot(way.x, way.y);
     const double height = bmr_hierarchy_height(h, id) * (fuzz_control("height") ? 1.5 : 1.0);
     FUZZ_CHECK(id < 4 ? height == 0.0 : std::fabs(height - least) <= 2.0 * Slack(h),
                "kind %d, edge %u: height %g, really %g", bmr_hierarchy_get_kind(h), id, height, least);
@@ -188,22 +193,8 @@ bool ReadOutside(const bmr_polygon *p, fuzz_bytes *bytes, bmr_vec2 *x, bmr_vec2 
     const double angle = fuzz_in(bytes, -3.2, 3.2), gap = p->radius * std::exp2(fuzz_in(bytes, -20.0, 4.0));
     const bmr_vec2 at = p->vertices[fuzz_u8(bytes) % p->count], u = {std::cos(angle), std::sin(angle)};
     *x = bmr_add(at, bmr_scale(gap, u));
-    long double least = INFINITY;
-    for (uint32_t i = 0; i < p->count; ++i) {
-        const bmr_vec2 a = p->vertices[i], b = p->vertices[(i + 1) % p->count];
-        const long double ex = static_cast<long double>(b.x) - a.x, ey = static_cast<long double>(b.y) - a.y;
-        const long double px = static_cast<long double>(x->x) - a.x,
-                          py = static_cast<long double>(x->y) - a.y;
-        const long double square = ex * ex + ey * ey;
-        const long double t =
-            square > 0.0L ? std::min(1.0L, std::max(0.0L, (px * ex + py * ey) / square)) : 0.0L;
-        const long double rx = px - t * ex, ry = py - t * ey, length = std::hypot(rx, ry);
-        if (length < least) {
-            least = length;
-            *away = {static_cast<double>(rx), static_cast<double>(ry)};
-        }
-    }
-    return least > 1e-6L * p->extent && !bmr_polygon_contains(p, *x, 0.0);
+    *away = FromBorder(p, *x);
+    return std::hypot(away->x, away->y) > 1e-6 * p->extent && !bmr_polygon_contains(p, *x, 0.0);
 }
 
 void CheckInflated(const bmr_hierarchy *h, fuzz_bytes *bytes) {

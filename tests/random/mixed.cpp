@@ -23,13 +23,6 @@ struct Scene {
     double size;
 };
 
-double Area(const bmr_vec2 *p, size_t count) {
-    double area = 0.0;
-    for (size_t i = 2; i < count; ++i)
-        area += 0.5 * bmr_cross(bmr_sub(p[i - 1], p[0]), bmr_sub(p[i], p[0]));
-    return area;
-}
-
 /// The area of the sum of envelope `level` of A and of B turned by half a turn and the rotation: by mixed
 /// volumes.
 double EnvelopeArea(const Scene &s, uint32_t level) {
@@ -45,7 +38,8 @@ double EnvelopeArea(const Scene &s, uint32_t level) {
             edge = corner.after;
         } while (edge != 0);
     }
-    double area = Area(points[0].data(), points[0].size()) + Area(points[1].data(), points[1].size());
+    double area =
+        test_area(points[0].data(), points[0].size()) + test_area(points[1].data(), points[1].size());
     for (size_t i = 0; i < points[0].size(); ++i) {
         const bmr_vec2 e = bmr_sub(points[0][(i + 1) % points[0].size()], points[0][i]);
         area += test_farthest(points[1].data(), static_cast<uint32_t>(points[1].size()),
@@ -65,7 +59,7 @@ void CheckTiling(const Scene &s, const bmr_mixed_tiling *tiling) {
         FUZZ_CHECK(bmr_mixed_exists(&s.mixed, cell), "tile %u is no cell", i);
         FUZZ_CHECK(bmr_mixed_tiling_find(tiling, cell) == i, "tile %u is not found", i);
         FUZZ_CHECK(bmr_mixed_sides(&s.mixed, cell, sides) == n && n >= 3, "tile %u has %zu corners", i, n);
-        const double area = Area(corners, n);
+        const double area = test_area(corners, n);
         FUZZ_CHECK(area > -1e-13 * s.size * s.size, "tile %u has area %g", i, area);
         tiles += area;
     }
