@@ -143,17 +143,46 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
         }
 }
 
+namespace {
+
+/// One in ten a point or a segment, one in four of another size and far from its frame's origin.
+bmr_polygon *AnyPolygon(test_random *random) {
+    bmr_vec2 points[24];
+    std::size_t count = 1 + test_random_below(random, 20);
+    const auto family = static_cast<test_family>(test_random_below(random, TEST_FAMILY_COUNT));
+    if (count > 2)
+        count = test_points(family, 3 + test_random_below(random, 9), random, points);
+    else
+        for (std::size_t i = 0; i < count; ++i)
+            points[i] = {test_random_uniform(random, -1.0, 1.0), test_random_uniform(random, -1.0, 1.0)};
+    const bool moved = test_random_below(random, 4) == 0;
+    const double scale = moved ? std::pow(10.0, test_random_uniform(random, -3.0, 3.0)) : 1.0;
+    const double away = moved ? scale * test_random_uniform(random, 0.0, 10.0) : 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+        points[i] = {scale * points[i].x + away, scale * points[i].y - away};
+    bmr_polygon *polygon = nullptr;
+    REQUIRE(bmr_polygon_create(points, count, nullptr, &polygon) == BMR_OK);
+    return polygon;
+}
+
+} // namespace
+
 TEST_CASE("the brute-force distance of the other tests is the exact one up to double rounding") {
     test_random random = {79};
-    std::size_t overlapping = 0;
-    for (std::size_t round = 0; round < rounds(600); ++round) {
-        Couple t(BMR_FREE_DIRECTION, 7, &random); // jumps
-        const bmr_pose q = test_motion_next(&t.motion, &random);
-        const double distance = test_distance(t.shape[0].polygon, t.shape[1].polygon, &q);
-        const double exact =
-            std::sqrt(SquaredDistance(PlacesOf(t.shape[0].polygon), PlacesAt(t.shape[1].polygon, q)).get_d());
-        REQUIRE(std::abs(distance - exact) <= 1e-14 * (t.extents() + exact));
+    std::size_t overlapping = 0, apart = 0;
+    for (std::size_t round = 0; round < rounds(2000); ++round) {
+        bmr_polygon *const a = AnyPolygon(&random), *const b = AnyPolygon(&random);
+        test_motion motion = test_motion_make(TEST_MOTION_JUMP, a, b, &random);
+        const bmr_pose q = test_motion_next(&motion, &random);
+        const double distance = test_distance(a, b, &q);
+        const double exact = std::sqrt(SquaredDistance(PlacesOf(a), PlacesAt(b, q)).get_d());
+        const double tolerance = 1e-13 * (a->extent + b->extent + exact);
+        CHECK(std::abs(distance - exact) <= tolerance);
         overlapping += exact == 0.0;
+        apart += exact > tolerance;
+        bmr_polygon_destroy(a, nullptr);
+        bmr_polygon_destroy(b, nullptr);
     }
-    CHECK(overlapping > 0);
+    CHECK(overlapping > 5);
+    CHECK(apart > 30);
 }

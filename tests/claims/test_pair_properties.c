@@ -9,7 +9,8 @@
 
 #define STEPS 40
 
-/// What double rounding can do to test_distance, relative to the extents and the distance.
+/// What double rounding can do to test_distance, relative to the extents and the distance
+/// (test_pair_oracle.cpp).
 #define ORACLE_ROUNDING 1e-13
 
 #define LEAST_ROUNDS 300
@@ -130,47 +131,6 @@ TEST(every_answer_is_true_and_complete_and_every_state_re_proved) {
 TEST(the_same_holds_for_up_to_4096_vertices) {
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
         run_motions((bmr_structure)structure, rounds(80), 4096, 200);
-}
-
-TEST(the_brute_force_distance_agrees_with_all_pairs_of_edges) {
-    test_random random = {300};
-    size_t apart = 0, together = 0;
-    for (size_t i = 0; i < rounds(2000); ++i) {
-        trial t;
-        begin(&t, BMR_FREE_DIRECTION, TEST_MOTION_JUMP, 12, &random);
-        const bmr_polygon *a = t.shape[0].polygon, *b = t.shape[1].polygon;
-        const bmr_pose q = test_motion_next(&t.motion, &random), inverse = bmr_pose_inverse(&q);
-        // Vertices against edges, both ways; zero if a vertex is inside or edges cross.
-        double distance = INFINITY;
-        bool overlap = false;
-        for (int turn = 0; turn < 2; ++turn)
-            for (uint32_t i0 = 0; i0 < a->count; ++i0)
-                for (uint32_t j0 = 0; j0 < b->count; ++j0) {
-                    const bmr_vec2 p = a->vertices[i0], p1 = a->vertices[(i0 + 1) % a->count];
-                    const bmr_vec2 r = bmr_transform(&q, b->vertices[j0]);
-                    const bmr_vec2 r1 = bmr_transform(&q, b->vertices[(j0 + 1) % b->count]);
-                    const bmr_vec2 e = turn ? bmr_sub(p1, p) : bmr_sub(r1, r);
-                    const bmr_vec2 w = turn ? bmr_sub(r, p) : bmr_sub(p, r);
-                    const double square = bmr_dot(e, e);
-                    const double along = square > 0.0 ? fmin(fmax(bmr_dot(w, e) / square, 0.0), 1.0) : 0.0;
-                    distance = fmin(distance, hypot(w.x - along * e.x, w.y - along * e.y));
-                    overlap = overlap || ((bmr_cross(bmr_sub(p1, p), bmr_sub(r, p)) > 0.0) !=
-                                              (bmr_cross(bmr_sub(p1, p), bmr_sub(r1, p)) > 0.0) &&
-                                          (bmr_cross(bmr_sub(r1, r), bmr_sub(p, r)) > 0.0) !=
-                                              (bmr_cross(bmr_sub(r1, r), bmr_sub(p1, r)) > 0.0));
-                    overlap =
-                        overlap || (b->count > 2 && bmr_polygon_contains(b, bmr_transform(&inverse, p), 0.0));
-                    overlap = overlap || (a->count > 2 && bmr_polygon_contains(a, r, 0.0));
-                }
-        const double truth = test_distance(a, b, &q);
-        const double tolerance = ORACLE_ROUNDING * (t.scale + distance);
-        assert_true(fabs(truth - (overlap ? 0.0 : distance)) <= tolerance ||
-                    (distance <= tolerance && truth <= tolerance));
-        apart += truth > tolerance;
-        together += truth == 0.0;
-        end(&t);
-    }
-    assert_true(apart > 100 && together > 20);
 }
 
 /// How often an answer that takes the certificate's line on trust, whatever way the other body has turned, is
