@@ -80,7 +80,8 @@ AS_STOCK("trapped: a program sets traps, and bodies without mass are deep in eac
 
 // The oldest pair touches. By the time that its turn comes, the loop has passed pairs that fly at each other,
 // and that come to touch in the steps that its listener makes then.
-AS_STOCK("within: a listener rounds otherwise for the steps that it makes in the midst of a step") {
+AS_STOCK("within: a listener rounds otherwise for the steps that it makes in the midst of a step, or has another "
+         "thread make") {
     Game game(run);
     game.Touching({0.0f, 50.0f});
     game.Step();
@@ -92,15 +93,23 @@ AS_STOCK("within: a listener rounds otherwise for the steps that it makes in the
     game.Step();
     game.Listen();
     for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_TOWARDZERO}) {
-        game.listener.preSolve = [&game, mode] {
+        const auto step = [&game, mode] {
             std::fesetround(mode);
             game.StepWithin(1.0f / 60.0f, 2);
             game.StepWithin(1.0f / 60.0f, 2);
             std::fesetround(FE_TONEAREST);
         };
-        game.Step();
-        game.listener.preSolve = nullptr;
-        game.Step(2);
+        for (const bool elsewhere : {false, true}) {
+            game.world.SetContinuousPhysics(!elsewhere); // SolveTOI would find out, too
+            bool isDone = false;
+            game.listener.preSolve = [&](b2Contact *contact) {
+                if (isDone || contact->GetFixtureA()->GetBody()->GetPosition().y < 40.0f)
+                    return; // the pass has been at all others once it comes to the oldest contact
+                isDone = true;
+                elsewhere ? std::thread(step).join() : step();
+            };
+            game.Step(3);
+        }
     }
 }
 
