@@ -80,8 +80,9 @@ AS_STOCK("trapped: a program sets traps, and bodies without mass are deep in eac
 
 // The oldest pair touches. By the time that its turn comes, the loop has passed pairs that fly at each other,
 // and that come to touch in the steps that its listener makes then.
-AS_STOCK("within: a listener rounds otherwise for the steps that it makes in the midst of a step, or has another "
-         "thread make") {
+AS_STOCK(
+    "within: a listener rounds otherwise for the steps that it makes in the midst of a step, or has another "
+    "thread make") {
     Game game(run);
     game.Touching({0.0f, 50.0f});
     game.Step();
