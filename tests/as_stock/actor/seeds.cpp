@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstring>
 #include <initializer_list>
+#include <string>
 
 #include "actor.h"
 
@@ -49,15 +51,14 @@ public:
             return;
         }
     }
-    void ActAny(std::initializer_list<const char *> names) {
-        Act(names.begin()[Below(static_cast<uint32_t>(names.size()))]);
-    }
+    /// Names have bars between them.
+    void ActAny(const char *names) { Act(OneOf(names).c_str()); }
     void Steps(uint32_t count) {
         for (; count > 0; --count)
             Put({160 + (OnceIn(3) ? 4 : 0)});
     }
     /// What listeners do: one thing of these at every call, or some of them at half of all, or at few.
-    void Listen(std::initializer_list<const char *> names) {
+    void Listen(const char *names) {
         Put({IndexOf("SetReactions"), World::kReactionsHeld - 1});
         const uint32_t way = Below(3);
         const uint8_t always = AnyOf(names);
@@ -66,8 +67,12 @@ public:
             Put({way == 0 ? always : OnceIn(way == 1 ? 2 : 8) ? reaction : 0});
         }
     }
-    uint8_t AnyOf(std::initializer_list<const char *> names) {
-        return ReactionOf(names.begin()[Below(static_cast<uint32_t>(names.size()))]);
+    uint8_t AnyOf(const char *names) { return ReactionOf(OneOf(names).c_str()); }
+    std::string OneOf(const char *names) {
+        const char *const end = names + std::strlen(names);
+        for (auto skip = Below(1 + static_cast<uint32_t>(std::count(names, end, '|'))); skip > 0; --skip)
+            names = std::find(names, end, '|') + 1;
+        return std::string(names, std::find(names, end, '|'));
     }
     static int IndexOf(const char *name) {
         int i = 0;
@@ -129,41 +134,17 @@ void WriteArena(Writer &w) {
     for (uint32_t i = 4 + w.Below(8); i > 0; --i)
         w.Act("CreateCompound");
     w.Act("Throng", {static_cast<int>(w.Below(16)) & ~2, 4 + static_cast<int>(w.Below(12)), 30});
-    w.Listen({"disables", "sets friction", "sets restitution", "sets tangent speed", "refilters",
-              "switches bullet", "switches another bullet", "puts to sleep", "wakes another or not",
-              "makes a sensor or solid, with care", "reads contacts", "reads edges", "exchanges itself",
-              "draws", "edits a shape", "sets filter data"});
+    w.Listen("disables|sets friction|sets restitution|sets tangent speed|refilters|switches bullet|switches "
+             "another bullet|puts to sleep|wakes another or not|makes a sensor or solid, with care|reads "
+             "contacts|reads edges|exchanges itself|draws|edits a shape|sets filter data");
     for (uint32_t i = 40 + w.Below(40); i > 0; --i) {
         for (uint32_t k = w.Below(4); k > 0; --k)
-            w.ActAny({"DestroyBody",
-                      "Teleport",
-                      "Carry",
-                      "SwapPoses",
-                      "SetType",
-                      "SetEnabled",
-                      "SetAwake",
-                      "SetBullet",
-                      "Throw",
-                      "Push",
-                      "AddFixtureToSome",
-                      "DestroyFixture",
-                      "ReplaceFixture",
-                      "ExchangeFixtures",
-                      "SetFilter",
-                      "SetMaterial",
-                      "ChangeRadiusInPlace",
-                      "ResizeInPlace",
-                      "NudgeShapeInPlace",
-                      "SetMass",
-                      "CreateCompound",
-                      "CreateJoint",
-                      "DestroyJoint",
-                      "ProbeContact",
-                      "ReplaceBody",
-                      "NudgePose"});
+            w.ActAny("DestroyBody|Teleport|Carry|SwapPoses|SetType|SetEnabled|SetAwake|SetBullet|Throw|Push|"
+                     "AddFixtureToSome|DestroyFixture|ReplaceFixture|ExchangeFixtures|SetFilter|SetMaterial|"
+                     "ChangeRadiusInPlace|ResizeInPlace|NudgeShapeInPlace|SetMass|CreateCompound|CreateJoint|"
+                     "DestroyJoint|ProbeContact|ReplaceBody|NudgePose");
         if (w.OnceIn(12))
-            w.ActAny(
-                {"ShiftOrigin", "SetGravity", "SetSolver", "SetTimeStep", "SetReactions", "SetRounding"});
+            w.ActAny("ShiftOrigin|SetGravity|SetSolver|SetTimeStep|SetReactions|SetRounding");
         w.Steps(1);
     }
 }
@@ -177,10 +158,9 @@ void WriteWild(Writer &w) {
                      sleepy ? 250 : 40 + static_cast<int>(w.Below(60)), sleepy ? 200 : 80});
     w.Act("CreateDrums");
     if (!w.OnceIn(4))
-        w.Listen({"steps its own world", "steps its own world", "steps the other world", "switches bullet",
-                  "shoots another", "throws it", "wakes another or not", "moves the centre of mass",
-                  "masks all of another", "sets radius", "sets filter data", "disables another contact",
-                  "disables", "edits another shape"});
+        w.Listen("steps its own world|steps its own world|steps the other world|switches bullet|shoots "
+                 "another|throws it|wakes another or not|moves the centre of mass|masks all of another|sets "
+                 "radius|sets filter data|disables another contact|disables|edits another shape");
     else
         w.Act("ChangeHands", {10});
     if (w.OnceIn(3))
@@ -188,9 +168,9 @@ void WriteWild(Writer &w) {
     w.Act("SetTicks");
     for (uint32_t i = 30 + w.Below(30); i > 0; --i) {
         for (uint32_t k = w.Below(4); k > 0; --k)
-            w.ActAny({"DestroyBody", "ReplaceBody", "JoinContact", "JoinContact", "TurnOften", "MoveCentre",
-                      "Teleport", "SetEnabled", "Throw", "Throw", "SetDensities", "SetAwake", "MaskBody",
-                      "RestSome", "SetBullet", "DisableContacts", "CreateJoint", "DestroyJoint"});
+            w.ActAny("DestroyBody|ReplaceBody|JoinContact|JoinContact|TurnOften|MoveCentre|Teleport|"
+                     "SetEnabled|Throw|Throw|SetDensities|SetAwake|MaskBody|RestSome|SetBullet|"
+                     "DisableContacts|CreateJoint|DestroyJoint");
         if (w.OnceIn(20))
             w.Act("SetTimeStep");
         w.Steps(1);
@@ -205,8 +185,7 @@ void WriteStraying(Writer &w) {
         if (i % 6 == 0)
             w.Act("Drive");
         if (w.OnceIn(6))
-            w.ActAny(
-                {"ShiftOrigin", "MoveElsewhere", "ShiftThereAndBack", "SetBullet", "SetSensor", "Teleport"});
+            w.ActAny("ShiftOrigin|MoveElsewhere|ShiftThereAndBack|SetBullet|SetSensor|Teleport");
         w.Steps(2);
     }
 }
@@ -218,14 +197,14 @@ void WriteSleepers(Writer &w) {
         w.Act("CreateCompound");
     w.Act("Throng", {4 + 2 * static_cast<int>(w.Below(2)), 10 + static_cast<int>(w.Below(60)),
                      static_cast<int>(w.Below(60))});
-    w.Listen({"puts to sleep", "puts to sleep", "puts to sleep", "wakes another or not", "shoots another",
-              "disables", "masks all of another", "reads contacts", "switches another bullet", "refilters"});
+    w.Listen("puts to sleep|puts to sleep|puts to sleep|wakes another or not|shoots another|disables|masks "
+             "all of another|reads contacts|switches another bullet|refilters");
     for (int i = 0; i < 60; ++i) {
         for (uint32_t k = w.Below(4); k > 0; --k)
-            w.ActAny({"Throw", "Throw", "Throw", "SetAwake", "SetAwake", "SetBullet", "Carry", "MaskBody",
-                      "DestroyBody", "ReplaceBody", "SetType", "SetSensor"});
+            w.ActAny("Throw|Throw|Throw|SetAwake|SetAwake|SetBullet|Carry|MaskBody|DestroyBody|ReplaceBody|"
+                     "SetType|SetSensor");
         if (w.OnceIn(6))
-            w.ActAny({"RestSome", "RestSome", "Scatter", "WakeAll", "SetGravity"});
+            w.ActAny("RestSome|RestSome|Scatter|WakeAll|SetGravity");
         w.Steps(1);
     }
 }
@@ -239,12 +218,9 @@ void WriteFar(Writer &w) {
 
 /// What becomes a bullet or ceases to be; in half of them nobody listens, so that most pairs may be left out.
 void WriteBullets(Writer &w) {
-    const std::initializer_list<const char *> heard = {"switches bullet",          "switches another bullet",
-                                                       "shoots another",           "throws it",
-                                                       "wakes another or not",     "puts to sleep",
-                                                       "pushes another",           "edits a shape",
-                                                       "moves the centre of mass", "sets filter data",
-                                                       "disables another contact", "exchanges itself"};
+    const char *const heard = "switches bullet|switches another bullet|shoots another|throws it|wakes "
+                              "another or not|puts to sleep|pushes another|edits a shape|moves the centre of "
+                              "mass|sets filter data|disables another contact|exchanges itself";
     w.Act("BuildLevel", {2 + 4 * static_cast<int>(w.Below(2)) + 16 * static_cast<int>(1 + w.Below(3))});
     w.Act("Throng", {4 * static_cast<int>(w.Below(2)), 60 + static_cast<int>(w.Below(140)),
                      70 + static_cast<int>(w.Below(50))});
@@ -257,8 +233,8 @@ void WriteBullets(Writer &w) {
         w.Act("SetFilterReactions");
     for (uint32_t i = 40 + w.Below(30); i > 0; --i) {
         for (uint32_t k = w.Below(4); k > 0; --k)
-            w.ActAny({"SetBullet", "SetBullet", "Throw", "Throw", "SetType", "SetAwake", "Teleport",
-                      "SetEnabled", "DestroyBody", "ReplaceBody", "DisableContacts", "Carry"});
+            w.ActAny("SetBullet|SetBullet|Throw|Throw|SetType|SetAwake|Teleport|SetEnabled|DestroyBody|"
+                     "ReplaceBody|DisableContacts|Carry");
         if (listens && w.OnceIn(8))
             w.Listen(heard);
         if (w.OnceIn(16))
@@ -266,7 +242,7 @@ void WriteBullets(Writer &w) {
         if (w.OnceIn(16))
             w.Act("SetThrowing");
         if (w.OnceIn(15))
-            w.ActAny({"SetTimeStep", "SetSolver", "SetRounding"});
+            w.ActAny("SetTimeStep|SetSolver|SetRounding");
         if (w.OnceIn(60))
             w.Act("FillAgain", {4, 100});
         w.Steps(1);
@@ -286,73 +262,20 @@ void WriteSurprises(Writer &w) {
         w.Act("RestSome");
     for (uint32_t i = 24 + w.Below(24); i > 0; --i) {
         if (w.OnceIn(3))
-            w.ActAny({"Carry",
-                      "Carry",
-                      "ThereAndBack",
-                      "SetVelocity",
-                      "Throw",
-                      "Push",
-                      "MoveCentre",
-                      "SetDensities",
-                      "SetAwake",
-                      "SetSensor",
-                      "MaskBody",
-                      "SetFilter",
-                      "SetRefusals",
-                      "DisableContacts",
-                      "SetBullet",
-                      "EditAllInPlace",
-                      "EditAllInPlace",
-                      "ResizeInPlace",
-                      "ChangeRadiusInPlace",
-                      "SetSolver",
-                      "SetGravity",
-                      "SetTimeStep",
-                      "ShiftOrigin",
-                      "ShiftThereAndBack",
-                      "JoinContact",
-                      "AddFixtureToSome",
-                      "ReplaceFixture",
-                      "ExchangeFixtures",
-                      "DestroyFixture",
-                      "DestroyBody",
-                      "ReplaceBody",
-                      "SetType",
-                      "SetEnabled",
-                      "SetFreedoms",
-                      "ChangeHands",
-                      "RestSome",
-                      "WakeAll"});
+            w.ActAny("Carry|Carry|ThereAndBack|SetVelocity|Throw|Push|MoveCentre|SetDensities|SetAwake|"
+                     "SetSensor|MaskBody|SetFilter|SetRefusals|DisableContacts|SetBullet|EditAllInPlace|"
+                     "EditAllInPlace|ResizeInPlace|ChangeRadiusInPlace|SetSolver|SetGravity|SetTimeStep|"
+                     "ShiftOrigin|ShiftThereAndBack|JoinContact|AddFixtureToSome|ReplaceFixture|"
+                     "ExchangeFixtures|DestroyFixture|DestroyBody|ReplaceBody|SetType|SetEnabled|SetFreedoms|"
+                     "ChangeHands|RestSome|WakeAll");
         if (w.OnceIn(6))
-            w.Listen({"steps its own world",
-                      "throws it",
-                      "shoots another",
-                      "pushes another",
-                      "wakes another or not",
-                      "puts to sleep",
-                      "makes a sensor or solid, with care",
-                      "masks all of another",
-                      "refilters",
-                      "disables",
-                      "disables all of another",
-                      "switches another bullet",
-                      "edits another shape",
-                      "edits a shape",
-                      "makes a box of it",
-                      "sets radius",
-                      "shifts another's shapes",
-                      "shifts another's shapes",
-                      "shifts its shapes",
-                      "moves the centre of mass",
-                      "sets the world's solver",
-                      "reads contacts",
-                      "reads edges",
-                      "exchanges itself",
-                      "ends, makes, moves between steps",
-                      "puts bodies out of the world",
-                      "tries what is refused",
-                      "evaluates",
-                      "asks for distances"});
+            w.Listen("steps its own world|throws it|shoots another|pushes another|wakes another or not|puts "
+                     "to sleep|makes a sensor or solid, with care|masks all of "
+                     "another|refilters|disables|disables all of another|switches another bullet|edits "
+                     "another shape|edits a shape|makes a box of it|sets radius|shifts another's "
+                     "shapes|shifts another's shapes|shifts its shapes|moves the centre of mass|sets the "
+                     "world's solver|reads contacts|reads edges|exchanges itself|ends, makes, moves between "
+                     "steps|puts bodies out of the world|tries what is refused|evaluates|asks for distances");
         w.Steps(1);
     }
 }
@@ -365,15 +288,15 @@ void WriteNowhere(Writer &w) {
     if (w.OnceIn(2))
         w.Act("ChangeHands", {10});
     else
-        w.Listen({"disables", "reads contacts", "throws it", "edits a shape", "wakes another or not"});
+        w.Listen("disables|reads contacts|throws it|edits a shape|wakes another or not");
     w.Steps(4);
     for (uint32_t i = 30 + w.Below(20); i > 0; --i) {
         if (w.OnceIn(4))
             w.Act("SendNowhere");
         for (uint32_t k = w.Below(3); k > 0; --k)
-            w.ActAny({"SendNowhere", "PutBack", "Teleport", "Throw", "Carry", "SetType", "SetEnabled",
-                      "SetAwake", "DestroyBody", "ReplaceBody", "AddFixtureToSome", "DestroyFixture",
-                      "ResizeInPlace", "AskWorld", "ProbeContact", "ShiftOrigin", "Scatter"});
+            w.ActAny("SendNowhere|PutBack|Teleport|Throw|Carry|SetType|SetEnabled|SetAwake|DestroyBody|"
+                     "ReplaceBody|AddFixtureToSome|DestroyFixture|ResizeInPlace|AskWorld|ProbeContact|"
+                     "ShiftOrigin|Scatter");
         w.Steps(1 + w.Below(2));
     }
 }
