@@ -40,9 +40,8 @@ void Listener::OnEvent(const b2Body *a, const b2Body *b, const bmr_event &event)
     CheckCertificate(event);
     const bool hulls = IsOfHulls(event);
     const b2Vec2 between = b2MulT(a->GetTransform(), b->GetTransform()).p;
-    m_run.Expect(event.pose == nullptr ||
-                     (std::fabs(event.pose->position.x - static_cast<double>(between.x)) < 1e-3 &&
-                      std::fabs(event.pose->position.y - static_cast<double>(between.y)) < 1e-3),
+    m_run.Expect(event.pose == nullptr || (std::fabs(event.pose->position.x - double{between.x}) < 1e-3 &&
+                                           std::fabs(event.pose->position.y - double{between.y}) < 1e-3),
                  "the pose is of the two bodies as they are given");
     if (m_prints)
         m_run.Print("event %s %s %d %d", hulls ? "hulls" : "contact", bmr_event_name(event.kind),

@@ -278,9 +278,8 @@ Outcome PlayCoins(How how, int32 before, int32 after, float across) {
             sums[2] += where.separations[i];
         }
         char line[160];
-        std::snprintf(line, sizeof line, "%d %.4f %.4f %.4f\n", c->GetManifold()->pointCount,
-                      static_cast<double>(sums[0]), static_cast<double>(sums[1]),
-                      static_cast<double>(sums[2]));
+        std::snprintf(line, sizeof line, "%d %.4f %.4f %.4f\n", c->GetManifold()->pointCount, double{sums[0]},
+                      double{sums[1]}, double{sums[2]});
         if (c->GetManifold()->pointCount > 0)
             lines.emplace_back(line);
     }

@@ -84,9 +84,7 @@ struct Setting {
 };
 
 bmr_pose PoseOf(const b2Transform &xf) {
-    return {{static_cast<double>(xf.p.x), static_cast<double>(xf.p.y)},
-            static_cast<double>(xf.q.c),
-            static_cast<double>(xf.q.s)};
+    return {{double{xf.p.x}, double{xf.p.y}}, double{xf.q.c}, double{xf.q.s}};
 }
 
 bmr_pose Relative(const b2Transform &xfA, const b2Transform &xfB) {

@@ -68,14 +68,12 @@ float Evaluate(const Case &at, Contraction how) {
 
 /// The same in any arithmetic, of magnitudes or of the numbers themselves.
 template <typename Number> Number Exactly(const Case &at, bool magnitudes) {
-    const auto number = [magnitudes](float x) {
-        return Number(static_cast<double>(magnitudes ? std::fabs(x) : x));
-    };
+    const auto number = [magnitudes](float x) { return Number(double{magnitudes ? std::fabs(x) : x}); };
     const Number sign = magnitudes ? Number(1.0) : Number(-1.0);
     const bmr_transform32 &from = at.reference, &to = at.other;
     const Number ts = number(to.s), tc = number(to.c), fs = number(from.s), fc = number(from.c);
-    Number dx = Number(static_cast<double>(from.p.x)) - Number(static_cast<double>(to.p.x)),
-           dy = Number(static_cast<double>(from.p.y)) - Number(static_cast<double>(to.p.y));
+    Number dx = Number(double{from.p.x}) - Number(double{to.p.x}),
+           dy = Number(double{from.p.y}) - Number(double{to.p.y});
     for (Number *way : {&dx, &dy})
         if (magnitudes && *way < Number(0.0))
             *way = -*way;
@@ -114,8 +112,7 @@ bool Claims(const Case &at, float beyond) {
 
 /// The claim with another margin, in units of the size.
 bool Claims(const Case &at, float beyond, double units) {
-    return static_cast<double>(Evaluate(at, kNone)) - units * kUnit * SizeOf(at) >
-           static_cast<double>(beyond);
+    return double{Evaluate(at, kNone)} - units * kUnit * SizeOf(at) > double{beyond};
 }
 
 enum Range { kNear, kFar, kLarge, kTiny, kApart, kStretched, kLoose, kRanges };
@@ -162,8 +159,7 @@ double Error(const Case &at, Contraction how) {
 
 /// How far apart two evaluations are, in the same units.
 double Between(const Case &at, Contraction one) {
-    return std::fabs(static_cast<double>(Evaluate(at, one)) - static_cast<double>(Evaluate(at, kNone))) /
-           (kUnit * SizeOf(at));
+    return std::fabs(double{Evaluate(at, one)} - double{Evaluate(at, kNone)}) / (kUnit * SizeOf(at));
 }
 
 /// Changes a number of it by a few units in the last place, or by some part.
@@ -223,7 +219,7 @@ void MakeConvex(dice *d, Lying *lying, int side, double width, double height) {
     }
     for (int32_t i = 0; i < 8; ++i) {
         const bmr_vec32 from = v[i], to = v[i + 1 < count ? i + 1 : 0];
-        const double x = static_cast<double>(to.x - from.x), y = static_cast<double>(to.y - from.y);
+        const double x = double{to.x - from.x}, y = double{to.y - from.y};
         const double length = std::max(std::hypot(x, y), 1e-30);
         lying->normals[side][i] = {static_cast<float>(y / length), static_cast<float>(-x / length)};
     }
@@ -244,17 +240,15 @@ Lying RandomLying(dice *d) {
     const auto i = dice_below(d, static_cast<uint32_t>(lying.count[0])),
                j = dice_below(d, static_cast<uint32_t>(lying.count[1]));
     const bmr_vec32 n = lying.normals[0][i], m = lying.normals[1][j];
-    const auto angle = [](bmr_vec32 v) {
-        return std::atan2(static_cast<double>(v.y), static_cast<double>(v.x));
-    };
+    const auto angle = [](bmr_vec32 v) { return std::atan2(double{v.y}, double{v.x}); };
     const double tilt = std::pow(10.0, dice_in(d, -8.0, -0.3)) * (dice_below(d, 2) == 0 ? 1.0 : -1.0);
     const bmr_transform32 &at = lying.pose[0];
-    const double turnA = std::atan2(static_cast<double>(at.s), static_cast<double>(at.c));
+    const double turnA = std::atan2(double{at.s}, double{at.c});
     const double turnB = turnA + angle(n) + 3.14159265358979 - angle(m) + tilt;
     lying.pose[1].s = static_cast<float>(std::sin(turnB));
     lying.pose[1].c = static_cast<float>(std::cos(turnB));
     const auto placed = [](const bmr_transform32 &t, bmr_vec32 v, double *x, double *y) {
-        *x = static_cast<double>(t.c * v.x - t.s * v.y), *y = static_cast<double>(t.s * v.x + t.c * v.y);
+        *x = double{t.c * v.x - t.s * v.y}, *y = double{t.s * v.x + t.c * v.y};
     };
     double ax, ay, bx, by, nx, ny;
     placed(at, lying.vertices[0][i], &ax, &ay);
@@ -315,8 +309,7 @@ TEST_CASE("no way to fuse gives less than what is claimed, in any range") {
         deniedToLess += Claims(at, other, 2.0);
         worst = std::max(worst, Between(at, how));
         // It is claimed as soon as it can be, nearly: else nothing claimed would pass, too.
-        const auto less =
-            static_cast<float>(static_cast<double>(Evaluate(at, kNone)) - 36.0 * kUnit * SizeOf(at));
+        const auto less = static_cast<float>(double{Evaluate(at, kNone)} - 36.0 * kUnit * SizeOf(at));
         ++wanted;
         claimed += Claims(at, less);
     };

@@ -51,7 +51,7 @@ struct Couple {
 /// normal's length. Says whether that is at least `gap`.
 bool proves(const bmr_certificate &k, int owner, const Places &a, const Places &b, const bmr_pose &q,
             double gap) {
-    const Number nx(static_cast<double>(k.normal[0])), ny(static_cast<double>(k.normal[1]));
+    const Number nx(double{k.normal[0]}), ny(double{k.normal[1]});
     const Number c(q.c), s(q.s);
     const Place normal = owner == 0 ? Place{nx, ny} : Place{-(c * nx - s * ny), -(s * nx + c * ny)};
     const Number along = LeastAlong(normal, a, b);
@@ -99,8 +99,8 @@ TEST_CASE("no pair claims a gap that rational arithmetic denies, and none misses
                 const bmr_polygon *own = t.shape[t.pair.owner].polygon;
                 double support = -INFINITY;
                 for (std::uint32_t i = 0; i < own->count; ++i)
-                    support = std::max(support, static_cast<double>(k.normal[0]) * own->vertices[i].x +
-                                                    static_cast<double>(k.normal[1]) * own->vertices[i].y);
+                    support = std::max(support, double{k.normal[0]} * own->vertices[i].x +
+                                                    double{k.normal[1]} * own->vertices[i].y);
                 bare.offset = static_cast<float>(support);
                 double bare_gap;
                 bmr_certificate_check_pair(&bare, &q, t.pair.owner, 0.0, &bare_gap);

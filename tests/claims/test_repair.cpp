@@ -166,8 +166,8 @@ TEST_CASE("results are exact as floats, and have no straight points") {
     std::vector<Outline> repaired;
     REQUIRE(RepairOutline(drawn, FillRule::EvenOdd, kSnap, &repaired) == BMR_OK);
     for (const bmr_vec2 &point : repaired[0].points) {
-        CHECK(static_cast<double>(static_cast<float>(point.x)) == point.x);
-        CHECK(static_cast<double>(static_cast<float>(point.y)) == point.y);
+        CHECK(double{static_cast<float>(point.x)} == point.x);
+        CHECK(double{static_cast<float>(point.y)} == point.y);
     }
     const Outline straight = Drawn({{{0, 0}, {1, 0}, {2, 0}, {4, 0}, {4, 4}}});
     REQUIRE(RepairOutline(straight, FillRule::EvenOdd, kSnap, &repaired) == BMR_OK);

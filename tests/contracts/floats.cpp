@@ -142,8 +142,7 @@ std::string Distance(const bmr_pose &pose) {
     const bmr_proxy32 proxy = bmr_proxy32_polygon(Convex(), 0.01f);
     const bmr_transform32 there = Transform(pose);
     bmr_closest32 closest = {0, 0};
-    return Said(
-        static_cast<double>(bmr_convex32_distance(&proxy, &kHere, &proxy, &there, &closest).distance));
+    return Said(double{bmr_convex32_distance(&proxy, &kHere, &proxy, &there, &closest).distance});
 }
 
 std::string Cast(const bmr_pose &pose) {

@@ -19,9 +19,9 @@ constexpr float kMostOverlap = 2.5f * b2_linearSlop;
 std::vector<b2Vec2> Regular(int count, float radius, float phase) {
     std::vector<b2Vec2> outline;
     for (int i = 0; i < count; ++i) {
-        const double angle = static_cast<double>(phase) + 2.0 * M_PI * i / count;
-        outline.emplace_back(static_cast<float>(static_cast<double>(radius) * std::cos(angle)),
-                             static_cast<float>(static_cast<double>(radius) * std::sin(angle)));
+        const double angle = double{phase} + 2.0 * M_PI * i / count;
+        outline.emplace_back(static_cast<float>(double{radius} * std::cos(angle)),
+                             static_cast<float>(double{radius} * std::sin(angle)));
     }
     return outline;
 }
@@ -108,11 +108,10 @@ double EnergyOf(const b2World &world) {
     for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
         if (body->GetType() != b2_dynamicBody)
             continue;
-        const auto mass = static_cast<double>(body->GetMass()),
-                   spin = static_cast<double>(body->GetAngularVelocity());
-        energy += 0.5 * mass * static_cast<double>(body->GetLinearVelocity().LengthSquared()) +
-                  0.5 * static_cast<double>(body->GetInertia()) * spin * spin -
-                  mass * static_cast<double>(b2Dot(world.GetGravity(), body->GetPosition()));
+        const auto mass = double{body->GetMass()}, spin = double{body->GetAngularVelocity()};
+        energy += 0.5 * mass * double{body->GetLinearVelocity().LengthSquared()} +
+                  0.5 * double{body->GetInertia()} * spin * spin -
+                  mass * double{b2Dot(world.GetGravity(), body->GetPosition())};
     }
     return energy;
 }
@@ -174,14 +173,14 @@ double RollDown(Kind kind, int vertices, float phase) {
     const b2Vec2 start = wheel->GetPosition();
     for (int i = 0; i < steps; ++i)
         Step(world);
-    return static_cast<double>(b2Distance(start, wheel->GetPosition()));
+    return double{b2Distance(start, wheel->GetPosition())};
 }
 
 /// The same of a disc that rolls without slipping on its skin, with Box2D's own way to integrate.
 double IdealRoll(float skin) {
     constexpr double slope = 0.15, radius = 0.5, dt = 1.0 / 60.0;
     constexpr int steps = 300;
-    const double rolling = radius + static_cast<double>(skin);
+    const double rolling = radius + double{skin};
     const double acceleration = 10.0 * std::sin(slope) / (1.0 + 0.5 * radius * radius / (rolling * rolling));
     return acceleration * dt * dt * 0.5 * steps * (steps + 1);
 }

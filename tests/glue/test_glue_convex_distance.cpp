@@ -44,7 +44,7 @@ bmr_distance32 Ask(const Polygon &a, const b2Transform &xfA, const Polygon &b, c
 
 /// A pose of b from where the two overlap to some way off.
 b2Transform NearbyPose(Engine &engine, const Polygon &a, const Polygon &b) {
-    return shapes::RandomPose(engine, 1.5 * static_cast<double>(a.Ours().reach + b.Ours().reach));
+    return shapes::RandomPose(engine, 1.5 * double{a.Ours().reach + b.Ours().reach});
 }
 
 struct Tally {
@@ -64,17 +64,17 @@ void CheckDistance(Engine &engine, int most, Tally *tally) {
         if (Below(engine, 2) == 0) // what is remembered may be anything
             closest = {static_cast<uint32_t>(engine() >> 44), static_cast<uint32_t>(engine() >> 44)};
         const bmr_distance32 found = Ask(a, xfA, b, xfB, &closest);
-        const double scale = std::max(truth, static_cast<double>(Reach(a, b)));
-        tally->worst = std::max(tally->worst, std::fabs(static_cast<double>(found.distance) - truth) / scale);
+        const double scale = std::max(truth, double{Reach(a, b)});
+        tally->worst = std::max(tally->worst, std::fabs(double{found.distance} - truth) / scale);
         ++(truth > 0.0 ? tally->apart : tally->overlapping);
         CHECK(found.count >= 1);
         CHECK(found.count <= 3);
         CHECK((found.count < 3 || found.distance == 0.0f));
         // The points are as far from each other as it says, and one of them is no corner of the wrong shape.
-        const double dx = static_cast<double>(found.point_b.x) - static_cast<double>(found.point_a.x);
-        const double dy = static_cast<double>(found.point_b.y) - static_cast<double>(found.point_a.y);
-        const double rounding = 1e-6 * (scale + std::fabs(static_cast<double>(xfA.p.x)) + 20.0);
-        CHECK(std::fabs(std::hypot(dx, dy) - static_cast<double>(found.distance)) <= rounding);
+        const double dx = double{found.point_b.x} - double{found.point_a.x};
+        const double dy = double{found.point_b.y} - double{found.point_a.y};
+        const double rounding = 1e-6 * (scale + std::fabs(double{xfA.p.x}) + 20.0);
+        CHECK(std::fabs(std::hypot(dx, dy) - double{found.distance}) <= rounding);
     }
 }
 
@@ -104,8 +104,8 @@ TEST_CASE("so it is of the largest polygons") {
             xfB.p += xfA.p;
             const double truth = Distance(Placed(a, xfA), Placed(b, xfB));
             const bmr_distance32 found = Ask(a, xfA, b, xfB, &closest);
-            const double scale = std::max(truth, static_cast<double>(Reach(a, b)));
-            worst = std::max(worst, std::fabs(static_cast<double>(found.distance) - truth) / scale);
+            const double scale = std::max(truth, double{Reach(a, b)});
+            worst = std::max(worst, std::fabs(double{found.distance} - truth) / scale);
             CHECK(found.iterations < 40);
         }
     }
@@ -151,13 +151,13 @@ TEST_CASE("up to 255 vertices the distance and its points are those of b2Distanc
         bmr_closest32 closest = {0, 0};
         const bmr_distance32 ours = Ask(a, input.transformA, b, input.transformB, &closest);
         // What Box2D's coordinates of the world are rounded to.
-        const double scale = 10.0 + static_cast<double>(a.Ours().reach + b.Ours().reach);
-        worst = std::max(worst, std::fabs(static_cast<double>(stock.distance - ours.distance)) / scale);
+        const double scale = 10.0 + double{a.Ours().reach + b.Ours().reach};
+        worst = std::max(worst, std::fabs(double{stock.distance - ours.distance}) / scale);
         if (stock.distance == 0.0f || stock.iterations >= 20)
             continue;
         // Of points, what lies between them; where two sides are parallel any of them may be said.
         const b2Vec2 between(ours.point_b.x - ours.point_a.x, ours.point_b.y - ours.point_a.y);
-        const double off = static_cast<double>((between - (stock.pointB - stock.pointA)).Length());
+        const double off = double{(between - (stock.pointB - stock.pointA)).Length()};
         if (stock.distance > 0.01f)
             worstPoint = std::max(worstPoint, off / scale);
     }
@@ -184,7 +184,7 @@ struct Motion {
 };
 
 Motion RandomMotion(Engine &engine, const Polygon &a, const Polygon &b) {
-    const double size = static_cast<double>(a.Ours().reach + b.Ours().reach);
+    const double size = double{a.Ours().reach + b.Ours().reach};
     const double turn = Below(engine, 2) == 0 ? 0.3 : 6.0;
     Motion m = {RandomSweep(engine, size, size, Below(engine, 3) == 0 ? 0.0 : turn),
                 RandomSweep(engine, size, 2.0 * size, Below(engine, 3) == 0 ? 0.0 : turn)};
@@ -217,8 +217,8 @@ double DistanceAt(const Polygon &a, const Polygon &b, const Motion &motion, doub
 /// Is what was answered true, by looking at `samples` poses? `slack` beside what is promised, for float.
 bool IsTrue(const Polygon &a, const Polygon &b, const Motion &motion, float tMax, const Impact &answer,
             int samples) {
-    const double target = Target(a, b), tolerance = 0.25 * static_cast<double>(b2_linearSlop);
-    const double slack = 4e-6 * static_cast<double>(a.Ours().reach + b.Ours().reach + 2.0f);
+    const double target = Target(a, b), tolerance = 0.25 * double{b2_linearSlop};
+    const double slack = 4e-6 * double{a.Ours().reach + b.Ours().reach + 2.0f};
     const double t = answer.t;
     const double there = DistanceAt(a, b, motion, t);
     switch (answer.state) {
@@ -318,13 +318,13 @@ TEST_CASE("times of impact are b2TimeOfImpact's where that is sure of itself") {
         if (ours.state != BMR_IMPACT_TOUCHING)
             continue;
         ++both;
-        worst = std::max(worst, std::fabs(DistanceAt(a, b, motion, static_cast<double>(stock.t)) -
-                                          DistanceAt(a, b, motion, static_cast<double>(ours.t))));
+        worst = std::max(worst, std::fabs(DistanceAt(a, b, motion, double{stock.t}) -
+                                          DistanceAt(a, b, motion, double{ours.t})));
     }
     MESSAGE("touching ", both, ", other state ", differing, ", Box2D gave up ", failed, ", worst gap ",
             worst);
     CHECK(both > test_scaled(1500) / 10);
-    CHECK(worst <= 0.5 * static_cast<double>(b2_linearSlop) + 1e-4);
+    CHECK(worst <= 0.5 * double{b2_linearSlop} + 1e-4);
     CHECK(50 * differing <= test_scaled(1500) + 50);
 }
 
@@ -334,9 +334,9 @@ namespace {
 double Beyond(const Placed &a, const Placed &b, bmr_vec32 n) {
     double most = -INFINITY, least = INFINITY;
     for (const shapes::Point &p : a.points)
-        most = std::max(most, p.x * static_cast<double>(n.x) + p.y * static_cast<double>(n.y));
+        most = std::max(most, p.x * double{n.x} + p.y * double{n.y});
     for (const shapes::Point &p : b.points)
-        least = std::min(least, p.x * static_cast<double>(n.x) + p.y * static_cast<double>(n.y));
+        least = std::min(least, p.x * double{n.x} + p.y * double{n.y});
     return least - most;
 }
 
@@ -350,10 +350,10 @@ struct Cast {
     double sigma;
 
     Cast(Engine &engine, const Polygon &a, const b2Transform &xfA, const Polygon &b, const b2Transform &xfB)
-        : way(3.0 * static_cast<double>(a.Ours().reach + b.Ours().reach)),
-          sigma(static_cast<double>(std::max(2.0f * b2_linearSlop, std::max(a.radius, b2_polygonRadius) +
-                                                                       std::max(b.radius, b2_polygonRadius) -
-                                                                       b2_polygonRadius))) {
+        : way(3.0 * double{a.Ours().reach + b.Ours().reach}),
+          sigma(double{std::max(2.0f * b2_linearSlop, std::max(a.radius, b2_polygonRadius) +
+                                                          std::max(b.radius, b2_polygonRadius) -
+                                                          b2_polygonRadius)}) {
         input.proxyA = a.Stock();
         input.proxyB = b.Stock();
         input.transformA = xfA;
@@ -409,7 +409,7 @@ TEST_CASE("casts are b2ShapeCast's") {
         };
         const Placed atA(a, xfA);
         const double there = Distance(atA, moved(ours.lambda));
-        CHECK(there <= cast.sigma + 0.5 * static_cast<double>(b2_linearSlop) + slack);
+        CHECK(there <= cast.sigma + 0.5 * double{b2_linearSlop} + slack);
         if (ours.lambda > 0.0f) {
             for (const float part : {0.0f, 0.5f, 1.0f})
                 CHECK(Distance(atA, moved(part * ours.lambda)) >= cast.sigma - slack);
@@ -421,7 +421,7 @@ TEST_CASE("casts are b2ShapeCast's") {
     MESSAGE("hits ", hits, ", misses ", misses, ", differing ", differing, ", worst gap ", worst);
     CHECK(hits > test_scaled(4000) / 20);
     CHECK(100 * differing <= test_scaled(4000) + 100);
-    CHECK(worst <= 0.5 * static_cast<double>(b2_linearSlop) + 1e-4);
+    CHECK(worst <= 0.5 * double{b2_linearSlop} + 1e-4);
 }
 
 // How near is reached, to the rounding of Box2D's coordinates. Between sigma and half a slop more Box2D's
@@ -437,11 +437,11 @@ TEST_CASE("casts that begin in touch, or nearly, are b2ShapeCast's") {
         const b2Transform xfA = shapes::RandomPose(engine, 5.0), away = NearbyPose(engine, a, b);
         if (Distance(Placed(a, xfA), Placed(b, away)) < 0.1)
             continue;
-        const double most = static_cast<double>(a.radius + b.radius) + 0.01;
+        const double most = double{a.radius + b.radius} + 0.01;
         const b2Transform xfB = MovedTo(Uniform(engine, 0.001, most), a, xfA, b, away);
         const Cast cast(engine, a, xfA, b, xfB);
         const double begin = Distance(Placed(a, xfA), Placed(b, xfB));
-        const double reached = cast.sigma + 0.5 * static_cast<double>(b2_linearSlop);
+        const double reached = cast.sigma + 0.5 * double{b2_linearSlop};
         if (begin < cast.sigma - rounding) {
             ++within;
             within_hits += cast.hit ? 1 : 0;

@@ -90,18 +90,15 @@ bool IsHull(const ConvexShape &shape, const Points &points) {
     const int32 count = shape.GetVertexCount();
     double size = 0.0;
     for (const b2Vec2 &p : points)
-        size = std::max({size, std::fabs(static_cast<double>(p.x)), std::fabs(static_cast<double>(p.y))});
+        size = std::max({size, std::fabs(double{p.x}), std::fabs(double{p.y})});
     for (int32 i = 0; i < count; ++i) {
         const b2Vec2 &a = shape.GetVertex(i), &b = shape.GetVertex((i + 1) % count);
         if (std::find(points.begin(), points.end(), a) == points.end())
             return false;
-        const double x = static_cast<double>(b.x) - static_cast<double>(a.x),
-                     y = static_cast<double>(b.y) - static_cast<double>(a.y), length = std::hypot(x, y);
+        const double x = double{b.x} - double{a.x}, y = double{b.y} - double{a.y}, length = std::hypot(x, y);
         for (const b2Vec2 &p : points) {
-            const double left = (x * (static_cast<double>(p.y) - static_cast<double>(a.y)) -
-                                 y * (static_cast<double>(p.x) - static_cast<double>(a.x))) /
-                                length;
-            if (left < -0.5 * static_cast<double>(b2_linearSlop) - 2e-7 * size)
+            const double left = (x * (double{p.y} - double{a.y}) - y * (double{p.x} - double{a.x})) / length;
+            if (left < -0.5 * double{b2_linearSlop} - 2e-7 * size)
                 return false;
         }
     }
@@ -529,8 +526,7 @@ double AreaOf(const Points &points) {
     double area = 0.0;
     for (size_t i = 0; i < points.size(); ++i) {
         const b2Vec2 &p = points[i], &q = points[(i + 1) % points.size()];
-        area += 0.5 * (static_cast<double>(p.x) * static_cast<double>(q.y) -
-                       static_cast<double>(q.x) * static_cast<double>(p.y));
+        area += 0.5 * (double{p.x} * double{q.y} - double{q.x} * double{p.y});
     }
     return area;
 }

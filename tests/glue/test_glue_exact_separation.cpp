@@ -66,9 +66,9 @@ bool IsTrue(double claimed, const Number &squaredDistance) {
 /// The largest float that is no larger than the root.
 float LargestTrue(const Number &squaredDistance) {
     auto f = static_cast<float>(std::sqrt(squaredDistance.get_d()));
-    while (!IsTrue(static_cast<double>(f), squaredDistance))
+    while (!IsTrue(double{f}, squaredDistance))
         f = std::nextafterf(f, 0.0f);
-    while (IsTrue(static_cast<double>(std::nextafterf(f, INFINITY)), squaredDistance))
+    while (IsTrue(double{std::nextafterf(f, INFINITY)}, squaredDistance))
         f = std::nextafterf(f, INFINITY);
     return f;
 }
@@ -172,7 +172,7 @@ struct Tally {
         lies += !IsTrue(claimed, truth);
         // The control: what is one float above the truth is a lie.
         if (truth > 0)
-            caught += !IsTrue(static_cast<double>(std::nextafterf(LargestTrue(truth), INFINITY)), truth);
+            caught += !IsTrue(double{std::nextafterf(LargestTrue(truth), INFINITY)}, truth);
     }
 };
 
@@ -187,15 +187,15 @@ TEST_CASE("the oracle tells a claim from one that is a unit in the last place hi
     for (const float gap : {0.25f, 0x1p-20f}) {
         there.p.x = 1.0f + gap;
         const Number truth = exact::SquaredDistance(At(box, here), At(box, there));
-        CHECK(IsTrue(static_cast<double>(gap), truth));
-        CHECK_FALSE(IsTrue(std::nextafter(static_cast<double>(gap), 1.0), truth));
+        CHECK(IsTrue(double{gap}, truth));
+        CHECK_FALSE(IsTrue(std::nextafter(double{gap}, 1.0), truth));
         // The same shapes, turned by an angle of which nothing is exact, 10 km out.
         b2Transform farHere, farThere;
         farHere.Set(b2Vec2(10000.0f, -7000.0f), 1e6f);
         farThere = b2Mul(farHere, there);
         const Number far = exact::SquaredDistance(At(box, farHere), At(box, farThere));
-        CHECK(IsTrue(static_cast<double>(LargestTrue(far)), far));
-        CHECK_FALSE(IsTrue(static_cast<double>(std::nextafterf(LargestTrue(far), 1.0f)), far));
+        CHECK(IsTrue(double{LargestTrue(far)}, far));
+        CHECK_FALSE(IsTrue(double{std::nextafterf(LargestTrue(far), 1.0f)}, far));
     }
     there.p.x = 1.0f;
     CHECK(exact::SquaredDistance(At(box, here), At(box, there)) == 0);
@@ -213,7 +213,7 @@ TEST_CASE("no certified slack is above the exact distance") {
             t.Put(engine, OneOf(engine, kFar), OneOf(engine, kWanted));
         }
         const Number truth = Truth(t.a, t.b);
-        slack.Add(static_cast<double>(bmr::CertifiedSlack(t.a, t.b)), truth);
+        slack.Add(double{bmr::CertifiedSlack(t.a, t.b)}, truth);
         for (const bool ofB : {false, true}) {
             const b2Fixture &f = *(ofB ? t.b : t.a)->GetFixtureList(),
                             &g = *(ofB ? t.a : t.b)->GetFixtureList();
@@ -248,9 +248,9 @@ TEST_CASE("bounding boxes prove no more than there is where the shapes are far f
         b->CreateFixture(&wall, 0.0f);
         b->SetTransform({1.0f, 0.0f}, 0.0f); // its side is at 0
         const float angle = UniformF(engine, -0.7, 0.7);
-        const double tip = static_cast<double>(length) * std::cos(static_cast<double>(angle));
+        const double tip = double{length} * std::cos(double{angle});
         a->SetTransform({static_cast<float>(-tip - Uniform(engine, 1e-5, 9e-4)), 0.0f}, angle);
-        slack.Add(static_cast<double>(bmr::CertifiedSlack(a, b)), Truth(a, b));
+        slack.Add(double{bmr::CertifiedSlack(a, b)}, Truth(a, b));
     }
     MESSAGE("slacks ", slack.claims, ", lies ", slack.lies);
     CHECK(slack.claims > Rounds(400) / 2);
@@ -270,7 +270,7 @@ TEST_CASE(
         bmr::BodyPair *pair = bmr::CreateBodyPair(bmr::CreateHull(t.a, nullptr, &memory),
                                                   bmr::CreateHull(t.b, nullptr, &memory), nullptr, &memory);
         pair->references = 1;
-        const double margin = bmr::ContactMargin(static_cast<double>(pair->radiusSum));
+        const double margin = bmr::ContactMargin(double{pair->radiusSum});
         // What Box2D's own rounding may take of it is left.
         const double proved = margin - bmr::kRoundingMargin;
         for (int step = 0; step < 6; ++step) {
@@ -283,7 +283,7 @@ TEST_CASE(
             wrong += known && !IsTrue(proved, truth);
             wrongIfMore += known && !IsTrue(proved + 0.002, truth);
             const b2Vec2 place = b2Abs(t.a->GetPosition());
-            beyond += known && static_cast<double>(std::max(place.x, place.y)) > bmr::kReach;
+            beyond += known && double{std::max(place.x, place.y)} > bmr::kReach;
             gaps.Add(bmr::CertifiedGap(*pair, t.a->GetTransform(), t.b->GetTransform()), truth);
         }
         bmr::ReleaseBodyPair(pair, &memory);
@@ -303,8 +303,8 @@ TEST_CASE("what is certainly apart or overlapping is so by the exact distance") 
     for (size_t i = 0; i < Rounds(1500); ++i) {
         Couple t(engine);
         const b2Fixture *f = t.a->GetFixtureList(), *g = t.b->GetFixtureList();
-        const double radii = static_cast<double>(PolygonOf(f).m_radius + PolygonOf(g).m_radius);
-        const double touching = radii + 10.0 * static_cast<double>(b2_epsilon);
+        const double radii = double{PolygonOf(f).m_radius + PolygonOf(g).m_radius};
+        const double touching = radii + 10.0 * double{b2_epsilon};
         t.Put(engine, OneOf(engine, kFar),
               touching + OneOf(engine, {-1e-3, -1e-4, -1e-5, 1e-5, 1e-4, 1e-3, 0.5}));
         const Number truth = exact::SquaredDistance(At(PolygonOf(f), t.a->GetTransform()),
@@ -339,10 +339,10 @@ b2Sweep RandomSweep(Engine &engine, const b2PolygonShape &shape, double far, dou
 
 /// The polygon at a time of the sweep: the angle's sine and cosine as double has them, all else exact.
 Places At(const b2PolygonShape &shape, const b2Sweep &sweep, double t) {
-    const double angle = (1.0 - t) * static_cast<double>(sweep.a0) + t * static_cast<double>(sweep.a);
+    const double angle = (1.0 - t) * double{sweep.a0} + t * double{sweep.a};
     const Number s(std::sin(angle)), c(std::cos(angle)), rest = Number(1) - Number(t);
     const auto between = [&](float start, float end) -> Number {
-        return rest * Number(static_cast<double>(start)) + Number(t) * Number(static_cast<double>(end));
+        return rest * Number(double{start}) + Number(t) * Number(double{end});
     };
     const Number x = between(sweep.c0.x, sweep.c.x), y = between(sweep.c0.y, sweep.c.y);
     Places points;
@@ -389,7 +389,7 @@ TEST_CASE("what never touches is farther apart than the impact distance at every
         if (!proved(apart))
             continue;
         ++proofs;
-        const double impact = static_cast<double>(bmr::ImpactDistance(a.m_radius + b.m_radius));
+        const double impact = double{bmr::ImpactDistance(a.m_radius + b.m_radius)};
         for (const double t : {0.0, 0.125, 0.5, 0.8125, 1.0}) {
             const Number truth = exact::SquaredDistance(At(a, in.sweepA, t), At(b, in.sweepB, t));
             wrong += !IsTrue(impact, truth);

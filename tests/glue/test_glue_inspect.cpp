@@ -41,7 +41,7 @@ template <typename Visit> void VisitVertices(const bmr::ProofSide &side, Visit v
 
 double Farthest(const bmr::ProofSide &side, b2Vec2 direction) {
     double most = -INFINITY;
-    VisitVertices(side, [&](b2Vec2 v) { most = std::max(most, static_cast<double>(b2Dot(v, direction))); });
+    VisitVertices(side, [&](b2Vec2 v) { most = std::max(most, double{b2Dot(v, direction)}); });
     return most;
 }
 
@@ -52,12 +52,12 @@ double GapOfDisks(const bmr::Proof &proof) {
     bool hold = true;
     for (const bmr::ProofSide *side : {&proof.a, &proof.b}) {
         VisitVertices(*side, [&](b2Vec2 v) {
-            const double distance = static_cast<double>(b2Distance(v, side == &proof.a ? a : b));
-            hold = hold && distance <= static_cast<double>(side->diskRadius) + kRounding;
+            const double distance = double{b2Distance(v, side == &proof.a ? a : b)};
+            hold = hold && distance <= double{side->diskRadius} + kRounding;
         });
     }
-    const double radii = static_cast<double>(proof.a.diskRadius) + static_cast<double>(proof.b.diskRadius);
-    return hold ? static_cast<double>(b2Distance(a, b)) - radii : -1.0;
+    const double radii = double{proof.a.diskRadius} + double{proof.b.diskRadius};
+    return hold ? double{b2Distance(a, b)} - radii : -1.0;
 }
 
 /// The gap between all of one side and all of the other along the line of a proof, found from nothing but the
@@ -81,11 +81,11 @@ bool PointsAreNearest(const bmr::Proof &proof) {
                          &other = proof.ownerIsB ? proof.a : proof.b;
     const b2Vec2 n = owner.body->GetWorldVector(proof.normal);
     const auto along = [n](const bmr::ProofSide &side, b2Vec2 local) {
-        return static_cast<double>(b2Dot(n, side.body->GetWorldPoint(local)));
+        return double{b2Dot(n, side.body->GetWorldPoint(local))};
     };
     const double own = along(owner, owner.support), others = along(other, other.support);
     bool nearest = own >= Farthest(owner, n) - kRounding && others <= -Farthest(other, -n) + kRounding &&
-                   others - own >= static_cast<double>(proof.slack) - kRounding;
+                   others - own >= double{proof.slack} - kRounding;
     if (proof.kind != bmr::ProofKind::Direction)
         nearest =
             nearest && std::fabs(along(owner, proof.edge[0]) - along(owner, proof.edge[1])) <= kRounding;
@@ -105,8 +105,8 @@ bool HullHolds(const bmr::Proof &proof, bool ofB, int32_t level) {
         for (int32_t i = 0; i < count; ++i) {
             const b2Vec2 from = hull[static_cast<size_t>(i)], to = hull[static_cast<size_t>((i + 1) % count)];
             const b2Vec2 edge = to - from;
-            holds = holds && static_cast<double>(b2Cross(edge, local - from)) >=
-                                 -kRounding * static_cast<double>(edge.Length()) - 1e-12;
+            holds =
+                holds && double{b2Cross(edge, local - from)} >= -kRounding * double{edge.Length()} - 1e-12;
         }
     });
     return holds;
@@ -141,7 +141,7 @@ struct Tally {
         }
         ++proofs;
         kinds.insert(proof.kind);
-        const double slack = static_cast<double>(proof.slack);
+        const double slack = double{proof.slack};
         slacks += slack;
         gaps += GapOf(proof);
         tooMuch += slack > GapOf(proof) + kRounding;

@@ -27,7 +27,7 @@ double InertiaOf(b2Body *body) {
     body->ApplyAngularImpulse(1.0f, true);
     const float speed = body->GetAngularVelocity();
     body->SetAngularVelocity(0.0f);
-    return 1.0 / static_cast<double>(speed);
+    return 1.0 / double{speed};
 }
 
 struct Exact {
@@ -88,7 +88,7 @@ TEST_CASE("an inertia is the nearest that floats hold or one beside it, whatever
         OutlineShape outline;
         if (!MakeOutline(ring, &outline))
             continue;
-        const Exact exact = Weigh(ring, static_cast<double>(density));
+        const Exact exact = Weigh(ring, double{density});
         b2World world(b2Vec2(0.0f, 0.0f));
         b2Body *const body = AddBody(&world);
         const bmr_error error = outline.CreateFixtures(body, density);
@@ -186,7 +186,7 @@ TEST_CASE("a polygon of more than 8 vertices has the nearest inertia that floats
                             b2Vec2(800, -296), b2Vec2(8000, -2960)}) {
         CAPTURE(at.x);
         Ring ring;
-        for (const b2Vec2 &v : shapes::Circle(16, 0.3, static_cast<double>(at.x), static_cast<double>(at.y)))
+        for (const b2Vec2 &v : shapes::Circle(16, 0.3, double{at.x}, double{at.y}))
             ring.push_back(v);
         bmr::ConvexShape coin;
         REQUIRE(coin.Set(ring.data(), 16) == BMR_OK);
@@ -220,8 +220,8 @@ TEST_CASE("whatever is put on a body and taken off it, Box2D's inertia stays abo
         }
         if (Below(engine, 2) == 0) {
             bmr::ConvexShape coin;
-            const Ring ring = shapes::Circle(9 + Below(engine, 20), UniformF(engine, 0.5, 2.0),
-                                             static_cast<double>(at.x), static_cast<double>(at.y));
+            const Ring ring =
+                shapes::Circle(9 + Below(engine, 20), UniformF(engine, 0.5, 2.0), double{at.x}, double{at.y});
             if (coin.Set(ring.data(), static_cast<int32>(ring.size())) == BMR_OK)
                 body->CreateFixture(&coin, UniformF(engine, 0.1, 20.0));
         }

@@ -34,8 +34,7 @@ private:
 };
 
 double Cross(b2Vec2 a, b2Vec2 b) {
-    return static_cast<double>(a.x) * static_cast<double>(b.y) -
-           static_cast<double>(a.y) * static_cast<double>(b.x);
+    return double{a.x} * double{b.y} - double{a.y} * double{b.x};
 }
 
 /// Around the origin, through points of a grid: counter-clockwise, all its products exact.
@@ -70,9 +69,9 @@ bool Crossings(const Ring &ring, b2Vec2 p1, b2Vec2 p2, std::vector<std::pair<dou
     for (size_t i = 0; i < ring.size(); ++i) {
         const b2Vec2 a = ring[i], edge = Next(ring, i) - a;
         const double begin = Cross(way, a - p1), end = Cross(way, Next(ring, i) - p1);
-        if (std::fabs(begin) < 0.01 * static_cast<double>(way.Length()))
+        if (std::fabs(begin) < 0.01 * double{way.Length()})
             return false;
-        if (std::fabs(Cross(edge, p1 - a)) < 0.01 * static_cast<double>(edge.Length()))
+        if (std::fabs(Cross(edge, p1 - a)) < 0.01 * double{edge.Length()})
             return false;
         if ((begin > 0.0) == (end > 0.0))
             continue;

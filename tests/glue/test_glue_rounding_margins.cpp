@@ -58,7 +58,7 @@ struct Pair {
         for (const b2PolygonShape *shape : {&a, &b})
             for (int32 i = 0; i < shape->m_count; ++i)
                 most = std::max({most, std::fabs(shape->m_vertices[i].x), std::fabs(shape->m_vertices[i].y)});
-        return static_cast<double>(most);
+        return double{most};
     }
 };
 
@@ -168,7 +168,7 @@ int Points(const Pair &pair) {
 Look LookAtPoints(const Pair &pair) {
     if (Points(pair) == 0)
         return kNothing;
-    const double over = pair.Distance() - std::sqrt(2.0) * static_cast<double>(pair.RadiusSum());
+    const double over = pair.Distance() - std::sqrt(2.0) * double{pair.RadiusSum()};
     return {over, over / bmr::kRoundingMargin};
 }
 
@@ -186,7 +186,7 @@ bool PlaceDiagonally(Engine &engine, Pair *pair) {
         pair->angleB = UniformF(engine, -3.2, 3.2);
         const b2Vec2 mine = b2Mul(pair->At(true).q, pair->b.m_vertices[Below(engine, pair->b.m_count)]);
         pair->placeB = corner - mine;
-        if (Points(*pair) > 0 && pair->Distance() > static_cast<double>(pair->RadiusSum()))
+        if (Points(*pair) > 0 && pair->Distance() > double{pair->RadiusSum()})
             return true;
     }
     return false;
@@ -214,19 +214,16 @@ double Gjk(const Pair &pair) {
     cache.count = 0;
     b2DistanceOutput output;
     b2Distance(&output, &cache, &input);
-    return static_cast<double>(output.distance);
+    return double{output.distance};
 }
 
 /// What overlap.cpp leaves.
 double OverlapRounding(const Pair &pair) {
-    const auto coordinate = [](b2Vec2 p) {
-        return static_cast<double>(std::max(std::fabs(p.x), std::fabs(p.y)));
-    };
+    const auto coordinate = [](b2Vec2 p) { return double{std::max(std::fabs(p.x), std::fabs(p.y))}; };
     const double reach = 1.41422 * pair.Reach(),
                  x = std::max(coordinate(pair.placeA), coordinate(pair.placeB)) + reach;
-    return 2.0 * static_cast<double>(bmr::kUnit) *
-           (static_cast<double>(bmr::kErrorPerCoordinate) * x +
-            static_cast<double>(bmr::kErrorPerReach) * reach);
+    return 2.0 * double{bmr::kUnit} *
+           (double{bmr::kErrorPerCoordinate} * x + double{bmr::kErrorPerReach} * reach);
 }
 
 /// b2TestOverlap's distance against the true one. (Where they overlap by less than rounding it may be
@@ -280,12 +277,11 @@ bool Touches(const Pair &pair) {
 
 /// Where a sweep puts a point at a time, of the angle itself and not of a normalised one.
 shapes::Point Swept(const b2Sweep &sweep, b2Vec2 v, double t) {
-    const double angle = (1.0 - t) * static_cast<double>(sweep.a0) + t * static_cast<double>(sweep.a);
+    const double angle = (1.0 - t) * double{sweep.a0} + t * double{sweep.a};
     const double s = std::sin(angle), c = std::cos(angle);
-    const double x = static_cast<double>(v.x) - static_cast<double>(sweep.localCenter.x),
-                 y = static_cast<double>(v.y) - static_cast<double>(sweep.localCenter.y);
-    return {(1.0 - t) * static_cast<double>(sweep.c0.x) + t * static_cast<double>(sweep.c.x) + c * x - s * y,
-            (1.0 - t) * static_cast<double>(sweep.c0.y) + t * static_cast<double>(sweep.c.y) + s * x + c * y};
+    const double x = double{v.x} - double{sweep.localCenter.x}, y = double{v.y} - double{sweep.localCenter.y};
+    return {(1.0 - t) * double{sweep.c0.x} + t * double{sweep.c.x} + c * x - s * y,
+            (1.0 - t) * double{sweep.c0.y} + t * double{sweep.c.y} + s * x + c * y};
 }
 
 double SweptDistance(const Pair &pair, double t) {
@@ -328,11 +324,10 @@ double ImpactRounding(const Pair &pair) {
         const double far = 1.41422 * pair.Reach() * 2.0;
         const double x = std::max(
             {std::fabs(sweep->c.x), std::fabs(sweep->c.y), std::fabs(sweep->c0.x), std::fabs(sweep->c0.y)});
-        sum += static_cast<double>(bmr::kErrorPerCoordinate) * x +
-               static_cast<double>(bmr::kErrorPerReach) * far +
-               static_cast<double>(bmr::kErrorPerAngle) * std::fabs(static_cast<double>(sweep->a)) * far;
+        sum += double{bmr::kErrorPerCoordinate} * x + double{bmr::kErrorPerReach} * far +
+               double{bmr::kErrorPerAngle} * std::fabs(double{sweep->a}) * far;
     }
-    return sum * static_cast<double>(bmr::kUnit);
+    return sum * double{bmr::kUnit};
 }
 
 /// The margin itself, of the bodies in their reach.
@@ -340,7 +335,7 @@ double LeftForImpact(const Pair &pair) {
     const b2TOIInput in = Input(pair);
     const bmr::SweptShape a = bmr::Sweep(in.proxyA, in.sweepA, b2Rot(in.sweepA.a)),
                           b = bmr::Sweep(in.proxyB, in.sweepB, b2Rot(in.sweepB.a));
-    const double left = static_cast<double>(a.rounding) + static_cast<double>(b.rounding);
+    const double left = double{a.rounding} + double{b.rounding};
     return std::isfinite(left) ? left : ImpactRounding(pair);
 }
 
@@ -348,7 +343,7 @@ double LeftForImpact(const Pair &pair) {
 Look LookAtImpact(const Pair &pair) {
     if (!Touches(pair))
         return kNothing;
-    const double over = LeastSweptDistance(pair) - static_cast<double>(bmr::ImpactDistance(pair.RadiusSum()));
+    const double over = LeastSweptDistance(pair) - double{bmr::ImpactDistance(pair.RadiusSum())};
     return {over, over / LeftForImpact(pair)};
 }
 
@@ -455,10 +450,9 @@ TEST_CASE("rotations are off unit length by less than is allowed for") {
         const b2Rot q(angle);
         const double s = q.s, c = q.c;
         most = std::max(most, std::fabs(std::sqrt(s * s + c * c) - 1.0));
-        const double off =
-            std::hypot(s - std::sin(static_cast<double>(angle)), c - std::cos(static_cast<double>(angle)));
-        REQUIRE(off < 1.2 * static_cast<double>(bmr::kUnit));
+        const double off = std::hypot(s - std::sin(double{angle}), c - std::cos(double{angle}));
+        REQUIRE(off < 1.2 * double{bmr::kUnit});
     }
-    MESSAGE("units: ", most / static_cast<double>(bmr::kUnit));
-    CHECK(most < 1.2 * static_cast<double>(bmr::kUnit));
+    MESSAGE("units: ", most / double{bmr::kUnit});
+    CHECK(most < 1.2 * double{bmr::kUnit});
 }

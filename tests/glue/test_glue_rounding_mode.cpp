@@ -135,7 +135,7 @@ TEST_CASE("polygons of many vertices are the same in whatever mode they are made
             for (const float f :
                  {shape.GetVertex(i).x, shape.GetVertex(i).y, shape.GetNormal(i).x, shape.GetNormal(i).y}) {
                 char bits[32];
-                std::snprintf(bits, sizeof bits, " %a", static_cast<double>(f));
+                std::snprintf(bits, sizeof bits, " %a", double{f});
                 all += bits;
             }
         return all;

@@ -13,22 +13,18 @@
 #include "convex32_poses.h"
 #include "convex32_reference.h"
 #include "exact32/exact32.h"
+#include "shapes/shapes32.h"
 #include "start/rounding_probe.h"
 #include "test_scale.h"
 
 namespace {
 
 // A value of b2Manifold::Type that b2CollidePolygons never sets.
+using bmr::Polygon32;
+using bmr::Transform32;
+using namespace shapes;
+
 constexpr b2Manifold::Type kUntouched = b2Manifold::e_circles;
-
-bmr_polygon32 Polygon32(const b2PolygonShape &shape) {
-    return {reinterpret_cast<const bmr_vec32 *>(shape.m_vertices),
-            reinterpret_cast<const bmr_vec32 *>(shape.m_normals), shape.m_count};
-}
-
-bmr_transform32 Transform32(const b2Transform &xf) {
-    return {{xf.p.x, xf.p.y}, xf.q.s, xf.q.c};
-}
 
 /// Did b2CollidePolygons leave at one of its two separation tests? It sets the type right after them.
 bool LeavesEarly(b2PolygonShape a, const b2Transform &xfA, b2PolygonShape b, const b2Transform &xfB,
@@ -47,13 +43,13 @@ struct Pair {
 };
 
 /// Apart, touching or overlapping, anywhere in a level of a kilometre.
-Pair RandomPair(shapes::Engine &engine) {
+Pair RandomPair(Engine &engine) {
     Pair pair;
-    pair.a = shapes::RandomPolygon(engine, 60.0);
-    pair.b = shapes::RandomPolygon(engine, 60.0);
-    const double range = std::pow(10.0, shapes::Uniform(engine, -1.0, 3.0));
-    pair.xfA = shapes::RandomPose(engine, range);
-    pair.xfB = shapes::RandomPose(engine, std::pow(10.0, shapes::Uniform(engine, -2.0, 2.0)));
+    pair.a = RandomPolygon(engine, 60.0);
+    pair.b = RandomPolygon(engine, 60.0);
+    const double range = std::pow(10.0, Uniform(engine, -1.0, 3.0));
+    pair.xfA = RandomPose(engine, range);
+    pair.xfB = RandomPose(engine, std::pow(10.0, Uniform(engine, -2.0, 2.0)));
     pair.xfB.p += pair.xfA.p;
     return pair;
 }
@@ -63,8 +59,8 @@ using MaxSeparation = float (*)(const bmr_polygon32 *, const bmr_polygon32 *, co
 
 float LargestSeparation(const Pair &pair, MaxSeparation max) {
     const bmr_polygon32 a = Polygon32(pair.a), b = Polygon32(pair.b);
-    const bmr_transform32 ta = Transform32(pair.xfA), tb = Transform32(pair.xfB);
-    const bmr_transform32 aInB = bmr_exact32_relative(&tb, &ta), bInA = bmr_exact32_relative(&ta, &tb);
+    const bmr_transform32 *const ta = Transform32(pair.xfA), *const tb = Transform32(pair.xfB);
+    const bmr_transform32 aInB = bmr_exact32_relative(tb, ta), bInA = bmr_exact32_relative(ta, tb);
     int32_t edge = 0;
     const float ofA = max(&a, &b, &aInB, &edge);
     const float ofB = max(&b, &a, &bInA, &edge);
@@ -99,7 +95,7 @@ float ContractedMax(const bmr_polygon32 *reference, const bmr_polygon32 *other, 
 } // namespace
 
 TEST_CASE("largest separations have the bits of b2CollidePolygons' own") {
-    shapes::Engine engine(1);
+    Engine engine(1);
     const size_t count = test_scaled(100000);
     size_t apart = 0, differentSse = 0, differentScalar = 0, differentContracted = 0;
     for (size_t i = 0; i < count; ++i) {
@@ -119,21 +115,20 @@ TEST_CASE("largest separations have the bits of b2CollidePolygons' own") {
 }
 
 TEST_CASE("relative frames have the bits of b2MulT") {
-    shapes::Engine engine(2);
+    Engine engine(2);
     size_t different = 0;
     for (size_t i = 0; i < test_scaled(100000); ++i) {
-        const double range = std::pow(10.0, shapes::Uniform(engine, -3.0, 5.0));
-        const b2Transform a = shapes::RandomPose(engine, range), b = shapes::RandomPose(engine, range);
+        const double range = std::pow(10.0, Uniform(engine, -3.0, 5.0));
+        const b2Transform a = RandomPose(engine, range), b = RandomPose(engine, range);
         const b2Transform expected = b2MulT(a, b);
-        const bmr_transform32 ta = Transform32(a), tb = Transform32(b);
-        const bmr_transform32 frame = bmr_exact32_relative(&ta, &tb);
+        const bmr_transform32 frame = bmr_exact32_relative(Transform32(a), Transform32(b));
         different += std::memcmp(&frame, &expected, sizeof frame) != 0;
     }
     CHECK(different == 0);
 }
 
 TEST_CASE("an edge that separates by more than the radii means no points from Box2D") {
-    shapes::Engine engine(3);
+    Engine engine(3);
     size_t verdicts = 0, denied = 0, control = 0;
     for (size_t i = 0; i < test_scaled(100000); ++i) {
         Pair pair = RandomPair(engine);
@@ -148,9 +143,8 @@ TEST_CASE("an edge that separates by more than the radii means no points from Bo
         for (const bool ofB : {false, true}) {
             const bmr_polygon32 reference = Polygon32(ofB ? pair.b : pair.a),
                                 other = Polygon32(ofB ? pair.a : pair.b);
-            const bmr_transform32 from = Transform32(ofB ? pair.xfB : pair.xfA),
-                                  to = Transform32(ofB ? pair.xfA : pair.xfB);
-            const bmr_transform32 frame = bmr_exact32_relative(&to, &from);
+            const bmr_transform32 frame = bmr_exact32_relative(Transform32(ofB ? pair.xfA : pair.xfB),
+                                                               Transform32(ofB ? pair.xfB : pair.xfA));
             for (int32_t edge = 0; edge < reference.count; ++edge) {
                 const float s = bmr_exact32_edge_separation(&reference, edge, &other, &frame);
                 verdicts += s > sum;
@@ -166,7 +160,7 @@ TEST_CASE("an edge that separates by more than the radii means no points from Bo
 }
 
 TEST_CASE("the rounding probe says yes on this machine exactly where Box2D is built without contraction") {
-    shapes::Engine engine(4);
+    Engine engine(4);
     size_t different = 0;
     for (size_t i = 0; i < 1000; ++i) {
         const Pair pair = RandomPair(engine);
@@ -285,7 +279,7 @@ TEST_CASE("polygons of at most 8 vertices touch each other as in Box2D") {
         const Small a(d), b(d);
         const bmr_transform32 poseA = random_pose32(d, 10.0);
         const float skin = a.box2d.m_radius + b.box2d.m_radius;
-        const bmr_transform32 poseB = pose_against(d, &a.view, &poseA, &b.view, static_cast<double>(skin));
+        const bmr_transform32 poseB = pose_against(d, &a.view, &poseA, &b.view, double{skin});
         b2Manifold expected = Blank();
         b2CollidePolygons(&expected, &a.box2d, Transform(poseA), &b.box2d, Transform(poseB));
         bmr_manifold32 reference = {}, found = {};
@@ -310,7 +304,7 @@ TEST_CASE("polygons of at most 8 vertices touch circles as in Box2D") {
         const bmr_vec32 centre = {circle.m_p.x, circle.m_p.y};
         const bmr_convex32 point = {&centre, &centre, nullptr, 1, 0, {0.0f, 0.0f}, nullptr};
         const float skin = polygon.box2d.m_radius + circle.m_radius;
-        const bmr_transform32 at = pose_against(d, &polygon.view, &pose, &point, static_cast<double>(skin));
+        const bmr_transform32 at = pose_against(d, &polygon.view, &pose, &point, double{skin});
         b2Manifold expected = Blank();
         b2CollidePolygonAndCircle(&expected, &polygon.box2d, Transform(pose), &circle, Transform(at));
         bmr_manifold32 reference = {}, found = {};
@@ -345,7 +339,7 @@ TEST_CASE("polygons of at most 8 vertices touch edges as in Box2D") {
         const bmr_vec32 ends[2] = {same.first, same.second}, normals[2] = {{1.0f, 0.0f}, {-1.0f, 0.0f}};
         const bmr_convex32 segment = {ends, normals, nullptr, 2, 0, {0.0f, 0.0f}, nullptr};
         const float skin = polygon.box2d.m_radius + edge.m_radius;
-        const bmr_transform32 at = pose_against(d, &polygon.view, &pose, &segment, static_cast<double>(skin));
+        const bmr_transform32 at = pose_against(d, &polygon.view, &pose, &segment, double{skin});
         b2Manifold expected = Blank();
         b2CollideEdgeAndPolygon(&expected, &edge, Transform(at), &polygon.box2d, Transform(pose));
         bmr_manifold32 reference = {}, found = {};

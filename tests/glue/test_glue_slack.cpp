@@ -37,12 +37,12 @@ struct Tally {
     size_t asked = 0, positive = 0, tooLarge = 0, nearlyTooLarge = 0, unlike = 0;
 
     void Look(const b2Body *a, const b2Body *b) {
-        const double slack = static_cast<double>(bmr::CertifiedSlack(a, b)), distance = TrueDistance(a, b);
+        const double slack = double{bmr::CertifiedSlack(a, b)}, distance = TrueDistance(a, b);
         ++asked;
         positive += slack > 0.0;
         tooLarge += slack > distance;
         nearlyTooLarge += slack > 0.0 && slack + 3.0 * bmr::kRoundingMargin > distance;
-        unlike += slack != static_cast<double>(bmr::CertifiedSlack(b, a));
+        unlike += slack != double{bmr::CertifiedSlack(b, a)};
     }
 };
 
@@ -137,7 +137,7 @@ SAME_AS_STOCK("the certified slack is of the vertices as they are, whatever the 
         }
         if (!run.HasPlugin())
             continue;
-        const double slack = static_cast<double>(bmr::CertifiedSlack(a, b)), distance = TrueDistance(a, b);
+        const double slack = double{bmr::CertifiedSlack(a, b)}, distance = TrueDistance(a, b);
         ++asked;
         tooLarge += slack > distance;
         positive += kind == 0 && slack > 0.0;
@@ -188,7 +188,7 @@ SAME_AS_STOCK("the certified slack is never above the distance of the real polyg
         }
         for (int step = 0; step < 4; ++step) {
             game.world.Step(1.0f / 60.0f, 8, 3);
-            const auto slack = static_cast<double>(bmr::CertifiedSlack(bodies[0], bodies[1]));
+            const auto slack = double{bmr::CertifiedSlack(bodies[0], bodies[1])};
             positive += slack > 0.0;
             tooLarge += slack > DistanceOfReal(bodies[0], bodies[1], false);
             aboveUnlessOctagon += slack < DistanceOfReal(bodies[0], bodies[1], true) - 0.01;

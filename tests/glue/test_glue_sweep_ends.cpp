@@ -106,7 +106,7 @@ TEST_CASE("no point goes farther in a sweep than the row says") {
             for (int32 i = 0; i < one.shape->m_count; ++i) {
                 const b2Vec2 way =
                     b2Mul(xf, one.shape->m_vertices[i]) - b2Mul(before, one.shape->m_vertices[i]);
-                farthest = std::fmax(farthest, static_cast<double>(way.Length()));
+                farthest = std::fmax(farthest, double{way.Length()});
             }
         }
         CAPTURE(round);

@@ -111,8 +111,8 @@ Pair RandomPair(Engine &engine, const Setting &setting) {
         const double tilt =
             std::pow(10.0, Uniform(engine, -8.0, -2.0)) * (Below(engine, 2) == 0 ? 1.0 : -1.0);
         in.sweepB.a0 -= in.sweepB.a;
-        in.sweepB.a = static_cast<float>(static_cast<double>(angle) + 3.14159265358979 + tilt -
-                                         static_cast<double>(SideAngle(pair.b, Below(engine, pair.b.count))));
+        in.sweepB.a = static_cast<float>(double{angle} + 3.14159265358979 + tilt -
+                                         double{SideAngle(pair.b, Below(engine, pair.b.count))});
         in.sweepB.a0 += in.sweepB.a;
     }
     pair.away.Set(std::cos(angle), std::sin(angle));

@@ -285,16 +285,15 @@ double TiltError(double coordinate, double far) {
 /// What kErrorPer.. leave.
 double Left(const Moving &m, double angle, double share) {
     return share * kUnit *
-           (static_cast<double>(bmr::kErrorPerCoordinate) * m.Coordinate() +
-            static_cast<double>(bmr::kErrorPerReach) * m.Reach() +
-            static_cast<double>(bmr::kErrorPerAngle) * angle * m.radius);
+           (double{bmr::kErrorPerCoordinate} * m.Coordinate() + double{bmr::kErrorPerReach} * m.Reach() +
+            double{bmr::kErrorPerAngle} * angle * m.radius);
 }
 
 /// Is all of it within a share of what thresholds.h leaves?
 bool ImpactHolds(double share) {
     bool holds = true;
     for (const Moving &m : kRays)
-        for (const double angle : {0.0, static_cast<double>(bmr::kSweepAngle)})
+        for (const double angle : {0.0, double{bmr::kSweepAngle}})
             holds = holds && ImpactError(m, angle) <= Left(m, angle, share);
     return holds;
 }
@@ -313,7 +312,7 @@ TEST_CASE("an interval holds what it should, and a value's error what rounding d
     }
     const float x = 0.1f, y = 0.7f;
     const Value product = Value(Interval(0.1), 2e-9) * Value(Interval(0.7), 2e-8);
-    CHECK(std::fabs(static_cast<double>(x * y) - 0.07) <= product.error);
+    CHECK(std::fabs(double{x * y} - 0.07) <= product.error);
 }
 
 TEST_CASE("kRoundingMargin holds what clipping is off by, up to kReach") {
@@ -325,10 +324,9 @@ TEST_CASE("kRoundingMargin holds what clipping is off by, up to kReach") {
 }
 
 TEST_CASE("BandMargin holds what clipping and b2TestOverlap are off by, as far as each band reaches") {
-    constexpr double kBand0 = static_cast<double>(bmr::kBandReach),
-                     kFarthest = kBand0 / static_cast<double>(bmr::kBandReachOfExtent);
+    constexpr double kBand0 = double{bmr::kBandReach}, kFarthest = kBand0 / double{bmr::kBandReachOfExtent};
     // The ledger goes by the farthest vertex where the hulls go by the largest coordinate.
-    CHECK(static_cast<double>(bmr::kBandReachOfExtent) >= bmr::kReachOfExtent / kFarOfReach);
+    CHECK(double{bmr::kBandReachOfExtent} >= bmr::kReachOfExtent / kFarOfReach);
     for (int band = 0; band < bmr::kBands; ++band) {
         const double reach = std::ldexp(kBand0, band);
         // Corners of place + kBandReachOfExtent * far <= reach, far <= that of band 0.
@@ -386,27 +384,27 @@ TEST_CASE("kErrorPer.. leave what b2TimeOfImpact and the glue's own proof may be
         CAPTURE(m.centre);
         CAPTURE(m.origin);
         CAPTURE(m.radius);
-        for (const double angle : {0.0, static_cast<double>(bmr::kSweepAngle)}) {
+        for (const double angle : {0.0, double{bmr::kSweepAngle}}) {
             MESSAGE("off by units: ", ImpactError(m, angle) / kUnit, " of ", Left(m, angle, 1.0) / kUnit);
             CHECK(ImpactError(m, angle) <= Left(m, angle, 1.0));
         }
     }
     MESSAGE("per distance: ", DistanceError() / kUnit);
-    CHECK(DistanceError() <= kUnit * static_cast<double>(bmr::kErrorPerDistance));
+    CHECK(DistanceError() <= kUnit * double{bmr::kErrorPerDistance});
     CHECK(ImpactHolds(1.0));
     CHECK_FALSE(ImpactHolds(0.5)); // the control
-    CHECK(DistanceError() > 0.5 * kUnit * static_cast<double>(bmr::kErrorPerDistance));
+    CHECK(DistanceError() > 0.5 * kUnit * double{bmr::kErrorPerDistance});
 }
 
 TEST_CASE("kTiltPer.. leave what the direction of a side may be off by") {
     const double coordinate = TiltError(1.0, 0.0) / kUnit, reach = TiltError(0.0, 1.0) / kUnit;
     MESSAGE("units: ", coordinate, " and ", reach);
-    CHECK(coordinate <= static_cast<double>(bmr::kTiltPerCoordinate));
-    CHECK(reach <= static_cast<double>(bmr::kTiltPerReach));
-    CHECK(coordinate > 0.5 * static_cast<double>(bmr::kTiltPerCoordinate));
-    CHECK(reach > 0.5 * static_cast<double>(bmr::kTiltPerReach));
+    CHECK(coordinate <= double{bmr::kTiltPerCoordinate});
+    CHECK(reach <= double{bmr::kTiltPerReach});
+    CHECK(coordinate > 0.5 * double{bmr::kTiltPerCoordinate});
+    CHECK(reach > 0.5 * double{bmr::kTiltPerReach});
     // The difference of two points that are the distance apart is rounded once each.
-    CHECK(2.0 <= static_cast<double>(bmr::kTiltPerDistance));
+    CHECK(2.0 <= double{bmr::kTiltPerDistance});
 }
 
 TEST_CASE("the same leave what b2TestOverlap's distance may be off by") {

@@ -17,7 +17,7 @@ struct Pair {
     b2Transform xfA, xfB;
 
     shapes::Truth Truth() const { return shapes::Measure(a, xfA, b, xfB); }
-    double RadiusSum() const { return static_cast<double>(a.m_radius) + static_cast<double>(b.m_radius); }
+    double RadiusSum() const { return double{a.m_radius} + double{b.m_radius}; }
     int Points() const {
         b2Manifold manifold;
         b2CollidePolygons(&manifold, &a, xfA, &b, xfB);
@@ -61,8 +61,7 @@ bool PlaceOnLine(shapes::Engine &engine, Pair *pair, double wanted) {
     const double ux = std::cos(angle), uy = std::sin(angle);
     const shapes::Point a = shapes::Place(pair->xfA, Middle(pair->a)),
                         b = shapes::Place(pair->xfB, Middle(pair->b));
-    const shapes::Point from = {static_cast<double>(pair->xfB.p.x) + a.x - b.x,
-                                static_cast<double>(pair->xfB.p.y) + a.y - b.y};
+    const shapes::Point from = {double{pair->xfB.p.x} + a.x - b.x, double{pair->xfB.p.y} + a.y - b.y};
     const auto move = [&](double t) {
         pair->xfB.p.Set(static_cast<float>(from.x + t * ux), static_cast<float>(from.y + t * uy));
         return pair->Truth().distance;
@@ -90,16 +89,15 @@ bool PlaceCorners(shapes::Engine &engine, Pair *pair, double wanted) {
         if (tries % 2 == 0) {
             const b2Vec2 normal = b2Mul(pair->xfA.q, pair->a.m_normals[corner]);
             const double towards = shapes::Below(engine, 2) == 0 ? -1.0 : 1.0; // either end of its edge
-            angle = std::atan2(static_cast<double>(normal.y), static_cast<double>(normal.x)) +
-                    towards * 0.785398163397448 +
+            angle = std::atan2(double{normal.y}, double{normal.x}) + towards * 0.785398163397448 +
                     shapes::Uniform(engine, -1.0, 1.0) * std::pow(10.0, shapes::Uniform(engine, -6.0, -1.0));
         }
         const double d = wanted * (1.0 + std::pow(10.0, shapes::Uniform(engine, -9.0, -4.0)));
         const b2Vec2 &mine = pair->a.m_vertices[(corner + shapes::Below(engine, 2)) % pair->a.m_count],
                      &theirs = pair->b.m_vertices[shapes::Below(engine, pair->b.m_count)];
         const shapes::Point a = shapes::Place(pair->xfA, mine), b = shapes::Place(start, theirs);
-        pair->xfB.p.Set(static_cast<float>(static_cast<double>(start.p.x) + a.x - b.x + d * std::cos(angle)),
-                        static_cast<float>(static_cast<double>(start.p.y) + a.y - b.y + d * std::sin(angle)));
+        pair->xfB.p.Set(static_cast<float>(double{start.p.x} + a.x - b.x + d * std::cos(angle)),
+                        static_cast<float>(double{start.p.y} + a.y - b.y + d * std::sin(angle)));
         const shapes::Truth truth = pair->Truth();
         if (truth.cornersOnly && truth.distance > wanted)
             return true;
@@ -148,7 +146,7 @@ TEST_CASE("just beyond ContactMargin and within kReach Box2D gives no points") {
 
 TEST_CASE("nor farther out, beyond the margin of the band") {
     for (int band = 1; band < bmr::kBands; ++band) {
-        const double reach = std::ldexp(static_cast<double>(bmr::kBandReach), band);
+        const double reach = std::ldexp(double{bmr::kBandReach}, band);
         const Tally t = Try(test_scaled(30000), 0.5 * reach, reach - 200.0,
                             [band](double r) { return bmr::ContactMargin(r, bmr::BandMargin(band)); });
         CHECK(t.placed > test_scaled(30000) * 9 / 10);
@@ -172,7 +170,7 @@ TEST_CASE("control: a margin a tenth of the rounding margin inside the diagonal 
 TEST_CASE("the diagonal is reached: corner to corner, Box2D gives points nearly sqrt(2) radii away") {
     b2PolygonShape box;
     box.SetAsBox(0.5f, 0.5f);
-    const double sum = 2.0 * static_cast<double>(box.m_radius);
+    const double sum = 2.0 * double{box.m_radius};
     b2Transform xfA, xfB;
     xfA.SetIdentity();
     xfB.SetIdentity();
@@ -186,7 +184,7 @@ TEST_CASE("the diagonal is reached: corner to corner, Box2D gives points nearly 
 
 TEST_CASE("every threshold derives from Box2D's constants") {
     // Radii below a slop count as one.
-    CHECK(bmr::ContactMargin(0.0) == bmr::ContactMargin(static_cast<double>(b2_linearSlop)));
+    CHECK(bmr::ContactMargin(0.0) == bmr::ContactMargin(double{b2_linearSlop}));
     CHECK(bmr::ContactMargin(-1.0) == bmr::ContactMargin(0.0));
     CHECK(bmr::ContactMargin(std::nan("")) == bmr::ContactMargin(0.0)); // Box2D gives no points there
     const double polygons = 2.0 * b2_polygonRadius, exact = std::sqrt(2.0) * polygons + bmr::kRoundingMargin;

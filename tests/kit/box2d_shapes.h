@@ -80,7 +80,7 @@ struct Point {
 
 inline Point Place(const b2Transform &xf, const b2Vec2 &v) {
     const double s = xf.q.s, c = xf.q.c, x = v.x, y = v.y;
-    return {c * x - s * y + static_cast<double>(xf.p.x), s * x + c * y + static_cast<double>(xf.p.y)};
+    return {c * x - s * y + double{xf.p.x}, s * x + c * y + double{xf.p.y}};
 }
 
 inline double DistanceToSegment(Point p, Point a, Point b) {

@@ -91,8 +91,7 @@ struct Placed {
         }
     }
     Placed(const Polygon &polygon, const b2Transform &xf)
-        : Placed(polygon, static_cast<double>(xf.p.x), static_cast<double>(xf.p.y),
-                 static_cast<double>(xf.q.s), static_cast<double>(xf.q.c)) {}
+        : Placed(polygon, double{xf.p.x}, double{xf.p.y}, double{xf.q.s}, double{xf.q.c}) {}
 };
 
 /// Of two convex shapes, at least one of them with an inside: all sides against all vertices; 0 where they
@@ -102,10 +101,10 @@ inline double Distance(const Placed &a, const Placed &b) {
 }
 
 inline Placed At(const Polygon &polygon, const b2Sweep &sweep, double t) {
-    const double angle = (1.0 - t) * static_cast<double>(sweep.a0) + t * static_cast<double>(sweep.a);
+    const double angle = (1.0 - t) * double{sweep.a0} + t * double{sweep.a};
     const double s = std::sin(angle), c = std::cos(angle), lx = sweep.localCenter.x, ly = sweep.localCenter.y;
-    const double x = (1.0 - t) * static_cast<double>(sweep.c0.x) + t * static_cast<double>(sweep.c.x);
-    const double y = (1.0 - t) * static_cast<double>(sweep.c0.y) + t * static_cast<double>(sweep.c.y);
+    const double x = (1.0 - t) * double{sweep.c0.x} + t * double{sweep.c.x};
+    const double y = (1.0 - t) * double{sweep.c0.y} + t * double{sweep.c.y};
     return Placed(polygon, x - (c * lx - s * ly), y - (s * lx + c * ly), s, c);
 }
 

@@ -33,8 +33,8 @@ std::vector<b2Vec2> Circle(int count, float radius) {
     std::vector<b2Vec2> points;
     for (int i = 0; i < count; ++i) {
         const double angle = (i + 0.5) * 6.283185307179586 / count;
-        points.emplace_back(static_cast<float>(static_cast<double>(radius) * std::cos(angle)),
-                            static_cast<float>(static_cast<double>(radius) * std::sin(angle)));
+        points.emplace_back(static_cast<float>(double{radius} * std::cos(angle)),
+                            static_cast<float>(double{radius} * std::sin(angle)));
     }
     return points;
 }
@@ -110,7 +110,7 @@ TEST_CASE("b2Distance") {
         for (int k = 0; k < 4; ++k) { // warm from the second on, and moved
             b2Distance(&output, &cache, &input);
             const double truth = Distance(Placed(seenA, input.transformA), Placed(seenB, input.transformB));
-            CHECK(std::fabs(static_cast<double>(output.distance) - truth) <= 2e-5);
+            CHECK(std::fabs(double{output.distance} - truth) <= 2e-5);
             CHECK(std::fabs((output.pointA - output.pointB).Length() - output.distance) <= 2e-5f);
             REQUIRE(cache.count >= 1);
             REQUIRE(cache.count <= 3);
@@ -150,7 +150,7 @@ TEST_CASE("a cache that was never ours, with any numbers in it") {
     }
     b2DistanceOutput output;
     b2Distance(&output, &cache, &input);
-    CHECK(std::fabs(static_cast<double>(output.distance) - truth) <= 2e-5);
+    CHECK(std::fabs(double{output.distance} - truth) <= 2e-5);
 }
 
 TEST_CASE("b2ShapeCast and b2TimeOfImpact, outside of any step") {

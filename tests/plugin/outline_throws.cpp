@@ -261,7 +261,7 @@ private:
         }
         for (b2Body *body : m_bodies) {
             const float angle = UniformF(m_engine, 0.0, kTurn),
-                        r = UniformF(m_engine, 0.0, 0.68 * static_cast<double>(m_room.free)),
+                        r = UniformF(m_engine, 0.0, 0.68 * double{m_room.free}),
                         way = angle + UniformF(m_engine, -1.5, 1.5), speed = UniformF(m_engine, 20.0, 120.0);
             body->SetTransform(m_middle + r * b2Vec2(std::cos(angle), std::sin(angle)),
                                UniformF(m_engine, -3.2, 3.2));

@@ -10,6 +10,6 @@ int main() {
     const b2Shape shape;
     b2DistanceProxy proxy;
     proxy.Set(&shape, 1);
-    std::printf("time %g radius %g\n", static_cast<double>(world.time), static_cast<double>(proxy.radius));
+    std::printf("time %g radius %g\n", double{world.time}, double{proxy.radius});
     return world.time == 1.0f ? 0 : 1;
 }

@@ -37,7 +37,7 @@ struct Shape {
                    ? bmr_proxy32_polygon(block, radius)
                    : bmr_proxy32_points(vertices.data(), static_cast<uint32_t>(vertices.size()), radius);
     }
-    double Reach() const { return static_cast<double>(Proxy().reach); }
+    double Reach() const { return double{Proxy().reach}; }
 };
 
 /// Of a size from 1/16 to 64 about an origin not far away: what the bounds below are relative to.
@@ -153,9 +153,8 @@ void CheckManifold(const char *what, const bmr_manifold32 &expected, bmr_manifol
     }
     FUZZ_CHECK(reference_same_manifold(&expected, &got),
                "%s: %d points of type %d, expected %d of type %d; normals (%a, %a), (%a, %a)", what,
-               got.count, got.type, expected.count, expected.type, static_cast<double>(got.normal.x),
-               static_cast<double>(got.normal.y), static_cast<double>(expected.normal.x),
-               static_cast<double>(expected.normal.y));
+               got.count, got.type, expected.count, expected.type, double{got.normal.x}, double{got.normal.y},
+               double{expected.normal.x}, double{expected.normal.y});
 }
 
 void CheckCollide(const Pair &p, fuzz_bytes *bytes) {
@@ -219,8 +218,7 @@ void CheckSeparation(const Pair &p, fuzz_bytes *bytes) {
     if (fuzz_control("separation"))
         got = std::nextafter(got, INFINITY);
     FUZZ_CHECK(got == expected && edge == first && vertex < p.b.Polygon()->count,
-               "separation %a of edge %u, expected %a of %u", static_cast<double>(got), edge,
-               static_cast<double>(expected), first);
+               "separation %a of edge %u, expected %a of %u", double{got}, edge, double{expected}, first);
 }
 
 void CheckApart(const Pair &p, fuzz_bytes *bytes) {
@@ -230,8 +228,8 @@ void CheckApart(const Pair &p, fuzz_bytes *bytes) {
     bool apart = false;
     for (int i = 0; i < 3; ++i)
         apart = bmr_convex32_apart(p.a.Polygon(), &p.poseA, p.b.Polygon(), &p.poseB, reach, &memory) || apart;
-    FUZZ_CHECK(!(apart || fuzz_control("apart")) || truth > static_cast<double>(reach),
-               "said to be farther apart than %g, at %g", static_cast<double>(reach), truth);
+    FUZZ_CHECK(!(apart || fuzz_control("apart")) || truth > double{reach},
+               "said to be farther apart than %g, at %g", double{reach}, truth);
 }
 
 void CheckDistance(const Pair &p, fuzz_bytes *bytes) {
@@ -242,10 +240,10 @@ void CheckDistance(const Pair &p, fuzz_bytes *bytes) {
     const double truth = Distance(Placed(p.a.vertices, p.poseA), Placed(p.b.vertices, p.poseB));
     const bmr_distance32 found = bmr_convex32_distance(&a, &p.poseA, &b, &p.poseB, &closest);
     const double scale = std::max(truth, std::max(p.a.Reach(), p.b.Reach()));
-    const double said = static_cast<double>(found.distance) + (fuzz_control("distance") ? 1e-3 * scale : 0.0);
+    const double said = double{found.distance} + (fuzz_control("distance") ? 1e-3 * scale : 0.0);
     FUZZ_CHECK(std::fabs(said - truth) <= 1e-6 * scale, "distance %g, really %g", said, truth);
-    const double dx = static_cast<double>(found.point_b.x) - static_cast<double>(found.point_a.x);
-    const double dy = static_cast<double>(found.point_b.y) - static_cast<double>(found.point_a.y);
+    const double dx = double{found.point_b.x} - double{found.point_a.x};
+    const double dy = double{found.point_b.y} - double{found.point_a.y};
     FUZZ_CHECK(std::fabs(std::hypot(dx, dy) - said) <= 1e-6 * (scale + p.size + 20.0),
                "points %g apart, distance %g", std::hypot(dx, dy), said);
     FUZZ_CHECK(found.count >= 1 && found.count <= 3, "a simplex of %d", found.count);
@@ -265,9 +263,9 @@ struct Way {
 
     Way(const Pair &pair, bmr_vec32 way, double length)
         : p(pair), translation(way), still(Placed(pair.a.vertices, pair.poseA)) {
-        const double slop = static_cast<double>(kSlop);
-        const double skinB = std::max(static_cast<double>(p.b.radius), 2.0 * slop);
-        skinA = std::max(static_cast<double>(p.a.radius), 2.0 * slop);
+        const double slop = double{kSlop};
+        const double skinB = std::max(double{p.b.radius}, 2.0 * slop);
+        skinA = std::max(double{p.a.radius}, 2.0 * slop);
         sigma = std::max(2.0 * slop, skinA + skinB - 2.0 * slop);
         tolerance = 0.5 * slop;
         slack = 1e-5 * (10.0 + length + p.size);
@@ -305,8 +303,8 @@ bool Way::FirstTwoWithin(double most) const {
 void CheckHit(const Way &way, const bmr_cast32 &cast, double lambda) {
     const double there = way.At(lambda);
     FUZZ_CHECK(there <= way.sigma + way.tolerance + way.slack, "a hit at %g, %g apart", lambda, there);
-    const double nx = static_cast<double>(fuzz_control("cast-normal") ? -cast.normal.x : cast.normal.x);
-    const double ny = static_cast<double>(cast.normal.y);
+    const double nx = double{fuzz_control("cast-normal") ? -cast.normal.x : cast.normal.x};
+    const double ny = double{cast.normal.y};
     const double along = static_cast<double>(distance::SeparationAlong(way.still, way.Moved(lambda), nx, ny));
     FUZZ_CHECK(std::fabs(std::hypot(nx, ny) - 1.0) <= 1e-6 && std::fabs(along - there) <= way.slack,
                "a normal of length %g along which they are %g apart, really %g", std::hypot(nx, ny), along,
@@ -341,7 +339,7 @@ void CheckCast(const Pair &p, fuzz_bytes *bytes) {
         cast = {{0.0f, 0.0f}, {0.0f, 0.0f}, 1.0f, 0};
     }
     const Way way(p, translation, length);
-    const double lambda = static_cast<double>(cast.lambda) + (fuzz_control("cast") && hit ? 0.3 : 0.0);
+    const double lambda = double{cast.lambda} + (fuzz_control("cast") && hit ? 0.3 : 0.0);
     if (hit)
         CheckHit(way, cast, lambda);
     else if (!CheckMiss(way, cast))
@@ -385,10 +383,8 @@ void CheckImpact(const Pair &p, fuzz_bytes *bytes) {
         direction = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
     float time = -1.0f;
     const bmr_impact32 state = bmr_convex32_impact(&a, &sweepA, &b, &sweepB, most, kSlop, &direction, &time);
-    const double t =
-        static_cast<double>(time) + (fuzz_control("impact") && state == BMR_IMPACT_TOUCHING ? 0.2 : 0.0);
-    const double target =
-        std::max(static_cast<double>(kSlop), static_cast<double>(p.a.radius + p.b.radius - 3.0f * kSlop));
+    const double t = double{time} + (fuzz_control("impact") && state == BMR_IMPACT_TOUCHING ? 0.2 : 0.0);
+    const double target = std::max(double{kSlop}, double{p.a.radius + p.b.radius - 3.0f * kSlop});
     const double slack = 4e-6 * (range + 2.0);
     const auto gap = [&](double at) { return Distance(At(p.a, sweepA, at), At(p.b, sweepB, at)); };
     const double there = gap(t);
@@ -398,8 +394,7 @@ void CheckImpact(const Pair &p, fuzz_bytes *bytes) {
                "overlapping at %g, %g apart", t, there);
     FUZZ_CHECK(state != BMR_IMPACT_SEPARATED || time == most, "separated until %g", t);
     if (state == BMR_IMPACT_TOUCHING)
-        FUZZ_CHECK(there <= target + 0.25 * static_cast<double>(kSlop) + slack &&
-                       (t == 0.0 || there >= target - slack),
+        FUZZ_CHECK(there <= target + 0.25 * double{kSlop} + slack && (t == 0.0 || there >= target - slack),
                    "touching at %g, %g apart, target %g", t, there, target);
     for (int i = 0; i <= kSamples && t > 0.0; ++i)
         FUZZ_CHECK(
@@ -467,15 +462,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         p.poseA = how % 2 == 0 ? PoseOf(0.0, 0.0, 0.0) : ReadPose(&bytes, 20.0);
         if (p.b.block != nullptr && how % 4 < 2) { // against each other, or nearly
             dice d = {1u + fuzz_u16(&bytes)};
-            p.poseB = pose_against(&d, p.a.Polygon(), &p.poseA, p.b.Polygon(),
-                                   static_cast<double>(p.a.radius + p.b.radius));
+            p.poseB =
+                pose_against(&d, p.a.Polygon(), &p.poseA, p.b.Polygon(), double{p.a.radius + p.b.radius});
         } else {
             p.poseB = ReadPose(&bytes, range);
             p.poseB.p.x += p.poseA.p.x;
             p.poseB.p.y += p.poseA.p.y;
         }
-        p.size =
-            range + std::fabs(static_cast<double>(p.poseA.p.x)) + std::fabs(static_cast<double>(p.poseA.p.y));
+        p.size = range + std::fabs(double{p.poseA.p.x}) + std::fabs(double{p.poseA.p.y});
         Ask(p, &bytes);
     }
     return 0;

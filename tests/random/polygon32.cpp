@@ -22,7 +22,7 @@ constexpr long double kThin = 1e-6L;
 using Points = std::vector<bmr_vec32>;
 
 bmr_vec2 Wide(bmr_vec32 v) {
-    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+    return {double{v.x}, double{v.y}};
 }
 
 std::vector<bmr_vec2> Wide(const Points &points) {
@@ -37,7 +37,7 @@ bool Same(bmr_vec32 a, bmr_vec32 b) {
 }
 
 float Narrow(double value) {
-    if (std::isfinite(value) && std::fabs(value) > static_cast<double>(FLT_MAX))
+    if (std::isfinite(value) && std::fabs(value) > double{FLT_MAX})
         return value > 0.0 ? FLT_MAX : -FLT_MAX;
     return static_cast<float>(value);
 }
@@ -56,7 +56,7 @@ Box BoxOf(const Points &points) {
     Box box;
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (const bmr_vec32 v : points) {
-        const double p[2] = {static_cast<double>(v.x), static_cast<double>(v.y)};
+        const double p[2] = {double{v.x}, double{v.y}};
         for (int i = 0; i < 2; ++i) {
             box.finite = box.finite && std::isfinite(p[i]);
             box.inRange = box.inRange && std::fabs(p[i]) <= BMR_MAX_COORDINATE;
@@ -136,16 +136,15 @@ void CheckPolygon(const bmr_convex32_block *block) {
         FUZZ_CHECK(std::fabs(m.x * length - ey) <= 1e-7 * length &&
                        std::fabs(m.y * length + ex) <= 1e-7 * length,
                    "normal %u is none of its edge", i);
-        FUZZ_CHECK(v.x * v.x + v.y * v.y <=
-                       static_cast<double>(block->reach) * static_cast<double>(block->reach),
+        FUZZ_CHECK(v.x * v.x + v.y * v.y <= double{block->reach} * double{block->reach},
                    "vertex %u is out of reach", i);
     }
     const loop_mass mass = loop_measure(p);
     const long double size = block->reach, slack = fuzz_control("mass") ? -1.0L : 1e-7L;
     FUZZ_CHECK(std::fabs(block->mass.area - mass.area) <= slack * mass.area + FLT_MIN, "area %g, really %Lg",
-               static_cast<double>(block->mass.area), mass.area);
+               double{block->mass.area}, mass.area);
     FUZZ_CHECK(std::fabs(block->mass.inertia - mass.inertia) <= slack * mass.inertia + FLT_MIN,
-               "inertia %g, really %Lg", static_cast<double>(block->mass.inertia), mass.inertia);
+               "inertia %g, really %Lg", double{block->mass.inertia}, mass.inertia);
     FUZZ_CHECK(std::fabs(block->mass.centroid.x - mass.x) <= 1e-7L * size + FLT_MIN &&
                    std::fabs(block->mass.centroid.y - mass.y) <= 1e-7L * size + FLT_MIN,
                "the centroid is off");
@@ -157,8 +156,7 @@ void CheckHull(const Points &points, const bmr_convex32 *p) {
     for (uint32_t i = 0; i < p->count; ++i) {
         const bmr_vec32 v = p->vertices[i];
         FUZZ_CHECK(std::any_of(points.begin(), points.end(), [v](bmr_vec32 q) { return Same(q, v); }),
-                   "vertex (%a, %a) is none of the points", static_cast<double>(v.x),
-                   static_cast<double>(v.y));
+                   "vertex (%a, %a) is none of the points", double{v.x}, double{v.y});
         FUZZ_CHECK(i == 0 || v.x < p->vertices[0].x || (v.x == p->vertices[0].x && v.y > p->vertices[0].y),
                    "the first vertex is not the rightmost");
     }
@@ -222,8 +220,7 @@ void CheckSupport(const bmr_convex32 *p, fuzz_bytes *bytes) {
             FUZZ_CHECK(i == 0, "no direction: vertex %u", i);
         else if (std::isfinite(most))
             FUZZ_CHECK(p->vertices[i].x * d.x + p->vertices[i].y * d.y == most,
-                       "support in (%a, %a): vertex %u", static_cast<double>(d.x), static_cast<double>(d.y),
-                       i);
+                       "support in (%a, %a): vertex %u", double{d.x}, double{d.y}, i);
     }
 }
 
@@ -235,15 +232,14 @@ bmr_vec32 ReadPoint(const bmr_convex32 *p, fuzz_bytes *bytes) {
     const bmr_vec32 a = p->vertices[fuzz_u8(bytes) % p->count];
     const bmr_vec32 b = how % 4 == 1 ? p->vertices[fuzz_u8(bytes) % p->count] : p->vertices[0];
     const double t = how % 4 == 3 ? fuzz_in(bytes, -4.0, 5.0) : fuzz_in(bytes, 0.0, 1.0);
-    return {static_cast<float>(a.x + t * (static_cast<double>(b.x) - a.x)),
-            static_cast<float>(a.y + t * (static_cast<double>(b.y) - a.y))};
+    return {static_cast<float>(a.x + t * (double{b.x} - a.x)),
+            static_cast<float>(a.y + t * (double{b.y} - a.y))};
 }
 
 void CheckContains(const bmr_convex32 *p, fuzz_bytes *bytes) {
     const bmr_vec32 q = ReadPoint(p, bytes);
     const bool holds = bmr_convex32_contains(p, q) != fuzz_control("contains");
-    FUZZ_CHECK(holds == loop_contains(p, q), "(%a, %a): held %d", static_cast<double>(q.x),
-               static_cast<double>(q.y), holds);
+    FUZZ_CHECK(holds == loop_contains(p, q), "(%a, %a): held %d", double{q.x}, double{q.y}, holds);
 }
 
 void CheckRay(const bmr_convex32 *p, fuzz_bytes *bytes) {
@@ -253,18 +249,15 @@ void CheckRay(const bmr_convex32 *p, fuzz_bytes *bytes) {
     uint32_t edgeExpected = UINT32_MAX, edge = UINT32_MAX;
     const bool hit = loop_ray(p, p1, p2, most, UINT32_MAX, &expected, &edgeExpected);
     const bool ours = bmr_convex32_ray(p, p1, p2, most, &fraction, &edge) != fuzz_control("ray");
-    FUZZ_CHECK(ours == hit, "ray (%a, %a) to (%a, %a), %a: hit %d", static_cast<double>(p1.x),
-               static_cast<double>(p1.y), static_cast<double>(p2.x), static_cast<double>(p2.y),
-               static_cast<double>(most), ours);
+    FUZZ_CHECK(ours == hit, "ray (%a, %a) to (%a, %a), %a: hit %d", double{p1.x}, double{p1.y}, double{p2.x},
+               double{p2.y}, double{most}, ours);
     if (!hit)
         FUZZ_CHECK(fraction == -1.0f && edge == UINT32_MAX, "a miss wrote its outputs");
     else
-        FUZZ_CHECK((fraction == expected || (std::isnan(fraction) && std::isnan(expected))) &&
-                       edge == edgeExpected,
-                   "ray (%a, %a) to (%a, %a), %a: %a of edge %u, expected %a of %u",
-                   static_cast<double>(p1.x), static_cast<double>(p1.y), static_cast<double>(p2.x),
-                   static_cast<double>(p2.y), static_cast<double>(most), static_cast<double>(fraction), edge,
-                   static_cast<double>(expected), edgeExpected);
+        FUZZ_CHECK(
+            (fraction == expected || (std::isnan(fraction) && std::isnan(expected))) && edge == edgeExpected,
+            "ray (%a, %a) to (%a, %a), %a: %a of edge %u, expected %a of %u", double{p1.x}, double{p1.y},
+            double{p2.x}, double{p2.y}, double{most}, double{fraction}, edge, double{expected}, edgeExpected);
 }
 
 void CheckBox(const bmr_convex32 *p, fuzz_bytes *bytes) {
@@ -298,16 +291,16 @@ void CheckFewer(const bmr_convex32_block *block, fuzz_bytes *bytes) {
     const bmr_error error = bmr_convex32_simplify(p, tolerance, nullptr, points.data(), &count);
     if (std::isnan(tolerance) || tolerance < 0.0f) {
         FUZZ_CHECK(error == (std::isnan(tolerance) ? BMR_ERROR_NOT_FINITE : BMR_ERROR_NEGATIVE) && count == 0,
-                   "simplify by %g: error %d", static_cast<double>(tolerance), error);
+                   "simplify by %g: error %d", double{tolerance}, error);
         return;
     }
     FUZZ_CHECK(error == BMR_OK && count >= 3 && count <= p->count, "simplify by %g: error %d, %zu vertices",
-               static_cast<double>(tolerance), error, count);
-    const double allowed = fuzz_control("simplify") ? -1.0 : static_cast<double>(tolerance) * (1.0 + 1e-9);
+               double{tolerance}, error, count);
+    const double allowed = fuzz_control("simplify") ? -1.0 : double{tolerance} * (1.0 + 1e-9);
     for (uint32_t i = 0; i < p->count; ++i) {
         const double far = loop_distance(points.data(), count, p->vertices[i]);
-        FUZZ_CHECK(far <= allowed + 1e-15 * static_cast<double>(block->reach),
-                   "vertex %u is %g away, allowed %g", i, far, allowed);
+        FUZZ_CHECK(far <= allowed + 1e-15 * double{block->reach}, "vertex %u is %g away, allowed %g", i, far,
+                   allowed);
     }
 }
 

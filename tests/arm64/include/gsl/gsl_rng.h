@@ -24,7 +24,7 @@ inline void gsl_rng_set(gsl_rng *rng, unsigned long seed) {
     rng->generator.seed(seed);
 }
 inline double gsl_rng_uniform(gsl_rng *rng) {
-    return static_cast<double>(rng->generator() >> 11) * 0x1p-53;
+    return double{rng->generator() >> 11} * 0x1p-53;
 }
 inline unsigned long gsl_rng_uniform_int(gsl_rng *rng, unsigned long count) {
     return rng->generator() % count;
