@@ -123,7 +123,7 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
                      m_jointCount,
                      false,
                      false};
-    m_mayReorder = m_mayReorder && (m_listener == nullptr || IsWhole(island));
+    m_mayReorder = m_mayReorder && (m_listener == nullptr || (RoundsToNearest() && IsWhole(island)));
     m_solver.Begin(m_step, m_contacts.Data(), Data());
     m_solver.Read(island);
     m_jointSolver.Begin(m_joints.Data(), Data());

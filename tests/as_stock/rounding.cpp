@@ -65,6 +65,24 @@ TEST_CASE("listening: a listener changes how it is rounded, and that stays") {
     PlayAll(When::kListening);
 }
 
+// Rows of boxes that are too near each other, and turn.
+TEST_CASE("between islands: PostSolve changes how a thread is rounded, and that stays") {
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+        AsStock(
+            [mode](Run &run) {
+                Game game(run);
+                for (int i = 0; i < 60; ++i)
+                    game.Awake({0.93f * Real(i % 20), 4.0f * Real(i / 20)})->SetAngularVelocity(Real(i));
+                game.Listen();
+                game.listener.postSolve = [mode] { std::fesetround(mode); };
+                for (int step = 0; step < 4; ++step) {
+                    game.Step();
+                    std::fesetround(FE_TONEAREST);
+                }
+            },
+            false);
+}
+
 // Nothing moves bodies without mass, whose impulses would be divided by zero.
 AS_STOCK("trapped: a program sets traps, and bodies without mass are deep in each other") {
     feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
