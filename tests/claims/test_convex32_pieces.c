@@ -2,7 +2,6 @@
 // Pieces of outlines: what they know of their seams, and where they leave contacts to their neighbours.
 #include "checks.h"
 #include "convex32/convex32_pieces.h"
-#include "failing_allocator.h"
 
 static const float skins = 0.02f, tolerance = 0.0005f;
 static const bmr_transform32 here = {{0.0f, 0.0f}, 0.0f, 1.0f};
@@ -129,7 +128,7 @@ TEST(what_is_no_piece_is_an_error) {
     const bmr_piece_corner32 line[] = {corner(0.0f, 0.0f, false, 0.0f, 0.0f),
                                        corner(1.0f, 0.0f, false, 0.0f, 0.0f),
                                        corner(2.0f, 0.0f, true, 0.0f, 0.0f)};
-    bmr_piece_corner32 odd[3], *const none = NULL;
+    bmr_piece_corner32 odd[3];
     memcpy(odd, line, sizeof odd);
     odd[1].vertex.y = NAN;
     assert_int_equal(bmr_convex32_create_piece(line, 3, NULL, &block), BMR_ERROR_TOO_FEW_POINTS);
@@ -137,26 +136,8 @@ TEST(what_is_no_piece_is_an_error) {
     assert_int_equal(bmr_convex32_create_piece(odd, 3, NULL, &block), BMR_ERROR_NOT_FINITE);
     odd[1].vertex.y = 1e10f;
     assert_int_equal(bmr_convex32_create_piece(odd, 3, NULL, &block), BMR_ERROR_OUT_OF_RANGE);
-    assert_int_equal(bmr_convex32_create_piece(none, 3, NULL, &block), BMR_ERROR_NULL_ARGUMENT);
-    assert_int_equal(bmr_convex32_create_piece(line, 3, NULL, NULL), BMR_ERROR_NULL_ARGUMENT);
     assert_int_equal(bmr_convex32_create_piece(line, 70000, NULL, &block), BMR_ERROR_TOO_MANY_POINTS);
     assert_ptr_equal(block, before);
-}
-
-TEST(without_memory_nothing_is_made) {
-    const bmr_piece_corner32 corners[] = {corner(0.0f, 0.0f, true, 0.0f, 0.0f),
-                                          corner(1.0f, 0.0f, false, 0.0f, -1.0f),
-                                          corner(0.0f, 1.0f, true, -1.0f, 0.0f)};
-    for (size_t fail_at = 0; fail_at < 3; ++fail_at) {
-        test_heap heap;
-        test_heap_init(&heap, fail_at);
-        bmr_convex32_block *block = NULL;
-        const bmr_error error = bmr_convex32_create_piece(corners, 3, &heap.allocator, &block);
-        assert_int_equal(error, fail_at < 2 ? BMR_ERROR_NO_MEMORY : BMR_OK);
-        bmr_convex32_destroy(block, &heap.allocator);
-        assert_int_equal(heap.blocks, 0);
-        assert_int_equal(heap.wrong_sizes, 0);
-    }
 }
 
 TEST(a_polygon_is_pushed_by_faces_alone) {

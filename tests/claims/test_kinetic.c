@@ -137,26 +137,6 @@ TEST(extreme_coefficients_neither_hang_nor_overflow) {
     assert_true(first_root(at_zero, 3, 0.0, 0.0) == 0.0);
 }
 
-TEST(bad_arguments_are_refused_and_the_root_untouched) {
-    double c[BMR_POLYNOMIAL_MAX_DEGREE + 2] = {1.0, 1.0}, root = 42.0;
-    assert_int_equal(bmr_polynomial_first_root(NULL, 1, 0.0, 1.0, &root), BMR_ERROR_NULL_ARGUMENT);
-    assert_int_equal(bmr_polynomial_first_root(c, 1, 0.0, 1.0, NULL), BMR_ERROR_NULL_ARGUMENT);
-    assert_int_equal(bmr_polynomial_first_root(c, BMR_POLYNOMIAL_MAX_DEGREE + 1, 0.0, 1.0, &root),
-                     BMR_ERROR_OUT_OF_RANGE);
-    assert_int_equal(bmr_polynomial_first_root(c, 1, 1.0, 0.0, &root), BMR_ERROR_OUT_OF_RANGE);
-    assert_int_equal(bmr_polynomial_first_root(c, 1, (double)NAN, 1.0, &root), BMR_ERROR_NOT_FINITE);
-    assert_int_equal(bmr_polynomial_first_root(c, 1, 0.0, (double)INFINITY, &root), BMR_ERROR_NOT_FINITE);
-    c[1] = (double)NAN;
-    assert_int_equal(bmr_polynomial_first_root(c, 1, 0.0, 1.0, &root), BMR_ERROR_NOT_FINITE);
-    c[1] = -(double)INFINITY;
-    assert_int_equal(bmr_polynomial_first_root(c, 1, 0.0, 1.0, &root), BMR_ERROR_NOT_FINITE);
-    assert_true(root == 42.0);
-    // The control: the same call with a good coefficient writes it.
-    c[1] = -2.0;
-    assert_int_equal(bmr_polynomial_first_root(c, 1, 0.0, 1.0, &root), BMR_OK);
-    assert_true(root == 0.5);
-}
-
 /// The reference: the first change of sign over a fine grid, by no other means than evaluating. INFINITY if
 /// none.
 static double first_sign_change(const double *c, size_t degree, double from, double to, size_t cells) {

@@ -163,11 +163,6 @@ TEST(what_makes_no_sense_is_refused) {
     double distance, time;
     assert_int_equal(bmr_least_distance(p, p, motion, NULL, 0.0, 1.0, 1e-3, &distance, &time),
                      BMR_ERROR_NULL_ARGUMENT);
-    assert_int_equal(bmr_adversary_create(BMR_ADVERSARY_COUNT, 8, 0.1, NULL, NULL), BMR_ERROR_NULL_ARGUMENT);
-    bmr_clear clear;
-    assert_int_equal(bmr_clear_decomposition(NULL, 2.0, 0.0, &clear), BMR_ERROR_NULL_ARGUMENT);
-    assert_int_equal(bmr_fit_growth(NULL, NULL, 0, NULL), BMR_ERROR_NULL_ARGUMENT);
-    assert_int_equal(bmr_simulation_replan(NULL, 0), BMR_ERROR_NULL_ARGUMENT);
 
     bmr_simulation_def def = bmr_default_simulation_def();
     def.structure = test_structure("lazy-dudley");

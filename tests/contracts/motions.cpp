@@ -124,8 +124,8 @@ std::string FirstRoot(const Given &g) {
     }
     const size_t degree = g[0] == 1e308 ? 3 : g.Count(1);
     double root = -77.0;
-    const bmr_error error =
-        bmr_polynomial_first_root(coefficients.data(), degree, g[2], g[0] == 1e308 ? 1e9 : g[3], &root);
+    const bmr_error error = bmr_polynomial_first_root(g.Or(4, coefficients.data()), degree, g[2],
+                                                      g[0] == 1e308 ? 1e9 : g[3], g.Or(5, &root));
     return error != BMR_OK ? Said(error, root != -77.0) : Said(root);
 }
 
@@ -156,7 +156,9 @@ const Table kTimes("boomerang/failure.h", [] {
             {{"coefficient", 2, kFinite + Says("infinite", {{"1e308, others 1e-308", 1e308}})},
              {"degree", 1, Says("OUT_OF_RANGE", {49, kSizeMax})},
              {"from", 0, kFinite + Says("OUT_OF_RANGE", {2})},
-             {"to", 1, kFinite}},
+             {"to", 1, kFinite},
+             {"coefficients", kNotNull},
+             {"result", kNotNull}},
             FirstRoot);
     Answers("bmr_failure_time", "a time",
             {{"after", 0, kFinite + Says("OUT_OF_RANGE", {101})},

@@ -280,25 +280,15 @@ TEST_CASE("a shape whose vertices are changed in place is what they say") {
     CHECK(bmr::registry::Count() == polygons - 1); // what was changed was kept until then
 }
 
+// What is no polygon at all: tests/contracts/shapes.cpp.
 TEST_CASE("errors say what is wrong and leave the shape as it was") {
     ConvexShape big, small;
     REQUIRE(big.SetRegular(100, 1.0f) == BMR_OK);
     small.SetAsBox(1.0f, 2.0f);
     big.m_radius = small.m_radius = 0.125f;
     const b2Vec2 *const vertices = big.GetVertices();
-    Points line, flat, clockwise = Circle(20, 1.0), dented = Circle(20, 1.0), tiny = Circle(20, 1e-4);
-    std::reverse(clockwise.begin(), clockwise.end());
-    dented[3] = 0.5f * dented[3];
-    for (int i = 0; i < 20; ++i) {
-        line.emplace_back(static_cast<float>(i), static_cast<float>(2 * i));
-        flat.emplace_back(static_cast<float>(i % 3), 0.0f);
-    }
-    Points notANumber = Circle(20, 1.0), infinite = notANumber, far = notANumber;
-    notANumber[7].y = kNaN;
-    infinite[7].x = -kInfinity;
+    Points tiny = Circle(20, 1e-4), far = Circle(20, 1.0);
     far[7].x = 2e9f;
-    const Points same(20, b2Vec2(1.0f, 1.0f)), two(2, b2Vec2(0.0f, 0.0f));
-    const Points smallNaN = {{0, 0}, {1, 0}, {0, kNaN}}, smallLine = {{0, 0}, {1, 1}, {2, 2}};
     const Points smallSame = {{0, 0}, {0, 0}, {1, 1}, {0, 1}}, huge = {{0, 0}, {1e30f, 0}, {0, 1e30f}};
     const Points tinyTriangle = {{0, 0}, {3e-3f, 0}, {0, 3e-3f}}, thin = {{0, 0}, {1, 0}, {0.5f, 1e-8f}};
     const Points over = {{0, 0}, {1, 0}, {2, 0}, {0, 1}};
@@ -308,22 +298,12 @@ TEST_CASE("errors say what is wrong and leave the shape as it was") {
             const Points &points;
             bmr_error set, raw;
         } cases[] = {
-            {two, BMR_ERROR_TOO_FEW_POINTS, BMR_ERROR_TOO_FEW_POINTS},
-            {line, BMR_ERROR_TOO_FEW_POINTS, BMR_ERROR_NOT_CONVEX},
-            {flat, BMR_ERROR_TOO_FEW_POINTS, BMR_ERROR_NOT_CONVEX},
-            {same, BMR_ERROR_TOO_FEW_POINTS, BMR_ERROR_OUT_OF_RANGE},
-            {notANumber, BMR_ERROR_NOT_FINITE, BMR_ERROR_NOT_FINITE},
-            {infinite, BMR_ERROR_NOT_FINITE, BMR_ERROR_NOT_FINITE},
             {far, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_OUT_OF_RANGE},
             {tiny, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_OUT_OF_RANGE},
-            {smallNaN, BMR_ERROR_NOT_FINITE, BMR_ERROR_NOT_FINITE},
-            {smallLine, BMR_ERROR_TOO_FEW_POINTS, BMR_ERROR_TOO_FEW_POINTS},
             {smallSame, BMR_OK, BMR_ERROR_TOO_CLOSE},
             {huge, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_OUT_OF_RANGE},
             {tinyTriangle, BMR_OK, BMR_OK},
             {thin, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_OUT_OF_RANGE},
-            {clockwise, BMR_OK, BMR_ERROR_NOT_CONVEX},
-            {dented, BMR_OK, BMR_ERROR_NOT_CONVEX},
             {over, BMR_OK, BMR_ERROR_NOT_CONVEX},
         };
         for (const auto &c : cases) {
@@ -341,22 +321,11 @@ TEST_CASE("errors say what is wrong and leave the shape as it was") {
                 CHECK(SameBits(copy, before));
             CHECK(copy.m_radius == 0.125f);
         }
-        CHECK(shape->Set(nullptr, 20) == BMR_ERROR_NULL_ARGUMENT);
-        CHECK(shape->SetRaw(nullptr, 20) == BMR_ERROR_NULL_ARGUMENT);
-        CHECK(shape->Set(line.data(), -1) == BMR_ERROR_TOO_FEW_POINTS);
-        CHECK(shape->SetRegular(2, 1.0f) == BMR_ERROR_TOO_FEW_POINTS);
-        CHECK(shape->SetRegular(65536, 1.0f) == BMR_ERROR_TOO_MANY_POINTS);
-        CHECK(shape->SetRegular(20, 0.0f) == BMR_ERROR_OUT_OF_RANGE);
-        CHECK(shape->SetRegular(20, kNaN) == BMR_ERROR_NOT_FINITE);
         CHECK(shape->SetEllipse(20, 1.0f, -1.0f) == BMR_ERROR_OUT_OF_RANGE);
         CHECK(shape->SetRounded(1.0f, 1.0f, 1.5f, 8) == BMR_ERROR_CORNER_TOO_LARGE);
-        CHECK(shape->SetRounded(1.0f, 1.0f, 0.5f, 1) == BMR_ERROR_TOO_FEW_POINTS);
-        CHECK(shape->SetRounded(1.0f, 1.0f, 0.5f, 20000) == BMR_ERROR_TOO_MANY_POINTS);
-        CHECK(shape->Simplify(-1.0f) == BMR_ERROR_NEGATIVE);
         CHECK(SameBits(*shape, before));
     }
     CHECK(big.GetVertices() == vertices);
-    CHECK(ConvexShape().Simplify(1.0f) == BMR_ERROR_TOO_FEW_POINTS);
 }
 
 TEST_CASE("above 8 vertices every question is answered from the real polygon, as a loop over it would") {
