@@ -93,7 +93,7 @@ private:
 /// them.
 void CollidePass::BeforeGame() {
     if (!ListenersAreModest())
-        m_ledger->Owed().EnableDownTo(m_at + 1);
+        m_ledger->Owed().Pause(m_at + 1);
 }
 
 /// The game was called: what was read before may have changed. (A step that a listener makes unlocks the
@@ -110,6 +110,8 @@ void CollidePass::AfterGame() {
     m_ledger->Distrust(locked);
     if (stepped)
         m_ledger->Owed().Begin(m_at); // and this pass goes on
+    else if (!ListenersAreModest())
+        m_ledger->Owed().GoOn(m_at + 1);
     m_passNumber = m_ledger->PassNumber();
 }
 

@@ -48,6 +48,7 @@ public:
     /// A step of the world went by without a pass: every pair is due in the next one. If that was inside a
     /// step that has one, it is not known which pairs touch in the rest of it.
     void Interrupt() {
+        m_owed.Begin(0);
         m_interrupted = true;
         m_step = 0;
         ++m_passNumber;

@@ -25,6 +25,14 @@ public:
         m_below = below;
         m_looked.ClearAll();
     }
+    /// Code of the game runs within the loop, which has come down to `down`, and may ask for other code of
+    /// the game: none but the contacts from there on were passed.
+    void Pause(uint32_t down) {
+        EnableDownTo(down);
+        m_below = 0;
+    }
+    /// The loop goes on.
+    void GoOn(uint32_t below) { m_below = below; }
     /// The contact is looked at: from here on its flags are right.
     void NoteLookedAt(uint32_t i) { m_looked.Set(i); }
     /// From the newest that is still owed it down to `down`.
