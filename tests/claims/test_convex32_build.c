@@ -13,49 +13,6 @@
 
 #define PI 3.14159265358979323846
 
-TEST(hulls_pass_the_audit_and_hold_every_point) {
-    test_random random = {1};
-    for (size_t k = 0; k < test_scaled(600); ++k) {
-        const size_t n = random_count(&random);
-        bmr_vec32 *points = malloc((n + 12) * sizeof *points);
-        assert_non_null(points);
-        const size_t count = random_points(&random, n, points);
-        own_convex32 *block = NULL;
-        if (bmr_convex32_create(points, count, NULL, &block) == BMR_OK) {
-            const bmr_convex32 *p = &block->polygon;
-            assert_int_equal(bmr_convex32_audit(p), BMR_OK);
-            assert_true(bmr_convex32_bytes(p->count) <= 40 * (size_t)p->count || p->count < 5);
-            for (uint32_t i = 1; i < p->count; ++i)
-                assert_true(p->vertices[i].x < p->vertices[0].x ||
-                            (p->vertices[i].x == p->vertices[0].x && p->vertices[i].y > p->vertices[0].y));
-            // What was dropped turned by less than 2e-7: that far outside, of the polygon's size, at most.
-            for (size_t i = 0; i < count; ++i) {
-                const bmr_vec32 q = points[i];
-                double out = -INFINITY;
-                for (uint32_t j = 0; j < p->count; j += 1 + p->count / 256) {
-                    const bmr_vec32 m = p->normals[j], v = p->vertices[j];
-                    out = fmax(out, (double)m.x * ((double)q.x - (double)v.x) +
-                                        (double)m.y * ((double)q.y - (double)v.y));
-                }
-                assert_true(out <= 1e-6 * (double)block->reach);
-                assert_true(hypot((double)q.x, (double)q.y) <= (double)block->reach * (1.0 + 1e-6));
-            }
-            // Raw, from any vertex on, it stays what it is.
-            const uint32_t first = test_random_below(&random, p->count);
-            bmr_vec32 *turned = malloc(p->count * sizeof *turned);
-            assert_non_null(turned);
-            for (uint32_t i = 0; i < p->count; ++i)
-                turned[i] = p->vertices[(first + i) % p->count];
-            own_convex32 *raw = NULL;
-            assert_int_equal(bmr_convex32_create_raw(turned, p->count, NULL, &raw), BMR_OK);
-            assert_memory_equal(raw->polygon.vertices, turned, p->count * sizeof *turned);
-            assert_int_equal(bmr_convex32_audit(&raw->polygon), BMR_OK);
-            free(turned);
-        }
-        free(points);
-    }
-}
-
 TEST(all_vertices_of_circles_are_kept) {
     for (uint32_t n = 3; n <= 4096; n = n < 64 ? n + 1 : 2 * n) {
         bmr_vec32 *points = malloc(n * sizeof *points);
@@ -238,31 +195,6 @@ TEST(a_block_has_the_bytes_announced) {
         bmr_convex32_create(block->polygon.vertices, block->polygon.count, &heap.allocator, &made), BMR_OK);
     assert_int_equal(heap.bytes, bmr_convex32_bytes(block->polygon.count));
     bmr_convex32_destroy(made, &heap.allocator);
-}
-
-TEST(masses_are_those_of_the_sum_over_triangles) {
-    test_random random = {9};
-    size_t control = 0;
-    for (size_t k = 0; k < test_scaled(1000); ++k) {
-        own_convex32 *block = random_polygon(&random, random_count(&random));
-        const bmr_convex32 *p = &block->polygon;
-        float float_area = 0.0f;
-        for (uint32_t i = 0; i < p->count; ++i) {
-            const bmr_vec32 v = p->vertices[i], w = p->vertices[convex32_next(p, i)];
-            float_area += 0.5f * (v.x * w.y - v.y * w.x);
-        }
-        const loop_mass truth = loop_measure(p);
-        const bmr_mass32 mass = block->mass;
-        assert_true(fabsl((long double)mass.area - truth.area) <= 1e-7L * truth.area);
-        assert_true(fabsl((long double)mass.inertia - truth.inertia) <= 1e-7L * truth.inertia);
-        const long double size = (long double)block->reach;
-        assert_true(fabsl((long double)mass.centroid.x - truth.x) <= 1e-7L * size);
-        assert_true(fabsl((long double)mass.centroid.y - truth.y) <= 1e-7L * size);
-        control += fabsl((long double)float_area - truth.area) > 1e-7L * truth.area;
-        for (uint32_t i = 0; i < p->count; ++i)
-            assert_true(hypot((double)p->vertices[i].x, (double)p->vertices[i].y) <= (double)block->reach);
-    }
-    assert_true(control > 0);
 }
 
 /// Of a needle whose short side is level, the area is known: half of base times height, both differences of

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The geometry of inflated hierarchies (section 6) against brute force.
+// The geometry of inflated hierarchies (section 6). Entries and widest edges:
+// tests/random/fuzz_hierarchy.cpp.
 #include "boomerang/inflated.h"
 #include "checks.h"
 #include "compass_fixture.h"
 #include "geometry/distance.h"
 #include "test_scale.h"
-
-static const size_t sizes[] = {3, 4, 7, 16, 64};
 
 /// The edges of an envelope in order.
 static uint32_t envelope(const bmr_hierarchy *h, uint32_t level, bmr_edge *edges) {
@@ -17,87 +16,6 @@ static uint32_t envelope(const bmr_hierarchy *h, uint32_t level, bmr_edge *edges
         edge = bmr_hierarchy_corner_after(h, edge, level).after;
     } while (edge != 0);
     return count;
-}
-
-/// A point at about the distance `gap` from the polygon, and the direction of its closest point.
-static bmr_vec2 point_near(const bmr_polygon *p, double gap, test_random *random, bmr_vec2 *u) {
-    const double angle = test_random_uniform(random, 0.0, 6.3);
-    *u = bmr_vec2_make(cos(angle), sin(angle));
-    return bmr_add(p->vertices[bmr_polygon_support(p, *u)], bmr_scale(gap, *u));
-}
-
-/// Brute force: the most slack of all edges of a level.
-static double most_slack(const bmr_hierarchy *h, uint32_t level, bmr_vec2 x, bmr_edge *best) {
-    bmr_edge edges[400];
-    const uint32_t count = envelope(h, level, edges);
-    double most = -INFINITY;
-    for (uint32_t i = 0; i < count; ++i)
-        if (bmr_edge_slack(h, edges[i], x) > most) {
-            most = bmr_edge_slack(h, edges[i], x);
-            *best = edges[i];
-        }
-    return most;
-}
-
-typedef struct counts {
-    size_t positive, wrong_corner, entries;
-} counts;
-
-static void look(const bmr_hierarchy *h, test_family family, test_random *random, void *context) {
-    (void)family;
-    counts *seen = context;
-    const bmr_polygon *p = bmr_hierarchy_polygon(h);
-    const double size = p->extent + 1.0;
-    for (int round = 0; round < 20; ++round) {
-        bmr_vec2 u;
-        const double gap = size * exp(test_random_uniform(random, -9.0, 0.5));
-        const bmr_vec2 x = point_near(p, gap, random, &u);
-        for (uint32_t level = 0; level <= bmr_hierarchy_depth(h); ++level) {
-            bmr_edge best = 0;
-            const double most = most_slack(h, level, x, &best);
-            double slack, other;
-            bmr_corner_widest_edge(h, bmr_hierarchy_extreme(h, u, level), x, &slack);
-            // The control: the corner in another direction does not do.
-            bmr_corner_widest_edge(h, bmr_hierarchy_extreme(h, bmr_left(u), level), x, &other);
-            if (most > 1e-12 * size) {
-                ++seen->positive;
-                assert_true(fabs(slack - most) <= 1e-12 * size);
-                seen->wrong_corner += fabs(other - most) > 1e-9 * size;
-            }
-            // A line from x through a point of the polygon.
-            const double offset = size * exp(test_random_uniform(random, -12.0, 0.0));
-            const bmr_vec2 aim = p->vertices[test_random_below(random, p->count)];
-            const bmr_vec2 d = bmr_sub(aim, x);
-            const bmr_entry entry = bmr_inflated_entry(h, level, offset, x, d);
-            bmr_edge edges[400];
-            const uint32_t count = envelope(h, level, edges);
-            double last = -INFINITY;
-            bool outside = false;
-            for (uint32_t i = 0; i < count; ++i) {
-                const bmr_line line = bmr_hierarchy_line(h, edges[i]);
-                const double rate = bmr_dot(line.normal, d);
-                const double above = bmr_dot(line.normal, x) - line.offset - offset;
-                outside = outside || above > 1e-12 * size;
-                if (rate < 0.0)
-                    last = fmax(last, -above / rate);
-            }
-            ++seen->entries;
-            assert_true(fabs(entry.parameter - last) <= 1e-9 * (1.0 + fabs(last)));
-            if (outside) { // the edge of the entry has x beyond it by the offset: a certificate
-                assert_true(entry.parameter > 0.0);
-                assert_true(bmr_edge_slack(h, entry.edge, x) >= offset - 1e-11 * size);
-            }
-            assert_true(entry.steps <= level);
-        }
-    }
-}
-
-TEST(the_widest_edge_and_the_entry_are_those_of_brute_force) {
-    counts seen = {0, 0, 0};
-    assert_true(test_visit_hierarchies(compass, sizes, sizeof sizes / sizeof *sizes, test_scaled(2), 11, look,
-                                       &seen));
-    assert_true(seen.positive > 1000 && seen.entries > 1000);
-    assert_true(seen.wrong_corner > seen.positive / 4);
 }
 
 TEST(inflated_corners_lie_on_both_lines) {

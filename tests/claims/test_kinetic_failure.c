@@ -273,39 +273,6 @@ TEST(a_condition_and_its_opposite_take_turns) {
     assert_true(chains > rounds * 20 && links > chains);
 }
 
-TEST(both_methods_find_the_same_root) {
-    test_random random = {77};
-    const size_t rounds = test_scaled(600);
-    size_t failing = 0, touches = 0;
-    double worst = 0.0;
-    for (size_t round = 0; round < rounds; round++)
-        for (int a = 0; a <= GLIDE; a++)
-            for (int b = 0; b <= GLIDE; b++)
-                for (int k = 0; k < BMR_CONDITION_KIND_COUNT; k++) {
-                    trial r = make_trial(&random, (motion_kind)a, (motion_kind)b, k);
-                    if (starts_positive(&r, BEGIN)) {
-                        const double s = failure(&r, BEGIN, BMR_ROOT_BERNSTEIN, 1e-12);
-                        const double t = failure(&r, BEGIN, BMR_ROOT_GSL, 1e-12);
-                        const double first = fmin(s, t);
-                        if (!isinf(first) && fabs(s - t) > 1e-9) {
-                            // Only a touch may be found by one and not by the other.
-                            long double size;
-                            const long double least = oracle_least(&r.moving, (long double)first - 1e-5L,
-                                                                   (long double)first + 1e-5L);
-                            oracle_value(&r.moving, first, &size);
-                            assert_true(fabsl(least) < ORACLE_SLACK * size);
-                            touches++;
-                        } else if (!isinf(first)) {
-                            worst = fmax(worst, fabs(s - t));
-                            failing++;
-                        }
-                    }
-                    drop_trial(&r);
-                }
-    printf("%zu equal roots, %zu touches, largest difference %g\n", failing, touches, worst);
-    assert_true(failing > rounds * 5 && touches * 1000 < failing + 1000);
-}
-
 /// Degree 8 everywhere: conditions of degree 24 to 48.
 TEST(the_highest_degrees_are_judged_too) {
     test_random random = {88};

@@ -5,69 +5,8 @@
 #include "test_scale.h"
 
 /// @file
-/// The mixed hierarchy against brute force over all tiles: their area, the one that holds a point, and what
-/// lies across each side. What section 4 says of their number: test_claims_mixed.c.
-
-// --- the tiling ---
-
-/// The area of A (+) (-B) by mixed volumes: those of both, and a strip for each edge of A as wide as -B
-/// reaches.
-static double sum_area(const bmr_vec2 *a, size_t n, const bmr_vec2 *b, size_t m) {
-    double area = test_area(a, n) + test_area(b, m);
-    for (size_t i = 0; i < n; ++i) {
-        const bmr_vec2 e = bmr_sub(a[(i + 1) % n], a[i]);
-        area += test_farthest(b, (uint32_t)m, bmr_vec2_make(e.y, -e.x));
-    }
-    return area;
-}
-
-enum { MOST = 4200 };
-
-/// The area of the sum of envelope `level` of both, computed from corner points that are turned here.
-static double envelope_area(const scene *s, uint32_t level) {
-    static bmr_vec2 points[2][MOST];
-    size_t count[2] = {0, 0};
-    for (int i = 0; i < 2; ++i) {
-        bmr_edge edge = 0;
-        do {
-            const bmr_corner corner = bmr_hierarchy_corner_after(s->hierarchies[i], edge, level);
-            points[i][count[i]++] = bmr_hierarchy_corner_point(s->hierarchies[i], corner);
-            edge = corner.after;
-        } while (edge != 0 && count[i] < MOST);
-    }
-    test_move_points(points[1], count[1], s->angle + 0.5 * TWO_PI, 0.0, 0.0);
-    return sum_area(points[0], count[0], points[1], count[1]);
-}
-
-/// How far the tiles' area is from that of M_0 without the sum, in squares of the polygons' size; one tile
-/// may be left out.
-static double area_error(const scene *s, uint32_t left_out) {
-    double tiles = 0.0;
-    for (uint32_t i = 0; i < bmr_mixed_tiling_count(s->tiling); ++i) {
-        bmr_vec2 corners[BMR_MIXED_MAX_SIDES];
-        const size_t count = bmr_mixed_polygon(&s->mixed, bmr_mixed_tiling_cell(s->tiling, i), corners);
-        const double area = test_area(corners, count);
-        assert_true(area > -1e-13 * size_of(s) * size_of(s));
-        tiles += i == left_out ? 0.0 : area;
-    }
-    const double outer = envelope_area(s, 0), inner = envelope_area(s, 64);
-    return fabs(tiles - (outer - inner)) / (size_of(s) * size_of(s));
-}
-
-TEST(the_tiles_have_the_area_of_the_outside) {
-    test_random random = {401};
-    size_t caught = 0, tried = 0;
-    for (size_t round = 0; round < test_scaled(300); ++round) {
-        const size_t n = 3 + test_random_below(&random, 40), m = 3 + test_random_below(&random, 40);
-        own_scene s = random_scene(kinds[round % 2], n, m, &random);
-        assert_true(area_error(&s, BMR_MIXED_NO_TILE) <= 1e-12);
-        if (bmr_mixed_tiling_count(s.tiling) > 0) { // control: a tile is missing
-            caught += area_error(&s, test_random_below(&random, bmr_mixed_tiling_count(s.tiling))) > 1e-12;
-            ++tried;
-        }
-    }
-    assert_true(caught > tried / 2);
-}
+/// The mixed hierarchy against brute force over all tiles: the one that holds a point, and what lies across
+/// each side. Their area: tests/random/mixed.cpp. What section 4 says of their number: test_claims_mixed.c.
 
 /// Brute force: in how many tiles is x, the last one, and how far is x from the border of any.
 typedef struct cover {

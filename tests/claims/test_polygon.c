@@ -73,24 +73,6 @@ TEST(hull_keeps_a_vertex_that_sticks_out_by_one_ulp_and_drops_one_that_does_not)
     }
 }
 
-TEST(hull_does_not_depend_on_the_order_of_the_points) {
-    test_random random = {11};
-    for (int family = 0; family < TEST_FAMILY_COUNT; ++family) {
-        bmr_vec2 points[112];
-        const size_t count = test_points((test_family)family, 100, &random, points);
-        own_polygon *first = hull_of(points, count);
-        for (size_t i = count; i-- > 1;) {
-            const size_t j = test_random_below(&random, (uint32_t)i + 1);
-            const bmr_vec2 swapped = points[i];
-            points[i] = points[j];
-            points[j] = swapped;
-        }
-        own_polygon *second = hull_of(points, count);
-        assert_int_equal(first->count, second->count);
-        assert_memory_equal(first->vertices, second->vertices, first->count * sizeof(bmr_vec2));
-    }
-}
-
 // --- errors ---
 
 typedef bmr_error (*create_function)(const bmr_vec2 *, size_t, const bmr_allocator *, bmr_polygon **);

@@ -224,10 +224,12 @@ void CheckInflated(const bmr_hierarchy *h, fuzz_bytes *bytes) {
         const double there = above - offset + entry.parameter * rate;
         FUZZ_CHECK(rate >= 0.0 || there <= rounding * (1.0 + std::fabs(entry.parameter)),
                    "level %u: at the entry still %g beyond edge %u", level, there, id);
-        found =
-            found || (id == entry.edge && std::fabs(there) <= rounding * (1.0 + std::fabs(entry.parameter)));
+        found = found || (id == entry.edge && rate < 0.0 &&
+                          std::fabs(there) <= rounding * (1.0 + std::fabs(entry.parameter)));
     }
     FUZZ_CHECK(found, "level %u: the entry is not on its edge %u", level, entry.edge);
+    FUZZ_CHECK(most <= offset + rounding || entry.parameter > 0.0, "level %u: entered before the point",
+               level);
     if (outside && most > 1e-9 * size) {
         bmr_corner_widest_edge(h, bmr_hierarchy_extreme(h, away, level), x, &widest);
         if (fuzz_control("widest"))
