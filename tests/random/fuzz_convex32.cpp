@@ -383,6 +383,11 @@ void CheckImpact(const Pair &p, fuzz_bytes *bytes) {
         direction = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
     float time = -1.0f;
     const bmr_impact32 state = bmr_convex32_impact(&a, &sweepA, &b, &sweepB, most, kSlop, &direction, &time);
+    bmr_vec32 other = {direction.y, -direction.x}; // what is remembered, good or not, changes nothing
+    float again = -1.0f;
+    const bmr_impact32 same = bmr_convex32_impact(&a, &sweepA, &b, &sweepB, most, kSlop, &other, &again);
+    FUZZ_CHECK(same == state && again == time, "state %d at %g, from another direction %d at %g", state,
+               double{time}, same, double{again});
     const double t = double{time} + (fuzz_control("impact") && state == BMR_IMPACT_TOUCHING ? 0.2 : 0.0);
     const double target = std::max(double{kSlop}, double{p.a.radius + p.b.radius - 3.0f * kSlop});
     const double slack = 4e-6 * (range + 2.0);
