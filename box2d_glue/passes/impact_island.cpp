@@ -257,6 +257,7 @@ void ImpactPass::Rebuild() {
         marks.asked.Clear(i);
         if (m_ledger->Contact(i) == nullptr)
             continue;
+        EnableIfOwed(i); // the game may have disabled it since the step stopped
         if (marks.known.Has(i))
             Queue(i);
         else

@@ -199,6 +199,30 @@ TEST_CASE("halved: a listener has the step end with the first impact; between st
     });
 }
 
+// Box2D's loop over contacts enables it, ahead of the search that goes on.
+TEST_CASE("pausing: between two sub-steps a game disables a contact whose impact is found") {
+    AsStock([](Run &run) {
+        Game game(run);
+        std::vector<b2Body *> shots;
+        for (int i = 0; i < 24; ++i) {
+            game.Wall({0.0f, 4.0f * Real(i)}, {0.2f, 1.0f});
+            shots.push_back(game.Awake({-0.7f - 0.03f * Real(i), 4.0f * Real(i)}, {0.3f, 0.3f}));
+            game.Near({40.0f, 4.0f * Real(i)});
+        }
+        game.Step(2);
+        game.world.SetSubStepping(true);
+        for (b2Body *shot : shots)
+            shot->SetLinearVelocity({120.0f, 0.0f});
+        game.Step();
+        for (b2Body *shot : shots) // so that it is worth while to prove them apart
+            shot->SetLinearVelocity({0.1f, 0.0f});
+        game.Step(6);
+        for (b2ContactEdge *edge = shots[8]->GetContactList(); edge != nullptr; edge = edge->next)
+            edge->contact->SetEnabled(false);
+        game.Step(20);
+    });
+}
+
 // A filter is asked about these.
 TEST_CASE("geared: gear joints are made whose definitions name bodies that the joints do not join") {
     AsStock([](Run &run) {
