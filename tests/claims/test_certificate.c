@@ -3,8 +3,11 @@
 #include "checks.h"
 #include "motions.h"
 #include "polygons.h"
-#include "scalar_check.h"
 #include "test_scale.h"
+
+/// bmr_certificate_check_pair as it is on machines without SSE2 (kit/scalar_check.c).
+bmr_check test_scalar_check_pair(const bmr_certificate *certificate, const bmr_pose *b_in_a, int owner,
+                                 double margin, double *gap);
 
 #define TWO_PI 6.283185307179586
 #define LEAST_ROUNDS 1500

@@ -7,9 +7,10 @@
 #include "boomerang/simulation.h"
 #include "cases.h"
 #include "kds_driver.h"
-#include "own_structure.h"
 #include "polygon_distance.h"
 #include "test_scale.h"
+
+extern "C" const bmr_kds_info *test_own_structure(void); // kit/own_structure.c
 
 namespace {
 

@@ -7,13 +7,12 @@
 #include "boomerang/contact_recorder.h"
 #include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
+#include "box2d_shapes.h"
 #include "cases.h"
 #include "failing_malloc.h"
 #include "forked_world.h"
-#include "idle_draw.h"
 #include "proofs/impact_scan.h"
 #include "small_world.h"
-#include "stderr_text.h"
 #include "test_scale.h"
 
 using bmr::ConvexShape;

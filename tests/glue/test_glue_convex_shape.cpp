@@ -11,7 +11,6 @@
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
 #include "cases.h"
-#include "idle_draw.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/convex_registry.h"
 

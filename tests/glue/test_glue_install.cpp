@@ -9,7 +9,6 @@
 #include "start/recognise.h"
 #include "start/settings.h"
 #include "start/this_process.h"
-#include "stderr_text.h"
 #include "trial_file.h"
 
 using forked::Run;

@@ -4,8 +4,8 @@
 #include <box2d/box2d.h>
 
 #include "boomerang/outline_shape.h"
+#include "box2d_shapes.h"
 #include "cases.h"
-#include "idle_draw.h"
 #include "shapes/outline_record.h"
 
 #include "failing_allocator.h"

@@ -5,7 +5,6 @@
 
 #include "cases.h"
 #include "forked_world.h"
-#include "stderr_text.h"
 #include "tell/verify.h"
 
 namespace {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <box2d/b2_collision.h>
+#include <box2d/b2_draw.h>
 #include <box2d/b2_polygon_shape.h>
 
 /// @file
@@ -129,5 +130,16 @@ inline Truth Measure(const b2PolygonShape &a, const b2Transform &xfA, const b2Po
 }
 
 } // namespace shapes
+
+/// A drawer that draws nothing: tests override what they look at.
+struct IdleDraw : b2Draw {
+    void DrawPolygon(const b2Vec2 *, int32, const b2Color &) override {}
+    void DrawSolidPolygon(const b2Vec2 *, int32, const b2Color &) override {}
+    void DrawCircle(const b2Vec2 &, float, const b2Color &) override {}
+    void DrawSolidCircle(const b2Vec2 &, float, const b2Vec2 &, const b2Color &) override {}
+    void DrawSegment(const b2Vec2 &, const b2Vec2 &, const b2Color &) override {}
+    void DrawTransform(const b2Transform &) override {}
+    void DrawPoint(const b2Vec2 &, float, const b2Color &) override {}
+};
 
 #endif

@@ -5,7 +5,7 @@
 int own_structure_main(void);
 #include "examples/own_structure.c"
 
-#include "own_structure.h"
+const bmr_kds_info *test_own_structure(void);
 
 const bmr_kds_info *test_own_structure(void) {
     return &own_structure;

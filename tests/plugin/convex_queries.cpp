@@ -7,7 +7,6 @@
 #include "boomerang/box2d.h"
 #include "cases.h"
 #include "convex_oracle.h"
-#include "idle_draw.h"
 
 using bmr::ConvexShape;
 using namespace oracle;
