@@ -29,6 +29,7 @@ struct IslandRoom {
         const b2Body *body;
         b2Body *other;
         uint32_t next;
+        int32 place; ///< of the body in its last island
     };
     Column<b2Body *> stack;    ///< bodies of an island that are to be taken
     Column<uint32_t> touching; ///< numbers of contacts

@@ -53,13 +53,14 @@ private:
     int m_exceptions = std::uncaught_exceptions();
 };
 
-/// The number of the body's first link, until the body is in an island. A number that an older step left
-/// names no link of this body. (Box2D's gear reads the member.)
+/// The number of the body's first link, with kLinked, until the body is in an island. Otherwise it is the
+/// place that the body had in its last island, which Box2D's gear reads.
 int32 &LinkOf(b2Body *body) {
     return body->*Named(IslandIndex());
 }
 
-constexpr int32 kSlept = INT32_MIN; ///< a bit of that: it slept when contacts were linked
+constexpr int32 kLinked = 1 << 30;  ///< a bit of that: it is a number of a link
+constexpr int32 kSlept = INT32_MIN; ///< another one: the body slept when contacts were linked
 
 } // namespace
 
@@ -115,17 +116,12 @@ void IslandPass::ClearFlags() {
     for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
         BodyInIsland::Clear(body);
-        const bool mayLink = m_mayLink && body->GetType() != b2_staticBody;
-        if (mayLink && !body->IsAwake())
+        LinkOf(body) &= ~(kSlept | kLinked); // Box2D sets no place when it makes a body
+        if (m_mayLink && body->GetType() != b2_staticBody && !body->IsAwake())
             LinkOf(body) |= kSlept;
-        else if (mayLink && body->IsEnabled()) // Box2D sets no place when it makes a body
-            LinkOf(body) = kNoLink;
-        else
-            LinkOf(body) &= ~kSlept; // an exception may leave it
     }
     for (uint32_t i = 0; m_awakeAlone && i < m_ledger->GetBodies().AwakeCount(); ++i)
-        if (b2Body *const body = m_ledger->GetBodies().Awake(i); body->IsEnabled())
-            LinkOf(body) = kNoLink;
+        LinkOf(m_ledger->GetBodies().Awake(i)) &= ~(kSlept | kLinked);
     if (m_ledger != nullptr) {
         m_ledger->TakeMarks();
         m_ledger->GetMarks().inIsland.ClearAll();
@@ -166,10 +162,11 @@ bool IslandPass::Link() {
 void IslandPass::LinkTo(b2Body *body, b2Contact *contact, b2Body *other) {
     if (body->GetType() == b2_staticBody || !body->IsAwake())
         return;
-    const auto head = static_cast<uint32_t>(LinkOf(body));
-    const bool isHead = head < m_linkCount && m_room.links[head].body == body;
-    m_room.links[m_linkCount] = {contact, body, other, isHead ? head : kNoLink};
-    LinkOf(body) = static_cast<int32>(m_linkCount++);
+    const int32 before = LinkOf(body);
+    const bool isHead = (before & kLinked) != 0;
+    const uint32_t head = isHead ? static_cast<uint32_t>(before & ~kLinked) : kNoLink;
+    m_room.links[m_linkCount] = {contact, body, other, head, isHead ? m_room.links[head].place : before};
+    LinkOf(body) = static_cast<int32>(m_linkCount++) | kLinked;
 }
 
 // Islands.
@@ -211,9 +208,8 @@ void IslandPass::Take(b2Body *body) {
     const bool wasAwake = body->IsAwake();
     if (!wasAwake)
         WakeInIsland(body);
-    const auto link = static_cast<uint32_t>(first);
     if (m_isLinked && wasAwake && (first & kSlept) == 0)
-        for (uint32_t at = link < m_linkCount && m_room.links[link].body == body ? link : kNoLink;
+        for (uint32_t at = (first & kLinked) != 0 ? static_cast<uint32_t>(first & ~kLinked) : kNoLink;
              at != kNoLink; at = m_room.links[at].next)
             Take(m_room.links[at].contact, m_room.links[at].other);
     else
@@ -296,11 +292,24 @@ void IslandPass::Synchronize() {
         m_ledger->GetBodies().SetAlone(m_awakeAlone ? CurrentStep() : 0);
     for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
-        LinkOf(body) &= ~kSlept;
+        if (body->GetType() != b2_staticBody)
+            PutPlaceBack(body);
         Follow(body);
     }
     for (uint32_t i = 0; m_awakeAlone && i < m_ledger->GetBodies().AwakeCount(); ++i)
         Follow(m_ledger->GetBodies().Awake(i));
+}
+
+/// Of a body that is in no island: it slept, or PostSolve put it to sleep ahead of its island.
+void IslandPass::PutPlaceBack(b2Body *body) {
+    int32 &place = LinkOf(body);
+    place &= ~kSlept;
+    if ((place & kLinked) == 0)
+        return;
+    place &= ~kLinked;
+    if (const auto link = static_cast<uint32_t>(place);
+        link < m_linkCount && m_room.links[link].body == body)
+        place = m_room.links[link].place;
 }
 
 void IslandPass::Follow(b2Body *body) {

@@ -42,6 +42,7 @@ private:
     void SolveIsland();
     void AfterGame();
     void Synchronize();
+    void PutPlaceBack(b2Body *body);
     void Follow(b2Body *body);
 
     b2World *m_world;
