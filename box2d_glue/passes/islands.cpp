@@ -307,8 +307,7 @@ void IslandPass::PutPlaceBack(b2Body *body) {
     if ((place & kLinked) == 0)
         return;
     place &= ~kLinked;
-    if (const auto link = static_cast<uint32_t>(place);
-        link < m_linkCount && m_room.links[link].body == body)
+    if (const auto link = static_cast<uint32_t>(place); link < m_linkCount && m_room.links[link].body == body)
         place = m_room.links[link].place;
 }
 

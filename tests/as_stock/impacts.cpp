@@ -48,204 +48,184 @@ struct Range : Game {
 
 } // namespace
 
-TEST_CASE("made: a listener makes bullets of those that lean") {
-    AsStock([](Run &run) {
-        Range range(run);
-        range.Shoot(180.0f, 240.0f);
-        range.listener.begin.Once([&range] { Range::MakeBullets(range.leaning); });
-        range.Step(4);
-    });
+AS_STOCK("made: a listener makes bullets of those that lean") {
+    Range range(run);
+    range.Shoot(180.0f, 240.0f);
+    range.listener.begin.Once([&range] { Range::MakeBullets(range.leaning); });
+    range.Step(4);
 }
 
 // Nothing touches: the first call of the step is that of its first impact.
-TEST_CASE(
+AS_STOCK(
     "remade: a listener makes bullets of those that were none as the step began, and were the step before") {
-    AsStock([](Run &run) {
-        Game game(run);
-        game.Wall({0.0f, -30.0f}, {0.05f, 1.0f});
-        b2Body *const first = game.Awake({-2.0f, -30.0f}, {0.1f, 0.1f});
-        std::vector<b2Body *> shots;
-        for (int i = 0; i < 30; ++i) {
-            game.Near({0.0f, 4.0f * Real(i)});
-            shots.push_back(game.Awake({-0.65f, 4.0f * Real(i)}, {0.1f, 0.1f}));
-            shots.back()->SetBullet(true);
-        }
-        game.Listen();
-        first->SetLinearVelocity({240.0f, 0.0f});
-        game.Step(); // in which they are looked at as bullets
-        first->SetTransform({-2.0f, -30.0f}, 0.0f);
-        first->SetLinearVelocity({0.0f, 0.0f});
-        game.Step(3);
-        first->SetLinearVelocity({240.0f, 0.0f});
-        for (b2Body *shot : shots) {
-            shot->SetBullet(false);
-            shot->SetLinearVelocity({400.0f, 0.0f});
-        }
-        game.listener.begin.Once([&shots] {
-            for (b2Body *shot : shots)
-                shot->SetBullet(true);
-        });
-        game.Step(3);
+    Game game(run);
+    game.Wall({0.0f, -30.0f}, {0.05f, 1.0f});
+    b2Body *const first = game.Awake({-2.0f, -30.0f}, {0.1f, 0.1f});
+    std::vector<b2Body *> shots;
+    for (int i = 0; i < 30; ++i) {
+        game.Near({0.0f, 4.0f * Real(i)});
+        shots.push_back(game.Awake({-0.65f, 4.0f * Real(i)}, {0.1f, 0.1f}));
+        shots.back()->SetBullet(true);
+    }
+    game.Listen();
+    first->SetLinearVelocity({240.0f, 0.0f});
+    game.Step(); // in which they are looked at as bullets
+    first->SetTransform({-2.0f, -30.0f}, 0.0f);
+    first->SetLinearVelocity({0.0f, 0.0f});
+    game.Step(3);
+    first->SetLinearVelocity({240.0f, 0.0f});
+    for (b2Body *shot : shots) {
+        shot->SetBullet(false);
+        shot->SetLinearVelocity({400.0f, 0.0f});
+    }
+    game.listener.begin.Once([&shots] {
+        for (b2Body *shot : shots)
+            shot->SetBullet(true);
     });
+    game.Step(3);
 }
 
 // Box2D goes on at once.
-TEST_CASE("passed: a listener makes bullets of the shots, and disables the contact that it is told of") {
-    AsStock([](Run &run) {
-        Range range(run);
-        range.Throw(180.0f, 240.0f);
-        range.listener.begin.Once([&range](b2Contact *contact) {
-            contact->SetEnabled(false);
-            Range::MakeBullets(range.shots);
-        });
-        range.Step(4);
+AS_STOCK("passed: a listener makes bullets of the shots, and disables the contact that it is told of") {
+    Range range(run);
+    range.Throw(180.0f, 240.0f);
+    range.listener.begin.Once([&range](b2Contact *contact) {
+        contact->SetEnabled(false);
+        Range::MakeBullets(range.shots);
     });
+    range.Step(4);
 }
 
-TEST_CASE("pending: a listener disables contacts whose impacts are found and not come to; their shots are no "
-          "bullets in a step in the midst of another world's search") {
-    AsStock([](Run &run) {
-        Range range(run);
-        range.Throw(180.0f, 240.0f);
-        range.listener.begin.Once([&range] {
-            Range::MakeBullets(range.shots);
-            range.listener.begin.Once([&range](b2Contact *hit) {
-                for (b2Body *body : range.leaning)
-                    for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
-                        if (edge->contact != hit && edge->other->IsBullet())
-                            edge->contact->SetEnabled(false);
-            });
+AS_STOCK("pending: a listener disables contacts whose impacts are found and not come to; their shots are no "
+         "bullets in a step in the midst of another world's search") {
+    Range range(run);
+    range.Throw(180.0f, 240.0f);
+    range.listener.begin.Once([&range] {
+        Range::MakeBullets(range.shots);
+        range.listener.begin.Once([&range](b2Contact *hit) {
+            for (b2Body *body : range.leaning)
+                for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
+                    if (edge->contact != hit && edge->other->IsBullet())
+                        edge->contact->SetEnabled(false);
         });
+    });
+    range.Step();
+    for (b2Body *shot : range.shots) {
+        shot->SetBullet(false);
+        shot->SetLinearVelocity({0.0f, 0.0f});
+        shot->SetTransform({-0.75f, shot->GetPosition().y}, 0.0f);
+    }
+    Game other(run);
+    for (int i = 0; i < 60; ++i)
+        other.Box({1.05f * Real(i), 10.0f});
+    other.Wall({0.0f, 0.0f}, {0.05f, 1.0f});
+    b2Body *const bullet = other.Box({-2.0f, 0.0f}, {0.1f, 0.1f});
+    other.Step(4);
+    bullet->SetLinearVelocity({240.0f, 0.0f});
+    other.Listen();
+    other.listener.begin.Once([&range] {
+        range.first->SetTransform({-2.0f, -30.0f}, 0.0f);
+        range.Throw(30.0f, 240.0f);
         range.Step();
-        for (b2Body *shot : range.shots) {
-            shot->SetBullet(false);
-            shot->SetLinearVelocity({0.0f, 0.0f});
-            shot->SetTransform({-0.75f, shot->GetPosition().y}, 0.0f);
-        }
-        Game other(run);
-        for (int i = 0; i < 60; ++i)
-            other.Box({1.05f * Real(i), 10.0f});
-        other.Wall({0.0f, 0.0f}, {0.05f, 1.0f});
-        b2Body *const bullet = other.Box({-2.0f, 0.0f}, {0.1f, 0.1f});
-        other.Step(4);
-        bullet->SetLinearVelocity({240.0f, 0.0f});
-        other.Listen();
-        other.listener.begin.Once([&range] {
-            range.first->SetTransform({-2.0f, -30.0f}, 0.0f);
-            range.Throw(30.0f, 240.0f);
-            range.Step();
-        });
-        other.Step();
-        range.Step(2);
     });
+    other.Step();
+    range.Step(2);
 }
 
-TEST_CASE("settled: a listener steps the world, which is not to look for impacts in that step") {
-    AsStock([](Run &run) {
-        Range range(run);
-        range.Shoot(0.0f, 240.0f);
-        range.listener.begin.Once([&range] {
-            Range::MakeBullets(range.leaning);
-            range.Shoot(240.0f, 0.0f);
-            range.world.SetContinuousPhysics(false);
-            range.world.Step(1.0f / 60.0f, 8, 3);
-            range.world.SetContinuousPhysics(true);
-        });
-        range.Step(4);
-    });
-}
-
-TEST_CASE("met: a listener has bodies meet in a step of no time, which lean on each other when their islands "
-          "are built") {
-    AsStock([](Run &run) {
-        Range range(run);
-        for (const float x : {60.0f, 60.995f}) // the newest: their island is the first
-            range.Awake({x, 0.0f});
-        range.Step();
-        for (b2Body *body : range.leaning)
-            body->SetTransform({-0.05f, body->GetPosition().y}, 0.0f);
-        range.listener.postSolve.Once([&range] {
-            range.StepWithin(); // unlocks it
-            for (b2Body *body : range.leaning) {
-                body->SetTransform({0.0f, body->GetPosition().y}, 0.0f);
-                body->SetLinearVelocity({1.0f, 0.0f});
-            }
-            range.StepWithin();
-        });
-        range.Step(3);
-    });
-}
-
-TEST_CASE("replaced: a listener puts another one in its place") {
-    AsStock([](Run &run) {
-        Range range(run);
-        Listener other(range.world, &range.hash);
-        range.Shoot(180.0f, 240.0f);
-        range.listener.begin.Once([&] { range.world.SetContactListener(&other); });
-        other.begin.Once([&range] { Range::MakeBullets(range.leaning); });
-        range.Step(4);
-    });
-}
-
-TEST_CASE("halved: a listener has the step end with the first impact; between steps sub-stepping is over") {
-    AsStock([](Run &run) {
-        Range range(run);
-        range.Shoot(180.0f, 240.0f);
-        range.listener.begin.Once([&range] { range.world.SetSubStepping(true); });
-        range.Step();
-        range.world.SetSubStepping(false);
+AS_STOCK("settled: a listener steps the world, which is not to look for impacts in that step") {
+    Range range(run);
+    range.Shoot(0.0f, 240.0f);
+    range.listener.begin.Once([&range] {
         Range::MakeBullets(range.leaning);
-        range.Step(4);
+        range.Shoot(240.0f, 0.0f);
+        range.world.SetContinuousPhysics(false);
+        range.world.Step(1.0f / 60.0f, 8, 3);
+        range.world.SetContinuousPhysics(true);
     });
+    range.Step(4);
+}
+
+AS_STOCK("met: a listener has bodies meet in a step of no time, which lean on each other when their islands "
+         "are built") {
+    Range range(run);
+    for (const float x : {60.0f, 60.995f}) // the newest: their island is the first
+        range.Awake({x, 0.0f});
+    range.Step();
+    for (b2Body *body : range.leaning)
+        body->SetTransform({-0.05f, body->GetPosition().y}, 0.0f);
+    range.listener.postSolve.Once([&range] {
+        range.StepWithin(); // unlocks it
+        for (b2Body *body : range.leaning) {
+            body->SetTransform({0.0f, body->GetPosition().y}, 0.0f);
+            body->SetLinearVelocity({1.0f, 0.0f});
+        }
+        range.StepWithin();
+    });
+    range.Step(3);
+}
+
+AS_STOCK("replaced: a listener puts another one in its place") {
+    Range range(run);
+    Listener other(range.world, &range.hash);
+    range.Shoot(180.0f, 240.0f);
+    range.listener.begin.Once([&] { range.world.SetContactListener(&other); });
+    other.begin.Once([&range] { Range::MakeBullets(range.leaning); });
+    range.Step(4);
+}
+
+AS_STOCK("halved: a listener has the step end with the first impact; between steps sub-stepping is over") {
+    Range range(run);
+    range.Shoot(180.0f, 240.0f);
+    range.listener.begin.Once([&range] { range.world.SetSubStepping(true); });
+    range.Step();
+    range.world.SetSubStepping(false);
+    Range::MakeBullets(range.leaning);
+    range.Step(4);
 }
 
 // Box2D's loop over contacts enables it, ahead of the search that goes on.
-TEST_CASE("pausing: between two sub-steps a game disables a contact whose impact is found") {
-    AsStock([](Run &run) {
-        Game game(run);
-        std::vector<b2Body *> shots;
-        for (int i = 0; i < 24; ++i) {
-            game.Wall({0.0f, 4.0f * Real(i)}, {0.2f, 1.0f});
-            shots.push_back(game.Awake({-0.7f - 0.03f * Real(i), 4.0f * Real(i)}, {0.3f, 0.3f}));
-            game.Near({40.0f, 4.0f * Real(i)});
-        }
-        game.Step(2);
-        game.world.SetSubStepping(true);
-        for (b2Body *shot : shots)
-            shot->SetLinearVelocity({120.0f, 0.0f});
-        game.Step();
-        for (b2Body *shot : shots) // so that it is worth while to prove them apart
-            shot->SetLinearVelocity({0.1f, 0.0f});
-        game.Step(6);
-        for (b2ContactEdge *edge = shots[8]->GetContactList(); edge != nullptr; edge = edge->next)
-            edge->contact->SetEnabled(false);
-        game.Step(20);
-    });
+AS_STOCK("pausing: between two sub-steps a game disables a contact whose impact is found") {
+    Game game(run);
+    std::vector<b2Body *> shots;
+    for (int i = 0; i < 24; ++i) {
+        game.Wall({0.0f, 4.0f * Real(i)}, {0.2f, 1.0f});
+        shots.push_back(game.Awake({-0.7f - 0.03f * Real(i), 4.0f * Real(i)}, {0.3f, 0.3f}));
+        game.Near({40.0f, 4.0f * Real(i)});
+    }
+    game.Step(2);
+    game.world.SetSubStepping(true);
+    for (b2Body *shot : shots)
+        shot->SetLinearVelocity({120.0f, 0.0f});
+    game.Step();
+    for (b2Body *shot : shots) // so that it is worth while to prove them apart
+        shot->SetLinearVelocity({0.1f, 0.0f});
+    game.Step(6);
+    for (b2ContactEdge *edge = shots[8]->GetContactList(); edge != nullptr; edge = edge->next)
+        edge->contact->SetEnabled(false);
+    game.Step(20);
 }
 
 // A filter is asked about these.
-TEST_CASE("geared: gear joints are made whose definitions name bodies that the joints do not join") {
-    AsStock([](Run &run) {
-        Range range(run);
-        const b2BodyDef def;
-        b2Body *const anchor = range.world.CreateBody(&def);
-        const auto hinge = [&range, anchor](b2Body *body) {
-            b2RevoluteJointDef joint;
-            joint.Initialize(anchor, body, body->GetPosition());
-            return range.world.CreateJoint(&joint);
-        };
-        b2GearJointDef gear;
-        gear.joint1 = hinge(range.shots[0]);
-        gear.joint2 = hinge(range.shots[1]);
-        range.filter.refuses = true;
-        range.Ask();
-        for (size_t i = 0; i < Range::kCrowd; ++i) {
-            gear.bodyA = range.crowd[i];
-            gear.bodyB = range.crowd[i + Range::kCrowd];
-            range.world.CreateJoint(&gear);
-            range.Step();
-        }
-    });
+AS_STOCK("geared: gear joints are made whose definitions name bodies that the joints do not join") {
+    Range range(run);
+    const b2BodyDef def;
+    b2Body *const anchor = range.world.CreateBody(&def);
+    const auto hinge = [&range, anchor](b2Body *body) {
+        b2RevoluteJointDef joint;
+        joint.Initialize(anchor, body, body->GetPosition());
+        return range.world.CreateJoint(&joint);
+    };
+    b2GearJointDef gear;
+    gear.joint1 = hinge(range.shots[0]);
+    gear.joint2 = hinge(range.shots[1]);
+    range.filter.refuses = true;
+    range.Ask();
+    for (size_t i = 0; i < Range::kCrowd; ++i) {
+        gear.bodyA = range.crowd[i];
+        gear.bodyB = range.crowd[i + Range::kCrowd];
+        range.world.CreateJoint(&gear);
+        range.Step();
+    }
 }
 
 namespace {
@@ -345,44 +325,40 @@ void PlayThrown(Run &run, bool rounded) {
 
 // What Box2D had found out of the others is to be forgotten, also where their bodies are no bullets any more
 // and nobody listens.
-TEST_CASE("impact thrown: a listener throws as the first of many impacts of a step is told") {
-    AsStock([](Run &run) {
-        for (const bool rounded : {false, true})
-            PlayThrown(run, rounded);
-    });
+AS_STOCK("impact thrown: a listener throws as the first of many impacts of a step is told") {
+    for (const bool rounded : {false, true})
+        PlayThrown(run, rounded);
 }
 
 // Bars in front of plates that stand aslant. Each bar's centre of mass is near the plate, and then in its
 // middle: it has moved towards the plate by less than the bar does.
-TEST_CASE("recentred: a listener gives bodies other centres of mass, and throws them, when they have been "
-          "looked at") {
-    AsStock([](Run &run) {
-        const b2Rot aslant(0.25f * b2_pi);
-        Game game(run);
-        std::vector<b2Body *> bars;
-        for (int i = 0; i < 40; ++i) {
-            const b2Vec2 at(6.0f * Real(i), 0.0f);
-            game.Wall(at, {0.02f, 3.0f}, aslant.GetAngle());
-            bars.push_back(game.Awake(at + 0.79f * aslant.GetXAxis(), {0.4f, 0.1f}, aslant.GetAngle()));
-            b2MassData mass;
-            bars.back()->GetMassData(&mass);
-            mass.center.Set(-0.29f, 0.0f);
-            mass.I = 2.0f * mass.mass;
-            bars.back()->SetMassData(&mass);
+AS_STOCK("recentred: a listener gives bodies other centres of mass, and throws them, when they have been "
+         "looked at") {
+    const b2Rot aslant(0.25f * b2_pi);
+    Game game(run);
+    std::vector<b2Body *> bars;
+    for (int i = 0; i < 40; ++i) {
+        const b2Vec2 at(6.0f * Real(i), 0.0f);
+        game.Wall(at, {0.02f, 3.0f}, aslant.GetAngle());
+        bars.push_back(game.Awake(at + 0.79f * aslant.GetXAxis(), {0.4f, 0.1f}, aslant.GetAngle()));
+        b2MassData mass;
+        bars.back()->GetMassData(&mass);
+        mass.center.Set(-0.29f, 0.0f);
+        mass.I = 2.0f * mass.mass;
+        bars.back()->SetMassData(&mass);
+    }
+    game.Touching({0.0f, 90.0f});
+    game.Listen();
+    game.Step(4);
+    game.listener.preSolve.Once([&bars, &aslant] {
+        float speed = 20.0f;
+        for (b2Body *bar : bars) {
+            bar->ResetMassData();
+            bar->SetLinearVelocity(-speed * aslant.GetXAxis());
+            speed += 0.5f;
         }
-        game.Touching({0.0f, 90.0f});
-        game.Listen();
-        game.Step(4);
-        game.listener.preSolve.Once([&bars, &aslant] {
-            float speed = 20.0f;
-            for (b2Body *bar : bars) {
-                bar->ResetMassData();
-                bar->SetLinearVelocity(-speed * aslant.GetXAxis());
-                speed += 0.5f;
-            }
-        });
-        game.Step(3);
     });
+    game.Step(3);
 }
 
 namespace {
@@ -411,39 +387,37 @@ bool PutOut(Game &game, const b2Contact &contact, b2Body **next) {
 } // namespace
 
 // Bullets and boxes in a crowd over planks; every few steps, all that were put out come back.
-TEST_CASE("disabling: a listener puts bodies out of the world while Box2D looks for impacts") {
-    AsStock([](Run &run) {
-        Game game(run, {0.0f, -10.0f});
-        for (int i = 0; i < 6; ++i)
-            game.Wall({3.0f * Real(i) - 8.0f, 0.0f}, {1.2f, 0.1f}, 0.2f * Real(i));
-        for (int i = 0; i < 120; ++i) {
-            const float x = Real(i % 20), y = Real(i / 20);
-            b2Body *box = game.Box({0.8f * x - 8.0f, 2.0f + 0.8f * y}, {0.3f, 0.2f}, 0.3f * x);
-            box->SetBullet(i % 2 == 0);
-            box->SetLinearVelocity({5.0f * Real(i % 7) - 15.0f, -60.0f});
-        }
-        b2Body *next = nullptr;
-        int begun = 0, putOut = 0;
-        game.Listen();
-        game.listener.begin = [&](b2Contact *contact) {
-            if (game.world.IsLocked())
-                game.StepWithin();
-            else if (++begun % 3 == 0)
-                putOut += PutOut(game, *contact, &next) ? 1 : 0;
-        };
-        for (int step = 0; step < 200; ++step) {
-            game.Step();
-            if (step % 10 != 9)
-                continue;
-            for (b2Body *body = game.world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-                if (!body->IsEnabled())
-                    body->SetEnabled(true);
-                if (body->GetType() == b2_dynamicBody && body->GetPosition().y < -3.0f) {
-                    body->SetTransform({body->GetPosition().x, 8.0f}, body->GetAngle());
-                    body->SetLinearVelocity({10.0f, -80.0f});
-                }
+AS_STOCK("disabling: a listener puts bodies out of the world while Box2D looks for impacts") {
+    Game game(run, {0.0f, -10.0f});
+    for (int i = 0; i < 6; ++i)
+        game.Wall({3.0f * Real(i) - 8.0f, 0.0f}, {1.2f, 0.1f}, 0.2f * Real(i));
+    for (int i = 0; i < 120; ++i) {
+        const float x = Real(i % 20), y = Real(i / 20);
+        b2Body *box = game.Box({0.8f * x - 8.0f, 2.0f + 0.8f * y}, {0.3f, 0.2f}, 0.3f * x);
+        box->SetBullet(i % 2 == 0);
+        box->SetLinearVelocity({5.0f * Real(i % 7) - 15.0f, -60.0f});
+    }
+    b2Body *next = nullptr;
+    int begun = 0, putOut = 0;
+    game.Listen();
+    game.listener.begin = [&](b2Contact *contact) {
+        if (game.world.IsLocked())
+            game.StepWithin();
+        else if (++begun % 3 == 0)
+            putOut += PutOut(game, *contact, &next) ? 1 : 0;
+    };
+    for (int step = 0; step < 200; ++step) {
+        game.Step();
+        if (step % 10 != 9)
+            continue;
+        for (b2Body *body = game.world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+            if (!body->IsEnabled())
+                body->SetEnabled(true);
+            if (body->GetType() == b2_dynamicBody && body->GetPosition().y < -3.0f) {
+                body->SetTransform({body->GetPosition().x, 8.0f}, body->GetAngle());
+                body->SetLinearVelocity({10.0f, -80.0f});
             }
         }
-        run.Print("%sput out: %d", putOut > 0 ? "" : "!", putOut);
-    });
+    }
+    run.Print("%sput out: %d", putOut > 0 ? "" : "!", putOut);
 }

@@ -21,54 +21,50 @@ void StepAndThrow(Game &game, Run &run) {
 
 } // namespace
 
-TEST_CASE("caught: PostSolve has bodies meet in a step that ends by an exception") {
-    AsStock([](Run &run) {
-        Game game(run);
-        game.Touching({-20.0f, 0.0f}); // last of those that touch
-        std::vector<b2Body *> right;
-        for (int i = 0; i < 60; ++i)
-            right.push_back(game.Near({6.0f * Real(i % 8), 6.0f * Real(i / 8)}, 0.05f));
-        game.Touching({-20.0f, 10.0f}); // their island is the first
-        game.Listen();
-        game.Step(3);
-        game.listener.postSolve.Once([&] {
-            game.StepWithin(); // unlocks it
-            for (b2Body *body : right)
-                body->SetTransform(body->GetPosition() - b2Vec2(0.053f, 0.0f), 0.0f);
-            game.listener.begin = [&](b2Contact *contact) {
-                if (contact->GetFixtureB()->GetBody() == right[0])
-                    throw Told();
-            };
-            try {
-                game.StepWithin();
-                run.Print("!nothing was thrown");
-            } catch (const Told &) {
-            }
-            game.listener.begin = nullptr;
-        });
-        game.Step(4);
+AS_STOCK("caught: PostSolve has bodies meet in a step that ends by an exception") {
+    Game game(run);
+    game.Touching({-20.0f, 0.0f}); // last of those that touch
+    std::vector<b2Body *> right;
+    for (int i = 0; i < 60; ++i)
+        right.push_back(game.Near({6.0f * Real(i % 8), 6.0f * Real(i / 8)}, 0.05f));
+    game.Touching({-20.0f, 10.0f}); // their island is the first
+    game.Listen();
+    game.Step(3);
+    game.listener.postSolve.Once([&] {
+        game.StepWithin(); // unlocks it
+        for (b2Body *body : right)
+            body->SetTransform(body->GetPosition() - b2Vec2(0.053f, 0.0f), 0.0f);
+        game.listener.begin = [&](b2Contact *contact) {
+            if (contact->GetFixtureB()->GetBody() == right[0])
+                throw Told();
+        };
+        try {
+            game.StepWithin();
+            run.Print("!nothing was thrown");
+        } catch (const Told &) {
+        }
+        game.listener.begin = nullptr;
     });
+    game.Step(4);
 }
 
 // Box2D enables the contacts that its loop comes to: the loop ends at the newest one.
-TEST_CASE("disabled: PreSolve disables a contact, and PostSolve makes a step that ends by an exception") {
-    AsStock([](Run &run) {
-        Game game(run);
-        game.Awake({-20.0f, 0.0f});
-        b2Body *const disabled = game.Awake({-19.005f, 0.0f});
-        for (int i = 0; i < 60; ++i)
-            game.Near({6.0f * Real(i % 8), 6.0f * Real(i / 8)});
-        for (const float y : {10.0f, 20.0f}) // their islands come first
-            game.Touching({-20.0f, y});
-        game.Listen();
-        game.Step(3);
-        disabled->SetLinearVelocity({-3.0f, 0.0f});
-        game.listener.preSolve = [disabled](b2Contact *contact) {
-            contact->SetEnabled(contact->GetFixtureB()->GetBody() != disabled);
-        };
-        game.listener.postSolve.Once([&game, &run] { StepAndThrow(game, run); });
-        game.Step(4);
-    });
+AS_STOCK("disabled: PreSolve disables a contact, and PostSolve makes a step that ends by an exception") {
+    Game game(run);
+    game.Awake({-20.0f, 0.0f});
+    b2Body *const disabled = game.Awake({-19.005f, 0.0f});
+    for (int i = 0; i < 60; ++i)
+        game.Near({6.0f * Real(i % 8), 6.0f * Real(i / 8)});
+    for (const float y : {10.0f, 20.0f}) // their islands come first
+        game.Touching({-20.0f, y});
+    game.Listen();
+    game.Step(3);
+    disabled->SetLinearVelocity({-3.0f, 0.0f});
+    game.listener.preSolve = [disabled](b2Contact *contact) {
+        contact->SetEnabled(contact->GetFixtureB()->GetBody() != disabled);
+    };
+    game.listener.postSolve.Once([&game, &run] { StepAndThrow(game, run); });
+    game.Step(4);
 }
 
 // The contact of the shot and the post is the newest before and after, at the same place in memory.
@@ -179,42 +175,41 @@ TEST_CASE("joined: PostSolve enables contacts of a body that is solved with othe
 }
 
 // Box2D's gear reads the places in islands of bodies that are not in its own.
-TEST_CASE("read anew: PostSolve puts bodies to sleep ahead of their island, and later a gear reads their places") {
-    AsStock([](Run &run) {
-        Game game(run);
-        std::vector<b2Body *> bodies;
-        std::vector<b2Joint *> joints;
-        for (int i = 0; i < 4; ++i)
-            bodies.push_back(game.Awake({4.0f * Real(i), 0.3f * Real(i % 2)}));
-        for (int i = 0; i < 4; i += 2) {
-            b2RevoluteJointDef def;
-            def.Initialize(bodies[static_cast<size_t>(i)], bodies[static_cast<size_t>(i) + 1],
-                           bodies[static_cast<size_t>(i)]->GetPosition());
-            joints.push_back(game.world.CreateJoint(&def));
-        }
-        std::vector<b2Body *> sleepers = {bodies[0], bodies[1]};
-        for (const float x : {-0.99f, 0.99f}) // they touch, so that there are links
-            sleepers.push_back(game.Awake({x, 0.0f}));
-        for (int i = 0; i < 60; ++i)
-            game.Near({4.0f * Real(i % 8), 10.0f + 4.0f * Real(i / 8)});
-        game.Touching({-20.0f, 0.0f}); // their island is the first
-        game.Step(20);
-        game.Listen();
-        game.listener.postSolve.Once([&] {
-            for (b2Body *body : sleepers)
-                body->SetAwake(false);
-        });
-        game.Step();
-        bodies[0]->SetEnabled(false);
-        bodies[1]->SetAwake(true);
-        b2GearJointDef gear;
-        gear.bodyA = bodies[1];
-        gear.bodyB = bodies[3];
-        gear.joint1 = joints[0];
-        gear.joint2 = joints[1];
-        game.world.CreateJoint(&gear);
-        for (size_t i = 1; i < 4; ++i)
-            bodies[i]->SetAngularVelocity(Real(static_cast<int>(i)));
-        game.Step(3);
+AS_STOCK(
+    "read anew: PostSolve puts bodies to sleep ahead of their island, and later a gear reads their places") {
+    Game game(run);
+    std::vector<b2Body *> bodies;
+    std::vector<b2Joint *> joints;
+    for (int i = 0; i < 4; ++i)
+        bodies.push_back(game.Awake({4.0f * Real(i), 0.3f * Real(i % 2)}));
+    for (int i = 0; i < 4; i += 2) {
+        b2RevoluteJointDef def;
+        def.Initialize(bodies[static_cast<size_t>(i)], bodies[static_cast<size_t>(i) + 1],
+                       bodies[static_cast<size_t>(i)]->GetPosition());
+        joints.push_back(game.world.CreateJoint(&def));
+    }
+    std::vector<b2Body *> sleepers = {bodies[0], bodies[1]};
+    for (const float x : {-0.99f, 0.99f}) // they touch, so that there are links
+        sleepers.push_back(game.Awake({x, 0.0f}));
+    for (int i = 0; i < 60; ++i)
+        game.Near({4.0f * Real(i % 8), 10.0f + 4.0f * Real(i / 8)});
+    game.Touching({-20.0f, 0.0f}); // their island is the first
+    game.Step(20);
+    game.Listen();
+    game.listener.postSolve.Once([&] {
+        for (b2Body *body : sleepers)
+            body->SetAwake(false);
     });
+    game.Step();
+    bodies[0]->SetEnabled(false);
+    bodies[1]->SetAwake(true);
+    b2GearJointDef gear;
+    gear.bodyA = bodies[1];
+    gear.bodyB = bodies[3];
+    gear.joint1 = joints[0];
+    gear.joint2 = joints[1];
+    game.world.CreateJoint(&gear);
+    for (size_t i = 1; i < 4; ++i)
+        bodies[i]->SetAngularVelocity(Real(static_cast<int>(i)));
+    game.Step(3);
 }
