@@ -235,7 +235,7 @@ void IslandSolver::SolveToi() {
     for (int32 i = 0; i < m_step.positionIterations; ++i)
         if (m_solver.SolveToiPositions(island, first, second))
             break;
-    for (const int32 i : {first, second}) { // where the two go on from
+    for (const uint32_t i : {static_cast<uint32_t>(first), static_cast<uint32_t>(second)}) { // these go on
         b2Sweep &sweep = m_bodies[i]->*Named(SweepMember());
         sweep.c0 = m_positions[i].c;
         sweep.a0 = m_positions[i].a;

@@ -49,7 +49,7 @@ AS_STOCK("caught: PostSolve has bodies meet in a step that ends by an exception"
 }
 
 // Box2D enables the contacts that its loop comes to: the loop ends at the newest one.
-AS_STOCK("disabled: PreSolve disables a contact, and PostSolve makes a step that ends by an exception") {
+AS_STOCK("held back: PreSolve disables a contact, and PostSolve makes a step that ends by an exception") {
     Game game(run);
     game.Awake({-20.0f, 0.0f});
     b2Body *const disabled = game.Awake({-19.005f, 0.0f});

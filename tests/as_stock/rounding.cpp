@@ -66,7 +66,7 @@ TEST_CASE("listening: a listener changes how it is rounded, and that stays") {
 }
 
 // Rows of boxes that are too near each other, and turn.
-TEST_CASE("between islands: PostSolve changes how a thread is rounded, and that stays") {
+TEST_CASE("turned: PostSolve changes how a thread is rounded, and that stays") {
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
         AsStock(
             [mode](Run &run) {
