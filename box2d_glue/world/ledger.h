@@ -244,7 +244,6 @@ public:
         Pass(const Pass &) = delete;
         Pass &operator=(const Pass &) = delete;
         void Complete() { m_complete = true; }
-        bool IsComplete() const { return m_complete; }
 
     protected:
         Ledger *m_ledger;

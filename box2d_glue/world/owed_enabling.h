@@ -26,7 +26,7 @@ public:
         m_looked.ClearAll();
     }
     /// Code of the game runs within the loop, which has come down to `down`, and may ask for other code of
-    /// the game: none but the contacts from there on were passed.
+    /// the game, or end the loop by an exception: none but the contacts from there on were passed.
     void Pause(uint32_t down) {
         EnableDownTo(down);
         m_below = 0;

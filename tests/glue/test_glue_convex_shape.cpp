@@ -22,8 +22,7 @@ using Points = std::vector<b2Vec2>;
 
 namespace {
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(),
-                kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 bmr_error Set(ConvexShape &shape, const Points &points) {
     return shape.Set(points.data(), static_cast<int32>(points.size()));
