@@ -280,8 +280,11 @@ void IslandPass::AfterGame() {
     m_seedsAreAwake = m_awakeAlone = false;
     m_gameStepped = m_gameStepped || stepped;
     m_tells = !stepped;
-    if (stepped)
-        m_marks.LookAgain();
+    if (!stepped)
+        return;
+    m_marks.LookAgain();
+    for (b2Body *body = m_world->GetBodyList(); body != nullptr; body = body->GetNext())
+        PutPlaceBack(body); // there may be a gear by now
 }
 
 // Behind the islands.
@@ -292,8 +295,7 @@ void IslandPass::Synchronize() {
         m_ledger->GetBodies().SetAlone(m_awakeAlone ? CurrentStep() : 0);
     for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
-        if (body->GetType() != b2_staticBody)
-            PutPlaceBack(body);
+        PutPlaceBack(body);
         Follow(body);
     }
     for (uint32_t i = 0; m_awakeAlone && i < m_ledger->GetBodies().AwakeCount(); ++i)
@@ -302,6 +304,8 @@ void IslandPass::Synchronize() {
 
 /// Of a body that is in no island: it slept, or PostSolve put it to sleep ahead of its island.
 void IslandPass::PutPlaceBack(b2Body *body) {
+    if (body->GetType() == b2_staticBody)
+        return;
     int32 &place = LinkOf(body);
     place &= ~kSlept;
     if ((place & kLinked) == 0)
