@@ -59,8 +59,8 @@ int32 &LinkOf(b2Body *body) {
     return body->*Named(IslandIndex());
 }
 
-constexpr int32 kLinked = 1 << 30;  ///< a bit of that: it is a number of a link
-constexpr int32 kSlept = INT32_MIN; ///< another one: the body slept when contacts were linked
+constexpr int32 kLinked = 1 << 30;  ///< this bit is set where LinkOf is the number of a link
+constexpr int32 kSlept = INT32_MIN; ///< and this one where the body slept when contacts were linked
 
 } // namespace
 

@@ -107,7 +107,7 @@ SAME_AS_STOCK("joints that keep bodies from colliding come and go") {
         yard.Place(true);
         join(false);
         yard.game.Step(1);
-        part(); // before anybody looks
+        part(); // ahead of the next step
         join(true);
         yard.game.Step(4);
         part();

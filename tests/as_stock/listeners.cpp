@@ -70,7 +70,7 @@ AS_STOCK("turns: listeners take turns in the midst of being told") {
         game.listener.*callback = giveWay(game.listener, game.other);
         game.other.*callback = giveWay(game.other, game.listener);
         for (int step = 0; step < 150; ++step) {
-            if (step % 3 == 0) // some have left nobody
+            if (step % 3 == 0) // a listener may have put nullptr in its place
                 game.Listen();
             game.Step();
         }
@@ -383,21 +383,4 @@ TEST_CASE("immodest: when verifying, a broken promise is a difference") {
         CHECK(Played(play, verifying, true, true).find("!answers differ") != std::string::npos);
         CHECK(Played(play, verifying, true, false).find("!answers differ") == std::string::npos);
     }
-}
-
-// Nobody listens as most pairs begin to touch. From then on the world is stepped by its list.
-AS_STOCK("by list: a listener comes to a world whose pairs nearly all touch, and disables a contact") {
-    Game game(run);
-    std::vector<b2Body *> ones;
-    for (int i = 0; i < 60; ++i)
-        ones.push_back(game.Near({3.0f * Real(i), 0.0f}));
-    game.Step(3);
-    for (size_t i = 10; i < 60; ++i)
-        ones[i]->SetTransform(ones[i]->GetPosition() - b2Vec2(0.105f, 0.0f), 0.0f);
-    game.Step();
-    game.Listen();
-    b2Contact *const late = ones[0]->GetContactList()->contact;
-    game.listener.preSolve = [late](b2Contact *contact) { contact->SetEnabled(contact != late); };
-    ones[0]->SetTransform(ones[0]->GetPosition() - b2Vec2(0.105f, 0.0f), 0.0f);
-    game.Step(4);
 }

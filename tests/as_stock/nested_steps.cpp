@@ -61,39 +61,6 @@ AS_STOCK("own: a listener steps its own world") {
     }
 }
 
-AS_STOCK("again: a listener steps its world in an impact, whose island takes in again what it had") {
-    for (int call = 1; call <= 9; ++call) {
-        Game game(run);
-        for (int i = 0; i < 20; ++i)
-            game.Box({Real(i) - 10.0f, 0.0f});
-        b2Body *plate = game.Box({0.0f, 3.0f}, {3.0f, 0.1f});
-        plate->SetBullet(true);
-        plate->SetLinearVelocity({0.0f, -200.0f});
-        game.Listen();
-        game.listener.preSolve = [&game, plate, left = call](b2Contact *contact) mutable {
-            if (contact->GetFixtureB()->GetBody() == plate && --left == 0)
-                game.StepWithin(1.0f / 240.0f, 2);
-        };
-        game.Step(4);
-    }
-}
-
-AS_STOCK("elsewhere: PostSolve has another thread step its own world, and waits for it") {
-    Game game(run, {0.0f, -10.0f});
-    game.Wall({0.0f, -1.0f}, {60.0f, 1.0f});
-    for (int i = 0; i < 60; ++i) {
-        game.Box({-40.0f + 4.0f * Real(i / 3), 0.5f + 1.02f * Real(i % 3)});
-        for (const float height : {20.0f, 21.5f})
-            game.Box({-40.0f + 1.3f * Real(i), height}, {1.5f, 0.05f}, 0.7f);
-    }
-    game.Listen();
-    for (int i = 0; i < 6; ++i) {
-        game.listener.postSolve.Once(
-            [&game] { std::thread([&game] { game.StepWithin(1.0f / 240.0f, 4); }).join(); });
-        game.Step(10);
-    }
-}
-
 AS_STOCK("round: a listener steps another world, whose listener steps the first one") {
     Game one(run, {0.0f, -10.0f}), two(run, {0.0f, -10.0f});
     AddShots(one, 4, 3.0f);

@@ -205,7 +205,8 @@ SAME_AS_STOCK("sleepers that were moved meet in the very step in which one of th
         }
         game.Step(60);
         game.Stage(!sleepers[0]->IsAwake() && game.world.GetContactCount() >= 16, "couples sleep, apart");
-        for (const float there : {0.3f, -0.3f}) { // out of sight: they are due, and nobody is awake
+        for (const float there :
+             {0.3f, -0.3f}) { // after each move the pair is due, and both of its bodies sleep
             for (b2Body *body : moved)
                 body->SetTransform(body->GetPosition() + b2Vec2(0.0f, there), 0.0f);
             game.Step();

@@ -133,7 +133,8 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
                 const bmr_observer observer = {&counters, nullptr, nullptr};
                 const bool apart = bmr_pair_advance(&t.pair, &t.def, &t.shape[0], &t.shape[1], &q, &observer,
                                                     nullptr) == BMR_APART;
-                REQUIRE(counters.events[BMR_EVENT_START] == (apart ? 1 : 0)); // whatever proves it
+                REQUIRE(counters.events[BMR_EVENT_START] ==
+                        (apart ? 1 : 0)); // whichever of its proofs is taken
                 const Number truth = SquaredDistance(a, PlacesAt(t.shape[1].polygon, q));
                 if (apart)
                     REQUIRE(truth > Square(t.def.margin));

@@ -157,7 +157,7 @@ SAME_AS_STOCK("teleports of either body are noticed") {
         game.Step(2);
         planks.b->SetTransform(Slanted(0.1f, 0.5f), -kSlant); // across
         game.Step(2);
-        planks.b->SetTransform(Slanted(500.0f, 0.5f), -kSlant); // and back before anybody looks
+        planks.b->SetTransform(Slanted(500.0f, 0.5f), -kSlant); // and back before the next step
         rest();
         game.Step(2);
     }
