@@ -16,7 +16,7 @@ Vec4 Turned(const Vec4 &q, const Vec4 &v) {
 }
 
 /// Four contacts of a face and as many points, of which no two share a body that moves.
-struct Four {
+struct FourPositions {
     const PositionConstraint *constraints[4];
     b2Position *positions;
     Rotations *rotations;
@@ -26,8 +26,8 @@ struct Four {
     Vec4 localNormal, localPoint, faceCenter, incidentCenter;
     float4 invMassA, invMassB, invIA, invIB, radiusA, radiusB, side;
 
-    Four(const PositionConstraint *all, const OrderedContacts::Group &group, uint32_t count,
-         b2Position *ofBodies, Rotations *ofAngles)
+    FourPositions(const PositionConstraint *all, const OrderedContacts::Group &group, uint32_t count,
+                  b2Position *ofBodies, Rotations *ofAngles)
         : constraints{&all[group.contacts[0]], &all[group.Contact(1, count)], &all[group.Contact(2, count)],
                       &all[group.Contact(3, count)]},
           positions(ofBodies), rotations(ofAngles), isNan(less4(zero4(), zero4())), isDeep(isNan) {
@@ -142,7 +142,8 @@ bool OrderedPositions::SolveAll(ContactSolver *solver, b2Position *positions) {
                 deep |= least < ContactSolver::kLeastSeparation ? 1u << i : 0u;
             }
         } else {
-            Four four(solver->PositionConstraints(), group, count, positions, &solver->GetRotations());
+            FourPositions four(solver->PositionConstraints(), group, count, positions,
+                               &solver->GetRotations());
             four.SolvePoint(0, count);
             if (kind == 1)
                 four.SolvePoint(1, count);

@@ -21,14 +21,15 @@ struct Point4 {
 };
 
 /// Four contacts of as many points, of which no two share a body that moves.
-struct Four {
+struct FourVelocities {
     VelocityConstraint *constraints[4];
     b2Velocity *velocities;
     Vec4 normal;
     float4 friction, tangentSpeed, invMassA, invMassB, invIA, invIB;
     Motion4 a, b;
 
-    Four(VelocityConstraint *all, const OrderedContacts::Group &group, uint32_t count, b2Velocity *ofBodies)
+    FourVelocities(VelocityConstraint *all, const OrderedContacts::Group &group, uint32_t count,
+                   b2Velocity *ofBodies)
         : constraints{&all[group.contacts[0]], &all[group.Contact(1, count)], &all[group.Contact(2, count)],
                       &all[group.Contact(3, count)]},
           velocities(ofBodies) {
@@ -207,7 +208,7 @@ bool OrderedVelocities::Solve(ContactSolver *solver, const JointSolver &joints, 
                     solver->SolveVelocity(group.contacts[i]);
                 return;
             }
-            Four four(all, group, count, velocities);
+            FourVelocities four(all, group, count, velocities);
             nans = either4(nans, four.Solve(count, kind == 1));
         });
     for (uint32_t i = 0; i < left; ++i) {

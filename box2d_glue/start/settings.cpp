@@ -13,11 +13,8 @@ namespace bmr {
 Settings internal::settings;
 std::atomic<internal::State> internal::state{State::Nothing};
 
-namespace {
-Counts counts;
-} // namespace
-
 Counts &GetCounts() {
+    static Counts counts;
     return counts;
 }
 
