@@ -73,7 +73,7 @@ uint64_t PlayBig(Run &run, float away, bool edited) {
     b2BodyDef def;
     def.position.Set(away, 0.0f);
     b2Body *ground = game.world.CreateBody(&def);
-    game.AddBoxTo(ground, {30.0f, 1.0f}, {0.0f, -1.0f});
+    game.Box(ground, 30.0f, 1.0f, {0.0f, -1.0f});
     bmr::ConvexShape coin;
     coin.SetRegular(64, 0.4f);
     const b2Vec2 elbow[] = {{-0.6f, -0.6f}, {0.6f, -0.6f}, {0.6f, 0.0f},

@@ -106,7 +106,7 @@ AS_STOCK("turning: a sensor whose vertices were changed turns solid in the midst
             return game.world.CreateBody(&def);
         };
         const auto addTooth = [&game](b2Body *body, int place) {
-            game.AddBoxTo(body, {0.2f, 0.5f}, {0.5f * Real(place), 0.0f});
+            game.Box(body, 0.2f, 0.5f, {0.5f * Real(place), 0.0f});
         };
         b2Body *lower = comb(0.0f), *upper = comb(1.1f);
         addTooth(lower, 0);
@@ -207,7 +207,7 @@ TEST_CASE("linked: shots hit links of a long chain in one step") {
             if (body->GetPosition().y < 0.0f)
                 run.Print("!a shot went through");
     };
-    AsStock(play, false);
+    AsStock(play, kMayBeSilent);
 }
 
 AS_STOCK("nowhere: places, angles, velocities and vertices are no numbers, or infinite, and are put right "

@@ -5,7 +5,7 @@ namespace as_stock {
 
 namespace {
 
-Listener *listening = nullptr; // Options are the process's, and so is who listens
+Witness *listening = nullptr; // Options are the process's, and so is who listens
 
 bool IsOfHulls(const bmr_event &event) {
     return event.pair->stamp != 0;
@@ -22,7 +22,7 @@ bool IsSensors(const b2Contact &contact) {
 
 } // namespace
 
-void Listener::CheckCertificate(const bmr_event &event) {
+void Witness::CheckCertificate(const bmr_event &event) {
     double gap = 0.0;
     if (event.kind == BMR_EVENT_CONTACT) {
         m_run.Expect(event.pair->state == BMR_PAIR_CONTACT && event.gap == 0.0,
@@ -35,7 +35,7 @@ void Listener::CheckCertificate(const bmr_event &event) {
                  "it proves what is told");
 }
 
-void Listener::OnEvent(const b2Body *a, const b2Body *b, const bmr_event &event) {
+void Witness::OnEvent(const b2Body *a, const b2Body *b, const bmr_event &event) {
     ++m_counts[event.kind];
     CheckCertificate(event);
     const bool hulls = IsOfHulls(event);
@@ -60,7 +60,7 @@ void Listener::OnEvent(const b2Body *a, const b2Body *b, const bmr_event &event)
 }
 
 /// By the words of boomerang/box2d_glue.h.
-void Listener::Turn(State *state, const bmr_event &event) {
+void Witness::Turn(State *state, const bmr_event &event) {
     const State before = *state;
     const bool fits = event.kind == BMR_EVENT_START     ? before == State::Unborn
                       : event.kind == BMR_EVENT_PUSH    ? before == State::Apart
@@ -82,7 +82,7 @@ void Listener::Turn(State *state, const bmr_event &event) {
 }
 
 /// The ledger finds lines of its own, where a look found none: such a LEAVE follows the answer.
-void Listener::TakeBelated(const b2Contact *next) {
+void Witness::TakeBelated(const b2Contact *next) {
     if (m_pending.empty() || m_pending.front().kind != BMR_EVENT_LEAVE || m_answered == Key())
         return;
     State &state = m_states[m_answered];
@@ -93,7 +93,7 @@ void Listener::TakeBelated(const b2Contact *next) {
     m_pending.erase(m_pending.begin());
 }
 
-void Listener::OnAnswer(const b2Contact &contact, bmr::Answer answer) {
+void Witness::OnAnswer(const b2Contact &contact, bmr::Answer answer) {
     TakeBelated(&contact);
     const bool ofPolygons = contact.GetFixtureA()->GetType() == b2Shape::e_polygon &&
                             contact.GetFixtureB()->GetType() == b2Shape::e_polygon;
@@ -121,7 +121,7 @@ void Listener::OnAnswer(const b2Contact &contact, bmr::Answer answer) {
     m_answered = KeyOf(contact);
 }
 
-void Listener::CheckContacts(const b2World &world) {
+void Witness::CheckContacts(const b2World &world) {
     TakeBelated(nullptr);
     m_answered = Key();
     m_run.Expect(m_pending.empty(), "each event of a contact has its answer");
@@ -139,28 +139,28 @@ void Listener::CheckContacts(const b2World &world) {
     }
 }
 
-void Listener::CheckCounts() {
+void Witness::CheckCounts() {
     const bmr::Counted s = bmr::internal::ReadCounts();
     for (int kind = 0; kind < BMR_EVENT_KIND_COUNT; ++kind)
         m_run.Expect(m_counts[kind] == s.events[kind], "every event is counted");
 }
 
-std::string Told(Play play, bmr::Options options) {
-    static Play chosen;
-    chosen = play;
+std::string Told(Lived lived, bmr::Options options) {
+    static Lived chosen;
+    chosen = lived;
     options.onEvent = [](void *, const b2Body *a, const b2Body *b, const bmr_event &event) {
         listening->OnEvent(a, b, event);
     };
     bmr::internal::ObserveAnswers(
         [](const b2Contact &contact, bmr::Answer answer) { listening->OnAnswer(contact, answer); });
-    std::string told = forked::InChild(
-        [](forked::Run &run) {
-            Listener listener(run);
-            listening = &listener;
-            chosen(run, listener);
-            listener.CheckCounts();
+    std::string told = InChild(
+        [](Run &run) {
+            Witness witness(run);
+            listening = &witness;
+            chosen(run, witness);
+            witness.CheckCounts();
         },
-        &options, forked::When::kBefore);
+        &options);
     bmr::internal::ObserveAnswers(nullptr);
     return told;
 }

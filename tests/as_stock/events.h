@@ -4,8 +4,8 @@
 
 #include <map>
 
+#include "as_stock.h"
 #include "boomerang/convex_shape.h"
-#include "forked_world.h"
 
 /// @file
 /// Listens to the lives of contacts and of hulls, and holds each event against what the headers say of it.
@@ -15,9 +15,9 @@ namespace as_stock {
 /// What the events of a contact have said of it so far.
 enum class State { Unborn, Coarse, Apart, Contact };
 
-class Listener : private b2ContactFilter {
+class Witness : private b2ContactFilter {
 public:
-    explicit Listener(forked::Run &run) : m_run(run) {}
+    explicit Witness(Run &run) : m_run(run) {}
 
     /// Of one world, from its beginning. Contacts begin where its filter is asked for them.
     void Watch(b2World *world) { world->SetContactFilter(this); }
@@ -51,7 +51,7 @@ private:
     void TakeBelated(const b2Contact *next);
     void CheckCertificate(const bmr_event &event);
 
-    forked::Run &m_run;
+    Run &m_run;
     bool m_prints = false;
     std::map<Key, State> m_states;
     std::vector<bmr_event> m_pending; ///< of a contact whose answer is still to come
@@ -59,9 +59,9 @@ private:
     uint64_t m_counts[BMR_EVENT_KIND_COUNT] = {}, m_ofSensors = 0, m_ofHulls = 0;
 };
 
-/// Plays a scenario with a listener, in a child; what it printed.
-using Play = void (*)(forked::Run &, Listener &);
-std::string Told(Play play, bmr::Options options = bmr::Options());
+/// Plays a scenario with a witness, in a child; what it printed.
+using Lived = void (*)(Run &, Witness &);
+std::string Told(Lived lived, bmr::Options options = bmr::Options());
 
 } // namespace as_stock
 

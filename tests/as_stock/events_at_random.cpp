@@ -3,8 +3,7 @@
 // plays otherwise for being listened to.
 #include "events.h"
 
-using as_stock::Listener;
-using namespace forked;
+using namespace as_stock;
 
 namespace {
 
@@ -76,38 +75,38 @@ void AddBody(Game &game, Random &random, bool big) {
 
 uint32_t seed = 1;
 
-/// `listener` may be nullptr.
-void PlayCrowd(Run &run, Listener *listener, bool big) {
+/// `witness` may be nullptr.
+void PlayCrowd(Run &run, Witness *witness, bool big) {
     Random random(seed);
-    Game game(run, {0.0f, seed % 2 == 0 ? 0.0f : -10.0f});
-    if (listener != nullptr)
-        listener->Watch(&game.world);
+    Heard game(run, {0.0f, seed % 2 == 0 ? 0.0f : -10.0f});
+    if (witness != nullptr)
+        witness->Watch(&game.world);
     AddWalls(game);
     for (int i = 0; i < 45; ++i)
         AddBody(game, random, big);
     for (int i = 0; i < 150; ++i) {
         game.Step();
-        if (listener != nullptr)
-            listener->CheckContacts(game.world);
+        if (witness != nullptr)
+            witness->CheckContacts(game.world);
     }
 }
 
-void CheckThatItLived(Run &run, const Listener &listener) {
+void CheckThatItLived(Run &run, const Witness &witness) {
     for (const bmr_event_kind kind : {BMR_EVENT_START, BMR_EVENT_PUSH, BMR_EVENT_CONTACT, BMR_EVENT_LEAVE})
-        run.Expect(listener.Count(kind) > 0, "there are events of every common kind");
-    run.Expect(listener.Count(BMR_EVENT_CONTACT) >= listener.Count(BMR_EVENT_LEAVE),
+        run.Expect(witness.Count(kind) > 0, "there are events of every common kind");
+    run.Expect(witness.Count(BMR_EVENT_CONTACT) >= witness.Count(BMR_EVENT_LEAVE),
                "who leaves was in contact");
 }
 
-void PlaySmall(Run &run, Listener &listener) {
-    PlayCrowd(run, &listener, false);
-    CheckThatItLived(run, listener);
+void PlaySmall(Run &run, Witness &witness) {
+    PlayCrowd(run, &witness, false);
+    CheckThatItLived(run, witness);
 }
 
-void PlayBig(Run &run, Listener &listener) {
-    PlayCrowd(run, &listener, true);
-    CheckThatItLived(run, listener);
-    run.Expect(listener.Count(BMR_EVENT_STAB) > 0 && listener.Count(BMR_EVENT_COARSEN) > 0,
+void PlayBig(Run &run, Witness &witness) {
+    PlayCrowd(run, &witness, true);
+    CheckThatItLived(run, witness);
+    run.Expect(witness.Count(BMR_EVENT_STAB) > 0 && witness.Count(BMR_EVENT_COARSEN) > 0,
                "disks come and go");
 }
 
@@ -123,7 +122,7 @@ template <typename Check> void ForSettings(Check check) {
     const uint32_t seeds = static_cast<uint32_t>(test_scaled(6));
     for (seed = 1; seed <= seeds; ++seed) {
         bmr::Options options;
-        const forked::PairsBy by(seed % 3 != 0 ? nullptr : seed % 2 == 1 ? "lazy-compass" : "free-direction");
+        const PairsBy by(seed % 3 != 0 ? nullptr : seed % 2 == 1 ? "lazy-compass" : "free-direction");
         CAPTURE(seed);
         check(options);
     }
@@ -133,16 +132,15 @@ template <typename Check> void ForSettings(Check check) {
 
 TEST_CASE("contacts of small polygons live as the header allows, and as if nobody listened") {
     ForSettings([](const bmr::Options &options) {
-        const std::string stock = forked::InChild(PlaySmallUnheard, nullptr, forked::When::kBefore);
-        CHECK(forked::Difference(stock, as_stock::Told(PlaySmall, options)) == "");
-        CHECK(forked::Difference(stock, forked::InChild(PlaySmallUnheard, &options, forked::When::kBefore)) ==
-              "");
+        const std::string stock = InChild(PlaySmallUnheard);
+        CHECK(Difference(stock, Told(PlaySmall, options)) == "");
+        CHECK(Difference(stock, InChild(PlaySmallUnheard, &options)) == "");
     });
 }
 
 TEST_CASE("contacts of big polygons live as the header allows, and as if nobody listened") {
     ForSettings([](const bmr::Options &options) {
-        const std::string quiet = forked::InChild(PlayBigUnheard, &options, forked::When::kBefore);
-        CHECK(forked::Difference(quiet, as_stock::Told(PlayBig, options)) == "");
+        const std::string quiet = InChild(PlayBigUnheard, &options);
+        CHECK(Difference(quiet, Told(PlayBig, options)) == "");
     });
 }

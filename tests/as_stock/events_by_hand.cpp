@@ -3,8 +3,7 @@
 // touch, leave each other and part, for each kind of certificate that a contact may have.
 #include "events.h"
 
-using as_stock::Listener;
-using namespace forked;
+using namespace as_stock;
 
 namespace {
 
@@ -16,15 +15,15 @@ struct Look {
 };
 using Life = std::vector<Look>;
 
-void Live(Game &game, Listener &listener, b2Body *body, const Life &life) {
+void Live(Game &game, Witness &witness, b2Body *body, const Life &life) {
     for (const Look &look : life) {
-        listener.Say(look.what);
+        witness.Say(look.what);
         body->SetTransform(look.at, 0.0f);
         body->SetAwake(true);
         body->SetLinearVelocity({0.0f, 0.0f});
         body->SetAngularVelocity(0.0f);
         game.Step();
-        listener.CheckContacts(game.world);
+        witness.CheckContacts(game.world);
         game.Stage(look.touching < 0 || game.Touching() == look.touching, look.what);
     }
 }
@@ -37,13 +36,13 @@ std::string TextOf(const Life &life) {
 }
 
 /// So many boxes that the world has a ledger where there is one: it has none for fewer than 8 contacts.
-struct Crowded : Game {
-    Crowded(Run &run, Listener &listener) : Game(run) {
-        listener.Watch(&world);
+struct Crowded : Heard {
+    Crowded(Run &run, Witness &witness) : Heard(run) {
+        witness.Watch(&world);
         for (int i = 0; i < 12; ++i)
             Box(Body(b2_dynamicBody, {40.0f + 1.1f * static_cast<float>(i), 0.0f}), 0.5f, 0.5f);
         Step();
-        listener.PrintEvents();
+        witness.PrintEvents();
     }
 };
 
@@ -91,12 +90,12 @@ const Life kSmall = {
     {{5.0f, 0.0f}, "away"},
     {{0.0f, 1.49f}, "on it from nowhere", "contact contact -1 0\n"},
 };
-void PlaySmall(Run &run, Listener &listener) {
-    Crowded game(run, listener);
+void PlaySmall(Run &run, Witness &witness) {
+    Crowded game(run, witness);
     game.Box(game.Body(b2_staticBody, {0.0f, 0.0f}), 1.0f, 1.0f);
     b2Body *body = game.Body(b2_dynamicBody, {5.0f, 0.0f});
     game.Box(body, 0.5f, 0.5f);
-    Live(game, listener, body, kSmall);
+    Live(game, witness, body, kSmall);
 }
 
 /// Twelve vertices: 4 wide, 0.6 high, so that the disks around two of them part long after the polygons.
@@ -132,12 +131,12 @@ const Life kBig = {
     {{9.0f, 0.0f}, "away"},
     {{0.0f, 0.7f}, "above it, from nowhere", "contact start -1 0\n"},
 };
-void PlayBig(Run &run, Listener &listener) {
-    Crowded game(run, listener);
+void PlayBig(Run &run, Witness &witness) {
+    Crowded game(run, witness);
     AddBig(game, game.Body(b2_staticBody, {0.0f, 0.0f}));
     b2Body *body = game.Body(b2_dynamicBody, {9.0f, 0.0f});
     AddBig(game, body);
-    Live(game, listener, body, kBig);
+    Live(game, witness, body, kBig);
 }
 
 /// A plank of ten boxes on another one that has a post at its end: the hulls overlap where no two boxes do.
@@ -150,16 +149,16 @@ const Life kMany = {
     {{0.0f, 0.19f}, "on it", "28 x contact contact 0 0\n"},
     {{0.0f, -0.3f}, "below it", "28 x contact leave 0 0\n"},
 };
-void PlayMany(Run &run, Listener &listener) {
-    Game game(run);
-    listener.Watch(&game.world);
-    listener.PrintEvents();
+void PlayMany(Run &run, Witness &witness) {
+    Heard game(run);
+    witness.Watch(&game.world);
+    witness.PrintEvents();
     b2Body *ground = game.Body(b2_kinematicBody, {0.0f, 0.0f}); // of a static one each box is its own
     game.Plank(ground);
     game.Box(ground, 0.1f, 1.0f, {-3.0f, 1.1f});
     b2Body *body = game.Body(b2_dynamicBody, {0.0f, 5.0f});
     game.Plank(body);
-    Live(game, listener, body, kMany);
+    Live(game, witness, body, kMany);
     game.StagePairs();
 }
 
@@ -174,14 +173,14 @@ const Life kSensor = {
     {{5.0f, 0.0f}, "away"},
     {{1.6f, 0.0f}, "back", "contact start -1 0\n"},
 };
-void PlaySensor(Run &run, Listener &listener) {
-    Crowded game(run, listener);
+void PlaySensor(Run &run, Witness &witness) {
+    Crowded game(run, witness);
     b2PolygonShape box;
     box.SetAsBox(1.0f, 1.0f);
     game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), box, true);
     b2Body *body = game.Body(b2_dynamicBody, {5.0f, 0.0f});
     game.Box(body, 0.5f, 0.5f);
-    Live(game, listener, body, kSensor);
+    Live(game, witness, body, kSensor);
 }
 
 /// Tip to tip: no side of theirs separates the two, and Box2D finds no points. The line between the tips,
@@ -191,8 +190,8 @@ const Life kTips = {
     {{0.149f, 0.0f}, "a bit nearer"},
     {{0.0f, 0.25f}, "side by side", "contact push 0 0\n"},
 };
-void PlayTips(Run &run, Listener &listener) {
-    Crowded game(run, listener);
+void PlayTips(Run &run, Witness &witness) {
+    Crowded game(run, witness);
     b2PolygonShape needle;
     const b2Vec2 toTheRight[3] = {{-2.0f, -0.1f}, {0.0f, 0.0f}, {-2.0f, 0.1f}},
                  toTheLeft[3] = {{0.0f, 0.0f}, {2.0f, -0.1f}, {2.0f, 0.1f}};
@@ -201,28 +200,27 @@ void PlayTips(Run &run, Listener &listener) {
     b2Body *body = game.Body(b2_dynamicBody, {5.0f, 0.0f});
     needle.Set(toTheLeft, 3);
     game.Fixture(body, needle);
-    Live(game, listener, body, kTips);
+    Live(game, witness, body, kTips);
 }
 
 } // namespace
 
 TEST_CASE("two boxes live as the header says") {
-    CHECK(EventsOf(as_stock::Told(PlaySmall)) == TextOf(kSmall));
+    CHECK(EventsOf(Told(PlaySmall)) == TextOf(kSmall));
 }
 
 TEST_CASE("two big polygons live as the header says") {
-    CHECK(EventsOf(as_stock::Told(PlayBig)) == TextOf(kBig));
+    CHECK(EventsOf(Told(PlayBig)) == TextOf(kBig));
 }
 
 TEST_CASE("bodies of many fixtures have a structure of their hulls, and one for each contact below it") {
-    CHECK(EventsOf(as_stock::Told(PlayMany)) == TextOf(kMany));
+    CHECK(EventsOf(Told(PlayMany)) == TextOf(kMany));
 }
 
-TEST_CASE("a sensor's contact lives as the header says" * doctest::skip(!forked::kAhead)) {
-    CHECK(EventsOf(as_stock::Told(PlaySensor)) == TextOf(kSensor));
+TEST_CASE("a sensor's contact lives as the header says" * doctest::skip(!kAhead)) {
+    CHECK(EventsOf(Told(PlaySensor)) == TextOf(kSensor));
 }
 
-TEST_CASE("what only a line of the ledger keeps apart leaves contact by it" *
-          doctest::skip(!forked::kAhead)) {
-    CHECK(EventsOf(as_stock::Told(PlayTips)) == TextOf(kTips));
+TEST_CASE("what only a line of the ledger keeps apart leaves contact by it" * doctest::skip(!kAhead)) {
+    CHECK(EventsOf(Told(PlayTips)) == TextOf(kTips));
 }

@@ -309,20 +309,20 @@ AS_STOCK("ends: a filter, and a listener, end contacts that the loop is still to
 // contacts looked for as the second one steps.
 AS_STOCK("ahead: a filter is asked in a step within a loop that has not come to a disabled contact") {
     Game game(run);
-    game.Touching({0.0f, 3.0f});
+    game.Leaning({0.0f, 3.0f});
     game.Step();
     b2Contact *const oldest = game.world.GetContactList();
     for (int i = 0; i < 60; ++i)
         game.Near({3.0f * Real(i), 0.0f});
-    game.Touching({0.0f, -3.0f});
-    game.Touching({3.0f, -3.0f});
+    game.Leaning({0.0f, -3.0f});
+    game.Leaning({3.0f, -3.0f});
     game.Step(2);
     game.Listen();
     game.Ask();
     game.filter.asked = [&run, oldest] { run.Print("enabled %d", oldest->IsEnabled()); };
     game.listener.preSolve.Once([&game, oldest] {
         game.StepWithin(); // unlocks it
-        game.AddBoxTo(game.world.GetBodyList(), {0.6f, 0.6f}, {0.0f, 0.0f});
+        game.Box(game.world.GetBodyList(), 0.6f, 0.6f, {0.0f, 0.0f});
         oldest->SetEnabled(false);
         game.listener.preSolve.Once([&game] { game.StepWithin(); });
     });

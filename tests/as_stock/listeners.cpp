@@ -209,7 +209,7 @@ TEST_CASE("given back: a crowd goes, and while that is found out a listener step
                 }
                 return bodies;
             };
-            game.Touching({0.0f, 0.0f});
+            game.Leaning({0.0f, 0.0f});
             game.Listen();
             for (int round = 0; round < 2; ++round) {
                 const std::vector<b2Body *> bodies = crowd();
@@ -265,7 +265,7 @@ AS_STOCK("roused: a listener that is told of an island wakes bodies that sleep s
     for (int i = 0; i < 60; ++i)
         game.Near({3.0f * Real(i), 10.0f});
     game.Step(60);
-    game.Touching({0.0f, -20.0f});
+    game.Leaning({0.0f, -20.0f});
     game.Listen();
     game.Step();
     for (b2Body *body : sleepers)
@@ -301,67 +301,59 @@ struct Heap : Game {
 
 } // namespace
 
-TEST_CASE("modest: listeners push and wake bodies, and change the contact that they are told of") {
-    AsStock(
-        [](Run &run) {
-            Heap game(run);
-            game.listener.preSolve = [&game](b2Contact *contact) {
-                contact->SetEnabled(game.listener.told % 5 != 0);
-                contact->SetFriction(0.1f * Real(game.listener.told % 7));
-                if (game.listener.told % 7 == 0)
-                    game.sleepers[static_cast<size_t>(game.listener.told) % game.sleepers.size()]
-                        ->ApplyLinearImpulseToCenter({0.2f, 3.0f}, true);
-            };
-            game.listener.end = [](b2Contact *contact) { contact->SetEnabled(false); };
-            game.listener.postSolve = [](b2Contact *contact) {
-                contact->GetFixtureB()->GetBody()->ApplyLinearImpulseToCenter({0.02f, 0.0f}, true);
-            };
-            for (int i = 0; i < 60; ++i) {
-                b2Body *const shot = game.Box({-3.0f, 0.5f + 0.1f * Real(i)}, {0.1f, 0.1f});
-                shot->SetBullet(i % 2 == 0);
-                shot->SetLinearVelocity({150.0f, 0.0f});
-                for (b2Body *body : game.sleepers)
-                    body->SetAwake(false);
-                game.Step(3);
-                for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-                    game.hash.Add(c->IsEnabled() ? 1u : 0u);
-                game.world.DestroyBody(shot);
-            }
-        },
-        true, true);
+AS_STOCK_HOW(kModest,
+             "modest: listeners push and wake bodies, and change the contact that they are told of") {
+    Heap game(run);
+    game.listener.preSolve = [&game](b2Contact *contact) {
+        contact->SetEnabled(game.listener.told % 5 != 0);
+        contact->SetFriction(0.1f * Real(game.listener.told % 7));
+        if (game.listener.told % 7 == 0)
+            game.sleepers[static_cast<size_t>(game.listener.told) % game.sleepers.size()]
+                ->ApplyLinearImpulseToCenter({0.2f, 3.0f}, true);
+    };
+    game.listener.end = [](b2Contact *contact) { contact->SetEnabled(false); };
+    game.listener.postSolve = [](b2Contact *contact) {
+        contact->GetFixtureB()->GetBody()->ApplyLinearImpulseToCenter({0.02f, 0.0f}, true);
+    };
+    for (int i = 0; i < 60; ++i) {
+        b2Body *const shot = game.Box({-3.0f, 0.5f + 0.1f * Real(i)}, {0.1f, 0.1f});
+        shot->SetBullet(i % 2 == 0);
+        shot->SetLinearVelocity({150.0f, 0.0f});
+        for (b2Body *body : game.sleepers)
+            body->SetAwake(false);
+        game.Step(3);
+        for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+            game.hash.Add(c->IsEnabled() ? 1u : 0u);
+        game.world.DestroyBody(shot);
+    }
 }
 
-TEST_CASE("modest: a listener wakes, in an impact, who fell asleep in the same step") {
-    AsStock(
-        [](Run &run) {
-            Game game(run, {0.0f, -10.0f});
-            game.AddBoxTo(game.Wall({0.0f, -1.0f}, {60.0f, 1.0f}), {1.0f, 5.0f}, {10.0f, 6.0f});
-            b2Body *const rests = game.Box({0.0f, 0.5f}), *const shot = game.Box({8.0f, 5.0f}, {0.1f, 0.1f});
-            shot->SetBullet(true);
-            for (int i = 0; i < 60; ++i)
-                game.Near({30.0f, 1.0f + 1.5f * Real(i)});
-            game.Listen();
-            int woken = 0;
-            game.listener.begin = [rests, &woken](b2Contact *) {
-                woken += rests->IsAwake() ? 0 : 1;
-                if (!rests->IsAwake())
-                    rests->SetAwake(true);
-            };
-            for (int i = 0; i < 150; ++i) {
-                shot->SetTransform({8.0f, 5.0f}, 0.0f);
-                shot->SetLinearVelocity({100.0f, 0.0f});
-                game.Step(1);
-                game.hash.Add(bmr::SweepOf(*rests).alpha0);
-            }
-            game.Step(1);
-            if (woken == 0)
-                run.Print("!nobody was woken");
-        },
-        true, true);
+AS_STOCK_HOW(kModest, "modest: a listener wakes, in an impact, who fell asleep in the same step") {
+    Game game(run, {0.0f, -10.0f});
+    game.Box(game.Wall({0.0f, -1.0f}, {60.0f, 1.0f}), 1.0f, 5.0f, {10.0f, 6.0f});
+    b2Body *const rests = game.Box({0.0f, 0.5f}), *const shot = game.Box({8.0f, 5.0f}, {0.1f, 0.1f});
+    shot->SetBullet(true);
+    for (int i = 0; i < 60; ++i)
+        game.Near({30.0f, 1.0f + 1.5f * Real(i)});
+    game.Listen();
+    int woken = 0;
+    game.listener.begin = [rests, &woken](b2Contact *) {
+        woken += rests->IsAwake() ? 0 : 1;
+        if (!rests->IsAwake())
+            rests->SetAwake(true);
+    };
+    for (int i = 0; i < 150; ++i) {
+        shot->SetTransform({8.0f, 5.0f}, 0.0f);
+        shot->SetLinearVelocity({100.0f, 0.0f});
+        game.Step(1);
+        game.hash.Add(bmr::SweepOf(*rests).alpha0);
+    }
+    game.Step(1);
+    if (woken == 0)
+        run.Print("!nobody was woken");
 }
 
 TEST_CASE("immodest: when verifying, a broken promise is a difference") {
-    const Form verifying = {"verifying", true, true, bmr::Mode::Verify};
     const std::pair<const char *, void (*)(Heap &)> deeds[] = {
         {"a shape", [](Heap &game) { PolygonOf(game.sleepers[0])->m_vertices[0].x += 0.01f; }},
         {"who is a sensor", [](Heap &game) { game.sleepers[0]->GetFixtureList()->SetSensor(true); }},
@@ -375,12 +367,12 @@ TEST_CASE("immodest: when verifying, a broken promise is a difference") {
     };
     for (const auto &named : deeds) {
         CAPTURE(named.first);
-        const Play play = [deed = named.second](Run &run) {
+        const Scenario play = [deed = named.second](Run &run) {
             Heap game(run);
             game.listener.preSolve.Once([&game, deed] { deed(game); });
             game.Step(1);
         };
-        CHECK(Played(play, verifying, true, true).find("!answers differ") != std::string::npos);
-        CHECK(Played(play, verifying, true, false).find("!answers differ") == std::string::npos);
+        CHECK(Played(play, kVerifying, kModest).find("!claim broken: the answers are") != std::string::npos);
+        CHECK(Played(play, kVerifying, kAsAny).find("!claim broken: the answers are") == std::string::npos);
     }
 }

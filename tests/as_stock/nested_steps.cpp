@@ -38,7 +38,7 @@ struct Bar : Game {
         Awake({0.0f, 0.2f + kGap}, {0.1f, 0.1f});
         Step();
         for (int i = -12; i < 12; ++i) {
-            Touching({4.5f * Real(i), 60.0f});
+            Leaning({4.5f * Real(i), 60.0f});
             for (const float side : {-0.3f, 0.3f})
                 Awake({3.0f * Real(i) + side, -0.2f - kGap}, {0.1f, 0.1f});
             Step();
@@ -338,7 +338,7 @@ void PlayHeaps(Game &game) {
             const float x = Real(i % 9) - 4.0f;
             b2Body *body = game.Box({0.9f * x, 0.6f + 0.4f * Real(i % 5)}, {0.4f, 0.1f}, 0.4f * x);
             for (const float side : {-0.3f, 0.3f})
-                game.AddBoxTo(body, {0.1f, 0.3f}, {side, 0.1f}, side);
+                game.Box(body, 0.1f, 0.3f, {side, 0.1f}, side);
         }
         // It came later, so Box2D looks through its contacts: it has many.
         game.Wall({0.0f, 3.0f}, {6.0f, 3.0f})->GetFixtureList()->SetSensor(true);

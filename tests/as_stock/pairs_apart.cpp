@@ -8,7 +8,6 @@
 #include "yard.h"
 
 using namespace as_stock;
-using forked::BytesInUse;
 
 namespace {
 
@@ -31,6 +30,7 @@ class Needles {
 public:
     static constexpr int kCount = 12;
     explicit Needles(Run &run, float along = 0.0f) : game(run), m_run(run) {
+        game.Listen();
         for (int i = 0; i < kCount; ++i) {
             needles.push_back(game.Body(i == 0 ? b2_kinematicBody : b2_dynamicBody, PlaceOf(i), kSlant));
             game.Box(needles[static_cast<size_t>(i)], 3.0f, 0.05f);
@@ -75,18 +75,12 @@ private:
 
 } // namespace
 
-TEST_CASE("a pair that stays apart is not looked at") {
-    CheckSameAsStock([](Run &run) {
-        Needles resting(run);
-        resting.ExpectQuiet(60, 50);
-    });
-    CheckSameAsStock([](Run &run) {
-        Needles gliding(run, 0.2f);
-        gliding.ExpectQuiet(60, 5);
-    });
+AS_STOCK("a pair that stays apart is not looked at") {
+    Needles(run).ExpectQuiet(60, 50);
+    Needles(run, 0.2f).ExpectQuiet(60, 5);
 }
 
-SAME_AS_STOCK("looks are resumed after each kind of change, at the pairs that it concerns") {
+AS_STOCK("looks are resumed after each kind of change, at the pairs that it concerns") {
     Needles world(run);
     world.game.Step(40);
     world.ExpectQuiet(10, 50);
@@ -120,7 +114,7 @@ SAME_AS_STOCK("looks are resumed after each kind of change, at the pairs that it
     world.ExpectQuiet(10, 50);
 }
 
-SAME_AS_STOCK("joints that keep bodies apart end their pairs, and those that go let them meet again") {
+AS_STOCK("joints that keep bodies apart end their pairs, and those that go let them meet again") {
     Needles world(run);
     world.game.Step(40);
     const int32 before = world.game.world.GetContactCount();
@@ -139,7 +133,7 @@ SAME_AS_STOCK("joints that keep bodies apart end their pairs, and those that go 
     }
 }
 
-SAME_AS_STOCK("bodies that wake are looked at, those that fall asleep no more") {
+AS_STOCK("bodies that wake are looked at, those that fall asleep no more") {
     Needles world(run);
     for (b2Body *needle : world.needles)
         needle->SetSleepingAllowed(true);
@@ -158,7 +152,6 @@ SAME_AS_STOCK("bodies that wake are looked at, those that fall asleep no more") 
 }
 
 namespace {
-
 /// Lets fixtures that have parted pass through everything, in the call that says that they have.
 class Parting final : public b2ContactListener {
     void EndContact(b2Contact *contact) override {
@@ -170,7 +163,7 @@ class Parting final : public b2ContactListener {
 
 } // namespace
 
-SAME_AS_STOCK("a pair that is to be filtered anew from the call that ends its touching on") {
+AS_STOCK("a pair that is to be filtered anew from the call that ends its touching on") {
     Parting parting;
     Needles world(run);
     world.game.world.SetContactListener(&parting);
@@ -191,10 +184,9 @@ SAME_AS_STOCK("a pair that is to be filtered anew from the call that ends its to
     world.game.Step(5);
 }
 
-SAME_AS_STOCK("sleepers that were moved meet in the very step in which one of them is woken by a hit") {
+AS_STOCK("sleepers that were moved meet in the very step in which one of them is woken by a hit") {
     for (const int hits : {1, 4, 16}) {
-        Game game(run);
-        game.world.SetContactListener(nullptr); // whose calls would have all pairs looked at again
+        Game game(run); // a listener would have all pairs looked at again
         std::vector<b2Body *> sleepers, moved, shots;
         for (int i = 0; i < 16; ++i) {
             const b2Vec2 place(6.0f * static_cast<float>(i), 0.0f);
@@ -230,8 +222,8 @@ SAME_AS_STOCK("sleepers that were moved meet in the very step in which one of th
 }
 
 // Box2D sweeps a sleeping body over the way of its last step, too.
-SAME_AS_STOCK("bodies that were put to sleep in full flight are still in the way that they came") {
-    Game game(run);
+AS_STOCK("bodies that were put to sleep in full flight are still in the way that they came") {
+    Heard game(run);
     int stopped = 0;
     for (const bool spins : {false, true}) {
         std::vector<b2Body *> flying, bullets;
@@ -272,9 +264,9 @@ SAME_AS_STOCK("bodies that were put to sleep in full flight are still in the way
     game.Stage(stopped > 0, "what sleeps is met");
 }
 
-SAME_AS_STOCK("crowds far away, where places are rounded to what lies between two") {
+AS_STOCK("crowds far away, where places are rounded to what lies between two") {
     for (const float out : {3000.0f, 3e5f, 1.5e6f}) {
-        Game game(run);
+        Heard game(run);
         for (int i = 0; i < 40; ++i) {
             b2Body *body =
                 game.Body(b2_dynamicBody,
@@ -299,11 +291,10 @@ TEST_CASE("contacts that were disabled between steps are enabled where impacts a
             return true;
         }
     } freezing;
-    CheckSameAsStock([&freezing](Run &run) {
+    AsStock([&freezing](Run &run) {
         for (const int way : {0, 1, 2}) {
             Game game(run);
             const bool partial = way == 1, byList = way == 2;
-            game.world.SetContactListener(nullptr); // of which nobody would expect anything in a step
             game.world.SetSubStepping(partial);
             if (byList) {
                 game.world.SetContactFilter(&freezing);
@@ -336,7 +327,7 @@ TEST_CASE("a loop over contacts that a listener's exception ends is none") {
     struct Throwing final : b2ContactListener {
         void BeginContact(b2Contact *) override { throw Thrown(); }
     };
-    CheckSameAsStock([](Run &run) {
+    AsStock([](Run &run) {
         Needles world(run);
         Game &game = world.game;
         // Two that meet, and whose contact is the newest: the loop begins with it.
@@ -367,7 +358,7 @@ TEST_CASE("a loop over contacts that a listener's exception ends is none") {
 }
 
 TEST_CASE("more than 65,536 fixtures, each with a pair of its own") {
-    const forked::Scenario couples = [](Run &run) {
+    const Scenario couples = [](Run &run) {
         constexpr int kCouples = 33000;
         b2World world({0.0f, 0.0f});
         std::vector<b2Body *> movers;
@@ -403,24 +394,24 @@ TEST_CASE("more than 65,536 fixtures, each with a pair of its own") {
     };
     bmr::Options options; // in one form: it takes a while
     options.statistics = true;
-    const std::string stock = forked::InChild(couples, nullptr, forked::When::kBefore);
+    const std::string stock = InChild(couples);
     CHECK(stock.size() > 0);
-    CHECK(forked::Difference(stock, forked::InChild(couples, &options, forked::When::kBefore)) == "");
+    CHECK(Difference(stock, InChild(couples, &options)) == "");
 }
 
-SAME_AS_STOCK("worlds that die in mid-life, at the same address, and with other bodies there") {
+AS_STOCK("worlds that die in mid-life, at the same address, and with other bodies there") {
     alignas(Needles) static char room[sizeof(Needles)];
     for (int round = 0; round < 6; ++round) {
         auto *world = new (room) Needles(run, 0.1f * static_cast<float>(round));
         world->game.Step(10 + round);
         for (int i = 0; i < round; ++i) // some contacts end ahead of the world
             world->game.world.DestroyBody(world->needles[static_cast<size_t>(2 * i)]);
-        world->game.Print();
+        world->game.WriteDown();
         world->~Needles();
     }
 }
 
-SAME_AS_STOCK("memory is given back when contacts end and when the world does") {
+AS_STOCK("memory is given back when contacts end and when the world does") {
     // (A first world: what lasts as long as the thread or the process is there from then on.)
     std::make_unique<Needles>(run)->game.Step(2);
     const auto live = [&run](int rounds) {
@@ -449,7 +440,7 @@ SAME_AS_STOCK("memory is given back when contacts end and when the world does") 
     run.Expect(BytesInUse() == before, "contacts that come and go take no more memory");
 }
 
-SAME_AS_STOCK("nothing is allocated for pairs that stay apart") {
+AS_STOCK("nothing is allocated for pairs that stay apart") {
     Needles world(run, 0.2f);
     world.game.Step(30);
     const int32 contacts = world.game.world.GetContactCount();
@@ -459,7 +450,7 @@ SAME_AS_STOCK("nothing is allocated for pairs that stay apart") {
     run.Expect(BytesInUse() == before, "nothing was kept");
 }
 
-SAME_AS_STOCK("two worlds on two threads, one that dies while the other goes on") {
+AS_STOCK("two worlds on two threads, one that dies while the other goes on") {
     // Each prints for itself; one after the other they come into the text.
     std::vector<Run> printed;
     for (int i = 0; i < 2; ++i)

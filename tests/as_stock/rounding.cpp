@@ -80,7 +80,7 @@ TEST_CASE("turned: PostSolve changes how a thread is rounded, and that stays") {
                     std::fesetround(FE_TONEAREST);
                 }
             },
-            false);
+            kMayBeSilent);
 }
 
 // Nothing moves bodies without mass, whose impulses would be divided by zero.
@@ -102,7 +102,7 @@ AS_STOCK(
     "within: a listener rounds otherwise for the steps that it makes in the midst of a step, or has another "
     "thread make") {
     Game game(run);
-    game.Touching({0.0f, 50.0f});
+    game.Leaning({0.0f, 50.0f});
     game.Step();
     for (int i = 0; i < 60; ++i) {
         b2Body *const right = game.Near({3.0f * Real(i), 0.0f}, 0.15f);

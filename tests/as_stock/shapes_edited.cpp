@@ -23,7 +23,7 @@ b2PolygonShape Regular(int32 count, float radius) {
 } // namespace
 
 // bullet3 #2056, godot-jolt #251, gazebo-classic #526: shapes that were resized kept what was cached of them.
-SAME_AS_STOCK("polygons grow and shrink in place, past their boxes, with more and with fewer vertices") {
+AS_STOCK("polygons grow and shrink in place, past their boxes, with more and with fewer vertices") {
     Yard yard(run);
     yard.Begin();
     for (int round = 0; round < 12; ++round) {
@@ -44,7 +44,7 @@ SAME_AS_STOCK("polygons grow and shrink in place, past their boxes, with more an
     }
 }
 
-SAME_AS_STOCK("radii of circles, edges, polygons and sensors change in place") {
+AS_STOCK("radii of circles, edges, polygons and sensors change in place") {
     Yard yard(run);
     b2Body *circles[2];
     for (int i = 0; i < 2; ++i) { // one is a sensor
@@ -73,8 +73,8 @@ SAME_AS_STOCK("radii of circles, edges, polygons and sensors change in place") {
 }
 
 // box2d #341, #553, #1016: what an edge knows of its neighbours decides what a polygon does at its ends.
-SAME_AS_STOCK("edges and chains, their neighbours and their sides are changed in place") {
-    Game game(run, {0.0f, -10.0f});
+AS_STOCK_HOW(kMayBeSilent, "edges and chains, their neighbours and their sides are changed in place") {
+    Heard game(run, {0.0f, -10.0f});
     b2Body *ground = game.Body(b2_staticBody, {0.0f, 0.0f});
     b2EdgeShape edge;
     edge.SetOneSided({4.0f, 0.0f}, {2.0f, 0.0f}, {-2.0f, 0.0f}, {-4.0f, 0.0f});
@@ -114,8 +114,8 @@ SAME_AS_STOCK("edges and chains, their neighbours and their sides are changed in
 }
 
 // Impacts are sought first along the normal that a contact knows.
-SAME_AS_STOCK("normals that are too long keep nobody from an impact") {
-    Game game(run);
+AS_STOCK("normals that are too long keep nobody from an impact") {
+    Heard game(run);
     b2Body *wall = game.Body(b2_staticBody, {2.0f, 0.0f}), *bullet = game.Body(b2_dynamicBody, {0.0f, 0.0f});
     b2Fixture *side = game.Box(wall, 1.0f, 1.0f);
     game.Box(bullet, 0.1f, 0.1f);
@@ -139,8 +139,8 @@ SAME_AS_STOCK("normals that are too long keep nobody from an impact") {
 }
 
 // A sensor's record has the depth of a vertex in the other shape, or a line that kept the two apart.
-SAME_AS_STOCK("a sensor's deepest vertex is gone, and its line keeps nobody apart") {
-    Game game(run);
+AS_STOCK_HOW(kMayBeSilent, "a sensor's deepest vertex is gone, and its line keeps nobody apart") {
+    Heard game(run);
     b2Body *eye = game.Body(b2_dynamicBody, {0.0f, 0.0f}), *seen = game.Body(b2_dynamicBody, {0.9f, 0.0f});
     auto *watching = static_cast<b2PolygonShape *>(game.Fixture(eye, Regular(8, 1.0f), true)->GetShape());
     auto *watched = static_cast<b2PolygonShape *>(game.Fixture(seen, Regular(8, 0.5f))->GetShape());
@@ -164,10 +164,10 @@ SAME_AS_STOCK("a sensor's deepest vertex is gone, and its line keeps nobody apar
 
 // Box2D's search ends with its own rounding where a segment goes through the origin: on a grid that is often
 // so.
-SAME_AS_STOCK("sensors without skins lose each other, however deep they are inside each other") {
+AS_STOCK_HOW(kMayBeSilent, "sensors without skins lose each other, however deep they are inside each other") {
     constexpr int kPairs = 60, kSteps = 200;
     constexpr float kCell = 0.05f, kFar = 100.0f;
-    Game game(run);
+    Heard game(run);
     uint32_t state = 1;
     const auto below = [&state](uint32_t count) {
         state = 1664525u * state + 1013904223u;
@@ -220,8 +220,8 @@ struct Outcome {
 };
 
 /// A coin on a plank of its own kind and beside a box; `before` gives way to `after`, in the way of `how`.
-enum class How { kFresh, kInPlace, kNewFixture };
-Outcome PlayCoins(How how, int32 before, int32 after, float across) {
+enum class Way { kFresh, kInPlace, kNewFixture };
+Outcome PlayCoins(Way way, int32 before, int32 after, float across) {
     b2World world(b2Vec2(0.0f, 0.0f));
     b2BodyDef def;
     def.type = b2_dynamicBody;
@@ -234,7 +234,7 @@ Outcome PlayCoins(How how, int32 before, int32 after, float across) {
     bmr::ConvexShape coin, other;
     b2PolygonShape box;
     box.SetAsBox(0.6f, 0.9f);
-    CHECK(coin.SetRegular(how == How::kFresh ? after : before, 1.0f) == BMR_OK);
+    CHECK(coin.SetRegular(way == Way::kFresh ? after : before, 1.0f) == BMR_OK);
     CHECK(other.SetEllipse(48, 1.0f, 0.9f) == BMR_OK);
     b2Fixture *changing = bodies[0]->CreateFixture(&coin, 1.0f);
     bodies[1]->CreateFixture(&other, 1.0f);
@@ -252,9 +252,9 @@ Outcome PlayCoins(How how, int32 before, int32 after, float across) {
         world.Step(1.0f / 60.0f, 8, 3);
     }
     CHECK(coin.SetRegular(after, 1.0f) == BMR_OK);
-    if (how == How::kInPlace) {
+    if (way == Way::kInPlace) {
         *static_cast<bmr::ConvexShape *>(changing->GetShape()) = coin;
-    } else if (how == How::kNewFixture) {
+    } else if (way == Way::kNewFixture) {
         bodies[0]->DestroyFixture(changing); // the polygon's place and number are free for the next
         bmr::ConvexShape next;
         CHECK(next.SetRegular(after, 1.0f) == BMR_OK);
@@ -297,14 +297,14 @@ TEST_CASE("a big polygon that another one took the place of leaves nothing behin
     for (const int32 *counts : kCounts) {
         const int32 before = counts[0], after = counts[1];
         for (const float across : {1.85f, 2.2f}) {
-            const Outcome fresh = PlayCoins(How::kFresh, before, after, across);
+            const Outcome fresh = PlayCoins(Way::kFresh, before, after, across);
             touching += fresh.touching;
-            for (const How how : {How::kInPlace, How::kNewFixture}) {
-                const Outcome changed = PlayCoins(how, before, after, across);
+            for (const Way way : {Way::kInPlace, Way::kNewFixture}) {
+                const Outcome changed = PlayCoins(way, before, after, across);
                 CAPTURE(before);
                 CAPTURE(after);
                 CAPTURE(across);
-                CAPTURE(how == How::kInPlace);
+                CAPTURE(way == Way::kInPlace);
                 CHECK(changed.text == fresh.text);
                 CHECK(changed.touching == fresh.touching);
             }

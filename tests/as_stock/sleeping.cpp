@@ -253,7 +253,7 @@ AS_STOCK(
     Game game(run);
     b2Body *const leaning = game.Box({0.0f, 0.0f}), *const leant = game.Box({0.98f, 0.0f});
     AddOthers(game);
-    game.Touching({0.0f, -20.0f});
+    game.Leaning({0.0f, -20.0f});
     b2Body *const pulled = game.Box({0.0f, 40.0f}), *const pulling = game.Box({8.0f, 40.0f});
     game.Tie(pulling, pulled);
     game.Listen();

@@ -32,7 +32,7 @@ template <size_t count> void PlayAll(const SmallWorld (&worlds)[count]) {
                     game.Step();
                 }
             },
-            false);
+            kMayBeSilent);
     }
 }
 

@@ -364,7 +364,7 @@ void PlayPairs(Run &run, b2BodyType type, int fast) {
 TEST_CASE("pinned pairs share a ground whose velocity becomes NaN") {
     for (const b2BodyType ground : {b2_staticBody, b2_kinematicBody})
         for (const int fast : {0, 10})
-            AsStock([ground, fast](Run &run) { PlayPairs(run, ground, fast); }, false);
+            AsStock([ground, fast](Run &run) { PlayPairs(run, ground, fast); }, kMayBeSilent);
 }
 
 TEST_CASE("small worlds with joints") {

@@ -351,19 +351,19 @@ void PlayApart(Run &run, float drift, float fall) {
 } // namespace
 
 TEST_CASE("islands share a ground that moves") {
-    AsStock([](Run &run) { PlayApart(run, 0.3f, 0.0f); }, false);
+    AsStock([](Run &run) { PlayApart(run, 0.3f, 0.0f); }, kMayBeSilent);
 }
 
 TEST_CASE("islands share a ground whose velocity becomes NaN") {
-    AsStock([](Run &run) { PlayApart(run, 0.0f, std::numeric_limits<float>::infinity()); }, false);
+    AsStock([](Run &run) { PlayApart(run, 0.0f, std::numeric_limits<float>::infinity()); }, kMayBeSilent);
 }
 
 TEST_CASE("boxes slide on a floor") {
-    AsStock([](Run &run) { PlaySliding(run, 0.0f, 8); }, false);
+    AsStock([](Run &run) { PlaySliding(run, 0.0f, 8); }, kMayBeSilent);
 }
 
 TEST_CASE("boxes slide on a floor that is as fast as -0.0") {
-    AsStock([](Run &run) { PlaySliding(run, -0.0f, 1); }, false);
+    AsStock([](Run &run) { PlaySliding(run, -0.0f, 1); }, kMayBeSilent);
 }
 
 TEST_CASE("small worlds without joints") {

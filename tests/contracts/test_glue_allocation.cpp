@@ -4,19 +4,19 @@
 // steps must be the glue's.)
 #include <sys/mman.h>
 
+#include "as_stock.h"
 #include "boomerang/contact_recorder.h"
 #include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
 #include "box2d_shapes.h"
 #include "cases.h"
 #include "failing_malloc.h"
-#include "forked_world.h"
 #include "proofs/impact_scan.h"
 #include "small_world.h"
 #include "test_scale.h"
 
 using bmr::ConvexShape;
-using namespace forked;
+using namespace as_stock;
 
 namespace {
 
@@ -96,13 +96,12 @@ void PlayCoins(Run &run) {
     End();
 }
 
-void CheckEveryFailure(forked::Scenario scenario, bool likeStock, int64_t stays) {
+void CheckEveryFailure(Scenario scenario, bool likeStock, int64_t stays) {
     failAt = kNoFailure;
-    const std::string reference =
-        forked::InChild(scenario, likeStock ? nullptr : &options, forked::When::kByScenario);
-    const std::string whole = forked::InChild(scenario, &options, forked::When::kByScenario);
+    const std::string reference = InChild(scenario, likeStock ? nullptr : &options, Installed::ByPlay);
+    const std::string whole = InChild(scenario, &options, Installed::ByPlay);
     REQUIRE(reference.size() > 1000);
-    REQUIRE(forked::Difference(reference, whole) == "");
+    REQUIRE(Difference(reference, whole) == "");
     const Found complete = *found;
     REQUIRE(complete.asked > 5);
     REQUIRE(complete.failed == 0);
@@ -111,8 +110,8 @@ void CheckEveryFailure(forked::Scenario scenario, bool likeStock, int64_t stays)
     const uint64_t most = test_scaled(30);
     for (failAt = 0; failAt < complete.asked; failAt += failAt < 20 ? 1 : complete.asked / most + 1) {
         CAPTURE(failAt);
-        const std::string failing = forked::InChild(scenario, &options, forked::When::kByScenario);
-        CHECK(forked::Difference(reference, failing) == "");
+        const std::string failing = InChild(scenario, &options, Installed::ByPlay);
+        CHECK(Difference(reference, failing) == "");
         CHECK(found->failed == 1);
         CHECK(found->left <= complete.left);
     }
@@ -206,7 +205,7 @@ TEST_CASE("a world of small polygons plays as stock, whatever allocation fails")
         const std::string name = structure;
         CAPTURE(name);
         options = bmr::Options();
-        const forked::PairsBy by(name.empty() ? nullptr : structure);
+        const PairsBy by(name.empty() ? nullptr : structure);
         // The compass table is the process's.
         CheckEveryFailure(PlayPlanks, true, name == "lazy-compass" ? 1 : 0);
     }
@@ -215,7 +214,7 @@ TEST_CASE("a world of small polygons plays as stock, whatever allocation fails")
 TEST_CASE("a world of big polygons plays as with memory, whatever allocation fails") {
     for (const bmr_structure structure : {BMR_FREE_DIRECTION, BMR_LAZY_DUDLEY}) {
         options = bmr::Options();
-        const forked::PairsBy by(structure);
+        const PairsBy by(structure);
         CheckEveryFailure(PlayCoins, false, 0);
     }
 }
@@ -254,19 +253,16 @@ TEST_CASE("Install without memory for its table is refused, and says so") {
     static uint64_t at;
     int refused = 0;
     for (at = 0; at < 2; ++at)
-        refused += forked::InChild(
-                       [](Run &run) {
-                           const forked::PairsBy by(BMR_LAZY_COMPASS);
-                           bool done = true;
-                           const std::string said = StderrOf([&] {
-                               failing_malloc::FailAt(at);
-                               done = bmr::Install();
-                               failing_malloc::FailAt(UINT64_MAX);
-                           });
-                           run.Print("%d %d %s", done, bmr::IsInstalled(), said.c_str());
-                       },
-                       nullptr, forked::When::kByScenario) ==
-                   "0 0 boomerang: not at work, Box2D runs as it is: there is no memory\n\n";
+        refused += InChild([](Run &run) {
+                       const PairsBy by(BMR_LAZY_COMPASS);
+                       bool done = true;
+                       const std::string said = StderrOf([&] {
+                           failing_malloc::FailAt(at);
+                           done = bmr::Install();
+                           failing_malloc::FailAt(UINT64_MAX);
+                       });
+                       run.Print("%d %d %s", done, bmr::IsInstalled(), said.c_str());
+                   }) == "0 0 boomerang: not at work, Box2D runs as it is: there is no memory\n\n";
     CHECK(refused == 1);
 }
 

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Contacts of big ConvexShapes: with every kind of shape, born and ended in every way, told of as Box2D tells
 // of its own, with the plugin installed in any of its forms or not at all.
+#include "as_stock.h"
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
 #include "cases.h"
 #include "convex_ground.h"
-#include "forked_world.h"
 #include "start/recognise.h"
 
 using bmr::ConvexShape;
-using forked::CheckSameAsStock; // what is the same here is what it is without Install
-using namespace forked;
+using namespace as_stock;
 using namespace ground;
 
 namespace {
@@ -21,9 +20,8 @@ bool EndsWith(const std::string &text, const std::string &end) {
 
 } // namespace
 
-SAME_AS_STOCK(
-    "a wheel rolls over the joints of a one-sided chain without noticing them, and passes from behind") {
-    Game game(run, {0.0f, -10.0f});
+AS_STOCK("a wheel rolls over the joints of a one-sided chain without noticing them, and passes from behind") {
+    Heard game(run, {0.0f, -10.0f});
     game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), Chain());
     b2Body *wheel = Falling(game, {-4.0f, kRadius + 0.01f});
     game.Fixture(wheel, Coin(512));
@@ -83,8 +81,8 @@ void Mixed(Game &game, shapes::Engine &engine, int32 vertices) {
 
 } // namespace
 
-SAME_AS_STOCK("bodies of many big shapes share a structure that holds their real polygons") {
-    Game game(run);
+AS_STOCK("bodies of many big shapes share a structure that holds their real polygons") {
+    Heard game(run);
     b2Body *a = game.Body(b2_dynamicBody, {0.0f, 0.0f}, 0.785f),
            *b = game.Body(b2_dynamicBody, {0.0f, 2.0f}, 0.785f);
     for (b2Body *body : {a, b}) {
@@ -108,12 +106,12 @@ SAME_AS_STOCK("bodies of many big shapes share a structure that holds their real
     game.Stage(a->GetLinearVelocity().Length() > 0.1f, "a collision");
 }
 
-SAME_AS_STOCK("churn and worlds that die with contacts alive leak nothing") {
+AS_STOCK("churn and worlds that die with contacts alive leak nothing") {
     size_t before = 0;
     bool grew = false;
     for (int round = 0; round < 120; ++round) {
         {
-            Game game(run, {0.0f, -10.0f});
+            Heard game(run, {0.0f, -10.0f});
             shapes::Engine engine(3);
             Mixed(game, engine, 40);
             game.world.Step(1.0f / 60.0f, 8, 3);
@@ -121,51 +119,47 @@ SAME_AS_STOCK("churn and worlds that die with contacts alive leak nothing") {
                 game.world.Step(1.0f / 60.0f, 8, 3);
             for (int i = 0; i < 4; ++i)
                 game.world.DestroyBody(game.world.GetBodyList());
-            game.Print();
+            game.WriteDown();
         }
         if (round == 60)
-            before = forked::BytesInUse();
+            before = BytesInUse();
     }
     constexpr size_t kLeastLeak = 200;
-    grew = forked::BytesInUse() >= before + 60 * kLeastLeak;
+    grew = BytesInUse() >= before + 60 * kLeastLeak;
     if (grew)
         run.Print("!not staged: no growth");
 }
 
-TEST_CASE("contacts that were alive at Install go on and are given back") {
-    CheckSameAsStock(
-        [](Run &run) {
-            Game game(run, {0.0f, -10.0f});
-            shapes::Engine engine(21);
-            Mixed(game, engine, 64);
-            game.Step(60);
-            game.Stage(game.Touching() > 5, "contacts");
-            run.Install();
-            game.Step(60);
-            game.Fixture(Falling(game, {0.0f, 9.0f}), Coin(64));
-            game.Step(60);
-            while (game.world.GetBodyCount() > 1)
-                game.world.DestroyBody(game.world.GetBodyList());
-            game.Step();
-        },
-        forked::When::kByScenario);
+AS_STOCK_HOW(kInstalls, "contacts that were alive at Install go on and are given back") {
+    Heard game(run, {0.0f, -10.0f});
+    shapes::Engine engine(21);
+    Mixed(game, engine, 64);
+    game.Step(60);
+    game.Stage(game.Touching() > 5, "contacts");
+    run.Install();
+    game.Step(60);
+    game.Fixture(Falling(game, {0.0f, 9.0f}), Coin(64));
+    game.Step(60);
+    while (game.world.GetBodyCount() > 1)
+        game.world.DestroyBody(game.world.GetBodyList());
+    game.Step();
 }
 
 TEST_CASE("Mode::Off and Mode::Verify change nothing, and nothing differs") {
-    const forked::Scenario heap = [](Run &run) {
-        Game game(run, {0.0f, -10.0f});
+    const Scenario heap = [](Run &run) {
+        Heard game(run, {0.0f, -10.0f});
         shapes::Engine engine(8);
         Mixed(game, engine, 64);
         game.Step(120);
     };
-    const std::string alone = forked::InChild(heap, nullptr, forked::When::kBefore);
+    const std::string alone = InChild(heap);
     bmr::Options verify;
     verify.mode = bmr::Mode::Verify;
     verify.statistics = true;
-    CHECK(forked::Difference(alone, forked::InChild(heap, &verify, forked::When::kBefore)) == "");
-    const std::string counted = forked::InChild(
+    CHECK(Difference(alone, InChild(heap, &verify)) == "");
+    const std::string counted = InChild(
         [](Run &run) {
-            Game game(run, {0.0f, -10.0f});
+            Heard game(run, {0.0f, -10.0f});
             shapes::Engine engine(8);
             Mixed(game, engine, 64);
             for (int i = 0; i < 120; ++i)
@@ -173,26 +167,24 @@ TEST_CASE("Mode::Off and Mode::Verify change nothing, and nothing differs") {
             const bmr::Counted s = bmr::internal::ReadCounts();
             run.Print("%d %d %d", s.verified > 100, s.differences == 0, s.provedApart > 10);
         },
-        &verify, forked::When::kBefore);
-    CHECK(EndsWith(counted, "\n1 1 1\n"));
-    CHECK(forked::InChild(
-              [](Run &run) {
-                  bmr::Options off;
-                  off.mode = bmr::Mode::Off;
-                  run.Print("%d", bmr::Install(off));
-                  Game game(run, {0.0f, -10.0f});
-                  shapes::Engine engine(8);
-                  Mixed(game, engine, 64);
-                  game.Step(120);
-              },
-              nullptr, forked::When::kBefore) == "0\n" + alone);
+        &verify);
+    CHECK(counted == "1 1 1\n");
+    CHECK(InChild([](Run &run) {
+              bmr::Options off;
+              off.mode = bmr::Mode::Off;
+              run.Print("%d", bmr::Install(off));
+              Heard game(run, {0.0f, -10.0f});
+              shapes::Engine engine(8);
+              Mixed(game, engine, 64);
+              game.Step(120);
+          }) == "0\n" + alone);
 }
 
 TEST_CASE("far from the origin nothing is proved apart that has points") {
     bmr::Options verify;
     verify.mode = bmr::Mode::Verify;
     verify.statistics = true;
-    const std::string counted = forked::InChild(
+    const std::string counted = InChild(
         [](Run &run) {
             constexpr float kFar = 100000.0f; // floats are 8 mm apart
             // Sharp ends that meet head-on: their sides hardly separate them.
@@ -204,7 +196,7 @@ TEST_CASE("far from the origin nothing is proved apart that has points") {
             ConvexShape shape;
             if (shape.Set(vertices.data(), static_cast<int32>(vertices.size())) != BMR_OK)
                 run.Print("no shape");
-            Game game(run);
+            Heard game(run);
             b2Body *const a = game.Body(b2_dynamicBody, {kFar, kFar});
             b2Body *const b = game.Body(b2_dynamicBody, {kFar + 2.0f, kFar});
             game.Fixture(a, shape);
@@ -222,8 +214,8 @@ TEST_CASE("far from the origin nothing is proved apart that has points") {
             const bmr::Counted s = bmr::internal::ReadCounts();
             run.Print("verified %d, differences %d", s.evaluations > 1000, static_cast<int>(s.differences));
         },
-        &verify, forked::When::kBefore);
-    CHECK(EndsWith(counted, "\nverified 1, differences 0\n"));
+        &verify);
+    CHECK(counted == "verified 1, differences 0\n");
 }
 
 namespace {
@@ -256,50 +248,45 @@ int Counted::alive = 0, Counted::made = 0;
 } // namespace
 
 TEST_CASE("what a game had put into the register goes on making what is not ours") {
-    const std::string text = forked::InChild(
-        [](Run &run) {
-            { // Box2D fills its register at the first contact
-                Game game(run);
-                game.Box(game.Body(b2_staticBody, {0.0f, 0.0f}), 1.0f, 1.0f);
-                game.Box(game.Body(b2_dynamicBody, {0.5f, 0.0f}), 1.0f, 1.0f);
-                game.world.Step(0.0f, 1, 1);
-            }
-            Counted::Register();
-            const ConvexShape first = Coin(64); // Box2D is looked at: contacts are made
-            const int madeBefore = Counted::made, aliveBefore = Counted::alive;
-            Game game(run, {0.0f, -10.0f});
-            game.Box(game.Body(b2_staticBody, {0.0f, -1.0f}), 5.0f, 1.0f);
-            b2Body *box = Falling(game, {-2.0f, 0.5f}), *coin = Falling(game, {2.0f, 0.6f});
-            game.Box(box, 0.2f, 0.2f);
-            game.Fixture(coin, first);
-            game.Step(60);
-            const int made = Counted::made - madeBefore, alive = Counted::alive - aliveBefore;
-            game.Stage(game.Touching() == 2, "two contacts that touch");
-            game.world.DestroyBody(box);
-            game.world.DestroyBody(coin);
-            run.Print("%d %d %d", made, alive, Counted::alive - aliveBefore);
-        },
-        nullptr, forked::When::kBefore);
+    const std::string text = InChild([](Run &run) {
+        { // Box2D fills its register at the first contact
+            Heard game(run);
+            game.Box(game.Body(b2_staticBody, {0.0f, 0.0f}), 1.0f, 1.0f);
+            game.Box(game.Body(b2_dynamicBody, {0.5f, 0.0f}), 1.0f, 1.0f);
+            game.world.Step(0.0f, 1, 1);
+        }
+        Counted::Register();
+        const ConvexShape first = Coin(64); // Box2D is looked at: contacts are made
+        const int madeBefore = Counted::made, aliveBefore = Counted::alive;
+        Heard game(run, {0.0f, -10.0f});
+        game.Box(game.Body(b2_staticBody, {0.0f, -1.0f}), 5.0f, 1.0f);
+        b2Body *box = Falling(game, {-2.0f, 0.5f}), *coin = Falling(game, {2.0f, 0.6f});
+        game.Box(box, 0.2f, 0.2f);
+        game.Fixture(coin, first);
+        game.Step(60);
+        const int made = Counted::made - madeBefore, alive = Counted::alive - aliveBefore;
+        game.Stage(game.Touching() == 2, "two contacts that touch");
+        game.world.DestroyBody(box);
+        game.world.DestroyBody(coin);
+        run.Print("%d %d %d", made, alive, Counted::alive - aliveBefore);
+    });
     CHECK(EndsWith(text, "\n1 1 0\n"));
 }
 
 TEST_CASE("where Box2D is unknown a big shape is refused and stays what it was, a small one is not") {
-    CHECK(forked::InChild(
-              [](Run &run) {
-                  bmr::SetLibraryCheck([] { return "a test says so"; });
-                  ConvexShape shape;
-                  const bmr_error small = shape.SetRegular(6, 1.0f), big = shape.SetRegular(64, 1.0f);
-                  run.Print("%d %d %d", small == BMR_OK, big == BMR_ERROR_UNSUPPORTED,
-                            shape.GetVertexCount());
-              },
-              nullptr, forked::When::kBefore) == "1 1 6\n");
+    CHECK(InChild([](Run &run) {
+              bmr::SetLibraryCheck([] { return "a test says so"; });
+              ConvexShape shape;
+              const bmr_error small = shape.SetRegular(6, 1.0f), big = shape.SetRegular(64, 1.0f);
+              run.Print("%d %d %d", small == BMR_OK, big == BMR_ERROR_UNSUPPORTED, shape.GetVertexCount());
+          }) == "1 1 6\n");
 }
 
 namespace {
 
 /// Random polygons of Box2D's own size in a heap; `make` adds each to its body.
 template <typename Add> void SmallHeap(Run &run, Add add) {
-    Game game(run, {0.0f, -10.0f});
+    Heard game(run, {0.0f, -10.0f});
     shapes::Engine engine(77);
     game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), Chain());
     for (int i = 0; i < 60; ++i) {
@@ -315,7 +302,7 @@ template <typename Add> void SmallHeap(Run &run, Add add) {
 } // namespace
 
 TEST_CASE("up to 8 vertices all is as with Box2D's own polygons, to the bit") {
-    const forked::Scenario convex = [](Run &run) {
+    const Scenario convex = [](Run &run) {
         SmallHeap(run, [](Game &game, b2Body *body, const b2PolygonShape &p) {
             b2PolygonShape again;
             again.Set(p.m_vertices, p.m_count);
@@ -325,14 +312,14 @@ TEST_CASE("up to 8 vertices all is as with Box2D's own polygons, to the bit") {
             game.Fixture(body, shape);
         });
     };
-    const forked::Scenario plain = [](Run &run) {
+    const Scenario plain = [](Run &run) {
         SmallHeap(run, [](Game &game, b2Body *body, const b2PolygonShape &p) {
             b2PolygonShape again;
             again.Set(p.m_vertices, p.m_count);
             game.Fixture(body, again);
         });
     };
-    const forked::Scenario nudged = [](Run &run) {
+    const Scenario nudged = [](Run &run) {
         SmallHeap(run, [](Game &game, b2Body *body, const b2PolygonShape &p) {
             b2Vec2 vertices[b2_maxPolygonVertices];
             std::copy_n(p.m_vertices, p.m_count, vertices);
@@ -342,10 +329,10 @@ TEST_CASE("up to 8 vertices all is as with Box2D's own polygons, to the bit") {
             game.Fixture(body, shape);
         });
     };
-    const std::string reference = forked::InChild(plain, nullptr, forked::When::kBefore);
-    CHECK(reference.size() > 100000);
+    const std::string reference = InChild(plain);
+    CHECK(reference.size() > 5000);
     const bmr::Options defaults;
     for (const bmr::Options *options : {static_cast<const bmr::Options *>(nullptr), &defaults})
-        CHECK(forked::Difference(reference, forked::InChild(convex, options, forked::When::kBefore)) == "");
-    CHECK(forked::InChild(nudged, nullptr, forked::When::kBefore) != reference);
+        CHECK(Difference(reference, InChild(convex, options)) == "");
+    CHECK(InChild(nudged) != reference);
 }

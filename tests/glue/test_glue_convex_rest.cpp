@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Big ConvexShapes at rest: on every kind of shape, and under what is smaller.
+#include "as_stock.h"
 #include "boomerang/convex_shape.h"
 #include "cases.h"
 #include "convex_ground.h"
-#include "forked_world.h"
 
 using bmr::ConvexShape;
-using forked::CheckSameAsStock; // what is the same here is what it is without Install
-using namespace forked;
+using namespace as_stock;
 using namespace ground;
 
 namespace {
@@ -51,11 +50,11 @@ float Gap(const b2Body *body) {
 
 } // namespace
 
-SAME_AS_STOCK("a big shape rests with its own edge on every kind of shape, in either order") {
+AS_STOCK("a big shape rests with its own edge on every kind of shape, in either order") {
     for (const int32 count : {9, 64, 1024}) {
         for (const bool groundFirst : {true, false}) {
             WithEveryGround([&](const char *name, const b2Shape &ground) {
-                Game game(run, {0.0f, -10.0f});
+                Heard game(run, {0.0f, -10.0f});
                 run.Print("%s, %d", name, count);
                 b2Body *below = game.Body(b2_staticBody, {0.0f, 0.0f});
                 if (groundFirst)
@@ -80,10 +79,10 @@ SAME_AS_STOCK("a big shape rests with its own edge on every kind of shape, in ei
     }
 }
 
-SAME_AS_STOCK("what is smaller lies and rolls on a big shape as on any") {
+AS_STOCK("what is smaller lies and rolls on a big shape as on any") {
     ConvexShape plate;
     REQUIRE(plate.SetRounded(4.0f, 0.5f, 0.3f, 20) == BMR_OK);
-    Game game(run, {0.0f, -10.0f});
+    Heard game(run, {0.0f, -10.0f});
     game.Fixture(game.Body(b2_staticBody, {0.0f, -0.5f}), plate);
     b2CircleShape ball;
     ball.m_radius = 0.3f;

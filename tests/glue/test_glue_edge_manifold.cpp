@@ -5,13 +5,15 @@
 #include <box2d/b2_edge_shape.h>
 #include <dlfcn.h>
 
+#include "as_stock.h"
 #include "box2d_shapes.h"
 #include "cases.h"
 #include "contacts/edge_contact.h"
-#include "forked_world.h"
 #include "shapes/shapes32.h"
 #include "start/rounding_probe.h"
 #include "test_scale.h"
+
+using namespace as_stock;
 
 namespace {
 
@@ -205,18 +207,17 @@ TEST_CASE("a Box2D that collides edges by other rules, or to other bits, is noti
 }
 
 TEST_CASE("contacts of edges are ours where Box2D collides edges as we do, and nowhere else") {
-    const auto install = [](forked::Run &run) {
+    const auto install = [](Run &run) {
         bmr::Install();
-        forked::Game game(run);
+        Game game(run);
         b2EdgeShape edge;
         edge.SetTwoSided({-1.0f, 0.0f}, {1.0f, 0.0f});
         game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), edge);
         game.Box(game.Body(b2_dynamicBody, {0.0f, 0.5f}), 0.5f, 0.5f);
-        game.world.SetContactListener(nullptr);
         game.world.Step(0.0f, 1, 1);
         run.Print("%d", bmr::EdgeContact::AsOurs(game.world.GetContactList()) != nullptr);
     };
-    const auto inChild = [&install] { return forked::InChild(install, nullptr, forked::When::kByScenario); };
+    const auto inChild = [&install] { return InChild(install); };
     CHECK((inChild() == "1\n") == (bmr::Box2DRoundsAsExact32() && bmr::Box2DCollidesEdgesAsExact32()));
     rules = Rules::kTwoSided;
     CHECK(inChild() == "0\n");

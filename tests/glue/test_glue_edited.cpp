@@ -2,13 +2,13 @@
 // Shapes that a game changes in place, unannounced. tests/faults takes the handling of each out of the glue
 // and expects the test case here to fail.
 #include "cases.h"
-#include "planks.h"
+#include "yard.h"
 
-using namespace forked;
+using namespace as_stock;
 
-SAME_AS_STOCK("each vertex that is changed in place is seen") {
+AS_STOCK("each vertex that is changed in place is seen") {
     for (int corners = 3; corners <= 8; ++corners) {
-        Game game(run);
+        Heard game(run);
         TwoPlanks planks(game, 0.6f);
         b2Vec2 points[8];
         for (int i = 0; i < corners; ++i)
@@ -28,8 +28,8 @@ SAME_AS_STOCK("each vertex that is changed in place is seen") {
             bmr::CurrentStep() = 0;
             game.Stage(game.Touching() == 0, "apart");
             // (Where edges are remembered, the piece's contacts may be too few for a structure.)
-            run.Expect(!run.Counts() || run.RemembersEdges() || bmr::internal::ReadCounts().hulls > before,
-                       "the hull is built anew");
+            run.ExpectCounted(run.RemembersEdges() || bmr::internal::ReadCounts().hulls > before,
+                              "the hull is built anew");
         }
         const uint64_t before = bmr::internal::ReadCounts().hulls;
         if (run.HasPlugin())
@@ -76,10 +76,10 @@ void InvalidateAll(Game &game) {
 } // namespace
 
 // No hull is built of them. Its radius is 0: that of fixtures without skins is no larger.
-SAME_AS_STOCK("vertices that leave their normals, within the hull, are not proved apart by it") {
+AS_STOCK("vertices that leave their normals, within the hull, are not proved apart by it") {
     for (const bool tell : {false, true})
         for (const float skin : {b2_polygonRadius, 0.0f}) {
-            Game game(run, {0.0f, 0.0f});
+            Heard game(run, {0.0f, 0.0f});
             DiagonalRows rows(game, skin);
             game.Step(5);
             game.StagePairs();
@@ -93,7 +93,7 @@ SAME_AS_STOCK("vertices that leave their normals, within the hull, are not prove
             bmr::CurrentStep() = 0;
             game.Stage(game.Touching() == (skin > 0.0f ? 1 : 0), "points of the two that were moved");
         }
-    Game game(run, {0.0f, 0.0f});
+    Heard game(run, {0.0f, 0.0f});
     DiagonalRows rows(game, 0.0f);
     rows.MoveVertices(); // before there is a contact
     game.Step(5);
@@ -101,8 +101,8 @@ SAME_AS_STOCK("vertices that leave their normals, within the hull, are not prove
 }
 
 // Boomerang does not notice that normals were changed alone.
-SAME_AS_STOCK("normals that are changed in place count once the body is invalidated") {
-    Game game(run, {0.0f, 0.0f});
+AS_STOCK("normals that are changed in place count once the body is invalidated") {
+    Heard game(run, {0.0f, 0.0f});
     DiagonalRows rows(game);
     b2Vec2 ofBox[4];
     std::copy_n(rows.shapes[0]->m_normals, 4, ofBox);
@@ -124,9 +124,9 @@ SAME_AS_STOCK("normals that are changed in place count once the body is invalida
     game.Stage(game.Touching() == 1, "points of the two that have other normals");
 }
 
-SAME_AS_STOCK("an edge that was edited away separates nothing") {
+AS_STOCK("an edge that was edited away separates nothing") {
     constexpr float kEighth = 0.785398185f;
-    Game game(run);
+    Heard game(run);
     b2Body *middle = game.Body(b2_dynamicBody, {0.0f, 0.0f});
     b2Vec2 corners[8];
     for (int i = 0; i < 8; ++i)

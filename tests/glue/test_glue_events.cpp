@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Who listens to the glue is told of every event and every answer that it counts, and changes nothing by
 // listening.
+#include "as_stock.h"
 #include "boomerang/convex_shape.h"
 #include "cases.h"
-#include "forked_world.h"
 
-using namespace forked;
+using namespace as_stock;
 
 namespace {
 
-struct Heard {
+struct Tally {
     uint64_t events[BMR_EVENT_KIND_COUNT], answers[5];
     unsigned strangers; ///< events and answers of other bodies than the scene's
 };
 
 struct Scene {
-    Heard heard = {};
+    Tally heard = {};
     const b2World *world = nullptr;
 };
 Scene scene;
@@ -33,7 +33,7 @@ void OnAnswer(const b2Contact &contact, bmr::Answer answer) {
 
 /// Planks of boxes and of big shapes that fall on one another, and one of them flies past.
 void Play(Run &run, bool big) {
-    Game game(run, {0.0f, -10.0f});
+    Heard game(run, {0.0f, -10.0f});
     scene.world = &game.world;
     const auto plank = [&](b2BodyType type, b2Vec2 at, float angle) {
         b2Body *body = game.Body(type, at, angle);
@@ -57,10 +57,8 @@ void PlayBig(Run &run) {
     Play(run, true);
 }
 
-/// Without who listens to the world: Box2D lets one take its own listener away.
 void PlayUnheard(Run &run) {
     Game game(run, {0.0f, -10.0f});
-    game.world.SetContactListener(nullptr);
     game.Plank(game.Body(b2_staticBody, {0.0f, 0.0f}));
     b2Body *body = game.Body(b2_dynamicBody, {0.5f, 1.0f}, 0.2f);
     game.Plank(body);
@@ -74,7 +72,7 @@ void PlayUnheard(Run &run) {
 
 /// Contacts by the hundred between two bodies.
 void PlayMany(Run &run) {
-    Game game(run, {0.0f, -10.0f});
+    Heard game(run, {0.0f, -10.0f});
     b2Body *floor = game.Body(b2_staticBody, {0.0f, 0.0f});
     for (int i = 0; i < 1200; ++i)
         game.Box(floor, 0.005f, 0.1f,
@@ -103,18 +101,18 @@ void CheckHeard(Run &run) {
     run.Expect(scene.heard.strangers == 0, "all are of this world");
 }
 
-std::string PlayedBefore(const forked::Scenario &play, bmr_structure structure) {
+std::string PlayedBefore(const Scenario &play, bmr_structure structure) {
     bmr::Options options; // statistics are implied
-    const forked::PairsBy by(structure);
+    const PairsBy by(structure);
     options.onEvent = OnEvent;
     bmr::internal::ObserveAnswers(OnAnswer);
     options.eventContext = &scene;
-    std::string played = forked::InChild(
+    std::string played = InChild(
         [&play](Run &run) {
             play(run);
             CheckHeard(run);
         },
-        &options, forked::When::kBefore);
+        &options);
     bmr::internal::ObserveAnswers(nullptr);
     return played;
 }
@@ -123,31 +121,31 @@ std::string PlayedBefore(const forked::Scenario &play, bmr_structure structure) 
 
 TEST_CASE("every event and every answer is told of, with every structure") {
     for (void (*const play)(Run &) : {PlaySmall, PlayBig}) {
-        const std::string stock = forked::InChild(play, nullptr, forked::When::kBefore);
+        const std::string stock = InChild(play);
         const std::string quiet = [&] {
             const bmr::Options options;
-            return forked::InChild(play, &options, forked::When::kBefore);
+            return InChild(play, &options);
         }();
         for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
             CAPTURE(structure);
             const std::string heard = PlayedBefore(play, static_cast<bmr_structure>(structure));
             // (Alone, big shapes are not stock's: there the plugin is compared with itself.)
-            CHECK(forked::Difference(play == PlaySmall ? stock : quiet, heard) == "");
+            CHECK(Difference(play == PlaySmall ? stock : quiet, heard) == "");
         }
     }
 }
 
 TEST_CASE("worlds without a listener play as stock") {
-    forked::CheckSameAsStock(PlayUnheard);
+    AsStock(PlayUnheard);
 }
 
 TEST_CASE("bodies of very many fixtures play as stock") {
-    forked::CheckSameAsStock(PlayMany);
+    AsStock(PlayMany);
 }
 
 TEST_CASE("without remembered edges worlds play as stock") {
-    const std::string stock = forked::InChild(PlaySmall, nullptr, forked::When::kBefore);
+    const std::string stock = InChild(PlaySmall);
     const bmr::Options bare;
-    const forked::PairsBy by(BMR_FREE_DIRECTION);
-    CHECK(forked::Difference(stock, forked::InChild(PlaySmall, &bare, forked::When::kBefore)) == "");
+    const PairsBy by(BMR_FREE_DIRECTION);
+    CHECK(Difference(stock, InChild(PlaySmall, &bare)) == "");
 }

@@ -2,14 +2,14 @@
 // What Inspect shows of a pair is a proof that anybody can check, and looking at it changes nothing.
 #include <set>
 
+#include "as_stock.h"
 #include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
 #include "box2d_shapes.h"
 #include "cases.h"
-#include "forked_world.h"
 #include "test_scale.h"
 
-using namespace forked;
+using namespace as_stock;
 
 namespace {
 
@@ -155,11 +155,11 @@ struct Tally {
 
 } // namespace
 
-SAME_AS_STOCK("every proof that is shown can be checked by hand, and looking changes nothing") {
+AS_STOCK("every proof that is shown can be checked by hand, and looking changes nothing") {
     shapes::Engine engine(11);
     Tally tally;
     for (size_t world = 0; world < test_scaled(60); ++world) {
-        Game game(run);
+        Heard game(run);
         game.world.SetGravity({0.0f, 0.0f});
         std::vector<b2Body *> bodies;
         for (int i = 0; i < 6; ++i)
@@ -167,10 +167,7 @@ SAME_AS_STOCK("every proof that is shown can be checked by hand, and looking cha
                                   {shapes::UniformF(engine, -4.0, 4.0), shapes::UniformF(engine, -4.0, 4.0)},
                                   i % 2 == 0 ? 4 : 1));
         for (int step = 0; step < 20; ++step) {
-            game.world.Step(1.0f / 60.0f, 8, 3);
-            for (const b2Body *body : bodies)
-                run.Print("%08x %08x %08x", forked::Bits(body->GetPosition().x),
-                          forked::Bits(body->GetPosition().y), forked::Bits(body->GetAngle()));
+            game.Step();
             if (!run.HasPlugin())
                 continue;
             for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
@@ -192,12 +189,12 @@ SAME_AS_STOCK("every proof that is shown can be checked by hand, and looking cha
     run.Expect(tally.kinds.size() > 1, "proofs of several kinds");
 }
 
-SAME_AS_STOCK("the proof of two big shapes is an edge of one of them, and holds for all their vertices") {
+AS_STOCK("the proof of two big shapes is an edge of one of them, and holds for all their vertices") {
     shapes::Engine engine(13);
     Tally tally;
     int touching = 0, edgesOf[2] = {0, 0};
     for (int round = 0; round < 60; ++round) {
-        Game game(run);
+        Heard game(run);
         const b2Body *bodies[2];
         for (int i = 0; i < 2; ++i) {
             b2Body *body = game.Body(b2_dynamicBody, {1.12f * static_cast<float>(i), 0.0f},
@@ -225,12 +222,12 @@ SAME_AS_STOCK("the proof of two big shapes is an edge of one of them, and holds 
     run.Expect(tally.notNearest == 0, "its points are the nearest to the line");
 }
 
-SAME_AS_STOCK("no more vertices of a hull are filled in than there are and than there is room for") {
+AS_STOCK("no more vertices of a hull are filled in than there are and than there is room for") {
     shapes::Engine engine(14);
     size_t looked = 0, wrong = 0;
     int32_t finer = 0;
     for (int world = 0; world < 20; ++world) {
-        Game game(run);
+        Heard game(run);
         Burr(game, engine, {0.0f, 0.0f}, 4);
         Burr(game, engine, {1.2f, 0.3f}, 4);
         game.world.Step(1.0f / 60.0f, 8, 3);
@@ -255,11 +252,11 @@ SAME_AS_STOCK("no more vertices of a hull are filled in than there are and than 
     run.Expect(by == nullptr || std::strncmp(by, "lazy", 4) != 0 || finer > 0, "more on a finer level");
 }
 
-SAME_AS_STOCK("two bodies are as far apart as the weakest proof between them") {
+AS_STOCK("two bodies are as far apart as the weakest proof between them") {
     shapes::Engine engine(12);
     size_t looked = 0, unlike = 0;
     for (int world = 0; world < 100; ++world) { // at every scale: few worlds have such a pair
-        Game game(run);
+        Heard game(run);
         const b2Body *a = Burr(game, engine, {0.0f, 0.0f}, 3), *b = Burr(game, engine, {0.9f, 0.3f}, 3);
         game.world.Step(1.0f / 60.0f, 8, 3);
         if (!run.HasPlugin() || game.world.GetContactCount() == 0)

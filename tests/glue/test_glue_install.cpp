@@ -3,21 +3,21 @@
 // environment says outweighs what the program says; what it says badly counts as not said, and gets one line.
 #include <sys/wait.h>
 
+#include "as_stock.h"
 #include "cases.h"
-#include "forked_world.h"
 #include "start/environment.h"
 #include "start/recognise.h"
 #include "start/settings.h"
 #include "start/this_process.h"
 #include "trial_file.h"
 
-using forked::Run;
+using namespace as_stock;
 
 namespace {
 
 /// What a scenario prints in a process of its own, in which nothing is installed yet.
-std::string Alone(forked::Scenario scenario) {
-    return forked::InChild(scenario, nullptr, forked::When::kByScenario);
+std::string Alone(Scenario scenario) {
+    return InChild(scenario);
 }
 
 void PrintInstall(Run &run, const bmr::Options &options) {
@@ -127,7 +127,7 @@ TEST_CASE("every mode and every structure has a name that chooses it") {
         CHECK(Under("BOOMERANG", bmr::NameOf(mode)).mode == mode);
     for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i) {
         const auto structure = static_cast<bmr_structure>(i);
-        const forked::PairsBy by(structure);
+        const PairsBy by(structure);
         CHECK(bmr::StructureOfEnvironment() == structure);
     }
 }

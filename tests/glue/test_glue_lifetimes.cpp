@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Who is born and dies when: installation, contacts, worlds; callers of Evaluate; odd bodies and
 // places. tests/faults takes handling out of the glue and expects test cases here to fail.
+#include "as_stock.h"
 #include "cases.h"
-#include "forked_world.h"
 #include "test_scale.h"
 
-using namespace forked;
+using namespace as_stock;
 
 namespace {
 
@@ -60,8 +60,8 @@ void Heap(Game &game, float x) {
 
 } // namespace
 
-SAME_AS_STOCK("Install before the first contact takes effect, and leaves the other kinds of contacts alone") {
-    Game game(run, {0.0f, -10.0f});
+AS_STOCK("Install before the first contact takes effect, and leaves the other kinds of contacts alone") {
+    Heard game(run, {0.0f, -10.0f});
     Heap(game, 0.0f);
     for (int i = 0; i < 4; ++i) {
         b2CircleShape circle;
@@ -71,38 +71,33 @@ SAME_AS_STOCK("Install before the first contact takes effect, and leaves the oth
     game.Step(120);
     run.Expect(bmr::IsInstalled() && !bmr::Install(), "a second Install changes nothing and says so");
     const bmr::Counted s = bmr::internal::ReadCounts();
-    if (run.Counts())
-        run.Expect(s.evaluations > 0 && s.provedApart + s.handedOver == s.evaluations && s.provedApart > 0,
-                   "contacts of the first world are ours");
-    else
+    run.ExpectCounted(s.evaluations > 0 && s.provedApart + s.handedOver == s.evaluations && s.provedApart > 0,
+                      "contacts of the first world are ours");
+    if (run.IsUncounted())
         run.Expect(s.evaluations == 0 && s.hulls == 0 && s.hullChecks == 0, "nothing is counted unasked");
 }
 
-TEST_CASE("contacts born before Install keep working, and are destroyed by who made them") {
-    CheckSameAsStock(
-        [](Run &run) {
-            Game game(run, {0.0f, -10.0f});
-            Heap(game, 0.0f);
-            game.Step(60);
-            game.Stage(game.Touching() > 5, "contacts are there");
-            run.Install();
-            game.Step(20);
-            for (int i = 0; i < 6; ++i) {
-                game.Plank(game.Body(b2_dynamicBody, {0.0f, 6.0f + 0.5f * static_cast<float>(i)}, 0.2f));
-                // New fixtures on old bodies: our contacts and stock's between the same two.
-                game.Box(game.world.GetBodyList()->GetNext(), 0.3f, 0.3f, {0.4f, 0.2f});
-                game.Step(10);
-            }
-            while (game.world.GetBodyCount() > 3) {
-                game.world.DestroyBody(game.world.GetBodyList()->GetNext()->GetNext());
-                game.Step(3);
-            }
-        },
-        forked::When::kByScenario);
+AS_STOCK_HOW(kInstalls, "contacts born before Install keep working, and are destroyed by who made them") {
+    Heard game(run, {0.0f, -10.0f});
+    Heap(game, 0.0f);
+    game.Step(60);
+    game.Stage(game.Touching() > 5, "contacts are there");
+    run.Install();
+    game.Step(20);
+    for (int i = 0; i < 6; ++i) {
+        game.Plank(game.Body(b2_dynamicBody, {0.0f, 6.0f + 0.5f * static_cast<float>(i)}, 0.2f));
+        // New fixtures on old bodies: our contacts and stock's between the same two.
+        game.Box(game.world.GetBodyList()->GetNext(), 0.3f, 0.3f, {0.4f, 0.2f});
+        game.Step(10);
+    }
+    while (game.world.GetBodyCount() > 3) {
+        game.world.DestroyBody(game.world.GetBodyList()->GetNext()->GetNext());
+        game.Step(3);
+    }
 }
 
-SAME_AS_STOCK("every way for a contact to die gives back all it held") {
-    Game game(run);
+AS_STOCK("every way for a contact to die gives back all it held") {
+    Heard game(run);
     b2Body *bodies[2];
     Planks(game, {0.0f, 0.0f}, 0.6f, bodies);
     b2Body *far = game.Body(b2_dynamicBody, {3.0f, -3.0f}, kSlant);
@@ -164,22 +159,22 @@ SAME_AS_STOCK("every way for a contact to die gives back all it held") {
             cycle(way);
         // A pair alone has 240 bytes, a hull more. What Box2D itself takes on the way is a chunk or two.
         constexpr size_t kCycles = 300, kLeastLeak = 100;
-        const size_t before = forked::BytesInUse();
+        const size_t before = BytesInUse();
         for (size_t i = 0; i < kCycles; ++i)
             cycle(way);
         run.Print("way %d", way);
-        game.Stage(forked::BytesInUse() < before + kLeastLeak * kCycles, "no growth");
-        game.Print();
+        game.Stage(BytesInUse() < before + kLeastLeak * kCycles, "no growth");
+        game.WriteDown();
     }
 }
 
 TEST_CASE("control: one block that is not given back is seen") {
-    const size_t before = forked::BytesInUse();
+    const size_t before = BytesInUse();
     void *block = std::malloc(1000);
     CHECK(block != nullptr);
-    CHECK(forked::BytesInUse() >= before + 1000);
+    CHECK(BytesInUse() >= before + 1000);
     std::free(block);
-#if defined(FORKED_WORLD_ASAN)
+#if defined(IN_CHILD_ASAN)
     const auto leak = [](Run &) {
         void *volatile lost = nullptr;
         for (int i = 0; i < 16; ++i) // some may still be seen, in a register or below the stack
@@ -187,13 +182,13 @@ TEST_CASE("control: one block that is not given back is seen") {
         lost = nullptr;
         (void)lost;
     };
-    CHECK(forked::InChild(leak, nullptr, forked::When::kBefore) != "");
+    CHECK(InChild(leak) != "");
 #endif
 }
 
-SAME_AS_STOCK("a world that dies with contacts alive leaks nothing") {
+AS_STOCK("a world that dies with contacts alive leaks nothing") {
     const auto live = [&run] {
-        Game game(run);
+        Heard game(run);
         for (int i = 0; i < 4; ++i)
             Coin(game,
                  game.Body(b2_dynamicBody, {1.9f * static_cast<float>(i), 1.8f * static_cast<float>(i % 2)}),
@@ -206,16 +201,16 @@ SAME_AS_STOCK("a world that dies with contacts alive leaks nothing") {
     };
     for (int i = 0; i < 20; ++i)
         live();
-    const size_t before = forked::BytesInUse();
+    const size_t before = BytesInUse();
     for (size_t i = test_scaled(300); i > 0; --i)
         live();
     run.Print("dead");
-    if (forked::BytesInUse() != before)
-        run.Print("!not staged: no growth: %zu to %zu bytes", before, forked::BytesInUse());
+    if (BytesInUse() != before)
+        run.Print("!not staged: no growth: %zu to %zu bytes", before, BytesInUse());
 }
 
-SAME_AS_STOCK("Evaluate may be called by anybody, with an uninitialised manifold and any poses") {
-    Game game(run, {0.0f, -10.0f});
+AS_STOCK("Evaluate may be called by anybody, with an uninitialised manifold and any poses") {
+    Heard game(run, {0.0f, -10.0f});
     Heap(game, 0.0f);
     b2Body *bodies[2];
     Planks(game, {0.0f, 30.0f}, 0.6f, bodies);
@@ -235,8 +230,7 @@ SAME_AS_STOCK("Evaluate may be called by anybody, with an uninitialised manifold
                     b2Transform there = xfB;
                     there.p.y += moved;
                     c->Evaluate(&manifold, xfA, there);
-                    run.Print("points %d", manifold.pointCount);
-                    game.Print(manifold);
+                    game.hash.Add(manifold);
                     const bmr::Counted after = bmr::internal::ReadCounts();
                     if (run.Counts()) {
                         const bool touched = c->GetManifold()->pointCount > 0;
@@ -249,8 +243,8 @@ SAME_AS_STOCK("Evaluate may be called by anybody, with an uninitialised manifold
     }
 }
 
-SAME_AS_STOCK("bodies of more than 64 hull vertices") {
-    Game game(run);
+AS_STOCK("bodies of more than 64 hull vertices") {
+    Heard game(run);
     b2Body *coins[3];
     for (int i = 0; i < 3; ++i) {
         coins[i] = game.Body(b2_dynamicBody, {2.12f * static_cast<float>(i), 0.3f * static_cast<float>(i)});
@@ -268,9 +262,9 @@ SAME_AS_STOCK("bodies of more than 64 hull vertices") {
     game.Step(60);
 }
 
-SAME_AS_STOCK("beyond the reach all is left to Box2D's own arithmetic") {
+AS_STOCK("beyond the reach all is left to Box2D's own arithmetic") {
     for (const float far : {3000.0f, -10000.0f}) {
-        Game game(run);
+        Heard game(run);
         b2Body *bodies[2];
         Planks(game, {far, 0.5f * far}, 0.6f, bodies);
         game.Step(20);

@@ -3,20 +3,22 @@
 // as always.
 #include <cfenv>
 
+#include "as_stock.h"
 #include "base/rounding_mode.h"
 #include "boomerang/convex_shape.h"
 #include "cases.h"
 #include "contacts/solid_contact.h"
-#include "forked_world.h"
 #include "proofs/body_pair.h"
 #include "proofs/hull.h"
+
+using namespace as_stock;
 
 namespace {
 
 constexpr int kModes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 
 /// Two planks, which have a structure, and boxes that fall on them.
-void Fill(forked::Game *game) {
+void Fill(Game *game) {
     b2Body *ground = game->Body(b2_staticBody, {0.0f, 0.0f}, 0.1f);
     game->Plank(ground);
     b2Body *plank = game->Body(b2_dynamicBody, {0.1f, 0.5f}, 0.15f);
@@ -27,17 +29,17 @@ void Fill(forked::Game *game) {
                   0.2f, 0.15f);
 }
 
-template <int kMode> void AlwaysIn(forked::Run &run) {
+template <int kMode> void AlwaysIn(Run &run) {
     std::fesetround(kMode);
-    forked::Game game(run, {0.0f, -10.0f});
+    Heard game(run, {0.0f, -10.0f});
     Fill(&game);
     game.Step(60);
     game.Stage(game.Touching() > 0, "a collision");
 }
 
 /// What is remembered from steps of one mode is used in steps of another.
-template <int kMode> void InTurn(forked::Run &run) {
-    forked::Game game(run, {0.0f, -10.0f});
+template <int kMode> void InTurn(Run &run) {
+    Heard game(run, {0.0f, -10.0f});
     Fill(&game);
     for (int step = 0; step < 90; ++step) {
         std::fesetround(step % 5 == 3 ? kMode : FE_TONEAREST);
@@ -49,29 +51,29 @@ template <int kMode> void InTurn(forked::Run &run) {
 } // namespace
 
 TEST_CASE("steps that round otherwise are stock's") {
-    forked::CheckSameAsStock(AlwaysIn<FE_UPWARD>);
-    forked::CheckSameAsStock(AlwaysIn<FE_DOWNWARD>);
-    forked::CheckSameAsStock(AlwaysIn<FE_TOWARDZERO>);
+    AsStock(AlwaysIn<FE_UPWARD>);
+    AsStock(AlwaysIn<FE_DOWNWARD>);
+    AsStock(AlwaysIn<FE_TOWARDZERO>);
 }
 
 TEST_CASE("steps that round now so, now otherwise, are stock's") {
-    forked::CheckSameAsStock(InTurn<FE_UPWARD>);
-    forked::CheckSameAsStock(InTurn<FE_TOWARDZERO>);
+    AsStock(InTurn<FE_UPWARD>);
+    AsStock(InTurn<FE_TOWARDZERO>);
 }
 
 TEST_CASE("the mode decides what a step gives: what these tests compare can differ") {
-    const std::string nearest = forked::InChild(AlwaysIn<FE_TONEAREST>, nullptr, forked::When::kByScenario);
-    CHECK(forked::Difference(nearest, nearest) == "");
-    const std::string upward = forked::InChild(AlwaysIn<FE_UPWARD>, nullptr, forked::When::kByScenario);
-    CHECK(forked::Difference(nearest, upward) != "");
+    const std::string nearest = InChild(AlwaysIn<FE_TONEAREST>);
+    CHECK(Difference(nearest, nearest) == "");
+    const std::string upward = InChild(AlwaysIn<FE_UPWARD>);
+    CHECK(Difference(nearest, upward) != "");
 }
 
 namespace {
 
 /// Two wheels of so many corners that their hulls are envelopes, whose corners are computed. Prints the hulls
 /// that are built in one mode, and built again in another.
-template <int kBuilt, int kRebuilt> void Hulls(forked::Run &run) {
-    forked::Game game(run);
+template <int kBuilt, int kRebuilt> void Hulls(Run &run) {
+    Heard game(run);
     bmr::ConvexShape wheel;
     REQUIRE(wheel.SetRegular(100, 0.7f) == BMR_OK);
     b2Body *body = nullptr;
@@ -96,11 +98,11 @@ template <int kBuilt, int kRebuilt> void Hulls(forked::Run &run) {
     }
 }
 
-std::string HullsOf(forked::Scenario scenario) {
+std::string HullsOf(Scenario scenario) {
     bmr::Options options;
-    const forked::PairsBy by(BMR_FREE_DIRECTION); // each fixture has a hull
-    const std::string text = forked::InChild(scenario, &options, forked::When::kBefore);
-    CHECK(forked::Difference(text, text) == "");
+    const PairsBy by(BMR_FREE_DIRECTION); // each fixture has a hull
+    const std::string text = InChild(scenario, &options);
+    CHECK(Difference(text, text) == "");
     return text;
 }
 
@@ -109,10 +111,10 @@ std::string HullsOf(forked::Scenario scenario) {
 TEST_CASE("hulls are the same in whatever mode they are built") {
     const std::string nearest = HullsOf(Hulls<FE_TONEAREST, FE_TONEAREST>);
     CHECK(nearest.size() > 1000);
-    CHECK(forked::Difference(nearest, HullsOf(Hulls<FE_UPWARD, FE_UPWARD>)) == "");
-    CHECK(forked::Difference(nearest, HullsOf(Hulls<FE_DOWNWARD, FE_DOWNWARD>)) == "");
-    CHECK(forked::Difference(nearest, HullsOf(Hulls<FE_TONEAREST, FE_UPWARD>)) == "");
-    CHECK(forked::Difference(nearest, HullsOf(Hulls<FE_TONEAREST, FE_TOWARDZERO>)) == "");
+    CHECK(Difference(nearest, HullsOf(Hulls<FE_UPWARD, FE_UPWARD>)) == "");
+    CHECK(Difference(nearest, HullsOf(Hulls<FE_DOWNWARD, FE_DOWNWARD>)) == "");
+    CHECK(Difference(nearest, HullsOf(Hulls<FE_TONEAREST, FE_UPWARD>)) == "");
+    CHECK(Difference(nearest, HullsOf(Hulls<FE_TONEAREST, FE_TOWARDZERO>)) == "");
 }
 
 TEST_CASE("polygons of many vertices are the same in whatever mode they are made") {

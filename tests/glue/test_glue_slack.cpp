@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // CertifiedSlack is a lower bound of the true distance, in whatever state the pair is.
+#include "as_stock.h"
 #include "box2d_shapes.h"
 #include "cases.h"
 #include "convex_ground.h"
-#include "forked_world.h"
 #include "proofs/thresholds.h"
 #include "test_scale.h"
 
-using namespace forked;
+using namespace as_stock;
 
 namespace {
 
@@ -48,11 +48,11 @@ struct Tally {
 
 } // namespace
 
-SAME_AS_STOCK("the certified slack is never above the true distance") {
+AS_STOCK("the certified slack is never above the true distance") {
     shapes::Engine engine(7);
     Tally tally;
     for (size_t world = 0; world < test_scaled(150); ++world) {
-        Game game(run);
+        Heard game(run);
         const float range = shapes::UniformF(engine, 0.0, 400.0);
         b2Body *a = RandomBody(game, engine, {range, -range});
         b2Body *b = RandomBody(
@@ -79,11 +79,11 @@ SAME_AS_STOCK("the certified slack is never above the true distance") {
     run.Expect(tally.nearlyTooLarge > 0, "control: three rounding margins more would be above it");
 }
 
-SAME_AS_STOCK("bodies of boxes that are a tenth apart have positive slack after a step") {
+AS_STOCK("bodies of boxes that are a tenth apart have positive slack after a step") {
     shapes::Engine engine(8);
     size_t apart = 0, none = 0, together = 0, some = 0;
     for (size_t world = 0; world < test_scaled(600); ++world) {
-        Game game(run);
+        Heard game(run);
         b2Body *bodies[2];
         for (int i = 0; i < 2; ++i) {
             bodies[i] = game.Body(b2_dynamicBody,
@@ -109,10 +109,10 @@ SAME_AS_STOCK("bodies of boxes that are a tenth apart have positive slack after 
     run.Expect(some == 0, "zero where they overlap");
 }
 
-SAME_AS_STOCK("the certified slack is of the vertices as they are, whatever the normals") {
+AS_STOCK("the certified slack is of the vertices as they are, whatever the normals") {
     size_t asked = 0, tooLarge = 0, positive = 0;
     for (int kind = 0; kind < 5; ++kind) {
-        Game game(run, {0.0f, 0.0f});
+        Heard game(run, {0.0f, 0.0f});
         // The corner of one towards the corner of the other, so that their boxes overlap.
         b2Body *a = game.Body(b2_dynamicBody, {0.0f, 0.0f}, 0.5f),
                *b = game.Body(b2_dynamicBody, b2Mul(b2Rot(0.5f), b2Vec2(2.5f, 0.2f)), 0.5f);
@@ -172,11 +172,11 @@ double DistanceOfReal(const b2Body *a, const b2Body *b, bool octagons) {
 
 } // namespace
 
-SAME_AS_STOCK("the certified slack is never above the distance of the real polygons") {
+AS_STOCK("the certified slack is never above the distance of the real polygons") {
     shapes::Engine engine(13);
     int positive = 0, tooLarge = 0, aboveUnlessOctagon = 0;
     for (int round = 0; round < 150; ++round) {
-        Game game(run);
+        Heard game(run);
         const int32 counts[2] = {9 + shapes::Below(engine, 20), 60 + shapes::Below(engine, 60)};
         b2Body *bodies[2];
         for (int i = 0; i < 2; ++i) {

@@ -3,12 +3,12 @@
 // unannounced. tests/faults takes the handling of each out of the glue and expects the test case here to
 // fail.
 #include "cases.h"
-#include "planks.h"
+#include "yard.h"
 
-using namespace forked;
+using namespace as_stock;
 
-SAME_AS_STOCK("fixtures A and B may change places between two contacts of one body pair") {
-    Game game(run);
+AS_STOCK("fixtures A and B may change places between two contacts of one body pair") {
+    Heard game(run);
     // The second plank lies three beside its body's origin, so that no symmetry hides a mix-up.
     b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, -2.2f);
     constexpr int kAll = Game::kPlankPieces, kHalf = kAll / 2;
@@ -27,32 +27,31 @@ SAME_AS_STOCK("fixtures A and B may change places between two contacts of one bo
     game.Step(40);
 }
 
-SAME_AS_STOCK("a fixture that is added outside the hull collides at once") {
-    Game game(run);
+AS_STOCK("a fixture that is added outside the hull collides at once") {
+    Heard game(run);
     TwoPlanks planks(game, 0.6f);
     const uint64_t before = bmr::internal::ReadCounts().hulls;
     game.Box(planks.b, 0.1f, 0.1f, {-1.0f, -0.6f});
     game.Step();
-    run.Expect(!run.Counts() || bmr::internal::ReadCounts().hulls > before, "the hull is built anew");
+    run.ExpectCounted(bmr::internal::ReadCounts().hulls > before, "the hull is built anew");
     game.Stage(game.Touching() >= 1, "a collision");
     game.Step(20);
 }
 
-SAME_AS_STOCK("remembered edges are counted where they are asked, and nowhere else") {
-    Game game(run);
+AS_STOCK("remembered edges are counted where they are asked, and nowhere else") {
+    Heard game(run);
     b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, 0.6f);
     game.Box(a, 2.0f, 0.1f);
     game.Box(b, 2.0f, 0.1f);
     game.Step(5);
     game.Stage(game.world.GetContactCount() == 1 && game.Touching() == 0, "a contact, apart");
     const bmr::Counted s = bmr::internal::ReadCounts();
-    run.Expect(!run.Counts() || s.provedApart == 5, "it is answered in each step");
-    run.Expect(!run.Counts() || s.edgeChecks == (run.RemembersEdges() ? s.provedApart : 0),
-               "by an edge, if any");
+    run.ExpectCounted(s.provedApart == 5, "it is answered in each step");
+    run.ExpectCounted(s.edgeChecks == (run.RemembersEdges() ? s.provedApart : 0), "by an edge, if any");
 }
 
-SAME_AS_STOCK("a new fixture at the address of an old one is not the old one") {
-    Game game(run);
+AS_STOCK("a new fixture at the address of an old one is not the old one") {
+    Heard game(run);
     TwoPlanks planks(game, 0.6f);
     b2Fixture *old = planks.b->GetFixtureList(); // the newest: the right end
     planks.b->DestroyFixture(old);
@@ -63,8 +62,8 @@ SAME_AS_STOCK("a new fixture at the address of an old one is not the old one") {
     game.Step(20);
 }
 
-SAME_AS_STOCK("a hull that two pairs share is forgotten by both when it grows") {
-    Game game(run);
+AS_STOCK("a hull that two pairs share is forgotten by both when it grows") {
+    Heard game(run);
     b2Body *bodies[3];
     for (int i = 0; i < 3; ++i) {
         bodies[i] = Slanting(game, 0.6f * static_cast<float>(i - 1));
@@ -79,8 +78,8 @@ SAME_AS_STOCK("a hull that two pairs share is forgotten by both when it grows") 
     game.Step(20);
 }
 
-SAME_AS_STOCK("a sensor's polygon does not enter its body's hull") {
-    Game game(run);
+AS_STOCK("a sensor's polygon does not enter its body's hull") {
+    Heard game(run);
     b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, 0.6f);
     game.Plank(a);
     b2PolygonShape wide;
@@ -94,8 +93,8 @@ SAME_AS_STOCK("a sensor's polygon does not enter its body's hull") {
         run.Expect(s.provedApart > 4 * s.edgeChecks, "the body pair answers for the planks");
 }
 
-SAME_AS_STOCK("the hull of a level does not swallow what is inside") {
-    Game game(run);
+AS_STOCK("the hull of a level does not swallow what is inside") {
+    Heard game(run);
     b2Body *level = game.Body(b2_staticBody, {0.0f, 0.0f}, kSlant);
     for (const float side : {-4.0f, 4.0f}) {
         game.Box(level, 8.0f, 0.1f, {0.0f, side});
@@ -114,11 +113,10 @@ SAME_AS_STOCK("the hull of a level does not swallow what is inside") {
     game.Stage(game.Touching() > 0, "a collision with the level");
 }
 
-SAME_AS_STOCK(
-    "no structure vouches for a body that is far from its own origin, be it the first or the second") {
+AS_STOCK("no structure vouches for a body that is far from its own origin, be it the first or the second") {
     constexpr float kFar = 3000.0f;
     for (const bool farFirst : {false, true}) {
-        Game game(run);
+        Heard game(run);
         for (const bool far : {farFirst, !farFirst})
             game.Plank(Slanting(game, far ? kFar + 0.6f : 0.0f, far ? b2_kinematicBody : b2_dynamicBody),
                        {0.0f, far ? -kFar : 0.0f});
@@ -131,8 +129,8 @@ SAME_AS_STOCK(
     }
 }
 
-SAME_AS_STOCK("teleports of either body are noticed") {
-    Game game(run);
+AS_STOCK("teleports of either body are noticed") {
+    Heard game(run);
     TwoPlanks planks(game, 0.6f);
     const auto rest = [&planks] {
         for (b2Body *body : {planks.a, planks.b}) {
@@ -163,9 +161,9 @@ SAME_AS_STOCK("teleports of either body are noticed") {
     }
 }
 
-SAME_AS_STOCK("bullets and sub-steps move bodies in the middle of a step") {
+AS_STOCK("bullets and sub-steps move bodies in the middle of a step") {
     for (const bool subStepping : {false, true}) {
-        Game game(run, {0.0f, -10.0f});
+        Heard game(run, {0.0f, -10.0f});
         game.world.SetSubStepping(subStepping);
         b2Body *wall = game.Body(b2_staticBody, {0.0f, 0.0f}, 0.1f);
         for (int i = -4; i <= 4; ++i)

@@ -3,9 +3,11 @@
 // first.
 #include <box2d/b2_time_of_impact.h>
 
+#include "as_stock.h"
 #include "cases.h"
-#include "forked_world.h"
 #include "tell/verify.h"
+
+using namespace as_stock;
 
 namespace {
 
@@ -38,14 +40,12 @@ struct Told {
 template <typename Verify> Told By(Verify verify) {
     static const Verify *chosen;
     chosen = &verify;
-    const std::string text = forked::InChild(
-        [](forked::Run &run) {
-            const std::string line = StderrOf(*chosen);
-            const bmr::Counted s = bmr::internal::ReadCounts();
-            run.Print("%u %u", static_cast<unsigned>(s.verified), static_cast<unsigned>(s.differences));
-            run.Print("%s", line.c_str());
-        },
-        nullptr, forked::When::kByScenario);
+    const std::string text = InChild([](Run &run) {
+        const std::string line = StderrOf(*chosen);
+        const bmr::Counted s = bmr::internal::ReadCounts();
+        run.Print("%u %u", static_cast<unsigned>(s.verified), static_cast<unsigned>(s.differences));
+        run.Print("%s", line.c_str());
+    });
     Told told;
     REQUIRE(std::sscanf(text.c_str(), "%u %u", &told.verified, &told.differences) == 2);
     told.line = text.substr(text.find('\n') + 1);

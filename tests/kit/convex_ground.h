@@ -2,17 +2,17 @@
 #ifndef BOOMERANG_TESTS_CONVEX_GROUND_H
 #define BOOMERANG_TESTS_CONVEX_GROUND_H
 
+#include "as_stock.h"
 #include "boomerang/convex_shape.h"
 #include "cases.h"
-#include "forked_world.h"
 
 /// @file
 /// What tests of contacts of big shapes let fall, and on what.
 
 namespace ground {
 
+using as_stock::Game;
 using bmr::ConvexShape;
-using forked::Game;
 
 constexpr float kRadius = 0.5f;
 constexpr float kPi = 3.14159265358979f;

@@ -92,12 +92,20 @@ public:
         Add(bits);
     }
     void Add(uint32_t word) { m_value = (m_value ^ word) * UINT64_C(1099511628211); }
+    void Add(const b2Vec2 &v) {
+        Add(v.x);
+        Add(v.y);
+    }
+    /// By its number, which is all that a game's user data may be here.
+    void Add(const b2Fixture &fixture) {
+        Add(static_cast<uint32_t>(const_cast<b2Fixture &>(fixture).GetUserData().pointer));
+    }
     void Add(const b2World &world) {
         for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-            for (const float value :
-                 {body->GetPosition().x, body->GetPosition().y, body->GetAngle(), body->GetLinearVelocity().x,
-                  body->GetLinearVelocity().y, body->GetAngularVelocity()})
-                Add(value);
+            for (const b2Vec2 &v :
+                 {body->GetPosition(), body->GetTransform().q.GetXAxis(), body->GetWorldCenter(),
+                  body->GetLinearVelocity(), b2Vec2(body->GetAngle(), body->GetAngularVelocity())})
+                Add(v);
             Add(static_cast<uint32_t>(body->IsAwake()));
         }
         Add(static_cast<uint32_t>(world.GetContactCount()));
@@ -107,17 +115,24 @@ public:
     }
     /// Of a sensor's contact all that Box2D finds is whether it touches.
     void Add(const b2Contact &contact) {
+        Add(*contact.GetFixtureA());
+        Add(*contact.GetFixtureB());
         Add(static_cast<uint32_t>(contact.IsTouching()));
-        const b2Manifold &manifold = *contact.GetManifold();
-        if (contact.GetFixtureA()->IsSensor() || contact.GetFixtureB()->IsSensor() ||
-            manifold.pointCount == 0)
+        if (!contact.GetFixtureA()->IsSensor() && !contact.GetFixtureB()->IsSensor())
+            Add(*contact.GetManifold());
+    }
+    void Add(const b2Manifold &manifold) {
+        Add(static_cast<uint32_t>(manifold.pointCount));
+        if (manifold.pointCount == 0)
             return; // what is left in it is whatever was there
         Add(static_cast<uint32_t>(manifold.type));
+        Add(manifold.localNormal);
+        Add(manifold.localPoint);
         for (int32 i = 0; i < manifold.pointCount; ++i) {
-            Add(manifold.points[i].id.key);
-            for (const float value : {manifold.points[i].localPoint.x, manifold.points[i].localPoint.y,
-                                      manifold.points[i].normalImpulse})
-                Add(value);
+            const b2ManifoldPoint &point = manifold.points[i];
+            Add(point.id.key);
+            Add(point.localPoint);
+            Add(b2Vec2(point.normalImpulse, point.tangentImpulse));
         }
     }
     uint64_t Value() const { return m_value; }

@@ -1,21 +1,46 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_TEST_AS_STOCK_YARD_H
-#define BOOMERANG_TEST_AS_STOCK_YARD_H
+#ifndef BOOMERANG_TEST_YARD_H
+#define BOOMERANG_TEST_YARD_H
 
-#include "planks.h"
+#include "as_stock.h"
+#include "boomerang/inspect.h"
+#include "start/current_step.h"
 
 /// @file
-/// A yard of couples, one for each way in which something is remembered of two shapes. In each couple one
-/// body stays and the other, near it but apart, is what a test does something to.
+/// Slanted planks side by side, whose boxes overlap long before they do; and a yard of couples, one for each
+/// way in which something is remembered of two shapes. In each couple one body stays and the other, near it
+/// but apart, is what a test does something to.
 
 namespace as_stock {
 
-using forked::CheckSameAsStock;
-using forked::Game;
-using forked::kAhead;
-using forked::kSlant;
-using forked::Run;
-using forked::Slanted;
+constexpr float kSlant = 0.785398185f; // 45 degrees: boxes of planks overlap long before the planks do
+
+/// `along` and `across` a slanted plank, in the world.
+inline b2Vec2 Slanted(float along, float across) {
+    return b2Mul(b2Rot(kSlant), b2Vec2(along, across));
+}
+
+inline b2Body *Slanting(Game &game, float across, b2BodyType type = b2_dynamicBody) {
+    b2Body *body = game.Body(type, Slanted(0.0f, across), kSlant);
+    body->SetSleepingAllowed(false);
+    return body;
+}
+
+/// Two planks, side by side, which know of each other.
+struct TwoPlanks {
+    TwoPlanks(Game &game, float across) : a(Slanting(game, 0.0f)), b(Slanting(game, across)) {
+        game.Plank(a);
+        game.Plank(b);
+        game.Step(5);
+        game.Stage(game.world.GetContactCount() >= 2 && game.Touching() == 0, "contacts, apart");
+        game.StagePairs();
+    }
+    b2Body *a, *b;
+};
+
+inline void Place(b2Body *body, b2Vec2 position) {
+    body->SetTransform(position, body->GetAngle());
+}
 
 /// Vertices of the body's polygons were changed in place: the glue alone is told.
 inline void Edited(const Run &run, b2Body *body) {
@@ -39,6 +64,7 @@ public:
     enum { kPlanks, kBoxes, kOctagon, kSensor, kBullet, kChain, kCount };
 
     explicit Yard(Run &run, b2Vec2 gravity = {0.0f, 0.0f}) : game(run, gravity), m_run(run) {
+        game.Listen();
         for (int i = 0; i < kCount; ++i) {
             Couple &couple = couples[i];
             couple.place = b2Vec2(14.0f * static_cast<float>(i), 0.0f);

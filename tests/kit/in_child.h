@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TEST_IN_CHILD_H
+#define BOOMERANG_TEST_IN_CHILD_H
+
+#include <cstdarg>
+
+#include <malloc.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "boomerang/box2d_glue.h"
+#include "cases.h"
+#include "leave.h"
+#include "tell/event.h"
+
+#if defined(__has_feature)
+#    if __has_feature(address_sanitizer)
+#        define IN_CHILD_ASAN
+#    endif
+#endif
+#if defined(__SANITIZE_ADDRESS__)
+#    define IN_CHILD_ASAN
+#endif
+#if defined(IN_CHILD_ASAN)
+// Of the sanitizer's own headers, which not every compiler brings.
+extern "C" size_t __sanitizer_get_current_allocated_bytes(void);
+extern "C" int __lsan_do_recoverable_leak_check(void);
+#endif
+
+/// @file
+/// Plays something in a child process, and says what it printed. (The contact register is process-wide: a
+/// process with the library in it is no reference.)
+
+namespace as_stock {
+
+/// As long as one lives, what is installed holds every pair by this structure (nullptr: as games have it).
+class PairsBy {
+public:
+    explicit PairsBy(const char *structure) {
+        if (structure != nullptr)
+            setenv("BOOMERANG_PAIRS_BY", structure, 1);
+    }
+    explicit PairsBy(bmr_structure structure) : PairsBy(bmr_structure_name(structure)) {}
+    ~PairsBy() { unsetenv("BOOMERANG_PAIRS_BY"); }
+    PairsBy(const PairsBy &) = delete;
+    PairsBy &operator=(const PairsBy &) = delete;
+};
+
+/// What is played sees of the run that it is in.
+class Run {
+public:
+    Run(int pipe, const bmr::Options *options) : m_pipe(pipe), m_options(options) {
+        m_text.reserve(kBuffer + 1024); // so that printing allocates nothing later
+    }
+    ~Run() { Flush(); }
+
+    bool HasPlugin() const { return m_options != nullptr; }
+    /// Does it count? Then claims about counts may be made. (Where all is verified Box2D is asked, too.)
+    bool Counts() const { return HasPlugin() && m_options->statistics && m_options->mode == bmr::Mode::On; }
+    bool IsUncounted() const { return HasPlugin() && !m_options->statistics; }
+    /// Do contacts remember edges?
+    bool RemembersEdges() const { return HasPlugin() && std::getenv("BOOMERANG_PAIRS_BY") == nullptr; }
+    /// Does nothing in a stock run.
+    void Install() {
+        if (HasPlugin())
+            Expect(bmr::Install(*m_options), "the first Install succeeds");
+    }
+
+    /// A line that must be the same in all runs. One that begins with ! fails the test.
+    void Print(const char *format, ...) __attribute__((format(printf, 2, 3))) {
+        char line[512];
+        va_list arguments;
+        va_start(arguments, format);
+        std::vsnprintf(line, sizeof line, format, arguments);
+        va_end(arguments);
+        m_text += line;
+        m_text += '\n';
+        if (m_text.size() > kBuffer)
+            Flush();
+    }
+    /// What another run (of a thread, without a pipe) printed.
+    void Take(Run *other) {
+        Flush();
+        m_text.swap(other->m_text);
+        Flush();
+    }
+    /// A claim about the library's own doing: a failure of this run if it is false. Stock has none.
+    void Expect(bool holds, const char *claim) {
+        if (HasPlugin() && !holds)
+            Print("!claim broken: %s", claim);
+    }
+    /// A claim about its counts.
+    void ExpectCounted(bool holds, const char *claim) {
+        if (Counts())
+            Expect(holds, claim);
+    }
+    /// Takes place in stock too: a staging mistake, not a difference.
+    void Stage(bool holds, const char *what) {
+        if (!holds)
+            Print("!not staged: %s", what);
+    }
+
+private:
+    static constexpr size_t kBuffer = 60000;
+
+    void Flush() {
+        for (size_t done = 0; done < m_text.size() && m_pipe >= 0;) {
+            const ssize_t written = write(m_pipe, m_text.data() + done, m_text.size() - done);
+            if (written <= 0)
+                _exit(3);
+            done += static_cast<size_t>(written);
+        }
+        if (m_pipe >= 0)
+            m_text.clear();
+    }
+
+    int m_pipe;
+    const bmr::Options *m_options;
+    std::string m_text;
+};
+
+/// Bytes that malloc has given out.
+inline size_t BytesInUse() {
+#if defined(IN_CHILD_ASAN)
+    return __sanitizer_get_current_allocated_bytes();
+#else
+    const struct mallinfo2 info = mallinfo2();
+    return info.uordblks + info.hblkhd;
+#endif
+}
+
+using Scenario = std::function<void(Run &)>;
+enum class Installed { Before, ByPlay };
+
+/// What a child printed, and how it ended appended where that was badly. Without options it is on stock
+/// Box2D.
+inline std::string InChild(const Scenario &play, const bmr::Options *options = nullptr,
+                           Installed installed = Installed::Before) {
+    int ends[2];
+    REQUIRE(pipe(ends) == 0);
+    std::fflush(nullptr);
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        close(ends[0]);
+        mallopt(M_PERTURB, 0x5a); // memory that nobody initialised is no zeros
+        // It takes seconds of the processor. What goes round for ever ends here.
+        const rlimit most = {60, 60};
+        setrlimit(RLIMIT_CPU, &most);
+        {
+            Run run(ends[1], options);
+            if (installed == Installed::Before)
+                run.Install();
+            play(run);
+        }
+#if defined(IN_CHILD_ASAN)
+        if (__lsan_do_recoverable_leak_check() != 0)
+            test_leave(4);
+#endif
+        test_leave(0);
+    }
+    close(ends[1]);
+    std::string text;
+    char buffer[65536];
+    for (ssize_t got; (got = read(ends[0], buffer, sizeof buffer)) > 0;)
+        text.append(buffer, static_cast<size_t>(got));
+    close(ends[0]);
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (status != 0)
+        text += "!child ended with status " + std::to_string(status) + "\n";
+    return text;
+}
+
+/// "" if the texts are the same, else the first difference and what was broken.
+inline std::string Difference(const std::string &stock, const std::string &plugin) {
+    std::string report;
+    for (const std::string *text : {&stock, &plugin}) {
+        for (size_t at = text->find('!'); at != std::string::npos; at = text->find('!', at + 1))
+            report += text->substr(at, text->find('\n', at) - at) + "\n";
+    }
+    size_t from = stock == plugin ? std::string::npos : 0;
+    for (int line = 1; from != std::string::npos; ++line) {
+        const size_t a = stock.find('\n', from), b = plugin.find('\n', from);
+        if (stock.compare(from, a - from, plugin, from, b - from) != 0 || a != b) {
+            report += "line " + std::to_string(line) + "\nstock:  " + stock.substr(from, a - from) +
+                      "\nplugin: " + plugin.substr(from, b - from) + "\n";
+            break;
+        }
+        from = a == std::string::npos ? a : a + 1;
+    }
+    return report;
+}
+
+} // namespace as_stock
+
+#endif
