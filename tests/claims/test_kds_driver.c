@@ -94,7 +94,6 @@ TEST(a_right_structure_is_sound_on_every_kind_of_path) {
         for (uint64_t seed = 1; seed <= 5; ++seed) {
             const test_drive_result r = drive(&right, (test_path_kind)kind, seed);
             assert_true(test_drive_is_sound(&r));
-            assert_true(r.audits > 10);
             events += test_drive_events(&r);
             contacts += r.events[BMR_KDS_CONTACT];
             if (kind == TEST_PATH_HIT)

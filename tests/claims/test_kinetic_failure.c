@@ -44,10 +44,7 @@ static bmr_pose random_pose(test_random *random) {
 }
 
 static bmr_motion_piece random_algebraic(test_random *random, size_t rotation_degree) {
-    bmr_motion_piece piece;
-    memset(&piece, 0, sizeof piece);
-    piece.kind = BMR_PIECE_ALGEBRAIC;
-    piece.origin = uniform(random, BEGIN, END);
+    bmr_motion_piece piece = test_algebraic(uniform(random, BEGIN, END), (bmr_algebraic_piece){.degree = 0});
     bmr_algebraic_piece *w = &piece.as.algebraic;
     w->degree = test_random_below(random, BMR_MOTION_MAX_DEGREE + 1);
     double scale = 3.0;
@@ -321,14 +318,8 @@ static oracle_trial touching(bool parabola, double depth) {
     r.b = (oracle_plan){
         2, {-INFINITY, 1.0}, {bmr_piece_screw(1.0, below, down, 0.0), bmr_piece_screw(1.0, below, up, 0.0)}};
     if (parabola) {
-        bmr_motion_piece *piece = &r.b.pieces[0];
-        memset(piece, 0, sizeof *piece);
-        piece->kind = BMR_PIECE_ALGEBRAIC;
-        piece->origin = 1.0;
-        piece->as.algebraic.degree = 2;
-        piece->as.algebraic.y[0] = 1.0 - depth;
-        piece->as.algebraic.y[2] = 1.0;
-        piece->as.algebraic.a[0] = piece->as.algebraic.start_c = 1.0;
+        const bmr_algebraic_piece bounce = {.degree = 2, .y = {1.0 - depth, 0.0, 1.0}};
+        r.b.pieces[0] = test_algebraic(1.0, bounce);
         r.b.count = 1;
     }
     return r;

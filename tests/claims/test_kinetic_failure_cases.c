@@ -7,6 +7,7 @@
 
 #include "boomerang/failure.h"
 #include "kinetic/failure_start.h"
+#include "motion_pieces.h"
 
 #define PI 3.14159265358979323846
 #define AFTER 3.0
@@ -29,15 +30,10 @@ static double failure_of(const bmr_condition *k, double after, double until, bmr
 
 /// When x(t) = sum c[k] (t - AFTER)^k first fails, looked for from AFTER on.
 static double failure_of_polynomial(const double *c, size_t degree, double until, bmr_root_method method) {
-    bmr_motion_piece piece = bmr_piece_rest(bmr_pose_identity());
-    still = made_motion(piece);
-    memset(&piece, 0, sizeof piece);
-    piece.kind = BMR_PIECE_ALGEBRAIC;
-    piece.origin = AFTER;
-    piece.as.algebraic.degree = degree;
-    memcpy(piece.as.algebraic.x, c, (degree + 1) * sizeof *c);
-    piece.as.algebraic.a[0] = piece.as.algebraic.start_c = 1.0;
-    moving = made_motion(piece);
+    bmr_algebraic_piece path = {.degree = degree};
+    memcpy(path.x, c, (degree + 1) * sizeof *c);
+    still = made_motion(bmr_piece_rest(bmr_pose_identity()));
+    moving = made_motion(test_algebraic(AFTER, path));
     const bmr_condition k = bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), 0.0, bmr_vec2_make(0.0, 0.0), 0);
     const double time = failure_of(&k, AFTER, until, method);
     drop();
@@ -204,18 +200,11 @@ TEST(a_jump_into_failure_fails_at_the_jump) {
 
 /// The product of (t - shift - k/8), k = 1 .. 8, in powers of t.
 static bmr_motion_piece eight_roots(double origin, double shift) {
-    bmr_motion_piece piece;
-    memset(&piece, 0, sizeof piece);
-    piece.kind = BMR_PIECE_ALGEBRAIC;
-    piece.origin = origin;
-    bmr_algebraic_piece *w = &piece.as.algebraic;
-    w->a[0] = w->start_c = 1.0;
-    w->degree = 8;
-    w->x[0] = 1.0;
+    bmr_algebraic_piece w = {.degree = 8, .x = {1.0}};
     for (int k = 0; k < 8; k++)
         for (int i = k + 1; i >= 0; i--)
-            w->x[i] = (i > 0 ? w->x[i - 1] : 0.0) - (shift + (k + 1) / 8.0) * (i <= k ? w->x[i] : 0.0);
-    return piece;
+            w.x[i] = (i > 0 ? w.x[i - 1] : 0.0) - (shift + (k + 1) / 8.0) * (i <= k ? w.x[i] : 0.0);
+    return test_algebraic(origin, w);
 }
 
 /// A structure that waits for a condition and for its opposite in turn once never came past a root of a path

@@ -5,6 +5,7 @@
 #include "boomerang/simulation.h"
 #include "checks.h"
 #include "kds_driver.h"
+#include "motion_pieces.h"
 
 static bmr_motion_piece screw(double origin, double x, double velocity_y, double spin) {
     bmr_pose pose = bmr_pose_identity();
@@ -104,10 +105,7 @@ TEST(too_many_looks_at_a_contact_are_refused) {
 // ---- speeds ----
 
 TEST(a_degree_that_is_too_high_has_no_bound) {
-    bmr_motion_piece piece;
-    memset(&piece, 0, sizeof piece);
-    piece.kind = BMR_PIECE_ALGEBRAIC;
-    piece.as.algebraic.a[0] = piece.as.algebraic.start_c = 1.0;
+    bmr_motion_piece piece = test_algebraic(0.0, (bmr_algebraic_piece){.degree = 0});
     assert_true(bmr_motion_piece_speed(&piece, 0.0, 1.0, 1.0) == 0.0);
     piece.as.algebraic.degree = BMR_MOTION_MAX_DEGREE + 1;
     assert_true(bmr_motion_piece_speed(&piece, 0.0, 1.0, 1.0) == INFINITY);

@@ -4,6 +4,7 @@
 #include "boomerang/motion.h"
 #include "checks.h"
 #include "kinetic/piece.h"
+#include "motion_pieces.h"
 #include "polygons.h"
 #include "test_scale.h"
 
@@ -20,12 +21,7 @@ static bool near_pose(bmr_pose a, bmr_pose b, double room) {
 }
 
 static bmr_motion_piece algebraic(double origin) {
-    bmr_motion_piece piece;
-    memset(&piece, 0, sizeof piece);
-    piece.kind = BMR_PIECE_ALGEBRAIC;
-    piece.origin = origin;
-    piece.as.algebraic.a[0] = piece.as.algebraic.start_c = 1.0;
-    return piece;
+    return test_algebraic(origin, (bmr_algebraic_piece){.degree = 0});
 }
 
 static bmr_motion *made(const bmr_motion_piece *piece, const bmr_allocator *allocator) {

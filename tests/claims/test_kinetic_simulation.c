@@ -7,6 +7,7 @@
 #include "failing_allocator.h"
 #include "kds/structure.h"
 #include "kds_driver.h"
+#include "motion_pieces.h"
 #include "motions.h"
 #include "structure_named.h"
 #include "test_scale.h"
@@ -38,25 +39,15 @@ static bmr_motion_piece random_plan(test_random *random, double table, double or
     if (test_random_below(random, 2))
         return bmr_piece_screw(origin, pose, velocity,
                                test_random_below(random, 3) ? uniform(random, -3.0, 3.0) : 0.0);
-    bmr_motion_piece piece;
-    memset(&piece, 0, sizeof piece);
-    piece.kind = BMR_PIECE_ALGEBRAIC;
-    piece.origin = origin;
-    bmr_algebraic_piece *w = &piece.as.algebraic;
-    w->degree = 3;
-    w->x[0] = pose.position.x;
-    w->y[0] = pose.position.y;
-    w->x[1] = velocity.x;
-    w->y[1] = velocity.y;
-    for (size_t k = 2; k <= w->degree; k++) {
-        w->x[k] = uniform(random, -0.1, 0.1) * table;
-        w->y[k] = uniform(random, -0.1, 0.1) * table;
+    bmr_algebraic_piece w = {.degree = 3, .x = {0.0, velocity.x}, .y = {0.0, velocity.y}};
+    for (size_t k = 2; k <= w.degree; k++) {
+        w.x[k] = uniform(random, -0.1, 0.1) * table;
+        w.y[k] = uniform(random, -0.1, 0.1) * table;
     }
-    w->rotation_degree = test_random_below(random, 2);
-    w->a[0] = 1.0;
-    w->b[1] = uniform(random, -1.0, 1.0);
-    w->start_c = pose.c;
-    w->start_s = pose.s;
+    w.rotation_degree = test_random_below(random, 2);
+    w.b[1] = uniform(random, -1.0, 1.0);
+    bmr_motion_piece piece = test_algebraic(origin, w);
+    test_piece_begin(&piece, origin, pose);
     return piece;
 }
 

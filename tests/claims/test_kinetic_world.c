@@ -5,6 +5,7 @@
 #include "boomerang/time_of_contact.h"
 #include "boomerang/world.h"
 #include "checks.h"
+#include "motion_pieces.h"
 #include "motions.h"
 #include "polygons.h"
 #include "test_scale.h"
@@ -68,25 +69,17 @@ static bmr_motion_piece play_piece(test_random *random, double time, bmr_pose po
     if (kind > 1)
         return bmr_piece_screw(time, pose, kind == 7 ? bmr_vec2_make(0.0, 0.0) : velocity,
                                kind > 3 ? play_in(random, -2.0, 2.0) : 0.0);
-    bmr_motion_piece piece;
-    memset(&piece, 0, sizeof piece);
-    piece.kind = BMR_PIECE_ALGEBRAIC;
-    piece.origin = time;
-    bmr_algebraic_piece *a = &piece.as.algebraic;
-    a->degree = 2 + test_random_below(random, 2);
-    a->x[0] = pose.position.x;
-    a->y[0] = pose.position.y;
-    a->x[1] = velocity.x;
-    a->y[1] = velocity.y;
-    for (size_t k = 2; k <= a->degree; k++) {
-        a->x[k] = play_in(random, -0.2, 0.2);
-        a->y[k] = play_in(random, -0.2, 0.2);
+    bmr_algebraic_piece a = {.degree = 2 + test_random_below(random, 2),
+                             .x = {0.0, velocity.x},
+                             .y = {0.0, velocity.y},
+                             .rotation_degree = kind};
+    for (size_t k = 2; k <= a.degree; k++) {
+        a.x[k] = play_in(random, -0.2, 0.2);
+        a.y[k] = play_in(random, -0.2, 0.2);
     }
-    a->rotation_degree = kind;
-    a->a[0] = 1.0;
-    a->b[1] = play_in(random, -0.5, 0.5);
-    a->start_c = pose.c;
-    a->start_s = pose.s;
+    a.b[1] = play_in(random, -0.5, 0.5);
+    bmr_motion_piece piece = test_algebraic(time, a);
+    test_piece_begin(&piece, time, pose);
     return piece;
 }
 

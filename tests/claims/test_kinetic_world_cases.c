@@ -117,12 +117,11 @@ TEST(who_is_nowhere_is_passed) {
             own_stage *s = make_stage(BMR_OPEN, 0.0);
             s->response.kind = kind;
             const bmr_polygon *b = box(1.0);
-            bmr_motion_piece nowhere;
-            memset(&nowhere, 0, sizeof nowhere);
-            nowhere.kind = BMR_PIECE_ALGEBRAIC;
-            nowhere.as.algebraic.degree = nowhere.as.algebraic.rotation_degree = 1;
-            nowhere.as.algebraic.x[1] = 1.0;
-            nowhere.as.algebraic.a[1] = nowhere.as.algebraic.b[1] = nowhere.as.algebraic.start_c = 1.0;
+            bmr_motion_piece nowhere = test_algebraic(
+                0.0,
+                (bmr_algebraic_piece){
+                    .degree = 1, .rotation_degree = 1, .x = {0.0, 1.0}, .a = {0.0, 1.0}, .b = {0.0, 1.0}});
+            nowhere.as.algebraic.a[0] = 0.0;
             const bmr_motion_piece here = flight(0.0, 0.5, 0.0, 0.0, 0.0, 0.0);
             add_piece(s, b, order == 0 ? nowhere : here, 1.0);
             add_piece(s, b, order == 0 ? here : nowhere, 1.0);
@@ -349,16 +348,8 @@ TEST(a_thrown_body_hits_every_target_on_its_way) {
         enum { TARGETS = 20 };
         for (int i = 1; i <= TARGETS; i++)
             fly(s, b, 5.0 * i, 0.02 * (5.0 * i - 50.0) * (5.0 * i - 50.0), 0.0, 0.0, 0.0);
-        bmr_motion_piece thrown;
-        memset(&thrown, 0, sizeof thrown);
-        thrown.kind = BMR_PIECE_ALGEBRAIC;
-        thrown.as.algebraic.degree = 2;
-        thrown.as.algebraic.x[1] = 1.0;
-        thrown.as.algebraic.y[0] = 50.0;
-        thrown.as.algebraic.y[1] = -2.0;
-        thrown.as.algebraic.y[2] = 0.02;
-        thrown.as.algebraic.a[0] = thrown.as.algebraic.start_c = 1.0;
-        add_piece(s, b, thrown, 0.0);
+        const bmr_algebraic_piece thrown = {.degree = 2, .x = {0.0, 1.0}, .y = {50.0, -2.0, 0.02}};
+        add_piece(s, b, test_algebraic(0.0, thrown), 0.0);
         advance(s, 200.0);
         assert_int_equal(s->count, TARGETS);
         for (size_t i = 0; i < s->count; i++)

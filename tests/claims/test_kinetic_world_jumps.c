@@ -92,16 +92,9 @@ TEST(who_creeps_is_in_its_cell) {
 /// A rounding of a long way is more than a cell of a small body.
 TEST(a_rounding_may_lead_beyond_the_hysteresis) {
     twins t = make_twins(1e-6);
-    bmr_motion_piece bend;
-    memset(&bend, 0, sizeof bend);
-    bend.kind = BMR_PIECE_ALGEBRAIC;
-    bend.origin = -1.0;
-    bend.as.algebraic.a[0] = bend.as.algebraic.start_c = 1.0;
-    bend.as.algebraic.degree = 2; // it comes from 1e9, turns at time 0, and goes there again
-    bend.as.algebraic.x[0] = 1e9;
-    bend.as.algebraic.x[1] = -2e9;
-    bend.as.algebraic.x[2] = 1e9;
-    const bmr_body body = add_both(&t, bend);
+    // It comes from 1e9, turns at time 0, and goes there again.
+    const bmr_algebraic_piece bend = {.degree = 2, .x = {1e9, -2e9, 1e9}};
+    const bmr_body body = add_both(&t, test_algebraic(-1.0, bend));
     const bmr_motion_piece rest = flight(0.0, -1e-5, 0.0, 0.0, 0.0, 0.0);
     for (int all = 0; all < 2; all++) {
         const uint64_t before = bmr_world_get_counts(t.of[all]->world).replanned;
@@ -166,23 +159,15 @@ TEST(an_answer_is_no_jump) {
     const double places[] = {0.0, FAR, 1e8};
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         twins t = make_twins(1.0);
-        bmr_motion_piece turning;
-        memset(&turning, 0, sizeof turning);
-        turning.kind = BMR_PIECE_ALGEBRAIC;
-        turning.origin = -50.0;
-        bmr_algebraic_piece *p = &turning.as.algebraic;
-        p->degree = 3;
-        p->rotation_degree = 2;
-        p->a[0] = p->start_c = 1.0;
-        p->b[1] = 0.03;
-        p->a[2] = 0.01;
-        p->x[0] = places[i] - 5.0 * 50.0 - 4.0;
-        p->x[1] = 5.0;
-        p->y[0] = places[i];
-        p->y[3] = 1e-7;
+        const bmr_algebraic_piece turning = {.degree = 3,
+                                             .x = {places[i] - 5.0 * 50.0 - 4.0, 5.0},
+                                             .y = {places[i], 0.0, 0.0, 1e-7},
+                                             .rotation_degree = 2,
+                                             .a = {1.0, 0.0, 0.01},
+                                             .b = {0.0, 0.03}};
         for (int all = 0; all < 2; all++)
             t.of[all]->response = (bmr_response){BMR_RESPONSE_IMPULSE, 1.0};
-        add_both(&t, turning);
+        add_both(&t, test_algebraic(-50.0, turning));
         add_both(&t, flight(-70.0, places[i], places[i] - 70.0 * 0.01, 0.0, 0.01, 0.7));
         advance_both(&t, 3.0);
         assert_true(t.of[0]->count >= 1 && !t.of[0]->contacts[0].placed);
@@ -205,16 +190,8 @@ TEST(a_long_hysteresis_is_kept) {
         bmr_motion *motion = made_motion(piece);
         const double turn = 1.0 - 0.75 * MARGIN, place = 3.0 - turn;
         piece = flight(turn, place, 0.0, 1.0, 0.0, 0.0);
-        if (curved) {
-            memset(&piece, 0, sizeof piece);
-            piece.kind = BMR_PIECE_ALGEBRAIC;
-            piece.origin = turn;
-            piece.as.algebraic.degree = 2;
-            piece.as.algebraic.a[0] = piece.as.algebraic.start_c = 1.0;
-            piece.as.algebraic.x[0] = place;
-            piece.as.algebraic.x[1] = 2.0;
-            piece.as.algebraic.x[2] = -0.4;
-        }
+        if (curved)
+            piece = test_algebraic(turn, (bmr_algebraic_piece){.degree = 2, .x = {place, 2.0, -0.4}});
         assert_int_equal(bmr_motion_change(motion, turn, &piece), BMR_OK);
         if (!curved) {
             piece = flight(turn + 2.5, place + 2.5, 0.0, -1.0, 0.0, 0.0);
@@ -244,20 +221,12 @@ TEST(a_fast_contact_is_not_told_early) {
         s->def.kds.margin = s->def.kds.hysteresis = margin;
         s->response.kind = BMR_RESPONSE_PASS;
         assert_int_equal(bmr_world_create(&s->def, now, NULL, &s->world), BMR_OK);
-        bmr_motion_piece turning;
-        memset(&turning, 0, sizeof turning);
-        turning.kind = BMR_PIECE_ALGEBRAIC;
-        turning.origin = now;
-        bmr_algebraic_piece *p = &turning.as.algebraic;
-        p->rotation_degree = 4;
-        p->a[0] = p->start_c = 1.0;
-        p->b[1] = 0.17;
-        p->b[4] = 1.0;
-        add_piece(s, b, turning, 0.0);
-        p->degree = 1;
-        p->x[0] = 20.0 + margin * (1.0 + 0.05 * k);
-        p->x[1] = -speed;
-        add_piece(s, b, turning, 0.0);
+        bmr_algebraic_piece turning = {.rotation_degree = 4, .b = {0.0, 0.17, 0.0, 0.0, 1.0}};
+        add_piece(s, b, test_algebraic(now, turning), 0.0);
+        turning.degree = 1;
+        turning.x[0] = 20.0 + margin * (1.0 + 0.05 * k);
+        turning.x[1] = -speed;
+        add_piece(s, b, test_algebraic(now, turning), 0.0);
         assert_int_equal(bmr_world_advance(s->world, now + 1e-8), BMR_OK);
         assert_int_equal(s->count, 1);
         assert_true(s->contacts[0].distance < 1.25 * margin && s->contacts[0].distance > 0.5 * margin);

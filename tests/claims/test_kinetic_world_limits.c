@@ -169,17 +169,9 @@ TEST(who_is_faster_than_the_clock_is_an_error) {
 }
 
 static bmr_motion_piece curve(double time, bmr_vec2 quadratic, double cubic) {
-    bmr_motion_piece piece;
-    memset(&piece, 0, sizeof piece);
-    piece.kind = BMR_PIECE_ALGEBRAIC;
-    piece.origin = time;
-    bmr_algebraic_piece *const a = &piece.as.algebraic;
-    a->degree = cubic != 0.0 ? 3 : 2;
-    a->x[2] = quadratic.x;
-    a->y[2] = quadratic.y;
-    a->x[3] = cubic;
-    a->a[0] = a->start_c = 1.0;
-    return piece;
+    return test_algebraic(time, (bmr_algebraic_piece){.degree = cubic != 0.0 ? 3 : 2,
+                                                      .x = {0.0, 0.0, quadratic.x, cubic},
+                                                      .y = {0.0, 0.0, quadratic.y}});
 }
 
 /// Beside a body that accelerates gently, at times and speeds whose product is up to 1e10: once the rounding
@@ -426,15 +418,8 @@ TEST(a_place_that_is_no_number_is_an_error) {
         const bmr_polygon *b = box(1.0);
         fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
         // At the world's time its terms are infinite, of different signs.
-        bmr_motion_piece nowhere = flight(0.0, 5.0, 0.0, 0.0, 0.0, 0.0);
-        memset(&nowhere.as, 0, sizeof nowhere.as);
-        nowhere.kind = BMR_PIECE_ALGEBRAIC;
-        nowhere.origin = -1e300;
-        nowhere.as.algebraic.degree = 2;
-        nowhere.as.algebraic.y[1] = -1e300;
-        nowhere.as.algebraic.y[2] = 1e300;
-        nowhere.as.algebraic.a[0] = nowhere.as.algebraic.start_c = 1.0;
-        own_motion *motion = made_motion(nowhere);
+        const bmr_algebraic_piece nowhere = {.degree = 2, .y = {0.0, -1e300, 1e300}};
+        own_motion *motion = made_motion(test_algebraic(-1e300, nowhere));
         const bmr_shape shape = {.polygon = b};
         const bmr_body_def def = bmr_default_body_def(&shape, motion);
         bmr_body body;

@@ -183,12 +183,8 @@ static double contact_reach(const drive *d) {
 
 static void audit(drive *d, const bmr_pose *pose) {
     const bmr_error error = bmr_kds_audit(d->kds, pose);
-    ++d->result->audits;
     if (error != BMR_OK && d->result->false_audits++ == 0)
         d->result->error = error;
-    bmr_kds_proof proof;
-    if (bmr_kds_get_proof(d->kds, &proof) && proof.level > d->result->deepest)
-        d->result->deepest = proof.level;
     // Another way to the distance than the audit's.
     const double distance = test_distance(d->a, d->b, pose);
     d->result->nearest = fmin(d->result->nearest, distance);
@@ -207,11 +203,6 @@ static void rearm(drive *d, const bmr_pose *pose) {
 static void tell(drive *d, const bmr_instant *now, const bmr_kds_report *report,
                  const bmr_condition *failed) {
     ++d->result->events[report->kind];
-    d->result->touched += report->touched;
-    if (report->touched > d->result->touched_most)
-        d->result->touched_most = report->touched;
-    if (report->kind != BMR_KDS_START && report->kind != BMR_KDS_LEAVE && report->line_changed)
-        ++d->result->lines;
     if (!report->apart && report->kind == BMR_KDS_CONTACT) {
         if (test_distance(d->a, d->b, &now->pose) > contact_reach(d))
             ++d->result->false_contacts;
@@ -336,19 +327,9 @@ static void advance(drive *d) {
 
 test_drive_result test_drive_run(bmr_kds *kds, const bmr_polygon *a, const bmr_polygon *b,
                                  const test_drive *def) {
-    test_drive_result result;
-    memset(&result, 0, sizeof result);
-    result.contact_time = INFINITY;
-    result.nearest = INFINITY;
-    drive d;
-    memset(&d, 0, sizeof d);
-    d.kds = kds;
-    d.a = a;
-    d.b = b;
-    d.def = def;
-    d.result = &result;
+    test_drive_result result = {.contact_time = INFINITY, .nearest = INFINITY};
+    drive d = {.kds = kds, .a = a, .b = b, .def = def, .result = &result, .burst_time = -1.0};
     d.resolution = def->resolution > 0.0 ? def->resolution : 1e-6;
-    d.burst_time = -1.0;
     double speed, reach;
     test_path_bounds(def->path, &speed, &d.spin, &reach);
     d.speed = speed + d.spin * (2.0 * (a->extent + b->extent) + reach);

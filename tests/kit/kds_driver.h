@@ -90,10 +90,6 @@ typedef struct test_drive_result {
     bmr_error error;          ///< of the first false audit
 
     uint64_t events[BMR_KDS_EVENT_KIND_COUNT];
-    uint64_t lines, touched; ///< lines changed by repairs; sum of `touched`
-    uint64_t audits;
-    unsigned touched_most;
-    int deepest;         ///< level of any proof
     double contact_time; ///< of the first contact; INFINITY
     double nearest;      ///< the least distance at any step
 } test_drive_result;

@@ -4,6 +4,7 @@
 
 #include "boomerang/world.h"
 #include "checks.h"
+#include "motion_pieces.h"
 #include "polygons.h"
 
 /// @file
