@@ -35,15 +35,9 @@ static stage set(bmr_family family, uint64_t seed) {
 }
 
 static uint64_t events(const stage *s, const bmr_kds_info *structure) {
-    bmr_run_def def = {.structure = structure,
-                       .shapes = {s->bodies[0].shape, s->bodies[1].shape},
-                       .simulation = bmr_default_simulation_def(),
-                       .audit = true};
+    bmr_run_def def = {.simulation = bmr_default_simulation_def()};
     def.simulation.kds.margin = 1e-9; // far below all gaps here
-    bmr_run run;
-    assert_int_equal(bmr_run_course(&def, &s->course, s->motion.diameter, NULL, &run), BMR_OK);
-    assert_int_equal(run.audit, BMR_OK);
-    return run.events;
+    return run_of(s, structure, def).events;
 }
 
 /// Section 6, rotational hysteresis: after an event P moves Omega(d) or turns by Omega(d/D).
@@ -54,7 +48,7 @@ TEST(events_of_rigid_motions_are_no_more_than_a_clear_decomposition) {
                                               &bmr_kds_hybrid};
     bool beyond = false;
     for (size_t f = 0; f < sizeof families / sizeof *families; ++f) {
-        stage s = set(families[f], 13 + f);
+        own_stage s = set(families[f], 13 + f);
         bmr_clear clear;
         assert_int_equal(bmr_clear_decomposition(&s.course, kappa, s.motion.diameter, &clear), BMR_OK);
         for (size_t k = 0; k < sizeof structures / sizeof *structures; ++k) {
@@ -65,7 +59,6 @@ TEST(events_of_rigid_motions_are_no_more_than_a_clear_decomposition) {
         }
         // The control: the closest features know no such bound.
         beyond = beyond || events(&s, &bmr_kds_closest_features) > clear.found;
-        strike(&s);
     }
     assert_true(beyond);
 }
@@ -80,10 +73,9 @@ TEST(few_vertices_bound_the_events_of_rigid_motions) {
         double more[3] = {0.0, 0.0, 0.0};
         for (uint64_t seed = 1; seed <= FEW_SEEDS; ++seed)
             for (int nearer = 0; nearer < 2; ++nearer) {
-                stage s = played(outlines, FEW, families[f], nearer ? NEARER : NEAR, seed);
+                own_stage s = played(outlines, FEW, families[f], nearer ? NEARER : NEAR, seed);
                 for (int k = 0; k < 3; ++k)
                     more[k] += (nearer ? 1.0 : -1.0) * (double)events(&s, structures[k]) / FEW_SEEDS;
-                strike(&s);
             }
         printf("%s: free-fd2 %+.2f, hybrid %+.2f, two-lines %+.2f\n", bmr_family_name(families[f]), more[0],
                more[1], more[2]);

@@ -19,22 +19,15 @@ static const bmr_kds_info *const structures[] = {&bmr_kds_free_fd2, &bmr_kds_fre
 
 /// Adds the lines that the optimum and the structures use on one motion, the first ones counted.
 static void count_lines(bmr_family family, uint64_t seed, double *optimum, double lines[STRUCTURES]) {
-    own_kds_body a = test_kds_body_make(outline(BMR_OUTLINE_ELLIPSE, VERTICES, seed));
-    own_kds_body b = test_kds_body_make(outline(BMR_OUTLINE_DISC, VERTICES, seed));
-    const bmr_family_def def = {family, RATIO, seed, 0, 0};
-    own_family motion;
-    assert_int_equal(bmr_family_create(&def, a.polygon, b.polygon, NULL, &motion), BMR_OK);
-    const bmr_course course = {{a.polygon, b.polygon}, {motion.motions[0], motion.motions[1]}, 0.0, 1.0};
+    own_stage s =
+        stage_of(outline(BMR_OUTLINE_ELLIPSE, VERTICES, seed), outline(BMR_OUTLINE_DISC, VERTICES, seed),
+                 (bmr_family_def){family, RATIO, seed, 0, 0});
     bmr_optimum best;
-    assert_int_equal(bmr_offline_optimum(&course, bmr_default_kds_def().margin, RESOLUTION, NULL, 0, &best),
+    assert_int_equal(bmr_offline_optimum(&s.course, bmr_default_kds_def().margin, RESOLUTION, NULL, 0, &best),
                      BMR_OK);
     *optimum += (double)best.least;
     for (size_t k = 0; k < STRUCTURES; ++k) {
-        const bmr_run_def run_def = {
-            structures[k], {a.shape, b.shape}, bmr_default_simulation_def(), true, NULL, NULL};
-        bmr_run run;
-        assert_int_equal(bmr_run_course(&run_def, &course, motion.diameter, NULL, &run), BMR_OK);
-        assert_int_equal(run.audit, BMR_OK);
+        const bmr_run run = plain_run_of(&s, structures[k]);
         assert_int_equal(run.counts.external, 0);
         lines[k] += (double)(1 + run.lines);
     }

@@ -41,17 +41,9 @@ static void look(void *context, const bmr_simulation_event *event) {
     ++s->checked;
 }
 
-static bmr_run run_of(const bmr_kds_info *info, const stage *s, seen *what) {
-    const bmr_run_def def = {info,
-                             {s->bodies[0].shape, s->bodies[1].shape},
-                             bmr_default_simulation_def(),
-                             true,
-                             what ? look : NULL,
-                             what};
-    bmr_run run;
-    assert_int_equal(bmr_run_course(&def, &s->course, s->motion.diameter, NULL, &run), BMR_OK);
-    assert_int_equal(run.audit, BMR_OK);
-    return run;
+static void look_at(const bmr_kds_info *info, const stage *s, seen *what) {
+    run_of(s, info,
+           (bmr_run_def){.simulation = bmr_default_simulation_def(), .observer = look, .context = what});
 }
 
 static seen offsets_of(const stage *s, double scale) {
@@ -70,15 +62,14 @@ static const bmr_family rotations[] = {BMR_FAMILY_SPIN, BMR_FAMILY_TUMBLE, BMR_F
 TEST(the_slack_after_a_selection_is_at_least_the_offset) {
     double doubled = INFINITY;
     for (size_t f = 0; f < COUNT(translations); ++f) {
-        stage s = set(translations[f], 7 + f);
+        own_stage s = set(translations[f], 7 + f);
         seen all = offsets_of(&s, 1.0), control = offsets_of(&s, 2.0);
-        run_of(&bmr_kds_inflated_translation, &s, &all);
-        run_of(&bmr_kds_inflated_window, &s, &all);
-        run_of(&bmr_kds_inflated_window, &s, &control);
+        look_at(&bmr_kds_inflated_translation, &s, &all);
+        look_at(&bmr_kds_inflated_window, &s, &all);
+        look_at(&bmr_kds_inflated_window, &s, &control);
         assert_true(all.checked > 4);
         assert_true(all.least_slack >= 1.0 - 1e-4); // the margin is part of the conditions
         doubled = fmin(doubled, control.least_slack);
-        strike(&s);
     }
     assert_true(doubled < 1.0); // offsets twice as large would be no promise
 }
@@ -89,30 +80,28 @@ static const double beta = 4.82842712474619, kappa = 10.65685424949238;
 /// Lemma 6.1: after an event P moves d/beta before the next, beta = 2 (1 + sqrt 2).
 TEST(events_are_as_far_apart_as_the_lemma_says) {
     for (size_t f = 0; f < COUNT(translations); ++f) {
-        stage s = set(translations[f], 3 + f);
-        const bmr_run inflated = run_of(&bmr_kds_inflated_translation, &s, NULL);
-        const bmr_run free = run_of(&bmr_kds_free_fd2, &s, NULL);
-        const bmr_run rival = run_of(&bmr_kds_closest_features, &s, NULL);
+        own_stage s = set(translations[f], 3 + f);
+        const bmr_run inflated = plain_run_of(&s, &bmr_kds_inflated_translation);
+        const bmr_run free = plain_run_of(&s, &bmr_kds_free_fd2);
+        const bmr_run rival = plain_run_of(&s, &bmr_kds_closest_features);
         assert_true(inflated.hysteresis.intervals > 0 && inflated.hysteresis.both >= 1.0 / beta);
         // beta = 1 for the free direction: the gap is the distance itself.
         assert_true(free.hysteresis.both >= 1.0 - 1e-3);
         assert_true(rival.hysteresis.both < 1.0 / beta); // the control
-        strike(&s);
     }
 }
 
 /// Theorem 6.2: no more events than the least kappa-clear decomposition, kappa = 2 beta + 1.
 TEST(events_are_no_more_than_a_clear_decomposition) {
     for (size_t f = 0; f < COUNT(translations); ++f) {
-        stage s = set(translations[f], 11 + f);
+        own_stage s = set(translations[f], 11 + f);
         bmr_clear clear, clear3;
         assert_int_equal(bmr_clear_decomposition(&s.course, kappa, 0.0, &clear), BMR_OK);
         assert_int_equal(bmr_clear_decomposition(&s.course, 3.0, 0.0, &clear3), BMR_OK);
-        assert_true(run_of(&bmr_kds_inflated_translation, &s, NULL).events <= clear.least);
-        assert_true(run_of(&bmr_kds_free_fd2, &s, NULL).events <= clear3.least); // kappa = 2 beta + 1 = 3
+        assert_true(plain_run_of(&s, &bmr_kds_inflated_translation).events <= clear.least);
+        assert_true(plain_run_of(&s, &bmr_kds_free_fd2).events <= clear3.least); // kappa = 2 beta + 1 = 3
         if (translations[f] == BMR_FAMILY_LINE) // the control: a rival's events have nothing to do with it
-            assert_true(run_of(&bmr_kds_closest_features, &s, NULL).events > clear.least);
-        strike(&s);
+            assert_true(plain_run_of(&s, &bmr_kds_closest_features).events > clear.least);
     }
 }
 
@@ -124,14 +113,13 @@ TEST(events_are_no_more_than_a_clear_decomposition) {
 TEST(events_are_apart_in_position_or_rotation) {
     double without = INFINITY;
     for (size_t f = 0; f < COUNT(rotations); ++f) {
-        stage s = set(rotations[f], 5 + f);
-        const bmr_run window = run_of(&bmr_kds_inflated_window, &s, NULL);
-        const bmr_run fd1 = run_of(&bmr_kds_free_fd1, &s, NULL), fd2 = run_of(&bmr_kds_free_fd2, &s, NULL);
+        own_stage s = set(rotations[f], 5 + f);
+        const bmr_run window = plain_run_of(&s, &bmr_kds_inflated_window);
+        const bmr_run fd1 = plain_run_of(&s, &bmr_kds_free_fd1), fd2 = plain_run_of(&s, &bmr_kds_free_fd2);
         assert_true(window.hysteresis.intervals > 0 && window.hysteresis.both >= LEAST_RHO);
         assert_true(fd1.hysteresis.both >= LEAST_RHO);
         assert_true(fd2.hysteresis.both >= LEAST_RHO);
-        without = fmin(without, run_of(&bmr_kds_inflated_nowindow, &s, NULL).hysteresis.both);
-        strike(&s);
+        without = fmin(without, plain_run_of(&s, &bmr_kds_inflated_nowindow).hysteresis.both);
     }
     assert_true(without < LEAST_RHO / 2); // the control
 }

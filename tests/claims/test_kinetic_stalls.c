@@ -34,25 +34,15 @@ static void observe(void *context, const bmr_simulation_event *event) {
 }
 
 static void follow(const stall *s) {
-    own_kds_body a = test_kds_body_make(outline(s->outline, s->n, 2 * s->seed)),
-                 b = test_kds_body_make(outline(s->outline, s->n, 2 * s->seed + 1));
-    const bmr_family_def family = {s->family, s->ratio, s->seed, 0, 0};
-    own_family motion;
-    assert_int_equal(bmr_family_create(&family, a.polygon, b.polygon, NULL, &motion), BMR_OK);
+    own_stage two =
+        stage_of(outline(s->outline, s->n, 2 * s->seed), outline(s->outline, s->n, 2 * s->seed + 1),
+                 (bmr_family_def){s->family, s->ratio, s->seed, 0, 0});
     watch w = {0, 0, 0};
-    bmr_run_def def = {.structure = test_structure(s->structure),
-                       .shapes = {a.shape, b.shape},
-                       .simulation = bmr_default_simulation_def(),
-                       .audit = true,
-                       .observer = observe,
-                       .context = &w};
+    bmr_run_def def = {.simulation = bmr_default_simulation_def(), .observer = observe, .context = &w};
     // Far below the separation, or the pair would be in contact.
-    def.simulation.kds.margin = fmin(def.simulation.kds.margin, 1e-3 * motion.separation);
-    const bmr_course course = {{a.polygon, b.polygon}, {motion.motions[0], motion.motions[1]}, 0.0, 1.0};
-    bmr_run run;
-    assert_int_equal(bmr_run_course(&def, &course, motion.diameter, NULL, &run), BMR_OK);
+    def.simulation.kds.margin = fmin(def.simulation.kds.margin, 1e-3 * two.motion.separation);
+    const bmr_run run = run_of(&two, test_structure(s->structure), def);
     printf("%s on %s, n %zu: %zu events\n", s->structure, bmr_family_name(s->family), s->n, w.events);
-    assert_int_equal(run.audit, BMR_OK);
     assert_int_equal(run.counts.external, 0);
     assert_true(w.events > 100 && w.seen == w.events);
     assert_int_equal(w.kept, 0);

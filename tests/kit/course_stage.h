@@ -11,10 +11,9 @@
 
 static inline bmr_polygon *outline(bmr_outline kind, size_t n, uint64_t seed) {
     bmr_vec2 *points = malloc(n * sizeof *points);
-    bmr_polygon *polygon = NULL;
     assert_non_null(points);
     assert_int_equal(bmr_outline_points(kind, n, seed, points), BMR_OK);
-    assert_int_equal(bmr_polygon_create(points, n, NULL, &polygon), BMR_OK);
+    bmr_polygon *polygon = made_polygon(points, n);
     free(points);
     return polygon;
 }
@@ -37,6 +36,23 @@ static inline void strike(stage *s) {
     bmr_family_destroy(&s->motion);
     test_kds_body_destroy(&s->bodies[0]);
     test_kds_body_destroy(&s->bodies[1]);
+}
+#define own_stage OWNED(strike) stage
+
+/// Of a structure on a stage, audited at each event; `def` may have a margin and an observer.
+static inline bmr_run run_of(const stage *s, const bmr_kds_info *structure, bmr_run_def def) {
+    bmr_run run;
+    def.structure = structure;
+    def.audit = true;
+    for (int k = 0; k < 2; ++k)
+        def.shapes[k] = s->bodies[k].shape;
+    assert_int_equal(bmr_run_course(&def, &s->course, s->motion.diameter, NULL, &run), BMR_OK);
+    if (run.audit != BMR_OK)
+        fail_msg("%s: %s", structure->name, bmr_error_describe(run.audit));
+    return run;
+}
+static inline bmr_run plain_run_of(const stage *s, const bmr_kds_info *structure) {
+    return run_of(s, structure, (bmr_run_def){.simulation = bmr_default_simulation_def()});
 }
 
 #endif
