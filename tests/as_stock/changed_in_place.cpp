@@ -140,8 +140,7 @@ void TakeNormalsOfSides(b2PolygonShape *shape) {
 } // namespace
 
 // The shots lie still for a step, and then pass the walls, or hit them once these are changed.
-TEST_CASE(
-    "resting: walls have another vertex, one more, another skin, place or angle when shots come again") {
+AS_STOCK("resting: walls have another vertex, one more, another skin, place or angle when shots come again") {
     const std::function<void(b2Body *, b2PolygonShape *)> changes[] = {
         [](b2Body *, b2PolygonShape *shape) { shape->m_vertices[0].x = -0.8f; },
         [](b2Body *, b2PolygonShape *shape) { shape->m_vertices[shape->m_count++].Set(-0.8f, 0.0f); },
@@ -151,63 +150,58 @@ TEST_CASE(
         },
         [](b2Body *wall, b2PolygonShape *) { wall->SetTransform(wall->GetPosition(), 0.25f * b2_pi); },
     };
-    AsStock([&changes](Run &run) {
-        Game game(run);
-        std::vector<b2Body *> walls, shots;
-        for (const auto &change : changes) {
-            static_cast<void>(change);
-            walls.push_back(game.Wall({6.0f * Real(static_cast<int>(walls.size())), 0.0f}));
-            shots.push_back(game.Awake({0.0f, -6.0f}, {0.05f, 0.05f}));
+    Game game(run);
+    std::vector<b2Body *> walls, shots;
+    for (const auto &change : changes) {
+        static_cast<void>(change);
+        walls.push_back(game.Wall({6.0f * Real(static_cast<int>(walls.size())), 0.0f}));
+        shots.push_back(game.Awake({0.0f, -6.0f}, {0.05f, 0.05f}));
+    }
+    for (const bool changed : {false, true}) {
+        for (size_t i = 0; i < walls.size(); ++i) {
+            shots[i]->SetTransform(walls[i]->GetPosition() + b2Vec2(-0.67f, -0.74f), 0.0f);
+            shots[i]->SetLinearVelocity({0.0f, 0.0f});
+            shots[i]->SetAngularVelocity(0.0f);
         }
-        for (const bool changed : {false, true}) {
-            for (size_t i = 0; i < walls.size(); ++i) {
-                shots[i]->SetTransform(walls[i]->GetPosition() + b2Vec2(-0.67f, -0.74f), 0.0f);
-                shots[i]->SetLinearVelocity({0.0f, 0.0f});
-                shots[i]->SetAngularVelocity(0.0f);
-            }
-            game.Step();
-            for (size_t i = 0; i < walls.size(); ++i) {
-                shots[i]->SetLinearVelocity({0.0f, 100.0f});
-                if (!changed)
-                    continue;
-                changes[i](walls[i], PolygonOf(walls[i]));
-                TakeNormalsOfSides(PolygonOf(walls[i]));
-            }
-            game.Step();
-            size_t hits = 0;
-            for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-                hits += c->IsTouching();
-            if (hits != (changed ? walls.size() : 0))
-                run.Print("!%zu hits", hits);
+        game.Step();
+        for (size_t i = 0; i < walls.size(); ++i) {
+            shots[i]->SetLinearVelocity({0.0f, 100.0f});
+            if (!changed)
+                continue;
+            changes[i](walls[i], PolygonOf(walls[i]));
+            TakeNormalsOfSides(PolygonOf(walls[i]));
         }
-    });
+        game.Step();
+        size_t hits = 0;
+        for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+            hits += c->IsTouching();
+        if (hits != (changed ? walls.size() : 0))
+            run.Print("!%zu hits", hits);
+    }
 }
 
-TEST_CASE("linked: shots hit links of a long chain in one step") {
-    const auto play = [](Run &run) {
-        // Links that are a number of Fibonacci's apart fall on one place of a table that multiplies by the
-        // golden ratio: of these couples some do, wherever the chain's memory is.
-        constexpr int kShots = 16, kApart = 987, kLinks = kApart + kShots;
-        const b2Vec2 link(-0.4f, 0.0f); // proofs end 500 m from the origin
-        std::vector<b2Vec2> points;
-        for (int i = 0; i <= kLinks; ++i)
-            points.push_back(Real(i) * link);
-        b2ChainShape chain;
-        chain.CreateChain(points.data(), kLinks + 1, -link, points.back() + link);
-        Game game(run);
-        const b2BodyDef def;
-        game.world.CreateBody(&def)->CreateFixture(&chain, 0.0f);
-        for (int i = 0; i < kShots; ++i)
-            for (const int number : {i, i + kApart}) {
-                const b2Vec2 above = (Real(number) + 0.5f) * link + b2Vec2(0.0f, 0.2f);
-                game.Awake(above, {0.05f, 0.05f})->SetLinearVelocity({0.0f, -100.0f});
-            }
-        game.Step();
-        for (const b2Body *body = game.world.GetBodyList(); body != nullptr; body = body->GetNext())
-            if (body->GetPosition().y < 0.0f)
-                run.Print("!a shot went through");
-    };
-    AsStock(play, kMayBeSilent);
+AS_STOCK_HOW(kMayBeSilent, "linked: shots hit links of a long chain in one step") {
+    // Links that are a number of Fibonacci's apart fall on one place of a table that multiplies by the
+    // golden ratio: of these couples some do, wherever the chain's memory is.
+    constexpr int kShots = 16, kApart = 987, kLinks = kApart + kShots;
+    const b2Vec2 link(-0.4f, 0.0f); // proofs end 500 m from the origin
+    std::vector<b2Vec2> points;
+    for (int i = 0; i <= kLinks; ++i)
+        points.push_back(Real(i) * link);
+    b2ChainShape chain;
+    chain.CreateChain(points.data(), kLinks + 1, -link, points.back() + link);
+    Game game(run);
+    const b2BodyDef def;
+    game.world.CreateBody(&def)->CreateFixture(&chain, 0.0f);
+    for (int i = 0; i < kShots; ++i)
+        for (const int number : {i, i + kApart}) {
+            const b2Vec2 above = (Real(number) + 0.5f) * link + b2Vec2(0.0f, 0.2f);
+            game.Awake(above, {0.05f, 0.05f})->SetLinearVelocity({0.0f, -100.0f});
+        }
+    game.Step();
+    for (const b2Body *body = game.world.GetBodyList(); body != nullptr; body = body->GetNext())
+        if (body->GetPosition().y < 0.0f)
+            run.Print("!a shot went through");
 }
 
 AS_STOCK("nowhere: places, angles, velocities and vertices are no numbers, or infinite, and are put right "

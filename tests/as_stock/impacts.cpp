@@ -48,13 +48,6 @@ struct Range : Game {
 
 } // namespace
 
-AS_STOCK("made: a listener makes bullets of those that lean") {
-    Range range(run);
-    range.Shoot(180.0f, 240.0f);
-    range.listener.begin.Once([&range] { Range::MakeBullets(range.leaning); });
-    range.Step(4);
-}
-
 // Nothing touches: the first call of the step is that of its first impact.
 AS_STOCK(
     "remade: a listener makes bullets of those that were none as the step began, and were the step before") {
@@ -164,15 +157,6 @@ AS_STOCK("met: a listener has bodies meet in a step of no time, which lean on ea
     range.Step(3);
 }
 
-AS_STOCK("replaced: a listener puts another one in its place") {
-    Range range(run);
-    Listener other(range.world, &range.hash);
-    range.Shoot(180.0f, 240.0f);
-    range.listener.begin.Once([&] { range.world.SetContactListener(&other); });
-    other.begin.Once([&range] { Range::MakeBullets(range.leaning); });
-    range.Step(4);
-}
-
 AS_STOCK("halved: a listener has the step end with the first impact; between steps sub-stepping is over") {
     Range range(run);
     range.Shoot(180.0f, 240.0f);
@@ -210,14 +194,9 @@ AS_STOCK("geared: gear joints are made whose definitions name bodies that the jo
     Range range(run);
     const b2BodyDef def;
     b2Body *const anchor = range.world.CreateBody(&def);
-    const auto hinge = [&range, anchor](b2Body *body) {
-        b2RevoluteJointDef joint;
-        joint.Initialize(anchor, body, body->GetPosition());
-        return range.world.CreateJoint(&joint);
-    };
     b2GearJointDef gear;
-    gear.joint1 = hinge(range.shots[0]);
-    gear.joint2 = hinge(range.shots[1]);
+    gear.joint1 = range.Hinge(anchor, range.shots[0], range.shots[0]->GetPosition());
+    gear.joint2 = range.Hinge(anchor, range.shots[1], range.shots[1]->GetPosition());
     range.filter.refuses = true;
     range.Ask();
     for (size_t i = 0; i < Range::kCrowd; ++i) {
@@ -240,11 +219,8 @@ void PlayFrame(Run &run, bool asleep) {
         bodies[i] = game.Box({3.0f * Real(i), 0.0f});
         bodies[i]->SetAngularVelocity(1.0f + Real(i));
     }
-    for (int i = 0; i < 3; ++i) {
-        b2RevoluteJointDef hinge;
-        hinge.Initialize(bodies[2 * i], bodies[2 * i + 1], bodies[2 * i]->GetPosition());
-        joints[i] = game.world.CreateJoint(&hinge);
-    }
+    for (int i = 0; i < 3; ++i)
+        joints[i] = game.Hinge(bodies[2 * i], bodies[2 * i + 1], bodies[2 * i]->GetPosition());
     b2GearJointDef gear;
     gear.joint1 = joints[0];
     gear.joint2 = joints[1];
@@ -264,70 +240,10 @@ void PlayFrame(Run &run, bool asleep) {
 
 } // namespace
 
-TEST_CASE("frame: a gear is made between two steps, and the frame of one of its joints is disabled") {
+AS_STOCK_HOW(kMayBeSilent,
+             "frame: a gear is made between two steps, and the frame of one of its joints is disabled") {
     for (const bool asleep : {false, true})
-        AsStock([asleep](Run &run) { PlayFrame(run, asleep); }, kMayBeSilent);
-}
-
-namespace {
-
-/// `rounded`: the step that is thrown out of is rounded upward, and so was one before; between them an impact
-/// is had.
-void PlayThrown(Run &run, bool rounded) {
-    struct Told {};
-    Game game(run, {0.0f, -10.0f});
-    game.Wall({0.0f, -0.5f}, {400.0f, 0.5f});
-    for (int i = 0; i < 700; ++i)
-        game.Awake({-350.0f + Real(i), 0.25f}, {0.25f, 0.25f});
-    std::vector<b2Body *> bullets;
-    for (int i = -20; i < 20; ++i) {
-        const float x = 6.0f * Real(i);
-        game.Box({x, 20.0f}, {0.01f, 0.5f})->SetGravityScale(0.0f);
-        bullets.push_back(game.Box({x - 0.2f, 20.0f}, {0.03f, 0.03f}));
-        bullets.back()->SetGravityScale(0.0f);
-    }
-    const auto shoot = [](b2Body *bullet) {
-        bullet->SetBullet(true);
-        bullet->SetLinearVelocity({30.0f, 0.0f});
-    };
-    game.Step(60);
-    if (rounded) {
-        std::fesetround(FE_UPWARD);
-        game.Step();
-        std::fesetround(FE_TONEAREST);
-        shoot(bullets.back());
-        bullets.pop_back();
-        for (b2Body *bullet : bullets) // so that they are looked at
-            bullet->SetAwake(true);
-        game.Step();
-        std::fesetround(FE_UPWARD);
-    }
-    game.Listen();
-    game.listener.begin = [] { throw Told(); };
-    for (b2Body *bullet : bullets)
-        shoot(bullet);
-    try {
-        game.Step();
-        run.Print("!nothing was thrown");
-    } catch (const Told &) {
-        game.WriteDown();
-    }
-    std::fesetround(FE_TONEAREST);
-    game.world.SetContactListener(nullptr);
-    for (b2Body *bullet : bullets) {
-        bullet->SetBullet(false);
-        bullet->SetLinearVelocity({0.0f, 0.0f});
-    }
-    game.Step(3);
-}
-
-} // namespace
-
-// What Box2D had found out of the others is to be forgotten, also where their bodies are no bullets any more
-// and nobody listens.
-AS_STOCK("impact thrown: a listener throws as the first of many impacts of a step is told") {
-    for (const bool rounded : {false, true})
-        PlayThrown(run, rounded);
+        PlayFrame(run, asleep);
 }
 
 // Bars in front of plates that stand aslant. Each bar's centre of mass is near the plate, and then in its

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A listener changes in an island or an impact what the rest of the step is made of. A step of its world that
-// it makes there, ends by an exception and catches leaves the world locked, as if there had been none.
+// it makes there, ends by an exception and catches leaves the world locked, as if there had been none. And
+// islands that share a ground.
 #include "as_stock.h"
 
 using namespace as_stock;
@@ -101,74 +102,70 @@ AS_STOCK_HOW(kMayBeSilent,
 }
 
 // The second wall's box is all around the shot. Box2D asks for their impact once more, after the first one.
-TEST_CASE("made: PostSolve of an impact makes bodies and steps, in which the world gets a ledger") {
-    for (const bool searches : {false, true})
-        AsStock(
-            [searches](Run &run) {
-                Game game(run);
-                for (b2Body *wall : {game.Wall({0.0f, 0.0f}, {0.05f, 1.0f}),
-                                     game.Wall({-1.15f, 0.0f}, {2.0f, 0.02f}, 0.25f * b2_pi)})
-                    wall->GetFixtureList()->SetRestitution(1.0f);
-                b2Body *const shot = game.Awake({-0.4f, 0.0f}, {0.1f, 0.1f});
-                shot->SetBullet(true);
-                game.Listen();
-                game.Step(2);
-                shot->SetLinearVelocity({60.0f, 0.0f});
-                game.listener.postSolve.Once([&game, searches] {
-                    game.StepWithin(); // unlocks it
-                    for (int i = 0; i < 60; ++i)
-                        game.Near({100.0f, 4.0f * Real(i)});
-                    game.StepWithin();
-                    game.world.SetContinuousPhysics(searches);
-                    game.StepWithin(1.0f / 240.0f, 2);
-                    game.world.SetContinuousPhysics(true);
-                });
-                game.Step(4);
-            },
-            kMayBeSilent);
+AS_STOCK_HOW(kMayBeSilent,
+             "made: PostSolve of an impact makes bodies and steps, in which the world gets a ledger") {
+    for (const bool searches : {false, true}) {
+        Game game(run);
+        for (b2Body *wall : {game.Wall({0.0f, 0.0f}, {0.05f, 1.0f}),
+                             game.Wall({-1.15f, 0.0f}, {2.0f, 0.02f}, 0.25f * b2_pi)})
+            wall->GetFixtureList()->SetRestitution(1.0f);
+        b2Body *const shot = game.Awake({-0.4f, 0.0f}, {0.1f, 0.1f});
+        shot->SetBullet(true);
+        game.Listen();
+        game.Step(2);
+        shot->SetLinearVelocity({60.0f, 0.0f});
+        game.listener.postSolve.Once([&game, searches] {
+            game.StepWithin(); // unlocks it
+            for (int i = 0; i < 60; ++i)
+                game.Near({100.0f, 4.0f * Real(i)});
+            game.StepWithin();
+            game.world.SetContinuousPhysics(searches);
+            game.StepWithin(1.0f / 240.0f, 2);
+            game.world.SetContinuousPhysics(true);
+        });
+        game.Step(4);
+    }
 }
 
 // A train, and behind it a plate beside a row of boxes. They are two islands as long as the plate's contacts
 // with the row are disabled, and it has other joints. What joins them is then solved with the row, at the
 // place that the plate had in the train.
-TEST_CASE("joined: PostSolve enables contacts of a body that is solved with others of a later island, or "
-          "ties it to them after a step inside the step") {
-    for (const bool ties : {false, true})
-        AsStock(
-            [ties](Run &run) {
-                Game game(run);
-                std::vector<b2Body *> row, poles;
-                for (int i = 0; i < 12; ++i) {
-                    row.push_back(game.Awake({0.9f * Real(i), 0.0f}));
-                    poles.push_back(game.Wall({Real(i), 40.0f}));
-                    game.Tie(poles.back(), game.Box({Real(i), 50.0f}));
-                }
-                b2Body *const plate = game.Awake({5.0f, 0.95f}, {7.0f, 0.5f});
-                for (int i = 0; i < 24; ++i)
-                    game.Awake({12.4f + 0.95f * Real(i), 0.95f}, {0.5f, 0.3f});
-                game.Listen();
-                const auto enable = [plate](bool enabled) {
-                    for (b2ContactEdge *edge = plate->GetContactList(); edge != nullptr; edge = edge->next)
-                        if (edge->other->GetPosition().x < 10.5f)
-                            edge->contact->SetEnabled(enabled);
-                };
-                game.listener.preSolve = [&enable] { enable(false); };
+AS_STOCK_HOW(kMayBeSilent,
+             "joined: PostSolve enables contacts of a body that is solved with others of a later island, or "
+             "ties it to them after a step inside the step") {
+    for (const bool ties : {false, true}) {
+        Game game(run);
+        std::vector<b2Body *> row, poles;
+        for (int i = 0; i < 12; ++i) {
+            row.push_back(game.Awake({0.9f * Real(i), 0.0f}));
+            poles.push_back(game.Wall({Real(i), 40.0f}));
+            game.Tie(poles.back(), game.Box({Real(i), 50.0f}));
+        }
+        b2Body *const plate = game.Awake({5.0f, 0.95f}, {7.0f, 0.5f});
+        for (int i = 0; i < 24; ++i)
+            game.Awake({12.4f + 0.95f * Real(i), 0.95f}, {0.5f, 0.3f});
+        game.Listen();
+        const auto enable = [plate](bool enabled) {
+            for (b2ContactEdge *edge = plate->GetContactList(); edge != nullptr; edge = edge->next)
+                if (edge->other->GetPosition().x < 10.5f)
+                    edge->contact->SetEnabled(enabled);
+        };
+        game.listener.preSolve = [&enable] { enable(false); };
+        for (b2Body *box : row)
+            box->SetLinearVelocity({0.0f, -3.0f});
+        if (ties)
+            game.listener.postSolve.Once([&] {
+                game.StepWithin(); // unlocks it
+                while (game.world.GetJointList() != nullptr)
+                    game.world.DestroyJoint(game.world.GetJointList());
                 for (b2Body *box : row)
-                    box->SetLinearVelocity({0.0f, -3.0f});
-                if (ties)
-                    game.listener.postSolve.Once([&] {
-                        game.StepWithin(); // unlocks it
-                        while (game.world.GetJointList() != nullptr)
-                            game.world.DestroyJoint(game.world.GetJointList());
-                        for (b2Body *box : row)
-                            game.Tie(plate, box);
-                        enable(false);
-                    });
-                else
-                    game.listener.postSolve = [&enable] { enable(true); };
-                game.Step(4);
-            },
-            kMayBeSilent);
+                    game.Tie(plate, box);
+                enable(false);
+            });
+        else
+            game.listener.postSolve = [&enable] { enable(true); };
+        game.Step(4);
+    }
 }
 
 // Box2D's gear reads the places in islands of bodies that are not in its own.
@@ -180,11 +177,8 @@ AS_STOCK("read anew: PostSolve puts bodies to sleep ahead of their island, and t
         std::vector<b2Joint *> joints;
         for (int i = 0; i < 4; ++i)
             bodies.push_back(game.Awake({4.0f * Real(i), 0.3f * Real(i % 2)}));
-        for (const size_t i : {0u, 2u}) {
-            b2RevoluteJointDef def;
-            def.Initialize(bodies[i], bodies[i + 1], bodies[i]->GetPosition());
-            joints.push_back(game.world.CreateJoint(&def));
-        }
+        for (const size_t i : {0u, 2u})
+            joints.push_back(game.Hinge(bodies[i], bodies[i + 1], bodies[i]->GetPosition()));
         std::vector<b2Body *> sleepers = {bodies[0], bodies[1]};
         for (const float x : {-0.99f, 0.99f}) // they touch, so that there are links
             sleepers.push_back(game.Awake({x, 0.0f}));
@@ -268,4 +262,99 @@ AS_STOCK("by list: a listener comes to a world whose pairs nearly all touch, and
     game.listener.preSolve = [late](b2Contact *contact) { contact->SetEnabled(contact != late); };
     ones[0]->SetTransform(ones[0]->GetPosition() - b2Vec2(0.105f, 0.0f), 0.0f);
     game.Step(4);
+}
+
+namespace {
+
+const b2Vec2 kDown(0.0f, -10.0f);
+
+/// A kinematic floor of tiles, which makes one island of the boxes on it.
+b2Body *AddFloor(Game &game) {
+    b2Body *const floor = game.Body(b2_kinematicBody, {0.0f, 0.0f});
+    for (int i = 1; i < 28; ++i) {
+        const bool isHalf = i / 2 % 2 == 1; // two tiles, on both of which a box stands
+        if (i == 1 || isHalf || i % 2 == 0)
+            game.Box(floor, 1.0f, 1.0f,
+                     {4.0f * Real(i / 2) + (isHalf ? 2.0f * Real(i % 2) - 1.0f : 0.0f), 0.0f});
+    }
+    return floor;
+}
+
+/// Boxes that slide to and fro are put back, at times one place further on: contacts differ in one of their
+/// bodies alone. `zero`: how fast the floor is; a box that slides to the right turns the sign of -0.0.
+void PlaySliding(Run &run, float zero, int iterations) {
+    Game game(run, kDown);
+    b2Body *const floor = AddFloor(game);
+    for (int i = 0; i < 12; ++i)
+        game.Box({4.0f * Real(i), 1.5f});
+    for (int step = 0; step < 60; ++step) {
+        floor->SetLinearVelocity({zero, zero});
+        int i = 0;
+        for (b2Body *body = game.world.GetBodyList(); step % 3 == 0 && body != floor;
+             body = body->GetNext()) {
+            body->SetTransform({4.0f * Real(i + step % 2), 1.5f}, 0.0f);
+            body->SetLinearVelocity({i++ % 2 == 0 ? 1.0f : -1.0f, 0.0f});
+        }
+        game.world.Step(1.0f / 60.0f, iterations, 3);
+        game.WriteDown();
+    }
+}
+
+/// Balls far from each other on one ground: an island each, of which one hands the ground on to the next as
+/// it leaves it. `drift`: how fast the ground is; `fall`: how fast one ball is at last, downwards.
+void PlayApart(Run &run, float drift, float fall) {
+    Game game(run, kDown);
+    b2BodyDef def;
+    def.linearVelocity.Set(drift, 0.0f);
+    game.Box(game.world.CreateBody(&def), 50.0f, 1.0f);
+    std::vector<b2Body *> balls;
+    for (int i = 0; i < 13; ++i)
+        balls.push_back(game.Disk({4.0f * Real(i) - 24.0f, 1.5f}, 0.5f));
+    game.Step(10);
+    balls[10]->SetLinearVelocity({0.0f, -fall});
+    game.Step(3);
+}
+
+/// Pairs of balls, one on the ground, the other pinned to it and to the first. One pair's velocity makes the
+/// ground's NaN, for all pairs that come after it. On a kinematic ground all are one island; on a static one
+/// each is its own, and they are solved together.
+void PlayPinned(Run &run, b2BodyType type, size_t fast) {
+    Game game(run, kDown);
+    b2Body *const ground = game.Body(type, {0.0f, 0.0f});
+    game.Box(ground, 50.0f, 1.0f)->SetFriction(0.6f);
+    std::vector<b2Body *> balls;
+    for (int i = 0; i < 13; ++i) {
+        const float x = 4.0f * Real(i) - 24.0f;
+        balls.push_back(game.Disk({x, 1.5f}, 0.5f));
+        b2Body *const other = game.Disk({x + 1.0f, 1.5f}, 0.5f);
+        game.Hinge(balls.back(), other, {x + 0.6f, 1.7f});
+        game.Hinge(ground, other, {x + 1.2f, 1.4f});
+    }
+    game.Step(10);
+    balls[fast]->SetLinearVelocity({0.0f, -INFINITY});
+    game.Step(3);
+}
+
+} // namespace
+
+AS_STOCK_HOW(kMayBeSilent, "islands share a ground that moves") {
+    PlayApart(run, 0.3f, 0.0f);
+}
+
+AS_STOCK_HOW(kMayBeSilent, "islands share a ground whose velocity becomes NaN") {
+    PlayApart(run, 0.0f, INFINITY);
+}
+
+AS_STOCK_HOW(kMayBeSilent, "boxes slide on a floor") {
+    PlaySliding(run, 0.0f, 8);
+}
+
+AS_STOCK_HOW(kMayBeSilent, "boxes slide on a floor that is as fast as -0.0") {
+    PlaySliding(run, -0.0f, 1);
+}
+
+AS_STOCK_HOW(kMayBeSilent, "pinned pairs share a ground whose velocity becomes NaN") {
+    for (const b2BodyType ground : {b2_staticBody, b2_kinematicBody})
+        for (const size_t fast : {0u, 10u})
+            PlayPinned(run, ground, fast);
 }

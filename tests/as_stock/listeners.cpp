@@ -52,12 +52,12 @@ void PlaySwitches(Run &run, bool listens) {
 
 } // namespace
 
-TEST_CASE("switched: a filter puts another listener into the world while Box2D looks for impacts") {
-    AsStock([](Run &run) { PlaySwitches(run, true); });
+AS_STOCK("switched: a filter puts another listener into the world while Box2D looks for impacts") {
+    PlaySwitches(run, true);
 }
 
-TEST_CASE("brought: a filter brings the first listener while Box2D looks for impacts") {
-    AsStock([](Run &run) { PlaySwitches(run, false); });
+AS_STOCK("brought: a filter brings the first listener while Box2D looks for impacts") {
+    PlaySwitches(run, false);
 }
 
 // What a contact's update told one of them it tells to its end. Every third time nobody comes in its place.
@@ -195,45 +195,44 @@ struct Blocks {
 };
 
 // A small world gives its ledger back: between steps alone, and with what is known of impacts.
-TEST_CASE("given back: a crowd goes, and while that is found out a listener steps the world within its "
-          "steps; the crowd comes back") {
-    for (const bool sub : {false, true})
-        AsStock([sub](Run &run) {
-            Game game(run);
-            game.world.SetSubStepping(sub);
-            const auto crowd = [&game] {
-                std::vector<b2Body *> bodies;
-                for (int i = 0; i < 60; ++i) {
-                    bodies.push_back(game.Near({3.0f * Real(i), 10.0f}));
-                    bodies.back()->SetLinearVelocity({i % 3 == 0 ? -2.0f : 0.1f, 0.0f});
-                }
-                return bodies;
-            };
-            game.Leaning({0.0f, 0.0f});
-            game.Listen();
-            for (int round = 0; round < 2; ++round) {
-                const std::vector<b2Body *> bodies = crowd();
-                game.Step(2);
-                for (b2Body *body : bodies)
-                    game.world.DestroyBody(body);
-                game.Step(round == 0 ? 1 : 60);
-                Blocks blocks;
-                const auto steps = [&game, &blocks] {
-                    for (int i = 0; i < 12; ++i)
-                        game.StepWithin(1.0f / 600.0f, 4);
-                    blocks.Take();
-                };
-                if (sub)
-                    game.listener.postSolve.Once(steps);
-                else
-                    game.listener.preSolve.Once(steps);
-                b2Body *const bullet = game.Awake({-6.0f, 0.0f}, {0.1f, 0.1f});
-                bullet->SetBullet(true);
-                bullet->SetLinearVelocity({400.0f, 0.0f});
-                game.Step(80);
-                blocks.Tell(run);
+AS_STOCK("given back: a crowd goes, and while that is found out a listener steps the world within its "
+         "steps; the crowd comes back") {
+    for (const bool sub : {false, true}) {
+        Game game(run);
+        game.world.SetSubStepping(sub);
+        const auto crowd = [&game] {
+            std::vector<b2Body *> bodies;
+            for (int i = 0; i < 60; ++i) {
+                bodies.push_back(game.Near({3.0f * Real(i), 10.0f}));
+                bodies.back()->SetLinearVelocity({i % 3 == 0 ? -2.0f : 0.1f, 0.0f});
             }
-        });
+            return bodies;
+        };
+        game.Leaning({0.0f, 0.0f});
+        game.Listen();
+        for (int round = 0; round < 2; ++round) {
+            const std::vector<b2Body *> bodies = crowd();
+            game.Step(2);
+            for (b2Body *body : bodies)
+                game.world.DestroyBody(body);
+            game.Step(round == 0 ? 1 : 60);
+            Blocks blocks;
+            const auto steps = [&game, &blocks] {
+                for (int i = 0; i < 12; ++i)
+                    game.StepWithin(1.0f / 600.0f, 4);
+                blocks.Take();
+            };
+            if (sub)
+                game.listener.postSolve.Once(steps);
+            else
+                game.listener.preSolve.Once(steps);
+            b2Body *const bullet = game.Awake({-6.0f, 0.0f}, {0.1f, 0.1f});
+            bullet->SetBullet(true);
+            bullet->SetLinearVelocity({400.0f, 0.0f});
+            game.Step(80);
+            blocks.Tell(run);
+        }
+    }
 }
 
 AS_STOCK("few left: while a contact ends a listener steps a world of hardly any") {

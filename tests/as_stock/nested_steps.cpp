@@ -282,27 +282,6 @@ AS_STOCK("twice: a filter steps while it is asked about a new pair, which so get
     }
 }
 
-// The outer step goes on to build islands by the flags that the inner one left at contacts and bodies.
-AS_STOCK("islands: a listener steps from PostSolve, while islands are built") {
-    Game game(run);
-    game.Listen();
-    for (int i = 0; i < 90; ++i) // neighbours whose boxes overlap, and that do not touch
-        game.Awake({1.08f * Real(i % 10), 1.08f * Real(i / 10)});
-    for (int i = 0; i < 30; ++i) // pairs that lean on each other
-        game.Awake({40.0f + 0.99f * Real(i % 2), 1.5f * Real(i / 2)})
-            ->SetLinearVelocity({i % 2 == 0 ? 0.3f : -0.3f, 0.01f * Real(i)});
-    for (int round = 0; round < 6; ++round) {
-        int solved = 0;
-        game.listener.postSolve = [&game, &solved] {
-            if (solved++ == 3)
-                game.world.Step(1.0f / 120.0f, 2, 1);
-        };
-        game.Step();
-        game.listener.postSolve = nullptr;
-        game.Step(15);
-    }
-}
-
 // A third box is thrown at the first of two that touch, whose type then changes: that ends the contact of the
 // two. In the listener's step the thrown one gets its contact, and then Box2D empties the list of the one
 // that changed: it will make the same contact again.
@@ -347,13 +326,6 @@ void PlayHeaps(Game &game) {
 }
 
 } // namespace
-
-AS_STOCK("filters: a filter steps its own world in the midst of the search for new contacts") {
-    Game game(run, {0.0f, -10.0f});
-    game.Ask();
-    game.filter.asked = Every(40, kAlways, [&game] { game.StepWithin(1.0f / 60.0f, 2); });
-    PlayHeaps(game);
-}
 
 // With the proxies of a body that is put out of the world for a moment: each time another's.
 AS_STOCK("ending: a filter ends contacts of bodies that have many") {

@@ -114,25 +114,6 @@ AS_STOCK("looks are resumed after each kind of change, at the pairs that it conc
     world.ExpectQuiet(10, 50);
 }
 
-AS_STOCK("joints that keep bodies apart end their pairs, and those that go let them meet again") {
-    Needles world(run);
-    world.game.Step(40);
-    const int32 before = world.game.world.GetContactCount();
-    b2Joint *joint = nullptr;
-    for (int round = 0; round < 3; ++round) {
-        b2DistanceJointDef def;
-        def.Initialize(world.needles[3], world.needles[4], world.needles[3]->GetPosition(),
-                       world.needles[4]->GetPosition());
-        joint = world.game.world.CreateJoint(&def);
-        world.game.Step(3);
-        world.game.Stage(world.game.world.GetContactCount() < before, "a pair has ended");
-        world.game.world.DestroyJoint(joint);
-        world.needles[3]->GetFixtureList()->Refilter();
-        world.game.Step(20);
-        world.game.Stage(world.game.world.GetContactCount() == before, "the pair is back");
-    }
-}
-
 AS_STOCK("bodies that wake are looked at, those that fall asleep no more") {
     Needles world(run);
     for (b2Body *needle : world.needles)
@@ -264,24 +245,7 @@ AS_STOCK("bodies that were put to sleep in full flight are still in the way that
     game.Stage(stopped > 0, "what sleeps is met");
 }
 
-AS_STOCK("crowds far away, where places are rounded to what lies between two") {
-    for (const float out : {3000.0f, 3e5f, 1.5e6f}) {
-        Heard game(run);
-        for (int i = 0; i < 40; ++i) {
-            b2Body *body =
-                game.Body(b2_dynamicBody,
-                          {out + 0.9f * static_cast<float>(i % 8), out + 0.9f * static_cast<float>(i / 8)},
-                          0.3f * static_cast<float>(i));
-            game.Box(body, 0.3f, 0.2f);
-            body->SetSleepingAllowed(false);
-            body->SetLinearVelocity(Slanted(0.1f * static_cast<float>(i % 3 - 1), 0.2f));
-            body->SetAngularVelocity(0.2f * static_cast<float>(i % 5 - 2));
-        }
-        game.Step(120);
-    }
-}
-
-TEST_CASE("contacts that were disabled between steps are enabled where impacts are looked for") {
+AS_STOCK("contacts that were disabled between steps are enabled where impacts are looked for") {
     /// Leaves a pair of which neither body is dynamic, so that impacts are looked for in Box2D's list.
     struct Freezing final : b2ContactFilter {
         bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
@@ -291,70 +255,66 @@ TEST_CASE("contacts that were disabled between steps are enabled where impacts a
             return true;
         }
     } freezing;
-    AsStock([&freezing](Run &run) {
-        for (const int way : {0, 1, 2}) {
-            Game game(run);
-            const bool partial = way == 1, byList = way == 2;
-            game.world.SetSubStepping(partial);
-            if (byList) {
-                game.world.SetContactFilter(&freezing);
-                game.Box(game.Body(b2_staticBody, {50.0f, 0.0f}), 1.0f, 1.0f);
-                game.Box(game.Body(b2_dynamicBody, {50.0f, 0.0f}), 1.0f, 1.0f)->SetSensor(true);
-                game.Step();
-                game.world.SetContactFilter(nullptr);
-            }
-            game.Box(game.Body(b2_staticBody, {0.0f, 0.0f}), 0.05f, 6.0f);
-            std::vector<b2Body *> shots;
-            for (int i = 0; i < 12; ++i) {
-                shots.push_back(game.Body(b2_dynamicBody, {-0.3f, static_cast<float>(i) - 5.5f}));
-                game.Box(shots.back(), 0.2f, 0.2f);
-                shots.back()->SetSleepingAllowed(false);
-            }
-            game.Step(30);
-            for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-                c->SetEnabled(false);
-            for (b2Body *shot : shots)
-                shot->SetLinearVelocity({200.0f, 0.0f});
-            game.Step(partial ? 20 : 4);
-            for (const b2Body *shot : shots)
-                game.Stage(shot->GetPosition().x < 0.0f, "nobody comes through");
+    for (const int way : {0, 1, 2}) {
+        Game game(run);
+        const bool partial = way == 1, byList = way == 2;
+        game.world.SetSubStepping(partial);
+        if (byList) {
+            game.world.SetContactFilter(&freezing);
+            game.Box(game.Body(b2_staticBody, {50.0f, 0.0f}), 1.0f, 1.0f);
+            game.Box(game.Body(b2_dynamicBody, {50.0f, 0.0f}), 1.0f, 1.0f)->SetSensor(true);
+            game.Step();
+            game.world.SetContactFilter(nullptr);
         }
-    });
+        game.Box(game.Body(b2_staticBody, {0.0f, 0.0f}), 0.05f, 6.0f);
+        std::vector<b2Body *> shots;
+        for (int i = 0; i < 12; ++i) {
+            shots.push_back(game.Body(b2_dynamicBody, {-0.3f, static_cast<float>(i) - 5.5f}));
+            game.Box(shots.back(), 0.2f, 0.2f);
+            shots.back()->SetSleepingAllowed(false);
+        }
+        game.Step(30);
+        for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+            c->SetEnabled(false);
+        for (b2Body *shot : shots)
+            shot->SetLinearVelocity({200.0f, 0.0f});
+        game.Step(partial ? 20 : 4);
+        for (const b2Body *shot : shots)
+            game.Stage(shot->GetPosition().x < 0.0f, "nobody comes through");
+    }
 }
 
-TEST_CASE("a loop over contacts that a listener's exception ends is none") {
+AS_STOCK("a loop over contacts that a listener's exception ends is none") {
     struct Thrown {};
     struct Throwing final : b2ContactListener {
         void BeginContact(b2Contact *) override { throw Thrown(); }
     };
-    AsStock([](Run &run) {
-        Needles world(run);
-        Game &game = world.game;
-        // Two that meet, and whose contact is the newest: the loop begins with it.
-        b2Body *const left = game.Body(b2_dynamicBody, {30.0f, 0.0f}), *const right = game.Body(
-                                                                           b2_dynamicBody, {31.05f, 0.0f});
-        for (b2Body *body : {left, right})
-            game.Box(body, 0.5f, 0.5f);
-        game.Step(40);
-        game.Stage(game.Touching() == 0, "all apart");
-        right->SetTransform({30.95f, 0.0f}, 0.0f);
-        // In the same step an older pair is to be looked at because of its shape; and nobody comes to it.
-        auto &thin = static_cast<b2PolygonShape &>(*world.needles[3]->GetFixtureList()->GetShape());
-        thin.SetAsBox(3.0f, 0.3f);
-        Edited(run, world.needles[3]);
-        Throwing listener;
-        game.world.SetContactListener(&listener);
-        bool thrown = false;
-        try {
-            game.world.Step(1.0f / 60.0f, 8, 3);
-        } catch (const Thrown &) {
-            thrown = true;
-        }
-        game.world.SetContactListener(nullptr);
-        game.Stage(thrown && game.Touching() <= 1, "the loop ends with the first contact");
-        game.Step(3);
-        game.Stage(game.Touching() > 1, "needles touch");
-    });
+    Needles world(run);
+    Game &game = world.game;
+    // Two that meet, and whose contact is the newest: the loop begins with it.
+    b2Body *const left = game.Body(b2_dynamicBody, {30.0f, 0.0f}), *const right = game.Body(b2_dynamicBody,
+                                                                                            {31.05f, 0.0f});
+    for (b2Body *body : {left, right})
+        game.Box(body, 0.5f, 0.5f);
+    game.Step(40);
+    game.Stage(game.Touching() == 0, "all apart");
+    right->SetTransform({30.95f, 0.0f}, 0.0f);
+    // In the same step an older pair is to be looked at because of its shape; and nobody comes to it.
+    auto &thin = static_cast<b2PolygonShape &>(*world.needles[3]->GetFixtureList()->GetShape());
+    thin.SetAsBox(3.0f, 0.3f);
+    Edited(run, world.needles[3]);
+    Throwing listener;
+    game.world.SetContactListener(&listener);
+    bool thrown = false;
+    try {
+        game.world.Step(1.0f / 60.0f, 8, 3);
+    } catch (const Thrown &) {
+        thrown = true;
+    }
+    game.world.SetContactListener(nullptr);
+    game.Stage(thrown && game.Touching() <= 1, "the loop ends with the first contact");
+    game.Step(3);
+    game.Stage(game.Touching() > 1, "needles touch");
 }
 
 TEST_CASE("more than 65,536 fixtures, each with a pair of its own") {
@@ -399,18 +359,6 @@ TEST_CASE("more than 65,536 fixtures, each with a pair of its own") {
     CHECK(Difference(stock, InChild(couples, &options)) == "");
 }
 
-AS_STOCK("worlds that die in mid-life, at the same address, and with other bodies there") {
-    alignas(Needles) static char room[sizeof(Needles)];
-    for (int round = 0; round < 6; ++round) {
-        auto *world = new (room) Needles(run, 0.1f * static_cast<float>(round));
-        world->game.Step(10 + round);
-        for (int i = 0; i < round; ++i) // some contacts end ahead of the world
-            world->game.world.DestroyBody(world->needles[static_cast<size_t>(2 * i)]);
-        world->game.WriteDown();
-        world->~Needles();
-    }
-}
-
 AS_STOCK("memory is given back when contacts end and when the world does") {
     // (A first world: what lasts as long as the thread or the process is there from then on.)
     std::make_unique<Needles>(run)->game.Step(2);
@@ -448,22 +396,4 @@ AS_STOCK("nothing is allocated for pairs that stay apart") {
     world.game.Step(100);
     world.game.Stage(world.game.world.GetContactCount() == contacts, "no pair comes or goes");
     run.Expect(BytesInUse() == before, "nothing was kept");
-}
-
-AS_STOCK("two worlds on two threads, one that dies while the other goes on") {
-    // Each prints for itself; one after the other they come into the text.
-    std::vector<Run> printed;
-    for (int i = 0; i < 2; ++i)
-        printed.emplace_back(-1, nullptr);
-    std::thread threads[2];
-    for (int i = 0; i < 2; ++i)
-        threads[i] = std::thread([&printed, i] {
-            for (int round = 0; round < 4 + 4 * i; ++round)
-                std::make_unique<Needles>(printed[static_cast<size_t>(i)], 0.1f * static_cast<float>(round))
-                    ->game.Step(10);
-        });
-    for (std::thread &thread : threads)
-        thread.join();
-    for (Run &mine : printed)
-        run.Take(&mine);
 }

@@ -66,21 +66,18 @@ TEST_CASE("listening: a listener changes how it is rounded, and that stays") {
 }
 
 // Rows of boxes that are too near each other, and turn.
-TEST_CASE("turned: PostSolve changes how a thread is rounded, and that stays") {
-    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
-        AsStock(
-            [mode](Run &run) {
-                Game game(run);
-                for (int i = 0; i < 60; ++i)
-                    game.Awake({0.93f * Real(i % 20), 4.0f * Real(i / 20)})->SetAngularVelocity(Real(i));
-                game.Listen();
-                game.listener.postSolve = [mode] { std::fesetround(mode); };
-                for (int step = 0; step < 4; ++step) {
-                    game.Step();
-                    std::fesetround(FE_TONEAREST);
-                }
-            },
-            kMayBeSilent);
+AS_STOCK_HOW(kMayBeSilent, "turned: PostSolve changes how a thread is rounded, and that stays") {
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        Game game(run);
+        for (int i = 0; i < 60; ++i)
+            game.Awake({0.93f * Real(i % 20), 4.0f * Real(i / 20)})->SetAngularVelocity(Real(i));
+        game.Listen();
+        game.listener.postSolve = [mode] { std::fesetround(mode); };
+        for (int step = 0; step < 4; ++step) {
+            game.Step();
+            std::fesetround(FE_TONEAREST);
+        }
+    }
 }
 
 // Nothing moves bodies without mass, whose impulses would be divided by zero.

@@ -120,66 +120,17 @@ void PlayPairs(Run &run, bool driversFirst, bool again, bool inLoop) {
 
 } // namespace
 
-TEST_CASE("flags: PostSolve wakes pairs that had been in an island when they fell asleep") {
-    AsStock([](Run &run) { PlayPairs(run, false, true, false); });
+AS_STOCK("flags: PostSolve wakes pairs that had been in an island when they fell asleep") {
+    PlayPairs(run, false, true, false);
 }
 
-TEST_CASE("first: BeginContact and PreSolve of the newest contact wake pairs that the loop is still to come "
-          "by") {
-    AsStock([](Run &run) { PlayPairs(run, false, false, true); });
+AS_STOCK("first: BeginContact and PreSolve of the newest contact wake pairs that the loop is still to come "
+         "by") {
+    PlayPairs(run, false, false, true);
 }
 
-TEST_CASE("last: BeginContact and PreSolve of the oldest contact wake pairs that the loop has come by") {
-    AsStock([](Run &run) { PlayPairs(run, true, false, true); });
-}
-
-namespace {
-
-/// A field of boxes of which every other pair touches, over a floor.
-void AddField(Game &game, int count, bool floor = true) {
-    if (floor)
-        game.Wall({0.0f, -1.0f}, {900.0f, 0.5f});
-    for (int i = 0; i < count; ++i)
-        game.Box({1.8f * Real(i) - (i % 4 == 1 ? 0.85f : 0.0f), 0.0f});
-}
-
-void DestroyBodies(Game &game, bool staticToo) {
-    for (b2Body *body = game.world.GetBodyList(), *next; body != nullptr; body = next) {
-        next = body->GetNext();
-        if (staticToo || body->GetType() != b2_staticBody)
-            game.world.DestroyBody(body);
-    }
-}
-
-} // namespace
-
-AS_STOCK("empty: a world loses its contacts, its moving bodies, all of its bodies; and gets others") {
-    Game game(run, {0.0f, -10.0f});
-    for (const int count : {40, 300, 40}) {
-        AddField(game, count);
-        game.Step(100);
-        for (b2Body *body = game.world.GetBodyList(); body != nullptr; body = body->GetNext())
-            if (body->GetType() != b2_staticBody) // out of reach of each other
-                body->SetTransform({3.0f * body->GetPosition().x, 50.0f}, 0.0f);
-        game.Step(3);
-        DestroyBodies(game, false);
-        game.Step(2);
-        AddField(game, count, false);
-        game.Step(20);
-        DestroyBodies(game, true);
-        game.Step(3);
-    }
-    // In a step of no time that unlocked the world for a listener.
-    game.Listen();
-    for (auto callback : {&Listener::begin, &Listener::preSolve, &Listener::postSolve}) {
-        AddField(game, 300);
-        game.Step(60);
-        (game.listener.*callback).Once([&game] { game.world.Step(0.0f, 0, 0); });
-        game.Step(2);
-        game.listener.*callback = nullptr;
-        DestroyBodies(game, true);
-        game.Step(3);
-    }
+AS_STOCK("last: BeginContact and PreSolve of the oldest contact wake pairs that the loop has come by") {
+    PlayPairs(run, true, false, true);
 }
 
 AS_STOCK("driven: sleepers are woken while islands are built, by a joint or by who touches them, and get "
@@ -374,39 +325,4 @@ AS_STOCK("lapsed: two that sleep come to touch when the library does not look, a
          "joint") {
     for (const Lapse lapse : {Lapse::kRounded, Lapse::kImpact, Lapse::kRoundedImpact})
         PlayLapse(run, lapse);
-}
-
-AS_STOCK("woken: a filter wakes those that lean on each other, and steps the world without a search for "
-         "impacts") {
-    Game game(run);
-    std::vector<b2Body *> leaning, shots, sleepers;
-    for (int i = 0; i < 400; ++i)
-        sleepers.push_back(game.Box({1.05f * Real(i % 20), 60.0f + 1.05f * Real(i / 20)}));
-    for (int i = 0; i < 8; ++i) {
-        for (const float x : {0.0f, 0.995f}) {
-            leaning.push_back(game.Box({x, 4.0f * Real(i)}));
-            leaning.back()->SetBullet(true);
-            sleepers.push_back(leaning.back());
-        }
-        shots.push_back(game.Box({-2.5f, 4.0f * Real(i)}, {0.1f, 0.1f}));
-        shots.back()->SetBullet(true);
-    }
-    game.Wall({0.0f, -30.0f}, {0.05f, 1.0f});
-    b2Body *const coming = game.Box({-3.0f, -30.0f}, {0.1f, 0.1f});
-    game.Ask();
-    game.Step(2);
-    for (b2Body *body : sleepers)
-        body->SetAwake(false);
-    game.Step(40); // until Bodies finds that few are awake
-    game.filter.asked.Once([&] {
-        for (b2Body *body : leaning)
-            body->SetAwake(true);
-        game.world.SetContinuousPhysics(false);
-        game.StepWithin(1.0f / 60.0f, 8);
-        game.world.SetContinuousPhysics(true);
-    });
-    coming->SetLinearVelocity({30.0f, 0.0f});
-    for (b2Body *shot : shots)
-        shot->SetLinearVelocity({70.0f, 0.0f});
-    game.Step(4);
 }

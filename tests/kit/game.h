@@ -192,6 +192,11 @@ public:
         Awake(at);
         Awake({at.x + 0.995f, at.y});
     }
+    b2RevoluteJoint *Hinge(b2Body *a, b2Body *b, b2Vec2 at) {
+        b2RevoluteJointDef joint;
+        joint.Initialize(a, b, at);
+        return static_cast<b2RevoluteJoint *>(world.CreateJoint(&joint));
+    }
     void Tie(b2Body *a, b2Body *b) {
         b2DistanceJointDef joint;
         joint.Initialize(a, b, a->GetPosition(), b->GetPosition());

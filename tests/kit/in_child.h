@@ -79,12 +79,6 @@ public:
         if (m_text.size() > kBuffer)
             Flush();
     }
-    /// What another run (of a thread, without a pipe) printed.
-    void Take(Run *other) {
-        Flush();
-        m_text.swap(other->m_text);
-        Flush();
-    }
     /// A claim about the library's own doing: a failure of this run if it is false. Stock has none.
     void Expect(bool holds, const char *claim) {
         if (HasPlugin() && !holds)
@@ -105,14 +99,13 @@ private:
     static constexpr size_t kBuffer = 60000;
 
     void Flush() {
-        for (size_t done = 0; done < m_text.size() && m_pipe >= 0;) {
+        for (size_t done = 0; done < m_text.size();) {
             const ssize_t written = write(m_pipe, m_text.data() + done, m_text.size() - done);
             if (written <= 0)
                 _exit(3);
             done += static_cast<size_t>(written);
         }
-        if (m_pipe >= 0)
-            m_text.clear();
+        m_text.clear();
     }
 
     int m_pipe;
