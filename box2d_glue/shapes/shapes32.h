@@ -29,7 +29,7 @@ static_assert(int{b2Manifold::e_faceA} == BMR_MANIFOLD_FACE_A &&
               int{b2Manifold::e_faceB} == BMR_MANIFOLD_FACE_B);
 static_assert(int{b2ContactFeature::e_vertex} == BMR_FEATURE_VERTEX);
 static_assert(int{b2ContactFeature::e_face} == BMR_FEATURE_FACE);
-static_assert(b2_maxPolygonVertices <= 8, "core/exact32 holds 8 vertices");
+static_assert(b2_maxPolygonVertices <= 8, "for polygons of more vertices there is bmr::ConvexShape");
 
 inline const bmr_vec32 *Vectors32(const b2Vec2 *vectors) {
     return reinterpret_cast<const bmr_vec32 *>(vectors);

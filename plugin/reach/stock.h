@@ -96,6 +96,9 @@ void SynchronizeTransform(b2Body *body);
 float TimeOfImpact(float from, float partOfTheRest);
 /// Are Box2D's assertions compiled?
 bool Asserts();
+/// May the compiler round one expression otherwise in another function (-ffast-math, x87)? Then what is
+/// compiled a second time has other bits.
+bool RoundsByPlace();
 #endif
 
 BMR_STOCK(CreateProxy, "_ZN13b2DynamicTree11CreateProxyERK6b2AABBPv",

@@ -13,8 +13,9 @@
 #   hidden      an archive, compiled with -fvisibility=hidden  as static, and nothing of it is seen from outside
 #   lean        an archive: C++20, precompiled headers,        as static, and nothing of it knows of types
 #               -fno-rtti
+#   regrouped   an archive: -ffast-math                        the same source rounds otherwise in another function
 #
-# `lean` is there with BOX2D_BUILDS_LONG alone. Those in ${BOX2D_ACCELERATED} are built a second time, from the same sources by the
+# The last two are there with BOX2D_BUILDS_LONG alone. Those in ${BOX2D_ACCELERATED} are built a second time, from the same sources by the
 # same flags, with boomerang_accelerate: box2d_VARIANT_accelerated, in <build>/VARIANT/accelerated/. (Where the first is of one
 # source, this is of CMake's unity; without BOX2D_BUILDS_LONG always.)
 #
@@ -31,9 +32,9 @@ set(BOX2D_SHELF debian ndebug allocator units10 fma static lto onefile hidden)
 set(BOX2D_SHELF_STATIC static hidden)
 set(BOX2D_ACCELERATED static)
 if(BOX2D_BUILDS_LONG)
-  list(APPEND BOX2D_SHELF lean)
-  list(APPEND BOX2D_SHELF_STATIC lean)
-  set(BOX2D_ACCELERATED static ndebug allocator units10 fma lto hidden lean)
+  list(APPEND BOX2D_SHELF lean regrouped)
+  list(APPEND BOX2D_SHELF_STATIC lean regrouped)
+  set(BOX2D_ACCELERATED static ndebug allocator units10 fma lto hidden lean regrouped)
 endif()
 
 execute_process(COMMAND dpkg-buildflags --get CPPFLAGS OUTPUT_VARIABLE debian_preprocessor OUTPUT_STRIP_TRAILING_WHITESPACE
@@ -135,5 +136,6 @@ macro(box2d_shelf source)
   box2d_variant(hidden ARCHIVE FLAGS -O2 -fvisibility=hidden -fvisibility-inlines-hidden)
   if(lean IN_LIST BOX2D_SHELF)
     box2d_variant(lean ARCHIVE FILE_BY_FILE FLAGS -O2 GAME -fno-rtti HEADER ${source}/include/box2d/box2d.h)
+    box2d_variant(regrouped ARCHIVE FILE_BY_FILE FLAGS -O3 -ffast-math GAME ${fused})
   endif()
 endmacro()

@@ -131,10 +131,11 @@ struct Statistics {
 };
 BMR_BOX2D_API Statistics GetStatistics();
 
-/// A certified distance between the polygon fixtures of two bodies at their present poses: a lower bound of
-/// the true distance of the polygons (radii not subtracted). 0 if nothing is proved, or if they touch. It is
-/// of the vertices as they are, also if a game changed these in place and left the normals. Bodies of
-/// different worlds: 0. O(fixtures of one times fixtures of the other); does not change the simulation.
+/// A certified distance between the solid polygon fixtures of two bodies at their present poses: a lower
+/// bound of the true distance of the polygons (radii not subtracted; sensors do not count). 0 if nothing is
+/// proved, or if they touch. It is of the vertices as they are, also if a game changed these in place and
+/// left the normals. Bodies of different worlds: 0. O(fixtures of one times fixtures of the other); does not
+/// change the simulation.
 BMR_BOX2D_API float CertifiedSlack(const b2Body *bodyA, const b2Body *bodyB);
 
 /// Forgets what is known about this body's shape, and builds its hulls again. Call it after you changed

@@ -31,17 +31,24 @@ bool internal::MeetBox2D(const void *) {
 
 namespace {
 
+// What is compiled a second time, where it has Box2D's bits.
+void MeetSecondCopies() {
+    if (stock::RoundsByPlace())
+        return;
+    SetCollideByFace(stock::CollideByFace);
+    TheStockSolver() = {
+        stock::Solve,
+        stock::SolveToi,
+        stock::SolveIsland,
+        stock::SolveToiIsland,
+        {stock::AdvanceSweep, stock::AdvanceBody, stock::SynchronizeTransform, stock::TimeOfImpact}};
+}
+
 // (Install may be called before the first step.)
 [[maybe_unused]] const bool told =
-    (SetWay("compiled with Box2D", nullptr), SetCollideByFace(stock::CollideByFace),
-     TheStockSolver() = {stock::Solve,
-                         stock::SolveToi,
-                         stock::SolveIsland,
-                         stock::SolveToiIsland,
-                         {stock::AdvanceSweep, stock::AdvanceBody, stock::SynchronizeTransform,
-                          stock::TimeOfImpact}},
-     SetBox2DAsserts(stock::Asserts()), internal::LinkOfConvexOutlines(), internal::LinkOfInspect(),
-     internal::LinkOfOutlineShape(), internal::LinkOfSlack(), internal::LinkOfStatistics(), true);
+    (SetWay("compiled with Box2D", nullptr), MeetSecondCopies(), SetBox2DAsserts(stock::Asserts()),
+     internal::LinkOfConvexOutlines(), internal::LinkOfInspect(), internal::LinkOfOutlineShape(),
+     internal::LinkOfSlack(), internal::LinkOfStatistics(), true);
 
 } // namespace
 

@@ -20,6 +20,8 @@ struct BodyMotion;
 #include "box2d/b2_joint.h"
 #include "box2d/b2_time_step.h"
 
+#include <cfloat>
+
 namespace bmr {
 
 // As in box2d_glue/passes/stock_solver.h, which is not of the language that this is compiled as.
@@ -47,6 +49,7 @@ void AdvanceBody(b2Body *body, float alpha);
 void SynchronizeTransform(b2Body *body);
 float TimeOfImpact(float from, float partOfTheRest);
 bool Asserts();
+bool RoundsByPlace();
 
 namespace {
 
@@ -106,6 +109,15 @@ bool Asserts() {
     return false;
 #else
     return true;
+#endif
+}
+
+bool RoundsByPlace() {
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||               \
+    defined(_M_FP_FAST)
+    return true;
+#else
+    return FLT_EVAL_METHOD != 0;
 #endif
 }
 
