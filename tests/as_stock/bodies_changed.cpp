@@ -5,7 +5,6 @@
 
 #include <set>
 
-#include "cases.h"
 #include "yard.h"
 
 using namespace as_stock;

@@ -3,7 +3,6 @@
 // odd steps. README.md has the whole list.
 #include <cfenv>
 
-#include "cases.h"
 #include "yard.h"
 
 using namespace as_stock;

@@ -37,6 +37,7 @@ void Witness::CheckCertificate(const bmr_event &event) {
 
 void Witness::OnEvent(const b2Body *a, const b2Body *b, const bmr_event &event) {
     ++m_counts[event.kind];
+    m_run.Expect(a->GetWorld() == m_world && b->GetWorld() == m_world, "events are of this world");
     CheckCertificate(event);
     const bool hulls = IsOfHulls(event);
     const b2Vec2 between = b2MulT(a->GetTransform(), b->GetTransform()).p;
@@ -94,6 +95,7 @@ void Witness::TakeBelated(const b2Contact *next) {
 }
 
 void Witness::OnAnswer(const b2Contact &contact, bmr::Answer answer) {
+    ++m_answers[static_cast<int>(answer)];
     TakeBelated(&contact);
     const bool ofPolygons = contact.GetFixtureA()->GetType() == b2Shape::e_polygon &&
                             contact.GetFixtureB()->GetType() == b2Shape::e_polygon;
@@ -143,6 +145,14 @@ void Witness::CheckCounts() {
     const bmr::Counted s = bmr::internal::ReadCounts();
     for (int kind = 0; kind < BMR_EVENT_KIND_COUNT; ++kind)
         m_run.Expect(m_counts[kind] == s.events[kind], "every event is counted");
+    uint64_t answers = 0;
+    for (const uint64_t count : m_answers)
+        answers += count;
+    const uint64_t touching = m_answers[static_cast<int>(bmr::Answer::Touching)];
+    m_run.Expect(answers == s.evaluations, "every evaluation has an answer");
+    m_run.Expect(touching == s.handedOverTouching, "what touched is counted");
+    m_run.Expect(m_answers[static_cast<int>(bmr::Answer::HandedOver)] + touching == s.handedOver,
+                 "and so is all that is handed over");
 }
 
 std::string Told(Lived lived, bmr::Options options) {

@@ -20,7 +20,10 @@ public:
     explicit Witness(Run &run) : m_run(run) {}
 
     /// Of one world, from its beginning. Contacts begin where its filter is asked for them.
-    void Watch(b2World *world) { world->SetContactFilter(this); }
+    void Watch(b2World *world) {
+        world->SetContactFilter(this);
+        m_world = world;
+    }
     /// Prints a line for each event, from here on.
     void PrintEvents() { m_prints = true; }
     void Say(const char *what) {
@@ -56,7 +59,8 @@ private:
     std::map<Key, State> m_states;
     std::vector<bmr_event> m_pending; ///< of a contact whose answer is still to come
     Key m_answered = Key();           ///< the contact that was answered for last, in this step
-    uint64_t m_counts[BMR_EVENT_KIND_COUNT] = {}, m_ofSensors = 0, m_ofHulls = 0;
+    uint64_t m_counts[BMR_EVENT_KIND_COUNT] = {}, m_answers[5] = {}, m_ofSensors = 0, m_ofHulls = 0;
+    const b2World *m_world = nullptr;
 };
 
 /// Plays a scenario with a witness, in a child; what it printed.

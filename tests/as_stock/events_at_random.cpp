@@ -119,7 +119,7 @@ void PlayBigUnheard(Run &run) {
 
 /// With each structure, and with and without remembered edges.
 template <typename Check> void ForSettings(Check check) {
-    const uint32_t seeds = static_cast<uint32_t>(test_scaled(6));
+    const uint32_t seeds = std::max(3u, static_cast<uint32_t>(test_scaled(6)));
     for (seed = 1; seed <= seeds; ++seed) {
         bmr::Options options;
         const PairsBy by(seed % 3 != 0 ? nullptr : seed % 2 == 1 ? "lazy-compass" : "free-direction");

@@ -4,7 +4,6 @@
 // the glue alone there is no ledger: there the same scenes show that nothing depends on it.
 #include <new>
 
-#include "cases.h"
 #include "yard.h"
 
 using namespace as_stock;

@@ -3,7 +3,6 @@
 // whole list.
 #include <boomerang/convex_shape.h>
 
-#include "cases.h"
 #include "yard.h"
 
 using namespace as_stock;

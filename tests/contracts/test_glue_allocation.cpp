@@ -9,11 +9,8 @@
 #include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
 #include "box2d_shapes.h"
-#include "cases.h"
 #include "failing_malloc.h"
 #include "proofs/impact_scan.h"
-#include "small_world.h"
-#include "test_scale.h"
 
 using bmr::ConvexShape;
 using namespace as_stock;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Big ConvexShapes at rest: on every kind of shape, and under what is smaller.
-#include "as_stock.h"
 #include "boomerang/convex_shape.h"
-#include "cases.h"
 #include "convex_ground.h"
 
 using bmr::ConvexShape;

@@ -7,11 +7,9 @@
 
 #include "as_stock.h"
 #include "box2d_shapes.h"
-#include "cases.h"
 #include "contacts/edge_contact.h"
 #include "shapes/shapes32.h"
 #include "start/rounding_probe.h"
-#include "test_scale.h"
 
 using namespace as_stock;
 

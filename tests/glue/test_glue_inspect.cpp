@@ -6,8 +6,6 @@
 #include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
 #include "box2d_shapes.h"
-#include "cases.h"
-#include "test_scale.h"
 
 using namespace as_stock;
 

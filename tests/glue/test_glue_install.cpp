@@ -4,7 +4,6 @@
 #include <sys/wait.h>
 
 #include "as_stock.h"
-#include "cases.h"
 #include "start/environment.h"
 #include "start/recognise.h"
 #include "start/settings.h"
@@ -14,11 +13,6 @@
 using namespace as_stock;
 
 namespace {
-
-/// What a scenario prints in a process of its own, in which nothing is installed yet.
-std::string Alone(Scenario scenario) {
-    return InChild(scenario);
-}
 
 void PrintInstall(Run &run, const bmr::Options &options) {
     bool done = false;
@@ -37,7 +31,7 @@ std::string NameFor(const char *end) {
 } // namespace
 
 TEST_CASE("Install works once") {
-    CHECK(Alone([](Run &run) {
+    CHECK(InChild([](Run &run) {
               run.Print("%d", bmr::IsInstalled());
               PrintInstall(run, bmr::Options());
               PrintInstall(run, bmr::Options());
@@ -45,7 +39,7 @@ TEST_CASE("Install works once") {
 }
 
 TEST_CASE("Install does nothing where it is told off") {
-    CHECK(Alone([](Run &run) {
+    CHECK(InChild([](Run &run) {
               bmr::Options options;
               options.mode = bmr::Mode::Off;
               PrintInstall(run, options);
@@ -54,7 +48,7 @@ TEST_CASE("Install does nothing where it is told off") {
 }
 
 TEST_CASE("a refusal is said once, with its reason, and is for good") {
-    CHECK(Alone([](Run &run) {
+    CHECK(InChild([](Run &run) {
               bmr::SetLibraryCheck([] { return "this one is another"; });
               PrintInstall(run, bmr::Options());
               bmr::SetLibraryCheck(nullptr);
@@ -65,7 +59,7 @@ TEST_CASE("a refusal is said once, with its reason, and is for good") {
 }
 
 TEST_CASE("who asks is told what is at work, and what is not reached without the shared library") {
-    const std::string said = Alone([](Run &run) {
+    const std::string said = InChild([](Run &run) {
         bmr::Options options;
         options.verbosity = 1;
         PrintInstall(run, options);
@@ -76,7 +70,7 @@ TEST_CASE("who asks is told what is at work, and what is not reached without the
 }
 
 TEST_CASE("of processes that share their announcement one claims it") {
-    CHECK(Alone([](Run &run) {
+    CHECK(InChild([](Run &run) {
               bmr::ShareAnnouncement();
               run.Print("%d", bmr::IsAnnounced());
               const pid_t child = fork();

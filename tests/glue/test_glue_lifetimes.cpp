@@ -2,8 +2,6 @@
 // Who is born and dies when: installation, contacts, worlds; callers of Evaluate; odd bodies and
 // places. tests/faults takes handling out of the glue and expects test cases here to fail.
 #include "as_stock.h"
-#include "cases.h"
-#include "test_scale.h"
 
 using namespace as_stock;
 
@@ -260,6 +258,16 @@ AS_STOCK("bodies of more than 64 hull vertices") {
     game.Step(60);
     game.Stage(game.Touching() > 0, "a collision");
     game.Step(60);
+}
+
+AS_STOCK("bodies of very many fixtures, whose contacts count in hundreds") {
+    Heard game(run, {0.0f, -10.0f});
+    b2Body *floor = game.Body(b2_staticBody, {0.0f, 0.0f});
+    for (int i = 0; i < 1200; ++i)
+        game.Box(floor, 0.005f, 0.1f, {0.01f * Real(i % 400) - 2.0f, -0.1f * Real(i / 400)});
+    game.Plank(game.Body(b2_dynamicBody, {0.0f, 0.25f}));
+    game.Step(8);
+    game.Stage(game.Touching() > 0, "they touch");
 }
 
 AS_STOCK("beyond the reach all is left to Box2D's own arithmetic") {

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // CertifiedSlack is a lower bound of the true distance, in whatever state the pair is.
-#include "as_stock.h"
 #include "box2d_shapes.h"
-#include "cases.h"
 #include "convex_ground.h"
 #include "proofs/thresholds.h"
-#include "test_scale.h"
 
 using namespace as_stock;
 

@@ -4,7 +4,6 @@
 #include <box2d/b2_time_of_impact.h>
 
 #include "as_stock.h"
-#include "cases.h"
 #include "tell/verify.h"
 
 using namespace as_stock;

@@ -4,7 +4,6 @@
 
 #include "as_stock.h"
 #include "boomerang/convex_shape.h"
-#include "cases.h"
 
 /// @file
 /// What tests of contacts of big shapes let fall, and on what.

@@ -57,7 +57,8 @@ public:
 
     bool HasPlugin() const { return m_options != nullptr; }
     /// Does it count? Then claims about counts may be made. (Where all is verified Box2D is asked, too.)
-    bool Counts() const { return HasPlugin() && m_options->statistics && m_options->mode == bmr::Mode::On; }
+    bool Counts() const { return HasPlugin() && m_options->statistics && !Verifies(); }
+    bool Verifies() const { return HasPlugin() && m_options->mode == bmr::Mode::Verify; }
     bool IsUncounted() const { return HasPlugin() && !m_options->statistics; }
     /// Do contacts remember edges?
     bool RemembersEdges() const { return HasPlugin() && std::getenv("BOOMERANG_PAIRS_BY") == nullptr; }
