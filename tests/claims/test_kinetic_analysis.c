@@ -13,16 +13,10 @@
 #define PI 3.14159265358979323846
 #define MARGIN 1e-6
 
-static bmr_pose relative_at(const bmr_course *course, double time) {
-    const bmr_pose a = bmr_motion_pose(course->motions[0], time, NULL, NULL),
-                   b = bmr_motion_pose(course->motions[1], time, NULL, NULL);
-    return bmr_pose_relative(&a, &b);
-}
-
 /// The separation along a direction fixed in a body's frame, towards the other: brute force over all
 /// vertices.
 static double brute_separation(const bmr_course *course, double time, int owner, bmr_vec2 direction) {
-    const bmr_pose pose = relative_at(course, time);
+    const bmr_pose pose = relative_at(course->motions, time);
     const bmr_vec2 u = owner == 0 ? direction : bmr_neg(bmr_rotate(&pose, direction));
     const bmr_polygon *a = course->polygons[0], *b = course->polygons[1];
     double most = -INFINITY, least = INFINITY;
@@ -48,14 +42,6 @@ static bmr_course course_of(const bmr_family_motion *m, const bmr_polygon *a, co
     return course;
 }
 
-static bmr_family_motion make(bmr_family family, double ratio, uint64_t seed, const bmr_polygon *a,
-                              const bmr_polygon *b) {
-    const bmr_family_def def = {family, ratio, seed, 0, 0};
-    bmr_family_motion m;
-    assert_int_equal(bmr_family_create(&def, a, b, NULL, &m), BMR_OK);
-    return m;
-}
-
 TEST(test_optimum_of_convex_passes_and_of_a_spin_is_1) {
     static const bmr_family families[] = {BMR_FAMILY_LINE, BMR_FAMILY_PARABOLA, BMR_FAMILY_SPIN};
     for (size_t k = 0; k < 3; k++)
@@ -64,7 +50,7 @@ TEST(test_optimum_of_convex_passes_and_of_a_spin_is_1) {
                 const double ratio = 4.0 * pow(16.0, step);
                 own_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 64, seed),
                             *b = outline(BMR_OUTLINE_DISC, 40, seed);
-                own_family m = make(families[k], ratio, seed, a, b);
+                own_family m = family_motion(families[k], ratio, seed, a, b);
                 const bmr_course course = course_of(&m, a, b);
                 bmr_optimum optimum;
                 assert_int_equal(bmr_offline_optimum(&course, MARGIN, 0.02, NULL, 0, &optimum), BMR_OK);
@@ -100,7 +86,7 @@ TEST(test_covers_hold_at_times_between_samples_and_bounds_are_near) {
         for (int step = 1; step < 4; step++) {
             const double ratio = pow(8.0, step);
             own_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 64, 1), *b = outline(BMR_OUTLINE_DISC, 40, 2);
-            own_family m = make((bmr_family)family, ratio, 3, a, b);
+            own_family m = family_motion((bmr_family)family, ratio, 3, a, b);
             const bmr_course course = course_of(&m, a, b);
             bmr_optimum optimum;
             assert_int_equal(bmr_offline_optimum(&course, MARGIN, 0.02, lines, MOST_LINES, &optimum), BMR_OK);
@@ -139,7 +125,7 @@ TEST(test_optimum_agrees_with_brute_force_over_directions) {
                                           BMR_FAMILY_TUMBLE};
     for (size_t k = 0; k < 4; k++) {
         own_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 12, k), *b = outline(BMR_OUTLINE_REGULAR, 9, k);
-        own_family m = make(families[k], 6.0, k, a, b);
+        own_family m = family_motion(families[k], 6.0, k, a, b);
         const bmr_course course = course_of(&m, a, b);
         bmr_optimum optimum;
         assert_int_equal(bmr_offline_optimum(&course, MARGIN, 0.02, NULL, 0, &optimum), BMR_OK);
@@ -157,12 +143,7 @@ static bmr_polygon *point(void) {
 
 TEST(test_contact_divides_a_cover) {
     own_polygon *a = outline(BMR_OUTLINE_REGULAR, 16, 1), *b = point();
-    const bmr_pose start = {{-3.0, 0.3}, 1.0, 0.0};
-    bmr_course course = {{a, b},
-                         {made_motion(bmr_piece_rest(bmr_pose_identity())),
-                          made_motion(bmr_piece_screw(0.0, start, bmr_vec2_make(6.0, 0.0), 0.0))},
-                         0.0,
-                         1.0};
+    own_course course = course_past(a, b, -3.0, 0.3, 6.0, 0.0);
     bmr_cover_line lines[4];
     bmr_optimum optimum;
     assert_int_equal(bmr_offline_optimum(&course, MARGIN, 0.02, lines, 4, &optimum), BMR_OK);
@@ -175,21 +156,13 @@ TEST(test_contact_divides_a_cover) {
     assert_int_equal(bmr_offline_optimum(NULL, MARGIN, 0.02, lines, 4, &optimum), BMR_ERROR_NULL_ARGUMENT);
     bmr_clear clear;
     assert_int_equal(bmr_clear_decomposition(&course, 3.0, 0.0, &clear), BMR_ERROR_OUT_OF_RANGE);
-    for (int k = 0; k < 2; k++)
-        bmr_motion_destroy(course.motions[k]);
 }
 
 /// A point that goes straight away from a point, from distance 1 to e^5: a disk with the segment [x, y] as
 /// its diameter is clear if y / x <= (kappa + 1) / (kappa - 1), and so the smallest size is known.
 TEST(test_clear_decomposition_of_a_ray_brackets_the_known_size) {
     own_polygon *a = point();
-    const bmr_pose start = {{1.0, 0.0}, 1.0, 0.0};
-    const bmr_course course = {
-        {a, a},
-        {made_motion(bmr_piece_rest(bmr_pose_identity())),
-         made_motion(bmr_piece_screw(0.0, start, bmr_vec2_make(exp(5.0) - 1.0, 0.0), 0.0))},
-        0.0,
-        1.0};
+    own_course course = course_past(a, a, 1.0, 0.0, exp(5.0) - 1.0, 0.0);
     for (int step = 0; step < 7; step++) {
         const double kappa = 1.5 * pow(1.7, step);
         const double exact = ceil(5.0 / log((kappa + 1.0) / (kappa - 1.0)));
@@ -202,19 +175,13 @@ TEST(test_clear_decomposition_of_a_ray_brackets_the_known_size) {
         assert_true((double)clear.least >= 0.9 * least - 1.0 && (double)clear.least <= least);
         assert_true((double)clear.found >= found && (double)clear.found <= 1.15 * found + 1.0);
     }
-    for (int k = 0; k < 2; k++)
-        bmr_motion_destroy(course.motions[k]);
 }
 
 /// Of a body that turns in place, a segment may turn by radius / diameter.
 TEST(test_clear_decomposition_counts_rotation) {
     own_polygon *a = point();
     const bmr_pose start = {{1.0, 0.0}, 1.0, 0.0};
-    const bmr_course course = {{a, a},
-                               {made_motion(bmr_piece_rest(bmr_pose_identity())),
-                                made_motion(bmr_piece_screw(0.0, start, bmr_vec2_make(0.0, 0.0), 6.0 * PI))},
-                               0.0,
-                               1.0};
+    own_course course = course_along(a, a, bmr_piece_screw(0.0, start, bmr_vec2_make(0.0, 0.0), 6.0 * PI));
     bmr_clear still, turning;
     assert_int_equal(bmr_clear_decomposition(&course, 3.0, 0.0, &still), BMR_OK);
     assert_int_equal(bmr_clear_decomposition(&course, 3.0, 2.0, &turning), BMR_OK);
@@ -222,8 +189,6 @@ TEST(test_clear_decomposition_counts_rotation) {
     const double found = 6.0 * PI * 2.0 * 3.0; // angle * diameter / (d / kappa)
     assert_true((double)turning.found >= found - 1.0 && (double)turning.found <= 1.15 * found + 1.0);
     assert_true(turning.least < turning.found && turning.least > 1);
-    for (int k = 0; k < 2; k++)
-        bmr_motion_destroy(course.motions[k]);
 }
 
 TEST(test_hysteresis_takes_the_least_of_each_kind) {

@@ -6,7 +6,7 @@
 #include <gsl/gsl_poly.h>
 
 #include "boomerang/analysis.h"
-#include "kds_driver.h"
+#include "course_stage.h"
 #include "kinetic/bernstein.h"
 #include "kinetic/event_queue.h"
 #include "kinetic/first_root.h"
@@ -89,50 +89,32 @@ TEST(the_queue_has_the_earliest_on_top_however_times_change) {
     }
 }
 
-static bmr_motion *flight(double x, double y, double vx, double vy) {
-    const bmr_pose from = {{x, y}, 1.0, 0.0};
-    return made_motion(bmr_piece_screw(0.0, from, bmr_vec2_make(vx, vy), 0.0));
-}
-
 static const bmr_vec2 square[] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
 
 TEST(one_line_covers_a_point_that_passes_a_point) {
     const bmr_vec2 origin = {0.0, 0.0};
     own_polygon *a = made_polygon(&origin, 1), *b = made_polygon(&origin, 1);
-    const bmr_course course = {
-        {a, b}, {made_motion(bmr_piece_rest(bmr_pose_identity())), flight(-3.0, 1.0, 6.0, 0.0)}, 0.0, 1.0};
+    own_course course = course_past(a, b, -3.0, 1.0, 6.0, 0.0);
     bmr_optimum optimum;
     assert_int_equal(bmr_offline_optimum(&course, 1e-3, 0.02, NULL, 0, &optimum), BMR_OK);
     assert_int_equal(optimum.least, 1);
     assert_int_equal(optimum.found, 1);
-    for (int k = 0; k < 2; k++)
-        bmr_motion_destroy(course.motions[k]);
 }
 
 TEST(a_run_into_contact_has_a_distance_of_zero_there) {
     own_kds_body a = test_kds_body_make(made_polygon(square, 4)),
                  b = test_kds_body_make(made_polygon(square, 4));
-    const bmr_course course = {
-        {a.polygon, b.polygon},
-        {made_motion(bmr_piece_rest(bmr_pose_identity())), flight(4.0, 0.5, -4.0, 0.0)},
-        0.0,
-        1.0};
-    bmr_run_def def;
-    memset(&def, 0, sizeof def);
-    def.structure = test_structure("lazy-dudley");
-    def.shapes[0] = a.shape;
-    def.shapes[1] = b.shape;
-    def.simulation = bmr_default_simulation_def();
+    own_course course = course_past(a.polygon, b.polygon, 4.0, 0.5, -4.0, 0.0);
+    const bmr_run_def def = {.structure = test_structure("lazy-dudley"),
+                             .shapes = {a.shape, b.shape},
+                             .simulation = bmr_default_simulation_def()};
     bmr_run run;
     assert_int_equal(bmr_run_course(&def, &course, 2.0, NULL, &run), BMR_OK);
     assert_int_equal(run.counts.events[BMR_KDS_CONTACT], 1);
     assert_true(run.hysteresis.distance == 0.0);
     // What is no course is refused: its end before its beginning.
-    bmr_course backwards = course;
-    backwards.from = 2.0;
-    assert_int_equal(bmr_run_course(&def, &backwards, 2.0, NULL, &run), BMR_ERROR_OUT_OF_RANGE);
-    for (int k = 0; k < 2; k++)
-        bmr_motion_destroy(course.motions[k]);
+    course.from = 2.0;
+    assert_int_equal(bmr_run_course(&def, &course, 2.0, NULL, &run), BMR_ERROR_OUT_OF_RANGE);
 }
 
 TEST(families_know_which_paths_are_convex) {
@@ -146,20 +128,16 @@ TEST(a_path_that_is_faster_than_time_can_be_told_has_no_decomposition) {
     own_polygon *p = made_polygon(square, 4);
     const double late = 1e15;
     const bmr_pose from = {{10.0, 0.0}, 1.0, 0.0};
-    const bmr_course course = {{p, p},
-                               {made_motion(bmr_piece_rest(bmr_pose_identity())),
-                                made_motion(bmr_piece_screw(late, from, bmr_vec2_make(800.0, 0.0), 0.0))},
-                               late,
-                               late + 1.0};
+    own_course course = course_along(p, p, bmr_piece_screw(late, from, bmr_vec2_make(800.0, 0.0), 0.0));
+    course.from = late;
+    course.to = late + 1.0;
     bmr_clear clear;
     assert_int_equal(bmr_clear_decomposition(&course, 3.0, 0.0, &clear), BMR_ERROR_OUT_OF_RANGE);
-    for (int k = 0; k < 2; k++)
-        bmr_motion_destroy(course.motions[k]);
 }
 
 TEST(what_makes_no_sense_is_refused) {
     bmr_polygon *p = made_polygon(square, 4);
-    bmr_motion *motion = flight(0.0, 0.0, 1.0, 0.0);
+    bmr_motion *motion = made_motion(bmr_piece_rest(bmr_pose_identity()));
     double distance, time;
     assert_int_equal(bmr_least_distance(p, p, motion, NULL, 0.0, 1.0, 1e-3, &distance, &time),
                      BMR_ERROR_NULL_ARGUMENT);

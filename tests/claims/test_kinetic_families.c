@@ -4,34 +4,12 @@
 #include "course_stage.h"
 
 #include "boomerang/families.h"
+#include "hierarchies.h"
 #include "motions.h"
 #include "polygons.h"
 #include "test_scale.h"
 
 #define PI 3.14159265358979323846
-
-static bmr_pose relative_at(const bmr_family_motion *m, double time) {
-    const bmr_pose a = bmr_motion_pose(m->motions[0], time, NULL, NULL),
-                   b = bmr_motion_pose(m->motions[1], time, NULL, NULL);
-    return bmr_pose_relative(&a, &b);
-}
-
-static bmr_family_motion make(bmr_family family, double ratio, uint64_t seed, const bmr_polygon *a,
-                              const bmr_polygon *b) {
-    const bmr_family_def def = {family, ratio, seed, 0, 0};
-    bmr_family_motion m;
-    assert_int_equal(bmr_family_create(&def, a, b, NULL, &m), BMR_OK);
-    return m;
-}
-
-static double brute_diameter(const bmr_polygon *p) {
-    double most = 0.0;
-    for (uint32_t i = 0; i < p->count; i++)
-        for (uint32_t j = 0; j < i; j++)
-            most =
-                fmax(most, hypot(p->vertices[i].x - p->vertices[j].x, p->vertices[i].y - p->vertices[j].y));
-    return most;
-}
 
 TEST(test_diameter_is_the_largest_distance_of_two_vertices) {
     test_random random = {1};
@@ -39,7 +17,7 @@ TEST(test_diameter_is_the_largest_distance_of_two_vertices) {
         for (size_t n = 3; n < 60; n += 7) {
             own_polygon *p = test_polygon((test_family)family, n, &random);
             assert_non_null(p);
-            const double brute = brute_diameter(p), fast = bmr_polygon_diameter(p);
+            const double brute = test_diameter(p), fast = bmr_polygon_diameter(p);
             assert_true(fabs(fast - brute) <= 1e-14 * brute);
         }
 }
@@ -61,10 +39,10 @@ static void check_separation(const bmr_family_motion *m, const bmr_polygon *a, c
     const size_t samples = test_scaled(2000);
     double least = INFINITY;
     for (size_t i = 0; i <= samples; i++) {
-        const bmr_pose pose = relative_at(m, (double)i / (double)samples);
+        const bmr_pose pose = relative_at(m->motions, (double)i / (double)samples);
         least = fmin(least, test_distance(a, b, &pose));
     }
-    const bmr_pose nearest = relative_at(m, m->nearest);
+    const bmr_pose nearest = relative_at(m->motions, m->nearest);
     assert_true(fabs(m->separation - m->sigma) <= 0.01 * m->sigma);
     assert_true(least >= 0.99 * m->sigma);
     assert_true(fabs(test_distance(a, b, &nearest) - m->separation) <= 1e-6 * m->sigma);
@@ -79,7 +57,7 @@ TEST(test_least_separation_is_sigma_within_1_percent) {
             own_polygon *a = outline(pairs[k][0], 32, k), *b = outline(pairs[k][1], 24, k + 7);
             for (int step = 0; step < 3; step++) {
                 const double ratio = 2.0 * pow(16.0, step);
-                own_family m = make((bmr_family)family, ratio, k + 1, a, b);
+                own_family m = family_motion((bmr_family)family, ratio, k + 1, a, b);
                 check_separation(&m, a, b);
             }
         }
@@ -88,11 +66,11 @@ TEST(test_least_separation_is_sigma_within_1_percent) {
 TEST(test_rotation_changes_in_rigid_families_only) {
     own_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 32, 1), *b = outline(BMR_OUTLINE_DISC, 32, 2);
     for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
-        own_family m = make((bmr_family)family, 64.0, 3, a, b);
-        const bmr_pose start = relative_at(&m, 0.0);
+        own_family m = family_motion((bmr_family)family, 64.0, 3, a, b);
+        const bmr_pose start = relative_at(m.motions, 0.0);
         double turned = 0.0;
         for (int i = 0; i <= 1000; i++) {
-            const bmr_pose q = relative_at(&m, i / 1000.0);
+            const bmr_pose q = relative_at(m.motions, i / 1000.0);
             turned = fmax(turned, hypot(q.c - start.c, q.s - start.s));
         }
         if (bmr_family_is_rigid((bmr_family)family))
@@ -106,10 +84,10 @@ TEST(test_rotation_changes_in_rigid_families_only) {
 TEST(test_orbit_keeps_its_distance_and_closes) {
     for (size_t n = 3; n <= 100; n += 13) {
         own_polygon *a = outline(BMR_OUTLINE_RANDOM, n, n), *b = outline(BMR_OUTLINE_LENS, n + 2, n);
-        own_family m = make(BMR_FAMILY_ORBIT, 300.0, n, a, b);
+        own_family m = family_motion(BMR_FAMILY_ORBIT, 300.0, n, a, b);
         double turned = 0.0, last = NAN;
         for (int i = 0; i <= 20000; i++) {
-            const bmr_pose q = relative_at(&m, i / 20000.0);
+            const bmr_pose q = relative_at(m.motions, i / 20000.0);
             if (i % 7 == 0)
                 assert_true(fabs(test_distance(a, b, &q) - m.sigma) <= 1e-5 * m.sigma);
             const double angle = atan2(q.position.y, q.position.x);
@@ -124,7 +102,7 @@ TEST(test_orbit_keeps_its_distance_and_closes) {
 TEST(test_motions_are_continuous) {
     own_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 16, 1), *b = outline(BMR_OUTLINE_LENS, 16, 2);
     for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
-        own_family m = make((bmr_family)family, 64.0, 5, a, b);
+        own_family m = family_motion((bmr_family)family, 64.0, 5, a, b);
         for (int body = 0; body < 2; body++) {
             double end;
             for (bmr_motion_piece_at(m.motions[body], 0.0, &end); end < 1.0;
@@ -141,13 +119,13 @@ TEST(test_motions_are_continuous) {
 TEST(test_same_seed_same_bits_other_seed_other_motion) {
     own_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 16, 1), *b = outline(BMR_OUTLINE_DISC, 16, 2);
     for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
-        bmr_family_motion m = make((bmr_family)family, 64.0, 5, a, b),
-                          again = make((bmr_family)family, 64.0, 5, a, b),
-                          other = make((bmr_family)family, 64.0, 6, a, b);
+        bmr_family_motion m = family_motion((bmr_family)family, 64.0, 5, a, b),
+                          again = family_motion((bmr_family)family, 64.0, 5, a, b),
+                          other = family_motion((bmr_family)family, 64.0, 6, a, b);
         bool differs = false;
         for (int i = 0; i <= 100; i++) {
-            const bmr_pose p = relative_at(&m, i / 100.0), q = relative_at(&again, i / 100.0),
-                           r = relative_at(&other, i / 100.0);
+            const bmr_pose p = relative_at(m.motions, i / 100.0), q = relative_at(again.motions, i / 100.0),
+                           r = relative_at(other.motions, i / 100.0);
             assert_true(p.position.x == q.position.x && p.position.y == q.position.y && p.c == q.c &&
                         p.s == q.s);
             differs = differs || p.position.x != r.position.x;
@@ -167,7 +145,7 @@ TEST(test_seeds_turn_either_way) {
         int left = 0, right = 0;
         double rate = 0.0;
         for (uint64_t seed = 1; seed <= 16; seed++) {
-            own_family m = make(turning[k], 8.0, seed, a, b);
+            own_family m = family_motion(turning[k], 8.0, seed, a, b);
             double spin;
             (void)bmr_motion_pose(m.motions[0], 0.5, NULL, &spin);
             left += spin > 0.0;
@@ -186,7 +164,7 @@ TEST(test_points_and_segments_move_too) {
     assert_int_equal(bmr_polygon_create(segment, 2, NULL, &b[1]), BMR_OK);
     for (int k = 0; k < 2; k++) {
         for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
-            own_family m = make((bmr_family)family, 100.0, 2, a, b[k]);
+            own_family m = family_motion((bmr_family)family, 100.0, 2, a, b[k]);
             check_separation(&m, a, b[k]);
         }
         bmr_polygon_destroy(b[k], NULL);

@@ -3,58 +3,38 @@
 // given.
 #include "boomerang/pair.h"
 #include "cases.h"
-#include "hierarchies.h"
+#include "kds_driver.h"
+#include "motions.h"
 #include "polygon_distance.h"
 #include "polygons.h"
 #include "test_scale.h"
 
 namespace {
 
-struct CompassDeleter {
-    void operator()(bmr_compass *c) const { bmr_compass_destroy(c, nullptr); }
-};
-
-const bmr_compass *Compass() {
-    static const std::unique_ptr<bmr_compass, CompassDeleter> compass([] {
-        bmr_compass *made = nullptr;
-        REQUIRE(bmr_compass_create(256, nullptr, &made) == BMR_OK);
-        return made;
-    }());
-    return compass.get();
+bmr_polygon *Hull(const std::vector<bmr_vec2> &points) {
+    bmr_polygon *polygon = nullptr;
+    REQUIRE(bmr_polygon_create(points.data(), points.size(), nullptr, &polygon) == BMR_OK);
+    return polygon;
 }
 
-/// A polygon with a hierarchy of each kind.
-struct Body {
-    bmr_polygon *polygon = nullptr;
-    bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT] = {};
-
-    explicit Body(const std::vector<bmr_vec2> &points) {
-        REQUIRE(bmr_polygon_create(points.data(), points.size(), nullptr, &polygon) == BMR_OK);
-        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind)
-            REQUIRE(test_build_hierarchy(static_cast<bmr_hierarchy_kind>(kind), polygon, Compass(), nullptr,
-                                         &hierarchies[kind]) == BMR_OK);
-    }
+struct Body : test_kds_body {
+    explicit Body(const std::vector<bmr_vec2> &points) : test_kds_body(test_kds_body_make(Hull(points))) {}
     Body(const Body &) = delete;
     Body &operator=(const Body &) = delete;
-    ~Body() {
-        for (bmr_hierarchy *hierarchy : hierarchies)
-            bmr_hierarchy_destroy(hierarchy, nullptr);
-        bmr_polygon_destroy(polygon, nullptr);
-    }
+    ~Body() { test_kds_body_destroy(this); }
     /// What the structure names; nothing for the free direction.
     bmr_shape Shape(int structure) const {
-        bmr_shape shape = {polygon, {}, {}};
+        bmr_shape named = {polygon, {}, {}};
         if (structure != BMR_FREE_DIRECTION)
-            shape.hierarchies[structure] = hierarchies[structure];
-        return shape;
+            named.hierarchies[structure] = hierarchies[structure];
+        return named;
     }
 };
 
 std::vector<bmr_vec2> Box(double halfWidth, double halfHeight) {
-    return {{halfWidth, halfHeight},
-            {-halfWidth, halfHeight},
-            {-halfWidth, -halfHeight},
-            {halfWidth, -halfHeight}};
+    std::vector<bmr_vec2> points(4);
+    test_box_points(halfWidth, halfHeight, points.data());
+    return points;
 }
 
 std::vector<bmr_vec2> Regular(int count, double radius, double turn) {
@@ -202,10 +182,7 @@ TEST_CASE("a polygon that was made where another was freed is another") {
                     bmr_polygon *made = nullptr;
                     REQUIRE(bmr_polygon_create_raw(before.data(), before.size(), &place.allocator, &made) ==
                             BMR_OK);
-                    bmr_hierarchy *kept = nullptr;
-                    if (structure != BMR_FREE_DIRECTION)
-                        REQUIRE(test_build_hierarchy(static_cast<bmr_hierarchy_kind>(structure), made,
-                                                     Compass(), nullptr, &kept) == BMR_OK);
+                    bmr_hierarchy *kept = test_body_make(made, def.structure).hierarchy;
                     bmr_pair pair = NewPair();
                     Advance(&pair, def, {made, {kept}, {}}, box.Shape(structure), pose);
                     bmr_polygon_destroy(made, &place.allocator);

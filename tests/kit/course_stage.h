@@ -18,6 +18,39 @@ static inline bmr_polygon *outline(bmr_outline kind, size_t n, uint64_t seed) {
     return polygon;
 }
 
+static inline bmr_family_motion family_motion(bmr_family family, double ratio, uint64_t seed,
+                                              const bmr_polygon *a, const bmr_polygon *b) {
+    const bmr_family_def def = {family, ratio, seed, 0, 0};
+    bmr_family_motion m;
+    assert_int_equal(bmr_family_create(&def, a, b, NULL, &m), BMR_OK);
+    return m;
+}
+
+/// Where the second body is in the first one's frame.
+static inline bmr_pose relative_at(bmr_motion *const motions[2], double time) {
+    const bmr_pose a = bmr_motion_pose(motions[0], time, NULL, NULL),
+                   b = bmr_motion_pose(motions[1], time, NULL, NULL);
+    return bmr_pose_relative(&a, &b);
+}
+
+/// A rests at the origin while B moves, from 0 to 1. It owns the motions.
+static inline bmr_course course_along(const bmr_polygon *a, const bmr_polygon *b, bmr_motion_piece piece) {
+    const bmr_course course = {
+        {a, b}, {made_motion(bmr_piece_rest(bmr_pose_identity())), made_motion(piece)}, 0.0, 1.0};
+    return course;
+}
+/// The same on a straight way.
+static inline bmr_course course_past(const bmr_polygon *a, const bmr_polygon *b, double x, double y,
+                                     double vx, double vy) {
+    const bmr_pose from = {{x, y}, 1.0, 0.0};
+    return course_along(a, b, bmr_piece_screw(0.0, from, bmr_vec2_make(vx, vy), 0.0));
+}
+static inline void leave_course(const bmr_course *course) {
+    for (int k = 0; k < 2; ++k)
+        bmr_motion_destroy(course->motions[k]);
+}
+#define own_course OWNED(leave_course) bmr_course
+
 typedef struct stage {
     test_kds_body bodies[2];
     bmr_family_motion motion;
