@@ -44,7 +44,7 @@ AS_STOCK("the centre of mass moves") {
             body->SetAngularVelocity(0.4f);
             b2MassData mass;
             body->GetMassData(&mass);
-            mass.center = b2Vec2(0.3f * static_cast<float>(round - 1), 0.1f);
+            mass.center = b2Vec2(0.3f * Real(round - 1), 0.1f);
             mass.I = 2.0f + mass.mass * b2Dot(mass.center, mass.center);
             body->SetMassData(&mass);
         }
@@ -131,7 +131,7 @@ AS_STOCK("a new body at the address of an old one is not the old one") {
             const float thickness = round % 2 == 0 ? 0.55f : 0.1f;
             if (&couple == yard.couples)
                 for (int i = 0; i < Game::kPlankPieces; ++i)
-                    yard.game.Box(couple.mover, 0.2f, thickness, {0.4f * static_cast<float>(i) - 1.8f, 0.0f});
+                    yard.game.Box(couple.mover, 0.2f, thickness, {0.4f * Real(i) - 1.8f, 0.0f});
             else
                 yard.game.Box(couple.mover, 0.8f, thickness);
             same = same || couple.mover == old;
@@ -187,7 +187,7 @@ AS_STOCK("bodies change their type") {
             if (round % 4 == 1) // outside what a level's fixture has for a hull
                 changed->DestroyFixture(yard.game.Box(changed, 0.2f, 0.2f, {-1.0f, -0.7f}));
             if (round % 5 == 1)
-                yard.game.Box(changed, 0.1f, 0.1f, {0.2f, 0.02f * static_cast<float>(round)});
+                yard.game.Box(changed, 0.1f, 0.1f, {0.2f, 0.02f * Real(round)});
         }
         yard.Drift(round % 2 == 0 ? -1.0f : 0.5f);
         yard.game.Step(4);
@@ -232,13 +232,13 @@ AS_STOCK("a platform turns under what lies on it") {
     Heard game(run, {0.0f, -10.0f});
     b2Body *platforms[3];
     for (int i = 0; i < 3; ++i) {
-        platforms[i] = game.Body(b2_kinematicBody, {9.0f * static_cast<float>(i), 0.0f});
+        platforms[i] = game.Body(b2_kinematicBody, {9.0f * Real(i), 0.0f});
         if (i == 1)
             game.Plank(platforms[i]);
         else
             game.Box(platforms[i], 2.0f, 0.1f);
         platforms[i]->SetAngularVelocity(i == 2 ? -3.0f : 0.6f);
-        b2Body *body = game.Body(b2_dynamicBody, {9.0f * static_cast<float>(i) + 0.5f, 0.6f});
+        b2Body *body = game.Body(b2_dynamicBody, {9.0f * Real(i) + 0.5f, 0.6f});
         if (i == 1)
             game.Plank(body);
         else

@@ -74,7 +74,7 @@ AS_STOCK("the origin shifts under bullets, sensors, sleepers and what touches") 
         if (round == 4)
             for (const Yard::Couple &couple : yard.couples)
                 couple.mover->SetAwake(false);
-        const b2Vec2 shift(round % 3 == 0 ? 64.0f : -17.3f, 0.77f * static_cast<float>(round));
+        const b2Vec2 shift(round % 3 == 0 ? 64.0f : -17.3f, 0.77f * Real(round));
         yard.game.world.ShiftOrigin(shift);
         for (Yard::Couple &couple : yard.couples)
             couple.place -= shift;
@@ -185,8 +185,7 @@ AS_STOCK("listeners change shapes, filters, bullets and velocities of a locked w
 AS_STOCK_HOW(kMayBeSilent, "Box2D answers for sensors in steps that round otherwise") {
     Heard game(run);
     game.Box(game.Body(b2_staticBody, {0.0f, 0.0f}), 1.0f, 1.0f)->SetSensor(true);
-    b2Body *const guest = game.Body(b2_dynamicBody, {-0.8f, 0.1f});
-    game.Box(guest, 0.4f, 0.3f);
+    b2Body *const guest = game.Box({-0.8f, 0.1f}, {0.4f, 0.3f});
     guest->SetSleepingAllowed(false);
     guest->SetLinearVelocity({1.0f, 0.0f});
     for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_TONEAREST, FE_DOWNWARD, FE_TOWARDZERO}) {
@@ -229,7 +228,7 @@ AS_STOCK("between sub-steps bodies are moved, turned into bullets and changed") 
         if (round % 7 == 2)
             couple.mover->SetBullet(!couple.mover->IsBullet());
         if (round % 9 == 3)
-            yard.Thicken(couple.mover, 0.05f + 0.01f * static_cast<float>(round));
+            yard.Thicken(couple.mover, 0.05f + 0.01f * Real(round));
         if (round % 11 == 4)
             couple.mover->ResetMassData();
         if (round == 20)

@@ -57,6 +57,10 @@ void Witness::OnEvent(const b2Body *a, const b2Body *b, const bmr_event &event) 
         Turn(&m_states[KeyOf(a->GetFixtureList(), b->GetFixtureList())], event);
         return;
     }
+    if (m_pending.empty()) {
+        m_pendingA = a;
+        m_pendingB = b;
+    }
     m_pending.push_back(event);
 }
 
@@ -86,9 +90,14 @@ void Witness::Turn(State *state, const bmr_event &event) {
 void Witness::TakeBelated(const b2Contact *next) {
     if (m_pending.empty() || m_pending.front().kind != BMR_EVENT_LEAVE || m_answered == Key())
         return;
+    const auto isOf = [this](const Key &key) {
+        const b2Body *a = key.first->GetBody(), *b = key.second->GetBody();
+        return (a == m_pendingA && b == m_pendingB) || (a == m_pendingB && b == m_pendingA);
+    };
     State &state = m_states[m_answered];
-    const bool ofNext = next != nullptr && m_pending.size() == 1 && m_states[KeyOf(*next)] == State::Contact;
-    if (state != State::Contact || ofNext)
+    const bool ofNext = next != nullptr && m_pending.size() == 1 && isOf(KeyOf(*next)) &&
+                        m_states[KeyOf(*next)] == State::Contact;
+    if (state != State::Contact || !isOf(m_answered) || ofNext)
         return;
     Turn(&state, m_pending.front());
     m_pending.erase(m_pending.begin());

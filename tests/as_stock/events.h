@@ -57,8 +57,9 @@ private:
     Run &m_run;
     bool m_prints = false;
     std::map<Key, State> m_states;
-    std::vector<bmr_event> m_pending; ///< of a contact whose answer is still to come
-    Key m_answered = Key();           ///< the contact that was answered for last, in this step
+    std::vector<bmr_event> m_pending;                          ///< of a contact whose answer is still to come
+    const b2Body *m_pendingA = nullptr, *m_pendingB = nullptr; ///< the bodies of the first of them
+    Key m_answered = Key(); ///< the contact that was answered for last, in this step
     uint64_t m_counts[BMR_EVENT_KIND_COUNT] = {}, m_answers[5] = {}, m_ofSensors = 0, m_ofHulls = 0;
     const b2World *m_world = nullptr;
 };

@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Crowds of bodies that meet at random: whatever happens, each life is one that the header allows, and nobody
 // plays otherwise for being listened to.
+#include "box2d_shapes.h"
 #include "events.h"
 
 using namespace as_stock;
 
 namespace {
-
-/// Numbers that are the same everywhere.
-class Random {
-public:
-    explicit Random(uint32_t seed) : m_state(0x9e3779b97f4a7c15u * (seed + 1)) {}
-    float Between(float low, float high) {
-        m_state = m_state * 6364136223846793005u + 1442695040888963407u;
-        return low + (high - low) * static_cast<float>(m_state >> 40) * 0x1p-24f;
-    }
-    int Below(int count) { return static_cast<int>(Between(0.0f, 0.999f) * static_cast<float>(count)); }
-
-private:
-    uint64_t m_state;
-};
 
 constexpr float kArena = 7.0f;
 constexpr uint16_t kWall = 1, kPiece = 2, kOfMany = 4, kSensor = 8;
@@ -34,20 +21,21 @@ void Sort(b2Fixture *fixture, uint16_t category, uint16_t mask) {
 
 void AddWalls(Game &game) {
     for (int side = 0; side < 4; ++side) {
-        const b2Rot turn(0.5f * b2_pi * static_cast<float>(side));
-        b2Body *wall = game.Body(b2_staticBody, b2Mul(turn, b2Vec2(0.0f, -kArena - 0.5f)),
-                                 0.5f * b2_pi * static_cast<float>(side));
+        const b2Rot turn(0.5f * b2_pi * Real(side));
+        b2Body *wall =
+            game.Body(b2_staticBody, b2Mul(turn, b2Vec2(0.0f, -kArena - 0.5f)), 0.5f * b2_pi * Real(side));
         Sort(game.Box(wall, kArena + 1.0f, 0.5f), kWall, kWall | kPiece | kOfMany);
     }
 }
 
 /// A box, a triangle, a coin, a plank of ten boxes, or a sensor.
-void AddBody(Game &game, Random &random, bool big) {
-    b2Body *body = game.Body(b2_dynamicBody, {random.Between(-6.0f, 6.0f), random.Between(-6.0f, 6.0f)},
-                             random.Between(0.0f, 6.0f));
-    body->SetLinearVelocity({random.Between(-4.0f, 4.0f), random.Between(-4.0f, 4.0f)});
-    body->SetAngularVelocity(random.Between(-3.0f, 3.0f));
-    const int kind = random.Below(12);
+void AddBody(Game &game, shapes::Engine &random, bool big) {
+    b2Body *body =
+        game.Body(b2_dynamicBody, {shapes::UniformF(random, -6.0, 6.0), shapes::UniformF(random, -6.0, 6.0)},
+                  shapes::UniformF(random, 0.0, 6.0));
+    body->SetLinearVelocity({shapes::UniformF(random, -4.0, 4.0), shapes::UniformF(random, -4.0, 4.0)});
+    body->SetAngularVelocity(shapes::UniformF(random, -3.0, 3.0));
+    const int kind = shapes::Below(random, 12);
     if (kind == 0) {
         game.Plank(body);
         for (b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext())
@@ -56,13 +44,14 @@ void AddBody(Game &game, Random &random, bool big) {
     }
     bmr::ConvexShape coin;
     b2PolygonShape small;
-    const float half = random.Between(0.15f, 0.7f);
+    const float half = shapes::UniformF(random, 0.15, 0.7);
     const b2Vec2 triangle[3] = {{-half, -half}, {half, -half}, {0.0f, half}};
     if (kind < 8)
-        small.SetAsBox(half, random.Between(0.1f, 0.6f));
+        small.SetAsBox(half, shapes::UniformF(random, 0.1, 0.6));
     else
         small.Set(triangle, 3);
-    const bool isCoin = big && kind > 4 && coin.SetEllipse(9 + random.Below(60), half, 0.4f * half) == BMR_OK;
+    const bool isCoin =
+        big && kind > 4 && coin.SetEllipse(9 + shapes::Below(random, 60), half, 0.4f * half) == BMR_OK;
     const b2Shape &shape = isCoin ? static_cast<const b2Shape &>(coin) : small;
     const bool sensor = kind == 1;
     b2Fixture *fixture = game.Fixture(body, shape, sensor);
@@ -77,7 +66,7 @@ uint32_t seed = 1;
 
 /// `witness` may be nullptr.
 void PlayCrowd(Run &run, Witness *witness, bool big) {
-    Random random(seed);
+    shapes::Engine random(seed);
     Heard game(run, {0.0f, seed % 2 == 0 ? 0.0f : -10.0f});
     if (witness != nullptr)
         witness->Watch(&game.world);

@@ -40,7 +40,7 @@ struct Crowded : Heard {
     Crowded(Run &run, Witness &witness) : Heard(run) {
         witness.Watch(&world);
         for (int i = 0; i < 12; ++i)
-            Box(Body(b2_dynamicBody, {40.0f + 1.1f * static_cast<float>(i), 0.0f}), 0.5f, 0.5f);
+            Box(Body(b2_dynamicBody, {40.0f + 1.1f * Real(i), 0.0f}), 0.5f, 0.5f);
         Step();
         witness.PrintEvents();
     }
@@ -92,9 +92,8 @@ const Life kSmall = {
 };
 void PlaySmall(Run &run, Witness &witness) {
     Crowded game(run, witness);
-    game.Box(game.Body(b2_staticBody, {0.0f, 0.0f}), 1.0f, 1.0f);
-    b2Body *body = game.Body(b2_dynamicBody, {5.0f, 0.0f});
-    game.Box(body, 0.5f, 0.5f);
+    game.Wall({0.0f, 0.0f}, {1.0f, 1.0f});
+    b2Body *body = game.Box({5.0f, 0.0f});
     Live(game, witness, body, kSmall);
 }
 
@@ -102,7 +101,7 @@ void PlaySmall(Run &run, Witness &witness) {
 void AddBig(Game &game, b2Body *body) {
     b2Vec2 points[12];
     for (int i = 0; i < 12; ++i) {
-        const float angle = 2.0f * b2_pi * static_cast<float>(i) / 12.0f;
+        const float angle = 2.0f * b2_pi * Real(i) / 12.0f;
         points[i] = {2.0f * cosf(angle), 0.3f * sinf(angle)};
     }
     bmr::ConvexShape shape;
@@ -178,8 +177,7 @@ void PlaySensor(Run &run, Witness &witness) {
     b2PolygonShape box;
     box.SetAsBox(1.0f, 1.0f);
     game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), box, true);
-    b2Body *body = game.Body(b2_dynamicBody, {5.0f, 0.0f});
-    game.Box(body, 0.5f, 0.5f);
+    b2Body *body = game.Box({5.0f, 0.0f});
     Live(game, witness, body, kSensor);
 }
 

@@ -40,7 +40,7 @@ public:
         game.Stage(game.world.GetContactCount() > 3 * kCount && game.Touching() == 0,
                    "many pairs, all apart");
     }
-    static b2Vec2 PlaceOf(int i) { return Slanted(0.0f, 0.3f * static_cast<float>(i)); }
+    static b2Vec2 PlaceOf(int i) { return Slanted(0.0f, 0.3f * Real(i)); }
 
     /// In so many steps nobody looks at more than one in `most` of the pairs.
     void ExpectQuiet(int steps, uint64_t most) {
@@ -169,11 +169,9 @@ AS_STOCK("sleepers that were moved meet in the very step in which one of them is
         Game game(run); // a listener would have all pairs looked at again
         std::vector<b2Body *> sleepers, moved, shots;
         for (int i = 0; i < 16; ++i) {
-            const b2Vec2 place(6.0f * static_cast<float>(i), 0.0f);
-            sleepers.push_back(game.Body(b2_dynamicBody, place));
-            game.Box(sleepers.back(), 0.5f, 0.5f);
-            moved.push_back(game.Body(b2_dynamicBody, place + b2Vec2(1.1f, 0.0f)));
-            game.Box(moved.back(), 0.5f, 0.5f);
+            const b2Vec2 place(6.0f * Real(i), 0.0f);
+            sleepers.push_back(game.Box(place));
+            moved.push_back(game.Box(place + b2Vec2(1.1f, 0.0f)));
         }
         game.Step(60);
         game.Stage(!sleepers[0]->IsAwake() && game.world.GetContactCount() >= 16, "couples sleep, apart");
@@ -184,10 +182,8 @@ AS_STOCK("sleepers that were moved meet in the very step in which one of them is
             game.Step();
         }
         for (int i = 0; i < hits; ++i) {
-            shots.push_back(game.Body(b2_dynamicBody, sleepers[static_cast<size_t>(i)]->GetPosition() +
-                                                          b2Vec2(-1.05f, 0.0f)));
-            game.Box(shots.back(), 0.5f, 0.5f);
-            shots.back()->SetSleepingAllowed(false);
+            shots.push_back(
+                game.Awake(sleepers[static_cast<size_t>(i)]->GetPosition() + b2Vec2(-1.05f, 0.0f)));
         }
         game.Step(2); // their contacts are the newest
         for (b2Body *body : moved)
@@ -208,12 +204,10 @@ AS_STOCK("bodies that were put to sleep in full flight are still in the way that
     for (const bool spins : {false, true}) {
         std::vector<b2Body *> flying, bullets;
         for (int i = 0; i < 12; ++i) {
-            const b2Vec2 place(8.0f * static_cast<float>(i), spins ? 40.0f : 0.0f);
-            flying.push_back(game.Body(b2_dynamicBody, place));
-            game.Box(flying.back(), spins ? 2.0f : 0.1f, 0.1f);
+            const b2Vec2 place(8.0f * Real(i), spins ? 40.0f : 0.0f);
+            flying.push_back(game.Box(place, {spins ? 2.0f : 0.1f, 0.1f}));
             // Beside the place that it is in after a step, and in that which it went through.
-            bullets.push_back(game.Body(b2_dynamicBody, place + b2Vec2(1.0f, spins ? 0.6f : 0.5f)));
-            game.Box(bullets.back(), 0.1f, 0.1f);
+            bullets.push_back(game.Box(place + b2Vec2(1.0f, spins ? 0.6f : 0.5f), {0.1f, 0.1f}));
             bullets.back()->SetBullet(true);
             bullets.back()->SetSleepingAllowed(false);
         }
@@ -222,10 +216,9 @@ AS_STOCK("bodies that were put to sleep in full flight are still in the way that
             b2Body *body = flying[static_cast<size_t>(i)];
             body->SetAwake(true);
             if (spins)
-                body->SetAngularVelocity(60.0f * (1.55f + 0.02f * static_cast<float>(i)));
+                body->SetAngularVelocity(60.0f * (1.55f + 0.02f * Real(i)));
             else
-                body->SetTransform(body->GetPosition() + b2Vec2(1.0f, -0.5f - 0.02f * static_cast<float>(i)),
-                                   0.0f);
+                body->SetTransform(body->GetPosition() + b2Vec2(1.0f, -0.5f - 0.02f * Real(i)), 0.0f);
             if (!spins)
                 body->SetLinearVelocity({0.0f, 60.0f * 2.0f});
             // Out of its way while it flies.
@@ -260,17 +253,15 @@ AS_STOCK("contacts that were disabled between steps are enabled where impacts ar
         game.world.SetSubStepping(partial);
         if (byList) {
             game.world.SetContactFilter(&freezing);
-            game.Box(game.Body(b2_staticBody, {50.0f, 0.0f}), 1.0f, 1.0f);
+            game.Wall({50.0f, 0.0f}, {1.0f, 1.0f});
             game.Box(game.Body(b2_dynamicBody, {50.0f, 0.0f}), 1.0f, 1.0f)->SetSensor(true);
             game.Step();
             game.world.SetContactFilter(nullptr);
         }
-        game.Box(game.Body(b2_staticBody, {0.0f, 0.0f}), 0.05f, 6.0f);
+        game.Wall({0.0f, 0.0f}, {0.05f, 6.0f});
         std::vector<b2Body *> shots;
         for (int i = 0; i < 12; ++i) {
-            shots.push_back(game.Body(b2_dynamicBody, {-0.3f, static_cast<float>(i) - 5.5f}));
-            game.Box(shots.back(), 0.2f, 0.2f);
-            shots.back()->SetSleepingAllowed(false);
+            shots.push_back(game.Awake({-0.3f, Real(i) - 5.5f}, {0.2f, 0.2f}));
         }
         game.Step(30);
         for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
@@ -325,8 +316,7 @@ TEST_CASE("more than 65,536 fixtures, each with a pair of its own") {
         box.SetAsBox(0.4f, 0.4f);
         for (int i = 0; i < kCouples; ++i) {
             b2BodyDef def;
-            const b2Vec2 place(4.0f * static_cast<float>(i % 200 - 100),
-                               4.0f * static_cast<float>(i / 200 - 82));
+            const b2Vec2 place(4.0f * Real(i % 200 - 100), 4.0f * Real(i / 200 - 82));
             def.position = place;
             world.CreateBody(&def)->CreateFixture(&box, 0.0f);
             def.type = b2_dynamicBody;

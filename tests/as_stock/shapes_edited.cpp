@@ -12,8 +12,7 @@ namespace {
 b2PolygonShape Regular(int32 count, float radius) {
     b2Vec2 corners[b2_maxPolygonVertices];
     for (int32 i = 0; i < count; ++i)
-        corners[i] = b2Mul(b2Rot(2.0f * b2_pi * (static_cast<float>(i) + 0.5f) / static_cast<float>(count)),
-                           b2Vec2(radius, 0.0f));
+        corners[i] = b2Mul(b2Rot(2.0f * b2_pi * (Real(i) + 0.5f) / Real(count)), b2Vec2(radius, 0.0f));
     b2PolygonShape shape;
     shape.Set(corners, count);
     return shape;
@@ -49,7 +48,7 @@ AS_STOCK("radii of circles, edges, polygons and sensors change in place") {
     for (int i = 0; i < 2; ++i) { // one is a sensor
         b2CircleShape circle;
         circle.m_radius = 0.1f;
-        circles[i] = yard.game.Body(b2_dynamicBody, {14.0f * static_cast<float>(i), 2.0f});
+        circles[i] = yard.game.Body(b2_dynamicBody, {14.0f * Real(i), 2.0f});
         yard.game.Fixture(circles[i], circle, i == 1);
         circles[i]->SetSleepingAllowed(false);
     }
@@ -61,7 +60,7 @@ AS_STOCK("radii of circles, edges, polygons and sensors change in place") {
                 for (b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext())
                     f->GetShape()->m_radius = radius;
         for (int i = 0; i < 2; ++i) {
-            circles[i]->SetTransform({14.0f * static_cast<float>(i), 2.0f}, 0.0f);
+            circles[i]->SetTransform({14.0f * Real(i), 2.0f}, 0.0f);
             circles[i]->GetFixtureList()->GetShape()->m_radius = 2.0f * radius;
         }
         yard.game.Step();
@@ -84,16 +83,14 @@ AS_STOCK_HOW(kMayBeSilent, "edges and chains, their neighbours and their sides a
     auto *linked = static_cast<b2ChainShape *>(game.Fixture(ground, chain)->GetShape());
     b2Body *boxes[6];
     for (int i = 0; i < 6; ++i) {
-        boxes[i] = game.Body(b2_dynamicBody, {0.0f, 0.0f});
-        game.Box(boxes[i], 0.4f, 0.3f);
+        boxes[i] = game.Box({0.0f, 0.0f}, {0.4f, 0.3f});
         boxes[i]->SetBullet(i % 2 == 0);
         boxes[i]->SetSleepingAllowed(false);
     }
     int touched = 0;
     for (int round = 0; round < 12; ++round) {
         for (int i = 0; i < 6; ++i) {
-            boxes[i]->SetTransform({2.6f * static_cast<float>(i) - 1.7f, 0.5f},
-                                   0.05f * static_cast<float>(round));
+            boxes[i]->SetTransform({2.6f * Real(i) - 1.7f, 0.5f}, 0.05f * Real(round));
             boxes[i]->SetLinearVelocity({round % 2 == 0 ? 6.0f : -6.0f, i % 2 == 0 ? -30.0f : -1.0f});
             boxes[i]->SetAngularVelocity(0.0f);
         }
@@ -103,7 +100,7 @@ AS_STOCK_HOW(kMayBeSilent, "edges and chains, their neighbours and their sides a
         made->m_vertex0.y = lift;
         made->m_vertex3.y = -lift;
         made->m_oneSided = round % 4 != 1;
-        made->m_vertex1.y = 0.1f * static_cast<float>(round % 3);
+        made->m_vertex1.y = 0.1f * Real(round % 3);
         linked->m_vertices[1 + round % 3].y = 0.5f * lift;
         linked->m_prevVertex.y = -lift;
         linked->m_nextVertex.y = lift;
@@ -127,7 +124,7 @@ AS_STOCK("normals that are too long keep nobody from an impact") {
     int stopped = 0;
     for (int round = 0; round < 40; ++round) {
         // It would come to rest so far in front of the wall.
-        const float gap = 2e-4f * static_cast<float>(round), way = 0.05f;
+        const float gap = 2e-4f * Real(round), way = 0.05f;
         bullet->SetTransform({0.9f - gap - way, 0.0f}, 0.0f);
         bullet->SetLinearVelocity({60.0f * way, 0.0f});
         bullet->SetAngularVelocity(0.0f);
@@ -149,7 +146,7 @@ AS_STOCK_HOW(kMayBeSilent, "a sensor's deepest vertex is gone, and its line keep
     for (int round = 0; round < 24; ++round) {
         *watched = Regular(static_cast<int32>(8 - round % 6), round % 4 == 3 ? 0.02f : 0.5f);
         *watching = Regular(static_cast<int32>(3 + (7 * round) % 6), round % 5 == 4 ? 0.2f : 1.0f);
-        seen->SetTransform({0.45f * static_cast<float>(round % 5), 0.3f}, 0.4f * static_cast<float>(round));
+        seen->SetTransform({0.45f * Real(round % 5), 0.3f}, 0.4f * Real(round));
         Edited(run, seen);
         Edited(run, eye);
         game.Step(2);
@@ -172,7 +169,7 @@ AS_STOCK_HOW(kMayBeSilent, "sensors without skins lose each other, however deep 
         state = 1664525u * state + 1013904223u;
         return static_cast<int>((state >> 16) % count);
     };
-    const auto cells = [](int count) { return kCell * static_cast<float>(count); };
+    const auto cells = [](int count) { return kCell * Real(count); };
     struct Couple {
         b2Body *seen;
         int x, y;
@@ -247,7 +244,7 @@ Outcome PlayCoins(Way way, int32 before, int32 after, float across) {
     };
     // What is remembered is a vertex whose number the new polygon may not have.
     for (int i = 0; i < 8; ++i) {
-        bodies[0]->SetTransform(bodies[0]->GetPosition(), 0.8f * static_cast<float>(i));
+        bodies[0]->SetTransform(bodies[0]->GetPosition(), 0.8f * Real(i));
         world.Step(1.0f / 60.0f, 8, 3);
     }
     CHECK(coin.SetRegular(after, 1.0f) == BMR_OK);

@@ -83,10 +83,10 @@ void PlayCoins(Run &run) {
         Game game(run, {0.0f, -10.0f});
         game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), plate);
         for (int i = 0; i < 4; ++i) {
-            b2Body *body = game.Body(b2_dynamicBody, {1.5f * static_cast<float>(i) - 2.2f, 0.8f});
+            b2Body *body = game.Body(b2_dynamicBody, {1.5f * Real(i) - 2.2f, 0.8f});
             game.Fixture(body, coin);
             for (int k = 0; k < 9; ++k)
-                game.Box(body, 0.1f, 0.1f, {0.1f * static_cast<float>(k), 0.0f});
+                game.Box(body, 0.1f, 0.1f, {0.1f * Real(k), 0.0f});
         }
         game.Step(40);
     }
@@ -127,7 +127,7 @@ TEST_CASE("a shape without memory says so, stays as it was, and can be set once 
         ConvexShape ellipse; // up to 8 vertices: no memory, so that the first one below is the first of all
         REQUIRE(ellipse.SetEllipse(8, 1.0f, 1.0f) == BMR_OK);
         for (int i = 0; i < 60; ++i) {
-            const b2Rot rotation(0.1f * static_cast<float>(i));
+            const b2Rot rotation(0.1f * Real(i));
             points.push_back(2.0f * rotation.GetXAxis());
         }
     }

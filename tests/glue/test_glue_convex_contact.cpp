@@ -45,8 +45,7 @@ void Mixed(Game &game, shapes::Engine &engine, int32 vertices) {
     game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), Chain());
     ConvexShape stone;
     for (int i = 0; i < 10; ++i) {
-        b2Body *body =
-            Falling(game, {shapes::UniformF(engine, -2.0, 2.0), 0.6f + 0.7f * static_cast<float>(i)});
+        b2Body *body = Falling(game, {shapes::UniformF(engine, -2.0, 2.0), 0.6f + 0.7f * Real(i)});
         body->SetTransform(body->GetPosition(), shapes::UniformF(engine, -3.0, 3.0));
         switch (i % 4) {
         case 0:
@@ -82,7 +81,7 @@ AS_STOCK("bodies of many big shapes share a structure that holds their real poly
             REQUIRE(piece.SetRounded(0.2f, 0.1f, 0.05f, i % 2 == 0 ? 4 : 40) == BMR_OK);
             std::vector<b2Vec2> moved(piece.GetVertices(), piece.GetVertices() + piece.GetVertexCount());
             for (b2Vec2 &v : moved)
-                v.x += 0.4f * static_cast<float>(i) - 1.8f;
+                v.x += 0.4f * Real(i) - 1.8f;
             REQUIRE(piece.Set(moved.data(), static_cast<int32>(moved.size())) == BMR_OK);
             game.Fixture(body, piece);
         }
@@ -202,15 +201,15 @@ TEST_CASE("what a game had put into the register goes on making what is not ours
     const std::string text = InChild([](Run &run) {
         { // Box2D fills its register at the first contact
             Heard game(run);
-            game.Box(game.Body(b2_staticBody, {0.0f, 0.0f}), 1.0f, 1.0f);
-            game.Box(game.Body(b2_dynamicBody, {0.5f, 0.0f}), 1.0f, 1.0f);
+            game.Wall({0.0f, 0.0f}, {1.0f, 1.0f});
+            game.Box({0.5f, 0.0f}, {1.0f, 1.0f});
             game.world.Step(0.0f, 1, 1);
         }
         Counted::Register();
         const ConvexShape first = Coin(64); // Box2D is looked at: contacts are made
         const int madeBefore = Counted::made, aliveBefore = Counted::alive;
         Heard game(run, {0.0f, -10.0f});
-        game.Box(game.Body(b2_staticBody, {0.0f, -1.0f}), 5.0f, 1.0f);
+        game.Wall({0.0f, -1.0f}, {5.0f, 1.0f});
         b2Body *box = Falling(game, {-2.0f, 0.5f}), *coin = Falling(game, {2.0f, 0.6f});
         game.Box(box, 0.2f, 0.2f);
         game.Fixture(coin, first);
@@ -241,8 +240,7 @@ template <typename Add> void SmallHeap(Run &run, Add add) {
     shapes::Engine engine(77);
     game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), Chain());
     for (int i = 0; i < 60; ++i) {
-        b2Body *body = game.Body(b2_dynamicBody,
-                                 {shapes::UniformF(engine, -3.0, 3.0), 1.0f + 0.4f * static_cast<float>(i)},
+        b2Body *body = game.Body(b2_dynamicBody, {shapes::UniformF(engine, -3.0, 3.0), 1.0f + 0.4f * Real(i)},
                                  shapes::UniformF(engine, -3.0, 3.0));
         const b2PolygonShape polygon = shapes::RandomPolygon(engine, 0.8);
         add(game, body, polygon);

@@ -11,8 +11,7 @@ AS_STOCK("each vertex that is changed in place is seen") {
         TwoPlanks planks(game, 0.6f);
         b2Vec2 points[8];
         for (int i = 0; i < corners; ++i)
-            points[i] =
-                0.3f * b2Rot(static_cast<float>(i) * 2.0f * b2_pi / static_cast<float>(corners)).GetXAxis();
+            points[i] = 0.3f * b2Rot(Real(i) * 2.0f * b2_pi / Real(corners)).GetXAxis();
         auto *shape = static_cast<b2PolygonShape *>(planks.b->GetFixtureList()->GetShape());
         shape->Set(points, corners);
         for (int i = -1; i < corners; ++i) { // first that they are other vertices at all
@@ -46,10 +45,10 @@ namespace {
 struct DiagonalRows {
     explicit DiagonalRows(Game &game, float skin = b2_polygonRadius) {
         for (int k = 0; k < 2; ++k) {
-            const float place = 0.25f * static_cast<float>(k);
+            const float place = 0.25f * Real(k);
             b2Body *body = game.Body(b2_dynamicBody, {-place, place});
             for (int i = 0; i < 6; ++i) {
-                const float at = 0.12f * (static_cast<float>(i) - 2.5f);
+                const float at = 0.12f * (Real(i) - 2.5f);
                 game.Box(body, 0.1f, 0.1f, {at, at})->GetShape()->m_radius = skin;
             }
             shapes[k] = static_cast<b2PolygonShape *>(body->GetFixtureList()->GetShape());
@@ -129,16 +128,14 @@ AS_STOCK("an edge that was edited away separates nothing") {
     b2Body *middle = game.Body(b2_dynamicBody, {0.0f, 0.0f});
     b2Vec2 corners[8];
     for (int i = 0; i < 8; ++i)
-        corners[i] = b2Mul(b2Rot((static_cast<float>(i) + 0.5f) * kEighth), b2Vec2(0.5f, 0.0f));
+        corners[i] = b2Mul(b2Rot((Real(i) + 0.5f) * kEighth), b2Vec2(0.5f, 0.0f));
     b2PolygonShape octagon;
     octagon.Set(corners, 8);
     auto *shape = static_cast<b2PolygonShape *>(game.Fixture(middle, octagon)->GetShape());
     // A corner of a box towards each face, so that the octagon's edge is the one to remember.
     for (int i = 0; i < 8; ++i) {
-        const b2Rot there(static_cast<float>(i) * kEighth);
-        b2Body *body = game.Body(b2_dynamicBody, b2Mul(there, b2Vec2(0.78f, 0.0f)),
-                                 (static_cast<float>(i) + 1.0f) * kEighth);
-        game.Box(body, 0.12f, 0.12f);
+        const b2Rot there(Real(i) * kEighth);
+        game.Box(b2Mul(there, b2Vec2(0.78f, 0.0f)), {0.12f, 0.12f}, (Real(i) + 1.0f) * kEighth);
     }
     game.Step(3);
     game.Stage(game.Touching() == 0 && game.world.GetContactCount() >= 8, "a ring, apart");

@@ -11,7 +11,7 @@ constexpr float kPi = 3.14159274f;
 constexpr float kSlant = 0.25f * kPi;
 
 b2Vec2 OnCircle(int i, int count, float radius) {
-    return b2Mul(b2Rot(2.0f * kPi * static_cast<float>(i) / static_cast<float>(count)), b2Vec2(radius, 0.0f));
+    return b2Mul(b2Rot(2.0f * kPi * Real(i) / Real(count)), b2Vec2(radius, 0.0f));
 }
 
 /// A regular polygon of any size in fixtures of at most 8 vertices, which share one vertex.
@@ -30,7 +30,7 @@ void Coin(Game &game, b2Body *body, int count, float radius) {
 /// Two slanted planks of two fixtures each, `across` apart, around a place.
 void Planks(Game &game, b2Vec2 place, float across, b2Body *bodies[2]) {
     for (int i = 0; i < 2; ++i) {
-        const b2Vec2 offset = b2Mul(b2Rot(kSlant), b2Vec2(0.0f, across * static_cast<float>(i)));
+        const b2Vec2 offset = b2Mul(b2Rot(kSlant), b2Vec2(0.0f, across * Real(i)));
         bodies[i] = game.Body(b2_dynamicBody, place + offset, kSlant);
         bodies[i]->SetSleepingAllowed(false);
         game.Plank(bodies[i]);
@@ -39,14 +39,12 @@ void Planks(Game &game, b2Vec2 place, float across, b2Body *bodies[2]) {
 
 /// A heap of everything on a floor.
 void Heap(Game &game, float x) {
-    b2Body *floor = game.Body(b2_staticBody, {x, 0.0f});
-    game.Box(floor, 20.0f, 0.5f);
+    b2Body *floor = game.Wall({x, 0.0f}, {20.0f, 0.5f});
     game.Box(floor, 0.5f, 5.0f, {-8.0f, 4.0f});
     game.Box(floor, 0.5f, 5.0f, {8.0f, 4.0f});
     for (int i = 0; i < 12; ++i) {
-        b2Body *body = game.Body(b2_dynamicBody,
-                                 {x + static_cast<float>(i % 4) - 2.0f, 1.5f + 0.8f * static_cast<float>(i)},
-                                 0.3f * static_cast<float>(i));
+        b2Body *body =
+            game.Body(b2_dynamicBody, {x + Real(i % 4) - 2.0f, 1.5f + 0.8f * Real(i)}, 0.3f * Real(i));
         if (i % 3 == 0)
             Coin(game, body, 12 + 20 * (i % 2), 0.5f);
         else if (i % 3 == 1)
@@ -64,7 +62,7 @@ AS_STOCK("Install before the first contact takes effect, and leaves the other ki
     for (int i = 0; i < 4; ++i) {
         b2CircleShape circle;
         circle.m_radius = 0.4f;
-        game.Fixture(game.Body(b2_dynamicBody, {static_cast<float>(i) - 1.5f, 12.0f}), circle);
+        game.Fixture(game.Body(b2_dynamicBody, {Real(i) - 1.5f, 12.0f}), circle);
     }
     game.Step(120);
     run.Expect(bmr::IsInstalled() && !bmr::Install(), "a second Install changes nothing and says so");
@@ -83,7 +81,7 @@ AS_STOCK_HOW(kInstalls, "contacts born before Install keep working, and are dest
     run.Install();
     game.Step(20);
     for (int i = 0; i < 6; ++i) {
-        game.Plank(game.Body(b2_dynamicBody, {0.0f, 6.0f + 0.5f * static_cast<float>(i)}, 0.2f));
+        game.Plank(game.Body(b2_dynamicBody, {0.0f, 6.0f + 0.5f * Real(i)}, 0.2f));
         // New fixtures on old bodies: our contacts and stock's between the same two.
         game.Box(game.world.GetBodyList()->GetNext(), 0.3f, 0.3f, {0.4f, 0.2f});
         game.Step(10);
@@ -188,9 +186,7 @@ AS_STOCK("a world that dies with contacts alive leaks nothing") {
     const auto live = [&run] {
         Heard game(run);
         for (int i = 0; i < 4; ++i)
-            Coin(game,
-                 game.Body(b2_dynamicBody, {1.9f * static_cast<float>(i), 1.8f * static_cast<float>(i % 2)}),
-                 100, 1.0f);
+            Coin(game, game.Body(b2_dynamicBody, {1.9f * Real(i), 1.8f * Real(i % 2)}), 100, 1.0f);
         b2Body *bodies[2];
         Planks(game, {0.0f, 10.0f}, 0.6f, bodies);
         for (int i = 0; i < 2; ++i)
@@ -245,9 +241,9 @@ AS_STOCK("bodies of more than 64 hull vertices") {
     Heard game(run);
     b2Body *coins[3];
     for (int i = 0; i < 3; ++i) {
-        coins[i] = game.Body(b2_dynamicBody, {2.12f * static_cast<float>(i), 0.3f * static_cast<float>(i)});
+        coins[i] = game.Body(b2_dynamicBody, {2.12f * Real(i), 0.3f * Real(i)});
         Coin(game, coins[i], 90 + 40 * i, 1.0f);
-        coins[i]->SetAngularVelocity(0.5f * static_cast<float>(i - 1));
+        coins[i]->SetAngularVelocity(0.5f * Real(i - 1));
     }
     game.Step(30);
     game.Stage(game.Touching() == 0 && game.world.GetContactCount() > 2, "apart");

@@ -23,9 +23,7 @@ void Fill(Game *game) {
     b2Body *plank = game->Body(b2_dynamicBody, {0.1f, 0.5f}, 0.15f);
     game->Plank(plank);
     for (int i = 0; i < 4; ++i)
-        game->Box(game->Body(b2_dynamicBody,
-                             {static_cast<float>(i) - 1.5f, 1.3f + 0.3f * static_cast<float>(i)}, 0.3f),
-                  0.2f, 0.15f);
+        game->Box(game->Body(b2_dynamicBody, {Real(i) - 1.5f, 1.3f + 0.3f * Real(i)}, 0.3f), 0.2f, 0.15f);
 }
 
 void AlwaysIn(Run &run, int mode) {
@@ -102,8 +100,7 @@ TEST_CASE("hulls are the same in whatever mode they are built") {
 TEST_CASE("polygons of many vertices are the same in whatever mode they are made") {
     b2Vec2 points[20];
     for (int i = 0; i < 20; ++i)
-        points[i].Set(0.9f * std::cos(0.31f * static_cast<float>(i)),
-                      0.7f * std::sin(0.31f * static_cast<float>(i)));
+        points[i].Set(0.9f * std::cos(0.31f * Real(i)), 0.7f * std::sin(0.31f * Real(i)));
     const auto text = [&points](int mode, bmr_error (bmr::ConvexShape::*set)(const b2Vec2 *, int32)) {
         bmr::ConvexShape shape;
         std::fesetround(mode);

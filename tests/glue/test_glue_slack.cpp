@@ -177,8 +177,8 @@ AS_STOCK("the certified slack is never above the distance of the real polygons")
         const int32 counts[2] = {9 + shapes::Below(engine, 20), 60 + shapes::Below(engine, 60)};
         b2Body *bodies[2];
         for (int i = 0; i < 2; ++i) {
-            bodies[i] = game.Body(b2_dynamicBody, {1.15f * static_cast<float>(i), 0.0f},
-                                  shapes::UniformF(engine, -3.0, 3.0));
+            bodies[i] =
+                game.Body(b2_dynamicBody, {1.15f * Real(i), 0.0f}, shapes::UniformF(engine, -3.0, 3.0));
             bodies[i]->SetSleepingAllowed(false);
             game.Fixture(bodies[i], ground::Coin(counts[i], i == 0 ? 0.5f : 0.6f));
             bodies[i]->SetAngularVelocity(shapes::UniformF(engine, -2.0, 2.0));

@@ -65,7 +65,7 @@ AS_STOCK("a hull that two pairs share is forgotten by both when it grows") {
     Heard game(run);
     b2Body *bodies[3];
     for (int i = 0; i < 3; ++i) {
-        bodies[i] = Slanting(game, 0.6f * static_cast<float>(i - 1));
+        bodies[i] = Slanting(game, 0.6f * Real(i - 1));
         game.Plank(bodies[i]);
     }
     game.Step(5);
@@ -166,13 +166,12 @@ AS_STOCK("bullets and sub-steps move bodies in the middle of a step") {
         game.world.SetSubStepping(subStepping);
         b2Body *wall = game.Body(b2_staticBody, {0.0f, 0.0f}, 0.1f);
         for (int i = -4; i <= 4; ++i)
-            game.Box(wall, 0.05f, 0.45f, {0.02f * static_cast<float>(i), static_cast<float>(i)});
+            game.Box(wall, 0.05f, 0.45f, {0.02f * Real(i), Real(i)});
         b2Body *hanging = game.Body(b2_dynamicBody, {-0.5f, 1.0f}, 0.3f);
         game.Plank(hanging);
         for (int i = 0; i < 6; ++i) {
             b2Body *bullet =
-                game.Body(b2_dynamicBody, {8.0f + 0.3f * static_cast<float>(i), static_cast<float>(i) - 2.0f},
-                          0.4f * static_cast<float>(i));
+                game.Body(b2_dynamicBody, {8.0f + 0.3f * Real(i), Real(i) - 2.0f}, 0.4f * Real(i));
             game.Box(bullet, 0.2f, 0.1f, {0.1f, 0.0f});
             game.Box(bullet, 0.1f, 0.2f, {-0.1f, 0.0f});
             bullet->SetBullet(true);

@@ -177,7 +177,7 @@ public:
     /// have as many contacts as the glue may ask for before it gives them a structure. Only its pieces in
     /// [from, to) are made.
     void Plank(b2Body *body, b2Vec2 center = {0.0f, 0.0f}, int from = 0, int to = kPlankPieces) {
-        constexpr float kHalf = 2.0f / static_cast<float>(kPlankPieces);
+        constexpr float kHalf = 2.0f / Real(kPlankPieces);
         for (int i = from; i < to; ++i)
             Box(body, kHalf, 0.1f, center + b2Vec2((2.0f * Real(i) + 1.0f) * kHalf - 2.0f, 0.0f));
     }

@@ -67,7 +67,7 @@ public:
         game.Listen();
         for (int i = 0; i < kCount; ++i) {
             Couple &couple = couples[i];
-            couple.place = b2Vec2(14.0f * static_cast<float>(i), 0.0f);
+            couple.place = b2Vec2(14.0f * Real(i), 0.0f);
             couple.stays = game.Body(i < kBullet ? b2_dynamicBody : b2_staticBody, couple.place, kSlant);
             couple.mover = game.Body(b2_dynamicBody, Away(couple), kSlant);
             Fill(i, couple);
@@ -144,7 +144,7 @@ private:
         b2PolygonShape octagon;
         b2Vec2 corners[8];
         for (int i = 0; i < 8; ++i)
-            corners[i] = b2Mul(b2Rot((static_cast<float>(i) + 0.5f) * 0.785398185f), b2Vec2(0.35f, 0.0f));
+            corners[i] = b2Mul(b2Rot((Real(i) + 0.5f) * 0.785398185f), b2Vec2(0.35f, 0.0f));
         octagon.Set(corners, 8);
         switch (kind) {
         case kPlanks:
