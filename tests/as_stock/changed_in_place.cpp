@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Polygons and places that a game changes and tells nobody of: between steps, in the midst of a step, into
-// what is no number.
+// Polygons and places that a game changes and tells nobody of: between steps, and in the midst of a step.
 #include "as_stock.h"
 
 using namespace as_stock;
@@ -202,62 +201,4 @@ AS_STOCK_HOW(kMayBeSilent, "linked: shots hit links of a long chain in one step"
     for (const b2Body *body = game.world.GetBodyList(); body != nullptr; body = body->GetNext())
         if (body->GetPosition().y < 0.0f)
             run.Print("!a shot went through");
-}
-
-AS_STOCK("nowhere: places, angles, velocities and vertices are no numbers, or infinite, and are put right "
-         "again") {
-    const float none = std::nanf(""), infinite = INFINITY;
-    // Numbers that are none are of two signs: which one is left shows the order of what was done.
-    const std::function<void(b2Body *, b2PolygonShape *)> lose[] = {
-        [=](b2Body *body, b2PolygonShape *) {
-            body->SetTransform({none, 3.0f}, 0.0f);
-        },
-        [=](b2Body *body, b2PolygonShape *) {
-            body->SetTransform({1.0f, infinite}, 0.5f);
-        },
-        [=](b2Body *body, b2PolygonShape *) {
-            body->SetTransform({1.0f, 3.0f}, none);
-        },
-        [=](b2Body *body, b2PolygonShape *) {
-            body->SetTransform({2.0f, 3.0f}, infinite);
-        },
-        [=](b2Body *body, b2PolygonShape *) {
-            body->SetLinearVelocity({infinite, 0.0f});
-        },
-        [=](b2Body *body, b2PolygonShape *) { body->SetAngularVelocity(-none); },
-        [=](b2Body *, b2PolygonShape *shape) { shape->m_vertices[1].x = none; },
-        [=](b2Body *, b2PolygonShape *shape) { shape->m_vertices[2].y = -infinite; },
-        [=](b2Body *, b2PolygonShape *shape) { shape->m_radius = none; },
-        [=](b2Body *body, b2PolygonShape *) {
-            body->SetTransform({none, -none}, infinite);
-        },
-        [=](b2Body *body, b2PolygonShape *) {
-            body->SetTransform({-none, none}, none);
-        },
-        [=](b2Body *body, b2PolygonShape *shape) {
-            shape->m_radius = none;
-            body->SetTransform({-none, none}, -none);
-        },
-    };
-    Game game(run, {0.0f, -10.0f});
-    game.world.SetContinuousPhysics(false); // its search asserts where numbers are none
-    FillWithBoxes(game.world);
-    std::vector<b2Body *> lost;
-    for (const auto &how : lose) {
-        static_cast<void>(how);
-        lost.push_back(game.Box({2.0f * Real(static_cast<int>(lost.size())) - 8.0f, 12.0f}));
-    }
-    game.Step(30);
-    for (size_t i = 0; i < lost.size(); ++i) {
-        lose[i](lost[i], PolygonOf(lost[i]));
-        game.Step(10);
-    }
-    for (b2Body *body : lost) {
-        PolygonOf(body)->SetAsBox(0.5f, 0.5f);
-        PolygonOf(body)->m_radius = b2_polygonRadius;
-        body->SetTransform({0.0f, 9.0f}, 0.0f);
-        body->SetLinearVelocity({0.0f, -1.0f});
-        body->SetAngularVelocity(0.0f);
-    }
-    game.Step(60);
 }

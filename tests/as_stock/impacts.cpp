@@ -89,42 +89,6 @@ AS_STOCK("passed: a listener makes bullets of the shots, and disables the contac
     range.Step(4);
 }
 
-AS_STOCK("pending: a listener disables contacts whose impacts are found and not come to; their shots are no "
-         "bullets in a step in the midst of another world's search") {
-    Range range(run);
-    range.Throw(180.0f, 240.0f);
-    range.listener.begin.Once([&range] {
-        Range::MakeBullets(range.shots);
-        range.listener.begin.Once([&range](b2Contact *hit) {
-            for (b2Body *body : range.leaning)
-                for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
-                    if (edge->contact != hit && edge->other->IsBullet())
-                        edge->contact->SetEnabled(false);
-        });
-    });
-    range.Step();
-    for (b2Body *shot : range.shots) {
-        shot->SetBullet(false);
-        shot->SetLinearVelocity({0.0f, 0.0f});
-        shot->SetTransform({-0.75f, shot->GetPosition().y}, 0.0f);
-    }
-    Game other(run);
-    for (int i = 0; i < 60; ++i)
-        other.Box({1.05f * Real(i), 10.0f});
-    other.Wall({0.0f, 0.0f}, {0.05f, 1.0f});
-    b2Body *const bullet = other.Box({-2.0f, 0.0f}, {0.1f, 0.1f});
-    other.Step(4);
-    bullet->SetLinearVelocity({240.0f, 0.0f});
-    other.Listen();
-    other.listener.begin.Once([&range] {
-        range.first->SetTransform({-2.0f, -30.0f}, 0.0f);
-        range.Throw(30.0f, 240.0f);
-        range.Step();
-    });
-    other.Step();
-    range.Step(2);
-}
-
 AS_STOCK("settled: a listener steps the world, which is not to look for impacts in that step") {
     Range range(run);
     range.Shoot(0.0f, 240.0f);

@@ -307,43 +307,6 @@ AS_STOCK("unlisted: a listener steps while a change of type ends contacts") {
     }
 }
 
-namespace {
-
-/// Heaps of bodies of three boxes each; every twenty steps, more fall on them.
-void PlayHeaps(Game &game) {
-    game.Wall({0.0f, 0.0f}, {20.0f, 0.2f});
-    for (int round = 0; round < 4; ++round) {
-        for (int i = 0; i < 25; ++i) {
-            const float x = Real(i % 9) - 4.0f;
-            b2Body *body = game.Box({0.9f * x, 0.6f + 0.4f * Real(i % 5)}, {0.4f, 0.1f}, 0.4f * x);
-            for (const float side : {-0.3f, 0.3f})
-                game.Box(body, 0.1f, 0.3f, {side, 0.1f}, side);
-        }
-        // It came later, so Box2D looks through its contacts: it has many.
-        game.Wall({0.0f, 3.0f}, {6.0f, 3.0f})->GetFixtureList()->SetSensor(true);
-        game.Step(20);
-    }
-}
-
-} // namespace
-
-// With the proxies of a body that is put out of the world for a moment: each time another's.
-AS_STOCK("ending: a filter ends contacts of bodies that have many") {
-    Game game(run, {0.0f, -10.0f});
-    game.Ask();
-    int times = 0;
-    game.filter.asked = Every(5, kAlways, [&game, &times] {
-        if (game.world.IsLocked())
-            return;
-        b2Body *body = game.world.GetBodyList();
-        for (int32 i = 7 * ++times % game.world.GetBodyCount(); i > 0; --i)
-            body = body->GetNext();
-        body->SetEnabled(false);
-        body->SetEnabled(true);
-    });
-    PlayHeaps(game);
-}
-
 AS_STOCK("parted: a listener steps the world until the boxes of its contact part") {
     Game game(run);
     for (int i = 0; i < 60; ++i)
