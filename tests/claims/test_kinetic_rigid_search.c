@@ -8,6 +8,7 @@
 #include "checks.h"
 #include "kds/registry.h"
 #include "kds_driver.h"
+#include "motion_pieces.h"
 #include "test_scale.h"
 
 #define PI 3.14159265358979323846
@@ -64,8 +65,7 @@ static test_kds_body make_body(const body_def *def) {
         assert_int_equal(bmr_outline_points(plain[def->outline], count, 1, points), BMR_OK);
     }
     test_move_points(points, count, def->phase, def->x, def->y);
-    bmr_polygon *polygon = made_polygon(points, count);
-    return test_kds_body_make(polygon);
+    return test_kds_body_make(made_polygon(points, count));
 }
 
 // ---- Runs ----
@@ -88,9 +88,7 @@ static bmr_motion *motion_of(const trial *t, int side, double way) {
         piece.as.algebraic.x[0] += shift.x;
         piece.as.algebraic.y[0] += shift.y;
     }
-    if (bmr_motion_create(&piece, NULL, &motion) != BMR_OK)
-        return NULL;
-    return motion;
+    return bmr_motion_create(&piece, NULL, &motion) == BMR_OK ? motion : NULL;
 }
 
 typedef struct price {
@@ -98,12 +96,11 @@ typedef struct price {
     double events[STRUCTURES];
 } price;
 
-static bool run_structures(const bmr_course *course, const test_kds_body bodies[2], double diameter,
+static bool run_structures(const bmr_course *course, const bmr_shape *a, const bmr_shape *b, double diameter,
                            price *cost) {
     for (size_t k = 0; k < STRUCTURES; ++k) {
         bmr_run_def def = {
-            structures[k], {bodies[0].shape, bodies[1].shape}, bmr_default_simulation_def(), false, NULL,
-            NULL};
+            .structure = structures[k], .shapes = {*a, *b}, .simulation = bmr_default_simulation_def()};
         // No margin to speak of: sigma is the least distance less the margin.
         def.simulation.kds.margin = 1e-6 * diameter / cost->ratio;
         bmr_run run;
@@ -118,36 +115,28 @@ static bool run_structures(const bmr_course *course, const test_kds_body bodies[
 /// not found soon, or an angle without a value.
 static bool measure(const trial *t, double ratio, price *cost) {
     enum { ROUNDS = 40 };
-    test_kds_body bodies[2] = {make_body(&t->bodies[0]), make_body(&t->bodies[1])};
-    const double diameter =
-        fmax(bmr_polygon_diameter(bodies[0].polygon), bmr_polygon_diameter(bodies[1].polygon));
+    own_kds_body a = make_body(&t->bodies[0]), b = make_body(&t->bodies[1]);
+    const double diameter = fmax(bmr_polygon_diameter(a.polygon), bmr_polygon_diameter(b.polygon));
     const double sigma = diameter / ratio;
     double way = 12.0, before = diameter;
-    bool found = false;
-    memset(cost, 0, sizeof *cost);
-    for (int round = 0; round < ROUNDS && !found; ++round) {
-        own_motion *a = motion_of(t, 0, way), *b = motion_of(t, 1, way);
+    *cost = (price){.ratio = 0.0};
+    for (int round = 0; round < ROUNDS; ++round) {
+        own_motion *p = motion_of(t, 0, way), *q = motion_of(t, 1, way);
         double distance = 0.0, time;
-        if (a && b &&
-            bmr_least_distance(bodies[0].polygon, bodies[1].polygon, a, b, 0.0, 1.0,
-                               fmax(0.1 * sigma, 0.05 * before), &distance, &time) == BMR_OK &&
-            distance > 0.0) {
-            found = distance < 1.2 * sigma;
-            if (found) {
-                cost->ratio = diameter / distance;
-                const bmr_course course = {{bodies[0].polygon, bodies[1].polygon}, {a, b}, 0.0, 1.0};
-                found = run_structures(&course, bodies, diameter, cost);
-                round = ROUNDS;
-            }
-            way -= 0.97 * (distance - sigma);
-            before = distance;
-        } else {
-            round = ROUNDS;
+        if (!p || !q ||
+            bmr_least_distance(a.polygon, b.polygon, p, q, 0.0, 1.0, fmax(0.1 * sigma, 0.05 * before),
+                               &distance, &time) != BMR_OK ||
+            !(distance > 0.0))
+            return false;
+        if (distance < 1.2 * sigma) {
+            cost->ratio = diameter / distance;
+            const bmr_course course = {{a.polygon, b.polygon}, {p, q}, 0.0, 1.0};
+            return run_structures(&course, &a.shape, &b.shape, diameter, cost);
         }
+        way -= 0.97 * (distance - sigma);
+        before = distance;
     }
-    test_kds_body_destroy(&bodies[0]);
-    test_kds_body_destroy(&bodies[1]);
-    return found;
+    return false;
 }
 
 // ---- By hand ----
@@ -172,13 +161,9 @@ static bmr_motion_piece spin(double radians) {
 
 /// x + vx t, y + vy t with a half turn or so: tan of half the angle is `rate` times the time.
 static bmr_motion_piece rational(double rate, double vx, double bend) {
-    bmr_motion_piece piece = {.kind = BMR_PIECE_ALGEBRAIC, .origin = 0.5};
-    piece.as.algebraic = (bmr_algebraic_piece){.degree = 2, .rotation_degree = 1, .start_c = 1.0};
-    piece.as.algebraic.x[1] = vx;
-    piece.as.algebraic.y[2] = bend;
-    piece.as.algebraic.a[0] = 1.0;
-    piece.as.algebraic.b[1] = rate;
-    return piece;
+    return test_algebraic(
+        0.5, (bmr_algebraic_piece){
+                 .degree = 2, .rotation_degree = 1, .x = {0.0, vx}, .y = {0.0, 0.0, bend}, .b = {0.0, rate}});
 }
 
 /// tan(x / 2) goes from -FOCI_RATE / 2 to FOCI_RATE / 2: nearly a turn.
@@ -241,15 +226,10 @@ static bool measure_gear(double ratio, price *cost) {
     bmr_adversary gear;
     *cost = (price){.ratio = ratio};
     assert_int_equal(bmr_adversary_create(BMR_ADVERSARY_GEAR, corners, 2.0 / ratio, NULL, &gear), BMR_OK);
-    test_kds_body bodies[2] = {test_kds_body_make(gear.polygons[0]), test_kds_body_make(gear.polygons[1])};
-    const bmr_course course = {
-        {bodies[0].polygon, bodies[1].polygon}, {gear.motions[0], gear.motions[1]}, 0.0, 1.0};
-    const bool ran = run_structures(&course, bodies, 2.0, cost);
-    for (int side = 0; side < 2; ++side) {
-        test_kds_body_destroy(&bodies[side]);
-        bmr_motion_destroy(gear.motions[side]);
-    }
-    return ran;
+    own_kds_body a = test_kds_body_make(gear.polygons[0]), b = test_kds_body_make(gear.polygons[1]);
+    own_motion *p = gear.motions[0], *q = gear.motions[1];
+    const bmr_course course = {{a.polygon, b.polygon}, {p, q}, 0.0, 1.0};
+    return run_structures(&course, &a.shape, &b.shape, 2.0, cost);
 }
 
 static void grow(hand kind, double last, bmr_growth growth[STRUCTURES]) {
