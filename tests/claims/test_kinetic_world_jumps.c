@@ -217,9 +217,8 @@ TEST(a_fast_contact_is_not_told_early) {
     const double margin = 1.5e-5, now = 458.25, speed = 4.2e5;
     for (int k = 0; k <= 40; k++) {
         const bmr_polygon *b = box(10.0);
-        own_stage *s = make_stage(BMR_OPEN, 0.0);
+        own_stage *s = make_passing_stage();
         s->def.kds.margin = s->def.kds.hysteresis = margin;
-        s->response.kind = BMR_RESPONSE_PASS;
         assert_int_equal(bmr_world_create(&s->def, now, NULL, &s->world), BMR_OK);
         bmr_algebraic_piece turning = {.rotation_degree = 4, .b = {0.0, 0.17, 0.0, 0.0, 1.0}};
         add_piece(s, b, test_algebraic(now, turning), 0.0);

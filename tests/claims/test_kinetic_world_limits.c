@@ -13,6 +13,11 @@ static void assert_trouble(const stage *s, bmr_error error, bmr_trouble kind, bm
     assert_true(error == BMR_OK || trouble.time == bmr_world_time(s->world));
 }
 
+static void assert_refused(const stage *s, double until, bmr_trouble kind, bmr_body a, bmr_body b) {
+    assert_int_equal(bmr_world_advance(s->world, until), BMR_ERROR_OUT_OF_RANGE);
+    assert_trouble(s, BMR_ERROR_OUT_OF_RANGE, kind, a, b);
+}
+
 TEST(every_trouble_has_its_sentence) {
     for (int i = 0; i <= BMR_TROUBLE_COUNT; i++)
         for (int k = 0; k < i; k++)
@@ -26,7 +31,7 @@ TEST(every_trouble_has_its_sentence) {
 TEST(a_ball_bounces_in_a_box_of_any_width) {
     const bmr_polygon *b = box(1.0);
     const double sizes[] = {10.0, 1e4, 1e6, 2e8};
-    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+    for (size_t i = 0; i < COUNT_OF(sizes); i++) {
         own_stage *s = make_stage(BMR_WALLED, sizes[i]);
         // In a corner, far from the middles of the walls that it meets.
         const double x = sizes[i] - 3.0, y = 2.5 - sizes[i];
@@ -101,9 +106,8 @@ TEST(all_pairs_of_a_long_box_are_all) {
 /// A point in a box of 1e21 of its cells: none of their numbers overflows, and it meets what is there.
 TEST(a_point_in_a_huge_periodic_box_meets_what_is_there) {
     const bmr_vec2 origin = {0.0, 0.0};
-    own_polygon *point = NULL;
+    own_polygon *point = made_polygon(&origin, 1);
     const bmr_polygon *b = box(1e-3);
-    assert_int_equal(bmr_polygon_create(&origin, 1, NULL, &point), BMR_OK);
     for (int all = 0; all < 2; all++) {
         own_stage *s = make_stage(BMR_PERIODIC, 2e8);
         s->def.kds.margin = s->def.kds.hysteresis = 1e-11;
@@ -112,7 +116,7 @@ TEST(a_point_in_a_huge_periodic_box_meets_what_is_there) {
             add_piece(s, point, flight(0.0, 1e-3 * (i + 2), 0.0, 0.0, 0.0, 0.0), 1.0);
         add_piece(s, b, flight(0.0, -0.5, 0.0, 1.0, 0.0, 0.0), 1e6);
         assert_int_equal(bmr_world_audit(s->world), BMR_OK);
-        assert_int_equal(bmr_world_advance(s->world, 1.0), BMR_OK);
+        advance(s, 1.0);
         assert_true(s->count >= 3);
         assert_near(s->contacts[0].time, 0.501, 1e-9);
     }
@@ -130,8 +134,7 @@ TEST(nobody_is_missed_who_is_faster_than_the_tolerance) {
     enum { PLATES = 200 };
     own_polygon *plate = segment(1.0), *needle = segment(0.5);
     for (int spins = 0; spins < 2; spins++) {
-        own_stage *s = make_stage(BMR_OPEN, 0.0);
-        s->response.kind = BMR_RESPONSE_PASS;
+        own_stage *s = make_passing_stage();
         s->def.failure.tolerance = 1e-9;
         for (int i = 0; i < PLATES; i++)
             add_piece(s, plate, flight(0.0, 5.0 * i, 0.0, 0.0, 0.0, spins ? 1e-3 : 0.0), 1.0);
@@ -141,7 +144,8 @@ TEST(nobody_is_missed_who_is_faster_than_the_tolerance) {
     }
 }
 
-/// Where no time lies between the two sides of a contact.
+/// Where no time lies between the two sides of a contact. (Near time 0 it does, however fast they are:
+/// test_kinetic_world_cases.c.)
 TEST(who_is_faster_than_the_clock_is_an_error) {
     const bmr_polygon *b = box(0.5);
     for (int grid = 0; grid < 2; grid++) {
@@ -150,8 +154,7 @@ TEST(who_is_faster_than_the_clock_is_an_error) {
         assert_int_equal(bmr_world_create(&s->def, 1e6, NULL, &s->world), BMR_OK);
         const bmr_body fast = add_piece(s, b, flight(1e6, -3e6, 0.0, 3e6, 0.0, 0.0), 0.0);
         const bmr_body rests = add_piece(s, b, flight(1e6, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0);
-        assert_int_equal(bmr_world_advance(s->world, 1e6 + 2.0), BMR_ERROR_OUT_OF_RANGE);
-        assert_trouble(s, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_SPEED, fast, rests);
+        assert_refused(s, 1e6 + 2.0, BMR_TROUBLE_SPEED, fast, rests);
         assert_near(bmr_world_time(s->world), 1e6 + 1.0, 1e-5);
         // It is so until one of them is gone, or slower.
         assert_int_equal(bmr_world_advance(s->world, 1e6 + 2.0), BMR_ERROR_OUT_OF_RANGE);
@@ -160,12 +163,14 @@ TEST(who_is_faster_than_the_clock_is_an_error) {
         assert_int_equal(s->count, 1);
         assert_trouble(s, BMR_OK, BMR_TROUBLE_NONE, BMR_NO_BODY, BMR_NO_BODY);
     }
-    // Control: the same at a time near 0.
-    own_stage *s = make_stage(BMR_OPEN, 0.0);
-    fly(s, b, -3e6, 0.0, 3e6, 0.0, 0.0);
-    fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
-    advance(s, 2.0);
-    assert_int_equal(s->count, 1);
+}
+
+/// With a margin that is wide beside the rounding of curves; and no pair may have events for ever.
+static stage *make_curves_stage(void) {
+    stage *s = make_passing_stage();
+    s->def.kds.margin = 1e-4;
+    s->def.most_events = 1000;
+    return s;
 }
 
 static bmr_motion_piece curve(double time, bmr_vec2 quadratic, double cubic) {
@@ -180,10 +185,7 @@ TEST(who_flies_past_a_curve_is_met_once) {
     const bmr_polygon *b = box(0.2);
     for (double time = 1e3; time < 1e6; time *= 10.0)
         for (double speed = 10.0; speed < 2e4; speed *= 10.0) {
-            own_stage *s = make_stage(BMR_OPEN, 0.0);
-            s->response.kind = BMR_RESPONSE_PASS;
-            s->def.kds.margin = 1e-4;
-            s->def.most_events = 1000;
+            own_stage *s = make_curves_stage();
             assert_int_equal(bmr_world_create(&s->def, time, NULL, &s->world), BMR_OK);
             add_piece(s, b, curve(time, bmr_vec2_make(0.0, 0.5), 0.0), 0.0);
             add_piece(s, b, flight(time, -speed, 0.5, speed, 0.0, 0.0), 0.0);
@@ -200,8 +202,7 @@ TEST(who_comes_from_afar_on_a_curve_is_not_missed) {
     const bmr_polygon *b = box(30.0);
     size_t met = 0, errors = 0;
     for (double after = 100.0; after < 2e5; after *= 1.7) {
-        own_stage *s = make_stage(BMR_OPEN, 0.0);
-        s->response.kind = BMR_RESPONSE_PASS;
+        own_stage *s = make_passing_stage();
         s->def.most_events = 1000;
         const bmr_body cubic = add_piece(s, b, curve(0.0, bmr_vec2_make(0.0, 0.0), 1.0), 0.0);
         const bmr_body target = fly(s, b, after * after * after, 0.0, 0.0, 0.0, 0.0);
@@ -224,10 +225,7 @@ TEST(who_goes_nearly_the_same_way_is_met_in_time) {
     const bmr_polygon *b = box(0.2);
     for (double common = 1.0; common < 200.0; common *= 10.0)
         for (double apart = 1e-8; apart < 1e-3; apart *= 10.0) {
-            own_stage *s = make_stage(BMR_OPEN, 0.0);
-            s->response.kind = BMR_RESPONSE_PASS;
-            s->def.kds.margin = 1e-4;
-            s->def.most_events = 1000;
+            own_stage *s = make_curves_stage();
             add_piece(s, b, curve(0.0, bmr_vec2_make(0.0, common), 0.0), 0.0);
             bmr_motion_piece other = curve(0.0, bmr_vec2_make(-apart, common), 0.0);
             other.as.algebraic.x[0] = 0.8;
@@ -243,9 +241,7 @@ TEST(who_goes_nearly_the_same_way_is_met_in_time) {
 /// it may never come there.
 TEST(what_the_far_future_does_not_tell_is_no_error_today) {
     const bmr_polygon *b = box(0.2);
-    own_stage *s = make_stage(BMR_OPEN, 0.0);
-    s->response.kind = BMR_RESPONSE_PASS;
-    s->def.kds.margin = 1e-4;
+    own_stage *s = make_curves_stage();
     s->def.all_pairs = true;
     const bmr_body first = add_piece(s, b, curve(0.0, bmr_vec2_make(0.0, 100.0), 0.0), 0.0);
     bmr_motion_piece other = curve(0.0, bmr_vec2_make(0.0, 100.0), 0.0);
@@ -253,8 +249,7 @@ TEST(what_the_far_future_does_not_tell_is_no_error_today) {
     other.as.algebraic.x[1] = -0.01;
     const bmr_body second = add_piece(s, b, other, 0.0);
     advance(s, 10.0);
-    assert_int_equal(bmr_world_advance(s->world, 1.01e5), BMR_ERROR_OUT_OF_RANGE);
-    assert_trouble(s, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_SPEED, first, second);
+    assert_refused(s, 1.01e5, BMR_TROUBLE_SPEED, first, second);
     assert_true(bmr_world_time(s->world) > 5e4);
 }
 
@@ -262,17 +257,16 @@ TEST(what_the_far_future_does_not_tell_is_no_error_today) {
 TEST(who_flies_out_of_the_world_is_an_error) {
     const bmr_polygon *b = box(1.0);
     const double speeds[] = {1.0, 1e20, 1e96, 1e300};
-    for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++) {
+    for (size_t i = 0; i < COUNT_OF(speeds); i++) {
         own_stage *s = make_stage(BMR_OPEN, 0.0);
         const bmr_body flies = fly(s, b, 0.0, 0.0, speeds[i], 0.0, 0.0);
-        assert_int_equal(bmr_world_advance(s->world, 1e300), BMR_ERROR_OUT_OF_RANGE);
-        assert_trouble(s, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_PLACE, flies, BMR_NO_BODY);
+        assert_refused(s, 1e300, BMR_TROUBLE_PLACE, flies, BMR_NO_BODY);
         assert_true(s->events[BMR_WORLD_CROSS] < 300);
     }
     // Two at rest, near each other: nothing ever happens.
     own_stage *s = make_stage(BMR_OPEN, 0.0);
-    for (int i = 0; i < 2; i++)
-        fly(s, b, 2.01 * i, 0.0, 0.0, 0.0, 0.0);
+    fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
+    fly(s, b, 2.01, 0.0, 0.0, 0.0, 0.0);
     advance(s, 1e300);
     assert_int_equal(s->count, 0);
 }
@@ -295,7 +289,7 @@ TEST(a_call_has_as_many_events_as_it_may) {
     assert_true(s->contacts[s->count - 1].time == whole->contacts[s->count - 1].time);
 }
 
-// ---- contacts that nothing ends ----
+// ---- contacts that nothing ends, and short ones ----
 
 /// Bodies at one place each, one after the other pushed into the pile.
 TEST(all_that_sticks_goes_on_as_one) {
@@ -359,8 +353,6 @@ TEST(a_pile_with_cells_is_that_of_all_pairs) {
     assert_int_equal(others, PILES);
 }
 
-// ---- short stretches ----
-
 /// Two boxes that meet flat on a stretch from a tenth down to 1e-9: what elastic impulses keep stays, to
 /// rounding.
 TEST(an_impulse_on_a_short_stretch_keeps_the_energy) {
@@ -370,14 +362,11 @@ TEST(an_impulse_on_a_short_stretch_keeps_the_energy) {
         for (int turn = 0; turn < 30; turn++) {
             own_stage *s = make_stage(BMR_OPEN, 0.0);
             const bmr_pose first = bmr_pose_from_angle(bmr_vec2_make(0.0, 0.0), 0.37 * turn);
-            const bmr_vec2 at = {2.0 * first.c - (1.0 - stretch) * first.s,
-                                 2.0 * first.s + (1.0 - stretch) * first.c};
-            bmr_pose second = first;
-            second.position = at;
-            add_piece(s, b, bmr_piece_screw(0.0, first, bmr_vec2_make(0.0, 0.0), 0.0), 0.0);
+            const bmr_pose second = {bmr_rotate(&first, bmr_vec2_make(2.0, 1.0 - stretch)), first.c, first.s};
+            add_piece(s, b, bmr_piece_rest(first), 0.0);
             add_piece(s, b, bmr_piece_screw(0.0, second, bmr_vec2_make(-first.c, -first.s), 0.0), 0.0);
             const bmr_world_totals before = bmr_world_get_totals(s->world);
-            assert_int_equal(bmr_world_advance(s->world, 1.5), BMR_OK);
+            advance(s, 1.5);
             const bmr_world_totals after = bmr_world_get_totals(s->world);
             assert_true(s->count >= 1);
             flat += s->contacts[0].count == 2;
@@ -406,49 +395,5 @@ TEST(what_is_pushed_together_for_good_is_an_error) {
         assert_true(trouble.a == left || trouble.a == middle);
         assert_true(trouble.b == middle || trouble.b == right);
         assert_near(trouble.time, 3.0, 0.1);
-    }
-}
-
-// ---- numbers ----
-
-TEST(a_place_that_is_no_number_is_an_error) {
-    for (int all = 0; all < 2; all++) {
-        own_stage *s = make_stage(BMR_OPEN, 0.0);
-        s->def.all_pairs = all;
-        const bmr_polygon *b = box(1.0);
-        fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
-        // At the world's time its terms are infinite, of different signs.
-        const bmr_algebraic_piece nowhere = {.degree = 2, .y = {0.0, -1e300, 1e300}};
-        own_motion *motion = made_motion(test_algebraic(-1e300, nowhere));
-        const bmr_shape shape = {.polygon = b};
-        const bmr_body_def def = bmr_default_body_def(&shape, motion);
-        bmr_body body;
-        assert_int_equal(bmr_world_add(s->world, &def, &body), BMR_ERROR_NOT_FINITE);
-        int level = 7;
-        assert_int_equal(bmr_grid_level(s->world, 1.0, bmr_vec2_make(NAN, 0.0), &level),
-                         BMR_ERROR_NOT_FINITE);
-        assert_int_equal(bmr_grid_level(s->world, 1.0, bmr_vec2_make(0.0, NAN), &level),
-                         BMR_ERROR_NOT_FINITE);
-        assert_int_equal(level, 7);
-    }
-}
-
-/// After 2^32 bodies at one place there are no ids left for it.
-TEST(a_place_whose_ids_are_used_up_is_left_alone) {
-    own_stage *s = make_stage(BMR_OPEN, 0.0);
-    const bmr_polygon *b = box(1.0);
-    bmr_body body = fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
-    const bmr_body first = body;
-    assert_int_equal(bmr_world_remove(s->world, body), BMR_OK);
-    s->world->generations[0] = UINT32_MAX - 1; // as if there had been so many
-    body = fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
-    assert_int_equal(body, (uint64_t)(UINT32_MAX - 1) << 32);
-    assert_int_equal(bmr_world_remove(s->world, body), BMR_OK);
-    for (int i = 0; i < 3; i++) {
-        body = fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
-        assert_int_equal(body & UINT32_MAX, 1);
-        assert_int_not_equal(body, first);
-        assert_int_equal(bmr_world_remove(s->world, body), BMR_OK);
-        assert_int_equal(bmr_world_body_count(s->world), 0);
     }
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Kinetic worlds: their memory, what happens where there is none, and walls with every structure.
+// Kinetic worlds: their memory, what happens where there is none, walls with every structure, and places that
+// are no numbers or have no ids left.
 #include "failing_allocator.h"
 #include "test_scale.h"
+#include "world/parts.h"
 #include "world_stage.h"
 
 TEST(memory_is_linear_and_given_back) {
@@ -147,4 +149,46 @@ TEST(walls_work_with_every_structure) {
     assert_true(tried > 5 && refused > 5);
     for (int k = 0; k < BMR_HIERARCHY_KIND_COUNT; k++)
         bmr_hierarchy_destroy(hierarchies[k], NULL);
+}
+
+TEST(a_place_that_is_no_number_is_an_error) {
+    for (int all = 0; all < 2; all++) {
+        own_stage *s = make_stage(BMR_OPEN, 0.0);
+        s->def.all_pairs = all;
+        const bmr_polygon *b = box(1.0);
+        fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
+        // At the world's time its terms are infinite, of different signs.
+        const bmr_algebraic_piece nowhere = {.degree = 2, .y = {0.0, -1e300, 1e300}};
+        own_motion *motion = made_motion(test_algebraic(-1e300, nowhere));
+        const bmr_shape shape = {.polygon = b};
+        const bmr_body_def def = bmr_default_body_def(&shape, motion);
+        bmr_body body;
+        assert_int_equal(bmr_world_add(s->world, &def, &body), BMR_ERROR_NOT_FINITE);
+        int level = 7;
+        assert_int_equal(bmr_grid_level(s->world, 1.0, bmr_vec2_make(NAN, 0.0), &level),
+                         BMR_ERROR_NOT_FINITE);
+        assert_int_equal(bmr_grid_level(s->world, 1.0, bmr_vec2_make(0.0, NAN), &level),
+                         BMR_ERROR_NOT_FINITE);
+        assert_int_equal(level, 7);
+    }
+}
+
+/// After 2^32 bodies at one place there are no ids left for it.
+TEST(a_place_whose_ids_are_used_up_is_left_alone) {
+    own_stage *s = make_stage(BMR_OPEN, 0.0);
+    const bmr_polygon *b = box(1.0);
+    bmr_body body = fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
+    const bmr_body first = body;
+    assert_int_equal(bmr_world_remove(s->world, body), BMR_OK);
+    s->world->generations[0] = UINT32_MAX - 1; // as if there had been so many
+    body = fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
+    assert_int_equal(body, (uint64_t)(UINT32_MAX - 1) << 32);
+    assert_int_equal(bmr_world_remove(s->world, body), BMR_OK);
+    for (int i = 0; i < 3; i++) {
+        body = fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
+        assert_int_equal(body & UINT32_MAX, 1);
+        assert_int_not_equal(body, first);
+        assert_int_equal(bmr_world_remove(s->world, body), BMR_OK);
+        assert_int_equal(bmr_world_body_count(s->world), 0);
+    }
 }

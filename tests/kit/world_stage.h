@@ -58,6 +58,13 @@ static inline stage *make_stage(bmr_boundary boundary, double size) {
     return s;
 }
 
+/// In the open, where bodies pass.
+static inline stage *make_passing_stage(void) {
+    stage *s = make_stage(BMR_OPEN, 0.0);
+    s->response.kind = BMR_RESPONSE_PASS;
+    return s;
+}
+
 static inline void open_stage(stage *s) {
     assert_int_equal(bmr_world_create(&s->def, 0.0, NULL, &s->world), BMR_OK);
 }
