@@ -6,13 +6,15 @@
 // asked for.
 //
 // These stand in front of Box2D's functions, preloaded or in the program. A block that was never handed out
-// is as it is; so is what Box2D's stack allocator frees, for it is told no sizes.
+// is as it is. Where they are preloaded, what Box2D's stack allocator hands out is overwritten, too: a step's
+// own arrays.
 #include "poison.h"
 
 #include <cstdlib>
 #include <cstring>
 
 #include <box2d/b2_block_allocator.h>
+#include <box2d/b2_stack_allocator.h>
 #include <dlfcn.h>
 #if defined(BOOMERANG_FUZZ_POISON)
 #    include <sanitizer/asan_interface.h>
@@ -72,6 +74,13 @@ void TakeBack(void *memory, int32 size) {
                 static_cast<size_t>(BlockOf(size)) - sizeof(void *));
 }
 } // namespace
+
+void *b2StackAllocator::Allocate(int32 size) {
+    static auto *const real = Real<void *(b2StackAllocator *, int32)>("_ZN16b2StackAllocator8AllocateEi");
+    void *memory = real(this, size);
+    HandOut(memory, size);
+    return memory;
+}
 #endif
 
 void *b2BlockAllocator::Allocate(int32 size) {
