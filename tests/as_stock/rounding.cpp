@@ -2,7 +2,6 @@
 // Worlds that are rounded in another direction than to the nearest, as libraries for intervals leave a
 // thread; worlds where little is left of what is rounded; and trees of boxes that have all their bits.
 #include "as_stock.h"
-#include "box2d_shapes.h"
 #include "tree_play.h"
 
 using namespace as_stock;
@@ -132,21 +131,22 @@ AS_STOCK(
 
 namespace {
 
+/// The least of generators: with these numbers tips meet at the margins of what is proved far out.
+float Between(std::minstd_rand &random, float low, float high) {
+    return low + (high - low) * Real(static_cast<int>(random() % 4096u)) / 4096.0f;
+}
+
 /// A triangle whose tip is at a place, and which lies in some direction of it, more or less.
-b2Body *AddTip(Game &game, b2BodyType type, b2Vec2 at, float direction, shapes::Engine &random) {
-    const float width = shapes::UniformF(random, 0.05, 1.2),
-                lies = direction + shapes::UniformF(random, -0.6, 0.6);
+b2Body *AddTip(Game &game, b2BodyType type, b2Vec2 at, float direction, std::minstd_rand &random) {
+    const float width = Between(random, 0.05f, 1.2f), lies = direction + Between(random, -0.6f, 0.6f);
     const b2Vec2 corners[3] = {{0.0f, 0.0f},
-                               shapes::UniformF(random, 0.3, 0.9) * b2Rot(lies - width).GetXAxis(),
-                               shapes::UniformF(random, 0.3, 0.9) * b2Rot(lies + width).GetXAxis()};
-    b2BodyDef def;
-    def.type = type;
-    def.position = at;
-    def.allowSleep = false;
-    b2Body *body = game.world.CreateBody(&def);
+                               Between(random, 0.3f, 0.9f) * b2Rot(lies - width).GetXAxis(),
+                               Between(random, 0.3f, 0.9f) * b2Rot(lies + width).GetXAxis()};
+    b2Body *body = game.Body(type, at);
+    body->SetSleepingAllowed(false);
     b2PolygonShape triangle;
     triangle.Set(corners, 3);
-    body->CreateFixture(&triangle, 1.0f);
+    game.Fixture(body, triangle);
     return body;
 }
 
@@ -155,7 +155,7 @@ b2Body *AddTip(Game &game, b2BodyType type, b2Vec2 at, float direction, shapes::
 void PlayCorners(Run &run, float far) {
     constexpr int kSteps = 60;
     Game game(run);
-    shapes::Engine random(static_cast<uint32_t>(far));
+    std::minstd_rand random(static_cast<uint32_t>(far));
     struct Pair {
         b2Body *moved;
         b2Vec2 tip, from;
@@ -163,7 +163,7 @@ void PlayCorners(Run &run, float far) {
     std::vector<Pair> pairs;
     for (int i = 0; i < 150; ++i) {
         const b2Vec2 tip(far + 3.0f * Real(i % 12), far + 3.0f * Real(i / 12));
-        const float direction = shapes::UniformF(random, 0.0, 6.3);
+        const float direction = Between(random, 0.0f, 6.3f);
         AddTip(game, b2_staticBody, tip, direction + b2_pi, random);
         const b2Vec2 from = 0.09f * b2Rot(direction).GetXAxis();
         pairs.push_back({AddTip(game, b2_dynamicBody, tip + from, direction, random), tip, from});

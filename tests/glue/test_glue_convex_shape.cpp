@@ -2,15 +2,11 @@
 // bmr::ConvexShape as a shape: what it is up to 8 vertices and above, and what goes wrong.
 #include <csignal>
 
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <box2d/box2d.h>
 
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
-#include "cases.h"
+#include "in_child.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/convex_registry.h"
 
@@ -37,20 +33,14 @@ bool SameBits(const b2PolygonShape &a, const b2PolygonShape &b) {
 
 /// Does Box2D's own Set end the program on these points? In a child, for it may.
 bool StockAsserts(const Points &points) {
-    std::fflush(nullptr);
-    const pid_t child = fork();
-    REQUIRE(child >= 0);
-    if (child == 0) {
+    const auto set = [&points](as_stock::Run &) {
         const rlimit none = {0, 0};
         setrlimit(RLIMIT_CORE, &none);
         std::signal(SIGABRT, SIG_DFL);
         std::fclose(stderr);
         b2PolygonShape().Set(points.data(), static_cast<int32>(points.size()));
-        _exit(0);
-    }
-    int status = 0;
-    REQUIRE(waitpid(child, &status, 0) == child);
-    return WIFSIGNALED(status);
+    };
+    return as_stock::InChild(set) != "";
 }
 
 bool Welds(const Points &points) {
