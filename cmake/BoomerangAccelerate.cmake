@@ -175,6 +175,9 @@ function(boomerang_accelerate)
     "${root}/box2d_glue/include" "${root}/box2d_glue/recorder/include" "${root}/plugin" "${root}/plugin/include")
   target_include_directories(${ours} SYSTEM PRIVATE "$<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>")
   target_compile_definitions(${ours} PRIVATE BMR_RENAMED "$<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>")
+  # Options that lay out Box2D's classes, or that find its b2_user_settings.h.
+  target_compile_options(${ours} PRIVATE
+    "$<FILTER:$<TARGET_PROPERTY:${target},COMPILE_OPTIONS>,INCLUDE,^(SHELL:)?[-/](D|I|U|isystem|fpack-struct|fshort-enums|Zp)>")
   if(MSVC)
     target_compile_options(${ours} PRIVATE /fp:precise)
   else()

@@ -31,9 +31,9 @@ const char *IsAnother(const Constant &constant) {
     return anotherConstant;
 }
 
-/// Measured to a few units in the last place of 1, the distance over which both points below fly.
+/// Measured to a few units in the last place of a metre, the distance over which both points below fly.
 bool Agrees(const Constant &constant) {
-    constexpr float kError = 4.0f * FLT_EPSILON;
+    constexpr float kError = 4.0f * FLT_EPSILON * kTrialMetre;
     return std::fabs(constant.here - constant.expected) <= kError;
 }
 
@@ -85,10 +85,10 @@ const char *WhyFatBoxesAreOthers(b2BroadPhase *broadPhase, Constant *extension) 
     return std::fabs(multiplier.here - multiplier.expected) <= kError ? nullptr : IsAnother(multiplier);
 }
 
-/// Two points, 1 apart, of which one flies at the other.
+/// Two points, a metre apart, of which one flies at the other.
 float MeasureSlop() {
-    const b2Vec2 origin(0.0f, 0.0f);
-    return 1.0f - TrialImpact(Point(&origin), b2Vec2(1.0f, 0.0f), Point(&origin), b2Vec2(1.0f, 0.0f));
+    const b2Vec2 origin(0.0f, 0.0f), way(kTrialMetre, 0.0f);
+    return kTrialMetre * (1.0f - TrialImpact(Point(&origin), way, Point(&origin), way));
 }
 
 /// The same: polygons have at least this radius for b2ShapeCast, and overlap by it where they touch.
@@ -98,10 +98,11 @@ float MeasureRadius() {
     input.proxyA = input.proxyB = Point(&origin);
     input.transformA.SetIdentity();
     input.transformB.SetIdentity();
-    input.transformB.p.Set(1.0f, 0.0f);
-    input.translationB.Set(-1.0f, 0.0f);
+    input.transformB.p.Set(kTrialMetre, 0.0f);
+    input.translationB.Set(-kTrialMetre, 0.0f);
     b2ShapeCastOutput output;
-    return b2ShapeCast(&output, &input) ? 1.0f - output.lambda : 1.0f; // a larger one has no way to fly
+    const float way = b2ShapeCast(&output, &input) ? output.lambda : 0.0f; // a larger radius leaves none
+    return kTrialMetre * (1.0f - way);
 }
 
 } // namespace
@@ -126,7 +127,7 @@ float TrialImpact(const b2DistanceProxy &flying, b2Vec2 way, const b2DistancePro
 
 const char *WhyVerticesAreOthers(b2PolygonShape *shape, size_t margin) {
     const b2Vec2 firstNormal(0.0f, -1.0f);
-    shape->SetAsBox(1.0f, 1.0f);
+    shape->SetAsBox(kTrialMetre, kTrialMetre);
     if (shape->m_count == 4 && shape->m_normals[0] == firstNormal)
         return nullptr;
     // Behind as many vertices as there are in this Box2D stand the normals.

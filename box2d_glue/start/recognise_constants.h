@@ -27,8 +27,16 @@ struct b2DistanceProxy;
 
 namespace bmr {
 
+/// A metre or more, in units of length. A power of two, for nothing is to be rounded.
+constexpr float kTrialMetre = [] {
+    float metre = 1.0f;
+    while (metre < b2_lengthUnitsPerMeter)
+        metre *= 2.0f;
+    return metre;
+}();
+
 /// Why the polygons of this Box2D are laid out otherwise, or nullptr. Makes `shape`, which has `margin` bytes
-/// of room behind it, a box of half-width 1.
+/// of room behind it, a box whose half-width is a metre.
 const char *WhyVerticesAreOthers(b2PolygonShape *shape, size_t margin);
 
 /// Why the other constants are unknown, or nullptr, in a world whose fields are where they should be; `world`

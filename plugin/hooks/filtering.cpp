@@ -48,6 +48,8 @@ void b2Fixture::SetFilterData(const b2Filter &filter) {
 
 b2Joint *b2World::CreateJoint(const b2JointDef *def) {
     b2Joint *joint = stock::CreateJoint(this, def);
+    if (!AnyLedger()) // whose user data may have any size in a Box2D that is not known
+        return joint;
     // Box2D reads the definition: a gear joint's own bodies are other ones.
     NoteFiltering(joint != nullptr ? def->bodyB : nullptr);
     return joint;

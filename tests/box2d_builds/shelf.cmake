@@ -14,8 +14,9 @@
 #   lean        an archive: C++20, precompiled headers,        as static, and nothing of it knows of types
 #               -fno-rtti
 #   regrouped   an archive: -ffast-math                        the same source rounds otherwise in another function
+#   pixels      an archive: b2_lengthUnitsPerMeter 32          what Boomerang tries out when it starts is of no fixed size
 #
-# The last two are there with BOX2D_BUILDS_LONG alone. Those in ${BOX2D_ACCELERATED} are built a second time, from the same sources by the
+# The last three are there with BOX2D_BUILDS_LONG alone. Those in ${BOX2D_ACCELERATED} are built a second time, from the same sources by the
 # same flags, with boomerang_accelerate: box2d_VARIANT_accelerated, in <build>/VARIANT/accelerated/. (Where the first is of one
 # source, this is of CMake's unity; without BOX2D_BUILDS_LONG always.)
 #
@@ -32,9 +33,9 @@ set(BOX2D_SHELF debian ndebug allocator units10 fma static lto onefile hidden)
 set(BOX2D_SHELF_STATIC static hidden)
 set(BOX2D_ACCELERATED static)
 if(BOX2D_BUILDS_LONG)
-  list(APPEND BOX2D_SHELF lean regrouped)
-  list(APPEND BOX2D_SHELF_STATIC lean regrouped)
-  set(BOX2D_ACCELERATED static ndebug allocator units10 fma lto hidden lean regrouped)
+  list(APPEND BOX2D_SHELF lean regrouped pixels)
+  list(APPEND BOX2D_SHELF_STATIC lean regrouped pixels)
+  set(BOX2D_ACCELERATED static ndebug allocator units10 fma lto hidden lean regrouped pixels)
 endif()
 
 execute_process(COMMAND dpkg-buildflags --get CPPFLAGS OUTPUT_VARIABLE debian_preprocessor OUTPUT_STRIP_TRAILING_WHITESPACE
@@ -102,12 +103,6 @@ function(box2d_variant name)
       target_precompile_headers(${target} PRIVATE ${with_HEADER})
       set_target_properties(${target} PROPERTIES CXX_STANDARD 20)
     endif()
-    # What else a game's settings say are definitions that its own sources see, too.
-    foreach(flag IN LISTS game)
-      if(flag MATCHES "^-D(B2_.*)")
-        target_compile_definitions(${target} PRIVATE ${CMAKE_MATCH_1})
-      endif()
-    endforeach()
     if(target MATCHES "_accelerated$")
       boomerang_accelerate(${target})
       target_compile_options(${target}_boomerang PRIVATE ${BOX2D_BUILDS_OURS} ${with_OURS})
@@ -137,5 +132,6 @@ macro(box2d_shelf source)
   if(lean IN_LIST BOX2D_SHELF)
     box2d_variant(lean ARCHIVE FILE_BY_FILE FLAGS -O2 GAME -fno-rtti HEADER ${source}/include/box2d/box2d.h)
     box2d_variant(regrouped ARCHIVE FILE_BY_FILE FLAGS -O3 -ffast-math GAME ${fused})
+    box2d_variant(pixels ARCHIVE FLAGS -O2 GAME -Db2_lengthUnitsPerMeter=32.0f SETTINGS ${CMAKE_CURRENT_LIST_DIR}/settings/units10)
   endif()
 endmacro()

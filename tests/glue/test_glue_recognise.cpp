@@ -38,6 +38,9 @@ enum class Oddity {
     kSmallerUserDataOfBody,
     kLargerUserDataOfFixture,
     kSmallerUserDataOfFixture,
+    kLargerUserDataOfJoint,
+    kSmallerUserDataOfJoint,
+    kUserDataOfJointElsewhere,
     kMoreVertices,
     kFewerVertices,
     kNoNormals,
@@ -247,6 +250,23 @@ bool MoveProxy(b2DynamicTree *tree, int32 proxy, const b2AABB &box, const b2Vec2
         tree, proxy, OddBox(box), oddity == Oddity::kOtherMultiplier ? 0.5f * way : way);
 }
 
+b2Joint *MakeJoint(b2World *world, const b2JointDef *def) __asm__("_ZN7b2World11CreateJointEPK10b2JointDef");
+b2Joint *MakeJoint(b2World *world, const b2JointDef *def) {
+    b2FrictionJointDef read;
+    std::memcpy(static_cast<void *>(&read), static_cast<const void *>(def), sizeof read);
+    // The bodies are where a user datum of two pointers, or of half a one, has them.
+    const auto *const *bodies = reinterpret_cast<b2Body *const *>(&def->bodyA);
+    if (oddity == Oddity::kLargerUserDataOfJoint)
+        std::memcpy(static_cast<void *>(&read.bodyA), bodies + 1, 2 * sizeof *bodies);
+    if (oddity == Oddity::kSmallerUserDataOfJoint)
+        std::memcpy(static_cast<void *>(&read.bodyA), bodies - 1, 2 * sizeof *bodies);
+    b2Joint *joint = Real<b2Joint *(b2World *, const b2JointDef *)>(
+        "_ZN7b2World11CreateJointEPK10b2JointDef")(world, &read);
+    if (oddity == Oddity::kUserDataOfJointElsewhere)
+        joint->GetUserData().pointer >>= 32;
+    return joint;
+}
+
 /// As where b2_maxPolygonVertices is another.
 void LayOut(b2PolygonShape *shape, size_t vertices) {
     auto *bytes = reinterpret_cast<unsigned char *>(shape->m_vertices);
@@ -302,6 +322,9 @@ TEST_CASE("user data of another size are noticed") {
     CHECK(Why(Oddity::kSmallerUserDataOfBody) == "b2BodyUserData has not the size that it has in 2.4.1");
     CHECK(Why(Oddity::kSmallerUserDataOfFixture) ==
           "b2FixtureUserData has not the size that it has in 2.4.1");
+    for (const Oddity odd :
+         {Oddity::kLargerUserDataOfJoint, Oddity::kSmallerUserDataOfJoint, Oddity::kUserDataOfJointElsewhere})
+        CHECK(Why(odd) == "b2JointUserData has not the size that it has in 2.4.1");
 }
 
 TEST_CASE("another constant is noticed, and named") {

@@ -5,7 +5,9 @@
 
 #include "../common_user_data.h"
 
-#define b2_lengthUnitsPerMeter 10.0f
+#if !defined(b2_lengthUnitsPerMeter)
+#    define b2_lengthUnitsPerMeter 10.0f
+#endif
 
 inline void *b2Alloc(int32 size) {
     return b2Alloc_Default(size);
