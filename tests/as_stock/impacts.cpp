@@ -89,19 +89,6 @@ AS_STOCK("passed: a listener makes bullets of the shots, and disables the contac
     range.Step(4);
 }
 
-AS_STOCK("settled: a listener steps the world, which is not to look for impacts in that step") {
-    Range range(run);
-    range.Shoot(0.0f, 240.0f);
-    range.listener.begin.Once([&range] {
-        Range::MakeBullets(range.leaning);
-        range.Shoot(240.0f, 0.0f);
-        range.world.SetContinuousPhysics(false);
-        range.world.Step(1.0f / 60.0f, 8, 3);
-        range.world.SetContinuousPhysics(true);
-    });
-    range.Step(4);
-}
-
 AS_STOCK("met: a listener has bodies meet in a step of no time, which lean on each other when their islands "
          "are built") {
     Range range(run);

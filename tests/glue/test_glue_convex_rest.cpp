@@ -70,7 +70,7 @@ AS_STOCK("a big shape rests with its own edge on every kind of shape, in either 
                 const float skin = ground.GetType() == b2Shape::e_circle ? b2_polygonRadius : skins;
                 game.Stage(gap > skin - 4.0f * b2_linearSlop && gap < skin + 2.0f * b2_linearSlop,
                            "it lies on its lowest edge or vertex");
-                game.Stage(middle > kRadius * std::cos(kPi / static_cast<float>(count)) - 0.02f,
+                game.Stage(middle > kRadius * std::cos(kPi / Real(count)) - 0.02f,
                            "its middle is as high as the real polygon holds it");
             });
         }

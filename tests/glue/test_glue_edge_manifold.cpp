@@ -113,7 +113,7 @@ Scene Near(Engine &engine, bool onGrid) {
     else
         s.edge.SetOneSided(chain[0], chain[1], chain[2], chain[3]);
     if (onGrid)
-        s.polygon.SetAsBox(0.25f * static_cast<float>(1 + Below(engine, 4)), 0.5f);
+        s.polygon.SetAsBox(0.25f * Real(1 + Below(engine, 4)), 0.5f);
     else
         s.polygon = shapes::RandomPolygon(engine, 1.0 + Below(engine, 3));
     if (Below(engine, 4) == 0)
@@ -211,7 +211,7 @@ TEST_CASE("contacts of edges are ours where Box2D collides edges as we do, and n
         b2EdgeShape edge;
         edge.SetTwoSided({-1.0f, 0.0f}, {1.0f, 0.0f});
         game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), edge);
-        game.Box(game.Body(b2_dynamicBody, {0.0f, 0.5f}), 0.5f, 0.5f);
+        game.Box({0.0f, 0.5f});
         game.world.Step(0.0f, 1, 1);
         run.Print("%d", bmr::EdgeContact::AsOurs(game.world.GetContactList()) != nullptr);
     };

@@ -195,8 +195,8 @@ AS_STOCK("the proof of two big shapes is an edge of one of them, and holds for a
         Heard game(run);
         const b2Body *bodies[2];
         for (int i = 0; i < 2; ++i) {
-            b2Body *body = game.Body(b2_dynamicBody, {1.12f * static_cast<float>(i), 0.0f},
-                                     shapes::UniformF(engine, -3.0, 3.0));
+            b2Body *body =
+                game.Body(b2_dynamicBody, {1.12f * Real(i), 0.0f}, shapes::UniformF(engine, -3.0, 3.0));
             bmr::ConvexShape shape;
             run.Expect(shape.SetRegular(9 + shapes::Below(engine, round < 30 ? 1 : 60), 0.55f) == BMR_OK,
                        "a shape");

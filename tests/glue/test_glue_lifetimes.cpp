@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Who is born and dies when: installation, contacts, worlds; callers of Evaluate; odd bodies and
 // places. tests/faults takes handling out of the glue and expects test cases here to fail.
-#include "as_stock.h"
+#include "yard.h"
 
 using namespace as_stock;
 
 namespace {
 
 constexpr float kPi = 3.14159274f;
-constexpr float kSlant = 0.25f * kPi;
 
 b2Vec2 OnCircle(int i, int count, float radius) {
     return b2Mul(b2Rot(2.0f * kPi * Real(i) / Real(count)), b2Vec2(radius, 0.0f));
@@ -27,12 +26,11 @@ void Coin(Game &game, b2Body *body, int count, float radius) {
     }
 }
 
-/// Two slanted planks of two fixtures each, `across` apart, around a place.
+/// Two slanted planks, `across` apart, around a place.
 void Planks(Game &game, b2Vec2 place, float across, b2Body *bodies[2]) {
     for (int i = 0; i < 2; ++i) {
-        const b2Vec2 offset = b2Mul(b2Rot(kSlant), b2Vec2(0.0f, across * Real(i)));
-        bodies[i] = game.Body(b2_dynamicBody, place + offset, kSlant);
-        bodies[i]->SetSleepingAllowed(false);
+        bodies[i] = Slanting(game, across * Real(i));
+        bodies[i]->SetTransform(place + bodies[i]->GetPosition(), kSlant);
         game.Plank(bodies[i]);
     }
 }
@@ -275,7 +273,7 @@ AS_STOCK("beyond the reach all is left to Box2D's own arithmetic") {
         game.Stage(game.Touching() == 0 && game.world.GetContactCount() >= 2, "apart");
         if (run.Counts() && !run.RemembersEdges())
             run.Expect(bmr::internal::ReadCounts().provedApart == 0, "no certificate is trusted there");
-        bodies[1]->SetLinearVelocity(b2Mul(b2Rot(kSlant), b2Vec2(0.1f, -1.0f)));
+        bodies[1]->SetLinearVelocity(Slanted(0.1f, -1.0f));
         game.Step(60);
     }
 }

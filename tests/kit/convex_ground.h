@@ -11,6 +11,7 @@
 namespace ground {
 
 using as_stock::Game;
+using as_stock::Real;
 using bmr::ConvexShape;
 
 constexpr float kRadius = 0.5f;
@@ -20,8 +21,7 @@ constexpr float kPi = 3.14159265358979f;
 inline ConvexShape Coin(int32 count, float radius = kRadius) {
     std::vector<b2Vec2> vertices;
     for (int32 i = 0; i < count; ++i) {
-        const float angle =
-            2.0f * kPi * (static_cast<float>(i) + 0.5f) / static_cast<float>(count) - 0.5f * kPi;
+        const float angle = 2.0f * kPi * (Real(i) + 0.5f) / Real(count) - 0.5f * kPi;
         vertices.push_back(radius * b2Vec2(std::cos(angle), std::sin(angle)));
     }
     ConvexShape shape;
@@ -42,7 +42,7 @@ inline b2EdgeShape Edge(bool oneSided) {
 inline b2ChainShape Chain() {
     b2Vec2 points[11];
     for (int i = 0; i < 11; ++i)
-        points[i].Set(5.0f - static_cast<float>(i), 0.0f);
+        points[i].Set(5.0f - Real(i), 0.0f);
     b2ChainShape chain;
     chain.CreateChain(points, 11, {6.0f, 0.0f}, {-6.0f, 0.0f});
     return chain;
