@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Who is born and dies when: installation, contacts, worlds; callers of Evaluate; odd bodies and
 // places. tests/faults takes handling out of the glue and expects test cases here to fail.
+#include "boomerang/convex_shape.h"
 #include "yard.h"
 
 using namespace as_stock;
@@ -187,6 +188,10 @@ AS_STOCK("a world that dies with contacts alive leaks nothing") {
             Coin(game, game.Body(b2_dynamicBody, {1.9f * Real(i), 1.8f * Real(i % 2)}), 100, 1.0f);
         b2Body *bodies[2];
         Planks(game, {0.0f, 10.0f}, 0.6f, bodies);
+        bmr::ConvexShape big;
+        game.Stage(big.SetRegular(64, 1.0f) == BMR_OK, "a big shape");
+        for (const float x : {0.0f, 1.9f, 4.1f})
+            game.Fixture(game.Body(b2_dynamicBody, {x, 20.0f}), big);
         for (int i = 0; i < 2; ++i)
             game.world.Step(1.0f / 60.0f, 8, 3);
         game.Stage(game.world.GetContactCount() > 5, "contacts alive");
