@@ -246,24 +246,24 @@ void ImpactPass::ReadWhatGameDid() {
         }
 }
 
-/// From the marks alone: known times are in the heap, all other pairs are asked.
+/// From the marks alone: known times are in the heap, all others of who is awake are asked.
 void ImpactPass::Rebuild() {
     m_ledger->TakeMarks();
     Marks &marks = m_ledger->GetMarks();
     m_budgetsDoubted = true; // what is known by now stays so
     marks.heapCount = 0;
     marks.parked.ClearAll();
-    m_ledger->GetMovers().LookAtAllSweeps(m_ledger->CurrentLook());
-    m_flagsAreRead = true;
-    for (uint32_t i = 0; i < m_ledger->Count() && m_ledger != nullptr; ++i) {
-        marks.asked.Clear(i);
+    marks.asked.ClearAll();
+    if (m_gameRan)
+        m_ledger->GetMovers().LookAtAllSweeps(m_ledger->CurrentLook());
+    for (uint32_t i = 0; m_ledger != nullptr && i < m_ledger->Count(); ++i) {
         if (m_ledger->Contact(i) == nullptr)
             continue;
-        EnableIfOwed(i); // the game may have disabled it since the step stopped
+        if (m_gameRan ? m_ledger->WatchIfAwake(i) : m_ledger->IsWatched(i))
+            marks.asked.Set(i);
+        EnableIfOwed(i); // the game may have disabled it meanwhile
         if (marks.known.Has(i))
             Queue(i);
-        else
-            marks.asked.Set(i);
     }
 }
 

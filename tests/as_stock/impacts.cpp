@@ -140,6 +140,28 @@ AS_STOCK("pausing: between two sub-steps a game disables a contact whose impact 
     game.Step(20);
 }
 
+// It is on its way back from the first wall, to a second one, as the loop over contacts passes it.
+AS_STOCK("dozing: between two sub-steps a shot falls asleep, and the next listener wakes it") {
+    Game game(run);
+    game.Listen();
+    game.Awake({40.0f, 0.0f});
+    game.Awake({40.9f, 0.0f}); // they overlap, and call the listener in every step
+    for (int i = 0; i < 12; ++i)
+        game.Near({80.0f, 4.0f * Real(i)});
+    game.Step(2);
+    for (const float x : {-0.6f, 0.6f})
+        game.Wall({x, 0.0f}, {0.1f, 1.0f});
+    b2Body *const shot = game.Awake({0.3f, 0.0f}, {0.1f, 0.1f});
+    shot->GetFixtureList()->SetRestitution(1.0f);
+    game.Step(2);
+    game.world.SetSubStepping(true);
+    shot->SetLinearVelocity({110.0f, 0.0f});
+    game.Step();
+    shot->SetAwake(false);
+    game.listener.preSolve.Once([shot] { shot->SetAwake(true); });
+    game.Step(20);
+}
+
 // A filter is asked about these.
 AS_STOCK("geared: gear joints are made whose definitions name bodies that the joints do not join") {
     Range range(run);
