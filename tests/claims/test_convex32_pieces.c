@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Pieces of outlines: what they know of their seams, and where they leave contacts to their neighbours.
+// Pieces of outlines: what they know of their seams, where they leave contacts to their neighbours, and how
+// rays come into them, and past the ends of their inner edges.
 #include "checks.h"
-#include "convex32/convex32_pieces.h"
+#include "outline_pieces.h"
 
 static const float skins = 0.02f, tolerance = 0.0005f;
 static const bmr_transform32 here = {{0.0f, 0.0f}, 0.0f, 1.0f};
-
-static bmr_piece_corner32 corner(float x, float y, bool inner, float to_x, float to_y) {
-    const bmr_piece_corner32 c = {{x, y}, {to_x, to_y}, inner};
-    return c;
-}
 
 static bmr_transform32 at(float x, float y) {
     const bmr_transform32 pose = {{x, y}, 0.0f, 1.0f};
@@ -23,19 +19,7 @@ static bmr_convex32_block *right_half(float before) {
     const bmr_piece_corner32 corners[] = {
         corner(0.0f, -1.0f, false, -1.0f, -1.0f - before), corner(1.0f, -1.0f, false, 0.0f, 0.0f),
         corner(1.0f, 0.0f, false, 0.0f, 0.0f), corner(0.0f, 0.0f, true, -1.0f, before)};
-    bmr_convex32_block *block = NULL;
-    assert_int_equal(bmr_convex32_create_piece(corners, 4, NULL, &block), BMR_OK);
-    return block;
-}
-
-static bmr_convex32_block *polygon_of(uint32_t count, float radius) {
-    bmr_vec32 v[64];
-    for (uint32_t i = 0; i < count; ++i) {
-        const double angle = 6.283185307179586 * ((double)i + 0.5) / (double)count;
-        v[i].x = radius * (float)cos(angle);
-        v[i].y = radius * (float)sin(angle);
-    }
-    return made_convex32(v, count);
+    return made_piece(corners, 4);
 }
 
 /// The manifold of the piece and another polygon; its normal in the world, from the piece.
@@ -87,8 +71,7 @@ TEST(a_corner_between_inner_edges_admits_nothing) {
     const bmr_piece_corner32 corners[] = {corner(0.0f, 0.0f, true, 0.0f, 0.0f),
                                           corner(1.0f, 0.0f, false, 0.0f, -1.0f),
                                           corner(0.0f, 1.0f, true, -1.0f, 0.0f)};
-    own_convex32 *block = NULL;
-    assert_int_equal(bmr_convex32_create_piece(corners, 3, NULL, &block), BMR_OK);
+    own_convex32 *block = made_piece(corners, 3);
     for (int i = 0; i < 16; ++i) {
         const bmr_vec32 d = {cosf(0.4f * (float)i), sinf(0.4f * (float)i)};
         assert_false(bmr_convex32_admits(&block->polygon, 0, d, 1e-3f));
@@ -189,9 +172,7 @@ static bmr_convex32_block *left_half(void) {
     const bmr_piece_corner32 corners[] = {
         corner(-1.0f, -1.0f, false, 0.0f, 0.0f), corner(0.0f, -1.0f, true, 1.0f, -1.0f),
         corner(0.0f, 0.0f, false, 1.0f, 0.0f), corner(-1.0f, 0.0f, false, 0.0f, 0.0f)};
-    bmr_convex32_block *block = NULL;
-    assert_int_equal(bmr_convex32_create_piece(corners, 4, NULL, &block), BMR_OK);
-    return block;
+    return made_piece(corners, 4);
 }
 
 /// Narrower than the skins, or soon so: each of the two squares would leave it to the other.
@@ -229,8 +210,7 @@ TEST(straight_stretches_with_seams_carry_each_other) {
     const bmr_piece_corner32 corners[] = {
         corner(-0.5f, 0.0f, false, -1.5f, 0.0f), corner(0.5f, 0.0f, false, 0.0f, 0.0f),
         corner(0.5f, 1.0f, false, 0.0f, 0.0f), corner(-0.5f, 1.0f, true, -1.5f, 1.0f)};
-    own_convex32 *upper = NULL;
-    assert_int_equal(bmr_convex32_create_piece(corners, 4, NULL, &upper), BMR_OK);
+    own_convex32 *upper = made_piece(corners, 4);
     for (int i = -4; i <= 4; ++i) {
         const float turn = 0.004f * (float)i;
         const bmr_transform32 pose = {{0.4f, 0.005f}, sinf(turn), cosf(turn)};
@@ -279,180 +259,125 @@ TEST(an_edge_is_touched_by_faces_alone) {
     assert_true(m.count > 0);
 }
 
-static double random_between(uint32_t *state, double low, double high) {
-    *state = *state * 1664525u + 1013904223u;
-    return low + (high - low) * (double)(*state >> 8) / 16777216.0;
+// ---- rays ----
+
+/// How a ray comes in that hits edge `edge` of the piece at half of its way, if not told otherwise.
+typedef struct entry_told {
+    bmr_entry32 entry;
+    double fraction;
+    bmr_vec32 corner;
+} entry_told;
+
+static entry_told enter(const bmr_convex32_block *piece, float x1, float y1, float x2, float y2,
+                        uint32_t edge) {
+    const bmr_vec32 p1 = {x1, y1}, p2 = {x2, y2};
+    const bmr_piece_ray32 ray = bmr_convex32_piece_ray(p1, p2, 2.0f);
+    entry_told told = {BMR_ENTRY_FACE, 0.5, {9.0f, 9.0f}};
+    told.entry = bmr_convex32_entry(piece, &ray, edge, &told.fraction, &told.corner);
+    return told;
 }
 
-/// Of 3 to 12 vertices on a circle around the origin, of which each edge is inner as often as not.
-static bmr_convex32_block *random_piece(uint32_t *state) {
-    bmr_piece_corner32 corners[12];
-    const uint32_t count = 3 + (uint32_t)random_between(state, 0.0, 9.99);
-    for (uint32_t i = 0; i < count; ++i) {
-        const double angle =
-            6.283185307179586 * ((double)i + random_between(state, 0.0, 0.7)) / (double)count;
-        const float x = (float)cos(angle), y = (float)sin(angle);
-        const float beside = (float)random_between(state, -2.0, 2.0),
-                    out = (float)random_between(state, 0.5, 2.0);
-        corners[i] =
-            corner(x, y, random_between(state, 0.0, 1.0) < 0.5, out * x - beside * y, out * y + beside * x);
+TEST(a_ray_comes_in_by_faces_and_past_ends_of_inner_edges) {
+    own_convex32 *piece = right_half(0.0f);
+    assert_int_equal(enter(piece, 0.5f, 0.5f, 0.5f, -0.5f, 2).entry, BMR_ENTRY_FACE);
+    assert_int_equal(enter(piece, -0.5f, -0.5f, 0.5f, -0.5f, 3).entry, BMR_ENTRY_INNER);
+    assert_int_equal(enter(piece, -0.5f, 0.499f, 0.5f, -0.501f, 3).entry, BMR_ENTRY_INNER);
+    const entry_told through = enter(piece, -0.5f, 0.5f, 0.5f, -0.5f, 3);
+    assert_int_equal(through.entry, BMR_ENTRY_CORNER);
+    assert_true(through.corner.x == 0.0f && through.corner.y == 0.0f && through.fraction == 0.5);
+    // Along the inner edge rounding says anything of where; it comes in at the end that is first.
+    const entry_told down = enter(piece, 0.0f, 0.25f, 0.0f, -1.25f, 3);
+    assert_int_equal(down.entry, BMR_ENTRY_CORNER);
+    assert_true(down.corner.y == 0.0f && fabs(down.fraction - 1.0 / 6.0) < 1e-12);
+    // From afar rounding is more.
+    assert_int_equal(enter(piece, -1e5f, 1e5f + 0.1f, 1e5f, -1e5f + 0.1f, 3).entry, BMR_ENTRY_CORNER);
+    // It passes the far end, after it has come in far from any.
+    assert_int_equal(enter(piece, -4.5e-6f, 0.0f, 4.5e-6f, -1.5f, 3).entry, BMR_ENTRY_INNER);
+    assert_int_equal(enter(piece, -0.5f, 0.0f, 0.5f, -2.0f, 3).entry, BMR_ENTRY_CORNER);
+    assert_int_equal(enter(piece, -1.0f, 0.0f, 1.0f, -0.5f, 3).entry, BMR_ENTRY_INNER);
+}
+
+TEST(a_ray_comes_through_what_is_inside_of_faces_or_beside_seams) {
+    own_convex32 *piece = right_half(0.0f);
+    const bmr_vec32 beside[] = {{-1e-6f, -0.5f}, {1e-6f, -0.5f}, {0.5f, -1e-6f}, {0.5f, 1e-6f},
+                                {0.5f, -0.5f},   {-0.1f, -0.5f}, {0.5f, 0.1f}};
+    const bool through[] = {true, true, false, false, true, false, false};
+    for (size_t i = 0; i < sizeof beside / sizeof *beside; ++i) {
+        const bmr_vec32 far_on = {5.0f, -5.0f};
+        const bmr_piece_ray32 ray = bmr_convex32_piece_ray(beside[i], far_on, 2.0f);
+        // At its begin: nothing before that is asked.
+        assert_int_equal(bmr_convex32_comes_through(piece, &ray, 0.0), through[i]);
+        assert_int_equal(bmr_convex32_comes_through(piece, &ray, 1e-6), through[i]);
     }
-    bmr_convex32_block *block = NULL;
-    assert_int_equal(bmr_convex32_create_piece(corners, count, NULL, &block), BMR_OK);
-    return block;
 }
 
-static bmr_vec32 moved(const bmr_transform32 *pose, bmr_vec32 v) {
-    const bmr_vec32 m = {pose->c * v.x - pose->s * v.y + pose->p.x,
-                         pose->s * v.x + pose->c * v.y + pose->p.y};
-    return m;
-}
-
-/// Along the normal, of the least separated of these points, from the plane through `origin`.
-static float separation_along(const bmr_vec32 *points, uint32_t count, const bmr_transform32 *pose,
-                              bmr_vec32 normal, bmr_vec32 origin) {
-    float least = INFINITY;
-    for (uint32_t i = 0; i < count; ++i) {
-        const bmr_vec32 v = moved(pose, points[i]);
-        least = fminf(least, normal.x * (v.x - origin.x) + normal.y * (v.y - origin.y));
+TEST(a_corner_is_entered_by_the_face_that_is_run_against) {
+    own_convex32 *piece = right_half(0.0f);
+    const bmr_vec32 right_corner = {1.0f, 0.0f}, left_corner = {0.0f, 0.0f}, middle = {0.5f, 0.0f};
+    const bmr_vec32 steep = {2.0f, 2.0f}, flat = {4.0f, 1.0f}, below = {2.0f, -1.0f}, on = {2.0f, 0.0f};
+    const bmr_vec32 hardly_above = {2.0f, 1e-6f}, other_side = {-2.0f, 0.5f};
+    const struct {
+        bmr_vec32 p1, corner, normal; ///< {0, 0}: none is
+    } cases[] = {{steep, right_corner, {0.0f, 1.0f}},     {flat, right_corner, {1.0f, 0.0f}},
+                 {below, right_corner, {1.0f, 0.0f}},     {steep, left_corner, {0.0f, 1.0f}},
+                 {steep, middle, {0.0f, 1.0f}},           {below, left_corner, {0.0f, 0.0f}},
+                 {on, left_corner, {0.0f, 0.0f}},         {hardly_above, left_corner, {0.0f, 0.0f}},
+                 {other_side, left_corner, {0.0f, 1.0f}}, {steep, {1.5f, 0.0f}, {0.0f, 0.0f}},
+                 {steep, {0.5f, 0.1f}, {0.0f, 0.0f}}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const bmr_vec32 p1 = cases[i].p1, c = cases[i].corner;
+        const bmr_vec32 p2 = {p1.x + 2.0f * (c.x - p1.x) - 0.001f, p1.y + 2.0f * (c.y - p1.y)};
+        const bmr_piece_ray32 ray = bmr_convex32_piece_ray(p1, p2, 2.0f);
+        bmr_vec32 normal = {0.0f, 0.0f};
+        double against = 0.0;
+        bmr_convex32_face_against(piece, &ray, c, &against, &normal);
+        assert_true(normal.x == cases[i].normal.x && normal.y == cases[i].normal.y);
+        assert_int_equal(against < 0.0, normal.x + normal.y != 0.0f);
     }
-    return least;
 }
 
-/// The largest separation along a polygon's normals: by every edge and every vertex.
-static float largest_separation(const bmr_convex32 *polygon, const bmr_transform32 *pose,
-                                const bmr_vec32 *points, uint32_t count, const bmr_transform32 *pose_points) {
-    float largest = -INFINITY;
-    const bmr_transform32 turned = {{0.0f, 0.0f}, pose->s, pose->c};
-    for (uint32_t i = 0; i < polygon->count; ++i)
-        largest =
-            fmaxf(largest, separation_along(points, count, pose_points, moved(&turned, polygon->normals[i]),
-                                            moved(pose, polygon->vertices[i])));
-    return largest;
+static bmr_piece_corner32 plain(float x, float y, bool inner) {
+    return corner(x, y, inner, x, y);
 }
 
-/// The separation of a manifold's deepest point; infinite without points.
-static float deepest(const bmr_manifold32 *m, const bmr_transform32 *pose_a, const bmr_transform32 *pose_b) {
-    const bool of_a = m->type == BMR_MANIFOLD_FACE_A;
-    const bmr_transform32 *const face = of_a ? pose_a : pose_b, *const other = of_a ? pose_b : pose_a;
-    const bmr_transform32 turned = {{0.0f, 0.0f}, face->s, face->c};
-    float least = INFINITY;
-    for (uint32_t i = 0; i < (uint32_t)m->count; ++i)
-        least = fminf(least, separation_along(&m->points[i].point, 1, other, moved(&turned, m->normal),
-                                              moved(face, m->plane_point)));
-    return least;
-}
-
-/// Is the vertex of the other that is deepest below the manifold's face in the piece that has the face, as
-/// far as its inner edges tell?
-static bool is_of_a_tip(const bmr_manifold32 *m, const bmr_convex32 *a, const bmr_transform32 *pose_a,
-                        const bmr_convex32 *b, const bmr_transform32 *pose_b) {
-    const bool of_a = m->type == BMR_MANIFOLD_FACE_A;
-    const bmr_convex32 *const piece = of_a ? a : b, *const other = of_a ? b : a;
-    const bmr_transform32 *const pose = of_a ? pose_a : pose_b, *const pose_other = of_a ? pose_b : pose_a;
-    const bmr_transform32 turned = {{0.0f, 0.0f}, pose->s, pose->c};
-    const bmr_vec32 down = moved(&turned, m->normal);
-    bmr_vec32 deepest_vertex = {0.0f, 0.0f};
-    float least = INFINITY;
-    for (uint32_t i = 0; i < other->count; ++i) {
-        const bmr_vec32 v = moved(pose_other, other->vertices[i]);
-        if (down.x * v.x + down.y * v.y < least) {
-            least = down.x * v.x + down.y * v.y;
-            deepest_vertex = v;
+TEST(an_edge_of_several_knows_its_parts) {
+    // Below: a face, another in line with it, two inner edges, a face; on the right two inner edges.
+    const bmr_piece_corner32 corners[] = {
+        plain(0.0f, 0.0f, false), plain(1.0f, 0.0f, false), plain(2.0f, 0.0f, true),
+        plain(3.0f, 0.0f, true),  plain(4.0f, 0.0f, false), plain(6.0f, 0.0f, true),
+        plain(6.0f, 1.0f, true),  plain(6.0f, 2.0f, false), plain(0.0f, 2.0f, false)};
+    enum { COUNT = sizeof corners / sizeof *corners };
+    const struct {
+        bmr_vec32 from;
+        bool inner;
+    } parts[] = {{{0.0f, 0.0f}, false}, {{2.0f, 0.0f}, true}, {{3.0f, 0.0f}, true},
+                 {{4.0f, 0.0f}, false}, {{6.0f, 0.0f}, true}, {{6.0f, 1.0f}, true}};
+    for (size_t first = 0; first < COUNT; ++first) { // wherever the list begins
+        bmr_piece_corner32 turned[COUNT];
+        for (size_t i = 0; i < COUNT; ++i)
+            turned[i] = corners[(first + i) % COUNT];
+        own_convex32 *block = made_piece(turned, COUNT);
+        assert_int_equal(block->polygon.count, 4);
+        assert_int_equal(block->seams.part_count, 6);
+        uint32_t bottom = 0;
+        while (block->polygon.normals[bottom].y != -1.0f)
+            ++bottom;
+        for (uint32_t i = 0; i < 6; ++i) {
+            const uint32_t edge = (bottom + (i < 4 ? 0 : 1)) % 4;
+            uint32_t at = 0; // in order of the edges
+            while (block->seams.parts[at].edge != edge)
+                ++at;
+            const bmr_edge_part32 *const part = &block->seams.parts[at + (i < 4 ? i : i - 4)];
+            assert_true(part->edge == edge && part->inner == parts[i].inner);
+            assert_true(part->from.x == parts[i].from.x && part->from.y == parts[i].from.y);
         }
-    }
-    if (!piece->seams)
-        return false;
-    for (uint32_t i = 0; i < piece->count; ++i) {
-        const bmr_vec32 n = moved(&turned, piece->normals[i]), v = moved(pose, piece->vertices[i]);
-        if (piece->seams->inner[i] && n.x * (deepest_vertex.x - v.x) + n.y * (deepest_vertex.y - v.y) > 1e-6f)
-            return false;
-    }
-    return true;
-}
-
-enum { AGAINST_POLYGON, AGAINST_PIECE, AGAINST_EDGE, AGAINST_CHAIN, AGAINST_CIRCLE, AGAINST_ALL };
-
-/// What overlaps a piece is not pushed a longer way than out of the plain polygon, but for a skin, and a tip
-/// that ends in the piece by no more than ten: at any pose, whatever its seams are. As a control the piece's
-/// nearest face is often farther away than that.
-TEST(no_manifold_is_deeper_than_the_plain_polygons) {
-    uint32_t state = 7;
-    own_convex32 *box = polygon_of(4, 0.6f);
-    const bmr_vec32 middle = {0.0f, 0.0f};
-    for (int kind = 0; kind < AGAINST_ALL; ++kind) {
-        int touching = 0, far_faces = 0, tips = 0;
-        for (int trial = 0; trial < 1500; ++trial) {
-            own_convex32 *piece = random_piece(&state), *other = random_piece(&state);
-            const double angle = random_between(&state, 0.0, 6.283), way = random_between(&state, 0.0, 1.7);
-            const double to = random_between(&state, 0.0, 6.283);
-            const bmr_transform32 pose = {
-                {(float)(way * cos(to)), (float)(way * sin(to))}, (float)sin(angle), (float)cos(angle)};
-            const bmr_convex32 *const second = kind == AGAINST_PIECE ? &other->polygon : &box->polygon;
-            const bmr_edge32 edge = {{-1.6f, (float)random_between(&state, -1.0, 1.0)},
-                                     {-0.8f, 0.0f},
-                                     {0.8f, 0.0f},
-                                     {1.6f, (float)random_between(&state, -1.0, 1.0)},
-                                     kind == AGAINST_CHAIN};
-            const bmr_vec32 ends[2] = {edge.first, edge.second}, up = {0.0f, 1.0f}, down = {0.0f, -1.0f};
-            const float radii = kind == AGAINST_CIRCLE ? 0.21f : skins;
-            bmr_manifold32 m, plain;
-            memset(&m, 0, sizeof m);
-            memset(&plain, 0, sizeof plain);
-            float nearest, slack = 0.0f;
-            for (int seams = 1; seams >= 0; --seams) {
-                bmr_convex32 polygon = piece->polygon, against = *second;
-                if (seams == 0)
-                    polygon.seams = against.seams = NULL;
-                bmr_manifold32 *const to_fill = seams ? &m : &plain;
-                bmr_convex32_memory memory = {0, 0, 0, 0};
-                if (kind == AGAINST_POLYGON || kind == AGAINST_PIECE)
-                    bmr_convex32_collide(to_fill, &polygon, &here, &against, &pose, radii, tolerance,
-                                         &memory);
-                else if (kind == AGAINST_CIRCLE)
-                    bmr_convex32_collide_circle(to_fill, &polygon, &here, middle, &pose, radii, &memory);
-                else
-                    bmr_convex32_collide_edge(to_fill, &edge, &here, &polygon, middle, &pose, radii, &memory);
-            }
-            const bmr_convex32 *const p = &piece->polygon;
-            const bool by_edge = kind == AGAINST_EDGE || kind == AGAINST_CHAIN;
-            const bmr_vec32 *const points = by_edge                  ? ends
-                                            : kind == AGAINST_CIRCLE ? &middle
-                                                                     : second->vertices;
-            const uint32_t count = by_edge ? 2 : kind == AGAINST_CIRCLE ? 1 : second->count;
-            const bmr_transform32 *const pose_p = by_edge ? &pose : &here, *const pose_o =
-                                                                               by_edge ? &here : &pose;
-            nearest = largest_separation(p, pose_p, points, count, pose_o);
-            if (kind == AGAINST_POLYGON || kind == AGAINST_PIECE)
-                nearest = fmaxf(nearest, largest_separation(second, pose_o, p->vertices, p->count, pose_p));
-            if (by_edge) {
-                nearest = fmaxf(nearest, separation_along(p->vertices, p->count, pose_p, up, edge.first));
-                nearest = fmaxf(nearest, separation_along(p->vertices, p->count, pose_p, down, edge.first));
-                slack = 0.001f + 0.021f * (skins - nearest); // Box2D's own of edges
-            }
-            // Between an edge's neighbours a plain polygon may be deeper itself.
-            const float of_plain = deepest(&plain, &here, &pose), of_piece = deepest(&m, &here, &pose);
-            const float beyond_plain = fminf(nearest, of_plain) - slack - 2.0f * tolerance - of_piece;
-            if (beyond_plain > radii) {
-                assert_true(kind == AGAINST_POLYGON || kind == AGAINST_PIECE);
-                assert_true(beyond_plain <= 10.0f * radii);
-                assert_true(is_of_a_tip(&m, p, &here, second, &pose));
-                ++tips;
-            }
-            touching += m.count > 0;
-            float of_faces = -INFINITY;
-            for (uint32_t i = 0; i < p->count; ++i)
-                if (!p->seams || !p->seams->inner[i])
-                    of_faces =
-                        fmaxf(of_faces,
-                              separation_along(points, count, pose_o,
-                                               moved(&(bmr_transform32){{0.0f, 0.0f}, pose_p->s, pose_p->c},
-                                                     p->normals[i]),
-                                               moved(pose_p, p->vertices[i])));
-            far_faces += m.count > 0 && of_faces < nearest - radii - slack - 2.0f * tolerance;
-        }
-        assert_true(touching > 300);
-        assert_true(far_faces > 30);
-        assert_true((tips > 0) == (kind == AGAINST_POLYGON || kind == AGAINST_PIECE));
+        assert_int_equal(block->seams.inner[bottom], 0);
+        assert_int_equal(block->seams.inner[(bottom + 1) % 4], 1);
+        // A ray comes in by the parts that are faces, and past ends of inner ones.
+        const float from[] = {1.0f, 1.99f, 2.0f, 2.5f, 3.0f, 3.5f, 4.0f, 4.01f};
+        const bmr_entry32 entries[] = {BMR_ENTRY_FACE,   BMR_ENTRY_FACE,  BMR_ENTRY_CORNER, BMR_ENTRY_INNER,
+                                       BMR_ENTRY_CORNER, BMR_ENTRY_INNER, BMR_ENTRY_FACE,   BMR_ENTRY_FACE};
+        for (size_t i = 0; i < sizeof from / sizeof *from; ++i)
+            assert_int_equal(enter(block, from[i], -1.0f, from[i], 1.0f, bottom).entry, entries[i]);
     }
 }
