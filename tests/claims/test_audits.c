@@ -232,27 +232,6 @@ TEST(a_pair_is_audited_field_by_field) {
     }
 }
 
-/// Without hierarchies the lazy structures have nothing to walk on: the pair is a free direction.
-TEST(a_lazy_pair_without_hierarchies_is_audited_as_a_free_direction) {
-    test_random random = {3};
-    OWNED(test_body_destroy)
-    test_body a = test_body_make(test_polygon(TEST_ELLIPSE, 40, &random), BMR_FREE_DIRECTION);
-    const bmr_shape shape = test_body_shape(&a);
-    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind)
-        assert_null(shape.hierarchies[kind]);
-    bmr_pair_def def = bmr_default_pair_def();
-    def.structure = BMR_LAZY_DUDLEY;
-    const bmr_pose near = test_pose_at(a.polygon, a.polygon, 0.3, 0.5, 0.01);
-    bmr_pair pair;
-    bmr_pair_init(&pair);
-    assert_int_equal(bmr_pair_advance(&pair, &def, &shape, &shape, &near, NULL, NULL), BMR_APART);
-    assert_int_equal(pair.structure, BMR_FREE_DIRECTION);
-    assert_int_equal(pair.level, 0);
-    assert_int_equal(bmr_pair_audit(&pair, &def, &shape, &shape, &near), BMR_OK);
-    pair.structure = BMR_LAZY_DUDLEY;
-    assert_int_equal(bmr_pair_audit(&pair, &def, &shape, &shape, &near), BMR_ERROR_INVALID_STRUCTURE);
-}
-
 TEST(a_certificate_whose_bracket_is_wider_than_half_a_turn_is_none) {
     test_random random = {3};
     own_polygon *p = test_polygon(TEST_REGULAR, 8, &random);

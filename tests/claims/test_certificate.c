@@ -275,21 +275,3 @@ TEST(the_audit_looks_where_the_two_points_of_a_window_tie) {
                          above ? BMR_ERROR_FALSE_CERTIFICATE : BMR_OK);
     }
 }
-
-TEST(a_segment_is_its_own_window_in_every_direction) {
-    const bmr_vec2 ends[2] = {{-1.0, 0.5}, {2.0, -0.25}},
-                   triangle[3] = {{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}};
-    own_polygon *segment = made_polygon(ends, 2), *owner = made_polygon(triangle, 3);
-    const bmr_vec2 none = {0.0, 0.0}, down = {0.0, -1.0};
-    bmr_certificate k;
-    bmr_certificate_fill(&k, down, 1.0, ends, 2, none, none, owner->extent, segment->extent);
-    for (int i = 0; i < 360; ++i) {
-        const double angle = i * TWO_PI / 360.0;
-        const bmr_pose q = {{0.0, -4.0}, cos(angle), sin(angle)};
-        assert_int_equal(bmr_certificate_audit(&k, owner, segment, &q), BMR_OK);
-    }
-    // One end alone is not.
-    bmr_certificate_fill(&k, down, 1.0, ends, 1, none, none, owner->extent, segment->extent);
-    const bmr_pose q = {{0.0, -4.0}, 1.0, 0.0};
-    assert_int_equal(bmr_certificate_audit(&k, owner, segment, &q), BMR_ERROR_FALSE_CERTIFICATE);
-}

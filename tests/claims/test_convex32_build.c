@@ -13,18 +13,6 @@
 
 #define PI 3.14159265358979323846
 
-TEST(all_vertices_of_circles_are_kept) {
-    for (uint32_t n = 3; n <= 4096; n = n < 64 ? n + 1 : 2 * n) {
-        bmr_vec32 *points = malloc(n * sizeof *points);
-        assert_non_null(points);
-        for (uint32_t i = 0; i < n; ++i)
-            points[i] = vec(0.5 * cos(2.0 * PI * i / n), 0.5 * sin(2.0 * PI * i / n));
-        own_convex32 *block = made_convex32(points, n);
-        assert_int_equal(block->polygon.count, n);
-        free(points);
-    }
-}
-
 /// Lattice polygons: edges are short primitive vectors in order of direction, so every vertex turns, by more
 /// than a float's rounding.
 static uint32_t lattice_polygon(uint32_t most, bmr_vec32 *points) {
@@ -183,18 +171,6 @@ TEST(the_audit_finds_what_is_wrong) {
     other.buckets = NULL;
     assert_int_equal(bmr_convex32_audit(&other), BMR_ERROR_INVALID_STRUCTURE);
     assert_int_equal(bmr_convex32_audit(&p), BMR_OK);
-}
-
-TEST(a_block_has_the_bytes_announced) {
-    test_random random = {3};
-    own_convex32 *block = random_polygon(&random, 200);
-    test_heap heap;
-    test_heap_init(&heap, SIZE_MAX);
-    bmr_convex32_block *made = NULL;
-    assert_int_equal(
-        bmr_convex32_create(block->polygon.vertices, block->polygon.count, &heap.allocator, &made), BMR_OK);
-    assert_int_equal(heap.bytes, bmr_convex32_bytes(block->polygon.count));
-    bmr_convex32_destroy(made, &heap.allocator);
 }
 
 /// Of a needle whose short side is level, the area is known: half of base times height, both differences of

@@ -137,33 +137,6 @@ TEST_CASE("distances and depths are those of brute force, for all families and g
     MESSAGE("apart " << apart << ", overlapping " << overlapping << ", steps at most " << longest);
 }
 
-TEST_CASE("an answer that is a little wrong is noticed") {
-    test_random random = {5};
-    const Polygon a = Polygon(test_polygon(TEST_REGULAR, 9, &random)),
-                  b = Polygon(test_polygon(TEST_ELLIPSE, 12, &random));
-    const Scene s = Beside(a.get(), b.get(), 0.3, &random);
-    const bmr_closest_points right = Closest(s);
-    REQUIRE(ProvesItself(s, right));
-    bmr_closest_points wrong = right;
-    wrong.distance *= 1.0 + 1e-11;
-    CHECK_FALSE(ProvesItself(s, wrong));
-    wrong = right;
-    wrong.normal = bmr_neg(right.normal);
-    CHECK_FALSE(ProvesItself(s, wrong));
-    wrong = right;
-    wrong.point_a = bmr_add(right.point_a, bmr_scale(1e-10, right.normal)); // off A by that
-    CHECK_FALSE(ProvesItself(s, wrong));
-    const Scene deep = Beside(a.get(), b.get(), -0.3, &random);
-    const long double depth = -distance::SignedDistance(deep.points_a, deep.points_b);
-    bmr_overlap overlap = Overlap(deep);
-    REQUIRE(Agrees(deep, overlap, depth));
-    overlap.normal = bmr_neg(overlap.normal);
-    CHECK_FALSE(Agrees(deep, overlap, depth));
-    overlap = Overlap(deep);
-    overlap.depth *= 1.0 + 1e-11;
-    CHECK_FALSE(Agrees(deep, overlap, depth));
-}
-
 TEST_CASE("a distance takes a logarithmic number of steps") {
     test_random random = {77};
     unsigned most = 0, most_small = 0;
@@ -277,26 +250,4 @@ TEST_CASE("vertices that lie together are no way around a polygon") {
         const long double truth = distance::SignedDistance(s.points_a, s.points_b);
         CHECK(std::fabs(Closest(s).distance - std::fmax(0.0L, truth)) <= s.tolerance);
     }
-}
-
-TEST_CASE("a pose without an angle stands at the origin") {
-    const Polygon box = Hull({{1, 1}, {-1, 1}, {-1, -1}, {1, -1}});
-    const bmr_pose right = bmr_pose_from_angle({5.0, 0.5}, 0.0);
-    bmr_closest_points closest;
-    REQUIRE(bmr_distance(box.get(), nullptr, box.get(), &right, &closest) == BMR_OK);
-    CHECK(closest.distance == 3.0);
-    CHECK(closest.normal.x == 1.0);
-    CHECK(closest.normal.y == 0.0);
-    const bmr_pose quarter = bmr_pose_from_angle({3.0, 0.0}, std::acos(-1.0) / 4.0);
-    REQUIRE(bmr_distance(box.get(), nullptr, box.get(), &quarter, &closest) == BMR_OK);
-    CHECK(closest.distance == doctest::Approx(2.0 - std::sqrt(2.0)));
-    bmr_overlap overlap;
-    REQUIRE(bmr_penetration(box.get(), &right, box.get(), nullptr, &overlap) == BMR_OK);
-    CHECK(overlap.depth == 0.0);
-    const bmr_pose over = bmr_pose_from_angle({1.5, 0.25}, 0.0);
-    REQUIRE(bmr_penetration(box.get(), nullptr, box.get(), &over, &overlap) == BMR_OK);
-    CHECK(overlap.depth == 0.5);
-    CHECK(overlap.normal.x == 1.0);
-    CHECK(overlap.point_a.x == 1.0);
-    CHECK(overlap.point_b.x == 0.5);
 }

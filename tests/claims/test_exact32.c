@@ -164,28 +164,6 @@ TEST(control_other_roundings_and_other_ties_are_told_apart) {
     assert_int_equal(ties.edges_different, 0);
 }
 
-TEST(the_posed_check_has_the_bits_of_its_two_parts) {
-    arrays memory_a, memory_b;
-    for (flavour kind = ORDINARY; kind < FLAVOURS; ++kind) {
-        size_t different = 0, different_poses_swapped = 0;
-        for (size_t round = 0; round < test_scaled(100000); ++round) {
-            const bmr_polygon32 a = random_arrays(&memory_a, 1 + random_below(MOST), kind);
-            const bmr_polygon32 b = random_arrays(&memory_b, 1 + random_below(MOST), kind);
-            const bmr_transform32 pose_a = random_frame(kind), pose_b = random_frame(kind);
-            const bmr_transform32 frame = bmr_exact32_relative(&pose_b, &pose_a);
-            const int32_t edge = random_below(a.count);
-            const bmr_vec32 *vertex = a.vertices + edge, *normal = a.normals + edge;
-            const float wanted = bmr_exact32_edge_separation_scalar(&a, edge, &b, &frame);
-            different += !same_bits(
-                wanted, bmr_exact32_posed_separation(vertex, normal, &pose_a, b.vertices, b.count, &pose_b));
-            different_poses_swapped += !same_bits(
-                wanted, bmr_exact32_posed_separation(vertex, normal, &pose_b, b.vertices, b.count, &pose_a));
-        }
-        assert_int_equal(different, 0);
-        assert_true(different_poses_swapped > 0); // the control
-    }
-}
-
 TEST(nothing_past_count_is_computed_with) {
     arrays memory_a, memory_b;
     size_t raised = 0;
@@ -250,21 +228,4 @@ TEST(nan_never_enters_a_minimum) {
     int32_t edge = -1;
     assert_true(bmr_exact32_max_separation(&square, &other, &still, &edge) == FLT_MAX);
     assert_int_equal(edge, 0);
-}
-
-TEST(relative_frames_undo_the_other_pose) {
-    // Known by heart: the reference one to the right of a body that is turned by 90 degrees lies one below
-    // it.
-    const bmr_transform32 turned = {{2, 3}, 1, 0}, reference = {{3, 3}, 0, 1};
-    const bmr_transform32 r = bmr_exact32_relative(&turned, &reference);
-    assert_true(r.p.x == 0.0f && r.p.y == -1.0f && r.s == -1.0f && r.c == 0.0f);
-    // And anywhere: other * relative = reference, up to rounding.
-    for (int round = 0; round < 10000; ++round) {
-        const bmr_transform32 o = random_frame(ORDINARY), f = random_frame(ORDINARY);
-        const bmr_transform32 g = bmr_exact32_relative(&o, &f);
-        assert_true(fabsf(o.c * g.p.x - o.s * g.p.y + o.p.x - f.p.x) < 1e-5f);
-        assert_true(fabsf(o.s * g.p.x + o.c * g.p.y + o.p.y - f.p.y) < 1e-5f);
-        assert_true(fabsf(o.s * g.c + o.c * g.s - f.s) < 1e-6f);
-        assert_true(fabsf(o.c * g.c - o.s * g.s - f.c) < 1e-6f);
-    }
 }

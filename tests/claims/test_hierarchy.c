@@ -148,6 +148,20 @@ TEST(with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex) {
         }
 }
 
+TEST(polygons_of_65535_vertices_pass_the_audit) {
+    const test_family families[] = {TEST_CIRCLE, TEST_NEEDLE, TEST_TINY_EDGES};
+    test_random random = {119};
+    for (size_t i = 0; i < COUNT_OF(families); ++i) {
+        own_polygon *p = test_polygon(families[i], 65535, &random);
+        assert_true(p->count > 60000);
+        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+            own_hierarchy *h = built(kind, p);
+            assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
+            assert_true(bmr_hierarchy_bytes(h) + bmr_polygon_bytes(p->count) <= 160 * (size_t)p->count);
+        }
+    }
+}
+
 // --- the compass ---
 
 TEST(the_compass_directions_are_exact_and_symmetric) {
@@ -166,69 +180,6 @@ TEST(the_compass_directions_are_exact_and_symmetric) {
 }
 
 // --- small shapes ---
-
-TEST(a_point_has_four_edges_and_no_depth) {
-    const bmr_vec2 point = {3, -2};
-    own_polygon *p = made_polygon(&point, 1);
-    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
-        assert_int_equal(bmr_hierarchy_edge_count(h), 4);
-        assert_int_equal(bmr_hierarchy_depth(h), 0);
-        const bmr_corner corner = bmr_hierarchy_extreme(h, bmr_vec2_make(-1, 2), 9);
-        const bmr_vec2 x = bmr_hierarchy_corner_point(h, corner);
-        assert_true(x.x == 3 && x.y == -2);
-        assert_true(corner.before == 1 && corner.after == 2 && corner.cut == BMR_NO_EDGE);
-    }
-}
-
-TEST(a_segment_has_its_two_sides) {
-    const bmr_vec2 cases[][2] = {
-        {{0, 0}, {3, 4}}, {{0, 0}, {0, 2}}, {{-1, 5}, {7, 5}}, {{0, 0}, {1, 1}}, {{2, 0}, {0, 2}}};
-    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
-        own_polygon *p = made_polygon(cases[i], 2);
-        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-            own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
-            uint32_t sides = 0; // edges of the deepest envelope that are longer than nothing
-            bmr_edge edge = 0;
-            do {
-                const bmr_corner before = bmr_hierarchy_corner_before(h, edge, bmr_hierarchy_depth(h));
-                const bmr_corner after = bmr_hierarchy_corner_after(h, edge, bmr_hierarchy_depth(h));
-                const bmr_vec2 a = bmr_hierarchy_corner_point(h, before),
-                               b = bmr_hierarchy_corner_point(h, after);
-                assert_true(bmr_polygon_contains(p, a, 0.0)); // an end, exactly
-                sides += a.x != b.x || a.y != b.y;
-                edge = after.after;
-            } while (edge != 0);
-            assert_int_equal(sides, 2);
-        }
-    }
-}
-
-TEST(an_upright_box_is_its_own_envelope) {
-    bmr_vec2 points[4];
-    test_box_points(2.0, 0.5, points);
-    own_polygon *p = made_polygon(points, 4);
-    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
-        assert_int_equal(bmr_hierarchy_edge_count(h), 4);
-        assert_int_equal(bmr_hierarchy_depth(h), 0);
-        for (bmr_edge root = 0; root < 4; ++root) {
-            const bmr_corner corner = bmr_hierarchy_corner_after(h, root, 0);
-            const bmr_vec2 x = bmr_hierarchy_corner_point(h, corner), v = p->vertices[(root + 2) % 4];
-            assert_true(x.x == v.x && x.y == v.y);
-        }
-    }
-}
-
-TEST(a_compass_uses_the_edges_that_lie_in_its_directions) {
-    test_random random = {7};
-    own_polygon *octagon = test_polygon(TEST_OCTAGON, 8, &random);
-    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, octagon);
-        assert_int_equal(bmr_hierarchy_edge_count(h), 8);
-        assert_int_equal(bmr_hierarchy_depth(h), 1);
-    }
-}
 
 TEST(a_diamond_in_a_square_has_the_corners_of_the_paper) {
     const bmr_vec2 points[] = {{2, 0}, {0, 1}, {-2, 0}, {0, -1}};
@@ -249,20 +200,6 @@ TEST(a_diamond_in_a_square_has_the_corners_of_the_paper) {
     const bmr_boomerang east = bmr_hierarchy_boomerang(h, 0);
     assert_true(east.outer_before == 3 && east.outer_after == 1 && east.child_before == 7 &&
                 east.child_after == 4);
-}
-
-TEST(a_tied_direction_gives_the_corner_after_the_tied_edge) {
-    test_random random = {9};
-    own_polygon *p = test_polygon(TEST_PARALLEL, 40, &random);
-    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
-        for (bmr_edge id = 0; id < bmr_hierarchy_edge_count(h); ++id) {
-            const bmr_node *node = &h->nodes[id];
-            const bmr_vec2 d = bmr_tree_normal(h, node); // integers or the table's: the tie is exact
-            for (uint32_t level = (uint32_t)node->level; level <= bmr_hierarchy_depth(h); ++level)
-                assert_int_equal(bmr_hierarchy_extreme(h, d, level).before, id);
-        }
-    }
 }
 
 TEST(edges_that_agree_within_the_merge_angle_become_one) {

@@ -7,40 +7,6 @@
 #include "geometry/distance.h"
 #include "test_scale.h"
 
-/// The edges of an envelope in order.
-static uint32_t envelope(const bmr_hierarchy *h, uint32_t level, bmr_edge *edges) {
-    uint32_t count = 0;
-    bmr_edge edge = 0;
-    do {
-        edges[count++] = edge;
-        edge = bmr_hierarchy_corner_after(h, edge, level).after;
-    } while (edge != 0);
-    return count;
-}
-
-TEST(inflated_corners_lie_on_both_lines) {
-    test_random random = {3};
-    for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
-        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-            own_polygon *p = test_polygon((test_family)family, 16, &random);
-            own_hierarchy *h = built(kind, p);
-            for (uint32_t level = 0; level <= bmr_hierarchy_depth(h); ++level) {
-                bmr_edge edges[400];
-                const uint32_t count = envelope(h, level, edges);
-                const double offset = 0.3 * p->radius;
-                for (uint32_t i = 0; i < count; ++i) {
-                    const bmr_corner corner = bmr_hierarchy_corner_after(h, edges[i], level);
-                    const bmr_vec2 q = bmr_inflated_corner(h, corner, offset);
-                    const double slop = 1e-10 * p->extent;
-                    assert_true(fabs(bmr_edge_slack(h, corner.before, q) - offset) <= slop);
-                    assert_true(fabs(bmr_edge_slack(h, corner.after, q) - offset) <= slop);
-                    const bmr_vec2 c = bmr_hierarchy_corner_point(h, corner);
-                    assert_true(hypot(q.x - c.x, q.y - c.y) <= offset * sqrt(2.0) * (1.0 + 1e-12));
-                }
-            }
-        }
-}
-
 TEST(offsets_shrink_by_the_ratio_and_levels_end_at_the_depth) {
     test_random random = {5};
     own_polygon *p = test_polygon(TEST_CIRCLE, 64, &random);

@@ -64,8 +64,6 @@ static void line_proof(const bmr_kds *kds, bmr_kds_proof *proof) {
     proof->level = 0;
 }
 
-static const bmr_kds_class right = {sizeof(bmr_vec2), NULL,        NULL,       line_start,
-                                    line_conditions,  line_repair, line_proof, NULL};
 static const bmr_kds_class silent = {sizeof(bmr_vec2), NULL,          NULL,       line_start,
                                      line_conditions,  silent_repair, line_proof, NULL};
 static const bmr_kds_class careless = {sizeof(bmr_vec2), NULL,        NULL,       line_start,
@@ -86,21 +84,6 @@ static test_drive_result drive(const bmr_kds_class *class, test_path_kind kind, 
     own_kds *kds = made_kds(&info, &def, &a.shape, &b.shape);
     const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &how);
     return result;
-}
-
-TEST(a_right_structure_is_sound_on_every_kind_of_path) {
-    uint64_t events = 0, contacts = 0;
-    for (int kind = 0; kind < TEST_PATH_KIND_COUNT; ++kind)
-        for (uint64_t seed = 1; seed <= 5; ++seed) {
-            const test_drive_result r = drive(&right, (test_path_kind)kind, seed);
-            assert_true(test_drive_is_sound(&r));
-            events += test_drive_events(&r);
-            contacts += r.events[BMR_KDS_CONTACT];
-            if (kind == TEST_PATH_HIT)
-                assert_true(r.contact_time < 1.0);
-        }
-    assert_true(events > 30);
-    assert_true(contacts >= 5);
 }
 
 TEST(wrong_structures_are_found_out) {

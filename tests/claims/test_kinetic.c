@@ -37,12 +37,6 @@ static double first_root(const double *coefficients, size_t degree, double from,
     return root;
 }
 
-TEST(a_screw_motion_starts_at_its_start) {
-    const bmr_screw_motion motion = {{{3.0, -4.0}, 0.6, 0.8}, {5.0, 6.0}, 7.0};
-    const bmr_pose pose = bmr_screw_motion_pose(&motion, 0.0);
-    assert_true(pose.position.x == 3.0 && pose.position.y == -4.0 && pose.c == 0.6 && pose.s == 0.8);
-}
-
 TEST(a_quarter_turn_takes_x_to_y) {
     const double quarter = 2.0 * atan(1.0);
     const bmr_screw_motion motion = {bmr_pose_identity(), {1.0, 2.0}, quarter};
@@ -51,24 +45,6 @@ TEST(a_quarter_turn_takes_x_to_y) {
     assert_true(fabs(image.x - 1.0) < 1e-15 && fabs(image.y - 3.0) < 1e-15);
     // The control: the other sense of rotation would end elsewhere.
     assert_true(fabs(image.y - 1.0) > 1.0);
-}
-
-TEST(a_screw_motion_composes_over_time) {
-    const bmr_screw_motion motion = {{{0.5, 0.25}, 0.28, 0.96}, {-3.0, 1.5}, -2.25};
-    const bmr_screw_motion later = {bmr_screw_motion_pose(&motion, 1.75), motion.velocity, motion.spin};
-    const bmr_pose direct = bmr_screw_motion_pose(&motion, 4.0);
-    const bmr_pose composed = bmr_screw_motion_pose(&later, 2.25);
-    assert_true(fabs(direct.position.x - composed.position.x) < 1e-14);
-    assert_true(fabs(direct.position.y - composed.position.y) < 1e-14);
-    assert_true(fabs(direct.c - composed.c) < 1e-14 && fabs(direct.s - composed.s) < 1e-14);
-    assert_true(fabs(direct.c * direct.c + direct.s * direct.s - 1.0) < 4.0 * DBL_EPSILON);
-}
-
-TEST(time_runs_backwards_too) {
-    const bmr_screw_motion motion = {bmr_pose_identity(), {1.0, 0.0}, 1.0};
-    const bmr_pose before = bmr_screw_motion_pose(&motion, -1.0);
-    const bmr_pose after = bmr_screw_motion_pose(&motion, 1.0);
-    assert_true(before.position.x == -1.0 && before.c == after.c && before.s == -after.s);
 }
 
 TEST(the_first_of_known_roots_is_found) {
@@ -187,15 +163,6 @@ static int handler_calls = 0;
 static void counting_handler(const char *reason, const char *file, int line, int gsl_errno) {
     (void)reason, (void)file, (void)line, (void)gsl_errno;
     ++handler_calls;
-}
-
-TEST(the_error_handler_of_gsl_is_put_back) {
-    gsl_error_handler_t *const before = gsl_set_error_handler(counting_handler);
-    const double c[] = {-0.5, 0.0, 0.0, 0.0, 1.0};
-    (void)first_root(c, 4, 0.0, 1.0);
-    gsl_error_handler_t *const after = gsl_set_error_handler(before);
-    assert_true(after == counting_handler);
-    assert_int_equal(handler_calls, 0);
 }
 
 #define THREADS 4

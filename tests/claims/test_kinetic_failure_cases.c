@@ -3,7 +3,6 @@
 #include <float.h>
 
 #include "checks.h"
-#include <gsl/gsl_errno.h>
 
 #include "boomerang/failure.h"
 #include "kinetic/failure_start.h"
@@ -249,19 +248,6 @@ TEST(a_root_is_as_exact_where_the_end_of_the_search_is_far) {
         x *= time - i / 8.0;
     assert_true(fabs(x - 1.0) < 1e-10);
     drop();
-}
-
-static int handler_calls;
-static void counting_handler(const char *reason, const char *file, int line, int gsl_errno) {
-    (void)reason, (void)file, (void)line, (void)gsl_errno;
-    handler_calls++;
-}
-
-TEST(the_error_handler_of_gsl_is_neither_called_nor_lost) {
-    gsl_error_handler_t *const before = gsl_set_error_handler(counting_handler);
-    no_dip_of_a_spinning_point_is_skipped();
-    assert_true(gsl_set_error_handler(before) == counting_handler);
-    assert_int_equal(handler_calls, 0);
 }
 
 TEST(bad_arguments_are_refused_and_the_time_untouched) {

@@ -63,23 +63,6 @@ TEST(test_least_separation_is_sigma_within_1_percent) {
         }
 }
 
-TEST(test_rotation_changes_in_rigid_families_only) {
-    own_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 32, 1), *b = outline(BMR_OUTLINE_DISC, 32, 2);
-    for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
-        own_family m = family_motion((bmr_family)family, 64.0, 3, a, b);
-        const bmr_pose start = relative_at(m.motions, 0.0);
-        double turned = 0.0;
-        for (int i = 0; i <= 1000; i++) {
-            const bmr_pose q = relative_at(m.motions, i / 1000.0);
-            turned = fmax(turned, hypot(q.c - start.c, q.s - start.s));
-        }
-        if (bmr_family_is_rigid((bmr_family)family))
-            assert_true(turned > 0.1);
-        else
-            assert_true(turned == 0.0);
-    }
-}
-
 /// B follows A's outline all the way round at one distance, without a jump.
 TEST(test_orbit_keeps_its_distance_and_closes) {
     for (size_t n = 3; n <= 100; n += 13) {
@@ -96,44 +79,6 @@ TEST(test_orbit_keeps_its_distance_and_closes) {
             last = angle;
         }
         assert_true(fabs(turned - 2.0 * PI) < 1e-9);
-    }
-}
-
-TEST(test_motions_are_continuous) {
-    own_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 16, 1), *b = outline(BMR_OUTLINE_LENS, 16, 2);
-    for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
-        own_family m = family_motion((bmr_family)family, 64.0, 5, a, b);
-        for (int body = 0; body < 2; body++) {
-            double end;
-            for (bmr_motion_piece_at(m.motions[body], 0.0, &end); end < 1.0;
-                 bmr_motion_piece_at(m.motions[body], end, &end)) {
-                const bmr_pose p = bmr_motion_pose(m.motions[body], nextafter(end, 0.0), NULL, NULL),
-                               q = bmr_motion_pose(m.motions[body], end, NULL, NULL);
-                assert_true(hypot(p.position.x - q.position.x, p.position.y - q.position.y) < 1e-9);
-                assert_true(hypot(p.c - q.c, p.s - q.s) < 1e-9);
-            }
-        }
-    }
-}
-
-TEST(test_same_seed_same_bits_other_seed_other_motion) {
-    own_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 16, 1), *b = outline(BMR_OUTLINE_DISC, 16, 2);
-    for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
-        bmr_family_motion m = family_motion((bmr_family)family, 64.0, 5, a, b),
-                          again = family_motion((bmr_family)family, 64.0, 5, a, b),
-                          other = family_motion((bmr_family)family, 64.0, 6, a, b);
-        bool differs = false;
-        for (int i = 0; i <= 100; i++) {
-            const bmr_pose p = relative_at(m.motions, i / 100.0), q = relative_at(again.motions, i / 100.0),
-                           r = relative_at(other.motions, i / 100.0);
-            assert_true(p.position.x == q.position.x && p.position.y == q.position.y && p.c == q.c &&
-                        p.s == q.s);
-            differs = differs || p.position.x != r.position.x;
-        }
-        assert_true(differs);
-        bmr_family_destroy(&m);
-        bmr_family_destroy(&again);
-        bmr_family_destroy(&other);
     }
 }
 
@@ -155,21 +100,6 @@ TEST(test_seeds_turn_either_way) {
         }
         assert_true(left > 0 && right > 0 && left + right == 16);
     }
-}
-
-TEST(test_points_and_segments_move_too) {
-    const bmr_vec2 point = {0.3, 0.1}, segment[2] = {{0.0, 0.0}, {1.0, 0.5}};
-    bmr_polygon *a = outline(BMR_OUTLINE_REGULAR, 16, 1), *b[2];
-    assert_int_equal(bmr_polygon_create(&point, 1, NULL, &b[0]), BMR_OK);
-    assert_int_equal(bmr_polygon_create(segment, 2, NULL, &b[1]), BMR_OK);
-    for (int k = 0; k < 2; k++) {
-        for (int family = 0; family < BMR_FAMILY_COUNT; family++) {
-            own_family m = family_motion((bmr_family)family, 100.0, 2, a, b[k]);
-            check_separation(&m, a, b[k]);
-        }
-        bmr_polygon_destroy(b[k], NULL);
-    }
-    bmr_polygon_destroy(a, NULL);
 }
 
 /// The control of the measurement: a motion whose least distance is known, and one that touches.

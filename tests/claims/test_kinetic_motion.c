@@ -30,60 +30,6 @@ static bmr_motion *made(const bmr_motion_piece *piece, const bmr_allocator *allo
     return motion;
 }
 
-TEST(an_algebraic_frame_is_what_its_polynomials_say) {
-    // u = t - 2: position (1 + 2u, 3 - u^2); angle 90 degrees + 2 atan u.
-    bmr_motion_piece piece = algebraic(2.0);
-    bmr_algebraic_piece *w = &piece.as.algebraic;
-    w->degree = 2;
-    w->x[0] = 1.0;
-    w->x[1] = 2.0;
-    w->y[0] = 3.0;
-    w->y[2] = -1.0;
-    w->rotation_degree = 1;
-    w->b[1] = 1.0;
-    w->start_c = 0.0;
-    w->start_s = 1.0;
-    own_motion *motion = made(&piece, NULL);
-    for (int i = -12; i <= 12; i++) {
-        const double u = 0.25 * i;
-        bmr_vec2 velocity;
-        double spin;
-        const bmr_pose pose = bmr_motion_pose(motion, 2.0 + u, &velocity, &spin);
-        assert_true(near_pose(pose, pose_of(1.0 + 2.0 * u, 3.0 - u * u, PI / 2.0 + 2.0 * atan(u)), 1e-14));
-        assert_true(velocity.x == 2.0 && velocity.y == -2.0 * u);
-        assert_true(fabs(spin - 2.0 / (1.0 + u * u)) < 1e-14);
-    }
-}
-
-TEST(a_change_of_plan_keeps_the_past_and_drops_the_future) {
-    const bmr_motion_piece first = bmr_piece_rest(pose_of(1.0, 0.0, 0.0));
-    const bmr_motion_piece second =
-        bmr_piece_screw(1.0, pose_of(2.0, 0.0, 0.0), bmr_vec2_make(1.0, 0.0), 0.0);
-    const bmr_motion_piece third = bmr_piece_rest(pose_of(9.0, 0.0, 0.0));
-    own_motion *motion = made(&first, NULL);
-    assert_int_equal(bmr_motion_change(motion, 1.0, &second), BMR_OK);
-    assert_int_equal(bmr_motion_change(motion, 3.0, &third), BMR_OK);
-    assert_int_equal(bmr_motion_piece_count(motion), 3);
-    const double times[] = {-1e300, 0.0, 0.999, 1.0, 2.5, 3.0, 1e300};
-    const double places[] = {1.0, 1.0, 1.0, 2.0, 3.5, 9.0, 9.0};
-    for (size_t i = 0; i < 7; i++)
-        assert_true(bmr_motion_pose(motion, times[i], NULL, NULL).position.x == places[i]);
-    double end;
-    bmr_motion_piece_at(motion, 1.0, &end);
-    assert_true(end == 3.0);
-    bmr_motion_piece_at(motion, 3.0, &end);
-    assert_true(isinf(end));
-    // In the middle, at a change, before all.
-    assert_int_equal(bmr_motion_change(motion, 2.0, &first), BMR_OK);
-    assert_int_equal(bmr_motion_piece_count(motion), 3);
-    assert_true(bmr_motion_pose(motion, 5.0, NULL, NULL).position.x == 1.0);
-    assert_true(bmr_motion_pose(motion, 1.5, NULL, NULL).position.x == 2.5);
-    assert_int_equal(bmr_motion_change(motion, 1.0, &third), BMR_OK);
-    assert_int_equal(bmr_motion_piece_count(motion), 2);
-    assert_true(bmr_motion_pose(motion, 1.0, NULL, NULL).position.x == 9.0);
-    assert_true(bmr_motion_pose(motion, 0.5, NULL, NULL).position.x == 1.0);
-}
-
 TEST(samples_are_met_and_joined_the_short_way_round) {
     const double times[] = {0.0, 1.0, 3.0};
     const bmr_pose poses[] = {pose_of(0.0, 0.0, 3.0), pose_of(1.0, 2.0, -3.0), pose_of(5.0, 2.0, -2.0)};

@@ -180,59 +180,6 @@ TEST(a_stab_at_the_last_level_is_a_contact_until_the_polygons_part) {
     }
 }
 
-TEST(points_and_segments_have_pairs_too) {
-    const bmr_vec2 points[2] = {{-1.0, 0.0}, {1.0, 0.0}};
-    FOR_EACH_STRUCTURE(s)
-    for (size_t n = 1; n <= 2; ++n)
-        for (size_t m = 1; m <= 2; ++m) {
-            bmr_polygon *a = made_polygon(points, n), *b = made_polygon(points, m);
-            own_couple c;
-            couple_make(&c, s, a, b);
-            for (int i = 0; i < 400; ++i) { // passing over and through each other, turning
-                const double y = 0.01 * (i % 200 - 100);
-                const bmr_pose q = pose(0.003 * i - 0.6, y, 0.05 * i);
-                const double truth = test_distance(a, b, &q);
-                const double slop = BMR_PAIR_SLOP * (a->extent + b->extent);
-                const bmr_answer answer = couple_advance(&c, q);
-                assert_true(truth > slop ? answer == BMR_APART : (truth > 0.0 || answer == BMR_STAB_POLYGON));
-            }
-        }
-}
-
-TEST(a_lazy_pair_without_hierarchies_is_a_free_direction) {
-    FOR_EACH_STRUCTURE(s) { // the same states and counts, event by event
-        own_couple c, free;
-        couple_make(&c, BMR_FREE_DIRECTION, box(1.0, 1.0), box(1.0, 1.0));
-        couple_make(&free, BMR_FREE_DIRECTION, box(1.0, 1.0), box(1.0, 1.0));
-        c.def.structure = s;
-        for (int i = 0; i < 200; ++i) {
-            const bmr_pose q = pose(2.4 * cos(0.1 * i), 2.4 * sin(0.1 * i), 0.05 * i);
-            assert_int_equal(couple_advance(&c, q), couple_advance(&free, q));
-            assert_memory_equal(&c.pair, &free.pair, sizeof c.pair);
-        }
-        assert_true(c.counters.events[BMR_EVENT_CONTACT] > 0 && c.counters.events[BMR_EVENT_LEAVE] > 0);
-        assert_memory_equal(&c.counters, &free.counters, sizeof c.counters);
-    }
-}
-
-TEST(contact_is_left_only_by_margin_and_hysteresis) {
-    FOR_EACH_STRUCTURE(s) {
-        own_couple c;
-        couple_make(&c, s, box(1.0, 1.0), box(1.0, 1.0));
-        c.def.margin = 0.1;
-        c.def.hysteresis = 0.05;
-        assert_int_equal(couple_advance(&c, pose(2.1001, 0.0, 0.0)), BMR_APART);
-        assert_int_equal(couple_advance(&c, pose(2.0999, 0.0, 0.0)), BMR_STAB_POLYGON);
-        assert_int_equal(couple_advance(&c, pose(2.1499, 0.0, 0.0)), BMR_STAB_POLYGON);
-        assert_int_equal(couple_advance(&c, pose(2.1501, 0.0, 0.0)), BMR_APART);
-        assert_int_equal(couple_advance(&c, pose(2.1001, 0.0, 0.0)), BMR_APART);
-        // Corner against corner no edge's line separates by more than the distance over sqrt(2).
-        const double diagonal = 2.0 + 0.1001 / sqrt(2.0), back = 2.0 + 0.0999 / sqrt(2.0);
-        assert_int_equal(couple_advance(&c, pose(diagonal, diagonal, 0.0)), BMR_APART);
-        assert_int_equal(couple_advance(&c, pose(back, back, 0.0)), BMR_STAB_POLYGON);
-    }
-}
-
 TEST(a_pair_does_not_allocate) {
     test_random random = {5};
     FOR_EACH_STRUCTURE(s) {
@@ -253,25 +200,6 @@ TEST(a_pair_does_not_allocate) {
         void *volatile block = malloc(100); // the control: this count does count
         free(block);
         assert_true(!counts || allocations > before);
-    }
-}
-
-TEST(watching_changes_nothing_and_a_copy_goes_on_alike) {
-    test_random random = {6};
-    FOR_EACH_STRUCTURE(s) {
-        own_couple c;
-        couple_make(&c, s, ellipse(100, 0.4, 0.0), ellipse(60, 0.7, 0.0));
-        bmr_pair unwatched = c.pair;
-        for (size_t i = 0; i < 2000; ++i) {
-            const bmr_pose q = test_pose_at(c.a.polygon, c.b.polygon, 0.03 * (double)i, 0.02 * (double)i,
-                                            test_random_uniform(&random, -0.05, 0.2));
-            couple_advance(&c, q);
-            bmr_pair copy = unwatched;
-            bmr_pair_advance(&copy, &c.def, &c.a, &c.b, &q, NULL, NULL);
-            unwatched = copy;
-            assert_memory_equal(&unwatched, &c.pair, sizeof c.pair);
-        }
-        assert_int_equal(c.counters.checks, 2000);
     }
 }
 

@@ -115,37 +115,6 @@ uint64_t Starts(const bmr_counters &counters) {
 
 } // namespace
 
-TEST_CASE("a pair proved for two boxes says nothing of two larger ones that overlap") {
-    const Body box(Box(0.5, 0.5)), larger(Box(1.0, 1.0));
-    for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
-        CAPTURE(structure);
-        const bmr_pair_def def = Def(structure);
-        for (const double x : {1.67, 4.0}) { // a line; two disks
-            bmr_pair pair = NewPair();
-            REQUIRE(Advance(&pair, def, box.Shape(structure), box.Shape(structure), At(x, 0.3, 0.0)) ==
-                    BMR_APART);
-            const bmr_pose near = At(1.67, 0.3, 0.0);
-            CHECK(Advance(&pair, def, larger.Shape(structure), larger.Shape(structure), near) ==
-                  BMR_STAB_POLYGON);
-        }
-    }
-}
-
-TEST_CASE("a pair takes the sides of A and B by what they are") {
-    const Body wide(Box(3.0, 0.1)), tall(Box(0.1, 3.0));
-    for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
-        CAPTURE(structure);
-        const bmr_pair_def def = Def(structure);
-        const bmr_shape a = wide.Shape(structure), b = tall.Shape(structure);
-        bmr_pair pair = NewPair();
-        // At (2.9, 2.9) the tall one stands beyond the wide one's side; the other way round they cross.
-        const bmr_pose pose = At(2.9, 3.3, 0.0);
-        REQUIRE(Advance(&pair, def, a, b, pose) == BMR_APART);
-        CHECK(Advance(&pair, def, b, a, At(2.9, 2.9, 0.0)) == BMR_STAB_POLYGON);
-        CHECK(Advance(&pair, def, a, b, pose) == BMR_APART);
-    }
-}
-
 namespace {
 
 /// Hands out one place, again and again.
@@ -273,17 +242,6 @@ TEST_CASE("every structure answers with whatever hierarchies there are") {
                 }
                 CHECK(Advance(&pair, def, a, b, At(0.0, 98.0, 0.3)) == BMR_APART);
             }
-}
-
-TEST_CASE("the default definition needs no hierarchy") {
-    const Body box(Box(1.0, 1.0));
-    const bmr_pair_def def = bmr_default_pair_def();
-    const bmr_shape bare = {box.polygon, {}, {}};
-    bmr_pair pair = NewPair();
-    CHECK(Advance(&pair, def, bare, bare, At(100.0, 0.0, 0.0)) == BMR_APART);
-    CHECK(Advance(&pair, def, bare, bare, At(2.1, 0.5, 0.0)) == BMR_APART);
-    CHECK(Advance(&pair, def, bare, bare, At(1.9, 0.5, 0.0)) == BMR_STAB_POLYGON);
-    CHECK(Advance(&pair, def, bare, bare, At(2.1, 0.5, 0.1)) == BMR_APART);
 }
 
 namespace {

@@ -37,42 +37,6 @@ static void assert_vertices(const bmr_polygon *polygon, const bmr_vec2 *expected
     }
 }
 
-TEST(hull_drops_inner_collinear_and_equal_points) {
-    const bmr_vec2 points[] = {{1, 1}, {0, 0}, {2, 0}, {1, 0},      {2, 2}, {0, 2},
-                               {0, 1}, {2, 1}, {0, 0}, {-0.0, 0.0}, {1, 2}};
-    const bmr_vec2 expected[] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-    own_polygon *polygon = hull_of(points, COUNT_OF(points));
-    assert_vertices(polygon, expected, 4);
-}
-
-TEST(hull_of_one_place_is_a_point_and_of_a_line_a_segment) {
-    const bmr_vec2 same[] = {{3, -4}, {3, -4}, {3, -4}};
-    bmr_polygon *polygon = hull_of(same, 3);
-    assert_vertices(polygon, same, 1);
-    assert_true(polygon->radius == 0.0 && polygon->extent == 4.0);
-    bmr_polygon_destroy(polygon, NULL);
-
-    const bmr_vec2 line[] = {{1, 2}, {-1, -2}, {0, 0}, {0.5, 1}, {2, 4}}, ends[] = {{-1, -2}, {2, 4}};
-    polygon = hull_of(line, COUNT_OF(line));
-    assert_vertices(polygon, ends, 2);
-    bmr_polygon_destroy(polygon, NULL);
-}
-
-TEST(hull_keeps_a_vertex_that_sticks_out_by_one_ulp_and_drops_one_that_does_not) {
-    const double y = 0.5, out = nextafter(y, 0.0), in = nextafter(y, 1.0);
-    const bmr_vec2 sticks_out[] = {{0, 0.0}, {1, 1}, {0.5, out}, {0, 1}};
-    bmr_polygon *polygon = hull_of(sticks_out, 4);
-    assert_int_equal(polygon->count, 4);
-    bmr_polygon_destroy(polygon, NULL);
-    const double others[] = {y, in};
-    for (int i = 0; i < 2; ++i) {
-        const bmr_vec2 does_not[] = {{0, 0.0}, {1, 1}, {0.5, others[i]}, {0, 1}};
-        polygon = hull_of(does_not, 4);
-        assert_int_equal(polygon->count, 3);
-        bmr_polygon_destroy(polygon, NULL);
-    }
-}
-
 // --- errors ---
 
 typedef bmr_error (*create_function)(const bmr_vec2 *, size_t, const bmr_allocator *, bmr_polygon **);
@@ -119,48 +83,6 @@ TEST(more_than_65535_points_are_refused_and_65535_are_not) {
     own_polygon *polygon = hull_of(points, 65535);
     assert_int_equal(polygon->count, 65535);
     free(points);
-}
-
-TEST(the_range_is_accepted_up_to_its_ends) {
-    const bmr_vec2 large[] = {{-1e9, -1e9}, {1e9, -1e9}, {1e9, 1e9}},
-                   small[] = {{0, 0}, {1e-9, 0}, {0, 1e-9}};
-    bmr_polygon *polygon = hull_of(large, 3);
-    bmr_polygon_destroy(polygon, NULL);
-    polygon = hull_of(small, 3);
-    bmr_polygon_destroy(polygon, NULL);
-}
-
-TEST(a_copy_is_one_block_that_equals_the_original) {
-    bmr_vec2 points[64];
-    test_regular_points(64, 1.0, 0.1, points);
-    bmr_polygon *polygon = NULL, *copy = NULL;
-    assert_int_equal(bmr_polygon_create(points, 64, NULL, &polygon), BMR_OK);
-    assert_int_equal(bmr_polygon_copy(polygon, NULL, &copy), BMR_OK);
-    assert_ptr_not_equal(copy->vertices, polygon->vertices);
-    assert_memory_equal(copy->vertices, polygon->vertices, 64 * sizeof(bmr_vec2));
-    assert_int_equal(bmr_polygon_audit(copy), BMR_OK);
-    bmr_polygon_destroy(polygon, NULL); // the copy stands alone
-    assert_int_equal(bmr_polygon_support(copy, bmr_vec2_make(0.0, 1.0)), copy->highest);
-    bmr_polygon_destroy(copy, NULL);
-}
-
-TEST(a_polygon_is_one_block_of_the_bytes_announced) {
-    bmr_vec2 points[64];
-    test_regular_points(64, 1.0, 0.1, points);
-    for (size_t i = 0; i < COUNT_OF(creators); ++i) {
-        test_heap heap;
-        test_heap_init(&heap, SIZE_MAX);
-        bmr_polygon *polygon = NULL;
-        assert_int_equal(creators[i](points, 64, &heap.allocator, &polygon), BMR_OK);
-        assert_int_equal(heap.blocks, 1); // the scratch has gone back
-        assert_int_equal(heap.bytes, bmr_polygon_bytes(64));
-        bmr_polygon_destroy(polygon, &heap.allocator);
-    }
-}
-
-TEST(a_block_takes_16_bytes_a_vertex_and_64_more_at_most) {
-    for (size_t n = 1; n <= 65535; n = 2 * n + 1)
-        assert_true(bmr_polygon_bytes(n) <= 16 * n + 64);
 }
 
 // --- audit ---

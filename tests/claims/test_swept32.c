@@ -204,58 +204,6 @@ TEST(what_is_apart_stays_so_all_the_way) {
     }
 }
 
-TEST(what_is_near_at_rest_is_known_to_be) {
-    for (int i = -8; i < 32; ++i) {
-        const float distance = 0.0625f * (float)i;
-        const mover a = still_square(0.0f, 0.0f), b = still_square(2.0f + distance, 0.25f);
-        const bmr_swept32 sa = swept(&a), sb = swept(&b);
-        bmr_vec32 n = {0.0f, 0.0f};
-        const bmr_swept32_answer expected = distance > 0.7f ? BMR_SWEPT32_APART : BMR_SWEPT32_NEAR;
-        assert_int_equal(bmr_swept32_compare(&sa, &sb, 0.7f, 0.7f, &n), expected);
-        assert_true(expected == BMR_SWEPT32_NEAR || (n.x == 1.0f && n.y == 0.0f));
-    }
-}
-
-TEST(both_ends_and_the_arc_between_are_looked_at) {
-    const bmr_vec32 near_by = {2.1f, 0.0f}, beyond = {-2.1f, 0.0f};
-    const mover a = still_square(0.0f, 0.0f);
-    const bmr_swept32 sa = swept(&a);
-    const struct {
-        bmr_vec32 start, end;
-        float angle, turn;
-        bmr_swept32_answer expected;
-    } cases[] = {
-        {near_by, near_by, 0.0f, 0.0f, BMR_SWEPT32_APART},
-        {beyond, near_by, 0.0f, 0.0f, BMR_SWEPT32_NEAR}, // through the other, whichever end is looked at
-        {near_by, beyond, 0.0f, 0.0f, BMR_SWEPT32_NEAR},
-        {near_by, near_by, 0.04f, 0.08f, BMR_SWEPT32_APART},    // as much before as after
-        {near_by, near_by, 0.04f, 0.30f, BMR_SWEPT32_UNKNOWN},  // a corner comes too near
-        {near_by, near_by, 1.6f, 1.5708f, BMR_SWEPT32_UNKNOWN}, // in between, seen at neither end
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        const mover b =
-            place(square(1.0f), none, cases[i].start, cases[i].end, cases[i].angle, cases[i].turn);
-        const bmr_swept32 sb = swept(&b);
-        bmr_vec32 found = {0.0f, 0.0f}, tried = {1.0f, 0.0f};
-        assert_int_equal(bmr_swept32_compare(&sa, &sb, 0.01f, 0.01f, &found), cases[i].expected);
-        assert_int_equal(bmr_swept32_compare(&sa, &sb, 0.01f, 0.01f, &tried), cases[i].expected);
-    }
-}
-
-TEST(a_direction_that_holds_is_kept_and_one_that_does_not_is_replaced) {
-    const mover a = still_square(0.0f, 0.0f), b = still_square(3.0f, 0.0f);
-    const bmr_swept32 sa = swept(&a), sb = swept(&b);
-    bmr_vec32 n = {0.96f, 0.28f};
-    assert_int_equal(bmr_swept32_compare(&sa, &sb, 0.1f, 0.1f, &n), BMR_SWEPT32_APART);
-    assert_true(n.x == 0.96f && n.y == 0.28f);
-    n.x = 0.0f, n.y = 1.0f;
-    assert_int_equal(bmr_swept32_compare(&sa, &sb, 0.9f, 0.1f, &n), BMR_SWEPT32_APART);
-    assert_true(n.x > 0.9f);
-    n.x = 0.0f, n.y = 1.0f;
-    assert_int_equal(bmr_swept32_compare(&sa, &sb, 1.1f, 0.1f, &n), BMR_SWEPT32_UNKNOWN);
-    assert_true(n.x == 0.0f && n.y == 1.0f);
-}
-
 TEST(a_shape_is_measured) {
     const outline o = {{{1.0f, 1.0f}, {4.0f, 1.0f}, {4.0f, 5.0f}}, 3};
     const bmr_vec32 center = {1.0f, 1.0f}, start = {7.0f, 8.0f}, end = {5.0f, 8.5f};
