@@ -3,7 +3,7 @@
 // counts are those of simulations that were made another way.
 #include "boomerang/simulation.h"
 #include "checks.h"
-#include "draw.h"
+#include "drawn_items.h"
 #include "duel.h"
 #include "page.h"
 #include "words.h"
@@ -21,6 +21,12 @@ static play_page *open_page(void) {
     assert_non_null(page);
     return page;
 }
+
+static void leave_page(play_page *const *page) {
+    play_close(*page);
+}
+#define own_page OWNED(leave_page) play_page
+#define REFUSED(call) assert_int_equal(call, BMR_ERROR_OUT_OF_RANGE)
 
 /// Two bodies by hand, B to the right of A.
 static play_page *by_hand(const char *name, int n) {
@@ -41,10 +47,16 @@ static void hold(play_page *page, int body, const bmr_pose *pose) {
     assert_int_equal(play_hold(page, body, pose->position.x, pose->position.y, atan2(pose->s, pose->c)), 0);
 }
 
+static bmr_pose hold_next(play_page *page, int i) {
+    const bmr_pose pose = hand_pose(i);
+    hold(page, 1, &pose);
+    return pose;
+}
+
 // ---- the lesson ----
 
 TEST(the_lesson_begins_with_a_push_a_roll_and_a_stab) {
-    play_page *page = open_page();
+    own_page *page = open_page();
     assert_int_equal(play_use_lesson(page, structure("lazy-dudley")), 0);
     const double *marks = play_marks(page, 0);
     assert_true(play_mark_count(page, 0) >= 3);
@@ -65,7 +77,6 @@ TEST(the_lesson_begins_with_a_push_a_roll_and_a_stab) {
     // Control: without levels there is no stab.
     assert_int_equal(play_use_lesson(page, structure("free-fd2")), 0);
     assert_true(play_events_in_all(page, 0, BMR_KDS_STAB) == 0.0);
-    play_close(page);
 }
 
 // ---- counts ----
@@ -107,11 +118,9 @@ static void count_at_once(const bmr_kds_info *info, int n, uint64_t counts[BMR_K
 TEST(a_hand_s_counts_are_those_of_one_run_along_the_same_way) {
     const char *const names[] = {"lazy-dudley", "free-fd2", "active-cell-compass"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
-        play_page *page = by_hand(names[i], 14);
-        for (int k = 1; k <= HOLDS; ++k) {
-            const bmr_pose pose = hand_pose(k);
-            hold(page, 1, &pose);
-        }
+        own_page *page = by_hand(names[i], 14);
+        for (int k = 1; k <= HOLDS; ++k)
+            hold_next(page, k);
         double repairs = 0.0;
         for (int follower = 0; follower < play_follower_count(); ++follower) {
             uint64_t counts[BMR_KDS_EVENT_KIND_COUNT] = {0};
@@ -122,12 +131,11 @@ TEST(a_hand_s_counts_are_those_of_one_run_along_the_same_way) {
             }
         }
         assert_true(repairs > 100.0); // control: there was something to count
-        play_close(page);
     }
 }
 
 TEST(a_course_has_the_same_events_however_it_is_played) {
-    play_page *page = open_page();
+    own_page *page = open_page();
     assert_int_equal(play_set_outline(page, 0, BMR_OUTLINE_ELLIPSE, 24, 1), 0);
     assert_int_equal(play_set_outline(page, 1, BMR_OUTLINE_LENS, 24, 2), 0);
     for (int family = 0; family < play_family_count(); ++family) {
@@ -148,11 +156,10 @@ TEST(a_course_has_the_same_events_however_it_is_played) {
             assert_true(in_all >= 1.0 && play_mark_count(page, follower) > 0);
         }
     }
-    play_close(page);
 }
 
 TEST(what_a_hand_does_for_long_is_forgotten_and_its_counts_are_not) {
-    play_page *page = by_hand("lazy-dudley", 8);
+    own_page *page = by_hand("lazy-dudley", 8);
     double before = 0.0;
     for (int k = 0; k < 4500; ++k) {
         const bmr_pose pose = bmr_pose_from_angle(bmr_vec2_make(2.2, 0.4 * sin(0.05 * k)), 0.1 * k);
@@ -163,52 +170,9 @@ TEST(what_a_hand_does_for_long_is_forgotten_and_its_counts_are_not) {
     }
     assert_true(before > 100.0);
     assert_true(fabs(play_place(page, 1, 0) - 2.2) < 1e-9);
-    play_close(page);
 }
 
 // ---- pictures ----
-
-typedef struct item {
-    int mark, ink, label;
-    size_t count;
-    const float *points;
-} item;
-
-/// The first item of an ink (and mark) at or after `at`; *at moves behind it. False: there is none.
-static bool find_item(const play_page *page, int numbers, int mark, int ink, int *at, item *found) {
-    const float *all = play_numbers(page);
-    *found = (item){0};
-    while (*at < numbers) {
-        const float *head = all + *at;
-        const size_t count = (size_t)head[4];
-        *at += (int)(PLAY_ITEM_HEAD + 2 * count);
-        if ((int)head[0] == mark && (int)head[1] == ink) {
-            *found = (item){mark, ink, (int)head[3], count, head + PLAY_ITEM_HEAD};
-            return true;
-        }
-    }
-    return false;
-}
-static bmr_vec2 point_of(const item *of, size_t i) {
-    i %= of->count;
-    return bmr_vec2_make((double)of->points[2 * i], (double)of->points[2 * i + 1]);
-}
-static double area_of(const item *of) {
-    double twice = 0.0;
-    for (size_t i = 0; i < of->count; ++i)
-        twice += bmr_cross(point_of(of, i), point_of(of, i + 1));
-    return 0.5 * twice;
-}
-/// Is a point in an area, up to `slop`?
-static bool holds(const item *area, bmr_vec2 point, double slop) {
-    for (size_t i = 0; i < area->count; ++i) {
-        const bmr_vec2 from = point_of(area, i), side = bmr_sub(point_of(area, i + 1), from);
-        const double length = hypot(side.x, side.y);
-        if (length > 1e-6 && bmr_cross(side, bmr_sub(point, from)) < -slop * length)
-            return false;
-    }
-    return true;
-}
 
 /// The least and the largest distance of an area's corners from a line, signed.
 static void reach_of(const item *area, const item *line, double shift, double *low, double *high) {
@@ -234,17 +198,15 @@ TEST(the_line_that_is_drawn_separates_what_is_drawn) {
     for (int i = 0; i < play_structure_count(); ++i) {
         if (!play_structure_is_offered(i) || play_structure_role(i) == BMR_KDS_RIVAL) // their lines move
             continue;
-        play_page *page = by_hand(play_structure_name(i), 12);
+        own_page *page = by_hand(play_structure_name(i), 12);
         int lines = 0, refuted = 0;
         for (int k = 1; k <= HOLDS; ++k) {
-            const bmr_pose pose = hand_pose(k);
-            hold(page, 1, &pose);
+            hold_next(page, k);
             const int numbers = play_draw(page, PLAY_PICTURE_DUEL, PLAY_ALL_LEVELS);
             item a, b, line;
-            int at = 0;
-            assert_true(find_item(page, numbers, PLAY_AREA, PLAY_INK_A, &at, &a));
-            assert_true(find_item(page, numbers, PLAY_AREA, PLAY_INK_B, &at, &b));
-            if (!find_item(page, numbers, PLAY_PATH, PLAY_INK_LINE, &at, &line)) {
+            assert_true(first_item(page, numbers, PLAY_AREA, PLAY_INK_A, &a));
+            assert_true(first_item(page, numbers, PLAY_AREA, PLAY_INK_B, &b));
+            if (!first_item(page, numbers, PLAY_PATH, PLAY_INK_LINE, &line)) {
                 assert_true(play_distance(page) <= 1e-5); // in contact there is none
                 continue;
             }
@@ -254,17 +216,15 @@ TEST(the_line_that_is_drawn_separates_what_is_drawn) {
         }
         assert_true(lines > HOLDS / 3);
         assert_true(refuted > 0); // control: a line elsewhere would be seen
-        play_close(page);
     }
 }
 
 TEST(envelopes_that_are_drawn_hold_their_body) {
-    play_page *page = by_hand("lazy-dudley", 20);
+    own_page *page = by_hand("lazy-dudley", 20);
     const int numbers = play_draw(page, PLAY_PICTURE_DUEL, PLAY_ALL_LEVELS);
     item a, envelope;
     int at = 0, levels = 0;
-    assert_true(find_item(page, numbers, PLAY_AREA, PLAY_INK_A, &at, &a));
-    at = 0;
+    assert_true(first_item(page, numbers, PLAY_AREA, PLAY_INK_A, &a));
     while (find_item(page, numbers, PLAY_AREA, PLAY_INK_LEVEL_A, &at, &envelope)) {
         ++levels;
         for (size_t i = 0; i < a.count; ++i)
@@ -274,10 +234,8 @@ TEST(envelopes_that_are_drawn_hold_their_body) {
     assert_int_equal(levels, play_deepest(page) - 1);       // all but the proof's and the polygon itself
     assert_false(holds(&a, bmr_vec2_make(3.0, 0.0), 1e-5)); // control
     // Without levels none is drawn.
-    at = 0;
-    assert_false(find_item(page, play_draw(page, PLAY_PICTURE_DUEL, PLAY_NO_LEVELS), PLAY_AREA,
-                           PLAY_INK_LEVEL_A, &at, &envelope));
-    play_close(page);
+    assert_false(first_item(page, play_draw(page, PLAY_PICTURE_DUEL, PLAY_NO_LEVELS), PLAY_AREA,
+                            PLAY_INK_LEVEL_A, &envelope));
 }
 
 /// Areas of all cells and of the sum, in total.
@@ -310,18 +268,15 @@ static double top_area(const play_page *page) {
 }
 
 TEST(the_cells_that_are_drawn_tile_the_places_of_b_and_x_is_in_its_own) {
-    play_page *page = by_hand("active-cell-dudley", 6);
+    own_page *page = by_hand("active-cell-dudley", 6);
     int inside = 0;
     for (int k = 1; k <= HOLDS; ++k) {
-        const bmr_pose pose = hand_pose(k);
-        hold(page, 1, &pose);
+        const bmr_pose pose = hold_next(page, k);
         const int numbers = play_draw(page, PLAY_PICTURE_MIXED, 0);
         assert_true(fabs(mixed_area(page, numbers) - top_area(page)) < 1e-4);
         item cell, x;
-        int at = 0;
-        const bool in_cell = find_item(page, numbers, PLAY_AREA, PLAY_INK_CELL, &at, &cell);
-        at = 0;
-        assert_true(find_item(page, numbers, PLAY_DOT, PLAY_INK_POINT, &at, &x));
+        const bool in_cell = first_item(page, numbers, PLAY_AREA, PLAY_INK_CELL, &cell);
+        assert_true(first_item(page, numbers, PLAY_DOT, PLAY_INK_POINT, &x));
         assert_true(fabs(point_of(&x, 0).x - pose.position.x) < 1e-5);
         if (!in_cell)
             continue;
@@ -330,13 +285,12 @@ TEST(the_cells_that_are_drawn_tile_the_places_of_b_and_x_is_in_its_own) {
         assert_false(holds(&cell, bmr_vec2_make(9.0, 9.0), 1e-5)); // control
     }
     assert_true(inside > 20);
-    play_close(page);
 }
 
 // ---- many bodies ----
 
 TEST(a_crowd_keeps_its_energy_until_it_is_kicked) {
-    play_page *page = open_page();
+    own_page *page = open_page();
     assert_int_equal(play_use_crowd(page, structure("free-fd2"), 40, 7, 0.3, 5), 0);
     for (int i = 0; i < 60; ++i)
         assert_int_equal(play_crowd_go(page, 0.05, 0.05), 0);
@@ -344,24 +298,23 @@ TEST(a_crowd_keeps_its_energy_until_it_is_kicked) {
     assert_true(play_crowd_number(page, 1) > 20.0);
     assert_non_null(strstr(play_text(page, PLAY_TEXT_CROWD), "Energy: 1.0000000"));
     item body;
-    int at = 0, bodies = 0;
+    int bodies = 0;
     const int numbers = play_draw(page, PLAY_PICTURE_CROWD, 7);
     for (int ink = PLAY_INK_A; ink <= PLAY_INK_B; ++ink)
-        for (at = 0; find_item(page, numbers, PLAY_AREA, ink, &at, &body);)
+        for (int at = 0; find_item(page, numbers, PLAY_AREA, ink, &at, &body);)
             ++bodies;
     assert_int_equal(bodies, 40);
     assert_int_equal(play_crowd_kick(page, 1.0, 1.0, 30.0, 0.0), 0);
     assert_null(strstr(play_text(page, PLAY_TEXT_CROWD), "Energy: 1.0000000"));
-    assert_int_equal(play_use_crowd(page, structure("free-fd2"), 0, 7, 0.3, 5), BMR_ERROR_OUT_OF_RANGE);
-    assert_int_equal(play_use_crowd(page, structure("free-fd2"), 10, 7, NAN, 5), BMR_ERROR_OUT_OF_RANGE);
-    assert_int_equal(play_use_crowd(page, structure("free-fd2"), 10, 2, 0.3, 5), BMR_ERROR_OUT_OF_RANGE);
-    play_close(page);
+    REFUSED(play_use_crowd(page, structure("free-fd2"), 0, 7, 0.3, 5));
+    REFUSED(play_use_crowd(page, structure("free-fd2"), 10, 7, NAN, 5));
+    REFUSED(play_use_crowd(page, structure("free-fd2"), 10, 2, 0.3, 5));
 }
 
 // ---- words ----
 
 TEST(the_words_say_what_is) {
-    play_page *page = by_hand("lazy-dudley", 12);
+    own_page *page = by_hand("lazy-dudley", 12);
     assert_non_null(strstr(play_text(page, PLAY_TEXT_PROOF), "level 0 of"));
     assert_non_null(strstr(play_text(page, PLAY_TEXT_EVENT), "No event yet"));
     assert_string_equal(play_text(page, PLAY_TEXT_COUNTS),
@@ -374,7 +327,6 @@ TEST(the_words_say_what_is) {
     const bmr_pose away = bmr_pose_from_angle(bmr_vec2_make(4.0, 0.0), 0.0);
     hold(page, 1, &away);
     assert_int_equal(play_latest(page), BMR_KDS_LEAVE);
-    play_close(page);
     // Each kind of event is explained, and a short text is cut and ended.
     for (int kind = 0; kind < BMR_KDS_EVENT_KIND_COUNT; ++kind)
         assert_true(strlen(play_event_meaning(kind, 0)) > 10 && play_label(kind) != NULL);
@@ -386,27 +338,27 @@ TEST(the_words_say_what_is) {
 
 // ---- what makes no sense ----
 
-TEST(bad_numbers_are_refused_or_change_nothing) {
-    play_page *page = open_page();
-    assert_int_equal(play_use_hand(page, structure("lazy-dudley"), 0, 0, 0, 2, 0, 0), BMR_ERROR_OUT_OF_RANGE);
+TEST(bad_numbers_are_refused) {
+    own_page *page = open_page();
+    REFUSED(play_use_hand(page, structure("lazy-dudley"), 0, 0, 0, 2, 0, 0));
     assert_int_equal(play_draw(page, PLAY_PICTURE_DUEL, 0), 0);
     assert_string_equal(play_text(page, PLAY_TEXT_PROOF), "");
-    assert_int_equal(play_seek(page, 1.0), BMR_ERROR_OUT_OF_RANGE);
-    assert_int_equal(play_set_outline(page, 2, 0, 5, 1), BMR_ERROR_OUT_OF_RANGE);
-    assert_int_equal(play_set_outline(page, 0, 99, 5, 1), BMR_ERROR_OUT_OF_RANGE);
-    assert_int_equal(play_set_outline(page, 0, 0, 100000, NAN), BMR_ERROR_OUT_OF_RANGE);
-    play_close(page);
+    REFUSED(play_seek(page, 1.0));
+    REFUSED(play_set_outline(page, 2, 0, 5, 1));
+    REFUSED(play_set_outline(page, 0, 99, 5, 1));
+    REFUSED(play_set_outline(page, 0, 0, 100000, NAN));
+}
 
-    page = by_hand("lazy-dudley", 12);
+TEST(a_pair_stands_whatever_it_is_told) {
+    own_page *page = by_hand("lazy-dudley", 12);
     hold(page, 1, &(bmr_pose){{NAN, 0.0}, 1.0, 0.0});
     hold(page, 1, &(bmr_pose){{1e9, 0.0}, 1.0, 0.0});
     assert_true(play_place(page, 1, 0) == 2.5);
-    assert_int_equal(play_hold(page, 7, 0, 0, 0), BMR_ERROR_OUT_OF_RANGE);
-    assert_int_equal(play_use_hand(page, -1, 0, 0, 0, 2, 0, 0), BMR_ERROR_OUT_OF_RANGE);
-    assert_int_equal(play_use_hand(page, structure("point-lazy-dudley"), 0, 0, 0, 2, 0, 0),
-                     BMR_ERROR_OUT_OF_RANGE);
-    assert_int_equal(play_use_family(page, structure("lazy-dudley"), 0, NAN, 1), BMR_ERROR_OUT_OF_RANGE);
-    assert_int_equal(play_use_family(page, structure("lazy-dudley"), 99, 10.0, 1), BMR_ERROR_OUT_OF_RANGE);
+    REFUSED(play_hold(page, 7, 0, 0, 0));
+    REFUSED(play_use_hand(page, -1, 0, 0, 0, 2, 0, 0));
+    REFUSED(play_use_hand(page, structure("point-lazy-dudley"), 0, 0, 0, 2, 0, 0));
+    REFUSED(play_use_family(page, structure("lazy-dudley"), 0, NAN, 1));
+    REFUSED(play_use_family(page, structure("lazy-dudley"), 99, 10.0, 1));
     // After all that the pair still stands.
     assert_non_null(strstr(play_text(page, PLAY_TEXT_PROOF), "Apart."));
 
@@ -422,5 +374,4 @@ TEST(bad_numbers_are_refused_or_change_nothing) {
     assert_int_equal(play_sketch_take(page, 1), 0);
     assert_int_equal(play_use_hand(page, structure("lazy-dudley"), 0, 0, 0, 2, 0, 0), 0);
     assert_true(play_place(page, 1, 4) == 3.0);
-    play_close(page);
 }

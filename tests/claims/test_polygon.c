@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "boomerang/mass.h"
 #include "boomerang/polygon.h"
 #include "checks.h"
 #include "failing_allocator.h"
@@ -135,4 +136,13 @@ TEST(audit_refuses_wrong_measures) {
     ((bmr_vec2 *)(polygon + 1))[3].x = NAN; // the vertices lie in the same block
     assert_int_equal(bmr_polygon_audit(polygon), BMR_ERROR_NOT_FINITE);
     bmr_polygon_destroy(polygon, NULL);
+}
+
+TEST(what_has_no_area_has_no_mass) {
+    const bmr_vec2 points[] = {{0.0, 0.0}, {3.0, 0.0}};
+    own_polygon *segment = made_polygon(points, 2);
+    bmr_mass mass = {-7.0, {0.0, 0.0}, 0.0};
+    assert_int_equal(bmr_polygon_mass(segment, &mass), BMR_ERROR_OUT_OF_RANGE);
+    assert_int_equal(bmr_polygon_mass(NULL, &mass), BMR_ERROR_NULL_ARGUMENT);
+    assert_true(mass.area == -7.0);
 }
