@@ -3,14 +3,12 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 
 typedef bmr_vec32 vec;
 typedef bmr_transform32 pose32;
 
 static vec vec_of(float x, float y) {
-    const vec v = {x, y};
-    return v;
+    return (vec){x, y};
 }
 
 static float product(vec a, vec b) {
@@ -47,11 +45,8 @@ static vec unplace(const pose32 *t, vec v) {
 
 /// What is at b, in a's frame.
 static pose32 seen_from(const pose32 *a, const pose32 *b) {
-    pose32 r;
-    r.s = a->c * b->s - a->s * b->c;
-    r.c = a->c * b->c + a->s * b->s;
-    r.p = unrotate(a, difference(b->p, a->p));
-    return r;
+    return (pose32){unrotate(a, difference(b->p, a->p)), a->c * b->s - a->s * b->c,
+                    a->c * b->c + a->s * b->s};
 }
 
 static vec unit(vec v) {
@@ -99,78 +94,6 @@ float reference_max_separation(const bmr_convex32 *reference, const pose32 *pose
     return most;
 }
 
-typedef struct wide {
-    double x, y;
-} wide;
-
-static wide placed_wide(const pose32 *t, vec v) {
-    const double s = (double)t->s, c = (double)t->c, x = (double)v.x, y = (double)v.y;
-    const wide r = {c * x - s * y + (double)t->p.x, s * x + c * y + (double)t->p.y};
-    return r;
-}
-
-static wide *all_placed(const bmr_convex32 *p, const pose32 *pose) {
-    wide *const points = malloc(p->count * sizeof *points);
-    for (uint32_t i = 0; points && i < p->count; ++i)
-        points[i] = placed_wide(pose, p->vertices[i]);
-    if (!points)
-        abort();
-    return points;
-}
-
-static double widely_separated(const wide *v, uint32_t count, const wide *others, uint32_t other_count) {
-    double most = -DBL_MAX;
-    for (uint32_t i = 0; i < count; ++i) {
-        const wide from = v[i], to = v[i + 1 < count ? i + 1 : 0];
-        const double x = to.y - from.y, y = from.x - to.x, length = sqrt(x * x + y * y);
-        double least = DBL_MAX;
-        for (uint32_t j = 0; j < other_count; ++j) {
-            const double s = x * (others[j].x - from.x) + y * (others[j].y - from.y);
-            if (s < least)
-                least = s;
-        }
-        if (least / length > most)
-            most = least / length;
-    }
-    return most;
-}
-
-double reference_true_separation(const bmr_convex32 *reference, const pose32 *pose, const bmr_convex32 *other,
-                                 const pose32 *other_pose) {
-    wide *const v = all_placed(reference, pose), *const others = all_placed(other, other_pose);
-    const double most = widely_separated(v, reference->count, others, other->count);
-    free(v);
-    free(others);
-    return most;
-}
-
-/// Of all vertices of one from all edges of the other; they do not overlap.
-static double nearest_of(const wide *v, uint32_t count, const wide *points, uint32_t points_count) {
-    double least = DBL_MAX;
-    for (uint32_t i = 0; i < count; ++i) {
-        const wide from = v[i], to = v[i + 1 < count ? i + 1 : 0];
-        const double x = to.x - from.x, y = to.y - from.y;
-        for (uint32_t j = 0; j < points_count; ++j) {
-            const double px = points[j].x - from.x, py = points[j].y - from.y;
-            const double along = fmin(1.0, fmax(0.0, (px * x + py * y) / (x * x + y * y)));
-            const double dx = px - along * x, dy = py - along * y;
-            least = fmin(least, dx * dx + dy * dy);
-        }
-    }
-    return sqrt(least);
-}
-
-double reference_distance(const bmr_convex32 *a, const pose32 *pose_a, const bmr_convex32 *b,
-                          const pose32 *pose_b) {
-    wide *const v = all_placed(a, pose_a), *const w = all_placed(b, pose_b);
-    double distance = 0.0;
-    if (widely_separated(v, a->count, w, b->count) > 0.0 || widely_separated(w, b->count, v, a->count) > 0.0)
-        distance = fmin(nearest_of(v, a->count, w, b->count), nearest_of(w, b->count, v, a->count));
-    free(v);
-    free(w);
-    return distance;
-}
-
 typedef struct clipped {
     vec v;
     bmr_feature32 id;
@@ -197,13 +120,11 @@ static int clip(clipped out[2], const clipped in[2], vec normal, float offset, u
 }
 
 static bmr_feature32 exchanged(bmr_feature32 f) {
-    const bmr_feature32 r = {f.index_b, f.index_a, f.type_b, f.type_a};
-    return r;
+    return (bmr_feature32){f.index_b, f.index_a, f.type_b, f.type_a};
 }
 
 static clipped vertex_of_incident(vec v, uint32_t vertex, uint32_t edge) {
-    const clipped c = {v, {(uint8_t)edge, (uint8_t)vertex, BMR_FEATURE_FACE, BMR_FEATURE_VERTEX}};
-    return c;
+    return (clipped){v, {(uint8_t)edge, (uint8_t)vertex, BMR_FEATURE_FACE, BMR_FEATURE_VERTEX}};
 }
 
 static void clip_to(bmr_manifold32 *manifold, bool flip, uint32_t edge, const bmr_convex32 *a,
@@ -408,10 +329,8 @@ static void clip_edge(bmr_manifold32 *manifold, const separating *primary, const
         manifold->type = BMR_MANIFOLD_FACE_B;
         i1 = primary->index;
         i2 = following(polygon, i1);
-        const clipped second = {v2, {1, (uint8_t)i1, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE}};
-        const clipped first = {v1, {0, (uint8_t)i1, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE}};
-        whole[0] = second;
-        whole[1] = first;
+        whole[0] = (clipped){v2, {1, (uint8_t)i1, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE}};
+        whole[1] = (clipped){v1, {0, (uint8_t)i1, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE}};
         r1 = place(frame, polygon->vertices[i1]);
         r2 = place(frame, polygon->vertices[i2]);
         face = rotate(frame, polygon->normals[i1]);
@@ -476,21 +395,4 @@ void reference_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge, co
         if ((!edge->one_sided || smooth(&primary, &of_edge, edge, along, polygon)) && primary.of_polygon)
             clip_polygon(manifold, &primary, edge, polygon, &frame, radius_sum);
     }
-}
-
-static bool same_vec(vec a, vec b) {
-    return a.x == b.x && a.y == b.y; // never NaN: poses and polygons are finite
-}
-
-bool reference_same_manifold(const bmr_manifold32 *a, const bmr_manifold32 *b) {
-    if (a->count != b->count || a->type != b->type || !same_vec(a->normal, b->normal) ||
-        !same_vec(a->plane_point, b->plane_point))
-        return false;
-    for (int i = 0; i < a->count; ++i) {
-        const bmr_feature32 f = a->points[i].feature, g = b->points[i].feature;
-        if (!same_vec(a->points[i].point, b->points[i].point) || f.index_a != g.index_a ||
-            f.index_b != g.index_b || f.type_a != g.type_a || f.type_b != g.type_b)
-            return false;
-    }
-    return true;
 }
