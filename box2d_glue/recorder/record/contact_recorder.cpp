@@ -33,7 +33,8 @@ namespace {
 
 /// A growing array that says no where there is no memory.
 template <typename Event> class Log {
-    static_assert(std::is_trivially_copyable_v<Event>, "user data of any game are copied as bytes");
+    static_assert(std::is_trivially_copyable_v<Event>,
+                  "user data in b2_user_settings.h must be trivially copyable");
 
 public:
     Log() = default;
