@@ -167,19 +167,6 @@ TEST(far_poses_are_apart_up_to_the_largest_double) {
     }
 }
 
-/// Identical polygons on each other: no envelope of any level is apart.
-TEST(a_stab_at_the_last_level_is_a_contact_until_the_polygons_part) {
-    FOR_EACH_STRUCTURE(s) {
-        own_couple c;
-        couple_make(&c, s, ellipse(33, 0.3, 1.0), ellipse(33, 0.3, 1.0));
-        assert_int_equal(couple_advance(&c, bmr_pose_identity()), BMR_STAB_POLYGON);
-        assert_int_equal(couple_advance(&c, bmr_pose_identity()), BMR_STAB_POLYGON);
-        assert_int_equal(c.counters.events[BMR_EVENT_CONTACT], 1);
-        assert_int_equal(couple_advance(&c, pose(5.0, 0.0, 0.0)), BMR_APART);
-        assert_int_equal(c.counters.events[BMR_EVENT_LEAVE], 1);
-    }
-}
-
 TEST(a_pair_does_not_allocate) {
     test_random random = {5};
     FOR_EACH_STRUCTURE(s) {

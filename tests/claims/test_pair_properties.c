@@ -133,35 +133,6 @@ TEST(the_same_holds_for_up_to_4096_vertices) {
         run_motions((bmr_structure)structure, rounds(80), 4096, 200);
 }
 
-/// How often an answer that takes the certificate's line on trust, whatever way the other body has turned, is
-/// wrong.
-TEST(a_checker_without_the_bracket_is_caught) {
-    for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
-        test_random random = {400};
-        size_t lies = 0;
-        for (size_t i = 0; i < 200; ++i) {
-            trial t;
-            begin(&t, (bmr_structure)structure, i % 2 ? TEST_MOTION_SPIN : TEST_MOTION_ROLLING, 20, &random);
-            bmr_pair stale;
-            bmr_pair_init(&stale);
-            for (int step = 0; step < STEPS; ++step) {
-                const bmr_pose q = test_motion_next(&t.motion, &random);
-                const double truth = step_and_check(&t, &q);
-                if (stale.state != BMR_PAIR_APART || stale.level < 0) {
-                    stale = t.pair;
-                    continue;
-                }
-                const bmr_pose inverse = bmr_pose_inverse(&q);
-                double gap;
-                bmr_certificate_check(&stale.certificate, stale.owner == 0 ? &q : &inverse, 0.0, &gap);
-                lies += gap > t.def.margin && gap > truth * (1.0 + 1e-6) + 1e-6 * t.scale;
-            }
-            end(&t);
-        }
-        assert_true(lies > 0);
-    }
-}
-
 TEST(the_audit_rejects_a_tampered_pair) {
     size_t tampered[7] = {0};
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
