@@ -17,6 +17,7 @@ namespace bmr {
 namespace {
 
 std::atomic<bool> box2dAsserts{false};
+std::atomic<void (*)(const char *)> box2dFails{nullptr};
 
 } // namespace
 
@@ -28,7 +29,18 @@ void SetBox2DAsserts(bool asserts) {
     box2dAsserts.store(asserts, std::memory_order_relaxed);
 }
 
+void SetBox2DFails(void (*fails)(const char *assertion)) {
+    box2dFails.store(fails, std::memory_order_relaxed);
+}
+
 BMR_COLD void FailAsBox2D(const char *assertion, const char *function) {
+    const auto fails = box2dFails.load(std::memory_order_relaxed);
+    if (fails == nullptr)
+        FailAsAssert(assertion, function);
+    fails(assertion);
+}
+
+BMR_COLD void FailAsAssert(const char *assertion, const char *function) {
 #if defined(__GLIBC__)
     __assert_fail(assertion, "Box2D", 0, function);
 #endif

@@ -96,6 +96,8 @@ void SynchronizeTransform(b2Body *body);
 float TimeOfImpact(float from, float partOfTheRest);
 /// Are Box2D's assertions compiled?
 bool Asserts();
+/// b2Assert, of an assertion that does not hold.
+void Fails(const char *assertion);
 /// May the compiler round one expression otherwise in another function (-ffast-math, x87)? Then what is
 /// compiled a second time has other bits.
 bool RoundsByPlace();

@@ -47,8 +47,8 @@ void MeetSecondCopies() {
 // (Install may be called before the first step.)
 [[maybe_unused]] const bool told =
     (SetWay("compiled with Box2D", nullptr), MeetSecondCopies(), SetBox2DAsserts(stock::Asserts()),
-     internal::LinkOfConvexOutlines(), internal::LinkOfInspect(), internal::LinkOfOutlineShape(),
-     internal::LinkOfSlack(), internal::LinkOfStatistics(), true);
+     SetBox2DFails(stock::Fails), internal::LinkOfConvexOutlines(), internal::LinkOfInspect(),
+     internal::LinkOfOutlineShape(), internal::LinkOfSlack(), internal::LinkOfStatistics(), true);
 
 } // namespace
 

@@ -24,6 +24,8 @@ struct BodyMotion;
 
 namespace bmr {
 
+[[noreturn]] void FailAsAssert(const char *assertion, const char *function);
+
 // As in box2d_glue/passes/stock_solver.h, which is not of the language that this is compiled as.
 struct IslandParts {
     b2StackAllocator *allocator;
@@ -49,6 +51,7 @@ void AdvanceBody(b2Body *body, float alpha);
 void SynchronizeTransform(b2Body *body);
 float TimeOfImpact(float from, float partOfTheRest);
 bool Asserts();
+void Fails(const char *assertion);
 bool RoundsByPlace();
 
 namespace {
@@ -105,11 +108,9 @@ float TimeOfImpact(float from, float partOfTheRest) {
 }
 
 bool Asserts() {
-#if defined(NDEBUG)
-    return false;
-#else
-    return true;
-#endif
+    bool asked = false;
+    b2Assert((asked = true));
+    return asked;
 }
 
 bool RoundsByPlace() {
@@ -119,6 +120,15 @@ bool RoundsByPlace() {
 #else
     return FLT_EVAL_METHOD != 0;
 #endif
+}
+
+// What b2Assert is, unless it is the game's own.
+#undef assert
+#define assert(A) FailAsAssert(assertion, "Box2D")
+
+void Fails(const char *assertion) {
+    (void)assertion;
+    b2Assert(assertion == nullptr);
 }
 
 } // namespace stock
