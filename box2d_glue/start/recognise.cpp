@@ -215,7 +215,7 @@ struct alignas(256) NoBody {
 bool JointsAreRight(b2World *world) {
     NoBody a = {}, b = {}, elsewhere = {};
     b2Body *places[2] = {b.Get(), elsewhere.Get()};
-    alignas(b2FrictionJointDef) unsigned char room[sizeof(b2FrictionJointDef) + 64 * sizeof(b2Body *)];
+    alignas(b2FrictionJointDef) unsigned char room[sizeof(b2FrictionJointDef) + 32 * sizeof places];
     for (size_t at = 0; at + sizeof places <= sizeof room; at += sizeof places)
         std::memcpy(room + at, places, sizeof places);
     auto *def = reinterpret_cast<b2JointDef *>(room);

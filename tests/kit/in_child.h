@@ -156,6 +156,7 @@ inline std::string InChild(const Scenario &play, const bmr::Options *options = n
     }
     close(ends[1]);
     std::string text;
+    text.reserve(1 << 22); // or the heap that the next child begins with depends on how fast this one prints
     char buffer[65536];
     for (ssize_t got; (got = read(ends[0], buffer, sizeof buffer)) > 0;)
         text.append(buffer, static_cast<size_t>(got));
