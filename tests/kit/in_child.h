@@ -114,7 +114,8 @@ private:
     std::string m_text;
 };
 
-/// Bytes that malloc has given out.
+/// Bytes that malloc has given out, some hundreds more or less: what it keeps at hand for the thread counts,
+/// and the rest of a block that is too small to be another one.
 inline size_t BytesInUse() {
 #if defined(IN_CHILD_ASAN)
     return __sanitizer_get_current_allocated_bytes();
@@ -122,6 +123,11 @@ inline size_t BytesInUse() {
     const struct mallinfo2 info = mallinfo2();
     return info.uordblks + info.hblkhd;
 #endif
+}
+
+/// Is it less since then than one of malloc's smallest blocks for each round?
+inline bool LeavesNothing(size_t before, int rounds) {
+    return BytesInUse() < before + 32 * static_cast<size_t>(rounds);
 }
 
 using Scenario = std::function<void(Run &)>;
@@ -156,7 +162,6 @@ inline std::string InChild(const Scenario &play, const bmr::Options *options = n
     }
     close(ends[1]);
     std::string text;
-    text.reserve(1 << 22); // or the heap that the next child begins with depends on how fast this one prints
     char buffer[65536];
     for (ssize_t got; (got = read(ends[0], buffer, sizeof buffer)) > 0;)
         text.append(buffer, static_cast<size_t>(got));
