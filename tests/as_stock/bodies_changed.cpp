@@ -145,8 +145,7 @@ AS_STOCK("a new body at the address of an old one is not the old one") {
 }
 
 AS_STOCK("a new world at the address of an old one is not the old one") {
-    // Box2D's chunks get pages of their own, which lie where released ones lay whatever else is
-    // allocated.
+    // malloc maps each of Box2D's chunks alone: a new chunk gets the address of one that was freed.
     mallopt(M_MMAP_THRESHOLD, 16 * 1024);
     std::set<const b2Body *> before;
     bool same = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Polygons and places that a game changes and tells nobody of: between steps, and in the midst of a step.
+// A game changes polygons and places, between steps or inside one, and does not tell the library.
 #include "as_stock.h"
 
 using namespace as_stock;

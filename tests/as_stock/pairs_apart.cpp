@@ -290,7 +290,7 @@ AS_STOCK("a loop over contacts that a listener's exception ends is none") {
     game.Step(40);
     game.Stage(game.Touching() == 0, "all apart");
     right->SetTransform({30.95f, 0.0f}, 0.0f);
-    // In the same step an older pair is to be looked at because of its shape; and nobody comes to it.
+    // An older pair is due in the same step, because the game changes its shape.
     auto &thin = static_cast<b2PolygonShape &>(*world.needles[3]->GetFixtureList()->GetShape());
     thin.SetAsBox(3.0f, 0.3f);
     Edited(run, world.needles[3]);

@@ -131,7 +131,7 @@ AS_STOCK(
 
 namespace {
 
-/// The least of generators: with these numbers tips meet at the margins of what is proved far out.
+/// With these numbers tips meet where proofs far from the origin are just good enough.
 float Between(std::minstd_rand &random, float low, float high) {
     return low + (high - low) * Real(static_cast<int>(random() % 4096u)) / 4096.0f;
 }

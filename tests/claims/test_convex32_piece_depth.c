@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How deep manifolds of pieces of outlines are, whatever their seams are: held against separations along all
-// normals.
+// The depth of a manifold of outline pieces, compared with the separations along all normals.
 #include "checks.h"
 #include "convex32_poses.h"
 #include "outline_pieces.h"
@@ -92,9 +91,9 @@ static bool is_of_a_tip(const bmr_manifold32 *m, const bmr_convex32 *a, const bm
 
 enum { AGAINST_POLYGON, AGAINST_PIECE, AGAINST_EDGE, AGAINST_CHAIN, AGAINST_CIRCLE, AGAINST_ALL };
 
-/// What overlaps a piece is not pushed a longer way than out of the plain polygon, but for a skin, and a tip
-/// that ends in the piece by no more than ten: at any pose, whatever its seams are. As a control the piece's
-/// nearest face is often farther away than that.
+/// A piece pushes a shape no farther than the plain polygon does, plus one skin. A tip that ends in the piece
+/// may go ten skins farther. This holds at any pose and with any seams. The control: the piece's nearest face
+/// is often farther away.
 TEST(no_manifold_is_deeper_than_the_plain_polygons) {
     dice d = {1};
     own_convex32 *box = polygon_of(4, 0.6f);
