@@ -134,8 +134,8 @@ pkg_config)
     LD_LIBRARY_PATH=$(dirname "$directory") run_programs
     ;;
 fetch_content)
-    # (Debug, without what a debugger wants: all is compiled once more, and runs for a moment.)
-    build_with_cmake -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS_DEBUG=-O0 -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DBOOMERANG_REPOSITORY=none \
+    # The project names no build type, and gets none.
+    build_with_cmake -DCMAKE_BUILD_TYPE= -DBOOMERANG_REPOSITORY=none \
         -DFETCHCONTENT_SOURCE_DIR_BOOMERANG="$SOURCE"
     run_programs
     [ -z "$(find "$out" -name 'libboomerang_box2d_glue.*')" ] || fail "a library that no program links was built"
