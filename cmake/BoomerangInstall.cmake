@@ -128,14 +128,25 @@ install(EXPORT boomerangTargets NAMESPACE boomerang:: DESTINATION ${boomerang_pa
 if(TARGET boomerang_kinetic)
   install(EXPORT boomerangKineticTargets NAMESPACE boomerang:: DESTINATION ${boomerang_package_dir} COMPONENT development_kinetic)
 endif()
-configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/boomerangConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/boomerangConfig.cmake INSTALL_DESTINATION ${boomerang_package_dir}
-  PATH_VARS boomerang_source_dir)
+# One package for the installation, and one for the build tree, which find_package takes for a prefix, too.
+set(boomerang_package_modules ${CMAKE_CURRENT_LIST_DIR}/BoomerangAccelerate.cmake ${CMAKE_CURRENT_LIST_DIR}/BoomerangLinks.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/Findpolyclipping.cmake)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake COMPATIBILITY SameMajorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/boomerangConfig.cmake ${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/BoomerangAccelerate.cmake ${CMAKE_CURRENT_LIST_DIR}/BoomerangLinks.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/Findpolyclipping.cmake
-  DESTINATION ${boomerang_package_dir} COMPONENT development)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/boomerangConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/installed/boomerangConfig.cmake INSTALL_DESTINATION ${boomerang_package_dir} PATH_VARS boomerang_source_dir)
+install(FILES ${PROJECT_BINARY_DIR}/installed/boomerangConfig.cmake ${PROJECT_BINARY_DIR}/boomerangConfigVersion.cmake
+  ${boomerang_package_modules} DESTINATION ${boomerang_package_dir} COMPONENT development)
+set(boomerang_source_dir ${PROJECT_SOURCE_DIR})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/boomerangConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/boomerangConfig.cmake INSTALL_DESTINATION . INSTALL_PREFIX ${PROJECT_BINARY_DIR} PATH_VARS boomerang_source_dir)
+foreach(module IN LISTS boomerang_package_modules)
+  get_filename_component(name ${module} NAME)
+  configure_file(${module} ${PROJECT_BINARY_DIR}/${name} COPYONLY)
+endforeach()
+export(EXPORT boomerangTargets NAMESPACE boomerang:: FILE ${PROJECT_BINARY_DIR}/boomerangTargets.cmake)
+if(TARGET boomerang_kinetic)
+  export(EXPORT boomerangKineticTargets NAMESPACE boomerang:: FILE ${PROJECT_BINARY_DIR}/boomerangKineticTargets.cmake)
+endif()
 
 # The pkg-config files name their prefix relative to themselves, so that `cmake --install --prefix` may choose it late.
 set(boomerang_pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

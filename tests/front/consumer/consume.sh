@@ -3,7 +3,7 @@
 #
 # One step of the consumer test: tests/front/consumer/consume.sh STEP
 #   install            installs the build tree into $WORK/prefix
-#   find_package       builds the programs with CMake on what is installed there, and runs them
+#   find_package       builds the programs with CMake on what is installed there, and runs them; and again on the build tree
 #   pkg_config         the same with nothing but the compiler and pkg-config
 #   fetch_content      builds them together with the sources, which FetchContent adds, and runs them
 #   static_box2d       builds a program with Box2D inside: what CMake says of it, and that it runs
@@ -105,6 +105,10 @@ find_package)
     run_programs
     grep -q "^boomerang_DIR:PATH=$prefix/" "$out/CMakeCache.txt" ||
         fail "this was another Boomerang than the one that this test installed"
+    # The build tree is a prefix, too.
+    build_with_cmake -DCMAKE_PREFIX_PATH="$BUILD" -DCONSUME_EXAMPLES=OFF
+    run_programs
+    grep -q "^boomerang_DIR:PATH=$BUILD$" "$out/CMakeCache.txt" || fail "this was another Boomerang than that of the build tree"
     ;;
 pkg_config)
     rm -rf "$out"
