@@ -92,13 +92,18 @@ bmr_configure() {
     fi
     mkdir -p "$BMR_BUILD_DIR" || return 1
     BMR_BUILD_DIR=$(cd "$BMR_BUILD_DIR" && pwd)
-    [ -f "$BMR_BUILD_DIR/CMakeCache.txt" ] || bmr_say "configuring $BMR_BUILD_DIR"
+    # A tree that is there keeps its generator (`cmake -B build` makes one for make, the presets for ninja).
+    if [ -f "$BMR_BUILD_DIR/CMakeCache.txt" ]; then
+        where+=(-G "$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$BMR_BUILD_DIR/CMakeCache.txt")")
+    else
+        bmr_say "configuring $BMR_BUILD_DIR"
+    fi
     # From the root: presets are looked up in the current directory.
     (cd "$bmr_root" && bmr_quietly "$BMR_BUILD_DIR/boomerang-configure.log" \
         cmake --preset "$preset" "${where[@]}" "$@")
 }
 
-# bmr_watch LOG: says how far ninja is, on a terminal each second in one line, elsewhere each half minute, until it is killed or the
+# bmr_watch LOG: says how far ninja or make is, on a terminal each second in one line, elsewhere each half minute, until it is killed or the
 # script ends.
 bmr_watch() {
     local seconds=0 far
@@ -107,7 +112,7 @@ bmr_watch() {
         sleep 1 >/dev/null 2>&1 &
         wait $! # (TERM interrupts a wait, not a sleep)
         seconds=$((seconds + 1))
-        far=$(tail -n 1 "$1" | grep -o '^\[[0-9]*/[0-9]*\]') || continue
+        far=$(tail -n 1 "$1" | grep -oE '^\[ *[0-9]+(/[0-9]+|%)\]') || continue
         if [ -t 2 ]; then
             printf '\r\033[K%s %d s' "$far" "$seconds" >&2
         elif [ $((seconds % 30)) -eq 0 ]; then
@@ -120,8 +125,7 @@ bmr_watch() {
 bmr_build() {
     local targets=() jobs=${BMR_JOBS:-$(nproc)} log watch status=0
     [ $# -eq 0 ] || targets=(--target "$@")
-    # Said even when it will be over at once: whether it will, ninja cannot tell before it has looked again for files
-    # that came or went.
+    # Said even when it will be over at once, which is not known before the build tool has looked for files that came or went.
     bmr_say "building in $BMR_BUILD_DIR with $jobs jobs"
     log=$BMR_BUILD_DIR/boomerang-build.log
     : >"$log"

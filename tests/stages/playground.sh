@@ -4,7 +4,7 @@
 
 stage_playground() {
     in_tree playground
-    check "playground: made" bmr_quietly "$BMR_BUILD_DIR/make.log" env BMR_JOBS="$jobs" "$root/playground/make" || return 1
+    check "playground: made" bmr_quietly "$BMR_BUILD_DIR/make.log" env BMR_JOBS="$jobs" BMR_BUILD_DIR="$build_base" "$root/playground/make" || return 1
     check "playground: tried" /usr/bin/python3 "$root/tests/front/test_playground_page.py" "$BMR_BUILD_DIR/playground.html" || true
     # With a function taken out, it fails, and for that.
     check "playground: control" playground_control

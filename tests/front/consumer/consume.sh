@@ -215,6 +215,16 @@ plain)
         module=$(find "$out/there" -type d -name dist-packages)
         "$python" -c 'import sys; sys.exit(sys.argv[1] not in sys.path)' "${module#"$out/there"}" || fail "Python does not look in $module"
     fi
+    # The scripts, whose presets are for ninja, go on in a tree that was configured for make.
+    rm -rf "$out"
+    cmake -S "$SOURCE" -B "$out" -G "Unix Makefiles" -DBOOMERANG_BUILD_BOX2D=OFF >"$WORK/plain.txt" 2>&1 || fail "not configured for make"
+    (
+        # shellcheck source=tools/setup.sh
+        source "$SOURCE/tools/setup.sh"
+        BMR_BUILD_DIR=$out
+        bmr_configure release -DBOOMERANG_BUILD_BOX2D=OFF -DBOOMERANG_BUILD_TESTS=OFF -DBOOMERANG_BUILD_BENCHMARKS=OFF -DBOOMERANG_BUILD_TRY=OFF
+    ) || fail "the scripts cannot use a tree for make"
+    grep -q '^CMAKE_GENERATOR:INTERNAL=Unix Makefiles$' "$out/CMakeCache.txt" || fail "the tree has another generator"
     # Asked for by name, it is not left out.
     ! cmake -S "$SOURCE" -B "$out.asked" -DBOOMERANG_BUILD_BOX2D=ON -DCMAKE_DISABLE_FIND_PACKAGE_box2d=ON >"$WORK/plain.txt" 2>&1 ||
         fail "what is asked for is left out without a word"
