@@ -226,8 +226,18 @@ plain)
     ) || fail "the scripts cannot use a tree for make"
     grep -q '^CMAKE_GENERATOR:INTERNAL=Unix Makefiles$' "$out/CMakeCache.txt" || fail "the tree has another generator"
     # Asked for by name, it is not left out.
-    ! cmake -S "$SOURCE" -B "$out.asked" -DBOOMERANG_BUILD_BOX2D=ON -DCMAKE_DISABLE_FIND_PACKAGE_box2d=ON >"$WORK/plain.txt" 2>&1 ||
-        fail "what is asked for is left out without a word"
+    # needs SENTENCE OPTION...
+    needs() {
+        local sentence=$1
+        shift
+        rm -rf "$out"
+        ! cmake -S "$SOURCE" -B "$out" "$@" >"$WORK/plain.txt" 2>&1 || fail "configured without what it needs: $*"
+        tr -s '\n ' '  ' <"$WORK/plain.txt" | grep -qF "$sentence" || fail "it does not say \"$sentence\": $(cat "$WORK/plain.txt")"
+    }
+    needs 'boomerang::box2d needs box2d (Debian: libbox2d-dev); -DBOOMERANG_BUILD_BOX2D=OFF leaves it out' \
+        -DBOOMERANG_BUILD_BOX2D=ON -DCMAKE_DISABLE_FIND_PACKAGE_box2d=ON
+    [ "$WITH_BOX2D" = OFF ] || PKG_CONFIG_LIBDIR=$out needs \
+        'The testbed needs what is not here; on Debian, `sudo apt-get install libcairo2-dev`.' -DBOOMERANG_BUILD_TESTBED=ON
     ;;
 uninstall)
     [ -n "$(find "$prefix" -type f)" ] || fail "nothing was installed"
