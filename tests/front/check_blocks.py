@@ -1,22 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Does every block of code in the pages work when it is copied?
+"""Does the code of the pages work when it is copied?
 
-    check_blocks.py pages ROOT BUILD WORK      all but CMake's recipes, with the programs of the build tree BUILD
-    check_blocks.py recipes ROOT BOX2D WORK    the recipes, each configured in an empty folder beside Box2D's sources BOX2D
+    check_blocks.py pages ROOT BUILD WORK      snippets and commands, with the programs of the build tree BUILD
+    check_blocks.py programs ROOT PREFIX WORK  whole programs, typed as they stand into an empty folder, on the installation PREFIX
+    check_blocks.py recipes ROOT BOX2D WORK    CMake's recipes, each configured in an empty folder beside Box2D's sources BOX2D
     check_blocks.py recipes ROOT BOX2D WORK build   and built, and run
 
 How a block is treated its language says, or the line above it:
 
     <!-- from FILE -->         it is a part of that file, which a test compiles and runs
-    <!-- output of NAME -->    it is what NAME.c or NAME.py prints: check_quoted.sh
+    <!-- file NAME -->         `programs`: the file NAME of the folder, on which the next block of ```sh works
+    <!-- output of NAME -->    it is what the program NAME of the page prints; of other programs: check_quoted.sh
     ```cpp                     compiled with what the page includes, and run with a body that falls
     ```cmake                   `recipes`
-    ```sh                      line by line: SHELL below
-    ```                        PLAIN below
-
-A block or a line of the shell for which there is no treatment fails."""
-import json
+    ```sh                      each command of ours has the options that it is given"""
 import os
 import pathlib
 import re
@@ -24,13 +22,6 @@ import subprocess
 import sys
 
 PAGES = ["README.md", "CONTRIBUTING.md", "core/README.md", "docs/*.md", "playground/README.md"]
-# Blocks without a language: what they begin with, and what becomes of them.
-PLAIN = {
-    "Box2D is a shared library here,": "shown", # what `boomerang try` says: tests/plugin/test_try.sh
-    "How kinetic the world is:": "shown", # `run reproduce scenes` compares it
-    "step:": "shown", # a sketch
-    "# A rests; B passes above it": "motions",
-}
 # What the snippets of the pages in C++ are compiled with: what they speak of and do not make.
 CPP = """
 static void Block{number}(b2Body *body) {{
@@ -82,115 +73,28 @@ class Checker:
     def __init__(self, root, build, work):
         self.root, self.build, self.work = root, build, work
         self.files = [file for folder in ("core", "plugin", "tests") for file in (root / folder).rglob("*") if file.suffix in (".c", ".cpp", ".py", ".txt")]
-        self.said = {}
-
-    def help(self, *command):
-        if command not in self.said:
-            self.said[command] = run([*command, "--help"])
-        return self.said[command]
-
-    def has_options(self, line, *command):
-        """Each option of a line is one of the command's."""
-        for option in re.findall(r"(?<=\s)--?[a-z][a-z-]*", line):
-            assert re.search(rf"(?<![\w-]){option}(?![\w-])", self.help(*command)), f"{' '.join(map(str, command))} has no {option}"
-
-    # What SHELL names, by the words that its patterns found.
-    def testbed(self, line, command):
-        self.has_options(line, self.build / "bin/boomerang-testbed", command)
-
-    def run_script(self, line, command):
-        run([self.root / "testbed_scenes/run", *([command] if command else []), "--help"])
-
-    def gate(self, line):
-        self.has_options(line, self.root / "tests/run")
-
-    def preset(self, line, name):
-        assert name in [preset["name"] for preset in json.loads((self.root / "CMakePresets.json").read_text())["configurePresets"]], f"no preset {name}"
-
-    def targets(self, line, names):
-        for name in names.split():
-            run(["ninja", "-C", self.build, "-t", "query", name])
-
-    def ctest(self, line, pattern):
-        said = run(["ctest", "--test-dir", self.build, "-N", "-R", pattern])
-        assert len(re.findall(r"^ *Test +#", said, flags=re.M)) > pattern.count("|"), f"{pattern} names no test, or one less than it says"
-
-    def packages(self, line):
-        known = re.findall(r"boomerang_package\(\w+ (\S+)", (self.root / "cmake/BoomerangPackages.cmake").read_text())
-        for name in re.findall(r"\./([\w-]+)_\*\.deb", line):
-            assert name in known, f"there is no package {name}"
-
-    def game(self, line):
-        """As it stands, with a scene in the place of the game, and the library of the build tree."""
-        scene = f"{self.build}/bin/boomerang-scene pyramid --steps 20"
-        line = re.sub(r"(\./)?\bgame( --level 3)?$", scene, line).replace("/path/to/", f"{self.build}/lib/")
-        line = re.sub(r"^boomerang try", f"{self.build}/bin/boomerang try --seconds 0.3 --rounds 1", line)
-        assert scene in line, "names no game"
-        run(["bash", "-c", line], cwd=self.work)
-
-    def example(self, line, settings, name):
-        """A program of docs/first-steps.md, as the build tree has it."""
-        program = next((file for file in (self.build / "bin").glob(f"*{name}") if os.access(file, os.X_OK)), None)
-        assert program, f"there is no {name}"
-        run(["bash", "-c", f"{settings}{program}"], cwd=self.work)
-
-    def source(self, line, name):
-        assert any(file.name == name for file in self.files), f"there is no {name}" # example_first_...
-
-    def python(self, line):
-        assert (self.root / line.split()[-1]).exists(), "no such file" # it is run by python_example
-
-    def measured(self, line, script):
-        assert os.access(self.root / script, os.X_OK), f"no program {script}"
-
-    def nothing(self, line):
-        pass
-
-    SHELL = [
-        (r"boomerang-testbed (\w[\w-]*)\b.*", testbed),
-        (r"\./testbed_scenes/run(?: (\w+))?", run_script),
-        (r"\./tests/run(?: .*)?", gate),
-        (r"cmake --preset (\w+)", preset),
-        (r"cmake --build build --target ([\w ]+)", targets),
-        (r"ctest --test-dir build -R '(.*)'", ctest),
-        (r"(?:cpack|sudo apt-get (?:install|purge)) .*", packages), # tests/front
-        (r"(?:boomerang try|(?:\w+=\S+ )*LD_PRELOAD=\S+) .*", game),
-        (r"((?:BOOMERANG=\w+ )?)\./(first_\w+)", example),
-        (r"c(?:c|\+\+ -std=c\+\+17) (\S+) \$\(pkg-config --cflags --libs boomerang-\w+\) -o \w+", source),
-        (r"PYTHONPATH=\S+ BOOMERANG_LIBRARY_DIR=\S+ python3 \S+", python),
-        (r"(tests/bench/\w+\.sh) .*", measured),
-        # tests/front/consumer
-        (r"(?:git clone \S+(?: \w+)?(?: && cd \w+)?|cmake -S \. -B build(?: -D\S+=(?:\"[^\"]*\"|\S+))*(?: && cmake --build build -j\d+)?|cmake --build build(?: -j\d*)?|(?:sudo )?cmake --install build.*|sudo cmake --build build --target uninstall)",
-         nothing),
-    ]
 
     def shell(self, block):
+        programs = {r"boomerang-testbed (\w[\w-]*).*": [self.build / "bin/boomerang-testbed"], r"\./testbed_scenes/run(?: (\w+))?.*": [self.root / "testbed_scenes/run"],
+                    r"\./tests/run()(?: .*)?": [self.root / "tests/run"]}
         for line in block.code.replace("\\\n", " ").splitlines():
-            line = re.sub(r"\s+", " ", re.sub(r"\s#.*", "", line)).strip()
-            if not line or line.startswith("#"):
-                continue
-            for pattern, treatment in self.SHELL:
+            line = re.sub(r"\s#.*", "", line).strip()
+            for pattern, program in programs.items():
                 found = re.fullmatch(pattern, line)
                 if found:
-                    treatment(self, line, *found.groups())
-                    break
-            else:
-                raise AssertionError(f"no treatment for the line {line!r}")
+                    said = run([*program, *([found[1]] if found[1] else []), "--help"])
+                    for option in re.findall(r"(?<=\s)--?[a-z][a-z-]*", line):
+                        assert re.search(rf"(?<![\w-]){option}(?![\w-])", said), f"{line} has no {option}"
 
     def quoted(self, block, name):
         assert any(block.code.strip("\n") in file.read_text() for file in self.files if file.as_posix().endswith(f"/{name}")), f"{name} has it otherwise"
-        tag = re.search(r"GIT_TAG (\S+?)\)", block.code)
-        assert not tag or tag[1] == "main" or run(["git", "-C", self.root, "tag", "--list", tag[1]]), f"there is no tag {tag and tag[1]}"
 
-    def plain(self, block):
-        treatments = [treatment for begin, treatment in PLAIN.items() if block.code.startswith(begin)]
-        assert treatments, "no treatment for this block: a language, a mark above it, or a line in PLAIN"
-        if treatments == ["motions"]:
-            (self.work / "motions.txt").write_text(block.code)
-            (self.work / "square.txt").write_text("1 1\n-1 1\n-1 -1\n1 -1\n")
-            square = ["--polygon", "square.txt"]
-            run([self.build / "bin/boomerang-testbed", "events", *square, *square, "--motion", "motions.txt", "--structures", "lazy-dudley", "--no-optimum"],
-                cwd=self.work)
+    def motions(self, block):
+        (self.work / "motions.txt").write_text(block.code)
+        (self.work / "square.txt").write_text("1 1\n-1 1\n-1 -1\n1 -1\n")
+        square = ["--polygon", "square.txt"]
+        run([self.build / "bin/boomerang-testbed", "events", *square, *square, "--motion", "motions.txt", "--structures", "lazy-dudley", "--no-optimum"],
+            cwd=self.work)
 
     def cpp(self, page, blocks):
         """All of a page in one program: a later block may do without what an earlier one includes."""
@@ -211,7 +115,7 @@ class Checker:
 
     def check(self, pages):
         """What is wrong, a line each."""
-        wrong, in_cpp, printed = [], {}, set()
+        wrong, in_cpp = [], {}
 
         def attempt(where, function, *arguments):
             try:
@@ -223,22 +127,45 @@ class Checker:
             for block in blocks_of(page, text):
                 kind, _, name = block.mark.partition(" ")
                 if kind == "from":
-                    printed.add(name.rsplit(".", 1)[0])
                     attempt(block, self.quoted, block, name)
-                elif block.mark.startswith("output of "):
-                    if block.mark[10:] not in printed:
-                        wrong.append(f"{block}: no block above it is from {block.mark[10:]}")
+                elif kind in ("file", "output"):
+                    pass
                 elif block.language == "sh":
                     attempt(block, self.shell, block)
                 elif block.language == "cpp":
                     in_cpp.setdefault(page, []).append(block)
-                elif block.language == "":
-                    attempt(block, self.plain, block)
-                elif block.language != "cmake":
-                    wrong.append(f"{block}: no treatment for {block.language}")
+                elif block.code.startswith("# A rests; B passes above it"):
+                    attempt(block, self.motions, block)
         for page, blocks in in_cpp.items():
             attempt(page, self.cpp, page, blocks)
         return wrong
+
+
+def check_programs(pages, prefix, work):
+    """What a reader does: makes the files of a page, types its commands, and compares what is printed."""
+    wrong, files, printed = [], 0, {}
+    libraries = next(prefix.rglob("boomerang-core.pc")).parent
+    environment = {**os.environ, "PKG_CONFIG_PATH": str(libraries), "LD_LIBRARY_PATH": str(libraries.parent)}
+    for page, text in pages.items():
+        typed = False
+        for block in blocks_of(page, text):
+            kind, _, name = block.mark.partition(" ")
+            try:
+                if kind == "file":
+                    (work / name).write_text(block.code)
+                    typed, files = True, files + 1
+                elif typed and block.language == "sh":
+                    typed = False
+                    for line in block.code.splitlines():
+                        said = run(["bash", "-c", line], cwd=work, env=environment)
+                        printed.setdefault(line.split("#")[0].strip(), said)
+                elif kind == "output" and f"./{block.mark[10:]}" in printed:
+                    said = printed.pop(f"./{block.mark[10:]}")
+                    assert said == block.code, f"it prints\n{said}"
+            except AssertionError as error:
+                wrong.append(f"{block}: {error}")
+    wrong += [f"no page has what {line} prints" for line in printed if line.startswith("./")]
+    return wrong if files else ["no page has a program"]
 
 
 def recipe(block, root, box2d, work, build):
@@ -275,30 +202,31 @@ def check_recipes(pages, root, box2d, work, build):
     return wrong
 
 
+# Blocks that do not work, for the controls, and what is said of each.
+BAD = {"recipes": ("```cmake\ncmake_minimum_required(VERSION 3.16)\nproject(game C CXX)\nset(BOX2D_BUILD_TESTBED OFF CACHE BOOL \"\")\nadd_subdirectory(box2d)\nboomerang_accelerate(box2d)\n```\n",
+                   [r"a.md:2: .*Unknown CMake command"]),
+       "pages": ("```sh\nboomerang-testbed events --nope\n```\n<!-- from queries.c -->\n```c\nint x;\n```\n```cpp\nbmr::Nothing x;\n```\n```sh\n./tests/run --sometimes\n```\n",
+                 [r"a.md:2: .* has no --nope", r"a.md:6: queries.c has it otherwise", r"a.md:12: .* no --sometimes", r"a.md: .*Block0"]),
+       "programs": ("<!-- file a.c -->\n```c\n#include <stdio.h>\nint main(void) { puts(\"1\"); }\n```\n```sh\ncc a.c -o a\n./a\ncc b.c\n```\n<!-- output of a -->\n```\n2\n```\n",
+                    [r"a.md:7: .*b\.c", r"a.md:13: it prints\n1"])}
+
+
 def main():
     what, *places = sys.argv[1:5]
     root, other, work = (pathlib.Path(place).resolve() for place in places)
-    run(["rm", "-rf", work])
-    work.mkdir(parents=True)
-    pages = {str(file.relative_to(root)): file.read_text() for pattern in PAGES for file in sorted(root.glob(pattern))}
-    recipes = what == "recipes"
-    # The controls: a block of each kind that does not work.
-    if recipes:
-        control = {"a.md": "```cmake\ncmake_minimum_required(VERSION 3.16)\nproject(game C CXX)\nset(BOX2D_BUILD_TESTBED OFF CACHE BOOL \"\")\nadd_subdirectory(box2d)\nboomerang_accelerate(box2d)\n```\n"}
-        wanted = [r"a.md:2: .*Unknown CMake command"]
-        found = check_recipes(control, root, other, work / "control", False)
-    else:
-        control = {"a.md": "```sh\nboomerang-testbed events --nope\n```\n```sh\nmake\n```\n```\nwords\n```\n<!-- from queries.c -->\n```c\nint x;\n```\n"
-                           "```cpp\nbmr::Nothing x;\n```\n```rust\n```\n<!-- output of none -->\n```\n```\n```sh\n./tests/run --sometimes\n```\n"
-                           "```sh\ncmake --build build --target no_target\n```\n```sh\nsudo apt-get install ./libboomerang-none_*.deb\n```\n"}
-        wanted = [r"a.md:2: .* has no --nope", r"a.md:5: no treatment for the line 'make'", r"a.md:8: no treatment", r"a.md:12: queries.c has it otherwise",
-                  r"a.md:18: no treatment for rust", r"a.md:21: no block above", r"a.md:23: .* no --sometimes", r"a.md:26: .*no_target",
-                  r"a.md:29: there is no package", r"a.md: .*Block0"]
-        found = Checker(root, other, work).check(control)
-    missed = [pattern for pattern, line in zip(wanted, found) if not re.match(pattern, line, flags=re.S)] if len(wanted) == len(found) else wanted
-    if missed:
-        sys.exit("FAILED: the control: not noticed: " + "; ".join(missed) + "\nnoticed: " + "\n".join(found))
-    wrong = check_recipes(pages, root, other, work, "build" in sys.argv[5:]) if recipes else Checker(root, other, work).check(pages)
+
+    def check(pages):
+        run(["rm", "-rf", work])
+        work.mkdir(parents=True)
+        if what == "recipes":
+            return check_recipes(pages, root, other, work, "build" in sys.argv[5:])
+        return check_programs(pages, other, work) if what == "programs" else Checker(root, other, work).check(pages)
+
+    text, wanted = BAD[what]
+    found = check({"a.md": text})
+    if len(wanted) != len(found) or not all(re.match(pattern, line, flags=re.S) for pattern, line in zip(wanted, found)):
+        sys.exit(f"FAILED: the control: not noticed: {wanted}\nnoticed: " + "\n".join(found))
+    wrong = check({str(file.relative_to(root)): file.read_text() for pattern in PAGES for file in sorted(root.glob(pattern))})
     if wrong:
         sys.exit("FAILED:\n" + "\n".join(wrong))
     run(["rm", "-rf", work])

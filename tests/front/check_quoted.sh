@@ -38,8 +38,6 @@ text=${good//bmr_/bmr_other_}
 text=${text//bmr./other.}
 agrees <<<"$text" >/dev/null && fail "a wrong quotation was not noticed"
 text=${good//level 0/level 7}
-text=${text//568 of 601/567 of 601}
-text=${text//frame  40/frame  41}
 text=${text//the same bodies/other bodies}
 text=${text//piece 0/piece 7}
 text=${text//of 9 pairs/of 8 pairs}

@@ -143,7 +143,7 @@ TEST_CASE("nothing hits until a threshold is set, and lists stay until the next 
     box->GetUserData().pointer = 7;
     world.Step(1.0f / 60.0f, 8, 3);
     const bmr::ContactEvents first = recorder.Take();
-    REQUIRE(first.begins.count == 1);
+    REQUIRE(first.begins.size() == 1);
     const bool boxIsA = first.begins[0].a.body == box;
     const bmr::ContactSide &side = boxIsA ? first.begins[0].a : first.begins[0].b;
     CHECK(side.fixture == box->GetFixtureList());

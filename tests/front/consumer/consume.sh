@@ -5,6 +5,7 @@
 #   install            installs the build tree into $WORK/prefix
 #   find_package       builds the programs with CMake on what is installed there, and runs them; and again on the build tree
 #   pkg_config         the same with nothing but the compiler and pkg-config
+#   pages              types the programs of the pages into an empty folder, builds them on what is installed, and runs them
 #   fetch_content      builds them together with the sources, which FetchContent adds, and runs them
 #   static_box2d       builds a program with Box2D inside: what CMake says of it, and that it runs
 #   accelerated        a game with a Box2D of its own, of the sources BOX2D_SOURCE, accelerated by what is installed (for whoever has
@@ -136,6 +137,9 @@ pkg_config)
         done
     fi
     LD_LIBRARY_PATH=$(dirname "$directory") run_programs
+    ;;
+pages)
+    [ "$WITH_BOX2D" = OFF ] || python3 "$SOURCE/tests/front/check_blocks.py" programs "$SOURCE" "$prefix" "$out"
     ;;
 fetch_content)
     # The project names no build type, and gets none.

@@ -27,7 +27,7 @@ int main() {
     def.position.Set(0.0f, 1.9f);
     world.CreateBody(&def)->CreateFixture(&box, 1.0f);
     world.Step(1.0f / 60.0f, 8, 3);
-    if (recorder.Take().begins.count != 1)
+    if (recorder.Take().begins.size() != 1)
         return 1;
 #if defined(WITH_PLUGIN)
     return bmr::IsInstalled() && bmr::internal::TrustListener != nullptr ? 0 : 1;

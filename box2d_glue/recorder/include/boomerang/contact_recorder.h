@@ -62,6 +62,7 @@ template <typename Event> struct ContactEventList {
 
     const Event *begin() const { return events; }
     const Event *end() const { return events + count; }
+    int32 size() const { return count; }
     const Event &operator[](int32 i) const { return events[i]; }
 };
 
