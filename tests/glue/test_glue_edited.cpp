@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes that a game changes in place, unannounced. tests/faults takes the handling of each out of the glue
-// and expects the test case here to fail.
+// Shapes that a game changes in place, unannounced.
 #include "yard.h"
 
 using namespace as_stock;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Who is born and dies when: installation, contacts, worlds; callers of Evaluate; odd bodies and
-// places. tests/faults takes handling out of the glue and expects test cases here to fail.
+// places.
 #include "boomerang/convex_shape.h"
 #include "yard.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The traps that Box2D lays for whoever keeps state about its bodies: shapes and poses that change
-// unannounced. tests/faults takes the handling of each out of the glue and expects the test case here to
-// fail.
+// unannounced.
 #include "yard.h"
 
 using namespace as_stock;

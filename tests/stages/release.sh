@@ -7,7 +7,7 @@
 # In the gate the corpora of tests/random, the actor's among them, are replayed under the sanitizers alone.
 build_release() {
     local rooms=''
-    [ "$long" = yes ] || rooms='gate;as_stock;hooks;front;plugin;contracts;threads;steps;faults'
+    [ "$long" = yes ] || rooms='gate;as_stock;hooks;front;plugin;contracts;threads;steps'
     build_tree release release "-DBOOMERANG_TEST_ROOMS=$rooms" -DBOOMERANG_BUILD_TESTS=ON -DBOOMERANG_BUILD_BENCHMARKS=ON -DBOOMERANG_QUICK_BUILD=ON \
         -DBOOMERANG_WARNINGS_AS_ERRORS=ON "-DBOOMERANG_PACKAGE_MAINTAINER=The tests <tests@example.org>"
 }
@@ -18,16 +18,13 @@ check_random_worlds() {
 }
 
 stage_release() {
-    local scale=1 less=() throws=10000000 controls=all
+    local scale=1 throws=10000000
     if [ "$long" = no ]; then
-        scale=0.1 throws=30000 controls=
-        # What is taken out of the library for the tests of threads is left to the thread sanitizer's tree.
-        less=(--exclude-regex '^faults_of_threads$')
+        scale=0.1 throws=30000
     fi
     build_release || return 1
     [ "$long" = no ] || bmr_need_packages lintian || return 1
     BMR_TEST_SCALE=${BMR_TEST_SCALE:-$scale} \
-        BMR_OUTLINE_THROWS=${BMR_OUTLINE_THROWS:-$throws} \
-        BMR_LONG_CONTROLS=${BMR_LONG_CONTROLS:-$controls} run_tests "tests (release)" "${less[@]}"
+        BMR_OUTLINE_THROWS=${BMR_OUTLINE_THROWS:-$throws} run_tests "tests (release)"
     [ "$long" = no ] || check "5,000 worlds of the actor from seed $seed on" check_random_worlds
 }
