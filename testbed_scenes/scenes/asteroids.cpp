@@ -1,11 +1,30 @@
 // SPDX-License-Identifier: MIT
 //
-// Concave bodies of 10 to 63 triangles: most of what the broad phase reports belongs to one body.
+// Bodies that drift and collide. Concave ones have 10 to 63 triangles: most of what the broad phase reports
+// belongs to one body.
 #include "scene.h"
 #include "shapes.h"
 
 namespace testbed {
 namespace {
+
+/// Stretched polygons of 3 to 8 corners, each of one fixture.
+class Drifters final : public Scene {
+    void Build(Stage &stage, int size) override {
+        stage.World().SetGravity({0.0f, 0.0f});
+        const Grid grid(size, 4, 3.6f);
+        AddArena(stage, {0.0f, 0.0f}, grid.halfWidth, grid.halfHeight, 1.0f);
+        for (int i = 0; i < size; ++i) {
+            Outline outline = RegularOutline(3 + i % 6, 1.0f);
+            for (b2Vec2 &vertex : outline)
+                vertex.x *= 1.8f;
+            b2PolygonShape polygon;
+            polygon.Set(outline.data(), static_cast<int32>(outline.size()));
+            const b2BodyDef def = Drifting(stage.Rng(), grid.Place(i), 1.0f, 2.0f, 1.0f);
+            stage.AddFixture(stage.AddBody(def), Material(1.0f, 0.1f, 1.0f), polygon);
+        }
+    }
+};
 
 class Asteroids final : public Scene {
     void Build(Stage &stage, int size) override {
@@ -43,6 +62,8 @@ class StarPile final : public Scene {
 } // namespace
 
 void AddAsteroids(std::vector<SceneInfo> &scenes) {
+    scenes.push_back({"drifters", "stretched polygons of 3 to 8 corners drift in a closed box", "hard",
+                      "bodies", 8, 300, CreateScene<Drifters>});
     scenes.push_back({"asteroids", "concave bodies of 10 to 63 triangles bounce about in a closed box",
                       "hard", "bodies", 150, 300, CreateScene<Asteroids>});
     scenes.push_back({"star-pile", "concave stars of 10 to 31 triangles fall into a pile", "hard", "stars",

@@ -18,7 +18,7 @@ constexpr Wanted kStructures[] = {{"closest-features", "closest features"},
                                   {"active-cell-compass", "active cell, compass"},
                                   {"lazy-compass", "lazy, compass"},
                                   {"lazy-dudley", "lazy, Dudley"},
-                                  {"free-fd2", "free direction"}};
+                                  {"hybrid", "hybrid"}};
 constexpr unsigned kSeeds = 2;
 constexpr size_t kVertices = 256;
 
