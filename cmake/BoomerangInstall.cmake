@@ -3,7 +3,7 @@
 # And a target `uninstall`, which takes away what the last installation from this build tree put there; `installable` builds what is
 # installed, and no more.
 #
-# Its parts, each to be had alone by `cmake --install build --component NAME`, and each a Debian package (BoomerangPackages.cmake):
+# Its parts, each to be had alone by `cmake --install build --component NAME`:
 #
 #   runtime               the plugin
 #   tools                 `boomerang`, which tries games, and its manual page
@@ -83,7 +83,7 @@ install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/BoomerangDocumentation.cmake COMPONENT 
 # Debian's Python looks there below /usr, and below /usr/local in a folder with its version.
 if(NOT DEFINED BOOMERANG_PYTHON_DIR)
   set(BOOMERANG_PYTHON_DIR lib/python3/dist-packages)
-  if(CMAKE_INSTALL_PREFIX STREQUAL "/usr/local" AND NOT BOOMERANG_PACKAGE_MAINTAINER)
+  if(CMAKE_INSTALL_PREFIX STREQUAL "/usr/local")
     find_package(Python3 QUIET COMPONENTS Interpreter)
     if(Python3_FOUND)
       set(BOOMERANG_PYTHON_DIR lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/dist-packages)
@@ -174,5 +174,11 @@ if(PROJECT_IS_TOP_LEVEL)
     COMMAND ${CMAKE_COMMAND} -DMANIFEST=${PROJECT_BINARY_DIR}/install_manifest.txt
       -P ${CMAKE_CURRENT_LIST_DIR}/BoomerangUninstall.cmake
     COMMENT "Taking away what the last installation put there" VERBATIM)
-  include(${CMAKE_CURRENT_LIST_DIR}/BoomerangPackages.cmake)
+  # `cpack -G DEB` in the build tree makes one package of all of it.
+  set(CPACK_PACKAGE_CONTACT "whoever built it <root@localhost>")
+  set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+  set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
+  set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+  set(CPACK_STRIP_FILES ON)
+  include(CPack)
 endif()

@@ -2,7 +2,7 @@
 // What Box2D's three tests are really off by, from the origin to 10 km and at angles to a million radians:
 // random poses about the threshold, and from each a climb towards larger errors. Within the reach the largest
 // must stay below what thresholds.h leaves; beyond, it is recorded, and the glue must not answer.
-// docs/thresholds.md has a table of a long run.
+// box2d_glue/proofs/thresholds.md has a table of a long run.
 #include <box2d/b2_distance.h>
 #include <box2d/b2_time_of_impact.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The thresholds re-derived (docs/thresholds.md) by interval arithmetic: what Box2D's float arithmetic, and
+// The thresholds re-derived (box2d_glue/proofs/thresholds.md) by interval arithmetic: what Box2D's float arithmetic, and
 // the glue's own, may be off by, for all rotations and directions at once, is no more than thresholds.h
 // leaves.
 //

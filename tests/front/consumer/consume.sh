@@ -88,6 +88,8 @@ install)
                 fail "the installed sources are others: $(head -n 1 "$WORK/sources.txt")"
         done
     fi
+    # No link of an installed page is dead.
+    python3 "$SOURCE/tests/front/check_links.py" "$prefix/share/doc/boomerang" >"$WORK/links.txt" || fail "$(cat "$WORK/links.txt")"
     # What ships inside a game must not depend on GSL, which is GPL-3. (libboomerang_kinetic is what does.)
     while read -r library; do
         ! readelf --dynamic "$library" | grep NEEDED | grep -i gsl || fail "$library links GSL"
