@@ -216,7 +216,7 @@ FIGURES = ["boomerangs", "coarse-line", "dudley", "free-direction", "growth", "i
 
 EXPERIMENTS = [
     picture("figures", "the figures of core/README.md, from the real structures", 3,
-            ["boomerang-testbed figures -o docs/figures", "boomerang-testbed figures growth -o docs/figures"],
+            ["boomerang-testbed figures -o docs/figures"],
             [[TESTBED, "figures", "-o", "{out}"]], [f"docs/figures/{name}.svg" for name in FIGURES]),
     picture("planks", "a scene with what proves its bodies apart", 1, ["boomerang-testbed render planks --step 150 --focus 100 -o docs/planks.png"],
             [[TESTBED, "render", "planks", "--step", "150", "--focus", "100", "-o", "{out}/planks.png"]], ["docs/planks.png"]),

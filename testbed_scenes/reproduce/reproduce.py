@@ -36,7 +36,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 def pages(root=ROOT):
     """The pages with figures, by their names."""
-    return {str(file.relative_to(root)): file.read_text() for file in [root / "README.md", root / "core/README.md", *sorted((root / "docs").glob("*.md"))]}
+    return {str(file.relative_to(root)): file.read_text() for file in [root / "README.md", root / "core/README.md", root / "box2d_glue/proofs/thresholds.md", root / "box2d_glue/a-step-as-data.md", *sorted((root / "docs").glob("*.md"))]}
 
 
 def normal(command):
