@@ -68,7 +68,8 @@ class Motion:
 
     @classmethod
     def screw(cls, start=None, velocity=(0.0, 0.0), spin=0.0, origin=0.0):
-        """At `start` at the time `origin`; from there along a line, turning by `spin` radians a unit of time."""
+        """At `start`, which is a Pose, (x, y) or (x, y, angle), at the time `origin`; from there along a line, turning by `spin`
+        radians a unit of time."""
         piece = _c.motion_piece(_SCREW, float(origin))
         getattr(piece, "as").screw = _c.screw_motion(pose(start)._c, _c.to_vec2(velocity), float(spin))
         return cls._of_piece(piece)
