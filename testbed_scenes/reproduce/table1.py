@@ -18,7 +18,7 @@ mu is the smaller of n and the square root of D/sigma. Here n is 1024, and D/sig
 events  at the least and at the greatest D/sigma, the mean of three motions
 x2      how many more events each doubling of D/sigma brings, fitted: a constant where they are O(log mu)
 power   the fitted power of D/sigma: O(mu) is 0.5, and O(mu^2) is 1
-holds   both fitted powers are at most 0.05 above the power that is fitted to the paper's bound"""
+holds   both powers are at most 0.05 above that of the paper's bound; or the bound is a logarithm, and fits better than a power"""
 GROWTH = {LOG: math.log2, MU: math.sqrt, MU_LOG: lambda x: math.sqrt(x) * math.log2(x), MU2: lambda x: x, MU2_LOG2: lambda x: x * math.log2(x) ** 2}
 
 
@@ -32,8 +32,18 @@ def measured(events, motion, structure):
     return f"{means[0]:6.1f} to {means[-1]:6.1f} {slope(doublings, means):+6.2f}   {exponent(events.ratios, means):5.2f}"
 
 
+def off(curve, means):
+    return sum((value - mean) ** 2 for value, mean in zip(curve, means))
+
+
 def holds(bound, events, motion, structure):
-    return exponent(events.ratios, events.means(motion, structure)) <= exponent(events.ratios, [GROWTH[bound](ratio) for ratio in events.ratios]) + 0.05
+    means, logs = events.means(motion, structure), [math.log2(ratio) for ratio in events.ratios]
+    power, rise = exponent(events.ratios, means), slope(logs, means)
+    if power <= exponent(events.ratios, [GROWTH[bound](ratio) for ratio in events.ratios]) + 0.05:
+        return True
+    middle, mean, factor = sum(logs) / len(logs), sum(means) / len(means), sum(math.log2(value) for value in means) / len(means)
+    return bound == LOG and (off([mean + rise * (log - middle) for log in logs], means) <=
+                             off([2 ** (factor + power * (log - middle)) for log in logs], means))
 
 
 def table(runs):
